@@ -371,6 +371,8 @@ class Validator {
     const std::size_t samples = 3 * static_cast<std::size_t>(panorama.width) * static_cast<std::size_t>(panorama.height);
     require(panorama.width > 0 && panorama.height > 0 && panorama.channels == 3 && panorama.data.size() == samples,
             "environment", "is not a picture of three channels");
+    require(panorama.width <= EnvironmentMap::kMostWidth && panorama.height <= EnvironmentMap::kMostHeight, "environment",
+            fmt::format("has more than {} x {} pixels", EnvironmentMap::kMostWidth, EnvironmentMap::kMostHeight));
     require(std::all_of(panorama.data.begin(), panorama.data.end(), [](float v) { return v >= 0.0f && std::isfinite(v); }),
             "environment", "a sample is negative or not finite");
     require(finite(map.strength) && map.strength >= 0.0f && finite(map.rotation), "environment",

@@ -36,6 +36,7 @@ class Environment {
   struct Sample {
     Vec3f direction{0.0f};
     float density = 0.0f;  ///< per steradian
+    Vec3f radiance{0.0f};  ///< along the direction, but for rounding
   };
   /// A direction of the sun, where has_sun().
   Sample sample_sun(Vec2f u) const { return sample(sun_, u); }
@@ -54,7 +55,6 @@ class Environment {
   Vec3f mean_radiance() const { return mean_radiance_; }
 
  private:
-  Vec3f texel(int x, int y) const;
   float rotation() const { return background_.map ? background_.map->rotation : 0.0f; }
   Sample sample(const PatchChoice& patches, Vec2f u) const;
 

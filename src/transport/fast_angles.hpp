@@ -1,4 +1,5 @@
-// Angles from coordinates in a form that vectorises, which the library's are not: good to 3e-7. Private to src/transport.
+// Angles from coordinates, and coordinates from angles, in a form that vectorises, which the library's are not: good to 3e-7.
+// Private to src/transport.
 //
 // The series of arc tangent and arc sine are cut short and their coefficients moved so that the largest error on the interval
 // is as small as it can be (E. Remez, 1934).
@@ -37,6 +38,20 @@ LIPPMANN_INLINE float fast_acos(float x) {
   const float arcsine = s + s * z * p;
   const float of_a = steep ? 2.0f * arcsine : 0.5f * kPi - arcsine;
   return x < 0.0f ? kPi - of_a : of_a;
+}
+
+/// For angles of a few turns.
+LIPPMANN_INLINE void fast_sin_cos(float angle, float& sine, float& cosine) {
+  const float quarters = std::floor(angle * (2.0f / kPi) + 0.5f);
+  // pi / 2 in two parts, the first of which, times a small whole number, is exact.
+  const float x = (angle - quarters * 1.5703125f) - quarters * 4.83826795e-4f, z = x * x;
+  const float s = x + x * z * (-0.16666651f + z * (0.008331979f + z * -0.00019495636f));
+  const float c = 1.0f - 0.5f * z + z * z * (0.041666646f + z * (-0.0013887368f + z * 2.4438452e-05f));
+  const int quarter = static_cast<int>(quarters) & 3;
+  const bool is_odd = (quarter & 1) != 0;
+  const float a = is_odd ? c : s, b = is_odd ? s : c;
+  sine = (quarter & 2) != 0 ? -a : a;
+  cosine = ((quarter + 1) & 2) != 0 ? -b : b;
 }
 
 }  // namespace lippmann

@@ -190,7 +190,7 @@ BsdfValue MetalRoughBsdf::evaluate(Vec3f light_world) const {
   const Vec3f local = frame_.to_local(light_world), light = local_to_gloss(light_world, local);
   BsdfValue value;
   value.transmitted = scatters_through() && local.z < 0.0f && light.z < 0.0f;
-  if (local.z > 0.0f) {
+  if (local.z > 0.0f && shares_.diffuse > 0.0f) {
     value.cosine_f = below_coat_ * local.z * diffuse_f(local);
     value.density = shares_.diffuse * local.z * (1.0f / kPi);
   }

@@ -2,34 +2,80 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+
+#include "transport/bsdf.hpp"
 
 namespace lippmann {
 namespace {
 
+constexpr float kBelowOne = 0x1.fffffep-1f;
+constexpr unsigned kAllOwn = 0xff;  ///< all patches of a row of a tile
+constexpr int kTile = SkyPatches::kTile;
 /// What find_sun() says in its declaration.
 constexpr double kBright = 50.0, kLeastShare = 0.1, kMostSteradian = 0.02;
 
 /// In [0, 1), of density proportional to a line from a to b >= 0; evenly where both are 0.
 float sample_line(float u, float a, float b) {
-  const float below_one = 0x1.fffffep-1f;
   if (!(a + b > 0.0f)) return u;
-  // The ratio, as squares of what is bright overflow.
-  const float most = std::max(a, b), from = a / most, to = b / most;
-  const float root = std::sqrt(from * from + u * (to * to - from * from));
-  return from + root > 0.0f ? std::min(u * (from + to) / (from + root), below_one) : 0.0f;
+  const float from = a / (a + b), root = std::sqrt(std::max(from * from + u * (1.0f - 2.0f * from), 0.0f));
+  return from + root > 0.0f ? std::min(u / (from + root), kBelowOne) : 0.0f;
 }
 
-/// Bilinear, over its mean; 1 where all corners are 0.
-float shape(const std::array<float, 4>& corners, Vec2f within) {
-  const float mean = 0.25f * (corners[0] + corners[1] + corners[2] + corners[3]);
-  const float upper = glm::mix(corners[0], corners[1], within.x), lower = glm::mix(corners[2], corners[3], within.x);
-  return mean > 0.0f ? glm::mix(upper, lower, within.y) / mean : 1.0f;
+/// The index whose share u in [0, 1) falls into, never one without; upto: sums of shares, the last 1. u becomes how far it lies
+/// in the share.
+template <std::size_t N>
+int pick_share(const std::array<float, N>& upto, float& u) {
+  int index = 0;
+  for (std::size_t i = 0; i + 1 < N; ++i) index += upto[i] <= u ? 1 : 0;
+  const auto at = static_cast<std::size_t>(index);
+  const float below = at > 0 ? upto[at - 1] : 0.0f;
+  u = std::min((u - below) / (upto[at] - below), kBelowOne);
+  return index;
 }
+
+/// Likewise by weights, not all of which are 0.
+template <std::size_t N>
+int pick_weight(const std::array<float, N>& weights, float& u) {
+  std::array<float, N> upto;
+  float sum = 0.0f;
+  for (std::size_t i = 0; i < N; ++i) upto[i] = sum += weights[i];
+  const float wanted = u * sum;
+  std::size_t index = 0;
+  for (std::size_t i = 0; i < N; ++i) index += upto[i] <= wanted ? 1 : 0;
+  while (index >= N || !(weights[index] > 0.0f)) --index;  // rounding took it beyond the last one
+  u = std::clamp((wanted - (index > 0 ? upto[index - 1] : 0.0f)) / weights[index], 0.0f, kBelowOne);
+  return static_cast<int>(index);
+}
+
+template <std::size_t N>
+float sum_of(const std::array<float, N>& values) {
+  float sum = 0.0f;
+  for (const float value : values) sum += value;
+  return sum;
+}
+
+/// The luminance of a patch, bilinear between its corners.
+struct Patch {
+  explicit Patch(const std::array<float, 4>& corners) : of(corners) {}
+  float left(float down) const { return glm::mix(of[0], of[2], down); }
+  float right(float down) const { return glm::mix(of[1], of[3], down); }
+  float at(Vec2f within) const { return glm::mix(left(within.y), right(within.y), within.x); }
+
+  std::array<float, 4> of;
+};
 
 struct Texel {
   int x, y;
   double luminance;
 };
+
+bool is_grey(int width, int height, const std::function<Vec3f(int x, int y)>& light) {
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      if (const Vec3f rgb = light(x, y); rgb.y != rgb.x || rgb.z != rgb.x) return false;
+  return true;
+}
 
 /// The patches that touch one of the texels.
 PatchMask touched_patches(const SkyPatches& sky, const std::vector<Texel>& texels) {
@@ -57,12 +103,25 @@ double light(const SkyPatches& sky, const std::vector<Texel>& texels) {
 
 }  // namespace
 
-SkyPatches::SkyPatches(int width, int height)
-    : width_(width), height_(height), luminance_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+SkyPatches::SkyPatches(int width, int height, const std::function<Vec3f(int x, int y)>& light)
+    : width_(width), height_(height), tiles_across_((width + kTile - 1) / kTile) {
   const double step = M_PI / height;
   cosines_.push_back(1.0f);
   for (int y = 0; y < height; ++y) cosines_.push_back(static_cast<float>(std::cos(step * (y + 0.5))));
   cosines_.push_back(-1.0f);
+  if (is_grey(width, height, light)) layout_ = kGrey;
+  texels_.resize(static_cast<std::size_t>(layout_.tile) * static_cast<std::size_t>(tiles_across()) *
+                 static_cast<std::size_t>(tiles_down()));
+  for (int tile_y = 0; tile_y < tiles_down(); ++tile_y)
+    for (int tile_x = 0; tile_x < tiles_across(); ++tile_x) {
+      float* into = texels_.data() + static_cast<std::size_t>(layout_.tile) * tile(tile_x, tile_y);
+      for (int y = kTile * tile_y; y <= kTile * (tile_y + 1); ++y, into += layout_.row)
+        for (int i = 0; i <= kTile; ++i) {
+          // What lies beyond the right edge or the bottom belongs to no patch.
+          const Vec3f rgb = light((kTile * tile_x + i) % width, std::clamp(y - 1, 0, height - 1));
+          for (int c = 0; c < 3; ++c) into[layout_.channel * c + i] = rgb[c];
+        }
+    }
 }
 
 float SkyPatches::texel_solid_angle(int y) const {
@@ -80,16 +139,22 @@ SkyPatches::Place SkyPatches::at(Vec2f across_down, float cosine) const {
   return place;
 }
 
+Vec3f SkyPatches::texel(int x, int y) const {
+  const float* red = corner(x, y + 1);
+  return {red[0], red[layout_.channel], red[2 * layout_.channel]};
+}
+
 std::array<float, 4> SkyPatches::corners(int x, int y) const {
-  const int right = x + 1 < width_ ? x + 1 : 0, above = std::max(y - 1, 0), below = std::min(y, height_ - 1);
-  return {luminance(x, above), luminance(right, above), luminance(x, below), luminance(right, below)};
+  const float* upper = corner(x, y);
+  return {luminance_at(upper), luminance_at(upper + 1), luminance_at(upper + layout_.row),
+          luminance_at(upper + layout_.row + 1)};
 }
 
 PatchMask find_sun(const SkyPatches& sky) {
   double all = 0.0;
   for (int y = 0; y < sky.height(); ++y) {
     double row = 0.0;
-    for (int x = 0; x < sky.width(); ++x) row += static_cast<double>(sky.luminance(x, y));
+    for (int x = 0; x < sky.width(); ++x) row += static_cast<double>(luminance(sky.texel(x, y)));
     all += row * static_cast<double>(sky.texel_solid_angle(y));
   }
   double level = kBright * all / (4.0 * M_PI);
@@ -97,7 +162,7 @@ PatchMask find_sun(const SkyPatches& sky) {
   std::vector<Texel> bright;
   for (int y = 0; y < sky.height(); ++y)
     for (int x = 0; x < sky.width(); ++x)
-      if (const auto of = static_cast<double>(sky.luminance(x, y)); of >= level) bright.push_back({x, y, of});
+      if (const auto of = static_cast<double>(luminance(sky.texel(x, y))); of >= level) bright.push_back({x, y, of});
   while (light(sky, bright) >= kLeastShare * all) {
     PatchMask sun = touched_patches(sky, bright);
     if (solid_angle(sky, sun) <= kMostSteradian) return sun;
@@ -107,41 +172,86 @@ PatchMask find_sun(const SkyPatches& sky) {
   return {};
 }
 
-PatchChoice::PatchChoice(const SkyPatches& sky, const std::function<bool(std::size_t patch)>& is_of) {
-  std::vector<float> row_weights, weights(static_cast<std::size_t>(sky.width()));
-  for (int y = 0; y < sky.rows(); ++y) {
-    for (int x = 0; x < sky.width(); ++x) {
-      const std::array<float, 4> c = is_of(sky.patch(x, y)) ? sky.corners(x, y) : std::array<float, 4>{};
-      weights[static_cast<std::size_t>(x)] = 0.25f * (c[0] + c[1] + c[2] + c[3]);
-    }
-    columns_.emplace_back(weights);
-    row_weights.push_back(static_cast<float>(columns_.back().total()) * sky.patch_solid_angle(y));
+PatchChoice::PatchChoice(const SkyPatches& sky, const std::function<bool(std::size_t patch)>& is_of)
+    : rows_(sky.tile(0, sky.tiles_down())), own_(kTile * rows_.size(), 0) {
+  std::vector<float> row_weights, weights(static_cast<std::size_t>(sky.tiles_across()));
+  for (int tile_y = 0; tile_y < sky.tiles_down(); ++tile_y) {
+    for (int tile_x = 0; tile_x < sky.tiles_across(); ++tile_x)
+      weights[static_cast<std::size_t>(tile_x)] = add_tile(sky, tile_x, tile_y, is_of);
+    tiles_.emplace_back(weights);
+    row_weights.push_back(static_cast<float>(tiles_.back().total()));
   }
-  rows_ = DiscreteDistribution(row_weights);
+  tile_rows_ = DiscreteDistribution(row_weights);
 }
 
-float PatchChoice::density_of_patch(const SkyPatches& sky, int x, int y) const {
-  const auto row = static_cast<std::size_t>(y);
-  if (is_dark() || columns_[row].empty()) return 0.0f;
-  return rows_.probability(row) * columns_[row].probability(static_cast<std::size_t>(x)) / sky.patch_solid_angle(y);
+/// Returns what it weighs.
+float PatchChoice::add_tile(const SkyPatches& sky, int tile_x, int tile_y,
+                            const std::function<bool(std::size_t patch)>& is_of) {
+  const std::size_t tile = sky.tile(tile_x, tile_y);
+  std::array<double, kTile> upto{};
+  double sum = 0.0;
+  for (int row = 0, y = kTile * tile_y; row < kTile; ++row, ++y) {
+    for (int bit = 0, x = kTile * tile_x; y < sky.rows() && bit < kTile && x < sky.width(); ++bit, ++x)
+      if (is_of(sky.patch(x, y))) own_[kTile * tile + static_cast<std::size_t>(row)] |= static_cast<std::uint8_t>(1u << bit);
+    if (y < sky.rows()) {
+      const RowOfPatches of_patches = weights_of(sky, tile, row);
+      sum += static_cast<double>(sky.patch_solid_angle(y)) * std::accumulate(of_patches.begin(), of_patches.end(), 0.0);
+    }
+    upto[static_cast<std::size_t>(row)] = sum;
+  }
+  for (std::size_t row = 0; row < kTile; ++row)
+    rows_[tile][row] = sum > 0.0 && upto[row] < sum ? static_cast<float>(upto[row] / sum) : 1.0f;
+  return static_cast<float>(sum);
+}
+
+/// The mean luminance of each patch of a row of a tile; 0 of those that are not to be drawn.
+PatchChoice::RowOfPatches PatchChoice::weights_of(const SkyPatches& sky, std::size_t tile, int row) const {
+  const int below = sky.layout().row;
+  const float* texels = sky.texels_of(tile) + row * below;
+  std::array<float, kTile + 1> edges;  // of upper and lower texel together
+  for (std::size_t x = 0; x < edges.size(); ++x) edges[x] = sky.luminance_at(texels + x) + sky.luminance_at(texels + x + below);
+  RowOfPatches weights;
+  for (std::size_t x = 0; x < weights.size(); ++x) weights[x] = 0.25f * (edges[x] + edges[x + 1]);
+  if (const unsigned own = own_[kTile * tile + static_cast<std::size_t>(row)]; own != kAllOwn)
+    for (std::size_t x = 0; x < weights.size(); ++x) weights[x] = (own >> x & 1u) != 0 ? weights[x] : 0.0f;
+  return weights;
+}
+
+/// Of a row of patches within a tile; per steradian.
+float PatchChoice::chance_of_row(const SkyPatches& sky, int tile_x, int y) const {
+  const auto tile_y = static_cast<std::size_t>(y / kTile), row = static_cast<std::size_t>(y % kTile);
+  if (is_dark() || tiles_[tile_y].empty()) return 0.0f;
+  const float of_tile = tile_rows_.probability(tile_y) * tiles_[tile_y].probability(static_cast<std::size_t>(tile_x));
+  const RowShares& upto = rows_[sky.tile(tile_x, y / kTile)];
+  return of_tile * (upto[row] - (row > 0 ? upto[row - 1] : 0.0f)) / sky.patch_solid_angle(y);
 }
 
 PatchChoice::Chosen PatchChoice::sample(const SkyPatches& sky, Vec2f u) const {
   Vec2f rest;
-  const auto y = static_cast<int>(rows_.sample(u.y, rest.y));
-  const auto x = static_cast<int>(columns_[static_cast<std::size_t>(y)].sample(u.x, rest.x));
-  const std::array<float, 4> c = sky.corners(x, y);
-  Vec2f within;
-  within.y = sample_line(rest.y, c[0] + c[1], c[2] + c[3]);
-  within.x = sample_line(rest.x, glm::mix(c[0], c[2], within.y), glm::mix(c[1], c[3], within.y));
-  const float across = (static_cast<float>(x) + 0.5f + within.x) / static_cast<float>(sky.width());
-  return {across, glm::mix(sky.cosine_above(y), sky.cosine_above(y + 1), within.y),
-          density_of_patch(sky, x, y) * shape(c, within)};
+  const auto tile_y = static_cast<int>(tile_rows_.sample(u.y, rest.y));
+  const auto tile_x = static_cast<int>(tiles_[static_cast<std::size_t>(tile_y)].sample(u.x, rest.x));
+  const std::size_t tile = sky.tile(tile_x, tile_y);
+  const int row = pick_share(rows_[tile], rest.y);
+  const RowOfPatches weights = weights_of(sky, tile, row);
+  const int column = pick_weight(weights, rest.x);
+  Chosen chosen;
+  SkyPatches::Place& place = chosen.place;
+  place.x = kTile * tile_x + column, place.y = kTile * tile_y + row;
+  const Patch patch(sky.corners(place.x, place.y));
+  place.within.y = sample_line(rest.y, patch.of[0] + patch.of[1], patch.of[2] + patch.of[3]);
+  place.within.x = sample_line(rest.x, patch.left(place.within.y), patch.right(place.within.y));
+  chosen.across = (static_cast<float>(place.x) + 0.5f + place.within.x) / static_cast<float>(sky.width());
+  chosen.cosine = glm::mix(sky.cosine_above(place.y), sky.cosine_above(place.y + 1), place.within.y);
+  chosen.density = chance_of_row(sky, tile_x, place.y) / sum_of(weights) * patch.at(place.within);
+  return chosen;
 }
 
 float PatchChoice::density(const SkyPatches& sky, const SkyPatches::Place& place) const {
-  const float of_patch = density_of_patch(sky, place.x, place.y);
-  return of_patch > 0.0f ? of_patch * shape(sky.corners(place.x, place.y), place.within) : 0.0f;
+  const float of_row = chance_of_row(sky, place.x / kTile, place.y);
+  if (!(of_row > 0.0f)) return 0.0f;
+  const RowOfPatches weights = weights_of(sky, sky.tile(place.x / kTile, place.y / kTile), place.y % kTile);
+  if (!(weights[static_cast<std::size_t>(place.x % kTile)] > 0.0f)) return 0.0f;
+  return of_row / sum_of(weights) * Patch(sky.corners(place.x, place.y)).at(place.within);
 }
 
 }  // namespace lippmann

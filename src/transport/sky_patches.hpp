@@ -4,27 +4,43 @@
 // A patch lies between the centres of four neighbouring texels, where looked-up light is bilinear. There are as many columns of
 // patches as of texels (the last one leads round to the first texels) and one row more: the first and the last row are half as
 // high and lie between the poles and the outermost texels. Rows count from straight up.
+//
+// Patches lie in memory by tiles of 8 x 8, each with all the texels that its patches touch, so that what a direction needs is
+// near by: a panorama is larger than a core's cache, and directions into it go everywhere.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
+#include "core/multiversion.hpp"
 #include "lippmann/core/math.hpp"
+#include "transport/bsdf.hpp"
 #include "transport/discrete.hpp"
 
 namespace lippmann {
 
-/// The luminance of a grid of texels over the sphere, seen as patches.
+/// The light of a grid of texels over the sphere, seen as patches.
 class SkyPatches {
  public:
-  SkyPatches(int width, int height);  ///< texels; all of them dark
+  /// Patches of a tile, along each side.
+  static constexpr int kTile = 8;
+  /// Where a tile's texels lie: floats from a channel of a row to the next channel, from a row to the one below, and from a
+  /// tile to the next. Of the largest panorama (EnvironmentMap) they are fewer than 2^31.
+  struct Layout {
+    int channel = kTile + 1, row = 3 * channel, tile = 244;
+  };
+  /// Where all light is grey, as the studio's: channels are one.
+  static constexpr Layout kGrey{0, kTile + 1, 84};
+
+  /// light: of a texel, at x in [0, width) and y in [0, height); finite and not negative.
+  SkyPatches(int width, int height, const std::function<Vec3f(int x, int y)>& light);
 
   int width() const { return width_; }
   int height() const { return height_; }
   float texel_solid_angle(int y) const;
-  float luminance(int x, int y) const { return luminance_[index(x, y)]; }
-  void set(int x, int y, float luminance) { luminance_[index(x, y)] = luminance; }
+  Vec3f texel(int x, int y) const;
 
   /// Somewhere on the sphere.
   struct Place {
@@ -35,22 +51,39 @@ class SkyPatches {
   Place at(Vec2f across_down, float cosine) const;
 
   int rows() const { return height_ + 1; }
-  std::size_t patch(int x, int y) const { return index(x, y); }
+  std::size_t patch(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+  }
   float patch_solid_angle(int y) const {
     return (cosine_above(y) - cosine_above(y + 1)) * 2.0f * kPi / static_cast<float>(width_);
   }
   /// Cosine of the polar angle at the top of a row of patches.
   float cosine_above(int y) const { return cosines_[static_cast<std::size_t>(y)]; }
+
+  // Tiles; those on the right and at the bottom may hold fewer patches than others.
+  int tiles_across() const { return tiles_across_; }
+  int tiles_down() const { return (rows() + kTile - 1) / kTile; }
+  std::size_t tile(int tile_x, int tile_y) const {
+    return static_cast<std::size_t>(tile_y) * static_cast<std::size_t>(tiles_across_) + static_cast<std::size_t>(tile_x);
+  }
+  const Layout& layout() const { return layout_; }
+  /// Of a tile's texels, row by row, all that is red, green and blue.
+  const float* texels_of(std::size_t tile) const { return texels_.data() + static_cast<std::size_t>(layout_.tile) * tile; }
+  /// Red of the upper left corner of a patch. One float on is that of the upper right one.
+  const float* corner(int x, int y) const {
+    return texels_of(tile(x / kTile, y / kTile)) + layout_.row * (y % kTile) + x % kTile;
+  }
   /// Luminance at the patch's corners: upper left, upper right, lower left, lower right.
   std::array<float, 4> corners(int x, int y) const;
-
- private:
-  std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+  /// Of a texel, by where its red is.
+  float luminance_at(const float* red) const {
+    return luminance(Vec3f(red[0], red[layout_.channel], red[2 * layout_.channel]));
   }
 
-  int width_, height_;
-  std::vector<float> luminance_;
+ private:
+  int width_, height_, tiles_across_;
+  Layout layout_;
+  std::vector<float> texels_;
   std::vector<float> cosines_;
 };
 
@@ -62,17 +95,19 @@ using PatchMask = std::vector<bool>;
 /// panoramas with a sun that clouds veil nor those with large windows have one: their shadows are soft.
 PatchMask find_sun(const SkyPatches& sky);
 
-/// Draws places of some of a sky's patches by their luminance.
+/// Draws places of some of a sky's patches by their luminance: a tile, a row of its patches, a patch of that row, and a place
+/// within the patch.
 class PatchChoice {
  public:
   PatchChoice() = default;  ///< has no patches
   PatchChoice(const SkyPatches& sky, const std::function<bool(std::size_t patch)>& is_of);
 
-  bool is_dark() const { return rows_.empty(); }
+  bool is_dark() const { return tile_rows_.empty(); }
   /// Luminance over solid angle.
-  double total() const { return rows_.total(); }
+  double total() const { return tile_rows_.total(); }
 
   struct Chosen {
+    SkyPatches::Place place;
     float across, cosine;  ///< share of the turn; the polar angle's cosine
     float density;         ///< per steradian
   };
@@ -82,10 +117,17 @@ class PatchChoice {
   float density(const SkyPatches& sky, const SkyPatches::Place& place) const;
 
  private:
-  float density_of_patch(const SkyPatches& sky, int x, int y) const;
+  /// Of a row of patches within a tile: its share of the tile's light and of that of the rows above it together.
+  using RowShares = std::array<float, SkyPatches::kTile>;
+  using RowOfPatches = std::array<float, SkyPatches::kTile>;
+  float add_tile(const SkyPatches& sky, int tile_x, int tile_y, const std::function<bool(std::size_t patch)>& is_of);
+  RowOfPatches weights_of(const SkyPatches& sky, std::size_t tile, int row) const;
+  float chance_of_row(const SkyPatches& sky, int tile_x, int y) const;
 
-  DiscreteDistribution rows_;
-  std::vector<DiscreteDistribution> columns_;  ///< per row
+  DiscreteDistribution tile_rows_;
+  std::vector<DiscreteDistribution> tiles_;  ///< by row of tiles
+  std::vector<RowShares> rows_;              ///< by tile
+  std::vector<std::uint8_t> own_;            ///< by tile and row in it: a bit for every patch that may be drawn
 };
 
 }  // namespace lippmann

@@ -33,5 +33,15 @@ TEST(FastAngles, arc_cosines_are_the_librarys_from_pole_to_pole) {
   EXPECT_EQ(fast_acos(-1.0f), kPi);
 }
 
+TEST(FastAngles, sines_and_cosines_are_the_librarys_for_some_turns) {
+  for (int i = -400'000; i <= 400'000; ++i) {
+    const float angle = static_cast<float>(i) * (10.0f / 400'000.0f);
+    float sine, cosine;
+    fast_sin_cos(angle, sine, cosine);
+    ASSERT_NEAR(sine, std::sin(angle), 2e-7f) << angle;
+    ASSERT_NEAR(cosine, std::cos(angle), 2e-7f) << angle;
+  }
+}
+
 }  // namespace
 }  // namespace lippmann

@@ -285,6 +285,7 @@ struct Light {
 
 /// A panorama around the scene; how it lies: transport/environment.hpp.
 struct EnvironmentMap {
+  static constexpr int kMostWidth = 32768, kMostHeight = 16384;
   Image radiance;         ///< 3 channels, linear, finite and >= 0; equirectangular
   float strength = 1.0f;  ///< factor
   float rotation = 0.0f;  ///< radians about +y, from +x towards +z
