@@ -48,10 +48,14 @@ void FinalGather::trace_shadow_rays() {
 LaneMask FinalGather::begin_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
   queries_.active = {};
   const LaneMask phong = phong_lanes();
-  if (!any(phong)) return active;
-  shade_phong(packet, phong, rays);
   LaneMask left = active;
-  LIPPMANN_FOR_LANES(i) left.lane[i] &= ~phong.lane[i];
+  if (any(phong)) {
+    shade_phong(packet, phong, rays);
+    LIPPMANN_FOR_LANES(i) left.lane[i] &= ~phong.lane[i];
+  }
+  LaneMask surfaces;
+  LIPPMANN_FOR_LANES(i) surfaces.lane[i] = left.lane[i] & surface_.hit.lane[i];
+  if (any(surfaces)) draw_numbers(rays, surface_.any_see_through);
   return left;
 }
 
@@ -70,16 +74,17 @@ void FinalGather::end_packet(const RayHitPacket& packet, const LaneMask&, const 
 
 void FinalGather::vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length) {
   const Bsdf bsdf = bsdf_at(scene_, packet, surface_, i);
-  add_points(point, bsdf, ray);
-  const bool has_gloss = bsdf.diffuse_share() < 1.0f;
-  const Bsdf gloss = has_gloss ? bsdf.without_diffuse() : bsdf;
-  const bool is_rough = has_gloss && !gloss.is_sharp();
+  const Vec2f choice = numbers(ray, i, kChoicePair);
+  add_points(point, bsdf, ray, choice.x);
+  std::optional<Bsdf> gloss;
+  if (bsdf.diffuse_share() < 1.0f) gloss.emplace(bsdf.without_diffuse());
+  const bool is_rough = gloss && !gloss->is_sharp();
   const Vec3f albedo = bsdf.diffuse_albedo();
-  const Asking asking{point, bsdf, is_rough ? &gloss : nullptr, albedo, ray};
+  const Asking asking{point, bsdf, is_rough ? &*gloss : nullptr, albedo, ray, choice.x, numbers(ray, i, kOnLightPair)};
   add_rounds(asking);
   for (const LightGroups groups : {kSun, kLamps, kSkyLight}) add_lights(groups, asking);
   if (albedo != Vec3f(0.0f)) ask_cache(packet, i, ray, bsdf.normal(), albedo, length);
-  if (has_gloss) reflect(point, gloss, bsdf.lit_side(point.normal), ray, length);
+  if (gloss) reflect(point, *gloss, bsdf.lit_side(point.normal), ray, length, {choice, numbers(ray, i, kWayPair)});
 }
 
 /// For soft light on a diffuse surface: all that ask wait for end_packet().
@@ -98,10 +103,10 @@ void FinalGather::follow_path(const RayHitPacket& packet, int i, const PathRay& 
                         {draw(ray, kChoicePair).x, draw(ray, kOnLightPair), draw(ray, kWayPair)});
 }
 
-void FinalGather::add_points(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray) {
+void FinalGather::add_points(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float pick) {
   if (lights().points() > kFewLights) {
     if (const std::optional<LightSample> light =
-            lights().sample(kPointLights, {point.position, bsdf.lit_side(point.normal)}, draw(ray, kChoicePair).x, Vec2f(0.0f)))
+            lights().sample(kPointLights, {point.position, bsdf.lit_side(point.normal)}, pick, Vec2f(0.0f)))
       shine(point, bsdf, *light, ray, to_others_);
     return;
   }
@@ -123,9 +128,7 @@ void FinalGather::shine(const ShadingPoint& point, const Bsdf& bsdf, const Light
 void FinalGather::add_lights(LightGroups groups, const Asking& asking) {
   const bool is_diffuse = groups.begin < cells_.lights_from && asking.albedo != Vec3f(0.0f);
   if (!(is_diffuse || asking.gloss) || !(lights().chance(groups) > 0.0f)) return;
-  const PathRay& ray = asking.ray;
-  if (const std::optional<LightSample> light =
-          lights().sample(groups, asking.receiver(), draw(ray, kChoicePair).x, draw(ray, kOnLightPair)))
+  if (const std::optional<LightSample> light = lights().sample(groups, asking.receiver(), asking.pick, asking.on_light))
     add_light(*light, is_diffuse, asking);
 }
 
@@ -133,9 +136,8 @@ void FinalGather::add_lights(LightGroups groups, const Asking& asking) {
 void FinalGather::add_rounds(const Asking& asking) {
   if (!asks_all_rounds()) return add_lights(kRoundLights, asking);
   if (lights().rounds() == 0) return;
-  const Vec2f u = draw(asking.ray, kOnLightPair);
   for (std::size_t k = 0; k < lights().rounds(); ++k)
-    if (const std::optional<LightSample> light = lights().round(k, asking.point.position, u))
+    if (const std::optional<LightSample> light = lights().round(k, asking.point.position, asking.on_light))
       add_light(*light, asking.albedo != Vec3f(0.0f), asking);
 }
 
@@ -155,12 +157,12 @@ void FinalGather::add_light(const LightSample& light, bool is_diffuse, const Ask
   if (radiance != Vec3f(0.0f) && is_finite(radiance)) to_others_.push(point, light, radiance, ray.pixel, ray.depth + 1);
 }
 
-void FinalGather::reflect(const ShadingPoint& point, const Bsdf& gloss, Vec3f lit_side, const PathRay& ray, float length) {
-  const Vec2f choice = draw(ray, kChoicePair);
-  const std::optional<BsdfSample> sample = gloss.sample(choice.y, gloss.is_sharp() ? Vec2f(0.0f) : draw(ray, kWayPair));
+void FinalGather::reflect(const ShadingPoint& point, const Bsdf& gloss, Vec3f lit_side, const PathRay& ray, float length,
+                          const Numbers& drawn) {
+  const std::optional<BsdfSample> sample = gloss.sample(drawn.choice.y, gloss.is_sharp() ? Vec2f(0.0f) : drawn.way);
   if (!sample || !is_possible(point, sample->direction, sample->transmitted)) return;
   Vec3f throughput = ray.throughput * sample->weight;
-  if (survives(throughput, std::min(1.0f, kFaint * largest(throughput)), choice.x))
+  if (survives(throughput, std::min(1.0f, kFaint * largest(throughput)), drawn.choice.x))
     go_on(ray, point, lit_side, *sample, throughput, length, counts_.reflection);
 }
 

@@ -42,7 +42,6 @@ class FinalGather : public PathTracer<FinalGather> {
 
   LaneMask begin_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
   void end_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
-  static Vec2f numbers(const PathRay& ray, int, std::uint32_t pair) { return draw(ray, pair); }
   /// A vertex asks for one light of every group.
   float chance(LightGroups groups) const { return lights().chance(groups); }
   /// And for each lamp that has a size, where they are few.
@@ -54,7 +53,7 @@ class FinalGather : public PathTracer<FinalGather> {
   void end_path(const PathRay& ray, Vec3f radiance) { add_traced(ray.pixel, radiance, ray.surfaces()); }
   void trace_shadow_rays();
 
-  void add_points(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray);
+  void add_points(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float pick);
   /// A surface that asks for soft light.
   struct Asking {
     const ShadingPoint& point;
@@ -62,12 +61,18 @@ class FinalGather : public PathTracer<FinalGather> {
     const Bsdf* gloss;  ///< null: it has none, or only a sharp one
     Vec3f albedo;
     const PathRay& ray;
+    float pick;      ///< which light
+    Vec2f on_light;  ///< and where on it
     LightReceiver receiver() const { return {point.position, bsdf.lit_side(point.normal)}; }
   };
   void add_rounds(const Asking& asking);
   void add_lights(LightGroups groups, const Asking& asking);
   void add_light(const LightSample& light, bool is_diffuse, const Asking& asking);
-  void reflect(const ShadingPoint& point, const Bsdf& gloss, Vec3f lit_side, const PathRay& ray, float length);
+  struct Numbers {
+    Vec2f choice, way;
+  };
+  void reflect(const ShadingPoint& point, const Bsdf& gloss, Vec3f lit_side, const PathRay& ray, float length,
+               const Numbers& drawn);
   void shine(const ShadingPoint& point, const Bsdf& bsdf, const LightSample& light, const PathRay& ray, ShadowQueue& queue);
 
   // Phong's surfaces, side by side where all lights that are sampled are points.

@@ -171,20 +171,23 @@ void LightTable::add_triangles_of(std::size_t r, std::vector<float>& powers) {
   if (closed != BodyFacing::kNone && is_opaque(sources_.materials[material])) bodies_[r] = bounds_of(*record.mesh, place);
 }
 
-/// A tree draws anew, with what is left of the number that has chosen it.
+/// A tree draws anew, with what is left of the number that has chosen it. Trees are asked first, as the list of all entries is
+/// long where there are any.
 std::optional<LightTable::Chosen> LightTable::choose(const LightReceiver& at, float pick) const {
+  for (const TreeOfGroup& group :
+       {TreeOfGroup{point_tree_, point_tree(), 0}, TreeOfGroup{round_tree_, round_tree(), first_round()},
+        TreeOfGroup{triangle_tree_, triangle_tree(), first_triangle()}}) {
+    if (group.tree.empty()) continue;
+    const float begin = chances_.probability_before(group.entry), end = chances_.probability_before(group.entry + 1);
+    if (!(begin <= pick && pick < end)) continue;
+    const float chance = end - begin;
+    const std::optional<LightTree::Choice> choice = group.tree.choose(at, std::min((pick - begin) / chance, kBelowOne));
+    if (!choice) return std::nullopt;
+    return Chosen{group.first + choice->light, chance * choice->probability};
+  }
   float rest = 0.0f;
   const std::size_t entry = chances_.sample(pick, rest);
-  const float chance = chances_.probability(entry);
-  const auto of_tree = [&](const LightTree& tree, std::size_t first) -> std::optional<Chosen> {
-    const std::optional<LightTree::Choice> choice = tree.choose(at, rest);
-    if (!choice) return std::nullopt;
-    return Chosen{first + choice->light, chance * choice->probability};
-  };
-  if (entry == point_tree()) return of_tree(point_tree_, 0);
-  if (entry == round_tree()) return of_tree(round_tree_, first_round());
-  if (entry == triangle_tree()) return of_tree(triangle_tree_, first_triangle());
-  return Chosen{entry, chance};
+  return Chosen{entry, chances_.probability(entry)};
 }
 
 std::optional<LightSample> LightTable::sample_entry(std::size_t entry, Vec3f from, Vec2f u) const {
@@ -264,7 +267,7 @@ std::optional<LightSample> LightTable::sample_point(std::size_t index, Vec3f fro
 
 std::optional<LightSample> LightTable::sample_sky(const Environment::Sample& sky) const {
   if (!(sky.density > 0.0f)) return std::nullopt;
-  return LightSample{sky.direction, kInfinity, environment_.radiance(sky.direction), sky.density};
+  return LightSample{sky.direction, kInfinity, sky.radiance, sky.density};
 }
 
 /// Shadow rays would tell, too, but for those that end near an edge: they stop short of the light by more than there is of the

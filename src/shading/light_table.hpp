@@ -115,7 +115,8 @@ class LightTable {
   const Environment& environment() const { return environment_; }
 
  private:
-  struct Triangle {
+  /// A line of a cache: triangles are asked for in any order.
+  struct alignas(64) Triangle {
     Vec3f origin, edge_b, edge_c, normal;  ///< world space; normal unit
     float area;
     std::uint32_t record, prim;
@@ -134,6 +135,10 @@ class LightTable {
   void add_rounds(std::vector<float>& powers);
   void add_triangles(std::vector<float>& powers);
   void add_triangles_of(std::size_t record, std::vector<float>& powers);
+  struct TreeOfGroup {
+    const LightTree& tree;
+    std::size_t entry, first;  ///< its own entry, and that of its first light
+  };
   struct Chosen {
     std::size_t entry;  ///< no tree
     float chance;

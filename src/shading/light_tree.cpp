@@ -34,8 +34,8 @@ LIPPMANN_INLINE void weigh_places(const LightNode& n, const LightReceiver& at, L
     const float above = m.x * dx + m.y * dy + m.z * dz;
     const float height = 0.5f * (above + std::sqrt(above * above + n.variance[i] * (1.0f / 3.0f)));
     const float reach = (n.range[i] + n.radius[i]) * (1.0f + kMargin);
-    const float facing = least + most * height / std::sqrt(mean);
-    w[i] = squared <= reach * reach ? n.power[i] * facing / mean : 0.0f;
+    const float root = std::sqrt(mean), inverse = 1.0f / root, facing = (least * root + most * height) * inverse;
+    w[i] = squared <= reach * reach ? n.power[i] * facing * inverse * inverse : 0.0f;
   }
 }
 
@@ -68,10 +68,20 @@ LIPPMANN_INLINE void weigh_faces(const LightNode& n, const LightFaces& f, const 
     const float mean = std::max(dx * dx + dy * dy + dz * dz + n.variance[i], kLeastSquared);
     const float along = dx * dx * f.xx[i] + dy * dy * f.yy[i] + dz * dz * f.zz[i] +
                         2.0f * (dx * dy * f.xy[i] + dx * dz * f.xz[i] + dy * dz * f.yz[i]);
-    const float even = std::sqrt((std::max(along, 0.0f) + (1.0f / 16.0f) * n.variance[i]) / mean + kLeastSquaredCosine);
-    const float front = (f.front.x[i] * dx + f.front.y[i] * dy + f.front.z[i] * dz) / std::sqrt(mean);
-    w[i] *= std::max(even - front, kLeastFaceShining);
+    const float even = std::max(along, 0.0f) + (1.0f / 16.0f) * n.variance[i] + kLeastSquaredCosine * mean;
+    const float front = f.front.x[i] * dx + f.front.y[i] * dy + f.front.z[i] * dz;
+    w[i] *= std::max((std::sqrt(even) - front) / std::sqrt(mean), kLeastFaceShining);
   }
+}
+
+/// All of a node's lines that weigh() will read, while those that it reads first are on their way: they lie far apart.
+LIPPMANN_INLINE void prefetch(const LightNodes& tree, std::uint32_t node) {
+  const auto lines_of = [](const auto* part, std::size_t index) {
+    if (!part) return;
+    const char* const begin = reinterpret_cast<const char*>(part + index);
+    for (std::size_t at = 0; at < sizeof *part; at += 64) __builtin_prefetch(begin + at);
+  };
+  lines_of(tree.nodes, node), lines_of(tree.faces, node), lines_of(tree.cones, node), lines_of(tree.beams, node);
 }
 
 LIPPMANN_INLINE void weigh(const LightNodes& tree, std::uint32_t node, const LightReceiver& at, Lanes& w) {
@@ -125,6 +135,7 @@ LIPPMANN_MULTIVERSION float descend(const LightNodes& tree, const LightReceiver&
     const int lane = pick(w, sums, u);
     probability *= w[lane] / sums.all();
     child = tree.nodes[node].child[lane];
+    if (child >= 0) prefetch(tree, static_cast<std::uint32_t>(child));
   } while (child >= 0);
   return probability;
 }

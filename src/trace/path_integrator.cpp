@@ -22,24 +22,11 @@ void PathIntegrator::begin(int sample) {
 
 LaneMask PathIntegrator::begin_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
   if (probe_) watch_packet(packet, active, rays);
-  if (surface_.any_hit) draw_numbers(rays);
+  if (!surface_.any_hit) return active;
+  bool with_roulette = false;
+  for (int i = 0; i < kLanes; ++i) with_roulette |= surface_.hit.lane[i] && rays[i].depth + 1 >= kRouletteDepth;
+  draw_numbers(rays, with_roulette || surface_.any_see_through);
   return active;
-}
-
-/// rays: by lane; only those that have hit a surface count.
-void PathIntegrator::draw_numbers(const PathRay* rays) {
-  PathPairs paths;
-  bool last = surface_.any_see_through;
-  for (int i = 0; i < kLanes; ++i) {
-    const bool hit = surface_.hit.lane[i] != 0;
-    paths.seed[i] = hit ? rays[i].seed : 0u;
-    paths.index[i] = hit ? rays[i].index : 0u;
-    paths.first[i] = hit ? kPairsPerEvent * rays[i].events : 0u;
-    last |= hit && rays[i].depth + 1 >= kRouletteDepth;
-  }
-  // The last pair is seldom asked for.
-  for (std::uint32_t p = 0; p < (last ? kPairsPerEvent : kPairsPerEvent - 1); ++p)
-    sample_pairs(paths, p, numbers_[p].x.lane, numbers_[p].y.lane);
 }
 
 void PathIntegrator::vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length) {

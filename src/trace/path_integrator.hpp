@@ -47,7 +47,6 @@ class PathIntegrator : public PathTracer<PathIntegrator> {
 
   LaneMask begin_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
   void end_packet(const RayHitPacket&, const LaneMask&, const PathRay*) {}
-  Vec2f numbers(const PathRay&, int i, std::uint32_t pair) const { return {numbers_[pair].x[i], numbers_[pair].y[i]}; }
   float chance(LightGroups) const { return 1.0f; }
   float chance_of_round(std::size_t) const { return 1.0f; }
   void vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length);
@@ -56,7 +55,6 @@ class PathIntegrator : public PathTracer<PathIntegrator> {
 
   void watch_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
   void watch_turning(Vec3f position, Vec3f normal, const LightSample& light, const Affine3f& before, const PathRay& ray);
-  void draw_numbers(const PathRay* rays);
   void aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float pick, Vec2f u);
   static Vec3f from_wide_light(const ShadingPoint& point, const Bsdf& bsdf, const LightSample& light, const BsdfValue& value);
   Vec3f clamped(Vec3f radiance, int depth) const;
@@ -65,10 +63,6 @@ class PathIntegrator : public PathTracer<PathIntegrator> {
   std::vector<PossibleChange>* changes_ = nullptr;
   std::array<float, 2> noise_weights_{};  ///< what a sample of the first and of the second half counts: see weights_of_halves()
   ShadowQueue shadow_rays_;
-  struct LanePairs {
-    Lanes x, y;
-  };
-  std::array<LanePairs, kPairsPerEvent> numbers_;  ///< random numbers for the surfaces' lanes
 };
 
 }  // namespace lippmann

@@ -41,7 +41,8 @@ inline PathParams path_params(const TraceParams& trace) {
 ///   static constexpr bool kWidensBeams  behind rough surfaces, textures are filtered to a whole pixel's width
 ///   LaneMask begin_packet(packet, active, rays)  called with surface_ evaluated; returns the lanes that are shaded one by one
 ///   void end_packet(packet, active, rays)        called after these
-///   Vec2f numbers(ray, lane, pair)      random numbers of the vertex that the ray has met (kPairsPerEvent)
+///   Vec2f numbers(ray, lane, pair)      random numbers of the vertex that the ray has met (kPairsPerEvent): draw(), or those
+///                                       here, once draw_numbers() has been called
 ///   void vertex(packet, lane, ray, point, length)  a surface that scatters, `length` from the path's start
 ///   void end_path(ray, radiance)        light that the ray has met
 ///   float chance(groups)                with which a vertex asks for lights of these groups rather than for others
@@ -86,7 +87,21 @@ class PathTracer {
  protected:
   const LightTable& lights() const { return *scene_.path->lights; }
 
-  /// Random numbers of the vertex that a ray has met, drawn one pair at a time.
+  /// Draws the numbers of all lanes that have hit a surface together; the last pair is seldom asked for. rays: by lane.
+  void draw_numbers(const PathRay* rays, bool with_last) {
+    PathPairs paths;
+    for (int i = 0; i < kLanes; ++i) {
+      const bool hit = surface_.hit.lane[i] != 0;
+      paths.seed[i] = hit ? rays[i].seed : 0u;
+      paths.index[i] = hit ? rays[i].index : 0u;
+      paths.first[i] = hit ? kPairsPerEvent * rays[i].events : 0u;
+    }
+    for (std::uint32_t p = 0; p < (with_last ? kPairsPerEvent : kPairsPerEvent - 1); ++p)
+      sample_pairs(paths, p, numbers_[p].x.lane, numbers_[p].y.lane);
+  }
+  Vec2f numbers(const PathRay&, int i, std::uint32_t pair) const { return {numbers_[pair].x[i], numbers_[pair].y[i]}; }
+
+  /// The same of one ray, one pair at a time.
   static Vec2f draw(const PathRay& ray, std::uint32_t pair) {
     PathSampler sampler(ray.seed, ray.index);
     sampler.jump_to(kPairsPerEvent * ray.events + pair);
@@ -143,6 +158,10 @@ class PathTracer {
 
  private:
   Policy& policy() { return static_cast<Policy&>(*this); }
+
+  struct LanePairs {
+    Lanes x, y;
+  };
 
   /// rays: by lane; only the active lanes' count.
   void shade(const RayHitPacket& packet, LaneMask active, PathRay* rays) {
@@ -308,7 +327,8 @@ class PathTracer {
   static constexpr std::uint32_t kColorStream = 0x636f6c6fu;
 
   std::vector<PathRay> wave_;
-  SkyRays sky_;  ///< by lane of the packet
+  SkyRays sky_;                                    ///< by lane of the packet
+  std::array<LanePairs, kPairsPerEvent> numbers_;  ///< of draw_numbers()
   SplatHits splat_hits_;
 };
 
