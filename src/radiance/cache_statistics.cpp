@@ -108,6 +108,7 @@ float RadianceCache::outdated(const Cell& cell, const Cell& parent, float moved)
 }
 
 void RadianceCache::begin_frame(const Motion& moved, const ThreadPool& pool) {
+  link_parents(pool);
   for (const auto& [exponent, slots] : slots_by_size(pool))
     for_each_of_size(pool, slots, [&](Cell& cell, Slot&) {
       const Cell* parent = parent_of(cell);
@@ -124,6 +125,7 @@ void RadianceCache::begin_frame(const Motion& moved, const ThreadPool& pool) {
 }
 
 float RadianceCache::forget(const ThreadPool& pool) {
+  link_parents(pool);
   for (const auto& [exponent, slots] : slots_by_size(pool))
     for_each_of_size(pool, slots, [&](Cell& cell, Slot&) {
       const Cell* parent = parent_of(cell);
@@ -158,8 +160,9 @@ void RadianceCache::sum_into_parents(const SlotsOfShards& slots, const SlotsOfSh
     for (const std::uint32_t i : slots[s]) {
       const Slot& slot = shards_[s].slots[i];
       const Cell& cell = shards_[s].cells[slot.cell];
-      const auto [shard, index] = parent_index(cell);
-      if (shard < kShards) parts[s][shard].push_back({index, of_cell(cell, slot, shards_[shard].cells[index])});
+      if (const Cell* parent = parent_of(cell))
+        parts[s][cell.around % kShards].push_back(
+            {cell.around / static_cast<std::uint32_t>(kShards), of_cell(cell, slot, *parent)});
     }
   });
   pool.for_each(kShards, [&](std::size_t s) {
@@ -287,6 +290,7 @@ void RadianceCache::balance(const SlotsOfShards& slots, const SlotsOfShards& wid
 }
 
 void RadianceCache::resolve(const ThreadPool& pool) {
+  link_parents(pool);
   const SlotsBySize by_size = slots_by_size(pool);
   for (const auto& [exponent, slots] : by_size) {
     const auto wider = by_size.find(exponent + 1);

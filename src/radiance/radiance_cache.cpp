@@ -73,22 +73,27 @@ const RadianceCache::Cell* RadianceCache::cell_of(std::uint64_t key) const {
 }
 
 /// A cell around another knows at least what that knows, unless it belongs to places that are seen from farther away.
-std::pair<std::size_t, std::uint32_t> RadianceCache::parent_index(const Cell& cell) const {
+std::uint32_t RadianceCache::find_parent(const Cell& cell) const {
   const glm::i64vec3 at = cell_at(cell.center, cell.exponent + 1);
   for (const std::uint32_t part : {cell.part, kAllParts}) {
     const std::uint64_t key = key_of(base_key(cell.thing, part, cell.exponent + 1), at);
     const Slot* slot = find(key);
-    if (slot && shards_[shard_of(key)].cells[slot->cell].samples_ever >= cell.samples_ever) return {shard_of(key), slot->cell};
+    if (slot && shards_[shard_of(key)].cells[slot->cell].samples_ever >= cell.samples_ever)
+      return static_cast<std::uint32_t>(kShards * slot->cell + shard_of(key));
   }
-  return {kShards, 0};
+  return kNothing;
 }
 
-const RadianceCache::Cell* RadianceCache::parent_of(const Cell& cell) const {
-  const auto [shard, index] = parent_index(cell);
-  return shard < kShards ? &shards_[shard].cells[index] : nullptr;
+/// Statistics ask for a cell's parent a dozen times between records.
+void RadianceCache::link_parents(const ThreadPool& pool) {
+  if (std::exchange(are_linked_, true)) return;
+  pool.for_each(kShards, [&](std::size_t s) {
+    for (Cell& cell : shards_[s].cells) cell.around = find_parent(cell);
+  });
 }
 
 void RadianceCache::add(std::span<const std::span<const RadianceRecord>> records, const ThreadPool& pool) {
+  are_linked_ = false;
   struct Target {
     std::uint64_t key;
     std::uint32_t record, thing;

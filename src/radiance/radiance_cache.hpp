@@ -149,7 +149,8 @@ class RadianceCache {
   struct Cell {
     Vec3f center;
     std::uint32_t thing, part;
-    int exponent;  ///< edge 2^exponent
+    int exponent;              ///< edge 2^exponent
+    std::uint32_t around = 0;  ///< the larger cell around it: kShards x index + shard, or kNothing; of link_parents()
     Moments now, past;
     float inherited = 0.0f;  ///< samples of the past before forget()
     float samples_ever = 0.0f;
@@ -197,8 +198,12 @@ class RadianceCache {
   const Slot* find(std::uint64_t key) const;
   void find_all(const std::uint64_t* keys, EdgesToPaths edges, LaneMask& left, LaneMask& known, Lanes3& light) const;
   const Cell* cell_of(std::uint64_t key) const;
-  std::pair<std::size_t, std::uint32_t> parent_index(const Cell& cell) const;
-  const Cell* parent_of(const Cell& cell) const;
+  static constexpr std::uint32_t kNothing = 0xffffffffu;
+  std::uint32_t find_parent(const Cell& cell) const;
+  void link_parents(const ThreadPool& pool);
+  const Cell* parent_of(const Cell& cell) const {
+    return cell.around == kNothing ? nullptr : &shards_[cell.around % kShards].cells[cell.around / kShards];
+  }
   static float contradicted(const Cell& cell);
   static float possibly_changed(const Cell& cell, const Cell* parent);
   static float level(const Cell& cell, const Cell* parent);
@@ -226,7 +231,8 @@ class RadianceCache {
   void balance(const SlotsOfShards& slots, const SlotsOfShards& wider, const ThreadPool& pool);
 
   std::vector<Shard> shards_;
-  std::size_t most_cells_;  ///< how many a shard may have
+  std::size_t most_cells_;   ///< how many a shard may have
+  bool are_linked_ = false;  ///< Cell::around is as it would be found now
 };
 
 /// fn(cell, slot) for every cell of a size, side by side.
