@@ -112,7 +112,9 @@ Report measure_seeds(const Request& request, const Context& context) {
       report.rows.push_back(json_of(wanted, *settings.seed, made.reuse));
       report.passed_checks += made.passed_checks;
     }
-    report.text += line_of(wanted, runs);
+    const std::string line = line_of(wanted, runs);
+    if (request.say) request.say(line.substr(0, line.size() - 1));  // rows take minutes each
+    report.text += line;
   }
   return report;
 }
