@@ -80,7 +80,7 @@ void FinalGather::vertex(const RayHitPacket& packet, int i, const PathRay& ray, 
   if (bsdf.diffuse_share() < 1.0f) gloss.emplace(bsdf.without_diffuse());
   const bool is_rough = gloss && !gloss->is_sharp();
   const Vec3f albedo = bsdf.diffuse_albedo();
-  const Asking asking{point, bsdf, is_rough ? &*gloss : nullptr, albedo, ray, choice.x, numbers(ray, i, kOnLightPair)};
+  const Asking asking{point, bsdf, is_rough ? &*gloss : nullptr, albedo, ray, i, choice.x, numbers(ray, i, kOnLightPair)};
   add_rounds(asking);
   for (const LightGroups groups : {kSun, kLamps, kSkyLight}) add_lights(groups, asking);
   if (albedo != Vec3f(0.0f)) ask_cache(packet, i, ray, bsdf.normal(), albedo, length);
@@ -128,7 +128,9 @@ void FinalGather::shine(const ShadingPoint& point, const Bsdf& bsdf, const Light
 void FinalGather::add_lights(LightGroups groups, const Asking& asking) {
   const bool is_diffuse = groups.begin < cells_.lights_from && asking.albedo != Vec3f(0.0f);
   if (!(is_diffuse || asking.gloss) || !(lights().chance(groups) > 0.0f)) return;
-  if (const std::optional<LightSample> light = lights().sample(groups, asking.receiver(), asking.pick, asking.on_light))
+  if (const std::optional<LightSample> light = groups.begin == LightGroup::kSky
+                                                   ? LightTable::sky_sample(sky_draws(), asking.lane, 1.0f)
+                                                   : lights().sample(groups, asking.receiver(), asking.pick, asking.on_light))
     add_light(*light, is_diffuse, asking);
 }
 

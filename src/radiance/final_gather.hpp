@@ -61,6 +61,7 @@ class FinalGather : public PathTracer<FinalGather> {
     const Bsdf* gloss;  ///< null: it has none, or only a sharp one
     Vec3f albedo;
     const PathRay& ray;
+    int lane;
     float pick;      ///< which light
     Vec2f on_light;  ///< and where on it
     LightReceiver receiver() const { return {point.position, bsdf.lit_side(point.normal)}; }

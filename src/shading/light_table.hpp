@@ -94,6 +94,19 @@ class LightTable {
   /// As sample(), of lights of these groups alone. Densities are those of sample() over chance().
   std::optional<LightSample> sample(LightGroups groups, const LightReceiver& at, float pick, Vec2f u) const;
 
+  /// Whether it is worth while to draw directions into the sky for all surfaces of a packet, before it is known which of them
+  /// ask for the sky.
+  bool asks_sky_often() const { return chance(kSkyLight) > 0.25f; }
+  /// Whether sample() draws from the rest of the sky for this `pick`.
+  bool picks_sky(float pick) const { return pick >= begin_of(LightGroup::kSky); }
+  /// What sample() then gives for the u that draw i was made for (Environment::sample_rest); chance: chance(kSkyLight), or 1
+  /// for sample(kSkyLight, ...).
+  static std::optional<LightSample> sky_sample(const SkyDraws& draws, int i, float chance) {
+    if (!(draws.density[i] > 0.0f)) return std::nullopt;
+    return LightSample{Vec3f(draws.x[i], draws.y[i], draws.z[i]), kInfinity, Vec3f(draws.red[i], draws.green[i], draws.blue[i]),
+                       draws.density[i] * chance};
+  }
+
   /// The chance of sample() to choose a light of these groups.
   float chance(LightGroups groups) const { return begin_of(groups.end) - begin_of(groups.begin); }
 

@@ -32,7 +32,7 @@ LaneMask PathIntegrator::begin_packet(const RayHitPacket& packet, const LaneMask
 void PathIntegrator::vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length) {
   const Bsdf bsdf = bsdf_at(scene_, packet, surface_, i);
   const Vec2f choice = numbers(ray, i, kChoicePair);
-  aim_at_light(point, bsdf, ray, choice.x, numbers(ray, i, kOnLightPair));
+  aim_at_light(point, bsdf, ray, i);
   const std::optional<BsdfSample> sample = bsdf.sample(choice.y, numbers(ray, i, kWayPair));
   if (!sample || !is_possible(point, sample->direction, sample->transmitted)) return;
   Vec3f throughput = ray.throughput * sample->weight;
@@ -43,16 +43,23 @@ void PathIntegrator::vertex(const RayHitPacket& packet, int i, const PathRay& ra
         sample->is_delta() ? counts_.reflection : counts_.indirect);
 }
 
-void PathIntegrator::aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float pick, Vec2f u) {
-  const std::optional<LightSample> light = lights().sample({point.position, bsdf.lit_side(point.normal)}, pick, u);
-  if (!light) return;
-  const BsdfValue value = bsdf.evaluate(light->direction);
-  if (!may_shine(point, light->direction, value.transmitted)) return;
-  Vec3f radiance = light->is_point() ? (value.cosine_f + bsdf.highlight(light->direction)) * light->radiance
-                                     : from_wide_light(point, bsdf, *light, value);
+void PathIntegrator::aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, int i) {
+  const float pick = numbers(ray, i, kChoicePair).x;
+  const std::optional<LightSample> light =
+      lights().asks_sky_often() && lights().picks_sky(pick)
+          ? LightTable::sky_sample(sky_draws(), i, lights().chance(kSkyLight))
+          : lights().sample({point.position, bsdf.lit_side(point.normal)}, pick, numbers(ray, i, kOnLightPair));
+  if (light) aim_at(*light, point, bsdf, ray);
+}
+
+void PathIntegrator::aim_at(const LightSample& light, const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray) {
+  const BsdfValue value = bsdf.evaluate(light.direction);
+  if (!may_shine(point, light.direction, value.transmitted)) return;
+  Vec3f radiance = light.is_point() ? (value.cosine_f + bsdf.highlight(light.direction)) * light.radiance
+                                    : from_wide_light(point, bsdf, light, value);
   radiance *= ray.throughput;
   if (radiance == Vec3f(0.0f) || !is_finite(radiance)) return;
-  shadow_rays_.push(point, *light, clamped(radiance, ray.depth + 1), ray.pixel, ray.depth + 1);
+  shadow_rays_.push(point, light, clamped(radiance, ray.depth + 1), ray.pixel, ray.depth + 1);
 }
 
 /// No path goes behind the facet by itself. There light is asked for alone, which is too noisy for gloss.

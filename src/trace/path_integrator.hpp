@@ -55,7 +55,8 @@ class PathIntegrator : public PathTracer<PathIntegrator> {
 
   void watch_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
   void watch_turning(Vec3f position, Vec3f normal, const LightSample& light, const Affine3f& before, const PathRay& ray);
-  void aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float pick, Vec2f u);
+  void aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, int i);
+  void aim_at(const LightSample& light, const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray);
   static Vec3f from_wide_light(const ShadingPoint& point, const Bsdf& bsdf, const LightSample& light, const BsdfValue& value);
   Vec3f clamped(Vec3f radiance, int depth) const;
 

@@ -96,12 +96,23 @@ class PathTracer {
       paths.index[i] = hit ? rays[i].index : 0u;
       paths.first[i] = hit ? kPairsPerEvent * rays[i].events : 0u;
     }
+    has_sky_draws_ = false;
     for (std::uint32_t p = 0; p < (with_last ? kPairsPerEvent : kPairsPerEvent - 1); ++p)
       sample_pairs(paths, p, numbers_[p].x.lane, numbers_[p].y.lane);
   }
   Vec2f numbers(const PathRay&, int i, std::uint32_t pair) const { return {numbers_[pair].x[i], numbers_[pair].y[i]}; }
 
-  /// The same of one ray, one pair at a time.
+  /// For the same lanes, directions into the sky by their numbers for a place on a light; drawn once a packet, for who asks
+  /// first.
+  const SkyDraws& sky_draws() {
+    if (!std::exchange(has_sky_draws_, true)) {
+      LIPPMANN_FOR_LANES(i) sky_draws_.u[i] = numbers_[kOnLightPair].x[i], sky_draws_.v[i] = numbers_[kOnLightPair].y[i];
+      lights().environment().sample_rest(sky_draws_);
+    }
+    return sky_draws_;
+  }
+
+  /// Numbers of one ray, one pair at a time.
   static Vec2f draw(const PathRay& ray, std::uint32_t pair) {
     PathSampler sampler(ray.seed, ray.index);
     sampler.jump_to(kPairsPerEvent * ray.events + pair);
@@ -329,6 +340,8 @@ class PathTracer {
   std::vector<PathRay> wave_;
   SkyRays sky_;                                    ///< by lane of the packet
   std::array<LanePairs, kPairsPerEvent> numbers_;  ///< of draw_numbers()
+  SkyDraws sky_draws_;
+  bool has_sky_draws_ = false;
   SplatHits splat_hits_;
 };
 

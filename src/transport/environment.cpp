@@ -75,12 +75,71 @@ LIPPMANN_MULTIVERSION void look_at_all(const Panorama map, SkyRays& rays) {
   }
 }
 
-/// across: share of the turn; cosine: the polar angle's.
-Vec3f direction_at(float across, float cosine, float rotation) {
+/// turn: share of it; cosine: the polar angle's.
+LIPPMANN_INLINE void find_direction(float turn, float cosine, float rotation, float& x, float& y, float& z) {
   float sin_azimuth, cos_azimuth;
-  fast_sin_cos((across - 0.5f) * 2.0f * kPi + rotation, sin_azimuth, cos_azimuth);
+  fast_sin_cos((turn - 0.5f) * 2.0f * kPi + rotation, sin_azimuth, cos_azimuth);
   const float sine = std::sqrt(std::max((1.0f - cosine) * (1.0f + cosine), 0.0f));
-  return {sine * cos_azimuth, cosine, sine * sin_azimuth};
+  x = sine * cos_azimuth, y = cosine, z = sine * sin_azimuth;
+}
+
+/// In [0, 1), of density proportional to a line from a to b >= 0; evenly where both are 0.
+LIPPMANN_INLINE float sample_line(float u, float a, float b) {
+  const float sum = a + b, from = a / (sum > 0.0f ? sum : 1.0f);
+  const float root = std::sqrt(std::max(from * from + u * (1.0f - 2.0f * from), 0.0f)), both = from + root;
+  const float within = both > 0.0f ? std::min(u / (both > 0.0f ? both : 1.0f), 0x1.fffffep-1f) : 0.0f;
+  return sum > 0.0f ? within : u;
+}
+
+LIPPMANN_INLINE float mixed(float a, float b, float share) { return a * (1.0f - share) + b * share; }
+
+/// Patches that were drawn, side by side, and where in them.
+struct PatchDraws {
+  alignas(64) float x[SkyDraws::kDraws], y[SkyDraws::kDraws];          ///< column and row
+  alignas(64) float u[SkyDraws::kDraws], v[SkyDraws::kDraws];          ///< random numbers in [0, 1)
+  alignas(64) float density[SkyDraws::kDraws];                         ///< per luminance
+  alignas(64) float upper[SkyDraws::kDraws], lower[SkyDraws::kDraws];  ///< cosines of the polar angle at top and bottom
+  alignas(64) float corners[4][3][SkyDraws::kDraws];                   ///< as SkyPatches::corners has them, by channel
+
+  void set(int i, const SkyPatches& sky, const PatchChoice::Drawn& drawn) {
+    x[i] = static_cast<float>(drawn.x), y[i] = static_cast<float>(drawn.y);
+    u[i] = drawn.rest.x, v[i] = drawn.rest.y;
+    density[i] = drawn.density_per_luminance;
+    upper[i] = sky.cosine_above(drawn.y), lower[i] = sky.cosine_above(drawn.y + 1);
+    const float* red = sky.corner(drawn.x, drawn.y);
+    for (int c = 0; c < 3; ++c, red += sky.layout().channel)
+      corners[0][c][i] = red[0], corners[1][c][i] = red[1], corners[2][c][i] = red[sky.layout().row],
+      corners[3][c][i] = red[sky.layout().row + 1];
+  }
+  LIPPMANN_INLINE float luminance(int corner, int i) const {
+    return 0.2126f * corners[corner][0][i] + 0.7152f * corners[corner][1][i] + 0.0722f * corners[corner][2][i];
+  }
+};
+
+/// Places within the patches, by their luminance, and what is seen there.
+LIPPMANN_INLINE void draw_within(const Panorama& map, const PatchDraws& patches, int i, SkyDraws& draws) {
+  const float upper_left = patches.luminance(0, i), upper_right = patches.luminance(1, i), lower_left = patches.luminance(2, i),
+              lower_right = patches.luminance(3, i);
+  const float down = sample_line(patches.v[i], upper_left + upper_right, lower_left + lower_right);
+  const float left = mixed(upper_left, lower_left, down), right = mixed(upper_right, lower_right, down);
+  const float across = sample_line(patches.u[i], left, right);
+  draws.density[i] = patches.density[i] * mixed(left, right, across);
+  const float turn = (patches.x[i] + 0.5f + across) / static_cast<float>(map.width);
+  const float cosine = mixed(patches.upper[i], patches.lower[i], down);
+  find_direction(turn, cosine, map.rotation, draws.x[i], draws.y[i], draws.z[i]);
+  // Light is bilinear in the polar angle, where patches are even in its cosine.
+  const float polar = fast_acos(std::min(std::max(cosine, -1.0f), 1.0f)) * (1.0f / kPi);
+  const float below = std::min(std::max(polar * static_cast<float>(map.height) + 0.5f - patches.y[i], 0.0f), 1.0f);
+  const auto channel = [&](int c) LIPPMANN_INLINE_LAMBDA {
+    return mixed(mixed(patches.corners[0][c][i], patches.corners[1][c][i], across),
+                 mixed(patches.corners[2][c][i], patches.corners[3][c][i], across), below);
+  };
+  draws.red[i] = channel(0), draws.green[i] = channel(1), draws.blue[i] = channel(2);
+}
+
+LIPPMANN_MULTIVERSION void draw_all_within(const Panorama map, const PatchDraws& patches, SkyDraws& draws) {
+#pragma GCC ivdep
+  for (int i = 0; i < SkyDraws::kDraws; ++i) draw_within(map, patches, i, draws);
 }
 
 /// Light that is added up stays finite.
@@ -95,7 +154,9 @@ Vec3f gradient(const Background& b, Vec3f d) {
 Vec3f gradient_texel(const Background& b, int x, int y) {
   x = (x + kGradientWidth) % kGradientWidth, y = std::clamp(y, 0, kGradientHeight - 1);
   const float cosine = std::cos((static_cast<float>(y) + 0.5f) * (kPi / kGradientHeight));
-  return gradient(b, direction_at((static_cast<float>(x) + 0.5f) / kGradientWidth, cosine, 0.0f));
+  Vec3f direction;
+  find_direction((static_cast<float>(x) + 0.5f) / kGradientWidth, cosine, 0.0f, direction.x, direction.y, direction.z);
+  return gradient(b, direction);
 }
 
 /// Around a texel, as a gradient may begin between texels, and no light may have no chance.
@@ -149,17 +210,30 @@ void Environment::radiance(SkyRays& rays) const {
 
 Environment::Sample Environment::sample(const PatchChoice& patches, Vec2f u) const {
   if (patches.is_dark()) return {};
-  const PatchChoice::Chosen chosen = patches.sample(patches_, u);
-  const SkyPatches::Place& place = chosen.place;
-  Sample sample{direction_at(chosen.across, chosen.cosine, rotation()), chosen.density};
-  if (!background_.map) {
-    sample.radiance = gradient(background_, sample.direction);
-    return sample;
-  }
-  const float down = fast_acos(chosen.cosine) * (1.0f / kPi) * static_cast<float>(patches_.height()) + 0.5f;
-  const float below = std::clamp(down - static_cast<float>(place.y), 0.0f, 1.0f);
-  interpolate(patches_.corner(place.x, place.y), patches_.layout(), 0, place.within.x, below, &sample.radiance.x);
+  PatchDraws drawn;
+  drawn.set(0, patches_, patches.draw_patch(patches_, patches.draw_row(patches_, u)));
+  SkyDraws draws;
+  draw_within(Panorama(patches_, rotation()), drawn, 0, draws);
+  Sample sample{{draws.x[0], draws.y[0], draws.z[0]}, draws.density[0], {draws.red[0], draws.green[0], draws.blue[0]}};
+  if (!background_.map) sample.radiance = gradient(background_, sample.direction);
   return sample;
+}
+
+void Environment::sample_rest(SkyDraws& draws) const {
+  if (rest_.is_dark()) {
+    std::fill_n(draws.density, SkyDraws::kDraws, 0.0f);
+    return;
+  }
+  PatchChoice::Row rows[SkyDraws::kDraws];
+  for (int i = 0; i < SkyDraws::kDraws; ++i) rows[i] = rest_.draw_row(patches_, {draws.u[i], draws.v[i]});
+  PatchDraws patches;
+  for (int i = 0; i < SkyDraws::kDraws; ++i) patches.set(i, patches_, rest_.draw_patch(patches_, rows[i]));
+  draw_all_within(Panorama(patches_, rotation()), patches, draws);
+  if (background_.map) return;
+  for (int i = 0; i < SkyDraws::kDraws; ++i) {
+    const Vec3f light = gradient(background_, {draws.x[i], draws.y[i], draws.z[i]});
+    draws.red[i] = light.x, draws.green[i] = light.y, draws.blue[i] = light.z;
+  }
 }
 
 Environment::Density Environment::density(Vec3f direction) const {

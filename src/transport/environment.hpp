@@ -17,6 +17,15 @@ struct SkyRays {
   alignas(64) float red[kRays], green[kRays], blue[kRays];  ///< the radiance along them
 };
 
+/// Directions that are drawn side by side, in a fraction of the time.
+struct SkyDraws {
+  static constexpr int kDraws = 16;
+  alignas(64) float u[kDraws], v[kDraws];                      ///< in [0, 1)
+  alignas(64) float x[kDraws], y[kDraws], z[kDraws];           ///< receive the unit directions,
+  alignas(64) float density[kDraws];                           ///< per steradian,
+  alignas(64) float red[kDraws], green[kDraws], blue[kDraws];  ///< and the radiance along them
+};
+
 class Environment {
  public:
   /// `background` must outlive it.
@@ -42,6 +51,8 @@ class Environment {
   Sample sample_sun(Vec2f u) const { return sample(sun_, u); }
   /// One of the rest of the sky; its density is 0 where that is dark.
   Sample sample_rest(Vec2f u) const { return sample(rest_, u); }
+  /// Likewise for all of `draws`, to the same bits.
+  void sample_rest(SkyDraws& draws) const;
 
   struct Density {
     float value = 0.0f;   ///< per steradian

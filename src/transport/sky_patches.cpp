@@ -11,16 +11,9 @@ namespace {
 
 constexpr float kBelowOne = 0x1.fffffep-1f;
 constexpr unsigned kAllOwn = 0xff;  ///< all patches of a row of a tile
-constexpr int kTile = SkyPatches::kTile;
+constexpr int kTile = SkyPatches::kTile, kFloatsOfLine = 16;
 /// What find_sun() says in its declaration.
 constexpr double kBright = 50.0, kLeastShare = 0.1, kMostSteradian = 0.02;
-
-/// In [0, 1), of density proportional to a line from a to b >= 0; evenly where both are 0.
-float sample_line(float u, float a, float b) {
-  if (!(a + b > 0.0f)) return u;
-  const float from = a / (a + b), root = std::sqrt(std::max(from * from + u * (1.0f - 2.0f * from), 0.0f));
-  return from + root > 0.0f ? std::min(u / (from + root), kBelowOne) : 0.0f;
-}
 
 /// The index whose share u in [0, 1) falls into, never one without; upto: sums of shares, the last 1. u becomes how far it lies
 /// in the share.
@@ -226,24 +219,23 @@ float PatchChoice::chance_of_row(const SkyPatches& sky, int tile_x, int y) const
   return of_tile * (upto[row] - (row > 0 ? upto[row - 1] : 0.0f)) / sky.patch_solid_angle(y);
 }
 
-PatchChoice::Chosen PatchChoice::sample(const SkyPatches& sky, Vec2f u) const {
-  Vec2f rest;
-  const auto tile_y = static_cast<int>(tile_rows_.sample(u.y, rest.y));
-  const auto tile_x = static_cast<int>(tiles_[static_cast<std::size_t>(tile_y)].sample(u.x, rest.x));
-  const std::size_t tile = sky.tile(tile_x, tile_y);
-  const int row = pick_share(rows_[tile], rest.y);
-  const RowOfPatches weights = weights_of(sky, tile, row);
-  const int column = pick_weight(weights, rest.x);
-  Chosen chosen;
-  SkyPatches::Place& place = chosen.place;
-  place.x = kTile * tile_x + column, place.y = kTile * tile_y + row;
-  const Patch patch(sky.corners(place.x, place.y));
-  place.within.y = sample_line(rest.y, patch.of[0] + patch.of[1], patch.of[2] + patch.of[3]);
-  place.within.x = sample_line(rest.x, patch.left(place.within.y), patch.right(place.within.y));
-  chosen.across = (static_cast<float>(place.x) + 0.5f + place.within.x) / static_cast<float>(sky.width());
-  chosen.cosine = glm::mix(sky.cosine_above(place.y), sky.cosine_above(place.y + 1), place.within.y);
-  chosen.density = chance_of_row(sky, tile_x, place.y) / sum_of(weights) * patch.at(place.within);
-  return chosen;
+PatchChoice::Row PatchChoice::draw_row(const SkyPatches& sky, Vec2f u) const {
+  Row row;
+  const auto tile_y = static_cast<int>(tile_rows_.sample(u.y, row.rest.y));
+  row.tile_x = static_cast<int>(tiles_[static_cast<std::size_t>(tile_y)].sample(u.x, row.rest.x));
+  row.tile = sky.tile(row.tile_x, tile_y);
+  row.y = kTile * tile_y + pick_share(rows_[row.tile], row.rest.y);
+  row.per_steradian = chance_of_row(sky, row.tile_x, row.y);
+  const float* texels = sky.texels_of(row.tile) + row.y % kTile * sky.layout().row;
+  for (int at = 0; at < 2 * sky.layout().row; at += kFloatsOfLine) __builtin_prefetch(texels + at);
+  return row;
+}
+
+PatchChoice::Drawn PatchChoice::draw_patch(const SkyPatches& sky, const Row& row) const {
+  const RowOfPatches weights = weights_of(sky, row.tile, row.y % kTile);
+  Drawn drawn{0, row.y, row.rest, row.per_steradian / sum_of(weights)};
+  drawn.x = kTile * row.tile_x + pick_weight(weights, drawn.rest.x);
+  return drawn;
 }
 
 float PatchChoice::density(const SkyPatches& sky, const SkyPatches::Place& place) const {

@@ -106,14 +106,26 @@ class PatchChoice {
   /// Luminance over solid angle.
   double total() const { return tile_rows_.total(); }
 
-  struct Chosen {
-    SkyPatches::Place place;
-    float across, cosine;  ///< share of the turn; the polar angle's cosine
-    float density;         ///< per steradian
+  // Drawing goes by steps, so that many directions can be drawn side by side: what the second step reads is asked of memory by
+  // the first.
+  /// A row of patches within a tile.
+  struct Row {
+    std::size_t tile;
+    int tile_x, y;
+    Vec2f rest;           ///< of the numbers that have drawn it
+    float per_steradian;  ///< its probability over the solid angle of one of its patches
   };
-  /// Not where is_dark(). `sky` is that which it was made for.
-  Chosen sample(const SkyPatches& sky, Vec2f u) const;
-  /// The density of sample() there, per steradian; 0 in patches that are not its own.
+  /// Not where is_dark(). `sky` is that which it was made for. u in [0, 1).
+  Row draw_row(const SkyPatches& sky, Vec2f u) const;
+  /// One of its patches; the density of a place within is density_per_luminance x the luminance there.
+  struct Drawn {
+    int x, y;
+    Vec2f rest;
+    float density_per_luminance;
+  };
+  Drawn draw_patch(const SkyPatches& sky, const Row& row) const;
+
+  /// The density with which a place is drawn, per steradian; 0 in patches that are not its own.
   float density(const SkyPatches& sky, const SkyPatches::Place& place) const;
 
  private:

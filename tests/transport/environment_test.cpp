@@ -52,6 +52,41 @@ TEST(Environment, directions_side_by_side_see_what_each_alone_sees) {
   }
 }
 
+TEST(Environment, directions_drawn_side_by_side_are_those_that_are_drawn_alone) {
+  Background b = panorama(37, 20, [](int x, int y) { return Vec3f(static_cast<float>(x % 5), static_cast<float>(y), 1.0f); });
+  b.map->rotation = 0.7f, b.map->strength = 1.5f;
+  Background grey = panorama(16, 8, [](int x, int y) { return Vec3f(static_cast<float>((x * 5 + y * 3) % 7)); });
+  Background sky;
+  sky.zenith = Vec3f(1.0f, 2.0f, 3.0f);
+  for (const Background* background : {&b, &grey, &sky}) {
+    const Environment e(*background);
+    SkyDraws draws;
+    for (std::uint32_t i = 0; i < SkyDraws::kDraws; ++i) {
+      const Vec2f u = i == 0 ? Vec2f(0.0f) : i == 1 ? Vec2f(0x1.fffffep-1f) : scrambled_sobol(i, 3u);
+      draws.u[i] = u.x, draws.v[i] = u.y;
+    }
+    e.sample_rest(draws);
+    for (int i = 0; i < SkyDraws::kDraws; ++i) {
+      const Environment::Sample alone = e.sample_rest(Vec2f(draws.u[i], draws.v[i]));
+      EXPECT_EQ(alone.direction, Vec3f(draws.x[i], draws.y[i], draws.z[i])) << i;
+      EXPECT_EQ(alone.density, draws.density[i]) << i;
+      EXPECT_EQ(alone.radiance, Vec3f(draws.red[i], draws.green[i], draws.blue[i])) << i;
+    }
+  }
+}
+
+TEST(Environment, a_sample_has_the_light_of_its_direction) {
+  Background b = panorama(37, 20, [](int x, int y) { return Vec3f(static_cast<float>(x % 5), static_cast<float>(y), 1.0f); });
+  b.map->rotation = 0.7f, b.map->strength = 1.5f;
+  const Environment e(b);
+  for (std::uint32_t i = 0; i < 500; ++i) {
+    const Environment::Sample s = e.sample_rest(scrambled_sobol(i, 9u));
+    EXPECT_NEAR(glm::length(s.direction), 1.0f, 1e-6f) << i;
+    const Vec3f seen = e.radiance(s.direction);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(s.radiance[c], seen[c], 1e-4f * (1.0f + seen[c])) << i;
+  }
+}
+
 TEST(Environment, turning_moves_what_lies_along_x_towards_z) {
   Background b = panorama(8, 4, [](int x, int) { return Vec3f(x == 4 ? 1.0f : 0.0f); });
   b.map->rotation = radians(90.0f);
