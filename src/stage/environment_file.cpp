@@ -9,8 +9,10 @@
 namespace lippmann {
 
 EnvironmentMap read_environment(const std::filesystem::path& path, float strength, float rotation_deg) {
-  constexpr const char* kAccepted = "an equirectangular panorama of floats, .hdr or .exr";
+  constexpr const char* kAccepted = "an equirectangular panorama of floats, .hdr or .exr, of up to 32768 x 16384 pixels";
   const Image file = read_image(path);
+  if (file.width > EnvironmentMap::kMostWidth || file.height > EnvironmentMap::kMostHeight)
+    throw Error(path.string(), "has too many pixels", kAccepted);
   if (sample_kind(path) != SampleKind::kFloat) throw Error(path.string(), "has no linear light in its samples", kAccepted);
   EnvironmentMap map{Image(file.width, file.height, 3), strength, radians(rotation_deg)};
   const auto channels = static_cast<std::size_t>(file.channels);

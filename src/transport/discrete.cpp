@@ -15,6 +15,7 @@ DiscreteDistribution::DiscreteDistribution(std::span<const float> weights) {
   }
   // Whatever the rounding, u < 1 finds an index that has weight.
   std::fill(cumulative_.begin() + static_cast<std::ptrdiff_t>(last), cumulative_.end(), 1.0f);
+  step_ = 1.0f / static_cast<float>(weights.size());
   for (std::uint32_t part = 0, index = 0; part < weights.size(); ++part) {
     while (cumulative_[index] <= start_of(part)) ++index;
     first_.push_back(index);

@@ -25,7 +25,7 @@ class DiscreteDistribution {
     // The part of [0, 1) that u lies in; rounding may take it one too far.
     const auto count = static_cast<float>(cumulative_.size());
     auto part = std::min(static_cast<std::size_t>(u * count), cumulative_.size() - 1);
-    if (part > 0 && start_of(part) > u) --part;
+    while (part > 0 && start_of(part) > u) --part;
     std::size_t index = first_[part];
     while (cumulative_[index] <= u) ++index;
     const float below = probability_before(index);
@@ -40,10 +40,11 @@ class DiscreteDistribution {
   float probability_before(std::size_t index) const { return index > 0 ? cumulative_[index - 1] : 0.0f; }
 
  private:
-  float start_of(std::size_t part) const { return static_cast<float>(part) / static_cast<float>(cumulative_.size()); }
+  float start_of(std::size_t part) const { return std::min(static_cast<float>(part) * step_, 0x1.fffffep-1f); }
 
   std::vector<float> cumulative_;     ///< share of all up to and including an index; the last is 1
   std::vector<std::uint32_t> first_;  ///< [0, 1) in as many equal parts: the index that each begins in (a "guide table")
+  float step_ = 0.0f;                 ///< a part's length
   double total_ = 0.0;
 };
 

@@ -54,7 +54,7 @@ Vec3f GgxAlbedo::mean(float alpha, Vec3f f0, Vec3f f90) const {
   const TablePlace r(std::sqrt(alpha), kSize);
   const Vec4f m = glm::mix(mean_[r.index], mean_[r.index + 1], r.share);
   const float edge = edge_of_later_facets(0.65f, alpha);  // where most of it is lost
-  return f0 * m.x + f90 * m.y + of_more_bounces(m.x + m.y, edge, f0, f90) * (f0 * m.z + f90 * m.w);
+  return are_grey(f0, f90) ? Vec3f(mean_of(m, edge, f0.x, f90.x)) : mean_of(m, edge, f0, f90);
 }
 
 }  // namespace lippmann

@@ -43,14 +43,11 @@ class GgxAlbedo {
   }
 
   /// By how much reflected light is multiplied, so that F0 = F90 = 1 loses none.
-  static Vec3f compensation(Vec3f single, Vec3f f0, Vec3f f90) {
-    const float all = single.x + single.y;
-    return Vec3f(1.0f) + of_more_bounces(all, single.z, f0, f90) * ((1.0f - all) / all);
-  }
+  static Vec3f compensation(Vec3f single, Vec3f f0, Vec3f f90) { return compensation_of(single, f0, f90); }
 
   /// Directional albedo with compensation.
   static Vec3f directional(Vec3f single, Vec3f f0, Vec3f f90) {
-    return (f0 * single.x + f90 * single.y) * compensation(single, f0, f90);
+    return are_grey(f0, f90) ? Vec3f(directional_of(single, f0.x, f90.x)) : directional_of(single, f0, f90);
   }
 
   /// The mean of directional() over the hemisphere, weighted by the cosine.
@@ -63,11 +60,30 @@ class GgxAlbedo {
   const SheenAlbedo& sheen() const { return sheen_; }
 
  private:
+  /// So are nearly all dielectrics: one channel, a third of the divisions.
+  static bool are_grey(Vec3f f0, Vec3f f90) { return f0.x == f0.y && f0.x == f0.z && f90.x == f90.y && f90.x == f90.z; }
+
+  // Of a colour, or of one channel.
+
   /// The share that comes back of light that has met white facets and not left them: F e / (1 - F (1 - e)).
-  static Vec3f of_more_bounces(float all, float edge, Vec3f f0, Vec3f f90) {
-    const Vec3f facet = glm::min(glm::mix(f0, f90, edge), Vec3f(1.0f));
-    const Vec3f leaves = facet * (0.3f + 0.74f * all);
-    return leaves / (Vec3f(1.0f) - facet + leaves);
+  template <class Color>
+  static Color of_more_bounces(float all, float edge, Color f0, Color f90) {
+    const Color facet = glm::min(glm::mix(f0, f90, edge), Color(1.0f));
+    const Color leaves = facet * (0.3f + 0.74f * all);
+    return leaves / (Color(1.0f) - facet + leaves);
+  }
+  template <class Color>
+  static Color compensation_of(Vec3f single, Color f0, Color f90) {
+    const float all = single.x + single.y;
+    return Color(1.0f) + of_more_bounces(all, single.z, f0, f90) * ((1.0f - all) / all);
+  }
+  template <class Color>
+  static Color directional_of(Vec3f single, Color f0, Color f90) {
+    return (f0 * single.x + f90 * single.y) * compensation_of(single, f0, f90);
+  }
+  template <class Color>
+  static Color mean_of(Vec4f mean, float edge, Color f0, Color f90) {
+    return f0 * mean.x + f90 * mean.y + of_more_bounces(mean.x + mean.y, edge, f0, f90) * (f0 * mean.z + f90 * mean.w);
   }
 
   static constexpr int kSize = 32;  ///< entries along each side; cosines from 0 to 1, roughness = sqrt(alpha) from 0 to 1

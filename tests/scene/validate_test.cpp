@@ -155,6 +155,9 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"camera_offset", [](Scene& s) { s.cameras[0].pixel_offset.x = kNan; }, "pixel offset"},
         Fault{"display_height", [](Scene& s) { s.display->plane_height = 0.0f; }, "display: the height"},
         Fault{"display_distance", [](Scene& s) { s.display->viewing_distance = kNan; }, "viewing distance"},
+        Fault{"panorama_width",
+              [](Scene& s) { s.background.map.emplace().radiance = Image(EnvironmentMap::kMostWidth + 1, 1, 3); },
+              "environment: has more than 32768 x 16384 pixels"},
         Fault{"background_heights", [](Scene& s) { s.background.horizon_at = 1.0f; }, "two different heights"},
         Fault{"projection_axes",
               [](Scene& s) {
