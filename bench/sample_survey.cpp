@@ -48,10 +48,12 @@ class SampleSurveyor : public PathTracer<SampleSurveyor> {
   static Vec2f numbers(const PathRay& ray, int, std::uint32_t pair) { return draw(ray, pair); }
 
   void vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length) {
-    const Bsdf bsdf = bsdf_at(scene_, packet, surface_, i);
+    Bsdf bsdf = bsdf_at(scene_, packet, surface_, i);
     if (kind_ == SampleKind::kGather) {
       ask_hard_lights(point, bsdf, ray);
-      if (bsdf.diffuse_share() < 1.0f) follow(point, bsdf.without_diffuse(), bsdf.lit_side(point.normal), ray, length);
+      if (!(bsdf.diffuse_share() < 1.0f)) return;
+      bsdf.remove_diffuse();
+      follow(point, bsdf, bsdf.lit_side(point.normal), ray, length);
     } else {
       ask_one_light(point, bsdf, ray);
       follow(point, bsdf, bsdf.lit_side(point.normal), ray, length);

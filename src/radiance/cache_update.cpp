@@ -57,12 +57,12 @@ RayCounts CacheUpdate::counts() const {
 }
 
 void CacheUpdate::vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length) {
-  const Bsdf bsdf = bsdf_at(scene_, packet, surface_, i);
+  Bsdf bsdf = bsdf_at(scene_, packet, surface_, i);
   const float share = bsdf.diffuse_share();
   const Vec2f choice = draw(ray, kChoicePair);
   if (choice.y < share) return ask(packet, i, ray, point, bsdf, length, choice.x);
-  const std::optional<BsdfSample> sample =
-      bsdf.without_diffuse().sample((choice.y - share) / (1.0f - share), draw(ray, kWayPair));
+  bsdf.remove_diffuse();
+  const std::optional<BsdfSample> sample = bsdf.sample((choice.y - share) / (1.0f - share), draw(ray, kWayPair));
   if (sample && is_possible(point, sample->direction, sample->transmitted))
     go_on(ray, point, bsdf.lit_side(point.normal), *sample, Vec3f(1.0f), length, counts_.reflection);
 }

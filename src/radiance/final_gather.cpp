@@ -73,18 +73,17 @@ void FinalGather::end_packet(const RayHitPacket& packet, const LaneMask&, const 
 }
 
 void FinalGather::vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length) {
-  const Bsdf bsdf = bsdf_at(scene_, packet, surface_, i);
+  Bsdf bsdf = bsdf_at(scene_, packet, surface_, i);
   const Vec2f choice = numbers(ray, i, kChoicePair);
   add_points(point, bsdf, ray, choice.x);
-  std::optional<Bsdf> gloss;
-  if (bsdf.diffuse_share() < 1.0f) gloss.emplace(bsdf.without_diffuse());
-  const bool is_rough = gloss && !gloss->is_sharp();
   const Vec3f albedo = bsdf.diffuse_albedo();
-  const Asking asking{point, bsdf, is_rough ? &*gloss : nullptr, albedo, ray, i, choice.x, numbers(ray, i, kOnLightPair)};
+  const bool has_gloss = bsdf.diffuse_share() < 1.0f;
+  if (has_gloss) bsdf.remove_diffuse();
+  const Asking asking{point, bsdf, has_gloss && !bsdf.is_sharp(), albedo, ray, i, choice.x, numbers(ray, i, kOnLightPair)};
   add_rounds(asking);
   for (const LightGroups groups : {kSun, kLamps, kSkyLight}) add_lights(groups, asking);
   if (albedo != Vec3f(0.0f)) ask_cache(packet, i, ray, bsdf.normal(), albedo, length);
-  if (gloss) reflect(point, *gloss, bsdf.lit_side(point.normal), ray, length, {choice, numbers(ray, i, kWayPair)});
+  if (has_gloss) reflect(point, bsdf, bsdf.lit_side(point.normal), ray, length, {choice, numbers(ray, i, kWayPair)});
 }
 
 /// For soft light on a diffuse surface: all that ask wait for end_packet().
@@ -127,7 +126,7 @@ void FinalGather::shine(const ShadingPoint& point, const Bsdf& bsdf, const Light
 /// that meets the light comes from.
 void FinalGather::add_lights(LightGroups groups, const Asking& asking) {
   const bool is_diffuse = groups.begin < cells_.lights_from && asking.albedo != Vec3f(0.0f);
-  if (!(is_diffuse || asking.gloss) || !(lights().chance(groups) > 0.0f)) return;
+  if (!(is_diffuse || asking.is_rough) || !(lights().chance(groups) > 0.0f)) return;
   if (const std::optional<LightSample> light = groups.begin == LightGroup::kSky
                                                    ? LightTable::sky_sample(sky_draws(), asking.lane, 1.0f)
                                                    : lights().sample(groups, asking.receiver(), asking.pick, asking.on_light))
@@ -149,8 +148,8 @@ void FinalGather::add_light(const LightSample& light, bool is_diffuse, const Ask
   Vec3f weight(0.0f);
   if (is_diffuse && !behind) weight += asking.albedo * asking.bsdf.evaluate_diffuse(light.direction).cosine_f;
   if (light.is_lamp && !behind) weight += asking.bsdf.highlight(light.direction);
-  if (asking.gloss && !rises) {
-    const BsdfValue value = asking.gloss->evaluate(light.direction);
+  if (asking.is_rough && !rises) {
+    const BsdfValue value = asking.bsdf.evaluate(light.direction);
     if (value.density > 0.0f && behind == value.transmitted)
       weight += value.cosine_f * power_heuristic(light.density, value.density);
   }

@@ -57,8 +57,8 @@ class FinalGather : public PathTracer<FinalGather> {
   /// A surface that asks for soft light.
   struct Asking {
     const ShadingPoint& point;
-    const Bsdf& bsdf;
-    const Bsdf* gloss;  ///< null: it has none, or only a sharp one
+    const Bsdf& bsdf;  ///< without its diffuse part, where it has any other
+    bool is_rough;     ///< it has lobes that are neither diffuse nor sharp
     Vec3f albedo;
     const PathRay& ray;
     int lane;

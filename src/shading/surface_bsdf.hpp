@@ -65,8 +65,9 @@ class Bsdf {
   bool is_sharp() const {
     return std::visit([](const auto& b) { return b.is_sharp(); }, bsdf_);
   }
-  Bsdf without_diffuse() const {
-    return std::visit([](const auto& b) { return Bsdf(b.without_diffuse()); }, bsdf_);
+  /// Takes the diffuse part out of evaluate() and sample(), for who has it from elsewhere; evaluate_diffuse() stays.
+  void remove_diffuse() {
+    std::visit([](auto& b) { b.remove_diffuse(); }, bsdf_);
   }
 
  private:

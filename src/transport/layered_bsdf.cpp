@@ -194,12 +194,10 @@ bool LayeredBsdf::has_coat_apart() const {
   return surface_.base.clearcoat > 0.0f && !is_mirror(coat_alpha_) && coat_frame_.z != frame_.z;
 }
 
-LayeredBsdf LayeredBsdf::without_diffuse() const {
-  LayeredBsdf rest = *this;
-  rest.diffuse_color_ = Vec3f(0.0f);
-  rest.shares_.diffuse = 0.0f;
-  rest.scale_shares();
-  return rest;
+void LayeredBsdf::remove_diffuse() {
+  diffuse_color_ = Vec3f(0.0f);
+  shares_.diffuse = 0.0f;
+  scale_shares();
 }
 
 void LayeredBsdf::add_diffuse(Vec3f light, BsdfValue& value) const {

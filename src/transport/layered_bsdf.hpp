@@ -50,7 +50,7 @@ class LayeredBsdf {
   Vec3f straight() const;
   bool scatters_through() const { return glass_share_ > 0.0f || through_color_ != Vec3f(0.0f); }
   bool has_coat_apart() const;
-  LayeredBsdf without_diffuse() const;
+  void remove_diffuse();
 
  private:
   /// Probabilities of sample(); add up to 1 or are all 0.

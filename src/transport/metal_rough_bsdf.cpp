@@ -132,12 +132,10 @@ bool MetalRoughBsdf::is_sharp() const {
 
 bool MetalRoughBsdf::has_coat_apart() const { return coat_ > 0.0f && !smooth(coat_alpha_) && coat_frame_.z != frame_.z; }
 
-MetalRoughBsdf MetalRoughBsdf::without_diffuse() const {
-  MetalRoughBsdf rest = *this;
-  rest.diffuse_color_ = Vec3f(0.0f);
-  rest.shares_.diffuse = 0.0f;
-  rest.scale_shares();
-  return rest;
+void MetalRoughBsdf::remove_diffuse() {
+  diffuse_color_ = Vec3f(0.0f);
+  shares_.diffuse = 0.0f;
+  scale_shares();
 }
 
 /// The density is Ggx::visible_density's, of whose parts the value has most.

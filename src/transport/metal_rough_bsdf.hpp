@@ -55,8 +55,8 @@ class MetalRoughBsdf {
   bool scatters_through() const { return glass_share_ > 0.0f; }  ///< light from behind, Dirac's lobes included
   /// A rough coat has another normal than normal(), and may have light from where that looks away.
   bool has_coat_apart() const;
-  /// What is left without it.
-  MetalRoughBsdf without_diffuse() const;
+  /// Takes the diffuse part out of evaluate() and sample(), for who has it from elsewhere; evaluate_diffuse() stays.
+  void remove_diffuse();
 
  private:
   struct Shares {

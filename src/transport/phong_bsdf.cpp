@@ -15,11 +15,9 @@ void PhongBsdf::set_shares() {
   through_share_ = sum > 0.0f ? point_.through / sum : 0.0f;
 }
 
-PhongBsdf PhongBsdf::without_diffuse() const {
-  PhongBsdf rest = *this;
-  rest.point_.diffuse = Vec3f(0.0f);
-  rest.set_shares();
-  return rest;
+void PhongBsdf::remove_diffuse() {
+  point_.diffuse = Vec3f(0.0f);
+  set_shares();
 }
 
 BsdfValue PhongBsdf::evaluate_diffuse(Vec3f light) const {

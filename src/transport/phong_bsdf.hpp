@@ -40,8 +40,8 @@ class PhongBsdf {
   static constexpr bool is_sharp() { return true; }           ///< no lobe but the diffuse one has a width
   static constexpr bool scatters_through() { return false; }  ///< light from behind, other than by Dirac's lobes
   static constexpr bool has_coat_apart() { return false; }    ///< as MetalRoughBsdf's
-  /// What is left without it; highlights stay.
-  PhongBsdf without_diffuse() const;
+  /// As MetalRoughBsdf's; highlights stay.
+  void remove_diffuse();
 
  private:
   void set_shares();

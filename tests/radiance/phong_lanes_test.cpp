@@ -112,7 +112,9 @@ TEST(PhongLanes, mirrors_and_what_lies_behind_are_chosen_as_the_bsdf_does) {
     GlossyRays gloss;
     reflect_gloss({points.surface, phong, points.paths, points.rays, points.lanes}, lobe, survival, kFaint, gloss);
     for (int i = 0; i < kLanes; ++i) {
-      const std::optional<BsdfSample> sample = points.bsdf(i, false).without_diffuse().sample(lobe[i], Vec2f(0.0f));
+      PhongBsdf bsdf = points.bsdf(i, false);
+      bsdf.remove_diffuse();
+      const std::optional<BsdfSample> sample = bsdf.sample(lobe[i], Vec2f(0.0f));
       Vec3f throughput(0.0f);
       bool goes_on = false;
       if (sample && (glm::dot(points.surface.facet.get(i), sample->direction) < 0.0f) == sample->transmitted) {
