@@ -10,6 +10,7 @@
 // Simulation", 1997 (multiple importance sampling, the power heuristic; Russian roulette).
 #pragma once
 
+#include <array>
 #include <optional>
 #include <utility>
 #include <vector>

@@ -14,7 +14,6 @@
 #include <functional>
 #include <vector>
 
-#include "core/multiversion.hpp"
 #include "lippmann/core/math.hpp"
 #include "transport/bsdf.hpp"
 #include "transport/discrete.hpp"
