@@ -177,7 +177,10 @@ SkyPatches patches_of(const Background& b) {
 
 }  // namespace
 
-Environment::Environment(const Background& background) : background_(background), patches_(patches_of(background)) {
+Environment::Environment(const Background& background)
+    : background_(background),
+      rotation_(background.map ? std::remainder(background.map->rotation, 2.0f * kPi) : 0.0f),
+      patches_(patches_of(background)) {
   for (int y = 0; y < patches_.height(); ++y) {
     Vec3f row(0.0f);
     for (int x = 0; x < patches_.width(); ++x) row += background.map ? patches_.texel(x, y) : gradient_texel(background, x, y);
@@ -196,12 +199,12 @@ float Environment::sun_share() const {
 Vec3f Environment::radiance(Vec3f direction) const {
   if (!background_.map) return gradient(background_, direction);
   Vec3f light;
-  look_at(Panorama(patches_, rotation()), direction.x, direction.y, direction.z, &light.x);
+  look_at(Panorama(patches_, rotation_), direction.x, direction.y, direction.z, &light.x);
   return light;
 }
 
 void Environment::radiance(SkyRays& rays) const {
-  if (background_.map) return look_at_all(Panorama(patches_, rotation()), rays);
+  if (background_.map) return look_at_all(Panorama(patches_, rotation_), rays);
   for (int i = 0; i < SkyRays::kRays; ++i) {
     const Vec3f light = gradient(background_, {rays.x[i], rays.y[i], rays.z[i]});
     rays.red[i] = light.x, rays.green[i] = light.y, rays.blue[i] = light.z;
@@ -213,7 +216,7 @@ Environment::Sample Environment::sample(const PatchChoice& patches, Vec2f u) con
   PatchDraws drawn;
   drawn.set(0, patches_, patches.draw_patch(patches_, patches.draw_row(patches_, u)));
   SkyDraws draws;
-  draw_within(Panorama(patches_, rotation()), drawn, 0, draws);
+  draw_within(Panorama(patches_, rotation_), drawn, 0, draws);
   Sample sample{{draws.x[0], draws.y[0], draws.z[0]}, draws.density[0], {draws.red[0], draws.green[0], draws.blue[0]}};
   if (!background_.map) sample.radiance = gradient(background_, sample.direction);
   return sample;
@@ -228,7 +231,7 @@ void Environment::sample_rest(SkyDraws& draws) const {
   for (int i = 0; i < SkyDraws::kDraws; ++i) rows[i] = rest_.draw_row(patches_, {draws.u[i], draws.v[i]});
   PatchDraws patches;
   for (int i = 0; i < SkyDraws::kDraws; ++i) patches.set(i, patches_, rest_.draw_patch(patches_, rows[i]));
-  draw_all_within(Panorama(patches_, rotation()), patches, draws);
+  draw_all_within(Panorama(patches_, rotation_), patches, draws);
   if (background_.map) return;
   for (int i = 0; i < SkyDraws::kDraws; ++i) {
     const Vec3f light = gradient(background_, {draws.x[i], draws.y[i], draws.z[i]});
@@ -237,7 +240,7 @@ void Environment::sample_rest(SkyDraws& draws) const {
 }
 
 Environment::Density Environment::density(Vec3f direction) const {
-  const SkyPatches::Place place = patches_.at(place_of(direction, rotation()), direction.y);
+  const SkyPatches::Place place = patches_.at(place_of(direction, rotation_), direction.y);
   if (const float of_sun = sun_.density(patches_, place); of_sun > 0.0f) return {of_sun, true};
   return {rest_.density(patches_, place), false};
 }

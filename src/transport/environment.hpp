@@ -66,10 +66,10 @@ class Environment {
   Vec3f mean_radiance() const { return mean_radiance_; }
 
  private:
-  float rotation() const { return background_.map ? background_.map->rotation : 0.0f; }
   Sample sample(const PatchChoice& patches, Vec2f u) const;
 
   const Background& background_;
+  float rotation_;      ///< the panorama's, within half a turn
   SkyPatches patches_;  ///< patches of the panorama, or of a grid that follows the gradient
   PatchChoice sun_, rest_;
   Vec3f mean_radiance_{0.0f};

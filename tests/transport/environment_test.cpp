@@ -77,13 +77,17 @@ TEST(Environment, directions_drawn_side_by_side_are_those_that_are_drawn_alone) 
 
 TEST(Environment, a_sample_has_the_light_of_its_direction) {
   Background b = panorama(37, 20, [](int x, int y) { return Vec3f(static_cast<float>(x % 5), static_cast<float>(y), 1.0f); });
-  b.map->rotation = 0.7f, b.map->strength = 1.5f;
-  const Environment e(b);
-  for (std::uint32_t i = 0; i < 500; ++i) {
-    const Environment::Sample s = e.sample_rest(scrambled_sobol(i, 9u));
-    EXPECT_NEAR(glm::length(s.direction), 1.0f, 1e-6f) << i;
-    const Vec3f seen = e.radiance(s.direction);
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(s.radiance[c], seen[c], 1e-4f * (1.0f + seen[c])) << i;
+  b.map->strength = 1.5f;
+  for (const float rotation : {0.7f, -1000.0f, 1e30f}) {
+    b.map->rotation = rotation;
+    const Environment e(b);
+    for (std::uint32_t i = 0; i < 500; ++i) {
+      const Environment::Sample s = e.sample_rest(scrambled_sobol(i, 9u));
+      EXPECT_NEAR(glm::length(s.direction), 1.0f, 1e-6f) << i;
+      const Vec3f seen = e.radiance(s.direction);
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(s.radiance[c], seen[c], 1e-4f * (1.0f + seen[c])) << i << ", turned by " << rotation;
+    }
   }
 }
 
