@@ -44,10 +44,15 @@ class SampleSurveyor : public PathTracer<SampleSurveyor> {
       if (active.lane[i]) note(class_of(rays[i]), rays[i].pixel, met.lane[i] != 0);
     return active;
   }
-  void end_packet(const RayHitPacket&, const LaneMask&, const PathRay*) {}
+  void end_packet(const RayHitPacket&, const PathRay*) {}
   static Vec2f numbers(const PathRay& ray, int, std::uint32_t pair) { return draw(ray, pair); }
 
-  void vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length) {
+  void scatter(const RayHitPacket& packet, const PathRay* rays) {
+    for (int i = 0; i < kLanes; ++i)
+      if (vertices_.active.lane[i]) scatter(packet, i, rays[i], vertices_.point(i), vertices_.lengths[i]);
+  }
+
+  void scatter(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length) {
     Bsdf bsdf = bsdf_at(scene_, packet, surface_, i);
     if (kind_ == SampleKind::kGather) {
       ask_hard_lights(point, bsdf, ray);

@@ -21,6 +21,12 @@ struct alignas(64) LaneMask {
   int lane[kLanes];
 };
 
+inline bool any(const LaneMask& lanes) {
+  int any = 0;
+  for (const int lane : lanes.lane) any |= lane;
+  return any != 0;
+}
+
 struct alignas(64) Lanes {
   float lane[kLanes];
   LIPPMANN_INLINE float& operator[](int i) { return lane[i]; }

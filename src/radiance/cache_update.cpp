@@ -56,7 +56,14 @@ RayCounts CacheUpdate::counts() const {
   return all;
 }
 
-void CacheUpdate::vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length) {
+void CacheUpdate::scatter(const RayHitPacket& packet, const PathRay* rays) {
+  for (int i = 0; i < kLanes; ++i)
+    if (vertices_.active.lane[i]) scatter(packet, i, rays[i]);
+}
+
+void CacheUpdate::scatter(const RayHitPacket& packet, int i, const PathRay& ray) {
+  const ShadingPoint& point = vertices_.point(i);
+  const float length = vertices_.lengths[i];
   Bsdf bsdf = bsdf_at(scene_, packet, surface_, i);
   const float share = bsdf.diffuse_share();
   const Vec2f choice = draw(ray, kChoicePair);

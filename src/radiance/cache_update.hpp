@@ -50,10 +50,11 @@ class CacheUpdate : public PathTracer<CacheUpdate> {
   static constexpr bool kSeesLight = false, kWidensBeams = false;
 
   LaneMask begin_packet(const RayHitPacket&, const LaneMask& active, const PathRay*) { return active; }
-  void end_packet(const RayHitPacket&, const LaneMask&, const PathRay*) {}
+  void end_packet(const RayHitPacket&, const PathRay*) {}
   /// Drawn where they are asked for: most cells are not sparse.
   static Vec2f numbers(const PathRay& ray, int, std::uint32_t pair) { return draw(ray, pair); }
-  void vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length);
+  void scatter(const RayHitPacket& packet, const PathRay* rays);
+  void scatter(const RayHitPacket& packet, int i, const PathRay& ray);
   void trace_shadow_rays() {}
 
   void ask(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, const Bsdf& bsdf, float length,

@@ -10,12 +10,6 @@ Vec2f jitter(const PathRay& ray) {
   return {unit_float(shift + index * 3242174889u), unit_float(hash(shift) + index * 2447445414u)};
 }
 
-bool any(const LaneMask& lanes) {
-  int any = 0;
-  for (const int lane : lanes.lane) any |= lane;
-  return any != 0;
-}
-
 }  // namespace
 
 FinalGather::FinalGather(const ShadedScene& scene, const CacheCells& cells, const RadianceCache& cache,
@@ -60,7 +54,7 @@ LaneMask FinalGather::begin_packet(const RayHitPacket& packet, const LaneMask& a
 }
 
 /// What was asked of the cache: from there, and by a path where it knows nothing, and at edges that are left to paths.
-void FinalGather::end_packet(const RayHitPacket& packet, const LaneMask&, const PathRay* rays) {
+void FinalGather::end_packet(const RayHitPacket& packet, const PathRay* rays) {
   if (!any(queries_.active)) return;
   Lanes3 light;
   const LaneMask known = cache_.pick(queries_, options_.edges, light);
@@ -72,18 +66,25 @@ void FinalGather::end_packet(const RayHitPacket& packet, const LaneMask&, const 
   }
 }
 
-void FinalGather::vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length) {
-  Bsdf bsdf = bsdf_at(scene_, packet, surface_, i);
-  const Vec2f choice = numbers(ray, i, kChoicePair);
-  add_points(point, bsdf, ray, choice.x);
-  const Vec3f albedo = bsdf.diffuse_albedo();
-  const bool has_gloss = bsdf.diffuse_share() < 1.0f;
-  if (has_gloss) bsdf.remove_diffuse();
-  const Asking asking{point, bsdf, has_gloss && !bsdf.is_sharp(), albedo, ray, i, choice.x, numbers(ray, i, kOnLightPair)};
-  add_rounds(asking);
-  for (const LightGroups groups : {kSun, kLamps, kSkyLight}) add_lights(groups, asking);
-  if (albedo != Vec3f(0.0f)) ask_cache(packet, i, ray, bsdf.normal(), albedo, length);
-  if (has_gloss) reflect(point, bsdf, bsdf.lit_side(point.normal), ray, length, {choice, numbers(ray, i, kWayPair)});
+void FinalGather::scatter(const RayHitPacket& packet, const PathRay* rays) {
+  make_bsdfs(packet);
+  const LaneMask& lanes = vertices_.active;
+  BsdfPacket& bsdfs = vertices_.bsdfs;
+  add_points(rays);
+  LaneMask glossy{};
+  for (int i = 0; i < kLanes; ++i) {
+    if (!lanes.lane[i]) continue;
+    albedo_.set(i, bsdfs.diffuse_albedo(i));
+    glossy.lane[i] = bsdfs.diffuse_share(i) < 1.0f ? -1 : 0;
+  }
+  bsdfs.remove_diffuse();
+  for (int i = 0; i < kLanes; ++i) rough_.lane[i] = glossy.lane[i] && !bsdfs.is_sharp(i) ? -1 : 0;
+  add_rounds(rays);
+  for (const LightGroups groups : {kSun, kLamps, kSkyLight}) add_lights(groups, rays);
+  for (int i = 0; i < kLanes; ++i)
+    if (lanes.lane[i] && albedo_.get(i) != Vec3f(0.0f))
+      ask_cache(packet, i, rays[i], bsdfs.normal(i), albedo_.get(i), vertices_.lengths[i]);
+  if (any(glossy)) reflect(glossy, rays);
 }
 
 /// For soft light on a diffuse surface: all that ask wait for end_packet().
@@ -102,69 +103,83 @@ void FinalGather::follow_path(const RayHitPacket& packet, int i, const PathRay& 
                         {draw(ray, kChoicePair).x, draw(ray, kOnLightPair), draw(ray, kWayPair)});
 }
 
-void FinalGather::add_points(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float pick) {
+void FinalGather::add_points(const PathRay* rays) {
+  const auto shine_into = [&](ShadowQueue& queue) {
+    return [&](int i, const LightSample& light, const BsdfValue& value) { shine(i, light, value, rays[i], queue); };
+  };
   if (lights().points() > kFewLights) {
-    if (const std::optional<LightSample> light =
-            lights().sample(kPointLights, {point.position, bsdf.lit_side(point.normal)}, pick, Vec2f(0.0f)))
-      shine(point, bsdf, *light, ray, to_others_);
-    return;
+    const auto one_of_them = [&](int i) {
+      return lights().sample(kPointLights, vertices_.receiver(i), numbers(rays[i], i, kChoicePair).x, Vec2f(0.0f));
+    };
+    return ask_lights(vertices_.active, one_of_them, shine_into(to_others_));
   }
   for (std::size_t l = 0; l < lights().points(); ++l)
-    if (const std::optional<LightSample> light = lights().point(l, point.position))
-      shine(point, bsdf, *light, ray, to_point_[l]);
+    ask_lights(
+        vertices_.active, [&](int i) { return lights().point(l, vertices_.point(i).position); }, shine_into(to_point_[l]));
 }
 
-void FinalGather::shine(const ShadingPoint& point, const Bsdf& bsdf, const LightSample& light, const PathRay& ray,
-                        ShadowQueue& queue) {
-  const BsdfValue value = bsdf.evaluate(light.direction);
+void FinalGather::shine(int i, const LightSample& light, const BsdfValue& value, const PathRay& ray, ShadowQueue& queue) {
+  const ShadingPoint& point = vertices_.point(i);
   if (!may_shine(point, light.direction, value.transmitted)) return;
-  const Vec3f radiance = ray.throughput * (value.cosine_f + bsdf.highlight(light.direction)) * light.radiance;
+  const Vec3f radiance =
+      ray.throughput * (value.cosine_f + vertices_.bsdfs.highlight(i, light.direction)) * light.radiance;
   if (radiance != Vec3f(0.0f) && is_finite(radiance)) queue.push(point, light, radiance, ray.pixel, ray.depth + 1);
 }
 
 /// One light of the groups: over rough lobes, and where the cache does not hold it, over the diffuse one, too, which no ray
 /// that meets the light comes from.
-void FinalGather::add_lights(LightGroups groups, const Asking& asking) {
-  const bool is_diffuse = groups.begin < cells_.lights_from && asking.albedo != Vec3f(0.0f);
-  if (!(is_diffuse || asking.is_rough) || !(lights().chance(groups) > 0.0f)) return;
-  if (const std::optional<LightSample> light = groups.begin == LightGroup::kSky
-                                                   ? LightTable::sky_sample(sky_draws(), asking.lane, 1.0f)
-                                                   : lights().sample(groups, asking.receiver(), asking.pick, asking.on_light))
-    add_light(*light, is_diffuse, asking);
+void FinalGather::add_lights(LightGroups groups, const PathRay* rays) {
+  if (!(lights().chance(groups) > 0.0f)) return;
+  const bool over_diffuse = groups.begin < cells_.lights_from;
+  ask_lights(
+      rough_,
+      [&](int i) -> std::optional<LightSample> {
+        if (!(over_diffuse && albedo_.get(i) != Vec3f(0.0f)) && !rough_.lane[i]) return std::nullopt;
+        if (groups.begin == LightGroup::kSky) return LightTable::sky_sample(sky_draws(), i, 1.0f);
+        return lights().sample(groups, vertices_.receiver(i), numbers(rays[i], i, kChoicePair).x,
+                               numbers(rays[i], i, kOnLightPair));
+      },
+      [&](int i, const LightSample& light, const BsdfValue& value) {
+        add_light(i, light, value, over_diffuse, rays[i]);
+      });
 }
 
 /// Lamps that have a size: the cache never holds them.
-void FinalGather::add_rounds(const Asking& asking) {
-  if (!asks_all_rounds()) return add_lights(kRoundLights, asking);
-  if (lights().rounds() == 0) return;
+void FinalGather::add_rounds(const PathRay* rays) {
+  if (!asks_all_rounds()) return add_lights(kRoundLights, rays);
   for (std::size_t k = 0; k < lights().rounds(); ++k)
-    if (const std::optional<LightSample> light = lights().round(k, asking.point.position, asking.on_light))
-      add_light(*light, asking.albedo != Vec3f(0.0f), asking);
+    ask_lights(
+        rough_, [&](int i) { return lights().round(k, vertices_.point(i).position, numbers(rays[i], i, kOnLightPair)); },
+        [&](int i, const LightSample& light, const BsdfValue& value) { add_light(i, light, value, true, rays[i]); });
 }
 
-void FinalGather::add_light(const LightSample& light, bool is_diffuse, const Asking& asking) {
-  const ShadingPoint& point = asking.point;
+void FinalGather::add_light(int i, const LightSample& light, const BsdfValue& value, bool over_diffuse, const PathRay& ray) {
+  const ShadingPoint& point = vertices_.point(i);
+  const BsdfPacket& bsdfs = vertices_.bsdfs;
   const bool rises = point.rises_to(light.direction), behind = point.is_behind(light.direction) && !rises;
   Vec3f weight(0.0f);
-  if (is_diffuse && !behind) weight += asking.albedo * asking.bsdf.evaluate_diffuse(light.direction).cosine_f;
-  if (light.is_lamp && !behind) weight += asking.bsdf.highlight(light.direction);
-  if (asking.is_rough && !rises) {
-    const BsdfValue value = asking.bsdf.evaluate(light.direction);
-    if (value.density > 0.0f && behind == value.transmitted)
-      weight += value.cosine_f * power_heuristic(light.density, value.density);
-  }
-  const PathRay& ray = asking.ray;
+  if (over_diffuse && !behind && albedo_.get(i) != Vec3f(0.0f))
+    weight += albedo_.get(i) * bsdfs.evaluate_diffuse(i, light.direction).cosine_f;
+  if (light.is_lamp && !behind) weight += bsdfs.highlight(i, light.direction);
+  if (rough_.lane[i] && !rises && value.density > 0.0f && behind == value.transmitted)
+    weight += value.cosine_f * power_heuristic(light.density, value.density);
   const Vec3f radiance = ray.throughput * weight * light.radiance / light.density;
   if (radiance != Vec3f(0.0f) && is_finite(radiance)) to_others_.push(point, light, radiance, ray.pixel, ray.depth + 1);
 }
 
-void FinalGather::reflect(const ShadingPoint& point, const Bsdf& gloss, Vec3f lit_side, const PathRay& ray, float length,
-                          const Numbers& drawn) {
-  const std::optional<BsdfSample> sample = gloss.sample(drawn.choice.y, gloss.is_sharp() ? Vec2f(0.0f) : drawn.way);
-  if (!sample || !is_possible(point, sample->direction, sample->transmitted)) return;
-  Vec3f throughput = ray.throughput * sample->weight;
-  if (survives(throughput, std::min(1.0f, kFaint * largest(throughput)), drawn.choice.x))
-    go_on(ray, point, lit_side, *sample, throughput, length, counts_.reflection);
+void FinalGather::reflect(const LaneMask& lanes, const PathRay* rays) {
+  BsdfSamples samples;
+  vertices_.bsdfs.sample(lanes, numbers(kChoicePair).y, numbers(kWayPair).x, numbers(kWayPair).y, samples);
+  for (int i = 0; i < kLanes; ++i) {
+    if (!lanes.lane[i]) continue;
+    const ShadingPoint& point = vertices_.point(i);
+    const std::optional<BsdfSample> sample = samples.get(i);
+    if (!sample || !is_possible(point, sample->direction, sample->transmitted)) continue;
+    Vec3f throughput = rays[i].throughput * sample->weight;
+    if (survives(throughput, std::min(1.0f, kFaint * largest(throughput)), numbers(rays[i], i, kChoicePair).x))
+      go_on(rays[i], point, vertices_.bsdfs.lit_side(i, point.normal), *sample, throughput, vertices_.lengths[i],
+            counts_.reflection);
+  }
 }
 
 void FinalGather::add_cached(const PathRay& ray, Vec3f radiance, const CachePoint& place) {

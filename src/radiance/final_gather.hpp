@@ -41,7 +41,7 @@ class FinalGather : public PathTracer<FinalGather> {
   static constexpr bool kSeesLight = true, kWidensBeams = false;
 
   LaneMask begin_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
-  void end_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
+  void end_packet(const RayHitPacket& packet, const PathRay* rays);
   /// A vertex asks for one light of every group.
   float chance(LightGroups groups) const { return lights().chance(groups); }
   /// And for each lamp that has a size, where they are few.
@@ -49,32 +49,16 @@ class FinalGather : public PathTracer<FinalGather> {
     return asks_all_rounds() ? lights().chance_of_round(k, {}) : lights().chance(kRoundLights);
   }
   bool asks_all_rounds() const { return lights().rounds() <= kFewLights; }
-  void vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length);
+  void scatter(const RayHitPacket& packet, const PathRay* rays);
   void end_path(const PathRay& ray, Vec3f radiance) { add_traced(ray.pixel, radiance, ray.surfaces()); }
   void trace_shadow_rays();
 
-  void add_points(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float pick);
-  /// A surface that asks for soft light.
-  struct Asking {
-    const ShadingPoint& point;
-    const Bsdf& bsdf;  ///< without its diffuse part, where it has any other
-    bool is_rough;     ///< it has lobes that are neither diffuse nor sharp
-    Vec3f albedo;
-    const PathRay& ray;
-    int lane;
-    float pick;      ///< which light
-    Vec2f on_light;  ///< and where on it
-    LightReceiver receiver() const { return {point.position, bsdf.lit_side(point.normal)}; }
-  };
-  void add_rounds(const Asking& asking);
-  void add_lights(LightGroups groups, const Asking& asking);
-  void add_light(const LightSample& light, bool is_diffuse, const Asking& asking);
-  struct Numbers {
-    Vec2f choice, way;
-  };
-  void reflect(const ShadingPoint& point, const Bsdf& gloss, Vec3f lit_side, const PathRay& ray, float length,
-               const Numbers& drawn);
-  void shine(const ShadingPoint& point, const Bsdf& bsdf, const LightSample& light, const PathRay& ray, ShadowQueue& queue);
+  void add_points(const PathRay* rays);
+  void add_rounds(const PathRay* rays);
+  void add_lights(LightGroups groups, const PathRay* rays);
+  void add_light(int i, const LightSample& light, const BsdfValue& value, bool over_diffuse, const PathRay& ray);
+  void reflect(const LaneMask& lanes, const PathRay* rays);
+  void shine(int i, const LightSample& light, const BsdfValue& value, const PathRay& ray, ShadowQueue& queue);
 
   // Phong's surfaces, side by side where all lights that are sampled are points.
   LaneMask phong_lanes() const;
@@ -103,6 +87,7 @@ class FinalGather : public PathTracer<FinalGather> {
   ShadowPacket shadow_;
   CacheQueries queries_;  ///< what it asks the cache for,
   Lanes3 albedo_;         ///< and what becomes of that
+  LaneMask rough_;        ///< vertices with lobes that are neither diffuse nor sharp
 };
 
 }  // namespace lippmann

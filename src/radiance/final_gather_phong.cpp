@@ -1,4 +1,4 @@
-// Phong's surfaces of a packet, side by side: what FinalGather::vertex() does for one.
+// Phong's surfaces of a packet, side by side: what FinalGather::scatter() does for one.
 #include "device/ray_scene.hpp"
 #include "radiance/final_gather.hpp"
 

@@ -302,8 +302,8 @@ float LightTable::share_of_record(std::size_t record) const {
   return record_shares_.empty() || chances_.empty() ? 0.0f : record_shares_[record];
 }
 
-LightTable::Sky LightTable::sky(Vec3f direction) const {
-  const Environment::Density density = environment_.density(direction);
+LightTable::Sky LightTable::sky(const SkyRays& rays, int i) const {
+  const Environment::Density density = environment_.density(rays, i);
   const LightGroups group = density.of_sun ? kSun : kSkyLight;
   return {group, chance(group) * density.value};
 }

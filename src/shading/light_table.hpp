@@ -114,12 +114,12 @@ class LightTable {
   /// record at `distance`; 0 where the triangle is none of its lights.
   float density_of(std::uint32_t record, std::uint32_t prim, float distance, Vec3f direction, const LightReceiver& at) const;
 
-  /// What sample() knows of a direction into the sky.
+  /// What sample() knows of a direction into the sky, that of ray i whose radiance was looked up.
   struct Sky {
     LightGroups group;     ///< kSun or kSkyLight
     float density = 0.0f;  ///< the one that sample() gives this direction
   };
-  Sky sky(Vec3f direction) const;
+  Sky sky(const SkyRays& rays, int i) const;
 
   /// The share of all power that a lamp has, whether it is a point or has a size, and that all triangles of a record have.
   float share_of_lamp(std::size_t light) const;

@@ -3,10 +3,6 @@
 namespace lippmann {
 namespace {
 
-Vec3f view_of(const RayHitPacket& packet, int i) {
-  return -Vec3f(packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]);
-}
-
 const Material& material_of(const ShadedScene& scene, const SurfacePacket& surface, int i) {
   return scene.scene->materials[scene.material_of_instance[surface.instance[i]]];
 }
@@ -15,6 +11,24 @@ const GeometryRecord* mesh_record(const ShadedScene& scene, const SurfacePacket&
   if (surface.record[i] >= kPlaneId) return nullptr;
   const GeometryRecord& record = scene.records[surface.record[i]];
   return record.kind == GeometryKind::kMesh ? &record : nullptr;
+}
+
+Maps maps_at(const ShadedScene& scene, const RayHitPacket& packet, const SurfacePacket& surface, int i) {
+  return {scene.textures, mesh_record(scene, surface, i), packet.hit.primID[i], {packet.hit.u[i], packet.hit.v[i]}};
+}
+
+SeenPoint seen_point(const RayHitPacket& packet, const SurfacePacket& surface, int i) {
+  return {surface.normal.get(i), view_of(packet, i), surface.entering.lane[i] != 0, surface.facet.get(i)};
+}
+
+/// Of a surface of Phong's, where it has neither highlight nor mirror and nothing comes through.
+std::optional<MetalRoughPoint> lambert_at(const SurfacePacket& surface, int i) {
+  if (surface.highlight[i] != 0.0f || surface.mirror[i] != 0.0f || surface.opacity[i] != 1.0f) return std::nullopt;
+  MetalRoughPoint at;
+  at.surface.base_color = surface.diffuse[i] * surface.color.get(i);
+  at.surface.metallic = at.surface.specular = 0.0f;
+  at.normals.diffuse = at.normals.gloss = surface.normal.get(i);
+  return at;
 }
 
 bool lets_through(const MetallicRoughness& m) {
@@ -59,9 +73,16 @@ ShadingPoint shading_point(const ShadedScene& scene, const SurfacePacket& surfac
   return p;
 }
 
+std::optional<MetalRoughPoint> base_at(const ShadedScene& scene, const RayHitPacket& packet, const SurfacePacket& surface,
+                                       int i) {
+  const auto* m = std::get_if<MetallicRoughness>(&material_of(scene, surface, i).surface);
+  if (!m) return lambert_at(surface, i);
+  if (!is_base_alone(*m)) return std::nullopt;
+  return metal_rough_point(*m, surface.color.get(i), maps_at(scene, packet, surface, i), seen_point(packet, surface, i));
+}
+
 Bsdf bsdf_at(const ShadedScene& scene, const RayHitPacket& packet, const SurfacePacket& surface, int i) {
-  const Vec3f view = view_of(packet, i), normal = surface.normal.get(i);
-  const bool entering = surface.entering.lane[i] != 0;
+  const SeenPoint seen = seen_point(packet, surface, i);
   const Vec3f color = surface.color.get(i);
   const auto* m = std::get_if<MetallicRoughness>(&material_of(scene, surface, i).surface);
   if (!m) {
@@ -73,11 +94,9 @@ Bsdf bsdf_at(const ShadedScene& scene, const RayHitPacket& packet, const Surface
     p.mirror = surface.mirror[i] * glm::mix(Vec3f(1.0f), color, surface.mirror_tint[i]);
     p.through = 1.0f - surface.opacity[i];
     p.ior = surface.ior[i];
-    return Bsdf(std::in_place_type<PhongBsdf>, p, normal, view, entering);
+    return Bsdf(std::in_place_type<PhongBsdf>, p, seen.normal, seen.view, seen.entering);
   }
-  const Maps maps{scene.textures, mesh_record(scene, surface, i), packet.hit.primID[i], {packet.hit.u[i], packet.hit.v[i]}};
-  return metal_rough_bsdf(*m, color, maps, scene.path->albedo, {normal, view, entering, surface.facet.get(i)},
-                          surface.color_channel[i]);
+  return metal_rough_bsdf(*m, color, maps_at(scene, packet, surface, i), scene.path->albedo, seen, surface.color_channel[i]);
 }
 
 }  // namespace lippmann

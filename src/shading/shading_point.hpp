@@ -1,6 +1,8 @@
 // One lane of a packet of surface points as a path sees it: what shines there, how it scatters, what lets light through.
 #pragma once
 
+#include <optional>
+
 #include "shading/surface.hpp"
 #include "shading/surface_bsdf.hpp"
 
@@ -32,7 +34,17 @@ struct ShadingPoint {
 /// Lane i of surfaces that were hit (of scenes made for paths).
 ShadingPoint shading_point(const ShadedScene& scene, const SurfacePacket& surface, int i);
 
-/// How the point scatters.
+/// The direction that lane i is seen from.
+inline Vec3f view_of(const RayHitPacket& packet, int i) {
+  return -Vec3f(packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]);
+}
+
+/// What its surface is made of where that is the base of metallic roughness alone, or scatters by Lambert's law alone; else
+/// none.
+std::optional<MetalRoughPoint> base_at(const ShadedScene& scene, const RayHitPacket& packet, const SurfacePacket& surface,
+                                       int i);
+
+/// How the point scatters, whichever surface it has.
 Bsdf bsdf_at(const ShadedScene& scene, const RayHitPacket& packet, const SurfacePacket& surface, int i);
 
 }  // namespace lippmann

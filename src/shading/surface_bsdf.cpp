@@ -53,9 +53,11 @@ MetalRoughSurface surface_at(const MetallicRoughness& m, Vec3f base_color, const
   s.ior = m.ior;
   s.specular = m.specular * maps(m.specular_map).a;
   s.specular_color = m.specular_color * Vec3f(maps(m.specular_color_map));
-  s.transmission = m.transmission * maps(m.transmission_map).r;
-  s.clearcoat = m.clearcoat * maps(m.clearcoat_map).r;
-  s.clearcoat_roughness = m.clearcoat_roughness * maps(m.clearcoat_roughness_map).g;
+  s.transmission = m.transmission > 0.0f ? m.transmission * maps(m.transmission_map).r : 0.0f;
+  if (m.clearcoat > 0.0f) {
+    s.clearcoat = m.clearcoat * maps(m.clearcoat_map).r;
+    s.clearcoat_roughness = m.clearcoat_roughness * maps(m.clearcoat_roughness_map).g;
+  }
   return s;
 }
 
@@ -138,21 +140,27 @@ bool is_thin_wall(const MetallicRoughness& m) {
   return m.extensions && m.extensions->volume && !m.extensions->volume->is_solid;
 }
 
-Bsdf metal_rough_bsdf(const MetallicRoughness& m, Vec3f color, const Maps& maps, const GgxAlbedo& albedo, const SeenPoint& p,
-                      int channel) {
+MetalRoughPoint metal_rough_point(const MetallicRoughness& m, Vec3f color, const Maps& maps, const SeenPoint& p) {
   const float outer = p.entering ? 1.0f : -1.0f;
   const auto mapped = [&](const TextureMap& map, float scale) {
     return map.texture >= 0 && maps.record ? mapped_normal(maps, map, scale, p.normal, outer) : p.normal;
   };
-  const MetalRoughSurface surface = surface_at(m, color, maps);
+  MetalRoughPoint at;
+  at.surface = surface_at(m, color, maps);
   const auto lifted = [&](Vec3f n) { return lifted_normal(n, p.facet, p.view); };
-  MetalRoughBsdf::Normals normals;
+  MetalRoughBsdf::Normals& normals = at.normals;
   normals.diffuse = normals.gloss = mapped(m.normal_map, m.normal_scale);
-  normals.coat = mapped(m.clearcoat_normal_map, m.clearcoat_normal_scale);
-  if (surface.metallic > 0.0f || surface.specular > 0.0f || surface.transmission > 0.0f) normals.gloss = lifted(normals.gloss);
+  if (at.surface.metallic > 0.0f || at.surface.specular > 0.0f || at.surface.transmission > 0.0f)
+    normals.gloss = lifted(normals.gloss);
   // Paint below gloss has most of its light by the given normal, which a lifted one would take from it.
-  if (surface.metallic > 0.0f || surface.transmission > 0.0f) normals.diffuse = normals.gloss;
-  if (m.clearcoat > 0.0f) normals.coat = lifted(normals.coat);
+  if (at.surface.metallic > 0.0f || at.surface.transmission > 0.0f) normals.diffuse = normals.gloss;
+  if (m.clearcoat > 0.0f) normals.coat = lifted(mapped(m.clearcoat_normal_map, m.clearcoat_normal_scale));
+  return at;
+}
+
+Bsdf metal_rough_bsdf(const MetallicRoughness& m, Vec3f color, const Maps& maps, const GgxAlbedo& albedo, const SeenPoint& p,
+                      int channel) {
+  const auto [surface, normals] = metal_rough_point(m, color, maps, p);
   if (m.extensions) return extended_bsdf(surface, *m.extensions, maps, albedo, {normals, p.view, p.entering}, channel);
   return Bsdf(std::in_place_type<MetalRoughBsdf>, surface, albedo, normals, p.view, p.entering);
 }

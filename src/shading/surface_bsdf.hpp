@@ -92,8 +92,21 @@ struct SeenPoint {
   Vec3f facet;    ///< normal of the facet, of any length, on the viewer's side
 };
 
-/// The BSDF of glTF's surfaces. color: with what textures and vertices make of it; channel: of R, G, B the one that a path is
-/// of, where the surface disperses.
+/// Whether glTF's surface is its base alone, which sixteen points are computed of side by side (metal_rough_lanes.hpp).
+inline bool is_base_alone(const MetallicRoughness& m) {
+  return !m.extensions && m.transmission == 0.0f && m.clearcoat == 0.0f;
+}
+
+/// What the base of glTF's surfaces is made of at a point, and the ways that it faces.
+struct MetalRoughPoint {
+  MetalRoughSurface surface;
+  MetalRoughBsdf::Normals normals;
+};
+
+/// Maps looked up, those of the coat only if there is one. color: with what textures and vertices make of it.
+MetalRoughPoint metal_rough_point(const MetallicRoughness& material, Vec3f color, const Maps& maps, const SeenPoint& point);
+
+/// The BSDF of glTF's surfaces. channel: of R, G, B the one that a path is of, where the surface disperses.
 Bsdf metal_rough_bsdf(const MetallicRoughness& material, Vec3f color, const Maps& maps, const GgxAlbedo& albedo,
                       const SeenPoint& point, int channel);
 

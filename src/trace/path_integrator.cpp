@@ -29,46 +29,54 @@ LaneMask PathIntegrator::begin_packet(const RayHitPacket& packet, const LaneMask
   return active;
 }
 
-void PathIntegrator::vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length) {
-  const Bsdf bsdf = bsdf_at(scene_, packet, surface_, i);
-  const Vec2f choice = numbers(ray, i, kChoicePair);
-  aim_at_light(point, bsdf, ray, i);
-  const std::optional<BsdfSample> sample = bsdf.sample(choice.y, numbers(ray, i, kWayPair));
-  if (!sample || !is_possible(point, sample->direction, sample->transmitted)) return;
-  Vec3f throughput = ray.throughput * sample->weight;
+void PathIntegrator::scatter(const RayHitPacket& packet, const PathRay* rays) {
+  const LaneMask& lanes = vertices_.active;
+  make_bsdfs(packet);
+  ask_lights(
+      lanes, [&](int i) { return light_for(i, rays[i]); },
+      [&](int i, const LightSample& light, const BsdfValue& value) { shine(i, light, value, rays[i]); });
+  BsdfSamples samples;
+  vertices_.bsdfs.sample(lanes, numbers(kChoicePair).y, numbers(kWayPair).x, numbers(kWayPair).y, samples);
+  for (int i = 0; i < kLanes; ++i)
+    if (lanes.lane[i])
+      if (const std::optional<BsdfSample> sample = samples.get(i)) go_on(i, rays[i], *sample);
+}
+
+void PathIntegrator::go_on(int i, const PathRay& ray, const BsdfSample& sample) {
+  const ShadingPoint& point = vertices_.point(i);
+  if (!is_possible(point, sample.direction, sample.transmitted)) return;
+  Vec3f throughput = ray.throughput * sample.weight;
   if (ray.depth + 1 >= kRouletteDepth &&
       !survives(throughput, std::min(0.95f, largest(throughput)), numbers(ray, i, kCoveragePair).x))
     return;
-  go_on(ray, point, bsdf.lit_side(point.normal), *sample, throughput, length,
-        sample->is_delta() ? counts_.reflection : counts_.indirect);
+  PathTracer::go_on(ray, point, vertices_.bsdfs.lit_side(i, point.normal), sample, throughput, vertices_.lengths[i],
+                    sample.is_delta() ? counts_.reflection : counts_.indirect);
 }
 
-void PathIntegrator::aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, int i) {
+std::optional<LightSample> PathIntegrator::light_for(int i, const PathRay& ray) {
   const float pick = numbers(ray, i, kChoicePair).x;
-  const std::optional<LightSample> light =
-      lights().asks_sky_often() && lights().picks_sky(pick)
-          ? LightTable::sky_sample(sky_draws(), i, lights().chance(kSkyLight))
-          : lights().sample({point.position, bsdf.lit_side(point.normal)}, pick, numbers(ray, i, kOnLightPair));
-  if (light) aim_at(*light, point, bsdf, ray);
+  if (lights().asks_sky_often() && lights().picks_sky(pick))
+    return LightTable::sky_sample(sky_draws(), i, lights().chance(kSkyLight));
+  return lights().sample(vertices_.receiver(i), pick, numbers(ray, i, kOnLightPair));
 }
 
-void PathIntegrator::aim_at(const LightSample& light, const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray) {
-  const BsdfValue value = bsdf.evaluate(light.direction);
+void PathIntegrator::shine(int i, const LightSample& light, const BsdfValue& value, const PathRay& ray) {
+  const ShadingPoint& point = vertices_.point(i);
   if (!may_shine(point, light.direction, value.transmitted)) return;
-  Vec3f radiance = light.is_point() ? (value.cosine_f + bsdf.highlight(light.direction)) * light.radiance
-                                    : from_wide_light(point, bsdf, light, value);
+  Vec3f radiance = light.is_point() ? (value.cosine_f + vertices_.bsdfs.highlight(i, light.direction)) * light.radiance
+                                    : from_wide_light(i, light, value);
   radiance *= ray.throughput;
   if (radiance == Vec3f(0.0f) || !is_finite(radiance)) return;
   shadow_rays_.push(point, light, clamped(radiance, ray.depth + 1), ray.pixel, ray.depth + 1);
 }
 
 /// No path goes behind the facet by itself. There light is asked for alone, which is too noisy for gloss.
-Vec3f PathIntegrator::from_wide_light(const ShadingPoint& point, const Bsdf& bsdf, const LightSample& light,
-                                      const BsdfValue& value) {
+Vec3f PathIntegrator::from_wide_light(int i, const LightSample& light, const BsdfValue& value) const {
   const Vec3f per_density = light.radiance / light.density;
   Vec3f f = value.cosine_f * power_heuristic(light.density, value.density);
-  if (point.rises_to(light.direction)) f = bsdf.diffuse_albedo() * bsdf.evaluate_diffuse(light.direction).cosine_f;
-  if (light.is_lamp) f += bsdf.highlight(light.direction);
+  if (vertices_.point(i).rises_to(light.direction))
+    f = vertices_.bsdfs.diffuse_albedo(i) * vertices_.bsdfs.evaluate_diffuse(i, light.direction).cosine_f;
+  if (light.is_lamp) f += vertices_.bsdfs.highlight(i, light.direction);
   return f * per_density;
 }
 

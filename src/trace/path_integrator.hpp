@@ -46,18 +46,19 @@ class PathIntegrator : public PathTracer<PathIntegrator> {
   static constexpr bool kSeesLight = true, kWidensBeams = true;
 
   LaneMask begin_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
-  void end_packet(const RayHitPacket&, const LaneMask&, const PathRay*) {}
+  void scatter(const RayHitPacket& packet, const PathRay* rays);
+  void end_packet(const RayHitPacket&, const PathRay*) {}
   float chance(LightGroups) const { return 1.0f; }
   float chance_of_round(std::size_t) const { return 1.0f; }
-  void vertex(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, float length);
   void end_path(const PathRay& ray, Vec3f radiance) { add(ray.pixel, clamped(radiance, ray.surfaces()), ray.surfaces()); }
   void trace_shadow_rays();
 
   void watch_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
   void watch_turning(Vec3f position, Vec3f normal, const LightSample& light, const Affine3f& before, const PathRay& ray);
-  void aim_at_light(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, int i);
-  void aim_at(const LightSample& light, const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray);
-  static Vec3f from_wide_light(const ShadingPoint& point, const Bsdf& bsdf, const LightSample& light, const BsdfValue& value);
+  std::optional<LightSample> light_for(int i, const PathRay& ray);
+  void shine(int i, const LightSample& light, const BsdfValue& value, const PathRay& ray);
+  Vec3f from_wide_light(int i, const LightSample& light, const BsdfValue& value) const;
+  void go_on(int i, const PathRay& ray, const BsdfSample& sample);
   Vec3f clamped(Vec3f radiance, int depth) const;
 
   const TouchProbe* probe_ = nullptr;  ///< null: nothing is watched

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "shading/bsdf_packet.hpp"
 #include "shading/light_table.hpp"
 #include "shading/splat_light.hpp"
 #include "trace/path_film.hpp"
@@ -32,6 +33,18 @@ struct PathParams {
   float clamp_indirect = 0.0f;  ///< > 0: no indirect contribution of a path is brighter than this; loses light
   int spp = 1;                  ///< samples of a pixel: each counts 1 / spp
 };
+/// Where paths of a packet have met surfaces that scatter.
+struct PathVertices {
+  LaneMask active;
+  std::array<ShadingPoint, kLanes> points;
+  Lanes lengths;      ///< from the paths' starts
+  BsdfPacket bsdfs;  ///< of policies that call make_bsdfs()
+
+  const ShadingPoint& point(int i) const { return points[static_cast<std::size_t>(i)]; }
+  /// For whom lights are asked for.
+  LightReceiver receiver(int i) const { return {point(i).position, bsdfs.lit_side(i, point(i).normal)}; }
+};
+
 /// For paths that count as one sample each, in the frame that `trace` describes.
 inline PathParams path_params(const TraceParams& trace) {
   return {trace.max_depth, hash(trace.seed, trace.frame), trace.clamp_indirect, 1};
@@ -40,11 +53,11 @@ inline PathParams path_params(const TraceParams& trace) {
 /// Tracing state of one thread at a time. A Policy derives from PathTracer<Policy> and is its friend; it has
 ///   static constexpr bool kSeesLight    emission and surroundings that rays meet count
 ///   static constexpr bool kWidensBeams  behind rough surfaces, textures are filtered to a whole pixel's width
-///   LaneMask begin_packet(packet, active, rays)  called with surface_ evaluated; returns the lanes that are shaded one by one
-///   void end_packet(packet, active, rays)        called after these
+///   LaneMask begin_packet(packet, active, rays)  called with surface_ evaluated; returns the lanes that are to be shaded
+///   void end_packet(packet, rays)                called after these
 ///   Vec2f numbers(ray, lane, pair)      random numbers of the vertex that the ray has met (kPairsPerEvent): draw(), or those
 ///                                       here, once draw_numbers() has been called
-///   void vertex(packet, lane, ray, point, length)  a surface that scatters, `length` from the path's start
+///   void scatter(packet, rays)          paths that have met surfaces which scatter: those of vertices_
 ///   void end_path(ray, radiance)        light that the ray has met
 ///   float chance(groups)                with which a vertex asks for lights of these groups rather than for others
 ///   float chance_of_round(k)            of the lamps that have a size, with which it asks for one drawn by the table's
@@ -102,6 +115,10 @@ class PathTracer {
       sample_pairs(paths, p, numbers_[p].x.lane, numbers_[p].y.lane);
   }
   Vec2f numbers(const PathRay&, int i, std::uint32_t pair) const { return {numbers_[pair].x[i], numbers_[pair].y[i]}; }
+  struct LanePairs {
+    Lanes x, y;
+  };
+  const LanePairs& numbers(std::uint32_t pair) const { return numbers_[pair]; }
 
   /// For the same lanes, directions into the sky by their numbers for a place on a light; drawn once a packet, for who asks
   /// first.
@@ -118,6 +135,34 @@ class PathTracer {
     PathSampler sampler(ray.seed, ray.index);
     sampler.jump_to(kPairsPerEvent * ray.events + pair);
     return sampler.next();
+  }
+
+  void make_bsdfs(const RayHitPacket& packet) {
+    vertices_.bsdfs.clear();
+    for (int i = 0; i < kLanes; ++i)
+      if (vertices_.active.lane[i]) vertices_.bsdfs.set(scene_, packet, surface_, i);
+    vertices_.bsdfs.prepare();
+  }
+
+  /// For each of vertices_, asks for a light, ask(lane), and if there is one calls shine(lane, light, value): what its BSDF
+  /// says of the light's direction, in the lanes of `evaluated`.
+  template <class Ask, class Shine>
+  void ask_lights(const LaneMask& evaluated, const Ask& ask, const Shine& shine) {
+    std::array<LightSample, kLanes> lights;
+    Lanes3 directions{};
+    LaneMask lit{}, to_evaluate{};
+    for (int i = 0; i < kLanes; ++i) {
+      if (!vertices_.active.lane[i]) continue;
+      const std::optional<LightSample> light = ask(i);
+      if (!light) continue;
+      lights[static_cast<std::size_t>(i)] = *light;
+      directions.set(i, light->direction);
+      lit.lane[i] = -1, to_evaluate.lane[i] = evaluated.lane[i];
+    }
+    BsdfValues values;
+    if (any(to_evaluate)) vertices_.bsdfs.evaluate(to_evaluate, directions, values);
+    for (int i = 0; i < kLanes; ++i)
+      if (lit.lane[i]) shine(i, lights[static_cast<std::size_t>(i)], to_evaluate.lane[i] ? values.get(i) : BsdfValue{});
   }
 
   /// Behind the facet there is only what is transmitted, whatever the smooth normal says, and before it only what is not.
@@ -167,13 +212,10 @@ class PathTracer {
   RayCounts counts_;
   std::vector<PathRay> next_;  ///< rays of the next wave
   SurfacePacket surface_;      ///< surfaces of the packet that is being shaded
+  PathVertices vertices_;      ///< those of them that scatter
 
  private:
   Policy& policy() { return static_cast<Policy&>(*this); }
-
-  struct LanePairs {
-    Lanes x, y;
-  };
 
   /// rays: by lane; only the active lanes' count.
   void shade(const RayHitPacket& packet, LaneMask active, PathRay* rays) {
@@ -190,6 +232,7 @@ class PathTracer {
       if (surface_.any_miss) look_at_sky(packet.ray);
     if constexpr (Policy::kSeesLight) look_at_round_lights(packet, active, rays);
     const LaneMask lanes = policy().begin_packet(packet, active, rays);
+    vertices_.active = {};
     for (int i = 0; i < kLanes; ++i) {
       if (!lanes.lane[i]) continue;
       if (surface_.hit.lane[i])
@@ -197,7 +240,8 @@ class PathTracer {
       else if constexpr (Policy::kSeesLight)
         shade_sky(packet, i, rays[i]);
     }
-    policy().end_packet(packet, active, rays);
+    if (any(vertices_.active)) policy().scatter(packet, rays);
+    policy().end_packet(packet, rays);
   }
 
   /// The eye sees splats, and sees them in mirrors and through glass; what scatters light is not lit by them. What lies behind
@@ -269,15 +313,16 @@ class PathTracer {
     if (ray.lights_from > static_cast<std::uint16_t>(LightGroup::kSky)) return;
     float share = 1.0f;
     if (ray.density != kInfinity) {
-      const LightTable::Sky sky = lights().sky(ray.direction);
+      const LightTable::Sky sky = lights().sky(sky_, i);
       if (ray.lights_from > static_cast<std::uint16_t>(sky.group.begin)) return;
       share = power_heuristic(ray.density * policy().chance(sky.group), sky.density);
     }
     policy().end_path(ray, ray.throughput * Vec3f(sky_.red[i], sky_.green[i], sky_.blue[i]) * share);
   }
 
-  void shade_surface(const RayHitPacket& packet, int i, const PathRay& ray) {
-    const ShadingPoint point = shading_point(scene_, surface_, i);
+  void shade_surface(const RayHitPacket& packet, int i, PathRay& ray) {
+    ShadingPoint& point = vertices_.points[static_cast<std::size_t>(i)];
+    point = shading_point(scene_, surface_, i);
     const float length = ray.path_length + packet.ray.tfar[i];
     if (!(point.coverage >= 1.0f) && !(policy().numbers(ray, i, kCoveragePair).y < point.coverage)) {
       if (ray.events < kMostEvents) next_.push_back(passed(ray, point, length));
@@ -288,10 +333,9 @@ class PathTracer {
       if (point.emission != Vec3f(0.0f)) add_emission(packet, i, ray, point.emission);
     if (!point.scatters) return;
     if (ray.depth + 1 > params_.max_depth) return pass_wall(packet, i, ray, point, length);
-    if (point.disperses)
-      policy().vertex(packet, i, of_one_color(ray, i), point, length);
-    else
-      policy().vertex(packet, i, ray, point, length);
+    if (point.disperses) make_one_color(ray, i);
+    vertices_.lengths[i] = length;
+    vertices_.active.lane[i] = -1;
   }
 
   /// Paths that may have no more vertices: the last one's shadow rays pass walls, so what it has drawn does, too.
@@ -306,15 +350,14 @@ class PathTracer {
 
   /// From the first surface on that disperses light, a path is one of red, green or blue light, which stands for three: else
   /// each such surface would divide it again.
-  PathRay of_one_color(PathRay ray, int i) {
+  void make_one_color(PathRay& ray, int i) {
     const std::uint32_t channel = hash(ray.seed, ray.index, kColorStream) % 3;
     surface_.color_channel[i] = static_cast<std::uint8_t>(channel);
-    if (ray.one_color) return ray;
+    if (ray.one_color) return;
     Vec3f throughput(0.0f);
     throughput[static_cast<int>(channel)] = 3.0f * ray.throughput[static_cast<int>(channel)];
     ray.throughput = throughput;
     ray.one_color = true;
-    return ray;
   }
 
  protected:

@@ -52,7 +52,7 @@ struct BrushedAlbedo::Table {
       float share = 1.0f;
       for (unsigned d = 0; d < 4; ++d) {
         const bool next = (corner >> d & 1u) != 0;
-        index = index * kSizes[d] + places[d].index + (next ? 1 : 0);
+        index = index * kSizes[d] + static_cast<std::size_t>(places[d].index) + (next ? 1 : 0);
         share *= next ? places[d].share : 1.0f - places[d].share;
       }
       sum += share * values[index];

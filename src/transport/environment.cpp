@@ -52,11 +52,9 @@ LIPPMANN_INLINE void interpolate(const float* texels, const SkyPatches::Layout& 
   }
 }
 
-/// Bilinear.
-LIPPMANN_INLINE void look_at(const Panorama map, float dx, float dy, float dz, float* light) {
+/// Bilinear, at a place of find_place().
+LIPPMANN_INLINE void look_at(const Panorama map, float across, float down, float* light) {
   constexpr int kTile = SkyPatches::kTile;
-  float across, down;
-  find_place(dx, dy, dz, map.rotation, across, down);
   const float x = across * static_cast<float>(map.width) - 0.5f, y = down * static_cast<float>(map.height) + 0.5f;
   const float fx = std::floor(x), fy = std::min(std::floor(y), static_cast<float>(map.height));
   const int left = static_cast<int>(fx), row = static_cast<int>(fy), column = left < 0 ? map.width - 1 : left;
@@ -65,12 +63,17 @@ LIPPMANN_INLINE void look_at(const Panorama map, float dx, float dy, float dz, f
   interpolate(map.texels, map.layout, corner, x - fx, y - fy, light);
 }
 
-/// As look_at; a loop over several directions is made of wide instructions.
+LIPPMANN_MULTIVERSION void find_places(float rotation, SkyRays& rays) {
+#pragma GCC ivdep
+  for (int i = 0; i < SkyRays::kRays; ++i)
+    find_place(rays.x[i], rays.y[i], rays.z[i], rotation, rays.across[i], rays.down[i]);
+}
+
 LIPPMANN_MULTIVERSION void look_at_all(const Panorama map, SkyRays& rays) {
 #pragma GCC ivdep
   for (int i = 0; i < SkyRays::kRays; ++i) {
     float light[3];
-    look_at(map, rays.x[i], rays.y[i], rays.z[i], light);
+    look_at(map, rays.across[i], rays.down[i], light);
     rays.red[i] = light[0], rays.green[i] = light[1], rays.blue[i] = light[2];
   }
 }
@@ -198,12 +201,14 @@ float Environment::sun_share() const {
 
 Vec3f Environment::radiance(Vec3f direction) const {
   if (!background_.map) return gradient(background_, direction);
+  const Vec2f place = place_of(direction, rotation_);
   Vec3f light;
-  look_at(Panorama(patches_, rotation_), direction.x, direction.y, direction.z, &light.x);
+  look_at(Panorama(patches_, rotation_), place.x, place.y, &light.x);
   return light;
 }
 
 void Environment::radiance(SkyRays& rays) const {
+  find_places(rotation_, rays);
   if (background_.map) return look_at_all(Panorama(patches_, rotation_), rays);
   for (int i = 0; i < SkyRays::kRays; ++i) {
     const Vec3f light = gradient(background_, {rays.x[i], rays.y[i], rays.z[i]});
@@ -240,7 +245,11 @@ void Environment::sample_rest(SkyDraws& draws) const {
 }
 
 Environment::Density Environment::density(Vec3f direction) const {
-  const SkyPatches::Place place = patches_.at(place_of(direction, rotation_), direction.y);
+  return density_at(place_of(direction, rotation_), direction.y);
+}
+
+Environment::Density Environment::density_at(Vec2f across_down, float cosine) const {
+  const SkyPatches::Place place = patches_.at(across_down, cosine);
   if (const float of_sun = sun_.density(patches_, place); of_sun > 0.0f) return {of_sun, true};
   return {rest_.density(patches_, place), false};
 }

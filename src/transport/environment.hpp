@@ -14,7 +14,8 @@ namespace lippmann {
 struct SkyRays {
   static constexpr int kRays = 16;
   alignas(64) float x[kRays], y[kRays], z[kRays];           ///< unit vectors
-  alignas(64) float red[kRays], green[kRays], blue[kRays];  ///< the radiance along them
+  alignas(64) float red[kRays], green[kRays], blue[kRays];  ///< receive the radiance along them,
+  alignas(64) float across[kRays], down[kRays];             ///< and where that is in the panorama, in [0, 1]
 };
 
 /// Directions that are drawn side by side, in a fraction of the time.
@@ -60,6 +61,8 @@ class Environment {
   };
   /// Along a unit vector.
   Density density(Vec3f direction) const;
+  /// Along ray i of those whose radiance was looked up, to the same bits.
+  Density density(const SkyRays& rays, int i) const { return density_at({rays.across[i], rays.down[i]}, rays.y[i]); }
 
   bool is_dark() const { return sun_.is_dark() && rest_.is_dark(); }
   /// Mean over all directions.
@@ -67,6 +70,7 @@ class Environment {
 
  private:
   Sample sample(const PatchChoice& patches, Vec2f u) const;
+  Density density_at(Vec2f place, float cosine) const;
 
   const Background& background_;
   float rotation_;      ///< the panorama's, within half a turn

@@ -1,5 +1,4 @@
 // Angles from coordinates, and coordinates from angles, in a form that vectorises, which the library's are not: good to 3e-7.
-// Private to src/transport.
 //
 // The series of arc tangent and arc sine are cut short and their coefficients moved so that the largest error on the interval
 // is as small as it can be (E. Remez, 1934).

@@ -2,7 +2,6 @@
 
 #include "transport/microfacet.hpp"
 #include "transport/sampler.hpp"
-#include "transport/table_place.hpp"
 
 namespace lippmann {
 namespace {
@@ -26,9 +25,10 @@ Vec2f integrate(float cosine, float alpha) {
 
 GgxAlbedo::GgxAlbedo() {
   constexpr float kStep = 1.0f / (kSize - 1);
-  for (std::size_t r = 0; r < kSize; ++r) {
-    const float roughness = kStep * static_cast<float>(r), alpha = std::max(roughness * roughness, kSmoothAlpha);
-    for (std::size_t c = 0; c < kSize; ++c) single_[r][c] = integrate(std::max(kStep * static_cast<float>(c), 1e-3f), alpha);
+  for (std::size_t at = 0; at < single_f0_.size(); ++at) {
+    const float roughness = kStep * static_cast<float>(at / kSize), cosine = kStep * static_cast<float>(at % kSize);
+    const Vec2f single = integrate(std::max(cosine, 1e-3f), std::max(roughness * roughness, kSmoothAlpha));
+    single_f0_[at] = single.x, single_f90_[at] = single.y;
   }
   for (std::size_t r = 0; r < kSize; ++r) {
     const float roughness = kStep * static_cast<float>(r);
@@ -40,21 +40,8 @@ GgxAlbedo::GgxAlbedo() {
       const float lost = (1.0f - s.x - s.y) / (s.x + s.y);
       sum += cosine * Vec4f(s.x, s.y, lost * s.x, lost * s.y);
     }
-    mean_[r] = sum * (2.0f / kPoints);
+    for (int k = 0; k < 4; ++k) mean_[static_cast<std::size_t>(k)][r] = sum[k] * (2.0f / kPoints);
   }
-}
-
-Vec3f GgxAlbedo::single(float cosine, float alpha) const {
-  const TablePlace r(std::sqrt(alpha), kSize), c(cosine, kSize);
-  const auto row = [&](std::size_t index) { return glm::mix(single_[index][c.index], single_[index][c.index + 1], c.share); };
-  return {glm::mix(row(r.index), row(r.index + 1), r.share), edge_of_later_facets(cosine, alpha)};
-}
-
-Vec3f GgxAlbedo::mean(float alpha, Vec3f f0, Vec3f f90) const {
-  const TablePlace r(std::sqrt(alpha), kSize);
-  const Vec4f m = glm::mix(mean_[r.index], mean_[r.index + 1], r.share);
-  const float edge = edge_of_later_facets(0.65f, alpha);  // where most of it is lost
-  return are_grey(f0, f90) ? Vec3f(mean_of(m, edge, f0.x, f90.x)) : mean_of(m, edge, f0, f90);
 }
 
 }  // namespace lippmann

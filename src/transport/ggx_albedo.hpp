@@ -24,6 +24,7 @@
 #include "transport/brushed_albedo.hpp"
 #include "transport/glass_albedo.hpp"
 #include "transport/sheen.hpp"
+#include "transport/table_place.hpp"
 
 namespace lippmann {
 
@@ -35,10 +36,15 @@ class GgxAlbedo {
 
   /// Directional albedo of one scattering: F0 = 1, F90 = 0 in x; F0 = 0, F90 = 1 in y; w of the facets that light meets after
   /// the first in z. cosine: between the view and the normal, in [0, 1].
-  Vec3f single(float cosine, float alpha) const;
+  LIPPMANN_INLINE Vec3f single(float cosine, float alpha) const {
+    const TablePlace r(std::sqrt(alpha), kSize), c(cosine, kSize);
+    const int at = r.index * kSize + c.index;
+    return {mixed(single_f0_.data(), at, r.share, c.share), mixed(single_f90_.data(), at, r.share, c.share),
+            edge_of_later_facets(cosine, alpha)};
+  }
 
   /// The z of single().
-  static float edge_of_later_facets(float cosine, float alpha) {
+  LIPPMANN_INLINE static float edge_of_later_facets(float cosine, float alpha) {
     return 0.065f + 0.77f * (1.0f - std::sqrt(alpha)) * (1.0f - cosine);
   }
 
@@ -49,9 +55,23 @@ class GgxAlbedo {
   static Vec3f directional(Vec3f single, Vec3f f0, Vec3f f90) {
     return are_grey(f0, f90) ? Vec3f(directional_of(single, f0.x, f90.x)) : directional_of(single, f0, f90);
   }
+  /// The same without a branch; of a colour, or of one channel.
+  template <class Color>
+  LIPPMANN_INLINE static Color directional_of(Vec3f single, Color f0, Color f90) {
+    return (f0 * single.x + f90 * single.y) * compensation_of(single, f0, f90);
+  }
 
   /// The mean of directional() over the hemisphere, weighted by the cosine.
-  Vec3f mean(float alpha, Vec3f f0, Vec3f f90) const;
+  LIPPMANN_INLINE Vec3f mean(float alpha, Vec3f f0, Vec3f f90) const {
+    const TablePlace r(std::sqrt(alpha), kSize);
+    const float edge = edge_of_later_facets(0.65f, alpha);  // where most of it is lost
+    const auto mixed = [&](int k) LIPPMANN_INLINE_LAMBDA {
+      const float* column = mean_[k].data();
+      return column[r.index] * (1.0f - r.share) + column[r.index + 1] * r.share;
+    };
+    const float of_f0 = mixed(0), of_f90 = mixed(1);
+    return f0 * of_f0 + f90 * of_f90 + of_more_bounces(of_f0 + of_f90, edge, f0, f90) * (f0 * mixed(2) + f90 * mixed(3));
+  }
 
   /// The like of single() for rough glass.
   const GlassAlbedo& glass() const { return glass_; }
@@ -63,32 +83,27 @@ class GgxAlbedo {
   /// So are nearly all dielectrics: one channel, a third of the divisions.
   static bool are_grey(Vec3f f0, Vec3f f90) { return f0.x == f0.y && f0.x == f0.z && f90.x == f90.y && f90.x == f90.z; }
 
-  // Of a colour, or of one channel.
-
   /// The share that comes back of light that has met white facets and not left them: F e / (1 - F (1 - e)).
   template <class Color>
-  static Color of_more_bounces(float all, float edge, Color f0, Color f90) {
-    const Color facet = glm::min(glm::mix(f0, f90, edge), Color(1.0f));
+  LIPPMANN_INLINE static Color of_more_bounces(float all, float edge, Color f0, Color f90) {
+    const Color facet = glm::min(f0 + (f90 - f0) * edge, Color(1.0f));
     const Color leaves = facet * (0.3f + 0.74f * all);
     return leaves / (Color(1.0f) - facet + leaves);
   }
   template <class Color>
-  static Color compensation_of(Vec3f single, Color f0, Color f90) {
+  LIPPMANN_INLINE static Color compensation_of(Vec3f single, Color f0, Color f90) {
     const float all = single.x + single.y;
     return Color(1.0f) + of_more_bounces(all, single.z, f0, f90) * ((1.0f - all) / all);
   }
-  template <class Color>
-  static Color directional_of(Vec3f single, Color f0, Color f90) {
-    return (f0 * single.x + f90 * single.y) * compensation_of(single, f0, f90);
-  }
-  template <class Color>
-  static Color mean_of(Vec4f mean, float edge, Color f0, Color f90) {
-    return f0 * mean.x + f90 * mean.y + of_more_bounces(mean.x + mean.y, edge, f0, f90) * (f0 * mean.z + f90 * mean.w);
+
+  LIPPMANN_INLINE static float mixed(const float* table, int at, float of_rougher, float of_next) {
+    return (table[at] * (1.0f - of_next) + table[at + 1] * of_next) * (1.0f - of_rougher) +
+           (table[at + kSize] * (1.0f - of_next) + table[at + kSize + 1] * of_next) * of_rougher;
   }
 
-  static constexpr int kSize = 32;  ///< entries along each side; cosines from 0 to 1, roughness = sqrt(alpha) from 0 to 1
-  std::array<std::array<Vec2f, kSize>, kSize> single_;  ///< [roughness][cosine]
-  std::array<Vec4f, kSize> mean_;  ///< by roughness: means of single_.x, single_.y, and of both times (1 - E) / E
+  static constexpr int kSize = 32;  ///< entries along each side; cosines from 0 to 1, roughness = sqrt(alpha), too
+  std::array<float, kSize * kSize> single_f0_, single_f90_;  ///< [roughness][cosine]
+  std::array<std::array<float, kSize>, 4> mean_;  ///< by roughness: means of single().x and .y, and of both times (1 - E) / E
   GlassAlbedo glass_;
   BrushedAlbedo brushed_;
   SheenAlbedo sheen_;

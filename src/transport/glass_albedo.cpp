@@ -46,11 +46,11 @@ class Table {
   float look_up(float cosine, float alpha, float ior) const {
     const TablePlace k(std::sqrt((ior - 1.0f) / (ior + 1.0f) / kLargestContrast), contrasts_);
     const TablePlace r(std::sqrt(alpha), kRoughnesses), c(cosine, cosines_);
-    const auto row = [&](std::size_t contrast, std::size_t roughness) {
-      const float* values = &values_[(contrast * kRoughnesses + roughness) * static_cast<std::size_t>(cosines_) + c.index];
+    const auto row = [&](int contrast, int roughness) {
+      const float* values = values_.data() + (contrast * kRoughnesses + roughness) * cosines_ + c.index;
       return glm::mix(values[0], values[1], c.share);
     };
-    const auto page = [&](std::size_t contrast) {
+    const auto page = [&](int contrast) {
       return glm::mix(row(contrast, r.index), row(contrast, r.index + 1), r.share);
     };
     return glm::mix(page(k.index), page(k.index + 1), k.share);

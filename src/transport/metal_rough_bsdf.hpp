@@ -11,27 +11,15 @@
 
 #include <optional>
 
-#include "transport/bsdf.hpp"
-#include "transport/ggx_albedo.hpp"
+#include "transport/metal_rough_base.hpp"
 
 namespace lippmann {
-
-/// At one point, textures looked up. Colours in [0, 1].
-struct MetalRoughSurface {
-  Vec3f base_color{1.0f};
-  float metallic = 1.0f, roughness = 1.0f;
-  float ior = 1.5f;
-  float specular = 1.0f;
-  Vec3f specular_color{1.0f};
-  float transmission = 0.0f;
-  float clearcoat = 0.0f, clearcoat_roughness = 0.0f;
-};
 
 class MetalRoughBsdf {
  public:
   /// By what each part goes, unit length, on the viewer's side. The gloss's normal faces the view, the diffuse part's need not.
   struct Normals {
-    Vec3f diffuse, gloss, coat;
+    Vec3f diffuse, gloss, coat{0.0f};
   };
   /// view: unit, towards the viewer; entering: he is outside.
   MetalRoughBsdf(const MetalRoughSurface& surface, const GgxAlbedo& albedo, const Normals& normals, Vec3f view, bool entering);
@@ -47,7 +35,7 @@ class MetalRoughBsdf {
 
   /// The diffuse part alone, for those who know the light that arrives from all around: radiance is albedo x the mean over the
   /// hemisphere of radiance x evaluate_diffuse().cosine_f.
-  Vec3f diffuse_albedo() const { return below_coat_ * diffuse_color_ * diffuse_passes_; }
+  Vec3f diffuse_albedo() const { return below_coat_ * base_.diffuse_color * base_.diffuse_passes; }
   float diffuse_share() const { return shares_.diffuse; }  ///< chance of sample() to draw it
   BsdfValue evaluate_diffuse(Vec3f light) const;           ///< per albedo; density: cosine to normal() / pi
   Vec3f normal() const { return frame_.z; }
@@ -63,32 +51,26 @@ class MetalRoughBsdf {
     float diffuse = 0.0f, gloss = 0.0f, glass = 0.0f, coat = 0.0f;  ///< probabilities of sample(); add up to 1 or are all 0
   };
 
-  void set_gloss(const MetalRoughSurface& s, float dielectric);
   void set_coat(const MetalRoughSurface& s);
-  void set_shares(Vec3f diffuse);
+  void set_shares();
   void scale_shares();
-  Vec3f single_albedo(float cosine, float alpha) const;
 
   Vec3f local_to_gloss(Vec3f world, Vec3f local) const { return glossy_apart_ ? gloss_frame_.to_local(world) : local; }
-  Vec3f diffuse_f(Vec3f light) const;
   void add_gloss(Vec3f light, BsdfValue& value) const;
   void add_glass(Vec3f light, BsdfValue& value) const;
   void add_coat(Vec3f light, BsdfValue& value) const;
   bool draw(float lobe, Vec2f u, BsdfSample& s) const;
   void weigh(BsdfSample& s) const;
   bool sample_glass(float decision, Vec2f u, BsdfSample& s) const;
+  bool draw_coat(Vec2f u, BsdfSample& s) const;
 
   const GgxAlbedo& albedo_;
   Frame frame_, gloss_frame_, coat_frame_;  ///< the coat's are set where there is one
   bool glossy_apart_;                       ///< the gloss has a frame of its own
-  Vec3f view_, coat_view_;                  ///< local to gloss_frame_ and coat_frame_
-  float alpha_, coat_alpha_;
+  MetalRoughBase base_;
+  Vec3f coat_view_;  ///< local to coat_frame_
+  float coat_alpha_;
   float eta_;
-  Vec3f diffuse_color_{0.0f};                         ///< albedo, the gloss's share taken out
-  Vec3f diffuse_passes_{1.0f};                        ///< share of diffuse light that the gloss lets in
-  Vec3f dielectric_f0_{0.0f}, dielectric_f90_{0.0f};  ///< reflectance of the gloss above the diffuse part
-  Vec3f gloss_f0_{0.0f}, gloss_f90_{0.0f};            ///< dielectric and metal together, weighted
-  Vec3f gloss_compensation_{1.0f}, gloss_albedo_{0.0f}, dielectric_albedo_{0.0f};
   Vec3f glass_{0.0f};  ///< tint; 0: none
   float glass_share_ = 0.0f;
   float glass_compensation_ = 1.0f;  ///< for light that met more than one facet

@@ -7,7 +7,7 @@
 // 1994.
 #pragma once
 
-#include "lippmann/core/math.hpp"
+#include "transport/fast_angles.hpp"
 
 namespace lippmann {
 
@@ -30,12 +30,12 @@ struct Ggx {
   /// The share visible from both a and b (height-correlated).
   float masking(Vec3f a, Vec3f b) const { return 1.0f / (1.0f + lambda(a) + lambda(b)); }
   /// A facet's normal, as those that v sees are distributed, v.z > 0.
-  Vec3f sample_visible(Vec3f v, Vec2f u) const;
+  LIPPMANN_INLINE Vec3f sample_visible(Vec3f v, Vec2f u) const;
   /// The density of sample_visible.
   float visible_density(Vec3f v, Vec3f h) const { return masking(v) * std::max(0.0f, glm::dot(v, h)) * distribution(h) / v.z; }
   /// Smith's Lambda.
   float lambda(Vec3f v) const {
-    const float cosine2 = v.z * v.z, tangent2 = std::max(0.0f, 1.0f - cosine2) / cosine2;
+    const float cosine2 = v.z * v.z, tangent2 = (cosine2 < 1.0f ? 1.0f - cosine2 : 0.0f) / cosine2;
     return 0.5f * (std::sqrt(1.0f + alpha * alpha * tangent2) - 1.0f);
   }
 };
@@ -50,7 +50,17 @@ struct AnisotropicGgx {
   }
   float masking(Vec3f v) const { return 1.0f / (1.0f + lambda(v)); }
   float masking(Vec3f a, Vec3f b) const { return 1.0f / (1.0f + lambda(a) + lambda(b)); }
-  Vec3f sample_visible(Vec3f v, Vec2f u) const;
+  LIPPMANN_INLINE Vec3f sample_visible(Vec3f v, Vec2f u) const {
+    const Vec3f stretched = glm::normalize(Vec3f(alpha.x * v.x, alpha.y * v.y, v.z));
+    // A uniform point of the spherical cap of mirror directions, then the half vector.
+    const float z = (1.0f - u.y) * (1.0f + stretched.z) - stretched.z, square = 1.0f - z * z;
+    const float radius = std::sqrt(square > 0.0f ? square : 0.0f);
+    float sine, cosine;
+    fast_sin_cos(2.0f * kPi * u.x, sine, cosine);
+    const float up = z + stretched.z;
+    return glm::normalize(Vec3f(alpha.x * (radius * cosine + stretched.x), alpha.y * (radius * sine + stretched.y),
+                                up > 1e-7f ? up : 1e-7f));
+  }
   float visible_density(Vec3f v, Vec3f h) const {
     return masking(v) * std::max(0.0f, glm::dot(v, h)) * distribution(h) / std::abs(v.z);
   }
@@ -63,10 +73,12 @@ struct AnisotropicGgx {
   }
 };
 
+inline Vec3f Ggx::sample_visible(Vec3f v, Vec2f u) const { return AnisotropicGgx{Vec2f(alpha)}.sample_visible(v, u); }
+
 /// (1 - cosine)^5.
-inline float schlick_weight(float cosine) {
-  const float m = std::clamp(1.0f - cosine, 0.0f, 1.0f), squared = m * m;
-  return squared * squared * m;
+LIPPMANN_INLINE float schlick_weight(float cosine) {
+  const float rest = 1.0f - cosine, above = rest > 0.0f ? rest : 0.0f, m = above < 1.0f ? above : 1.0f, square = m * m;
+  return square * square * m;
 }
 
 /// Unpolarised reflectance between two dielectrics, exact; eta = n_transmitted / n_incident. 1 at total reflection.

@@ -4,7 +4,7 @@
 // Orthonormal Basis, Revisited", JCGT 6(1), 2017.
 #pragma once
 
-#include "lippmann/core/math.hpp"
+#include "transport/fast_angles.hpp"
 
 namespace lippmann {
 
@@ -23,10 +23,22 @@ struct Frame {
 };
 
 /// Uniform over the unit disc.
-Vec2f sample_disc(Vec2f u);
+LIPPMANN_INLINE Vec2f sample_disc(Vec2f u) {
+  const Vec2f p = 2.0f * u - Vec2f(1.0f);
+  const bool wide = std::abs(p.x) > std::abs(p.y);
+  const float radius = wide ? p.x : p.y, across = wide ? p.y : p.x;
+  const float turned = (kPi / 4) * (across / (radius == 0.0f ? 1.0f : radius));
+  float sine, cosine;
+  fast_sin_cos(wide ? turned : kPi / 2 - turned, sine, cosine);
+  return {radius * cosine, radius * sine};
+}
 
 /// Over the hemisphere z > 0, density cos / pi.
-Vec3f sample_cosine(Vec2f u);
+LIPPMANN_INLINE Vec3f sample_cosine(Vec2f u) {
+  const Vec2f d = sample_disc(u);
+  const float square = 1.0f - d.x * d.x - d.y * d.y;
+  return {d.x, d.y, std::sqrt(square > 0.0f ? square : 0.0f)};
+}
 
 /// Barycentric coordinates of the second and third corner, uniform over a triangle.
 Vec2f sample_triangle(Vec2f u);

@@ -68,9 +68,9 @@ SheenAlbedo::Table SheenAlbedo::integrated() {
 float SheenAlbedo::operator()(float cosine, float roughness) const {
   std::call_once(once_, [&] { table_ = std::make_unique<const Table>(integrated()); });
   const TablePlace r(roughness, kSize), c(cosine, kSize);
-  const auto row = [&](std::size_t index) {
-    const std::array<float, kSize>& values = (*table_)[index];
-    return values[c.index] + c.share * (values[c.index + 1] - values[c.index]);
+  const auto row = [&](int index) {
+    const float* values = (*table_)[static_cast<std::size_t>(index)].data() + c.index;
+    return values[0] + c.share * (values[1] - values[0]);
   };
   return row(r.index) + r.share * (row(r.index + 1) - row(r.index));
 }

@@ -175,6 +175,8 @@ PatchChoice::PatchChoice(const SkyPatches& sky, const std::function<bool(std::si
     row_weights.push_back(static_cast<float>(tiles_.back().total()));
   }
   tile_rows_ = DiscreteDistribution(row_weights);
+  for (int tile_y = 0; tile_y < sky.tiles_down(); ++tile_y)
+    for (int tile_x = 0; tile_x < sky.tiles_across(); ++tile_x) set_densities(sky, tile_x, tile_y);
 }
 
 /// Returns what it weighs.
@@ -193,7 +195,7 @@ float PatchChoice::add_tile(const SkyPatches& sky, int tile_x, int tile_y,
     upto[static_cast<std::size_t>(row)] = sum;
   }
   for (std::size_t row = 0; row < kTile; ++row)
-    rows_[tile][row] = sum > 0.0 && upto[row] < sum ? static_cast<float>(upto[row] / sum) : 1.0f;
+    rows_[tile].upto[row] = sum > 0.0 && upto[row] < sum ? static_cast<float>(upto[row] / sum) : 1.0f;
   return static_cast<float>(sum);
 }
 
@@ -210,13 +212,20 @@ PatchChoice::RowOfPatches PatchChoice::weights_of(const SkyPatches& sky, std::si
   return weights;
 }
 
-/// Of a row of patches within a tile; per steradian.
-float PatchChoice::chance_of_row(const SkyPatches& sky, int tile_x, int y) const {
-  const auto tile_y = static_cast<std::size_t>(y / kTile), row = static_cast<std::size_t>(y % kTile);
-  if (is_dark() || tiles_[tile_y].empty()) return 0.0f;
-  const float of_tile = tile_rows_.probability(tile_y) * tiles_[tile_y].probability(static_cast<std::size_t>(tile_x));
-  const RowShares& upto = rows_[sky.tile(tile_x, y / kTile)];
-  return of_tile * (upto[row] - (row > 0 ? upto[row - 1] : 0.0f)) / sky.patch_solid_angle(y);
+/// By the probabilities that the tables have, rounded as they are.
+void PatchChoice::set_densities(const SkyPatches& sky, int tile_x, int tile_y) {
+  const auto tiles = static_cast<std::size_t>(tile_y);
+  const std::size_t tile = sky.tile(tile_x, tile_y);
+  TileRows& rows = rows_[tile];
+  rows.density_per_luminance = {};
+  if (is_dark() || tiles_[tiles].empty()) return;
+  const float of_tile = tile_rows_.probability(tiles) * tiles_[tiles].probability(static_cast<std::size_t>(tile_x));
+  for (std::size_t row = 0; row < kTile && kTile * tile_y + static_cast<int>(row) < sky.rows(); ++row) {
+    const float of_row = rows.upto[row] - (row > 0 ? rows.upto[row - 1] : 0.0f);
+    const float luminance = sum_of(weights_of(sky, tile, static_cast<int>(row)));
+    const float solid_angle = sky.patch_solid_angle(kTile * tile_y + static_cast<int>(row));
+    if (of_row > 0.0f && luminance > 0.0f) rows.density_per_luminance[row] = of_tile * of_row / (solid_angle * luminance);
+  }
 }
 
 PatchChoice::Row PatchChoice::draw_row(const SkyPatches& sky, Vec2f u) const {
@@ -224,26 +233,27 @@ PatchChoice::Row PatchChoice::draw_row(const SkyPatches& sky, Vec2f u) const {
   const auto tile_y = static_cast<int>(tile_rows_.sample(u.y, row.rest.y));
   row.tile_x = static_cast<int>(tiles_[static_cast<std::size_t>(tile_y)].sample(u.x, row.rest.x));
   row.tile = sky.tile(row.tile_x, tile_y);
-  row.y = kTile * tile_y + pick_share(rows_[row.tile], row.rest.y);
-  row.per_steradian = chance_of_row(sky, row.tile_x, row.y);
-  const float* texels = sky.texels_of(row.tile) + row.y % kTile * sky.layout().row;
+  const int of_tile = pick_share(rows_[row.tile].upto, row.rest.y);
+  row.y = kTile * tile_y + of_tile;
+  row.density_per_luminance = rows_[row.tile].density_per_luminance[static_cast<std::size_t>(of_tile)];
+  const float* texels = sky.texels_of(row.tile) + of_tile * sky.layout().row;
   for (int at = 0; at < 2 * sky.layout().row; at += kFloatsOfLine) __builtin_prefetch(texels + at);
   return row;
 }
 
 PatchChoice::Drawn PatchChoice::draw_patch(const SkyPatches& sky, const Row& row) const {
   const RowOfPatches weights = weights_of(sky, row.tile, row.y % kTile);
-  Drawn drawn{0, row.y, row.rest, row.per_steradian / sum_of(weights)};
+  Drawn drawn{0, row.y, row.rest, row.density_per_luminance};
   drawn.x = kTile * row.tile_x + pick_weight(weights, drawn.rest.x);
   return drawn;
 }
 
 float PatchChoice::density(const SkyPatches& sky, const SkyPatches::Place& place) const {
-  const float of_row = chance_of_row(sky, place.x / kTile, place.y);
-  if (!(of_row > 0.0f)) return 0.0f;
-  const RowOfPatches weights = weights_of(sky, sky.tile(place.x / kTile, place.y / kTile), place.y % kTile);
-  if (!(weights[static_cast<std::size_t>(place.x % kTile)] > 0.0f)) return 0.0f;
-  return of_row / sum_of(weights) * Patch(sky.corners(place.x, place.y)).at(place.within);
+  if (is_dark()) return 0.0f;
+  const std::size_t tile = sky.tile(place.x / kTile, place.y / kTile);
+  const auto row = static_cast<std::size_t>(place.y % kTile);
+  if ((own_[kTile * tile + row] >> (place.x % kTile) & 1u) == 0) return 0.0f;
+  return rows_[tile].density_per_luminance[row] * Patch(sky.corners(place.x, place.y)).at(place.within);
 }
 
 }  // namespace lippmann

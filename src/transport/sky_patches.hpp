@@ -111,12 +111,12 @@ class PatchChoice {
   struct Row {
     std::size_t tile;
     int tile_x, y;
-    Vec2f rest;           ///< of the numbers that have drawn it
-    float per_steradian;  ///< its probability over the solid angle of one of its patches
+    Vec2f rest;                   ///< of the numbers that have drawn it
+    float density_per_luminance;  ///< per steradian, of all places in it
   };
   /// Not where is_dark(). `sky` is that which it was made for. u in [0, 1).
   Row draw_row(const SkyPatches& sky, Vec2f u) const;
-  /// One of its patches; the density of a place within is density_per_luminance x the luminance there.
+  /// One of its patches.
   struct Drawn {
     int x, y;
     Vec2f rest;
@@ -128,16 +128,19 @@ class PatchChoice {
   float density(const SkyPatches& sky, const SkyPatches::Place& place) const;
 
  private:
-  /// Of a row of patches within a tile: its share of the tile's light and of that of the rows above it together.
-  using RowShares = std::array<float, SkyPatches::kTile>;
+  /// Of the rows of patches within a tile; a line of a cache.
+  struct alignas(64) TileRows {
+    std::array<float, SkyPatches::kTile> upto;                   ///< share of the tile's light, with the rows above
+    std::array<float, SkyPatches::kTile> density_per_luminance;  ///< as Row's
+  };
   using RowOfPatches = std::array<float, SkyPatches::kTile>;
   float add_tile(const SkyPatches& sky, int tile_x, int tile_y, const std::function<bool(std::size_t patch)>& is_of);
   RowOfPatches weights_of(const SkyPatches& sky, std::size_t tile, int row) const;
-  float chance_of_row(const SkyPatches& sky, int tile_x, int y) const;
+  void set_densities(const SkyPatches& sky, int tile_x, int tile_y);
 
   DiscreteDistribution tile_rows_;
   std::vector<DiscreteDistribution> tiles_;  ///< by row of tiles
-  std::vector<RowShares> rows_;              ///< by tile
+  std::vector<TileRows> rows_;               ///< by tile
   std::vector<std::uint8_t> own_;            ///< by tile and row in it: a bit for every patch that may be drawn
 };
 

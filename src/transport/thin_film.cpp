@@ -55,7 +55,7 @@ Vec3f film_reflectance(const ThinFilm& film, Vec3f f0, float cosine) {
   // Schlick's would mirror at a slant where the film has no index left.
   const float r12 = fresnel_dielectric(c1, n2), t121 = 1.0f - r12;
 
-  Vec3f r23, phi;
+  Vec3f r23(0.0f), phi(0.0f);
   for (int c = 0; c < 3; ++c) {
     const float root = std::sqrt(std::clamp(f0[c], 0.0f, 0.9999f)), n3 = (1.0f + root) / (1.0f - root);
     r23[c] = schlick(reflectance_between(n2, n3), c2);

@@ -47,8 +47,11 @@ TEST(Environment, directions_side_by_side_see_what_each_alone_sees) {
       rays.x[i] = d.x, rays.y[i] = d.y, rays.z[i] = d.z;
     }
     e.radiance(rays);
-    for (int i = 0; i < SkyRays::kRays; ++i)
-      EXPECT_EQ(e.radiance({rays.x[i], rays.y[i], rays.z[i]}), Vec3f(rays.red[i], rays.green[i], rays.blue[i])) << i;
+    for (int i = 0; i < SkyRays::kRays; ++i) {
+      const Vec3f direction(rays.x[i], rays.y[i], rays.z[i]);
+      EXPECT_EQ(e.radiance(direction), Vec3f(rays.red[i], rays.green[i], rays.blue[i])) << i;
+      EXPECT_EQ(e.density(direction).value, e.density(rays, i).value) << i;
+    }
   }
 }
 

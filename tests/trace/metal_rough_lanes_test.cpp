@@ -1,0 +1,156 @@
+// Surfaces sixteen at once against MetalRoughBsdf, which has tests of its own: the same bits.
+#include "shading/metal_rough_lanes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+
+#include "shading/bsdf_packet.hpp"
+
+namespace lippmann {
+namespace {
+
+const GgxAlbedo& albedo() {
+  static const GgxAlbedo tables;
+  return tables;
+}
+
+enum class Kind { kAny, kLambert };
+
+/// Sixteen surfaces of any kind that the lanes know, each seen from somewhere, their gloss at times with a normal of its own.
+struct Points {
+  Points(unsigned seed, Kind kind) : random(seed) {
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      MetalRoughSurface& s = surfaces[i];
+      s.base_color = i % 5 == 0 ? Vec3f(0.0f) : Vec3f(between(0, 1), between(0, 1), between(0, 1));
+      s.metallic = kind == Kind::kLambert || i % 3 == 0 ? 0.0f : i % 3 == 1 ? between(0, 1) : 1.0f;
+      s.roughness = i % 4 == 0 ? 0.0f : between(0, 1);
+      s.ior = i % 7 == 0 ? 0.0f : between(1, 2.5f);
+      s.specular = kind == Kind::kLambert || i % 6 == 3 ? 0.0f : between(0, 1);
+      s.specular_color = Vec3f(between(0, 30), between(0, 30), between(0, 30));
+      normals[i].diffuse = direction();
+      normals[i].gloss = i % 2 == 0 ? normals[i].diffuse : glm::normalize(normals[i].diffuse + 0.3f * direction());
+      views[i] = glm::normalize(normals[i].gloss + (i % 8 == 5 ? 0.9999f : 0.9f) * direction());
+    }
+    lanes.clear();
+    for (int i = 0; i < kLanes; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      lanes.set(i, surfaces[k], normals[k], views[k]);
+    }
+    lanes.prepare(albedo());
+  }
+
+  float between(float least, float most) { return std::uniform_real_distribution<float>(least, most)(random); }
+  Vec3f direction() { return glm::normalize(Vec3f(between(-1, 1), between(-1, 1), between(-1, 1)) + Vec3f(1e-3f)); }
+  MetalRoughBsdf bsdf(int i) const {
+    const auto k = static_cast<std::size_t>(i);
+    return {surfaces[k], albedo(), normals[k], views[k], true};
+  }
+
+  std::mt19937 random;
+  std::array<MetalRoughSurface, kLanes> surfaces;
+  std::array<MetalRoughBsdf::Normals, kLanes> normals;
+  std::array<Vec3f, kLanes> views;
+  MetalRoughLanes lanes;
+};
+
+void expect_values_of(Points& points, bool has_diffuse) {
+  Lanes3 lights;
+  for (int i = 0; i < kLanes; ++i) lights.set(i, points.direction());
+  BsdfValueLanes values;
+  points.lanes.evaluate(albedo(), lights, values);
+  for (int i = 0; i < kLanes; ++i) {
+    MetalRoughBsdf bsdf = points.bsdf(i);
+    if (!has_diffuse) bsdf.remove_diffuse();
+    const BsdfValue expected = bsdf.evaluate(lights.get(i));
+    EXPECT_EQ(values.cosine_f.get(i), expected.cosine_f) << i;
+    EXPECT_EQ(values.density[i], expected.density) << i;
+    const BsdfValue diffuse = bsdf.evaluate_diffuse(lights.get(i));
+    EXPECT_EQ(points.lanes.evaluate_diffuse(i, albedo(), lights.get(i)).cosine_f, diffuse.cosine_f) << i;
+    EXPECT_EQ(points.lanes.diffuse_albedo(i), bsdf.diffuse_albedo()) << i;
+    EXPECT_EQ(points.lanes.diffuse_share(i), bsdf.diffuse_share()) << i;
+    EXPECT_EQ(points.lanes.is_sharp(i), bsdf.is_sharp()) << i;
+    EXPECT_EQ(points.lanes.normal(i), bsdf.normal()) << i;
+  }
+}
+
+struct Drawn {
+  int diffuse = 0, glossy = 0, mirrored = 0, none = 0;
+};
+
+void expect_samples_of(Points& points, bool has_diffuse, Drawn& drawn) {
+  Lanes lobe, u, v;
+  for (int i = 0; i < kLanes; ++i) lobe[i] = points.between(0, 1), u[i] = points.between(0, 1), v[i] = points.between(0, 1);
+  BsdfSampleLanes samples;
+  points.lanes.sample(albedo(), lobe, u, v, samples);
+  for (int i = 0; i < kLanes; ++i) {
+    MetalRoughBsdf bsdf = points.bsdf(i);
+    if (!has_diffuse) bsdf.remove_diffuse();
+    const std::optional<BsdfSample> expected = bsdf.sample(lobe[i], {u[i], v[i]});
+    ASSERT_EQ(samples.density[i] > 0.0f, expected.has_value()) << i;
+    ++(!expected ? drawn.none : expected->is_delta() ? drawn.mirrored
+                            : lobe[i] < bsdf.diffuse_share() ? drawn.diffuse : drawn.glossy);
+    if (!expected) continue;
+    EXPECT_EQ(samples.direction.get(i), expected->direction) << i;
+    EXPECT_EQ(samples.weight.get(i), expected->weight) << i;
+    EXPECT_EQ(samples.density[i], expected->density) << i;
+  }
+}
+
+TEST(MetalRoughLanes, values_are_the_bsdfs) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    Points points(seed, Kind::kAny);
+    expect_values_of(points, true);
+    points.lanes.remove_diffuse();
+    expect_values_of(points, false);
+  }
+}
+
+TEST(MetalRoughLanes, samples_are_the_bsdfs) {
+  Drawn drawn;
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    Points points(seed, Kind::kAny);
+    expect_samples_of(points, true, drawn);
+    points.lanes.remove_diffuse();
+    expect_samples_of(points, false, drawn);
+  }
+  for (const int count : {drawn.diffuse, drawn.glossy, drawn.mirrored, drawn.none}) EXPECT_GT(count, 100);
+}
+
+TEST(MetalRoughLanes, without_any_gloss_the_shorter_way_gives_the_same) {
+  Drawn drawn;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    Points points(seed, Kind::kLambert);
+    expect_values_of(points, true);
+    expect_samples_of(points, true, drawn);
+    points.lanes.remove_diffuse();
+    expect_values_of(points, false);
+  }
+  EXPECT_GT(drawn.diffuse, 500);
+  EXPECT_EQ(drawn.glossy + drawn.mirrored, 0);
+}
+
+TEST(MetalRoughLanes, a_lane_does_not_depend_on_its_neighbours) {
+  Points points(1, Kind::kAny), matt(1, Kind::kLambert);
+  MetalRoughLanes lanes;
+  lanes.clear();
+  for (int i = 0; i < kLanes; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Points& from = i % 2 == 0 ? matt : points;
+    lanes.set(i, from.surfaces[k], from.normals[k], from.views[k]);
+  }
+  lanes.prepare(albedo());
+  Lanes3 lights;
+  for (int i = 0; i < kLanes; ++i) lights.set(i, points.normals[static_cast<std::size_t>(i)].diffuse);
+  BsdfValueLanes mixed, alone;
+  lanes.evaluate(albedo(), lights, mixed);
+  matt.lanes.evaluate(albedo(), lights, alone);
+  for (int i = 0; i < kLanes; i += 2) {
+    EXPECT_EQ(mixed.cosine_f.get(i), alone.cosine_f.get(i)) << i;
+    EXPECT_EQ(mixed.density[i], alone.density[i]) << i;
+  }
+}
+
+}  // namespace
+}  // namespace lippmann
