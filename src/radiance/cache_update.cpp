@@ -8,6 +8,15 @@ namespace {
 /// Queries at once: one for each ray at most.
 constexpr int kMostQueries = kPacketsPerBlock * kLanes;
 
+/// So many directions into the sky are drawn one by one: where cells are to be sparse, few lanes ask.
+constexpr int kFewLanes = 4;
+
+int count(const LaneMask& lanes) {
+  int sum = 0;
+  for (const int lane : lanes.lane) sum -= lane;
+  return sum;
+}
+
 }  // namespace
 
 float CacheCells::size(float path_length) const {
@@ -56,37 +65,74 @@ RayCounts CacheUpdate::counts() const {
   return all;
 }
 
+LaneMask CacheUpdate::begin_packet(const RayHitPacket&, const LaneMask& active, const PathRay* rays) {
+  if (surface_.any_hit) draw_numbers(rays, surface_.any_see_through);
+  return active;
+}
+
+/// As often as the diffuse part is drawn, a record is made of it; else the path goes on to where one may be.
 void CacheUpdate::scatter(const RayHitPacket& packet, const PathRay* rays) {
-  for (int i = 0; i < kLanes; ++i)
-    if (vertices_.active.lane[i]) scatter(packet, i, rays[i]);
+  make_bsdfs(packet);
+  LaneMask asking{}, passing{};
+  Lanes lobe{};
+  for (int i = 0; i < kLanes; ++i) {
+    if (!vertices_.active.lane[i]) continue;
+    const float share = vertices_.bsdfs.diffuse_share(i), choice = numbers(rays[i], i, kChoicePair).y;
+    if (choice < share)
+      asking.lane[i] = ask(packet, i, rays[i]) ? -1 : 0;
+    else
+      passing.lane[i] = -1, lobe[i] = (choice - share) / (1.0f - share);
+  }
+  if (any(asking)) gather(asking, rays);
+  if (any(passing)) pass_on(passing, lobe, rays);
 }
 
-void CacheUpdate::scatter(const RayHitPacket& packet, int i, const PathRay& ray) {
-  const ShadingPoint& point = vertices_.point(i);
-  const float length = vertices_.lengths[i];
-  Bsdf bsdf = bsdf_at(scene_, packet, surface_, i);
-  const float share = bsdf.diffuse_share();
-  const Vec2f choice = draw(ray, kChoicePair);
-  if (choice.y < share) return ask(packet, i, ray, point, bsdf, length, choice.x);
-  bsdf.remove_diffuse();
-  const std::optional<BsdfSample> sample = bsdf.sample((choice.y - share) / (1.0f - share), draw(ray, kWayPair));
-  if (sample && is_possible(point, sample->direction, sample->transmitted))
-    go_on(ray, point, bsdf.lit_side(point.normal), *sample, Vec3f(1.0f), length, counts_.reflection);
+void CacheUpdate::pass_on(const LaneMask& lanes, const Lanes& lobe, const PathRay* rays) {
+  vertices_.bsdfs.remove_diffuse();
+  BsdfSamples samples;
+  vertices_.bsdfs.sample(lanes, lobe, numbers(kWayPair).x, numbers(kWayPair).y, samples);
+  for (int i = 0; i < kLanes; ++i) {
+    if (!lanes.lane[i]) continue;
+    const ShadingPoint& point = vertices_.point(i);
+    const std::optional<BsdfSample> sample = samples.get(i);
+    if (sample && is_possible(point, sample->direction, sample->transmitted))
+      go_on(rays[i], point, vertices_.bsdfs.lit_side(i, point.normal), *sample, Vec3f(1.0f), vertices_.lengths[i],
+            counts_.reflection);
+  }
 }
 
-void CacheUpdate::ask(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, const Bsdf& bsdf,
-                      float length, float pick) {
-  PathRay query = ray;
-  query.pixel = static_cast<std::uint32_t>(queries_.size());
-  query.throughput = Vec3f(1.0f);
-  Vec3f normal = bsdf.normal();
-  const CachePoint place = cells_.places(packet, surface_, i, normal, cells_.size(length));
-  if (sparse_ && !sparse_->at(place)) return;
-  const bool moves = cells_.places.moves(surface_.instance[i]);
-  queries_.push_back({place, cells_.places.sides_near(packet, surface_, i, normal), ray.pixel, moves});
-  const Affine3f before = watches_ && moves ? cells_.places.before_from_now(surface_.instance[i]) : Affine3f{};
-  paths_.gather_diffuse(point, bsdf, query, length, cells_.lights_from, {pick, draw(ray, kOnLightPair), draw(ray, kWayPair)},
-                        watches_ && moves ? &before : nullptr);
+/// Whether the cell wants a record.
+bool CacheUpdate::ask(const RayHitPacket& packet, int i, const PathRay& ray) {
+  Vec3f normal = vertices_.bsdfs.normal(i);
+  const CachePoint place = cells_.places(packet, surface_, i, normal, cells_.size(vertices_.lengths[i]));
+  if (sparse_ && !sparse_->at(place)) return false;
+  query_of_lane_[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(queries_.size());
+  queries_.push_back(
+      {place, cells_.places.sides_near(packet, surface_, i, normal), ray.pixel, cells_.places.moves(surface_.instance[i])});
+  return true;
+}
+
+void CacheUpdate::gather(const LaneMask& lanes, const PathRay* rays) {
+  const LightGroups groups{cells_.lights_from, LightGroup::kEnd};
+  const bool of_sky_alone = cells_.lights_from == LightGroup::kSky && lights().chance(kSkyLight) > 0.0f;
+  const bool drawn_together = of_sky_alone && count(lanes) > kFewLanes;
+  const auto light_for = [&](int i) -> std::optional<LightSample> {
+    if (drawn_together) return LightTable::sky_sample(sky_draws(), i, 1.0f);
+    const Vec2f on_light(numbers(kOnLightPair).x[i], numbers(kOnLightPair).y[i]);
+    if (of_sky_alone) return lights().sky_sample(on_light);
+    return lights().sample(groups, {vertices_.point(i).position, vertices_.bsdfs.normal(i)}, numbers(kChoicePair).x[i],
+                           on_light);
+  };
+  for (int i = 0; i < kLanes; ++i) {
+    if (!lanes.lane[i]) continue;
+    PathRay query = rays[i];
+    query.pixel = query_of_lane_[static_cast<std::size_t>(i)];
+    query.throughput = Vec3f(1.0f);
+    const bool moves = watches_ && queries_[query.pixel].moves;
+    const Affine3f before = moves ? cells_.places.before_from_now(surface_.instance[i]) : Affine3f{};
+    paths_.gather_diffuse({vertices_.point(i), vertices_.bsdfs, i, vertices_.lengths[i], moves ? &before : nullptr}, query,
+                          cells_.lights_from, light_for(i), numbers(rays[i], i, kWayPair));
+  }
 }
 
 }  // namespace lippmann

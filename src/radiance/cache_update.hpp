@@ -49,16 +49,14 @@ class CacheUpdate : public PathTracer<CacheUpdate> {
   friend class PathTracer<CacheUpdate>;
   static constexpr bool kSeesLight = false, kWidensBeams = false;
 
-  LaneMask begin_packet(const RayHitPacket&, const LaneMask& active, const PathRay*) { return active; }
+  LaneMask begin_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
   void end_packet(const RayHitPacket&, const PathRay*) {}
-  /// Drawn where they are asked for: most cells are not sparse.
-  static Vec2f numbers(const PathRay& ray, int, std::uint32_t pair) { return draw(ray, pair); }
   void scatter(const RayHitPacket& packet, const PathRay* rays);
-  void scatter(const RayHitPacket& packet, int i, const PathRay& ray);
   void trace_shadow_rays() {}
 
-  void ask(const RayHitPacket& packet, int i, const PathRay& ray, const ShadingPoint& point, const Bsdf& bsdf, float length,
-           float pick);
+  bool ask(const RayHitPacket& packet, int i, const PathRay& ray);
+  void gather(const LaneMask& lanes, const PathRay* rays);
+  void pass_on(const LaneMask& lanes, const Lanes& lobe, const PathRay* rays);
 
   const CacheCells& cells_;
   std::optional<SparseCells> sparse_;
@@ -74,6 +72,7 @@ class CacheUpdate : public PathTracer<CacheUpdate> {
   std::vector<PathIntegrator::PossibleChange> changes_;
   PathIntegrator paths_;
   std::vector<Query> queries_;
+  std::array<std::uint32_t, kLanes> query_of_lane_{};  ///< of those of the packet that is being shaded which ask
 };
 
 }  // namespace lippmann

@@ -58,12 +58,14 @@ void FinalGather::end_packet(const RayHitPacket& packet, const PathRay* rays) {
   if (!any(queries_.active)) return;
   Lanes3 light;
   const LaneMask known = cache_.pick(queries_, options_.edges, light);
+  LaneMask left{};
   for (int i = 0; i < kLanes; ++i) {
     if (known.lane[i])
       add_cached(rays[i], rays[i].throughput * albedo_.get(i) * light.get(i), queries_.place(i));
-    else if (queries_.active.lane[i])
-      follow_path(packet, i, rays[i]);
+    else
+      left.lane[i] = queries_.active.lane[i];
   }
+  if (any(left)) follow_paths(packet, left, rays);
 }
 
 void FinalGather::scatter(const RayHitPacket& packet, const PathRay* rays) {
@@ -94,13 +96,24 @@ void FinalGather::ask_cache(const RayHitPacket& packet, int i, const PathRay& ra
   albedo_.set(i, albedo);
 }
 
-void FinalGather::follow_path(const RayHitPacket& packet, int i, const PathRay& ray) {
-  PathRay query = ray;
-  query.throughput *= albedo_.get(i);
-  if (options_.paths) options_.paths[ray.pixel] += 1.0f;
-  paths_.gather_diffuse(shading_point(scene_, surface_, i), bsdf_at(scene_, packet, surface_, i), query,
-                        ray.path_length + packet.ray.tfar[i], cells_.lights_from,
-                        {draw(ray, kChoicePair).x, draw(ray, kOnLightPair), draw(ray, kWayPair)});
+void FinalGather::follow_paths(const RayHitPacket& packet, const LaneMask& lanes, const PathRay* rays) {
+  whole_.clear();
+  for (int i = 0; i < kLanes; ++i)
+    if (lanes.lane[i]) whole_.set(scene_, packet, surface_, i);
+  whole_.prepare();
+  for (int i = 0; i < kLanes; ++i) {
+    if (!lanes.lane[i]) continue;
+    const PathRay& ray = rays[i];
+    PathRay query = ray;
+    query.throughput *= albedo_.get(i);
+    if (options_.paths) options_.paths[ray.pixel] += 1.0f;
+    const ShadingPoint point = shading_point(scene_, surface_, i);
+    const std::optional<LightSample> light =
+        lights().sample({cells_.lights_from, LightGroup::kEnd}, {point.position, whole_.normal(i)}, draw(ray, kChoicePair).x,
+                        draw(ray, kOnLightPair));
+    paths_.gather_diffuse({point, whole_, i, ray.path_length + packet.ray.tfar[i]}, query, cells_.lights_from, light,
+                          draw(ray, kWayPair));
+  }
 }
 
 void FinalGather::add_points(const PathRay* rays) {
@@ -121,8 +134,7 @@ void FinalGather::add_points(const PathRay* rays) {
 void FinalGather::shine(int i, const LightSample& light, const BsdfValue& value, const PathRay& ray, ShadowQueue& queue) {
   const ShadingPoint& point = vertices_.point(i);
   if (!may_shine(point, light.direction, value.transmitted)) return;
-  const Vec3f radiance =
-      ray.throughput * (value.cosine_f + vertices_.bsdfs.highlight(i, light.direction)) * light.radiance;
+  const Vec3f radiance = ray.throughput * (value.cosine_f + vertices_.bsdfs.highlight(i, light.direction)) * light.radiance;
   if (radiance != Vec3f(0.0f) && is_finite(radiance)) queue.push(point, light, radiance, ray.pixel, ray.depth + 1);
 }
 
@@ -139,9 +151,7 @@ void FinalGather::add_lights(LightGroups groups, const PathRay* rays) {
         return lights().sample(groups, vertices_.receiver(i), numbers(rays[i], i, kChoicePair).x,
                                numbers(rays[i], i, kOnLightPair));
       },
-      [&](int i, const LightSample& light, const BsdfValue& value) {
-        add_light(i, light, value, over_diffuse, rays[i]);
-      });
+      [&](int i, const LightSample& light, const BsdfValue& value) { add_light(i, light, value, over_diffuse, rays[i]); });
 }
 
 /// Lamps that have a size: the cache never holds them.

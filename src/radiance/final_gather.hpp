@@ -67,7 +67,7 @@ class FinalGather : public PathTracer<FinalGather> {
   void reflect_phong(const RayHitPacket& packet, const LaneMask& lanes, const PathRay* rays);
 
   void ask_cache(const RayHitPacket& packet, int i, const PathRay& ray, Vec3f normal, Vec3f albedo, float length);
-  void follow_path(const RayHitPacket& packet, int i, const PathRay& ray);
+  void follow_paths(const RayHitPacket& packet, const LaneMask& lanes, const PathRay* rays);
   void add_cached(const PathRay& ray, Vec3f radiance, const CachePoint& place);
   void add_traced(std::uint32_t slot, Vec3f radiance, int depth);
 
@@ -88,6 +88,7 @@ class FinalGather : public PathTracer<FinalGather> {
   CacheQueries queries_;  ///< what it asks the cache for,
   Lanes3 albedo_;         ///< and what becomes of that
   LaneMask rough_;        ///< vertices with lobes that are neither diffuse nor sharp
+  BsdfPacket whole_;      ///< surfaces that paths are followed from: those of vertices_ have lost their diffuse part
 };
 
 }  // namespace lippmann

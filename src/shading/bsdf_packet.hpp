@@ -25,8 +25,8 @@ struct BsdfSamples {
 
   std::optional<BsdfSample> get(int i) const {
     if (!(lanes.density[i] > 0.0f)) return std::nullopt;
-    return BsdfSample{lanes.direction.get(i),      lanes.weight.get(i),      lanes.density[i],
-                      transmitted.lane[i] != 0,    straight.lane[i] != 0,    is_vertex.lane[i] != 0};
+    return BsdfSample{lanes.direction.get(i),   lanes.weight.get(i),   lanes.density[i],
+                      transmitted.lane[i] != 0, straight.lane[i] != 0, is_vertex.lane[i] != 0};
   }
 };
 

@@ -107,6 +107,9 @@ class LightTable {
                        draws.density[i] * chance};
   }
 
+  /// The same of one, for sample(kSkyLight, ...).
+  std::optional<LightSample> sky_sample(Vec2f u) const { return sample_sky(environment_.sample_rest(u)); }
+
   /// The chance of sample() to choose a light of these groups.
   float chance(LightGroups groups) const { return begin_of(groups.end) - begin_of(groups.begin); }
 

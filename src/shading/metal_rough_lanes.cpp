@@ -22,8 +22,7 @@ LIPPMANN_MULTIVERSION void MetalRoughLanes::prepare_gloss(const GgxAlbedo& albed
     MetalRoughSurface s;
     s.base_color = base_color_.get(i), s.specular_color = specular_color_.get(i);
     s.metallic = metallic_[i], s.roughness = roughness_[i], s.ior = ior_[i], s.specular = specular_[i];
-    const MetalRoughBase b =
-        metal_rough_base(s, albedo, lifted_view(Frame(gloss_normal_.get(i)).to_local(view_.get(i))));
+    const MetalRoughBase b = metal_rough_base(s, albedo, lifted_view(Frame(gloss_normal_.get(i)).to_local(view_.get(i))));
     local_view_.set(i, b.view);
     alpha_[i] = b.alpha;
     diffuse_color_.set(i, b.diffuse_color), diffuse_passes_.set(i, b.diffuse_passes);

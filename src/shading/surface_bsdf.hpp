@@ -93,9 +93,7 @@ struct SeenPoint {
 };
 
 /// Whether glTF's surface is its base alone, which sixteen points are computed of side by side (metal_rough_lanes.hpp).
-inline bool is_base_alone(const MetallicRoughness& m) {
-  return !m.extensions && m.transmission == 0.0f && m.clearcoat == 0.0f;
-}
+inline bool is_base_alone(const MetallicRoughness& m) { return !m.extensions && m.transmission == 0.0f && m.clearcoat == 0.0f; }
 
 /// What the base of glTF's surfaces is made of at a point, and the ways that it faces.
 struct MetalRoughPoint {

@@ -6,12 +6,13 @@
 
 namespace lippmann {
 
-void PathIntegrator::gather_diffuse(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float length,
-                                    LightGroup from, const Numbers& numbers, const Affine3f* before) {
-  if (const std::optional<LightSample> light =
-          lights().sample({from, LightGroup::kEnd}, {point.position, bsdf.normal()}, numbers.pick, numbers.on_light)) {
-    const BsdfValue value = bsdf.evaluate_diffuse(light->direction);
-    if (before) watch_turning(point.position, bsdf.normal(), *light, *before, ray);
+void PathIntegrator::gather_diffuse(const DiffuseVertex& at, const PathRay& ray, LightGroup from,
+                                    const std::optional<LightSample>& light, Vec2f way) {
+  const auto& [point, bsdfs, lane, length, before] = at;
+  const Vec3f normal = bsdfs.normal(lane);
+  if (light) {
+    const BsdfValue value = bsdfs.evaluate_diffuse(lane, light->direction);
+    if (before) watch_turning(at, *light, ray);
     const float share =
         power_heuristic(light->density, point.rises_to(light->direction) ? 0.0f : value.density) / light->density;
     const Vec3f radiance = ray.throughput * value.cosine_f * light->radiance * share;
@@ -19,19 +20,19 @@ void PathIntegrator::gather_diffuse(const ShadingPoint& point, const Bsdf& bsdf,
       shadow_rays_.push(point, *light, radiance, ray.pixel, ray.depth + 1);
   }
   BsdfSample sample;
-  sample.direction = Frame(bsdf.normal()).to_world(sample_cosine(numbers.way));
-  const BsdfValue value = bsdf.evaluate_diffuse(sample.direction);
+  sample.direction = Frame(normal).to_world(sample_cosine(way));
+  const BsdfValue value = bsdfs.evaluate_diffuse(lane, sample.direction);
   if (!(value.density > 0.0f) || !(glm::dot(point.facet, sample.direction) > 0.0f)) return;
   if (before) {
-    const float cosine = glm::dot(bsdf.normal(), sample.direction);
-    const float cosine_before = std::max(0.0f, glm::dot(before->linear * bsdf.normal(), sample.direction));
+    const float cosine = glm::dot(normal, sample.direction);
+    const float cosine_before = std::max(0.0f, glm::dot(before->linear * normal, sample.direction));
     (*changes_)[ray.pixel].turned_share += luminance(ray.throughput) * std::abs(cosine_before / cosine - 1.0f);
   }
   // What the path meets compares its density with that of sample(), whose light is a point-like one at times.
   const float chance = lights().chance({from, LightGroup::kEnd});
   sample.density = chance > 0.0f ? value.density * chance : value.density;
   ++counts_.indirect;
-  next_.push_back(scattered(ray, point, bsdf.normal(), sample, ray.throughput * value.cosine_f / value.density, length));
+  next_.push_back(scattered(ray, point, normal, sample, ray.throughput * value.cosine_f / value.density, length));
   next_.back().lights_from = static_cast<std::uint16_t>(from);
 }
 
@@ -42,8 +43,9 @@ void PathIntegrator::watch_packet(const RayHitPacket& packet, const LaneMask& ac
 }
 
 /// What the light sends there, by Lambert's law, less what it sent to where the surface was.
-void PathIntegrator::watch_turning(Vec3f position, Vec3f normal, const LightSample& light, const Affine3f& before,
-                                   const PathRay& ray) {
+void PathIntegrator::watch_turning(const DiffuseVertex& at, const LightSample& light, const PathRay& ray) {
+  const Vec3f position = at.point.position, normal = at.bsdfs.normal(at.lane);
+  const Affine3f& before = *at.before;
   const float cosine = std::max(0.0f, glm::dot(normal, light.direction));
   Vec3f way = light.direction;
   float nearer = 1.0f;  // than it is now, squared

@@ -17,18 +17,20 @@ class PathIntegrator : public PathTracer<PathIntegrator> {
   /// From now on camera rays are sample number `sample` of their pixels.
   void begin(int sample);
 
-  /// Random numbers of a vertex.
-  struct Numbers {
-    float pick;  ///< which light
-    Vec2f on_light, way;
+  /// Where light is gathered.
+  struct DiffuseVertex {
+    const ShadingPoint& point;
+    const BsdfPacket& bsdfs;
+    int lane;      ///< of bsdfs
+    float length;  ///< from the start of the path that led there
+    /// Takes the surface back to where it was in the frame before; null: it lies still, or nobody watches.
+    const Affine3f* before = nullptr;
   };
-
   /// Begins to gather what a diffuse surface receives but for lights of groups before `from` (not kPoint): of other lights by
-  /// aiming at one, of all else by a path. Adds throughput x what a white surface there would send on to ray.pixel of the film.
-  /// `ray` led to the point, `length` from its start.
-  /// before: takes the surface back to where it was in the frame before; null: it lies still, or nobody watches.
-  void gather_diffuse(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray, float length, LightGroup from,
-                      const Numbers& numbers, const Affine3f* before = nullptr);
+  /// aiming at one that was drawn for its point and normal, of all else by a path, in a direction by `way` in [0, 1). Adds
+  /// throughput x what a white surface there would send on to ray.pixel of the film. `ray` led to the point.
+  void gather_diffuse(const DiffuseVertex& at, const PathRay& ray, LightGroup from, const std::optional<LightSample>& light,
+                      Vec2f way);
 
   /// What has to do with what moves, by pixel of the film: see RadianceRecord.
   struct PossibleChange {
@@ -54,7 +56,7 @@ class PathIntegrator : public PathTracer<PathIntegrator> {
   void trace_shadow_rays();
 
   void watch_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
-  void watch_turning(Vec3f position, Vec3f normal, const LightSample& light, const Affine3f& before, const PathRay& ray);
+  void watch_turning(const DiffuseVertex& at, const LightSample& light, const PathRay& ray);
   std::optional<LightSample> light_for(int i, const PathRay& ray);
   void shine(int i, const LightSample& light, const BsdfValue& value, const PathRay& ray);
   Vec3f from_wide_light(int i, const LightSample& light, const BsdfValue& value) const;

@@ -37,7 +37,7 @@ struct PathParams {
 struct PathVertices {
   LaneMask active;
   std::array<ShadingPoint, kLanes> points;
-  Lanes lengths;      ///< from the paths' starts
+  Lanes lengths;     ///< from the paths' starts
   BsdfPacket bsdfs;  ///< of policies that call make_bsdfs()
 
   const ShadingPoint& point(int i) const { return points[static_cast<std::size_t>(i)]; }

@@ -65,8 +65,7 @@ LIPPMANN_INLINE void look_at(const Panorama map, float across, float down, float
 
 LIPPMANN_MULTIVERSION void find_places(float rotation, SkyRays& rays) {
 #pragma GCC ivdep
-  for (int i = 0; i < SkyRays::kRays; ++i)
-    find_place(rays.x[i], rays.y[i], rays.z[i], rotation, rays.across[i], rays.down[i]);
+  for (int i = 0; i < SkyRays::kRays; ++i) find_place(rays.x[i], rays.y[i], rays.z[i], rotation, rays.across[i], rays.down[i]);
 }
 
 LIPPMANN_MULTIVERSION void look_at_all(const Panorama map, SkyRays& rays) {

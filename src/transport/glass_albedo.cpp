@@ -50,9 +50,7 @@ class Table {
       const float* values = values_.data() + (contrast * kRoughnesses + roughness) * cosines_ + c.index;
       return glm::mix(values[0], values[1], c.share);
     };
-    const auto page = [&](int contrast) {
-      return glm::mix(row(contrast, r.index), row(contrast, r.index + 1), r.share);
-    };
+    const auto page = [&](int contrast) { return glm::mix(row(contrast, r.index), row(contrast, r.index + 1), r.share); };
     return glm::mix(page(k.index), page(k.index + 1), k.share);
   }
 

@@ -67,8 +67,7 @@ LIPPMANN_INLINE MetalRoughBase metal_rough_base(const MetalRoughSurface& s, cons
   // mean, weighted by what they send.
   const Vec3f single = single_albedo(albedo, view.z, b.alpha);
   const Vec3f of_dielectric = GgxAlbedo::directional_of(single, b.dielectric_f0, Vec3f(b.dielectric_f90));
-  b.gloss_albedo =
-      dielectric * of_dielectric + s.metallic * GgxAlbedo::directional_of(single, s.base_color, Vec3f(1.0f));
+  b.gloss_albedo = dielectric * of_dielectric + s.metallic * GgxAlbedo::directional_of(single, s.base_color, Vec3f(1.0f));
   const Vec3f once = b.gloss_f0 * single.x + Vec3f(b.gloss_f90 * single.y);
   const auto compensation = [](float all, float one) LIPPMANN_INLINE_LAMBDA { return one > 0.0f ? all / one : 1.0f; };
   b.gloss_compensation = {compensation(b.gloss_albedo.x, once.x), compensation(b.gloss_albedo.y, once.y),

@@ -58,8 +58,8 @@ struct AnisotropicGgx {
     float sine, cosine;
     fast_sin_cos(2.0f * kPi * u.x, sine, cosine);
     const float up = z + stretched.z;
-    return glm::normalize(Vec3f(alpha.x * (radius * cosine + stretched.x), alpha.y * (radius * sine + stretched.y),
-                                up > 1e-7f ? up : 1e-7f));
+    return glm::normalize(
+        Vec3f(alpha.x * (radius * cosine + stretched.x), alpha.y * (radius * sine + stretched.y), up > 1e-7f ? up : 1e-7f));
   }
   float visible_density(Vec3f v, Vec3f h) const {
     return masking(v) * std::max(0.0f, glm::dot(v, h)) * distribution(h) / std::abs(v.z);

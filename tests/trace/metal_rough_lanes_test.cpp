@@ -89,8 +89,10 @@ void expect_samples_of(Points& points, bool has_diffuse, Drawn& drawn) {
     if (!has_diffuse) bsdf.remove_diffuse();
     const std::optional<BsdfSample> expected = bsdf.sample(lobe[i], {u[i], v[i]});
     ASSERT_EQ(samples.density[i] > 0.0f, expected.has_value()) << i;
-    ++(!expected ? drawn.none : expected->is_delta() ? drawn.mirrored
-                            : lobe[i] < bsdf.diffuse_share() ? drawn.diffuse : drawn.glossy);
+    ++(!expected                        ? drawn.none
+       : expected->is_delta()           ? drawn.mirrored
+       : lobe[i] < bsdf.diffuse_share() ? drawn.diffuse
+                                        : drawn.glossy);
     if (!expected) continue;
     EXPECT_EQ(samples.direction.get(i), expected->direction) << i;
     EXPECT_EQ(samples.weight.get(i), expected->weight) << i;
