@@ -18,6 +18,11 @@ constexpr double kLeastGain = 0.8;
 /// stills of four scenes (CornellBox, spot, a teapot, nine spheres of glass and gloss).
 constexpr double kUpdatesPerExcess = 1.5;
 
+/// So many other places are looked at before a setup is given up, and no more where means err by too much for sure, by so many
+/// standard deviations of what was found.
+constexpr int kMostLooks = 5;
+constexpr float kSurely = 2.5f;
+
 /// Beyond the salts of all other measurements.
 constexpr std::uint32_t kSaltsOfConfirming = 16;
 
@@ -55,7 +60,7 @@ std::optional<GatherPlan> PlanSearch::find() {
   SetupSearch search(shot_.device.shaded().path->lights->chance(kSkyLight) > 0.0f, first_rounds(params_, goal_));
   for (bool goes_on = true; goes_on && !cancelled;) {
     cache_.set_up(search.current(), fitting);
-    const SetupOutcome outcome = try_setup(search.current());
+    const SetupOutcome outcome = try_setup(search);
     goes_on = search.go_on(outcome) && may_gain(outcome);
   }
   if (goal_.seconds) return plan_;
@@ -73,19 +78,18 @@ std::optional<PlanSearch::Candidate> PlanSearch::chosen(const SetupSearch& searc
 }
 
 /// What frames from the cache as it is now err by, and the plan for them.
-SetupOutcome PlanSearch::try_setup(const CacheSetup& setup) {
+SetupOutcome PlanSearch::try_setup(const SetupSearch& search) {
   if (goal_.seconds) return try_within(*goal_.seconds);
   plan_ = measure_.plan(cache_.sources());
-  const FrameError& left = plan_ ? plan_->expected : measure_.last();
   SetupOutcome outcome;
-  outcome.excess = excess_of(left, measure_.goal());
-  outcome.is_good = plan_ && outcome.excess <= 1.0f;
+  outcome.excess = excess_of(plan_ ? plan_->expected : measure_.last(), measure_.goal());
+  const int looks = search.updates_more(outcome) ? 1 : std::clamp(goal_.frames, 1, kMostLooks);
+  outcome.is_good = plan_ && is_good_elsewhere(looks);
   outcome.of_cells = plan_ ? plan_->of_cells : 1.0f;
-  if (outcome.is_good) confirm(outcome);
   if (outcome.is_good)
     good_ = plan_;
   else if (plan_)
-    keep_mixed(setup);
+    keep_mixed(search.current());
   return outcome;
 }
 
@@ -102,19 +106,41 @@ double PlanSearch::seconds_for_pixels(double seconds) const {
   return std::max(kLeastShare * seconds, seconds - cache_.seconds_per_round());
 }
 
-/// Among many setups one is good by chance where it was tried: only what is good elsewhere, too, is taken. That is another
-/// place for each setup: where bright paths have met the few of one place, every setup would seem to be wrong there.
-void PlanSearch::confirm(SetupOutcome& outcome) {
-  MeasuredPlaces places = kConfirming;
-  places.salt += kSaltsOfConfirming * static_cast<std::uint32_t>(confirmations_++);
-  GatherMeasure fresh(shot_, params_, goal_.error, places, Scatter{}, workers_);
+/// Among many setups one is good by chance where it was tried: only what is good on other patches, too, is taken. And what
+/// means err by is found in few places, for the most part: a setup that seems to be a little too bad is looked at on others,
+/// too, until that is not in doubt, as a history that is traced for bad luck of its search takes several times the rays.
+/// looks: at so many other places at most; none but to confirm what seems to be good if that is 1.
+bool PlanSearch::is_good_elsewhere(int looks) {
   const FrameError& may = measure_.goal();
+  FrameError& expected = plan_->expected;
+  const auto pool = [](float& mean, float& uncertainty, const PixelError& found, float count) {
+    mean += (found.squared - mean) / count;
+    uncertainty = std::hypot((count - 1.0f) * uncertainty, found.uncertainty) / count;
+  };
+  for (int look = 0; look < looks && !workers_.context.cancelled; ++look) {
+    const bool was_good = expected.pixels <= may.pixels && expected.blocks <= may.blocks;
+    if (!was_good && looks == 1) return false;
+    if (expected.pixels - kSurely * expected.uncertainty > may.pixels) return false;
+    if (expected.blocks - kSurely * expected.block_uncertainty > may.blocks) return false;
+    const FrameError found = found_elsewhere();
+    const auto count = static_cast<float>(look + 2);
+    pool(expected.pixels, expected.uncertainty, {found.pixels, found.uncertainty}, count);
+    pool(expected.blocks, expected.block_uncertainty, {found.blocks, found.block_uncertainty}, count);
+    if (was_good && found.pixels - found.uncertainty <= may.pixels && found.blocks - found.block_uncertainty <= may.blocks)
+      return true;
+  }
+  return false;
+}
+
+/// What frames by the plan err by on patches that no setup was measured on before: where bright paths have met the few of one
+/// place, every setup would seem to be wrong there.
+FrameError PlanSearch::found_elsewhere() {
+  MeasuredPlaces places = kConfirming;
+  places.salt += kSaltsOfConfirming * static_cast<std::uint32_t>(looks_++);
+  GatherMeasure fresh(shot_, params_, goal_.error, places, Scatter{}, workers_);
   const FrameError found = fresh.check(cache_.sources(), plan_->effort_alone(), {});
   add(fresh.counts(), confirming_);
-  FrameError& expected = plan_->expected;
-  expected.pixels = std::max(expected.pixels, found.pixels), expected.blocks = std::max(expected.blocks, found.blocks);
-  outcome.excess = std::max(outcome.excess, excess_of(found, may));
-  outcome.is_good = found.pixels - found.uncertainty <= may.pixels && found.blocks - found.block_uncertainty <= may.blocks;
+  return found;
 }
 
 void PlanSearch::keep_mixed(const CacheSetup& setup) {

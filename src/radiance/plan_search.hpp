@@ -31,9 +31,10 @@ class PlanSearch {
     CacheSetup setup;
     GatherPlan plan;
   };
-  SetupOutcome try_setup(const CacheSetup& setup);
+  SetupOutcome try_setup(const SetupSearch& search);
   SetupOutcome try_within(double seconds);
-  void confirm(SetupOutcome& outcome);
+  bool is_good_elsewhere(int looks);
+  FrameError found_elsewhere();
   void keep_mixed(const CacheSetup& setup);
   bool may_gain(const SetupOutcome& outcome) const;
   double rays_until_good(const SetupOutcome& outcome) const;
@@ -46,8 +47,8 @@ class PlanSearch {
   const Workers workers_;
   FrameCache& cache_;
   GatherMeasure measure_;
-  RayCounts confirming_;  ///< on other patches
-  int confirmations_ = 0;
+  RayCounts confirming_;            ///< on other patches
+  int looks_ = 0;                   ///< at them
   std::optional<GatherPlan> plan_;  ///< the plan for the setup that was tried last
   std::optional<GatherPlan> good_;  ///< the plan for the good setup that was tried last
   std::optional<Candidate> mixed_;  ///< the one that takes the fewest rays among those that are good with paths

@@ -21,6 +21,10 @@ float most_of_cells(int rounds) { return rounds <= 4 ? 0.4f : rounds <= 8 ? 0.7f
 
 }  // namespace
 
+bool SetupSearch::updates_more(const SetupOutcome& outcome) const {
+  return current_.rounds < kFewRounds || (has_helped(outcome) && 2 * current_.rounds <= kMostRounds);
+}
+
 bool SetupSearch::go_on(const SetupOutcome& outcome) {
   const bool helped = has_helped(outcome);
   if (outcome.is_good) {
@@ -28,13 +32,13 @@ bool SetupSearch::go_on(const SetupOutcome& outcome) {
     if (outcome.of_cells <= most_of_cells(current_.rounds)) return false;
   }
   const Step done = step_;
-  const bool updates_more = current_.rounds < kFewRounds || (helped && 2 * current_.rounds <= kMostRounds);
+  const bool more = updates_more(outcome);
   last_excess_ = outcome.excess;
   if (done == Step::kAsked && !helped) {
     current_.lights_from = CacheSetup{}.lights_from;
     return !good_ && shrink();
   }
-  if (updates_more) {
+  if (more) {
     step_ = Step::kMore;
     current_.rounds = std::min((outcome.excess > kFar ? 4 : 2) * current_.rounds, kMostRounds);
     return true;

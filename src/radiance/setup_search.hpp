@@ -17,8 +17,10 @@ struct CacheSetup {
 
 /// How good frames are with one.
 struct SetupOutcome {
-  bool is_good = false;   ///< frames may err so much
-  float excess = 0.0f;    ///< the larger of the two errors, of pixels and of blocks, over what it may be
+  bool is_good = false;  ///< frames may err so much
+  /// The larger of the two errors, of pixels and of blocks, over what it may be: in places that are the same for all setups,
+  /// so that they can be compared, though there is luck in how large it is.
+  float excess = 0.0f;
   float of_cells = 0.0f;  ///< share of the allowed error that cells make
 };
 
@@ -33,6 +35,9 @@ class SetupSearch {
 
   /// Makes current what is worth trying after the current one; false: nothing is.
   bool go_on(const SetupOutcome& outcome);
+
+  /// Whether more updates of the current one are tried next, should it not be good.
+  bool updates_more(const SetupOutcome& outcome) const;
 
   /// The good one that was tried last.
   const std::optional<CacheSetup>& good() const { return good_; }

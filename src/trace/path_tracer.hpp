@@ -61,8 +61,7 @@ inline PathParams path_params(const TraceParams& trace) {
 ///   void end_path(ray, radiance)        light that the ray has met
 ///   float chance(groups)                with which a vertex asks for lights of these groups rather than for others
 ///   float chance_of_round(k)            of the lamps that have a size, with which it asks for one drawn by the table's
-///   chances;
-///                                       the table's own for this one where it asks for each of them
+///                                       chances; the table's own for this one where it asks for each of them
 ///   void trace_shadow_rays()            all that wait
 /// All arguments of the constructor outlive the tracer.
 template <class Policy>
