@@ -10,13 +10,6 @@ void MetalRoughLanes::set(int i, const MetalRoughSurface& s, const MetalRoughBsd
   metallic_[i] = s.metallic, roughness_[i] = s.roughness, ior_[i] = s.ior, specular_[i] = s.specular;
 }
 
-void MetalRoughLanes::prepare(const GgxAlbedo& albedo) {
-  if (any_gloss_)
-    prepare_gloss(albedo);
-  else
-    prepare_lambert();
-}
-
 LIPPMANN_MULTIVERSION void MetalRoughLanes::prepare_gloss(const GgxAlbedo& albedo) {
   LIPPMANN_FOR_LANES(i) {
     MetalRoughSurface s;
@@ -71,13 +64,6 @@ LIPPMANN_INLINE void MetalRoughLanes::evaluate(int i, const GgxAlbedo& albedo, V
   density = (is_diffuse ? diffuse_share * cosine * (1.0f / kPi) : 0.0f) + (is_glossy ? gloss_share * of_gloss : 0.0f);
 }
 
-void MetalRoughLanes::evaluate(const GgxAlbedo& albedo, const Lanes3& lights, BsdfValueLanes& values) const {
-  if (any_gloss_)
-    evaluate_gloss(albedo, lights, values);
-  else
-    evaluate_lambert(lights, values);
-}
-
 LIPPMANN_MULTIVERSION void MetalRoughLanes::evaluate_lambert(const Lanes3& lights, BsdfValueLanes& values) const {
   LIPPMANN_FOR_LANES(i) {
     const float cosine = glm::dot(lights.get(i), normal_.get(i));
@@ -99,20 +85,13 @@ LIPPMANN_MULTIVERSION void MetalRoughLanes::evaluate_gloss(const GgxAlbedo& albe
   }
 }
 
-void MetalRoughLanes::sample(const GgxAlbedo& albedo, const Lanes& lobe, const Lanes& u, const Lanes& v,
-                             BsdfSampleLanes& samples) const {
-  if (any_gloss_)
-    sample_gloss(albedo, lobe, u, v, samples);
-  else
-    sample_lambert(lobe, u, v, samples);
-}
-
 LIPPMANN_MULTIVERSION void MetalRoughLanes::sample_lambert(const Lanes& lobe, const Lanes& u, const Lanes& v,
                                                            BsdfSampleLanes& samples) const {
   LIPPMANN_FOR_LANES(i) {
     const Vec3f normal = normal_.get(i), direction = Frame(normal).to_world(sample_cosine({u[i], v[i]}));
     const float cosine = glm::dot(direction, normal);
-    const float density = (cosine > 0.0f) & (lobe[i] < diffuse_share_[i]) ? cosine * (1.0f / kPi) : 0.0f;
+    const bool is_any = (cosine > 0.0f) & (lobe[i] < diffuse_share_[i]);
+    const float density = is_any ? cosine * (1.0f / kPi) : 0.0f;
     samples.direction.set(i, direction);
     samples.density[i] = density;
     samples.weight.set(i, diffuse_color_.get(i) * density / (density > 0.0f ? density : 1.0f));
@@ -140,6 +119,30 @@ LIPPMANN_MULTIVERSION void MetalRoughLanes::sample_gloss(const GgxAlbedo& albedo
                            is_delta ? b.gloss_albedo.y / per_share : cosine_f.y / per_density,
                            is_delta ? b.gloss_albedo.z / per_share : cosine_f.z / per_density});
   }
+}
+
+// After the kernels: a function that was called cannot become several by instruction set.
+
+void MetalRoughLanes::prepare(const GgxAlbedo& albedo) {
+  if (any_gloss_)
+    prepare_gloss(albedo);
+  else
+    prepare_lambert();
+}
+
+void MetalRoughLanes::evaluate(const GgxAlbedo& albedo, const Lanes3& lights, BsdfValueLanes& values) const {
+  if (any_gloss_)
+    evaluate_gloss(albedo, lights, values);
+  else
+    evaluate_lambert(lights, values);
+}
+
+void MetalRoughLanes::sample(const GgxAlbedo& albedo, const Lanes& lobe, const Lanes& u, const Lanes& v,
+                             BsdfSampleLanes& samples) const {
+  if (any_gloss_)
+    sample_gloss(albedo, lobe, u, v, samples);
+  else
+    sample_lambert(lobe, u, v, samples);
 }
 
 void MetalRoughLanes::remove_diffuse() {
