@@ -167,9 +167,7 @@ LaneMask RadianceCache::pick(const CacheQueries& queries, EdgesToPaths edges, La
     for (const float reach : {1.0f, 0.0f}) {
       find_keys(queries, level, reach, keys);
       find_all(keys, edges, left, known, light);
-      int any = 0;
-      for (const int lane : left.lane) any |= lane;
-      if (!any) return known;
+      if (!any(left)) return known;
     }
   }
   return known;

@@ -195,7 +195,7 @@ std::optional<LightSample> LightTable::sample_entry(std::size_t entry, Vec3f fro
   if (entry < round_tree()) return round(entry - first_round(), from, u);
   if (entry == sun()) return sample_sky(environment_.sample_sun(u));
   if (entry < triangle_tree()) return sample_triangle_light(triangles_[entry - first_triangle()], from, u);
-  return sample_sky(environment_.sample_rest(u));
+  return sky_sample(u);
 }
 
 std::optional<LightSample> LightTable::sample(const LightReceiver& at, float pick, Vec2f u) const {

@@ -1,6 +1,6 @@
 // The base of glTF's metallic-roughness surface, diffuse light under a dielectric gloss or metal, as formulas without branches:
-// they serve one point (metal_rough_bsdf.hpp) and, in loops that the compiler makes wide, sixteen (shading/bsdf_packet.hpp), to
-// the same bits.
+// they serve one point (metal_rough_bsdf.hpp) and, in loops that the compiler makes wide, sixteen
+// (shading/metal_rough_lanes.hpp), to the same bits.
 //
 // Based on: what metal_rough_bsdf.hpp is.
 #pragma once

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "trace/small_scene.hpp"
+#include "radiance/cornell_box.hpp"
 
 namespace lippmann {
 namespace {
@@ -43,28 +43,6 @@ Frames cached(const Scene& scene, const Optics& optics, const FrameRange& range,
         tracer.trace({device, optics, {}}, resolved, params, goal, moving, {pool, context}, {frames.films.emplace_back()}));
   }
   return frames;
-}
-
-/// A box that is open towards the viewer, with a light below its lid; half side 2.
-SmallScene cornell_box() {
-  SmallScene s;
-  s.scene.max_depth = 6;
-  const int white = s.material(matte(Vec3f(0.7f))), red = s.material(matte({0.6f, 0.1f, 0.1f})),
-            green = s.material(matte({0.1f, 0.5f, 0.1f}));
-  const auto wall = [&](Vec3f a, Vec3f b, Vec3f c, Vec3f d, int material) {
-    Mesh m;
-    m.positions = {a, b, c, d};
-    m.triangles = {{0, 1, 2}, {0, 2, 3}};
-    s.add(m, material);
-  };
-  wall({-2, -2, -2}, {2, -2, -2}, {2, 2, -2}, {-2, 2, -2}, white);
-  wall({-2, -2, 2}, {2, -2, 2}, {2, -2, -2}, {-2, -2, -2}, white);
-  wall({-2, 2, -2}, {2, 2, -2}, {2, 2, 2}, {-2, 2, 2}, white);
-  wall({-2, -2, 2}, {-2, -2, -2}, {-2, 2, -2}, {-2, 2, 2}, red);
-  wall({2, -2, -2}, {2, -2, 2}, {2, 2, 2}, {2, 2, -2}, green);
-  s.point_light({0.0f, 1.5f, 0.0f}, Vec3f(0.5f));
-  s.add(Boxes{{{-1.0f, -2.0f, -1.0f}, {0.0f, -0.5f, 0.0f}}}, white);
-  return s;
 }
 
 double mean_of(const Image& film, int first_row, int rows) {
