@@ -10,23 +10,15 @@
 
 namespace lippmann {
 
-/// What a packet's surfaces send from one direction each to the viewer.
-struct BsdfValues {
-  BsdfValueLanes lanes;
-  LaneMask transmitted;
-
-  BsdfValue get(int i) const { return {lanes.cosine_f.get(i), lanes.density[i], transmitted.lane[i] != 0}; }
-};
-
 /// A direction to follow from each of a packet's surfaces.
 struct BsdfSamples {
   BsdfSampleLanes lanes;
-  LaneMask transmitted, straight, is_vertex;
+  LaneMask straight, is_vertex;
 
   std::optional<BsdfSample> get(int i) const {
     if (!(lanes.density[i] > 0.0f)) return std::nullopt;
-    return BsdfSample{lanes.direction.get(i),   lanes.weight.get(i),   lanes.density[i],
-                      transmitted.lane[i] != 0, straight.lane[i] != 0, is_vertex.lane[i] != 0};
+    return BsdfSample{lanes.direction.get(i),         lanes.weight.get(i),   lanes.density[i],
+                      lanes.transmitted.lane[i] != 0, straight.lane[i] != 0, is_vertex.lane[i] != 0};
   }
 };
 
@@ -44,7 +36,7 @@ class BsdfPacket {
   void prepare();
 
   // As those of Bsdf, for lanes of a mask that have a surface. Numbers in [0, 1).
-  void evaluate(const LaneMask& lanes, const Lanes3& lights, BsdfValues& values) const;
+  void evaluate(const LaneMask& lanes, const Lanes3& lights, BsdfValueLanes& values) const;
   void sample(const LaneMask& lanes, const Lanes& lobe, const Lanes& u, const Lanes& v, BsdfSamples& samples) const;
   void remove_diffuse();
 
@@ -56,7 +48,10 @@ class BsdfPacket {
     return base_.lane[i] ? lanes_.evaluate_diffuse(i, *albedo_, light) : bsdfs_[index(i)]->evaluate_diffuse(light);
   }
   Vec3f normal(int i) const { return base_.lane[i] ? lanes_.normal(i) : bsdfs_[index(i)]->normal(); }
-  Vec3f lit_side(int i, Vec3f smooth) const { return base_.lane[i] ? lanes_.normal(i) : bsdfs_[index(i)]->lit_side(smooth); }
+  Vec3f lit_side(int i, Vec3f smooth) const {
+    if (!base_.lane[i]) return bsdfs_[index(i)]->lit_side(smooth);
+    return lanes_.scatters_through(i) ? Vec3f(0.0f) : lanes_.normal(i);
+  }
   bool is_sharp(int i) const { return base_.lane[i] ? lanes_.is_sharp(i) : bsdfs_[index(i)]->is_sharp(); }
 
  private:

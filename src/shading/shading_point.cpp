@@ -78,7 +78,8 @@ std::optional<MetalRoughPoint> base_at(const ShadedScene& scene, const RayHitPac
   const auto* m = std::get_if<MetallicRoughness>(&material_of(scene, surface, i).surface);
   if (!m) return lambert_at(surface, i);
   if (!is_base_alone(*m)) return std::nullopt;
-  return metal_rough_point(*m, surface.color.get(i), maps_at(scene, packet, surface, i), seen_point(packet, surface, i));
+  return metal_rough_point(*m, surface.color.get(i), maps_at(scene, packet, surface, i), seen_point(packet, surface, i),
+                           surface.color_channel[i]);
 }
 
 Bsdf bsdf_at(const ShadedScene& scene, const RayHitPacket& packet, const SurfacePacket& surface, int i) {

@@ -108,6 +108,11 @@ float ior_of_channel(float ior, float dispersion, int channel) {
   return std::max(1.0f, ior + static_cast<float>(channel - 1) * half_spread);
 }
 
+void disperse(const SurfaceExtensions& e, int channel, MetalRoughSurface& s) {
+  const bool bends = !e.volume || e.volume->is_solid;
+  if (bends && e.dispersion > 0.0f && s.transmission > 0.0f) s.ior = ior_of_channel(s.ior, e.dispersion, channel);
+}
+
 /// The directions that a surface looks into.
 struct Facing {
   MetalRoughBsdf::Normals normals;
@@ -115,12 +120,8 @@ struct Facing {
   bool entering;
 };
 
-[[gnu::noinline]] Bsdf extended_bsdf(MetalRoughSurface base, const SurfaceExtensions& e, const Maps& maps,
-                                     const GgxAlbedo& albedo, const Facing& facing, int channel) {
-  const bool bends = !e.volume || e.volume->is_solid;
-  if (bends && e.dispersion > 0.0f && base.transmission > 0.0f) base.ior = ior_of_channel(base.ior, e.dispersion, channel);
-  if (!is_layered(e))
-    return Bsdf(std::in_place_type<MetalRoughBsdf>, base, albedo, facing.normals, facing.view, facing.entering);
+[[gnu::noinline]] Bsdf layered_bsdf(const MetalRoughSurface& base, const SurfaceExtensions& e, const Maps& maps,
+                                    const GgxAlbedo& albedo, const Facing& facing) {
   LayeredSurface s = layered_surface(base, e, maps);
   Vec3f along(0.0f);
   float strength = e.anisotropy.strength;
@@ -140,13 +141,16 @@ bool is_thin_wall(const MetallicRoughness& m) {
   return m.extensions && m.extensions->volume && !m.extensions->volume->is_solid;
 }
 
-MetalRoughPoint metal_rough_point(const MetallicRoughness& m, Vec3f color, const Maps& maps, const SeenPoint& p) {
+bool is_base_alone(const MetallicRoughness& m) { return m.clearcoat == 0.0f && !(m.extensions && is_layered(*m.extensions)); }
+
+MetalRoughPoint metal_rough_point(const MetallicRoughness& m, Vec3f color, const Maps& maps, const SeenPoint& p, int channel) {
   const float outer = p.entering ? 1.0f : -1.0f;
   const auto mapped = [&](const TextureMap& map, float scale) {
     return map.texture >= 0 && maps.record ? mapped_normal(maps, map, scale, p.normal, outer) : p.normal;
   };
   MetalRoughPoint at;
   at.surface = surface_at(m, color, maps);
+  if (m.extensions) disperse(*m.extensions, channel, at.surface);
   const auto lifted = [&](Vec3f n) { return lifted_normal(n, p.facet, p.view); };
   MetalRoughBsdf::Normals& normals = at.normals;
   normals.diffuse = normals.gloss = mapped(m.normal_map, m.normal_scale);
@@ -160,8 +164,9 @@ MetalRoughPoint metal_rough_point(const MetallicRoughness& m, Vec3f color, const
 
 Bsdf metal_rough_bsdf(const MetallicRoughness& m, Vec3f color, const Maps& maps, const GgxAlbedo& albedo, const SeenPoint& p,
                       int channel) {
-  const auto [surface, normals] = metal_rough_point(m, color, maps, p);
-  if (m.extensions) return extended_bsdf(surface, *m.extensions, maps, albedo, {normals, p.view, p.entering}, channel);
+  const auto [surface, normals] = metal_rough_point(m, color, maps, p, channel);
+  if (m.extensions && is_layered(*m.extensions))
+    return layered_bsdf(surface, *m.extensions, maps, albedo, {normals, p.view, p.entering});
   return Bsdf(std::in_place_type<MetalRoughBsdf>, surface, albedo, normals, p.view, p.entering);
 }
 

@@ -92,8 +92,9 @@ struct SeenPoint {
   Vec3f facet;    ///< normal of the facet, of any length, on the viewer's side
 };
 
-/// Whether glTF's surface is its base alone, which sixteen points are computed of side by side (metal_rough_lanes.hpp).
-inline bool is_base_alone(const MetallicRoughness& m) { return !m.extensions && m.transmission == 0.0f && m.clearcoat == 0.0f; }
+/// Whether glTF's surface is its base, glass with it, and no more: sixteen points are computed side by side
+/// (metal_rough_lanes.hpp).
+bool is_base_alone(const MetallicRoughness& material);
 
 /// What the base of glTF's surfaces is made of at a point, and the ways that it faces.
 struct MetalRoughPoint {
@@ -101,10 +102,12 @@ struct MetalRoughPoint {
   MetalRoughBsdf::Normals normals;
 };
 
-/// Maps looked up, those of the coat only if there is one. color: with what textures and vertices make of it.
-MetalRoughPoint metal_rough_point(const MetallicRoughness& material, Vec3f color, const Maps& maps, const SeenPoint& point);
+/// Maps looked up, those of the coat only if there is one. color: with what textures and vertices make of it. channel: of R, G,
+/// B the one that a path is of, where the surface disperses.
+MetalRoughPoint metal_rough_point(const MetallicRoughness& material, Vec3f color, const Maps& maps, const SeenPoint& point,
+                                  int channel);
 
-/// The BSDF of glTF's surfaces. channel: of R, G, B the one that a path is of, where the surface disperses.
+/// The BSDF of glTF's surfaces. Arguments as of metal_rough_point().
 Bsdf metal_rough_bsdf(const MetallicRoughness& material, Vec3f color, const Maps& maps, const GgxAlbedo& albedo,
                       const SeenPoint& point, int channel);
 

@@ -158,7 +158,7 @@ class PathTracer {
       directions.set(i, light->direction);
       lit.lane[i] = -1, to_evaluate.lane[i] = evaluated.lane[i];
     }
-    BsdfValues values;
+    BsdfValueLanes values;
     if (any(to_evaluate)) vertices_.bsdfs.evaluate(to_evaluate, directions, values);
     for (int i = 0; i < kLanes; ++i)
       if (lit.lane[i]) shine(i, lights[static_cast<std::size_t>(i)], to_evaluate.lane[i] ? values.get(i) : BsdfValue{});

@@ -23,14 +23,15 @@ struct BsdfSample {
 };
 
 /// The mirror direction of v (both point away from the surface) about n.
-inline Vec3f mirrored(Vec3f v, Vec3f n) { return 2.0f * glm::dot(v, n) * n - v; }
+LIPPMANN_INLINE Vec3f mirrored(Vec3f v, Vec3f n) { return 2.0f * glm::dot(v, n) * n - v; }
 
 /// Snell's law: where the light comes from that leaves along v (away from the surface); n on v's side, eta =
 /// n_beyond / n_here. The null vector at total reflection.
-inline Vec3f refracted_away(Vec3f v, Vec3f n, float eta) {
+LIPPMANN_INLINE Vec3f refracted_away(Vec3f v, Vec3f n, float eta) {
   const float cosine = glm::dot(v, n), k = 1.0f - (1.0f - cosine * cosine) / (eta * eta);
-  if (!(k > 0.0f)) return Vec3f(0.0f);
-  return glm::normalize((cosine / eta - std::sqrt(k)) * n - v / eta);
+  const bool passes = k > 0.0f;
+  const Vec3f away = glm::normalize((cosine / eta - std::sqrt(passes ? k : 0.0f)) * n - v / eta);
+  return {passes ? away.x : 0.0f, passes ? away.y : 0.0f, passes ? away.z : 0.0f};
 }
 
 inline float luminance(Vec3f c) { return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z; }

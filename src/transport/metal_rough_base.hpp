@@ -109,11 +109,12 @@ LIPPMANN_INLINE Vec3f gloss_cosine_f(const MetalRoughBase& b, Vec3f light, float
   return fresnel * b.gloss_compensation * (facets * seen_from_both / (4.0f * b.view.z));
 }
 
-/// A direction in which the gloss sends light, of a rough or smooth surface; below it where the surface takes that.
-LIPPMANN_INLINE Vec3f draw_gloss(const MetalRoughBase& b, Vec2f u) {
+/// The normal of a facet that the viewer sees, of a rough or smooth surface: mirrored(), it is a direction in which the gloss
+/// sends light, below the surface where that takes it.
+LIPPMANN_INLINE Vec3f draw_facet(const MetalRoughBase& b, Vec2f u) {
   const Vec3f facet = Ggx{b.alpha}.sample_visible(b.view, u);
   const bool smooth = b.is_smooth();
-  return mirrored(b.view, {smooth ? 0.0f : facet.x, smooth ? 0.0f : facet.y, smooth ? 1.0f : facet.z});
+  return {smooth ? 0.0f : facet.x, smooth ? 0.0f : facet.y, smooth ? 1.0f : facet.z};
 }
 
 }  // namespace lippmann

@@ -21,13 +21,11 @@ MetalRoughBsdf::MetalRoughBsdf(const MetalRoughSurface& s, const GgxAlbedo& albe
       gloss_frame_(frame_),
       glossy_apart_(normals.gloss != normals.diffuse),
       coat_alpha_(squared(s.clearcoat_roughness)),
-      eta_(entering ? s.ior : 1.0f / s.ior),
-      glass_(s.base_color),
-      glass_share_((1.0f - s.metallic) * s.transmission) {
+      glass_{s.base_color, (1.0f - s.metallic) * s.transmission, entering ? s.ior : 1.0f / s.ior} {
   if (glossy_apart_) gloss_frame_ = Frame(normals.gloss);
   base_ = metal_rough_base(s, albedo, lifted_view(gloss_frame_.to_local(view)));
-  if (glass_share_ > 0.0f && !base_.is_smooth())
-    glass_compensation_ = 1.0f / albedo.glass().single(base_.view.z, base_.alpha, eta_);
+  if (glass_.share > 0.0f && !base_.is_smooth())
+    glass_.compensation = 1.0f / albedo.glass().single(base_.view.z, base_.alpha, glass_.eta);
   if (s.clearcoat > 0.0f) {
     coat_frame_ = Frame(normals.coat);
     coat_view_ = lifted_view(coat_frame_.to_local(view));
@@ -46,7 +44,7 @@ void MetalRoughBsdf::set_shares() {
   shares_.coat = 1.0f - below_coat_;
   shares_.gloss = below_coat_ * base_.gloss_luminance;
   shares_.diffuse = below_coat_ * base_.diffuse_luminance;
-  shares_.glass = below_coat_ * glass_share_ * std::max(0.1f, luminance(glass_));
+  shares_.glass = below_coat_ * glass_chance(glass_);
   scale_shares();
 }
 
@@ -82,25 +80,9 @@ void MetalRoughBsdf::add_gloss(Vec3f light, BsdfValue& value) const {
 }
 
 void MetalRoughBsdf::add_glass(Vec3f light, BsdfValue& value) const {
-  const Ggx ggx{base_.alpha};
-  const bool reflected = light.z > 0.0f;
-  // The facet's normal, towards the viewer. Refraction's half vector is along -(view + eta light).
-  Vec3f h = glm::normalize(reflected ? base_.view + light : base_.view + eta_ * light);
-  if (h.z < 0.0f) h = -h;
-  const float cosine = glm::dot(base_.view, h), beyond = glm::dot(light, h);
-  if (!(cosine > 0.0f)) return;
-  const float fresnel = fresnel_dielectric(cosine, eta_);
-  const float visible = ggx.visible_density(base_.view, h);
-  float density, masked;
-  if (reflected) {
-    density = fresnel * visible / (4.0f * cosine);
-    masked = ggx.masking(base_.view, light) / ggx.masking(base_.view);
-  } else {
-    if (!(beyond < 0.0f)) return;
-    density = (1.0f - fresnel) * visible * squared(eta_) * -beyond / squared(cosine + eta_ * beyond);
-    masked = ggx.masking(light);
-  }
-  value.cosine_f += below_coat_ * glass_share_ * (reflected ? Vec3f(1.0f) : glass_) * (density * masked * glass_compensation_);
+  float density;
+  const Vec3f f = glass_cosine_f(glass_, base_.alpha, base_.view, light, density);
+  value.cosine_f += below_coat_ * f;
   value.density += shares_.glass * density;
 }
 
@@ -124,24 +106,21 @@ BsdfValue MetalRoughBsdf::evaluate(Vec3f light_world) const {
     value.density = shares_.diffuse * local.z * (1.0f / kPi);
   }
   if (light.z > 0.0f && shares_.gloss > 0.0f && !base_.is_smooth()) add_gloss(light, value);
-  if (glass_share_ > 0.0f && !base_.is_smooth() && light.z != 0.0f) add_glass(light, value);
+  if (shares_.glass > 0.0f && !base_.is_smooth()) add_glass(light, value);
   if (coat_ > 0.0f && !smooth(coat_alpha_)) add_coat(coat_frame_.to_local(light_world), value);
   return value;
 }
 
 /// Reflects with Fresnel's probability, else refracts, at the surface or at a facet. decision in [0, 1).
 bool MetalRoughBsdf::sample_glass(float decision, Vec2f u, BsdfSample& s) const {
-  const Vec3f facet = base_.is_smooth() ? kUp : Ggx{base_.alpha}.sample_visible(base_.view, u);
-  const float fresnel = fresnel_dielectric(glm::dot(base_.view, facet), eta_);
-  s.transmitted = !(decision < fresnel);
-  const Vec3f light = s.transmitted ? refracted_away(base_.view, facet, eta_) : mirrored(base_.view, facet);
-  if (light.z == 0.0f || (light.z < 0.0f) != s.transmitted) return false;
-  s.direction = frame_.to_world(light);
+  float outward;
+  const Vec3f light = draw_glass(glass_.eta, base_.view, draw_facet(base_, u), decision, s.transmitted, outward);
+  s.direction = gloss_frame_.to_world(light);
   if (base_.is_smooth()) {
     s.density = kInfinity;
-    s.weight = (below_coat_ * glass_share_ / shares_.glass) * (s.transmitted ? glass_ : Vec3f(1.0f));
+    s.weight = (below_coat_ * glass_.share / shares_.glass) * (s.transmitted ? glass_.tint : Vec3f(1.0f));
   }
-  return true;
+  return outward > 0.0f;
 }
 
 /// A direction; weight and density left open but of Dirac's lobes. False where the surface takes all.
@@ -153,7 +132,7 @@ bool MetalRoughBsdf::draw(float lobe, Vec2f u, BsdfSample& s) const {
     return true;
   }
   if (lobe < below_glass) {
-    const Vec3f light = draw_gloss(base_, u);
+    const Vec3f light = mirrored(base_.view, draw_facet(base_, u));
     s.direction = gloss_frame_.to_world(light);
     if (base_.is_smooth()) s.density = kInfinity, s.weight = below_coat_ * base_.gloss_albedo / shares_.gloss;
     return light.z > 0.0f;

@@ -11,6 +11,7 @@
 
 #include <optional>
 
+#include "transport/glass.hpp"
 #include "transport/metal_rough_base.hpp"
 
 namespace lippmann {
@@ -40,7 +41,7 @@ class MetalRoughBsdf {
   BsdfValue evaluate_diffuse(Vec3f light) const;           ///< per albedo; density: cosine to normal() / pi
   Vec3f normal() const { return frame_.z; }
   bool is_sharp() const;                                         ///< no lobe but the diffuse one has a width
-  bool scatters_through() const { return glass_share_ > 0.0f; }  ///< light from behind, Dirac's lobes included
+  bool scatters_through() const { return glass_.share > 0.0f; }  ///< light from behind, Dirac's lobes included
   /// A rough coat has another normal than normal(), and may have light from where that looks away.
   bool has_coat_apart() const;
   /// Takes the diffuse part out of evaluate() and sample(), for who has it from elsewhere; evaluate_diffuse() stays.
@@ -70,10 +71,7 @@ class MetalRoughBsdf {
   MetalRoughBase base_;
   Vec3f coat_view_;  ///< local to coat_frame_
   float coat_alpha_;
-  float eta_;
-  Vec3f glass_{0.0f};  ///< tint; 0: none
-  float glass_share_ = 0.0f;
-  float glass_compensation_ = 1.0f;  ///< for light that met more than one facet
+  Glass glass_;
   float coat_ = 0.0f;
   float below_coat_ = 1.0f;  ///< what passes the coat
   Shares shares_;

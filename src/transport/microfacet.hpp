@@ -82,7 +82,12 @@ LIPPMANN_INLINE float schlick_weight(float cosine) {
 }
 
 /// Unpolarised reflectance between two dielectrics, exact; eta = n_transmitted / n_incident. 1 at total reflection.
-float fresnel_dielectric(float cosine_incident, float eta);
+LIPPMANN_INLINE float fresnel_dielectric(float cosine_incident, float eta) {
+  const float above = cosine_incident > 0.0f ? cosine_incident : 0.0f, ci = above < 1.0f ? above : 1.0f;
+  const float cosine2 = 1.0f - (1.0f - ci * ci) / squared(eta), ct = std::sqrt(cosine2 > 0.0f ? cosine2 : 0.0f);
+  const float parallel = (eta * ci - ct) / (eta * ci + ct), perpendicular = (ci - eta * ct) / (ci + eta * ct);
+  return cosine2 > 0.0f ? 0.5f * (squared(parallel) + squared(perpendicular)) : 1.0f;
+}
 
 /// Reflectance at normal incidence from air.
 inline float normal_reflectance(float ior) {

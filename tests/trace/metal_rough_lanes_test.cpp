@@ -16,9 +16,10 @@ const GgxAlbedo& albedo() {
   return tables;
 }
 
-enum class Kind { kAny, kLambert };
+/// kAny: glass among them.
+enum class Kind { kLambert, kGloss, kAny };
 
-/// Sixteen surfaces of any kind that the lanes know, each seen from somewhere, their gloss at times with a normal of its own.
+/// Sixteen surfaces that the lanes know, each seen from somewhere, their gloss at times with a normal of its own.
 struct Points {
   Points(unsigned seed, Kind kind) : random(seed) {
     for (std::size_t i = 0; i < kLanes; ++i) {
@@ -26,7 +27,8 @@ struct Points {
       s.base_color = i % 5 == 0 ? Vec3f(0.0f) : Vec3f(between(0, 1), between(0, 1), between(0, 1));
       s.metallic = kind == Kind::kLambert || i % 3 == 0 ? 0.0f : i % 3 == 1 ? between(0, 1) : 1.0f;
       s.roughness = i % 4 == 0 ? 0.0f : between(0, 1);
-      s.ior = i % 7 == 0 ? 0.0f : between(1, 2.5f);
+      s.ior = i % 7 == 0 && kind != Kind::kAny ? 0.0f : between(1, 2.5f);
+      if (kind == Kind::kAny) s.transmission = i % 4 == 3 ? 0.0f : i % 4 == 2 ? between(0, 1) : 1.0f;
       s.specular = kind == Kind::kLambert || i % 6 == 3 ? 0.0f : between(0, 1);
       s.specular_color = Vec3f(between(0, 30), between(0, 30), between(0, 30));
       normals[i].diffuse = direction();
@@ -36,16 +38,17 @@ struct Points {
     lanes.clear();
     for (int i = 0; i < kLanes; ++i) {
       const auto k = static_cast<std::size_t>(i);
-      lanes.set(i, surfaces[k], normals[k], views[k]);
+      lanes.set(i, surfaces[k], normals[k], views[k], enters(i));
     }
     lanes.prepare(albedo());
   }
 
   float between(float least, float most) { return std::uniform_real_distribution<float>(least, most)(random); }
   Vec3f direction() { return glm::normalize(Vec3f(between(-1, 1), between(-1, 1), between(-1, 1)) + Vec3f(1e-3f)); }
+  static bool enters(int i) { return i % 3 != 2; }
   MetalRoughBsdf bsdf(int i) const {
     const auto k = static_cast<std::size_t>(i);
-    return {surfaces[k], albedo(), normals[k], views[k], true};
+    return {surfaces[k], albedo(), normals[k], views[k], enters(i)};
   }
 
   std::mt19937 random;
@@ -66,17 +69,19 @@ void expect_values_of(Points& points, bool has_diffuse) {
     const BsdfValue expected = bsdf.evaluate(lights.get(i));
     EXPECT_EQ(values.cosine_f.get(i), expected.cosine_f) << i;
     EXPECT_EQ(values.density[i], expected.density) << i;
+    EXPECT_EQ(values.get(i).transmitted, expected.transmitted) << i;
     const BsdfValue diffuse = bsdf.evaluate_diffuse(lights.get(i));
     EXPECT_EQ(points.lanes.evaluate_diffuse(i, albedo(), lights.get(i)).cosine_f, diffuse.cosine_f) << i;
     EXPECT_EQ(points.lanes.diffuse_albedo(i), bsdf.diffuse_albedo()) << i;
     EXPECT_EQ(points.lanes.diffuse_share(i), bsdf.diffuse_share()) << i;
     EXPECT_EQ(points.lanes.is_sharp(i), bsdf.is_sharp()) << i;
+    EXPECT_EQ(points.lanes.scatters_through(i), bsdf.scatters_through()) << i;
     EXPECT_EQ(points.lanes.normal(i), bsdf.normal()) << i;
   }
 }
 
 struct Drawn {
-  int diffuse = 0, glossy = 0, mirrored = 0, none = 0;
+  int diffuse = 0, glossy = 0, mirrored = 0, refracted = 0, refracted_sharply = 0, none = 0;
 };
 
 void expect_samples_of(Points& points, bool has_diffuse, Drawn& drawn) {
@@ -90,6 +95,7 @@ void expect_samples_of(Points& points, bool has_diffuse, Drawn& drawn) {
     const std::optional<BsdfSample> expected = bsdf.sample(lobe[i], {u[i], v[i]});
     ASSERT_EQ(samples.density[i] > 0.0f, expected.has_value()) << i;
     ++(!expected                        ? drawn.none
+       : expected->transmitted          ? expected->is_delta() ? drawn.refracted_sharply : drawn.refracted
        : expected->is_delta()           ? drawn.mirrored
        : lobe[i] < bsdf.diffuse_share() ? drawn.diffuse
                                         : drawn.glossy);
@@ -97,27 +103,33 @@ void expect_samples_of(Points& points, bool has_diffuse, Drawn& drawn) {
     EXPECT_EQ(samples.direction.get(i), expected->direction) << i;
     EXPECT_EQ(samples.weight.get(i), expected->weight) << i;
     EXPECT_EQ(samples.density[i], expected->density) << i;
+    EXPECT_EQ(samples.transmitted.lane[i] != 0, expected->transmitted) << i;
   }
 }
 
 TEST(MetalRoughLanes, values_are_the_bsdfs) {
-  for (unsigned seed = 0; seed < 60; ++seed) {
-    Points points(seed, Kind::kAny);
-    expect_values_of(points, true);
-    points.lanes.remove_diffuse();
-    expect_values_of(points, false);
-  }
+  for (const Kind kind : {Kind::kGloss, Kind::kAny})
+    for (unsigned seed = 0; seed < 60; ++seed) {
+      Points points(seed, kind);
+      expect_values_of(points, true);
+      points.lanes.remove_diffuse();
+      expect_values_of(points, false);
+    }
 }
 
 TEST(MetalRoughLanes, samples_are_the_bsdfs) {
-  Drawn drawn;
-  for (unsigned seed = 0; seed < 100; ++seed) {
-    Points points(seed, Kind::kAny);
-    expect_samples_of(points, true, drawn);
-    points.lanes.remove_diffuse();
-    expect_samples_of(points, false, drawn);
+  for (const Kind kind : {Kind::kGloss, Kind::kAny}) {
+    Drawn drawn;
+    for (unsigned seed = 0; seed < 100; ++seed) {
+      Points points(seed, kind);
+      expect_samples_of(points, true, drawn);
+      points.lanes.remove_diffuse();
+      expect_samples_of(points, false, drawn);
+    }
+    for (const int count : {drawn.diffuse, drawn.glossy, drawn.mirrored, drawn.none}) EXPECT_GT(count, 100);
+    for (const int count : {drawn.refracted, drawn.refracted_sharply})
+      EXPECT_TRUE(kind == Kind::kAny ? count > 100 : count == 0);
   }
-  for (const int count : {drawn.diffuse, drawn.glossy, drawn.mirrored, drawn.none}) EXPECT_GT(count, 100);
 }
 
 TEST(MetalRoughLanes, without_any_gloss_the_shorter_way_gives_the_same) {
@@ -130,25 +142,27 @@ TEST(MetalRoughLanes, without_any_gloss_the_shorter_way_gives_the_same) {
     expect_values_of(points, false);
   }
   EXPECT_GT(drawn.diffuse, 500);
-  EXPECT_EQ(drawn.glossy + drawn.mirrored, 0);
+  EXPECT_EQ(drawn.glossy + drawn.mirrored + drawn.refracted + drawn.refracted_sharply, 0);
 }
 
 TEST(MetalRoughLanes, a_lane_does_not_depend_on_its_neighbours) {
-  Points points(1, Kind::kAny), matt(1, Kind::kLambert);
+  Points points(1, Kind::kAny), glossy(1, Kind::kGloss), matt(1, Kind::kLambert);
   MetalRoughLanes lanes;
   lanes.clear();
   for (int i = 0; i < kLanes; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const Points& from = i % 2 == 0 ? matt : points;
-    lanes.set(i, from.surfaces[k], from.normals[k], from.views[k]);
+    const Points& from = i % 2 == 1 ? points : i % 4 == 0 ? matt : glossy;
+    lanes.set(i, from.surfaces[k], from.normals[k], from.views[k], Points::enters(i));
   }
   lanes.prepare(albedo());
   Lanes3 lights;
   for (int i = 0; i < kLanes; ++i) lights.set(i, points.normals[static_cast<std::size_t>(i)].diffuse);
-  BsdfValueLanes mixed, alone;
+  BsdfValueLanes mixed, all_matt, all_glossy;
   lanes.evaluate(albedo(), lights, mixed);
-  matt.lanes.evaluate(albedo(), lights, alone);
+  matt.lanes.evaluate(albedo(), lights, all_matt);
+  glossy.lanes.evaluate(albedo(), lights, all_glossy);
   for (int i = 0; i < kLanes; i += 2) {
+    const BsdfValueLanes& alone = i % 4 == 0 ? all_matt : all_glossy;
     EXPECT_EQ(mixed.cosine_f.get(i), alone.cosine_f.get(i)) << i;
     EXPECT_EQ(mixed.density[i], alone.density[i]) << i;
   }

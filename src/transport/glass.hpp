@@ -1,0 +1,58 @@
+// What of glTF's surface transmits, smooth or rough, as formulas without branches, as those of metal_rough_base.hpp are: for
+// one point (metal_rough_bsdf.hpp) and for sixteen (shading/metal_rough_lanes.hpp), to the same bits.
+//
+// Based on: B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007.
+#pragma once
+
+#include "transport/bsdf.hpp"
+#include "transport/microfacet.hpp"
+
+namespace lippmann {
+
+/// At one point, seen from one side.
+struct Glass {
+  Vec3f tint{0.0f};           ///< of what is refracted
+  float share = 0.0f;         ///< of the surface; 0: no glass
+  float eta = 1.0f;           ///< n_beyond / n_here
+  float compensation = 1.0f;  ///< for light that met more than one facet
+};
+
+/// Chance of being drawn, in proportion to what it sends on: not too small for what is reflected without a tint.
+LIPPMANN_INLINE float glass_chance(const Glass& glass) {
+  const float light = luminance(glass.tint);
+  return glass.share * (light > 0.1f ? light : 0.1f);
+}
+
+/// What rough glass sends to `view` from `light`, on the same side or beyond, times |cosine|; and the density of drawing it, of
+/// a facet as sample_visible() does and then of draw_glass(). Both directions unit and local, view.z > 0.
+LIPPMANN_INLINE Vec3f glass_cosine_f(const Glass& glass, float alpha, Vec3f view, Vec3f light, float& density) {
+  const Ggx ggx{alpha};
+  const bool reflected = light.z > 0.0f;
+  // The facet's normal, towards the viewer. Refraction's half vector is along -(view + eta light).
+  const Vec3f half = glm::normalize(view + (reflected ? 1.0f : glass.eta) * light), h = (half.z < 0.0f ? -1.0f : 1.0f) * half;
+  const float cosine = glm::dot(view, h), beyond = glm::dot(light, h);
+  const float fresnel = fresnel_dielectric(cosine, glass.eta);
+  const float hidden = ggx.lambda(view), hidden_from_light = ggx.lambda(light);
+  const float visible = cosine * ggx.distribution(h) / ((1.0f + hidden) * view.z);
+  const bool is_any = (cosine > 0.0f) & (light.z != 0.0f) & (reflected | (beyond < 0.0f));
+  const float of_mirrors = fresnel * visible / (4.0f * cosine);
+  const float of_lenses = (1.0f - fresnel) * visible * squared(glass.eta) * -beyond / squared(cosine + glass.eta * beyond);
+  density = is_any ? reflected ? of_mirrors : of_lenses : 0.0f;
+  const float passes = reflected ? (1.0f + hidden) / (1.0f + hidden + hidden_from_light) : 1.0f / (1.0f + hidden_from_light);
+  const float all = density * passes * glass.compensation * glass.share;
+  return {(reflected ? 1.0f : glass.tint.x) * all, (reflected ? 1.0f : glass.tint.y) * all,
+          (reflected ? 1.0f : glass.tint.z) * all};
+}
+
+/// Where the light comes from that a facet sends to `view`: reflected with Fresnel's probability, else refracted. decision in
+/// [0, 1). outward: > 0 unless the next facet is in the way.
+LIPPMANN_INLINE Vec3f draw_glass(float eta, Vec3f view, Vec3f facet, float decision, bool& transmitted, float& outward) {
+  transmitted = decision >= fresnel_dielectric(glm::dot(view, facet), eta);
+  const Vec3f refracted = refracted_away(view, facet, eta), reflected = mirrored(view, facet);
+  const Vec3f light(transmitted ? refracted.x : reflected.x, transmitted ? refracted.y : reflected.y,
+                    transmitted ? refracted.z : reflected.z);
+  outward = (transmitted ? -1.0f : 1.0f) * light.z;
+  return light;
+}
+
+}  // namespace lippmann
