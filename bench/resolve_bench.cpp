@@ -1,5 +1,5 @@
-// What pooling the samples of neighbouring views is worth, and what it costs: views of one sample per pixel, resolved from
-// their own samples alone and from those of their neighbours (view_resolver.hpp), held to references of many samples. Whitted's
+// What pooling the samples of neighbouring views is worth, and what it costs: views of 1, 2 and 4 samples per pixel, resolved
+// from their own samples alone and from those of their neighbours (view_resolver.hpp), held to references of many samples. Whitted's
 // shading, whose samples have no noise of their own; nothing is adaptive.
 #include <fmt/core.h>
 
@@ -24,9 +24,13 @@ constexpr int kResolveViewPixels = 128, kQuickResolveViewPixels = 32;
 /// Samples across and down a pixel of references.
 constexpr int kResolveReferenceSide = 12, kQuickResolveReferenceSide = 4;
 /// What samples of the view alone are compared with: as many a pixel.
-constexpr int kMostOwnSamples = 8;
+constexpr int kMostOwnSamples = 32;
 /// Shifts from view to the next that differ by less, in pixels, are those of one surface.
 constexpr float kSameSurfacePx = 0.15f;
+/// Of a pixel of each view.
+constexpr int kPooledSamples[] = {1, 2, 4};
+constexpr std::pair<Resolver, const char*> kHows[] = {
+    {Resolver::kCount, "count"}, {Resolver::kVoronoi, "voronoi"}, {Resolver::kLines, "lines"}};
 const std::vector<std::string> kResolvedScenes{"room", "teapot", "small-balls", "tree"};
 
 struct ViewRow {
@@ -80,15 +84,14 @@ class ResolveStage {
     stage_.device.update(moment_.resolved, pool_);
   }
 
-  /// The samples of a view; `set`: which of several sets of them.
-  ViewSamples samples_of(int view, int set) {
+  /// A sample of every pixel of a view. Runs of numbers are spread evenly, be they of one view or of several.
+  ViewSamples samples_of(int view, int number) {
     const auto pixel_count = static_cast<std::size_t>(pixels_) * static_cast<std::size_t>(pixels_);
     ViewSamples samples{.width = pixels_, .height = pixels_, .eye_mm = cameras_.eyes_mm[static_cast<std::size_t>(view)].x};
     for (std::size_t i = 0; i < pixel_count; ++i) {
       const auto pixel = static_cast<std::uint32_t>(i);
-      const int index = view + set;  // runs of the sequence are spread evenly, in views and in sets alike
-      samples.x.push_back(static_cast<float>(i % static_cast<std::size_t>(pixels_)) + stratified(index, 0, pixel));
-      samples.y.push_back(static_cast<float>(i / static_cast<std::size_t>(pixels_)) + stratified(index, 1, pixel));
+      samples.x.push_back(static_cast<float>(i % static_cast<std::size_t>(pixels_)) + stratified(number, 0, pixel));
+      samples.y.push_back(static_cast<float>(i / static_cast<std::size_t>(pixels_)) + stratified(number, 1, pixel));
     }
     FrameAovs aovs;
     aovs.want(Aov::kDepth), aovs.want(Aov::kId);
@@ -189,7 +192,7 @@ std::vector<double> own_psnrs(ResolveStage& stage, int view, const Image& refere
   Image sum(reference.width, reference.height, 3);
   std::vector<double> psnrs;
   for (int set = 0; set < kMostOwnSamples; ++set) {
-    const std::vector<float> light = stage.samples_of(view, set).rgb;
+    const std::vector<float> light = stage.samples_of(view, view + set).rgb;
     for (std::size_t i = 0; i < light.size(); ++i) sum.data[i] += light[i];
     const int samples = set + 1;
     if ((samples & set) != 0) continue;
@@ -200,8 +203,16 @@ std::vector<double> own_psnrs(ResolveStage& stage, int view, const Image& refere
   return psnrs;
 }
 
-nlohmann::ordered_json resolve_row_of(const std::string& scene, const ViewRow& row, const Request& request,
-                                      const Context& context) {
+/// So many samples a pixel of the views around one.
+std::vector<ViewSamples> samples_around(ResolveStage& stage, int view, int reach, int samples) {
+  std::vector<ViewSamples> around;
+  for (int v = view - reach; v <= view + reach; ++v)
+    for (int k = 0; k < samples; ++k) around.push_back(stage.samples_of(v, v * samples + k));
+  return around;
+}
+
+void add_resolve_rows(const std::string& scene, const ViewRow& row, const Request& request, const Context& context,
+                      nlohmann::ordered_json& rows) {
   const int pixels = request.view_pixels > 0 ? request.view_pixels
                      : request.quick         ? kQuickResolveViewPixels
                                              : kResolveViewPixels;
@@ -209,30 +220,32 @@ nlohmann::ordered_json resolve_row_of(const std::string& scene, const ViewRow& r
   const int view = row.views / 2;
   const Image reference = stage.reference_of(view, request.quick ? kQuickResolveReferenceSide : kResolveReferenceSide);
   const std::vector<double> own = own_psnrs(stage, view, reference);
-  std::vector<ViewSamples> around;
-  for (int v = view - row.reach; v <= view + row.reach; ++v) around.push_back(stage.samples_of(v, 0));
-  const double microseconds = 1e6 / (static_cast<double>(pixels) * pixels), sample_us = 1e6 * stage.seconds_per_sample();
-  nlohmann::ordered_json json{{"scene", scene}, {"views", row.views}, {"sample_us", rounded(sample_us)}};
-  for (std::size_t i = 0; i < own.size(); ++i) json[fmt::format("own_{}_db", 1 << i)] = rounded(own[i]);
-  const auto pooled = [&](Resolver how, ResolveTimes& times) {
-    resolve_view(around, row.reach, row.reach, stage.same_surface(), how);  // warms up
-    return resolve_view(around, row.reach, row.reach, stage.same_surface(), how, &times);
-  };
-  ResolveTimes unused;
-  if (std::abs(psnr_between(reference, pooled(Resolver::kOwn, unused)) - own[0]) > 1e-9)
-    throw Error("bench resolve", scene + ": a view's own samples are not what was traced");
-  constexpr std::pair<Resolver, const char*> kHows[] = {
-      {Resolver::kCount, "count"}, {Resolver::kVoronoi, "voronoi"}, {Resolver::kLines, "lines"}};
-  for (const auto& [how, name] : kHows) {
-    ResolveTimes times;
-    const double psnr = psnr_between(reference, pooled(how, times));
-    const double us = microseconds * (times.land_seconds + times.resolve_seconds);
-    json[fmt::format("{}_land_us", name)] = rounded(microseconds * times.land_seconds);
-    json[fmt::format("{}_us", name)] = rounded(us);
-    json[fmt::format("{}_db", name)] = rounded(psnr);
-    json[fmt::format("{}_gain_db", name)] = rounded(psnr - own_psnr_at(own, 1.0 + us / sample_us));
+  const double microseconds = 1e6 / (static_cast<double>(pixels) * pixels);
+  for (const int samples : kPooledSamples) {
+    const std::vector<ViewSamples> around = samples_around(stage, view, row.reach, samples);
+    const int target = row.reach * samples, reach = static_cast<int>(around.size());
+    const double sample_us = 1e6 * stage.seconds_per_sample();
+    nlohmann::ordered_json json{
+        {"scene", scene}, {"views", row.views}, {"samples", samples}, {"sample_us", rounded(sample_us)}};
+    for (std::size_t i = 0; i < own.size(); ++i) json[fmt::format("own_{}_db", 1 << i)] = rounded(own[i]);
+    const auto pooled = [&](Resolver how, ResolveTimes& times) {
+      resolve_view(around, target, reach, stage.same_surface(), how);  // warms up
+      return resolve_view(around, target, reach, stage.same_surface(), how, &times);
+    };
+    ResolveTimes unused;
+    if (samples == 1 && std::abs(psnr_between(reference, pooled(Resolver::kOwn, unused)) - own[0]) > 1e-9)
+      throw Error("bench resolve", scene + ": a view's own samples are not what was traced");
+    for (const auto& [how, name] : kHows) {
+      ResolveTimes times;
+      const double psnr = psnr_between(reference, pooled(how, times));
+      const double us = microseconds * (times.land_seconds + times.resolve_seconds);
+      json[fmt::format("{}_land_us", name)] = rounded(microseconds * times.land_seconds);
+      json[fmt::format("{}_us", name)] = rounded(us);
+      json[fmt::format("{}_db", name)] = rounded(psnr);
+      json[fmt::format("{}_gain_db", name)] = rounded(psnr - own_psnr_at(own, samples + us / sample_us));
+    }
+    rows.push_back(std::move(json));
   }
-  return json;
 }
 
 }  // namespace
@@ -242,7 +255,7 @@ Report measure_resolve(const Request& request, const Context& context) {
   for (const std::string& scene : request.scenes.empty() ? kResolvedScenes : request.scenes)
     for (const ViewRow& row : kViewRows) {
       begin_step(request, context, fmt::format("resolve: {}, {} views", scene, row.views));
-      report.rows.push_back(resolve_row_of(scene, row, request, context));
+      add_resolve_rows(scene, row, request, context, report.rows);
       ++report.passed_checks;
     }
   return report;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "bench/timing.hpp"
 #include "device/lanes.hpp"
@@ -10,8 +11,8 @@
 namespace lippmann::bench {
 namespace {
 
-/// More samples in one pixel are dropped: twice what lands there on average from 15 views.
-constexpr int kSlots = 32;
+/// More samples in one pixel are dropped: twice what lands there on average from 15 views of 4 samples.
+constexpr int kSlots = 128;
 /// Places across and down a pixel, for kVoronoi.
 constexpr int kVoronoiSide = 4;
 
@@ -45,10 +46,17 @@ struct Place {
 /// Lands the samples of a row of other views in one view.
 class Landing {
  public:
-  Landing(const ViewSamples& into, float same_surface) : into_(into), same_surface_(same_surface) {}
+  Landing(std::span<const ViewSamples> views, int target, float same_surface)
+      : into_(views[static_cast<std::size_t>(target)]), same_surface_(same_surface) {
+    std::vector<const ViewSamples*> own;
+    for (const ViewSamples& view : views)
+      if (view.eye_mm == into_.eye_mm) own.push_back(&view);
+    cells_ = static_cast<int>(std::sqrt(static_cast<double>(own.size())));
+    set_farthest(own);
+  }
 
   void land(const ViewSamples& from, int row, LandedRow& landed) const {
-    const bool is_same_view = &from == &into_;
+    const bool is_same_view = from.eye_mm == into_.eye_mm;
     const auto step_mm = static_cast<float>(into_.eye_mm - from.eye_mm);
     const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(from.width);
     for (std::size_t i = first; i < first + static_cast<std::size_t>(from.width); ++i) {
@@ -72,14 +80,38 @@ class Landing {
   int at(int column, int row) const {
     return std::clamp(row, 0, into_.height - 1) * into_.width + std::clamp(column, 0, into_.width - 1);
   }
-  float shift_at(int column, int row) const { return into_.shift[static_cast<std::size_t>(at(column, row))]; }
+  /// By cell of the view.
+  float& farthest_at(int column, int row) {
+    column = std::clamp(column, 0, cells_ * into_.width - 1), row = std::clamp(row, 0, cells_ * into_.height - 1);
+    return farthest_[static_cast<std::size_t>(row * cells_ * into_.width + column)];
+  }
+  float farthest_at(int column, int row) const { return const_cast<Landing&>(*this).farthest_at(column, row); }
 
-  /// Whether all of the view's own four samples around a place are of nearer surfaces.
+  /// A cell in which no sample of the view's own lies has that of the pixel which is farthest.
+  void set_farthest(const std::vector<const ViewSamples*>& own) {
+    constexpr float kNone = -std::numeric_limits<float>::infinity();
+    farthest_.assign(into_.shift.size() * static_cast<std::size_t>(cells_ * cells_), kNone);
+    std::vector<float> of_pixel(into_.shift.size(), kNone);
+    const auto cells = static_cast<float>(cells_);
+    for (const ViewSamples* view : own)
+      for (std::size_t i = 0; i < of_pixel.size(); ++i) {
+        float& of_cell = farthest_at(static_cast<int>(cells * view->x[i]), static_cast<int>(cells * view->y[i]));
+        of_cell = std::max(of_cell, view->shift[i]);
+        of_pixel[i] = std::max(of_pixel[i], view->shift[i]);
+      }
+    for (int row = 0; row < cells_ * into_.height; ++row)
+      for (int column = 0; column < cells_ * into_.width; ++column)
+        if (float& of_cell = farthest_at(column, row); of_cell == kNone)
+          of_cell = of_pixel[static_cast<std::size_t>(at(column / cells_, row / cells_))];
+  }
+
+  /// Whether all of the view's own samples in the four cells around a place are of nearer surfaces.
   bool is_hidden(const Place& place, float shift) const {
-    const int across = place.dx < 0.5f ? -1 : 1, down = place.dy < 0.5f ? -1 : 1;
-    const float farthest =
-        std::max(std::max(shift_at(place.column, place.row), shift_at(place.column + across, place.row)),
-                 std::max(shift_at(place.column, place.row + down), shift_at(place.column + across, place.row + down)));
+    const float x = static_cast<float>(cells_) * place.x, y = static_cast<float>(cells_) * (static_cast<float>(place.row) + place.dy);
+    const int column = static_cast<int>(x), row = static_cast<int>(y);
+    const int across = x - static_cast<float>(column) < 0.5f ? -1 : 1, down = y - static_cast<float>(row) < 0.5f ? -1 : 1;
+    const float farthest = std::max(std::max(farthest_at(column, row), farthest_at(column + across, row)),
+                                    std::max(farthest_at(column, row + down), farthest_at(column + across, row + down)));
     return shift > farthest + same_surface_;
   }
 
@@ -112,6 +144,8 @@ class Landing {
 
   const ViewSamples& into_;
   float same_surface_;
+  int cells_ = 1;                ///< across and down a pixel: as many as it has samples of the view's own
+  std::vector<float> farthest_;  ///< of the view's own samples, by cell
 };
 
 struct Colours {
@@ -253,7 +287,7 @@ Image resolve_view(std::span<const ViewSamples> views, int target, int reach, fl
   const int around = how == Resolver::kOwn ? 0 : reach;
   const int first = std::max(0, target - around), last = std::min(static_cast<int>(views.size()) - 1, target + around);
   Image picture(into.width, into.height, 3);
-  const Landing landing(into, same_surface);
+  const Landing landing(views, target, same_surface);
   LandedRow landed(into.width);  // of one row at a time, which stays in the cache
   for (int row = 0; row < into.height; ++row) {
     const double land_seconds = seconds([&] {

@@ -1,4 +1,4 @@
-// A view of a light field from one sample per pixel of itself and of its neighbours: samples are landed where their points lie
+// A view of a light field from one or a few samples per pixel of itself and of its neighbours: samples are landed where their points lie
 // in the view, those that it hides are dropped, and every pixel is resolved from what lies within it.
 //
 // Based on: Lehtinen, Aila, Chen, Laine, Durand, "Temporal light field reconstruction for rendering distribution effects", ACM
@@ -17,7 +17,7 @@
 
 namespace lippmann::bench {
 
-/// One sample for every pixel of one view, row by row from the top left.
+/// One sample of every pixel of one view, row by row from the top left.
 struct ViewSamples {
   int width = 0, height = 0;
   double eye_mm = 0.0;          ///< where the eye stands in the row of eyes
@@ -39,7 +39,8 @@ struct ResolveTimes {
   double land_seconds = 0.0, resolve_seconds = 0.0;  ///< CPU, of one thread
 };
 
-/// The view views[target] from the samples of views up to `reach` away on both sides. Views have one size, and ascend by eye.
+/// The view views[target] from the samples of views up to `reach` away on both sides. Views have one size, and ascend by eye;
+/// of several with the same eye each holds another sample of every pixel.
 /// same_surface: shifts that differ by less are those of one surface, pixels per mm. `times` may be null.
 Image resolve_view(std::span<const ViewSamples> views, int target, int reach, float same_surface, Resolver how,
                    ResolveTimes* times = nullptr);

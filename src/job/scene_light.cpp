@@ -105,11 +105,10 @@ std::string light_scene(Scene& scene, const RenderParams& params, const Context&
   if (!params.scene.environment.empty()) return light_as_asked(scene, params);
   if (integrator_of(params.sampling) == Integrator::kWhitted) {
     if (lacks_lamps(scene))
-      context.warning(fmt::format("{} has no lights: a key light from above left of the viewer and a dim background are added",
-                                  params.scene.name));
+      context.warning(fmt::format("{} has no lights: a key light from above left of the viewer is added", params.scene.name));
     return light_for_whitted(scene);
   }
-  if (!is_physical_format(params.scene.name)) return "The scene has its own light.";
+  if (!is_physical_format(params.scene.name) && own_light(scene) != OwnLight::kNone) return "The scene has its own light.";
   return light_for_paths(scene, surrounding_of(params));
 }
 

@@ -20,8 +20,30 @@ Quatf orientation(const Affine3f& world_from_node) {
   return glm::normalize(glm::quat_cast(Mat3f(unit_x, glm::cross(unit_z, unit_x), unit_z)));
 }
 
+const Material& material_of(const Scene& scene, const Instance& instance) {
+  return scene.materials[static_cast<std::size_t>(instance.material)];
+}
+
 const MetallicRoughness* physical_surface(const Scene& scene, const Instance& instance) {
-  return std::get_if<MetallicRoughness>(&scene.materials[static_cast<std::size_t>(instance.material)].surface);
+  return std::get_if<MetallicRoughness>(&material_of(scene, instance).surface);
+}
+
+/// What a lamp would make brighter.
+bool is_lit_by_lamps(const Material& material) {
+  if (const auto* phong = std::get_if<PhongSurface>(&material.surface)) return phong->diffuse > 0.0f;
+  return !std::get<MetallicRoughness>(material.surface).unlit;
+}
+
+/// Whether it is seen in Whitted's shading without any lamp, for that is how its author lit it.
+bool shines_by_itself(const Material& material) {
+  const auto* phong = std::get_if<PhongSurface>(&material.surface);
+  return phong && (phong->ambient > 0.0f || phong->emission != Vec3f(0.0f));
+}
+
+/// Whether paths take it for a lamp: it emits, or shines without answering any light, as backdrops do.
+bool is_phong_lamp(const Material& material) {
+  const auto* phong = std::get_if<PhongSurface>(&material.surface);
+  return phong && (phong->emission != Vec3f(0.0f) || (phong->diffuse == 0.0f && phong->ambient > 0.0f));
 }
 
 float brightest(Vec3f color) { return std::max({color.x, color.y, color.z}); }
@@ -43,6 +65,7 @@ bool has_shining_lamps(const Scene& scene) {
   const ResolvedScene resolved = evaluate(scene, 0.0);
   double area = 0.0, emitted = 0.0;
   for (const Instance& instance : scene.instances) {
+    if (is_phong_lamp(material_of(scene, instance))) return true;
     const MetallicRoughness* surface = physical_surface(scene, instance);
     const Mesh* mesh = std::get_if<Mesh>(&scene.shapes[static_cast<std::size_t>(instance.shape)]);
     if (!surface || !mesh || surface->unlit) continue;
@@ -56,19 +79,18 @@ bool has_shining_lamps(const Scene& scene) {
 }  // namespace
 
 bool lacks_lamps(const Scene& scene) {
-  if (!scene.lights.empty()) return false;
-  return std::any_of(scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {
-    const MetallicRoughness* surface = physical_surface(scene, instance);
-    return surface && !surface->unlit;
-  });
+  const auto any = [&](bool (*is)(const Material&)) {
+    return std::any_of(scene.instances.begin(), scene.instances.end(),
+                       [&](const Instance& instance) { return is(material_of(scene, instance)); });
+  };
+  return scene.lights.empty() && any(is_lit_by_lamps) && !any(shines_by_itself);
 }
 
 OwnLight own_light(const Scene& scene) {
   const Background& sky = scene.background;
   if (sky.map || sky.horizon != Vec3f(0.0f) || sky.zenith != Vec3f(0.0f)) return OwnLight::kSurroundings;
   const bool is_lit = std::any_of(scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {
-    const MetallicRoughness* surface = physical_surface(scene, instance);
-    return !surface || !surface->unlit;
+    return is_lit_by_lamps(material_of(scene, instance));
   });
   if (!is_lit) return OwnLight::kNotNeeded;
   return scene.lights.empty() && !has_shining_lamps(scene) ? OwnLight::kNone : OwnLight::kLamps;
@@ -95,8 +117,9 @@ void add_default_light(Scene& scene) {
   light.node = static_cast<int>(scene.nodes.size());
   scene.nodes.push_back(std::move(node));
   scene.lights.push_back(std::move(light));
-  scene.background.horizon = Vec3f(kHorizon);
-  scene.background.zenith = Vec3f(kZenith);
+  Background& sky = scene.background;
+  if (sky.map || sky.horizon != Vec3f(0.0f) || sky.zenith != Vec3f(0.0f)) return;
+  sky.horizon = Vec3f(kHorizon), sky.zenith = Vec3f(kZenith);
 }
 
 }  // namespace lippmann

@@ -5,17 +5,17 @@
 
 namespace lippmann {
 
-/// Whether light would change what the scene shows, but no lamp is there to give it. Emission counts for nothing: Whitted's
-/// shading carries it nowhere.
+/// Whether light would change what the scene shows, but no lamp is there to give it. Emission of glTF's surfaces counts for
+/// nothing: Whitted's shading carries it nowhere. A Phong surface with ambient light is as dark as its author made it.
 bool lacks_lamps(const Scene& scene);
 
-/// A key light from above left of the viewer and a dim background. The viewer is the first camera, or has the default view.
+/// A key light from above left of the viewer and, where all is dark, a dim background. The viewer is the first camera, or has the default view.
 void add_default_light(Scene& scene);
 
 /// How the viewer is turned: -z and y go where the first camera looks and has its top, or as in the default view.
 Quatf viewer_orientation(const Scene& scene);
 
-/// What paths find that gives light in a scene of metallic-roughness surfaces.
+/// What paths find that gives light in a scene.
 enum class OwnLight {
   kNone,          ///< nothing, but surfaces wait for it
   kLamps,         ///< lamps, or surfaces that shine as lamps do; what misses all surfaces finds darkness

@@ -114,12 +114,13 @@ TEST(BenchEye, json_has_a_row_per_crosstalk_and_goal_and_eyes_see_less_noise) {
 }
 
 // 32 x 32 pixels: a view's samples are those that were traced, and the teapot's neighbours are worth more than one sample.
-TEST(BenchResolve, json_has_a_row_per_number_of_views) {
+TEST(BenchResolve, json_has_a_row_per_number_of_views_and_of_samples) {
   const Json rows = run_benchmark("resolve", quick_request({"teapot"})).rows;
-  ASSERT_EQ(rows.size(), 2u);
-  EXPECT_EQ(rows[0]["views"], 8);
-  EXPECT_EQ(rows[1]["views"], 48);
-  for (const Json& row : rows) {
+  ASSERT_EQ(rows.size(), 6u);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Json& row = rows[i];
+    EXPECT_EQ(row["views"], i < 3 ? 8 : 48);
+    EXPECT_EQ(row["samples"], 1 << i % 3);
     EXPECT_GT(row["own_8_db"], row["own_1_db"]);
     for (const std::string how : {"count", "voronoi", "lines"}) {
       EXPECT_GT(row[how + "_db"], 10.0) << how;

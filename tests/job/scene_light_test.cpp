@@ -87,11 +87,21 @@ TEST_F(SceneLight, of_whitted_and_of_other_formats_stays_as_it_was) {
   const Scene scene = wanted_scene(whitted, {});
   EXPECT_FALSE(scene.background.map);
   EXPECT_EQ(scene.lights.size(), 1u) << "the default light";
-  EXPECT_FALSE(wanted_scene(params_of("a.nff", "s 0 0 0 1\n"), {}).background.map);
+  EXPECT_FALSE(wanted_scene(params_of("a.nff", "l 3 4 5\ns 0 0 0 1\n"), {}).background.map);
   RenderParams teapot;
   teapot.scene.name = "teapot";
   teapot.sampling.integrator = Integrator::kPath;
   EXPECT_FALSE(wanted_scene(teapot, {}).background.map);
+}
+
+TEST_F(SceneLight, of_other_formats_is_added_where_nothing_would_be_seen) {
+  RenderParams params = params_of("dark.nff", "s 0 0 0 1\n");
+  EXPECT_TRUE(wanted_scene(params, {}).background.map) << "the studio, for paths";
+  params.sampling.integrator = Integrator::kWhitted;
+  EXPECT_EQ(wanted_scene(params, {}).lights.size(), 1u);
+  const Scene blue = wanted_scene(params_of("blue.nff", "b 0.1 0.2 0.3\ns 0 0 0 1\n"), {});
+  EXPECT_FALSE(blue.background.map) << "paths find its background";
+  EXPECT_EQ(blue.background.zenith, Vec3f(0.1f, 0.2f, 0.3f));
 }
 
 TEST_F(SceneLight, is_what_environment_asks_for) {

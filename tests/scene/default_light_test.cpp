@@ -33,10 +33,33 @@ TEST(DefaultLight, is_lacking_where_surfaces_wait_for_light) {
   EXPECT_FALSE(lacks_lamps(lit));
 }
 
+Scene scene_of(const PhongSurface& surface) {
+  Scene scene = scene_of(MetallicRoughness{});
+  scene.materials[0].surface = surface;
+  return scene;
+}
+
 TEST(DefaultLight, phong_scenes_are_as_dark_as_their_authors_made_them) {
-  Scene scene = scene_of({});
-  scene.materials[0].surface = PhongSurface{};
-  EXPECT_FALSE(lacks_lamps(scene));
+  PhongSurface shown, black, emitter, backdrop;
+  black.ambient = emitter.ambient = 0.0f;
+  emitter.emission = Vec3f(1.0f);
+  backdrop.ambient = 1.0f, backdrop.diffuse = 0.0f;
+  EXPECT_FALSE(lacks_lamps(scene_of(shown))) << "its ambient light is the author's";
+  EXPECT_TRUE(lacks_lamps(scene_of(black))) << "nothing would be seen";
+  EXPECT_FALSE(lacks_lamps(scene_of(emitter)));
+  EXPECT_FALSE(lacks_lamps(scene_of(backdrop)));
+  Scene lit = scene_of(black);
+  lit.lights.emplace_back();
+  EXPECT_FALSE(lacks_lamps(lit));
+}
+
+TEST(OwnLight, of_phong_scenes_is_what_paths_find) {
+  PhongSurface shown, emitter, backdrop;
+  emitter.emission = Vec3f(1.0f);
+  backdrop.ambient = 1.0f, backdrop.diffuse = 0.0f;
+  EXPECT_EQ(own_light(scene_of(shown)), OwnLight::kNone) << "paths have no ambient light";
+  EXPECT_EQ(own_light(scene_of(emitter)), OwnLight::kLamps);
+  EXPECT_EQ(own_light(scene_of(backdrop)), OwnLight::kNotNeeded);
 }
 
 /// A triangle of area 50 and one of area 0.5 that has `surface`.
@@ -84,7 +107,7 @@ TEST(OwnLight, is_not_needed_by_surfaces_that_show_their_colours_alone) {
 }
 
 TEST(DefaultLight, comes_from_above_left_of_the_viewer) {
-  Scene scene = scene_of({});
+  Scene scene = scene_of(MetallicRoughness{});
   add_default_light(scene);
   const Vec3f direction = glm::inverse(default_view()) * direction_of_light(scene);  // as the viewer sees it
   EXPECT_GT(direction.x, 0.0f);                                                      // towards the right,
@@ -94,8 +117,16 @@ TEST(DefaultLight, comes_from_above_left_of_the_viewer) {
   EXPECT_NO_THROW(validate(scene, "scene"));
 }
 
+TEST(DefaultLight, leaves_a_background_as_it_is) {
+  Scene scene = scene_of(MetallicRoughness{});
+  scene.background.zenith = Vec3f(0.1f, 0.2f, 0.3f);
+  add_default_light(scene);
+  EXPECT_EQ(scene.background.zenith, Vec3f(0.1f, 0.2f, 0.3f));
+  EXPECT_EQ(scene.background.horizon, Vec3f(0.0f));
+}
+
 TEST(DefaultLight, comes_from_above_left_of_the_camera) {
-  Scene scene = scene_of({});
+  Scene scene = scene_of(MetallicRoughness{});
   Node node;
   const float half_root = std::sqrt(0.5f);
   node.local.rotation = {half_root, 0, half_root, 0};  // looks along -x
