@@ -1,6 +1,6 @@
 // What pooling the samples of neighbouring views is worth, and what it costs: views of 1, 2 and 4 samples per pixel, resolved
-// from their own samples alone and from those of their neighbours (view_resolver.hpp), held to references of many samples. Whitted's
-// shading, whose samples have no noise of their own; nothing is adaptive.
+// from their own samples alone and from those of their neighbours (view_resolver.hpp), held to references of many samples.
+// Whitted's shading, whose samples have no noise of their own; nothing is adaptive.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -72,8 +72,7 @@ float stratified(int index, int axis, std::uint32_t pixel) {
 class ResolveStage {
  public:
   ResolveStage(const std::string& scene, const ViewRow& row, int pixels, const Context& context)
-      : row_(row),
-        pixels_(pixels),
+      : pixels_(pixels),
         context_(context),
         pool_(1),
         params_(resolve_params(scene, row, pixels)),
@@ -163,7 +162,6 @@ class ResolveStage {
     return film;
   }
 
-  const ViewRow& row_;
   int pixels_;
   const Context& context_;
   ThreadPool pool_;

@@ -107,7 +107,8 @@ class Landing {
 
   /// Whether all of the view's own samples in the four cells around a place are of nearer surfaces.
   bool is_hidden(const Place& place, float shift) const {
-    const float x = static_cast<float>(cells_) * place.x, y = static_cast<float>(cells_) * (static_cast<float>(place.row) + place.dy);
+    const float x = static_cast<float>(cells_) * place.x,
+                y = static_cast<float>(cells_) * (static_cast<float>(place.row) + place.dy);
     const int column = static_cast<int>(x), row = static_cast<int>(y);
     const int across = x - static_cast<float>(column) < 0.5f ? -1 : 1, down = y - static_cast<float>(row) < 0.5f ? -1 : 1;
     const float farthest = std::max(std::max(farthest_at(column, row), farthest_at(column + across, row)),

@@ -1,5 +1,5 @@
-// A view of a light field from one or a few samples per pixel of itself and of its neighbours: samples are landed where their points lie
-// in the view, those that it hides are dropped, and every pixel is resolved from what lies within it.
+// A view of a light field from one or a few samples per pixel of itself and of its neighbours: samples are landed where their
+// points lie in the view, those that it hides are dropped, and every pixel is resolved from what lies within it.
 //
 // Based on: Lehtinen, Aila, Chen, Laine, Durand, "Temporal light field reconstruction for rendering distribution effects", ACM
 // Trans. Graph. 30(4), 2011: reprojection by each sample's own disparity, visibility from the samples themselves. We deviate:

@@ -89,9 +89,8 @@ bool lacks_lamps(const Scene& scene) {
 OwnLight own_light(const Scene& scene) {
   const Background& sky = scene.background;
   if (sky.map || sky.horizon != Vec3f(0.0f) || sky.zenith != Vec3f(0.0f)) return OwnLight::kSurroundings;
-  const bool is_lit = std::any_of(scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {
-    return is_lit_by_lamps(material_of(scene, instance));
-  });
+  const bool is_lit = std::any_of(scene.instances.begin(), scene.instances.end(),
+                                  [&](const Instance& instance) { return is_lit_by_lamps(material_of(scene, instance)); });
   if (!is_lit) return OwnLight::kNotNeeded;
   return scene.lights.empty() && !has_shining_lamps(scene) ? OwnLight::kNone : OwnLight::kLamps;
 }

@@ -9,7 +9,8 @@ namespace lippmann {
 /// nothing: Whitted's shading carries it nowhere. A Phong surface with ambient light is as dark as its author made it.
 bool lacks_lamps(const Scene& scene);
 
-/// A key light from above left of the viewer and, where all is dark, a dim background. The viewer is the first camera, or has the default view.
+/// A key light from above left of the viewer and, where all is dark, a dim background. The viewer is the first camera, or has
+/// the default view.
 void add_default_light(Scene& scene);
 
 /// How the viewer is turned: -z and y go where the first camera looks and has its top, or as in the default view.

@@ -75,11 +75,12 @@ LIPPMANN_INLINE BsdfValue MetalRoughLanes::evaluate(int i, const GgxAlbedo& albe
   bool is_behind = false;
   if constexpr (with_glass) {
     const Glass part = glass(i);
+    const float glass_share = glass_share_[i];
     float of_glass;
     const Vec3f glassy = glass_cosine_f(part, b.alpha, b.view, local, of_glass);
-    const bool is_glass = (glass_share_[i] > 0.0f) & !b.is_smooth();
+    const bool is_glass = (glass_share > 0.0f) & !b.is_smooth();
     cosine_f += Vec3f(is_glass ? glassy.x : 0.0f, is_glass ? glassy.y : 0.0f, is_glass ? glassy.z : 0.0f);
-    density += is_glass ? glass_share_[i] * of_glass : 0.0f;
+    density += is_glass ? glass_share * of_glass : 0.0f;
     is_behind = (part.share > 0.0f) & (cosine < 0.0f) & (local.z < 0.0f);
   }
   return {cosine_f, density, is_behind};
