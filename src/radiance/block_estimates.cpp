@@ -28,7 +28,11 @@ constexpr float kGrowth = 1.0f / (1.0f + kErrorFall);
 /// Luminance above it, as far as codes tell it apart: white is white, and black black.
 constexpr float kBlack = 0.003f;
 
-LIPPMANN_INLINE float shown(float luminance) { return std::min(std::max(luminance, kBlack), 1.0f); }
+// std::min() and std::max() take references, which keep a loop from being made wide.
+LIPPMANN_INLINE float smaller(float a, float b) { return b < a ? b : a; }
+LIPPMANN_INLINE float larger(float a, float b) { return a < b ? b : a; }
+
+LIPPMANN_INLINE float shown(float luminance) { return smaller(larger(luminance, kBlack), 1.0f); }
 
 /// The value of sRGB's curve (0 ... 1), but for what is nearly black.
 LIPPMANN_INLINE float fast_code_of(float luminance) { return 1.055f * fast_pow(shown(luminance), 1.0f / 2.4f) - 0.055f; }
@@ -95,40 +99,44 @@ LIPPMANN_MULTIVERSION void find_wanted(float have, float error, float worst, Blo
     const float* mean = block.mean + kLanes + e;
     const float* scatter = block.scatter + kLanes + e;
     const float* clear = block.clear + kLanes + e;
-    float around = 0.0f, level = 0.0f, known = 0.0f, clear_around = 0.0f, edge = 0.0f;
+    const float own_mean = mean[0], own_scatter = scatter[0], own_clear = clear[0];
+    float around = 0.0f, level = 0.0f, known = 0.0f, clear_around = 0.0f;
     float least = std::numeric_limits<float>::max(), most = 0.0f;
-    for (const int step : {-1, 1, -across, across}) {
-      const bool inside = (e + step >= 0) & (e + step < size);
+    const auto is_inside = [&](int step) LIPPMANN_INLINE_LAMBDA { return (e + step >= 0) & (e + step < size); };
+    const auto look_at = [&](int step) LIPPMANN_INLINE_LAMBDA {
+      const bool inside = is_inside(step);
+      const float its_mean = mean[step];
       around += inside ? scatter[step] : 0.0f;
-      level += inside ? shown(mean[step]) : 0.0f;
+      level += inside ? shown(its_mean) : 0.0f;
       known += inside ? 1.0f : 0.0f;
       clear_around += inside ? clear[step] : 0.0f;
-      least = std::min(least, inside ? mean[step] : least);
-      most = std::max(most, inside ? mean[step] : most);
-    }
-    const float each = 1.0f / std::max(known, 1.0f);
+      least = smaller(least, inside ? its_mean : least);
+      most = larger(most, inside ? its_mean : most);
+    };
+    look_at(-1), look_at(1), look_at(-across), look_at(across);
+    const float each = 1.0f / larger(known, 1.0f);
     around *= each, level *= each, clear_around *= each;
     // What the pixel is taken to be like: itself, once it has a say, or else what is around it, as it is shown: a mean with
     // what is overexposed would be white.
-    const float like = has_say ? mean[0] : level, clear_like = has_say ? clear[0] : clear_around;
-    for (const int step : {-1, 1, -across, across}) {
-      const bool inside = (e + step >= 0) & (e + step < size);
-      edge = std::max(edge, inside ? std::abs(clear[step] - clear_like) : 0.0f);
-    }
-    float variance = known > 0.0f ? around + own_share * (scatter[0] - around) : scatter[0];
-    variance = has_say ? std::max(variance, block.sure[e]) : variance;
-    variance += known > 0.0f ? missed(like, most, have, weight) + missed(like, least, have, weight) : 0.0f;
-    edge /= have + 2.0f;
+    const float like = has_say ? own_mean : level, clear_like = has_say ? own_clear : clear_around;
+    const auto edge_at = [&](int step)
+                             LIPPMANN_INLINE_LAMBDA { return is_inside(step) ? std::abs(clear[step] - clear_like) : 0.0f; };
+    const float edge = larger(larger(edge_at(-1), edge_at(1)), larger(edge_at(-across), edge_at(across))) / (have + 2.0f);
+    const float sure = has_say ? block.sure[e] : 0.0f, before = block.before[e];
+    float variance = known > 0.0f ? around + own_share * (own_scatter - around) : own_scatter;
+    variance = larger(variance, sure);
+    const float both_missed = missed(like, most, have, weight) + missed(like, least, have, weight);
+    variance += known > 0.0f ? both_missed : 0.0f;
     variance += block.alpha_weight * weight * edge * edge;
-    variance = std::max(std::max(variance, block.before[e]), std::numeric_limits<float>::min());
+    variance = larger(larger(variance, before), std::numeric_limits<float>::min());
     // Their paths are as good as independent: errors fall as the root of their number, and not faster.
     const float of_paths = std::sqrt(inverse * block.path_scatter * block.left_to_paths[e] / block.samples[e]);
     // Noise is no edge: it scatters by more than neighbours differ by, and is to be as strong as the mean allows.
-    const float high = has_say ? std::max(most, mean[0]) : most, low = has_say ? std::min(least, mean[0]) : least;
-    const float step = fast_code_of(high) - fast_code_of(low), of_step = std::min(0.25f * step * step, kEdgeScatter);
-    const float of_edge = std::max(std::min(variance, of_step) * of_worst, std::numeric_limits<float>::min());
-    const float of_light = std::max(fast_pow(variance * inverse, kGrowth), fast_pow(of_edge, 1.0f / kErrorFall));
-    block.wanted[e] = std::max(of_light, of_paths);
+    const float high = has_say ? larger(most, own_mean) : most, low = has_say ? smaller(least, own_mean) : least;
+    const float step = fast_code_of(high) - fast_code_of(low), of_step = smaller(0.25f * step * step, kEdgeScatter);
+    const float of_edge = larger(smaller(variance, of_step) * of_worst, std::numeric_limits<float>::min());
+    const float of_light = larger(fast_pow(variance * inverse, kGrowth), fast_pow(of_edge, 1.0f / kErrorFall));
+    block.wanted[e] = larger(of_light, of_paths);
   }
 }
 

@@ -1,7 +1,10 @@
 #include "radiance/setup_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "radiance/block_estimates.hpp"
 
 namespace lippmann {
 namespace {
@@ -20,6 +23,15 @@ constexpr float kSmallestPart = 0.25f;
 float most_of_cells(int rounds) { return rounds <= 4 ? 0.4f : rounds <= 8 ? 0.7f : 1.0f; }
 
 }  // namespace
+
+bool updates_pay(const SetupOutcome& outcome, double rays, double rays_of_updates) {
+  // Light is measured again, too, and what an edge takes stays.
+  constexpr double kWorth = 2.0;
+  // Cells make half the error then; samples fall as what is left to them to the power of one over kErrorFall.
+  const double of_cells = std::clamp(static_cast<double>(outcome.of_cells), 0.0, 0.9);
+  const double left = std::pow((1.0 - of_cells) / (1.0 - 0.5 * of_cells), 1.0 / static_cast<double>(kErrorFall));
+  return rays * (1.0 - left) > kWorth * rays_of_updates;
+}
 
 bool SetupSearch::updates_more(const SetupOutcome& outcome) const {
   return current_.rounds < kFewRounds || (has_helped(outcome) && 2 * current_.rounds <= kMostRounds);

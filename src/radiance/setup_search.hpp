@@ -24,6 +24,10 @@ struct SetupOutcome {
   float of_cells = 0.0f;  ///< share of the allowed error that cells make
 };
 
+/// Whether twice the updates of a good setup may save clearly more samples of pixels than they cost. rays: what the pixels of
+/// all frames are going to take with it; rays_of_updates: what its updates took.
+bool updates_pay(const SetupOutcome& outcome, double rays, double rays_of_updates);
+
 /// More light where cells are too noisy; the sky sampled at every point where cells blur its shadows; smaller cells where it is
 /// other light that they blur. What has not helped is not tried again.
 class SetupSearch {

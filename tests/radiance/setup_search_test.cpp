@@ -32,6 +32,18 @@ TEST(SetupSearch, cells_that_make_most_of_the_error_are_fed_more_though_frames_a
   EXPECT_EQ(search.good()->rounds, 8);
 }
 
+/// Where cells make 0.4 of the error, half of that leaves 0.8 to pixels in place of 0.6: (0.6 / 0.8)^(1 / 1.6) = 0.835 of
+/// their samples.
+TEST(SetupSearch, more_updates_pay_where_enough_frames_gain_by_them) {
+  const SetupOutcome outcome{true, 0.9f, 0.4f};
+  constexpr double kOfFrame = 1000.0;
+  EXPECT_TRUE(updates_pay(outcome, kOfFrame, 82.0)) << "165 saved";
+  EXPECT_FALSE(updates_pay(outcome, kOfFrame, 83.0));
+  EXPECT_TRUE(updates_pay(outcome, 16 * kOfFrame, 1300.0));
+  EXPECT_FALSE(updates_pay({true, 0.9f, 0.0f}, 16 * kOfFrame, 1.0)) << "cells err by nothing";
+  EXPECT_TRUE(updates_pay({true, 0.9f, 1.0f}, kOfFrame, 300.0)) << "all of the error: 0.35 of the samples are left";
+}
+
 TEST(SetupSearch, far_from_good_four_times_the_updates_are_tried_at_once) {
   SetupSearch search(true, kFirst);
   ASSERT_TRUE(search.go_on({false, 8.0f, 1.0f}));
