@@ -80,12 +80,12 @@ class Landing {
   int at(int column, int row) const {
     return std::clamp(row, 0, into_.height - 1) * into_.width + std::clamp(column, 0, into_.width - 1);
   }
-  /// By cell of the view.
-  float& farthest_at(int column, int row) {
+  /// A cell of the view.
+  std::size_t cell(int column, int row) const {
     column = std::clamp(column, 0, cells_ * into_.width - 1), row = std::clamp(row, 0, cells_ * into_.height - 1);
-    return farthest_[static_cast<std::size_t>(row * cells_ * into_.width + column)];
+    return static_cast<std::size_t>(row * cells_ * into_.width + column);
   }
-  float farthest_at(int column, int row) const { return const_cast<Landing&>(*this).farthest_at(column, row); }
+  float farthest_at(int column, int row) const { return farthest_[cell(column, row)]; }
 
   /// A cell in which no sample of the view's own lies has that of the pixel which is farthest.
   void set_farthest(const std::vector<const ViewSamples*>& own) {
@@ -95,13 +95,13 @@ class Landing {
     const auto cells = static_cast<float>(cells_);
     for (const ViewSamples* view : own)
       for (std::size_t i = 0; i < of_pixel.size(); ++i) {
-        float& of_cell = farthest_at(static_cast<int>(cells * view->x[i]), static_cast<int>(cells * view->y[i]));
+        float& of_cell = farthest_[cell(static_cast<int>(cells * view->x[i]), static_cast<int>(cells * view->y[i]))];
         of_cell = std::max(of_cell, view->shift[i]);
         of_pixel[i] = std::max(of_pixel[i], view->shift[i]);
       }
     for (int row = 0; row < cells_ * into_.height; ++row)
       for (int column = 0; column < cells_ * into_.width; ++column)
-        if (float& of_cell = farthest_at(column, row); of_cell == kNone)
+        if (float& of_cell = farthest_[cell(column, row)]; of_cell == kNone)
           of_cell = of_pixel[static_cast<std::size_t>(at(column / cells_, row / cells_))];
   }
 
