@@ -25,7 +25,8 @@ enum class OwnLight {
 };
 
 /// Surfaces shine as lamps do where they matter: what those of one colour emit, on average over the area of all surfaces, is at
-/// least 0.02. Weaker glow (the tail lights of a car) lights nothing, and pictures that shine are taken for decoration.
+/// least 0.02. Weaker glow (the tail lights of a car) lights nothing, and pictures that shine are taken for decoration. Phong
+/// surfaces that emit, or shine as backdrops do, are lamps whatever their size: their authors have lit the scene.
 OwnLight own_light(const Scene& scene);
 
 }  // namespace lippmann

@@ -75,6 +75,17 @@ TEST(ViewResolver, what_the_view_cannot_see_is_dropped) {
   EXPECT_EQ(pixel(picture, 7), 0.0f);
 }
 
+// The strip begins in the middle of pixel 6, as four samples of the view's own tell: background that another view lands in the
+// strip's half is hidden, though the pixel shows background, too. It has two samples of either, and the strip of the other
+// view.
+TEST(ViewResolver, four_samples_of_the_view_tell_what_is_hidden_within_a_pixel) {
+  const auto strip = [](float x, float) { return x >= 6.5f && x < 9.0f ? Seen{0.0f, 0.0f, 0} : Seen{1.0f, 1.0f, 1}; };
+  std::vector<ViewSamples> views{view_from(0.0, 0.75f, 0.75f, strip)};
+  for (const float dx : {0.25f, 0.75f})
+    for (const float dy : {0.25f, 0.75f}) views.push_back(view_from(1.0, dx, dy, strip));
+  EXPECT_FLOAT_EQ(pixel(resolve_view(views, 1, 4, kSameSurface, Resolver::kCount), 6), 0.4f);
+}
+
 // A mirror that looks different from every eye keeps the view's own light, and its edge is known from all.
 TEST(ViewResolver, light_that_depends_on_the_view_stays_in_it) {
   const auto mirror = [](float x, float eye_mm) {
