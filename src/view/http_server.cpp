@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 #include <httplib.h>
+#include <netinet/in.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <condition_variable>
@@ -20,21 +23,19 @@
 namespace lippmann {
 namespace {
 
-constexpr std::size_t kServingThreads = 32, kMostWaiting = 32;
-constexpr int kReadSeconds = 3, kWriteSeconds = 15, kIdleSeconds = 1;
+constexpr std::size_t kServingThreads = 128, kMostWaiting = 32;
+constexpr int kReadSeconds = 3, kWriteSeconds = 15;
 constexpr std::size_t kRequestsOfAConnection = 1000, kMostPosted = std::size_t{1} << 20;
 
-/// Threads that serve connections. Where all are busy and enough wait, whoever accepts connections waits too.
+/// Threads that serve connections, begun when they are needed. Where all are busy and enough wait, whoever accepts connections
+/// waits too.
 class BoundedQueue : public httplib::TaskQueue {
  public:
-  BoundedQueue() {
-    for (std::size_t i = 0; i < kServingThreads; ++i) threads_.emplace_back([this] { serve(); });
-  }
-
   void enqueue(std::function<void()> task) override {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return tasks_.size() < kMostWaiting || ending_; });
     tasks_.push_back(std::move(task));
+    if (tasks_.size() > resting_ && threads_.size() < kServingThreads) threads_.emplace_back([this] { serve(); });
     changed_.notify_all();
   }
 
@@ -53,7 +54,9 @@ class BoundedQueue : public httplib::TaskQueue {
       std::function<void()> task;
       {
         std::unique_lock lock(mutex_);
+        ++resting_;
         changed_.wait(lock, [this] { return !tasks_.empty() || ending_; });
+        --resting_;
         if (tasks_.empty()) return;
         task = std::move(tasks_.front());
         tasks_.pop_front();
@@ -67,6 +70,7 @@ class BoundedQueue : public httplib::TaskQueue {
   std::condition_variable changed_;
   std::deque<std::function<void()>> tasks_;
   bool ending_ = false;
+  std::size_t resting_ = 0;
   std::vector<std::thread> threads_;
 };
 
@@ -99,6 +103,24 @@ void respond(const PageAnswer& answer, httplib::Response& response) {
                                 [body = answer.body](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
                                   return sink.write(body->data() + offset, length);
                                 });
+}
+
+/// The port that a socket of this end has.
+int local_port(int socket) {
+  sockaddr_storage address{};
+  socklen_t size = sizeof address;
+  if (getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size) != 0) return 0;
+  if (address.ss_family == AF_INET) return ntohs(reinterpret_cast<const sockaddr_in&>(address).sin_port);
+  return address.ss_family == AF_INET6 ? ntohs(reinterpret_cast<const sockaddr_in6&>(address).sin6_port) : 0;
+}
+
+/// Connections to a port on which nobody speaks are ended, as if their clients had gone: cpp-httplib would wait for these.
+void end_connections(int port) {
+  rlimit limit{};
+  getrlimit(RLIMIT_NOFILE, &limit);
+  const int most = static_cast<int>(std::min<rlim_t>(limit.rlim_cur, 1 << 16));
+  for (int socket = 3; socket < most; ++socket)
+    if (local_port(socket) == port) shutdown(socket, SHUT_RD);
 }
 
 std::string in_address(const std::string& host) { return host.find(':') == std::string::npos ? host : "[" + host + "]"; }
@@ -137,7 +159,7 @@ std::string random_token() {
   return token;
 }
 
-HttpServer::HttpServer(const std::string& host, std::optional<int> port) : impl_(std::make_unique<Impl>()) {
+HttpServer::HttpServer(const std::string& host, std::optional<int> port, int idle_seconds) : impl_(std::make_unique<Impl>()) {
   httplib::Server& server = impl_->server;
   server.new_task_queue = [] { return new BoundedQueue; };
   // An address in use stays in use: the default would share it with whoever has it.
@@ -146,7 +168,7 @@ HttpServer::HttpServer(const std::string& host, std::optional<int> port) : impl_
     setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   });
   server.set_read_timeout(kReadSeconds).set_write_timeout(kWriteSeconds);
-  server.set_keep_alive_timeout(kIdleSeconds).set_keep_alive_max_count(kRequestsOfAConnection);
+  server.set_keep_alive_timeout(idle_seconds).set_keep_alive_max_count(kRequestsOfAConnection);
   server.set_payload_max_length(kMostPosted);
   server.set_tcp_nodelay(true);
   server.set_default_headers(safe_headers());
@@ -180,7 +202,11 @@ void HttpServer::run(PageAnswers& answers, const std::atomic<bool>& stopped) {
   std::atomic<bool> ended{false};
   std::thread watch([&] {
     while (!stopped && !ended) std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    while (!ended) server.stop(), std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    while (!ended) {
+      server.stop();
+      end_connections(impl_->port);
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
   });
   server.listen_after_bind();
   ended = true;

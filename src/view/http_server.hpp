@@ -1,6 +1,6 @@
 // Answers requests over HTTP: the sockets of `lippmann view`, and what bounds them.
 //
-// At most 32 requests are under way at once and as many wait; beyond that connections wait in the system's own short queue. A
+// At most 128 connections are served at once and 32 wait; beyond that connections wait in the system's own short queue. A
 // client that says nothing, or takes nothing, for some seconds is dropped.
 #pragma once
 
@@ -30,8 +30,13 @@ class HttpServer {
  public:
   static constexpr int kUsualPort = 8488;
 
-  /// Takes the port: the one given (0: any that is free), or without one the usual, and any where that is taken. Throws Error.
-  HttpServer(const std::string& host, std::optional<int> port);
+  /// On a busy machine browsers open connections seconds before they speak, and a page whose connection is closed by then may
+  /// stay empty.
+  static constexpr int kUsualIdleSeconds = 15;
+
+  /// Takes the port: the one given (0: any that is free), or without one the usual, and any where that is taken. Who says
+  /// nothing for so many seconds is dropped. Throws Error.
+  HttpServer(const std::string& host, std::optional<int> port, int idle_seconds = kUsualIdleSeconds);
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;

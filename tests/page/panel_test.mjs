@@ -66,14 +66,13 @@ test("a panel's own frames are played as they are, and on another panel as views
 test("frames play in a loop, of which all is loaded once", async () => {
   const asked = [];
   const page = await open(await play("room", "--display", calibration("loop-panel")), { onRequest: (url) => asked.push(url) });
-  await page.waitForFunction(() => window.lippmann.isPlaying && window.lippmann.state.frame === 3, null, { timeout: 20000 });
-  await page.waitForFunction(() => window.lippmann.state.frame === 0, null, { timeout: 20000 });
+  await page.waitForFunction(() => window.lippmann.isPlaying && window.lippmann.state.frame === 3, null, { timeout: 60000 });
+  await page.waitForFunction(() => window.lippmann.state.frame === 0, null, { timeout: 60000 });
   const pictures = () => asked.filter((url) => /\/views\/\d+$/.test(url));
   assert.equal(pictures().length, 4);
   const shown = await page.evaluate(async () => {
     const frames = [];
-    const start = performance.now();
-    while (performance.now() - start < 1500) {
+    while (frames.length < 9) {
       await new Promise(requestAnimationFrame);
       const { drawn, frame } = document.querySelector("#stage").dataset;
       if (drawn !== "true") frames.push("none");
@@ -81,7 +80,6 @@ test("frames play in a loop, of which all is loaded once", async () => {
     }
     return frames;
   });
-  assert.ok(shown.length > 8, `${shown}`);
   assert.ok(!shown.includes("none"), `nothing is shown between ${shown}`);
   assert.equal(pictures().length, 4, "frames are loaded again");
   // Each frame that is played is the one that convert makes.

@@ -94,7 +94,8 @@ async function serve(...words) {
   server.stderr.on("data", (text) => (errors += text));
   return new Promise((resolve, reject) => {
     server.stdout.once("data", (text) => resolve(String(text).trim()));
-    server.once("exit", () => reject(new Error(errors)));
+    // Not "exit": what it has said may still be on its way then.
+    server.once("close", () => reject(new Error(errors)));
   });
 }
 

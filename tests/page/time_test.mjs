@@ -34,13 +34,13 @@ test("buttons and keys step and play", async () => {
   assert.equal(await frame(), 5);
   await set(page, { frame: 0, loop: false });
   await page.getByRole("button", { name: "Play" }).click();
-  await page.waitForFunction(() => window.lippmann.state.frame === 5, null, { timeout: 20000 });
+  await page.waitForFunction(() => window.lippmann.state.frame === 5, null, { timeout: 60000 });
   await page.getByRole("button", { name: "Play" }).waitFor();
   assert.equal(await frame(), 5);
   await set(page, { frame: 3, loop: true });
   await page.locator("#canvas").focus();
   await page.keyboard.press(" ");
-  await page.waitForFunction(() => window.lippmann.state.frame < 3, null, { timeout: 20000 });
+  await page.waitForFunction(() => window.lippmann.state.frame < 3, null, { timeout: 60000 });
   await page.getByRole("button", { name: "Pause" }).click();
 });
 

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <list>
 #include <thread>
 #include <vector>
@@ -24,7 +25,7 @@ using testing::Not;
 
 class Server : public testing::Test {
  protected:
-  Server() : server_("127.0.0.1", 0) {
+  explicit Server(int idle_seconds = HttpServer::kUsualIdleSeconds) : server_("127.0.0.1", 0, idle_seconds) {
     test::write_sheet_frames(dir_.path(), 3);
     answers_ = std::make_unique<PageAnswers>(test::fields_of(dir_.path()), PageAccess{page_hosts("127.0.0.1", port()), {}});
     serving_ = std::thread([this] { server_.run(*answers_, stopped_); });
@@ -126,11 +127,32 @@ TEST_F(Server, garbage_is_no_end_of_it) {
   EXPECT_EQ(status("/fields.json"), 200);
 }
 
+class ServerThatDropsTheSilent : public Server {
+ protected:
+  ServerThatDropsTheSilent() : Server(1) {}
+};
+
 // More than there are threads and places to wait. Who says nothing is dropped; then others are served.
-TEST_F(Server, many_silent_connections_are_dropped_and_it_serves_again) {
+TEST_F(ServerThatDropsTheSilent, serves_again_after_many_silent_connections) {
   std::list<RawConnection> silent;
-  for (int i = 0; i < 72; ++i) silent.emplace_back(port());
+  for (int i = 0; i < 163; ++i) {
+    silent.emplace_back(port());
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));  // or the system's queue fills, and it waits for seconds
+  }
   silent.front().send("GET / HT");
+  EXPECT_EQ(status("/fields.json"), 200);
+}
+
+class ServerThatWaitsForAnHour : public Server {
+ protected:
+  ServerThatWaitsForAnHour() : Server(3600) {}
+};
+
+// A test that would not end if the server waited for those who say nothing, before a request and after one.
+TEST_F(ServerThatWaitsForAnHour, ends_at_once_though_connections_are_open) {
+  RawConnection silent(port()), spoken(port());
+  spoken.send("GET /fields.json HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port()) + "\r\n\r\n");
+  EXPECT_THAT(spoken.receive(0.5), HasSubstr("200 OK"));
   EXPECT_EQ(status("/fields.json"), 200);
 }
 
