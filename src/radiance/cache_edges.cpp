@@ -5,7 +5,10 @@
 // Light that changes evenly is interpolated without error; what is left is its second difference, from a cell to those on both
 // sides of it. That of a step is the step itself at every size of cells, and larger cells are the more certain of it: where one
 // of them is at an edge, cells within it are that bend at all.
+#include <array>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "radiance/cell_keys.hpp"
 #include "radiance/measured_codes.hpp"
@@ -51,39 +54,80 @@ RadianceCache::Bend RadianceCache::bend(const Cell& cell, const Cell& before, co
   return {seen, squared(difference) > squared(kSure) * chance ? seen : EdgesToPaths::kNone};
 }
 
-/// The strongest of the 13 directions in which there are neighbours on both sides.
-RadianceCache::Bend RadianceCache::bend(const Cell& cell) const {
-  constexpr int kCube = 27;  // one cell, in the middle, and those around it
-  if (cell.samples < kLeastSamples) return {};
-  const glm::i64vec3 at = cell_at(cell.center, cell.exponent);
-  const std::uint64_t base = base_key(cell.thing, cell.part, cell.exponent);
-  const auto neighbour = [&](glm::i64vec3 step) {
-    const Cell* const found = cell_of(key_of(base, at + step));
-    return found && found->samples >= kLeastSamples ? found : nullptr;
-  };
-  Bend most;
-  for (int n = kCube / 2 + 1; n < kCube; ++n) {
-    const glm::i64vec3 step(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
-    const Cell* const after = neighbour(step);
-    const Cell* const before = after ? neighbour(-step) : nullptr;
-    if (!before) continue;
-    const Bend along = bend(cell, *before, *after);
-    most.seen = stronger(most.seen, along.seen), most.sure = stronger(most.sure, along.sure);
+namespace {
+
+/// Directions from a cell to those around it, each with its opposite left out: half of a cube of 27 cells.
+constexpr std::size_t kDirections = 13;
+/// So many cells' neighbours are looked for at once: memory is slow, but answers many questions at a time.
+constexpr std::size_t kBatch = 8;
+
+std::array<glm::i64vec3, kDirections> directions() {
+  std::array<glm::i64vec3, kDirections> steps{};
+  for (int i = 0; i < static_cast<int>(kDirections); ++i) {
+    const int n = static_cast<int>(kDirections) + 1 + i;
+    steps[static_cast<std::size_t>(i)] = {n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
   }
-  return most;
+  return steps;
 }
 
-void RadianceCache::find_edges(const SlotsBySize& by_size, const ThreadPool& pool) {
-  for (const auto& [exponent, slots] : by_size)
-    for_each_of_size(pool, slots, [this](Cell& cell, Slot&) { cell.bend = bend(cell); });
-  for (const auto& [exponent, slots] : by_size)
-    for_each_of_size(pool, slots, [this](Cell& cell, Slot&) {
+}  // namespace
+
+/// Cell::bend of kBatch cells at most: the strongest of the directions in which there are neighbours on both sides.
+void RadianceCache::find_bends(std::span<Cell* const> cells) const {
+  static const std::array<glm::i64vec3, kDirections> kSteps = directions();
+  struct Around {
+    std::uint64_t after, before;  ///< keys
+    const Cell *cell_after, *cell_before;
+  };
+  std::array<std::array<Around, kDirections>, kBatch> around;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const glm::i64vec3 at = cell_at(cells[c]->center, cells[c]->exponent);
+    const std::uint64_t base = base_key(cells[c]->thing, cells[c]->part, cells[c]->exponent);
+    for (std::size_t d = 0; d < kDirections; ++d) {
+      around[c][d] = {key_of(base, at + kSteps[d]), key_of(base, at - kSteps[d]), nullptr, nullptr};
+      for (const std::uint64_t key : {around[c][d].after, around[c][d].before}) prefetch(key);
+    }
+  }
+  const auto neighbour = [&](std::uint64_t key) {
+    const Cell* const cell = cell_of(key);
+    if (cell) __builtin_prefetch(&cell->samples);
+    return cell;
+  };
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    for (Around& one : around[c])
+      if ((one.cell_after = neighbour(one.after))) one.cell_before = neighbour(one.before);
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    Bend most;
+    for (const Around& one : around[c]) {
+      if (!one.cell_before || one.cell_after->samples < kLeastSamples || one.cell_before->samples < kLeastSamples) continue;
+      const Bend along = bend(*cells[c], *one.cell_before, *one.cell_after);
+      most.seen = stronger(most.seen, along.seen), most.sure = stronger(most.sure, along.sure);
+    }
+    cells[c]->bend = most;
+  }
+}
+
+void RadianceCache::find_edges(const PlacesBySize& by_size, const ThreadPool& pool) {
+  pool.for_each(kShards, [&](std::size_t s) {
+    std::vector<Cell*> batch;
+    const auto find = [&] { find_bends(batch), batch.clear(); };
+    for (Cell& cell : shards_[s].cells) {
+      cell.bend = {};
+      if (cell.samples < kLeastSamples) continue;
+      batch.push_back(&cell);
+      if (batch.size() == kBatch) find();
+    }
+    find();
+  });
+  for (const auto& [exponent, places] : by_size)
+    for_each_of_size(pool, places, [this](Cell& cell, Slot&) {
       const Cell* const parent = cell.bend.seen == EdgesToPaths::kNone ? nullptr : parent_of(cell);
       cell.edge = stronger(cell.bend.sure, parent ? weaker(cell.bend.seen, parent->bend.sure) : EdgesToPaths::kNone);
     });
   // Now that no slot is looked for any more.
-  for (const auto& [exponent, slots] : by_size)
-    for_each_of_size(pool, slots, [](const Cell& cell, Slot& slot) { slot.edge = static_cast<std::uint32_t>(cell.edge) & 3u; });
+  for (const auto& [exponent, places] : by_size)
+    for_each_of_size(pool, places,
+                     [](const Cell& cell, Slot& slot) { slot.edge = static_cast<std::uint32_t>(cell.edge) & 3u; });
 }
 
 }  // namespace lippmann

@@ -43,13 +43,16 @@ float fourth_root(float x) { return std::sqrt(std::sqrt(std::max(x, 0.0f))); }
 
 }  // namespace
 
-void RadianceCache::Moments::add(Vec3f light) {
+RadianceCache::Sample::Sample(Vec3f arrived)
+    : light(arrived), luminance(lippmann::luminance(arrived)), root(fourth_root(luminance)) {}
+
+void RadianceCache::Moments::add(const Sample& sample) {
   count += 1.0f;
-  const float share = 1.0f / count, y = luminance(light), r = fourth_root(y);
-  mean += share * (light - mean);
-  square += share * (squared(y) - square);
-  root += share * (r - root);
-  root_square += share * (squared(r) - root_square);
+  const float share = 1.0f / count;
+  mean += share * (sample.light - mean);
+  square += share * (squared(sample.luminance) - square);
+  root += share * (sample.root - root);
+  root_square += share * (squared(sample.root) - root_square);
 }
 
 void RadianceCache::Moments::add(const Moments& more) {
@@ -66,16 +69,18 @@ float RadianceCache::Moments::variance() const { return std::max(0.0f, square - 
 
 float RadianceCache::Moments::root_variance() const { return std::max(0.0f, root_square - squared(root)); }
 
-RadianceCache::SlotsBySize RadianceCache::slots_by_size(const ThreadPool& pool) const {
-  std::array<std::map<int, std::vector<std::uint32_t>>, kShards> of_shard;
+RadianceCache::PlacesBySize RadianceCache::places_by_size(const ThreadPool& pool) const {
+  std::array<std::map<int, std::vector<Place>>, kShards> of_shard;
   pool.for_each(kShards, [&](std::size_t s) {
     const Shard& shard = shards_[s];
+    std::vector<std::uint32_t> slot_of(shard.cells.size());
     for (std::uint32_t i = 0; i < shard.slots.size(); ++i)
-      if (shard.slots[i].key != 0) of_shard[s][shard.cells[shard.slots[i].cell].exponent].push_back(i);
+      if (shard.slots[i].key != 0) slot_of[shard.slots[i].cell] = i;
+    for (std::uint32_t c = 0; c < slot_of.size(); ++c) of_shard[s][shard.cells[c].exponent].push_back({c, slot_of[c]});
   });
-  SlotsBySize all;
+  PlacesBySize all;
   for (std::size_t s = 0; s < kShards; ++s)
-    for (auto& [exponent, slots] : of_shard[s]) all[exponent][s] = std::move(slots);
+    for (auto& [exponent, places] : of_shard[s]) all[exponent][s] = std::move(places);
   return all;
 }
 
@@ -109,8 +114,8 @@ float RadianceCache::outdated(const Cell& cell, const Cell& parent, float moved)
 
 void RadianceCache::begin_frame(const Motion& moved, const ThreadPool& pool) {
   link_parents(pool);
-  for (const auto& [exponent, slots] : slots_by_size(pool))
-    for_each_of_size(pool, slots, [&](Cell& cell, Slot&) {
+  for (const auto& [exponent, places] : places_by_size(pool))
+    for_each_of_size(pool, places, [&](Cell& cell, Slot&) {
       const Cell* parent = parent_of(cell);
       cell.keep = parent ? std::min(parent->keep, outdated(cell, *parent, moved(cell.thing, cell.center))) : 1.0f;
     });
@@ -126,8 +131,8 @@ void RadianceCache::begin_frame(const Motion& moved, const ThreadPool& pool) {
 
 float RadianceCache::forget(const ThreadPool& pool) {
   link_parents(pool);
-  for (const auto& [exponent, slots] : slots_by_size(pool))
-    for_each_of_size(pool, slots, [&](Cell& cell, Slot&) {
+  for (const auto& [exponent, places] : places_by_size(pool))
+    for_each_of_size(pool, places, [&](Cell& cell, Slot&) {
       const Cell* parent = parent_of(cell);
       const float own = parent ? cell.now.count / (cell.now.count + kPrior) : 1.0f;
       const PossibleChange around = parent ? parent->possible_change : PossibleChange{};
@@ -148,7 +153,7 @@ float RadianceCache::forget(const ThreadPool& pool) {
 
 /// use(parent, sums of of_cell(cell, slot) over the cells of a size within it), with as many numbers as of_cell gives; in the
 /// order of cells, whatever the threads.
-void RadianceCache::sum_into_parents(const SlotsOfShards& slots, const SlotsOfShards& parents, const ThreadPool& pool,
+void RadianceCache::sum_into_parents(const PlacesOfShards& places, const PlacesOfShards& parents, const ThreadPool& pool,
                                      const auto& of_cell, const auto& use) {
   using Sums = decltype(of_cell(std::declval<const Cell&>(), std::declval<const Slot&>(), std::declval<const Cell&>()));
   struct Part {
@@ -157,23 +162,18 @@ void RadianceCache::sum_into_parents(const SlotsOfShards& slots, const SlotsOfSh
   };
   std::vector<std::array<std::vector<Part>, kShards>> parts(kShards);
   pool.for_each(kShards, [&](std::size_t s) {
-    for (const std::uint32_t i : slots[s]) {
-      const Slot& slot = shards_[s].slots[i];
-      const Cell& cell = shards_[s].cells[slot.cell];
+    for_each_in(s, places, [&](const Cell& cell, const Slot& slot) {
       if (const Cell* parent = parent_of(cell))
         parts[s][cell.around % kShards].push_back(
             {cell.around / static_cast<std::uint32_t>(kShards), of_cell(cell, slot, *parent)});
-    }
+    });
   });
   pool.for_each(kShards, [&](std::size_t s) {
     std::vector<Sums> sums(shards_[s].cells.size(), Sums{});
     for (std::size_t from = 0; from < kShards; ++from)
       for (const Part& part : parts[from][s])
         for (std::size_t v = 0; v < part.values.size(); ++v) sums[part.parent][v] += part.values[v];
-    for (const std::uint32_t i : parents[s]) {
-      const std::uint32_t c = shards_[s].slots[i].cell;
-      use(shards_[s].cells[c], sums[c]);
-    }
+    for (const Place& place : parents[s]) use(shards_[s].cells[place.cell], sums[place.cell]);
   });
 }
 
@@ -184,8 +184,8 @@ float RadianceCache::level(const Cell& cell, const Cell* parent) {
 }
 
 /// Means of the cells of a size, and how much their samples scatter: as those of all cells within the same larger one.
-void RadianceCache::find_scatter(const SlotsOfShards& slots, const SlotsOfShards* wider, const ThreadPool& pool) {
-  for_each_of_size(pool, slots, [&](Cell& cell, Slot& slot) {
+void RadianceCache::find_scatter(const PlacesOfShards& places, const PlacesOfShards* wider, const ThreadPool& pool) {
+  for_each_of_size(pool, places, [&](Cell& cell, Slot& slot) {
     Moments all = cell.past;
     all.add(cell.now);
     cell.samples = all.count;
@@ -198,7 +198,7 @@ void RadianceCache::find_scatter(const SlotsOfShards& slots, const SlotsOfShards
   });
   if (wider) {
     sum_into_parents(
-        slots, *wider, pool,
+        places, *wider, pool,
         [](const Cell& cell, const Slot&, const Cell& parent) {
           const float freedom = std::max(0.0f, cell.samples - 1.0f), level = RadianceCache::level(cell, &parent);
           return std::array{cell.samples * cell.scatter.light, cell.samples * cell.scatter.root, freedom * squared(level),
@@ -211,7 +211,7 @@ void RadianceCache::find_scatter(const SlotsOfShards& slots, const SlotsOfShards
                            (sums[1] + weight.root * parent.relative.root) / (sums[3] + weight.root)};
         });
   }
-  for_each_of_size(pool, slots, [&](Cell& cell, Slot&) {
+  for_each_of_size(pool, places, [&](Cell& cell, Slot&) {
     const Cell* parent = parent_of(cell);
     const float of = level(cell, parent);
     if (parent) {
@@ -235,9 +235,9 @@ void RadianceCache::compare_with_wider(Cell& cell) const {
 
 /// By what the cells of a size differ from what larger ones say of them, beyond what chance explains (analysis of variance):
 /// the spread of the larger ones.
-void RadianceCache::find_spreads(const SlotsOfShards& slots, const SlotsOfShards& wider, const ThreadPool& pool) {
+void RadianceCache::find_spreads(const PlacesOfShards& places, const PlacesOfShards& wider, const ThreadPool& pool) {
   sum_into_parents(
-      slots, wider, pool,
+      places, wider, pool,
       [](const Cell& cell, const Slot& slot, const Cell& parent) {
         if (!cell.has_wider) return std::array<float, 5>{};
         const float share = std::min(1.0f, cell.samples / std::max(parent.samples, 1.0f));
@@ -272,9 +272,9 @@ void RadianceCache::resolve(Cell& cell, Slot& slot) const {
 
 /// Cells that are drawn to what is around them must lose no light together: on average they are drawn as the cell around them
 /// was, and what they have lost beyond that they are given back, each as far as it was drawn.
-void RadianceCache::balance(const SlotsOfShards& slots, const SlotsOfShards& wider, const ThreadPool& pool) {
+void RadianceCache::balance(const PlacesOfShards& places, const PlacesOfShards& wider, const ThreadPool& pool) {
   sum_into_parents(
-      slots, wider, pool,
+      places, wider, pool,
       [](const Cell& cell, const Slot& slot, const Cell&) {
         const Vec3f taken = cell.samples * (slot.light - cell.own);
         return std::array{taken.x, taken.y, taken.z, cell.samples * cell.drawn};
@@ -283,7 +283,7 @@ void RadianceCache::balance(const SlotsOfShards& slots, const SlotsOfShards& wid
         // What less than a sample has lost is worth nothing.
         parent.balance = (sums[3] * parent.shift - Vec3f(sums[0], sums[1], sums[2])) / (sums[3] + 1.0f);
       });
-  for_each_of_size(pool, slots, [&](Cell& cell, Slot& slot) {
+  for_each_of_size(pool, places, [&](Cell& cell, Slot& slot) {
     if (const Cell* parent = parent_of(cell)) slot.light = glm::max(slot.light + cell.drawn * parent->balance, Vec3f(0.0f));
     cell.shift = slot.light - cell.own;
   });
@@ -291,15 +291,15 @@ void RadianceCache::balance(const SlotsOfShards& slots, const SlotsOfShards& wid
 
 void RadianceCache::resolve(const ThreadPool& pool) {
   link_parents(pool);
-  const SlotsBySize by_size = slots_by_size(pool);
-  for (const auto& [exponent, slots] : by_size) {
+  const PlacesBySize by_size = places_by_size(pool);
+  for (const auto& [exponent, places] : by_size) {
     const auto wider = by_size.find(exponent + 1);
-    const SlotsOfShards* parents = wider != by_size.end() ? &wider->second : nullptr;
-    find_scatter(slots, parents, pool);
-    for_each_of_size(pool, slots, [&](Cell& cell, Slot&) { compare_with_wider(cell); });
-    if (parents) find_spreads(slots, *parents, pool);
-    for_each_of_size(pool, slots, [&](Cell& cell, Slot& slot) { resolve(cell, slot); });
-    if (parents) balance(slots, *parents, pool);
+    const PlacesOfShards* parents = wider != by_size.end() ? &wider->second : nullptr;
+    find_scatter(places, parents, pool);
+    for_each_of_size(pool, places, [&](Cell& cell, Slot&) { compare_with_wider(cell); });
+    if (parents) find_spreads(places, *parents, pool);
+    for_each_of_size(pool, places, [&](Cell& cell, Slot& slot) { resolve(cell, slot); });
+    if (parents) balance(places, *parents, pool);
   }
   find_edges(by_size, pool);
 }

@@ -87,60 +87,99 @@ std::uint32_t RadianceCache::find_parent(const Cell& cell) const {
 /// Statistics ask for a cell's parent a dozen times between records.
 void RadianceCache::link_parents(const ThreadPool& pool) {
   if (std::exchange(are_linked_, true)) return;
+  constexpr std::size_t kAhead = 8;
   pool.for_each(kShards, [&](std::size_t s) {
-    for (Cell& cell : shards_[s].cells) cell.around = find_parent(cell);
+    std::vector<Cell>& cells = shards_[s].cells;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      if (c + kAhead < cells.size()) {
+        const Cell& next = cells[c + kAhead];
+        prefetch(key_of(base_key(next.thing, next.part, next.exponent + 1), cell_at(next.center, next.exponent + 1)));
+      }
+      cells[c].around = find_parent(cells[c]);
+    }
   });
+}
+
+/// A record's cell of one size, or of a thing near by.
+struct RadianceCache::Target {
+  std::uint64_t key;
+  std::uint32_t record, thing;
+  std::uint32_t level;
+};
+
+/// What one thread found of some records: where they go, by shard.
+struct RadianceCache::Targets {
+  std::vector<Sample> samples;  ///< by record
+  std::array<std::vector<Target>, kShards> of_shard;
+};
+
+void RadianceCache::find_targets(std::span<const RadianceRecord> records, Targets& targets) {
+  targets.samples.reserve(records.size());
+  for (std::uint32_t r = 0; r < records.size(); ++r) {
+    const RadianceRecord& record = records[r];
+    const CachePoint& place = record.place;
+    // Products of sound numbers may overflow on a path: one such would be seen wherever its cells are.
+    if (!std::isfinite(targets.samples.emplace_back(record.light).luminance)) continue;
+    for (int level = 0; level < kLevels; ++level) {
+      const int exponent = exponent_of(place.size, level);
+      const glm::i64vec3 at = cell_at(place.position, exponent);
+      const auto add_to = [&](std::uint32_t thing) {
+        const std::uint64_t key = key_of(base_key(thing, part_at(place.part, level), exponent), at);
+        targets.of_shard[shard_of(key)].push_back({key, r, thing, static_cast<std::uint32_t>(level)});
+      };
+      add_to(place.thing);
+      for (const std::uint32_t thing : record.also)
+        if (thing != 0) add_to(thing);
+    }
+  }
+}
+
+void RadianceCache::add_to_cell(Cell& cell, const Sample& sample, const RadianceRecord& record) {
+  cell.now.add(sample);
+  cell.samples_ever += 1.0f;
+  const float share = 1.0f / cell.now.count;
+  cell.possible_change_now.light += share * (record.changed_light - cell.possible_change_now.light);
+  cell.possible_change_now.share += share * (record.changed_share - cell.possible_change_now.share);
 }
 
 void RadianceCache::add(std::span<const std::span<const RadianceRecord>> records, const ThreadPool& pool) {
   are_linked_ = false;
-  struct Target {
-    std::uint64_t key;
-    std::uint32_t record, thing;
-    std::uint32_t level;
-  };
-  std::vector<std::array<std::vector<Target>, kShards>> targets(records.size());
-  pool.for_each(records.size(), [&](std::size_t piece) {
-    for (std::uint32_t r = 0; r < records[piece].size(); ++r) {
-      const RadianceRecord& record = records[piece][r];
-      const CachePoint& place = record.place;
-      for (int level = 0; level < kLevels; ++level) {
-        const int exponent = exponent_of(place.size, level);
-        const glm::i64vec3 at = cell_at(place.position, exponent);
-        const auto add_to = [&](std::uint32_t thing) {
-          const std::uint64_t key = key_of(base_key(thing, part_at(place.part, level), exponent), at);
-          targets[piece][shard_of(key)].push_back({key, r, thing, static_cast<std::uint32_t>(level)});
-        };
-        add_to(place.thing);
-        for (const std::uint32_t thing : record.also)
-          if (thing != 0) add_to(thing);
-      }
-    }
-  });
+  std::vector<Targets> targets(records.size());
+  pool.for_each(records.size(), [&](std::size_t piece) { find_targets(records[piece], targets[piece]); });
   pool.for_each(kShards, [&](std::size_t s) {
     for (std::size_t piece = 0; piece < records.size(); ++piece)
-      for (const Target& target : targets[piece][s]) {
-        const RadianceRecord& record = records[piece][target.record];
-        // Products of sound numbers may overflow on a path: one such would be seen wherever its cells are.
-        if (!std::isfinite(luminance(record.light))) continue;
-        const int level = static_cast<int>(target.level);
-        bool is_new = false;
-        Cell* found = shards_[s].find_or_add(target.key, most_cells_, is_new);
-        if (!found) continue;
-        Cell& cell = *found;
-        if (is_new) {
-          cell.thing = target.thing;
-          cell.part = part_at(record.place.part, level);
-          cell.exponent = exponent_of(record.place.size, level);
-          cell.center = center_of_cell(cell_at(record.place.position, cell.exponent), cell.exponent);
-        }
-        cell.now.add(record.light);
-        cell.samples_ever += 1.0f;
-        const float share = 1.0f / cell.now.count;
-        cell.possible_change_now.light += share * (record.changed_light - cell.possible_change_now.light);
-        cell.possible_change_now.share += share * (record.changed_share - cell.possible_change_now.share);
-      }
+      add_to_shard(shards_[s], targets[piece].of_shard[s], targets[piece].samples, records[piece]);
   });
+}
+
+/// Slots, cells and records lie anywhere in memory, which is asked for them ahead.
+void RadianceCache::add_to_shard(Shard& shard, std::span<const Target> targets, std::span<const Sample> samples,
+                                 std::span<const RadianceRecord> records) {
+  constexpr std::size_t kCellsAhead = 8, kSlotsAhead = 2 * kCellsAhead;
+  for (std::size_t t = 0; t < targets.size(); ++t) {
+    if (t + kSlotsAhead < targets.size()) {
+      const Target& next = targets[t + kSlotsAhead];
+      shard.prefetch(next.key);
+      __builtin_prefetch(&samples[next.record]);
+      __builtin_prefetch(&records[next.record].changed_light);
+    }
+    if (t + kCellsAhead < targets.size()) {
+      if (const Slot* const slot = shard.find(targets[t + kCellsAhead].key)) __builtin_prefetch(&shard.cells[slot->cell].now);
+    }
+    const Target& target = targets[t];
+    bool is_new = false;
+    Cell* const cell = shard.find_or_add(target.key, most_cells_, is_new);
+    if (!cell) continue;
+    if (is_new) {
+      const CachePoint& place = records[target.record].place;
+      const int level = static_cast<int>(target.level);
+      cell->thing = target.thing;
+      cell->part = part_at(place.part, level);
+      cell->exponent = exponent_of(place.size, level);
+      cell->center = center_of_cell(cell_at(place.position, cell->exponent), cell->exponent);
+    }
+    add_to_cell(*cell, samples[target.record], records[target.record]);
+  }
 }
 
 /// Looks up the lanes of `left`: those whose cells there are leave it.
@@ -178,12 +217,16 @@ RadianceCache::Interpolated RadianceCache::interpolate(Vec3f p, std::uint64_t ba
   const Vec3f lower = glm::floor(q), f = q - lower;
   const glm::i64vec3 at = whole_cell(q);
   Interpolated result;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::i64vec3 step(corner & 1, corner >> 1 & 1, corner >> 2);
+  constexpr std::size_t kCorners = 8;
+  std::array<std::uint64_t, kCorners> keys;
+  const auto step_to = [](std::size_t corner) { return glm::i64vec3(corner & 1u, corner >> 1u & 1u, corner >> 2u); };
+  for (std::size_t corner = 0; corner < kCorners; ++corner) prefetch(keys[corner] = key_of(base, at + step_to(corner)));
+  for (std::size_t corner = 0; corner < kCorners; ++corner) {
+    const glm::i64vec3 step = step_to(corner);
     const Vec3f w(step.x ? f.x : 1.0f - f.x, step.y ? f.y : 1.0f - f.y, step.z ? f.z : 1.0f - f.z);
     const float weight = w.x * w.y * w.z;
     if (!(weight > 0.0f)) continue;
-    const Slot* slot = find(key_of(base, at + step));
+    const Slot* slot = find(keys[corner]);
     if (!slot) continue;
     result.sum += weight * slot->light;
     result.weight += weight;

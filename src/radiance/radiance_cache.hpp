@@ -120,6 +120,12 @@ class RadianceCache {
   static std::size_t bytes_per_cell();
 
  private:
+  /// What is told of a sample to all cells that it belongs to.
+  struct Sample {
+    explicit Sample(Vec3f light);
+    Vec3f light;
+    float luminance, root;  ///< root: the fourth root of the luminance
+  };
   /// Sums over samples. Kept as means, so that long histories lose no digits.
   struct Moments {
     Vec3f mean{0.0f};
@@ -128,7 +134,7 @@ class RadianceCache {
     /// few samples can be compared.
     float root = 0.0f, root_square = 0.0f;
     float count = 0.0f;
-    void add(Vec3f light);
+    void add(const Sample& sample);
     void add(const Moments& more);
     float variance() const;       ///< how one sample's luminance varies
     float root_variance() const;  ///< how its fourth root varies
@@ -151,27 +157,30 @@ class RadianceCache {
     std::uint32_t thing, part;
     int exponent;              ///< edge 2^exponent
     std::uint32_t around = 0;  ///< the larger cell around it: kShards x index + shard, or kNothing; of link_parents()
-    Moments now, past;
-    float inherited = 0.0f;  ///< samples of the past before forget()
+    // What records are added to, side by side.
+    Moments now;
     float samples_ever = 0.0f;
     PossibleChange possible_change_now;  ///< mean of what `now` holds
-    PossibleChange possible_change;      ///< the same, with what larger cells say of it
+    Moments past;
+    float inherited = 0.0f;          ///< samples of the past before forget()
+    PossibleChange possible_change;  ///< that of `now`, with what larger cells say of it
+    // What neighbours and cells within ask for, side by side.
     float samples = 0.0f;
-    float root = 0.0f;      ///< mean fourth root of the luminance, of few samples drawn to that of the larger cell
-    Scatter scatter;        ///< scatter of one sample
-    Scatter relative;       ///< the same over the cell's level
-    Scatter within;         ///< and the scatter of one sample about the mean of its cell, in the cells within this one
-    float variance = 0.0f;  ///< the variance of the resolved value's luminance
-    float keep = 1.0f;      ///< the share of the past that is kept
-    Vec3f own{0.0f};        ///< mean of its own samples
-    Vec3f wider{0.0f};      ///< what larger cells say of it
-    bool has_wider = false;
-    float drawn = 0.0f;      ///< towards that, 0 ... 1
-    Vec3f shift{0.0f};       ///< what it was resolved to, less its own
-    Vec3f balance{0.0f};     ///< what cells within it are given back, as far as they are drawn
     float luminance = 0.0f;  ///< the luminance of `own`
-    float spread = 0.0f;     ///< squared luminance by which cells within this one differ from what it says of them
-    float relief = 0.0f;     ///< and from its mean
+    Scatter scatter;         ///< scatter of one sample
+    float root = 0.0f;       ///< mean fourth root of the luminance, of few samples drawn to that of the larger cell
+    Scatter relative;        ///< the same over the cell's level
+    Scatter within;          ///< and the scatter of one sample about the mean of its cell, in the cells within this one
+    float variance = 0.0f;   ///< the variance of the resolved value's luminance
+    float keep = 1.0f;       ///< the share of the past that is kept
+    Vec3f own{0.0f};         ///< mean of its own samples
+    Vec3f wider{0.0f};       ///< what larger cells say of it
+    bool has_wider = false;
+    float drawn = 0.0f;   ///< towards that, 0 ... 1
+    Vec3f shift{0.0f};    ///< what it was resolved to, less its own
+    Vec3f balance{0.0f};  ///< what cells within it are given back, as far as they are drawn
+    float spread = 0.0f;  ///< squared luminance by which cells within this one differ from what it says of them
+    float relief = 0.0f;  ///< and from its mean
     Bend bend;
     EdgesToPaths edge = EdgesToPaths::kNone;  ///< as a slot has it
   };
@@ -195,6 +204,13 @@ class RadianceCache {
     void put(std::uint64_t key, std::uint32_t cell);
   };
 
+  struct Target;
+  struct Targets;
+  static void find_targets(std::span<const RadianceRecord> records, Targets& targets);
+  static void add_to_cell(Cell& cell, const Sample& sample, const RadianceRecord& record);
+  void add_to_shard(Shard& shard, std::span<const Target> targets, std::span<const Sample> samples,
+                    std::span<const RadianceRecord> records);
+  void prefetch(std::uint64_t key) const { shards_[key >> 58].prefetch(key); }
   const Slot* find(std::uint64_t key) const;
   void find_all(const std::uint64_t* keys, EdgesToPaths edges, LaneMask& left, LaneMask& known, Lanes3& light) const;
   const Cell* cell_of(std::uint64_t key) const;
@@ -214,32 +230,49 @@ class RadianceCache {
     bool inside = false;  ///< the cell around the point itself is known
   };
   Interpolated interpolate(Vec3f p, std::uint64_t base, int exponent) const;
-  /// Indices of slots in use, by shard; and by their cells' exponents, large cells first.
-  using SlotsOfShards = std::array<std::vector<std::uint32_t>, kShards>;
-  using SlotsBySize = std::map<int, SlotsOfShards, std::greater<>>;
-  SlotsBySize slots_by_size(const ThreadPool& pool) const;
-  void for_each_of_size(const ThreadPool& pool, const SlotsOfShards& slots, const auto& fn);
-  void sum_into_parents(const SlotsOfShards& slots, const SlotsOfShards& parents, const ThreadPool& pool, const auto& of_cell,
-                        const auto& use);
-  void find_scatter(const SlotsOfShards& slots, const SlotsOfShards* wider, const ThreadPool& pool);
+  /// Where a cell and its slot are in a shard.
+  struct Place {
+    std::uint32_t cell, slot;
+  };
+  /// By shard, in the order in which cells were added; and by exponent, large cells first.
+  using PlacesOfShards = std::array<std::vector<Place>, kShards>;
+  using PlacesBySize = std::map<int, PlacesOfShards, std::greater<>>;
+  PlacesBySize places_by_size(const ThreadPool& pool) const;
+  void for_each_in(std::size_t shard, const PlacesOfShards& places, const auto& fn);
+  void for_each_of_size(const ThreadPool& pool, const PlacesOfShards& places, const auto& fn);
+  void sum_into_parents(const PlacesOfShards& places, const PlacesOfShards& parents, const ThreadPool& pool,
+                        const auto& of_cell, const auto& use);
+  void find_scatter(const PlacesOfShards& places, const PlacesOfShards* wider, const ThreadPool& pool);
   void compare_with_wider(Cell& cell) const;
-  void find_spreads(const SlotsOfShards& slots, const SlotsOfShards& wider, const ThreadPool& pool);
+  void find_spreads(const PlacesOfShards& places, const PlacesOfShards& wider, const ThreadPool& pool);
   void resolve(Cell& cell, Slot& slot) const;
   static Bend bend(const Cell& cell, const Cell& before, const Cell& after);
-  Bend bend(const Cell& cell) const;
-  void find_edges(const SlotsBySize& by_size, const ThreadPool& pool);
-  void balance(const SlotsOfShards& slots, const SlotsOfShards& wider, const ThreadPool& pool);
+  void find_bends(std::span<Cell* const> cells) const;
+  void find_edges(const PlacesBySize& by_size, const ThreadPool& pool);
+  void balance(const PlacesOfShards& places, const PlacesOfShards& wider, const ThreadPool& pool);
 
   std::vector<Shard> shards_;
   std::size_t most_cells_;   ///< how many a shard may have
   bool are_linked_ = false;  ///< Cell::around is as it would be found now
 };
 
-/// fn(cell, slot) for every cell of a size, side by side.
-void RadianceCache::for_each_of_size(const ThreadPool& pool, const SlotsOfShards& slots, const auto& fn) {
-  pool.for_each(kShards, [&](std::size_t s) {
-    for (const std::uint32_t i : slots[s]) fn(shards_[s].cells[shards_[s].slots[i].cell], shards_[s].slots[i]);
-  });
+/// fn(cell, slot) for every cell of a size in a shard. Slots and parents lie anywhere in memory, which is asked for them ahead.
+void RadianceCache::for_each_in(std::size_t shard, const PlacesOfShards& places, const auto& fn) {
+  constexpr std::size_t kAhead = 8;
+  Shard& in = shards_[shard];
+  const std::vector<Place>& all = places[shard];
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i + kAhead < all.size()) {
+      __builtin_prefetch(&in.slots[all[i + kAhead].slot]);
+      if (const Cell* const parent = parent_of(in.cells[all[i + kAhead].cell])) __builtin_prefetch(&parent->samples);
+    }
+    fn(in.cells[all[i].cell], in.slots[all[i].slot]);
+  }
+}
+
+/// The same for all shards, side by side.
+void RadianceCache::for_each_of_size(const ThreadPool& pool, const PlacesOfShards& places, const auto& fn) {
+  pool.for_each(kShards, [&](std::size_t s) { for_each_in(s, places, fn); });
 }
 
 }  // namespace lippmann
