@@ -27,6 +27,8 @@ constexpr float kMostPriorCells = 16.0f;
 /// Samples scatter alike in proportion to the light: the larger cell around says more of it than a cell's own samples, of which
 /// a single one may be all.
 constexpr float kPriorScatter = 200.0f;
+/// Paths of updates end in cells of so many samples: what one is wrong about, all cells that it shines on are. Found by trial.
+constexpr float kEndsPaths = 4.0f;
 /// Light that is none, squared.
 constexpr float kNone = 1e-20f;
 /// So much of the light along rays that pass what moves, or that arrive at another angle, changes from frame to frame: most of
@@ -183,6 +185,14 @@ float RadianceCache::level(const Cell& cell, const Cell* parent) {
   return squared(cell.root) * squared(parent ? parent->root : cell.root);
 }
 
+/// The share of light that was scattered as often as paths may be: few records are told apart from none of that by the larger
+/// cell.
+float RadianceCache::deepest_share(const Cell& cell, const Cell* parent) {
+  const float prior = parent ? kPriorLevel * cell.luminance : 0.0f, all = cell.told + prior;
+  const float deepest = cell.deepest + (parent ? prior * parent->deepest_share : 0.0f);
+  return all > 0.0f ? std::min(deepest / all, 1.0f) : 0.0f;
+}
+
 /// Means of the cells of a size, and how much their samples scatter: as those of all cells within the same larger one.
 void RadianceCache::find_scatter(const PlacesOfShards& places, const PlacesOfShards* wider, const ThreadPool& pool) {
   for_each_of_size(pool, places, [&](Cell& cell, Slot& slot) {
@@ -194,6 +204,8 @@ void RadianceCache::find_scatter(const PlacesOfShards& places, const PlacesOfSha
     cell.root = parent ? (all.count * all.root + kPriorLevel * parent->root) / (all.count + kPriorLevel) : all.root;
     cell.scatter = {all.variance(), all.root_variance()};
     slot.light = cell.own = all.mean;
+    cell.deepest_share = slot.deepest_share = deepest_share(cell, parent);
+    slot.is_resolved = 1, slot.ends_paths = cell.samples >= kEndsPaths;
     cell.drawn = 0.0f, cell.shift = Vec3f(0.0f);
   });
   if (wider) {
@@ -290,6 +302,7 @@ void RadianceCache::balance(const PlacesOfShards& places, const PlacesOfShards& 
 }
 
 void RadianceCache::resolve(const ThreadPool& pool) {
+  is_resolved_ = true;
   link_parents(pool);
   const PlacesBySize by_size = places_by_size(pool);
   for (const auto& [exponent, places] : by_size) {

@@ -19,32 +19,33 @@ int count(const LaneMask& lanes) {
 
 }  // namespace
 
-float CacheCells::size(float path_length) const {
-  const Vec2f widths = beam.widths(path_length);
-  return samples_per_cell * std::max(std::min(widths.x, widths.y), 1e-20f);
-}
-
-CacheUpdate::CacheUpdate(const ShadedScene& scene, const CacheCells& cells, const PathParams& params,
-                         std::optional<SparseCells> sparse, const TouchProbe* moved, CacheRecords& made)
-    : PathTracer(scene, cells.beam, params, {}),
+CacheUpdate::CacheUpdate(const ShadedScene& scene, const CacheCells& cells, const UpdatePaths& paths,
+                         std::optional<SparseCells> sparse, CacheRecords& made)
+    : PathTracer(scene, cells.beam, paths.params, {}),
       cells_(cells),
       sparse_(sparse),
-      watches_(moved != nullptr),
+      watches_(paths.moved != nullptr),
       made_(made),
       light_(kMostQueries, 1, 3),
+      deepest_(kMostQueries, 1, 3),
       changes_(kMostQueries),
-      paths_(scene, cells.beam, params, {.all = light_.data.data()}) {
-  if (moved) paths_.watch(*moved, changes_);
+      paths_(scene, cells.beam, paths.params, {.all = light_.data.data(), .deepest = deepest_.data.data()}) {
+  if (paths.moved) paths_.watch(*paths.moved, changes_);
+  if (paths.ends)
+    ends_.emplace(scene, cells, *paths.ends, paths.params, PathFilm{.all = light_.data.data()},
+                  FinalGatherOptions{.light = LookedUp::kWithoutDeepest});
 }
 
 void CacheUpdate::finish() {
   PathTracer::finish();
   paths_.finish();
+  if (ends_) ends_->finish();
   for (std::size_t q = 0; q < queries_.size(); ++q) {
-    float* light = &light_.data[3 * q];
+    float *light = &light_.data[3 * q], *deepest = &deepest_.data[3 * q];
     RadianceRecord& record = made_.records.emplace_back();
     record.place = queries_[q].place, record.also = queries_[q].also;
     record.light = {light[0], light[1], light[2]};
+    if (!ends_) record.deepest = luminance(Vec3f(deepest[0], deepest[1], deepest[2]));
     // What moves by itself passes its own box with every ray: how far it has moved (RadianceCache::Motion) and turned tells
     // what may have changed.
     if (watches_) {
@@ -53,7 +54,7 @@ void CacheUpdate::finish() {
       record.changed_share = std::min(1.0f, queries_[q].moves ? change.turned_share : change.share);
     }
     made_.sources.push_back(queries_[q].source);
-    light[0] = light[1] = light[2] = 0.0f;
+    light[0] = light[1] = light[2] = deepest[0] = deepest[1] = deepest[2] = 0.0f;
     changes_[q] = {};
   }
   queries_.clear();
@@ -62,6 +63,7 @@ void CacheUpdate::finish() {
 RayCounts CacheUpdate::counts() const {
   RayCounts all = counts_;
   lippmann::add(paths_.counts(), all);
+  if (ends_) lippmann::add(ends_->counts(), all);
   return all;
 }
 
@@ -130,9 +132,16 @@ void CacheUpdate::gather(const LaneMask& lanes, const PathRay* rays) {
     query.throughput = Vec3f(1.0f);
     const bool moves = watches_ && queries_[query.pixel].moves;
     const Affine3f before = moves ? cells_.places.before_from_now(surface_.instance[i]) : Affine3f{};
-    paths_.gather_diffuse({vertices_.point(i), vertices_.bsdfs, i, vertices_.lengths[i], moves ? &before : nullptr}, query,
-                          cells_.lights_from, light_for(i), numbers(rays[i], i, kWayPair));
+    gather({vertices_.point(i), vertices_.bsdfs, i, vertices_.lengths[i], moves ? &before : nullptr}, query, light_for(i),
+           numbers(rays[i], i, kWayPair));
   }
+}
+
+void CacheUpdate::gather(const PathIntegrator::DiffuseVertex& at, const PathRay& ray, const std::optional<LightSample>& light,
+                         Vec2f way) {
+  if (!ends_) return paths_.gather_diffuse(at, ray, cells_.lights_from, light, way);
+  if (light) paths_.aim_at(at, ray, *light);
+  if (const std::optional<PathRay> path = paths_.bounce(at, ray, cells_.lights_from, way)) ends_->take(*path);
 }
 
 }  // namespace lippmann

@@ -1,23 +1,14 @@
 // Records for the radiance cache: follows rays from the lens array to the first surface that scatters diffusely, and from there
-// one path for the light that arrives.
+// one path for the light that arrives. Where the cache knows light already, and nothing has moved since, the path may end in
+// it at the next diffuse surface: the mean of many paths scatters less than one.
 #pragma once
 
 #include <optional>
 
-#include "radiance/surface_places.hpp"
+#include "radiance/final_gather.hpp"
 #include "trace/path_integrator.hpp"
 
 namespace lippmann {
-
-/// How points of surfaces find their cells, in updates and look-ups alike.
-struct CacheCells {
-  const SurfacePlaces& places;
-  const BeamFootprint& beam;
-  float samples_per_cell = 8.0f;                ///< across the smallest cell
-  LightGroup lights_from = LightGroup::kLamps;  ///< groups of lights from here on; those before it are asked at every point
-  /// Edge of the smallest cell at the end of a path of some length, world units.
-  float size(float path_length) const;
-};
 
 /// Cells that have too few samples.
 struct SparseCells {
@@ -32,13 +23,21 @@ struct CacheRecords {
   std::vector<std::uint32_t> sources;
 };
 
+/// What paths of updates go by.
+struct UpdatePaths {
+  PathParams params;
+  const TouchProbe* moved = nullptr;  ///< boxes around what has moved since the frame before; null: nothing is watched
+  /// Resolved; paths end in it at the second diffuse surface. Null: they do not.
+  const RadianceCache* ends = nullptr;
+};
+
 /// State of one thread at a time.
 class CacheUpdate : public PathTracer<CacheUpdate> {
  public:
-  /// Adds to `made`, which outlives this. sparse: makes records for these cells only; none: for all. moved: boxes around what
-  /// has moved since the frame before, to tell what may have changed (RadianceRecord); null: nothing is.
-  CacheUpdate(const ShadedScene& scene, const CacheCells& cells, const PathParams& params, std::optional<SparseCells> sparse,
-              const TouchProbe* moved, CacheRecords& made);
+  /// Adds to `made`, which outlives this. sparse: makes records for these cells only; none: for all. With paths.moved, records
+  /// tell what may have changed. With paths.ends, cells.lights_from is kSky or later.
+  CacheUpdate(const ShadedScene& scene, const CacheCells& cells, const UpdatePaths& paths, std::optional<SparseCells> sparse,
+              CacheRecords& made);
 
   /// Traces everything that waits, which has come from at most kPacketsPerBlock camera packets, and appends what arrived.
   void finish();
@@ -56,6 +55,7 @@ class CacheUpdate : public PathTracer<CacheUpdate> {
 
   bool ask(const RayHitPacket& packet, int i, const PathRay& ray);
   void gather(const LaneMask& lanes, const PathRay* rays);
+  void gather(const PathIntegrator::DiffuseVertex& at, const PathRay& ray, const std::optional<LightSample>& light, Vec2f way);
   void pass_on(const LaneMask& lanes, const Lanes& lobe, const PathRay* rays);
 
   const CacheCells& cells_;
@@ -68,9 +68,11 @@ class CacheUpdate : public PathTracer<CacheUpdate> {
     std::uint32_t source;
     bool moves;  ///< with the thing that it lies on
   };
-  Image light_;  ///< what arrives, by query
+  Image light_;    ///< what arrives, by query
+  Image deepest_;  ///< and what was scattered as often as may be
   std::vector<PathIntegrator::PossibleChange> changes_;
   PathIntegrator paths_;
+  std::optional<FinalGather> ends_;
   std::vector<Query> queries_;
   std::array<std::uint32_t, kLanes> query_of_lane_{};  ///< of those of the packet that is being shaded which ask
 };

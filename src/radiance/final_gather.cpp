@@ -57,7 +57,7 @@ LaneMask FinalGather::begin_packet(const RayHitPacket& packet, const LaneMask& a
 void FinalGather::end_packet(const RayHitPacket& packet, const PathRay* rays) {
   if (!any(queries_.active)) return;
   Lanes3 light;
-  const LaneMask known = cache_.pick(queries_, options_.edges, light);
+  const LaneMask known = cache_.pick(queries_, options_.edges, options_.light, light);
   LaneMask left{};
   for (int i = 0; i < kLanes; ++i) {
     if (known.lane[i])

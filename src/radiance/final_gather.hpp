@@ -4,8 +4,10 @@
 
 #include <array>
 
-#include "radiance/cache_update.hpp"
+#include "radiance/cache_cells.hpp"
 #include "radiance/phong_lanes.hpp"
+#include "radiance/radiance_cache.hpp"
+#include "trace/path_integrator.hpp"
 
 namespace lippmann {
 
@@ -14,6 +16,7 @@ inline constexpr std::size_t kFewLights = 4;
 
 struct FinalGatherOptions {
   EdgesToPaths edges = EdgesToPaths::kNone;  ///< these are left to paths
+  LookedUp light = LookedUp::kAll;
   /// Pictures show where light came from, in proportion to it: red what this frame traced, green what the cache received in
   /// this frame, blue what it has from frames before.
   bool provenance = false;
@@ -30,6 +33,9 @@ class FinalGather : public PathTracer<FinalGather> {
   /// apart.
   FinalGather(const ShadedScene& scene, const CacheCells& cells, const RadianceCache& cache, const PathParams& params,
               const PathFilm& film, const FinalGatherOptions& options);
+
+  /// A path that comes from a surface which has asked for lights of the sky, or for none (PathIntegrator::bounce).
+  void take(const PathRay& path) { next_.push_back(path); }
 
   /// Traces everything that waits.
   void finish();

@@ -35,9 +35,19 @@ FrameCache::FrameCache(const Shot& shot, const SurfacePlaces& places, const Trac
       history_(history),
       beam_(shot.optics, shot.world_from_display, kTextureSamples),
       cells_{places, beam_, history.samples_per_cell, history.lights_from},
-      updater_(shot, params) {}
+      updater_(shot, params),
+      clamps_(params.clamp_indirect > 0.0f) {}
 
-UpdateTarget FrameCache::target() const { return {cells_, *history_.cache, pool_, context_, moved_ ? &*moved_ : nullptr}; }
+/// In later frames paths are followed to their ends: what the cache knows may have changed since, and rays tell of what they
+/// pass.
+UpdateTarget FrameCache::target() const {
+  return {cells_,
+          *history_.cache,
+          pool_,
+          context_,
+          moved_ ? &*moved_ : nullptr,
+          is_first() && !clamps_ && history_.cache->is_resolved()};
+}
 
 void FrameCache::start(float samples_per_cell, LightGroup lights_from) {
   if (history_.cache && samples_per_cell == history_.samples_per_cell && lights_from == history_.lights_from) return;

@@ -67,6 +67,7 @@ class FrameCache {
   BeamFootprint beam_;
   CacheCells cells_;
   CacheUpdater updater_;
+  bool clamps_;          ///< light of single paths, which what many have left in the cache would escape
   int round_ = 0;        ///< the next round of updates
   float enough_ = 0.0f;  ///< samples of a cell, in this frame
   double update_seconds_ = 0.0;

@@ -107,7 +107,7 @@ class BlockGatherer {
         light_(static_cast<int>(BlockEstimates::kMost), 1, 3),
         guides_(pictures.noisy ? std::make_unique<BlockGuides>(display_z(sources.shot.world_from_display)) : nullptr),
         gatherer_(scene_, sources.cells, sources.cache, path_params(params.trace), film(pictures),
-                  {params.effort.edges, params.provenance, left_to_paths_.data(),
+                  {params.effort.edges, LookedUp::kAll, params.provenance, left_to_paths_.data(),
                    pictures.provenance ? looked_up_.data() : nullptr}) {}
 
   /// Fills a block whose pixels are listed.

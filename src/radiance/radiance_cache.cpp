@@ -36,12 +36,11 @@ const RadianceCache::Slot* RadianceCache::Shard::find(std::uint64_t key) const {
   }
 }
 
-void RadianceCache::Shard::put(std::uint64_t key, std::uint32_t cell) {
+void RadianceCache::Shard::put(const Slot& slot) {
   const std::size_t mask = slots.size() - 1;
-  std::size_t i = key & mask;
+  std::size_t i = slot.key & mask;
   while (slots[i].key != 0) i = (i + 1) & mask;
-  slots[i].key = key;
-  slots[i].cell = cell;
+  slots[i] = slot;
 }
 
 void RadianceCache::Shard::reserve(std::size_t wanted) {
@@ -49,7 +48,7 @@ void RadianceCache::Shard::reserve(std::size_t wanted) {
   std::vector<Slot> old(std::bit_ceil(std::max<std::size_t>(64, 3 * wanted)));
   old.swap(slots);
   for (const Slot& slot : old)
-    if (slot.key != 0) put(slot.key, slot.cell);
+    if (slot.key != 0) put(slot);
 }
 
 /// Null where the cell is not known and there is no room for it.
@@ -59,7 +58,9 @@ RadianceCache::Cell* RadianceCache::Shard::find_or_add(std::uint64_t key, std::s
   if (slot) return &cells[slot->cell];
   if (cells.size() >= most_cells) return nullptr;
   reserve(cells.size() + 1);
-  put(key, static_cast<std::uint32_t>(cells.size()));
+  Slot added;
+  added.key = key, added.cell = static_cast<std::uint32_t>(cells.size()) & kMostCells;
+  put(added);
   return &cells.emplace_back();
 }
 
@@ -140,6 +141,7 @@ void RadianceCache::add_to_cell(Cell& cell, const Sample& sample, const Radiance
   const float share = 1.0f / cell.now.count;
   cell.possible_change_now.light += share * (record.changed_light - cell.possible_change_now.light);
   cell.possible_change_now.share += share * (record.changed_share - cell.possible_change_now.share);
+  if (record.deepest >= 0.0f) cell.told += sample.luminance, cell.deepest += record.deepest;
 }
 
 void RadianceCache::add(std::span<const std::span<const RadianceRecord>> records, const ThreadPool& pool) {
@@ -183,29 +185,29 @@ void RadianceCache::add_to_shard(Shard& shard, std::span<const Target> targets, 
 }
 
 /// Looks up the lanes of `left`: those whose cells there are leave it.
-void RadianceCache::find_all(const std::uint64_t* keys, EdgesToPaths edges, LaneMask& left, LaneMask& known,
+void RadianceCache::find_all(const std::uint64_t* keys, EdgesToPaths edges, LookedUp what, LaneMask& left, LaneMask& known,
                              Lanes3& light) const {
   for (int i = 0; i < kLanes; ++i)
     if (left.lane[i]) shards_[shard_of(keys[i])].prefetch(keys[i]);
   for (int i = 0; i < kLanes; ++i) {
     if (!left.lane[i]) continue;
     const Slot* slot = find(keys[i]);
-    if (!slot) continue;
+    if (!slot || !slot->is_resolved) continue;
     left.lane[i] = 0;
-    if (slot->is_in(edges)) continue;
-    light.set(i, slot->light);
+    if (slot->is_in(edges) || (what == LookedUp::kWithoutDeepest && !slot->ends_paths)) continue;
+    light.set(i, what == LookedUp::kAll ? slot->light : (1.0f - slot->deepest_share) * slot->light);
     known.lane[i] = -1;
   }
 }
 
-LaneMask RadianceCache::pick(const CacheQueries& queries, EdgesToPaths edges, Lanes3& light) const {
+LaneMask RadianceCache::pick(const CacheQueries& queries, EdgesToPaths edges, LookedUp what, Lanes3& light) const {
   LaneMask left = queries.active, known{};
   alignas(64) std::uint64_t keys[kLanes];
   for (int level = 0; level < kLevels; ++level) {
     // Somewhere within half a cell; at its rim there may be none, and the cell around the place itself serves.
     for (const float reach : {1.0f, 0.0f}) {
       find_keys(queries, level, reach, keys);
-      find_all(keys, edges, left, known, light);
+      find_all(keys, edges, what, left, known, light);
       if (!any(left)) return known;
     }
   }
@@ -227,7 +229,7 @@ RadianceCache::Interpolated RadianceCache::interpolate(Vec3f p, std::uint64_t ba
     const float weight = w.x * w.y * w.z;
     if (!(weight > 0.0f)) continue;
     const Slot* slot = find(keys[corner]);
-    if (!slot) continue;
+    if (!slot || !slot->is_resolved) continue;
     result.sum += weight * slot->light;
     result.weight += weight;
   }

@@ -38,6 +38,9 @@ struct RadianceRecord {
   /// CachePoint::thing of surfaces that the place's own goes smoothly over into near by: their cells learn from it, too. 0:
   /// none.
   std::array<std::uint32_t, 2> also{};
+  /// Luminance of that part of `light` which has been scattered as often as paths may be; < 0: not known, as the path has ended
+  /// in the cache.
+  float deepest = -1.0f;
   /// What has moved since the frame before may have changed so much of it: luminance that lamps and the sky would bring along
   /// shadow rays that pass it, were they free, and the share of the light that comes along other rays that pass it. Where the
   /// place itself has moved: luminance that they send there by Lambert's law, less what they sent to where it was, and the
@@ -75,6 +78,10 @@ inline EdgesToPaths fewer_edges(EdgesToPaths than) {
   return than == EdgesToPaths::kNone ? than : static_cast<EdgesToPaths>(static_cast<int>(than) - 1);
 }
 
+/// What of a place's light is looked up: all of it, or, for paths on whose way a surface more has scattered it, all but what
+/// was scattered as often as paths may be.
+enum class LookedUp : std::uint8_t { kAll, kWithoutDeepest };
+
 class RadianceCache {
  public:
   static constexpr int kLevels = 4;
@@ -98,15 +105,16 @@ class RadianceCache {
   /// Returns the share of all that was known when the frame began, 0 ... 1, that is forgotten.
   float forget(const ThreadPool& pool);
 
-  /// Makes what look_up() gives from what was added.
+  /// Makes what look_up() and pick() give from what was added: cells that are new since the last time are not known to them.
   void resolve(const ThreadPool& pool);
+  bool is_resolved() const { return is_resolved_; }  ///< at least once
 
   /// The light at a place, interpolated, and in `w` how well that place is known: 0 not at all.
   Vec4f look_up(const CachePoint& place) const;
 
   /// The same at the active lanes' places, left to chance: of the cells that it is interpolated from, one. Returns the lanes
   /// whose light is known and belongs to none of the edges that are left to paths, and sets `light` there.
-  LaneMask pick(const CacheQueries& queries, EdgesToPaths edges, Lanes3& light) const;
+  LaneMask pick(const CacheQueries& queries, EdgesToPaths edges, LookedUp what, Lanes3& light) const;
 
   /// How many samples the smallest cell there has.
   float samples(const CachePoint& place) const;
@@ -161,6 +169,8 @@ class RadianceCache {
     Moments now;
     float samples_ever = 0.0f;
     PossibleChange possible_change_now;  ///< mean of what `now` holds
+    /// Of all records that tell (RadianceRecord::deepest), ever: sums of luminance, and of what is deepest of it.
+    float told = 0.0f, deepest = 0.0f;
     Moments past;
     float inherited = 0.0f;          ///< samples of the past before forget()
     PossibleChange possible_change;  ///< that of `now`, with what larger cells say of it
@@ -176,20 +186,25 @@ class RadianceCache {
     Vec3f own{0.0f};         ///< mean of its own samples
     Vec3f wider{0.0f};       ///< what larger cells say of it
     bool has_wider = false;
-    float drawn = 0.0f;   ///< towards that, 0 ... 1
-    Vec3f shift{0.0f};    ///< what it was resolved to, less its own
-    Vec3f balance{0.0f};  ///< what cells within it are given back, as far as they are drawn
-    float spread = 0.0f;  ///< squared luminance by which cells within this one differ from what it says of them
-    float relief = 0.0f;  ///< and from its mean
+    float drawn = 0.0f;          ///< towards that, 0 ... 1
+    Vec3f shift{0.0f};           ///< what it was resolved to, less its own
+    Vec3f balance{0.0f};         ///< what cells within it are given back, as far as they are drawn
+    float spread = 0.0f;         ///< squared luminance by which cells within this one differ from what it says of them
+    float relief = 0.0f;         ///< and from its mean
+    float deepest_share = 0.0f;  ///< a slot's
     Bend bend;
     EdgesToPaths edge = EdgesToPaths::kNone;  ///< as a slot has it
   };
   /// Open addressing; what look_up() asks for lies in the slot itself.
+  static constexpr std::uint32_t kMostCells = (1u << 28) - 1u;  ///< of a shard
   struct Slot {
     std::uint64_t key = 0;  ///< 0: empty
     Vec3f light{0.0f};
-    std::uint32_t cell : 30 = 0;
-    std::uint32_t edge : 2 = 0;  ///< EdgesToPaths: the fewest that it belongs to, 0 for none
+    float deepest_share = 0.0f;  ///< the share of it that LookedUp leaves out
+    std::uint32_t cell : 28 = 0;
+    std::uint32_t is_resolved : 1 = 0;
+    std::uint32_t ends_paths : 1 = 0;  ///< enough samples are known
+    std::uint32_t edge : 2 = 0;        ///< EdgesToPaths: the fewest that it belongs to, 0 for none
     bool is_in(EdgesToPaths edges) const { return edge != 0 && edge <= static_cast<std::uint32_t>(edges); }
   };
   struct Shard {
@@ -201,7 +216,7 @@ class RadianceCache {
     }
     Cell* find_or_add(std::uint64_t key, std::size_t most_cells, bool& is_new);
     void reserve(std::size_t cells);
-    void put(std::uint64_t key, std::uint32_t cell);
+    void put(const Slot& slot);
   };
 
   struct Target;
@@ -212,7 +227,8 @@ class RadianceCache {
                     std::span<const RadianceRecord> records);
   void prefetch(std::uint64_t key) const { shards_[key >> 58].prefetch(key); }
   const Slot* find(std::uint64_t key) const;
-  void find_all(const std::uint64_t* keys, EdgesToPaths edges, LaneMask& left, LaneMask& known, Lanes3& light) const;
+  void find_all(const std::uint64_t* keys, EdgesToPaths edges, LookedUp what, LaneMask& left, LaneMask& known,
+                Lanes3& light) const;
   const Cell* cell_of(std::uint64_t key) const;
   static constexpr std::uint32_t kNothing = 0xffffffffu;
   std::uint32_t find_parent(const Cell& cell) const;
@@ -223,6 +239,7 @@ class RadianceCache {
   static float contradicted(const Cell& cell);
   static float possibly_changed(const Cell& cell, const Cell* parent);
   static float level(const Cell& cell, const Cell* parent);
+  static float deepest_share(const Cell& cell, const Cell* parent);
   static float outdated(const Cell& cell, const Cell& parent, float moved);
   struct Interpolated {
     Vec3f sum{0.0f};
@@ -252,7 +269,8 @@ class RadianceCache {
   void balance(const PlacesOfShards& places, const PlacesOfShards& wider, const ThreadPool& pool);
 
   std::vector<Shard> shards_;
-  std::size_t most_cells_;   ///< how many a shard may have
+  std::size_t most_cells_;  ///< how many a shard may have
+  bool is_resolved_ = false;
   bool are_linked_ = false;  ///< Cell::around is as it would be found now
 };
 

@@ -94,7 +94,7 @@ RayCounts CacheUpdater::update_strip(const UpdateTarget& target, std::size_t str
     for (int g = 0; g * kRoundsPerFrame < source_.packets_per_strip(); ++g) list(static_cast<std::size_t>(g));
   const std::optional<SparseCells> sparse =
       choice.only ? std::optional<SparseCells>({target.cache, choice.enough}) : std::nullopt;
-  CacheUpdate update(scene_, target.cells, paths, sparse, target.moved, made);
+  CacheUpdate update(scene_, target.cells, {paths, target.moved, target.paths_end ? &target.cache : nullptr}, sparse, made);
   for (std::span<const int> left = groups; !left.empty(); ++packets.stream, packets.samples = 0) {
     const std::span<const int> batch = left.first(std::min<std::size_t>(left.size(), kPacketsPerBlock));
     trace_batch(scene_, packets, {batch, place, place + 1}, update);

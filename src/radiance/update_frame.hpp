@@ -16,6 +16,7 @@ struct UpdateTarget {
   const ThreadPool& pool;
   const Context& context;
   const TouchProbe* moved = nullptr;  ///< boxes around what has moved since the frame before; null: nothing has
+  bool paths_end = false;             ///< in the cache, which is resolved: UpdatePaths::ends
 };
 
 /// By strip: groups of kRoundsPerFrame packets.

@@ -31,6 +31,11 @@ class PathIntegrator : public PathTracer<PathIntegrator> {
   /// throughput x what a white surface there would send on to ray.pixel of the film. `ray` led to the point.
   void gather_diffuse(const DiffuseVertex& at, const PathRay& ray, LightGroup from, const std::optional<LightSample>& light,
                       Vec2f way);
+  /// The first half of that: aims at the light.
+  void aim_at(const DiffuseVertex& at, const PathRay& ray, const LightSample& light);
+  /// And the path of the other half, for who traces it by other means: none where it would begin behind the surface. Its
+  /// density is the direction's alone.
+  std::optional<PathRay> bounce(const DiffuseVertex& at, const PathRay& ray, LightGroup from, Vec2f way);
 
   /// What has to do with what moves, by pixel of the film: see RadianceRecord.
   struct PossibleChange {

@@ -198,6 +198,7 @@ class PathTracer {
     };
     add_to(film_.all, weight_);
     if (float* part = depth > 1 ? film_.indirect : film_.direct) add_to(part, weight_);
+    if (film_.deepest && depth >= params_.max_depth) add_to(film_.deepest, weight_);
     if (film_.seen && depth == 0) add_to(film_.seen, weight_);
     if (film_.noise) add_to(film_.noise, weight_ * noise_weight_);
   }

@@ -14,10 +14,10 @@ Words small_paths(const std::string& folder) {
   return {"render", "teapot", "--lenses", "8", "--integrator", "path", "--spp", "2", "--frames", "0-1", "--output", folder};
 }
 
-/// As small_paths, with enough samples for soft light to be shared, which in so small a picture just pays at full depth.
+/// As small_paths, with enough samples for soft light to be shared, which in so small a picture pays in a room.
 Words small_shared(const std::string& folder, const std::string& frames) {
-  return {"render", "teapot", "--full-depth", "--lenses", "16",       "--integrator", "path",
-          "--spp",  "64",     "--frames",     frames,     "--output", folder};
+  return {"render", "room", "--full-depth", "--lenses", "16",       "--integrator", "path",
+          "--spp",  "64",   "--frames",     frames,     "--output", folder};
 }
 
 TEST(Light, frames_that_are_traced_although_light_could_be_shared_say_so) {

@@ -113,14 +113,14 @@ TEST(Provenance, of_frames_with_a_floor_says_what_was_traced) {
 }
 
 TEST(Provenance, of_shared_light_is_of_this_frame_at_first_and_of_frames_before_too_later) {
-  RenderParams params = small_scene();
+  RenderParams params = small_scene("room");
   params.sampling.integrator = Integrator::kPath;
   params.sampling.spp = 64;
   params.optics.fit_depth = false;
   params.reuse = {};
   const MadeFrames made = told(params, {0, 1}, 3);
   for (const int frame : {0, 1}) ASSERT_EQ(made.report(frame).kind, "shared") << frame;
-  EXPECT_GT(count(made, 0, Provenance::kSharedNow), 500u);  // most of what is seen is lit by lamps, or is none of the teapot
+  EXPECT_GT(count(made, 0, Provenance::kSharedNow), 500u);  // much of what is seen is lit by a lamp itself
   EXPECT_EQ(count(made, 0, Provenance::kSharedBefore), 0u);
   EXPECT_GT(count(made, 1, Provenance::kSharedBefore), 0u);
   EXPECT_GT(count(made, 1, Provenance::kSharedNow), 0u);

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "lippmann/image/encode.hpp"
+#include "radiance/cornell_box.hpp"
 #include "radiance/update_frame.hpp"
 #include "trace/small_scene.hpp"
 
@@ -67,7 +68,8 @@ SmallScene lit_through_panes() {
 /// A scene whose soft light has 16 rounds of updates.
 class CachedScene {
  public:
-  CachedScene(const Scene& scene, const Optics& optics, LightGroup lights_from, std::uint32_t seed)
+  /// paths_end: those of updates end in the cache where it knows light from the rounds before.
+  CachedScene(const Scene& scene, const Optics& optics, LightGroup lights_from, std::uint32_t seed, bool paths_end = false)
       : optics_(optics), device_(scene, pool_, Integrator::kPath), places_(device_.shaded()), beam_(optics, {}) {
     const ResolvedScene resolved = evaluate(scene, 0.0);
     device_.update(resolved, pool_);
@@ -75,7 +77,10 @@ class CachedScene {
     cells_.emplace(CacheCells{places_, beam_, 2.0f, lights_from});
     params_.max_depth = scene.max_depth, params_.seed = seed;
     const CacheUpdater updater({device_, optics, {}}, params_);
-    for (int round = 0; round < 16; ++round) updater.update({*cells_, cache_, pool_, context_}, round);
+    for (int round = 0; round < 16; ++round) {
+      if (paths_end && round >= 4 && round % 2 == 0) cache_.resolve(pool_);
+      updater.update({*cells_, cache_, pool_, context_, nullptr, paths_end && round >= 4}, round);
+    }
     cache_.resolve(pool_);
   }
 
@@ -97,9 +102,9 @@ class CachedScene {
   RadianceCache cache_{1u << 16};
 };
 
-Image gathered(const Scene& scene, const Optics& optics, LightGroup lights_from, std::uint32_t seed) {
+Image gathered(const Scene& scene, const Optics& optics, LightGroup lights_from, std::uint32_t seed, bool paths_end = false) {
   Image film;
-  CachedScene(scene, optics, lights_from, seed).gather(film);
+  CachedScene(scene, optics, lights_from, seed, paths_end).gather(film);
   return film;
 }
 
@@ -374,22 +379,49 @@ TEST(FeedFrame, light_may_have_changed_where_rays_pass_what_has_moved) {
 // Twelve renders each: |t| of the mean's difference below 4, which chance exceeds once in 1,500 tests of 22 degrees of freedom;
 // 0.3 % are allowed for what cells blur. Where paths that feed the cache meet the lamp although it was asked, and it counts
 // twice, the mean is 1.5 % higher; with the sky, 14 %.
-class GatheredLights : public testing::TestWithParam<std::tuple<SmallScene (*)(), LightGroup>> {};
-
-TEST_P(GatheredLights, have_the_mean_of_paths_whether_they_are_cached_or_asked) {
-  const SmallScene s = std::get<0>(GetParam())();
+/// Renders of many seeds, of paths and gathered, have the same mean.
+void expect_the_mean_of_paths(const SmallScene& s, LightGroup from, bool paths_end) {
   constexpr int kRenders = 12;
   double mean_of[2] = {0.0, 0.0}, square_of[2] = {0.0, 0.0};
   for (std::uint32_t seed = 0; seed < kRenders; ++seed) {
     TraceParams params;
     params.seed = 100 + seed;
     const double means[2] = {mean(trace_paths(s.scene, single_view(48), 32, params).film),
-                             mean(gathered(s.scene, single_view(48), std::get<1>(GetParam()), seed))};
+                             mean(gathered(s.scene, single_view(48), from, seed, paths_end))};
     for (int k = 0; k < 2; ++k) mean_of[k] += means[k] / kRenders, square_of[k] += means[k] * means[k] / kRenders;
   }
   const auto variance = [&](int k) { return (square_of[k] - mean_of[k] * mean_of[k]) / (kRenders - 1); };
   EXPECT_LT(std::abs(mean_of[0] - mean_of[1]), 4.0 * std::sqrt(variance(0) + variance(1)) + 0.003 * mean_of[0])
       << mean_of[0] << " and " << mean_of[1];
+}
+
+class GatheredLights : public testing::TestWithParam<std::tuple<SmallScene (*)(), LightGroup>> {};
+
+TEST_P(GatheredLights, have_the_mean_of_paths_whether_they_are_cached_or_asked) {
+  expect_the_mean_of_paths(std::get<0>(GetParam())(), std::get<1>(GetParam()), false);
+}
+
+class EndedPaths : public testing::TestWithParam<std::tuple<SmallScene (*)(), LightGroup>> {};
+
+TEST_P(EndedPaths, have_the_mean_of_paths) {
+  expect_the_mean_of_paths(std::get<0>(GetParam())(), std::get<1>(GetParam()), true);
+}
+INSTANTIATE_TEST_SUITE_P(GatherFrame, EndedPaths,
+                         testing::Combine(testing::Values(cornell_box, lit_by_all, lit_through_panes),
+                                          testing::Values(LightGroup::kSky, LightGroup::kEnd)));
+
+// In a closed box whose walls shine with 1 and send on 0.8 of what they receive, light that is scattered four times at most is
+// 1 + 0.8 + 0.8^2 + 0.8^3 + 0.8^4. Paths that end in light which has been scattered four times already would make it brighter
+// with every round, up to 5.
+TEST(EndedPaths, are_scattered_no_more_often_than_others) {
+  SmallScene s;
+  s.scene.max_depth = 4;
+  PhongSurface wall = matte(Vec3f(0.8f));
+  wall.emission = Vec3f(1.0f);
+  s.add(Boxes{{{-50.0f, -50.0f, -50.0f}, {50.0f, 50.0f, 50.0f}}}, s.material(wall));
+  const double expected = 1.0 + 0.8 + 0.64 + 0.512 + 0.4096;
+  EXPECT_NEAR(mean(trace_paths(s.scene, single_view(32), 64).film), expected, 1e-3 * expected);
+  EXPECT_NEAR(mean(gathered(s.scene, single_view(32), LightGroup::kSky, 1, true)), expected, 0.01 * expected);
 }
 
 INSTANTIATE_TEST_SUITE_P(GatherFrame, GatheredLights,

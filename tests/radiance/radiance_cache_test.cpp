@@ -38,7 +38,7 @@ Vec4f pick(const RadianceCache& cache, const CachePoint& place, Vec2f u, EdgesTo
   CacheQueries queries;
   queries.set(3, place, {0, 0, 1}, u);
   Lanes3 light;
-  const LaneMask known = cache.pick(queries, edges, light);
+  const LaneMask known = cache.pick(queries, edges, LookedUp::kAll, light);
   for (int i = 0; i < kLanes; ++i) EXPECT_TRUE(i == 3 || known.lane[i] == 0) << "a lane that did not ask";
   return known.lane[3] ? Vec4f(light.get(3), 1.0f) : Vec4f(0.0f);
 }
@@ -204,7 +204,7 @@ TEST(RadianceCache, lanes_are_picked_as_each_alone) {
   for (int i = 0; i < kLanes; ++i)
     if (i % 5 != 4) queries.set(i, place(1.7f * static_cast<float>(i), 3.1f), {0, 0, 1}, {0.05f * static_cast<float>(i), 0.3f});
   Lanes3 together;
-  const LaneMask known = cache.pick(queries, EdgesToPaths::kFaint, together);
+  const LaneMask known = cache.pick(queries, EdgesToPaths::kFaint, LookedUp::kAll, together);
   for (int i = 0; i < kLanes; ++i) {
     if (i % 5 == 4) continue;
     const Vec4f alone = pick(cache, queries.place(i), {queries.u[i], queries.v[i]});
@@ -370,6 +370,45 @@ TEST(RadianceCache, a_full_cache_takes_no_more_cells_and_keeps_what_it_has) {
     EXPECT_NEAR(light.x, 1.0f, 1e-5f);
   }
   EXPECT_GT(known, 0);
+}
+
+// Tables grow meanwhile: what was known stays so.
+TEST(RadianceCache, cells_that_are_new_are_unknown_until_light_is_resolved) {
+  RadianceCache cache(kMostWanted);
+  EXPECT_FALSE(cache.is_resolved());
+  update(cache, spread(2000, 0.0f, 1, [](float) { return 1.0f; }));
+  EXPECT_TRUE(cache.is_resolved());
+  std::vector<RadianceRecord> more = spread(20000, 0.0f, 2, [](float) { return 1.0f; });
+  for (RadianceRecord& record : more) record.place.position = 3.0f * record.place.position + 1000.0f;
+  const ThreadPool pool(1);
+  cache.add(std::vector<std::span<const RadianceRecord>>{more}, pool);
+  CachePoint far = place(3);
+  far.position = more.front().place.position;
+  EXPECT_EQ(pick(cache, far, Vec2f(0.5f)).w, 0.0f);
+  EXPECT_EQ(cache.look_up(far).w, 0.0f);
+  EXPECT_EQ(pick(cache, place(3), Vec2f(0.5f)).x, 1.0f);
+  cache.resolve(pool);
+  EXPECT_EQ(pick(cache, far, Vec2f(0.5f)).x, 1.0f);
+}
+
+TEST(RadianceCache, what_was_scattered_as_often_as_may_be_is_left_out_where_that_is_asked) {
+  RadianceCache cache(kMostWanted);
+  std::vector<RadianceRecord> records = spread(8000, 0.0f, 1, [](float) { return 2.0f; });
+  for (std::size_t i = 0; i < records.size(); ++i)
+    records[i].deepest = i % 2 == 0 ? 0.5f : -1.0f;  // a quarter of the light, of every other record that is known
+  records.push_back({place(500), Vec3f(2.0f)});
+  update(cache, records);
+  CacheQueries queries;
+  queries.set(0, place(3), {0, 0, 1}, Vec2f(0.5f));
+  queries.set(1, place(500), {0, 0, 1}, Vec2f(0.5f));  // a single sample is not enough to end paths
+  Lanes3 light;
+  const LaneMask known = cache.pick(queries, EdgesToPaths::kNone, LookedUp::kWithoutDeepest, light);
+  EXPECT_TRUE(known.lane[0]);
+  EXPECT_NEAR(light.x[0], 1.5f, 1e-3f);
+  EXPECT_FALSE(known.lane[1]);
+  const LaneMask all = cache.pick(queries, EdgesToPaths::kNone, LookedUp::kAll, light);
+  EXPECT_TRUE(all.lane[0] && all.lane[1]);
+  EXPECT_NEAR(light.x[0], 2.0f, 1e-5f);
 }
 
 TEST(RadianceCache, the_same_bits_on_any_number_of_threads) {
