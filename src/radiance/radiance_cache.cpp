@@ -64,7 +64,10 @@ RadianceCache::Cell* RadianceCache::Shard::find_or_add(std::uint64_t key, std::s
   return &cells.emplace_back();
 }
 
-RadianceCache::RadianceCache(std::size_t most_cells) : shards_(kShards), most_cells_((most_cells + kShards - 1) / kShards) {}
+RadianceCache::RadianceCache(std::size_t most_cells)
+    : shards_(kShards), most_cells_(std::min<std::size_t>((most_cells + kShards - 1) / kShards, kMostCells)) {}
+
+void RadianceCache::prefetch(std::uint64_t key) const { shards_[shard_of(key)].prefetch(key); }
 
 const RadianceCache::Slot* RadianceCache::find(std::uint64_t key) const { return shards_[shard_of(key)].find(key); }
 
@@ -188,7 +191,7 @@ void RadianceCache::add_to_shard(Shard& shard, std::span<const Target> targets, 
 void RadianceCache::find_all(const std::uint64_t* keys, EdgesToPaths edges, LookedUp what, LaneMask& left, LaneMask& known,
                              Lanes3& light) const {
   for (int i = 0; i < kLanes; ++i)
-    if (left.lane[i]) shards_[shard_of(keys[i])].prefetch(keys[i]);
+    if (left.lane[i]) prefetch(keys[i]);
   for (int i = 0; i < kLanes; ++i) {
     if (!left.lane[i]) continue;
     const Slot* slot = find(keys[i]);

@@ -225,7 +225,7 @@ class RadianceCache {
   static void add_to_cell(Cell& cell, const Sample& sample, const RadianceRecord& record);
   void add_to_shard(Shard& shard, std::span<const Target> targets, std::span<const Sample> samples,
                     std::span<const RadianceRecord> records);
-  void prefetch(std::uint64_t key) const { shards_[key >> 58].prefetch(key); }
+  void prefetch(std::uint64_t key) const;
   const Slot* find(std::uint64_t key) const;
   void find_all(const std::uint64_t* keys, EdgesToPaths edges, LookedUp what, LaneMask& left, LaneMask& known,
                 Lanes3& light) const;

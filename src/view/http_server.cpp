@@ -15,6 +15,7 @@
 #include <functional>
 #include <mutex>
 #include <random>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -35,7 +36,7 @@ class BoundedQueue : public httplib::TaskQueue {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return tasks_.size() < kMostWaiting || ending_; });
     tasks_.push_back(std::move(task));
-    if (tasks_.size() > resting_ && threads_.size() < kServingThreads) threads_.emplace_back([this] { serve(); });
+    if (tasks_.size() > resting_ && threads_.size() < kServingThreads) add_thread();
     changed_.notify_all();
   }
 
@@ -49,6 +50,15 @@ class BoundedQueue : public httplib::TaskQueue {
   }
 
  private:
+  /// Where the system has no more threads, those that there are have to do.
+  void add_thread() {
+    try {
+      threads_.emplace_back([this] { serve(); });
+    } catch (const std::system_error&) {
+      if (threads_.empty()) throw;
+    }
+  }
+
   void serve() {
     while (true) {
       std::function<void()> task;

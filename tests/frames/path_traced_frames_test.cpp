@@ -15,7 +15,7 @@ RenderParams paths(int lenses, int spp, const char* name = "teapot") {
   return params;
 }
 
-/// Enough samples for soft light to be shared, which in so small a picture pays in a room, with any of eight seeds.
+/// Enough samples for soft light to be shared, which in so small a picture pays in a room, with each of four seeds.
 RenderParams shared_light(const ReuseParams& goal = {}) {
   RenderParams params = paths(16, 64, "room");
   params.optics.fit_depth = false;

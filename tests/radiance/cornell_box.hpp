@@ -27,4 +27,15 @@ inline SmallScene cornell_box() {
   return s;
 }
 
+/// The same without the light: all walls and the box shine with 1 and send on 0.9 of what they receive.
+inline SmallScene shining_box(int max_depth) {
+  SmallScene s = cornell_box();
+  PhongSurface wall = matte(Vec3f(0.9f));
+  wall.emission = Vec3f(1.0f);
+  for (Material& material : s.scene.materials) material.surface = wall;
+  s.scene.lights.clear();
+  s.scene.max_depth = max_depth;
+  return s;
+}
+
 }  // namespace lippmann::test
