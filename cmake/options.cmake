@@ -52,12 +52,26 @@ if(LIPPMANN_SANITIZE)
   set(LIPPMANN_TEST_TIMEOUT 3000)
 endif()
 
-# lippmann_test(NAME SOURCES ... DEPENDS ...): one GoogleTest program, its tests known to ctest under their own names.
+# lippmann_optimise_tests(TARGET [COMPUTES]): much of a test's code runs once, so that what counts is how long it takes to compile;
+# some of it computes a little. What is tested is compiled as ever.
+function(lippmann_optimise_tests target)
+  cmake_parse_arguments(TEST "COMPUTES" "" "" ${ARGN})
+  target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:$<IF:$<BOOL:${TEST_COMPUTES}>,-O1,-O0>>)
+endfunction()
+
+# lippmann_test(NAME [COMPUTES] SOURCES ... DEPENDS ...): one GoogleTest program, its tests known to ctest under their own names.
+# COMPUTES: its own code takes time, to look at many pixels, say.
 function(lippmann_test name)
-  cmake_parse_arguments(TEST "" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(TEST "COMPUTES" "" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${name} ${TEST_SOURCES})
   target_link_libraries(${name} PRIVATE lippmann_test_support ${TEST_DEPENDS} GTest::gmock GTest::gtest_main)
-  lippmann_use_precompiled(${name} lippmann_test_headers)
+  if(TEST_COMPUTES)
+    lippmann_optimise_tests(${name} COMPUTES)
+    lippmann_use_precompiled(${name} lippmann_computing_test_headers)
+  else()
+    lippmann_optimise_tests(${name})
+    lippmann_use_precompiled(${name} lippmann_test_headers)
+  endif()
   lippmann_may_join(${name})
   # A loaded machine may take far longer than the 5 s that CMake gives a program to list its tests.
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT ${LIPPMANN_TEST_TIMEOUT})

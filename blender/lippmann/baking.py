@@ -13,8 +13,7 @@ from . import materials as of_nodes
 LAYER = "lippmann"       # the layout of what is baked
 MOST_FACES = 300_000     # unwrapping takes longer than rendering where there are more
 MOST_LAYERS = 8          # that Blender's meshes have
-MANY, MOST = 24, 256     # pictures: beyond the first they are small, beyond the second there are none
-LARGE, SMALL = 1024, 256  # pixels across
+MANY, MOST = 24, 256     # pictures: beyond the first they are a quarter as wide, beyond the second there are none
 SAMPLES = 4
 
 
@@ -164,8 +163,8 @@ def bake_job(job, stage, size):
         layers.active, layers[shown or active].active_render = layers[active], True
 
 
-def bake(stage, report):
-    """Gives meshes of the stage pictures in place of nodes. Returns {material: words} of what arrives so."""
+def bake(stage, size, report):
+    """Gives meshes of the stage pictures of size x size pixels in place of nodes. Returns {material: words} of what arrives so."""
     jobs = jobs_of(stage)
     for job in jobs:
         if not is_small_enough(job):
@@ -175,7 +174,8 @@ def bake(stage, report):
     total = sum(len(job.inputs()) for job in jobs)
     if not jobs:
         return arrived
-    size = LARGE if total <= MANY else SMALL
+    if total > MANY:
+        size //= 4
     scene_before = bpy.context.window.scene
     room = bpy.data.scenes.new("baking")
     room.render.engine, room.cycles.samples, room.cycles.use_denoising, room.cycles.device = "CYCLES", SAMPLES, False, "CPU"

@@ -107,7 +107,7 @@ class Job:
         self._glb = self.folder / "scene.glb"
         self._request.write_text(json.dumps({
             "library": str(library), "scene": scene.name, "display": settings.display, "calibration": bpy.path.abspath(settings.calibration) if settings.calibration else "",
-            "frames": [self.first, self.last], "still": self.still, "bake": settings.bake, "glb": str(self._glb), "world": str(self.folder / "world.exr"), "report": str(self._told)}))
+            "frames": [self.first, self.last], "still": self.still, "bake_size": settings.bake_size if settings.bake else 0, "glb": str(self._glb), "world": str(self.folder / "world.exr"), "report": str(self._told)}))
         self._flags = render_flags(scene, self.still)
         self._fps = scene.render.fps / scene.render.fps_base
         self._resume = settings.resume and not self.still

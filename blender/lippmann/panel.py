@@ -111,8 +111,10 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
         column.operator("lippmann.match_resolution")
         self._frame(context, layout)
         column = layout.column()
-        for name in ("samples", "denoise", "full_depth", "bake", "folder", "resume", "video", "extra"):
-            column.prop(settings, name)
+        for name in ("samples", "denoise", "full_depth", "bake", "bake_size", "folder", "resume", "video", "extra"):
+            row = column.row()
+            row.active = name != "bake_size" or settings.bake
+            row.prop(settings, name)
         layout.operator("lippmann.view", icon="URL")
         for warning in engine.last_warnings:
             show_sentence(layout, warning, panel_width(context))

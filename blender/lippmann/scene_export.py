@@ -492,7 +492,7 @@ def main():
     mend_figures(scene, report)
     importlib.import_module(f"{HERE.name}.materials").simplify_all(bpy.data.materials, report)
     stage, zone, has_shape_keys, blur = build_stage(scene, request, report)
-    baked = importlib.import_module(f"{HERE.name}.baking").bake(stage, report) if request["bake"] else {}
+    baked = importlib.import_module(f"{HERE.name}.baking").bake(stage, request["bake_size"], report) if request["bake_size"] else {}
     importlib.import_module(f"{HERE.name}.losses").say(scene, request["still"], baked, report)
     export_gltf(stage, request["glb"], request["still"], has_shape_keys)
     glb, ies, materials = (importlib.import_module(f"{HERE.name}.{name}") for name in ("glb", "ies", "materials"))

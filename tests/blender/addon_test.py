@@ -487,6 +487,8 @@ class AddOn(unittest.TestCase):
 
     def test_what_nodes_compute_arrives_as_pictures_the_same_in_every_export(self):
         scene = new_scene(self.folder, "single", samples=4)
+        self.assertEqual(scene.lippmann.bake_size, 1024)
+        scene.lippmann.bake_size = 128
         m = Material("wood")
         shader = m.node("ShaderNodeBsdfPrincipled")
         m.feed(m.node("ShaderNodeTexChecker", Color1=(0.9, 0.05, 0.05, 1.0), Color2=(0.05, 0.05, 0.9, 1.0), Scale=3.0), shader, "Base Color")
@@ -504,7 +506,7 @@ class AddOn(unittest.TestCase):
                   wood["normalTexture"].get("texCoord", 0)}
         self.assertEqual(places, {1})  # the cube's own coordinates come first
         self.assertEqual([words for words in engine.last_warnings if "wood" in words],
-                         ["The material wood arrives with pictures of 1024 x 1024 pixels in place of: Checker Texture, Noise Texture, Bump."])
+                         ["The material wood arrives with pictures of 128 x 128 pixels in place of: Checker Texture, Noise Texture, Bump."])
         image = bpy.data.images.load(str(tool.pictures(self.folder / "still", 0)[0]))
         values = np.array(image.pixels[:]).reshape(-1, 4)
         red, blue = ((values[:, one] > 0.3) & (values[:, other] < 0.5 * values[:, one]) for one, other in ((0, 2), (2, 0)))

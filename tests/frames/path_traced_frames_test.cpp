@@ -52,12 +52,6 @@ TEST(PathTracedFrames, count_their_rays) {
   EXPECT_GT(rays.shadow, 0u);
 }
 
-// Frames 14 to 17 belong to two histories.
-TEST(SharedLightFrames, are_the_same_whole_and_in_parts_on_any_number_of_threads) {
-  const MadeFrames whole = make_frames(shared_light(), frames_from(14, 17));
-  for (const int number : {15, 16, 17}) expect_the_same(make_frames(shared_light(), {number}, 3), whole);
-}
-
 TEST(SharedLightFrames, are_the_same_with_layers_which_are_those_of_traced_frames) {
   const std::vector<Aov> layers{Aov::kDepth, Aov::kMotion};
   RenderParams all_paths = shared_light_with({.aov = layers});
@@ -80,13 +74,13 @@ TEST(SharedLightFrames, before_nothing_are_the_same_whole_and_in_parts) {
   EXPECT_FALSE(part.frames.at(2).pictures.aovs[Aov::kAlpha].data.empty());
 }
 
-// Frames without noise are made of neighbours in the same history alone: frame 15 ends one, whether or not frame 16 follows.
-TEST(SharedLightFrames, are_denoised_whole_and_in_parts) {
+// Frames 14 to 17 belong to two histories, of which frame 15 ends one. Frames without noise are made of neighbours in the same
+// history alone, whether or not others follow, and of all that the shared light of these is.
+TEST(SharedLightFrames, are_the_same_whole_and_in_parts_on_any_number_of_threads_and_denoised) {
   const RenderParams params = shared_light_with({.denoise = true, .transparent = true});
   for (const auto& [number, frame] : make_frames(params, {0, 1}).frames) EXPECT_EQ(frame.report.kind, "shared");
-  const MadeFrames whole = make_frames(params, {15, 16});
-  expect_the_same(make_frames(params, {15}, 3), whole);
-  expect_the_same(make_frames(params, {16}), whole);
+  const MadeFrames whole = make_frames(params, frames_from(14, 17));
+  for (const int number : {15, 16, 17}) expect_the_same(make_frames(params, {number}, 3), whole);
   EXPECT_NE(make_frames(shared_light_with({.transparent = true}), {16}).film(16), whole.film(16));
 }
 

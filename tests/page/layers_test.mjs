@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readdirSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
-import { closeAfterEach, eyeOfView, inFolder, lippmann, open, play, quilt, set, view } from "./support.mjs";
+import { closeAfterEach, eyeCodes, eyeOfView, inFolder, lippmann, open, panelCodes, play, quilt, set, view } from "./support.mjs";
 
 closeAfterEach();
 
@@ -20,8 +20,6 @@ const limitedTo = (side) => `{
   };
 }`;
 
-const codes = (page) => page.evaluate(async () => [...(await window.lippmann.picture(192, 192))]);
-const canvas = (page) => page.evaluate(() => [...window.lippmann.panel()]);
 /** GPUs place samples between texels to a 256th of a texel, counted from other places in a layer than in the whole. */
 const kLeastDb = 50;
 const psnr = (a, b) => -10 * Math.log10(a.reduce((sum, x, i) => sum + ((x - b[i]) / 255) ** 2, 0) / a.length);
@@ -37,12 +35,12 @@ test("in layers it looks as in one texture", async () => {
     for (const changes of [{ between: "depth", aperture: 0 }, { between: "blend" }, { aperture: 0.6, focus: 3 }]) {
       const state = { eye: await eyeOfView(whole, across, up), ...changes };
       await set(whole, state), await set(layered, state);
-      const alike = psnr(await codes(whole), await codes(layered));
+      const alike = psnr(await eyeCodes(whole, 192), await eyeCodes(layered, 192));
       console.log(`view ${across}, ${JSON.stringify(changes)}: ${alike.toFixed(1)} dB`);
       assert.ok(alike >= kLeastDb, `view ${across}, ${JSON.stringify(changes)}: ${alike} dB`);
     }
   for (const page of [whole, layered]) await set(page, { show: "panel", aperture: 0 });
-  assert.equal(most(await canvas(whole), await canvas(layered)), 0, "what the panel shows");
+  assert.equal(most(await panelCodes(whole), await panelCodes(layered)), 0, "what the panel shows");
   // Tiles of 96x128: two across and one down.
   const layers = await layered.evaluate(() => window.layers);
   assert.deepEqual([...new Set(layers.map(String))], ["192,128,6"]);
@@ -59,7 +57,7 @@ test("a panel plays a quilt in layers code by code", async () => {
   for (const filter of ["nearest", "gaussian"]) {
     const address = await play(input, "--display", "panel.json", "--filter", filter);
     const [whole, layered] = [await open(address), await open(address, { script: limitedTo(210) })];
-    assert.equal(most(await canvas(whole), await canvas(layered)), 0, filter);
+    assert.equal(most(await panelCodes(whole), await panelCodes(layered)), 0, filter);
     assert.ok((await layered.evaluate(() => window.layers)).length > 0);
   }
 });

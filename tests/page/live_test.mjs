@@ -3,13 +3,13 @@
 import assert from "node:assert/strict";
 import { existsSync } from "node:fs";
 import { test } from "node:test";
-import { inFolder, lippmann, open, view } from "./support.mjs";
+import { eyeCodes, inFolder, lippmann, open, view } from "./support.mjs";
 
 const page = await open(await view("room", "--optics", "multiview", "--views", "4x1", "--size", "256x64", "--frames", "0-3"), { width: 820, height: 420 });
 page.setDefaultTimeout(90000);
 const atRest = () => page.waitForSelector('#stage[data-rest="true"]');
 const scene = () => page.evaluate(() => window.lippmann.scene);
-const codes = (one) => one.evaluate(async () => [...(await window.lippmann.picture(64, 64))]);
+const codes = (one) => eyeCodes(one, 64);
 const notice = (pattern) => page.waitForFunction((pattern) => new RegExp(pattern).test(document.querySelector("#notice").textContent), pattern);
 
 /** Until settings that were just changed are rendered. */

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { closeAfterEach, eyeOfView, inFolder, lippmann, open, set, sheet, view } from "./support.mjs";
+import { closeAfterEach, eyeCodes, eyeOfView, inFolder, lippmann, open, panelCodes, set, sheet, view } from "./support.mjs";
 
 closeAfterEach();
 
@@ -13,7 +13,7 @@ const { frames } = JSON.parse(readFileSync(inFolder("gears/report.json")));
 const address = await view("gears");
 
 const legend = (page) => page.locator("#legend li").allTextContents();
-const picture = (page) => page.evaluate(async () => [...(await window.lippmann.picture(64, 64))]);
+const picture = (page) => eyeCodes(page, 64);
 /** The codes of all views of a frame, as the page is sent them: a row of 4 tiles or another arrangement, RGBA. */
 const codesOfView = (page, frame, view) => page.evaluate(async ([frame, view]) => {
   const bitmap = await createImageBitmap(await (await fetch(`0/provenance/${frame}`)).blob(), { colorSpaceConversion: "none" });
@@ -94,7 +94,7 @@ test("the panel's picture is tinted too, and values below the pointer are not", 
   const value = await page.evaluate(() => window.lippmann.valueAt(0.5, 0.5));
   await set(page, { overlay: "provenance" });
   assert.deepEqual(await page.evaluate(() => window.lippmann.valueAt(0.5, 0.5)), value);
-  const panel = () => page.evaluate(() => [...window.lippmann.panel()]);
+  const panel = () => panelCodes(page);
   await set(page, { show: "panel" });
   const tinted = await panel();
   await set(page, { overlay: "none" });
