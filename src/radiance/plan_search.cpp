@@ -34,6 +34,10 @@ int first_rounds(const TraceParams& params, const CachedLightGoal& goal) {
   return !goal.error.squared && !goal.seconds && params.spp <= kFewPaths ? CacheSetup{}.rounds / 2 : CacheSetup{}.rounds;
 }
 
+/// Means of patches that err by more than two codes are seen as stains: cells are wider than pixels, and err as a whole. (The
+/// white room, 16 paths a pixel: stains at 2.9 codes, next to none at 1.7.)
+constexpr float kStained = squared(2.0f / 255.0f);
+
 float excess_of(const FrameError& found, const FrameError& may) {
   return std::max(found.pixels / may.pixels, found.blocks / may.blocks);
 }
@@ -87,6 +91,7 @@ SetupOutcome PlanSearch::try_setup(const SetupSearch& search) {
   const int looks = search.updates_more(outcome) ? 1 : std::clamp(goal_.frames, 1, kMostLooks);
   outcome.is_good = plan_ && is_good_elsewhere(looks);
   outcome.of_cells = plan_ ? plan_->of_cells : 1.0f;
+  outcome.is_stained = outcome.is_good && !goal_.error.squared && plan_->expected.blocks > kStained;
   if (outcome.is_good)
     good_ = plan_;
   else if (plan_)
@@ -160,6 +165,8 @@ bool PlanSearch::may_gain(const SetupOutcome& outcome) const {
   const double whole = measure_.rays_of_whole_frame(), frames = goal_.frames;
   if (static_cast<double>(cache_.counts().total() + counts().total()) >= most_spent(goal_.frames) * whole) return false;
   const double share = frames * measure_.share_of_last() * whole;
+  if (good_ && outcome.is_stained)
+    return share + 2.0 * static_cast<double>(cache_.rays_since_start()) < kLeastGainOfStill * frames * whole;
   if (good_) return updates_pay(outcome, share, static_cast<double>(cache_.rays_since_start()));
   const double after = share + rays_until_good(outcome);
   if (mixed_) return after < kLeastGain * frames * mixed_->plan.share_of_rays * whole;

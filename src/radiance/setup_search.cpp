@@ -41,7 +41,7 @@ bool SetupSearch::go_on(const SetupOutcome& outcome) {
   const bool helped = has_helped(outcome);
   if (outcome.is_good) {
     good_ = current_;
-    if (outcome.of_cells <= most_of_cells(current_.rounds)) return false;
+    if (!outcome.is_stained && outcome.of_cells <= most_of_cells(current_.rounds)) return false;
   }
   const Step done = step_;
   const bool more = updates_more(outcome);

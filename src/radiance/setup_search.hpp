@@ -22,6 +22,8 @@ struct SetupOutcome {
   /// so that they can be compared, though there is luck in how large it is.
   float excess = 0.0f;
   float of_cells = 0.0f;  ///< share of the allowed error that cells make
+  /// Means err by so much that stains are seen, though those of as few paths err as much: their noise is finer.
+  bool is_stained = false;
 };
 
 /// Whether twice the updates of a good setup may save clearly more samples of pixels than they cost. rays: what the pixels of

@@ -32,6 +32,14 @@ TEST(SetupSearch, cells_that_make_most_of_the_error_are_fed_more_though_frames_a
   EXPECT_EQ(search.good()->rounds, 8);
 }
 
+TEST(SetupSearch, stains_are_fed_more_though_frames_are_good) {
+  SetupSearch search(true, kFirst);
+  EXPECT_TRUE(search.go_on({.is_good = true, .excess = 0.9f, .of_cells = 0.1f, .is_stained = true}));
+  EXPECT_EQ(search.current().rounds, 2 * kFirst);
+  EXPECT_FALSE(search.go_on({.is_good = true, .excess = 0.5f, .of_cells = 0.1f}));
+  EXPECT_EQ(search.good()->rounds, 2 * kFirst);
+}
+
 /// Where cells make 0.4 of the error, half of that leaves 0.8 to pixels in place of 0.6: (0.6 / 0.8)^(1 / 1.6) = 0.835 of
 /// their samples.
 TEST(SetupSearch, more_updates_pay_where_enough_frames_gain_by_them) {
