@@ -33,8 +33,8 @@ void add_info_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<InfoOptions>();
   const Command command = root.add_command("info", "Describe a scene and how the lens array is fitted to it");
   add_param_flags(command, options->flags,
-                  {"camera-path", "animation", "variant", "asset-root", "texture-memory", "camera", "up", "fps", "integrator",
-                   "environment", "layout", "Optics"});
+                  {"camera-path", "animation", "variant", "asset-root", "texture-memory", "camera", "up", "focus", "fit-to",
+                   "zoom", "orbit", "fps", "integrator", "environment", "layout", "Optics"});
   command.add_flag("--json", options->json, "Print JSON on stdout");
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }

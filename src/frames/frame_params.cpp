@@ -35,6 +35,15 @@ bool has_layers_of_paths(const Sampling& sampling) {
 /// The member that opens the lens.
 const char* name_of_opening(const ViewLens& lens) { return lens.aperture_mm > 0.0f ? "aperture" : "f-number"; }
 
+void check_key_frames(const std::optional<int>& every) {
+  if (every && *every < 1) throw usage_error("keyframes", fmt::format("is {}", *every), "a key frame every 1 or more frames");
+}
+
+void check_floor(const std::optional<double>& min_psnr_db) {
+  if (min_psnr_db && !(*min_psnr_db > 0.0 && std::isfinite(*min_psnr_db)))
+    throw usage_error("min-psnr", fmt::format("is {} dB", *min_psnr_db), "a number above 0");
+}
+
 void check_reuse(const AutoReuse&, const Sampling&) {}
 void check_reuse(const TraceAll&, const Sampling&) {}
 
@@ -45,7 +54,8 @@ void refuse_shutter(const Sampling& sampling) {
                       "`reuse` none or auto with it");
 }
 
-void check_reuse(const CopySettled&, const Sampling& sampling) {
+void check_reuse(const CopySettled& copy, const Sampling& sampling) {
+  check_key_frames(copy.keyframes);
   refuse_shutter(sampling);
   if (integrator_of(sampling) == Integrator::kPath)
     throw usage_error("reuse", "copy knows pixels of Whitted's shading; path-traced ones have other noise in every frame",
@@ -57,6 +67,9 @@ void check_reuse(const CopySettled&, const Sampling& sampling) {
 }
 
 void check_reuse(const ShareLight& light, const Sampling& sampling) {
+  check_floor(light.min_psnr_db);
+  if (light.time_budget_s && !(*light.time_budget_s > 0.0 && std::isfinite(*light.time_budget_s)))
+    throw usage_error("time-budget", fmt::format("is {} s", *light.time_budget_s), "a number of seconds above 0");
   if (light.time_budget_s && light.min_psnr_db)
     throw usage_error("time-budget", "and `min-psnr` both say how good frames should be", "one of the two");
   if (light.time_budget_s && light.quality_at == QualityAt::kEye)
@@ -81,6 +94,8 @@ std::string against_floor(const Interpolate& how) {
 }
 
 void check_reuse(const Interpolate& how, const Sampling& sampling) {
+  check_key_frames(how.keyframes);
+  check_floor(how.min_psnr_db);
   if (integrator_of(sampling) == Integrator::kPath)
     throw usage_error("reuse", "interpolate does not know path-traced frames", "none, light or auto, or `integrator` whitted");
   refuse_shutter(sampling);
@@ -123,6 +138,10 @@ void check_shutter(const Sampling& sampling) {
 }
 
 void check_sampling(const Sampling& sampling) {
+  if (sampling.spp < 0) throw usage_error("spp", fmt::format("is {}", sampling.spp), "a number of samples, or 0");
+  if (sampling.max_depth < 0) throw usage_error("max-depth", fmt::format("is {}", sampling.max_depth), "1 or more, or 0");
+  if (!(sampling.clamp_indirect >= 0.0f))
+    throw usage_error("clamp-indirect", fmt::format("is {}", sampling.clamp_indirect), "a number above 0, or 0 for any light");
   check_lens(sampling.lens);
   check_shutter(sampling);
   const bool paths = integrator_of(sampling) == Integrator::kPath;

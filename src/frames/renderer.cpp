@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <utility>
 
 #include "frames/frame.hpp"
@@ -13,9 +14,26 @@
 namespace lippmann {
 namespace {
 
+/// That of another scene may name a node that this one does not have.
+void check(const Placement& placement, const Scene& scene) {
+  const FittedArray& array = placement.array;
+  const int nodes = static_cast<int>(scene.nodes.size());
+  if (array.node < -1 || array.node >= nodes)
+    throw Error("placement", fmt::format("the array moves with node {}, of {} in the scene", array.node, nodes),
+                "place() of the same scene");
+  const auto is_size = [](float value) { return value > 0.0f && std::isfinite(value); };
+  if (!is_size(array.plane_height) || !is_size(placement.placed.units_per_mm))
+    throw Error(
+        "placement",
+        fmt::format("the plane is {} units high, at {} units a millimetre", array.plane_height, placement.placed.units_per_mm),
+        "two numbers above 0, as place() gives them");
+  validate(placement.placed.optics);
+}
+
 /// Before anything is built.
-FrameParams checked(FrameParams params, const Optics& optics) {
-  check(params, optics);
+FrameParams checked(FrameParams params, const Placement& placement, const Scene& scene) {
+  check(placement, scene);
+  check(params, placement.placed.optics);
   return params;
 }
 
@@ -35,7 +53,7 @@ struct Renderer::Impl {
 
   Impl(Scene scene, Placement placement, FrameParams requested, const Context& caller)
       : context(caller),
-        params(checked(std::move(requested), placement.placed.optics)),
+        params(checked(std::move(requested), placement, scene)),
         pool(resolved_threads(caller)),
         stage(checked(std::move(scene)), std::move(placement.array), std::move(placement.placed),
               integrator_of(params.sampling), pool),

@@ -1,11 +1,11 @@
 #include "lippmann/image/metrics.hpp"
 
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
+#include "image/require_samples.hpp"
 #include "image/ssim.hpp"
 
 namespace lippmann {
@@ -29,7 +29,11 @@ double psnr_db(double mean_mse) {
 }
 
 PictureMetrics measure_difference(const Image8& reference, const Image8& test) {
-  assert(reference.width == test.width && reference.height == test.height && !reference.rgb.empty());
+  require_samples(reference, "reference");
+  require_samples(test, "test");
+  if (reference.width != test.width || reference.height != test.height)
+    throw Error("test", fmt::format("has {}x{} pixels", test.width, test.height),
+                fmt::format("{}x{}, those of the reference", reference.width, reference.height));
   const double pixels = static_cast<double>(reference.rgb.size() / 3);
   const std::array<std::uint64_t, 3> sums = squared_differences(reference, test);
   PictureMetrics m;

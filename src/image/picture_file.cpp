@@ -8,6 +8,7 @@
 #include "image/exr.hpp"
 #include "image/png.hpp"
 #include "image/read_image.hpp"
+#include "image/require_samples.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
 
@@ -65,6 +66,8 @@ void check_picture_ending(const std::filesystem::path& path, const Picture& pict
 
 void write_picture(const std::filesystem::path& path, const Picture& picture) {
   check_picture_ending(path, picture);
+  require_samples(picture, path.string());
+  if (const auto* light = std::get_if<Image>(&picture)) require_channels(*light, 3, path.string());
   if (const auto* bytes = std::get_if<Image8>(&picture)) return write_png(path, *bytes);
   if (const auto* words = std::get_if<Image16>(&picture)) return write_png(path, *words);
   const std::array<ExrLayer, 1> layers{film_layer(std::get<Image>(picture), ExrSample::kFloat)};

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "image/require_samples.hpp"
 #include "layout/cameras.hpp"
 #include "layout/sub_pixels.hpp"
 #include "lippmann/core/error.hpp"
@@ -11,7 +12,10 @@
 namespace lippmann {
 namespace {
 
-void require_size(const Image& image, Vec2i film, const char* what) {
+/// channels: 0: any.
+void require_size(const Image& image, Vec2i film, int channels, const char* what) {
+  require_samples(image, what);
+  if (channels > 0) require_channels(image, channels, what);
   if (image.width == film.x && image.height == film.y) return;
   throw Error(what, fmt::format("has {}x{} pixels", image.width, image.height),
               fmt::format("{}x{}, those of the panel", film.x, film.y));
@@ -19,7 +23,10 @@ void require_size(const Image& image, Vec2i film, const char* what) {
 
 RenderedViews required_views(const Optics& optics) {
   if (std::optional<RenderedViews> rendered = rendered_views(optics)) return *rendered;
-  throw Error("optics", "its lenses do not have a whole number of pixels, and make no views",
+  const bool has_lenses = !std::holds_alternative<RayTable>(optics.model);
+  throw Error("optics",
+              has_lenses ? "its lenses do not have a whole number of pixels, and make no views"
+                         : "rays of one's own go where they like, and make no views",
               "views, or lenses with a whole number of pixels below each, neither slanted nor hexagonal");
 }
 
@@ -27,8 +34,8 @@ RenderedViews required_views(const Optics& optics) {
 
 LightField light_field_of(const Image& film, const Optics& optics, const Image* depth) {
   const Vec2i size = film_size(optics);
-  require_size(film, size, "film");
-  if (depth) require_size(*depth, size, "depth");
+  require_size(film, size, 3, "film");
+  if (depth) require_size(*depth, size, 1, "depth");
   const RenderedViews rendered = required_views(optics);
   const ViewLayout& layout = rendered.film;
   LightField field;
@@ -49,7 +56,7 @@ LightField light_field_of(const Image& film, const Optics& optics, const Image* 
 
 Image views_of_layer(const Image& layer, const Optics& optics) {
   const Vec2i size = film_size(optics);
-  require_size(layer, size, "layer");
+  require_size(layer, size, 0, "layer");
   const ViewLayout film = required_views(optics).film;
   const Vec2i view = view_size(film, size, "layer");
   Image stack(view.x, view.y * film.grid.count(), layer.channels);
@@ -58,12 +65,12 @@ Image views_of_layer(const Image& layer, const Optics& optics) {
 }
 
 Image picture_of_film(const Image& film, const Optics& optics) {
-  require_size(film, film_size(optics), "film");
+  require_size(film, film_size(optics), 3, "film");
   return sub_pixels_per_pixel(optics) > 1 ? join_sub_pixels(film) : film;
 }
 
 Image picture_of_layer(const Image& layer, const Optics& optics) {
-  require_size(layer, film_size(optics), "layer");
+  require_size(layer, film_size(optics), 0, "layer");
   return sub_pixels_per_pixel(optics) > 1 ? middle_sub_pixels(layer) : layer;
 }
 

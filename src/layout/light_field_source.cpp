@@ -42,6 +42,13 @@ std::string format_of(const fs::path& path, const LightFieldSource& source) {
   if (parse_stereo_name(path)) return "stereo";
   if (has_rgbd_name(path) || read_rgbd_side_file(path)) return "rgbd";
   if (source.rendering && !source.rendering->layout.empty()) return source.rendering->layout;
+  if (!fs::exists(path, ignored)) throw Error(path.string(), "there is no such file or folder");
+  if (source.rendering && !source.rendered)
+    throw usage_error("from",
+                      path.string() +
+                          " was rendered for lenses that do not have a whole number of pixels: what is below them "
+                          "makes no views",
+                      "what was rendered with `layout` views or quilt");
   if (!source.rendered) throw usage_error("from", "nothing says what " + path.string() + " is", "the name of a format");
   switch (source.rendered->film.kind) {
     case LayoutKind::kQuilt:

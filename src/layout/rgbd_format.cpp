@@ -127,7 +127,7 @@ std::vector<fs::path> write_rgbd(const LightField& field, const fs::path& path, 
   if (!field.cameras || !field.depth)
     throw usage_error(
         "to", field.cameras ? "nothing says how deep what these views show is" : "nothing says what cameras saw these views",
-        "what `render` has made with `aov` depth, or a format that holds depth");
+        "what was rendered with `aov` depth, or a format that holds depth");
   const int view = field.grid.rows / 2 * field.grid.columns + field.grid.columns / 2;
   const Image depth = depth_of(field, view);
   const RgbdSideFile side = side_of(field, view, depth, options);

@@ -54,6 +54,11 @@ inline void check_number(const char* field, double value, double low, double hig
     reject_field(field, fmt::format("is {}", value), fmt::format("a number from {} to {}", low, high));
 }
 
+/// See with_parallax.
+inline void check_parallax(const char* field, float value) {
+  if (!(value > 0.0f && std::isfinite(value))) reject_field(field, fmt::format("is {}", value), "a number above 0");
+}
+
 inline void check_cone(const char* field, float cone) {
   if (!(cone >= 0.0f && cone <= radians(179.0f)))
     reject_field(field, fmt::format("is {} degrees", degrees(cone)), "an angle from 0 to 179 degrees");

@@ -80,6 +80,7 @@ void check_model(const Panel& panel, const LenticularSheet& sheet) {
   check_position("lenticular.offset_mm", sheet.offset_mm);
   check_distance_or_infinity("lenticular.viewing_distance_mm", sheet.viewing_distance_mm);
   check_position("lenticular.eye_height_mm", sheet.eye_height_mm);
+  check_parallax("lenticular.parallax", sheet.parallax);
 }
 
 void write_model(const LenticularSheet& sheet, nlohmann::ordered_json& json) {

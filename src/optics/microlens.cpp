@@ -148,6 +148,7 @@ void check_model(const Panel& panel, const MicrolensArray& array) {
   check_position("microlens.offset_mm.x", array.offset_mm.x);
   check_position("microlens.offset_mm.y", array.offset_mm.y);
   check_distance_or_infinity("microlens.viewing_distance_mm", array.viewing_distance_mm);
+  check_parallax("microlens.parallax", array.parallax);
 }
 
 void write_model(const MicrolensArray& array, nlohmann::ordered_json& json) {

@@ -77,8 +77,13 @@ void check_model(const Panel& panel, const MultiView& views) {
   check_count("multiview.rows", views.rows, panel.height);
   check_cone("multiview.view_cone", views.view_cone);
   check_length("multiview.distance_mm", views.distance_mm);
-  if (views.baseline_mm != 0.0f) check_length("multiview.baseline_mm", views.baseline_mm);
+  if (views.baseline_mm != 0.0f && !(views.baseline_mm >= kMinLength && views.baseline_mm <= kMaxLength))
+    reject_field("multiview.baseline_mm", fmt::format("is {} mm", views.baseline_mm),
+                 fmt::format("a length from {} to {} mm, or 0 for a cone of views", kMinLength, kMaxLength));
   check_number("multiview.pixel_height", views.pixel_height, 0.01, 100);
+  check_parallax("multiview.parallax", views.parallax);
+  for (const float shift : {views.eye_shift.x, views.eye_shift.y})
+    check_number("multiview.eye_shift", shift, -kMaxSide, kMaxSide);
 }
 
 void write_model(const MultiView& views, nlohmann::ordered_json& json) {

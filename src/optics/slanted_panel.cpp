@@ -153,6 +153,7 @@ void check_model(const Panel& panel, const SlantedPanel& slanted) {
     for (const auto& column : row)
       for (const Vec2f offset : column)
         for (const float value : {offset.x, offset.y}) check_number("slanted.sub_pixels", value, -kMaxOffset, kMaxOffset);
+  check_parallax("slanted.parallax", slanted.parallax);
 }
 
 namespace {

@@ -195,8 +195,18 @@ struct EyeSampler::Impl {
   Sampler sampler;
 };
 
+namespace {
+
+const RenderedPanel& checked(const RenderedPanel& rendered) {
+  validate(rendered);
+  return rendered;
+}
+
+}  // namespace
+
 EyeSampler::EyeSampler(const RenderedPanel& rendered, SampleFilter filter, double crosstalk_px)
-    : impl_(std::make_unique<Impl>(Impl{make_sampler(rendered, {filter, crosstalk_sigmas(rendered.optics, crosstalk_px)})})) {}
+    : impl_(std::make_unique<Impl>(
+          Impl{make_sampler(checked(rendered), {filter, crosstalk_sigmas(rendered.optics, crosstalk_px)})})) {}
 EyeSampler::~EyeSampler() = default;
 EyeSampler::EyeSampler(EyeSampler&&) noexcept = default;
 

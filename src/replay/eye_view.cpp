@@ -48,6 +48,9 @@ void validate(const EyeView& view) {
     throw usage_error("pupil", fmt::format("{} mm is no diameter", view.pupil_mm), "0 (a pinhole) or more");
   if (!(std::abs(view.focus_mm) <= kFarthestMm && view.focus_mm < 0.999 * eye.z))
     throw usage_error("focus", fmt::format("{} mm is no depth before the eye", view.focus_mm), "a depth below the eye's z");
+  if (view.size != Vec2i(0) && !(view.size.x > 0 && view.size.y > 0))
+    throw usage_error("size", fmt::format("is {}x{}", view.size.x, view.size.y),
+                      "two numbers of pixels, or 0x0 for the natural size");
   if (!(view.crosstalk_px >= 0.0 && view.crosstalk_px <= kMaxBlurPx))
     throw usage_error("crosstalk", fmt::format("{} pixels", view.crosstalk_px), fmt::format("0 to {}", kMaxBlurPx));
 }

@@ -185,6 +185,9 @@ void validate_depth(const Optics& optics, double z_mm, const char* flag) {
 Image refocus(const RenderedPanel& rendered, double z_mm, Vec2i size, const ThreadPool& pool, Image* disagreement,
               const Context& context) {
   const Optics& optics = rendered.optics;
+  validate(rendered);
+  if (size != Vec2i(0) && !(size.x > 0 && size.y > 0))
+    throw usage_error("size", fmt::format("is {}x{}", size.x, size.y), "two numbers of pixels, or 0x0 for the natural size");
   if (size == Vec2i(0)) size = natural_view_size(optics);
   const Arrivals arrivals = find_arrivals(optics, z_mm, size, pool, context);
   const Vec2d pixel_mm = display_window(optics).size / Vec2d(size);

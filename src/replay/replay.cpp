@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
@@ -137,8 +138,8 @@ class Replay {
   }
 
   void make_pair(std::size_t frame, ReplayFiles& files) {
-    const Vec3d half(0.5 * *params_.ipd_mm, 0.0, 0.0);
-    const Image left = view_of(frame, view_.eye_mm - half), right = view_of(frame, view_.eye_mm + half);
+    const std::vector<Vec3d> pair = eyes();
+    const Image left = view_of(frame, pair[0]), right = view_of(frame, pair[1]);
     if (context_.cancelled) return;  // before anything large is made of nothing
     files.add("left_" + label(frame), left);
     files.add("right_" + label(frame), right);
@@ -171,14 +172,26 @@ class Replay {
     keep(files, fmt::format("sweep_{:04}", i), view_of(frame, eye), true);
   }
 
+  /// Of a pair both, of a sweep the one in the middle.
+  std::vector<Vec3d> eyes() const {
+    if (!params_.ipd_mm) return {view_.eye_mm};
+    const Vec3d half(0.5 * *params_.ipd_mm, 0.0, 0.0);
+    return {view_.eye_mm - half, view_.eye_mm + half};
+  }
+
+  /// The largest share of the eyes.
   double warn_of_flips() const {
-    const double share = share_out_of_zone(frames_.optics, viewer_at(view_.eye_mm));
-    if (share > 0.0)
-      context_.warning(
-          fmt::format("The eye at ({:.4g}, {:.4g}, {:.4g}) mm is out of the viewing zone of {:.3g} % of the "
-                      "display: there it sees {}.",
-                      view_.eye_mm.x, view_.eye_mm.y, view_.eye_mm.z, 100.0 * share, seen_out_of_zone()));
-    return share;
+    double most = 0.0;
+    for (const Vec3d& eye : eyes()) {
+      const double share = share_out_of_zone(frames_.optics, viewer_at(eye));
+      most = std::max(most, share);
+      if (share > 0.0)
+        context_.warning(
+            fmt::format("The eye at ({:.4g}, {:.4g}, {:.4g}) mm is out of the viewing zone of {:.3g} % of the "
+                        "display: there it sees {}.",
+                        eye.x, eye.y, eye.z, 100.0 * share, seen_out_of_zone()));
+    }
+    return most;
   }
 
   const char* seen_out_of_zone() const {

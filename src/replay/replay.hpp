@@ -42,7 +42,7 @@ struct ReplayParams {
 struct Replayed {
   std::vector<std::filesystem::path> written;
   std::optional<Vec3d> eye_mm = {};  ///< none: no picture shows what an eye sees
-  double out_of_zone = 0.0;          ///< the share of lenses that show that eye a neighbour's picture
+  double out_of_zone = 0.0;          ///< the share of lenses that show that eye a neighbour's picture; of a pair the larger
 };
 
 /// Throws Error naming the flag or file. When context.cancelled is set, it stops at once: pictures that are finished stay, the

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <type_traits>
 
@@ -122,6 +123,14 @@ class Validator {
     require(skin.per_vertex >= 0 && skin.joints.size() == count && skin.weights.size() == count, element,
             "not as many joints and weights for each vertex");
     for (const float weight : skin.weights) require(finite(weight) && weight >= 0.0f, element, "a weight is not a number >= 0");
+    constexpr float kRounding = 0.01f;  // of weights in 8 bits, too
+    const auto per_vertex = static_cast<std::size_t>(skin.per_vertex);
+    for (std::size_t v = 0; per_vertex > 0 && v < vertices; ++v) {
+      const float sum = std::accumulate(skin.weights.begin() + static_cast<std::ptrdiff_t>(v * per_vertex),
+                                        skin.weights.begin() + static_cast<std::ptrdiff_t>((v + 1) * per_vertex), 0.0f);
+      if (std::abs(sum - 1.0f) > kRounding)
+        require(false, element, fmt::format("the weights of vertex {} sum to {}, not 1", v, sum));
+    }
   }
 
   void check_shape(const Splats& splats, const std::string& element) const {

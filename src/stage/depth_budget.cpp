@@ -19,8 +19,8 @@ const char* whose(const ShownDepth& shown) { return shown.of_subject ? "The subj
 
 std::string fitted_sentence(const ShownDepth& shown, float depth_scale) {
   return fmt::format(
-      "{} reaches from {:.1f} mm to {:+.1f} mm, deeper than the depth budget of {:.1f} mm on either side: {:.3g} of its "
-      "depth is shown, from {:.1f} mm to {:+.1f} mm.",
+      "{} reaches from {:+.1f} mm to {:+.1f} mm, deeper than the depth budget of {:.1f} mm on either side: {:.3g} of its "
+      "depth is shown, from {:+.1f} mm to {:+.1f} mm.",
       whose(shown), shown.back_mm / depth_scale, shown.front_mm / depth_scale, shown.budget_mm, depth_scale, shown.back_mm,
       shown.front_mm);
 }
@@ -40,7 +40,8 @@ float fitting_depth(const ShownDepth& true_depth) {
 
 std::string depth_budget_sentence(const ShownDepth& shown, const Optics& optics, float depth_scale) {
   if (depth_scale < 1.0f) return fitted_sentence(shown, depth_scale);
-  const std::string reach = fmt::format("{} reaches from {:.1f} mm to {:+.1f} mm", whose(shown), shown.back_mm, shown.front_mm);
+  const std::string reach =
+      fmt::format("{} reaches from {:+.1f} mm to {:+.1f} mm", whose(shown), shown.back_mm, shown.front_mm);
   const float budget = shown.budget_mm, deepest = shown.deepest_mm();
   if (std::isinf(budget)) return reach + "; a single view has no depth budget.";
   if (shown.fits()) return reach + fmt::format(", within the depth budget of {:.1f} mm on either side.", budget);

@@ -192,6 +192,13 @@ FittedArray half_way_through(const Setting& setting, const Camera& camera) {
   }
   place_before_camera(array, distance, view);
   const bool is_scene = sees_nothing || (sees_subject && !setting.subject.has_surroundings());
+  if (sees_nothing && !seen.empty()) {
+    array.how = fmt::format(
+        "Nothing of the scene is seen from {}: the array is {:.4g} units in front of it; `fit-to`, `orbit` or another `camera` "
+        "shows more.",
+        camera_name(camera), distance);
+    return array;
+  }
   array.how = fmt::format("The array goes through the middle of {}, {:.4g} units in front of {}, and fills its view.{}{}",
                           is_scene       ? "the scene"
                           : sees_subject ? "its subject"
@@ -238,6 +245,16 @@ SubjectBounds bounds_in_view(const Setting& setting, const Direction& direction,
   return all;
 }
 
+/// Where the middle of the width and of the height is, if the subject fits `enough` far away: margins are the same on both
+/// sides. The axis that fits with room to spare is seen under a smaller angle than it was measured with.
+Vec2f middle_at(const Setting& setting, const Direction& direction, const SubjectBounds& bounds, Vec2f angle, float enough) {
+  const Vec2f reach = bounds.right_up + bounds.left_down;
+  const Vec2f sine = glm::clamp(reach / (2.0f * enough), Vec2f(0.0f), glm::sin(angle));
+  const Vec2f cosine = glm::sqrt(1.0f - sine * sine);
+  const SubjectBounds seen = bounds_in_view(setting, direction, cosine, sine);
+  return (seen.right_up - seen.left_down) / (2.0f * cosine);
+}
+
 /// So far away that the subject just fits, and so that it stands in the middle of the picture.
 FittedArray fitted_to_bounds(const Setting& setting, const Direction& direction) {
   FittedArray array;
@@ -250,13 +267,15 @@ FittedArray fitted_to_bounds(const Setting& setting, const Direction& direction)
     bounds.straight.add(Vec3f(0.0f));
     bounds.right_up = bounds.left_down = sine;
   }
-  const Vec2f middle = (bounds.right_up - bounds.left_down) / (2.0f * cosine);
   const Vec2f enough = (bounds.right_up + bounds.left_down) / (2.0f * sine);
   const Vec3f size = bounds.straight.size();
   const float plane_z = bounds.straight.center().z;
   // A rod that is seen along its length, or a point, would be seen from within.
   const float least = size == Vec3f(0.0f) ? 1.0f : 0.5f * size.z + kNearestPlane * diagonal(bounds.straight);
   const float distance = std::max(std::max(enough.x, enough.y) - plane_z, least);
+  const bool is_shown = size != Vec3f(0.0f) && distance + plane_z > 0.0f;
+  const Vec2f middle =
+      is_shown ? middle_at(setting, direction, bounds, angle, distance + plane_z) : Vec2f(bounds.straight.center());
   place_before_camera(array, distance, {false, Vec2f(direction.tangent_y)});
   array.node_from_plane = {direction.node_from_view, direction.node_from_view * Vec3f(middle, plane_z)};
   array.depth_front = bounds.straight.upper.z - plane_z;
@@ -470,6 +489,11 @@ Subject wanted_subject(const Scene& scene, const ViewWish& wish) {
 }  // namespace
 
 FittedArray fit_array(const Scene& scene, float aspect, const ViewWish& wish) {
+  if (!(wish.zoom > 0.0f && std::isfinite(wish.zoom)))
+    throw usage_error("zoom", fmt::format("is {}", wish.zoom), "a number above 0");
+  if (!std::isfinite(wish.orbit.yaw_deg) || !(std::abs(wish.orbit.pitch_deg) <= 90.0f))
+    throw usage_error("orbit", fmt::format("is {},{} degrees", wish.orbit.yaw_deg, wish.orbit.pitch_deg),
+                      "YAW,PITCH with a pitch from -90 to 90");
   const ResolvedScene resolved = evaluate(scene, scene.timeline.time(0));
   const Subject subject = wanted_subject(scene, wish);
   const Setting setting{scene, resolved, subject, aspect};

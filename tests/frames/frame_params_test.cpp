@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "lippmann/core/error.hpp"
@@ -98,6 +99,23 @@ TEST(FrameParams, a_lens_needs_views_several_samples_and_a_focus_in_front_of_the
   EXPECT_EQ(refused_by(quilt, 1, 100.0f), "aperture");
   EXPECT_EQ(refused_by(quilt, 4, 300.0f), "focal-plane");
   EXPECT_EQ(refused_by(sheet, 4, 0.0f), "aperture");
+}
+
+TEST(FrameParams, numbers_that_mean_nothing_are_refused) {
+  EXPECT_EQ(refused({{.spp = -1}, TraceAll{}}), "spp");
+  EXPECT_EQ(refused({{.max_depth = -1}, TraceAll{}}), "max-depth");
+  for (const float light : {-1.0f, std::nanf("")})
+    EXPECT_EQ(refused({{.clamp_indirect = light}, TraceAll{}}), "clamp-indirect");
+  for (const int every : {0, -4}) {
+    EXPECT_EQ(refused({{}, Interpolate{.keyframes = every}}), "keyframes");
+    EXPECT_EQ(refused({{}, CopySettled{.keyframes = every}}), "keyframes");
+  }
+  EXPECT_EQ(refused({{}, Interpolate{.keyframes = 1}}), "");
+  for (const double none : {0.0, -5.0, std::nan(""), HUGE_VAL}) {
+    EXPECT_EQ(refused({{}, Interpolate{.min_psnr_db = none}}), "min-psnr");
+    EXPECT_EQ(refused({kPaths, ShareLight{.min_psnr_db = none}}), "min-psnr");
+    EXPECT_EQ(refused({kPaths, ShareLight{.time_budget_s = none}}), "time-budget");
+  }
 }
 
 TEST(FrameParams, what_takes_from_a_floor_what_it_promises_is_refused) {

@@ -1,13 +1,16 @@
 // A program that holds a scene in memory: placed optics and frames, without flags and folders.
 #include "lippmann/frames/renderer.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
 
 #include "frames/frame_maker.hpp"
 #include "job/job_stage.hpp"
 #include "job/reuse_params.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/scene/load.hpp"
+#include "support/error_message.hpp"
 
 namespace lippmann {
 namespace {
@@ -132,6 +135,26 @@ TEST(Renderer, refuses_frames_that_are_not_there_and_parameters_that_contradict_
   Scene broken = scene;
   broken.instances.front().node = 1 << 20;
   EXPECT_THROW(Renderer(broken, placement, {}, context), Error);
+}
+
+TEST(Renderer, refuses_a_placement_that_is_not_of_the_scene_or_was_spoilt) {
+  const Context context;
+  const Scene scene = built_in("primitives");
+  const Placement good = place(scene, small_quilt());
+  const auto message = [&](const auto& spoil) {
+    Placement placement = good;
+    spoil(placement);
+    return test::error_message([&] { Renderer(scene, placement, {}, context); });
+  };
+  EXPECT_EQ(message([](Placement&) {}), "(no Error)");
+  for (const int node : {-2, static_cast<int>(scene.nodes.size()), 90'000'000})
+    EXPECT_THAT(message([&](Placement& p) { p.array.node = node; }), testing::HasSubstr("the array moves with node")) << node;
+  for (const float size : {0.0f, -1.0f, std::nanf(""), kInfinity}) {
+    EXPECT_THAT(message([&](Placement& p) { p.placed.units_per_mm = size; }), testing::HasSubstr("units a millimetre")) << size;
+    EXPECT_THAT(message([&](Placement& p) { p.array.plane_height = size; }), testing::HasSubstr("units high")) << size;
+  }
+  EXPECT_THAT(message([](Placement& p) { p.placed.optics.panel.width = -5; }), testing::HasSubstr("panel.width"));
+  EXPECT_THAT(message([](Placement& p) { p.placed.optics.model = RayTable{}; }), testing::HasSubstr("rays"));
 }
 
 TEST(Renderer, that_is_cancelled_makes_no_frame) {

@@ -66,6 +66,14 @@ TEST(Metrics, known_differences_give_the_errors_worked_out_by_hand) {
 
 TEST(Metrics, psnr_of_the_first_row_of_the_papers_table_1) { EXPECT_NEAR(psnr_db(21.4394), 34.8187, 5e-5); }
 
+TEST(Metrics, pictures_of_two_sizes_or_without_all_of_their_samples_are_refused) {
+  Image8 short_of_samples = flat(16, 16, 0);
+  short_of_samples.rgb.resize(30);
+  EXPECT_THROW(measure_difference(flat(16, 16, 0), flat(16, 8, 0)), Error);
+  EXPECT_THROW(measure_difference(flat(16, 16, 0), short_of_samples), Error);
+  EXPECT_THROW(measure_difference(Image8{}, Image8{}), Error);
+}
+
 TEST(Metrics, black_against_white_is_0_db) { EXPECT_EQ(measure_difference(flat(16, 16, 0), flat(16, 16, 255)).psnr_db, 0.0); }
 
 TEST(Metrics, equal_pictures_are_identical) {

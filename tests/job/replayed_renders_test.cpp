@@ -57,6 +57,12 @@ TEST_F(ReplayedRenders, folder_of_frames_gives_one_eye_view_each_beside_them) {
   EXPECT_NE(picture.rgb, panel.rgb);
 }
 
+TEST_F(ReplayedRenders, eyes_of_a_pair_are_told_to_be_out_of_the_zone_though_its_middle_is_in_it) {
+  render_teapot();
+  EXPECT_EQ(replay({.in = dir_ / "out", .folder = dir_ / "near", .ipd_mm = 1.0}, context_).out_of_zone, 0.0);
+  EXPECT_EQ(replay({.in = dir_ / "out", .folder = dir_ / "far", .ipd_mm = 1e5}, context_).out_of_zone, 1.0);
+}
+
 TEST_F(ReplayedRenders, two_eyes_give_left_right_and_both_side_by_side) {
   render_teapot();
   seen({.ipd_mm = 10.0}, "out/frame_0003.png", "eyes");

@@ -59,6 +59,16 @@ TEST(FilmViews, what_is_not_of_the_panel_and_lenses_without_whole_pixels_are_ref
   EXPECT_THROW(light_field_of(numbered(5, 4, 3), quilt()), Error);
   const Image depth = numbered(6, 3, 1);
   EXPECT_THROW(light_field_of(numbered(6, 4, 3), quilt(), &depth), Error);
+  // Of the panel's size, but other channels, or fewer samples than that.
+  const Image colours = numbered(6, 4, 3), grey = numbered(6, 4, 1);
+  EXPECT_THROW(light_field_of(colours, quilt(), &colours), Error);
+  EXPECT_THROW(light_field_of(grey, quilt()), Error);
+  EXPECT_THROW(picture_of_film(grey, quilt()), Error);
+  Image short_of_samples = colours;
+  short_of_samples.data.pop_back();
+  EXPECT_THROW(light_field_of(short_of_samples, quilt()), Error);
+  EXPECT_THROW(views_of_layer(short_of_samples, quilt()), Error);
+  EXPECT_THROW(picture_of_layer(short_of_samples, quilt()), Error);
   Optics slanted;
   slanted.panel = {8, 2, 0.25f};
   slanted.model = LenticularSheet{.lens_pitch_mm = 1.0f, .slant = 0.2f};

@@ -173,6 +173,12 @@ TEST_P(BadOptics, is_refused_by_the_name_of_its_field) {
 }
 
 const BadCase kBadCases[] = {
+    {"parallax_nan", "multiview.parallax", with(MultiView{.parallax = std::nanf("")}, {480, 480, 0.1f})},
+    {"parallax_of_a_sheet", "lenticular.parallax", with(LenticularSheet{.parallax = 0.0f})},
+    {"parallax_of_lenslets", "microlens.parallax", with(MicrolensArray{.parallax = -1.0f})},
+    {"parallax_of_a_panel", "slanted.parallax", with(SlantedPanel{.parallax = kInfinity}, kSlantedPanel)},
+    {"eye_shift_nan", "multiview.eye_shift", with(MultiView{.eye_shift = {std::nanf(""), 0.0f}}, {480, 480, 0.1f})},
+    {"baseline", "multiview.baseline_mm", with(MultiView{.baseline_mm = -1.0f}, {480, 480, 0.1f})},
     {"zero_width", "panel.width", bad_panel(0, 512, 0.1f)},
     {"negative_height", "panel.height", bad_panel(512, -4, 0.1f)},
     {"huge_width", "panel.width", bad_panel(1'000'000'000, 512, 0.1f)},

@@ -113,6 +113,22 @@ TEST(Refocus, a_cancelled_context_ends_it_before_the_next_row_of_rays) {
   EXPECT_EQ(refocus(panel, 7.0, {64, 80}, pool, nullptr, context).data, black.data);
 }
 
+TEST(Refocus, panels_without_all_of_their_samples_and_sizes_without_pixels_are_refused) {
+  const ThreadPool pool(1);
+  const RenderedPanel good = test::record_point(test::sheet(), {0.37f, 0.61f, 4.0f});
+  const auto message = [&](const auto& spoil, Vec2i size) {
+    RenderedPanel panel = good;
+    spoil(panel.picture);
+    return test::error_message([&] { refocus(panel, 4.0, size, pool); });
+  };
+  EXPECT_EQ(message([](Image&) {}, {8, 8}), "(no Error)");
+  EXPECT_THAT(message([](Image& p) { p.data.pop_back(); }, {8, 8}), testing::HasSubstr("samples"));
+  EXPECT_THAT(message([](Image& p) { p = Image(p.width, p.height, 1); }, {8, 8}), testing::HasSubstr("1 channels"));
+  EXPECT_THAT(message([](Image& p) { p = Image(3, 3, 3); }, {8, 8}), testing::HasSubstr("those of the panel"));
+  for (const Vec2i size : {Vec2i(-1, 4), Vec2i(8, 0)})
+    EXPECT_THAT(message([](Image&) {}, size), testing::HasSubstr("numbers of pixels")) << size.x;
+}
+
 TEST(Refocus, depths_behind_the_viewer_or_not_finite_are_refused) {
   const auto message = [](double z) {
     return test::error_message([&] { validate_depth(test::sheet(150.0f), z, "--refocus"); });

@@ -93,6 +93,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"target_nan", [](Scene& s) { mesh_of(s).targets[0].normals.assign(3, Vec3f(kNan)); }, "morphed normal of vertex"},
         Fault{"skin_weights_count", [](Scene& s) { mesh_of(s).skin.weights.pop_back(); }, "not as many joints and weights"},
         Fault{"skin_weight_nan", [](Scene& s) { mesh_of(s).skin.weights[1] = kNan; }, "a weight is not a number"},
+        Fault{"skin_weight_sum", [](Scene& s) { mesh_of(s).skin.weights[0] += 0.5f; }, "weights of vertex 0 sum to"},
         Fault{"skin_weight_joint", [](Scene& s) { mesh_of(s).skin.joints[2] = 2; }, "names joint 2 of 2 joints"},
         Fault{"skin_joint", [](Scene& s) { s.skins[0].joints[1] = 3; }, "skin 0: node 3"},
         Fault{"skin_matrices", [](Scene& s) { s.skins[0].joint_from_mesh.pop_back(); }, "not one matrix per joint"},

@@ -218,6 +218,57 @@ TEST(FitArray, scene_without_a_camera_is_seen_whole_from_front_above_and_right) 
   }
 }
 
+/// The margins on both sides of a box, over half the picture: left, right, below, above.
+Vec4f margins(const Scene& scene, const FittedArray& array, float aspect, Vec3f lower, Vec3f upper) {
+  const Affine3f plane_from_world = inverse(plane_in_world(scene, array));
+  Vec2f least(kInfinity), most(-kInfinity);
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3f world(corner & 1 ? upper.x : lower.x, corner & 2 ? upper.y : lower.y, corner & 4 ? upper.z : lower.z);
+    const Vec3f p = transform_point(plane_from_world, world);
+    const float shrink = array.viewing_distance / (array.viewing_distance - p.z);
+    const Vec2f seen = Vec2f(p.x / aspect, p.y) * (shrink / (0.5f * array.plane_height));
+    least = glm::min(least, seen), most = glm::max(most, seen);
+  }
+  return {1.0f + least.x, 1.0f - most.x, 1.0f + least.y, 1.0f - most.y};
+}
+
+// A flat plate, seen from above: its near edge is seen larger, and the height has room to spare.
+TEST(FitArray, scene_without_a_camera_has_equal_margins_where_there_is_room_to_spare_too) {
+  const Vec3f lower(-4, 0, -4), upper(4, 0.5f, 4);
+  Scene scene;
+  add_box(scene, lower, upper);
+  for (const float aspect : {0.5f, 1.0f, 3.0f}) {
+    const Vec4f room = margins(scene, fit_array(scene, aspect), aspect, lower, upper);
+    EXPECT_NEAR(room.x, room.y, 0.03f) << aspect;
+    EXPECT_NEAR(room.z, room.w, 0.03f) << aspect;
+    EXPECT_GT(std::min({room.x, room.y, room.z, room.w}), 0.0f) << aspect;
+  }
+}
+
+TEST(FitArray, camera_that_looks_away_from_everything_is_said_to_see_nothing) {
+  Scene scene;
+  add_box(scene, {-1, -1, 4}, {1, 1, 8});
+  add_camera(scene, at({0, 0, 0}));
+  EXPECT_THAT(fit_array(scene).how, HasSubstr("Nothing of the scene is seen from"));
+}
+
+TEST(FitArray, zooms_and_orbits_that_mean_nothing_are_refused) {
+  Scene scene;
+  add_box(scene, Vec3f(-1), Vec3f(1));
+  const auto field = [&](const ViewWish& wish) {
+    try {
+      fit_array(scene, 1.0f, wish);
+    } catch (const Error& error) {
+      return error.where();
+    }
+    return std::string();
+  };
+  for (const float zoom : {0.0f, -1.0f, std::nanf(""), kInfinity}) EXPECT_EQ(field({.zoom = zoom}), "zoom") << zoom;
+  EXPECT_EQ(field({.orbit = {0.0f, 200.0f}}), "orbit");
+  EXPECT_EQ(field({.orbit = {std::nanf(""), 0.0f}}), "orbit");
+  EXPECT_EQ(field({.zoom = 2.0f, .orbit = {-30.0f, 90.0f}}), "");
+}
+
 TEST(FitArray, scene_without_a_camera_is_seen_whole_all_through_its_animation) {
   Scene scene;
   add_box(scene, {0, 0, 0}, {1, 1, 1});

@@ -1,6 +1,6 @@
 // The one exception type of the library: bad input from outside (a file, a flag, a size), with enough to mend it.
 //
-// Thrown at load and set-up only; kernels never throw. Only main() catches it, prints message() and exits with exit_code().
+// Thrown at load and set-up only; kernels never throw. Only main() catches it, prints what() and exits with exit_code().
 // Our own mistakes are asserts, not Errors.
 #pragma once
 

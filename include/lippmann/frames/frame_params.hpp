@@ -58,8 +58,8 @@ bool can_copy_settled(const Sampling& sampling);
 /// The kind of reuse that serves: as it is, and of AutoReuse what the sampling allows.
 Reuse resolved_reuse(const FrameParams& params);
 
-/// Throws a usage Error for parameters that contradict each other, or that the optics do not have. It names the member
-/// (min-psnr for min_psnr_db, as job files do) and what would be accepted.
+/// Throws a usage Error for parameters that are out of range, contradict each other, or that the optics do not have. It names
+/// the member (min-psnr for min_psnr_db, as job files do) and what would be accepted.
 void check(const FrameParams& params, const Optics& optics);
 
 /// The part of it that does not depend on the optics.

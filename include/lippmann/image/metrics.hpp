@@ -26,7 +26,7 @@ struct PictureMetrics {
   bool identical = true;
 };
 
-/// Pictures of one size, at least one pixel.
+/// Throws Error for pictures of two sizes, without a pixel, or with fewer samples than their size says.
 PictureMetrics measure_difference(const Image8& reference, const Image8& test);
 
 /// PSNR of a mean squared error; infinite for 0.

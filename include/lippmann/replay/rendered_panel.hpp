@@ -11,4 +11,8 @@ struct RenderedPanel {
   Image picture;  ///< 3 channels, linear; as large as picture_size(optics) says
 };
 
+/// Throws Error where the picture is not of the panel: another size, other channels or fewer samples. All that looks at a panel
+/// calls it.
+void validate(const RenderedPanel& rendered);
+
 }  // namespace lippmann

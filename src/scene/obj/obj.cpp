@@ -115,13 +115,14 @@ class Reader {
   }
 
   /// A whole number, which counts from 1 or backwards from -1, as an index.
-  int index(std::string_view digits, std::size_t size, std::string_view word) const {
+  int index(std::string_view digits, std::size_t size, std::string_view word, const char* what) const {
     std::int64_t value = 0;
     const auto [rest, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     const auto count = static_cast<std::int64_t>(size);
     if (failure != std::errc{} || rest != digits.data() + digits.size() || value == 0 || value > count || value < -count)
-      throw lexer_.error(fmt::format("{} names a vertex that does not exist", shown(word)),
-                         fmt::format("1 to {}, or -{} to -1", count, count));
+      throw lexer_.error(fmt::format("{} names a {} that does not exist", shown(word), what),
+                         count > 0 ? fmt::format("1 to {}, or -{} to -1", count, count)
+                                   : fmt::format("none, for no {} has come before", what));
     return static_cast<int>(value > 0 ? value - 1 : count + value);
   }
 
@@ -130,9 +131,10 @@ class Reader {
     const std::size_t first = std::min(word.find('/'), word.size());
     const std::size_t second = first == word.size() ? first : std::min(word.find('/', first + 1), word.size());
     Corner corner;
-    corner.position = index(word.substr(0, first), positions_.size(), word);
-    if (first + 1 < second) corner.uv = index(word.substr(first + 1, second - first - 1), uvs_.size(), word);
-    if (second + 1 < word.size()) corner.normal = index(word.substr(second + 1), normals_.size(), word);
+    corner.position = index(word.substr(0, first), positions_.size(), word, "vertex");
+    if (first + 1 < second)
+      corner.uv = index(word.substr(first + 1, second - first - 1), uvs_.size(), word, "texture coordinate");
+    if (second + 1 < word.size()) corner.normal = index(word.substr(second + 1), normals_.size(), word, "normal");
     return corner;
   }
 
