@@ -5,6 +5,7 @@ World: right-handed, any unit; +y up, as glTF. A scene's objects are placed, mov
 
 from __future__ import annotations
 
+import hashlib
 import math
 import os
 import warnings
@@ -32,7 +33,8 @@ class Material:
     color: linear red, green, blue from 0 to 1. roughness: 0 (mirror) to 1 (chalk). metallic: 0 or 1. emission: linear light that
     the surface gives off; not limited. transmission: the share of light that passes, as through glass, bent by ior. alpha: below
     1 the surface covers that share. texture: (y, x, 3 or 4) uint8, sRGB, times color, by the mesh's uvs; without these, and on
-    other shapes, it is not shown, which is a LippmannWarning.
+    other shapes, it is not shown, which is a LippmannWarning. What is added to a scene has the material as it is then: later
+    changes, of the texture's pixels too, are those of what is added after them.
     """
 
     color: Sequence[float] = (0.8, 0.8, 0.8)
@@ -118,7 +120,7 @@ class Scene:
         count = integer(frames, "frames", 1, 1 << 20)
         self._core = _core.Scene(text(name, "name"), count, positive(frames_per_second, "frames_per_second", 1e4))
         self._kind, self._is_file = "physical", False
-        self._materials: Dict[Any, Tuple[Any, int]] = {}
+        self._start()
 
     @classmethod
     def _of(cls, core: Any, kind: str, is_file: bool) -> "Scene":
@@ -126,8 +128,13 @@ class Scene:
         was read, not made.
         """
         scene = cls.__new__(cls)
-        scene._core, scene._kind, scene._is_file, scene._materials = core, kind, is_file, {}
+        scene._core, scene._kind, scene._is_file = core, kind, is_file
+        scene._start()
         return scene
+
+    def _start(self) -> None:
+        self._materials: Dict[Any, int] = {}  # indices by all that a material says
+        self._textures: Dict[Any, int] = {}  # indices by what the pixels are
 
     # ---- What it is ----------------------------------------------------------------------------------------------------
 
@@ -388,7 +395,7 @@ class Scene:
             raise Error("scene", "has no surfaces to show", "a scene with triangles that have an area, or other shapes")
 
     def _material(self, material: Optional[Material], has_uvs: bool = False) -> int:
-        """The index of a material; equal ones are one."""
+        """The index of a material, as it is now; equal ones are one."""
         if material is None:
             material = Material()
         if not isinstance(material, Material):
@@ -414,19 +421,24 @@ class Scene:
         if material.texture is not None and not has_uvs:
             text = "The texture of a material is not shown: only meshes with uvs have places for it."
             warnings.warn(text, LippmannWarning, stacklevel=3)
-        key = (color, emission, tuple(parts.values()), flags, id(material.texture))
+        texture = -1 if material.texture is None else self._texture(_rgba(material.texture))
+        key = (color, emission, tuple(parts.values()), flags, texture)
         if key in self._materials:
-            return self._materials[key][1]
-        texture = -1 if material.texture is None else self._core.add_texture(_rgba(material.texture), True)
+            return self._materials[key]
         surface = _core.Surface()
         surface.set_base_color((*color, parts["alpha"]), texture)
         surface.set_emissive(emission)
         surface.metallic, surface.roughness = parts["metallic"], parts["roughness"]
         surface.transmission, surface.ior, surface.clearcoat = parts["transmission"], parts["ior"], parts["clearcoat"]
         surface.double_sided, surface.unlit = flags
-        index = self._core.add_material(surface)
-        self._materials[key] = material.texture, index  # which is kept, so that its id stays its own
-        return index
+        return self._materials.setdefault(key, self._core.add_material(surface))
+
+    def _texture(self, rgba: np.ndarray) -> int:
+        """The index of a texture (y, x, 4). Equal ones are one: the pixels decide, as an array may have changed since it was added."""
+        key = rgba.shape, hashlib.blake2b(rgba, digest_size=32).digest()
+        if key not in self._textures:
+            self._textures[key] = self._core.add_texture(rgba, True)
+        return self._textures[key]
 
     def _carried(self, skin: Skin, vertices: int) -> Tuple[Sequence[int], np.ndarray, np.ndarray]:
         """Nodes of joints, indices and weights, checked; weights sum to 1."""

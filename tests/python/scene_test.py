@@ -33,6 +33,27 @@ class SceneTest(Case):
         self.assertGreater(picture[24, 24, 2], 0.9)
         self.assertLess(picture[8, 24].max(), 0.1)
 
+    def test_a_texture_that_has_changed_is_another_one_and_equal_ones_are_shared(self):
+        scene, uvs = lippmann.Scene(), [[0, 1], [1, 1], [1, 0], [0, 0]]
+
+        def add(texture, x):
+            material = lippmann.Material((1, 1, 1), unlit=True, texture=texture)
+            scene.add_mesh(QUAD, FACES, uvs=uvs, material=material, translation=(x, 0, 0), scale=(0.4, 1, 1))
+
+        texture = np.zeros((2, 3, 3), np.uint8)
+        for x, color in ((-0.5, (255, 0, 0)), (0.5, (0, 255, 0))):
+            texture[...] = color
+            add(texture, x)
+        picture = front(scene)
+        np.testing.assert_allclose(picture[16, [8, 24]], [[1, 0, 0], [0, 1, 0]], atol=1e-5)
+        self.assertEqual(scene._core.material_count, 2)
+        add(texture.copy(), 2)  # as it is
+        add(texture[::-1, ::-1], 3)
+        add(np.dstack([texture, np.full((2, 3), 255, np.uint8)]), 4)  # with the alpha that the others have
+        self.assertEqual(scene._core.material_count, 2)
+        add(texture.reshape(3, 2, 3), 5)  # the same bytes in another shape
+        self.assertEqual(scene._core.material_count, 3)
+
     def test_vertex_colors_multiply_the_materials(self):
         scene = lippmann.Scene()
         colors = np.full((4, 3), (1.0, 0.5, 0.0))
