@@ -14,6 +14,7 @@ from ._errors import Error
 from ._optics import Display, Optics, display as _display
 
 _SIZE = 1 << 15
+_RENDERED_WITH = "a frame of lippmann.render with its name among `layers`"
 
 
 def formats() -> Dict[str, str]:
@@ -151,10 +152,14 @@ class LightField:
         return self.layer("motion")
 
     def layer(self, name: str) -> np.ndarray:
-        """(rows, columns, y, x, channels), float32: a layer that was asked for when it was rendered (lippmann.frames)."""
-        name = choice(name, "layer", _core.layer_names)
+        """(rows, columns, y, x, channels), float32: a layer that was asked for when it was rendered (lippmann.frames). Of one that
+        was not rendered, depth, where it is known.
+        """
+        name = choice(name, "name", _core.layer_names)
         if self._film is None:
-            raise Error("layer", f"{name!r} is not known of a light field that was not rendered", "depth")
+            if name == "depth":
+                return self.depth[..., None]
+            raise Error("layer", f"{name!r} is not known of a light field that was not rendered", _RENDERED_WITH)
         if name not in self._layers:
             rows, columns = self.shape[:2]
             flat = self._film.layer_of_views(name, rows * columns)
@@ -201,9 +206,10 @@ class LightField:
 
     def panel_layer(self, name: str) -> np.ndarray:
         """(y, x, channels), float32: a layer as it lies in the picture; of native pixels, too."""
+        name = choice(name, "name", _core.layer_names)
         if self._film is None:
-            raise Error("layer", "is not known of a light field that was not rendered", "depth")
-        return self._film.layer(choice(name, "layer", _core.layer_names))
+            raise Error("layer", f"{name!r} is not known of a light field that was not rendered", _RENDERED_WITH)
+        return self._film.layer(name)
 
     # ---- What is known of it -------------------------------------------------------------------------------------------
 
@@ -240,6 +246,7 @@ class LightField:
     @property
     def world_from_display(self) -> np.ndarray:
         """(4, 4), float32: from mm of the display to the scene's world, at this frame."""
+        self._placed()
         return self._film.world_from_display
 
     def _placed(self) -> Any:

@@ -6,7 +6,7 @@ Sizes are (height, width) in pixels, as the shapes of arrays are. Lengths are mm
 from __future__ import annotations
 
 import math
-from typing import Any, Callable, List, Optional, Tuple
+from typing import Any, Callable, List, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -18,6 +18,7 @@ Display = _core.Display
 Optics = _core.Optics
 
 _MOST = 32768  # pixels of a side
+_RAYS = "a function of points (n, 2) that returns origins (n, 3) and directions (n, 3)"
 
 
 def displays() -> List[Display]:
@@ -154,6 +155,18 @@ def _spread(directions: np.ndarray, rows: int) -> float:
     return float(np.median(steps)) if steps.size else 0.0
 
 
+def _pair_of(returned: Any) -> Sequence[Any]:
+    """The two arrays that `rays` has returned. It may be a generator: what that raises comes out as it is."""
+    try:
+        parts = iter(returned)
+    except TypeError:
+        raise Error("rays", f"has returned {returned!r}", _RAYS) from None
+    listed = list(parts)
+    if len(listed) != 2:
+        raise Error("rays", f"has returned {len(listed)} value{'' if len(listed) == 1 else 's'}", _RAYS)
+    return listed
+
+
 def own_optics(
     rays: Callable[[np.ndarray], Tuple[np.ndarray, np.ndarray]],
     size: Tuple[int, int] = (256, 256),
@@ -171,15 +184,12 @@ def own_optics(
 
     Such pictures are traced, and that is all: they have no views, and cannot be interpolated, denoised or replayed.
     """
+    if not callable(rays):
+        raise Error("rays", f"is {rays!r}", _RAYS)
     panel = pair(size, "size", 1, _MOST)
     samples = integer(samples_per_side, "samples_per_side", 1, 16)
     points = _middles(panel, samples)
-    try:
-        origins, directions = rays(points)
-    except (TypeError, ValueError) as error:
-        if isinstance(error, Error):
-            raise
-        raise Error("rays", str(error), "a function of points (n, 2) to origins (n, 3) and directions (n, 3)") from error
+    origins, directions = _pair_of(rays(points))
     origins = array(origins, "rays: origins", (len(points), 3))
     directions = _unit_directions(array(directions, "rays: directions", (len(points), 3), dtype=np.float64))
     spread = _spread(directions, panel[0] * samples) * samples

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Callable, Iterable, Iterator, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Iterable, Iterator, Optional, Sequence, Tuple, Union, overload
 
 from . import _core
 from ._arguments import choice, integer, number, text
@@ -20,12 +20,12 @@ Progress = Callable[[int, float], Any]
 
 class Animation:
     """Frames of one scene through one set of optics, rendered when they are asked for. What frames share is kept from one to the
-    next, so that ascending order is quickest. `for field in animation`, `animation[3]`, `len(animation)`.
+    next, so that ascending order is quickest. `for field in animation`, `animation[3]`, `len(animation)`; `animation[2:5]` is an
+    Animation of those frames, which are rendered when they are asked for as well.
     """
 
     def __init__(self, core: Any, frames: Sequence[int], display: Optional[Display], progress: Optional[Progress]) -> None:
         self._core, self._frames, self._display, self._progress = core, frames, display, progress
-        self._next = 0
 
     def __len__(self) -> int:
         return len(self._frames)
@@ -34,7 +34,15 @@ class Animation:
         count = len(self)
         return f"<lippmann.Animation: {count} frame{'' if count == 1 else 's'}>"
 
-    def __getitem__(self, index: int) -> LightField:
+    @overload
+    def __getitem__(self, index: int) -> LightField: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> "Animation": ...
+
+    def __getitem__(self, index: Union[int, slice]) -> Union[LightField, "Animation"]:
+        if isinstance(index, slice):
+            return Animation(self._core, self._frames[index], self._display, self._progress)
         if not -len(self) <= index < len(self):
             raise IndexError(f"{index} is outside {len(self)} frames")
         return self._frame(self._frames[index])

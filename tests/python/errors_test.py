@@ -129,6 +129,21 @@ class Errors(Case):
         bare = lippmann.LightField(np.zeros((2, 2, 4, 4, 3), np.uint8))
         self.assertWrong("cameras", lambda: bare.eyes_mm)
         self.assertWrong("layer", lambda: bare.normals)
+        self.assertWrong("layer", bare.panel_layer, "depth")
+        self.assertWrong("name", bare.layer, "deph")
+        self.assertWrong("name", bare.panel_layer, "deph")
+        self.assertWrong("depth", bare.layer, "depth")
+        for property_name in ("world_from_display", "units_per_mm"):
+            self.assertWrong("scene", getattr, bare, property_name)
+
+    def test_depth_is_the_one_layer_of_a_light_field_that_was_not_rendered(self):
+        depth = np.random.default_rng(1).random((2, 2, 4, 4), np.float32)
+        field = lippmann.LightField(np.zeros((2, 2, 4, 4, 3), np.uint8), depth)
+        self.assertSame(field.layer("depth"), depth[..., None])
+        self.assertNotIn("depth", self.assertWrong("layer", field.layer, "normal").accepted)
+        self.assertNotIn("depth", self.assertWrong("layer", field.panel_layer, "depth").accepted)
+        rendered = lippmann.render("room", small_grid(), layers=["depth"])
+        self.assertSame(rendered.layer("depth"), rendered.depth[..., None])
 
     def test_files_that_are_none_are_named(self):
         self.assertWrong("scene", lippmann.load, 3)

@@ -59,15 +59,35 @@ class OwnOptics(Case):
 
         ahead = np.tile([0.0, 0.0, -1.0], (4, 1))
         self.assertWrong("rays", with_rays(lambda points: ahead))  # one array
-        self.assertWrong("rays", with_rays(lambda: None))
+        self.assertWrong("rays", with_rays(lambda points: None))
+        self.assertWrong("rays", with_rays(lambda points: (ahead, ahead, ahead)))
+        self.assertWrong("rays", with_rays(lambda points: np.float64(3)))
+        self.assertWrong("rays", with_rays(3))
         self.assertWrong("rays: origins", with_rays(lambda points: (ahead[:3], ahead)))
         self.assertWrong("rays: origins", with_rays(lambda points: (ahead * np.nan, ahead)))
         self.assertWrong("rays: directions", with_rays(lambda points: (ahead, -ahead)))
         for direction in ((0, 0, 0), (1, 0, 0), (1, 0, -1e-300), (np.inf, 0, -1)):
             self.assertWrong("rays: directions", with_rays(lambda points: (ahead, np.tile(direction, (4, 1)))))
         self.assertWrong("size", lambda: lippmann.own_optics(lambda points: (ahead, ahead), (0, 2)))
-        with self.assertRaises(ZeroDivisionError):
-            lippmann.own_optics(lambda points: 1 // 0, (2, 2))
+
+    def test_what_the_function_raises_comes_out_as_it_is(self):
+        def lazy(points):
+            yield np.zeros((len(points), 3))
+            int("x")
+
+        for function, kind in (
+            (lambda points: 1 // 0, ZeroDivisionError),
+            (lambda points: int("x"), ValueError),
+            (lambda points: len(3), TypeError),
+            (lambda: None, TypeError),
+            (lazy, ValueError),
+        ):
+            with self.assertRaises(kind) as caught:
+                lippmann.own_optics(function, (2, 2))
+            self.assertIs(type(caught.exception), kind)
+        with self.assertRaises(lippmann.Error) as caught:
+            lippmann.own_optics(lambda points: lippmann.camera_grid(rows=0), (2, 2))
+        self.assertEqual(caught.exception.where, "rows")
 
     def test_what_needs_views_says_that_there_are_none(self):
         def parallel(points):

@@ -61,6 +61,20 @@ class Render(Case):
         with self.assertRaises(IndexError):
             animation[480]
 
+    def test_slices_are_animations_of_those_frames(self):
+        calls = []
+        animation = lippmann.frames("gears", small_grid(), progress=lambda frame, share: calls.append(frame))
+        some = animation[2:7:4]
+        self.assertEqual((len(some), calls), (2, []))  # nothing is rendered before it is asked for
+        self.assertEqual([field.report["frame"] for field in some], [2, 6])
+        self.assertEqual(some[-1].report["frame"], 6)
+        self.assertEqual([field.report["frame"] for field in animation[::-1][:2]], [479, 478])
+        self.assertEqual(len(animation[480:]), 0)
+        picked = lippmann.frames("gears", small_grid(), frames=[9, 4, 5])
+        self.assertEqual([field.report["frame"] for field in picked[1:]], [4, 5])
+        with self.assertRaises(TypeError):
+            animation["2"]
+
     def test_threads_do_not_change_bits(self):
         one = lippmann.render(DESK, small_grid(), spp=4, threads=1)
         self.assertSame(one.picture, lippmann.render(DESK, small_grid(), spp=4, threads=3).picture)
