@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import sys
 import warnings
+from typing import Union
 
 
 class Error(ValueError):
@@ -25,6 +27,15 @@ class LippmannWarning(UserWarning):
     """What is read but not supported, or chosen where nothing is said."""
 
 
-def warn(text: bytes) -> None:
-    """A warning of the library, for whoever called the package."""
-    warnings.warn(text.decode("utf-8", "replace"), LippmannWarning, stacklevel=2)
+def warn(text: Union[str, bytes]) -> None:
+    """A warning for whoever called the package, through however many functions of it. bytes: a sentence of the library."""
+    said = text if isinstance(text, str) else text.decode("utf-8", "replace")
+    level, caller = 1, sys._getframe()
+    while caller.f_back is not None and caller.f_globals.get("__package__") == __package__:
+        level, caller = level + 1, caller.f_back
+    warnings.warn(said, LippmannWarning, stacklevel=level)
+
+
+def warn_of_ignored(argument: str, why: str) -> None:
+    """An argument that changes nothing beside the others."""
+    warn(f"`{argument}` is ignored: {why}.")

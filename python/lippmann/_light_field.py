@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _core, _notebook
 from ._arguments import array, choice, integer, number, pair, path as _path, positive
-from ._errors import Error
+from ._errors import Error, warn_of_ignored
 from ._optics import Display, Optics, display as _display
 
 _SIZE = 1 << 15
@@ -289,7 +289,7 @@ class LightField:
     ) -> np.ndarray:
         """(y, x, 3), float32, linear: what an eye at x, y, z mm sees through the display; None: where it is meant to be.
 
-        pupil_mm: its diameter, focused at focus_mm; 0: a pinhole. nearest: no interpolation between pixels below a lens.
+        pupil_mm: its diameter, focused at focus_mm; 0: a pinhole, for which focus_mm is ignored, with a LippmannWarning. nearest: no interpolation between pixels below a lens.
         crosstalk: what each lens mixes: the sigma of its blur in panel pixels (of a quilt: in views), 0 to 8, or the share that
         each neighbour has, "10%", as `lippmann replay --crosstalk` takes it; of a native frame display.crosstalk_px.
         """
@@ -300,6 +300,8 @@ class LightField:
         )
         pupil = number(pupil_mm, "pupil_mm", 0.0, 1e6)
         focus, blur = number(focus_mm, "focus_mm"), _crosstalk(crosstalk)
+        if focus != 0.0 and pupil == 0.0:
+            warn_of_ignored("focus_mm", "to a pinhole all is sharp, and no pupil_mm is given")
         return panel.eye(eye, self._size(size), pupil, focus, bool(nearest), blur)
 
     def epi(self, row: Optional[int] = None, column: Optional[int] = None) -> np.ndarray:
@@ -331,12 +333,18 @@ class LightField:
         """Writes it, and returns the files. A missing folder is made.
 
         format: one of lippmann.formats(), as `lippmann convert` writes it. None: the panel's picture, .png or .exr; of transparent frames a .png with alpha, which light fields' formats do not hold. bits: 8, 16 or 32 (linear floats, .exr) where the samples are floats; None: 32 for .exr, else 8.
-        tiles: (rows, columns) of a quilt. display: of "native", a name or file.
+        tiles: (rows, columns) of a quilt. display: of "native", a name or file. Of other formats both are ignored, and so are bits
+        without format, with a LippmannWarning.
         """
         where = _path(path, "path")
         if self._is_transparent and (format is not None or not where.endswith(".png")):
             raise Error("path" if format is None else "format", "holds no alpha here", "a .png without `format`, or arrays")
+        tiling = None if tiles is None else pair(tiles, "tiles", 1, 256)
+        panel = None if display is None else _display(display)
         if format is None:
+            if bits is not None:
+                warn_of_ignored("bits", "without `format` the name's ending decides")
+            _warn_of_strays(tiling, panel, "")
             with _folder_of(where):
                 self._write_picture(where)
             return [where]
@@ -348,9 +356,8 @@ class LightField:
             views = views if wanted == 32 else views.with_codes(wanted)
         elif bits is not None:
             raise Error("bits", "are the file's own, whose samples are codes", "no bits")
-        tiling = None if tiles is None else pair(tiles, "tiles", 1, 256)
-        panel = None if display is None else _display(display)
         name = choice(format, "format", list(formats()))
+        _warn_of_strays(tiling, panel, name)
         with _folder_of(where):
             return [os.fspath(file) for file in views.save(where, name, tiling, panel)]
 
@@ -419,6 +426,13 @@ def _make(folder: str) -> None:
         raise Error(folder, f"cannot be made: {error.strerror}", "a folder that can be written to") from None
 
 
+def _warn_of_strays(tiles: Any, display: Any, format: str) -> None:
+    """Of arguments that other formats than this one have."""
+    for argument, value, of in (("tiles", tiles, "quilt"), ("display", display, "native")):
+        if value is not None and format != of:
+            warn_of_ignored(argument, f"it is of the format {of!r}")
+
+
 def _crosstalk(value: Union[float, str]) -> float:
     return _core.read_crosstalk(value) if isinstance(value, str) else number(value, "crosstalk", 0.0, 8.0)
 
@@ -436,7 +450,8 @@ def open(
     where the files know them.
 
     format: None: as names and a report.json beside it say. frame: of a folder of frames, which. views: (rows, columns), where
-    nothing says it. tiles: (rows, columns) of a quilt. display: of "native", a name or file.
+    nothing says it. tiles: (rows, columns) of a quilt. display: of "native", a name or file. Of other formats both are ignored,
+    with a LippmannWarning.
     """
     name = "" if format is None else choice(format, "format", list(formats()))
     files = _core.light_fields_in(_path(path, "path"), name)
@@ -444,5 +459,6 @@ def open(
     grid = None if views is None else pair(views, "views", 1, 1 << 16)
     tiling = None if tiles is None else pair(tiles, "tiles", 1, 256)
     panel = None if display is None else _display(display)
-    core, optics, _ = _core.open_light_field(file, name, grid, tiling, panel)
+    core, optics, found = _core.open_light_field(file, name, grid, tiling, panel)
+    _warn_of_strays(tiling, panel, found)
     return LightField._of_file(core, optics, os.fspath(file))

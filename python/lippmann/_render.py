@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Callable, Iterable, Iterator, Optional, Sequence, Tuple, Union, overload
+from typing import Any, Callable, Iterable, Iterator, Optional, Sequence, Set, Tuple, Union, overload
 
 from . import _core
 from ._arguments import choice, integer, number, text
-from ._errors import Error
+from ._errors import Error, warn_of_ignored
 from ._light_field import LightField
 from ._optics import Display, Optics, camera_grid, display as _display
-from ._scene import Scene, choose_camera, load, surround
+from ._scene import Scene, choose_camera, load, strength_and_turn, surround
 
 _PATHS = 16  # samples per pixel of paths where nobody says, as of `lippmann render`
 _SPLATS = 4  # of files of splats alone, which are light already
@@ -108,7 +108,9 @@ def frames(
     aperture_mm, or f_number (of a camera with a sensor 36 mm wide, in scenes in metres): depth of field for views: the diameter
         of the lens that each is seen through. focal_plane_mm: what is sharp, in front of the display's plane. 2 or more spp.
     shutter: motion blur, over this share of the time from frame to frame (0 to 1). 2 or more spp.
-    reuse: auto, none, copy, light, interpolate (docs/reuse.md); keyframes, min_psnr (dB): of it, where they have a meaning.
+    reuse: auto, none, copy, light, interpolate (docs/reuse.md). keyframes: of copy and interpolate: how many frames apart at
+        most; min_psnr: the floor in dB of light and interpolate. Where the named reuse has no use for one it is refused; "auto"
+        takes what suits what it chooses, and of the others keyframes are ignored, with a LippmannWarning.
     fit_depth: scenes that are deeper than the display resolves are shown less deep. None: as `lippmann render`: not for views of
         one's own.
     focus: what lies in the display's plane: a node's name, "x,y,z" or a distance. fit_to: a node that fills the picture.
@@ -116,7 +118,7 @@ def frames(
     light: "auto" adds light where the scene has none, as `lippmann render` does; "none" adds nothing.
     environment: surrounds and lights the scene in place of what it has: a panorama, equirectangular with the zenith on top, as a
         file (.hdr, .exr) or an array (y, x, 3) of linear light; or a colour (3). environment_strength: a factor on it.
-        environment_rotation_deg: about +y.
+        environment_rotation_deg: about +y. Without `environment` both are ignored, with a LippmannWarning.
     camera: of a scene's cameras the one that decides the view, by name or index (Scene.cameras); None: the first.
     transparent: the surroundings light the scene and are not seen: LightField.alpha.
     threads: 0: one per processor. The same bits for any number.
@@ -149,8 +151,13 @@ def frames(
     choice(light, "light", ("auto", "none"))
     core.check()
     choose_camera(core, camera)
+    factor, turn = strength_and_turn(environment_strength, environment_rotation_deg, "environment_")
     if environment is not None:
-        surround(core, environment, environment_strength, environment_rotation_deg, "environment_")
+        surround(core, environment, factor, turn, "environment")
+    else:
+        for argument, is_said in (("environment_strength", factor != 1.0), ("environment_rotation_deg", turn != 0.0)):
+            if is_said:
+                warn_of_ignored(argument, "it is of `environment`, and none is given")
     if isinstance(scene, Scene):
         scene._require_surfaces(core)
     if environment is None and light == "auto" and (not paths or kind != "whitted"):
@@ -165,7 +172,7 @@ def frames(
     sampling.set_lens(*opening, focal_plane)
     sampling.shutter = open_share
     sampling.want_layers(wanted)
-    made = _core.Frames(core, placement, sampling, _core.Reuse(reuse, every, floor), workers)
+    made = _core.Frames(core, placement, sampling, _reuse(reuse, every, floor, paths, set(wanted), sampling), workers)
     return Animation(made, which, shown, progress)
 
 
@@ -190,6 +197,30 @@ def _which(frames: Optional[Iterable[int]], count: int) -> Sequence[int]:
     except TypeError:
         raise Error("frames", f"is {frames!r}", "frame numbers: range(10), [0, 5]") from None
     return [integer(frame, "frames", 0, count - 1) for frame in listed]
+
+
+def _reuse(
+    name: str, keyframes: Optional[int], min_psnr: Optional[float], paths: bool, layers: Set[str], sampling: Any
+) -> Any:
+    """The reuse of that name, with keyframes and min_psnr; "auto" is what has a use for them, as `lippmann render` chooses it.
+    A floor holds without more where pixels of Whitted's shading are copied or traced.
+    """
+    if name == "auto":
+        is_blurred = sampling.shutter > 0.0
+        if paths and min_psnr is not None:
+            name = "none" if is_blurred or layers & {"direct", "indirect"} else "light"
+        if not paths and keyframes is not None and not (is_blurred or sampling.transparent or layers - {"provenance"}):
+            name = "copy"
+        if keyframes is not None and name != "copy":
+            warn_of_ignored("keyframes", "reuse='auto' chooses a way without them here")
+            keyframes = None
+    if keyframes is not None and name in ("none", "light"):
+        why = "every frame is traced" if name == "none" else "frames share light"
+        raise Error("keyframes", f"means nothing where {why}", "it together with reuse='copy' or 'interpolate'")
+    if min_psnr is not None and name == "none":
+        accepted = "it together with reuse='interpolate', or 'light' with integrator='path'"
+        raise Error("min_psnr", "means nothing where every frame is traced", accepted)
+    return _core.Reuse(name, keyframes, min_psnr)
 
 
 def _layers(layers: Iterable[str]) -> Sequence[str]:

@@ -8,7 +8,6 @@ from __future__ import annotations
 import hashlib
 import math
 import os
-import warnings
 from dataclasses import dataclass
 from typing import Any, Dict, Optional, Sequence, Tuple, Union
 
@@ -16,7 +15,7 @@ import numpy as np
 
 from . import _core
 from ._arguments import array, file_path, indices, integer, number, path_bytes, positive, text, vector
-from ._errors import Error, LippmannWarning
+from ._errors import Error, warn, warn_of_ignored
 
 _UP = np.array([0.0, 1.0, 0.0])
 
@@ -312,7 +311,8 @@ class Scene:
         Spots and directional lamps shine towards `target` (a point) or along `direction`; by default downwards. color, linear,
         times intensity: what lights a white surface that faces the lamp at distance 1, times pi. Cones: half angles of a spot.
         Points and spots may be spheres of a radius, directional lamps discs of an angular diameter (the sun: 0.53), as bright
-        in all: their shadows are soft in path-traced pictures.
+        in all: their shadows are soft in path-traced pictures. What a kind does not have is ignored, with a LippmannWarning:
+        where a point shines to, the cones of all but spots, the range of a directional lamp.
         """
         if kind not in ("point", "directional", "spot"):
             raise Error("kind", f"is {kind!r}", "point, directional, spot")
@@ -327,6 +327,14 @@ class Scene:
         is_sun = kind == "directional"
         ball = number(radius, "radius", 0.0, 0.0 if is_sun else 1e9)
         disc = math.radians(number(angular_diameter_deg, "angular_diameter_deg", 0.0, 180.0 if is_sun else 0.0))
+        for argument, is_said in (("target", target is not None), ("direction", direction is not None)):
+            if is_said and kind == "point":
+                warn_of_ignored(argument, "a point shines to all sides")
+        for argument, is_said in (("inner_cone_deg", inner != 0.0), ("outer_cone_deg", outer != 45.0)):
+            if is_said and kind != "spot":
+                warn_of_ignored(argument, "only spots have cones")
+        if is_sun and reach != math.inf:
+            warn_of_ignored("range", "a directional lamp does not fade")
         node = self._core.add_node(text(name, "name") or kind, -1, at, _rotation_towards(along), (1.0, 1.0, 1.0))
         light = _core.Light(name, kind, node, tuple(tint))
         light.inner_cone, light.outer_cone = math.radians(inner), math.radians(outer)
@@ -343,7 +351,7 @@ class Scene:
         """A panorama that surrounds the scene, and lights it. radiance: (y, x, 3), linear, 0 or more, equirectangular, the zenith
         on top; or a file of it, .hdr or .exr; or one colour (3). rotation_deg: about +y.
         """
-        surround(self._core, radiance, strength, rotation_deg)
+        surround(self._core, radiance, *strength_and_turn(strength, rotation_deg), "radiance")
 
     def choose_camera(self, camera: Union[str, int]) -> None:
         """The camera of that name or index (see `cameras`) decides the view: it becomes the first one, and a place that the scene
@@ -419,8 +427,7 @@ class Scene:
         }
         flags = bool(material.double_sided), bool(material.unlit)
         if material.texture is not None and not has_uvs:
-            text = "The texture of a material is not shown: only meshes with uvs have places for it."
-            warnings.warn(text, LippmannWarning, stacklevel=3)
+            warn("The texture of a material is not shown: only meshes with uvs have places for it.")
         texture = -1 if material.texture is None else self._texture(_rgba(material.texture))
         key = (color, emission, tuple(parts.values()), flags, texture)
         if key in self._materials:
@@ -515,11 +522,13 @@ def choose_camera(core: Any, camera: Union[str, int, None]) -> None:
         core.choose_camera_at(integer(camera, "camera", 0, count - 1))
 
 
-def surround(core: Any, light: Any, strength: float, rotation_deg: float, prefix: str = "") -> None:
-    """Light from all around: a panorama as a file or an array (y, x, 3), or one colour (3). prefix: of the arguments' names."""
-    name = prefix.rstrip("_") or "radiance"
-    factor = number(strength, prefix + "strength", 0.0, 1e6)
-    turn = number(rotation_deg, prefix + "rotation_deg", -1e6, 1e6)
+def strength_and_turn(strength: Any, rotation_deg: Any, prefix: str = "") -> Tuple[float, float]:
+    """Those of surroundings, checked. prefix: of the arguments' names."""
+    return number(strength, prefix + "strength", 0.0, 1e6), number(rotation_deg, prefix + "rotation_deg", -1e6, 1e6)
+
+
+def surround(core: Any, light: Any, factor: float, turn: float, name: str) -> None:
+    """Light from all around: a panorama as a file or an array (y, x, 3), or one colour (3). name: of the argument."""
     if isinstance(light, (str, bytes, os.PathLike)):
         return core.read_environment(file_path(light, name), factor, turn)
     radiance = array(light, name, (3,) if _is_color(light) else (None, None, 3))

@@ -1,13 +1,14 @@
 """Bad input: one exception that names the argument, and never a crash of the interpreter."""
 
 import os
+import subprocess
 import threading
 import warnings
 
 import numpy as np
 
 import lippmann
-from support import Case, SMALL_PANEL, small_grid
+from support import Case, SMALL_PANEL, TOOL, small_grid
 
 QUAD = [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]
 FACES = [[0, 1, 2], [0, 2, 3]]
@@ -255,6 +256,64 @@ class Errors(Case):
             with self.assertWarnsRegex(lippmann.LippmannWarning, "texture") as caught:
                 add()
             self.assertEqual(caught.filename, __file__)
+
+    def assertIgnored(self, names, function, *arguments, **named):
+        """LippmannWarnings that name the arguments, in the caller's file; nothing else is warned of."""
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            function(*arguments, **named)
+        self.assertEqual([str(w.message).split(" is ignored: ")[0] for w in caught], [f"`{name}`" for name in names])
+        for warning in caught:
+            self.assertEqual((warning.category, warning.filename), (lippmann.LippmannWarning, __file__))
+
+    def test_what_is_only_ignored_is_warned_of(self):
+        def render(**options):
+            return lippmann.render("room", small_grid(1, 1, (8, 8)), **options)
+
+        self.assertIgnored(["environment_strength"], render, environment_strength=2)
+        self.assertIgnored(["environment_rotation_deg"], render, environment_rotation_deg=90)
+        self.assertIgnored([], render, environment=(1, 1, 1), environment_strength=2, environment_rotation_deg=90)
+        self.assertIgnored(["keyframes"], render, keyframes=4, integrator="path")
+        self.assertIgnored(["keyframes"], render, keyframes=4, layers=["depth"])
+        self.assertIgnored([], render, keyframes=4, min_psnr=30)
+        add = lippmann.Scene().add_light
+        self.assertIgnored(["target"], add, "point", target=(0, 0, 1))
+        self.assertIgnored(["direction", "outer_cone_deg"], add, "point", direction=(0, 0, 1), outer_cone_deg=30)
+        self.assertIgnored(["inner_cone_deg", "range"], add, "directional", inner_cone_deg=3, range=4)
+        self.assertIgnored([], add, "spot", target=(0, 0, 1), inner_cone_deg=3, outer_cone_deg=30, range=4)
+        field = lippmann.render("room", small_grid(1, 2, (8, 8)), layers=["depth"])
+        self.assertIgnored(["focus_mm"], field.eye, focus_mm=10)
+        self.assertIgnored([], field.eye, focus_mm=10, pupil_mm=4)
+        self.assertIgnored(["tiles"], field.save, self.folder / "views", "views", tiles=(1, 2))
+        self.assertIgnored(["display"], field.save, self.folder / "hci", "hci", display=SMALL_PANEL)
+        self.assertIgnored(["bits", "tiles"], field.save, self.folder / "x.png", bits=16, tiles=(1, 2))
+        self.assertIgnored([], field.save, self.folder / "quilt.png", "quilt", tiles=(2, 1), bits=16)
+        self.assertIgnored(["tiles", "display"], lippmann.open, self.folder / "views", tiles=(1, 2), display=SMALL_PANEL)
+
+    def test_what_is_ignored_is_checked_nevertheless(self):
+        nan = float("nan")
+        for name in ("environment_strength", "environment_rotation_deg", "keyframes", "min_psnr"):
+            self.assertWrong(name, lippmann.render, "room", small_grid(), **{name: nan})
+        self.assertWrong("target", lippmann.Scene().add_light, "point", target=(0, nan, 0))
+        field = lippmann.render("room", small_grid(1, 1, (8, 8)))
+        self.assertWrong("tiles", field.save, self.folder / "x.png", tiles=(nan, 1))
+        self.assertWrong("focus_mm", field.eye, focus_mm=nan)
+
+    def test_key_frames_and_floors_of_a_reuse_without_them_are_refused_as_by_the_tool(self):
+        for name, value, reuse, more in (
+            ("keyframes", 4, "none", {}),
+            ("keyframes", 4, "light", {"integrator": "path"}),
+            ("min_psnr", 40, "none", {"integrator": "path"}),
+            ("min_psnr", 40, "auto", {"integrator": "path", "layers": ["direct"]}),
+        ):
+            self.assertWrong(name, lippmann.render, "room", small_grid(), reuse=reuse, **{name: value}, **more)
+            words = [f"--{option}={text}" for option, text in more.items() if option != "layers"]
+            words += ["--aov=direct"] if "layers" in more else []
+            done = subprocess.run(
+                [TOOL, "render", "room", f"--reuse={reuse}", "--" + name.replace("_", "-"), str(value), *words, "-o", "out"],
+                cwd=self.folder, capture_output=True, text=True)
+            self.assertNotEqual(done.returncode, 0)
+            self.assertIn(name.replace("_", "-"), done.stderr)
 
     def test_names_that_are_no_utf_8_have_replacement_characters(self):
         where = os.fsencode(self.folder) + b"/d\xff"

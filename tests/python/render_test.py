@@ -75,6 +75,17 @@ class Render(Case):
         with self.assertRaises(TypeError):
             animation["2"]
 
+    def test_key_frames_and_floors_hold_for_the_reuse_that_auto_chooses(self):
+        kinds = [field.report["kind"] for field in lippmann.frames("gears", small_grid(), frames=range(4), keyframes=2)]
+        self.assertEqual(kinds, ["key", "in-between"] * 2)
+        paths = {"integrator": "path", "spp": 8, "min_psnr": 20}
+        self.assertSame(
+            lippmann.render("room", small_grid(), **paths).picture,
+            lippmann.render("room", small_grid(), reuse="light", **paths).picture,
+        )
+        without = lippmann.render("room", small_grid(), integrator="path", spp=8)
+        self.assertFalse(np.array_equal(lippmann.render("room", small_grid(), **paths).picture, without.picture))
+
     def test_threads_do_not_change_bits(self):
         one = lippmann.render(DESK, small_grid(), spp=4, threads=1)
         self.assertSame(one.picture, lippmann.render(DESK, small_grid(), spp=4, threads=3).picture)
