@@ -1,16 +1,57 @@
-"""The exception for bad input, and the category of warnings."""
+"""The exception for bad input, the category of warnings, and the library's words in those of Python.
+
+The library names what it refuses as the tool does: by flags, without their hyphens in front, and by fields of optics. Calls of it
+that take arguments stand in a `Naming`, which puts Python's names in their place.
+"""
 
 from __future__ import annotations
 
+import re
 import sys
 import warnings
-from typing import Union
+from typing import Any, Mapping, Union
+
+# The library's names of arguments that Python calls otherwise, wherever they occur.
+_ARGUMENTS = {
+    "aov": "layers",
+    "aperture": "aperture_mm",
+    "asset-root": "asset_root",
+    "camera-path": "camera_path",
+    "f-number": "f_number",
+    "fit-to": "fit_to",
+    "focal-plane": "focal_plane_mm",
+    "frames per second": "frames_per_second",
+    "from": "format",
+    "max-depth": "max_depth",
+    "min-psnr": "min_psnr",
+    "quilt": "tiles",
+    "to": "format",
+}
+
+# What the tool says with flags that Python does not have. The longest come first.
+_PHRASES = (
+    ("`optics` single or multiview", "single_view(), camera_grid() or quilt() as `display`"),
+    ("`optics` lenticular or microlens", "lenticular_sheet() or microlens_array()"),
+    ("`optics` multiview `camera-grid`", "camera_grid()"),
+    ("`optics` multiview", "camera_grid() or quilt()"),
+    ("`optics` microlens", "microlens_array()"),
+    ("`keep`", "a slice of the views"),
+    ("DisplayPicture::kNative", "layout='native'"),
+    ("a name that 'lippmann displays' lists", "a name of lippmann.displays()"),
+)
+
+_QUOTED = re.compile("`([a-z]+(?:-[a-z]+)*)`")
+_FIELD = re.compile(r"(?:panel|multiview|lenticular|microlens|singleview|rays)\.(\w+)(?:\.[xy])?")
+_WANTED_GRID = re.compile(r"\bCxR, such as (\d+)x(\d+)")
+_WANTED_ROW = re.compile(r"(?<![\w./\\-])Nx1(?![\w./\\-])")
+_GRID = re.compile(r"(?<![\w./\\-])(\d+)x(\d+)(?![\w./\\-])")  # columns by rows, not in a file's name
 
 
 class Error(ValueError):
     """Bad input: an argument, a file, a size.
 
-    where: the argument or file. problem: what is wrong with it. accepted: what would be accepted; empty where that is plain.
+    where: the argument, the file, or what is not known of a light field. problem: what is wrong with it. accepted: what would be
+    accepted; empty where that is plain.
     """
 
     def __init__(self, where: str, problem: str, accepted: str = "") -> None:
@@ -23,13 +64,58 @@ class Error(ValueError):
         return f"{self.where}: {self.problem}" + (f" (accepted: {self.accepted})" if self.accepted else "")
 
 
+def _argument(where: str, names: Mapping[str, str]) -> str:
+    """Python's name of what the library calls `where`: a name, which a colon and a place in it may follow."""
+    name, colon, place = where.partition(":")
+    field = _FIELD.fullmatch(name)
+    name = field[1] if field else name
+    return names.get(name, _ARGUMENTS.get(name, name)) + colon + place
+
+
+def _sentence(text: str, names: Mapping[str, str], has_grids: bool = False, file: str = "") -> str:
+    """The same with Python's names. has_grids: sizes are (rows, columns), as Python's are; else pixels, which are W x H. file: a
+    name that may stand in the text.
+    """
+    for flags, words in _PHRASES:
+        text = text.replace(flags, words)
+    text = _QUOTED.sub(lambda found: f"`{names.get(found[1], _ARGUMENTS.get(found[1], found[1].replace('-', '_')))}`", text)
+    text = _WANTED_GRID.sub(r"(rows, columns), such as (\2, \1)", text)
+    text = _WANTED_ROW.sub("(1, N)", text)
+    if not has_grids:
+        return text
+    in_name = {found[0] for found in _GRID.finditer(file)}
+    return _GRID.sub(lambda found: found[0] if found[0] in in_name else f"({found[2]}, {found[1]})", text)
+
+
+class Naming:
+    """A context in which errors of the library name Python's arguments. file: one that keeps its name, whatever it is called.
+    names: what the library calls something, and what this function calls it.
+    """
+
+    def __init__(self, file: str = "", **names: str) -> None:
+        self._file, self._names = file, names
+
+    def __enter__(self) -> None:
+        pass
+
+    def __exit__(self, kind: Any, error: Any, trace: Any) -> None:
+        if not isinstance(error, Error):
+            return
+        where = error.where
+        if not self._file or (where != self._file and not where.startswith(self._file + ":")):
+            where = _argument(where, self._names)
+        has_grids = " pixels" not in error.problem
+        parts = (_sentence(part, self._names, has_grids, self._file) for part in (error.problem, error.accepted))
+        Error.__init__(error, where, *parts)
+
+
 class LippmannWarning(UserWarning):
-    """What is read but not supported, or chosen where nothing is said."""
+    """What is read but not supported, or chosen where nothing is said, or ignored beside other arguments."""
 
 
 def warn(text: Union[str, bytes]) -> None:
     """A warning for whoever called the package, through however many functions of it. bytes: a sentence of the library."""
-    said = text if isinstance(text, str) else text.decode("utf-8", "replace")
+    said = text if isinstance(text, str) else _sentence(text.decode("utf-8", "replace"), {})
     level, caller = 1, sys._getframe()
     while caller.f_back is not None and caller.f_globals.get("__package__") == __package__:
         level, caller = level + 1, caller.f_back

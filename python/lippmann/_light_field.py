@@ -10,10 +10,11 @@ import numpy as np
 
 from . import _core, _notebook
 from ._arguments import array, choice, integer, number, pair, path as _path, positive
-from ._errors import Error, warn_of_ignored
-from ._optics import Display, Optics, display as _display
+from ._errors import Error, Naming, warn_of_ignored
+from ._optics import Display, Optics, display_of
 
 _SIZE = 1 << 15
+_FAR_MM = 1e9  # how far away eyes are at most
 _RENDERED_WITH = "a frame of lippmann.render with its name among `layers`"
 
 
@@ -273,7 +274,9 @@ class LightField:
         size: (height, width); None: the display's own samples. Where nothing says where its cameras stood, they are assumed, as
         `lippmann replay` does.
         """
-        return self._panel().refocus(number(z_mm, "z_mm"), self._size(size))
+        depth, shape = number(z_mm, "z_mm"), self._size(size)
+        with Naming():
+            return self._panel().refocus(depth, shape)
 
     def eye(
         self,
@@ -289,20 +292,23 @@ class LightField:
     ) -> np.ndarray:
         """(y, x, 3), float32, linear: what an eye at x, y, z mm sees through the display; None: where it is meant to be.
 
-        pupil_mm: its diameter, focused at focus_mm; 0: a pinhole, for which focus_mm is ignored, with a LippmannWarning. nearest: no interpolation between pixels below a lens.
+        pupil_mm: its diameter, focused at focus_mm; 0: a pinhole, for which focus_mm is ignored, with a LippmannWarning. nearest: no
+        interpolation between pixels below a lens.
         crosstalk: what each lens mixes: the sigma of its blur in panel pixels (of a quilt: in views), 0 to 8, or the share that
         each neighbour has, "10%", as `lippmann replay --crosstalk` takes it; of a native frame display.crosstalk_px.
         """
         panel = self._panel()
         eye = tuple(
-            float(at) if said is None else number(said, name)
+            float(at) if said is None else number(said, name, -_FAR_MM, _FAR_MM)
             for said, at, name in zip((x, y, z), panel.optics.default_eye_mm, "xyz")
         )
         pupil = number(pupil_mm, "pupil_mm", 0.0, 1e6)
         focus, blur = number(focus_mm, "focus_mm"), _crosstalk(crosstalk)
         if focus != 0.0 and pupil == 0.0:
             warn_of_ignored("focus_mm", "to a pinhole all is sharp, and no pupil_mm is given")
-        return panel.eye(eye, self._size(size), pupil, focus, bool(nearest), blur)
+        shape = self._size(size)
+        with Naming(eye="z", pupil="pupil_mm", focus="focus_mm"):
+            return panel.eye(eye, shape, pupil, focus, bool(nearest), blur)
 
     def epi(self, row: Optional[int] = None, column: Optional[int] = None) -> np.ndarray:
         """An epipolar-plane image, float32, linear: of a row of pixels (counted from the top) (eyes, x, 3), the leftmost eye
@@ -311,9 +317,10 @@ class LightField:
         if (row is None) == (column is None):
             raise Error("row", "and column are both given, or neither", "one of both")
         panel = self._panel()
-        if row is not None:
-            return panel.epi_row(integer(row, "row", 0, _SIZE))
-        return panel.epi_column(integer(column, "column", 0, _SIZE))
+        of_row = row is not None
+        line = integer(row, "row", 0, _SIZE) if of_row else integer(column, "column", 0, _SIZE)
+        with Naming(**{"epi": "row", "epi-column": "column"}):
+            return panel.epi_row(line) if of_row else panel.epi_column(line)
 
     @staticmethod
     def _size(size: Optional[Tuple[int, int]]) -> Optional[Tuple[int, int]]:
@@ -332,15 +339,16 @@ class LightField:
     ) -> List[str]:
         """Writes it, and returns the files. A missing folder is made.
 
-        format: one of lippmann.formats(), as `lippmann convert` writes it. None: the panel's picture, .png or .exr; of transparent frames a .png with alpha, which light fields' formats do not hold. bits: 8, 16 or 32 (linear floats, .exr) where the samples are floats; None: 32 for .exr, else 8.
-        tiles: (rows, columns) of a quilt. display: of "native", a name or file. Of other formats both are ignored, and so are bits
-        without format, with a LippmannWarning.
+        format: one of lippmann.formats(), as `lippmann convert` writes it. None: the panel's picture, .png or .exr; of transparent
+        frames a .png with alpha, which light fields' formats do not hold. bits: 8, 16 or 32 (linear floats, .exr) where the samples
+        are floats; None: 32 for .exr, else 8. tiles: (rows, columns) of a quilt. display: of "native", a name or file. Of other
+        formats both are ignored, and so are bits without format, with a LippmannWarning.
         """
         where = _path(path, "path")
         if self._is_transparent and (format is not None or not where.endswith(".png")):
             raise Error("path" if format is None else "format", "holds no alpha here", "a .png without `format`, or arrays")
         tiling = None if tiles is None else pair(tiles, "tiles", 1, 256)
-        panel = None if display is None else _display(display)
+        panel = None if display is None else display_of(display, "display")
         if format is None:
             if bits is not None:
                 warn_of_ignored("bits", "without `format` the name's ending decides")
@@ -358,7 +366,7 @@ class LightField:
             raise Error("bits", "are the file's own, whose samples are codes", "no bits")
         name = choice(format, "format", list(formats()))
         _warn_of_strays(tiling, panel, name)
-        with _folder_of(where):
+        with _folder_of(where), Naming(where, views="format"):
             return [os.fspath(file) for file in views.save(where, name, tiling, panel)]
 
     def _write_picture(self, where: str) -> None:
@@ -454,11 +462,14 @@ def open(
     with a LippmannWarning.
     """
     name = "" if format is None else choice(format, "format", list(formats()))
-    files = _core.light_fields_in(_path(path, "path"), name)
+    where = _path(path, "path")
+    with Naming(where):
+        files = _core.light_fields_in(where, name)
     file = files[integer(frame, "frame", 0, len(files) - 1)]
     grid = None if views is None else pair(views, "views", 1, 1 << 16)
     tiling = None if tiles is None else pair(tiles, "tiles", 1, 256)
-    panel = None if display is None else _display(display)
-    core, optics, found = _core.open_light_field(file, name, grid, tiling, panel)
+    panel = None if display is None else display_of(display, "display")
+    with Naming(os.fspath(file), stereo="path"):
+        core, optics, found = _core.open_light_field(file, name, grid, tiling, panel)
     _warn_of_strays(tiling, panel, found)
     return LightField._of_file(core, optics, os.fspath(file))

@@ -12,12 +12,20 @@ import numpy as np
 
 from . import _core
 from ._arguments import array, integer, number, pair, path_bytes, positive, text
-from ._errors import Error
+from ._errors import Error, Naming
 
 Display = _core.Display
 Optics = _core.Optics
 
 _MOST = 32768  # pixels of a side
+_FIELDS = {  # of the library's optics
+    "panel": "size",
+    "width": "size",
+    "height": "size",
+    "pixel_pitch_mm": "pixel_mm",
+    "view_cone": "view_cone_deg",
+    "slant": "slant_deg",
+}
 _RAYS = "a function of points (n, 2) that returns origins (n, 3) and directions (n, 3)"
 
 
@@ -28,12 +36,22 @@ def displays() -> List[Display]:
 
 def display(name: Any) -> Display:
     """A display by the name of a preset, or from a file: .toml, a display of one's own; .json, a calibration (visual.json)."""
-    return name if isinstance(name, Display) else _core.load_display(path_bytes(name, "display"))
+    return display_of(name, "name")
+
+
+def display_of(display: Any, argument: str) -> Display:
+    """The display that an argument of that name says."""
+    if isinstance(display, Display):
+        return display
+    where = path_bytes(display, argument)
+    with Naming(display=argument):
+        return _core.load_display(where)
 
 
 def display_from_toml(toml: str) -> Display:
     """The display that a text says, which is what a .toml file would hold (docs/displays.md)."""
-    return _core.display_from_toml(text(toml, "toml"))
+    with Naming(text="toml"):
+        return _core.display_from_toml(text(toml, "toml"))
 
 
 def _views(
@@ -44,7 +62,9 @@ def _views(
     if max(grid[0] * view[0], grid[1] * view[1]) > _MOST:
         raise Error("size", f"all views side by side have {grid[0] * view[0]}x{grid[1] * view[1]} pixels", f"{_MOST} a side")
     pixel = 100.0 / view[0] if pixel_mm is None else positive(pixel_mm, "pixel_mm")
-    return _core.views(grid, view, pixel, cone_deg, positive(distance_mm, "distance_mm"), baseline_mm)
+    distance = positive(distance_mm, "distance_mm")
+    with Naming(**_FIELDS):
+        return _core.views(grid, view, pixel, cone_deg, distance, baseline_mm)
 
 
 def camera_grid(
@@ -106,7 +126,9 @@ def lenticular_sheet(
     pitch = positive(lens_pitch_mm, "lens_pitch_mm")
     offset = pitch / 2 if offset_mm is None else number(offset_mm, "offset_mm", -1e6, 1e6)
     slant = number(slant_deg, "slant_deg", -89.0, 89.0)
-    return _core.lenticular_sheet(panel, pixel, pitch, positive(gap_mm, "gap_mm"), slant, offset, distance)
+    gap = positive(gap_mm, "gap_mm")
+    with Naming(**_FIELDS):
+        return _core.lenticular_sheet(panel, pixel, pitch, gap, slant, offset, distance)
 
 
 def microlens_array(
@@ -123,13 +145,17 @@ def microlens_array(
     panel, pixel, distance = _lenses(size, pixel_mm, viewing_distance_mm)
     pitch = positive(lens_pitch_mm, "lens_pitch_mm")
     offset = pitch / 2 if offset_mm is None else number(offset_mm, "offset_mm", -1e6, 1e6)
-    return _core.microlens_array(panel, pixel, pitch, positive(gap_mm, "gap_mm"), bool(hexagonal), offset, distance)
+    gap = positive(gap_mm, "gap_mm")
+    with Naming(**_FIELDS):
+        return _core.microlens_array(panel, pixel, pitch, gap, bool(hexagonal), offset, distance)
 
 
 def single_view(size: Tuple[int, int] = (512, 512), *, pixel_mm: float = 0.125, distance_mm: float = 500.0) -> Optics:
     """What one eye sees `distance_mm` before the middle of the display: a pinhole camera of (height, width) pixels."""
     panel = pair(size, "size", 1, _MOST)
-    return _core.single_view(panel, positive(pixel_mm, "pixel_mm"), positive(distance_mm, "distance_mm"))
+    pixel, distance = positive(pixel_mm, "pixel_mm"), positive(distance_mm, "distance_mm")
+    with Naming(**_FIELDS):
+        return _core.single_view(panel, pixel, distance)
 
 
 def _middles(size: Tuple[int, int], samples_per_side: int) -> np.ndarray:
@@ -193,4 +219,6 @@ def own_optics(
     origins = array(origins, "rays: origins", (len(points), 3))
     directions = _unit_directions(array(directions, "rays: directions", (len(points), 3), dtype=np.float64))
     spread = _spread(directions, panel[0] * samples) * samples
-    return _core.ray_table(panel, positive(pixel_mm, "pixel_mm"), samples, spread, origins, directions)
+    pixel = positive(pixel_mm, "pixel_mm")
+    with Naming(**_FIELDS):
+        return _core.ray_table(panel, pixel, samples, spread, origins, directions)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Callable, Iterable, Iterator, Optional, Sequence, Set, Tuple, Union, overload
+from typing import Any, Callable, Iterable, Iterator, List, Optional, Sequence, Set, Tuple, Union, overload
 
 from . import _core
-from ._arguments import choice, integer, number, text
-from ._errors import Error, warn_of_ignored
+from ._arguments import choice, integer, number, path, text
+from ._errors import Error, Naming, warn_of_ignored
 from ._light_field import LightField
-from ._optics import Display, Optics, camera_grid, display as _display
+from ._optics import Display, Optics, camera_grid, display_of
 from ._scene import Scene, choose_camera, load, strength_and_turn, surround
 
 _PATHS = 16  # samples per pixel of paths where nobody says, as of `lippmann render`
@@ -53,7 +53,8 @@ class Animation:
 
     def _frame(self, frame: int) -> LightField:
         progress = None if self._progress is None else lambda share: self._progress(frame, share)  # type: ignore[misc]
-        film = self._core.frame(frame, progress)
+        with Naming(optics="display"):
+            film = self._core.frame(frame, progress)
         return LightField._of_film(film, self._core.placement, self._display)
 
 
@@ -127,7 +128,7 @@ def frames(
     if isinstance(scene, Scene):
         core, kind = scene._core.copy(), scene._kind
     else:
-        loaded = load(scene)
+        loaded = load(path(scene, "scene"))
         core, kind = loaded._core, loaded._kind
     reuse = choice(reuse, "reuse", ("auto", "none", "copy", "light", "interpolate"))
     if integrator is None:
@@ -172,7 +173,9 @@ def frames(
     sampling.set_lens(*opening, focal_plane)
     sampling.shutter = open_share
     sampling.want_layers(wanted)
-    made = _core.Frames(core, placement, sampling, _reuse(reuse, every, floor, paths, set(wanted), sampling), workers)
+    chosen = _reuse(reuse, every, floor, paths, set(wanted), sampling)
+    with Naming(optics="display"):
+        made = _core.Frames(core, placement, sampling, chosen, workers)
     return Animation(made, which, shown, progress)
 
 
@@ -186,7 +189,11 @@ def render(
     """One frame as a light field. Arguments are those of lippmann.frames, but for `frame`."""
     if "frames" in options:
         raise TypeError("lippmann.render takes `frame`; lippmann.frames takes `frames`")
-    return frames(scene, display, frames=[frame], **options)[0]
+    return frames(scene, display, frames=_Frame([frame]), **options)[0]
+
+
+class _Frame(List[int]):
+    """The one frame that lippmann.render is asked for: errors name its argument."""
 
 
 def _which(frames: Optional[Iterable[int]], count: int) -> Sequence[int]:
@@ -196,7 +203,8 @@ def _which(frames: Optional[Iterable[int]], count: int) -> Sequence[int]:
         listed = list(frames)
     except TypeError:
         raise Error("frames", f"is {frames!r}", "frame numbers: range(10), [0, 5]") from None
-    return [integer(frame, "frames", 0, count - 1) for frame in listed]
+    argument = "frame" if isinstance(frames, _Frame) else "frames"
+    return [integer(frame, argument, 0, count - 1) for frame in listed]
 
 
 def _reuse(
@@ -259,9 +267,12 @@ def _place(
         if native:
             raise Error("layout", "native is a display's own, and optics are given", "views, or a display")
         fit = not optics.is_views if fit_depth is None else bool(fit_depth)
-        return _core.place(core, optics, fit, wish), None
+        with Naming(optics="display"):
+            return _core.place(core, optics, fit, wish), None
     if not isinstance(optics, (Display, str, os.PathLike)):
         raise Error("display", f"is {optics!r}", "a name, a file, a lippmann.Display or optics")
-    shown = _display(optics)
+    shown = display_of(optics, "display")
     own = native or shown.kind != "slanted-panel"
-    return _core.place_display(core, shown, own, True if fit_depth is None else bool(fit_depth), wish), shown
+    fit = True if fit_depth is None else bool(fit_depth)
+    with Naming():
+        return _core.place_display(core, shown, own, fit, wish), shown

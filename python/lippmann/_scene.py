@@ -15,7 +15,7 @@ import numpy as np
 
 from . import _core
 from ._arguments import array, file_path, indices, integer, number, path_bytes, positive, text, vector
-from ._errors import Error, warn, warn_of_ignored
+from ._errors import Error, Naming, warn, warn_of_ignored
 
 _UP = np.array([0.0, 1.0, 0.0])
 
@@ -86,8 +86,10 @@ class Object:
         mesh with morph targets. What has a parent moves with it. A mesh with a skin is moved by its joints. Returns the object.
         """
         count = self._scene.frame_count
-        if self._has_skin and any(part is not None for part in (matrices, translation, rotation, scale)):
-            raise Error("matrices", "move nothing of a mesh with a skin", "weights, or animate() of its joints")
+        moves = {"matrices": matrices, "translation": translation, "rotation": rotation, "scale": scale}
+        for argument, value in moves.items():
+            if self._has_skin and value is not None:
+                raise Error(argument, "moves nothing of a mesh with a skin", "weights, or animate() of its joints")
         if weights is not None:
             if not self._targets:
                 raise Error("weights", "are those of morph targets, and there are none", "a mesh that was added with targets")
@@ -441,7 +443,7 @@ class Scene:
         return self._materials.setdefault(key, self._core.add_material(surface))
 
     def _texture(self, rgba: np.ndarray) -> int:
-        """The index of a texture (y, x, 4). Equal ones are one: the pixels decide, as an array may have changed since it was added."""
+        """The index of a texture (y, x, 4). Equal ones are one. The pixels decide, as an array may have changed meanwhile."""
         key = rgba.shape, hashlib.blake2b(rgba, digest_size=32).digest()
         if key not in self._textures:
             self._textures[key] = self._core.add_texture(rgba, True)
@@ -495,15 +497,16 @@ def load(
     texture_memory_mb: decoded textures of glTF and OBJ files take so much at most: the largest are halved until they do, which is
     a LippmannWarning. One that is larger than that by itself is an Error.
     """
-    where = path_bytes(name, "scene")
-    core = _core.load_scene(
-        where,
+    where = path_bytes(name, "name")
+    options = (
         "" if camera_path is None else path_bytes(camera_path, "camera_path"),
         number(frames_per_second, "frames_per_second", 0.0, 1e4),
         "" if asset_root is None else path_bytes(asset_root, "asset_root"),
         text(animation, "animation"),
         integer(texture_memory_mb, "texture_memory_mb", 1, 1 << 20) << 20,
     )
+    with Naming(os.fsdecode(where)):
+        core = _core.load_scene(where, *options)
     kind = "splats" if _core.is_splat_file(where) else "physical" if _core.is_physical_format(where) else "whitted"
     return Scene._of(core, kind, True)
 

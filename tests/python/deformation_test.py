@@ -87,7 +87,7 @@ class Deformation(Case):
         self.assertWrong("parent", scene.add_joint, parent=strange)
         self.assertWrong("scale", scene.add_joint, scale=(1, 0, 1))
         carried = scene.add_mesh(QUAD, FACES, skin=skin())
-        self.assertWrong("matrices", carried.animate, translation=np.zeros((2, 3)))
+        self.assertWrong("translation", carried.animate, translation=np.zeros((2, 3)))
         self.assertWrong("weights", carried.animate, weights=np.zeros((2, 1)))
 
     def test_a_file_with_a_skin_and_a_morph_target_moves(self):

@@ -84,7 +84,8 @@ class Errors(Case):
             "focus": 3,
         }.items():
             options = {"display": grid, "frame": 0, name: value}
-            self.assertWrong({"frame": "frames"}.get(name, name), lippmann.render, "room", **options)
+            self.assertWrong(name, lippmann.render, "room", **options)
+        self.assertWrong("frames", lippmann.frames, "room", grid, frames=[480])
         self.assertWrong("size", lippmann.camera_grid, size=(0, 3))
         self.assertWrong("size", lippmann.camera_grid, size=(3, 3, 3))
         self.assertWrong("size", lippmann.camera_grid, size=(30000, 30000))
@@ -112,13 +113,11 @@ class Errors(Case):
         self.assertWrong("size", field.refocus, 0, (0, 5))
         self.assertWrong("size", field.eye, size=(100000, 5))
         self.assertWrong("x", field.eye, x="left")
-        with self.assertRaises(lippmann.Error):
-            field.eye(z=-5)
+        self.assertWrong("z", field.eye, z=-5)
         with self.assertRaises(lippmann.Error):
             field.refocus(z_mm=1000)  # behind the viewer
         self.assertWrong("row", field.epi)
-        with self.assertRaises(lippmann.Error):
-            field.epi(row=5000)
+        self.assertWrong("row", field.epi, row=5000)
         self.assertWrong("format", field.save, self.folder / "x", "hcj")
         self.assertWrong("bits", field.save, self.folder / "x", "views", bits=9)
         self.assertWrong("path", field.save, "a\0b")
@@ -147,7 +146,8 @@ class Errors(Case):
         self.assertSame(rendered.layer("depth"), rendered.depth[..., None])
 
     def test_files_that_are_none_are_named(self):
-        self.assertWrong("scene", lippmann.load, 3)
+        self.assertWrong("name", lippmann.load, 3)
+        self.assertWrong("scene", lippmann.render, 3)
         for name in ("rom", "nowhere.glb", "", "a\0b.glb"):
             with self.assertRaises(lippmann.Error):
                 lippmann.load(name)
@@ -256,6 +256,79 @@ class Errors(Case):
             with self.assertWarnsRegex(lippmann.LippmannWarning, "texture") as caught:
                 add()
             self.assertEqual(caught.filename, __file__)
+
+    def test_what_the_library_refuses_has_the_name_that_python_gives_it(self):
+        grid, lenses = small_grid(), lippmann.lenticular_sheet((16, 32))
+
+        def refused(name, display=grid, **options):
+            options.setdefault("spp", 4)
+            return self.assertWrong(name, lippmann.render, "room", display, **options).accepted
+
+        self.assertIn("`spp`", refused("aperture_mm", spp=1, aperture_mm=4))
+        self.assertIn("camera_grid()", refused("aperture_mm", lenses, aperture_mm=4))
+        self.assertIn("quilt()", refused("f_number", lenses, f_number=4))
+        refused("f_number", f_number=4, aperture_mm=4)
+        self.assertIn("`aperture_mm` or `f_number`", refused("focal_plane_mm", focal_plane_mm=4))
+        refused("layers", layers=["direct"], integrator="whitted")
+        refused("layers", layers=["depth"], reuse="interpolate")
+        refused("fit_to", fit_to="nobody")
+        refused("focus", focus="nobody")
+        refused("display", "portrat")
+        self.assertIn("displays()", self.assertWrong("name", lippmann.display, "portrat").accepted)
+        self.assertWrong("toml: kind", lippmann.display_from_toml, "kind = 3")
+        self.assertWrong("camera_path", lippmann.load, "room", camera_path="room.cam")
+        self.assertWrong("lens_pitch_mm", lippmann.lenticular_sheet, lens_pitch_mm=0.01)
+        self.assertWrong("gap_mm", lippmann.microlens_array, gap_mm=1e-9)
+        self.assertWrong("baseline_mm", lippmann.camera_grid, baseline_mm=1e-9)
+        self.assertWrong("pixel_mm", lippmann.single_view, pixel_mm=1e-9)
+
+        field = lippmann.render("room", small_grid(2, 3, (8, 8)))
+        self.assertWrong("focus_mm", field.eye, pupil_mm=4, focus_mm=1000)
+        self.assertWrong("x", field.eye, x=1e10)
+        self.assertWrong("column", field.epi, column=8)
+        row = lippmann.render("room", small_grid(1, 3, (8, 8)))
+        self.assertIn("`row`", self.assertWrong("column", row.epi, column=3).accepted)
+
+    def test_files_are_refused_with_the_names_and_the_order_of_python(self):
+        def path(name):
+            return self.folder / name
+
+        field = lippmann.render("room", small_grid(2, 3, (8, 8)))
+        error = self.assertWrong("tiles", field.save, path("q.png"), "quilt", tiles=(4, 5))
+        self.assertIn("(4, 5) tiles", error.problem)
+        error = self.assertWrong("format", field.save, path("s.png"), "stereo")
+        self.assertIn("(2, 3)", error.problem)
+        self.assertNotIn("keep", error.accepted)
+        self.assertWrong("format", field.save, path("n.png"), "native", display=SMALL_PANEL)
+        self.assertWrong("display", field.save, path("n.png"), "native")
+        self.assertWrong("format", lippmann.LightField(np.zeros((1, 2, 4, 4, 3))).save, path("r.png"), "rgbd")
+
+        os.rename(field.save(path("q.png"), "quilt")[0], path("q.png"))
+        self.assertWrong("format", lippmann.open, path("q.png"))
+        self.assertIn("such as (6, 8)", self.assertWrong("tiles", lippmann.open, path("q.png"), format="quilt").accepted)
+        self.assertWrong("path", lippmann.open, path("q.png"), format="stereo")
+        native = {"format": "native", "display": SMALL_PANEL, "views": (2, 3)}
+        self.assertEqual(self.assertWrong("views", lippmann.open, path("q.png"), **native).accepted, "(1, N)")
+        field.save(path("2x3"), "hci")
+        os.remove(path("2x3") / "parameters.cfg")
+        error = self.assertWrong("views", lippmann.open, path("2x3"))
+        self.assertEqual(error.accepted, "(rows, columns), such as (1, 9)")
+        error = self.assertWrong(str(path("2x3")), lippmann.open, path("2x3"), format="hci", views=(4, 1))
+        self.assertIn("not (4, 1)", error.problem)
+        self.assertEqual(lippmann.open(path("2x3"), views=(2, 3)).shape, (2, 3, 8, 8, 3))
+
+    def test_a_file_that_is_called_as_an_argument_keeps_its_name(self):
+        here = os.getcwd()
+        self.addCleanup(os.chdir, here)
+        os.chdir(self.folder)
+        for name in ("quilt", "to", "aperture", "2x3"):
+            self.assertWrong(name, lippmann.open, name)
+            self.assertWrong(name, lippmann.load, name)
+            os.mkdir(name)
+            self.assertWrong(name, lippmann.open, name, format="hci")
+        lippmann.LightField(np.zeros((2, 3, 4, 4, 3))).save("2x3", "views")
+        error = self.assertWrong("views", lippmann.open, "2x3", views=(4, 1))
+        self.assertTrue(error.problem.startswith("(4, 1)") and error.problem.endswith(" in 2x3"), error.problem)
 
     def assertIgnored(self, names, function, *arguments, **named):
         """LippmannWarnings that name the arguments, in the caller's file; nothing else is warned of."""
