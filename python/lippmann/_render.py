@@ -123,7 +123,8 @@ def frames(
     camera: of a scene's cameras the one that decides the view, by name or index (Scene.cameras); None: the first.
     transparent: the surroundings light the scene and are not seen: LightField.alpha.
     threads: 0: one per processor. The same bits for any number.
-    progress: called as progress(frame, share) about every 50 ms, in this thread; what it raises stops the render.
+    progress: called as progress(frame, share) about every 50 ms, in this thread; what it raises stops the render. The share
+        begins anew for every frame that the one that is asked for needs.
     """
     if isinstance(scene, Scene):
         core, kind = scene._core.copy(), scene._kind
@@ -186,7 +187,11 @@ def render(
     frame: int = 0,
     **options: Any,
 ) -> LightField:
-    """One frame as a light field. Arguments are those of lippmann.frames, but for `frame`."""
+    """One frame as a light field. Arguments are those of lippmann.frames, but for `frame`.
+
+    A path-traced frame that shares light needs all since the last multiple of 16: out of the middle of an animation, reuse="none"
+    may be quicker.
+    """
     if "frames" in options:
         raise TypeError("lippmann.render takes `frame`; lippmann.frames takes `frames`")
     return frames(scene, display, frames=_Frame([frame]), **options)[0]

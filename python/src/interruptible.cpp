@@ -88,10 +88,7 @@ void Interruptible::hand_on(const py::object& progress) {
     warnings.swap(warnings_);
   }
   for (const std::string& text : warnings) py::module_::import("lippmann._errors").attr("warn")(py::bytes(text));
-  const double share = share_;
-  if (progress.is_none() || share == shown_) return;
-  shown_ = share;
-  progress(share);
+  if (!progress.is_none()) progress(share_.load());
 }
 
 void Interruptible::wait_for(const py::object& progress, const std::function<bool()>& ended) {
@@ -116,7 +113,7 @@ void Interruptible::wait_for(const py::object& progress, const std::function<boo
 void Interruptible::run(const py::object& progress, const std::function<void(const Context&)>& work) {
   const Busy busy(busy_);
   context_.cancelled = false;
-  share_ = shown_ = -1.0;
+  share_ = 0.0;
   Task task([&] { work(context_); });
   wait_for(progress, [&] { return task.has_ended(); });
   task.rethrow();

@@ -33,8 +33,7 @@ class Interruptible {
   void hand_on(const py::object& progress);
 
   Context context_;
-  std::atomic<double> share_{-1.0};
-  double shown_ = -1.0;
+  std::atomic<double> share_{0.0};
   std::mutex mutex_;  ///< of warnings_
   std::vector<std::string> warnings_;
   std::atomic<bool> busy_{false};
