@@ -37,7 +37,8 @@ inline void require_samples(const Picture& picture, const std::string& what) {
 }
 
 inline void require_channels(const Image& image, int channels, const std::string& what) {
-  if (image.channels != channels) throw Error(what, fmt::format("has {} channels", image.channels), fmt::format("{}", channels));
+  if (image.channels != channels)
+    throw Error(what, fmt::format("has {} channels", image.channels), fmt::format("{}", channels));
 }
 
 }  // namespace lippmann

@@ -245,14 +245,28 @@ SubjectBounds bounds_in_view(const Setting& setting, const Direction& direction,
   return all;
 }
 
-/// Where the middle of the width and of the height is, if the subject fits `enough` far away: margins are the same on both
-/// sides. The axis that fits with room to spare is seen under a smaller angle than it was measured with.
-Vec2f middle_at(const Setting& setting, const Direction& direction, const SubjectBounds& bounds, Vec2f angle, float enough) {
-  const Vec2f reach = bounds.right_up + bounds.left_down;
-  const Vec2f sine = glm::clamp(reach / (2.0f * enough), Vec2f(0.0f), glm::sin(angle));
-  const Vec2f cosine = glm::sqrt(1.0f - sine * sine);
-  const SubjectBounds seen = bounds_in_view(setting, direction, cosine, sine);
-  return (seen.right_up - seen.left_down) / (2.0f * cosine);
+/// Where the middle of the width and of the height is for a viewer so far in front of the subject's middle, so that margins are
+/// the same on both sides: an axis that fits with room to spare is seen under a smaller angle than it was measured with. Within
+/// what those angles allow.
+Vec2f middle_from(const Setting& setting, const Direction& direction, const SubjectBounds& bounds, Vec2f angle,
+                  float distance) {
+  constexpr int kMostPasses = 4;
+  constexpr float kSettled = 0.01f;
+  const Vec2f largest = glm::sin(angle), cosine = glm::cos(angle);
+  const float plane_z = bounds.straight.center().z, away = plane_z + distance;
+  const Vec2f least = (bounds.right_up - away * largest) / cosine, most = (away * largest - bounds.left_down) / cosine;
+  SubjectBounds seen = bounds;
+  Vec2f sine = largest, middle = (seen.right_up - seen.left_down) / (2.0f * cosine);
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    const Vec2f reach = seen.right_up + seen.left_down - 2.0f * plane_z * sine;
+    const Vec2f next = glm::clamp(reach / (2.0f * distance), Vec2f(0.0f), largest);
+    if (glm::all(glm::lessThanEqual(glm::abs(next - sine), kSettled * largest))) break;
+    sine = next;
+    const Vec2f along = glm::sqrt(1.0f - sine * sine);
+    seen = bounds_in_view(setting, direction, along, sine);
+    middle = (seen.right_up - seen.left_down) / (2.0f * along);
+  }
+  return glm::clamp(middle, least, glm::max(least, most));
 }
 
 /// So far away that the subject just fits, and so that it stands in the middle of the picture.
@@ -273,9 +287,7 @@ FittedArray fitted_to_bounds(const Setting& setting, const Direction& direction)
   // A rod that is seen along its length, or a point, would be seen from within.
   const float least = size == Vec3f(0.0f) ? 1.0f : 0.5f * size.z + kNearestPlane * diagonal(bounds.straight);
   const float distance = std::max(std::max(enough.x, enough.y) - plane_z, least);
-  const bool is_shown = size != Vec3f(0.0f) && distance + plane_z > 0.0f;
-  const Vec2f middle =
-      is_shown ? middle_at(setting, direction, bounds, angle, distance + plane_z) : Vec2f(bounds.straight.center());
+  const Vec2f middle = middle_from(setting, direction, bounds, angle, distance);
   place_before_camera(array, distance, {false, Vec2f(direction.tangent_y)});
   array.node_from_plane = {direction.node_from_view, direction.node_from_view * Vec3f(middle, plane_z)};
   array.depth_front = bounds.straight.upper.z - plane_z;

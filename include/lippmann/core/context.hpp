@@ -14,10 +14,10 @@ namespace lippmann {
 struct Context {
   int threads = 0;                             ///< worker threads; 0 = one per processor that this process may use
   std::function<void(std::string_view)> warn;  ///< one complete sentence per call, no newline; any thread
-  /// Share of the frame under way that is traced, 0 to 1; any thread, often. It begins anew for every frame that the one that is
-  /// asked for needs: neighbours of one that is denoised, those before one that shares light.
+  /// Share of the frame under way that is traced, 0 to 1; any thread, often. It begins anew for every frame that the one that
+  /// is asked for needs: neighbours of one that is denoised, those before one that shares light.
   std::function<void(double)> frame_progress;
-  std::atomic<bool> cancelled{false};          ///< set (from a signal handler too) to stop at the next tile or frame
+  std::atomic<bool> cancelled{false};  ///< set (from a signal handler too) to stop at the next tile or frame
 
   /// Reports to `warn` if it is set.
   void warning(std::string_view text) const {
