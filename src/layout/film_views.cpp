@@ -23,10 +23,7 @@ void require_size(const Image& image, Vec2i film, int channels, const char* what
 
 RenderedViews required_views(const Optics& optics) {
   if (std::optional<RenderedViews> rendered = rendered_views(optics)) return *rendered;
-  const bool has_lenses = !std::holds_alternative<RayTable>(optics.model);
-  throw Error("optics",
-              has_lenses ? "its lenses do not have a whole number of pixels, and make no views"
-                         : "rays of one's own go where they like, and make no views",
+  throw Error("optics", "has no lenses with a whole number of pixels below each, and makes no views",
               "views, or lenses with a whole number of pixels below each, neither slanted nor hexagonal");
 }
 

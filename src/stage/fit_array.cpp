@@ -194,8 +194,8 @@ FittedArray half_way_through(const Setting& setting, const Camera& camera) {
   const bool is_scene = sees_nothing || (sees_subject && !setting.subject.has_surroundings());
   if (sees_nothing && !seen.empty()) {
     array.how = fmt::format(
-        "Nothing of the scene is seen from {}: the array is {:.4g} units in front of it; `fit-to`, `orbit` or another `camera` "
-        "shows more.",
+        "Nothing of the scene is seen from {}: the array is {:.4g} units in front of it. A view that is fitted to something, "
+        "turned, or of another camera shows more.",
         camera_name(camera), distance);
     return array;
   }
