@@ -7,6 +7,7 @@
 
 #include "layout/light_fields.hpp"
 #include "lippmann/core/error.hpp"
+#include "support/error_message.hpp"
 #include "support/temp_dir.hpp"
 
 namespace lippmann {
@@ -29,6 +30,11 @@ TEST(OpenLightField, folders_and_quilts_are_known_by_their_names) {
   const OpenedLightField quilt = open_light_field(dir / "quilt_qs3x2a0.8.png", "", {});
   EXPECT_EQ(quilt.format, "quilt");
   EXPECT_TRUE(same_samples(quilt.field.stack, field.stack));
+}
+
+TEST(OpenLightField, what_is_not_there_is_said_not_to_be_there) {
+  const TempDir dir;
+  EXPECT_THAT(test::error_message([&] { open_light_field(dir / "nosuch", "", {}); }), testing::HasSubstr("no such file"));
 }
 
 TEST(OpenLightField, a_folder_of_frames_has_one_for_each_and_others_themselves) {
