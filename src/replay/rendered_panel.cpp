@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "image/require_samples.hpp"
+#include "lippmann/optics/viewing.hpp"
 
 namespace lippmann {
 
