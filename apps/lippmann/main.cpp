@@ -6,8 +6,11 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <memory>
+#include <mutex>
 #include <new>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -38,6 +41,19 @@ void check_stack_limit() {
     throw Error("ulimit -s", fmt::format("the stack is limited to {} KB", stack.rlim_cur >> 10),
                 fmt::format("at least {} KB", kLeastBytes >> 10));
 }
+
+/// Prints each warning once: a file that is read twice has one.
+class SaidWarnings {
+ public:
+  void print(const std::string& text) {
+    const std::lock_guard lock(mutex_);
+    if (said_.insert(text).second) fmt::print(stderr, "warning: {}\n", printable_line(text));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::set<std::string> said_;
+};
 
 /// Its exit code; Errors are told in the words of the command line.
 int run_command(const CommandLine& command_line, const Action& chosen, Context& context) {
@@ -75,7 +91,7 @@ int run(int argc, char** argv) {
   add_manual_command(root, chosen, command_line);
   if (const std::optional<int> done = command_line.parse(argc, argv)) return *done;
   Context context;
-  context.warn = [](std::string_view text) { fmt::print(stderr, "warning: {}\n", with_flags(text)); };
+  context.warn = [said = std::make_shared<SaidWarnings>()](std::string_view text) { said->print(with_flags(text)); };
   const InterruptGuard interrupt(context.cancelled);
   const int code = run_command(command_line, chosen, context);
   const int interrupted = InterruptGuard::exit_code();
@@ -95,7 +111,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "lippmann: out of memory\n");
   } catch (const std::exception& error) {
-    fmt::print(stderr, "lippmann: {}\n", error.what());
+    fmt::print(stderr, "lippmann: {}\n", lippmann::printable_line(error.what()));
   }
   return lippmann::app::kFailed;
 }

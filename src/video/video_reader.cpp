@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "core/regular_file.hpp"
 #include "lippmann/core/error.hpp"
 #include "video/video_module.hpp"
 
@@ -13,9 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::unique_ptr<VideoDecoder> open(const fs::path& path) {
-  std::error_code ignored;
-  if (!fs::exists(path, ignored)) throw Error(path.string(), "there is no such file");
-  if (!fs::is_regular_file(path, ignored)) throw Error(path.string(), "is not a file");
+  require_regular_file(path, "a video");
   return video_module().decoder(path);
 }
 

@@ -63,7 +63,7 @@ struct PageField::Layered {
 };
 
 PageField::PageField(fs::path in, LightFieldHints hints, const Context& context)
-    : hints_(std::move(hints)),
+    : hints_(with_warnings(std::move(hints), context)),
       frames_(find_light_field_frames(in, hints_)),
       root_(shown_root(in)),
       facts_(page_facts(frames_.optics)),
