@@ -91,7 +91,7 @@ std::string describe_paths(const Sampling& sampling, const Optics& optics) {
 
 std::string describe_depth(const ShownDepth& shown, const Optics& optics, float depth_scale) {
   return depth_budget_sentence(shown, optics, depth_scale) +
-         (depth_scale < 1.0f ? " --full-depth shows all of it." : " --fit-depth shows it less deep.");
+         (depth_scale < 1.0f ? " --full-depth shows its full depth." : " --fit-depth scales its depth to the budget.");
 }
 
 void print_line(std::string_view name, const std::string& value) { fmt::print("  {:<9} {}\n", name, value); }

@@ -86,7 +86,16 @@ std::string list_variants(const SceneInfo& info) {
 /// Whether frames show the keys of a file with animations; nothing for other files.
 std::string describe_keys(const SceneInfo& info) {
   if (info.animations.empty()) return "";
-  return info.keys_on_frames ? ", every key of the file on a frame" : ", not all keys of the file on frames (--fps chooses)";
+  return info.keys_on_frames ? "; all keys of the file lie on frames"
+                             : "; some keys of the file lie between frames (see --fps)";
+}
+
+/// "48 frames at 24 fps, 2.0 s; 3 of 5 instances move"; of a still scene, that it is one.
+std::string describe_animation(const SceneInfo& info) {
+  if (info.frames == 1 && info.animations.empty() && info.moving_instances == 0) return "none: a still scene";
+  return fmt::format("{} frame{} at {:g} fps, {:.1f} s{}; {} of {} instance{} move", info.frames, info.frames == 1 ? "" : "s",
+                     info.frames_per_second, info.frames / info.frames_per_second, describe_keys(info), info.moving_instances,
+                     info.instances, info.instances == 1 ? "" : "s");
 }
 
 /// "3 meshes, 1 light": what there is at all.
@@ -184,9 +193,7 @@ std::string to_text(const SceneInfo& info) {
   if (info.cameras > 1) line("cameras", list_cameras(info.notes.camera_names) + "; --camera chooses");
   if (!info.variants.empty()) line("variants", list_variants(info) + "; --variant chooses");
   line("light", info.notes.light);
-  line("animation",
-       fmt::format("{} frames at {:g} a second = {:.1f} s{}; {} of {} instances move", info.frames, info.frames_per_second,
-                   info.frames / info.frames_per_second, describe_keys(info), info.moving_instances, info.instances));
+  line("animation", describe_animation(info));
   if (info.animations.size() > 1) line("", list_animations(info));
   if (!info.bounds.empty())
     line("bounds", fmt::format("({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})", info.bounds.lower.x, info.bounds.lower.y,

@@ -69,6 +69,24 @@ INSTANTIATE_TEST_SUITE_P(
         render({"--unit", "3/2"}, "--unit: '3/2' is no unit"), render({"--page", "--mirror"}, "--page")));
 
 INSTANTIATE_TEST_SUITE_P(
+    FlagsWithoutEffect, Refusals,
+    testing::Values(render({"--stereo", "sbs"}, "--stereo: has no effect on this render; accepted: --layout stereo with it"),
+                    render({"--right-first"}, "--right-first: has no effect"), render({"--splat", "view"}, "--splat"),
+                    render({"--fill", "interpolate"}, "--fill"), render({"--halving"}, "--halving"),
+                    render({"--no-z-buffer"}, "--no-z-buffer"), render({"--reuse", "none", "--keyframes", "8"}, "--keyframes"),
+                    render({"--integrator", "path", "--spp", "64", "--keyframes", "8"}, "--keyframes: has no effect"),
+                    render({"--clamp-indirect", "4"}, "--clamp-indirect: has no effect"),
+                    render({"--quality-at", "pixel"}, "--quality-at: has no effect"),
+                    render({"--video-codec", "hevc"}, "--video-codec: has no effect"), render({"--crf", "20"}, "--crf"),
+                    render({"--crf", "20", "--video", "a.mkv"}, "--crf: has no effect"),
+                    render({"--exr-pixels", "float"}, "--exr-pixels: has no effect"),
+                    render({"--format", "exr", "--exposure", "1"}, "--exposure: has no effect"),
+                    render({"--format", "exr", "--tone", "agx"}, "--tone: has no effect"),
+                    render({"--environment", "none", "--environment-strength", "2"}, "--environment-strength"),
+                    render({"--environment", "none", "--environment-rotation", "9"}, "--environment-rotation"),
+                    render({"--texture-memory", "100"}, "--texture-memory"), render({"--asset-root", "."}, "--asset-root")));
+
+INSTANTIATE_TEST_SUITE_P(
     Words, Refusals,
     testing::Values(
         render({"--optics", "lentcular"}, "did you mean 'lenticular'?"), render({"--display", "60lpi"}, "did you mean '"),
