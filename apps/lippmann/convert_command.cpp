@@ -74,8 +74,7 @@ int run(const ConvertOptions& options, const Context& context) {
     return run_orthoscopic(options.orthoscopic, options.in, options.out, options.result, context);
   if (options.to.empty() && (options.crosstalk.precompensate || !options.crosstalk.crosstalk.empty()))
     return run_precompensate(options.crosstalk, options.display, options.in, options.out, options.result, context);
-  if (options.crosstalk.precompensate)
-    throw usage_error("--precompensate", "is a step of its own, of what a panel shows", "no --to with it");
+  if (options.crosstalk.precompensate) throw usage_error("--precompensate", "cannot be combined with --to", "no --to with it");
   if (options.to.empty()) throw usage_error("--to", "is required", "a format, see --help");
   const bool from_rgbd = options.from == "rgbd" || (options.from.empty() && is_rgbd(options.in));
   options.stereo.require_stereo(options.from, from_rgbd && options.stereo.view_angle_deg ? "stereo" : options.to);

@@ -258,8 +258,7 @@ RenderReport render(const RenderParams& params, const RenderOptions& options, Ra
 /// One of several processes: the first speaks for all of them.
 void join_in(const RenderOptions& options, const Ranks& ranks, Context& context) {
   if (!options.unit.empty() || !options.also.empty())
-    throw usage_error(options.unit.empty() ? "also" : "unit",
-                      "is for processes that stand alone, and mpirun has started several", "one of both");
+    throw usage_error(options.unit.empty() ? "also" : "unit", "cannot be combined with mpirun", "one of both");
   const auto online = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
   context.threads = threads_of_rank(resolved_threads(context), online, local_rank_count());
   if (ranks.rank() > 0) context.warn = {};
@@ -275,16 +274,15 @@ bool is_for_the_first_to_say(const Ranks* ranks, const Context& context) {
 
 int run(const RenderOptions& options, Context& context) {
   if (options.quiet && (options.verbose || !options.progress.empty()))
-    throw usage_error("--quiet", "and --verbose or --progress ask for opposites", "one of them");
+    throw usage_error("--quiet", "cannot be combined with --verbose or --progress", "one of them");
   if (options.verbose && !options.progress.empty())
-    throw usage_error("--verbose", "and --progress say in two ways what to print", "one of them");
+    throw usage_error("--verbose", "cannot be combined with --progress", "one of them");
   const RenderParams params = with_scene_defaults(options.flags.read());
   if (options.page && options.is_part())
-    throw usage_error("--page", fmt::format("needs all frames, and{} renders a part of them", part_flag(options)),
+    throw usage_error("--page", fmt::format("needs all frames, but{} renders some of them", part_flag(options)),
                       "lippmann view DIR --save when all are there");
   if (options.page && params.output.pictures.mirror)
-    throw usage_error("--page", "cannot show mirrored pictures, which are printed on the back of a sheet",
-                      "no --mirror with it");
+    throw usage_error("--page", "cannot be combined with --mirror", "no --mirror with it");
   if (!options.dump_job.empty()) {
     make_folder(fs::path(options.dump_job).parent_path());
     write_job(options.dump_job, params);

@@ -36,7 +36,7 @@ void read_size(const std::string& text, ReplayParams& params) {
   if (params.one_per_lens) return;
   if (std::sscanf(text.c_str(), "%7dx%7d%n", &size.x, &size.y, &read) != 2 || read != static_cast<int>(text.size()) ||
       size.x < 1 || size.y < 1)
-    throw usage_error("--size", "'" + text + "' is no size", "WxH in pixels, or lenses");
+    throw usage_error("--size", "'" + text + "' is not a size", "WxH in pixels, or lenses");
 }
 
 /// Z0:Z1:N
@@ -46,7 +46,8 @@ std::optional<FocalStack> read_focal_stack(const std::string& text) {
   int read = 0;
   if (std::sscanf(text.c_str(), "%lf:%lf:%6d%n", &stack.first_mm, &stack.last_mm, &stack.count, &read) != 3 ||
       read != static_cast<int>(text.size()) || stack.count < 2 || stack.count > 1000)
-    throw usage_error("--focal-stack", "'" + text + "' is no stack", "Z0:Z1:N, two depths in mm and 2 to 1000 pictures");
+    throw usage_error("--focal-stack", "'" + text + "' is not a focal stack",
+                      "Z0:Z1:N, two depths in mm and 2 to 1000 pictures");
   return stack;
 }
 

@@ -54,7 +54,8 @@ void write_text(const fs::path& path, const std::string& text, bool is_script) {
 Submission submission_of(const SubmitOptions& options, const Context& context) {
   RenderParams params;
   if (fs::path(options.job).extension() != ".toml")
-    throw usage_error("JOB", options.job + " is no job file", "a .toml; lippmann render SCENE --dump-job FILE.toml writes one");
+    throw usage_error("JOB", options.job + " is not a job file",
+                      "a .toml; lippmann render SCENE --dump-job FILE.toml writes one");
   read_job(options.job, params);
   params.threads = options.threads > 0 ? options.threads : params.threads > 0 ? params.threads : resolved_threads(context);
   const UnitPlan plan = plan_units(params, options.units, !options.only_list, context);
@@ -79,8 +80,8 @@ Submission submission_of(const SubmitOptions& options, const Context& context) {
 
 int run(const SubmitOptions& options, const Context& context) {
   if (options.slurm.empty() && options.openjd.empty() && options.shell.empty())
-    throw usage_error("submit", "nothing says for whom", "--slurm FILE, --openjd FILE or --shell FILE");
-  if (options.job.empty()) throw usage_error("JOB", "no job is named", "a job file (.toml)");
+    throw usage_error("submit", "needs a target", "--slurm FILE, --openjd FILE or --shell FILE");
+  if (options.job.empty()) throw usage_error("JOB", "is missing", "a job file (.toml)");
   const Submission submission = submission_of(options, context);
   if (context.cancelled) return 1;
   if (!options.slurm.empty()) write_text(options.slurm, slurm_script(submission), true);

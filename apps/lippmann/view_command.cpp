@@ -66,8 +66,7 @@ int watch(const ViewOptions& options, const Context& context) {
 // ---- A scene ------------------------------------------------------------------------------------------------------------
 
 int set_up(const ViewOptions& options, const Context& context) {
-  if (!options.other.empty())
-    throw usage_error("OTHER", "is compared with a light field, and IN is a scene", "a rendered folder");
+  if (!options.other.empty()) throw usage_error("OTHER", "needs a light field as IN, and IN is a scene", "a rendered folder");
   if (!options.save.empty())
     throw usage_error("--save", "needs a light field, and IN is a scene", "lippmann render SCENE --page");
   const RenderParams params = scene_params(options.in, options.scene, options.field, options.threads);

@@ -232,7 +232,7 @@ def _reuse(
         raise Error("keyframes", f"means nothing where {why}", "it together with reuse='copy' or 'interpolate'")
     if min_psnr is not None and name == "none":
         accepted = "it together with reuse='interpolate', or 'light' with integrator='path'"
-        raise Error("min_psnr", "means nothing where every frame is traced", accepted)
+        raise Error("min_psnr", "has no effect where every frame is traced in full", accepted)
     return _core.Reuse(name, keyframes, min_psnr)
 
 

@@ -80,8 +80,7 @@ std::uint64_t channel_bytes(PictureFormat format, ExrPixels exr_pixels) {
 /// As it is asked for, or the first of out/<scene name>, out/<scene name>-2, ... that holds no other render.
 fs::path chosen_folder(const RenderParams& params, const std::string& job, bool force, const Context& context) {
   const fs::path wanted = output_folder(params);
-  if (wanted == "-")
-    throw usage_error("output", "a render is a folder of files, and standard output cannot hold one", "a folder");
+  if (wanted == "-") throw usage_error("output", "cannot be standard output: a render is a folder", "a folder");
   if (!params.output.folder.empty() || force) return wanted;
   fs::path folder = free_folder(wanted, job);
   if (folder != wanted)
@@ -112,7 +111,7 @@ std::vector<int> parts_of_run(const RunParams& run, const std::vector<int>& of_j
   std::vector<int> both;
   std::set_intersection(of_units.begin(), of_units.end(), wanted.begin(), wanted.end(), std::back_inserter(both));
   if (both.empty() && !of_units.empty())
-    throw usage_error("only-frames", fmt::format("{} has no frame that is to be rendered", write_frames(*run.only_frames)),
+    throw usage_error("only-frames", fmt::format("{} selects no frame of this render", write_frames(*run.only_frames)),
                       fmt::format("some of {}", write_frames(ranges_of(frames_of_parts(of_units, strips)))));
   return both;
 }
@@ -120,7 +119,7 @@ std::vector<int> parts_of_run(const RunParams& run, const std::vector<int>& of_j
 /// Throws a usage Error for frames that cannot be rendered in strips.
 void check_strips_of(const RenderParams& params, const FrameParams& made_as, const Optics& optics) {
   if (params.strips == 1) return;
-  if (params.scene.name == kTestPattern) throw usage_error("strips", "the test pattern is drawn whole", "1");
+  if (params.scene.name == kTestPattern) throw usage_error("strips", "the test pattern cannot be split", "1");
   check_strips(made_as, optics, params.strips);
 }
 
@@ -343,11 +342,11 @@ class Animation {
   void check_layout() {
     layout_.check_picture_size(!params_.sampling.aov.empty());
     if (!params_.output.video.empty() && !layout_.is_picture())
-      throw usage_error("video", "views are pictures of their own", "`layout` quilt or integral");
+      throw usage_error("video", "needs a layout with one picture per frame", "`layout` quilt or integral");
     if (!params_.output.video.empty() && layout_.is_rgbd() && layout_.format() == PictureFormat::kExr)
-      throw usage_error("video", "is made of the pictures, which have to hold codes of depth", "`format` png or png16");
+      throw usage_error("video", "RGB-D videos need integer pictures", "`format` png or png16");
     if (!params_.output.video.empty() && (is_part() || run_.ranks) && layout_.format() != PictureFormat::kPng)
-      throw usage_error("video", "is made of the pictures of all parts, which have to hold its codes", "`format` png");
+      throw usage_error("video", "videos of partial renders need PNG pictures", "`format` png");
     see_crosstalk();
     check(made_as_, optics());
     check_strips_of(params_, made_as_, optics());

@@ -16,13 +16,12 @@ namespace {
 
 void check_transparent(const RenderParams& params) {
   constexpr const char* kFlag = "--transparent";
-  if (params.scene.name == kTestPattern) throw usage_error(kFlag, "the test pattern has no surroundings", "a scene with it");
-  if (!params.output.video.empty())
-    throw usage_error(kFlag, "none of the codecs of videos keeps alpha", "pictures alone: no --video with it");
+  if (params.scene.name == kTestPattern) throw usage_error(kFlag, "the test pattern cannot be transparent", "a scene with it");
+  if (!params.output.video.empty()) throw usage_error(kFlag, "videos cannot store alpha", "pictures alone: no --video with it");
   if (params.output.pictures.layout == PictureLayout::kNative || params.output.pictures.layout == PictureLayout::kPrint)
-    throw usage_error(kFlag, "what a panel or paper shows lies before nothing", "--layout integral, quilt or views");
+    throw usage_error(kFlag, "pictures for panels and prints cannot store alpha", "--layout integral, quilt or views");
   if (params.optics.precompensate)
-    throw usage_error(kFlag, "crosstalk mixes neighbours, alpha or not", "no --precompensate with it");
+    throw usage_error(kFlag, "cannot be combined with --precompensate", "no --precompensate with it");
 }
 
 /// Whether frames are written in a format that is not one of the layouts of pictures by another name.

@@ -82,8 +82,7 @@ Optics display_optics(const RenderParams& params, const Display& display) {
              native = params.output.pictures.layout == PictureLayout::kNative;
   const OpticsKind kind = params.optics.kind.value_or(own_kind(display));
   const bool is_quilt = kind == OpticsKind::kMultiview && !(slanted && native);
-  refuse(params.optics.views.x > 0 && !is_quilt, "--views", "has no meaning for this kind of optics",
-         "with --optics multiview");
+  refuse(params.optics.views.x > 0 && !is_quilt, "--views", "has no effect on this kind of optics", "with --optics multiview");
   const Display wanted = with_params(params, display, is_quilt);
   Optics optics;
   if (kind == OpticsKind::kSingle)

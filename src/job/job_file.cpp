@@ -51,7 +51,7 @@ std::string value_text(const toml::node& node, const std::string& where) {
 std::vector<std::string> value_texts(const ParamInfo& info, const toml::node& node, const std::string& where) {
   const toml::array* array = node.as_array();
   if (!array) return {value_text(node, where)};
-  if (info.kind != ParamKind::kList) throw usage_error(where, "a list, where one value is expected", std::string(info.type));
+  if (info.kind != ParamKind::kList) throw usage_error(where, "is a list; expected one value", std::string(info.type));
   std::vector<std::string> texts;
   for (const toml::node& element : *array) texts.push_back(value_text(element, where));
   return texts;
@@ -104,7 +104,7 @@ std::string path_from(const fs::path& folder, const std::string& path) {
 void set_opposite(const ParamInfo& info, const toml::table& job, const std::string& value, const std::string& place,
                   RenderParams& params) {
   const std::string where = fmt::format("{}: {}", place, info.opposite);
-  if (job.contains(info.name)) throw usage_error(where, fmt::format("{} says it already", info.name), "one of them");
+  if (job.contains(info.name)) throw usage_error(where, fmt::format("is set by {} already", info.name), "one of them");
   if (value != "true" && value != "false") throw usage_error(where, fmt::format("'{}'", value), "true or false");
   info.set(params, {value == "true" ? "false" : "true"}, where);
 }

@@ -61,8 +61,7 @@ Converted convert(const fs::path& in, const fs::path& out, const ConvertParams& 
   const bool is_folder = fs::is_directory(in, ignored);
   const std::vector<fs::path> frames = is_folder ? light_field_frames(in, params.from) : std::vector<fs::path>();
   const bool may_be_one = params.from.empty() || find_format(params.from, "from").is_folder || !is_folder;
-  if (frames.empty() && !may_be_one)
-    throw Error(in.string(), "there are no frames in it", "frame_0000.png, frame_0001.png, ...");
+  if (frames.empty() && !may_be_one) throw Error(in.string(), "contains no frames", "frame_0000.png, frame_0001.png, ...");
   if (frames.empty()) {
     conversion.convert_one(in, out, result);
     return result;

@@ -116,7 +116,7 @@ std::vector<fs::path> light_fields_in(const fs::path& path, const std::string& f
   std::vector<fs::path> frames = light_field_frames(path, from);
   if (!frames.empty()) return frames;
   if (from.empty() && !is_light_field_folder(path))
-    throw Error(path.string(), "there are no frames in it, and no views",
+    throw Error(path.string(), "contains no frames, and no views",
                 "frame_0000.png, frame_0001.png, ..., or a folder of views that `lippmann convert` reads");
   return {path};
 }

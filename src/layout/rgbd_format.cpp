@@ -63,10 +63,10 @@ RgbdSideFile described_rgbd(const fs::path& path, const FormatOptions& options, 
   if (options.even_in_depth) side.coding.even_in_depth = *options.even_in_depth;
   if (options.near_black) side.coding.near_black = *options.near_black;
   if (!(side.coding.range.near_mm < side.distance_mm))
-    throw usage_error(
-        "depth-range",
-        fmt::format("{:g} mm is not before the eye, which is at {:g} mm", side.coding.range.near_mm, side.distance_mm),
-        "depths below that");
+    throw usage_error("depth-range",
+                      fmt::format("{:g} mm does not lie in front of the eye, which is at {:g} mm", side.coding.range.near_mm,
+                                  side.distance_mm),
+                      "depths below that");
   return side;
 }
 

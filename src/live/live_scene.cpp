@@ -175,7 +175,8 @@ void LiveScene::set_plane(LiveSettings& settings, double z_mm) const {
 }
 
 std::uint64_t LiveScene::change(const Json& changes) {
-  if (!changes.is_object()) throw usage_error("settings", "are no JSON object", R"({"settings": {"zoom": "2"}, "frame": 0})");
+  if (!changes.is_object())
+    throw usage_error("settings", "are not a JSON object", R"({"settings": {"zoom": "2"}, "frame": 0})");
   const std::lock_guard lock(mutex_);
   LiveSettings settings = settings_;
   for (const auto& [key, value] : changes.items()) {
@@ -185,7 +186,7 @@ std::uint64_t LiveScene::change(const Json& changes) {
       set_plane(settings, value.get<double>());
     } else if (key == "settings" && value.is_object()) {
       for (const auto& [name, text] : value.items()) {
-        if (!text.is_string() && !text.is_null()) throw usage_error(name, "the value is no text", "a text, or null");
+        if (!text.is_string() && !text.is_null()) throw usage_error(name, "is not a text", "a text, or null");
         const std::string said = text.is_string() ? text.get<std::string>() : std::string();
         settings.set(name, text.is_string() ? &said : nullptr);
       }

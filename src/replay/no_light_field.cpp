@@ -29,13 +29,13 @@ std::string first_name(const Entries& entries, bool (*is_such)(const fs::path&))
 
 void refuse_folder(const fs::path& folder) {
   const Entries entries = entries_of(folder);
-  if (entries.empty()) throw Error(folder.string(), "is empty: there are no frames in it, and no views", kFramesOrViews);
+  if (entries.empty()) throw Error(folder.string(), "is empty: contains no frames, and no views", kFramesOrViews);
   if (const std::string video = first_name(entries, is_video_name); !video.empty())
-    throw Error(folder.string(), fmt::format("there are no frames in it, but videos ({}), of which no views are read", video),
+    throw Error(folder.string(), fmt::format("contains no frames, but videos ({}), of which no views are read", video),
                 "the folder of frames that they were made of");
   if (fs::exists(folder / "job.toml"))
     throw Error(
-        folder.string(), "there are no frames in it, but a job that has not been rendered",
+        folder.string(), "contains no frames, but a job that has not been rendered",
         fmt::format("`lippmann render {0}` first, or `lippmann view {0}`, which sets it up", (folder / "job.toml").string()));
   if (const std::string picture = first_name(entries, is_picture_name); !picture.empty())
     throw Error(folder.string(),

@@ -364,13 +364,14 @@ float wanted_plane_z(const FittedArray& array, const Setting& setting, const std
     const std::vector<bool> meant = instances_named(setting.scene, focus, "focus");
     for (std::size_t i = 0; i < meant.size(); ++i)
       if (meant[i]) bounds.add(finite_bounds(setting.scene, setting.scene.instances[i], setting.resolved, plane_from_world));
-    if (bounds.empty()) throw usage_error("focus", shown(focus) + " has no end and no middle", "a node that shows a shape");
+    if (bounds.empty())
+      throw usage_error("focus", shown(focus) + " is infinite and has no centre", "a node that shows a shape");
     return bounds.center().z;
   }
   const std::vector<float> numbers = read_focus(setting.scene, focus);
   if (numbers.size() == 3) return transform_point(plane_from_world, {numbers[0], numbers[1], numbers[2]}).z;
   if (!std::isfinite(array.viewing_distance))
-    throw usage_error("focus", "a distance, and the scene's display is viewed from infinitely far away", "a node or X,Y,Z");
+    throw usage_error("focus", "cannot be a distance: the viewer is infinitely far away", "a node or X,Y,Z");
   return array.viewing_distance - numbers[0] / uniform_scale(world_from_plane);
 }
 
@@ -386,7 +387,7 @@ void focus_at(FittedArray& array, const Setting& setting, const std::string& foc
   if (focus.empty()) return;
   const float z = wanted_plane_z(array, setting, focus), distance = array.viewing_distance - z;
   if (!(distance > 1e-6f * array.viewing_distance) && std::isfinite(array.viewing_distance))
-    throw usage_error("focus", shown(focus) + " does not lie in front of the viewer", "something that the view shows");
+    throw usage_error("focus", shown(focus) + " does not lie in front of the viewer", "a visible node or point");
   if (std::isfinite(array.viewing_distance) && !shows_a_beam(array, setting.scene))
     array.plane_height *= distance / array.viewing_distance;
   array.node_from_plane.translation += z * array.node_from_plane.linear[2];

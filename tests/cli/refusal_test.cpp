@@ -33,15 +33,14 @@ INSTANTIATE_TEST_SUITE_P(
                     render({"--to", "hci", "--optics", "multiview", "--aov", "normal"}, "--aov: files of the format hci"),
                     render({"--size", "20000x20000"}, "--format tiff"), render({"-o", "-"}, "--output")));
 
-INSTANTIATE_TEST_SUITE_P(Light, Refusals,
-                         testing::Values(render({"--transparent", "--video", "a.mp4"}, "--transparent: none of the codecs"),
-                                         render({"--integrator", "path", "--reuse", "forward"},
-                                                "--reuse: interpolate does not know path-traced frames"),
-                                         render({"--integrator", "path", "--reuse", "forward"}, "or --integrator whitted"),
-                                         render({"--denoise"}, "--denoise: only paths have noise"),
-                                         render({"--splat", "lens"}, "--splat"), render({"--reuse", "backward"}, "--reuse"),
-                                         render({"--min-psnr", "5", "--reuse", "none"}, "--min-psnr"),
-                                         render({"--fit-depth", "--full-depth"}, "--full-depth")));
+INSTANTIATE_TEST_SUITE_P(
+    Light, Refusals,
+    testing::Values(render({"--transparent", "--video", "a.mp4"}, "--transparent: none of the codecs"),
+                    render({"--integrator", "path", "--reuse", "forward"}, "--reuse: interpolate needs Whitted shading"),
+                    render({"--integrator", "path", "--reuse", "forward"}, "or --integrator whitted"),
+                    render({"--denoise"}, "--denoise: needs path tracing"), render({"--splat", "lens"}, "--splat"),
+                    render({"--reuse", "backward"}, "--reuse"), render({"--min-psnr", "5", "--reuse", "none"}, "--min-psnr"),
+                    render({"--fit-depth", "--full-depth"}, "--full-depth")));
 
 INSTANTIATE_TEST_SUITE_P(
     Displays, Refusals,
@@ -62,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(Conversions, Refusals,
 INSTANTIATE_TEST_SUITE_P(
     Parts, Refusals,
     testing::Values(
-        render({"--only-frames", "7-9"}, "--only-frames: 7-9 has no frame that is to be rendered; accepted: some of 0"),
+        render({"--only-frames", "7-9"}, "--only-frames: 7-9 selects no frame of this render; accepted: some of 0"),
         render({"--only-frames", "x"}, "--only-frames: 'x'"),
         render({"--only-frames", "0", "--page"}, "--page: needs all frames, and --only-frames 0 renders a part of them"),
         render({"--video", "a.mp4", "--format", "exr", "--unit", "1/2"}, "--video: is made of the pictures of all parts"),

@@ -149,7 +149,7 @@ TEST(PageField, depth_that_cannot_be_read_is_left_out_with_a_warning) {
 
 TEST(PageField, folder_without_pictures_is_refused_with_what_would_be_accepted) {
   const TempDir dir;
-  EXPECT_THAT(test::error_message([&] { test::fields_of(dir.path()); }), HasSubstr("there are no frames in it"));
+  EXPECT_THAT(test::error_message([&] { test::fields_of(dir.path()); }), HasSubstr("contains no frames"));
 }
 
 }  // namespace
