@@ -48,7 +48,7 @@ std::uint32_t place(SplitPart& part, const SplitCorner& corner, const Mesh& from
 std::map<int, Mesh> split_faces(const Mesh& mesh, const std::vector<FaceLook>& looks, const FaceAttributes& own) {
   std::map<int, SplitPart> parts;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    SplitPart& part = parts[looks[i].texture];
+    SplitPart& part = parts[looks[i].picture];
     std::array<std::uint32_t, 3> triangle{};
     for (std::size_t k = 0; k < 3; ++k) {
       SplitCorner corner{mesh.triangles[i][k], Vec2f(0.0f), Vec3f(1.0f), 1.0f};
@@ -60,7 +60,7 @@ std::map<int, Mesh> split_faces(const Mesh& mesh, const std::vector<FaceLook>& l
     part.mesh.triangles.push_back(triangle);
   }
   std::map<int, Mesh> meshes;
-  for (auto& [texture, part] : parts) meshes.emplace(texture, std::move(part.mesh));
+  for (auto& [picture, part] : parts) meshes.emplace(picture, std::move(part.mesh));
   return meshes;
 }
 

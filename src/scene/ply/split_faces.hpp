@@ -15,7 +15,7 @@ struct FaceLook {
   std::array<Vec2f, 3> uvs{};  ///< of the triangle's corners
   Vec3f color{1.0f};           ///< linear
   float alpha = 1.0f;
-  int texture = -1;  ///< which of the file's pictures; -1: none
+  int picture = -1;  ///< which of the file's pictures; -1: none
 };
 
 /// Which attributes come from FaceLook; the others stay those of the vertices.
@@ -23,7 +23,7 @@ struct FaceAttributes {
   bool uvs = false, colors = false, alphas = false;
 };
 
-/// The mesh in one part per texture. looks[i] belongs to triangle i. Corners that agree in everything share a vertex.
+/// The mesh in one part per picture. looks[i] belongs to triangle i. Corners that agree in everything share a vertex.
 std::map<int, Mesh> split_faces(const Mesh& mesh, const std::vector<FaceLook>& looks, const FaceAttributes& own);
 
 }  // namespace lippmann::ply
