@@ -102,7 +102,7 @@ std::string meant_builtin(const fs::path& path) {
   if (std::find(std::begin(kOfBlender), std::end(kOfBlender), extension) != std::end(kOfBlender))
     throw Error(path.string(), "is a scene format that Blender reads",
                 "a .glb of it, which Blender makes by to_glb.py (docs/scenes.md, \"Other formats\")");
-  throw Error(path.string(), "is not a scene format that is known", accepted_names());
+  throw Error(path.string(), "is not a known scene format", accepted_names());
 }
 
 void require_readable_file(const fs::path& path) {

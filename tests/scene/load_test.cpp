@@ -35,7 +35,7 @@ TEST(LoadScene, formats_that_blender_reads_are_refused_with_the_way_here) {
   EXPECT_THAT(error_of_loading((dir / "b.FBX").string()), HasSubstr("to_glb.py"));
   EXPECT_THAT(error_of_loading((dir / "c.blend").string()),
               HasSubstr("is a file of Blender; accepted: a render by its add-on"));
-  EXPECT_THAT(error_of_loading((dir / "d.xyz").string()), HasSubstr("is not a scene format that is known"));
+  EXPECT_THAT(error_of_loading((dir / "d.xyz").string()), HasSubstr("is not a known scene format"));
 }
 
 TEST(LoadScene, misspelt_builtin_name_is_suggested) {

@@ -192,7 +192,7 @@ TEST_F(Obj, files_below_the_asset_root_are_opened) {
 TEST_F(Obj, errors_name_the_line) {
   EXPECT_THAT(error_of(kTriangle + "f 1 2 4\n"), HasSubstr("a.obj:4: '4' names a vertex that does not exist"));
   EXPECT_THAT(error_of(kTriangle + "f 1/1 2/1 3/1\n"), HasSubstr("'1/1' names a texture coordinate that does not exist"));
-  EXPECT_THAT(error_of(kTriangle + "f 1//1 2//1 3//1\n"), HasSubstr("none, for no normal has come before"));
+  EXPECT_THAT(error_of(kTriangle + "f 1//1 2//1 3//1\n"), HasSubstr("accepted: a normal before the face"));
   EXPECT_THAT(error_of(kTriangle + "f 1 2 0\n"), HasSubstr("a.obj:4: '0' names"));
   EXPECT_THAT(error_of(kTriangle + "f 1/1 2/1 3/1\n"), HasSubstr("a.obj:4: '1/1' names"));
   EXPECT_THAT(error_of(kTriangle + "f 1 2 99999999999999999999\n"), HasSubstr("a.obj:4:"));

@@ -99,7 +99,7 @@ void parse_texfunc(Lexer& lexer, ParserState& state, PhongSurface& surface) {
 void define(Lexer& lexer, ParserState& state, std::string name, int material) {
   const auto [entry, is_new] = state.textures.emplace(std::move(name), material);
   if (is_new || entry->second == material || state.redefined_textures++ > 0) return;
-  state.context.warning(fmt::format("{}: {} (and perhaps more) is defined again, otherwise; first definitions stay.",
+  state.context.warning(fmt::format("{}: {} (and perhaps more) is defined again with other values; first definitions count.",
                                     lexer.where(), shown(entry->first)));
 }
 
