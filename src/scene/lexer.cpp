@@ -113,9 +113,9 @@ std::string_view Lexer::rest_of_line() {
 float Lexer::number(std::string_view wanted, float largest) {
   const std::string_view found = word(wanted);
   const std::optional<float> value = parse_float(found);
-  if (!value) throw error(fmt::format("{} is not a number that {} can have", shown(found), wanted), "a finite decimal number");
+  if (!value) throw error(fmt::format("expected a number for {}, found {}", wanted, shown(found)), "a finite decimal number");
   if (std::abs(*value) > largest)
-    throw error(fmt::format("{} is not a number that {} can have", *value, wanted),
+    throw error(fmt::format("the number {} for {} is too large", *value, wanted),
                 fmt::format("{:g} to {:g}", -largest, largest));
   return *value;
 }
@@ -126,7 +126,7 @@ int Lexer::integer(std::string_view wanted, int lowest, int highest) {
   const char* const end = digits.data() + digits.size();
   const auto [rest, failure] = std::from_chars(digits.data(), end, value);
   if (rest != end || failure != std::errc{} || value < lowest || value > highest)
-    throw error(fmt::format("{} is not a value that {} can have", shown(found), wanted),
+    throw error(fmt::format("expected a whole number for {}, found {}", wanted, shown(found)),
                 fmt::format("a whole number from {} to {}", lowest, highest));
   return value;
 }
