@@ -86,23 +86,21 @@ void LiveScene::begin(const Order& order) {
   PageFacts facts = live_.facts();
   const FittedArray& array = stage.array;
   const PlacedOptics& placed = stage.placed;
-  const ResolvedScene resolved = evaluate(stage.scene, stage.scene.timeline.time(0));
-  const double world = uniform_scale(world_from_display(array, 1.0f, resolved));
-  const double distance = world * array.viewing_distance;
+  const double distance = array.viewing_distance;
   const ShownDepth shown = shown_depth(array, placed.units_per_mm, placed.depth_scale, placed.optics);
-  Json placement{{"plane", plane_json(distance, world * (array.viewing_distance - array.depth_front),
-                                      world * (array.viewing_distance - array.depth_back))},
-                 {"depth", depth_json(shown, placed.depth_scale, placed.optics)},
-                 {"view", array.how},
-                 {"light", stage.light},
-                 {"display", panel_json(stage.display.get(), interlace_)}};
+  Json placement{
+      {"plane", plane_json(distance, array.viewing_distance - array.depth_front, array.viewing_distance - array.depth_back)},
+      {"depth", depth_json(shown, placed.depth_scale, placed.optics)},
+      {"view", array.how},
+      {"light", stage.light},
+      {"display", panel_json(stage.display.get(), interlace_)}};
   const std::lock_guard lock(mutex_);
   if (order.version != version_) return;
   facts_json_ = field_json(facts);
   facts_ = std::move(facts);
   placement_ = std::move(placement);
   distance_ = distance;
-  world_per_shown_mm_ = world * placed.units_per_mm / placed.depth_scale;
+  world_per_shown_mm_ = placed.units_per_mm / placed.depth_scale;
 }
 
 bool LiveScene::is_stale(std::uint64_t version) const {

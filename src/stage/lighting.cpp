@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lippmann/scene/load.hpp"
 #include "lippmann/stage/fit_array.hpp"
 #include "scene/default_light.hpp"
 #include "scene/studio_light.hpp"
@@ -80,6 +81,7 @@ std::string light_for_paths(Scene& scene, const Surrounding& how) {
 }
 
 std::string add_missing_light(Scene& scene, Integrator integrator) {
+  validate(scene, "scene");
   return integrator == Integrator::kWhitted ? light_for_whitted(scene) : light_for_paths(scene, Surrounding{});
 }
 

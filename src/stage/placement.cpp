@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "lippmann/core/error.hpp"
+#include "lippmann/scene/load.hpp"
 #include "stage/depth_budget.hpp"
 
 namespace lippmann {
@@ -31,6 +32,7 @@ PlacedOptics placed_on(const FittedArray& array, Optics optics, bool fit_depth) 
 }
 
 Placement place(const Scene& scene, const Optics& optics, const PlacementWish& wish) {
+  validate(scene, "scene");
   validate(optics);
   const Vec2f window = window_size_mm(optics);
   Placement placement;

@@ -10,6 +10,7 @@
 #include "job/reuse_params.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/scene/load.hpp"
+#include "lippmann/stage/lighting.hpp"
 #include "support/error_message.hpp"
 
 namespace lippmann {
@@ -48,6 +49,25 @@ TEST(Renderer, places_optics_as_high_as_what_the_camera_sees_of_their_plane) {
   EXPECT_FLOAT_EQ(placement.placed.units_per_mm * 64.0f, placement.array.plane_height);
   EXPECT_EQ(placement.array.plane_height, fit_array(scene, 1.0f).plane_height);
   EXPECT_EQ(placement.placed.depth_scale, 1.0f);
+}
+
+TEST(Renderer, placing_refuses_a_scene_with_bad_indices) {
+  const auto message = [](const auto& spoil) {
+    Scene scene = built_in("primitives");
+    spoil(scene);
+    return test::error_message([&] { place(scene, small_quilt()); });
+  };
+  EXPECT_THAT(message([](Scene& s) { s.nodes[0].parent = 1000; }), testing::HasSubstr("a parent before it, 1000"));
+  EXPECT_THAT(message([](Scene& s) { s.instances[0].node = 1000; }), testing::HasSubstr("node 1000 does not exist"));
+  EXPECT_THAT(message([](Scene& s) { s.instances[0].shape = -1; }), testing::HasSubstr("shape -1 does not exist"));
+  EXPECT_THAT(message([](Scene& s) { s.cameras[0].node = 1000; }), testing::HasSubstr("node 1000 does not exist"));
+  EXPECT_THAT(message([](Scene& s) { s.lights[0].node = 1000; }), testing::HasSubstr("node 1000 does not exist"));
+}
+
+TEST(Renderer, lighting_refuses_a_scene_with_bad_indices) {
+  Scene scene = built_in("primitives");
+  scene.nodes[0].parent = 1000;
+  EXPECT_THROW(add_missing_light(scene, Integrator::kPath), Error);
 }
 
 TEST(Renderer, fits_depth_to_what_optics_resolve_unless_told_not_to) {

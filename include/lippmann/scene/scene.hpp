@@ -307,7 +307,7 @@ struct Camera {
   int node = -1;
   float vertical_fov = radians(45.0f);  ///< full angle
   float aspect = 1.0f;                  ///< width / height that the file asks for; 0: unknown
-  float focus_distance = 0.0f;          ///< > 0: where the author put the plane of interest
+  float focus_distance = 0.0f;          ///< > 0: where the author put the plane of interest, in node units
   Vec2f pixel_offset{0.0f};             ///< single views shift their sample points by this many pixels (x right, y down)
   float orthographic_height = 0.0f;     ///< > 0: shows this height, in node units, at every distance; then without an angle
 };

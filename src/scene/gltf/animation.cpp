@@ -41,8 +41,7 @@ class AnimationReader {
 
  private:
   void read_channel(const tinygltf::Animation& animation, const tinygltf::AnimationChannel& channel, const std::string& where) {
-    if (static_cast<std::size_t>(channel.sampler) >= animation.samplers.size())
-      report_.fail(where, fmt::format("refers to samplers[{}], but there are {}", channel.sampler, animation.samplers.size()));
+    if (channel.target_node < 0) return;  // an extension says what it animates
     const tinygltf::AnimationSampler& sampler = animation.samplers[static_cast<std::size_t>(channel.sampler)];
     const int node = nodes_.scene_node[static_cast<std::size_t>(channel.target_node)];
     if (node < 0) return;

@@ -1,7 +1,8 @@
 // From bytes to a checked document, in the order in which trust grows:
 // 1. take the container apart; 2. parse the JSON within limits; 3. check it against the schema, which also removes all that is
 // not used; 4. take buffers and images out of it and fetch the buffers ourselves; 5. let tinygltf turn what is left, which
-// holds no file names and no sizes of data, into structs; 6. decompress, and check byte ranges.
+// holds no file names and no sizes of data, into structs, and check their indices; 6. decompress, and check
+// byte ranges, once the counts are known to fit into memory (demand.hpp).
 #include "scene/gltf/document.hpp"
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 
 #include "core/file_content.hpp"
 #include "scene/gltf/accessor.hpp"
+#include "scene/gltf/check_indices.hpp"
 #include "scene/gltf/draco.hpp"
 #include "scene/gltf/json.hpp"
 #include "scene/gltf/meshopt.hpp"
@@ -203,6 +205,11 @@ void read_document(std::vector<std::byte> contents, Document& document) {
   take_packed_views(root, document);
   lend_views(root);
   parse_model(root, document);
+  check_indices(document);
+  check_packed_views(document);
+}
+
+void unpack_document(Document& document) {
   unpack_views(document);
   check_views(document);
   unpack_primitives(document);
