@@ -34,6 +34,9 @@ class Animation:
         count = len(self)
         return f"<lippmann.Animation: {count} frame{'' if count == 1 else 's'}>"
 
+    def __reduce__(self) -> Any:
+        raise TypeError("an Animation cannot be pickled or copied: it renders; copy its scene, or the light fields that it gives")
+
     @overload
     def __getitem__(self, index: int) -> LightField: ...
 

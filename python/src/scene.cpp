@@ -3,6 +3,7 @@
 #include <utility>
 #include <variant>
 
+#include "archive.hpp"
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "interruptible.hpp"
@@ -82,6 +83,7 @@ int add_texture(Scene& scene, const Array<std::uint8_t>& rgba, bool srgb) {
 void bind_surface(py::module_& module) {
   py::class_<MetallicRoughness>(module, "Surface")
       .def(py::init())
+      .def(pickled<MetallicRoughness>())
       .def("set_base_color",
            [](MetallicRoughness& surface, const Four& rgba, int texture) {
              surface.base_color = {rgba[0], rgba[1], rgba[2], rgba[3]};
@@ -112,6 +114,7 @@ Light light_of(std::string name, const std::string& kind, int node, const Three&
 void bind_light(py::module_& module) {
   py::class_<Light>(module, "Light")
       .def(py::init(&light_of))
+      .def(pickled<Light>())
       .def_readwrite("range", &Light::range)
       .def_readwrite("inner_cone", &Light::inner_cone)
       .def_readwrite("outer_cone", &Light::outer_cone)
@@ -267,6 +270,7 @@ void bind_scene(py::module_& module) {
         made.timeline.frame_count = frames, made.timeline.frames_per_second = frames_per_second;
         return std::make_shared<Scene>(std::move(made));
       }))
+      .def(pickled<Scene>())
       .def("copy", [](const Scene& s) { return std::make_shared<Scene>(s); })
       .def("check", [](const Scene& s) { validate(s, "scene"); })
       .def("add_missing_light",

@@ -2,7 +2,8 @@
 // disparity of every view as PFM, gt_depth_lowres_Cam000.pfm ... (metres) and gt_disp_lowres_Cam000.pfm ... (pixels); those of
 // the view in the middle also as gt_depth_lowres.pfm and gt_disp_lowres.pfm.
 //
-// Where nothing was hit the depth is infinite, and the disparity that of infinity.
+// Where nothing was hit, depth is inf and disparity is -inf. A surface's disparity is finite, however far away the surface is:
+// it approaches -beta / (F s), the negative `offset` of parameters.cfg.
 //
 // Honauer, Johannsen, Kondermann, Goldluecke: A dataset and evaluation methodology for depth estimation on 4D light fields,
 // ACCV 2016.
@@ -99,12 +100,12 @@ DepthMaps depth_maps(const LightField& field, int view, const HciParameters& par
   for (std::size_t i = 0; i < maps.depth_m.data.size(); ++i) {
     const double depth_m = parameters.focus_distance_m - 1e-3 * static_cast<double>(maps.depth_m.data[i]);
     maps.depth_m.data[i] = static_cast<float>(depth_m);
-    maps.disparity_px.data[i] = static_cast<float>(hci_disparity_px(parameters, depth_m));
+    maps.disparity_px.data[i] = std::isinf(depth_m) ? -INFINITY : static_cast<float>(hci_disparity_px(parameters, depth_m));
   }
   return maps;
 }
 
-/// Also finds the range of disparities.
+/// Also finds the range of the surfaces' disparities; 0 to 0 if there are none.
 void write_depth(const LightField& field, const fs::path& folder, HciParameters& parameters, std::vector<fs::path>& written) {
   const int middle = field.grid.rows / 2 * field.grid.columns + field.grid.columns / 2;  // from the top left
   parameters.disparity_min = INFINITY, parameters.disparity_max = -INFINITY;
@@ -115,6 +116,7 @@ void write_depth(const LightField& field, const fs::path& folder, HciParameters&
   for (int view = 0; view < field.grid.count(); ++view) {
     const DepthMaps maps = depth_maps(field, view, parameters);
     for (const float d : maps.disparity_px.data) {
+      if (std::isinf(d)) continue;
       parameters.disparity_min = std::min(parameters.disparity_min, static_cast<double>(d));
       parameters.disparity_max = std::max(parameters.disparity_max, static_cast<double>(d));
     }
@@ -124,6 +126,7 @@ void write_depth(const LightField& field, const fs::path& folder, HciParameters&
     put(folder / "gt_depth_lowres.pfm", maps.depth_m);
     put(folder / "gt_disp_lowres.pfm", maps.disparity_px);
   }
+  if (parameters.disparity_min > parameters.disparity_max) parameters.disparity_min = parameters.disparity_max = 0.0;
 }
 
 std::vector<fs::path> write_hci(const LightField& field, const fs::path& folder, const FormatOptions&) {
