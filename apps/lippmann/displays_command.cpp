@@ -39,8 +39,8 @@ void print_list(const std::vector<Display>& displays) {
 
 void print_calibration(const Display& d) {
   const Calibration& c = d.calibration;
-  fmt::print("calibration      pitch {:g}, slope {:g}, center {:g}{}{}{}{}\n", c.pitch, c.slope, c.center,
-             c.flip_image_x ? ", flipImageX" : "", c.flip_image_y ? ", flipImageY" : "", c.flip_sub_pixels ? ", flipSubp" : "",
+  fmt::print("calibration      pitch {:g}, slope {:g}, center {:g}{}{}{}\n", c.pitch, c.slope, c.center,
+             c.flip_image_x ? ", flipImageX" : "", c.flip_sub_pixels ? ", flipSubp" : "",
              c.cells.empty() ? "" : fmt::format(", {} sub-pixel cells by pattern {}", c.cells.size(), c.cell_pattern));
   fmt::print("lenses           {:.3f} across the panel, tilt {:.6f}, {:.2f} sub-pixels below each\n", periods_of(d), tilt_of(d),
              3.0 * d.pixels.x / periods_of(d));
