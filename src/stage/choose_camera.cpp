@@ -26,7 +26,7 @@ std::size_t find_camera(const std::vector<std::string>& names, const std::string
 }
 
 Error no_such_camera(const std::vector<std::string>& names, const std::string& wanted) {
-  if (names.empty()) return usage_error("camera", "the scene has no cameras", "no --camera");
+  if (names.empty()) return usage_error("camera", "the scene has no cameras", "no `camera`");
   const std::string hint = did_you_mean(wanted, std::vector<std::string_view>(names.begin(), names.end()));
   return usage_error("camera", fmt::format("no camera is called {}{}", shown(wanted), hint), list_cameras(names));
 }
