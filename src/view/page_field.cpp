@@ -64,8 +64,8 @@ struct PageField::Layered {
 
 PageField::PageField(fs::path in, LightFieldHints hints, const Context& context)
     : hints_(std::move(hints)),
-      frames_(find_light_field_frames(in, hints_)),
       root_(shown_root(in)),
+      frames_(find_light_field_frames(in, hints_)),
       facts_(page_facts(frames_.optics)),
       pool_(resolved_threads(context)) {
   facts_.title = title_of(in);
