@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "lippmann/scene/timeline.hpp"
 #include "scene/deform.hpp"
@@ -21,13 +22,14 @@ constexpr float kBeforeWall = 0.999f;  ///< where rays begin, between the fitted
 /// What lies between the fitted viewer and the eye, within the frame.
 class Foreground {
  public:
-  Foreground(float viewer, float eye, Vec2f half) : viewer_(viewer), eye_(eye), half_(half), nearest_wall_(eye) {
+  Foreground(float viewer, float eye, Vec2f half) : viewer_(viewer), eye_(eye), half_(half) {
     region_ = view_region({0.0f, 0.0f, eye}, half / eye);
     region_.push_back({{0.0f, 0.0f, 1.0f}, -viewer});
   }
 
   void add(const Scene& scene, const Instance& instance, const ResolvedScene& resolved, const Affine3f& plane_from_world) {
     const Shape& shape = scene.shapes[static_cast<std::size_t>(instance.shape)];
+    walls_.push_back({0.0, eye_});
     if (std::holds_alternative<Splats>(shape)) return;  // those before the viewer are noise of the capture
     if (const auto* planes = std::get_if<Planes>(&shape))
       return add_planes(*planes, plane_from_world * resolved.of(instance.node));
@@ -39,8 +41,14 @@ class Foreground {
   /// None where nothing is there.
   std::optional<float> front() const {
     if (!any_) return std::nullopt;
-    if (wall_area_ < kWallShare * 4.0 * static_cast<double>(half_.x * half_.y)) return eye_;
-    return viewer_ + kBeforeWall * (nearest_wall_ - viewer_);
+    const double enough = kWallShare * 4.0 * static_cast<double>(half_.x * half_.y);
+    Walls alone{0.0, eye_}, together{0.0, eye_};
+    for (const Walls& walls : walls_) {
+      together.add(walls);
+      if (walls.area >= enough) alone.add(walls);
+    }
+    const Walls& walls = alone.area > 0.0 ? alone : together;
+    return walls.area < enough ? eye_ : viewer_ + kBeforeWall * (walls.nearest - viewer_);
   }
 
  private:
@@ -61,9 +69,9 @@ class Foreground {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Vec2f a = seen(polygon[i]), b = seen(polygon[(i + 1) % polygon.size()]);
       twice_area += static_cast<double>(a.x * b.y - a.y * b.x);
-      nearest_wall_ = std::min(nearest_wall_, polygon[i].z);
+      walls_.back().nearest = std::min(walls_.back().nearest, polygon[i].z);
     }
-    wall_area_ += 0.5 * std::abs(twice_area);
+    walls_.back().area += 0.5 * std::abs(twice_area);
   }
 
   void add_planes(const Planes& planes, const Affine3f& plane_from_node) {
@@ -81,16 +89,22 @@ class Foreground {
       }
     if (!is_wall(p, normal)) return;
     any_ = true;
-    nearest_wall_ = std::min(nearest_wall_, glm::dot(normal, p) / normal.z);
-    wall_area_ += 4.0 * static_cast<double>(half_.x * half_.y);
+    walls_.back().add({4.0 * static_cast<double>(half_.x * half_.y), glm::dot(normal, p) / normal.z});
   }
+
+  /// Of one instance or more.
+  struct Walls {
+    double area;    ///< as the eye sees it on the plane z = 0
+    float nearest;  ///< the smallest z
+
+    void add(const Walls& other) { area += other.area, nearest = std::min(nearest, other.nearest); }
+  };
 
   float viewer_, eye_;
   Vec2f half_;  ///< of the frame, on the plane z = 0
   ConvexRegion region_;
   bool any_ = false;
-  double wall_area_ = 0.0;
-  float nearest_wall_;
+  std::vector<Walls> walls_;  ///< by instance
 };
 
 }  // namespace

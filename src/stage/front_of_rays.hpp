@@ -5,8 +5,9 @@
 // behind the file's camera lies there, too, and would hide everything.
 //
 // A surface is a wall where the plane of its polygon separates the fitted viewer from the eye: the eye sees its other side. Of
-// a floor, both see the upper side. Walls that cover a quarter of the frame or more end the space that is seen: rays begin just
-// before the nearest one. What covers less, such as a chair behind the camera, is shown.
+// a floor, both see the upper side. An instance whose walls cover a quarter of the frame or more, or all of them together where
+// none does alone, ends the space that is seen: rays begin just before it. What covers less, such as a chair behind the camera,
+// is shown.
 #pragma once
 
 #include "lippmann/scene/scene.hpp"

@@ -100,6 +100,9 @@ TEST_F(FrontOfRays, is_the_eye_behind_a_chair) {
   add_floor(30.0f);
   add_box({0.3f, -1, 5}, {0.6f, 0, 5.3f});
   EXPECT_EQ(front(), kEye);
+  add_wall(6.0f);
+  EXPECT_GT(front(), 5.9f) << "the chair stands before the wall";
+  EXPECT_LT(front(), 6.0f);
 }
 
 TEST_F(FrontOfRays, does_not_go_by_what_cameras_do_not_see) {
