@@ -21,6 +21,7 @@
 #include "folder/render_folder.hpp"
 #include "folder/strips.hpp"
 #include "frames/frame_maker.hpp"
+#include "frames/picture_check.hpp"
 #include "job/aov_params.hpp"
 #include "job/folder_documents.hpp"
 #include "job/job_fingerprint.hpp"
@@ -471,8 +472,14 @@ class Animation {
   /// False if it was stopped.
   bool make_frame(int frame, FrameMaker& maker, FrameSink& sink, RenderReport& report) {
     if (context_.cancelled) return false;
+    std::optional<SeenShare> seen;
+    if (frame == all_frames_.front() && !is_cut() && params_.scene.name != kTestPattern)
+      seen = look_at_frame(stage_, frame, pool_);
     RenderedFrame rendered = maker.make(frame);
     if (context_.cancelled) return false;
+    if (seen)
+      if (const std::string doubt = doubt_about_picture(stage_, frame, *seen, rendered.pictures.film); !doubt.empty())
+        context_.warning(doubt);
     report.frames.push_back(rendered.report);
     report.run.frames.push_back(frame);
     say_traced(report.frames.back());

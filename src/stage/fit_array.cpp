@@ -154,8 +154,18 @@ CameraView view_for(const Setting& setting, const Camera& camera) {
 }
 
 std::string left_out_sentence(const Setting& setting) {
-  if (!setting.subject.has_surroundings()) return {};
-  return fmt::format(" Left out as surroundings: {}.", list_surroundings(setting.scene, setting.subject));
+  std::string text;
+  if (setting.subject.has_surroundings())
+    text += fmt::format(" Left out as surroundings: {}.", list_surroundings(setting.scene, setting.subject));
+  if (setting.subject.main_part) text += fmt::format(" Left out as far away: {}.", list_strays(setting.scene, setting.subject));
+  return text;
+}
+
+std::string stray_sentence(const Setting& setting) {
+  if (!setting.subject.main_part) return {};
+  return fmt::format(
+      "The view leaves out what lies far away from everything else: {}; a view that is fitted to a node shows it",
+      list_strays(setting.scene, setting.subject));
 }
 
 std::string widened_sentence(const Camera& camera, const CameraView& view) {
@@ -257,7 +267,7 @@ SubjectBounds bounds_in_view(const Setting& setting, const Direction& direction,
     for (std::size_t i = 0; i < setting.scene.instances.size(); ++i) {
       if (!setting.subject.contains(i)) continue;
       const auto bounds = [&](const Affine3f& frame) {
-        return finite_bounds(setting.scene, setting.scene.instances[i], resolved, frame * view_from_world);
+        return bounds_of_part(setting.scene, setting.subject, i, resolved, frame * view_from_world);
       };
       all.straight.add(bounds({}));
       const Vec3f across = bounds(width).upper, up = bounds(height).upper;
@@ -354,12 +364,14 @@ FittedArray without_camera(const Setting& setting, const Orbit& orbit) {
   Direction direction = direction_of(setting.scene);
   direction.node_from_view = turned(direction.node_from_view, orbit);
   FittedArray array = fitted_to_bounds(setting, direction);
+  const bool is_part = setting.subject.has_surroundings() || setting.subject.main_part;
   array.how = fmt::format(
-      "The scene has no camera: the array goes through {} middle and is viewed from {:.4g} units away, {}, so that {} is seen "
-      "whole.{}",
-      setting.subject.has_surroundings() ? "its subject's" : "its", array.viewing_distance,
-      orbit == Orbit{} ? "a little from above and from the right" : "from where the orbit says",
-      setting.subject.has_surroundings() ? "the subject" : "it", left_out_sentence(setting));
+      "The scene has no camera: the array goes through {} middle and is viewed from {:.4g} units away, {}, so that {} fits "
+      "into "
+      "the picture.{}",
+      is_part ? "its subject's" : "its", array.viewing_distance,
+      orbit == Orbit{} ? "a little from above and from the right" : "from where the orbit says", is_part ? "the subject" : "it",
+      left_out_sentence(setting));
   return array;
 }
 
@@ -471,7 +483,7 @@ Bounds3f bounds_over_animation(const FittedArray& array, const Setting& setting)
     const Affine3f plane_from_world = inverse(world_from_frame(setting, array.node, resolved) * array.node_from_plane);
     for (std::size_t i = 0; i < setting.scene.instances.size(); ++i)
       if (setting.subject.contains(i))
-        bounds.add(finite_bounds(setting.scene, setting.scene.instances[i], resolved, plane_from_world));
+        bounds.add(bounds_of_part(setting.scene, setting.subject, i, resolved, plane_from_world));
   });
   return bounds;
 }
@@ -540,6 +552,8 @@ FittedArray fit_array(const Scene& scene, float aspect, const ViewWish& wish) {
   if (!is_turned) turn(array, setting, wish.orbit);
   zoom_in(array, wish.zoom);
   array.leaves_out_surroundings = subject.has_surroundings();
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) array.is_subject.push_back(subject.contains(i));
+  if (array.origin == FittedArray::Origin::kBounds) array.warning = stray_sentence(setting);
   check_extent(array, setting);
   measure_depth(array, setting);
   const float units = world_units(setting, array.node);
