@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "apps/lippmann/print.hpp"
+
 namespace lippmann::app {
 namespace {
 
@@ -35,7 +37,7 @@ Progress::Progress(int total, ProgressStyle style, std::function<Clock::time_poi
 }
 
 Progress::~Progress() {
-  if (style_ == ProgressStyle::kBar) fmt::print(stderr, "\n");
+  if (style_ == ProgressStyle::kBar) print_error("\n");
 }
 
 void Progress::step(const std::string& line) {
@@ -50,7 +52,7 @@ void Progress::step(const std::string& line) {
   const bool due = schedule_.is_due(done_, total_, elapsed);
   if (style_ == ProgressStyle::kLines && !due) return;
   const std::string left = done_ < total_ ? clock_text(seconds_left(elapsed, done_, total_)) + " left" : "done";
-  fmt::print(stderr, "[{}/{}] {}; {}{}\n", done_, total_, line, left, note());
+  print_error("[{}/{}] {}; {}{}\n", done_, total_, line, left, note());
 }
 
 void Progress::set_note(const std::string& note) {
@@ -71,7 +73,7 @@ void Progress::tick() {
   const double elapsed = elapsed_s();
   if (!schedule_.is_due_within(elapsed)) return;
   const std::string share = within_ > 0.0 ? fmt::format("{:.0f} % of the next frame; ", 100.0 * within_) : std::string();
-  fmt::print(stderr, "[{}/{}] {}{}{}\n", done_, total_, share, left_text(elapsed), note());
+  print_error("[{}/{}] {}{}{}\n", done_, total_, share, left_text(elapsed), note());
 }
 
 std::string Progress::left_text(double elapsed_s) const {
@@ -87,7 +89,7 @@ void Progress::draw() {
   const int filled = static_cast<int>(share * kBarWidth);
   const std::string rate = done_ == 0 ? "" : fmt::format("{:5.1f} frames/s  ", done_ / elapsed);
   const std::string left = rate + left_text(elapsed);
-  fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {}/{}  {}{}\x1b[K", "", filled, "", kBarWidth - filled, done_, total_, left, note());
+  print_error("\r[{:#<{}}{:.<{}}] {}/{}  {}{}\x1b[K", "", filled, "", kBarWidth - filled, done_, total_, left, note());
   std::fflush(stderr);
 }
 
