@@ -26,8 +26,8 @@ ViewLayout wanted_layout(const PictureParams& params, PictureLayout layout, cons
     if (film.kind == LayoutKind::kQuilt) tiles = film.tiles;
   }
   if (tiles.count() != grid.count())
-    throw usage_error("quilt", fmt::format("{}x{} tiles are not as many as {} views", tiles.columns, tiles.rows, grid.count()),
-                      "as many tiles as the optics have views");
+    throw usage_error("quilt", fmt::format("{}x{} tiles do not hold {} views", tiles.columns, tiles.rows, grid.count()),
+                      "as many tiles as there are views");
   return {LayoutKind::kQuilt, grid, tiles};
 }
 
@@ -48,7 +48,8 @@ PictureLayout default_layout(const Optics& optics, const Display* display) {
 }
 
 void refuse_without(bool has_other, bool given, const char* name, const char* other) {
-  if (given && !has_other) throw usage_error(name, fmt::format("means nothing without {}", other), "both, or neither");
+  if (given && !has_other)
+    throw usage_error(name, fmt::format("means nothing without {}", other), fmt::format("{0} with it; no `{1}`", other, name));
 }
 
 /// The layout that a format is by another name.
