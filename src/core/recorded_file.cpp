@@ -72,15 +72,24 @@ std::optional<FileChecksum> checksum_from(const Json& json) {
   return FileChecksum{bytes->get<std::uint64_t>(), sum->get<std::string>()};
 }
 
+/// The video whose side file has that name; of other files the name.
+std::string_view video_of(std::string_view name) {
+  constexpr std::string_view kSideFile = ".json";
+  return name.ends_with(kSideFile) ? name.substr(0, name.size() - kSideFile.size()) : name;
+}
+
 /// What a line says of a file; none: it does not name it.
 std::optional<FileChecksum> recorded_in(std::string_view line, const std::string& name) {
-  if (line.find('"' + name + '"') == std::string_view::npos) return std::nullopt;
+  const std::string_view video = video_of(name);
+  if (line.find(video) == std::string_view::npos) return std::nullopt;
   const Json json = json_from_text(line);
   if (!json.is_object()) return std::nullopt;
   if (const auto files = json.find("files"); files != json.end() && files->is_object() && files->contains(name))
     return checksum_from((*files)[name]);
-  const auto written = json.find("written");
-  return written != json.end() && *written == name ? checksum_from(json) : std::nullopt;
+  const auto is_named = [&](const char* key, std::string_view by) { return json.contains(key) && json[key] == by; };
+  if (is_named("written", name) || is_named("video", name)) return checksum_from(json);
+  const bool is_side_file = video != name && is_named("video", video) && json.contains("side");
+  return is_side_file ? checksum_from(json["side"]) : std::nullopt;
 }
 
 std::vector<FileChecksum> recorded_sums(const RenderFile& file) {
@@ -98,6 +107,17 @@ std::string ways_out(const fs::path& folder) {
       (folder / "job.toml").string());
 }
 
+void require_sum(const fs::path& file, const std::function<std::optional<FileChecksum>()>& sum) {
+  const std::optional<RenderFile> of_render = render_file_of(file);
+  if (!of_render) return;
+  const std::vector<FileChecksum> sums = recorded_sums(*of_render);
+  if (sums.empty()) return;
+  const std::optional<FileChecksum> found = sum();
+  if (found && std::find(sums.begin(), sums.end(), *found) != sums.end()) return;
+  throw Error(file.string(), "is damaged or was exchanged: it has other bytes than its render wrote",
+              ways_out(of_render->folder));
+}
+
 }  // namespace
 
 bool has_journal(const fs::path& folder) {
@@ -112,12 +132,11 @@ bool may_be_cut_line(std::string_view line) {
 }
 
 void require_as_recorded(const fs::path& file, std::span<const std::byte> bytes) {
-  const std::optional<RenderFile> of_render = render_file_of(file);
-  if (!of_render) return;
-  const std::vector<FileChecksum> sums = recorded_sums(*of_render);
-  if (sums.empty() || std::find(sums.begin(), sums.end(), checksum_of(bytes)) != sums.end()) return;
-  throw Error(file.string(), "is damaged or was exchanged: it has other bytes than its render wrote",
-              ways_out(of_render->folder));
+  require_sum(file, [&] { return checksum_of(bytes); });
+}
+
+void require_as_recorded(const fs::path& file) {
+  require_sum(file, [&] { return file_checksum(file); });
 }
 
 void require_recorded_frames(const fs::path& folder) {

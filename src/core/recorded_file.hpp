@@ -13,6 +13,9 @@ namespace lippmann {
 /// than `bytes` have, or is damaged. `bytes` are the whole file's.
 void require_as_recorded(const std::filesystem::path& file, std::span<const std::byte> bytes);
 
+/// The same of a file that is read piece by piece: reads it whole if the journal names it.
+void require_as_recorded(const std::filesystem::path& file);
+
 /// Throws Error naming the first file of a frame that the folder's journal names and that is gone.
 void require_recorded_frames(const std::filesystem::path& folder);
 

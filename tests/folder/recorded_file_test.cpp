@@ -59,6 +59,17 @@ TEST(RecordedFile, bytes_that_were_recorded_pass_and_others_are_refused) {
   EXPECT_NE(refusal(dir / "frame_0000.png", "aov_0000.exr"), kNone) << "another file of the render";
 }
 
+TEST(RecordedFile, video_and_its_side_file_are_compared) {
+  const test::TempDir dir;
+  for (const char* name : {"film.mp4", "film.mp4.json"}) make_file(dir / name, name);
+  RenderFolder(dir.path(), "job").add_video(dir / "film.mp4", {0}, true);
+  for (const char* name : {"film.mp4", "film.mp4.json"}) {
+    require_as_recorded(dir / name);
+    make_file(dir / name, "other bytes");
+    EXPECT_THAT(test::error_message([&] { require_as_recorded(dir / name); }), HasSubstr("other bytes than its render"));
+  }
+}
+
 TEST(RecordedFile, file_that_no_journal_names_passes) {
   const test::TempDir dir;
   EXPECT_EQ(refusal(dir / "frame_0000.png", "bytes"), kNone);
