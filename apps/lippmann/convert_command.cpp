@@ -16,6 +16,7 @@
 #include "apps/lippmann/stereo_flags.hpp"
 #include "apps/lippmann/view_filter_flags.hpp"
 #include "folder/claim_folder.hpp"
+#include "layout/rendered.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/display/load_display.hpp"
 #include "lippmann/layout/convert.hpp"
@@ -70,6 +71,7 @@ DepthFramesParams depth_frames_of(const ConvertOptions& options) {
 
 int run(const ConvertOptions& options, const Context& context) {
   require_no_render(options.out);
+  warn_of_unchecked(options.in, context);
   if (options.orthoscopic.are_given())
     return run_orthoscopic(options.orthoscopic, options.in, options.out, options.result, context);
   if (options.to.empty() && (options.crosstalk.precompensate || !options.crosstalk.crosstalk.empty()))

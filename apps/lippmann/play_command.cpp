@@ -91,7 +91,8 @@ void add_play_command(const Command& root, Action& chosen) {
   command.add_option("--report", options->field.report, "Path of report.json, if it is not beside the pictures")
       .type_name("FILE");
   command.add_option("--threads", options->threads, "Worker threads; 0: one per processor").range(0, 4096);
-  add_scene_to_set_up_flags(command, options->scene, {"display", "views", "quilt", "view-angle", "threads", "resume"});
+  add_scene_to_set_up_flags(command, options->scene,
+                            {"display", "views", "quilt", "view-angle", "threads", "resume", "also", "page"});
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 

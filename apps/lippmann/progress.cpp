@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "apps/lippmann/print.hpp"
+
 namespace lippmann::app {
 namespace {
 
@@ -35,7 +37,7 @@ Progress::Progress(int total, ProgressStyle style, std::function<Clock::time_poi
 }
 
 Progress::~Progress() {
-  if (style_ == ProgressStyle::kBar) fmt::print(stderr, "\n");
+  if (style_ == ProgressStyle::kBar) print_error("\n");
 }
 
 void Progress::step(const std::string& line) {
@@ -51,7 +53,7 @@ void Progress::step(const std::string& line) {
   const bool due = schedule_.is_due(done_, total_, elapsed);
   if (style_ == ProgressStyle::kLines && !due) return;
   const std::string left = done_ < total_ ? clock_text(seconds_left(elapsed, done_, total_)) + " left" : "done";
-  fmt::print(stderr, "[{}/{}] {}; {}{}\n", done_, total_, line, left, note());
+  print_error("[{}/{}] {}; {}{}\n", done_, total_, line, left, note());
   advise();
 }
 
@@ -65,7 +67,7 @@ void Progress::advise() {
   const double left_s = seconds_left(elapsed_s(), done_, total_);
   if (done_ != 1 || left_s <= kLong_s || advice_.empty()) return;
   const char* clear_bar = style_ == ProgressStyle::kBar ? "\r\x1b[K" : "";
-  fmt::print(stderr, "{}This will take about {} more. {}\n", clear_bar, clock_text(left_s), advice_);
+  print_error("{}This will take about {} more. {}\n", clear_bar, clock_text(left_s), advice_);
 }
 
 void Progress::set_note(const std::string& note) {
@@ -86,7 +88,7 @@ void Progress::tick() {
   const double elapsed = elapsed_s();
   if (!schedule_.is_due_within(elapsed)) return;
   const std::string share = within_ > 0.0 ? fmt::format("current frame {:.0f} %; ", 100.0 * within_) : std::string();
-  fmt::print(stderr, "[{}/{}] {}{}{}\n", done_, total_, share, left_text(elapsed), note());
+  print_error("[{}/{}] {}{}{}\n", done_, total_, share, left_text(elapsed), note());
 }
 
 std::string Progress::left_text(double elapsed_s) const {
@@ -102,7 +104,7 @@ void Progress::draw() {
   const int filled = static_cast<int>(share * kBarWidth);
   const std::string rate = done_ == 0 ? "" : fmt::format("{:5.1f} frames/s  ", done_ / elapsed);
   const std::string left = rate + left_text(elapsed);
-  fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {}/{}  {}{}\x1b[K", "", filled, "", kBarWidth - filled, done_, total_, left, note());
+  print_error("\r[{:#<{}}{:.<{}}] {}/{}  {}{}\x1b[K", "", filled, "", kBarWidth - filled, done_, total_, left, note());
   std::fflush(stderr);
 }
 

@@ -11,6 +11,7 @@
 #include "apps/lippmann/light_field_flags.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/result_flags.hpp"
+#include "layout/rendered.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/optics/crosstalk.hpp"
 #include "replay/replay.hpp"
@@ -78,6 +79,7 @@ void print_result(const Replayed& result) {
 
 int run(const ReplayOptions& options, Context& context) {
   context.threads = options.threads;
+  warn_of_unchecked(options.in, context);
   const Replayed result = replay(params_of(options), context);
   if (options.result.json)
     print_result(result);

@@ -13,6 +13,7 @@
 #include "apps/lippmann/page_server.hpp"
 #include "apps/lippmann/scene_to_set_up.hpp"
 #include "job/job_folder.hpp"
+#include "layout/rendered.hpp"
 #include "lippmann/core/error.hpp"
 #include "live/live_page.hpp"
 #include "view/saved_page.hpp"
@@ -34,6 +35,8 @@ struct ViewOptions {
 
 std::vector<std::unique_ptr<PageField>> read_fields(const ViewOptions& options, const Context& context) {
   std::vector<std::unique_ptr<PageField>> fields;
+  for (const std::string& in : {options.in, options.other})
+    if (!in.empty()) warn_of_unchecked(in, context);
   fields.push_back(std::make_unique<PageField>(options.in, options.field.read(), context));
   if (!options.other.empty()) fields.push_back(std::make_unique<PageField>(options.other, options.field.read(), context));
   for (const auto& field : fields)
@@ -106,7 +109,7 @@ void add_view_command(const Command& root, Action& chosen) {
   command.add_option("--report", options->field.report, "Path of report.json, if it is not beside the pictures")
       .type_name("FILE");
   command.add_option("--threads", options->threads, "Worker threads; 0: one per processor").range(0, 4096);
-  add_scene_to_set_up_flags(command, options->scene, {"views", "quilt", "view-angle", "threads", "resume"});
+  add_scene_to_set_up_flags(command, options->scene, {"views", "quilt", "view-angle", "threads", "resume", "also", "page"});
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 

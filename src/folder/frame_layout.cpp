@@ -26,8 +26,8 @@ ViewLayout wanted_layout(const PictureParams& params, PictureLayout layout, cons
     if (film.kind == LayoutKind::kQuilt) tiles = film.tiles;
   }
   if (tiles.count() != grid.count())
-    throw usage_error("quilt", fmt::format("{}x{} tiles are not as many as {} views", tiles.columns, tiles.rows, grid.count()),
-                      "as many tiles as the optics have views");
+    throw usage_error("quilt", fmt::format("{}x{} tiles do not hold {} views", tiles.columns, tiles.rows, grid.count()),
+                      "as many tiles as there are views");
   return {LayoutKind::kQuilt, grid, tiles};
 }
 

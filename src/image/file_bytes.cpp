@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <fstream>
 
+#include "core/recorded_file.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
@@ -10,6 +11,12 @@ namespace lippmann {
 namespace fs = std::filesystem;
 
 std::vector<std::byte> read_file_bytes(const fs::path& path) {
+  std::vector<std::byte> bytes = read_new_file_bytes(path);
+  require_as_recorded(path, bytes);
+  return bytes;
+}
+
+std::vector<std::byte> read_new_file_bytes(const fs::path& path) {
   constexpr std::uintmax_t kMaxBytes = std::uintmax_t{4} << 30;
   std::error_code problem;
   if (!fs::exists(path, problem)) throw Error(path.string(), "there is no such file");

@@ -69,6 +69,20 @@ Image to_image(DecodedPicture picture) {
   return image;
 }
 
+Image8 to_image8(DecodedPicture picture) {
+  const int width = picture.header.width, height = picture.header.height;
+  const std::size_t channels = picture.header.channels.size();
+  if (auto* bytes = std::get_if<std::vector<std::uint8_t>>(&picture.samples))
+    return {width, height, channels == 3 ? std::move(*bytes) : first_three(*bytes, channels)};
+  if (const auto* words = std::get_if<std::vector<std::uint16_t>>(&picture.samples)) {
+    std::vector<unsigned char> codes(words->size());
+    std::transform(words->begin(), words->end(), codes.begin(),
+                   [](std::uint32_t v) { return static_cast<unsigned char>((v * 255 + 32767) / 65535); });
+    return {width, height, first_three(codes, channels)};
+  }
+  return to_codes(to_image(std::move(picture)), Encoding::kSrgb);
+}
+
 }  // namespace
 
 Error unreadable_picture(const std::string& where, const std::string& reason) {
@@ -110,19 +124,8 @@ Image read_channels(const fs::path& path, std::span<const std::string> names) {
 
 SampleKind sample_kind(const fs::path& path) { return read_header(path).kind; }
 
-Image8 read_image8(const fs::path& path) {
-  DecodedPicture picture = read_decoded(path);
-  const int width = picture.header.width, height = picture.header.height;
-  const std::size_t channels = picture.header.channels.size();
-  if (auto* bytes = std::get_if<std::vector<std::uint8_t>>(&picture.samples))
-    return {width, height, channels == 3 ? std::move(*bytes) : first_three(*bytes, channels)};
-  if (const auto* words = std::get_if<std::vector<std::uint16_t>>(&picture.samples)) {
-    std::vector<unsigned char> codes(words->size());
-    std::transform(words->begin(), words->end(), codes.begin(),
-                   [](std::uint32_t v) { return static_cast<unsigned char>((v * 255 + 32767) / 65535); });
-    return {width, height, first_three(codes, channels)};
-  }
-  return to_codes(to_image(std::move(picture)), Encoding::kSrgb);
-}
+Image8 read_image8(const fs::path& path) { return to_image8(read_decoded(path)); }
+
+Image8 read_new_image8(const fs::path& path) { return to_image8(decode_picture(read_new_file_bytes(path), path.string())); }
 
 }  // namespace lippmann

@@ -31,4 +31,7 @@ SampleKind sample_kind(const std::filesystem::path& path);
 /// Takes the first three of more than 3 channels, and the first one three times of fewer.
 Image8 read_image8(const std::filesystem::path& path);
 
+/// The same of a file that was written just now, which no journal has yet.
+Image8 read_new_image8(const std::filesystem::path& path);
+
 }  // namespace lippmann

@@ -18,6 +18,7 @@
 #include "core/json_text.hpp"
 #include "folder/claim_folder.hpp"
 #include "folder/frame_sink.hpp"
+#include "folder/kept_lease.hpp"
 #include "folder/render_folder.hpp"
 #include "folder/strips.hpp"
 #include "frames/frame_maker.hpp"
@@ -79,15 +80,11 @@ std::uint64_t channel_bytes(PictureFormat format, ExrPixels exr_pixels) {
 }
 
 /// As it is asked for, or the first of out/<scene name>, out/<scene name>-2, ... that holds no other render.
-fs::path chosen_folder(const RenderParams& params, const std::string& job, bool force, const Context& context) {
+fs::path chosen_folder(const RenderParams& params, const std::string& job, bool force) {
   const fs::path wanted = output_folder(params);
-  if (wanted == "-") throw usage_error("output", "cannot be standard output: a render is a folder", "a folder");
+  if (wanted == "-") throw usage_error("output", "a render writes a folder of files, not standard output", "a folder");
   if (!params.output.folder.empty() || force) return wanted;
-  fs::path folder = free_folder(wanted, job);
-  if (folder != wanted)
-    context.warning(fmt::format("{} holds another render, so this one is in {} (--force replaces the other, -o chooses)",
-                                wanted.string(), folder.string()));
-  return folder;
+  return free_folder(wanted, job);
 }
 
 /// What EXR files say of the render, for those who get them without its report.
@@ -143,9 +140,11 @@ class Animation {
     check_layout();
     job_ = job_fingerprint(params_, stage_.scene, stage_.display.get());
     if (!is_part()) plan_videos();
-    folder_ = chosen_folder(params_, job_, run.force, context);
-    if (folder_ != output_folder(params_)) params_.output.folder = folder_.string();
+    folder_ = chosen_folder(params_, job_, run.force);
+    wanted_folder_ = output_folder(params_);
+    if (folder_ != wanted_folder_) params_.output.folder = folder_.string();
     const auto differing = [this](const fs::path& job_file) { return differences(job_file, params_); };
+    if (run.force) require_no_other_run(folder_, job_);
     if (!run.force) require_free_folder(folder_, job_, differing, all_frames_, video_names());
   }
 
@@ -164,9 +163,10 @@ class Animation {
 
   RenderReport render() {
     if (frames_.empty())
-      context_.warning(fmt::format("unit {} has no frames: the job falls into fewer parts", write_units(*run_.units)));
+      context_.warning(fmt::format("unit {} has no frames: the job has fewer parts", write_units(*run_.units)));
     if (run_.ranks && !is_first_rank()) run_.ranks->begin();  // once the first rank has made room
     RenderFolder folder = open_folder();
+    const KeptLease lease(folder);
     RenderReport report = report_of_setup();
     if (is_first_rank()) begin_report(report, folder);
     const std::unique_ptr<FrameMaker> maker = make_maker(folder, report);
@@ -345,9 +345,9 @@ class Animation {
     if (!params_.output.video.empty() && !layout_.is_picture())
       throw usage_error("video", "needs a layout with one picture per frame", "`layout` quilt or integral");
     if (!params_.output.video.empty() && layout_.is_rgbd() && layout_.format() == PictureFormat::kExr)
-      throw usage_error("video", "RGB-D videos need integer pictures", "`format` png or png16");
+      throw usage_error("video", "needs pictures that store depth as integers", "`format` png or png16");
     if (!params_.output.video.empty() && (is_part() || run_.ranks) && layout_.format() != PictureFormat::kPng)
-      throw usage_error("video", "videos of partial renders need PNG pictures", "`format` png");
+      throw usage_error("video", "needs pictures of 8 bits: it is encoded from those of all parts", "`format` png");
     see_crosstalk();
     check(made_as_, optics());
     check_strips_of(params_, made_as_, optics());
@@ -382,7 +382,12 @@ class Animation {
       make_room_for_video(video, layout_.picture_size());
       warn_of_mixed_rows(video.path, video.options, layout_.picture_size(), context_);
     }
-    return open_job_folder(folder_, job_, params_, all_frames_, stage_.scene.timeline.frame_count, run_.force, context_);
+    RenderFolder folder =
+        open_job_folder(folder_, job_, params_, all_frames_, stage_.scene.timeline.frame_count, run_.force, context_);
+    if (folder_ != wanted_folder_)
+      context_.warning(fmt::format("{} holds another render, so this one is in {} (--force replaces the other, -o chooses)",
+                                   wanted_folder_.string(), folder_.string()));
+    return folder;
   }
 
   RenderReport report_of_setup() const {
@@ -490,8 +495,8 @@ class Animation {
 
   void finish_videos(FrameSink& sink, RenderFolder& folder) const {
     for (const VideoFile& video : videos_) folder.begin_video(video.path, frames_);
-    sink.finish_videos();
-    for (const VideoFile& video : videos_) folder.add_video(video.path, frames_);
+    const bool have_side_files = sink.finish_videos();
+    for (const VideoFile& video : videos_) folder.add_video(video.path, frames_, have_side_files);
   }
 
   const Stopwatch setup_;
@@ -510,7 +515,7 @@ class Animation {
   FormatOptions writing_;            ///< what the format of light fields is told
   std::string job_;
   std::vector<VideoFile> videos_;
-  fs::path folder_;
+  fs::path wanted_folder_, folder_;   ///< they differ where the first holds another render and no folder was given
   StrippedFrames* strips_ = nullptr;  ///< the maker of frames that are cut
   std::mutex mutex_;                  ///< what follows
   std::map<int, WorkDone> done_;      ///< by this rank, to be told to the first

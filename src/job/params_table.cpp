@@ -37,6 +37,7 @@ constexpr std::array<std::string_view, 2> kQualityAtNames{"pixel", "eye"};
 constexpr std::array<std::string_view, 3> kDebugNames{"none", "missed", "provenance"};
 constexpr std::array<std::string_view, 4> kFormatNames{"png", "png16", "tiff", "exr"};
 constexpr std::array<std::string_view, 7> kLayoutNames{"integral", "quilt", "views", "native", "print", "stereo", "rgbd"};
+constexpr std::array<std::string_view, 1> kCompanionNames{"single"};
 constexpr std::array<std::string_view, 2> kExrPixelNames{"half", "float"};
 constexpr std::array<std::string_view, 2> kDepthScaleNames{"disparity", "depth"};
 /// The layers that `aov` takes; alpha comes with `transparent`.
@@ -596,6 +597,11 @@ std::vector<ParamInfo> file_rows() {
       runs_only(
           row(ParamKind::kText, &P::output, &OutputParams::crf, crf,
               {"crf", "Files", "N", "Quality of videos, 0 (best) to 51 (h264, hevc) or 63; default 18, hevc 20, else 24"})),
+      runs_only(row(ParamKind::kText, &P::output, &OutputParams::also, optional_choice<Companion>(kCompanionNames),
+                    {"also", "Files", "WHAT", "single: then the same frames as one eye sees them, into DIR/single"})),
+      runs_only(
+          row(ParamKind::kFlag, &P::output, &OutputParams::page, flag(),
+              {"page", "Files", "", "Also write DIR/page, a page that shows the light field in any browser (docs/view.md)"})),
   };
 }
 

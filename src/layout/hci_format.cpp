@@ -11,9 +11,11 @@
 
 #include <cmath>
 #include <fstream>
+#include <span>
 #include <sstream>
 
 #include "core/atomic_file.hpp"
+#include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "core/text_pattern.hpp"
 #include "image/netpbm.hpp"
@@ -36,6 +38,7 @@ std::optional<HciParameters> read_parameters(const fs::path& folder) {
   std::ifstream file(path);
   std::ostringstream text;
   text << file.rdbuf();
+  require_as_recorded(path, std::as_bytes(std::span(text.view())));
   return parse_hci_parameters(text.str(), path.string());
 }
 

@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <fstream>
+#include <span>
 #include <sstream>
 
 #include "core/atomic_file.hpp"
+#include "core/recorded_file.hpp"
 #include "layout/miv_cameras.hpp"
 #include "layout/view_files.hpp"
 #include "lippmann/core/error.hpp"
@@ -29,6 +31,7 @@ std::vector<MivCamera> read_cameras(const fs::path& path) {
   std::ifstream file(path);
   std::ostringstream text;
   text << file.rdbuf();
+  require_as_recorded(path, std::as_bytes(std::span(text.view())));
   return parse_miv_cameras(text.str(), path.string());
 }
 

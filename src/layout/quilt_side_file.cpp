@@ -8,6 +8,7 @@
 #include "core/atomic_file.hpp"
 #include "core/json_fields.hpp"
 #include "core/json_text.hpp"
+#include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "lippmann/core/error.hpp"
 
@@ -24,7 +25,9 @@ std::string text_of(const fs::path& path) {
   std::error_code problem;
   if (fs::file_size(path, problem) > kMaxBytes || problem) throw Error(path.string(), "is not the side file of a quilt");
   std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  require_as_recorded(path, std::as_bytes(std::span(text)));
+  return text;
 }
 
 }  // namespace

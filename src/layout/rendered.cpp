@@ -1,5 +1,7 @@
 #include "layout/rendered.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,9 +9,11 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string_view>
 
 #include "core/json_text.hpp"
+#include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "core/text_pattern.hpp"
 #include "image/read_image.hpp"
@@ -50,6 +54,7 @@ Json read_report(const fs::path& report) {
   if (fs::file_size(report, ignored) > kMaxReportBytes) throw Error(report.string(), "is too large for a report");
   std::ifstream file(report, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
+  require_as_recorded(report, std::as_bytes(std::span(text)));
   Json json = json_from_text(text);
   if (!json.is_object()) throw Error(report.string(), "is not a JSON object", "the report.json that `lippmann render` writes");
   return json;
@@ -134,6 +139,20 @@ std::optional<Rendering> readable_rendering(const fs::path& report) try {
   return read_rendering(report);
 } catch (const Error&) {
   return std::nullopt;
+}
+
+void warn_of_unchecked(const fs::path& in, const Context& context) {
+  const fs::path whole = fs::absolute(in / "").lexically_normal().parent_path(), folder = whole.parent_path();
+  for (const fs::path& of_render : {whole, folder, folder.parent_path()}) {
+    if (has_journal(of_render)) return;
+    std::error_code ignored;
+    const fs::path report = of_render / "report.json";
+    if (!fs::is_regular_file(report, ignored)) continue;
+    if (read_report(report).contains("runs"))  // a report of converted pictures has none
+      context.warning(fmt::format("{} has no journal of its render (.lippmann), so its files are not checked for damage",
+                                  of_render.string()));
+    return;
+  }
 }
 
 std::optional<Rendering> rendering_of(const fs::path& picture) {

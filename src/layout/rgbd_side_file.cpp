@@ -12,6 +12,7 @@
 #include "core/atomic_file.hpp"
 #include "core/json_fields.hpp"
 #include "core/json_text.hpp"
+#include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "lippmann/core/error.hpp"
 
@@ -30,6 +31,7 @@ Json rgbd_document(const fs::path& path) {
     throw Error(path.string(), "is not the side file of an RGB-D picture");
   std::ifstream file(path);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
+  require_as_recorded(path, std::as_bytes(std::span(text)));
   Json json = json_from_text(text);
   if (json.is_discarded()) throw Error(path.string(), "is not JSON");
   return json;

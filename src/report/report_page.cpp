@@ -12,6 +12,7 @@
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
 #include "core/json_text.hpp"
+#include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/core/version.hpp"
@@ -45,7 +46,9 @@ Json read_json(const fs::path& file) {
   if (!is_regular_file_there(file)) throw Error(file.string(), "there is no such file", kAccepted);
   if (fs::file_size(file, ignored) > kMostBytes) throw Error(file.string(), "is too large for a report");
   std::ifstream in(file, std::ios::binary);
-  Json json = json_from_text(std::string{std::istreambuf_iterator<char>(in), {}});
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  require_as_recorded(file, std::as_bytes(std::span(text)));
+  Json json = json_from_text(text);
   if (json.is_discarded()) throw Error(file.string(), "is not JSON, or ends before its end", kAccepted);
   if (!json.is_object()) throw Error(file.string(), "is not a JSON object", kAccepted);
   return json;

@@ -11,6 +11,7 @@
 
 #include "core/background.hpp"
 #include "core/folder_entries.hpp"
+#include "core/recorded_file.hpp"
 #include "core/text_pattern.hpp"
 #include "image/read_image.hpp"
 #include "layout/rgbd_name.hpp"
@@ -103,7 +104,9 @@ std::optional<RgbdSideFile> common_side_file(const std::vector<NumberedFrame>& f
 }  // namespace
 
 std::vector<NumberedFrame> find_frames(const std::string& from, std::vector<int> wanted) {
-  const std::map<std::string, Series> all = series_in(names_of(from));
+  const SeriesNames names = names_of(from);
+  if (wanted.empty()) require_recorded_frames(names.folder);
+  const std::map<std::string, Series> all = series_in(names);
   const Series& series = chosen_series(from, all);
   const int begin = series.begin()->first, end = series.rbegin()->first;
   if (wanted.empty()) {

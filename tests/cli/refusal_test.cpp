@@ -63,9 +63,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         render({"--only-frames", "7-9"}, "--only-frames: 7-9 selects no frame of this render; accepted: some of 0"),
         render({"--only-frames", "x"}, "--only-frames: 'x'"),
-        render({"--only-frames", "0", "--page"}, "--page: needs all frames, and --only-frames 0 renders a part of them"),
-        render({"--video", "a.mp4", "--format", "exr", "--unit", "1/2"}, "--video: is made of the pictures of all parts"),
-        render({"--unit", "3/2"}, "--unit: '3/2' is no unit"), render({"--page", "--mirror"}, "--page")));
+        render({"--video", "a.mp4", "--format", "exr", "--unit", "1/2"}, "--video: needs pictures of 8 bits"),
+        render({"--unit", "3/2"}, "--unit: '3/2' is not a unit"), render({"--page", "--mirror"}, "--page")));
 
 INSTANTIATE_TEST_SUITE_P(
     FlagsWithoutEffect, Refusals,

@@ -102,7 +102,7 @@ TEST_F(LayoutRenders, what_cannot_be_is_refused_before_anything_is_made) {
   };
   refused({{"layout", "views"}, {"lens-pixels", "7.5"}, {"lenses", "8"}}, "whole number of pixels");
   refused({{"layout", "quilt"}, {"optics", "microlens"}, {"packing", "hexagonal"}}, "whole number of pixels");
-  refused({{"layout", "quilt"}, {"quilt", "3x2"}}, "not as many as 8 views");
+  refused({{"layout", "quilt"}, {"quilt", "3x2"}}, "3x2 tiles do not hold 8 views");
   refused({{"quilt", "4x2"}}, "quilt");
   refused({{"pseudoscopic", "true"}, {"layout", "quilt"}}, "integral");
   refused({{"layout", "views"}, {"video", dir_ / "a.mp4"}}, "pictures of their own");
