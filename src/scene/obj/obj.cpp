@@ -98,7 +98,7 @@ class Reader {
 
   /// x y z, perhaps w, perhaps r g b.
   void parse_position() {
-    positions_.push_back(lexer_.vector("v", kLargestCoordinate));
+    positions_.push_back(lexer_.point("v", kLargestCoordinate));
     std::array<float, 4> more{};
     std::size_t count = 0;
     while (count < more.size() && !lexer_.at_line_end()) more[count++] = lexer_.number("v", kLargestCoordinate);
@@ -230,11 +230,13 @@ void join_lines(std::string& text) {
 }  // namespace obj
 
 Scene load_obj(const std::filesystem::path& path, const Context& context, const std::filesystem::path& asset_root,
-               std::uint64_t texture_bytes) {
+               std::uint64_t texture_bytes, const Vec3d& origin) {
   std::string text = utf8_text(read_text_file(path, path.string(), obj::kLargestFile, "at most 1 GiB of text"));
   obj::join_lines(text);
   Lexer lexer(path.string(), std::move(text));
+  lexer.set_origin(origin);
   Scene scene;
+  scene.origin = origin;
   scene.name = path.stem().string();
   obj::Reader(lexer, {path.parent_path(), asset_root}, texture_bytes, scene, context).read();
   return scene;

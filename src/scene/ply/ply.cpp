@@ -136,8 +136,8 @@ double full_scale(Type type) {
 
 class Reader {
  public:
-  Reader(const std::string& name, const Header& header, Body& body, const Context& context)
-      : name_(name), header_(header), body_(body), context_(context) {}
+  Reader(const std::string& name, const Header& header, Body& body, const Context& context, const Vec3d& origin)
+      : name_(name), header_(header), body_(body), context_(context), origin_(origin) {}
 
   Mesh read() {
     for (const Element& element : header_.elements) {
@@ -184,7 +184,8 @@ class Reader {
     }
   }
 
-  float at(int property) const { return static_cast<float>(row_[static_cast<std::size_t>(property)]); }
+  double exact(int property) const { return row_[static_cast<std::size_t>(property)]; }
+  float at(int property) const { return static_cast<float>(exact(property)); }
 
   /// A colour's share, encoded as the file has it.
   double share(const Element& element, int property) const {
@@ -204,7 +205,7 @@ class Reader {
     const auto linear = [&](int p) { return static_cast<float>(linear_from_srgb(share(element, p))); };
     for (std::int64_t row = 0; row < element.count; ++row) {
       read_row(element, row);
-      mesh_.positions.emplace_back(at(x), at(y), at(z));
+      mesh_.positions.push_back(Vec3f(Vec3d(exact(x), exact(y), exact(z)) - origin_));
       if (std::min({nx, ny, nz}) >= 0) mesh_.normals.emplace_back(at(nx), at(ny), at(nz));
       if (std::min(u, v) >= 0) mesh_.uvs.emplace_back(at(u), 1.0f - at(v));
       if (std::min({red, green, blue}) >= 0) mesh_.colors.emplace_back(linear(red), linear(green), linear(blue));
@@ -295,6 +296,7 @@ class Reader {
   const Header& header_;
   Body& body_;
   const Context& context_;
+  Vec3d origin_;
   Mesh mesh_;
   std::vector<double> row_;
   std::vector<std::uint32_t> corners_;  ///< the corners of the face that is being read
@@ -313,12 +315,13 @@ MetallicRoughness surface_of(const Mesh& mesh) {
 }  // namespace
 }  // namespace ply
 
-Scene parse_ply(const std::string& name, const std::string& contents, const Context& context) {
+Scene parse_ply(const std::string& name, const std::string& contents, const Context& context, const Vec3d& origin) {
   const ply::Header header = ply::parse_header(name, contents);
   if (ply::has_splats(header)) return ply::read_splats(name, header, std::string_view(contents).substr(header.size), context);
   ply::Body body(name, std::string_view(contents).substr(header.size), header.format);
-  Mesh mesh = ply::Reader(name, header, body, context).read();
+  Mesh mesh = ply::Reader(name, header, body, context, origin).read();
   Scene scene;
+  scene.origin = origin;
   scene.materials.push_back({"surface", ply::surface_of(mesh)});
   scene.shapes.emplace_back(std::move(mesh));
   Instance instance;
@@ -341,9 +344,9 @@ bool is_ply_of_splats(const std::filesystem::path& path) {
   }
 }
 
-Scene load_ply(const std::filesystem::path& path, const Context& context) {
+Scene load_ply(const std::filesystem::path& path, const Context& context, const Vec3d& origin) {
   const std::string name = path.string();
-  Scene scene = parse_ply(name, utf8_text(read_text_file(path, name, ply::kLargestFile, "at most 1 GiB")), context);
+  Scene scene = parse_ply(name, utf8_text(read_text_file(path, name, ply::kLargestFile, "at most 1 GiB")), context, origin);
   scene.name = path.stem().string();
   return scene;
 }
