@@ -154,7 +154,7 @@ def frames(
     open_share = number(shutter, "shutter", 0.0, 1.0)
     workers = integer(threads, "threads", 0, 4096)
     choice(light, "light", ("auto", "none"))
-    core.check()
+    core.move_near_origin()  # checks it
     choose_camera(core, camera)
     factor, turn = strength_and_turn(environment_strength, environment_rotation_deg, "environment_")
     if environment is not None:

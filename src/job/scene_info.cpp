@@ -57,11 +57,22 @@ Bounds3f bounds_over_animation(const Scene& scene) {
   return bounds;
 }
 
-Json vector_json(Vec3f v) { return {v.x, v.y, v.z}; }
+/// A place in the file's coordinates.
+Json place_json(const SceneInfo& info, Vec3f p) {
+  const Vec3d place = info.origin + Vec3d(p);
+  return {place.x, place.y, place.z};
+}
 
-Json bounds_json(const Bounds3f& bounds) {
-  if (bounds.empty()) return nullptr;
-  return {{"lower", vector_json(bounds.lower)}, {"upper", vector_json(bounds.upper)}};
+Json bounds_json(const SceneInfo& info) {
+  if (info.bounds.empty()) return nullptr;
+  return {{"lower", place_json(info, info.bounds.lower)}, {"upper", place_json(info, info.bounds.upper)}};
+}
+
+/// "(1, 2, 3)", as exact as the scene's size allows.
+std::string place_text(const SceneInfo& info, Vec3f p) {
+  const Vec3d place = info.origin + Vec3d(p);
+  const int digits = info.origin == Vec3d(0.0) ? 6 : 12;
+  return fmt::format("({:.{}g}, {:.{}g}, {:.{}g})", place.x, digits, place.y, digits, place.z, digits);
 }
 
 /// "shown: Walk (1); others: Survey (0), Run (2)".
@@ -124,6 +135,7 @@ SceneInfo describe_scene(const RenderParams& params, const Context& context) {
   info.frames_per_second = scene.timeline.frames_per_second;
   info.keys_on_frames = keys_fall_on_frames(scene.timeline, info.frames_per_second);
   count(scene, info);
+  info.origin = scene.origin;
   info.bounds = bounds_over_animation(scene);
   const auto display = wanted_display(params);
   info.array = fit_array(scene, window_aspect(params, scene.resolution, display.get()), params.scene.view);
@@ -161,10 +173,10 @@ Json to_json(const SceneInfo& info) {
           {"frames_per_second", info.frames_per_second},
           {"seconds", info.frames / info.frames_per_second},
           {"keys_on_frames", info.keys_on_frames},
-          {"bounds", bounds_json(info.bounds)},
+          {"bounds", bounds_json(info)},
           {"array",
            {{"fitted", info.array.how},
-            {"center", vector_json(info.array_center)},
+            {"center", place_json(info, info.array_center)},
             {"height", info.array.plane_height},
             {"viewing_distance", std::isfinite(distance) ? Json(distance) : Json(nullptr)},
             {"units_per_mm", info.units_per_mm}}},
@@ -196,10 +208,9 @@ std::string to_text(const SceneInfo& info) {
   line("animation", describe_animation(info));
   if (info.animations.size() > 1) line("", list_animations(info));
   if (!info.bounds.empty())
-    line("bounds", fmt::format("({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})", info.bounds.lower.x, info.bounds.lower.y,
-                               info.bounds.lower.z, info.bounds.upper.x, info.bounds.upper.y, info.bounds.upper.z));
+    line("bounds", fmt::format("{} to {}", place_text(info, info.bounds.lower), place_text(info, info.bounds.upper)));
   line("array", info.array.how);
-  line("", fmt::format("Its centre is at ({:g}, {:g}, {:g}).", info.array_center.x, info.array_center.y, info.array_center.z));
+  line("", fmt::format("Its centre is at {}.", place_text(info, info.array_center)));
   line("panel", fmt::format("{}x{} pixels of {:.4g} mm; 1 mm = {:.4g} scene units", info.optics.panel.width,
                             info.optics.panel.height, info.optics.panel.pixel_pitch_mm, info.units_per_mm));
   line("viewing", fmt::format("zone {:.1f} degrees", degrees(viewing_zone(info.optics))));

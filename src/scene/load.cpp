@@ -15,7 +15,9 @@
 #include "core/suggest.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/scene/builtin.hpp"
+#include "lippmann/scene/origin.hpp"
 #include "scene/gltf.hpp"
+#include "scene/move_origin.hpp"
 #include "scene/nff.hpp"
 #include "scene/obj.hpp"
 #include "scene/ply.hpp"
@@ -32,25 +34,26 @@ Scene at_rate(Scene scene, const LoadOptions& options) {
   return scene;
 }
 
-Scene load_dat(const fs::path& path, const LoadOptions& options, const Context& context) {
+Scene load_dat(const fs::path& path, const LoadOptions& options, const Context& context, const Vec3d& origin) {
   const double fps = options.frames_per_second > 0.0 ? options.frames_per_second : kTachyonFramesPerSecond;
-  return load_tachyon(path, options.camera_path, context, fps, options.asset_root);
+  return load_tachyon(path, options.camera_path, context, fps, options.asset_root, origin);
 }
 
-Scene load_gltf_file(const fs::path& path, const LoadOptions& options, const Context& context) {
+/// It has taken its own origin.
+Scene load_gltf_file(const fs::path& path, const LoadOptions& options, const Context& context, const Vec3d&) {
   return load_gltf(path, options, context);
 }
 
-Scene load_nff_file(const fs::path& path, const LoadOptions& options, const Context& context) {
-  return at_rate(load_nff(path, context), options);
+Scene load_nff_file(const fs::path& path, const LoadOptions& options, const Context& context, const Vec3d& origin) {
+  return at_rate(load_nff(path, context, origin), options);
 }
 
-Scene load_obj_file(const fs::path& path, const LoadOptions& options, const Context& context) {
-  return at_rate(load_obj(path, context, options.asset_root, options.texture_bytes), options);
+Scene load_obj_file(const fs::path& path, const LoadOptions& options, const Context& context, const Vec3d& origin) {
+  return at_rate(load_obj(path, context, options.asset_root, options.texture_bytes, origin), options);
 }
 
-Scene load_ply_file(const fs::path& path, const LoadOptions& options, const Context& context) {
-  return at_rate(load_ply(path, context, options.asset_root, options.texture_bytes), options);
+Scene load_ply_file(const fs::path& path, const LoadOptions& options, const Context& context, const Vec3d& origin) {
+  return at_rate(load_ply(path, context, options.asset_root, options.texture_bytes, origin), options);
 }
 
 /// One row per file format. Rows that share a loader stand together.
@@ -61,7 +64,7 @@ struct Format {
   bool may_be_empty;      ///< a background alone is a scene
   bool is_physical;       ///< is_physical_format()
   std::string_view kind;  ///< what describe_content() calls such files, where it is not text
-  Scene (*load)(const fs::path&, const LoadOptions&, const Context&);
+  Scene (*load)(const fs::path&, const LoadOptions&, const Context&, const Vec3d& origin);
 };
 
 constexpr std::string_view kGlb = "a binary glTF scene (.glb)";
@@ -147,6 +150,19 @@ void require_surfaces(const Scene& scene, const fs::path& path) {
   throw Error(path.string(), "has no surfaces to show", "a scene with faces or solid shapes; points and lines are not shown");
 }
 
+/// A scene far from the origin is read again, with positions relative to its middle before they become floats.
+Scene load_near_origin(const Format& format, const fs::path& path, const LoadOptions& options, const Context& context) {
+  Scene scene = format.load(path, options, context, Vec3d(0.0));
+  const std::optional<Vec3d> origin = distant_origin(scene);
+  if (!origin) return scene;
+  Context without_warnings;  // they have been given
+  without_warnings.threads = context.threads;
+  scene = {};
+  scene = format.load(path, options, without_warnings, *origin);
+  if (scene.origin == Vec3d(0.0)) move_origin(scene, *origin);  // its file holds floats
+  return scene;
+}
+
 const Format* find_format(const fs::path& path) {
   const std::string extension = lower_extension(path);
   const auto* format = std::find_if(std::begin(kFormats), std::end(kFormats),
@@ -166,7 +182,7 @@ Scene load_file(const fs::path& path, const LoadOptions& options, const Context&
   if (!options.variant.empty() && !format->has_animations)
     throw usage_error("variant", fmt::format("{} has no sets of materials to choose from", path.string()), "a glTF scene");
   require_scene_content(path, format->kind);
-  Scene scene = format->load(path, options, context);
+  Scene scene = load_near_origin(*format, path, options, context);
   if (!format->may_be_empty) require_surfaces(scene, path);
   return scene;
 }

@@ -102,6 +102,9 @@ void turn_upright(Scene& scene, UpAxis up) {
   root.local.rotation = upright(up);
   insert_root(scene, std::move(root));
   scene.background.up = glm::normalize(upright(up) * scene.background.up);
+  const Mat3f turn = glm::mat3_cast(upright(up));
+  const glm::dmat3 exact{glm::round(turn[0]), glm::round(turn[1]), glm::round(turn[2])};
+  scene.origin = exact * scene.origin;
 }
 
 }  // namespace lippmann

@@ -403,11 +403,14 @@ float wanted_plane_z(const FittedArray& array, const Setting& setting, const std
       throw usage_error("focus", shown(focus) + " is infinite and has no centre", "a node that shows a shape");
     return bounds.center().z;
   }
-  const std::vector<float> numbers = read_focus(setting.scene, focus);
-  if (numbers.size() == 3) return transform_point(plane_from_world, {numbers[0], numbers[1], numbers[2]}).z;
+  const std::vector<double> numbers = read_focus(setting.scene, focus);
+  if (numbers.size() == 3) {
+    const Vec3d in_file(numbers[0], numbers[1], numbers[2]);
+    return transform_point(plane_from_world, Vec3f(in_file - setting.scene.origin)).z;
+  }
   if (!std::isfinite(array.viewing_distance))
     throw usage_error("focus", "cannot be a distance: the viewer is infinitely far away", "a node or X,Y,Z");
-  return array.viewing_distance - numbers[0] / uniform_scale(world_from_plane);
+  return array.viewing_distance - static_cast<float>(numbers[0]) / uniform_scale(world_from_plane);
 }
 
 /// Whether the view is a beam, as that of an orthographic camera, whose height is the same at every distance.

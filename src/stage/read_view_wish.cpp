@@ -104,17 +104,16 @@ std::string write_orbit(const Orbit& orbit) {
   return fmt::format("{},{}", orbit.yaw_deg, orbit.pitch_deg);
 }
 
-std::vector<float> read_focus(const Scene& scene, const std::string& text) {
+std::vector<double> read_focus(const Scene& scene, const std::string& text) {
   constexpr double kFarthest = 1e15;
   const std::vector<std::string_view> parts = split_at_commas(text);
-  std::vector<float> numbers;
+  std::vector<double> numbers;
   try {
-    for (const std::string_view part : parts)
-      numbers.push_back(static_cast<float>(read_number(part, -kFarthest, kFarthest, "focus")));
+    for (const std::string_view part : parts) numbers.push_back(read_number(part, -kFarthest, kFarthest, "focus"));
   } catch (const Error&) {
     throw no_such_name(scene, text, "focus", "a point X,Y,Z, or a distance above 0");
   }
-  const bool is_distance = numbers.size() == 1 && numbers[0] > 0.0f;
+  const bool is_distance = numbers.size() == 1 && numbers[0] > 0.0;
   if (!is_distance && numbers.size() != 3)
     throw usage_error("focus", shown(text), "a node's name, a point X,Y,Z, or a distance above 0");
   return numbers;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lippmann/core/error.hpp"
+#include "lippmann/stage/choose_camera.hpp"
 
 namespace lippmann {
 namespace {
@@ -369,6 +370,30 @@ TEST(FitArray, focus_on_a_distance_is_in_world_units) {
   });
   EXPECT_NEAR(array.viewing_distance, 5.0f, kRounding);
   EXPECT_THAT(array.how, HasSubstr("The focus on 5 puts the plane 5 units from the viewer."));
+}
+
+TEST(FitArray, focus_on_a_point_is_in_the_coordinates_of_the_file) {
+  Scene scene;
+  add_box(scene, Vec3f(-1), Vec3f(1));
+  add_camera(scene, at({0, 0, 10}));
+  const FittedArray near = fit_array(scene, 1.0f, {.focus = "0,0,0.5"});
+  scene.origin = {4512345.125, 320.5, -5400000.25};
+  const FittedArray far = fit_array(scene, 1.0f, {.focus = "4512345.125,320.5,-5399999.75"});
+  EXPECT_EQ(far.viewing_distance, near.viewing_distance);
+}
+
+TEST(FitArray, turning_upright_turns_the_origin) {
+  const Vec3d origin(4512345.125, 320.5, -5400000.25);
+  const std::pair<UpAxis, Vec3d> turned[] = {{UpAxis::kY, origin},
+                                             {UpAxis::kZ, {origin.x, origin.z, -origin.y}},
+                                             {UpAxis::kMinusY, {origin.x, -origin.y, -origin.z}},
+                                             {UpAxis::kX, {-origin.y, origin.x, origin.z}}};
+  for (const auto& [up, expected] : turned) {
+    Scene scene;
+    scene.origin = origin;
+    turn_upright(scene, up);
+    EXPECT_EQ(scene.origin, expected) << static_cast<int>(up);
+  }
 }
 
 TEST(FitArray, animated_scale_scales_the_array) {

@@ -398,6 +398,7 @@ struct Scene {
   std::vector<std::string> animation_names;  ///< all animations that the file has
   int animation = -1;                        ///< which of them the timeline shows
   std::vector<std::string> variant_names{};  ///< the file's sets of materials to choose from
+  Vec3d origin{0.0};  ///< of the scene's coordinates, in the file's: what lies at p is at origin + p there (scene/origin.hpp)
   Encoding encoding = Encoding::kSrgb;
   int max_depth = 6;       ///< path vertices; the file's own limit where it has one
   Vec2i resolution{0, 0};  ///< that the file asks for; 0: none

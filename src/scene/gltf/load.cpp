@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lippmann/core/error.hpp"
+#include "lippmann/scene/origin.hpp"
 #include "scene/deform.hpp"
 #include "scene/gltf/animation.hpp"
 #include "scene/gltf/camera.hpp"
@@ -180,6 +181,7 @@ Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& p
   gltf::read_image_light(document, scene);
   gltf::read_cameras(document, nodes, scene);
   gltf::read_animation(document, nodes, options.animation, options.frames_per_second, scene);
+  if (const std::optional<Vec3d> origin = distant_origin(scene)) move_origin(scene, *origin, nodes.parent_from_node);
   return scene;
 }
 

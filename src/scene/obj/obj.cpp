@@ -108,7 +108,7 @@ class Reader {
 
   /// x y z, perhaps w, perhaps r g b.
   void parse_position() {
-    positions_.push_back(vector("v"));
+    positions_.push_back(three("v", [&](int axis) { return lexer_.coordinate(axis, "v", kLargestCoordinate); }));
     std::array<float, 4> more{};
     std::size_t count = 0;
     while (count < more.size() && !lexer_.at_line_end()) more[count++] = lexer_.number("v", kLargestCoordinate);
@@ -117,14 +117,19 @@ class Reader {
     colors_.back() = linear({more[count - 3], more[count - 2], more[count - 1]});
   }
 
-  /// Three numbers of one line.
-  Vec3f vector(std::string_view keyword) {
+  /// Three numbers of one line; `read(axis)` takes the next one.
+  template <class Read>
+  Vec3f three(std::string_view keyword, const Read& read) {
     Vec3f result;
     for (int i = 0; i < 3; ++i) {
       if (lexer_.at_line_end()) throw lexer_.error(fmt::format("{} has {} numbers", keyword, i), "3 or more");
-      result[i] = lexer_.number(keyword, kLargestCoordinate);
+      result[i] = read(i);
     }
     return result;
+  }
+
+  Vec3f vector(std::string_view keyword) {
+    return three(keyword, [&](int) { return lexer_.number(keyword, kLargestCoordinate); });
   }
 
   void parse_uv() {
@@ -251,11 +256,13 @@ void join_lines(std::string& text) {
 }  // namespace obj
 
 Scene load_obj(const std::filesystem::path& path, const Context& context, const std::filesystem::path& asset_root,
-               std::uint64_t texture_bytes) {
+               std::uint64_t texture_bytes, const Vec3d& origin) {
   std::string text = utf8_text(read_text_file(path, path.string(), obj::kLargestFile, "at most 1 GiB of text"));
   obj::join_lines(text);
   Lexer lexer(path.string(), std::move(text));
+  lexer.set_origin(origin);
   Scene scene;
+  scene.origin = origin;
   scene.name = path.stem().string();
   obj::Reader(lexer, {path.parent_path(), asset_root}, texture_bytes, scene, context).read();
   return scene;

@@ -17,6 +17,7 @@ struct PlyMesh {
   std::vector<FaceLook> looks;      ///< by triangle; empty: faces have no attributes
   std::vector<int> vertex_picture;  ///< by vertex; empty: not given
   FaceAttributes own;
+  Vec3d origin{0.0};  ///< subtracted from positions
 };
 
 /// Both append to ply.mesh.triangles. They throw Error, and warn, by name, of properties that are not read. `name` is what

@@ -37,7 +37,7 @@ void read_vertices(const std::string& name, const Element& element, Body& body, 
   for (std::int64_t i = 0; i < element.count; ++i) {
     body.set_place(element.name, i);
     row.read(body);
-    mesh.positions.push_back(vector(*xyz));
+    mesh.positions.push_back(Vec3f(Vec3d(row.exact((*xyz)[0]), row.exact((*xyz)[1]), row.exact((*xyz)[2])) - ply.origin));
     if (normal) mesh.normals.push_back(vector(*normal));
     if (uv) mesh.uvs.emplace_back(row.at((*uv)[0]), 1.0f - row.at((*uv)[1]));
     if (rgb) mesh.colors.push_back(row.color(*rgb));
@@ -61,8 +61,10 @@ void tidy_normals(Mesh& mesh) {
   for (Vec3f& normal : mesh.normals) normal = direction_of(normal);
 }
 
-PlyMesh read_elements(const std::string& name, const Header& header, Body& body, const Context& context) {
+PlyMesh read_elements(const std::string& name, const Header& header, Body& body, const Vec3d& origin,
+                      const Context& context) {
   PlyMesh ply;
+  ply.origin = origin;
   for (const Element& element : header.elements) {
     if (element.properties.empty()) continue;  // rows of nothing
     if (element.name == "vertex")
@@ -138,7 +140,7 @@ std::vector<int> find_textures(const std::string& name, const Header& header, bo
 
 void read_mesh(const std::string& name, const Header& header, Body& body, SideTextures& textures, const Context& context,
                Scene& scene) {
-  PlyMesh ply = read_elements(name, header, body, context);
+  PlyMesh ply = read_elements(name, header, body, scene.origin, context);
   const std::vector<int> found = find_textures(name, header, !ply.mesh.uvs.empty() || ply.own.uvs, textures, context);
   bool replaced = false;
   for (auto& [number, mesh] : parts_of(ply, header)) {

@@ -12,7 +12,7 @@
 namespace lippmann::ply {
 
 /// One instance for each picture. Throws Error; properties, elements and pictures that are not used are warnings. `name` is
-/// what errors call the file. `textures` belong to `scene`.
+/// what errors call the file. `textures` belong to `scene`, whose origin is subtracted from positions.
 void read_mesh(const std::string& name, const Header& header, Body& body, SideTextures& textures, const Context& context,
                Scene& scene);
 

@@ -23,6 +23,7 @@ Scene parse_ply(const std::string& name, const std::string& contents, const Cont
   ply::Body body(name, std::string_view(contents).substr(header.size), header.format);
   if (ply::has_splats(header)) return ply::read_splats(name, header, body, context);
   Scene scene;
+  scene.origin = options.origin;
   SideTextures textures(options.folders, options.texture_bytes, scene, context);
   ply::read_mesh(name, header, body, textures, context, scene);
   textures.decode();
@@ -43,10 +44,10 @@ bool is_ply_of_splats(const std::filesystem::path& path) {
 }
 
 Scene load_ply(const std::filesystem::path& path, const Context& context, const std::filesystem::path& asset_root,
-               std::uint64_t texture_bytes) {
+               std::uint64_t texture_bytes, const Vec3d& origin) {
   const std::string name = path.string();
   const std::string contents = utf8_text(read_text_file(path, name, kLargestPly, "at most 1 GiB"));
-  Scene scene = parse_ply(name, contents, context, {{path.parent_path(), asset_root}, texture_bytes});
+  Scene scene = parse_ply(name, contents, context, {{path.parent_path(), asset_root}, texture_bytes, origin});
   scene.name = path.stem().string();
   return scene;
 }

@@ -22,7 +22,8 @@ class Row {
   /// Takes all single values from the body and passes over lists.
   void read(Body& body);
 
-  float at(int column) const { return static_cast<float>(values_[static_cast<std::size_t>(column)]); }
+  double exact(int column) const { return values_[static_cast<std::size_t>(column)]; }
+  float at(int column) const { return static_cast<float>(exact(column)); }
 
   /// A colour's share, 0 to 1, encoded as the file has it. Counts values beyond.
   double share(int column);

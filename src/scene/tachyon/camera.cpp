@@ -66,7 +66,7 @@ CameraRecord parse_camera(Lexer& lexer, const Context& context) {
         fmt::format("{}: ANTIALIASING {} is left to the render's samples per pixel.", lexer.where(), extra_samples));
   lexer.expect("RAYDEPTH");
   record.ray_depth = lexer.integer("RAYDEPTH", 0, kDeepest);
-  record.pose.center = lexer.vector_after("CENTER");
+  record.pose.center = lexer.point_after("CENTER");
   record.pose.view = lexer.vector_after("VIEWDIR");
   record.pose.up = lexer.vector_after("UPDIR");
   require_orientation(record.pose, lexer);

@@ -54,6 +54,7 @@ void parse_include(Lexer& lexer, ParserState& state) {
                       fmt::format("at most {} files within each other and {} in all", kDeepestInclude, kMostIncludes));
   const std::filesystem::path file = state.folder.resolve(name, lexer.where());
   Lexer included(file.string(), state.folder.read_text(file, lexer.where()));
+  included.set_origin(lexer.origin());
   ++state.include_depth;
   parse_statements(included, state, false);
   --state.include_depth;

@@ -95,14 +95,19 @@ void animate_camera(Scene& scene, Lexer& path) {
 }  // namespace tachyon
 
 Scene load_tachyon(const std::filesystem::path& path, const std::optional<std::filesystem::path>& camera_path,
-                   const Context& context, double frames_per_second, const std::filesystem::path& asset_root) {
+                   const Context& context, double frames_per_second, const std::filesystem::path& asset_root,
+                   const Vec3d& origin) {
+  const Vec3d in_file(origin.x, origin.y, -origin.z);  // mirrored, as handedness.hpp has it
   tachyon::SceneFolder folder(path, asset_root);
   Lexer lexer(path.string(), folder.read_text(path, path.string()));
+  lexer.set_origin(in_file);
   Scene scene = tachyon::read_scene(lexer, folder, context, frames_per_second);
   scene.name = path.stem().string();
+  scene.origin = origin;
   if (camera_path) {
     tachyon::SceneFolder path_folder(*camera_path);
     Lexer poses(camera_path->string(), path_folder.read_text(*camera_path, camera_path->string()));
+    poses.set_origin(in_file);
     tachyon::animate_camera(scene, poses);
   }
   return scene;

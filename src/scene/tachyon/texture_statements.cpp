@@ -67,7 +67,7 @@ void parse_image_map(Lexer& lexer, ParserState& state, ProjectionKind kind, Phon
   surface.texture = image_named(lexer, state);
   ImageProjection projection;
   projection.kind = kind;
-  projection.center = lexer.vector_after("CENTER");
+  projection.center = lexer.point_after("CENTER");
   projection.rotate = lexer.vector_after("ROTATE");
   projection.scale = lexer.vector_after("SCALE");
   if (kind == ProjectionKind::kPlane) {

@@ -56,7 +56,7 @@ TEST(GltfIndices, channel_without_node_is_left_out) {
   EXPECT_NO_THROW(check_indices(parsed.document));
   Scene scene;
   scene.nodes.resize(2);
-  read_animation(parsed.document, NodeMap{{0, 1}, {0, 1}, {false, false}}, {}, 0.0, scene);
+  read_animation(parsed.document, NodeMap{{0, 1}, {0, 1}, {}, {false, false}}, {}, 0.0, scene);
   EXPECT_TRUE(scene.timeline.animations.empty());
 }
 
