@@ -119,15 +119,15 @@ void LiveScene::make(const Order& order) {
   };
   const auto pass = [&](const char* name) {
     const std::lock_guard lock(mutex_);
-    pass_ = name, share_ = 0.0;
+    if (order.version == version_) pass_ = name, share_ = 0.0;
   };
   pass("coarse");
   if (const auto coarse = coarse_pictures(live_, facts, frame, context_))
     publish(order, "coarse", *coarse, depth_of(coarse->view_size));
   if (context_.cancelled) return;
   if (render_.is_running()) return end(order, "", false);
-  const Bytes depth = depth_of(facts.view_size);
   pass("draft");
+  const Bytes depth = depth_of(facts.view_size);
   if (!context_.cancelled)
     if (const auto draft = draft_pictures(live_, facts, frame, context_)) publish(order, "draft", *draft, depth);
   pass("final");
@@ -196,6 +196,7 @@ std::uint64_t LiveScene::change(const Json& changes) {
   context_.cancelled = true;
   ++version_, ++serial_;
   is_whole_ = false;
+  pass_.clear();
   changed_.notify_all();
   return version_;
 }

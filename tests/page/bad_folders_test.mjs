@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { cpSync, mkdirSync, rmSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { closeAfterEach, inFolder, lippmann, open, set, sheet, view } from "./support.mjs";
+import { closeAfterEach, expectComplaints, inFolder, lippmann, open, set, sheet, view } from "./support.mjs";
 
 closeAfterEach();
 
@@ -20,6 +20,7 @@ async function failureOf(name, spoil) {
 }
 
 test("damaged descriptions are refused in words", async () => {
+  expectComplaints(/ERR_FILE_NOT_FOUND/, /Unexpected identifier/);
   assert.match(await failureOf("no-fields", () => rmSync(inFolder("no-fields/fields.js"))), /fields\.js is missing/);
   assert.match(await failureOf("no-script", (write) => write("fields.js", "no script")), /fields\.js is damaged/);
   assert.match(await failureOf("empty", (write) => write("fields.js", 'lippmann_fields({"fields":[]})')), /lists no light field/);
@@ -36,6 +37,7 @@ const drawsIn = (page, milliseconds) =>
   }, milliseconds);
 
 test("a damaged frame is named, and others are shown", async () => {
+  expectComplaints(/status of 422/);
   cpSync(inFolder("sheet"), inFolder("damaged"), { recursive: true });
   const page = await open(await view("damaged"));
   writeFileSync(inFolder("damaged/frame_0003.png"), "no picture");
@@ -88,5 +90,4 @@ test("a folder with spaces and umlauts, and a view of one pixel, are shown", asy
   assert.match(await tiny.locator("#facts").textContent(), /1 view of 1\u00d71/);
   const codes = await tiny.evaluate(async () => [...(await window.lippmann.picture(1, 1))]);
   assert.equal(codes.length, 4);
-  assert.deepEqual([...page.complaints, ...tiny.complaints], []);
 });
