@@ -15,6 +15,7 @@
 #include "apps/lippmann/result_flags.hpp"
 #include "apps/lippmann/stereo_flags.hpp"
 #include "apps/lippmann/view_filter_flags.hpp"
+#include "core/printable.hpp"
 #include "folder/claim_folder.hpp"
 #include "layout/rendered.hpp"
 #include "lippmann/core/error.hpp"
@@ -85,7 +86,9 @@ int run(const ConvertOptions& options, const Context& context) {
     return run_depth_views(depth_frames_of(options), options.result, context);
   if (options.to == "stereo" && options.from != "stereo" && options.keep.empty() && options.crop.empty())
     return run_stereo(options.stereo, hints_of(options), options.in, options.out, options.result, context);
-  const Converted converted = convert(options.in, options.out, params_of(options));
+  ConvertParams params = params_of(options);
+  params.options.warn = context.warn;
+  const Converted converted = convert(options.in, options.out, params);
   if (options.to == "rgbd" && converted.written.size() > 2 && options.depth.range.empty() && !from_rgbd)
     context.warning(
         "each frame has a range of depths of its own, so that grey means another depth from frame to frame: --depth-range "
@@ -105,8 +108,8 @@ int run(const ConvertOptions& options, const Context& context) {
   }
   if (!options.result.wants_text()) return 0;
   fmt::print("{}x{} views of {}x{} pixels: {}{}\n", converted.views.columns, converted.views.rows, converted.view_size.x,
-             converted.view_size.y, converted.written.front().string(),
-             converted.written.size() > 1 ? " ... " + converted.written.back().string() : "");
+             converted.view_size.y, printable_line(converted.written.front().string()),
+             converted.written.size() > 1 ? " ... " + printable_line(converted.written.back().string()) : "");
   return 0;
 }
 

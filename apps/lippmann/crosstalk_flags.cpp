@@ -8,6 +8,7 @@
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/result_flags.hpp"
+#include "core/printable.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/display/load_display.hpp"
 #include "lippmann/optics/crosstalk.hpp"
@@ -54,7 +55,7 @@ int run_precompensate(const CrosstalkFlags& flags, const std::string& display, c
         {"clipped_share", bound.clipped_share}, {"largest_residual", bound.largest_residual}, {"files", files}};
     print_json(object);
   } else if (result.wants_text() && !made.written.empty()) {
-    fmt::print("{} ... {}: {}\n", made.written.front().string(), made.written.back().string(),
+    fmt::print("{} ... {}: {}\n", printable_line(made.written.front().string()), printable_line(made.written.back().string()),
                describe_bound(bound.clipped_share, bound.largest_residual));
   }
   return 0;

@@ -7,6 +7,7 @@
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/result_flags.hpp"
+#include "core/printable.hpp"
 #include "job/param_text.hpp"
 #include "lippmann/core/error.hpp"
 
@@ -56,8 +57,9 @@ int run_depth_views(const DepthFramesParams& params, const ResultFlags& result, 
                                       {"files", files}});
   } else if (result.wants_text() && !made.written.empty()) {
     fmt::print("{}x{} views of {}x{} pixels, {:.2f} % of them filled where nothing is known: {}{}\n", made.views.columns,
-               made.views.rows, made.view_size.x, made.view_size.y, 100.0 * made.filled_share, made.written.front().string(),
-               made.written.size() > 1 ? " ... " + made.written.back().string() : "");
+               made.views.rows, made.view_size.x, made.view_size.y, 100.0 * made.filled_share,
+               printable_line(made.written.front().string()),
+               made.written.size() > 1 ? " ... " + printable_line(made.written.back().string()) : "");
   }
   return 0;
 }

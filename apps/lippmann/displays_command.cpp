@@ -10,6 +10,7 @@
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/print_json.hpp"
+#include "core/printable.hpp"
 #include "display/display_json.hpp"
 #include "display/find_calibrations.hpp"
 #include "lippmann/core/error.hpp"
@@ -48,7 +49,7 @@ void print_calibration(const Display& d) {
 
 void print_details(const Display& d) {
   const Vec2d size = d.size_mm();
-  fmt::print("{}: {}\n", d.name, d.description);
+  fmt::print("{}: {}\n", printable_line(d.name), printable_line(d.description));
   fmt::print("kind             {}{}\n", to_string(d.kind),
              d.serials.empty() ? "" : fmt::format(", serial {}", fmt::join(d.serials, ", ")));
   fmt::print("pixels           {}x{} at {:g} dpi: {:.1f} x {:.1f} mm\n", d.pixels.x, d.pixels.y, d.dpi, size.x, size.y);
@@ -79,8 +80,9 @@ nlohmann::ordered_json found_json(const std::string& file) try {
 
 void print_found(const std::string& file) try {
   const Display display = load_display(file);
-  fmt::print("{}\n  {}, {}x{} pixels, quilt {}\n  lippmann render SCENE --display '{}'\n", file, display.description,
-             display.pixels.x, display.pixels.y, quilt_text(display), file);
+  fmt::print("{}\n  {}, {}x{} pixels, quilt {}\n  lippmann render SCENE --display '{}'\n", printable_line(file),
+             printable_line(display.description), display.pixels.x, display.pixels.y, quilt_text(display),
+             printable_line(file));
 } catch (const Error& error) {
   fmt::print("{}\n", with_flags(error.what()));
 }

@@ -7,6 +7,7 @@
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/result_flags.hpp"
+#include "core/printable.hpp"
 #include "lippmann/core/error.hpp"
 #include "replay/orthoscopic.hpp"
 
@@ -48,7 +49,7 @@ int run_orthoscopic(const OrthoscopicFlags& flags, const std::string& in, const 
     for (const auto& path : written) files.push_back(path.string());
     print_json(nlohmann::ordered_json{{"files", files}});
   } else if (result.wants_text() && !written.empty()) {
-    fmt::print("{} ... {}\n", written.front().string(), written.back().string());
+    fmt::print("{} ... {}\n", printable_line(written.front().string()), printable_line(written.back().string()));
   }
   return 0;
 }

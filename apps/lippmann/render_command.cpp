@@ -95,7 +95,7 @@ std::string describe_depth(const ShownDepth& shown, const Optics& optics, float 
          (depth_scale < 1.0f ? " --full-depth shows its full depth." : " --fit-depth scales its depth to the budget.");
 }
 
-void print_line(std::string_view name, const std::string& value) { print_out("  {:<9} {}\n", name, value); }
+void print_line(std::string_view name, const std::string& value) { print_out("  {:<9} {}\n", name, printable_line(value)); }
 
 /// What was chosen where the command line says nothing: a render that is only planned should be judged by it, too.
 void print_choices(const Sampling& sampling, const Optics& optics, const std::string& light, const std::string& view) {

@@ -11,6 +11,7 @@
 #include "apps/lippmann/light_field_flags.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/result_flags.hpp"
+#include "core/printable.hpp"
 #include "layout/rendered.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/optics/crosstalk.hpp"
@@ -84,8 +85,8 @@ int run(const ReplayOptions& options, Context& context) {
   if (options.result.json)
     print_result(result);
   else if (options.result.wants_text() && !result.written.empty())
-    fmt::print("{}{}{}\n", eye_text(result), result.written.front().string(),
-               result.written.size() > 1 ? " ... " + result.written.back().string() : "");
+    fmt::print("{}{}{}\n", eye_text(result), printable_line(result.written.front().string()),
+               result.written.size() > 1 ? " ... " + printable_line(result.written.back().string()) : "");
   return 0;
 }
 

@@ -7,6 +7,7 @@
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/result_flags.hpp"
+#include "core/printable.hpp"
 #include "job/param_text.hpp"
 #include "lippmann/core/error.hpp"
 #include "replay/stereo_frames.hpp"
@@ -80,8 +81,9 @@ int run_stereo(const StereoFlags& flags, const LightFieldHints& field, const std
                                       {"out_of_zone", made.out_of_zone},
                                       {"files", files}});
   } else if (result.wants_text() && !made.written.empty()) {
-    fmt::print("2x1 views of {}x{} pixels: {}{}\n", made.view_size.x, made.view_size.y, made.written.front().string(),
-               made.written.size() > 1 ? " ... " + made.written.back().string() : "");
+    fmt::print("2x1 views of {}x{} pixels: {}{}\n", made.view_size.x, made.view_size.y,
+               printable_line(made.written.front().string()),
+               made.written.size() > 1 ? " ... " + printable_line(made.written.back().string()) : "");
   }
   return 0;
 }

@@ -178,8 +178,9 @@ std::vector<py::str> names_of(const std::vector<T>& elements) {
 }
 
 void surround_with_file(Scene& scene, const std::filesystem::path& path, float strength, float rotation_deg) {
-  const py::gil_scoped_release release;
-  scene.background.map = read_environment(path, strength, rotation_deg);
+  Interruptible(0).run(py::none(), [&](const Context& context) {
+    scene.background.map = read_environment(path, strength, rotation_deg, context);
+  });
 }
 
 /// (2, 3): lowest and highest coordinates of everything finite; none where there is nothing.

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
-#include <system_error>
 #include <vector>
 
 #include "core/atomic_file.hpp"
+#include "core/regular_file.hpp"
 #include "job/params_table.hpp"
 #include "job/scene_light.hpp"
 #include "lippmann/core/error.hpp"
@@ -58,13 +58,9 @@ std::vector<std::string> value_texts(const ParamInfo& info, const toml::node& no
 }
 
 toml::table parse(const fs::path& file) {
-  std::error_code problem;
-  if (!fs::exists(file, problem)) throw Error(file.string(), "there is no such job file");
-  if (!fs::is_regular_file(file, problem)) throw Error(file.string(), "is not a file", "a job in TOML");
-  if (fs::file_size(file, problem) > kMostBytesOfJob)
-    throw Error(file.string(), "is too large for a job", "a job in TOML of at most 1 MB");
+  const std::string text = read_file_text(file, kMostBytesOfJob, "a job in TOML");
   try {
-    return toml::parse_file(file.string());
+    return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
     throw Error(fmt::format("{}:{}", file.string(), error.source().begin.line), std::string(error.description()),
                 "a job in TOML: key = value");

@@ -187,8 +187,10 @@ Json to_json(const SceneInfo& info) {
 }
 
 std::string to_text(const SceneInfo& info) {
-  std::string text = fmt::format("{}\n", info.name);
-  const auto line = [&](std::string_view name, const std::string& value) { text += fmt::format("  {:<10} {}\n", name, value); };
+  std::string text = printable_line(info.name) + '\n';
+  const auto line = [&](std::string_view name, const std::string& value) {
+    text += fmt::format("  {:<10} {}\n", name, printable_line(value));
+  };
   line("shapes", list_counts({{info.meshes, "mesh"},
                               {info.triangles, "triangle"},
                               {info.spheres, "sphere"},

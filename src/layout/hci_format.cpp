@@ -10,9 +10,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
-#include <span>
-#include <sstream>
 
 #include "core/atomic_file.hpp"
 #include "core/recorded_file.hpp"
@@ -32,14 +29,8 @@ namespace fs = std::filesystem;
 std::optional<HciParameters> read_parameters(const fs::path& folder) {
   constexpr std::uintmax_t kMaxBytes = 1 << 20;
   const fs::path path = folder / "parameters.cfg";
-  std::error_code ignored;
   if (!is_regular_file_there(path)) return std::nullopt;
-  if (fs::file_size(path, ignored) > kMaxBytes) throw Error(path.string(), "is too large for parameters");
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  require_as_recorded(path, std::as_bytes(std::span(text.view())));
-  return parse_hci_parameters(text.str(), path.string());
+  return parse_hci_parameters(read_recorded_text(path, kMaxBytes, "a parameters.cfg"), path.string());
 }
 
 /// The grid in the options, the one in parameters.cfg, or a square.
@@ -87,7 +78,7 @@ LightField read_hci(const fs::path& folder, const FormatOptions& options) {
   std::vector<fs::path> by_view(files.size());
   for (int i = 0; i < count; ++i)
     by_view[static_cast<std::size_t>(from_top_left(grid, i))] = files[static_cast<std::size_t>(i)].path;
-  LightField field = read_view_files(by_view, grid);
+  LightField field = read_view_files(by_view, grid, picture_reader(options.warn));
   if (!parameters || grid != ViewGrid{parameters->columns, parameters->rows}) return field;
   field.cameras = hci_cameras(*parameters);
   read_depth(folder, *parameters, field);

@@ -15,7 +15,7 @@ ViewGrid wanted_views(const fs::path& path, const FormatOptions& options) {
 
 template <LayoutKind kind>
 LightField read_integral(const fs::path& path, const FormatOptions& options) {
-  return read_packed(path, {kind, wanted_views(path, options), {}}, options.with_depth);
+  return read_packed(path, {kind, wanted_views(path, options), {}}, options.with_depth, options.warn);
 }
 
 template <LayoutKind kind>

@@ -30,7 +30,7 @@ LightField read_native(const fs::path& path, const FormatOptions& options) {
   if (options.views && options.views->rows != 1) throw usage_error("views", "a panel's views are side by side", "Nx1");
   if (std::int64_t{3} * count * size.x * size.y > kMaxSamples)
     throw usage_error("views", fmt::format("{} views of {}x{} pixels are too many", count, size.x, size.y), "fewer");
-  LightField field = deinterlace(read_picture(path), display, count, size, path.string(), all_threads());
+  LightField field = deinterlace(read_picture(path, options.warn), display, count, size, path.string(), all_threads());
   if (count == quilt.columns * quilt.rows) field.tiles = ViewGrid{quilt.columns, quilt.rows}, field.aspect = quilt.aspect;
   return field;
 }

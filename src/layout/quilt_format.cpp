@@ -54,7 +54,7 @@ LightField read_quilt(const fs::path& path, const FormatOptions& options) {
   if (grid.count() != quilt.views)
     throw usage_error("views", fmt::format("{}x{} views are not as many as {}x{} tiles", grid.columns, grid.rows,
                                            quilt.tiles.columns, quilt.tiles.rows));
-  LightField field = read_packed(path, {LayoutKind::kQuilt, grid, quilt.tiles}, options.with_depth);
+  LightField field = read_packed(path, {LayoutKind::kQuilt, grid, quilt.tiles}, options.with_depth, options.warn);
   if (quilt.inverted) turn_round(field);
   field.tiles = quilt.tiles;
   field.aspect = quilt.aspect.value_or(static_cast<double>(field.view_size.x) / field.view_size.y);

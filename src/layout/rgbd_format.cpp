@@ -71,7 +71,7 @@ RgbdSideFile described_rgbd(const fs::path& path, const FormatOptions& options, 
 }
 
 LightField read_rgbd(const fs::path& path, const FormatOptions& options) {
-  const Picture picture = read_picture(path);
+  const Picture picture = read_picture(path, options.warn);
   LightField field = light_field_of_rgbd(picture, path, path.string(), options);
   require_depth(read_greys(picture, field.view_size, path.string()), path.string());
   return field;

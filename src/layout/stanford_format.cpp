@@ -13,14 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-LightField read_stanford(const fs::path& folder, const FormatOptions&) {
+LightField read_stanford(const fs::path& folder, const FormatOptions& options) {
   static const TextPattern name("out_([0-9]{1,5})_([0-9]{1,5})(?:_.*)?\\.(?:png|jpg|exr|ppm|tif|tiff)");
   const std::vector<NumberedFile> files = numbered_files(folder, name, "out_00_00_<y>_<x>.png, ...");
   const ViewGrid grid = complete_grid(folder, files);
   std::vector<fs::path> by_view(files.size());
   for (std::size_t i = 0; i < files.size(); ++i)
     by_view[static_cast<std::size_t>(from_top_left(grid, static_cast<int>(i)))] = files[i].path;
-  return read_view_files(by_view, grid);
+  return read_view_files(by_view, grid, picture_reader(options.warn));
 }
 
 std::vector<fs::path> write_stanford(const LightField& field, const fs::path& folder, const FormatOptions&) {

@@ -23,7 +23,7 @@ StereoLayout described_stereo(const fs::path& path, const FormatOptions& options
 /// The views as they lie in the picture: squeezed ones stay so, and of rows those are there that the picture has.
 LightField read_stereo(const fs::path& path, const FormatOptions& options) {
   const StereoLayout layout = described_stereo(path, options);
-  const Picture picture = read_picture(path);
+  const Picture picture = read_picture(path, options.warn);
   const Vec2i stored = stored_view_size(layout.packing, size_of(picture), path.string());
   const Vec2i whole = stored * stereo_squeeze(layout.packing);
   LightField field;

@@ -34,7 +34,7 @@ LightField read_views(const fs::path& folder, const FormatOptions& options) {
         "views", fmt::format("{}x{} are not as many as the {} views in {}", grid.columns, grid.rows, count, folder.string()));
   std::vector<fs::path> by_view;
   for (const NumberedFile& file : files) by_view.push_back(file.path);
-  LightField field = read_view_files(by_view, grid);
+  LightField field = read_view_files(by_view, grid, picture_reader(options.warn));
   if (options.with_depth) read_depth(by_view, field);
   return field;
 }

@@ -57,7 +57,7 @@ bool is_as_shown(const fs::path& picture, const std::string& layout, const Optic
 
 FormatOptions options_of(const LightFieldHints& hints) {
   FormatOptions options;
-  options.views = hints.views, options.tiles = hints.tiles;
+  options.views = hints.views, options.tiles = hints.tiles, options.warn = hints.warn;
   return options;
 }
 

@@ -50,7 +50,7 @@ class Replay {
   Replay(const ReplayParams& params, const Context& context)
       : params_(params),
         context_(context),
-        frames_(find_light_field_frames(params.in, params.field)),
+        frames_(find_light_field_frames(params.in, with_warnings(params.field, context))),
         view_(params.view),
         pool_(resolved_threads(context)) {
     if (!frames_.assumption.empty()) context.warning(frames_.assumption);

@@ -96,7 +96,7 @@ LightField stereo_views(const RenderedPanel& panel, Vec3d eye_mm, double ipd_mm,
 }
 
 StereoFrames convert_to_stereo(const StereoParams& params, const Context& context) {
-  const LightFieldFrames frames = find_light_field_frames(params.in, params.field);
+  const LightFieldFrames frames = find_light_field_frames(params.in, with_warnings(params.field, context));
   const EyePair eyes = eye_pair(params, frames.optics);
   const ThreadPool pool(resolved_threads(context));
   const bool pair = is_pair(frames.optics), one = frames.files.size() == 1 && frames.files.front() == params.in;
@@ -105,6 +105,7 @@ StereoFrames convert_to_stereo(const StereoParams& params, const Context& contex
   if (!pair) made.out_of_zone = warn_out_of_zone(frames.optics, eyes, context);
   FormatOptions reading, writing;
   reading.views = params.field.views, reading.tiles = params.field.tiles, writing.stereo = params.layout;
+  reading.warn = context.warn;
   const NewFolder folder(one ? params.out.parent_path() : params.out);
   for (std::size_t i = 0; i < frames.files.size() && !context.cancelled; ++i) {
     const fs::path& in = frames.files[i];

@@ -154,7 +154,7 @@ bool encode_frames(const std::vector<NumberedFrame>& frames, const fs::path& out
   for (const NumberedFrame& frame : frames) {
     if (context.cancelled) break;
     const auto picture = std::make_shared<Image8>();
-    queue.submit([picture, &frame] { *picture = read_image8(frame.path); },
+    queue.submit([picture, &frame, &context] { *picture = read_image8(frame.path, context.warn); },
                  [picture, &frame, &writer, &encoded] {
                    writer.add_frame(*picture);
                    if (encoded) encoded(frame);

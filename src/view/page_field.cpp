@@ -64,7 +64,7 @@ struct PageField::Layered {
 };
 
 PageField::PageField(fs::path in, LightFieldHints hints, const Context& context)
-    : hints_(std::move(hints)),
+    : hints_(with_warnings(std::move(hints), context)),
       root_(shown_root(in)),
       frames_(find_light_field_frames(in, hints_)),
       facts_(page_facts(frames_.optics)),

@@ -143,8 +143,8 @@ TEST(JobFile, broken_toml_names_file_and_line) {
 
 TEST(JobFile, missing_file_or_folder_is_refused) {
   const test::TempDir dir;
-  EXPECT_THAT(refusal(dir / "none.toml"), HasSubstr("there is no such job file"));
-  EXPECT_THAT(refusal(dir.path()), HasSubstr("is not a file"));
+  EXPECT_THAT(refusal(dir / "none.toml"), HasSubstr("there is no such file"));
+  EXPECT_THAT(refusal(dir.path()), HasSubstr("is not a regular file but a folder"));
 }
 
 TEST(JobFile, that_is_too_large_is_refused_unread) {

@@ -402,7 +402,7 @@ TEST(VideoReader, missing_file_folder_and_text_are_errors) {
   std::ofstream(dir / "text.mp4") << "this is not a video";
   std::ofstream(dir / "empty.mkv").flush();
   EXPECT_THAT(error_message([&] { VideoReader(dir / "none.mp4"); }), HasSubstr("there is no such file"));
-  EXPECT_THAT(error_message([&] { VideoReader{dir.path()}; }), HasSubstr("is not a file"));
+  EXPECT_THAT(error_message([&] { VideoReader{dir.path()}; }), HasSubstr("is not a regular file but a folder"));
   EXPECT_THAT(error_message([&] { VideoReader(dir / "text.mp4"); }), HasSubstr("cannot be read as a video"));
   EXPECT_THAT(error_message([&] { VideoReader(dir / "empty.mkv"); }), HasSubstr("cannot be read as a video"));
 }

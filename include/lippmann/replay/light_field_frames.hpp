@@ -10,8 +10,10 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "lippmann/core/context.hpp"
 #include "lippmann/layout/light_field.hpp"
 #include "lippmann/replay/rendered_frames.hpp"
 
@@ -19,12 +21,19 @@ namespace lippmann {
 
 /// What flags say about the light field.
 struct LightFieldHints {
-  std::filesystem::path report = {};          ///< empty: report.json beside the pictures
-  std::string from = {};                      ///< a format of `convert`; empty: as names and the report say
-  std::optional<ViewGrid> views = {};         ///< how many across and up
-  std::optional<ViewGrid> tiles = {};         ///< how many tiles of a quilt across and up
-  std::optional<double> view_angle_deg = {};  ///< between the outermost views, where nothing states the cameras
+  std::filesystem::path report = {};                ///< empty: report.json beside the pictures
+  std::string from = {};                            ///< a format of `convert`; empty: as names and the report say
+  std::optional<ViewGrid> views = {};               ///< how many across and up
+  std::optional<ViewGrid> tiles = {};               ///< how many tiles of a quilt across and up
+  std::optional<double> view_angle_deg = {};        ///< between the outermost views, where nothing states the cameras
+  std::function<void(std::string_view)> warn = {};  ///< as FormatOptions::warn
 };
+
+/// The hints with the context's warnings.
+inline LightFieldHints with_warnings(LightFieldHints hints, const Context& context) {
+  hints.warn = context.warn;
+  return hints;
+}
 
 struct LightFieldFrames {
   Optics optics;

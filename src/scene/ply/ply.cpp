@@ -1,8 +1,8 @@
 #include "scene/ply.hpp"
 
 #include <algorithm>
-#include <fstream>
 
+#include "core/regular_file.hpp"
 #include "lippmann/core/error.hpp"
 #include "scene/ply/body.hpp"
 #include "scene/ply/header.hpp"
@@ -32,12 +32,8 @@ Scene parse_ply(const std::string& name, const std::string& contents, const Cont
 
 bool is_ply_of_splats(const std::filesystem::path& path) {
   constexpr std::size_t kMostHeader = 1 << 16;
-  std::string start(kMostHeader, '\0');
-  std::ifstream file(path, std::ios::binary);
-  file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  start.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, file.gcount())));
   try {
-    return ply::has_splats(ply::parse_header(path.string(), start));
+    return ply::has_splats(ply::parse_header(path.string(), read_file_begin(path, kMostHeader)));
   } catch (const Error&) {
     return false;
   }
