@@ -194,6 +194,8 @@ void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
          {"view", plan.stage.array.how},
          {"depth", depth_json(shown, placed.depth_scale, placed.optics)},
          {"estimated_bytes", whole(sizes.all())},
+         {"estimated_memory_bytes", whole(plan.memory_bytes)},
+         {"bands", plan.bands},
          {"estimated",
           {{"pictures", whole(sizes.pictures)}, {"layers", whole(sizes.layers)}, {"videos", whole(sizes.videos)}}}});
   print_out("Would render {} to {}{}\n", describe_frames(plan.frames), plan.folder.string(), plan.folder.empty() ? "." : "");
@@ -202,6 +204,8 @@ void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
   print_line("files", first_and_last(frame_name(plan.names, plan.frames.front()), frame_name(plan.names, plan.frames.back())));
   print_line("size", fmt::format("about {}{} (an estimate); pictures before compression: {}", bytes_text(sizes.all()),
                                  describe_parts(sizes), bytes_text(static_cast<double>(bytes))));
+  print_line("memory", fmt::format("about {} for frames, beside the scene{}", bytes_text(plan.memory_bytes),
+                                   plan.bands > 1 ? fmt::format("; in {} bands of rows", plan.bands) : ""));
   print_choices(params.sampling, placed.optics, plan.stage.light, plan.stage.array.how);
   if (placed.depth_scale < 1.0f || !shown.fits()) print_line("depth", describe_depth(shown, placed.optics, placed.depth_scale));
 }

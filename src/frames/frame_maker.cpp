@@ -89,16 +89,17 @@ class MakerOf {
   const Context& context_;
 };
 
-/// How many frames belong together, for each kind of reuse.
-struct BytesKept {
+/// Bytes per pixel, for each kind of reuse.
+struct WorkingBytes {
   const Sampling& sampling;
+  const Workload& work;
+
+  double denoising() const { return sampling.denoise ? DenoisedFrames::bytes_per_pixel(work) : 0.0; }
 
   double operator()(const AutoReuse&) const { return 0.0; }
-  double operator()(const TraceAll&) const { return sampling.denoise ? DenoisedFrames::bytes_kept_per_pixel(false) : 0.0; }
-  double operator()(const CopySettled&) const { return ExactFrames::bytes_kept_per_pixel(); }
-  double operator()(const ShareLight&) const {
-    return sampling.denoise ? DenoisedFrames::bytes_kept_per_pixel(true) : SharedLightFrames::bytes_kept_per_pixel();
-  }
+  double operator()(const TraceAll&) const { return denoising(); }
+  double operator()(const CopySettled&) const { return work.frames > 1 ? ExactFrames::bytes_kept_per_pixel() : 0.0; }
+  double operator()(const ShareLight&) const { return CachedLightTracer::bytes_per_pixel(work.covered) + denoising(); }
   double operator()(const Interpolate& reuse) const {
     return reuse.min_psnr_db ? ErrorBoundedFrames::bytes_kept_per_pixel() : ForwardFrames::bytes_kept_per_pixel(reuse);
   }
@@ -130,8 +131,8 @@ std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const FrameParams& pa
   return std::visit(MakerOf(stage, sampling, pool, context), reuse_for(stage.scene, params));
 }
 
-double bytes_kept_per_pixel(const FrameParams& params) {
-  return std::visit(BytesKept{params.sampling}, resolved_reuse(params));
+double working_bytes_per_pixel(const FrameParams& params, const Workload& work) {
+  return std::visit(WorkingBytes{params.sampling, work}, resolved_reuse(params));
 }
 
 int frames_per_segment(const FrameParams& params) { return std::visit(SegmentLength{}, resolved_reuse(params)); }
