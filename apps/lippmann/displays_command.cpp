@@ -87,7 +87,7 @@ void print_found(const std::string& file) try {
 
 /// Exit code 1 where no device is found.
 int find_devices(const DisplaysOptions& options) {
-  if (!options.display.empty()) throw usage_error("--find", "looks for devices, and a display is named", "one of both");
+  if (!options.display.empty()) throw usage_error("--find", "cannot be combined with the name of a display", "one of the two");
   const std::vector<std::filesystem::path> mounts =
       options.mounts.empty() ? usual_mount_points()
                              : std::vector<std::filesystem::path>(options.mounts.begin(), options.mounts.end());
@@ -110,7 +110,7 @@ int find_devices(const DisplaysOptions& options) {
 
 int run(const DisplaysOptions& options) {
   if (options.find) return find_devices(options);
-  if (!options.mounts.empty()) throw usage_error("--mounts", "says where --find looks", "--find with it");
+  if (!options.mounts.empty()) throw usage_error("--mounts", "has no effect without --find", "--find with it");
   const bool one = !options.display.empty();
   const std::vector<Display> displays = one ? std::vector{load_display(options.display)} : display_presets();
   if (options.json) {

@@ -152,9 +152,8 @@ void check_sampling(const Sampling& sampling) {
   if (samples_per_pixel(sampling) < 2)
     throw usage_error("denoise", "the noise of one sample cannot be told", "`spp` of 2 or more with it");
   if (sampling.lens.is_open() || sampling.shutter > 0.0f)
-    throw usage_error("denoise",
-                      "averages what one surface looks like, and a pixel with depth of field or motion blur is of many",
-                      "no `aperture`, `f-number` or `shutter` with it");
+    throw usage_error("denoise", "cannot be combined with depth of field or motion blur",
+                      "`denoise` without `aperture`, `f-number` and `shutter`");
 }
 
 /// Where the lens is open.

@@ -4,14 +4,20 @@
 
 #include <charconv>
 #include <cmath>
+#include <fstream>
 #include <map>
+#include <span>
+#include <sstream>
 #include <string_view>
 
+#include "core/atomic_file.hpp"
 #include "core/printable.hpp"
+#include "core/regular_file.hpp"
 #include "layout/cameras.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
+namespace fs = std::filesystem;
 namespace {
 
 std::string_view trimmed(std::string_view text) {
@@ -120,6 +126,25 @@ std::string hci_parameters_text(const HciParameters& p) {
   line("frustum_disp_max", p.disparity_max);
   line("depth_map_scale", 1.0);
   return text;
+}
+
+std::optional<HciParameters> read_hci_parameters(const fs::path& folder) {
+  constexpr std::uintmax_t kMaxBytes = 1 << 20;
+  const fs::path path = folder / "parameters.cfg";
+  std::error_code ignored;
+  if (!is_regular_file_there(path)) return std::nullopt;
+  if (fs::file_size(path, ignored) > kMaxBytes) throw Error(path.string(), "is too large for parameters", "at most 1 MB");
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return parse_hci_parameters(text.str(), path.string());
+}
+
+fs::path write_hci_parameters(const fs::path& folder, const HciParameters& parameters) {
+  const fs::path path = folder / "parameters.cfg";
+  const std::string text = hci_parameters_text(parameters);
+  write_file_atomically(path, std::as_bytes(std::span(text)));
+  return path;
 }
 
 double hci_disparity_px(const HciParameters& p, double depth_m) {

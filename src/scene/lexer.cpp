@@ -113,10 +113,9 @@ std::string_view Lexer::rest_of_line() {
 float Lexer::number(std::string_view wanted, float largest) {
   const std::string_view found = word(wanted);
   const std::optional<float> value = parse_float(found);
-  if (!value) throw error(fmt::format("{} is not a number that {} can have", shown(found), wanted), "a finite decimal number");
+  if (!value) throw error(fmt::format("expected a number for {}, found {}", wanted, shown(found)), "a finite decimal number");
   if (std::abs(*value) > largest)
-    throw error(fmt::format("{} is not a number that {} can have", *value, wanted),
-                fmt::format("{:g} to {:g}", -largest, largest));
+    throw error(fmt::format("{} is out of range for {}", *value, wanted), fmt::format("{:g} to {:g}", -largest, largest));
   return *value;
 }
 
@@ -125,8 +124,10 @@ int Lexer::integer(std::string_view wanted, int lowest, int highest) {
   int value = 0;
   const char* const end = digits.data() + digits.size();
   const auto [rest, failure] = std::from_chars(digits.data(), end, value);
-  if (rest != end || failure != std::errc{} || value < lowest || value > highest)
-    throw error(fmt::format("{} is not a value that {} can have", shown(found), wanted),
+  const bool is_read = rest == end && failure == std::errc{};
+  if (!is_read || value < lowest || value > highest)
+    throw error(is_read ? fmt::format("{} is out of range for {}", value, wanted)
+                        : fmt::format("expected a whole number for {}, found {}", wanted, shown(found)),
                 fmt::format("a whole number from {} to {}", lowest, highest));
   return value;
 }

@@ -33,15 +33,15 @@ INSTANTIATE_TEST_SUITE_P(
                     render({"--to", "hci", "--optics", "multiview", "--aov", "normal"}, "--aov: files of the format hci"),
                     render({"--size", "20000x20000"}, "--format tiff"), render({"-o", "-"}, "--output")));
 
-INSTANTIATE_TEST_SUITE_P(Light, Refusals,
-                         testing::Values(render({"--transparent", "--video", "a.mp4"}, "--transparent: none of the codecs"),
-                                         render({"--integrator", "path", "--reuse", "forward"},
-                                                "--reuse: interpolate does not know path-traced frames"),
-                                         render({"--integrator", "path", "--reuse", "forward"}, "or --integrator whitted"),
-                                         render({"--denoise"}, "--denoise: only paths have noise"),
-                                         render({"--splat", "lens"}, "--splat"), render({"--reuse", "backward"}, "--reuse"),
-                                         render({"--min-psnr", "5", "--reuse", "none"}, "--min-psnr"),
-                                         render({"--fit-depth", "--full-depth"}, "--full-depth")));
+INSTANTIATE_TEST_SUITE_P(
+    Light, Refusals,
+    testing::Values(render({"--transparent", "--video", "a.mp4"}, "--transparent: cannot be combined with --video"),
+                    render({"--integrator", "path", "--reuse", "forward"},
+                           "--reuse: interpolate does not know path-traced frames"),
+                    render({"--integrator", "path", "--reuse", "forward"}, "or --integrator whitted"),
+                    render({"--denoise"}, "--denoise: only paths have noise"), render({"--splat", "lens"}, "--splat"),
+                    render({"--reuse", "backward"}, "--reuse"), render({"--min-psnr", "5", "--reuse", "none"}, "--min-psnr"),
+                    render({"--fit-depth", "--full-depth"}, "--full-depth")));
 
 INSTANTIATE_TEST_SUITE_P(
     Displays, Refusals,
@@ -52,12 +52,12 @@ INSTANTIATE_TEST_SUITE_P(
                     Refusal{{"convert", "out", "x", "--crosstalk", "0.3"}, "--precompensate"},
                     Refusal{{"convert", "a.png", "b.png", "--from", "native", "--to", "views"}, "--display"}));
 
-INSTANTIATE_TEST_SUITE_P(Conversions, Refusals,
-                         testing::Values(render({"--ipd", "60"}, "--layout stereo"), render({"--right-first"}, "--right-first"),
-                                         Refusal{{"convert", "a.png", "b", "--to", "views", "--ipd", "60"}, "--to stereo"},
-                                         Refusal{{"convert", "x.png", "v", "--from", "quilt", "--to", "views", "--near-black"},
-                                                 "--from rgbd"},
-                                         Refusal{{"convert", "out", "a", "--rotate-elemental", "--spoc", "8"}, "--spoc"}));
+INSTANTIATE_TEST_SUITE_P(
+    Conversions, Refusals,
+    testing::Values(render({"--ipd", "60"}, "--layout stereo"), render({"--right-first"}, "--right-first"),
+                    Refusal{{"convert", "a.png", "b", "--from", "quilt", "--to", "views", "--ipd", "60"}, "--to stereo"},
+                    Refusal{{"convert", "x.png", "v", "--from", "quilt", "--to", "views", "--near-black"}, "--from rgbd"},
+                    Refusal{{"convert", "out", "a", "--rotate-elemental", "--spoc", "8"}, "--spoc"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Parts, Refusals,
