@@ -105,12 +105,12 @@ std::optional<std::string> format_by_name(const fs::path& picture) {
 }
 
 Error unknown_format(const fs::path& picture) {
-  return usage_error(
-      "from",
-      "the format of " + picture.string() +
-          " is unknown: no report.json or side file lies beside it, and its name states no format",
-      "`from` with a format, such as `from` integral `views` 8x1 or `from` native `display` portrait (see lippmann help convert), "
-      "or a name such as room_qs8x6a0.75.png");
+  return usage_error("from",
+                     "the format of " + picture.string() +
+                         " is unknown: no report.json or side file lies beside it, and its name states no format",
+                     "`from` with a format, such as `from` integral `views` 8x1 or `from` native `display` portrait (see "
+                     "lippmann help convert), "
+                     "or a name such as room_qs8x6a0.75.png");
 }
 
 const LightFieldFormat& format_of_light_field(const fs::path& in, const std::string& from) {

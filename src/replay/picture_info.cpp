@@ -84,7 +84,8 @@ void describe_views(const fs::path& path, PictureInfo& info) {
   try {
     opened = open_light_field(path, "", {.with_depth = true});
   } catch (const Error& error) {
-    info.problem = error.accepted().empty() ? error.problem() : fmt::format("{}; accepted: {}", error.problem(), error.accepted());
+    info.problem =
+        error.accepted().empty() ? error.problem() : fmt::format("{}; accepted: {}", error.problem(), error.accepted());
     return;
   }
   info.format = opened.format;
