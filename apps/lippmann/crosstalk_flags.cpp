@@ -32,8 +32,6 @@ void add_crosstalk_flags(const Command& command, CrosstalkFlags& flags) {
 
 int run_precompensate(const CrosstalkFlags& flags, const std::string& display, const std::string& in, const std::string& out,
                       const ResultFlags& result, const Context& context) {
-  if (!flags.precompensate)
-    throw usage_error("--crosstalk", "has no effect without --precompensate", "--precompensate with it");
   PrecompensateParams params{in, out};
   std::optional<double> sigma_px;
   if (!display.empty()) {

@@ -89,7 +89,7 @@ void print_found(const std::string& file) try {
 
 /// Exit code 1 where no device is found.
 int find_devices(const DisplaysOptions& options) {
-  if (!options.display.empty()) throw usage_error("--find", "cannot be combined with the name of a display", "one of both");
+  if (!options.display.empty()) throw usage_error("--find", "cannot be combined with the name of a display", "one of the two");
   const std::vector<std::filesystem::path> mounts =
       options.mounts.empty() ? usual_mount_points()
                              : std::vector<std::filesystem::path>(options.mounts.begin(), options.mounts.end());

@@ -149,8 +149,8 @@ void check_sampling(const Sampling& sampling) {
   if (samples_per_pixel(sampling) < 2)
     throw usage_error("denoise", "cannot estimate noise from one sample a pixel", "`spp` of 2 or more with it");
   if (sampling.lens.is_open() || sampling.shutter > 0.0f)
-    throw usage_error("denoise", "cannot be combined with depth of field or motion blur, where a pixel shows several surfaces",
-                      "no `aperture`, `f-number` or `shutter` with it");
+    throw usage_error("denoise", "cannot be combined with depth of field or motion blur",
+                      "`denoise` without `aperture`, `f-number` and `shutter`");
 }
 
 /// Where the lens is open.

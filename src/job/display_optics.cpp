@@ -21,7 +21,8 @@ void refuse_what_the_display_decides(const RenderParams& params) {
   refuse(params.optics.lens_pixels.x > 0.0f, "--lens-pixels", "the display has its own", kAccepted);
   refuse(params.optics.packing != LensPacking::kSquare, "--packing", "the display has its own", kAccepted);
   refuse(params.optics.slant_deg != 0.0f, "--slant", "the display has its own", kAccepted);
-  refuse(params.optics.camera_grid, "--camera-grid", "displays want views at equal angles", "no --display with it");
+  refuse(params.optics.camera_grid, "--camera-grid", "cannot be combined with --display, whose views are at equal angles",
+         "one of the two");
 }
 
 /// The display with the viewing angle, the viewing distance and, except for quilts, the size of the parameters.

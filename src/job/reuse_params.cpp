@@ -104,7 +104,7 @@ FrameParams frame_params(const RenderParams& params) {
 
 void check_floor(const RenderParams& params) {
   if (params.reuse.min_psnr_db && !tone_of(params.output.pictures).is_identity())
-    throw usage_error("--min-psnr", "cannot be combined with --exposure or --tone", "no --exposure and --tone with it");
+    throw usage_error("--min-psnr", "cannot be combined with --exposure or --tone", "--min-psnr without them");
 }
 
 std::string whole_paths_sentence(const RenderParams& params) {

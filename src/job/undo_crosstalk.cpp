@@ -24,7 +24,7 @@ std::optional<double> known_crosstalk(const RenderParams& params, const Optics& 
 std::optional<double> crosstalk_to_undo(const RenderParams& params, const Optics& optics, const Display* display) {
   if (!params.optics.precompensate) return std::nullopt;
   if (params.output.pictures.pseudoscopic)
-    throw usage_error(kPrecompensateFlag, "cannot be combined with --pseudoscopic", "no --pseudoscopic with it");
+    throw usage_error(kPrecompensateFlag, "cannot be combined with --pseudoscopic", "one of the two");
   const std::optional<double> sigma = known_crosstalk(params, optics, display);
   if (!sigma)
     throw usage_error(kPrecompensateFlag, "the crosstalk of the display is not known",

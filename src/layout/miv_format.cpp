@@ -123,7 +123,7 @@ Image16 depth_codes(const LightField& field, int view, const DepthRange& range) 
 
 std::vector<fs::path> write_miv(const LightField& field, const fs::path& folder, const FormatOptions&) {
   if (!field.cameras)
-    throw Error(folder.string(), "it is not known what cameras saw these views",
+    throw Error(folder.string(), "the cameras of these views are unknown",
                 "pictures with render's report.json beside them, or an HCI folder with parameters.cfg");
   const auto name = [](int view) { return fmt::format("view_{:03}", view); };
   const char* ending = exact_ending(field.stack);
@@ -147,9 +147,13 @@ std::vector<fs::path> write_miv(const LightField& field, const fs::path& folder,
 }  // namespace
 
 LightFieldFormat miv_format() {
-  return {"miv",    "a folder of pictures and cameras.json, as MIV and RVS have it; 16-bit codes of depth",
-          true,     true,
-          read_miv, write_miv};
+  return {.name = "miv",
+          .is = "a folder of pictures and cameras.json, as MIV and RVS have it; 16-bit codes of depth",
+          .is_folder = true,
+          .uses_cameras = true,
+          .states_cameras = true,
+          .read = read_miv,
+          .write = write_miv};
 }
 
 }  // namespace lippmann

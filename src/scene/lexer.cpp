@@ -117,8 +117,7 @@ T Lexer::number_of_type(std::string_view wanted, float largest) {
   const std::optional<T> value = parse_number<T>(found);
   if (!value) throw error(fmt::format("expected a number for {}, found {}", wanted, shown(found)), "a finite decimal number");
   if (std::abs(*value) > static_cast<T>(largest))
-    throw error(fmt::format("the number {} for {} is too large", *value, wanted),
-                fmt::format("{:g} to {:g}", -largest, largest));
+    throw error(fmt::format("{} is out of range for {}", *value, wanted), fmt::format("{:g} to {:g}", -largest, largest));
   return *value;
 }
 
@@ -129,8 +128,10 @@ int Lexer::integer(std::string_view wanted, int lowest, int highest) {
   int value = 0;
   const char* const end = digits.data() + digits.size();
   const auto [rest, failure] = std::from_chars(digits.data(), end, value);
-  if (rest != end || failure != std::errc{} || value < lowest || value > highest)
-    throw error(fmt::format("expected a whole number for {}, found {}", wanted, shown(found)),
+  const bool is_read = rest == end && failure == std::errc{};
+  if (!is_read || value < lowest || value > highest)
+    throw error(is_read ? fmt::format("{} is out of range for {}", value, wanted)
+                        : fmt::format("expected a whole number for {}, found {}", wanted, shown(found)),
                 fmt::format("a whole number from {} to {}", lowest, highest));
   return value;
 }

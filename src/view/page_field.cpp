@@ -144,7 +144,7 @@ PageField::Layered PageField::layered(std::size_t frame) const {
 }
 
 void PageField::find_layers() {
-  if (facts_.panel == PanelPicture::kOwn || facts_.grid.count() < 2) return;
+  if (frames_.is_panel || facts_.panel == PanelPicture::kOwn || facts_.grid.count() < 2) return;
   const Layered first = layered(0);
   facts_.has_depth = first.field.depth.has_value();
   facts_.has_provenance = first.provenance.has_value();

@@ -35,7 +35,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Light, Refusals,
-    testing::Values(render({"--transparent", "--video", "a.mp4"}, "--transparent: none of the codecs"),
+    testing::Values(render({"--transparent", "--video", "a.mp4"}, "--transparent: cannot be combined with --video"),
                     render({"--integrator", "path", "--reuse", "forward"}, "--reuse: interpolate needs Whitted shading"),
                     render({"--integrator", "path", "--reuse", "forward"}, "or --integrator whitted"),
                     render({"--denoise"}, "--denoise: needs path tracing"), render({"--splat", "lens"}, "--splat"),
@@ -51,12 +51,12 @@ INSTANTIATE_TEST_SUITE_P(
                     Refusal{{"convert", "out", "x", "--crosstalk", "0.3"}, "--precompensate"},
                     Refusal{{"convert", "a.png", "b.png", "--from", "native", "--to", "views"}, "--display"}));
 
-INSTANTIATE_TEST_SUITE_P(Conversions, Refusals,
-                         testing::Values(render({"--ipd", "60"}, "--layout stereo"), render({"--right-first"}, "--right-first"),
-                                         Refusal{{"convert", "a.png", "b", "--to", "views", "--ipd", "60"}, "--to stereo"},
-                                         Refusal{{"convert", "x.png", "v", "--from", "quilt", "--to", "views", "--near-black"},
-                                                 "--from rgbd"},
-                                         Refusal{{"convert", "out", "a", "--rotate-elemental", "--spoc", "8"}, "--spoc"}));
+INSTANTIATE_TEST_SUITE_P(
+    Conversions, Refusals,
+    testing::Values(render({"--ipd", "60"}, "--layout stereo"), render({"--right-first"}, "--right-first"),
+                    Refusal{{"convert", "a.png", "b", "--from", "quilt", "--to", "views", "--ipd", "60"}, "--to stereo"},
+                    Refusal{{"convert", "x.png", "v", "--from", "quilt", "--to", "views", "--near-black"}, "--from rgbd"},
+                    Refusal{{"convert", "out", "a", "--rotate-elemental", "--spoc", "8"}, "--spoc"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Parts, Refusals,

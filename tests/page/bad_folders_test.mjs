@@ -61,21 +61,21 @@ test("pictures of another size than the description says are refused", async () 
 });
 
 test("folders that hold no light field are refused before anything is served", async () => {
-  await assert.rejects(view("saved"), /contains no frames/);
+  await assert.rejects(view("saved"), /there are no frames or views in it|are not named as frames/);
   await assert.rejects(view("missing"), /there is no such file or folder/);
   const folders = { nothing: [], videos: ["a.mp4"], jobs: ["job.toml"], others: ["ein Bild.png"] };
   for (const [name, files] of Object.entries(folders)) {
     mkdirSync(inFolder(name));
     for (const file of files) writeFileSync(inFolder(`${name}/${file}`), "nothing");
   }
-  await assert.rejects(view("nothing"), /nothing: is empty/);
-  await assert.rejects(view("videos"), /videos \(a\.mp4\), of which no views are read/);
-  await assert.rejects(view("videos/a.mp4"), /is a video/);
+  await assert.rejects(view("nothing"), /nothing: is an empty folder/);
+  await assert.rejects(view("videos"), /only videos \(a\.mp4\), and views cannot be read from a video/);
+  await assert.rejects(view("videos/a.mp4"), /views cannot be read from a video/);
   await assert.rejects(view("jobs"), /`lippmann render jobs\/job\.toml` first/);
-  await assert.rejects(view("others"), /pictures in it \(ein Bild\.png\), but none is called/);
-  await assert.rejects(view("others/ein Bild.png"), /nothing says what this picture is/);
+  await assert.rejects(view("others"), /its pictures, such as ein Bild\.png, are not named as frames or views/);
+  await assert.rejects(view("others/ein Bild.png"), /the format of others\/ein Bild\.png is unknown/);
   writeFileSync(inFolder("text.txt"), "no picture");
-  await assert.rejects(view("text.txt"), /is no picture/);
+  await assert.rejects(view("text.txt"), /is not a picture/);
   writeFileSync(inFolder("wrong.toml"), 'scene = "room"\nzom = 2\n');
   await assert.rejects(view("wrong.toml"), /wrong\.toml:2: there is no key 'zom', did you mean 'zoom'/);
 });

@@ -142,7 +142,7 @@ test("view of a scene for a panel offers to play it", async () => {
 
 test("what no panel can show is refused before anything is served", async () => {
   await assert.rejects(play("room"), /--display/);
-  await assert.rejects(play("room", "--display", "microlens-1mm-4k"), /has no frame of its own/);
+  await assert.rejects(play("room", "--display", "microlens-1mm-4k"), /has no native frame/);
   await assert.rejects(play("room", "--display", "panel.json", "--from", "hci"), /--from.*light fields/);
   await assert.rejects(play("nothing-there", "--display", "panel.json", "--zoom", "2"), /--zoom.*scenes/);
 });

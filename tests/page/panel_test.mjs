@@ -125,7 +125,7 @@ test("what cannot be played is refused before anything is served", async () => {
   writeFileSync(inFolder("broken.json"), "{");
   await assert.rejects(play(quilts[0], "--display", "broken.json"), /broken\.json/);
   await assert.rejects(play(quilts[0], "--display", "missing.json"), /there is no such file/);
-  await assert.rejects(play(quilts[0], "--display", "microlens-1mm-4k"), /has no frame of its own/);
+  await assert.rejects(play(quilts[0], "--display", "microlens-1mm-4k"), /has no native frame/);
   await assert.rejects(play("grid", "--display", "portrait"), /5x5 views/);
   await assert.rejects(play(quilts[0]), /--display/);
 });

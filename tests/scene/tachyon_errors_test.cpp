@@ -91,7 +91,7 @@ const BadStatement kBad[] = {
     {"flat_gradient", "BACKGROUND_GRADIENT SKY_SPHERE UPDIR 0 1 0 TOPVAL 0.5 BOTTOMVAL 0.5",
      "4: TOPVAL and BOTTOMVAL make no gradient", "two different"},
     {"gradient_up", "BACKGROUND_GRADIENT SKY_SPHERE UPDIR 0 0 0", "4: UPDIR is zero", "not zero"},
-    {"landscape_of_one", "SCAPE RES 1 5", "4: expected a whole number for RES, found '1'", "from 2 to 2048"},
+    {"landscape_of_one", "SCAPE RES 1 5", "4: 1 is out of range for RES", "from 2 to 2048"},
     {"landscape_too_large",
      "SCAPE RES 2048 2 SCALE 1 1 CENTER 0 0 0 a\nSCAPE RES 2 2048 SCALE 1 1 CENTER 0 0 0 a\nSCAPE RES 2 2",
      "6: the scene's landscapes are too large", "8388608"},
@@ -116,11 +116,11 @@ const BadStatement kBad[] = {
     {"view_parallel",
      "CAMERA ZOOM 1 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 1 CENTER 0 0 0 VIEWDIR 0 2 0 UPDIR 0 -1 0 END_CAMERA",
      "4: the camera's view and up directions do not span a plane", "not parallel"},
-    {"no_points", "POLYCYLINDER POINTS 0 RAD 1 a", "4: expected a whole number for POINTS, found '0'", "from 1"},
+    {"no_points", "POLYCYLINDER POINTS 0 RAD 1 a", "4: 0 is out of range for POINTS", "from 1"},
     {"index", "VERTEXARRAY NUMVERTS 3 COORDS 0 0 0 1 0 0 0 1 0 NORMALS 0 0 1 0 0 1 0 0 1 TRIMESH 1 0 1 3 END_VERTEXARRAY",
      "4: a triangle of the vertices 0, 1 and 3 is outside its VERTEXARRAY", "below NUMVERTS"},
     {"negative_index", "VERTEXARRAY NUMVERTS 3 COORDS 0 0 0 1 0 0 0 1 0 NORMALS 0 0 1 0 0 1 0 0 1 TRIMESH 1 0 1 -1",
-     "4: expected a whole number for TRIMESH, found '-1'", "from 0"},
+     "4: -1 is out of range for TRIMESH", "from 0"},
 
     // Counts that the file does not hold: the end comes first, not an allocation.
     {"huge_points", "POLYCYLINDER POINTS 2000000000 0 0 0", "5: expected a number for POLYCYLINDER's points, found 'END_SCENE'",

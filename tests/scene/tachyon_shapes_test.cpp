@@ -256,7 +256,7 @@ TEST_F(Tachyon, tpolyfile_turns_about_y_as_tachyon_does) {
 TEST_F(Tachyon, tpolyfile_with_a_polygon_of_four_corners_is_an_error_in_that_file) {
   files.write("a.tpoly", "3 0 0 0 1 0 0 0 1 0\n4 0 0 0 1 0 0 1 1 0 0 1 0");
   EXPECT_THAT(files.error_of_statements("TPOLYFILE SCALE 1 1 1 ROT 0 0 0 CENTER 0 0 0 FILE a.tpoly" + white),
-              HasSubstr("a.tpoly:2: expected a whole number for the number of a polygon's corners, found '4'"));
+              HasSubstr("a.tpoly:2: 4 is out of range for the number of a polygon's corners"));
 }
 
 TEST_F(Tachyon, tpolyfile_that_is_truncated_is_an_error_in_that_file) {
