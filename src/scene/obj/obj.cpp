@@ -146,9 +146,9 @@ class Reader {
     const auto [rest, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     const auto count = static_cast<std::int64_t>(size);
     if (failure != std::errc{} || rest != digits.data() + digits.size() || value == 0 || value > count || value < -count)
-      throw lexer_.error(fmt::format("{} names a {} that does not exist", shown(word), what),
-                         count > 0 ? fmt::format("1 to {}, or -{} to -1", count, count)
-                                   : fmt::format("a {} before the face", what));
+      throw lexer_.error(
+          fmt::format("{} names a {} that does not exist", shown(word), what),
+          count > 0 ? fmt::format("1 to {}, or -{} to -1", count, count) : fmt::format("a {} before the face", what));
     return static_cast<int>(value > 0 ? value - 1 : count + value);
   }
 

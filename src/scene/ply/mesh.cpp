@@ -61,8 +61,7 @@ void tidy_normals(Mesh& mesh) {
   for (Vec3f& normal : mesh.normals) normal = direction_of(normal);
 }
 
-PlyMesh read_elements(const std::string& name, const Header& header, Body& body, const Vec3d& origin,
-                      const Context& context) {
+PlyMesh read_elements(const std::string& name, const Header& header, Body& body, const Vec3d& origin, const Context& context) {
   PlyMesh ply;
   ply.origin = origin;
   for (const Element& element : header.elements) {
