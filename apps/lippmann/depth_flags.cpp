@@ -12,21 +12,11 @@
 #include "lippmann/core/error.hpp"
 
 namespace lippmann::app {
+
 void DepthFlags::add_to(FormatOptions& options) const {
   if (!range.empty()) options.depth_range = read_depth_range(range, "--depth-range");
   if (!coding.empty()) options.even_in_depth = coding == "depth";
   if (near_black) options.near_black = true;
-}
-
-void DepthFlags::require_rgbd(bool from_rgbd, const std::string& to) const {
-  if (scale && !(from_rgbd && to != "rgbd"))
-    throw usage_error("--depth-scale", "is a flag of RGB-D pictures that are shown", "--from rgbd");
-  if (from_rgbd || to == "rgbd") return;
-  if (!range.empty() || !coding.empty() || near_black)
-    throw usage_error(!range.empty()    ? "--depth-range"
-                      : !coding.empty() ? "--depth-coding"
-                                        : "--near-black",
-                      "is a flag of RGB-D pictures", "--from rgbd or --to rgbd");
 }
 
 void add_depth_flags(const Command& command, DepthFlags& flags) {

@@ -40,8 +40,8 @@ void print_list(const std::vector<Display>& displays) {
 
 void print_calibration(const Display& d) {
   const Calibration& c = d.calibration;
-  fmt::print("calibration      pitch {:g}, slope {:g}, center {:g}{}{}{}{}\n", c.pitch, c.slope, c.center,
-             c.flip_image_x ? ", flipImageX" : "", c.flip_image_y ? ", flipImageY" : "", c.flip_sub_pixels ? ", flipSubp" : "",
+  fmt::print("calibration      pitch {:g}, slope {:g}, center {:g}{}{}{}\n", c.pitch, c.slope, c.center,
+             c.flip_image_x ? ", flipImageX" : "", c.flip_sub_pixels ? ", flipSubp" : "",
              c.cells.empty() ? "" : fmt::format(", {} sub-pixel cells by pattern {}", c.cells.size(), c.cell_pattern));
   fmt::print("lenses           {:.3f} across the panel, tilt {:.6f}, {:.2f} sub-pixels below each\n", periods_of(d), tilt_of(d),
              3.0 * d.pixels.x / periods_of(d));
@@ -89,7 +89,7 @@ void print_found(const std::string& file) try {
 
 /// Exit code 1 where no device is found.
 int find_devices(const DisplaysOptions& options) {
-  if (!options.display.empty()) throw usage_error("--find", "looks for devices, and a display is named", "one of both");
+  if (!options.display.empty()) throw usage_error("--find", "cannot be combined with the name of a display", "one of the two");
   const std::vector<std::filesystem::path> mounts =
       options.mounts.empty() ? usual_mount_points()
                              : std::vector<std::filesystem::path>(options.mounts.begin(), options.mounts.end());
@@ -112,7 +112,7 @@ int find_devices(const DisplaysOptions& options) {
 
 int run(const DisplaysOptions& options) {
   if (options.find) return find_devices(options);
-  if (!options.mounts.empty()) throw usage_error("--mounts", "says where --find looks", "--find with it");
+  if (!options.mounts.empty()) throw usage_error("--mounts", "has no effect without --find", "--find with it");
   const bool one = !options.display.empty();
   const std::vector<Display> displays = one ? std::vector{load_display(options.display)} : display_presets();
   if (options.json) {

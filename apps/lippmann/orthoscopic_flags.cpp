@@ -38,8 +38,6 @@ void add_orthoscopic_flags(const Command& command, OrthoscopicFlags& flags) {
 
 int run_orthoscopic(const OrthoscopicFlags& flags, const std::string& in, const std::string& out, const ResultFlags& result,
                     const Context& context) {
-  if (flags.rotate_elemental && flags.spoc_mm)
-    throw usage_error("--spoc", "is another conversion than --rotate-elemental", "one of the two");
   OrthoscopicParams params{in, out};
   if (flags.spoc_mm) params.spoc = SpocParams{*flags.spoc_mm, flags.reference_mm.value_or(*flags.spoc_mm)};
   params.lens_pitch_mm = flags.lens_pitch_mm, params.gap_mm = flags.gap_mm, params.lens_pixels = flags.lens_pixels;

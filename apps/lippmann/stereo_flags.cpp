@@ -13,29 +13,12 @@
 #include "replay/stereo_frames.hpp"
 
 namespace lippmann::app {
-namespace {
-
-void refuse_flag(bool given, const char* flag, const char* format) {
-  if (given) throw usage_error(flag, "is a flag of stereo pictures", format);
-}
-
-}  // namespace
-
 std::optional<StereoLayout> StereoFlags::layout() const {
   if (packing.empty() && !right_first) return std::nullopt;
   StereoLayout layout;
   if (!packing.empty()) layout.packing = static_cast<StereoPacking>(read_choice(packing, kStereoPackingNames, "--stereo"));
   layout.right_first = right_first;
   return layout;
-}
-
-void StereoFlags::require_stereo(const std::string& from, const std::string& to) const {
-  if (to == "stereo") return;
-  refuse_flag(layout() && from != "stereo", packing.empty() ? "--right-first" : "--stereo", "--to stereo or --from stereo");
-  refuse_flag(ipd_mm.has_value(), "--ipd", "--to stereo");
-  refuse_flag(viewing_distance_mm.has_value(), "--viewing-distance", "--to stereo");
-  refuse_flag(screen_width_mm.has_value(), "--screen-width", "--to stereo");
-  refuse_flag(view_angle_deg.has_value(), "--view-angle", "--to stereo");
 }
 
 void add_stereo_flags(const Command& command, StereoFlags& flags) {
@@ -70,7 +53,7 @@ int run_stereo(const StereoFlags& flags, const LightFieldHints& field, const std
                const ResultFlags& result, const Context& context) {
   StereoParams params{in, out, field};
   params.layout = flags.layout().value_or(StereoLayout{});
-  params.ipd_mm = flags.ipd_mm.value_or(kUsualIpdMm);
+  params.ipd_mm = flags.ipd_mm;
   params.distance_mm = flags.viewing_distance_mm, params.screen_width_mm = flags.screen_width_mm;
   const StereoFrames made = convert_to_stereo(params, context);
   if (result.json) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "archive.hpp"
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "interruptible.hpp"
@@ -221,6 +222,7 @@ py::array codes_of(const Array<float>& linear) {
 void bind_light_field(py::module_& module) {
   py::class_<LightField, SharedField>(module, "Views")
       .def(py::init(&field_of))
+      .def(pickled<LightField>())
       .def("set_cameras", &set_cameras)
       .def_property_readonly("views", &views_of)
       .def_property_readonly("depth", &depth_of_views)
@@ -231,6 +233,7 @@ void bind_light_field(py::module_& module) {
       .def("panel", &panel_of_field);
 
   py::class_<RenderedPanel, SharedPanel>(module, "Panel")
+      .def(pickled<RenderedPanel>())
       .def_property_readonly("picture", &panel_array)
       .def_property_readonly("optics", [](const RenderedPanel& p) { return p.optics; })
       .def("refocus", &refocused)

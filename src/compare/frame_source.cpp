@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/folder_entries.hpp"
+#include "core/recorded_file.hpp"
 #include "core/text_pattern.hpp"
 #include "image/read_image.hpp"
 #include "layout/frame_names.hpp"
@@ -104,6 +105,7 @@ void keep_wanted(const fs::path& folder, const std::vector<int>& wanted, std::ve
 
 std::unique_ptr<FrameSource> open_folder(const fs::path& folder, const std::optional<std::vector<int>>& wanted,
                                          const PictureWarning& warn) {
+  if (!wanted) require_recorded_frames(folder);
   std::vector<fs::path> files;
   try {
     files = pictures_in(folder);

@@ -10,6 +10,7 @@
 
 #include "core/file_content.hpp"
 #include "core/printable.hpp"
+#include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "image/decode.hpp"
 #include "image/limits.hpp"
@@ -44,7 +45,7 @@ const Format& format_of(FileBytes file, const std::string& where) {
                                      : content.remedy);
 }
 
-std::vector<std::byte> bytes_of(const fs::path& path) { return read_file_bytes(path, kMaxImageFileBytes, "a picture"); }
+std::vector<std::byte> bytes_of(const fs::path& path) { return read_recorded_bytes(path, kMaxImageFileBytes, "a picture"); }
 
 PictureHeader read_header(const fs::path& path) { return picture_header(bytes_of(path), path.string()); }
 
@@ -92,6 +93,24 @@ Image to_image(DecodedPicture picture) {
   else
     image.data = std::get<std::vector<float>>(std::move(picture.samples));
   return image;
+}
+
+Image8 to_image8(DecodedPicture picture, const fs::path& path) {
+  require_colors(picture.header, path);
+  const PictureHeader header = picture.header;
+  const int width = header.width, height = header.height;
+  if (auto* bytes = std::get_if<std::vector<std::uint8_t>>(&picture.samples))
+    return {width, height, header.channels.size() == 3 ? std::move(*bytes) : rgb_of(*bytes, header)};
+  if (const auto* words = std::get_if<std::vector<std::uint16_t>>(&picture.samples)) {
+    std::vector<unsigned char> codes(words->size());
+    std::transform(words->begin(), words->end(), codes.begin(),
+                   [](std::uint32_t v) { return static_cast<unsigned char>((v * 255 + 32767) / 65535); });
+    return {width, height, rgb_of(codes, header)};
+  }
+  Image image = to_image(std::move(picture));
+  if (image.channels != 3) image.data = rgb_of(image.data, header);
+  image.channels = 3;
+  return to_codes(image, Encoding::kSrgb);
 }
 
 }  // namespace
@@ -161,23 +180,10 @@ Image read_channels(const fs::path& path, std::span<const std::string> names) {
 
 SampleKind sample_kind(const fs::path& path) { return read_header(path).kind; }
 
-Image8 read_image8(const fs::path& path, const PictureWarning& warn) {
-  DecodedPicture picture = read_decoded(path, warn);
-  require_colors(picture.header, path);
-  const PictureHeader header = picture.header;
-  const int width = header.width, height = header.height;
-  if (auto* bytes = std::get_if<std::vector<std::uint8_t>>(&picture.samples))
-    return {width, height, header.channels.size() == 3 ? std::move(*bytes) : rgb_of(*bytes, header)};
-  if (const auto* words = std::get_if<std::vector<std::uint16_t>>(&picture.samples)) {
-    std::vector<unsigned char> codes(words->size());
-    std::transform(words->begin(), words->end(), codes.begin(),
-                   [](std::uint32_t v) { return static_cast<unsigned char>((v * 255 + 32767) / 65535); });
-    return {width, height, rgb_of(codes, header)};
-  }
-  Image image = to_image(std::move(picture));
-  if (image.channels != 3) image.data = rgb_of(image.data, header);
-  image.channels = 3;
-  return to_codes(image, Encoding::kSrgb);
+Image8 read_image8(const fs::path& path, const PictureWarning& warn) { return to_image8(read_decoded(path, warn), path); }
+
+Image8 read_new_image8(const fs::path& path) {
+  return to_image8(decode_picture(read_file_bytes(path, kMaxImageFileBytes, "a picture"), path.string()), path);
 }
 
 }  // namespace lippmann

@@ -42,4 +42,7 @@ SampleKind sample_kind(const std::filesystem::path& path);
 /// Of 3 channels, as read_rgb.
 Image8 read_image8(const std::filesystem::path& path, const PictureWarning& warn = {});
 
+/// The same of a file that was written just now, which no journal has yet.
+Image8 read_new_image8(const std::filesystem::path& path);
+
 }  // namespace lippmann

@@ -52,7 +52,7 @@ Vec3f read_linear(std::string_view text, const std::string& where) {
 std::optional<Vec3f> read_color(std::string_view value, const std::string& where) {
   if (value.starts_with('#')) {
     const std::optional<Vec3f> color = parse_hexadecimal(value);
-    if (!color) throw usage_error(where, fmt::format("'{}' is no colour", value), kAccepted);
+    if (!color) throw usage_error(where, fmt::format("'{}' is not a colour", value), kAccepted);
     return color;
   }
   const bool is_list = value.find(',') != std::string_view::npos && value.find_first_not_of("0123456789.,+-eE") == value.npos;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/atomic_file.hpp"
-#include "core/regular_file.hpp"
+#include "core/recorded_file.hpp"
 #include "layout/miv_cameras.hpp"
 #include "layout/view_files.hpp"
 #include "lippmann/core/error.hpp"
@@ -20,7 +20,7 @@ constexpr double kHighest = 65535.0;
 
 std::vector<MivCamera> read_cameras(const fs::path& path) {
   constexpr std::uintmax_t kMaxBytes = std::uintmax_t{16} << 20;
-  return parse_miv_cameras(read_file_text(path, kMaxBytes, "a folder of pictures and cameras.json"), path.string());
+  return parse_miv_cameras(read_recorded_text(path, kMaxBytes, "a folder of pictures and cameras.json"), path.string());
 }
 
 /// In hundredths of a millimetre: rows of cameras that were calibrated are not level to the last digit.
@@ -123,7 +123,7 @@ Image16 depth_codes(const LightField& field, int view, const DepthRange& range) 
 
 std::vector<fs::path> write_miv(const LightField& field, const fs::path& folder, const FormatOptions&) {
   if (!field.cameras)
-    throw Error(folder.string(), "it is not known what cameras saw these views",
+    throw Error(folder.string(), "the cameras of these views are unknown",
                 "pictures with render's report.json beside them, or an HCI folder with parameters.cfg");
   const auto name = [](int view) { return fmt::format("view_{:03}", view); };
   const char* ending = exact_ending(field.stack);
@@ -147,9 +147,13 @@ std::vector<fs::path> write_miv(const LightField& field, const fs::path& folder,
 }  // namespace
 
 LightFieldFormat miv_format() {
-  return {"miv",    "a folder of pictures and cameras.json, as MIV and RVS have it; 16-bit codes of depth",
-          true,     true,
-          read_miv, write_miv};
+  return {.name = "miv",
+          .is = "a folder of pictures and cameras.json, as MIV and RVS have it; 16-bit codes of depth",
+          .is_folder = true,
+          .uses_cameras = true,
+          .states_cameras = true,
+          .read = read_miv,
+          .write = write_miv};
 }
 
 }  // namespace lippmann

@@ -6,6 +6,7 @@
 #include "core/atomic_file.hpp"
 #include "core/json_fields.hpp"
 #include "core/json_text.hpp"
+#include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "lippmann/core/error.hpp"
 
@@ -19,7 +20,7 @@ constexpr int kMaxTiles = 9999;  ///< a side, as in names
 
 std::string text_of(const fs::path& path) {
   constexpr std::uintmax_t kMaxBytes = 1 << 20;
-  return read_file_text(path, kMaxBytes, "the side file of a quilt");
+  return read_recorded_text(path, kMaxBytes, "the side file of a quilt");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "core/atomic_file.hpp"
 #include "core/json_fields.hpp"
 #include "core/json_text.hpp"
+#include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "lippmann/core/error.hpp"
 
@@ -23,7 +24,7 @@ constexpr NumberRange kLength{1e-6, 1e9};
 
 Json rgbd_document(const fs::path& path) {
   constexpr std::uintmax_t kMaxBytes = 1 << 20;
-  Json json = json_from_text(read_file_text(path, kMaxBytes, "the side file of an RGB-D picture"));
+  Json json = json_from_text(read_recorded_text(path, kMaxBytes, "the side file of an RGB-D picture"));
   if (json.is_discarded()) throw Error(path.string(), "is not JSON");
   return json;
 }

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 StereoLayout described_stereo(const fs::path& path, const FormatOptions& options) {
   if (options.stereo) return *options.stereo;
   if (const std::optional<StereoLayout> named = parse_stereo_name(path)) return *named;
-  throw usage_error("stereo", "the name of " + path.string() + " does not say how its two views lie",
+  throw usage_error("stereo", "the packing of the two views in " + path.string() + " is unknown",
                     fmt::format("{}, {}, {}, {} or {}", kStereoPackingNames[0], kStereoPackingNames[1], kStereoPackingNames[2],
                                 kStereoPackingNames[3], kStereoPackingNames[4]));
 }
@@ -80,9 +80,12 @@ std::vector<fs::path> write_stereo(const LightField& field, const fs::path& path
 }  // namespace
 
 LightFieldFormat stereo_format() {
-  return {"stereo",    "the views of two eyes in one picture; `stereo`: side by side, over and under, rows",
-          false,       false,
-          read_stereo, write_stereo};
+  return {.name = "stereo",
+          .is = "the views of two eyes in one picture; `stereo`: side by side, over and under, rows",
+          .read = read_stereo,
+          .write = write_stereo,
+          .reads = {.stereo = true},
+          .writes = {.stereo = true}};
 }
 
 }  // namespace lippmann

@@ -10,6 +10,7 @@
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
 #include "core/json_text.hpp"
+#include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/core/version.hpp"
@@ -39,7 +40,7 @@ bool is_folder(const fs::path& path) {
 fs::path file_of(const fs::path& input) { return is_folder(input) ? input / "report.json" : input; }
 
 Json read_json(const fs::path& file) {
-  Json json = json_from_text(read_file_text(file, kMostBytes, kAccepted));
+  Json json = json_from_text(read_recorded_text(file, kMostBytes, kAccepted));
   if (json.is_discarded()) throw Error(file.string(), "is not JSON, or ends before its end", kAccepted);
   if (!json.is_object()) throw Error(file.string(), "is not a JSON object", kAccepted);
   return json;

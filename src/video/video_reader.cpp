@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "lippmann/core/error.hpp"
 #include "video/video_module.hpp"
@@ -15,6 +16,7 @@ namespace fs = std::filesystem;
 
 std::unique_ptr<VideoDecoder> open(const fs::path& path) {
   require_regular_file(path, "a video");
+  require_as_recorded(path);
   return video_module().decoder(path);
 }
 

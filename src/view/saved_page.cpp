@@ -32,6 +32,7 @@ class PageFolder {
     if (name.has_parent_path()) make_folder(folder_ / name.parent_path());
     write_file_atomically(folder_ / name, std::as_bytes(std::span(text)));
     bytes_ += text.size();
+    files_.push_back(folder_ / name);
   }
 
   /// A script that gives the page what it would ask a server for.
@@ -42,11 +43,13 @@ class PageFolder {
 
   fs::path path() const { return folder_; }
   std::uintmax_t bytes() const { return bytes_; }
+  std::vector<fs::path> files() const { return files_; }
 
  private:
   fs::path folder_;
   NewFolder new_;
   std::uintmax_t bytes_ = 0;
+  std::vector<fs::path> files_;
 };
 
 /// Somebody else's page stays.
@@ -91,7 +94,7 @@ SavedPage save_page(const std::vector<std::unique_ptr<PageField>>& fields, const
   for (const PageFile& file : page_files())
     if (file.name != "index.html") page.write(fs::path(file.name), file.text);
   page.write("index.html", saved_index(page_files().front().text));
-  return {page.path() / "index.html", page.bytes()};
+  return {page.path() / "index.html", page.bytes(), page.files()};
 }
 
 SavedPage save_page(const fs::path& in, const fs::path& folder, const Context& context) {

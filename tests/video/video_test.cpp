@@ -382,7 +382,7 @@ TEST(VideoWriter, options_that_make_no_sense_are_errors) {
   EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.mp4", {.rate = {0, 1}}); }), HasSubstr("frames per second"));
   EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.mp4", {.crf = 52}); }), HasSubstr("0 to 51"));
   EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.webm", {.crf = 64}); }), HasSubstr("0 to 63"));
-  EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.mkv", {.crf = 5}); }), HasSubstr("loses nothing"));
+  EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.mkv", {.crf = 5}); }), HasSubstr("is lossless"));
   EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.mp4").finish(); }), HasSubstr("without frames"));
 }
 
