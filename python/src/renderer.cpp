@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "archive.hpp"
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "interruptible.hpp"
@@ -209,6 +210,7 @@ std::shared_ptr<Frames> frames_of(Scene& scene, const Placement& placement, cons
 void bind_frame_params(py::module_& module) {
   py::class_<Sampling>(module, "Sampling")
       .def(py::init(&sampling_by))
+      .def(pickled<Sampling>())
       .def("want_layers", &want_layers)
       .def_readwrite("spp", &Sampling::spp)
       .def_readwrite("max_depth", &Sampling::max_depth)
@@ -222,13 +224,15 @@ void bind_frame_params(py::module_& module) {
   py::class_<ChosenReuse>(module, "Reuse")
       .def(py::init([](const std::string& name, const std::optional<int>& keyframes, const std::optional<double>& min_psnr_db) {
         return ChosenReuse{reuse_named(name, keyframes, min_psnr_db)};
-      }));
+      }))
+      .def(pickled<ChosenReuse>());
 }
 
 }  // namespace
 
 void bind_renderer(py::module_& module) {
   py::class_<Film, SharedFilm>(module, "Film")
+      .def(pickled<Film>())
       .def_property_readonly("picture", &picture_of)
       .def_property_readonly("is_transparent", &is_transparent)
       .def_property_readonly("codes", &codes_of_film)

@@ -3,6 +3,7 @@
 #include <utility>
 #include <variant>
 
+#include "archive.hpp"
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "interruptible.hpp"
@@ -85,6 +86,7 @@ int add_texture(Scene& scene, const Array<std::uint8_t>& rgba, bool srgb) {
 void bind_surface(py::module_& module) {
   py::class_<MetallicRoughness>(module, "Surface")
       .def(py::init())
+      .def(pickled<MetallicRoughness>())
       .def("set_base_color",
            [](MetallicRoughness& surface, const Four& rgba, int texture) {
              surface.base_color = {rgba[0], rgba[1], rgba[2], rgba[3]};
@@ -115,6 +117,7 @@ Light light_of(std::string name, const std::string& kind, int node, const Three&
 void bind_light(py::module_& module) {
   py::class_<Light>(module, "Light")
       .def(py::init(&light_of))
+      .def(pickled<Light>())
       .def_readwrite("range", &Light::range)
       .def_readwrite("inner_cone", &Light::inner_cone)
       .def_readwrite("outer_cone", &Light::outer_cone)
@@ -175,8 +178,9 @@ std::vector<py::str> names_of(const std::vector<T>& elements) {
 }
 
 void surround_with_file(Scene& scene, const std::filesystem::path& path, float strength, float rotation_deg) {
-  const py::gil_scoped_release release;
-  scene.background.map = read_environment(path, strength, rotation_deg);
+  Interruptible(0).run(py::none(), [&](const Context& context) {
+    scene.background.map = read_environment(path, strength, rotation_deg, context);
+  });
 }
 
 /// (2, 3): lowest and highest coordinates of everything finite; none where there is nothing.
@@ -274,6 +278,7 @@ void bind_scene(py::module_& module) {
         made.timeline.frame_count = frames, made.timeline.frames_per_second = frames_per_second;
         return std::make_shared<Scene>(std::move(made));
       }))
+      .def(pickled<Scene>())
       .def("copy", [](const Scene& s) { return std::make_shared<Scene>(s); })
       .def("check", [](const Scene& s) { validate(s, "scene"); })
       .def("move_near_origin", &move_near_origin)

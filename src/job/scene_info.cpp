@@ -97,7 +97,16 @@ std::string list_variants(const SceneInfo& info) {
 /// Whether frames show the keys of a file with animations; nothing for other files.
 std::string describe_keys(const SceneInfo& info) {
   if (info.animations.empty()) return "";
-  return info.keys_on_frames ? ", every key of the file on a frame" : ", not all keys of the file on frames (--fps chooses)";
+  return info.keys_on_frames ? "; all keys of the file lie on frames"
+                             : "; some keys of the file lie between frames (see --fps)";
+}
+
+/// "48 frames at 24 fps, 2.0 s; 3 of 5 instances move"; of a still scene, that it is one.
+std::string describe_animation(const SceneInfo& info) {
+  if (info.frames == 1 && info.animations.empty() && info.moving_instances == 0) return "none: a still scene";
+  return fmt::format("{} frame{} at {:g} fps, {:.1f} s{}; {} of {} instance{} move", info.frames, info.frames == 1 ? "" : "s",
+                     info.frames_per_second, info.frames / info.frames_per_second, describe_keys(info), info.moving_instances,
+                     info.instances, info.instances == 1 ? "" : "s");
 }
 
 /// "3 meshes, 1 light": what there is at all.
@@ -178,8 +187,10 @@ Json to_json(const SceneInfo& info) {
 }
 
 std::string to_text(const SceneInfo& info) {
-  std::string text = fmt::format("{}\n", info.name);
-  const auto line = [&](std::string_view name, const std::string& value) { text += fmt::format("  {:<10} {}\n", name, value); };
+  std::string text = printable_line(info.name) + '\n';
+  const auto line = [&](std::string_view name, const std::string& value) {
+    text += fmt::format("  {:<10} {}\n", name, printable_line(value));
+  };
   line("shapes", list_counts({{info.meshes, "mesh"},
                               {info.triangles, "triangle"},
                               {info.spheres, "sphere"},
@@ -196,9 +207,7 @@ std::string to_text(const SceneInfo& info) {
   if (info.cameras > 1) line("cameras", list_cameras(info.notes.camera_names) + "; --camera chooses");
   if (!info.variants.empty()) line("variants", list_variants(info) + "; --variant chooses");
   line("light", info.notes.light);
-  line("animation",
-       fmt::format("{} frames at {:g} a second = {:.1f} s{}; {} of {} instances move", info.frames, info.frames_per_second,
-                   info.frames / info.frames_per_second, describe_keys(info), info.moving_instances, info.instances));
+  line("animation", describe_animation(info));
   if (info.animations.size() > 1) line("", list_animations(info));
   if (!info.bounds.empty())
     line("bounds", fmt::format("{} to {}", place_text(info, info.bounds.lower), place_text(info, info.bounds.upper)));

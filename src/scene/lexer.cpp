@@ -115,10 +115,9 @@ template <class T>
 T Lexer::number_of_type(std::string_view wanted, float largest) {
   const std::string_view found = word(wanted);
   const std::optional<T> value = parse_number<T>(found);
-  if (!value) throw error(fmt::format("{} is not a number that {} can have", shown(found), wanted), "a finite decimal number");
+  if (!value) throw error(fmt::format("expected a number for {}, found {}", wanted, shown(found)), "a finite decimal number");
   if (std::abs(*value) > static_cast<T>(largest))
-    throw error(fmt::format("{} is not a number that {} can have", *value, wanted),
-                fmt::format("{:g} to {:g}", -largest, largest));
+    throw error(fmt::format("{} is out of range for {}", *value, wanted), fmt::format("{:g} to {:g}", -largest, largest));
   return *value;
 }
 
@@ -129,8 +128,10 @@ int Lexer::integer(std::string_view wanted, int lowest, int highest) {
   int value = 0;
   const char* const end = digits.data() + digits.size();
   const auto [rest, failure] = std::from_chars(digits.data(), end, value);
-  if (rest != end || failure != std::errc{} || value < lowest || value > highest)
-    throw error(fmt::format("{} is not a value that {} can have", shown(found), wanted),
+  const bool is_read = rest == end && failure == std::errc{};
+  if (!is_read || value < lowest || value > highest)
+    throw error(is_read ? fmt::format("{} is out of range for {}", value, wanted)
+                        : fmt::format("expected a whole number for {}, found {}", wanted, shown(found)),
                 fmt::format("a whole number from {} to {}", lowest, highest));
   return value;
 }
@@ -140,11 +141,14 @@ Vec3f Lexer::vector(std::string_view wanted, float largest) {
   return {x, y, z};
 }
 
+float Lexer::coordinate(int axis, std::string_view wanted, float largest) {
+  if (origin_ == Vec3d(0.0)) return number(wanted, largest);  // rounded once, to a float
+  return static_cast<float>(number_of_type<double>(wanted, largest) - origin_[axis]);
+}
+
 Vec3f Lexer::point(std::string_view wanted, float largest) {
-  if (origin_ == Vec3d(0.0)) return vector(wanted, largest);  // rounded once, to a float
-  const double x = number_of_type<double>(wanted, largest), y = number_of_type<double>(wanted, largest);
-  const double z = number_of_type<double>(wanted, largest);
-  return Vec3f(Vec3d(x, y, z) - origin_);
+  const float x = coordinate(0, wanted, largest), y = coordinate(1, wanted, largest), z = coordinate(2, wanted, largest);
+  return {x, y, z};
 }
 
 float Lexer::number_after(std::string_view keyword) {

@@ -48,7 +48,10 @@ class Lexer {
   /// Three such numbers.
   Vec3f vector(std::string_view wanted, float largest = std::numeric_limits<float>::max());
 
-  /// A position: three such numbers, from which the origin is subtracted in double precision.
+  /// One coordinate of a position (axis 0 to 2): such a number, from which the origin is subtracted in double precision.
+  float coordinate(int axis, std::string_view wanted, float largest = std::numeric_limits<float>::max());
+
+  /// A position: three such coordinates.
   Vec3f point(std::string_view wanted, float largest = std::numeric_limits<float>::max());
   void set_origin(const Vec3d& origin) { origin_ = origin; }
   const Vec3d& origin() const { return origin_; }

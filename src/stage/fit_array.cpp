@@ -154,8 +154,18 @@ CameraView view_for(const Setting& setting, const Camera& camera) {
 }
 
 std::string left_out_sentence(const Setting& setting) {
-  if (!setting.subject.has_surroundings()) return {};
-  return fmt::format(" Left out as surroundings: {}.", list_surroundings(setting.scene, setting.subject));
+  std::string text;
+  if (setting.subject.has_surroundings())
+    text += fmt::format(" Left out as surroundings: {}.", list_surroundings(setting.scene, setting.subject));
+  if (setting.subject.main_part) text += fmt::format(" Left out as far away: {}.", list_strays(setting.scene, setting.subject));
+  return text;
+}
+
+std::string stray_sentence(const Setting& setting) {
+  if (!setting.subject.main_part) return {};
+  return fmt::format(
+      "The view leaves out what lies far away from everything else: {}; a view that is fitted to a node shows it",
+      list_strays(setting.scene, setting.subject));
 }
 
 std::string widened_sentence(const Camera& camera, const CameraView& view) {
@@ -257,7 +267,7 @@ SubjectBounds bounds_in_view(const Setting& setting, const Direction& direction,
     for (std::size_t i = 0; i < setting.scene.instances.size(); ++i) {
       if (!setting.subject.contains(i)) continue;
       const auto bounds = [&](const Affine3f& frame) {
-        return finite_bounds(setting.scene, setting.scene.instances[i], resolved, frame * view_from_world);
+        return bounds_of_part(setting.scene, setting.subject, i, resolved, frame * view_from_world);
       };
       all.straight.add(bounds({}));
       const Vec3f across = bounds(width).upper, up = bounds(height).upper;
@@ -354,12 +364,14 @@ FittedArray without_camera(const Setting& setting, const Orbit& orbit) {
   Direction direction = direction_of(setting.scene);
   direction.node_from_view = turned(direction.node_from_view, orbit);
   FittedArray array = fitted_to_bounds(setting, direction);
+  const bool is_part = setting.subject.has_surroundings() || setting.subject.main_part;
   array.how = fmt::format(
-      "The scene has no camera: the array goes through {} middle and is viewed from {:.4g} units away, {}, so that {} is seen "
-      "whole.{}",
-      setting.subject.has_surroundings() ? "its subject's" : "its", array.viewing_distance,
-      orbit == Orbit{} ? "a little from above and from the right" : "from where the orbit says",
-      setting.subject.has_surroundings() ? "the subject" : "it", left_out_sentence(setting));
+      "The scene has no camera: the array goes through {} middle and is viewed from {:.4g} units away, {}, so that {} fits "
+      "into "
+      "the picture.{}",
+      is_part ? "its subject's" : "its", array.viewing_distance,
+      orbit == Orbit{} ? "a little from above and from the right" : "from where the orbit says", is_part ? "the subject" : "it",
+      left_out_sentence(setting));
   return array;
 }
 
@@ -387,7 +399,8 @@ float wanted_plane_z(const FittedArray& array, const Setting& setting, const std
     const std::vector<bool> meant = instances_named(setting.scene, focus, "focus");
     for (std::size_t i = 0; i < meant.size(); ++i)
       if (meant[i]) bounds.add(finite_bounds(setting.scene, setting.scene.instances[i], setting.resolved, plane_from_world));
-    if (bounds.empty()) throw usage_error("focus", shown(focus) + " has no end and no middle", "a node that shows a shape");
+    if (bounds.empty())
+      throw usage_error("focus", shown(focus) + " is infinite and has no centre", "a node that shows a shape");
     return bounds.center().z;
   }
   const std::vector<double> numbers = read_focus(setting.scene, focus);
@@ -396,7 +409,7 @@ float wanted_plane_z(const FittedArray& array, const Setting& setting, const std
     return transform_point(plane_from_world, Vec3f(in_file - setting.scene.origin)).z;
   }
   if (!std::isfinite(array.viewing_distance))
-    throw usage_error("focus", "a distance, and the scene's display is viewed from infinitely far away", "a node or X,Y,Z");
+    throw usage_error("focus", "cannot be a distance: the viewer is infinitely far away", "a node or X,Y,Z");
   return array.viewing_distance - static_cast<float>(numbers[0]) / uniform_scale(world_from_plane);
 }
 
@@ -412,7 +425,7 @@ void focus_at(FittedArray& array, const Setting& setting, const std::string& foc
   if (focus.empty()) return;
   const float z = wanted_plane_z(array, setting, focus), distance = array.viewing_distance - z;
   if (!(distance > 1e-6f * array.viewing_distance) && std::isfinite(array.viewing_distance))
-    throw usage_error("focus", shown(focus) + " does not lie in front of the viewer", "something that the view shows");
+    throw usage_error("focus", shown(focus) + " does not lie in front of the viewer", "a visible node or point");
   if (std::isfinite(array.viewing_distance) && !shows_a_beam(array, setting.scene))
     array.plane_height *= distance / array.viewing_distance;
   array.node_from_plane.translation += z * array.node_from_plane.linear[2];
@@ -473,7 +486,7 @@ Bounds3f bounds_over_animation(const FittedArray& array, const Setting& setting)
     const Affine3f plane_from_world = inverse(world_from_frame(setting, array.node, resolved) * array.node_from_plane);
     for (std::size_t i = 0; i < setting.scene.instances.size(); ++i)
       if (setting.subject.contains(i))
-        bounds.add(finite_bounds(setting.scene, setting.scene.instances[i], resolved, plane_from_world));
+        bounds.add(bounds_of_part(setting.scene, setting.subject, i, resolved, plane_from_world));
   });
   return bounds;
 }
@@ -542,6 +555,8 @@ FittedArray fit_array(const Scene& scene, float aspect, const ViewWish& wish) {
   if (!is_turned) turn(array, setting, wish.orbit);
   zoom_in(array, wish.zoom);
   array.leaves_out_surroundings = subject.has_surroundings();
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) array.is_subject.push_back(subject.contains(i));
+  if (array.origin == FittedArray::Origin::kBounds) array.warning = stray_sentence(setting);
   check_extent(array, setting);
   measure_depth(array, setting);
   const float units = world_units(setting, array.node);

@@ -40,7 +40,7 @@ Error no_such_name(const Scene& scene, const std::string& name, const char* flag
   std::string accepted = list_names(names);
   if (!also_accepted.empty()) accepted += (accepted.empty() ? "" : "; ") + also_accepted;
   return usage_error(flag, fmt::format("{} is not in the scene{}", shown(name), did_you_mean(name, names)),
-                     accepted.empty() ? "nothing: the scene has no names" : accepted);
+                     accepted.empty() ? "no name: the nodes of this scene have none" : accepted);
 }
 
 /// Which nodes have that name or stand below one that has.
@@ -86,7 +86,7 @@ std::vector<bool> instances_named(const Scene& scene, const std::string& name, c
     named.push_back(is_meant);
   }
   if (std::find(named.begin(), named.end(), true) == named.end())
-    throw usage_error(flag, fmt::format("nothing is shown at {} or below it", shown(name)), "a node that shows a shape");
+    throw usage_error(flag, fmt::format("{} and its children have no shapes", shown(name)), "a node that shows a shape");
   return named;
 }
 

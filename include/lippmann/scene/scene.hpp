@@ -378,7 +378,7 @@ struct Instance {
   int shape = -1, material = -1, node = -1;
   int skin = -1;                     ///< moves the mesh instead of the node; the mesh has SkinWeights
   bool hidden_from_cameras = false;  ///< meshes: no camera ray meets it, though mirrors show it and it shines
-  bool casts_no_shadow = false;      ///< meshes
+  bool casts_no_shadow = false;      ///< meshes; other shapes only if no instance of the scene casts a shadow
 };
 
 struct Scene {

@@ -8,7 +8,8 @@
 // high.
 // Without a camera, or where a node is named that the view is to be fitted to: from the camera's direction, or from the front
 // and a little from above and the right, so near that the subject just fits into the picture in every frame, with the plane
-// through its middle. What the subject is: stage/subject.hpp. stage/view_wish.hpp has what people may say instead.
+// through its middle. Pieces that lie so far away that a picture of all would show nothing are left out, with a warning. What
+// the subject is: stage/subject.hpp. stage/view_wish.hpp has what people may say instead.
 // The fit is made once; after that the array moves rigidly with the camera's (or display's) node, so that it neither grows nor
 // breathes. What is fitted to a node's subject is fitted in that moving frame.
 //
@@ -17,6 +18,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "lippmann/core/math.hpp"
 #include "lippmann/optics/optics.hpp"
@@ -38,7 +40,10 @@ struct FittedArray {
   /// is seen, and from walls within one of its diagonals, at frame 0; a fitted subject counts over the animation.
   float depth_front = 0.0f, depth_back = 0.0f;
   bool leaves_out_surroundings = false;  ///< ground, walls or sky decide neither the plane nor, but for near walls, the depth
-  std::string how;                       ///< one sentence for people
+  /// Per instance: whether the view is about it, and not about what surrounds it or lies far away.
+  std::vector<bool> is_subject;
+  std::string how;      ///< one sentence for people
+  std::string warning;  ///< one sentence that names what is left out because it lies far away; empty: nothing
 };
 
 /// aspect: width / height of the picture.

@@ -35,8 +35,9 @@ enum class DisplayPicture {
   kQuilt,   ///< its views side by side (quilt_optics), which the display's player spreads over the panel
 };
 
-/// Optics in the proportions of the array: as deep as they are, or fitted to what they resolve. Throws Error as validate().
-PlacedOptics placed_on(const FittedArray& array, Optics optics, bool fit_depth);
+/// Optics in the proportions of the array that was fitted to the scene: as deep as they are, or fitted to what they resolve.
+/// Rays begin at the optics' viewer, or before the first wall behind the viewer of the fit. Throws Error as validate().
+PlacedOptics placed_on(const Scene& scene, const FittedArray& array, Optics optics, bool fit_depth);
 
 /// Puts optics, in their own millimetres, into a scene: in the plane that fit_array() finds, which is as
 /// high there as the window of the optics is. Viewing distances are those of the optics. Throws Error as fit_array()

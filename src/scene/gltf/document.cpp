@@ -13,6 +13,7 @@
 #include <span>
 #include <utility>
 
+#include "core/file_content.hpp"
 #include "scene/gltf/accessor.hpp"
 #include "scene/gltf/check_indices.hpp"
 #include "scene/gltf/draco.hpp"
@@ -130,6 +131,9 @@ void check_extensions(const Json& root, UsedExtensions used, Report& report) {
 Bytes fetch_buffer(const Json& buffer, const std::string& where, std::uint64_t& left, Document& document) {
   const std::string& uri = buffer.at("uri").get_ref<const std::string&>();
   document.loaded.push_back(fetch(uri, document.folders, left, where, document.report));
+  const bool is_short = document.loaded.back().size() < buffer.at("byteLength").get<std::size_t>();
+  if (const auto stand_in = stand_in_for_file(document.loaded.back()); stand_in && is_short && !uri.starts_with("data:"))
+    document.report.fail(where, fmt::format("{} is {}", shown(uri), stand_in->what), stand_in->remedy);
   left -= std::min<std::uint64_t>(left, document.loaded.back().size());
   return document.loaded.back();
 }
@@ -193,8 +197,9 @@ void read_document(std::vector<std::byte> contents, Document& document) {
   const Container container = split_container(document.contents, document.report);
   Json root = parse_json(container.json, document.limits, document.report);
   check_version(root, document.report);
-  UsedExtensions extensions = check_schema(root, document.report);
-  check_extensions(root, std::move(extensions), document.report);
+  SchemaFindings findings = check_schema(root, document.report);
+  findings.unknown.warn(document.report.context(), "property", "properties");
+  check_extensions(root, std::move(findings.extensions), document.report);
   take_buffers(root, container.binary, document);
   take_images(root, document);
   take_packed_views(root, document);
