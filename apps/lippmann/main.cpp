@@ -9,8 +9,11 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <memory>
+#include <mutex>
 #include <new>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -58,6 +61,19 @@ int code_after_flush(int code) {
   return kFailed;
 }
 
+/// Prints each warning once: a file that is read twice has one.
+class SaidWarnings {
+ public:
+  void print(const std::string& text) {
+    const std::lock_guard lock(mutex_);
+    if (said_.insert(text).second) print_error("warning: {}\n", printable_line(text));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::set<std::string> said_;
+};
+
 /// Its exit code; Errors are told in the words of the command line.
 int run_command(const CommandLine& command_line, const Action& chosen, Context& context) {
   try {
@@ -94,7 +110,7 @@ int run(int argc, char** argv) {
   add_manual_command(root, chosen, command_line);
   if (const std::optional<int> done = command_line.parse(argc, argv)) return *done;
   Context context;
-  context.warn = [](std::string_view text) { print_error("warning: {}\n", with_flags(text)); };
+  context.warn = [said = std::make_shared<SaidWarnings>()](std::string_view text) { said->print(with_flags(text)); };
   const InterruptGuard interrupt(context.cancelled);
   const int code = run_command(command_line, chosen, context);
   const int interrupted = InterruptGuard::exit_code();
@@ -116,7 +132,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     lippmann::app::print_error("lippmann: out of memory\n");
   } catch (const std::exception& error) {
-    lippmann::app::print_error("lippmann: {}\n", error.what());
+    lippmann::app::print_error("lippmann: {}\n", lippmann::printable_line(error.what()));
   }
   return lippmann::app::kFailed;
 }

@@ -92,10 +92,10 @@ std::string describe_paths(const Sampling& sampling, const Optics& optics) {
 
 std::string describe_depth(const ShownDepth& shown, const Optics& optics, float depth_scale) {
   return depth_budget_sentence(shown, optics, depth_scale) +
-         (depth_scale < 1.0f ? " --full-depth shows all of it." : " --fit-depth shows it less deep.");
+         (depth_scale < 1.0f ? " --full-depth shows its full depth." : " --fit-depth scales its depth to the budget.");
 }
 
-void print_line(std::string_view name, const std::string& value) { print_out("  {:<9} {}\n", name, value); }
+void print_line(std::string_view name, const std::string& value) { print_out("  {:<9} {}\n", name, printable_line(value)); }
 
 /// What was chosen where the command line says nothing: a render that is only planned should be judged by it, too.
 void print_choices(const Sampling& sampling, const Optics& optics, const std::string& light, const std::string& view) {
@@ -194,6 +194,8 @@ void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
          {"view", plan.stage.array.how},
          {"depth", depth_json(shown, placed.depth_scale, placed.optics)},
          {"estimated_bytes", whole(sizes.all())},
+         {"estimated_memory_bytes", whole(plan.memory_bytes)},
+         {"bands", plan.bands},
          {"estimated",
           {{"pictures", whole(sizes.pictures)}, {"layers", whole(sizes.layers)}, {"videos", whole(sizes.videos)}}}});
   print_out("Would render {} to {}{}\n", describe_frames(plan.frames), plan.folder.string(), plan.folder.empty() ? "." : "");
@@ -202,6 +204,8 @@ void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
   print_line("files", first_and_last(frame_name(plan.names, plan.frames.front()), frame_name(plan.names, plan.frames.back())));
   print_line("size", fmt::format("about {}{} (an estimate); pictures before compression: {}", bytes_text(sizes.all()),
                                  describe_parts(sizes), bytes_text(static_cast<double>(bytes))));
+  print_line("memory", fmt::format("about {} for frames, beside the scene{}", bytes_text(plan.memory_bytes),
+                                   plan.bands > 1 ? fmt::format("; in {} bands of rows", plan.bands) : ""));
   print_choices(params.sampling, placed.optics, plan.stage.light, plan.stage.array.how);
   if (placed.depth_scale < 1.0f || !shown.fits()) print_line("depth", describe_depth(shown, placed.optics, placed.depth_scale));
 }
@@ -256,8 +260,7 @@ RenderReport render(const RenderParams& params, const RenderOptions& options, Ra
 /// One of several processes: the first speaks for all of them.
 void join_in(const RenderOptions& options, const RenderParams& params, const Ranks& ranks, Context& context) {
   if (!options.unit.empty() || params.output.also)
-    throw usage_error(options.unit.empty() ? "also" : "unit",
-                      "is for processes that stand alone, and mpirun has started several", "one of both");
+    throw usage_error(options.unit.empty() ? "also" : "unit", "cannot be combined with mpirun", "one of both");
   const auto online = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
   context.threads = threads_of_rank(resolved_threads(context), online, local_rank_count());
   if (ranks.rank() > 0) context.warn = {};
@@ -273,13 +276,12 @@ bool is_for_the_first_to_say(const Ranks* ranks, const Context& context) {
 
 int run(const RenderOptions& options, Context& context) {
   if (options.quiet && (options.verbose || !options.progress.empty()))
-    throw usage_error("--quiet", "and --verbose or --progress ask for opposites", "one of them");
+    throw usage_error("--quiet", "cannot be combined with --verbose or --progress", "one of them");
   if (options.verbose && !options.progress.empty())
-    throw usage_error("--verbose", "and --progress say in two ways what to print", "one of them");
+    throw usage_error("--verbose", "cannot be combined with --progress", "one of them");
   const RenderParams params = with_scene_defaults(options.flags.read());
   if (params.output.page && params.output.pictures.mirror)
-    throw usage_error("--page", "cannot show mirrored pictures, which are printed on the back of a sheet",
-                      "no --mirror with it");
+    throw usage_error("--page", "cannot be combined with --mirror", "no --mirror with it");
   if (!options.dump_job.empty()) {
     make_folder(fs::path(options.dump_job).parent_path());
     write_job(options.dump_job, params);

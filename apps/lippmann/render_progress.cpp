@@ -50,7 +50,15 @@ void say_fitted_depth(const RenderPlan& plan, const RenderParams& params) {
   if (placed.depth_scale >= 1.0f) return;
   const ShownDepth shown = shown_depth(plan.stage.array, placed.units_per_mm, placed.depth_scale, placed.optics);
   print_error("{}{}\n", depth_budget_sentence(shown, placed.optics, placed.depth_scale),
-              params.optics.fit_depth ? "" : " --full-depth shows all of it.");
+              params.optics.fit_depth ? "" : " --full-depth shows its full depth.");
+}
+
+/// Flags that make a long render shorter. Ctrl-C loses no finished frame.
+std::string ways_to_less_work(const RenderPlan& plan) {
+  const int first = plan.frames.front(), last = plan.frames.back();
+  const std::string fewer =
+      plan.frames.size() > 1 ? fmt::format("--frames {} or {}-{}:10 (every 10th) for fewer frames, ", first, first, last) : "";
+  return fmt::format("To do less: {}--spp for fewer samples, --size for fewer pixels. Ctrl-C stops, --resume goes on.", fewer);
 }
 
 }  // namespace
@@ -72,6 +80,7 @@ RenderProgress::RenderProgress(const RenderPlan& plan, const RenderParams& param
   print_error("{}\n", describe(plan, wanted_, sizes.all()));
   say_fitted_depth(plan, params);
   progress_ = std::make_unique<Progress>(wanted_, style_of(kind));
+  progress_->set_advice(ways_to_less_work(plan));
   heartbeat_.emplace([this] { tick(); });
 }
 

@@ -54,7 +54,8 @@ void write_text(const fs::path& path, const std::string& text, bool is_script) {
 Submission submission_of(const SubmitOptions& options, const Context& context) {
   RenderParams params;
   if (fs::path(options.job).extension() != ".toml")
-    throw usage_error("JOB", options.job + " is no job file", "a .toml; lippmann render SCENE --dump-job FILE.toml writes one");
+    throw usage_error("JOB", options.job + " is not a job file",
+                      "a .toml; lippmann render SCENE --dump-job FILE.toml writes one");
   read_job(options.job, params);
   params.threads = options.threads > 0 ? options.threads : params.threads > 0 ? params.threads : resolved_threads(context);
   const UnitPlan plan = plan_units(params, options.units, !options.only_list, context);

@@ -135,6 +135,18 @@ void require_as_recorded(const fs::path& file, std::span<const std::byte> bytes)
   require_sum(file, [&] { return checksum_of(bytes); });
 }
 
+std::string read_recorded_text(const fs::path& path, std::uintmax_t limit_bytes, const std::string& accepted) {
+  std::string text = read_file_text(path, limit_bytes, accepted);
+  require_as_recorded(path, std::as_bytes(std::span(text)));
+  return text;
+}
+
+std::vector<std::byte> read_recorded_bytes(const fs::path& path, std::uintmax_t limit_bytes, const std::string& accepted) {
+  std::vector<std::byte> bytes = read_file_bytes(path, limit_bytes, accepted);
+  require_as_recorded(path, bytes);
+  return bytes;
+}
+
 void require_as_recorded(const fs::path& file) {
   require_sum(file, [&] { return file_checksum(file); });
 }

@@ -3,15 +3,23 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace lippmann {
 
 /// Throws Error naming the file if the journal of the folder that it lies in, or of the one above, has other checksums for it
 /// than `bytes` have, or is damaged. `bytes` are the whole file's.
 void require_as_recorded(const std::filesystem::path& file, std::span<const std::byte> bytes);
+
+/// read_file_text() and read_file_bytes() (core/regular_file.hpp) of a file that may be a render's, checked as above.
+std::string read_recorded_text(const std::filesystem::path& path, std::uintmax_t limit_bytes, const std::string& accepted = {});
+std::vector<std::byte> read_recorded_bytes(const std::filesystem::path& path, std::uintmax_t limit_bytes,
+                                           const std::string& accepted = {});
 
 /// The same of a file that is read piece by piece: reads it whole if the journal names it.
 void require_as_recorded(const std::filesystem::path& file);

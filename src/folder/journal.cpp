@@ -7,6 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -216,13 +217,9 @@ std::string problem_of(const Json& json, bool is_first, FolderJournal& journal) 
 
 /// What one run has written. A run that was killed while it wrote its first line has written nothing.
 void read_part(const fs::path& path, std::uintmax_t& bytes_left, FolderJournal& journal) {
-  std::error_code problem;
   if (!is_regular_file_there(path)) return;  // taken away since the folder was listed
-  const std::uintmax_t bytes = fs::file_size(path, problem);
-  if (bytes > bytes_left || problem) throw Error(path.string(), "is too large for the journal of a render", "at most 4 GB");
-  bytes_left -= bytes;
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw Error(path.string(), "cannot be read");
+  std::istringstream in(read_file_text(path, bytes_left, "the journal of a render"));
+  bytes_left -= in.view().size();
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
     if (in.eof() && may_be_cut_line(line)) break;  // it has no end: its process was killed
@@ -234,7 +231,6 @@ void read_part(const fs::path& path, std::uintmax_t& bytes_left, FolderJournal& 
     if (!wrong.empty() && journal.problem.empty())
       journal.problem = fmt::format("line {} of {} {}", number, shown(path.filename().string()), wrong);
   }
-  if (in.bad()) throw Error(path.string(), "cannot be read to its end");
 }
 
 /// What the first line says; empty where it says no job.

@@ -13,6 +13,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/available_memory.hpp"
 #include "core/cpu_model.hpp"
 #include "core/host_name.hpp"
 #include "core/json_text.hpp"
@@ -21,12 +22,15 @@
 #include "folder/kept_lease.hpp"
 #include "folder/render_folder.hpp"
 #include "folder/strips.hpp"
+#include "frames/banded_frames.hpp"
 #include "frames/frame_maker.hpp"
+#include "frames/picture_check.hpp"
 #include "job/aov_params.hpp"
 #include "job/folder_documents.hpp"
 #include "job/job_fingerprint.hpp"
 #include "job/job_folder.hpp"
 #include "job/job_stage.hpp"
+#include "job/memory_plan.hpp"
 #include "job/render_checks.hpp"
 #include "job/reuse_params.hpp"
 #include "job/rgbd_options.hpp"
@@ -108,7 +112,7 @@ std::vector<int> parts_of_run(const RunParams& run, const std::vector<int>& of_j
   std::vector<int> both;
   std::set_intersection(of_units.begin(), of_units.end(), wanted.begin(), wanted.end(), std::back_inserter(both));
   if (both.empty() && !of_units.empty())
-    throw usage_error("only-frames", fmt::format("{} has no frame that is to be rendered", write_frames(*run.only_frames)),
+    throw usage_error("only-frames", fmt::format("{} selects no frame of this render", write_frames(*run.only_frames)),
                       fmt::format("some of {}", write_frames(ranges_of(frames_of_parts(of_units, strips)))));
   return both;
 }
@@ -116,7 +120,7 @@ std::vector<int> parts_of_run(const RunParams& run, const std::vector<int>& of_j
 /// Throws a usage Error for frames that cannot be rendered in strips.
 void check_strips_of(const RenderParams& params, const FrameParams& made_as, const Optics& optics) {
   if (params.strips == 1) return;
-  if (params.scene.name == kTestPattern) throw usage_error("strips", "the test pattern is drawn whole", "1");
+  if (params.scene.name == kTestPattern) throw usage_error("strips", "the test pattern cannot be split", "1");
   check_strips(made_as, optics, params.strips);
 }
 
@@ -157,7 +161,10 @@ class Animation {
             is_cut() ? static_cast<int>(parts_.size()) : 0,
             0,
             layout_.picture_size(),
-            layout_.pictures_per_frame()};
+            layout_.pictures_per_frame(),
+            memory_.bytes,
+            memory_.bands,
+            is_cut() ? joined_frame_bytes(memory_facts()) : 0.0};
   }
 
   RenderReport render() {
@@ -202,6 +209,9 @@ class Animation {
 
   std::unique_ptr<FrameMaker> make_maker(RenderFolder& folder, RenderReport& report) {
     if (params_.scene.name == kTestPattern) return make_pattern_frames(stage_, pool_);
+    if (memory_.bands > 1)
+      return std::make_unique<BandedFrames>(StripMaker(stage_, made_as_, memory_.bands, pool_, context_), film_size(optics()),
+                                            wanted_aovs(made_as_.sampling), context_);
     if (!is_cut()) return make_frame_maker(stage_, made_as_, pool_, context_);
     StrippedFrames::Settings settings{wanted_aovs(made_as_.sampling), film_size(optics()), keeps_frames(params_),
                                       run_.only_finished};
@@ -355,13 +365,27 @@ class Animation {
     if (layout_.is_rgbd()) writing_ = rgbd_options(params_.output.pictures.depth, stage_, pool_);
   }
 
-  void check_memory() const {
-    if (is_cut()) require_memory_for_strips(params_, bytes_kept_per_pixel(made_as_), optics());
-    const bool joins = is_cut() && (!leaves_strips() || (run_.ranks && is_first_rank()));
-    if (joins) require_memory(params_, 0.0, optics(), layout_.moves(), 1);
-    if (!is_cut())
-      require_memory(params_, bytes_kept_per_pixel(made_as_), optics(), layout_.moves(),
-                     std::min(FrameSink::frames_in_memory(pool_.threads()), static_cast<int>(frames_.size())));
+  MemoryFacts memory_facts() const {
+    return {params_,
+            {made_as_.sampling, reuse_for(stage_.scene, made_as_)},
+            layout_,
+            film_size(optics()),
+            stage_.scene.timeline.frame_count,
+            static_cast<int>(frames_.size()),
+            FrameSink::frames_in_memory(pool_.threads()),
+            params_.scene.name == kTestPattern ? 1 : most_strips(optics())};
+  }
+
+  void check_memory() {
+    if (run_.only_finished && !is_cut()) return;  // no frame is rendered
+    MemoryFacts facts = memory_facts();
+    if (std::holds_alternative<ShareLight>(facts.made_as.reuse))
+      facts.covered = covered_share(stage_, made_as_.sampling, pool_);
+    const double available = run_.available_memory.value_or(available_memory_bytes());
+    const bool joins = !leaves_strips() || (run_.ranks && is_first_rank());
+    memory_ = is_cut() ? plan_strips_memory(facts, params_.strips, joins, available) : plan_memory(facts, available);
+    const std::string sentence = is_cut() ? std::string() : sentence_of(memory_, facts, available);
+    if (!sentence.empty() && is_first_rank()) context_.warning(sentence);
   }
 
   /// Frames that share light tell their errors as they are seen through the display's lenses.
@@ -476,13 +500,19 @@ class Animation {
   /// False if it was stopped.
   bool make_frame(int frame, FrameMaker& maker, FrameSink& sink, RenderReport& report) {
     if (context_.cancelled) return false;
+    std::optional<SeenShare> seen;
+    if (frame == all_frames_.front() && !is_cut() && params_.scene.name != kTestPattern)
+      seen = look_at_frame(stage_, frame, pool_);
     RenderedFrame rendered = maker.make(frame);
     if (context_.cancelled) return false;
+    if (seen)
+      if (const std::string doubt = doubt_about_picture(stage_, frame, *seen, rendered.pictures.film); !doubt.empty())
+        context_.warning(doubt);
     report.frames.push_back(rendered.report);
     report.run.frames.push_back(frame);
     say_traced(report.frames.back());
     sink.add(std::move(rendered));
-    if (is_cut()) sink.wait();  // one film at a time, and strips of the next are recorded after it
+    if (is_cut() || memory_.one_at_a_time) sink.wait();  // one film at a time; of strips, the next are recorded after it
     return true;
   }
 
@@ -504,6 +534,7 @@ class Animation {
   const std::vector<int> parts_;       ///< this run's: frames, or parts of them (parts_of)
   const std::vector<int> frames_;      ///< of these parts
   const FrameLayout layout_;
+  MemoryPlan memory_;                ///< how frames are made in the memory that there is
   std::optional<double> crosstalk_;  ///< to be undone
   FormatOptions writing_;            ///< what the format of light fields is told
   std::string job_;

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
-#include <system_error>
 #include <vector>
 
 #include "core/atomic_file.hpp"
+#include "core/regular_file.hpp"
 #include "job/params_table.hpp"
 #include "job/scene_light.hpp"
 #include "lippmann/core/error.hpp"
@@ -51,20 +51,16 @@ std::string value_text(const toml::node& node, const std::string& where) {
 std::vector<std::string> value_texts(const ParamInfo& info, const toml::node& node, const std::string& where) {
   const toml::array* array = node.as_array();
   if (!array) return {value_text(node, where)};
-  if (info.kind != ParamKind::kList) throw usage_error(where, "a list, where one value is expected", std::string(info.type));
+  if (info.kind != ParamKind::kList) throw usage_error(where, "is a list; expected one value", std::string(info.type));
   std::vector<std::string> texts;
   for (const toml::node& element : *array) texts.push_back(value_text(element, where));
   return texts;
 }
 
 toml::table parse(const fs::path& file) {
-  std::error_code problem;
-  if (!fs::exists(file, problem)) throw Error(file.string(), "there is no such job file");
-  if (!fs::is_regular_file(file, problem)) throw Error(file.string(), "is not a file", "a job in TOML");
-  if (fs::file_size(file, problem) > kMostBytesOfJob)
-    throw Error(file.string(), "is too large for a job", "a job in TOML of at most 1 MB");
+  const std::string text = read_file_text(file, kMostBytesOfJob, "a job in TOML");
   try {
-    return toml::parse_file(file.string());
+    return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
     throw Error(fmt::format("{}:{}", file.string(), error.source().begin.line), std::string(error.description()),
                 "a job in TOML: key = value");
@@ -115,7 +111,7 @@ bool is_own_file(const ParamInfo& info, const std::string& value, const fs::path
 void set_opposite(const ParamInfo& info, const toml::table& job, const std::string& value, const std::string& place,
                   RenderParams& params) {
   const std::string where = fmt::format("{}: {}", place, info.opposite);
-  if (job.contains(info.name)) throw usage_error(where, fmt::format("{} says it already", info.name), "one of them");
+  if (job.contains(info.name)) throw usage_error(where, fmt::format("is set by {} already", info.name), "one of them");
   if (value != "true" && value != "false") throw usage_error(where, fmt::format("'{}'", value), "true or false");
   info.set(params, {value == "true" ? "false" : "true"}, where);
 }

@@ -1,7 +1,5 @@
 #include "layout/quilt_side_file.hpp"
 
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -22,12 +20,7 @@ constexpr int kMaxTiles = 9999;  ///< a side, as in names
 
 std::string text_of(const fs::path& path) {
   constexpr std::uintmax_t kMaxBytes = 1 << 20;
-  std::error_code problem;
-  if (fs::file_size(path, problem) > kMaxBytes || problem) throw Error(path.string(), "is not the side file of a quilt");
-  std::ifstream file(path);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  require_as_recorded(path, std::as_bytes(std::span(text)));
-  return text;
+  return read_recorded_text(path, kMaxBytes, "the side file of a quilt");
 }
 
 }  // namespace

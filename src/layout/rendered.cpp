@@ -6,10 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <string_view>
 
 #include "core/json_text.hpp"
@@ -48,14 +45,8 @@ std::optional<Image> rendered_layer(const fs::path& picture, const LayerChannel&
 
 /// A JSON object.
 Json read_report(const fs::path& report) {
-  std::error_code ignored;
-  if (!is_regular_file_there(report))
-    throw Error(report.string(), "there is no such file", "the report.json that `lippmann render` writes beside its pictures");
-  if (fs::file_size(report, ignored) > kMaxReportBytes) throw Error(report.string(), "is too large for a report");
-  std::ifstream file(report, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  require_as_recorded(report, std::as_bytes(std::span(text)));
-  Json json = json_from_text(text);
+  Json json = json_from_text(
+      read_recorded_text(report, kMaxReportBytes, "the report.json that `lippmann render` writes beside its pictures"));
   if (!json.is_object()) throw Error(report.string(), "is not a JSON object", "the report.json that `lippmann render` writes");
   return json;
 }

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +9,7 @@
 #include "core/atomic_file.hpp"
 #include "core/base64.hpp"
 #include "core/folder.hpp"
+#include "core/regular_file.hpp"
 #include "lippmann/core/error.hpp"
 #include "view/answers.hpp"
 #include "view/page_files.hpp"
@@ -55,11 +54,11 @@ class PageFolder {
 
 /// Somebody else's page stays.
 void require_own_page(const fs::path& folder) {
-  std::ifstream file(folder / "index.html", std::ios::binary);
-  if (!file) return;
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (text.find(kScripts) == std::string::npos)
-    throw Error((folder / "index.html").string(), "is another page, and would be replaced",
+  constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;
+  const fs::path file = folder / "index.html";
+  if (!is_regular_file_there(file)) return;
+  if (read_file_text(file, kMostBytes, "a page that was saved before").find(kScripts) == std::string::npos)
+    throw Error(file.string(), "is another page, and would be replaced",
                 "a new folder, or one of a page that was saved before");
 }
 

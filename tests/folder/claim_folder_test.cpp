@@ -196,7 +196,7 @@ TEST(ClaimFolder, fifo_in_place_of_a_file_of_the_folder_is_an_error_and_is_not_w
     const test::TempDir dir;
     fs::create_directory(dir / ".lippmann");
     ASSERT_EQ(mkfifo((dir / name).c_str(), 0600), 0);
-    EXPECT_THAT(refusal(dir.path(), "a"), HasSubstr("no regular file")) << name;
+    EXPECT_THAT(refusal(dir.path(), "a"), HasSubstr("is not a regular file but a FIFO")) << name;
   }
 }
 
