@@ -14,7 +14,8 @@ namespace lippmann {
 /// w of a depth; `parallax`: shown depth / true depth.
 double disparity_mm(double z_mm, double vergence, double parallax);
 
-/// `depth`: 1 channel, z in mm of the display frame, -inf: nothing there. scale_mm > 0.
+/// `depth`: 1 channel, z in mm of the display frame. scale_mm > 0. Where nothing is there (-inf), pixels show the surroundings,
+/// which move between views as the infinitely far does: w = -V, or code 0 if V is infinite.
 Image8 disparity_codes(const Image& depth, double vergence, double parallax, double scale_mm);
 
 /// The inverse for one pixel of codes; -inf: nothing there.
