@@ -196,7 +196,7 @@ std::vector<FrameReport> ErrorBoundedFrames::sources() const {
 double ErrorBoundedFrames::bytes_kept_per_pixel() {
   constexpr double kFilm = 3 * sizeof(float), kPoint = sizeof(float) + sizeof(std::uint32_t), kContrast = 1;
   const int halvings = halving_depth(kDefaultKeyframes);
-  const int images = 2 + halvings, films = halvings;
+  const int images = 1 + halvings, films = halvings - 1;                      // seldom all at once
   constexpr double kUncertainty = 2 * sizeof(std::uint64_t) + 2 * kFilm + 5;  // landed, predicted by either key, planes
   return images * (kFilm + kPoint + kContrast) + films * kFilm + kUncertainty;
 }

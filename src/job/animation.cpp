@@ -373,6 +373,7 @@ class Animation {
             stage_.scene.timeline.frame_count,
             static_cast<int>(frames_.size()),
             FrameSink::frames_in_memory(pool_.threads()),
+            makes_videos() && !is_part(),
             params_.scene.name == kTestPattern ? 1 : most_strips(optics())};
   }
 

@@ -12,6 +12,7 @@
 #include "lippmann/core/error.hpp"
 #include "trace/first_hits.hpp"
 #include "trace/strip_order.hpp"
+#include "video/video_codec.hpp"
 
 namespace lippmann {
 namespace {
@@ -88,10 +89,37 @@ double light_field_bytes(const MemoryFacts& facts) {
   return kFilm + 2.0 * sizeof(float);
 }
 
+/// What encoders keep of the frames of a video, ahead of what they write.
+double video_bytes(VideoCodec codec) {
+  switch (codec) {
+    case VideoCodec::kH264:
+      return 60.0;
+    case VideoCodec::kHevc:
+      return 125.0;
+    case VideoCodec::kVp9:
+      return 140.0;
+    case VideoCodec::kAv1:
+      return 270.0;
+    case VideoCodec::kFfv1:
+      return 170.0;
+  }
+  return 0.0;
+}
+
+double videos_written(const MemoryFacts& facts) {
+  if (!facts.writes_videos) return 0.0;
+  const Vec2i size = facts.layout.picture_size();
+  double bytes = 0.0;
+  for (const std::string& video : facts.params.output.video)
+    bytes += video_bytes(choose_codec(video, facts.params.output.video_codec, size.x, size.y));
+  return bytes;
+}
+
 /// What writing a frame takes beside its film and layers.
 double writing(const MemoryFacts& facts) {
   const double precompensated = facts.params.optics.precompensate ? 2.0 * kFilm : 0.0;
-  return picture_written(facts) + layers_written(facts) + moved_bytes(facts) + light_field_bytes(facts) + precompensated;
+  return picture_written(facts) + layers_written(facts) + moved_bytes(facts) + light_field_bytes(facts) + precompensated +
+         videos_written(facts);
 }
 
 /// Which film pixel goes where, kept from frame to frame.

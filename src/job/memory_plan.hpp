@@ -19,11 +19,12 @@ struct MemoryFacts {
   FrameParams made_as;  ///< its reuse is the one that serves the scene (reuse_for)
   const FrameLayout& layout;
   Vec2i film{0, 0};
-  int animation_frames = 1;  ///< the scene's: neighbours of frames count where these are made with them
-  int frames = 1;            ///< that are rendered
-  int frames_at_a_time = 1;  ///< at most: being traced, waiting and being written
-  int most_bands = 1;        ///< into which a frame can be cut; 1: it cannot
-  double covered = 1.0;      ///< the share of pixels that see a surface, which soft light is shared on
+  int animation_frames = 1;    ///< the scene's: neighbours of frames count where these are made with them
+  int frames = 1;              ///< that are rendered
+  int frames_at_a_time = 1;    ///< at most: being traced, waiting and being written
+  bool writes_videos = false;  ///< along with the frames
+  int most_bands = 1;          ///< into which a frame can be cut; 1: it cannot
+  double covered = 1.0;        ///< the share of pixels that see a surface, which soft light is shared on
 };
 
 /// How frames are made.

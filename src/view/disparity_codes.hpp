@@ -14,7 +14,8 @@ namespace lippmann {
 /// w of a depth; `parallax`: shown depth / true depth.
 double disparity_mm(double z_mm, double vergence, double parallax);
 
-/// `depth`: 1 channel, z in mm of the display frame, -inf: nothing there.
+/// `depth`: 1 channel, z in mm of the display frame. Where nothing is there (-inf), pixels show the surroundings, which move
+/// between views as the infinitely far does: w = -V, or -inf if V is infinite.
 Image disparities_mm(const Image& depth, double vergence, double parallax);
 
 /// `disparities`: 1 channel; what is not finite gets code 0. scale_mm > 0.
