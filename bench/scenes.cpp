@@ -1,5 +1,7 @@
 #include "bench/scenes.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -9,8 +11,55 @@
 namespace lippmann::bench {
 namespace {
 
+namespace fs = std::filesystem;
+
+constexpr const char* kTachyonNames[] = {"teapot", "room", "smallballs"};
+
 bool is_wanted(const Request& request, const std::string& name) {
   return request.scenes.empty() || std::find(request.scenes.begin(), request.scenes.end(), name) != request.scenes.end();
+}
+
+bool is_tachyons(const std::string& name) {
+  return std::find(std::begin(kTachyonNames), std::end(kTachyonNames), name) != std::end(kTachyonNames);
+}
+
+/// Files of Tachyon's scenes, of those that the request names, that its folder does not hold.
+std::vector<std::string> missing_tachyon_files(const Request& request) {
+  std::vector<std::string> missing;
+  for (const std::string name : kTachyonNames)
+    for (const std::string& file : {name + ".dat", name + ".cam"})
+      if (is_wanted(request, name) && !fs::exists(fs::path(request.tachyon_scenes) / file)) missing.push_back(file);
+  return missing;
+}
+
+Error no_tachyon_scenes(const Request& request) {
+  return {request.tachyon_scenes, fmt::format("has no {}", fmt::join(missing_tachyon_files(request), ", ")),
+          "a folder with Tachyon's scenes (--tachyon-scenes DIR); Debian has them in the package tachyon-doc"};
+}
+
+/// Throws Error for a name that no animation has, and for one of Tachyon's alone whose files are not there.
+void require_animations(const Request& request) {
+  std::string known;
+  for (const BuiltinScene& builtin : builtin_scenes()) known += std::string(builtin.name) + ", ";
+  const std::vector<std::string> missing = missing_tachyon_files(request);
+  for (const std::string& name : request.scenes) {
+    if (is_builtin_scene(name)) continue;
+    if (!is_tachyons(name))
+      throw usage_error("--scene", fmt::format("there is no animation '{}'", name),
+                        known + fmt::format("or one of Tachyon's: {}", fmt::join(kTachyonNames, ", ")));
+    if (std::any_of(missing.begin(), missing.end(), [&](const std::string& file) { return file.starts_with(name + "."); }))
+      throw no_tachyon_scenes(request);
+  }
+}
+
+/// Measuring goes on without: the built-in teapot and room have the same names as two of Tachyon's scenes.
+void warn_of_missing_tachyon_files(const Request& request, const Context& context) {
+  const std::vector<std::string> missing = missing_tachyon_files(request);
+  if (missing.empty()) return;
+  context.warning(
+      fmt::format("Tachyon's scenes are left out, and with them columns that compare with the paper: {} has no {}. "
+                  "Debian's package tachyon-doc has them; --tachyon-scenes names another folder.",
+                  request.tachyon_scenes, fmt::join(missing, ", ")));
 }
 
 }  // namespace
@@ -37,28 +86,27 @@ std::vector<BenchScene> bench_scenes(const Request& request, const Context& cont
 
 std::vector<BenchScene> tachyon_scenes(const Request& request) {
   std::vector<BenchScene> result;
-  for (const std::string name : {"teapot", "room", "smallballs"}) {
-    const std::filesystem::path file = std::filesystem::path(request.tachyon_scenes) / (name + ".dat");
-    if (!is_wanted(request, name) || !std::filesystem::exists(file)) continue;
-    result.push_back({name, params_of(file.string()), 0});
+  for (const std::string name : kTachyonNames) {
+    const fs::path file = fs::path(request.tachyon_scenes) / (name + ".dat");
+    if (is_wanted(request, name) && fs::exists(file)) result.push_back({name, params_of(file.string()), 0});
   }
   return result;
 }
 
 std::vector<BenchAnimation> bench_animations(const Request& request, const Context& context) {
   constexpr int kFrames = 48, kTachyonFrames = 24, kTachyonFirst = 96, kLargeFrames = 17;  // the paper shows frames 103 to 109
+  require_animations(request);
+  warn_of_missing_tachyon_files(request, context);
   std::vector<BenchAnimation> result;
-  std::string known;
   for (const BuiltinScene& builtin : builtin_scenes()) {
     const std::string name(builtin.name);
-    known += name + ", ";
     if (!is_wanted(request, name)) continue;
     const int all = load_scene(name, {}, context).timeline.frame_count;
     result.push_back({name, params_of(name), 0, std::min(request.frames > 0 ? request.frames : kFrames, all)});
   }
   for (const BenchScene& scene : tachyon_scenes(request)) {
-    const std::filesystem::path path = std::filesystem::path(scene.params.scene.name).replace_extension(".cam");
-    if (!std::filesystem::exists(path)) continue;
+    const fs::path path = fs::path(scene.params.scene.name).replace_extension(".cam");
+    if (!fs::exists(path)) continue;
     RenderParams params = scene.params;
     params.scene.camera_path = path.string();
     const int all = wanted_scene(params, context).timeline.frame_count;
@@ -72,8 +120,6 @@ std::vector<BenchAnimation> bench_animations(const Request& request, const Conte
     large.params.optics.lens_pixels = {10.0f, 10.0f};
     result.push_back(std::move(large));
   }
-  if (result.empty())
-    throw usage_error("--scene", "no such animation", known + "or one of Tachyon's: teapot, room, smallballs");
   return result;
 }
 

@@ -3,6 +3,7 @@
 import sys
 
 import bpy
+import imbuf
 
 from . import job as jobs
 from . import tool
@@ -18,6 +19,14 @@ def end_animation(*_):
     if _animation:
         _animation.stop()
         _animation = None
+
+
+def size_of(picture):
+    """Width and height of a picture file. A render must not change bpy.data: Blender 5 ends at the next frame if it does."""
+    image = imbuf.load(str(picture))
+    size = tuple(image.size)
+    image.free()
+    return size
 
 
 class Engine(bpy.types.RenderEngine):
@@ -71,9 +80,7 @@ class Engine(bpy.types.RenderEngine):
         """The picture as Blender's result; of several views the middle one. The files hold the codes for the display."""
         picture = pictures[len(pictures) // 2]
         width, height = jobs.resolution(scene)
-        image = bpy.data.images.load(str(picture))
-        size = tuple(image.size)
-        bpy.data.images.remove(image)
+        size = size_of(picture)
         if size != (width, height):
             self.report({"WARNING"}, f"The picture has {size[0]} x {size[1]} pixels, not Blender's resolution; see {picture}.")
             return

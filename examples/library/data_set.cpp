@@ -6,7 +6,11 @@
 
 using namespace lippmann;
 
-int main(int, char** argv) try {
+int main(int argc, char** argv) try {
+  if (argc != 2) {
+    std::cerr << "usage: data_set FOLDER\n";
+    return 2;
+  }
   const Context context;
   const Scene scene = load_scene("primitives", {}, context);
   Optics cameras;
@@ -21,7 +25,7 @@ int main(int, char** argv) try {
   LightField field = light_field_of(frame.pictures.film, renderer.optics(), &frame.pictures.aovs[Aov::kDepth]);
   field.stack = to_codes(std::get<Image>(field.stack), scene.encoding);
   for (const auto& file : find_format("hci", "format").write(field, argv[1], {})) std::cout << file.string() << "\n";
-} catch (const Error& error) {
-  std::cerr << error.what() << "\n";
-  return error.exit_code();
+} catch (const std::exception& error) {
+  std::cerr << "data_set: " << error.what() << "\n";
+  return 1;
 }

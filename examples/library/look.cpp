@@ -7,7 +7,11 @@
 
 using namespace lippmann;
 
-int main(int, char** argv) try {
+int main(int argc, char** argv) try {
+  if (argc != 3) {
+    std::cerr << "usage: look FILE|FOLDER FOLDER\n";
+    return 2;
+  }
   const std::filesystem::path folder = argv[2];
   std::filesystem::create_directories(folder);
   const LightFieldFrames frames = find_light_field_frames(argv[1], {});
@@ -22,7 +26,7 @@ int main(int, char** argv) try {
     write_picture(folder / (side < 0 ? "left.png" : "right.png"), to_codes(eye_view(panel, view, pool), Encoding::kSrgb));
   }
   write_picture(folder / "focused.png", to_codes(refocus(panel, 0.0, {0, 0}, pool), Encoding::kSrgb));
-} catch (const Error& error) {
-  std::cerr << error.what() << "\n";
-  return error.exit_code();
+} catch (const std::exception& error) {
+  std::cerr << "look: " << error.what() << "\n";
+  return 1;
 }

@@ -3,6 +3,7 @@
 //   own_scene FOLDER
 #include <cstdio>
 #include <filesystem>
+#include <iostream>
 #include <lippmann/lippmann.hpp>
 
 using namespace lippmann;
@@ -42,7 +43,11 @@ Optics lenticular_sheet() {
 
 }  // namespace
 
-int main(int, char** argv) try {
+int main(int argc, char** argv) try {
+  if (argc != 2) {
+    std::cerr << "usage: own_scene FOLDER\n";
+    return 2;
+  }
   const std::filesystem::path folder = argv[1];
   std::filesystem::create_directories(folder);
   const Context context;
@@ -62,7 +67,7 @@ int main(int, char** argv) try {
     std::printf("frame %d: %s, %llu rays, %.2f mm at the middle\n", i, frame.report.kind.c_str(),
                 static_cast<unsigned long long>(frame.report.rays.total()), static_cast<double>(middle));
   }
-} catch (const Error& error) {
-  std::fprintf(stderr, "%s\n", error.what());
-  return error.exit_code();
+} catch (const std::exception& error) {
+  std::cerr << "own_scene: " << error.what() << "\n";
+  return 1;
 }

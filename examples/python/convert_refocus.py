@@ -3,7 +3,7 @@ import sys
 
 import lippmann
 
-path, folder = sys.argv[1], sys.argv[2]
+path, folder = sys.argv[1:] if len(sys.argv) == 3 else sys.exit("usage: convert_refocus.py FILE FOLDER")
 field = lippmann.open(path)
 print(field)
 near, far = field.refocus(z_mm=10), field.refocus(z_mm=-10)  # (y, x, 3), linear light

@@ -3,7 +3,7 @@ import sys
 
 import lippmann
 
-scene, calibration, picture = sys.argv[1:]
+scene, calibration, picture = sys.argv[1:] if len(sys.argv) == 4 else sys.exit("usage: native_frame.py SCENE CALIBRATION OUT.png")
 field = lippmann.render(scene, lippmann.display(calibration), layout="native", layers=["depth"])
 print("pixels of the panel:", field.codes.shape, field.codes.dtype)
 print("depth behind each:", field.panel_layer("depth").shape, "mm")

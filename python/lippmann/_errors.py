@@ -6,10 +6,13 @@ that take arguments stand in a `Naming`, which puts Python's names in their plac
 
 from __future__ import annotations
 
+import functools
 import re
 import sys
 import warnings
-from typing import Any, Mapping, Union
+from typing import Any, Callable, Mapping, TypeVar, Union
+
+_Value = TypeVar("_Value")
 
 # The library's names of arguments that Python calls otherwise, wherever they occur.
 _ARGUMENTS = {
@@ -62,6 +65,25 @@ class Error(ValueError):
 
     def __str__(self) -> str:
         return f"{self.where}: {self.problem}" + (f" (accepted: {self.accepted})" if self.accepted else "")
+
+
+class UnknownError(Error, AttributeError):
+    """An attribute that an object of its kind may have, and this one does not: hasattr() is False, getattr() gives its default."""
+
+
+def known(get: Callable[[Any], _Value]) -> Callable[[Any], _Value]:
+    """Decorates the getter of a property that some objects lack: an Error of it becomes an UnknownError."""
+
+    @functools.wraps(get)
+    def getter(self: Any) -> _Value:
+        try:
+            return get(self)
+        except UnknownError:
+            raise
+        except Error as error:
+            raise UnknownError(error.where, error.problem, error.accepted) from None
+
+    return getter
 
 
 def _argument(where: str, names: Mapping[str, str]) -> str:

@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _core, _notebook
 from ._arguments import array, choice, integer, number, pair, path as _path, positive
-from ._errors import Error, Naming, warn_of_ignored
+from ._errors import Error, Naming, known, warn_of_ignored
 from ._optics import Display, Optics, display_of
 
 _SIZE = 1 << 15
@@ -40,6 +40,9 @@ class LightField:
     views: (rows, columns, y, x, 3): uint8 or uint16 (sRGB codes) or float32 (linear light).
     depth: (rows, columns, y, x), mm in front of the plane in which views coincide, -inf where nothing is.
     distance_mm, baseline_mm, pixel_mm: of the cameras, as of lippmann.camera_grid; all of them or none.
+
+    Attributes that are not known of a light field, such as the depth of one without depth, raise an Error that is an
+    AttributeError too: hasattr(field, "depth") tells. Light fields can be pickled and copied deeply.
 
     Arrays that it gives cannot be written where they are its own memory: copy them, or make another light field of others.
     """
@@ -98,6 +101,9 @@ class LightField:
         field.path = path
         return field
 
+    def __getstate__(self) -> Dict[str, Any]:
+        return {**self.__dict__, "_shown": None, "_layers": {}}  # which are computed again when they are needed
+
     # ---- Arrays --------------------------------------------------------------------------------------------------------
 
     @property
@@ -107,16 +113,19 @@ class LightField:
         return self._own
 
     @property
+    @known
     def views(self) -> np.ndarray:
         """(rows, columns, y, x, 3). float32 linear light where it was rendered, else what the file stores; no copy."""
         return self._views.views
 
     @property
+    @known
     def shape(self) -> Tuple[int, ...]:
         """(rows, columns, y, x, channel)."""
         return self.views.shape
 
     @property
+    @known
     def depth(self) -> np.ndarray:
         """(rows, columns, y, x), float32: mm in front of the display's plane (behind it below 0), -inf where nothing is."""
         depth = self._views.depth
@@ -125,10 +134,12 @@ class LightField:
         return depth
 
     @property
+    @known
     def disparity(self) -> np.ndarray:
         """(rows, columns, y, x), float32: pixels by which a point lies farther left in the next view to the right (of the last
         column: than in the one before); above 0 in front of the display, as in the HCI benchmark. Of one column: farther down
-        in the next view upwards.
+        in the next view upwards. -inf where nothing is, as in `depth`; the disparity of a point that is ever farther away
+        approaches -step / pixel_mm instead, `step` from eye to eye.
         """
         distance, pixel, eyes = self._cameras()
         rows, columns = eyes.shape[:2]
@@ -139,15 +150,19 @@ class LightField:
         steps = np.diff(places, axis=1)
         steps = np.concatenate([steps, steps[:, -1:]], axis=1)
         steps = (steps if across else steps.T)[..., None, None] / pixel[1 if across else 0]
-        with np.errstate(divide="ignore"):
-            return (steps * (distance / (distance - self.depth.astype(np.float64)) - 1.0)).astype(np.float32)
+        depth = self.depth.astype(np.float64)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            disparity = steps * (distance / (distance - depth) - 1.0)
+        return np.where(depth == -np.inf, -np.inf, disparity).astype(np.float32)
 
     @property
+    @known
     def normals(self) -> np.ndarray:
         """(rows, columns, y, x, 3), float32: unit vectors in the scene's world, towards the viewer; 0 where nothing is."""
         return self.layer("normal")
 
     @property
+    @known
     def motion(self) -> np.ndarray:
         """(rows, columns, y, x, 2), float32: pixels to the right and down since the frame before, within the same view."""
         return self.layer("motion")
@@ -168,16 +183,19 @@ class LightField:
         return self._layers[name]
 
     @property
+    @known
     def picture(self) -> np.ndarray:
         """(y, x, 3), float32, linear: what the panel shows, as its optics lie: a quilt, an integral image, native pixels."""
         return self._panel().picture if self._film is None else self._film.picture
 
     @property
+    @known
     def codes(self) -> np.ndarray:
         """(y, x, 3), uint8: the picture as `lippmann render` writes it; of transparent frames (y, x, 4)."""
         return to_codes(self.picture) if self._film is None else self._film.codes
 
     @property
+    @known
     def alpha(self) -> np.ndarray:
         """(rows, columns, y, x), float32, 0 to 1: the share of each pixel that something covers; of transparent frames.
 
@@ -188,6 +206,7 @@ class LightField:
         return self.layer("alpha")[..., 0]
 
     @property
+    @known
     def rgba(self) -> np.ndarray:
         """(rows, columns, y, x, 4), uint8: sRGB codes of transparent views, whose colours are not multiplied by alpha, as files of
         pictures have them.
@@ -225,28 +244,33 @@ class LightField:
         return {} if self._film is None else self._film.report
 
     @property
+    @known
     def eyes_mm(self) -> np.ndarray:
         """(rows, columns, 2), float64: x and y of the eye of every view, in the plane z = distance_mm."""
         return self._cameras()[2]
 
     @property
+    @known
     def distance_mm(self) -> float:
         """From the eyes to the plane in which views coincide."""
         return self._cameras()[0]
 
     @property
+    @known
     def pixel_mm(self) -> Tuple[float, float]:
         """(height, width) of a view's pixel in that plane."""
         return self._cameras()[1]
 
     @property
+    @known
     def units_per_mm(self) -> float:
         """Scene units for a mm of the display."""
         return self._placed().units_per_mm
 
     @property
+    @known
     def world_from_display(self) -> np.ndarray:
-        """(4, 4), float32: from mm of the display to the scene's world, at this frame."""
+        """(4, 4), float64: from mm of the display to the scene's world, at this frame."""
         self._placed()
         return self._film.world_from_display
 

@@ -172,6 +172,8 @@ class Scene:
         """A scene of its own with the same contents. Handles of objects stay with the one that made them."""
         return Scene._of(self._core.copy(), self._kind, self._is_file)
 
+    __copy__ = copy  # copy.copy(); copy.deepcopy() and pickle keep handles and their scene together
+
     def __repr__(self) -> str:
         count = self.frame_count
         return f"<lippmann.Scene {self.name!r}: {len(self.objects)} objects, {count} frame{'' if count == 1 else 's'}>"
@@ -521,7 +523,7 @@ def choose_camera(core: Any, camera: Union[str, int, None]) -> None:
     elif camera is not None:
         count = len(core.camera_names)
         if not count:
-            raise Error("camera", "the scene has no cameras", "no name or index of one")
+            raise Error("camera", "the scene has no cameras", "no camera argument")
         core.choose_camera_at(integer(camera, "camera", 0, count - 1))
 
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "archive.hpp"
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "interruptible.hpp"
@@ -134,9 +135,12 @@ std::vector<std::filesystem::path> save(const LightField& field, const std::file
 
 py::tuple open(const std::filesystem::path& path, const std::string& format, const std::optional<Pair>& views,
                const std::optional<Pair>& tiles, const std::optional<Display>& display) {
-  const FormatOptions options = options_of(views, tiles, display);
+  FormatOptions options = options_of(views, tiles, display);
   OpenedLightField opened;
-  Interruptible(0).run(py::none(), [&](const Context&) { opened = open_light_field(path, format, options); });
+  Interruptible(0).run(py::none(), [&](const Context& context) {
+    options.warn = context.warn;
+    opened = open_light_field(path, format, options);
+  });
   return py::make_tuple(std::make_shared<LightField>(std::move(opened.field)), opened.optics, std::string(opened.format));
 }
 
@@ -218,6 +222,7 @@ py::array codes_of(const Array<float>& linear) {
 void bind_light_field(py::module_& module) {
   py::class_<LightField, SharedField>(module, "Views")
       .def(py::init(&field_of))
+      .def(pickled<LightField>())
       .def("set_cameras", &set_cameras)
       .def_property_readonly("views", &views_of)
       .def_property_readonly("depth", &depth_of_views)
@@ -228,6 +233,7 @@ void bind_light_field(py::module_& module) {
       .def("panel", &panel_of_field);
 
   py::class_<RenderedPanel, SharedPanel>(module, "Panel")
+      .def(pickled<RenderedPanel>())
       .def_property_readonly("picture", &panel_array)
       .def_property_readonly("optics", [](const RenderedPanel& p) { return p.optics; })
       .def("refocus", &refocused)

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "archive.hpp"
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "lippmann/core/error.hpp"
@@ -132,6 +133,7 @@ std::string optics_text(const Optics& optics) {
 void bind_display(py::module_& module) {
   py::class_<Display>(module, "Display", "A display: a preset, a file of one's own, a device's calibration (lippmann.display).")
       .def("__repr__", &display_text)
+      .def(pickled<Display>())
       .def_property_readonly(
           "name", [](const Display& d) { return decoded(d.name); }, "Of the preset, or the file's without its ending.")
       .def_property_readonly(
@@ -159,6 +161,7 @@ void bind_optics(py::module_& module) {
   bind_display(module);
   py::class_<Optics>(module, "Optics", "Which ray every pixel of a panel shows (lippmann.camera_grid, lippmann.quilt, ...).")
       .def("__repr__", &optics_text)
+      .def(pickled<Optics>())
       .def_property_readonly("size", &picture_shape, "[height, width] of the panel's picture in pixels.")
       .def_property_readonly(
           "is_views", [](const Optics& o) { return view_tiles(o).has_value(); }, "Whether it is views side by side.")
@@ -188,11 +191,12 @@ void bind_optics(py::module_& module) {
   });
 
   py::class_<Placement>(module, "Placement")
+      .def(pickled<Placement>())
       .def_property_readonly("optics", [](const Placement& p) { return p.placed.optics; })
       .def_property_readonly("units_per_mm", [](const Placement& p) { return p.placed.units_per_mm; })
       .def_property_readonly("depth_scale", [](const Placement& p) { return p.placed.depth_scale; })
       .def_property_readonly("how", [](const Placement& p) { return decoded(p.array.how); });
-  py::class_<ViewWish>(module, "ViewWish").def(py::init(&wish_of));
+  py::class_<ViewWish>(module, "ViewWish").def(py::init(&wish_of)).def(pickled<ViewWish>());
   module.def("place", [](const Scene& scene, const Optics& optics, bool fit_depth, const ViewWish& view) {
     return place(scene, optics, PlacementWish{view, fit_depth});
   });

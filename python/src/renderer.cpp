@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "archive.hpp"
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "interruptible.hpp"
@@ -25,6 +26,7 @@ struct Film {
   Optics optics;
   Encoding encoding = Encoding::kSrgb;
   Affine3f world_from_display;
+  Vec3d origin{0.0};  ///< of the world, in the file's coordinates
 };
 using SharedFilm = std::shared_ptr<Film>;
 
@@ -180,9 +182,10 @@ class Frames {
     }
     if (!made) throw Error("frames", "rendering was stopped", "a new call of lippmann.frames");
     const Scene& scene = renderer_->scene();
-    return std::make_shared<Film>(Film{
-        std::move(*made), placement_.placed.optics, scene.encoding,
-        world_from_display(placement_.array, placement_.placed.units_per_mm, evaluate(scene, scene.timeline.time(index)))});
+    return std::make_shared<Film>(
+        Film{std::move(*made), placement_.placed.optics, scene.encoding,
+             world_from_display(placement_.array, placement_.placed.units_per_mm, evaluate(scene, scene.timeline.time(index))),
+             scene.origin});
   }
 
   const Placement& placement() const { return placement_; }
@@ -207,6 +210,7 @@ std::shared_ptr<Frames> frames_of(Scene& scene, const Placement& placement, cons
 void bind_frame_params(py::module_& module) {
   py::class_<Sampling>(module, "Sampling")
       .def(py::init(&sampling_by))
+      .def(pickled<Sampling>())
       .def("want_layers", &want_layers)
       .def_readwrite("spp", &Sampling::spp)
       .def_readwrite("max_depth", &Sampling::max_depth)
@@ -220,18 +224,20 @@ void bind_frame_params(py::module_& module) {
   py::class_<ChosenReuse>(module, "Reuse")
       .def(py::init([](const std::string& name, const std::optional<int>& keyframes, const std::optional<double>& min_psnr_db) {
         return ChosenReuse{reuse_named(name, keyframes, min_psnr_db)};
-      }));
+      }))
+      .def(pickled<ChosenReuse>());
 }
 
 }  // namespace
 
 void bind_renderer(py::module_& module) {
   py::class_<Film, SharedFilm>(module, "Film")
+      .def(pickled<Film>())
       .def_property_readonly("picture", &picture_of)
       .def_property_readonly("is_transparent", &is_transparent)
       .def_property_readonly("codes", &codes_of_film)
       .def_property_readonly("report", &report_of)
-      .def_property_readonly("world_from_display", [](const Film& f) { return matrix_of(f.world_from_display); })
+      .def_property_readonly("world_from_display", [](const Film& f) { return matrix_of(f.world_from_display, f.origin); })
       .def("write", &write)
       .def("layer", &layer_on_panel)
       .def("layer_of_views", &layer_of_views)

@@ -45,8 +45,8 @@ class Denoiser {
   /// number of threads.
   Image denoise(const Frame* before, const Frame& now, const Frame* after, const ThreadPool& pool) const;
 
-  /// Memory of a frame made ready, and of denoising beside it.
-  static constexpr double kFrameBytesPerPixel = 104.0, kWorkBytesPerPixel = 44.0;
+  /// Memory of a frame made ready, and of making frames ready and denoising beside it, as measured.
+  static constexpr double kFrameBytesPerPixel = 104.0, kWorkBytesPerPixel = 81.0;
 
  private:
   struct Impl;

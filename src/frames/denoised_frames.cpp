@@ -96,10 +96,9 @@ std::vector<FrameReport> DenoisedFrames::sources() const {
   return reports;
 }
 
-double DenoisedFrames::bytes_kept_per_pixel(bool shares_light) {
-  constexpr double kNoisyBytes = 84.0 + 16.0;  // images of a NoisyFrame, two of motion
-  const double of_light = shares_light ? SharedLightFrames::bytes_kept_per_pixel() : 0.0;
-  return of_light + 3.0 * Denoiser::kFrameBytesPerPixel + std::max(kNoisyBytes, Denoiser::kWorkBytesPerPixel);
+double DenoisedFrames::bytes_per_pixel(const Workload& work) {
+  const double neighbours = work.frames > 1 ? 3.0 : 2.5;  // a single frame has two of them, or one at an animation's end
+  return std::min<double>(neighbours, work.animation_frames) * Denoiser::kFrameBytesPerPixel + Denoiser::kWorkBytesPerPixel;
 }
 
 }  // namespace lippmann

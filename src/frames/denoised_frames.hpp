@@ -21,7 +21,8 @@ class DenoisedFrames final : public FrameMaker {
   std::vector<FrameReport> sources() const override;
 
   /// Three frames made ready, one as traced, and what filtering takes.
-  static double bytes_kept_per_pixel(bool shares_light);
+  /// Without what shared light takes.
+  static double bytes_per_pixel(const Workload& work);
 
  private:
   struct Traced {

@@ -113,10 +113,10 @@ std::vector<FrameReport> ForwardFrames::sources() const {
 }
 
 double ForwardFrames::bytes_kept_per_pixel(const Interpolate& reuse) {
-  constexpr double kFilm = 3 * sizeof(float), kPoint = sizeof(float) + sizeof(std::uint32_t), kContrast = 1;
-  // Two keys, one made frame per halving, and the keys of two splats.
+  constexpr double kFilm = 3 * sizeof(float), kPoint = sizeof(float) + sizeof(std::uint32_t), kContrast = 1, kSpareFilms = 2;
+  // Two keys, one made frame per halving, the keys of two splats, and films to be used again.
   const int images = 2 + (reuse.halving ? halving_depth(key_frame_interval(reuse)) : 0);
-  return images * (kFilm + kPoint + kContrast) + 2 * sizeof(std::uint64_t);
+  return images * (kFilm + kPoint + kContrast) + 2 * sizeof(std::uint64_t) + kSpareFilms * kFilm;
 }
 
 }  // namespace lippmann

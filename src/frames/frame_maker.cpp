@@ -35,11 +35,10 @@ void refuse_deforming_meshes(const Scene& scene) {
   const std::vector<bool> moves = moving_instances(scene);
   for (std::size_t i = 0; i < scene.instances.size(); ++i)
     if (moves[i] && is_posed(scene, scene.instances[i]))
-      throw usage_error(
-          "reuse",
-          fmt::format("interpolated frames need things to keep their shape, and {} changes it (skin or morph targets)",
-                      shown(scene.instances[i].name)),
-          "copy, none or auto for this scene");
+      throw usage_error("reuse",
+                        fmt::format("interpolated frames need rigid objects, and {} changes its shape (skin or morph targets)",
+                                    shown(scene.instances[i].name)),
+                        "copy, none or auto for this scene");
 }
 
 bool has_splats(const Scene& scene) {
@@ -51,7 +50,7 @@ bool has_splats(const Scene& scene) {
 /// A point image has one point for each pixel, and splats are many behind one another.
 void refuse_splats(const Scene& scene) {
   if (has_splats(scene))
-    throw usage_error("reuse", "interpolated frames need one surface behind each pixel, and splats are many",
+    throw usage_error("reuse", "interpolated frames need one surface behind each pixel, and splats have many",
                       "copy, none or auto for this scene");
 }
 
@@ -90,16 +89,17 @@ class MakerOf {
   const Context& context_;
 };
 
-/// How many frames belong together, for each kind of reuse.
-struct BytesKept {
+/// Bytes per pixel, for each kind of reuse.
+struct WorkingBytes {
   const Sampling& sampling;
+  const Workload& work;
+
+  double denoising() const { return sampling.denoise ? DenoisedFrames::bytes_per_pixel(work) : 0.0; }
 
   double operator()(const AutoReuse&) const { return 0.0; }
-  double operator()(const TraceAll&) const { return sampling.denoise ? DenoisedFrames::bytes_kept_per_pixel(false) : 0.0; }
-  double operator()(const CopySettled&) const { return ExactFrames::bytes_kept_per_pixel(); }
-  double operator()(const ShareLight&) const {
-    return sampling.denoise ? DenoisedFrames::bytes_kept_per_pixel(true) : SharedLightFrames::bytes_kept_per_pixel();
-  }
+  double operator()(const TraceAll&) const { return denoising(); }
+  double operator()(const CopySettled&) const { return work.frames > 1 ? ExactFrames::bytes_kept_per_pixel() : 0.0; }
+  double operator()(const ShareLight&) const { return CachedLightTracer::bytes_per_pixel(work.covered) + denoising(); }
   double operator()(const Interpolate& reuse) const {
     return reuse.min_psnr_db ? ErrorBoundedFrames::bytes_kept_per_pixel() : ForwardFrames::bytes_kept_per_pixel(reuse);
   }
@@ -131,8 +131,8 @@ std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const FrameParams& pa
   return std::visit(MakerOf(stage, sampling, pool, context), reuse_for(stage.scene, params));
 }
 
-double bytes_kept_per_pixel(const FrameParams& params) {
-  return std::visit(BytesKept{params.sampling}, resolved_reuse(params));
+double working_bytes_per_pixel(const FrameParams& params, const Workload& work) {
+  return std::visit(WorkingBytes{params.sampling, work}, resolved_reuse(params));
 }
 
 int frames_per_segment(const FrameParams& params) { return std::visit(SegmentLength{}, resolved_reuse(params)); }

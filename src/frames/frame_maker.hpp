@@ -33,8 +33,16 @@ Reuse reuse_for(const Scene& scene, const FrameParams& params);
 std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const FrameParams& params, const ThreadPool& pool,
                                              const Context& context);
 
-/// Bytes per pixel that a maker keeps from frame to frame.
-double bytes_kept_per_pixel(const FrameParams& params);
+/// What the memory of a maker depends on, beside its parameters.
+struct Workload {
+  int animation_frames = 1;  ///< the scene's
+  int frames = 1;            ///< that are asked for
+  double covered = 1.0;      ///< the share of pixels that see a surface
+};
+
+/// Bytes per pixel that making frames takes, and keeps from frame to frame, beside the film and layers of the frame that is
+/// made.
+double working_bytes_per_pixel(const FrameParams& params, const Workload& work);
 
 /// Where an animation is best cut into parts that are rendered apart: before frames whose number is a multiple of this. Frames
 /// from there on need none before them, or one key frame that is traced on both sides of the cut. Pictures do not depend on

@@ -33,8 +33,6 @@ class SharedLightFrames final : public FrameMaker {
   /// Earlier frames of a history, where only later ones were asked for.
   std::vector<FrameReport> sources() const override { return sources_; }
 
-  static double bytes_kept_per_pixel() { return CachedLightTracer::bytes_per_pixel(); }
-
  private:
   void go_to(int frame, FramePictures& pictures);
   FrameReport visit(int frame, FramePictures& pictures, NoisyFrame* noisy = nullptr);

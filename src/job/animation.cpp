@@ -13,13 +13,16 @@
 #include <optional>
 #include <utility>
 
+#include "core/available_memory.hpp"
 #include "core/cpu_model.hpp"
 #include "core/host_name.hpp"
 #include "core/json_text.hpp"
 #include "folder/claim_folder.hpp"
 #include "folder/frame_sink.hpp"
+#include "folder/kept_lease.hpp"
 #include "folder/render_folder.hpp"
 #include "folder/strips.hpp"
+#include "frames/banded_frames.hpp"
 #include "frames/frame_maker.hpp"
 #include "frames/picture_check.hpp"
 #include "job/aov_params.hpp"
@@ -27,6 +30,7 @@
 #include "job/job_fingerprint.hpp"
 #include "job/job_folder.hpp"
 #include "job/job_stage.hpp"
+#include "job/memory_plan.hpp"
 #include "job/render_checks.hpp"
 #include "job/reuse_params.hpp"
 #include "job/rgbd_options.hpp"
@@ -79,16 +83,11 @@ std::uint64_t channel_bytes(PictureFormat format, ExrPixels exr_pixels) {
 }
 
 /// As it is asked for, or the first of out/<scene name>, out/<scene name>-2, ... that holds no other render.
-fs::path chosen_folder(const RenderParams& params, const std::string& job, bool force, const Context& context) {
+fs::path chosen_folder(const RenderParams& params, const std::string& job, bool force) {
   const fs::path wanted = output_folder(params);
-  if (wanted == "-")
-    throw usage_error("output", "a render is a folder of files, and standard output cannot hold one", "a folder");
+  if (wanted == "-") throw usage_error("output", "a render writes a folder of files, not standard output", "a folder");
   if (!params.output.folder.empty() || force) return wanted;
-  fs::path folder = free_folder(wanted, job);
-  if (folder != wanted)
-    context.warning(fmt::format("{} holds another render, so this one is in {} (--force replaces the other, -o chooses)",
-                                wanted.string(), folder.string()));
-  return folder;
+  return free_folder(wanted, job);
 }
 
 /// What EXR files say of the render, for those who get them without its report.
@@ -113,7 +112,7 @@ std::vector<int> parts_of_run(const RunParams& run, const std::vector<int>& of_j
   std::vector<int> both;
   std::set_intersection(of_units.begin(), of_units.end(), wanted.begin(), wanted.end(), std::back_inserter(both));
   if (both.empty() && !of_units.empty())
-    throw usage_error("only-frames", fmt::format("{} has no frame that is to be rendered", write_frames(*run.only_frames)),
+    throw usage_error("only-frames", fmt::format("{} selects no frame of this render", write_frames(*run.only_frames)),
                       fmt::format("some of {}", write_frames(ranges_of(frames_of_parts(of_units, strips)))));
   return both;
 }
@@ -121,7 +120,7 @@ std::vector<int> parts_of_run(const RunParams& run, const std::vector<int>& of_j
 /// Throws a usage Error for frames that cannot be rendered in strips.
 void check_strips_of(const RenderParams& params, const FrameParams& made_as, const Optics& optics) {
   if (params.strips == 1) return;
-  if (params.scene.name == kTestPattern) throw usage_error("strips", "the test pattern is drawn whole", "1");
+  if (params.scene.name == kTestPattern) throw usage_error("strips", "the test pattern cannot be split", "1");
   check_strips(made_as, optics, params.strips);
 }
 
@@ -144,9 +143,11 @@ class Animation {
     check_layout();
     job_ = job_fingerprint(params_, stage_.scene, stage_.display.get());
     if (!is_part()) plan_videos();
-    folder_ = chosen_folder(params_, job_, run.force, context);
-    if (folder_ != output_folder(params_)) params_.output.folder = folder_.string();
+    folder_ = chosen_folder(params_, job_, run.force);
+    wanted_folder_ = output_folder(params_);
+    if (folder_ != wanted_folder_) params_.output.folder = folder_.string();
     const auto differing = [this](const fs::path& job_file) { return differences(job_file, params_); };
+    if (run.force) require_no_other_run(folder_, job_);
     if (!run.force) require_free_folder(folder_, job_, differing, all_frames_, video_names());
   }
 
@@ -160,14 +161,18 @@ class Animation {
             is_cut() ? static_cast<int>(parts_.size()) : 0,
             0,
             layout_.picture_size(),
-            layout_.pictures_per_frame()};
+            layout_.pictures_per_frame(),
+            memory_.bytes,
+            memory_.bands,
+            is_cut() ? joined_frame_bytes(memory_facts()) : 0.0};
   }
 
   RenderReport render() {
     if (frames_.empty())
-      context_.warning(fmt::format("unit {} has no frames: the job falls into fewer parts", write_units(*run_.units)));
+      context_.warning(fmt::format("unit {} has no frames: the job has fewer parts", write_units(*run_.units)));
     if (run_.ranks && !is_first_rank()) run_.ranks->begin();  // once the first rank has made room
     RenderFolder folder = open_folder();
+    const KeptLease lease(folder);
     RenderReport report = report_of_setup();
     if (is_first_rank()) begin_report(report, folder);
     const std::unique_ptr<FrameMaker> maker = make_maker(folder, report);
@@ -204,6 +209,9 @@ class Animation {
 
   std::unique_ptr<FrameMaker> make_maker(RenderFolder& folder, RenderReport& report) {
     if (params_.scene.name == kTestPattern) return make_pattern_frames(stage_, pool_);
+    if (memory_.bands > 1)
+      return std::make_unique<BandedFrames>(StripMaker(stage_, made_as_, memory_.bands, pool_, context_), film_size(optics()),
+                                            wanted_aovs(made_as_.sampling), context_);
     if (!is_cut()) return make_frame_maker(stage_, made_as_, pool_, context_);
     StrippedFrames::Settings settings{wanted_aovs(made_as_.sampling), film_size(optics()), keeps_frames(params_),
                                       run_.only_finished};
@@ -344,11 +352,11 @@ class Animation {
   void check_layout() {
     layout_.check_picture_size(!params_.sampling.aov.empty());
     if (!params_.output.video.empty() && !layout_.is_picture())
-      throw usage_error("video", "views are pictures of their own", "`layout` quilt or integral");
+      throw usage_error("video", "needs a layout with one picture per frame", "`layout` quilt or integral");
     if (!params_.output.video.empty() && layout_.is_rgbd() && layout_.format() == PictureFormat::kExr)
-      throw usage_error("video", "is made of the pictures, which have to hold codes of depth", "`format` png or png16");
+      throw usage_error("video", "needs pictures that store depth as integers", "`format` png or png16");
     if (!params_.output.video.empty() && (is_part() || run_.ranks) && layout_.format() != PictureFormat::kPng)
-      throw usage_error("video", "is made of the pictures of all parts, which have to hold its codes", "`format` png");
+      throw usage_error("video", "needs pictures of 8 bits: it is encoded from those of all parts", "`format` png");
     see_crosstalk();
     check(made_as_, optics());
     check_strips_of(params_, made_as_, optics());
@@ -357,13 +365,27 @@ class Animation {
     if (layout_.is_rgbd()) writing_ = rgbd_options(params_.output.pictures.depth, stage_, pool_);
   }
 
-  void check_memory() const {
-    if (is_cut()) require_memory_for_strips(params_, bytes_kept_per_pixel(made_as_), optics());
-    const bool joins = is_cut() && (!leaves_strips() || (run_.ranks && is_first_rank()));
-    if (joins) require_memory(params_, 0.0, optics(), layout_.moves(), 1);
-    if (!is_cut())
-      require_memory(params_, bytes_kept_per_pixel(made_as_), optics(), layout_.moves(),
-                     std::min(FrameSink::frames_in_memory(pool_.threads()), static_cast<int>(frames_.size())));
+  MemoryFacts memory_facts() const {
+    return {params_,
+            {made_as_.sampling, reuse_for(stage_.scene, made_as_)},
+            layout_,
+            film_size(optics()),
+            stage_.scene.timeline.frame_count,
+            static_cast<int>(frames_.size()),
+            FrameSink::frames_in_memory(pool_.threads()),
+            params_.scene.name == kTestPattern ? 1 : most_strips(optics())};
+  }
+
+  void check_memory() {
+    if (run_.only_finished && !is_cut()) return;  // no frame is rendered
+    MemoryFacts facts = memory_facts();
+    if (std::holds_alternative<ShareLight>(facts.made_as.reuse))
+      facts.covered = covered_share(stage_, made_as_.sampling, pool_);
+    const double available = run_.available_memory.value_or(available_memory_bytes());
+    const bool joins = !leaves_strips() || (run_.ranks && is_first_rank());
+    memory_ = is_cut() ? plan_strips_memory(facts, params_.strips, joins, available) : plan_memory(facts, available);
+    const std::string sentence = is_cut() ? std::string() : sentence_of(memory_, facts, available);
+    if (!sentence.empty() && is_first_rank()) context_.warning(sentence);
   }
 
   /// Frames that share light tell their errors as they are seen through the display's lenses.
@@ -383,7 +405,12 @@ class Animation {
       make_room_for_video(video, layout_.picture_size());
       warn_of_mixed_rows(video.path, video.options, layout_.picture_size(), context_);
     }
-    return open_job_folder(folder_, job_, params_, all_frames_, stage_.scene.timeline.frame_count, run_.force, context_);
+    RenderFolder folder =
+        open_job_folder(folder_, job_, params_, all_frames_, stage_.scene.timeline.frame_count, run_.force, context_);
+    if (folder_ != wanted_folder_)
+      context_.warning(fmt::format("{} holds another render, so this one is in {} (--force replaces the other, -o chooses)",
+                                   wanted_folder_.string(), folder_.string()));
+    return folder;
   }
 
   RenderReport report_of_setup() const {
@@ -485,14 +512,14 @@ class Animation {
     report.run.frames.push_back(frame);
     say_traced(report.frames.back());
     sink.add(std::move(rendered));
-    if (is_cut()) sink.wait();  // one film at a time, and strips of the next are recorded after it
+    if (is_cut() || memory_.one_at_a_time) sink.wait();  // one film at a time; of strips, the next are recorded after it
     return true;
   }
 
   void finish_videos(FrameSink& sink, RenderFolder& folder) const {
     for (const VideoFile& video : videos_) folder.begin_video(video.path, frames_);
-    sink.finish_videos();
-    for (const VideoFile& video : videos_) folder.add_video(video.path, frames_);
+    const bool have_side_files = sink.finish_videos();
+    for (const VideoFile& video : videos_) folder.add_video(video.path, frames_, have_side_files);
   }
 
   const Stopwatch setup_;
@@ -507,11 +534,12 @@ class Animation {
   const std::vector<int> parts_;       ///< this run's: frames, or parts of them (parts_of)
   const std::vector<int> frames_;      ///< of these parts
   const FrameLayout layout_;
+  MemoryPlan memory_;                ///< how frames are made in the memory that there is
   std::optional<double> crosstalk_;  ///< to be undone
   FormatOptions writing_;            ///< what the format of light fields is told
   std::string job_;
   std::vector<VideoFile> videos_;
-  fs::path folder_;
+  fs::path wanted_folder_, folder_;   ///< they differ where the first holds another render and no folder was given
   StrippedFrames* strips_ = nullptr;  ///< the maker of frames that are cut
   std::mutex mutex_;                  ///< what follows
   std::map<int, WorkDone> done_;      ///< by this rank, to be told to the first

@@ -32,6 +32,9 @@ struct RenderPlan {
   int kept = 0;    ///< how many of `frames`, or of their strips, the same job has finished before
   Vec2i picture_size{0, 0};
   int pictures_per_frame = 1;
+  double memory_bytes = 0.0;  ///< that frames take beside the scene, about (memory_plan.hpp)
+  int bands = 1;              ///< that frames are rendered in, as whole ones would take more memory than there is
+  double join_bytes = 0.0;    ///< that joining a frame from strips takes, about; 0: none is joined
 };
 
 /// Bytes of all pictures of a plan before compression: more than what PNG and EXR files take. Layers and videos are not
@@ -56,8 +59,9 @@ struct RunParams {
   /// Picks frames of the job, which comes with its segment (frames_per_segment), once the scene is loaded; empty: `units` and
   /// `only_frames` do. Where frames are rendered in strips, parts of the job instead (parts_of): they are not joined.
   std::function<std::vector<int>(const std::vector<int>& of_job, int segment)> choose = {};
-  Ranks* ranks = nullptr;      ///< that share the frames out among them; null: this process stands alone
-  bool only_finished = false;  ///< no frame is rendered: all have been, or it is an Error
+  Ranks* ranks = nullptr;                       ///< that share the frames out among them; null: this process stands alone
+  bool only_finished = false;                   ///< no frame is rendered: all have been, or it is an Error
+  std::optional<double> available_memory = {};  ///< bytes; none: what this machine has (core/available_memory.hpp)
 };
 
 /// Writes into output_folder(params): the pictures, the videos, job.toml and report.json. The same pictures and videos, byte

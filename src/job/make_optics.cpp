@@ -98,7 +98,7 @@ float viewing_distance_mm(const RenderParams& params, float fitted_mm, float win
   const float distance = params.optics.viewing_distance_mm.value_or(fitted_mm);
   if (lenses || std::isfinite(distance)) return distance;
   if (params.optics.viewing_distance_mm)
-    throw usage_error("--viewing-distance", "an infinite distance, and no lenses", "millimetres above 0, or auto");
+    throw usage_error("--viewing-distance", "cannot be infinite without lenses", "millimetres above 0, or auto");
   return kViewerHeights * window_height_mm;
 }
 

@@ -11,7 +11,6 @@
 #include "job/animation.hpp"
 #include "job/job_folder.hpp"
 #include "job/job_stage.hpp"
-#include "job/render_checks.hpp"
 #include "job/reuse_params.hpp"
 #include "lippmann/core/parallel.hpp"
 
@@ -76,8 +75,7 @@ UnitPlan measured_plan(const RenderParams& params, int count, const Context& con
   RenderObserver observer;
   observer.planned = [&](const RenderPlan& planned) {
     measured.setup_cpu_seconds = process_cpu_seconds() - begin;
-    const bool moves = true;  // most layouts do
-    if (planned.strips > 0) plan.join_bytes = frame_bytes(params, planned.stage.placed.optics, moves);
+    if (planned.join_bytes > 0.0) plan.join_bytes = planned.join_bytes;
   };
   const RenderReport report = render_animation(job_in(folder.path(), params), context, observer, run);
   measured.cpu_seconds = process_cpu_seconds() - begin;

@@ -345,8 +345,10 @@ CachedLightTracer::~CachedLightTracer() = default;
 
 void CachedLightTracer::restart() { impl_->history = {}; }
 
-double CachedLightTracer::bytes_per_pixel() {
-  return kCellsPerPixel * static_cast<double>(RadianceCache::bytes_per_cell()) + 2.0 * sizeof(float);
+double CachedLightTracer::bytes_per_pixel(double covered) {
+  // Scatter of samples, as it is and smoothed, and a round of records; cells are fewer per pixel the larger surfaces appear.
+  constexpr double kPixels = 26.0, kCells = 75.0;
+  return kPixels + kCells * std::sqrt(covered);
 }
 
 CachedLightReport CachedLightTracer::trace(const Shot& shot, const ResolvedScene& resolved, const TraceParams& params,

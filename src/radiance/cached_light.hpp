@@ -54,8 +54,9 @@ class CachedLightTracer {
                           const CachedLightGoal& goal, const std::vector<HorizonBox>& moving, const Workers& workers,
                           const CachedLightPictures& pictures);
 
-  /// Kept from frame to frame at most, per pixel; less than two thousand more make up for it in small frames.
-  static double bytes_per_pixel();
+  /// What tracing takes and keeps per pixel, for a share of pixels that see a surface: within a factor of 1.5 of what was
+  /// measured (docs/decisions/0079-memory-is-estimated-by-part.md). The cache may grow to several times as much.
+  static double bytes_per_pixel(double covered);
 
  private:
   struct Impl;

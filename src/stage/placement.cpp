@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "lippmann/core/error.hpp"
+#include "lippmann/scene/load.hpp"
 #include "stage/depth_budget.hpp"
 #include "stage/front_of_rays.hpp"
 
@@ -35,6 +36,7 @@ PlacedOptics placed_on(const Scene& scene, const FittedArray& array, Optics opti
 }
 
 Placement place(const Scene& scene, const Optics& optics, const PlacementWish& wish) {
+  validate(scene, "scene");
   validate(optics);
   const Vec2f window = window_size_mm(optics);
   Placement placement;

@@ -109,7 +109,8 @@ class FirstHits {
     set(Aov::kDepth, pixel, transform_point(display_from_world_, position).z);
     set(Aov::kNormal, pixel, surface.normal.get(i));
     set(Aov::kId, pixel, static_cast<float>(surface.instance[i]));
-    set(Aov::kPosition, pixel, position);
+    const Vec3d& origin = scene_.scene->origin;
+    set(Aov::kPosition, pixel, origin == Vec3d(0.0) ? position : Vec3f(Vec3d(position) + origin));
     set(Aov::kRayDepth, pixel, packet.ray.tfar[i] * mm_per_unit_);
     set(Aov::kAlbedo, pixel, surface.color.get(i));
     if (former_) set_motion(packet, surface, i, pixel);

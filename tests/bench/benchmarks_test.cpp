@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "bench/run_benchmark.hpp"
+#include "bench/scenes.hpp"
 #include "support/error_message.hpp"
 #include "support/file_bytes.hpp"
 #include "support/temp_dir.hpp"
@@ -195,6 +196,26 @@ TEST(BenchPaper, a_table_that_cannot_be_written_is_refused_before_anything_is_me
 
 TEST(BenchPaper, unknown_scene_is_refused_with_the_known_ones) {
   EXPECT_THAT(error_message([] { run_benchmark("paper", small_request("nothing", 0)); }), HasSubstr("gears"));
+  bench::Request request = small_request("primitives", 2);
+  request.scenes.emplace_back("nothing");  // beside one that is there
+  EXPECT_THAT(error_message([&] { run_benchmark("paper", request); }), HasSubstr("there is no animation 'nothing'"));
+}
+
+TEST(BenchPaper, tachyons_scene_without_its_files_names_the_package) {
+  const std::string said = error_message([] { run_benchmark("paper", small_request("smallballs", 0)); });
+  EXPECT_THAT(said, HasSubstr("nowhere: has no smallballs.dat, smallballs.cam"));
+  EXPECT_THAT(said, HasSubstr("tachyon-doc"));
+}
+
+TEST(BenchPaper, missing_tachyon_scenes_are_warned_about) {
+  std::vector<std::string> said;
+  Context context;
+  context.warn = [&](std::string_view line) { said.emplace_back(line); };
+  bench::bench_animations(small_request("primitives", 2), context);
+  EXPECT_THAT(said, testing::IsEmpty());
+  bench::bench_animations(small_request("teapot", 2), context);
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_THAT(said[0], HasSubstr("nowhere has no teapot.dat, teapot.cam. Debian's package tachyon-doc"));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 """The add-on inside Blender, which runs this file: blender -b --factory-startup --python addon_test.py"""
 
+import ast
 import json
 import os
 import pathlib
@@ -18,7 +19,7 @@ import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "blender"))
 import lippmann  # noqa: E402
-from lippmann import displays, engine, film, frame, losses, materials, overlay, scene_export, tool  # noqa: E402
+from lippmann import displays, engine, exposure, film, frame, losses, materials, overlay, scene_export, tool  # noqa: E402
 from lippmann import job as jobs  # noqa: E402
 
 lippmann.register()
@@ -283,6 +284,25 @@ class AddOn(unittest.TestCase):
         bpy.data.objects.remove(scene.camera)
         with self.assertRaisesRegex(tool.ToolError, "neither a light-field frame nor a camera"):
             frame.zone(scene)
+
+    def test_rendering_leaves_the_data_of_blender_alone(self):
+        # Blender 5 ends at the second frame of an animation where the first one has loaded and removed an image.
+        makes = {"append", "load", "new", "new_from_object", "remove"}
+        for module in (engine, jobs, displays, exposure, film, frame, tool):  # all that Engine.render() calls
+            for function in ast.walk(ast.parse(pathlib.Path(module.__file__).read_text())):
+                if not isinstance(function, ast.FunctionDef) or (module is frame and function.name == "add"):  # an operator's
+                    continue
+                called = [ast.unparse(call.func) for call in ast.walk(function) if isinstance(call, ast.Call)]
+                changed = [name for name in called if name.startswith("bpy.data.") and name.rpartition(".")[2] in makes]
+                self.assertEqual(changed, [], f"{module.__name__}.{function.name}")
+
+    def test_the_size_of_a_picture_is_read_without_an_image_of_blender(self):
+        scene = new_scene(self.folder, "single", samples=1)
+        bpy.ops.render.render()
+        picture = tool.pictures(self.folder / "still", 0)[0]
+        images = list(bpy.data.images)
+        self.assertEqual(engine.size_of(picture), jobs.resolution(scene))
+        self.assertEqual(list(bpy.data.images), images)
 
     def test_a_cancelled_render_ends_its_children(self):
         scene = new_scene(self.folder, "quilt", samples=4096, size=(800, 600))

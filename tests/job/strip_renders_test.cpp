@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 class StripRenders : public Renders {
  protected:
@@ -216,6 +217,47 @@ TEST_F(StripRenders, are_planned_with_every_strip_once_and_what_they_take) {
   EXPECT_GT(measured.join_bytes.value_or(0.0), 64.0 * 184.0 * 12.0);
   EXPECT_EQ(plan_units(params, 99, false, context_).units.size(), 8u);
   EXPECT_FALSE(exists("out"));
+}
+
+// Bands of rows are strips that need no files, chosen where whole frames would take more memory than there is.
+
+TEST_F(StripRenders, where_memory_is_short_bands_have_the_bytes_of_as_many_strips) {
+  const Settings shared{{"integrator", "path"}, {"spp", "8"}, {"reuse", "light"}, {"aov", "depth"}};
+  render(still("whole", shared));
+  EXPECT_THAT(warnings_, Not(HasSubstr("bands of rows")));
+  const double pixels = 64 * 184;
+  render(still("bands", shared), {.available_memory = 90.0 * pixels});
+  const std::size_t at = warnings_.find("each is rendered in ");
+  ASSERT_NE(at, std::string::npos) << warnings_;
+  EXPECT_THAT(warnings_, HasSubstr("bands of rows, which find their soft light each by itself (as with `strips` "));
+  const std::string bands = std::to_string(std::atoi(warnings_.c_str() + at + std::string("each is rendered in ").size()));
+  EXPECT_NE(bands, "1");
+  render(still("strips", shared + Settings{{"strips", bands}}));
+  EXPECT_EQ(pictures("bands"), pictures("strips"));
+  EXPECT_THAT(files_in(dir_ / "bands", ".exr").size(), 1u) << "layers, and no strips";
+  EXPECT_EQ(job_of("bands").strips, 1) << "the job is the same wherever it is rendered";
+}
+
+TEST_F(StripRenders, what_does_not_fit_in_bands_is_refused_with_the_reason) {
+  const auto refusal = [&](const Settings& settings, double bytes_per_pixel) {
+    return error_message([&] { render(still("none", settings), {.available_memory = bytes_per_pixel * 64 * 184}); });
+  };
+  const Settings path{{"integrator", "path"}, {"spp", "8"}};
+  EXPECT_THAT(refusal({}, 10.0), HasSubstr("even in bands of rows"));
+  EXPECT_THAT(refusal(path + Settings{{"denoise", "true"}}, 50.0),
+              HasSubstr("are not possible: the denoiser (`denoise`) looks at pixels of other rows"));
+  EXPECT_THAT(refusal({{"reuse", "interpolate"}}, 30.0), HasSubstr("interpolated frames (`reuse`) are made from whole ones"));
+  EXPECT_THAT(refusal(path + Settings{{"reuse", "light"}, {"time-budget", "1"}}, 50.0), HasSubstr("`time-budget`"));
+  EXPECT_THAT(refusal({{"strips", "4"}}, 5.0), HasSubstr("4 of 64x184 pixels need about"));
+  EXPECT_FALSE(fs::exists(dir_ / "none"));
+}
+
+TEST_F(StripRenders, frames_are_made_one_at_a_time_before_they_are_cut) {
+  const Settings several{{"frames", "0-3"}};
+  render(still("usual", several));
+  render(still("short", several), {.available_memory = 30.0 * 64 * 184});
+  EXPECT_THAT(warnings_, HasSubstr("each frame is written before the next one is rendered."));
+  EXPECT_EQ(pictures("short"), pictures("usual"));
 }
 
 }  // namespace

@@ -50,6 +50,28 @@ class Arrays(Case):
         # The eye moves by 5 mm; by hand: 5 z / (100 - z) mm in the plane, of pixels of 3.125 mm.
         np.testing.assert_allclose(field.disparity, 5 * 20 / 80 / 3.125, rtol=1e-3)
 
+    def test_disparity_and_depth_are_both_infinite_where_nothing_is(self):
+        scene = lippmann.Scene()
+        scene.add_sphere((0, 0, 0), 1)
+        scene.add_sphere((0, 0, -1e6), 3e5)  # so far away that it moves as the sky would
+        scene.place_display(height=10, viewing_distance=10)
+        grid = small_grid(1, 2, (32, 32), baseline_mm=5, distance_mm=100, pixel_mm=100 / 32)
+        field = lippmann.render(scene, grid, layers=["depth"], integrator="whitted", fit_depth=False)
+        nothing = field.depth == -np.inf
+        self.assertTrue(nothing.any())
+        np.testing.assert_array_equal(field.disparity == -np.inf, nothing)
+        self.assertTrue(np.isfinite(field.disparity[~nothing]).all())
+        self.assertAlmostEqual(field.disparity[~nothing].min(), -5 / (100 / 32), places=4)
+        field.save(self.folder / "hci", "hci")
+        again = lippmann.open(self.folder / "hci")
+        np.testing.assert_array_equal(again.disparity == -np.inf, nothing)
+        header, _, _, values = (self.folder / "hci/gt_disp_lowres_Cam000.pfm").read_bytes().split(b"\n", 3)
+        stored = np.frombuffer(values, "<f4").reshape(32, 32)[::-1]
+        self.assertEqual(header, b"Pf")
+        np.testing.assert_array_equal(stored == -np.inf, nothing[0, 0])
+        text = (self.folder / "hci/parameters.cfg").read_text()
+        self.assertRegex(text, r"(?m)^disp_min = -1\.\d+$")  # of what is there
+
     def test_views_and_picture_are_no_copies_and_outlive_their_light_field(self):
         field = lippmann.render("room", small_grid(), layers=["depth"])
         self.assertTrue(np.shares_memory(field.views, field.views))

@@ -30,6 +30,11 @@ class Examples(Case):
             self.assertLessEqual(len(lines), 15, example)
             self.assertTrue(hasattr(self, f"test_{example.stem}"), f"{example.name} has no test")
 
+    def test_usage_is_said_where_arguments_are_missing(self):
+        for name in ("convert_refocus", "native_frame", "render_layers"):
+            done = subprocess.run([sys.executable, EXAMPLES / f"{name}.py"], capture_output=True, text=True)
+            self.assertEqual((done.returncode, done.stderr.split()[:2]), (1, ["usage:", f"{name}.py"]))
+
     def test_render_layers(self):
         said = self.run_example("render_layers.py", "room", "out")
         self.assertIn("(5, 5, 120, 160, 3) float32", said)

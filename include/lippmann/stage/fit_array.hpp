@@ -13,7 +13,7 @@
 // The fit is made once; after that the array moves rigidly with the camera's (or display's) node, so that it neither grows nor
 // breathes. What is fitted to a node's subject is fitted in that moving frame.
 //
-// Lengths are in units of that node (without a node: of the world): a parent that scales the camera scales the array with it.
+// Lengths are in units of the world at frame 0, whatever scales the node. A scale that is animated scales the array with it.
 // The rotation and one scale of a node's transform are used; its shear and uneven scale are left out.
 #pragma once
 
@@ -32,7 +32,7 @@ struct FittedArray {
   enum class Origin { kPlaced, kFocus, kSceneCenter, kBounds };
   Origin origin = Origin::kPlaced;  ///< by the author; at the camera's focus; half way through what it sees; fitted to bounds
   int node = -1;                    ///< that the array moves with; -1: none
-  Affine3f node_from_plane;         ///< rigid; the plane z = 0, +z towards the viewer, +y up, origin at its centre
+  Affine3f node_from_plane;         ///< a similarity; the plane z = 0, +z towards the viewer, +y up, origin at its centre
   float plane_height = 1.0f;
   float viewing_distance = kInfinity;  ///< how far the viewer is in front of the plane
   /// Nearest and farthest z of what the display should show sharply, in front of the viewer; 0 and 0 where there is nothing.
@@ -47,15 +47,16 @@ struct FittedArray {
 };
 
 /// aspect: width / height of the picture.
+/// The scene must pass validate() (scene/load.hpp), which place() checks.
 /// Throws Error where the node of the camera or display is scaled to nothing, a usage Error for wishes that cannot be met.
 FittedArray fit_array(const Scene& scene, float aspect = 1.0f, const ViewWish& wish = {});
 
-/// Units of the array's node per millimetre of the display frame, where what is seen of the plane z = 0 is `height_mm` high:
+/// World units per millimetre of the display frame, where what is seen of the plane z = 0 is `height_mm` high:
 /// the panel, or one view of a quilt.
 inline float scene_units_per_mm(const FittedArray& array, float height_mm) { return array.plane_height / height_mm; }
 
 /// The display frame (mm) in the world, at one moment: a similarity.
-/// Throws Error where the array's node is scaled to nothing at that moment.
+/// Throws Error where the array's node does not exist or is scaled to nothing at that moment.
 Affine3f world_from_display(const FittedArray& array, float units_per_mm, const ResolvedScene& resolved);
 
 }  // namespace lippmann

@@ -1,0 +1,95 @@
+#include "core/available_memory.hpp"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <string>
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+/// The first number of a file; none where it holds a word ("max") or is not there.
+std::optional<double> number_in(const fs::path& path) {
+  std::ifstream file(path);
+  double number = 0.0;
+  return file >> number ? std::optional(number) : std::nullopt;
+}
+
+/// The number after a word at the beginning of a line.
+std::optional<double> number_after(const fs::path& path, const std::string& word) {
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    std::string first;
+    double number = 0.0;
+    if (words >> first >> number && first == word) return number;
+  }
+  return std::nullopt;
+}
+
+/// Names of the files of one version of cgroups.
+struct CgroupFiles {
+  const char *limit, *usage, *cache;
+};
+constexpr CgroupFiles kVersion1{"memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file"};
+constexpr CgroupFiles kVersion2{"memory.max", "memory.current", "inactive_file"};
+
+double left_in(const fs::path& group, const CgroupFiles& files) {
+  const std::optional<double> limit = number_in(group / files.limit), usage = number_in(group / files.usage);
+  if (!limit || !usage) return kUnlimited;
+  return *limit - *usage + number_after(group / "memory.stat", files.cache).value_or(0.0);
+}
+
+/// In a group and in all above it. In a container the path may be that of the host, so that only `root` is there.
+double left_in_all(const fs::path& root, std::string path, const CgroupFiles& files) {
+  double left = left_in(root, files);
+  for (; path.size() > 1; path.resize(path.rfind('/'))) left = std::min(left, left_in(root / path.substr(1), files));
+  return left;
+}
+
+/// Lines are NUMBER:CONTROLLERS:PATH; version 2 has the number 0 and no controllers.
+double left_in_cgroups(const fs::path& proc, const fs::path& root) {
+  std::ifstream file(proc / "self/cgroup");
+  double left = kUnlimited;
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t first = line.find(':'), second = line.find(':', first + 1);
+    if (first == std::string::npos || second == std::string::npos) continue;
+    const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",", path = line.substr(second + 1);
+    if (!path.starts_with('/')) continue;
+    if (controllers == ",,") left = std::min(left, left_in_all(root, path, kVersion2));
+    if (controllers.find(",memory,") != std::string::npos) left = std::min(left, left_in_all(root / "memory", path, kVersion1));
+  }
+  return left;
+}
+
+/// Columns of /proc/self/statm count pages.
+double left_of_limit(decltype(RLIMIT_AS) resource, const fs::path& proc, int column) {
+  rlimit limit{};
+  if (getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kUnlimited;
+  std::ifstream file(proc / "self/statm");
+  double pages = 0.0;
+  for (int i = 0; i <= column; ++i)
+    if (!(file >> pages)) return kUnlimited;
+  return static_cast<double>(limit.rlim_cur) - pages * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+}
+
+}  // namespace
+
+double available_memory_bytes(const fs::path& proc, const fs::path& cgroups) {
+  constexpr int kTotalColumn = 0, kDataColumn = 5;
+  const std::optional<double> kilobytes = number_after(proc / "meminfo", "MemAvailable:");
+  const double left = std::min({kilobytes ? 1024.0 * *kilobytes : kUnlimited, left_in_cgroups(proc, cgroups),
+                                left_of_limit(RLIMIT_AS, proc, kTotalColumn), left_of_limit(RLIMIT_DATA, proc, kDataColumn)});
+  return std::max(0.0, left);
+}
+
+}  // namespace lippmann

@@ -1,0 +1,205 @@
+#include "job/memory_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "folder/frame_files.hpp"
+#include "frames/frame_maker.hpp"
+#include "job/size_estimate.hpp"
+#include "lippmann/core/error.hpp"
+#include "trace/first_hits.hpp"
+#include "trace/strip_order.hpp"
+
+namespace lippmann {
+namespace {
+
+constexpr double kFilm = 3 * sizeof(float);
+
+/// A file is encoded into a vector that grows by doubling.
+constexpr double kGrowth = 2.0;
+
+/// What is planned with: estimates err, and others take memory too.
+constexpr double kReserve = 0.8;
+
+std::vector<Aov> layers_of(const MemoryFacts& facts) {
+  const FrameAovs wanted = wanted_aovs(facts.made_as.sampling);
+  std::vector<Aov> layers;
+  for (std::size_t i = 0; i < kAovs; ++i)
+    if (wanted.wanted[i]) layers.push_back(static_cast<Aov>(i));
+  return layers;
+}
+
+double bytes_of(Aov aov) { return sizeof(float) * channels_of(aov); }
+
+/// Film and layers of a frame, bytes per pixel.
+double frame_held(const MemoryFacts& facts) {
+  double bytes = kFilm;
+  for (const Aov aov : layers_of(facts)) bytes += bytes_of(aov);
+  return bytes;
+}
+
+/// Encoding a picture: its codes, and the file. Of files, what noisy pictures take.
+double picture_written(const MemoryFacts& facts) {
+  constexpr double kPngFile = 3 * 0.6, kPng16File = 3 * 1.7, kHalfFile = 3 * 1.3, kFloatFile = 3 * 2.9;
+  constexpr double kCodes = 3.0, kCodes16 = 6.0, kHalves = 6.0;
+  const double video_codes = facts.params.output.video.empty() ? 0.0 : kCodes;
+  switch (facts.layout.format()) {
+    case PictureFormat::kPng:
+      return kCodes + kGrowth * kPngFile;
+    case PictureFormat::kPng16:
+      return kCodes16 + kGrowth * kPng16File + video_codes;
+    case PictureFormat::kTiff:
+      return kCodes;
+    case PictureFormat::kExr:
+      break;
+  }
+  const bool floats = facts.params.output.pictures.exr_pixels == ExrPixels::kFloat;
+  return (floats ? kGrowth * kFloatFile : kHalves + kGrowth * kHalfFile) + video_codes;
+}
+
+/// Encoding layers: those that are stored as halves are converted first. Alpha belongs to the picture, whose codes it is
+/// interleaved with.
+double layers_written(const MemoryFacts& facts) {
+  double bytes = 0.0;
+  for (const Aov aov : layers_of(facts)) {
+    const AovInfo& info = info_of(aov);
+    if (aov == Aov::kAlpha && facts.layout.format() != PictureFormat::kExr)
+      bytes += 5.0;
+    else
+      bytes += (info.exr.is_float ? 0.0 : 2.0 * info.channels) + kGrowth * info.exr.bytes_per_pixel;
+  }
+  return bytes;
+}
+
+/// A frame that moves to another layout: a second film, and one layer at a time.
+double moved_bytes(const MemoryFacts& facts) {
+  if (!facts.layout.moves()) return 0.0;
+  double layer = 0.0;
+  for (const Aov aov : layers_of(facts)) layer = std::max(layer, bytes_of(aov));
+  return kFilm + layer;
+}
+
+/// Light fields are put together from film and depth before they are written.
+double light_field_bytes(const MemoryFacts& facts) {
+  if (!facts.layout.light_field()) return 0.0;
+  return kFilm + 2.0 * sizeof(float);
+}
+
+/// What writing a frame takes beside its film and layers.
+double writing(const MemoryFacts& facts) {
+  const double precompensated = facts.params.optics.precompensate ? 2.0 * kFilm : 0.0;
+  return picture_written(facts) + layers_written(facts) + moved_bytes(facts) + light_field_bytes(facts) + precompensated;
+}
+
+/// Which film pixel goes where, kept from frame to frame.
+double layout_tables(const MemoryFacts& facts) { return facts.layout.moves() ? sizeof(std::uint32_t) : 0.0; }
+
+double working(const MemoryFacts& facts) {
+  return working_bytes_per_pixel(facts.made_as, {facts.animation_frames, facts.frames, facts.covered});
+}
+
+double pixels_of(const MemoryFacts& facts) { return static_cast<double>(facts.film.x) * facts.film.y; }
+
+/// Why frames cannot be cut; empty: they can.
+std::string reason_against_bands(const MemoryFacts& facts) {
+  const FrameParams& made_as = facts.made_as;
+  if (made_as.sampling.denoise) return "the denoiser (`denoise`) looks at pixels of other rows";
+  if (std::holds_alternative<Interpolate>(made_as.reuse)) return "interpolated frames (`reuse`) are made from whole ones";
+  const auto* light = std::get_if<ShareLight>(&made_as.reuse);
+  if (light && light->time_budget_s) return "`time-budget` is that of a whole frame";
+  if (facts.most_bands == 1) return "the rows of this picture are traced together";
+  return {};
+}
+
+[[noreturn]] void refuse(const MemoryFacts& facts, double needed, double available) {
+  const std::string reason = reason_against_bands(facts);
+  const std::string bands = reason.empty() ? ", even in bands of rows," : "";
+  throw Error("size",
+              fmt::format("frames of {}x{} pixels need about {} of memory{} and {} are available{}", facts.film.x, facts.film.y,
+                          bytes_text(needed), bands, bytes_text(available),
+                          reason.empty() ? "" : "; bands of rows, which need less, are not possible: " + reason),
+              "fewer pixels, fewer layers, or more memory");
+}
+
+}  // namespace
+
+double estimated_bytes(const MemoryFacts& facts, int frames_at_a_time, int bands) {
+  const double held = frame_held(facts), traced_apart = bands > 1 ? held / bands : 0.0;
+  const double per_pixel =
+      layout_tables(facts) + frames_at_a_time * held + traced_apart + working(facts) / bands + writing(facts);
+  return pixels_of(facts) * per_pixel;
+}
+
+double joined_frame_bytes(const MemoryFacts& facts) {
+  return pixels_of(facts) * (layout_tables(facts) + frame_held(facts) + writing(facts));
+}
+
+MemoryPlan plan_strips_memory(const MemoryFacts& facts, int strips, bool joins, double available) {
+  constexpr double kCopies = 2.0;  // its file is encoded in memory
+  const double strip = pixels_of(facts) / strips * (kCopies * frame_held(facts) + working(facts));
+  if (strip > available)
+    throw Error("strips",
+                fmt::format("{} of {}x{} pixels need about {} of memory each, and {} are available", strips, facts.film.x,
+                            facts.film.y, bytes_text(strip), bytes_text(available)),
+                "more of them");
+  const double joined = joins ? joined_frame_bytes(facts) : 0.0;
+  if (joined > available)
+    throw Error("size",
+                fmt::format("joining a frame of {}x{} pixels from its strips needs about {} of memory, and {} are available",
+                            facts.film.x, facts.film.y, bytes_text(joined), bytes_text(available)),
+                "fewer pixels, fewer layers, or more memory");
+  return {1, false, strip + joined};  // the heap keeps most of what tracing has taken
+}
+
+MemoryPlan plan_memory(const MemoryFacts& facts, double available) {
+  const double budget = kReserve * available;
+  const int usual = std::min(facts.frames_at_a_time, facts.frames);
+  if (estimated_bytes(facts, usual, 1) <= budget) return {1, false, estimated_bytes(facts, std::min(usual, 2), 1)};
+  const double one = estimated_bytes(facts, 1, 1);
+  if (one <= budget) return {1, true, one};
+  if (!reason_against_bands(facts).empty()) {
+    if (one > available) refuse(facts, one, available);
+    return {1, true, one};
+  }
+  for (const double limit : {budget, available})
+    for (int bands = 2; bands <= facts.most_bands; bands = std::max(bands + 1, bands * 5 / 4))
+      if (const double bytes = estimated_bytes(facts, 1, bands); bytes <= limit) return {bands, true, bytes};
+  refuse(facts, std::min(one, estimated_bytes(facts, 1, facts.most_bands)), available);
+}
+
+std::string sentence_of(const MemoryPlan& plan, const MemoryFacts& facts, double available) {
+  if (plan.bands == 1 && (!plan.one_at_a_time || facts.frames == 1)) return {};
+  const std::string why = fmt::format(
+      "Whole frames of {}x{} pixels would take about {} of memory, and {} are available: ", facts.film.x, facts.film.y,
+      bytes_text(estimated_bytes(facts, plan.bands > 1 ? 1 : facts.frames_at_a_time, 1)), bytes_text(available));
+  if (plan.bands == 1) return why + "each frame is written before the next one is rendered.";
+  const bool shares = std::holds_alternative<ShareLight>(facts.made_as.reuse);
+  return why + fmt::format("each is rendered in {} bands of rows{}.", plan.bands,
+                           shares
+                               ? fmt::format(", which find their soft light each by itself (as with `strips` {})", plan.bands)
+                               : ", to the same pixels");
+}
+
+double covered_share(const Stage& stage, const Sampling& sampling, const ThreadPool& pool) {
+  constexpr int kBands = 6;
+  const Optics& optics = stage.placed.optics;
+  const int together = rows_per_strip(optics), height = film_size(optics).y;
+  Shot shot = stage.shot(stage.moment_at(0));
+  std::size_t met = 0, all = 0;
+  for (int i = 0; i < kBands; ++i) {
+    const int first = (2 * i + 1) * height / (2 * kBands) / together * together;
+    shot.rows = {first, std::min(first + together, height)};
+    FrameAovs aovs;
+    aovs.want(Aov::kDepth);
+    find_first_hits(shot, sampling.order, nullptr, pool, aovs);
+    const std::vector<float>& depth = aovs[Aov::kDepth].data;
+    met += static_cast<std::size_t>(std::count_if(depth.begin(), depth.end(), [](float z) { return std::isfinite(z); }));
+    all += depth.size();
+  }
+  return static_cast<double>(met) / static_cast<double>(std::max<std::size_t>(all, 1));
+}
+
+}  // namespace lippmann

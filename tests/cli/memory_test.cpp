@@ -1,0 +1,72 @@
+// The memory that a render is said to take, beside what it has taken at its peak.
+#include <gmock/gmock.h>
+
+#include <string_view>
+
+#include "tool.hpp"
+
+namespace lippmann::test {
+namespace {
+
+/// Both for pictures of two sizes, whose difference leaves out what the program and the scene take.
+struct Memory {
+  double estimated = 0.0, measured = 0.0;
+};
+
+Memory memory_of(const TempDir& dir, const Words& flags, const std::string& size) {
+  const Words render = Words{"render"} + flags + Words{"--size", size, "--threads", "2"};
+  const nlohmann::json plan = report_of(dir, render + Words{"--dry-run", "-o", "planned"});
+  const nlohmann::json report = report_of(dir, render + Words{"-o", "rendered_" + size});
+  return {plan["estimated_memory_bytes"], report["totals"]["peak_memory_bytes"]};
+}
+
+/// The estimate as a multiple of what was measured.
+double ratio(const Words& flags, const std::string& small, const std::string& large) {
+  const TempDir dir;
+  const Memory a = memory_of(dir, flags, small), b = memory_of(dir, flags, large);
+  return (b.estimated - a.estimated) / (b.measured - a.measured);
+}
+
+void expect_near_one(const std::string& what, double ratio) {
+  EXPECT_GT(ratio, 1.0 / 1.5) << what;
+  EXPECT_LT(ratio, 1.5) << what;
+}
+
+const Words kWhitted{"room", "--integrator", "whitted", "--frames", "0"};
+
+class Memories : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "sanitizers take memory of their own";
+  }
+};
+
+TEST_F(Memories, estimates_of_traced_frames_are_near_the_peak) {
+  const std::pair<const char*, Words> cases[] = {
+      {"png", {}},
+      {"exr", {"--format", "exr"}},
+      {"layers", {"--aov", "depth,normal,position"}},
+      {"views", {"--layout", "views"}},
+  };
+  for (const auto& [what, flags] : cases) expect_near_one(what, ratio(kWhitted + flags, "128x128", "640x640"));
+}
+
+TEST_F(Memories, estimates_of_interpolated_frames_are_near_the_peak) {
+  const Words flags{"room", "--integrator", "whitted", "--frames", "0-4", "--reuse", "interpolate", "--keyframes", "4"};
+  expect_near_one("interpolate", ratio(flags, "128x128", "512x512"));
+}
+
+TEST_F(Memories, estimates_of_denoised_paths_are_near_the_peak) {
+  const Words flags{"room", "--integrator", "path", "--spp", "2", "--frames", "0", "--denoise", "--reuse", "none"};
+  expect_near_one("denoise", ratio(flags, "128x128", "320x320"));
+}
+
+// Soft light is shared on surfaces: a scene that fills the picture, and one that leaves half of it empty.
+TEST_F(Memories, estimates_of_shared_light_are_near_the_peak) {
+  const Words light{"--spp", "8", "--frames", "0", "--reuse", "light"};
+  expect_near_one("gears", ratio(Words{"gears", "--integrator", "path"} + light, "256x256", "640x640"));
+  expect_near_one("desk", ratio(Words{LIPPMANN_SOURCE "/examples/desk.glb"} + light, "256x256", "640x640"));
+}
+
+}  // namespace
+}  // namespace lippmann::test
