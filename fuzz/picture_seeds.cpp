@@ -9,6 +9,7 @@
 #include "image/png.hpp"
 #include "image/tiff.hpp"
 #include "support/encode_image.hpp"
+#include "support/exr_file.hpp"
 #include "support/pictures.hpp"
 
 namespace {
@@ -51,6 +52,11 @@ int main(int argc, char** argv) {
   write(folder / "ppm", encode_ppm({{kWidth, kHeight, {codes.rgb.begin(), codes.rgb.end()}}, 255}));
   const char hdr_row[] = {2, 2, 0, 8, '\x88', '\x40', 3, 1, 2, 3, '\x85', 9, '\x88', 0, '\x84', '\x81', '\x84', '\x80'};
   write(folder / "hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 8\n" + std::string(hdr_row, sizeof hdr_row));
+  write(folder / "hdr_plain", std::string("#?RGBE\nEXPOSURE=2\nFORMAT=32-bit_rle_xyze\n\n+X 1 -Y 2\nabc\x80\1\1\1\1"));
+  const test::ExrPart part{{1, 0, 2, 1}, {0, 0, 1, 1}, {{"b", {1, 2, 3, 4}}, {"g", {1, 2, 3, 4}}, {"r", {1, 2, 3, 4}}}};
+  write(folder / "exr_windows", test::exr_file(part));
+  const char bmp[] = {'B', 'M', 58, 0, 0, 0, 0, 0, 0, 0, 54, 0, 0, 0, 40, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 24, 0};
+  write(folder / "bmp", std::string(bmp, sizeof bmp) + std::string(28, '\0'));
   const char tga[] = {0, 0, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 1, 0, 8, 0, '\x82', 50, 0, 60};
   write(folder / "tga", std::string(tga, sizeof tga));
   return 0;

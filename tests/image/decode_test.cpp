@@ -18,6 +18,7 @@
 #include "image/tiff.hpp"
 #include "support/encode_image.hpp"
 #include "support/error_message.hpp"
+#include "support/exr_file.hpp"
 #include "support/pictures.hpp"
 #include "support/temp_dir.hpp"
 
@@ -159,6 +160,35 @@ Bytes tga_run_file() {
   return bytes_of(std::string(file, sizeof file));
 }
 
+/// 3 x 2 pixels of 24 bits, rows from the bottom, which zeros fill up to 12 bytes.
+Bytes bmp_file() {
+  const char header[] = {'B', 'M', 78, 0, 0, 0, 0, 0, 0, 0, 54, 0, 0, 0, 40, 0, 0, 0, 3, 0, 0, 0, 2, 0, 0, 0, 1, 0, 24, 0};
+  const std::string rows = std::string("abcdefghi\0\0\0jklmnopqr\0\0\0", 24);
+  return bytes_of(std::string(header, sizeof header) + std::string(24, '\0') + rows);
+}
+
+/// Alpha and grey in a data window that crosses the display window.
+Bytes exr_windows_file() {
+  return test::exr_file({{1, 1, 3, 2}, {0, 0, 2, 2}, {{"A", {1, 1, 1, 1, 1, 1}}, {"Y", {1, 2, 3, 4, 5, 6}}}});
+}
+
+Bytes exr_parts_file() {
+  test::ExrPart part{{0, 0, 1, 0}, {0, 0, 1, 0}, {{"b", {1, 2}}, {"g", {3, 4}}, {"r", {5, 6}}}};
+  part.name = "one";
+  test::ExrPart other = part;
+  other.name = "other";
+  return test::exr_file(std::vector{part, other});
+}
+
+/// Pixels as they are, and a run of the older kind; columns first.
+Bytes hdr_plain_file() {
+  using namespace std::literals;
+  return bytes_of(
+      "#?RGBE\nEXPOSURE=2\nFORMAT=32-bit_rle_xyze\n\n+X 2 -Y 3\nabc\x80\1\1\1\2abc\x80"
+      "abc\x80"
+      "abc\x80"s);
+}
+
 Bytes ppm_file() {
   const Image8 codes = noise_codes(kWidth, kHeight);
   return encode_ppm({{kWidth, kHeight, {codes.rgb.begin(), codes.rgb.end()}}, 255});
@@ -201,11 +231,15 @@ const Case kCases[] = {
     {"exr_piz", [] { return exr_file(ExrCompression::kPiz); }, kWidth, kHeight, kRgb, SampleKind::kFloat},
     {"exr_run_length", [] { return exr_file(ExrCompression::kRunLength); }, kWidth, kHeight, kRgb, SampleKind::kFloat},
     {"exr_plain", [] { return exr_file(ExrCompression::kNone); }, kWidth, kHeight, kRgb, SampleKind::kFloat},
+    {"exr_windows", exr_windows_file, 3, 3, {"Y", "A"}, SampleKind::kFloat},
+    {"exr_parts", exr_parts_file, 2, 1, {"r", "g", "b"}, SampleKind::kFloat},
     {"hdr", hdr_file, 8, 2, kRgb, SampleKind::kFloat},
+    {"hdr_plain", hdr_plain_file, 2, 3, kRgb, SampleKind::kFloat},
     {"webp", [] { return webp_file(false); }, kWidth, kHeight, kRgb, SampleKind::kByte},
     {"webp_lossless_alpha", [] { return webp_file(true); }, kWidth, kHeight, kRgba, SampleKind::kByte},
     {"ppm", ppm_file, kWidth, kHeight, kRgb, SampleKind::kByte},
     {"pfm", [] { return encode_pfm(noise_image(kWidth, kHeight, 3)); }, kWidth, kHeight, kRgb, SampleKind::kFloat},
+    {"bmp", bmp_file, 3, 2, kRgb, SampleKind::kByte},
     {"tga", tga_file, 2, 2, kRgb, SampleKind::kByte},
     {"tga_runs", tga_run_file, 4, 1, kGrey, SampleKind::kByte},
 };
