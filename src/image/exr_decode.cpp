@@ -11,6 +11,7 @@
 #include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfRgbaFile.h>
+#include <OpenEXR/ImfRgbaYca.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfTileDescription.h>
 #include <fmt/format.h>
@@ -114,7 +115,9 @@ class ExrDecoder {
 
   std::vector<float> samples() {
     const Imath::Box2i data = part().dataWindow(), display = part().displayWindow();
-    std::vector<float> samples = colors_.luma_chroma ? luma_chroma_samples(data) : channel_samples(data);
+    std::vector<float> samples = !colors_.luma_chroma      ? channel_samples(data, names_)
+                                 : has_subsampled_chroma() ? upsampled_luma_chroma(data)
+                                                           : luma_chroma_samples(data);
     if (data != display) samples = placed(samples, names_.size(), data, display);
     const Chromaticities chromaticities = chromaticities_of(part());
     if (header().colors == 3 && !are_rec709(chromaticities))
@@ -215,13 +218,13 @@ class ExrDecoder {
     return at == std::string::npos ? channel : channel.substr(0, at);
   }
 
-  std::vector<float> channel_samples(const Imath::Box2i& window) {
+  std::vector<float> channel_samples(const Imath::Box2i& window, const std::vector<std::string>& names) {
     const Imath::V2i size = size_of(window);
-    const std::size_t channels = names_.size(), row = channels * static_cast<std::size_t>(size.x);
+    const std::size_t channels = names.size(), row = channels * static_cast<std::size_t>(size.x);
     std::vector<float> samples(row * static_cast<std::size_t>(size.y));
     Imf::FrameBuffer buffer;
     for (std::size_t c = 0; c < channels; ++c)
-      buffer.insert(names_[c],
+      buffer.insert(names[c],
                     Imf::Slice::Make(Imf::FLOAT, samples.data() + c, window, channels * sizeof(float), row * sizeof(float)));
     Imf::InputPart part(*file_, part_);
     part.setFrameBuffer(buffer);
@@ -229,8 +232,28 @@ class ExrDecoder {
     return samples;
   }
 
-  /// OpenEXR's own filter gives every pixel its chroma, as halves.
+  bool has_subsampled_chroma() const {
+    return std::any_of(colors_.channels.begin(), colors_.channels.end(), [&](const std::string& name) {
+      return part().channels()[name].xSampling != 1 || part().channels()[name].ySampling != 1;
+    });
+  }
+
+  /// RY = R / Y - 1, BY = B / Y - 1, and Y is the sum of R, G and B with the weights that the chromaticities give.
   std::vector<float> luma_chroma_samples(const Imath::Box2i& window) {
+    std::vector<std::string> stored = colors_.channels;
+    if (!colors_.alpha.empty()) stored.push_back(colors_.alpha);
+    std::vector<float> samples = channel_samples(window, stored);
+    const Imath::V3f weights =
+        Imf::RgbaYca::computeYw(Imf::hasChromaticities(part()) ? Imf::chromaticities(part()) : Imf::Chromaticities());
+    for (std::size_t i = 0; i < samples.size(); i += stored.size()) {
+      const float y = samples[i], red = (samples[i + 1] + 1.0f) * y, blue = (samples[i + 2] + 1.0f) * y;
+      samples[i] = red, samples[i + 1] = (y - weights.x * red - weights.z * blue) / weights.y, samples[i + 2] = blue;
+    }
+    return samples;
+  }
+
+  /// OpenEXR's own filter gives every pixel its chroma, as halves.
+  std::vector<float> upsampled_luma_chroma(const Imath::Box2i& window) {
     ExrInput input(bytes_);
     const std::string& luma = colors_.channels.front();
     Imf::RgbaInputFile file(input, luma == "Y" ? "" : layer_of(luma), 0);

@@ -102,11 +102,23 @@ TEST(ExrChannels, colours_are_counted_without_other_channels) {
   EXPECT_EQ(colors({"u", "v"}), 0);
 }
 
-// Chroma of 0 at both is grey: R = (RY + 1) Y = B.
+// Red is (RY + 1) Y = 0.75, blue (BY + 1) Y = 0.25; green is what is left of Y = 0.5: (0.5 - 0.2126 0.75 - 0.0722 0.25) /
+// 0.7152.
 TEST(ExrChannels, luminance_and_chroma_become_colours) {
-  ExrPart part{{0, 0, 1, 1}, {0, 0, 1, 1}, {{"BY", {0, 0, 0, 0}}, {"RY", {0, 0, 0, 0}}, {"Y", {0.5f, 0.5f, 0.5f, 0.5f}}}};
-  EXPECT_THAT(channels_of(part), ElementsAre("R", "G", "B"));
-  EXPECT_THAT(samples_of(exr_file(part)), ::testing::Each(::testing::FloatNear(0.5f, 1e-3f)));
+  ExrPart part{{0, 0, 1, 1},
+               {0, 0, 1, 1},
+               {{"BY", {-0.5f, -0.5f, -0.5f, -0.5f}}, {"RY", {0.5f, 0.5f, 0.5f, 0.5f}}, {"Y", {0.5f, 0.5f, 0.5f, 0.5f}}}};
+  for (const int sampling : {1, 2}) {
+    part.chroma_sampling = sampling;
+    EXPECT_THAT(channels_of(part), ElementsAre("R", "G", "B"));
+    const std::vector<float> samples = samples_of(exr_file(part));
+    ASSERT_EQ(samples.size(), 12u);
+    for (std::size_t i = 0; i < samples.size(); i += 3) {
+      EXPECT_NEAR(samples[i], 0.75f, 2e-3f) << sampling;
+      EXPECT_NEAR(samples[i + 1], 0.4509f, 2e-3f) << sampling;
+      EXPECT_NEAR(samples[i + 2], 0.25f, 2e-3f) << sampling;
+    }
+  }
 }
 
 // Red and green exchanged: a permutation, whatever the white.

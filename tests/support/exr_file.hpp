@@ -23,7 +23,12 @@ struct ExrPart {
   float pixel_aspect = 1.0f;
   std::string attributes{};  ///< more of them, encoded
   std::string name{};        ///< of files with several parts
+  int chroma_sampling = 1;   ///< RY and BY have every so many pixels of every so many rows
 };
+
+inline int exr_sampling(const ExrPart& part, const std::string& channel) {
+  return channel == "RY" || channel == "BY" ? part.chroma_sampling : 1;
+}
 
 template <class Value>
 std::string bytes_of_value(const Value& value) {
@@ -47,7 +52,8 @@ inline std::string exr_header(const ExrPart& part, bool several) {
   for (const auto& [name, values] : part.channels) {
     channels += name;
     channels += '\0';
-    for (const std::int32_t word : {2, 0, 1, 1}) channels += bytes_of_value(word);  // float, not linear, every pixel
+    const int sampling = exr_sampling(part, name);
+    for (const std::int32_t word : {2, 0, sampling, sampling}) channels += bytes_of_value(word);  // float, not linear
   }
   channels += '\0';
   std::string header = exr_attribute("channels", "chlist", channels) + exr_attribute("compression", "compression", {"\0", 1}) +
@@ -81,10 +87,13 @@ inline std::vector<std::byte> exr_file(const std::vector<ExrPart>& parts) {
     for (std::int32_t y = part.data.top; y <= part.data.bottom; ++y) {
       file += bytes_of_value(place + chunks.size());
       if (several) chunks += bytes_of_value(static_cast<std::int32_t>(index));
-      chunks += bytes_of_value(y) + bytes_of_value(static_cast<std::int32_t>(4 * width * part.channels.size()));
-      for (const auto& [name, values] : part.channels)
-        for (std::size_t x = 0; x < width; ++x)
-          chunks += bytes_of_value(values[static_cast<std::size_t>(y - part.data.top) * width + x]);
+      std::string samples;
+      for (const auto& [name, values] : part.channels) {
+        const auto step = static_cast<std::size_t>(exr_sampling(part, name));
+        for (std::size_t x = 0; x < width && y % static_cast<int>(step) == 0; x += step)
+          samples += bytes_of_value(values[static_cast<std::size_t>(y - part.data.top) * width + x]);
+      }
+      chunks += bytes_of_value(y) + bytes_of_value(static_cast<std::int32_t>(samples.size())) + samples;
     }
   }
   file += chunks;
