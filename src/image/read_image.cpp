@@ -45,12 +45,12 @@ const Format& format_of(FileBytes file, const std::string& where) {
                                      : content.remedy);
 }
 
-std::vector<std::byte> bytes_of(const fs::path& path) { return read_recorded_bytes(path, kMaxImageFileBytes, "a picture"); }
+std::vector<std::byte> bytes_in(const fs::path& path) { return read_recorded_bytes(path, kMaxImageFileBytes, "a picture"); }
 
-PictureHeader read_header(const fs::path& path) { return picture_header(bytes_of(path), path.string()); }
+PictureHeader read_header(const fs::path& path) { return picture_header(bytes_in(path), path.string()); }
 
 DecodedPicture read_decoded(const fs::path& path, const PictureWarning& warn) {
-  DecodedPicture picture = decode_picture(bytes_of(path), path.string());
+  DecodedPicture picture = decode_picture(bytes_in(path), path.string());
   if (warn)
     for (const std::string& notice : picture.header.notices)
       warn(fmt::format("{}: {}.", path.string(), printable_line(notice)));

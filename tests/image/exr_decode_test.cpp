@@ -23,11 +23,11 @@ using ::testing::IsEmpty;
 
 using Names = std::vector<std::string>;
 
-std::vector<float> samples_of(const std::vector<std::byte>& file) {
+std::vector<float> exr_samples(const std::vector<std::byte>& file) {
   return std::get<std::vector<float>>(decode_picture(file, "a.exr").samples);
 }
-Names channels_of(const ExrPart& part) { return picture_header(exr_file(part), "a.exr").channels; }
-Names notices_of(const std::vector<std::byte>& file) { return picture_header(file, "a.exr").notices; }
+Names exr_channels(const ExrPart& part) { return picture_header(exr_file(part), "a.exr").channels; }
+Names exr_notices(const std::vector<std::byte>& file) { return picture_header(file, "a.exr").notices; }
 
 /// One pixel whose channels have the values 1, 2, 3, ... in the order of the names.
 ExrPart one_pixel(const Names& names) {
@@ -41,25 +41,25 @@ TEST(ExrWindows, smaller_data_window_is_placed_in_the_display_window) {
   const PictureHeader header = picture_header(exr_file(part), "a.exr");
   EXPECT_EQ(header.width, 4);
   EXPECT_EQ(header.height, 3);
-  EXPECT_THAT(samples_of(exr_file(part)), ElementsAre(0, 0, 0, 0, 0, 0, 0, 0,  //
-                                                      0, 0, 5, 1, 6, 1, 0, 0,  //
-                                                      0, 0, 0, 0, 0, 0, 0, 0));
+  EXPECT_THAT(exr_samples(exr_file(part)), ElementsAre(0, 0, 0, 0, 0, 0, 0, 0,  //
+                                                       0, 0, 5, 1, 6, 1, 0, 0,  //
+                                                       0, 0, 0, 0, 0, 0, 0, 0));
 }
 
 TEST(ExrWindows, larger_data_window_is_cropped) {
   const ExrPart part{{-1, -1, 2, 1}, {0, 0, 1, 0}, {{"Y", {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}}}};
-  EXPECT_THAT(samples_of(exr_file(part)), ElementsAre(6, 7));
+  EXPECT_THAT(exr_samples(exr_file(part)), ElementsAre(6, 7));
 }
 
 TEST(ExrWindows, windows_that_cross_share_their_common_pixels) {
   const ExrPart part{{9, 20, 10, 21}, {10, 21, 11, 22}, {{"Y", {1, 2, 3, 4}}}};
-  EXPECT_THAT(samples_of(exr_file(part)), ElementsAre(4, 0, 0, 0));
+  EXPECT_THAT(exr_samples(exr_file(part)), ElementsAre(4, 0, 0, 0));
 }
 
 TEST(ExrWindows, windows_apart_give_an_empty_picture_with_a_notice) {
   const ExrPart part{{5, 5, 5, 5}, {0, 0, 0, 1}, {{"Y", {1}}}};
-  EXPECT_THAT(samples_of(exr_file(part)), ElementsAre(0, 0));
-  EXPECT_THAT(notices_of(exr_file(part)), ElementsAre(HasSubstr("the picture is empty")));
+  EXPECT_THAT(exr_samples(exr_file(part)), ElementsAre(0, 0));
+  EXPECT_THAT(exr_notices(exr_file(part)), ElementsAre(HasSubstr("the picture is empty")));
 }
 
 TEST(ExrWindows, absurd_display_windows_are_refused) {
@@ -72,25 +72,25 @@ TEST(ExrWindows, absurd_display_windows_are_refused) {
 }
 
 TEST(ExrChannels, colours_are_known_in_any_letters_and_layers) {
-  EXPECT_THAT(channels_of(one_pixel({"b", "g", "r"})), ElementsAre("r", "g", "b"));
-  EXPECT_THAT(samples_of(exr_file(one_pixel({"b", "g", "r"}))), ElementsAre(3, 2, 1));
-  EXPECT_THAT(channels_of(one_pixel({"Alpha", "Blue", "Green", "Red"})), ElementsAre("Red", "Green", "Blue", "Alpha"));
-  EXPECT_THAT(channels_of(one_pixel({"B", "G", "R", "a", "z"})), ElementsAre("R", "G", "B", "a", "z"));
-  EXPECT_THAT(channels_of(one_pixel({"VL.Combined.A", "VL.Combined.B", "VL.Combined.G", "VL.Combined.R", "VL.Depth.Z"})),
+  EXPECT_THAT(exr_channels(one_pixel({"b", "g", "r"})), ElementsAre("r", "g", "b"));
+  EXPECT_THAT(exr_samples(exr_file(one_pixel({"b", "g", "r"}))), ElementsAre(3, 2, 1));
+  EXPECT_THAT(exr_channels(one_pixel({"Alpha", "Blue", "Green", "Red"})), ElementsAre("Red", "Green", "Blue", "Alpha"));
+  EXPECT_THAT(exr_channels(one_pixel({"B", "G", "R", "a", "z"})), ElementsAre("R", "G", "B", "a", "z"));
+  EXPECT_THAT(exr_channels(one_pixel({"VL.Combined.A", "VL.Combined.B", "VL.Combined.G", "VL.Combined.R", "VL.Depth.Z"})),
               ElementsAre("VL.Combined.R", "VL.Combined.G", "VL.Combined.B", "VL.Combined.A", "VL.Depth.Z"));
-  EXPECT_THAT(channels_of(one_pixel({"A", "Y"})), ElementsAre("Y", "A"));
+  EXPECT_THAT(exr_channels(one_pixel({"A", "Y"})), ElementsAre("Y", "A"));
 }
 
 TEST(ExrChannels, main_layer_comes_first_else_the_first_one_with_a_notice) {
   ExrPart part = one_pixel({"diffuse.B", "diffuse.G", "diffuse.R", "rgba.B", "rgba.G", "rgba.R"});
-  EXPECT_EQ(channels_of(part).front(), "rgba.R");
-  EXPECT_THAT(notices_of(exr_file(part)), IsEmpty());
+  EXPECT_EQ(exr_channels(part).front(), "rgba.R");
+  EXPECT_THAT(exr_notices(exr_file(part)), IsEmpty());
   part = one_pixel({"diffuse.B", "diffuse.G", "diffuse.R", "glossy.B", "glossy.G", "glossy.R"});
-  EXPECT_EQ(channels_of(part).front(), "diffuse.R");
-  EXPECT_THAT(notices_of(exr_file(part)), ElementsAre("of its layers only 'diffuse' is read, not 'glossy'"));
+  EXPECT_EQ(exr_channels(part).front(), "diffuse.R");
+  EXPECT_THAT(exr_notices(exr_file(part)), ElementsAre("of its layers only 'diffuse' is read, not 'glossy'"));
   part = one_pixel({"B", "G", "R", "albedo.B", "albedo.G", "albedo.R"});
-  EXPECT_EQ(channels_of(part).front(), "R");
-  EXPECT_THAT(notices_of(exr_file(part)), IsEmpty());
+  EXPECT_EQ(exr_channels(part).front(), "R");
+  EXPECT_THAT(exr_notices(exr_file(part)), IsEmpty());
 }
 
 TEST(ExrChannels, colours_are_counted_without_other_channels) {
@@ -110,8 +110,8 @@ TEST(ExrChannels, luminance_and_chroma_become_colours) {
                {{"BY", {-0.5f, -0.5f, -0.5f, -0.5f}}, {"RY", {0.5f, 0.5f, 0.5f, 0.5f}}, {"Y", {0.5f, 0.5f, 0.5f, 0.5f}}}};
   for (const int sampling : {1, 2}) {
     part.chroma_sampling = sampling;
-    EXPECT_THAT(channels_of(part), ElementsAre("R", "G", "B"));
-    const std::vector<float> samples = samples_of(exr_file(part));
+    EXPECT_THAT(exr_channels(part), ElementsAre("R", "G", "B"));
+    const std::vector<float> samples = exr_samples(exr_file(part));
     ASSERT_EQ(samples.size(), 12u);
     for (std::size_t i = 0; i < samples.size(); i += 3) {
       EXPECT_NEAR(samples[i], 0.75f, 2e-3f) << sampling;
@@ -125,37 +125,37 @@ TEST(ExrChannels, luminance_and_chroma_become_colours) {
 TEST(ExrChromaticities, exchanged_primaries_exchange_colours) {
   ExrPart part = one_pixel({"B", "G", "R"});
   part.attributes = exr_chromaticities({0.30f, 0.60f, 0.64f, 0.33f, 0.15f, 0.06f, 0.3127f, 0.3290f});
-  EXPECT_THAT(samples_of(exr_file(part)),
+  EXPECT_THAT(exr_samples(exr_file(part)),
               ElementsAre(::testing::FloatNear(2, 1e-5f), ::testing::FloatNear(3, 1e-5f), ::testing::FloatNear(1, 1e-5f)));
-  EXPECT_THAT(notices_of(exr_file(part)), IsEmpty());
+  EXPECT_THAT(exr_notices(exr_file(part)), IsEmpty());
 }
 
 TEST(ExrChromaticities, rec709_keeps_its_bits) {
   ExrPart part = one_pixel({"B", "G", "R"});
   part.attributes = exr_chromaticities({0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f});
-  EXPECT_THAT(samples_of(exr_file(part)), ElementsAre(3, 2, 1));
+  EXPECT_THAT(exr_samples(exr_file(part)), ElementsAre(3, 2, 1));
 }
 
 TEST(ExrChromaticities, nonsense_is_a_notice) {
   ExrPart part = one_pixel({"B", "G", "R"});
   part.attributes = exr_chromaticities({0, 0, 0, 0, 0, 0, 0, 0});
-  EXPECT_THAT(samples_of(exr_file(part)), ElementsAre(3, 2, 1));
-  EXPECT_THAT(notices_of(exr_file(part)), ElementsAre(HasSubstr("chromaticities")));
+  EXPECT_THAT(exr_samples(exr_file(part)), ElementsAre(3, 2, 1));
+  EXPECT_THAT(exr_notices(exr_file(part)), ElementsAre(HasSubstr("chromaticities")));
 }
 
 TEST(ExrNotices, pixels_that_are_not_square_are_said) {
   ExrPart part = one_pixel({"Y"});
   part.pixel_aspect = 2.0f;
-  EXPECT_THAT(notices_of(exr_file(part)), ElementsAre("its pixels are 2 times as wide as high, and are read as square"));
+  EXPECT_THAT(exr_notices(exr_file(part)), ElementsAre("its pixels are 2 times as wide as high, and are read as square"));
 }
 
 TEST(ExrParts, first_part_with_colours_is_read_and_named) {
   ExrPart depth = one_pixel({"U", "V"}), color = one_pixel({"B", "G", "R"});
   depth.name = "depth", color.name = "color";
   const std::vector<std::byte> file = exr_file(std::vector{depth, color});
-  EXPECT_THAT(samples_of(file), ElementsAre(3, 2, 1));
-  EXPECT_THAT(notices_of(file), IsEmpty());
-  EXPECT_THAT(notices_of(exr_file(std::vector{color, color})), ElementsAre("only 'color' of its 2 parts is read"));
+  EXPECT_THAT(exr_samples(file), ElementsAre(3, 2, 1));
+  EXPECT_THAT(exr_notices(file), IsEmpty());
+  EXPECT_THAT(exr_notices(exr_file(std::vector{color, color})), ElementsAre("only 'color' of its 2 parts is read"));
 }
 
 // OpenEXR 3.4 reads zeros behind the end of an uncompressed file; the check does not leave it to the library.
@@ -199,7 +199,7 @@ TEST(ExrFile, tiles_of_smaller_levels_are_counted) {
   const std::uint64_t places = file.size() + 16;
   file += bytes_of_value(places) + bytes_of_value(places + fine.size()) + fine + coarse;
   const auto bytes = std::as_bytes(std::span(file));
-  EXPECT_THAT(samples_of({bytes.begin(), bytes.end()}), ElementsAre(1, 2, 3, 4));
+  EXPECT_THAT(exr_samples({bytes.begin(), bytes.end()}), ElementsAre(1, 2, 3, 4));
   EXPECT_THROW(check_exr_file(bytes.first(bytes.size() - 1), "a.exr"), Error);
 }
 

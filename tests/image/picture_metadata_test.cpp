@@ -48,10 +48,10 @@ std::string exif_with(char orientation) {
   return std::string("MM\0\x2a\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0"sv) + orientation + std::string(6, '\0');
 }
 
-PictureHeader header_of(const Bytes& file) { return picture_header(file, "the file"); }
+PictureHeader header_in(const Bytes& file) { return picture_header(file, "the file"); }
 
 template <class Sample>
-std::vector<Sample> samples_of(const Bytes& file) {
+std::vector<Sample> decoded_as(const Bytes& file) {
   return std::get<std::vector<Sample>>(decode_picture(file, "the file").samples);
 }
 
@@ -91,9 +91,9 @@ TEST(Exif, turns_jpeg_png_and_webp_but_not_their_stored_samples) {
   std::string jpeg;
   for (const unsigned char c : test::encode_jpeg(16, 8, 1, grey)) jpeg += static_cast<char>(c);
   jpeg.insert(2, "\xff\xe1" + big_endian(static_cast<std::uint32_t>(exif.size() + 2), 2) + exif);
-  EXPECT_EQ(header_of(to_bytes(jpeg)).width, 8);
+  EXPECT_EQ(header_in(to_bytes(jpeg)).width, 8);
   EXPECT_EQ(jpeg_header(to_bytes(jpeg), "a").width, 16);
-  EXPECT_EQ(samples_of<std::uint8_t>(to_bytes(jpeg)).size(), grey.size());
+  EXPECT_EQ(decoded_as<std::uint8_t>(to_bytes(jpeg)).size(), grey.size());
 
   std::string webp;
   for (const unsigned char c : test::encode_webp(16, 8, std::vector<std::uint8_t>(4 * 16 * 8, 255)))
@@ -102,7 +102,7 @@ TEST(Exif, turns_jpeg_png_and_webp_but_not_their_stored_samples) {
          std::string("\x1a\0\0\0", 4) + exif_with(6);
   const auto size = static_cast<std::uint32_t>(webp.size() - 8);
   for (std::size_t i = 0; i < 4; ++i) webp[4 + i] = static_cast<char>(size >> 8 * i & 0xff);
-  EXPECT_EQ(header_of(to_bytes(webp)).width, 8);
+  EXPECT_EQ(header_in(to_bytes(webp)).width, 8);
 }
 
 // ---- PNG ----------------------------------------------------------------------------------------------------------------
@@ -142,23 +142,23 @@ std::string chrm(const std::array<std::uint32_t, 8>& values) {
 
 TEST(PngNotices, ordinary_pictures_have_none) {
   const std::string srgb_colours = chrm({31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000});
-  EXPECT_THAT(header_of(png_with({})).notices, IsEmpty());
-  EXPECT_THAT(header_of(png_with({{"sRGB", std::string(1, '\0')}, {"gAMA", big_endian(45455)}})).notices, IsEmpty());
-  EXPECT_THAT(header_of(png_with({{"gAMA", big_endian(45455)}, {"cHRM", srgb_colours}})).notices, IsEmpty());
-  EXPECT_THAT(header_of(png_with({{"pHYs", big_endian(2835) + big_endian(2835) + "\x01"}})).notices, IsEmpty());
-  EXPECT_THAT(header_of(png_with({{"cICP", std::string("\x01\x0d\0\x01", 4)}})).notices, IsEmpty());
+  EXPECT_THAT(header_in(png_with({})).notices, IsEmpty());
+  EXPECT_THAT(header_in(png_with({{"sRGB", std::string(1, '\0')}, {"gAMA", big_endian(45455)}})).notices, IsEmpty());
+  EXPECT_THAT(header_in(png_with({{"gAMA", big_endian(45455)}, {"cHRM", srgb_colours}})).notices, IsEmpty());
+  EXPECT_THAT(header_in(png_with({{"pHYs", big_endian(2835) + big_endian(2835) + "\x01"}})).notices, IsEmpty());
+  EXPECT_THAT(header_in(png_with({{"cICP", std::string("\x01\x0d\0\x01", 4)}})).notices, IsEmpty());
 }
 
 TEST(PngNotices, what_is_not_honoured_is_said) {
   const std::string p3 = chrm({31270, 32900, 68000, 32000, 26500, 69000, 15000, 6000});
-  EXPECT_THAT(header_of(png_with({{"gAMA", big_endian(100000)}})).notices, ElementsAre(HasSubstr("gAMA 1)")));
-  EXPECT_THAT(header_of(png_with({{"cHRM", p3}})).notices, ElementsAre(HasSubstr("cHRM")));
-  EXPECT_THAT(header_of(png_with({{"cICP", std::string("\x0c\x0d\0\x01", 4)}})).notices, ElementsAre(HasSubstr("cICP")));
-  EXPECT_THAT(header_of(png_with({{"pHYs", big_endian(1000) + big_endian(2000) + "\x01"}})).notices,
+  EXPECT_THAT(header_in(png_with({{"gAMA", big_endian(100000)}})).notices, ElementsAre(HasSubstr("gAMA 1)")));
+  EXPECT_THAT(header_in(png_with({{"cHRM", p3}})).notices, ElementsAre(HasSubstr("cHRM")));
+  EXPECT_THAT(header_in(png_with({{"cICP", std::string("\x0c\x0d\0\x01", 4)}})).notices, ElementsAre(HasSubstr("cICP")));
+  EXPECT_THAT(header_in(png_with({{"pHYs", big_endian(1000) + big_endian(2000) + "\x01"}})).notices,
               ElementsAre("its pixels are 2 times as wide as high, and are read as square"));
-  EXPECT_THAT(header_of(png_with({{"oFFs", big_endian(7) + big_endian(9) + std::string(1, '\0')}})).notices,
+  EXPECT_THAT(header_in(png_with({{"oFFs", big_endian(7) + big_endian(9) + std::string(1, '\0')}})).notices,
               ElementsAre("its offset (oFFs) of 7, 9 is ignored"));
-  EXPECT_EQ(header_of(png_with({{"eXIf", exif_with(8)}})).width, 2);
+  EXPECT_EQ(header_in(png_with({{"eXIf", exif_with(8)}})).width, 2);
 }
 
 TEST(PngNotices, are_warned_about_once_with_the_file) {
@@ -222,7 +222,7 @@ TEST(ColorProfile, of_jpeg_and_png_files_is_found) {
   std::string jpeg;
   for (const unsigned char c : test::encode_jpeg(8, 8, 1, std::vector<std::uint8_t>(64, 90))) jpeg += static_cast<char>(c);
   jpeg.insert(2, "\xff\xe2" + big_endian(static_cast<std::uint32_t>(segment.size() + 2), 2) + segment);
-  EXPECT_THAT(header_of(to_bytes(jpeg)).notices, ElementsAre(HasSubstr("'Mine'")));
+  EXPECT_THAT(header_in(to_bytes(jpeg)).notices, ElementsAre(HasSubstr("'Mine'")));
 }
 
 // ---- Chromaticities -----------------------------------------------------------------------------------------------------
@@ -253,7 +253,7 @@ TEST(Chromaticities, white_of_another_colour_stays_white) {
 // ---- Radiance HDR -------------------------------------------------------------------------------------------------------
 
 /// Pixels are grey, of an exponent that makes a mantissa of 128 one.
-Bytes hdr_file(const std::string& variables, const std::string& resolution, const std::vector<std::uint8_t>& mantissas) {
+Bytes grey_hdr(const std::string& variables, const std::string& resolution, const std::vector<std::uint8_t>& mantissas) {
   std::string text = "#?RADIANCE\n" + variables + "\n" + resolution + "\n";
   for (const std::uint8_t mantissa : mantissas) text += std::string(3, static_cast<char>(mantissa)) + '\x81';
   return to_bytes(text);
@@ -261,22 +261,22 @@ Bytes hdr_file(const std::string& variables, const std::string& resolution, cons
 
 std::vector<float> greys_of(const Bytes& file) {
   std::vector<float> greys;
-  const std::vector<float> samples = samples_of<float>(file);
+  const std::vector<float> samples = decoded_as<float>(file);
   for (std::size_t i = 0; i < samples.size(); i += 3) greys.push_back(samples[i]);
   return greys;
 }
 
 TEST(DecodeHdr, exposures_and_colour_corrections_are_undone) {
   const std::string format = "FORMAT=32-bit_rle_rgbe\n";
-  EXPECT_THAT(samples_of<float>(hdr_file(format, "-Y 1 +X 1", {128})), ElementsAre(1, 1, 1));
-  EXPECT_THAT(samples_of<float>(hdr_file(format + "EXPOSURE=4\nEXPOSURE= 0.5 \n", "-Y 1 +X 1", {128})),
+  EXPECT_THAT(decoded_as<float>(grey_hdr(format, "-Y 1 +X 1", {128})), ElementsAre(1, 1, 1));
+  EXPECT_THAT(decoded_as<float>(grey_hdr(format + "EXPOSURE=4\nEXPOSURE= 0.5 \n", "-Y 1 +X 1", {128})),
               ElementsAre(0.5f, 0.5f, 0.5f));
-  EXPECT_THAT(samples_of<float>(hdr_file(format + "COLORCORR= 1 2 4\n", "-Y 1 +X 1", {128})), ElementsAre(1, 0.5f, 0.25f));
-  EXPECT_THAT(samples_of<float>(hdr_file("\tEXPOSURE=2\n# EXPOSURE=3\n" + format, "-Y 1 +X 1", {128})),
+  EXPECT_THAT(decoded_as<float>(grey_hdr(format + "COLORCORR= 1 2 4\n", "-Y 1 +X 1", {128})), ElementsAre(1, 0.5f, 0.25f));
+  EXPECT_THAT(decoded_as<float>(grey_hdr("\tEXPOSURE=2\n# EXPOSURE=3\n" + format, "-Y 1 +X 1", {128})),
               ElementsAre(1, 1, 1));  // those of the picture's sources, and a comment
   for (const char* exposure : {"0", "-1", "nan", "many", "1e-40"})
     EXPECT_THAT(
-        error_message([&] { decode_picture(hdr_file(format + "EXPOSURE=" + exposure + "\n", "-Y 1 +X 1", {128}), "a.hdr"); }),
+        error_message([&] { decode_picture(grey_hdr(format + "EXPOSURE=" + exposure + "\n", "-Y 1 +X 1", {128}), "a.hdr"); }),
         HasSubstr("a.hdr: cannot be read as a picture: its EXPOSURE"))
         << exposure;
 }
@@ -284,7 +284,7 @@ TEST(DecodeHdr, exposures_and_colour_corrections_are_undone) {
 // Stored: 64 128 192 in one line, 32 96 160 in the next.
 TEST(DecodeHdr, rows_and_columns_go_as_the_resolution_says) {
   const auto greys = [](const char* resolution) {
-    const Bytes file = hdr_file("FORMAT=32-bit_rle_rgbe\n", resolution, {64, 128, 192, 32, 96, 160});
+    const Bytes file = grey_hdr("FORMAT=32-bit_rle_rgbe\n", resolution, {64, 128, 192, 32, 96, 160});
     return greys_of(file);
   };
   EXPECT_THAT(greys("-Y 2 +X 3"), ElementsAre(0.5f, 1, 1.5f, 0.25f, 0.75f, 1.25f));
@@ -309,12 +309,12 @@ TEST(DecodeHdr, runs_of_the_older_kind_repeat_a_pixel) {
 }
 
 TEST(DecodeHdr, xyz_becomes_rgb_and_white_stays) {
-  EXPECT_THAT(samples_of<float>(hdr_file("FORMAT=32-bit_rle_xyze\n", "-Y 1 +X 1", {128})),
+  EXPECT_THAT(decoded_as<float>(grey_hdr("FORMAT=32-bit_rle_xyze\n", "-Y 1 +X 1", {128})),
               ElementsAre(FloatNear(1, 1e-5f), FloatNear(1, 1e-5f), FloatNear(1, 1e-5f)));
 }
 
 TEST(DecodeHdr, what_is_not_honoured_is_said) {
-  const auto notices = [](const std::string& variables) { return header_of(hdr_file(variables, "-Y 1 +X 1", {128})).notices; };
+  const auto notices = [](const std::string& variables) { return header_in(grey_hdr(variables, "-Y 1 +X 1", {128})).notices; };
   EXPECT_THAT(notices("PIXASPECT=0.5\n"), ElementsAre("its pixels are 2 times as wide as high, and are read as square"));
   EXPECT_THAT(notices("GAMMA=2.2\n"), ElementsAre(HasSubstr("GAMMA")));
   EXPECT_THAT(notices("PRIMARIES= 0 0 0 0 0 0 0 0\n"), ElementsAre(HasSubstr("PRIMARIES")));
@@ -325,7 +325,7 @@ TEST(DecodeHdr, what_is_not_honoured_is_said) {
 
 TEST(DecodeTga, columns_from_the_right) {
   const auto file = "\0\0\x03\0\0\0\0\0\0\0\0\0\x03\0\x01\0\x08\x30\x0a\x0b\x0c"sv;
-  EXPECT_THAT(samples_of<std::uint8_t>(to_bytes(file)), ElementsAre(12, 11, 10));
+  EXPECT_THAT(decoded_as<std::uint8_t>(to_bytes(file)), ElementsAre(12, 11, 10));
 }
 
 TEST(DecodeBmp, rows_from_the_bottom_or_the_top) {
@@ -335,8 +335,8 @@ TEST(DecodeBmp, rows_from_the_bottom_or_the_top) {
     return to_bytes(file + "\x01\0\x18\0"s + std::string(24, '\0') + std::string(rows));
   };
   const auto rows = "\x01\x02\x03\0\x04\x05\x06\0"sv;  // blue, green, red, and one that fills up to four
-  EXPECT_THAT(samples_of<std::uint8_t>(bmp(2, rows)), ElementsAre(6, 5, 4, 3, 2, 1));
-  EXPECT_THAT(samples_of<std::uint8_t>(bmp(-2, rows)), ElementsAre(3, 2, 1, 6, 5, 4));
+  EXPECT_THAT(decoded_as<std::uint8_t>(bmp(2, rows)), ElementsAre(6, 5, 4, 3, 2, 1));
+  EXPECT_THAT(decoded_as<std::uint8_t>(bmp(-2, rows)), ElementsAre(3, 2, 1, 6, 5, 4));
   EXPECT_THAT(error_message([&] { decode_picture(bmp(2, rows.substr(0, 5)), "a.bmp"); }), HasSubstr("truncated"));
 }
 
