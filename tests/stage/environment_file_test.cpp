@@ -1,0 +1,60 @@
+#include "lippmann/stage/environment_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "lippmann/core/error.hpp"
+#include "support/error_message.hpp"
+#include "support/exr_file.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::TempDir;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+void write_panorama(const std::filesystem::path& path, const test::ExrPart& part) {
+  const std::vector<std::byte> file = test::exr_file(part);
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(file.data()), static_cast<std::streamsize>(file.size()));
+}
+
+// The lit quarter stays a quarter of the sky, and is not stretched over all of it.
+TEST(EnvironmentFile, data_window_lies_in_the_display_window) {
+  const TempDir dir;
+  write_panorama(dir / "a.exr", {{1, 0, 1, 0}, {0, 0, 1, 1}, {{"b", {3}}, {"g", {2}}, {"r", {1}}}});
+  const EnvironmentMap map = read_environment(dir / "a.exr", 1.0f, 0.0f);
+  EXPECT_EQ(map.radiance.width, 2);
+  EXPECT_THAT(map.radiance.data, ElementsAre(0, 0, 0, 1, 2, 3, 0, 0, 0, 0, 0, 0));
+}
+
+TEST(EnvironmentFile, grey_beside_other_channels_is_grey) {
+  const TempDir dir;
+  write_panorama(dir / "a.exr", {{}, {}, {{"Y", {2}}, {"Z", {9}}, {"id", {7}}}});
+  EXPECT_THAT(read_environment(dir / "a.exr", 1.0f, 0.0f).radiance.data, ElementsAre(2, 2, 2));
+}
+
+TEST(EnvironmentFile, exposure_of_hdr_is_undone_and_oblong_pixels_are_said) {
+  const TempDir dir;
+  std::ofstream(dir / "a.hdr", std::ios::binary)
+      << "#?RADIANCE\nEXPOSURE=4\nPIXASPECT=2\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n\x80\x80\x80\x83";
+  Context context;
+  std::vector<std::string> warnings;
+  context.warn = [&](std::string_view text) { warnings.emplace_back(text); };
+  EXPECT_THAT(read_environment(dir / "a.hdr", 1.0f, 0.0f, context).radiance.data, ElementsAre(1, 1, 1));
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("a.hdr: its pixels are 0.5 times as wide as high")));
+}
+
+TEST(EnvironmentFile, file_without_colours_is_refused_with_its_channels) {
+  const TempDir dir;
+  write_panorama(dir / "a.exr", {{}, {}, {{"u", {1}}, {"v", {2}}}});
+  EXPECT_THAT(test::error_message([&] { read_environment(dir / "a.exr", 1.0f, 0.0f); }),
+              HasSubstr("a.exr: none of its channels is a colour: 'u, v'"));
+}
+
+}  // namespace
+}  // namespace lippmann
