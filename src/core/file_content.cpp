@@ -95,6 +95,12 @@ bool is_text(std::string_view begin) {
   });
 }
 
+/// P1 to P7, followed by white space.
+bool is_netpbm_kind(std::string_view begin) {
+  return begin.size() > 2 && begin[0] == 'P' && begin[1] >= '1' && begin[1] <= '7' &&
+         std::string_view(" \t\r\n#").find(begin[2]) != std::string_view::npos;
+}
+
 std::string first_line(std::string_view text) { return std::string(text.substr(0, text.find_first_of("\r\n"))); }
 
 /// "oid sha256:...\nsize 12345": the size in bytes, as the pointer has it.
@@ -133,6 +139,7 @@ FileContent describe_content(std::span<const std::byte> bytes) {
     if ((known.magic.size() > 2 || !text_only) && begin.size() >= known.offset &&
         begin.substr(known.offset).starts_with(known.magic))
       return {std::string(known.what), {}};
+  if (is_netpbm_kind(begin)) return {fmt::format("a netpbm picture ({})", begin.substr(0, 2)), {}};
   if (begin.starts_with("\xff\xfe") || begin.starts_with("\xfe\xff")) return {"text in UTF-16", {}};
   if (!text_only) return {"binary data of an unknown kind", {}};
   const std::string_view text = without_leading_space(begin);

@@ -32,6 +32,7 @@ TEST(FileContent, stand_ins_name_the_remedy) {
 TEST(FileContent, other_files_have_no_remedy) {
   EXPECT_EQ(content_of("\x89PNG\r\n\x1a\n rest").what, "a PNG picture");
   EXPECT_EQ(content_of("glTF\2\0\0\0"sv).what, "a binary glTF scene (.glb)");
+  EXPECT_EQ(content_of("P3\n2 2").what, "a netpbm picture (P3)");
   EXPECT_EQ(content_of("PK\x03\x04").what, "a ZIP archive");
   EXPECT_EQ(content_of("RIFF....WEBP").what, "a WebP picture");
   EXPECT_EQ(content_of("<?xml version=\"1.0\"?>").what, "an XML document");
