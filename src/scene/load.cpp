@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <fstream>
 #include <span>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
 #include "core/file_content.hpp"
+#include "core/regular_file.hpp"
 #include "core/suggest.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/scene/builtin.hpp"
@@ -118,13 +118,8 @@ void require_readable_file(const fs::path& path) {
 /// A file that is not what its name says is named for what it is.
 void require_scene_content(const fs::path& path, std::string_view own_kind) {
   constexpr std::size_t kLooked = 512;
-  std::error_code failure;
-  if (!fs::is_regular_file(path, failure)) return;  // which the format's reader refuses
-  std::vector<char> begin(kLooked);
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return;
-  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  begin.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, file.gcount())));
+  if (!RegularFile(path).problem().empty()) return;  // which the format's reader reports
+  const std::string begin = read_file_begin(path, kLooked);
   const FileContent content = describe_content(std::as_bytes(std::span(begin)));
   if (!content.remedy.empty()) throw Error(path.string(), "is " + content.what, content.remedy);
   const bool is_text = content.what.starts_with("text"), is_unknown = content.what.starts_with("binary data");
