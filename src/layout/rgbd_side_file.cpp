@@ -75,6 +75,7 @@ std::optional<RgbdSideFile> read_rgbd_side_file(const fs::path& image) {
   const Json json = rgbd_document(path);
   if (!json.is_object() || !json.contains("rgbd")) return std::nullopt;
   const JsonFields rgbd = JsonFields(json, path.string(), "").inner("rgbd");
+  rgbd.allow_only({"depth_at", "linear_in", "white", "near_mm", "far_mm", "distance_mm", "size_mm", "eye_mm"});
   RgbdSideFile side;
   side.distance_mm = rgbd.number("distance_mm", kLength);
   const std::vector<double> size = rgbd.numbers("size_mm", 2, kLength), eye = rgbd.numbers("eye_mm", 2);

@@ -118,7 +118,7 @@ void require_readable_file(const fs::path& path) {
 /// A file that is not what its name says is named for what it is.
 void require_scene_content(const fs::path& path, std::string_view own_kind) {
   constexpr std::size_t kLooked = 512;
-  if (!RegularFile(path).problem().empty()) return;  // which the format's reader refuses
+  if (!RegularFile(path).problem().empty()) return;  // which the format's reader reports
   const std::string begin = read_file_begin(path, kLooked);
   const FileContent content = describe_content(std::as_bytes(std::span(begin)));
   if (!content.remedy.empty()) throw Error(path.string(), "is " + content.what, content.remedy);

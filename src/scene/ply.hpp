@@ -15,7 +15,7 @@ namespace lippmann {
 struct PlyOptions {
   SideFolders folders{};                                      ///< where its pictures may lie
   std::uint64_t texture_bytes = LoadOptions{}.texture_bytes;  ///< as LoadOptions has it
-  Vec3d origin{0.0};  ///< Scene::origin of meshes; splats, whose numbers are floats, do without
+  Vec3d origin{0.0};                                          ///< Scene::origin
 };
 
 /// Throws Error, naming the file and the header's line or the element, for what cannot be read. What is not read is a warning

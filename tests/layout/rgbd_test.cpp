@@ -119,6 +119,9 @@ TEST(Rgbd, side_files_that_are_impossible_are_refused) {
   std::ofstream(dir / "a.png.json") << R"({"rgbd": {"linear_in": "disparity", "white": "near", "near_mm": -5, "far_mm": 5,
     "distance_mm": 100, "size_mm": [40, 20], "eye_mm": [0, 0]}})";
   EXPECT_THAT(error_message([&] { read_rgbd_side_file(dir / "a.png"); }), HasSubstr("far_mm"));
+  std::ofstream(dir / "a.png.json") << R"({"rgbd": {"linear_in": "disparity", "white": "near", "near_mm": 5, "far_mm": -5,
+    "distance_mm": 100, "size_mm": [40, 20], "eye_mm": [0, 0], "frog": 1}})";
+  EXPECT_THAT(error_message([&] { read_rgbd_side_file(dir / "a.png"); }), HasSubstr("frog"));
   std::ofstream(dir / "b.png.json") << R"({"quilt_settings": {}})";
   EXPECT_FALSE(read_rgbd_side_file(dir / "b.png"));
 }

@@ -54,6 +54,16 @@ std::string obj_at(Vec3d place) {
   return text + "f 1 2 3\nf 1 2 4\n";
 }
 
+/// One splat at the first corner; x, y and z of the file as they are, or y and z downwards.
+std::string splat_at(Vec3d place, bool z_up) {
+  const Vec3d at = place + kCorners[0], in_file = z_up ? Vec3d(at.x, -at.z, at.y) : Vec3d(at.x, -at.y, -at.z);
+  return fmt::format(
+      "ply\nformat ascii 1.0\n{}element vertex 1\nproperty double x\nproperty double y\nproperty double z\n"
+      "property float scale_0\nproperty float opacity\nproperty float f_dc_0\nproperty float f_dc_1\nproperty float f_dc_2\n"
+      "end_header\n{} -3 4 0 0 0\n",
+      z_up ? "comment Vertical Axis: z\n" : "", text_of(in_file));
+}
+
 std::string ply_at(Vec3d place) {
   std::string text =
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\nelement face 2\n"
@@ -72,6 +82,15 @@ void expect_corners(const Scene& scene, Vec3d place) {
 TEST_F(FarScene, obj_keeps_the_digits_of_its_text) { expect_corners(load("a.obj", obj_at(kPlace)), kPlace); }
 
 TEST_F(FarScene, ply_keeps_the_digits_of_its_numbers) { expect_corners(load("a.ply", ply_at(kPlace)), kPlace); }
+
+TEST_F(FarScene, splats_keep_the_digits_of_their_numbers) {
+  for (const bool z_up : {false, true}) {
+    const Scene scene = load("a.ply", splat_at(kPlace, z_up));
+    const Vec3f center = std::get<Splats>(scene.shapes.at(0)).centers.at(0);
+    const Affine3f place = evaluate(scene, 0.0).of(scene.instances.at(0).node);
+    expect_near(in_file(scene, transform_point(place, center)), kPlace + kCorners[0], kRounding);
+  }
+}
 
 TEST_F(FarScene, nff_keeps_the_digits_of_shapes_camera_and_lamps) {
   const Vec3d eye = kPlace + Vec3d(0.1, 0.2, 5.3), lamp = kPlace + Vec3d(2.1, 3.2, 1.3);

@@ -21,7 +21,7 @@ Scene parse_ply(const std::string& name, const std::string& contents, const Cont
   const ply::Header header = ply::parse_header(name, contents);
   header.foreign_lines.warn(context, "line", "lines");
   ply::Body body(name, std::string_view(contents).substr(header.size), header.format);
-  if (ply::has_splats(header)) return ply::read_splats(name, header, body, context);
+  if (ply::has_splats(header)) return ply::read_splats(name, header, body, options.origin, context);
   Scene scene;
   scene.origin = options.origin;
   SideTextures textures(options.folders, options.texture_bytes, scene, context);

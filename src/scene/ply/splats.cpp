@@ -45,10 +45,12 @@ struct SplatColumns {
 
 class SplatReader {
  public:
-  SplatReader(const std::string& name, const Header& header, Body& body, const Context& context)
+  /// origin: in the file's coordinates; it is subtracted from centres.
+  SplatReader(const std::string& name, const Header& header, Body& body, const Vec3d& origin, const Context& context)
       : name_(name),
         element_(*vertices_of(header)),
         body_(body),
+        origin_(origin),
         is_floats_(header.format == Format::kLittleEndian && std::endian::native == std::endian::little) {
     for (const Property& property : element_.properties) is_floats_ &= property.type == Type::kFloat && !property.count_type;
     find_columns(context);
@@ -57,7 +59,7 @@ class SplatReader {
   Splats read() {
     Splats splats;
     splats.degree = degree_;
-    row_.resize(element_.properties.size());
+    row_.resize(element_.properties.size()), floats_.resize(row_.size());
     const std::size_t count = std::min(static_cast<std::size_t>(element_.count), body_.bytes_left() / row_.size());
     splats.centers.reserve(count), splats.rotations.reserve(count), splats.deviations.reserve(count);
     splats.opacities.reserve(count), splats.harmonics.reserve(count * harmonics_of(degree_));
@@ -109,17 +111,22 @@ class SplatReader {
   }
 
   void read_row() {
-    if (is_floats_) return body_.floats(row_);
+    if (is_floats_) {
+      body_.floats(floats_);
+      std::copy(floats_.begin(), floats_.end(), row_.begin());
+      return;
+    }
     for (std::size_t i = 0; i < row_.size(); ++i) {
       const Property& property = element_.properties[i];
       if (property.count_type)
         body_.pass_over(property);
       else
-        row_[i] = static_cast<float>(body_.value(property.type));
+        row_[i] = body_.value(property.type);
     }
   }
 
-  float at(int column) const { return row_[static_cast<std::size_t>(column)]; }
+  double exact(int column) const { return row_[static_cast<std::size_t>(column)]; }
+  float at(int column) const { return static_cast<float>(exact(column)); }
   Vec3f at(const std::array<int, 3>& columns) const { return {at(columns[0]), at(columns[1]), at(columns[2])}; }
 
   Vec3f deviations() const {
@@ -138,7 +145,8 @@ class SplatReader {
   }
 
   void add_row(Splats& splats) {
-    splats.centers.push_back(at(columns_.center));
+    const Vec3d center(exact(columns_.center[0]), exact(columns_.center[1]), exact(columns_.center[2]));
+    splats.centers.emplace_back(center - origin_);
     splats.deviations.push_back(deviations());
     const auto r = columns_.rotation;
     splats.rotations.push_back(r ? Quatf(at((*r)[0]), at((*r)[1]), at((*r)[2]), at((*r)[3])) : Quatf(1.0f, 0.0f, 0.0f, 0.0f));
@@ -152,10 +160,12 @@ class SplatReader {
   const std::string& name_;
   const Element& element_;
   Body& body_;
+  Vec3d origin_;
   SplatColumns columns_;
   bool is_floats_;  ///< a row is floats as this machine has them
   int degree_ = 0;
-  std::vector<float> row_;
+  std::vector<float> floats_;
+  std::vector<double> row_;
 };
 
 /// Captures have the axes of their photographs: y downwards. Files that say so have z upwards.
@@ -188,15 +198,17 @@ bool has_splats(const Header& header) {
          (has_property(*vertices, "rot_0") || has_property(*vertices, "opacity"));
 }
 
-Scene read_splats(const std::string& name, const Header& header, Body& body, const Context& context) {
+Scene read_splats(const std::string& name, const Header& header, Body& body, const Vec3d& origin, const Context& context) {
   skip_others(name, header, body, context);
-  Splats splats = SplatReader(name, header, body, context).read();
+  const Vec3d in_file = header.is_z_up ? Vec3d(origin.x, -origin.z, origin.y) : Vec3d(origin.x, -origin.y, -origin.z);
+  Splats splats = SplatReader(name, header, body, in_file, context).read();
   if (const std::size_t dropped = drop_unsound(splats); dropped > 0)
     context.warning(fmt::format("{}: {} splats are left out: they have no size, no rotation or values that are not finite.",
                                 name, dropped));
   if (splats.centers.empty()) throw Error(name, "has no splats to show");
   sort_by_place(splats);
   Scene scene;
+  scene.origin = origin;
   scene.nodes.push_back(upright_node(header.is_z_up));
   scene.materials.push_back(splat_material());
   scene.shapes.emplace_back(std::move(splats));

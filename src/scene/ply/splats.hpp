@@ -15,8 +15,8 @@ namespace lippmann::ply {
 bool has_splats(const Header& header);
 
 /// The splats of the file, one instance of them, y downwards in the file and upwards in the scene; or z upwards, where the
-/// file says so. Throws Error. Splats that cannot be shown (no size, no rotation, values that are not finite), and properties
-/// and elements that are not read, are left out with a warning.
-Scene read_splats(const std::string& name, const Header& header, Body& body, const Context& context);
+/// file says so. `origin` (Scene::origin) is subtracted. Throws Error. Splats that cannot be shown (no size, no rotation,
+/// values that are not finite), and properties and elements that are not read, are left out with a warning.
+Scene read_splats(const std::string& name, const Header& header, Body& body, const Vec3d& origin, const Context& context);
 
 }  // namespace lippmann::ply

@@ -9,7 +9,6 @@
 
 #include "lippmann/scene/timeline.hpp"
 #include "scene/tachyon/camera_path.hpp"
-#include "scene/tachyon/handedness.hpp"
 #include "scene/tachyon/parser.hpp"
 
 namespace lippmann {
@@ -32,8 +31,9 @@ void add_camera(Scene& scene, const CameraRecord& record) {
 
 /// The gradient over the heights at which an orthographic camera's rays begin, as one over the directions of a viewer who sees
 /// the picture's height under kViewerAngle.
-Background over_directions(Background plane, const CameraRecord& camera) {
-  const double middle = glm::dot(glm::dvec3(mirrored(camera.pose.center)), glm::dvec3(plane.up));
+Background over_directions(Background plane, const CameraRecord& camera, const Vec3d& origin) {
+  const Vec3d center = Vec3d(camera.pose.center) + origin;
+  const double middle = glm::dot(Vec3d(center.x, center.y, -center.z), Vec3d(plane.up));
   const double distance = 0.5 / camera.zoom / std::tan(0.5 * kViewerAngle);
   const auto sine = [&](float height) {
     const double above = static_cast<double>(height) - middle;
@@ -43,10 +43,11 @@ Background over_directions(Background plane, const CameraRecord& camera) {
   return plane;
 }
 
-Background background_of(const ParserState& state) {
+/// origin: what the lexer has subtracted from positions.
+Background background_of(const ParserState& state, const Vec3d& origin) {
   if (!state.gradient) return state.background;
   if (!state.gradient_is_plane || !state.camera.is_orthographic) return *state.gradient;
-  const Background sky = over_directions(*state.gradient, state.camera);
+  const Background sky = over_directions(*state.gradient, state.camera, origin);
   return sky.horizon_at == sky.zenith_at ? *state.gradient : sky;
 }
 
@@ -75,7 +76,7 @@ Scene read_scene(Lexer& lexer, SceneFolder& folder, const Context& context, doub
   state.left_out.warn(context, "effect", "effects");
   Scene scene = state.builder.take();
   apply_shader_mode(state.shading, scene);
-  scene.background = background_of(state);
+  scene.background = background_of(state, lexer.origin());
   scene.encoding = Encoding::kTachyonTruncate;
   scene.max_depth = std::max(state.camera.ray_depth, 1);
   scene.resolution = state.resolution;
