@@ -46,6 +46,11 @@ bool is_phong_lamp(const Material& material) {
   return phong && (phong->emission != Vec3f(0.0f) || (phong->diffuse == 0.0f && phong->ambient > 0.0f));
 }
 
+/// A black lamp lights nothing.
+bool has_lamps(const Scene& scene) {
+  return std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) { return light.color != Vec3f(0.0f); });
+}
+
 float brightest(Vec3f color) { return std::max({color.x, color.y, color.z}); }
 
 /// World units; a mesh as its node shows it, skins and morph targets at rest.
@@ -83,7 +88,7 @@ bool lacks_lamps(const Scene& scene) {
     return std::any_of(scene.instances.begin(), scene.instances.end(),
                        [&](const Instance& instance) { return is(material_of(scene, instance)); });
   };
-  return scene.lights.empty() && any(is_lit_by_lamps) && !any(shines_by_itself);
+  return !has_lamps(scene) && any(is_lit_by_lamps) && !any(shines_by_itself);
 }
 
 OwnLight own_light(const Scene& scene) {
@@ -92,7 +97,7 @@ OwnLight own_light(const Scene& scene) {
   const bool is_lit = std::any_of(scene.instances.begin(), scene.instances.end(),
                                   [&](const Instance& instance) { return is_lit_by_lamps(material_of(scene, instance)); });
   if (!is_lit) return OwnLight::kNotNeeded;
-  return scene.lights.empty() && !has_shining_lamps(scene) ? OwnLight::kNone : OwnLight::kLamps;
+  return !has_lamps(scene) && !has_shining_lamps(scene) ? OwnLight::kNone : OwnLight::kLamps;
 }
 
 Quatf viewer_orientation(const Scene& scene) {

@@ -133,6 +133,8 @@ class LightTable {
   /// near lights' power that all triangles of a record have.
   float share_of_lamp(std::size_t light) const;
   float share_of_record(std::size_t record) const;
+  /// Whether there are near and far lights: else near_share() is the same everywhere.
+  bool has_both_kinds() const { return !near_.empty() && !far_.empty(); }
   /// The chance of sample() to choose a near light.
   float near_share(const LightReceiver& at) const;
 

@@ -307,9 +307,12 @@ std::string list_surroundings(const Scene& scene, const Subject& subject) {
 }
 
 std::string list_strays(const Scene& scene, const Subject& subject) {
-  return list_instances(scene, [&](std::size_t i) {
-    return subject.roles[i] == InstanceRole::kStray || (!subject.is_cut.empty() && subject.is_cut[i]);
-  });
+  if (!subject.main_part) return {};
+  const std::string whole = list_instances(scene, [&](std::size_t i) { return subject.roles[i] == InstanceRole::kStray; });
+  const std::string cut =
+      list_instances(scene, [&](std::size_t i) { return subject.is_cut[i] && subject.roles[i] != InstanceRole::kStray; });
+  if (cut.empty()) return whole;
+  return fmt::format("{}{}parts of {}", whole, whole.empty() ? "" : ", and ", cut);
 }
 
 }  // namespace lippmann

@@ -56,10 +56,14 @@ void PathIntegrator::go_on(int i, const PathRay& ray, const BsdfSample& sample) 
 
 std::optional<LightSample> PathIntegrator::light_for(int i, const PathRay& ray) {
   const float pick = numbers(ray, i, kChoicePair).x;
-  LightReceiver at = vertices_.receiver(i);
-  near_share_[i] = at.near_share = lights().near_share(at);
+  LightReceiver at;
+  if (lights().has_both_kinds()) {
+    at = vertices_.receiver(i);
+    near_share_[i] = at.near_share = lights().near_share(at);
+  }
   if (lights().asks_sky_often() && lights().picks_sky(at, pick))
     return LightTable::sky_sample(sky_draws(), i, lights().chance(kSkyLight, at));
+  if (!lights().has_both_kinds()) at = vertices_.receiver(i);
   return lights().sample(at, pick, numbers(ray, i, kOnLightPair));
 }
 

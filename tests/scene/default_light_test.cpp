@@ -31,6 +31,9 @@ TEST(DefaultLight, is_lacking_where_surfaces_wait_for_light) {
   Scene lit = scene_of(plain);
   lit.lights.emplace_back();
   EXPECT_FALSE(lacks_lamps(lit));
+  for (Light& light : lit.lights) light.color = Vec3f(0.0f);
+  EXPECT_TRUE(lacks_lamps(lit)) << "black lamps";
+  EXPECT_EQ(own_light(lit), OwnLight::kNone);
 }
 
 Scene scene_of(const PhongSurface& surface) {

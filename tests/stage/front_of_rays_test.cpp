@@ -13,6 +13,7 @@ constexpr float kEye = 12.0f;
 class FrontOfRays : public testing::Test {
  protected:
   FrontOfRays() {
+    scene.materials.emplace_back();
     Camera camera;
     camera.node = add_node({0, 0, 4});
     camera.vertical_fov = radians(60.0f), camera.focus_distance = 4.0f;
@@ -29,7 +30,7 @@ class FrontOfRays : public testing::Test {
 
   Instance& add(Shape shape) {
     Instance instance;
-    instance.node = add_node(Vec3f(0.0f));
+    instance.node = add_node(Vec3f(0.0f)), instance.material = 0;
     instance.shape = static_cast<int>(scene.shapes.size());
     scene.shapes.push_back(std::move(shape));
     scene.instances.push_back(instance);

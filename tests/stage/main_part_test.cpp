@@ -90,7 +90,7 @@ TEST(MainPart, a_stray_triangle_of_the_same_mesh_does_not_either) {
   Scene with_stray;
   add(with_stray, "mesh", mesh);
   EXPECT_NEAR(fit_array(with_stray).viewing_distance, fit_array(alone).viewing_distance, 1e-4f);
-  EXPECT_THAT(fit_array(with_stray).warning, HasSubstr("'mesh'"));
+  EXPECT_THAT(fit_array(with_stray).warning, HasSubstr("parts of 'mesh'"));
 }
 
 TEST(MainPart, a_stray_vertex_does_not_either) {
