@@ -10,6 +10,7 @@
 #include "layout/light_field_source.hpp"
 #include "lippmann/core/error.hpp"
 #include "replay/depth_frames.hpp"
+#include "replay/no_light_field.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -164,6 +165,7 @@ Conversion conversion_of(const ConvertOptions& options) {
   Conversion conversion;
   conversion.to = &find_format(options.to, "--to");
   const bool from_rgbd = options.from == "rgbd" || (options.from.empty() && is_rgbd(options.in));
+  if (!from_rgbd && options.from.empty()) refuse_what_is_no_light_field(options.in);
   conversion.from = from_rgbd ? &find_format("rgbd", "--from") : &format_of_light_field(options.in, options.from);
   const bool has_parts = !options.keep.empty() || !options.crop.empty();
   if (from_rgbd && options.to != "rgbd" && !has_parts)

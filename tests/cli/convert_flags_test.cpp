@@ -134,6 +134,8 @@ TEST_F(ConvertFlags, refusals_name_the_formats_and_what_accepts_the_flag) {
                  "--gap: has no effect with --rotate-elemental; accepted: --spoc");
   expect_refusal(run_tool(dir_, {"convert", "in/views", "n.png", "--to", "native", "--display", "d.toml", "--sigma", "1"}), 2,
                  "--sigma");
+  std::ofstream(dir_ / "clip.mp4") << "no video";
+  expect_refusal(run_tool(dir_, {"convert", "clip.mp4", "o", "--to", "views"}), 1, "views cannot be read from a video");
 }
 
 }  // namespace

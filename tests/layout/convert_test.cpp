@@ -54,6 +54,16 @@ TEST(Convert, integral_image_to_views_to_quilt_and_back_is_the_same_to_the_bit) 
   EXPECT_EQ(read8(dir / "back.png").rgb, original.rgb);
 }
 
+TEST(Convert, batch_of_pictures_gets_endings_that_suit_its_samples) {
+  const TempDir dir;
+  fs::create_directories(dir / "b");
+  for (const char* name : {"b/v1.0_qs2x1a2.ppm", "b/w_qs2x1a2 (1).ppm"})
+    std::ofstream(dir / name, std::ios::binary) << "P6\n4 1\n255\nabcdefghijkl";
+  EXPECT_EQ(convert(dir / "b", dir / "out", params("", kIntegral)).written.size(), 2u);
+  EXPECT_TRUE(fs::exists(dir / "out/v1.0.png"));
+  EXPECT_TRUE(fs::exists(dir / "out/w (1).png"));
+}
+
 TEST(Convert, stanford_positions_are_kept) {
   const TempDir dir;
   fs::create_directories(dir / "in");
