@@ -244,24 +244,29 @@ vec2 meet(ivec2 view, vec2 s, vec2 apart) {
   int steps = clamp(int(ceil(per * range)), 1, 40);
   float step_w = range / float(steps), w = u_disparities.y, before = w;
   bool hidden = false;
-  for (int i = 0; i <= 40; ++i) {
-    if (i > steps) break;
-    float at = max(disparity_in_tile(tile, start + per_disparity * w), u_disparities.x);
-    bool behind = at - w >= -1e-4 * range;
-    if (behind && !hidden) {
-      // Where it came to be behind: at a surface, or beside the edge of one.
-      float near = i == 0 ? w : w + step_w, far = w;
-      for (int j = 0; j < 4; ++j) {
-        float middle = 0.5 * (near + far);
-        float there = max(disparity_in_tile(tile, start + per_disparity * middle), u_disparities.x);
-        if (there >= middle) far = middle, at = there;
-        else near = middle;
-      }
-      if (per * (at - far) < 0.75) return vec2(at, 1.0);
-      before = near;
+  for (int edges = 0, i = 0; edges < 3 && i <= steps; ++edges) {
+    float at = w;
+    for (; i <= steps; ++i) {
+      at = max(disparity_in_tile(tile, start + per_disparity * w), u_disparities.x);
+      bool behind = at - w >= -1e-4 * range;
+      if (behind && !hidden) break;
+      hidden = behind;
+      w -= step_w;
     }
-    hidden = behind;
+    if (i > steps) break;
+    // It came to be behind: at a surface, or beside the edge of one.
+    float near = i == 0 ? w : w + step_w, far = w;
+    for (int j = 0; j < 3; ++j) {
+      float middle = 0.5 * (near + far);
+      float there = max(disparity_in_tile(tile, start + per_disparity * middle), u_disparities.x);
+      if (there >= middle) far = middle, at = there;
+      else near = middle;
+    }
+    if (per * (at - far) < 0.75) return vec2(at, 1.0);
+    before = near;
+    hidden = true;
     w -= step_w;
+    ++i;
   }
   return hidden ? vec2(before, 0.0) : vec2(u_disparities.x, 1.0);
 }
@@ -284,18 +289,18 @@ vec3 tinted(ivec2 view, vec2 pixel, float disparity) {
 // quarters of a pixel.
 vec3 in_view_behind(ivec2 view, vec2 pixel, vec2 per_disparity) {
   vec3 tile = tile_of(view);
-  float disparity = disparity_in_tile(tile, pixel);
   vec2 last = u_view_size - 1.0, at = clamp(pixel, vec2(0.5), u_view_size - 0.5) - 0.5, first = floor(at), share = at - first;
-  float per = max(abs(per_disparity.x), abs(per_disparity.y)), weights = 0.0;
-  vec3 sum = vec3(0.0);
-  for (int i = 0; i < 4; ++i) {
-    vec2 corner = vec2(i & 1, i >> 1), texel = min(first + corner, last), near = mix(1.0 - share, share, corner);
-    float moved = per * (disparity_in_tile(tile, texel) - disparity);  // infinite beside what is nowhere
-    float weight = near.x * near.y * (1.0 - smoothstep(0.25, 0.75, moved));
-    sum += weight * texel_of(u_views, tile, texel).rgb;
-    weights += weight;
-  }
-  vec3 seen = sum / weights;
+  vec2 next = min(first + 1.0, last);
+  vec4 disparities = vec4(disparity_in_tile(tile, first), disparity_in_tile(tile, vec2(next.x, first.y)), disparity_in_tile(tile, vec2(first.x, next.y)), disparity_in_tile(tile, next));
+  vec2 row = share.y < 0.5 ? disparities.xy : disparities.zw;
+  float own = share.x < 0.5 ? row.x : row.y;
+  vec4 moved = max(abs(per_disparity.x), abs(per_disparity.y)) * (disparities - own);  // infinite beside what is nowhere
+  if (all(lessThan(moved, vec4(0.25)))) return in_view(view, pixel);
+  vec2 rest = 1.0 - share;
+  vec4 weights = vec4(rest.x * rest.y, share.x * rest.y, rest.x * share.y, share.x * share.y) * (1.0 - smoothstep(0.25, 0.75, moved));
+  vec3 sum = weights.x * texel_of(u_views, tile, first).rgb + weights.y * texel_of(u_views, tile, vec2(next.x, first.y)).rgb;
+  sum += weights.z * texel_of(u_views, tile, vec2(first.x, next.y)).rgb + weights.w * texel_of(u_views, tile, next).rgb;
+  vec3 seen = sum / (weights.x + weights.y + weights.z + weights.w);
 #if OVERLAY
   seen = with_origin(seen, tile, clamp(floor(pixel), vec2(0.0), last));
 #endif
