@@ -277,7 +277,7 @@ TEST(Folder, check_prints_lists_as_json) {
 
 TEST(Folder, check_of_what_is_no_render_is_refused) {
   const TempDir dir;
-  expect_refusal(run_tool(dir, {"check", "missing"}), 1, "missing: holds no render that can be checked");
+  expect_refusal(run_tool(dir, {"check", "missing"}), 1, "missing: cannot be checked");
   fs::create_directory(dir / ".lippmann");
   std::ofstream(dir / ".lippmann/1.jsonl") << "{\"job\":\"a\"}\n{\"frame\":0}\n{\"asked\":\"0\"}\n";
   expect_refusal(run_tool(dir, {"check", "."}), 1, "line 2 of '1.jsonl' lacks");
