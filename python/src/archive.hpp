@@ -179,9 +179,18 @@ class Walk {
   void each(auto& values) const {
     for (auto& value : values) (*this)(value);
   }
+  void bits(auto& values) const {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      bool value = values[i];
+      (*this)(value);
+      if constexpr (!std::is_const_v<std::remove_reference_t<decltype(values)>>) values[i] = value;
+    }
+  }
   void elements(auto& values) const {
     archive_.length(values);
-    if constexpr (kIsNumber<typename std::remove_cvref_t<decltype(values)>::value_type>)
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(values)>, std::vector<bool>>)
+      bits(values);
+    else if constexpr (kIsNumber<typename std::remove_cvref_t<decltype(values)>::value_type>)
       archive_.raw(values.data(), values.size() * sizeof(*values.data()));
     else
       each(values);

@@ -6,6 +6,7 @@
 
 #include "core/atomic_file.hpp"
 #include "core/recorded_file.hpp"
+#include "core/regular_file.hpp"
 #include "layout/miv_cameras.hpp"
 #include "layout/view_files.hpp"
 #include "lippmann/core/error.hpp"
