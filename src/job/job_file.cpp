@@ -96,15 +96,16 @@ std::string path_from(const fs::path& folder, const std::string& path) {
   return tidy((here / path).lexically_normal().lexically_relative((here / folder / "").lexically_normal()));
 }
 
-/// Whether a file or folder lies in `folder`, or is it: a copy of the folder has one of its own.
+/// Whether a file or folder lies in `folder`, or is it.
 bool lies_in(const fs::path& folder, const std::string& path) {
   const std::string from = path_from(folder, path);
   return from != ".." && !from.starts_with("../");
 }
 
-/// What a job writes, which a job file in the same folder names relative to itself.
-bool is_own_file(const ParamInfo& info, const std::string& value, const fs::path& folder) {
-  return (info.name == "output" || info.name == "video") && !value.empty() && lies_in(folder, value);
+/// What a job writes into `folder`, where that is the folder of its render: a copy of the folder has one of its own.
+bool is_own_file(const ParamInfo& info, const std::string& value, const RenderParams& params, const fs::path& folder) {
+  const bool is_own_folder = !params.output.folder.empty() && path_from(folder, params.output.folder) == ".";
+  return is_own_folder && (info.name == "output" || info.name == "video") && !value.empty() && lies_in(folder, value);
 }
 
 /// full-depth = true says fit-depth = false, and the other way round.
@@ -143,7 +144,7 @@ std::string job_text(const RenderParams& params, const fs::path& folder) {
     std::vector<std::string> values = info.get(params);
     if (values.empty()) continue;
     for (std::string& value : values)
-      if (is_relative_path(info, value) || is_own_file(info, value, folder)) value = path_from(folder, value);
+      if (is_relative_path(info, value) || is_own_file(info, value, params, folder)) value = path_from(folder, value);
     if (group != info.group) text += fmt::format("\n# {}\n", info.group);
     group = info.group;
     text += fmt::format("{} = {}\n", info.name, toml_value(info, values));

@@ -20,6 +20,7 @@ TEST(JobFingerprint, differs_for_what_changes_pictures_and_for_nothing_else) {
   elsewhere.threads = 7;
   elsewhere.output.frames = FrameRanges{{0, 1}};
   elsewhere.output.video = {"a.mp4"};
+  elsewhere.output.also = Companion::kSingle, elsewhere.output.page = true;
   elsewhere.resume = true;
   elsewhere.sampling.order = RayOrder::kRows;
   EXPECT_EQ(job_fingerprint(elsewhere, scene), same);

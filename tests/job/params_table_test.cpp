@@ -82,6 +82,8 @@ const std::map<std::string_view, Values> kOtherValues{
     {"camera-grid", {"true"}},
     {"video-codec", {"hevc"}},
     {"crf", {"30"}},
+    {"also", {"single"}},
+    {"page", {"true"}},
     {"fit-depth", {"true"}},
     {"angular-filter", {"box"}},
     {"aperture", {"4.5"}},
