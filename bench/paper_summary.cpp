@@ -51,8 +51,8 @@ std::string reproduced_text(const std::vector<Reproduced>& rows) {
   const auto in_paper = std::count_if(rows.begin(), rows.end(), [](const Reproduced& r) { return r.paper_saving.has_value(); });
   const auto reproduced = std::count_if(rows.begin(), rows.end(), [](const Reproduced& r) { return r.verdict() == "yes"; });
   std::string text = fmt::format(
-      "For {} of {} animations of the paper, interpolated frames save as much of full tracing here as there, at no lower PSNR "
-      "where the paper states one.\n\n"
+      "Reproduced: {} of {} animations of the paper. Reproduced means: interpolation saves at least the share of tracing time "
+      "that the paper reports, at the paper's PSNR or better where it reports one.\n\n"
       "scene               K   saved  paper saved    PSNR  paper PSNR  reproduced\n",
       reproduced, in_paper);
   for (const Reproduced& row : rows)

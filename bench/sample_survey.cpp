@@ -105,7 +105,7 @@ class SampleSurveyor : public PathTracer<SampleSurveyor> {
     const Vec2f u = draw(ray, kOnLightPair);
     const LightReceiver at{point.position, bsdf.lit_side(point.normal)};
     const auto ask_one = [&](LightGroups group, SegmentClass segment) {
-      if (lights().chance(group) > 0.0f) ask(lights().sample(group, at, pick, u), segment, point, bsdf, ray);
+      if (lights().has(group)) ask(lights().sample(group, at, pick, u), segment, point, bsdf, ray);
     };
     if (lights().points() > kFewSurveyedLights) ask_one(kPointLights, SegmentClass::kToPoint);
     for (std::size_t l = 0; l < lights().points() && lights().points() <= kFewSurveyedLights; ++l)
@@ -117,11 +117,14 @@ class SampleSurveyor : public PathTracer<SampleSurveyor> {
   }
 
   void ask_one_light(const ShadingPoint& point, const Bsdf& bsdf, const PathRay& ray) {
-    const float pick = draw(ray, kChoicePair).x;
-    for (const GroupClass& c : kGroupClasses)
-      if (pick < lights().chance({LightGroup::kPoints, c.group.end}))
-        return ask(lights().sample({point.position, bsdf.lit_side(point.normal)}, pick, draw(ray, kOnLightPair)), c.segment,
-                   point, bsdf, ray);
+    const LightReceiver at{point.position, bsdf.lit_side(point.normal)};
+    float pick = draw(ray, kChoicePair).x;
+    for (const GroupClass& c : kGroupClasses) {
+      const float chance = lights().chance(c.group, at);
+      if (pick < chance)
+        return ask(lights().sample(c.group, at, pick / chance, draw(ray, kOnLightPair)), c.segment, point, bsdf, ray);
+      pick -= chance;
+    }
   }
 
   void follow(const ShadingPoint& point, const Bsdf& bsdf, Vec3f lit_side, const PathRay& ray, float length) {

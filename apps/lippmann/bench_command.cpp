@@ -11,6 +11,7 @@
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
+#include "apps/lippmann/print.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "bench/bench.hpp"
 #include "core/cpu_model.hpp"
@@ -139,7 +140,7 @@ int run(const BenchOptions& options, Context& context) {
 void add_bench_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<BenchOptions>();
   bench::Request& request = options->request;
-  request.say = [](std::string_view line) { fmt::print(stderr, "{}\n", line); };
+  request.say = [](std::string_view line) { print_error("{}\n", line); };
   const Command command = root.add_command("bench", "Measure speed on this machine, after checking the results");
   command.footer(benchmarks_help());
   command.add_option("NAME", options->name, "The benchmark").required();

@@ -32,6 +32,8 @@ void print_text(const std::string& folder, const FolderCheck& check) {
     for (const std::string& name : names) fmt::print("{}  {}\n", kind, printable(name));
   const std::string unfinished = write_frames(ranges_of(check.unfinished));
   if (!unfinished.empty()) fmt::print("not rendered yet: frames {}\n", unfinished);
+  for (const auto& [name, frames] : check.unfinished_beside)
+    fmt::print("not rendered yet: frames {} in {}\n", write_frames(ranges_of(frames)), name);
   for (const auto& [frame, strips] : check.strips_left)
     fmt::print("not rendered yet: strips {} of frame {}\n", write_frames(ranges_of(strips)), frame);
   if (!check.joinable.empty())
@@ -41,10 +43,11 @@ void print_text(const std::string& folder, const FolderCheck& check) {
              check.frames == 1 ? "" : "s", check.damaged.size(), check.missing.size(), check.foreign.size());
 }
 
-/// By frame: {"0": "2,5-7"}.
-nlohmann::ordered_json strips_json(const std::map<int, std::vector<int>>& strips) {
+/// By frame or by folder: {"0": "2,5-7"}.
+template <class Key>
+nlohmann::ordered_json numbers_json(const std::map<Key, std::vector<int>>& numbers) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
-  for (const auto& [frame, some] : strips) json[std::to_string(frame)] = write_frames(ranges_of(some));
+  for (const auto& [key, some] : numbers) json[fmt::format("{}", key)] = write_frames(ranges_of(some));
   return json;
 }
 
@@ -58,7 +61,8 @@ int run(const Options& options) {
                 {"missing", check.missing},
                 {"foreign", check.foreign},
                 {"unfinished", check.unfinished},
-                {"strips_left", strips_json(check.strips_left)},
+                {"unfinished_beside", numbers_json(check.unfinished_beside)},
+                {"strips_left", numbers_json(check.strips_left)},
                 {"passed", check.passed()}});
   else if (options.result.wants_text())
     print_text(options.folder, check);
@@ -73,7 +77,8 @@ void add_check_command(const Command& root, Action& chosen) {
   command.add_option("DIR", options->folder, "The folder that a render wrote to").required();
   add_result_flags(command, options->result, "Print nothing: the exit code says whether all is well");
   command.footer(
-      "A render records size and checksum of every picture, layer, side file and video, of job.toml and report.json.\n"
+      "A render records size and checksum of every picture, layer, side file and video, of job.toml and report.json, and of\n"
+      "the page and the single view beside them (--page, --also).\n"
       "  damaged   has other bytes now\n"
       "  missing   is not there\n"
       "  foreign   is named as files of frames are, and belongs to no frame of this render\n"

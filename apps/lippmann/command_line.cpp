@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "apps/lippmann/print.hpp"
 #include "core/suggest.hpp"
 
 namespace lippmann::app {
@@ -64,8 +65,7 @@ bool is_command(const CLI::App& root, const std::string& name) {
 
 /// For what is no command.
 int refuse(const CLI::App& root, const std::string& word) {
-  fmt::print(stderr, "{}: there is no '{}'{} (see {} --help)\n", root.get_name(), word, suggestion(word, root),
-             root.get_name());
+  print_error("{}: there is no '{}'{} (see {} --help)\n", root.get_name(), word, suggestion(word, root), root.get_name());
   return kWrongUsage;
 }
 
@@ -88,7 +88,7 @@ int report(const CLI::ParseError& outcome, const CLI::App& root) {
     problem = fmt::format("there is no '{}'{}", word, suggestion(word, *command));
     break;
   }
-  fmt::print(stderr, "{}: {} (see {} --help)\n", name, problem, name);
+  print_error("{}: {} (see {} --help)\n", name, problem, name);
   return kWrongUsage;
 }
 

@@ -16,6 +16,7 @@
 #include "core/folder.hpp"
 #include "core/frame_ranges.hpp"
 #include "job/params.hpp"
+#include "layout/rendered.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -38,6 +39,7 @@ int run(const CompareOptions& options, Context& context) {
   context.threads = options.threads;
   const std::optional<std::vector<int>> wanted =
       options.frames.empty() ? std::nullopt : std::optional(frames_of(read_frames(options.frames, "--frames")));
+  for (const std::string& in : {options.reference, options.test}) warn_of_unchecked(in, context);
   const Comparison comparison = compare(options.reference, options.test, context, wanted);
   if (context.cancelled) return 1;
   if (!options.csv.empty()) write_text(options.csv, comparison_csv(comparison));

@@ -7,15 +7,12 @@
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
-#include "apps/lippmann/crosstalk_flags.hpp"
-#include "apps/lippmann/depth_flags.hpp"
+#include "apps/lippmann/convert_flags.hpp"
 #include "apps/lippmann/grid_flag.hpp"
-#include "apps/lippmann/orthoscopic_flags.hpp"
 #include "apps/lippmann/print_json.hpp"
-#include "apps/lippmann/result_flags.hpp"
-#include "apps/lippmann/stereo_flags.hpp"
-#include "apps/lippmann/view_filter_flags.hpp"
+#include "core/printable.hpp"
 #include "folder/claim_folder.hpp"
+#include "layout/rendered.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/display/load_display.hpp"
 #include "lippmann/layout/convert.hpp"
@@ -23,18 +20,6 @@
 
 namespace lippmann::app {
 namespace {
-
-struct ConvertOptions {
-  std::string in, out, from, to, views, quilt, crop, keep, display;
-  double aspect = 0.0;
-  ViewFilterFlags filter;
-  int bits = 0;
-  ResultFlags result;
-  OrthoscopicFlags orthoscopic;
-  CrosstalkFlags crosstalk;
-  StereoFlags stereo;
-  DepthFlags depth;
-};
 
 ConvertParams params_of(const ConvertOptions& options) {
   ConvertParams params;
@@ -54,11 +39,12 @@ ConvertParams params_of(const ConvertOptions& options) {
 }
 
 LightFieldHints hints_of(const ConvertOptions& options) {
-  return {{},
-          options.from,
-          read_grid(options.views, "--views"),
-          read_grid(options.quilt, "--quilt"),
-          options.stereo.view_angle_deg};
+  LightFieldHints hints{.from = options.from,
+                        .views = read_grid(options.views, "--views"),
+                        .tiles = read_grid(options.quilt, "--quilt"),
+                        .view_angle_deg = options.stereo.view_angle_deg};
+  if (!options.display.empty()) hints.display = load_display(options.display);
+  return hints;
 }
 
 DepthFramesParams depth_frames_of(const ConvertOptions& options) {
@@ -70,29 +56,34 @@ DepthFramesParams depth_frames_of(const ConvertOptions& options) {
 
 int run(const ConvertOptions& options, const Context& context) {
   require_no_render(options.out);
-  if (options.orthoscopic.are_given())
-    return run_orthoscopic(options.orthoscopic, options.in, options.out, options.result, context);
-  if (options.to.empty() && (options.crosstalk.precompensate || !options.crosstalk.crosstalk.empty()))
-    return run_precompensate(options.crosstalk, options.display, options.in, options.out, options.result, context);
-  if (options.crosstalk.precompensate)
-    throw usage_error("--precompensate", "is a step of its own, of what a panel shows", "no --to with it");
-  if (options.to.empty()) throw usage_error("--to", "is required", "a format, see --help");
-  const bool from_rgbd = options.from == "rgbd" || (options.from.empty() && is_rgbd(options.in));
-  options.stereo.require_stereo(options.from, from_rgbd && options.stereo.view_angle_deg ? "stereo" : options.to);
-  options.depth.require_rgbd(from_rgbd, options.to);
-  if (from_rgbd && options.to != "rgbd" && options.keep.empty() && options.crop.empty())
-    return run_depth_views(depth_frames_of(options), options.result, context);
-  if (options.to == "stereo" && options.from != "stereo" && options.keep.empty() && options.crop.empty())
-    return run_stereo(options.stereo, hints_of(options), options.in, options.out, options.result, context);
-  const Converted converted = convert(options.in, options.out, params_of(options));
-  if (options.to == "rgbd" && converted.written.size() > 2 && options.depth.range.empty() && !from_rgbd)
+  warn_of_unchecked(options.in, context);
+  const Conversion conversion = conversion_of(options);
+  refuse_idle_flags(options, conversion);
+  switch (conversion.kind) {
+    case ConvertKind::kRotate:
+    case ConvertKind::kSpoc:
+      return run_orthoscopic(options.orthoscopic, options.in, options.out, options.result, context);
+    case ConvertKind::kPrecompensate:
+      return run_precompensate(options.crosstalk, options.display, options.in, options.out, options.result, context);
+    case ConvertKind::kDepthViews:
+      return run_depth_views(depth_frames_of(options), options.result, context);
+    case ConvertKind::kStereo:
+      return run_stereo(options.stereo, hints_of(options), options.in, options.out, options.result, context);
+    case ConvertKind::kRearrange:
+      break;
+  }
+  ConvertParams params = params_of(options);
+  params.options.warn = context.warn;
+  const Converted converted = convert(options.in, options.out, params);
+  if (options.to == "rgbd" && converted.written.size() > 2 && options.depth.range.empty() && conversion.from->name != "rgbd")
     context.warning(
-        "each frame has a range of depths of its own, so that grey means another depth from frame to frame: --depth-range "
-        "gives all of them one");
+        "each frame has its own range of depths, so that the same grey means different depths: --depth-range gives all of them "
+        "one");
   if (converted.lacks_cameras)
-    context.warning("nothing says what cameras saw these views: no parameters, depth or disparity (render writes report.json)");
+    context.warning(
+        "the cameras of these views are unknown: no parameters, depth or disparity are written (render writes report.json)");
   if (converted.lacks_depth && options.to != "stanford")
-    context.warning("no depth lies beside these views: no maps of depth and disparity (render --aov depth)");
+    context.warning("the depth of these views is unknown: no maps of depth and disparity are written (render --aov depth)");
   if (options.result.json) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const auto& path : converted.written) files.push_back(path.string());
@@ -104,8 +95,8 @@ int run(const ConvertOptions& options, const Context& context) {
   }
   if (!options.result.wants_text()) return 0;
   fmt::print("{}x{} views of {}x{} pixels: {}{}\n", converted.views.columns, converted.views.rows, converted.view_size.x,
-             converted.view_size.y, converted.written.front().string(),
-             converted.written.size() > 1 ? " ... " + converted.written.back().string() : "");
+             converted.view_size.y, printable_line(converted.written.front().string()),
+             converted.written.size() > 1 ? " ... " + printable_line(converted.written.back().string()) : "");
   return 0;
 }
 

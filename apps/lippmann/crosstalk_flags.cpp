@@ -8,6 +8,7 @@
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/result_flags.hpp"
+#include "core/printable.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/display/load_display.hpp"
 #include "lippmann/optics/crosstalk.hpp"
@@ -31,7 +32,6 @@ void add_crosstalk_flags(const Command& command, CrosstalkFlags& flags) {
 
 int run_precompensate(const CrosstalkFlags& flags, const std::string& display, const std::string& in, const std::string& out,
                       const ResultFlags& result, const Context& context) {
-  if (!flags.precompensate) throw usage_error("--crosstalk", "means nothing without --precompensate", "both, or neither");
   PrecompensateParams params{in, out};
   std::optional<double> sigma_px;
   if (!display.empty()) {
@@ -41,8 +41,8 @@ int run_precompensate(const CrosstalkFlags& flags, const std::string& display, c
   }
   if (!flags.crosstalk.empty()) sigma_px = read_crosstalk(flags.crosstalk, "--crosstalk");
   if (!sigma_px)
-    throw usage_error("--precompensate", "nothing says how much neighbours leak into one another",
-                      "--crosstalk, or a --display whose file says it");
+    throw usage_error("--precompensate", "the crosstalk of the display is not known",
+                      "--crosstalk, or a --display file with it");
   params.sigma_px = *sigma_px;
   const PrecompensatedFrames made = precompensate_frames(params, context);
   const Precompensation& bound = made.bound;
@@ -53,7 +53,7 @@ int run_precompensate(const CrosstalkFlags& flags, const std::string& display, c
         {"clipped_share", bound.clipped_share}, {"largest_residual", bound.largest_residual}, {"files", files}};
     print_json(object);
   } else if (result.wants_text() && !made.written.empty()) {
-    fmt::print("{} ... {}: {}\n", made.written.front().string(), made.written.back().string(),
+    fmt::print("{} ... {}: {}\n", printable_line(made.written.front().string()), printable_line(made.written.back().string()),
                describe_bound(bound.clipped_share, bound.largest_residual));
   }
   return 0;

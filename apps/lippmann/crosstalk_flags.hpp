@@ -17,7 +17,7 @@ struct CrosstalkFlags {
 
 void add_crosstalk_flags(const Command& command, CrosstalkFlags& flags);
 
-/// Where flags are given: converts, and prints the bound. `display`: whose own frames the pictures are; empty: as the
+/// `convert --precompensate`: converts, and prints the bound. `display`: whose own frames the pictures are; empty: as the
 /// report.json beside them says.
 int run_precompensate(const CrosstalkFlags& flags, const std::string& display, const std::string& in, const std::string& out,
                       const ResultFlags& result, const Context& context);

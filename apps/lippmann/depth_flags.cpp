@@ -7,25 +7,16 @@
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/result_flags.hpp"
+#include "core/printable.hpp"
 #include "job/param_text.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann::app {
+
 void DepthFlags::add_to(FormatOptions& options) const {
   if (!range.empty()) options.depth_range = read_depth_range(range, "--depth-range");
   if (!coding.empty()) options.even_in_depth = coding == "depth";
   if (near_black) options.near_black = true;
-}
-
-void DepthFlags::require_rgbd(bool from_rgbd, const std::string& to) const {
-  if (scale && !(from_rgbd && to != "rgbd"))
-    throw usage_error("--depth-scale", "is a flag of RGB-D pictures that are shown", "--from rgbd");
-  if (from_rgbd || to == "rgbd") return;
-  if (!range.empty() || !coding.empty() || near_black)
-    throw usage_error(!range.empty()    ? "--depth-range"
-                      : !coding.empty() ? "--depth-coding"
-                                        : "--near-black",
-                      "is a flag of RGB-D pictures", "--from rgbd or --to rgbd");
 }
 
 void add_depth_flags(const Command& command, DepthFlags& flags) {
@@ -56,8 +47,9 @@ int run_depth_views(const DepthFramesParams& params, const ResultFlags& result, 
                                       {"files", files}});
   } else if (result.wants_text() && !made.written.empty()) {
     fmt::print("{}x{} views of {}x{} pixels, {:.2f} % of them filled where nothing is known: {}{}\n", made.views.columns,
-               made.views.rows, made.view_size.x, made.view_size.y, 100.0 * made.filled_share, made.written.front().string(),
-               made.written.size() > 1 ? " ... " + made.written.back().string() : "");
+               made.views.rows, made.view_size.x, made.view_size.y, 100.0 * made.filled_share,
+               printable_line(made.written.front().string()),
+               made.written.size() > 1 ? " ... " + printable_line(made.written.back().string()) : "");
   }
   return 0;
 }

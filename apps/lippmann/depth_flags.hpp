@@ -20,9 +20,6 @@ struct DepthFlags {
 
   /// Puts what is said of the coding into the options. Throws a usage Error.
   void add_to(FormatOptions& options) const;
-
-  /// Throws a usage Error for a flag that means nothing between these formats.
-  void require_rgbd(bool from_rgbd, const std::string& to) const;
 };
 
 void add_depth_flags(const Command& command, DepthFlags& flags);

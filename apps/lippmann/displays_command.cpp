@@ -10,6 +10,7 @@
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/print_json.hpp"
+#include "core/printable.hpp"
 #include "display/display_json.hpp"
 #include "display/find_calibrations.hpp"
 #include "lippmann/core/error.hpp"
@@ -39,8 +40,8 @@ void print_list(const std::vector<Display>& displays) {
 
 void print_calibration(const Display& d) {
   const Calibration& c = d.calibration;
-  fmt::print("calibration      pitch {:g}, slope {:g}, center {:g}{}{}{}{}\n", c.pitch, c.slope, c.center,
-             c.flip_image_x ? ", flipImageX" : "", c.flip_image_y ? ", flipImageY" : "", c.flip_sub_pixels ? ", flipSubp" : "",
+  fmt::print("calibration      pitch {:g}, slope {:g}, center {:g}{}{}{}\n", c.pitch, c.slope, c.center,
+             c.flip_image_x ? ", flipImageX" : "", c.flip_sub_pixels ? ", flipSubp" : "",
              c.cells.empty() ? "" : fmt::format(", {} sub-pixel cells by pattern {}", c.cells.size(), c.cell_pattern));
   fmt::print("lenses           {:.3f} across the panel, tilt {:.6f}, {:.2f} sub-pixels below each\n", periods_of(d), tilt_of(d),
              3.0 * d.pixels.x / periods_of(d));
@@ -48,7 +49,7 @@ void print_calibration(const Display& d) {
 
 void print_details(const Display& d) {
   const Vec2d size = d.size_mm();
-  fmt::print("{}: {}\n", d.name, d.description);
+  fmt::print("{}: {}\n", printable_line(d.name), printable_line(d.description));
   fmt::print("kind             {}{}\n", to_string(d.kind),
              d.serials.empty() ? "" : fmt::format(", serial {}", fmt::join(d.serials, ", ")));
   fmt::print("pixels           {}x{} at {:g} dpi: {:.1f} x {:.1f} mm\n", d.pixels.x, d.pixels.y, d.dpi, size.x, size.y);
@@ -79,15 +80,16 @@ nlohmann::ordered_json found_json(const std::string& file) try {
 
 void print_found(const std::string& file) try {
   const Display display = load_display(file);
-  fmt::print("{}\n  {}, {}x{} pixels, quilt {}\n  lippmann render SCENE --display '{}'\n", file, display.description,
-             display.pixels.x, display.pixels.y, quilt_text(display), file);
+  fmt::print("{}\n  {}, {}x{} pixels, quilt {}\n  lippmann render SCENE --display '{}'\n", printable_line(file),
+             printable_line(display.description), display.pixels.x, display.pixels.y, quilt_text(display),
+             printable_line(file));
 } catch (const Error& error) {
   fmt::print("{}\n", with_flags(error.what()));
 }
 
 /// Exit code 1 where no device is found.
 int find_devices(const DisplaysOptions& options) {
-  if (!options.display.empty()) throw usage_error("--find", "looks for devices, and a display is named", "one of both");
+  if (!options.display.empty()) throw usage_error("--find", "cannot be combined with the name of a display", "one of the two");
   const std::vector<std::filesystem::path> mounts =
       options.mounts.empty() ? usual_mount_points()
                              : std::vector<std::filesystem::path>(options.mounts.begin(), options.mounts.end());
@@ -110,7 +112,7 @@ int find_devices(const DisplaysOptions& options) {
 
 int run(const DisplaysOptions& options) {
   if (options.find) return find_devices(options);
-  if (!options.mounts.empty()) throw usage_error("--mounts", "says where --find looks", "--find with it");
+  if (!options.mounts.empty()) throw usage_error("--mounts", "has no effect without --find", "--find with it");
   const bool one = !options.display.empty();
   const std::vector<Display> displays = one ? std::vector{load_display(options.display)} : display_presets();
   if (options.json) {

@@ -11,6 +11,7 @@
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/result_flags.hpp"
+#include "apps/lippmann/write_page.hpp"
 #include "core/frame_ranges.hpp"
 #include "core/printable.hpp"
 #include "job/finish_animation.hpp"
@@ -48,14 +49,19 @@ void print_result(const FinishOptions& options, const FinishedAnimation& finishe
     return;
   }
   const RenderReport& report = *finished.report;
+  if (!finished.has_single)
+    return fmt::print("{}: all frames are there; {} of it has yet to be rendered\n  {} render {} --resume\n", options.folder,
+                      kSingleFolder, options.program, job);
   for (const std::string& video : report.videos) fmt::print("  {:<9} {}\n", "video", video);
   fmt::print("  {:<9} {}\n", "figures", (fs::path(options.folder) / "report.json").string());
   fmt::print("{}: all {} frames are there, as they were written\n", options.folder, report.frames.size());
 }
 
+bool is_complete(const FinishedAnimation& finished) { return finished.report && finished.has_single; }
+
 nlohmann::ordered_json result_json(const FinishOptions& options, const FinishedAnimation& finished) {
   return {{"folder", options.folder},
-          {"finished", finished.report.has_value()},
+          {"finished", is_complete(finished)},
           {"frames", finished.check.frames},
           {"taken_over", finished.joined.frames},
           {"not_taken_over", finished.joined.not_as_written},
@@ -67,11 +73,12 @@ nlohmann::ordered_json result_json(const FinishOptions& options, const FinishedA
 
 int run(const FinishOptions& options, const Context& context) {
   const FinishedAnimation finished = finish_animation(options.folder, {options.join.begin(), options.join.end()}, context);
+  if (finished.report && finished.report->params.output.page) write_page(options.folder, context);
   if (options.result.json)
     print_json(result_json(options, finished));
   else if (options.result.wants_text())
     print_result(options, finished);
-  return finished.report ? 0 : 1;
+  return is_complete(finished) ? 0 : 1;
 }
 
 }  // namespace
@@ -80,7 +87,7 @@ void add_finish_command(const Command& root, Action& chosen, const std::string& 
   auto options = std::make_shared<FinishOptions>();
   options->program = program;
   const Command command =
-      root.add_command("finish", "Complete a job that was rendered in parts: check all frames, write videos and the report");
+      root.add_command("finish", "Complete a job that was rendered in parts: check all frames, write videos, page and report");
   command.add_option("DIR", options->folder, "The folder that the parts were rendered into").required();
   command
       .add_option("--join", options->join,

@@ -15,7 +15,7 @@ std::optional<ViewGrid> read_grid(const std::string& text, const std::string& fl
   const auto rows = split ? std::from_chars(columns.ptr + 1, end, grid.rows) : columns;
   const auto in_range = [](int n) { return n >= 1 && n <= 1024; };
   if (!split || rows.ec != std::errc() || rows.ptr != end || !in_range(grid.columns) || !in_range(grid.rows))
-    throw usage_error(flag, "'" + text + "' is no grid", "CxR, such as 8x6, each from 1 to 1024");
+    throw usage_error(flag, "'" + text + "' is not a grid", "CxR, such as 8x6, each from 1 to 1024");
   return grid;
 }
 

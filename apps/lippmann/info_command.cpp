@@ -1,6 +1,7 @@
-// `lippmann info SCENE`: what is in a scene and how the array was fitted to it.
+// `lippmann info IN`: what is in a scene and how the array was fitted to it, or what a picture is.
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -9,21 +10,50 @@
 #include "apps/lippmann/param_flags.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "job/scene_info.hpp"
+#include "layout/frame_names.hpp"
+#include "lippmann/core/error.hpp"
+#include "replay/picture_info.hpp"
+#include "video/video_reader.hpp"
 
 namespace lippmann::app {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct InfoOptions {
   ParamFlags flags;
   bool json = false;
 };
 
-int run(const InfoOptions& options, const Context& context) {
-  const SceneInfo info = describe_scene(with_scene_defaults(options.flags.read()), context);
-  if (options.json)
+/// A built-in scene wins over a folder of its name.
+bool is_picture(const std::string& in) {
+  std::error_code ignored;
+  return !is_builtin_scene(in) && (is_picture_name(in) || is_video_name(in) || fs::is_directory(in, ignored));
+}
+
+void refuse_flags_of_scenes(const ParamFlags& flags) {
+  if (!flags.job.empty()) throw usage_error("--job", "has no effect on pictures", "a scene");
+  for (const auto& [name, values] : flags.values)
+    if (!values.empty()) throw usage_error(fmt::format("--{}", name), "has no effect on pictures", "a scene");
+}
+
+template <class Info>
+void print(const Info& info, bool json) {
+  if (json)
     print_json(to_json(info));
   else
     fmt::print("{}", to_text(info));
+}
+
+int run(const InfoOptions& options, const Context& context) {
+  if (is_picture(options.flags.scene)) {
+    refuse_flags_of_scenes(options.flags);
+    PictureInfo info = describe_picture(options.flags.scene);
+    info.problem = with_flags(info.problem);
+    print(info, options.json);
+    return 0;
+  }
+  print(describe_scene(with_scene_defaults(options.flags.read()), context), options.json);
   return 0;
 }
 
@@ -31,11 +61,13 @@ int run(const InfoOptions& options, const Context& context) {
 
 void add_info_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<InfoOptions>();
-  const Command command = root.add_command("info", "Describe a scene and how the lens array is fitted to it");
+  const Command command =
+      root.add_command("info", "Describe a scene and how the lens array is fitted to it, or a picture or a folder of pictures");
   add_param_flags(command, options->flags,
                   {"camera-path", "animation", "variant", "asset-root", "texture-memory", "camera", "up", "focus", "fit-to",
                    "zoom", "orbit", "fps", "integrator", "environment", "layout", "Optics"});
   command.add_flag("--json", options->json, "Print JSON on stdout");
+  command.footer("SCENE may be a picture, a video, or a folder of views or frames: format, size, views, cameras, depth.");
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 

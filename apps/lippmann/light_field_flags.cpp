@@ -2,11 +2,24 @@
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/grid_flag.hpp"
+#include "lippmann/display/load_display.hpp"
 
 namespace lippmann::app {
 
 LightFieldHints LightFieldFlags::read() const {
-  return {report, from, read_grid(views, "--views"), read_grid(quilt, "--quilt"), view_angle_deg};
+  LightFieldHints hints{report, from, read_grid(views, "--views"), read_grid(quilt, "--quilt"), view_angle_deg};
+  if (!display.empty()) hints.display = load_display(display);
+  return hints;
+}
+
+void add_report_flags(const Command& command, LightFieldFlags& flags, const std::string& more) {
+  command.add_option("--report", flags.report, "Path of report.json, if it is not beside the pictures").type_name("FILE");
+  command
+      .add_option("--display", flags.display,
+                  "The display whose native frame IN is: a name (see: lippmann displays), a calibration .json, or a .toml of "
+                  "your own" +
+                      more)
+      .type_name("NAME|FILE");
 }
 
 void add_light_field_flags(const Command& command, LightFieldFlags& flags) {

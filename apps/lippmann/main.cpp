@@ -1,13 +1,19 @@
 // Parses the command line, runs the one command that it names, and turns every failure into one message and an exit code:
 // 0 done, 1 the work failed (bad input, I/O), 2 wrong usage, 128 + n stopped by signal n.
+#include <fcntl.h>
 #include <fmt/core.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <memory>
+#include <mutex>
 #include <new>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -15,6 +21,7 @@
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/interrupt.hpp"
+#include "apps/lippmann/print.hpp"
 #include "core/printable.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/core/version.hpp"
@@ -39,12 +46,40 @@ void check_stack_limit() {
                 fmt::format("at least {} KB", kLeastBytes >> 10));
 }
 
+/// What was closed before the program began is nothing to read and nowhere to write: else the next file that is opened would
+/// take its place.
+void open_missing_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) < 0 && errno == EBADF && open("/dev/null", O_RDWR) != stream) return;
+}
+
+/// The code, or that of a failure where standard output did not take all that was printed: a pipe that nobody reads any more.
+int code_after_flush(int code) {
+  const bool is_written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (is_written || code != 0) return code;
+  print_error("lippmann: standard output: cannot be written, so the result is not printed in full\n");
+  return kFailed;
+}
+
+/// Prints each warning once: a file that is read twice has one.
+class SaidWarnings {
+ public:
+  void print(const std::string& text) {
+    const std::lock_guard lock(mutex_);
+    if (said_.insert(text).second) print_error("warning: {}\n", printable_line(text));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::set<std::string> said_;
+};
+
 /// Its exit code; Errors are told in the words of the command line.
 int run_command(const CommandLine& command_line, const Action& chosen, Context& context) {
   try {
     return chosen(context);
   } catch (const Error& error) {
-    fmt::print(stderr, "lippmann: {}\n", command_line.message_of(error));
+    print_error("lippmann: {}\n", command_line.message_of(error));
     return error.exit_code();
   }
 }
@@ -75,7 +110,7 @@ int run(int argc, char** argv) {
   add_manual_command(root, chosen, command_line);
   if (const std::optional<int> done = command_line.parse(argc, argv)) return *done;
   Context context;
-  context.warn = [](std::string_view text) { fmt::print(stderr, "warning: {}\n", with_flags(text)); };
+  context.warn = [said = std::make_shared<SaidWarnings>()](std::string_view text) { said->print(with_flags(text)); };
   const InterruptGuard interrupt(context.cancelled);
   const int code = run_command(command_line, chosen, context);
   const int interrupted = InterruptGuard::exit_code();
@@ -86,16 +121,18 @@ int run(int argc, char** argv) {
 }  // namespace lippmann::app
 
 int main(int argc, char** argv) {
+  lippmann::app::open_missing_streams();
+  std::signal(SIGPIPE, SIG_IGN);  // a reader of progress that goes away does not end a render
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is an error of writing like a full disk, with its message
   try {
-    return lippmann::app::run(argc, argv);
+    return lippmann::app::code_after_flush(lippmann::app::run(argc, argv));
   } catch (const lippmann::Error& error) {
-    fmt::print(stderr, "lippmann: {}\n", error.what());
+    lippmann::app::print_error("lippmann: {}\n", error.what());
     return error.exit_code();
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "lippmann: out of memory\n");
+    lippmann::app::print_error("lippmann: out of memory\n");
   } catch (const std::exception& error) {
-    fmt::print(stderr, "lippmann: {}\n", error.what());
+    lippmann::app::print_error("lippmann: {}\n", lippmann::printable_line(error.what()));
   }
   return lippmann::app::kFailed;
 }

@@ -7,6 +7,7 @@
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/result_flags.hpp"
+#include "core/printable.hpp"
 #include "lippmann/core/error.hpp"
 #include "replay/orthoscopic.hpp"
 
@@ -37,8 +38,6 @@ void add_orthoscopic_flags(const Command& command, OrthoscopicFlags& flags) {
 
 int run_orthoscopic(const OrthoscopicFlags& flags, const std::string& in, const std::string& out, const ResultFlags& result,
                     const Context& context) {
-  if (flags.rotate_elemental && flags.spoc_mm)
-    throw usage_error("--spoc", "is another conversion than --rotate-elemental", "one of the two");
   OrthoscopicParams params{in, out};
   if (flags.spoc_mm) params.spoc = SpocParams{*flags.spoc_mm, flags.reference_mm.value_or(*flags.spoc_mm)};
   params.lens_pitch_mm = flags.lens_pitch_mm, params.gap_mm = flags.gap_mm, params.lens_pixels = flags.lens_pixels;
@@ -48,7 +47,7 @@ int run_orthoscopic(const OrthoscopicFlags& flags, const std::string& in, const 
     for (const auto& path : written) files.push_back(path.string());
     print_json(nlohmann::ordered_json{{"files", files}});
   } else if (result.wants_text() && !written.empty()) {
-    fmt::print("{} ... {}\n", written.front().string(), written.back().string());
+    fmt::print("{} ... {}\n", printable_line(written.front().string()), printable_line(written.back().string()));
   }
   return 0;
 }

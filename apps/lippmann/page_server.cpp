@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "apps/lippmann/command_line.hpp"
+#include "apps/lippmann/print.hpp"
 #include "core/printable.hpp"
 #include "view/http_server.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 /// In the background: the browser may be what is started first, and may run for days.
 void open_in_browser(const std::string& address) {
   const std::string command = "xdg-open " + shell_word(address) + " >/dev/null 2>&1 &";
-  if (std::system(command.c_str()) != 0) fmt::print(stderr, "no browser could be started; the address is above\n");
+  if (std::system(command.c_str()) != 0) print_error("no browser could be started; the address is above\n");
 }
 
 int serve(HttpServer& server, PageAnswers& answers, const std::string& token, const PageServerFlags& flags,
@@ -24,7 +25,7 @@ int serve(HttpServer& server, PageAnswers& answers, const std::string& token, co
   const std::string address = page_address(flags.host, server.port(), token);
   fmt::print("{}\n", address);
   std::fflush(stdout);
-  fmt::print(stderr, "Open this address in a browser; Ctrl-C ends it.\n");
+  print_error("Open this address in a browser; Ctrl-C ends it.\n");
   if (flags.open) open_in_browser(address);
   server.run(answers, context.cancelled);
   return 0;

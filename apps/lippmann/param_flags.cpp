@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "apps/lippmann/command_line.hpp"
+#include "job/idle_flags.hpp"
 #include "job/job_file.hpp"
 #include "job/params_table.hpp"
 #include "lippmann/core/error.hpp"
@@ -43,18 +44,21 @@ void add_param(const Command& command, const ParamInfo& info, std::vector<std::s
 RenderParams ParamFlags::read() const {
   RenderParams params;
   const bool scene_is_job = std::filesystem::path(scene).extension() == ".toml";
-  if (scene_is_job && !job.empty()) throw usage_error("--job", "a second job file", "one");
+  if (scene_is_job && !job.empty()) throw usage_error("--job", "cannot be combined with a job as SCENE", "one job file");
   if (scene_is_job || !job.empty()) read_job(scene_is_job ? scene : job, params);
   if (!scene.empty() && !scene_is_job) params.scene.name = scene;
+  std::vector<std::string_view> given;
   for (const auto& [name, texts] : values) {
     if (texts.empty()) continue;
+    given.push_back(name);
     const ParamInfo& info = *find_param(name);
     if (info.kind == ParamKind::kFlag && texts.size() > 1)
-      throw usage_error(fmt::format("--{}", name), fmt::format("and --{} are opposites", info.opposite), "one of them");
+      throw usage_error(fmt::format("--{}", name), fmt::format("and --{} contradict each other", info.opposite), "one of them");
     info.set(params, texts, fmt::format("--{}", name));
   }
   if (params.scene.name.empty())
-    throw usage_error("SCENE", "no scene is named", "a built-in name (see: lippmann scenes), a file, or a job");
+    throw usage_error("SCENE", "is missing", "a built-in name (see: lippmann scenes), a file, or a job");
+  refuse_idle_flags(given, with_scene_defaults(params));
   return params;
 }
 

@@ -96,12 +96,12 @@ void add_plan_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<PlanOptions>();
   const Command command = root.add_command("plan", "Cut a job into units that different machines render, and estimate them");
   add_param_flags(command, options->flags);
-  command.add_option("--units", options->units, "Into how many units, if it falls into so many")
+  command.add_option("--units", options->units, "Number of units to cut the job into; a job of fewer parts has fewer")
       .required()
       .type_name("N")
       .range(1, 1'000'000)
       .group("Plan");
-  command.add_flag("--only-list", options->only_list, "Render nothing to find out what units take").group("Plan");
+  command.add_flag("--only-list", options->only_list, "Measure no frames: list the units without estimates").group("Plan");
   command.add_flag("--json", options->json, "Print the plan as JSON").group("Plan");
   command.short_help({"--units", "--only-list", "--json", "--frames", "--spp", "--size"},
                      "Examples:\n"

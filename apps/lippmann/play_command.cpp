@@ -33,7 +33,7 @@ struct PlayOptions {
 /// The panel, which has to have a frame that is made of views.
 PageDisplay panel_to_play_on(const std::string& display, const ViewFilterFlags& filter) {
   if (display.empty())
-    throw usage_error("--display", "is missing: nothing says which panel it is",
+    throw usage_error("--display", "is required",
                       "its calibration .json (visual.json), a name (see: lippmann displays), or a .toml");
   PageDisplay panel{load_display(display), filter.read()};
   require_own_frame(panel.display);
@@ -55,7 +55,9 @@ int play_light_field(const PlayOptions& options, const Context& context) {
   refuse_scene_flags(options.in, options.scene);
   PageDisplay panel = panel_to_play_on(options.display, options.filter);
   std::vector<std::unique_ptr<PageField>> fields;
-  fields.push_back(std::make_unique<PageField>(options.in, options.field.read(), context));
+  LightFieldHints hints = options.field.read();
+  hints.display = panel.display, hints.is_other_display = true;
+  fields.push_back(std::make_unique<PageField>(options.in, std::move(hints), context));
   require_one_row(fields.front()->facts());
   return serve_page(std::move(fields), std::move(panel), options.server, context);
 }
@@ -91,7 +93,8 @@ void add_play_command(const Command& root, Action& chosen) {
   command.add_option("--report", options->field.report, "Path of report.json, if it is not beside the pictures")
       .type_name("FILE");
   command.add_option("--threads", options->threads, "Worker threads; 0: one per processor").range(0, 4096);
-  add_scene_to_set_up_flags(command, options->scene, {"display", "views", "quilt", "view-angle", "threads", "resume"});
+  add_scene_to_set_up_flags(command, options->scene,
+                            {"display", "views", "quilt", "view-angle", "threads", "resume", "also", "page"});
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 

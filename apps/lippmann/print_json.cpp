@@ -2,10 +2,11 @@
 
 #include <fmt/core.h>
 
+#include "apps/lippmann/print.hpp"
 #include "core/json_text.hpp"
 
 namespace lippmann::app {
 
-void print_json(const nlohmann::ordered_json& json) { fmt::print("{}\n", json_to_text(json)); }
+void print_json(const nlohmann::ordered_json& json) { print_out("{}\n", json_to_text(json)); }
 
 }  // namespace lippmann::app

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "apps/lippmann/print.hpp"
+
 namespace lippmann::app {
 namespace {
 
@@ -35,7 +37,7 @@ Progress::Progress(int total, ProgressStyle style, std::function<Clock::time_poi
 }
 
 Progress::~Progress() {
-  if (style_ == ProgressStyle::kBar) fmt::print(stderr, "\n");
+  if (style_ == ProgressStyle::kBar) print_error("\n");
 }
 
 void Progress::step(const std::string& line) {
@@ -43,6 +45,7 @@ void Progress::step(const std::string& line) {
   ++done_;
   within_ = 0.0;
   if (style_ == ProgressStyle::kBar) {
+    advise();
     if (done_ == total_ || now_() - drawn_ >= kRedrawInterval) draw();
     return;
   }
@@ -50,7 +53,21 @@ void Progress::step(const std::string& line) {
   const bool due = schedule_.is_due(done_, total_, elapsed);
   if (style_ == ProgressStyle::kLines && !due) return;
   const std::string left = done_ < total_ ? clock_text(seconds_left(elapsed, done_, total_)) + " left" : "done";
-  fmt::print(stderr, "[{}/{}] {}; {}{}\n", done_, total_, line, left, note());
+  print_error("[{}/{}] {}; {}{}\n", done_, total_, line, left, note());
+  advise();
+}
+
+void Progress::set_advice(const std::string& advice) {
+  const std::lock_guard lock(mutex_);
+  advice_ = advice;
+}
+
+void Progress::advise() {
+  constexpr double kLong_s = 3600.0;
+  const double left_s = seconds_left(elapsed_s(), done_, total_);
+  if (done_ != 1 || left_s <= kLong_s || advice_.empty()) return;
+  const char* clear_bar = style_ == ProgressStyle::kBar ? "\r\x1b[K" : "";
+  print_error("{}This will take about {} more. {}\n", clear_bar, clock_text(left_s), advice_);
 }
 
 void Progress::set_note(const std::string& note) {
@@ -70,8 +87,8 @@ void Progress::tick() {
   if (style_ == ProgressStyle::kBar) return draw();
   const double elapsed = elapsed_s();
   if (!schedule_.is_due_within(elapsed)) return;
-  const std::string share = within_ > 0.0 ? fmt::format("{:.0f} % of the next frame; ", 100.0 * within_) : std::string();
-  fmt::print(stderr, "[{}/{}] {}{}{}\n", done_, total_, share, left_text(elapsed), note());
+  const std::string share = within_ > 0.0 ? fmt::format("current frame {:.0f} %; ", 100.0 * within_) : std::string();
+  print_error("[{}/{}] {}{}{}\n", done_, total_, share, left_text(elapsed), note());
 }
 
 std::string Progress::left_text(double elapsed_s) const {
@@ -87,7 +104,7 @@ void Progress::draw() {
   const int filled = static_cast<int>(share * kBarWidth);
   const std::string rate = done_ == 0 ? "" : fmt::format("{:5.1f} frames/s  ", done_ / elapsed);
   const std::string left = rate + left_text(elapsed);
-  fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {}/{}  {}{}\x1b[K", "", filled, "", kBarWidth - filled, done_, total_, left, note());
+  print_error("\r[{:#<{}}{:.<{}}] {}/{}  {}{}\x1b[K", "", filled, "", kBarWidth - filled, done_, total_, left, note());
   std::fflush(stderr);
 }
 

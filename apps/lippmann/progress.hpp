@@ -47,6 +47,9 @@ class Progress {
   /// One more is done; `line` says what, where there is no bar.
   void step(const std::string& line);
 
+  /// Printed once, after the first step, if more than an hour is left then: how to ask for less work.
+  void set_advice(const std::string& advice);
+
   /// What else is known of the whole from now on, such as its size; stands behind the time left.
   void set_note(const std::string& note);
 
@@ -67,11 +70,12 @@ class Progress {
   /// ", files: about 12 MB".
   std::string note() const { return note_.empty() ? note_ : ", " + note_; }
   void draw();
+  void advise();
 
   std::mutex mutex_;  ///< what follows
   int total_, done_ = 0;
   double within_ = 0.0;
-  std::string note_;
+  std::string note_, advice_;
   ProgressStyle style_;
   LineSchedule schedule_;
   std::function<Clock::time_point()> now_;

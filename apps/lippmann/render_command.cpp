@@ -16,8 +16,10 @@
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/crosstalk_flags.hpp"
 #include "apps/lippmann/param_flags.hpp"
+#include "apps/lippmann/print.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/render_progress.hpp"
+#include "apps/lippmann/write_page.hpp"
 #include "core/folder.hpp"
 #include "core/printable.hpp"
 #include "job/animation.hpp"
@@ -30,7 +32,6 @@
 #include "lippmann/core/error.hpp"
 #include "lippmann/core/parallel.hpp"
 #include "lippmann/optics/crosstalk.hpp"
-#include "view/saved_page.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -39,9 +40,9 @@ namespace fs = std::filesystem;
 
 struct RenderOptions {
   ParamFlags flags;
-  std::string dump_job, also, progress, unit, only_frames, program;
+  std::string dump_job, progress, unit, only_frames, program;
   bool force = false;
-  bool json = false, quiet = false, verbose = false, dry_run = false, page = false;
+  bool json = false, quiet = false, verbose = false, dry_run = false;
 
   /// Whether other runs render the rest of the job.
   bool is_part() const { return !unit.empty() || !only_frames.empty(); }
@@ -91,10 +92,10 @@ std::string describe_paths(const Sampling& sampling, const Optics& optics) {
 
 std::string describe_depth(const ShownDepth& shown, const Optics& optics, float depth_scale) {
   return depth_budget_sentence(shown, optics, depth_scale) +
-         (depth_scale < 1.0f ? " --full-depth shows all of it." : " --fit-depth shows it less deep.");
+         (depth_scale < 1.0f ? " --full-depth shows its full depth." : " --fit-depth scales its depth to the budget.");
 }
 
-void print_line(std::string_view name, const std::string& value) { fmt::print("  {:<9} {}\n", name, value); }
+void print_line(std::string_view name, const std::string& value) { print_out("  {:<9} {}\n", name, printable_line(value)); }
 
 /// What was chosen where the command line says nothing: a render that is only planned should be judged by it, too.
 void print_choices(const Sampling& sampling, const Optics& optics, const std::string& light, const std::string& view) {
@@ -123,9 +124,9 @@ void print_summary(const RenderReport& report, const Planned& plan, const Render
     for (const FrameReport& frame : *some) seconds += frame.seconds, rays += static_cast<double>(frame.rays.total());
   const std::string made =
       frames == 0 && !report.strips.empty() ? count_of(report.strips.size(), "strip") : count_of(frames, "frame");
-  fmt::print("{}{} of {}: {:.1f} s of rendering, {:.1f} million rays/s{}\n", report.interrupted ? "Stopped after " : "", made,
-             describe_pictures(plan), seconds, rays * 1e-6 / std::max(seconds, 1e-9),
-             kept > 0 ? fmt::format(" ({} kept from before)", kept) : "");
+  print_out("{}{} of {}: {:.1f} s of rendering, {:.1f} million rays/s{}\n", report.interrupted ? "Stopped after " : "", made,
+            describe_pictures(plan), seconds, rays * 1e-6 / std::max(seconds, 1e-9),
+            kept > 0 ? fmt::format(" ({} kept from before)", kept) : "");
   if (frames > 0) {
     const auto path = [&](const FrameReport& frame) { return (folder / frame_name(names, frame.frame)).string(); };
     print_line("pictures", first_and_last(path(report.frames.front()), path(report.frames.back())));
@@ -197,7 +198,7 @@ void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
          {"bands", plan.bands},
          {"estimated",
           {{"pictures", whole(sizes.pictures)}, {"layers", whole(sizes.layers)}, {"videos", whole(sizes.videos)}}}});
-  fmt::print("Would render {} to {}{}\n", describe_frames(plan.frames), plan.folder.string(), plan.folder.empty() ? "." : "");
+  print_out("Would render {} to {}{}\n", describe_frames(plan.frames), plan.folder.string(), plan.folder.empty() ? "." : "");
   print_line("pictures", fmt::format("{}{}x{} pixels", pictures > 1 ? fmt::format("{} a frame, ", pictures) : "",
                                      plan.picture_size.x, plan.picture_size.y));
   print_line("files", first_and_last(frame_name(plan.names, plan.frames.front()), frame_name(plan.names, plan.frames.back())));
@@ -232,12 +233,6 @@ RenderProgressKind progress_kind(const RenderOptions& options, const Ranks* rank
   return options.progress == "json" ? RenderProgressKind::kJson : RenderProgressKind::kAuto;
 }
 
-/// The page that shows what a finished folder holds, beside it.
-void write_page(const fs::path& folder, bool quiet, const Context& context) {
-  const SavedPage page = save_page(folder, folder / "page", context);
-  if (!quiet && !page.index.empty()) print_line("page", page.index.string());
-}
-
 /// Renders, with progress on stderr, and says what was made; quiet: neither.
 RenderReport render(const RenderParams& params, const RenderOptions& options, Ranks* ranks, Context& context) {
   std::optional<RenderProgress> progress;
@@ -255,15 +250,17 @@ RenderReport render(const RenderParams& params, const RenderOptions& options, Ra
   progress.reset();
   const bool quiet = options.json || options.quiet || !is_first(ranks);
   if (!quiet) print_summary(report, planned, options);
-  if (options.page && !report.interrupted && is_first(ranks)) write_page(planned.folder, quiet, context);
+  if (params.output.page && !options.is_part() && !report.interrupted && is_first(ranks)) {
+    const SavedPage page = write_page(planned.folder, context);
+    if (!quiet && !page.index.empty()) print_line("page", page.index.string());
+  }
   return report;
 }
 
 /// One of several processes: the first speaks for all of them.
-void join_in(const RenderOptions& options, const Ranks& ranks, Context& context) {
-  if (!options.unit.empty() || !options.also.empty())
-    throw usage_error(options.unit.empty() ? "also" : "unit",
-                      "is for processes that stand alone, and mpirun has started several", "one of both");
+void join_in(const RenderOptions& options, const RenderParams& params, const Ranks& ranks, Context& context) {
+  if (!options.unit.empty() || params.output.also)
+    throw usage_error(options.unit.empty() ? "also" : "unit", "cannot be combined with mpirun", "one of both");
   const auto online = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
   context.threads = threads_of_rank(resolved_threads(context), online, local_rank_count());
   if (ranks.rank() > 0) context.warn = {};
@@ -279,16 +276,12 @@ bool is_for_the_first_to_say(const Ranks* ranks, const Context& context) {
 
 int run(const RenderOptions& options, Context& context) {
   if (options.quiet && (options.verbose || !options.progress.empty()))
-    throw usage_error("--quiet", "and --verbose or --progress ask for opposites", "one of them");
+    throw usage_error("--quiet", "cannot be combined with --verbose or --progress", "one of them");
   if (options.verbose && !options.progress.empty())
-    throw usage_error("--verbose", "and --progress say in two ways what to print", "one of them");
+    throw usage_error("--verbose", "cannot be combined with --progress", "one of them");
   const RenderParams params = with_scene_defaults(options.flags.read());
-  if (options.page && options.is_part())
-    throw usage_error("--page", fmt::format("needs all frames, and{} renders a part of them", part_flag(options)),
-                      "lippmann view DIR --save when all are there");
-  if (options.page && params.output.pictures.mirror)
-    throw usage_error("--page", "cannot show mirrored pictures, which are printed on the back of a sheet",
-                      "no --mirror with it");
+  if (params.output.page && params.output.pictures.mirror)
+    throw usage_error("--page", "cannot be combined with --mirror", "no --mirror with it");
   if (!options.dump_job.empty()) {
     make_folder(fs::path(options.dump_job).parent_path());
     write_job(options.dump_job, params);
@@ -296,10 +289,10 @@ int run(const RenderOptions& options, Context& context) {
   if (options.dry_run) return plan_only(params, options, context), 0;
   const std::unique_ptr<Ranks> ranks = join_ranks();
   try {
-    if (ranks) join_in(options, *ranks, context);
+    if (ranks) join_in(options, params, *ranks, context);
     const RenderReport report = render(params, options, ranks.get(), context);
     if (options.json && is_first(ranks.get())) print_json(to_json(report));
-    if (options.also == "single" && !report.interrupted)
+    if (params.output.also == Companion::kSingle && !report.interrupted)
       render(single_clip(report.params, report.optics), options, nullptr, context);
   } catch (const Error& error) {
     if (is_for_the_first_to_say(ranks.get(), context)) return error.exit_code();
@@ -318,13 +311,6 @@ void add_render_command(const Command& root, Action& chosen, const std::string& 
   command.add_option("--dump-job", options->dump_job, "Also write a job file that reproduces this render")
       .type_name("FILE")
       .group("Running");
-  command.add_option("--also", options->also, "single: then the same frames as one eye sees them, into DIR/single")
-      .one_of({"single"})
-      .type_name("WHAT")
-      .group("Files");
-  command
-      .add_flag("--page", options->page, "Also write DIR/page, a page that shows the light field in any browser (docs/view.md)")
-      .group("Files");
   command
       .add_option(
           "--unit", options->unit,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "apps/lippmann/print.hpp"
 #include "core/json_text.hpp"
 #include "job/job_stage.hpp"
 #include "job/size_estimate.hpp"
@@ -48,8 +49,16 @@ void say_fitted_depth(const RenderPlan& plan, const RenderParams& params) {
   const PlacedOptics& placed = plan.stage.placed;
   if (placed.depth_scale >= 1.0f) return;
   const ShownDepth shown = shown_depth(plan.stage.array, placed.units_per_mm, placed.depth_scale, placed.optics);
-  fmt::print(stderr, "{}{}\n", depth_budget_sentence(shown, placed.optics, placed.depth_scale),
-             params.optics.fit_depth ? "" : " --full-depth shows all of it.");
+  print_error("{}{}\n", depth_budget_sentence(shown, placed.optics, placed.depth_scale),
+              params.optics.fit_depth ? "" : " --full-depth shows its full depth.");
+}
+
+/// Flags that make a long render shorter. Ctrl-C loses no finished frame.
+std::string ways_to_less_work(const RenderPlan& plan) {
+  const int first = plan.frames.front(), last = plan.frames.back();
+  const std::string fewer =
+      plan.frames.size() > 1 ? fmt::format("--frames {} or {}-{}:10 (every 10th) for fewer frames, ", first, first, last) : "";
+  return fmt::format("To do less: {}--spp for fewer samples, --size for fewer pixels. Ctrl-C stops, --resume goes on.", fewer);
 }
 
 }  // namespace
@@ -68,9 +77,10 @@ RenderProgress::RenderProgress(const RenderPlan& plan, const RenderParams& param
     return;
   }
   if (wanted_ == 0) return;
-  fmt::print(stderr, "{}\n", describe(plan, wanted_, sizes.all()));
+  print_error("{}\n", describe(plan, wanted_, sizes.all()));
   say_fitted_depth(plan, params);
   progress_ = std::make_unique<Progress>(wanted_, style_of(kind));
+  progress_->set_advice(ways_to_less_work(plan));
   heartbeat_.emplace([this] { tick(); });
 }
 
@@ -131,7 +141,7 @@ void RenderProgress::print_object(int frame) const {
                   {"seconds_left", done > 0.0 ? Json(seconds_left(elapsed_s, done, wanted_)) : Json(nullptr)},
                   {"bytes", static_cast<std::uint64_t>(bytes_)},
                   {"estimated_bytes", static_cast<std::uint64_t>(estimated_bytes())}};
-  fmt::print(stderr, "{}\n", json_to_text(json, -1));
+  print_error("{}\n", json_to_text(json, -1));
 }
 
 }  // namespace lippmann::app

@@ -11,6 +11,8 @@
 #include "apps/lippmann/light_field_flags.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/result_flags.hpp"
+#include "core/printable.hpp"
+#include "layout/rendered.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/optics/crosstalk.hpp"
 #include "replay/replay.hpp"
@@ -20,7 +22,7 @@ namespace {
 
 struct ReplayOptions {
   ReplayParams params;
-  std::string in, folder, size, focal_stack, filter = "linear", format = "png", video, crosstalk;
+  std::string in, folder, size, focal_stack, filter, format = "png", video, crosstalk;
   std::vector<double> eye;
   LightFieldFlags field;
   int threads = 0;
@@ -36,7 +38,7 @@ void read_size(const std::string& text, ReplayParams& params) {
   if (params.one_per_lens) return;
   if (std::sscanf(text.c_str(), "%7dx%7d%n", &size.x, &size.y, &read) != 2 || read != static_cast<int>(text.size()) ||
       size.x < 1 || size.y < 1)
-    throw usage_error("--size", "'" + text + "' is no size", "WxH in pixels, or lenses");
+    throw usage_error("--size", "'" + text + "' is not a size", "WxH in pixels, or lenses");
 }
 
 /// Z0:Z1:N
@@ -46,8 +48,31 @@ std::optional<FocalStack> read_focal_stack(const std::string& text) {
   int read = 0;
   if (std::sscanf(text.c_str(), "%lf:%lf:%6d%n", &stack.first_mm, &stack.last_mm, &stack.count, &read) != 3 ||
       read != static_cast<int>(text.size()) || stack.count < 2 || stack.count > 1000)
-    throw usage_error("--focal-stack", "'" + text + "' is no stack", "Z0:Z1:N, two depths in mm and 2 to 1000 pictures");
+    throw usage_error("--focal-stack", "'" + text + "' is not a focal stack",
+                      "Z0:Z1:N, two depths in mm and 2 to 1000 pictures");
   return stack;
+}
+
+/// Throws a usage Error naming a flag that has no effect on the pictures that are asked for.
+void refuse_idle_flags(const ReplayOptions& options) {
+  const ReplayParams& params = options.params;
+  const bool refocuses = params.refocus_mm || !options.focal_stack.empty(), has_epi = params.epi_row || params.epi_column;
+  const bool looks = params.ipd_mm || params.sweep > 0 || !(refocuses || has_epi);
+  const struct {
+    const char* flag;
+    bool is_given, has_effect;
+    const char* accepted;
+  } rules[] = {
+      {"--eye", !options.eye.empty(), looks, "the eye's view, --ipd or --sweep"},
+      {"--pupil", params.view.pupil_mm != 0.0, looks, "the eye's view, --ipd or --sweep"},
+      {"--crosstalk", !options.crosstalk.empty(), looks, "the eye's view, --ipd or --sweep"},
+      {"--focus", params.view.focus_mm != 0.0, looks && params.view.pupil_mm > 0.0, "--pupil above 0; a pinhole has no focus"},
+      {"--filter", !options.filter.empty(), looks || has_epi, "the eye's view, --ipd, --sweep, --epi or --epi-column"},
+      {"--size", !options.size.empty(), looks || refocuses, "the eye's view, --ipd, --sweep, --refocus or --focal-stack"},
+      {"--fps", params.frames_per_second.has_value(), !options.video.empty(), "--video"}};
+  for (const auto& rule : rules)
+    if (rule.is_given && !rule.has_effect)
+      throw usage_error(rule.flag, "has no effect on the pictures that are asked for", rule.accepted);
 }
 
 ReplayParams params_of(const ReplayOptions& options) {
@@ -76,13 +101,15 @@ void print_result(const Replayed& result) {
 }
 
 int run(const ReplayOptions& options, Context& context) {
+  refuse_idle_flags(options);
   context.threads = options.threads;
+  warn_of_unchecked(options.in, context);
   const Replayed result = replay(params_of(options), context);
   if (options.result.json)
     print_result(result);
   else if (options.result.wants_text() && !result.written.empty())
-    fmt::print("{}{}{}\n", eye_text(result), result.written.front().string(),
-               result.written.size() > 1 ? " ... " + result.written.back().string() : "");
+    fmt::print("{}{}{}\n", eye_text(result), printable_line(result.written.front().string()),
+               result.written.size() > 1 ? " ... " + printable_line(result.written.back().string()) : "");
   return 0;
 }
 
@@ -103,9 +130,8 @@ void add_eye_flags(const Command& command, ReplayOptions& options) {
       .type_name("PIXELS|C%");
   group
       .add_option("--filter", options.filter,
-                  "Interpolation between the pixels below one lens and between views: linear or nearest")
-      .one_of({"linear", "nearest"})
-      .show_default();
+                  "Interpolation between the pixels below one lens and between views: linear (default) or nearest")
+      .one_of({"linear", "nearest"});
   group.add_option("--size", options.size, "Size of the pictures; 'lenses' gives one sample per lens; default: square pixels")
       .type_name("WxH");
 }
@@ -153,8 +179,7 @@ void add_replay_command(const Command& root, Action& chosen) {
       .one_of({"png", "exr"})
       .show_default();
   add_light_field_flags(command, options->field);
-  command.add_option("--report", options->field.report, "Path of report.json, if it is not beside the pictures")
-      .type_name("FILE");
+  add_report_flags(command, options->field, "");
   command.add_option("--threads", options->threads, "Worker threads; 0: one per processor").range(0, 4096);
   add_result_flags(command, options->result);
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });

@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 
 void refuse_light_field_flags(const LightFieldFlags& field) {
   constexpr const char* kAccepted = "a rendered folder";
-  if (!field.from.empty()) throw usage_error("--from", "is for light fields, and IN is a scene", kAccepted);
-  if (!field.report.empty()) throw usage_error("--report", "is for light fields, and IN is a scene", kAccepted);
+  if (!field.from.empty()) throw usage_error("--from", "applies to light fields, and IN is a scene", kAccepted);
+  if (!field.report.empty()) throw usage_error("--report", "applies to light fields, and IN is a scene", kAccepted);
 }
 
 }  // namespace
@@ -40,11 +40,11 @@ bool is_scene_to_set_up(const std::string& in) {
 }
 
 void refuse_scene_flags(const std::string& in, const SceneToSetUpFlags& flags) {
-  if (!flags.job_file.empty()) throw usage_error("--save-job", "is for scenes, and IN is a light field", "a scene");
+  if (!flags.job_file.empty()) throw usage_error("--save-job", "applies to scenes, and IN is a light field", "a scene");
   for (const auto& [name, values] : flags.params.values)
     if (!values.empty())
       throw usage_error(
-          fmt::format("--{}", name), fmt::format("is for scenes, and {} is taken for a light field", in),
+          fmt::format("--{}", name), fmt::format("applies to scenes, and {} is read as a light field", in),
           "a built-in name (see: lippmann scenes), a file (.gltf, .glb, .dat, .nff, .obj, .ply) or a job (.toml)");
 }
 
@@ -54,6 +54,7 @@ RenderParams scene_params(const std::string& in, const SceneToSetUpFlags& flags,
   all.scene = in;
   if (!field.views.empty()) all.values["views"] = {field.views};
   if (!field.quilt.empty()) all.values["quilt"] = {field.quilt};
+  if (!field.display.empty()) all.values["display"] = {field.display};
   if (field.view_angle_deg) all.values["view-angle"] = {fmt::format("{}", *field.view_angle_deg)};
   if (threads > 0) all.values["threads"] = {fmt::format("{}", threads)};
   return all.read();

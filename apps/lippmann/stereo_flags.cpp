@@ -7,34 +7,18 @@
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/result_flags.hpp"
+#include "core/printable.hpp"
 #include "job/param_text.hpp"
 #include "lippmann/core/error.hpp"
 #include "replay/stereo_frames.hpp"
 
 namespace lippmann::app {
-namespace {
-
-void refuse_flag(bool given, const char* flag, const char* format) {
-  if (given) throw usage_error(flag, "is a flag of stereo pictures", format);
-}
-
-}  // namespace
-
 std::optional<StereoLayout> StereoFlags::layout() const {
   if (packing.empty() && !right_first) return std::nullopt;
   StereoLayout layout;
   if (!packing.empty()) layout.packing = static_cast<StereoPacking>(read_choice(packing, kStereoPackingNames, "--stereo"));
   layout.right_first = right_first;
   return layout;
-}
-
-void StereoFlags::require_stereo(const std::string& from, const std::string& to) const {
-  if (to == "stereo") return;
-  refuse_flag(layout() && from != "stereo", packing.empty() ? "--right-first" : "--stereo", "--to stereo or --from stereo");
-  refuse_flag(ipd_mm.has_value(), "--ipd", "--to stereo");
-  refuse_flag(viewing_distance_mm.has_value(), "--viewing-distance", "--to stereo");
-  refuse_flag(screen_width_mm.has_value(), "--screen-width", "--to stereo");
-  refuse_flag(view_angle_deg.has_value(), "--view-angle", "--to stereo");
 }
 
 void add_stereo_flags(const Command& command, StereoFlags& flags) {
@@ -69,7 +53,7 @@ int run_stereo(const StereoFlags& flags, const LightFieldHints& field, const std
                const ResultFlags& result, const Context& context) {
   StereoParams params{in, out, field};
   params.layout = flags.layout().value_or(StereoLayout{});
-  params.ipd_mm = flags.ipd_mm.value_or(kUsualIpdMm);
+  params.ipd_mm = flags.ipd_mm;
   params.distance_mm = flags.viewing_distance_mm, params.screen_width_mm = flags.screen_width_mm;
   const StereoFrames made = convert_to_stereo(params, context);
   if (result.json) {
@@ -80,8 +64,9 @@ int run_stereo(const StereoFlags& flags, const LightFieldHints& field, const std
                                       {"out_of_zone", made.out_of_zone},
                                       {"files", files}});
   } else if (result.wants_text() && !made.written.empty()) {
-    fmt::print("2x1 views of {}x{} pixels: {}{}\n", made.view_size.x, made.view_size.y, made.written.front().string(),
-               made.written.size() > 1 ? " ... " + made.written.back().string() : "");
+    fmt::print("2x1 views of {}x{} pixels: {}{}\n", made.view_size.x, made.view_size.y,
+               printable_line(made.written.front().string()),
+               made.written.size() > 1 ? " ... " + printable_line(made.written.back().string()) : "");
   }
   return 0;
 }

@@ -20,9 +20,6 @@ struct StereoFlags {
 
   /// None where nothing is said.
   std::optional<StereoLayout> layout() const;
-
-  /// Throws a usage Error for a flag that means nothing between these formats.
-  void require_stereo(const std::string& from, const std::string& to) const;
 };
 
 void add_stereo_flags(const Command& command, StereoFlags& flags);

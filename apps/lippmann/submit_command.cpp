@@ -54,7 +54,8 @@ void write_text(const fs::path& path, const std::string& text, bool is_script) {
 Submission submission_of(const SubmitOptions& options, const Context& context) {
   RenderParams params;
   if (fs::path(options.job).extension() != ".toml")
-    throw usage_error("JOB", options.job + " is no job file", "a .toml; lippmann render SCENE --dump-job FILE.toml writes one");
+    throw usage_error("JOB", options.job + " is not a job file",
+                      "a .toml; lippmann render SCENE --dump-job FILE.toml writes one");
   read_job(options.job, params);
   params.threads = options.threads > 0 ? options.threads : params.threads > 0 ? params.threads : resolved_threads(context);
   const UnitPlan plan = plan_units(params, options.units, !options.only_list, context);
@@ -79,8 +80,8 @@ Submission submission_of(const SubmitOptions& options, const Context& context) {
 
 int run(const SubmitOptions& options, const Context& context) {
   if (options.slurm.empty() && options.openjd.empty() && options.shell.empty())
-    throw usage_error("submit", "nothing says for whom", "--slurm FILE, --openjd FILE or --shell FILE");
-  if (options.job.empty()) throw usage_error("JOB", "no job is named", "a job file (.toml)");
+    throw usage_error("submit", "no output is named", "--slurm FILE, --openjd FILE or --shell FILE");
+  if (options.job.empty()) throw usage_error("JOB", "no job file is given", "a job file (.toml)");
   const Submission submission = submission_of(options, context);
   if (context.cancelled) return 1;
   if (!options.slurm.empty()) write_text(options.slurm, slurm_script(submission), true);
@@ -108,7 +109,7 @@ void add_submit_command(const Command& root, Action& chosen, const std::string& 
   const Command command =
       root.add_command("submit", "Write a job, cut into units, as what Slurm, a render farm or a shell takes");
   command.add_option("JOB", options->job, "A job file (.toml)");
-  command.add_option("--units", options->units, "Into how many units, if it falls into so many")
+  command.add_option("--units", options->units, "Number of units to cut the job into; a job of fewer parts has fewer")
       .required()
       .type_name("N")
       .range(1, 1'000'000);
@@ -117,18 +118,22 @@ void add_submit_command(const Command& root, Action& chosen, const std::string& 
   command.add_option("--openjd", options->openjd, "An Open Job Description template (JSON), for render farms")
       .type_name("FILE");
   command.add_option("--shell", options->shell, "A command a line, for any other farm").type_name("FILE");
-  command.add_option("--chunk", options->chunk, "Open Job Description: units that a task renders one after the other")
+  command.add_option("--chunk", options->chunk, "Open Job Description: number of units that a task renders one after the other")
       .type_name("N")
       .range(1, 1'000'000);
-  command.add_option("--threads", options->threads, "Processors of a task; default: the job's, or this machine's")
+  command
+      .add_option("--threads", options->threads, "Processors of each task; default: the job's threads, or all of this machine")
       .type_name("N")
       .range(1, 1024);
-  command.add_option("--partition", options->partition, "Slurm: which").type_name("NAME");
-  command.add_option("--time", options->minutes, "A task's limit; default: from measured frames")
+  command.add_option("--partition", options->partition, "Slurm partition that the tasks run in; default: the cluster's")
+      .type_name("NAME");
+  command.add_option("--time", options->minutes, "Time limit of each task; default: from measured frames")
       .type_name("MINUTES")
       .range(1, 1'000'000);
-  command.add_option("--memory", options->memory_mb, "The same of its memory").type_name("MB").range(1, 100'000'000);
-  command.add_flag("--only-list", options->only_list, "Render nothing to find out what units take: no limits but those given");
+  command.add_option("--memory", options->memory_mb, "Memory limit of each task; default: from measured frames")
+      .type_name("MB")
+      .range(1, 100'000'000);
+  command.add_flag("--only-list", options->only_list, "Measure no frames: only the limits that are given are set");
   add_result_flags(command, options->result, "Print nothing");
   command.footer(
       "Examples:\n"

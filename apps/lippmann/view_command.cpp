@@ -13,6 +13,7 @@
 #include "apps/lippmann/page_server.hpp"
 #include "apps/lippmann/scene_to_set_up.hpp"
 #include "job/job_folder.hpp"
+#include "layout/rendered.hpp"
 #include "lippmann/core/error.hpp"
 #include "live/live_page.hpp"
 #include "view/saved_page.hpp"
@@ -34,6 +35,8 @@ struct ViewOptions {
 
 std::vector<std::unique_ptr<PageField>> read_fields(const ViewOptions& options, const Context& context) {
   std::vector<std::unique_ptr<PageField>> fields;
+  for (const std::string& in : {options.in, options.other})
+    if (!in.empty()) warn_of_unchecked(in, context);
   fields.push_back(std::make_unique<PageField>(options.in, options.field.read(), context));
   if (!options.other.empty()) fields.push_back(std::make_unique<PageField>(options.other, options.field.read(), context));
   for (const auto& field : fields)
@@ -41,7 +44,18 @@ std::vector<std::unique_ptr<PageField>> read_fields(const ViewOptions& options, 
   return fields;
 }
 
+/// Throws a usage Error for flags of the server, which --save does not start.
+void refuse_server_flags(const PageServerFlags& server) {
+  const auto refuse = [](bool given, const char* flag) {
+    if (given) throw usage_error(flag, "has no effect with --save, which starts no server", "a page without --save");
+  };
+  refuse(server.port.has_value(), "--port");
+  refuse(server.host != PageServerFlags{}.host, "--host");
+  refuse(server.open, "--open");
+}
+
 int save(const ViewOptions& options, const Context& context) {
+  refuse_server_flags(options.server);
   const SavedPage page = save_page(read_fields(options, context), options.save, context);
   if (!page.index.empty())
     fmt::print("{}: {:.1f} MB with all files beside it\n", page.index.string(), 1e-6 * double(page.bytes));
@@ -52,7 +66,7 @@ int save(const ViewOptions& options, const Context& context) {
 bool is_render_to_watch(const ViewOptions& options) {
   const LightFieldFlags& field = options.field;
   const bool is_alone = options.other.empty() && field.from.empty() && field.report.empty() && field.views.empty() &&
-                        field.quilt.empty() && !field.view_angle_deg;
+                        field.quilt.empty() && field.display.empty() && !field.view_angle_deg;
   return is_alone && fs::exists(fs::path(options.in) / "report.json") && is_unfinished_render(options.in);
 }
 
@@ -66,8 +80,7 @@ int watch(const ViewOptions& options, const Context& context) {
 // ---- A scene ------------------------------------------------------------------------------------------------------------
 
 int set_up(const ViewOptions& options, const Context& context) {
-  if (!options.other.empty())
-    throw usage_error("OTHER", "is compared with a light field, and IN is a scene", "a rendered folder");
+  if (!options.other.empty()) throw usage_error("OTHER", "needs a light field as IN, and IN is a scene", "a rendered folder");
   if (!options.save.empty())
     throw usage_error("--save", "needs a light field, and IN is a scene", "lippmann render SCENE --page");
   const RenderParams params = scene_params(options.in, options.scene, options.field, options.threads);
@@ -104,10 +117,10 @@ void add_view_command(const Command& root, Action& chosen) {
                   "Instead, write the page with all its data into a folder that any web server serves, or a disk")
       .type_name("FOLDER");
   add_light_field_flags(command, options->field);
-  command.add_option("--report", options->field.report, "Path of report.json, if it is not beside the pictures")
-      .type_name("FILE");
+  add_report_flags(command, options->field, "; of a scene the display that it is rendered for");
   command.add_option("--threads", options->threads, "Worker threads; 0: one per processor").range(0, 4096);
-  add_scene_to_set_up_flags(command, options->scene, {"views", "quilt", "view-angle", "threads", "resume"});
+  add_scene_to_set_up_flags(command, options->scene,
+                            {"display", "views", "quilt", "view-angle", "threads", "resume", "also", "page"});
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 

@@ -1,6 +1,7 @@
 #include "apps/lippmann/view_filter_flags.hpp"
 
 #include "apps/lippmann/command_line.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -14,6 +15,8 @@ ViewFilter read_view_filter(const std::string& word) {
 
 InterlaceParams ViewFilterFlags::read() const {
   InterlaceParams params{read_view_filter(filter)};
+  if (sigma > 0.0 && params.filter != ViewFilter::kGaussian)
+    throw usage_error("--sigma", "has no effect without --filter gaussian", "--filter gaussian");
   if (sigma > 0.0) params.sigma_views = sigma;
   return params;
 }

@@ -24,6 +24,7 @@
 #include "lippmann/replay/refocus.hpp"
 #include "lippmann/scene/builtin.hpp"
 #include "lippmann/scene/load.hpp"
+#include "lippmann/scene/origin.hpp"
 #include "lippmann/scene/timeline.hpp"
 #include "lippmann/stage/choose_camera.hpp"
 #include "lippmann/stage/environment_file.hpp"

@@ -270,7 +270,7 @@ class LightField:
     @property
     @known
     def world_from_display(self) -> np.ndarray:
-        """(4, 4), float32: from mm of the display to the scene's world, at this frame."""
+        """(4, 4), float64: from mm of the display to the scene's world, at this frame."""
         self._placed()
         return self._film.world_from_display
 

@@ -154,7 +154,7 @@ def frames(
     open_share = number(shutter, "shutter", 0.0, 1.0)
     workers = integer(threads, "threads", 0, 4096)
     choice(light, "light", ("auto", "none"))
-    core.check()
+    core.move_near_origin()  # checks it
     choose_camera(core, camera)
     factor, turn = strength_and_turn(environment_strength, environment_rotation_deg, "environment_")
     if environment is not None:
@@ -235,7 +235,7 @@ def _reuse(
         raise Error("keyframes", f"means nothing where {why}", "it together with reuse='copy' or 'interpolate'")
     if min_psnr is not None and name == "none":
         accepted = "it together with reuse='interpolate', or 'light' with integrator='path'"
-        raise Error("min_psnr", "means nothing where every frame is traced", accepted)
+        raise Error("min_psnr", "has no effect where every frame is traced in full", accepted)
     return _core.Reuse(name, keyframes, min_psnr)
 
 

@@ -523,7 +523,7 @@ def choose_camera(core: Any, camera: Union[str, int, None]) -> None:
     elif camera is not None:
         count = len(core.camera_names)
         if not count:
-            raise Error("camera", "the scene has no cameras", "no name or index of one")
+            raise Error("camera", "the scene has no cameras", "no camera argument")
         core.choose_camera_at(integer(camera, "camera", 0, count - 1))
 
 

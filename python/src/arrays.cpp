@@ -33,13 +33,13 @@ Image image_of(const Array<float>& array, int channels, const char* name) {
   return image;
 }
 
-py::array matrix_of(const Affine3f& transform) {
-  std::vector<float> matrix;
+py::array matrix_of(const Affine3f& transform, const Vec3d& origin) {
+  std::vector<double> matrix;
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) matrix.push_back(transform.linear[column][row]);
-    matrix.push_back(transform.translation[row]);
+    matrix.push_back(origin[row] + static_cast<double>(transform.translation[row]));
   }
-  for (const float last : {0.0f, 0.0f, 0.0f, 1.0f}) matrix.push_back(last);
+  for (const double last : {0.0, 0.0, 0.0, 1.0}) matrix.push_back(last);
   return moved(std::move(matrix), {4, 4});
 }
 

@@ -57,6 +57,6 @@ std::vector<Vec> vectors_of(const Array<float>& array, const char* name) {
 Image image_of(const Array<float>& array, int channels, const char* name);
 
 /// (4, 4), for column vectors.
-py::array matrix_of(const Affine3f& transform);
+py::array matrix_of(const Affine3f& transform, const Vec3d& origin);
 
 }  // namespace lippmann::python

@@ -135,9 +135,12 @@ std::vector<std::filesystem::path> save(const LightField& field, const std::file
 
 py::tuple open(const std::filesystem::path& path, const std::string& format, const std::optional<Pair>& views,
                const std::optional<Pair>& tiles, const std::optional<Display>& display) {
-  const FormatOptions options = options_of(views, tiles, display);
+  FormatOptions options = options_of(views, tiles, display);
   OpenedLightField opened;
-  Interruptible(0).run(py::none(), [&](const Context&) { opened = open_light_field(path, format, options); });
+  Interruptible(0).run(py::none(), [&](const Context& context) {
+    options.warn = context.warn;
+    opened = open_light_field(path, format, options);
+  });
   return py::make_tuple(std::make_shared<LightField>(std::move(opened.field)), opened.optics, std::string(opened.format));
 }
 

@@ -26,6 +26,7 @@ struct Film {
   Optics optics;
   Encoding encoding = Encoding::kSrgb;
   Affine3f world_from_display;
+  Vec3d origin{0.0};  ///< of the world, in the file's coordinates
 };
 using SharedFilm = std::shared_ptr<Film>;
 
@@ -181,9 +182,10 @@ class Frames {
     }
     if (!made) throw Error("frames", "rendering was stopped", "a new call of lippmann.frames");
     const Scene& scene = renderer_->scene();
-    return std::make_shared<Film>(Film{
-        std::move(*made), placement_.placed.optics, scene.encoding,
-        world_from_display(placement_.array, placement_.placed.units_per_mm, evaluate(scene, scene.timeline.time(index)))});
+    return std::make_shared<Film>(
+        Film{std::move(*made), placement_.placed.optics, scene.encoding,
+             world_from_display(placement_.array, placement_.placed.units_per_mm, evaluate(scene, scene.timeline.time(index))),
+             scene.origin});
   }
 
   const Placement& placement() const { return placement_; }
@@ -235,7 +237,7 @@ void bind_renderer(py::module_& module) {
       .def_property_readonly("is_transparent", &is_transparent)
       .def_property_readonly("codes", &codes_of_film)
       .def_property_readonly("report", &report_of)
-      .def_property_readonly("world_from_display", [](const Film& f) { return matrix_of(f.world_from_display); })
+      .def_property_readonly("world_from_display", [](const Film& f) { return matrix_of(f.world_from_display, f.origin); })
       .def("write", &write)
       .def("layer", &layer_on_panel)
       .def("layer_of_views", &layer_of_views)

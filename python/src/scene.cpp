@@ -11,6 +11,7 @@
 #include "lippmann/image/encode.hpp"
 #include "lippmann/scene/builtin.hpp"
 #include "lippmann/scene/load.hpp"
+#include "lippmann/scene/origin.hpp"
 #include "lippmann/scene/timeline.hpp"
 #include "lippmann/stage/choose_camera.hpp"
 #include "lippmann/stage/environment_file.hpp"
@@ -46,11 +47,13 @@ SharedScene load(const std::string& name, const std::string& camera_path, double
   return scene;
 }
 
-int add_node(Scene& scene, std::string name, int parent, const Three& translation, const Four& rotation, const Three& scale) {
+int add_node(Scene& scene, std::string name, int parent, const std::array<double, 3>& translation, const Four& rotation,
+             const Three& scale) {
   Node node;
   node.name = std::move(name);
   node.parent = parent;
-  node.local = {vec(translation), quaternion(rotation), vec(scale)};
+  const Vec3d place(translation[0], translation[1], translation[2]);
+  node.local = {Vec3f(parent < 0 ? place - scene.origin : place), quaternion(rotation), vec(scale)};
   return add(scene.nodes, std::move(node));
 }
 
@@ -151,7 +154,11 @@ void animate(Scene& scene, int node, const std::optional<Array<float>>& translat
              const std::optional<Array<float>>& rotation, const std::optional<Array<float>>& scale,
              const std::optional<Array<float>>& weights) {
   NodeAnimation& animation = animation_of(scene, node);
-  if (translation) animation.translation = channel_of(scene.timeline, vectors_of<Vec3f>(*translation, "translation"));
+  if (translation) {
+    animation.translation = channel_of(scene.timeline, vectors_of<Vec3f>(*translation, "translation"));
+    if (scene.nodes.at(static_cast<std::size_t>(node)).parent < 0 && scene.origin != Vec3d(0.0))
+      for (Vec3f& place : animation.translation.values) place = Vec3f(Vec3d(place) - scene.origin);
+  }
   if (scale) animation.scale = channel_of(scene.timeline, vectors_of<Vec3f>(*scale, "scale"));
   if (weights) {
     animation.morph_weights = channel_of(scene.timeline, std::vector<float>(static_cast<std::size_t>(weights->shape(0))));
@@ -171,17 +178,18 @@ std::vector<py::str> names_of(const std::vector<T>& elements) {
 }
 
 void surround_with_file(Scene& scene, const std::filesystem::path& path, float strength, float rotation_deg) {
-  const py::gil_scoped_release release;
-  scene.background.map = read_environment(path, strength, rotation_deg);
+  Interruptible(0).run(py::none(), [&](const Context& context) {
+    scene.background.map = read_environment(path, strength, rotation_deg, context);
+  });
 }
 
 /// (2, 3): lowest and highest coordinates of everything finite; none where there is nothing.
 py::object bounds_of(const Scene& scene, int frame) {
   const Bounds3f bounds = finite_bounds(scene, evaluate(scene, scene.timeline.time(frame)));
   if (bounds.empty()) return py::none();
-  std::vector<float> corners;
+  std::vector<double> corners;
   for (const Vec3f corner : {bounds.lower, bounds.upper})
-    for (int c = 0; c < 3; ++c) corners.push_back(corner[c]);
+    for (int c = 0; c < 3; ++c) corners.push_back(scene.origin[c] + static_cast<double>(corner[c]));
   return moved(std::move(corners), {2, 3});
 }
 
@@ -273,6 +281,7 @@ void bind_scene(py::module_& module) {
       .def(pickled<Scene>())
       .def("copy", [](const Scene& s) { return std::make_shared<Scene>(s); })
       .def("check", [](const Scene& s) { validate(s, "scene"); })
+      .def("move_near_origin", &move_near_origin)
       .def("add_missing_light",
            [](Scene& s, bool paths) { return add_missing_light(s, paths ? Integrator::kPath : Integrator::kWhitted); })
       .def("bounds", &bounds_of)

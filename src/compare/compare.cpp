@@ -53,11 +53,12 @@ struct Pair {
 /// Takes frames from both, in step.
 class PairSource {
  public:
-  PairSource(const fs::path& reference, const fs::path& test, const std::optional<std::vector<int>>& wanted)
+  PairSource(const fs::path& reference, const fs::path& test, const std::optional<std::vector<int>>& wanted,
+             const Context& context)
       : reference_path_(reference),
         test_path_(test),
-        reference_(open_frames(reference, wanted)),
-        test_(open_frames(test, wanted)) {
+        reference_(open_frames(reference, wanted, context.warn)),
+        test_(open_frames(test, wanted, context.warn)) {
     check_kinds(test, *reference_, *test_);
     if (reference_->kind() == SourceKind::kFolder && test_->kind() == SourceKind::kFolder) check_same_names();
   }
@@ -149,7 +150,7 @@ Comparison summarise(std::vector<FrameComparison> frames) {
 
 Comparison compare(const fs::path& reference, const fs::path& test, const Context& context,
                    const std::optional<std::vector<int>>& wanted) {
-  PairSource pairs(reference, test, wanted);
+  PairSource pairs(reference, test, wanted, context);
   const ThreadPool pool(resolved_threads(context));
   std::vector<FrameComparison> frames;
   while (!context.cancelled) {

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/json_text.hpp"
+#include "core/printable.hpp"
 
 namespace lippmann {
 namespace {
@@ -30,8 +31,9 @@ std::string csv_number(std::optional<double> value) { return value ? fmt::format
 
 std::string table_row(int width, const std::string& name, const ChannelErrors& mse, double rmse, std::optional<double> psnr,
                       std::optional<double> ssim) {
-  return fmt::format("{:<{}}  {:>10.4f} {:>10.4f} {:>10.4f} {:>10.4f} {:>9.4f} {:>9} {:>8}\n", name, width, mse.r, mse.g, mse.b,
-                     mse.mean, rmse, psnr ? fmt::format("{:.4f}", *psnr) : "-", ssim ? fmt::format("{:.5f}", *ssim) : "-");
+  return fmt::format("{:<{}}  {:>10.4f} {:>10.4f} {:>10.4f} {:>10.4f} {:>9.4f} {:>9} {:>8}\n", printable_line(name), width,
+                     mse.r, mse.g, mse.b, mse.mean, rmse, psnr ? fmt::format("{:.4f}", *psnr) : "-",
+                     ssim ? fmt::format("{:.5f}", *ssim) : "-");
 }
 
 }  // namespace

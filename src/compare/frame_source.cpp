@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/folder_entries.hpp"
+#include "core/recorded_file.hpp"
 #include "core/text_pattern.hpp"
 #include "image/read_image.hpp"
 #include "layout/frame_names.hpp"
@@ -34,14 +35,15 @@ std::vector<fs::path> pictures_in(const fs::path& folder) {
 
 class PictureFiles : public FrameSource {
  public:
-  PictureFiles(SourceKind kind, std::vector<fs::path> files) : kind_(kind), files_(std::move(files)) {}
+  PictureFiles(SourceKind kind, std::vector<fs::path> files, PictureWarning warn)
+      : kind_(kind), files_(std::move(files)), warn_(std::move(warn)) {}
 
   SourceKind kind() const override { return kind_; }
 
   std::optional<SourceFrame> next() override {
     if (position_ == files_.size()) return std::nullopt;
     const fs::path file = files_[position_++];
-    return SourceFrame{file.stem().string(), [file] { return read_image8(file); }};
+    return SourceFrame{file.stem().string(), [file, this] { return read_image8(file, warn_); }};
   }
 
   std::vector<std::string> names() const override {
@@ -53,6 +55,7 @@ class PictureFiles : public FrameSource {
  private:
   SourceKind kind_;
   std::vector<fs::path> files_;
+  PictureWarning warn_;
   std::size_t position_ = 0;
 };
 
@@ -100,7 +103,9 @@ void keep_wanted(const fs::path& folder, const std::vector<int>& wanted, std::ve
   if (!missing.empty()) throw Error(folder.string(), fmt::format("has no frame {}, which `frames` asks for", *missing.begin()));
 }
 
-std::unique_ptr<FrameSource> open_folder(const fs::path& folder, const std::optional<std::vector<int>>& wanted) {
+std::unique_ptr<FrameSource> open_folder(const fs::path& folder, const std::optional<std::vector<int>>& wanted,
+                                         const PictureWarning& warn) {
+  if (!wanted) require_recorded_frames(folder);
   std::vector<fs::path> files;
   try {
     files = pictures_in(folder);
@@ -114,18 +119,19 @@ std::unique_ptr<FrameSource> open_folder(const fs::path& folder, const std::opti
     throw Error(folder.string(), fmt::format("has two pictures for one frame: {} and {}", twice->filename().string(),
                                              std::next(twice)->filename().string()));
   if (wanted) keep_wanted(folder, *wanted, files);
-  return std::make_unique<PictureFiles>(SourceKind::kFolder, std::move(files));
+  return std::make_unique<PictureFiles>(SourceKind::kFolder, std::move(files), warn);
 }
 
 }  // namespace
 
-std::unique_ptr<FrameSource> open_frames(const fs::path& path, const std::optional<std::vector<int>>& wanted) {
+std::unique_ptr<FrameSource> open_frames(const fs::path& path, const std::optional<std::vector<int>>& wanted,
+                                         const PictureWarning& warn) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) throw Error(path.string(), "there is no such file or folder");
-  if (fs::is_directory(path, ignored)) return open_folder(path, wanted);
+  if (fs::is_directory(path, ignored)) return open_folder(path, wanted, warn);
   if (is_video_name(path)) return std::make_unique<VideoFrames>(path, wanted);
   if (wanted) throw usage_error("frames", path.string() + " is one picture", "a folder or a video with it");
-  return std::make_unique<PictureFiles>(SourceKind::kPicture, std::vector{path});
+  return std::make_unique<PictureFiles>(SourceKind::kPicture, std::vector{path}, warn);
 }
 
 }  // namespace lippmann

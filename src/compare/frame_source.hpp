@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lippmann/image/image.hpp"
@@ -37,6 +38,8 @@ class FrameSource {
 /// wanted: the frames to take, ascending, by the number after frame_ or at the end of their file's name, of videos by their
 /// order from 0; none: all. Throws Error naming `path` if there is nothing there, or a folder without pictures, with two for
 /// one frame, or without a wanted one; so does next() of a video that ends before the last wanted frame.
-std::unique_ptr<FrameSource> open_frames(const std::filesystem::path& path, const std::optional<std::vector<int>>& wanted = {});
+/// `warn`, if given, gets what pictures say and is not honoured, from the threads that load them.
+std::unique_ptr<FrameSource> open_frames(const std::filesystem::path& path, const std::optional<std::vector<int>>& wanted = {},
+                                         const std::function<void(std::string_view)>& warn = {});
 
 }  // namespace lippmann

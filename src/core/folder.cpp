@@ -22,6 +22,12 @@ void make_folder(const fs::path& folder) {
   for (const fs::path& above : changed) sync_folder(above);
 }
 
+void remove_if_there(const fs::path& path) {
+  std::error_code problem;
+  fs::remove(path, problem);
+  if (problem) throw Error(path.string(), "cannot be removed (" + problem.message() + ")", "a folder that can be written into");
+}
+
 NewFolder::NewFolder(fs::path folder) {
   std::error_code ignored;
   const fs::path wanted = folder;

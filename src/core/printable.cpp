@@ -7,7 +7,8 @@
 namespace lippmann {
 namespace {
 
-/// The bytes of the character that the text begins with; 0 if it is a control character or not UTF-8.
+/// The bytes of the character that the text begins with; 0 if it is a control character, ends a line, turns the direction of
+/// what follows, or is not UTF-8.
 std::size_t character_bytes(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
   if (byte(0) < 0x80) return byte(0) < 0x20 || byte(0) == 0x7f ? 0 : 1;
@@ -19,7 +20,17 @@ std::size_t character_bytes(std::string_view text) {
   for (std::size_t i = 1; i < length; ++i)
     if ((byte(i) & 0xc0) != 0x80) return 0;
   const bool is_control = byte(0) == 0xc2 && byte(1) < 0xa0;  // U+0080 to U+009F
-  return is_control ? 0 : length;
+  const bool turns_text = length == 3 && byte(0) == 0xe2 &&
+                          ((byte(1) == 0x80 && byte(2) >= 0xa8 && byte(2) <= 0xae) ||  // U+2028 to U+202E
+                           (byte(1) == 0x81 && byte(2) >= 0xa6 && byte(2) <= 0xa9));   // U+2066 to U+2069
+  return is_control || turns_text ? 0 : length;
+}
+
+/// Moves the first character of `text`, or '?' for one that may not stand in a message, to the end of `line`.
+void move_character(std::string_view& text, std::string& line) {
+  const std::size_t bytes = character_bytes(text);
+  line += bytes ? text.substr(0, bytes) : "?";
+  text.remove_prefix(bytes ? bytes : 1);
 }
 
 }  // namespace
@@ -29,10 +40,14 @@ std::string printable(std::string_view text) {
   std::string result;
   for (int count = 0; !text.empty(); ++count) {
     if (count == kLongest) return result + "...";
-    const std::size_t bytes = character_bytes(text);
-    result += bytes ? text.substr(0, bytes) : "?";
-    text.remove_prefix(bytes ? bytes : 1);
+    move_character(text, result);
   }
+  return result;
+}
+
+std::string printable_line(std::string_view text) {
+  std::string result;
+  while (!text.empty()) move_character(text, result);
   return result;
 }
 

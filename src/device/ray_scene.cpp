@@ -113,6 +113,7 @@ SceneGeometry geometry_of(const Scene& scene, const ResolvedScene& resolved) {
   for (const Instance& instance : scene.instances) {
     geometry.hides_from_cameras |= instance.hidden_from_cameras;
     geometry.hides_from_shadows |= instance.casts_no_shadow;
+    geometry.has_shadows |= !instance.casts_no_shadow;
   }
   geometry.visible_lights = visible_lights_of(scene, resolved);
   geometry.any_visible_light = std::any_of(geometry.visible_lights.begin(), geometry.visible_lights.end(),
@@ -162,6 +163,7 @@ void RayScene::meet_splats(const LaneMask& active, const RayPacket& rays, SplatH
 void RayScene::trace_shadows(LaneMask& active, RayPacket& rays, Transmittance& transmittance) const {
   transmittance.is_tinted = false;
   active = sound_lanes(rays, reach, active);
+  if (!has_shadows) return;
   LaneMask lit = active;
   if (!planes.empty() && !cross_planes(planes.data(), planes.size(), active, rays, transmittance.white, lit)) return;
   if (hides_from_shadows) std::fill_n(rays.mask, kLanes, kShadowRay);

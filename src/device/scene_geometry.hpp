@@ -105,6 +105,7 @@ struct SceneGeometry {
   std::vector<WorldSphere> visible_lights;  ///< by light; radius 0: not visible
   bool any_visible_light = false;
   bool hides_from_cameras = false, hides_from_shadows = false;  ///< whether any instance is hidden from camera or shadow rays
+  bool has_shadows = false;                                     ///< whether any instance casts a shadow
   std::vector<bool> instance_moves;
 };
 

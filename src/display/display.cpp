@@ -31,8 +31,13 @@ int cell_at(const Calibration& calibration, int column, int row) {
   return cell % static_cast<int>(calibration.cells.size());
 }
 
+/// Whether the sub-pixels of a pixel are counted from the right.
+bool flips_step(const Calibration& calibration) {
+  return calibration.flip_image_x && calibration.flip != Calibration::Flip::kSlope;
+}
+
 SubPixelOffsets offsets_of(const Calibration& calibration) {
-  if (calibration.cells.empty()) return striped_sub_pixels(calibration.flip_image_x != calibration.flip_sub_pixels);
+  if (calibration.cells.empty()) return striped_sub_pixels(flips_step(calibration) != calibration.flip_sub_pixels);
   SubPixelOffsets offsets;
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 2; ++column) {
@@ -69,7 +74,7 @@ double periods_of(const Display& display) {
 double tilt_of(const Display& display) {
   const Calibration& c = display.calibration;
   const double tilt = display.pixels.y / (display.pixels.x * c.slope);
-  return c.flip_image_y ? -tilt : tilt;
+  return c.flip_image_x ? -tilt : tilt;
 }
 
 SlantedPanel slanted_panel(const Display& display, double distance_mm) {
@@ -77,8 +82,9 @@ SlantedPanel slanted_panel(const Display& display, double distance_mm) {
   SlantedPanel panel;
   panel.periods = periods_of(display), panel.tilt = tilt_of(display);
   // Stripes: the calibration's x + c s lies one sub-pixel s from where the sub-pixel itself is.
-  const double step = c.cells.empty() ? (c.flip_image_x ? -1.0 : 1.0) / (3.0 * display.pixels.x) : 0.0;
-  panel.center = c.center - panel.periods * step;
+  const double step = c.cells.empty() ? (flips_step(c) ? -1.0 : 1.0) / (3.0 * display.pixels.x) : 0.0;
+  const bool flips_center = c.flip_image_x && c.flip == Calibration::Flip::kSlopeStepAndCenter;
+  panel.center = c.center + (flips_center ? 0.5 : 0.0) - panel.periods * step;
   panel.inverted = c.inversion == Calibration::Inversion::kAlways || c.invert;
   panel.view_cone = static_cast<float>(display.view_cone_deg * kDegree);
   panel.distance_mm = static_cast<float>(distance_mm);

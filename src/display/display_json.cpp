@@ -7,6 +7,18 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
+const char* to_string(Calibration::Flip flip) {
+  switch (flip) {
+    case Calibration::Flip::kSlope:
+      return "slope";
+    case Calibration::Flip::kSlopeStepAndCenter:
+      return "slope-step-and-center";
+    case Calibration::Flip::kSlopeAndStep:
+      break;
+  }
+  return "slope-and-step";
+}
+
 OrderedJson calibration_json(const Calibration& c) {
   OrderedJson json{{"pitch", c.pitch},
                    {"slope", c.slope},
@@ -19,7 +31,8 @@ OrderedJson calibration_json(const Calibration& c) {
                    {"fringe", c.fringe},
                    {"CellPatternMode", c.cell_pattern},
                    {"patterns", c.patterns == Calibration::Patterns::kColumns ? "columns" : "rows"},
-                   {"inversion", c.inversion == Calibration::Inversion::kAlways ? "always" : "if-flagged"}};
+                   {"inversion", c.inversion == Calibration::Inversion::kAlways ? "always" : "if-flagged"},
+                   {"flip", to_string(c.flip)}};
   json["subpixelCells"] = OrderedJson::array();
   for (const SubPixelCell& cell : c.cells)
     json["subpixelCells"].push_back({{"ROffsetX", cell[0].x},

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "core/printable.hpp"
+#include "core/regular_file.hpp"
 #include "core/suggest.hpp"
 #include "display/document.hpp"
 #include "display/presets.hpp"
@@ -84,15 +84,7 @@ std::string text_of(const Json& json, const char* key) {
 }
 
 std::string read_text(const fs::path& path) {
-  std::error_code ignored;
-  if (!fs::exists(path, ignored)) throw Error(path.string(), "there is no such file", "a display's .toml or calibration .json");
-  if (!fs::is_regular_file(path, ignored)) throw Error(path.string(), "is no file", "a display's .toml or calibration .json");
-  std::ifstream in(path, std::ios::binary);
-  std::string text(kMaxDocumentBytes + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in.bad() || !in.is_open()) throw Error(path.string(), "cannot be read");
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return text;
+  return read_file_text(path, kMaxDocumentBytes, "a display's .toml or calibration .json");
 }
 
 Display load_file(const fs::path& path) {

@@ -61,6 +61,8 @@ Calibration read_calibration(const JsonFields& fields, Calibration c) {
       static_cast<Calibration::Patterns>(fields.word_or("patterns", {"columns", "rows"}, static_cast<std::size_t>(c.patterns)));
   c.inversion = static_cast<Calibration::Inversion>(
       fields.word_or("inversion", {"always", "if-flagged"}, static_cast<std::size_t>(c.inversion)));
+  c.flip = static_cast<Calibration::Flip>(
+      fields.word_or("flip", {"slope", "slope-and-step", "slope-step-and-center"}, static_cast<std::size_t>(c.flip)));
   return c;
 }
 
@@ -118,7 +120,7 @@ void read_optics(const JsonFields& fields, Display& display) {
   }
   const JsonFields calibration = fields.inner("calibration");
   calibration.allow_only({"pitch", "slope", "center", "invView", "flipImageX", "flipImageY", "flipSubp", "verticalAngle",
-                          "fringe", "subpixelCells", "CellPatternMode", "configVersion", "patterns", "inversion"});
+                          "fringe", "subpixelCells", "CellPatternMode", "configVersion", "patterns", "inversion", "flip"});
   display.calibration = read_calibration(calibration, {});
 }
 

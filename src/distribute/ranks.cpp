@@ -45,7 +45,8 @@ std::unique_ptr<Ranks> join_ranks() {
   const auto* join = static_cast<Join* const*>(load_module(kRanksModule, kRanksVersion));
   std::unique_ptr<Ranks> ranks((*join)());
   if (ranks->size() != rank_count())
-    throw Error("MPI", fmt::format("{} processes were started together and find {}", rank_count(), ranks->size()),
+    throw Error("MPI",
+                fmt::format("the launcher started {} processes, and MPI connects {} of them", rank_count(), ranks->size()),
                 "a launcher of the Open MPI that the program was built with: mpirun");
   return ranks;
 }

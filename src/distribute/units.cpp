@@ -17,7 +17,7 @@ Units read_units(std::string_view text, const std::string& where) {
   const std::size_t slash = text.find('/');
   const std::optional<int> count = slash == std::string_view::npos ? std::nullopt : parse_number<int>(text.substr(slash + 1));
   const auto problem = [&] {
-    return usage_error(where, fmt::format("'{}' is no unit", text),
+    return usage_error(where, fmt::format("'{}' is not a unit", text),
                        fmt::format("I/N with 1 <= I <= N <= {}, such as 7/200, or several as in 1-3,5/200", kMost));
   };
   if (!count || *count < 1 || *count > kMost) throw problem();

@@ -4,10 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <system_error>
+#include <utility>
 
+#include "core/folder.hpp"
 #include "core/frame_ranges.hpp"
 #include "core/regular_file.hpp"
 #include "folder/folder_check.hpp"
@@ -28,11 +32,6 @@ constexpr const char* kAnotherFolder = "another folder (`output` DIR)";
 bool is_there(const fs::path& path) {
   std::error_code ignored;
   return fs::exists(fs::symlink_status(path, ignored));
-}
-
-/// Whether files remain that somebody may want. A render that was stopped before its first frame holds nothing.
-bool holds_anything(const FolderJournal& journal) {
-  return !journal.frames.empty() || !journal.strips.empty() || !journal.videos.empty();
 }
 
 /// Nothing else stands in place of what a render writes once.
@@ -65,6 +64,17 @@ bool is_free(const Contents& contents) {
   return is_empty && contents.foreign.empty();
 }
 
+bool has_other_run(const fs::path& folder, const std::string& job) try {
+  require_no_other_run(folder, job);
+  return false;
+} catch (const Error&) {
+  return true;
+}
+
+bool is_free(const fs::path& folder, const std::string& job) {
+  return is_free(contents_of(folder, job)) && !has_other_run(folder, job);
+}
+
 /// "frame_0000.png and 3 more".
 std::string some_of(const std::vector<std::string>& names) {
   return names.size() == 1 ? names.front() : fmt::format("{} and {} more", names.front(), names.size() - 1);
@@ -72,7 +82,7 @@ std::string some_of(const std::vector<std::string>& names) {
 
 Error another_render(const fs::path& folder, const JobDifferences& differences) {
   const std::vector<std::string> keys = differences ? differences(folder / "job.toml") : std::vector<std::string>();
-  const std::string what = keys.empty() ? "it is of another state of the scene's files, or by another version"
+  const std::string what = keys.empty() ? "the scene's files have changed since, or another version of the program rendered it"
                                         : fmt::format("it differs in {}", fmt::join(keys, ", "));
   return Error(folder.string(), "holds another render: " + what,
                fmt::format("{}; `force`, which removes that render's files; the same settings", kAnotherFolder));
@@ -95,15 +105,16 @@ void require_free_video(const fs::path& folder, const Contents& contents, const 
                 "all of them, with `resume` to keep the finished ones; `video` with another name; `force`, which replaces it");
 }
 
-/// Removes the file of a picture or of a view; the folder of views goes when it is empty. Returns whether the file is gone.
+/// Removes the file of a picture or of a view; the folder of views goes when it is empty. What is in place of a file or of its
+/// folder stays. Returns whether there is nothing of that name any more. Throws Error if the file cannot be removed.
 bool remove_file(const fs::path& folder, const std::string& name) {
   std::error_code ignored;
   const fs::path file = folder / name, parent = fs::path(name).parent_path();
   if (!parent.empty() && fs::is_symlink(folder / parent, ignored)) return false;
   if (fs::symlink_status(file, ignored).type() == fs::file_type::directory) return false;
-  fs::remove(file, ignored);
+  remove_if_there(file);
   if (!parent.empty()) fs::remove(folder / parent, ignored);
-  return !is_there(file);
+  return true;
 }
 
 /// Videos, job files and reports that were changed since stay.
@@ -112,25 +123,75 @@ void remove_files_of(const fs::path& folder, const FolderJournal& journal) {
     for (const auto& [name, sum] : record.files) remove_file(folder, name);
   for (const auto& [frame, strips] : journal.strips) remove_strips(folder, frame, strips.count);
   for (const auto& [name, video] : journal.videos)
-    if (lies_in_folder(name) && is_as_written(folder / name, video.sums)) remove_file(folder, name);
+    for (const auto& [file, sums] : {std::pair(name, video.sums), std::pair(side_name(name), video.side)})
+      if (lies_in_folder(name) && is_as_written(folder / file, sums)) remove_file(folder, file);
   for (const auto& [name, sums] : journal.files)
     if (is_as_written(journal, folder, name)) remove_file(folder, name);
 }
 
-void remove_journal(const fs::path& folder, const FolderJournal& journal) {
+/// Folders of it go where they are empty. Nothing is removed through a symbolic link.
+void remove_page(const fs::path& folder, const FileRecords& files) {
+  std::set<fs::path, std::greater<>> folders;  // the inner ones first
+  for (const auto& [name, sum] : files) {
+    std::error_code ignored;
+    bool is_linked = false;
+    for (fs::path above = fs::path(name).parent_path(); !above.empty(); above = above.parent_path()) {
+      is_linked = is_linked || fs::is_symlink(folder / above, ignored);
+      folders.insert(folder / above);
+    }
+    if (!is_linked && file_checksum(folder / name) == sum) remove_if_there(folder / name);
+  }
   std::error_code ignored;
-  for (const fs::path& part : journal.parts) fs::remove(part, ignored);
+  for (const fs::path& emptied : folders)
+    if (!fs::is_symlink(emptied, ignored)) fs::remove(emptied, ignored);
+}
+
+/// The render in the folder, or nothing where that is a symbolic link.
+void remove_single(const fs::path& folder) {
+  std::error_code ignored;
+  if (fs::is_symlink(folder, ignored)) return;
+  const std::optional<FolderJournal> journal = read_journal(folder);
+  if (!journal) return;
+  remove_files_of(folder, *journal);
+  for (const auto& [name, video] : journal->videos)  // beside those of the render that this one belongs to
+    if (const std::string beside = (fs::path(kSingleFolder) / name).lexically_normal().string();
+        lies_in_folder(beside) && is_as_written(folder / name, video.sums))
+      remove_if_there(folder / name);
+  for (const auto* parts : {&journal->parts, &journal->claims})
+    for (const fs::path& part : *parts) remove_if_there(part);
+  for (const fs::path& emptied : {journal_folder(folder), folder}) fs::remove(emptied, ignored);
+}
+
+/// All that a render has left, its journal last: a run that is stopped in between can be repeated.
+void remove_render(const fs::path& folder, const FolderJournal& journal, const fs::path& own) {
+  remove_files_of(folder, journal);
+  remove_page(folder, journal.page);
+  if (journal.companions.contains(kSingleFolder)) remove_single(folder / kSingleFolder);
+  for (const fs::path& part : journal.parts)
+    if (part != own) remove_if_there(part);
+  std::error_code ignored;
   fs::remove(journal_folder(folder), ignored);  // unless anything else lies there
+}
+
+/// What is in the way of a render: what others have left that finished nothing, and with force all of another one.
+void remove_others(const fs::path& folder, const Contents& contents, const NewRender& render) {
+  if (!contents.journal) return;
+  for (const fs::path& claim : contents.journal->claims)
+    if (claim != render.own) remove_render(folder, read_journal_part(claim), render.own);
+  if (contents.is_this_job) return;
+  if (!render.force && (holds_anything(*contents.journal) || !contents.journal->problem.empty()))
+    throw Error(folder.string(), "another render has begun in it meanwhile", kAnotherFolder);
+  remove_render(folder, *contents.journal, render.own);
 }
 
 }  // namespace
 
 fs::path free_folder(const fs::path& wanted, const std::string& job) {
   constexpr int kMost = 10000;
-  if (is_free(contents_of(wanted, job))) return wanted;
+  if (is_free(wanted, job)) return wanted;
   for (int number = 2; number < kMost; ++number) {
     fs::path folder = fmt::format("{}-{}", wanted.string(), number);
-    if (is_free(contents_of(folder, job))) return folder;
+    if (is_free(folder, job)) return folder;
   }
   throw Error(wanted.string(), fmt::format("holds another render, and so do {} folders beside it", kMost - 2), kAnotherFolder);
 }
@@ -138,6 +199,7 @@ fs::path free_folder(const fs::path& wanted, const std::string& job) {
 void require_free_folder(const fs::path& folder, const std::string& job, const JobDifferences& differences,
                          const std::vector<int>& frames, const std::vector<std::string>& videos) {
   require_regular_files(folder);
+  require_no_other_run(folder, job);
   const Contents contents = contents_of(folder, job);
   if (contents.journal && !contents.journal->problem.empty())
     throw Error(journal_folder(folder).string(), "is damaged, or no journal of a render: " + contents.journal->problem,
@@ -150,19 +212,15 @@ void require_free_folder(const fs::path& folder, const std::string& job, const J
   for (const std::string& video : videos) require_free_video(folder, contents, video, frames);
 }
 
-void clear_folder(const fs::path& folder, const std::string& job, const std::vector<int>& frames, bool force,
-                  const Context& context) {
+void clear_folder(const fs::path& folder, const NewRender& render, const Context& context) {
   require_regular_files(folder);
-  Contents contents = contents_of(folder, job);
-  if (contents.journal && !contents.is_this_job) {
-    remove_files_of(folder, *contents.journal);
-    remove_journal(folder, *contents.journal);
-    contents = contents_of(folder, job);
-  }
+  require_no_other_run(folder, render.job);
+  remove_others(folder, contents_of(folder, render.job), render);
+  Contents contents = contents_of(folder, render.job);
   const auto is_in_the_way = [&](const std::string& name) {
-    return name == kReport || std::binary_search(frames.begin(), frames.end(), frame_of_file(name).value_or(-1));
+    return name == kReport || std::binary_search(render.frames.begin(), render.frames.end(), frame_of_file(name).value_or(-1));
   };
-  if (force)
+  if (render.force)
     std::erase_if(contents.foreign, [&](const std::string& name) { return is_in_the_way(name) && remove_file(folder, name); });
   if (!contents.foreign.empty())
     context.warning(fmt::format("{} also holds files of no frame of this render, which stay: {}", folder.string(),
@@ -175,6 +233,7 @@ void require_no_render(const fs::path& out) {
     const auto frame = journal.frames.find(frame_of_file(name).value_or(-1));
     return journal.videos.contains(name) || (frame != journal.frames.end() && frame->second.files.contains(name));
   };
+  require_no_other_run(out, {});
   if (const auto journal = read_journal(out); journal && holds_anything(*journal))
     throw Error(out.string(), "holds a render, whose frames others would be mixed with", "another folder");
   if (const auto journal = read_journal(out.parent_path()); journal && names(*journal))

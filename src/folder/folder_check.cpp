@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 #include "core/folder_entries.hpp"
 #include "layout/frame_names.hpp"
@@ -77,6 +78,25 @@ void add_strips(const fs::path& folder, const FolderJournal& journal, FolderChec
   }
 }
 
+/// A folder without a journal was to be written and is not there at all.
+void add_single(const fs::path& folder, FolderCheck& check) {
+  const std::optional<FolderJournal> journal = read_journal(folder / kSingleFolder);
+  if (!journal || journal->job.empty()) return add_file(kSingleFolder, FileState::kMissing, check);
+  const FolderCheck single = check_folder(folder / kSingleFolder);
+  check.files += single.files;
+  for (auto [from, to] : {std::pair(&single.missing, &check.missing), std::pair(&single.damaged, &check.damaged),
+                          std::pair(&single.foreign, &check.foreign)})
+    for (const std::string& name : *from) to->push_back((fs::path(kSingleFolder) / name).lexically_normal().string());
+  if (!single.unfinished.empty()) check.unfinished_beside[kSingleFolder] = single.unfinished;
+}
+
+void add_companions(const fs::path& folder, const FolderJournal& journal, FolderCheck& check) {
+  if (journal.companions.contains(kSingleFolder)) add_single(folder, check);
+  if (!journal.companions.contains(kPageFolder)) return;
+  if (journal.page.empty()) add_file(kPageFolder, FileState::kMissing, check);
+  for (const auto& [name, sum] : journal.page) add_file(folder, name, {sum}, check);
+}
+
 }  // namespace
 
 std::vector<std::string> foreign_files(const fs::path& folder, const FolderJournal& journal) {
@@ -90,7 +110,7 @@ std::vector<std::string> foreign_files(const fs::path& folder, const FolderJourn
 FolderCheck check_folder(const fs::path& folder) {
   const std::optional<FolderJournal> journal = read_journal(folder);
   if (!journal || journal->job.empty())
-    throw Error(folder.string(), "holds no render that can be checked: there is no journal in it, .lippmann",
+    throw Error(folder.string(), "cannot be checked: it has no journal of a render (.lippmann)",
                 "a folder that lippmann render has written to");
   require_sound(folder, *journal);
   FolderCheck check;
@@ -99,7 +119,11 @@ FolderCheck check_folder(const fs::path& folder) {
     for (const auto& [name, sum] : record.files) add_file(folder, name, {sum}, check);
   add_strips(folder, *journal, check);
   for (const auto& [name, sums] : journal->files) add_file(folder, name, sums, check);
-  for (const auto& [name, video] : journal->videos) add_file(folder, name, video.sums, check);
+  for (const auto& [name, video] : journal->videos) {
+    add_file(folder, name, video.sums, check);
+    if (!video.side.empty()) add_file(folder, side_name(name), video.side, check);
+  }
+  add_companions(folder, *journal, check);
   std::copy_if(journal->asked.begin(), journal->asked.end(), std::back_inserter(check.unfinished),
                [&](int frame) { return !journal->frames.contains(frame); });
   check.foreign = foreign_files(folder, *journal);

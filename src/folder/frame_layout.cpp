@@ -26,8 +26,8 @@ ViewLayout wanted_layout(const PictureParams& params, PictureLayout layout, cons
     if (film.kind == LayoutKind::kQuilt) tiles = film.tiles;
   }
   if (tiles.count() != grid.count())
-    throw usage_error("quilt", fmt::format("{}x{} tiles are not as many as {} views", tiles.columns, tiles.rows, grid.count()),
-                      "as many tiles as the optics have views");
+    throw usage_error("quilt", fmt::format("{}x{} tiles do not hold {} views", tiles.columns, tiles.rows, grid.count()),
+                      "as many tiles as there are views");
   return {LayoutKind::kQuilt, grid, tiles};
 }
 
@@ -48,7 +48,8 @@ PictureLayout default_layout(const Optics& optics, const Display* display) {
 }
 
 void refuse_without(bool has_other, bool given, const char* name, const char* other) {
-  if (given && !has_other) throw usage_error(name, fmt::format("means nothing without {}", other), "both, or neither");
+  if (given && !has_other)
+    throw usage_error(name, fmt::format("has no effect without {}", other), fmt::format("{} with it", other));
 }
 
 /// The layout that a format is by another name.
@@ -69,7 +70,7 @@ PictureParams with_layout(PictureParams params) {
   find_format(params.to, "to");
   const std::optional<PictureLayout> layout = layout_named(params.to);
   if (params.layout && params.layout != layout)
-    throw usage_error("to", fmt::format("'{}' is not what `layout` asks for", params.to), "one of both");
+    throw usage_error("to", fmt::format("{} contradicts `layout`", params.to), "one of both");
   if (layout && layout != PictureLayout::kRgbd) params.layout = layout, params.to.clear();
   return params;
 }
@@ -121,7 +122,7 @@ FrameLayout::FrameLayout(const PictureParams& wanted, const Optics& optics, cons
   }
   if (layout == PictureLayout::kNative || is_print || (layout == PictureLayout::kIntegral && has_lenses(optics))) {
     if (!sub_pixels_ && !has_lenses(optics))
-      throw usage_error("layout", "the display's own frame is neither a quilt nor a single view", "`layout` without `optics`");
+      throw usage_error("layout", "the display's native frame cannot be made with these optics", "`layout` without `optics`");
     return;
   }
   if (!params.layout && !display) return;
@@ -141,7 +142,7 @@ void FrameLayout::check_picture_size(bool with_layers) const {
 /// A recording array turns every elemental image by 180 degrees (docs/replay.md): a layout that is not turned round.
 void FrameLayout::turn_round(const Optics& optics, PictureLayout layout) {
   if (layout != PictureLayout::kIntegral || !has_lenses(optics))
-    throw usage_error("pseudoscopic", "only what lies behind lenses can be turned round", "`layout` integral");
+    throw usage_error("pseudoscopic", "needs elemental images, which lie behind lenses", "`layout` integral");
   const ViewLayout film = film_layout(optics, "pseudoscopic");
   arrangement_.emplace(film, ViewLayout{LayoutKind::kEslf, film.grid, {}}, film_, "pseudoscopic");
 }
@@ -152,7 +153,7 @@ void FrameLayout::use_format(const LightFieldFormat& format, const Optics& optic
   names_.is_folder = format.is_folder;
   is_rgbd_ = format.name == kRgbdFormat;
   if (is_rgbd_) names_.suffix = kRgbdEnding;
-  if (format_ == PictureFormat::kTiff) throw usage_error("format", "light fields hold no TIFF pictures", "png, png16 or exr");
+  if (format_ == PictureFormat::kTiff) throw usage_error("format", "light-field formats do not use TIFF", "png, png16 or exr");
   view_size_ = view_size(film, film_, "to");
   if (format.is_folder) pictures_per_frame_ = film.grid.count();
 }
@@ -173,7 +174,7 @@ void FrameLayout::arrange_views(const PictureParams& params, PictureLayout layou
 void FrameLayout::pair_views(const StereoLayout& layout, const Optics& optics) {
   const ViewLayout film = film_layout(optics, "layout");
   if (film.kind != LayoutKind::kQuilt || film.grid != ViewGrid{2, 1})
-    throw usage_error("layout", "a stereo picture has the views of two eyes, and these optics have others", "no `optics`");
+    throw usage_error("layout", "a stereo picture needs the optics of two eyes", "no `optics`");
   const Vec2i stored = view_size(film, film_, "layout");
   const std::vector<std::uint32_t> film_pixels = pixels_of_views(film, stored, film_);
   stereo_ = layout;

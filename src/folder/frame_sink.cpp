@@ -65,7 +65,7 @@ struct FrameSink::Impl {
     Image as_traced = develop(rendered);
     const std::vector<std::filesystem::path> written = write_files(rendered);
     const FileRecords records = records_of(files.folder, written);
-    if (settings.layout.light_field() && !videos.empty()) rendered.pictures.codes = read_image8(written.front());
+    if (settings.layout.light_field() && !videos.empty()) rendered.pictures.codes = read_new_image8(written.front());
     if (settings.done_with)
       settings.done_with(settings.layout.moves() ? std::move(as_traced) : std::move(rendered.pictures.film));
     rendered.pictures.film = {};
@@ -109,9 +109,12 @@ struct FrameSink::Impl {
   }
 
   /// All frames have one range, so that the side file of any of them is the video's.
-  void describe_depth(const std::filesystem::path& video) const {
+  bool describe_depth() const {
     const auto frame = picture_paths(files.folder, files.names, first_frame).front();
-    if (const std::optional<RgbdSideFile> side = read_rgbd_side_file(frame)) write_rgbd_side_file(video, *side);
+    const std::optional<RgbdSideFile> side = read_rgbd_side_file(frame);
+    if (side)
+      for (const VideoFile& video : settings.videos) write_rgbd_side_file(video.path, *side);
+    return side.has_value();
   }
 
   /// Videos beside pictures that keep the light.
@@ -160,11 +163,10 @@ void FrameSink::add_kept(int frame) {
 
 void FrameSink::wait() { impl_->queue.finish(); }
 
-void FrameSink::finish_videos() {
+bool FrameSink::finish_videos() {
   const TimedWork timed(impl_->write_nanoseconds);
   for (const auto& video : impl_->videos) video->finish();
-  if (!impl_->settings.layout.is_rgbd()) return;
-  for (const VideoFile& video : impl_->settings.videos) impl_->describe_depth(video.path);
+  return impl_->settings.layout.is_rgbd() && impl_->first_frame >= 0 && impl_->describe_depth();
 }
 
 const std::map<int, Precompensation>& FrameSink::precompensated() const { return impl_->precompensated; }

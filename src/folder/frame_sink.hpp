@@ -62,8 +62,8 @@ class FrameSink {
   /// Waits until all is written. Throws as add() does.
   void wait();
 
-  /// Completes the videos, after wait(): without it, nothing remains of them.
-  void finish_videos();
+  /// Completes the videos, after wait(): without it, nothing remains of them. Returns whether each has a side file now.
+  bool finish_videos();
 
   /// What undoing crosstalk has come to, by frame, after wait(); empty where it was not asked for.
   const std::map<int, Precompensation>& precompensated() const;

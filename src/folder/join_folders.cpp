@@ -31,7 +31,7 @@ std::string common_job(const fs::path& folder, const std::vector<fs::path>& othe
   const std::string job = there ? there->job : journal_of_render(others.front()).job;
   for (const fs::path& other : others)
     if (journal_of_render(other).job != job)
-      throw Error(other.string(), "holds a render of another job than " + folder.string(), "parts of one job");
+      throw Error(other.string(), "holds a render of another job than " + folder.string(), "folders with parts of one job");
   return job;
 }
 
@@ -64,7 +64,7 @@ void join_strips(const fs::path& other, int frame, const JournalStrips& strips, 
 
 void join_one(const fs::path& other, RenderFolder& folder, JoinedFolders& joined) {
   const FolderJournal journal = journal_of_render(other);
-  folder.begin(journal.asked);
+  folder.begin(journal.asked, journal.companions);
   for (const auto& [frame, record] : journal.frames) {
     if (folder.find(frame) || std::find(joined.frames.begin(), joined.frames.end(), frame) != joined.frames.end()) continue;
     const std::size_t damaged_before = joined.not_as_written.size();
@@ -94,7 +94,7 @@ JoinedFolders join_folders(const fs::path& folder, const std::vector<fs::path>& 
   std::error_code ignored;
   for (const fs::path& other : others)
     if (fs::equivalent(folder, other, ignored))
-      throw Error(other.string(), "is the folder that others are joined to", "another one");
+      throw Error(other.string(), "is the folder that the others are joined into", "another folder");
   const std::string job = common_job(folder, others);
   make_folder(folder);
   RenderFolder joint(folder, job);

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -14,6 +15,7 @@
 #include "core/frame_ranges.hpp"
 #include "core/json_text.hpp"
 #include "core/printable.hpp"
+#include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "core/synced.hpp"
 #include "folder/frame_report_json.hpp"
@@ -47,9 +49,9 @@ FileChecksum checksum_from_json(const Json& json) {
   const Json& bytes = json.at("bytes");
   FileChecksum sum{0, json.at("xxh3").get<std::string>()};
   if (!bytes.is_number_unsigned() || bytes.get<std::uint64_t>() > std::uint64_t{1} << 62)
-    throw LineProblem("says a size that no file has");
+    throw LineProblem("has an invalid file size");
   if (sum.xxh3.size() != kDigits || sum.xxh3.find_first_not_of("0123456789abcdef") != std::string::npos)
-    throw LineProblem("says a checksum that is no XXH3");
+    throw LineProblem("has an invalid XXH3 checksum");
   sum.bytes = bytes.get<std::uint64_t>();
   return sum;
 }
@@ -58,7 +60,7 @@ std::vector<int> frames_from_json(const Json& json) try {
   if (json.get<std::string>().empty()) return {};
   return frames_of(read_frames(json.get<std::string>(), {}));
 } catch (const Error&) {
-  throw LineProblem("says frames that are none");
+  throw LineProblem("has an invalid list of frames");
 }
 
 FileRecords records_from_json(const Json& json, int frame) {
@@ -86,12 +88,38 @@ void read_written(const Json& json, FolderJournal& journal) {
 
 void read_video(const Json& json, FolderJournal& journal) {
   const auto name = json.at("video").get<std::string>();
-  if (!is_video_name(name) || name.find('\0') != std::string::npos) throw LineProblem("names a video that is none");
+  if (!is_video_name(name) || name.find('\0') != std::string::npos) throw LineProblem("names a video with an unknown ending");
   const bool is_complete = json.contains("bytes");
   std::vector<int> frames = frames_from_json(json.at("frames"));
   JournalVideo& video = journal.videos[name];
   if (is_complete || video.sums.empty()) video.frames = std::move(frames);
   if (is_complete) video.sums.push_back(checksum_from_json(json));
+  if (json.contains("side")) video.side.push_back(checksum_from_json(json["side"]));
+}
+
+void read_asked(const Json& json, FolderJournal& journal) {
+  add_frames(frames_from_json(json.at("asked")), journal.asked);
+  if (!json.contains("companions")) return;
+  for (const auto& name : json["companions"].get<std::vector<std::string>>()) {
+    if (name != kSingleFolder && name != kPageFolder) throw LineProblem("names a folder that no render writes");
+    journal.companions.insert(name);
+  }
+}
+
+/// A file in the folder of the page, or in folders in it.
+bool is_page_file(const std::string& name) {
+  const fs::path path(name);
+  return path.is_relative() && path.lexically_normal() == path && path.has_filename() && path.has_parent_path() &&
+         *path.begin() == kPageFolder && name.find('\0') == std::string::npos;
+}
+
+void read_page(const Json& json, FolderJournal& journal) {
+  if (json.at("companion").get<std::string>() != kPageFolder) throw LineProblem("names a folder that no render writes");
+  for (const auto& [name, sum] : json.at("files").items()) {
+    if (!is_page_file(name)) throw LineProblem(fmt::format("names {}, which is no file of a page", shown(name)));
+    journal.page[name] = checksum_from_json(sum);
+  }
+  journal.companions.insert(kPageFolder);
 }
 
 FrameReport report_from_json(const Json& json) {
@@ -107,7 +135,7 @@ void read_frame(const Json& json, FolderJournal& journal) {
 
 int number_from_json(const Json& json, int most) {
   if (!json.is_number_unsigned() || json.get<std::uint64_t>() > static_cast<std::uint64_t>(most))
-    throw LineProblem("says a strip that is none");
+    throw LineProblem("has an invalid strip number");
   return json.get<int>();
 }
 
@@ -120,7 +148,7 @@ void read_strip(const Json& json, FolderJournal& journal) {
     throw LineProblem("names other files than its strip's");
   JournalStrips& strips = journal.strips[report.frame];
   if (!strips.finished.empty() && strips.count != count)
-    throw LineProblem("says another number of strips than lines before it");
+    throw LineProblem("has another number of strips than the lines before it");
   strips.count = count;
   strips.finished[strip] = {report, std::move(files)};
 }
@@ -128,7 +156,7 @@ void read_strip(const Json& json, FolderJournal& journal) {
 void read_strips_of_run(const Json& json, RunReport& run) {
   for (const auto& [frame, strips] : json.items()) {
     const std::vector<int> number = frames_from_json(frame);
-    if (number.size() != 1) throw LineProblem("says strips of no frame");
+    if (number.size() != 1) throw LineProblem("lists strips without their frame");
     run.strips[number.front()] = frames_from_json(strips);
   }
 }
@@ -156,11 +184,13 @@ void read_job(const Json& json, FolderJournal& journal) {
 
 /// Throws LineProblem or an exception of nlohmann's.
 void read_line(const Json& json, bool is_first, FolderJournal& journal) {
-  if (!json.is_object()) throw LineProblem("is no JSON object");
+  if (!json.is_object()) throw LineProblem("is not a JSON object");
   if (is_first)
     read_job(json, journal);
   else if (json.contains("asked"))
-    add_frames(frames_from_json(json["asked"]), journal.asked);
+    read_asked(json, journal);
+  else if (json.contains("companion"))
+    read_page(json, journal);
   else if (json.contains("strip"))
     read_strip(json, journal);
   else if (json.contains("written"))
@@ -187,28 +217,58 @@ std::string problem_of(const Json& json, bool is_first, FolderJournal& journal) 
 
 /// What one run has written. A run that was killed while it wrote its first line has written nothing.
 void read_part(const fs::path& path, std::uintmax_t& bytes_left, FolderJournal& journal) {
-  std::error_code problem;
   if (!is_regular_file_there(path)) return;  // taken away since the folder was listed
-  const std::uintmax_t bytes = fs::file_size(path, problem);
-  if (bytes > bytes_left || problem) throw Error(path.string(), "is too large for the journal of a render", "at most 4 GB");
-  bytes_left -= bytes;
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw Error(path.string(), "cannot be read");
+  std::istringstream in(read_file_text(path, bytes_left, "the journal of a render"));
+  bytes_left -= in.view().size();
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
-    if (in.eof()) break;  // torn: it has no end
+    if (in.eof() && may_be_cut_line(line)) break;  // it has no end: its process was killed
     const Json json = json_from_text(line);
-    const bool is_last = in.peek() == std::ifstream::traits_type::eof();
-    if (json.is_discarded() && is_last && number > 1) break;  // torn by a crash of the machine
+    const bool is_last = in.eof() || in.peek() == std::ifstream::traits_type::eof();
+    if (json.is_discarded() && is_last && number > 1 && may_be_cut_line(line)) break;  // cut by a crash of the machine
     if (number == 1) journal.parts.push_back(path);
     const std::string wrong = problem_of(json, number == 1, journal);
     if (!wrong.empty() && journal.problem.empty())
       journal.problem = fmt::format("line {} of {} {}", number, shown(path.filename().string()), wrong);
   }
-  if (in.bad()) throw Error(path.string(), "cannot be read to its end");
+}
+
+/// What the first line says; empty where it says no job.
+std::string job_of_part(const fs::path& path) {
+  if (!is_regular_file_there(path)) return {};
+  std::ifstream in(path, std::ios::binary);
+  std::string line;
+  std::getline(in, line);
+  const Json json = in.eof() ? Json() : json_from_text(line);
+  const auto job = json.is_object() ? json.find("job") : json.end();
+  return json.is_object() && job != json.end() && job->is_string() ? job->get<std::string>() : std::string();
+}
+
+/// Takes the runs out of `parts` that have finished nothing and are of other jobs than the rest. Returns them.
+std::vector<fs::path> take_claims(std::vector<fs::path>& parts) {
+  std::map<std::string, std::vector<fs::path>> by_job;
+  for (const fs::path& part : parts)
+    if (std::string job = job_of_part(part); !job.empty()) by_job[std::move(job)].push_back(part);
+  if (by_job.size() < 2) return {};
+  const auto is_claim = [](const fs::path& part) {
+    const FolderJournal own = read_journal_part(part);
+    return own.problem.empty() && !holds_anything(own);
+  };
+  std::string job = job_of_part(by_job.begin()->second.front());
+  for (const auto& [name, of_job] : by_job)
+    if (!std::all_of(of_job.begin(), of_job.end(), is_claim)) job = name;
+  std::vector<fs::path> claims;
+  for (const auto& [name, of_job] : by_job)
+    if (name != job) std::copy_if(of_job.begin(), of_job.end(), std::back_inserter(claims), is_claim);
+  std::erase_if(parts, [&](const fs::path& part) { return std::find(claims.begin(), claims.end(), part) != claims.end(); });
+  return claims;
 }
 
 }  // namespace
+
+bool holds_anything(const FolderJournal& journal) {
+  return !journal.frames.empty() || !journal.strips.empty() || !journal.videos.empty();
+}
 
 void sync_names(const fs::path& folder, const std::vector<fs::path>& files) {
   std::set<fs::path> folders{folder};
@@ -263,12 +323,16 @@ std::optional<FolderJournal> read_journal(const fs::path& folder) {
   const fs::file_type type = fs::symlink_status(where, ignored).type();
   if (type == fs::file_type::none || type == fs::file_type::not_found) return std::nullopt;
   if (type != fs::file_type::directory)
-    throw Error(where.string(), "is no folder", "the folder of journals that lippmann render makes, or nothing of that name");
-  FolderJournal journal;
-  std::uintmax_t bytes_left = kMaxJournalBytes;
+    throw Error(where.string(), "is not a folder",
+                "the folder of journals that lippmann render makes, or nothing of that name");
+  std::vector<fs::path> parts;
   for (const fs::directory_entry& entry : entries_of(where))
-    if (entry.path().extension() == ".jsonl") read_part(entry.path(), bytes_left, journal);
-  return journal.parts.empty() ? std::nullopt : std::optional(std::move(journal));
+    if (entry.path().extension() == ".jsonl") parts.push_back(entry.path());
+  FolderJournal journal;
+  journal.claims = take_claims(parts);
+  std::uintmax_t bytes_left = kMaxJournalBytes;
+  for (const fs::path& part : parts) read_part(part, bytes_left, journal);
+  return journal.parts.empty() && journal.claims.empty() ? std::nullopt : std::optional(std::move(journal));
 }
 
 FolderJournal read_journal_part(const fs::path& part) {
@@ -295,7 +359,11 @@ void require_sound(const fs::path& folder, const FolderJournal& journal) {
 
 std::string job_line(const std::string& job) { return line_of({{"job", job}}); }
 
-std::string asked_line(const std::vector<int>& frames) { return line_of({{"asked", write_frames(ranges_of(frames))}}); }
+std::string asked_line(const std::vector<int>& frames, const std::set<std::string>& companions) {
+  Json json{{"asked", write_frames(ranges_of(frames))}};
+  if (!companions.empty()) json["companions"] = companions;
+  return line_of(json);
+}
 
 std::string frame_line(const FrameReport& frame, const FileRecords& files) { return line_of(finished_json(frame, files)); }
 
@@ -311,11 +379,21 @@ std::string written_line(const std::string& name, const FileChecksum& sum) {
   return line_of(json);
 }
 
-std::string video_line(const std::string& name, const std::vector<int>& frames, const std::optional<FileChecksum>& sum) {
+std::string video_line(const std::string& name, const std::vector<int>& frames, const std::optional<FileChecksum>& sum,
+                       const std::optional<FileChecksum>& side) {
   Json json{{"video", name}, {"frames", write_frames(ranges_of(frames))}};
   if (sum) json.update(checksum_json(*sum));
+  if (side) json["side"] = checksum_json(*side);
   return line_of(json);
 }
+
+std::string page_line(const FileRecords& files) {
+  Json json{{"companion", kPageFolder}, {"files", Json::object()}};
+  for (const auto& [name, sum] : files) json["files"][name] = checksum_json(sum);
+  return line_of(json);
+}
+
+std::string side_name(const std::string& video) { return video + ".json"; }
 
 std::string run_line(const RunReport& run) { return line_of({{"run", to_json(run)}}); }
 

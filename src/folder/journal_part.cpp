@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -33,6 +34,14 @@ int write_all(int descriptor, std::string_view bytes) {
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
   return 0;
+}
+
+/// Whether a path still leads to the open file.
+bool leads_to(const fs::path& path, int descriptor) {
+  struct stat named {
+  }, opened{};
+  return stat(path.c_str(), &named) == 0 && fstat(descriptor, &opened) == 0 && named.st_ino == opened.st_ino &&
+         named.st_dev == opened.st_dev;
 }
 
 /// Names ascend with time, as far as clocks agree.
@@ -72,7 +81,13 @@ void JournalPart::add(const std::string& line) {
   if (problem_ == 0) problem_ = write_all(descriptor_, line);
   if (problem_ == 0) problem_ = sync_descriptor(descriptor_);
   if (problem_ != 0) throw part_cannot_be_written(path_, problem_);
+  if (leads_to(path_, descriptor_)) return;
+  problem_ = ENOENT;
+  throw Error(path_.string(), "is gone: its folder was removed or moved while a render wrote into it",
+              "a folder that stays where it is until the render has ended");
 }
+
+void JournalPart::renew() const { futimens(descriptor_, nullptr); }
 
 void JournalPart::remove() {
   std::error_code ignored;

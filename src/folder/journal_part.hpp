@@ -17,12 +17,17 @@ class JournalPart {
   JournalPart& operator=(const JournalPart&) = delete;
   JournalPart& operator=(JournalPart&&) = delete;
 
-  /// Adds a line and waits until it is on the disk. Throws Error if it cannot be written, and from then on always: what stands
-  /// there of the line stays the end of the file.
+  /// Adds a line and waits until it is on the disk. Throws Error if it cannot be written or the file is no longer in its
+  /// folder, and from then on always: what stands there of the line stays the end of the file.
   void add(const std::string& line);
+
+  /// Says that the run goes on (is_held). May run beside add().
+  void renew() const;
 
   /// Takes the file away, as nothing has been recorded in it.
   void remove();
+
+  const std::filesystem::path& path() const { return path_; }
 
  private:
   std::filesystem::path path_;

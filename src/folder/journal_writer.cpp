@@ -6,12 +6,15 @@
 #include <unistd.h>
 
 #include <charconv>
+#include <chrono>
+#include <cmath>
 #include <csignal>
 #include <system_error>
 #include <utility>
 
 #include "core/host_name.hpp"
 #include "core/text_pattern.hpp"
+#include "folder/journal.hpp"
 
 namespace lippmann {
 namespace {
@@ -50,11 +53,13 @@ bool is_open_for_writing(const fs::path& link, const struct stat& file) {
          opened.st_ino == file.st_ino && (itself.st_mode & S_IWUSR) != 0;
 }
 
+std::string open_files_of(int process) { return fmt::format("/proc/{}/fd", process); }
+
 bool has_open_for_writing(int process, const fs::path& path) {
   struct stat file {};
   if (stat(path.c_str(), &file) != 0) return false;
   std::error_code problem;
-  fs::directory_iterator links(fmt::format("/proc/{}/fd", process), problem);
+  fs::directory_iterator links(open_files_of(process), problem);
   for (; !problem && links != fs::directory_iterator(); links.increment(problem))
     if (is_open_for_writing(links->path(), file)) return true;
   return false;
@@ -66,6 +71,19 @@ bool with_writer(const fs::path& part, bool (*act)(const ProcessHandle&)) {
   if (!writer || !writer->is_of_this_machine()) return false;
   const ProcessHandle process(writer->process);
   return process.is_there() && has_open_for_writing(writer->process, part) && act(process);
+}
+
+/// Whether this process may see which files that one has open. One that is gone has none.
+bool can_be_seen(const JournalWriter& writer) {
+  if (!writer.is_of_this_machine()) return false;
+  return !ProcessHandle(writer.process).is_there() || access(open_files_of(writer.process).c_str(), R_OK) == 0;
+}
+
+double seconds_since_written(const fs::path& part) {
+  std::error_code gone;
+  const auto written = fs::last_write_time(part, gone);
+  const auto age = fs::file_time_type::clock::now() - written;
+  return gone ? kLeaseSeconds : std::abs(std::chrono::duration<double>(age).count());
 }
 
 }  // namespace
@@ -86,6 +104,13 @@ std::optional<JournalWriter> writer_of(const fs::path& part) {
 
 bool is_being_written(const fs::path& part) {
   return with_writer(part, [](const ProcessHandle&) { return true; });
+}
+
+bool is_held(const fs::path& part) {
+  const std::optional<JournalWriter> writer = writer_of(part);
+  if (!writer || is_being_written(part)) return writer.has_value();
+  if (can_be_seen(*writer)) return false;
+  return seconds_since_written(part) < kLeaseSeconds && read_journal_part(part).runs.empty();
 }
 
 bool interrupt_writer(const fs::path& part) {

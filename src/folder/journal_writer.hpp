@@ -25,6 +25,13 @@ std::optional<JournalWriter> writer_of(const std::filesystem::path& part);
 /// Whether a process of this machine writes it. A process of another user is not seen.
 bool is_being_written(const std::filesystem::path& part);
 
+/// How long a run holds a folder since it has last renewed its lease (JournalPart::renew), where its process cannot be seen.
+inline constexpr double kLeaseSeconds = 600.0;
+
+/// Whether the run that writes it may still go on. Of this machine: while its process writes it. Of another machine, or of a
+/// process that this one may not look into: until it records its end, while its lease lasts.
+bool is_held(const std::filesystem::path& part);
+
 /// Does to that process what Ctrl-C does, once: a second time would end it at once. False: there is none.
 bool interrupt_writer(const std::filesystem::path& part);
 

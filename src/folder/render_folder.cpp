@@ -1,12 +1,17 @@
 #include "folder/render_folder.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <chrono>
 #include <span>
+#include <thread>
 #include <utility>
 
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
 #include "core/synced.hpp"
+#include "folder/journal_writer.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
@@ -23,23 +28,72 @@ FolderJournal journal_of(const fs::path& folder, const std::string& job) {
   return journal;
 }
 
-/// What a run finds. The folders will be there after a loss of power, whoever has made them a moment ago.
-FolderJournal found_in(const fs::path& folder, const std::string& job) {
+/// Where a run begins a file. The folders will be there after a loss of power, whoever has made them a moment ago.
+fs::path made_journal_folder(const fs::path& folder) {
   make_folder(journal_folder(folder));
   for (const fs::path& made : {folder, fs::absolute(folder / "").parent_path().parent_path()}) sync_folder(made);
-  return journal_of(folder, job);
+  return journal_folder(folder);
+}
+
+FileChecksum written_checksum(const fs::path& file) {
+  const std::optional<FileChecksum> sum = file_checksum(file);
+  if (!sum) throw Error(file.string(), "cannot be read back to take its checksum");
+  return *sum;
+}
+
+/// Files of the journal that runs of other jobs still write, also in the folder beside the frames that belongs to them.
+std::vector<fs::path> other_runs(const fs::path& folder, const std::string& job) {
+  const std::optional<FolderJournal> journal = read_journal(folder);
+  if (!journal) return {};
+  std::vector<fs::path> runs;
+  for (const auto* parts : {&journal->claims, &journal->parts})
+    for (const fs::path& part : *parts)
+      if (const std::string of_part = read_journal_part(part).job; !of_part.empty() && of_part != job && is_held(part))
+        runs.push_back(part);
+  if (journal->job == job || !journal->companions.contains(kSingleFolder)) return runs;
+  const std::vector<fs::path> beside = other_runs(folder / kSingleFolder, {});
+  runs.insert(runs.end(), beside.begin(), beside.end());
+  return runs;
+}
+
+/// Of runs that begin at one time, each sees the others, and the one whose file has the first name stays: the others give way
+/// before they record what they are to render.
+void wait_for_others_to_give_way(const fs::path& folder, const std::string& job, const fs::path& own) {
+  constexpr int kTries = 40;
+  constexpr std::chrono::milliseconds kBetween(50);
+  const auto gives_way = [&](const fs::path& part) {
+    return own.filename() < part.filename() && read_journal_part(part).asked.empty();
+  };
+  for (int i = 0; i < kTries; ++i) {
+    const std::vector<fs::path> others = other_runs(folder, job);
+    if (others.empty() || !std::all_of(others.begin(), others.end(), gives_way)) return;
+    std::this_thread::sleep_for(kBetween);
+  }
 }
 
 }  // namespace
 
-RenderFolder::RenderFolder(fs::path folder, const std::string& job)
-    : folder_(std::move(folder)), before_(found_in(folder_, job)), part_(journal_folder(folder_), job) {
+RenderFolder::RenderFolder(fs::path folder, const std::string& job, const MakeRoom& make_room)
+    : folder_(std::move(folder)), part_(made_journal_folder(folder_), job) {
   try {
-    journal_of(folder_, job);  // a render of another job may have begun since
+    // Looked for once the run's own file is there: of two runs that begin at one time, at least one sees the other.
+    wait_for_others_to_give_way(folder_, job, part_.path());
+    require_no_other_run(folder_, job);
+    if (make_room) make_room(part_.path());
+    before_ = journal_of(folder_, job);
   } catch (const Error&) {
     part_.remove();
     throw;
   }
+}
+
+void require_no_other_run(const fs::path& folder, const std::string& job) {
+  const std::vector<fs::path> others = other_runs(folder, job);
+  if (others.empty()) return;
+  const std::optional<JournalWriter> writer = writer_of(others.front());
+  throw Error(folder.string(),
+              fmt::format("another render has begun in it and has not ended: process {} on {}", writer->process, writer->host),
+              "another folder (`output` DIR); the same settings; this one once the other has ended");
 }
 
 FolderJournal RenderFolder::now() const { return read_journal(folder_).value_or(FolderJournal{}); }
@@ -68,11 +122,11 @@ void RenderFolder::begin_video(const fs::path& video, const std::vector<int>& fr
   part_.add(video_line(video_name(folder_, video), frames, std::nullopt));
 }
 
-void RenderFolder::add_video(const fs::path& video, const std::vector<int>& frames) {
+void RenderFolder::add_video(const fs::path& video, const std::vector<int>& frames, bool has_side_file) {
   sync_folder(video.parent_path());
-  const std::optional<FileChecksum> sum = file_checksum(video);
-  if (!sum) throw Error(video.string(), "cannot be read back to take its checksum");
-  part_.add(video_line(video_name(folder_, video), frames, sum));
+  std::optional<FileChecksum> side;
+  if (has_side_file) side = written_checksum(side_name(video.string()));
+  part_.add(video_line(video_name(folder_, video), frames, written_checksum(video), side));
 }
 
 std::string video_name(const fs::path& folder, const fs::path& video) {

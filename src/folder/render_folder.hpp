@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,11 +20,18 @@ namespace lippmann {
 
 class RenderFolder {
  public:
-  /// Begins a run's journal in `folder`, which exists. Throws Error if the folder is that of another job
-  /// (folder/claim_folder.hpp makes room), or its journal is damaged or cannot be written.
-  RenderFolder(std::filesystem::path folder, const std::string& job);
+  /// Makes room in the folder, whose journal has a file of this run now: the one file that has to stay.
+  using MakeRoom = std::function<void(const std::filesystem::path& own)>;
+
+  /// Begins a run's journal in `folder`, which exists; from then on no run of another job begins there. Throws Error if the
+  /// folder is that of another job and `make_room` does not change that (folder/claim_folder.hpp), if a run of another job goes
+  /// on there, or if its journal is damaged or cannot be written.
+  RenderFolder(std::filesystem::path folder, const std::string& job, const MakeRoom& make_room = {});
 
   const std::filesystem::path& path() const { return folder_; }
+
+  /// Says that the run goes on, which must be done more often than every kLeaseSeconds. May run beside all else.
+  void renew() const { part_.renew(); }
 
   /// What earlier runs of this job were to render, and wrote.
   const FolderJournal& before() const { return before_; }
@@ -35,8 +43,10 @@ class RenderFolder {
   /// with the recorded bytes. Reads the files, once.
   std::optional<FrameReport> find(int frame);
 
-  /// Records which frames the run is to render.
-  void begin(const std::vector<int>& frames) { part_.add(asked_line(frames)); }
+  /// Records which frames the run is to render, and which folders beside them (FolderJournal::companions).
+  void begin(const std::vector<int>& frames, const std::set<std::string>& companions = {}) {
+    part_.add(asked_line(frames, companions));
+  }
 
   /// Records a frame whose files are complete; find() does not see it. May run beside find(), and not beside what else records.
   void add(const FrameReport& frame, const FileRecords& files) { part_.add(frame_line(frame, files)); }
@@ -53,18 +63,24 @@ class RenderFolder {
   /// Records that a video of these frames is about to appear: from then on it is this render's.
   void begin_video(const std::filesystem::path& video, const std::vector<int>& frames);
 
-  /// Records a video, which is complete and shows these frames.
-  void add_video(const std::filesystem::path& video, const std::vector<int>& frames);
+  /// Records a video, which is complete and shows these frames, and its side file if it has one.
+  void add_video(const std::filesystem::path& video, const std::vector<int>& frames, bool has_side_file = false);
+
+  /// Records files of the page, which are complete and lie in this folder.
+  void add_page(const std::vector<std::filesystem::path>& files) { part_.add(page_line(records_of(folder_, files))); }
 
   /// Records what the run took.
   void end(const RunReport& run) { part_.add(run_line(run)); }
 
  private:
   std::filesystem::path folder_;
-  FolderJournal before_;
   JournalPart part_;
+  FolderJournal before_;
   std::map<int, bool> is_as_recorded_;  ///< what find() has read
 };
+
+/// Throws Error if a run of another job goes on in `folder`. Changes nothing.
+void require_no_other_run(const std::filesystem::path& folder, const std::string& job);
 
 /// A video's path relative to the folder, as the journal has it.
 std::string video_name(const std::filesystem::path& folder, const std::filesystem::path& video);

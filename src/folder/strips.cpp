@@ -7,6 +7,7 @@
 #include <system_error>
 #include <vector>
 
+#include "core/folder.hpp"
 #include "image/exr.hpp"
 #include "image/read_image.hpp"
 #include "layout/frame_names.hpp"
@@ -76,7 +77,7 @@ void read_strip(const fs::path& file, int first_row, int rows, FramePictures& in
 void remove_strips(const fs::path& folder, int frame, int count) {
   std::error_code ignored;
   for (int strip = 0; strip < count; ++strip)
-    if (const fs::path file = folder / strip_name(frame, strip); !fs::is_directory(file, ignored)) fs::remove(file, ignored);
+    if (const fs::path file = folder / strip_name(frame, strip); !fs::is_directory(file, ignored)) remove_if_there(file);
 }
 
 }  // namespace lippmann

@@ -20,7 +20,7 @@ FileRecords write_strip(const std::filesystem::path& folder, int frame, int stri
 /// Throws Error for a file that does not hold just these rows.
 void read_strip(const std::filesystem::path& file, int first_row, int rows, FramePictures& into);
 
-/// Removes the files of all strips of a frame, recorded or not.
+/// Removes the files of all strips of a frame, recorded or not. Throws Error naming one that cannot be removed.
 void remove_strips(const std::filesystem::path& folder, int frame, int count);
 
 }  // namespace lippmann

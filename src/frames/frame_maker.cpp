@@ -35,11 +35,10 @@ void refuse_deforming_meshes(const Scene& scene) {
   const std::vector<bool> moves = moving_instances(scene);
   for (std::size_t i = 0; i < scene.instances.size(); ++i)
     if (moves[i] && is_posed(scene, scene.instances[i]))
-      throw usage_error(
-          "reuse",
-          fmt::format("interpolated frames need things to keep their shape, and {} changes it (skin or morph targets)",
-                      shown(scene.instances[i].name)),
-          "copy, none or auto for this scene");
+      throw usage_error("reuse",
+                        fmt::format("interpolated frames need rigid objects, and {} changes its shape (skin or morph targets)",
+                                    shown(scene.instances[i].name)),
+                        "copy, none or auto for this scene");
 }
 
 bool has_splats(const Scene& scene) {
@@ -51,7 +50,7 @@ bool has_splats(const Scene& scene) {
 /// A point image has one point for each pixel, and splats are many behind one another.
 void refuse_splats(const Scene& scene) {
   if (has_splats(scene))
-    throw usage_error("reuse", "interpolated frames need one surface behind each pixel, and splats are many",
+    throw usage_error("reuse", "interpolated frames need one surface behind each pixel, and splats have many",
                       "copy, none or auto for this scene");
 }
 

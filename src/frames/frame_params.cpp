@@ -50,7 +50,7 @@ void check_reuse(const TraceAll&, const Sampling&) {}
 /// What frames share or move is of one time.
 void refuse_shutter(const Sampling& sampling) {
   if (sampling.shutter > 0.0f)
-    throw usage_error("shutter", "blurs what moves, and frames that take from each other are each of one time",
+    throw usage_error("shutter", "motion blur cannot be combined with frames that reuse others",
                       "`reuse` none or auto with it");
 }
 
@@ -58,12 +58,10 @@ void check_reuse(const CopySettled& copy, const Sampling& sampling) {
   check_key_frames(copy.keyframes);
   refuse_shutter(sampling);
   if (integrator_of(sampling) == Integrator::kPath)
-    throw usage_error("reuse", "copy knows pixels of Whitted's shading; path-traced ones have other noise in every frame",
+    throw usage_error("reuse", "copy needs Whitted shading; path-traced pixels have different noise in every frame",
                       "light, none or auto, or `integrator` whitted");
   if (!can_copy_settled(sampling))
-    throw usage_error("reuse",
-                      "alpha and extra layers but provenance are of every pixel of every frame: nothing is left to copy",
-                      "none or auto");
+    throw usage_error("reuse", "copy cannot make alpha or extra layers, except provenance", "none or auto");
 }
 
 void check_reuse(const ShareLight& light, const Sampling& sampling) {
@@ -71,19 +69,19 @@ void check_reuse(const ShareLight& light, const Sampling& sampling) {
   if (light.time_budget_s && !(*light.time_budget_s > 0.0 && std::isfinite(*light.time_budget_s)))
     throw usage_error("time-budget", fmt::format("is {} s", *light.time_budget_s), "a number of seconds above 0");
   if (light.time_budget_s && light.min_psnr_db)
-    throw usage_error("time-budget", "and `min-psnr` both say how good frames should be", "one of the two");
+    throw usage_error("time-budget", "and `min-psnr` both set the quality of frames", "one of the two");
   if (light.time_budget_s && light.quality_at == QualityAt::kEye)
-    throw usage_error("quality-at", "eye means nothing with `time-budget`, which takes what time allows", "one of the two");
+    throw usage_error("quality-at", "eye cannot be combined with `time-budget`, which sets no quality", "one of the two");
   if (!(light.crosstalk_px >= 0.0 && light.crosstalk_px <= kMaxBlurPx))
-    throw usage_error("crosstalk", "is no sigma of neighbours that are seen", "0 to 8 pixels or views");
+    throw usage_error("crosstalk", "must be between 0 and 8 pixels", "0 to 8 pixels or views");
   refuse_shutter(sampling);
   if (can_share_light(sampling, light)) return;
   if (integrator_of(sampling) != Integrator::kPath)
-    throw usage_error("reuse", "only paths share light", "`integrator` path with it, or copy, interpolate, none or auto");
+    throw usage_error("reuse", "light needs path tracing", "`integrator` path with it, or copy, interpolate, none or auto");
   if (has_layers_of_paths(sampling))
-    throw usage_error("aov", "direct and indirect are parts of whole paths, of which no light is shared",
+    throw usage_error("aov", "the layers direct and indirect need complete paths, which share no light",
                       "`reuse` none or auto with them");
-  throw usage_error("spp", "of so few paths there is nothing to be saved", "8 or more, or `reuse` none or auto");
+  throw usage_error("spp", "sharing light does not pay below 8 samples a pixel", "8 or more, or `reuse` none or auto");
 }
 
 /// The member that would take from a frame what its floor promises; empty if there is none.
@@ -97,20 +95,19 @@ void check_reuse(const Interpolate& how, const Sampling& sampling) {
   check_key_frames(how.keyframes);
   check_floor(how.min_psnr_db);
   if (integrator_of(sampling) == Integrator::kPath)
-    throw usage_error("reuse", "interpolate does not know path-traced frames", "none, light or auto, or `integrator` whitted");
+    throw usage_error("reuse", "interpolate needs Whitted shading", "none, light or auto, or `integrator` whitted");
   refuse_shutter(sampling);
   if (sampling.lens.is_open())
-    throw usage_error(name_of_opening(sampling.lens),
-                      "blurs with depth, and points that are moved to be interpolated are sharp",
+    throw usage_error(name_of_opening(sampling.lens), "depth of field cannot be interpolated",
                       "`reuse` copy, light, none or auto");
   if (sampling.transparent) throw usage_error("transparent", "interpolated frames have no alpha", "`reuse` none with it");
   if (has_layers_of_every_pixel(sampling))
     throw usage_error("aov", "interpolated frames have no extra layers but provenance", "`reuse` none with it");
   if (sampling.angular_filter == AngularFilter::kBox)
-    throw usage_error("angular-filter", "points that are moved to be interpolated are those of one eye",
+    throw usage_error("angular-filter", "box cannot be interpolated: each point belongs to one eye",
                       "`reuse` copy, light, none or auto");
   if (const std::string against = against_floor(how); how.min_psnr_db && !against.empty())
-    throw usage_error(against, "cannot be together with `min-psnr`, which traces what is missed or uncertain",
+    throw usage_error(against, "cannot be combined with `min-psnr`, which traces missed and uncertain pixels",
                       "one of the two");
 }
 
@@ -120,11 +117,11 @@ void check_lens(const ViewLens& lens) {
   if (!(lens.f_number >= 0.0f && std::isfinite(lens.f_number)))
     throw usage_error("f-number", fmt::format("is {}", lens.f_number), "a number above 0, or 0 for a pinhole");
   if (lens.aperture_mm > 0.0f && lens.f_number > 0.0f)
-    throw usage_error("f-number", "and `aperture` both say how wide the lens is", "one of the two");
+    throw usage_error("f-number", "and `aperture` both set the width of the lens", "one of the two");
   if (!std::isfinite(lens.focal_plane_mm))
     throw usage_error("focal-plane", fmt::format("is {} mm", lens.focal_plane_mm), "a number of millimetres");
   if (lens.focal_plane_mm != 0.0f && !lens.is_open())
-    throw usage_error("focal-plane", "means nothing for a pinhole, to which all is sharp", "`aperture` or `f-number` with it");
+    throw usage_error("focal-plane", "has no effect without depth of field", "`aperture` or `f-number` with it");
 }
 
 void check_several_samples(const char* field, const char* problem, const Sampling& sampling) {
@@ -134,7 +131,7 @@ void check_several_samples(const char* field, const char* problem, const Samplin
 void check_shutter(const Sampling& sampling) {
   if (!(sampling.shutter >= 0.0f && sampling.shutter <= 1.0f))
     throw usage_error("shutter", fmt::format("is {}", sampling.shutter), "a share of the time from frame to frame, 0 to 1");
-  if (sampling.shutter > 0.0f) check_several_samples("shutter", "one sample is of one time", sampling);
+  if (sampling.shutter > 0.0f) check_several_samples("shutter", "motion blur needs several samples a pixel", sampling);
 }
 
 void check_sampling(const Sampling& sampling) {
@@ -146,15 +143,14 @@ void check_sampling(const Sampling& sampling) {
   check_shutter(sampling);
   const bool paths = integrator_of(sampling) == Integrator::kPath;
   if (has_layers_of_paths(sampling) && !paths)
-    throw usage_error("aov", "direct and indirect are parts of the light that paths find", "`integrator` path with them");
+    throw usage_error("aov", "the layers direct and indirect need path tracing", "`integrator` path with them");
   if (!sampling.denoise) return;
-  if (!paths) throw usage_error("denoise", "only paths have noise", "`integrator` path with it");
+  if (!paths) throw usage_error("denoise", "needs path tracing", "`integrator` path with it");
   if (samples_per_pixel(sampling) < 2)
-    throw usage_error("denoise", "the noise of one sample cannot be told", "`spp` of 2 or more with it");
+    throw usage_error("denoise", "cannot estimate noise from one sample a pixel", "`spp` of 2 or more with it");
   if (sampling.lens.is_open() || sampling.shutter > 0.0f)
-    throw usage_error("denoise",
-                      "averages what one surface looks like, and a pixel with depth of field or motion blur is of many",
-                      "no `aperture`, `f-number` or `shutter` with it");
+    throw usage_error("denoise", "cannot be combined with depth of field or motion blur",
+                      "`denoise` without `aperture`, `f-number` and `shutter`");
 }
 
 /// Where the lens is open.
@@ -165,7 +161,7 @@ void check_lens(const Sampling& sampling, const Optics& optics) {
                       "only views have eyes that a lens may be put in: pixels below lenses have directions of their own, and "
                       "blur with depth as those lenses do",
                       "`optics` single or multiview");
-  check_several_samples(field, "one sample passes one point of the lens", sampling);
+  check_several_samples(field, "depth of field needs several samples a pixel", sampling);
   if (!(sampling.lens.focal_plane_mm < viewing_distance_mm(optics)))
     throw usage_error("focal-plane", fmt::format("at {} mm lies behind the viewer", sampling.lens.focal_plane_mm),
                       fmt::format("less than the viewing distance, {} mm", viewing_distance_mm(optics)));
@@ -178,7 +174,7 @@ void check_angular_filter(const Sampling& sampling, const Optics& optics) {
                       "only views have eyes to be spread: below lenses, the samples of a pixel are seen from all of its "
                       "directions anyway",
                       "`optics` multiview, or `spp` alone");
-  check_several_samples(kField, "one sample is seen from one eye", sampling);
+  check_several_samples(kField, "box needs several samples a pixel", sampling);
 }
 
 }  // namespace

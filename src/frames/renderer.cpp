@@ -7,6 +7,7 @@
 
 #include "frames/frame.hpp"
 #include "frames/frame_maker.hpp"
+#include "frames/picture_check.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/core/parallel.hpp"
 #include "lippmann/scene/load.hpp"
@@ -50,6 +51,7 @@ struct Renderer::Impl {
   ThreadPool pool;
   Stage stage;
   std::unique_ptr<FrameMaker> maker;
+  bool is_checked = false;  ///< whether the first frame has been looked at
 
   Impl(Scene scene, Placement placement, FrameParams requested, const Context& caller)
       : context(caller),
@@ -57,7 +59,9 @@ struct Renderer::Impl {
         pool(resolved_threads(caller)),
         stage(checked(std::move(scene)), std::move(placement.array), std::move(placement.placed),
               integrator_of(params.sampling), pool),
-        maker(make_frame_maker(stage, params, pool, caller)) {}
+        maker(make_frame_maker(stage, params, pool, caller)) {
+    if (!stage.array.warning.empty()) caller.warning(stage.array.warning);
+  }
 };
 
 Renderer::Renderer(Scene scene, Placement placement, FrameParams params, const Context& context)
@@ -74,8 +78,13 @@ std::optional<RenderedFrame> Renderer::frame(int index) {
   const int count = scene().timeline.frame_count;
   if (index < 0 || index >= count)
     throw Error("frame", fmt::format("{} is outside the animation", index), fmt::format("frames from 0 to {}", count - 1));
+  std::optional<SeenShare> seen;
+  if (!std::exchange(impl_->is_checked, true)) seen = look_at_frame(impl_->stage, index, impl_->pool);
   RenderedFrame rendered = impl_->maker->make(index);
   if (impl_->context.cancelled) return std::nullopt;
+  if (seen)
+    if (const std::string doubt = doubt_about_picture(impl_->stage, index, *seen, rendered.pictures.film); !doubt.empty())
+      impl_->context.warning(doubt);
   return rendered;
 }
 

@@ -71,12 +71,14 @@ void check_strips(const FrameParams& params, const Optics& optics, int strips) {
         fmt::format("1 to {}", most));
   const Reuse reuse = resolved_reuse(params);
   if (std::holds_alternative<Interpolate>(reuse))
-    throw usage_error(kStrips, "are made alone, and interpolated frames are made from all of others",
+    throw usage_error(kStrips, "strips are rendered separately, and interpolated frames need whole key frames",
                       "1, or `reuse` none, copy or light");
   if (params.sampling.denoise)
-    throw usage_error(kStrips, "are made alone, and the denoiser looks at pixels of other rows", "1, or no `denoise`");
+    throw usage_error(kStrips, "strips are rendered separately, and the denoiser needs the rows of other strips",
+                      "1, or no `denoise`");
   if (const auto* light = std::get_if<ShareLight>(&reuse); light && light->time_budget_s)
-    throw usage_error(kStrips, "are as many machines' work, and `time-budget` is one machine's", "1, or `spp` or `min-psnr`");
+    throw usage_error(kStrips, "strips cannot be combined with `time-budget`, which measures one machine",
+                      "1, or `spp` or `min-psnr`");
 }
 
 FrameReport report_of_strips(const std::vector<FrameReport>& strips, const std::vector<int>& rows) {

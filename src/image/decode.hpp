@@ -1,10 +1,10 @@
 // Decodes pictures of one format each, from a file's bytes in memory; read_image.hpp puts them together.
 //
 // A reader has three functions: whether the bytes begin as its format does; what the header says; the samples. Rows run from
-// the top, channels are interleaved, colours are not multiplied by alpha beyond what the file did, profiles and orientation
-// tags are ignored. Nothing is printed. Memory is bounded by the limits (limits.hpp) and by what the file's bytes can hold.
-// All but the recognising functions throw Error at `where` for what is truncated, damaged, too large or of no known kind.
-// All functions may be called from several threads.
+// the top, channels are interleaved, colours come first and are not multiplied by alpha beyond what the file did. Nothing is
+// printed: what a reader does not honour is in the header's notices. Memory is bounded by the limits (limits.hpp) and by what
+// the file's bytes can hold. All but the recognising functions throw Error at `where` for what is truncated, damaged, too large
+// or of no known kind. All functions may be called from several threads.
 #pragma once
 
 #include <cstddef>
@@ -21,10 +21,16 @@ namespace lippmann {
 
 using FileBytes = std::span<const std::byte>;
 
+/// Where a file's first row and column of pixels belong, as TIFF and EXIF count them (TIFF 6.0, "Orientation"): 1 to 8.
+enum class Orientation { kUpright = 1, kMirrored, kUpsideDown, kFlipped, kTransposed, kRightSide, kTransversed, kLeftSide };
+
 struct PictureHeader {
   int width = 0, height = 0;
   std::vector<std::string> channels;  ///< names: R G B A, Y, or those of an EXR file
   SampleKind kind = SampleKind::kByte;
+  int colors = 0;  ///< how many of the first channels are the colour: 3, 1 (grey), 0 (none of an EXR file's channels is)
+  Orientation orientation = Orientation::kUpright;  ///< of the samples, as the file has them
+  std::vector<std::string> notices = {};  ///< what of the file is not honoured: "its gamma of 1 is ...", to follow its name
 };
 
 using Samples = std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<float>>;
@@ -34,7 +40,9 @@ struct DecodedPicture {
   Samples samples;  ///< as the header's kind says; width x height x channels
 };
 
-/// Decodes whichever format the bytes begin as; an error that lists the formats if they begin as none.
+/// Decodes whichever format the bytes begin as, and turns the picture upright: orientation is kUpright. An error that says
+/// what the bytes are and lists the formats if they begin as none. The functions of single formats below leave samples as the
+/// file has them.
 PictureHeader picture_header(FileBytes file, const std::string& where);
 DecodedPicture decode_picture(FileBytes file, const std::string& where);
 
@@ -53,9 +61,11 @@ DecodedPicture decode_tiff(FileBytes file, const std::string& where);
 
 bool is_exr(FileBytes file);
 PictureHeader exr_header(FileBytes file, const std::string& where);
-/// The first part's data window.
+/// The display window of the first part that has colours, in linear Rec. 709.
 DecodedPicture decode_exr(FileBytes file, const std::string& where);
 
+/// Light as it was measured: EXPOSURE and COLORCORR are undone, PRIMARIES and XYZE become linear Rec. 709. Rows and columns are
+/// turned as the header says.
 bool is_hdr(FileBytes file);
 PictureHeader hdr_header(FileBytes file, const std::string& where);
 DecodedPicture decode_hdr(FileBytes file, const std::string& where);
@@ -69,6 +79,10 @@ PictureHeader netpbm_header(FileBytes file, const std::string& where);
 /// P5 and P6 of any highest code, scaled to 8 or 16 bits; PFM.
 DecodedPicture decode_netpbm(FileBytes file, const std::string& where);
 
+bool is_bmp(FileBytes file);
+PictureHeader bmp_header(FileBytes file, const std::string& where);
+DecodedPicture decode_bmp(FileBytes file, const std::string& where);
+
 /// TGA has no mark of its own: whether the fields of a header fit together. To be asked last.
 bool is_tga(FileBytes file);
 PictureHeader tga_header(FileBytes file, const std::string& where);
@@ -76,6 +90,12 @@ DecodedPicture decode_tga(FileBytes file, const std::string& where);
 
 /// "where: cannot be read as a picture: reason".
 Error unreadable_picture(const std::string& where, const std::string& reason);
+
+/// Of a picture whose channels have the usual names.
+PictureHeader plain_header(int width, int height, int channels, SampleKind kind);
+
+/// Notes pixels that are not square: `aspect` times as wide as high.
+void add_aspect_notice(PictureHeader& header, double aspect);
 
 /// The usual names: Y; Y, A; R, G, B; R, G, B, A; then channel4, ...
 std::vector<std::string> default_channels(int count);

@@ -1,44 +1,36 @@
-// OpenEXR: the first part, scan lines or the finest level of tiles, as floats.
+// OpenEXR: scan lines or the finest level of tiles, as floats, of the first part that has colours.
 //
-// Order of channels: those without a layer's name first, then by layer; in a layer R G B A Z first, then as the file has them
-// (by name).
+// Pictures are those of the display window: a smaller data window is put into its place with zeros around it, what of a larger
+// one lies outside is left out. Colours are converted to linear Rec. 709 where the file has other chromaticities. Which
+// channels are the colours is in exr_channels.hpp; they come first, then alpha, then the others by layer.
+#include <Imath/ImathBox.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfRgbaFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfTileDescription.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstring>
 #include <mutex>
 #include <optional>
-#include <string_view>
-#include <tuple>
 
+#include "core/printable.hpp"
+#include "image/chromaticities.hpp"
 #include "image/decode.hpp"
+#include "image/exr_channels.hpp"
 #include "image/exr_file.hpp"
 #include "image/exr_header.hpp"
 #include "image/limits.hpp"
 
 namespace lippmann {
 namespace {
-
-/// Place among a layer's channels.
-int rank_of(std::string_view channel) {
-  constexpr std::array<std::string_view, 5> kFirst{"R", "G", "B", "A", "Z"};
-  return static_cast<int>(std::find(kFirst.begin(), kFirst.end(), channel) - kFirst.begin());
-}
-
-auto place_of(const std::string& name) {
-  const std::size_t dot = name.rfind('.');
-  const std::string layer = dot == std::string::npos ? "" : name.substr(0, dot);
-  const std::string channel = dot == std::string::npos ? name : name.substr(dot + 1);
-  return std::tuple(layer, rank_of(channel), name);
-}
 
 /// How many bytes of samples one byte of the file can stand for. DWA keeps one number of 64, which deflate then packs.
 std::uint64_t ratio_of(Imf::Compression compression) {
@@ -63,58 +55,130 @@ void prepare_library() {
   });
 }
 
+Imath::V2i size_of(const Imath::Box2i& window) { return window.size() + Imath::V2i(1); }
+
+/// A window's size, checked before it is computed in 32 bits.
+void check_window(const std::string& where, const Imath::Box2i& window, std::size_t channels) {
+  check_image_size(where, std::int64_t{window.max.x} - window.min.x + 1, std::int64_t{window.max.y} - window.min.y + 1,
+                   static_cast<std::int64_t>(channels));
+}
+
+std::vector<std::string> channels_of(const Imf::Header& header) {
+  std::vector<std::string> names;
+  for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel)
+    names.emplace_back(channel.name());
+  return names;
+}
+
+/// The samples of `data` where they lie in `display`; zeros where there are none.
+std::vector<float> placed(const std::vector<float>& samples, std::size_t channels, const Imath::Box2i& data,
+                          const Imath::Box2i& display) {
+  const Imath::V2i size = size_of(display), data_size = size_of(data);
+  std::vector<float> picture(channels * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+  const int left = std::max(data.min.x, display.min.x), right = std::min(data.max.x, display.max.x);
+  for (int y = std::max(data.min.y, display.min.y); left <= right && y <= std::min(data.max.y, display.max.y); ++y) {
+    const auto offset = [&](const Imath::Box2i& window, int width) {
+      return channels * (static_cast<std::size_t>(y - window.min.y) * static_cast<std::size_t>(width) +
+                         static_cast<std::size_t>(left - window.min.x));
+    };
+    std::copy_n(&samples[offset(data, data_size.x)], channels * static_cast<std::size_t>(right - left + 1),
+                &picture[offset(display, size.x)]);
+  }
+  return picture;
+}
+
+Chromaticities chromaticities_of(const Imf::Header& header) {
+  if (!Imf::hasChromaticities(header)) return {};
+  const Imf::Chromaticities& c = Imf::chromaticities(header);
+  return {{c.red.x, c.red.y, c.green.x, c.green.y, c.blue.x, c.blue.y, c.white.x, c.white.y}};
+}
+
 class ExrDecoder {
  public:
   ExrDecoder(FileBytes file, const std::string& where) : bytes_(file), input_(file), where_(where) {
     prepare_library();
-    check_exr_headers(file, where);
+    check_exr_file(file, where);
     file_.emplace(input_, 0, false);
-    check_header(file_->header(0));
+    choose_part();
+    check_header();
   }
 
-  PictureHeader header() const { return {width_, height_, names_, SampleKind::kFloat}; }
+  PictureHeader header() const {
+    const Imath::V2i size = size_of(part().displayWindow());
+    PictureHeader header{size.x, size.y, names_, SampleKind::kFloat};
+    header.colors = colors_.luma_chroma ? 3 : static_cast<int>(colors_.channels.size());
+    header.notices = notices();
+    add_aspect_notice(header, static_cast<double>(part().pixelAspectRatio()));
+    return header;
+  }
 
   std::vector<float> samples() {
-    if (!file_->partComplete(0)) throw unreadable_picture(where_, "the file is truncated");
-    const Imath::Box2i window = file_->header(0).dataWindow();
-    const std::size_t channels = names_.size(), row = channels * static_cast<std::size_t>(width_);
-    std::vector<float> samples(row * static_cast<std::size_t>(height_));
-    Imf::FrameBuffer buffer;
-    for (std::size_t c = 0; c < channels; ++c)
-      buffer.insert(names_[c],
-                    Imf::Slice::Make(Imf::FLOAT, samples.data() + c, window, channels * sizeof(float), row * sizeof(float)));
-    Imf::InputPart part(*file_, 0);
-    part.setFrameBuffer(buffer);
-    part.readPixels(window.min.y, window.max.y);
+    const Imath::Box2i data = part().dataWindow(), display = part().displayWindow();
+    std::vector<float> samples = colors_.luma_chroma ? luma_chroma_samples(data) : channel_samples(data);
+    if (data != display) samples = placed(samples, names_.size(), data, display);
+    const Chromaticities chromaticities = chromaticities_of(part());
+    if (header().colors == 3 && !are_rec709(chromaticities))
+      if (const auto matrix = rec709_from(chromaticities)) convert_colors(*matrix, samples, names_.size());
     return samples;
   }
 
  private:
-  void check_header(const Imf::Header& header) {
-    if (header.hasType() && header.type() != Imf::SCANLINEIMAGE && header.type() != Imf::TILEDIMAGE)
-      throw unreadable_picture(where_, "deep pictures are not supported");
-    const Imath::Box2i window = header.dataWindow();
-    const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1,
-                       height = std::int64_t{window.max.y} - window.min.y + 1;
-    std::uint64_t pixel_bytes = 0;
-    for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
-      if (channel.channel().xSampling != 1 || channel.channel().ySampling != 1)
-        throw unreadable_picture(where_, fmt::format("its channel {} has fewer samples than pixels", channel.name()));
-      pixel_bytes += channel.channel().type == Imf::HALF ? 2 : 4;
-      names_.emplace_back(channel.name());
+  const Imf::Header& part() const { return file_->header(part_); }
+
+  bool is_deep(int part) const {
+    const Imf::Header& header = file_->header(part);
+    return header.hasType() && header.type() != Imf::SCANLINEIMAGE && header.type() != Imf::TILEDIMAGE;
+  }
+
+  void choose_part() {
+    std::optional<int> flat;
+    for (int i = 0; i < file_->parts(); ++i) {
+      if (is_deep(i)) continue;
+      if (!flat) flat = i;
+      const std::vector<std::string> names = channels_of(file_->header(i));
+      if (find_exr_colors(names).channels.empty()) continue;
+      flat = i;
+      break;
     }
-    check_image_size(where_, width, height, static_cast<std::int64_t>(names_.size()));
-    const std::uint64_t picture_bytes = static_cast<std::uint64_t>(width * height) * pixel_bytes;
-    check_file_holds(where_, bytes_.size(), picture_bytes, ratio_of(header.compression()));
-    check_chunks(header, static_cast<std::uint64_t>(width), picture_bytes, pixel_bytes);
-    width_ = static_cast<int>(width), height_ = static_cast<int>(height);
-    std::sort(names_.begin(), names_.end(), [](const auto& a, const auto& b) { return place_of(a) < place_of(b); });
+    if (!flat) throw unreadable_picture(where_, "deep pictures are not supported");
+    part_ = *flat;
+    colors_ = find_exr_colors(channels_of(part()));
+    names_ = sorted_exr_channels(channels_of(part()), colors_);
+    if (!colors_.luma_chroma) return;
+    if (part_ != 0) throw unreadable_picture(where_, "only its first part may have luminance and chroma (Y, RY, BY)");
+    names_ = {"R", "G", "B"};
+    if (!colors_.alpha.empty()) names_.emplace_back("A");
+  }
+
+  void check_header() const {
+    const Imath::Box2i data = part().dataWindow(), display = part().displayWindow();
+    std::uint64_t pixel_bytes = 0;
+    for (auto channel = part().channels().begin(); channel != part().channels().end(); ++channel) {
+      const bool subsampled = channel.channel().xSampling != 1 || channel.channel().ySampling != 1;
+      if (subsampled && !colors_.luma_chroma)
+        throw unreadable_picture(where_, fmt::format("its channel {} has fewer samples than pixels", channel.name()));
+      if (!subsampled) pixel_bytes += channel.channel().type == Imf::HALF ? 2 : 4;
+    }
+    check_window(where_, data, names_.size());
+    check_window(where_, display, names_.size());
+    const Imath::V2i size = size_of(data);
+    const std::uint64_t pixels = pixels_of(data);
+    check_file_holds(where_, bytes_.size(), pixels * pixel_bytes, ratio_of(part().compression()));
+    check_chunks(static_cast<std::uint64_t>(size.x), pixels * pixel_bytes, pixel_bytes);
+    constexpr std::uint64_t kFreePixels = std::uint64_t{1} << 24, kMostTimesLarger = 64;
+    if (pixels_of(display) > std::max(kFreePixels, kMostTimesLarger * pixels))
+      throw unreadable_picture(where_, fmt::format("its display window of {} x {} pixels is absurdly larger than its picture",
+                                                   size_of(display).x, size_of(display).y));
+  }
+
+  static std::uint64_t pixels_of(const Imath::Box2i& window) {
+    return static_cast<std::uint64_t>(size_of(window).x) * static_cast<std::uint64_t>(size_of(window).y);
   }
 
   /// OpenEXR allocates whole chunks, however little of them is in the picture.
-  void check_chunks(const Imf::Header& header, std::uint64_t width, std::uint64_t picture_bytes,
-                    std::uint64_t pixel_bytes) const {
+  void check_chunks(std::uint64_t width, std::uint64_t picture_bytes, std::uint64_t pixel_bytes) const {
     constexpr std::uint64_t kFree = std::uint64_t{1} << 24;
+    const Imf::Header& header = part();
     const bool tiled = header.hasTileDescription();
     const std::uint64_t pixels = tiled ? std::uint64_t{header.tileDescription().xSize} * header.tileDescription().ySize
                                        : width * exr_lines_per_chunk(header.compression());
@@ -122,12 +186,70 @@ class ExrDecoder {
       throw unreadable_picture(where_, "its tiles have no sensible size");
   }
 
+  std::vector<std::string> notices() const {
+    std::vector<std::string> notices;
+    if (file_->parts() > 1) notices.push_back(fmt::format("only {} of its {} parts is read", shown_part(), file_->parts()));
+    if (!colors_.others.empty())
+      notices.push_back(fmt::format("of its layers only {} is read, not {}", shown(layer_of(colors_.channels.front())),
+                                    shown(colors_.others.front())) +
+                        (colors_.others.size() > 1 ? fmt::format(" and {} more", colors_.others.size() - 1) : ""));
+    if (Imf::hasEnvmap(part()) && Imf::envmap(part()) == Imf::ENVMAP_CUBE)
+      notices.emplace_back("it is an environment as a cube and is read as a flat picture");
+    const Chromaticities chromaticities = chromaticities_of(part());
+    if (!are_rec709(chromaticities) && !rec709_from(chromaticities))
+      notices.emplace_back("its chromaticities make no sense and are ignored");
+    const Imath::Box2i data = part().dataWindow();
+    if (!data.intersects(part().displayWindow()))
+      notices.emplace_back("its data window lies outside its display window: the picture is empty");
+    return notices;
+  }
+  std::string shown_part() const { return part().hasName() ? shown(part().name()) : "the first"; }
+  static std::string layer_of(const std::string& channel) {
+    const std::size_t at = channel.find_last_of(".:/");
+    return at == std::string::npos ? channel : channel.substr(0, at);
+  }
+
+  std::vector<float> channel_samples(const Imath::Box2i& window) {
+    const Imath::V2i size = size_of(window);
+    const std::size_t channels = names_.size(), row = channels * static_cast<std::size_t>(size.x);
+    std::vector<float> samples(row * static_cast<std::size_t>(size.y));
+    Imf::FrameBuffer buffer;
+    for (std::size_t c = 0; c < channels; ++c)
+      buffer.insert(names_[c],
+                    Imf::Slice::Make(Imf::FLOAT, samples.data() + c, window, channels * sizeof(float), row * sizeof(float)));
+    Imf::InputPart part(*file_, part_);
+    part.setFrameBuffer(buffer);
+    part.readPixels(window.min.y, window.max.y);
+    return samples;
+  }
+
+  /// OpenEXR's own filter gives every pixel its chroma, as halves.
+  std::vector<float> luma_chroma_samples(const Imath::Box2i& window) {
+    ExrInput input(bytes_);
+    const std::string& luma = colors_.channels.front();
+    Imf::RgbaInputFile file(input, luma == "Y" ? "" : layer_of(luma), 0);
+    const auto width = static_cast<std::size_t>(size_of(window).x);
+    std::vector<Imf::Rgba> pixels(pixels_of(window));
+    const auto first = static_cast<std::ptrdiff_t>(window.min.x) +
+                       static_cast<std::ptrdiff_t>(window.min.y) * static_cast<std::ptrdiff_t>(width);
+    file.setFrameBuffer(pixels.data() - first, 1, width);
+    file.readPixels(window.min.y, window.max.y);
+    std::vector<float> samples;
+    samples.reserve(pixels.size() * names_.size());
+    for (const Imf::Rgba& pixel : pixels) {
+      samples.insert(samples.end(), {pixel.r, pixel.g, pixel.b});
+      if (names_.size() > 3) samples.push_back(pixel.a);
+    }
+    return samples;
+  }
+
   FileBytes bytes_;
   ExrInput input_;
   const std::string& where_;
   std::optional<Imf::MultiPartInputFile> file_;
+  int part_ = 0;
+  ExrColors colors_;
   std::vector<std::string> names_;
-  int width_ = 0, height_ = 0;
 };
 
 /// OpenEXR's exceptions as ours.

@@ -1,6 +1,7 @@
 // Based on: Industrial Light & Magic, "OpenEXR File Layout", 2013. After a magic number and a version a header is a row of
 // attributes, each a name, a type, a size and a value, ended by an empty name; in a file of several parts headers follow until
-// an empty one.
+// an empty one. Then come, part by part, the places of its chunks: 8 bytes each, from the file's beginning. A chunk is the
+// number of its part (where there are several), its row (4 bytes) or its tile and level (16 bytes), its size and its samples.
 //
 // What OpenEXR takes from the file must be what is looked at here. It reads most values by their type, whatever their size
 // says; so a size that does not fit its type is an error here, or what follows would be read as something else.
@@ -11,9 +12,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/printable.hpp"
 #include "image/limits.hpp"
@@ -117,34 +120,69 @@ bool fits_type(std::string_view type, FileBytes value, const std::string& where)
   return type == "string" || !Imf::Attribute::knownType(type.data());
 }
 
-/// What decides how many chunks a part has.
+/// What decides how many chunks a part has, and what their headers look like.
 struct PartSize {
   std::int32_t window[4] = {0, 0, -1, -1};  // x and y of the first pixel, of the last one
-  std::uint32_t tile[2] = {0, 0};           // 0: scan lines
+  std::uint32_t tile[2] = {0, 0};
+  std::uint8_t levels = 0;  // the lower half: 0 one level, 1 ever smaller ones, 2 those of each axis; then 1: sides round up
   std::uint8_t compression = Imf::NO_COMPRESSION;
+  bool tiled = false, deep = false;
 
   void set(std::string_view attribute, FileBytes value) {
-    const auto copy = [&](void* to, std::size_t size) {
-      if (value.size() >= size) std::memcpy(to, value.data(), size);
+    const auto copy = [&](void* to, std::size_t at, std::size_t size) {
+      if (value.size() >= at + size) std::memcpy(to, value.data() + at, size);
     };
-    if (attribute == "dataWindow") copy(window, sizeof window);
-    if (attribute == "tiles") copy(tile, sizeof tile);
-    if (attribute == "compression") copy(&compression, sizeof compression);
+    if (attribute == "dataWindow") copy(window, 0, sizeof window);
+    if (attribute == "tiles") copy(tile, 0, sizeof tile), copy(&levels, sizeof tile, 1);
+    if (attribute == "compression") copy(&compression, 0, sizeof compression);
+    if (attribute == "type") {
+      const std::string_view type(reinterpret_cast<const char*>(value.data()), value.size());
+      tiled = type.ends_with("tile") || type == "tiledimage", deep = type.starts_with("deep");
+    }
   }
   std::uint64_t chunks(const std::string& where) const {
     const std::int64_t width = std::int64_t{window[2]} - window[0] + 1, height = std::int64_t{window[3]} - window[1] + 1;
     check_image_size(where, width, height, 1);
     if (compression >= Imf::NUM_COMPRESSION_METHODS) throw unreadable_picture(where, "its compression is of no known kind");
-    const auto pieces = [](std::int64_t side, std::uint64_t piece) {
-      return (static_cast<std::uint64_t>(side) + piece - 1) / piece;
+    if (!tiled) return pieces(height, exr_lines_per_chunk(static_cast<Imf::Compression>(compression)));
+    if (tile[0] == 0 || tile[1] == 0) throw unreadable_picture(where, "its tiles have no sensible size");
+    return tiles(width, height);
+  }
+  /// The bytes in front of a chunk's samples, the numbers of its part and its size left out.
+  std::uint64_t place_bytes() const { return tiled ? 16 : 4; }
+
+ private:
+  static std::uint64_t pieces(std::int64_t side, std::uint64_t piece) {
+    return (static_cast<std::uint64_t>(side) + piece - 1) / piece;
+  }
+  bool rounds_up() const { return levels >> 4 != 0; }
+  int level_count(std::int64_t side) const {
+    const auto wide = static_cast<std::uint64_t>(side);
+    return static_cast<int>(rounds_up() ? std::bit_width(wide - 1) : std::bit_width(wide) - 1) + 1;
+  }
+  std::int64_t level_side(std::int64_t side, int level) const {
+    const std::int64_t rounding = rounds_up() ? (std::int64_t{1} << level) - 1 : 0;
+    return std::max<std::int64_t>(1, (side + rounding) >> level);
+  }
+  std::uint64_t tiles(std::int64_t width, std::int64_t height) const {
+    const auto of_levels = [&](int x, int y) {
+      return pieces(level_side(width, x), tile[0]) * pieces(level_side(height, y), tile[1]);
     };
-    if (tile[0] > 0 && tile[1] > 0) return pieces(width, tile[0]) * pieces(height, tile[1]);
-    return pieces(height, exr_lines_per_chunk(static_cast<Imf::Compression>(compression)));
+    const int mode = levels & 0xf;
+    if (mode == 0) return of_levels(0, 0);
+    std::uint64_t count = 0;
+    if (mode == 1)
+      for (int level = 0; level < level_count(std::max(width, height)); ++level) count += of_levels(level, level);
+    else
+      for (int y = 0; y < level_count(height); ++y)
+        for (int x = 0; x < level_count(width); ++x) count += of_levels(x, y);
+    return count;
   }
 };
 
-std::uint64_t read_chunks_of_part(HeaderInput& input, const std::string& where) {
+PartSize read_part_size(HeaderInput& input, bool tiled, const std::string& where) {
   PartSize size;
+  size.tiled = tiled;
   for (std::string_view name = input.text(); !name.empty(); name = input.text()) {
     const std::string_view type = input.text();
     const FileBytes value = input.bytes(input.size());
@@ -152,23 +190,50 @@ std::uint64_t read_chunks_of_part(HeaderInput& input, const std::string& where) 
       throw unreadable_picture(where, fmt::format("its attribute {} is no {}", printable(name), printable(type)));
     size.set(name, value);
   }
-  return size.chunks(where);
+  return size;
+}
+
+/// Throws unless the chunk at `place` ends within the file. OpenEXR takes what lies behind the end for zeros.
+void check_chunk(FileBytes file, std::uint64_t place, const PartSize& part, bool several, const std::string& where) {
+  const auto truncated = [&] { return unreadable_picture(where, "the file is truncated"); };
+  if (place == 0 || place > file.size()) throw truncated();
+  HeaderInput chunk(file.subspan(static_cast<std::size_t>(place)), where);
+  try {
+    constexpr std::uint64_t kPartNumberBytes = 4;
+    chunk.bytes(part.place_bytes() + (several ? kPartNumberBytes : 0));
+    if (!part.deep) return void(chunk.bytes(chunk.size()));
+    const auto table = chunk.number<std::uint64_t>(), samples = chunk.number<std::uint64_t>();
+    chunk.number<std::uint64_t>();
+    chunk.bytes(table), chunk.bytes(samples);
+  } catch (const Error&) {
+    throw truncated();
+  }
 }
 
 }  // namespace
 
-void check_exr_headers(FileBytes file, const std::string& where) {
+void check_exr_file(FileBytes file, const std::string& where) {
   constexpr std::uint64_t kMagicAndVersion = 8, kPlaceBytes = 8;
   HeaderInput input(file, where);
-  const bool several = std::to_integer<int>(input.bytes(kMagicAndVersion)[5]) & 0x10;
-  std::uint64_t chunks = 0;
-  do chunks += read_chunks_of_part(input, where);
-  while (several && !input.begins_with_zero());
-  if (chunks > file.size() / kPlaceBytes) throw input.truncated();
+  const int flags = std::to_integer<int>(input.bytes(kMagicAndVersion)[5]);
+  const bool several = flags & 0x10, tiled = flags & 0x02;
+  std::vector<PartSize> parts;
+  std::vector<std::uint64_t> chunks;
+  std::uint64_t all = 0;
+  do {
+    parts.push_back(read_part_size(input, tiled, where));
+    all += chunks.emplace_back(parts.back().chunks(where));
+  } while (several && !input.begins_with_zero());
+  if (several) input.bytes(1);
+  if (all > file.size() / kPlaceBytes) throw input.truncated();
+  for (std::size_t part = 0; part < parts.size(); ++part)
+    for (std::uint64_t i = 0; i < chunks[part]; ++i)
+      check_chunk(file, input.number<std::uint64_t>(), parts[part], several, where);
 }
 
 std::uint64_t exr_lines_per_chunk(Imf::Compression compression) {
-  switch (compression) {
+  constexpr int kHtj2k256 = 10, kHtj2k32 = 11;  // since OpenEXR 3.4
+  switch (static_cast<int>(compression)) {
     case Imf::ZIP_COMPRESSION:
     case Imf::PXR24_COMPRESSION:
       return 16;
@@ -176,8 +241,10 @@ std::uint64_t exr_lines_per_chunk(Imf::Compression compression) {
     case Imf::B44_COMPRESSION:
     case Imf::B44A_COMPRESSION:
     case Imf::DWAA_COMPRESSION:
+    case kHtj2k32:
       return 32;
     case Imf::DWAB_COMPRESSION:
+    case kHtj2k256:
       return 256;
     default:
       return 1;

@@ -10,8 +10,13 @@
 
 #include <csetjmp>
 #include <cstring>
+#include <map>
+#include <span>
+#include <string_view>
 
+#include "image/color_profile.hpp"
 #include "image/decode.hpp"
+#include "image/exif.hpp"
 #include "image/limits.hpp"
 
 namespace lippmann {
@@ -44,7 +49,9 @@ class JpegDecoder {
     check_image_size(where_, width, height, channels);
     check_file_holds(where_, file_.size(), static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height),
                      kMostSamplesPerByte);
-    return {width, height, default_channels(channels), SampleKind::kByte};
+    PictureHeader header = plain_header(width, height, channels, SampleKind::kByte);
+    read_markers(header);
+    return header;
   }
 
   std::vector<std::uint8_t> samples(const PictureHeader& header) {
@@ -79,11 +86,35 @@ class JpegDecoder {
     if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number > kMostScans) fail(jpeg, "it has too many scans");
   }
 
+  /// Orientation, colour profile (in pieces, each with its number) and the pixels' shape.
+  void read_markers(PictureHeader& header) const {
+    constexpr std::string_view kExif("Exif\0\0", 6), kIcc("ICC_PROFILE\0", 12);
+    std::map<int, FileBytes> profile;
+    for (jpeg_saved_marker_ptr marker = jpeg_.marker_list; marker; marker = marker->next) {
+      const FileBytes data = std::as_bytes(std::span(marker->data, marker->data_length));
+      const auto begins = [&](std::string_view name, std::size_t more) {
+        return data.size() >= name.size() + more && std::memcmp(data.data(), name.data(), name.size()) == 0;
+      };
+      if (marker->marker == JPEG_APP0 + 1 && begins(kExif, 0)) header.orientation = exif_orientation(data);
+      if (marker->marker == JPEG_APP0 + 2 && begins(kIcc, 2))
+        profile[std::to_integer<int>(data[kIcc.size()])] = data.subspan(kIcc.size() + 2);
+    }
+    std::vector<std::byte> icc;
+    for (const auto& [number, piece] : profile) icc.insert(icc.end(), piece.begin(), piece.end());
+    if (const std::string notice = color_profile_notice(icc); !notice.empty()) header.notices.push_back(notice);
+    if (jpeg_.saw_JFIF_marker && jpeg_.X_density > 0 && jpeg_.Y_density > 0) {
+      const double ratio = static_cast<double>(jpeg_.X_density) / jpeg_.Y_density;
+      add_aspect_notice(header, jpeg_.density_unit == 0 ? ratio : 1.0 / ratio);  // without a unit they are the pixels' sides
+    }
+  }
+
   bool read_header() {
     if (setjmp(back_) != 0) return false;
     jpeg_create_decompress(&jpeg_);
     jpeg_.progress = &progress_;
     jpeg_mem_src(&jpeg_, reinterpret_cast<const unsigned char*>(file_.data()), file_.size());
+    constexpr unsigned kWhole = 0xffff;
+    for (const int application : {1, 2}) jpeg_save_markers(&jpeg_, JPEG_APP0 + application, kWhole);
     jpeg_read_header(&jpeg_, TRUE);
     if (jpeg_.jpeg_color_space == JCS_YCCK) jpeg_.out_color_space = JCS_CMYK;
     return true;

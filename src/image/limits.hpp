@@ -9,6 +9,7 @@ namespace lippmann {
 inline constexpr int kMaxImageSide = 1 << 16;
 inline constexpr std::int64_t kMaxImagePixels = std::int64_t{1} << 28;
 inline constexpr std::int64_t kMaxImageSamples = std::int64_t{1} << 30;
+inline constexpr std::uintmax_t kMaxImageFileBytes = std::uintmax_t{4} << 30;
 
 /// Throws Error naming `where` unless the size is within those limits.
 void check_image_size(const std::string& where, std::int64_t width, std::int64_t height, std::int64_t channels);

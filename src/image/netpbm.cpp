@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "core/atomic_file.hpp"
-#include "image/file_bytes.hpp"
+#include "core/regular_file.hpp"
 #include "image/limits.hpp"
 #include "lippmann/core/error.hpp"
 
@@ -128,8 +128,12 @@ Image parse_pfm(std::span<const std::byte> file, const std::string& where) {
   return image;
 }
 
-PpmCodes read_ppm(const std::filesystem::path& path) { return parse_ppm(read_file_bytes(path), path.string()); }
-Image read_pfm(const std::filesystem::path& path) { return parse_pfm(read_file_bytes(path), path.string()); }
+PpmCodes read_ppm(const std::filesystem::path& path) {
+  return parse_ppm(read_file_bytes(path, kMaxImageFileBytes, "a picture"), path.string());
+}
+Image read_pfm(const std::filesystem::path& path) {
+  return parse_pfm(read_file_bytes(path, kMaxImageFileBytes, "a picture"), path.string());
+}
 
 std::vector<std::byte> encode_ppm(const PpmCodes& picture) {
   std::vector<std::byte> bytes;

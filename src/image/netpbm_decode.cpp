@@ -36,12 +36,12 @@ PictureHeader netpbm_header(FileBytes file, const std::string& where) { return d
 DecodedPicture decode_netpbm(FileBytes file, const std::string& where) {
   if (is_pfm(file)) {
     Image image = parse_pfm(file, where);
-    return {{image.width, image.height, default_channels(image.channels), SampleKind::kFloat}, std::move(image.data)};
+    return {plain_header(image.width, image.height, image.channels, SampleKind::kFloat), std::move(image.data)};
   }
   const PpmCodes picture = parse_ppm(file, where);
   const bool grey = has_letter(file, 1, "5"), wide = picture.highest > 255;
-  PictureHeader header{picture.codes.width, picture.codes.height, default_channels(grey ? 1 : 3),
-                       wide ? SampleKind::kWord : SampleKind::kByte};
+  PictureHeader header =
+      plain_header(picture.codes.width, picture.codes.height, grey ? 1 : 3, wide ? SampleKind::kWord : SampleKind::kByte);
   const std::size_t step = grey ? 3 : 1;
   if (wide) return {std::move(header), scaled<std::uint16_t>(picture, 65535, step)};
   return {std::move(header), scaled<std::uint8_t>(picture, 255, step)};

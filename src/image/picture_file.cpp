@@ -15,16 +15,6 @@
 namespace lippmann {
 namespace {
 
-Image first_three(const Image& image) {
-  if (image.channels == 3) return image;
-  Image rgb(image.width, image.height, 3);
-  const int step = image.channels >= 3 ? 1 : 0;
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      for (int c = 0; c < 3; ++c) rgb.pixel(x, y)[c] = image.pixel(x, y)[c * step];
-  return rgb;
-}
-
 Image16 to_image16(const Image& image) {
   Image16 codes{image.width, image.height, {}};
   codes.rgb.reserve(image.data.size());
@@ -45,16 +35,16 @@ Image linear_from_codes(int width, int height, const std::vector<Code>& codes) {
 
 }  // namespace
 
-Picture read_picture(const std::filesystem::path& path) {
+Picture read_picture(const std::filesystem::path& path, const std::function<void(std::string_view)>& warn) {
   switch (sample_kind(path)) {
     case SampleKind::kByte:
-      return read_image8(path);
+      return read_image8(path, warn);
     case SampleKind::kWord:
-      return to_image16(first_three(read_image(path)));
+      return to_image16(read_rgb(path, warn));
     case SampleKind::kFloat:
       break;
   }
-  return first_three(read_image(path));
+  return read_rgb(path, warn);
 }
 
 void check_picture_ending(const std::filesystem::path& path, const Picture& picture) {

@@ -1,17 +1,29 @@
 // PNG, by libpng. Its errors jump: what lies between setjmp() and them has no destructors, and everything that owns memory
 // lives in the PngDecoder around it.
+#include <fmt/format.h>
 #include <png.h>
 
+#include <array>
+#include <cmath>
 #include <csetjmp>
 #include <cstring>
+#include <optional>
+#include <span>
+#include <string_view>
 
+#include "image/chromaticities.hpp"
+#include "image/color_profile.hpp"
 #include "image/decode.hpp"
+#include "image/exif.hpp"
 #include "image/limits.hpp"
 
 namespace lippmann {
 namespace {
 
 constexpr unsigned char kPngMagic[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+
+/// Of ITU-T H.273.
+constexpr std::array<std::uint8_t, 4> kSrgbCodingPoints{1, 13, 0, 1};
 
 class PngDecoder {
  public:
@@ -24,8 +36,9 @@ class PngDecoder {
     }
     png_set_read_fn(png_, this, &on_read);
     png_set_user_limits(png_, kMaxImageSide, kMaxImageSide);
-    constexpr png_alloc_size_t kMaxChunk = 8 << 20;  // profiles and texts, which are not used
+    constexpr png_alloc_size_t kMaxChunk = 8 << 20;  // profiles and texts
     png_set_chunk_malloc_max(png_, kMaxChunk);
+    read_unknown_chunks(file);
   }
   ~PngDecoder() { png_destroy_read_struct(&png_, &info_, nullptr); }
   PngDecoder(const PngDecoder&) = delete;
@@ -38,8 +51,13 @@ class PngDecoder {
     const int channels = png_get_channels(png_, info_);
     check_image_size(where_, width, height, channels);
     check_file_holds(where_, size_, packed_bytes_, kDeflateRatio);
-    return {width, height, default_channels(channels),
-            png_get_bit_depth(png_, info_) == 16 ? SampleKind::kWord : SampleKind::kByte};
+    PictureHeader header =
+        plain_header(width, height, channels, png_get_bit_depth(png_, info_) == 16 ? SampleKind::kWord : SampleKind::kByte);
+    header.orientation = orientation();
+    header.notices = color_notices();
+    if (is_animated_) header.notices.emplace_back("it is animated: only its first picture is read");
+    add_place_notices(header);
+    return header;
   }
 
   template <class Code>
@@ -65,6 +83,62 @@ class PngDecoder {
     if (count > decoder.rest_.size()) png_error(png, "the file is truncated");
     std::memcpy(to, decoder.rest_.data(), count);
     decoder.rest_ = decoder.rest_.subspan(count);
+  }
+
+  Orientation orientation() const {
+    png_uint_32 size = 0;
+    png_bytep exif = nullptr;
+    if (!png_get_eXIf_1(png_, info_, &size, &exif)) return Orientation::kUpright;
+    return exif_orientation(std::as_bytes(std::span(exif, size)));
+  }
+
+  /// In the order in which one chunk overrules another.
+  std::vector<std::string> color_notices() const {
+    constexpr std::string_view kReadAsSrgb = "are not applied: its codes are read as sRGB's";
+    if (coding_points_ && *coding_points_ != kSrgbCodingPoints) return {fmt::format("its colours (cICP) {}", kReadAsSrgb)};
+    if (coding_points_) return {};
+    png_charp name = nullptr;
+    int compression = 0;
+    png_bytep profile = nullptr;
+    png_uint_32 size = 0;
+    if (png_get_iCCP(png_, info_, &name, &compression, &profile, &size)) {
+      const std::string notice = color_profile_notice(std::as_bytes(std::span(profile, size)));
+      return notice.empty() ? std::vector<std::string>() : std::vector{notice};
+    }
+    int intent = 0;
+    if (png_get_sRGB(png_, info_, &intent)) return {};
+    std::vector<std::string> notices;
+    double gamma = 0.0;
+    constexpr double kSrgbGamma = 0.45455, kRounded = 0.005;
+    if (png_get_gAMA(png_, info_, &gamma) && std::abs(gamma - kSrgbGamma) > kRounded)
+      notices.push_back(fmt::format("its gamma (gAMA {:g}) is not applied: its codes are read as sRGB's", gamma));
+    std::array<double, 8> xy{};  // white first
+    if (png_get_cHRM(png_, info_, &xy[6], &xy[7], &xy[0], &xy[1], &xy[2], &xy[3], &xy[4], &xy[5]) && !are_rec709({xy}))
+      notices.push_back(fmt::format("its chromaticities (cHRM) {}", kReadAsSrgb));
+    return notices;
+  }
+
+  void add_place_notices(PictureHeader& header) const {
+    png_uint_32 across = 0, down = 0;  // pixels per unit
+    int unit = 0;
+    if (png_get_pHYs(png_, info_, &across, &down, &unit) && across > 0 && down > 0)
+      add_aspect_notice(header, static_cast<double>(down) / across);
+    png_int_32 x = 0, y = 0;
+    if (png_get_oFFs(png_, info_, &x, &y, &unit) && (x != 0 || y != 0))
+      header.notices.push_back(fmt::format("its offset (oFFs) of {}, {} is ignored", x, y));
+  }
+
+  /// Chunks that older versions of libpng do not know.
+  void read_unknown_chunks(FileBytes file) {
+    for (std::size_t at = sizeof kPngMagic; at + 12 <= file.size();) {
+      std::uint32_t size = 0;
+      for (std::size_t i = 0; i < 4; ++i) size = size << 8 | std::to_integer<std::uint32_t>(file[at + i]);
+      const std::string_view name(reinterpret_cast<const char*>(file.data()) + at + 4, 4);
+      if (name == "IDAT" || size > file.size() - at - 12) return;
+      if (name == "acTL") is_animated_ = true;
+      if (name == "cICP" && size == 4) coding_points_.emplace(), std::memcpy(coding_points_->data(), &file[at + 8], 4);
+      at += 12 + std::size_t{size};
+    }
   }
 
   bool read_header() {
@@ -93,6 +167,8 @@ class PngDecoder {
   const std::string& where_;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
+  std::optional<std::array<std::uint8_t, 4>> coding_points_;  // cICP: primaries, transfer curve, matrix, whole range
+  bool is_animated_ = false;
   std::uint64_t packed_bytes_ = 0;  // what all rows take, as the file has them
   char reason_[200] = {};
   std::jmp_buf back_;

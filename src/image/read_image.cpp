@@ -5,10 +5,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
+#include "core/file_content.hpp"
+#include "core/printable.hpp"
+#include "core/recorded_file.hpp"
+#include "core/regular_file.hpp"
 #include "image/decode.hpp"
-#include "image/file_bytes.hpp"
+#include "image/limits.hpp"
+#include "image/orientation.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
 
@@ -27,23 +33,43 @@ struct Format {
 constexpr std::array kFormats{Format{is_png, png_header, decode_png},          Format{is_exr, exr_header, decode_exr},
                               Format{is_jpeg, jpeg_header, decode_jpeg},       Format{is_tiff, tiff_header, decode_tiff},
                               Format{is_hdr, hdr_header, decode_hdr},          Format{is_webp, webp_header, decode_webp},
-                              Format{is_netpbm, netpbm_header, decode_netpbm}, Format{is_tga, tga_header, decode_tga}};
+                              Format{is_netpbm, netpbm_header, decode_netpbm}, Format{is_bmp, bmp_header, decode_bmp},
+                              Format{is_tga, tga_header, decode_tga}};
 
 const Format& format_of(FileBytes file, const std::string& where) {
   for (const Format& format : kFormats)
     if (format.begins(file)) return format;
-  throw Error(where, "cannot be read as a picture: it begins as none",
-              "PNG, JPEG, TIFF, OpenEXR, Radiance HDR, WebP, PPM, PGM, PFM or TGA");
+  const FileContent content = describe_content(file);
+  throw Error(where, "cannot be read as a picture: it is " + content.what,
+              content.remedy.empty() ? "PNG, JPEG, TIFF, OpenEXR, Radiance HDR, WebP, BMP, PPM (P6), PGM (P5), PFM or TGA"
+                                     : content.remedy);
 }
 
-PictureHeader read_header(const fs::path& path) { return picture_header(read_file_bytes(path), path.string()); }
+std::vector<std::byte> bytes_of(const fs::path& path) { return read_recorded_bytes(path, kMaxImageFileBytes, "a picture"); }
 
-DecodedPicture read_decoded(const fs::path& path) { return decode_picture(read_file_bytes(path), path.string()); }
+PictureHeader read_header(const fs::path& path) { return picture_header(bytes_of(path), path.string()); }
 
-std::vector<unsigned char> first_three(const std::vector<unsigned char>& codes, std::size_t channels) {
-  const std::size_t pixels = codes.size() / channels;
-  const std::size_t step = channels >= 3 ? 1 : 0;
-  std::vector<unsigned char> rgb(3 * pixels);
+DecodedPicture read_decoded(const fs::path& path, const PictureWarning& warn) {
+  DecodedPicture picture = decode_picture(bytes_of(path), path.string());
+  if (warn)
+    for (const std::string& notice : picture.header.notices)
+      warn(fmt::format("{}: {}.", path.string(), printable_line(notice)));
+  return picture;
+}
+
+void require_colors(const PictureHeader& header, const fs::path& path) {
+  if (header.colors > 0) return;
+  std::string names = fmt::format("{}", fmt::join(header.channels, ", "));
+  throw Error(path.string(), fmt::format("none of its channels is a colour: {}", shown(names)),
+              "channels called R, G and B or Y, of a layer too");
+}
+
+/// The colours without what else a pixel has; grey three times.
+template <class Code>
+std::vector<Code> rgb_of(const std::vector<Code>& codes, const PictureHeader& header) {
+  const std::size_t channels = header.channels.size(), pixels = codes.size() / channels;
+  const std::size_t step = header.colors == 3 ? 1 : 0;
+  std::vector<Code> rgb(3 * pixels);
   for (std::size_t i = 0; i < pixels; ++i)
     for (std::size_t c = 0; c < 3; ++c) rgb[3 * i + c] = codes[i * channels + c * step];
   return rgb;
@@ -69,6 +95,24 @@ Image to_image(DecodedPicture picture) {
   return image;
 }
 
+Image8 to_image8(DecodedPicture picture, const fs::path& path) {
+  require_colors(picture.header, path);
+  const PictureHeader header = picture.header;
+  const int width = header.width, height = header.height;
+  if (auto* bytes = std::get_if<std::vector<std::uint8_t>>(&picture.samples))
+    return {width, height, header.channels.size() == 3 ? std::move(*bytes) : rgb_of(*bytes, header)};
+  if (const auto* words = std::get_if<std::vector<std::uint16_t>>(&picture.samples)) {
+    std::vector<unsigned char> codes(words->size());
+    std::transform(words->begin(), words->end(), codes.begin(),
+                   [](std::uint32_t v) { return static_cast<unsigned char>((v * 255 + 32767) / 65535); });
+    return {width, height, rgb_of(codes, header)};
+  }
+  Image image = to_image(std::move(picture));
+  if (image.channels != 3) image.data = rgb_of(image.data, header);
+  image.channels = 3;
+  return to_codes(image, Encoding::kSrgb);
+}
+
 }  // namespace
 
 Error unreadable_picture(const std::string& where, const std::string& reason) {
@@ -83,16 +127,42 @@ std::vector<std::string> default_channels(int count) {
   return names;
 }
 
-PictureHeader picture_header(FileBytes file, const std::string& where) { return format_of(file, where).header(file, where); }
+PictureHeader plain_header(int width, int height, int channels, SampleKind kind) {
+  PictureHeader header{width, height, default_channels(channels), kind};
+  header.colors = channels >= 3 ? 3 : 1;
+  return header;
+}
 
-DecodedPicture decode_picture(FileBytes file, const std::string& where) { return format_of(file, where).decode(file, where); }
+void add_aspect_notice(PictureHeader& header, double aspect) {
+  constexpr double kSeen = 0.01;
+  if (!(std::abs(aspect - 1.0) > kSeen)) return;
+  header.notices.push_back(fmt::format("its pixels are {:.4g} times as wide as high, and are read as square", aspect));
+}
 
-Image read_image(const fs::path& path) { return to_image(read_decoded(path)); }
+PictureHeader picture_header(FileBytes file, const std::string& where) {
+  return upright(format_of(file, where).header(file, where));
+}
+
+DecodedPicture decode_picture(FileBytes file, const std::string& where) {
+  return upright(format_of(file, where).decode(file, where));
+}
+
+Image read_image(const fs::path& path, const PictureWarning& warn) { return to_image(read_decoded(path, warn)); }
+
+Image read_rgb(const fs::path& path, const PictureWarning& warn) {
+  DecodedPicture picture = read_decoded(path, warn);
+  require_colors(picture.header, path);
+  const PictureHeader header = picture.header;
+  Image image = to_image(std::move(picture));
+  if (image.channels != 3) image.data = rgb_of(image.data, header);
+  image.channels = 3;
+  return image;
+}
 
 std::vector<std::string> channel_names(const fs::path& path) { return read_header(path).channels; }
 
 Image read_channels(const fs::path& path, std::span<const std::string> names) {
-  DecodedPicture picture = read_decoded(path);
+  DecodedPicture picture = read_decoded(path, {});
   const std::vector<std::string> known = picture.header.channels;
   std::vector<std::size_t> index;
   for (const std::string& name : names) {
@@ -110,19 +180,10 @@ Image read_channels(const fs::path& path, std::span<const std::string> names) {
 
 SampleKind sample_kind(const fs::path& path) { return read_header(path).kind; }
 
-Image8 read_image8(const fs::path& path) {
-  DecodedPicture picture = read_decoded(path);
-  const int width = picture.header.width, height = picture.header.height;
-  const std::size_t channels = picture.header.channels.size();
-  if (auto* bytes = std::get_if<std::vector<std::uint8_t>>(&picture.samples))
-    return {width, height, channels == 3 ? std::move(*bytes) : first_three(*bytes, channels)};
-  if (const auto* words = std::get_if<std::vector<std::uint16_t>>(&picture.samples)) {
-    std::vector<unsigned char> codes(words->size());
-    std::transform(words->begin(), words->end(), codes.begin(),
-                   [](std::uint32_t v) { return static_cast<unsigned char>((v * 255 + 32767) / 65535); });
-    return {width, height, first_three(codes, channels)};
-  }
-  return to_codes(to_image(std::move(picture)), Encoding::kSrgb);
+Image8 read_image8(const fs::path& path, const PictureWarning& warn) { return to_image8(read_decoded(path, warn), path); }
+
+Image8 read_new_image8(const fs::path& path) {
+  return to_image8(decode_picture(read_file_bytes(path, kMaxImageFileBytes, "a picture"), path.string()), path);
 }
 
 }  // namespace lippmann

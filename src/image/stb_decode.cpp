@@ -1,7 +1,7 @@
-// Radiance HDR and TGA, by stb_image, whose other formats are left out. Tachyon's scenes use TGA for image maps.
+// BMP and TGA, by stb_image, whose other formats are left out. Tachyon's scenes use TGA for image maps.
 //
-// stb_image takes what lies behind a file's end for zeros, and loops on them in some HDR files. Here it gets ones instead, with
-// which every loop ends, and whoever asks for them has a truncated file.
+// stb_image takes what lies behind a file's end for zeros. Here it gets ones instead, and whoever asks for them has a truncated
+// file.
 #include <algorithm>
 #include <cstring>
 #include <memory>
@@ -12,7 +12,7 @@
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
-#define STBI_ONLY_HDR
+#define STBI_ONLY_BMP
 #define STBI_ONLY_TGA
 #define STBI_NO_STDIO
 #define STBI_FAILURE_USERMSG
@@ -98,23 +98,38 @@ DecodedPicture decode(FileBytes file, const std::string& where, PictureHeader he
   return {std::move(header), std::vector<Sample>(samples.get(), samples.get() + count)};
 }
 
-bool begins_with(FileBytes file, std::string_view text) {
-  return file.size() >= text.size() && std::memcmp(file.data(), text.data(), text.size()) == 0;
+std::uint64_t byte_at(FileBytes file, std::size_t at) { return std::to_integer<std::uint64_t>(file[at]); }
+
+/// Low byte first.
+std::int64_t long_at(FileBytes file, std::size_t at) {
+  std::int32_t value;
+  std::memcpy(&value, file.data() + at, sizeof value);
+  return value;
 }
 
 }  // namespace
 
-bool is_hdr(FileBytes file) { return begins_with(file, "#?RADIANCE") || begins_with(file, "#?RGBE"); }
+constexpr std::size_t kBmpHeaderBytes = 54;
 
-PictureHeader hdr_header(FileBytes file, const std::string& where) {
-  const Shape shape = shape_of(file, where);
-  constexpr std::uint64_t kMostSamplesPerByte = 64;  // a run of 127 takes two bytes
-  check_file_holds(where, file.size(), 4 * pixels_of(shape), kMostSamplesPerByte);
-  return {shape.width, shape.height, default_channels(shape.channels), SampleKind::kFloat};
+bool is_bmp(FileBytes file) {
+  return file.size() >= 18 && byte_at(file, 0) == 'B' && byte_at(file, 1) == 'M' && long_at(file, 14) >= 12 &&
+         long_at(file, 14) <= 124;
 }
 
-DecodedPicture decode_hdr(FileBytes file, const std::string& where) {
-  return decode<float>(file, where, hdr_header(file, where), stbi_loadf_from_callbacks);
+PictureHeader bmp_header(FileBytes file, const std::string& where) {
+  const Shape shape = shape_of(file, where);
+  const bool old = long_at(file, 14) == 12;  // of OS/2
+  if (file.size() < kBmpHeaderBytes && !old) throw unreadable_picture(where, "the file is truncated");
+  const std::uint64_t bits = byte_at(file, old ? 24 : 28);
+  check_file_holds(where, file.size(), pixels_of(shape) * bits / 8, 1);
+  PictureHeader header = plain_header(shape.width, shape.height, shape.channels, SampleKind::kByte);
+  const std::int64_t across = old ? 0 : long_at(file, 38), down = old ? 0 : long_at(file, 42);  // pixels per metre
+  if (across > 0 && down > 0) add_aspect_notice(header, static_cast<double>(down) / static_cast<double>(across));
+  return header;
+}
+
+DecodedPicture decode_bmp(FileBytes file, const std::string& where) {
+  return decode<std::uint8_t>(file, where, bmp_header(file, where), stbi_load_from_callbacks);
 }
 
 bool is_tga(FileBytes file) {
@@ -126,12 +141,15 @@ bool is_tga(FileBytes file) {
 PictureHeader tga_header(FileBytes file, const std::string& where) {
   const Shape shape = shape_of(file, where);
   const bool runs = std::to_integer<int>(file[2]) >= 8;
-  const std::uint64_t bits_per_pixel = std::to_integer<std::uint64_t>(file[16]);  // 15 take two bytes
-  const std::uint64_t begin = 18u + std::to_integer<std::uint64_t>(file[0]);
+  const std::uint64_t bits_per_pixel = byte_at(file, 16);  // 15 take two bytes
+  const std::uint64_t begin = 18u + byte_at(file, 0);
   constexpr std::uint64_t kMostPixelsPerByte = 128;
   check_file_holds(where, file.size() - std::min<std::uint64_t>(begin, file.size()),
                    pixels_of(shape) * ((bits_per_pixel + 7) / 8), runs ? kMostPixelsPerByte : 1);
-  return {shape.width, shape.height, default_channels(shape.channels), SampleKind::kByte};
+  PictureHeader header = plain_header(shape.width, shape.height, shape.channels, SampleKind::kByte);
+  constexpr std::uint64_t kFromTheRight = 0x10;  // stb_image turns rows that go up, but no columns
+  if (byte_at(file, 17) & kFromTheRight) header.orientation = Orientation::kMirrored;
+  return header;
 }
 
 DecodedPicture decode_tga(FileBytes file, const std::string& where) {

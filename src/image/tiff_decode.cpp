@@ -14,8 +14,11 @@
 #include <cstring>
 #include <memory>
 
+#include "image/chromaticities.hpp"
+#include "image/color_profile.hpp"
 #include "image/decode.hpp"
 #include "image/limits.hpp"
+#include "image/orientation.hpp"
 
 namespace lippmann {
 namespace {
@@ -56,8 +59,12 @@ class TiffDecoder {
   }
 
   PictureHeader header() const {
-    return {static_cast<int>(layout_.width), static_cast<int>(layout_.height),
-            default_channels(layout_.direct ? layout_.channels : 3), kind()};
+    PictureHeader header = plain_header(static_cast<int>(layout_.width), static_cast<int>(layout_.height),
+                                        layout_.direct ? layout_.channels : 3, kind());
+    header.orientation = orientation_of(field<std::uint16_t>(TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT));
+    add_color_notices(header);
+    add_place_notices(header);
+    return header;
   }
 
   Samples samples() {
@@ -108,6 +115,42 @@ class TiffDecoder {
   T field(std::uint32_t tag, T standard) const {
     T value = standard;
     return TIFFGetFieldDefaulted(tiff_.get(), tag, &value) ? value : standard;
+  }
+
+  /// Points into libtiff's memory; null where there is none.
+  template <class T>
+  const T* array_field(std::uint32_t tag) const {
+    const T* values = nullptr;
+    return TIFFGetField(tiff_.get(), tag, &values) ? values : nullptr;
+  }
+
+  void add_color_notices(PictureHeader& header) const {
+    std::uint32_t size = 0;
+    const void* profile = nullptr;
+    if (TIFFGetField(tiff_.get(), TIFFTAG_ICCPROFILE, &size, &profile) && profile) {
+      const std::string notice = color_profile_notice({static_cast<const std::byte*>(profile), size});
+      if (!notice.empty()) header.notices.push_back(notice);
+      return;
+    }
+    Chromaticities chromaticities;
+    if (const float* primaries = array_field<float>(TIFFTAG_PRIMARYCHROMATICITIES))
+      std::copy_n(primaries, 6, chromaticities.xy.begin());
+    if (const float* white = array_field<float>(TIFFTAG_WHITEPOINT)) std::copy_n(white, 2, chromaticities.xy.begin() + 6);
+    if (!are_rec709(chromaticities))
+      header.notices.emplace_back("its chromaticities are not applied: its colours are read as sRGB's");
+  }
+
+  void add_place_notices(PictureHeader& header) const {
+    float across = 0.0f, down = 0.0f;  // pixels per unit
+    if (TIFFGetField(tiff_.get(), TIFFTAG_XRESOLUTION, &across) && TIFFGetField(tiff_.get(), TIFFTAG_YRESOLUTION, &down) &&
+        across > 0.0f && down > 0.0f)
+      add_aspect_notice(header, static_cast<double>(down) / static_cast<double>(across));
+    std::uint32_t whole_width = layout_.width, whole_height = layout_.height;
+    TIFFGetField(tiff_.get(), TIFFTAG_PIXAR_IMAGEFULLWIDTH, &whole_width);
+    TIFFGetField(tiff_.get(), TIFFTAG_PIXAR_IMAGEFULLLENGTH, &whole_height);
+    if (whole_width != layout_.width || whole_height != layout_.height)
+      header.notices.push_back(
+          fmt::format("it is a part of a picture of {} x {} pixels and is read by itself", whole_width, whole_height));
   }
 
   SampleKind kind() const {

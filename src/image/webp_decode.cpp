@@ -2,8 +2,11 @@
 #include <webp/decode.h>
 
 #include <cstring>
+#include <string_view>
 
+#include "image/color_profile.hpp"
 #include "image/decode.hpp"
+#include "image/exif.hpp"
 #include "image/limits.hpp"
 
 namespace lippmann {
@@ -13,6 +16,20 @@ namespace {
 constexpr std::uint64_t kFreePixels = std::uint64_t{1} << 22, kMostPixelsPerByte = std::uint64_t{1} << 14;
 
 const std::uint8_t* bytes_of(FileBytes file) { return reinterpret_cast<const std::uint8_t*>(file.data()); }
+
+/// Empty where there is none. Chunks are a name, a size (low byte first) and an even number of bytes.
+FileBytes webp_chunk(FileBytes file, std::string_view name) {
+  constexpr std::size_t kFirst = 12, kChunkHeader = 8;
+  for (std::size_t at = kFirst; at + kChunkHeader <= file.size();) {
+    std::uint32_t size = 0;
+    std::memcpy(&size, file.data() + at + 4, sizeof size);
+    const std::size_t left = file.size() - at - kChunkHeader;
+    if (size > left) return {};
+    if (std::memcmp(file.data() + at, name.data(), name.size()) == 0) return file.subspan(at + kChunkHeader, size);
+    at += kChunkHeader + size + size % 2;
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -30,7 +47,11 @@ PictureHeader webp_header(FileBytes file, const std::string& where) {
   check_image_size(where, features.width, features.height, channels);
   const std::uint64_t pixels = static_cast<std::uint64_t>(features.width) * static_cast<std::uint64_t>(features.height);
   if (pixels > kFreePixels) check_file_holds(where, file.size(), pixels, kMostPixelsPerByte);
-  return {features.width, features.height, default_channels(channels), SampleKind::kByte};
+  PictureHeader header = plain_header(features.width, features.height, channels, SampleKind::kByte);
+  header.orientation = exif_orientation(webp_chunk(file, "EXIF"));
+  if (const std::string notice = color_profile_notice(webp_chunk(file, "ICCP")); !notice.empty())
+    header.notices.push_back(notice);
+  return header;
 }
 
 DecodedPicture decode_webp(FileBytes file, const std::string& where) {

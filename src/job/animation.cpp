@@ -19,10 +19,12 @@
 #include "core/json_text.hpp"
 #include "folder/claim_folder.hpp"
 #include "folder/frame_sink.hpp"
+#include "folder/kept_lease.hpp"
 #include "folder/render_folder.hpp"
 #include "folder/strips.hpp"
 #include "frames/banded_frames.hpp"
 #include "frames/frame_maker.hpp"
+#include "frames/picture_check.hpp"
 #include "job/aov_params.hpp"
 #include "job/folder_documents.hpp"
 #include "job/job_fingerprint.hpp"
@@ -81,16 +83,11 @@ std::uint64_t channel_bytes(PictureFormat format, ExrPixels exr_pixels) {
 }
 
 /// As it is asked for, or the first of out/<scene name>, out/<scene name>-2, ... that holds no other render.
-fs::path chosen_folder(const RenderParams& params, const std::string& job, bool force, const Context& context) {
+fs::path chosen_folder(const RenderParams& params, const std::string& job, bool force) {
   const fs::path wanted = output_folder(params);
-  if (wanted == "-")
-    throw usage_error("output", "a render is a folder of files, and standard output cannot hold one", "a folder");
+  if (wanted == "-") throw usage_error("output", "a render writes a folder of files, not standard output", "a folder");
   if (!params.output.folder.empty() || force) return wanted;
-  fs::path folder = free_folder(wanted, job);
-  if (folder != wanted)
-    context.warning(fmt::format("{} holds another render, so this one is in {} (--force replaces the other, -o chooses)",
-                                wanted.string(), folder.string()));
-  return folder;
+  return free_folder(wanted, job);
 }
 
 /// What EXR files say of the render, for those who get them without its report.
@@ -115,7 +112,7 @@ std::vector<int> parts_of_run(const RunParams& run, const std::vector<int>& of_j
   std::vector<int> both;
   std::set_intersection(of_units.begin(), of_units.end(), wanted.begin(), wanted.end(), std::back_inserter(both));
   if (both.empty() && !of_units.empty())
-    throw usage_error("only-frames", fmt::format("{} has no frame that is to be rendered", write_frames(*run.only_frames)),
+    throw usage_error("only-frames", fmt::format("{} selects no frame of this render", write_frames(*run.only_frames)),
                       fmt::format("some of {}", write_frames(ranges_of(frames_of_parts(of_units, strips)))));
   return both;
 }
@@ -123,7 +120,7 @@ std::vector<int> parts_of_run(const RunParams& run, const std::vector<int>& of_j
 /// Throws a usage Error for frames that cannot be rendered in strips.
 void check_strips_of(const RenderParams& params, const FrameParams& made_as, const Optics& optics) {
   if (params.strips == 1) return;
-  if (params.scene.name == kTestPattern) throw usage_error("strips", "the test pattern is drawn whole", "1");
+  if (params.scene.name == kTestPattern) throw usage_error("strips", "the test pattern cannot be split", "1");
   check_strips(made_as, optics, params.strips);
 }
 
@@ -146,9 +143,11 @@ class Animation {
     check_layout();
     job_ = job_fingerprint(params_, stage_.scene, stage_.display.get());
     if (!is_part()) plan_videos();
-    folder_ = chosen_folder(params_, job_, run.force, context);
-    if (folder_ != output_folder(params_)) params_.output.folder = folder_.string();
+    folder_ = chosen_folder(params_, job_, run.force);
+    wanted_folder_ = output_folder(params_);
+    if (folder_ != wanted_folder_) params_.output.folder = folder_.string();
     const auto differing = [this](const fs::path& job_file) { return differences(job_file, params_); };
+    if (run.force) require_no_other_run(folder_, job_);
     if (!run.force) require_free_folder(folder_, job_, differing, all_frames_, video_names());
   }
 
@@ -170,9 +169,10 @@ class Animation {
 
   RenderReport render() {
     if (frames_.empty())
-      context_.warning(fmt::format("unit {} has no frames: the job falls into fewer parts", write_units(*run_.units)));
+      context_.warning(fmt::format("unit {} has no frames: the job has fewer parts", write_units(*run_.units)));
     if (run_.ranks && !is_first_rank()) run_.ranks->begin();  // once the first rank has made room
     RenderFolder folder = open_folder();
+    const KeptLease lease(folder);
     RenderReport report = report_of_setup();
     if (is_first_rank()) begin_report(report, folder);
     const std::unique_ptr<FrameMaker> maker = make_maker(folder, report);
@@ -352,11 +352,11 @@ class Animation {
   void check_layout() {
     layout_.check_picture_size(!params_.sampling.aov.empty());
     if (!params_.output.video.empty() && !layout_.is_picture())
-      throw usage_error("video", "views are pictures of their own", "`layout` quilt or integral");
+      throw usage_error("video", "needs a layout with one picture per frame", "`layout` quilt or integral");
     if (!params_.output.video.empty() && layout_.is_rgbd() && layout_.format() == PictureFormat::kExr)
-      throw usage_error("video", "is made of the pictures, which have to hold codes of depth", "`format` png or png16");
+      throw usage_error("video", "needs pictures that store depth as integers", "`format` png or png16");
     if (!params_.output.video.empty() && (is_part() || run_.ranks) && layout_.format() != PictureFormat::kPng)
-      throw usage_error("video", "is made of the pictures of all parts, which have to hold its codes", "`format` png");
+      throw usage_error("video", "needs pictures of 8 bits: it is encoded from those of all parts", "`format` png");
     see_crosstalk();
     check(made_as_, optics());
     check_strips_of(params_, made_as_, optics());
@@ -406,7 +406,12 @@ class Animation {
       make_room_for_video(video, layout_.picture_size());
       warn_of_mixed_rows(video.path, video.options, layout_.picture_size(), context_);
     }
-    return open_job_folder(folder_, job_, params_, all_frames_, stage_.scene.timeline.frame_count, run_.force, context_);
+    RenderFolder folder =
+        open_job_folder(folder_, job_, params_, all_frames_, stage_.scene.timeline.frame_count, run_.force, context_);
+    if (folder_ != wanted_folder_)
+      context_.warning(fmt::format("{} holds another render, so this one is in {} (--force replaces the other, -o chooses)",
+                                   wanted_folder_.string(), folder_.string()));
+    return folder;
   }
 
   RenderReport report_of_setup() const {
@@ -496,8 +501,14 @@ class Animation {
   /// False if it was stopped.
   bool make_frame(int frame, FrameMaker& maker, FrameSink& sink, RenderReport& report) {
     if (context_.cancelled) return false;
+    std::optional<SeenShare> seen;
+    if (frame == all_frames_.front() && !is_cut() && params_.scene.name != kTestPattern)
+      seen = look_at_frame(stage_, frame, pool_);
     RenderedFrame rendered = maker.make(frame);
     if (context_.cancelled) return false;
+    if (seen)
+      if (const std::string doubt = doubt_about_picture(stage_, frame, *seen, rendered.pictures.film); !doubt.empty())
+        context_.warning(doubt);
     report.frames.push_back(rendered.report);
     report.run.frames.push_back(frame);
     say_traced(report.frames.back());
@@ -508,8 +519,8 @@ class Animation {
 
   void finish_videos(FrameSink& sink, RenderFolder& folder) const {
     for (const VideoFile& video : videos_) folder.begin_video(video.path, frames_);
-    sink.finish_videos();
-    for (const VideoFile& video : videos_) folder.add_video(video.path, frames_);
+    const bool have_side_files = sink.finish_videos();
+    for (const VideoFile& video : videos_) folder.add_video(video.path, frames_, have_side_files);
   }
 
   const Stopwatch setup_;
@@ -529,7 +540,7 @@ class Animation {
   FormatOptions writing_;            ///< what the format of light fields is told
   std::string job_;
   std::vector<VideoFile> videos_;
-  fs::path folder_;
+  fs::path wanted_folder_, folder_;   ///< they differ where the first holds another render and no folder was given
   StrippedFrames* strips_ = nullptr;  ///< the maker of frames that are cut
   std::mutex mutex_;                  ///< what follows
   std::map<int, WorkDone> done_;      ///< by this rank, to be told to the first

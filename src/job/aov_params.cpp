@@ -16,13 +16,12 @@ namespace {
 
 void check_transparent(const RenderParams& params) {
   constexpr const char* kFlag = "--transparent";
-  if (params.scene.name == kTestPattern) throw usage_error(kFlag, "the test pattern has no surroundings", "a scene with it");
+  if (params.scene.name == kTestPattern) throw usage_error(kFlag, "the test pattern cannot be transparent", "a scene with it");
   if (!params.output.video.empty())
-    throw usage_error(kFlag, "none of the codecs of videos keeps alpha", "pictures alone: no --video with it");
+    throw usage_error(kFlag, "cannot be combined with --video: no video codec keeps alpha", "one of the two");
   if (params.output.pictures.layout == PictureLayout::kNative || params.output.pictures.layout == PictureLayout::kPrint)
-    throw usage_error(kFlag, "what a panel or paper shows lies before nothing", "--layout integral, quilt or views");
-  if (params.optics.precompensate)
-    throw usage_error(kFlag, "crosstalk mixes neighbours, alpha or not", "no --precompensate with it");
+    throw usage_error(kFlag, "pictures for panels and prints cannot store alpha", "--layout integral, quilt or views");
+  if (params.optics.precompensate) throw usage_error(kFlag, "cannot be combined with --precompensate", "one of the two");
 }
 
 /// Whether frames are written in a format that is not one of the layouts of pictures by another name.
@@ -36,8 +35,9 @@ void check_light_field(const RenderParams& params) {
   const bool knows_depth = find_format(params.output.pictures.to, "to").uses_cameras;
   for (const Aov layer : params.sampling.aov)
     if (layer != Aov::kDepth || !knows_depth)
-      throw usage_error("aov", fmt::format("files of the format {} have no such layer", params.output.pictures.to),
-                        knows_depth ? "no `aov`: depth is written without it" : "no `aov` with it");
+      throw usage_error(
+          "aov", fmt::format("files of the format {} have no such layer", params.output.pictures.to),
+          knows_depth ? "no layer but depth, which is always written" : "a format with layers, such as `format` exr");
   if (params.sampling.transparent)
     throw usage_error("transparent", fmt::format("files of the format {} hold no alpha", params.output.pictures.to),
                       "`layout` quilt or views");

@@ -21,7 +21,8 @@ void refuse_what_the_display_decides(const RenderParams& params) {
   refuse(params.optics.lens_pixels.x > 0.0f, "--lens-pixels", "the display has its own", kAccepted);
   refuse(params.optics.packing != LensPacking::kSquare, "--packing", "the display has its own", kAccepted);
   refuse(params.optics.slant_deg != 0.0f, "--slant", "the display has its own", kAccepted);
-  refuse(params.optics.camera_grid, "--camera-grid", "displays want views at equal angles", "no --display with it");
+  refuse(params.optics.camera_grid, "--camera-grid", "cannot be combined with --display, whose views are at equal angles",
+         "one of the two");
 }
 
 /// The display with the viewing angle, the viewing distance and, except for quilts, the size of the parameters.
@@ -82,8 +83,7 @@ Optics display_optics(const RenderParams& params, const Display& display) {
              native = params.output.pictures.layout == PictureLayout::kNative;
   const OpticsKind kind = params.optics.kind.value_or(own_kind(display));
   const bool is_quilt = kind == OpticsKind::kMultiview && !(slanted && native);
-  refuse(params.optics.views.x > 0 && !is_quilt, "--views", "has no meaning for this kind of optics",
-         "with --optics multiview");
+  refuse(params.optics.views.x > 0 && !is_quilt, "--views", "has no effect on this kind of optics", "with --optics multiview");
   const Display wanted = with_params(params, display, is_quilt);
   Optics optics;
   if (kind == OpticsKind::kSingle)

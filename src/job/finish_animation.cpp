@@ -61,8 +61,16 @@ FinishedAnimation finish_animation(const fs::path& folder, const std::vector<fs:
                                    const RenderObserver& observer) {
   RunParams run;
   run.only_finished = true;
-  return finish_folder(folder, join,
-                       [&](const RenderParams& params) { return render_animation(params, context, observer, run); });
+  FinishedAnimation finished =
+      finish_folder(folder, join, [&](const RenderParams& params) { return render_animation(params, context, observer, run); });
+  if (!finished.report || finished.report->params.output.also != Companion::kSingle) return finished;
+  const fs::path single = folder / kSingleFolder;
+  std::vector<fs::path> singles;
+  for (const fs::path& part : join)
+    if (read_journal(part / kSingleFolder)) singles.push_back(part / kSingleFolder);
+  const bool has_begun = !singles.empty() || read_journal(single).has_value();
+  finished.has_single = has_begun && finish_animation(single, singles, context).report.has_value();
+  return finished;
 }
 
 }  // namespace lippmann

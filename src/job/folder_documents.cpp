@@ -10,6 +10,7 @@
 #include "core/regular_file.hpp"
 #include "job/job_file.hpp"
 #include "job/job_fingerprint.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {
@@ -51,12 +52,35 @@ RenderReport report_of(const RenderReport& run, const FolderJournal& journal) {
   return all;
 }
 
+bool are_same_paths(const std::vector<std::string>& some, const std::vector<std::string>& others) {
+  return std::equal(some.begin(), some.end(), others.begin(), others.end(), [](const std::string& a, const std::string& b) {
+    return std::filesystem::absolute(a).lexically_normal() == std::filesystem::absolute(b).lexically_normal();
+  });
+}
+
 std::string job_of_folder(const RenderParams& params, const FolderJournal& journal, const std::vector<int>& frames,
-                          int frame_count, const std::filesystem::path& folder) {
+                          int frame_count, const std::vector<std::string>& videos, const std::filesystem::path& folder) {
   RenderParams whole = params;
+  if (journal.companions.contains(kSingleFolder)) whole.output.also = Companion::kSingle;
+  if (journal.companions.contains(kPageFolder)) whole.output.page = true;
+  if (whole.output.video.empty()) whole.output.video = videos;
   if (journal.asked != frames) whole.output.frames = ranges_of(journal.asked);
   if (journal.asked != frames && static_cast<int>(journal.asked.size()) == frame_count) whole.output.frames.reset();
   return job_text(whole, folder);
+}
+
+/// Of a job file; none where it cannot be read.
+std::vector<std::string> videos_of(const std::filesystem::path& job) try {
+  RenderParams params;
+  read_job(job, params);
+  return params.output.video;
+} catch (const Error&) {
+  return {};
+}
+
+/// Whether earlier runs were asked for all that runs are asked for now.
+bool holds_all(const FolderJournal& before, const FolderJournal& now) {
+  return before.asked == now.asked && before.companions == now.companions;
 }
 
 }  // namespace
@@ -72,10 +96,11 @@ void write_job_of_folder(const RenderParams& params, const std::vector<int>& fra
                       file.string(), fmt::join(keys, ", ")));
     return;
   }
-  const std::vector<int>& before = folder.before().asked;
-  if (is_there && std::includes(before.begin(), before.end(), frames.begin(), frames.end())) return;
+  const std::vector<std::string> videos = is_there ? videos_of(file) : std::vector<std::string>();
+  const bool has_same_videos = params.output.video.empty() || are_same_paths(params.output.video, videos);
+  if (is_there && has_same_videos && holds_all(folder.before(), folder.now())) return;
   folder.write(kJobFile, [&](const FolderJournal& journal) {
-    return job_of_folder(params, journal, frames, frame_count, folder.path());
+    return job_of_folder(params, journal, frames, frame_count, videos, folder.path());
   });
 }
 

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
-#include <system_error>
 #include <vector>
 
 #include "core/atomic_file.hpp"
+#include "core/regular_file.hpp"
 #include "job/params_table.hpp"
 #include "job/scene_light.hpp"
 #include "lippmann/core/error.hpp"
@@ -51,20 +51,16 @@ std::string value_text(const toml::node& node, const std::string& where) {
 std::vector<std::string> value_texts(const ParamInfo& info, const toml::node& node, const std::string& where) {
   const toml::array* array = node.as_array();
   if (!array) return {value_text(node, where)};
-  if (info.kind != ParamKind::kList) throw usage_error(where, "a list, where one value is expected", std::string(info.type));
+  if (info.kind != ParamKind::kList) throw usage_error(where, "is a list; expected one value", std::string(info.type));
   std::vector<std::string> texts;
   for (const toml::node& element : *array) texts.push_back(value_text(element, where));
   return texts;
 }
 
 toml::table parse(const fs::path& file) {
-  std::error_code problem;
-  if (!fs::exists(file, problem)) throw Error(file.string(), "there is no such job file");
-  if (!fs::is_regular_file(file, problem)) throw Error(file.string(), "is not a file", "a job in TOML");
-  if (fs::file_size(file, problem) > kMostBytesOfJob)
-    throw Error(file.string(), "is too large for a job", "a job in TOML of at most 1 MB");
+  const std::string text = read_file_text(file, kMostBytesOfJob, "a job in TOML");
   try {
-    return toml::parse_file(file.string());
+    return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
     throw Error(fmt::format("{}:{}", file.string(), error.source().begin.line), std::string(error.description()),
                 "a job in TOML: key = value");
@@ -100,11 +96,22 @@ std::string path_from(const fs::path& folder, const std::string& path) {
   return tidy((here / path).lexically_normal().lexically_relative((here / folder / "").lexically_normal()));
 }
 
+/// Whether a file or folder lies in `folder`, or is it: a copy of the folder has one of its own.
+bool lies_in(const fs::path& folder, const std::string& path) {
+  const std::string from = path_from(folder, path);
+  return from != ".." && !from.starts_with("../");
+}
+
+/// What a job writes, which a job file in the same folder names relative to itself.
+bool is_own_file(const ParamInfo& info, const std::string& value, const fs::path& folder) {
+  return (info.name == "output" || info.name == "video") && !value.empty() && lies_in(folder, value);
+}
+
 /// full-depth = true says fit-depth = false, and the other way round.
 void set_opposite(const ParamInfo& info, const toml::table& job, const std::string& value, const std::string& place,
                   RenderParams& params) {
   const std::string where = fmt::format("{}: {}", place, info.opposite);
-  if (job.contains(info.name)) throw usage_error(where, fmt::format("{} says it already", info.name), "one of them");
+  if (job.contains(info.name)) throw usage_error(where, fmt::format("is set by {} already", info.name), "one of them");
   if (value != "true" && value != "false") throw usage_error(where, fmt::format("'{}'", value), "true or false");
   info.set(params, {value == "true" ? "false" : "true"}, where);
 }
@@ -136,7 +143,7 @@ std::string job_text(const RenderParams& params, const fs::path& folder) {
     std::vector<std::string> values = info.get(params);
     if (values.empty()) continue;
     for (std::string& value : values)
-      if (is_relative_path(info, value)) value = path_from(folder, value);
+      if (is_relative_path(info, value) || is_own_file(info, value, folder)) value = path_from(folder, value);
     if (group != info.group) text += fmt::format("\n# {}\n", info.group);
     group = info.group;
     text += fmt::format("{} = {}\n", info.name, toml_value(info, values));

@@ -1,6 +1,8 @@
 // Job files: TOML whose keys are the names in params_table.hpp. A job reproduces a render.
 //
-// Paths in a job file are relative to the folder that it lies in; in RenderParams they are relative to the working folder.
+// Paths in a job file are relative to the folder that it lies in; in RenderParams they are relative to the working folder. What
+// a job writes into the folder of its job file is named relative to it however it was given: a copy of the folder renders into
+// itself.
 #pragma once
 
 #include <filesystem>

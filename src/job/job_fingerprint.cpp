@@ -35,8 +35,8 @@ std::string job_fingerprint(const RenderParams& params, const Scene& scene, cons
 }
 
 std::vector<std::string> differences(const fs::path& job_file, const RenderParams& params) {
-  constexpr std::array<std::string_view, 8> kOnlyRun{"frames", "output",  "video",  "video-codec",
-                                                     "crf",    "threads", "resume", "order"};
+  constexpr std::array<std::string_view, 10> kOnlyRun{"frames", "output", "video",   "video-codec", "crf",
+                                                      "also",   "page",   "threads", "resume",      "order"};
   RenderParams other;
   std::vector<std::string> names;
   try {

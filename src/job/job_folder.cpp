@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <limits>
+#include <set>
 
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
@@ -12,14 +13,25 @@
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
+namespace {
+
+std::set<std::string> companions_of(const RenderParams& params) {
+  std::set<std::string> names;
+  if (params.output.also == Companion::kSingle) names.insert(kSingleFolder);
+  if (params.output.page) names.insert(kPageFolder);
+  return names;
+}
+
+}  // namespace
 
 RenderFolder open_job_folder(const std::filesystem::path& path, const std::string& job, const RenderParams& params,
                              const std::vector<int>& frames, int frame_count, bool force, const Context& context) {
   make_folder(path);
   remove_stale_temporaries(path);
-  clear_folder(path, job, frames, force, context);
-  RenderFolder folder(path, job);
-  folder.begin(frames);
+  RenderFolder folder(path, job, [&](const std::filesystem::path& own) {
+    clear_folder(path, {.job = job, .frames = frames, .force = force, .own = own}, context);
+  });
+  folder.begin(frames, companions_of(params));
   write_job_of_folder(params, frames, frame_count, folder, context);
   return folder;
 }
@@ -36,7 +48,7 @@ void take_frames(const std::vector<int>& frames, RenderFolder& folder, const Fra
     }
     if (steps.only_finished)
       throw Error(folder.path().string(), fmt::format("frame {} is not finished, or not as it was written", frame),
-                  "a folder in which all frames are");
+                  "a folder with all frames of the job");
     if (!steps.make(frame)) return;
   }
 }
@@ -45,7 +57,7 @@ std::vector<int> parts_of(const std::vector<int>& frames, int count) {
   std::vector<int> parts;
   const int most = std::numeric_limits<int>::max() / count - 1;
   if (!frames.empty() && frames.back() > most)
-    throw usage_error("strips", fmt::format("{} of frame {} are too many", count, frames.back()), "fewer of them");
+    throw usage_error("strips", fmt::format("{} strips are too many for frame {}", count, frames.back()), "fewer strips");
   for (const int frame : frames)
     for (int strip = 0; strip < count; ++strip) parts.push_back(frame * count + strip);
   return parts;
@@ -84,7 +96,7 @@ std::vector<FrameReport> finished_strips(const RenderFolder& folder, int frame, 
     if (!report)
       throw Error(folder.path().string(),
                   fmt::format("strip {} of frame {} is not finished, or not as it was written", strip, frame),
-                  fmt::format("a folder in which all {} are", count));
+                  fmt::format("a folder with all {} strips", count));
     reports.push_back(*report);
   }
   return reports;

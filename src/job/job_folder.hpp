@@ -14,8 +14,8 @@
 
 namespace lippmann {
 
-/// Makes the folder and room in it (folder/claim_folder.hpp), begins the run's journal with `frames`, which are all of the job,
-/// and writes job.toml. `frame_count`: of the scene's animation. Throws Error as clear_folder and RenderFolder do.
+/// Makes the folder, begins the run's journal there, makes room (folder/claim_folder.hpp), records `frames`, which are all of
+/// the job, and writes job.toml. `frame_count`: of the scene's animation. Throws Error as clear_folder and RenderFolder do.
 RenderFolder open_job_folder(const std::filesystem::path& path, const std::string& job, const RenderParams& params,
                              const std::vector<int>& frames, int frame_count, bool force, const Context& context);
 

@@ -26,6 +26,7 @@ struct JobStage::Parts {
     SceneNotes notes;
     Parts parts(wanted_scene(params, context, &notes), params);
     parts.light = std::move(notes.light);
+    if (!parts.array.warning.empty()) context.warning(parts.array.warning);
     return parts;
   }
 };

@@ -98,7 +98,7 @@ float viewing_distance_mm(const RenderParams& params, float fitted_mm, float win
   const float distance = params.optics.viewing_distance_mm.value_or(fitted_mm);
   if (lenses || std::isfinite(distance)) return distance;
   if (params.optics.viewing_distance_mm)
-    throw usage_error("--viewing-distance", "an infinite distance, and no lenses", "millimetres above 0, or auto");
+    throw usage_error("--viewing-distance", "cannot be infinite without lenses", "millimetres above 0, or auto");
   return kViewerHeights * window_height_mm;
 }
 
@@ -136,9 +136,9 @@ Optics optics_of_params(const RenderParams& params, const Scene& scene, const Fi
 
 PlacedOptics make_optics(const RenderParams& params, const Scene& scene, const FittedArray& array, const Display* display) {
   refuse_stereo_params(params);
-  if (wants_stereo(params)) return placed_on(array, stereo_optics(params, array, display), fits_depth(params));
-  PlacedOptics placed =
-      placed_on(array, display ? display_optics(params, *display) : optics_of_params(params, scene, array), fits_depth(params));
+  if (wants_stereo(params)) return placed_on(scene, array, stereo_optics(params, array, display), fits_depth(params));
+  PlacedOptics placed = placed_on(
+      scene, array, display ? display_optics(params, *display) : optics_of_params(params, scene, array), fits_depth(params));
   placed.for_display = display != nullptr;
   return placed;
 }

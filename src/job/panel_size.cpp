@@ -90,7 +90,7 @@ PanelSize single_size(const RenderParams& params, Vec2i scene_resolution) {
 }
 
 void refuse(bool given, const char* flag, const char* accepted) {
-  if (given) throw usage_error(flag, "has no meaning for this kind of optics", accepted);
+  if (given) throw usage_error(flag, "has no effect on this kind of optics", accepted);
 }
 
 /// A flag that would change nothing is the caller's mistake, which we don't overlook.

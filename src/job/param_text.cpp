@@ -18,8 +18,10 @@ Extent<T> parse_extent(std::string_view text, T lowest, T highest, const std::st
   const std::optional<T> x = parse_number<T>(text.substr(0, cross));
   const std::optional<T> y = cross == std::string_view::npos ? T{0} : parse_number<T>(text.substr(cross + 1));
   const auto fits = [&](T value) { return value >= lowest && value <= highest; };
-  if (!x || !y || !fits(*x) || (cross != std::string_view::npos && !fits(*y)))
-    throw usage_error(where, fmt::format("'{}' is not a size in this range", text),
+  const bool is_read = x && y;
+  if (!is_read || !fits(*x) || (cross != std::string_view::npos && !fits(*y)))
+    throw usage_error(where,
+                      is_read ? fmt::format("'{}' is out of range", text) : fmt::format("cannot read '{}' as a size", text),
                       fmt::format("N or NxM, each from {} to {}", lowest, highest));
   return {*x, *y};
 }
@@ -33,7 +35,7 @@ std::string format_extent(const Extent<T>& extent) {
 
 bool read_flag(std::string_view text, const std::string& where) {
   if (text != "true" && text != "false")
-    throw usage_error(where, fmt::format("'{}' is neither true nor false", text), "true or false");
+    throw usage_error(where, fmt::format("'{}' is not true or false", text), "true or false");
   return text == "true";
 }
 
@@ -62,7 +64,7 @@ DepthRange read_depth_range(std::string_view text, const std::string& where) {
   const auto near = parse_number<double>(text.substr(0, colon));
   const auto far = colon == std::string_view::npos ? std::nullopt : parse_number<double>(text.substr(colon + 1));
   if (!near || !far || !(*far < *near && *near - *far < 1e9))
-    throw usage_error(where, fmt::format("'{}' is no range of depths", text),
+    throw usage_error(where, fmt::format("cannot read '{}' as a range of depths", text),
                       "NEAR:FAR in mm, above 0 in front of the screen, such as 10:-30");
   return {*near, *far};
 }

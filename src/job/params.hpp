@@ -76,6 +76,9 @@ struct ReuseParams {
   DebugPicture debug = DebugPicture::kNone;  ///< kMissed: missed pixels stay black; kProvenance: where light came from
 };
 
+/// What else is rendered of the same frames.
+enum class Companion { kSingle };  ///< kSingle: the plain picture beside a light field (job/single_clip.hpp)
+
 /// Which frames are written, where to, and as what.
 struct OutputParams {
   std::string folder;                 ///< empty: out/<scene name>
@@ -84,6 +87,8 @@ struct OutputParams {
   std::vector<std::string> video;         ///< files; the ending says which kind
   std::optional<VideoCodec> video_codec;  ///< for all videos; none: by ending and size
   std::optional<int> crf;                 ///< for all videos that lose anything; none: the codec's own
+  std::optional<Companion> also;          ///< rendered when the frames are done, into a folder in theirs
+  bool page = false;                      ///< a page that shows the light field is written when all frames are done
 };
 
 /// All of it, and how it is run.

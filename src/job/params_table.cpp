@@ -37,6 +37,7 @@ constexpr std::array<std::string_view, 2> kQualityAtNames{"pixel", "eye"};
 constexpr std::array<std::string_view, 3> kDebugNames{"none", "missed", "provenance"};
 constexpr std::array<std::string_view, 4> kFormatNames{"png", "png16", "tiff", "exr"};
 constexpr std::array<std::string_view, 7> kLayoutNames{"integral", "quilt", "views", "native", "print", "stereo", "rgbd"};
+constexpr std::array<std::string_view, 1> kCompanionNames{"single"};
 constexpr std::array<std::string_view, 2> kExrPixelNames{"half", "float"};
 constexpr std::array<std::string_view, 2> kDepthScaleNames{"disparity", "depth"};
 /// The layers that `aov` takes; alpha comes with `transparent`.
@@ -199,15 +200,16 @@ ParamInfo with_opposite(ParamInfo info, std::string_view name, std::string_view 
 }
 
 ParamInfo frames_row() {
-  ParamInfo info{"frames",
-                 "Scene",
-                 "A-B",
-                 "Frames A to B, both included, from 0; lists and steps: 0,2,4 or 0-10:2; default: the whole animation",
-                 ParamKind::kText,
-                 false,
-                 false,
-                 {},
-                 {}};
+  ParamInfo info{
+      "frames",
+      "Scene",
+      "A-B",
+      "Frames A to B, both included, counted from 0; also lists and steps: 0,2,4 or 0-10:2; default: the whole animation",
+      ParamKind::kText,
+      false,
+      false,
+      {},
+      {}};
   info.set = [](RenderParams& params, const Values& values, const std::string& where) {
     params.output.frames = read_frames(values.empty() ? "" : values.back(), where);
   };
@@ -219,7 +221,8 @@ ParamInfo frames_row() {
 
 ParamInfo aov_row() {
   static const std::string doc = fmt::format(
-      "Extra layers for every frame: {} (the last two of paths alone); in the EXR itself, else in one beside the picture",
+      "Extra layers for every frame: {} (the last two need --integrator path); written into EXR pictures, or into an EXR file "
+      "beside other pictures",
       fmt::join(kWantedAovNames, ", "));
   ParamInfo info{"aov", "Files", "LAYER,...", doc, ParamKind::kList, true, false, {}, {}};
   info.set = [](RenderParams& params, const Values& values, const std::string& where) {
@@ -247,7 +250,7 @@ ParamInfo video_row() {
   ParamInfo info{"video",
                  "Files",
                  "FILE",
-                 "Also write a video: .mp4, .mov, .webm or .mkv (lossless); may be given several times",
+                 "Also write a video: .mp4, .mov, .webm or .mkv (lossless); can be given several times",
                  ParamKind::kList,
                  false,
                  true,
@@ -259,17 +262,19 @@ ParamInfo video_row() {
 }
 
 ParamInfo stereo_row() {
-  return row_of(ParamKind::kText, choice<StereoPacking>(kStereoPackingNames),
-                {"stereo", "Files", "PACKING",
-                 "Layout stereo: side by side (sbs), one above the other (over-under), each also squeezed to half (half-sbs, "
-                 "half-over-under), or row by row (rows)"},
-                &RenderParams::output, &OutputParams::pictures, &PictureParams::stereo, &StereoLayout::packing);
+  return row_of(
+      ParamKind::kText, choice<StereoPacking>(kStereoPackingNames),
+      {"stereo", "Files", "PACKING",
+       "With --layout stereo: side by side (sbs), one above the other (over-under), the same squeezed to half (half-sbs, "
+       "half-over-under), or alternating rows (rows)"},
+      &RenderParams::output, &OutputParams::pictures, &PictureParams::stereo, &StereoLayout::packing);
 }
 
 ParamInfo right_first_row() {
-  return row_of(ParamKind::kFlag, flag(),
-                {"right-first", "Files", "", "Layout stereo: the right eye's view at the left, on top, or in the first row"},
-                &RenderParams::output, &OutputParams::pictures, &PictureParams::stereo, &StereoLayout::right_first);
+  return row_of(
+      ParamKind::kFlag, flag(),
+      {"right-first", "Files", "", "With --layout stereo: put the right eye's view at the left, on top, or in the first row"},
+      &RenderParams::output, &OutputParams::pictures, &PictureParams::stereo, &StereoLayout::right_first);
 }
 
 ParamInfo depth_range_row() {
@@ -278,22 +283,24 @@ ParamInfo depth_range_row() {
       [](const std::optional<DepthRange>& value) {
         return value ? fmt::format("{}:{}", value->near_mm, value->far_mm) : std::string();
       }};
-  return row_of(ParamKind::kText, range,
-                {"depth-range", "Files", "NEAR:FAR",
-                 "Layout rgbd: the depths of the nearest and the farthest grey of all frames, in mm, above 0 in front of the "
-                 "screen; default: from the nearest to the farthest that the scene shows over its whole animation"},
-                &RenderParams::output, &OutputParams::pictures, &PictureParams::depth, &DepthParams::range);
+  return row_of(
+      ParamKind::kText, range,
+      {"depth-range", "Files", "NEAR:FAR",
+       "With --layout rgbd: depths of the nearest and the farthest grey in mm, positive in front of the screen; default: "
+       "the depth range of the scene over its whole animation"},
+      &RenderParams::output, &OutputParams::pictures, &PictureParams::depth, &DepthParams::range);
 }
 
 ParamInfo depth_coding_row() {
   return row_of(ParamKind::kText, optional_choice<DepthScale>(kDepthScaleNames),
-                {"depth-coding", "Files", "SCALE", "Layout rgbd: what grey is linear in, disparity (default) or depth"},
+                {"depth-coding", "Files", "SCALE", "With --layout rgbd: grey is linear in disparity (default) or in depth"},
                 &RenderParams::output, &OutputParams::pictures, &PictureParams::depth, &DepthParams::linear);
 }
 
 ParamInfo near_black_row() {
-  return row_of(ParamKind::kFlag, flag(), {"near-black", "Files", "", "Layout rgbd: black is near; default: white is"},
-                &RenderParams::output, &OutputParams::pictures, &PictureParams::depth, &DepthParams::near_black);
+  return row_of(ParamKind::kFlag, flag(),
+                {"near-black", "Files", "", "With --layout rgbd: black is near; default: white is near"}, &RenderParams::output,
+                &OutputParams::pictures, &PictureParams::depth, &DepthParams::near_black);
 }
 
 std::vector<ParamInfo> scene_rows() {
@@ -301,44 +308,45 @@ std::vector<ParamInfo> scene_rows() {
   const Codec<Orbit> orbit{read_orbit, write_orbit};
   return {
       path(runs_only(row(ParamKind::kText, &P::scene, &SceneParams::name, text(),
-                         {"scene", "Scene", "SCENE", "A built-in name or a file"}))),
+                         {"scene", "Scene", "SCENE", "A built-in scene or a scene file"}))),
       path(runs_only(row(ParamKind::kText, &P::scene, &SceneParams::camera_path, text(),
                          {"camera-path", "Scene", "FILE", "A Tachyon camera path (.cam) for a .dat scene"}))),
       runs_only(row(ParamKind::kText, &P::scene, &SceneParams::animation, text(),
                     {"animation", "Scene", "NAME|INDEX",
-                     "Which animation of a glTF file to play; default: the first ('info' lists them)"})),
-      runs_only(row(ParamKind::kText, &P::scene, &SceneParams::variant, text(),
-                    {"variant", "Scene", "NAME|INDEX",
-                     "Which set of materials of a glTF file to show; default: the file's own ('info' lists them)"})),
-      path(runs_only(row(ParamKind::kText, &P::scene, &SceneParams::asset_root, text(),
-                         {"asset-root", "Scene", "DIR",
-                          "Textures and other files that the scene names may lie below this folder; default: in its own"}))),
+                     "Animation of a glTF file to play; default: the first ('lippmann info' lists them)"})),
+      runs_only(
+          row(ParamKind::kText, &P::scene, &SceneParams::variant, text(),
+              {"variant", "Scene", "NAME|INDEX",
+               "Material variant of a glTF file; default: the file's own materials ('lippmann info' lists the variants)"})),
+      path(runs_only(
+          row(ParamKind::kText, &P::scene, &SceneParams::asset_root, text(),
+              {"asset-root", "Scene", "DIR",
+               "Folder below which the scene may read textures and other files; default: the folder of the scene file"}))),
       runs_only(row(ParamKind::kNumber, &P::scene, &SceneParams::texture_memory, integer<int>(1, 1 << 20),
                     {"texture-memory", "Scene", "MB",
-                     "Memory for the decoded textures of glTF and OBJ files, 4 bytes a texel; the largest are halved until "
-                     "they fit"})),
+                     "Memory for decoded textures, 4 bytes a texel; the largest textures are halved until all fit"})),
       runs_only(row(ParamKind::kText, &P::scene, &SceneParams::camera, text(),
                     {"camera", "Scene", "NAME|INDEX",
-                     "The camera that decides the view; default: the file's first ('info' lists them)"})),
+                     "Camera of the file to render from; default: the first ('lippmann info' lists them)"})),
       runs_only(row(ParamKind::kText, &P::scene, &SceneParams::up, choice<UpAxis>(kUpNames),
-                    {"up", "Scene", "AXIS", "The axis of the file that points upwards: x, y, z, -x, -y or -z"})),
+                    {"up", "Scene", "AXIS", "Axis of the file that points up: x, y, z, -x, -y or -z"})),
       row(ParamKind::kText, &P::scene, &SceneParams::view, &ViewWish::focus, text(),
           {"focus", "Scene", "NODE|X,Y,Z|DISTANCE",
-           "Where the display's plane lies along the view: at a node, at a point, or so far from the viewer (scene units)"}),
+           "Place the display plane at a node, at a point, or at a distance from the viewer (scene units)"}),
       row(ParamKind::kText, &P::scene, &SceneParams::view, &ViewWish::fit_to, text(),
           {"fit-to", "Scene", "NODE",
-           "Fit the view to this node and all below it, from the camera's direction; default: the camera's own view, or the "
-           "scene without its ground, walls and sky"}),
+           "Fit the view to this node and its children, seen from the camera's direction; default: the camera's own view, or "
+           "the scene without its ground, walls and sky"}),
       row(ParamKind::kNumber, &P::scene, &SceneParams::view, &ViewWish::zoom, number<float>(1e-3, 1e3),
-          {"zoom", "Scene", "FACTOR", "Show the middle of the view this many times as large"}),
+          {"zoom", "Scene", "FACTOR", "Enlarge the middle of the view by this factor"}),
       row(ParamKind::kText, &P::scene, &SceneParams::view, &ViewWish::orbit, orbit,
           {"orbit", "Scene", "YAW[,PITCH]",
-           "Turn the view about what it looks at, in degrees: the viewer moves to the right, and up"}),
+           "Turn the view around its subject, in degrees: positive values move the viewer right and up"}),
       frames_row(),
       row(ParamKind::kNumber, &P::scene, &SceneParams::fps, number<double>(0.0, 1000.0),
-          {"fps", "Scene", "N", "Frames per second of the animation and of videos; 0: the scene's own"}),
+          {"fps", "Scene", "N", "Frames per second of the animation and of videos; 0: as in the scene"}),
       runs_only(row(ParamKind::kNumber, &P::scene, &SceneParams::light_scale, number<float>(0.0, 1e6),
-                    {"light-scale", "Scene", "X", "Multiplies the light of the scene's lamps, for files in other units"})),
+                    {"light-scale", "Scene", "X", "Multiply the intensity of all lamps, for files in other units"})),
   };
 }
 
@@ -349,54 +357,56 @@ std::vector<ParamInfo> optics_rows() {
       [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }};
   const Codec<std::optional<float>> distance{read_distance, [](const std::optional<float>& v) { return write_distance(v); }};
   return {
-      path(runs_only(row(
-          ParamKind::kText, &P::optics, &OpticsParams::display, text(),
-          {"display", "Optics", "NAME|FILE",
-           "The display to render for: a name (see: lippmann displays), a .toml file of your own, or a calibration .json"}))),
+      path(runs_only(
+          row(ParamKind::kText, &P::optics, &OpticsParams::display, text(),
+              {"display", "Optics", "NAME|FILE",
+               "Display to render for: a preset (see: lippmann displays), your own .toml file, or a calibration .json"}))),
       row(ParamKind::kText, &P::optics, &OpticsParams::kind, optional_choice<OpticsKind>(kOpticsNames),
           {"optics", "Optics", "KIND",
-           "lenticular, microlens, multiview (a quilt of views) or single (one pinhole view); default: the display's, else "
+           "lenticular, microlens, multiview (a quilt of views) or single (one pinhole view); default: that of --display, else "
            "lenticular"}),
       row(ParamKind::kText, &P::optics, &OpticsParams::packing, choice<LensPacking>(kPackingNames),
-          {"packing", "Optics", "KIND", "How microlenses are packed: square or hexagonal"}),
+          {"packing", "Optics", "KIND", "Packing of microlenses: square or hexagonal"}),
       row(ParamKind::kText, &P::optics, &OpticsParams::lenses, extent(1, kMaxCount),
-          {"lenses", "Optics", "N[xM]", "Lenses across and down; default 64, and as many down as make the panel square"}),
+          {"lenses", "Optics", "N[xM]",
+           "Lenses across and down; default: 64 across, and down as many as make the panel square"}),
       row(ParamKind::kText, &P::optics, &OpticsParams::lens_pixels, extent(1.0f, static_cast<float>(kMaxCount)),
-          {"lens-pixels", "Optics", "N[xM]", "Pixels below a lens, across and down, not necessarily whole; default 8"}),
+          {"lens-pixels", "Optics", "N[xM]", "Pixels per lens, across and down; need not be whole; default: 8"}),
       row(ParamKind::kText, &P::optics, &OpticsParams::size, full_extent(kMaxCount),
-          {"size", "Optics", "WxH", "The whole picture in pixels; default: lenses times lens-pixels"}),
+          {"size", "Optics", "WxH", "Size of the picture in pixels; default: lenses times lens-pixels"}),
       row(ParamKind::kText, &P::optics, &OpticsParams::views, full_extent(4096),
-          {"views", "Optics", "CxR", "Multiview: columns and rows of views in the quilt; default 8x6"}),
+          {"views", "Optics", "CxR", "With --optics multiview: columns and rows of views in the quilt; default: 8x6"}),
       row(ParamKind::kFlag, &P::optics, &OpticsParams::camera_grid, flag(),
           {"camera-grid", "Optics", "",
-           "Multiview: a grid of parallel cameras at equal distances, across and up, as in data sets of vision research"}),
+           "With --optics multiview: parallel cameras on a regular grid, as in light-field data sets"}),
       row(ParamKind::kNumber, &P::optics, &OpticsParams::view_angle_deg, optional_number<float>(0.1, 170.0),
           {"view-angle", "Optics", "DEG",
-           "Viewing zone, full angle; sets the gap between lenses and panel; default: the display's, else 28"}),
+           "Full angle of the viewing zone; sets the gap between lenses and panel; default: that of --display, else 28"}),
       row(ParamKind::kText, &P::optics, &OpticsParams::viewing_distance_mm, distance,
           {"viewing-distance", "Optics", "MM|inf|auto",
-           "Where the lenses' cells converge; auto: the display's, else where the camera stands"}),
+           "Distance at which the lenses' viewing zones coincide; auto: that of --display, else the camera's distance"}),
       row(ParamKind::kNumber, &P::optics, &OpticsParams::slant_deg, number<float>(-80.0, 80.0),
           {"slant", "Optics", "DEG", "Angle of a lenticular sheet's lenses from the vertical"}),
       row(ParamKind::kNumber, &P::optics, &OpticsParams::ipd_mm, optional_number<double>(0.1, 1000.0),
-          {"ipd", "Optics", "MM", "Layout stereo: distance between the pupils of the eyes; default 63"}),
+          {"ipd", "Optics", "MM", "With --layout stereo: distance between the eyes; default: 63"}),
       row(ParamKind::kNumber, &P::optics, &OpticsParams::screen_width_mm, optional_number<double>(1.0, 1e6),
           {"screen-width", "Optics", "MM",
-           "Layout stereo: how wide the picture is where it is shown; default: the display's width, else 600 (27 inch)"}),
+           "With --layout stereo: width of the picture on the screen; default: the display's width, else 600 (27 inch)"}),
       row(ParamKind::kText, &P::optics, &OpticsParams::crosstalk_px, crosstalk,
           {"crosstalk", "Optics", "PIXELS|C%",
-           "Lenses image the panel with a Gaussian of this sigma in pixels (quilts: views), or with this share of each "
-           "neighbour: 0.4 or 10%; default: the display's. For --precompensate, and for errors at the eye"}),
+           "Blur of the lenses, for --precompensate and for errors at the eye: sigma of a Gaussian in pixels (quilts: in "
+           "views), "
+           "or the share of each neighbour, such as 0.4 or 10%; default: that of --display"}),
       row(ParamKind::kFlag, &P::optics, &OpticsParams::precompensate, flag(),
           {"precompensate", "Optics", "",
-           "Pictures that crosstalk turns into the wanted ones, as far as light can be neither negative nor brighter than "
-           "white"}),
+           "Sharpen pictures so that crosstalk turns them into the wanted ones, as far as pixel values between black and white "
+           "allow"}),
       with_opposite(
           row(ParamKind::kFlag, &P::optics, &OpticsParams::fit_depth, optional_flag(),
               {"fit-depth", "Optics", "",
-               "Show the scene less deep than it is, if it is deeper than the display can resolve; the default for lenses and "
-               "for every --display"}),
-          "full-depth", "Show all of the scene's depth, blurred or in steps where the display cannot resolve it"),
+               "Scale the scene's depth down to what the display can resolve; the default for lens arrays and for every "
+               "--display"}),
+          "full-depth", "Keep the scene's full depth, blurred or stepped where the display cannot resolve it"),
   };
 }
 
@@ -406,66 +416,65 @@ std::vector<ParamInfo> rendering_rows() {
   return {
       row(ParamKind::kText, &P::sampling, &Sampling::integrator, optional_choice<Integrator>(kIntegratorNames),
           {"integrator", "Rendering", "NAME",
-           "whitted: shadows, mirrors, refraction; path: all light, by random paths; default: path for glTF, OBJ and PLY "
+           "whitted (sharp shadows, mirrors, refraction) or path (path tracing: all light); default: path for glTF, OBJ and "
+           "PLY "
            "files, else whitted"}),
       row(ParamKind::kNumber, &P::sampling, &Sampling::spp, integer<int>(0, 1 << 16),
-          {"spp", "Rendering", "N", "Samples per pixel; 0: 1, or of paths 64 (16 where they are the default)"}),
+          {"spp", "Rendering", "N", "Samples per pixel; 0: 1 (whitted), 64 (path), 16 (path chosen by default)"}),
       row(ParamKind::kText, &P::sampling, &Sampling::angular_filter, optional_choice<AngularFilter>(kAngularNames),
           {"angular-filter", "Rendering", "NAME",
-           "Multiview: the samples of a pixel are seen from one eye (none), or from half-way to one neighbour to half-way to "
-           "the "
-           "other (box): what lies beyond the depth budget blurs and does not double; default: box for quilts of a --display"}),
+           "With --optics multiview: a view is seen from one eye (none) or from the whole range between its neighbours (box), "
+           "so "
+           "that depth beyond the budget blurs instead of doubling; default: box for quilts of a --display"}),
       row(ParamKind::kNumber, &P::sampling, &Sampling::lens, &ViewLens::aperture_mm, number<float>(0.0, 1e6),
           {"aperture", "Rendering", "MM",
-           "Depth of field, for single views and quilts: the diameter of the lens that each view is seen through, in the "
-           "display's millimetres; 0: a pinhole"}),
+           "Depth of field for single views and quilts: diameter of each view's lens, in millimetres of the display; 0: a "
+           "pinhole"}),
       row(ParamKind::kNumber, &P::sampling, &Sampling::lens, &ViewLens::f_number, number<float>(0.0, 1e6),
           {"f-number", "Rendering", "N",
-           "The same as on a camera with a sensor 36 mm wide, as in Blender, in scenes whose unit is the metre; 0: a pinhole"}),
+           "Depth of field as an f-number, for a sensor 36 mm wide (as in Blender) and scenes in metres; 0: a pinhole"}),
       row(ParamKind::kNumber, &P::sampling, &Sampling::lens, &ViewLens::focal_plane_mm, number<float>(-1e6, 1e6),
           {"focal-plane", "Rendering", "MM",
-           "What is sharp with depth of field: so far in front of the display's plane (see --focus), below 0 behind it"}),
+           "Depth that is sharp with depth of field: distance in front of the display plane (see --focus), negative behind "
+           "it"}),
       row(ParamKind::kNumber, &P::sampling, &Sampling::shutter, number<float>(0.0, 1.0),
           {"shutter", "Rendering", "SHARE",
-           "Motion blur: the samples of a pixel are spread over this share of the time from frame to frame, around the "
-           "frame's; 0.5 as in Blender; 0: off"}),
+           "Motion blur: share of the frame interval that the shutter is open, centred on the frame; 0.5 as in Blender; 0: "
+           "off"}),
       row(ParamKind::kNumber, &P::sampling, &Sampling::max_depth, integer<int>(0, 1024),
-          {"max-depth", "Rendering", "N", "The most vertices that a path may have; 1: no mirrors; 0: the scene's own limit"}),
+          {"max-depth", "Rendering", "N", "Maximum number of path vertices; 1: no mirrors; 0: the scene's own limit"}),
       row(ParamKind::kNumber, &P::sampling, &Sampling::seed,
           integer<std::uint32_t>(0, std::numeric_limits<std::uint32_t>::max()),
-          {"seed", "Rendering", "N", "Seed of the random numbers: where samples lie within their pixels, and paths"}),
+          {"seed", "Rendering", "N", "Seed of the random numbers (positions of samples, paths)"}),
       row(ParamKind::kNumber, &P::sampling, &Sampling::clamp_indirect, number<float>(0.0, 1e6),
           {"clamp-indirect", "Rendering", "X",
-           "Paths: no indirect contribution to a sample is brighter than X, which removes bright specks and loses light; 0: "
+           "With --integrator path: limit the indirect light of a sample to X, which removes bright specks but loses light; 0: "
            "off"}),
       row(ParamKind::kFlag, &P::sampling, &Sampling::denoise, flag(),
           {"denoise", "Rendering", "",
-           "Paths: take out noise by averaging over pixels, views and frames that show the same surface in the same light"}),
-      path(
-          row(ParamKind::kText, &P::scene, &SceneParams::environment, environment,
-              {"environment", "Rendering", "none|studio|COLOUR|FILE",
-               "What surrounds and lights the scene: nothing but its own light (none), the built-in studio, a colour (#rrggbb, "
-               "or R,G,B in linear light) or a panorama (.hdr, .exr); default: the scene's own, and the studio for path-traced "
-               "glTF, OBJ and PLY files that bring no light (dim where they bring lamps alone)"})),
+           "With --integrator path: remove noise by averaging over pixels, views and frames that show the same surface"}),
+      path(row(
+          ParamKind::kText, &P::scene, &SceneParams::environment, environment,
+          {"environment", "Rendering", "none|studio|COLOUR|FILE",
+           "Surroundings that light the scene: none, the built-in studio, a colour (#rrggbb, or R,G,B in linear light) or a "
+           "panorama (.hdr, .exr); default: the scene's own; for path-traced glTF, OBJ and PLY files without one, the studio "
+           "(dimmed if the file has lamps)"})),
       row(ParamKind::kNumber, &P::scene, &SceneParams::environment_strength, number<float>(0.0, 1e6),
-          {"environment-strength", "Rendering", "X", "Multiplies the light of the surroundings"}),
+          {"environment-strength", "Rendering", "X", "Multiply the light of the surroundings"}),
       row(ParamKind::kNumber, &P::scene, &SceneParams::environment_rotation_deg, number<float>(-360.0, 360.0),
-          {"environment-rotation", "Rendering", "DEG", "Turns the surroundings about the vertical"}),
+          {"environment-rotation", "Rendering", "DEG", "Turn the surroundings about the vertical axis"}),
       row(ParamKind::kFlag, &P::sampling, &Sampling::transparent, flag(),
-          {"transparent", "Rendering", "",
-           "Pictures with alpha, the share of a pixel's samples that hit something: the surroundings light the scene but are "
-           "not seen"}),
+          {"transparent", "Rendering", "", "Write pictures with alpha: the surroundings light the scene but are not visible"}),
       row(ParamKind::kNumber, &P::output, &OutputParams::pictures, &PictureParams::exposure_ev, number<float>(-64.0, 64.0),
           {"exposure", "Rendering", "EV", "Exposure of pictures and videos in stops; EXR files stay linear"}),
       row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::tone, choice<ToneCurve>(kToneNames),
           {"tone", "Rendering", "CURVE",
-           "How light brighter than white is shown, except in EXR files: cut off (none), compressed with colours kept "
-           "(neutral), "
-           "or as film does (agx)"}),
-      runs_only(
-          row(ParamKind::kText, &P::sampling, &Sampling::order, choice<RayOrder>(kOrderNames),
-              {"order", "Rendering", "ORDER",
-               "The order in which pixels are traced, which changes only speed: rows, columns (below a lens), view-tiles"})),
+           "Tone curve for light brighter than white, except in EXR files: none (clipped), neutral (keeps hues) or agx (as "
+           "film "
+           "does)"}),
+      runs_only(row(ParamKind::kText, &P::sampling, &Sampling::order, choice<RayOrder>(kOrderNames),
+                    {"order", "Rendering", "ORDER",
+                     "Order in which pixels are traced; changes speed only: rows, columns (below a lens) or view-tiles"})),
   };
 }
 
@@ -487,42 +496,46 @@ std::vector<ParamInfo> reuse_rows() {
   return {
       row(ParamKind::kText, &P::reuse, &ReuseParams::choice, reuse_choice(),
           {"reuse", "Reuse", "NAME",
-           "What frames take from each other. auto: light for paths, else copy; light: pixels, views and frames share soft "
-           "light, "
-           "as good as all --spp paths and measured; copy: pixels that provably stay as they are are copied, the same pictures "
-           "as "
-           "none; interpolate: frames between key frames are made from their points; none"}),
+           "How frames share work. none; copy: copy pixels that cannot have changed, for the same pictures as none; light: "
+           "share "
+           "soft light between pixels, views and frames, with an estimated error; interpolate: make frames from the points of "
+           "key frames (the paper's method); auto: light for path tracing, else copy"}),
       row(ParamKind::kText, &P::reuse, &ReuseParams::keyframes, keyframes,
           {"keyframes", "Reuse", "K|auto",
-           "Copy, interpolate: a key frame, which is traced whole, every K frames; auto: chosen, or 8 for interpolate without "
-           "--min-psnr"}),
+           "With --reuse copy or interpolate: trace a key frame every K frames; auto: chosen by cost, or 8 for interpolate "
+           "without --min-psnr"}),
       row(ParamKind::kNumber, &P::reuse, &ReuseParams::min_psnr_db, min_psnr,
           {"min-psnr", "Reuse", "DB",
-           "Interpolate: pixels are traced wherever a frame's PSNR would otherwise fall below this, and key frames chosen to "
-           "suit; light: as many samples as it takes, in place of --spp"}),
+           "Lowest PSNR of a frame. With --reuse interpolate: trace pixels until it is reached; with --reuse light: take as "
+           "many "
+           "samples as it needs, instead of --spp"}),
       row(ParamKind::kText, &P::reuse, &ReuseParams::quality_at, choice<QualityAt>(kQualityAtNames),
           {"quality-at", "Reuse", "WHERE",
-           "Light: the PSNR that is asked for is that of single pixels (pixel), or of what an eye sees of them through the "
-           "display's lenses, which mix neighbours by --crosstalk (eye)"}),
+           "With --reuse light: --min-psnr holds for single pixels (pixel) or for the picture at an eye behind the lenses, "
+           "which "
+           "mix neighbours by --crosstalk (eye)"}),
       row(ParamKind::kNumber, &P::reuse, &ReuseParams::time_budget_s, seconds,
           {"time-budget", "Reuse", "S",
-           "Light: frames as good as about S seconds on this machine allow, the first of every 16 aside, in place of --spp; "
-           "what "
-           "they look like then depends on the machine"}),
+           "With --reuse light: choose the samples so that a frame takes about S seconds, except the first of every 16; the "
+           "pictures then depend on the machine"}),
       row(ParamKind::kText, &P::reuse, &ReuseParams::splat, choice<SplatMode>(kSplatNames),
-          {"splat", "Reuse", "WHERE", "Interpolate: points stay below their lens (the paper's) or in their directional view"}),
+          {"splat", "Reuse", "WHERE",
+           "With --reuse interpolate: project points within their lens (as in the paper) or within their directional view"}),
       row(ParamKind::kText, &P::reuse, &ReuseParams::fill, choice<MissedFill>(kFillNames),
-          {"fill", "Reuse", "HOW", "Interpolate: missed pixels are interpolated from their neighbours, or retraced"}),
+          {"fill", "Reuse", "HOW",
+           "With --reuse interpolate: fill missed pixels from their neighbours (interpolate) or trace them (retrace)"}),
       row(ParamKind::kFlag, &P::reuse, &ReuseParams::halving, flag(),
           {"halving", "Reuse", "",
-           "Interpolate: make the middle frame first, then the others from it too (the paper's recursion)"}),
+           "With --reuse interpolate: make the middle frame first, then use it for the others (the paper's recursion)"}),
       row(ParamKind::kFlag, &P::reuse, &ReuseParams::no_z_buffer, flag(),
           {"no-z-buffer", "Reuse", "",
-           "Interpolate: points overwrite each other in pixel order, without regard to depth: wrong pictures, for study"}),
+           "With --reuse interpolate: let points overwrite each other in pixel order, without a depth test (wrong, for "
+           "study)"}),
       row(ParamKind::kText, &P::reuse, &ReuseParams::debug, choice<DebugPicture>(kDebugNames),
           {"debug", "Reuse", "PICTURE",
-           "Interpolate: missed shows missed pixels black; light: provenance shows light that was traced red, that "
-           "of the cache green, what it knows from frames before blue"}),
+           "missed (with --reuse interpolate): leave missed pixels black; provenance (with --reuse light): show traced light "
+           "red, "
+           "cached light green, and cached light of earlier frames blue"}),
   };
 }
 
@@ -543,25 +556,27 @@ std::vector<ParamInfo> file_rows() {
       path(runs_only(
           row(ParamKind::kText, &P::output, &OutputParams::folder, text(),
               {"output", "Files", "DIR",
-               "The folder that everything is written to; default out/<scene name>, or -2, -3, ... where another render is"}))),
+               "Output folder; default: out/<scene name>, or that name with -2, -3, ... if it holds another render"}))),
       row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::layout,
           optional_choice<PictureLayout>(kLayoutNames),
           {"layout", "Files", "LAYOUT",
-           "What each frame's picture holds: integral (behind the lenses), quilt (views side by side), views (a folder of "
-           "them), "
-           "native (the display's own frame), print (TIFF at the display's resolution), stereo (the views of two eyes) or rgbd "
-           "(one view's colours and its depth beside them); default: as the optics lie"}),
+           "Layout of each frame's picture: integral (behind the lenses), quilt (views side by side), views (a folder of "
+           "views), native (the display's own frame), print (TIFF at the display's resolution), stereo (a view for each eye) "
+           "or "
+           "rgbd (a view and its depth); default: the native layout of the optics"}),
       row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::to, light_field_name(),
           {"to", "Files", "FORMAT",
-           "Write each frame as a light field that 'convert' knows: hci, stanford, jpeg-pleno, miv, eslf (formats with cameras "
-           "and depth get both)"}),
+           "Write each frame as a light field: hci, stanford, jpeg-pleno, miv or eslf, with cameras and depth where the format "
+           "has them"}),
       row(ParamKind::kFlag, &P::output, &OutputParams::pictures, &PictureParams::pseudoscopic, flag(),
           {"pseudoscopic", "Files", "",
-           "Layout integral: as a real array of lenses records it, every elemental image turned round, depth inverted"}),
+           "With --layout integral: turn every elemental image by 180 degrees, as a real lens array records it; inverts "
+           "depth"}),
       row(ParamKind::kFlag, &P::output, &OutputParams::pictures, &PictureParams::mirror, flag(),
-          {"mirror", "Files", "", "Layout print: left and right exchanged, for printing on the back of the sheet"}),
+          {"mirror", "Files", "", "With --layout print: mirror the picture, for printing on the back of the sheet"}),
       row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::quilt, full_extent(4096),
-          {"quilt", "Files", "CxR", "Tiles of --layout quilt; default: as the views lie, or as square as can be"}),
+          {"quilt", "Files", "CxR",
+           "With --layout quilt: columns and rows of tiles; default: those of the views, or nearly square"}),
       stereo_row(),
       right_first_row(),
       depth_range_row(),
@@ -569,7 +584,7 @@ std::vector<ParamInfo> file_rows() {
       near_black_row(),
       row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::format, choice<PictureFormat>(kFormatNames),
           {"format", "Files", "FORMAT",
-           "File format of the pictures: png (8 bit), png16, tiff (8 bit, says its resolution) or exr (linear)"}),
+           "File format of the pictures: png (8 bit), png16, tiff (8 bit, with its resolution) or exr (linear)"}),
       row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::exr_pixels, choice<ExrPixels>(kExrPixelNames),
           {"exr-pixels", "Files", "TYPE", "Number type of EXR colours: half or float"}),
       aov_row(),
@@ -577,11 +592,16 @@ std::vector<ParamInfo> file_rows() {
       runs_only(
           row(ParamKind::kText, &P::output, &OutputParams::video_codec, video_codec,
               {"video-codec", "Files", "NAME",
-               "Codec of videos: h264, hevc, vp9, av1 or ffv1; default: .mp4 h264, above 4096 pixels a side hevc; .webm vp9; "
+               "Codec of videos: h264, hevc, vp9, av1 or ffv1; default: .mp4 h264 (hevc above 4096 pixels a side), .webm vp9, "
                ".mkv ffv1"})),
       runs_only(
           row(ParamKind::kText, &P::output, &OutputParams::crf, crf,
               {"crf", "Files", "N", "Quality of videos, 0 (best) to 51 (h264, hevc) or 63; default 18, hevc 20, else 24"})),
+      runs_only(row(ParamKind::kText, &P::output, &OutputParams::also, optional_choice<Companion>(kCompanionNames),
+                    {"also", "Files", "WHAT", "single: then the same frames as one eye sees them, into DIR/single"})),
+      runs_only(
+          row(ParamKind::kFlag, &P::output, &OutputParams::page, flag(),
+              {"page", "Files", "", "Also write DIR/page, a page that shows the light field in any browser (docs/view.md)"})),
   };
 }
 
@@ -590,12 +610,12 @@ std::vector<ParamInfo> running_rows() {
   return {
       row(ParamKind::kNumber, &P::strips, integer<int>(1, kMostStrips),
           {"strips", "Running", "N",
-           "Render each frame in N strips of rows, which units and ranks share out and 'finish' joins: for huge stills; where "
-           "light is shared, each strip has its own"}),
+           "Render each frame in N strips of rows, for huge stills: units and ranks share the strips, 'lippmann finish' joins "
+           "them; each strip has its own shared light"}),
       runs_only(row(ParamKind::kNumber, &P::threads, integer<int>(0, 1024),
-                    {"threads", "Running", "N", "Rendering threads; 0: one per processor"})),
+                    {"threads", "Running", "N", "Number of rendering threads; 0: one per processor"})),
       runs_only(row(ParamKind::kFlag, &P::resume, flag(),
-                    {"resume", "Running", "", "Keep the frames that an earlier run of the same job has finished"})),
+                    {"resume", "Running", "", "Continue an earlier run of the same job: keep its finished frames"})),
   };
 }
 

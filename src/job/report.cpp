@@ -74,21 +74,23 @@ std::optional<Precompensation> precompensation_of(const RenderReport& report) {
 Json to_json(const RenderReport& report) {
   Json frames = Json::array();
   for (const FrameReport& frame : report.frames) frames.push_back(to_json(frame));
-  return {{"version", version()},
-          {"scene", report.scene},
-          {"light", report.light},
-          {"view", report.view},
-          {"optics", optics_json(report.optics)},
-          {"depth", depth_json(report.depth, report.depth_scale, report.optics)},
-          {"precompensation", precompensation_json(report)},
-          {"reuse", name_of(report.reuse)},
-          {"settings", settings_json(report.params)},
-          {"frames_per_second", report.frames_per_second},
-          {"interrupted", report.interrupted},
-          {"videos", report.videos},
-          {"frames", std::move(frames)},
-          {"runs", runs_json(report)},
-          {"totals", totals_json(report)}};
+  return {
+      {"version", version()},
+      {"scene", report.scene},
+      {"light", report.light},
+      {"view", report.view},
+      {"optics", optics_json(report.optics)},
+      {"depth", depth_json(report.depth, report.depth_scale, report.optics)},
+      {"precompensation", precompensation_json(report)},
+      {"reuse", name_of(report.reuse)},
+      {"settings", settings_json(report.params)},
+      {"frames_per_second", report.frames_per_second},
+      {"interrupted", report.interrupted},
+      {"resumed", std::any_of(report.frames.begin(), report.frames.end(), [](const FrameReport& frame) { return frame.kept; })},
+      {"videos", report.videos},
+      {"frames", std::move(frames)},
+      {"runs", runs_json(report)},
+      {"totals", totals_json(report)}};
 }
 
 }  // namespace lippmann

@@ -17,7 +17,7 @@ std::string interpolation_flag(const ReuseParams& params) {
 
 void refuse_interpolation_flags(const ReuseParams& params) {
   if (const std::string stray = interpolation_flag(params); !stray.empty())
-    throw usage_error(stray, "means nothing without interpolated frames", "it together with --reuse interpolate");
+    throw usage_error(stray, "has no effect without interpolated frames", "--reuse interpolate with it");
 }
 
 void refuse_light_flags(const ReuseParams& params) {
@@ -26,18 +26,18 @@ void refuse_light_flags(const ReuseParams& params) {
   if (params.quality_at != QualityAt::kPixel)
     throw usage_error("--quality-at", "eye is for path-traced frames that share light", kAccepted);
   if (params.debug == DebugPicture::kProvenance)
-    throw usage_error("--debug", "provenance shows where shared light came from, and none is", kAccepted);
+    throw usage_error("--debug", "provenance needs frames that share light", kAccepted);
 }
 
 TraceAll trace_all(const ReuseParams& params) {
   refuse_interpolation_flags(params);
   refuse_light_flags(params);
   if (params.keyframes)
-    throw usage_error("--keyframes", "means nothing where every frame is traced",
+    throw usage_error("--keyframes", "has no effect where every frame is traced in full",
                       "it together with --reuse copy or interpolate");
   if (params.min_psnr_db)
-    throw usage_error("--min-psnr", "means nothing where every frame is traced",
-                      "it together with --reuse interpolate, or light with --integrator path");
+    throw usage_error("--min-psnr", "has no effect where every frame is traced in full",
+                      "--reuse interpolate with it, or light with --integrator path");
   return {};
 }
 
@@ -50,7 +50,8 @@ CopySettled copy_settled(const ReuseParams& params) {
 ShareLight share_light(const ReuseParams& params) {
   refuse_interpolation_flags(params);
   if (params.keyframes)
-    throw usage_error("--keyframes", "means nothing where frames share light", "it together with --reuse copy or interpolate");
+    throw usage_error("--keyframes", "has no effect on frames that share light",
+                      "it together with --reuse copy or interpolate");
   return {params.min_psnr_db, params.time_budget_s, params.debug == DebugPicture::kProvenance, params.quality_at};
 }
 
@@ -58,9 +59,10 @@ Interpolate interpolate(const ReuseParams& params) {
   refuse_light_flags(params);
   const bool shows_missed = params.debug == DebugPicture::kMissed;
   if (shows_missed && params.fill == MissedFill::kRetrace)
-    throw usage_error("--fill", "retraced pixels would not be seen: --debug missed leaves them black", "one of the two");
+    throw usage_error("--fill", "retrace cannot be combined with --debug missed, which leaves missed pixels black",
+                      "one of the two");
   if (shows_missed && params.min_psnr_db)
-    throw usage_error("--debug", "cannot be together with --min-psnr, which traces what is missed or uncertain",
+    throw usage_error("--debug", "cannot be combined with --min-psnr, which traces missed and uncertain pixels",
                       "one of the two");
   return {params.keyframes, params.min_psnr_db, params.splat, shows_missed ? MissedFill::kBlack : params.fill,
           params.halving,   params.no_z_buffer};
@@ -102,7 +104,7 @@ FrameParams frame_params(const RenderParams& params) {
 
 void check_floor(const RenderParams& params) {
   if (params.reuse.min_psnr_db && !tone_of(params.output.pictures).is_identity())
-    throw usage_error("--min-psnr", "is a floor for pictures that show light as it is", "no --exposure and --tone with it");
+    throw usage_error("--min-psnr", "cannot be combined with --exposure or --tone", "--min-psnr without them");
 }
 
 std::string whole_paths_sentence(const RenderParams& params) {

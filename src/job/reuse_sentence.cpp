@@ -21,7 +21,7 @@ std::string describe_copied(const RenderReport& report) {
   double reused = 0.0;
   for (const FrameReport& frame : report.frames) reused += static_cast<double>(frame.reused_pixels);
   const double all = pixels_of(report) * std::max(static_cast<double>(report.frames.size()), 1.0);
-  return fmt::format("{:.1f} % of all pixels copied from key frames, provably unchanged", 100.0 * reused / all);
+  return fmt::format("{:.1f} % of all pixels are unchanged and were copied from key frames", 100.0 * reused / all);
 }
 
 /// How much was traced and how much interpolated from that.
@@ -34,8 +34,9 @@ std::string describe_interpolated(const RenderReport& report) {
   }
   const double percent = 100.0 / std::max(pixels_of(report) * static_cast<double>(made), 1.0);
   return fmt::format(
-      "{} frame{} made between {} sources; {:.2f} % of the pixels missed ({:.2f} newly visible, {:.2f} not covered), {}", made,
-      made == 1 ? "" : "s", keys, percent * static_cast<double>(missed), percent * static_cast<double>(newly_visible),
+      "{} frame{} interpolated between {} traced frames; {:.2f} % of the pixels missed ({:.2f} newly visible, {:.2f} not "
+      "covered) and {}",
+      made, made == 1 ? "" : "s", keys, percent * static_cast<double>(missed), percent * static_cast<double>(newly_visible),
       percent * static_cast<double>(missed - newly_visible), retraced > 0 ? "retraced" : "filled");
 }
 
@@ -43,7 +44,9 @@ struct Describe {
   const RenderReport& report;
 
   std::string operator()(const AutoReuse&) const { return (*this)(TraceAll{}); }
-  std::string operator()(const TraceAll&) const { return "every frame was traced whole"; }
+  std::string operator()(const TraceAll&) const {
+    return report.frames.size() == 1 ? "the frame was traced in full" : "every frame was traced in full";
+  }
   std::string operator()(const CopySettled&) const { return describe_copied(report); }
   std::string operator()(const ShareLight&) const { return shared_light_sentence(report.frames); }
   std::string operator()(const Interpolate&) const { return describe_interpolated(report); }

@@ -57,11 +57,22 @@ Bounds3f bounds_over_animation(const Scene& scene) {
   return bounds;
 }
 
-Json vector_json(Vec3f v) { return {v.x, v.y, v.z}; }
+/// A place in the file's coordinates.
+Json place_json(const SceneInfo& info, Vec3f p) {
+  const Vec3d place = info.origin + Vec3d(p);
+  return {place.x, place.y, place.z};
+}
 
-Json bounds_json(const Bounds3f& bounds) {
-  if (bounds.empty()) return nullptr;
-  return {{"lower", vector_json(bounds.lower)}, {"upper", vector_json(bounds.upper)}};
+Json bounds_json(const SceneInfo& info) {
+  if (info.bounds.empty()) return nullptr;
+  return {{"lower", place_json(info, info.bounds.lower)}, {"upper", place_json(info, info.bounds.upper)}};
+}
+
+/// "(1, 2, 3)", as exact as the scene's size allows.
+std::string place_text(const SceneInfo& info, Vec3f p) {
+  const Vec3d place = info.origin + Vec3d(p);
+  const int digits = info.origin == Vec3d(0.0) ? 6 : 12;
+  return fmt::format("({:.{}g}, {:.{}g}, {:.{}g})", place.x, digits, place.y, digits, place.z, digits);
 }
 
 /// "shown: Walk (1); others: Survey (0), Run (2)".
@@ -86,7 +97,16 @@ std::string list_variants(const SceneInfo& info) {
 /// Whether frames show the keys of a file with animations; nothing for other files.
 std::string describe_keys(const SceneInfo& info) {
   if (info.animations.empty()) return "";
-  return info.keys_on_frames ? ", every key of the file on a frame" : ", not all keys of the file on frames (--fps chooses)";
+  return info.keys_on_frames ? "; all keys of the file lie on frames"
+                             : "; some keys of the file lie between frames (see --fps)";
+}
+
+/// "48 frames at 24 fps, 2.0 s; 3 of 5 instances move"; of a still scene, that it is one.
+std::string describe_animation(const SceneInfo& info) {
+  if (info.frames == 1 && info.animations.empty() && info.moving_instances == 0) return "none: a still scene";
+  return fmt::format("{} frame{} at {:g} fps, {:.1f} s{}; {} of {} instance{} move", info.frames, info.frames == 1 ? "" : "s",
+                     info.frames_per_second, info.frames / info.frames_per_second, describe_keys(info), info.moving_instances,
+                     info.instances, info.instances == 1 ? "" : "s");
 }
 
 /// "3 meshes, 1 light": what there is at all.
@@ -115,6 +135,7 @@ SceneInfo describe_scene(const RenderParams& params, const Context& context) {
   info.frames_per_second = scene.timeline.frames_per_second;
   info.keys_on_frames = keys_fall_on_frames(scene.timeline, info.frames_per_second);
   count(scene, info);
+  info.origin = scene.origin;
   info.bounds = bounds_over_animation(scene);
   const auto display = wanted_display(params);
   info.array = fit_array(scene, window_aspect(params, scene.resolution, display.get()), params.scene.view);
@@ -152,10 +173,10 @@ Json to_json(const SceneInfo& info) {
           {"frames_per_second", info.frames_per_second},
           {"seconds", info.frames / info.frames_per_second},
           {"keys_on_frames", info.keys_on_frames},
-          {"bounds", bounds_json(info.bounds)},
+          {"bounds", bounds_json(info)},
           {"array",
            {{"fitted", info.array.how},
-            {"center", vector_json(info.array_center)},
+            {"center", place_json(info, info.array_center)},
             {"height", info.array.plane_height},
             {"viewing_distance", std::isfinite(distance) ? Json(distance) : Json(nullptr)},
             {"units_per_mm", info.units_per_mm}}},
@@ -166,8 +187,10 @@ Json to_json(const SceneInfo& info) {
 }
 
 std::string to_text(const SceneInfo& info) {
-  std::string text = fmt::format("{}\n", info.name);
-  const auto line = [&](std::string_view name, const std::string& value) { text += fmt::format("  {:<10} {}\n", name, value); };
+  std::string text = printable_line(info.name) + '\n';
+  const auto line = [&](std::string_view name, const std::string& value) {
+    text += fmt::format("  {:<10} {}\n", name, printable_line(value));
+  };
   line("shapes", list_counts({{info.meshes, "mesh"},
                               {info.triangles, "triangle"},
                               {info.spheres, "sphere"},
@@ -184,15 +207,12 @@ std::string to_text(const SceneInfo& info) {
   if (info.cameras > 1) line("cameras", list_cameras(info.notes.camera_names) + "; --camera chooses");
   if (!info.variants.empty()) line("variants", list_variants(info) + "; --variant chooses");
   line("light", info.notes.light);
-  line("animation",
-       fmt::format("{} frames at {:g} a second = {:.1f} s{}; {} of {} instances move", info.frames, info.frames_per_second,
-                   info.frames / info.frames_per_second, describe_keys(info), info.moving_instances, info.instances));
+  line("animation", describe_animation(info));
   if (info.animations.size() > 1) line("", list_animations(info));
   if (!info.bounds.empty())
-    line("bounds", fmt::format("({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})", info.bounds.lower.x, info.bounds.lower.y,
-                               info.bounds.lower.z, info.bounds.upper.x, info.bounds.upper.y, info.bounds.upper.z));
+    line("bounds", fmt::format("{} to {}", place_text(info, info.bounds.lower), place_text(info, info.bounds.upper)));
   line("array", info.array.how);
-  line("", fmt::format("Its centre is at ({:g}, {:g}, {:g}).", info.array_center.x, info.array_center.y, info.array_center.z));
+  line("", fmt::format("Its centre is at {}.", place_text(info, info.array_center)));
   line("panel", fmt::format("{}x{} pixels of {:.4g} mm; 1 mm = {:.4g} scene units", info.optics.panel.width,
                             info.optics.panel.height, info.optics.panel.pixel_pitch_mm, info.units_per_mm));
   line("viewing", fmt::format("zone {:.1f} degrees", degrees(viewing_zone(info.optics))));

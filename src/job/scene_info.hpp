@@ -29,7 +29,8 @@ struct SceneInfo {
   int animation = -1;                   ///< which of them is shown
   std::vector<std::string> variants;    ///< names of the sets of materials that --variant chooses from
 
-  Bounds3f bounds;  ///< world, of everything finite, over the animation (sampled at up to 32 frames)
+  Vec3d origin{0.0};  ///< of the coordinates below, in the file's
+  Bounds3f bounds;    ///< world, of everything finite, over the animation (sampled at up to 32 frames)
 
   FittedArray array;
   Optics optics;

@@ -52,7 +52,7 @@ Vec3f read_linear(std::string_view text, const std::string& where) {
 std::optional<Vec3f> read_color(std::string_view value, const std::string& where) {
   if (value.starts_with('#')) {
     const std::optional<Vec3f> color = parse_hexadecimal(value);
-    if (!color) throw usage_error(where, fmt::format("'{}' is no colour", value), kAccepted);
+    if (!color) throw usage_error(where, fmt::format("'{}' is not a colour", value), kAccepted);
     return color;
   }
   const bool is_list = value.find(',') != std::string_view::npos && value.find_first_not_of("0123456789.,+-eE") == value.npos;
@@ -74,7 +74,7 @@ Error no_such_environment(const std::string& value) {
 }
 
 /// What --environment asks for.
-std::string light_as_asked(Scene& scene, const RenderParams& params) {
+std::string light_as_asked(Scene& scene, const RenderParams& params, const Context& context) {
   const std::string& value = params.scene.environment;
   if (value == kNone) return "The scene has its own light alone, as --environment none asks for.";
   if (value == kStudio) {
@@ -86,7 +86,8 @@ std::string light_as_asked(Scene& scene, const RenderParams& params) {
     return fmt::format("The colour {} surrounds the scene, as --environment asks for.", value);
   }
   if (!std::filesystem::exists(value)) throw no_such_environment(value);
-  scene.background.map = read_environment(value, params.scene.environment_strength, params.scene.environment_rotation_deg);
+  scene.background.map =
+      read_environment(value, params.scene.environment_strength, params.scene.environment_rotation_deg, context);
   return fmt::format("The panorama {} lights the scene, as --environment asks for.", value);
 }
 
@@ -102,7 +103,7 @@ std::string read_environment_choice(std::string_view value, const std::string& w
 }
 
 std::string light_scene(Scene& scene, const RenderParams& params, const Context& context) {
-  if (!params.scene.environment.empty()) return light_as_asked(scene, params);
+  if (!params.scene.environment.empty()) return light_as_asked(scene, params, context);
   if (integrator_of(params.sampling) == Integrator::kWhitted) {
     if (lacks_lamps(scene))
       context.warning(fmt::format("{} has no lights: a key light from above left of the viewer is added", params.scene.name));

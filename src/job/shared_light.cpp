@@ -45,10 +45,10 @@ std::string named(const std::vector<FrameReport>& frames) {
 std::string how_many_share(const std::vector<FrameReport>& frames) {
   const auto shared = static_cast<std::size_t>(
       std::count_if(frames.begin(), frames.end(), [](const FrameReport& frame) { return frame.kind == "shared"; }));
-  if (shared == 0) return "every frame was traced whole";
-  if (frames.size() == 1) return "the frame shares light";
+  if (frames.size() == 1) return shared == 0 ? "the frame was traced in full" : "the frame shares light";
+  if (shared == 0) return "every frame was traced in full";
   return fmt::format("{} of {} frames share light{}", shared, frames.size(),
-                     shared < frames.size() ? ", the others were traced whole" : "");
+                     shared < frames.size() ? ", the others were traced in full" : "");
 }
 
 /// ", 41.2 dB at the eye"; empty where an eye sees single pixels, or nobody has measured what it sees.
@@ -69,11 +69,12 @@ std::string shared_light_sentence(const std::vector<FrameReport>& frames) {
   const FrameReport &worst = lowest(measured, &FrameReport::estimated_psnr_db),
                     &worst_block = lowest(measured, &FrameReport::estimated_block_psnr_db);
   if (frames.size() == 1)
-    return fmt::format("{}, PSNR as measured {:.1f} dB{}, {:.1f} dB of means over 64 pixels", who, *worst.estimated_psnr_db,
-                       at_eye(measured), *worst_block.estimated_block_psnr_db);
+    return fmt::format("{}; estimated PSNR {:.1f} dB{} ({:.1f} dB averaged over blocks of 64 pixels)", who,
+                       *worst.estimated_psnr_db, at_eye(measured), *worst_block.estimated_block_psnr_db);
   return fmt::format(
-      "{}, PSNR as measured {:.1f} dB on average, {:.1f} dB at worst (frame {}){}, {:.1f} dB at worst of means over 64 pixels "
-      "(frame {})",
+      "{}; estimated PSNR {:.1f} dB on average, {:.1f} dB at worst (frame {}){}; averaged over blocks of 64 pixels, {:.1f} dB "
+      "at "
+      "worst (frame {})",
       who, mean_psnr_db(measured, &FrameReport::estimated_psnr_db), *worst.estimated_psnr_db, worst.frame, at_eye(measured),
       *worst_block.estimated_block_psnr_db, worst_block.frame);
 }
@@ -87,17 +88,18 @@ std::string below_floor_sentence(const std::vector<FrameReport>& frames, double 
   if (unsure.empty()) return "";
   const auto below =
       std::count_if(unsure.begin(), unsure.end(), [&](const FrameReport& frame) { return frame.*told < min_psnr_db; });
-  const std::string measured = below == 0 ? "none is" : fmt::format("{} of them {}", below, below == 1 ? "is" : "are");
-  return fmt::format("{} may fall short of --min-psnr {:g}{} (at 95 % confidence); {} below it as measured", named(unsure),
-                     min_psnr_db, of_eye ? " at the eye" : "", measured);
+  const std::string estimates = below == 0   ? "no estimate is"
+                                : below == 1 ? "1 estimate is"
+                                             : fmt::format("{} estimates are", below);
+  return fmt::format("{} may be below --min-psnr {:g}{} (at 95 % confidence); {} below it", named(unsure), min_psnr_db,
+                     of_eye ? " at the eye" : "", estimates);
 }
 
 std::string unmeasured_sentence(const std::vector<FrameReport>& frames, double min_psnr_db) {
   std::vector<FrameReport> others = frames;
   std::erase_if(others, [](const FrameReport& frame) { return frame.estimated_psnr_db.has_value(); });
   if (others.empty()) return "";
-  return fmt::format("{} {} not measured: whether --min-psnr {:g} is reached is not known", named(others),
-                     others.size() == 1 ? "was" : "were", min_psnr_db);
+  return fmt::format("the error of {} was not estimated, so --min-psnr {:g} is not confirmed", named(others), min_psnr_db);
 }
 
 }  // namespace lippmann

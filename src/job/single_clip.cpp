@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "folder/journal.hpp"
+
 namespace lippmann {
 namespace {
 
@@ -32,7 +34,8 @@ RenderParams single_clip(const RenderParams& params, const Optics& optics) {
   single.strips = 1;  // one view has few rows
   single.output.pictures.depth = {};
   single.output.pictures.stereo = {}, single.optics.ipd_mm.reset(), single.optics.screen_width_mm.reset();
-  single.output.folder = (fs::path(output_folder(params)) / "single").string();
+  single.output.folder = (fs::path(output_folder(params)) / kSingleFolder).string();
+  single.output.also.reset(), single.output.page = false;
   for (std::string& video : single.output.video) video = beside(video);
   return single;
 }

@@ -13,7 +13,7 @@ namespace {
 constexpr Vec2i kUsualViewPx{960, 540};  ///< a whole view's size, where nobody says
 
 void refuse_in_stereo(bool given, const char* parameter) {
-  if (given) throw usage_error(parameter, "has no meaning for the views of two eyes", "`layout` stereo without it");
+  if (given) throw usage_error(parameter, "has no effect on a stereo picture", "`layout` stereo without it");
 }
 
 void refuse_other_optics(const OpticsParams& optics) {
@@ -53,7 +53,7 @@ double eyes_distance_mm(const RenderParams& params, const FittedArray& array, co
               : array.viewing_distance / scene_units_per_mm(array, static_cast<float>(height_mm)));
   if (!params.optics.viewing_distance_mm && !std::isfinite(distance)) return 3.0 * height_mm;  // an orthographic camera
   if (!std::isfinite(distance))
-    throw usage_error("viewing-distance", "an infinite distance, and two eyes", "millimetres above 0, or auto");
+    throw usage_error("viewing-distance", "cannot be infinite for two eyes", "millimetres above 0, or auto");
   return distance;
 }
 
@@ -67,8 +67,8 @@ void require_stereo_size(Vec2i film) {
 
 void refuse_stereo_params(const RenderParams& params) {
   if (wants_stereo(params)) return;
-  if (params.optics.ipd_mm) throw usage_error("ipd", "means nothing without two eyes", "`layout` stereo");
-  if (params.optics.screen_width_mm) throw usage_error("screen-width", "means nothing without two eyes", "`layout` stereo");
+  if (params.optics.ipd_mm) throw usage_error("ipd", "has no effect without two eyes", "`layout` stereo");
+  if (params.optics.screen_width_mm) throw usage_error("screen-width", "has no effect without two eyes", "`layout` stereo");
 }
 
 Optics stereo_optics(const RenderParams& params, const FittedArray& array, const Display* display) {

@@ -24,11 +24,11 @@ std::optional<double> known_crosstalk(const RenderParams& params, const Optics& 
 std::optional<double> crosstalk_to_undo(const RenderParams& params, const Optics& optics, const Display* display) {
   if (!params.optics.precompensate) return std::nullopt;
   if (params.output.pictures.pseudoscopic)
-    throw usage_error(kPrecompensateFlag, "recorded pictures are not shown as they are", "no --pseudoscopic with it");
+    throw usage_error(kPrecompensateFlag, "cannot be combined with --pseudoscopic", "one of the two");
   const std::optional<double> sigma = known_crosstalk(params, optics, display);
   if (!sigma)
-    throw usage_error(kPrecompensateFlag, "nothing says how much neighbours leak into one another",
-                      "--crosstalk, or a display whose file says it");
+    throw usage_error(kPrecompensateFlag, "the crosstalk of the display is not known",
+                      "--crosstalk, or a display file with it");
   Image nothing;
   precompensate(optics, *sigma, kPrecompensateFlag, nothing);  // refuses before hours are spent on frames
   return sigma;
@@ -47,7 +47,7 @@ std::string sharp_eye_sentence(const Reuse& reuse, const Optics& optics) {
 
 void check_crosstalk(const RenderParams& params, const Reuse& reuse) {
   if (params.optics.crosstalk_px && !params.optics.precompensate && !std::holds_alternative<ShareLight>(reuse))
-    throw usage_error("--crosstalk", "means nothing without --precompensate or path-traced frames that share light",
+    throw usage_error("--crosstalk", "has no effect without --precompensate or path-traced frames that share light",
                       "one of these with it");
 }
 

@@ -19,7 +19,8 @@ class Conversion {
  public:
   explicit Conversion(const ConvertParams& params) : params_(params), to_(find_format(params.to, "to")) {}
 
-  void convert_one(const fs::path& in, const fs::path& out, Converted& result) const {
+  /// `is_frame`: the ending of `out` is that of `in`, not a wish.
+  void convert_one(const fs::path& in, const fs::path& out, bool is_frame, Converted& result) const {
     FormatOptions reading = params_.options;
     reading.with_depth = to_.uses_cameras;
     if (to_.name == "stereo") reading.stereo.reset();  // it is what is made; pictures that are read have names
@@ -33,7 +34,7 @@ class Conversion {
     if (to_.name != "quilt" && parse_quilt_name(path))
       throw usage_error("OUT", path.string() + " is the name of a quilt, and the format is " + std::string(to_.name),
                         "a name without _qs..., or `to` quilt");
-    if (!to_.is_folder && !path.has_extension()) path += std::string(".") + exact_ending(field.stack);
+    if (!to_.is_folder && (is_frame || !path.has_extension())) path.replace_extension(exact_ending(field.stack));
     const NewFolder folder(to_.is_folder ? path : path.parent_path());
     for (fs::path& file : to_.write(field, path, writing)) result.written.push_back(std::move(file));
     result.views = field.grid, result.view_size = field.view_size;
@@ -61,14 +62,13 @@ Converted convert(const fs::path& in, const fs::path& out, const ConvertParams& 
   const bool is_folder = fs::is_directory(in, ignored);
   const std::vector<fs::path> frames = is_folder ? light_field_frames(in, params.from) : std::vector<fs::path>();
   const bool may_be_one = params.from.empty() || find_format(params.from, "from").is_folder || !is_folder;
-  if (frames.empty() && !may_be_one)
-    throw Error(in.string(), "there are no frames in it", "frame_0000.png, frame_0001.png, ...");
+  if (frames.empty() && !may_be_one) throw Error(in.string(), "contains no frames", "frame_0000.png, frame_0001.png, ...");
   if (frames.empty()) {
-    conversion.convert_one(in, out, result);
+    conversion.convert_one(in, out, false, result);
     return result;
   }
   const NewFolder folder(out);
-  for (const fs::path& frame : frames) conversion.convert_one(frame, out / conversion.name_of(frame), result);
+  for (const fs::path& frame : frames) conversion.convert_one(frame, out / conversion.name_of(frame), true, result);
   return result;
 }
 

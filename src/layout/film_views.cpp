@@ -23,7 +23,7 @@ void require_size(const Image& image, Vec2i film, int channels, const char* what
 
 RenderedViews required_views(const Optics& optics) {
   if (std::optional<RenderedViews> rendered = rendered_views(optics)) return *rendered;
-  throw Error("optics", "has no lenses with a whole number of pixels below each, and makes no views",
+  throw Error("optics", "there are no views behind lenses without a whole number of pixels",
               "views, or lenses with a whole number of pixels below each, neither slanted nor hexagonal");
 }
 

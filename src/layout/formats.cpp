@@ -22,7 +22,7 @@ const LightFieldFormat& find_format(const std::string& name, const std::string& 
     known += fmt::format("{}{}", known.empty() ? "" : ", ", format.name);
     names.push_back(format.name);
   }
-  throw usage_error(flag, fmt::format("'{}' is no format{}", name, did_you_mean(name, names)), known);
+  throw usage_error(flag, fmt::format("unknown format '{}'{}", name, did_you_mean(name, names)), known);
 }
 
 }  // namespace lippmann

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/folder_entries.hpp"
+#include "core/recorded_file.hpp"
 #include "core/text_pattern.hpp"
 
 namespace lippmann {
@@ -25,6 +26,7 @@ constexpr const char* kFrameFiles =
     R"(|[0-9]{1,4}_[0-9]{1,4}\.ppm|view_[0-9]{1,6}_depth\.png)|strip_([0-9]{1,9})_[0-9]{1,9}\.exr)";
 
 std::vector<fs::path> frames_in(const fs::path& folder, bool are_folders) {
+  require_recorded_frames(folder);
   std::vector<fs::path> frames;
   for (const fs::directory_entry& entry : entries_of(folder)) {
     const bool fits = entry.is_directory() ? are_folders : !are_folders && is_picture_name(entry.path());

@@ -41,7 +41,7 @@ std::optional<int> frame_of_file(const std::string& name);
 bool is_picture_name(const std::filesystem::path& path);
 
 /// The entries of a folder that are named as frames are, in the order of their numbers: pictures, or folders. Throws Error
-/// naming the folder if it cannot be listed.
+/// naming the folder if it cannot be listed, and naming a file of a frame that a render wrote there and that is gone.
 std::vector<std::filesystem::path> frame_pictures_in(const std::filesystem::path& folder);
 std::vector<std::filesystem::path> frame_folders_in(const std::filesystem::path& folder);
 

@@ -10,10 +10,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
-#include "core/atomic_file.hpp"
 #include "core/regular_file.hpp"
 #include "core/text_pattern.hpp"
 #include "image/netpbm.hpp"
@@ -27,18 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<HciParameters> read_parameters(const fs::path& folder) {
-  constexpr std::uintmax_t kMaxBytes = 1 << 20;
-  const fs::path path = folder / "parameters.cfg";
-  std::error_code ignored;
-  if (!is_regular_file_there(path)) return std::nullopt;
-  if (fs::file_size(path, ignored) > kMaxBytes) throw Error(path.string(), "is too large for parameters");
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return parse_hci_parameters(text.str(), path.string());
-}
-
 /// The grid in the options, the one in parameters.cfg, or a square.
 ViewGrid grid_of(const fs::path& folder, int count, const FormatOptions& options,
                  const std::optional<HciParameters>& parameters) {
@@ -46,7 +31,8 @@ ViewGrid grid_of(const fs::path& folder, int count, const FormatOptions& options
   ViewGrid grid = options.views.value_or(ViewGrid{side, side});
   if (!options.views && parameters) grid = {parameters->columns, parameters->rows};
   if (!options.views && !parameters && side * side != count)
-    throw usage_error("views", fmt::format("{} has {} views, which are no square", folder.string(), count), "CxR, such as 9x1");
+    throw usage_error("views", fmt::format("{} has {} views, and they form no square grid", folder.string(), count),
+                      "CxR, such as 9x1");
   if (grid.count() != count)
     throw Error(folder.string(), fmt::format("it holds {} views, and not {}x{}", count, grid.columns, grid.rows),
                 "`views` or a parameters.cfg that agrees");
@@ -74,17 +60,17 @@ void read_depth(const fs::path& folder, const HciParameters& parameters, LightFi
 }
 
 LightField read_hci(const fs::path& folder, const FormatOptions& options) {
-  static const TextPattern name("input_Cam([0-9]{1,6})\\.[^.]+");
+  static const TextPattern name("input_Cam([0-9]{1,6})\\.[^.]+", TextPattern::Letters::kEitherCase);
   const std::vector<NumberedFile> files = numbered_files(folder, name, "input_Cam000.png, input_Cam001.png, ...");
   const int count = static_cast<int>(files.size());
   if (files.front().numbers[0] != 0 || files.back().numbers[0] != count - 1)
     throw Error(folder.string(), "views are missing", fmt::format("all from 0 to {}", files.back().numbers[0]));
-  const std::optional<HciParameters> parameters = read_parameters(folder);
+  const std::optional<HciParameters> parameters = read_hci_parameters(folder);
   const ViewGrid grid = grid_of(folder, count, options, parameters);
   std::vector<fs::path> by_view(files.size());
   for (int i = 0; i < count; ++i)
     by_view[static_cast<std::size_t>(from_top_left(grid, i))] = files[static_cast<std::size_t>(i)].path;
-  LightField field = read_view_files(by_view, grid);
+  LightField field = read_view_files(by_view, grid, picture_reader(options.warn));
   if (!parameters || grid != ViewGrid{parameters->columns, parameters->rows}) return field;
   field.cameras = hci_cameras(*parameters);
   read_depth(folder, *parameters, field);
@@ -138,19 +124,21 @@ std::vector<fs::path> write_hci(const LightField& field, const fs::path& folder,
   if (!parameters) return written;
   parameters->scene = folder.filename().string();
   if (field.depth) write_depth(field, folder, *parameters, written);
-  const std::string text = hci_parameters_text(*parameters);
-  write_file_atomically(folder / "parameters.cfg", std::as_bytes(std::span(text)));
-  written.push_back(folder / "parameters.cfg");
+  written.push_back(write_hci_parameters(folder, *parameters));
   return written;
 }
 
 }  // namespace
 
 LightFieldFormat hci_format() {
-  return {
-      "hci",    "the 4D light field benchmark's folder: input_Cam000.png, ..., from the top left; cameras, depth, disparity",
-      true,     true,
-      read_hci, write_hci};
+  return {.name = "hci",
+          .is = "the 4D light field benchmark's folder: input_Cam000.png, ..., from the top left; cameras, depth, disparity",
+          .is_folder = true,
+          .uses_cameras = true,
+          .states_cameras = true,
+          .read = read_hci,
+          .write = write_hci,
+          .reads = {.views = true}};
 }
 
 }  // namespace lippmann

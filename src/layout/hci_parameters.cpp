@@ -5,13 +5,18 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <span>
 #include <string_view>
 
+#include "core/atomic_file.hpp"
 #include "core/printable.hpp"
+#include "core/recorded_file.hpp"
+#include "core/regular_file.hpp"
 #include "layout/cameras.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
+namespace fs = std::filesystem;
 namespace {
 
 std::string_view trimmed(std::string_view text) {
@@ -120,6 +125,20 @@ std::string hci_parameters_text(const HciParameters& p) {
   line("frustum_disp_max", p.disparity_max);
   line("depth_map_scale", 1.0);
   return text;
+}
+
+std::optional<HciParameters> read_hci_parameters(const fs::path& folder) {
+  constexpr std::uintmax_t kMaxBytes = 1 << 20;
+  const fs::path path = folder / "parameters.cfg";
+  if (!is_regular_file_there(path)) return std::nullopt;
+  return parse_hci_parameters(read_recorded_text(path, kMaxBytes, "a parameters.cfg"), path.string());
+}
+
+fs::path write_hci_parameters(const fs::path& folder, const HciParameters& parameters) {
+  const fs::path path = folder / "parameters.cfg";
+  const std::string text = hci_parameters_text(parameters);
+  write_file_atomically(path, std::as_bytes(std::span(text)));
+  return path;
 }
 
 double hci_disparity_px(const HciParameters& p, double depth_m) {

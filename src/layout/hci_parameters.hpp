@@ -7,7 +7,8 @@
 // model: F is their distance from the plane, F s / f the longer side of the rectangle.
 #pragma once
 
-#include <span>
+#include <filesystem>
+#include <optional>
 #include <string>
 
 #include "lippmann/layout/light_field.hpp"
@@ -27,6 +28,11 @@ struct HciParameters {
 /// Throws Error naming `where` for what is missing, not a number, or no camera.
 HciParameters parse_hci_parameters(const std::string& text, const std::string& where);
 std::string hci_parameters_text(const HciParameters& parameters);
+
+/// Of FOLDER/parameters.cfg; none if there is no such file. Throws Error naming it.
+std::optional<HciParameters> read_hci_parameters(const std::filesystem::path& folder);
+/// Returns the path.
+std::filesystem::path write_hci_parameters(const std::filesystem::path& folder, const HciParameters& parameters);
 
 /// Pixels from camera to camera, positive nearer than the focus distance. depth_m: planar, above 0; inf: at infinity.
 double hci_disparity_px(const HciParameters& parameters, double depth_m);

@@ -121,15 +121,15 @@ class Interlacer {
 
 void require_own_frame(const Display& display) {
   if (display.kind != DisplayKind::kSlantedPanel)
-    throw usage_error("display",
-                      fmt::format("{} is a {}, which has no frame of its own", display.name, to_string(display.kind)),
+    throw usage_error("display", fmt::format("{} is a {}, which has no native frame", display.name, to_string(display.kind)),
                       "a slanted panel");
 }
 
 Picture interlace(const LightField& field, const Display& display, const InterlaceParams& params, const ThreadPool& pool) {
   require_own_frame(display);
   if (field.grid.rows != 1)
-    throw usage_error("views", fmt::format("{}x{} views, where eyes are side by side", field.grid.columns, field.grid.rows),
+    throw usage_error("views",
+                      fmt::format("{}x{} views do not fit a panel, which shows one row", field.grid.columns, field.grid.rows),
                       "one row of views; `keep` takes one of several");
   const SlantedPanel panel = slanted_panel(display, viewing_distance_mm(display));
   Picture frame = blank(field.stack, display.pixels);

@@ -1,4 +1,5 @@
-// JPEG Pleno's folders: {row:03}_{column:03}.ppm, from the top left, codes of 8 to 16 bits.
+// JPEG Pleno's folders: {row:03}_{column:03}.ppm, from the top left, codes of 8 to 16 bits. Data sets are passed on as PNG too:
+// pictures of other kinds are read as they are.
 //
 // Codes of b bits, other than 8, become 16-bit codes round(65535 c / (2^b - 1)) and come back from them exactly.
 #include <fmt/format.h>
@@ -22,8 +23,14 @@ std::uint16_t rescaled(std::uint16_t code, int from_highest, int to_highest) {
   return static_cast<std::uint16_t>((code * static_cast<std::uint32_t>(to_highest) + from / 2) / from);
 }
 
+bool is_ppm_name(const fs::path& path) {
+  static const TextPattern ending("\\.ppm", TextPattern::Letters::kEitherCase);
+  return ending.match(path.extension().string()).has_value();
+}
+
 LightField read_jpeg_pleno(const fs::path& folder, const FormatOptions&) {
-  static const TextPattern name("([0-9]{1,4})_([0-9]{1,4})\\.ppm");
+  static const TextPattern name("([0-9]{1,4})_([0-9]{1,4})\\.(?:ppm|png|tiff?|bmp|jpe?g|webp|exr)",
+                                TextPattern::Letters::kEitherCase);
   const std::vector<NumberedFile> files = numbered_files(folder, name, "000_000.ppm, 000_001.ppm, ...");
   const ViewGrid grid = complete_grid(folder, files);
   std::vector<fs::path> by_view(files.size());
@@ -31,6 +38,7 @@ LightField read_jpeg_pleno(const fs::path& folder, const FormatOptions&) {
     by_view[static_cast<std::size_t>(from_top_left(grid, static_cast<int>(i)))] = files[i].path;
   int highest = 0;
   const auto read_one = [&](const fs::path& path) -> Picture {
+    if (!is_ppm_name(path)) return read_picture(path);
     PpmCodes ppm = read_ppm(path);
     if (highest == 0) highest = ppm.highest;
     if (ppm.highest != highest)
@@ -42,7 +50,7 @@ LightField read_jpeg_pleno(const fs::path& folder, const FormatOptions&) {
     return std::move(codes);
   };
   LightField field = read_view_files(by_view, grid, read_one);
-  field.bits = std::bit_width(static_cast<unsigned>(highest));
+  if (highest > 0) field.bits = std::bit_width(static_cast<unsigned>(highest));
   return field;
 }
 
@@ -78,12 +86,12 @@ std::vector<fs::path> write_jpeg_pleno(const LightField& field, const fs::path& 
 }  // namespace
 
 LightFieldFormat jpeg_pleno_format() {
-  return {"jpeg-pleno",
-          "JPEG Pleno's folder: {row}_{column}.ppm, from the top left; `bits` of its codes",
-          true,
-          false,
-          read_jpeg_pleno,
-          write_jpeg_pleno};
+  return {.name = "jpeg-pleno",
+          .is = "JPEG Pleno's folder: {row}_{column}.ppm (read: .png too), from the top left; `bits` of its codes",
+          .is_folder = true,
+          .read = read_jpeg_pleno,
+          .write = write_jpeg_pleno,
+          .writes = {.bits = true}};
 }
 
 }  // namespace lippmann

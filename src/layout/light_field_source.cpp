@@ -5,6 +5,7 @@
 #include "core/folder_entries.hpp"
 #include "core/text_pattern.hpp"
 #include "layout/frame_names.hpp"
+#include "layout/quilt_side_file.hpp"
 #include "layout/rgbd_name.hpp"
 #include "layout/rgbd_side_file.hpp"
 #include "lippmann/core/error.hpp"
@@ -22,10 +23,13 @@ std::optional<std::string> format_of_folder(const fs::path& folder) {
     std::string_view format;
     TextPattern file;
   };
-  static const std::array<Kind, 5> kinds{
-      Kind{"miv", TextPattern("cameras\\.json")}, Kind{"hci", TextPattern("input_Cam[0-9]{1,6}\\.[^.]+")},
-      Kind{"stanford", TextPattern("out_[0-9]{1,5}_[0-9]{1,5}(?:_.*)?\\.[^.]+")},
-      Kind{"jpeg-pleno", TextPattern("[0-9]{1,4}_[0-9]{1,4}\\.ppm")}, Kind{"views", TextPattern("view_[0-9]{1,6}\\.[^.]+")}};
+  const auto kind = [](std::string_view format, const char* file) {
+    return Kind{format, TextPattern(file, TextPattern::Letters::kEitherCase)};
+  };
+  static const std::array<Kind, 5> kinds{kind("miv", "cameras\\.json"), kind("hci", "input_Cam[0-9]{1,6}\\.[^.]+"),
+                                         kind("stanford", "out_[0-9]{1,5}_[0-9]{1,5}(?:_.*)?\\.[^.]+"),
+                                         kind("jpeg-pleno", "[0-9]{1,4}_[0-9]{1,4}\\.(?:ppm|png|tiff?|bmp|jpe?g|webp|exr)"),
+                                         kind("views", "view_[0-9]{1,6}\\.[^.]+")};
   std::array<bool, kinds.size()> found{};
   for (const fs::directory_entry& entry : entries_of(folder))
     for (std::size_t i = 0; i < kinds.size(); ++i)
@@ -35,42 +39,54 @@ std::optional<std::string> format_of_folder(const fs::path& folder) {
   return std::nullopt;
 }
 
+/// The pictures of a folder that are of the format; with an empty `from` those whose names or side files state one.
+std::vector<fs::path> described_pictures_in(const fs::path& folder, const std::string& from) {
+  std::vector<fs::path> pictures;
+  for (const fs::directory_entry& entry : entries_of(folder))
+    if (entry.is_regular_file() && is_picture_name(entry.path()))
+      if (!from.empty() || format_by_name(entry.path())) pictures.push_back(entry.path());
+  return pictures;
+}
+
 std::string format_of(const fs::path& path, const LightFieldSource& source) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) return format_of_folder(path).value_or("views");
-  if (parse_quilt_name(path)) return "quilt";
-  if (parse_stereo_name(path)) return "stereo";
-  if (has_rgbd_name(path) || read_rgbd_side_file(path)) return "rgbd";
+  if (const std::optional<std::string> stated = format_by_name(path)) return *stated;
   if (source.rendering && !source.rendering->layout.empty()) return source.rendering->layout;
   if (!fs::exists(path, ignored)) throw Error(path.string(), "there is no such file or folder");
   if (source.rendering && !source.rendered)
     throw usage_error("from",
-                      path.string() +
-                          " was rendered for lenses that do not have a whole number of pixels: what is below them "
-                          "makes no views",
-                      "what was rendered with `layout` views or quilt");
-  if (!source.rendered) throw usage_error("from", "nothing says what " + path.string() + " is", "the name of a format");
+                      path.string() + " was rendered for lenses without a whole number of pixels, so that it has no views",
+                      "a render with `layout` views or quilt");
+  if (!source.rendered) throw unknown_format(path);
   switch (source.rendered->film.kind) {
     case LayoutKind::kQuilt:
       return "quilt";
     case LayoutKind::kStack:
-      throw usage_error("from", path.string() + " is a single view", "pictures of several");
+      throw usage_error("from", path.string() + " is a single view", "pictures of several views");
     default:
       return "integral";
   }
+}
+
+/// Whether the report.json that was found is the one of these files. A folder of another format beside a render, or views of
+/// another grid, may be parts of its views.
+bool is_described_by_report(const fs::path& path, const LightFieldSource& source, const FormatOptions& options) {
+  const LightFieldFormat& format = *source.format;
+  if (format.states_cameras) return false;
+  if (format.is_folder && format.name != "views") return path.filename().string().starts_with("frame_");
+  return format.name != "eslf" || !options.views || !source.rendered || *options.views == source.rendered->film.grid;
 }
 
 }  // namespace
 
 LightFieldSource light_field_source(const fs::path& path, const std::string& from, const FormatOptions& options) {
   LightFieldSource source{nullptr, options};
-  const bool may_be_rendered = from.empty() || from == "integral" || from == "quilt" || from == "views" || from == "stereo";
-  if (may_be_rendered) source.rendering = rendering_of(path);
+  if (from.empty() || !find_format(from, "from").states_cameras) source.rendering = rendering_of(path);
   if (source.rendering)
     source.rendered = rendered_views(with_parallax(source.rendering->optics, source.rendering->depth_scale));
   source.format = &find_format(from.empty() ? format_of(path, source) : from, "from");
-  if ((source.format->is_folder && source.format->name != "views") || source.format->name == "rgbd")
-    source.rendering.reset(), source.rendered.reset();
+  if (!is_described_by_report(path, source, options)) source.rendering.reset(), source.rendered.reset();
   if (source.rendering && !source.rendering->has_depth_layer) source.options.with_depth = false;
   if (!source.rendered) return source;
   const ViewLayout& film = source.rendered->film;
@@ -78,6 +94,30 @@ LightFieldSource light_field_source(const fs::path& path, const std::string& fro
   const bool named_by_quilt = parse_quilt_name(path).has_value();
   if (!source.options.tiles && film.kind == LayoutKind::kQuilt && !named_by_quilt) source.options.tiles = film.tiles;
   return source;
+}
+
+std::optional<std::string> format_by_name(const fs::path& picture) {
+  if (parse_quilt_name(picture)) return "quilt";
+  if (parse_stereo_name(picture)) return "stereo";
+  if (has_rgbd_name(picture) || read_rgbd_side_file(picture)) return "rgbd";
+  if (read_quilt_side_file(picture)) return "quilt";
+  return std::nullopt;
+}
+
+Error unknown_format(const fs::path& picture) {
+  return usage_error("from",
+                     "the format of " + picture.string() +
+                         " is unknown: no report.json or side file lies beside it, and its name states no format",
+                     "`from` with a format, such as `from` integral `views` 8x1 or `from` native `display` portrait (see "
+                     "lippmann help convert), "
+                     "or a name such as room_qs8x6a0.75.png");
+}
+
+const LightFieldFormat& format_of_light_field(const fs::path& in, const std::string& from) {
+  if (!from.empty()) return find_format(from, "from");
+  std::error_code ignored;
+  const std::vector<fs::path> frames = fs::is_directory(in, ignored) ? light_field_frames(in, from) : std::vector<fs::path>();
+  return *light_field_source(frames.empty() ? in : frames.front(), from, {}).format;
 }
 
 bool is_light_field_folder(const fs::path& folder) { return format_of_folder(folder).has_value(); }
@@ -93,9 +133,11 @@ bool has_all_pixels(const LightFieldSource& source, const LightField& field, con
 }  // namespace
 
 std::vector<fs::path> light_field_frames(const fs::path& folder, const std::string& from) {
-  if (!from.empty()) return find_format(from, "from").is_folder ? frame_folders_in(folder) : frame_pictures_in(folder);
-  std::vector<fs::path> pictures = frame_pictures_in(folder);
-  return pictures.empty() ? frame_folders_in(folder) : pictures;
+  if (!from.empty() && find_format(from, "from").is_folder) return frame_folders_in(folder);
+  std::vector<fs::path> frames = frame_pictures_in(folder);
+  if (frames.empty() && from.empty()) frames = frame_folders_in(folder);
+  if (frames.empty() && !is_light_field_folder(folder)) frames = described_pictures_in(folder, from);
+  return frames;
 }
 
 OpenedLightField open_light_field(const fs::path& path, const std::string& from, const FormatOptions& options) {
@@ -104,7 +146,7 @@ OpenedLightField open_light_field(const fs::path& path, const std::string& from,
   opened.format = source.format->name;
   if (!source.rendered || source.rendered->film.grid != opened.field.grid) return opened;
   if (!has_all_pixels(source, opened.field, path)) return opened;
-  opened.field.cameras = source.rendered->cameras;
+  if (!opened.field.cameras) opened.field.cameras = source.rendered->cameras;
   opened.optics = source.rendering->optics;
   return opened;
 }
@@ -116,7 +158,7 @@ std::vector<fs::path> light_fields_in(const fs::path& path, const std::string& f
   std::vector<fs::path> frames = light_field_frames(path, from);
   if (!frames.empty()) return frames;
   if (from.empty() && !is_light_field_folder(path))
-    throw Error(path.string(), "there are no frames in it, and no views",
+    throw Error(path.string(), "there are no frames or views in it",
                 "frame_0000.png, frame_0001.png, ..., or a folder of views that `lippmann convert` reads");
   return {path};
 }

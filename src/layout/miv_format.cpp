@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "core/atomic_file.hpp"
+#include "core/recorded_file.hpp"
 #include "layout/miv_cameras.hpp"
 #include "layout/view_files.hpp"
 #include "lippmann/core/error.hpp"
@@ -21,15 +20,7 @@ constexpr double kHighest = 65535.0;
 
 std::vector<MivCamera> read_cameras(const fs::path& path) {
   constexpr std::uintmax_t kMaxBytes = std::uintmax_t{16} << 20;
-  std::error_code problem;
-  const std::uintmax_t bytes = fs::file_size(path, problem);
-  if (problem)
-    throw Error(path.string(), "cannot be read (" + problem.message() + ")", "a folder of pictures and cameras.json");
-  if (bytes > kMaxBytes) throw Error(path.string(), "is too large for cameras");
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return parse_miv_cameras(text.str(), path.string());
+  return parse_miv_cameras(read_recorded_text(path, kMaxBytes, "a folder of pictures and cameras.json"), path.string());
 }
 
 /// In hundredths of a millimetre: rows of cameras that were calibrated are not level to the last digit.
@@ -55,17 +46,15 @@ ViewGrid grid_of(const std::vector<MivCamera>& cameras, const FormatOptions& opt
 }
 
 fs::path picture_of(const fs::path& folder, const MivCamera& camera) {
-  std::error_code ignored;
   for (const char* ending : {".png", ".exr", ".ppm", ".tif", ".jpg"})
-    if (const fs::path path = folder / (camera.name + ending); fs::is_regular_file(path, ignored)) return path;
+    if (const fs::path path = folder / (camera.name + ending); is_regular_file_there(path)) return path;
   throw Error(folder.string(), fmt::format("the picture of camera {} is missing", camera.name), camera.name + ".png");
 }
 
 /// The map beside a camera's picture in z of the display frame; none if there is none.
 std::optional<Image> read_depth(const fs::path& folder, const MivCamera& camera, double distance_mm, Vec2i size) {
   const fs::path path = folder / (camera.name + "_depth.png");
-  std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored)) return std::nullopt;
+  if (!is_regular_file_there(path)) return std::nullopt;
   const Picture picture = read_picture(path);
   const auto* codes = std::get_if<Image16>(&picture);
   if (codes == nullptr || size_of(picture) != size)
@@ -97,7 +86,7 @@ LightField read_miv(const fs::path& folder, const FormatOptions& options) {
   const ViewGrid grid = grid_of(cameras, options, folder);
   std::vector<fs::path> by_view;
   for (const MivCamera& camera : cameras) by_view.push_back(picture_of(folder, camera));
-  LightField field = read_view_files(by_view, grid);
+  LightField field = read_view_files(by_view, grid, picture_reader(options.warn));
   field.cameras = cameras_of_miv(cameras);
   if (field.cameras) read_depth(folder, cameras, field);
   return field;
@@ -134,7 +123,7 @@ Image16 depth_codes(const LightField& field, int view, const DepthRange& range) 
 
 std::vector<fs::path> write_miv(const LightField& field, const fs::path& folder, const FormatOptions&) {
   if (!field.cameras)
-    throw Error(folder.string(), "it is not known what cameras saw these views",
+    throw Error(folder.string(), "the cameras of these views are unknown",
                 "pictures with render's report.json beside them, or an HCI folder with parameters.cfg");
   const auto name = [](int view) { return fmt::format("view_{:03}", view); };
   const char* ending = exact_ending(field.stack);
@@ -158,9 +147,13 @@ std::vector<fs::path> write_miv(const LightField& field, const fs::path& folder,
 }  // namespace
 
 LightFieldFormat miv_format() {
-  return {"miv",    "a folder of pictures and cameras.json, as MIV and RVS have it; 16-bit codes of depth",
-          true,     true,
-          read_miv, write_miv};
+  return {.name = "miv",
+          .is = "a folder of pictures and cameras.json, as MIV and RVS have it; 16-bit codes of depth",
+          .is_folder = true,
+          .uses_cameras = true,
+          .states_cameras = true,
+          .read = read_miv,
+          .write = write_miv};
 }
 
 }  // namespace lippmann

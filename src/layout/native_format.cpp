@@ -16,7 +16,7 @@ ThreadPool all_threads() { return ThreadPool(std::max(1, static_cast<int>(std::t
 
 const Display& wanted_display(const FormatOptions& options) {
   if (options.display) return *options.display;
-  throw usage_error("display", "a panel's own frame is made for one display",
+  throw usage_error("display", "the display is unknown, and a native frame is made for one display",
                     "a name that 'lippmann displays' lists, or a file");
 }
 
@@ -27,10 +27,10 @@ LightField read_native(const fs::path& path, const FormatOptions& options) {
   const int count = options.views ? options.views->count() : quilt.columns * quilt.rows;
   const Vec2i size(quilt.width / quilt.columns, quilt.height / quilt.rows);
   constexpr std::int64_t kMaxSamples = std::int64_t{1} << 31;
-  if (options.views && options.views->rows != 1) throw usage_error("views", "a panel's views are side by side", "Nx1");
+  if (options.views && options.views->rows != 1) throw usage_error("views", "a panel has one row of views", "Nx1");
   if (std::int64_t{3} * count * size.x * size.y > kMaxSamples)
     throw usage_error("views", fmt::format("{} views of {}x{} pixels are too many", count, size.x, size.y), "fewer");
-  LightField field = deinterlace(read_picture(path), display, count, size, path.string(), all_threads());
+  LightField field = deinterlace(read_picture(path, options.warn), display, count, size, path.string(), all_threads());
   if (count == quilt.columns * quilt.rows) field.tiles = ViewGrid{quilt.columns, quilt.rows}, field.aspect = quilt.aspect;
   return field;
 }
@@ -44,9 +44,12 @@ std::vector<fs::path> write_native(const LightField& field, const fs::path& path
 }  // namespace
 
 LightFieldFormat native_format() {
-  return {"native",    "the frame of a slanted panel, each sub-pixel of its own view; `display`: which panel",
-          false,       false,
-          read_native, write_native};
+  return {.name = "native",
+          .is = "the frame of a slanted panel, each sub-pixel of its own view; `display`: which panel",
+          .read = read_native,
+          .write = write_native,
+          .reads = {.views = true, .display = true},
+          .writes = {.display = true, .filter = true}};
 }
 
 }  // namespace lippmann

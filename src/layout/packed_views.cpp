@@ -5,8 +5,9 @@
 namespace lippmann {
 namespace fs = std::filesystem;
 
-LightField read_packed(const fs::path& path, const ViewLayout& layout, bool with_depth) {
-  const Picture picture = read_picture(path);
+LightField read_packed(const fs::path& path, const ViewLayout& layout, bool with_depth,
+                       const std::function<void(std::string_view)>& warn) {
+  const Picture picture = read_picture(path, warn);
   const Vec2i size = size_of(picture);
   LightField field;
   field.grid = layout.grid;

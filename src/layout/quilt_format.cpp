@@ -28,10 +28,12 @@ Quilt described(const fs::path& path, const FormatOptions& options) {
   if (options.tiles) return {*options.tiles, options.tiles->count(), false, name ? std::optional(name->aspect) : std::nullopt};
   const std::optional<QuiltSideFile> side = read_quilt_side_file(path);
   if (!name && !side)
-    throw usage_error("quilt", "the name of " + path.string() + " does not say how many tiles it has", "CxR, such as 8x6");
+    throw usage_error("quilt",
+                      "the number of tiles of " + path.string() + " is unknown: neither its name nor a side file states it",
+                      "CxR, such as 8x6");
   if (name && side && name->tiles != side->quilt.tiles)
     throw Error(path.string(),
-                fmt::format("its name speaks of {}x{} tiles, its side file of {}x{}", name->tiles.columns, name->tiles.rows,
+                fmt::format("its name says {}x{} tiles, and its side file {}x{}", name->tiles.columns, name->tiles.rows,
                             side->quilt.tiles.columns, side->quilt.tiles.rows),
                 "`quilt` with the right one");
   if (side) return {side->quilt.tiles, side->views, side->inverted, side->quilt.aspect};
@@ -54,7 +56,7 @@ LightField read_quilt(const fs::path& path, const FormatOptions& options) {
   if (grid.count() != quilt.views)
     throw usage_error("views", fmt::format("{}x{} views are not as many as {}x{} tiles", grid.columns, grid.rows,
                                            quilt.tiles.columns, quilt.tiles.rows));
-  LightField field = read_packed(path, {LayoutKind::kQuilt, grid, quilt.tiles}, options.with_depth);
+  LightField field = read_packed(path, {LayoutKind::kQuilt, grid, quilt.tiles}, options.with_depth, options.warn);
   if (quilt.inverted) turn_round(field);
   field.tiles = quilt.tiles;
   field.aspect = quilt.aspect.value_or(static_cast<double>(field.view_size.x) / field.view_size.y);
@@ -83,9 +85,12 @@ std::vector<fs::path> write_quilt(const LightField& field, const fs::path& path,
 }  // namespace
 
 LightFieldFormat quilt_format() {
-  return {"quilt",    "views side by side, the first at the bottom left (Looking Glass); `quilt`: tiles",
-          false,      false,
-          read_quilt, write_quilt};
+  return {.name = "quilt",
+          .is = "views side by side, the first at the bottom left (Looking Glass); `quilt`: tiles",
+          .read = read_quilt,
+          .write = write_quilt,
+          .reads = {.views = true, .tiles = true},
+          .writes = {.tiles = true, .aspect = true}};
 }
 
 }  // namespace lippmann

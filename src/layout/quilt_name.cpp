@@ -6,13 +6,16 @@
 #include <string>
 
 #include "core/text_pattern.hpp"
+#include "layout/copy_mark.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {
 
 const TextPattern& pattern() {
-  static const TextPattern quilt("_qs([0-9]{1,4})x([0-9]{1,4})a([0-9]*\\.?[0-9]+)(?:z[0-9.]+)?(?:f-?[0-9.]+)?$");
+  static const TextPattern quilt(
+      "_qs([0-9]{1,4})x([0-9]{1,4})a([0-9]*\\.?[0-9]+)(?:z[0-9.]+)?(?:f-?[0-9.]+)?(?=" + std::string(kCopyMark) + "?$)",
+      TextPattern::Letters::kEitherCase);
   return quilt;
 }
 
@@ -33,7 +36,7 @@ std::optional<QuiltName> parse_quilt_name(const std::filesystem::path& path) {
   const auto& group = found->groups;
   const QuiltName name{{read<int>(group[1]), read<int>(group[2])}, read<double>(group[3])};
   if (name.tiles.columns < 1 || name.tiles.rows < 1 || !(name.aspect > 0.0))
-    throw Error(path.string(), "its name speaks of a quilt without tiles or aspect", "a name such as room_qs8x6a0.75.png");
+    throw Error(path.string(), "cannot parse the quilt file name: no tiles or no aspect", "a name such as room_qs8x6a0.75.png");
   return name;
 }
 
@@ -45,7 +48,7 @@ std::filesystem::path without_quilt_name(const std::filesystem::path& path) {
   std::string bare = path.stem().string();
   const auto found = pattern().search(bare);
   if (!found) return path;
-  bare.resize(found->begin);
+  bare.erase(found->begin, found->end - found->begin);
   return path.parent_path() / (bare + path.extension().string());
 }
 

@@ -1,13 +1,12 @@
 #include "layout/quilt_side_file.hpp"
 
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
 
 #include "core/atomic_file.hpp"
 #include "core/json_fields.hpp"
 #include "core/json_text.hpp"
+#include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "lippmann/core/error.hpp"
 
@@ -21,10 +20,7 @@ constexpr int kMaxTiles = 9999;  ///< a side, as in names
 
 std::string text_of(const fs::path& path) {
   constexpr std::uintmax_t kMaxBytes = 1 << 20;
-  std::error_code problem;
-  if (fs::file_size(path, problem) > kMaxBytes || problem) throw Error(path.string(), "is not the side file of a quilt");
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
+  return read_recorded_text(path, kMaxBytes, "the side file of a quilt");
 }
 
 }  // namespace

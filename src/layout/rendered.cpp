@@ -1,15 +1,16 @@
 #include "layout/rendered.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "core/json_text.hpp"
+#include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "core/text_pattern.hpp"
 #include "image/read_image.hpp"
@@ -44,13 +45,8 @@ std::optional<Image> rendered_layer(const fs::path& picture, const LayerChannel&
 
 /// A JSON object.
 Json read_report(const fs::path& report) {
-  std::error_code ignored;
-  if (!is_regular_file_there(report))
-    throw Error(report.string(), "there is no such file", "the report.json that `lippmann render` writes beside its pictures");
-  if (fs::file_size(report, ignored) > kMaxReportBytes) throw Error(report.string(), "is too large for a report");
-  std::ifstream file(report, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  Json json = json_from_text(text);
+  Json json = json_from_text(
+      read_recorded_text(report, kMaxReportBytes, "the report.json that `lippmann render` writes beside its pictures"));
   if (!json.is_object()) throw Error(report.string(), "is not a JSON object", "the report.json that `lippmann render` writes");
   return json;
 }
@@ -134,6 +130,20 @@ std::optional<Rendering> readable_rendering(const fs::path& report) try {
   return read_rendering(report);
 } catch (const Error&) {
   return std::nullopt;
+}
+
+void warn_of_unchecked(const fs::path& in, const Context& context) {
+  const fs::path whole = fs::absolute(in / "").lexically_normal().parent_path(), folder = whole.parent_path();
+  for (const fs::path& of_render : {whole, folder, folder.parent_path()}) {
+    if (has_journal(of_render)) return;
+    std::error_code ignored;
+    const fs::path report = of_render / "report.json";
+    if (!fs::is_regular_file(report, ignored)) continue;
+    if (read_report(report).contains("runs"))  // a report of converted pictures has none
+      context.warning(fmt::format("{} has no journal of its render (.lippmann), so its files are not checked for damage",
+                                  of_render.string()));
+    return;
+  }
 }
 
 std::optional<Rendering> rendering_of(const fs::path& picture) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "lippmann/core/context.hpp"
 #include "lippmann/image/image.hpp"
 #include "lippmann/optics/optics.hpp"
 
@@ -41,6 +42,10 @@ std::optional<Rendering> rendering_of(const std::filesystem::path& picture);
 
 /// What a report says, for pictures that can be shown without it: none if there is no report, or if it is damaged.
 std::optional<Rendering> readable_rendering(const std::filesystem::path& report);
+
+/// Warns where a picture or folder is of a render whose journal is gone: nobody can tell whether its files are as they were
+/// written (core/recorded_file.hpp).
+void warn_of_unchecked(const std::filesystem::path& in, const Context& context);
 
 /// z in display mm, one channel, of the picture's size: of an EXR picture that has it, or of aov_0000.exr beside frame_0000...,
 /// aov_000.exr beside view_000... None if there is none. Throws Error as read_channels.

@@ -63,15 +63,15 @@ RgbdSideFile described_rgbd(const fs::path& path, const FormatOptions& options, 
   if (options.even_in_depth) side.coding.even_in_depth = *options.even_in_depth;
   if (options.near_black) side.coding.near_black = *options.near_black;
   if (!(side.coding.range.near_mm < side.distance_mm))
-    throw usage_error(
-        "depth-range",
-        fmt::format("{:g} mm is not before the eye, which is at {:g} mm", side.coding.range.near_mm, side.distance_mm),
-        "depths below that");
+    throw usage_error("depth-range",
+                      fmt::format("{:g} mm does not lie in front of the eye, which is at {:g} mm", side.coding.range.near_mm,
+                                  side.distance_mm),
+                      "depths below that");
   return side;
 }
 
 LightField read_rgbd(const fs::path& path, const FormatOptions& options) {
-  const Picture picture = read_picture(path);
+  const Picture picture = read_picture(path, options.warn);
   LightField field = light_field_of_rgbd(picture, path, path.string(), options);
   require_depth(read_greys(picture, field.view_size, path.string()), path.string());
   return field;
@@ -125,9 +125,8 @@ Picture beside(const Picture& colours, const Image& depth, const RgbdSideFile& s
 
 std::vector<fs::path> write_rgbd(const LightField& field, const fs::path& path, const FormatOptions& options) {
   if (!field.cameras || !field.depth)
-    throw usage_error(
-        "to", field.cameras ? "nothing says how deep what these views show is" : "nothing says what cameras saw these views",
-        "what was rendered with `aov` depth, or a format that holds depth");
+    throw usage_error("to", field.cameras ? "the views have no depth" : "the cameras of these views are unknown",
+                      "a render with `aov` depth, or a format that holds depth");
   const int view = field.grid.rows / 2 * field.grid.columns + field.grid.columns / 2;
   const Image depth = depth_of(field, view);
   const RgbdSideFile side = side_of(field, view, depth, options);
@@ -143,7 +142,7 @@ LightField light_field_of_rgbd(const Picture& picture, const fs::path& file, con
                                const FormatOptions& options) {
   const Vec2i size = size_of(picture), view(size.x / 2, size.y);
   if (size.x % 2 != 0 || size.x < 2)
-    throw Error(where, fmt::format("{} pixels across are not those of a picture and of its depth beside it", size.x),
+    throw Error(where, fmt::format("{} pixels across cannot be divided into colours and depth", size.x),
                 "an even width: colours at the left, depth of the same size at the right");
   const RgbdSideFile side = described_rgbd(file, options, view);
   LightField field;
@@ -161,7 +160,14 @@ LightField light_field_of_rgbd(const Picture& picture, const fs::path& file, con
 }
 
 LightFieldFormat rgbd_format() {
-  return {"rgbd", "colours of the middle view, and its depth as grey to the right of them", false, true, read_rgbd, write_rgbd};
+  return {.name = kRgbdFormat,
+          .is = "colours of the middle view, and its depth as grey to the right of them",
+          .uses_cameras = true,
+          .states_cameras = true,
+          .read = read_rgbd,
+          .write = write_rgbd,
+          .reads = {.depth_coding = true},
+          .writes = {.depth_coding = true}};
 }
 
 }  // namespace lippmann

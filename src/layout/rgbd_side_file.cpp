@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -12,6 +10,7 @@
 #include "core/atomic_file.hpp"
 #include "core/json_fields.hpp"
 #include "core/json_text.hpp"
+#include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "lippmann/core/error.hpp"
 
@@ -25,12 +24,7 @@ constexpr NumberRange kLength{1e-6, 1e9};
 
 Json rgbd_document(const fs::path& path) {
   constexpr std::uintmax_t kMaxBytes = 1 << 20;
-  std::error_code problem;
-  if (fs::file_size(path, problem) > kMaxBytes || problem)
-    throw Error(path.string(), "is not the side file of an RGB-D picture");
-  std::ifstream file(path);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  Json json = json_from_text(text);
+  Json json = json_from_text(read_recorded_text(path, kMaxBytes, "the side file of an RGB-D picture"));
   if (json.is_discarded()) throw Error(path.string(), "is not JSON");
   return json;
 }

@@ -1,11 +1,17 @@
 // The Stanford light field archive's folders: out_{row}_{column}_{y}_{x}.png, row 0 at the top, column 0 at the left; y and x
-// say where the camera stood, y counted downwards like the rows. (Names in the archive end with or without a further _.)
+// are the position of the camera, y counted downwards like the rows. (Names in the archive end with or without a further _.)
 //
-// Without known cameras y and x are the row and the column; they are not read.
+// Names state no unit and no distance. Positions are kept as they are, and written again. Where the cameras are known and stand
+// in a regular grid, parameters.cfg is written too, and read, as the HCI benchmark has it (layout/hci_parameters.hpp).
+// Without known positions y and x are the row and the column.
 #include <fmt/format.h>
 
+#include <charconv>
+
 #include "core/text_pattern.hpp"
+#include "layout/hci_parameters.hpp"
 #include "layout/view_files.hpp"
+#include "lippmann/core/error.hpp"
 #include "lippmann/layout/formats.hpp"
 
 namespace lippmann {
@@ -13,32 +19,83 @@ namespace {
 
 namespace fs = std::filesystem;
 
-LightField read_stanford(const fs::path& folder, const FormatOptions&) {
-  static const TextPattern name("out_([0-9]{1,5})_([0-9]{1,5})(?:_.*)?\\.(?:png|jpg|exr|ppm|tif|tiff)");
+/// Right and up; none if the name states none.
+std::optional<Vec2d> stanford_position(const fs::path& file) {
+  static const TextPattern name("out_[0-9]+_[0-9]+_(-?[0-9.]{1,40})_(-?[0-9.]{1,40})_?", TextPattern::Letters::kEitherCase);
+  const std::optional<PatternMatch> found = name.match(file.stem().string());
+  if (!found) return std::nullopt;
+  Vec2d position;
+  for (const int axis : {0, 1}) {
+    const std::string& digits = found->groups[static_cast<std::size_t>(2 - axis)];
+    const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), position[axis]);
+    if (problem != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+  }
+  return Vec2d(position.x, -position.y);
+}
+
+/// Of all views, or none.
+std::optional<std::vector<Vec2d>> stanford_positions(const std::vector<fs::path>& by_view) {
+  std::vector<Vec2d> positions;
+  for (const fs::path& file : by_view) {
+    const std::optional<Vec2d> position = stanford_position(file);
+    if (!position) return std::nullopt;
+    positions.push_back(*position);
+  }
+  return positions;
+}
+
+LightField read_stanford(const fs::path& folder, const FormatOptions& options) {
+  static const TextPattern name("out_([0-9]{1,5})_([0-9]{1,5})(?:_.*)?\\.(?:png|jpe?g|exr|ppm|tiff?|bmp|webp)",
+                                TextPattern::Letters::kEitherCase);
   const std::vector<NumberedFile> files = numbered_files(folder, name, "out_00_00_<y>_<x>.png, ...");
   const ViewGrid grid = complete_grid(folder, files);
   std::vector<fs::path> by_view(files.size());
   for (std::size_t i = 0; i < files.size(); ++i)
     by_view[static_cast<std::size_t>(from_top_left(grid, static_cast<int>(i)))] = files[i].path;
-  return read_view_files(by_view, grid);
+  LightField field = read_view_files(by_view, grid, picture_reader(options.warn));
+  field.positions = stanford_positions(by_view);
+  const std::optional<HciParameters> parameters = read_hci_parameters(folder);
+  if (parameters && grid == ViewGrid{parameters->columns, parameters->rows}) field.cameras = hci_cameras(*parameters);
+  return field;
+}
+
+/// None where the cameras are unknown or irregular.
+std::optional<HciParameters> regular_cameras(const LightField& field, const fs::path& folder) {
+  if (!field.cameras) return std::nullopt;
+  try {
+    return hci_parameters(field, folder.string());
+  } catch (const Error&) {
+    return std::nullopt;
+  }
 }
 
 std::vector<fs::path> write_stanford(const LightField& field, const fs::path& folder, const FormatOptions&) {
   const char* ending = exact_ending(field.stack);
-  return write_view_files(field, folder, [&](int view) {
+  std::vector<fs::path> written = write_view_files(field, folder, [&](int view) {
     const int row = field.grid.rows - 1 - view / field.grid.columns, column = view % field.grid.columns;
     Vec2d eye(column, -row);
-    if (field.cameras) eye = field.cameras->eyes_mm[static_cast<std::size_t>(view)];
+    if (field.positions)
+      eye = (*field.positions)[static_cast<std::size_t>(view)];
+    else if (field.cameras)
+      eye = field.cameras->eyes_mm[static_cast<std::size_t>(view)];
     return fmt::format("out_{:02}_{:02}_{:.6f}_{:.6f}.{}", row, column, -eye.y + 0.0, eye.x, ending);
   });
+  std::optional<HciParameters> parameters = regular_cameras(field, folder);
+  if (!parameters) return written;
+  parameters->scene = folder.filename().string();
+  written.push_back(write_hci_parameters(folder, *parameters));
+  return written;
 }
 
 }  // namespace
 
 LightFieldFormat stanford_format() {
-  return {"stanford",    "the Stanford archive's folder: out_{row}_{column}_{y}_{x}.png, from the top left",
-          true,          true,
-          read_stanford, write_stanford};
+  return {.name = "stanford",
+          .is = "the Stanford archive's folder: out_{row}_{column}_{y}_{x}.png, from the top left",
+          .is_folder = true,
+          .uses_cameras = true,
+          .read = read_stanford,
+          .write = write_stanford};
 }
 
 }  // namespace lippmann

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+
 #include "core/text_pattern.hpp"
+#include "layout/copy_mark.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
@@ -40,8 +44,14 @@ StereoPlace place_of_pixel(StereoPacking packing, Vec2i stored, Vec2i pixel) {
 }
 
 std::optional<PatternMatch> stereo_name(const fs::path& path) {
-  static const TextPattern name("(.*?)(_2x1|_half_2x1|_ou|_half_ou|_rows)(_rl)?");
+  static const TextPattern name("(.*?)(_2x1|_half_2x1|_ou|_half_ou|_rows)(_rl)?(" + std::string(kCopyMark) + ")?",
+                                TextPattern::Letters::kEitherCase);
   return name.match(path.stem().string());
+}
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
 }
 
 }  // namespace
@@ -94,7 +104,7 @@ std::optional<StereoLayout> parse_stereo_name(const fs::path& path) {
   if (!found) return std::nullopt;
   StereoLayout layout;
   for (std::size_t i = 0; i < kStereoEndings.size(); ++i)
-    if (found->groups[2] == kStereoEndings[i]) layout.packing = static_cast<StereoPacking>(i);
+    if (lower_case(found->groups[2]) == kStereoEndings[i]) layout.packing = static_cast<StereoPacking>(i);
   layout.right_first = !found->groups[3].empty();
   return layout;
 }
@@ -102,7 +112,7 @@ std::optional<StereoLayout> parse_stereo_name(const fs::path& path) {
 fs::path without_stereo_name(const fs::path& path) {
   const std::optional<PatternMatch> found = stereo_name(path);
   if (!found) return path;
-  return path.parent_path() / (found->groups[1] + path.extension().string());
+  return path.parent_path() / (found->groups[1] + found->groups[4] + path.extension().string());
 }
 
 fs::path with_stereo_name(const fs::path& path, const StereoLayout& layout) {

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 StereoLayout described_stereo(const fs::path& path, const FormatOptions& options) {
   if (options.stereo) return *options.stereo;
   if (const std::optional<StereoLayout> named = parse_stereo_name(path)) return *named;
-  throw usage_error("stereo", "the name of " + path.string() + " does not say how its two views lie",
+  throw usage_error("stereo", "the packing of the two views in " + path.string() + " is unknown",
                     fmt::format("{}, {}, {}, {} or {}", kStereoPackingNames[0], kStereoPackingNames[1], kStereoPackingNames[2],
                                 kStereoPackingNames[3], kStereoPackingNames[4]));
 }
@@ -23,7 +23,7 @@ StereoLayout described_stereo(const fs::path& path, const FormatOptions& options
 /// The views as they lie in the picture: squeezed ones stay so, and of rows those are there that the picture has.
 LightField read_stereo(const fs::path& path, const FormatOptions& options) {
   const StereoLayout layout = described_stereo(path, options);
-  const Picture picture = read_picture(path);
+  const Picture picture = read_picture(path, options.warn);
   const Vec2i stored = stored_view_size(layout.packing, size_of(picture), path.string());
   const Vec2i whole = stored * stereo_squeeze(layout.packing);
   LightField field;
@@ -80,9 +80,12 @@ std::vector<fs::path> write_stereo(const LightField& field, const fs::path& path
 }  // namespace
 
 LightFieldFormat stereo_format() {
-  return {"stereo",    "the views of two eyes in one picture; `stereo`: side by side, over and under, rows",
-          false,       false,
-          read_stereo, write_stereo};
+  return {.name = "stereo",
+          .is = "the views of two eyes in one picture; `stereo`: side by side, over and under, rows",
+          .read = read_stereo,
+          .write = write_stereo,
+          .reads = {.stereo = true},
+          .writes = {.stereo = true}};
 }
 
 }  // namespace lippmann

@@ -21,7 +21,7 @@ int number(const std::string& digits) {
 std::vector<int> members(const ViewRange& range, int count, const char* axis, const std::string& flag) {
   const int last = range.last < 0 ? count - 1 : range.last;
   if (range.first > last || last >= count)
-    throw usage_error(flag, fmt::format("{} {} to {} of {}", axis, range.first, last, count),
+    throw usage_error(flag, fmt::format("there are {2} {0}, and {1} to {3} were asked for", axis, range.first, count, last),
                       fmt::format("0 to {}", count - 1));
   std::vector<int> all;
   for (int i = range.first; i <= last; i += range.step) all.push_back(i);
@@ -32,7 +32,8 @@ std::vector<int> members(const ViewRange& range, int count, const char* axis, co
 LightField like(const LightField& field, ViewGrid grid, Vec2i view_size) {
   LightField other;
   other.grid = grid, other.view_size = view_size;
-  other.aspect = field.aspect, other.tiles = field.tiles, other.bits = field.bits, other.cameras = field.cameras;
+  other.aspect = field.aspect, other.tiles = field.tiles, other.bits = field.bits;
+  other.cameras = field.cameras, other.positions = field.positions;
   other.stack = blank(field.stack, stack_size(other));
   if (field.depth) other.depth = Image(view_size.x, view_size.y * grid.count(), 1);
   return other;
@@ -43,7 +44,7 @@ LightField like(const LightField& field, ViewGrid grid, Vec2i view_size) {
 Crop read_crop(const std::string& text, const std::string& flag) {
   static const TextPattern pattern("([0-9]{1,6})x([0-9]{1,6})\\+([0-9]{1,6})\\+([0-9]{1,6})");
   const auto found = pattern.match(text);
-  if (!found) throw usage_error(flag, "'" + text + "' is no window", "WxH+X+Y in pixels, such as 512x512+64+0");
+  if (!found) throw usage_error(flag, "cannot read '" + text + "' as a window", "WxH+X+Y in pixels, such as 512x512+64+0");
   const auto& group = found->groups;
   return {{number(group[1]), number(group[2])}, {number(group[3]), number(group[4])}};
 }
@@ -52,7 +53,8 @@ KeptViews read_kept_views(const std::string& text, const std::string& flag) {
   static const std::string range = "(?:all|([0-9]{1,6})(?:-([0-9]{1,6})(?::([1-9][0-9]{0,5}))?)?)";
   static const TextPattern pattern(range + "(?:x" + range + ")?");
   const auto found = pattern.match(text);
-  if (!found) throw usage_error(flag, "'" + text + "' names no views", "COLUMNS or COLUMNSxROWS, each N, A-B, A-B:STEP or all");
+  if (!found)
+    throw usage_error(flag, "cannot read '" + text + "' as views", "COLUMNS or COLUMNSxROWS, each N, A-B, A-B:STEP or all");
   const auto read = [&](std::size_t group) {
     const std::string &first = found->groups[group], &last = found->groups[group + 1], &step = found->groups[group + 2];
     ViewRange kept;
@@ -91,12 +93,14 @@ void keep(LightField& field, const KeptViews& kept, const std::string& flag) {
   const std::vector<int> rows = members(kept.rows, field.grid.rows, "rows", flag);
   LightField fewer = like(field, {static_cast<int>(columns.size()), static_cast<int>(rows.size())}, field.view_size);
   if (fewer.cameras) fewer.cameras->eyes_mm.clear();
+  if (fewer.positions) fewer.positions->clear();
   int view = 0;
   for (const int row : rows)
     for (const int column : columns) {
       const int source = row * field.grid.columns + column;
       set_view(fewer, view, view_of(field, source));
       if (field.depth) set_depth(fewer, view, depth_of(field, source));
+      if (field.positions) fewer.positions->push_back((*field.positions)[static_cast<std::size_t>(source)]);
       if (field.cameras) fewer.cameras->eyes_mm.push_back(field.cameras->eyes_mm[static_cast<std::size_t>(source)]);
       ++view;
     }

@@ -76,6 +76,10 @@ LightField read_view_files(const std::vector<fs::path>& by_view, ViewGrid grid,
   return field;
 }
 
+std::function<Picture(const fs::path&)> picture_reader(const std::function<void(std::string_view)>& warn) {
+  return [warn](const fs::path& path) { return read_picture(path, warn); };
+}
+
 const char* exact_ending(const Picture& picture) { return std::holds_alternative<Image>(picture) ? "exr" : "png"; }
 
 std::vector<fs::path> write_view_files(const LightField& field, const fs::path& folder,

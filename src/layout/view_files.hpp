@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/text_pattern.hpp"
@@ -28,7 +29,9 @@ ViewGrid complete_grid(const std::filesystem::path& folder, const std::vector<Nu
 
 /// Throws Error naming the first file whose size or kind of samples is not that of the first. by_view: grid.count() of them.
 LightField read_view_files(const std::vector<std::filesystem::path>& by_view, ViewGrid grid,
-                           const std::function<Picture(const std::filesystem::path&)>& read = read_picture);
+                           const std::function<Picture(const std::filesystem::path&)>& read);
+/// read_picture with these warnings.
+std::function<Picture(const std::filesystem::path&)> picture_reader(const std::function<void(std::string_view)>& warn);
 
 /// PNG for codes, EXR for floats: "png" or "exr".
 const char* exact_ending(const Picture& picture);

@@ -23,7 +23,7 @@ void read_depth(const std::vector<fs::path>& by_view, LightField& field) {
 }
 
 LightField read_views(const fs::path& folder, const FormatOptions& options) {
-  static const TextPattern name("view_([0-9]{1,6})\\.[^.]+");
+  static const TextPattern name("view_([0-9]{1,6})\\.[^.]+", TextPattern::Letters::kEitherCase);
   const std::vector<NumberedFile> files = numbered_files(folder, name, "view_000.png, view_001.png, ...");
   const int first = files.front().numbers[0], count = static_cast<int>(files.size());
   if (first > 1 || files.back().numbers[0] != first + count - 1)
@@ -34,7 +34,7 @@ LightField read_views(const fs::path& folder, const FormatOptions& options) {
         "views", fmt::format("{}x{} are not as many as the {} views in {}", grid.columns, grid.rows, count, folder.string()));
   std::vector<fs::path> by_view;
   for (const NumberedFile& file : files) by_view.push_back(file.path);
-  LightField field = read_view_files(by_view, grid);
+  LightField field = read_view_files(by_view, grid, picture_reader(options.warn));
   if (options.with_depth) read_depth(by_view, field);
   return field;
 }
@@ -47,9 +47,12 @@ std::vector<fs::path> write_views(const LightField& field, const fs::path& folde
 }  // namespace
 
 LightFieldFormat views_format() {
-  return {"views",    "a folder of view_000.png, ...; from left to right, then upwards; `views`: across and up",
-          true,       false,
-          read_views, write_views};
+  return {.name = "views",
+          .is = "a folder of view_000.png, ...; from left to right, then upwards; `views`: across and up",
+          .is_folder = true,
+          .read = read_views,
+          .write = write_views,
+          .reads = {.views = true}};
 }
 
 }  // namespace lippmann

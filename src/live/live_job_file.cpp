@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <span>
 
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
+#include "core/regular_file.hpp"
 #include "job/job_file.hpp"
 #include "lippmann/core/error.hpp"
 
@@ -20,8 +19,8 @@ namespace fs = std::filesystem;
 constexpr int kMostNames = 1000;
 
 std::string text_in(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  constexpr std::size_t kMost = 1 << 20;
+  return read_file_begin(file, kMost);
 }
 
 /// An empty file of a name that nobody had: whoever comes later finds it taken.

@@ -17,6 +17,7 @@
 #include "trace/first_hits.hpp"
 #include "trace/trace_frame.hpp"
 #include "view/disparity_codes.hpp"
+#include "view/near_edges.hpp"
 
 namespace lippmann {
 namespace {
@@ -109,7 +110,9 @@ Image8 depth_picture(LiveStage& live, const PageFacts& facts, Vec2i view_size, i
   FrameAovs layers;
   layers.want(Aov::kDepth);
   find_first_hits({stage.device, rays, moment.world_from_display}, live.params().sampling.order, nullptr, live.pool(), layers);
-  return disparity_codes(layers[Aov::kDepth], facts.axes.vergence, stage.placed.depth_scale, facts.disparity_scale_mm);
+  Image disparities = disparities_mm(layers[Aov::kDepth], facts.axes.vergence, stage.placed.depth_scale);
+  take_near_at_edges(disparities, view_size, visible_jump_mm(facts, view_size));
+  return disparity_codes(disparities, facts.disparity_scale_mm);
 }
 
 }  // namespace lippmann

@@ -86,23 +86,21 @@ void LiveScene::begin(const Order& order) {
   PageFacts facts = live_.facts();
   const FittedArray& array = stage.array;
   const PlacedOptics& placed = stage.placed;
-  const ResolvedScene resolved = evaluate(stage.scene, stage.scene.timeline.time(0));
-  const double world = uniform_scale(world_from_display(array, 1.0f, resolved));
-  const double distance = world * array.viewing_distance;
+  const double distance = array.viewing_distance;
   const ShownDepth shown = shown_depth(array, placed.units_per_mm, placed.depth_scale, placed.optics);
-  Json placement{{"plane", plane_json(distance, world * (array.viewing_distance - array.depth_front),
-                                      world * (array.viewing_distance - array.depth_back))},
-                 {"depth", depth_json(shown, placed.depth_scale, placed.optics)},
-                 {"view", array.how},
-                 {"light", stage.light},
-                 {"display", panel_json(stage.display.get(), interlace_)}};
+  Json placement{
+      {"plane", plane_json(distance, array.viewing_distance - array.depth_front, array.viewing_distance - array.depth_back)},
+      {"depth", depth_json(shown, placed.depth_scale, placed.optics)},
+      {"view", array.how},
+      {"light", stage.light},
+      {"display", panel_json(stage.display.get(), interlace_)}};
   const std::lock_guard lock(mutex_);
   if (order.version != version_) return;
   facts_json_ = field_json(facts);
   facts_ = std::move(facts);
   placement_ = std::move(placement);
   distance_ = distance;
-  world_per_shown_mm_ = world * placed.units_per_mm / placed.depth_scale;
+  world_per_shown_mm_ = placed.units_per_mm / placed.depth_scale;
 }
 
 bool LiveScene::is_stale(std::uint64_t version) const {
@@ -121,15 +119,15 @@ void LiveScene::make(const Order& order) {
   };
   const auto pass = [&](const char* name) {
     const std::lock_guard lock(mutex_);
-    pass_ = name, share_ = 0.0;
+    if (order.version == version_) pass_ = name, share_ = 0.0;
   };
   pass("coarse");
   if (const auto coarse = coarse_pictures(live_, facts, frame, context_))
     publish(order, "coarse", *coarse, depth_of(coarse->view_size));
   if (context_.cancelled) return;
   if (render_.is_running()) return end(order, "", false);
-  const Bytes depth = depth_of(facts.view_size);
   pass("draft");
+  const Bytes depth = depth_of(facts.view_size);
   if (!context_.cancelled)
     if (const auto draft = draft_pictures(live_, facts, frame, context_)) publish(order, "draft", *draft, depth);
   pass("final");
@@ -175,7 +173,8 @@ void LiveScene::set_plane(LiveSettings& settings, double z_mm) const {
 }
 
 std::uint64_t LiveScene::change(const Json& changes) {
-  if (!changes.is_object()) throw usage_error("settings", "are no JSON object", R"({"settings": {"zoom": "2"}, "frame": 0})");
+  if (!changes.is_object())
+    throw usage_error("settings", "are not a JSON object", R"({"settings": {"zoom": "2"}, "frame": 0})");
   const std::lock_guard lock(mutex_);
   LiveSettings settings = settings_;
   for (const auto& [key, value] : changes.items()) {
@@ -185,7 +184,7 @@ std::uint64_t LiveScene::change(const Json& changes) {
       set_plane(settings, value.get<double>());
     } else if (key == "settings" && value.is_object()) {
       for (const auto& [name, text] : value.items()) {
-        if (!text.is_string() && !text.is_null()) throw usage_error(name, "the value is no text", "a text, or null");
+        if (!text.is_string() && !text.is_null()) throw usage_error(name, "is not a text", "a text, or null");
         const std::string said = text.is_string() ? text.get<std::string>() : std::string();
         settings.set(name, text.is_string() ? &said : nullptr);
       }
@@ -197,6 +196,7 @@ std::uint64_t LiveScene::change(const Json& changes) {
   context_.cancelled = true;
   ++version_, ++serial_;
   is_whole_ = false;
+  pass_.clear();
   changed_.notify_all();
   return version_;
 }

@@ -64,8 +64,8 @@ double read_crosstalk(std::string_view text, const std::string& where) {
   const bool whole = read.ec == std::errc() && (percent || read.ptr == end);
   if (!whole || !(value >= 0.0 && value <= (percent ? kMaxPercent : kMaxBlurPx)))
     throw usage_error(
-        where, fmt::format("'{}' is no crosstalk", text),
-        fmt::format("a sigma from 0 to {} pixels, or what each neighbour has, 0% to {}%", kMaxBlurPx, kMaxPercent));
+        where, fmt::format("'{}' is not a crosstalk", text),
+        fmt::format("a sigma from 0 to {} pixels, or the share of each neighbour, 0% to {}%", kMaxBlurPx, kMaxPercent));
   return percent ? sigma_of_share(0.01 * value) : value;
 }
 

@@ -71,8 +71,7 @@ std::vector<Vec2d> lens_eyes(Vec2i n, double eye_step_mm, double eye_height_mm) 
 }
 
 void refuse_without_inverse() {
-  throw usage_error("optics", "a table of rays says where pixels look, not from where a point is seen",
-                    "other optics, whose rays can be followed backwards");
+  throw usage_error("optics", "a table of rays cannot be inverted", "optics other than a table of rays");
 }
 
 // ---- What the optics say ----------------------------------------------------------------------------------------------

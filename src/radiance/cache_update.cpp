@@ -116,7 +116,7 @@ bool CacheUpdate::ask(const RayHitPacket& packet, int i, const PathRay& ray) {
 
 void CacheUpdate::gather(const LaneMask& lanes, const PathRay* rays) {
   const LightGroups groups{cells_.lights_from, LightGroup::kEnd};
-  const bool of_sky_alone = cells_.lights_from == LightGroup::kSky && lights().chance(kSkyLight) > 0.0f;
+  const bool of_sky_alone = cells_.lights_from == LightGroup::kSky && lights().has(kSkyLight);
   const bool drawn_together = of_sky_alone && count(lanes) > kFewLanes;
   const auto light_for = [&](int i) -> std::optional<LightSample> {
     if (drawn_together) return LightTable::sky_sample(sky_draws(), i, 1.0f);

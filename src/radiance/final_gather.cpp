@@ -18,8 +18,7 @@ FinalGather::FinalGather(const ShadedScene& scene, const CacheCells& cells, cons
       cells_(cells),
       cache_(cache),
       options_(options),
-      samples_points_alone_(lights().points() <= kFewLights &&
-                            !(lights().chance({LightGroup::kRound, cells.lights_from}) > 0.0f)),
+      samples_points_alone_(lights().points() <= kFewLights && !lights().has({LightGroup::kRound, cells.lights_from})),
       paths_(scene, cells.beam, params, {.all = film.all}) {}
 
 void FinalGather::finish() {
@@ -141,7 +140,7 @@ void FinalGather::shine(int i, const LightSample& light, const BsdfValue& value,
 /// One light of the groups: over rough lobes, and where the cache does not hold it, over the diffuse one, too, which no ray
 /// that meets the light comes from.
 void FinalGather::add_lights(LightGroups groups, const PathRay* rays) {
-  if (!(lights().chance(groups) > 0.0f)) return;
+  if (!lights().has(groups)) return;
   const bool over_diffuse = groups.begin < cells_.lights_from;
   ask_lights(
       rough_,

@@ -49,10 +49,10 @@ class FinalGather : public PathTracer<FinalGather> {
   LaneMask begin_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
   void end_packet(const RayHitPacket& packet, const PathRay* rays);
   /// A vertex asks for one light of every group.
-  float chance(LightGroups groups) const { return lights().chance(groups); }
+  float chance(LightGroups groups, const LightReceiver& at) const { return lights().chance(groups, at); }
   /// And for each lamp that has a size, where they are few.
-  float chance_of_round(std::size_t k) const {
-    return asks_all_rounds() ? lights().chance_of_round(k, {}) : lights().chance(kRoundLights);
+  float chance_of_round(std::size_t k, const LightReceiver& at) const {
+    return asks_all_rounds() ? lights().chance_of_round(k, at) : lights().chance(kRoundLights, at);
   }
   bool asks_all_rounds() const { return lights().rounds() <= kFewLights; }
   void scatter(const RayHitPacket& packet, const PathRay* rays);

@@ -62,7 +62,7 @@ RayCounts PlanSearch::counts() const {
 std::optional<GatherPlan> PlanSearch::find() {
   const std::atomic<bool>& cancelled = workers_.context.cancelled;
   const float fitting = cache_.fitting_cell();
-  SetupSearch search(shot_.device.shaded().path->lights->chance(kSkyLight) > 0.0f, first_rounds(params_, goal_));
+  SetupSearch search(shot_.device.shaded().path->lights->has(kSkyLight), first_rounds(params_, goal_));
   for (bool goes_on = true; goes_on && !cancelled;) {
     cache_.set_up(search.current(), fitting);
     const SetupOutcome outcome = try_setup(search);

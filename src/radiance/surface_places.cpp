@@ -88,12 +88,14 @@ void SurfacePlaces::update(const ResolvedScene& resolved) {
 }
 
 void SurfacePlaces::update_lights() {
-  lights_moved_ = 0.0f;
+  near_lights_moved_ = far_lights_moved_ = 0.0f;
   const LightTable& table = *scene_.path->lights;
   lights_.resize(scene_.lights.size(), Vec3f(std::nanf("")));
   for (std::size_t l = 0; l < lights_.size(); ++l) {
     const float moved = glm::length(scene_.lights[l].position - lights_[l]);
-    if (scene_.lights[l].at_place > 0.0f && std::isfinite(moved)) lights_moved_ += table.share_of_lamp(l) * moved;
+    const WhittedLight& light = scene_.lights[l];
+    if (light.at_place > 0.0f && std::isfinite(moved))
+      (light.falls_off > 0.0f ? near_lights_moved_ : far_lights_moved_) += table.share_of_lamp(l) * moved;
     lights_[l] = scene_.lights[l].position;
   }
   for (std::size_t r = 0; r < scene_.records.size(); ++r) {
@@ -101,15 +103,18 @@ void SurfacePlaces::update_lights() {
     if (!(chance > 0.0f)) continue;
     const Space& space = spaces_[scene_.records[r].instance];
     if (space.moves)
-      lights_moved_ += chance * glm::length(space.world_from_own.translation - space.world_from_own_before.translation);
+      near_lights_moved_ += chance * glm::length(space.world_from_own.translation - space.world_from_own_before.translation);
   }
 }
 
 float SurfacePlaces::moved(std::uint32_t thing, Vec3f position) const {
+  float by_lights = 0.0f;
+  if (near_lights_moved_ > 0.0f || far_lights_moved_ > 0.0f)
+    by_lights = glm::mix(far_lights_moved_, near_lights_moved_, scene_.path->lights->near_share({position}));
   const auto found = instance_of_.find(thing);
-  if (found == instance_of_.end()) return lights_moved_;
+  if (found == instance_of_.end()) return by_lights;
   const Space& space = spaces_[found->second];
-  return lights_moved_ +
+  return by_lights +
          glm::length(transform_point(space.world_from_own, position) - transform_point(space.world_from_own_before, position));
 }
 

@@ -57,11 +57,11 @@ class SurfacePlaces {
   bool is_smooth(std::uint32_t record, std::uint32_t prim) const;
 
   const ShadedScene& scene_;
-  std::vector<Vec3f> lights_;  ///< where point-like lights are
-  float lights_moved_ = 0.0f;
-  std::vector<Space> spaces_;                                       ///< by instance
-  std::unordered_map<std::uint32_t, std::uint32_t> instance_of_;    ///< by thing: those that move
-  std::map<const Mesh*, std::vector<std::uint32_t>> parts_;         ///< by mesh
+  std::vector<Vec3f> lights_;                                     ///< where point-like lights are
+  float near_lights_moved_ = 0.0f, far_lights_moved_ = 0.0f;      ///< each by its share of the lights of its kind (LightTable)
+  std::vector<Space> spaces_;                                     ///< by instance
+  std::unordered_map<std::uint32_t, std::uint32_t> instance_of_;  ///< by thing: those that move
+  std::map<const Mesh*, std::vector<std::uint32_t>> parts_;       ///< by mesh
   std::vector<const std::vector<std::uint32_t>*> parts_of_record_;  ///< null: no mesh
   std::vector<const Mesh*> rest_of_record_;                         ///< a posed mesh as it is unbent; else null
 };

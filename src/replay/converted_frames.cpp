@@ -28,8 +28,7 @@ void write_report(const fs::path& path, const RenderedFrames& frames, const Fram
 void make_other_folder(const fs::path& folder, const fs::path& in) {
   make_folder(folder);
   std::error_code problem;
-  if (fs::equivalent(folder, in, problem))
-    throw usage_error("OUT", "the results would take the place of what they are made from", "another folder");
+  if (fs::equivalent(folder, in, problem)) throw usage_error("OUT", "the results would overwrite the input", "another folder");
 }
 
 }  // namespace

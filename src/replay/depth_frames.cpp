@@ -50,7 +50,7 @@ Optics views_for(Display display, const std::optional<ViewGrid>& views) {
   if (has_lenses(display) && !display.quilt) return lens_views(display, views);
   if (views && display.quilt) display.quilt->columns = views->columns, display.quilt->rows = views->rows;
   if (const std::optional<Optics> optics = quilt_optics(display)) return *optics;
-  throw usage_error("display", display.name + " knows no quilt", "a display with a quilt, or `views` without one");
+  throw usage_error("display", display.name + " has no quilt", "a display with a quilt, or `views` without one");
 }
 
 /// Views of the picture's own size before its own screen.
@@ -83,16 +83,15 @@ void warn_of_assumptions(const fs::path& first, const DepthFramesParams& params,
   if (read_rgbd_side_file(first)) return;
   const DepthRange range = params.options.depth_range.value_or(DepthRange{});
   context.warning(
-      fmt::format("No side file says how deep {} is. Taken: from {:g} mm (black) to {:g} mm in front (white) of a picture 100 "
-                  "mm high, seen from "
-                  "300 mm. `depth-range` says another range.",
+      fmt::format("The depth range of {} is unknown: no side file lies beside it. Assumed: from {:g} mm (black) to {:g} mm in "
+                  "front (white) of a picture 100 mm high, seen from 300 mm; `depth-range` sets the range.",
                   first.string(), range.far_mm, range.near_mm));
 }
 
 fs::path path_for(const DepthFramesParams& params, const LightFieldFormat& to, const fs::path& name, bool one,
                   const Picture& stack) {
   fs::path path = one ? params.out : params.out / without_rgbd_name(name).stem();
-  if (!to.is_folder && !path.has_extension()) path += std::string(".") + exact_ending(stack);
+  if (!to.is_folder && (!one || !path.has_extension())) path += std::string(".") + exact_ending(stack);
   return path;
 }
 

@@ -39,15 +39,15 @@ void validate(const EyeView& view) {
   const Vec3d eye = view.eye_mm;
   for (int axis = 0; axis < 3; ++axis)
     if (!(std::abs(eye[axis]) <= kFarthestMm))
-      throw usage_error("eye", fmt::format("({}, {}, {}) mm is no place", eye.x, eye.y, eye.z),
+      throw usage_error("eye", fmt::format("({}, {}, {}) mm is not a position", eye.x, eye.y, eye.z),
                         "X,Y,Z in mm of the display frame");
   if (!(eye.z >= kNearestMm))
     throw usage_error("eye", fmt::format("an eye at z = {} mm is not in front of the display plane z = 0", eye.z),
                       fmt::format("z of at least {} mm", kNearestMm));
   if (!(view.pupil_mm >= 0.0 && view.pupil_mm <= kFarthestMm) || view.pupil_points < 1)
-    throw usage_error("pupil", fmt::format("{} mm is no diameter", view.pupil_mm), "0 (a pinhole) or more");
+    throw usage_error("pupil", fmt::format("{} mm is out of range", view.pupil_mm), "0 (a pinhole) or more");
   if (!(std::abs(view.focus_mm) <= kFarthestMm && view.focus_mm < 0.999 * eye.z))
-    throw usage_error("focus", fmt::format("{} mm is no depth before the eye", view.focus_mm), "a depth below the eye's z");
+    throw usage_error("focus", fmt::format("{} mm is not in front of the eye", view.focus_mm), "a depth below the eye's z");
   if (view.size != Vec2i(0) && !(view.size.x > 0 && view.size.y > 0))
     throw usage_error("size", fmt::format("is {}x{}", view.size.x, view.size.y),
                       "two numbers of pixels, or 0x0 for the natural size");

@@ -40,7 +40,7 @@ Picture panel_picture(const LightField& field, const ViewLayout& film) {
 /// How the views of these optics lie on their panel.
 ViewLayout film_of(const Optics& optics, const std::string& where) {
   if (const std::optional<RenderedViews> rendered = rendered_views(optics)) return rendered->film;
-  throw Error(where, "its lenses have no whole number of pixels, so that no views can be put back behind them",
+  throw Error(where, "its lenses have no whole number of pixels: views cannot be put back behind them",
               "pictures of `layout` integral or native");
 }
 
@@ -57,7 +57,7 @@ bool is_as_shown(const fs::path& picture, const std::string& layout, const Optic
 
 FormatOptions options_of(const LightFieldHints& hints) {
   FormatOptions options;
-  options.views = hints.views, options.tiles = hints.tiles;
+  options.views = hints.views, options.tiles = hints.tiles, options.display = hints.display, options.warn = hints.warn;
   return options;
 }
 
@@ -72,11 +72,21 @@ LightFieldFrames rearranged(LightFieldFrames frames, const std::string& from, co
   return frames;
 }
 
+/// Frames that are what the panel of their optics shows.
+LightFieldFrames as_shown(LightFieldFrames frames) {
+  const RenderedFrames pictures{frames.optics, frames.files, frames.frames_per_second};
+  frames.read = [pictures](std::size_t index) { return read_rendered_panel(pictures, index); };
+  return frames;
+}
+
 /// What a render has left, in whatever layout.
 LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, const LightFieldHints& hints) {
   const fs::path& first = frames.files.front();
+  if (hints.display && !hints.is_other_display)
+    throw usage_error("display", "has no effect: report.json states the display of " + first.string(),
+                      "pictures without a report.json");
   if (hints.view_angle_deg)
-    throw usage_error("view-angle", "the report of the render says where the views were seen from", "no `view-angle`");
+    throw usage_error("view-angle", "has no effect: report.json states the cameras", "views whose cameras are unknown");
   if (rendering.mirrored)
     throw Error(first.string(), "the pictures are mirrored, to be printed on the back of a sheet", "a render without `mirror`");
   frames.optics = rendering.optics;
@@ -85,9 +95,37 @@ LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, 
   const std::string& layout = hints.from.empty() ? rendering.layout : hints.from;
   if (fs::is_directory(first, ignored) || !is_as_shown(first, layout, rendering.optics))
     return rearranged(std::move(frames), hints.from, options_of(hints));
-  const RenderedFrames pictures{frames.optics, frames.files, frames.frames_per_second};
-  frames.read = [pictures](std::size_t index) { return read_rendered_panel(pictures, index); };
-  return frames;
+  if (hints.views || hints.tiles)
+    throw usage_error(hints.views ? "views" : "quilt",
+                      "has no effect: report.json states how the views lie in " + first.string(),
+                      "pictures without a report.json, or `from` with another format");
+  return as_shown(std::move(frames));
+}
+
+/// Pictures without a report that are what a display's panel shows.
+LightFieldFrames of_panel(LightFieldFrames frames, const LightFieldHints& hints) {
+  for (const auto& [given, flag] : {std::pair(hints.view_angle_deg.has_value(), "view-angle"),
+                                    std::pair(hints.views.has_value(), "views"), std::pair(hints.tiles.has_value(), "quilt")})
+    if (given) throw usage_error(flag, "has no effect: `display` states the rays of the panel", "views, or a quilt");
+  frames.optics = native_optics(*hints.display), frames.is_panel = true;
+  const Vec2i panel(frames.optics.panel.width, frames.optics.panel.height);
+  const Vec2i size = size_of(read_picture(frames.files.front()));
+  if (size != panel)
+    throw Error(
+        frames.files.front().string(),
+        fmt::format("has {}x{} pixels, and the panel of {} has {}x{}", size.x, size.y, hints.display->name, panel.x, panel.y),
+        "a frame of that panel; for other formats `from`, `views` or `quilt`");
+  return as_shown(std::move(frames));
+}
+
+/// Flags that the reader of the format does not use.
+void refuse_unused(const LightFieldHints& hints, const LightFieldFormat& format) {
+  const auto refuse = [&](bool given, const char* flag, const char* accepted) {
+    if (given) throw usage_error(flag, fmt::format("has no effect on the format {}", format.name), accepted);
+  };
+  refuse(hints.views && !format.reads.views, "views", "`from` integral, eslf, views, quilt, hci or native");
+  refuse(hints.tiles && !format.reads.tiles, "quilt", "`from` quilt");
+  refuse(hints.display && !hints.is_other_display, "display", "`from` native, or pictures whose format is unknown");
 }
 
 /// A light field beside which no render's report lies.
@@ -96,15 +134,17 @@ LightFieldFrames of_format(LightFieldFrames frames, const LightFieldSource& sour
   const LightField field = source.format->read(first, source.options);
   if (field.cameras) {
     if (hints.view_angle_deg)
-      throw usage_error("view-angle", first.string() + " says where its cameras stood", "no `view-angle`");
+      throw usage_error("view-angle", fmt::format("has no effect: {} states its cameras", first.string()),
+                        "views whose cameras are unknown");
     frames.optics = optics_of_cameras(field, first.string());
   } else {
     frames.optics = assumed_optics(field, hints.view_angle_deg);
-    frames.assumption = fmt::format(
-        "Nothing says where the cameras of {} stood. Assumed: a display {:.4g} mm high, seen from {:.4g} mm, whose views "
-        "spread over {:.4g} degrees. `view-angle` sets another angle.",
-        first.string(), kWindowHeightMm, kDistanceMm,
-        hints.view_angle_deg.value_or(field.grid.rows > 1 ? kGridAngleDeg : kConeDeg));
+    frames.assumption = fmt::format("The cameras of {} are unknown. Assumed: a display {:.4g} mm high, seen from {:.4g} mm",
+                                    first.string(), kWindowHeightMm, kDistanceMm);
+    if (!hints.view_angle_deg)
+      frames.assumption += fmt::format(", and views over {:.4g} degrees; `view-angle` sets the angle",
+                                       field.grid.rows > 1 ? kGridAngleDeg : kConeDeg);
+    frames.assumption += ".";
   }
   return rearranged(std::move(frames), hints.from, source.options);
 }
@@ -189,14 +229,13 @@ LightFieldFrames find_light_field_frames(const fs::path& in, const LightFieldHin
   if (!is_folder && hints.from.empty() && !has_rgbd_name(first)) {
     if (const std::optional<Rendering> rendering = rendering_of(first)) return of_render(std::move(frames), *rendering, hints);
     require_picture_name(first);
-    if (!parse_quilt_name(first) && !parse_stereo_name(first))
-      throw Error(
-          first.string(),
-          "nothing says what this picture is: it has no report.json beside it, and no name of a quilt or a stereo picture",
-          "`from` FORMAT, such as `from` integral `views` 8x1; `lippmann help convert` lists the formats");
+    if (!format_by_name(first) && hints.display) return of_panel(std::move(frames), hints);
+    if (!format_by_name(first)) throw unknown_format(first);
   }
   const LightFieldSource source = light_field_source(first, hints.from, options_of(hints));
   if (source.rendering) return of_render(std::move(frames), *source.rendering, hints);
+  if (source.format->name == "native" && hints.display) return of_panel(std::move(frames), hints);
+  refuse_unused(hints, *source.format);
   return of_format(std::move(frames), source, hints);
 }
 

@@ -29,33 +29,36 @@ std::string first_name(const Entries& entries, bool (*is_such)(const fs::path&))
 
 void refuse_folder(const fs::path& folder) {
   const Entries entries = entries_of(folder);
-  if (entries.empty()) throw Error(folder.string(), "is empty: there are no frames in it, and no views", kFramesOrViews);
+  if (entries.empty()) throw Error(folder.string(), "is an empty folder", kFramesOrViews);
   if (const std::string video = first_name(entries, is_video_name); !video.empty())
-    throw Error(folder.string(), fmt::format("there are no frames in it, but videos ({}), of which no views are read", video),
+    throw Error(folder.string(),
+                fmt::format("there are no frames in it, only videos ({}), and views cannot be read from a video", video),
                 "the folder of frames that they were made of");
   if (fs::exists(folder / "job.toml"))
     throw Error(
-        folder.string(), "there are no frames in it, but a job that has not been rendered",
+        folder.string(), "the job in it has not been rendered",
         fmt::format("`lippmann render {0}` first, or `lippmann view {0}`, which sets it up", (folder / "job.toml").string()));
   if (const std::string picture = first_name(entries, is_picture_name); !picture.empty())
-    throw Error(folder.string(),
-                fmt::format("there are pictures in it ({}), but none is called as a frame or a view is", picture),
-                fmt::format("{}; a picture alone by its own name", kFramesOrViews));
+    throw Error(folder.string(), fmt::format("its pictures, such as {}, are not named as frames or views", picture),
+                fmt::format("{}; or one of these pictures", kFramesOrViews));
 }
 
 }  // namespace
 
 void refuse_what_is_no_light_field(const fs::path& in) {
   std::error_code ignored;
+  if (!fs::exists(in, ignored)) throw Error(in.string(), "there is no such file or folder");
   if (!fs::is_directory(in, ignored)) {
-    if (is_video_name(in)) throw Error(in.string(), "is a video, of which no views are read", "the frames that it was made of");
+    if (is_video_name(in))
+      throw Error(in.string(), "views cannot be read from a video", "the folder of frames that the video was made of");
     return;
   }
   if (light_field_frames(in, "").empty() && !is_light_field_folder(in)) refuse_folder(in);
 }
 
 void require_picture_name(const fs::path& file) {
-  if (!is_picture_name(file)) throw Error(file.string(), "is no picture", "a picture, a folder of frames or views, or a scene");
+  if (!is_picture_name(file))
+    throw Error(file.string(), "is not a picture", "a picture, a folder of frames or views, or a scene");
 }
 
 }  // namespace lippmann

@@ -30,7 +30,7 @@ void check_layout(const Rendering& rendering, const std::string& where) {
 
 std::vector<fs::path> pictures_in(const fs::path& folder) {
   std::vector<fs::path> files = frame_pictures_in(folder);
-  if (files.empty()) throw Error(folder.string(), "there are no frames in it", "frame_0000.png, frame_0001.png, ...");
+  if (files.empty()) throw Error(folder.string(), "contains no frames", "frame_0000.png, frame_0001.png, ...");
   return files;
 }
 

@@ -50,7 +50,7 @@ class Replay {
   Replay(const ReplayParams& params, const Context& context)
       : params_(params),
         context_(context),
-        frames_(find_light_field_frames(params.in, params.field)),
+        frames_(find_light_field_frames(params.in, with_warnings(params.field, context))),
         view_(params.view),
         pool_(resolved_threads(context)) {
     if (!frames_.assumption.empty()) context.warning(frames_.assumption);
@@ -98,15 +98,15 @@ class Replay {
 
   void check_products() const {
     if (params_.ipd_mm && !(std::abs(*params_.ipd_mm) <= 1e6))
-      throw usage_error("ipd", fmt::format("{} mm is no distance of eyes", *params_.ipd_mm));
+      throw usage_error("ipd", fmt::format("{} mm is out of range", *params_.ipd_mm), "-1000000 to 1000000");
     if (params_.refocus_mm) validate_depth(frames_.optics, *params_.refocus_mm, "refocus");
     if (params_.focal_stack)
       for (const double z : {params_.focal_stack->first_mm, params_.focal_stack->last_mm})
         validate_depth(frames_.optics, z, "focal-stack");
     if (params_.all_in_focus && !params_.focal_stack)
-      throw usage_error("all-in-focus", "nothing says which depths", "`focal-stack` Z0:Z1:N");
+      throw usage_error("all-in-focus", "needs a range of depths", "`focal-stack` Z0:Z1:N with it");
     if (!params_.video.empty() && asks_for_more() && !params_.ipd_mm && params_.sweep == 0)
-      throw usage_error("video", "there is nothing of which a video is made", "eye views, `ipd` or `sweep`");
+      throw usage_error("video", "has no effect on the pictures that are asked for", "the eye's view, `ipd` or `sweep`");
   }
 
   ReplayFiles::Settings file_settings() const {

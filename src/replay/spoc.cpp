@@ -59,7 +59,7 @@ PixelMap map_rays(const Optics& display, const SpocParams& params, const Recorde
 
 void check(const SpocParams& params) {
   if (!(std::abs(params.distance_mm) <= 1e6))
-    throw usage_error("spoc", fmt::format("{} mm is no distance", params.distance_mm));
+    throw usage_error("spoc", fmt::format("{} mm is out of range", params.distance_mm), "a distance above 0");
   if (!(params.reference_mm > 0.0 && params.reference_mm <= 1e6))
     throw usage_error("reference-plane", fmt::format("{} mm", params.reference_mm),
                       "a distance before the recording array, > 0");

@@ -32,7 +32,7 @@ struct EyePair {
 /// On a screen of another width than the optics', all lengths before it are scaled.
 EyePair eye_pair(const StereoParams& params, const Optics& optics) {
   const double width = display_window(optics).size.x, scale = params.screen_width_mm ? width / *params.screen_width_mm : 1.0;
-  EyePair eyes{default_eye_mm(optics), params.ipd_mm * scale};
+  EyePair eyes{default_eye_mm(optics), params.ipd_mm.value_or(kUsualIpdMm) * scale};
   if (params.distance_mm) eyes.middle_mm.z = *params.distance_mm * scale;
   return eyes;
 }
@@ -40,6 +40,17 @@ EyePair eye_pair(const StereoParams& params, const Optics& optics) {
 bool is_pair(const Optics& optics) {
   const std::optional<ViewTiles> tiles = view_tiles(optics);
   return tiles && tiles->columns == 2 && tiles->rows == 1;
+}
+
+/// Two views stay as they are, whatever stands before them.
+void refuse_eyes(const StereoParams& params) {
+  const auto refuse = [](bool given, const char* flag) {
+    if (given) throw usage_error(flag, "has no effect: two views stay as they are", "a light field of more views");
+  };
+  refuse(params.ipd_mm.has_value(), "ipd");
+  refuse(params.distance_mm.has_value(), "viewing-distance");
+  refuse(params.screen_width_mm.has_value(), "screen-width");
+  refuse(params.field.view_angle_deg.has_value(), "view-angle");
 }
 
 /// The larger share of both eyes.
@@ -68,8 +79,7 @@ bool wants_floats(const fs::path& out, const fs::path& in) {
   return (out.has_extension() ? out.extension() : in.extension()) == ".exr";
 }
 
-fs::path picture_path(const fs::path& out, const fs::path& in) {
-  if (out.has_extension()) return out;
+fs::path with_ending_of(const fs::path& out, const fs::path& in) {
   return fs::path(out) += in.extension() == ".exr" ? ".exr" : ".png";
 }
 
@@ -96,20 +106,23 @@ LightField stereo_views(const RenderedPanel& panel, Vec3d eye_mm, double ipd_mm,
 }
 
 StereoFrames convert_to_stereo(const StereoParams& params, const Context& context) {
-  const LightFieldFrames frames = find_light_field_frames(params.in, params.field);
+  const LightFieldFrames frames = find_light_field_frames(params.in, with_warnings(params.field, context));
   const EyePair eyes = eye_pair(params, frames.optics);
   const ThreadPool pool(resolved_threads(context));
   const bool pair = is_pair(frames.optics), one = frames.files.size() == 1 && frames.files.front() == params.in;
+  if (pair) refuse_eyes(params);
   StereoFrames made;
   if (!pair && !frames.assumption.empty()) context.warning(frames.assumption);
   if (!pair) made.out_of_zone = warn_out_of_zone(frames.optics, eyes, context);
   FormatOptions reading, writing;
   reading.views = params.field.views, reading.tiles = params.field.tiles, writing.stereo = params.layout;
+  reading.warn = context.warn;
   const NewFolder folder(one ? params.out.parent_path() : params.out);
   for (std::size_t i = 0; i < frames.files.size() && !context.cancelled; ++i) {
     const fs::path& in = frames.files[i];
     const fs::path name = without_stereo_name(without_quilt_name(in.filename())).stem();
-    const fs::path out = picture_path(one ? params.out : params.out / name, in);
+    const fs::path out =
+        one && params.out.has_extension() ? params.out : with_ending_of(one ? params.out : params.out / name, in);
     const LightField field =
         pair ? open_light_field(in, params.field.from, reading).field
              : with_codes(stereo_views(frames.read(i), eyes.middle_mm, eyes.ipd_mm, pool, context), wants_floats(out, in));

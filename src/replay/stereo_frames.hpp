@@ -20,7 +20,7 @@ struct StereoParams {
   std::filesystem::path out;  ///< a picture, or for several frames a folder
   LightFieldHints field = {};
   StereoLayout layout = {};
-  double ipd_mm = kUsualIpdMm;
+  std::optional<double> ipd_mm = {};           ///< between the pupils; none: kUsualIpdMm
   std::optional<double> distance_mm = {};      ///< from the eyes to the screen; none: the design viewer's
   std::optional<double> screen_width_mm = {};  ///< on which the light field is shown; none: as wide as its optics say
 };
@@ -31,9 +31,9 @@ struct StereoFrames {
   double out_of_zone = 0.0;  ///< the larger share of the display through which an eye sees another zone (eye_sampler.hpp)
 };
 
-/// The views of a light field of two views are taken as they are. Warns of eyes out of the viewing zone. Throws Error naming
-/// the file or parameter. When context.cancelled is set, it stops at once: pictures that are finished stay, the one under way
-/// leaves nothing.
+/// The views of a light field of two views are taken as they are; then lengths and an angle are errors. Warns of eyes out of
+/// the viewing zone. Throws Error naming the file or parameter. When context.cancelled is set, it stops at once: pictures that
+/// are finished stay, the one under way leaves nothing.
 StereoFrames convert_to_stereo(const StereoParams& params, const Context& context);
 
 /// What two eyes see of one panel, as a light field of 2 views; they are `ipd_mm` apart around `eye_mm`. Unfinished when

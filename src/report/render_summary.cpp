@@ -66,9 +66,9 @@ bool is_traced_throughout(const RenderFigures& render) {
 
 SummaryFigure saving_figure(const RenderFigures& render) {
   const std::optional<double> saved = total_saving(render);
-  const char* why = saved                          ? "beside frames traced whole, source frames counted"
-                    : is_traced_throughout(render) ? "every frame was traced whole"
-                                                   : "no frame was traced whole to compare with";
+  const char* why = saved                          ? "compared with frames traced in full; source frames are counted"
+                    : is_traced_throughout(render) ? "every frame was traced in full"
+                                                   : "no frame was traced in full for comparison";
   return {"CPU time saved", percent_text(saved), why};
 }
 

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string_view>
@@ -12,6 +10,7 @@
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
 #include "core/json_text.hpp"
+#include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/core/version.hpp"
@@ -41,11 +40,7 @@ bool is_folder(const fs::path& path) {
 fs::path file_of(const fs::path& input) { return is_folder(input) ? input / "report.json" : input; }
 
 Json read_json(const fs::path& file) {
-  std::error_code ignored;
-  if (!is_regular_file_there(file)) throw Error(file.string(), "there is no such file", kAccepted);
-  if (fs::file_size(file, ignored) > kMostBytes) throw Error(file.string(), "is too large for a report");
-  std::ifstream in(file, std::ios::binary);
-  Json json = json_from_text(std::string{std::istreambuf_iterator<char>(in), {}});
+  Json json = json_from_text(read_recorded_text(file, kMostBytes, kAccepted));
   if (json.is_discarded()) throw Error(file.string(), "is not JSON, or ends before its end", kAccepted);
   if (!json.is_object()) throw Error(file.string(), "is not a JSON object", kAccepted);
   return json;
@@ -94,9 +89,7 @@ std::string page_html(const std::string& heading, const std::string& title, cons
 
 void require_own_report(const fs::path& file) {
   if (!is_regular_file_there(file)) return;
-  std::ifstream in(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (text.find(kMark) == std::string::npos)
+  if (read_file_text(file, kMostBytes).find(kMark) == std::string::npos)
     throw Error(file.string(), "is another file, and would be replaced", "a new name, or that of a report page");
 }
 

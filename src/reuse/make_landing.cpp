@@ -144,10 +144,10 @@ AnyLanding landing(const Panel& panel, const SingleView& view, SplatMode) { retu
 
 AnyLanding landing(const Panel& panel, const SlantedPanel& slanted, SplatMode mode) {
   if (mode == SplatMode::kLens)
-    throw usage_error("splat", "a slanted panel's lenses run across its rows: points do not stay below theirs", "`splat` view");
+    throw usage_error("splat", "lens does not work for a slanted panel, whose lenses cross its rows", "`splat` view");
   const bool blue_first = slanted.sub_pixels == striped_sub_pixels(true);
   if (!blue_first && slanted.sub_pixels != striped_sub_pixels())
-    throw usage_error("reuse", "interpolate does not know panels whose sub-pixels do not lie in stripes",
+    throw usage_error("reuse", "interpolate needs panels with striped sub-pixels",
                       "`reuse` copy or none, or a quilt, which can be interpolated");
   const SlantedPanelRays c = make_slanted_panel(panel, slanted, 0.0f);
   const auto width = static_cast<float>(3 * panel.width), height = static_cast<float>(panel.height);
@@ -160,8 +160,7 @@ AnyLanding landing(const Panel& panel, const SlantedPanel& slanted, SplatMode mo
 /// Models that do not say where a point lands.
 template <class Model>
 AnyLanding landing(const Panel&, const Model&, SplatMode) {
-  throw usage_error("reuse", "interpolate does not know where points are seen by these optics",
-                    "`reuse` copy, light, none or auto");
+  throw usage_error("reuse", "interpolate needs optics that can project points", "`reuse` copy, light, none or auto");
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ class SceneFingerprint {
 
   void add(const Scene& scene) {
     const auto& [name, nodes, shapes, textures, materials, instances, skins, lights, webs, cameras, display, background,
-                 timeline, animation_names, animation, variant_names, encoding, max_depth, resolution] = scene;
+                 timeline, animation_names, animation, variant_names, origin, encoding, max_depth, resolution] = scene;
     add_each(nodes);
     add_each(shapes);
     add_each(textures);
@@ -33,6 +33,7 @@ class SceneFingerprint {
     add(background);
     add(timeline);
     add_all(encoding, max_depth, resolution);
+    if (origin != Vec3d(0.0)) add(origin);  // else nothing, so that scenes without keep their fingerprints
   }
 
  private:

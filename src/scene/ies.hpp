@@ -4,12 +4,14 @@
 #include <string>
 
 #include "lippmann/scene/scene.hpp"
+#include "scene/left_out.hpp"
 
 namespace lippmann {
 
 struct IesProfile {
   PhotometricWeb web;         ///< nothing in it is above 0 where the lamp sends no light
   float mean_candela = 0.0f;  ///< over the whole sphere: what the web's intensities are multiplied by; lumens over 4 pi
+  LeftOut left_out;           ///< keywords that LM-63 does not have, tilt, and what follows the last candela value
 };
 
 /// The zero of both angles is the light's -z. Type C: polar angles from there, azimuths from +x towards +y. Types A and B:

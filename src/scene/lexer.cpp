@@ -27,17 +27,18 @@ bool is_harmless_rest(std::string_view rest) {
   return rest.find_first_not_of("0123456789", 2) == std::string_view::npos;
 }
 
-/// The finite number that a word begins with, where nothing but what is harmless follows; too small for a float: zero.
-std::optional<float> parse_float(std::string_view word) {
+/// The finite number that a word begins with, where nothing but what is harmless follows; too small for a T: zero.
+template <class T>
+std::optional<T> parse_number(std::string_view word) {
   word = without_plus(word);
-  float value = 0.0f;
+  T value = 0;
   const char* const end = word.data() + word.size();
   const auto [rest, failure] = std::from_chars(word.data(), end, value);
   if (rest == word.data()) return std::nullopt;
   if (rest != end && !is_harmless_rest({rest, static_cast<std::size_t>(end - rest)})) return std::nullopt;
   if (failure == std::errc{}) return std::isfinite(value) ? std::optional(value) : std::nullopt;
   double wide = 0.0;
-  if (std::from_chars(word.data(), rest, wide).ec == std::errc{} && std::abs(wide) < 1.0) return static_cast<float>(wide);
+  if (std::from_chars(word.data(), rest, wide).ec == std::errc{} && std::abs(wide) < 1.0) return static_cast<T>(wide);
   return std::nullopt;
 }
 
@@ -110,29 +111,43 @@ std::string_view Lexer::rest_of_line() {
   return rest;
 }
 
-float Lexer::number(std::string_view wanted, float largest) {
+template <class T>
+T Lexer::number_of_type(std::string_view wanted, float largest) {
   const std::string_view found = word(wanted);
-  const std::optional<float> value = parse_float(found);
-  if (!value) throw error(fmt::format("{} is not a number that {} can have", shown(found), wanted), "a finite decimal number");
-  if (std::abs(*value) > largest)
-    throw error(fmt::format("{} is not a number that {} can have", *value, wanted),
-                fmt::format("{:g} to {:g}", -largest, largest));
+  const std::optional<T> value = parse_number<T>(found);
+  if (!value) throw error(fmt::format("expected a number for {}, found {}", wanted, shown(found)), "a finite decimal number");
+  if (std::abs(*value) > static_cast<T>(largest))
+    throw error(fmt::format("{} is out of range for {}", *value, wanted), fmt::format("{:g} to {:g}", -largest, largest));
   return *value;
 }
+
+float Lexer::number(std::string_view wanted, float largest) { return number_of_type<float>(wanted, largest); }
 
 int Lexer::integer(std::string_view wanted, int lowest, int highest) {
   const std::string_view found = word(wanted), digits = without_plus(found);
   int value = 0;
   const char* const end = digits.data() + digits.size();
   const auto [rest, failure] = std::from_chars(digits.data(), end, value);
-  if (rest != end || failure != std::errc{} || value < lowest || value > highest)
-    throw error(fmt::format("{} is not a value that {} can have", shown(found), wanted),
+  const bool is_read = rest == end && failure == std::errc{};
+  if (!is_read || value < lowest || value > highest)
+    throw error(is_read ? fmt::format("{} is out of range for {}", value, wanted)
+                        : fmt::format("expected a whole number for {}, found {}", wanted, shown(found)),
                 fmt::format("a whole number from {} to {}", lowest, highest));
   return value;
 }
 
 Vec3f Lexer::vector(std::string_view wanted, float largest) {
   const float x = number(wanted, largest), y = number(wanted, largest), z = number(wanted, largest);
+  return {x, y, z};
+}
+
+float Lexer::coordinate(int axis, std::string_view wanted, float largest) {
+  if (origin_ == Vec3d(0.0)) return number(wanted, largest);  // rounded once, to a float
+  return static_cast<float>(number_of_type<double>(wanted, largest) - origin_[axis]);
+}
+
+Vec3f Lexer::point(std::string_view wanted, float largest) {
+  const float x = coordinate(0, wanted, largest), y = coordinate(1, wanted, largest), z = coordinate(2, wanted, largest);
   return {x, y, z};
 }
 
@@ -144,6 +159,11 @@ float Lexer::number_after(std::string_view keyword) {
 Vec3f Lexer::vector_after(std::string_view keyword) {
   expect(keyword);
   return vector(keyword);
+}
+
+Vec3f Lexer::point_after(std::string_view keyword) {
+  expect(keyword);
+  return point(keyword);
 }
 
 std::string Lexer::where() const { return fmt::format("{}:{}", name_, word_line_); }

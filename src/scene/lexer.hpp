@@ -48,9 +48,18 @@ class Lexer {
   /// Three such numbers.
   Vec3f vector(std::string_view wanted, float largest = std::numeric_limits<float>::max());
 
+  /// One coordinate of a position (axis 0 to 2): such a number, from which the origin is subtracted in double precision.
+  float coordinate(int axis, std::string_view wanted, float largest = std::numeric_limits<float>::max());
+
+  /// A position: three such coordinates.
+  Vec3f point(std::string_view wanted, float largest = std::numeric_limits<float>::max());
+  void set_origin(const Vec3d& origin) { origin_ = origin; }
+  const Vec3d& origin() const { return origin_; }
+
   // `expect` followed by a value.
   float number_after(std::string_view keyword);
   Vec3f vector_after(std::string_view keyword);
+  Vec3f point_after(std::string_view keyword);
 
   /// "file:line" of the word that was read last.
   std::string where() const;
@@ -66,7 +75,11 @@ class Lexer {
   void skip_blanks();
   std::string_view word_here() const;
 
+  template <class T>
+  T number_of_type(std::string_view wanted, float largest);
+
   std::string name_, text_;
+  Vec3d origin_{0.0};
   std::size_t position_ = 0;
   int line_ = 1;       ///< the line that position_ is in
   int word_line_ = 1;  ///< the line of the word that was read last

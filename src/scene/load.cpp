@@ -5,14 +5,19 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <fstream>
+#include <span>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "core/file_content.hpp"
 #include "core/suggest.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/scene/builtin.hpp"
+#include "lippmann/scene/origin.hpp"
 #include "scene/gltf.hpp"
+#include "scene/move_origin.hpp"
 #include "scene/nff.hpp"
 #include "scene/obj.hpp"
 #include "scene/ply.hpp"
@@ -29,41 +34,44 @@ Scene at_rate(Scene scene, const LoadOptions& options) {
   return scene;
 }
 
-Scene load_dat(const fs::path& path, const LoadOptions& options, const Context& context) {
+Scene load_dat(const fs::path& path, const LoadOptions& options, const Context& context, const Vec3d& origin) {
   const double fps = options.frames_per_second > 0.0 ? options.frames_per_second : kTachyonFramesPerSecond;
-  return load_tachyon(path, options.camera_path, context, fps, options.asset_root);
+  return load_tachyon(path, options.camera_path, context, fps, options.asset_root, origin);
 }
 
-Scene load_gltf_file(const fs::path& path, const LoadOptions& options, const Context& context) {
+/// It has taken its own origin.
+Scene load_gltf_file(const fs::path& path, const LoadOptions& options, const Context& context, const Vec3d&) {
   return load_gltf(path, options, context);
 }
 
-Scene load_nff_file(const fs::path& path, const LoadOptions& options, const Context& context) {
-  return at_rate(load_nff(path, context), options);
+Scene load_nff_file(const fs::path& path, const LoadOptions& options, const Context& context, const Vec3d& origin) {
+  return at_rate(load_nff(path, context, origin), options);
 }
 
-Scene load_obj_file(const fs::path& path, const LoadOptions& options, const Context& context) {
-  return at_rate(load_obj(path, context, options.asset_root, options.texture_bytes), options);
+Scene load_obj_file(const fs::path& path, const LoadOptions& options, const Context& context, const Vec3d& origin) {
+  return at_rate(load_obj(path, context, options.asset_root, options.texture_bytes, origin), options);
 }
 
-Scene load_ply_file(const fs::path& path, const LoadOptions& options, const Context& context) {
-  return at_rate(load_ply(path, context), options);
+Scene load_ply_file(const fs::path& path, const LoadOptions& options, const Context& context, const Vec3d& origin) {
+  return at_rate(load_ply(path, context, options.asset_root, options.texture_bytes, origin), options);
 }
 
 /// One row per file format. Rows that share a loader stand together.
 struct Format {
   std::string_view extension;  ///< lower case, with its dot
   bool takes_camera_path;
-  bool has_animations;  ///< to choose from, and sets of materials
-  bool may_be_empty;    ///< a background alone is a scene
-  bool is_physical;     ///< is_physical_format()
-  Scene (*load)(const fs::path&, const LoadOptions&, const Context&);
+  bool has_animations;    ///< to choose from, and sets of materials
+  bool may_be_empty;      ///< a background alone is a scene
+  bool is_physical;       ///< is_physical_format()
+  std::string_view kind;  ///< what describe_content() calls such files, where it is not text
+  Scene (*load)(const fs::path&, const LoadOptions&, const Context&, const Vec3d& origin);
 };
 
+constexpr std::string_view kGlb = "a binary glTF scene (.glb)";
 constexpr Format kFormats[] = {
-    {".dat", true, false, true, false, load_dat},        {".glb", false, true, false, true, load_gltf_file},
-    {".gltf", false, true, false, true, load_gltf_file}, {".nff", false, false, false, false, load_nff_file},
-    {".obj", false, false, false, true, load_obj_file},  {".ply", false, false, false, true, load_ply_file},
+    {".dat", true, false, true, false, {}, load_dat},          {".glb", false, true, false, true, kGlb, load_gltf_file},
+    {".gltf", false, true, false, true, kGlb, load_gltf_file}, {".nff", false, false, false, false, {}, load_nff_file},
+    {".obj", false, false, false, true, {}, load_obj_file},    {".ply", false, false, false, true, "a PLY file", load_ply_file},
 };
 
 std::string lower_extension(const fs::path& path) {
@@ -97,7 +105,7 @@ std::string meant_builtin(const fs::path& path) {
   if (std::find(std::begin(kOfBlender), std::end(kOfBlender), extension) != std::end(kOfBlender))
     throw Error(path.string(), "is a scene format that Blender reads",
                 "a .glb of it, which Blender makes by to_glb.py (docs/scenes.md, \"Other formats\")");
-  throw Error(path.string(), "is not a scene format that is known", accepted_names());
+  throw Error(path.string(), "is not a known scene format", accepted_names());
 }
 
 void require_readable_file(const fs::path& path) {
@@ -105,6 +113,23 @@ void require_readable_file(const fs::path& path) {
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) throw Error(path.string(), "there is no such file" + meant_builtin(path), accepted_names());
   if (fs::is_directory(status)) throw Error(path.string(), "is a folder", accepted_names());
+}
+
+/// A file that is not what its name says is named for what it is.
+void require_scene_content(const fs::path& path, std::string_view own_kind) {
+  constexpr std::size_t kLooked = 512;
+  std::error_code failure;
+  if (!fs::is_regular_file(path, failure)) return;  // which the format's reader refuses
+  std::vector<char> begin(kLooked);
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return;
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, file.gcount())));
+  const FileContent content = describe_content(std::as_bytes(std::span(begin)));
+  if (!content.remedy.empty()) throw Error(path.string(), "is " + content.what, content.remedy);
+  const bool is_text = content.what.starts_with("text"), is_unknown = content.what.starts_with("binary data");
+  if (!is_text && !is_unknown && content.what != own_kind)
+    throw Error(path.string(), "is " + content.what, fmt::format("a scene in the format of {}", lower_extension(path)));
 }
 
 void require_folder(const fs::path& asset_root) {
@@ -125,6 +150,19 @@ void require_surfaces(const Scene& scene, const fs::path& path) {
   throw Error(path.string(), "has no surfaces to show", "a scene with faces or solid shapes; points and lines are not shown");
 }
 
+/// A scene far from the origin is read again, with positions relative to its middle before they become floats.
+Scene load_near_origin(const Format& format, const fs::path& path, const LoadOptions& options, const Context& context) {
+  Scene scene = format.load(path, options, context, Vec3d(0.0));
+  const std::optional<Vec3d> origin = distant_origin(scene);
+  if (!origin) return scene;
+  Context without_warnings;  // they have been given
+  without_warnings.threads = context.threads;
+  scene = {};
+  scene = format.load(path, options, without_warnings, *origin);
+  if (scene.origin == Vec3d(0.0)) move_origin(scene, *origin);  // its file holds floats
+  return scene;
+}
+
 const Format* find_format(const fs::path& path) {
   const std::string extension = lower_extension(path);
   const auto* format = std::find_if(std::begin(kFormats), std::end(kFormats),
@@ -143,7 +181,8 @@ Scene load_file(const fs::path& path, const LoadOptions& options, const Context&
     throw usage_error("animation", fmt::format("{} has no animations to choose from", path.string()), "a glTF scene");
   if (!options.variant.empty() && !format->has_animations)
     throw usage_error("variant", fmt::format("{} has no sets of materials to choose from", path.string()), "a glTF scene");
-  Scene scene = format->load(path, options, context);
+  require_scene_content(path, format->kind);
+  Scene scene = load_near_origin(*format, path, options, context);
   if (!format->may_be_empty) require_surfaces(scene, path);
   return scene;
 }

@@ -10,9 +10,10 @@
 namespace lippmann {
 
 /// Throws Error, naming file and line, for what cannot be read. The scene has one frame; without a view it has no camera.
-Scene load_nff(const std::filesystem::path& path, const Context& context);
+/// origin: Scene::origin.
+Scene load_nff(const std::filesystem::path& path, const Context& context, const Vec3d& origin = Vec3d(0.0));
 
 /// The same of a text; `name` is what errors call it.
-Scene parse_nff(const std::string& name, std::string text, const Context& context);
+Scene parse_nff(const std::string& name, std::string text, const Context& context, const Vec3d& origin = Vec3d(0.0));
 
 }  // namespace lippmann

@@ -20,6 +20,15 @@ std::string describe_halved(const std::vector<int>& halvings, std::uint64_t byte
                      count, halvings.size(), most == 1 ? "half" : fmt::format("1/2 to 1/{}", 1 << most), bytes >> 20);
 }
 
+/// How many pictures are decoded at a time. Each has its full size until it is halved, so together they keep to the budget.
+int decoded_at_once(const std::vector<TextureExtent>& extents, std::uint64_t bytes) {
+  constexpr std::uint64_t kMost = 4;
+  std::uint64_t largest = 1;
+  for (const TextureExtent& extent : extents)
+    largest = std::max(largest, 4 * static_cast<std::uint64_t>(extent.size.x) * static_cast<std::uint64_t>(extent.size.y));
+  return static_cast<int>(std::clamp<std::uint64_t>(bytes / largest, 1, kMost));
+}
+
 }  // namespace
 
 int PendingTextures::add(Texture described, std::string where, Picture picture, std::vector<Texture>& textures, Change change) {
@@ -57,8 +66,7 @@ void PendingTextures::decode(std::vector<Texture>& textures, const Context& cont
                              const std::function<void(const std::string&)>& warn) {
   const std::vector<int> halvings = halvings_within(limits_.bytes, extents(textures));
   if (const std::string halved = describe_halved(halvings, limits_.bytes); !halved.empty()) warn(halved);
-  constexpr int kAtOnce = 4;
-  const ThreadPool pool(std::min(resolved_threads(context), kAtOnce));
+  const ThreadPool pool(std::min(resolved_threads(context), decoded_at_once(extents(textures), limits_.bytes)));
   pool.for_each(entries_.size(), [&](std::size_t i) {
     if (context.cancelled) return;
     const Entry& entry = entries_[i];

@@ -17,9 +17,10 @@ inline constexpr double kTachyonFramesPerSecond = 25.0;
 
 /// Side files (INCLUDE, TPOLYFILE, image maps) are looked for in the .dat file's folder and, where it is given, below
 /// asset_root. A camera path of N lines gives N + 1 frames, the last line twice, so that frame numbers agree with Tachyon's own
-/// pictures. Throws Error, naming file, line and keyword, for what cannot be read and for what a Scene cannot express.
+/// pictures. origin: Scene::origin. Throws Error, naming file, line and keyword, for what cannot be read and for what a Scene
+/// cannot express.
 Scene load_tachyon(const std::filesystem::path& path, const std::optional<std::filesystem::path>& camera_path,
                    const Context& context, double frames_per_second = kTachyonFramesPerSecond,
-                   const std::filesystem::path& asset_root = {});
+                   const std::filesystem::path& asset_root = {}, const Vec3d& origin = Vec3d(0.0));
 
 }  // namespace lippmann

@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <string_view>
-#include <system_error>
 
+#include "core/regular_file.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
@@ -61,18 +60,12 @@ std::string utf8_text(std::string text) {
 
 std::string read_text_file(const fs::path& file, const std::string& where, std::size_t limit_bytes,
                            const std::string& accepted) {
-  std::error_code failure;
-  if (!fs::is_regular_file(file, failure)) {
-    const bool missing = !fs::exists(file, failure);
-    throw Error(where, fmt::format("{} {}", file.string(), missing ? "does not exist" : "is not a regular file"));
-  }
-  const std::uintmax_t size = fs::file_size(file, failure);
-  if (failure) throw Error(where, fmt::format("{} cannot be read: {}", file.string(), failure.message()));
-  if (size > limit_bytes) throw Error(where, "the scene's files are too large", accepted);
-  std::string text(static_cast<std::size_t>(size), '\0');
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream.read(text.data(), static_cast<std::streamsize>(size)))
-    throw Error(where, fmt::format("{} cannot be read", file.string()));
+  RegularFile opened(file);
+  if (!opened.problem().empty()) throw Error(where, fmt::format("{} {}", file.string(), opened.problem()));
+  if (opened.size() > limit_bytes) throw Error(where, "the scene's files are too large", accepted);
+  std::string text(static_cast<std::size_t>(opened.size()), '\0');
+  if (opened.read(text.data(), text.size()) < text.size())
+    throw Error(where, fmt::format("{} cannot be read to its end", file.string()));
   return text;
 }
 

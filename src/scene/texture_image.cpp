@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/file_content.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
@@ -70,7 +71,9 @@ const Reader& reader_of(FileBytes encoded, const std::string& where) {
 std::string texture_image_problem(FileBytes encoded) {
   if (find_reader(encoded)) return {};
   if (is_ktx2(encoded)) return fmt::format("is a KTX2 file: {}", kKtx2Advice);
-  return "is neither PNG, JPEG nor WebP";
+  const FileContent content = describe_content(encoded);
+  const std::string remedy = content.remedy.empty() ? "PNG, JPEG, WebP" : content.remedy;
+  return fmt::format("is {} (accepted: {})", content.what, remedy);
 }
 
 Vec2i texture_size(FileBytes encoded, const std::string& where) {

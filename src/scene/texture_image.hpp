@@ -13,7 +13,7 @@ namespace lippmann {
 constexpr std::string_view kKtx2Advice =
     "convert to PNG first, with gltf-transform ktxdecompress IN OUT (npm's @gltf-transform/cli; it needs KTX-Software)";
 
-/// Why the bytes are no picture that can be read, by how they begin: "is neither PNG, ..."; empty: they begin as one.
+/// Why the bytes are no picture that can be read, by how they begin: "is a GIF picture ..."; empty: they begin as one.
 std::string texture_image_problem(FileBytes encoded);
 
 /// Width and height, as its header says. Throws Error at `where` for what is not such a picture.

@@ -6,11 +6,14 @@
 // side of its centre along world axis i, and a disc with unit normal n reaches r |l - (l . n) n|.
 #include "lippmann/scene/timeline.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <variant>
 
+#include "lippmann/core/error.hpp"
 #include "scene/deform.hpp"
 #include "scene/splats.hpp"
 
@@ -147,6 +150,17 @@ void add_shape(Bounds3f& bounds, const Affine3f& a, const Boxes& boxes) {
 
 void add_shape(Bounds3f& bounds, const Affine3f& a, const Splats& splats) { bounds.add(bulk_bounds(splats, a)); }
 
+/// Refuses a hierarchy that cannot be evaluated.
+void require_nodes(const Scene& scene) {
+  const int count = static_cast<int>(scene.nodes.size());
+  for (int i = 0; i < count; ++i)
+    if (const int parent = scene.nodes[static_cast<std::size_t>(i)].parent; parent < -1 || parent >= i)
+      throw Error("scene", fmt::format("node {} has the parent {}", i, parent), "-1, or a node before it");
+  for (const NodeAnimation& a : scene.timeline.animations)
+    if (a.node < 0 || a.node >= count)
+      throw Error("scene", fmt::format("an animation moves node {} of {}", a.node, count), "a node of the scene");
+}
+
 std::vector<std::vector<float>> evaluate_weights(const Scene& scene, double time) {
   std::vector<std::vector<float>> weights;
   const auto has_weights = [](const Node& node) { return !node.morph_weights.empty(); };
@@ -163,6 +177,7 @@ std::vector<std::vector<float>> evaluate_weights(const Scene& scene, double time
 }  // namespace
 
 ResolvedScene evaluate(const Scene& scene, double time) {
+  require_nodes(scene);
   std::vector<const NodeAnimation*> animation_of(scene.nodes.size(), nullptr);
   for (const NodeAnimation& a : scene.timeline.animations) animation_of[static_cast<std::size_t>(a.node)] = &a;
 

@@ -371,6 +371,8 @@ class Validator {
     require(finite(b.horizon_at) && finite(b.zenith_at) && b.horizon_at != b.zenith_at, "background",
             "horizon and zenith are not at two different heights");
     if (b.map) check_environment(*b.map);
+    require_index(scene_.animation, scene_.animation_names.size(), -1, "animation", "animation");
+    require(std::isfinite(scene_.origin.x + scene_.origin.y + scene_.origin.z), "origin", "is not finite");
     require(scene_.max_depth >= 1, "max_depth", "is below 1");
     require(scene_.resolution.x >= 0 && scene_.resolution.y >= 0, "resolution", "is negative");
   }

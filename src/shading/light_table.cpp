@@ -1,6 +1,7 @@
 #include "shading/light_table.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "shading/look_up.hpp"
@@ -29,12 +30,16 @@ float strength(const WhittedLight& light, Vec3f direction, float distance) {
   return s;
 }
 
-float finite(float power) { return std::isfinite(power) ? power : 0.0f; }
+/// Powers too large for floats are the largest; what is no number has none.
+float finite(float power) { return power > 0.0f ? std::min(power, std::numeric_limits<float>::max()) : 0.0f; }
 
-/// What a light sends into the scene, so that all kinds can be compared: irradiance is taken as falling on its cross-section.
-float power(const WhittedLight& light, float unit, float size) {
+/// Far lights send the same irradiance to all points of the scene.
+bool is_near(const WhittedLight& light) { return light.falls_off > 0.0f; }
+
+/// The flux of a near light; the irradiance of a far one across its direction.
+float power(const WhittedLight& light, float unit) {
   const float color = unit * luminance(light.color);
-  return finite(light.falls_off > 0.0f ? 4.0f * kPi * color : kPi * size * size * color);
+  return finite(is_near(light) ? 4.0f * kPi * color : color);
 }
 
 /// Which way the triangles of a closed mesh face once it is placed: a mirror turns them.
@@ -61,16 +66,24 @@ bool is_outside(const Bounds3f& box, Vec3f p) {
   return glm::any(glm::lessThan(p, box.lower)) || glm::any(glm::greaterThan(p, box.upper));
 }
 
-/// What tree_lights knows of them goes into a tree, and their power with it: from `powers` on from `first` into its last.
+/// A tree of the lights that have power. Where there are more than `most_by_power`, it has an entry with their power, from
+/// `powers` on from `first`; else an entry without.
 LightTree tree_of(std::span<const TreeLight> lights, std::size_t most_by_power, std::vector<float>& powers, std::size_t first) {
   const auto in_tree = std::count_if(lights.begin(), lights.end(), [](const TreeLight& l) { return l.power > 0.0f; });
   powers.push_back(0.0f);
-  if (static_cast<std::size_t>(in_tree) <= most_by_power) return {};
-  double sum = 0.0;
-  for (std::size_t l = 0; l < lights.size(); ++l)
-    if (lights[l].power > 0.0f) sum += static_cast<double>(std::exchange(powers[first + l], 0.0f));
-  powers.back() = static_cast<float>(sum);
+  if (static_cast<std::size_t>(in_tree) > most_by_power) {
+    double sum = 0.0;
+    for (std::size_t l = 0; l < lights.size(); ++l)
+      if (lights[l].power > 0.0f) sum += static_cast<double>(std::exchange(powers[first + l], 0.0f));
+    powers.back() = static_cast<float>(sum);
+  }
   return LightTree(lights);
+}
+
+float sum_of_powers(std::span<const TreeLight> lights) {
+  double sum = 0.0;
+  for (const TreeLight& l : lights) sum += static_cast<double>(l.power);
+  return static_cast<float>(sum);
 }
 
 }  // namespace
@@ -81,22 +94,29 @@ LightTable::LightTable(const LightSources& sources, const Environment& environme
       unit_(has_phong(sources.scene) ? kPi : 1.0f),
       first_triangle_(sources.records.size(), -1) {
   find_rounds();
-  std::vector<float> powers;
+  Powers powers;
   add_points(powers);
   add_rounds(powers);
-  const float of_sky = 4.0f * kPi * kPi * sources_.size * sources_.size * luminance(environment_.mean_radiance());
-  powers.push_back(finite(of_sky * environment_.sun_share()));
+  const float of_sky = 4.0f * kPi * luminance(environment_.mean_radiance());
+  powers.push_back(0.0f, finite(of_sky * environment_.sun_share()));
   add_triangles(powers);
-  powers.push_back(finite(of_sky * (1.0f - environment_.sun_share())));
-  chances_ = DiscreteDistribution(powers);
-  if (chances_.empty()) return;
-  for (float& share : record_shares_) share /= static_cast<float>(chances_.total());
-  begins_ = {0.0f,
-             chances_.probability_before(first_round()),
-             chances_.probability_before(sun()),
-             chances_.probability_before(first_triangle()),
-             chances_.probability_before(powers.size() - 1),
-             1.0f};
+  powers.push_back(0.0f, finite(of_sky * (1.0f - environment_.sun_share())));
+  near_ = kind_of(powers.near), far_ = kind_of(powers.far);
+  // A quarter of the flux across any direction arrives at a surface, on average over the ways that it may be turned.
+  far_irradiance_ = 0.25f * static_cast<float>(far_.chances.total());
+  for (float& share : record_shares_) share /= static_cast<float>(near_.chances.total());
+}
+
+LightTable::Kind LightTable::kind_of(std::span<const float> powers) const {
+  Kind kind{DiscreteDistribution(powers), {}};
+  if (kind.empty()) return kind;
+  kind.begins = {0.0f,
+                 kind.chances.probability_before(first_round()),
+                 kind.chances.probability_before(sun()),
+                 kind.chances.probability_before(first_triangle()),
+                 kind.chances.probability_before(powers.size() - 1),
+                 1.0f};
+  return kind;
 }
 
 void LightTable::find_rounds() {
@@ -114,37 +134,48 @@ const WebBeam* LightTable::beam_of(std::size_t light) const {
   return web < 0 ? nullptr : &sources_.beams[static_cast<std::size_t>(web)];
 }
 
-void LightTable::add_points(std::vector<float>& powers) {
+void LightTable::add_points(Powers& powers) {
   std::vector<TreeLight> lights(points());
   for (std::size_t l = 0; l < points(); ++l) {
-    powers.push_back(has_size(l) ? 0.0f : power(sources_.lights[l], unit_, sources_.size));
-    if (powers.back() > 0.0f) lights[l] = tree_light(sources_.lights[l], beam_of(l));
+    const WhittedLight& light = sources_.lights[l];
+    const float of_light = has_size(l) ? 0.0f : power(light, unit_);
+    powers.push_back(is_near(light) ? of_light : 0.0f, is_near(light) ? 0.0f : of_light);
+    if (of_light > 0.0f) lights[l] = tree_light(light, beam_of(l));
   }
-  point_tree_ = tree_of(lights, kMostLampsByPower, powers, 0);
+  powers.far.push_back(0.0f);
+  point_tree_ = tree_of(lights, kMostLampsByPower, powers.near, 0);
+  tree_irradiances_[0] = unit_ * sum_of_powers(lights);
 }
 
-void LightTable::add_rounds(std::vector<float>& powers) {
-  const std::size_t first = powers.size();
+void LightTable::add_rounds(Powers& powers) {
+  const std::size_t first = powers.near.size();
   std::vector<TreeLight> lights(rounds());
   for (std::size_t k = 0; k < rounds(); ++k) {
-    powers.push_back(power(sources_.lights[rounds_[k]], unit_, sources_.size));
-    if (powers.back() > 0.0f) lights[k] = tree_light(sources_.lights[rounds_[k]], beam_of(rounds_[k]));
+    const WhittedLight& light = sources_.lights[rounds_[k]];
+    const float of_light = power(light, unit_);
+    powers.push_back(is_near(light) ? of_light : 0.0f, is_near(light) ? 0.0f : of_light);
+    if (of_light > 0.0f) lights[k] = tree_light(light, beam_of(rounds_[k]));
   }
-  round_tree_ = tree_of(lights, kMostLampsByPower, powers, first);
+  powers.far.push_back(0.0f);
+  round_tree_ = tree_of(lights, kMostLampsByPower, powers.near, first);
+  tree_irradiances_[1] = unit_ * sum_of_powers(lights);
 }
 
-void LightTable::add_triangles(std::vector<float>& powers) {
-  const std::size_t first = powers.size();
+/// A triangle with two sides sends flux / (2 pi) x cosine.
+void LightTable::add_triangles(Powers& powers) {
+  const std::size_t first = powers.near.size();
   for (std::size_t r = 0; r < sources_.records.size(); ++r) add_triangles_of(r, powers);
   std::vector<TreeLight> lights(triangles_.size());
   for (std::size_t t = 0; t < triangles_.size(); ++t)
-    if (powers[first + t] > 0.0f)
+    if (const float of_triangle = powers.near[first + t]; of_triangle > 0.0f)
       lights[t] =
-          tree_light(triangles_[t].origin, triangles_[t].edge_b, triangles_[t].edge_c, powers[first + t], triangles_[t].closed);
-  triangle_tree_ = tree_of(lights, kMostTrianglesByPower, powers, first);
+          tree_light(triangles_[t].origin, triangles_[t].edge_b, triangles_[t].edge_c, of_triangle, triangles_[t].closed);
+  powers.far.resize(powers.near.size() + 1, 0.0f);
+  triangle_tree_ = tree_of(lights, kMostTrianglesByPower, powers.near, first);
+  tree_irradiances_[2] = sum_of_powers(lights) / (2.0f * kPi);
 }
 
-void LightTable::add_triangles_of(std::size_t r, std::vector<float>& powers) {
+void LightTable::add_triangles_of(std::size_t r, Powers& powers) {
   const GeometryRecord& record = sources_.records[r];
   if (record.kind != GeometryKind::kMesh || record.hidden) return;
   const Emitter* emitter = sources_.emitters.of(record.instance);
@@ -164,21 +195,34 @@ void LightTable::add_triangles_of(std::size_t r, std::vector<float>& powers) {
     triangles_.push_back({origin, edge_b, edge_c, has_area ? n / twice_area : Vec3f(0.0f), 0.5f * twice_area,
                           static_cast<std::uint32_t>(r), t, closed});
     // Both sides shine.
-    powers.push_back(has_area ? finite(kPi * 2.0f * triangles_.back().area * emitter->of(t)) : 0.0f);
-    record_shares_[r] += powers.back();
+    powers.near.push_back(has_area ? finite(kPi * 2.0f * triangles_.back().area * emitter->of(t)) : 0.0f);
+    record_shares_[r] += powers.near.back();
   }
   const auto material = static_cast<std::size_t>(sources_.scene.instances[record.instance].material);
   if (closed != BodyFacing::kNone && is_opaque(sources_.materials[material])) bodies_[r] = bounds_of(*record.mesh, place);
 }
 
+float LightTable::near_share(const LightReceiver& at) const {
+  if (near_.empty() || far_.empty()) return near_.empty() ? 0.0f : 1.0f;
+  float irradiance = 0.0f;
+  const std::array<TreeOfGroup, 3> groups = trees();
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    if (!groups[g].tree.empty()) irradiance += tree_irradiances_[g] * groups[g].tree.importance(at);
+  const float share = 1.0f - 1.0f / (1.0f + irradiance / far_irradiance_);
+  return std::min(1.0f - kLeastShareOfKind, std::max(kLeastShareOfKind, share));
+}
+
+float LightTable::chance(LightGroups groups, const LightReceiver& at) const {
+  const float near = near_share(at);
+  return near * near_.chance(groups) + (1.0f - near) * far_.chance(groups);
+}
+
 /// A tree draws anew, with what is left of the number that has chosen it. Trees are asked first, as the list of all entries is
 /// long where there are any.
-std::optional<LightTable::Chosen> LightTable::choose(const LightReceiver& at, float pick) const {
-  for (const TreeOfGroup& group :
-       {TreeOfGroup{point_tree_, point_tree(), 0}, TreeOfGroup{round_tree_, round_tree(), first_round()},
-        TreeOfGroup{triangle_tree_, triangle_tree(), first_triangle()}}) {
+std::optional<LightTable::Chosen> LightTable::choose(const Kind& kind, const LightReceiver& at, float pick) const {
+  for (const TreeOfGroup& group : trees()) {
     if (group.tree.empty()) continue;
-    const float begin = chances_.probability_before(group.entry), end = chances_.probability_before(group.entry + 1);
+    const float begin = kind.chances.probability_before(group.entry), end = kind.chances.probability_before(group.entry + 1);
     if (!(begin <= pick && pick < end)) continue;
     const float chance = end - begin;
     const std::optional<LightTree::Choice> choice = group.tree.choose(at, std::min((pick - begin) / chance, kBelowOne));
@@ -186,8 +230,8 @@ std::optional<LightTable::Chosen> LightTable::choose(const LightReceiver& at, fl
     return Chosen{group.first + choice->light, chance * choice->probability};
   }
   float rest = 0.0f;
-  const std::size_t entry = chances_.sample(pick, rest);
-  return Chosen{entry, chances_.probability(entry)};
+  const std::size_t entry = kind.chances.sample(pick, rest);
+  return Chosen{entry, kind.chances.probability(entry)};
 }
 
 std::optional<LightSample> LightTable::sample_entry(std::size_t entry, Vec3f from, Vec2f u) const {
@@ -198,21 +242,34 @@ std::optional<LightSample> LightTable::sample_entry(std::size_t entry, Vec3f fro
   return sky_sample(u);
 }
 
-std::optional<LightSample> LightTable::sample(const LightReceiver& at, float pick, Vec2f u) const {
-  if (chances_.empty()) return std::nullopt;
-  const std::optional<Chosen> chosen = choose(at, pick);
+std::optional<LightSample> LightTable::sample(const Kind& kind, float share, const LightReceiver& at, float pick,
+                                              Vec2f u) const {
+  const std::optional<Chosen> chosen = choose(kind, at, pick);
   if (!chosen) return std::nullopt;
   std::optional<LightSample> s = sample_entry(chosen->entry, at.position, u);
   if (!s) return std::nullopt;
-  if (s->is_point()) s->radiance /= chosen->chance;
-  s->density *= chosen->chance;
+  const float chance = share * chosen->chance;
+  if (s->is_point()) s->radiance /= chance;
+  s->density *= chance;
   return s;
 }
 
+std::optional<LightSample> LightTable::sample(const LightReceiver& at, float pick, Vec2f u) const {
+  return sample({LightGroup::kPoints, LightGroup::kEnd}, at, pick, u);
+}
+
+/// What is left of the number that has chosen a kind is spread over the kind's chances of these groups.
 std::optional<LightSample> LightTable::sample(LightGroups groups, const LightReceiver& at, float pick, Vec2f u) const {
-  const float share = chance(groups), begin = begin_of(groups.begin);
+  const float near = near_share(at), of_near = near * near_.chance(groups), of_far = (1.0f - near) * far_.chance(groups);
+  const float share = of_near + of_far;
   if (!(share > 0.0f)) return std::nullopt;
-  std::optional<LightSample> s = sample(at, std::clamp(begin + share * pick, begin, begin_of(groups.end) * kBelowOne), u);
+  const float drawn = pick * share;
+  const bool is_near = drawn < of_near || !(of_far > 0.0f);
+  const Kind& kind = is_near ? near_ : far_;
+  const float of_kind = is_near ? near : 1.0f - near;
+  const float begin = kind.begin_of(groups.begin), within = (is_near ? drawn : drawn - of_near) / of_kind;
+  std::optional<LightSample> s =
+      sample(kind, of_kind, at, std::clamp(begin + within, begin, kind.begin_of(groups.end) * kBelowOne), u);
   if (!s) return std::nullopt;
   s->density /= share;
   if (s->is_point()) s->radiance *= share;
@@ -220,15 +277,16 @@ std::optional<LightSample> LightTable::sample(LightGroups groups, const LightRec
 }
 
 float LightTable::chance_of_round(std::size_t k, const LightReceiver& at) const {
-  return chances_.empty() ? 0.0f : chance_within(round_tree_, round_tree(), first_round(), k, at);
+  return chance_within(round_tree_, round_tree(), first_round(), k, at);
 }
 
-/// A light that is in no tree has its own entry, one that is in it has none.
+/// A light has its own entry, near or far, or is drawn by the tree.
 float LightTable::chance_within(const LightTree& tree, std::size_t of_tree, std::size_t first, std::size_t index,
                                 const LightReceiver& at) const {
-  const float own = chances_.probability(first + index);
-  if (own > 0.0f || tree.empty()) return own;
-  return chances_.probability(of_tree) * tree.probability(static_cast<std::uint32_t>(index), at);
+  const float near = near_share(at);
+  const float own = near * near_.probability(first + index) + (1.0f - near) * far_.probability(first + index);
+  if (own > 0.0f || !(near_.probability(of_tree) > 0.0f)) return own;
+  return near * near_.probability(of_tree) * tree.probability(static_cast<std::uint32_t>(index), at);
 }
 
 std::optional<LightSample> LightTable::round(std::size_t k, Vec3f from, Vec2f u) const {
@@ -244,10 +302,9 @@ bool LightTable::is_pointed_at(std::size_t k, const RayPacket& rays) const {
 }
 
 float LightTable::share_of_lamp(std::size_t light) const {
-  if (chances_.empty()) return 0.0f;
   const auto share = [&](const LightTree& tree, std::size_t of_tree, std::size_t first, std::size_t index) {
-    return chances_.probability(first + index) +
-           chances_.probability(of_tree) * tree.share_of_power(static_cast<std::uint32_t>(index));
+    const float own = near_.probability(first + index) + far_.probability(first + index);
+    return own + near_.probability(of_tree) * tree.share_of_power(static_cast<std::uint32_t>(index));
   };
   return has_size(light) ? share(round_tree_, round_tree(), first_round(), static_cast<std::size_t>(round_of_[light]))
                          : share(point_tree_, point_tree(), 0, light);
@@ -299,18 +356,18 @@ Vec3f LightTable::emission_at(const Triangle& t, Vec2f barycentric) const {
 }
 
 float LightTable::share_of_record(std::size_t record) const {
-  return record_shares_.empty() || chances_.empty() ? 0.0f : record_shares_[record];
+  return record_shares_.empty() || near_.empty() ? 0.0f : record_shares_[record];
 }
 
-LightTable::Sky LightTable::sky(const SkyRays& rays, int i) const {
+LightTable::Sky LightTable::sky(const SkyRays& rays, int i, const LightReceiver& at) const {
   const Environment::Density density = environment_.density(rays, i);
   const LightGroups group = density.of_sun ? kSun : kSkyLight;
-  return {group, chance(group) * density.value};
+  return {group, chance(group, at) * density.value};
 }
 
 float LightTable::density_of(std::uint32_t record, std::uint32_t prim, float distance, Vec3f direction,
                              const LightReceiver& at) const {
-  if (first_triangle_[record] < 0 || chances_.empty()) return 0.0f;
+  if (first_triangle_[record] < 0 || near_.empty()) return 0.0f;
   const std::size_t index = static_cast<std::size_t>(first_triangle_[record]) + prim;
   const Triangle& t = triangles_[index];
   const float cosine = std::abs(glm::dot(direction, t.normal));

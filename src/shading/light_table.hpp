@@ -1,7 +1,8 @@
 // The lights of a scene as paths see them: point-like lights, lamps that have a size, the sky's sun, triangles that shine, the
-// rest of the sky. A group of them is drawn by its power, and of the group a light: of few lights by their power, too; of many
-// by a tree, for the point that asks (light_tree.hpp). Lamps that do not fall off by the squared distance, and suns, are always
-// drawn by their power.
+// rest of the sky. Those that fall off with the squared distance are near lights, all others (the sky, suns, lamps without
+// falloff) are far ones. Near or far is drawn by the irradiance that each kind sends to the point, so the scene's size does not
+// matter. Of one kind, a group is drawn by its power, and of the group a light: of few lights by their power, too; of many by a
+// tree, for the point (light_tree.hpp).
 //
 // Based on: E. Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997 (next-event estimation, and the
 // densities that multiple importance sampling asks for).
@@ -40,7 +41,7 @@ struct LightSources {
   std::span<const DeviceTexture> textures;
   const Emitters& emitters;
   std::span<const WebBeam> beams;  ///< by web of the scene
-  float size;                      ///< half the scene's diagonal
+  float size;                      ///< half the scene's diagonal: far smaller lamps are points
 };
 
 /// Groups of lights, in the order that they are chosen from: point-like ones, lamps that have a size (round_lights.hpp), the
@@ -56,8 +57,11 @@ inline constexpr LightGroups kPointLights{LightGroup::kPoints, LightGroup::kRoun
     kRoundLights{LightGroup::kRound, LightGroup::kSun}, kSun{LightGroup::kSun, LightGroup::kLamps},
     kLamps{LightGroup::kLamps, LightGroup::kSky}, kSkyLight{LightGroup::kSky, LightGroup::kEnd};
 
-/// So many lamps of a group, or triangles, are drawn by their power; of more a tree is made.
+/// Up to this many lamps of a group, or triangles, are drawn by their power; more are drawn by a tree.
 inline constexpr std::size_t kMostLampsByPower = 4, kMostTrianglesByPower = 4;
+
+/// Where a scene has near and far lights, each kind is drawn with at least this probability: the estimate ignores shadows.
+inline constexpr float kLeastShareOfKind = 1.0f / 8.0f;
 
 class LightTable {
  public:
@@ -80,7 +84,7 @@ class LightTable {
   /// Whether any ray of the packet points at it, lanes that are not active included.
   bool is_pointed_at(std::size_t k, const RayPacket& rays) const;
   /// Whether there are so many that each ray had better ask for those that it may meet.
-  bool has_many_rounds() const { return !round_tree_.empty(); }
+  bool has_many_rounds() const { return near_.probability(round_tree()) > 0.0f; }
   /// Calls visit(k) for all lamps that have a size which a ray of unit direction may meet up to `reach`.
   template <class Visit>
   void meet_rounds(Vec3f origin, Vec3f direction, float reach, const Visit& visit) const {
@@ -96,11 +100,11 @@ class LightTable {
 
   /// Whether it is worth while to draw directions into the sky for all surfaces of a packet, before it is known which of them
   /// ask for the sky.
-  bool asks_sky_often() const { return chance(kSkyLight) > 0.25f; }
+  bool asks_sky_often() const { return (near_.empty() ? 1.0f : 0.5f) * far_.chance(kSkyLight) > 0.25f; }
   /// Whether sample() draws from the rest of the sky for this `pick`.
-  bool picks_sky(float pick) const { return pick >= begin_of(LightGroup::kSky); }
-  /// What sample() then gives for the u that draw i was made for (Environment::sample_rest); chance: chance(kSkyLight), or 1
-  /// for sample(kSkyLight, ...).
+  bool picks_sky(const LightReceiver& at, float pick) const { return pick >= 1.0f - chance(kSkyLight, at); }
+  /// What sample() then gives for the u that draw i was made for (Environment::sample_rest); chance: chance(kSkyLight, at), or
+  /// 1 for sample(kSkyLight, ...).
   static std::optional<LightSample> sky_sample(const SkyDraws& draws, int i, float chance) {
     if (!(draws.density[i] > 0.0f)) return std::nullopt;
     return LightSample{Vec3f(draws.x[i], draws.y[i], draws.z[i]), kInfinity, Vec3f(draws.red[i], draws.green[i], draws.blue[i]),
@@ -110,8 +114,9 @@ class LightTable {
   /// The same of one, for sample(kSkyLight, ...).
   std::optional<LightSample> sky_sample(Vec2f u) const { return sample_sky(environment_.sample_rest(u)); }
 
-  /// The chance of sample() to choose a light of these groups.
-  float chance(LightGroups groups) const { return begin_of(groups.end) - begin_of(groups.begin); }
+  /// The chance of sample() to choose a light of these groups, and whether it ever does.
+  float chance(LightGroups groups, const LightReceiver& at) const;
+  bool has(LightGroups groups) const { return near_.chance(groups) > 0.0f || far_.chance(groups) > 0.0f; }
 
   /// The density with which sample() draws the point where a ray of unit `direction` from `at` meets triangle `prim` of a
   /// record at `distance`; 0 where the triangle is none of its lights.
@@ -122,11 +127,14 @@ class LightTable {
     LightGroups group;     ///< kSun or kSkyLight
     float density = 0.0f;  ///< the one that sample() gives this direction
   };
-  Sky sky(const SkyRays& rays, int i) const;
+  Sky sky(const SkyRays& rays, int i, const LightReceiver& at) const;
 
-  /// The share of all power that a lamp has, whether it is a point or has a size, and that all triangles of a record have.
+  /// The share of the power of the lights of its kind that a lamp has, whether it is a point or has a size; and the share of
+  /// near lights' power that all triangles of a record have.
   float share_of_lamp(std::size_t light) const;
   float share_of_record(std::size_t record) const;
+  /// The chance of sample() to choose a near light.
+  float near_share(const LightReceiver& at) const;
 
   const Environment& environment() const { return environment_; }
 
@@ -139,27 +147,48 @@ class LightTable {
     BodyFacing closed;  ///< in world space
   };
 
-  // Entries of chances_: every group but the surroundings' ends with its tree, whether there is one or not.
+  /// Lights of one kind. Near and far ones have the same entries; those of the other kind have chance 0.
+  struct Kind {
+    DiscreteDistribution chances;
+    std::array<float, 6> begins{};  ///< by group: the chance of all before it
+
+    bool empty() const { return chances.empty(); }
+    float probability(std::size_t entry) const { return empty() ? 0.0f : chances.probability(entry); }
+    float begin_of(LightGroup group) const { return begins[static_cast<std::size_t>(group)]; }
+    float chance(LightGroups groups) const { return begin_of(groups.end) - begin_of(groups.begin); }
+  };
+  Kind kind_of(std::span<const float> powers) const;
+
+  // Entries of a kind's chances: every group but the surroundings' ends with its tree, whether there is one or not.
   std::size_t point_tree() const { return points(); }
   std::size_t first_round() const { return point_tree() + 1; }
   std::size_t round_tree() const { return first_round() + rounds(); }
   std::size_t sun() const { return round_tree() + 1; }
   std::size_t first_triangle() const { return sun() + 1; }
   std::size_t triangle_tree() const { return first_triangle() + triangles_.size(); }
-  float begin_of(LightGroup group) const { return begins_[static_cast<std::size_t>(group)]; }
-  void add_points(std::vector<float>& powers);
-  void add_rounds(std::vector<float>& powers);
-  void add_triangles(std::vector<float>& powers);
-  void add_triangles_of(std::size_t record, std::vector<float>& powers);
+  /// Powers by entry.
+  struct Powers {
+    std::vector<float> near, far;
+    void push_back(float near_power, float far_power) { near.push_back(near_power), far.push_back(far_power); }
+  };
+  void add_points(Powers& powers);
+  void add_rounds(Powers& powers);
+  void add_triangles(Powers& powers);
+  void add_triangles_of(std::size_t record, Powers& powers);
   struct TreeOfGroup {
     const LightTree& tree;
     std::size_t entry, first;  ///< its own entry, and that of its first light
   };
+  std::array<TreeOfGroup, 3> trees() const {
+    return {TreeOfGroup{point_tree_, point_tree(), 0}, TreeOfGroup{round_tree_, round_tree(), first_round()},
+            TreeOfGroup{triangle_tree_, triangle_tree(), first_triangle()}};
+  }
   struct Chosen {
     std::size_t entry;  ///< no tree
     float chance;
   };
-  std::optional<Chosen> choose(const LightReceiver& at, float pick) const;
+  std::optional<Chosen> choose(const Kind& kind, const LightReceiver& at, float pick) const;
+  std::optional<LightSample> sample(const Kind& kind, float share, const LightReceiver& at, float pick, Vec2f u) const;
   std::optional<LightSample> sample_entry(std::size_t entry, Vec3f from, Vec2f u) const;
   float chance_within(const LightTree& tree, std::size_t of_tree, std::size_t first, std::size_t index,
                       const LightReceiver& at) const;
@@ -181,15 +210,16 @@ class LightTable {
   std::vector<std::size_t> rounds_;                    ///< lamps that have a size: indices into the sources' lights
   std::vector<int> round_of_;                          ///< per lamp, into rounds_; -1: a point; empty: all are
   std::vector<std::uint32_t> suns_;                    ///< those of rounds_ that are discs in the sky
-  LightTree point_tree_, round_tree_, triangle_tree_;  ///< by index of the group; empty: lights are few
-  /// Lamps as points (those that have a size with chance 0), as what they are, the sun, triangles, the rest of the sky. What is
-  /// in a tree has chance 0, and the tree their power.
-  DiscreteDistribution chances_;
+  LightTree point_tree_, round_tree_, triangle_tree_;  ///< of near lights, by index of the group
+  std::array<float, 3> tree_irradiances_{};            ///< of all lights in each, at distance 1
+  float far_irradiance_ = 0.0f;                        ///< of far lights, on a surface turned any way
+  /// Lamps as points (those that have a size with chance 0), as what they are, the sun, triangles, the rest of the sky. Where a
+  /// group is drawn by a tree, its lights have chance 0, and the tree has their power.
+  Kind near_, far_;
   /// By record: the box around a mesh that is closed and opaque, whose triangles' inner sides nobody sees from outside; an
   /// endless one around all others. Empty: no triangle shines.
   std::vector<Bounds3f> bodies_;
-  std::vector<float> record_shares_;  ///< by record: its share of all power; empty: no triangle shines
-  std::array<float, 6> begins_{};     ///< by group: the chance of all before it
+  std::vector<float> record_shares_;  ///< by record: its share of near lights' power; empty: no triangle shines
 };
 
 }  // namespace lippmann

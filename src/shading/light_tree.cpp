@@ -155,6 +155,14 @@ LIPPMANN_MULTIVERSION float ascend(const LightNodes& tree, const LightReceiver& 
   }
 }
 
+LIPPMANN_MULTIVERSION float weigh_all(const LightNodes& tree, const LightReceiver& at) {
+  Lanes w;
+  weigh(tree, 0, at, w);
+  Sums sums;
+  add_up(w, sums);
+  return sums.all();
+}
+
 /// Narrows [enter, leave] to where a line is within a slab of one axis. inverse: 1 / the direction's coordinate, finite.
 LIPPMANN_INLINE void cut_slab(float lower, float upper, float origin, float inverse, float& enter, float& leave) {
   const float a = (lower - origin) * inverse, b = (upper - origin) * inverse;
@@ -206,6 +214,10 @@ std::optional<LightTree::Choice> LightTree::choose(const LightReceiver& at, floa
 float LightTree::probability(std::uint32_t light, const LightReceiver& at) const {
   if (empty() || slots_[light] == kNowhere) return 0.0f;
   return ascend({nodes_.data(), or_null(cones_), or_null(beams_), or_null(faces_)}, at, slots_[light]);
+}
+
+float LightTree::importance(const LightReceiver& at) const {
+  return empty() ? 0.0f : weigh_all({nodes_.data(), or_null(cones_), or_null(beams_), or_null(faces_)}, at);
 }
 
 float LightTree::share_of_power(std::uint32_t light) const {

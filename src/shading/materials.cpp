@@ -1,6 +1,7 @@
 #include "shading/materials.hpp"
 
 #include "shading/surface_bsdf.hpp"
+#include "transport/light_range.hpp"
 
 namespace lippmann {
 namespace {
@@ -23,7 +24,7 @@ WhittedMaterial from(const PhongSurface& s, MaterialTable& table) {
   m.mirror = s.mirror;
   m.opacity = s.opacity;
   m.ior = s.ior;
-  m.emission = s.emission;
+  m.emission = in_light_range(s.emission);
   m.color_map.texture = s.texture;
   if (s.projection) {
     m.projection = static_cast<int>(table.projections.size());
@@ -46,7 +47,7 @@ WhittedMaterial from(const MetallicRoughness& s, Vec3f surroundings) {
   m.alpha_cutoff = s.blend ? 0.0f : s.alpha_cutoff;
   m.base_alpha = s.base_color.a;
   m.opacity = s.blend ? s.base_color.a : 1.0f;
-  m.emission = s.emissive;
+  m.emission = in_light_range(s.emissive);
   m.emission_map = s.emissive_map;
   if (s.unlit) {
     m.ambient = Vec3f(1.0f);
@@ -141,7 +142,7 @@ std::vector<WhittedLight> make_lights(const Scene& scene, const ResolvedScene& r
     WhittedLight w;
     w.position = world_from_light.translation;
     w.toward = -glm::normalize(transform_vector(world_from_light, {0, 0, -1}));
-    w.color = light.color;
+    w.color = in_light_range(light.color);
     w.at_place = directional ? 0.0f : 1.0f;
     w.falls_off = light.inverse_square && !directional ? 1.0f : 0.0f;
     w.range = directional ? kInfinity : light.range;

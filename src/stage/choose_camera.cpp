@@ -26,9 +26,9 @@ std::size_t find_camera(const std::vector<std::string>& names, const std::string
 }
 
 Error no_such_camera(const std::vector<std::string>& names, const std::string& wanted) {
-  if (names.empty()) return usage_error("camera", "the scene has no cameras", "no name or index of one");
+  if (names.empty()) return usage_error("camera", "the scene has no cameras", "no `camera`");
   const std::string hint = did_you_mean(wanted, std::vector<std::string_view>(names.begin(), names.end()));
-  return usage_error("camera", fmt::format("{} is not in the scene{}", shown(wanted), hint), list_cameras(names));
+  return usage_error("camera", fmt::format("no camera is called {}{}", shown(wanted), hint), list_cameras(names));
 }
 
 /// Rotations by multiples of 90 degrees, exactly.
@@ -74,7 +74,9 @@ std::vector<std::string> camera_names(const Scene& scene) {
 
 std::string list_cameras(const std::vector<std::string>& names) {
   std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) text += fmt::format("{}{} ({})", i == 0 ? "" : ", ", printable(names[i]), i);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += names[i].empty() ? fmt::format("{}{} (without a name)", i == 0 ? "" : ", ", i)
+                             : fmt::format("{}{} ({})", i == 0 ? "" : ", ", printable(names[i]), i);
   return text;
 }
 
@@ -100,6 +102,9 @@ void turn_upright(Scene& scene, UpAxis up) {
   root.local.rotation = upright(up);
   insert_root(scene, std::move(root));
   scene.background.up = glm::normalize(upright(up) * scene.background.up);
+  const Mat3f turn = glm::mat3_cast(upright(up));
+  const glm::dmat3 exact{glm::round(turn[0]), glm::round(turn[1]), glm::round(turn[2])};
+  scene.origin = exact * scene.origin;
 }
 
 }  // namespace lippmann

@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// What is seen at a depth that many times the budget.
+/// What a viewer sees at this many times the depth budget.
 std::string beyond(float times, const Optics& optics) {
   if (view_tiles(optics)) return fmt::format("neighbouring views are {:.1f} pixels apart and seen as steps", times);
   return fmt::format("a pixel is as wide as {:.1f} lenses", times);
@@ -19,10 +19,10 @@ const char* whose(const ShownDepth& shown) { return shown.of_subject ? "The subj
 
 std::string fitted_sentence(const ShownDepth& shown, float depth_scale) {
   return fmt::format(
-      "{} reaches from {:+.1f} mm to {:+.1f} mm, deeper than the depth budget of {:.1f} mm on either side: {:.3g} of its "
-      "depth is shown, from {:+.1f} mm to {:+.1f} mm.",
-      whose(shown), shown.back_mm / depth_scale, shown.front_mm / depth_scale, shown.budget_mm, depth_scale, shown.back_mm,
-      shown.front_mm);
+      "{} reaches from {:+.1f} mm to {:+.1f} mm, beyond the depth budget of {:.1f} mm on either side. Its depth is scaled to "
+      "{:.3g} %: {:+.1f} mm to {:+.1f} mm.",
+      whose(shown), shown.back_mm / depth_scale, shown.front_mm / depth_scale, shown.budget_mm,
+      100.0 * static_cast<double>(depth_scale), shown.back_mm, shown.front_mm);
 }
 
 }  // namespace

@@ -46,6 +46,29 @@ struct Setting {
   float aspect;
 };
 
+/// World units per unit of a node at frame 0; 1 for what rotations of a hierarchy round.
+float world_units(const Setting& setting, int node) {
+  constexpr float kRounding = 1e-5f;
+  const float scale = uniform_scale(similarity(setting.resolved.of(node)));
+  return std::abs(scale - 1.0f) <= kRounding ? 1.0f : scale;
+}
+
+/// The frame in which the array of a node is fitted: the node's place and rotation, in world units of frame 0.
+Affine3f world_from_frame(const Setting& setting, int node, const ResolvedScene& resolved) {
+  const Affine3f world_from_node = similarity(resolved.of(node));
+  return {world_from_node.linear / world_units(setting, node), world_from_node.translation};
+}
+
+Camera in_world_units(Camera camera, float units) {
+  camera.focus_distance *= units, camera.orthographic_height *= units;
+  return camera;
+}
+
+DisplayPlacement in_world_units(DisplayPlacement display, float units) {
+  display.plane_height *= units, display.viewing_distance *= units;
+  return display;
+}
+
 /// Frame 0 and, where anything moves, others: calls visit(resolved) for each.
 template <class Visit>
 void visit_frames(const Scene& scene, const Visit& visit) {
@@ -109,7 +132,7 @@ SeenParts seen_of(const Setting& setting, Part part, const ResolvedScene& resolv
 float width_of_subject(const Setting& setting, const Camera& camera, const CameraView& view) {
   float half = 0.0f;
   visit_frames(setting.scene, [&](const ResolvedScene& resolved) {
-    const Affine3f camera_from_world = inverse(similarity(resolved.of(camera.node)));
+    const Affine3f camera_from_world = inverse(world_from_frame(setting, camera.node, resolved));
     const SeenParts seen = seen_of(setting, Part::kSubject, resolved, camera_from_world, region_of(view));
     if (!view.is_orthographic)
       half = std::max(half, seen.tangent.x);
@@ -131,8 +154,18 @@ CameraView view_for(const Setting& setting, const Camera& camera) {
 }
 
 std::string left_out_sentence(const Setting& setting) {
-  if (!setting.subject.has_surroundings()) return {};
-  return fmt::format(" Left out as surroundings: {}.", list_surroundings(setting.scene, setting.subject));
+  std::string text;
+  if (setting.subject.has_surroundings())
+    text += fmt::format(" Left out as surroundings: {}.", list_surroundings(setting.scene, setting.subject));
+  if (setting.subject.main_part) text += fmt::format(" Left out as far away: {}.", list_strays(setting.scene, setting.subject));
+  return text;
+}
+
+std::string stray_sentence(const Setting& setting) {
+  if (!setting.subject.main_part) return {};
+  return fmt::format(
+      "The view leaves out what lies far away from everything else: {}; a view that is fitted to a node shows it",
+      list_strays(setting.scene, setting.subject));
 }
 
 std::string widened_sentence(const Camera& camera, const CameraView& view) {
@@ -177,7 +210,7 @@ FittedArray half_way_through(const Setting& setting, const Camera& camera) {
   array.origin = FittedArray::Origin::kSceneCenter;
   array.node = camera.node;
   const CameraView view = view_for(setting, camera);
-  const Affine3f camera_from_world = inverse(similarity(setting.resolved.of(camera.node)));
+  const Affine3f camera_from_world = inverse(world_from_frame(setting, camera.node, setting.resolved));
   const ConvexRegion region = region_of(view);
   Bounds3f seen = seen_of(setting, Part::kSubject, setting.resolved, camera_from_world, region).bounds;
   const bool sees_subject = !seen.empty();
@@ -230,11 +263,11 @@ SubjectBounds bounds_in_view(const Setting& setting, const Direction& direction,
   SubjectBounds all;
   visit_frames(setting.scene, [&](const ResolvedScene& resolved) {
     const Affine3f view_from_node{glm::transpose(direction.node_from_view), Vec3f(0.0f)};
-    const Affine3f view_from_world = view_from_node * inverse(similarity(resolved.of(direction.node)));
+    const Affine3f view_from_world = view_from_node * inverse(world_from_frame(setting, direction.node, resolved));
     for (std::size_t i = 0; i < setting.scene.instances.size(); ++i) {
       if (!setting.subject.contains(i)) continue;
       const auto bounds = [&](const Affine3f& frame) {
-        return finite_bounds(setting.scene, setting.scene.instances[i], resolved, frame * view_from_world);
+        return bounds_of_part(setting.scene, setting.subject, i, resolved, frame * view_from_world);
       };
       all.straight.add(bounds({}));
       const Vec3f across = bounds(width).upper, up = bounds(height).upper;
@@ -331,12 +364,14 @@ FittedArray without_camera(const Setting& setting, const Orbit& orbit) {
   Direction direction = direction_of(setting.scene);
   direction.node_from_view = turned(direction.node_from_view, orbit);
   FittedArray array = fitted_to_bounds(setting, direction);
+  const bool is_part = setting.subject.has_surroundings() || setting.subject.main_part;
   array.how = fmt::format(
-      "The scene has no camera: the array goes through {} middle and is viewed from {:.4g} units away, {}, so that {} is seen "
-      "whole.{}",
-      setting.subject.has_surroundings() ? "its subject's" : "its", array.viewing_distance,
-      orbit == Orbit{} ? "a little from above and from the right" : "from where the orbit says",
-      setting.subject.has_surroundings() ? "the subject" : "it", left_out_sentence(setting));
+      "The scene has no camera: the array goes through {} middle and is viewed from {:.4g} units away, {}, so that {} fits "
+      "into "
+      "the picture.{}",
+      is_part ? "its subject's" : "its", array.viewing_distance,
+      orbit == Orbit{} ? "a little from above and from the right" : "from where the orbit says", is_part ? "the subject" : "it",
+      left_out_sentence(setting));
   return array;
 }
 
@@ -357,21 +392,25 @@ FittedArray fitted_to(const Setting& setting, const std::string& name, const Orb
 
 /// Where --focus wants the plane: its z in the frame of the array as it is.
 float wanted_plane_z(const FittedArray& array, const Setting& setting, const std::string& focus) {
-  const Affine3f world_from_plane = similarity(setting.resolved.of(array.node)) * array.node_from_plane;
+  const Affine3f world_from_plane = world_from_frame(setting, array.node, setting.resolved) * array.node_from_plane;
   const Affine3f plane_from_world = inverse(world_from_plane);
   if (is_name_of_node(setting.scene, focus)) {
     Bounds3f bounds;
     const std::vector<bool> meant = instances_named(setting.scene, focus, "focus");
     for (std::size_t i = 0; i < meant.size(); ++i)
       if (meant[i]) bounds.add(finite_bounds(setting.scene, setting.scene.instances[i], setting.resolved, plane_from_world));
-    if (bounds.empty()) throw usage_error("focus", shown(focus) + " has no end and no middle", "a node that shows a shape");
+    if (bounds.empty())
+      throw usage_error("focus", shown(focus) + " is infinite and has no centre", "a node that shows a shape");
     return bounds.center().z;
   }
-  const std::vector<float> numbers = read_focus(setting.scene, focus);
-  if (numbers.size() == 3) return transform_point(plane_from_world, {numbers[0], numbers[1], numbers[2]}).z;
+  const std::vector<double> numbers = read_focus(setting.scene, focus);
+  if (numbers.size() == 3) {
+    const Vec3d in_file(numbers[0], numbers[1], numbers[2]);
+    return transform_point(plane_from_world, Vec3f(in_file - setting.scene.origin)).z;
+  }
   if (!std::isfinite(array.viewing_distance))
-    throw usage_error("focus", "a distance, and the scene's display is viewed from infinitely far away", "a node or X,Y,Z");
-  return array.viewing_distance - numbers[0] / uniform_scale(world_from_plane);
+    throw usage_error("focus", "cannot be a distance: the viewer is infinitely far away", "a node or X,Y,Z");
+  return array.viewing_distance - static_cast<float>(numbers[0]) / uniform_scale(world_from_plane);
 }
 
 /// Whether the view is a beam, as that of an orthographic camera, whose height is the same at every distance.
@@ -386,7 +425,7 @@ void focus_at(FittedArray& array, const Setting& setting, const std::string& foc
   if (focus.empty()) return;
   const float z = wanted_plane_z(array, setting, focus), distance = array.viewing_distance - z;
   if (!(distance > 1e-6f * array.viewing_distance) && std::isfinite(array.viewing_distance))
-    throw usage_error("focus", shown(focus) + " does not lie in front of the viewer", "something that the view shows");
+    throw usage_error("focus", shown(focus) + " does not lie in front of the viewer", "a visible node or point");
   if (std::isfinite(array.viewing_distance) && !shows_a_beam(array, setting.scene))
     array.plane_height *= distance / array.viewing_distance;
   array.node_from_plane.translation += z * array.node_from_plane.linear[2];
@@ -444,16 +483,16 @@ void measure_depth(FittedArray& array, const Setting& setting, const Affine3f& p
 Bounds3f bounds_over_animation(const FittedArray& array, const Setting& setting) {
   Bounds3f bounds;
   visit_frames(setting.scene, [&](const ResolvedScene& resolved) {
-    const Affine3f plane_from_world = inverse(similarity(resolved.of(array.node)) * array.node_from_plane);
+    const Affine3f plane_from_world = inverse(world_from_frame(setting, array.node, resolved) * array.node_from_plane);
     for (std::size_t i = 0; i < setting.scene.instances.size(); ++i)
       if (setting.subject.contains(i))
-        bounds.add(finite_bounds(setting.scene, setting.scene.instances[i], resolved, plane_from_world));
+        bounds.add(bounds_of_part(setting.scene, setting.subject, i, resolved, plane_from_world));
   });
   return bounds;
 }
 
 void measure_depth(FittedArray& array, const Setting& setting) {
-  const Affine3f plane_from_world = inverse(similarity(setting.resolved.of(array.node)) * array.node_from_plane);
+  const Affine3f plane_from_world = inverse(world_from_frame(setting, array.node, setting.resolved) * array.node_from_plane);
   const bool is_fitted = array.origin == FittedArray::Origin::kBounds;
   if (array.origin == FittedArray::Origin::kPlaced)
     measure_all_depth(array, setting, plane_from_world);
@@ -462,14 +501,14 @@ void measure_depth(FittedArray& array, const Setting& setting) {
 }
 
 /// Refuses arrays in whose space floats no longer tell the corners of small things apart, or overflow.
-void check_extent(const FittedArray& array, const ResolvedScene& resolved) {
+void check_extent(const FittedArray& array, const Setting& setting) {
   constexpr float kSmallest = 1e-9f, kLargest = 1e15f;
-  const Affine3f world_from_node = resolved.of(array.node);
-  const float height = array.plane_height * uniform_scale(world_from_node);
+  const float height = array.plane_height;
   if (!(height >= kSmallest && height <= kLargest))
     throw Error("scene", fmt::format("the lens array fitted to it would be {:.4g} units high", std::abs(height)),
                 fmt::format("scenes of {:g} to {:g} units", kSmallest, kLargest));
-  const float away = glm::length(transform_point(world_from_node, array.node_from_plane.translation));
+  const Affine3f world_from_array = world_from_frame(setting, array.node, setting.resolved);
+  const float away = glm::length(transform_point(world_from_array, array.node_from_plane.translation));
   if (!(away <= kLargest))
     throw Error("scene", fmt::format("the lens array would be {:.4g} units away from the origin", std::abs(away)),
                 fmt::format("at most {:g}", kLargest));
@@ -478,9 +517,9 @@ void check_extent(const FittedArray& array, const ResolvedScene& resolved) {
 FittedArray place(const Setting& setting, const ViewWish& wish) {
   const Scene& scene = setting.scene;
   if (!wish.fit_to.empty()) return fitted_to(setting, wish.fit_to, wish.orbit);
-  if (scene.display) return as_placed(*scene.display);
+  if (scene.display) return as_placed(in_world_units(*scene.display, world_units(setting, scene.display->node)));
   if (scene.cameras.empty()) return without_camera(setting, wish.orbit);
-  const Camera& camera = scene.cameras.front();
+  const Camera camera = in_world_units(scene.cameras.front(), world_units(setting, scene.cameras.front().node));
   return camera.focus_distance > 0.0f ? at_focus(setting, camera) : half_way_through(setting, camera);
 }
 
@@ -510,18 +549,26 @@ FittedArray fit_array(const Scene& scene, float aspect, const ViewWish& wish) {
   const Subject subject = wanted_subject(scene, wish);
   const Setting setting{scene, resolved, subject, aspect};
   FittedArray array = place(setting, wish);
-  check_extent(array, resolved);
+  check_extent(array, setting);
   const bool is_turned = array.origin == FittedArray::Origin::kBounds;
   focus_at(array, setting, wish.focus);
   if (!is_turned) turn(array, setting, wish.orbit);
   zoom_in(array, wish.zoom);
   array.leaves_out_surroundings = subject.has_surroundings();
-  check_extent(array, resolved);
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) array.is_subject.push_back(subject.contains(i));
+  if (array.origin == FittedArray::Origin::kBounds) array.warning = stray_sentence(setting);
+  check_extent(array, setting);
   measure_depth(array, setting);
+  const float units = world_units(setting, array.node);
+  array.node_from_plane.linear /= units, array.node_from_plane.translation /= units;
   return array;
 }
 
 Affine3f world_from_display(const FittedArray& array, float units_per_mm, const ResolvedScene& resolved) {
+  const int nodes = static_cast<int>(resolved.world_from_node.size());
+  if (array.node < -1 || array.node >= nodes)
+    throw Error("array", fmt::format("moves with node {}, of {} in the scene", array.node, nodes),
+                "fit_array() of the same scene");
   const Affine3f plane = similarity(resolved.of(array.node)) * array.node_from_plane;
   return {plane.linear * units_per_mm, plane.translation};
 }

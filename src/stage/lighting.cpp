@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lippmann/scene/load.hpp"
 #include "lippmann/stage/fit_array.hpp"
 #include "scene/default_light.hpp"
 #include "scene/studio_light.hpp"
@@ -74,12 +75,13 @@ std::string light_for_paths(Scene& scene, const Surrounding& how) {
            "light.";
   if (!has_lamps) return "The built-in studio lights the scene, because the file has no lamps and no surroundings.";
   return fmt::format(
-      "The file's lamps light the scene; the built-in studio surrounds it at {:.0f} % of its brightness, because the file has "
+      "The file's {} light the scene; the built-in studio surrounds it at {:.0f} % of its brightness, because the file has "
       "no surroundings.",
-      100.0 * static_cast<double>(kDimStudio));
+      scene.lights.empty() ? "emissive surfaces" : "lamps", 100.0 * static_cast<double>(kDimStudio));
 }
 
 std::string add_missing_light(Scene& scene, Integrator integrator) {
+  validate(scene, "scene");
   return integrator == Integrator::kWhitted ? light_for_whitted(scene) : light_for_paths(scene, Surrounding{});
 }
 

@@ -3,7 +3,9 @@
 #include <optional>
 
 #include "lippmann/core/error.hpp"
+#include "lippmann/scene/load.hpp"
 #include "stage/depth_budget.hpp"
+#include "stage/front_of_rays.hpp"
 
 namespace lippmann {
 namespace {
@@ -17,10 +19,13 @@ Optics optics_of(const Display& display, DisplayPicture picture) {
 
 }  // namespace
 
-PlacedOptics placed_on(const FittedArray& array, Optics optics, bool fit_depth) {
+PlacedOptics placed_on(const Scene& scene, const FittedArray& array, Optics optics, bool fit_depth) {
   PlacedOptics placed;
-  placed.units_per_mm = scene_units_per_mm(array, window_size_mm(optics).y);
-  optics.z_front_mm = array.viewing_distance / placed.units_per_mm;
+  const Vec2f window = window_size_mm(optics);
+  placed.units_per_mm = scene_units_per_mm(array, window.y);
+  optics.z_front_mm = kInfinity;
+  const float eye = resolved_z_front_mm(optics) * placed.units_per_mm;
+  optics.z_front_mm = front_of_rays(scene, array, window.x / window.y, eye) / placed.units_per_mm;
   if (fit_depth) {
     placed.depth_scale = fitting_depth(shown_depth(array, placed.units_per_mm, 1.0f, optics));
     optics = with_parallax(optics, placed.depth_scale);
@@ -31,11 +36,12 @@ PlacedOptics placed_on(const FittedArray& array, Optics optics, bool fit_depth) 
 }
 
 Placement place(const Scene& scene, const Optics& optics, const PlacementWish& wish) {
+  validate(scene, "scene");
   validate(optics);
   const Vec2f window = window_size_mm(optics);
   Placement placement;
   placement.array = fit_array(scene, window.x / window.y, wish.view);
-  placement.placed = placed_on(placement.array, optics, wish.fit_depth);
+  placement.placed = placed_on(scene, placement.array, optics, wish.fit_depth);
   return placement;
 }
 

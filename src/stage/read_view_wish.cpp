@@ -40,7 +40,7 @@ Error no_such_name(const Scene& scene, const std::string& name, const char* flag
   std::string accepted = list_names(names);
   if (!also_accepted.empty()) accepted += (accepted.empty() ? "" : "; ") + also_accepted;
   return usage_error(flag, fmt::format("{} is not in the scene{}", shown(name), did_you_mean(name, names)),
-                     accepted.empty() ? "nothing: the scene has no names" : accepted);
+                     accepted.empty() ? "no name: the nodes of this scene have none" : accepted);
 }
 
 /// Which nodes have that name or stand below one that has.
@@ -86,7 +86,7 @@ std::vector<bool> instances_named(const Scene& scene, const std::string& name, c
     named.push_back(is_meant);
   }
   if (std::find(named.begin(), named.end(), true) == named.end())
-    throw usage_error(flag, fmt::format("nothing is shown at {} or below it", shown(name)), "a node that shows a shape");
+    throw usage_error(flag, fmt::format("{} and its children have no shapes", shown(name)), "a node that shows a shape");
   return named;
 }
 
@@ -104,17 +104,16 @@ std::string write_orbit(const Orbit& orbit) {
   return fmt::format("{},{}", orbit.yaw_deg, orbit.pitch_deg);
 }
 
-std::vector<float> read_focus(const Scene& scene, const std::string& text) {
+std::vector<double> read_focus(const Scene& scene, const std::string& text) {
   constexpr double kFarthest = 1e15;
   const std::vector<std::string_view> parts = split_at_commas(text);
-  std::vector<float> numbers;
+  std::vector<double> numbers;
   try {
-    for (const std::string_view part : parts)
-      numbers.push_back(static_cast<float>(read_number(part, -kFarthest, kFarthest, "focus")));
+    for (const std::string_view part : parts) numbers.push_back(read_number(part, -kFarthest, kFarthest, "focus"));
   } catch (const Error&) {
     throw no_such_name(scene, text, "focus", "a point X,Y,Z, or a distance above 0");
   }
-  const bool is_distance = numbers.size() == 1 && numbers[0] > 0.0f;
+  const bool is_distance = numbers.size() == 1 && numbers[0] > 0.0;
   if (!is_distance && numbers.size() != 3)
     throw usage_error("focus", shown(text), "a node's name, a point X,Y,Z, or a distance above 0");
   return numbers;

@@ -23,6 +23,6 @@ std::string write_orbit(const Orbit& orbit);
 
 /// The numbers between commas: one or three. Throws a usage Error at --focus where `text` is neither; the scene's names are
 /// what the Error then suggests.
-std::vector<float> read_focus(const Scene& scene, const std::string& text);
+std::vector<double> read_focus(const Scene& scene, const std::string& text);
 
 }  // namespace lippmann

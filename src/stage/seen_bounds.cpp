@@ -15,10 +15,10 @@ namespace {
 
 using Polygon = std::vector<Vec3f>;
 
-/// Cuts polygons and gathers what is left of them. The buffers are kept between polygons.
+/// Cuts polygons and visits what is left of them. The buffers are kept between polygons.
 class Clipper {
  public:
-  explicit Clipper(const ConvexRegion& region) : region_(region) {}
+  Clipper(const ConvexRegion& region, const PolygonVisitor& visit) : region_(region), visit_(visit) {}
 
   void add_triangle(Vec3f a, Vec3f b, Vec3f c) {
     polygon_.assign({a, b, c});
@@ -30,18 +30,13 @@ class Clipper {
     clip();
   }
 
-  const SeenParts& parts() const { return parts_; }
-
  private:
   void clip() {
     for (const HalfSpace& side : region_) {
       cut(side);
       if (polygon_.empty()) return;
     }
-    for (const Vec3f& p : polygon_) {
-      parts_.bounds.add(p);
-      if (p.z < 0.0f) parts_.tangent = glm::max(parts_.tangent, glm::abs(Vec2f(p)) / -p.z);
-    }
+    visit_(polygon_);
   }
 
   void cut(const HalfSpace& side) {
@@ -56,8 +51,8 @@ class Clipper {
   }
 
   const ConvexRegion& region_;
+  const PolygonVisitor& visit_;
   Polygon polygon_, kept_;
-  SeenParts parts_;
 };
 
 void add_mesh(Clipper& clipper, const Mesh& mesh, const std::vector<Vec3f>& positions) {
@@ -74,20 +69,6 @@ void add_box(Clipper& clipper, const Bounds3f& box) {
   constexpr std::array<std::array<std::size_t, 4>, 6> kFaces{
       {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}};
   for (const auto& [a, b, c, d] : kFaces) clipper.add_quad(corner[a], corner[b], corner[c], corner[d]);
-}
-
-/// Each primitive by itself: a few hundred balls are seen where they are, not where their common box is.
-template <class Primitive>
-void add_primitives(Clipper& clipper, const Instance& instance, const ResolvedScene& resolved, const Affine3f& frame_from_world,
-                    const std::vector<Primitive>& primitives) {
-  Scene one;
-  one.shapes.resize(1);
-  Instance alone = instance;
-  alone.shape = 0;
-  for (const Primitive& primitive : primitives) {
-    one.shapes[0] = std::vector<Primitive>{primitive};
-    add_box(clipper, finite_bounds(one, alone, resolved, frame_from_world));
-  }
 }
 
 std::vector<Vec3f> positions_of(const Scene& scene, const Instance& instance, const ResolvedScene& resolved,
@@ -136,9 +117,27 @@ ConvexRegion box_region(const Bounds3f& box) {
   return region;
 }
 
-SeenParts seen_parts(const Scene& scene, const Instance& instance, const ResolvedScene& resolved,
-                     const Affine3f& frame_from_world, const ConvexRegion& region) {
-  Clipper clipper(region);
+void visit_boxes(const Scene& scene, const Instance& instance, const ResolvedScene& resolved, const Affine3f& frame_from_world,
+                 const std::function<void(const Bounds3f&)>& visit) {
+  Instance alone = instance;
+  alone.shape = 0;
+  std::visit(
+      [&](const auto& shape) {
+        if constexpr (requires { shape.front(); }) {
+          Scene one;
+          one.shapes.resize(1);
+          for (const auto& primitive : shape) {
+            one.shapes[0] = std::decay_t<decltype(shape)>{primitive};
+            visit(finite_bounds(one, alone, resolved, frame_from_world));
+          }
+        }
+      },
+      scene.shapes[static_cast<std::size_t>(instance.shape)]);
+}
+
+void visit_seen(const Scene& scene, const Instance& instance, const ResolvedScene& resolved, const Affine3f& frame_from_world,
+                const ConvexRegion& region, const PolygonVisitor& visit) {
+  Clipper clipper(region, visit);
   std::visit(
       [&](const auto& shape) {
         if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, Mesh>)
@@ -146,10 +145,21 @@ SeenParts seen_parts(const Scene& scene, const Instance& instance, const Resolve
         else if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, Splats>)
           add_box(clipper, finite_bounds(scene, instance, resolved, frame_from_world));
         else
-          add_primitives(clipper, instance, resolved, frame_from_world, shape);
+          visit_boxes(scene, instance, resolved, frame_from_world, [&](const Bounds3f& box) { add_box(clipper, box); });
       },
       scene.shapes[static_cast<std::size_t>(instance.shape)]);
-  return clipper.parts();
+}
+
+SeenParts seen_parts(const Scene& scene, const Instance& instance, const ResolvedScene& resolved,
+                     const Affine3f& frame_from_world, const ConvexRegion& region) {
+  SeenParts parts;
+  visit_seen(scene, instance, resolved, frame_from_world, region, [&](std::span<const Vec3f> polygon) {
+    for (const Vec3f& p : polygon) {
+      parts.bounds.add(p);
+      if (p.z < 0.0f) parts.tangent = glm::max(parts.tangent, glm::abs(Vec2f(p)) / -p.z);
+    }
+  });
+  return parts;
 }
 
 }  // namespace lippmann

@@ -4,6 +4,8 @@
 // planes are left out.
 #pragma once
 
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "lippmann/core/math.hpp"
@@ -29,6 +31,17 @@ ConvexRegion beam_region(Vec2f half);
 
 /// Everything inside a box.
 ConvexRegion box_region(const Bounds3f& box);
+
+/// Calls visit(box) for the box around each primitive of a shape that is a list of them: a few hundred balls are seen where
+/// they are, not where their common box is. A box is empty where a primitive is infinite.
+void visit_boxes(const Scene& scene, const Instance& instance, const ResolvedScene& resolved, const Affine3f& frame_from_world,
+                 const std::function<void(const Bounds3f&)>& visit);
+
+/// Calls visit(polygon) for each polygon that lies inside the region, cut by it, of one instance. Corners are in the frame that
+/// the region is given in, and valid during the call.
+using PolygonVisitor = std::function<void(std::span<const Vec3f> polygon)>;
+void visit_seen(const Scene& scene, const Instance& instance, const ResolvedScene& resolved, const Affine3f& frame_from_world,
+                const ConvexRegion& region, const PolygonVisitor& visit);
 
 /// `bounds` holds the parts; `tangent` the largest |x| / depth and |y| / depth as seen from the origin along -z.
 struct SeenParts {

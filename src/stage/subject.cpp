@@ -6,11 +6,13 @@
 #include <array>
 #include <cstddef>
 #include <set>
+#include <type_traits>
 #include <variant>
 
 #include "core/printable.hpp"
 #include "lippmann/scene/timeline.hpp"
 #include "scene/deform.hpp"
+#include "stage/main_part.hpp"
 #include "stage/seen_bounds.hpp"
 
 namespace lippmann {
@@ -35,30 +37,30 @@ constexpr std::array<Face, 4> kWallFaces{{{0, false}, {0, true}, {2, false}, {2,
 /// Takes surroundings away from a scene's instances, round by round: a room may stand on a lawn below a sky.
 class Peeling {
  public:
-  explicit Peeling(const Scene& scene) : scene_(scene) {
+  explicit Peeling(const Scene& scene) : scene_(scene), subject_(whole_scene(scene)) {
     measure();
-    roles_ = whole_scene(scene).roles;
+    leave_out_strays();
     for (std::size_t i = 0; i < bounds_.size(); ++i)
-      if (roles_[i] == InstanceRole::kSubject && !bounds_[i].empty()) left_.push_back(i);
+      if (subject_.contains(i) && !bounds_[i].empty()) left_.push_back(i);
   }
 
-  std::vector<InstanceRole> run() {
+  Subject run() {
     while (left_.size() > 1 && (peel_sheets() || peel_shell())) {
     }
-    return roles_;
+    return subject_;
   }
 
  private:
   /// Bounds of each instance over the animation.
   void measure() {
     bounds_.resize(scene_.instances.size());
-    const std::vector<bool> moves = moving_instances(scene_);
-    const bool any_moves = std::find(moves.begin(), moves.end(), true) != moves.end();
+    moves_ = moving_instances(scene_);
+    const bool any_moves = std::find(moves_.begin(), moves_.end(), true) != moves_.end();
     for (const int frame : sampled_frames(scene_.timeline)) {
       if (frame > 0 && !any_moves) break;
       const ResolvedScene resolved = evaluate(scene_, scene_.timeline.time(frame));
       for (std::size_t i = 0; i < bounds_.size(); ++i)
-        if (frame == 0 || moves[i]) bounds_[i].add(finite_bounds(scene_, scene_.instances[i], resolved));
+        if (frame == 0 || moves_[i]) bounds_[i].add(finite_bounds(scene_, scene_.instances[i], resolved));
     }
   }
 
@@ -79,8 +81,68 @@ class Peeling {
 
   void remove(const Indices& instances, InstanceRole role) {
     for (const std::size_t i : instances)
-      if (roles_[i] == InstanceRole::kSubject) roles_[i] = role;
+      if (subject_.contains(i)) subject_.roles[i] = role;
     left_ = without(instances);
+  }
+
+  // ---- Strays -------------------------------------------------------------------------------------------------------
+
+  /// Meshes that do not move fall into triangles, and lists of other shapes into these.
+  std::vector<ScenePiece> pieces() const {
+    std::vector<ScenePiece> pieces;
+    const ResolvedScene resolved = evaluate(scene_, scene_.timeline.time(0));
+    for (std::size_t i = 0; i < bounds_.size(); ++i) {
+      if (!subject_.contains(i) || bounds_[i].empty()) continue;
+      const Instance& instance = scene_.instances[i];
+      if (moves_[i] || is_posed(scene_, instance)) {
+        add_box(bounds_[i], pieces);
+        continue;
+      }
+      std::visit(
+          [&](const auto& shape) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, Mesh>)
+              add_triangles(shape, resolved.of(instance.node), pieces);
+            else if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, Splats>)
+              add_box(bounds_[i], pieces);
+            else
+              visit_boxes(scene_, instance, resolved, {}, [&](const Bounds3f& box) { add_box(box, pieces); });
+          },
+          scene_.shapes[static_cast<std::size_t>(instance.shape)]);
+    }
+    return pieces;
+  }
+
+  static void add_box(const Bounds3f& box, std::vector<ScenePiece>& pieces) {
+    if (box.empty()) return;
+    const Vec3f size = box.size();
+    pieces.push_back({box, 2.0f * (size.x * size.y + size.y * size.z + size.z * size.x)});
+  }
+
+  static void add_triangles(const Mesh& mesh, const Affine3f& world_from_mesh, std::vector<ScenePiece>& pieces) {
+    std::vector<Vec3f> at;
+    for (const Vec3f& p : mesh.positions) at.push_back(transform_point(world_from_mesh, p));
+    for (const auto& [a, b, c] : mesh.triangles) {
+      ScenePiece& piece = pieces.emplace_back();
+      for (const auto corner : {a, b, c}) piece.bounds.add(at[corner]);
+      piece.area = 0.5f * glm::length(glm::cross(at[b] - at[a], at[c] - at[a]));
+    }
+  }
+
+  void leave_out_strays() {
+    subject_.main_part = find_main_part(pieces());
+    if (!subject_.main_part) return;
+    const Bounds3f& part = *subject_.main_part;
+    subject_.is_cut.assign(bounds_.size(), false);
+    const ResolvedScene resolved = evaluate(scene_, scene_.timeline.time(0));
+    for (std::size_t i = 0; i < bounds_.size(); ++i) {
+      if (!subject_.contains(i) || bounds_[i].empty()) continue;
+      const Bounds3f whole = bounds_[i];
+      if (glm::all(glm::lessThanEqual(part.lower, whole.lower)) && glm::all(glm::lessThanEqual(whole.upper, part.upper)))
+        continue;
+      subject_.is_cut[i] = true;
+      bounds_[i] = bounds_of_part(scene_, subject_, i, resolved);
+      if (bounds_[i].empty()) subject_.roles[i] = InstanceRole::kStray;
+    }
   }
 
   // ---- Sheets -------------------------------------------------------------------------------------------------------
@@ -175,7 +237,8 @@ class Peeling {
 
   const Scene& scene_;
   std::vector<Bounds3f> bounds_;
-  std::vector<InstanceRole> roles_;
+  std::vector<bool> moves_;
+  Subject subject_;
   Indices left_;
   bool has_ground_ = false;
 };
@@ -201,15 +264,30 @@ std::vector<int> sampled_frames(const Timeline& timeline) {
   return frames;
 }
 
-Subject find_subject(const Scene& scene) { return {Peeling(scene).run()}; }
+Bounds3f bounds_of_part(const Scene& scene, const Subject& subject, std::size_t instance, const ResolvedScene& resolved,
+                        const Affine3f& frame_from_world) {
+  const Instance& of = scene.instances[instance];
+  if (subject.is_cut.empty() || !subject.is_cut[instance]) return finite_bounds(scene, of, resolved, frame_from_world);
+  Bounds3f bounds;
+  visit_seen(scene, of, resolved, {}, box_region(*subject.main_part), [&](std::span<const Vec3f> polygon) {
+    for (const Vec3f& p : polygon) bounds.add(transform_point(frame_from_world, p));
+  });
+  return bounds;
+}
 
-std::string list_surroundings(const Scene& scene, const Subject& subject) {
+Subject find_subject(const Scene& scene) { return Peeling(scene).run(); }
+
+namespace {
+
+/// The names of those for which is_listed(instance), without repetition.
+template <class IsListed>
+std::string list_instances(const Scene& scene, const IsListed& is_listed) {
   constexpr std::size_t kListed = 3;
   std::set<std::string> known;
   std::vector<std::string> names;
   std::size_t unnamed = 0;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-    if (!is_surrounding(subject.roles[i])) continue;
+    if (!is_listed(i)) continue;
     const std::string& name = scene.instances[i].name;
     if (name.empty())
       ++unnamed;
@@ -224,6 +302,18 @@ std::string list_surroundings(const Scene& scene, const Subject& subject) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
   return text;
+}
+
+}  // namespace
+
+std::string list_surroundings(const Scene& scene, const Subject& subject) {
+  return list_instances(scene, [&](std::size_t i) { return is_surrounding(subject.roles[i]); });
+}
+
+std::string list_strays(const Scene& scene, const Subject& subject) {
+  return list_instances(scene, [&](std::size_t i) {
+    return subject.roles[i] == InstanceRole::kStray || (!subject.is_cut.empty() && subject.is_cut[i]);
+  });
 }
 
 }  // namespace lippmann

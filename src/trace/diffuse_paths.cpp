@@ -12,7 +12,7 @@ void PathIntegrator::gather_diffuse(const DiffuseVertex& at, const PathRay& ray,
   std::optional<PathRay> path = bounce(at, ray, from, way);
   if (!path) return;
   // What the path meets compares its density with that of sample(), whose light is a point-like one at times.
-  const float chance = lights().chance({from, LightGroup::kEnd});
+  const float chance = lights().chance({from, LightGroup::kEnd}, {at.point.position, at.bsdfs.normal(at.lane)});
   if (chance > 0.0f) path->density *= chance;
   next_.push_back(*path);
 }

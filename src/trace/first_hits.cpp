@@ -18,24 +18,25 @@ Vec3f unit_direction(const RayHitPacket& packet, int i) {
 }
 
 /// What alpha does not cover, whatever glass of the same material lets through.
-bool is_hole(const ShadedScene& scene, const SurfacePacket& surface, int i) {
+bool is_hole(const ShadedScene& scene, const SurfacePacket& surface, int i, float least_opacity) {
   const Material& material = scene.scene->materials[scene.material_of_instance[surface.instance[i]]];
   const auto* m = std::get_if<MetallicRoughness>(&material.surface);
   if (!m || !(m->blend || m->alpha_cutoff > 0.0f)) return false;
   const float solid = scene.path ? 1.0f : 1.0f - m->transmission;
-  return surface.opacity[i] < 0.5f * solid;
+  return surface.opacity[i] < least_opacity * solid;
 }
 
 /// The integrator that stores what first hits are.
 class FirstHits {
  public:
-  FirstHits(const Shot& shot, const FrameStep* step, FrameAovs& aovs)
+  FirstHits(const Shot& shot, const FrameStep* step, FrameAovs& aovs, float least_opacity)
       : scene_(shot.device.shaded()),
         beam_(shot.optics, shot.world_from_display),
         display_from_world_(inverse(shot.world_from_display)),
         mm_per_unit_(1.0f / uniform_scale(shot.world_from_display)),
         views_(shot.optics),
-        aovs_(aovs) {
+        aovs_(aovs),
+        least_opacity_(least_opacity) {
     if (step && aovs.wants(Aov::kMotion)) former_.emplace(scene_, shot.world_from_display, *step);
   }
 
@@ -95,7 +96,7 @@ class FirstHits {
     bool any_hole = false;
     for (int i = 0; i < kLanes; ++i) {
       const bool hit = active.lane[i] && surface.hit.lane[i];
-      const bool hole = hit && !last && is_hole(scene_, surface, i);
+      const bool hole = hit && !last && is_hole(scene_, surface, i, least_opacity_);
       active.lane[i] = hole ? -1 : 0;
       any_hole |= hole;
       if (hit && !hole) store(packet, surface, i, pixel[i]);
@@ -108,7 +109,8 @@ class FirstHits {
     set(Aov::kDepth, pixel, transform_point(display_from_world_, position).z);
     set(Aov::kNormal, pixel, surface.normal.get(i));
     set(Aov::kId, pixel, static_cast<float>(surface.instance[i]));
-    set(Aov::kPosition, pixel, position);
+    const Vec3d& origin = scene_.scene->origin;
+    set(Aov::kPosition, pixel, origin == Vec3d(0.0) ? position : Vec3f(Vec3d(position) + origin));
     set(Aov::kRayDepth, pixel, packet.ray.tfar[i] * mm_per_unit_);
     set(Aov::kAlbedo, pixel, surface.color.get(i));
     if (former_) set_motion(packet, surface, i, pixel);
@@ -141,16 +143,18 @@ class FirstHits {
   ViewPlaces views_;
   std::optional<FormerPlaces> former_;
   FrameAovs& aovs_;
+  float least_opacity_;
 };
 
 }  // namespace
 
-void find_first_hits(const Shot& shot, RayOrder order, const FrameStep* step, const ThreadPool& pool, FrameAovs& aovs) {
+void find_first_hits(const Shot& shot, RayOrder order, const FrameStep* step, const ThreadPool& pool, FrameAovs& aovs,
+                     float least_opacity) {
   if (!aovs.wants_any(AovOrigin::kFirstHit)) return;
   for (std::size_t a = 0; a < kAovs; ++a)
     if (const auto aov = static_cast<Aov>(a); aovs.wants(aov) && info_of(aov).origin == AovOrigin::kFirstHit)
       aovs.allocate(aov, film_size(shot));
-  const FirstHits hits(shot, step, aovs);
+  const FirstHits hits(shot, step, aovs, least_opacity);
   trace_centres(shot, order, pool, hits);
 }
 

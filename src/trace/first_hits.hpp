@@ -19,7 +19,8 @@ struct FrameStep {
 };
 
 /// Fills the layers of `aovs` that are wanted and of first hits: one ray through the centre of every pixel. Without `step`
-/// nothing has moved. The same bits for any number of threads.
-void find_first_hits(const Shot& shot, RayOrder order, const FrameStep* step, const ThreadPool& pool, FrameAovs& aovs);
+/// nothing has moved. Surfaces whose alpha is below least_opacity are holes. The same bits for any number of threads.
+void find_first_hits(const Shot& shot, RayOrder order, const FrameStep* step, const ThreadPool& pool, FrameAovs& aovs,
+                     float least_opacity = 0.5f);
 
 }  // namespace lippmann

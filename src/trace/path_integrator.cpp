@@ -55,9 +55,10 @@ void PathIntegrator::go_on(int i, const PathRay& ray, const BsdfSample& sample) 
 
 std::optional<LightSample> PathIntegrator::light_for(int i, const PathRay& ray) {
   const float pick = numbers(ray, i, kChoicePair).x;
-  if (lights().asks_sky_often() && lights().picks_sky(pick))
-    return LightTable::sky_sample(sky_draws(), i, lights().chance(kSkyLight));
-  return lights().sample(vertices_.receiver(i), pick, numbers(ray, i, kOnLightPair));
+  const LightReceiver at = vertices_.receiver(i);
+  if (lights().asks_sky_often() && lights().picks_sky(at, pick))
+    return LightTable::sky_sample(sky_draws(), i, lights().chance(kSkyLight, at));
+  return lights().sample(at, pick, numbers(ray, i, kOnLightPair));
 }
 
 void PathIntegrator::shine(int i, const LightSample& light, const BsdfValue& value, const PathRay& ray) {

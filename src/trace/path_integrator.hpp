@@ -55,8 +55,8 @@ class PathIntegrator : public PathTracer<PathIntegrator> {
   LaneMask begin_packet(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays);
   void scatter(const RayHitPacket& packet, const PathRay* rays);
   void end_packet(const RayHitPacket&, const PathRay*) {}
-  float chance(LightGroups) const { return 1.0f; }
-  float chance_of_round(std::size_t) const { return 1.0f; }
+  float chance(LightGroups, const LightReceiver&) const { return 1.0f; }
+  float chance_of_round(std::size_t, const LightReceiver&) const { return 1.0f; }
   void end_path(const PathRay& ray, Vec3f radiance) { add(ray.pixel, clamped(radiance, ray.surfaces()), ray.surfaces()); }
   void trace_shadow_rays();
 

@@ -59,8 +59,8 @@ inline PathParams path_params(const TraceParams& trace) {
 ///                                       here, once draw_numbers() has been called
 ///   void scatter(packet, rays)          paths that have met surfaces which scatter: those of vertices_
 ///   void end_path(ray, radiance)        light that the ray has met
-///   float chance(groups)                with which a vertex asks for lights of these groups rather than for others
-///   float chance_of_round(k)            of the lamps that have a size, with which it asks for one drawn by the table's
+///   float chance(groups, at)            with which a vertex asks for lights of these groups rather than for others
+///   float chance_of_round(k, at)        of the lamps that have a size, with which it asks for one drawn by the table's
 ///                                       chances; the table's own for this one where it asks for each of them
 ///   void trace_shadow_rays()            all that wait
 /// All arguments of the constructor outlive the tracer.
@@ -291,7 +291,7 @@ class PathTracer {
     if (!light || !(light->distance > passed) || !(light->distance <= passed + reach)) return;
     float share = 1.0f;
     if (ray.density != kInfinity)
-      share = power_heuristic(ray.density * policy().chance_of_round(k), light->density * lights().chance_of_round(k, at));
+      share = power_heuristic(ray.density * policy().chance_of_round(k, at), light->density * lights().chance_of_round(k, at));
     policy().end_path(ray, ray.throughput * light->radiance * share);
   }
 
@@ -313,9 +313,10 @@ class PathTracer {
     if (ray.lights_from > static_cast<std::uint16_t>(LightGroup::kSky)) return;
     float share = 1.0f;
     if (ray.density != kInfinity) {
-      const LightTable::Sky sky = lights().sky(sky_, i);
+      const LightReceiver at = last_receiver(ray);
+      const LightTable::Sky sky = lights().sky(sky_, i, at);
       if (ray.lights_from > static_cast<std::uint16_t>(sky.group.begin)) return;
-      share = power_heuristic(ray.density * policy().chance(sky.group), sky.density);
+      share = power_heuristic(ray.density * policy().chance(sky.group, at), sky.density);
     }
     policy().end_path(ray, ray.throughput * Vec3f(sky_.red[i], sky_.green[i], sky_.blue[i]) * share);
   }
@@ -370,10 +371,10 @@ class PathTracer {
     float share = 1.0f;
     if (ray.density != kInfinity && surface_.record[i] < kPlaneId) {
       const float distance = ray.path_length + packet.ray.tfar[i] - ray.scattered_at;
-      const float density =
-          lights().density_of(surface_.record[i], packet.hit.primID[i], distance, ray.direction, last_receiver(ray));
+      const LightReceiver at = last_receiver(ray);
+      const float density = lights().density_of(surface_.record[i], packet.hit.primID[i], distance, ray.direction, at);
       if (density > 0.0f && ray.lights_from > static_cast<std::uint16_t>(LightGroup::kLamps)) return;
-      share = power_heuristic(ray.density * policy().chance(kLamps), density);
+      share = power_heuristic(ray.density * policy().chance(kLamps, at), density);
     }
     policy().end_path(ray, ray.throughput * emission * share);
   }

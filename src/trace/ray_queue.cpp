@@ -130,7 +130,7 @@ void RayQueue::load(std::size_t first, RayHitPacket& packet, Bundle& bundle, Lan
 void RayQueue::grow() {
   const std::size_t capacity = std::max<std::size_t>(2 * capacity_, 2048);
   if (capacity > kMostRays)
-    throw Error("scene", fmt::format("mirrors that let light through split paths into more than {} rays at once", kMostRays),
+    throw Error("scene", fmt::format("transparent mirrors split paths into more than {} rays at once", kMostRays),
                 "a smaller `max-depth`: each vertex of a path may double its rays");
   auto values = std::make_unique_for_overwrite<float[]>(kFields * capacity);
   auto pixel = std::make_unique_for_overwrite<std::uint32_t[]>(capacity);

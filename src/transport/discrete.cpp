@@ -1,17 +1,19 @@
 #include "transport/discrete.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace lippmann {
 
 DiscreteDistribution::DiscreteDistribution(std::span<const float> weights) {
-  for (const float w : weights) total_ += static_cast<double>(w);
+  const auto counted = [](float w) { return w >= std::numeric_limits<float>::min() ? static_cast<double>(w) : 0.0; };
+  for (const float w : weights) total_ += counted(w);
   if (!(total_ > 0.0)) return;
   double sum = 0.0;
   std::size_t last = 0;
   for (std::size_t i = 0; i < weights.size(); ++i) {
-    if (weights[i] > 0.0f) last = i;
-    cumulative_.push_back(static_cast<float>((sum += static_cast<double>(weights[i])) / total_));
+    if (counted(weights[i]) > 0.0) last = i;
+    cumulative_.push_back(static_cast<float>((sum += counted(weights[i])) / total_));
   }
   // Whatever the rounding, u < 1 finds an index that has weight.
   std::fill(cumulative_.begin() + static_cast<std::ptrdiff_t>(last), cumulative_.end(), 1.0f);

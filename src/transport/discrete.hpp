@@ -12,7 +12,7 @@ namespace lippmann {
 class DiscreteDistribution {
  public:
   DiscreteDistribution() = default;
-  /// Weights finite and >= 0; where all are 0 the distribution is empty.
+  /// Weights finite and >= 0, denormal ones count as 0; where all are 0 the distribution is empty.
   explicit DiscreteDistribution(std::span<const float> weights);
 
   bool empty() const { return cumulative_.empty(); }

@@ -3,6 +3,7 @@
 #include "core/multiversion.hpp"
 #include "transport/bsdf.hpp"
 #include "transport/fast_angles.hpp"
+#include "transport/light_range.hpp"
 
 namespace lippmann {
 namespace {
@@ -144,9 +145,6 @@ LIPPMANN_MULTIVERSION void draw_all_within(const Panorama map, const PatchDraws&
   for (int i = 0; i < SkyDraws::kDraws; ++i) draw_within(map, patches, i, draws);
 }
 
-/// Light that is added up stays finite.
-Vec3f bounded(Vec3f light) { return glm::min(light, Vec3f(1e30f)); }
-
 Vec3f gradient(const Background& b, Vec3f d) {
   const float share = (glm::dot(d, b.up) - b.horizon_at) / (b.zenith_at - b.horizon_at);
   return glm::mix(b.horizon, b.zenith, std::clamp(share, 0.0f, 1.0f));
@@ -169,11 +167,16 @@ Vec3f gradient_around(const Background& b, int x, int y) {
   return light;
 }
 
-SkyPatches patches_of(const Background& b) {
-  if (!b.map) return {kGradientWidth, kGradientHeight, [&](int x, int y) { return gradient_around(b, x, y); }};
+Background gradient_of(const Background& b) {
+  return {in_light_range(b.horizon), in_light_range(b.zenith), b.up, b.horizon_at, b.zenith_at};
+}
+
+SkyPatches patches_of(const Background& b, const Background& sky) {
+  if (!b.map)
+    return {kGradientWidth, kGradientHeight, [&](int x, int y) { return in_light_range(gradient_around(sky, x, y)); }};
   return {b.map->radiance.width, b.map->radiance.height, [&](int x, int y) {
             const float* p = b.map->radiance.pixel(x, y);
-            return bounded(b.map->strength * Vec3f(p[0], p[1], p[2]));
+            return in_light_range(b.map->strength * Vec3f(p[0], p[1], p[2]));
           }};
 }
 
@@ -181,11 +184,12 @@ SkyPatches patches_of(const Background& b) {
 
 Environment::Environment(const Background& background)
     : background_(background),
+      gradient_(gradient_of(background)),
       rotation_(background.map ? std::remainder(background.map->rotation, 2.0f * kPi) : 0.0f),
-      patches_(patches_of(background)) {
+      patches_(patches_of(background, gradient_)) {
   for (int y = 0; y < patches_.height(); ++y) {
     Vec3f row(0.0f);
-    for (int x = 0; x < patches_.width(); ++x) row += background.map ? patches_.texel(x, y) : gradient_texel(background, x, y);
+    for (int x = 0; x < patches_.width(); ++x) row += background.map ? patches_.texel(x, y) : gradient_texel(gradient_, x, y);
     mean_radiance_ += row * (patches_.texel_solid_angle(y) / (4.0f * kPi));
   }
   const PatchMask sun = background.map ? find_sun(patches_) : PatchMask{};
@@ -199,7 +203,7 @@ float Environment::sun_share() const {
 }
 
 Vec3f Environment::radiance(Vec3f direction) const {
-  if (!background_.map) return gradient(background_, direction);
+  if (!background_.map) return gradient(gradient_, direction);
   const Vec2f place = place_of(direction, rotation_);
   Vec3f light;
   look_at(Panorama(patches_, rotation_), place.x, place.y, &light.x);
@@ -210,7 +214,7 @@ void Environment::radiance(SkyRays& rays) const {
   find_places(rotation_, rays);
   if (background_.map) return look_at_all(Panorama(patches_, rotation_), rays);
   for (int i = 0; i < SkyRays::kRays; ++i) {
-    const Vec3f light = gradient(background_, {rays.x[i], rays.y[i], rays.z[i]});
+    const Vec3f light = gradient(gradient_, {rays.x[i], rays.y[i], rays.z[i]});
     rays.red[i] = light.x, rays.green[i] = light.y, rays.blue[i] = light.z;
   }
 }
@@ -222,7 +226,7 @@ Environment::Sample Environment::sample(const PatchChoice& patches, Vec2f u) con
   SkyDraws draws;
   draw_within(Panorama(patches_, rotation_), drawn, 0, draws);
   Sample sample{{draws.x[0], draws.y[0], draws.z[0]}, draws.density[0], {draws.red[0], draws.green[0], draws.blue[0]}};
-  if (!background_.map) sample.radiance = gradient(background_, sample.direction);
+  if (!background_.map) sample.radiance = gradient(gradient_, sample.direction);
   return sample;
 }
 
@@ -238,7 +242,7 @@ void Environment::sample_rest(SkyDraws& draws) const {
   draw_all_within(Panorama(patches_, rotation_), patches, draws);
   if (background_.map) return;
   for (int i = 0; i < SkyDraws::kDraws; ++i) {
-    const Vec3f light = gradient(background_, {draws.x[i], draws.y[i], draws.z[i]});
+    const Vec3f light = gradient(gradient_, {draws.x[i], draws.y[i], draws.z[i]});
     draws.red[i] = light.x, draws.green[i] = light.y, draws.blue[i] = light.z;
   }
 }

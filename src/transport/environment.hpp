@@ -73,8 +73,9 @@ class Environment {
   Density density_at(Vec2f place, float cosine) const;
 
   const Background& background_;
-  float rotation_;      ///< the panorama's, within half a turn
-  SkyPatches patches_;  ///< patches of the panorama, or of a grid that follows the gradient
+  Background gradient_;  ///< the background without its map, in the range of light
+  float rotation_;       ///< the panorama's, within half a turn
+  SkyPatches patches_;   ///< patches of the panorama, or of a grid that follows the gradient
   PatchChoice sun_, rest_;
   Vec3f mean_radiance_{0.0f};
 };

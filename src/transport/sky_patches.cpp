@@ -27,16 +27,17 @@ int pick_share(const std::array<float, N>& upto, float& u) {
   return index;
 }
 
-/// Likewise by weights, not all of which are 0.
+/// Likewise by weights; evenly where all are 0.
 template <std::size_t N>
 int pick_weight(const std::array<float, N>& weights, float& u) {
   std::array<float, N> upto;
   float sum = 0.0f;
   for (std::size_t i = 0; i < N; ++i) upto[i] = sum += weights[i];
+  if (!(sum > 0.0f)) return std::min(static_cast<int>(u * static_cast<float>(N)), static_cast<int>(N) - 1);
   const float wanted = u * sum;
   std::size_t index = 0;
   for (std::size_t i = 0; i < N; ++i) index += upto[i] <= wanted ? 1 : 0;
-  while (index >= N || !(weights[index] > 0.0f)) --index;  // rounding took it beyond the last one
+  while (index > 0 && (index >= N || !(weights[index] > 0.0f))) --index;  // rounding took it beyond the last one
   u = std::clamp((wanted - (index > 0 ? upto[index - 1] : 0.0f)) / weights[index], 0.0f, kBelowOne);
   return static_cast<int>(index);
 }

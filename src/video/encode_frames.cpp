@@ -11,6 +11,7 @@
 
 #include "core/background.hpp"
 #include "core/folder_entries.hpp"
+#include "core/recorded_file.hpp"
 #include "core/text_pattern.hpp"
 #include "image/read_image.hpp"
 #include "layout/rgbd_name.hpp"
@@ -53,10 +54,9 @@ SeriesNames names_of(const std::string& from) {
   const std::string name = path.filename().string();
   const auto found = number.search(name);
   if (!found)
-    throw Error(from, "there is no such folder, and it is no pattern",
-                "a folder, or a pattern such as frame_%04d.png or 'frame_*.png'");
+    throw Error(from, "no such folder, and not a pattern", "a folder, or a pattern such as frame_%04d.png or 'frame_*.png'");
   const std::string before = name.substr(0, found->begin), after = name.substr(found->end);
-  if (number.search(after)) throw Error(from, "has two places for the number", "one * or %04d");
+  if (number.search(after)) throw Error(from, "has two placeholders for the number", "one * or %04d");
   return {path.parent_path().empty() ? fs::path(".") : path.parent_path(),
           TextPattern(fmt::format("({})([0-9]{{1,9}})({})", escaped(before), escaped(after)))};
 }
@@ -81,7 +81,7 @@ std::map<std::string, Series> series_in(const SeriesNames& names) {
 
 /// The only series; or the one whose name begins with frame_, as render names them.
 const Series& chosen_series(const std::string& from, const std::map<std::string, Series>& all) {
-  if (all.empty()) throw Error(from, "there are no frames in it", "frame_0000.png, frame_0001.png, ...");
+  if (all.empty()) throw Error(from, "contains no frames", "frame_0000.png, frame_0001.png, ...");
   if (all.size() == 1) return all.begin()->second;
   std::vector<std::string> names, frames;
   for (const auto& [name, series] : all) {
@@ -104,7 +104,9 @@ std::optional<RgbdSideFile> common_side_file(const std::vector<NumberedFrame>& f
 }  // namespace
 
 std::vector<NumberedFrame> find_frames(const std::string& from, std::vector<int> wanted) {
-  const std::map<std::string, Series> all = series_in(names_of(from));
+  const SeriesNames names = names_of(from);
+  if (wanted.empty()) require_recorded_frames(names.folder);
+  const std::map<std::string, Series> all = series_in(names);
   const Series& series = chosen_series(from, all);
   const int begin = series.begin()->first, end = series.rbegin()->first;
   if (wanted.empty()) {
@@ -152,7 +154,7 @@ bool encode_frames(const std::vector<NumberedFrame>& frames, const fs::path& out
   for (const NumberedFrame& frame : frames) {
     if (context.cancelled) break;
     const auto picture = std::make_shared<Image8>();
-    queue.submit([picture, &frame] { *picture = read_image8(frame.path); },
+    queue.submit([picture, &frame, &context] { *picture = read_image8(frame.path, context.warn); },
                  [picture, &frame, &writer, &encoded] {
                    writer.add_frame(*picture);
                    if (encoded) encoded(frame);

@@ -4,6 +4,8 @@
 #include <array>
 #include <string>
 
+#include "core/recorded_file.hpp"
+#include "core/regular_file.hpp"
 #include "lippmann/core/error.hpp"
 #include "video/video_module.hpp"
 
@@ -13,9 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::unique_ptr<VideoDecoder> open(const fs::path& path) {
-  std::error_code ignored;
-  if (!fs::exists(path, ignored)) throw Error(path.string(), "there is no such file");
-  if (!fs::is_regular_file(path, ignored)) throw Error(path.string(), "is not a file");
+  require_regular_file(path, "a video");
+  require_as_recorded(path);
   return video_module().decoder(path);
 }
 

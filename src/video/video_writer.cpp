@@ -38,7 +38,7 @@ FrameRate nearest_fraction(double value) {
 int checked_crf(const fs::path& path, VideoCodec codec, std::optional<int> crf) {
   const std::optional<CrfRange> range = crf_range(codec);
   if (!range && crf)
-    throw Error(path.string(), fmt::format("crf {} for {}, which loses nothing", *crf, name_of(codec)), "none");
+    throw Error(path.string(), fmt::format("crf {} has no effect: {} is lossless", *crf, name_of(codec)), "another codec");
   if (!range) return 0;
   const int value = crf.value_or(range->standard);
   if (value < 0 || value > range->highest)

@@ -70,12 +70,6 @@ std::string text_of(const std::vector<std::byte>& bytes) { return {reinterpret_c
 
 }  // namespace
 
-bool takes_text(std::string_view path) {
-  const std::size_t last = path.rfind('/');
-  return path.substr(last + 1) == kCalibration || path.substr(0, last).ends_with("/live") ||
-         path.substr(0, last).ends_with("/run");
-}
-
 PagePicture encoded_picture(const Image8& picture, int effort) {
   if (std::max(picture.width, picture.height) > kMostWebpSide) return {text_of(encode_png(picture)), "image/png"};
   return {text_of(encode_webp(picture, effort)), "image/webp"};
@@ -107,10 +101,13 @@ PageAnswers::PageAnswers(std::unique_ptr<PageField> field, std::shared_ptr<Runni
   fields_.push_back(std::move(field));
 }
 
-PageAnswer PageAnswers::answer(const PageRequest& request) {
-  const bool asks = request.method == "GET" || request.method == "HEAD";
-  if (!asks && !(request.method == "POST" && takes_text(request.path)))
-    return answer_with(405, "Only GET and HEAD are answered: nothing here can be changed.\n");
+/// A text is a calibration, of which nothing is kept, or what is to be done with a live scene or with a render that runs.
+bool PageAnswers::takes_text(std::string_view path) const {
+  const std::string_view part = path.substr(0, path.find('/'));
+  return path == kCalibration || (part == kLive && live_) || (part == kRun && render_);
+}
+
+std::optional<PageAnswer> PageAnswers::refusal(const PageRequest& request) const {
   const std::vector<std::string>& hosts = access_.hosts;
   if (!hosts.empty() && std::find(hosts.begin(), hosts.end(), request.host) == hosts.end())
     return answer_with(403, "This server answers at the address that `lippmann view` printed, and at no other name.\n");
@@ -122,15 +119,24 @@ PageAnswer PageAnswers::answer(const PageRequest& request) {
     return answer_with(403, "The address lacks the token that `lippmann view` printed with it.\n");
   if (!may_come_from(request.fetch_site, path)) return answer_with(403, "Pages of other origins may read nothing here.\n");
   if (request.wants_range) return answer_with(416, "Files are sent whole only.\n");
-  if (asks) return answer_path(path);
-  return answer_text(request, path);
+  if (request.method == "GET" || request.method == "HEAD") return std::nullopt;
+  if (request.method != "POST" || !takes_text(path))
+    return answer_with(405, "Only GET and HEAD are answered: nothing here can be changed.\n");
+  if (path != kCalibration && request.origin.empty())
+    return answer_with(403, "Only the page itself may change anything here.\n");
+  return std::nullopt;
+}
+
+PageAnswer PageAnswers::answer(const PageRequest& request) {
+  if (std::optional<PageAnswer> refused = refusal(request)) return *std::move(refused);
+  std::string_view path = std::string_view(request.path).substr(1);
+  if (!access_.token.empty()) cut_part(path);
+  return request.method == "POST" ? answer_text(request, path) : answer_path(path);
 }
 
 PageAnswer PageAnswers::answer_text(const PageRequest& request, std::string_view path) {
   if (path == kCalibration) return calibration(request.body);
-  const std::string_view part = cut_part(path);
-  if (!(part == kLive && live_) && !(part == kRun && render_)) return unknown_path();
-  if (request.origin.empty()) return answer_with(403, "Only the page itself may change anything here.\n");
+  cut_part(path);
   return live_ ? live_->post(path, request.body) : run_order(path);
 }
 

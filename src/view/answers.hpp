@@ -49,10 +49,6 @@ class LivePage {
   virtual PageAnswer post(std::string_view path, const std::string& body) = 0;
 };
 
-/// Whether a page sends a text there: a calibration, to get its numbers back, of which nothing is kept; or what is to be done
-/// with a live scene or with a render that runs.
-bool takes_text(std::string_view path);
-
 /// Thread-safe.
 class PageAnswers {
  public:
@@ -72,7 +68,12 @@ class PageAnswers {
 
   PageAnswer answer(const PageRequest& request);
 
+  /// The answer to a request that is refused whatever its body is: it comes from elsewhere, lacks the token, or posts where no
+  /// text is taken.
+  std::optional<PageAnswer> refusal(const PageRequest& request) const;
+
  private:
+  bool takes_text(std::string_view path) const;
   PageAnswer answer_path(std::string_view path);
   PageAnswer answer_text(const PageRequest& request, std::string_view path);
   std::string description() const;

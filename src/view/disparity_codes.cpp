@@ -17,10 +17,16 @@ double disparity_mm(double z_mm, double vergence, double parallax) {
   return before_viewer > 0.0 ? parallax * z_mm / before_viewer : std::numeric_limits<double>::infinity();
 }
 
-Image8 disparity_codes(const Image& depth, double vergence, double parallax, double scale_mm) {
-  Image8 codes{depth.width, depth.height, std::vector<unsigned char>(depth.data.size() * 3)};
-  for (std::size_t i = 0; i < depth.data.size(); ++i) {
-    const double w = disparity_mm(depth.data[i], vergence, parallax);
+Image disparities_mm(const Image& depth, double vergence, double parallax) {
+  Image disparities = depth;
+  for (float& value : disparities.data) value = static_cast<float>(disparity_mm(value, vergence, parallax));
+  return disparities;
+}
+
+Image8 disparity_codes(const Image& disparities, double scale_mm) {
+  Image8 codes{disparities.width, disparities.height, std::vector<unsigned char>(disparities.data.size() * 3)};
+  for (std::size_t i = 0; i < disparities.data.size(); ++i) {
+    const double w = disparities.data[i];
     if (!std::isfinite(w)) continue;
     const double t = w / (std::abs(w) + scale_mm);
     const int code = 1 + static_cast<int>(std::lround(0.5 * kSteps * (t + 1.0)));

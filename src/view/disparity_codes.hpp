@@ -14,9 +14,12 @@ namespace lippmann {
 /// w of a depth; `parallax`: shown depth / true depth.
 double disparity_mm(double z_mm, double vergence, double parallax);
 
-/// `depth`: 1 channel, z in mm of the display frame. scale_mm > 0. Where nothing is there (-inf), pixels show the surroundings,
-/// which move between views as the infinitely far does: w = -V, or code 0 if V is infinite.
-Image8 disparity_codes(const Image& depth, double vergence, double parallax, double scale_mm);
+/// `depth`: 1 channel, z in mm of the display frame. Where nothing is there (-inf), pixels show the surroundings, which move
+/// between views as the infinitely far does: w = -V, or -inf if V is infinite.
+Image disparities_mm(const Image& depth, double vergence, double parallax);
+
+/// `disparities`: 1 channel; what is not finite gets code 0. scale_mm > 0.
+Image8 disparity_codes(const Image& disparities, double scale_mm);
 
 /// The inverse for one pixel of codes; -inf: nothing there.
 double disparity_of_codes(const unsigned char* rgb, double scale_mm);

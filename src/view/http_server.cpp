@@ -1,46 +1,71 @@
 #include "view/http_server.hpp"
 
 #include <fmt/format.h>
-#include <httplib.h>
+#include <netdb.h>
 #include <netinet/in.h>
-#include <sys/resource.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <sys/eventfd.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <deque>
-#include <functional>
+#include <map>
 #include <mutex>
 #include <random>
 #include <system_error>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "lippmann/core/error.hpp"
+#include "view/http_connection.hpp"
 
 namespace lippmann {
 namespace {
 
-constexpr std::size_t kServingThreads = 128, kMostWaiting = 32;
-constexpr int kReadSeconds = 3, kWriteSeconds = 15;
-constexpr std::size_t kRequestsOfAConnection = 1000, kMostPosted = std::size_t{1} << 20;
+/// A page opens six connections (RFC 9112, 9.4, leaves it to browsers; all have settled on six).
+constexpr std::size_t kMostConnections = 128;
+/// Up to eight wait for news of a scene (live/live_page.cpp).
+constexpr int kAnsweringThreads = 32;
+/// Between looks at deadlines, and at whether it is over.
+constexpr std::chrono::milliseconds kTick{50};
 
-/// Threads that serve connections, begun when they are needed. Where all are busy and enough wait, whoever accepts connections
-/// waits too.
-class BoundedQueue : public httplib::TaskQueue {
+class FileDescriptor {
  public:
-  void enqueue(std::function<void()> task) override {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return tasks_.size() < kMostWaiting || ending_; });
-    tasks_.push_back(std::move(task));
-    if (tasks_.size() > resting_ && threads_.size() < kServingThreads) add_thread();
-    changed_.notify_all();
+  explicit FileDescriptor(int number = -1) : number_(number) {}
+  ~FileDescriptor() {
+    if (number_ >= 0) close(number_);
+  }
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
+
+  int get() const { return number_; }
+  int release() { return std::exchange(number_, -1); }
+
+ private:
+  int number_;
+};
+
+/// Threads that make answers to complete requests.
+class AnswerPool {
+ public:
+  /// `answers` must outlive it.
+  explicit AnswerPool(PageAnswers& answers) : answers_(answers), done_signal_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
+    try {
+      for (int i = 0; i < kAnsweringThreads; ++i) threads_.emplace_back([this] { work(); });
+    } catch (const std::system_error&) {
+      if (threads_.empty()) throw;  // where the system has no more threads, those that there are have to do
+    }
   }
 
-  void shutdown() override {
+  ~AnswerPool() {
     {
       const std::lock_guard lock(mutex_);
       ending_ = true;
@@ -49,70 +74,162 @@ class BoundedQueue : public httplib::TaskQueue {
     for (std::thread& thread : threads_) thread.join();
   }
 
+  void ask(std::uint64_t connection, PageRequest request) {
+    {
+      const std::lock_guard lock(mutex_);
+      asked_.push_back({connection, std::move(request)});
+    }
+    changed_.notify_one();
+  }
+
+  /// Can be read when there are answers to take.
+  int signal() const { return done_signal_.get(); }
+
+  std::vector<std::pair<std::uint64_t, PageAnswer>> take() {
+    std::uint64_t ignored = 0;
+    while (read(signal(), &ignored, sizeof ignored) > 0) {
+    }
+    const std::lock_guard lock(mutex_);
+    return std::exchange(done_, {});
+  }
+
  private:
-  /// Where the system has no more threads, those that there are have to do.
-  void add_thread() {
-    try {
-      threads_.emplace_back([this] { serve(); });
-    } catch (const std::system_error&) {
-      if (threads_.empty()) throw;
-    }
-  }
-
-  void serve() {
+  void work() {
     while (true) {
-      std::function<void()> task;
-      {
-        std::unique_lock lock(mutex_);
-        ++resting_;
-        changed_.wait(lock, [this] { return !tasks_.empty() || ending_; });
-        --resting_;
-        if (tasks_.empty()) return;
-        task = std::move(tasks_.front());
-        tasks_.pop_front();
+      std::unique_lock lock(mutex_);
+      changed_.wait(lock, [this] { return !asked_.empty() || ending_; });
+      if (ending_) return;
+      const auto [connection, request] = std::move(asked_.front());
+      asked_.pop_front();
+      lock.unlock();
+      PageAnswer answer = made(request);
+      lock.lock();
+      done_.emplace_back(connection, std::move(answer));
+      lock.unlock();
+      const std::uint64_t one = 1;
+      while (write(signal(), &one, sizeof one) < 0 && errno == EINTR) {
       }
-      changed_.notify_all();
-      task();
     }
   }
 
+  /// A request that fails, for want of memory say, does not end the program.
+  PageAnswer made(const PageRequest& request) {
+    try {
+      return answers_.answer(request);
+    } catch (const std::exception&) {
+      return refusal_of(500);
+    }
+  }
+
+  PageAnswers& answers_;
+  FileDescriptor done_signal_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<std::function<void()>> tasks_;
+  std::deque<std::pair<std::uint64_t, PageRequest>> asked_;
+  std::vector<std::pair<std::uint64_t, PageAnswer>> done_;
   bool ending_ = false;
-  std::size_t resting_ = 0;
   std::vector<std::thread> threads_;
 };
 
-/// Pages get only what comes from here, and other pages get nothing of it.
-httplib::Headers safe_headers() {
-  return {{"Content-Security-Policy",
-           "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self'; "
-           "frame-ancestors 'self'; base-uri 'none'; form-action 'none'"},
-          {"Cross-Origin-Resource-Policy", "same-origin"},
-          {"X-Content-Type-Options", "nosniff"},
-          {"Referrer-Policy", "no-referrer"},
-          {"Cache-Control", "no-store"}};
+/// All open connections, by numbers that are never used again.
+class Connections {
+ public:
+  Connections(int listener, HttpConnection::Terms terms, AnswerPool& pool)
+      : listener_(listener), terms_(std::move(terms)), pool_(pool) {}
+
+  /// Waits for something to happen, and does what follows from it.
+  void step() {
+    std::vector<pollfd> polled{{listener_, POLLIN, 0}, {pool_.signal(), POLLIN, 0}};
+    std::vector<std::uint64_t> numbers;
+    for (const auto& [number, connection] : open_) {
+      if (connection.events() == 0) continue;
+      polled.push_back({connection.socket(), connection.events(), 0});
+      numbers.push_back(number);
+    }
+    if (poll(polled.data(), polled.size(), static_cast<int>(kTick.count())) > 0) {
+      for (std::size_t i = 0; i < numbers.size(); ++i)
+        if (polled[i + 2].revents != 0) serve(numbers[i], [](HttpConnection& connection) { connection.ready(); });
+      for (const auto& [number, answer] : pool_.take())
+        serve(number, [&answer = answer](HttpConnection& connection) { connection.answer(answer); });
+      if (polled[0].revents != 0) accept_one();
+    }
+    std::erase_if(open_, [](const auto& one) { return one.second.is_over(); });
+  }
+
+ private:
+  template <class Action>
+  void serve(std::uint64_t number, const Action& action) {
+    const auto found = open_.find(number);
+    if (found == open_.end()) return;
+    action(found->second);
+    if (std::optional<PageRequest> request = found->second.take_request()) pool_.ask(number, *std::move(request));
+  }
+
+  void accept_one() {
+    if (open_.size() >= kMostConnections && !close_slowest()) {
+      std::this_thread::sleep_for(kTick);  // all are being answered
+      return;
+    }
+    const int socket = accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
+    if (socket < 0) {
+      if ((errno == EMFILE || errno == ENFILE) && !close_slowest()) std::this_thread::sleep_for(kTick);
+      return;
+    }
+    const int yes = 1;
+    setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
+    open_.try_emplace(next_++, socket, terms_);
+  }
+
+  /// Of those whose clients have to act, the one that has waited longest. False: there is none.
+  bool close_slowest() {
+    auto slowest = open_.end();
+    for (auto one = open_.begin(); one != open_.end(); ++one)
+      if (one->second.waits_for_client() && (slowest == open_.end() || one->second.since() < slowest->second.since()))
+        slowest = one;
+    if (slowest == open_.end()) return false;
+    open_.erase(slowest);
+    return true;
+  }
+
+  int listener_;
+  HttpConnection::Terms terms_;
+  AnswerPool& pool_;
+  std::map<std::uint64_t, HttpConnection> open_;
+  std::uint64_t next_ = 0;
+};
+
+/// Listens at an address. An address in use stays in use: SO_REUSEPORT would share it with whoever has it. -1: it cannot.
+int listener_at(const addrinfo& address, int port) {
+  FileDescriptor made(socket(address.ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  const int yes = 1, no = 0;
+  setsockopt(made.get(), SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  sockaddr_storage place{};
+  std::copy_n(reinterpret_cast<const char*>(address.ai_addr), address.ai_addrlen, reinterpret_cast<char*>(&place));
+  const auto number = htons(static_cast<std::uint16_t>(port));
+  if (address.ai_family == AF_INET6) {
+    setsockopt(made.get(), IPPROTO_IPV6, IPV6_V6ONLY, &no, sizeof no);
+    reinterpret_cast<sockaddr_in6&>(place).sin6_port = number;
+  } else {
+    reinterpret_cast<sockaddr_in&>(place).sin_port = number;
+  }
+  if (bind(made.get(), reinterpret_cast<const sockaddr*>(&place), address.ai_addrlen) != 0 ||
+      listen(made.get(), SOMAXCONN) != 0)
+    return -1;
+  return made.release();
 }
 
-PageRequest page_request(const httplib::Request& request) {
-  return {request.method,
-          request.path,
-          request.get_header_value("Host"),
-          request.get_header_value("Origin"),
-          request.get_header_value("Sec-Fetch-Site"),
-          request.has_header("Range"),
-          request.body};
-}
-
-void respond(const PageAnswer& answer, httplib::Response& response) {
-  response.status = answer.status;
-  if (!answer.body || answer.body->empty()) return;
-  // The bytes are the cache's own: no copy of them for each connection.
-  response.set_content_provider(answer.body->size(), answer.type,
-                                [body = answer.body](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
-                                  return sink.write(body->data() + offset, length);
-                                });
+/// At the first address of the host that can be listened at; port 0: any. -1: there is none.
+int listener_at(const std::string& host, int port) {
+  addrinfo hints{};
+  hints.ai_socktype = SOCK_STREAM;
+  hints.ai_flags = AI_PASSIVE;
+  addrinfo* found = nullptr;
+  if (getaddrinfo(host.c_str(), nullptr, &hints, &found) != 0) return -1;
+  int listener = -1;
+  for (const addrinfo* one = found; one && listener < 0; one = one->ai_next)
+    if (one->ai_family == AF_INET || one->ai_family == AF_INET6) listener = listener_at(*one, port);
+  freeaddrinfo(found);
+  return listener;
 }
 
 /// The port that a socket of this end has.
@@ -124,15 +241,6 @@ int local_port(int socket) {
   return address.ss_family == AF_INET6 ? ntohs(reinterpret_cast<const sockaddr_in6&>(address).sin6_port) : 0;
 }
 
-/// Connections to a port on which nobody speaks are ended, as if their clients had gone: cpp-httplib would wait for these.
-void end_connections(int port) {
-  rlimit limit{};
-  getrlimit(RLIMIT_NOFILE, &limit);
-  const int most = static_cast<int>(std::min<rlim_t>(limit.rlim_cur, 1 << 16));
-  for (int socket = 3; socket < most; ++socket)
-    if (local_port(socket) == port) shutdown(socket, SHUT_RD);
-}
-
 std::string in_address(const std::string& host) { return host.find(':') == std::string::npos ? host : "[" + host + "]"; }
 
 std::string name_of_machine() {
@@ -141,11 +249,6 @@ std::string name_of_machine() {
 }
 
 }  // namespace
-
-struct HttpServer::Impl {
-  httplib::Server server;
-  int port = 0;
-};
 
 bool is_loopback(const std::string& host) { return host == "localhost" || host == "::1" || host.starts_with("127."); }
 
@@ -169,58 +272,25 @@ std::string random_token() {
   return token;
 }
 
-HttpServer::HttpServer(const std::string& host, std::optional<int> port, int idle_seconds) : impl_(std::make_unique<Impl>()) {
-  httplib::Server& server = impl_->server;
-  server.new_task_queue = [] { return new BoundedQueue; };
-  // An address in use stays in use: the default would share it with whoever has it.
-  server.set_socket_options([](socket_t socket) {
-    const int yes = 1;
-    setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-  });
-  server.set_read_timeout(kReadSeconds).set_write_timeout(kWriteSeconds);
-  server.set_keep_alive_timeout(idle_seconds).set_keep_alive_max_count(kRequestsOfAConnection);
-  server.set_payload_max_length(kMostPosted);
-  server.set_tcp_nodelay(true);
-  server.set_default_headers(safe_headers());
+HttpServer::HttpServer(const std::string& host, std::optional<int> port, int idle_seconds) : idle_seconds_(idle_seconds) {
   const int wanted = port.value_or(kUsualPort);
-  if (wanted != 0 && server.bind_to_port(host, wanted))
-    impl_->port = wanted;
-  else if (wanted == 0 || !port)
-    impl_->port = server.bind_to_any_port(host);
-  if (impl_->port <= 0)
+  listener_ = listener_at(host, wanted);
+  if (listener_ < 0 && !port) listener_ = listener_at(host, 0);
+  if (listener_ < 0)
     throw Error(fmt::format("{}:{}", in_address(host), wanted),
                 "cannot be listened at: it is in use, or no address of this machine",
                 "an address of this machine and a free `port`; 0 takes any");
 }
 
-HttpServer::~HttpServer() = default;
+HttpServer::~HttpServer() { close(listener_); }
 
-int HttpServer::port() const { return impl_->port; }
+int HttpServer::port() const { return local_port(listener_); }
 
 void HttpServer::run(PageAnswers& answers, const std::atomic<bool>& stopped) {
-  httplib::Server& server = impl_->server;
-  const auto answer = [&answers](const httplib::Request& request, httplib::Response& response) {
-    respond(answers.answer(page_request(request)), response);
-  };
-  // Requests are answered here, before anything that they bring is read; but for texts that it takes.
-  server.set_pre_routing_handler([answer](const httplib::Request& request, httplib::Response& response) {
-    if (request.method == "POST" && takes_text(request.path)) return httplib::Server::HandlerResponse::Unhandled;
-    answer(request, response);
-    return httplib::Server::HandlerResponse::Handled;
-  });
-  server.Post("/.*", answer);
-  std::atomic<bool> ended{false};
-  std::thread watch([&] {
-    while (!stopped && !ended) std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    while (!ended) {
-      server.stop();
-      end_connections(impl_->port);
-      std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    }
-  });
-  server.listen_after_bind();
-  ended = true;
-  watch.join();
+  AnswerPool pool(answers);
+  const auto refusal = [&](const PageRequest& request) { return answers.refusal(request); };
+  Connections connections(listener_, {.idle = std::chrono::seconds(idle_seconds_), .refusal = refusal}, pool);
+  while (!stopped) connections.step();
 }
 
 }  // namespace lippmann

@@ -1,11 +1,11 @@
 // Answers requests over HTTP: the sockets of `lippmann view`, and what bounds them.
 //
-// At most 128 connections are served at once and 32 wait; beyond that connections wait in the system's own short queue. A
-// client that says nothing, or takes nothing, for some seconds is dropped.
+// One thread reads requests and sends answers, so that slow clients occupy no thread; others make the answers to complete
+// requests. At most 128 connections are open: a new one takes the place of the one that has kept the server waiting longest.
+// http_connection.cpp has the deadlines, http_message.hpp the sizes.
 #pragma once
 
 #include <atomic>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -34,8 +34,8 @@ class HttpServer {
   /// stay empty.
   static constexpr int kUsualIdleSeconds = 15;
 
-  /// Takes the port: the one given (0: any that is free), or without one the usual, and any where that is taken. Who says
-  /// nothing for so many seconds is dropped. Throws Error.
+  /// Takes the port: the one given (0: any that is free), or without one the usual, and any where that is taken. A connection
+  /// without a request is closed after idle_seconds. Throws Error.
   HttpServer(const std::string& host, std::optional<int> port, int idle_seconds = kUsualIdleSeconds);
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;
@@ -47,8 +47,8 @@ class HttpServer {
   void run(PageAnswers& answers, const std::atomic<bool>& stopped);
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  int listener_ = -1;
+  int idle_seconds_;
 };
 
 }  // namespace lippmann

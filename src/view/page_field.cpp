@@ -15,6 +15,7 @@
 #include "lippmann/layout/arrangement.hpp"
 #include "lippmann/replay/eye_sampler.hpp"
 #include "view/disparity_codes.hpp"
+#include "view/near_edges.hpp"
 #include "view/views_provenance.hpp"
 #include "view/within_folder.hpp"
 
@@ -63,9 +64,9 @@ struct PageField::Layered {
 };
 
 PageField::PageField(fs::path in, LightFieldHints hints, const Context& context)
-    : hints_(std::move(hints)),
-      frames_(find_light_field_frames(in, hints_)),
+    : hints_(with_warnings(std::move(hints), context)),
       root_(shown_root(in)),
+      frames_(find_light_field_frames(in, hints_)),
       facts_(page_facts(frames_.optics)),
       pool_(resolved_threads(context)) {
   facts_.title = title_of(in);
@@ -102,7 +103,9 @@ Image8 PageField::disparities(std::size_t frame) const {
   const Layered views = layered(frame);
   if (!views.field.depth)
     throw Error(file_of(frame).string(), "has no depth of its views, which the first frame has", "render with `aov` depth");
-  return in_quilt(disparity_codes(*views.field.depth, facts_.axes.vergence, views.depth_scale, facts_.disparity_scale_mm));
+  Image disparities = disparities_mm(*views.field.depth, facts_.axes.vergence, views.depth_scale);
+  take_near_at_edges(disparities, facts_.view_size, visible_jump_mm(facts_, facts_.view_size));
+  return in_quilt(disparity_codes(disparities, facts_.disparity_scale_mm));
 }
 
 Image8 PageField::provenance(std::size_t frame) const {
@@ -141,7 +144,7 @@ PageField::Layered PageField::layered(std::size_t frame) const {
 }
 
 void PageField::find_layers() {
-  if (facts_.panel == PanelPicture::kOwn || facts_.grid.count() < 2) return;
+  if (frames_.is_panel || facts_.panel == PanelPicture::kOwn || facts_.grid.count() < 2) return;
   const Layered first = layered(0);
   facts_.has_depth = first.field.depth.has_value();
   facts_.has_provenance = first.provenance.has_value();

@@ -28,8 +28,8 @@ class ComingFrames {
 class PageField {
  public:
   /// Throws Error naming the file, or the flag that has to say what nothing else says; depth that cannot be read is left out
-  /// with a warning. Files that lead out of the folder that
-  /// is shown are refused when they are read.
+  /// with a warning. Links that lead out of the folder that
+  /// is shown are refused, those of frames when they are read.
   PageField(std::filesystem::path in, LightFieldHints hints, const Context& context);
 
   /// What a render's folder will hold: its report says the optics, and whether there is depth. Throws Error naming it. A frame
@@ -60,8 +60,8 @@ class PageField {
   Image8 in_quilt(const Image8& stack) const;
 
   LightFieldHints hints_;
+  std::filesystem::path root_;  ///< before the frames: what leads out of it is not even looked at
   LightFieldFrames frames_;
-  std::filesystem::path root_;
   PageFacts facts_;
   ThreadPool pool_;
   std::shared_ptr<const ComingFrames> coming_;  ///< null: all files are there

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +9,7 @@
 #include "core/atomic_file.hpp"
 #include "core/base64.hpp"
 #include "core/folder.hpp"
+#include "core/regular_file.hpp"
 #include "lippmann/core/error.hpp"
 #include "view/answers.hpp"
 #include "view/page_files.hpp"
@@ -33,6 +32,7 @@ class PageFolder {
     if (name.has_parent_path()) make_folder(folder_ / name.parent_path());
     write_file_atomically(folder_ / name, std::as_bytes(std::span(text)));
     bytes_ += text.size();
+    files_.push_back(folder_ / name);
   }
 
   /// A script that gives the page what it would ask a server for.
@@ -43,20 +43,22 @@ class PageFolder {
 
   fs::path path() const { return folder_; }
   std::uintmax_t bytes() const { return bytes_; }
+  std::vector<fs::path> files() const { return files_; }
 
  private:
   fs::path folder_;
   NewFolder new_;
   std::uintmax_t bytes_ = 0;
+  std::vector<fs::path> files_;
 };
 
 /// Somebody else's page stays.
 void require_own_page(const fs::path& folder) {
-  std::ifstream file(folder / "index.html", std::ios::binary);
-  if (!file) return;
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (text.find(kScripts) == std::string::npos)
-    throw Error((folder / "index.html").string(), "is another page, and would be replaced",
+  constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;
+  const fs::path file = folder / "index.html";
+  if (!is_regular_file_there(file)) return;
+  if (read_file_text(file, kMostBytes, "a page that was saved before").find(kScripts) == std::string::npos)
+    throw Error(file.string(), "is another page, and would be replaced",
                 "a new folder, or one of a page that was saved before");
 }
 
@@ -92,7 +94,7 @@ SavedPage save_page(const std::vector<std::unique_ptr<PageField>>& fields, const
   for (const PageFile& file : page_files())
     if (file.name != "index.html") page.write(fs::path(file.name), file.text);
   page.write("index.html", saved_index(page_files().front().text));
-  return {page.path() / "index.html", page.bytes()};
+  return {page.path() / "index.html", page.bytes(), page.files()};
 }
 
 SavedPage save_page(const fs::path& in, const fs::path& folder, const Context& context) {

@@ -16,6 +16,7 @@ namespace lippmann {
 struct SavedPage {
   std::filesystem::path index;  ///< what to open
   std::uintmax_t bytes = 0;     ///< all files together
+  std::vector<std::filesystem::path> files = {};
 };
 
 /// Makes the folder; files of a page that was saved there before are replaced. Throws Error naming a file, also where the

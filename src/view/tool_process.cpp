@@ -8,10 +8,9 @@
 
 #include <csignal>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
+#include "core/regular_file.hpp"
 #include "lippmann/core/error.hpp"
 
 extern char** environ;
@@ -46,8 +45,8 @@ struct Redirections {
 
 std::string end_of(const fs::path& file) {
   constexpr std::size_t kMost = 2000;
-  std::ifstream in(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
+  constexpr std::size_t kMostRead = std::size_t{1} << 24;
+  std::string text = read_file_begin(file, kMostRead);
   while (text.ends_with('\n')) text.pop_back();
   return text.size() > kMost ? text.substr(text.size() - kMost) : text;
 }

@@ -1,6 +1,7 @@
 #include "view/within_folder.hpp"
 
 #include <algorithm>
+#include <string>
 
 #include "lippmann/core/error.hpp"
 
@@ -16,24 +17,69 @@ bool leads_out(const fs::path& root, const fs::path& file) {
   return std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first != root.end();
 }
 
+[[noreturn]] void refuse(const fs::path& root, const fs::path& file) {
+  throw Error(file.string(), "is a link that leads out of " + root.string(), "files that lie in the folder that is shown");
+}
+
+/// Refuses links of a folder, of those with a name that `concerns` accepts.
+template <class Concerns>
+void require_links_within(const fs::path& root, const fs::path& folder, const Concerns& concerns) {
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+    if (entry.is_symlink(ignored) && concerns(entry.path().filename()) && leads_out(root, entry.path()))
+      refuse(root, entry.path());
+}
+
+bool is_description(const fs::path& name) { return name.extension() == ".json" || name.extension() == ".cfg"; }
+
+/// Side files and layers of a picture, or of a folder of views: frame_0000.png.json, aov_0000.exr.
+bool is_read_with(const fs::path& picture, const std::string& name) {
+  const std::string stem = picture.stem().string();
+  const std::size_t digits = std::min(stem.find_first_of("0123456789"), stem.size());
+  const std::string number = stem.substr(digits, stem.find_first_not_of("0123456789", digits) - digits);
+  return name.starts_with(stem + ".") || name.starts_with(stem + "_") || name.starts_with("aov_" + number);
+}
+
+/// Reports are looked for in two folders above, too, which may lie above the root: a link must not lead out of these.
+void require_reports_within(const fs::path& root, const fs::path& file) {
+  const fs::path parent = file.parent_path();
+  for (const fs::path& folder : {file, parent, parent.parent_path()}) {
+    const fs::path report = folder / "report.json";
+    std::error_code ignored;
+    if (fs::is_symlink(report, ignored) && leads_out(root, report) && leads_out(fs::weakly_canonical(folder, ignored), report))
+      refuse(root, report);
+  }
+}
+
+/// What is read to know what `in` is: it may be a folder of frames, of which each is checked when it is read.
+void require_descriptions_within(const fs::path& root, const fs::path& in) {
+  require_reports_within(root, in);
+  std::error_code ignored;
+  if (fs::is_directory(in, ignored))
+    require_links_within(root, in, is_description);
+  else
+    require_within(root, in);
+}
+
 }  // namespace
 
 fs::path shown_root(const fs::path& in) {
   std::error_code problem;
   const fs::path real = fs::canonical(in, problem);
   if (problem) throw Error(in.string(), "there is no such file or folder");
-  return fs::is_directory(real, problem) ? real : real.parent_path();
+  const fs::path root = fs::is_directory(real, problem) ? real : real.parent_path();
+  const fs::path whole = fs::absolute(in).lexically_normal();
+  require_descriptions_within(root, whole.has_filename() ? whole : whole.parent_path());
+  return root;
 }
 
 void require_within(const fs::path& root, const fs::path& file) {
-  const auto refuse = [&](const fs::path& path) {
-    throw Error(path.string(), "is a link that leads out of " + root.string(), "files that lie in the folder that is shown");
-  };
-  if (leads_out(root, file)) refuse(file);
-  std::error_code ignored;
-  if (!fs::is_directory(file, ignored)) return;
-  for (const fs::directory_entry& entry : fs::directory_iterator(file, ignored))
-    if (leads_out(root, entry.path())) refuse(entry.path());
+  if (leads_out(root, file)) refuse(root, file);
+  const fs::path whole = fs::absolute(file).lexically_normal();
+  require_reports_within(root, whole);
+  require_links_within(root, whole, [](const fs::path&) { return true; });
+  if (leads_out(root, whole.parent_path())) return;
+  require_links_within(root, whole.parent_path(), [&](const fs::path& name) { return is_read_with(whole, name.string()); });
 }
 
 }  // namespace lippmann

@@ -57,9 +57,9 @@ std::string said_of_a_long_frame(app::ProgressStyle style, bool knows_share) {
 TEST(Progress, without_a_terminal_a_long_frame_gets_lines_while_it_is_traced) {
   for (const auto style : {app::ProgressStyle::kLines, app::ProgressStyle::kEveryLine})
     EXPECT_EQ(said_of_a_long_frame(style, true),
-              "[0/2] 25 % of the next frame; 3:30 left, files: about 3 MB\n"
-              "[0/2] 50 % of the next frame; 3:00 left, files: about 3 MB\n"
-              "[0/2] 75 % of the next frame; 2:30 left, files: about 3 MB\n"
+              "[0/2] current frame 25 %; 3:30 left, files: about 3 MB\n"
+              "[0/2] current frame 50 %; 3:00 left, files: about 3 MB\n"
+              "[0/2] current frame 75 %; 2:30 left, files: about 3 MB\n"
               "[1/2] frame 7: 120 s; 2:00 left, files: about 3 MB\n");
 }
 
@@ -69,6 +69,25 @@ TEST(Progress, of_a_frame_whose_share_nobody_knows_is_the_time_so_far) {
             "[0/2] 1:00 so far, files: about 3 MB\n"
             "[0/2] 1:30 so far, files: about 3 MB\n"
             "[1/2] frame 7: 120 s; 2:00 left, files: about 3 MB\n");
+}
+
+/// What is printed after the first of two frames, which took `frame_s` seconds.
+std::string printed_after_first_frame(double frame_s) {
+  app::Progress::Clock::time_point now{};
+  testing::internal::CaptureStderr();
+  app::Progress progress(2, app::ProgressStyle::kLines, [&] { return now; });
+  progress.set_advice("Use --frames for less.");
+  now += std::chrono::seconds(static_cast<int>(frame_s));
+  progress.step("frame 0");
+  now += std::chrono::seconds(static_cast<int>(frame_s));
+  progress.step("frame 1");
+  return testing::internal::GetCapturedStderr();
+}
+
+TEST(Progress, more_than_an_hour_left_prints_estimate_and_advice_once) {
+  EXPECT_EQ(printed_after_first_frame(7200),
+            "[1/2] frame 0; 2:00:00 left\nThis will take about 2:00:00 more. Use --frames for less.\n[2/2] frame 1; done\n");
+  EXPECT_EQ(printed_after_first_frame(3600), "[1/2] frame 0; 1:00:00 left\n[2/2] frame 1; done\n");
 }
 
 TEST(Heartbeat, beats_until_it_goes) {

@@ -1,8 +1,10 @@
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <fstream>
 
 #include "cli/tool.hpp"
+#include "support/exr_file.hpp"
 
 namespace lippmann::test {
 namespace {
@@ -25,6 +27,41 @@ TEST(BadInput, scenes_that_are_missing_or_damaged_are_named) {
   expect_nothing_made(dir, {"render", "a.glb"}, "a.glb");
   write(dir / "job.toml", "scene = 'teapot'\nlense = 3\n");
   expect_refusal(run_tool(dir, {"render", "job.toml"}), 2, "job.toml:2: there is no key 'lense', did you mean 'lenses'?");
+}
+
+// A reader that opens a FIFO waits for ever, and so does this test.
+TEST(BadInput, fifos_are_refused_by_every_reader) {
+  const TempDir dir;
+  for (const char* name : {"a.glb", "a.gltf", "a.ply", "a.obj", "a.nff", "a.dat", "job.toml", "p.png", "p.hdr", "d.toml",
+                           "d.json", "v.mp4", "report.json", "q_qs2x2a1.png.json"})
+    ASSERT_EQ(mkfifo((dir / name).c_str(), 0600), 0);
+  for (const char* scene : {"a.glb", "a.gltf", "a.ply", "a.obj", "a.nff", "a.dat", "job.toml"})
+    expect_nothing_made(dir, {"render", scene, "-o", "out"}, "is not a regular file but a FIFO");
+  const std::vector<Words> others{{"info", "a.ply"},
+                                  {"render", "teapot", "-o", "out", "--environment", "p.hdr"},
+                                  {"render", "teapot", "-o", "out", "--display", "d.toml"},
+                                  {"render", "teapot", "-o", "out", "--display", "d.json"},
+                                  {"compare", "p.png", "p.png"},
+                                  {"compare", "v.mp4", "v.mp4"},
+                                  {"convert", "p.png", "out", "--from", "integral", "--views", "2x1", "--to", "views"},
+                                  {"convert", "p.png", "out", "--to", "views"},
+                                  {"replay", "p.png"},
+                                  {"report", "report.json"}};
+  for (const Words& words : others) expect_nothing_made(dir, words, "is not a regular file but a FIFO");
+}
+
+// Whatever a message quotes of a file, the terminal is not told what to do.
+TEST(BadInput, names_in_files_do_not_reach_the_terminal_as_they_are) {
+  const TempDir dir;
+  ExrPart part;
+  part.channels = {{"\x1b]0;owned\x07u", {1.0f}}, {"\x1b]0;owned\x07v", {1.0f}}};
+  const std::vector<std::byte> file = exr_file(part);
+  write(dir / "a.exr", {reinterpret_cast<const char*>(file.data()), file.size()});
+  for (const Words& words : {Words{"compare", "a.exr", "a.exr"}, Words{"render", "teapot", "--environment", "a.exr"}}) {
+    const RunResult result = run_tool(dir, words);
+    expect_refusal(result, 1, "?]0;owned?u");
+    EXPECT_EQ(result.err.find('\x1b'), std::string::npos);
+  }
 }
 
 TEST(BadInput, output_folder_that_cannot_be_made_is_named) {

@@ -165,6 +165,27 @@ TEST(FailingAllocations, are_mostly_said_in_a_line_and_always_leave_a_folder_tha
   EXPECT_LE(4 * ends.ended, ends.said) << "by a library, now and then";
 }
 
+TEST(FailingWrites, strips_that_cannot_be_removed_are_said_and_the_next_run_removes_them) {
+  if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "a sanitizer's run-time wants to be loaded first";
+  const TempDir dir;
+  const Words command{"render", "primitives", "--size", "64x64", "--frames", "0", "--strips", "2", "-o", "a"};
+  const RunResult result = run_failing(dir, command, "remove", 1, true);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.err.find("strip_0000_000.exr: cannot be removed"), std::string::npos) << result.err;
+  EXPECT_TRUE(fs::exists(dir / "a/strip_0000_000.exr"));
+  expect_done(dir, command + Words{"--resume"});
+  EXPECT_FALSE(fs::exists(dir / "a/strip_0000_000.exr"));
+}
+
+TEST(FailingWrites, render_that_cannot_be_removed_is_not_replaced) {
+  if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "a sanitizer's run-time wants to be loaded first";
+  const TempDir dir;
+  expect_done(dir, small_teapot("0", "a"));
+  const RunResult result = run_failing(dir, small_teapot("0", "a") + Words{"--view-angle", "40", "--force"}, "remove", 1, true);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.err.find("frame_0000.png: cannot be removed"), std::string::npos) << result.err;
+}
+
 TEST(FailingWrites, files_and_folders_that_cannot_be_synced_are_said_and_leave_whole_files_or_none) {
   expect_an_error_and_whole_files_or_none({"--video", "VIDEO"}, Fails::kOneWrite, "fsync");
 }

@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "cli/tool.hpp"
 
@@ -102,6 +103,152 @@ TEST(Folder, fifo_in_place_of_a_file_is_an_error_and_is_not_waited_for) {
   }
 }
 
+/// All files below a folder but journals, by their paths.
+std::set<std::string> names_below(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (const std::string name = entry.path().lexically_relative(folder);
+        entry.is_regular_file() && name.find(".lippmann") == std::string::npos)
+      names.insert(name);
+  return names;
+}
+
+const Words kWithCompanions{"--also", "single", "--page", "--video", "a/film.mkv"};
+
+TEST(Folder, of_another_job_that_has_not_finished_a_frame_is_refused_with_force_too) {
+  const TempDir dir;
+  Subprocess slow(tool_command({"render", "teapot", "--size", "3000x3000", "--spp", "64", "--frames", "0", "-o", "a"}),
+                  {dir.path().string(), 0});
+  ASSERT_TRUE(appears(dir / "a/report.json"));
+  for (const Words& flags : {Words{}, Words{"--force"}, Words{"--force", "--dry-run"}})
+    expect_refusal(run_tool(dir, small_teapot("0", "a") + flags), 1, "another render has begun in it");
+  EXPECT_FALSE(fs::exists(dir / "a/frame_0000.png"));
+  slow.signal(SIGKILL);
+  slow.wait();
+  expect_done(dir, small_teapot("0", "a"));
+  expect_done(dir, {"check", "a"});
+}
+
+TEST(Folder, that_is_removed_while_it_is_rendered_into_is_an_error) {
+  const TempDir dir;
+  Subprocess running(tool_command(small_teapot("0-479", "a") + Words{"--layout", "views", "--quiet"}),
+                     {dir.path().string(), 0});
+  ASSERT_TRUE(appears(dir / "a/frame_0001"));
+  std::error_code ignored;
+  fs::rename(dir / "a", dir / "moved", ignored);
+  const RunResult result = running.wait();
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.err, "");
+}
+
+TEST(Folder, job_of_a_render_asks_for_all_that_it_wrote_and_check_misses_what_is_gone) {
+  const TempDir dir;
+  const Words whole = small_teapot("0-1", "a") + kWithCompanions;
+  expect_done(dir, whole);
+  expect_done(dir, {"check", "a"});
+  const std::set<std::string> names = names_below(dir / "a");
+  for (const std::string gone : {"single", "page", "single/frame_0001.png", "page/index.html", "film.mkv", "film_single.mkv"}) {
+    ASSERT_TRUE(fs::exists(dir / "a" / gone)) << gone;
+    fs::remove_all(dir / "a" / gone);
+    const RunResult check = run_tool(dir, {"check", "a"});
+    EXPECT_EQ(check.exit_code, 1) << gone;
+    EXPECT_THAT(check.out, HasSubstr("missing  " + gone));
+    expect_done(dir, {"render", "a/job.toml", "--resume", "--quiet"});
+    EXPECT_EQ(names_below(dir / "a"), names) << gone;
+    expect_done(dir, {"check", "a"});
+  }
+}
+
+TEST(Folder, companions_of_a_killed_render_are_made_when_it_is_resumed) {
+  const TempDir dir;
+  Subprocess killed(tool_command(small_teapot("0-3", "a") + kWithCompanions), {dir.path().string(), 0});
+  ASSERT_TRUE(appears(dir / "a/frame_0001.png"));
+  killed.signal(SIGKILL);
+  killed.wait();
+  EXPECT_EQ(run_tool(dir, {"check", "a"}).exit_code, 1);
+  expect_done(dir, {"render", "a/job.toml", "--resume", "--quiet"});
+  expect_done(dir, {"check", "a"});
+  for (const char* name : {"single/frame_0003.png", "page/index.html", "film.mkv", "film_single.mkv"})
+    EXPECT_TRUE(fs::exists(dir / "a" / name)) << name;
+}
+
+TEST(Folder, forced_render_removes_the_companions_of_the_one_before) {
+  const TempDir dir;
+  expect_done(dir, small_teapot("0-1", "a") + kWithCompanions);
+  std::ofstream(dir / "a/page/notes.txt") << "somebody's";
+  expect_done(dir, small_teapot("0", "a") + Words{"--view-angle", "40", "--force"});
+  EXPECT_EQ(names_below(dir / "a"), (std::set<std::string>{"frame_0000.png", "job.toml", "report.json", "page/notes.txt"}));
+  EXPECT_FALSE(fs::exists(dir / "a/single"));
+}
+
+TEST(Folder, parts_of_a_job_with_companions_are_finished_with_them) {
+  const TempDir dir;
+  const Words job = small_teapot("0-1", "a") + Words{"--also", "single", "--page"};
+  expect_done(dir, job + Words{"--unit", "1/2"});
+  EXPECT_EQ(run_tool(dir, {"finish", "a"}).exit_code, 1);
+  expect_done(dir, job + Words{"--unit", "2/2"});
+  EXPECT_FALSE(fs::exists(dir / "a/page"));
+  fs::rename(dir / "a/single", dir / "kept");
+  const RunResult finish = run_tool(dir, {"finish", "a"});
+  EXPECT_EQ(finish.exit_code, 1);
+  EXPECT_THAT(finish.out, HasSubstr("single"));
+  fs::rename(dir / "kept", dir / "a/single");
+  expect_done(dir, {"finish", "a"});
+  EXPECT_TRUE(fs::exists(dir / "a/page/index.html"));
+  expect_done(dir, {"check", "a"});
+}
+
+TEST(Folder, every_file_of_a_render_is_in_its_journal) {
+  const TempDir dir;
+  const Words views{"render", "teapot", "--optics", "multiview", "--views",      "2x2",
+                    "--size", "32x32",  "--frames", "0",         "--camera-grid"};
+  for (const Words& flags : {Words{"--layout", "quilt"}, Words{"--layout", "views", "--aov", "depth"},
+                             Words{"--layout", "rgbd", "--video", "a/v.mkv"}, Words{"--layout", "stereo", "--video", "a/v.mkv"},
+                             Words{"--to", "hci"}, Words{"--to", "miv"}, Words{"--to", "stanford"}}) {
+    const RunResult made = run_tool(dir, views + flags + Words{"-o", "a"});
+    if (made.exit_code != 0) {
+      ADD_FAILURE() << flags[1] << made.err;
+      continue;
+    }
+    for (const std::string& name : names_below(dir / "a")) {
+      fs::rename(dir / "a" / name, dir / "kept");
+      EXPECT_THAT(run_tool(dir, {"check", "a"}).out, HasSubstr("missing  " + name)) << flags[1];
+      fs::rename(dir / "kept", dir / "a" / name);
+    }
+    fs::remove_all(dir / "a");
+  }
+}
+
+TEST(Folder, copy_of_a_render_is_resumed_in_the_copy_however_the_folder_was_named) {
+  const TempDir dir;
+  const std::string absolute = dir / "a";
+  expect_done(dir, small_teapot("0-1", absolute) + Words{"--video", absolute + "/v.mkv"});
+  fs::copy(dir / "a", dir / "b", fs::copy_options::recursive);
+  fs::remove_all(dir / "a");
+  fs::remove(dir / "b/frame_0001.png"), fs::remove(dir / "b/v.mkv");
+  expect_done(dir, {"render", "b/job.toml", "--resume", "--quiet"});
+  EXPECT_FALSE(fs::exists(dir / "a"));
+  expect_done(dir, {"check", "b"});
+}
+
+TEST(Folder, later_run_of_a_job_adds_its_videos_and_companions_to_the_job_file) {
+  const TempDir dir;
+  expect_done(dir, small_teapot("0", "a") + Words{"--video", "a/v.mkv"});
+  expect_done(dir, small_teapot("0", "a") + Words{"--resume", "--page"});
+  expect_done(dir, small_teapot("0-1", "a") + Words{"--resume"});
+  const std::string job = bytes_of(dir / "a/job.toml");
+  for (const char* key : {"page = true", "v.mkv", "frames = \"0-1\""}) EXPECT_THAT(job, HasSubstr(key));
+}
+
+TEST(Folder, report_of_a_render_with_frames_of_earlier_runs_says_so) {
+  const TempDir dir;
+  expect_done(dir, small_teapot("0-1", "a"));
+  EXPECT_EQ(json_of(bytes_of(dir / "a/report.json"))["resumed"], false);
+  fs::remove(dir / "a/frame_0001.png");
+  expect_done(dir, small_teapot("0-1", "a") + Words{"--resume"});
+  EXPECT_EQ(json_of(bytes_of(dir / "a/report.json"))["resumed"], true);
+}
+
 TEST(Folder, check_prints_lists_as_json) {
   const TempDir dir;
   expect_done(dir, small_teapot("0-1", "a") + Words{"--video", "film.mkv"});
@@ -113,6 +260,7 @@ TEST(Folder, check_prints_lists_as_json) {
                                    {"missing", nlohmann::json::array()},
                                    {"foreign", nlohmann::json::array()},
                                    {"unfinished", nlohmann::json::array()},
+                                   {"unfinished_beside", nlohmann::json::object()},
                                    {"strips_left", nlohmann::json::object()},
                                    {"passed", true}}));
   fs::resize_file(dir / "film.mkv", fs::file_size(dir / "film.mkv") - 1);

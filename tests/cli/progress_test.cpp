@@ -101,10 +101,10 @@ TEST(FittedDepth, is_the_default_and_said_before_and_after) {
   const TempDir dir;
   const RunResult fitted = run_tool(dir, small_teapot("0", "a")),
                   full = run_tool(dir, small_teapot("0", "b") + Words{"--full-depth"});
-  EXPECT_THAT(fitted.err, AllOf(HasSubstr("of its depth is shown"), HasSubstr("--full-depth shows all of it.")));
-  EXPECT_THAT(fitted.out, HasSubstr("--full-depth shows all of it."));
+  EXPECT_THAT(fitted.err, AllOf(HasSubstr("Its depth is scaled to"), HasSubstr("--full-depth shows its full depth.")));
+  EXPECT_THAT(fitted.out, HasSubstr("--full-depth shows its full depth."));
   EXPECT_THAT(full.err, Not(HasSubstr("depth")));
-  EXPECT_THAT(full.out, HasSubstr("--fit-depth shows it less deep."));
+  EXPECT_THAT(full.out, HasSubstr("--fit-depth scales its depth to the budget."));
   const Json a = json_of(bytes_of(dir / "a/report.json")), b = json_of(bytes_of(dir / "b/report.json"));
   EXPECT_LT(a["depth"]["scale"], 0.9);
   EXPECT_EQ(a["depth"]["fits"], true);
@@ -115,7 +115,7 @@ TEST(FittedDepth, is_the_default_and_said_before_and_after) {
 
 TEST(FittedDepth, is_said_by_a_dry_run) {
   const TempDir dir;
-  EXPECT_THAT(run_tool(dir, small_teapot("0", "a") + Words{"-n"}).out, HasSubstr("of its depth is shown"));
+  EXPECT_THAT(run_tool(dir, small_teapot("0", "a") + Words{"-n"}).out, HasSubstr("Its depth is scaled to"));
   EXPECT_LT(report_of(dir, small_teapot("0", "a") + Words{"-n"})["depth"]["scale"], 0.9);
 }
 

@@ -33,15 +33,14 @@ INSTANTIATE_TEST_SUITE_P(
                     render({"--to", "hci", "--optics", "multiview", "--aov", "normal"}, "--aov: files of the format hci"),
                     render({"--size", "20000x20000"}, "--format tiff"), render({"-o", "-"}, "--output")));
 
-INSTANTIATE_TEST_SUITE_P(Light, Refusals,
-                         testing::Values(render({"--transparent", "--video", "a.mp4"}, "--transparent: none of the codecs"),
-                                         render({"--integrator", "path", "--reuse", "forward"},
-                                                "--reuse: interpolate does not know path-traced frames"),
-                                         render({"--integrator", "path", "--reuse", "forward"}, "or --integrator whitted"),
-                                         render({"--denoise"}, "--denoise: only paths have noise"),
-                                         render({"--splat", "lens"}, "--splat"), render({"--reuse", "backward"}, "--reuse"),
-                                         render({"--min-psnr", "5", "--reuse", "none"}, "--min-psnr"),
-                                         render({"--fit-depth", "--full-depth"}, "--full-depth")));
+INSTANTIATE_TEST_SUITE_P(
+    Light, Refusals,
+    testing::Values(render({"--transparent", "--video", "a.mp4"}, "--transparent: cannot be combined with --video"),
+                    render({"--integrator", "path", "--reuse", "forward"}, "--reuse: interpolate needs Whitted shading"),
+                    render({"--integrator", "path", "--reuse", "forward"}, "or --integrator whitted"),
+                    render({"--denoise"}, "--denoise: needs path tracing"), render({"--splat", "lens"}, "--splat"),
+                    render({"--reuse", "backward"}, "--reuse"), render({"--min-psnr", "5", "--reuse", "none"}, "--min-psnr"),
+                    render({"--fit-depth", "--full-depth"}, "--full-depth")));
 
 INSTANTIATE_TEST_SUITE_P(
     Displays, Refusals,
@@ -52,21 +51,37 @@ INSTANTIATE_TEST_SUITE_P(
                     Refusal{{"convert", "out", "x", "--crosstalk", "0.3"}, "--precompensate"},
                     Refusal{{"convert", "a.png", "b.png", "--from", "native", "--to", "views"}, "--display"}));
 
-INSTANTIATE_TEST_SUITE_P(Conversions, Refusals,
-                         testing::Values(render({"--ipd", "60"}, "--layout stereo"), render({"--right-first"}, "--right-first"),
-                                         Refusal{{"convert", "a.png", "b", "--to", "views", "--ipd", "60"}, "--to stereo"},
-                                         Refusal{{"convert", "x.png", "v", "--from", "quilt", "--to", "views", "--near-black"},
-                                                 "--from rgbd"},
-                                         Refusal{{"convert", "out", "a", "--rotate-elemental", "--spoc", "8"}, "--spoc"}));
+INSTANTIATE_TEST_SUITE_P(
+    Conversions, Refusals,
+    testing::Values(render({"--ipd", "60"}, "--layout stereo"), render({"--right-first"}, "--right-first"),
+                    Refusal{{"convert", "a.png", "b", "--from", "quilt", "--to", "views", "--ipd", "60"}, "--to stereo"},
+                    Refusal{{"convert", "x.png", "v", "--from", "quilt", "--to", "views", "--near-black"}, "--from rgbd"},
+                    Refusal{{"convert", "out", "a", "--rotate-elemental", "--spoc", "8"}, "--spoc"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Parts, Refusals,
-    testing::Values(
-        render({"--only-frames", "7-9"}, "--only-frames: 7-9 has no frame that is to be rendered; accepted: some of 0"),
-        render({"--only-frames", "x"}, "--only-frames: 'x'"),
-        render({"--only-frames", "0", "--page"}, "--page: needs all frames, and --only-frames 0 renders a part of them"),
-        render({"--video", "a.mp4", "--format", "exr", "--unit", "1/2"}, "--video: is made of the pictures of all parts"),
-        render({"--unit", "3/2"}, "--unit: '3/2' is no unit"), render({"--page", "--mirror"}, "--page")));
+    testing::Values(render({"--only-frames", "7-9"}, "--only-frames: 7-9 selects no frame of this render; accepted: some of 0"),
+                    render({"--only-frames", "x"}, "--only-frames: 'x'"),
+                    render({"--video", "a.mp4", "--format", "exr", "--unit", "1/2"}, "--video: needs pictures of 8 bits"),
+                    render({"--unit", "3/2"}, "--unit: '3/2' is not a unit"), render({"--page", "--mirror"}, "--page")));
+
+INSTANTIATE_TEST_SUITE_P(
+    FlagsWithoutEffect, Refusals,
+    testing::Values(render({"--stereo", "sbs"}, "--stereo: has no effect on this render; accepted: --layout stereo with it"),
+                    render({"--right-first"}, "--right-first: has no effect"), render({"--splat", "view"}, "--splat"),
+                    render({"--fill", "interpolate"}, "--fill"), render({"--halving"}, "--halving"),
+                    render({"--no-z-buffer"}, "--no-z-buffer"), render({"--reuse", "none", "--keyframes", "8"}, "--keyframes"),
+                    render({"--integrator", "path", "--spp", "64", "--keyframes", "8"}, "--keyframes: has no effect"),
+                    render({"--clamp-indirect", "4"}, "--clamp-indirect: has no effect"),
+                    render({"--quality-at", "pixel"}, "--quality-at: has no effect"),
+                    render({"--video-codec", "hevc"}, "--video-codec: has no effect"), render({"--crf", "20"}, "--crf"),
+                    render({"--crf", "20", "--video", "a.mkv"}, "--crf: has no effect"),
+                    render({"--exr-pixels", "float"}, "--exr-pixels: has no effect"),
+                    render({"--format", "exr", "--exposure", "1"}, "--exposure: has no effect"),
+                    render({"--format", "exr", "--tone", "agx"}, "--tone: has no effect"),
+                    render({"--environment", "none", "--environment-strength", "2"}, "--environment-strength"),
+                    render({"--environment", "none", "--environment-rotation", "9"}, "--environment-rotation"),
+                    render({"--texture-memory", "100"}, "--texture-memory"), render({"--asset-root", "."}, "--asset-root")));
 
 INSTANTIATE_TEST_SUITE_P(
     Words, Refusals,

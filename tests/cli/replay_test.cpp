@@ -2,6 +2,8 @@
 // tests/replay.
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "cli/tool.hpp"
 
 namespace lippmann::test {
@@ -59,13 +61,66 @@ TEST(Replay, impossible_values_are_refused_by_the_flag_s_name) {
   expect_refusal(run_tool(dir, {"replay", "none"}), 1, "none");
 }
 
+TEST(Replay, flags_without_effect_are_refused) {
+  const TempDir dir;
+  render_for_replay(dir);
+  for (const Words& flags : std::vector<Words>{{"--eye", "0,0,300", "--refocus", "1"},
+                                               {"--pupil", "4", "--epi", "3"},
+                                               {"--focus", "4"},
+                                               {"--filter", "nearest", "--refocus", "1"},
+                                               {"--size", "40x40", "--epi", "3"},
+                                               {"--crosstalk", "0.3", "--focal-stack", "1:-1:3"},
+                                               {"--fps", "12"},
+                                               {"--views", "8x1"},
+                                               {"--quilt", "8x1"},
+                                               {"--display", "portrait"}})
+    expect_refusal(run_tool(dir, Words{"replay", "out"} + flags), 2, flags[0] + ": has no effect");
+}
+
+TEST(Replay, foreign_frame_of_a_panel_is_seen_through_its_display) {
+  const TempDir dir;
+  std::ofstream(dir / "d.toml") << "kind = \"slanted-panel\"\npixels = [40, 30]\ndpi = 60\nview_cone_deg = 40\n"
+                                   "[calibration]\npitch = 8.1\nslope = -5\ncenter = 0.3\n";
+  expect_done(dir, {"render", "room", "--display", "d.toml", "--layout", "native", "--frames", "0", "-o", "n"});
+  expect_done(dir, {"replay", "n", "-o", "own"});
+  fs::create_directories(dir / "f");
+  fs::copy(dir / "n/frame_0000.png", dir / "f/foreign.png");
+  expect_done(dir, {"replay", "f/foreign.png", "--display", "d.toml", "-o", "a"});
+  expect_done(dir, {"replay", "f/foreign.png", "--from", "native", "--display", "d.toml", "-o", "b"});
+  EXPECT_EQ(bytes_of(dir / "a/eye_foreign.png"), bytes_of(dir / "own/eye_0000.png"));
+  EXPECT_EQ(bytes_of(dir / "b/eye_foreign.png"), bytes_of(dir / "own/eye_0000.png"));
+  expect_refusal(run_tool(dir, {"replay", "f/foreign.png", "--display", "portrait"}), 1, "40x30 pixels");
+  expect_refusal(run_tool(dir, {"replay", "f/foreign.png", "--from", "native"}), 2, "--display");
+  expect_done(dir, {"view", "f/foreign.png", "--display", "d.toml", "--save", "page"});
+}
+
+TEST(Info, says_what_pictures_and_folders_are) {
+  const TempDir dir;
+  render_for_replay(dir);
+  nlohmann::json info = report_of(dir, {"info", "out"});
+  EXPECT_EQ(info["format"], "integral");
+  EXPECT_EQ(info["views"], nlohmann::json({8, 1}));
+  EXPECT_EQ(info["side_file"], "out/report.json");
+  expect_done(dir, {"convert", "out/frame_0003.png", "q.png", "--to", "quilt"});
+  info = report_of(dir, {"info", "q_qs4x2a1.png"});
+  EXPECT_EQ(info["format"], "quilt");
+  EXPECT_EQ(info["side_file"], "q_qs4x2a1.png.json");
+  EXPECT_EQ(info["cameras"], nullptr);
+  fs::copy(dir / "out/frame_0003.png", dir / "plain.png");
+  info = report_of(dir, {"info", "plain.png"});
+  EXPECT_EQ(info["format"], nullptr);
+  EXPECT_THAT(info["problem"].get<std::string>(), testing::HasSubstr("is unknown"));
+  expect_refusal(run_tool(dir, {"info", "plain.png", "--zoom", "2"}), 2, "--zoom: has no effect on pictures");
+  expect_refusal(run_tool(dir, {"info", "none.png"}), 1, "none.png: there is no such file");
+}
+
 TEST(Replay, picture_that_nothing_describes_is_described_by_flags) {
   const TempDir dir;
   render_for_replay(dir);
   fs::create_directories(dir / "a");
   expect_done(dir, {"convert", "out/frame_0003.png", "a/picture.png", "--to", "quilt"});
   fs::rename(dir / "a/picture_qs4x2a1.png", dir / "a/plain.png");
-  expect_refusal(run_tool(dir, {"replay", "a/plain.png"}), 1, "nothing says what this picture is");
+  expect_refusal(run_tool(dir, {"replay", "a/plain.png"}), 2, "the format of a/plain.png is unknown");
   expect_done(dir, {"replay", "a/plain.png", "--from", "quilt", "--quilt", "4x2"});
 }
 

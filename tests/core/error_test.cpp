@@ -16,5 +16,12 @@ TEST(Error, usage_error_exits_with_2) {
   EXPECT_STREQ(usage_error("--lenses", "0 lenses").what(), "--lenses: 0 lenses");
 }
 
+// Names from files reach messages: a terminal must not obey them.
+TEST(Error, has_no_control_characters) {
+  const Error error("a\x1b[2J.exr", "has no channel \x1b]0;x\x07", "R\nG");
+  EXPECT_STREQ(error.what(), "a?[2J.exr: has no channel ?]0;x?; accepted: R?G");
+  EXPECT_EQ(error.problem(), "has no channel ?]0;x?");
+}
+
 }  // namespace
 }  // namespace lippmann

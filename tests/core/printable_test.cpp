@@ -24,6 +24,14 @@ TEST(Printable, text_beyond_60_characters_is_cut_between_characters) {
   EXPECT_EQ(printable(sixty + "é"), sixty + "...");
 }
 
+TEST(Printable, lines_are_not_cut_and_have_no_control_characters) {
+  EXPECT_EQ(printable_line(std::string(100, 'a') + "\x1b]0;title\x07\r\n"), std::string(100, 'a') + "?]0;title???");
+  EXPECT_EQ(printable_line("a\xe2\x80\xae"
+                           "b"),
+            "a?"
+            "??b");  // U+202E turns what follows around
+}
+
 TEST(Printable, shown_has_quotes) { EXPECT_EQ(shown("a"), "'a'"); }
 
 TEST(ShellWord, plain_paths_stay_and_others_are_quoted) {

@@ -40,6 +40,7 @@ TEST(BadCalibration, values_that_make_no_panel_are_refused_by_their_key) {
            {"viewCone", 180.0},
            {"verticalAngle", 1e9},
            {"flipImageX", "yes"},
+           {"flip", "both"},
            {"CellPatternMode", 5},
            {"CellPatternMode", -1},
            {"configVersion", 3},

@@ -113,12 +113,14 @@ TEST(DisplayFile, own_file_on_a_preset_changes_what_it_says) {
     [calibration]
     center = 0.25
     patterns = "rows"
+    flip = "slope"
     [quilt]
     tiles = [4, 12])",
                                             "mine.toml");
   EXPECT_EQ(display.view_cone_deg, 35.5);
   EXPECT_EQ(display.calibration.center, 0.25);
   EXPECT_EQ(display.calibration.patterns, Calibration::Patterns::kRows);
+  EXPECT_EQ(display.calibration.flip, Calibration::Flip::kSlope);
   EXPECT_EQ(display.calibration.pitch, 52.0);
   EXPECT_EQ(display.quilt, (DisplayQuilt{4, 12, 3360, 3360, 0.75}));
 }

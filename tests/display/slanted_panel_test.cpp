@@ -65,19 +65,55 @@ TEST(SlantedDisplay, third_generation_sub_pixel_table_by_hand) {
     EXPECT_NEAR(view_of(optics, i, j, color), v, kView) << i << " " << j << " " << color;
 }
 
+TEST(SlantedDisplay, flipped_portrait_sub_pixel_table_by_hand) {
+  // P = 52.594 * 1536 / 324 cos(atan(1 / -7.2115)) = 246.97136; T = -2048 / (1536 * -7.2115) = 0.18488987.
+  // z = (x - c / 4608 + 0.18488987 y) 246.97136 - 0.40277, v = 1 - fract(z):
+  //   i     j     c   x           y           z           v
+  //   0     0     0   0.00032552  0.99975586  45.328980   0.671020
+  //   0     0     1                           45.275384   0.724616
+  //   0     0     2                           45.221788   0.778212
+  //   1535  2047  2   0.99967448  0.00024414  246.392153  0.607847
+  // flipImageY changes none of it.
+  Display d;
+  d.calibration = {.pitch = 52.594, .slope = -7.2115, .center = 0.40277, .flip_image_x = true};
+  const struct {
+    int i, j, color;
+    double v;
+  } table[] = {{0, 0, 0, 0.671020}, {0, 0, 1, 0.724616}, {0, 0, 2, 0.778212}, {1535, 2047, 2, 0.607847}};
+  for (const bool flip_y : {false, true}) {
+    d.calibration.flip_image_y = flip_y;
+    const Optics optics = native_optics(d);
+    for (const auto& [i, j, color, v] : table)
+      EXPECT_NEAR(view_of(optics, i, j, color), v, kView) << i << " " << j << " " << color;
+  }
+}
+
+TEST(SlantedDisplay, flip_of_slope_alone_keeps_steps) {
+  // As above with + c / 4608: 45.328980 + 0.053597 c; with the step and 1/2 more: 44.775384 of green.
+  Display d;
+  d.calibration = {.pitch = 52.594, .slope = -7.2115, .center = 0.40277, .flip_image_x = true};
+  d.calibration.flip = Calibration::Flip::kSlope;
+  EXPECT_NEAR(view_of(native_optics(d), 0, 0, 0), 0.671020, kView);
+  EXPECT_NEAR(view_of(native_optics(d), 0, 0, 1), 0.617423, kView);
+  d.calibration.flip = Calibration::Flip::kSlopeStepAndCenter;
+  EXPECT_NEAR(view_of(native_optics(d), 0, 0, 1), 0.224616, kView);
+}
+
 /// The formula of Calibration as it stands there.
 double formula(const Display& d, int i, int j, int color, int cell) {
   const Calibration& c = d.calibration;
   const double w = d.pixels.x, h = d.pixels.y;
   const double p = c.pitch * w / d.dpi * std::cos(std::atan(1.0 / c.slope));
-  const double t = h / (w * c.slope) * (c.flip_image_y ? -1 : 1), s = (c.flip_image_x ? -1 : 1) / (3 * w);
+  const double t = h / (w * c.slope) * (c.flip_image_x ? -1 : 1);
+  const double s = (c.flip_image_x && c.flip != Calibration::Flip::kSlope ? -1 : 1) / (3 * w);
+  const double center = c.center + (c.flip_image_x && c.flip == Calibration::Flip::kSlopeStepAndCenter ? 0.5 : 0.0);
   double x = (i + 0.5) / w, y = 1 - (j + 0.5) / h;
   const int k = c.flip_sub_pixels ? 2 - color : color;
   if (c.cells.empty())
     x += k * s;
   else
     x += c.cells[cell][k].x / w, y += c.cells[cell][k].y / h;
-  const double z = (x + y * t) * p - c.center;
+  const double z = (x + y * t) * p - center;
   const bool inverted = c.inversion == Calibration::Inversion::kAlways || c.invert;
   return inverted ? 1 - (z - std::floor(z)) : z - std::floor(z);
 }
@@ -104,8 +140,9 @@ void expect_formula(const Display& d, int (*cell)(int column, int row_from_botto
 int first_cell(int, int) { return 0; }
 
 TEST(SlantedDisplay, every_flip_is_that_of_the_formula) {
-  for (int flags = 0; flags < 16; ++flags) {
+  for (int flags = 0; flags < 48; ++flags) {
     Display d = small_display();
+    d.calibration.flip = static_cast<Calibration::Flip>(flags / 16);
     d.calibration.flip_image_x = flags & 1, d.calibration.flip_image_y = flags & 2, d.calibration.flip_sub_pixels = flags & 4;
     if (flags & 8) d.calibration.invert = false, d.calibration.inversion = Calibration::Inversion::kIfFlagged;
     SCOPED_TRACE(flags);

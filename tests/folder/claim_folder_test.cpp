@@ -3,7 +3,9 @@
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <fstream>
 
 #include "folder/folder_check.hpp"
@@ -64,7 +66,7 @@ std::vector<std::string> cleared(const fs::path& folder, const std::string& job,
   std::vector<std::string> warnings;
   Context context;
   context.warn = [&](std::string_view text) { warnings.emplace_back(text); };
-  clear_folder(folder, job, frames, force, context);
+  clear_folder(folder, {.job = job, .frames = frames, .force = force}, context);
   return warnings;
 }
 
@@ -85,6 +87,91 @@ TEST(ClaimFolder, another_render_is_refused_but_not_one_that_was_stopped_before_
   make_render(dir / "none", "a", {});
   EXPECT_THAT(refusal(dir / "one", "b"), testing::AllOf(HasSubstr("holds another render"), HasSubstr("`force`")));
   EXPECT_EQ(refusal(dir / "none", "b"), "");
+}
+
+/// The file that a run of another machine has left or still writes, which has finished nothing.
+fs::path make_remote_run(const fs::path& folder, const std::string& job, bool has_ended = false) {
+  fs::create_directories(folder / ".lippmann");
+  const fs::path part = folder / ".lippmann/01700000000-elsewhere-7.jsonl";
+  std::ofstream(part) << job_line(job) << asked_line({0, 1, 2}) << (has_ended ? run_line({}) : std::string());
+  return part;
+}
+
+TEST(ClaimFolder, run_that_has_finished_nothing_keeps_other_jobs_out_as_long_as_it_lives) {
+  const test::TempDir dir;
+  const fs::path folder = dir / "out";
+  {
+    fs::create_directory(folder);
+    RenderFolder live(folder, "a");
+    live.begin({0, 1, 2});
+    EXPECT_THAT(refusal(folder, "b"), HasSubstr("another render has begun in it"));
+    EXPECT_THROW(cleared(folder, "b", true, {0}), Error);
+    EXPECT_THROW(RenderFolder(folder, "b"), Error);
+    EXPECT_EQ(free_folder(folder, "b"), dir / "out-2");
+    EXPECT_THROW(require_no_render(folder), Error);
+    EXPECT_EQ(refusal(folder, "a"), "");
+    EXPECT_NO_THROW(RenderFolder(folder, "a"));
+    live.begin({3});  // nobody has taken its file away
+  }
+  EXPECT_EQ(refusal(folder, "b"), "");
+  EXPECT_EQ(free_folder(folder, "b"), folder);
+  cleared(folder, "b", false, {0});
+  EXPECT_NO_THROW(RenderFolder(folder, "b"));
+}
+
+TEST(ClaimFolder, live_run_that_has_finished_frames_is_not_replaced_by_force) {
+  const test::TempDir dir;
+  make_render(dir.path(), "a", {0});
+  {
+    const RenderFolder live(dir.path(), "a");
+    EXPECT_THROW(cleared(dir.path(), "b", true, {0}), Error);
+    EXPECT_TRUE(fs::exists(dir / "frame_0000.png"));
+  }
+  cleared(dir.path(), "b", true, {0});
+  EXPECT_FALSE(fs::exists(dir / "frame_0000.png"));
+}
+
+TEST(ClaimFolder, run_of_another_machine_holds_the_folder_while_its_lease_lasts) {
+  const test::TempDir dir;
+  const fs::path part = make_remote_run(dir.path(), "a");
+  EXPECT_THAT(refusal(dir.path(), "b"), HasSubstr("process 7 on elsewhere"));
+  EXPECT_EQ(refusal(dir.path(), "a"), "");
+  fs::last_write_time(part, fs::file_time_type::clock::now() - std::chrono::hours(1));
+  EXPECT_EQ(refusal(dir.path(), "b"), "");
+  make_remote_run(dir.path(), "a", true);
+  EXPECT_EQ(refusal(dir.path(), "b"), "");
+}
+
+TEST(ClaimFolder, render_that_is_replaced_by_a_run_that_has_begun_leaves_that_runs_journal) {
+  const test::TempDir dir;
+  make_render(dir.path(), "a", {0});
+  RenderFolder run(dir.path(), "b", [&](const fs::path& own) {
+    clear_folder(dir.path(), {.job = "b", .frames = {0}, .force = true, .own = own}, {});
+  });
+  EXPECT_EQ(read_journal(dir.path())->job, "b");
+  EXPECT_TRUE(run.before().frames.empty());
+  EXPECT_FALSE(fs::exists(dir / "frame_0000.png"));
+}
+
+TEST(ClaimFolder, run_that_was_killed_while_it_made_room_leaves_the_other_render_as_it_is) {
+  const test::TempDir dir;
+  make_render(dir.path(), "a", {0});
+  const fs::path part = make_remote_run(dir.path(), "b");
+  fs::last_write_time(part, fs::file_time_type::clock::now() - std::chrono::hours(1));
+  EXPECT_EQ(refusal(dir.path(), "a"), "");
+  EXPECT_THAT(refusal(dir.path(), "b"), HasSubstr("holds another render"));
+  cleared(dir.path(), "a", false, {0});
+  EXPECT_FALSE(fs::exists(part));
+  EXPECT_TRUE(fs::exists(dir / "frame_0000.png"));
+}
+
+TEST(ClaimFolder, file_that_cannot_be_removed_is_an_error) {
+  if (geteuid() == 0) GTEST_SKIP() << "root may remove everything";
+  const test::TempDir dir;
+  make_render(dir / "a", "a", {0});
+  fs::permissions(dir / "a", fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_THROW(cleared(dir / "a", "b", true, {0}), Error);
+  fs::permissions(dir / "a", fs::perms::owner_all);
 }
 
 TEST(ClaimFolder, pictures_and_a_report_that_no_journal_names_are_refused) {
@@ -109,7 +196,7 @@ TEST(ClaimFolder, fifo_in_place_of_a_file_of_the_folder_is_an_error_and_is_not_w
     const test::TempDir dir;
     fs::create_directory(dir / ".lippmann");
     ASSERT_EQ(mkfifo((dir / name).c_str(), 0600), 0);
-    EXPECT_THAT(refusal(dir.path(), "a"), HasSubstr("no regular file")) << name;
+    EXPECT_THAT(refusal(dir.path(), "a"), HasSubstr("is not a regular file but a FIFO")) << name;
   }
 }
 

@@ -152,7 +152,10 @@ TEST(FolderJournal, of_several_runs_is_what_all_have_written_and_another_job_amo
   EXPECT_EQ(journal->parts.size(), 2u);
   EXPECT_THAT(journal->asked, ElementsAre(3, 4, 5, 9, 10));
   EXPECT_TRUE(journal->frames.contains(4));
-  write("2.jsonl", job_line("another"));
+  write("2.jsonl", job_line("another") + asked_line({9}));
+  EXPECT_EQ(read_journal(dir.path())->problem, "") << "it has finished nothing";
+  EXPECT_EQ(read_journal(dir.path())->claims.size(), 1u);
+  write("2.jsonl", job_line("another") + video_line("film.mp4", {9}, {}));
   EXPECT_THAT(read_journal(dir.path())->problem, HasSubstr("line 1 of '2.jsonl'"));
 }
 

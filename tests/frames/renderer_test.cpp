@@ -10,6 +10,8 @@
 #include "job/reuse_params.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/scene/load.hpp"
+#include "lippmann/scene/origin.hpp"
+#include "lippmann/stage/lighting.hpp"
 #include "support/error_message.hpp"
 
 namespace lippmann {
@@ -48,6 +50,50 @@ TEST(Renderer, places_optics_as_high_as_what_the_camera_sees_of_their_plane) {
   EXPECT_FLOAT_EQ(placement.placed.units_per_mm * 64.0f, placement.array.plane_height);
   EXPECT_EQ(placement.array.plane_height, fit_array(scene, 1.0f).plane_height);
   EXPECT_EQ(placement.placed.depth_scale, 1.0f);
+}
+
+/// Of a mesh and a camera, whose coordinates floats can hold.
+Image picture_of_mesh_at(Vec3f where) {
+  Scene scene;
+  Mesh mesh;
+  mesh.positions = {{-1, -1, 0.5f}, {1, -1, 0}, {0, 1, -0.5f}, {0, 0, 1}};
+  mesh.triangles = {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  for (Vec3f& p : mesh.positions) p += where;
+  scene.shapes = {mesh};
+  scene.materials = {{"", MetallicRoughness{.metallic = 0.0f, .double_sided = true}}};
+  scene.instances = {{"", 0, 0, -1}};
+  scene.nodes.resize(1);
+  scene.nodes[0].local.translation = where + Vec3f(0, 0, 6);
+  scene.cameras.resize(1), scene.cameras[0].node = 0;
+  scene.background.horizon = scene.background.zenith = Vec3f(0.8f);
+  move_near_origin(scene);
+  Placement placement = place(scene, small_quilt());
+  const Context context;
+  return Renderer(std::move(scene), std::move(placement), {}, context).frame(0)->pictures.film;
+}
+
+TEST(Renderer, scene_on_a_map_is_the_picture_of_the_one_at_the_origin) {
+  // Multiples of the scene's size, to which its origin is rounded, so that no bit differs.
+  EXPECT_EQ(picture_of_mesh_at({4'194'304, 1024, -2'097'152}).data, picture_of_mesh_at(Vec3f(0)).data);
+}
+
+TEST(Renderer, placing_refuses_a_scene_with_bad_indices) {
+  const auto message = [](const auto& spoil) {
+    Scene scene = built_in("primitives");
+    spoil(scene);
+    return test::error_message([&] { place(scene, small_quilt()); });
+  };
+  EXPECT_THAT(message([](Scene& s) { s.nodes[0].parent = 1000; }), testing::HasSubstr("a parent before it, 1000"));
+  EXPECT_THAT(message([](Scene& s) { s.instances[0].node = 1000; }), testing::HasSubstr("node 1000 does not exist"));
+  EXPECT_THAT(message([](Scene& s) { s.instances[0].shape = -1; }), testing::HasSubstr("shape -1 does not exist"));
+  EXPECT_THAT(message([](Scene& s) { s.cameras[0].node = 1000; }), testing::HasSubstr("node 1000 does not exist"));
+  EXPECT_THAT(message([](Scene& s) { s.lights[0].node = 1000; }), testing::HasSubstr("node 1000 does not exist"));
+}
+
+TEST(Renderer, lighting_refuses_a_scene_with_bad_indices) {
+  Scene scene = built_in("primitives");
+  scene.nodes[0].parent = 1000;
+  EXPECT_THROW(add_missing_light(scene, Integrator::kPath), Error);
 }
 
 TEST(Renderer, fits_depth_to_what_optics_resolve_unless_told_not_to) {

@@ -249,8 +249,9 @@ TEST(ReadImage, missing_file_folder_and_empty_file_are_errors) {
   const TempDir dir;
   std::ofstream(dir / "empty.png").flush();
   EXPECT_THAT(error_message([&] { read_image(dir / "none.png"); }), HasSubstr("none.png: there is no such file"));
-  EXPECT_THAT(error_message([&] { read_image(dir.path()); }), HasSubstr("is not a file"));
-  EXPECT_THAT(error_message([&] { read_image(dir / "empty.png"); }), HasSubstr("empty.png: cannot be read"));
+  EXPECT_THAT(error_message([&] { read_image(dir.path()); }), HasSubstr("is not a regular file but a folder"));
+  EXPECT_THAT(error_message([&] { read_image(dir / "empty.png"); }),
+              HasSubstr("empty.png: cannot be read as a picture: it is empty (0 bytes)"));
 }
 
 TEST(ReadImage, text_named_as_a_picture_is_an_error) {

@@ -8,6 +8,7 @@
 
 #include "image/png.hpp"
 #include "image/ssim.hpp"
+#include "lippmann/core/error.hpp"
 #include "support/command.hpp"
 #include "support/pictures.hpp"
 #include "support/temp_dir.hpp"

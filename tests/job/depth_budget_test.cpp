@@ -91,8 +91,8 @@ TEST(FitDepth, is_told_with_the_factor_and_the_true_depth) {
   const Optics optics{.panel = {}, .model = LenticularSheet{}};
   EXPECT_EQ(
       depth_budget_sentence(shown_depth(array_of_depth(4.0f), 0.1f, 0.4f, optics), optics, 0.4f),
-      "The scene reaches from -40.0 mm to +40.0 mm, deeper than the depth budget of 16.0 mm on either side: 0.4 of its depth "
-      "is shown, from -16.0 mm to +16.0 mm.");
+      "The scene reaches from -40.0 mm to +40.0 mm, beyond the depth budget of 16.0 mm on either side. Its depth is scaled to "
+      "40 %: -16.0 mm to +16.0 mm.");
 }
 
 TEST(FitDepth, scene_that_fits_stays_as_it_is) {

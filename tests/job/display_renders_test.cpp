@@ -116,7 +116,7 @@ TEST_F(DisplayRenders, what_the_display_does_not_have_is_refused) {
   refused("portait", {}, "did you mean 'portrait'?");
   refused("panel.toml", {{"lenses", "20"}}, "lenses");
   refused("panel.toml", {{"layout", "native"}, {"size", "99x99"}}, "a calibrated panel has its own");
-  refused("sheet.toml", {{"optics", "multiview"}}, "knows no quilt");
+  refused("sheet.toml", {{"optics", "multiview"}}, "has no quilt");
   refused("panel.toml", {{"optics", "microlens"}}, "is a slanted-panel");
   refused("sheet.toml", {{"mirror", "true"}}, "print");
   EXPECT_THAT(refusal(teapot("out", "0", {{"layout", "native"}})), HasSubstr("display"));

@@ -131,7 +131,7 @@ TEST(JobFile, bad_value_names_file_line_and_key) {
   const test::TempDir dir;
   const auto file = write(dir / "job.toml", "spp = -1\n");
   EXPECT_THAT(refusal(file), HasSubstr(file.string() + ":1: spp: "));
-  EXPECT_THAT(refusal(write(file, "spp = [1, 2]\n")), HasSubstr("a list, where one value is expected"));
+  EXPECT_THAT(refusal(write(file, "spp = [1, 2]\n")), HasSubstr("is a list; expected one value"));
   EXPECT_THAT(refusal(write(file, "[spp]\nx = 1\n")), HasSubstr(":1: spp: the value is of the wrong type"));
 }
 
@@ -143,8 +143,8 @@ TEST(JobFile, broken_toml_names_file_and_line) {
 
 TEST(JobFile, missing_file_or_folder_is_refused) {
   const test::TempDir dir;
-  EXPECT_THAT(refusal(dir / "none.toml"), HasSubstr("there is no such job file"));
-  EXPECT_THAT(refusal(dir.path()), HasSubstr("is not a file"));
+  EXPECT_THAT(refusal(dir / "none.toml"), HasSubstr("there is no such file"));
+  EXPECT_THAT(refusal(dir.path()), HasSubstr("is not a regular file but a folder"));
 }
 
 TEST(JobFile, that_is_too_large_is_refused_unread) {

@@ -102,7 +102,7 @@ TEST_F(LayoutRenders, what_cannot_be_is_refused_before_anything_is_made) {
   };
   refused({{"layout", "views"}, {"lens-pixels", "7.5"}, {"lenses", "8"}}, "whole number of pixels");
   refused({{"layout", "quilt"}, {"optics", "microlens"}, {"packing", "hexagonal"}}, "whole number of pixels");
-  refused({{"layout", "quilt"}, {"quilt", "3x2"}}, "not as many as 8 views");
+  refused({{"layout", "quilt"}, {"quilt", "3x2"}}, "3x2 tiles do not hold 8 views");
   refused({{"quilt", "4x2"}}, "quilt");
   refused({{"pseudoscopic", "true"}, {"layout", "quilt"}}, "integral");
   refused({{"layout", "views"}, {"video", dir_ / "a.mp4"}}, "pictures of their own");
@@ -113,8 +113,8 @@ TEST_F(LayoutRenders, what_cannot_be_is_refused_before_anything_is_made) {
   refused(grid + Settings{{"to", "hci"}, {"aov", "normal"}}, "aov: files of the format hci have no such layer");
   refused(grid + Settings{{"to", "jpeg-pleno"}, {"aov", "depth"}}, "aov");
   refused(grid + Settings{{"to", "hci"}, {"transparent", "true"}}, "transparent: files of the format hci hold no alpha");
-  refused(grid + Settings{{"to", "hci"}, {"video", dir_ / "a.mp4"}}, "video: views are pictures of their own");
-  refused(grid + Settings{{"to", "hci"}, {"format", "tiff"}}, "format: light fields hold no TIFF pictures");
+  refused(grid + Settings{{"to", "hci"}, {"video", dir_ / "a.mp4"}}, "video: needs a layout with one picture per frame");
+  refused(grid + Settings{{"to", "hci"}, {"format", "tiff"}}, "format: light-field formats do not use TIFF");
   refused({{"lens-pixels", "7.5"}, {"to", "views"}}, "whole number of pixels");
 }
 
@@ -217,7 +217,7 @@ TEST_F(LayoutRenders, rgbd_coding_is_as_asked_and_refused_elsewhere) {
   const DepthCoding coding = side_of(dir_ / "a/frame_0000_rgbd.png").coding;
   EXPECT_EQ(coding, (DepthCoding{{12.5, -40}, true, true}));
   const auto refusal = [&](const Settings& more) { return error_message([&] { render(job("room", "b", small + more)); }); };
-  EXPECT_THAT(refusal({{"depth-range", "10:-30"}}), HasSubstr("depth-range: means nothing without `layout` rgbd"));
+  EXPECT_THAT(refusal({{"depth-range", "10:-30"}}), HasSubstr("depth-range: has no effect without `layout` rgbd"));
   EXPECT_THAT(refusal({{"layout", "rgbd"}, {"depth-range", "1e6:0"}}), HasSubstr("is not before the eye"));
   EXPECT_THAT(refusal({{"layout", "rgbd"}, {"depth-range", "-30:10"}}), HasSubstr("is no range of depths"));
 }

@@ -146,13 +146,12 @@ TEST_F(LightRenders, denoised_frames_have_every_layout_and_layers) {
 
 TEST_F(LightRenders, what_cannot_be_denoised_or_interpolated_is_refused) {
   const auto refused = [&](const Settings& settings) { return refusal(teapot("out", "0", settings)); };
-  EXPECT_THAT(refused({{"denoise", "true"}}), HasSubstr("denoise: only paths have noise"));
+  EXPECT_THAT(refused({{"denoise", "true"}}), HasSubstr("denoise: needs path tracing"));
   EXPECT_THAT(refused({{"integrator", "path"}, {"spp", "1"}, {"denoise", "true"}}),
               HasSubstr("denoise: the noise of one sample"));
   EXPECT_THAT(refused(kPaths + Settings{{"denoise", "true"}, {"lens-pixels", "7.5"}}),
               HasSubstr("denoise: lenses that do not"));
-  EXPECT_THAT(refused(kPaths + Settings{{"reuse", "interpolate"}}),
-              HasSubstr("reuse: interpolate does not know path-traced frames"));
+  EXPECT_THAT(refused(kPaths + Settings{{"reuse", "interpolate"}}), HasSubstr("reuse: interpolate needs Whitted shading"));
   EXPECT_THAT(refused({{"splat", "lens"}}), HasSubstr("splat"));
   EXPECT_THAT(refused({{"min-psnr", "30"}, {"reuse", "none"}}), HasSubstr("min-psnr"));
 }

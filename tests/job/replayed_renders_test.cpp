@@ -18,6 +18,7 @@ namespace lippmann::test {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -241,7 +242,7 @@ TEST_F(ReplayedRenders, stereo_pair_shows_each_eye_its_own_view) {
 TEST_F(ReplayedRenders, folders_that_state_their_cameras_look_as_what_they_were_made_of) {
   render(job("teapot", "out", kCameraGrid));
   const std::string eye = eye_view_of("out", {.ipd_mm = 4.0});
-  for (const std::string format : {"hci", "miv"}) {
+  for (const std::string format : {"hci", "miv", "stanford"}) {
     convert("out/frame_0003.png", format, format);
     EXPECT_TRUE(eye_view_of(format, {.ipd_mm = 4.0}) == eye) << format;
   }
@@ -249,14 +250,16 @@ TEST_F(ReplayedRenders, folders_that_state_their_cameras_look_as_what_they_were_
 
 TEST_F(ReplayedRenders, cameras_that_nothing_states_are_assumed_and_that_is_said) {
   render(job("teapot", "out", kCameraGrid));
-  for (const std::string format : {"stanford", "jpeg-pleno"}) {
-    convert("out/frame_0003.png", format, format);
-    warnings_.clear();
-    replay({.in = dir_ / format}, context_);
-    EXPECT_THAT(warnings_, HasSubstr("Nothing says where the cameras of"));
-    EXPECT_TRUE(exists(format + "/replay/eye_" + format + ".png"));
-    EXPECT_EQ(seen({.refocus_mm = -5.0, .epi_row = 3, .epi_column = 3}, format, "products").written.size(), 3u);
-  }
+  const std::string format = "jpeg-pleno";
+  convert("out/frame_0003.png", format, format);
+  warnings_.clear();
+  replay({.in = dir_ / format}, context_);
+  EXPECT_THAT(warnings_, AllOf(HasSubstr("The cameras of"), HasSubstr("over 10 degrees; `view-angle` sets the angle")));
+  EXPECT_TRUE(exists(format + "/replay/eye_" + format + ".png"));
+  EXPECT_EQ(seen({.refocus_mm = -5.0, .epi_row = 3, .epi_column = 3}, format, "products").written.size(), 3u);
+  warnings_.clear();
+  replay({.in = dir_ / format, .field = {.view_angle_deg = 20.0}}, context_);
+  EXPECT_THAT(warnings_, AllOf(HasSubstr("Assumed: a display 100 mm high"), Not(HasSubstr("sets the angle"))));
 }
 
 TEST_F(ReplayedRenders, quilt_is_known_by_its_name_and_other_pictures_by_what_is_said_of_them) {
@@ -271,7 +274,7 @@ TEST_F(ReplayedRenders, quilt_is_known_by_its_name_and_other_pictures_by_what_is
   const Image8 picture = read_image8(dir_ / "eye/eye_picture.png");
   EXPECT_NEAR(static_cast<double>(picture.width) / picture.height, 0.75, 0.02);
   fs::rename(dir_ / quilt, dir_ / "a/plain.png");
-  EXPECT_THAT(error_message([&] { seen({}, "a/plain.png", "never"); }), HasSubstr("nothing says what this picture is"));
+  EXPECT_THAT(error_message([&] { seen({}, "a/plain.png", "never"); }), HasSubstr("plain.png is unknown"));
   EXPECT_FALSE(eye_view_of("a/plain.png", {.field = {.from = "quilt", .tiles = ViewGrid{4, 2}}}).empty());
 }
 

@@ -147,15 +147,16 @@ TEST(ReuseSentence, begins_with_the_kind_that_served_and_tells_what_it_did) {
   report.frames.resize(2);
   report.frames[1].reused_pixels = 50;
   report.reuse = CopySettled{};
-  EXPECT_EQ(reuse_sentence(report), "copy: 25.0 % of all pixels copied from key frames, provably unchanged");
+  EXPECT_EQ(reuse_sentence(report), "copy: 25.0 % of all pixels are unchanged and were copied from key frames");
   report.reuse = TraceAll{};
-  EXPECT_EQ(reuse_sentence(report), "none: every frame was traced whole");
+  EXPECT_EQ(reuse_sentence(report), "none: every frame was traced in full");
   report.reuse = ShareLight{};
-  EXPECT_THAT(reuse_sentence(report), StartsWith("light: every frame was traced whole"));
+  EXPECT_THAT(reuse_sentence(report), StartsWith("light: every frame was traced in full"));
   report.frames[1].kind = "in-between";
   report.frames[1].missed_pixels = 10;
   report.reuse = Interpolate{};
-  EXPECT_THAT(reuse_sentence(report), StartsWith("interpolate: 1 frame made between 0 sources; 10.00 % of the pixels missed"));
+  EXPECT_THAT(reuse_sentence(report),
+              StartsWith("interpolate: 1 frame interpolated between 0 traced frames; 10.00 % of the pixels missed"));
 }
 
 }  // namespace

@@ -48,11 +48,11 @@ TEST(SceneInfo, several_cameras_are_listed) {
 
 TEST(SceneInfo, file_with_animations_says_whether_its_keys_are_on_frames) {
   SceneInfo info;
-  EXPECT_THAT(to_text(info), testing::Not(testing::HasSubstr("key")));
+  EXPECT_THAT(to_text(info), testing::HasSubstr("none: a still scene"));
   info.animations = {"Walk"}, info.animation = 0, info.frames_per_second = 24.0;
-  EXPECT_THAT(to_text(info), testing::HasSubstr("at 24 a second = 0.0 s, every key of the file on a frame;"));
+  EXPECT_THAT(to_text(info), testing::HasSubstr("at 24 fps, 0.0 s; all keys of the file lie on frames;"));
   info.keys_on_frames = false;
-  EXPECT_THAT(to_text(info), testing::HasSubstr("not all keys of the file on frames (--fps chooses)"));
+  EXPECT_THAT(to_text(info), testing::HasSubstr("some keys of the file lie between frames (see --fps)"));
 }
 
 TEST(SceneInfo, animated_scene_says_what_moves) {

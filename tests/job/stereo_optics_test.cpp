@@ -120,7 +120,7 @@ TEST(StereoOptics, what_has_no_meaning_is_refused) {
   EXPECT_THAT(error_message([&] { optics_for(params); }), HasSubstr("infinite distance"));
   params = {};
   params.optics.ipd_mm = 60.0;
-  EXPECT_THAT(error_message([&] { optics_for(params); }), HasSubstr("means nothing without two eyes"));
+  EXPECT_THAT(error_message([&] { optics_for(params); }), HasSubstr("has no effect without two eyes"));
 }
 
 }  // namespace

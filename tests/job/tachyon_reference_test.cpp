@@ -241,6 +241,16 @@ const Rule kRules[] = {
     {"fractal_landscape",
      kPointLight + "SCAPE RES 33 20 SCALE 12 10 CENTER 0 -2 4" + texture("DIFFUSE 0.9 SPECULAR 0 OPACITY 1 COLOR 1 0.9 0.6")},
     {"undefined_texture_is_matt_white", kFloor + kPointLight + "SPHERE CENTER 0 0 0 RAD 1 nowhere"},
+    {"medium_shader_mode_has_no_shadows",
+     kFloor + kPointLight + "DIRECTIONAL_LIGHT DIRECTION 1 -2 1 COLOR 0.4 0.4 0.4\nSHADER_MODE MEDIUM END_SHADER_MODE\n" +
+         "SPHERE CENTER -1 1 0 RAD 1" + kMirror + "FCYLINDER BASE 1 0 0 APEX 2 1 1 RAD 0.4" + kVeil +
+         "BOX MIN 1 1.5 -1 MAX 2.5 2 1" + kVeil + "TRI V0 -3 0 2 V1 -1 0 3 V2 -2 1.5 3" + kMirror},
+    {"vmd_transparency_weighs_by_opacity", "BACKGROUND 0.1 0.2 0.3\nSHADER_MODE FULL TRANS_VMD FOG_VMD END_SHADER_MODE\n" +
+                                               kFloor + kPointLight + "SPHERE CENTER -1 1 0 RAD 1" + kVeil +
+                                               "SPHERE CENTER 0.5 1 2 RAD 1" + kVeil + "BOX MIN 1 0.5 -1 MAX 2.5 1.5 1" +
+                                               kMirror},
+    {"low_shader_mode_shows_plain_colours", "BACKGROUND 0.1 0.2 0.3\nSHADER_MODE LOW END_SHADER_MODE\n" + kFloor + kPointLight +
+                                                "SPHERE CENTER -1 1 0 RAD 1" + kVeil + "SPHERE CENTER 0.5 1 2 RAD 1" + kMirror},
     {"last_camera_counts_and_its_frustum_is_used", kFloor + kPointLight +
                                                        "CAMERA ZOOM 2 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 3 CENTER 5 3 4 "
                                                        "VIEWDIR -2 -1 -1.5 UPDIR 0.2 1 0.1 FRUSTUM -0.4 0.4 -0.3 0.3 "

@@ -54,6 +54,38 @@ TEST(Convert, integral_image_to_views_to_quilt_and_back_is_the_same_to_the_bit) 
   EXPECT_EQ(read8(dir / "back.png").rgb, original.rgb);
 }
 
+TEST(Convert, stanford_positions_are_kept) {
+  const TempDir dir;
+  fs::create_directories(dir / "in");
+  const char* names[] = {"out_00_00_-381.909271_1103.376221_.png", "out_00_01_-381.909271_1043.262939.png",
+                         "out_01_00_-311.250000_1103.376221_.png", "out_01_01_-311.250000_1043.262939_.png"};
+  for (const char* name : names) write_png(dir / "in" / name, picture8(4, 3));
+  convert(dir / "in", dir / "all", params("stanford", "stanford"));
+  EXPECT_TRUE(fs::exists(dir / "all/out_00_00_-381.909271_1103.376221.png"));
+  EXPECT_TRUE(fs::exists(dir / "all/out_01_01_-311.250000_1043.262939.png"));
+  EXPECT_FALSE(fs::exists(dir / "all/parameters.cfg")) << "the distance of the cameras is unknown";
+  ConvertParams column = params("stanford", "stanford");
+  column.keep = read_kept_views("1x0-1", "--keep");
+  convert(dir / "in", dir / "column", column);
+  EXPECT_TRUE(fs::exists(dir / "column/out_00_00_-381.909271_1043.262939.png"));
+  EXPECT_TRUE(fs::exists(dir / "column/out_01_00_-311.250000_1043.262939.png"));
+}
+
+TEST(Convert, regular_cameras_survive_the_way_over_stanford) {
+  const TempDir dir;
+  fs::create_directories(dir / "hci");
+  for (int i = 0; i < 4; ++i) write_png(dir / "hci" / ("input_Cam00" + std::to_string(i) + ".png"), picture8(4, 4));
+  std::ofstream(dir / "hci/parameters.cfg") << "focal_length_mm = 100\nimage_resolution_x_px = 4\nimage_resolution_y_px = 4\n"
+                                               "sensor_size_mm = 35\nfstop = 100\nnum_cams_x = 2\nnum_cams_y = 2\n"
+                                               "baseline_mm = 6\nfocus_distance_m = 1.15\n";
+  convert(dir / "hci", dir / "s", params("hci", "stanford"));
+  convert(dir / "s", dir / "back", params("stanford", "hci"));
+  std::ifstream text(dir / "back/parameters.cfg");
+  const std::string parameters{std::istreambuf_iterator<char>(text), {}};
+  EXPECT_THAT(parameters, testing::AllOf(HasSubstr("baseline_mm = 6\n"), HasSubstr("focus_distance_m = 1.15\n"),
+                                         HasSubstr("num_cams_x = 2\n")));
+}
+
 TEST(Convert, two_dimensional_views_keep_their_grid) {
   const TempDir dir;
   const Image8 original = picture8(3 * 4, 2 * 5);

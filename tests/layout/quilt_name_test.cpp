@@ -21,6 +21,18 @@ TEST(QuiltName, zoom_and_focus_of_other_tools_are_read_past) {
   EXPECT_EQ(name->aspect, 1.77778);
 }
 
+TEST(QuiltName, copies_and_capitals_are_read) {
+  for (const char* path :
+       {"a/b_qs8x6a0.75 (1).png", "a/b_qs8x6a0.75(12).png", "a/b_QS8X6A0.75.PNG", "a/b_qs8x6a0.75 - Copy.png",
+        "a/b_qs8x6a.75 - Kopie (2).png", "a/b_qs8x6a0.75 copy 2.png", "a/b_qs8x6a0.75z1f0 3.jpg"}) {
+    const auto name = parse_quilt_name(path);
+    ASSERT_TRUE(name) << path;
+    EXPECT_EQ(name->tiles, (ViewGrid{8, 6})) << path;
+    EXPECT_EQ(name->aspect, 0.75) << path;
+  }
+  EXPECT_EQ(without_quilt_name("a/b_qs8x6a0.75 (1).png"), "a/b (1).png");
+}
+
 TEST(QuiltName, other_names_say_nothing) {
   for (const char* path : {"room.png", "qs8x6.png", "room_qs8x6.png", "room_qs8x6a0.75_v2.png"})
     EXPECT_FALSE(parse_quilt_name(path)) << path;

@@ -111,7 +111,7 @@ TEST(Rgbd, what_is_no_depth_is_refused) {
   EXPECT_THAT(refused({2, 1, {9, 9, 9, 200, 10, 10}}), HasSubstr("it has colours"));
   LightField field = deep_field();
   field.depth.reset();
-  EXPECT_THAT(error_message([&] { rgbd_format().write(field, dir / "a.png", {}); }), HasSubstr("nothing says how deep"));
+  EXPECT_THAT(error_message([&] { rgbd_format().write(field, dir / "a.png", {}); }), HasSubstr("the views have no depth"));
 }
 
 TEST(Rgbd, side_files_that_are_impossible_are_refused) {

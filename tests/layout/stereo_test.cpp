@@ -147,7 +147,7 @@ TEST(Stereo, what_is_no_pair_is_refused) {
   write_picture(dir / "odd.png", Image8{3, 3, std::vector<unsigned char>(27)});
   FormatOptions options;
   EXPECT_THAT(error_message([&] { stereo_format().read(dir / "odd.png", options); }),
-              HasSubstr("does not say how its two views lie"));
+              HasSubstr("the packing of the two views"));
   for (const StereoPacking packing : kPackings) {
     options.stereo = StereoLayout{packing, false};
     EXPECT_THAT(error_message([&] { stereo_format().read(dir / "odd.png", options); }),

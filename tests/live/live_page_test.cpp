@@ -71,7 +71,7 @@ TEST_F(LivePages, the_page_itself_changes_settings_and_saves) {
 TEST_F(LivePages, what_makes_no_sense_is_refused_in_words) {
   for (const auto& [path, body, said] : {std::tuple{"settings", "no JSON", "JSON"},
                                          {"settings", R"({"settings":{"zoom":"0"}})", "zoom"},
-                                         {"settings", R"({"settings":{"environment":"/etc/passwd"}})", "takes no files"},
+                                         {"settings", R"({"settings":{"environment":"/etc/passwd"}})", "accepts no files"},
                                          {"render", "{}", "all or this"}}) {
     const PageAnswer answer = ask("POST", std::string("/secret/live/") + path, body);
     EXPECT_EQ(answer.status, 422) << body;

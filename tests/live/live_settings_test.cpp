@@ -45,7 +45,7 @@ TEST(LiveSettings, no_text_of_a_page_becomes_a_path) {
   RenderParams base = test::small_room();
   base.scene.environment = "/home/own.hdr";
   LiveSettings settings(base);
-  EXPECT_THAT(test::error_message([&] { set(settings, "environment", "/etc/passwd"); }), HasSubstr("takes no files"));
+  EXPECT_THAT(test::error_message([&] { set(settings, "environment", "/etc/passwd"); }), HasSubstr("accepts no files"));
   EXPECT_THAT(test::error_message([&] { set(settings, "display", "../visual.json"); }), HasSubstr("presets alone"));
   set(settings, "environment", "studio");
   set(settings, "environment", "/home/own.hdr");

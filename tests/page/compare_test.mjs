@@ -20,7 +20,6 @@ test("each side of the wipe is its own light field, and the difference is measur
   assert.ok(psnr > 15 && psnr < 45, shown);
   assert.match(shown, /0 to 64 codes/);
   await set(page, { frame: 3 });
-  assert.deepEqual(page.complaints, []);
 });
 
 test("a light field beside itself is identical", async () => {

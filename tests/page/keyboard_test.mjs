@@ -48,7 +48,50 @@ test("arrow keys move the eye to the ends of its zone and no farther; Home bring
     const state = await page.evaluate(() => window.lippmann.state);
     for (const [name, value] of Object.entries(changed)) assert.equal(state[name], value, key);
   }
-  assert.deepEqual(page.complaints, []);
+});
+
+test("keys work on a fresh page, after a click on a button, and beside a control that has the focus", async () => {
+  const page = await open(address);
+  const state = () => page.evaluate(() => window.lippmann.state);
+  await page.keyboard.press("ArrowRight");
+  const moved = (await state()).eye[0];
+  assert.ok(moved > 1, `${moved}`);
+  await page.getByRole("button", { name: "Next frame" }).click();
+  await page.keyboard.press("ArrowRight");
+  assert.ok((await state()).eye[0] > moved + 1);
+  await page.keyboard.press(" ");
+  await page.getByRole("button", { name: "Pause" }).waitFor();
+  await page.keyboard.press(" ");
+  await page.getByRole("button", { name: "Play" }).waitFor();
+  await page.getByLabel("Exposure").focus();
+  const { eye, exposure } = await state();
+  await page.keyboard.press("ArrowRight");
+  assert.deepEqual((await state()).eye, eye);
+  assert.ok((await state()).exposure > exposure);
+  await page.keyboard.press("a");
+  assert.equal((await state()).aperture, 0.5);
+  await page.getByLabel("Show", { exact: true }).focus();
+  await page.keyboard.press("a");
+  assert.equal((await state()).aperture, 0.5);
+});
+
+test("two fingers and the pinches of a touchpad leave the eye where it is", async () => {
+  const page = await open(address, { hasTouch: true });
+  const eye = () => page.evaluate(() => window.lippmann.state.eye);
+  const before = await eye();
+  const box = await page.locator("#canvas").boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const browser = await page.context().newCDPSession(page);
+  const touch = (type, ...places) => browser.send("Input.dispatchTouchEvent", { type, touchPoints: places.map(([x, y], id) => ({ x, y, id })) });
+  await touch("touchStart", [x - 20, y]);
+  await touch("touchMove", [x - 30, y]);
+  await touch("touchStart", [x - 30, y], [x + 20, y]);
+  for (const by of [10, 20, 30]) await touch("touchMove", [x - 30 - by, y - by], [x + 20 + by, y]);
+  await touch("touchEnd");
+  assert.deepEqual(await eye(), before);
+  await page.mouse.move(x, y);
+  await page.evaluate(([clientX, clientY]) => document.querySelector("#canvas").dispatchEvent(new WheelEvent("wheel", { deltaY: -40, ctrlKey: true, clientX, clientY, bubbles: true, cancelable: true })), [x, y]);
+  assert.deepEqual(await eye(), before);
 });
 
 test("a phone shows all of it, and its controls where they are asked for", async () => {

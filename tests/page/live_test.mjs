@@ -1,9 +1,9 @@
 // A scene that is set up in the page: dragging the plane renders it anew, the saved job renders what was seen, a render runs and
 // is cancelled, and the keyboard reaches all of it.
 import assert from "node:assert/strict";
-import { existsSync } from "node:fs";
+import { existsSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
-import { eyeCodes, inFolder, lippmann, open, view } from "./support.mjs";
+import { expectComplaints, eyeCodes, inFolder, lippmann, open, view } from "./support.mjs";
 
 const page = await open(await view("room", "--optics", "multiview", "--views", "4x1", "--size", "256x64", "--frames", "0-3"), { width: 820, height: 420 });
 page.setDefaultTimeout(90000);
@@ -69,7 +69,30 @@ test("the saved job renders what is seen, code by code", async () => {
   await again.context().close();
 });
 
+test("a picture of other settings is marked until the next one is there", async () => {
+  const facts = () => page.locator("#facts").textContent();
+  const outdated = () => page.locator("#stage").getAttribute("data-outdated");
+  assert.equal(await outdated(), "false");
+  let release;
+  const released = new Promise((resolve) => (release = resolve));
+  await page.route("**/live/views/*", async (route) => {
+    await released;
+    await route.continue();
+  });
+  await page.evaluate(() => window.lippmann.setUp({ zoom: "0.1" }));
+  await page.waitForSelector('#stage[data-outdated="true"]');
+  await page.waitForFunction(() => window.lippmann.scene.settings.zoom === "0.1");
+  assert.match(await facts(), /with the settings before/);
+  assert.equal(await outdated(), "true");
+  release();
+  await page.waitForSelector('#stage[data-outdated="false"]');
+  await page.evaluate(() => window.lippmann.setUp({ zoom: null }));
+  await atRest();
+  assert.doesNotMatch(await facts(), /with the settings before/);
+});
+
 test("settings that cannot be are said in words, and the page goes on", async () => {
+  expectComplaints(/status of 422/);
   await page.evaluate(() => window.lippmann.setUp({ zoom: "-1" }));
   await notice("zoom");
   const { version } = await scene();
@@ -134,5 +157,23 @@ test("the keyboard alone reaches every control and moves the plane", async () =>
   await renderedAfter(before.version);
   assert.ok((await scene()).plane.distance > before.plane.distance);
   // Browsers write to their console, too, that settings are refused (422), and that an idle connection was closed.
-  assert.deepEqual(page.complaints.filter((text) => !/422|SOCKET_NOT_CONNECTED/.test(text)), []);
+});
+
+// A sheet before an infinitely far background, seen from between two views and from others: each row of the picture has one piece
+// that is no background.
+test("edges stay where they are before a far background", async () => {
+  writeFileSync(inFolder("sheet.obj"), "v 0 1 0\nv 1 0.1 0\nv 0 -1 0\nv -1 -0.1 0\nf 1 4 3 2\n");
+  const page = await open(await view("sheet.obj", "--spp", "8", "--environment", "#ffffff", "--size", "512x128"));
+  await page.waitForSelector('#stage[data-rest="true"][data-drawn="true"]', { timeout: 90000 });
+  for (const x of [0, 4, 11]) {
+    const pieces = await page.evaluate(async (x) => {
+      const { eye_mm: eye } = window.lippmann.fields[0], side = 256;
+      window.lippmann.set({ eye: [eye[0] + x, eye[1], eye[2]] });
+      const codes = await window.lippmann.picture(side, side);
+      const isSheet = (x, y) => Math.abs(codes[4 * (y * side + x)] - codes[0]) > 4;
+      return [...Array(side).keys()].map((y) => [...Array(side).keys()].filter((x) => isSheet(x, y) && !(x > 0 && isSheet(x - 1, y))).length);
+    }, x);
+    assert.ok(pieces.filter((count) => count === 1).length > 50);
+    assert.deepEqual(pieces.filter((count) => count > 1), [], `from ${x} mm`);
+  }
 });

@@ -1,7 +1,7 @@
 // Where graphics are slow, what moves is drawn coarsely, and finely again once it rests.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { closeAfterEach, open, sheet, view } from "./support.mjs";
+import { closeAfterEach, open, set, sheet, view } from "./support.mjs";
 
 closeAfterEach();
 sheet();
@@ -36,10 +36,9 @@ test("a movement on slow graphics is coarse but for its first picture, and its e
   assert.equal(divisors.at(-1), 4, String(divisors));
   await page.evaluate(() => window.lippmann.set({ exposure: 1 }));
   await page.waitForTimeout(300);
-  await page.evaluate(() => window.lippmann.set({ exposure: 0 }));
+  await set(page, { exposure: 0 });
   await atRest(page);
-  assert.equal(await canvas(page), moved);
-  assert.deepEqual(page.complaints, []);
+  assert.ok((await canvas(page)) === moved, "another picture than at rest");
 });
 
 test("a coarse picture shows the same, by fewer pixels", async () => {

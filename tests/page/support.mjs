@@ -1,6 +1,7 @@
 // What tests of the page share: the browser, servers of `lippmann view`, small light fields, pictures and how alike they are.
 //
 // A test is skipped (exit code 77), and says why, where Chromium, playwright-core or the tool is missing.
+import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
 import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -38,8 +39,30 @@ export async function end() {
   servers.forEach((server) => server.kill());
   await browser.close();
   rmSync(folder, { recursive: true, force: true });
+  assert.deepEqual(takeComplaints(), []);
 }
 after(end);
+
+// Errors and warnings in the console of any page, and what its scripts throw, fail the test under way. A connection that the
+// program closes because nobody speaks on it is no fault.
+const kUsual = /SOCKET_NOT_CONNECTED/;
+const complaints = [];
+let expected = [];
+
+/** What the test under way provokes. */
+export const expectComplaints = (...patterns) => expected.push(...patterns);
+
+function takeComplaints() {
+  const found = complaints.splice(0).filter((text) => ![kUsual, ...expected].some((pattern) => pattern.test(text)));
+  expected = [];
+  return found;
+}
+afterEach(() => assert.deepEqual(takeComplaints(), []));
+
+function watch(page) {
+  page.on("console", (message) => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
+  page.on("pageerror", (error) => complaints.push(error.stack || String(error)));
+}
 
 /** Pages that stay open take time from others; those of a whole file are opened outside its tests. */
 export const closeAfterEach = () => afterEach(() => Promise.all(opened.splice(0).map(release)));
@@ -54,12 +77,11 @@ async function release(page) {
 
 async function newPage({ width, height, script, hasTouch }) {
   const context = await browser.newContext({ viewport: { width, height }, hasTouch });
+  context.on("page", watch);
   const page = await context.newPage();
   if (script) await page.addInitScript(script);
   page.isPlain = !script && !hasTouch;
-  page.on("console", (message) => ["error", "warning"].includes(message.type()) && page.complaints.push(message.text()));
   page.on("request", (request) => page.onRequest(request.url()));
-  page.on("pageerror", (error) => page.complaints.push(error.message));
   return page;
 }
 
@@ -110,13 +132,12 @@ async function load(page, address, attempts = 4) {
   });
 }
 
-/** A page whose `complaints` are errors and warnings of its console; `ready` waits until it shows something. */
+/** `ready` waits until the page shows something. */
 export async function open(address, { width = 820, height = 420, ready = true, onRequest = () => {}, script = "", hasTouch = false } = {}) {
   const used = script || hasTouch ? undefined : idle.pop();
   const page = used ?? (await newPage({ width, height, script, hasTouch }));
   await page.setViewportSize({ width, height });
   opened.push(page);
-  page.complaints = [];
   page.onRequest = onRequest;
   await load(page, address);
   if (ready) await page.waitForSelector('#stage[data-drawn="true"]', { timeout: 120000 });

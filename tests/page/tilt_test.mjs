@@ -57,7 +57,6 @@ test("a device that is held upright may be turned to the sides", async () => {
   await hold(page, 0, 90, 0);
   await hold(page, 4, 90, 0);
   near(await slopes(page), [-Math.tan(4 * kDegree), 0]);
-  assert.deepEqual(page.complaints, []);
 });
 
 test("the eye stays within the zone", async () => {

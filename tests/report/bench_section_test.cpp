@@ -32,7 +32,7 @@ TEST(BenchSection, rows_that_are_none_are_refused) {
   result["rows"] = {1, 2};
   EXPECT_TRUE(is_bench_result(result));
   EXPECT_THAT(test::error_message([&] { bench_section(result, "x.json"); }),
-              HasSubstr("x.json: its rows are no list of objects"));
+              HasSubstr("x.json: its rows are not a list of objects"));
 }
 
 TEST(BenchSection, a_report_of_a_render_is_none_of_a_benchmark) {

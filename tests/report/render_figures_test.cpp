@@ -37,7 +37,7 @@ TEST(RenderFigures, a_summary_has_the_figures_of_the_whole) {
   const RenderFigures render = test::figures_of(some_report());
   EXPECT_EQ(figure(render, "frames"), "3 | 2 in-between, 1 key");
   EXPECT_EQ(figure(render, "CPU time a frame"), "1.00 s | 3.00 s in all");
-  EXPECT_EQ(figure(render, "CPU time saved"), "50.0 % | beside frames traced whole, source frames counted");
+  EXPECT_EQ(figure(render, "CPU time saved"), "50.0 % | compared with frames traced in full; source frames are counted");
   EXPECT_EQ(figure(render, "pixels traced"), "46.7 % | 53.3 % copied");
   EXPECT_EQ(figure(render, "rays a frame"), "173 | 1.73 a pixel");
   EXPECT_EQ(figure(render, "lowest PSNR"), "– | no pixel is guessed: all are traced or copied bits");

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <vector>
 
 #include "lippmann/core/error.hpp"
 #include "support/temp_dir.hpp"
@@ -34,7 +35,7 @@ TEST(LoadScene, formats_that_blender_reads_are_refused_with_the_way_here) {
   EXPECT_THAT(error_of_loading((dir / "b.FBX").string()), HasSubstr("to_glb.py"));
   EXPECT_THAT(error_of_loading((dir / "c.blend").string()),
               HasSubstr("is a file of Blender; accepted: a render by its add-on"));
-  EXPECT_THAT(error_of_loading((dir / "d.xyz").string()), HasSubstr("is not a scene format that is known"));
+  EXPECT_THAT(error_of_loading((dir / "d.xyz").string()), HasSubstr("is not a known scene format"));
 }
 
 TEST(LoadScene, misspelt_builtin_name_is_suggested) {
@@ -61,6 +62,47 @@ TEST(LoadScene, scene_without_surfaces_is_an_error) {
   for (const char* name : {"points.obj", "empty.gltf"})
     EXPECT_THAT(error_of_loading((dir / name).string()),
                 HasSubstr(std::string(name) + ": has no surfaces to show; accepted: "));
+}
+
+TEST(LoadScene, files_that_stand_in_for_a_scene_are_named) {
+  const test::TempDir dir;
+  for (const char* extension : {".dat", ".glb", ".gltf", ".nff", ".obj", ".ply"}) {
+    const auto error = [&](const std::string& contents) {
+      const std::filesystem::path path = dir / (std::string("a") + extension);
+      std::ofstream(path, std::ios::binary) << contents;
+      return error_of_loading(path.string());
+    };
+    const std::string name = std::string("a") + extension + ": ";
+    EXPECT_THAT(error(""), HasSubstr(name + "is empty (0 bytes); accepted: "));
+    EXPECT_THAT(error("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n"),
+                HasSubstr(name + "is a Git LFS pointer, which stands for a file of 12345 bytes; accepted: "));
+    EXPECT_THAT(error("\n<!DOCTYPE html>\n<html></html>"), HasSubstr(name + "is a web page (HTML); accepted: "));
+    EXPECT_THAT(error("\x89PNG\r\n\x1a\n rest"), HasSubstr(name + "is a PNG picture; accepted: a scene in the format of "));
+  }
+}
+
+TEST(LoadScene, text_of_another_kind_is_shown) {
+  const test::TempDir dir;
+  for (const char* name : {"a.glb", "a.ply"}) {
+    std::ofstream(dir / name) << "hello there\n";
+    EXPECT_THAT(error_of_loading((dir / name).string()), HasSubstr("text that begins 'hello there'"));
+  }
+}
+
+TEST(LoadScene, side_files_that_stand_in_for_others_are_named) {
+  const test::TempDir dir;
+  std::ofstream(dir / "a.mtl") << "version https://git-lfs.github.com/spec/v1\nsize 5\n";
+  std::ofstream(dir / "a.bin") << "<html>";
+  std::ofstream(dir / "a.obj") << "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  std::ofstream(dir / "a.gltf") << R"({"asset":{"version":"2.0"},"buffers":[{"uri":"a.bin","byteLength":99}]})";
+  std::ofstream(dir / "a.dat") << "BEGIN_SCENE RESOLUTION 1 1 INCLUDE a.bin END_SCENE";
+  std::vector<std::string> warnings;
+  Context context;
+  context.warn = [&](std::string_view text) { warnings.emplace_back(text); };
+  EXPECT_NO_THROW(load_scene((dir / "a.obj").string(), {}, context));
+  EXPECT_THAT(warnings, testing::ElementsAre(HasSubstr("'a.mtl' is a Git LFS pointer")));
+  EXPECT_THAT(error_of_loading((dir / "a.gltf").string()), HasSubstr("buffers[0]: 'a.bin' is a web page (HTML)"));
+  EXPECT_THAT(error_of_loading((dir / "a.dat").string()), HasSubstr("a.bin is a web page (HTML)"));
 }
 
 TEST(LoadScene, asset_root_must_be_a_folder) {

@@ -97,7 +97,19 @@ TEST_F(Obj, text_may_be_in_utf_16_or_begin_with_a_mark) {
 
 TEST_F(Obj, points_and_lines_beside_faces_are_left_out) {
   EXPECT_EQ(mesh(load(kTriangle + "p 1 2\nl 1 2 3\nf 1 2 3\n")).triangles.size(), 1u);
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("a.obj:4: the statements 'p' and 'l' are left out.")));
+}
+
+TEST_F(Obj, smoothing_without_normals_is_named) {
+  load(kTriangle + "s off\nf 1 2 3\nvn 0 0 1\ns 1\nf 1//1 2//1 3//1\n");
   EXPECT_THAT(warnings, IsEmpty());
+  load(kTriangle + "s 1\nf 1 2 3\nf 3 2 1\n");
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("a.obj:5: faces of smoothing groups (s) without normals (vn) are faceted.")));
+}
+
+TEST_F(Obj, short_lines_are_named_where_they_stand) {
+  EXPECT_THAT(error_of("v 0 0\nv 1 0 0\n"), HasSubstr("a.obj:1: v has 2 numbers; accepted: 3 or more"));
+  EXPECT_THAT(error_of("vt\nv 1 0 0\n"), HasSubstr("a.obj:1: vt has no number"));
 }
 
 TEST_F(Obj, one_instance_per_object_and_material) {
@@ -180,13 +192,13 @@ TEST_F(Obj, files_below_the_asset_root_are_opened) {
 TEST_F(Obj, errors_name_the_line) {
   EXPECT_THAT(error_of(kTriangle + "f 1 2 4\n"), HasSubstr("a.obj:4: '4' names a vertex that does not exist"));
   EXPECT_THAT(error_of(kTriangle + "f 1/1 2/1 3/1\n"), HasSubstr("'1/1' names a texture coordinate that does not exist"));
-  EXPECT_THAT(error_of(kTriangle + "f 1//1 2//1 3//1\n"), HasSubstr("none, for no normal has come before"));
+  EXPECT_THAT(error_of(kTriangle + "f 1//1 2//1 3//1\n"), HasSubstr("accepted: a normal before the face"));
   EXPECT_THAT(error_of(kTriangle + "f 1 2 0\n"), HasSubstr("a.obj:4: '0' names"));
   EXPECT_THAT(error_of(kTriangle + "f 1/1 2/1 3/1\n"), HasSubstr("a.obj:4: '1/1' names"));
   EXPECT_THAT(error_of(kTriangle + "f 1 2 99999999999999999999\n"), HasSubstr("a.obj:4:"));
   EXPECT_THAT(error_of(kTriangle + "f 1 2\n"), HasSubstr("a.obj:4: a face has 2 corners"));
-  EXPECT_THAT(error_of("v 0 0 nan\n"), HasSubstr("a.obj:1: 'nan' is not a number"));
-  EXPECT_THAT(error_of("v 0 0"), HasSubstr("the file ends"));
+  EXPECT_THAT(error_of("v 0 0 nan\n"), HasSubstr("a.obj:1: expected a number for v, found 'nan'"));
+  EXPECT_THAT(error_of("v 0 0"), HasSubstr("a.obj:1: v has 2 numbers; accepted: 3 or more"));
 }
 
 TEST_F(Obj, faces_wound_against_their_normals_are_turned_over) {
@@ -203,7 +215,7 @@ TEST_F(Obj, faces_wound_against_their_normals_are_turned_over) {
 
 TEST_F(Obj, other_statements_are_left_out_with_one_warning) {
   EXPECT_TRUE(load("g a\ns 1\ncstype bezier\ncurv 0 1 1 2\n").instances.empty());
-  EXPECT_THAT(warnings, ElementsAre(HasSubstr("a.obj:3: 2 statements")));
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("a.obj:3: the statements 'cstype' and 'curv' are left out.")));
 }
 
 }  // namespace

@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
+#include <utility>
 
+#include "image/png.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/scene/load.hpp"
 #include "support/error_message.hpp"
@@ -123,8 +126,167 @@ TEST(Ply, other_elements_are_left_out) {
   EXPECT_EQ(mesh(scene).triangles.size(), 1u);
 }
 
+/// A square of two triangles with what stands behind its vertices and faces; the warnings are kept.
+struct Square {
+  std::string comments{}, vertex_properties{}, face_properties{};
+  std::array<std::string, 4> vertex_values{};
+  std::array<std::string, 2> face_values{};
+
+  std::string text() const {
+    std::string text = "ply\nformat ascii 1.0\n" + comments +
+                       "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n" + vertex_properties +
+                       "element face 2\nproperty list uchar int vertex_indices\n" + face_properties + "end_header\n";
+    const char* corners[] = {"0 0 0", "1 0 0", "1 1 0", "0 1 0"};
+    for (std::size_t i = 0; i < 4; ++i) text += std::string(corners[i]) + " " + vertex_values[i] + "\n";
+    return text + "3 0 1 2 " + face_values[0] + "\n3 0 2 3 " + face_values[1] + "\n";
+  }
+
+  Scene load(const PlyOptions& options = {}) {
+    Context context;
+    context.warn = [this](std::string_view warning) { warnings.emplace_back(warning); };
+    Scene scene = parse_ply("a.ply", text(), context, options);
+    validate(scene, "a.ply");
+    return scene;
+  }
+
+  std::vector<std::string> warnings{};
+};
+
+const std::string kRgb = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+
+Vec3f color_of(const Mesh& m, std::size_t triangle, std::size_t corner) {
+  return m.colors.at(m.triangles.at(triangle)[corner]);
+}
+
+TEST(Ply, faces_have_colours_of_their_own) {
+  Square square{.face_properties = kRgb + "property uchar alpha\n", .face_values = {"255 0 0 255", "0 0 255 51"}};
+  const Scene scene = square.load();
+  const Mesh& m = mesh(scene);
+  ASSERT_EQ(m.triangles.size(), 2u);
+  for (const std::size_t corner : {0u, 1u, 2u}) {
+    EXPECT_EQ(color_of(m, 0, corner), Vec3f(1, 0, 0));
+    EXPECT_EQ(color_of(m, 1, corner), Vec3f(0, 0, 1));
+    EXPECT_EQ(m.alphas.at(m.triangles[1][corner]), 0.2f);
+  }
+  EXPECT_EQ(m.positions.size(), 6u);  // the two corners that both share are there twice
+  EXPECT_THAT(square.warnings, testing::IsEmpty());
+}
+
+TEST(Ply, vertices_come_before_faces_that_bring_colours_too) {
+  Square square{.vertex_properties = kRgb,
+                .face_properties = kRgb,
+                .vertex_values = {"255 255 255", "255 255 255", "255 255 255", "255 255 255"},
+                .face_values = {"255 0 0", "0 0 255"}};
+  EXPECT_EQ(color_of(mesh(square.load()), 1, 2), Vec3f(1));
+  EXPECT_THAT(square.warnings,
+              testing::ElementsAre("a.ply: element 'face': the properties 'red', 'green' and 'blue' are left out."));
+}
+
+/// Two pictures of one texel, red and blue, that a file can name.
+class PlyTextures : public testing::Test {
+ protected:
+  PlyTextures() {
+    write("red.png", {255, 0, 0});
+    write("two words.png", {0, 0, 255});
+  }
+  void write(const std::string& name, std::vector<std::uint8_t> rgb) const {
+    write_png(dir_ / name, Image8{1, 1, std::move(rgb)});
+  }
+  PlyOptions here() const { return {{dir_.path(), {}}}; }
+  /// The first byte of the texture that an instance shows; 1: it has none.
+  static std::uint8_t red_of(const Scene& scene, std::size_t instance) {
+    const auto material = static_cast<std::size_t>(scene.instances.at(instance).material);
+    const auto& surface = std::get<MetallicRoughness>(scene.materials.at(material).surface);
+    return surface.base_color_map.texture < 0
+               ? std::uint8_t{1}
+               : scene.textures.at(static_cast<std::size_t>(surface.base_color_map.texture)).rgba.at(0);
+  }
+  test::TempDir dir_;
+};
+
+TEST_F(PlyTextures, comment_names_the_picture_of_vertices) {
+  for (const auto& [u, v] : {std::pair{"s", "t"}, std::pair{"u", "v"}, std::pair{"texture_u", "texture_v"}}) {
+    Square square{.comments = "comment TextureFile red.png\n",
+                  .vertex_properties = "property float " + std::string(u) + "\nproperty float " + v + "\n",
+                  .vertex_values = {"0 0", "1 0", "1 1", "0 0.25"}};
+    const Scene scene = square.load(here());
+    EXPECT_EQ(red_of(scene, 0), 255) << u;
+    EXPECT_EQ(mesh(scene).uvs.at(3), Vec2f(0, 0.75f)) << "v grows upwards in the file";
+    EXPECT_THAT(square.warnings, testing::IsEmpty());
+  }
+}
+
+TEST_F(PlyTextures, corners_have_coordinates_and_faces_a_picture) {
+  Square square{.comments = "comment TextureFile red.png\ncomment texturefile two words.png\n",
+                .face_properties = "property list uchar float texcoord\nproperty int texnumber\n",
+                .face_values = {"6 0 0 1 0 1 1 1", "6 0 0 0.5 1 0 1 0"}};
+  const Scene scene = square.load(here());
+  ASSERT_EQ(scene.instances.size(), 2u);
+  EXPECT_EQ(red_of(scene, 0), 255);
+  EXPECT_EQ(red_of(scene, 1), 0);
+  const Mesh& second = mesh(scene);  // parts stand in the order of their pictures
+  EXPECT_EQ(second.uvs.at(second.triangles.at(0)[1]), Vec2f(0.5f, 0.0f));
+  EXPECT_THAT(square.warnings, testing::IsEmpty());
+}
+
+TEST_F(PlyTextures, corners_come_before_vertices) {
+  Square square{.comments = "comment TextureFile red.png\n",
+                .vertex_properties = "property float s\nproperty float t\n",
+                .face_properties = "property list uchar float texcoord\n",
+                .vertex_values = {"9 9", "9 9", "9 9", "9 9"},
+                .face_values = {"6 0 0 1 0 1 1", "6 0 0 1 1 0 1"}};
+  const Scene scene = square.load(here());
+  for (const Vec2f uv : mesh(scene).uvs) EXPECT_LE(uv.x, 1.0f);
+  EXPECT_THAT(square.warnings, testing::ElementsAre(HasSubstr("coordinates of vertices are left out")));
+}
+
+TEST_F(PlyTextures, missing_picture_is_named_and_colours_stay) {
+  Square square{.comments = "comment TextureFile foo.png\n",
+                .face_properties = "property list uchar float texcoord\n" + kRgb,
+                .face_values = {"6 0 0 1 0 1 1 255 0 0", "6 0 0 1 1 0 1 0 0 255"}};
+  const Scene scene = square.load(here());
+  EXPECT_EQ(color_of(mesh(scene), 0, 0), Vec3f(1, 0, 0));
+  EXPECT_THAT(square.warnings, testing::ElementsAre(HasSubstr("'foo.png' does not exist; the surface is shown without it")));
+}
+
+TEST_F(PlyTextures, picture_takes_the_place_of_colours) {
+  Square square{.comments = "comment TextureFile red.png\n",
+                .face_properties = "property list uchar float texcoord\n" + kRgb,
+                .face_values = {"6 0 0 1 0 1 1 9 9 9", "6 0 0 1 1 0 1 9 9 9"}};
+  EXPECT_TRUE(mesh(square.load(here())).colors.empty());
+  EXPECT_THAT(square.warnings, testing::ElementsAre(HasSubstr("red, green and blue are left out: a picture is shown instead")));
+}
+
+TEST(Ply, coordinates_and_pictures_without_each_other_are_named) {
+  Square no_picture{.vertex_properties = "property float s\nproperty float t\n", .vertex_values = {"0 0", "0 0", "0 0", "0 0"}};
+  no_picture.load();
+  EXPECT_THAT(no_picture.warnings, testing::ElementsAre(HasSubstr("names no picture; \"comment TextureFile NAME\"")));
+  Square no_coordinates{.comments = "comment TextureFile foo.png\n"};
+  no_coordinates.load();
+  EXPECT_THAT(no_coordinates.warnings, testing::ElementsAre(HasSubstr("so its picture 'foo.png' is left out")));
+}
+
+TEST(Ply, coordinates_of_a_face_must_fit_its_corners) {
+  Square square{.face_properties = "property list uchar float texcoord\n", .face_values = {"4 0 0 1 0", "0"}};
+  EXPECT_THAT(test::error_message([&] { square.load(); }),
+              HasSubstr("face 0: has 3 corners and 4 values texcoord; accepted: two values for each corner, or none"));
+}
+
+TEST(Ply, colours_beyond_their_range_are_cut_and_counted) {
+  Square square{.face_properties = "property float red\nproperty float green\nproperty float blue\n",
+                .face_values = {"255 0.5 0", "0 0 1"}};
+  square.load();
+  EXPECT_THAT(square.warnings, testing::ElementsAre("a.ply: colours are cut to 0 to 1: values beyond it: 1."));
+}
+
+TEST(Ply, lists_in_place_of_coordinates_are_no_coordinates) {
+  EXPECT_THAT(ply_error("ply\nformat ascii 1.0\nelement vertex 1\nproperty list uchar float x\nproperty float y\n"
+                        "property float z\nend_header\n1 0 0 0\n"),
+              HasSubstr("its vertices have no position"));
+}
+
 TEST(Ply, damaged_headers_name_their_line) {
-  EXPECT_THAT(ply_error("plu\n"), HasSubstr("a.ply:1: is not a PLY file"));
+  EXPECT_THAT(ply_error("plu\n"), HasSubstr("a.ply:1: is not a PLY file but text that begins 'plu'"));
   EXPECT_THAT(ply_error("ply\nformat ascii 1.0\n"), HasSubstr("the file ends within its header"));
   EXPECT_THAT(ply_error("ply\nformat ebcdic 1.0\n"), HasSubstr("a.ply:2: 'ebcdic'"));
   EXPECT_THAT(ply_error("ply\nelement vertex -1\n"), HasSubstr("a.ply:2: '-1'"));
@@ -146,7 +308,7 @@ TEST(Ply, damaged_bodies_name_the_element) {
 TEST(Ply, points_alone_are_refused) {
   EXPECT_THAT(ply_error("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
                         "end_header\n1 2 3\n"),
-              HasSubstr("a.ply: has no faces"));
+              HasSubstr("a.ply: has vertices and no faces; accepted: a mesh, or splats"));
 }
 
 TEST(Ply, file_is_found_by_its_extension) {

@@ -115,8 +115,93 @@ TEST_F(Tachyon, what_the_render_decides_is_a_warning) {
   EXPECT_THAT(files.warnings, ElementsAre(HasSubstr("scene.dat:4: ASPECTRATIO 2"), HasSubstr("scene.dat:4: ANTIALIASING 8")));
 }
 
+// ---- What Jmol and VMD write ----
+
 TEST_F(Tachyon, shader_mode_that_changes_nothing_is_read) {
-  EXPECT_NO_THROW(files.load_statements("SHADER_MODE FULL SHADOW_FILTER_ON TRANS_ORIG END_SHADER_MODE"));
+  files.load_statements("SHADER_MODE FULL SHADOW_FILTER_ON TRANS_ORIG Fog_VMD END_SHADER_MODE");
+  EXPECT_THAT(files.warnings, testing::IsEmpty());
+}
+
+TEST_F(Tachyon, medium_shader_mode_has_no_shadows) {
+  const std::string ball = "SPHERE CENTER 0 0 5 RAD 1" + white;
+  EXPECT_FALSE(files.load_statements(ball).instances.at(0).casts_no_shadow);
+  EXPECT_TRUE(files.load_statements(ball + "SHADER_MODE Medium END_SHADER_MODE").instances.at(0).casts_no_shadow);
+  EXPECT_THAT(files.warnings, testing::IsEmpty());
+}
+
+TEST_F(Tachyon, low_shader_modes_show_plain_colours) {
+  const std::string mirror =
+      "SPHERE CENTER 0 0 5 RAD 1 TEXTURE AMBIENT 0 DIFFUSE 1 SPECULAR 0.5 OPACITY 0.5 PHONG PLASTIC 1 PHONG_SIZE 9 COLOR 1 0 0 "
+      "TEXFUNC 0\n";
+  for (const std::string quality : {"LOW", "LOWEST"}) {
+    const Scene scene = files.load_statements("SHADER_MODE " + quality + " END_SHADER_MODE\n" + mirror);
+    const PhongSurface& surface = test::phong(scene.materials.at(0));
+    EXPECT_EQ(surface.ambient, 1.0f);
+    EXPECT_EQ(surface.opacity, 1.0f);
+    EXPECT_EQ(surface.diffuse + surface.mirror + surface.highlight, 0.0f);
+  }
+  EXPECT_THAT(files.warnings, ElementsAre(HasSubstr("scene.dat:4: SHADER_MODE LOWEST")));
+}
+
+TEST_F(Tachyon, vmd_transparency_weighs_a_surface_by_its_opacity) {
+  const Scene scene = files.load_statements(
+      "SPHERE CENTER 0 0 5 RAD 1 TEXTURE AMBIENT 0.2 DIFFUSE 0.8 SPECULAR 0.4 OPACITY 0.5 PHONG PLASTIC 1 PHONG_SIZE 9 COLOR 1 "
+      "0 0 "
+      "TEXFUNC 0\nSHADER_MODE FULL TRANS_VMD END_SHADER_MODE");
+  const PhongSurface& surface = test::phong(scene.materials.at(0));
+  EXPECT_EQ(surface.ambient, 0.1f);
+  EXPECT_EQ(surface.diffuse, 0.4f);
+  EXPECT_EQ(surface.mirror, 0.2f);
+  EXPECT_EQ(surface.highlight, 0.5f);
+  EXPECT_EQ(surface.opacity, 0.5f);
+}
+
+TEST_F(Tachyon, effects_that_are_not_shown_are_named_in_one_warning) {
+  files.load_statements(
+      "SHADER_MODE FULL AMBIENT_OCCLUSION AMBIENT_COLOR 1 1 1 RESCALE_DIRECT 0.5 SAMPLES 8 TRANS_RASTER3D TRANS_MAX_SURFACES 3 "
+      "SHADOW_FILTER_OFF END_SHADER_MODE\n"
+      "FOG EXP2 START 0 END 10 DENSITY 0.4 COLOR 0 0 0\nSKY_LIGHT NUMSAMPLES 4 COLOR 1 1 1\n"
+      "SPHERE CENTER 0 0 5 RAD 1 TEXTURE AMBIENT 0 DIFFUSE 1 SPECULAR 0 OPACITY 1 TRANSMODE R3D OUTLINE 4 OUTLINE_WIDTH 0.3 "
+      "COLOR 1 1 1 TEXFUNC 0");
+  EXPECT_THAT(files.warnings,
+              ElementsAre("scene.dat:4: the effects 'AMBIENT_OCCLUSION', 'TRANS_RASTER3D', 'TRANS_MAX_SURFACES', "
+                          "'SHADOW_FILTER_OFF', 'FOG', 'SKY_LIGHT', 'TRANSMODE R3D' and 'OUTLINE' are left out."));
+}
+
+TEST_F(Tachyon, orthographic_camera_sets_the_height_of_the_plane) {
+  for (const std::string projection : {"PROJECTION ORTHOGRAPHIC ", "projection Orthographic ", "ORTHOGRAPHIC "}) {
+    files.warnings.clear();
+    const Scene scene = files.load_statements(camera("CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 0", projection + "ZOOM 0.25") +
+                                              "SPHERE CENTER 0 0 5 RAD 1" + white);
+    EXPECT_EQ(scene.cameras.at(0).orthographic_height, 4.0f) << "1 / ZOOM";
+    EXPECT_THAT(files.warnings, ElementsAre(HasSubstr("ORTHOGRAPHIC sets the height of the display's plane")));
+  }
+  EXPECT_EQ(files.load_statements(camera("CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 0", "PERSPECTIVE ZOOM 1"))
+                .cameras.at(0)
+                .orthographic_height,
+            0.0f);
+}
+
+TEST_F(Tachyon, orthographic_camera_of_a_tiny_part_is_warned_about) {
+  files.load_statements(camera("CENTER 200 -200 0 VIEWDIR 0 0 1 UPDIR 0 -1 0", "PROJECTION ORTHOGRAPHIC ZOOM 3") +
+                        "SPHERE CENTER 200 -200 500 RAD 60" + white);
+  EXPECT_THAT(files.warnings.back(), HasSubstr("ZOOM shows 0.333 units of a scene that is 208 units large"));
+}
+
+TEST_F(Tachyon, depth_of_field_is_read_and_left_out) {
+  const Scene scene = files.load_statements(
+      camera("CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 0", "PROJECTION Perspective_DoF FOCALDIST 3 APERTURE 64 ZOOM 1"));
+  EXPECT_EQ(scene.cameras.size(), 1u);
+  EXPECT_THAT(files.warnings, ElementsAre(HasSubstr("the depth of field of PERSPECTIVE_DOF is left out")));
+}
+
+/// The plane's middle is the height of the camera; what lies half the picture's height above it is seen under 22.5 degrees.
+TEST_F(Tachyon, gradient_of_an_orthographic_plane_becomes_one_of_directions) {
+  const Scene scene = files.load_statements(
+      camera("CENTER 0 1 0 VIEWDIR 0 0 1 UPDIR 0 1 0", "PROJECTION ORTHOGRAPHIC ZOOM 0.25") +
+      "BACKGROUND_GRADIENT SKY_ORTHO_PLANE UPDIR 0 1 0 TOPVAL 3 BOTTOMVAL -1 TOPCOLOR 1 0 0 BOTTOMCOLOR 0 0 1\n");
+  EXPECT_NEAR(scene.background.zenith_at, std::sin(radians(22.5f)), 1e-5f);
+  EXPECT_NEAR(scene.background.horizon_at, -std::sin(radians(22.5f)), 1e-5f);
 }
 
 // ---- Lights ----
@@ -244,7 +329,7 @@ INSTANTIATE_TEST_SUITE_P(All, TachyonBadPath,
                                          BadPath{"\n\n", "scene.cam:3: the file ends where a view direction"},
                                          BadPath{"0 0 1 0 1 0 0 0", "scene.cam:1: the file ends where a camera's centre"},
                                          BadPath{"0 0 1 0 1 0 0 0 0\n1", "scene.cam:2: the file ends where a view direction"},
-                                         BadPath{"0 0 1 0 1 0 0 0 nan", "scene.cam:1: 'nan' is not a number"},
+                                         BadPath{"0 0 1 0 1 0 0 0 nan", "scene.cam:1: expected a number for"},
                                          BadPath{"0 0 1 0 1 0 0 0 0\n0 0 0 0 1 0 0 0 0",
                                                  "scene.cam:2: the camera's view and up"},
                                          BadPath{"0 0 1 0 0 2 0 0 0", "scene.cam:1: the camera's view and up"}));

@@ -35,27 +35,25 @@ const BadStatement kBad[] = {
     // Tachyon's own statements that a scene here cannot express.
     {"cylinder", "CYLINDER CENTER 0 0 0", "4: CYLINDER is not supported", "FCYLINDER"},
     {"clip", "\n\nSTART_CLIPGROUP NUMPLANES 1", "6: START_CLIPGROUP is not supported", "SPHERE"},
-    {"fog", "FOG LINEAR", "4: FOG is not supported", "SPHERE"},
+    {"fog", "FOG SMOKE", "4: FOG 'SMOKE' is not known", "LINEAR, EXP, EXP2, OFF"},
     {"mgf", "MGFFILE a.mgf", "4: MGFFILE is not supported", "INCLUDE"},
     {"volume", "ScalarVol MIN 0 0 0", "4: SCALARVOL is not supported", "BOX"},
-    {"sky", "SKY_LIGHT NUMSAMPLES 1", "4: SKY_LIGHT is not supported", "LIGHT"},
+    {"sky", "SKY_LIGHT SAMPLES 1", "4: 'SAMPLES' stands where NUMSAMPLES is expected", ""},
     {"texfunc_1", TEXTURE_UP_TO_OPACITY "COLOR 1 1 1 TEXFUNC 1", "6: TEXFUNC 1 is not supported",
      "9 (cylindrical, spherical and planar image map)"},
-    {"gradient_plane", "BACKGROUND_GRADIENT SKY_ORTHO_PLANE", "4: BACKGROUND_GRADIENT 'SKY_ORTHO_PLANE' is not supported",
-     "SKY_SPHERE"},
+    {"gradient_kind", "BACKGROUND_GRADIENT SKY_BOX", "4: BACKGROUND_GRADIENT 'SKY_BOX' is not known",
+     "SKY_SPHERE, SKY_ORTHO_PLANE"},
     {"texfunc_10", TEXTURE_UP_TO_OPACITY "COLOR 1 1 1 TEXFUNC 10", "6: TEXFUNC 10 is not supported", "TEXFUNC 0"},
     {"texfunc_11", TEXTURE_UP_TO_OPACITY "COLOR 1 1 1 TEXFUNC 11", "6: TEXFUNC 11 is not known", "TEXFUNC 0"},
-    {"r3d", TEXTURE_UP_TO_OPACITY "TRANSMODE R3D", "6: TRANSMODE R3D is not supported", "TRANSMODE ORIG"},
-    {"outline", TEXTURE_UP_TO_OPACITY "OUTLINE 0.5", "6: OUTLINE is not supported", "OUTLINE 0"},
-    {"fisheye", "CAMERA PROJECTION FISHEYE", "4: PROJECTION 'FISHEYE' is not supported", "PERSPECTIVE"},
-    {"dof", "CAMERA PROJECTION perspective_dof", "4: PROJECTION 'PERSPECTIVE_DOF' is not supported", "PERSPECTIVE"},
+    {"fisheye", "CAMERA PROJECTION FISHEYE", "4: the projection 'FISHEYE' is not supported", "PERSPECTIVE"},
+    {"dof", "CAMERA PROJECTION perspective_dof ZOOM", "4: 'ZOOM' stands where FOCALDIST is expected", "FOCALLENGTH"},
     {"frustum",
      "CAMERA ZOOM 1 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 1 CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 0 FRUSTUM -1 2 -1 1 "
      "END_CAMERA",
      "4: FRUSTUM is supported only where it is symmetric", "left = -right < 0"},
-    {"shader_medium", "SHADER_MODE MEDIUM END_SHADER_MODE", "4: SHADER_MODE 'MEDIUM' is not supported", "FULL"},
-    {"shader_vmd", "SHADER_MODE FULL TRANS_VMD END_SHADER_MODE", "4: 'TRANS_VMD' is not supported in SHADER_MODE",
-     "SHADOW_FILTER_ON"},
+    {"shader_quality", "SHADER_MODE HIGHEST END_SHADER_MODE", "4: 'HIGHEST' is not a quality of SHADER_MODE", "LOWEST"},
+    {"shader_option", "SHADER_MODE FULL TRANS_VIP END_SHADER_MODE", "4: 'TRANS_VIP' is not an option of SHADER_MODE",
+     "TRANS_VMD"},
 
     // What is no statement, or a statement spelt wrong.
     {"unknown", "FROG", "4: 'FROG' is not a statement of a scene", "SPHERE"},
@@ -77,9 +75,9 @@ const BadStatement kBad[] = {
      "4: the image 'a' is defined already", ""},
 
     // Numbers.
-    {"nan", "SPHERE CENTER 0 nan 0 RAD 1 a", "4: 'nan' is not a number that CENTER can have", "a finite decimal number"},
-    {"inf", "SPHERE CENTER 0 0 0 RAD inf a", "4: 'inf' is not a number that RAD can have", "finite"},
-    {"overflow", "SPHERE CENTER 0 0 0 RAD 1e39 a", "4: '1e39' is not a number that RAD can have", "finite"},
+    {"nan", "SPHERE CENTER 0 nan 0 RAD 1 a", "4: expected a number for CENTER, found 'nan'", "a finite decimal number"},
+    {"inf", "SPHERE CENTER 0 0 0 RAD inf a", "4: expected a number for RAD, found 'inf'", "finite"},
+    {"overflow", "SPHERE CENTER 0 0 0 RAD 1e39 a", "4: expected a number for RAD, found '1e39'", "finite"},
     {"negative_radius", "SPHERE CENTER 0 0 0 RAD -1 a", "4: RAD is -1", "not negative"},
     {"negative_ring", "RING CENTER 0 0 0 NORMAL 0 0 1 INNER -1 OUTER 1 a", "4: INNER is -1", "not negative"},
     {"zero_normal", "PLANE CENTER 0 0 0 NORMAL 0 0 0 a", "4: NORMAL is zero", "not zero"},
@@ -93,7 +91,7 @@ const BadStatement kBad[] = {
     {"flat_gradient", "BACKGROUND_GRADIENT SKY_SPHERE UPDIR 0 1 0 TOPVAL 0.5 BOTTOMVAL 0.5",
      "4: TOPVAL and BOTTOMVAL make no gradient", "two different"},
     {"gradient_up", "BACKGROUND_GRADIENT SKY_SPHERE UPDIR 0 0 0", "4: UPDIR is zero", "not zero"},
-    {"landscape_of_one", "SCAPE RES 1 5", "4: '1' is not a value that RES can have", "from 2 to 2048"},
+    {"landscape_of_one", "SCAPE RES 1 5", "4: 1 is out of range for RES", "from 2 to 2048"},
     {"landscape_too_large",
      "SCAPE RES 2048 2 SCALE 1 1 CENTER 0 0 0 a\nSCAPE RES 2 2048 SCALE 1 1 CENTER 0 0 0 a\nSCAPE RES 2 2",
      "6: the scene's landscapes are too large", "8388608"},
@@ -105,30 +103,33 @@ const BadStatement kBad[] = {
     {"falloff", "SPOTLIGHT CENTER 0 0 0 RAD 0 DIRECTION 0 0 1 FALLOFF_START 50 FALLOFF_END 40",
      "4: the falloff runs from 50 to 40", "FALLOFF_START <= FALLOFF_END"},
     {"negative_opacity", "TEXDEF a AMBIENT 0 DIFFUSE 1 SPECULAR 0 OPACITY -1", "4: OPACITY is -1", "not negative"},
-    {"texfunc_fraction", TEXTURE_UP_TO_OPACITY "COLOR 1 1 1 TEXFUNC 0.5", "6: '0.5' is not a value that TEXFUNC can have",
+    {"texfunc_fraction", TEXTURE_UP_TO_OPACITY "COLOR 1 1 1 TEXFUNC 0.5", "6: expected a whole number for TEXFUNC, found '0.5'",
      "whole"},
     {"zoom", CAMERA_WITH("ZOOM 0"), "5: ZOOM is 0", "above 0"},
     {"aspect", CAMERA_WITH("ZOOM 1\nASPECTRATIO -1"), "6: ASPECTRATIO is -1", "above 0"},
-    {"samples", CAMERA_WITH("ZOOM 1 ASPECTRATIO 1 ANTIALIASING -1"), "5: '-1' is not a value that ANTIALIASING", "from 0"},
-    {"depth", CAMERA_WITH("ZOOM 1 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH x"), "5: 'x' is not a value that RAYDEPTH", "from 0"},
+    {"samples", CAMERA_WITH("ZOOM 1 ASPECTRATIO 1 ANTIALIASING -1"), "5: expected a whole number for ANTIALIASING, found '-1'",
+     "from 0"},
+    {"depth", CAMERA_WITH("ZOOM 1 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH x"),
+     "5: expected a whole number for RAYDEPTH, found 'x'", "from 0"},
     {"view_zero", "CAMERA ZOOM 1 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 1 CENTER 0 0 0 VIEWDIR 0 0 0 UPDIR 0 1 0 END_CAMERA",
      "4: the camera's view and up directions do not span a plane", "not parallel"},
     {"view_parallel",
      "CAMERA ZOOM 1 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 1 CENTER 0 0 0 VIEWDIR 0 2 0 UPDIR 0 -1 0 END_CAMERA",
      "4: the camera's view and up directions do not span a plane", "not parallel"},
-    {"no_points", "POLYCYLINDER POINTS 0 RAD 1 a", "4: '0' is not a value that POINTS can have", "from 1"},
+    {"no_points", "POLYCYLINDER POINTS 0 RAD 1 a", "4: 0 is out of range for POINTS", "from 1"},
     {"index", "VERTEXARRAY NUMVERTS 3 COORDS 0 0 0 1 0 0 0 1 0 NORMALS 0 0 1 0 0 1 0 0 1 TRIMESH 1 0 1 3 END_VERTEXARRAY",
      "4: a triangle of the vertices 0, 1 and 3 is outside its VERTEXARRAY", "below NUMVERTS"},
     {"negative_index", "VERTEXARRAY NUMVERTS 3 COORDS 0 0 0 1 0 0 0 1 0 NORMALS 0 0 1 0 0 1 0 0 1 TRIMESH 1 0 1 -1",
-     "4: '-1' is not a value that TRIMESH can have", "from 0"},
+     "4: -1 is out of range for TRIMESH", "from 0"},
 
     // Counts that the file does not hold: the end comes first, not an allocation.
-    {"huge_points", "POLYCYLINDER POINTS 2000000000 0 0 0", "5: 'END_SCENE' is not a number that POLYCYLINDER's points", ""},
-    {"huge_vertices", "VERTEXARRAY NUMVERTS 2000000000 COORDS 0 0 0", "5: 'END_SCENE' is not a number that COORDS", ""},
+    {"huge_points", "POLYCYLINDER POINTS 2000000000 0 0 0", "5: expected a number for POLYCYLINDER's points, found 'END_SCENE'",
+     ""},
+    {"huge_vertices", "VERTEXARRAY NUMVERTS 2000000000 COORDS 0 0 0", "5: expected a number for COORDS, found 'END_SCENE'", ""},
     {"huge_mesh", "VERTEXARRAY NUMVERTS 1 COORDS 0 0 0 NORMALS 0 0 1 TRIMESH 2000000000 0 0 0",
-     "5: 'END_SCENE' is not a value that TRIMESH", ""},
+     "5: expected a whole number for TRIMESH, found 'END_SCENE'", ""},
     {"huge_strip", "VERTEXARRAY NUMVERTS 1 COORDS 0 0 0 NORMALS 0 0 1 TRISTRIP 2000000000 0 0 0",
-     "5: 'END_SCENE' is not a value that TRISTRIP", ""},
+     "5: expected a whole number for TRISTRIP, found 'END_SCENE'", ""},
 
     // Side files.
     {"include_missing", "INCLUDE no.inc", "4: no.inc does not exist", ""},
@@ -150,9 +151,11 @@ TEST_F(Tachyon, empty_file_is_an_error) {
 }
 
 TEST_F(Tachyon, resolution_must_follow_and_be_sane) {
-  EXPECT_THAT(files.error_of("BEGIN_SCENE\nRESOLUTION 0 4"), StartsWith("scene.dat:2: '0' is not a value that RESOLUTION"));
-  EXPECT_THAT(files.error_of("BEGIN_SCENE\nRESOLUTION 4 1000000000"),
-              AllOf(StartsWith("scene.dat:2: '1000000000' is not a value that RESOLUTION"), HasSubstr("1 to 65536")));
+  EXPECT_THAT(files.error_of("BEGIN_SCENE\nRESOLUTION 0 4"),
+              StartsWith("scene.dat:2: expected a whole number for RESOLUTION, found '0'"));
+  EXPECT_THAT(
+      files.error_of("BEGIN_SCENE\nRESOLUTION 4 1000000000"),
+      AllOf(StartsWith("scene.dat:2: expected a whole number for RESOLUTION, found '1000000000'"), HasSubstr("1 to 65536")));
 }
 
 TEST_F(Tachyon, file_without_end_scene_is_an_error) {

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "lippmann/core/error.hpp"
+
 namespace lippmann {
 namespace {
 
@@ -34,6 +36,23 @@ TEST(Evaluate, transform_scales_then_rotates_then_moves) {
   scene.nodes[0].local = {{1, 2, 3}, about_y(90), {2, 3, 4}};
   // (1, 0, 0) scaled: (2, 0, 0); turned by 90 degrees about y: (0, 0, -2); moved: (1, 2, 1).
   expect_near(moved(scene, 0, {1, 0, 0}), {1, 2, 1});
+}
+
+TEST(Evaluate, parent_that_does_not_come_first_is_an_error) {
+  for (const int parent : {-2, 1, 7}) {
+    Scene scene;
+    scene.nodes.resize(2);
+    scene.nodes[1].parent = parent;
+    EXPECT_THROW(evaluate(scene, 0), Error) << parent;
+  }
+}
+
+TEST(Evaluate, animated_node_that_does_not_exist_is_an_error) {
+  for (const int node : {-1, 1}) {
+    Scene scene = one_node({});
+    scene.timeline.animations[0].node = node;
+    EXPECT_THROW(evaluate(scene, 0), Error) << node;
+  }
 }
 
 TEST(Evaluate, unnormalised_rotation_does_not_scale) {

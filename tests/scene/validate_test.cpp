@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 
@@ -152,6 +153,13 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"light_angle_of_point", [](Scene& s) { s.lights[0].angular_diameter = 1.0f; }, "only directional lights"},
         Fault{"camera_height", [](Scene& s) { s.cameras[0].orthographic_height = -1.0f; }, "orthographic height"},
         Fault{"camera_fov", [](Scene& s) { s.cameras[0].vertical_fov = kPi; }, "camera 0: the field of view"},
+        Fault{"origin", [](Scene& s) { s.origin.y = std::nan(""); }, "origin: is not finite"},
+        Fault{"shown_animation", [](Scene& s) { s.animation = 0; }, "animation: animation 0 does not exist"},
+        Fault{"node_parent_below_none", [](Scene& s) { s.nodes[1].parent = -2; }, "node 1: a parent before it, -2"},
+        Fault{"node_cycle", [](Scene& s) { s.nodes[0].parent = 1; }, "node 0: a parent before it, 1"},
+        Fault{"animated_node", [](Scene& s) { animation_of(s).node = 3; }, "animation 0: node 3"},
+        Fault{"display_node", [](Scene& s) { s.display->node = 3; }, "display: node 3"},
+        Fault{"light_web", [](Scene& s) { s.lights[0].web = 0; }, "photometric web is not there"},
         Fault{"camera_node", [](Scene& s) { s.cameras[0].node = -2; }, "node -2"},
         Fault{"camera_offset", [](Scene& s) { s.cameras[0].pixel_offset.x = kNan; }, "pixel offset"},
         Fault{"display_height", [](Scene& s) { s.display->plane_height = 0.0f; }, "display: the height"},

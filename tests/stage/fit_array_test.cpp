@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lippmann/core/error.hpp"
+#include "lippmann/stage/choose_camera.hpp"
 
 namespace lippmann {
 namespace {
@@ -309,7 +310,7 @@ TEST(FitArray, array_moves_rigidly_with_its_camera) {
   expect_near(world_from_display(array, 1.0f, evaluate(scene, 1)).translation, {3, 0, 10});
 }
 
-TEST(FitArray, scaled_parent_scales_the_array_with_the_camera) {
+TEST(FitArray, scaled_parent_keeps_the_array_in_world_units) {
   // The same camera, once plain at (0, 0, 10), once at (0, 0, 5) below a parent that doubles lengths.
   Scene plain, scaled;
   add_box(plain, Vec3f(-1), Vec3f(1));
@@ -322,7 +323,97 @@ TEST(FitArray, scaled_parent_scales_the_array_with_the_camera) {
   const Affine3f world_b = world_from_display(b, scene_units_per_mm(b, 64.0f), evaluate(scaled, 0));
   expect_near(world_a.translation, world_b.translation);
   for (int c = 0; c < 3; ++c) expect_near(world_a.linear[c], world_b.linear[c]);
-  EXPECT_NEAR(a.viewing_distance, 2.0f * b.viewing_distance, kRounding);
+  EXPECT_NEAR(a.viewing_distance, b.viewing_distance, kRounding);
+  EXPECT_NEAR(a.plane_height, b.plane_height, kRounding);
+  EXPECT_NEAR(a.depth_front, b.depth_front, kRounding);
+  EXPECT_NEAR(a.depth_back, b.depth_back, kRounding);
+  EXPECT_EQ(a.how, b.how);
+}
+
+/// A scene of a box, seen from (0, 0, 10) by what `add` puts below a parent of that scale.
+template <class F>
+FittedArray fitted_below(float scale, const ViewWish& wish, const F& add) {
+  Scene scene;
+  add_box(scene, Vec3f(-1), Vec3f(1));
+  add(scene, add_node(scene, {Vec3f(0), Quatf(1, 0, 0, 0), Vec3f(scale)}), 1.0f / scale);
+  return fit_array(scene, 1.0f, wish);
+}
+
+TEST(FitArray, sentences_are_in_world_units_below_any_scale) {
+  const auto focused = [](Scene& scene, int parent, float local) {
+    add_camera(scene, at({0, 0, 10 * local}), parent).focus_distance = 4.0f * local;
+  };
+  const auto orthographic = [](Scene& scene, int parent, float local) {
+    add_camera(scene, at({0, 0, 10 * local}), parent).orthographic_height = 3.0f * local;
+  };
+  const auto display = [](Scene& scene, int parent, float local) {
+    scene.display = DisplayPlacement{add_node(scene, at(Vec3f(0)), parent), 3.0f * local, 7.0f * local};
+  };
+  const auto plain = [](Scene& scene, int parent, float local) { add_camera(scene, at({0, 0, 10 * local}), parent); };
+  for (const float scale : {0.0254f, 100.0f})
+    for (const ViewWish& wish : {ViewWish{}, ViewWish{.focus = "5"}, ViewWish{.focus = "0,0,0.5"}}) {
+      const auto expect_same = [&](const auto& add, const char* what) {
+        const FittedArray one = fitted_below(1.0f, wish, add), other = fitted_below(scale, wish, add);
+        EXPECT_EQ(one.how, other.how) << what;
+        EXPECT_NEAR(one.plane_height, other.plane_height, kRounding) << what;
+        EXPECT_NEAR(one.viewing_distance, other.viewing_distance, kRounding) << what;
+        EXPECT_NEAR(one.depth_back, other.depth_back, kRounding) << what;
+      };
+      expect_same(focused, "focus"), expect_same(orthographic, "orthographic"), expect_same(display, "display");
+      expect_same(plain, "plain");
+    }
+}
+
+TEST(FitArray, focus_on_a_distance_is_in_world_units) {
+  const FittedArray array = fitted_below(0.0254f, {.focus = "5"}, [](Scene& scene, int parent, float local) {
+    add_camera(scene, at({0, 0, 10 * local}), parent);
+  });
+  EXPECT_NEAR(array.viewing_distance, 5.0f, kRounding);
+  EXPECT_THAT(array.how, HasSubstr("The focus on 5 puts the plane 5 units from the viewer."));
+}
+
+TEST(FitArray, focus_on_a_point_is_in_the_coordinates_of_the_file) {
+  Scene scene;
+  add_box(scene, Vec3f(-1), Vec3f(1));
+  add_camera(scene, at({0, 0, 10}));
+  const FittedArray near = fit_array(scene, 1.0f, {.focus = "0,0,0.5"});
+  scene.origin = {4512345.125, 320.5, -5400000.25};
+  const FittedArray far = fit_array(scene, 1.0f, {.focus = "4512345.125,320.5,-5399999.75"});
+  EXPECT_EQ(far.viewing_distance, near.viewing_distance);
+}
+
+TEST(FitArray, turning_upright_turns_the_origin) {
+  const Vec3d origin(4512345.125, 320.5, -5400000.25);
+  const std::pair<UpAxis, Vec3d> turned[] = {{UpAxis::kY, origin},
+                                             {UpAxis::kZ, {origin.x, origin.z, -origin.y}},
+                                             {UpAxis::kMinusY, {origin.x, -origin.y, -origin.z}},
+                                             {UpAxis::kX, {-origin.y, origin.x, origin.z}}};
+  for (const auto& [up, expected] : turned) {
+    Scene scene;
+    scene.origin = origin;
+    turn_upright(scene, up);
+    EXPECT_EQ(scene.origin, expected) << static_cast<int>(up);
+  }
+}
+
+TEST(FitArray, animated_scale_scales_the_array) {
+  Scene scene;
+  add_box(scene, Vec3f(-1), Vec3f(1));
+  const int parent = add_node(scene, {Vec3f(0), Quatf(1, 0, 0, 0), Vec3f(2.0f)});
+  add_camera(scene, at({0, 0, 5}), parent);
+  NodeAnimation grow;
+  grow.node = parent;
+  grow.scale = {{0, 1}, {Vec3f(2), Vec3f(4)}};
+  scene.timeline.animations.push_back(grow);
+  const FittedArray array = fit_array(scene);
+  EXPECT_NEAR(uniform_scale(world_from_display(array, 1.0f, evaluate(scene, 0))), 1.0f, kRounding);
+  EXPECT_NEAR(uniform_scale(world_from_display(array, 1.0f, evaluate(scene, 1))), 2.0f, kRounding);
+}
+
+TEST(FitArray, array_of_a_missing_node_is_an_error) {
+  FittedArray array;
+  array.node = 3;
+  EXPECT_THROW(world_from_display(array, 1.0f, ResolvedScene{}), Error);
 }
 
 TEST(FitArray, uneven_scale_and_mirrors_leave_a_similarity_that_looks_the_same_way) {
@@ -330,11 +421,13 @@ TEST(FitArray, uneven_scale_and_mirrors_leave_a_similarity_that_looks_the_same_w
   add_box(scene, Vec3f(-1), Vec3f(1));
   const int parent = add_node(scene, {Vec3f(0), Quatf(1, 0, 0, 0), Vec3f(-1.0f, 2.0f, 4.0f)});
   add_camera(scene, at({0, 0, 2}), parent);
-  const Affine3f world = plane_in_world(scene, fit_array(scene));
-  EXPECT_NEAR(glm::determinant(world.linear), 8.0f, 1e-4f);  // no mirror; the scale is the cube root of 1 * 2 * 4
-  expect_near(world.linear[0], {2, 0, 0});
-  expect_near(world.linear[1], {0, 2, 0});
-  expect_near(world.linear[2], {0, 0, 2});
+  const FittedArray array = fit_array(scene);
+  const Affine3f world = plane_in_world(scene, array);
+  EXPECT_NEAR(glm::determinant(world.linear), 1.0f, 1e-4f);  // no mirror
+  expect_near(world.linear[0], {1, 0, 0});
+  expect_near(world.linear[1], {0, 1, 0});
+  expect_near(world.linear[2], {0, 0, 1});
+  EXPECT_NEAR(array.viewing_distance, 8.0f, kRounding);
 }
 
 TEST(FitArray, node_scaled_to_nothing_is_refused) {

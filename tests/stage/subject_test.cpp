@@ -399,7 +399,7 @@ TEST(ViewWish, nonsense_is_refused_with_what_would_be_accepted) {
   Scene scene = two_boxes_before_a_camera();
   expect_refused(scene, fit_to("Haed"), "did you mean 'Head'?");
   expect_refused(scene, focus("Haed"), "did you mean 'Head'?");
-  expect_refused(scene, fit_to("Camera"), "nothing is shown at 'Camera' or below it");
+  expect_refused(scene, fit_to("Camera"), "'Camera' and its children have no shapes");
   expect_refused(scene, focus("0,0,13"), "does not lie in front of the viewer");
   for (const char* text : {"0", "-1", "1,2", "1,2,3,4", "nan", "1,,2"}) expect_refused(scene, focus(text), "focus");
 }

@@ -1,7 +1,7 @@
 // A library for LD_PRELOAD: the LIPPMANN_FAIL_NUMBER-th call of a kind fails, as on a disk that is full for a moment; with
 // LIPPMANN_FAIL_ALL all that follow fail too. LIPPMANN_FAIL_CALL says which kind: write (to a regular file), open (for
-// writing), rename, mkdir, fsync, allocate. When one has failed, a file LIPPMANN_FAILED is there. What the program prints goes
-// to pipes and is left alone.
+// writing), rename, remove, mkdir, fsync, allocate. When one has failed, a file LIPPMANN_FAILED is there. What the program
+// prints goes to pipes and is left alone.
 //
 // Allocations count from main() on, and not within dlopen(): before and there, constructors of libraries run, which have nobody
 // to tell of a failure (libhwy's, which comes with the encoders of videos, aborts).
@@ -138,6 +138,11 @@ FILE* fopen64(const char* path, const char* mode) {
 int rename(const char* from, const char* to) {
   static const auto real = next<int(const char*, const char*)>("rename");
   return fails("rename") ? -1 : real(from, to);
+}
+
+int remove(const char* path) {
+  static const auto real = next<int(const char*)>("remove");
+  return fails("remove") ? -1 : real(path);
 }
 
 int mkdir(const char* path, mode_t mode) {

@@ -172,7 +172,7 @@ TEST(RoundLight, nothing_ends_at_a_lamp) {
   SmallScene s;
   s.scene.background.horizon = s.scene.background.zenith = Vec3f(1.0f);
   ball(s, {0, 0, 2}, 1e-6f, 1.5f);
-  EXPECT_NEAR(irradiance(s, 1024), kPi, 0.01f);
+  EXPECT_NEAR(irradiance(s, 4096), kPi, 0.01f);
 }
 
 // Between the cosines 0.5 and 1 of the cones, at 0.75: t = 1/2, t^2 = 1/4 and 3 t^2 - 2 t^3 = 1/2.

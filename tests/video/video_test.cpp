@@ -382,7 +382,7 @@ TEST(VideoWriter, options_that_make_no_sense_are_errors) {
   EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.mp4", {.rate = {0, 1}}); }), HasSubstr("frames per second"));
   EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.mp4", {.crf = 52}); }), HasSubstr("0 to 51"));
   EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.webm", {.crf = 64}); }), HasSubstr("0 to 63"));
-  EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.mkv", {.crf = 5}); }), HasSubstr("loses nothing"));
+  EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.mkv", {.crf = 5}); }), HasSubstr("is lossless"));
   EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.mp4").finish(); }), HasSubstr("without frames"));
 }
 
@@ -402,7 +402,7 @@ TEST(VideoReader, missing_file_folder_and_text_are_errors) {
   std::ofstream(dir / "text.mp4") << "this is not a video";
   std::ofstream(dir / "empty.mkv").flush();
   EXPECT_THAT(error_message([&] { VideoReader(dir / "none.mp4"); }), HasSubstr("there is no such file"));
-  EXPECT_THAT(error_message([&] { VideoReader{dir.path()}; }), HasSubstr("is not a file"));
+  EXPECT_THAT(error_message([&] { VideoReader{dir.path()}; }), HasSubstr("is not a regular file but a folder"));
   EXPECT_THAT(error_message([&] { VideoReader(dir / "text.mp4"); }), HasSubstr("cannot be read as a video"));
   EXPECT_THAT(error_message([&] { VideoReader(dir / "empty.mkv"); }), HasSubstr("cannot be read as a video"));
 }

@@ -140,7 +140,7 @@ TEST_F(Answers, text_of_a_calibration_is_answered_with_its_numbers_and_nothing_i
   request.origin = "http://evil.example";
   EXPECT_EQ(answers_.answer(request).status, 403);
   request.origin = "http://127.0.0.1:8488", request.path = "/0/calibration";
-  EXPECT_EQ(answers_.answer(request).status, 404);
+  EXPECT_EQ(answers_.answer(request).status, 405);
   EXPECT_EQ(get("/calibration").status, 404);
 }
 

@@ -23,7 +23,7 @@ TEST(DisparityCodes, codes_say_disparities_finely) {
   for (const float z : {0.0f, 0.37f, -2.5f, 55.0f, -300.0f}) {
     Image depth(1, 1, 1);
     depth.data[0] = z;
-    const Image8 codes = disparity_codes(depth, 0.0, 1.0, 60.0);
+    const Image8 codes = disparity_codes(disparities_mm(depth, 0.0, 1.0), 60.0);
     const double step = 60.0 / 32767.0 * squared(1.0f + std::abs(z) / 60.0f);
     EXPECT_NEAR(disparity_of_codes(codes.rgb.data(), 60.0), z, step) << z;
   }
@@ -33,11 +33,11 @@ TEST(DisparityCodes, nothing_and_what_is_no_depth_give_code_0) {
   for (const float z : {-kInfinity, std::nanf(""), kInfinity}) {
     Image depth(1, 1, 1);
     depth.data[0] = z;
-    EXPECT_EQ(disparity_codes(depth, 0.0, 1.0, 60.0).rgb, (std::vector<unsigned char>{0, 0, 0})) << z;
+    EXPECT_EQ(disparity_codes(disparities_mm(depth, 0.0, 1.0), 60.0).rgb, (std::vector<unsigned char>{0, 0, 0})) << z;
   }
   Image behind_viewer(1, 1, 1);
   behind_viewer.data[0] = 600.0f;
-  EXPECT_EQ(disparity_codes(behind_viewer, 1.0 / 500.0, 1.0, 60.0).rgb, (std::vector<unsigned char>{0, 0, 0}));
+  EXPECT_EQ(disparity_codes(disparities_mm(behind_viewer, 1.0 / 500.0, 1.0), 60.0).rgb, (std::vector<unsigned char>{0, 0, 0}));
 }
 
 }  // namespace

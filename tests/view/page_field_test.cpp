@@ -122,6 +122,37 @@ TEST(PageField, link_out_of_the_folder_is_refused_and_others_stay_readable) {
   EXPECT_EQ(fields[0]->quilt(2).rgb, fields[0]->quilt(0).rgb);
 }
 
+TEST(PageField, report_that_is_a_link_out_of_the_folder_is_refused) {
+  const TempDir dir, elsewhere;
+  test::write_sheet_frames(dir.path(), 1);
+  fs::rename(dir / "report.json", elsewhere / "report.json");
+  fs::create_symlink(elsewhere / "report.json", dir / "report.json");
+  const std::string leads_out = (dir / "report.json").string() + ": is a link that leads out of";
+  EXPECT_THAT(test::error_message([&] { test::fields_of(dir.path()); }), HasSubstr(leads_out));
+  EXPECT_THAT(test::error_message([&] { test::fields_of(dir / "frame_0000.png"); }), HasSubstr(leads_out));
+  fs::remove(dir / "report.json");
+  fs::copy_file(elsewhere / "report.json", dir / "kept.json");
+  fs::create_symlink("kept.json", dir / "report.json");
+  EXPECT_EQ(test::fields_of(dir.path())[0]->facts().frames.size(), 1u);
+}
+
+TEST(PageField, side_files_and_layers_that_lead_out_are_refused_with_their_picture) {
+  const TempDir dir, elsewhere;
+  test::write_sheet_frames(dir.path(), 2);
+  const auto fields = test::fields_of(dir.path());
+  std::ofstream(elsewhere / "secret") << "{}";
+  for (const char* name : {"frame_0001.png.json", "aov_0001.exr"}) {
+    fs::create_symlink(elsewhere / "secret", dir / name);
+    EXPECT_THAT(test::error_message([&] { fields[0]->quilt(1); }), HasSubstr(name));
+    EXPECT_EQ(test::error_message([&] { fields[0]->quilt(0); }), "");
+    fs::remove(dir / name);
+  }
+  fs::create_symlink(elsewhere / "secret", dir / "notes.txt");
+  EXPECT_EQ(test::error_message([&] { fields[0]->quilt(1); }), "");
+  fs::create_symlink(elsewhere / "secret", dir / "frame_0000.png.json");
+  EXPECT_THAT(test::error_message([&] { test::fields_of(dir.path()); }), HasSubstr("frame_0000.png.json"));
+}
+
 TEST(PageField, single_view_is_a_light_field_of_one_view) {
   const TempDir dir;
   Optics optics;
@@ -149,7 +180,7 @@ TEST(PageField, depth_that_cannot_be_read_is_left_out_with_a_warning) {
 
 TEST(PageField, folder_without_pictures_is_refused_with_what_would_be_accepted) {
   const TempDir dir;
-  EXPECT_THAT(test::error_message([&] { test::fields_of(dir.path()); }), HasSubstr("there are no frames in it"));
+  EXPECT_THAT(test::error_message([&] { test::fields_of(dir.path()); }), HasSubstr("contains no frames"));
 }
 
 }  // namespace

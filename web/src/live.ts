@@ -57,6 +57,7 @@ export class Live {
   private confirmed = 0;
   private sending = false;
   private shownId = 0;
+  private shownVersion = 0;
   private states = 0;
 
   constructor(
@@ -96,6 +97,11 @@ export class Live {
     const { state } = this;
     const picture = state?.picture;
     return !!state && !!picture && !this.sending && picture.id === this.shownId && picture.version === state.version && picture.pass === "final";
+  }
+
+  /** Whether settings have changed since those of the picture that is shown. */
+  get isOutdated(): boolean {
+    return this.shownId > 0 && (this.sending || this.waiting !== null || this.shownVersion < Math.max(this.state?.version ?? 0, this.confirmed));
   }
 
   /** Whether what has come is the first that the program says. */
@@ -200,7 +206,7 @@ export class Live {
   }
 
   private async load(picture: NonNullable<LiveState["picture"]>): Promise<void> {
-    const { id, field } = picture;
+    const { id, version, field } = picture;
     const [views, depth, panel] = await Promise.all([
       loadPicture(`live/views/${id}`),
       picture.depth ? loadPicture(`live/depth/${id}`) : null,
@@ -211,5 +217,6 @@ export class Live {
     await this.frames.showLive({ ...this.field, ...field }, { views, depth, panel });
     Object.assign(this.field, field);
     this.shownId = id;
+    this.shownVersion = version;
   }
 }

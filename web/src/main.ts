@@ -44,6 +44,14 @@ function describe(field: Field): string {
   return `${grid} of ${size[0]}\u00d7${size[1]}${field.depth ? ", with depth" : ""}`;
 }
 
+/** Whether the control that has the focus does something with the key itself. */
+function isOfControl({ target, key }: KeyboardEvent): boolean {
+  if (target instanceof HTMLButtonElement) return key === " ";
+  if (target instanceof HTMLInputElement && target.type === "checkbox") return key === " ";
+  if (target instanceof HTMLInputElement && target.type === "range") return key.startsWith("Arrow") || key === "Home";
+  return target instanceof HTMLInputElement || target instanceof HTMLSelectElement;
+}
+
 /** What a pointer has grasped, and how everything was then. */
 interface Drag {
   x: number;
@@ -145,6 +153,7 @@ export class App {
     byId("facts").textContent = `${describe({ ...field, depth: false })}${this.progress()}`;
     byId("facts").title = this.live?.state?.depth.summary ?? "";
     byId("stage").dataset.rest = String(this.live?.isAtRest);
+    byId("stage").dataset.outdated = String(this.live?.isOutdated);
     if (picture) this.redraw();
     this.updateControls();
   }
@@ -178,10 +187,12 @@ export class App {
   private progress(): string {
     const state = this.live?.state;
     if (!state || this.live?.isAtRest) return ", as rendered";
-    if (state.error) return "";
-    if (state.render?.state === "running") return ", coarse while the job is rendered";
-    const passes = { "": "coarse", coarse: "coarse", draft: "draft", final: "as rendered" };
-    return `, ${passes[state.pass]}: ${Math.round(100 * state.share)}\u2009%`;
+    const before = this.live?.isOutdated ? ", with the settings before" : "";
+    if (state.error) return before;
+    if (state.render?.state === "running") return `${before}, coarse while the job is rendered`;
+    if (state.pass === "") return `${before}, being set up`;
+    const passes = { coarse: "coarse", draft: "draft", final: "as rendered" };
+    return `${before}, ${passes[state.pass]}: ${Math.round(100 * state.share)}\u2009%`;
   }
 
   private head(): void {
@@ -432,27 +443,39 @@ export class App {
 
   private listen(): void {
     const { canvas } = this;
-    let drag: (Drag & { moved: boolean }) | null = null;
+    let drag: (Drag & { moved: boolean; finger: number }) | null = null;
+    const fingers = new Set<number>();
+    // Two fingers zoom the page, as the browser does it; what the first has moved until then goes back.
+    const giveUpDrag = (): void => {
+      if (drag?.moved) this.dragTo(drag, drag);
+      drag = null;
+    };
     canvas.addEventListener("pointerdown", (event) => {
+      fingers.add(event.pointerId);
+      if (fingers.size > 1) return giveUpDrag();
       canvas.setPointerCapture(event.pointerId);
       const at = this.at(event);
-      drag = { ...at, shares: this.shares(), moved: false, what: this.graspedAt(at.x, at.y), orbit: this.live ? orbitOf(this.live) : [0, 0], plane: this.live ? planeDistance(this.live) : 1 };
+      drag = { ...at, finger: event.pointerId, shares: this.shares(), moved: false, what: this.graspedAt(at.x, at.y), orbit: this.live ? orbitOf(this.live) : [0, 0], plane: this.live ? planeDistance(this.live) : 1 };
     });
     canvas.addEventListener("pointermove", (event) => {
       const at = this.at(event);
       this.pointer = at;
       this.redraw();
-      if (!drag) return;
+      if (!drag || drag.finger !== event.pointerId) return;
       if (Math.hypot(at.x - drag.x, at.y - drag.y) > 4) drag.moved = true;
       if (drag.moved) this.dragTo(drag, at);
     });
     canvas.addEventListener("pointerup", (event) => {
+      fingers.delete(event.pointerId);
       if (drag && !drag.moved) this.clickAt(this.at(event));
       if (event.pointerType !== "mouse") this.pointer = null;
       drag = null;
       this.redraw();
     });
-    canvas.addEventListener("pointercancel", () => (drag = null));
+    canvas.addEventListener("pointercancel", (event) => {
+      fingers.delete(event.pointerId);
+      giveUpDrag();
+    });
     canvas.addEventListener("pointerleave", () => {
       this.pointer = null;
       this.redraw();
@@ -462,7 +485,11 @@ export class App {
       event.preventDefault();
       fail(new Refusal("The browser has taken the graphics away, for want of memory perhaps. Reload the page."));
     });
-    canvas.addEventListener("keydown", (event) => this.key(event));
+    window.addEventListener("keydown", (event) => this.key(event));
+    // Who clicks a button with a pointer means the picture by the keys that follow.
+    window.addEventListener("click", (event) => {
+      if (event.detail > 0 && event.target instanceof Element && event.target.closest("button")) canvas.focus({ preventScroll: true });
+    });
     window.addEventListener("hashchange", () => this.store.readAddress());
     const toggle = byId<HTMLButtonElement>("toggle");
     toggle.addEventListener("click", () => {
@@ -535,7 +562,9 @@ export class App {
     this.store.set({ focus: depth, aperture: state.aperture > 0 ? state.aperture : 0.5 });
   }
 
+  /** With Ctrl it is the browser's, which zooms the page: touchpads send pinches so. */
   private wheel(event: WheelEvent): void {
+    if (event.ctrlKey) return;
     event.preventDefault();
     if (this.live && this.store.state.drag === "turn") return setZoom(this.live, this.live.number("zoom", 1) * 2 ** (-Math.sign(event.deltaY) / 8));
     const { eye } = this.store.state;
@@ -563,7 +592,7 @@ export class App {
       p: () => this.store.set({ show: this.store.state.show === "panel" ? "eye" : "panel" }),
     };
     const action = actions[event.key.length === 1 ? event.key.toLowerCase() : event.key];
-    if (!action) return;
+    if (!action || isOfControl(event)) return;
     event.preventDefault();
     action();
   }

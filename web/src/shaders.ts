@@ -148,27 +148,36 @@ uniform float u_budget;         // mm on either side of the plane
 out vec4 color;
 
 // Along the line of sight, front to back, the first disparity at which the view has a surface; .y: whether it is seen there.
-// What all steps have in common is computed before them: they are most of the time that an eye takes.
+// Behind what the view sees nearer it goes on: the line may come out on the other side. Where it does not, what is hidden looks
+// as what is seen just before it goes behind. What all steps have in common is computed
+// before them: they are most of the time that an eye takes.
 vec2 meet(ivec2 view, vec2 s, vec2 apart) {
   vec3 tile = tile_of(view);
   vec2 start = pixel_of(s), per_disparity = apart * vec2(1.0, -1.0) * u_view_size / u_window_size;
-  float range = u_disparities.y - u_disparities.x;
-  vec2 moves = abs(per_disparity) * range;
-  int steps = clamp(int(ceil(max(moves.x, moves.y))), 1, 40);
-  float step_w = range / float(steps), before = 0.0, w = u_disparities.y;
+  float range = u_disparities.y - u_disparities.x, per = max(abs(per_disparity.x), abs(per_disparity.y));
+  int steps = clamp(int(ceil(per * range)), 1, 40);
+  float step_w = range / float(steps), w = u_disparities.y, before = w;
+  bool hidden = false;
   for (int i = 0; i <= 40; ++i) {
     if (i > steps) break;
     float at = max(disparity_in_tile(tile, start + per_disparity * w), u_disparities.x);
-    float behind = at - w;
-    if (behind >= -1e-4 * range) {
-      if (i == 0) return vec2(at, 1.0);
-      bool seen = behind < 1.5 * step_w || steps == 1;
-      return vec2(steps == 1 || moves.x + moves.y < 0.5 ? at : w + step_w * behind / max(behind - before, 1e-9), seen ? 1.0 : 0.0);
+    bool behind = at - w >= -1e-4 * range;
+    if (behind && !hidden) {
+      // Where it came to be behind: at a surface, or beside the edge of one.
+      float near = i == 0 ? w : w + step_w, far = w;
+      for (int j = 0; j < 4; ++j) {
+        float middle = 0.5 * (near + far);
+        float there = max(disparity_in_tile(tile, start + per_disparity * middle), u_disparities.x);
+        if (there >= middle) far = middle, at = there;
+        else near = middle;
+      }
+      if (per * (at - far) < 0.75) return vec2(at, 1.0);
+      before = near;
     }
-    before = behind;
+    hidden = behind;
     w -= step_w;
   }
-  return vec2(u_disparities.x, 1.0);
+  return hidden ? vec2(before, 0.0) : vec2(u_disparities.x, 1.0);
 }
 
 #if BUDGET
@@ -184,6 +193,30 @@ vec3 tinted(ivec2 view, vec2 pixel, float disparity) {
 }
 #endif
 
+#if DEPTH
+// As in_view, but without neighbouring texels of what is nearer, as these move away from it: wholly where they move by three
+// quarters of a pixel.
+vec3 in_view_behind(ivec2 view, vec2 pixel, vec2 per_disparity) {
+  vec3 tile = tile_of(view);
+  float disparity = disparity_in_tile(tile, pixel);
+  vec2 last = u_view_size - 1.0, at = clamp(pixel, vec2(0.5), u_view_size - 0.5) - 0.5, first = floor(at), share = at - first;
+  float per = max(abs(per_disparity.x), abs(per_disparity.y)), weights = 0.0;
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < 4; ++i) {
+    vec2 corner = vec2(i & 1, i >> 1), texel = min(first + corner, last), near = mix(1.0 - share, share, corner);
+    float moved = per * (disparity_in_tile(tile, texel) - disparity);  // infinite beside what is nowhere
+    float weight = near.x * near.y * (1.0 - smoothstep(0.25, 0.75, moved));
+    sum += weight * texel_of(u_views, tile, texel).rgb;
+    weights += weight;
+  }
+  vec3 seen = sum / weights;
+#if OVERLAY
+  seen = with_origin(seen, tile, clamp(floor(pixel), vec2(0.0), last));
+#endif
+  return seen;
+}
+#endif
+
 vec3 in_view_at(ivec2 view, vec2 s, vec2 slope, out float weight) {
   weight = 1.0;
 #if DEPTH
@@ -194,8 +227,10 @@ vec3 in_view_at(ivec2 view, vec2 s, vec2 slope, out float weight) {
 #if BUDGET
   return tinted(view, pixel_of(s), met.x);
 #endif
-#endif
+  return in_view_behind(view, pixel_of(s), apart * u_view_size / u_window_size);
+#else
   return in_view(view, pixel_of(s));
+#endif
 }
 
 vec3 between_views(vec2 s, vec2 slope, vec2 place) {

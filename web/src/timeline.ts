@@ -142,12 +142,14 @@ export class Timeline {
     this.startFrame = this.store.state.frame;
   }
 
-  /** Goes on to the frame of this moment, and waits for one that is not there yet. */
+  /** Goes on to the frame of this moment, and waits for one that is not there yet. `now` is when the screen's frame began, which
+   *  may be before the button was pressed. */
   tick(now: number): void {
     if (!this.playing) return;
     const { state, fields } = this.store;
     const count = fields[0].frames.length;
-    let frame = this.startFrame + Math.floor(((now - this.startedAt) / 1000) * fields[0].frames_per_second * state.speed);
+    const seconds = Math.max(now - this.startedAt, 0) / 1000;
+    let frame = this.startFrame + Math.floor(seconds * fields[0].frames_per_second * state.speed);
     if (frame === state.frame) return;
     if (frame >= count && !state.loop) {
       this.playing = false;

@@ -32,8 +32,8 @@ using SubPixelCell = std::array<Vec2f, 3>;
 /// A slanted panel's calibration, "visual.json": names in the file in brackets where they differ. With W, H the panel's pixels,
 /// a sub-pixel of colour c = 0, 1, 2 of the pixel at x, y from 0 to 1 (y up) lies at the phase
 ///   z = (x + c s + y T) P - center,  P = pitch W / DPI cos(atan(1 / slope)),  T = H / (W slope),  s = 1 / 3W
-/// below the lenses and is of the view v = 1 - fract(z). (Looking Glass Factory's shaders; T is negated by flip_image_y, s by
-/// flip_image_x.)
+/// below the lenses and is of the view v = 1 - fract(z), as in Looking Glass Factory's shaders. flip_image_x negates T and s.
+/// flip_image_y has no effect, as in these.
 struct Calibration {
   double pitch = 52.0;  ///< lenses per inch, across them
   double slope = -7.0;  ///< rise over run of the lenses: pixels down for one to the right
@@ -52,6 +52,9 @@ struct Calibration {
   enum class Patterns { kColumns, kRows } patterns = Patterns::kColumns;
   /// Nor on invView: most invert always, older ones only where it is set.
   enum class Inversion { kAlways, kIfFlagged } inversion = Inversion::kAlways;
+  /// What flipImageX changes: the slope T in all tools, in newer ones the step s too, and in the newest also the center, by
+  /// 1/2.
+  enum class Flip { kSlope, kSlopeAndStep, kSlopeStepAndCenter } flip = Flip::kSlopeAndStep;
 };
 
 /// The lenses of sheets and arrays.

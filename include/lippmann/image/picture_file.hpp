@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <string_view>
 #include <variant>
 
 #include "lippmann/image/image.hpp"
@@ -11,8 +13,9 @@ namespace lippmann {
 /// 8-bit codes, 16-bit codes, or floats of 3 channels.
 using Picture = std::variant<Image8, Image16, Image>;
 
-/// Takes the first three of more than 3 channels, and the first one three times of fewer. Throws Error as read_image.
-Picture read_picture(const std::filesystem::path& path);
+/// The colours, or grey three times. `warn`, if given, gets a sentence for each thing that the file says and that is not
+/// honoured, such as a colour profile. Throws Error naming the file if it is missing, damaged, no picture, or too large.
+Picture read_picture(const std::filesystem::path& path, const std::function<void(std::string_view)>& warn = {});
 
 /// 8- and 16-bit codes as .png, floats as .exr. Throws Error naming the file, also where the ending does not suit.
 void write_picture(const std::filesystem::path& path, const Picture& picture);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,19 +31,29 @@ struct FormatOptions {
   std::optional<StereoLayout> stereo = {};     ///< how two views lie in one picture; none: as its name says, or side by side
   std::optional<DepthRange> depth_range = {};  ///< greys cover it; none: as the RGB-D picture's side file says, or all there is
   std::optional<bool> even_in_depth = {}, near_black = {};  ///< how they are coded; none: as the side file says (DepthCoding)
+  std::function<void(std::string_view)> warn = {};  ///< of what pictures say and is not honoured (image/picture_file.hpp)
+};
+
+/// Which members of FormatOptions a reader or a writer uses. `filter` includes sigma_views; `depth_coding` is depth_range,
+/// even_in_depth and near_black.
+struct FormatUses {
+  bool views = false, tiles = false, aspect = false, bits = false, display = false, filter = false, stereo = false,
+       depth_coding = false;
 };
 
 /// Paths are those of one light field, of one moment: a picture or a folder.
 struct LightFieldFormat {
   std::string_view name;
-  std::string_view is;        ///< in one line
-  bool is_folder = false;     ///< a folder with one or more files for each view; else one picture
-  bool uses_cameras = false;  ///< its writer wants cameras and depth, where they are known
+  std::string_view is;          ///< in one line
+  bool is_folder = false;       ///< a folder with one or more files for each view; else one picture
+  bool uses_cameras = false;    ///< its writer wants cameras and depth, where they are known
+  bool states_cameras = false;  ///< its files state the cameras: a report.json beside them does not count
   /// Throws Error naming the file or the flag of an option.
   LightField (*read)(const std::filesystem::path& path, const FormatOptions& options) = nullptr;
   /// Returns what was written, pictures first. Folders are made. Throws likewise.
   std::vector<std::filesystem::path> (*write)(const LightField& field, const std::filesystem::path& path,
                                               const FormatOptions& options) = nullptr;
+  FormatUses reads = {}, writes = {};
 };
 
 LightFieldFormat integral_format();

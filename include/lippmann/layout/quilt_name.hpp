@@ -1,6 +1,7 @@
 // What a quilt's file name says: name_qs{columns}x{rows}a{aspect}.ending, as Looking Glass's programs read and write it.
 //
-// aspect: width / height of the display, not of a tile. Other tools also add z{zoom} and f{focus}; they are read past.
+// aspect: width / height of the display, not of a tile. Other tools also add z{zoom} and f{focus}, which are ignored. Letters
+// may be capitals, and a mark of a copy may follow: "room_qs8x6a0.75 (1).png".
 #pragma once
 
 #include <filesystem>

@@ -10,8 +10,11 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "lippmann/core/context.hpp"
+#include "lippmann/display/display.hpp"
 #include "lippmann/layout/light_field.hpp"
 #include "lippmann/replay/rendered_frames.hpp"
 
@@ -19,24 +22,35 @@ namespace lippmann {
 
 /// What flags say about the light field.
 struct LightFieldHints {
-  std::filesystem::path report = {};          ///< empty: report.json beside the pictures
-  std::string from = {};                      ///< a format of `convert`; empty: as names and the report say
-  std::optional<ViewGrid> views = {};         ///< how many across and up
-  std::optional<ViewGrid> tiles = {};         ///< how many tiles of a quilt across and up
-  std::optional<double> view_angle_deg = {};  ///< between the outermost views, where nothing states the cameras
+  std::filesystem::path report = {};                ///< empty: report.json beside the pictures
+  std::string from = {};                            ///< a format of `convert`; empty: as names and the report say
+  std::optional<ViewGrid> views = {};               ///< how many across and up
+  std::optional<ViewGrid> tiles = {};               ///< how many tiles of a quilt across and up
+  std::optional<double> view_angle_deg = {};        ///< between the outermost views, where nothing states the cameras
+  std::function<void(std::string_view)> warn = {};  ///< as FormatOptions::warn
+  /// Pictures whose format is native, or of which nothing states the format, are what this display's panel shows.
+  std::optional<Display> display = {};
+  bool is_other_display = false;  ///< `display` need not be that of the pictures: no error where they are something else
 };
+
+/// The hints with the context's warnings.
+inline LightFieldHints with_warnings(LightFieldHints hints, const Context& context) {
+  hints.warn = context.warn;
+  return hints;
+}
 
 struct LightFieldFrames {
   Optics optics;
   std::vector<std::filesystem::path> files;  ///< ascending: pictures, or folders of views
   std::filesystem::path folder;              ///< beside what is read: where results go
   double frames_per_second = 25.0;
+  bool is_panel = false;        ///< pictures without a report that are what the panel of `optics` shows
   std::string assumption = {};  ///< one sentence on what was assumed of the cameras; empty: nothing
   /// The frame of that index. Throws Error naming the file, also where its size is not that of the optics' panel.
   std::function<RenderedPanel(std::size_t)> read;
 };
 
-/// Throws Error naming the file, or the flag that has to say what nothing else says.
+/// Throws Error naming the file, the flag that has to say what nothing else says, or a flag without effect.
 LightFieldFrames find_light_field_frames(const std::filesystem::path& in, const LightFieldHints& hints);
 
 /// The views of a light field put behind the optics that show them, in linear light: what eyes look at. Throws Error naming

@@ -16,7 +16,7 @@ struct LoadOptions {
   double frames_per_second = 0.0;                      ///< 0: the format's default
   std::filesystem::path asset_root{};  ///< the files that a scene names may lie below it; empty: in the scene's folder only
   std::string animation{};             ///< name or index of the one to show, of files that hold several; empty: the first
-  /// Decoded textures of glTF and OBJ files take so much at most, 4 bytes a texel: the largest are halved until they do, which
+  /// Decoded textures of glTF, OBJ and PLY take so much at most, 4 bytes a texel: the largest are halved until they do, which
   /// is a warning. Tables for rendering take 2.7 times as much besides.
   std::uint64_t texture_bytes = std::uint64_t{1024} << 20;
   std::string variant{};  ///< name or index of the set of materials, of files that hold several; empty: the file's default

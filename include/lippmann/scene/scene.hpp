@@ -307,7 +307,7 @@ struct Camera {
   int node = -1;
   float vertical_fov = radians(45.0f);  ///< full angle
   float aspect = 1.0f;                  ///< width / height that the file asks for; 0: unknown
-  float focus_distance = 0.0f;          ///< > 0: where the author put the plane of interest
+  float focus_distance = 0.0f;          ///< > 0: where the author put the plane of interest, in node units
   Vec2f pixel_offset{0.0f};             ///< single views shift their sample points by this many pixels (x right, y down)
   float orthographic_height = 0.0f;     ///< > 0: shows this height, in node units, at every distance; then without an angle
 };
@@ -378,7 +378,7 @@ struct Instance {
   int shape = -1, material = -1, node = -1;
   int skin = -1;                     ///< moves the mesh instead of the node; the mesh has SkinWeights
   bool hidden_from_cameras = false;  ///< meshes: no camera ray meets it, though mirrors show it and it shines
-  bool casts_no_shadow = false;      ///< meshes
+  bool casts_no_shadow = false;      ///< meshes; other shapes only if no instance of the scene casts a shadow
 };
 
 struct Scene {
@@ -398,6 +398,7 @@ struct Scene {
   std::vector<std::string> animation_names;  ///< all animations that the file has
   int animation = -1;                        ///< which of them the timeline shows
   std::vector<std::string> variant_names{};  ///< the file's sets of materials to choose from
+  Vec3d origin{0.0};  ///< of the scene's coordinates, in the file's: what lies at p is at origin + p there (scene/origin.hpp)
   Encoding encoding = Encoding::kSrgb;
   int max_depth = 6;       ///< path vertices; the file's own limit where it has one
   Vec2i resolution{0, 0};  ///< that the file asks for; 0: none

@@ -16,7 +16,9 @@ struct ResolvedScene {
   Affine3f of(int node) const { return node < 0 ? Affine3f{} : world_from_node[static_cast<std::size_t>(node)]; }
 };
 
-/// Equal times give equal bits. glTF 2.0, appendix C ("Animation sampler interpolation modes"), for the cubic spline.
+/// Equal times give equal bits. Throws Error where a node's parent does not come before it or an animated node does not exist;
+/// otherwise the scene must pass validate() (scene/load.hpp), as for all functions below. glTF 2.0, appendix C ("Animation
+/// sampler interpolation modes"), for the cubic spline.
 ResolvedScene evaluate(const Scene& scene, double time);
 
 /// Whether each node ever moves (it or one of its ancestors is animated with more than one value).

@@ -12,7 +12,7 @@ namespace lippmann {
 /// Optics, and the size that they have in a scene.
 struct PlacedOptics {
   Optics optics;
-  float units_per_mm = 1.0f;  ///< scene units per millimetre: what world_from_display (stage/fit_array.hpp) takes
+  float units_per_mm = 1.0f;  ///< world units per millimetre: what world_from_display (stage/fit_array.hpp) takes
   bool for_display = false;   ///< they are a display's, given by name or file, which shows views as beams
   float depth_scale = 1.0f;  ///< the parallax of the optics, see with_parallax: below 1 the scene is shown less deep than it is
 };
@@ -35,12 +35,13 @@ enum class DisplayPicture {
   kQuilt,   ///< its views side by side (quilt_optics), which the display's player spreads over the panel
 };
 
-/// Optics in the proportions of the array: as deep as they are, or fitted to what they resolve. Throws Error as validate().
-PlacedOptics placed_on(const FittedArray& array, Optics optics, bool fit_depth);
+/// Optics in the proportions of the array that was fitted to the scene: as deep as they are, or fitted to what they resolve.
+/// Rays begin at the optics' viewer, or before the first wall behind the viewer of the fit. Throws Error as validate().
+PlacedOptics placed_on(const Scene& scene, const FittedArray& array, Optics optics, bool fit_depth);
 
-/// Puts optics, in their own millimetres, into a scene that passes validate(): in the plane that fit_array() finds, which is as
-/// high there as the window of the optics is. Viewing distances are those of the optics. Throws Error as fit_array() and
-/// validate(const Optics&) do.
+/// Puts optics, in their own millimetres, into a scene: in the plane that fit_array() finds, which is as
+/// high there as the window of the optics is. Viewing distances are those of the optics. Throws Error as fit_array()
+/// and validate() of the scene and of the optics do.
 Placement place(const Scene& scene, const Optics& optics, const PlacementWish& wish = {});
 
 /// The same of the optics of a display. Throws Error for a quilt where the display knows none, too.

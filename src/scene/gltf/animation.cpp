@@ -41,8 +41,7 @@ class AnimationReader {
 
  private:
   void read_channel(const tinygltf::Animation& animation, const tinygltf::AnimationChannel& channel, const std::string& where) {
-    if (static_cast<std::size_t>(channel.sampler) >= animation.samplers.size())
-      report_.fail(where, fmt::format("refers to samplers[{}], but there are {}", channel.sampler, animation.samplers.size()));
+    if (channel.target_node < 0) return;  // an extension says what it animates
     const tinygltf::AnimationSampler& sampler = animation.samplers[static_cast<std::size_t>(channel.sampler)];
     const int node = nodes_.scene_node[static_cast<std::size_t>(channel.target_node)];
     if (node < 0) return;
@@ -134,7 +133,7 @@ void read_animation(Document& document, const NodeMap& nodes, const std::string&
   scene.timeline.frames_per_second = frames_per_second > 0.0 ? frames_per_second : kGltfFramesPerSecond;
   for (const tinygltf::Animation& animation : document.model.animations) scene.animation_names.push_back(animation.name);
   if (scene.animation_names.empty()) {
-    if (!wanted.empty()) throw usage_error("animation", "the file has no animations", "no `animation` with it");
+    if (!wanted.empty()) throw usage_error("animation", "has no effect: the file has no animations", "a file with animations");
     return;
   }
   const std::size_t chosen = wanted.empty() ? 0 : choose("animation", scene.animation_names, wanted);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "scene/gltf/accessor.hpp"
 
@@ -35,6 +36,17 @@ std::vector<T> read_per_vertex(Document& document, PrimitiveId id, int accessor,
 template <class T>
 std::vector<T> read_attribute(Document& document, PrimitiveId id, const std::string& name, std::size_t vertices) {
   return read_per_vertex<T>(document, id, attribute(primitive_of(document, id), name), name, vertices);
+}
+
+void warn_of_unread_attributes(Document& document, PrimitiveId id) {
+  constexpr std::string_view kRead[] = {"POSITION", "NORMAL", "TANGENT", "COLOR_0"};
+  constexpr std::string_view kSets[] = {"TEXCOORD_", "JOINTS_", "WEIGHTS_"};
+  for (const auto& [name, accessor] : primitive_of(document, id).attributes) {
+    const auto begins = [&attribute_name = name](std::string_view set) { return attribute_name.starts_with(set); };
+    if (std::find(std::begin(kRead), std::end(kRead), name) != std::end(kRead)) continue;
+    if (std::any_of(std::begin(kSets), std::end(kSets), begins)) continue;
+    document.report.warn_at(fmt::format("the attribute {} is left out", shown(name)), element(id));
+  }
 }
 
 void read_colors(Document& document, PrimitiveId id, Mesh& mesh) {

@@ -28,6 +28,9 @@ std::vector<T> read_attribute(Document& document, PrimitiveId id, const std::str
 template <class T>
 std::vector<T> read_per_vertex(Document& document, PrimitiveId id, int accessor, const std::string& name, std::size_t vertices);
 
+/// Warns of attributes that no mesh has a use for.
+void warn_of_unread_attributes(Document& document, PrimitiveId id);
+
 /// COLOR_0, RGB or RGBA, into mesh.colors and mesh.alphas; what is white or opaque everywhere is left out.
 void read_colors(Document& document, PrimitiveId id, Mesh& mesh);
 

@@ -2,14 +2,13 @@
 // little-endian 32-bit words (magic, version, length of the whole), then chunks of two words (length, type) and their bytes;
 // the first chunk is JSON, the second, if any, BIN; chunks of other types are skipped.
 #include "scene/gltf/container.hpp"
+#include "core/regular_file.hpp"
 
 #include <fmt/format.h>
 
 #include <bit>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <system_error>
 
 namespace lippmann::gltf {
 namespace {
@@ -66,18 +65,12 @@ Container split_container(Bytes contents, Report& report) {
 std::vector<std::byte> read_file(const std::filesystem::path& path, std::uint64_t limit, std::string_view element,
                                  const Report& report) {
   const std::string name = element.empty() ? std::string("the file") : shown(path.filename().string());
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) report.fail(element, name + " does not exist");
-  if (!std::filesystem::is_regular_file(status)) report.fail(element, name + " is not a regular file");
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error) report.fail(element, fmt::format("{} cannot be read: {}", name, error.message()));
-  if (size > limit) report.fail(element, fmt::format("{} has {} bytes", name, size), fmt::format("at most {} bytes", limit));
-  std::vector<std::byte> contents(static_cast<std::size_t>(size));
-  std::ifstream file(path, std::ios::binary);
-  if (!file) report.fail(element, name + " cannot be opened");
-  file.read(reinterpret_cast<char*>(contents.data()), static_cast<std::streamsize>(size));
-  if (!file) report.fail(element, name + " cannot be read to its end");
+  RegularFile file(path);
+  if (!file.problem().empty()) report.fail(element, fmt::format("{} {}", name, file.problem()));
+  if (file.size() > limit)
+    report.fail(element, fmt::format("{} has {} bytes", name, file.size()), fmt::format("at most {} bytes", limit));
+  std::vector<std::byte> contents(static_cast<std::size_t>(file.size()));
+  if (file.read(contents.data(), contents.size()) < contents.size()) report.fail(element, name + " cannot be read to its end");
   return contents;
 }
 

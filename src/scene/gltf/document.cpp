@@ -1,7 +1,8 @@
 // From bytes to a checked document, in the order in which trust grows:
 // 1. take the container apart; 2. parse the JSON within limits; 3. check it against the schema, which also removes all that is
 // not used; 4. take buffers and images out of it and fetch the buffers ourselves; 5. let tinygltf turn what is left, which
-// holds no file names and no sizes of data, into structs; 6. decompress, and check byte ranges.
+// holds no file names and no sizes of data, into structs, and check their indices; 6. decompress, and check
+// byte ranges, once the counts are known to fit into memory (demand.hpp).
 #include "scene/gltf/document.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +13,9 @@
 #include <span>
 #include <utility>
 
+#include "core/file_content.hpp"
 #include "scene/gltf/accessor.hpp"
+#include "scene/gltf/check_indices.hpp"
 #include "scene/gltf/draco.hpp"
 #include "scene/gltf/json.hpp"
 #include "scene/gltf/meshopt.hpp"
@@ -128,6 +131,9 @@ void check_extensions(const Json& root, UsedExtensions used, Report& report) {
 Bytes fetch_buffer(const Json& buffer, const std::string& where, std::uint64_t& left, Document& document) {
   const std::string& uri = buffer.at("uri").get_ref<const std::string&>();
   document.loaded.push_back(fetch(uri, document.folders, left, where, document.report));
+  const bool is_short = document.loaded.back().size() < buffer.at("byteLength").get<std::size_t>();
+  if (const auto stand_in = stand_in_for_file(document.loaded.back()); stand_in && is_short && !uri.starts_with("data:"))
+    document.report.fail(where, fmt::format("{} is {}", shown(uri), stand_in->what), stand_in->remedy);
   left -= std::min<std::uint64_t>(left, document.loaded.back().size());
   return document.loaded.back();
 }
@@ -191,13 +197,19 @@ void read_document(std::vector<std::byte> contents, Document& document) {
   const Container container = split_container(document.contents, document.report);
   Json root = parse_json(container.json, document.limits, document.report);
   check_version(root, document.report);
-  UsedExtensions extensions = check_schema(root, document.report);
-  check_extensions(root, std::move(extensions), document.report);
+  SchemaFindings findings = check_schema(root, document.report);
+  findings.unknown.warn(document.report.context(), "property", "properties");
+  check_extensions(root, std::move(findings.extensions), document.report);
   take_buffers(root, container.binary, document);
   take_images(root, document);
   take_packed_views(root, document);
   lend_views(root);
   parse_model(root, document);
+  check_indices(document);
+  check_packed_views(document);
+}
+
+void unpack_document(Document& document) {
   unpack_views(document);
   check_views(document);
   unpack_primitives(document);

@@ -66,8 +66,12 @@ struct Document {
   std::vector<std::vector<std::byte>> loaded;  ///< what `buffers` views outside of `contents`
 };
 
-/// Fills a document from a file's contents. Warns about extensions that are not read.
+/// Fills a document from a file's contents, without unpacking anything: its byte ranges are not checked yet, and packed
+/// elements are not there. Warns about extensions that are not read.
 void read_document(std::vector<std::byte> contents, Document& document);
+
+/// The rest: decompresses what is packed, and checks byte ranges.
+void unpack_document(Document& document);
 
 /// Why the file of an image cannot be used: it is missing, or not one that may be opened; empty: nothing speaks against it.
 std::string image_problem(const Document& document, std::size_t image);

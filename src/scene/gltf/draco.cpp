@@ -24,8 +24,6 @@
 namespace lippmann::gltf {
 namespace {
 
-constexpr const char* kDraco = "KHR_draco_mesh_compression";
-
 /// Called with what decoding is about to need; throws where that is too much.
 struct Allowance {
   std::function<void(std::uint64_t faces, std::uint64_t points)> connectivity;
@@ -142,14 +140,13 @@ class PrimitiveUnpacker {
     std::unique_ptr<draco::Mesh>& mesh = meshes_[view];
     if (mesh) return *mesh;
     mesh = std::make_unique<draco::Mesh>();
-    // The tables of either method take some 100 bytes a face or vertex, as their source has them.
     const Allowance allowance{[&](std::uint64_t faces, std::uint64_t points) {
                                 if (faces > most_faces || points > most_points)
                                   report_.fail(where,
                                                fmt::format("the Draco data has {} triangles and {} vertices, the accessors "
                                                            "are for {} and {}",
                                                            faces, points, most_faces, most_points));
-                                document_.unpacked.spend(faces + points, 100, where, report_);
+                                document_.unpacked.spend(faces + points, kDracoTableBytes, where, report_);
                               },
                               [&](std::uint64_t bytes) { document_.unpacked.spend(bytes, 2, where, report_); }};
     std::string problem;

@@ -1,11 +1,16 @@
 // Decompresses primitives that Draco has packed (KHR_draco_mesh_compression).
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 
 #include "scene/gltf/document.hpp"
 
 namespace lippmann::gltf {
+
+inline constexpr const char* kDraco = "KHR_draco_mesh_compression";
+/// What the decoder's tables take for a face or a vertex, by either method.
+inline constexpr std::uint64_t kDracoTableBytes = 100;
 
 /// Lends the accessors of packed indices their primitive's buffer view until they are unpacked: tinygltf refuses indices
 /// without.

@@ -33,6 +33,7 @@ class ProfileReader {
     const std::optional<std::string> text = text_of(from, where);
     if (!text) return std::nullopt;
     IesProfile ies = parse_ies(document_.report.where(where), *text);
+    ies.left_out.warn(document_.report.context(), "entry", "entries");
     Light light;
     if (from.Has("name")) light.name = ies.web.name = from.Get("name").Get<std::string>();
     light.inverse_square = true;

@@ -154,10 +154,15 @@ class ImageLightReader {
   std::optional<CubeMap> read_cube() {
     const tinygltf::Value& levels = light_.Get("specularImages");
     if (levels.ArrayLen() == 0) document_.report.fail(where_ + ".specularImages", "is empty", "the six faces of a cube");
+    std::array<std::size_t, kFaces> images{};
+    for (std::size_t i = 0; i < kFaces; ++i) {
+      images[i] = static_cast<std::size_t>(levels.Get(0).Get(static_cast<int>(i)).GetNumberAsInt());
+      if (!has_room(images[i])) return std::nullopt;
+    }
     CubeMap cube;
     for (std::size_t i = 0; i < kFaces; ++i) {
-      const auto image = static_cast<std::size_t>(levels.Get(0).Get(static_cast<int>(i)).GetNumberAsInt());
-      if (!read_face(image, cube[i])) return std::nullopt;
+      const std::size_t image = images[i];
+      cube[i] = decode(image);
       if (cube[i].width != cube[0].width)
         document_.report.fail(element("images", image),
                               fmt::format("is a face of {} pixels a side in a cube of {}", cube[i].width, cube[0].width));
@@ -165,8 +170,8 @@ class ImageLightReader {
     return cube;
   }
 
-  /// Whether the image can be read.
-  bool read_face(std::size_t image, Image& face) {
+  /// Counts what the image unpacks to, as its header says. Whether it can be read.
+  bool has_room(std::size_t image) {
     std::vector<std::byte> storage;
     std::string problem = image_problem(document_, image);
     const Bytes bytes = problem.empty() ? image_bytes(document_, image, storage) : Bytes{};
@@ -175,11 +180,6 @@ class ImageLightReader {
       document_.report.warn_at("surroundings whose images cannot be read are left out: " + problem, element("images", image));
       return false;
     }
-    face = decode(bytes, image);
-    return true;
-  }
-
-  Image decode(Bytes bytes, std::size_t image) {
     const std::string where = element("images", image);
     const Vec2i size = texture_size(bytes, document_.report.where(where));
     if (size.x != size.y || size.x > document_.limits.texture_side)
@@ -187,8 +187,13 @@ class ImageLightReader {
                             fmt::format("square faces of 1 to {} a side", document_.limits.texture_side));
     const auto pixels = static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
     document_.unpacked.spend(pixels, 4 + 3 * sizeof(float), where, document_.report);
+    return true;
+  }
+
+  Image decode(std::size_t image) {
+    std::vector<std::byte> storage;
     Texture picture;
-    decode_texture(bytes, document_.report.where(where), picture);
+    decode_texture(image_bytes(document_, image, storage), document_.report.where(element("images", image)), picture);
     return linear_light(picture);
   }
 

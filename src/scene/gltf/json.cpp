@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <span>
+
+#include "core/file_content.hpp"
 
 namespace lippmann::gltf {
 namespace {
@@ -48,7 +51,10 @@ class LimitCheck : public Json::json_sax_t {
     if (dynamic_cast<const Json::out_of_range*>(&error))
       report_.fail("", fmt::format("the JSON has a number that is too large: {} of {} ({})", shown(token), shown(key_),
                                    line_and_column(text_, position - token.size())));
-    report_.fail("", "is neither a .glb nor valid JSON: " + line_and_column(text_, position > 0 ? position - 1 : 0));
+    const std::size_t at = position > 0 ? position - 1 : 0;
+    if (text_.find_first_not_of(" \t\r\n") >= at)
+      report_.fail("", fmt::format("is {}, neither a .glb nor JSON", describe_content(std::as_bytes(std::span(text_))).what));
+    report_.fail("", "is neither a .glb nor valid JSON: " + line_and_column(text_, at));
   }
 
  private:

@@ -8,9 +8,11 @@
 #include <utility>
 
 #include "lippmann/core/error.hpp"
+#include "lippmann/scene/origin.hpp"
 #include "scene/deform.hpp"
 #include "scene/gltf/animation.hpp"
 #include "scene/gltf/camera.hpp"
+#include "scene/gltf/demand.hpp"
 #include "scene/gltf/document.hpp"
 #include "scene/gltf/ies_light.hpp"
 #include "scene/gltf/image_light.hpp"
@@ -170,6 +172,8 @@ Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& p
   scene.name = path.stem().string();
   const gltf::NodeMap nodes = gltf::read_nodes(document, scene);
   gltf::refuse_infinite_transforms(document, nodes, scene);
+  gltf::refuse_excess(document, nodes, options.animation);
+  gltf::unpack_document(document);
   scene.variant_names = gltf::variant_names(document);
   gltf::InstanceReader(document, nodes, gltf::choose_variant(scene.variant_names, options.variant), scene).read();
   gltf::read_lights(document, nodes, scene);
@@ -177,6 +181,7 @@ Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& p
   gltf::read_image_light(document, scene);
   gltf::read_cameras(document, nodes, scene);
   gltf::read_animation(document, nodes, options.animation, options.frames_per_second, scene);
+  if (const std::optional<Vec3d> origin = distant_origin(scene)) move_origin(scene, *origin, nodes.parent_from_node);
   return scene;
 }
 

@@ -16,6 +16,8 @@ namespace {
 using Json = nlohmann::json;
 constexpr const char* kMeshopt = "EXT_meshopt_compression";
 
+std::string where_of(std::size_t view) { return element("bufferViews", view) + ".extensions." + kMeshopt; }
+
 Bytes packed_bytes(const Document& document, const PackedView& view, const std::string& where) {
   const Bytes buffer = document.buffers[static_cast<std::size_t>(view.buffer)];
   if (view.byte_offset > buffer.size() || view.byte_length > buffer.size() - view.byte_offset)
@@ -66,8 +68,6 @@ void unfilter(const PackedView& view, std::vector<std::byte>& out) {
 
 std::vector<std::byte> unpack_view(Document& document, const PackedView& view, const std::string& where) {
   const Bytes packed = packed_bytes(document, view, where);
-  check_shape(view, where, document.report);
-  check_count(view, where, document.report);
   document.unpacked.spend(view.count, view.byte_stride, where, document.report);
   std::vector<std::byte> out(view.count * view.byte_stride);
   if (!decode(view, packed, out)) document.report.fail(where, fmt::format("is not readable as packed {}", view.mode));
@@ -102,10 +102,20 @@ bool is_fallback(const Json& buffer) {
   return buffer.contains(fallback) && buffer.at(fallback).get<bool>();
 }
 
+void check_packed_views(const Document& document) {
+  for (std::size_t i = 0; i < document.packed_views.size(); ++i) {
+    if (!document.packed_views[i]) continue;
+    const PackedView& view = *document.packed_views[i];
+    packed_bytes(document, view, where_of(i));
+    check_shape(view, where_of(i), document.report);
+    check_count(view, where_of(i), document.report);
+  }
+}
+
 void unpack_views(Document& document) {
   for (std::size_t i = 0; i < document.packed_views.size(); ++i) {
     if (!document.packed_views[i]) continue;
-    const std::string where = element("bufferViews", i) + ".extensions." + kMeshopt;
+    const std::string where = where_of(i);
     document.loaded.push_back(unpack_view(document, *document.packed_views[i], where));
     tinygltf::BufferView& view = document.model.bufferViews[i];
     view.buffer = static_cast<int>(document.buffers.size());

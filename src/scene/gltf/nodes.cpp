@@ -40,6 +40,20 @@ Node read_node(const tinygltf::Node& from, const std::string& where, const Repor
   return node;
 }
 
+/// In double precision, of a node that read_node() accepts.
+Affine3d exact_transform(const tinygltf::Node& from) {
+  if (const std::vector<double>& m = from.matrix; !m.empty())
+    return {glm::dmat3(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]), Vec3d(m[12], m[13], m[14])};
+  const auto vector = [](const std::vector<double>& v, double otherwise) {
+    return v.empty() ? Vec3d(otherwise) : Vec3d(v[0], v[1], v[2]);
+  };
+  const std::vector<double>& q = from.rotation;
+  const glm::dquat rotation = q.empty() ? glm::dquat(1.0, 0.0, 0.0, 0.0) : glm::dquat(q[3], q[0], q[1], q[2]);
+  const glm::dmat3 r = glm::mat3_cast(glm::normalize(rotation));
+  const Vec3d scale = vector(from.scale, 1.0);
+  return {{scale.x * r[0], scale.y * r[1], scale.z * r[2]}, vector(from.translation, 0.0)};
+}
+
 /// -1: a root. Every node is a child at most once, which leaves cycles as the only way not to be a tree.
 std::vector<int> find_parents(const tinygltf::Model& model, const Report& report) {
   std::vector<int> parents(model.nodes.size(), -1);
@@ -145,6 +159,7 @@ NodeMap read_nodes(Document& document, Scene& scene) {
   for (const int file_node : map.file_node) {
     map.scene_node[at(file_node)] = static_cast<int>(scene.nodes.size());
     Node node = read_node(model.nodes[at(file_node)], element("nodes", at(file_node)), document.report);
+    map.parent_from_node.push_back(exact_transform(model.nodes[at(file_node)]));
     const int parent = parents[at(file_node)];
     node.parent = parent < 0 ? -1 : map.scene_node[at(parent)];
     map.hidden.push_back(hides_itself(model.nodes[at(file_node)]) || (node.parent >= 0 && map.hidden[at(node.parent)]));

@@ -6,14 +6,16 @@
 #include "lippmann/core/math.hpp"
 #include "lippmann/scene/scene.hpp"
 #include "scene/gltf/document.hpp"
+#include "scene/move_origin.hpp"
 
 namespace lippmann::gltf {
 
 /// How the nodes of the file and those of the Scene correspond.
 struct NodeMap {
-  std::vector<int> file_node;   ///< by node of the Scene: parents before children, siblings in the file's order
-  std::vector<int> scene_node;  ///< by node of the file; -1: not in the default scene
-  std::vector<bool> hidden;     ///< by node of the Scene: it or a node above it is not visible (KHR_node_visibility)
+  std::vector<int> file_node;              ///< by node of the Scene: parents before children, siblings in the file's order
+  std::vector<int> scene_node;             ///< by node of the file; -1: not in the default scene
+  std::vector<Affine3d> parent_from_node;  ///< by node of the Scene, as exact as the file has it
+  std::vector<bool> hidden;                ///< by node of the Scene: it or a node above it is not visible (KHR_node_visibility)
 };
 
 /// Whether the node's `extras` have false of that name, or 0, which Blender has in its place.

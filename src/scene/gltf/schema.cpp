@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "scene/gltf/schema_table.hpp"
@@ -32,7 +34,7 @@ class Checker {
  public:
   Checker(const Json& root, const Report& report) : root_(root), report_(report) {}
 
-  UsedExtensions extensions;
+  SchemaFindings findings;
 
   void check_object(Json& value, std::span<const Property> properties, const Path& path) {
     if (!value.is_object()) fail(path, "is not an object");
@@ -41,6 +43,7 @@ class Checker {
     collect_extensions(value, path);
     for (auto it = value.begin(); it != value.end();) {
       const Property* property = find(properties, it.key());
+      if (!property) note_unknown(it.key(), path);
       if (!property || is_of_another_kind(it.value(), *property)) {
         it = value.erase(it);
         continue;
@@ -74,8 +77,27 @@ class Checker {
     for (const auto& entry : found->items()) note_use(entry.key(), value, path);
   }
 
+  /// What glTF has and the reader does not use is not worth a word, nor what is in extras and extensions.
+  void note_unknown(const std::string& name, const Path& path) {
+    constexpr std::string_view kUnused[] = {"name",
+                                            "extras",
+                                            "extensions",
+                                            "copyright",
+                                            "generator",
+                                            "min",
+                                            "max",
+                                            "target",
+                                            "mimeType",
+                                            "skeleton",
+                                            "irradianceCoefficients",
+                                            "specularImageSize"};
+    if (path.name == "extras" || path.name == "extensions") return;
+    if (std::find(std::begin(kUnused), std::end(kUnused), name) != std::end(kUnused)) return;
+    findings.unknown.add(name, findings.unknown.empty() ? report_.where(path.text()) : std::string());
+  }
+
   void note_use(const std::string& extension, const Json& user, const Path& path) {
-    ExtensionUse& use = extensions[extension];
+    ExtensionUse& use = findings.extensions[extension];
     if (++use.count > ExtensionUse::kMostNamed) return;
     const auto name = user.find("name");
     use.users.push_back({path.text(), name != user.end() && name->is_string() ? name->get<std::string>() : ""});
@@ -204,10 +226,10 @@ class Checker {
 
 }  // namespace
 
-UsedExtensions check_schema(Json& root, const Report& report) {
+SchemaFindings check_schema(Json& root, const Report& report) {
   Checker checker(root, report);
   checker.check_object(root, kRoot, {});
-  return std::move(checker.extensions);
+  return std::move(checker.findings);
 }
 
 }  // namespace lippmann::gltf

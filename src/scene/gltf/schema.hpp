@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/gltf/report.hpp"
+#include "scene/left_out.hpp"
 
 namespace lippmann::gltf {
 
@@ -22,9 +23,15 @@ struct ExtensionUse {
 };
 using UsedExtensions = std::map<std::string, ExtensionUse>;
 
+/// What the schema does not say all about.
+struct SchemaFindings {
+  UsedExtensions extensions;  ///< all that occur
+  LeftOut unknown;            ///< properties that glTF 2.0 does not have, outside extras and extensions
+};
+
 /// After it, every property that is left has its right type, range and length, every required one is there, and every index
 /// refers to something that exists. Properties that the reader does not use (extras, foreign extensions, ...) are removed, so
-/// that they cost nothing further on. Throws Error naming the element. Returns all extensions that occur.
-UsedExtensions check_schema(nlohmann::json& root, const Report& report);
+/// that they cost nothing further on. Throws Error naming the element.
+SchemaFindings check_schema(nlohmann::json& root, const Report& report);
 
 }  // namespace lippmann::gltf

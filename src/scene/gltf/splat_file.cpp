@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/regular_file.hpp"
 #include "lippmann/core/error.hpp"
 #include "scene/gltf.hpp"
 #include "scene/gltf/json.hpp"
@@ -19,21 +19,18 @@ constexpr std::string_view kSplatExtension = "KHR_gaussian_splatting";
 
 /// The JSON of a file: the first chunk of a .glb, or all of it. As much as there is where it ends early.
 std::string leading_json(const std::filesystem::path& path, std::uint64_t limit) {
-  std::ifstream file(path, std::ios::binary);
+  RegularFile file(path);
   std::array<char, 20> start{};  // a .glb's header and that of its first chunk
-  file.read(start.data(), start.size());
-  const bool binary = file && std::string_view(start.data(), 4) == "glTF";
+  const std::size_t begun = file.read(start.data(), start.size());
+  const bool binary = begun == start.size() && std::string_view(start.data(), 4) == "glTF";
   std::uint32_t chunk = 0;
   std::memcpy(&chunk, start.data() + 12, sizeof chunk);
-  std::error_code error;
-  const std::uint64_t size = std::filesystem::file_size(path, error),
-                      wanted = binary ? std::min<std::uint64_t>(chunk, size) : size;
-  if (error || wanted > limit) return {};
-  file.clear();
-  file.seekg(binary ? static_cast<std::streamoff>(start.size()) : 0);
-  std::string text(static_cast<std::size_t>(wanted), '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, file.gcount())));
+  const std::uint64_t wanted = binary ? std::min<std::uint64_t>(chunk, file.size() - start.size()) : file.size();
+  if (wanted > limit) return {};
+  std::string text(start.data(), binary ? 0 : begun);
+  const std::size_t kept = text.size();
+  text.resize(static_cast<std::size_t>(wanted));
+  text.resize(kept + file.read(text.data() + kept, text.size() - kept));
   return text;
 }
 

@@ -31,7 +31,8 @@ std::vector<std::string> variant_names(const Document& document) {
 
 int choose_variant(const std::vector<std::string>& names, const std::string& wanted) {
   if (wanted.empty()) return -1;
-  if (names.empty()) throw usage_error("variant", "the file has no sets of materials", "no `variant` with it");
+  if (names.empty())
+    throw usage_error("variant", "has no effect: the file has no material variants", "a glTF file with KHR_materials_variants");
   return static_cast<int>(choose("variant", names, wanted));
 }
 

@@ -11,8 +11,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
+#include "core/file_content.hpp"
 #include "scene/lexer.hpp"
 #include "scene/photometric_web.hpp"
 
@@ -32,9 +34,26 @@ struct MeasuredWeb {
   std::vector<std::vector<float>> candelas;
 };
 
+/// Keywords that say nothing about the light: makers and catalogues, dates, what users add as [_NAME].
+bool is_known_keyword(std::string_view keyword) {
+  constexpr std::string_view kKnown[] = {"TEST",      "TESTLAB",       "TESTMETHOD",   "TESTDATE",  "ISSUEDATE",
+                                         "DATE",      "MANUFAC",       "LUMCAT",       "LUMINAIRE", "LAMPCAT",
+                                         "LAMP",      "BALLAST",       "BALLASTCAT",   "MAINTCAT",  "DISTRIBUTION",
+                                         "FLASHAREA", "COLORCONSTANT", "LAMPPOSITION", "NEARFIELD", "FILEGENINFO",
+                                         "SEARCH",    "OTHER",         "MORE",         "BLOCK",     "ENDBLOCK"};
+  return keyword.starts_with('_') || std::find(std::begin(kKnown), std::end(kKnown), keyword) != std::end(kKnown);
+}
+
+void note_keyword(std::string_view line, const std::string& where, LeftOut& left_out) {
+  const std::size_t begin = line.find_first_not_of(" \t"), end = line.find(']');
+  if (begin == line.npos || line[begin] != '[' || end == line.npos) return;
+  if (!is_known_keyword(line.substr(begin + 1, end - begin - 1))) left_out.add(line.substr(begin, end + 1 - begin), where);
+}
+
 /// Replaces all up to the line of TILT= by empty lines, so that line numbers stay; returns what stands behind it.
-std::string take_header(const std::string& name, std::string& text) {
-  for (std::size_t begin = 0; begin < text.size();) {
+std::string take_header(const std::string& name, std::string& text, LeftOut& left_out) {
+  int line_number = 1;
+  for (std::size_t begin = 0; begin < text.size(); ++line_number) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     const std::string line = upper(std::string_view(text).substr(begin, end - begin));
     if (const std::size_t at = line.find_first_not_of(" \t"); at != line.npos && line.compare(at, 4, "TILT") == 0) {
@@ -44,9 +63,13 @@ std::string take_header(const std::string& name, std::string& text) {
       std::replace(text.begin(), text.end(), ',', ' ');
       return line.substr(at + 4);
     }
+    note_keyword(line, fmt::format("{}:{}", name, line_number), left_out);
     begin = end + 1;
   }
-  throw Error(name, "has no line that begins with TILT", "a photometric file after IES LM-63");
+  const FileContent content = describe_content(std::as_bytes(std::span(text)));
+  if (!content.remedy.empty()) throw Error(name, "is " + content.what, content.remedy);
+  throw Error(name, fmt::format("is {}, without a line that begins with TILT", content.what),
+              "a photometric file after IES LM-63");
 }
 
 class IesReader {
@@ -221,10 +244,16 @@ PhotometricWeb web_of(const Lexer& lexer, MeasuredWeb& measured) {
 }  // namespace
 
 IesProfile parse_ies(const std::string& name, std::string text) {
-  const std::string tilt = take_header(name, text);
+  LeftOut left_out;
+  const std::string tilt = take_header(name, text, left_out);
+  if (tilt.find("NONE") == tilt.npos) left_out.add("TILT", name);
   Lexer lexer(name, std::move(text));
   MeasuredWeb measured = IesReader(lexer).read(tilt.find("INCLUDE") != tilt.npos);
-  IesProfile profile{web_of(lexer, measured)};
+  if (!lexer.at_end()) {
+    const std::string_view more = lexer.word("an end");
+    left_out.add(more, lexer.where());
+  }
+  IesProfile profile{.web = web_of(lexer, measured), .left_out = std::move(left_out)};
   profile.web.name = name;
   const double mean = mean_intensity(profile.web);
   profile.mean_candela = static_cast<float>(mean);

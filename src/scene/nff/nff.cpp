@@ -45,6 +45,7 @@ struct State {
 float number(Lexer& lexer, std::string_view wanted) { return lexer.number(wanted, kLargestNumber); }
 
 Vec3f vector(Lexer& lexer, std::string_view wanted) { return lexer.vector(wanted, kLargestNumber); }
+Vec3f point(Lexer& lexer, std::string_view wanted) { return lexer.point(wanted, kLargestNumber); }
 
 float number_within(Lexer& lexer, std::string_view wanted, float lowest, float highest) {
   const float value = number(lexer, wanted);
@@ -71,9 +72,9 @@ void parse_view(Lexer& lexer, State& state) {
   for (;;) {
     const std::string_view part = lexer.peek();
     if (part == "from") {
-      lexer.word("from"), view.from = vector(lexer, "from");
+      lexer.word("from"), view.from = point(lexer, "from");
     } else if (part == "at") {
-      lexer.word("at"), view.at = vector(lexer, "at");
+      lexer.word("at"), view.at = point(lexer, "at");
     } else if (part == "up") {
       lexer.word("up"), view.up = vector(lexer, "up");
     } else if (part == "angle") {
@@ -94,7 +95,7 @@ void parse_view(Lexer& lexer, State& state) {
 
 void parse_light(Lexer& lexer, State& state) {
   PointLight light;
-  light.position = vector(lexer, "l");
+  light.position = point(lexer, "l");
   if (!lexer.at_line_end()) light.color = vector(lexer, "l's colour");
   state.lights.push_back(light);
 }
@@ -114,9 +115,9 @@ void parse_fill(Lexer& lexer, State& state) {
 
 /// Negative radii mean surfaces that are seen from inside; ours are seen from both sides.
 void parse_cone(Lexer& lexer, State& state) {
-  const Vec3f base = vector(lexer, "c's base");
+  const Vec3f base = point(lexer, "c's base");
   const float base_radius = number(lexer, "c's base radius");
-  const Vec3f apex = vector(lexer, "c's apex");
+  const Vec3f apex = point(lexer, "c's apex");
   const float apex_radius = number(lexer, "c's apex radius");
   if (std::min(base_radius, apex_radius) < 0.0f && std::max(base_radius, apex_radius) > 0.0f)
     throw lexer.error("the radii of a cone differ in sign", "both >= 0, or both <= 0");
@@ -126,7 +127,7 @@ void parse_cone(Lexer& lexer, State& state) {
 }
 
 void parse_sphere(Lexer& lexer, State& state) {
-  const Vec3f center = vector(lexer, "s");
+  const Vec3f center = point(lexer, "s");
   state.builder.add_sphere(center, std::abs(number(lexer, "s's radius")));
 }
 
@@ -135,7 +136,7 @@ void parse_corners(Lexer& lexer, State& state, std::string_view keyword, bool ha
   const std::string where = lexer.where();
   std::vector<Vec3f> corners, normals;
   for (int i = 0; i < count; ++i) {
-    corners.push_back(vector(lexer, keyword));
+    corners.push_back(point(lexer, keyword));
     if (has_normals) normals.push_back(vector(lexer, keyword));
   }
   if (corners.size() > kMostConcaveCorners && !turns_one_way(corners))
@@ -200,13 +201,15 @@ void add_lights(Scene& scene, const std::vector<PointLight>& lights) {
 }  // namespace
 }  // namespace nff
 
-Scene parse_nff(const std::string& name, std::string text, const Context& context) {
+Scene parse_nff(const std::string& name, std::string text, const Context& context, const Vec3d& origin) {
   Lexer lexer(name, std::move(text));
+  lexer.set_origin(origin);
   nff::State state;
   while (!lexer.at_end()) nff::parse_statement(lexer, state);
   if (const int count = state.builder.left_out(); count > 0)
     context.warning(fmt::format("{}: {} shapes without extent are left out.", name, count));
   Scene scene;
+  scene.origin = origin;
   state.builder.finish(scene);
   if (state.view) nff::add_camera(scene, *state.view);
   nff::add_lights(scene, state.lights);
@@ -214,9 +217,10 @@ Scene parse_nff(const std::string& name, std::string text, const Context& contex
   return scene;
 }
 
-Scene load_nff(const std::filesystem::path& path, const Context& context) {
-  Scene scene = parse_nff(
-      path.string(), utf8_text(read_text_file(path, path.string(), nff::kLargestFile, "at most 256 MiB of text")), context);
+Scene load_nff(const std::filesystem::path& path, const Context& context, const Vec3d& origin) {
+  Scene scene =
+      parse_nff(path.string(), utf8_text(read_text_file(path, path.string(), nff::kLargestFile, "at most 256 MiB of text")),
+                context, origin);
   scene.name = path.stem().string();
   return scene;
 }

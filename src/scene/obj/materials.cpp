@@ -10,17 +10,18 @@
 #include <span>
 #include <utility>
 
+#include "core/file_content.hpp"
 #include "core/printable.hpp"
 #include "lippmann/core/error.hpp"
+#include "scene/left_out.hpp"
 #include "scene/lexer.hpp"
 #include "scene/side_file.hpp"
 #include "scene/text_file.hpp"
-#include "scene/texture_image.hpp"
 
 namespace lippmann::obj {
 namespace {
 
-constexpr std::size_t kLargestText = std::size_t{64} << 20, kLargestPicture = std::size_t{256} << 20;
+constexpr std::size_t kLargestText = std::size_t{64} << 20;
 constexpr float kLargestMaterialNumber = 1e6f;
 
 MetallicRoughness matt_grey() {
@@ -29,13 +30,6 @@ MetallicRoughness matt_grey() {
   surface.metallic = 0.0f;
   surface.double_sided = true;
   return surface;
-}
-
-FileBytes picture_bytes(const std::filesystem::path& file, const std::string& where, std::vector<std::byte>& storage) {
-  const std::string text = read_text_file(file, where, kLargestPicture, "at most 256 MiB for a picture");
-  const FileBytes bytes = std::as_bytes(std::span(text));
-  storage.assign(bytes.begin(), bytes.end());
-  return storage;
 }
 
 float roughness_of(float phong_exponent) { return std::pow(2.0f / (phong_exponent + 2.0f), 0.25f); }
@@ -52,14 +46,16 @@ bool is_number(std::string_view word) {
   return !word.empty() && word.find_first_not_of("0123456789+-.eE") == std::string_view::npos;
 }
 
-/// The file's name behind the options of a map statement: "-s 1 1 1 -clamp on name". Folders are separated by '/'.
-std::string map_file(std::string_view statement) {
+/// The file's name behind the options of a map statement: "-s 1 1 1 -clamp on name". Folders are separated by '/'. The options
+/// are left out.
+std::string map_file(std::string_view statement, const std::string& where, LeftOut& left_out) {
   std::string_view rest = statement;
   for (;;) {
     rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r"), rest.size()));
     std::string_view after = rest;
     const std::string_view option = next_word(after);
     if (option.size() < 2 || option[0] != '-') break;
+    left_out.add(option, where);
     const bool vector = option == "-o" || option == "-s" || option == "-t";
     for (int i = 0; i < (vector ? 3 : option == "-mm" ? 2 : 1); ++i) {
       std::string_view behind = after;
@@ -89,7 +85,10 @@ struct Draft {
   }
 };
 
-float number(Lexer& lexer, std::string_view wanted) { return std::max(0.0f, lexer.number(wanted, kLargestMaterialNumber)); }
+float number(Lexer& lexer, std::string_view wanted) {
+  if (lexer.at_line_end()) throw lexer.error(fmt::format("{} lacks a number", wanted));
+  return std::max(0.0f, lexer.number(wanted, kLargestMaterialNumber));
+}
 float share(Lexer& lexer, std::string_view wanted) { return std::min(1.0f, number(lexer, wanted)); }
 
 /// R, or R G B.
@@ -100,8 +99,8 @@ Vec3f color(Lexer& lexer, std::string_view wanted) {
   return {red, green, blue};
 }
 
-/// Statements of one value; others are left: our surfaces have no place for them.
-void parse_value(std::string_view keyword, Lexer& lexer, Draft& draft) {
+/// Statements of one value; false: another one.
+bool parse_value(std::string_view keyword, Lexer& lexer, Draft& draft) {
   MetallicRoughness& s = draft.surface;
   if (keyword == "Kd")
     s.base_color = Vec4f(color(lexer, "Kd"), s.base_color.a);
@@ -121,15 +120,18 @@ void parse_value(std::string_view keyword, Lexer& lexer, Draft& draft) {
     draft.roughness = share(lexer, "Pr");
   else if (keyword == "Pm")
     s.metallic = share(lexer, "Pm");
+  else
+    return keyword == "Ka" || keyword == "illum";  // light and shading are computed otherwise here
+  return true;
 }
 
 }  // namespace
 
 Materials::Materials(SideFolders folders, std::uint64_t texture_bytes, Scene& scene, const Context& context)
     : folders_(std::move(folders)),
+      textures_(folders_, texture_bytes, scene, context),
       scene_(scene),
       context_(context),
-      pending_({.bytes = texture_bytes}),
       text_left_(kLargestText) {}
 
 bool Materials::exists(std::string_view name, const std::string& where) const {
@@ -147,9 +149,14 @@ void Materials::read_file(const std::string& name, const std::string& where) {
   if (!file.problem.empty()) return context_.warning(fmt::format("{}: {}; its surfaces are grey.", where, file.problem));
   std::string text = read_text_file(file.path, where, text_left_, "at most 64 MiB of materials");
   text_left_ -= text.size();
+  if (const auto stand_in = stand_in_for_file(std::as_bytes(std::span(text)));
+      stand_in && text.find_first_not_of(" \t\r\n") != text.npos)
+    return context_.warning(fmt::format("{}: {} is {}; its surfaces are grey (accepted: {}).", where, shown(name),
+                                        stand_in->what, stand_in->remedy));
   Lexer lexer(file.path.string(), utf8_text(std::move(text)));
   int index = -1;
   Draft draft;
+  LeftOut left_out, options;
   const auto finish = [&] {
     if (index >= 0) scene_.materials[static_cast<std::size_t>(index)].surface = draft.finished();
   };
@@ -163,41 +170,19 @@ void Materials::read_file(const std::string& name, const std::string& where) {
       scene_.materials.push_back({material, draft.surface});
       known_.insert_or_assign(material, index);
     } else if (keyword == "map_Kd") {
-      draft.surface.base_color_map.texture = texture(lexer.rest_of_line(), lexer.where());
+      draft.surface.base_color_map.texture =
+          textures_.add(map_file(lexer.rest_of_line(), lexer.where(), options), lexer.where());
     } else if (keyword == "map_Ke") {
-      draft.surface.emissive_map.texture = texture(lexer.rest_of_line(), lexer.where());
+      draft.surface.emissive_map.texture = textures_.add(map_file(lexer.rest_of_line(), lexer.where(), options), lexer.where());
       if (draft.surface.emissive == Vec3f(0.0f)) draft.surface.emissive = Vec3f(1.0f);
     } else {
-      parse_value(keyword, lexer, draft);
+      if (!parse_value(keyword, lexer, draft)) left_out.add(keyword, lexer.where());
       lexer.rest_of_line();
     }
   }
   finish();
-}
-
-int Materials::texture(std::string_view statement, const std::string& where) {
-  const std::string name = map_file(statement);
-  const auto [known, is_new] = textures_.try_emplace(name, -1);
-  if (!is_new) return known->second;
-  const SideFile file = find_side_file(folders_, name, where);
-  if (!file.problem.empty()) {
-    context_.warning(fmt::format("{}: {}; the surface is shown without it.", where, file.problem));
-    return -1;
-  }
-  const auto read = [file, where](std::vector<std::byte>& storage) { return picture_bytes(file.path, where, storage); };
-  std::vector<std::byte> storage;
-  if (const std::string problem = texture_image_problem(read(storage)); !problem.empty()) {
-    context_.warning(fmt::format("{}: {} {}; the surface is shown without it.", where, shown(name), problem));
-    return -1;
-  }
-  Texture described;
-  described.name = name;
-  known->second = pending_.add(std::move(described), where, read, scene_.textures);
-  return known->second;
-}
-
-void Materials::decode_textures() {
-  pending_.decode(scene_.textures, context_, [this](const std::string& text) { context_.warning(text + "."); });
+  left_out.warn(context_, "statement", "statements");
+  options.warn(context_, "map option", "map options");
 }
 
 int Materials::find(std::string_view name, const std::string& where) {

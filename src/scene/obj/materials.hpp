@@ -8,8 +8,8 @@
 
 #include "lippmann/core/context.hpp"
 #include "lippmann/scene/scene.hpp"
-#include "scene/pending_textures.hpp"
 #include "scene/side_file.hpp"
+#include "scene/side_textures.hpp"
 
 namespace lippmann::obj {
 
@@ -25,21 +25,19 @@ class Materials {
   int find(std::string_view name, const std::string& where);
 
   /// Gives the textures of all libraries their texels.
-  void decode_textures();
+  void decode_textures() { textures_.decode(); }
 
  private:
   void read_file(const std::string& name, const std::string& where);
-  int texture(std::string_view statement, const std::string& where);
   bool exists(std::string_view name, const std::string& where) const;
 
   SideFolders folders_;
+  SideTextures textures_;
   Scene& scene_;
   const Context& context_;
-  std::map<std::string, int, std::less<>> known_;     ///< materials by name
-  std::map<std::string, int, std::less<>> textures_;  ///< by file name; -1: cannot be shown
-  std::set<std::string> read_;                        ///< libraries
-  PendingTextures pending_;
-  std::size_t text_left_;  ///< bytes of libraries
+  std::map<std::string, int, std::less<>> known_;  ///< materials by name
+  std::set<std::string> read_;                     ///< libraries
+  std::size_t text_left_;                          ///< bytes of libraries
 };
 
 }  // namespace lippmann::obj

@@ -15,6 +15,7 @@
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
 #include "scene/directions.hpp"
+#include "scene/left_out.hpp"
 #include "scene/lexer.hpp"
 #include "scene/obj/materials.hpp"
 #include "scene/polygon.hpp"
@@ -62,7 +63,7 @@ class Reader {
     while (!lexer_.at_end()) {
       const std::string_view keyword = lexer_.word("a statement");
       if (!parse(keyword)) {
-        if (!is_harmless(keyword)) ++skipped_, first_skipped_ = first_skipped_.empty() ? lexer_.where() : first_skipped_;
+        if (keyword != "g") left_out_.add(keyword, lexer_.where());
         lexer_.rest_of_line();
       }
     }
@@ -71,24 +72,21 @@ class Reader {
   }
 
  private:
-  /// Groups, smoothing of faces that bring no normals, and what is drawn as wire.
-  static bool is_harmless(std::string_view keyword) {
-    return keyword == "g" || keyword == "s" || keyword == "l" || keyword == "p" || keyword == "vp";
-  }
-
   bool parse(std::string_view keyword) {
     if (keyword == "v")
       parse_position();
     else if (keyword == "vt")
       parse_uv();
     else if (keyword == "vn")
-      normals_.push_back(lexer_.vector("vn", kLargestCoordinate));
+      normals_.push_back(vector("vn"));
     else if (keyword == "f")
       parse_face();
     else if (keyword == "usemtl")
       material_ = lexer_.rest_of_line(), part_ = nullptr;
     else if (keyword == "mtllib")
       materials_.read_library(lexer_.rest_of_line(), lexer_.where());
+    else if (keyword == "s")
+      parse_smoothing();
     else if (keyword == "o")
       object_ = lexer_.rest_of_line(), part_ = nullptr;
     else
@@ -96,9 +94,21 @@ class Reader {
     return true;
   }
 
+  void parse_smoothing() {
+    const std::string_view group = lexer_.rest_of_line();
+    is_smoothed_ = group != "off" && group != "0" && !group.empty();
+  }
+
+  /// Smoothing groups ask for normals that the file does not bring.
+  void warn_of_smoothing() {
+    if (!is_smoothed_ || warned_of_smoothing_) return;
+    warned_of_smoothing_ = true;
+    context_.warning(fmt::format("{}: faces of smoothing groups (s) without normals (vn) are faceted.", lexer_.where()));
+  }
+
   /// x y z, perhaps w, perhaps r g b.
   void parse_position() {
-    positions_.push_back(lexer_.vector("v", kLargestCoordinate));
+    positions_.push_back(three("v", [&](int axis) { return lexer_.coordinate(axis, "v", kLargestCoordinate); }));
     std::array<float, 4> more{};
     std::size_t count = 0;
     while (count < more.size() && !lexer_.at_line_end()) more[count++] = lexer_.number("v", kLargestCoordinate);
@@ -107,7 +117,23 @@ class Reader {
     colors_.back() = linear({more[count - 3], more[count - 2], more[count - 1]});
   }
 
+  /// Three numbers of one line; `read(axis)` takes the next one.
+  template <class Read>
+  Vec3f three(std::string_view keyword, const Read& read) {
+    Vec3f result;
+    for (int i = 0; i < 3; ++i) {
+      if (lexer_.at_line_end()) throw lexer_.error(fmt::format("{} has {} numbers", keyword, i), "3 or more");
+      result[i] = read(i);
+    }
+    return result;
+  }
+
+  Vec3f vector(std::string_view keyword) {
+    return three(keyword, [&](int) { return lexer_.number(keyword, kLargestCoordinate); });
+  }
+
   void parse_uv() {
+    if (lexer_.at_line_end()) throw lexer_.error("vt has no number", "2 numbers");
     const float u = lexer_.number("vt", kLargestCoordinate);
     const float v = lexer_.at_line_end() ? 0.0f : lexer_.number("vt", kLargestCoordinate);
     uvs_.emplace_back(u, 1.0f - v);
@@ -120,9 +146,9 @@ class Reader {
     const auto [rest, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     const auto count = static_cast<std::int64_t>(size);
     if (failure != std::errc{} || rest != digits.data() + digits.size() || value == 0 || value > count || value < -count)
-      throw lexer_.error(fmt::format("{} names a {} that does not exist", shown(word), what),
-                         count > 0 ? fmt::format("1 to {}, or -{} to -1", count, count)
-                                   : fmt::format("none, for no {} has come before", what));
+      throw lexer_.error(
+          fmt::format("{} names a {} that does not exist", shown(word), what),
+          count > 0 ? fmt::format("1 to {}, or -{} to -1", count, count) : fmt::format("a {} before the face", what));
     return static_cast<int>(value > 0 ? value - 1 : count + value);
   }
 
@@ -152,6 +178,7 @@ class Reader {
     const bool has_normal = std::all_of(corners_.begin(), corners_.end(), [&](const Corner& c) {
       return c.normal >= 0 && normals_[static_cast<std::size_t>(c.normal)] != Vec3f(0.0f);
     });
+    if (!has_normal) warn_of_smoothing();
     Part& part = part_for(has_uv, has_normal);
     for (const Triangle& triangle : triangulate(outline_)) {
       std::array<std::uint32_t, 3> vertices{};
@@ -185,8 +212,7 @@ class Reader {
   }
 
   void finish() {
-    if (skipped_ > 0)
-      context_.warning(fmt::format("{}: {} statements that are not about polygons are left out.", first_skipped_, skipped_));
+    left_out_.warn(context_, "statement", "statements");
     for (auto& [key, part] : parts_) {
       if (part.mesh.triangles.empty()) continue;
       wind_by_normals(part.mesh);
@@ -212,8 +238,8 @@ class Reader {
   std::map<std::tuple<std::string, int, bool, bool>, Part> parts_;  ///< by object, material, and what attributes there are
   Part* part_ = nullptr;  ///< the part that the last face belongs to; null: to be found
   bool part_uv_ = false, part_normal_ = false;
-  int skipped_ = 0;
-  std::string first_skipped_;
+  bool is_smoothed_ = false, warned_of_smoothing_ = false;
+  LeftOut left_out_;  ///< statements
 };
 
 /// A backslash at a line's end joins it with the next one; not in comments, which may end with a folder's name.
@@ -230,11 +256,13 @@ void join_lines(std::string& text) {
 }  // namespace obj
 
 Scene load_obj(const std::filesystem::path& path, const Context& context, const std::filesystem::path& asset_root,
-               std::uint64_t texture_bytes) {
+               std::uint64_t texture_bytes, const Vec3d& origin) {
   std::string text = utf8_text(read_text_file(path, path.string(), obj::kLargestFile, "at most 1 GiB of text"));
   obj::join_lines(text);
   Lexer lexer(path.string(), std::move(text));
+  lexer.set_origin(origin);
   Scene scene;
+  scene.origin = origin;
   scene.name = path.stem().string();
   obj::Reader(lexer, {path.parent_path(), asset_root}, texture_bytes, scene, context).read();
   return scene;

@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <charconv>
 #include <iterator>
+#include <span>
 
+#include "core/file_content.hpp"
 #include "core/printable.hpp"
 #include "core/suggest.hpp"
 #include "lippmann/core/error.hpp"
+#include "scene/lexer.hpp"
 
 namespace lippmann::ply {
 namespace {
@@ -42,12 +45,16 @@ class HeaderReader {
   HeaderReader(const std::string& name, std::string_view contents) : name_(name), contents_(contents) {}
 
   Header read() {
-    if (words_of(next_line()) != std::vector<std::string_view>{"ply"}) throw error("is not a PLY file", "a first line \"ply\"");
+    if (words_of(next_line()) != std::vector<std::string_view>{"ply"}) throw not_ply();
     for (;;) {
-      const std::vector<std::string_view> words = words_of(next_line());
-      if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
+      const std::string_view line = next_line();
+      const std::vector<std::string_view> words = words_of(line);
+      if (words.empty()) continue;
       if (words[0] == "end_header") break;
-      parse(words);
+      if (words[0] == "comment" || words[0] == "obj_info")
+        parse_comment(words, line);
+      else
+        parse(words);
     }
     if (!has_format_) throw error("the header names no format");
     header_.size = position_;
@@ -64,6 +71,22 @@ class HeaderReader {
     return line;
   }
 
+  Error not_ply() const {
+    const std::string what = describe_content(std::as_bytes(std::span(contents_))).what;
+    return error(fmt::format("is not a PLY file but {}", what), "a first line \"ply\"");
+  }
+
+  /// Comments in which programs say what the format has no words for.
+  void parse_comment(const std::vector<std::string_view>& words, std::string_view line) {
+    if (words.size() > 2 && is_keyword(words[1], "TEXTUREFILE")) {
+      const auto begin = static_cast<std::size_t>(words[2].data() - line.data());
+      std::string name(line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin));
+      std::replace(name.begin(), name.end(), '\\', '/');
+      header_.texture_files.push_back(std::move(name));
+    }
+    if (words.size() == 4 && words[1] == "Vertical" && words[2] == "Axis:") header_.is_z_up = is_keyword(words[3], "Z");
+  }
+
   void parse(const std::vector<std::string_view>& words) {
     if (words[0] == "format" && words.size() == 3)
       parse_format(words[1], words[2]);
@@ -76,6 +99,8 @@ class HeaderReader {
     else if (is_meant_as_statement(words[0]))
       throw error(fmt::format("{} is not a statement of the header", shown(words[0])),
                   "format NAME 1.0, element NAME COUNT, property TYPE NAME, property list TYPE TYPE NAME, comment, end_header");
+    else
+      header_.foreign_lines.add(words[0], fmt::format("{}:{}", name_, line_));
   }
 
   /// Whether a line is a statement that is damaged or misspelt; else it is a comment without the word, as some programs write.

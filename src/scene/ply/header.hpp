@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/left_out.hpp"
+
 namespace lippmann::ply {
 
 enum class Format { kText, kLittleEndian, kBigEndian };
@@ -30,7 +32,10 @@ struct Element {
 struct Header {
   Format format = Format::kText;
   std::vector<Element> elements;
-  std::size_t size = 0;  ///< bytes up to the body
+  std::size_t size = 0;                    ///< bytes up to the body
+  std::vector<std::string> texture_files;  ///< pictures that comments "TextureFile NAME" name, in their order
+  bool is_z_up = false;                    ///< a comment "Vertical Axis: z", as nerfstudio writes
+  LeftOut foreign_lines;                   ///< first words of lines that are no statements
 };
 
 /// Throws Error that names file and line.

@@ -1,24 +1,26 @@
 // Based on: B. Kerbl and others, "3D Gaussian Splatting for Real-Time Radiance Field Rendering", 2023: the files that its
-// program writes. All properties are floats: x, y, z; f_dc_0 to 2 and f_rest_*, the spherical harmonics of degree 0 and of the
-// others, these channel by channel; opacity before the logistic function; scale_0 to 2, logarithms of standard deviations;
-// rot_0 to 3, a quaternion (w, x, y, z) of any length. Normals are there and mean nothing.
+// program writes: x, y, z; f_dc_0 to 2 and f_rest_*, the spherical harmonics of degree 0 and of the others, these channel by
+// channel; opacity before the logistic function; scale_0 to 2, logarithms of standard deviations; rot_0 to 3, a quaternion
+// (w, x, y, z) of any length. Normals are there and mean nothing.
+// Other programs write red, green and blue in place of f_dc (nerfstudio), scale_0 and 1 alone for discs (B. Huang and others,
+// "2D Gaussian Splatting", 2024), or scale_0 alone for round splats.
 #include "scene/ply/splats.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
+#include <optional>
 #include <vector>
 
 #include "lippmann/core/error.hpp"
+#include "scene/ply/columns.hpp"
 #include "scene/splats.hpp"
 
 namespace lippmann::ply {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "rows are copied as they are");
 
 const Element* vertices_of(const Header& header) {
   const auto found = std::find_if(header.elements.begin(), header.elements.end(),
@@ -26,90 +28,122 @@ const Element* vertices_of(const Header& header) {
   return found == header.elements.end() ? nullptr : &*found;
 }
 
-/// -1: there is none.
-int column_of(const Element& element, const std::string& property) {
-  for (std::size_t i = 0; i < element.properties.size(); ++i)
-    if (element.properties[i].name == property) return static_cast<int>(i);
-  return -1;
+bool has_property(const Element& element, std::string_view name) {
+  return std::any_of(element.properties.begin(), element.properties.end(),
+                     [&](const Property& property) { return property.name == name && !property.count_type; });
 }
 
 /// Where the values of a splat stand in its row.
-struct Columns {
-  int center[3], scale[3], rotation[4], opacity, first_harmonic[3];
-  std::vector<int> rest;  ///< channel by channel
+struct SplatColumns {
+  std::array<int, 3> center{}, color{};
+  std::vector<int> scale;                      ///< one: round; two: a disc; three
+  std::optional<std::array<int, 4>> rotation;  ///< none: round
+  int opacity = -1;
+  bool has_harmonics = true;  ///< color are harmonics; false: a colour itself
+  std::vector<int> rest;      ///< channel by channel
 };
 
 class SplatReader {
  public:
-  SplatReader(const std::string& name, const Header& header, std::string_view body)
-      : name_(name), element_(*vertices_of(header)), body_(body) {
-    if (header.format != Format::kLittleEndian) throw Error(name_, "has splats as text or big-endian", "binary_little_endian");
-    for (const Property& property : element_.properties)
-      if (property.type != Type::kFloat || property.count_type)
-        throw Error(name_, fmt::format("the splats' property {} is no float", shown_name(property.name)), "float");
-    if (&element_ != &header.elements.front())
-      throw Error(name_, "something stands before its splats", "the element vertex first");
-    find_columns();
-    check_size();
+  SplatReader(const std::string& name, const Header& header, Body& body, const Context& context)
+      : name_(name),
+        element_(*vertices_of(header)),
+        body_(body),
+        is_floats_(header.format == Format::kLittleEndian && std::endian::native == std::endian::little) {
+    for (const Property& property : element_.properties) is_floats_ &= property.type == Type::kFloat && !property.count_type;
+    find_columns(context);
   }
 
   Splats read() {
-    const auto count = static_cast<std::size_t>(element_.count);
     Splats splats;
     splats.degree = degree_;
+    row_.resize(element_.properties.size());
+    const std::size_t count = std::min(static_cast<std::size_t>(element_.count), body_.bytes_left() / row_.size());
     splats.centers.reserve(count), splats.rotations.reserve(count), splats.deviations.reserve(count);
     splats.opacities.reserve(count), splats.harmonics.reserve(count * harmonics_of(degree_));
-    row_.resize(element_.properties.size());
-    for (std::size_t i = 0; i < count; ++i) {
-      std::memcpy(row_.data(), body_.data() + i * row_bytes(), row_bytes());
+    for (std::int64_t i = 0; i < element_.count; ++i) {
+      body_.set_place(element_.name, i);
+      read_row();
       add_row(splats);
     }
     return splats;
   }
 
  private:
-  static std::string shown_name(const std::string& property) { return fmt::format("\"{}\"", property); }
-
-  int required(const std::string& property) const {
-    const int column = column_of(element_, property);
-    if (column < 0) throw Error(name_, fmt::format("its splats have no property {}", shown_name(property)));
+  int required(Columns& columns, const std::string& property) const {
+    const int column = columns.value(property);
+    if (column < 0) throw Error(name_, fmt::format("its splats have no property \"{}\"", property));
     return column;
   }
 
-  void find_columns() {
+  void find_columns(const Context& context) {
+    Columns columns(element_);
     const char* axes[] = {"x", "y", "z"};
-    for (int c = 0; c < 3; ++c) {
-      columns_.center[c] = required(axes[c]);
-      columns_.scale[c] = required(fmt::format("scale_{}", c));
-      columns_.first_harmonic[c] = required(fmt::format("f_dc_{}", c));
+    for (std::size_t c = 0; c < 3; ++c) columns_.center[c] = required(columns, axes[c]);
+    columns_.scale.push_back(required(columns, "scale_0"));
+    for (const char* const scale : {"scale_1", "scale_2"})
+      if (const int column = columns.value(scale); column >= 0) columns_.scale.push_back(column);
+    columns_.rotation = columns.values<4>({{"rot_0", "rot_1", "rot_2", "rot_3"}});
+    if (!columns_.rotation && columns_.scale.size() > 1)
+      for (int c = 0; c < 4; ++c) required(columns, fmt::format("rot_{}", c));
+    columns_.opacity = required(columns, "opacity");
+    find_colors(columns);
+    columns.values<3>({{"nx", "ny", "nz"}});
+    columns.warn_of_unread(name_, context);
+  }
+
+  void find_colors(Columns& columns) {
+    const auto harmonics = columns.values<3>({{"f_dc_0", "f_dc_1", "f_dc_2"}});
+    columns_.has_harmonics = harmonics.has_value();
+    const auto color = harmonics ? harmonics : columns.color();
+    if (!color) throw Error(name_, "its splats have no colour", "properties f_dc_0 to 2, or red, green and blue");
+    columns_.color = *color;
+    for (int k = 0; columns_.has_harmonics; ++k) {
+      const int column = columns.value(fmt::format("f_rest_{}", k));
+      if (column < 0) break;
+      columns_.rest.push_back(column);
     }
-    for (int c = 0; c < 4; ++c) columns_.rotation[c] = required(fmt::format("rot_{}", c));
-    columns_.opacity = required("opacity");
-    for (int k = 0; column_of(element_, fmt::format("f_rest_{}", k)) >= 0; ++k)
-      columns_.rest.push_back(column_of(element_, fmt::format("f_rest_{}", k)));
     while (degree_ < 3 && 3 * (harmonics_of(degree_) - 1) < columns_.rest.size()) ++degree_;
     if (3 * (harmonics_of(degree_) - 1) != columns_.rest.size())
       throw Error(name_, fmt::format("its splats have {} values f_rest", columns_.rest.size()), "0, 9, 24 or 45");
   }
 
-  std::size_t row_bytes() const { return sizeof(float) * element_.properties.size(); }
-
-  void check_size() const {
-    const std::size_t rows = body_.size() / row_bytes();
-    if (rows < static_cast<std::size_t>(element_.count))
-      throw Error(name_, fmt::format("the file ends after {} of {} splats", rows, element_.count));
+  void read_row() {
+    if (is_floats_) return body_.floats(row_);
+    for (std::size_t i = 0; i < row_.size(); ++i) {
+      const Property& property = element_.properties[i];
+      if (property.count_type)
+        body_.pass_over(property);
+      else
+        row_[i] = static_cast<float>(body_.value(property.type));
+    }
   }
 
   float at(int column) const { return row_[static_cast<std::size_t>(column)]; }
-  Vec3f at(const int (&columns)[3]) const { return {at(columns[0]), at(columns[1]), at(columns[2])}; }
+  Vec3f at(const std::array<int, 3>& columns) const { return {at(columns[0]), at(columns[1]), at(columns[2])}; }
+
+  Vec3f deviations() const {
+    const std::vector<int>& scale = columns_.scale;
+    const float x = std::exp(at(scale[0]));
+    if (scale.size() == 1) return Vec3f(x);
+    return {x, std::exp(at(scale[1])), scale.size() == 3 ? std::exp(at(scale[2])) : 0.0f};
+  }
+
+  /// The first harmonic, which gives a colour c where it is (c - 1/2) / Y_0, with Y_0 = 1 / sqrt(4 pi).
+  Vec3f first_harmonic() const {
+    const Vec3f value = at(columns_.color);
+    if (columns_.has_harmonics) return value;
+    const Type type = element_.properties[static_cast<std::size_t>(columns_.color[0])].type;
+    return (value / static_cast<float>(full_scale(type)) - 0.5f) * std::sqrt(4.0f * kPi);
+  }
 
   void add_row(Splats& splats) {
     splats.centers.push_back(at(columns_.center));
-    splats.deviations.push_back(glm::exp(at(columns_.scale)));
-    const auto& r = columns_.rotation;
-    splats.rotations.emplace_back(at(r[0]), at(r[1]), at(r[2]), at(r[3]));
+    splats.deviations.push_back(deviations());
+    const auto r = columns_.rotation;
+    splats.rotations.push_back(r ? Quatf(at((*r)[0]), at((*r)[1]), at((*r)[2]), at((*r)[3])) : Quatf(1.0f, 0.0f, 0.0f, 0.0f));
     splats.opacities.push_back(1.0f / (1.0f + std::exp(-at(columns_.opacity))));
-    splats.harmonics.push_back(at(columns_.first_harmonic));
+    splats.harmonics.push_back(first_harmonic());
     const std::size_t each = columns_.rest.size() / 3;
     for (std::size_t k = 0; k < each; ++k)
       splats.harmonics.emplace_back(at(columns_.rest[k]), at(columns_.rest[each + k]), at(columns_.rest[2 * each + k]));
@@ -117,37 +151,53 @@ class SplatReader {
 
   const std::string& name_;
   const Element& element_;
-  std::string_view body_;
-  Columns columns_{};
+  Body& body_;
+  SplatColumns columns_;
+  bool is_floats_;  ///< a row is floats as this machine has them
   int degree_ = 0;
   std::vector<float> row_;
 };
 
-/// Captures have the axes of their photographs: y downwards.
-Node upright_node() {
+/// Captures have the axes of their photographs: y downwards. Files that say so have z upwards.
+Node upright_node(bool is_z_up) {
   Node node;
   node.name = "splats";
-  node.local.rotation = Quatf(0.0f, 1.0f, 0.0f, 0.0f);
+  node.local.rotation = is_z_up ? Quatf(std::sqrt(0.5f), -std::sqrt(0.5f), 0.0f, 0.0f) : Quatf(0.0f, 1.0f, 0.0f, 0.0f);
   return node;
+}
+
+/// Passes over what stands before the splats, and warns of all other elements.
+void skip_others(const std::string& name, const Header& header, Body& body, const Context& context) {
+  const Element* const vertices = vertices_of(header);
+  LeftOut left_out;
+  bool is_before = true;
+  for (const Element& element : header.elements) {
+    if (&element == vertices) is_before = false;
+    if (&element == vertices || element.count == 0) continue;
+    left_out.add(element.name, name);
+    if (is_before) body.pass_over(element);
+  }
+  left_out.warn(context, "element", "elements");
 }
 
 }  // namespace
 
 bool has_splats(const Header& header) {
   const Element* vertices = vertices_of(header);
-  return vertices && column_of(*vertices, "scale_0") >= 0 && column_of(*vertices, "rot_0") >= 0 &&
-         column_of(*vertices, "opacity") >= 0 && column_of(*vertices, "f_dc_0") >= 0;
+  return vertices && has_property(*vertices, "scale_0") &&
+         (has_property(*vertices, "rot_0") || has_property(*vertices, "opacity"));
 }
 
-Scene read_splats(const std::string& name, const Header& header, std::string_view body, const Context& context) {
-  Splats splats = SplatReader(name, header, body).read();
+Scene read_splats(const std::string& name, const Header& header, Body& body, const Context& context) {
+  skip_others(name, header, body, context);
+  Splats splats = SplatReader(name, header, body, context).read();
   if (const std::size_t dropped = drop_unsound(splats); dropped > 0)
     context.warning(fmt::format("{}: {} splats are left out: they have no size, no rotation or values that are not finite.",
                                 name, dropped));
   if (splats.centers.empty()) throw Error(name, "has no splats to show");
   sort_by_place(splats);
   Scene scene;
-  scene.nodes.push_back(upright_node());
+  scene.nodes.push_back(upright_node(header.is_z_up));
   scene.materials.push_back(splat_material());
   scene.shapes.emplace_back(std::move(splats));
   scene.instances.push_back({"splats", 0, 0, 0});

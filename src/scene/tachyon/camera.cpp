@@ -11,22 +11,31 @@
 namespace lippmann::tachyon {
 namespace {
 
-/// Reads PROJECTION if it is there, and ZOOM's keyword in any case.
-void parse_projection(Lexer& lexer) {
-  std::string_view word = lexer.word("PROJECTION or ZOOM");
-  if (is_keyword(word, "PROJECTION")) {
-    const std::string projection = upper(lexer.word("PROJECTION's name"));
-    if (projection != "PERSPECTIVE")
-      throw lexer.error(fmt::format("PROJECTION {} is not supported", shown(projection)), "PERSPECTIVE");
-    word = lexer.word("ZOOM");
-  }
-  if (!is_keyword(word, "ZOOM")) throw lexer.error(fmt::format("{} stands where ZOOM is expected", shown(word)));
-}
-
 float positive_number(Lexer& lexer, std::string_view keyword) {
   const float value = lexer.number(keyword);
   if (!(value > 0.0f)) throw lexer.error(fmt::format("{} is {}", keyword, value), "a number above 0");
   return value;
+}
+
+/// Reads a projection, with its keyword PROJECTION, without, or none, and ZOOM's keyword.
+void parse_projection(Lexer& lexer, CameraRecord& record, const Context& context) {
+  std::string word = upper(lexer.word("PROJECTION or ZOOM"));
+  if (word == "PROJECTION") word = upper(lexer.word("PROJECTION's name"));
+  if (word == "ZOOM") return;
+  record.is_orthographic = word == "ORTHOGRAPHIC";
+  if (word == "PERSPECTIVE_DOF") {
+    const std::string where = lexer.where();
+    if (const std::string distance = upper(lexer.word("FOCALDIST")); distance != "FOCALDIST" && distance != "FOCALLENGTH")
+      throw lexer.error(fmt::format("{} stands where FOCALDIST is expected", shown(distance)), "FOCALDIST, FOCALLENGTH");
+    positive_number(lexer, "FOCALDIST");
+    lexer.expect("APERTURE");
+    positive_number(lexer, "APERTURE");
+    context.warning(fmt::format("{}: the depth of field of PERSPECTIVE_DOF is left out.", where));
+  } else if (word != "PERSPECTIVE" && !record.is_orthographic) {
+    throw lexer.error(fmt::format("the projection {} is not supported", shown(word)),
+                      "PERSPECTIVE, PERSPECTIVE_DOF, ORTHOGRAPHIC");
+  }
+  lexer.expect("ZOOM");
 }
 
 /// FRUSTUM left right bottom top, in the image plane at distance 1.
@@ -43,7 +52,7 @@ Vec2f parse_frustum(Lexer& lexer) {
 CameraRecord parse_camera(Lexer& lexer, const Context& context) {
   constexpr int kMostSamples = 1'000'000, kDeepest = 1'000'000;
   CameraRecord record;
-  parse_projection(lexer);
+  parse_projection(lexer, record, context);
   record.zoom = positive_number(lexer, "ZOOM");
   lexer.expect("ASPECTRATIO");
   record.aspect_ratio = positive_number(lexer, "ASPECTRATIO");
@@ -57,7 +66,7 @@ CameraRecord parse_camera(Lexer& lexer, const Context& context) {
         fmt::format("{}: ANTIALIASING {} is left to the render's samples per pixel.", lexer.where(), extra_samples));
   lexer.expect("RAYDEPTH");
   record.ray_depth = lexer.integer("RAYDEPTH", 0, kDeepest);
-  record.pose.center = lexer.vector_after("CENTER");
+  record.pose.center = lexer.point_after("CENTER");
   record.pose.view = lexer.vector_after("VIEWDIR");
   record.pose.up = lexer.vector_after("UPDIR");
   require_orientation(record.pose, lexer);
@@ -91,6 +100,7 @@ Camera camera_of(const CameraRecord& record, Vec2i resolution) {
   Camera camera;
   camera.name = "camera";
   camera.vertical_fov = static_cast<float>(2.0 * std::atan(half_height));
+  if (record.is_orthographic) camera.orthographic_height = static_cast<float>(2.0 * half_height);
   camera.aspect = record.half_extent
                       ? record.half_extent->x / record.half_extent->y
                       : static_cast<float>(resolution.x) / static_cast<float>(resolution.y) / record.aspect_ratio;

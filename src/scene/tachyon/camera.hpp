@@ -23,14 +23,16 @@ struct CameraPose {
 
 /// A CAMERA statement; the defaults are Tachyon's for a scene without one.
 struct CameraRecord {
-  float zoom = 1.0f;                 ///< the picture is 1 / zoom high at distance 1
+  float zoom = 1.0f;  ///< the picture is 1 / zoom high at distance 1, or everywhere if orthographic
+  bool is_orthographic = false;
   float aspect_ratio = 1.0f;         ///< pixels are this much narrower than high
   int ray_depth = 6;                 ///< path vertices
   std::optional<Vec2f> half_extent;  ///< half the picture's size at distance 1, instead of zoom and aspect_ratio (FRUSTUM)
   CameraPose pose;
 };
 
-/// Reads what follows CAMERA. Warns about antialiasing and pixels that are not square, which are the render's choice here.
+/// Reads what follows CAMERA. Warns about antialiasing, lenses and pixels that are not square, which are the render's choice
+/// here.
 CameraRecord parse_camera(Lexer& lexer, const Context& context);
 
 /// Throws Error at the lexer's line for a pose that looks nowhere: view or up zero, or parallel.

@@ -10,7 +10,7 @@ std::vector<CameraPose> parse_camera_path(Lexer& lexer) {
     CameraPose pose;
     pose.view = lexer.vector("a view direction");
     pose.up = lexer.vector("an up direction");
-    pose.center = lexer.vector("a camera's centre");
+    pose.center = lexer.point("a camera's centre");
     require_orientation(pose, lexer);
     poses.push_back(pose);
   } while (!lexer.at_end());

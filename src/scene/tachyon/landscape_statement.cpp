@@ -72,7 +72,7 @@ void parse_scape(Lexer& lexer, ParserState& state) {
   lexer.expect("SCALE");
   size.width = positive(lexer, "SCALE");
   size.depth = positive(lexer, "SCALE");
-  const Vec3f center = lexer.vector_after("CENTER");
+  const Vec3f center = lexer.point_after("CENTER");
   add_landscape(state.builder, parse_texture_reference(lexer, state), size, center);
 }
 

@@ -44,7 +44,7 @@ Vec3f parse_direction(Lexer& lexer) {
 
 void parse_light(Lexer& lexer, ParserState& state) {
   Light light;
-  const Vec3f center = lexer.vector_after("CENTER");
+  const Vec3f center = lexer.point_after("CENTER");
   light.visible_radius = parse_visible_radius(lexer);
   parse_attenuated_color(lexer, light);
   state.builder.add_light(std::move(light), center);
@@ -53,7 +53,7 @@ void parse_light(Lexer& lexer, ParserState& state) {
 void parse_spotlight(Lexer& lexer, ParserState& state) {
   Light light;
   light.kind = LightKind::kSpot;
-  const Vec3f center = lexer.vector_after("CENTER");
+  const Vec3f center = lexer.point_after("CENTER");
   light.visible_radius = parse_visible_radius(lexer);
   const Vec3f direction = parse_direction(lexer);
   const float start = lexer.number_after("FALLOFF_START"), end = lexer.number_after("FALLOFF_END");

@@ -22,7 +22,7 @@ std::vector<Vertex> parse_vertices(Lexer& lexer) {
   const int count = lexer.integer("NUMVERTS", 1, kAnyCount);
   std::vector<Vertex> vertices;  // grows with what the file really holds, whatever the count says
   lexer.expect("COORDS");
-  for (int i = 0; i < count; ++i) vertices.push_back({.position = lexer.vector("COORDS")});
+  for (int i = 0; i < count; ++i) vertices.push_back({.position = lexer.point("COORDS")});
   lexer.expect("NORMALS");
   for (Vertex& vertex : vertices) vertex.normal = lexer.vector("NORMALS");
   return vertices;
@@ -116,7 +116,7 @@ void parse_tpolyfile(Lexer& lexer, ParserState& state) {
   Placement place;
   place.scale = lexer.vector_after("SCALE");
   place.rotation = tpoly_rotation(lexer.vector_after("ROT"));
-  place.center = lexer.vector_after("CENTER");
+  place.center = lexer.point_after("CENTER");
   lexer.expect("FILE");
   const std::string_view name = lexer.word("TPOLYFILE's file name");
   const std::filesystem::path file = state.folder.resolve(name, lexer.where());

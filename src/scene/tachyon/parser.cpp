@@ -25,10 +25,11 @@ void parse_background(Lexer& lexer, ParserState& state) {
 }
 
 /// The colour of a direction d is BOTTOMCOLOR where d.UPDIR <= BOTTOMVAL, TOPCOLOR where it is >= TOPVAL, between them a blend.
+/// SKY_ORTHO_PLANE has the origins of rays in place of d.
 void parse_background_gradient(Lexer& lexer, ParserState& state) {
   const std::string kind = upper(lexer.word("SKY_SPHERE"));
-  if (kind != "SKY_SPHERE")
-    throw lexer.error(fmt::format("BACKGROUND_GRADIENT {} is not supported", shown(kind)), "SKY_SPHERE");
+  if (kind != "SKY_SPHERE" && kind != "SKY_ORTHO_PLANE")
+    throw lexer.error(fmt::format("BACKGROUND_GRADIENT {} is not known", shown(kind)), "SKY_SPHERE, SKY_ORTHO_PLANE");
   Background gradient;
   const Vec3f up = lexer.vector_after("UPDIR");
   if (up == Vec3f(0.0f)) throw lexer.error("UPDIR is zero", "a vector that is not zero");
@@ -41,6 +42,7 @@ void parse_background_gradient(Lexer& lexer, ParserState& state) {
   gradient.zenith = lexer.vector_after("TOPCOLOR");
   gradient.horizon = lexer.vector_after("BOTTOMCOLOR");
   state.gradient = gradient;
+  state.gradient_is_plane = kind == "SKY_ORTHO_PLANE";
 }
 
 void parse_camera_statement(Lexer& lexer, ParserState& state) { state.camera = parse_camera(lexer, state.context); }
@@ -52,22 +54,25 @@ void parse_include(Lexer& lexer, ParserState& state) {
                       fmt::format("at most {} files within each other and {} in all", kDeepestInclude, kMostIncludes));
   const std::filesystem::path file = state.folder.resolve(name, lexer.where());
   Lexer included(file.string(), state.folder.read_text(file, lexer.where()));
+  included.set_origin(lexer.origin());
   ++state.include_depth;
   parse_statements(included, state, false);
   --state.include_depth;
 }
 
-/// Rendering modes: accepted where they say what is done anyway.
-void parse_shader_mode(Lexer& lexer, ParserState&) {
-  const std::string quality = upper(lexer.word("SHADER_MODE's quality"));
-  if (quality != "FULL") throw lexer.error(fmt::format("SHADER_MODE {} is not supported", shown(quality)), "FULL");
-  for (;;) {
-    const std::string option = upper(lexer.word("END_SHADER_MODE"));
-    if (option == "END_SHADER_MODE") return;
-    if (option != "SHADOW_FILTER_ON" && option != "TRANS_ORIG")
-      throw lexer.error(fmt::format("{} is not supported in SHADER_MODE", shown(option)),
-                        "SHADOW_FILTER_ON, TRANS_ORIG, END_SHADER_MODE");
-  }
+void parse_fog(Lexer& lexer, ParserState& state) {
+  state.left_out.add("FOG", lexer.where());
+  const std::string kind = upper(lexer.word("FOG's kind"));
+  if (kind != "LINEAR" && kind != "EXP" && kind != "EXP2" && kind != "OFF")
+    throw lexer.error(fmt::format("FOG {} is not known", shown(kind)), "LINEAR, EXP, EXP2, OFF");
+  lexer.number_after("START"), lexer.number_after("END"), lexer.number_after("DENSITY");
+  lexer.vector_after("COLOR");
+}
+
+void parse_sky_light(Lexer& lexer, ParserState& state) {
+  state.left_out.add("SKY_LIGHT", lexer.where());
+  lexer.number_after("NUMSAMPLES");
+  lexer.vector_after("COLOR");
 }
 
 struct Statement {
@@ -83,6 +88,7 @@ constexpr Statement kStatements[] = {
     {"CAMERA", parse_camera_statement},
     {"DIRECTIONAL_LIGHT", parse_directional_light},
     {"FCYLINDER", parse_fcylinder},
+    {"FOG", parse_fog},
     {"IMAGEDEF", parse_imagedef},
     {"INCLUDE", parse_include},
     {"LIGHT", parse_light},
@@ -91,6 +97,7 @@ constexpr Statement kStatements[] = {
     {"RING", parse_ring},
     {"SCAPE", parse_scape},
     {"SHADER_MODE", parse_shader_mode},
+    {"SKY_LIGHT", parse_sky_light},
     {"SPHERE", parse_sphere},
     {"SPOTLIGHT", parse_spotlight},
     {"STRI", parse_stri},
@@ -103,8 +110,8 @@ constexpr Statement kStatements[] = {
 };
 
 /// Statements that Tachyon knows and we do not; named, so that nobody looks for a spelling mistake.
-constexpr std::string_view kUnsupported[] = {"CYLINDER",  "END_CLIPGROUP", "FOG",         "MGFFILE",
-                                             "SCALARVOL", "SKY_LIGHT",     "SPHEREARRAY", "START_CLIPGROUP"};
+constexpr std::string_view kUnsupported[] = {"CYLINDER",  "END_CLIPGROUP", "MGFFILE",
+                                             "SCALARVOL", "SPHEREARRAY",   "START_CLIPGROUP"};
 
 std::vector<std::string_view> statement_keywords() {
   std::vector<std::string_view> keywords;

@@ -10,12 +10,20 @@
 #include <string>
 
 #include "lippmann/core/context.hpp"
+#include "scene/left_out.hpp"
 #include "scene/lexer.hpp"
 #include "scene/tachyon/camera.hpp"
 #include "scene/tachyon/scene_builder.hpp"
 #include "scene/tachyon/scene_folder.hpp"
 
 namespace lippmann::tachyon {
+
+/// How everything is shaded (SHADER_MODE).
+struct ShaderMode {
+  bool shadows = true;        ///< MEDIUM has none
+  bool plain_colors = false;  ///< LOW: colours as they are, without light
+  bool opacity_dims = false;  ///< TRANS_VMD: a surface's own light counts as its opacity
+};
 
 /// What has been read so far.
 struct ParserState {
@@ -27,10 +35,13 @@ struct ParserState {
   std::map<std::string, int, std::less<>> textures;  ///< TEXDEF and TEXALIAS names to materials
   std::map<std::string, int, std::less<>> images;    ///< image maps by the name that the scene calls them
   CameraRecord camera;
+  ShaderMode shading;
   Background background;               ///< BACKGROUND
   std::optional<Background> gradient;  ///< BACKGROUND_GRADIENT, which wins wherever it stands
+  bool gradient_is_plane = false;      ///< its values are heights in the scene (SKY_ORTHO_PLANE), not sines
   std::int64_t landscape_steps = 0;    ///< taken so far
   Vec2i resolution{0, 0};
+  LeftOut left_out;  ///< keywords of what is read and not shown
   int include_depth = 0, includes = 0;
   int undefined_textures = 0, redefined_textures = 0;  ///< how often; the first is a warning
 };
@@ -43,6 +54,11 @@ Scene read_scene(Lexer& lexer, SceneFolder& folder, const Context& context, doub
 
 /// Moves the scene's camera along a camera path (tachyon.cpp).
 void animate_camera(Scene& scene, Lexer& path);
+
+// Modes of rendering (shader_mode.cpp).
+void parse_shader_mode(Lexer& lexer, ParserState& state);
+/// Does to the finished scene what its modes say.
+void apply_shader_mode(const ShaderMode& mode, Scene& scene);
 
 // Textures (texture_statements.cpp).
 void parse_texdef(Lexer& lexer, ParserState& state);

@@ -3,14 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
+#include "lippmann/scene/timeline.hpp"
 #include "scene/tachyon/camera_path.hpp"
+#include "scene/tachyon/handedness.hpp"
 #include "scene/tachyon/parser.hpp"
 
 namespace lippmann {
 namespace tachyon {
 namespace {
+
+/// Under which viewers of an orthographic picture see its height.
+constexpr double kViewerAngle = 45.0 * std::numbers::pi / 180.0;
 
 /// Puts the camera on a node of its own.
 void add_camera(Scene& scene, const CameraRecord& record) {
@@ -23,6 +30,41 @@ void add_camera(Scene& scene, const CameraRecord& record) {
   scene.cameras.push_back(std::move(camera));
 }
 
+/// The gradient over the heights at which an orthographic camera's rays begin, as one over the directions of a viewer who sees
+/// the picture's height under kViewerAngle.
+Background over_directions(Background plane, const CameraRecord& camera) {
+  const double middle = glm::dot(glm::dvec3(mirrored(camera.pose.center)), glm::dvec3(plane.up));
+  const double distance = 0.5 / camera.zoom / std::tan(0.5 * kViewerAngle);
+  const auto sine = [&](float height) {
+    const double above = static_cast<double>(height) - middle;
+    return static_cast<float>(above / std::hypot(above, distance));
+  };
+  plane.horizon_at = sine(plane.horizon_at), plane.zenith_at = sine(plane.zenith_at);
+  return plane;
+}
+
+Background background_of(const ParserState& state) {
+  if (!state.gradient) return state.background;
+  if (!state.gradient_is_plane || !state.camera.is_orthographic) return *state.gradient;
+  const Background sky = over_directions(*state.gradient, state.camera);
+  return sky.horizon_at == sky.zenith_at ? *state.gradient : sky;
+}
+
+/// Orthographic pictures are often far too small where a program writes pixels as units (Jmol does).
+void warn_of_orthographic(const Scene& scene, const std::string& name, const Context& context) {
+  constexpr float kSmall = 0.05f;
+  const float height = scene.cameras.front().orthographic_height;
+  context.warning(
+      fmt::format("{}: PROJECTION ORTHOGRAPHIC sets the height of the display's plane; viewers see it in perspective.", name));
+  const Bounds3f bounds = finite_bounds(scene, evaluate(scene, 0.0));
+  const float size = bounds.empty() ? 0.0f : glm::length(bounds.size());
+  if (height < kSmall * size)
+    context.warning(
+        fmt::format("{}: its camera's ZOOM shows {:.3g} units of a scene that is {:.3g} units large, as Tachyon "
+                    "does; `zoom` {:.1g} shows all of it.",
+                    name, height, size, 0.5f * height / size));
+}
+
 }  // namespace
 
 Scene read_scene(Lexer& lexer, SceneFolder& folder, const Context& context, double frames_per_second) {
@@ -30,13 +72,16 @@ Scene read_scene(Lexer& lexer, SceneFolder& folder, const Context& context, doub
   parse_scene(lexer, state);
   if (const int count = state.builder.left_out(); count > 0)
     context.warning(fmt::format("{}: {} shapes without extent are left out.", lexer.name(), count));
+  state.left_out.warn(context, "effect", "effects");
   Scene scene = state.builder.take();
-  scene.background = state.gradient.value_or(state.background);
+  apply_shader_mode(state.shading, scene);
+  scene.background = background_of(state);
   scene.encoding = Encoding::kTachyonTruncate;
   scene.max_depth = std::max(state.camera.ray_depth, 1);
   scene.resolution = state.resolution;
   scene.timeline.frames_per_second = frames_per_second;
   add_camera(scene, state.camera);
+  if (state.camera.is_orthographic) warn_of_orthographic(scene, lexer.name(), context);
   return scene;
 }
 
@@ -50,14 +95,19 @@ void animate_camera(Scene& scene, Lexer& path) {
 }  // namespace tachyon
 
 Scene load_tachyon(const std::filesystem::path& path, const std::optional<std::filesystem::path>& camera_path,
-                   const Context& context, double frames_per_second, const std::filesystem::path& asset_root) {
+                   const Context& context, double frames_per_second, const std::filesystem::path& asset_root,
+                   const Vec3d& origin) {
+  const Vec3d in_file(origin.x, origin.y, -origin.z);  // mirrored, as handedness.hpp has it
   tachyon::SceneFolder folder(path, asset_root);
   Lexer lexer(path.string(), folder.read_text(path, path.string()));
+  lexer.set_origin(in_file);
   Scene scene = tachyon::read_scene(lexer, folder, context, frames_per_second);
   scene.name = path.stem().string();
+  scene.origin = origin;
   if (camera_path) {
     tachyon::SceneFolder path_folder(*camera_path);
     Lexer poses(camera_path->string(), path_folder.read_text(*camera_path, camera_path->string()));
+    poses.set_origin(in_file);
     tachyon::animate_camera(scene, poses);
   }
   return scene;

@@ -22,7 +22,7 @@ void parse_highlight(Lexer& lexer, PhongSurface& surface) {
 }
 
 /// AMBIENT to `last`, the word that ends the optional ones.
-void parse_coefficients(Lexer& lexer, PhongSurface& surface, std::string_view last) {
+void parse_coefficients(Lexer& lexer, ParserState& state, PhongSurface& surface, std::string_view last) {
   surface.ambient = lexer.number_after("AMBIENT");
   surface.diffuse = lexer.number_after("DIFFUSE");
   surface.mirror = lexer.number_after("SPECULAR");
@@ -32,12 +32,11 @@ void parse_coefficients(Lexer& lexer, PhongSurface& surface, std::string_view la
   std::string_view word = lexer.word(last);
   if (is_keyword(word, "TRANSMODE")) {
     const std::string mode = upper(lexer.word("TRANSMODE's name"));
-    if (mode == "R3D") throw lexer.error("TRANSMODE R3D is not supported", "TRANSMODE ORIG, or no TRANSMODE");
+    if (mode == "R3D") state.left_out.add("TRANSMODE R3D", lexer.where());
     word = lexer.word(last);
   }
   if (is_keyword(word, "OUTLINE")) {
-    const float strength = lexer.number("OUTLINE");
-    if (strength != 0.0f) throw lexer.error("OUTLINE is not supported", "OUTLINE 0, or no OUTLINE");
+    if (lexer.number("OUTLINE") != 0.0f) state.left_out.add("OUTLINE", lexer.where());
     lexer.number_after("OUTLINE_WIDTH");
     word = lexer.word(last);
   }
@@ -68,7 +67,7 @@ void parse_image_map(Lexer& lexer, ParserState& state, ProjectionKind kind, Phon
   surface.texture = image_named(lexer, state);
   ImageProjection projection;
   projection.kind = kind;
-  projection.center = lexer.vector_after("CENTER");
+  projection.center = lexer.point_after("CENTER");
   projection.rotate = lexer.vector_after("ROTATE");
   projection.scale = lexer.vector_after("SCALE");
   if (kind == ProjectionKind::kPlane) {
@@ -100,7 +99,7 @@ void parse_texfunc(Lexer& lexer, ParserState& state, PhongSurface& surface) {
 void define(Lexer& lexer, ParserState& state, std::string name, int material) {
   const auto [entry, is_new] = state.textures.emplace(std::move(name), material);
   if (is_new || entry->second == material || state.redefined_textures++ > 0) return;
-  state.context.warning(fmt::format("{}: {} (and perhaps more) is defined again, otherwise; first definitions stay.",
+  state.context.warning(fmt::format("{}: {} (and perhaps more) is defined again with other values; first definitions count.",
                                     lexer.where(), shown(entry->first)));
 }
 
@@ -139,7 +138,7 @@ int add_default_material(ParserState& state) {
 
 int parse_texture_body(Lexer& lexer, ParserState& state, std::string name) {
   PhongSurface surface;
-  parse_coefficients(lexer, surface, "COLOR");
+  parse_coefficients(lexer, state, surface, "COLOR");
   surface.color = lexer.vector("COLOR");
   lexer.expect("TEXFUNC");
   parse_texfunc(lexer, state, surface);
@@ -150,7 +149,7 @@ int parse_colorless_texture_body(Lexer& lexer, ParserState& state) {
   PhongSurface surface;
   surface.color = Vec3f(1.0f);
   std::string name = fmt::format("line {}", lexer.line());
-  parse_coefficients(lexer, surface, "VCST");
+  parse_coefficients(lexer, state, surface, "VCST");
   return state.builder.add_material(surface, std::move(name));
 }
 

@@ -92,6 +92,18 @@ TEST(GltfMeshopt, vertices_and_triangles_come_out_as_they_went_in) {
   }
 }
 
+/// The first view cannot be read: were it unpacked, the error would be another.
+TEST(GltfMeshopt, all_views_are_counted_before_one_is_unpacked) {
+  GltfBuilder b = packed_square("TRIANGLES");
+  const std::size_t from = b.root["bufferViews"][0]["extensions"]["EXT_meshopt_compression"]["byteOffset"];
+  b.binary.at(from) = std::byte{0xee};
+  GltfLimits limits;
+  limits.unpacked_bytes = 4 * sizeof(Vec3f);
+  EXPECT_THAT(error_message([&] { parse(with_fallback(b)); }), HasSubstr("bufferViews[0].extensions"));
+  EXPECT_THAT(error_message([&] { parse(with_fallback(b), nullptr, limits); }),
+              HasSubstr("bufferViews[1]: the scene unpacks to too much memory"));
+}
+
 TEST(GltfMeshopt, sequence_of_indices_comes_out_as_it_went_in) {
   EXPECT_THAT(mesh_of(with_fallback(packed_square("INDICES"))).triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{2, 1, 3}));
 }

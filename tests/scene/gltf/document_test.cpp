@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -99,7 +100,8 @@ const Fault kFaults[] = {
     {"stride_not_of_4", "/bufferViews/0/byteStride", 6, "bufferViews[0].byteStride: is 6; accepted: multiples of 4"},
     {"component_type", "/accessors/0/componentType", 5124, "accessors[0]: has the component type 5124"},
     {"count_beyond_view", "/accessors/0/count", 5, "accessors[0]: 5 elements of 2 bytes"},
-    {"count_that_overflows", "/accessors/1/count", 2147483647, "accessors[1]: 2147483647 elements of 12 bytes"},
+    {"count_beyond_its_view", "/accessors/1/count", 200'000'000, "accessors[1]: 200000000 elements of 12 bytes"},
+    {"count_beyond_memory", "/accessors/1/count", 2147483647, "accessors[1]: the scene unpacks to too much memory"},
     {"offset_beyond_view", "/accessors/0/byteOffset", 4, "accessors[0]: 3 elements of 2 bytes from byte 4 on"},
     {"offset_that_overflows", "/accessors/0/byteOffset", 9007199254740991, "accessors[0]: 3 elements of 2 bytes"},
     {"stride_below_element", "/bufferViews/1/byteStride", 8, "accessors[1]: elements of 12 bytes stand 8 bytes apart"},
@@ -205,6 +207,24 @@ TEST(GltfDocument, meshes_that_unpack_to_more_than_the_limit_are_an_error) {
   limits.unpacked_bytes = 30;  // below the 36 bytes of three positions
   EXPECT_THAT(error_message([&] { parse(good_document(), nullptr, limits); }),
               HasSubstr("accessors[1]: the scene unpacks to too much memory; accepted: at most 30 bytes together"));
+}
+
+/// The first mesh cannot be read: were it unpacked, the error would be another.
+TEST(GltfDocument, all_meshes_are_counted_before_one_is_unpacked) {
+  GltfBuilder b;
+  const int bad = b.add_accessor(std::vector<Vec3f>{{0, 0, 0}, {std::nanf(""), 0, 0}, {0, 1, 0}});
+  b.add_node({{"mesh", b.add_mesh({{"attributes", {{"POSITION", bad}}}})}});
+  b.add_node({{"mesh", b.add_triangle()}});
+  b.accessor(1).erase("bufferView");
+  b.accessor(1)["count"] = 1'000'000'000;
+  EXPECT_THAT(error_message([&] { parse(b); }), HasSubstr("accessors[1]: the scene unpacks to too much memory"));
+}
+
+TEST(GltfDocument, keys_are_counted_before_meshes_are_unpacked) {
+  GltfBuilder b = good_document();
+  b.binary.at(8) = std::byte{0xff}, b.binary.at(10) = std::byte{0xff}, b.binary.at(11) = std::byte{0xff};
+  for (const int accessor : {2, 3}) b.accessor(accessor).erase("bufferView"), b.accessor(accessor)["count"] = 2'000'000'000;
+  EXPECT_THAT(error_message([&] { parse(b); }), HasSubstr("the scene unpacks to too much memory"));
 }
 
 TEST(GltfDocument, instances_beyond_the_limit_are_an_error) {

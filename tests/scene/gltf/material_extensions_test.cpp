@@ -171,7 +171,7 @@ TEST(GltfVariants, that_are_not_there_are_an_error_that_lists_those_there_are) {
   EXPECT_THAT(error_message([] { shown_material(with_variants(), "Snow"); }),
               HasSubstr("'Snow' is not in the file; accepted: Beach (0), Bare (1), Street (2)"));
   EXPECT_THAT(error_message([] { shown_material(with_extensions(Json::object()), "Beach"); }),
-              HasSubstr("the file has no sets of materials"));
+              HasSubstr("the file has no material variants"));
 }
 
 TEST(GltfVariants, that_refer_to_nothing_or_contradict_each_other_are_errors) {

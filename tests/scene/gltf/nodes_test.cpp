@@ -565,7 +565,7 @@ TEST(GltfAnimation, unknown_one_is_an_error_that_lists_them) {
   EXPECT_EQ(error_message([] { frames_of(walk_and_run(), "Wlak"); }),
             "animation: 'Wlak' is not in the file, did you mean 'Walk'?; accepted: Walk (0), Run (1)");
   EXPECT_EQ(error_message([] { frames_of(skinned_triangle(std::vector<Vec4f>(3)), "Fly"); }),
-            "animation: the file has no animations; accepted: no `animation` with it");
+            "animation: has no effect: the file has no animations; accepted: a file with animations");
 }
 
 TEST(GltfAnimation, of_a_node_outside_the_scene_is_ignored) {

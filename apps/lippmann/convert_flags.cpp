@@ -1,0 +1,182 @@
+#include "apps/lippmann/convert_flags.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "layout/light_field_source.hpp"
+#include "lippmann/core/error.hpp"
+#include "replay/depth_frames.hpp"
+
+namespace lippmann::app {
+namespace {
+
+using Options = ConvertOptions;
+
+struct IdleRule {
+  const char* flag;
+  bool (*is_given)(const Options&);
+  bool (*has_effect)(const Options&, const Conversion&);
+  const char* accepted;
+};
+
+/// Whether the reader, or the writer, of the conversion's formats uses an option.
+template <bool FormatUses::*use>
+bool is_read(const Conversion& c) {
+  return c.from && c.from->reads.*use;
+}
+template <bool FormatUses::*use>
+bool is_written(const Conversion& c) {
+  return c.to && c.to->writes.*use;
+}
+
+bool has_formats(const Options&, const Conversion& c) { return c.to != nullptr; }
+bool is_rearranged(const Options&, const Conversion& c) { return c.kind == ConvertKind::kRearrange; }
+bool is_spoc(const Options&, const Conversion& c) { return c.kind == ConvertKind::kSpoc; }
+bool is_precompensation(const Options&, const Conversion& c) { return c.kind == ConvertKind::kPrecompensate; }
+bool is_stereo(const Options&, const Conversion& c) { return c.kind == ConvertKind::kStereo; }
+bool makes_stereo(const Conversion& c) { return c.to && c.to->name == "stereo"; }
+
+/// Whether the writer numbers views as the reader does, so that it does not matter how they lie in a grid.
+bool keeps_order(const Conversion& c) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kPairs{
+      {{"views", "views"}, {"quilt", "quilt"}, {"quilt", "views"}, {"hci", "hci"}}};
+  return std::find(kPairs.begin(), kPairs.end(), std::pair(c.from->name, c.to->name)) != kPairs.end();
+}
+
+bool uses_views(const Options& options, const Conversion& c) {
+  if (c.kind == ConvertKind::kDepthViews) return !makes_stereo(c);
+  return is_read<&FormatUses::views>(c) && (!options.keep.empty() || !keeps_order(c));
+}
+
+/// What is written as stereo has two views, whatever tiles its source has.
+bool uses_tiles(const Options&, const Conversion& c) {
+  return is_read<&FormatUses::tiles>(c) || is_written<&FormatUses::tiles>(c);
+}
+
+bool uses_display(const Options&, const Conversion& c) {
+  if (c.kind == ConvertKind::kPrecompensate || c.kind == ConvertKind::kDepthViews) return true;
+  return is_read<&FormatUses::display>(c) || is_written<&FormatUses::display>(c);
+}
+
+bool uses_view_angle(const Options& options, const Conversion& c) {
+  return c.kind == ConvertKind::kStereo || (c.kind == ConvertKind::kDepthViews && !makes_stereo(c) && options.display.empty());
+}
+
+/// Rules for all flags but --json and --quiet, which always have an effect.
+constexpr std::array kIdleRules{
+    IdleRule{"--from", [](const Options& o) { return !o.from.empty(); }, has_formats, "--to"},
+    IdleRule{"--to", [](const Options& o) { return !o.to.empty(); }, has_formats,
+             "a conversion without --rotate-elemental, --spoc and --precompensate"},
+    IdleRule{"--views", [](const Options& o) { return !o.views.empty(); }, uses_views,
+             "--from integral, eslf, views, quilt, hci or native to a format with another order of views, or RGB-D pictures"},
+    IdleRule{"--quilt", [](const Options& o) { return !o.quilt.empty(); }, uses_tiles, "--from quilt or --to quilt"},
+    IdleRule{"--aspect", [](const Options& o) { return o.aspect > 0.0; },
+             [](const Options&, const Conversion& c) { return is_written<&FormatUses::aspect>(c); }, "--to quilt"},
+    IdleRule{"--keep", [](const Options& o) { return !o.keep.empty(); }, is_rearranged, "--to with a format"},
+    IdleRule{"--crop", [](const Options& o) { return !o.crop.empty(); }, is_rearranged, "--to with a format"},
+    IdleRule{"--bits", [](const Options& o) { return o.bits > 0; },
+             [](const Options&, const Conversion& c) { return is_written<&FormatUses::bits>(c); }, "--to jpeg-pleno"},
+    IdleRule{"--display", [](const Options& o) { return !o.display.empty(); }, uses_display,
+             "--from native, --to native, --precompensate, or RGB-D pictures"},
+    IdleRule{"--filter", [](const Options& o) { return !o.filter.filter.empty(); },
+             [](const Options&, const Conversion& c) { return is_written<&FormatUses::filter>(c); }, "--to native"},
+    IdleRule{"--sigma", [](const Options& o) { return o.filter.sigma > 0.0; },
+             [](const Options& o, const Conversion& c) {
+               return is_written<&FormatUses::filter>(c) && o.filter.filter == "gaussian";
+             },
+             "--to native with --filter gaussian"},
+    IdleRule{"--reference-plane", [](const Options& o) { return o.orthoscopic.reference_mm.has_value(); }, is_spoc, "--spoc"},
+    IdleRule{"--lens-pitch", [](const Options& o) { return o.orthoscopic.lens_pitch_mm.has_value(); }, is_spoc, "--spoc"},
+    IdleRule{"--gap", [](const Options& o) { return o.orthoscopic.gap_mm.has_value(); }, is_spoc, "--spoc"},
+    IdleRule{"--lens-pixels", [](const Options& o) { return o.orthoscopic.lens_pixels.has_value(); }, is_spoc, "--spoc"},
+    IdleRule{"--crosstalk", [](const Options& o) { return !o.crosstalk.crosstalk.empty(); }, is_precompensation,
+             "--precompensate"},
+    IdleRule{"--stereo", [](const Options& o) { return !o.stereo.packing.empty(); },
+             [](const Options&, const Conversion& c) {
+               return is_read<&FormatUses::stereo>(c) || is_written<&FormatUses::stereo>(c);
+             },
+             "--to stereo or --from stereo"},
+    IdleRule{"--right-first", [](const Options& o) { return o.stereo.right_first; },
+             [](const Options&, const Conversion& c) {
+               return is_read<&FormatUses::stereo>(c) || is_written<&FormatUses::stereo>(c);
+             },
+             "--to stereo or --from stereo"},
+    IdleRule{"--ipd", [](const Options& o) { return o.stereo.ipd_mm.has_value(); },
+             [](const Options&, const Conversion& c) { return c.kind != ConvertKind::kRearrange && makes_stereo(c); },
+             "--to stereo, of more than two views"},
+    IdleRule{"--viewing-distance", [](const Options& o) { return o.stereo.viewing_distance_mm.has_value(); }, is_stereo,
+             "--to stereo, of more than two views"},
+    IdleRule{"--screen-width", [](const Options& o) { return o.stereo.screen_width_mm.has_value(); }, is_stereo,
+             "--to stereo, of more than two views"},
+    IdleRule{"--view-angle", [](const Options& o) { return o.stereo.view_angle_deg.has_value(); }, uses_view_angle,
+             "--to stereo, or RGB-D pictures converted to views without --display"},
+    IdleRule{"--depth-range", [](const Options& o) { return !o.depth.range.empty(); },
+             [](const Options&, const Conversion& c) {
+               return is_read<&FormatUses::depth_coding>(c) || is_written<&FormatUses::depth_coding>(c);
+             },
+             "--from rgbd or --to rgbd"},
+    IdleRule{"--depth-coding", [](const Options& o) { return !o.depth.coding.empty(); },
+             [](const Options&, const Conversion& c) {
+               return is_read<&FormatUses::depth_coding>(c) || is_written<&FormatUses::depth_coding>(c);
+             },
+             "--from rgbd or --to rgbd"},
+    IdleRule{"--near-black", [](const Options& o) { return o.depth.near_black; },
+             [](const Options&, const Conversion& c) {
+               return is_read<&FormatUses::depth_coding>(c) || is_written<&FormatUses::depth_coding>(c);
+             },
+             "--from rgbd or --to rgbd"},
+    IdleRule{"--depth-scale", [](const Options& o) { return o.depth.scale.has_value(); },
+             [](const Options&, const Conversion& c) { return c.kind == ConvertKind::kDepthViews; },
+             "RGB-D pictures converted to another format, without --keep and --crop"},
+};
+
+std::string described(const Conversion& conversion) {
+  switch (conversion.kind) {
+    case ConvertKind::kRotate:
+      return "has no effect with --rotate-elemental";
+    case ConvertKind::kSpoc:
+      return "has no effect with --spoc";
+    case ConvertKind::kPrecompensate:
+      return "has no effect with --precompensate";
+    default:
+      return fmt::format("has no effect from {} to {}", conversion.from->name, conversion.to->name);
+  }
+}
+
+}  // namespace
+
+Conversion conversion_of(const ConvertOptions& options) {
+  const OrthoscopicFlags& orthoscopic = options.orthoscopic;
+  if (orthoscopic.rotate_elemental && orthoscopic.spoc_mm)
+    throw usage_error("--spoc", "cannot be combined with --rotate-elemental", "one of the two");
+  if (orthoscopic.are_given() && options.crosstalk.precompensate)
+    throw usage_error("--precompensate", "cannot be combined with --rotate-elemental and --spoc", "one after the other");
+  if (orthoscopic.are_given()) return {orthoscopic.spoc_mm ? ConvertKind::kSpoc : ConvertKind::kRotate};
+  if (options.crosstalk.precompensate) return {ConvertKind::kPrecompensate};
+  if (options.to.empty() && !options.crosstalk.crosstalk.empty())
+    throw usage_error("--crosstalk", "has no effect without --precompensate", "--precompensate with it");
+  if (options.to.empty())
+    throw usage_error("--to", "is required", "a format, see --help; or --rotate-elemental, --spoc or --precompensate");
+  Conversion conversion;
+  conversion.to = &find_format(options.to, "--to");
+  const bool from_rgbd = options.from == "rgbd" || (options.from.empty() && is_rgbd(options.in));
+  conversion.from = from_rgbd ? &find_format("rgbd", "--from") : &format_of_light_field(options.in, options.from);
+  const bool has_parts = !options.keep.empty() || !options.crop.empty();
+  if (from_rgbd && options.to != "rgbd" && !has_parts)
+    conversion.kind = ConvertKind::kDepthViews;
+  else if (options.to == "stereo" && conversion.from->name != "stereo" && !has_parts)
+    conversion.kind = ConvertKind::kStereo;
+  return conversion;
+}
+
+void refuse_idle_flags(const ConvertOptions& options, const Conversion& conversion) {
+  for (const IdleRule& rule : kIdleRules)
+    if (rule.is_given(options) && !rule.has_effect(options, conversion))
+      throw usage_error(rule.flag, described(conversion), rule.accepted);
+}
+
+}  // namespace lippmann::app

@@ -1,0 +1,49 @@
+// The flags of `lippmann convert`, and which of them have an effect between which formats.
+#pragma once
+
+#include <string>
+
+#include "apps/lippmann/crosstalk_flags.hpp"
+#include "apps/lippmann/depth_flags.hpp"
+#include "apps/lippmann/orthoscopic_flags.hpp"
+#include "apps/lippmann/result_flags.hpp"
+#include "apps/lippmann/stereo_flags.hpp"
+#include "apps/lippmann/view_filter_flags.hpp"
+#include "lippmann/layout/formats.hpp"
+
+namespace lippmann::app {
+
+struct ConvertOptions {
+  std::string in, out, from, to, views, quilt, crop, keep, display;
+  double aspect = 0.0;
+  ViewFilterFlags filter;
+  int bits = 0;
+  ResultFlags result;
+  OrthoscopicFlags orthoscopic;
+  CrosstalkFlags crosstalk;
+  StereoFlags stereo;
+  DepthFlags depth;
+};
+
+/// What a conversion does. One flag or pair of formats decides it.
+enum class ConvertKind {
+  kRearrange,      ///< moves the pixels of views
+  kDepthViews,     ///< computes views from RGB-D pictures
+  kStereo,         ///< computes the views of two eyes
+  kRotate,         ///< --rotate-elemental
+  kSpoc,           ///< --spoc
+  kPrecompensate,  ///< --precompensate
+};
+
+struct Conversion {
+  ConvertKind kind = ConvertKind::kRearrange;
+  const LightFieldFormat *from = nullptr, *to = nullptr;  ///< null for the last three kinds
+};
+
+/// Throws a usage Error for a missing --to, for flags that exclude each other, and for an unknown format.
+Conversion conversion_of(const ConvertOptions& options);
+
+/// Throws a usage Error naming a flag that has no effect on this conversion, and where it has one.
+void refuse_idle_flags(const ConvertOptions& options, const Conversion& conversion);
+
+}  // namespace lippmann::app

@@ -1,0 +1,29 @@
+// Which channels of an OpenEXR file are its colours, by their names. Private to src/image.
+//
+// A channel called "a.b.R" is R of the layer "a.b"; '.', ':' and '/' separate. Letters count in either case, and words ("Red")
+// as their first letter (but not of RY and BY, which OpenEXR reads). Colours are, where there is one of these, in this order:
+//   R, G and B, Y with RY and BY, or Y (grey) without a layer; of the layer called Combined, beauty, rgba or similar; of the
+//   first layer that has some; the only channel of a file, whatever it is called (grey).
+// The default view of a stereo picture is its first layer.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lippmann {
+
+struct ExrColors {
+  std::vector<std::string> channels;  ///< R, G, B; or grey; or Y, RY, BY; none: the file has no colours
+  std::string alpha;                  ///< of the same layer; empty: none
+  bool luma_chroma = false;           ///< channels are Y, RY and BY
+  std::vector<std::string> others;  ///< layers that have colours as well, if nothing but their order speaks for the chosen one
+};
+
+/// `names` as the file has them.
+ExrColors find_exr_colors(std::span<const std::string> names);
+
+/// All names: colours, alpha, then the rest by layer and in a layer R, G, B, A, Z first.
+std::vector<std::string> sorted_exr_channels(std::span<const std::string> names, const ExrColors& colors);
+
+}  // namespace lippmann

@@ -1,0 +1,87 @@
+#include "job/idle_flags.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "job/params_table.hpp"
+#include "lippmann/core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+bool traces_paths(const RenderParams& params) { return integrator_of(params.sampling) == Integrator::kPath; }
+
+bool interpolates(const RenderParams& params) { return params.reuse.choice == ReuseChoice::kInterpolate; }
+
+/// Whether some frames are key frames.
+bool has_key_frames(const RenderParams& params) {
+  const ReuseChoice choice = params.reuse.choice;
+  return interpolates(params) || choice == ReuseChoice::kCopy ||
+         (choice == ReuseChoice::kAuto && can_copy_settled(params.sampling));
+}
+
+bool shares_light(const RenderParams& params) {
+  const ReuseChoice choice = params.reuse.choice;
+  return choice == ReuseChoice::kLight || (choice == ReuseChoice::kAuto && can_share_light(params.sampling));
+}
+
+bool makes_videos(const RenderParams& params) { return !params.output.video.empty(); }
+
+/// FFV1, the codec of .mkv by default, has no quality to choose.
+bool makes_lossy_videos(const RenderParams& params) {
+  if (params.output.video_codec) return makes_videos(params) && *params.output.video_codec != VideoCodec::kFfv1;
+  const auto is_lossy = [](const std::string& file) { return std::filesystem::path(file).extension() != ".mkv"; };
+  return std::any_of(params.output.video.begin(), params.output.video.end(), is_lossy);
+}
+
+bool makes_exr(const RenderParams& params) {
+  return params.output.pictures.format == PictureFormat::kExr && params.output.pictures.layout != PictureLayout::kPrint;
+}
+
+bool makes_codes(const RenderParams& params) { return !makes_exr(params) || makes_videos(params); }
+
+bool has_surroundings(const RenderParams& params) { return params.scene.environment != "none"; }
+
+bool is_file(const RenderParams& params) { return !is_builtin_scene(params.scene.name); }
+
+struct Effect {
+  std::string_view parameter;
+  bool (*exists)(const RenderParams&);
+  const char* accepted;  ///< what gives the flag an effect
+};
+
+constexpr const char* kInterpolateToo = "--reuse interpolate with it";
+constexpr const char* kShareLightToo = "path-traced frames that share light: --integrator path --reuse light with it";
+constexpr const char* kSurroundingsToo = "--environment studio, a colour or a panorama with it";
+
+constexpr std::array kEffects{
+    Effect{"asset-root", is_file, "a scene file instead of a built-in scene"},
+    Effect{"texture-memory", is_file, "a scene file instead of a built-in scene"},
+    Effect{"clamp-indirect", traces_paths, "--integrator path with it"},
+    Effect{"environment-strength", has_surroundings, kSurroundingsToo},
+    Effect{"environment-rotation", has_surroundings, kSurroundingsToo},
+    Effect{"exposure", makes_codes, "--format png, png16 or tiff, or --video with it: EXR files stay linear"},
+    Effect{"tone", makes_codes, "--format png, png16 or tiff, or --video with it: EXR files stay linear"},
+    Effect{"keyframes", has_key_frames, "--reuse copy or interpolate with it"},
+    Effect{"quality-at", shares_light, kShareLightToo},
+    Effect{"splat", interpolates, kInterpolateToo},
+    Effect{"fill", interpolates, kInterpolateToo},
+    Effect{"halving", interpolates, kInterpolateToo},
+    Effect{"no-z-buffer", interpolates, kInterpolateToo},
+    Effect{"stereo", wants_stereo, "--layout stereo with it"},
+    Effect{"right-first", wants_stereo, "--layout stereo with it"},
+    Effect{"exr-pixels", makes_exr, "--format exr with it"},
+    Effect{"video-codec", makes_videos, "--video FILE with it"},
+    Effect{"crf", makes_lossy_videos, "--video FILE with it, in a format that loses something (.mp4, .mov or .webm)"},
+};
+
+}  // namespace
+
+void refuse_idle_flags(std::span<const std::string_view> given, const RenderParams& params) {
+  for (const Effect& effect : kEffects)
+    if (std::find(given.begin(), given.end(), effect.parameter) != given.end() && !effect.exists(params))
+      throw usage_error(flag_of(effect.parameter), "has no effect on this render", effect.accepted);
+}
+
+}  // namespace lippmann

@@ -1,0 +1,9 @@
+// What file managers and browsers append to the name of a copy.
+#pragma once
+
+namespace lippmann {
+
+/// A regular expression, for letters of either case: " (1)", "(1)", " - Copy", " - Copy (2)", " copy", " copy 2", " 2".
+inline constexpr const char* kCopyMark = "(?: ?\\([0-9]{1,4}\\)| - [^_]{1,40}| copy(?: [0-9]{1,4})?| [0-9]{1,4})";
+
+}  // namespace lippmann

@@ -1,0 +1,33 @@
+#include "layout/rgbd_name.hpp"
+
+#include <string>
+
+#include "core/text_pattern.hpp"
+#include "layout/copy_mark.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<PatternMatch> rgbd_name(const fs::path& path) {
+  static const TextPattern name("(.*)_rgbd(" + std::string(kCopyMark) + ")?", TextPattern::Letters::kEitherCase);
+  return name.match(path.stem().string());
+}
+
+}  // namespace
+
+bool has_rgbd_name(const fs::path& path) { return rgbd_name(path).has_value(); }
+
+fs::path without_rgbd_name(const fs::path& path) {
+  const std::optional<PatternMatch> found = rgbd_name(path);
+  if (!found) return path;
+  return path.parent_path() / (found->groups[1] + found->groups[2] + path.extension().string());
+}
+
+fs::path with_rgbd_name(const fs::path& path) {
+  if (has_rgbd_name(path)) return path;
+  return path.parent_path() / (path.stem().string() + std::string(kRgbdEnding) + path.extension().string());
+}
+
+}  // namespace lippmann

@@ -1,0 +1,156 @@
+#include "scene/ply/mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "core/printable.hpp"
+#include "scene/directions.hpp"
+#include "scene/ply/columns.hpp"
+#include "scene/ply/faces.hpp"
+#include "scene/ply/row.hpp"
+#include "scene/wind_by_normals.hpp"
+
+namespace lippmann::ply {
+namespace {
+
+constexpr const char* kArePacked = "its splats are packed, as PlayCanvas and SuperSplat write .compressed.ply";
+constexpr const char* kUnpacked =
+    "a .ply of plain splats, which splat-transform IN OUT.ply makes of it (npm's @playcanvas/splat-transform)";
+
+void read_vertices(const std::string& name, const Element& element, Body& body, const Context& context, PlyMesh& ply) {
+  Mesh& mesh = ply.mesh;
+  if (!mesh.positions.empty()) throw Error(name, "has two lists of vertices", "one element \"vertex\"");
+  Columns columns(element);
+  const auto xyz = columns.values<3>({{"x", "y", "z"}});
+  if (columns.value("packed_position") >= 0) throw Error(name, kArePacked, kUnpacked);
+  if (!xyz) throw Error(name, "its vertices have no position", "properties x, y and z");
+  const auto normal = columns.values<3>({{"nx", "ny", "nz"}});
+  const auto uv = columns.values<2>({{"u", "v"}, {"s", "t"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}});
+  const auto rgb = columns.color();
+  const int alpha = columns.alpha(), picture = columns.value("texnumber");
+  columns.warn_of_unread(name, context);
+  Row row(element);
+  const auto vector = [&](const std::array<int, 3>& c) { return Vec3f(row.at(c[0]), row.at(c[1]), row.at(c[2])); };
+  for (std::int64_t i = 0; i < element.count; ++i) {
+    body.set_place(element.name, i);
+    row.read(body);
+    mesh.positions.push_back(Vec3f(Vec3d(row.exact((*xyz)[0]), row.exact((*xyz)[1]), row.exact((*xyz)[2])) - ply.origin));
+    if (normal) mesh.normals.push_back(vector(*normal));
+    if (uv) mesh.uvs.emplace_back(row.at((*uv)[0]), 1.0f - row.at((*uv)[1]));
+    if (rgb) mesh.colors.push_back(row.color(*rgb));
+    if (alpha >= 0) mesh.alphas.push_back(static_cast<float>(row.share(alpha)));
+    if (picture >= 0) ply.vertex_picture.push_back(row.picture(picture));
+  }
+  row.warn_of_cut_colors(name, context);
+}
+
+void skip(const std::string& name, const Element& element, Body& body, const Context& context) {
+  LeftOut left_out;
+  left_out.add(element.name, name);
+  if (element.count > 0) left_out.warn(context, "element", "elements");
+  body.pass_over(element);
+}
+
+/// Normals are unit vectors, or there are none.
+void tidy_normals(Mesh& mesh) {
+  const auto is_zero = [](Vec3f n) { return n == Vec3f(0.0f); };
+  if (std::any_of(mesh.normals.begin(), mesh.normals.end(), is_zero)) mesh.normals.clear();
+  for (Vec3f& normal : mesh.normals) normal = direction_of(normal);
+}
+
+PlyMesh read_elements(const std::string& name, const Header& header, Body& body, const Vec3d& origin, const Context& context) {
+  PlyMesh ply;
+  ply.origin = origin;
+  for (const Element& element : header.elements) {
+    if (element.properties.empty()) continue;  // rows of nothing
+    if (element.name == "vertex")
+      read_vertices(name, element, body, context, ply);
+    else if (element.name == "face")
+      read_faces(name, element, body, context, ply);
+    else if (element.name == "tristrips")
+      read_strips(name, element, body, context, ply);
+    else
+      skip(name, element, body, context);
+  }
+  if (ply.mesh.triangles.empty())
+    throw Error(name, ply.mesh.positions.empty() ? "has neither vertices nor faces" : "has vertices and no faces",
+                "a mesh, or splats (vertices with scale_0, rot_0, opacity); points are not shown");
+  tidy_normals(ply.mesh);
+  if (!ply.looks.empty()) ply.looks.resize(ply.mesh.triangles.size());  // strips have no look
+  return ply;
+}
+
+/// Where only vertices say which picture is theirs, a triangle has that of its first corner.
+void spread_vertex_pictures(PlyMesh& ply, const Header& header) {
+  const bool asks_vertices = !ply.vertex_picture.empty() && header.texture_files.size() > 1 && ply.looks.empty();
+  if (!asks_vertices) return;
+  for (const auto& triangle : ply.mesh.triangles) ply.looks.push_back({.picture = ply.vertex_picture[triangle[0]]});
+}
+
+std::map<int, Mesh> parts_of(PlyMesh& ply, const Header& header) {
+  spread_vertex_pictures(ply, header);
+  if (!ply.looks.empty()) return split_faces(ply.mesh, ply.looks, ply.own);
+  std::map<int, Mesh> parts;
+  parts.emplace(0, std::move(ply.mesh));
+  return parts;
+}
+
+MetallicRoughness surface_of(const Mesh& mesh, int texture) {
+  MetallicRoughness surface;
+  surface.base_color = Vec4f(Vec3f(mesh.colors.empty() && texture < 0 ? 0.8f : 1.0f), 1.0f);
+  surface.base_color_map.texture = texture;
+  surface.metallic = 0.0f;
+  surface.double_sided = true;
+  surface.blend = std::any_of(mesh.alphas.begin(), mesh.alphas.end(), [](float alpha) { return alpha < 1.0f; });
+  return surface;
+}
+
+void add_instance(Mesh mesh, int texture, Scene& scene) {
+  Instance instance;
+  instance.name = "mesh";
+  instance.shape = instance.material = static_cast<int>(scene.shapes.size());
+  scene.materials.push_back({"surface", surface_of(mesh, texture)});
+  scene.shapes.emplace_back(std::move(mesh));
+  scene.instances.push_back(std::move(instance));
+}
+
+/// Where the file's pictures are among the scene's textures; -1: cannot be shown.
+std::vector<int> find_textures(const std::string& name, const Header& header, bool has_uvs, SideTextures& textures,
+                               const Context& context) {
+  std::vector<int> found;
+  if (has_uvs) {
+    for (const std::string& file : header.texture_files) found.push_back(textures.add(file, name));
+    if (header.texture_files.empty())
+      context.warning(
+          fmt::format("{}: has texture coordinates and names no picture; \"comment TextureFile NAME\" in its "
+                      "header names one.",
+                      name));
+  } else if (!header.texture_files.empty()) {
+    context.warning(fmt::format("{}: has no texture coordinates, so its picture {} is left out.", name,
+                                shown(header.texture_files.front())));
+  }
+  return found;
+}
+
+}  // namespace
+
+void read_mesh(const std::string& name, const Header& header, Body& body, SideTextures& textures, const Context& context,
+               Scene& scene) {
+  PlyMesh ply = read_elements(name, header, body, scene.origin, context);
+  const std::vector<int> found = find_textures(name, header, !ply.mesh.uvs.empty() || ply.own.uvs, textures, context);
+  bool replaced = false;
+  for (auto& [number, mesh] : parts_of(ply, header)) {
+    const auto i = static_cast<std::size_t>(number);
+    const int texture = number >= 0 && i < found.size() ? found[i] : -1;
+    if (texture >= 0 && !mesh.colors.empty()) mesh.colors.clear(), replaced = true;
+    wind_by_normals(mesh);
+    add_instance(std::move(mesh), texture, scene);
+  }
+  if (replaced)
+    context.warning(fmt::format("{}: the properties red, green and blue are left out: a picture is shown instead.", name));
+}
+
+}  // namespace lippmann::ply

@@ -1,0 +1,131 @@
+#include "stage/front_of_rays.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "lippmann/scene/timeline.hpp"
+#include "scene/deform.hpp"
+#include "stage/seen_bounds.hpp"
+#include "stage/subject.hpp"
+
+namespace lippmann {
+namespace {
+
+/// Walls that cover at least this share of the frame end the space that is seen.
+constexpr double kWallShare = 0.25;
+constexpr float kBeforeWall = 0.999f;  ///< where rays begin, between the fitted viewer and the wall
+
+/// What lies between the fitted viewer and the eye, within the frame.
+class Foreground {
+ public:
+  Foreground(float viewer, float eye, Vec2f half) : viewer_(viewer), eye_(eye), half_(half) {
+    region_ = view_region({0.0f, 0.0f, eye}, half / eye);
+    region_.push_back({{0.0f, 0.0f, 1.0f}, -viewer});
+  }
+
+  void add(const Scene& scene, const Instance& instance, const ResolvedScene& resolved, const Affine3f& plane_from_world) {
+    const Shape& shape = scene.shapes[static_cast<std::size_t>(instance.shape)];
+    walls_.push_back({0.0, eye_});
+    if (std::holds_alternative<Splats>(shape)) return;  // those before the viewer are noise of the capture
+    if (const auto* planes = std::get_if<Planes>(&shape))
+      return add_planes(*planes, plane_from_world * resolved.of(instance.node));
+    const Bounds3f box = finite_bounds(scene, instance, resolved, plane_from_world);
+    if (box.empty() || box.upper.z <= viewer_ || box.lower.z >= eye_) return;
+    visit_seen(scene, instance, resolved, plane_from_world, region_, [&](std::span<const Vec3f> polygon) { add(polygon); });
+  }
+
+  /// None where nothing is there.
+  std::optional<float> front() const {
+    if (!any_) return std::nullopt;
+    const double enough = kWallShare * 4.0 * static_cast<double>(half_.x * half_.y);
+    Walls alone{0.0, eye_}, together{0.0, eye_};
+    for (const Walls& walls : walls_) {
+      together.add(walls);
+      if (walls.area >= enough) alone.add(walls);
+    }
+    const Walls& walls = alone.area > 0.0 ? alone : together;
+    return walls.area < enough ? eye_ : viewer_ + kBeforeWall * (walls.nearest - viewer_);
+  }
+
+ private:
+  /// Of the plane through p: fitted viewer and eye lie on different sides.
+  bool is_wall(Vec3f p, Vec3f normal) const {
+    const float offset = -glm::dot(normal, p), of_viewer = normal.z * viewer_ + offset, of_eye = normal.z * eye_ + offset;
+    return (of_viewer > 0.0f) != (of_eye > 0.0f);
+  }
+
+  void add(std::span<const Vec3f> polygon) {
+    any_ = true;
+    Vec3f normal(0.0f);
+    for (std::size_t i = 2; i < polygon.size(); ++i) normal += glm::cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+    if (!is_wall(polygon[0], normal)) return;
+    // As the eye sees it on the plane z = 0.
+    double twice_area = 0.0;
+    const auto seen = [&](Vec3f p) { return Vec2f(p) * (eye_ / std::max(eye_ - p.z, 1e-3f * eye_)); };
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Vec2f a = seen(polygon[i]), b = seen(polygon[(i + 1) % polygon.size()]);
+      twice_area += static_cast<double>(a.x * b.y - a.y * b.x);
+      walls_.back().nearest = std::min(walls_.back().nearest, polygon[i].z);
+    }
+    walls_.back().area += 0.5 * std::abs(twice_area);
+  }
+
+  void add_planes(const Planes& planes, const Affine3f& plane_from_node) {
+    const Mat3f of_normals = glm::transpose(glm::inverse(plane_from_node.linear));
+    for (const Plane& plane : planes) add_plane(transform_point(plane_from_node, plane.point), of_normals * plane.normal);
+  }
+
+  /// One that separates the two meets the line between them. Any other is seen in a corner, if anywhere.
+  void add_plane(Vec3f p, Vec3f normal) {
+    const float ahead = glm::dot(normal, p - Vec3f(0.0f, 0.0f, eye_));
+    for (const float x : {-half_.x, half_.x})
+      for (const float y : {-half_.y, half_.y}) {
+        const float along = ahead / glm::dot(normal, Vec3f(x, y, -eye_));
+        any_ |= along > 0.0f && eye_ * (1.0f - along) > viewer_;
+      }
+    if (!is_wall(p, normal)) return;
+    any_ = true;
+    walls_.back().add({4.0 * static_cast<double>(half_.x * half_.y), glm::dot(normal, p) / normal.z});
+  }
+
+  /// Of one instance or more.
+  struct Walls {
+    double area;    ///< as the eye sees it on the plane z = 0
+    float nearest;  ///< the smallest z
+
+    void add(const Walls& other) { area += other.area, nearest = std::min(nearest, other.nearest); }
+  };
+
+  float viewer_, eye_;
+  Vec2f half_;  ///< of the frame, on the plane z = 0
+  ConvexRegion region_;
+  bool any_ = false;
+  std::vector<Walls> walls_;  ///< by instance
+};
+
+}  // namespace
+
+float front_of_rays(const Scene& scene, const FittedArray& array, float aspect, float eye) {
+  const float viewer = array.viewing_distance;
+  if (!(eye > 1.0001f * viewer) || !std::isfinite(eye)) return viewer;
+  const Vec2f half = 0.5f * array.plane_height * Vec2f(aspect, 1.0f);
+  const std::vector<bool> moves = moving_instances(scene), nodes_move = moving_nodes(scene);
+  const auto any = [](const std::vector<bool>& flags) { return std::find(flags.begin(), flags.end(), true) != flags.end(); };
+  std::optional<float> front;
+  for (const int frame : sampled_frames(scene.timeline)) {
+    if (frame > 0 && !any(moves) && !any(nodes_move)) break;
+    const ResolvedScene resolved = evaluate(scene, scene.timeline.time(frame));
+    const Affine3f plane_from_world = inverse(world_from_display(array, 1.0f, resolved));
+    Foreground foreground(viewer, eye, half);
+    for (const Instance& instance : scene.instances)
+      if (!instance.hidden_from_cameras) foreground.add(scene, instance, resolved, plane_from_world);
+    if (const std::optional<float> of_frame = foreground.front()) front = std::min(front.value_or(kInfinity), *of_frame);
+  }
+  return front.value_or(viewer);
+}
+
+}  // namespace lippmann

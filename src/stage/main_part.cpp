@@ -1,0 +1,94 @@
+#include "stage/main_part.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lippmann {
+namespace {
+
+constexpr float kFarAway = 20.0f;   ///< the narrowest gap over the diagonal of what remains
+constexpr float kWideGap = 0.125f;  ///< over the diagonal of all: narrower ones are those of a scattered scene
+constexpr int kMostCuts = 64;
+constexpr std::size_t kBins = 512;  ///< an axis in equal parts, which gaps are measured in
+
+struct Gap {
+  int axis = 0;
+  float middle = 0.0f, width = 0.0f;
+};
+
+Bounds3f bounds_of(const std::vector<ScenePiece>& pieces) {
+  Bounds3f all;
+  for (const ScenePiece& piece : pieces) all.add(piece.bounds);
+  return all;
+}
+
+/// The longest row of bins that no piece reaches.
+Gap widest_gap(const std::vector<ScenePiece>& pieces, const Bounds3f& all, int axis) {
+  const float size = all.size()[axis], bin = size / static_cast<float>(kBins);
+  if (!(bin > 0.0f) || !std::isfinite(size)) return {};
+  const auto bin_of = [&](float at) {
+    return std::min(static_cast<std::size_t>(std::max((at - all.lower[axis]) / bin, 0.0f)), kBins - 1);
+  };
+  std::array<int, kBins + 1> begins{};  // pieces that begin in a bin less those that have ended before it
+  for (const ScenePiece& piece : pieces) {
+    ++begins[bin_of(piece.bounds.lower[axis])];
+    --begins[bin_of(piece.bounds.upper[axis]) + 1];
+  }
+  Gap widest{axis, 0.0f, 0.0f};
+  int open = 0;
+  std::size_t run = 0;
+  for (std::size_t i = 0; i < kBins; ++i) {
+    open += begins[i];
+    run = open == 0 ? run + 1 : 0;
+    if (const float width = static_cast<float>(run) * bin; width > widest.width)
+      widest = {axis, all.lower[axis] + (static_cast<float>(i + 1) * bin - 0.5f * width), width};
+  }
+  return widest;
+}
+
+Gap widest_gap(const std::vector<ScenePiece>& pieces, const Bounds3f& all) {
+  Gap widest;
+  for (int axis = 0; axis < 3; ++axis)
+    if (const Gap gap = widest_gap(pieces, all, axis); gap.width > widest.width) widest = gap;
+  return widest;
+}
+
+/// The side of the gap that has more surface, or where both have as much, more pieces.
+std::vector<ScenePiece> heavier_side(const std::vector<ScenePiece>& pieces, const Gap& gap) {
+  std::array<std::vector<ScenePiece>, 2> sides;
+  std::array<double, 2> areas{};
+  for (const ScenePiece& piece : pieces) {
+    const std::size_t side = piece.bounds.lower[gap.axis] > gap.middle ? 1 : 0;
+    sides[side].push_back(piece);
+    areas[side] += static_cast<double>(piece.area);
+  }
+  const bool upper = areas[1] != areas[0] ? areas[1] > areas[0] : sides[1].size() > sides[0].size();
+  return std::move(sides[upper ? 1 : 0]);
+}
+
+}  // namespace
+
+std::optional<Bounds3f> find_main_part(std::vector<ScenePiece> pieces) {
+  std::erase_if(pieces, [](const ScenePiece& piece) {
+    const Vec3f size = piece.bounds.empty() ? Vec3f(kInfinity) : piece.bounds.size();
+    return !std::isfinite(size.x + size.y + size.z);
+  });
+  std::optional<Bounds3f> main;
+  float narrowest = kInfinity;
+  for (int cut = 0; cut < kMostCuts && pieces.size() > 1; ++cut) {
+    const Bounds3f all = bounds_of(pieces);
+    const Gap gap = widest_gap(pieces, all);
+    if (!(gap.width > kWideGap * glm::length(all.size()))) break;
+    narrowest = std::min(narrowest, gap.width);
+    pieces = heavier_side(pieces, gap);
+    const Bounds3f rest = bounds_of(pieces);
+    const float size = glm::length(rest.size());
+    if (!(size > 0.0f) || kFarAway * size > narrowest) continue;
+    main = Bounds3f{rest.lower - Vec3f(size), rest.upper + Vec3f(size)};
+    narrowest = kInfinity;
+  }
+  return main;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,154 @@
+#include "view/http_connection.hpp"
+
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <utility>
+#include <variant>
+
+namespace lippmann {
+namespace {
+
+using std::chrono::seconds;
+
+/// For the rest of a body that nobody reads.
+constexpr seconds kEndPatience{1};
+constexpr std::size_t kPiece = std::size_t{16} << 10;
+
+}  // namespace
+
+HttpConnection::HttpConnection(int socket, const Terms& terms) : socket_(socket), terms_(terms) {
+  enter(State::kIdle, terms_.idle);
+}
+
+HttpConnection::~HttpConnection() { close(socket_); }
+
+void HttpConnection::enter(State state, seconds patience) {
+  state_ = state;
+  since_ = Clock::now();
+  deadline_ = since_ + patience;
+}
+
+short HttpConnection::events() const {
+  if (state_ == State::kSending) return POLLOUT;
+  return waits_for_client() && state_ != State::kOver ? POLLIN : 0;
+}
+
+void HttpConnection::ready() {
+  if (state_ == State::kSending)
+    send_some();
+  else
+    receive();
+  read_requests();
+}
+
+/// As many as are answered at once.
+void HttpConnection::read_requests() {
+  do read_request();
+  while (state_ == State::kIdle && !input_.empty());
+}
+
+void HttpConnection::receive() {
+  std::array<char, kPiece> piece;
+  const ssize_t count = recv(socket_, piece.data(), piece.size(), 0);
+  if (count < 0 && (errno == EAGAIN || errno == EINTR)) return;
+  if (count <= 0) {
+    state_ = State::kOver;
+    return;
+  }
+  if (state_ != State::kEnding) input_.append(piece.data(), static_cast<std::size_t>(count));
+}
+
+/// Of what has come.
+void HttpConnection::read_request() {
+  if (state_ == State::kIdle && !input_.empty()) enter(State::kHead, terms_.head);
+  if (state_ == State::kHead) {
+    const std::size_t end = input_.find("\r\n\r\n");
+    if (std::min(end, input_.size()) > kMostHeadBytes) return refuse(refusal_of(431));
+    if (end == std::string::npos) return;
+    const auto head = read_head(std::string_view(input_).substr(0, end));
+    input_.erase(0, end + 4);
+    if (const auto* malformed = std::get_if<PageAnswer>(&head)) return refuse(*malformed);
+    begin_body(std::get<RequestHead>(head));
+  }
+  if (state_ != State::kBody || input_.size() < head_.body_bytes) return;
+  head_.page.body = input_.substr(0, head_.body_bytes);
+  input_.erase(0, head_.body_bytes);
+  state_ = State::kComplete;
+}
+
+void HttpConnection::begin_body(const RequestHead& head) {
+  head_ = head;
+  if (const std::optional<PageAnswer> refusal = terms_.refusal(head_.page)) {
+    // The next request begins after a body that nobody reads.
+    if (head_.body_bytes > 0 || head_.body_refusal != 0) head_.keeps_alive = false;
+    begin_answer(*refusal);
+    return;
+  }
+  if (head_.body_refusal != 0) return refuse(refusal_of(head_.body_refusal));
+  enter(State::kBody, terms_.body);
+  constexpr std::string_view go_on = "HTTP/1.1 100 Continue\r\n\r\n";
+  if (head_.awaits_continue && input_.size() < head_.body_bytes) send(socket_, go_on.data(), go_on.size(), MSG_NOSIGNAL);
+}
+
+/// The connection cannot go on after it.
+void HttpConnection::refuse(const PageAnswer& refusal) {
+  head_.keeps_alive = false;
+  begin_answer(refusal);
+}
+
+std::optional<PageRequest> HttpConnection::take_request() {
+  if (state_ != State::kComplete) return std::nullopt;
+  state_ = State::kAnswering;
+  return std::exchange(head_.page, PageRequest{.method = head_.page.method});
+}
+
+void HttpConnection::answer(const PageAnswer& answer) {
+  begin_answer(answer);
+  read_requests();
+}
+
+void HttpConnection::begin_answer(const PageAnswer& answer) {
+  output_ = head_of(answer, head_.keeps_alive);
+  body_ = head_.page.method == "HEAD" ? nullptr : answer.body;
+  sent_ = 0;
+  enter(State::kSending, terms_.send);
+  send_some();
+}
+
+void HttpConnection::send_some() {
+  const std::size_t body_bytes = body_ ? body_->size() : 0;
+  while (sent_ < output_.size() + body_bytes) {
+    const bool is_head = sent_ < output_.size();
+    const std::string_view rest =
+        is_head ? std::string_view(output_).substr(sent_) : std::string_view(*body_).substr(sent_ - output_.size());
+    const ssize_t count = send(socket_, rest.data(), rest.size(), MSG_NOSIGNAL | (is_head && body_bytes > 0 ? MSG_MORE : 0));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0 && errno == EAGAIN) return;
+    if (count <= 0) {
+      state_ = State::kOver;
+      return;
+    }
+    sent_ += static_cast<std::size_t>(count);
+    deadline_ = Clock::now() + terms_.send;
+  }
+  end_answer();
+}
+
+void HttpConnection::end_answer() {
+  output_.clear();
+  body_.reset();
+  if (!head_.keeps_alive) {
+    shutdown(socket_, SHUT_WR);
+    enter(State::kEnding, kEndPatience);
+    return;
+  }
+  head_ = {};
+  enter(State::kIdle, terms_.idle);
+}
+
+}  // namespace lippmann

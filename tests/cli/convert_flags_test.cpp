@@ -1,0 +1,140 @@
+// Every flag of `convert`, between many formats: it changes what is written, or it is refused by its name.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "cli/tool.hpp"
+#include "core/text_pattern.hpp"
+
+namespace lippmann::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AnyOf;
+using testing::HasSubstr;
+
+/// A value for each flag that, where the flag has an effect, makes another result than the default does.
+const std::map<std::string, std::string>& values() {
+  static const std::map<std::string, std::string> all{{"--views", "2x4"},
+                                                      {"--quilt", "2x4"},
+                                                      {"--aspect", "3.5"},
+                                                      {"--keep", "0"},
+                                                      {"--crop", "5x5+1+1"},
+                                                      {"--bits", "12"},
+                                                      {"--display", "d.toml"},
+                                                      {"--filter", "linear"},
+                                                      {"--sigma", "0.7"},
+                                                      {"--rotate-elemental", ""},
+                                                      {"--spoc", "3"},
+                                                      {"--gap", "2"},
+                                                      {"--reference-plane", "1"},
+                                                      {"--lens-pitch", "2"},
+                                                      {"--lens-pixels", "4"},
+                                                      {"--precompensate", ""},
+                                                      {"--crosstalk", "0.3"},
+                                                      {"--stereo", "over-under"},
+                                                      {"--right-first", ""},
+                                                      {"--ipd", "20"},
+                                                      {"--viewing-distance", "900"},
+                                                      {"--screen-width", "300"},
+                                                      {"--view-angle", "9"},
+                                                      {"--depth-range", "7:-9"},
+                                                      {"--depth-coding", "depth"},
+                                                      {"--near-black", ""},
+                                                      {"--depth-scale", "0.5"}};
+  return all;
+}
+
+/// Names and bytes of all files below a folder; --json and the rest of stdout apart.
+std::map<std::string, std::string> files_below(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  if (fs::exists(folder))
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+      if (entry.is_regular_file()) files[fs::relative(entry.path(), folder).string()] = bytes_of(entry.path());
+  return files;
+}
+
+std::set<std::string> flags_of_help(const TempDir& dir) {
+  const std::string help = run_tool(dir, {"convert", "--help"}).out;
+  static const TextPattern flag("--[a-z][a-z-]*");
+  std::set<std::string> flags;
+  // The option lists; a flag is declared where its line begins.
+  std::istringstream lines(help);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t begin = line.find_first_not_of(' ');
+    if (begin == std::string::npos || begin > 4 || line[begin] != '-') continue;
+    if (const auto found = flag.search(line)) flags.insert(found->groups[0]);
+  }
+  for (const char* other : {"--from", "--to", "--help", "--help-all", "--json", "--quiet"}) flags.erase(other);
+  return flags;
+}
+
+class ConvertFlags : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::ofstream(dir_ / "d.toml") << "kind = \"slanted-panel\"\npixels = [40, 30]\ndpi = 60\nview_cone_deg = 40\n"
+                                      "crosstalk = 0.3\n[calibration]\npitch = 8.1\nslope = -5\ncenter = 0.3\n"
+                                      "[quilt]\ntiles = [4, 2]\nsize = [48, 24]\n";
+    expect_done(dir_, {"render", "room", "--optics", "multiview", "--views", "8x1", "--size", "96x12", "--frames", "0",
+                       "--layout", "views", "-o", "r"});
+    fs::create_directories(dir_ / "in");
+    fs::copy(dir_ / "r/frame_0000", dir_ / "in/views", fs::copy_options::recursive);
+    expect_done(dir_, {"convert", "in/views", "in/q.png", "--from", "views", "--to", "quilt", "--quilt", "8x1"});
+    expect_done(dir_, {"convert", "in/views", "in/pair.png", "--from", "views", "--to", "stereo", "--keep", "2-3"});
+    expect_done(dir_, {"convert", "in/pair_2x1.png", "in/two", "--to", "views"});
+    expect_done(dir_, {"render", "room", "--size", "30x20", "--frames", "0", "--layout", "rgbd", "-o", "d"});
+  }
+
+  /// Runs each flag on top of a conversion that works without it.
+  void walk(const std::string& in, const std::string& to, const Words& needed) {
+    const Words base = Words{"convert", in, "o/x"} + needed + Words{"--to", to};
+    const RunResult plain = run_tool(dir_, base);
+    ASSERT_EQ(plain.exit_code, 0) << plain.err;
+    const auto without = files_below(dir_ / "o");
+    fs::remove_all(dir_ / "o");
+    for (const auto& [flag, value] : values()) {
+      if (std::find(base.begin(), base.end(), flag) != base.end()) continue;
+      const RunResult run = run_tool(dir_, base + (value.empty() ? Words{flag} : Words{flag, value}));
+      if (run.exit_code == 0)
+        EXPECT_NE(files_below(dir_ / "o"), without) << in << " to " << to << ": " << flag << " changes nothing";
+      else
+        EXPECT_THAT(run.err, AnyOf(HasSubstr(flag), HasSubstr("--to: a stereo picture has"))) << in << " to " << to;
+      fs::remove_all(dir_ / "o");
+    }
+  }
+
+  TempDir dir_;
+};
+
+TEST_F(ConvertFlags, each_changes_the_result_or_is_refused) {
+  std::set<std::string> known;
+  for (const auto& [flag, value] : values()) known.insert(flag);
+  EXPECT_EQ(known, flags_of_help(dir_)) << "a flag that this test does not try";
+  const std::string quilt = "in/q_qs8x1a1.png";
+  walk("in/views", "integral", {"--from", "views"});
+  walk("in/views", "native", {"--display", "d.toml"});
+  walk("in/views", "jpeg-pleno", {});
+  walk("in/pair_2x1.png", "views", {});
+  walk("d/frame_0000_rgbd.png", "quilt", {});
+  walk("d/frame_0000_rgbd.png", "stereo", {});
+  walk("in/views", "stereo", {});
+  walk("in/two", "stereo", {});
+  walk(quilt, "quilt", {});
+}
+
+TEST_F(ConvertFlags, refusals_name_the_formats_and_what_accepts_the_flag) {
+  expect_refusal(run_tool(dir_, {"convert", "in/views", "s.png", "--from", "views", "--views", "8x1", "--to", "integral",
+                                 "--display", "d.toml"}),
+                 2, "--display: has no effect from views to integral; accepted: --from native, --to native");
+  expect_refusal(run_tool(dir_, {"convert", "r", "o", "--rotate-elemental", "--gap", "2"}), 2,
+                 "--gap: has no effect with --rotate-elemental; accepted: --spoc");
+  expect_refusal(run_tool(dir_, {"convert", "in/views", "n.png", "--to", "native", "--display", "d.toml", "--sigma", "1"}), 2,
+                 "--sigma");
+}
+
+}  // namespace
+}  // namespace lippmann::test

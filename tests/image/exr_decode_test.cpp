@@ -1,0 +1,188 @@
+// What an EXR file's header says beside its samples: windows, the channels' names, chromaticities, parts.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "image/decode.hpp"
+#include "image/exr_channels.hpp"
+#include "image/exr_header.hpp"
+#include "support/error_message.hpp"
+#include "support/exr_file.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::error_message;
+using test::exr_chromaticities;
+using test::exr_file;
+using test::ExrPart;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+using Names = std::vector<std::string>;
+
+std::vector<float> samples_of(const std::vector<std::byte>& file) {
+  return std::get<std::vector<float>>(decode_picture(file, "a.exr").samples);
+}
+Names channels_of(const ExrPart& part) { return picture_header(exr_file(part), "a.exr").channels; }
+Names notices_of(const std::vector<std::byte>& file) { return picture_header(file, "a.exr").notices; }
+
+/// One pixel whose channels have the values 1, 2, 3, ... in the order of the names.
+ExrPart one_pixel(const Names& names) {
+  ExrPart part;
+  for (const std::string& name : names) part.channels.push_back({name, {1.0f + static_cast<float>(part.channels.size())}});
+  return part;
+}
+
+TEST(ExrWindows, smaller_data_window_is_placed_in_the_display_window) {
+  const ExrPart part{{1, 1, 2, 1}, {0, 0, 3, 2}, {{"A", {1, 1}}, {"Y", {5, 6}}}};
+  const PictureHeader header = picture_header(exr_file(part), "a.exr");
+  EXPECT_EQ(header.width, 4);
+  EXPECT_EQ(header.height, 3);
+  EXPECT_THAT(samples_of(exr_file(part)), ElementsAre(0, 0, 0, 0, 0, 0, 0, 0,  //
+                                                      0, 0, 5, 1, 6, 1, 0, 0,  //
+                                                      0, 0, 0, 0, 0, 0, 0, 0));
+}
+
+TEST(ExrWindows, larger_data_window_is_cropped) {
+  const ExrPart part{{-1, -1, 2, 1}, {0, 0, 1, 0}, {{"Y", {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}}}};
+  EXPECT_THAT(samples_of(exr_file(part)), ElementsAre(6, 7));
+}
+
+TEST(ExrWindows, windows_that_cross_share_their_common_pixels) {
+  const ExrPart part{{9, 20, 10, 21}, {10, 21, 11, 22}, {{"Y", {1, 2, 3, 4}}}};
+  EXPECT_THAT(samples_of(exr_file(part)), ElementsAre(4, 0, 0, 0));
+}
+
+TEST(ExrWindows, windows_apart_give_an_empty_picture_with_a_notice) {
+  const ExrPart part{{5, 5, 5, 5}, {0, 0, 0, 1}, {{"Y", {1}}}};
+  EXPECT_THAT(samples_of(exr_file(part)), ElementsAre(0, 0));
+  EXPECT_THAT(notices_of(exr_file(part)), ElementsAre(HasSubstr("the picture is empty")));
+}
+
+TEST(ExrWindows, absurd_display_windows_are_refused) {
+  for (const test::ExrWindow display : {test::ExrWindow{0, 0, 16383, 16383}, test::ExrWindow{0, 0, 2000000000, 0},
+                                        test::ExrWindow{-2147483647, 0, 2147483647, 0}, test::ExrWindow{3, 3, 2, 2}})
+    EXPECT_THAT(error_message([&] {
+                  decode_picture(exr_file(ExrPart{{}, display, {{"Y", {1}}}}), "a.exr");
+                }),
+                HasSubstr("a.exr: "));
+}
+
+TEST(ExrChannels, colours_are_known_in_any_letters_and_layers) {
+  EXPECT_THAT(channels_of(one_pixel({"b", "g", "r"})), ElementsAre("r", "g", "b"));
+  EXPECT_THAT(samples_of(exr_file(one_pixel({"b", "g", "r"}))), ElementsAre(3, 2, 1));
+  EXPECT_THAT(channels_of(one_pixel({"Alpha", "Blue", "Green", "Red"})), ElementsAre("Red", "Green", "Blue", "Alpha"));
+  EXPECT_THAT(channels_of(one_pixel({"B", "G", "R", "a", "z"})), ElementsAre("R", "G", "B", "a", "z"));
+  EXPECT_THAT(channels_of(one_pixel({"VL.Combined.A", "VL.Combined.B", "VL.Combined.G", "VL.Combined.R", "VL.Depth.Z"})),
+              ElementsAre("VL.Combined.R", "VL.Combined.G", "VL.Combined.B", "VL.Combined.A", "VL.Depth.Z"));
+  EXPECT_THAT(channels_of(one_pixel({"A", "Y"})), ElementsAre("Y", "A"));
+}
+
+TEST(ExrChannels, main_layer_comes_before_others_which_are_named) {
+  const ExrPart part = one_pixel({"diffuse.B", "diffuse.G", "diffuse.R", "rgba.B", "rgba.G", "rgba.R"});
+  EXPECT_EQ(channels_of(part).front(), "rgba.R");
+  EXPECT_THAT(notices_of(exr_file(part)), ElementsAre("of its layers only 'rgba' is read, not 'diffuse'"));
+}
+
+TEST(ExrChannels, colours_are_counted_without_other_channels) {
+  const auto colors = [](const Names& names) { return picture_header(exr_file(one_pixel(names)), "a.exr").colors; };
+  EXPECT_EQ(colors({"B", "G", "R", "Z"}), 3);
+  EXPECT_EQ(colors({"N.X", "Y", "Z"}), 1);
+  EXPECT_EQ(colors({"mask"}), 1);
+  EXPECT_EQ(colors({"X", "Y", "Z"}), 0);  // a place
+  EXPECT_EQ(colors({"u", "v"}), 0);
+}
+
+// Chroma of 0 at both is grey: R = (RY + 1) Y = B.
+TEST(ExrChannels, luminance_and_chroma_become_colours) {
+  ExrPart part{{0, 0, 1, 1}, {0, 0, 1, 1}, {{"BY", {0, 0, 0, 0}}, {"RY", {0, 0, 0, 0}}, {"Y", {0.5f, 0.5f, 0.5f, 0.5f}}}};
+  EXPECT_THAT(channels_of(part), ElementsAre("R", "G", "B"));
+  EXPECT_THAT(samples_of(exr_file(part)), ::testing::Each(::testing::FloatNear(0.5f, 1e-3f)));
+}
+
+// Red and green exchanged: a permutation, whatever the white.
+TEST(ExrChromaticities, exchanged_primaries_exchange_colours) {
+  ExrPart part = one_pixel({"B", "G", "R"});
+  part.attributes = exr_chromaticities({0.30f, 0.60f, 0.64f, 0.33f, 0.15f, 0.06f, 0.3127f, 0.3290f});
+  EXPECT_THAT(samples_of(exr_file(part)),
+              ElementsAre(::testing::FloatNear(2, 1e-5f), ::testing::FloatNear(3, 1e-5f), ::testing::FloatNear(1, 1e-5f)));
+  EXPECT_THAT(notices_of(exr_file(part)), IsEmpty());
+}
+
+TEST(ExrChromaticities, rec709_keeps_its_bits) {
+  ExrPart part = one_pixel({"B", "G", "R"});
+  part.attributes = exr_chromaticities({0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f});
+  EXPECT_THAT(samples_of(exr_file(part)), ElementsAre(3, 2, 1));
+}
+
+TEST(ExrChromaticities, nonsense_is_a_notice) {
+  ExrPart part = one_pixel({"B", "G", "R"});
+  part.attributes = exr_chromaticities({0, 0, 0, 0, 0, 0, 0, 0});
+  EXPECT_THAT(samples_of(exr_file(part)), ElementsAre(3, 2, 1));
+  EXPECT_THAT(notices_of(exr_file(part)), ElementsAre(HasSubstr("chromaticities")));
+}
+
+TEST(ExrNotices, pixels_that_are_not_square_are_said) {
+  ExrPart part = one_pixel({"Y"});
+  part.pixel_aspect = 2.0f;
+  EXPECT_THAT(notices_of(exr_file(part)), ElementsAre("its pixels are 2 times as wide as high, and are read as square"));
+}
+
+TEST(ExrParts, first_part_with_colours_is_read_and_named) {
+  ExrPart depth = one_pixel({"U", "V"}), color = one_pixel({"B", "G", "R"});
+  depth.name = "depth", color.name = "color";
+  const std::vector<std::byte> file = exr_file(std::vector{depth, color});
+  EXPECT_THAT(samples_of(file), ElementsAre(3, 2, 1));
+  EXPECT_THAT(notices_of(file), ElementsAre("only 'color' of its 2 parts is read"));
+}
+
+// OpenEXR 3.4 reads zeros behind the end of an uncompressed file; the check does not leave it to the library.
+TEST(ExrFile, every_cut_is_found_by_the_chunks) {
+  const ExrPart part{{0, 0, 3, 2}, {0, 0, 3, 2}, {{"Y", {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}}}};
+  ExrPart named = part, second = part;
+  named.name = "a", second.name = "b";
+  for (const std::vector<std::byte>& file : {exr_file(part), exr_file(std::vector{named, second})}) {
+    decode_picture(file, "a.exr");
+    check_exr_file(file, "a.exr");
+    for (std::size_t cut = 1; cut <= file.size(); ++cut)
+      EXPECT_THROW(check_exr_file(std::span(file).first(file.size() - cut), "a.exr"), Error) << cut;
+  }
+}
+
+// A chunk in the middle whose size reaches beyond the file, though nothing is cut off.
+TEST(ExrFile, chunk_that_reaches_beyond_the_file_is_an_error) {
+  std::vector<std::byte> file = exr_file(ExrPart{{0, 0, 0, 1}, {0, 0, 0, 1}, {{"Y", {1, 2}}}});
+  file[file.size() - 2 * 12 + 5] = std::byte{1};  // of the first chunk's size: 4 + 256
+  EXPECT_THAT(error_message([&] { decode_picture(file, "a.exr"); }), HasSubstr("the file is truncated"));
+}
+
+// 2 x 2 pixels and their mean: two levels of one tile each, of which the finer is the picture.
+TEST(ExrFile, tiles_of_smaller_levels_are_counted) {
+  using test::bytes_of_value;
+  const std::vector<std::byte> scan_lines =
+      exr_file(ExrPart{{0, 0, 1, 1},
+                       {0, 0, 1, 1},
+                       {{"Y", {1, 2, 3, 4}}},
+                       1.0f,
+                       test::exr_attribute("tiles", "tiledesc", bytes_of_value(2) + bytes_of_value(2) + '\x01')});
+  std::string file(reinterpret_cast<const char*>(scan_lines.data()), scan_lines.size() - 2 * 8 - 2 * 16);
+  file[5] = '\x02';  // tiled
+  const auto tile = [](int level, const std::vector<float>& values) {
+    std::string chunk;
+    for (const int word : {0, 0, level, level, static_cast<int>(4 * values.size())}) chunk += bytes_of_value(word);
+    for (const float value : values) chunk += bytes_of_value(value);
+    return chunk;
+  };
+  const std::string fine = tile(0, {1, 2, 3, 4}), coarse = tile(1, {2.5f});
+  const std::uint64_t places = file.size() + 16;
+  file += bytes_of_value(places) + bytes_of_value(places + fine.size()) + fine + coarse;
+  const auto bytes = std::as_bytes(std::span(file));
+  EXPECT_THAT(samples_of({bytes.begin(), bytes.end()}), ElementsAre(1, 2, 3, 4));
+  EXPECT_THROW(check_exr_file(bytes.first(bytes.size() - 1), "a.exr"), Error);
+}
+
+}  // namespace
+}  // namespace lippmann

@@ -1,0 +1,356 @@
+// What pictures say beside their samples: which way is up, exposure, gamma, colours, the pixels' shape.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "image/chromaticities.hpp"
+#include "image/color_profile.hpp"
+#include "image/decode.hpp"
+#include "image/exif.hpp"
+#include "image/orientation.hpp"
+#include "image/png.hpp"
+#include "image/read_image.hpp"
+#include "support/encode_image.hpp"
+#include "support/error_message.hpp"
+#include "support/pictures.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+using namespace std::string_literals;
+using namespace std::string_view_literals;
+using test::error_message;
+using test::TempDir;
+using ::testing::ElementsAre;
+using ::testing::FloatEq;
+using ::testing::FloatNear;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+using Bytes = std::vector<std::byte>;
+
+template <class Range>
+Bytes to_bytes(const Range& range) {
+  const auto bytes = std::as_bytes(std::span(std::data(range), std::size(range)));
+  return {bytes.begin(), bytes.end()};
+}
+
+std::string big_endian(std::uint32_t value, int size = 4) {
+  std::string text;
+  for (int i = size; i-- > 0;) text += static_cast<char>(value >> 8 * i & 0xff);
+  return text;
+}
+
+/// EXIF data with one entry.
+std::string exif_with(char orientation) {
+  return std::string("MM\0\x2a\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0"sv) + orientation + std::string(6, '\0');
+}
+
+PictureHeader header_of(const Bytes& file) { return picture_header(file, "the file"); }
+
+template <class Sample>
+std::vector<Sample> samples_of(const Bytes& file) {
+  return std::get<std::vector<Sample>>(decode_picture(file, "the file").samples);
+}
+
+// ---- Which way is up ----------------------------------------------------------------------------------------------------
+
+// Stored: 1 2 3
+//         4 5 6
+TEST(Orientation, all_eight_turn_as_tiff_says) {
+  const std::vector<std::vector<std::uint8_t>> expected{{1, 2, 3, 4, 5, 6}, {3, 2, 1, 6, 5, 4}, {6, 5, 4, 3, 2, 1},
+                                                        {4, 5, 6, 1, 2, 3}, {1, 4, 2, 5, 3, 6}, {4, 1, 5, 2, 6, 3},
+                                                        {6, 3, 5, 2, 4, 1}, {3, 6, 2, 5, 1, 4}};
+  for (unsigned number = 1; number <= 8; ++number) {
+    DecodedPicture picture{plain_header(3, 2, 1, SampleKind::kByte), std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6}};
+    picture.header.orientation = orientation_of(number);
+    const DecodedPicture turned = upright(picture);
+    EXPECT_EQ(std::get<std::vector<std::uint8_t>>(turned.samples), expected[number - 1]) << number;
+    EXPECT_EQ(turned.header.width, number >= 5 ? 2 : 3) << number;
+    EXPECT_EQ(turned.header.orientation, Orientation::kUpright);
+  }
+  EXPECT_EQ(orientation_of(0), Orientation::kUpright);
+  EXPECT_EQ(orientation_of(9), Orientation::kUpright);
+}
+
+TEST(Exif, orientation_is_read_in_both_byte_orders_and_damage_is_upright) {
+  EXPECT_EQ(exif_orientation(to_bytes(exif_with(6))), Orientation::kRightSide);
+  EXPECT_EQ(exif_orientation(to_bytes("Exif\0\0"s + exif_with(3))), Orientation::kUpsideDown);
+  EXPECT_EQ(exif_orientation(to_bytes("II\x2a\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x08\0\0\0\0\0\0\0"sv)),
+            Orientation::kLeftSide);
+  const std::string whole = exif_with(6);
+  for (std::size_t size = 0; size < 20; ++size)
+    EXPECT_EQ(exif_orientation(to_bytes(whole.substr(0, size))), Orientation::kUpright) << size;
+}
+
+TEST(Exif, turns_jpeg_png_and_webp_but_not_their_stored_samples) {
+  const std::vector<std::uint8_t> grey(16 * 8, 90);
+  const std::string exif = "Exif\0\0"s + exif_with(6);
+  std::string jpeg;
+  for (const unsigned char c : test::encode_jpeg(16, 8, 1, grey)) jpeg += static_cast<char>(c);
+  jpeg.insert(2, "\xff\xe1" + big_endian(static_cast<std::uint32_t>(exif.size() + 2), 2) + exif);
+  EXPECT_EQ(header_of(to_bytes(jpeg)).width, 8);
+  EXPECT_EQ(jpeg_header(to_bytes(jpeg), "a").width, 16);
+  EXPECT_EQ(samples_of<std::uint8_t>(to_bytes(jpeg)).size(), grey.size());
+
+  std::string webp;
+  for (const unsigned char c : test::encode_webp(16, 8, std::vector<std::uint8_t>(4 * 16 * 8, 255)))
+    webp += static_cast<char>(c);
+  webp = "RIFF" + std::string(4, '\0') + "WEBPVP8X\x0a\0\0\0\x18\0\0\0\x0f\0\0\x07\0\0"s + webp.substr(12) + "EXIF" +
+         std::string("\x1a\0\0\0", 4) + exif_with(6);
+  const auto size = static_cast<std::uint32_t>(webp.size() - 8);
+  for (std::size_t i = 0; i < 4; ++i) webp[4 + i] = static_cast<char>(size >> 8 * i & 0xff);
+  EXPECT_EQ(header_of(to_bytes(webp)).width, 8);
+}
+
+// ---- PNG ----------------------------------------------------------------------------------------------------------------
+
+/// CRC-32 bit by bit.
+std::uint32_t png_checksum(std::string_view bytes) {
+  std::uint32_t sum = 0xffffffff;
+  for (const char c : bytes) {
+    sum ^= static_cast<unsigned char>(c);
+    for (int bit = 0; bit < 8; ++bit) sum = sum >> 1 ^ (sum & 1 ? 0xedb88320 : 0);
+  }
+  return ~sum;
+}
+
+/// A grey PNG with chunks behind its header.
+Bytes png_with(const std::vector<std::pair<std::string, std::string>>& chunks) {
+  std::string file;
+  for (const unsigned char c : test::encode_png(4, 2, 3, std::vector<std::uint8_t>(24, 100))) file += static_cast<char>(c);
+  for (std::string_view unwanted : {"sRGB"sv, "gAMA"sv})
+    if (const std::size_t at = file.find(unwanted); at != file.npos)
+      file.erase(at - 4, 12 + static_cast<unsigned char>(file[at - 1]));
+  std::string added;
+  for (const auto& [name, data] : chunks) {
+    const std::string body = name + data;
+    added += big_endian(static_cast<std::uint32_t>(data.size())) + body + big_endian(png_checksum(body));
+  }
+  constexpr std::size_t kBehindHeader = 8 + 25;
+  file.insert(kBehindHeader, added);
+  return to_bytes(file);
+}
+
+std::string chrm(const std::array<std::uint32_t, 8>& values) {
+  std::string data;
+  for (const std::uint32_t value : values) data += big_endian(value);
+  return data;
+}
+
+TEST(PngNotices, ordinary_pictures_have_none) {
+  const std::string srgb_colours = chrm({31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000});
+  EXPECT_THAT(header_of(png_with({})).notices, IsEmpty());
+  EXPECT_THAT(header_of(png_with({{"sRGB", std::string(1, '\0')}, {"gAMA", big_endian(45455)}})).notices, IsEmpty());
+  EXPECT_THAT(header_of(png_with({{"gAMA", big_endian(45455)}, {"cHRM", srgb_colours}})).notices, IsEmpty());
+  EXPECT_THAT(header_of(png_with({{"pHYs", big_endian(2835) + big_endian(2835) + "\x01"}})).notices, IsEmpty());
+  EXPECT_THAT(header_of(png_with({{"cICP", std::string("\x01\x0d\0\x01", 4)}})).notices, IsEmpty());
+}
+
+TEST(PngNotices, what_is_not_honoured_is_said) {
+  const std::string p3 = chrm({31270, 32900, 68000, 32000, 26500, 69000, 15000, 6000});
+  EXPECT_THAT(header_of(png_with({{"gAMA", big_endian(100000)}})).notices, ElementsAre(HasSubstr("gAMA 1)")));
+  EXPECT_THAT(header_of(png_with({{"cHRM", p3}})).notices, ElementsAre(HasSubstr("cHRM")));
+  EXPECT_THAT(header_of(png_with({{"cICP", std::string("\x0c\x0d\0\x01", 4)}})).notices, ElementsAre(HasSubstr("cICP")));
+  EXPECT_THAT(header_of(png_with({{"pHYs", big_endian(1000) + big_endian(2000) + "\x01"}})).notices,
+              ElementsAre("its pixels are 2 times as wide as high, and are read as square"));
+  EXPECT_THAT(header_of(png_with({{"oFFs", big_endian(7) + big_endian(9) + std::string(1, '\0')}})).notices,
+              ElementsAre("its offset (oFFs) of 7, 9 is ignored"));
+  EXPECT_EQ(header_of(png_with({{"eXIf", exif_with(8)}})).width, 2);
+}
+
+TEST(PngNotices, are_warned_about_once_with_the_file) {
+  const TempDir dir;
+  const Bytes file = png_with({{"gAMA", big_endian(100000)}});
+  std::ofstream(dir / "a.png", std::ios::binary)
+      .write(reinterpret_cast<const char*>(file.data()), static_cast<std::streamsize>(file.size()));
+  std::vector<std::string> warnings;
+  read_image8(dir / "a.png", [&](std::string_view text) { warnings.emplace_back(text); });
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("a.png: its gamma (gAMA 1) is not applied")));
+}
+
+// ---- Colour profiles ----------------------------------------------------------------------------------------------------
+
+std::string fixed16(double value) { return big_endian(static_cast<std::uint32_t>(static_cast<std::int32_t>(value * 65536.0))); }
+
+/// Of three primaries under D50, and one gamma.
+std::string profile_with(const std::array<std::array<double, 3>, 3>& primaries, double gamma) {
+  std::string header(128, '\0'), table, data;
+  header.replace(16, 4, "RGB ").replace(36, 4, "acsp");
+  const auto add = [&](std::string_view name, const std::string& tag) {
+    table += std::string(name) + big_endian(static_cast<std::uint32_t>(132 + 7 * 12 + data.size())) +
+             big_endian(static_cast<std::uint32_t>(tag.size()));
+    data += tag;
+  };
+  add("desc", "desc" + std::string(4, '\0') + big_endian(5) + "Mine" + std::string(1, '\0'));
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::string xyz = "XYZ " + std::string(4, '\0');
+    for (const double value : primaries[i]) xyz += fixed16(value);
+    add(std::array{"rXYZ", "gXYZ", "bXYZ"}[i], xyz);
+    add(std::array{"rTRC", "gTRC", "bTRC"}[i],
+        "curv" + std::string(4, '\0') + big_endian(1) + big_endian(static_cast<std::uint32_t>(gamma * 256.0), 2));
+  }
+  return header + big_endian(7) + table + data;
+}
+
+constexpr std::array<std::array<double, 3>, 3> kSrgbPrimaries{
+    {{0.4361, 0.2225, 0.0139}, {0.3851, 0.7169, 0.0971}, {0.1431, 0.0606, 0.7139}}};
+constexpr std::array<std::array<double, 3>, 3> kP3Primaries{
+    {{0.5151, 0.2412, -0.0011}, {0.2920, 0.6922, 0.0419}, {0.1571, 0.0666, 0.7841}}};
+
+TEST(ColorProfile, srgb_is_silent_and_others_are_named) {
+  EXPECT_EQ(color_profile_notice({}), "");
+  EXPECT_EQ(color_profile_notice(to_bytes(profile_with(kSrgbPrimaries, 2.2))), "");
+  EXPECT_THAT(color_profile_notice(to_bytes(profile_with(kP3Primaries, 2.2))), HasSubstr("its colour profile 'Mine' is not"));
+  EXPECT_THAT(color_profile_notice(to_bytes(profile_with(kSrgbPrimaries, 1.8))), HasSubstr("'Mine'"));
+}
+
+TEST(ColorProfile, damaged_ones_end_in_a_notice_or_none) {
+  const std::string whole = profile_with(kP3Primaries, 2.2);
+  for (std::size_t size = 0; size <= whole.size(); ++size) color_profile_notice(to_bytes(whole.substr(0, size)));
+  for (std::size_t at = 128; at < whole.size(); ++at) {
+    std::string damaged = whole;
+    damaged[at] = '\xff';
+    color_profile_notice(to_bytes(damaged));
+  }
+}
+
+TEST(ColorProfile, of_jpeg_and_png_files_is_found) {
+  const std::string profile = profile_with(kP3Primaries, 2.2), segment = "ICC_PROFILE\0\x01\x01"s + profile;
+  std::string jpeg;
+  for (const unsigned char c : test::encode_jpeg(8, 8, 1, std::vector<std::uint8_t>(64, 90))) jpeg += static_cast<char>(c);
+  jpeg.insert(2, "\xff\xe2" + big_endian(static_cast<std::uint32_t>(segment.size() + 2), 2) + segment);
+  EXPECT_THAT(header_of(to_bytes(jpeg)).notices, ElementsAre(HasSubstr("'Mine'")));
+}
+
+// ---- Chromaticities -----------------------------------------------------------------------------------------------------
+
+// X alone, under D65: 0.9505 of it belong to white, and the first column of the usual matrix from XYZ is (3.2406, -0.9689,
+// 0.0557). Y alone: (-1.5372, 1.8758, -0.2040).
+TEST(Chromaticities, xyz_under_d65_gives_the_usual_matrix) {
+  Chromaticities xyz = kXyz;
+  xyz.xy[6] = 0.3127, xyz.xy[7] = 0.3290;
+  const auto matrix = rec709_from(xyz);
+  ASSERT_TRUE(matrix);
+  const double x = 0.3127 / 0.3290;
+  EXPECT_NEAR((*matrix)[0][0] / x, 3.2406, 2e-3);
+  EXPECT_NEAR((*matrix)[0][1] / x, -0.9689, 2e-3);
+  EXPECT_NEAR((*matrix)[1][0], -1.5372, 2e-3);
+  EXPECT_NEAR((*matrix)[1][1], 1.8758, 2e-3);
+}
+
+// White stays white, whatever its colour: rows add up to 1.
+TEST(Chromaticities, white_of_another_colour_stays_white) {
+  const auto matrix = rec709_from({{0.713, 0.293, 0.165, 0.830, 0.128, 0.044, 0.32168, 0.33767}});  // ACEScg
+  ASSERT_TRUE(matrix);
+  for (int row = 0; row < 3; ++row) EXPECT_NEAR((*matrix)[0][row] + (*matrix)[1][row] + (*matrix)[2][row], 1.0, 1e-9);
+  EXPECT_NEAR((*matrix)[0][0], 1.7051, 2e-3);  // as published for AP1 to Rec. 709 with Bradford's adaptation
+  EXPECT_NEAR((*matrix)[1][0], -0.6218, 2e-3);
+}
+
+// ---- Radiance HDR -------------------------------------------------------------------------------------------------------
+
+/// Pixels are grey, of an exponent that makes a mantissa of 128 one.
+Bytes hdr_file(const std::string& variables, const std::string& resolution, const std::vector<std::uint8_t>& mantissas) {
+  std::string text = "#?RADIANCE\n" + variables + "\n" + resolution + "\n";
+  for (const std::uint8_t mantissa : mantissas) text += std::string(3, static_cast<char>(mantissa)) + '\x81';
+  return to_bytes(text);
+}
+
+std::vector<float> greys_of(const Bytes& file) {
+  std::vector<float> greys;
+  const std::vector<float> samples = samples_of<float>(file);
+  for (std::size_t i = 0; i < samples.size(); i += 3) greys.push_back(samples[i]);
+  return greys;
+}
+
+TEST(DecodeHdr, exposures_and_colour_corrections_are_undone) {
+  const std::string format = "FORMAT=32-bit_rle_rgbe\n";
+  EXPECT_THAT(samples_of<float>(hdr_file(format, "-Y 1 +X 1", {128})), ElementsAre(1, 1, 1));
+  EXPECT_THAT(samples_of<float>(hdr_file(format + "EXPOSURE=4\nEXPOSURE= 0.5 \n", "-Y 1 +X 1", {128})),
+              ElementsAre(0.5f, 0.5f, 0.5f));
+  EXPECT_THAT(samples_of<float>(hdr_file(format + "COLORCORR= 1 2 4\n", "-Y 1 +X 1", {128})), ElementsAre(1, 0.5f, 0.25f));
+  EXPECT_THAT(samples_of<float>(hdr_file("\tEXPOSURE=2\n# EXPOSURE=3\n" + format, "-Y 1 +X 1", {128})),
+              ElementsAre(1, 1, 1));  // those of the picture's sources, and a comment
+  for (const char* exposure : {"0", "-1", "nan", "many", "1e-40"})
+    EXPECT_THAT(
+        error_message([&] { decode_picture(hdr_file(format + "EXPOSURE=" + exposure + "\n", "-Y 1 +X 1", {128}), "a.hdr"); }),
+        HasSubstr("a.hdr: cannot be read as a picture: its EXPOSURE"))
+        << exposure;
+}
+
+// Stored: 64 128 192 in one line, 32 96 160 in the next.
+TEST(DecodeHdr, rows_and_columns_go_as_the_resolution_says) {
+  const auto greys = [](const char* resolution) {
+    const Bytes file = hdr_file("FORMAT=32-bit_rle_rgbe\n", resolution, {64, 128, 192, 32, 96, 160});
+    return greys_of(file);
+  };
+  EXPECT_THAT(greys("-Y 2 +X 3"), ElementsAre(0.5f, 1, 1.5f, 0.25f, 0.75f, 1.25f));
+  EXPECT_THAT(greys("+Y 2 +X 3"), ElementsAre(0.25f, 0.75f, 1.25f, 0.5f, 1, 1.5f));
+  EXPECT_THAT(greys("-Y 2 -X 3"), ElementsAre(1.5f, 1, 0.5f, 1.25f, 0.75f, 0.25f));
+  EXPECT_THAT(greys("+Y 2 -X 3"), ElementsAre(1.25f, 0.75f, 0.25f, 1.5f, 1, 0.5f));
+  EXPECT_THAT(greys("+X 2 -Y 3"), ElementsAre(0.5f, 0.25f, 1, 0.75f, 1.5f, 1.25f));
+  EXPECT_THAT(greys("-X 2 -Y 3"), ElementsAre(0.25f, 0.5f, 0.75f, 1, 1.25f, 1.5f));
+  EXPECT_THAT(greys("+X 2 +Y 3"), ElementsAre(1.5f, 1.25f, 1, 0.75f, 0.5f, 0.25f));
+  EXPECT_THAT(greys("-X 2 +Y 3"), ElementsAre(1.25f, 1.5f, 0.75f, 1, 0.25f, 0.5f));
+  for (const char* wrong : {"-Y 2 +Y 3", "Y 2 X 3", "-Y 2", "-Y 0 +X 3", "-Y two +X 3"})
+    EXPECT_THAT(error_message([&] { greys(wrong); }), HasSubstr("the file: ")) << wrong;
+}
+
+TEST(DecodeHdr, runs_of_the_older_kind_repeat_a_pixel) {
+  std::string text = "#?RGBE\n\n-Y 1 +X 300\n";
+  text += "\x80\x80\x80\x81\x01\x01\x01\x2a\x01\x01\x01\x01\x40\x40\x40\x81"s;  // 1, 42 times it, 256 times it, 0.5
+  const std::vector<float> greys = greys_of(to_bytes(text));
+  ASSERT_EQ(greys.size(), 300u);
+  EXPECT_EQ(greys[298], 1.0f);
+  EXPECT_EQ(greys[299], 0.5f);
+}
+
+TEST(DecodeHdr, xyz_becomes_rgb_and_white_stays) {
+  EXPECT_THAT(samples_of<float>(hdr_file("FORMAT=32-bit_rle_xyze\n", "-Y 1 +X 1", {128})),
+              ElementsAre(FloatNear(1, 1e-5f), FloatNear(1, 1e-5f), FloatNear(1, 1e-5f)));
+}
+
+TEST(DecodeHdr, what_is_not_honoured_is_said) {
+  const auto notices = [](const std::string& variables) { return header_of(hdr_file(variables, "-Y 1 +X 1", {128})).notices; };
+  EXPECT_THAT(notices("PIXASPECT=0.5\n"), ElementsAre("its pixels are 2 times as wide as high, and are read as square"));
+  EXPECT_THAT(notices("GAMMA=2.2\n"), ElementsAre(HasSubstr("GAMMA")));
+  EXPECT_THAT(notices("PRIMARIES= 0 0 0 0 0 0 0 0\n"), ElementsAre(HasSubstr("PRIMARIES")));
+  EXPECT_THAT(notices("SOFTWARE=x\nVIEW= -vtv\nPIXASPECT=1\nGAMMA=1\n"), IsEmpty());
+}
+
+// ---- TGA and BMP --------------------------------------------------------------------------------------------------------
+
+TEST(DecodeTga, columns_from_the_right) {
+  const auto file = "\0\0\x03\0\0\0\0\0\0\0\0\0\x03\0\x01\0\x08\x30\x0a\x0b\x0c"sv;
+  EXPECT_THAT(samples_of<std::uint8_t>(to_bytes(file)), ElementsAre(12, 11, 10));
+}
+
+TEST(DecodeBmp, rows_from_the_bottom_or_the_top) {
+  const auto bmp = [](std::int32_t height, std::string_view rows) {
+    std::string file = "BM"s + std::string(8, '\0') + "\x36\0\0\0\x28\0\0\0\x01\0\0\0"s;
+    for (int i = 0; i < 4; ++i) file += static_cast<char>(static_cast<std::uint32_t>(height) >> 8 * i & 0xff);
+    return to_bytes(file + "\x01\0\x18\0"s + std::string(24, '\0') + std::string(rows));
+  };
+  const auto rows = "\x01\x02\x03\0\x04\x05\x06\0"sv;  // blue, green, red, and one that fills up to four
+  EXPECT_THAT(samples_of<std::uint8_t>(bmp(2, rows)), ElementsAre(6, 5, 4, 3, 2, 1));
+  EXPECT_THAT(samples_of<std::uint8_t>(bmp(-2, rows)), ElementsAre(3, 2, 1, 6, 5, 4));
+  EXPECT_THAT(error_message([&] { decode_picture(bmp(2, rows.substr(0, 5)), "a.bmp"); }), HasSubstr("truncated"));
+}
+
+// ---- What is no picture -------------------------------------------------------------------------------------------------
+
+TEST(DecodePicture, names_what_stands_in_for_a_picture) {
+  const auto message = [](std::string_view text) { return error_message([&] { decode_picture(to_bytes(text), "a.png"); }); };
+  EXPECT_THAT(message("version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 7\n"),
+              HasSubstr("a.png: cannot be read as a picture: it is a Git LFS pointer"));
+  EXPECT_THAT(message("version https://git-lfs.github.com/spec/v1\n"), HasSubstr("git lfs pull"));
+  EXPECT_THAT(message(""), HasSubstr("it is empty (0 bytes)"));
+  EXPECT_THAT(message("<!DOCTYPE html>"), HasSubstr("it is a web page (HTML)"));
+  EXPECT_THAT(message("hello"), HasSubstr("it is text that begins 'hello'; accepted: PNG, JPEG"));
+}
+
+}  // namespace
+}  // namespace lippmann

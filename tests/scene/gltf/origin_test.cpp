@@ -1,0 +1,114 @@
+// glTF scenes far from the origin: transforms are composed in double precision before anything becomes a float.
+#include "lippmann/scene/origin.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lippmann/scene/load.hpp"
+#include "lippmann/scene/timeline.hpp"
+#include "scene/gltf/gltf_builder.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::GltfBuilder;
+using test::Json;
+using test::parse;
+
+/// Floats are half a unit apart there.
+const Vec3d kPlace(4512345.123, 320.57, -5400000.71);
+/// Roundings of coordinates below 16, and of the file's seventeen digits.
+constexpr double kRounding = 2e-6;
+
+void expect_near(Vec3d a, Vec3d b) {
+  EXPECT_LE(glm::length(a - b), kRounding) << a.x << " " << a.y << " " << a.z << " and " << b.x << " " << b.y << " " << b.z;
+}
+
+/// A point of a node in the file's coordinates.
+Vec3d in_file(const Scene& scene, int node, Vec3f p = Vec3f(0.0f)) {
+  return scene.origin + Vec3d(transform_point(evaluate(scene, 0.0).of(node), p));
+}
+
+/// What the file's first triangle has its first corner at.
+Vec3d first_corner(const Scene& scene) {
+  const Instance& instance = scene.instances.at(0);
+  return in_file(scene, instance.node,
+                 std::get<Mesh>(scene.shapes.at(static_cast<std::size_t>(instance.shape))).positions.at(0));
+}
+
+Json json_of(Vec3d v) { return {v.x, v.y, v.z}; }
+
+Scene parse_valid(const GltfBuilder& b) {
+  Scene scene = parse(b);
+  validate(scene, "a.glb");
+  return scene;
+}
+
+TEST(GltfOrigin, translation_keeps_the_digits_of_the_file) {
+  GltfBuilder b;
+  b.add_node({{"mesh", b.add_triangle()}, {"translation", json_of(kPlace)}});
+  const Scene scene = parse_valid(b);
+  EXPECT_NE(scene.origin, Vec3d(0.0));
+  expect_near(first_corner(scene), kPlace);
+}
+
+TEST(GltfOrigin, matrix_keeps_the_digits_of_the_file) {
+  GltfBuilder b;
+  b.add_node({{"mesh", b.add_triangle()}, {"matrix", {0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 1, 0, kPlace.x, kPlace.y, kPlace.z, 1}}});
+  expect_near(first_corner(parse_valid(b)), kPlace);
+}
+
+TEST(GltfOrigin, place_below_a_turned_and_scaled_root_is_composed_in_double) {
+  GltfBuilder b;
+  const double half = 0.70710678118654752440;
+  // The root turns z to y and makes metres of centimetres, as exporters of systems with z upwards write it.
+  b.add_node({{"rotation", {-half, 0, 0, half}}, {"scale", {0.01, 0.01, 0.01}}, {"children", {1}}});
+  b.add_node({{"translation", {100 * kPlace.x, -100 * kPlace.z, 100 * kPlace.y}}, {"children", {2}}});
+  b.add_node({{"mesh", b.add_triangle()}, {"scale", {100, 100, 100}}});
+  // A camera below a root of its own.
+  b.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}});
+  b.add_node({{"camera", 0}, {"translation", json_of(kPlace + Vec3d(0.25, 0.5, 7.125))}});
+  const Scene scene = parse_valid(b);
+  expect_near(first_corner(scene), kPlace);
+  expect_near(in_file(scene, scene.cameras.at(0).node), kPlace + Vec3d(0.25, 0.5, 7.125));
+}
+
+TEST(GltfOrigin, huge_translations_that_cancel_out_are_composed_in_double) {
+  GltfBuilder b;
+  b.add_node({{"translation", json_of(16.0 * kPlace)}, {"children", {1}}});
+  b.add_node({{"translation", json_of(-15.0 * kPlace)}, {"mesh", b.add_triangle()}});
+  expect_near(first_corner(parse_valid(b)), kPlace);
+}
+
+TEST(GltfOrigin, coordinates_in_vertices_move_with_it) {
+  const Vec3f far(4512345.5f, 320.5f, -5400000.5f);
+  GltfBuilder b;
+  const int positions = b.add_accessor(std::vector<Vec3f>{far, far + Vec3f(1, 0, 0), far + Vec3f(0, 1, 0)});
+  b.add_node({{"mesh", b.add_mesh({{"attributes", {{"POSITION", positions}}}})}});
+  const Scene scene = parse_valid(b);
+  expect_near(first_corner(scene), Vec3d(far));
+  EXPECT_LT(glm::length(std::get<Mesh>(scene.shapes.at(0)).positions[0]), 4.0f);
+}
+
+TEST(GltfOrigin, animated_translation_moves_with_it) {
+  GltfBuilder b;
+  const Vec3f far(4512345.5f, 320.5f, -5400000.5f);
+  b.add_node({{"mesh", b.add_triangle()}, {"translation", json_of(Vec3d(far))}});
+  const int times = b.add_accessor(std::vector<float>{0.0f, 1.0f});
+  const int values = b.add_accessor(std::vector<Vec3f>{far, far + Vec3f(4, 0, 0)});
+  b.add("animations", {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}},
+                       {"samplers", {{{"input", times}, {"output", values}}}}});
+  const Scene scene = parse_valid(b);
+  expect_near(scene.origin + Vec3d(evaluate(scene, 0.0).of(0).translation), Vec3d(far));
+  expect_near(scene.origin + Vec3d(evaluate(scene, 0.25).of(0).translation), Vec3d(far) + Vec3d(1, 0, 0));
+}
+
+TEST(GltfOrigin, scenes_near_the_origin_keep_it) {
+  GltfBuilder b;
+  b.add_node({{"mesh", b.add_triangle()}, {"translation", {60, 0, 0}}});  // 64 diagonals of the triangle are 90
+  const Scene scene = parse_valid(b);
+  EXPECT_EQ(scene.origin, Vec3d(0.0));
+  EXPECT_EQ(scene.nodes[0].local.translation, Vec3f(60, 0, 0));
+}
+
+}  // namespace
+}  // namespace lippmann

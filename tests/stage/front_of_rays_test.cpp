@@ -1,0 +1,127 @@
+// Where rays begin, for a file's camera at (0, 0, 4) that looks along -z and a display's viewer farther away.
+#include "stage/front_of_rays.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lippmann/stage/placement.hpp"
+
+namespace lippmann {
+namespace {
+
+constexpr float kEye = 12.0f;
+
+class FrontOfRays : public testing::Test {
+ protected:
+  FrontOfRays() {
+    Camera camera;
+    camera.node = add_node({0, 0, 4});
+    camera.vertical_fov = radians(60.0f), camera.focus_distance = 4.0f;
+    scene.cameras.push_back(camera);
+    add_box({-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f});
+  }
+
+  int add_node(Vec3f at) {
+    Node node;
+    node.local.translation = at;
+    scene.nodes.push_back(node);
+    return static_cast<int>(scene.nodes.size()) - 1;
+  }
+
+  Instance& add(Shape shape) {
+    Instance instance;
+    instance.node = add_node(Vec3f(0.0f));
+    instance.shape = static_cast<int>(scene.shapes.size());
+    scene.shapes.push_back(std::move(shape));
+    scene.instances.push_back(instance);
+    return scene.instances.back();
+  }
+
+  Instance& add_box(Vec3f lower, Vec3f upper) { return add(Boxes{{lower, upper}}); }
+
+  Instance& add_quad(Vec3f corner, Vec3f u, Vec3f v) {
+    Mesh mesh;
+    mesh.positions = {corner, corner + u, corner + u + v, corner + v};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    return add(std::move(mesh));
+  }
+
+  void add_floor(float near) { add_quad({-30, -1, near}, {60, 0, 0}, {0, 0, -60}); }
+  /// Across the view.
+  void add_wall(float z, float width = 60.0f) { add_quad({-0.5f * width, -9, z}, {width, 0, 0}, {0, 18, 0}); }
+
+  float front() const { return front_of_rays(scene, fit_array(scene), 1.0f, kEye); }
+
+  Scene scene;
+};
+
+TEST_F(FrontOfRays, is_the_camera_where_nothing_lies_behind_it) {
+  EXPECT_EQ(front(), 4.0f);
+  add_floor(3.0f);
+  EXPECT_EQ(front(), 4.0f);
+}
+
+TEST_F(FrontOfRays, is_the_eye_above_a_floor) {
+  add_floor(30.0f);
+  EXPECT_EQ(front(), kEye);
+  EXPECT_EQ(front_of_rays(scene, fit_array(scene), 1.0f, 3.0f), 4.0f) << "an eye before the camera";
+}
+
+TEST_F(FrontOfRays, is_the_eye_above_a_floor_without_end) {
+  add(Planes{{{0, -1, 0}, {0, 1, 0}}});
+  EXPECT_EQ(front(), kEye);
+}
+
+TEST_F(FrontOfRays, lies_before_the_wall_behind_the_camera) {
+  add_floor(30.0f);
+  add_wall(5.0f);
+  EXPECT_GT(front(), 4.9f);
+  EXPECT_LT(front(), 5.0f);
+}
+
+TEST_F(FrontOfRays, lies_before_a_slanted_wall) {
+  add_quad({-9, -9, 5}, {18, 0, 3}, {0, 18, 0});
+  EXPECT_GT(front(), 4.0f);
+  EXPECT_LT(front(), 6.5f);
+}
+
+TEST_F(FrontOfRays, lies_before_a_wall_without_end) {
+  add(Planes{{{0, 0, 6}, {0, 0, -1}}});
+  EXPECT_GT(front(), 5.9f);
+  EXPECT_LT(front(), 6.0f);
+}
+
+TEST_F(FrontOfRays, lies_within_a_closed_room) {
+  add_box({-3, -1, -3}, {3, 3, 5});
+  EXPECT_GT(front(), 4.0f);
+  EXPECT_LT(front(), 5.0f);
+}
+
+TEST_F(FrontOfRays, is_the_eye_behind_a_chair) {
+  add_floor(30.0f);
+  add_box({0.3f, -1, 5}, {0.6f, 0, 5.3f});
+  EXPECT_EQ(front(), kEye);
+  add_wall(6.0f);
+  EXPECT_GT(front(), 5.9f) << "the chair stands before the wall";
+  EXPECT_LT(front(), 6.0f);
+}
+
+TEST_F(FrontOfRays, does_not_go_by_what_cameras_do_not_see) {
+  add_wall(5.0f);
+  scene.instances.back().hidden_from_cameras = true;
+  EXPECT_EQ(front(), 4.0f);
+}
+
+TEST_F(FrontOfRays, is_where_the_rays_of_placed_optics_begin) {
+  Optics view{.panel = {100, 100, 1.0f}, .model = SingleView{.distance_mm = 400.0f}};
+  const auto begin = [&] { return resolved_z_front_mm(place(scene, view).placed.optics); };
+  const float of_camera = begin();
+  EXPECT_LT(of_camera, 100.0f);
+  add_floor(30.0f);
+  EXPECT_EQ(begin(), 400.0f);
+  add_wall(5.0f);
+  EXPECT_GT(begin(), of_camera);
+  EXPECT_LT(begin(), 1.3f * of_camera);
+}
+
+}  // namespace
+}  // namespace lippmann

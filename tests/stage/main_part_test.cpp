@@ -1,0 +1,117 @@
+// Pieces that lie so far away that a picture of all would show nothing are left out of the view, with a warning.
+#include "stage/main_part.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lippmann/stage/fit_array.hpp"
+
+namespace lippmann {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+ScenePiece cube(Vec3f at, float size = 1.0f) {
+  return {{at - Vec3f(0.5f * size), at + Vec3f(0.5f * size)}, 6.0f * size * size};
+}
+
+bool holds(const Bounds3f& box, Vec3f p) {
+  return glm::all(glm::lessThanEqual(box.lower, p)) && glm::all(glm::lessThanEqual(p, box.upper));
+}
+
+TEST(MainPart, pieces_near_one_another_are_whole) {
+  EXPECT_FALSE(find_main_part({}));
+  EXPECT_FALSE(find_main_part({cube(Vec3f(0))}));
+  EXPECT_FALSE(find_main_part({cube(Vec3f(0)), cube({15, 0, 0})}));
+  std::vector<ScenePiece> row;
+  for (int i = 0; i < 40; ++i) row.push_back(cube({40.0f * static_cast<float>(i), 0, 0}));
+  EXPECT_FALSE(find_main_part(row)) << "scattered evenly";
+  EXPECT_FALSE(find_main_part({cube(Vec3f(0)), {{Vec3f(kInfinity), Vec3f(kInfinity)}, 0.0f}}));
+}
+
+TEST(MainPart, strays_on_any_side_are_left_out) {
+  const std::vector<ScenePiece> main{cube({3, 0, 0}), cube({4, 1, 0}), cube({4, 0, -1})};
+  const std::vector<Vec3f> strays{{5000, 0, 0}, {-900, 20, 0}, {0, 0, 1e6f}, {0, -800, 0}, {150, 0, 0}};
+  for (std::size_t count = 1; count <= strays.size(); ++count) {
+    std::vector<ScenePiece> pieces = main;
+    for (std::size_t i = 0; i < count; ++i) pieces.push_back(cube(strays[i], 0.5f));
+    const auto box = find_main_part(pieces);
+    ASSERT_TRUE(box) << count;
+    for (const ScenePiece& piece : main) EXPECT_TRUE(holds(*box, piece.bounds.center()));
+    for (std::size_t i = 0; i < count; ++i) EXPECT_FALSE(holds(*box, strays[i])) << i << " of " << count;
+  }
+}
+
+TEST(MainPart, the_side_with_more_surface_remains) {
+  const auto box = find_main_part({cube(Vec3f(0)), cube({0.2f, 0, 0}), cube({1300, 0, 900}, 20.0f)});
+  ASSERT_TRUE(box);
+  EXPECT_TRUE(holds(*box, {1300, 0, 900}));
+  EXPECT_FALSE(holds(*box, Vec3f(0)));
+}
+
+Mesh triangle_at(Vec3f at, float size) {
+  Mesh mesh;
+  mesh.positions = {at, at + Vec3f(size, 0, 0), at + Vec3f(0, size, 0)};
+  mesh.triangles = {{0, 1, 2}};
+  return mesh;
+}
+
+void add(Scene& scene, const char* name, Shape shape) {
+  Node node;
+  Instance instance;
+  instance.name = name;
+  instance.node = static_cast<int>(scene.nodes.size());
+  instance.shape = static_cast<int>(scene.shapes.size());
+  scene.nodes.push_back(node);
+  scene.shapes.push_back(std::move(shape));
+  scene.instances.push_back(instance);
+}
+
+TEST(MainPart, a_stray_part_does_not_change_the_view) {
+  Scene alone;
+  add(alone, "box", Boxes{{Vec3f(-1), Vec3f(1)}});
+  Scene with_stray = alone;
+  add(with_stray, "lost", triangle_at({5000, 0, 0}, 0.3f));
+  const FittedArray wanted = fit_array(alone), array = fit_array(with_stray);
+  EXPECT_EQ(array.viewing_distance, wanted.viewing_distance);
+  EXPECT_EQ(array.plane_height, wanted.plane_height);
+  EXPECT_THAT(array.warning, HasSubstr("'lost'"));
+  EXPECT_EQ(wanted.warning, "");
+  EXPECT_EQ(array.is_subject, (std::vector<bool>{true, false}));
+}
+
+TEST(MainPart, a_stray_triangle_of_the_same_mesh_does_not_either) {
+  Mesh mesh = triangle_at(Vec3f(0), 1.0f);
+  Scene alone;
+  add(alone, "mesh", mesh);
+  mesh.positions.insert(mesh.positions.end(), {{700, 0, 0}, {700, 1, 0}, {700, 0, 0.5f}});
+  mesh.triangles.push_back({3, 4, 5});
+  Scene with_stray;
+  add(with_stray, "mesh", mesh);
+  EXPECT_NEAR(fit_array(with_stray).viewing_distance, fit_array(alone).viewing_distance, 1e-4f);
+  EXPECT_THAT(fit_array(with_stray).warning, HasSubstr("'mesh'"));
+}
+
+TEST(MainPart, a_stray_ball_of_a_list_does_not_either) {
+  Scene alone, with_stray;
+  add(alone, "balls", Spheres{{{0, 0, 0}, 1.0f}, {{2, 0, 0}, 1.0f}});
+  add(with_stray, "balls", Spheres{{{0, 0, 0}, 1.0f}, {{2, 0, 0}, 1.0f}, {{0, 900, 0}, 1.0f}});
+  EXPECT_LT(fit_array(with_stray).viewing_distance, 2.0f * fit_array(alone).viewing_distance);
+  EXPECT_NE(fit_array(with_stray).warning, "");
+}
+
+TEST(MainPart, what_is_named_is_never_stray) {
+  Scene scene;
+  add(scene, "box", Boxes{{Vec3f(-1), Vec3f(1)}});
+  add(scene, "lost", triangle_at({5000, 0, 0}, 0.3f));
+  for (std::size_t i = 0; i < 2; ++i) scene.nodes[i].name = scene.instances[i].name;
+  ViewWish wish;
+  wish.fit_to = "lost";
+  const FittedArray array = fit_array(scene, 1.0f, wish);
+  EXPECT_LT(array.viewing_distance, 2.0f);
+  EXPECT_EQ(array.warning, "");
+}
+
+}  // namespace
+}  // namespace lippmann
