@@ -71,6 +71,7 @@ std::string why_nothing_is_met(const Stage& stage, int frame) {
   if (!any_area(scene)) return "none of the scene's triangles has an area";
   if (all_transparent(scene)) return "all of the scene's materials are transparent (alpha 0)";
   if (all_behind(stage, frame)) return "everything lies behind the viewer";
+  if (stage.array.origin == FittedArray::Origin::kBounds) return "its parts are too small or too far apart to be seen";
   return "nothing lies within the view; a view that is fitted to a node shows it";
 }
 

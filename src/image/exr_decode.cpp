@@ -188,7 +188,8 @@ class ExrDecoder {
 
   std::vector<std::string> notices() const {
     std::vector<std::string> notices;
-    if (file_->parts() > 1) notices.push_back(fmt::format("only {} of its {} parts is read", shown_part(), file_->parts()));
+    if (parts_with_colors() > 1)
+      notices.push_back(fmt::format("only {} of its {} parts is read", shown_part(), file_->parts()));
     if (!colors_.others.empty())
       notices.push_back(fmt::format("of its layers only {} is read, not {}", shown(layer_of(colors_.channels.front())),
                                     shown(colors_.others.front())) +
@@ -202,6 +203,11 @@ class ExrDecoder {
     if (!data.intersects(part().displayWindow()))
       notices.emplace_back("its data window lies outside its display window: the picture is empty");
     return notices;
+  }
+  int parts_with_colors() const {
+    int count = 0;
+    for (int i = 0; i < file_->parts(); ++i) count += !find_exr_colors(channels_of(file_->header(i))).channels.empty();
+    return count;
   }
   std::string shown_part() const { return part().hasName() ? shown(part().name()) : "the first"; }
   static std::string layer_of(const std::string& channel) {

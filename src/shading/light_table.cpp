@@ -204,6 +204,7 @@ void LightTable::add_triangles_of(std::size_t r, Powers& powers) {
 
 float LightTable::near_share(const LightReceiver& at) const {
   if (near_.empty() || far_.empty()) return near_.empty() ? 0.0f : 1.0f;
+  if (at.near_share >= 0.0f) return at.near_share;
   float irradiance = 0.0f;
   const std::array<TreeOfGroup, 3> groups = trees();
   for (std::size_t g = 0; g < groups.size(); ++g)

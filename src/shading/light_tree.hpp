@@ -38,7 +38,8 @@ namespace lippmann {
 /// A point that asks for light.
 struct LightReceiver {
   Vec3f position{0.0f};
-  Vec3f normal{0.0f};  ///< unit, of the side that light must come from to count; null: it may come from either
+  Vec3f normal{0.0f};        ///< unit, of the side that light must come from to count; null: it may come from either
+  float near_share = -1.0f;  ///< LightTable::near_share() of the point, where that is known already; else negative
 };
 
 /// How a lamp shines by the angle to its axis: coefficients of the first three Legendre polynomials.

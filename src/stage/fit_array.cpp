@@ -367,8 +367,7 @@ FittedArray without_camera(const Setting& setting, const Orbit& orbit) {
   const bool is_part = setting.subject.has_surroundings() || setting.subject.main_part;
   array.how = fmt::format(
       "The scene has no camera: the array goes through {} middle and is viewed from {:.4g} units away, {}, so that {} fits "
-      "into "
-      "the picture.{}",
+      "into the picture.{}",
       is_part ? "its subject's" : "its", array.viewing_distance,
       orbit == Orbit{} ? "a little from above and from the right" : "from where the orbit says", is_part ? "the subject" : "it",
       left_out_sentence(setting));

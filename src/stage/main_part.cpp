@@ -8,7 +8,8 @@ namespace lippmann {
 namespace {
 
 constexpr float kFarAway = 20.0f;   ///< the narrowest gap over the diagonal of what remains
-constexpr float kWideGap = 0.125f;  ///< over the diagonal of all: narrower ones are those of a scattered scene
+constexpr float kWideGap = 0.2f;    ///< over the longest side of all: narrower ones are those of a scattered scene
+constexpr float kSliver = 1000.0f;  ///< the longest side over the shortest
 constexpr int kMostCuts = 64;
 constexpr std::size_t kBins = 512;  ///< an axis in equal parts, which gaps are measured in
 
@@ -69,17 +70,33 @@ std::vector<ScenePiece> heavier_side(const std::vector<ScenePiece>& pieces, cons
 
 }  // namespace
 
+ScenePiece piece_of_triangle(Vec3f a, Vec3f b, Vec3f c) {
+  ScenePiece piece;
+  for (const Vec3f& corner : {a, b, c}) piece.bounds.add(corner);
+  const float sides[] = {glm::length(b - a), glm::length(c - b), glm::length(a - c)};
+  const auto [shortest, longest] = std::minmax_element(std::begin(sides), std::end(sides));
+  piece.area = 0.5f * glm::length(glm::cross(b - a, c - a));
+  piece.is_sliver = *longest > kSliver * *shortest;
+  return piece;
+}
+
 std::optional<Bounds3f> find_main_part(std::vector<ScenePiece> pieces) {
   std::erase_if(pieces, [](const ScenePiece& piece) {
     const Vec3f size = piece.bounds.empty() ? Vec3f(kInfinity) : piece.bounds.size();
     return !std::isfinite(size.x + size.y + size.z);
   });
+  const Bounds3f everything = bounds_of(pieces);
+  std::erase_if(pieces, [](const ScenePiece& piece) { return piece.is_sliver; });
   std::optional<Bounds3f> main;
+  if (const Bounds3f rest = bounds_of(pieces); !rest.empty())
+    if (const float size = glm::length(rest.size()); size > 0.0f && glm::length(everything.size()) > kFarAway * size)
+      main = Bounds3f{rest.lower - Vec3f(size), rest.upper + Vec3f(size)};
   float narrowest = kInfinity;
   for (int cut = 0; cut < kMostCuts && pieces.size() > 1; ++cut) {
     const Bounds3f all = bounds_of(pieces);
     const Gap gap = widest_gap(pieces, all);
-    if (!(gap.width > kWideGap * glm::length(all.size()))) break;
+    const Vec3f sides = all.size();
+    if (!(gap.width > kWideGap * std::max({sides.x, sides.y, sides.z}))) break;
     narrowest = std::min(narrowest, gap.width);
     pieces = heavier_side(pieces, gap);
     const Bounds3f rest = bounds_of(pieces);

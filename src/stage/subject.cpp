@@ -115,17 +115,13 @@ class Peeling {
   static void add_box(const Bounds3f& box, std::vector<ScenePiece>& pieces) {
     if (box.empty()) return;
     const Vec3f size = box.size();
-    pieces.push_back({box, 2.0f * (size.x * size.y + size.y * size.z + size.z * size.x)});
+    pieces.push_back({box, 2.0f * (size.x * size.y + size.y * size.z + size.z * size.x), false});
   }
 
   static void add_triangles(const Mesh& mesh, const Affine3f& world_from_mesh, std::vector<ScenePiece>& pieces) {
     std::vector<Vec3f> at;
     for (const Vec3f& p : mesh.positions) at.push_back(transform_point(world_from_mesh, p));
-    for (const auto& [a, b, c] : mesh.triangles) {
-      ScenePiece& piece = pieces.emplace_back();
-      for (const auto corner : {a, b, c}) piece.bounds.add(at[corner]);
-      piece.area = 0.5f * glm::length(glm::cross(at[b] - at[a], at[c] - at[a]));
-    }
+    for (const auto& [a, b, c] : mesh.triangles) pieces.push_back(piece_of_triangle(at[a], at[b], at[c]));
   }
 
   void leave_out_strays() {

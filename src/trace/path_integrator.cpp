@@ -49,13 +49,15 @@ void PathIntegrator::go_on(int i, const PathRay& ray, const BsdfSample& sample) 
   if (ray.depth + 1 >= kRouletteDepth &&
       !survives(throughput, std::min(0.95f, largest(throughput)), numbers(ray, i, kCoveragePair).x))
     return;
-  PathTracer::go_on(ray, point, vertices_.bsdfs.lit_side(i, point.normal), sample, throughput, vertices_.lengths[i],
-                    sample.is_delta() ? counts_.reflection : counts_.indirect);
+  PathRay* const next = PathTracer::go_on(ray, point, vertices_.bsdfs.lit_side(i, point.normal), sample, throughput,
+                                          vertices_.lengths[i], sample.is_delta() ? counts_.reflection : counts_.indirect);
+  if (next && !sample.straight) next->near_share = near_share_[i];
 }
 
 std::optional<LightSample> PathIntegrator::light_for(int i, const PathRay& ray) {
   const float pick = numbers(ray, i, kChoicePair).x;
-  const LightReceiver at = vertices_.receiver(i);
+  LightReceiver at = vertices_.receiver(i);
+  near_share_[i] = at.near_share = lights().near_share(at);
   if (lights().asks_sky_often() && lights().picks_sky(at, pick))
     return LightTable::sky_sample(sky_draws(), i, lights().chance(kSkyLight, at));
   return lights().sample(at, pick, numbers(ray, i, kOnLightPair));

@@ -71,6 +71,7 @@ class PathIntegrator : public PathTracer<PathIntegrator> {
   const TouchProbe* probe_ = nullptr;  ///< null: nothing is watched
   std::vector<PossibleChange>* changes_ = nullptr;
   std::array<float, 2> noise_weights_{};  ///< what a sample of the first and of the second half counts: see weights_of_halves()
+  Lanes near_share_;                      ///< of the vertices whose light has been asked for (LightReceiver::near_share)
   ShadowQueue shadow_rays_;
 };
 

@@ -10,7 +10,8 @@ namespace lippmann {
 
 struct PathRay {
   Vec3f origin{0.0f}, direction{0.0f}, throughput{1.0f};
-  Vec3f lit_side{0.0f};  ///< LightReceiver::normal at the last scattering
+  Vec3f lit_side{0.0f};      ///< LightReceiver::normal at the last scattering
+  float near_share = -1.0f;  ///< LightReceiver::near_share there
   float t_near = 0.0f, path_length = 0.0f;
   float scattered_at = 0.0f;  ///< path length at the last scattering
   float density = kInfinity;  ///< density of `direction` at the last scattering; kInfinity: a Dirac lobe's, or from the lens
@@ -72,7 +73,7 @@ inline void scatter(PathRay& ray, const ShadingPoint& point, Vec3f lit_side, con
   if (sample.straight) return;
   ray.direction = sample.direction;
   ray.density = sample.density, ray.scattered_at = length, ray.lights_from = 0;
-  ray.lit_side = lit_side;
+  ray.lit_side = lit_side, ray.near_share = -1.0f;
 }
 
 /// `ray`, sent on so.
@@ -84,7 +85,7 @@ inline PathRay scattered(PathRay ray, const ShadingPoint& point, Vec3f lit_side,
 
 /// The point where `ray` has scattered last, as it asked for lights there.
 inline LightReceiver last_receiver(const PathRay& ray) {
-  return {ray.origin - (ray.path_length - ray.scattered_at) * ray.direction, ray.lit_side};
+  return {ray.origin - (ray.path_length - ray.scattered_at) * ray.direction, ray.lit_side, ray.near_share};
 }
 
 inline float largest(Vec3f v) { return std::max({v.x, v.y, v.z}); }

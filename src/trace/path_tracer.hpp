@@ -181,13 +181,15 @@ class PathTracer {
     return true;
   }
 
-  /// Sends a path on in a direction that was drawn, and counts it, unless it carries nothing.
-  void go_on(const PathRay& ray, const ShadingPoint& point, Vec3f lit_side, const BsdfSample& sample, Vec3f throughput,
-             float length, std::uint64_t& count) {
-    if (throughput == Vec3f(0.0f) || !is_finite(throughput)) return;
-    if (!sample.is_vertex && ray.events >= kMostEvents) return;
+  /// Sends a path on in a direction that was drawn, and counts it. Null where it carries nothing; else valid until the next.
+  PathRay* go_on(const PathRay& ray, const ShadingPoint& point, Vec3f lit_side, const BsdfSample& sample, Vec3f throughput,
+                 float length, std::uint64_t& count) {
+    if (throughput == Vec3f(0.0f) || !is_finite(throughput)) return nullptr;
+    if (!sample.is_vertex && ray.events >= kMostEvents) return nullptr;
     ++count;
-    scatter(next_.emplace_back(ray), point, lit_side, sample, throughput, length);
+    PathRay& next = next_.emplace_back(ray);
+    scatter(next, point, lit_side, sample, throughput, length);
+    return &next;
   }
 
   /// depth: vertices that have scattered it.

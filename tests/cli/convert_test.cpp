@@ -89,6 +89,8 @@ TEST(Convert, of_a_video_of_colours_and_depth_makes_what_its_frames_make) {
   }
   expect_refusal(run_tool(dir, Words{"convert", "clip_rgbd.mkv", "v.mp4"} + rest), 1, "lippmann encode");
   fs::remove(dir / "a/frame_0001_rgbd.png.json");
+  EXPECT_THAT(run_tool(dir, {"encode", "a", "clip.mkv"}).err, HasSubstr("frame_0001_rgbd.png.json: is missing"));
+  fs::remove_all(dir / "a/.lippmann");
   EXPECT_THAT(run_tool(dir, {"encode", "a", "clip.mkv"}).err, HasSubstr("--depth-range gives all frames one range"));
   EXPECT_FALSE(fs::exists(dir / "clip_rgbd.mkv.json"));
 }

@@ -162,6 +162,7 @@ TEST_F(ReplayedRenders, impossible_eyes_sizes_depths_and_lines_are_refused) {
 
 TEST_F(ReplayedRenders, folder_without_a_report_or_with_other_pictures_is_refused) {
   render_teapot();
+  fs::remove_all(dir_ / "out/.lippmann");  // which says that these files are others than were written
   EXPECT_THAT(error_message([&] { seen({}, "none", "never"); }), HasSubstr("none"));
   write_png(dir_ / "out/frame_0004.png", Image8{8, 8, std::vector<unsigned char>(192)});
   EXPECT_THAT(error_message([&] { seen({}, "out/frame_0004.png", "never"); }), HasSubstr("has 8x8 pixels"));

@@ -54,6 +54,23 @@ class SceneTest(Case):
         add(texture.reshape(3, 2, 3), 5)  # the same bytes in another shape
         self.assertEqual(scene._core.material_count, 3)
 
+    def test_a_scene_on_a_map_is_rendered_as_at_the_origin(self):
+        def field(place):
+            scene = lippmann.Scene()
+            material = lippmann.Material((0.25, 0.5, 0.75), unlit=True)
+            scene.add_mesh(QUAD, FACES, material=material, translation=place, scale=(0.5, 0.75, 1))
+            scene.place_display(place, height=2, viewing_distance=20)
+            corners = np.multiply(QUAD, (0.5, 0.75, 1)) + place
+            np.testing.assert_array_equal(scene.bounds(), [corners.min(axis=0), corners.max(axis=0)])
+            return lippmann.render(scene, small_grid(1, 1, (32, 32)), light="none", spp=1)
+
+        place = (4194304, 1024, -2097152)  # floats can hold the corners
+        near, far = field((0, 0, 0)), field(place)
+        np.testing.assert_array_equal(far.views, near.views)
+        moved = near.world_from_display
+        moved[:3, 3] += place
+        np.testing.assert_array_equal(far.world_from_display, moved)
+
     def test_vertex_colors_multiply_the_materials(self):
         scene = lippmann.Scene()
         colors = np.full((4, 3), (1.0, 0.5, 0.0))

@@ -13,7 +13,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 ScenePiece cube(Vec3f at, float size = 1.0f) {
-  return {{at - Vec3f(0.5f * size), at + Vec3f(0.5f * size)}, 6.0f * size * size};
+  return {{at - Vec3f(0.5f * size), at + Vec3f(0.5f * size)}, 6.0f * size * size, false};
 }
 
 bool holds(const Bounds3f& box, Vec3f p) {
@@ -27,7 +27,7 @@ TEST(MainPart, pieces_near_one_another_are_whole) {
   std::vector<ScenePiece> row;
   for (int i = 0; i < 40; ++i) row.push_back(cube({40.0f * static_cast<float>(i), 0, 0}));
   EXPECT_FALSE(find_main_part(row)) << "scattered evenly";
-  EXPECT_FALSE(find_main_part({cube(Vec3f(0)), {{Vec3f(kInfinity), Vec3f(kInfinity)}, 0.0f}}));
+  EXPECT_FALSE(find_main_part({cube(Vec3f(0)), {{Vec3f(kInfinity), Vec3f(kInfinity)}, 0.0f, false}}));
 }
 
 TEST(MainPart, strays_on_any_side_are_left_out) {
@@ -91,6 +91,27 @@ TEST(MainPart, a_stray_triangle_of_the_same_mesh_does_not_either) {
   add(with_stray, "mesh", mesh);
   EXPECT_NEAR(fit_array(with_stray).viewing_distance, fit_array(alone).viewing_distance, 1e-4f);
   EXPECT_THAT(fit_array(with_stray).warning, HasSubstr("'mesh'"));
+}
+
+TEST(MainPart, a_stray_vertex_does_not_either) {
+  Mesh mesh = triangle_at(Vec3f(0), 1.0f);
+  Scene alone;
+  add(alone, "mesh", mesh);
+  mesh.positions.push_back({1e5f, 0, 0});
+  mesh.triangles.push_back({0, 2, 3});
+  Scene with_stray;
+  add(with_stray, "mesh", mesh);
+  EXPECT_LT(fit_array(with_stray).viewing_distance, 5.0f * fit_array(alone).viewing_distance);
+  EXPECT_THAT(fit_array(with_stray).warning, HasSubstr("'mesh'"));
+}
+
+TEST(MainPart, a_rod_is_whole) {
+  Mesh thin;
+  thin.positions = {{0, 0, 0}, {1e4f, 0, 0}, {0, 1, 0}, {1e4f, 1, 0}};
+  thin.triangles = {{0, 1, 2}, {1, 3, 2}};
+  Scene rod;
+  add(rod, "rod", thin);
+  EXPECT_GT(fit_array(rod).viewing_distance, 1e3f);
 }
 
 TEST(MainPart, a_stray_ball_of_a_list_does_not_either) {
