@@ -175,7 +175,8 @@ class LightBench {
     run_.reuse = reuse.figures;
     run_.estimates_db = reuse.estimates_db, run_.at_least_db = reuse.at_least_db;
     run_.estimate = judge_estimates(reuse.estimates_db, reuse.figures.psnr_db_by_frame);
-    run_.stated_bytes = bytes_kept_per_pixel(frame_params(reuse_params_)) * run_.width * run_.height;
+    const Workload work{stage_.scene.timeline.frame_count, wanted_.count};
+    run_.stated_bytes = working_bytes_per_pixel(frame_params(reuse_params_), work) * run_.width * run_.height;
     if (settings_.without_full) return;
     judge(full);
     run_.full = full.figures;
