@@ -247,7 +247,7 @@ TEST_F(StripRenders, what_does_not_fit_in_bands_is_refused_with_the_reason) {
   EXPECT_THAT(refusal(path + Settings{{"denoise", "true"}}, 50.0),
               HasSubstr("are not possible: the denoiser (`denoise`) looks at pixels of other rows"));
   EXPECT_THAT(refusal({{"reuse", "interpolate"}}, 30.0), HasSubstr("interpolated frames (`reuse`) are made from whole ones"));
-  EXPECT_THAT(refusal(path + Settings{{"reuse", "light"}, {"time-budget", "1"}}, 50.0), HasSubstr("`time-budget`"));
+  EXPECT_THAT(refusal({{"integrator", "path"}, {"reuse", "light"}, {"time-budget", "1"}}, 50.0), HasSubstr("`time-budget`"));
   EXPECT_THAT(refusal({{"strips", "4"}}, 5.0), HasSubstr("4 of 64x184 pixels need about"));
   EXPECT_FALSE(fs::exists(dir_ / "none"));
 }
@@ -255,7 +255,7 @@ TEST_F(StripRenders, what_does_not_fit_in_bands_is_refused_with_the_reason) {
 TEST_F(StripRenders, frames_are_made_one_at_a_time_before_they_are_cut) {
   const Settings several{{"frames", "0-3"}};
   render(still("usual", several));
-  render(still("short", several), {.available_memory = 30.0 * 64 * 184});
+  render(still("short", several), {.available_memory = 42.0 * 64 * 184});
   EXPECT_THAT(warnings_, HasSubstr("each frame is written before the next one is rendered."));
   EXPECT_EQ(pictures("short"), pictures("usual"));
 }
