@@ -3,6 +3,7 @@
 // stb_image takes what lies behind a file's end for zeros. Here it gets ones instead, and whoever asks for them has a truncated
 // file.
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <utility>
@@ -74,7 +75,8 @@ bool read_shape(FileBytes file, Shape& shape) {
 Shape shape_of(FileBytes file, const std::string& where) {
   Shape shape;
   if (!read_shape(file, shape)) throw unreadable_picture(where, "its header is truncated, damaged or of an unknown kind");
-  check_image_size(where, shape.width, shape.height, shape.channels);
+  check_image_size(where, shape.width, std::abs(std::int64_t{shape.height}), shape.channels);
+  shape.height = std::abs(shape.height);  // below 0 in BMP files whose rows run from the top
   return shape;
 }
 

@@ -1,7 +1,5 @@
 #include "scene/text_file.hpp"
 
-#include <fmt/format.h>
-
 #include <string_view>
 
 #include "core/regular_file.hpp"
@@ -61,11 +59,11 @@ std::string utf8_text(std::string text) {
 std::string read_text_file(const fs::path& file, const std::string& where, std::size_t limit_bytes,
                            const std::string& accepted) {
   RegularFile opened(file);
-  if (!opened.problem().empty()) throw Error(where, fmt::format("{} {}", file.string(), opened.problem()));
+  const std::string named = where == file.string() ? "" : file.string() + " ";  // not twice
+  if (!opened.problem().empty()) throw Error(where, named + opened.problem());
   if (opened.size() > limit_bytes) throw Error(where, "the scene's files are too large", accepted);
   std::string text(static_cast<std::size_t>(opened.size()), '\0');
-  if (opened.read(text.data(), text.size()) < text.size())
-    throw Error(where, fmt::format("{} cannot be read to its end", file.string()));
+  if (opened.read(text.data(), text.size()) < text.size()) throw Error(where, named + "cannot be read to its end");
   return text;
 }
 

@@ -336,7 +336,7 @@ INSTANTIATE_TEST_SUITE_P(All, TachyonBadPath,
 
 TEST_F(Tachyon, missing_path_is_an_error) {
   files.camera_path = files.path("no.cam");
-  EXPECT_EQ(files.error_of(TachyonFiles::kPrelude + "END_SCENE"), "no.cam: no.cam does not exist");
+  EXPECT_EQ(files.error_of(TachyonFiles::kPrelude + "END_SCENE"), "no.cam: does not exist");
 }
 
 }  // namespace
