@@ -185,7 +185,8 @@ TEST_F(Tachyon, orthographic_camera_sets_the_height_of_the_plane) {
 TEST_F(Tachyon, orthographic_camera_of_a_tiny_part_is_warned_about) {
   files.load_statements(camera("CENTER 200 -200 0 VIEWDIR 0 0 1 UPDIR 0 -1 0", "PROJECTION ORTHOGRAPHIC ZOOM 3") +
                         "SPHERE CENTER 200 -200 500 RAD 60" + white);
-  EXPECT_THAT(files.warnings.back(), HasSubstr("ZOOM shows 0.333 units of a scene that is 208 units large"));
+  EXPECT_THAT(files.warnings.back(),
+              HasSubstr("ZOOM shows 0.333 units of a scene that is 208 units large, as Tachyon does; `zoom` 0.001 shows all"));
 }
 
 TEST_F(Tachyon, depth_of_field_is_read_and_left_out) {

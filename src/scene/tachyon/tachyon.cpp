@@ -53,17 +53,18 @@ Background background_of(const ParserState& state, const Vec3d& origin) {
 
 /// Orthographic pictures are often far too small where a program writes pixels as units (Jmol does).
 void warn_of_orthographic(const Scene& scene, const std::string& name, const Context& context) {
-  constexpr float kSmall = 0.05f;
+  constexpr float kSmall = 0.05f, kLeastZoom = 1e-3f;  // which `zoom` accepts
   const float height = scene.cameras.front().orthographic_height;
   context.warning(
       fmt::format("{}: PROJECTION ORTHOGRAPHIC sets the height of the display's plane; viewers see it in perspective.", name));
   const Bounds3f bounds = finite_bounds(scene, evaluate(scene, 0.0));
   const float size = bounds.empty() ? 0.0f : glm::length(bounds.size());
-  if (height < kSmall * size)
-    context.warning(
-        fmt::format("{}: its camera's ZOOM shows {:.3g} units of a scene that is {:.3g} units large, as Tachyon "
-                    "does; `zoom` {:.1g} shows all of it.",
-                    name, height, size, 0.5f * height / size));
+  if (!(height < kSmall * size)) return;
+  const float zoom = std::max(kLeastZoom, 0.8f * height / size);
+  context.warning(
+      fmt::format("{}: its camera's ZOOM shows {:.3g} units of a scene that is {:.3g} units large, as Tachyon does; "
+                  "`zoom` {:.1g} shows {} of it.",
+                  name, height, size, zoom, zoom > kLeastZoom ? "all" : "more"));
 }
 
 }  // namespace
