@@ -133,6 +133,10 @@ TEST(PageField, report_that_is_a_link_out_of_the_folder_is_refused) {
   fs::remove(dir / "report.json");
   fs::copy_file(elsewhere / "report.json", dir / "kept.json");
   fs::create_symlink("kept.json", dir / "report.json");
+  fs::create_directory(dir / ".lippmann");
+  fs::create_symlink(elsewhere / "report.json", dir / ".lippmann" / "part");
+  EXPECT_THAT(test::error_message([&] { test::fields_of(dir.path()); }), HasSubstr("part: is a link that leads out of"));
+  fs::remove_all(dir / ".lippmann");
   EXPECT_EQ(test::fields_of(dir.path())[0]->facts().frames.size(), 1u);
 }
 
