@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "folder/journal.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
@@ -30,7 +31,11 @@ void require_links_within(const fs::path& root, const fs::path& folder, const Co
       refuse(root, entry.path());
 }
 
-bool is_description(const fs::path& name) { return name.extension() == ".json" || name.extension() == ".cfg"; }
+/// report.json, job.toml, cameras.json, parameters.cfg, side files.
+bool is_description(const fs::path& name) {
+  const std::string extension = name.extension().string();
+  return extension == ".json" || extension == ".toml" || extension == ".cfg";
+}
 
 /// Side files and layers of a picture, or of a folder of views: frame_0000.png.json, aov_0000.exr.
 bool is_read_with(const fs::path& picture, const std::string& name) {
@@ -55,10 +60,9 @@ void require_reports_within(const fs::path& root, const fs::path& file) {
 void require_descriptions_within(const fs::path& root, const fs::path& in) {
   require_reports_within(root, in);
   std::error_code ignored;
-  if (fs::is_directory(in, ignored))
-    require_links_within(root, in, is_description);
-  else
-    require_within(root, in);
+  if (!fs::is_directory(in, ignored)) return require_within(root, in);
+  require_links_within(root, in, is_description);
+  require_links_within(root, journal_folder(in), [](const fs::path&) { return true; });
 }
 
 }  // namespace

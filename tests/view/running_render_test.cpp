@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "core/file_checksum.hpp"
 #include "folder/render_folder.hpp"
 #include "lippmann/core/error.hpp"
 #include "support/error_message.hpp"
@@ -32,7 +33,8 @@ class RunningRenderTest : public testing::Test {
   void add(int frame) {
     FrameReport report;
     report.frame = frame, report.kind = "key";
-    folder_->add(report, {{"frame_000" + std::to_string(frame) + ".png", {1, "0123456789abcdef"}}});
+    const std::string name = "frame_000" + std::to_string(frame) + ".png";
+    folder_->add(report, {{name, file_checksum(dir_ / name).value()}});
   }
   /// A script in place of the tool: what it is called with goes to `words`.
   fs::path tool_that(const std::string& does) {
