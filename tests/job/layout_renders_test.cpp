@@ -242,7 +242,7 @@ TEST_F(LayoutRenders, rgbd_video_is_its_frames_and_says_what_their_grey_means) {
   EXPECT_THAT(error_message([&] {
                 render(job("room", "b", clip + Settings{{"format", "exr"}}));
               }),
-              HasSubstr("codes of depth"));
+              HasSubstr("store depth as integers"));
 }
 
 TEST_F(LayoutRenders, rows_of_two_eyes_in_a_video_that_mixes_rows_are_warned_of) {

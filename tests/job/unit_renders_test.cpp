@@ -146,7 +146,7 @@ TEST_F(UnitRenders, that_cannot_be_are_refused) {
   EXPECT_THAT(refusal(teapot("a", "0-5"), {.only_frames = FrameRanges{{7, 9}}}),
               HasSubstr("only-frames: 7-9 selects no frame of this render; accepted: some of 0-5"));
   EXPECT_THAT(refusal(teapot("a", "0-1", {{"video", dir_ / "a.mp4"}, {"format", "exr"}}), {.units = Units{{1}, 2}}),
-              HasSubstr("video: is made of the pictures of all parts"));
+              HasSubstr("video: needs pictures of 8 bits"));
   EXPECT_THAT(error_message([&] { finish("missing"); }), HasSubstr("missing"));
   EXPECT_FALSE(exists("a"));
 }
