@@ -71,6 +71,9 @@ double left_in_cgroups(const fs::path& proc, const fs::path& root) {
   return left;
 }
 
+/// Stacks and heaps of threads that are yet to start: they take address space, whatever of it is used.
+constexpr double kThreadBytes = 64e6;
+
 /// Columns of /proc/self/statm count pages.
 double left_of_limit(decltype(RLIMIT_AS) resource, const fs::path& proc, int column) {
   rlimit limit{};
@@ -79,7 +82,7 @@ double left_of_limit(decltype(RLIMIT_AS) resource, const fs::path& proc, int col
   double pages = 0.0;
   for (int i = 0; i <= column; ++i)
     if (!(file >> pages)) return kUnlimited;
-  return static_cast<double>(limit.rlim_cur) - pages * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  return static_cast<double>(limit.rlim_cur) - pages * static_cast<double>(sysconf(_SC_PAGE_SIZE)) - kThreadBytes;
 }
 
 }  // namespace

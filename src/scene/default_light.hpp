@@ -5,8 +5,9 @@
 
 namespace lippmann {
 
-/// Whether light would change what the scene shows, but no lamp is there to give it, or black ones alone. Emission of glTF's surfaces counts for
-/// nothing: Whitted's shading carries it nowhere. A Phong surface with ambient light is as dark as its author made it.
+/// Whether light would change what the scene shows, but no lamp is there to give it, or black ones alone. Emission of glTF's
+/// surfaces counts for nothing: Whitted's shading carries it nowhere. A Phong surface with ambient light is as dark as its
+/// author made it.
 bool lacks_lamps(const Scene& scene);
 
 /// A key light from above left of the viewer and, where all is dark, a dim background. The viewer is the first camera, or has
