@@ -193,11 +193,12 @@ TEST_F(StripRenders, that_cannot_be_are_refused) {
   EXPECT_THAT(error_message([&] { still("a", {{"strips", "0"}}); }), HasSubstr("strips"));
   EXPECT_THAT(refused({{"strips", "13"}}),
               HasSubstr("strips: 13 are too many for 184 rows, of which 16 stay together; accepted: 1 to 12"));
-  EXPECT_THAT(refused({{"strips", "2"}, {"reuse", "interpolate"}}), HasSubstr("strips: are made alone, and interpolated"));
+  EXPECT_THAT(refused({{"strips", "2"}, {"reuse", "interpolate"}}),
+              HasSubstr("strips: strips are rendered separately, and interpolated"));
   EXPECT_THAT(refused({{"strips", "2"}, {"integrator", "path"}, {"denoise", "true"}}),
-              HasSubstr("strips: are made alone, and the denoiser"));
+              HasSubstr("strips: strips are rendered separately, and the denoiser"));
   EXPECT_THAT(refused({{"strips", "2"}, {"integrator", "path"}, {"time-budget", "9"}}),
-              HasSubstr("`time-budget` is one machine's"));
+              HasSubstr("`time-budget`, which measures one machine"));
   EXPECT_FALSE(exists("a"));
 }
 
