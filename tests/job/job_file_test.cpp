@@ -149,7 +149,7 @@ TEST(JobFile, missing_file_or_folder_is_refused) {
 
 TEST(JobFile, that_is_too_large_is_refused_unread) {
   const test::TempDir dir;
-  EXPECT_THAT(refusal(write(dir / "job.toml", "spp = 1\n" + std::string(2 << 20, '#'))), HasSubstr("at most 1 MB"));
+  EXPECT_THAT(refusal(write(dir / "job.toml", "spp = 1\n" + std::string(2 << 20, '#'))), HasSubstr("at most 1 MiB"));
 }
 
 TEST(JobFile, relative_paths_are_relative_to_the_jobs_folder) {
