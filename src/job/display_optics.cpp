@@ -39,7 +39,7 @@ Display with_params(const RenderParams& params, Display display, bool is_quilt) 
 
 /// The display's quilt, or the one of the parameters.
 Optics wanted_quilt(const RenderParams& params, Display display) {
-  refuse(!display.quilt && params.optics.views.x == 0, "--optics multiview", "the display knows no quilt",
+  refuse(!display.quilt && params.optics.views.x == 0, "--optics multiview", "the display has no quilt",
          "--views CxR and --size WxH");
   DisplayQuilt quilt = display.quilt.value_or(DisplayQuilt{});
   if (params.optics.views.x > 0) quilt.columns = params.optics.views.x, quilt.rows = params.optics.views.y;

@@ -171,7 +171,7 @@ TEST_F(DisplayRenders, crosstalk_that_nobody_says_or_wants_is_refused) {
   const auto refused = [&](const Settings& settings, const std::string& message) {
     EXPECT_THAT(refusal(teapot("out", "0", settings)), HasSubstr(message));
   };
-  refused({{"precompensate", "true"}}, "nothing says");
+  refused({{"precompensate", "true"}}, "crosstalk of the display is not known");
   refused({{"crosstalk", "0.3"}}, "precompensate");
   refused({{"precompensate", "true"}, {"crosstalk", "2"}}, "cannot be told apart");
   EXPECT_THAT(refusal(job("teapot", "out", {{"precompensate", "true"}, {"crosstalk", "0.3"}, {"optics", "single"}})),

@@ -105,7 +105,7 @@ TEST_F(LayoutRenders, what_cannot_be_is_refused_before_anything_is_made) {
   refused({{"layout", "quilt"}, {"quilt", "3x2"}}, "3x2 tiles do not hold 8 views");
   refused({{"quilt", "4x2"}}, "quilt");
   refused({{"pseudoscopic", "true"}, {"layout", "quilt"}}, "integral");
-  refused({{"layout", "views"}, {"video", dir_ / "a.mp4"}}, "pictures of their own");
+  refused({{"layout", "views"}, {"video", dir_ / "a.mp4"}}, "one picture per frame");
   refused({{"size", "20000x20000"}}, "tiff");
   refused({{"size", "65536x32768"}}, "2147483647 pixels");
   refused({{"video", dir_ / "a.webm"}, {"video-codec", "h264"}}, "do not hold h264");
@@ -218,8 +218,8 @@ TEST_F(LayoutRenders, rgbd_coding_is_as_asked_and_refused_elsewhere) {
   EXPECT_EQ(coding, (DepthCoding{{12.5, -40}, true, true}));
   const auto refusal = [&](const Settings& more) { return error_message([&] { render(job("room", "b", small + more)); }); };
   EXPECT_THAT(refusal({{"depth-range", "10:-30"}}), HasSubstr("depth-range: has no effect without `layout` rgbd"));
-  EXPECT_THAT(refusal({{"layout", "rgbd"}, {"depth-range", "1e6:0"}}), HasSubstr("is not before the eye"));
-  EXPECT_THAT(refusal({{"layout", "rgbd"}, {"depth-range", "-30:10"}}), HasSubstr("is no range of depths"));
+  EXPECT_THAT(refusal({{"layout", "rgbd"}, {"depth-range", "1e6:0"}}), HasSubstr("does not lie in front of the eye"));
+  EXPECT_THAT(refusal({{"layout", "rgbd"}, {"depth-range", "-30:10"}}), HasSubstr("as a range of depths"));
 }
 
 TEST_F(LayoutRenders, rgbd_video_is_its_frames_and_says_what_their_grey_means) {

@@ -114,10 +114,10 @@ TEST(StereoOptics, what_has_no_meaning_is_refused) {
   EXPECT_THAT(error_message([&] { optics_for(params); }), HasSubstr("1201x300 pixels do not hold two views"));
   params = stereo_params();
   params.optics.kind = OpticsKind::kLenticular;
-  EXPECT_THAT(error_message([&] { optics_for(params); }), HasSubstr("no meaning for the views of two eyes"));
+  EXPECT_THAT(error_message([&] { optics_for(params); }), HasSubstr("has no effect on a stereo picture"));
   params = stereo_params();
   params.optics.viewing_distance_mm = kInfinity;
-  EXPECT_THAT(error_message([&] { optics_for(params); }), HasSubstr("infinite distance"));
+  EXPECT_THAT(error_message([&] { optics_for(params); }), HasSubstr("cannot be infinite"));
   params = {};
   params.optics.ipd_mm = 60.0;
   EXPECT_THAT(error_message([&] { optics_for(params); }), HasSubstr("has no effect without two eyes"));

@@ -92,7 +92,7 @@ TEST(Convert, regular_cameras_survive_the_way_over_stanford) {
   convert(dir / "s", dir / "back", params("stanford", "hci"));
   std::ifstream text(dir / "back/parameters.cfg");
   const std::string parameters{std::istreambuf_iterator<char>(text), {}};
-  EXPECT_THAT(parameters, testing::AllOf(HasSubstr("baseline_mm = 6\n"), HasSubstr("focus_distance_m = 1.15\n"),
+  EXPECT_THAT(parameters, testing::AllOf(HasSubstr("baseline_mm = 6\n"), HasSubstr("focus_distance_m = 1.15"),
                                          HasSubstr("num_cams_x = 2\n")));
 }
 
@@ -150,9 +150,9 @@ void expect_refusal(const fs::path& in, const fs::path& out, const ConvertParams
 TEST(Convert, what_cannot_be_is_refused) {
   const TempDir dir;
   write_png(dir / "in.png", picture8(10, 4));
-  expect_refusal(dir / "in.png", dir / "o.png", params(kIntegral, kQuilt), "views", "does not say");
+  expect_refusal(dir / "in.png", dir / "o.png", params(kIntegral, kQuilt), "views", "is unknown");
   expect_refusal(dir / "in.png", dir / "o.png", params(kIntegral, kQuilt, ViewGrid{3, 1}), "in.png", "10x4");
-  expect_refusal(dir / "in.png", dir / "o.png", params(kQuilt, kIntegral), "quilt", "does not say");
+  expect_refusal(dir / "in.png", dir / "o.png", params(kQuilt, kIntegral), "quilt", "is unknown");
   expect_refusal(dir / "in.png", dir / "o.png", params(kQuilt, kIntegral, ViewGrid{3, 1}, ViewGrid{2, 2}), "views",
                  "not as many");
   expect_refusal(dir / "in.png", dir / "o.png", params(kIntegral, kQuilt, ViewGrid{2, 1}, ViewGrid{3, 1}), "quilt",

@@ -83,7 +83,7 @@ TEST(MivFormat, views_without_cameras_and_missing_pictures_are_refused) {
   EXPECT_THAT(error_message([&] {
                 miv_format().write(numbered_field({2, 1}, {4, 3}), dir / "m", {});
               }),
-              HasSubstr("not known what cameras"));
+              HasSubstr("cameras of these views are unknown"));
   miv_format().write(two_views(), dir / "n", {});
   std::filesystem::remove(dir / "n/view_001.png");
   EXPECT_THAT(error_message([&] { miv_format().read(dir / "n", {}); }), HasSubstr("view_001 is missing"));

@@ -251,8 +251,8 @@ TEST(EyeView, eyes_that_see_nothing_are_refused) {
   };
   EXPECT_THAT(message({0, 0, 0}), HasSubstr("not in front of the display"));
   EXPECT_THAT(message({0, 0, -5}), HasSubstr("not in front of the display"));
-  EXPECT_THAT(message({0, std::nan(""), 100}), HasSubstr("no place"));
-  EXPECT_THAT(message({0, 0, INFINITY}), HasSubstr("no place"));
+  EXPECT_THAT(message({0, std::nan(""), 100}), HasSubstr("not a position"));
+  EXPECT_THAT(message({0, 0, INFINITY}), HasSubstr("not a position"));
   EXPECT_EQ(message({0, 0, 100}), "(no Error)");
 }
 

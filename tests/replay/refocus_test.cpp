@@ -134,7 +134,7 @@ TEST(Refocus, depths_behind_the_viewer_or_not_finite_are_refused) {
     return test::error_message([&] { validate_depth(test::sheet(150.0f), z, "--refocus"); });
   };
   EXPECT_THAT(message(150.0), testing::HasSubstr("not before the eyes"));
-  EXPECT_THAT(message(std::nan("")), testing::HasSubstr("no depth"));
+  EXPECT_THAT(message(std::nan("")), testing::HasSubstr("out of range"));
   Optics one_lens = test::sheet();
   std::get<LenticularSheet>(one_lens.model).lens_pitch_mm = 40.0f;
   EXPECT_THAT(test::error_message([&] { validate_depth(one_lens, 1.0, "--refocus"); }), testing::HasSubstr("no parallax"));
