@@ -193,7 +193,7 @@ TEST(LiveScene, a_render_that_is_cancelled_leaves_what_an_interrupted_one_leaves
   params.output.folder = (dir.path() / "out").string();
   const auto scene = test::live_scene(params);
   scene->render(true);
-  EXPECT_THAT(test::error_message([&] { scene->render(true); }), HasSubstr("under way"));
+  EXPECT_THAT(test::error_message([&] { scene->render(true); }), HasSubstr("another render is running"));
   test::wait_for(*scene, [](const Json& now) { return now["render"]["done"].get<int>() > 0; });
   scene->cancel_render();
   const Json done = test::wait_for(*scene, [](const Json& now) { return now["render"]["state"] != "running"; });

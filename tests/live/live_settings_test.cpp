@@ -46,7 +46,7 @@ TEST(LiveSettings, no_text_of_a_page_becomes_a_path) {
   base.scene.environment = "/home/own.hdr";
   LiveSettings settings(base);
   EXPECT_THAT(test::error_message([&] { set(settings, "environment", "/etc/passwd"); }), HasSubstr("accepts no files"));
-  EXPECT_THAT(test::error_message([&] { set(settings, "display", "../visual.json"); }), HasSubstr("presets alone"));
+  EXPECT_THAT(test::error_message([&] { set(settings, "display", "../visual.json"); }), HasSubstr("presets only"));
   set(settings, "environment", "studio");
   set(settings, "environment", "/home/own.hdr");
   set(settings, "display", "portrait");
