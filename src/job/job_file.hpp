@@ -1,8 +1,8 @@
 // Job files: TOML whose keys are the names in params_table.hpp. A job reproduces a render.
 //
 // Paths in a job file are relative to the folder that it lies in; in RenderParams they are relative to the working folder. In
-// the folder of its render, a job file names that folder and what lies in it relative to itself, however it was given: a copy of
-// the folder renders into itself.
+// the folder of its render, a job file names that folder and what lies in it relative to itself, however it was given: a copy
+// of the folder renders into itself.
 #pragma once
 
 #include <filesystem>
