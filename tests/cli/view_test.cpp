@@ -30,7 +30,7 @@ TEST(View, what_cannot_be_shown_is_refused_before_anything_is_served) {
   const TempDir dir;
   fs::create_directory(dir / "empty");
   expect_refusal(run_tool(dir, {"view", "missing"}), 1, "there is no such file or folder");
-  expect_refusal(run_tool(dir, {"view", "empty"}), 1, "contains no frames");
+  expect_refusal(run_tool(dir, {"view", "empty"}), 1, "is an empty folder");
   expect_refusal(run_tool(dir, {"view", "empty", "--port", "70000"}), 2, "--port");
 }
 
@@ -62,7 +62,7 @@ TEST(View, an_unfinished_render_is_shown_at_an_address_that_has_a_token) {
 TEST(View, flags_of_scenes_and_of_light_fields_are_told_apart) {
   const TempDir dir;
   fs::create_directory(dir / "room");  // a folder is a light field, whatever a built-in scene is called
-  expect_refusal(run_tool(dir, {"view", "room"}), 1, "contains no frames");
+  expect_refusal(run_tool(dir, {"view", "room"}), 1, "is an empty folder");
   expect_refusal(run_tool(dir, {"view", "room", "--zoom", "2"}), 2, "--zoom");
   expect_refusal(run_tool(dir, {"view", "room", "--save-job", "x.toml"}), 2, "--save-job");
   expect_refusal(run_tool(dir, {"view", "teapot", "--from", "hci"}), 2, "--from");
