@@ -24,14 +24,14 @@ Refusal render(const Words& flags, const std::string& part_of_message) {
   return {Words{"render", "teapot", "--frames", "0"} + flags, part_of_message};
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Layouts, Refusals,
-    testing::Values(render({"--quilt", "4x2"}, "--layout quilt"),
-                    render({"--pseudoscopic", "--layout", "quilt"}, "--layout integral"),
-                    render({"--to", "hcl"}, "did you mean 'hci'?"),
-                    render({"--to", "hci", "--layout", "quilt"}, "--to: 'hci' is not what --layout asks for"),
-                    render({"--to", "hci", "--optics", "multiview", "--aov", "normal"}, "--aov: files of the format hci"),
-                    render({"--size", "20000x20000"}, "--format tiff"), render({"-o", "-"}, "--output")));
+INSTANTIATE_TEST_SUITE_P(Layouts, Refusals,
+                         testing::Values(render({"--quilt", "4x2"}, "--layout quilt"),
+                                         render({"--pseudoscopic", "--layout", "quilt"}, "--layout integral"),
+                                         render({"--to", "hcl"}, "did you mean 'hci'?"),
+                                         render({"--to", "hci", "--layout", "quilt"}, "--to: hci contradicts --layout"),
+                                         render({"--to", "hci", "--optics", "multiview", "--aov", "normal"},
+                                                "--aov: files of the format hci"),
+                                         render({"--size", "20000x20000"}, "--format tiff"), render({"-o", "-"}, "--output")));
 
 INSTANTIATE_TEST_SUITE_P(
     Light, Refusals,
