@@ -52,6 +52,7 @@ class Demand {
   }
 
   const tinygltf::Accessor& accessor(int index) const { return model_.accessors[static_cast<std::size_t>(index)]; }
+  const tinygltf::Material& material(int index) const { return model_.materials[static_cast<std::size_t>(index)]; }
   std::uint64_t components(int index) const {
     return static_cast<std::uint64_t>(
         std::max(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor(index).type)), 1));
@@ -111,10 +112,15 @@ class Demand {
     const tinygltf::Primitive& primitive = primitive_of(document_, id);
     const auto add = [&](const std::string& name) { add_floats(attribute(primitive, name)); };
     if (is_splats(primitive)) {
-      for (const auto& [name, index] : primitive.attributes) add_floats(index);
+      for (const auto& [name, index] : primitive.attributes) {
+        add_floats(index);
+        if (name.find(":SH_") != std::string::npos) add_floats(index);  // once more, in Splats::harmonics
+      }
       return;
     }
     for (const char* name : {"POSITION", "NORMAL", "TEXCOORD_0", "COLOR_0"}) add(name);
+    const bool has_relief = primitive.material >= 0 && material(primitive.material).normalTexture.index >= 0;
+    if (has_relief) add("TANGENT");
     for (const auto& target : primitive.targets)
       for (const auto& [name, index] : target)
         if (name == "POSITION" || (name == "NORMAL" && attribute(primitive, "NORMAL") >= 0)) add_floats(index);
