@@ -64,6 +64,8 @@ void require_colors(const PictureHeader& header, const fs::path& path) {
               "channels called R, G and B or Y, of a layer too");
 }
 
+bool is_rgb_alone(const PictureHeader& header) { return header.colors == 3 && header.channels.size() == 3; }
+
 /// The colours without what else a pixel has; grey three times.
 template <class Code>
 std::vector<Code> rgb_of(const std::vector<Code>& codes, const PictureHeader& header) {
@@ -100,7 +102,7 @@ Image8 to_image8(DecodedPicture picture, const fs::path& path) {
   const PictureHeader header = picture.header;
   const int width = header.width, height = header.height;
   if (auto* bytes = std::get_if<std::vector<std::uint8_t>>(&picture.samples))
-    return {width, height, header.channels.size() == 3 ? std::move(*bytes) : rgb_of(*bytes, header)};
+    return {width, height, is_rgb_alone(header) ? std::move(*bytes) : rgb_of(*bytes, header)};
   if (const auto* words = std::get_if<std::vector<std::uint16_t>>(&picture.samples)) {
     std::vector<unsigned char> codes(words->size());
     std::transform(words->begin(), words->end(), codes.begin(),
@@ -108,7 +110,7 @@ Image8 to_image8(DecodedPicture picture, const fs::path& path) {
     return {width, height, rgb_of(codes, header)};
   }
   Image image = to_image(std::move(picture));
-  if (image.channels != 3) image.data = rgb_of(image.data, header);
+  if (!is_rgb_alone(header)) image.data = rgb_of(image.data, header);
   image.channels = 3;
   return to_codes(image, Encoding::kSrgb);
 }
@@ -154,7 +156,7 @@ Image read_rgb(const fs::path& path, const PictureWarning& warn) {
   require_colors(picture.header, path);
   const PictureHeader header = picture.header;
   Image image = to_image(std::move(picture));
-  if (image.channels != 3) image.data = rgb_of(image.data, header);
+  if (!is_rgb_alone(header)) image.data = rgb_of(image.data, header);
   image.channels = 3;
   return image;
 }
