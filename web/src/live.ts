@@ -96,7 +96,7 @@ export class Live {
   get isAtRest(): boolean {
     const { state } = this;
     const picture = state?.picture;
-    return !!state && !!picture && !this.sending && picture.id === this.shownId && picture.version === state.version && picture.pass === "final";
+    return !!state && !!picture && !this.isOutdated && picture.id === this.shownId && picture.version === state.version && picture.pass === "final";
   }
 
   /** Whether settings have changed since those of the picture that is shown. */
