@@ -101,7 +101,7 @@ TEST_F(DeformingFrames, are_not_interpolated) {
     FAIL() << "interpolated";
   } catch (const Error& error) {
     EXPECT_EQ(error.where(), "reuse");
-    EXPECT_THAT(error.what(), HasSubstr("interpolated frames need things to keep their shape, and 'skinned strip' changes it"));
+    EXPECT_THAT(error.what(), HasSubstr("interpolated frames need rigid objects, and 'skinned strip' changes its shape"));
   }
 }
 

@@ -108,7 +108,7 @@ TEST(JobFile, depth_is_said_by_either_of_two_opposite_keys_not_by_both) {
   EXPECT_EQ(fit_depth("full-depth = true\n"), false);
   EXPECT_EQ(fit_depth("full-depth = false\n"), true);
   EXPECT_THAT(refusal(write(dir / "job.toml", "fit-depth = true\nfull-depth = true\n")),
-              HasSubstr("job.toml:2: full-depth: fit-depth says it already"));
+              HasSubstr("job.toml:2: full-depth: is set by fit-depth already"));
   EXPECT_THAT(refusal(write(dir / "job.toml", "full-depth = 3\n")), HasSubstr("true or false"));
 }
 

@@ -122,10 +122,10 @@ TEST_F(LightRenders, transparent_colours_are_multiplied_by_alpha_in_exr_files_an
 
 TEST_F(LightRenders, transparent_is_refused_where_alpha_cannot_be_or_means_nothing) {
   const std::vector<std::pair<Settings, std::string>> refused{
-      {{{"video", dir_ / "a.mp4"}}, "none of the codecs"},
+      {{{"video", dir_ / "a.mp4"}}, "cannot be combined with --video"},
       {{{"reuse", "interpolate"}}, "interpolated frames have no alpha"},
-      {{{"layout", "print"}}, "what a panel or paper"},
-      {{{"precompensate", "true"}, {"crosstalk", "0.4"}}, "crosstalk mixes"}};
+      {{{"layout", "print"}}, "pictures for panels and prints cannot store alpha"},
+      {{{"precompensate", "true"}, {"crosstalk", "0.4"}}, "cannot be combined with --precompensate"}};
   for (const auto& [settings, message] : refused)
     EXPECT_THAT(refusal(teapot("out", "0", Settings{{"transparent", "true"}} + settings)),
                 HasSubstr("transparent: " + message));
@@ -148,9 +148,9 @@ TEST_F(LightRenders, what_cannot_be_denoised_or_interpolated_is_refused) {
   const auto refused = [&](const Settings& settings) { return refusal(teapot("out", "0", settings)); };
   EXPECT_THAT(refused({{"denoise", "true"}}), HasSubstr("denoise: needs path tracing"));
   EXPECT_THAT(refused({{"integrator", "path"}, {"spp", "1"}, {"denoise", "true"}}),
-              HasSubstr("denoise: the noise of one sample"));
+              HasSubstr("denoise: cannot estimate noise from one sample"));
   EXPECT_THAT(refused(kPaths + Settings{{"denoise", "true"}, {"lens-pixels", "7.5"}}),
-              HasSubstr("denoise: lenses that do not"));
+              HasSubstr("denoise: there are no views behind lenses without a whole number of pixels"));
   EXPECT_THAT(refused(kPaths + Settings{{"reuse", "interpolate"}}), HasSubstr("reuse: interpolate needs Whitted shading"));
   EXPECT_THAT(refused({{"splat", "lens"}}), HasSubstr("splat"));
   EXPECT_THAT(refused({{"min-psnr", "30"}, {"reuse", "none"}}), HasSubstr("min-psnr"));

@@ -43,7 +43,7 @@ TEST(SharedLight, sentence_tells_the_errors_of_traced_frames_that_were_measured)
       shared_light_sentence({traced_frame(0), measured}),
       "every frame was traced in full; estimated PSNR 30.0 dB on average, 30.0 dB at worst (frame 1); averaged over blocks of "
       "64 pixels, 48.0 dB at worst (frame 1)");
-  EXPECT_THAT(below_floor_sentence({traced_frame(0), measured}, 30.0), testing::StartsWith("frame 1 may fall short"));
+  EXPECT_THAT(below_floor_sentence({traced_frame(0), measured}, 30.0), testing::StartsWith("frame 1 may be below"));
 }
 
 TEST(SharedLight, sentence_of_a_single_frame_has_no_average) {
