@@ -12,6 +12,7 @@
 #include "frames/shared_light_frames.hpp"
 #include "lippmann/core/error.hpp"
 #include "scene/deform.hpp"
+#include "scene/splats.hpp"
 
 namespace lippmann {
 namespace {
@@ -39,12 +40,6 @@ void refuse_deforming_meshes(const Scene& scene) {
                         fmt::format("interpolated frames need rigid objects, and {} changes its shape (skin or morph targets)",
                                     shown(scene.instances[i].name)),
                         "copy, none or auto for this scene");
-}
-
-bool has_splats(const Scene& scene) {
-  return std::any_of(scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {
-    return std::holds_alternative<Splats>(scene.shapes[static_cast<std::size_t>(instance.shape)]);
-  });
 }
 
 /// A point image has one point for each pixel, and splats are many behind one another.

@@ -9,6 +9,7 @@
 #include "core/printable.hpp"
 #include "lippmann/core/error.hpp"
 #include "scene/deform.hpp"
+#include "scene/splats.hpp"
 #include "trace/first_hits.hpp"
 
 namespace lippmann {
@@ -109,11 +110,6 @@ std::string why_uniform(const Scene& scene, const SeenShare& seen, const Image& 
     return fmt::format("{} fills it: the viewer may stand inside it or too near",
                        shown(scene.instances[static_cast<std::size_t>(seen.only_instance)].name));
   return is_black ? "no light reaches what is seen" : "all surfaces that are seen have the same colour and light";
-}
-
-bool has_splats(const Scene& scene) {
-  return std::any_of(scene.shapes.begin(), scene.shapes.end(),
-                     [](const Shape& shape) { return std::holds_alternative<Splats>(shape); });
 }
 
 std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share); }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/huge_pages.hpp"
@@ -114,6 +115,12 @@ Vec3f reach_along_axes(const Splats& splats, std::size_t i, const Affine3f& a, f
 }
 
 }  // namespace
+
+bool has_splats(const Scene& scene) {
+  return std::any_of(scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {
+    return std::holds_alternative<Splats>(scene.shapes[static_cast<std::size_t>(instance.shape)]);
+  });
+}
 
 float reach_of_splat(float opacity) { return opacity > kLeastAlpha ? std::sqrt(2.0f * std::log(opacity / kLeastAlpha)) : 0.0f; }
 

@@ -11,6 +11,9 @@ namespace lippmann {
 /// A splat is seen where it covers at least so much.
 inline constexpr float kLeastAlpha = 1.0f / 255.0f;
 
+/// Whether an instance of the scene shows splats.
+bool has_splats(const Scene& scene);
+
 /// How many spherical harmonics a splat has.
 constexpr std::size_t harmonics_of(int degree) { return static_cast<std::size_t>((degree + 1) * (degree + 1)); }
 
