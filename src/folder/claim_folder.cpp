@@ -89,16 +89,28 @@ Error another_render(const fs::path& folder, const JobDifferences& differences) 
                fmt::format("{}; `force`, which removes that render's files; the same settings", kAnotherFolder));
 }
 
+std::optional<JournalVideo> find_video(const FolderJournal& journal, const std::string& name) {
+  const auto found = journal.videos.find(name);
+  return found == journal.videos.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// The job's video. A render also records the videos of its single view, in case that folder is removed.
+std::optional<JournalVideo> recorded_video(const fs::path& folder, const Contents& contents, const std::string& video) {
+  if (contents.is_this_job)
+    if (auto own = find_video(*contents.journal, video_name(folder, video))) return own;
+  const fs::path whole = folder_of_whole(folder);
+  if (whole.empty()) return std::nullopt;
+  return find_video(read_journal(whole).value_or(FolderJournal{}), video_name(whole, video));
+}
+
 void require_free_video(const fs::path& folder, const Contents& contents, const std::string& video,
                         const std::vector<int>& frames) {
   if (!is_there(video)) return;
-  const std::map<std::string, JournalVideo> none;
-  const auto& videos = contents.is_this_job ? contents.journal->videos : none;
-  const auto recorded = videos.find(video_name(folder, video));
-  if (recorded == videos.end())
+  const std::optional<JournalVideo> recorded = recorded_video(folder, contents, video);
+  if (!recorded)
     throw Error(video, fmt::format("is there already, and the render in {} has not written it", folder.string()),
                 "another name; `force`, which replaces it");
-  const std::vector<int>& shown = recorded->second.frames;
+  const std::vector<int>& shown = recorded->frames;
   if (!std::includes(frames.begin(), frames.end(), shown.begin(), shown.end()))
     throw Error(video,
                 fmt::format("is finished and shows frames {} of this render, not all of which are asked for now",
@@ -177,10 +189,6 @@ void remove_single(const fs::path& folder) {
   const std::optional<FolderJournal> journal = read_journal(folder);
   if (!journal) return;
   remove_files_of(folder, *journal);
-  for (const auto& [name, video] : journal->videos)  // beside those of the render that this one belongs to
-    if (const std::string beside = (fs::path(kSingleFolder) / name).lexically_normal().string();
-        lies_in_folder(beside) && is_as_written(folder / name, video.sums))
-      remove_if_there(folder / name);
   sync_removed(folder, *journal);
   remove_parts(folder, journal->parts);
   remove_parts(folder, journal->claims);
