@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "core/atomic_file.hpp"
-#include "core/regular_file.hpp"
+#include "core/recorded_file.hpp"
 #include "image/limits.hpp"
 #include "lippmann/core/error.hpp"
 
@@ -129,10 +129,10 @@ Image parse_pfm(std::span<const std::byte> file, const std::string& where) {
 }
 
 PpmCodes read_ppm(const std::filesystem::path& path) {
-  return parse_ppm(read_file_bytes(path, kMaxImageFileBytes, "a picture"), path.string());
+  return parse_ppm(read_recorded_bytes(path, kMaxImageFileBytes, "a picture"), path.string());
 }
 Image read_pfm(const std::filesystem::path& path) {
-  return parse_pfm(read_file_bytes(path, kMaxImageFileBytes, "a picture"), path.string());
+  return parse_pfm(read_recorded_bytes(path, kMaxImageFileBytes, "a picture"), path.string());
 }
 
 std::vector<std::byte> encode_ppm(const PpmCodes& picture) {

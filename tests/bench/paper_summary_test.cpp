@@ -47,7 +47,7 @@ TEST(PaperSummary, csv_has_a_line_per_scene_and_text_a_sentence) {
             "scene,keyframes,saving,paper_saving,psnr_db,paper_psnr_db,reproduced\n"
             "primitives,4,0.7000,0.6748,20.00,,yes\n"
             "gears,8,0.9000,,20.00,,not in the paper\n");
-  EXPECT_THAT(reproduced_text(rows), StartsWith("For 1 of 1 animations of the paper"));
+  EXPECT_THAT(reproduced_text(rows), StartsWith("Reproduced: 1 of 1 animations of the paper"));
 }
 
 }  // namespace

@@ -112,7 +112,7 @@ TEST(Mpi, wrong_usage_ends_all_ranks) {
   EXPECT_NE(result.exit_code, 0);
   EXPECT_THAT(result.err, HasSubstr("--frames: 9999 is outside the animation"));
   EXPECT_FALSE(fs::exists(dir / "a"));
-  EXPECT_THAT(run_ranks(dir, 2, teapot("a", {"--unit", "1/2"})).err, HasSubstr("--unit: is for processes that stand alone"));
+  EXPECT_THAT(run_ranks(dir, 2, teapot("a", {"--unit", "1/2"})).err, HasSubstr("--unit: cannot be combined with mpirun"));
 }
 
 TEST(Mpi, processes_that_a_launcher_started_and_that_do_not_find_each_other_are_refused) {
@@ -120,7 +120,7 @@ TEST(Mpi, processes_that_a_launcher_started_and_that_do_not_find_each_other_are_
   const TempDir dir;
   const RunResult result = run(Words{"/usr/bin/env", "PMI_SIZE=4"} + tool_command(teapot("a")), {dir.path().string(), 0});
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, HasSubstr("4 processes were started together and find 1"));
+  EXPECT_THAT(result.err, HasSubstr("the launcher started 4 processes, and MPI connects 1 of them"));
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ TEST(Render, summary_says_what_was_missed_and_why) {
   const TempDir dir;
   const RunResult result =
       run_tool(dir, small_teapot("0-4", "a") + Words{"--reuse", "forward", "--keyframes", "4", "--verbose"});
-  EXPECT_THAT(result.out, HasSubstr("3 frames made between 2 sources"));
+  EXPECT_THAT(result.out, HasSubstr("3 frames interpolated between 2 traced frames"));
   EXPECT_THAT(result.out, HasSubstr("not covered"));
   EXPECT_THAT(result.err, HasSubstr("between key frames"));
 }

@@ -89,7 +89,7 @@ TEST(ReportPage, a_folder_without_pictures_has_its_figures_all_the_same) {
   const test::TempDir dir;
   const std::string page = page_of({test::write_report_text(dir / "film", interpolated().dump())});
   EXPECT_THAT(page, HasSubstr("Pictures that cannot be shown: "));
-  EXPECT_THAT(page, HasSubstr("contains no frames"));
+  EXPECT_THAT(page, HasSubstr("there are no frames or views in it"));
   EXPECT_THAT(page, HasSubstr("Where pixels come from"));
 }
 

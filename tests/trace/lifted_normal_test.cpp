@@ -89,8 +89,9 @@ TEST(LiftedNormal, a_coarse_ball_of_glossy_paint_has_no_dark_rim_in_a_white_furn
   }
 }
 
-// Of 65,536 samples one may be lost: a mirrored ray that starts on the edge of a facet can meet the facet beside it, on processors
-// on which Embree intersects it so (measured with AVX-512: 7 of 830,000 samples in six sizes). A rim loses all light of its pixels.
+// Of 65,536 samples one may be lost: a mirrored ray that starts on the edge of a facet can meet the facet beside it, on
+// processors on which Embree intersects it so (measured with AVX-512: 7 of 830,000 samples in six sizes). A rim loses all light
+// of its pixels.
 TEST(LiftedNormal, a_coarse_mirror_ball_has_no_dark_rim_in_a_white_furnace) {
   const std::vector<float> values = in_white_furnace(of(1.0f, 0.0f), 32).data;
   double sum = 0.0;
