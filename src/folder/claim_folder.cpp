@@ -14,6 +14,7 @@
 #include "core/folder.hpp"
 #include "core/frame_ranges.hpp"
 #include "core/regular_file.hpp"
+#include "core/synced.hpp"
 #include "folder/folder_check.hpp"
 #include "folder/journal.hpp"
 #include "folder/render_folder.hpp"
@@ -88,16 +89,28 @@ Error another_render(const fs::path& folder, const JobDifferences& differences) 
                fmt::format("{}; `force`, which removes that render's files; the same settings", kAnotherFolder));
 }
 
+std::optional<JournalVideo> find_video(const FolderJournal& journal, const std::string& name) {
+  const auto found = journal.videos.find(name);
+  return found == journal.videos.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// The job's video. A render also records the videos of its single view, in case that folder is removed.
+std::optional<JournalVideo> recorded_video(const fs::path& folder, const Contents& contents, const std::string& video) {
+  if (contents.is_this_job)
+    if (auto own = find_video(*contents.journal, video_name(folder, video))) return own;
+  const fs::path whole = folder_of_whole(folder);
+  if (whole.empty()) return std::nullopt;
+  return find_video(read_journal(whole).value_or(FolderJournal{}), video_name(whole, video));
+}
+
 void require_free_video(const fs::path& folder, const Contents& contents, const std::string& video,
                         const std::vector<int>& frames) {
   if (!is_there(video)) return;
-  const std::map<std::string, JournalVideo> none;
-  const auto& videos = contents.is_this_job ? contents.journal->videos : none;
-  const auto recorded = videos.find(video_name(folder, video));
-  if (recorded == videos.end())
+  const std::optional<JournalVideo> recorded = recorded_video(folder, contents, video);
+  if (!recorded)
     throw Error(video, fmt::format("is there already, and the render in {} has not written it", folder.string()),
                 "another name; `force`, which replaces it");
-  const std::vector<int>& shown = recorded->second.frames;
+  const std::vector<int>& shown = recorded->frames;
   if (!std::includes(frames.begin(), frames.end(), shown.begin(), shown.end()))
     throw Error(video,
                 fmt::format("is finished and shows frames {} of this render, not all of which are asked for now",
@@ -146,6 +159,29 @@ void remove_page(const fs::path& folder, const FileRecords& files) {
     if (!fs::is_symlink(emptied, ignored)) fs::remove(emptied, ignored);
 }
 
+void sync_if_there(const fs::path& folder) {
+  std::error_code ignored;
+  if (fs::is_directory(folder, ignored)) sync_folder(folder);
+}
+
+/// Makes sure that a loss of power does not bring back the removed files of frames, which no journal will name.
+void sync_removed(const fs::path& folder, const FolderJournal& journal) {
+  std::set<fs::path> folders{folder};
+  for (const auto& [frame, record] : journal.frames)
+    for (const auto& [name, sum] : record.files) folders.insert((folder / name).parent_path());
+  for (const fs::path& emptied : folders) sync_if_there(emptied);
+}
+
+/// Removes files of the journal but `own`, and its folder if that is empty then. A loss of power does not bring them back, so
+/// that they never stand beside what the next render records.
+void remove_parts(const fs::path& folder, const std::vector<fs::path>& parts, const fs::path& own = {}) {
+  for (const fs::path& part : parts)
+    if (part != own) remove_if_there(part);
+  std::error_code ignored;
+  fs::remove(journal_folder(folder), ignored);  // unless anything else lies there
+  for (const fs::path& emptied : {journal_folder(folder), folder}) sync_if_there(emptied);
+}
+
 /// The render in the folder, or nothing where that is a symbolic link.
 void remove_single(const fs::path& folder) {
   std::error_code ignored;
@@ -153,13 +189,10 @@ void remove_single(const fs::path& folder) {
   const std::optional<FolderJournal> journal = read_journal(folder);
   if (!journal) return;
   remove_files_of(folder, *journal);
-  for (const auto& [name, video] : journal->videos)  // beside those of the render that this one belongs to
-    if (const std::string beside = (fs::path(kSingleFolder) / name).lexically_normal().string();
-        lies_in_folder(beside) && is_as_written(folder / name, video.sums))
-      remove_if_there(folder / name);
-  for (const auto* parts : {&journal->parts, &journal->claims})
-    for (const fs::path& part : *parts) remove_if_there(part);
-  for (const fs::path& emptied : {journal_folder(folder), folder}) fs::remove(emptied, ignored);
+  sync_removed(folder, *journal);
+  remove_parts(folder, journal->parts);
+  remove_parts(folder, journal->claims);
+  fs::remove(folder, ignored);
 }
 
 /// All that a render has left, its journal last: a run that is stopped in between can be repeated.
@@ -167,10 +200,8 @@ void remove_render(const fs::path& folder, const FolderJournal& journal, const f
   remove_files_of(folder, journal);
   remove_page(folder, journal.page);
   if (journal.companions.contains(kSingleFolder)) remove_single(folder / kSingleFolder);
-  for (const fs::path& part : journal.parts)
-    if (part != own) remove_if_there(part);
-  std::error_code ignored;
-  fs::remove(journal_folder(folder), ignored);  // unless anything else lies there
+  sync_removed(folder, journal);
+  remove_parts(folder, journal.parts, own);
 }
 
 /// What is in the way of a render: what others have left that finished nothing, and with force all of another one.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -78,6 +79,15 @@ void add_strips(const fs::path& folder, const FolderJournal& journal, FolderChec
   }
 }
 
+/// Videos of the render in kSingleFolder, by their paths from `folder`: its own check has them.
+std::set<std::string> videos_of_single(const fs::path& folder, const FolderJournal& journal) {
+  std::set<std::string> names;
+  if (!journal.companions.contains(kSingleFolder)) return names;
+  const FolderJournal single = read_journal(folder / kSingleFolder).value_or(FolderJournal{});
+  for (const auto& [name, video] : single.videos) names.insert((fs::path(kSingleFolder) / name).lexically_normal().string());
+  return names;
+}
+
 /// A folder without a journal was to be written and is not there at all.
 void add_single(const fs::path& folder, FolderCheck& check) {
   const std::optional<FolderJournal> journal = read_journal(folder / kSingleFolder);
@@ -119,7 +129,9 @@ FolderCheck check_folder(const fs::path& folder) {
     for (const auto& [name, sum] : record.files) add_file(folder, name, {sum}, check);
   add_strips(folder, *journal, check);
   for (const auto& [name, sums] : journal->files) add_file(folder, name, sums, check);
+  const std::set<std::string> checked_beside = videos_of_single(folder, *journal);
   for (const auto& [name, video] : journal->videos) {
+    if (checked_beside.contains(name)) continue;
     add_file(folder, name, video.sums, check);
     if (!video.side.empty()) add_file(folder, side_name(name), video.side, check);
   }

@@ -129,6 +129,14 @@ void RenderFolder::add_video(const fs::path& video, const std::vector<int>& fram
   part_.add(video_line(video_name(folder_, video), frames, written_checksum(video), side));
 }
 
+fs::path folder_of_whole(const fs::path& folder) {
+  const fs::path own = fs::absolute(folder / "").lexically_normal().parent_path();
+  if (own.filename() != kSingleFolder) return {};
+  const std::optional<FolderJournal> journal = read_journal(own.parent_path());
+  const bool has_single = journal && journal->problem.empty() && journal->companions.contains(kSingleFolder);
+  return has_single ? own.parent_path() : fs::path();
+}
+
 std::string video_name(const fs::path& folder, const fs::path& video) {
   return fs::absolute(video).lexically_normal().lexically_relative(fs::absolute(folder / "").lexically_normal()).string();
 }

@@ -82,6 +82,9 @@ class RenderFolder {
 /// Throws Error if a run of another job goes on in `folder`. Changes nothing.
 void require_no_other_run(const std::filesystem::path& folder, const std::string& job);
 
+/// The folder of the render that wrote `folder` beside its frames (kSingleFolder); empty: there is none.
+std::filesystem::path folder_of_whole(const std::filesystem::path& folder);
+
 /// A video's path relative to the folder, as the journal has it.
 std::string video_name(const std::filesystem::path& folder, const std::filesystem::path& video);
 

@@ -518,9 +518,16 @@ class Animation {
   }
 
   void finish_videos(FrameSink& sink, RenderFolder& folder) const {
-    for (const VideoFile& video : videos_) folder.begin_video(video.path, frames_);
+    std::optional<RenderFolder> whole;  // also records the videos of its single view, whose folder may be removed
+    if (const fs::path path = videos_.empty() ? fs::path() : folder_of_whole(folder_); !path.empty())
+      whole.emplace(path, read_journal(path).value_or(FolderJournal{}).job);
+    std::vector<RenderFolder*> folders{&folder};
+    if (whole) folders.insert(folders.begin(), &*whole);
+    for (RenderFolder* each : folders)
+      for (const VideoFile& video : videos_) each->begin_video(video.path, frames_);
     const bool have_side_files = sink.finish_videos();
-    for (const VideoFile& video : videos_) folder.add_video(video.path, frames_, have_side_files);
+    for (RenderFolder* each : folders)
+      for (const VideoFile& video : videos_) each->add_video(video.path, frames_, have_side_files);
   }
 
   const Stopwatch setup_;

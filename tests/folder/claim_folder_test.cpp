@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <fstream>
+#include <utility>
 
 #include "folder/folder_check.hpp"
 #include "folder/render_folder.hpp"
@@ -225,6 +226,24 @@ TEST(ClaimFolder, video_that_is_there_is_refused_unless_this_render_wrote_it_and
   EXPECT_EQ(refusal(folder, "a", {dir / "a.mp4"}), "");
   EXPECT_EQ(refusal(folder, "a", {dir / "a.mp4"}, {0, 1, 2, 3}), "");
   EXPECT_THAT(refusal(folder, "a", {dir / "a.mp4"}, {0}), testing::AllOf(HasSubstr("frames 0-2"), HasSubstr("`force`")));
+}
+
+TEST(ClaimFolder, video_of_the_single_view_outlives_its_folder) {
+  const test::TempDir dir;
+  const fs::path whole = dir / "a", single = whole / kSingleFolder;
+  make_render(whole, "a", {0, 1, 2});
+  RenderFolder(whole, "a").begin({0, 1, 2}, {kSingleFolder});
+  make_render(single, "s", {0, 1, 2});
+  for (const auto& [folder, job] : {std::pair(whole, "a"), std::pair(single, "s")})
+    make_video(folder, job, whole / "film_single.mkv", {0, 1, 2});
+  make_file(whole / "somebodys_single.mkv");
+  fs::remove(whole / "film_single.mkv");
+  EXPECT_THAT(check_folder(whole).missing, ElementsAre("film_single.mkv"));
+  make_file(whole / "film_single.mkv");
+  fs::remove_all(single);
+  EXPECT_EQ(refusal(single, "s", {whole / "film_single.mkv"}), "");
+  EXPECT_THAT(refusal(single, "s", {whole / "somebodys_single.mkv"}), HasSubstr("has not written it"));
+  EXPECT_THAT(refusal(dir / "single", "s", {whole / "film_single.mkv"}), HasSubstr("has not written it"));
 }
 
 TEST(ClaimFolder, replaced_render_loses_the_files_of_its_journal_and_nothing_else) {

@@ -127,7 +127,7 @@ ssize_t write_simulated(OpenFile& file, const void* from, std::size_t count) {
   if (inode.bytes.size() < file.at + count) inode.bytes.resize(file.at + count);
   std::memcpy(inode.bytes.data() + file.at, from, count);
   file.at += count;
-  if (world()->current()) inode.machine = world()->current()->machine;
+  if (world()->current()) inode.machine = world()->current()->machine, inode.written = world()->nanoseconds(inode.machine);
   return static_cast<ssize_t>(count);
 }
 
@@ -154,6 +154,7 @@ void fill(const Inode& inode, int number, struct stat64& status) {
   status.st_mode = inode.is_folder ? S_IFDIR | 0755 : S_IFREG | 0644;
   status.st_size = static_cast<off64_t>(inode.bytes.size());
   status.st_ino = static_cast<ino_t>(number) + 1, status.st_dev = 1u << 30, status.st_nlink = 1;
+  status.st_mtim = {inode.written / 1'000'000'000, inode.written % 1'000'000'000};
 }
 
 int stat_simulated(const char* path, struct stat64& status) {
@@ -435,6 +436,14 @@ int kill(pid_t process, int signal) noexcept {
   static const auto actual = real<int(pid_t, int)>("kill");
   if (!world() || !world()->current()) return actual(process, signal);
   return world()->is_alive(world()->current()->machine, process) ? 0 : fail(ESRCH);
+}
+
+int nanosleep(const timespec* time, timespec* left) {
+  static const auto actual = real<int(const timespec*, timespec*)>("nanosleep");
+  if (!world() || !world()->current()) return actual(time, left);
+  world()->pass(time->tv_sec * 1'000'000'000 + time->tv_nsec);
+  LIPPMANN_CALL(kOther, -1);
+  return 0;
 }
 
 int clock_gettime(clockid_t clock, timespec* time) noexcept {

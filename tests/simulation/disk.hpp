@@ -17,8 +17,9 @@ namespace lippmann::test {
 
 struct Inode {
   bool is_folder = false;
-  int machine = -1;         ///< that has written last
-  std::string bytes, safe;  ///< as programs see them; as they survive
+  int machine = -1;          ///< that has written last
+  std::int64_t written = 0;  ///< when, in nanoseconds since 1970
+  std::string bytes, safe;   ///< as programs see them; as they survive
   std::map<std::string, int> entries, safe_entries;
 };
 

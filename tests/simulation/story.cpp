@@ -19,6 +19,7 @@
 #include "distribute/units.hpp"
 #include "folder/claim_folder.hpp"
 #include "folder/folder_check.hpp"
+#include "folder/journal_writer.hpp"
 #include "folder/strips.hpp"
 #include "job/finish_animation.hpp"
 #include "job/folder_documents.hpp"
@@ -43,6 +44,7 @@ struct Work {
   std::optional<Units> units = {};
   bool finishes = false, force = false, only_finished = false;
   int attempts = 0;
+  std::string job = kJob;
 };
 
 using FolderFrame = std::pair<fs::path, int>;
@@ -61,9 +63,9 @@ class Making {
   std::multiset<FolderFrame>::iterator own_;
 };
 
-/// What stands in for a renderer: different for every file, the same whenever it is asked.
-std::string picture_bytes(const std::string& name) {
-  Random random(std::hash<std::string>()(name));
+/// What stands in for a renderer: different for every file and job, the same whenever it is asked.
+std::string picture_bytes(const std::string& name, const std::string& job = kJob) {
+  Random random(std::hash<std::string>()(job == kJob ? name : job + name));
   std::string bytes(20 + random.below(200), '\0');
   for (char& byte : bytes) byte = static_cast<char>(random.next());
   return bytes;
@@ -82,6 +84,7 @@ class Teller {
     segment_ = 1 + static_cast<int>(random_.below(3));
     apart_ = random_.once_in(4);
     has_video_ = random_.once_in(2);
+    has_rival_ = seed % 4 == 1 && strips_ == 1 && !apart_ && !shares_a_name_;
     world_.flips = [this](const std::string& path) { return forget(path); };
   }
 
@@ -131,12 +134,13 @@ class Teller {
     write_file_atomically(path, std::as_bytes(std::span(bytes)));
   }
 
-  FileRecords write_frame(const fs::path& folder, int frame) const {
+  FileRecords write_frame(const Work& work, int frame) const {
+    const fs::path& folder = work.folder;
     std::vector<fs::path> files;
     for (const std::string& name : names_of(frame)) {
       files.push_back(folder / name);
       if (kind_ == Kind::kViews) make_folder(files.back().parent_path()), remove_stale_temporaries(files.back().parent_path());
-      write(files.back(), picture_bytes(name));
+      write(files.back(), picture_bytes(name, work.job));
     }
     return records_of(folder, files);
   }
@@ -149,15 +153,15 @@ class Teller {
   }
 
   /// As Animation does it.
-  RenderReport render(const Work& work, const std::string& job = kJob) {
+  RenderReport render(const Work& work) {
     const Context context;
     const RenderParams params = params_of(work);
     const std::vector<int> all = parts_of(frames_, strips_);
     const std::vector<int> own = work.units ? frames_of(*work.units, all, strips_ > 1 ? 1 : segment_) : all;
     const bool makes_video = has_video_ && !work.units;
     const std::vector<std::string> videos = makes_video ? std::vector{video_of(work.folder)} : std::vector<std::string>();
-    if (!work.force) require_free_folder(work.folder, job, {}, frames_, videos);
-    RenderFolder folder = open_job_folder(work.folder, job, params, frames_, kAllFrames, work.force, context);
+    if (!work.force) require_free_folder(work.folder, work.job, {}, frames_, videos);
+    RenderFolder folder = open_job_folder(work.folder, work.job, params, frames_, kAllFrames, work.force, context);
     RenderReport report;
     report.params = params;
     begin_report(report, folder);
@@ -167,7 +171,9 @@ class Teller {
       take_whole_frames(work, frames_of_parts(own, strips_), folder, report);
     if (makes_video) write_video(folder);
     folder.end(report.run);
-    return write_report(report, folder);
+    RenderReport written = write_report(report, folder);
+    expect_own_frames(work, report);
+    return written;
   }
 
   void take_whole_frames(const Work& work, const std::vector<int>& frames, RenderFolder& folder, RenderReport& report) {
@@ -224,13 +230,13 @@ class Teller {
 
   bool make(const Work& work, int frame, RenderFolder& folder, RenderReport& report) {
     if (strips_ > 1 && !work.only_finished) take_strips(parts_of({frame}, strips_), folder, strip_steps(folder));
-    expect_unfinished(finished_, {work.folder, frame}, "frame");
+    if (work.job == kJob) expect_unfinished(finished_, {work.folder, frame}, "frame");
     const Making making(being_made_, {work.folder, frame});
     if (strips_ > 1) join_strips(frame, folder);
     FrameReport made;
     made.frame = frame;
-    folder.add(made, write_frame(work.folder, frame));
-    if (is_alive()) finished_[{work.folder, frame}] = world_.steps;
+    folder.add(made, write_frame(work, frame));
+    if (is_alive() && work.job == kJob) finished_[{work.folder, frame}] = world_.steps;
     remove_strips_of(work.folder, frame);
     report.frames.push_back(made), report.run.frames.push_back(frame);
     return true;
@@ -261,6 +267,16 @@ class Teller {
     const auto found = finished.find(thing);
     if (!is_alive() || has_misread() || found == finished.end() || found->second >= world_.current()->began) return;
     complain(fmt::format("{} {} was finished at step {} and is rendered again", kind, thing.second, found->second));
+  }
+
+  /// While a run has the folder, the frames in it are its job's.
+  void expect_own_frames(const Work& work, const RenderReport& report) {
+    const Process* process = world_.current();
+    if (!process || process->is_dead || process->has_misread || world_.last_flip >= process->began) return;
+    for (const FrameReport& frame : report.frames)
+      for (const std::string& name : names_of(frame.frame))
+        if (bytes_at(work.folder / name) != picture_bytes(name, work.job))
+          complain(name + " is not of the job that rendered it");
   }
 
   bool has_strip(const FolderPart& of, int inode) const {
@@ -323,7 +339,7 @@ class Teller {
     if (!random_.once_in(3)) return;
     const auto before = static_cast<Before>(1 + random_.below(3));
     if (before == Before::kAnotherRender) {
-      world_.start(0, [&] { render({.folder = folder_}, kOtherJob); });
+      world_.start(0, [&] { render({.folder = folder_, .job = kOtherJob}); });
       world_.run();
       finished_.clear(), finished_parts_.clear();
       refuse_or_replace();
@@ -360,7 +376,8 @@ class Teller {
     faults.kill = rate(100, 2000), faults.machine_loss = rate(500, 4000), faults.power_loss = rate(500, 4000);
     faults.disk_full = rate(500, 4000), faults.error = rate(100, 2000), faults.interrupted = rate(2, 30);
     faults.read_error = random_.once_in(3) ? 200 + random_.below(2000) : 0;
-    faults.clock_jump = rate(100, 2000), faults.flipped_byte = random_.once_in(3) ? 300 + random_.below(2000) : 0;
+    faults.clock_jump = has_rival_ ? 0 : rate(100, 2000),
+    faults.flipped_byte = random_.once_in(3) ? 300 + random_.below(2000) : 0;
   }
 
   void queue_tasks() {
@@ -373,20 +390,27 @@ class Teller {
     if (random_.once_in(3)) queue_.push_back({.folder = folder_, .finishes = true});
     if (!apart_ && random_.once_in(3)) queue_.push_back({.folder = folder_});
     for (std::size_t i = queue_.size(); i > 1; --i) std::swap(queue_[i - 1], queue_[random_.below(i)]);
+    if (has_rival_) queue_.push_front({.folder = folder_, .units = Units{{1}, 1}, .job = kOtherJob});
   }
 
   void suffer() {
     choose_faults();
     queue_tasks();
-    const std::size_t at_a_time = 1 + random_.below(3);
+    const std::size_t at_a_time = has_rival_ ? 2 + random_.below(2) : 1 + random_.below(3);
     world_.run([&] {
       while (world_.running() < at_a_time && !queue_.empty()) {
         const Work work = queue_.front();
         queue_.pop_front();
-        world_.start(static_cast<int>(random_.below(kMachines)), [this, work] { attempt(work); });
+        world_.start(machine_for(work), [this, work] { attempt(work); });
       }
     });
     world_.calm();
+  }
+
+  /// The rival has one of its own: processes of one machine are seen by calls that are not simulated.
+  int machine_for(const Work& work) {
+    if (!has_rival_) return static_cast<int>(random_.below(kMachines));
+    return work.job == kJob ? static_cast<int>(random_.below(kMachines - 1)) : kMachines - 1;
   }
 
   /// Tasks that fail are often tried again.
@@ -410,6 +434,8 @@ class Teller {
 
   /// What a person does once all machines work again: finish, or else render what it says, and finish.
   void recover() {
+    if (has_rival_) world_.pass(static_cast<std::int64_t>(2e9 * kLeaseSeconds));
+    if (has_rival_ && finished_.empty()) complete({.folder = folder_, .units = Units{{1}, 1}, .force = true});
     for (int round = 0; round < 2; ++round) {
       if (complete({.folder = folder_, .finishes = true})) return;
       if (apart_)
@@ -437,6 +463,7 @@ class Teller {
   std::vector<int> frames_;
   int segment_ = 1, units_ = 1, runs_ = 0;
   bool apart_ = false, has_video_ = false;
+  bool has_rival_ = false;  ///< another job, which begins in the folder at the same time
   fs::path folder_ = "/sim/film";
   std::deque<Work> queue_;
   std::map<FolderFrame, std::uint64_t> finished_;       ///< and recorded; the step of the world

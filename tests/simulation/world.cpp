@@ -58,6 +58,10 @@ std::int64_t World::nanoseconds(int machine) const {
   return clocks_[static_cast<std::size_t>(machine)] + static_cast<std::int64_t>(steps) * 1'000'000;
 }
 
+void World::pass(std::int64_t nanoseconds) {
+  for (std::int64_t& clock : clocks_) clock += nanoseconds;
+}
+
 void World::enter() {
   Process& self = *world()->current_;
   self.body();

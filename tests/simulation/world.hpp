@@ -63,6 +63,9 @@ class World {
   /// Nothing goes wrong from here on.
   void calm() { faults = {}, full_until_ = 0; }
 
+  /// Sets all clocks forward.
+  void pass(std::int64_t nanoseconds);
+
   /// Bytes that this call moves, of so many.
   std::size_t moved(std::size_t bytes);
 
