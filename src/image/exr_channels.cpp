@@ -85,7 +85,8 @@ ExrColors find_exr_colors(std::span<const std::string> names) {
   std::vector<std::pair<std::string, Layer>> layers{{"", {}}};
   for (const std::string& name : names) {
     const auto [layer, channel] = split(name);
-    auto found = std::find_if(layers.begin(), layers.end(), [&, &layer_name = layer](const auto& known) { return known.first == layer_name; });
+    auto found = std::find_if(layers.begin(), layers.end(),
+                              [&, &layer_name = layer](const auto& known) { return known.first == layer_name; });
     if (found == layers.end()) found = layers.insert(layers.end(), {layer, {}});
     add(found->second, name, channel);
   }
