@@ -111,7 +111,7 @@ std::int64_t long_at(FileBytes file, std::size_t at) {
 
 }  // namespace
 
-constexpr std::size_t kBmpHeaderBytes = 54;
+constexpr std::size_t kBmpHeaderBytes = 54, kOldBmpHeaderBytes = 26;
 
 bool is_bmp(FileBytes file) {
   return file.size() >= 18 && byte_at(file, 0) == 'B' && byte_at(file, 1) == 'M' && long_at(file, 14) >= 12 &&
@@ -121,7 +121,7 @@ bool is_bmp(FileBytes file) {
 PictureHeader bmp_header(FileBytes file, const std::string& where) {
   const Shape shape = shape_of(file, where);
   const bool old = long_at(file, 14) == 12;  // of OS/2
-  if (file.size() < kBmpHeaderBytes && !old) throw unreadable_picture(where, "the file is truncated");
+  if (file.size() < (old ? kOldBmpHeaderBytes : kBmpHeaderBytes)) throw unreadable_picture(where, "the file is truncated");
   const std::uint64_t bits = byte_at(file, old ? 24 : 28);
   check_file_holds(where, file.size(), pixels_of(shape) * bits / 8, 1);
   PictureHeader header = plain_header(shape.width, shape.height, shape.channels, SampleKind::kByte);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <string>
 
 #include "job/params_table.hpp"
 #include "lippmann/core/error.hpp"
@@ -43,6 +44,20 @@ bool makes_codes(const RenderParams& params) { return !makes_exr(params) || make
 
 bool has_surroundings(const RenderParams& params) { return params.scene.environment != "none"; }
 
+/// A colour (scene_light.hpp) looks the same from all sides.
+bool has_surroundings_to_turn(const RenderParams& params) {
+  const std::string& environment = params.scene.environment;
+  const bool is_colour = environment.starts_with('#') || environment.find(',') != std::string::npos;
+  return has_surroundings(params) && !is_colour;
+}
+
+/// A display decides what its optics are.
+bool has_microlenses(const RenderParams& params) {
+  return optics_kind(params) == OpticsKind::kMicrolens || (!params.optics.kind && !params.optics.display.empty());
+}
+
+bool has_parallax(const RenderParams& params) { return params.optics.kind != OpticsKind::kSingle; }
+
 bool is_file(const RenderParams& params) { return !is_builtin_scene(params.scene.name); }
 
 struct Effect {
@@ -58,9 +73,13 @@ constexpr const char* kSurroundingsToo = "--environment studio, a colour or a pa
 constexpr std::array kEffects{
     Effect{"asset-root", is_file, "a scene file instead of a built-in scene"},
     Effect{"texture-memory", is_file, "a scene file instead of a built-in scene"},
+    Effect{"up", is_file, "a scene file instead of a built-in scene"},
+    Effect{"packing", has_microlenses, "--optics microlens with it"},
+    Effect{"fit-depth", has_parallax, "optics other than a single view"},
+    Effect{"view-angle", has_parallax, "optics other than a single view"},
     Effect{"clamp-indirect", traces_paths, "--integrator path with it"},
     Effect{"environment-strength", has_surroundings, kSurroundingsToo},
-    Effect{"environment-rotation", has_surroundings, kSurroundingsToo},
+    Effect{"environment-rotation", has_surroundings_to_turn, "--environment studio or a panorama with it"},
     Effect{"exposure", makes_codes, "--format png, png16 or tiff, or --video with it: EXR files stay linear"},
     Effect{"tone", makes_codes, "--format png, png16 or tiff, or --video with it: EXR files stay linear"},
     Effect{"keyframes", has_key_frames, "--reuse copy or interpolate with it"},
@@ -76,12 +95,18 @@ constexpr std::array kEffects{
     Effect{"crf", makes_lossy_videos, "--video FILE with it, in a format that loses something (.mp4, .mov or .webm)"},
 };
 
+/// "--packing"; "--fit-depth or --full-depth", which set the same parameter.
+std::string flags_of(std::string_view parameter) {
+  const std::string_view opposite = find_param(parameter)->opposite;
+  return flag_of(parameter) + (opposite.empty() ? "" : " or " + flag_of(opposite));
+}
+
 }  // namespace
 
 void refuse_idle_flags(std::span<const std::string_view> given, const RenderParams& params) {
   for (const Effect& effect : kEffects)
     if (std::find(given.begin(), given.end(), effect.parameter) != given.end() && !effect.exists(params))
-      throw usage_error(flag_of(effect.parameter), "has no effect on this render", effect.accepted);
+      throw usage_error(flags_of(effect.parameter), "has no effect on this render", effect.accepted);
 }
 
 }  // namespace lippmann

@@ -19,7 +19,7 @@ using testing::HasSubstr;
 
 const std::string kNone = "(no Error)";
 
-void make_file(const fs::path& path, const std::string& bytes) {
+void make_render_file(const fs::path& path, const std::string& bytes) {
   fs::create_directories(path.parent_path());
   std::ofstream(path) << bytes;
 }
@@ -32,14 +32,14 @@ void make_render(const fs::path& folder) {
   for (const std::vector<std::string>& names :
        {std::vector<std::string>{"frame_0000.png", "aov_0000.exr"}, {"frame_0001/view_000.png", "frame_0001/view_001.png"}}) {
     std::vector<fs::path> files;
-    for (const std::string& name : names) make_file(files.emplace_back(folder / name), name);
+    for (const std::string& name : names) make_render_file(files.emplace_back(folder / name), name);
     render.add(report, records_of(folder, files));
     ++report.frame;
   }
   render.write("report.json", [](const FolderJournal&) { return std::string("report"); });
 }
 
-std::string refusal(const fs::path& file, const std::string& bytes) {
+std::string refusal_of_file(const fs::path& file, const std::string& bytes) {
   return test::error_message([&] { require_as_recorded(file, std::as_bytes(std::span(bytes))); });
 }
 
@@ -51,31 +51,32 @@ TEST(RecordedFile, bytes_that_were_recorded_pass_and_others_are_refused) {
   const test::TempDir dir;
   make_render(dir.path());
   for (const char* name : {"frame_0000.png", "aov_0000.exr", "frame_0001/view_001.png"}) {
-    EXPECT_EQ(refusal(dir / name, name), kNone);
-    EXPECT_THAT(refusal(dir / name, "other bytes"), testing::AllOf(HasSubstr(name), HasSubstr("other bytes than its render")));
+    EXPECT_EQ(refusal_of_file(dir / name, name), kNone);
+    EXPECT_THAT(refusal_of_file(dir / name, "other bytes"),
+                testing::AllOf(HasSubstr(name), HasSubstr("other bytes than its render")));
   }
-  EXPECT_EQ(refusal(dir / "report.json", "report"), kNone);
-  EXPECT_NE(refusal(dir / "report.json", "reports"), kNone);
-  EXPECT_NE(refusal(dir / "frame_0000.png", "aov_0000.exr"), kNone) << "another file of the render";
+  EXPECT_EQ(refusal_of_file(dir / "report.json", "report"), kNone);
+  EXPECT_NE(refusal_of_file(dir / "report.json", "reports"), kNone);
+  EXPECT_NE(refusal_of_file(dir / "frame_0000.png", "aov_0000.exr"), kNone) << "another file of the render";
 }
 
 TEST(RecordedFile, video_and_its_side_file_are_compared) {
   const test::TempDir dir;
-  for (const char* name : {"film.mp4", "film.mp4.json"}) make_file(dir / name, name);
+  for (const char* name : {"film.mp4", "film.mp4.json"}) make_render_file(dir / name, name);
   RenderFolder(dir.path(), "job").add_video(dir / "film.mp4", {0}, true);
   for (const char* name : {"film.mp4", "film.mp4.json"}) {
     require_as_recorded(dir / name);
-    make_file(dir / name, "other bytes");
+    make_render_file(dir / name, "other bytes");
     EXPECT_THAT(test::error_message([&] { require_as_recorded(dir / name); }), HasSubstr("other bytes than its render"));
   }
 }
 
 TEST(RecordedFile, file_that_no_journal_names_passes) {
   const test::TempDir dir;
-  EXPECT_EQ(refusal(dir / "frame_0000.png", "bytes"), kNone);
+  EXPECT_EQ(refusal_of_file(dir / "frame_0000.png", "bytes"), kNone);
   make_render(dir / "a");
   for (const char* name : {"a/frame_0002.png", "a/notes.txt", "a/quilts/frame_0000.png", "frame_0000.png"})
-    EXPECT_EQ(refusal(dir / name, "bytes"), kNone) << name;
+    EXPECT_EQ(refusal_of_file(dir / name, "bytes"), kNone) << name;
 }
 
 TEST(RecordedFile, missing_file_of_a_frame_is_named) {
@@ -94,7 +95,7 @@ TEST(RecordedFile, noise_after_a_journal_is_refused_and_a_cut_line_is_not) {
     const test::TempDir dir;
     make_render(dir.path());
     append(dir.path(), cut);
-    EXPECT_EQ(refusal(dir / "frame_0000.png", "frame_0000.png"), kNone);
+    EXPECT_EQ(refusal_of_file(dir / "frame_0000.png", "frame_0000.png"), kNone);
     EXPECT_EQ(read_journal(dir.path())->problem, "");
   }
   std::string noise;
@@ -103,7 +104,7 @@ TEST(RecordedFile, noise_after_a_journal_is_refused_and_a_cut_line_is_not) {
     const test::TempDir dir;
     make_render(dir.path());
     append(dir.path(), other);
-    EXPECT_THAT(refusal(dir / "frame_0000.png", "frame_0000.png"), HasSubstr("is damaged"));
+    EXPECT_THAT(refusal_of_file(dir / "frame_0000.png", "frame_0000.png"), HasSubstr("is damaged"));
     EXPECT_NE(read_journal(dir.path())->problem, "");
   }
 }

@@ -338,6 +338,9 @@ TEST(DecodeBmp, rows_from_the_bottom_or_the_top) {
   EXPECT_THAT(decoded_as<std::uint8_t>(bmp(2, rows)), ElementsAre(6, 5, 4, 3, 2, 1));
   EXPECT_THAT(decoded_as<std::uint8_t>(bmp(-2, rows)), ElementsAre(3, 2, 1, 6, 5, 4));
   EXPECT_THAT(error_message([&] { decode_picture(bmp(2, rows.substr(0, 5)), "a.bmp"); }), HasSubstr("truncated"));
+  const std::string old =
+      "BM"s + std::string(12, '\0') + "\x0c\0\0\0\x01\0\x01\0\x01"s;  // OS/2's header, without its last 3 bytes
+  EXPECT_THAT(error_message([&] { decode_picture(to_bytes(old), "a.bmp"); }), HasSubstr("truncated"));
 }
 
 // ---- What is no picture -------------------------------------------------------------------------------------------------

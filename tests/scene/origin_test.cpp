@@ -44,7 +44,7 @@ void expect_near(Vec3d a, Vec3d b, double tolerance) {
 }
 
 /// Roundings of three coordinates below 16 in two scenes, half of 2^-20 each.
-constexpr double kRounding = 2e-6;
+constexpr double kOriginRounding = 2e-6;
 
 const std::vector<Vec3d> kCorners{{0.1, 0.2, 0.3}, {1.1, 0.2, 0.3}, {0.1, 1.3, 0.3}, {0.7, 0.9, -0.4}};
 
@@ -76,7 +76,7 @@ void expect_corners(const Scene& scene, Vec3d place) {
   const Mesh& mesh = std::get<Mesh>(scene.shapes.at(0));
   ASSERT_EQ(mesh.positions.size(), kCorners.size());
   for (std::size_t i = 0; i < kCorners.size(); ++i)
-    expect_near(in_file(scene, mesh.positions[i]), place + kCorners[i], kRounding);
+    expect_near(in_file(scene, mesh.positions[i]), place + kCorners[i], kOriginRounding);
 }
 
 TEST_F(FarScene, obj_keeps_the_digits_of_its_text) { expect_corners(load("a.obj", obj_at(kPlace)), kPlace); }
@@ -88,7 +88,7 @@ TEST_F(FarScene, splats_keep_the_digits_of_their_numbers) {
     const Scene scene = load("a.ply", splat_at(kPlace, z_up));
     const Vec3f center = std::get<Splats>(scene.shapes.at(0)).centers.at(0);
     const Affine3f place = evaluate(scene, 0.0).of(scene.instances.at(0).node);
-    expect_near(in_file(scene, transform_point(place, center)), kPlace + kCorners[0], kRounding);
+    expect_near(in_file(scene, transform_point(place, center)), kPlace + kCorners[0], kOriginRounding);
   }
 }
 
@@ -100,13 +100,13 @@ TEST_F(FarScene, nff_keeps_the_digits_of_shapes_camera_and_lamps) {
                         text_of(kPlace + kCorners[0]) + " 0.25\np 3\n" + text_of(kPlace + kCorners[0]) + "\n" +
                         text_of(kPlace + kCorners[1]) + "\n" + text_of(kPlace + kCorners[2]) + "\n");
   const ResolvedScene rest = evaluate(scene, 0.0);
-  expect_near(in_file(scene, rest.of(scene.cameras.at(0).node).translation), eye, kRounding);
-  expect_near(in_file(scene, rest.of(scene.lights.at(0).node).translation), lamp, kRounding);
+  expect_near(in_file(scene, rest.of(scene.cameras.at(0).node).translation), eye, kOriginRounding);
+  expect_near(in_file(scene, rest.of(scene.lights.at(0).node).translation), lamp, kOriginRounding);
   for (const Shape& shape : scene.shapes) {
     if (const auto* spheres = std::get_if<Spheres>(&shape))
-      expect_near(in_file(scene, spheres->at(0).center), kPlace + kCorners[0], kRounding);
+      expect_near(in_file(scene, spheres->at(0).center), kPlace + kCorners[0], kOriginRounding);
     if (const auto* mesh = std::get_if<Mesh>(&shape))
-      expect_near(in_file(scene, mesh->positions.at(1)), kPlace + kCorners[1], kRounding);
+      expect_near(in_file(scene, mesh->positions.at(1)), kPlace + kCorners[1], kOriginRounding);
   }
 }
 
@@ -129,12 +129,12 @@ TEST_F(FarScene, tachyon_is_the_same_scene_elsewhere) {
   ASSERT_EQ(near.instances.size(), far.instances.size());
   for (std::size_t i = 0; i < near.instances.size(); ++i) {
     const Bounds3f a = finite_bounds(near, near.instances[i], near_rest), b = finite_bounds(far, far.instances[i], far_rest);
-    expect_near(in_file(far, b.lower), place + Vec3d(a.lower), kRounding);
-    expect_near(in_file(far, b.upper), place + Vec3d(a.upper), kRounding);
+    expect_near(in_file(far, b.lower), place + Vec3d(a.lower), kOriginRounding);
+    expect_near(in_file(far, b.upper), place + Vec3d(a.upper), kOriginRounding);
   }
   for (std::size_t i = 0; i < near.nodes.size(); ++i)
     expect_near(in_file(far, far_rest.world_from_node[i].translation), place + Vec3d(near_rest.world_from_node[i].translation),
-                kRounding);
+                kOriginRounding);
 }
 
 TEST_F(FarScene, warnings_are_given_once) {
@@ -190,8 +190,8 @@ TEST(Origin, everything_stands_where_it_stood) {
     expect_near(in_file(after, b.lower), Vec3d(a.lower), kHalfUnit);
     EXPECT_LT(glm::length(b.center()), 20.0f) << before.instances[i].name;
   }
-  expect_near(in_file(after, is.of(after.cameras[0].node).translation), Vec3d(was.of(2).translation), kRounding);
-  expect_near(in_file(after, is.of(after.lights[0].node).translation), Vec3d(was.of(3).translation), kRounding);
+  expect_near(in_file(after, is.of(after.cameras[0].node).translation), Vec3d(was.of(2).translation), kOriginRounding);
+  expect_near(in_file(after, is.of(after.lights[0].node).translation), Vec3d(was.of(3).translation), kOriginRounding);
   expect_near(in_file(after, is.of(after.lights[1].node).translation), Vec3d(0.0), 1.0);
 }
 
@@ -201,8 +201,8 @@ TEST(Origin, meshes_below_nodes_are_not_rounded) {
   const ResolvedScene rest = evaluate(scene, 0.0);
   const Bounds3f below = finite_bounds(scene, scene.instances[0], rest), at = finite_bounds(scene, scene.instances[1], rest);
   // 0.5 * 2 units long, and turned by 90 degrees: along x and z.
-  expect_near(Vec3d(below.size()), Vec3d(1, 0, 1), kRounding);
-  expect_near(Vec3d(at.size()), Vec3d(1, 1, 0), kRounding);
+  expect_near(Vec3d(below.size()), Vec3d(1, 0, 1), kOriginRounding);
+  expect_near(Vec3d(at.size()), Vec3d(1, 1, 0), kOriginRounding);
   expect_near(Vec3d(below.lower), Vec3d(at.lower), 1e-5);
 }
 
@@ -255,8 +255,8 @@ TEST(Origin, shape_that_several_nodes_show_is_copied_where_they_differ) {
   EXPECT_EQ(scene.shapes.size(), 3u);
   const ResolvedScene rest = evaluate(scene, 0.0);
   const auto middle = [&](std::size_t i) { return Vec3d(finite_bounds(scene, scene.instances[i], rest).center()); };
-  expect_near(middle(3), middle(2) + Vec3d(1, 0, 0), kRounding);
-  expect_near(middle(4), middle(2), kRounding);
+  expect_near(middle(3), middle(2) + Vec3d(1, 0, 0), kOriginRounding);
+  expect_near(middle(4), middle(2), kOriginRounding);
 }
 
 /// A box of that size at a place on the x axis.

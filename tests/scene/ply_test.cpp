@@ -152,14 +152,14 @@ struct Square {
   std::vector<std::string> warnings{};
 };
 
-const std::string kRgb = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+const std::string kRgbProperties = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
 
 Vec3f color_of(const Mesh& m, std::size_t triangle, std::size_t corner) {
   return m.colors.at(m.triangles.at(triangle)[corner]);
 }
 
 TEST(Ply, faces_have_colours_of_their_own) {
-  Square square{.face_properties = kRgb + "property uchar alpha\n", .face_values = {"255 0 0 255", "0 0 255 51"}};
+  Square square{.face_properties = kRgbProperties + "property uchar alpha\n", .face_values = {"255 0 0 255", "0 0 255 51"}};
   const Scene scene = square.load();
   const Mesh& m = mesh(scene);
   ASSERT_EQ(m.triangles.size(), 2u);
@@ -173,8 +173,8 @@ TEST(Ply, faces_have_colours_of_their_own) {
 }
 
 TEST(Ply, vertices_come_before_faces_that_bring_colours_too) {
-  Square square{.vertex_properties = kRgb,
-                .face_properties = kRgb,
+  Square square{.vertex_properties = kRgbProperties,
+                .face_properties = kRgbProperties,
                 .vertex_values = {"255 255 255", "255 255 255", "255 255 255", "255 255 255"},
                 .face_values = {"255 0 0", "0 0 255"}};
   EXPECT_EQ(color_of(mesh(square.load()), 1, 2), Vec3f(1));
@@ -242,7 +242,7 @@ TEST_F(PlyTextures, corners_come_before_vertices) {
 
 TEST_F(PlyTextures, missing_picture_is_named_and_colours_stay) {
   Square square{.comments = "comment TextureFile foo.png\n",
-                .face_properties = "property list uchar float texcoord\n" + kRgb,
+                .face_properties = "property list uchar float texcoord\n" + kRgbProperties,
                 .face_values = {"6 0 0 1 0 1 1 255 0 0", "6 0 0 1 1 0 1 0 0 255"}};
   const Scene scene = square.load(here());
   EXPECT_EQ(color_of(mesh(scene), 0, 0), Vec3f(1, 0, 0));
@@ -251,7 +251,7 @@ TEST_F(PlyTextures, missing_picture_is_named_and_colours_stay) {
 
 TEST_F(PlyTextures, picture_takes_the_place_of_colours) {
   Square square{.comments = "comment TextureFile red.png\n",
-                .face_properties = "property list uchar float texcoord\n" + kRgb,
+                .face_properties = "property list uchar float texcoord\n" + kRgbProperties,
                 .face_values = {"6 0 0 1 0 1 1 9 9 9", "6 0 0 1 1 0 1 9 9 9"}};
   EXPECT_TRUE(mesh(square.load(here())).colors.empty());
   EXPECT_THAT(square.warnings, testing::ElementsAre(HasSubstr("red, green and blue are left out: a picture is shown instead")));

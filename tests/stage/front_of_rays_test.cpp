@@ -8,7 +8,7 @@
 namespace lippmann {
 namespace {
 
-constexpr float kEye = 12.0f;
+constexpr float kFittedEye = 12.0f;
 
 class FrontOfRays : public testing::Test {
  protected:
@@ -50,7 +50,7 @@ class FrontOfRays : public testing::Test {
   /// Across the view.
   void add_wall(float z, float width = 60.0f) { add_quad({-0.5f * width, -9, z}, {width, 0, 0}, {0, 18, 0}); }
 
-  float front() const { return front_of_rays(scene, fit_array(scene), 1.0f, kEye); }
+  float front() const { return front_of_rays(scene, fit_array(scene), 1.0f, kFittedEye); }
 
   Scene scene;
 };
@@ -63,13 +63,13 @@ TEST_F(FrontOfRays, is_the_camera_where_nothing_lies_behind_it) {
 
 TEST_F(FrontOfRays, is_the_eye_above_a_floor) {
   add_floor(30.0f);
-  EXPECT_EQ(front(), kEye);
+  EXPECT_EQ(front(), kFittedEye);
   EXPECT_EQ(front_of_rays(scene, fit_array(scene), 1.0f, 3.0f), 4.0f) << "an eye before the camera";
 }
 
 TEST_F(FrontOfRays, is_the_eye_above_a_floor_without_end) {
   add(Planes{{{0, -1, 0}, {0, 1, 0}}});
-  EXPECT_EQ(front(), kEye);
+  EXPECT_EQ(front(), kFittedEye);
 }
 
 TEST_F(FrontOfRays, lies_before_the_wall_behind_the_camera) {
@@ -100,7 +100,7 @@ TEST_F(FrontOfRays, lies_within_a_closed_room) {
 TEST_F(FrontOfRays, is_the_eye_behind_a_chair) {
   add_floor(30.0f);
   add_box({0.3f, -1, 5}, {0.6f, 0, 5.3f});
-  EXPECT_EQ(front(), kEye);
+  EXPECT_EQ(front(), kFittedEye);
   add_wall(6.0f);
   EXPECT_GT(front(), 5.9f) << "the chair stands before the wall";
   EXPECT_LT(front(), 6.0f);
