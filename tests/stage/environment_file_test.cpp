@@ -56,5 +56,12 @@ TEST(EnvironmentFile, file_without_colours_is_refused_with_its_channels) {
               HasSubstr("a.exr: none of its channels is a colour: 'u, v'"));
 }
 
+// The header says so: the file ends where its 100 million samples would begin.
+TEST(EnvironmentFile, integer_picture_is_refused_before_it_is_decoded) {
+  const TempDir dir;
+  std::ofstream(dir / "a.ppm", std::ios::binary) << "P6 10000 10000 255\n";
+  EXPECT_THAT(test::error_message([&] { read_environment(dir / "a.ppm", 1.0f, 0.0f); }), HasSubstr("has no linear light"));
+}
+
 }  // namespace
 }  // namespace lippmann
