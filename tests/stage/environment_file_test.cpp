@@ -3,9 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
+#include <vector>
 
 #include "lippmann/core/error.hpp"
+#include "lippmann/image/picture_file.hpp"
 #include "support/error_message.hpp"
 #include "support/exr_file.hpp"
 #include "support/temp_dir.hpp"
@@ -56,11 +59,12 @@ TEST(EnvironmentFile, file_without_colours_is_refused_with_its_channels) {
               HasSubstr("a.exr: none of its channels is a colour: 'u, v'"));
 }
 
-// The header says so: the file ends where its 100 million samples would begin.
+// Its samples are cut off, which only decoding them would notice.
 TEST(EnvironmentFile, integer_picture_is_refused_before_it_is_decoded) {
   const TempDir dir;
-  std::ofstream(dir / "a.ppm", std::ios::binary) << "P6 10000 10000 255\n";
-  EXPECT_THAT(test::error_message([&] { read_environment(dir / "a.ppm", 1.0f, 0.0f); }), HasSubstr("has no linear light"));
+  write_picture(dir / "a.png", Image8{64, 64, std::vector<unsigned char>(3 * 64 * 64, 100)});
+  std::filesystem::resize_file(dir / "a.png", std::filesystem::file_size(dir / "a.png") / 2);
+  EXPECT_THAT(test::error_message([&] { read_environment(dir / "a.png", 1.0f, 0.0f); }), HasSubstr("has no linear light"));
 }
 
 }  // namespace
