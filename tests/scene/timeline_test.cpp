@@ -224,7 +224,7 @@ TEST(FiniteBounds, vertices_that_no_triangle_uses_do_not_count) {
   Scene scene;
   scene.nodes.emplace_back().morph_weights = {1.0f};
   scene.shapes.push_back(mesh);
-  scene.instances.emplace_back().node = 0;
+  scene.instances.push_back({"", 0, -1, 0});
   EXPECT_EQ(finite_bounds(scene, evaluate(scene, 0)).upper, Vec3f(2, 1, 1));
 }
 
