@@ -168,8 +168,8 @@ std::string doubt_about_picture(const Stage& stage, int frame, const SeenShare& 
         "more",
         frame, share > 0.0 ? "next to nothing" : "nothing", percent(share));
   if (std::all_of(film.data.begin(), film.data.end(), [](float v) { return v > 1.0f; }))
-    return fmt::format(
-        "frame {} is overexposed: all of it is brighter than white; a negative --exposure or a --tone shows more", frame);
+    return fmt::format("frame {} is overexposed: all of it is brighter than white; a lower exposure or a tone curve shows more",
+                       frame);
   if (is_uniform(film)) return fmt::format("frame {} has one colour all over: {}", frame, why_uniform(stage.scene, seen, film));
   return {};
 }
