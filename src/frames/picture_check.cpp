@@ -34,15 +34,32 @@ Optics through_the_frame(const Optics& optics) {
   return view;
 }
 
-bool is_transparent(const Material& material) {
-  const auto* m = std::get_if<MetallicRoughness>(&material.surface);
-  return m && (m->blend || m->alpha_cutoff > 0.0f) && m->base_color.w < std::max(kLeastOpacity, m->alpha_cutoff);
+/// No surface of the instance is less transparent than this.
+float largest_alpha(const Scene& scene, const MetallicRoughness& surface, const Shape& shape) {
+  float largest = surface.base_color.w;
+  if (const auto* mesh = std::get_if<Mesh>(&shape); mesh && !mesh->alphas.empty())
+    largest *= *std::max_element(mesh->alphas.begin(), mesh->alphas.end());
+  if (const int texture = surface.base_color_map.texture; texture >= 0) {
+    const std::vector<std::uint8_t>& rgba = scene.textures[static_cast<std::size_t>(texture)].rgba;
+    std::uint8_t most = 0;
+    for (std::size_t i = 3; i < rgba.size(); i += 4) most = std::max(most, rgba[i]);
+    largest *= static_cast<float>(most) / 255.0f;
+  }
+  return largest;
+}
+
+bool is_transparent(const Scene& scene, const Instance& instance) {
+  const Shape& shape = scene.shapes[static_cast<std::size_t>(instance.shape)];
+  if (const auto* splats = std::get_if<Splats>(&shape))
+    return std::all_of(splats->opacities.begin(), splats->opacities.end(), [](float o) { return reach_of_splat(o) == 0.0f; });
+  const auto* m = std::get_if<MetallicRoughness>(&scene.materials[static_cast<std::size_t>(instance.material)].surface);
+  return m && (m->blend || m->alpha_cutoff > 0.0f) &&
+         largest_alpha(scene, *m, shape) < std::max(kLeastOpacity, m->alpha_cutoff);
 }
 
 bool all_transparent(const Scene& scene) {
-  return std::all_of(scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {
-    return is_transparent(scene.materials[static_cast<std::size_t>(instance.material)]);
-  });
+  return std::all_of(scene.instances.begin(), scene.instances.end(),
+                     [&](const Instance& instance) { return is_transparent(scene, instance); });
 }
 
 bool has_area(const Mesh& mesh) {
@@ -70,7 +87,8 @@ std::string why_nothing_is_met(const Stage& stage, int frame) {
   const Scene& scene = stage.scene;
   if (scene.instances.empty()) return "the scene has no surfaces";
   if (!any_area(scene)) return "none of the scene's triangles has an area";
-  if (all_transparent(scene)) return "all of the scene's materials are transparent (alpha 0)";
+  if (all_transparent(scene))
+    return "everything in the scene is transparent: its alpha is 0, or below the cutoff of its material";
   if (all_behind(stage, frame)) return "everything lies behind the viewer";
   if (stage.array.origin == FittedArray::Origin::kBounds) return "its parts are too small or too far apart to be seen";
   return "nothing lies within the view; a view that is fitted to a node shows it";
@@ -142,13 +160,16 @@ std::string doubt_about_picture(const Stage& stage, int frame, const SeenShare& 
   const bool is_fitted = stage.array.origin == FittedArray::Origin::kBounds;
   const double share = is_fitted && !stage.array.is_subject.empty() ? seen.subject : seen.anything;
   const bool is_small = share < kLeastShare && !has_splats(stage.scene);
-  if (seen.anything == 0.0 && is_small)
+  if (seen.anything == 0.0 && (is_small || (has_splats(stage.scene) && all_transparent(stage.scene))))
     return fmt::format("frame {} shows nothing of the scene: {}", frame, why_nothing_is_met(stage, frame));
   if (is_small)
     return fmt::format(
         "frame {} shows {} of its subject, which covers {} of the picture; a view that is fitted to a node or zoomed shows "
         "more",
         frame, share > 0.0 ? "next to nothing" : "nothing", percent(share));
+  if (std::all_of(film.data.begin(), film.data.end(), [](float v) { return v > 1.0f; }))
+    return fmt::format("frame {} is overexposed: all of it is brighter than white; a lower exposure or a tone curve shows more",
+                       frame);
   if (is_uniform(film)) return fmt::format("frame {} has one colour all over: {}", frame, why_uniform(stage.scene, seen, film));
   return {};
 }

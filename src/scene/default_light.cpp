@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <variant>
 
 #include "lippmann/scene/timeline.hpp"
@@ -46,12 +47,13 @@ bool is_phong_lamp(const Material& material) {
   return phong && (phong->emission != Vec3f(0.0f) || (phong->diffuse == 0.0f && phong->ambient > 0.0f));
 }
 
-/// A black lamp lights nothing.
-bool has_lamps(const Scene& scene) {
-  return std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) { return light.color != Vec3f(0.0f); });
-}
-
 float brightest(Vec3f color) { return std::max({color.x, color.y, color.z}); }
+
+/// A black lamp lights nothing, nor does one whose light the renderer rounds to 0.
+bool has_lamps(const Scene& scene) {
+  return std::any_of(scene.lights.begin(), scene.lights.end(),
+                     [](const Light& light) { return brightest(light.color) >= std::numeric_limits<float>::min(); });
+}
 
 /// World units; a mesh as its node shows it, skins and morph targets at rest.
 double area_of(const Mesh& mesh, const Affine3f& world_from_mesh) {

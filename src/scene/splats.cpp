@@ -202,4 +202,16 @@ Bounds3f bulk_bounds(const Splats& splats, const Affine3f& a) {
   return bounds;
 }
 
+std::size_t count_far_splats(const Splats& splats) {
+  constexpr float kFarAway = 20.0f;
+  const Bounds3f bulk = bulk_bounds(splats, {});
+  if (bulk.empty()) return 0;
+  const Vec3f margin(kFarAway * glm::length(bulk.size()));
+  const Bounds3f around{bulk.lower - margin, bulk.upper + margin};
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < splats.centers.size(); ++i)
+    if (reach_of_splat(splats.opacities[i]) > 0.0f && !is_within(around, splats.centers[i])) ++count;
+  return count;
+}
+
 }  // namespace lippmann

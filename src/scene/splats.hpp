@@ -44,4 +44,7 @@ Bounds3f whole_bounds(const Splats& splats, const Affine3f& a);
 /// beyond the middle 96 % of the centres (each counts as its opacity) than a quarter of their extent is left out.
 Bounds3f bulk_bounds(const Splats& splats, const Affine3f& a);
 
+/// How many splats that are seen lie outside the bulk's bounds by more than 20 times their diagonal.
+std::size_t count_far_splats(const Splats& splats);
+
 }  // namespace lippmann

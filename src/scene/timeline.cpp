@@ -113,15 +113,25 @@ Vec3f disc_reach(const Affine3f& frame_from_node, Vec3f normal, float radius) {
   return reach;
 }
 
+/// Calls visit(vertex) once for each vertex that a triangle uses: files may hold others, far away.
+template <class Visit>
+void visit_used_vertices(const Mesh& mesh, const Visit& visit) {
+  std::vector<bool> is_used(mesh.positions.size(), false);
+  for (const auto& triangle : mesh.triangles)
+    for (const std::uint32_t corner : triangle) is_used[corner] = true;
+  for (std::size_t i = 0; i < is_used.size(); ++i)
+    if (is_used[i]) visit(i);
+}
+
 void add_shape(Bounds3f& bounds, const Affine3f& a, const Mesh& mesh) {
-  for (const Vec3f& p : mesh.positions) bounds.add(transform_point(a, p));
+  visit_used_vertices(mesh, [&](std::size_t i) { bounds.add(transform_point(a, mesh.positions[i])); });
 }
 
 void add_posed(Bounds3f& bounds, const Affine3f& frame_from_world, const Scene& scene, const Instance& instance,
                const ResolvedScene& resolved) {
   const MeshPose pose(scene, instance, resolved);
-  const std::size_t vertices = std::get<Mesh>(scene.shapes[static_cast<std::size_t>(instance.shape)]).positions.size();
-  for (std::size_t i = 0; i < vertices; ++i) bounds.add(transform_point(frame_from_world, pose.position(i)));
+  visit_used_vertices(std::get<Mesh>(scene.shapes[static_cast<std::size_t>(instance.shape)]),
+                      [&](std::size_t i) { bounds.add(transform_point(frame_from_world, pose.position(i))); });
 }
 
 void add_shape(Bounds3f& bounds, const Affine3f& a, const Spheres& spheres) {

@@ -157,15 +157,16 @@ std::string left_out_sentence(const Setting& setting) {
   std::string text;
   if (setting.subject.has_surroundings())
     text += fmt::format(" Left out as surroundings: {}.", list_surroundings(setting.scene, setting.subject));
-  if (setting.subject.main_part) text += fmt::format(" Left out as far away: {}.", list_strays(setting.scene, setting.subject));
+  if (const std::string strays = list_strays(setting.scene, setting.subject); !strays.empty())
+    text += fmt::format(" Left out as far away: {}.", strays);
   return text;
 }
 
 std::string stray_sentence(const Setting& setting) {
-  if (!setting.subject.main_part) return {};
-  return fmt::format(
-      "The view leaves out what lies far away from everything else: {}; a view that is fitted to a node shows it",
-      list_strays(setting.scene, setting.subject));
+  const std::string strays = list_strays(setting.scene, setting.subject);
+  if (strays.empty()) return {};
+  return fmt::format("The view leaves out what lies far away from everything else: {}{}", strays,
+                     setting.subject.main_part ? "; a view that is fitted to a node shows it" : "");
 }
 
 std::string widened_sentence(const Camera& camera, const CameraView& view) {

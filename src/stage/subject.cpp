@@ -1,6 +1,7 @@
 #include "stage/subject.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +13,7 @@
 #include "core/printable.hpp"
 #include "lippmann/scene/timeline.hpp"
 #include "scene/deform.hpp"
+#include "scene/splats.hpp"
 #include "stage/main_part.hpp"
 #include "stage/seen_bounds.hpp"
 
@@ -307,12 +309,19 @@ std::string list_surroundings(const Scene& scene, const Subject& subject) {
 }
 
 std::string list_strays(const Scene& scene, const Subject& subject) {
-  if (!subject.main_part) return {};
+  std::vector<std::string> listed;
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const auto* splats = std::get_if<Splats>(&scene.shapes[static_cast<std::size_t>(scene.instances[i].shape)]);
+    if (const std::size_t count = splats && subject.contains(i) ? count_far_splats(*splats) : 0; count > 0)
+      listed.push_back(fmt::format("{} splat{} of '{}'", count, count == 1 ? "" : "s", printable(scene.instances[i].name)));
+  }
+  const std::string of_splats = fmt::format("{}", fmt::join(listed, ", "));
+  if (!subject.main_part) return of_splats;
   const std::string whole = list_instances(scene, [&](std::size_t i) { return subject.roles[i] == InstanceRole::kStray; });
   const std::string cut =
       list_instances(scene, [&](std::size_t i) { return subject.is_cut[i] && subject.roles[i] != InstanceRole::kStray; });
-  if (cut.empty()) return whole;
-  return fmt::format("{}{}parts of {}", whole, whole.empty() ? "" : ", and ", cut);
+  const std::string of_meshes = cut.empty() ? whole : fmt::format("{}{}parts of {}", whole, whole.empty() ? "" : ", and ", cut);
+  return of_meshes + (of_meshes.empty() || of_splats.empty() ? "" : ", and ") + of_splats;
 }
 
 }  // namespace lippmann

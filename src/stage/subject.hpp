@@ -58,7 +58,7 @@ Subject find_subject(const Scene& scene);
 inline float diagonal(const Bounds3f& bounds) { return bounds.empty() ? 0.0f : glm::length(bounds.size()); }
 
 /// "'Plane', 'Wall' and 3 others": the instances that are surroundings; and those that have been left out as stray, or partly
-/// so.
+/// so, with the number of splats that their bounds leave out as far away.
 std::string list_surroundings(const Scene& scene, const Subject& subject);
 std::string list_strays(const Scene& scene, const Subject& subject);
 

@@ -9,6 +9,7 @@
 
 #include "lippmann/frames/renderer.hpp"
 #include "lippmann/scene/load.hpp"
+#include "scene/splats.hpp"
 
 namespace lippmann {
 namespace {
@@ -109,6 +110,40 @@ TEST_F(PictureCheck, alpha_of_0_in_both_modes) {
   EXPECT_THAT(warnings(), HasSubstr("transparent"));
   surface().blend = true, surface().alpha_cutoff = 0.0f;
   EXPECT_EQ(warnings(), "") << "faint is seen";
+}
+
+TEST_F(PictureCheck, alphas_of_vertices_and_of_pictures_count) {
+  add_box("box", Vec3f(-1), Vec3f(1));
+  surface().blend = true;
+  std::vector<float>& alphas = std::get<Mesh>(scene.shapes.front()).alphas;
+  alphas.assign(8, 0.0f);
+  EXPECT_THAT(warnings(), HasSubstr("transparent"));
+  alphas.front() = 0.5f;
+  EXPECT_EQ(warnings(), "");
+  alphas.clear();
+  std::get<Mesh>(scene.shapes.front()).uvs.assign(8, Vec2f(0.5f));
+  scene.textures.push_back({.width = 1, .height = 1, .rgba = {255, 255, 255, 100}});
+  surface().base_color_map.texture = 0;
+  surface().blend = false, surface().alpha_cutoff = 0.5f;
+  EXPECT_THAT(warnings(), HasSubstr("below the cutoff"));
+}
+
+TEST_F(PictureCheck, splats_that_are_all_transparent) {
+  Splats splats;
+  splats.centers = {{0, 0, 0}, {1, 1, 0}};
+  splats.rotations.assign(2, {1, 0, 0, 0});
+  splats.deviations.assign(2, Vec3f(0.3f));
+  splats.opacities.assign(2, 0.0f);
+  splats.harmonics.assign(2, Vec3f(1));
+  add("splats", splats);
+  scene.materials.front() = splat_material();
+  EXPECT_THAT(warnings(), HasSubstr("everything in the scene is transparent"));
+}
+
+TEST_F(PictureCheck, light_that_is_too_bright_everywhere) {
+  add_box("box", Vec3f(-1), Vec3f(1));
+  scene.background.horizon = Vec3f(1e10f), scene.background.zenith = Vec3f(2e10f);
+  EXPECT_THAT(warnings(), HasSubstr("frame 0 is overexposed"));
 }
 
 TEST_F(PictureCheck, a_camera_that_looks_away) {

@@ -34,6 +34,9 @@ TEST(DefaultLight, is_lacking_where_surfaces_wait_for_light) {
   for (Light& light : lit.lights) light.color = Vec3f(0.0f);
   EXPECT_TRUE(lacks_lamps(lit)) << "black lamps";
   EXPECT_EQ(own_light(lit), OwnLight::kNone);
+  for (Light& light : lit.lights) light.color = Vec3f(1e-42f);
+  EXPECT_TRUE(lacks_lamps(lit)) << "lamps whose light is rounded to 0";
+  EXPECT_EQ(own_light(lit), OwnLight::kNone);
 }
 
 Scene scene_of(const PhongSurface& surface) {

@@ -311,6 +311,34 @@ TEST(Ply, points_alone_are_refused) {
               HasSubstr("a.ply: has vertices and no faces; accepted: a mesh, or splats"));
 }
 
+TEST(Ply, faces_without_an_area_are_not_called_missing) {
+  EXPECT_THAT(ply_error(header("ascii") + "0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n"), HasSubstr("a.ply: none of its faces has an area"));
+  EXPECT_THAT(ply_error(header("ascii") + "0 0 0\n1 0 0\n0 1 0\n2 0 1\n"), HasSubstr("faces of at least three corners"));
+}
+
+TEST(Ply, faces_may_stand_before_the_vertices) {
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\nelement vertex 3\nproperty float x\n"
+      "property float y\nproperty float z\nend_header\n";
+  EXPECT_EQ(mesh(ply_scene(text + "3 0 1 2\n0 0 0\n2 0 0\n0 2 0\n")).triangles.size(), 1u);
+  EXPECT_THAT(ply_error(text + "3 0 1 3\n0 0 0\n2 0 0\n0 2 0\n"), HasSubstr("face 0: a vertex is 3; accepted: 0 to 2"));
+}
+
+TEST(Ply, attributes_that_are_not_finite_are_left_out_by_name) {
+  Square square{.vertex_properties =
+                    "property float nx\nproperty float ny\nproperty float nz\nproperty float u\n"
+                    "property float v\nproperty float red\nproperty float green\nproperty float blue\n"
+                    "property float alpha\n",
+                .vertex_values = {"0 0 1 0 0 1 1 1 1", "0 nan 1 0 0 1 1 1 1", "0 0 1 inf 0 1 1 1 1", "0 0 1 0 0 1 1 nan nan"}};
+  const Scene scene = square.load();
+  EXPECT_TRUE(mesh(scene).normals.empty() && mesh(scene).uvs.empty() && mesh(scene).colors.empty() &&
+              mesh(scene).alphas.empty());
+  for (const std::string property : {"ny", "u", "blue", "alpha"})
+    EXPECT_THAT(square.warnings, testing::Contains(HasSubstr("property '" + property + "'"))) << property;
+  EXPECT_THAT(ply_error(header("ascii") + "0 0 0 1 nan 0 0 1 0 3 0 1 2"),
+              HasSubstr("vertex 1: property 'y' has the value nan"));
+}
+
 TEST(Ply, file_is_found_by_its_extension) {
   const test::TempDir dir;
   std::ofstream(dir / "a.ply") << header("ascii") << "0 0 0\n2 0 0\n0 2 0\n3 0 1 2\n";

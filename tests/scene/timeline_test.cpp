@@ -217,6 +217,17 @@ TEST(FiniteBounds, mesh_reaches_to_its_vertices_not_to_its_turned_box) {
   expect_near(b.lower, -b.upper);
 }
 
+TEST(FiniteBounds, vertices_that_no_triangle_uses_do_not_count) {
+  Mesh mesh{{{1, 0, 0}, {0, 1, 0}, {500, 500, 500}, {0, 0, 1}}, {}, {}, {{0, 1, 3}}};
+  EXPECT_EQ(bounds_of(mesh).upper, Vec3f(1));
+  mesh.targets.push_back({.positions = std::vector<Vec3f>(4, Vec3f(1, 0, 0))});
+  Scene scene;
+  scene.nodes.emplace_back().morph_weights = {1.0f};
+  scene.shapes.push_back(mesh);
+  scene.instances.push_back({"", 0, -1, 0});
+  EXPECT_EQ(finite_bounds(scene, evaluate(scene, 0)).upper, Vec3f(2, 1, 1));
+}
+
 TEST(FiniteBounds, sphere_is_exact_under_uneven_scale) {
   const Bounds3f b = bounds_of(Spheres{{{1, 0, 0}, 0.5f}}, {{0, 1, 0}, about_y(0), {2, 1, 3}});
   expect_near(b.lower, {1, 0.5, -1.5});

@@ -122,6 +122,26 @@ TEST(MainPart, a_stray_ball_of_a_list_does_not_either) {
   EXPECT_NE(fit_array(with_stray).warning, "");
 }
 
+TEST(MainPart, splats_that_are_far_away_are_counted) {
+  Splats splats;
+  for (int i = 0; i < 200; ++i)
+    splats.centers.emplace_back(0.1f * static_cast<float>(i % 6), 0.1f * static_cast<float>(i / 6 % 6),
+                                0.02f * static_cast<float>(i / 36));
+  splats.centers.emplace_back(1e5f, 0, 0);
+  const std::size_t count = splats.centers.size();
+  splats.rotations.assign(count, {1, 0, 0, 0});
+  splats.deviations.assign(count, Vec3f(0.05f));
+  splats.opacities.assign(count, 0.9f);
+  splats.harmonics.assign(count, Vec3f(1));
+  Scene scene;
+  add(scene, "capture", splats);
+  const FittedArray array = fit_array(scene);
+  EXPECT_EQ(array.warning, "The view leaves out what lies far away from everything else: 1 splat of 'capture'");
+  EXPECT_THAT(array.how, HasSubstr("Left out as far away: 1 splat of 'capture'."));
+  std::get<Splats>(scene.shapes.front()).centers.back().x = 1.0f;
+  EXPECT_EQ(fit_array(scene).warning, "");
+}
+
 TEST(MainPart, what_is_named_is_never_stray) {
   Scene scene;
   add(scene, "box", Boxes{{Vec3f(-1), Vec3f(1)}});

@@ -52,9 +52,17 @@ class InstanceReader {
     for (std::size_t i = 0; i < nodes_.file_node.size(); ++i)
       scene_.nodes[i].morph_weights = read_morph_weights(document_, nodes_.file_node[i]);
     std::map<int, std::vector<int>> places;  // by node of the scene that has a mesh
-    for (std::size_t i = 0; i < nodes_.file_node.size(); ++i)
-      if (const int file_node = nodes_.file_node[i]; node_at(file_node).mesh >= 0 && !nodes_.hidden[i])
+    bool any_hidden = false;
+    for (std::size_t i = 0; i < nodes_.file_node.size(); ++i) {
+      const int file_node = nodes_.file_node[i];
+      if (node_at(file_node).mesh < 0) continue;
+      if (nodes_.hidden[i])
+        any_hidden = true;
+      else
         places[static_cast<int>(i)] = places_of(file_node, static_cast<int>(i));
+    }
+    if (places.empty() && any_hidden)
+      document_.report.warn("all nodes that have a mesh are set invisible (KHR_node_visibility)");
     rest_ = evaluate(scene_, 0.0);
     for (const auto& [node, copies] : places) add(nodes_.file_node[static_cast<std::size_t>(node)], copies);
   }

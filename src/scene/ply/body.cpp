@@ -59,7 +59,7 @@ double Body::value(Type type) {
 
 double Body::bounded(Type type) {
   const double result = value(type);
-  if (!(std::abs(result) <= kLargestNumber)) throw error(fmt::format("has the value {}", result), "at most 1e18");
+  if (!is_usable(result)) throw error(fmt::format("has the value {}", result), "at most 1e18");
   return result;
 }
 
@@ -107,6 +107,8 @@ double Body::text_value() {
     throw error(fmt::format("{} is not a number", shown(word)));
   return tiny ? 0.0 : result;
 }
+
+bool is_usable(double value) { return std::abs(value) <= kLargestNumber; }
 
 double full_scale(Type type) {
   constexpr double kFull[] = {127.0, 255.0, 32767.0, 65535.0, 2147483647.0, 4294967295.0, 1.0, 1.0};

@@ -54,6 +54,9 @@ class Body {
   std::int64_t row_ = 0;
 };
 
+/// Whether it is finite and of a size that can be computed with.
+bool is_usable(double value);
+
 /// The value of an integer type that counts as 1 where colours are meant; 1 for floats.
 double full_scale(Type type);
 

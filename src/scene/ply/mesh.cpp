@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/printable.hpp"
@@ -20,6 +24,25 @@ constexpr const char* kArePacked = "its splats are packed, as PlayCanvas and Sup
 constexpr const char* kUnpacked =
     "a .ply of plain splats, which splat-transform IN OUT.ply makes of it (npm's @playcanvas/splat-transform)";
 
+/// The properties of an attribute of vertices that is left out if one of its values cannot be used.
+struct VertexAttribute {
+  VertexAttribute() = default;
+  template <std::size_t N>
+  explicit VertexAttribute(const std::optional<std::array<int, N>>& found) {
+    if (found) columns.assign(found->begin(), found->end());
+  }
+
+  /// Whether there are values, and all so far can be used.
+  bool check(const Row& row) {
+    for (const int column : columns)
+      if (unusable < 0 && !is_usable(row.exact(column))) unusable = column;
+    return !columns.empty() && unusable < 0;
+  }
+
+  std::vector<int> columns;
+  int unusable = -1;  ///< the first column with such a value; -1: none
+};
+
 void read_vertices(const std::string& name, const Element& element, Body& body, const Context& context, PlyMesh& ply) {
   Mesh& mesh = ply.mesh;
   if (!mesh.positions.empty()) throw Error(name, "has two lists of vertices", "one element \"vertex\"");
@@ -32,19 +55,32 @@ void read_vertices(const std::string& name, const Element& element, Body& body, 
   const auto rgb = columns.color();
   const int alpha = columns.alpha(), picture = columns.value("texnumber");
   columns.warn_of_unread(name, context);
+  VertexAttribute normals(normal), uvs(uv), colors(rgb), alphas;
+  if (alpha >= 0) alphas.columns = {alpha};
   Row row(element);
   const auto vector = [&](const std::array<int, 3>& c) { return Vec3f(row.at(c[0]), row.at(c[1]), row.at(c[2])); };
   for (std::int64_t i = 0; i < element.count; ++i) {
     body.set_place(element.name, i);
     row.read(body);
-    mesh.positions.push_back(Vec3f(Vec3d(row.exact((*xyz)[0]), row.exact((*xyz)[1]), row.exact((*xyz)[2])) - ply.origin));
-    if (normal) mesh.normals.push_back(vector(*normal));
-    if (uv) mesh.uvs.emplace_back(row.at((*uv)[0]), 1.0f - row.at((*uv)[1]));
-    if (rgb) mesh.colors.push_back(row.color(*rgb));
-    if (alpha >= 0) mesh.alphas.push_back(static_cast<float>(row.share(alpha)));
+    const Vec3d at(row.position((*xyz)[0], body), row.position((*xyz)[1], body), row.position((*xyz)[2], body));
+    mesh.positions.push_back(Vec3f(at - ply.origin));
+    if (normals.check(row)) mesh.normals.push_back(vector(*normal));
+    if (uvs.check(row)) mesh.uvs.emplace_back(row.at((*uv)[0]), 1.0f - row.at((*uv)[1]));
+    if (colors.check(row)) mesh.colors.push_back(row.color(*rgb));
+    if (alphas.check(row)) mesh.alphas.push_back(static_cast<float>(row.share(alpha)));
     if (picture >= 0) ply.vertex_picture.push_back(row.picture(picture));
   }
   row.warn_of_cut_colors(name, context);
+  const auto drop_unusable = [&](const VertexAttribute& attribute, std::string_view plural, auto& values) {
+    if (attribute.unusable < 0) return;
+    values.clear();
+    context.warning(fmt::format("{}: the {} of vertices are left out: property {} has values that are not finite.", name,
+                                plural, shown(element.properties[static_cast<std::size_t>(attribute.unusable)].name)));
+  };
+  drop_unusable(normals, "normals", mesh.normals);
+  drop_unusable(uvs, "texture coordinates", mesh.uvs);
+  drop_unusable(colors, "colours", mesh.colors);
+  drop_unusable(alphas, "alphas", mesh.alphas);
 }
 
 void skip(const std::string& name, const Element& element, Body& body, const Context& context) {
@@ -61,23 +97,39 @@ void tidy_normals(Mesh& mesh) {
   for (Vec3f& normal : mesh.normals) normal = direction_of(normal);
 }
 
+Error no_triangles(const std::string& name, bool has_vertices, bool has_faces) {
+  if (has_vertices && has_faces)
+    return Error(name, "none of its faces has an area", "faces of at least three corners that do not lie on one line");
+  const char* problem = has_vertices ? "has vertices and no faces"
+                        : has_faces  ? "has faces and no vertices"
+                                     : "has neither vertices nor faces";
+  return Error(name, problem, "a mesh, or splats (vertices with scale_0, rot_0, opacity); points are not shown");
+}
+
 PlyMesh read_elements(const std::string& name, const Header& header, Body& body, const Vec3d& origin, const Context& context) {
   PlyMesh ply;
   ply.origin = origin;
+  std::vector<std::pair<const Element*, Body>> before_vertices;
+  std::int64_t faces = 0;
+  const auto read_triangles = [&](const Element& element, Body& rows) {
+    (element.name == "face" ? read_faces : read_strips)(name, element, rows, context, ply);
+  };
   for (const Element& element : header.elements) {
     if (element.properties.empty()) continue;  // rows of nothing
+    const bool has_triangles = element.name == "face" || element.name == "tristrips";
+    if (has_triangles) faces += element.count;
     if (element.name == "vertex")
       read_vertices(name, element, body, context, ply);
-    else if (element.name == "face")
-      read_faces(name, element, body, context, ply);
-    else if (element.name == "tristrips")
-      read_strips(name, element, body, context, ply);
+    else if (has_triangles && ply.mesh.positions.empty())
+      before_vertices.emplace_back(&element, body), body.pass_over(element);
+    else if (has_triangles)
+      read_triangles(element, body);
     else
       skip(name, element, body, context);
   }
-  if (ply.mesh.triangles.empty())
-    throw Error(name, ply.mesh.positions.empty() ? "has neither vertices nor faces" : "has vertices and no faces",
-                "a mesh, or splats (vertices with scale_0, rot_0, opacity); points are not shown");
+  if (!ply.mesh.positions.empty())
+    for (auto& [element, rows] : before_vertices) read_triangles(*element, rows);
+  if (ply.mesh.triangles.empty()) throw no_triangles(name, !ply.mesh.positions.empty(), faces > 0);
   tidy_normals(ply.mesh);
   if (!ply.looks.empty()) ply.looks.resize(ply.mesh.triangles.size());  // strips have no look
   return ply;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/printable.hpp"
 #include "lippmann/image/encode.hpp"
 
 namespace lippmann::ply {
@@ -15,8 +16,17 @@ void Row::read(Body& body) {
     if (property.count_type)
       body.pass_over(property);
     else
-      values_[i] = body.bounded(property.type);
+      values_[i] = body.value(property.type);
   }
+}
+
+double Row::position(int column, const Body& body) const {
+  const double value = exact(column);
+  if (!is_usable(value))
+    throw body.error(
+        fmt::format("property {} has the value {}", shown(element_.properties[static_cast<std::size_t>(column)].name), value),
+        "at most 1e18");
+  return value;
 }
 
 double Row::share(int column) {

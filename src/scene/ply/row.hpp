@@ -22,6 +22,9 @@ class Row {
   /// Takes all single values from the body and passes over lists.
   void read(Body& body);
 
+  /// A value that can be computed with; throws Error that names its property where it is not.
+  double position(int column, const Body& body) const;
+
   double exact(int column) const { return values_[static_cast<std::size_t>(column)]; }
   float at(int column) const { return static_cast<float>(exact(column)); }
 

@@ -171,6 +171,14 @@ TEST(GltfVisibility, node_that_is_not_visible_hides_all_meshes_and_lights_below_
   EXPECT_EQ(scene.cameras.size(), 1u);
 }
 
+TEST(GltfVisibility, a_file_of_which_nothing_is_visible_has_a_warning) {
+  GltfBuilder b;
+  b.add_node({{"mesh", b.add_triangle()}, {"extensions", kInvisible}});
+  std::vector<std::string> warnings;
+  EXPECT_TRUE(parse(b, &warnings).instances.empty());
+  EXPECT_THAT(warnings, Contains("a.glb: all nodes that have a mesh are set invisible (KHR_node_visibility)"));
+}
+
 TEST(GltfVisibility, that_is_neither_true_nor_false_is_an_error) {
   GltfBuilder b;
   b.add_node({{"extensions", {{"KHR_node_visibility", {{"visible", "no"}}}}}});
