@@ -98,6 +98,9 @@ TEST(ExrChannels, colours_are_counted_without_other_channels) {
   EXPECT_EQ(colors({"B", "G", "R", "Z"}), 3);
   EXPECT_EQ(colors({"N.X", "Y", "Z"}), 1);
   EXPECT_EQ(colors({"mask"}), 1);
+  EXPECT_EQ(colors({"gray"}), 1);
+  EXPECT_EQ(colors({"R"}), 1);
+  for (const char* data : {"Z", "A", "VL.Depth.Z", "Depth.V", "depth", "RY"}) EXPECT_EQ(colors({data}), 0) << data;
   EXPECT_EQ(colors({"X", "Y", "Z"}), 0);  // a place
   EXPECT_EQ(colors({"u", "v"}), 0);
 }
@@ -154,10 +157,21 @@ TEST(ExrParts, first_part_with_colours_is_read_and_named) {
   depth.name = "depth", color.name = "color";
   const std::vector<std::byte> file = exr_file(std::vector{depth, color});
   EXPECT_THAT(exr_samples(file), ElementsAre(3, 2, 1));
-  EXPECT_THAT(exr_notices(file), IsEmpty());
+  EXPECT_THAT(exr_notices(file), ElementsAre("only 'color' of its 2 parts is read, not 'depth'"));
   depth = color;
   depth.name = "other";
-  EXPECT_THAT(exr_notices(exr_file(std::vector{color, depth})), ElementsAre("only 'color' of its 2 parts is read"));
+  EXPECT_THAT(exr_notices(exr_file(std::vector{color, depth})),
+              ElementsAre("only 'color' of its 2 parts is read, not 'other'"));
+}
+
+TEST(ExrParts, part_of_one_channel_in_front_is_left_out) {
+  for (const char* name : {"Z", "Depth.V", "mask"}) {
+    ExrPart first = one_pixel({name}), color = one_pixel({"B", "G", "R"});
+    first.name = "first", color.name = "color";
+    const std::vector<std::byte> file = exr_file(std::vector{first, color});
+    EXPECT_THAT(exr_samples(file), ElementsAre(3, 2, 1)) << name;
+    EXPECT_THAT(exr_notices(file), ElementsAre("only 'color' of its 2 parts is read, not 'first'")) << name;
+  }
 }
 
 // OpenEXR 3.4 reads zeros behind the end of an uncompressed file; the check does not leave it to the library.
