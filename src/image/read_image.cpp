@@ -59,9 +59,21 @@ DecodedPicture read_decoded(const fs::path& path, const PictureWarning& warn) {
 
 void require_colors(const PictureHeader& header, const fs::path& path) {
   if (header.colors > 0) return;
-  std::string names = fmt::format("{}", fmt::join(header.channels, ", "));
-  throw Error(path.string(), fmt::format("none of its channels is a colour: {}", shown(names)),
-              "channels called R, G and B or Y, of a layer too");
+  const std::string names = shown(fmt::format("{}", fmt::join(header.channels, ", ")));
+  std::string what = fmt::format("none of its channels is a colour: {}", names);
+  const auto has = [&](const char* name) {
+    return std::find(header.channels.begin(), header.channels.end(), name) != header.channels.end();
+  };
+  std::string missing;
+  for (const char* color : {"R", "G", "B"})
+    if (!has(color)) missing += fmt::format("{}{}", missing.empty() ? "" : " and ", color);
+  if (header.channels.size() == 1)
+    what = fmt::format("its only channel {} is not a colour", names);
+  else if (has("R") || has("G") || has("B"))
+    what = fmt::format("it has no channel {} beside its channels {}", missing, names);
+  else if (has("X") && has("Y"))
+    what += ", where Y beside X is a coordinate, not luminance";
+  throw Error(path.string(), what, "channels called R, G and B or Y, of a layer too");
 }
 
 bool is_rgb_alone(const PictureHeader& header) { return header.colors == 3 && header.channels.size() == 3; }

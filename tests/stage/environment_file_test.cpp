@@ -54,6 +54,15 @@ TEST(EnvironmentFile, file_without_colours_is_refused_with_its_channels) {
   write_panorama(dir / "a.exr", {{}, {}, {{"u", {1}}, {"v", {2}}}});
   EXPECT_THAT(test::error_message([&] { read_environment(dir / "a.exr", 1.0f, 0.0f); }),
               HasSubstr("a.exr: none of its channels is a colour: 'u, v'"));
+  write_panorama(dir / "a.exr", {{}, {}, {{"Z", {1}}}});
+  EXPECT_THAT(test::error_message([&] { read_environment(dir / "a.exr", 1.0f, 0.0f); }),
+              HasSubstr("a.exr: its only channel 'Z' is not a colour"));
+  write_panorama(dir / "a.exr", {{}, {}, {{"G", {1}}, {"R", {2}}}});
+  EXPECT_THAT(test::error_message([&] { read_environment(dir / "a.exr", 1.0f, 0.0f); }),
+              HasSubstr("a.exr: it has no channel B beside its channels 'R, G'"));
+  write_panorama(dir / "a.exr", {{}, {}, {{"X", {1}}, {"Y", {2}}, {"Z", {3}}}});
+  EXPECT_THAT(test::error_message([&] { read_environment(dir / "a.exr", 1.0f, 0.0f); }),
+              HasSubstr("Y beside X is a coordinate, not luminance"));
 }
 
 }  // namespace
