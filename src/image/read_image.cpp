@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -174,6 +175,22 @@ Image read_rgb(const fs::path& path, const PictureWarning& warn) {
 }
 
 std::vector<std::string> channel_names(const fs::path& path) { return read_header(path).channels; }
+
+LeftOutChannels left_out_channels(const fs::path& path) {
+  const PictureHeader header = read_header(path);
+  LeftOutChannels left_out;
+  for (std::size_t c = static_cast<std::size_t>(header.colors); c < header.channels.size(); ++c) {
+    const std::string& name = header.channels[c];
+    const std::size_t dot = name.find_last_of(".:/");
+    std::string last = dot == std::string::npos ? name : name.substr(dot + 1);
+    std::transform(last.begin(), last.end(), last.begin(), [](unsigned char letter) { return std::tolower(letter); });
+    if (c == static_cast<std::size_t>(header.colors) && (last == "a" || last == "alpha"))
+      left_out.alpha = true;
+    else
+      left_out.others.push_back(name);
+  }
+  return left_out;
+}
 
 Image read_channels(const fs::path& path, std::span<const std::string> names) {
   DecodedPicture picture = read_decoded(path, {});

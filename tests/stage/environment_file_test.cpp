@@ -38,6 +38,16 @@ TEST(EnvironmentFile, grey_beside_other_channels_is_grey) {
   EXPECT_THAT(read_environment(dir / "a.exr", 1.0f, 0.0f).radiance.data, ElementsAre(2, 2, 2));
 }
 
+TEST(EnvironmentFile, channels_left_out_are_named) {
+  const TempDir dir;
+  write_panorama(dir / "a.exr", {{}, {}, {{"A", {1}}, {"B", {1}}, {"G", {1}}, {"N.X", {1}}, {"R", {1}}, {"Z", {9}}}});
+  Context context;
+  std::vector<std::string> warnings;
+  context.warn = [&](std::string_view text) { warnings.emplace_back(text); };
+  read_environment(dir / "a.exr", 1.0f, 0.0f, context);
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("a.exr: only its colours are read, not 'alpha, Z, N.X'")));
+}
+
 TEST(EnvironmentFile, exposure_of_hdr_is_undone_and_oblong_pixels_are_said) {
   const TempDir dir;
   std::ofstream(dir / "a.hdr", std::ios::binary)
