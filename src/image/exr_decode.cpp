@@ -294,7 +294,8 @@ auto without_foreign_exceptions(const std::string& where, const Decode& decode) 
   } catch (const Error&) {
     throw;
   } catch (const std::exception& problem) {
-    throw unreadable_picture(where, problem.what());
+    const std::string text = problem.what(), prefix = "Cannot read image file \"memory\". ";
+    throw unreadable_picture(where, text.starts_with(prefix) ? text.substr(prefix.size()) : text);
   }
 }
 
