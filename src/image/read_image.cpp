@@ -179,6 +179,7 @@ std::vector<std::string> channel_names(const fs::path& path) { return read_heade
 LeftOutChannels left_out_channels(const fs::path& path) {
   const PictureHeader header = read_header(path);
   LeftOutChannels left_out;
+  if (header.colors == 0) return left_out;  // read_rgb refuses it
   for (std::size_t c = static_cast<std::size_t>(header.colors); c < header.channels.size(); ++c) {
     const std::string& name = header.channels[c];
     const std::size_t dot = name.find_last_of(".:/");

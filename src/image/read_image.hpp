@@ -34,7 +34,7 @@ Image read_channels(const std::filesystem::path& path, std::span<const std::stri
 /// The channels' names in the order of read_image.
 std::vector<std::string> channel_names(const std::filesystem::path& path);
 
-/// The channels that read_rgb and read_image8 leave out.
+/// The channels that read_rgb and read_image8 leave out; none of a file without colours, which they refuse.
 struct LeftOutChannels {
   bool alpha = false;
   std::vector<std::string> others;
