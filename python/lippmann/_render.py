@@ -121,7 +121,7 @@ def frames(
         zoom: above 1: nearer. orbit: degrees to the right and up.
     light: "auto" adds light where the scene has none, as `lippmann render` does; "none" adds nothing.
     environment: surrounds and lights the scene in place of what it has: a panorama, equirectangular with the zenith on top, as a
-        file (.hdr, .exr) or an array (y, x, 3) of linear light; or a colour (3). environment_strength: a factor on it.
+        file (.hdr, .exr, .pfm, .tif) or an array (y, x, 3) of linear light; or a colour (3). environment_strength: a factor on it.
         environment_rotation_deg: about +y. Without `environment` both are ignored, with a LippmannWarning.
     camera: of a scene's cameras the one that decides the view, by name or index (Scene.cameras); None: the first.
     transparent: the surroundings light the scene and are not seen: LightField.alpha.

@@ -353,7 +353,7 @@ class Scene:
 
     def set_environment(self, radiance: Any, *, strength: float = 1.0, rotation_deg: float = 0.0) -> None:
         """A panorama that surrounds the scene, and lights it. radiance: (y, x, 3), linear, 0 or more, equirectangular, the zenith
-        on top; or a file of it, .hdr or .exr; or one colour (3). rotation_deg: about +y.
+        on top; or a file of it, .hdr, .exr, .pfm or .tif; or one colour (3). rotation_deg: about +y.
         """
         surround(self._core, radiance, *strength_and_turn(strength, rotation_deg), "radiance")
 

@@ -1,19 +1,23 @@
 #include "compare/frame_source.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "core/folder_entries.hpp"
+#include "core/printable.hpp"
 #include "core/recorded_file.hpp"
 #include "core/text_pattern.hpp"
 #include "image/read_image.hpp"
 #include "layout/frame_names.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/image/encode.hpp"
 #include "video/video_reader.hpp"
 
 namespace lippmann {
@@ -43,7 +47,8 @@ class PictureFiles : public FrameSource {
   std::optional<SourceFrame> next() override {
     if (position_ == files_.size()) return std::nullopt;
     const fs::path file = files_[position_++];
-    return SourceFrame{file.stem().string(), [file, this] { return read_image8(file, warn_); }};
+    if (position_ == 1) warn_of_left_out(file);
+    return SourceFrame{file.stem().string(), [file, this] { return load(file); }};
   }
 
   std::vector<std::string> names() const override {
@@ -53,6 +58,27 @@ class PictureFiles : public FrameSource {
   }
 
  private:
+  /// Of the first picture: the others of a folder have the same channels.
+  void warn_of_left_out(const fs::path& file) const {
+    if (!warn_) return;
+    const LeftOutChannels left_out = left_out_channels(file);
+    if (left_out.alpha) warn_(fmt::format("{}: alpha is not compared.", file.string()));
+    if (!left_out.others.empty())
+      warn_(fmt::format("{}: only its colours are compared, not {}.", file.string(),
+                        shown(fmt::format("{}", fmt::join(left_out.others, ", ")))));
+  }
+
+  Image8 load(const fs::path& file) const {
+    if (sample_kind(file) != SampleKind::kFloat) return read_image8(file, warn_);
+    const Image picture = read_rgb(file, warn_);
+    const auto strange =
+        std::count_if(picture.data.begin(), picture.data.end(), [](float sample) { return !std::isfinite(sample); });
+    if (strange > 0 && warn_)
+      warn_(fmt::format("{}: {} of its {} samples are NaN or infinite; they are compared as black or white.", file.string(),
+                        strange, picture.data.size()));
+    return to_codes(picture, Encoding::kSrgb);
+  }
+
   SourceKind kind_;
   std::vector<fs::path> files_;
   PictureWarning warn_;

@@ -79,6 +79,18 @@ int rank_of(const std::string& channel) {
   return static_cast<int>(std::find(kFirst.begin(), kFirst.end(), channel) - kFirst.begin());
 }
 
+/// Whether the name is that of depth, alpha, a coordinate or another quantity that is no brightness.
+bool is_data(const std::string& name) {
+  constexpr std::array<std::string_view, 17> kData{"a",     "alpha",    "x",         "z",      "ry",      "by",
+                                                   "u",     "v",        "w",         "n",      "id",      "depth",
+                                                   "zback", "distance", "disparity", "normal", "position"};
+  const auto [layer, channel] = split(name);
+  const auto is_known = [&](const std::string& word) {
+    return std::find(kData.begin(), kData.end(), lower(word)) != kData.end();
+  };
+  return is_known(channel) || is_known(split(layer).channel);
+}
+
 }  // namespace
 
 ExrColors find_exr_colors(std::span<const std::string> names) {
@@ -91,7 +103,8 @@ ExrColors find_exr_colors(std::span<const std::string> names) {
     add(found->second, name, channel);
   }
   std::erase_if(layers, [](const auto& layer) { return colors_of(layer.second).channels.empty(); });
-  if (layers.empty()) return names.size() == 1 ? ExrColors{{names.front()}, "", false, {}} : ExrColors{};
+  if (layers.empty())
+    return names.size() == 1 && !is_data(names.front()) ? ExrColors{{names.front()}, "", false, false, {}} : ExrColors{};
   const auto main =
       std::find_if(layers.begin(), layers.end(), [](const auto& layer) { return layer.first.empty() || is_main(layer.first); });
   const auto chosen = main == layers.end() ? layers.begin() : main;

@@ -3,7 +3,7 @@
 // A channel called "a.b.R" is R of the layer "a.b"; '.', ':' and '/' separate. Letters count in either case, and words ("Red")
 // as their first letter (but not of RY and BY, which OpenEXR reads). Colours are, where there is one of these, in this order:
 //   R, G and B, Y with RY and BY, or Y (grey) without a layer; of the layer called Combined, beauty, rgba or similar; of the
-//   first layer that has some; the only channel of a file, whatever it is called (grey).
+//   first layer that has some; the only channel of a file (grey), unless its name is that of data such as alpha or depth.
 // The default view of a stereo picture is its first layer.
 #pragma once
 
@@ -17,6 +17,7 @@ struct ExrColors {
   std::vector<std::string> channels;  ///< R, G, B; or grey; or Y, RY, BY; none: the file has no colours
   std::string alpha;                  ///< of the same layer; empty: none
   bool luma_chroma = false;           ///< channels are Y, RY and BY
+  bool by_name = true;              ///< false: the only channel, taken as grey whatever its name
   std::vector<std::string> others;  ///< layers that have colours as well, if nothing but their order speaks for the chosen one
 };
 

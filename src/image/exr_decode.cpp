@@ -134,15 +134,20 @@ class ExrDecoder {
   }
 
   void choose_part() {
-    std::optional<int> flat;
+    std::optional<int> flat, grey, named;
     for (int i = 0; i < file_->parts(); ++i) {
       if (is_deep(i)) continue;
       if (!flat) flat = i;
       const std::vector<std::string> names = channels_of(file_->header(i));
-      if (find_exr_colors(names).channels.empty()) continue;
-      flat = i;
-      break;
+      const ExrColors colors = find_exr_colors(names);
+      if (colors.channels.empty()) continue;
+      if (colors.by_name) {
+        named = i;
+        break;
+      }
+      if (!grey) grey = i;
     }
+    if (named || grey) flat = named ? named : grey;
     if (!flat) throw unreadable_picture(where_, "deep pictures are not supported");
     part_ = *flat;
     colors_ = find_exr_colors(channels_of(part()));
@@ -191,8 +196,10 @@ class ExrDecoder {
 
   std::vector<std::string> notices() const {
     std::vector<std::string> notices;
-    if (parts_with_colors() > 1)
-      notices.push_back(fmt::format("only {} of its {} parts is read", shown_part(), file_->parts()));
+    if (file_->parts() > 1)
+      notices.push_back(fmt::format("only {} of its {} parts is read, not {}", shown_part(part_), file_->parts(),
+                                    shown_part(part_ == 0 ? 1 : 0)) +
+                        (file_->parts() > 2 ? fmt::format(" and {} more", file_->parts() - 2) : ""));
     if (!colors_.others.empty())
       notices.push_back(fmt::format("of its layers only {} is read, not {}", shown(layer_of(colors_.channels.front())),
                                     shown(colors_.others.front())) +
@@ -207,12 +214,10 @@ class ExrDecoder {
       notices.emplace_back("its data window lies outside its display window: the picture is empty");
     return notices;
   }
-  int parts_with_colors() const {
-    int count = 0;
-    for (int i = 0; i < file_->parts(); ++i) count += !find_exr_colors(channels_of(file_->header(i))).channels.empty();
-    return count;
+  std::string shown_part(int part) const {
+    const Imf::Header& header = file_->header(part);
+    return header.hasName() ? shown(header.name()) : fmt::format("part {}", part + 1);
   }
-  std::string shown_part() const { return part().hasName() ? shown(part().name()) : "the first"; }
   static std::string layer_of(const std::string& channel) {
     const std::size_t at = channel.find_last_of(".:/");
     return at == std::string::npos ? channel : channel.substr(0, at);
@@ -289,7 +294,8 @@ auto without_foreign_exceptions(const std::string& where, const Decode& decode) 
   } catch (const Error&) {
     throw;
   } catch (const std::exception& problem) {
-    throw unreadable_picture(where, problem.what());
+    const std::string text = problem.what(), prefix = "Cannot read image file \"memory\". ";
+    throw unreadable_picture(where, text.starts_with(prefix) ? text.substr(prefix.size()) : text);
   }
 }
 

@@ -14,6 +14,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <limits>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -180,6 +181,34 @@ struct PartSize {
   }
 };
 
+/// What OpenEXR refuses of the numbers of a part's header, in words of our own.
+void check_window_place(const std::string& name, FileBytes value, const std::string& where) {
+  std::array<std::int32_t, 4> window{};
+  std::memcpy(window.data(), value.data(), sizeof window);
+  const auto [left, top, right, bottom] = window;
+  const auto refuse = [&, left = left, top = top, right = right, bottom = bottom](const std::string& problem) {
+    throw unreadable_picture(
+        where, fmt::format("its {} window from ({}, {}) to ({}, {}) {}", name, left, top, right, bottom, problem));
+  };
+  if (left > right || top > bottom) refuse("holds no pixel");
+  if (std::int64_t{right} - left >= kMaxImageSide || std::int64_t{bottom} - top >= kMaxImageSide)
+    refuse(fmt::format("has sides of more than {} pixels", kMaxImageSide));
+  constexpr std::int32_t kFarthest = std::numeric_limits<std::int32_t>::max() / 2;
+  for (const std::int32_t place : window)
+    if (place <= -kFarthest || place >= kFarthest) refuse("is too far from the origin");
+}
+
+void check_attribute(std::string_view name, FileBytes value, const std::string& where) {
+  if (name == "displayWindow" && value.size() == 16) check_window_place("display", value, where);
+  if (name == "dataWindow" && value.size() == 16) check_window_place("data", value, where);
+  if (name != "pixelAspectRatio" || value.size() != sizeof(float)) return;
+  float aspect = 0.0f;
+  std::memcpy(&aspect, value.data(), sizeof aspect);
+  constexpr float kLeast = 1e-6f, kMost = 1e6f;
+  if (!(aspect >= kLeast && aspect <= kMost))
+    throw unreadable_picture(where, fmt::format("its pixels are {} times as wide as high", aspect));
+}
+
 PartSize read_part_size(HeaderInput& input, bool tiled, const std::string& where) {
   PartSize size;
   size.tiled = tiled;
@@ -188,6 +217,7 @@ PartSize read_part_size(HeaderInput& input, bool tiled, const std::string& where
     const FileBytes value = input.bytes(input.size());
     if (!fits_type(type, value, where))
       throw unreadable_picture(where, fmt::format("its attribute {} is no {}", printable(name), printable(type)));
+    check_attribute(name, value, where);
     size.set(name, value);
   }
   return size;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -59,9 +60,21 @@ DecodedPicture read_decoded(const fs::path& path, const PictureWarning& warn) {
 
 void require_colors(const PictureHeader& header, const fs::path& path) {
   if (header.colors > 0) return;
-  std::string names = fmt::format("{}", fmt::join(header.channels, ", "));
-  throw Error(path.string(), fmt::format("none of its channels is a colour: {}", shown(names)),
-              "channels called R, G and B or Y, of a layer too");
+  const std::string names = shown(fmt::format("{}", fmt::join(header.channels, ", ")));
+  std::string what = fmt::format("none of its channels is a colour: {}", names);
+  const auto has = [&](const char* name) {
+    return std::find(header.channels.begin(), header.channels.end(), name) != header.channels.end();
+  };
+  std::string missing;
+  for (const char* color : {"R", "G", "B"})
+    if (!has(color)) missing += fmt::format("{}{}", missing.empty() ? "" : " and ", color);
+  if (header.channels.size() == 1)
+    what = fmt::format("its only channel {} is not a colour", names);
+  else if (has("R") || has("G") || has("B"))
+    what = fmt::format("it has no channel {} beside its channels {}", missing, names);
+  else if (has("X") && has("Y"))
+    what += ", where Y beside X is a coordinate, not luminance";
+  throw Error(path.string(), what, "channels called R, G and B or Y, of a layer too");
 }
 
 bool is_rgb_alone(const PictureHeader& header) { return header.colors == 3 && header.channels.size() == 3; }
@@ -162,6 +175,23 @@ Image read_rgb(const fs::path& path, const PictureWarning& warn) {
 }
 
 std::vector<std::string> channel_names(const fs::path& path) { return read_header(path).channels; }
+
+LeftOutChannels left_out_channels(const fs::path& path) {
+  const PictureHeader header = read_header(path);
+  LeftOutChannels left_out;
+  if (header.colors == 0) return left_out;  // read_rgb refuses it
+  for (std::size_t c = static_cast<std::size_t>(header.colors); c < header.channels.size(); ++c) {
+    const std::string& name = header.channels[c];
+    const std::size_t dot = name.find_last_of(".:/");
+    std::string last = dot == std::string::npos ? name : name.substr(dot + 1);
+    std::transform(last.begin(), last.end(), last.begin(), [](unsigned char letter) { return std::tolower(letter); });
+    if (c == static_cast<std::size_t>(header.colors) && (last == "a" || last == "alpha"))
+      left_out.alpha = true;
+    else
+      left_out.others.push_back(name);
+  }
+  return left_out;
+}
 
 Image read_channels(const fs::path& path, std::span<const std::string> names) {
   DecodedPicture picture = read_decoded(path, {});

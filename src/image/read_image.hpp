@@ -34,6 +34,13 @@ Image read_channels(const std::filesystem::path& path, std::span<const std::stri
 /// The channels' names in the order of read_image.
 std::vector<std::string> channel_names(const std::filesystem::path& path);
 
+/// The channels that read_rgb and read_image8 leave out; none of a file without colours, which they refuse.
+struct LeftOutChannels {
+  bool alpha = false;
+  std::vector<std::string> others;
+};
+LeftOutChannels left_out_channels(const std::filesystem::path& path);
+
 /// What a file's samples are: 8 bits, 16 bits, anything else.
 enum class SampleKind { kByte, kWord, kFloat };
 SampleKind sample_kind(const std::filesystem::path& path);

@@ -457,7 +457,8 @@ std::vector<ParamInfo> rendering_rows() {
           ParamKind::kText, &P::scene, &SceneParams::environment, environment,
           {"environment", "Rendering", "none|studio|COLOUR|FILE",
            "Surroundings that light the scene: none, the built-in studio, a colour (#rrggbb, or R,G,B in linear light) or a "
-           "panorama (.hdr, .exr); default: the scene's own; for path-traced glTF, OBJ and PLY files without one, the studio "
+           "panorama (.hdr, .exr, .pfm, .tif); default: the scene's own; for path-traced glTF, OBJ and PLY files without one, "
+           "the studio "
            "(dimmed if the file has lamps)"})),
       row(ParamKind::kNumber, &P::scene, &SceneParams::environment_strength, number<float>(0.0, 1e6),
           {"environment-strength", "Rendering", "X", "Multiply the light of the surroundings"}),

@@ -22,7 +22,8 @@ namespace lippmann {
 namespace {
 
 constexpr std::string_view kNone = "none", kStudio = "studio";
-constexpr const char* kAccepted = "none, studio, a colour as #rrggbb or R,G,B (linear light), or a panorama, .hdr or .exr";
+constexpr const char* kAccepted =
+    "none, studio, a colour as #rrggbb or R,G,B (linear light), or a panorama, .hdr, .exr, .pfm or .tif";
 
 /// "#ffcc00", codes of sRGB.
 std::optional<Vec3f> parse_hexadecimal(std::string_view text) {

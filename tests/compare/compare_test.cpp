@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -145,6 +146,24 @@ TEST(Compare, wanted_frames_of_a_video_are_met_by_those_of_a_folder) {
                 compare_quietly(dir / "a.mkv", dir / "a.mkv", 2, std::vector{1, 7});
               }),
               HasSubstr("a.mkv: has no frame 7, which `frames` asks for"));
+}
+
+TEST(Compare, channels_and_samples_that_do_not_count_are_warned_of) {
+  const TempDir dir;
+  Image film(2, 2, 3);
+  film.data[1] = std::numeric_limits<float>::quiet_NaN();
+  film.data[5] = std::numeric_limits<float>::infinity();
+  const Image one(2, 2, 1);
+  write_exr(dir / "a.exr", std::array{film_layer(film), alpha_layer(one), depth_layer(one)});
+  write_exr(dir / "b.exr", std::array{film_layer(Image(2, 2, 3))});
+  Context context;
+  context.threads = 1;
+  std::vector<std::string> warnings;
+  context.warn = [&](std::string_view text) { warnings.emplace_back(text); };
+  compare(dir / "a.exr", dir / "b.exr", context);
+  EXPECT_THAT(warnings, ::testing::ElementsAre(HasSubstr("a.exr: alpha is not compared."),
+                                               HasSubstr("a.exr: only its colours are compared, not 'Z'."),
+                                               HasSubstr("a.exr: 2 of its 12 samples are NaN or infinite")));
 }
 
 TEST(Compare, frames_of_different_sizes_are_named) {

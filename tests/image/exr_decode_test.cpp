@@ -17,9 +17,11 @@ using test::error_message;
 using test::exr_chromaticities;
 using test::exr_file;
 using test::ExrPart;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 using Names = std::vector<std::string>;
 
@@ -68,7 +70,25 @@ TEST(ExrWindows, absurd_display_windows_are_refused) {
     EXPECT_THAT(error_message([&] {
                   decode_picture(exr_file(ExrPart{{}, display, {{"Y", {1}}}}), "a.exr");
                 }),
-                HasSubstr("a.exr: "));
+                AllOf(HasSubstr("a.exr: "), HasSubstr(" display window "), Not(HasSubstr("memory"))));
+}
+
+TEST(ExrWindows, data_windows_without_pixels_or_far_away_are_refused) {
+  for (const test::ExrWindow data :
+       {test::ExrWindow{0, 0, -1, 0}, test::ExrWindow{0, 0, 70000, 0}, test::ExrWindow{2147483000, 0, 2147483000, 0}}) {
+    std::vector<std::byte> file = exr_file(ExrPart{{}, {}, {{"Y", {1}}}});
+    const std::string name("dataWindow\0box2i\0", 17);
+    const auto* letters = reinterpret_cast<const std::byte*>(name.data());
+    const auto at = std::search(file.begin(), file.end(), letters, letters + name.size());
+    std::memcpy(&at[static_cast<std::ptrdiff_t>(name.size()) + 4], &data, sizeof data);
+    EXPECT_THAT(error_message([&] { decode_picture(file, "a.exr"); }), HasSubstr("its data window from ("));
+  }
+}
+
+TEST(ExrWindows, pixels_without_a_width_are_refused) {
+  ExrPart part{{}, {}, {{"Y", {1}}}};
+  part.pixel_aspect = 0.0f;
+  EXPECT_THAT(error_message([&] { decode_picture(exr_file(part), "a.exr"); }), HasSubstr("its pixels are 0 times as wide"));
 }
 
 TEST(ExrChannels, colours_are_known_in_any_letters_and_layers) {
@@ -98,6 +118,9 @@ TEST(ExrChannels, colours_are_counted_without_other_channels) {
   EXPECT_EQ(colors({"B", "G", "R", "Z"}), 3);
   EXPECT_EQ(colors({"N.X", "Y", "Z"}), 1);
   EXPECT_EQ(colors({"mask"}), 1);
+  EXPECT_EQ(colors({"gray"}), 1);
+  EXPECT_EQ(colors({"R"}), 1);
+  for (const char* data : {"Z", "A", "VL.Depth.Z", "Depth.V", "depth", "RY"}) EXPECT_EQ(colors({data}), 0) << data;
   EXPECT_EQ(colors({"X", "Y", "Z"}), 0);  // a place
   EXPECT_EQ(colors({"u", "v"}), 0);
 }
@@ -154,10 +177,21 @@ TEST(ExrParts, first_part_with_colours_is_read_and_named) {
   depth.name = "depth", color.name = "color";
   const std::vector<std::byte> file = exr_file(std::vector{depth, color});
   EXPECT_THAT(exr_samples(file), ElementsAre(3, 2, 1));
-  EXPECT_THAT(exr_notices(file), IsEmpty());
+  EXPECT_THAT(exr_notices(file), ElementsAre("only 'color' of its 2 parts is read, not 'depth'"));
   depth = color;
   depth.name = "other";
-  EXPECT_THAT(exr_notices(exr_file(std::vector{color, depth})), ElementsAre("only 'color' of its 2 parts is read"));
+  EXPECT_THAT(exr_notices(exr_file(std::vector{color, depth})),
+              ElementsAre("only 'color' of its 2 parts is read, not 'other'"));
+}
+
+TEST(ExrParts, part_of_one_channel_in_front_is_left_out) {
+  for (const char* name : {"Z", "Depth.V", "mask"}) {
+    ExrPart first = one_pixel({name}), color = one_pixel({"B", "G", "R"});
+    first.name = "first", color.name = "color";
+    const std::vector<std::byte> file = exr_file(std::vector{first, color});
+    EXPECT_THAT(exr_samples(file), ElementsAre(3, 2, 1)) << name;
+    EXPECT_THAT(exr_notices(file), ElementsAre("only 'color' of its 2 parts is read, not 'first'")) << name;
+  }
 }
 
 // OpenEXR 3.4 reads zeros behind the end of an uncompressed file; the check does not leave it to the library.

@@ -41,6 +41,16 @@ TEST(EnvironmentFile, grey_beside_other_channels_is_grey) {
   EXPECT_THAT(read_environment(dir / "a.exr", 1.0f, 0.0f).radiance.data, ElementsAre(2, 2, 2));
 }
 
+TEST(EnvironmentFile, channels_left_out_are_named) {
+  const TempDir dir;
+  write_panorama(dir / "a.exr", {{}, {}, {{"A", {1}}, {"B", {1}}, {"G", {1}}, {"N.X", {1}}, {"R", {1}}, {"Z", {9}}}});
+  Context context;
+  std::vector<std::string> warnings;
+  context.warn = [&](std::string_view text) { warnings.emplace_back(text); };
+  read_environment(dir / "a.exr", 1.0f, 0.0f, context);
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("a.exr: only its colours are read, not 'alpha, Z, N.X'")));
+}
+
 TEST(EnvironmentFile, exposure_of_hdr_is_undone_and_oblong_pixels_are_said) {
   const TempDir dir;
   std::ofstream(dir / "a.hdr", std::ios::binary)
@@ -57,6 +67,15 @@ TEST(EnvironmentFile, file_without_colours_is_refused_with_its_channels) {
   write_panorama(dir / "a.exr", {{}, {}, {{"u", {1}}, {"v", {2}}}});
   EXPECT_THAT(test::error_message([&] { read_environment(dir / "a.exr", 1.0f, 0.0f); }),
               HasSubstr("a.exr: none of its channels is a colour: 'u, v'"));
+  write_panorama(dir / "a.exr", {{}, {}, {{"Z", {1}}}});
+  EXPECT_THAT(test::error_message([&] { read_environment(dir / "a.exr", 1.0f, 0.0f); }),
+              HasSubstr("a.exr: its only channel 'Z' is not a colour"));
+  write_panorama(dir / "a.exr", {{}, {}, {{"G", {1}}, {"R", {2}}}});
+  EXPECT_THAT(test::error_message([&] { read_environment(dir / "a.exr", 1.0f, 0.0f); }),
+              HasSubstr("a.exr: it has no channel B beside its channels 'R, G'"));
+  write_panorama(dir / "a.exr", {{}, {}, {{"X", {1}}, {"Y", {2}}, {"Z", {3}}}});
+  EXPECT_THAT(test::error_message([&] { read_environment(dir / "a.exr", 1.0f, 0.0f); }),
+              HasSubstr("Y beside X is a coordinate, not luminance"));
 }
 
 // Its samples are cut off, which only decoding them would notice.
