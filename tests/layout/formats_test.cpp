@@ -10,6 +10,7 @@
 #include "light_fields.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/layout/convert.hpp"
+#include "lippmann/layout/open_light_field.hpp"
 #include "support/error_message.hpp"
 #include "support/temp_dir.hpp"
 
@@ -185,6 +186,26 @@ TEST(Quilt, side_file_says_what_the_name_does_not) {
   EXPECT_EQ(back.grid, (ViewGrid{5, 1}));
   EXPECT_EQ(back.aspect, 0.75);
   EXPECT_TRUE(same_samples(back.stack, field.stack));
+}
+
+TEST(Quilt, side_files_of_other_tools_are_read) {
+  const TempDir dir;
+  const fs::path written = format("quilt").write(coloured_field({6, 1}), dir / "q.png", {.tiles = ViewGrid{3, 2}}).front();
+  fs::rename(written, dir / "plain.png");
+  for (const char* json :
+       {R"({"columns":3,"rows":2,"aspect":0.75})", R"({"quiltCols":3,"quiltRows":2,"aspect":0.75})",
+        R"({"viewX":3,"viewY":2,"viewTotal":6,"aspect":0.75})", R"({"quilt":{"columns":3,"rows":2,"aspect":0.75}})"}) {
+    std::ofstream(dir / "plain.png.json") << json;
+    const OpenedLightField opened = open_light_field(dir / "plain.png", "", {});
+    EXPECT_EQ(opened.format, "quilt") << json;
+    EXPECT_EQ(opened.field.tiles, (ViewGrid{3, 2})) << json;
+    EXPECT_EQ(opened.field.aspect, 0.75) << json;
+  }
+  std::ofstream(dir / "plain.png.json") << R"({"tiles":"3 by 2"})";
+  for (const char* from : {"", "quilt"})
+    EXPECT_THAT(error_message([&] { open_light_field(dir / "plain.png", from, {}); }),
+                AllOf(HasSubstr("plain.png.json"), HasSubstr("viewX")))
+        << from;
 }
 
 TEST(Quilt, inverted_views_are_turned_round) {
