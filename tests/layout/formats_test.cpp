@@ -238,7 +238,10 @@ TEST(Quilt, padding_at_the_right_and_top_is_left_out) {
   for (int y = 0; y < 5; ++y)
     for (int x = 0; x < 7; ++x) picture.rgb[3 * static_cast<std::size_t>(y * 7 + x)] = static_cast<unsigned char>(10 * y + x);
   write_png(dir / "other_qs2x2a1.png", picture);
-  const LightField field = format("quilt").read(dir / "other_qs2x2a1.png", {});
+  std::string warning;
+  const LightField field = format("quilt").read(dir / "other_qs2x2a1.png",
+                                                {.warn = [&warning](std::string_view text) { warning = std::string(text); }});
+  EXPECT_THAT(warning, HasSubstr("1 columns at the right and 1 rows at the top are left out"));
   EXPECT_EQ(field.view_size, Vec2i(3, 2));
   EXPECT_EQ(std::get<Image8>(view_of(field, 0)).rgb[0], 30) << "bottom left tile: its top row is row 3";
   EXPECT_EQ(std::get<Image8>(view_of(field, 3)).rgb[0], 13) << "top right tile: row 1, column 3";
