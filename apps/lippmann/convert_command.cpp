@@ -79,7 +79,13 @@ int run(const ConvertOptions& options, const Context& context) {
     context.warning(
         "each frame has its own range of depths, so that the same grey means different depths: --depth-range gives all of them "
         "one");
-  if (converted.lacks_cameras)
+  if (converted.drops_positions && converted.lacks_cameras)
+    context.warning(
+        "camera positions are left out: the distance of the plane is not known, so that no parameters, depth or disparity are "
+        "written");
+  else if (converted.drops_positions)
+    context.warning(fmt::format("camera positions are left out: {} has no place for them", options.to));
+  else if (converted.lacks_cameras)
     context.warning(
         "the cameras of these views are unknown: no parameters, depth or disparity are written (render writes report.json)");
   if (converted.lacks_depth && options.to != "stanford")

@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 
+#include "core/file_content.hpp"
 #include "core/printable.hpp"
 #include "core/regular_file.hpp"
 #include "core/suggest.hpp"
@@ -89,6 +91,8 @@ std::string read_text(const fs::path& path) {
 
 Display load_file(const fs::path& path) {
   const std::string text = read_text(path);
+  if (const auto stand_in = stand_in_for_file(std::as_bytes(std::span(text))))
+    throw Error(path.string(), "is " + stand_in->what, stand_in->remedy);
   Display display =
       path.extension() == ".toml" ? display_from_toml(text, path.string()) : display_from_calibration(text, path.string());
   display.name = path.stem().string();
@@ -110,7 +114,9 @@ Display display_from_toml(std::string_view text, const std::string& where) {
 }
 
 Display display_from_calibration(std::string_view text, const std::string& where) {
-  const Json json = parse_json(text, where);
+  Json json = parse_json(text, where);
+  for (const char* key : {"calibration", "config"})
+    if (!json.contains("pitch") && json.contains(key) && json[key].is_object()) json = Json(json[key]);
   const std::string serial = printable(text_of(json, "serial"));
   std::optional<Display> base = preset_of_serial(serial);
   if (!base) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/atomic_file.hpp"
+#include "core/file_content.hpp"
 #include "core/regular_file.hpp"
 #include "job/params_table.hpp"
 #include "job/scene_light.hpp"
@@ -59,6 +60,8 @@ std::vector<std::string> value_texts(const ParamInfo& info, const toml::node& no
 
 toml::table parse(const fs::path& file) {
   const std::string text = read_file_text(file, kMostBytesOfJob, "a job in TOML");
+  if (const auto stand_in = stand_in_for_file(std::as_bytes(std::span(text))))
+    throw Error(file.string(), "is " + stand_in->what, stand_in->remedy);
   try {
     return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {

@@ -24,4 +24,9 @@ std::optional<double> common_baseline_mm(const ViewCameras& cameras, ViewGrid gr
   return baseline;
 }
 
+std::string unknown_cameras(const LightField& field) {
+  return field.positions ? "the cameras' positions have no unit, and their distance from the plane is not known"
+                         : "the cameras of these views are unknown";
+}
+
 }  // namespace lippmann

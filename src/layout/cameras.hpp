@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "lippmann/layout/light_field.hpp"
 #include "lippmann/optics/optics.hpp"
@@ -19,5 +20,8 @@ std::optional<RenderedViews> rendered_views(const Optics& optics);
 /// The one distance between neighbouring eyes across and up; 0 of a single camera; none where distances differ by more than
 /// 1e-4 of it.
 std::optional<double> common_baseline_mm(const ViewCameras& cameras, ViewGrid grid);
+
+/// Why a light field has no cameras, for messages.
+std::string unknown_cameras(const LightField& field);
 
 }  // namespace lippmann

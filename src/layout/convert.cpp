@@ -38,6 +38,7 @@ class Conversion {
     const NewFolder folder(to_.is_folder ? path : path.parent_path());
     for (fs::path& file : to_.write(field, path, writing)) result.written.push_back(std::move(file));
     result.views = field.grid, result.view_size = field.view_size;
+    result.drops_positions = field.positions && to_.name != "stanford" && !(to_.uses_cameras && field.cameras);
     result.lacks_cameras = to_.uses_cameras && !field.cameras;
     result.lacks_depth = to_.uses_cameras && field.cameras && !field.depth;
   }

@@ -3,7 +3,9 @@
 
 namespace lippmann {
 
-/// A regular expression, for letters of either case: " (1)", "(1)", " - Copy", " - Copy (2)", " copy", " copy 2", " 2".
-inline constexpr const char* kCopyMark = "(?: ?\\([0-9]{1,4}\\)| - [^_]{1,40}| copy(?: [0-9]{1,4})?| [0-9]{1,4})";
+/// A regular expression, for letters of either case: " (1)", "(1)", " - Copy", " - Copy (2)", " copy", " copy 2", " 2",
+/// "_copy",
+/// "-copy 2", "-1".
+inline constexpr const char* kCopyMark = "(?: ?\\([0-9]{1,4}\\)| - [^_]{1,40}|[ _-]copy(?:[ _-][0-9]{1,4})?|[ -][0-9]{1,4})";
 
 }  // namespace lippmann

@@ -1,8 +1,11 @@
 #include "layout/light_field_source.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 
 #include "core/folder_entries.hpp"
+#include "core/regular_file.hpp"
 #include "core/text_pattern.hpp"
 #include "layout/frame_names.hpp"
 #include "layout/quilt_side_file.hpp"
@@ -105,6 +108,18 @@ std::optional<std::string> format_by_name(const fs::path& picture) {
 }
 
 Error unknown_format(const fs::path& picture) {
+  const fs::path side = quilt_side_path(picture);
+  if (is_regular_file_there(side))
+    return usage_error("from",
+                       "the format of " + picture.string() + " is unknown: the side file " + side.string() +
+                           " describes neither a quilt nor an RGB-D picture",
+                       "`from` with a format, or a side file such as " + std::string(kQuiltSideFileExample));
+  if (const std::optional<ViewGrid> tiles = tiles_in_name(picture))
+    return usage_error(
+        "from",
+        "the format of " + picture.string() + " is unknown: its name is not one of a quilt, but has " +
+            fmt::format("qs{}x{}", tiles->columns, tiles->rows),
+        fmt::format("`from` quilt `quilt` {}x{}, or a name such as room_qs8x6a0.75.png", tiles->columns, tiles->rows));
   return usage_error("from",
                      "the format of " + picture.string() +
                          " is unknown: no report.json or side file lies beside it, and its name states no format",

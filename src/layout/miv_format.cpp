@@ -7,6 +7,7 @@
 #include "core/atomic_file.hpp"
 #include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
+#include "layout/cameras.hpp"
 #include "layout/miv_cameras.hpp"
 #include "layout/view_files.hpp"
 #include "lippmann/core/error.hpp"
@@ -124,7 +125,7 @@ Image16 depth_codes(const LightField& field, int view, const DepthRange& range) 
 
 std::vector<fs::path> write_miv(const LightField& field, const fs::path& folder, const FormatOptions&) {
   if (!field.cameras)
-    throw Error(folder.string(), "the cameras of these views are unknown",
+    throw Error(folder.string(), unknown_cameras(field),
                 "pictures with render's report.json beside them, or an HCI folder with parameters.cfg");
   const auto name = [](int view) { return fmt::format("view_{:03}", view); };
   const char* ending = exact_ending(field.stack);

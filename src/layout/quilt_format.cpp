@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/regular_file.hpp"
 #include "layout/packed_views.hpp"
 #include "layout/quilt_side_file.hpp"
 #include "lippmann/core/error.hpp"
@@ -27,10 +28,14 @@ Quilt described(const fs::path& path, const FormatOptions& options) {
   const std::optional<QuiltName> name = parse_quilt_name(path);
   if (options.tiles) return {*options.tiles, options.tiles->count(), false, name ? std::optional(name->aspect) : std::nullopt};
   const std::optional<QuiltSideFile> side = read_quilt_side_file(path);
-  if (!name && !side)
+  if (!name && !side) {
+    const bool has_side_file = is_regular_file_there(quilt_side_path(path));
     throw usage_error("quilt",
-                      "the number of tiles of " + path.string() + " is unknown: neither its name nor a side file states it",
-                      "CxR, such as 8x6");
+                      "the number of tiles of " + path.string() + " is unknown: neither its name nor " +
+                          (has_side_file ? "its side file " + quilt_side_path(path).string() : "a side file") + " states it",
+                      "CxR, such as 8x6" +
+                          (has_side_file ? ", or a side file such as " + std::string(kQuiltSideFileExample) : std::string()));
+  }
   if (name && side && name->tiles != side->quilt.tiles)
     throw Error(path.string(),
                 fmt::format("its name says {}x{} tiles, and its side file {}x{}", name->tiles.columns, name->tiles.rows,

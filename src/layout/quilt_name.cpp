@@ -14,7 +14,9 @@ namespace {
 
 const TextPattern& pattern() {
   static const TextPattern quilt(
-      "_qs([0-9]{1,4})x([0-9]{1,4})a([0-9]*\\.?[0-9]+)(?:z[0-9.]+)?(?:f-?[0-9.]+)?(?=" + std::string(kCopyMark) + "?$)",
+      "(^|[_ .-])qs([0-9]{1,4})x([0-9]{1,4})a([0-9]*\\.?[0-9]+)(?:z[0-9.]*[0-9])?(?:f-?[0-9.]*[0-9])?"
+      "(?:\\.(?:png|jpe?g|webp|exr|tiff?|bmp|ppm|mp4|webm))?(?=" +
+          std::string(kCopyMark) + "?$)",
       TextPattern::Letters::kEitherCase);
   return quilt;
 }
@@ -31,13 +33,23 @@ Number read(const std::string& digits) {
 QuiltName quilt_name_of(const DisplayQuilt& quilt) { return {{quilt.columns, quilt.rows}, quilt.aspect}; }
 
 std::optional<QuiltName> parse_quilt_name(const std::filesystem::path& path) {
+  constexpr double kLeastAspect = 0.1, kMostAspect = 10.0;  // of a name without the usual underscore
   const std::optional<PatternMatch> found = pattern().search(path.stem().string());
   if (!found) return std::nullopt;
   const auto& group = found->groups;
-  const QuiltName name{{read<int>(group[1]), read<int>(group[2])}, read<double>(group[3])};
+  const QuiltName name{{read<int>(group[2]), read<int>(group[3])}, read<double>(group[4])};
+  if (group[1] != "_" && !(name.aspect >= kLeastAspect && name.aspect <= kMostAspect)) return std::nullopt;
   if (name.tiles.columns < 1 || name.tiles.rows < 1 || !(name.aspect > 0.0))
     throw Error(path.string(), "cannot parse the quilt file name: no tiles or no aspect", "a name such as room_qs8x6a0.75.png");
   return name;
+}
+
+std::optional<ViewGrid> tiles_in_name(const std::filesystem::path& path) {
+  static const TextPattern tiles("qs([0-9]{1,4})x([0-9]{1,4})", TextPattern::Letters::kEitherCase);
+  const std::optional<PatternMatch> found = tiles.search(path.stem().string());
+  if (!found) return std::nullopt;
+  const ViewGrid grid{read<int>(found->groups[1]), read<int>(found->groups[2])};
+  return grid.columns > 0 && grid.rows > 0 ? std::optional(grid) : std::nullopt;
 }
 
 std::string quilt_ending(const QuiltName& quilt) {
@@ -49,6 +61,7 @@ std::filesystem::path without_quilt_name(const std::filesystem::path& path) {
   const auto found = pattern().search(bare);
   if (!found) return path;
   bare.erase(found->begin, found->end - found->begin);
+  if (found->begin == 0) bare.insert(0, "quilt");
   return path.parent_path() / (bare + path.extension().string());
 }
 

@@ -18,6 +18,26 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kMaxTiles = 9999;  ///< a side, as in names
 
+constexpr std::string_view kOwnTable = "quilt_settings";
+
+/// The table that describes the quilt; empty: the document itself.
+std::string_view settings_table(const Json& json) {
+  if (json.contains(kOwnTable)) return kOwnTable;
+  return json.contains("quilt") && json["quilt"].is_object() ? "quilt" : "";
+}
+
+struct TileKeys {
+  std::string_view columns, rows;
+};
+
+/// The names of the numbers of tiles; none if the table has no pair of them, unless it is certainly one of a quilt.
+std::optional<TileKeys> tile_keys(const JsonFields& settings, bool is_quilt) {
+  constexpr TileKeys kOwn{"viewX", "viewY"};
+  for (const TileKeys keys : {kOwn, TileKeys{"columns", "rows"}, TileKeys{"quiltCols", "quiltRows"}})
+    if (settings.has(keys.columns) && settings.has(keys.rows)) return keys;
+  return is_quilt ? std::optional(kOwn) : std::nullopt;
+}
+
 std::string text_of(const fs::path& path) {
   constexpr std::uintmax_t kMaxBytes = 1 << 20;
   return read_recorded_text(path, kMaxBytes, "the side file of a quilt");
@@ -35,12 +55,16 @@ std::optional<QuiltSideFile> read_quilt_side_file(const fs::path& image) {
 
 std::optional<QuiltSideFile> parse_quilt_side_file(const std::string& text, const std::string& where) {
   const Json json = json_from_text(text);
-  if (json.is_discarded()) throw Error(where, "is not JSON");
-  if (!json.is_object() || !json.contains("quilt_settings")) return std::nullopt;
-  const JsonFields settings = JsonFields(json, where, "").inner("quilt_settings");
+  if (json.is_discarded()) throw Error(where, "is not JSON", std::string(kQuiltSideFileExample));
+  if (!json.is_object()) return std::nullopt;
+  const std::string_view table = settings_table(json);
+  const JsonFields document(json, where, "");
+  const JsonFields settings = table.empty() ? document : document.inner(table);
+  const std::optional<TileKeys> keys = tile_keys(settings, table == kOwnTable);
+  if (!keys) return std::nullopt;
   const NumberRange tiles{1, kMaxTiles};
   QuiltSideFile side;
-  side.quilt.tiles = {settings.whole("viewX", tiles), settings.whole("viewY", tiles)};
+  side.quilt.tiles = {settings.whole(keys->columns, tiles), settings.whole(keys->rows, tiles)};
   side.views = settings.whole_or("viewTotal", {1.0, static_cast<double>(side.quilt.tiles.count())}, side.quilt.tiles.count());
   side.quilt.aspect = settings.number_or("aspect", {1e-6, 1e6}, 1.0);
   side.inverted = settings.flag_or("invertViews", false);

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string_view>
 
+#include "core/file_content.hpp"
 #include "core/json_text.hpp"
 #include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
@@ -45,8 +47,11 @@ std::optional<Image> rendered_layer(const fs::path& picture, const LayerChannel&
 
 /// A JSON object.
 Json read_report(const fs::path& report) {
-  Json json = json_from_text(
-      read_recorded_text(report, kMaxReportBytes, "the report.json that `lippmann render` writes beside its pictures"));
+  const std::string text =
+      read_recorded_text(report, kMaxReportBytes, "the report.json that `lippmann render` writes beside its pictures");
+  if (const auto stand_in = stand_in_for_file(std::as_bytes(std::span(text))))
+    throw Error(report.string(), "is " + stand_in->what, stand_in->remedy);
+  Json json = json_from_text(text);
   if (!json.is_object()) throw Error(report.string(), "is not a JSON object", "the report.json that `lippmann render` writes");
   return json;
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "layout/cameras.hpp"
 #include "layout/picture_samples.hpp"
 #include "layout/rgbd_name.hpp"
 #include "layout/rgbd_picture.hpp"
@@ -125,7 +126,7 @@ Picture beside(const Picture& colours, const Image& depth, const RgbdSideFile& s
 
 std::vector<fs::path> write_rgbd(const LightField& field, const fs::path& path, const FormatOptions& options) {
   if (!field.cameras || !field.depth)
-    throw usage_error("to", field.cameras ? "the views have no depth" : "the cameras of these views are unknown",
+    throw usage_error("to", field.cameras ? "the views have no depth" : unknown_cameras(field),
                       "a render with `aov` depth, or a format that holds depth");
   const int view = field.grid.rows / 2 * field.grid.columns + field.grid.columns / 2;
   const Image depth = depth_of(field, view);

@@ -11,7 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::optional<PatternMatch> rgbd_name(const fs::path& path) {
-  static const TextPattern name("(.*)_rgbd(" + std::string(kCopyMark) + ")?", TextPattern::Letters::kEitherCase);
+  static const TextPattern name("(?:(.*)[_. -])?rgbd(" + std::string(kCopyMark) + ")?", TextPattern::Letters::kEitherCase);
   return name.match(path.stem().string());
 }
 
@@ -22,7 +22,8 @@ bool has_rgbd_name(const fs::path& path) { return rgbd_name(path).has_value(); }
 fs::path without_rgbd_name(const fs::path& path) {
   const std::optional<PatternMatch> found = rgbd_name(path);
   if (!found) return path;
-  return path.parent_path() / (found->groups[1] + found->groups[2] + path.extension().string());
+  const std::string stem = found->groups[1].empty() ? "picture" : found->groups[1];
+  return path.parent_path() / (stem + found->groups[2] + path.extension().string());
 }
 
 fs::path with_rgbd_name(const fs::path& path) {

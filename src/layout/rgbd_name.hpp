@@ -1,4 +1,5 @@
-// RGB-D pictures are called name_rgbd.png; letters of either case, and marks of copies (layout/copy_mark.hpp) may follow.
+// RGB-D pictures are called name_rgbd.png, name.rgbd.png or rgbd.png; letters of either case, and marks of copies
+// (layout/copy_mark.hpp) may follow.
 #pragma once
 
 #include <filesystem>

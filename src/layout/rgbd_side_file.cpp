@@ -25,7 +25,8 @@ constexpr NumberRange kLength{1e-6, 1e9};
 Json rgbd_document(const fs::path& path) {
   constexpr std::uintmax_t kMaxBytes = 1 << 20;
   Json json = json_from_text(read_recorded_text(path, kMaxBytes, "the side file of an RGB-D picture"));
-  if (json.is_discarded()) throw Error(path.string(), "is not JSON");
+  if (json.is_discarded())
+    throw Error(path.string(), "is not JSON", "the JSON side file of a quilt or an RGB-D picture, or no file of that name");
   return json;
 }
 

@@ -84,8 +84,9 @@ void describe_views(const fs::path& path, PictureInfo& info) {
   try {
     opened = open_light_field(path, "", {.with_depth = true});
   } catch (const Error& error) {
-    info.problem =
-        error.accepted().empty() ? error.problem() : fmt::format("{}; accepted: {}", error.problem(), error.accepted());
+    const bool is_of_side_file = !info.side_file.empty() && error.where().starts_with(info.side_file.string());
+    info.problem = is_of_side_file ? error.where() + ": " + error.problem() : error.problem();
+    if (!error.accepted().empty()) info.problem += "; accepted: " + error.accepted();
     return;
   }
   info.format = opened.format;

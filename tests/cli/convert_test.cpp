@@ -48,6 +48,18 @@ TEST(Convert, what_is_not_known_of_cameras_and_depth_is_said) {
   EXPECT_FALSE(fs::exists(dir / "h/parameters.cfg"));
 }
 
+TEST(Convert, dropped_camera_positions_are_reported) {
+  const TempDir dir;
+  fs::create_directories(dir / "s");
+  for (const char* name : {"out_00_00_0.0_0.0.png", "out_00_01_0.0_4.0.png"})
+    write_picture(dir / "s" / name, Image8{2, 2, std::vector<unsigned char>(12)});
+  const auto warning = [&](const std::string& to) {
+    return run_tool(dir, {"convert", "s", to == "eslf" ? "e.png" : "h", "--to", to}).err;
+  };
+  EXPECT_THAT(warning("hci"), HasSubstr("camera positions are left out: the distance of the plane is not known"));
+  EXPECT_THAT(warning("eslf"), HasSubstr("camera positions are left out: eslf has no place for them"));
+}
+
 TEST(Convert, that_fails_leaves_no_folder) {
   const TempDir dir;
   expect_done(dir, small_views("r"));

@@ -67,6 +67,22 @@ TEST(CalibrationFile, plain_numbers_and_wrapped_ones_say_the_same) {
   EXPECT_EQ(calibrated(plain).calibration.center, 0.125);
 }
 
+TEST(CalibrationFile, one_table_around_it_is_read_through) {
+  const Json bare = test::portrait_calibration();
+  for (const char* table : {"calibration", "config"})
+    EXPECT_EQ(display_json(calibrated(Json{{table, bare}})), display_json(calibrated(bare))) << table;
+}
+
+TEST(CalibrationFile, files_that_stand_in_for_it_are_named) {
+  const test::TempDir dir;
+  for (const char* name : {"a.json", "a.toml"}) {
+    std::ofstream(dir / name) << "";
+    EXPECT_THAT(test::error_message([&] { load_display((dir / name).string()); }), HasSubstr("is empty (0 bytes)"));
+    std::ofstream(dir / name) << "<!DOCTYPE html><html></html>";
+    EXPECT_THAT(test::error_message([&] { load_display((dir / name).string()); }), HasSubstr("web page"));
+  }
+}
+
 TEST(CalibrationFile, what_it_lacks_comes_from_the_preset_of_its_serial_number) {
   const Json least{{"serial", "LKG-J00001"}, {"pitch", 44.75}, {"slope", -6.87}, {"center", 0.17}};
   const Display display = calibrated(least), preset = load_display("looking-glass-16-landscape");

@@ -78,6 +78,13 @@ TEST(JobFile, written_and_read_gives_the_same_params) {
   }
 }
 
+TEST(JobFile, files_that_stand_in_for_it_are_named) {
+  const test::TempDir dir;
+  EXPECT_THAT(refusal(write(dir / "a.toml", "")), HasSubstr("is empty (0 bytes)"));
+  EXPECT_THAT(refusal(write(dir / "b.toml", "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 9\n")),
+              HasSubstr("Git LFS pointer"));
+}
+
 TEST(JobFile, zero_has_no_sign) {
   const test::TempDir dir;
   const RenderParams params = read(write(dir / "signed.toml", "scene = \"teapot\"\nexposure = -0.0\n"));

@@ -10,6 +10,7 @@
 #include "light_fields.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/layout/convert.hpp"
+#include "lippmann/layout/open_light_field.hpp"
 #include "support/error_message.hpp"
 #include "support/temp_dir.hpp"
 
@@ -187,6 +188,26 @@ TEST(Quilt, side_file_says_what_the_name_does_not) {
   EXPECT_TRUE(same_samples(back.stack, field.stack));
 }
 
+TEST(Quilt, side_files_of_other_tools_are_read) {
+  const TempDir dir;
+  const fs::path written = format("quilt").write(coloured_field({6, 1}), dir / "q.png", {.tiles = ViewGrid{3, 2}}).front();
+  fs::rename(written, dir / "plain.png");
+  for (const char* json :
+       {R"({"columns":3,"rows":2,"aspect":0.75})", R"({"quiltCols":3,"quiltRows":2,"aspect":0.75})",
+        R"({"viewX":3,"viewY":2,"viewTotal":6,"aspect":0.75})", R"({"quilt":{"columns":3,"rows":2,"aspect":0.75}})"}) {
+    std::ofstream(dir / "plain.png.json") << json;
+    const OpenedLightField opened = open_light_field(dir / "plain.png", "", {});
+    EXPECT_EQ(opened.format, "quilt") << json;
+    EXPECT_EQ(opened.field.tiles, (ViewGrid{3, 2})) << json;
+    EXPECT_EQ(opened.field.aspect, 0.75) << json;
+  }
+  std::ofstream(dir / "plain.png.json") << R"({"tiles":"3 by 2"})";
+  for (const char* from : {"", "quilt"})
+    EXPECT_THAT(error_message([&] { open_light_field(dir / "plain.png", from, {}); }),
+                AllOf(HasSubstr("plain.png.json"), HasSubstr("viewX")))
+        << from;
+}
+
 TEST(Quilt, inverted_views_are_turned_round) {
   const TempDir dir;
   const fs::path written = format("quilt").write(coloured_field({4, 1}), dir / "q.png", {.tiles = ViewGrid{2, 2}}).front();
@@ -217,7 +238,10 @@ TEST(Quilt, padding_at_the_right_and_top_is_left_out) {
   for (int y = 0; y < 5; ++y)
     for (int x = 0; x < 7; ++x) picture.rgb[3 * static_cast<std::size_t>(y * 7 + x)] = static_cast<unsigned char>(10 * y + x);
   write_png(dir / "other_qs2x2a1.png", picture);
-  const LightField field = format("quilt").read(dir / "other_qs2x2a1.png", {});
+  std::string warning;
+  const LightField field = format("quilt").read(dir / "other_qs2x2a1.png",
+                                                {.warn = [&warning](std::string_view text) { warning = std::string(text); }});
+  EXPECT_THAT(warning, HasSubstr("1 columns at the right and 1 rows at the top are left out"));
   EXPECT_EQ(field.view_size, Vec2i(3, 2));
   EXPECT_EQ(std::get<Image8>(view_of(field, 0)).rgb[0], 30) << "bottom left tile: its top row is row 3";
   EXPECT_EQ(std::get<Image8>(view_of(field, 3)).rgb[0], 13) << "top right tile: row 1, column 3";

@@ -33,6 +33,28 @@ TEST(QuiltName, copies_and_capitals_are_read) {
   EXPECT_EQ(without_quilt_name("a/b_qs8x6a0.75 (1).png"), "a/b (1).png");
 }
 
+TEST(QuiltName, neighbouring_forms_are_read) {
+  for (const char* path :
+       {"a/qs8x6a0.75.png", "a/b-qs8x6a0.75.png", "a/b qs8x6a0.75.png", "a/b.qs8x6a0.75.png", "a/b_qs8x6a0.75_copy.png",
+        "a/b_qs8x6a0.75-1.png", "a/b_qs8x6a0.75.png.png", "a/b_qs8x6a0.75f30.png.jpg"}) {
+    const auto name = parse_quilt_name(path);
+    ASSERT_TRUE(name) << path;
+    EXPECT_EQ(name->tiles, (ViewGrid{8, 6})) << path;
+    EXPECT_EQ(name->aspect, 0.75) << path;
+  }
+  EXPECT_FALSE(parse_quilt_name("b-qs8x6a75.png"));
+  EXPECT_EQ(without_quilt_name("a/qs8x6a0.75.png"), "a/quilt.png");
+  EXPECT_EQ(without_quilt_name("a/b_qs8x6a0.75.png.png"), "a/b.png");
+  EXPECT_EQ(with_quilt_name("a/_qs8x6a0.75.png", {{5, 9}, 1.5}), "a/quilt_qs5x9a1.5.png");
+}
+
+TEST(QuiltName, tiles_are_found_without_aspect) {
+  EXPECT_EQ(tiles_in_name("a_qs8x6a0,75.png"), (ViewGrid{8, 6}));
+  EXPECT_EQ(tiles_in_name("room_qs8x6.png"), (ViewGrid{8, 6}));
+  EXPECT_FALSE(tiles_in_name("a_qs0x6.png"));
+  EXPECT_FALSE(tiles_in_name("room.png"));
+}
+
 TEST(QuiltName, other_names_say_nothing) {
   for (const char* path : {"room.png", "qs8x6.png", "room_qs8x6.png", "room_qs8x6a0.75_v2.png"})
     EXPECT_FALSE(parse_quilt_name(path)) << path;

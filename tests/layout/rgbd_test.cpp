@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "layout/rgbd_name.hpp"
 #include "layout/rgbd_side_file.hpp"
 #include "light_fields.hpp"
 #include "lippmann/core/error.hpp"
@@ -48,6 +49,14 @@ TEST(Rgbd, grey_is_even_in_disparity_and_white_is_near) {
   const DepthCoding even{{50, -100}, true, true};
   EXPECT_DOUBLE_EQ(grey_of_depth(even, 100, 0), 1.0 - 2.0 / 3.0) << "in depth, black near";
   EXPECT_NEAR(depth_of_grey(even, 100, 1.0 / 3.0), 0.0, 1e-12);
+}
+
+TEST(Rgbd, neighbouring_names_are_read) {
+  for (const char* path : {"a/rgbd.png", "a/b.rgbd.png", "a/b_RGBD.png", "a/b_rgbd_copy.png", "a/b-rgbd-1.png"})
+    EXPECT_TRUE(has_rgbd_name(path)) << path;
+  for (const char* path : {"a/brgbd.png", "a/b_rgbd_.png", "a/rgb.png"}) EXPECT_FALSE(has_rgbd_name(path)) << path;
+  EXPECT_EQ(without_rgbd_name("a/rgbd.png"), "a/picture.png");
+  EXPECT_EQ(without_rgbd_name("a/b.rgbd.png"), "a/b.png");
 }
 
 TEST(Rgbd, middle_view_is_at_the_left_and_its_depth_at_the_right) {

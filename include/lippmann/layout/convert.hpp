@@ -23,6 +23,7 @@ struct Converted {
   std::vector<std::filesystem::path> written;
   ViewGrid views;
   Vec2i view_size{0, 0};
+  bool drops_positions = false;                     ///< of cameras, without a unit or distance, which the format does not hold
   bool lacks_cameras = false, lacks_depth = false;  ///< which a format would have taken, but nothing gave
 };
 
