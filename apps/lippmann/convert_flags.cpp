@@ -15,12 +15,10 @@
 namespace lippmann::app {
 namespace {
 
-using Options = ConvertOptions;
-
 struct IdleRule {
   const char* flag;
-  bool (*is_given)(const Options&);
-  bool (*has_effect)(const Options&, const Conversion&);
+  bool (*is_given)(const ConvertOptions&);
+  bool (*has_effect)(const ConvertOptions&, const Conversion&);
   const char* accepted;
 };
 
@@ -34,11 +32,11 @@ bool is_written(const Conversion& c) {
   return c.to && c.to->writes.*use;
 }
 
-bool has_formats(const Options&, const Conversion& c) { return c.to != nullptr; }
-bool is_rearranged(const Options&, const Conversion& c) { return c.kind == ConvertKind::kRearrange; }
-bool is_spoc(const Options&, const Conversion& c) { return c.kind == ConvertKind::kSpoc; }
-bool is_precompensation(const Options&, const Conversion& c) { return c.kind == ConvertKind::kPrecompensate; }
-bool is_stereo(const Options&, const Conversion& c) { return c.kind == ConvertKind::kStereo; }
+bool has_formats(const ConvertOptions&, const Conversion& c) { return c.to != nullptr; }
+bool is_rearranged(const ConvertOptions&, const Conversion& c) { return c.kind == ConvertKind::kRearrange; }
+bool is_spoc(const ConvertOptions&, const Conversion& c) { return c.kind == ConvertKind::kSpoc; }
+bool is_precompensation(const ConvertOptions&, const Conversion& c) { return c.kind == ConvertKind::kPrecompensate; }
+bool is_stereo(const ConvertOptions&, const Conversion& c) { return c.kind == ConvertKind::kStereo; }
 bool makes_stereo(const Conversion& c) { return c.to && c.to->name == "stereo"; }
 
 /// Whether the writer numbers views as the reader does, so that it does not matter how they lie in a grid.
@@ -48,90 +46,92 @@ bool keeps_order(const Conversion& c) {
   return std::find(kPairs.begin(), kPairs.end(), std::pair(c.from->name, c.to->name)) != kPairs.end();
 }
 
-bool uses_views(const Options& options, const Conversion& c) {
+bool uses_views(const ConvertOptions& options, const Conversion& c) {
   if (c.kind == ConvertKind::kDepthViews) return !makes_stereo(c);
   return is_read<&FormatUses::views>(c) && (!options.keep.empty() || !keeps_order(c));
 }
 
 /// What is written as stereo has two views, whatever tiles its source has.
-bool uses_tiles(const Options&, const Conversion& c) {
+bool uses_tiles(const ConvertOptions&, const Conversion& c) {
   return is_read<&FormatUses::tiles>(c) || is_written<&FormatUses::tiles>(c);
 }
 
-bool uses_display(const Options&, const Conversion& c) {
+bool uses_display(const ConvertOptions&, const Conversion& c) {
   if (c.kind == ConvertKind::kPrecompensate || c.kind == ConvertKind::kDepthViews) return true;
   return is_read<&FormatUses::display>(c) || is_written<&FormatUses::display>(c);
 }
 
-bool uses_view_angle(const Options& options, const Conversion& c) {
+bool uses_view_angle(const ConvertOptions& options, const Conversion& c) {
   return c.kind == ConvertKind::kStereo || (c.kind == ConvertKind::kDepthViews && !makes_stereo(c) && options.display.empty());
 }
 
 /// Rules for all flags but --json and --quiet, which always have an effect.
 constexpr std::array kIdleRules{
-    IdleRule{"--from", [](const Options& o) { return !o.from.empty(); }, has_formats, "--to"},
-    IdleRule{"--to", [](const Options& o) { return !o.to.empty(); }, has_formats,
+    IdleRule{"--from", [](const ConvertOptions& o) { return !o.from.empty(); }, has_formats, "--to"},
+    IdleRule{"--to", [](const ConvertOptions& o) { return !o.to.empty(); }, has_formats,
              "a conversion without --rotate-elemental, --spoc and --precompensate"},
-    IdleRule{"--views", [](const Options& o) { return !o.views.empty(); }, uses_views,
+    IdleRule{"--views", [](const ConvertOptions& o) { return !o.views.empty(); }, uses_views,
              "--from integral, eslf, views, quilt, hci or native to a format with another order of views, or RGB-D pictures"},
-    IdleRule{"--quilt", [](const Options& o) { return !o.quilt.empty(); }, uses_tiles, "--from quilt or --to quilt"},
-    IdleRule{"--aspect", [](const Options& o) { return o.aspect > 0.0; },
-             [](const Options&, const Conversion& c) { return is_written<&FormatUses::aspect>(c); }, "--to quilt"},
-    IdleRule{"--keep", [](const Options& o) { return !o.keep.empty(); }, is_rearranged, "--to with a format"},
-    IdleRule{"--crop", [](const Options& o) { return !o.crop.empty(); }, is_rearranged, "--to with a format"},
-    IdleRule{"--bits", [](const Options& o) { return o.bits > 0; },
-             [](const Options&, const Conversion& c) { return is_written<&FormatUses::bits>(c); }, "--to jpeg-pleno"},
-    IdleRule{"--display", [](const Options& o) { return !o.display.empty(); }, uses_display,
+    IdleRule{"--quilt", [](const ConvertOptions& o) { return !o.quilt.empty(); }, uses_tiles, "--from quilt or --to quilt"},
+    IdleRule{"--aspect", [](const ConvertOptions& o) { return o.aspect > 0.0; },
+             [](const ConvertOptions&, const Conversion& c) { return is_written<&FormatUses::aspect>(c); }, "--to quilt"},
+    IdleRule{"--keep", [](const ConvertOptions& o) { return !o.keep.empty(); }, is_rearranged, "--to with a format"},
+    IdleRule{"--crop", [](const ConvertOptions& o) { return !o.crop.empty(); }, is_rearranged, "--to with a format"},
+    IdleRule{"--bits", [](const ConvertOptions& o) { return o.bits > 0; },
+             [](const ConvertOptions&, const Conversion& c) { return is_written<&FormatUses::bits>(c); }, "--to jpeg-pleno"},
+    IdleRule{"--display", [](const ConvertOptions& o) { return !o.display.empty(); }, uses_display,
              "--from native, --to native, --precompensate, or RGB-D pictures"},
-    IdleRule{"--filter", [](const Options& o) { return !o.filter.filter.empty(); },
-             [](const Options&, const Conversion& c) { return is_written<&FormatUses::filter>(c); }, "--to native"},
-    IdleRule{"--sigma", [](const Options& o) { return o.filter.sigma > 0.0; },
-             [](const Options& o, const Conversion& c) {
+    IdleRule{"--filter", [](const ConvertOptions& o) { return !o.filter.filter.empty(); },
+             [](const ConvertOptions&, const Conversion& c) { return is_written<&FormatUses::filter>(c); }, "--to native"},
+    IdleRule{"--sigma", [](const ConvertOptions& o) { return o.filter.sigma > 0.0; },
+             [](const ConvertOptions& o, const Conversion& c) {
                return is_written<&FormatUses::filter>(c) && o.filter.filter == "gaussian";
              },
              "--to native with --filter gaussian"},
-    IdleRule{"--reference-plane", [](const Options& o) { return o.orthoscopic.reference_mm.has_value(); }, is_spoc, "--spoc"},
-    IdleRule{"--lens-pitch", [](const Options& o) { return o.orthoscopic.lens_pitch_mm.has_value(); }, is_spoc, "--spoc"},
-    IdleRule{"--gap", [](const Options& o) { return o.orthoscopic.gap_mm.has_value(); }, is_spoc, "--spoc"},
-    IdleRule{"--lens-pixels", [](const Options& o) { return o.orthoscopic.lens_pixels.has_value(); }, is_spoc, "--spoc"},
-    IdleRule{"--crosstalk", [](const Options& o) { return !o.crosstalk.crosstalk.empty(); }, is_precompensation,
+    IdleRule{"--reference-plane", [](const ConvertOptions& o) { return o.orthoscopic.reference_mm.has_value(); }, is_spoc,
+             "--spoc"},
+    IdleRule{"--lens-pitch", [](const ConvertOptions& o) { return o.orthoscopic.lens_pitch_mm.has_value(); }, is_spoc,
+             "--spoc"},
+    IdleRule{"--gap", [](const ConvertOptions& o) { return o.orthoscopic.gap_mm.has_value(); }, is_spoc, "--spoc"},
+    IdleRule{"--lens-pixels", [](const ConvertOptions& o) { return o.orthoscopic.lens_pixels.has_value(); }, is_spoc, "--spoc"},
+    IdleRule{"--crosstalk", [](const ConvertOptions& o) { return !o.crosstalk.crosstalk.empty(); }, is_precompensation,
              "--precompensate"},
-    IdleRule{"--stereo", [](const Options& o) { return !o.stereo.packing.empty(); },
-             [](const Options&, const Conversion& c) {
+    IdleRule{"--stereo", [](const ConvertOptions& o) { return !o.stereo.packing.empty(); },
+             [](const ConvertOptions&, const Conversion& c) {
                return is_read<&FormatUses::stereo>(c) || is_written<&FormatUses::stereo>(c);
              },
              "--to stereo or --from stereo"},
-    IdleRule{"--right-first", [](const Options& o) { return o.stereo.right_first; },
-             [](const Options&, const Conversion& c) {
+    IdleRule{"--right-first", [](const ConvertOptions& o) { return o.stereo.right_first; },
+             [](const ConvertOptions&, const Conversion& c) {
                return is_read<&FormatUses::stereo>(c) || is_written<&FormatUses::stereo>(c);
              },
              "--to stereo or --from stereo"},
-    IdleRule{"--ipd", [](const Options& o) { return o.stereo.ipd_mm.has_value(); },
-             [](const Options&, const Conversion& c) { return c.kind != ConvertKind::kRearrange && makes_stereo(c); },
+    IdleRule{"--ipd", [](const ConvertOptions& o) { return o.stereo.ipd_mm.has_value(); },
+             [](const ConvertOptions&, const Conversion& c) { return c.kind != ConvertKind::kRearrange && makes_stereo(c); },
              "--to stereo, of more than two views"},
-    IdleRule{"--viewing-distance", [](const Options& o) { return o.stereo.viewing_distance_mm.has_value(); }, is_stereo,
+    IdleRule{"--viewing-distance", [](const ConvertOptions& o) { return o.stereo.viewing_distance_mm.has_value(); }, is_stereo,
              "--to stereo, of more than two views"},
-    IdleRule{"--screen-width", [](const Options& o) { return o.stereo.screen_width_mm.has_value(); }, is_stereo,
+    IdleRule{"--screen-width", [](const ConvertOptions& o) { return o.stereo.screen_width_mm.has_value(); }, is_stereo,
              "--to stereo, of more than two views"},
-    IdleRule{"--view-angle", [](const Options& o) { return o.stereo.view_angle_deg.has_value(); }, uses_view_angle,
+    IdleRule{"--view-angle", [](const ConvertOptions& o) { return o.stereo.view_angle_deg.has_value(); }, uses_view_angle,
              "--to stereo, or RGB-D pictures converted to views without --display"},
-    IdleRule{"--depth-range", [](const Options& o) { return !o.depth.range.empty(); },
-             [](const Options&, const Conversion& c) {
+    IdleRule{"--depth-range", [](const ConvertOptions& o) { return !o.depth.range.empty(); },
+             [](const ConvertOptions&, const Conversion& c) {
                return is_read<&FormatUses::depth_coding>(c) || is_written<&FormatUses::depth_coding>(c);
              },
              "--from rgbd or --to rgbd"},
-    IdleRule{"--depth-coding", [](const Options& o) { return !o.depth.coding.empty(); },
-             [](const Options&, const Conversion& c) {
+    IdleRule{"--depth-coding", [](const ConvertOptions& o) { return !o.depth.coding.empty(); },
+             [](const ConvertOptions&, const Conversion& c) {
                return is_read<&FormatUses::depth_coding>(c) || is_written<&FormatUses::depth_coding>(c);
              },
              "--from rgbd or --to rgbd"},
-    IdleRule{"--near-black", [](const Options& o) { return o.depth.near_black; },
-             [](const Options&, const Conversion& c) {
+    IdleRule{"--near-black", [](const ConvertOptions& o) { return o.depth.near_black; },
+             [](const ConvertOptions&, const Conversion& c) {
                return is_read<&FormatUses::depth_coding>(c) || is_written<&FormatUses::depth_coding>(c);
              },
              "--from rgbd or --to rgbd"},
-    IdleRule{"--depth-scale", [](const Options& o) { return o.depth.scale.has_value(); },
-             [](const Options&, const Conversion& c) { return c.kind == ConvertKind::kDepthViews; },
+    IdleRule{"--depth-scale", [](const ConvertOptions& o) { return o.depth.scale.has_value(); },
+             [](const ConvertOptions&, const Conversion& c) { return c.kind == ConvertKind::kDepthViews; },
              "RGB-D pictures converted to another format, without --keep and --crop"},
 };
 
