@@ -53,7 +53,7 @@ int run(const EncodeOptions& options, Context& context) {
   VideoOptions video{.rate = {}, .codec = {}, .crf = options.crf, .threads = kEncoderThreads};
   if (!options.codec.empty()) video.codec = static_cast<VideoCodec>(read_choice(options.codec, kVideoCodecNames, "--codec"));
   const std::vector<NumberedFrame> frames = wanted_frames(options);
-  warn_of_unchecked(frames.front().path, context);
+  warn_of_unchecked(frames.front().path.parent_path() / ".", context);
   video.stereo = stereo_of(frames);
   video.rate = frame_rate(rate_of(options, frames));
   const fs::path out = video_path(options.out, frames);

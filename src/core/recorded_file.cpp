@@ -9,6 +9,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -62,6 +63,14 @@ void read_lines(const fs::path& part, const std::function<void(std::string_view)
 void read_journal_lines(const fs::path& folder, const std::function<void(std::string_view)>& line) {
   for (const fs::directory_entry& entry : entries_of(folder / kJournal))
     if (entry.path().extension() == ".jsonl") read_lines(entry.path(), line);
+}
+
+/// Whether a file of the journal has a whole line, or noise, which is damage.
+bool has_more_than_cut_line(const fs::path& part) {
+  std::ifstream in(part, std::ios::binary);
+  std::string line;
+  std::getline(in, line);
+  return !in.eof() || !may_be_cut_line(line);
 }
 
 std::optional<FileChecksum> checksum_from(const Json& json) {
@@ -122,7 +131,23 @@ void require_sum(const fs::path& file, const std::function<std::optional<FileChe
 
 bool has_journal(const fs::path& folder) {
   std::error_code ignored;
-  return fs::symlink_status(folder / kJournal, ignored).type() == fs::file_type::directory;
+  if (fs::symlink_status(folder / kJournal, ignored).type() != fs::file_type::directory) return false;
+  const std::vector<fs::directory_entry> parts = entries_of(folder / kJournal);
+  return std::any_of(parts.begin(), parts.end(), [](const fs::directory_entry& part) {
+    return part.path().extension() == ".jsonl" && is_regular_file_there(part.path()) && has_more_than_cut_line(part.path());
+  });
+}
+
+std::set<std::string> recorded_names(const fs::path& folder) {
+  std::set<std::string> names;
+  read_journal_lines(folder, [&](std::string_view line) {
+    const Json json = json_from_text(line);
+    if (!json.is_object()) return;
+    if (const auto files = json.find("files"); files != json.end() && files->is_object())
+      for (const auto& [name, sum] : files->items()) names.insert(name);
+    if (const auto written = json.find("written"); written != json.end() && written->is_string()) names.insert(*written);
+  });
+  return names;
 }
 
 bool may_be_cut_line(std::string_view line) {

@@ -111,5 +111,15 @@ TEST(Damage, render_without_a_journal_is_read_and_said_to_be_unchecked) {
   }
 }
 
+TEST(Damage, frame_that_the_journal_does_not_name_is_said_to_be_unchecked) {
+  const TempDir dir;
+  expect_done(dir, small_teapot("0", "a"));
+  fs::copy_file(dir / "a/frame_0000.png", dir / "a/frame_0001.png");
+  for (const Words& reader : readers()) {
+    if (reader.front() == "check") continue;
+    EXPECT_THAT(run_tool(dir, reader).err, HasSubstr("it is not checked for damage: frame_0001.png")) << reader.front();
+  }
+}
+
 }  // namespace
 }  // namespace lippmann::test
