@@ -15,6 +15,7 @@
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
 #include "core/frame_ranges.hpp"
+#include "core/printable.hpp"
 #include "job/param_text.hpp"
 #include "layout/rendered.hpp"
 #include "lippmann/core/error.hpp"
@@ -74,7 +75,7 @@ int run(const EncodeOptions& options, Context& context) {
   if (options.result.json)
     print_json(nlohmann::ordered_json{{"file", out.string()}, {"frames", count}, {"bytes", bytes}});
   else if (options.result.wants_text())
-    fmt::print("{} frames, {:.2f} MB: {}\n", count, static_cast<double>(bytes) * 1e-6, out.string());
+    fmt::print("{} frames, {:.2f} MB: {}\n", count, static_cast<double>(bytes) * 1e-6, printable_line(out.string()));
   return 0;
 }
 
