@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -27,6 +26,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kJournal = ".lippmann";
+constexpr std::uintmax_t kMostJournalBytes = std::uintmax_t{4} << 30;  // as folder/journal.cpp
 
 /// A file by the render's folder that it lies in.
 struct RenderFile {
@@ -44,8 +44,7 @@ std::optional<RenderFile> render_file_of(const fs::path& file) {
 /// Calls `line` with each whole line of a file of the journal. Throws Error for one that no render wrote.
 void read_lines(const fs::path& part, const std::function<void(std::string_view)>& line) {
   if (!is_regular_file_there(part)) return;
-  std::ifstream in(part, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::string text = read_file_text(part, kMostJournalBytes, "the journal of a render");
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     const std::string_view one = std::string_view(text).substr(begin, end - begin);
