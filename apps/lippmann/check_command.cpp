@@ -29,18 +29,18 @@ struct Options {
 void print_text(const std::string& folder, const FolderCheck& check) {
   for (const auto& [kind, names] :
        {std::pair("damaged", check.damaged), std::pair("missing", check.missing), std::pair("foreign", check.foreign)})
-    for (const std::string& name : names) fmt::print("{}  {}\n", kind, printable(name));
+    for (const std::string& name : names) fmt::print("{}  {}\n", kind, printable_line(name));
   const std::string unfinished = write_frames(ranges_of(check.unfinished));
   if (!unfinished.empty()) fmt::print("not rendered yet: frames {}\n", unfinished);
   for (const auto& [name, frames] : check.unfinished_beside)
-    fmt::print("not rendered yet: frames {} in {}\n", write_frames(ranges_of(frames)), name);
+    fmt::print("not rendered yet: frames {} in {}\n", write_frames(ranges_of(frames)), printable_line(name));
   for (const auto& [frame, strips] : check.strips_left)
     fmt::print("not rendered yet: strips {} of frame {}\n", write_frames(ranges_of(strips)), frame);
   if (!check.joinable.empty())
     fmt::print("not joined yet: the strips of frames {} ('lippmann finish' does it)\n",
                write_frames(ranges_of(check.joinable)));
-  fmt::print("{}: {} files, {} frame{}; {} damaged, {} missing, {} foreign\n", folder, check.files, check.frames,
-             check.frames == 1 ? "" : "s", check.damaged.size(), check.missing.size(), check.foreign.size());
+  fmt::print("{}: {} files, {} frame{}; {} damaged, {} missing, {} foreign\n", printable_line(folder), check.files,
+             check.frames, check.frames == 1 ? "" : "s", check.damaged.size(), check.missing.size(), check.foreign.size());
 }
 
 /// By frame or by folder: {"0": "2,5-7"}.

@@ -15,6 +15,7 @@
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
 #include "core/frame_ranges.hpp"
+#include "core/printable.hpp"
 #include "job/param_text.hpp"
 #include "layout/rendered.hpp"
 #include "lippmann/core/error.hpp"
@@ -53,7 +54,7 @@ int run(const EncodeOptions& options, Context& context) {
   VideoOptions video{.rate = {}, .codec = {}, .crf = options.crf, .threads = kEncoderThreads};
   if (!options.codec.empty()) video.codec = static_cast<VideoCodec>(read_choice(options.codec, kVideoCodecNames, "--codec"));
   const std::vector<NumberedFrame> frames = wanted_frames(options);
-  warn_of_unchecked(frames.front().path, context);
+  warn_of_unchecked(frames.front().path.parent_path() / ".", context);
   video.stereo = stereo_of(frames);
   video.rate = frame_rate(rate_of(options, frames));
   const fs::path out = video_path(options.out, frames);
@@ -74,7 +75,7 @@ int run(const EncodeOptions& options, Context& context) {
   if (options.result.json)
     print_json(nlohmann::ordered_json{{"file", out.string()}, {"frames", count}, {"bytes", bytes}});
   else if (options.result.wants_text())
-    fmt::print("{} frames, {:.2f} MB: {}\n", count, static_cast<double>(bytes) * 1e-6, out.string());
+    fmt::print("{} frames, {:.2f} MB: {}\n", count, static_cast<double>(bytes) * 1e-6, printable_line(out.string()));
   return 0;
 }
 

@@ -31,16 +31,16 @@ std::string numbers(const std::vector<int>& frames) { return write_frames(ranges
 
 void print_problems(const FinishedAnimation& finished) {
   for (const std::string& file : finished.joined.not_as_written)
-    fmt::print("not taken over  {}: other bytes than were written\n", printable(file));
-  for (const std::string& name : finished.check.damaged) fmt::print("damaged  {}\n", printable(name));
-  for (const std::string& name : finished.check.missing) fmt::print("missing  {}\n", printable(name));
+    fmt::print("not taken over  {}: other bytes than were written\n", printable_line(file));
+  for (const std::string& name : finished.check.damaged) fmt::print("damaged  {}\n", printable_line(name));
+  for (const std::string& name : finished.check.missing) fmt::print("missing  {}\n", printable_line(name));
   for (const auto& [frame, strips] : finished.check.strips_left)
     fmt::print("not rendered yet: strips {} of frame {}\n", numbers(strips), frame);
 }
 
 void print_result(const FinishOptions& options, const FinishedAnimation& finished) {
   if (!finished.joined.frames.empty()) fmt::print("taken over: frames {}\n", numbers(finished.joined.frames));
-  const std::string job = shell_word((fs::path(options.folder) / "job.toml").string());
+  const std::string job = printable_line(shell_word((fs::path(options.folder) / "job.toml").string()));
   if (!finished.report) {
     print_problems(finished);
     fmt::print("{} of {} frames are to be rendered: {}\n  {} render {} --resume\n", finished.to_render.size(),
@@ -50,11 +50,11 @@ void print_result(const FinishOptions& options, const FinishedAnimation& finishe
   }
   const RenderReport& report = *finished.report;
   if (!finished.has_single)
-    return fmt::print("{}: all frames are there; {} of it has yet to be rendered\n  {} render {} --resume\n", options.folder,
-                      kSingleFolder, options.program, job);
-  for (const std::string& video : report.videos) fmt::print("  {:<9} {}\n", "video", video);
-  fmt::print("  {:<9} {}\n", "figures", (fs::path(options.folder) / "report.json").string());
-  fmt::print("{}: all {} frames are there, as they were written\n", options.folder, report.frames.size());
+    return fmt::print("{}: all frames are there; {} of it has yet to be rendered\n  {} render {} --resume\n",
+                      printable_line(options.folder), kSingleFolder, options.program, job);
+  for (const std::string& video : report.videos) fmt::print("  {:<9} {}\n", "video", printable_line(video));
+  fmt::print("  {:<9} {}\n", "figures", printable_line((fs::path(options.folder) / "report.json").string()));
+  fmt::print("{}: all {} frames are there, as they were written\n", printable_line(options.folder), report.frames.size());
 }
 
 bool is_complete(const FinishedAnimation& finished) { return finished.report && finished.has_single; }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "apps/lippmann/print.hpp"
+#include "core/printable.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -53,7 +54,7 @@ void Progress::step(const std::string& line) {
   const bool due = schedule_.is_due(done_, total_, elapsed);
   if (style_ == ProgressStyle::kLines && !due) return;
   const std::string left = done_ < total_ ? clock_text(seconds_left(elapsed, done_, total_)) + " left" : "done";
-  print_error("[{}/{}] {}; {}{}\n", done_, total_, line, left, note());
+  print_error("[{}/{}] {}; {}{}\n", done_, total_, printable_line(line), left, note());
   advise();
 }
 

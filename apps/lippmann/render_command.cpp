@@ -198,7 +198,8 @@ void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
          {"bands", plan.bands},
          {"estimated",
           {{"pictures", whole(sizes.pictures)}, {"layers", whole(sizes.layers)}, {"videos", whole(sizes.videos)}}}});
-  print_out("Would render {} to {}{}\n", describe_frames(plan.frames), plan.folder.string(), plan.folder.empty() ? "." : "");
+  print_out("Would render {} to {}{}\n", describe_frames(plan.frames), printable_line(plan.folder.string()),
+            plan.folder.empty() ? "." : "");
   print_line("pictures", fmt::format("{}{}x{} pixels", pictures > 1 ? fmt::format("{} a frame, ", pictures) : "",
                                      plan.picture_size.x, plan.picture_size.y));
   print_line("files", first_and_last(frame_name(plan.names, plan.frames.front()), frame_name(plan.names, plan.frames.back())));

@@ -11,6 +11,7 @@
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/result_flags.hpp"
+#include "core/printable.hpp"
 #include "report/report_page.hpp"
 
 namespace lippmann::app {
@@ -28,7 +29,7 @@ void print_written(const ReportOptions& options, const ReportPage& page, const f
   if (options.result.json)
     print_json({{"page", file.string()}, {"bytes", page.html.size()}, {"missing", page.missing}});
   else if (options.result.wants_text())
-    fmt::print("{}: {:.2f} MB\n", file.string(), 1e-6 * double(page.html.size()));
+    fmt::print("{}: {:.2f} MB\n", printable_line(file.string()), 1e-6 * double(page.html.size()));
 }
 
 int run(const ReportOptions& options, const Context& context) {

@@ -93,10 +93,10 @@ int run(const SubmitOptions& options, const Context& context) {
                 {"minutes", submission.minutes ? nlohmann::ordered_json(*submission.minutes) : nullptr},
                 {"memory_bytes", submission.memory_bytes ? nlohmann::ordered_json(*submission.memory_bytes) : nullptr}});
   } else if (options.result.wants_text()) {
-    fmt::print("{} units into {}\n", submission.units, submission.folder.string());
-    if (!options.slurm.empty()) fmt::print("  {:<9} bash {}\n", "submit", shell_word(options.slurm));
-    if (!options.openjd.empty()) fmt::print("  {:<9} {}\n", "template", options.openjd);
-    if (!options.shell.empty()) fmt::print("  {:<9} {}\n", "commands", options.shell);
+    fmt::print("{} units into {}\n", submission.units, printable_line(submission.folder.string()));
+    if (!options.slurm.empty()) fmt::print("  {:<9} bash {}\n", "submit", printable_line(shell_word(options.slurm)));
+    if (!options.openjd.empty()) fmt::print("  {:<9} {}\n", "template", printable_line(options.openjd));
+    if (!options.shell.empty()) fmt::print("  {:<9} {}\n", "commands", printable_line(options.shell));
   }
   return 0;
 }

@@ -12,6 +12,7 @@
 #include "apps/lippmann/light_field_flags.hpp"
 #include "apps/lippmann/page_server.hpp"
 #include "apps/lippmann/scene_to_set_up.hpp"
+#include "core/printable.hpp"
 #include "job/job_folder.hpp"
 #include "layout/rendered.hpp"
 #include "lippmann/core/error.hpp"
@@ -58,7 +59,7 @@ int save(const ViewOptions& options, const Context& context) {
   refuse_server_flags(options.server);
   const SavedPage page = save_page(read_fields(options, context), options.save, context);
   if (!page.index.empty())
-    fmt::print("{}: {:.1f} MB with all files beside it\n", page.index.string(), 1e-6 * double(page.bytes));
+    fmt::print("{}: {:.1f} MB with all files beside it\n", printable_line(page.index.string()), 1e-6 * double(page.bytes));
   return 0;
 }
 

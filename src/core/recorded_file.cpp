@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -26,6 +26,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kJournal = ".lippmann";
+constexpr std::uintmax_t kMostJournalBytes = std::uintmax_t{4} << 30;  // as folder/journal.cpp
 
 /// A file by the render's folder that it lies in.
 struct RenderFile {
@@ -43,8 +44,7 @@ std::optional<RenderFile> render_file_of(const fs::path& file) {
 /// Calls `line` with each whole line of a file of the journal. Throws Error for one that no render wrote.
 void read_lines(const fs::path& part, const std::function<void(std::string_view)>& line) {
   if (!is_regular_file_there(part)) return;
-  std::ifstream in(part, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::string text = read_file_text(part, kMostJournalBytes, "the journal of a render");
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     const std::string_view one = std::string_view(text).substr(begin, end - begin);
@@ -62,6 +62,14 @@ void read_lines(const fs::path& part, const std::function<void(std::string_view)
 void read_journal_lines(const fs::path& folder, const std::function<void(std::string_view)>& line) {
   for (const fs::directory_entry& entry : entries_of(folder / kJournal))
     if (entry.path().extension() == ".jsonl") read_lines(entry.path(), line);
+}
+
+/// Whether a file of the journal has a whole line, or noise, which is damage.
+bool has_more_than_cut_line(const fs::path& part) {
+  std::ifstream in(part, std::ios::binary);
+  std::string line;
+  std::getline(in, line);
+  return !in.eof() || !may_be_cut_line(line);
 }
 
 std::optional<FileChecksum> checksum_from(const Json& json) {
@@ -122,7 +130,23 @@ void require_sum(const fs::path& file, const std::function<std::optional<FileChe
 
 bool has_journal(const fs::path& folder) {
   std::error_code ignored;
-  return fs::symlink_status(folder / kJournal, ignored).type() == fs::file_type::directory;
+  if (fs::symlink_status(folder / kJournal, ignored).type() != fs::file_type::directory) return false;
+  const std::vector<fs::directory_entry> parts = entries_of(folder / kJournal);
+  return std::any_of(parts.begin(), parts.end(), [](const fs::directory_entry& part) {
+    return part.path().extension() == ".jsonl" && is_regular_file_there(part.path()) && has_more_than_cut_line(part.path());
+  });
+}
+
+std::set<std::string> recorded_names(const fs::path& folder) {
+  std::set<std::string> names;
+  read_journal_lines(folder, [&](std::string_view line) {
+    const Json json = json_from_text(line);
+    if (!json.is_object()) return;
+    if (const auto files = json.find("files"); files != json.end() && files->is_object())
+      for (const auto& [name, sum] : files->items()) names.insert(name);
+    if (const auto written = json.find("written"); written != json.end() && written->is_string()) names.insert(*written);
+  });
+  return names;
 }
 
 bool may_be_cut_line(std::string_view line) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,7 +28,10 @@ void require_as_recorded(const std::filesystem::path& file);
 /// Throws Error naming the first file of a frame that the folder's journal names and that is gone.
 void require_recorded_frames(const std::filesystem::path& folder);
 
-/// Whether a folder has a journal.
+/// The names of the files of frames, of job.toml and of report.json in a folder's journal, relative to the folder.
+std::set<std::string> recorded_names(const std::filesystem::path& folder);
+
+/// Whether a folder has a journal with at least one whole line: one that was emptied counts as none.
 bool has_journal(const std::filesystem::path& folder);
 
 /// Whether the end of a journal may be a line that was cut: by a process that was killed, or by a loss of power, which leaves

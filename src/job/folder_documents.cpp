@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/json_text.hpp"
+#include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "job/job_file.hpp"
 #include "job/job_fingerprint.hpp"
@@ -78,6 +79,22 @@ std::vector<std::string> videos_of(const std::filesystem::path& job) try {
   return {};
 }
 
+bool is_readable_job(const std::filesystem::path& job) try {
+  RenderParams params;
+  read_job(job, params);
+  return true;
+} catch (const Error&) {
+  return false;
+}
+
+/// Whether a job file that differs from the recorded one is damaged. One that somebody edited can be read, and resuming it
+/// reads the same settings; nobody edits that of the single view, which its render writes.
+bool is_damaged_job(const std::filesystem::path& job, const RenderParams& params, const RenderFolder& folder) {
+  if (!params.resume || !folder.now().files.contains(kJobFile)) return false;
+  const bool is_of_single = folder.path().filename() == kSingleFolder && has_journal(folder.path().parent_path());
+  return is_of_single || !is_readable_job(job) || !differences(job, params).empty();
+}
+
 /// Whether earlier runs were asked for all that runs are asked for now.
 bool holds_all(const FolderJournal& before, const FolderJournal& now) {
   return before.asked == now.asked && before.companions == now.companions;
@@ -89,16 +106,18 @@ void write_job_of_folder(const RenderParams& params, const std::vector<int>& fra
                          const Context& context) {
   const std::filesystem::path file = folder.path() / kJobFile;
   const bool is_there = is_regular_file_there(file);
-  if (is_there && !is_as_written(folder.now(), folder.path(), kJobFile)) {
+  const bool is_as_recorded = is_there && is_as_written(folder.now(), folder.path(), kJobFile);
+  const bool is_damaged = is_there && !is_as_recorded && is_damaged_job(file, params, folder);
+  if (is_there && !is_as_recorded && !is_damaged) {
     if (const auto keys = differences(file, params); !keys.empty())
       context.warning(
           fmt::format("{} was not written by this render and stays, although it differs in {}; report.json has the settings",
                       file.string(), fmt::join(keys, ", ")));
     return;
   }
-  const std::vector<std::string> videos = is_there ? videos_of(file) : std::vector<std::string>();
+  const std::vector<std::string> videos = is_as_recorded ? videos_of(file) : std::vector<std::string>();
   const bool has_same_videos = params.output.video.empty() || are_same_paths(params.output.video, videos);
-  if (is_there && has_same_videos && holds_all(folder.before(), folder.now())) return;
+  if (is_there && !is_damaged && has_same_videos && holds_all(folder.before(), folder.now())) return;
   folder.write(kJobFile, [&](const FolderJournal& journal) {
     return job_of_folder(params, journal, frames, frame_count, videos, folder.path());
   });

@@ -12,8 +12,8 @@
 namespace lippmann {
 
 /// Writes a job file that renders all frames that this run and those before and beside it have been asked for, with the videos,
-/// and with the folders beside them (FolderJournal::companions). A job.toml that
-/// no run has written is somebody's, and stays. The run has begun.
+/// and with the folders beside them (FolderJournal::companions). A job.toml that no run has written, or that was edited, stays;
+/// resuming writes a damaged one again. The run has begun.
 void write_job_of_folder(const RenderParams& params, const std::vector<int>& frames, int frame_count, RenderFolder& folder,
                          const Context& context);
 

@@ -11,6 +11,8 @@
 
 #include "core/atomic_file.hpp"
 #include "core/file_content.hpp"
+#include "core/printable.hpp"
+#include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "job/params_table.hpp"
 #include "job/scene_light.hpp"
@@ -120,9 +122,16 @@ void set_opposite(const ParamInfo& info, const toml::table& job, const std::stri
   info.set(params, {value == "true" ? "false" : "true"}, where);
 }
 
+bool is_as_recorded(const fs::path& file) try {
+  if (is_regular_file_there(file)) require_as_recorded(file);
+  return true;
+} catch (const Error&) {
+  return false;
+}
+
 }  // namespace
 
-void read_job(const fs::path& file, RenderParams& params) {
+void read_job(const fs::path& file, RenderParams& params) try {
   const toml::table table = parse(file);
   for (const auto& [key, node] : table) {
     const std::string place = fmt::format("{}:{}", file.string(), key.source().begin.line);
@@ -138,6 +147,13 @@ void read_job(const fs::path& file, RenderParams& params) {
       if (is_relative_path(*info, value)) value = tidy(file.parent_path() / value);
     info->set(params, values, where);
   }
+} catch (const Error& error) {
+  if (is_as_recorded(file)) throw;
+  throw Error(file.string(),
+              fmt::format("is damaged or was edited: it has other bytes than its render wrote, and cannot be read ({}: {})",
+                          error.where(), error.problem()),
+              fmt::format("the file as it was; the first command with `-o {} --resume` writes it again",
+                          shell_word(file.parent_path().empty() ? "." : file.parent_path().string())));
 }
 
 std::string job_text(const RenderParams& params, const fs::path& folder) {

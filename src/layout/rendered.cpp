@@ -8,14 +8,18 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <set>
 #include <string_view>
+#include <system_error>
 
 #include "core/file_content.hpp"
+#include "core/folder_entries.hpp"
 #include "core/json_text.hpp"
 #include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "core/text_pattern.hpp"
 #include "image/read_image.hpp"
+#include "layout/frame_names.hpp"
 #include "lippmann/core/error.hpp"
 #include "optics/optics_json.hpp"
 
@@ -110,6 +114,35 @@ Rendering rendering_from(const Json& json, const fs::path& report) {
   return rendering;
 }
 
+/// Adds the files of frames and the report.json in `folder` / `below` that are not in `recorded`.
+void add_unrecorded(const fs::path& folder, const fs::path& below, const std::set<std::string>& recorded,
+                    std::vector<std::string>& names) {
+  for (const fs::directory_entry& entry : entries_of(folder / below)) {
+    const std::string name = (below / entry.path().filename()).string();
+    std::error_code ignored;
+    if (entry.is_directory(ignored) && below.empty() && name.starts_with("frame_"))
+      add_unrecorded(folder, name, recorded, names);
+    else if ((frame_of_file(name) || name == "report.json") && !recorded.contains(name))
+      names.push_back(name);
+  }
+}
+
+/// Warns of files of a render that its journal does not name, as far as they are `in` or lie in it.
+void warn_of_unrecorded(const fs::path& folder, const fs::path& in, const Context& context) {
+  std::vector<std::string> names;
+  add_unrecorded(folder, {}, recorded_names(folder), names);
+  std::erase_if(names, [&](const std::string& name) {
+    const fs::path file = folder / name;
+    return file != in && file.parent_path() != in && folder != in;
+  });
+  if (names.empty()) return;
+  const bool is_one = names.size() == 1;
+  context.warning(
+      fmt::format("{} has {} that the journal of its render (.lippmann) does not name, so {} not checked for damage: {}{}",
+                  folder.string(), is_one ? "a file" : fmt::format("{} files", names.size()), is_one ? "it is" : "they are",
+                  names.front(), is_one ? "" : ", ..."));
+}
+
 }  // namespace
 
 std::optional<double> frame_rate_of(const Json& report) {
@@ -140,7 +173,7 @@ std::optional<Rendering> readable_rendering(const fs::path& report) try {
 void warn_of_unchecked(const fs::path& in, const Context& context) {
   const fs::path whole = fs::absolute(in / "").lexically_normal().parent_path(), folder = whole.parent_path();
   for (const fs::path& of_render : {whole, folder, folder.parent_path()}) {
-    if (has_journal(of_render)) return;
+    if (has_journal(of_render)) return warn_of_unrecorded(of_render, whole, context);
     std::error_code ignored;
     const fs::path report = of_render / "report.json";
     if (!fs::is_regular_file(report, ignored)) continue;

@@ -43,8 +43,8 @@ std::optional<Rendering> rendering_of(const std::filesystem::path& picture);
 /// What a report says, for pictures that can be shown without it: none if there is no report, or if it is damaged.
 std::optional<Rendering> readable_rendering(const std::filesystem::path& report);
 
-/// Warns where a picture or folder is of a render whose journal is gone: nobody can tell whether its files are as they were
-/// written (core/recorded_file.hpp).
+/// Warns if a picture or folder is of a render whose journal is gone or does not name some of its files: they cannot be checked
+/// for damage (core/recorded_file.hpp).
 void warn_of_unchecked(const std::filesystem::path& in, const Context& context);
 
 /// z in display mm, one channel, of the picture's size: of an EXR picture that has it, or of aov_0000.exr beside frame_0000...,

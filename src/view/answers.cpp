@@ -118,7 +118,6 @@ std::optional<PageAnswer> PageAnswers::refusal(const PageRequest& request) const
   if (!access_.token.empty() && !equal_secrets(cut_part(path), access_.token))
     return answer_with(403, "The address lacks the token that `lippmann view` printed with it.\n");
   if (!may_come_from(request.fetch_site, path)) return answer_with(403, "Pages of other origins may read nothing here.\n");
-  if (request.wants_range) return answer_with(416, "Files are sent whole only.\n");
   if (request.method == "GET" || request.method == "HEAD") return std::nullopt;
   if (request.method != "POST" || !takes_text(path))
     return answer_with(405, "Only GET and HEAD are answered: nothing here can be changed.\n");

@@ -22,8 +22,7 @@ struct PageRequest {
   std::string method = "GET";
   std::string path = "/";                               ///< decoded, without what follows a question mark
   std::string host = {}, origin = {}, fetch_site = {};  ///< headers: Host, Origin, Sec-Fetch-Site; empty: missing
-  bool wants_range = false;
-  std::string body = {};  ///< what a POST sends
+  std::string body = {};                                ///< what a POST sends
 };
 
 struct PageAnswer {

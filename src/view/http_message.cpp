@@ -34,7 +34,6 @@ constexpr Reason kReasons[] = {
     {411, "Length Required", "Texts are taken with a Content-Length, not in chunks.\n"},
     {413, "Content Too Large", "Texts of at most 1 MB are taken.\n"},
     {415, "Unsupported Media Type", "Texts are taken as they are, not compressed.\n"},
-    {416, "Range Not Satisfiable", ""},
     {422, "Unprocessable Content", ""},
     {431, "Request Header Fields Too Large", "Headers of at most 16 kB are taken.\n"},
     {500, "Internal Server Error", "The answer could not be made.\n"},
@@ -181,7 +180,6 @@ std::variant<RequestHead, PageAnswer> read_head(std::string_view text) {
   head.page.host = headers.value("host");
   head.page.origin = headers.value("origin");
   head.page.fetch_site = headers.value("sec-fetch-site");
-  head.page.wants_range = headers.has("range");
   head.awaits_continue = lower(headers.value("expect")) == "100-continue";
   const std::string connection = lower(headers.value("connection"));
   if (connection.find("keep-alive") != std::string::npos) head.keeps_alive = true;

@@ -111,5 +111,28 @@ TEST(Damage, render_without_a_journal_is_read_and_said_to_be_unchecked) {
   }
 }
 
+TEST(Damage, frame_that_the_journal_does_not_name_is_said_to_be_unchecked) {
+  const TempDir dir;
+  expect_done(dir, small_teapot("0", "a"));
+  fs::copy_file(dir / "a/frame_0000.png", dir / "a/frame_0001.png");
+  for (const Words& reader : readers()) {
+    if (reader.front() == "check") continue;
+    EXPECT_THAT(run_tool(dir, reader).err, HasSubstr("it is not checked for damage: frame_0001.png")) << reader.front();
+  }
+}
+
+TEST(Damage, report_of_it_has_no_control_characters_of_names) {
+  const TempDir dir;
+  const std::string name = "a\x1b[31m";
+  expect_done(dir, small_teapot("0", name));
+  for (const bool is_whole : {true, false}) {
+    if (!is_whole) fs::remove(dir / name / "frame_0000.png");
+    for (const char* command : {"finish", "check"}) {
+      const RunResult result = run_tool(dir, {command, name});
+      EXPECT_THAT(result.out, testing::AllOf(HasSubstr("a?[31m"), testing::Not(HasSubstr("\x1b")))) << command;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace lippmann::test

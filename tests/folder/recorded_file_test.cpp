@@ -7,6 +7,7 @@
 #include <span>
 
 #include "folder/render_folder.hpp"
+#include "layout/rendered.hpp"
 #include "lippmann/core/error.hpp"
 #include "support/error_message.hpp"
 #include "support/temp_dir.hpp"
@@ -77,6 +78,37 @@ TEST(RecordedFile, file_that_no_journal_names_passes) {
   make_render(dir / "a");
   for (const char* name : {"a/frame_0002.png", "a/notes.txt", "a/quilts/frame_0000.png", "frame_0000.png"})
     EXPECT_EQ(refusal_of_file(dir / name, "bytes"), kNone) << name;
+}
+
+TEST(RecordedFile, files_that_the_journal_does_not_name_are_warned_of) {
+  const test::TempDir dir;
+  make_render(dir.path());
+  std::vector<std::string> warnings;
+  Context context;
+  context.warn = [&](std::string_view text) { warnings.emplace_back(text); };
+  warn_of_unchecked(dir.path(), context);
+  EXPECT_TRUE(warnings.empty()) << warnings.front();
+  for (const char* name : {"frame_0002.png", "frame_0001/view_002.png", "notes.txt", "quilts/frame_0000.png"})
+    make_file(dir / name, "bytes");
+  for (const char* in : {"", "frame_0002.png", "frame_0001", "frame_0000.png"}) warn_of_unchecked(dir / in, context);
+  EXPECT_THAT(warnings, testing::ElementsAre(HasSubstr("has 2 files that the journal"),
+                                             HasSubstr("it is not checked for damage: frame_0002.png"),
+                                             HasSubstr("it is not checked for damage: frame_0001/view_002.png")));
+}
+
+TEST(RecordedFile, emptied_journal_counts_as_none) {
+  for (const std::string& left : {std::string(), std::string("{\"job")}) {
+    const test::TempDir dir;
+    make_render(dir.path());
+    make_file(dir / "report.json", R"({"runs": []})");
+    make_file(read_journal(dir.path())->parts.front(), left);
+    EXPECT_FALSE(has_journal(dir.path()));
+    std::vector<std::string> warnings;
+    Context context;
+    context.warn = [&](std::string_view text) { warnings.emplace_back(text); };
+    warn_of_unchecked(dir.path(), context);
+    EXPECT_THAT(warnings, testing::ElementsAre(HasSubstr("has no journal of its render")));
+  }
 }
 
 TEST(RecordedFile, missing_file_of_a_frame_is_named) {

@@ -6,6 +6,8 @@
 
 #include "job/renders.hpp"
 #include "job/report.hpp"
+#include "lippmann/core/error.hpp"
+#include "support/error_message.hpp"
 
 namespace lippmann::test {
 namespace {
@@ -94,6 +96,26 @@ TEST_F(FolderRenders, keep_a_job_file_that_was_changed_by_hand) {
   const std::string job = bytes("a/job.toml");
   render(teapot("a", "1"), {.force = true});
   EXPECT_EQ(bytes("a/job.toml"), job);
+}
+
+TEST_F(FolderRenders, resumed_write_a_damaged_job_file_again) {
+  render(teapot("a", "0"));
+  const std::string job = bytes("a/job.toml");
+  std::string other = job;
+  other.replace(job.find("seed = 0"), 8, "seed = 1");
+  for (const std::string& damaged : {job.substr(0, 30) + '\x01' + job.substr(31), other}) {
+    std::ofstream(dir_ / "a/job.toml") << damaged;
+    resume(teapot("a", "0"));
+    EXPECT_TRUE(check("a").passed());
+    EXPECT_EQ(warnings_, "");
+  }
+}
+
+TEST_F(FolderRenders, job_file_that_is_damaged_is_said_to_be) {
+  render(teapot("a", "0"));
+  std::ofstream(dir_ / "a/job.toml", std::ios::app) << "\x01";
+  EXPECT_THAT(test::error_message([&] { job_of("a"); }),
+              testing::AllOf(HasSubstr("is damaged or was edited"), HasSubstr("--resume` writes it again")));
 }
 
 TEST_F(FolderRenders, of_a_part_do_not_overwrite_the_finished_video_of_all) {

@@ -133,14 +133,15 @@ TEST_F(Server, requests_that_come_together_are_answered_one_by_one) {
   EXPECT_THAT(answers, HasSubstr("#canvas"));
 }
 
-TEST_F(Server, huge_and_many_ranges_are_refused_and_it_stays_up) {
+TEST_F(Server, ranges_are_ignored_and_huge_headers_of_them_refused) {
+  EXPECT_EQ(status("/fields.json", "Range: bytes=0-9\r\n"), 200);
   std::string many = "Range: bytes=0-0";
   for (int i = 0; i < 1500; ++i) many += ",0-0";
   for (const std::string& range :
        {std::string("Range: bytes=0-99999999999999999999"), std::string("Range: bytes=18446744073709551615-"),
         std::string("Range: bytes=-18446744073709551615"), std::string("Range: bytes=5-2"), std::string("Range: lines=1-2"),
         many})
-    EXPECT_THAT(status("/fields.json", range + "\r\n"), testing::AnyOf(400, 416)) << range.substr(0, 60);
+    EXPECT_THAT(status("/fields.json", range + "\r\n"), testing::AnyOf(200, 400, 431)) << range.substr(0, 60);
   EXPECT_EQ(status("/fields.json"), 200);
 }
 
