@@ -17,7 +17,7 @@ struct ExrColors {
   std::vector<std::string> channels;  ///< R, G, B; or grey; or Y, RY, BY; none: the file has no colours
   std::string alpha;                  ///< of the same layer; empty: none
   bool luma_chroma = false;           ///< channels are Y, RY and BY
-  bool by_name = true;              ///< false: the only channel, taken as grey whatever its name
+  bool by_name = true;                ///< false: the only channel, taken as grey whatever its name
   std::vector<std::string> others;  ///< layers that have colours as well, if nothing but their order speaks for the chosen one
 };
 

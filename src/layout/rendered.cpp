@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <set>
+#include <span>
 #include <string_view>
 #include <system_error>
 
