@@ -32,7 +32,7 @@ std::vector<py::ssize_t> shape_of(const LightField& field) {
 }
 
 /// (rows, columns, y, x, channel): row 0 is the lowest.
-py::array views_of(const SharedField& field) {
+py::array views_array(const SharedField& field) {
   std::vector<py::ssize_t> shape = shape_of(*field);
   shape.push_back(3);
   if (const auto* image = std::get_if<Image>(&field->stack)) return view_of(image->data.data(), shape, field);
@@ -224,7 +224,7 @@ void bind_light_field(py::module_& module) {
       .def(py::init(&field_of))
       .def(pickled<LightField>())
       .def("set_cameras", &set_cameras)
-      .def_property_readonly("views", &views_of)
+      .def_property_readonly("views", &views_array)
       .def_property_readonly("depth", &depth_of_views)
       .def_property_readonly("cameras", &cameras_of)
       .def_property_readonly("aspect", [](const LightField& f) { return f.aspect; })
