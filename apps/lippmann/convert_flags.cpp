@@ -51,7 +51,7 @@ bool uses_views(const ConvertOptions& options, const Conversion& c) {
   return is_read<&FormatUses::views>(c) && (!options.keep.empty() || !keeps_order(c));
 }
 
-/// What is written as stereo has two views, whatever tiles its source has.
+/// Stereo output has two views, whatever tiles the source has.
 bool uses_tiles(const ConvertOptions&, const Conversion& c) {
   return is_read<&FormatUses::tiles>(c) || is_written<&FormatUses::tiles>(c);
 }

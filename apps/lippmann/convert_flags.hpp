@@ -25,7 +25,7 @@ struct ConvertOptions {
   DepthFlags depth;
 };
 
-/// What a conversion does. One flag or pair of formats decides it.
+/// The kind of a conversion, decided by one flag or by the pair of formats.
 enum class ConvertKind {
   kRearrange,      ///< moves the pixels of views
   kDepthViews,     ///< computes views from RGB-D pictures

@@ -58,7 +58,7 @@ class PictureFiles : public FrameSource {
   }
 
  private:
-  /// Of the first picture: the others of a folder have the same channels.
+  /// Channels of the first picture; the other pictures of a folder have the same.
   void warn_of_left_out(const fs::path& file) const {
     if (!warn_) return;
     const LeftOutChannels left_out = left_out_channels(file);

@@ -25,7 +25,7 @@ struct FileContent {
 /// `begin` is the whole file or at least its first 512 bytes; empty only for an empty file. `what` is printable.
 FileContent describe_content(std::span<const std::byte> begin);
 
-/// The same, if it has a remedy.
+/// The same, but only for a file that the user can replace by the one meant.
 std::optional<FileContent> stand_in_for_file(std::span<const std::byte> begin);
 
 }  // namespace lippmann

@@ -86,7 +86,7 @@ std::string_view video_of(std::string_view name) {
   return name.ends_with(kSideFile) ? name.substr(0, name.size() - kSideFile.size()) : name;
 }
 
-/// What a line says of a file; none: it does not name it.
+/// The checksum that a line records for a file; none if the line does not name it.
 std::optional<FileChecksum> recorded_in(std::string_view line, const std::string& name) {
   const std::string_view video = video_of(name);
   if (line.find(video) == std::string_view::npos) return std::nullopt;

@@ -204,7 +204,7 @@ void remove_render(const fs::path& folder, const FolderJournal& journal, const f
   remove_parts(folder, journal.parts, own);
 }
 
-/// What is in the way of a render: what others have left that finished nothing, and with force all of another one.
+/// Removes files that block a render: those of runs that finished nothing and, with force, those of another render.
 void remove_others(const fs::path& folder, const Contents& contents, const NewRender& render) {
   if (!contents.journal) return;
   for (const fs::path& claim : contents.journal->claims)

@@ -233,7 +233,7 @@ void read_part(const fs::path& path, std::uintmax_t& bytes_left, FolderJournal& 
   }
 }
 
-/// What the first line says; empty where it says no job.
+/// The job that the first line names; empty if it names none.
 std::string job_of_part(const fs::path& path) {
   if (!is_regular_file_there(path)) return {};
   std::ifstream in(path, std::ios::binary);

@@ -33,7 +33,7 @@ Reuse reuse_for(const Scene& scene, const FrameParams& params);
 std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const FrameParams& params, const ThreadPool& pool,
                                              const Context& context);
 
-/// What the memory of a maker depends on, beside its parameters.
+/// The inputs of a maker's memory estimate, beside its parameters.
 struct Workload {
   int animation_frames = 1;  ///< the scene's
   int frames = 1;            ///< that are asked for

@@ -7,7 +7,7 @@
 
 namespace lippmann {
 
-/// What the viewer of the optics sees through the display's frame at one moment, of 128 x 128 rays.
+/// Shares of 128 x 128 rays from the viewer through the display's frame, by what they hit.
 struct SeenShare {
   double anything = 0.0;   ///< share of rays that meet a surface which is not fully transparent
   double subject = 0.0;    ///< share that meet what the view is about (FittedArray::is_subject)

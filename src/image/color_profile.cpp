@@ -47,7 +47,7 @@ class IccProfile {
       value = value << 8 | (at + i < bytes.size() ? std::to_integer<std::uint32_t>(bytes[at + i]) : 0);
     return value;
   }
-  /// Of 16 bits before the point and 16 behind.
+  /// Fixed point: 16 bits before the point and 16 after.
   static double fixed(FileBytes bytes, std::size_t at) { return static_cast<std::int32_t>(whole(bytes, at)) / 65536.0; }
   static std::string_view text(FileBytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
@@ -77,7 +77,7 @@ bool has_color(const IccProfile& profile, std::string_view tag, std::array<doubl
   return true;
 }
 
-/// What a curve makes of 0.5; none for one of an unknown kind.
+/// The value of a curve at 0.5; none for an unknown kind of curve.
 std::optional<double> curve_at_half(FileBytes curve) {
   const std::string_view kind = IccProfile::text(curve.first(std::min<std::size_t>(4, curve.size())));
   if (kind == "curv") {

@@ -91,7 +91,7 @@ DecodedPicture decode_tga(FileBytes file, const std::string& where);
 /// "where: cannot be read as a picture: reason".
 Error unreadable_picture(const std::string& where, const std::string& reason);
 
-/// Of a picture whose channels have the usual names.
+/// The header of a picture whose channels have the usual names.
 PictureHeader plain_header(int width, int height, int channels, SampleKind kind);
 
 /// Notes pixels that are not square: `aspect` times as wide as high.

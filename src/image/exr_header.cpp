@@ -121,7 +121,7 @@ bool fits_type(std::string_view type, FileBytes value, const std::string& where)
   return type == "string" || !Imf::Attribute::knownType(type.data());
 }
 
-/// What decides how many chunks a part has, and what their headers look like.
+/// The attributes that determine the number of chunks of a part and the layout of their headers.
 struct PartSize {
   std::int32_t window[4] = {0, 0, -1, -1};  // x and y of the first pixel, of the last one
   std::uint32_t tile[2] = {0, 0};
@@ -181,7 +181,7 @@ struct PartSize {
   }
 };
 
-/// What OpenEXR refuses of the numbers of a part's header, in words of our own.
+/// Refuses the numbers of a part's header that OpenEXR refuses, with our own messages.
 void check_window_place(const std::string& name, FileBytes value, const std::string& where) {
   std::array<std::int32_t, 4> window{};
   std::memcpy(window.data(), value.data(), sizeof window);

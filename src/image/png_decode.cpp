@@ -22,7 +22,7 @@ namespace {
 
 constexpr unsigned char kPngMagic[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
-/// Of ITU-T H.273.
+/// Code points of sRGB in a cICP chunk (ITU-T H.273).
 constexpr std::array<std::uint8_t, 4> kSrgbCodingPoints{1, 13, 0, 1};
 
 class PngDecoder {

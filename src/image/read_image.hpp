@@ -46,7 +46,7 @@ enum class SampleKind { kByte, kWord, kFloat };
 SampleKind sample_kind(const std::filesystem::path& path);
 
 /// The 8-bit codes: as stored; of 16-bit files round(255 code / 65535); of float files sRGB-encoded (image/encode.hpp).
-/// Of 3 channels, as read_rgb.
+/// Has 3 channels, as read_rgb() does.
 Image8 read_image8(const std::filesystem::path& path, const PictureWarning& warn = {});
 
 /// The same of a file that was written just now, which no journal has yet.

@@ -70,7 +70,7 @@ std::string job_of_folder(const RenderParams& params, const FolderJournal& journ
   return job_text(whole, folder);
 }
 
-/// Of a job file; none where it cannot be read.
+/// The videos of a job file; none if it cannot be read.
 std::vector<std::string> videos_of(const std::filesystem::path& job) try {
   RenderParams params;
   read_job(job, params);

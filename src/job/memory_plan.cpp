@@ -22,7 +22,7 @@ constexpr double kFilm = 3 * sizeof(float);
 /// A file is encoded into a vector that grows by doubling.
 constexpr double kGrowth = 2.0;
 
-/// What is planned with: estimates err, and others take memory too.
+/// The share of the available memory to plan with: estimates err, and other programs need memory too.
 constexpr double kReserve = 0.8;
 
 std::vector<Aov> layers_of(const MemoryFacts& facts) {
@@ -89,7 +89,7 @@ double light_field_bytes(const MemoryFacts& facts) {
   return kFilm + 2.0 * sizeof(float);
 }
 
-/// What encoders keep of the frames of a video, ahead of what they write.
+/// Bytes per pixel that encoders buffer.
 double video_bytes(VideoCodec codec) {
   switch (codec) {
     case VideoCodec::kH264:
@@ -115,7 +115,7 @@ double videos_written(const MemoryFacts& facts) {
   return bytes;
 }
 
-/// What writing a frame takes beside its film and layers.
+/// Memory for writing a frame, beside its film and layers.
 double writing(const MemoryFacts& facts) {
   const double precompensated = facts.params.optics.precompensate ? 2.0 * kFilm : 0.0;
   return picture_written(facts) + layers_written(facts) + moved_bytes(facts) + light_field_bytes(facts) + precompensated +

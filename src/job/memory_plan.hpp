@@ -13,7 +13,7 @@
 
 namespace lippmann {
 
-/// What the memory of a render depends on, beside its pixels.
+/// The inputs of the memory estimate, beside the pixels.
 struct MemoryFacts {
   const RenderParams& params;
   FrameParams made_as;  ///< its reuse is the one that serves the scene (reuse_for)
@@ -37,7 +37,7 @@ struct MemoryPlan {
 /// Bytes of so many frames at a time in so many bands.
 double estimated_bytes(const MemoryFacts& facts, int frames_at_a_time, int bands);
 
-/// What joining a frame from the files of its strips takes.
+/// Memory for joining a frame from the files of its strips.
 double joined_frame_bytes(const MemoryFacts& facts);
 
 /// The first that fits, with a reserve, into `available` bytes: as many frames at a time as usual, one, bands. Throws Error

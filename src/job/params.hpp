@@ -76,7 +76,7 @@ struct ReuseParams {
   DebugPicture debug = DebugPicture::kNone;  ///< kMissed: missed pixels stay black; kProvenance: where light came from
 };
 
-/// What else is rendered of the same frames.
+/// Companions rendered from the same frames.
 enum class Companion { kSingle };  ///< kSingle: the plain picture beside a light field (job/single_clip.hpp)
 
 /// Which frames are written, where to, and as what.

@@ -1,4 +1,4 @@
-// What is looked at before hours are spent on a render with videos.
+// Checks before a render with videos.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// What file managers and browsers append to the name of a copy.
+// Suffixes that file managers and browsers append to the name of a copy.
 #pragma once
 
 namespace lippmann {

@@ -29,7 +29,7 @@ struct HciParameters {
 HciParameters parse_hci_parameters(const std::string& text, const std::string& where);
 std::string hci_parameters_text(const HciParameters& parameters);
 
-/// Of FOLDER/parameters.cfg; none if there is no such file. Throws Error naming it.
+/// Reads FOLDER/parameters.cfg; none if there is no such file. Throws Error naming it.
 std::optional<HciParameters> read_hci_parameters(const std::filesystem::path& folder);
 /// Returns the path.
 std::filesystem::path write_hci_parameters(const std::filesystem::path& folder, const HciParameters& parameters);

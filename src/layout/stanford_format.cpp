@@ -33,7 +33,7 @@ std::optional<Vec2d> stanford_position(const fs::path& file) {
   return Vec2d(position.x, -position.y);
 }
 
-/// Of all views, or none.
+/// The positions of all views; none if one of them is unknown.
 std::optional<std::vector<Vec2d>> stanford_positions(const std::vector<fs::path>& by_view) {
   std::vector<Vec2d> positions;
   for (const fs::path& file : by_view) {
@@ -59,7 +59,7 @@ LightField read_stanford(const fs::path& folder, const FormatOptions& options) {
   return field;
 }
 
-/// None where the cameras are unknown or irregular.
+/// None if the cameras are unknown or irregular.
 std::optional<HciParameters> regular_cameras(const LightField& field, const fs::path& folder) {
   if (!field.cameras) return std::nullopt;
   try {

@@ -101,7 +101,7 @@ class OriginMover {
     return without;
   }
 
-  /// Of all nodes, when the animation begins.
+  /// The transforms of all nodes at the start of the animation.
   std::vector<Affine3d> world_from_nodes() const {
     std::vector<Affine3d> world = local_;
     for (const NodeAnimation& a : scene_.timeline.animations) {

@@ -113,7 +113,7 @@ class LightTree {
   /// The probability that choose() draws a light.
   float probability(std::uint32_t light, const LightReceiver& at) const;
 
-  /// What the lights send to the point, shadows apart, as a share of what all of them send to distance 1.
+  /// Unshadowed irradiance of the lights at the point, relative to that of all lights at distance 1.
   float importance(const LightReceiver& at) const;
 
   /// A light's share of the tree's power.

@@ -19,7 +19,7 @@ namespace {
 constexpr double kWallShare = 0.25;
 constexpr float kBeforeWall = 0.999f;  ///< where rays begin, between the fitted viewer and the wall
 
-/// What lies between the fitted viewer and the eye, within the frame.
+/// Polygons between the fitted viewer and the eye, within the frame.
 class Foreground {
  public:
   Foreground(float viewer, float eye, Vec2f half) : viewer_(viewer), eye_(eye), half_(half) {
@@ -38,7 +38,7 @@ class Foreground {
     visit_seen(scene, instance, resolved, plane_from_world, region_, [&](std::span<const Vec3f> polygon) { add(polygon); });
   }
 
-  /// None where nothing is there.
+  /// None if there is nothing.
   std::optional<float> front() const {
     if (!any_) return std::nullopt;
     const double enough = kWallShare * 4.0 * static_cast<double>(half_.x * half_.y);

@@ -27,7 +27,7 @@ int pick_share(const std::array<float, N>& upto, float& u) {
   return index;
 }
 
-/// Likewise by weights; evenly where all are 0.
+/// The same by weights; evenly if all weights are 0.
 template <std::size_t N>
 int pick_weight(const std::array<float, N>& weights, float& u) {
   std::array<float, N> upto;

@@ -63,7 +63,7 @@ void HttpConnection::receive() {
   if (state_ != State::kEnding) input_.append(piece.data(), static_cast<std::size_t>(count));
 }
 
-/// Of what has come.
+/// Reads a request from the bytes received so far.
 void HttpConnection::read_request() {
   if (state_ == State::kIdle && !input_.empty()) enter(State::kHead, terms_.head);
   if (state_ == State::kHead) {

@@ -130,7 +130,7 @@ class Headers {
   std::vector<Field> fields_;
 };
 
-/// Of the first line: method, target and version.
+/// Reads the request line: method, target and version.
 std::optional<PageAnswer> read_first_line(std::string_view line, RequestHead& head) {
   const std::size_t first = line.find(' '), last = line.rfind(' ');
   if (first == std::string_view::npos || first == last || !is_token(line.substr(0, first))) return refusal_of(400);

@@ -180,7 +180,7 @@ class Connections {
     open_.try_emplace(next_++, socket, terms_);
   }
 
-  /// Of those whose clients have to act, the one that has waited longest. False: there is none.
+  /// Closes the connection that has waited longest for its client. False if no connection waits for its client.
   bool close_slowest() {
     auto slowest = open_.end();
     for (auto one = open_.begin(); one != open_.end(); ++one)

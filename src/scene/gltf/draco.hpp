@@ -9,7 +9,7 @@
 namespace lippmann::gltf {
 
 inline constexpr const char* kDraco = "KHR_draco_mesh_compression";
-/// What the decoder's tables take for a face or a vertex, by either method.
+/// Bytes of the decoder's tables for a face or a vertex, with either method.
 inline constexpr std::uint64_t kDracoTableBytes = 100;
 
 /// Lends the accessors of packed indices their primitive's buffer view until they are unpacked: tinygltf refuses indices

@@ -77,7 +77,7 @@ class Checker {
     for (const auto& entry : found->items()) note_use(entry.key(), value, path);
   }
 
-  /// What glTF has and the reader does not use is not worth a word, nor what is in extras and extensions.
+  /// Known glTF properties that the reader does not use get no warning, nor does anything in extras and extensions.
   void note_unknown(const std::string& name, const Path& path) {
     constexpr std::string_view kUnused[] = {"name",
                                             "extras",

@@ -23,7 +23,7 @@ struct ExtensionUse {
 };
 using UsedExtensions = std::map<std::string, ExtensionUse>;
 
-/// What the schema does not say all about.
+/// Objects whose properties the schema does not list in full.
 struct SchemaFindings {
   UsedExtensions extensions;  ///< all that occur
   LeftOut unknown;            ///< properties that glTF 2.0 does not have, outside extras and extensions

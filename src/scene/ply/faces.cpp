@@ -20,7 +20,7 @@ int corners_column(Columns& columns, const std::string& name, std::string_view p
 
 double last_vertex(const Mesh& mesh) { return static_cast<double>(mesh.positions.size()) - 1.0; }
 
-/// Where the values of a face stand; -1: it has none.
+/// Columns of the values of a face; -1: none.
 struct FaceColumns {
   int corners = -1, uvs = -1, picture = -1, alpha = -1;
   std::optional<std::array<int, 3>> color;

@@ -135,7 +135,7 @@ PlyMesh read_elements(const std::string& name, const Header& header, Body& body,
   return ply;
 }
 
-/// Where only vertices say which picture is theirs, a triangle has that of its first corner.
+/// If only vertices name their picture, a triangle uses the picture of its first corner.
 void spread_vertex_pictures(PlyMesh& ply, const Header& header) {
   const bool asks_vertices = !ply.vertex_picture.empty() && header.texture_files.size() > 1 && ply.looks.empty();
   if (!asks_vertices) return;
@@ -169,7 +169,7 @@ void add_instance(Mesh mesh, int texture, Scene& scene) {
   scene.instances.push_back(std::move(instance));
 }
 
-/// Where the file's pictures are among the scene's textures; -1: cannot be shown.
+/// Indices of the file's pictures among the scene's textures; -1: cannot be shown.
 std::vector<int> find_textures(const std::string& name, const Header& header, bool has_uvs, SideTextures& textures,
                                const Context& context) {
   std::vector<int> found;

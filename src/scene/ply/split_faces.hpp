@@ -10,7 +10,7 @@
 
 namespace lippmann::ply {
 
-/// What a face says of one of its triangles.
+/// Attributes of a face, for one of its triangles.
 struct FaceLook {
   std::array<Vec2f, 3> uvs{};  ///< of the triangle's corners
   Vec3f color{1.0f};           ///< linear
