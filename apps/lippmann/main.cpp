@@ -46,8 +46,8 @@ void check_stack_limit() {
                 fmt::format("at least {} KB", kLeastBytes >> 10));
 }
 
-/// What was closed before the program began is nothing to read and nowhere to write: else the next file that is opened would
-/// take its place.
+/// Opens /dev/null for each standard stream that was closed at the start. Otherwise the next file that is opened would take its
+/// number.
 void open_missing_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) < 0 && errno == EBADF && open("/dev/null", O_RDWR) != stream) return;

@@ -26,7 +26,7 @@ using JobDifferences = std::function<std::vector<std::string>(const std::filesys
 void require_free_folder(const std::filesystem::path& folder, const std::string& job, const JobDifferences& differences,
                          const std::vector<int>& frames, const std::vector<std::string>& videos);
 
-/// What clear_folder makes room for.
+/// The render that clear_folder() makes room for.
 struct NewRender {
   std::string job;
   std::vector<int> frames;

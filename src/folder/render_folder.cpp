@@ -28,7 +28,7 @@ FolderJournal journal_of(const fs::path& folder, const std::string& job) {
   return journal;
 }
 
-/// Where a run begins a file. The folders will be there after a loss of power, whoever has made them a moment ago.
+/// Makes the folder of the journal, and syncs its parents so that it survives a loss of power.
 fs::path made_journal_folder(const fs::path& folder) {
   make_folder(journal_folder(folder));
   for (const fs::path& made : {folder, fs::absolute(folder / "").parent_path().parent_path()}) sync_folder(made);
@@ -56,8 +56,8 @@ std::vector<fs::path> other_runs(const fs::path& folder, const std::string& job)
   return runs;
 }
 
-/// Of runs that begin at one time, each sees the others, and the one whose file has the first name stays: the others give way
-/// before they record what they are to render.
+/// Runs that begin at the same time see each other. The run whose file has the first name stays; the others stop before they
+/// record the frames that they were to render.
 void wait_for_others_to_give_way(const fs::path& folder, const std::string& job, const fs::path& own) {
   constexpr int kTries = 40;
   constexpr std::chrono::milliseconds kBetween(50);

@@ -21,7 +21,8 @@ namespace lippmann {
 
 using FileBytes = std::span<const std::byte>;
 
-/// Where a file's first row and column of pixels belong, as TIFF and EXIF count them (TIFF 6.0, "Orientation"): 1 to 8.
+/// The side of the picture on which the first row and column of a file lie, 1 to 8 (TIFF 6.0, "Orientation"; EXIF uses the
+/// same).
 enum class Orientation { kUpright = 1, kMirrored, kUpsideDown, kFlipped, kTransposed, kRightSide, kTransversed, kLeftSide };
 
 struct PictureHeader {

@@ -107,7 +107,8 @@ bool lies_in(const fs::path& folder, const std::string& path) {
   return from != ".." && !from.starts_with("../");
 }
 
-/// What a job writes into `folder`, where that is the folder of its render: a copy of the folder has one of its own.
+/// Whether the value is a path inside `folder`, and that is the render's own folder. Such paths are stored relative to it, so
+/// that a copied folder writes into the copy.
 bool is_own_file(const ParamInfo& info, const std::string& value, const RenderParams& params, const fs::path& folder) {
   const bool is_own_folder = !params.output.folder.empty() && path_from(folder, params.output.folder) == ".";
   return is_own_folder && (info.name == "output" || info.name == "video") && !value.empty() && lies_in(folder, value);

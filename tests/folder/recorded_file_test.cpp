@@ -89,7 +89,7 @@ TEST(RecordedFile, files_that_the_journal_does_not_name_are_warned_of) {
   warn_of_unchecked(dir.path(), context);
   EXPECT_TRUE(warnings.empty()) << warnings.front();
   for (const char* name : {"frame_0002.png", "frame_0001/view_002.png", "notes.txt", "quilts/frame_0000.png"})
-    make_file(dir / name, "bytes");
+    make_render_file(dir / name, "bytes");
   for (const char* in : {"", "frame_0002.png", "frame_0001", "frame_0000.png"}) warn_of_unchecked(dir / in, context);
   EXPECT_THAT(warnings, testing::ElementsAre(HasSubstr("has 2 files that the journal"),
                                              HasSubstr("it is not checked for damage: frame_0002.png"),
@@ -100,8 +100,8 @@ TEST(RecordedFile, emptied_journal_counts_as_none) {
   for (const std::string& left : {std::string(), std::string("{\"job")}) {
     const test::TempDir dir;
     make_render(dir.path());
-    make_file(dir / "report.json", R"({"runs": []})");
-    make_file(read_journal(dir.path())->parts.front(), left);
+    make_render_file(dir / "report.json", R"({"runs": []})");
+    make_render_file(read_journal(dir.path())->parts.front(), left);
     EXPECT_FALSE(has_journal(dir.path()));
     std::vector<std::string> warnings;
     Context context;

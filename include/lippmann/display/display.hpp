@@ -52,8 +52,8 @@ struct Calibration {
   enum class Patterns { kColumns, kRows } patterns = Patterns::kColumns;
   /// Nor on invView: most invert always, older ones only where it is set.
   enum class Inversion { kAlways, kIfFlagged } inversion = Inversion::kAlways;
-  /// What flipImageX changes: the slope T in all tools, in newer ones the step s too, and in the newest also the center, by
-  /// 1/2.
+  /// The terms that flipImageX changes: it negates the slope T in all tools, in newer ones the step s too, and in the newest it
+  /// also adds 1/2 to the center.
   enum class Flip { kSlope, kSlopeAndStep, kSlopeStepAndCenter } flip = Flip::kSlopeAndStep;
 };
 

@@ -23,7 +23,7 @@ struct LightField {
   int bits = 0;                        ///< how many a code has in the file they came from; 0: as many as in the stack
   std::optional<Image> depth = {};     ///< a stack likewise: z in mm, above 0 in front of z = 0; -inf: nothing there
   std::optional<ViewCameras> cameras = {};  ///< where they are known
-  /// Where the eye of each view stands, right and up, in a unit and from an origin that the files do not state (Stanford).
+  /// Position of each view's eye, right and up, in a unit and from an origin that the files do not state (Stanford).
   std::optional<std::vector<Vec2d>> positions = {};
 };
 
