@@ -1,17 +1,16 @@
-// Takes the noise of paths out of a frame of a light field, guided by what is known without noise: albedo, normal, depth.
+// Removes the noise of path tracing from a frame of a light field, guided by noise-free features: albedo, normal, depth.
 //
-// Light is told from textures (divided by albedo) and averaged with that of the same point in neighbouring views, where its
-// depth says it is, and in the frames before and after, where its motion says it is; then with that of its neighbours in the
-// view, over ever larger steps. Another pixel counts as far as its surface is the same and its light differs by no more than
-// noise explains: the variance of every pixel is estimated from the two halves of its samples. As neighbouring views average
-// much the same samples, they also become alike.
+// Light is separated from textures (divided by albedo). It is averaged with the light of the same point in neighbouring views,
+// found by its depth, and then with its neighbours in the view, over steps of increasing size. The weight of another pixel
+// falls with the difference of the surfaces, and with the part of the difference in light that noise does not explain; the
+// variance of every pixel is estimated from the two halves of its samples.
 //
 // Based on: H. Dammertz et al., "Edge-avoiding a-trous wavelet transform for fast global illumination filtering", HPG 2010
 // (steps that double); C. Schied et al., "Spatiotemporal variance-guided filtering", HPG 2017 (light over albedo, weights by
 // variance, which is filtered along); F. Rousselle et al., "Adaptive rendering with non-local means filtering", SIGGRAPH Asia
 // 2012 (variance from two half buffers; distances less the noise that is expected of them).
-// We deviate: (1) views and both neighbouring frames take part, frames are not averaged recursively, so that a frame is the
-// same wherever a render begins; (2) what is compared is the mean over neighbours of the same surface, not single pixels.
+// We deviate: (1) views take part in place of frames, so that every frame is denoised by itself; (2) the light that is compared
+// is the mean over neighbours on the same surface, not that of single pixels.
 #pragma once
 
 #include <memory>
@@ -23,30 +22,23 @@
 
 namespace lippmann {
 
-/// One frame as traced, in the panel's own places, each image of the panel's size: as in trace/noisy_frame.hpp.
+/// One frame as traced; each image has the panel's size: as in trace/noisy_frame.hpp.
 struct DenoiserInput {
   const Image &film, &noise, &seen, &albedo, &normal, &z, &met;
-  const Image &motion, &motion_after;  ///< 2 channels, pixels of a view: place now - place in the frame before, after
-  Mat3f display_from_world{1.0f};      ///< turns directions, at any scale
+  Mat3f display_from_world{1.0f};  ///< rotates directions, at any scale
 };
 
 class Denoiser {
  public:
-  /// A frame made ready, for itself and its neighbours.
-  class Frame;
-
   /// film: where the views' pixels lie in the panel.
   Denoiser(const Optics& optics, const ViewLayout& film);
   ~Denoiser();
 
-  std::shared_ptr<const Frame> prepare(const DenoiserInput& input, const ThreadPool& pool) const;
+  /// The frame's film without noise. The result does not depend on the number of threads.
+  Image denoise(const DenoiserInput& input, const ThreadPool& pool) const;
 
-  /// The frame's film without noise. before, after: its neighbours; null at an animation's ends. The same bits for any
-  /// number of threads.
-  Image denoise(const Frame* before, const Frame& now, const Frame* after, const ThreadPool& pool) const;
-
-  /// Memory of a frame made ready, and of making frames ready and denoising beside it, as measured.
-  static constexpr double kFrameBytesPerPixel = 104.0, kWorkBytesPerPixel = 81.0;
+  /// Measured memory, beside the input.
+  static constexpr double kWorkBytesPerPixel = 112.0;
 
  private:
   struct Impl;

@@ -163,15 +163,15 @@ void make_guides(const ViewGeometry& views, const ThreadPool& pool, std::vector<
 
 namespace {
 
-/// Gathers what other views and frames show of one pixel's point.
+/// Averages what other views show of one pixel's point.
 class Gatherer {
  public:
   Gatherer(const ViewGeometry& views, const Texel& texel) : a_(texel), size_(views.view_size()) {
     mean_.add(a_.light, a_.variance, 1.0f);
   }
 
-  /// What a frame's view has around a place, between its four pixels. plane: null where nobody knows where things were.
-  void add(const std::vector<Texel>& texels, int view, Vec2f place, const PlaneOf* plane) {
+  /// Adds the light that a view has at a place, between its four pixels.
+  void add(const std::vector<Texel>& texels, int view, Vec2f place, const PlaneOf& plane) {
     const Vec2f corner = glm::floor(place), share = place - corner;
     const int x = static_cast<int>(corner.x), y = static_cast<int>(corner.y);
     if (!(place.x > -1.0f && place.y > -1.0f && x < size_.x && y < size_.y)) return;
@@ -181,8 +181,9 @@ class Gatherer {
       const float part = ((k & 1) != 0 ? share.x : 1.0f - share.x) * ((k >> 1) != 0 ? share.y : 1.0f - share.y);
       const Texel& b = texels[(static_cast<std::size_t>(view) * size_.y + j) * size_.x + i];
       if (!(part > 0.0f) || !(b.met > 0.0f)) continue;
-      float difference = material_difference(a_, b) + light_difference(a_.guide, a_.guide_variance, b.guide, b.guide_variance);
-      if (plane) difference += plane->difference(b, Vec2f(i, j), view);
+      const float difference = material_difference(a_, b) +
+                               light_difference(a_.guide, a_.guide_variance, b.guide, b.guide_variance) +
+                               plane.difference(b, Vec2f(i, j), view);
       const float w = part * weight_of(difference);
       if (w > kLeastWeight) mean_.add(b.light, b.variance, w);
     }
@@ -198,12 +199,11 @@ class Gatherer {
 
 }  // namespace
 
-std::vector<Estimate> gather(const ViewGeometry& views, const TexelFrame* before, const TexelFrame& now,
-                             const TexelFrame* after, const ThreadPool& pool) {
+std::vector<Estimate> gather(const ViewGeometry& views, const TexelFrame& frame, const ThreadPool& pool) {
   const ViewGrid& grid = views.grid();
-  std::vector<Estimate> gathered(now.texels.size());
+  std::vector<Estimate> gathered(frame.texels.size());
   for_each_pixel(views, pool, [&](int view, int x, int y, std::size_t index) {
-    const Texel& a = now.texels[index];
+    const Texel& a = frame.texels[index];
     if (!(a.met > 0.0f)) return;
     Gatherer mean(views, a);
     const Vec2f pixel(x, y);
@@ -212,12 +212,10 @@ std::vector<Estimate> gather(const ViewGeometry& views, const TexelFrame* before
     for (int d = -kViewReach; d <= kViewReach; ++d) {
       if (d == 0) continue;
       if (column + d >= 0 && column + d < grid.columns)
-        mean.add(now.texels, view + d, views.moved(pixel, a.z, view, view + d), &plane);
+        mean.add(frame.texels, view + d, views.moved(pixel, a.z, view, view + d), plane);
       const int other = view + d * grid.columns;
-      if (row + d >= 0 && row + d < grid.rows) mean.add(now.texels, other, views.moved(pixel, a.z, view, other), &plane);
+      if (row + d >= 0 && row + d < grid.rows) mean.add(frame.texels, other, views.moved(pixel, a.z, view, other), plane);
     }
-    if (before) mean.add(before->texels, view, pixel - now.from_before[index], nullptr);
-    if (after) mean.add(after->texels, view, pixel - now.from_after[index], nullptr);
     gathered[index] = mean.finished();
   });
   return gathered;

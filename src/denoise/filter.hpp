@@ -26,10 +26,8 @@ struct Estimate {
   float variance = 0.0f;
 };
 
-/// A frame, and where its points were and will be.
 struct TexelFrame {
   std::vector<Texel> texels;
-  std::vector<Vec2f> from_before, from_after;  ///< pixels that a point has come since the frame before, from the frame after
   std::vector<Vec3f> seen, albedo_factor;      ///< picture = seen + factor x light
 };
 
@@ -42,9 +40,8 @@ void clip_outliers(const ViewGeometry& views, const ThreadPool& pool, std::vecto
 /// known from two numbers, become those of their neighbourhood.
 void make_guides(const ViewGeometry& views, const ThreadPool& pool, std::vector<Texel>& texels);
 
-/// For each pixel the mean of its own light and that of the same point in neighbouring views and frames (null: none).
-std::vector<Estimate> gather(const ViewGeometry& views, const TexelFrame* before, const TexelFrame& now,
-                             const TexelFrame* after, const ThreadPool& pool);
+/// For each pixel the mean of its own light and that of the same point in neighbouring views.
+std::vector<Estimate> gather(const ViewGeometry& views, const TexelFrame& frame, const ThreadPool& pool);
 
 /// Takes back what noise does not explain: where filtered light differs from a pixel's own by more, over 7 x 7 pixels together,
 /// than their noise does, it has been blurred, and becomes a mix of both that differs by no more.
