@@ -155,6 +155,18 @@ TEST(PathTracer, a_bright_spot_of_a_panorama_lights_as_a_distant_lamp) {
   EXPECT_NEAR(p.at(2, 2).x, expected, 0.01 * expected);
 }
 
+// Radiance 2 cos / pi from the sun and 0.25 from the sky. The sun's texel is up to 0.7 degrees away from `toward`: 1 % of its
+// light at this angle.
+TEST(PathTracer, a_floor_below_a_sun_in_the_sky_has_its_irradiance) {
+  SmallScene s;
+  s.scene.max_depth = 3;
+  const Vec3f toward = glm::normalize(Vec3f(-1.0f, 0.5f, 2.0f));
+  s.scene.background.map = sunny_sky(Vec3f(0.25f), toward, Vec3f(2.0f));
+  s.add(square(3, 0), s.material(matte(Vec3f(1.0f))));
+  const double expected = 2.0 * static_cast<double>(toward.z) / M_PI + 0.25;
+  EXPECT_NEAR(mean(trace_paths(s.scene, single_view(32), 256).film), expected, 0.01 * expected);
+}
+
 // ---- What light passes ----------------------------------------------------------------------------------------------
 
 TEST(PathTracer, coverage_lets_light_and_looks_pass) {
