@@ -117,10 +117,10 @@ function lightGroup(live: Live, shown: Shown[]): HTMLElement {
   );
 }
 
-/** 0 is the integrator's own number. */
+/** 0 stands for the integrator's default, as in lippmann/frames/frame_params.hpp. */
 function samplesOf(live: Live): number {
   const given = live.number("spp", 0);
-  return given > 0 ? given : live.value("integrator") === "path" ? 64 : 1;
+  return given > 0 ? given : live.value("integrator") === "path" ? 16 : 1;
 }
 
 export function renderText(render: Rendered | null): string {
