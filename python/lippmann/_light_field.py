@@ -240,7 +240,9 @@ class LightField:
 
     @property
     def report(self) -> Dict[str, Any]:
-        """What rendering it took: frame, kind, seconds, cpu_seconds, rays, ...; empty where it was not rendered."""
+        """What rendering it took: frame, kind, seconds, cpu_seconds, rays, ...; and its error: estimated_psnr_db, with the limits
+        psnr_at_least_db and psnr_at_most_db, None where it is not estimated. Empty where it was not rendered.
+        """
         return {} if self._film is None else self._film.report
 
     @property

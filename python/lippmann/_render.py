@@ -12,15 +12,14 @@ from ._light_field import LightField
 from ._optics import Display, Optics, camera_grid, display_of
 from ._scene import Scene, choose_camera, load, strength_and_turn, surround
 
-_PATHS = 16  # samples per pixel of paths where nobody says, as of `lippmann render`
-_SPLATS = 4  # of files of splats alone, which are light already
+_SPLATS = 4  # samples per pixel of files of splats alone, which are light already
 
 Progress = Callable[[int, float], Any]
 
 
 class Animation:
-    """Frames of one scene through one set of optics, rendered when they are asked for. What frames share is kept from one to the
-    next, so that ascending order is quickest. `for field in animation`, `animation[3]`, `len(animation)`; `animation[2:5]` is an
+    """Frames of one scene through one set of optics, rendered when they are asked for. Frames that reuse others are quickest in
+    ascending order. `for field in animation`, `animation[3]`, `len(animation)`; `animation[2:5]` is an
     Animation of those frames, which are rendered when they are asked for as well.
     """
 
@@ -72,7 +71,7 @@ def frames(
     spp: Optional[int] = None,
     max_depth: int = 0,
     seed: int = 0,
-    denoise: bool = False,
+    denoise: Union[str, bool] = "auto",
     aperture_mm: float = 0.0,
     f_number: float = 0.0,
     focal_plane_mm: float = 0.0,
@@ -108,13 +107,13 @@ def frames(
         alone.
     spp: samples per pixel; None: 16 of paths, 4 of files of splats alone, else 1. max_depth: path vertices; 0: the scene's.
         seed: of the random paths.
-    denoise: takes noise out of path-traced frames.
+    denoise: "auto" (or True) removes the noise of path-traced frames of 2 or more spp; "none" (or False) leaves frames as traced.
     aperture_mm, or f_number (of a camera with a sensor 36 mm wide, in scenes in metres): depth of field for views: the diameter
         of the lens that each is seen through. focal_plane_mm: what is sharp, in front of the display's plane. 2 or more spp.
     shutter: motion blur, over this share of the time from frame to frame (0 to 1). 2 or more spp.
-    reuse: auto, none, copy, light, interpolate (docs/reuse.md). keyframes: of copy and interpolate: how many frames apart at
-        most; min_psnr: the floor in dB of light and interpolate. Where the named reuse has no use for one it is refused; "auto"
-        takes what suits what it chooses, and of the others keyframes are ignored, with a LippmannWarning.
+    reuse: auto, none, copy, interpolate (docs/reuse.md); the last two need integrator="whitted". keyframes: for copy and
+        interpolate, the largest distance between key frames. min_psnr: for interpolate, the lowest PSNR of a frame in dB. A reuse
+        that has no use for one of them refuses it; "auto" ignores unsuitable keyframes, with a LippmannWarning.
     fit_depth: scenes that are deeper than the display resolves are shown less deep. None: as `lippmann render`: not for views of
         one's own.
     focus: what lies in the display's plane: a node's name, "x,y,z" or a distance. fit_to: a node that fills the picture.
@@ -134,7 +133,10 @@ def frames(
     else:
         loaded = load(path(scene, "scene"))
         core, kind = loaded._core, loaded._kind
-    reuse = choice(reuse, "reuse", ("auto", "none", "copy", "light", "interpolate"))
+    if reuse == "light":
+        accepted = "denoise='auto' (the default), reuse='auto' or 'none'"
+        raise Error("reuse", "'light' was removed: path-traced frames are denoised instead", accepted)
+    reuse = choice(reuse, "reuse", ("auto", "none", "copy", "interpolate"))
     if integrator is None:
         paths, usual_spp = kind == "physical" and reuse != "interpolate", _SPLATS if kind == "splats" else 0
     else:
@@ -144,7 +146,10 @@ def frames(
     which = _which(frames, core.frame_count)
     if progress is not None and not callable(progress):
         raise Error("progress", f"is {progress!r}", "a function of frame and share")
-    samples = (_PATHS if paths else usual_spp) if spp is None else integer(spp, "spp", 1, 1 << 20)
+    denoised = choice(denoise, "denoise", ("auto", "none", True, False)) in ("auto", True)
+    if denoise is True and not paths:
+        raise Error("denoise", "needs path tracing", "denoise='auto', or integrator='path' with it")
+    samples = usual_spp if spp is None else integer(spp, "spp", 1, 1 << 20)
     depth_limit = integer(max_depth, "max_depth", 0, 1 << 16)
     key = integer(seed, "seed", 0, (1 << 32) - 1)
     every = None if keyframes is None else integer(keyframes, "keyframes", 1, 1 << 20)
@@ -173,7 +178,7 @@ def frames(
     placement, shown = _place(core, display, native, fit_depth, focus, fit_to, zoom, orbit)
     sampling = _core.Sampling(paths)
     sampling.spp, sampling.max_depth, sampling.seed = samples, depth_limit, key
-    sampling.denoise, sampling.transparent = bool(denoise), bool(transparent)
+    sampling.denoise, sampling.transparent = denoised, bool(transparent)
     sampling.set_lens(*opening, focal_plane)
     sampling.shutter = open_share
     sampling.want_layers(wanted)
@@ -190,11 +195,7 @@ def render(
     frame: int = 0,
     **options: Any,
 ) -> LightField:
-    """One frame as a light field. Arguments are those of lippmann.frames, but for `frame`.
-
-    A path-traced frame that shares light needs all since the last multiple of 16: out of the middle of an animation, reuse="none"
-    may be quicker.
-    """
+    """One frame as a light field. Arguments are those of lippmann.frames, but for `frame`."""
     if "frames" in options:
         raise TypeError("lippmann.render takes `frame`; lippmann.frames takes `frames`")
     return frames(scene, display, frames=_Frame([frame]), **options)[0]
@@ -218,24 +219,23 @@ def _which(frames: Optional[Iterable[int]], count: int) -> Sequence[int]:
 def _reuse(
     name: str, keyframes: Optional[int], min_psnr: Optional[float], paths: bool, layers: Set[str], sampling: Any
 ) -> Any:
-    """The reuse of that name, with keyframes and min_psnr; "auto" is what has a use for them, as `lippmann render` chooses it.
-    A floor holds without more where pixels of Whitted's shading are copied or traced.
+    """The reuse of that name, with keyframes and min_psnr. "auto" with keyframes becomes "copy" where pixels can be copied.
+    min_psnr holds without more where pixels of Whitted's shading are copied or traced.
     """
+    if min_psnr is not None and paths:
+        accepted = "spp for path tracing; min_psnr with reuse='interpolate'"
+        raise Error("min_psnr", "was removed for path tracing", accepted)
     if name == "auto":
         is_blurred = sampling.shutter > 0.0
-        if paths and min_psnr is not None:
-            name = "none" if is_blurred or layers & {"direct", "indirect"} else "light"
         if not paths and keyframes is not None and not (is_blurred or sampling.transparent or layers - {"provenance"}):
             name = "copy"
         if keyframes is not None and name != "copy":
             warn_of_ignored("keyframes", "reuse='auto' chooses a way without them here")
             keyframes = None
-    if keyframes is not None and name in ("none", "light"):
-        why = "every frame is traced" if name == "none" else "frames share light"
-        raise Error("keyframes", f"means nothing where {why}", "it together with reuse='copy' or 'interpolate'")
+    if keyframes is not None and name == "none":
+        raise Error("keyframes", "has no effect where every frame is traced", "reuse='copy' or 'interpolate' with it")
     if min_psnr is not None and name == "none":
-        accepted = "it together with reuse='interpolate', or 'light' with integrator='path'"
-        raise Error("min_psnr", "has no effect where every frame is traced in full", accepted)
+        raise Error("min_psnr", "has no effect where every frame is traced", "reuse='interpolate' with it")
     return _core.Reuse(name, keyframes, min_psnr)
 
 

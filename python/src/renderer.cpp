@@ -137,6 +137,7 @@ py::dict report_of(const Film& film) {
   said["rays"] = report.rays.total();
   said["reused_pixels"] = report.reused_pixels, said["missed_pixels"] = report.missed_pixels;
   said["estimated_psnr_db"] = report.estimated_psnr_db;
+  said["psnr_at_least_db"] = report.psnr_at_least_db, said["psnr_at_most_db"] = report.psnr_at_most_db;
   return said;
 }
 
@@ -145,9 +146,6 @@ py::dict report_of(const Film& film) {
 Reuse reuse_named(const std::string& name, const std::optional<int>& keyframes, const std::optional<double>& min_psnr_db) {
   if (name == "none") return TraceAll{};
   if (name == "copy") return CopySettled{keyframes};
-  ShareLight light;  // in place, GCC 12 takes parts of it for uninitialised
-  light.min_psnr_db = min_psnr_db;
-  if (name == "light") return light;
   if (name == "interpolate") return Interpolate{.keyframes = keyframes, .min_psnr_db = min_psnr_db};
   return AutoReuse{};
 }
@@ -157,6 +155,10 @@ Sampling sampling_by(bool paths) {
   sampling.integrator = paths ? Integrator::kPath : Integrator::kWhitted;
   return sampling;
 }
+
+bool denoises(const Sampling& sampling) { return sampling.denoise == Denoise::kAuto; }
+
+void set_denoise(Sampling& sampling, bool on) { sampling.denoise = on ? Denoise::kAuto : Denoise::kNone; }
 
 void want_layers(Sampling& sampling, const std::vector<std::string>& names) {
   for (const std::string& name : names)
@@ -215,7 +217,7 @@ void bind_frame_params(py::module_& module) {
       .def_readwrite("spp", &Sampling::spp)
       .def_readwrite("max_depth", &Sampling::max_depth)
       .def_readwrite("seed", &Sampling::seed)
-      .def_readwrite("denoise", &Sampling::denoise)
+      .def_property("denoise", &denoises, &set_denoise)
       .def_readwrite("transparent", &Sampling::transparent)
       .def_readwrite("shutter", &Sampling::shutter)
       .def("set_lens", [](Sampling& sampling, float aperture_mm, float f_number, float focal_plane_mm) {

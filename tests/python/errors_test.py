@@ -375,18 +375,28 @@ class Errors(Case):
     def test_key_frames_and_floors_of_a_reuse_without_them_are_refused_as_by_the_tool(self):
         for name, value, reuse, more in (
             ("keyframes", 4, "none", {}),
-            ("keyframes", 4, "light", {"integrator": "path"}),
+            ("keyframes", 4, "none", {"integrator": "path"}),
+            ("min_psnr", 40, "none", {}),
             ("min_psnr", 40, "none", {"integrator": "path"}),
-            ("min_psnr", 40, "auto", {"integrator": "path", "layers": ["direct"]}),
+            ("min_psnr", 40, "auto", {"integrator": "path"}),
         ):
             self.assertWrong(name, lippmann.render, "room", small_grid(), reuse=reuse, **{name: value}, **more)
-            words = [f"--{option}={text}" for option, text in more.items() if option != "layers"]
-            words += ["--aov=direct"] if "layers" in more else []
+            words = [f"--{option}={text}" for option, text in more.items()]
             done = subprocess.run(
                 [TOOL, "render", "room", f"--reuse={reuse}", "--" + name.replace("_", "-"), str(value), *words, "-o", "out"],
                 cwd=self.folder, capture_output=True, text=True)
             self.assertNotEqual(done.returncode, 0)
             self.assertIn(name.replace("_", "-"), done.stderr)
+
+    def test_what_was_removed_is_refused_with_its_replacement(self):
+        error = self.assertWrong("reuse", lippmann.render, "room", small_grid(), reuse="light", integrator="path")
+        self.assertIn("denoise='auto'", error.accepted)
+        error = self.assertWrong("min_psnr", lippmann.render, "room", small_grid(), min_psnr=40, integrator="path")
+        self.assertIn("spp", error.accepted)
+
+    def test_denoising_that_was_asked_for_needs_paths(self):
+        self.assertWrong("denoise", lippmann.render, "room", small_grid(), denoise=True)
+        self.assertWrong("denoise", lippmann.render, "room", small_grid(), denoise="some")
 
     def test_names_that_are_no_utf_8_have_replacement_characters(self):
         where = os.fsencode(self.folder) + b"/d\xff"

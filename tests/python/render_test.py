@@ -75,16 +75,34 @@ class Render(Case):
         with self.assertRaises(TypeError):
             animation["2"]
 
-    def test_key_frames_and_floors_hold_for_the_reuse_that_auto_chooses(self):
+    def test_auto_reuse_takes_key_frames(self):
         kinds = [field.report["kind"] for field in lippmann.frames("gears", small_grid(), frames=range(4), keyframes=2)]
         self.assertEqual(kinds, ["key", "in-between"] * 2)
-        paths = {"integrator": "path", "spp": 8, "min_psnr": 20}
-        self.assertSame(
-            lippmann.render("room", small_grid(), **paths).picture,
-            lippmann.render("room", small_grid(), reuse="light", **paths).picture,
-        )
-        without = lippmann.render("room", small_grid(), integrator="path", spp=8)
-        self.assertFalse(np.array_equal(lippmann.render("room", small_grid(), **paths).picture, without.picture))
+
+    def test_path_traced_frames_are_denoised_by_default(self):
+        def render(**options):
+            return lippmann.render("room", small_grid(), **{"integrator": "path", "spp": 4, **options})
+
+        plain, denoised = render(denoise="none").picture, render().picture
+        reference = render(denoise="none", spp=256).picture
+        self.assertLess(np.square(denoised - reference).mean(), 0.5 * np.square(plain - reference).mean())
+        self.assertSame(denoised, render(denoise=True, reuse="none").picture)
+        self.assertSame(plain, render(denoise=False).picture)
+
+    def test_one_sample_a_pixel_stays_as_traced(self):
+        pictures = [lippmann.render(DESK, small_grid(), spp=1, denoise=denoise).picture for denoise in ("auto", "none")]
+        self.assertSame(*pictures)
+
+    def test_sixteen_paths_a_pixel_are_the_default(self):
+        self.assertSame(lippmann.render(DESK, small_grid()).picture, lippmann.render(DESK, small_grid(), spp=16).picture)
+        paths = {"integrator": "path", "denoise": "none"}
+        self.assertSame(lippmann.render("room", small_grid(), **paths).picture,
+                        lippmann.render("room", small_grid(), spp=16, **paths).picture)
+
+    def test_reports_give_an_interval_for_the_error_of_paths(self):
+        report = lippmann.render(DESK, small_grid(4, 4, (96, 96)), spp=4).report
+        self.assertLessEqual(report["psnr_at_least_db"], report["estimated_psnr_db"])
+        self.assertLessEqual(report["estimated_psnr_db"], report["psnr_at_most_db"])
 
     def test_threads_do_not_change_bits(self):
         one = lippmann.render(DESK, small_grid(), spp=4, threads=1)
