@@ -9,17 +9,6 @@ def has_eyes(scene):
     return output == "single" or (output != "native" and displays.chosen(scene)["kind"] == "slanted-panel")
 
 
-def lost_of_denoise(scene):
-    """Why Denoise is left out; None where it is not, or was not asked for."""
-    if not scene.lippmann.denoise or scene.lippmann.output != "native" or displays.chosen(scene)["kind"] != "slanted-panel":
-        return None
-    return "Denoise is left out: it takes views of whole pixels, which native frames do not have. More samples help, or a quilt that is mixed by `lippmann convert --to native`."
-
-
-def denoises(scene):
-    return scene.lippmann.denoise and not lost_of_denoise(scene)
-
-
 def focused_camera(scene):
     """The scene's camera if it has depth of field, else None."""
     camera = scene.camera
@@ -35,8 +24,6 @@ def lost_of_lens(scene):
         return "Depth of field is left out: the camera is not perspective."
     if not has_eyes(scene):
         return "Depth of field is left out: the display's lenses blur with depth themselves."
-    if denoises(scene):
-        return "Depth of field is left out: it does not go with Denoise."
     return "Depth of field is left out: it takes 2 samples or more." if scene.lippmann.samples < 2 else None
 
 
@@ -46,8 +33,6 @@ def lost_of_shutter(scene, still):
         return None
     if still:
         return "Motion blur is left out: a still is of one moment."
-    if denoises(scene):
-        return "Motion blur is left out: it does not go with Denoise."
     return "Motion blur is left out: it takes 2 samples or more." if scene.lippmann.samples < 2 else None
 
 

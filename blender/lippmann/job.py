@@ -12,7 +12,7 @@ import tempfile
 
 import bpy
 
-from . import displays, exposure, film, frame as frames_of_displays, tool
+from . import displays, film, frame as frames_of_displays, tool
 
 HERE = pathlib.Path(__file__).resolve().parent
 
@@ -64,7 +64,7 @@ def render_flags(scene, still):
     if settings.output == "native" and display["kind"] != "slanted-panel":
         optics = []  # a lens array's own frame is its integral image
     flags = ["--display", displays.argument(scene), *optics, "--spp", settings.samples]
-    flags += ["--denoise"] if exposure.denoises(scene) else []
+    flags += [] if settings.denoise else ["--denoise", "none"]
     flags += ["--full-depth"] if settings.full_depth else []
     try:
         more = shlex.split(settings.extra)

@@ -122,7 +122,7 @@ def is_panoramic(scene):
 
 
 def say_of_scene(scene, still, report):
-    for lost in (exposure.lost_of_denoise(scene), exposure.lost_of_lens(scene), exposure.lost_of_shutter(scene, still), film.lost_of_transparency(scene, still)):
+    for lost in (exposure.lost_of_lens(scene), exposure.lost_of_shutter(scene, still), film.lost_of_transparency(scene, still)):
         if lost:
             report.warn(lost)
     if is_panoramic(scene):

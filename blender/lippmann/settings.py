@@ -30,7 +30,7 @@ class SceneSettings(bpy.types.PropertyGroup):
                                 description="A device's calibration (visual.json), or a display of your own (.toml); used in place of the preset")
     output: EnumProperty(items=OUTPUTS, name="Output", default="quilt", update=show_other_display, description="What F12 and Ctrl-F12 render")
     samples: IntProperty(name="Samples", default=16, min=1, max=1 << 16, description="Paths for each pixel")
-    denoise: BoolProperty(name="Denoise", description="Take out the noise of few samples")
+    denoise: BoolProperty(name="Denoise", default=True, description="Remove the noise of pictures with 2 samples or more")
     full_depth: BoolProperty(name="All of the depth", description="Show all of the scene's depth, blurred where the display cannot resolve it; "
                              "otherwise a scene that is too deep is shown less deep")
     resume: BoolProperty(name="Resume", default=True, description="Ctrl-F12 keeps the frames that an earlier, interrupted render of the same scene has finished")

@@ -357,14 +357,28 @@ class AddOn(unittest.TestCase):
         for words in (*(["no UTF-8"] if bpy.app.version < (4, 0, 0) else []), "guests.blend is missing", "Checker Texture", "display's lenses blur with depth"):
             self.assertIn(words, said)
 
-    def test_denoise_is_left_out_of_native_frames_which_have_no_views_and_said(self):
+    def test_denoise_is_on_until_switched_off(self):
+        scene = new_scene(self.folder, "single", samples=4)
+        pictures = []
+        for denoise in (True, False):
+            scene.lippmann.denoise = denoise
+            self.assertEqual("none" in jobs.render_flags(scene, True), not denoise)
+            bpy.ops.render.render()
+            pictures.append((self.folder / "still" / "frame_0000.png").read_bytes())
+        self.assertNotEqual(*pictures)
+
+    def test_new_scenes_have_sixteen_denoised_samples(self):
+        bpy.ops.wm.read_factory_settings()
+        settings = bpy.context.scene.lippmann
+        self.assertEqual((settings.samples, settings.denoise), (16, True))
+
+    def test_native_frames_render_with_denoise_on(self):
         scene = new_scene(self.folder, "native", samples=2)
         (self.folder / "visual.json").write_text('{"pitch":52.3,"slope":-7.2,"center":0.37,"DPI":324,"screenW":60,"screenH":80,"viewCone":40}')
-        scene.lippmann.calibration, scene.lippmann.denoise = str(self.folder / "visual.json"), True
+        scene.lippmann.calibration = str(self.folder / "visual.json")
         scene.render.resolution_x, scene.render.resolution_y = 60, 80
         bpy.ops.render.render()
         self.assertTrue((self.folder / "still" / "frame_0000.png").is_file())
-        self.assertTrue(any("Denoise is left out" in words for words in engine.last_warnings), engine.last_warnings)
 
     def test_the_camera_s_lens_and_shutter_blur_what_the_tool_renders(self):
         scene = new_scene(self.folder, "quilt", samples=2, size=(336, 336))
