@@ -17,7 +17,8 @@ struct Report {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();  ///< one object per line of the table, all with the same keys
   nlohmann::ordered_json details;                                 ///< what rows are made of, an object; null: nothing more
   std::string text;       ///< for people, instead of the table of rows; empty: that table
-  int passed_checks = 0;  ///< how many checks results have passed before measuring; a failed one throws Error
+  int passed_checks = 0;  ///< how many checks results have passed; a failed one throws Error, or is among failed_checks
+  std::vector<std::string> failed_checks{};  ///< one line each; the other rows of the table are worth having all the same
 };
 
 /// What a person can choose.
@@ -28,10 +29,8 @@ struct Request {
   bool large = false;                         ///< pictures of 3840 x 2160 pixels too
   bool quick = false;                         ///< small and few, to see that it works
   int reference_spp = 0;                      ///< samples of references; 0: the benchmark's own choice
-  int seeds = 0;                              ///< how many histories of each row; 0: the benchmark's own choice
   std::string references;                     ///< folder where they are kept; empty: the user's cache
   std::function<void(std::string_view)> say;  ///< a line of progress; may be empty
-  bool denoise = false;                       ///< frames of both sides are denoised
   std::string pictures;                       ///< folder for pictures of what was compared; empty: none
   bool list = false;                          ///< say what scenes there are, and measure nothing
   std::string plot;                           ///< folder for plots; empty: none

@@ -7,7 +7,6 @@ namespace lippmann::bench {
 
 Report measure_denoise(const Request& request, const Context& context);
 Report measure_estimates(const Request& request, const Context& context);
-Report measure_eye(const Request& request, const Context& context);
 Report measure_splats(const Request& request, const Context& context);
 Report measure_lamps(const Request& request, const Context& context);
 Report measure_light(const Request& request, const Context& context);
@@ -16,10 +15,7 @@ Report measure_paper(const Request& request, const Context& context);
 Report measure_png(const Request& request, const Context& context);
 Report measure_rays(const Request& request, const Context& context);
 Report measure_replay(const Request& request, const Context& context);
-Report measure_resolve(const Request& request, const Context& context);
 Report measure_reuse(const Request& request, const Context& context);
-Report measure_samples(const Request& request, const Context& context);
-Report measure_seeds(const Request& request, const Context& context);
 Report measure_spheres(const Request& request, const Context& context);
 Report measure_tachyon(const Request& request, const Context& context);
 

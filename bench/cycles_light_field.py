@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A light-field animation beside Blender's Cycles: ours renders all views at once and reuses light, Cycles renders view by view.
+"""A light-field animation beside Blender's Cycles: ours renders all views at once and denoises them together, Cycles renders view by view.
 
   bench/cycles_light_field.py [--asset FILE.glb] [--panorama FILE.hdr] [--view YAW PITCH] [--frames N] [--size N] [--spp N]
                               [--reference-spp N] [--levels N N N] [--output DIR] [--tool PATH] [--threads N] [--json]
@@ -8,7 +8,7 @@ Frames of 48 views, from the same eyes; without --asset of a room of bench/cycle
 must agree (30 dB). Then the PSNR of each is taken against its own converged views, and asked is the CPU time that Cycles takes for
 the PSNR that ours has: between measured numbers of samples, logarithm of time in proportion to dB.
 
-Ours counts whole: process, set-up, files, the first frame, which has nothing to reuse. Of Cycles only rendering counts, its scene
+Ours counts whole: process, set-up, denoising, files. Of Cycles only rendering counts, its scene
 kept loaded. As its views cost what they cost one by one, a few of them in the first and the last frame are measured, and what starts
 a frame once a frame. PSNR is of 8-bit sRGB codes of the same views. Needs Debian's blender and python3-numpy; files without a camera get one that
 looks at their middle from YAW and PITCH degrees, and must be .glb.
@@ -125,9 +125,9 @@ def measure(field):
     options, work = field.options, field.work
     mine, mine_converged, theirs = work / "ours", work / "ours-converged", work / "cycles"
     theirs.mkdir(parents=True, exist_ok=True)
-    seconds = ours(field, field.optics(), mine, f"0-{field.frames - 1}", options.spp, "--reuse", "exact")
+    seconds = ours(field, field.optics(), mine, f"0-{field.frames - 1}", options.spp)
     for frame in field.compared_frames:
-        ours(field, field.optics(FAN, 1), mine_converged, f"{frame}-{frame}", options.reference_spp, "--reuse", "none", "--seed", 1)
+        ours(field, field.optics(FAN, 1), mine_converged, f"{frame}-{frame}", options.reference_spp, "--denoise", "none", "--seed", 1)
     costs = cycles(field, theirs, options.levels, options.reference_spp)
 
     converged = lambda f, v: our_view(mine_converged, f, (v - 1) // 3)
@@ -164,7 +164,7 @@ def parse():
     parser.add_argument("--view", type=float, nargs=2, default=(25.0, 15.0), metavar=("YAW", "PITCH"))
     parser.add_argument("--frames", type=int, default=4)
     parser.add_argument("--size", type=int, default=96, help="of a view, pixels")
-    parser.add_argument("--spp", type=int, default=64)
+    parser.add_argument("--spp", type=int, default=16)
     parser.add_argument("--reference-spp", type=int, default=1024)
     parser.add_argument("--levels", type=int, nargs="+", default=[32, 128, 512], help="samples of Cycles")
     parser.add_argument("--compared-views", type=int, default=4)

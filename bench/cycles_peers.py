@@ -24,7 +24,7 @@ VERTICES = 8  # of a path, both sides
 
 
 def ours(tool, scene, panorama, size, spp, folder, threads):
-    command = [tool, "render", scene, "--optics", "single", "--size", f"{size}x{size}", "--integrator", "path", "--reuse", "none", "--spp", spp, "--frames",
+    command = [tool, "render", scene, "--optics", "single", "--size", f"{size}x{size}", "--integrator", "path", "--denoise", "none", "--spp", spp, "--frames",
                "0-0", "--max-depth", VERTICES, "--format", "exr", "--exr-pixels", "float", "--threads", threads, "-o", folder]
     if panorama:
         command += ["--environment", panorama]

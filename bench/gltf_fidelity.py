@@ -90,7 +90,7 @@ def ours(shot, spp, options):
     """The picture's file, and CPU seconds."""
     out = shot.folder / f"lippmann-{spp}"
     command = [options.tool, "render", shot.file, "--camera", shot.camera, "--optics", "single", "--size", f"{shot.width}x{shot.height}", "--integrator", "path",
-               "--reuse", "none", "--spp", spp, "--seed", spp, "--max-depth", options.vertices, "--threads", options.threads, "--frames", "0-0", "--environment",
+               "--denoise", "none", "--spp", spp, "--seed", spp, "--max-depth", options.vertices, "--threads", options.threads, "--frames", "0-0", "--environment",
                shot.panorama or "none", "--tone", options.tone, "-o", out, "--force", "-q"]
     if not shot.scenario.skybox:
         command.append("--transparent")

@@ -57,7 +57,7 @@ Scene tiny_lamp() {
 }
 
 Scene flashing_lamps() {
-  constexpr std::array<bool, kHistoryFrames> kOn{true, true,  true,  false, false, true, false, true,
+  constexpr std::array<bool, kHostileFrames> kOn{true, true,  true,  false, false, true, false, true,
                                                  true, false, false, false, true,  true, false, true};
   constexpr Vec3f kAway(0.0f, 1.0f, 0.0f);  // above the ceiling of the room, which is closed
   Scene scene = empty_scene("flash");

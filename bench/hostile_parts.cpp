@@ -15,7 +15,7 @@ template <class T>
 Channel<T> keys_of(const std::function<T(float)>& of_frame, Interpolation interpolation) {
   Channel<T> channel;
   channel.interpolation = interpolation;
-  for (int frame = 0; frame < kHistoryFrames; ++frame) {
+  for (int frame = 0; frame < kHostileFrames; ++frame) {
     channel.times.push_back(frame / kHostileFramesPerSecond);
     channel.values.push_back(of_frame(static_cast<float>(frame)));
   }
@@ -39,7 +39,7 @@ Scene empty_scene(const std::string& name) {
   Scene scene;
   scene.name = name;
   scene.timeline.frames_per_second = kHostileFramesPerSecond;
-  scene.timeline.frame_count = kHistoryFrames;
+  scene.timeline.frame_count = kHostileFrames;
   return scene;
 }
 

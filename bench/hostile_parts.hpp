@@ -9,7 +9,7 @@
 
 namespace lippmann::bench {
 
-inline constexpr int kHistoryFrames = 16;
+inline constexpr int kHostileFrames = 16;
 inline constexpr double kHostileFramesPerSecond = 25.0;
 inline constexpr Vec3f kUp(0.0f, 1.0f, 0.0f);
 
@@ -60,7 +60,7 @@ void add_ball_lamp(Scene& scene, float radius, Vec3f radiance, int node);
 /// Falls off with the square of distance; shines from the node.
 void add_point_light(Scene& scene, Vec3f color, int node);
 
-// ---- Motion. `of_frame` gives the value at frames 0 to kHistoryFrames - 1. -------------------------------------------------
+// ---- Motion. `of_frame` gives the value at frames 0 to kHostileFrames - 1. -------------------------------------------------
 
 void move(Scene& scene, int node, const std::function<Vec3f(float frame)>& of_frame,
           Interpolation interpolation = Interpolation::kLinear);

@@ -7,12 +7,9 @@
 namespace lippmann::bench {
 namespace {
 
-constexpr int kSamples = 64;
-
 RenderParams path_params_of(const std::string& name) {
   RenderParams params = params_of(name);
   params.sampling.integrator = Integrator::kPath;
-  params.sampling.spp = kSamples;
   return params;
 }
 
@@ -24,7 +21,7 @@ RenderParams quilt(const std::string& name, Extent<int> views, int view_pixels) 
   return params;
 }
 
-/// Three views of 120 x 120 pixels, all of them compared.
+/// Three views of 120 x 120 pixels.
 HostileScene three_views(std::string name, std::string difficulty, std::function<Scene()> build) {
   RenderParams params = quilt(name, {3, 1}, 120);
   return {std::move(name), std::move(difficulty), std::move(build), std::move(params)};
@@ -33,7 +30,6 @@ HostileScene three_views(std::string name, std::string difficulty, std::function
 HostileScene many_views(std::string name, std::string difficulty, std::function<Scene()> build) {
   HostileScene scene = three_views(std::move(name), std::move(difficulty), std::move(build));
   scene.params = quilt(scene.name, {8, 6}, 48);
-  scene.reference_step = 5;
   return scene;
 }
 
@@ -41,7 +37,6 @@ HostileScene many_views(std::string name, std::string difficulty, std::function<
 HostileScene lenticular(std::string name, std::string difficulty, std::function<Scene()> build) {
   HostileScene scene = three_views(std::move(name), std::move(difficulty), std::move(build));
   scene.params = path_params_of(scene.name);
-  scene.row_share = 8;
   return scene;
 }
 

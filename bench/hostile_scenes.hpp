@@ -1,7 +1,7 @@
-// Scenes on which sharing light between pixels, views and frames is hard, built in code: of each, one thing that goes wrong.
+// Scenes whose light is hard to denoise, built in code; each has one difficulty.
 //
-// Lengths are metres, +y is up, materials are glTF's. Each is an animation of one history: 16 frames, 25 a second, in which
-// what moves does so by several pixels a frame.
+// Lengths are metres, +y is up, materials are glTF's. Each is an animation of 16 frames, 25 a second, in which things move by
+// several pixels a frame.
 #pragma once
 
 #include <functional>
@@ -19,8 +19,6 @@ struct HostileScene {
   std::function<Scene()> build;  ///< passes validate()
   RenderParams params;           ///< optics, size and samples of path tracing
   int frames = 16;
-  int row_share = 1;       ///< one panel row of so many is compared, as LightCase has it
-  int reference_step = 3;  ///< one frame of so many is compared, likewise
 };
 
 /// In the order in which they are listed and run.

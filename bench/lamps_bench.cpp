@@ -146,7 +146,7 @@ class LampCase {
   RenderedFrame render(int spp, std::uint32_t seed) {
     FrameParams params;
     params.sampling.integrator = Integrator::kPath;
-    params.sampling.spp = spp, params.sampling.seed = seed;
+    params.sampling.spp = spp, params.sampling.seed = seed, params.sampling.denoise = Denoise::kNone;
     params.reuse = TraceAll{};
     std::optional<RenderedFrame> frame = Renderer(scene_, placement_, params, context_).frame(0);
     if (!frame) throw Error("bench", "was stopped before its end");

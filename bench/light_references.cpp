@@ -8,113 +8,83 @@
 #include <system_error>
 #include <utility>
 
-#include "bench/light_figures.hpp"
 #include "core/fingerprint.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
 #include "lippmann/image/picture_file.hpp"
-#include "trace/strip_order.hpp"
+#include "lippmann/layout/film_views.hpp"
 
 namespace lippmann::bench {
 namespace {
 
-constexpr int kProbeSamples = 2;
-constexpr std::size_t kBlockPixels = 16 * kPacketsPerBlock;  // touched_blocks.hpp
+namespace fs = std::filesystem;
 
-/// Whole rows lie in few blocks when these go row by row.
-std::vector<std::uint8_t> blocks_with_rows(const Optics& optics, const std::vector<int>& rows) {
-  const StripOrder order = make_strip_order(optics, RayOrder::kRows);
-  const std::size_t blocks = (order.pixels.size() + kBlockPixels - 1) / kBlockPixels;
-  const int strips = (optics.panel.height + order.strip_height - 1) / order.strip_height;
-  std::vector<std::uint8_t> wanted(static_cast<std::size_t>(strips) * blocks, 0);
-  for (const int row : rows)
-    for (std::size_t p = 0; p < order.pixels.size(); ++p)
-      if (order.pixels[p].y == row % order.strip_height)
-        wanted[static_cast<std::size_t>(row / order.strip_height) * blocks + p / kBlockPixels] = 1;
-  return wanted;
-}
-
-std::optional<Image8> read_kept(const std::filesystem::path& file, int width, std::size_t rows) {
-  if (!std::filesystem::exists(file)) return std::nullopt;
+/// A damaged file counts as missing.
+std::optional<Image8> read_kept(const fs::path& file, const Image8& like) {
+  if (!fs::exists(file)) return std::nullopt;
   try {
     Picture picture = read_picture(file);
     auto* codes = std::get_if<Image8>(&picture);
-    if (codes && codes->width == width && static_cast<std::size_t>(codes->height) == rows) return std::move(*codes);
-  } catch (const Error&) {  // damaged: as if it were not there
+    if (codes && codes->width == like.width && codes->height == like.height) return std::move(*codes);
+  } catch (const Error&) {
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-std::filesystem::path default_reference_folder() {
-  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache)
-    return std::filesystem::path(cache) / "lippmann" / "references";
-  if (const char* home = std::getenv("HOME"); home && *home)
-    return std::filesystem::path(home) / ".cache" / "lippmann" / "references";
-  throw usage_error("--references", "neither XDG_CACHE_HOME nor HOME says where to keep references", "a folder");
+fs::path reference_folder(const std::string& requested) {
+  if (!requested.empty()) return requested;
+  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache) return fs::path(cache) / "lippmann" / "references";
+  if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".cache" / "lippmann" / "references";
+  throw usage_error("--references", "neither XDG_CACHE_HOME nor HOME is set", "a folder");
 }
 
-LightReferences::LightReferences(Stage& stage, const RenderParams& params, std::vector<int> rows, std::filesystem::path folder,
-                                 const ThreadPool& pool, const Context& context, std::function<void(std::string_view)> say)
+LightReferences::LightReferences(Stage& stage, Sampling sampling, fs::path folder, const ThreadPool& pool,
+                                 const Context& context, std::function<void(std::string_view)> say)
     : stage_(stage),
-      params_(params),
-      rows_(std::move(rows)),
+      sampling_(std::move(sampling)),
       folder_(std::move(folder)),
       pool_(pool),
       context_(context),
-      say_(std::move(say)),
-      wanted_(blocks_with_rows(stage.placed.optics, rows_)),
-      film_(stage.placed.optics.panel.width, stage.placed.optics.panel.height, 3) {}
+      say_(std::move(say)) {}
 
-Image8 LightReferences::trace(const RenderParams& params, int frame, int spp) {
-  const Moment moment = stage_.moment_at(frame);
-  TraceParams trace = trace_params(params.sampling, stage_);
-  trace.order = RayOrder::kRows;
-  trace.frame = static_cast<std::uint32_t>(frame);
-  trace.spp = spp;
-  trace_blocks(stage_.shot(moment), trace, wanted_, {pool_, context_}, film_);
-  return take_rows(to_codes(film_, stage_.scene.encoding), rows_);
+/// The fingerprint is of the film's bits, which depend on the scene, the optics and this program.
+Image8 LightReferences::render(int frame, std::uint32_t seed, int spp, std::uint64_t* fingerprint) {
+  Sampling sampling = sampling_;
+  sampling.seed = seed, sampling.spp = spp, sampling.denoise = Denoise::kNone;
+  const Image film = render_frame(stage_, sampling, frame, pool_, context_).pictures.film;
+  if (context_.cancelled) throw Error("bench", "was stopped before its end");
+  if (fingerprint) {
+    Fingerprint print;
+    print.add_bytes(film.data.data(), film.data.size() * sizeof(float));
+    print.add(samples_per_pixel(sampling_));
+    print.add(stage_.scene.encoding);
+    *fingerprint = print.value();
+  }
+  return to_codes(views_of_layer(film, stage_.placed.optics), stage_.scene.encoding);
 }
 
-/// Whatever changes light or rays, be it in the scene, in the optics or in this program, changes some bit of a few samples of
-/// some thousands of pixels.
-std::uint64_t LightReferences::fingerprint_of(const RenderParams& params, int frame) {
-  trace(params, frame, kProbeSamples);
-  Fingerprint print;
-  for (const int row : rows_) print.add_bytes(film_.pixel(0, row), 3 * sizeof(float) * static_cast<std::size_t>(film_.width));
-  const TraceParams trace = trace_params(params.sampling, stage_);
-  print.add(trace.spp);
-  print.add(trace.max_depth);
-  print.add(stage_.scene.encoding);
-  return print.value();
-}
-
-Reference LightReferences::frame(int frame) {
-  stage_.device.update(stage_.moment_at(frame).resolved, pool_);
-  RenderParams first = params_;
-  first.sampling.spp = std::max(1, samples_per_pixel(params_.sampling) / 2);
-  RenderParams second = first;
-  second.sampling.seed += 1;
-  return {half(first, frame), half(second, frame)};
-}
-
-Image8 LightReferences::half(const RenderParams& params, int frame) {
-  const std::string scene = std::filesystem::path(params_.scene.name).stem().string();
-  const auto file = folder_ / fmt::format("{}_{:04}_{:016x}.png", scene, frame, fingerprint_of(params, frame));
-  if (auto codes = read_kept(file, film_.width, rows_.size())) {
+Image8 LightReferences::half(const std::string& name, int frame, std::uint32_t seed) {
+  std::uint64_t fingerprint = 0;
+  const Image8 probe = render(frame, seed, 1, &fingerprint);
+  const auto file = folder_ / fmt::format("{}_{:04}_{:016x}.png", name, frame, fingerprint);
+  if (std::optional<Image8> codes = read_kept(file, probe)) {
     ++kept_;
     return std::move(*codes);
   }
-  if (say_)
-    say_(fmt::format("{}, frame {}: rendering a reference of {} samples", scene, frame, samples_per_pixel(params.sampling)));
-  Image8 codes = trace(params, frame, samples_per_pixel(params.sampling));
-  if (context_.cancelled) return codes;
-  std::error_code ignored;  // the writing below says what is wrong
-  std::filesystem::create_directories(folder_, ignored);
+  const int spp = std::max(1, samples_per_pixel(sampling_) / 2);
+  if (say_) say_(fmt::format("{}, frame {}: rendering a reference of {} samples", name, frame, spp));
+  Image8 codes = render(frame, seed, spp);
+  std::error_code ignored;  // write_picture() reports what is wrong
+  fs::create_directories(folder_, ignored);
   write_picture(file, codes);
   ++rendered_;
   return codes;
+}
+
+Reference LightReferences::frame(const std::string& name, int frame) {
+  return {half(name, frame, sampling_.seed), half(name, frame, sampling_.seed + 1)};
 }
 
 }  // namespace lippmann::bench

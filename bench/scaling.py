@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How a film renders on many nodes: a model of units, their start-up, stragglers, shared light and disks, with measured constants.
+"""How a film renders on many nodes: a model of units, their start-up, stragglers, key frames and disks, with measured constants.
 
 python3 bench/scaling.py prints the table of docs/scaling.md; --help says what can be told of another film and other machines.
 
@@ -21,7 +21,7 @@ class Film:
     """A job and the machines that render it; docs/scaling.md says where the default values come from."""
 
     frames: int = 10_000
-    segment: int = 1  # frames that are made together: 16 where light is shared
+    segment: int = 1  # frames that are made together: a key frame interval where frames are reused
     frame_s: float = 60.0  # to render a frame, on one node
     first_s: float = 0.0  # what the first frame of a segment takes more
     startup_s: float = 25.0  # to start a process and load the scene, which every unit pays

@@ -25,26 +25,6 @@ bench::Request small_request(const std::string& scene, int frames) {
   return request;
 }
 
-TEST(BenchSamples, json_has_a_row_for_gathered_samples_and_one_for_paths) {
-  const Json rows = run_benchmark("samples", quick_request({"turntable"})).rows;
-  ASSERT_EQ(rows.size(), 2u);
-  EXPECT_EQ(rows[0]["samples_of"], "gather");
-  EXPECT_EQ(rows[1]["samples_of"], "paths");
-  for (const Json& row : rows) {
-    EXPECT_EQ(row["display_moves"], false);
-    EXPECT_GT(row["samples"], 5.0);   // the hall
-    EXPECT_LT(row["samples"], 95.0);  // the table
-    EXPECT_EQ(row["rays"], row["rays_saved"]);
-  }
-  EXPECT_TRUE(rows[0]["bounce"].is_null());
-  EXPECT_LE(rows[0]["samples_8_frames"], rows[0]["samples"]);
-}
-
-TEST(BenchSamples, stills_are_refused) {
-  EXPECT_THAT(error_message([] { run_benchmark("samples", quick_request({"room-quilt"})); }),
-              HasSubstr("room-quilt is a still"));
-}
-
 TEST(BenchReuse, json_has_a_row_per_method_and_exact_frames_have_no_error) {
   const Json rows = run_benchmark("reuse", small_request("primitives", 3)).rows;
   ASSERT_EQ(rows.size(), 2u);
@@ -98,36 +78,6 @@ TEST(BenchLamps, json_has_a_row_per_kind_and_number_of_lamps) {
     EXPECT_GT(rows[i]["cpu_at_equal_psnr"], 0.0);
   }
   EXPECT_EQ(rows[0]["cpu_at_equal_psnr"], 1.0);
-}
-
-TEST(BenchEye, json_has_a_row_per_crosstalk_and_goal_and_eyes_see_less_noise) {
-  const Json rows = run_benchmark("eye", quick_request({"room"}, 2)).rows;
-  ASSERT_EQ(rows.size(), 5u);
-  for (const Json& row : rows) {
-    EXPECT_EQ(row["frames"], 2);
-    EXPECT_GT(row["true_at_eye_db"], row["true_db"]);
-    EXPECT_GT(row["told_at_eye_db"], row["told_db"]);
-    EXPECT_GT(row["mrays_per_frame"], 0.0);
-  }
-  EXPECT_GT(rows[1]["true_at_eye_db"], rows[0]["true_at_eye_db"]) << "20 % and 10 %";
-  EXPECT_EQ(rows[4]["quality_at"], "eye");
-  EXPECT_EQ(rows[4]["floor_db"], 38.0);
-}
-
-// 32 x 32 pixels: a view's samples are those that were traced, and the teapot's neighbours are worth more than one sample.
-TEST(BenchResolve, json_has_a_row_per_number_of_views_and_of_samples) {
-  const Json rows = run_benchmark("resolve", quick_request({"teapot"})).rows;
-  ASSERT_EQ(rows.size(), 6u);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Json& row = rows[i];
-    EXPECT_EQ(row["views"], i < 3 ? 8 : 48);
-    EXPECT_EQ(row["samples"], 1 << i % 3);
-    EXPECT_GT(row["own_8_db"], row["own_1_db"]);
-    for (const std::string how : {"count", "voronoi", "lines"}) {
-      EXPECT_GT(row[how + "_db"], 10.0) << how;
-      EXPECT_GT(row[how + "_us"], 0.0) << how;
-    }
-  }
 }
 
 TEST(BenchReplay, no_eye_of_25_sees_depth_inverted_and_near_layers_come_nearest_to_direct_views) {
