@@ -1,4 +1,4 @@
-// A quilt of any scene for a display: path traced, with shared light.
+// A quilt of any scene for a display: path traced and denoised.
 //   quilt SCENE DISPLAY OUT.png      quilt vase.glb looking-glass-portrait vase.png
 #include <iostream>
 #include <lippmann/lippmann.hpp>
@@ -13,7 +13,7 @@ int main(int argc, char** argv) try {
   Scene scene = load_scene(argv[1], {}, context);
   add_missing_light(scene, Integrator::kPath);
   const Placement placement = place(scene, display, DisplayPicture::kQuilt);
-  Renderer renderer(scene, placement, {.sampling = {.integrator = Integrator::kPath, .spp = 16}}, context);
+  Renderer renderer(scene, placement, {.sampling = {.integrator = Integrator::kPath}}, context);
   const Image8 quilt = to_codes(renderer.frame(0)->pictures.film, scene.encoding);
   write_picture(with_quilt_name(argv[3], quilt_name_of(*display.quilt)), quilt);
 } catch (const std::exception& error) {
