@@ -10,6 +10,8 @@
 
 #include "apps/lippmann/print.hpp"
 #include "core/suggest.hpp"
+#include "job/params_table.hpp"
+#include "job/removed_params.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -76,6 +78,22 @@ std::vector<std::string> help_words(std::vector<std::string> words) {
   return {words[1], words.size() > 2 ? words[2] : "--help"};
 }
 
+/// Gives flags that may stand alone their value, where the next word is none: "--denoise" becomes "--denoise=auto". Not those
+/// that take no value in this command.
+std::vector<std::string> with_bare_values(std::vector<std::string> words, CLI::App& root) {
+  const CLI::App* command = words.empty() ? nullptr : root.get_subcommand_no_throw(words.front());
+  for (std::size_t i = 1; command && i < words.size(); ++i) {
+    if (!words[i].starts_with("--")) continue;
+    const ParamInfo* info = find_param(std::string_view(words[i]).substr(2));
+    const CLI::Option* option = info && !info->bare_value.empty() ? command->get_option_no_throw(words[i]) : nullptr;
+    if (!option || option->get_items_expected_max() == 0) continue;
+    const bool has_value =
+        i + 1 < words.size() && std::find(info->choices.begin(), info->choices.end(), words[i + 1]) != info->choices.end();
+    if (!has_value) words[i] += fmt::format("={}", info->bare_value);
+  }
+  return words;
+}
+
 /// CLI11's own answer: help and version are results (stdout, 0), anything else is a message (stderr, 2).
 int report(const CLI::ParseError& outcome, const CLI::App& root) {
   if (outcome.get_exit_code() == 0) return root.exit(outcome);
@@ -85,7 +103,9 @@ int report(const CLI::ParseError& outcome, const CLI::App& root) {
   std::string problem = outcome.what();
   for (const std::string& word : root.remaining(true)) {
     if (!word.starts_with("-") && command != &root) continue;
-    problem = fmt::format("there is no '{}'{}", word, suggestion(word, *command));
+    const std::string flag = word.substr(0, word.find('='));
+    const auto removed = flag.starts_with("--") ? removal_of(flag.substr(2), "", flag) : std::nullopt;
+    problem = removed ? removed->what() : fmt::format("there is no '{}'{}", word, suggestion(word, *command));
     break;
   }
   print_error("{}: {} (see {} --help)\n", name, problem, name);
@@ -187,7 +207,7 @@ std::optional<int> CommandLine::parse(int argc, char** argv) {
     std::vector<std::string> words(argv + 1, argv + argc);
     const bool about_command = words.size() > 1 && words.front() == "help" && words[1] != "help";
     if (about_command && !is_command(*app_, words[1])) return refuse(*app_, words[1]);
-    words = help_words(words);
+    words = with_bare_values(help_words(words), *app_);
     std::reverse(words.begin(), words.end());  // as CLI11 wants them
     app_->parse(std::move(words));
   } catch (const CLI::ParseError& outcome) {

@@ -22,11 +22,11 @@
 #include "apps/lippmann/write_page.hpp"
 #include "core/folder.hpp"
 #include "core/printable.hpp"
+#include "frames/traced_frames.hpp"
 #include "job/animation.hpp"
 #include "job/job_file.hpp"
 #include "job/job_stage.hpp"
 #include "job/reuse_sentence.hpp"
-#include "job/shared_light.hpp"
 #include "job/single_clip.hpp"
 #include "job/size_estimate.hpp"
 #include "lippmann/core/error.hpp"
@@ -73,21 +73,12 @@ bool can_be_replayed(const RenderReport& report) {
   return !is_single_view(report.optics) && !report.params.output.pictures.mirror;
 }
 
-/// Whether the denoiser takes such frames.
-bool could_be_denoised(const Sampling& sampling, const Optics& optics) {
-  const bool has_views = view_tiles(optics) || whole_pixels_per_lens(optics).x > 0;
-  return has_views && samples_per_pixel(sampling) > 1 && !sampling.lens.is_open() && sampling.shutter <= 0.0f;
-}
-
-/// With what the pictures were made, and what makes better ones.
+/// How the pictures were made, and what makes better ones.
 std::string describe_paths(const Sampling& sampling, const Optics& optics) {
   const int samples = samples_per_pixel(sampling);
-  std::string made = fmt::format("path traced with {} sample{} a pixel{}", samples, samples == 1 ? "" : "s",
-                                 sampling.denoise ? ", denoised" : "");
-  if (samples >= kPathSamples) return made;
-  if (!sampling.denoise && could_be_denoised(sampling, optics))
-    return made + fmt::format("; --denoise takes their noise out, --spp {} lessens it", kPathSamples);
-  return made + fmt::format("; --spp {} for less noise", kPathSamples);
+  const bool denoised = is_denoised(sampling) && can_be_denoised(optics);
+  return fmt::format("path traced with {} sample{} a pixel{}; --spp {} for less noise", samples, samples == 1 ? "" : "s",
+                     denoised ? ", denoised" : "", 4 * samples);
 }
 
 std::string describe_depth(const ShownDepth& shown, const Optics& optics, float depth_scale) {
@@ -136,10 +127,7 @@ void print_summary(const RenderReport& report, const Planned& plan, const Render
         print_line("play", "ffplay -loop 0 " + shell_word(video));
       }
     if (frames > 1 || !std::holds_alternative<CopySettled>(report.reuse)) print_line("reuse", reuse_sentence(report));
-    if (const auto* light = std::get_if<ShareLight>(&report.reuse); light && light->min_psnr_db)
-      for (const std::string& warning : {below_floor_sentence(report.frames, *light->min_psnr_db, light->quality_at),
-                                         unmeasured_sentence(report.frames, *light->min_psnr_db)})
-        if (!warning.empty()) print_line("warning", warning);
+    if (const std::string error = error_sentence(report.frames); !error.empty()) print_line("quality", error);
     if (can_be_replayed(report)) {
       print_line("one eye", program + " replay " + shell_word(folder.string()));
       print_line("in 3D", program + " view " + shell_word(folder.string()));

@@ -15,7 +15,7 @@ std::optional<double> number_or_none(const Json& json) {
   return json.is_null() ? std::nullopt : std::optional(json.get<double>());
 }
 
-/// Of a figure that reports of earlier versions do not have.
+/// Reads a figure that reports of earlier versions do not have.
 std::optional<double> number_if_any(const Json& json, const char* key) {
   const auto found = json.find(key);
   return found == json.end() ? std::nullopt : number_or_none(*found);
@@ -50,9 +50,7 @@ Json to_json(const FrameReport& frame) {
           {"reused_pixels", frame.reused_pixels},
           {"estimated_psnr_db", number_or_null(frame.estimated_psnr_db)},
           {"psnr_at_least_db", number_or_null(frame.psnr_at_least_db)},
-          {"estimated_block_psnr_db", number_or_null(frame.estimated_block_psnr_db)},
-          {"estimated_psnr_at_eye_db", number_or_null(frame.estimated_psnr_at_eye_db)},
-          {"psnr_at_eye_at_least_db", number_or_null(frame.psnr_at_eye_at_least_db)},
+          {"psnr_at_most_db", number_or_null(frame.psnr_at_most_db)},
           {"precompensation", to_json(frame.precompensation)},
           {"kept", frame.kept}};
 }
@@ -69,6 +67,7 @@ std::optional<FrameReport> frame_report_from_json(const Json& json) try {
   if (!is_count(json.at("frame"), std::numeric_limits<int>::max())) return std::nullopt;
   json.at("frame").get_to(frame.frame);
   json.at("kind").get_to(frame.kind);
+  if (frame.kind == "shared") frame.kind = "full";  // of earlier versions: path-traced, with soft light from a cache
   json.at("seconds").get_to(frame.seconds);
   json.at("cpu_seconds").get_to(frame.cpu_seconds);
   const Json& rays = json.at("rays");
@@ -83,12 +82,8 @@ std::optional<FrameReport> frame_report_from_json(const Json& json) try {
   json.at("reused_pixels").get_to(frame.reused_pixels);
   frame.estimated_psnr_db = number_or_none(json.at("estimated_psnr_db"));
   frame.psnr_at_least_db = number_or_none(json.at("psnr_at_least_db"));
-  frame.estimated_block_psnr_db = number_or_none(json.at("estimated_block_psnr_db"));
-  frame.estimated_psnr_at_eye_db = number_if_any(json, "estimated_psnr_at_eye_db");
-  frame.psnr_at_eye_at_least_db = number_if_any(json, "psnr_at_eye_at_least_db");
+  frame.psnr_at_most_db = number_if_any(json, "psnr_at_most_db");
   frame.precompensation = precompensation_from_json(json.at("precompensation"));
-  const bool is_measured = frame.estimated_psnr_db && frame.psnr_at_least_db && frame.estimated_block_psnr_db;
-  if (frame.kind == "shared" && !is_measured) return std::nullopt;
   return frame;
 } catch (const nlohmann::json::exception&) {
   return std::nullopt;

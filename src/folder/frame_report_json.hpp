@@ -12,7 +12,7 @@ nlohmann::ordered_json to_json(const RayCounts& rays);
 nlohmann::ordered_json to_json(const std::optional<Precompensation>& done);
 nlohmann::ordered_json to_json(const FrameReport& frame);
 
-/// The inverse; none if anything is missing or of the wrong type, or if a shared frame has no errors.
+/// The inverse, also for reports of earlier versions; none if anything is missing or of the wrong type.
 std::optional<FrameReport> frame_report_from_json(const nlohmann::ordered_json& json);
 
 }  // namespace lippmann

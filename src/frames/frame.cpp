@@ -1,6 +1,7 @@
 #include "frames/frame.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -73,17 +74,43 @@ namespace {
 /// Times in the exposure share a frame's samples among them: more would cost more updates of the scene than they show.
 constexpr int kMostTimes = 32;
 
-/// At the time of each of these shares of the samples, in turn.
-RayCounts trace_exposure(Stage& stage, const Sampling& sampling, const TraceParams& trace, const Workers& workers,
-                         const FrameTargets& into) {
+/// Traces a share of a frame's samples.
+using TraceShare = std::function<RayCounts(const Shot&, const TraceParams&, SampleShare, FramePictures&)>;
+
+/// Traces each share of the samples at its own time.
+RayCounts trace_exposure(Stage& stage, const std::vector<ExposureTime>& times, const TraceParams& params,
+                         const Workers& workers, const TraceShare& trace, FramePictures& pictures) {
   RayCounts rays;
-  for (const ExposureTime& time : exposure_times(sampling, stage.scene.timeline, static_cast<int>(trace.frame))) {
+  for (const ExposureTime& time : times) {
     if (workers.context.cancelled) break;
     const Moment moment = stage.moment_at_time(time.seconds);
     stage.device.update(moment.resolved, workers.pool);
-    add(trace_frame(stage.shot(moment), trace, workers, into, time.share), rays);
+    add(trace(stage.shot(moment), params, time.share, pictures), rays);
   }
   return rays;
+}
+
+RenderedFrame render_with(Stage& stage, const Sampling& sampling, int frame, const Workers& workers, const TraceShare& trace) {
+  const FrameClock clock(workers.pool);
+  const Moment moment = stage.moment_at(frame);
+  stage.device.update(moment.resolved, workers.pool);
+
+  RenderedFrame rendered;
+  rendered.pictures.aovs = wanted_aovs(sampling);
+  set_provenance(Provenance::kTraced, film_size(stage.shot(moment)), rendered.pictures.aovs);
+  rendered.report.frame = frame;
+  TraceParams params = trace_params(sampling, stage);
+  params.frame = static_cast<std::uint32_t>(frame);
+  if (sampling.shutter > 0.0f) {
+    const std::vector<ExposureTime> times = exposure_times(sampling, stage.scene.timeline, frame);
+    rendered.report.rays = trace_exposure(stage, times, params, workers, trace, rendered.pictures);
+    stage.device.update(moment.resolved, workers.pool);  // layers of first hits are of the frame's own time
+  } else {
+    rendered.report.rays = trace(stage.shot(moment), params, {}, rendered.pictures);
+  }
+  if (!workers.context.cancelled) add_first_hits(stage, sampling, moment, frame, workers.pool, rendered.pictures.aovs);
+  clock.add_to(rendered.report);
+  return rendered;
 }
 
 }  // namespace
@@ -104,26 +131,20 @@ std::vector<ExposureTime> exposure_times(const Sampling& sampling, const Timelin
 
 RenderedFrame render_frame(Stage& stage, const Sampling& sampling, int frame, const ThreadPool& pool, const Context& context,
                            TouchedBlocks* touched) {
-  const FrameClock clock(pool);
-  const Moment moment = stage.moment_at(frame);
-  stage.device.update(moment.resolved, pool);
+  const Workers workers{pool, context};
+  return render_with(stage, sampling, frame, workers,
+                     [&](const Shot& shot, const TraceParams& params, SampleShare share, FramePictures& pictures) {
+                       return trace_frame(shot, params, workers, {pictures.film, &pictures.aovs, nullptr, touched}, share);
+                     });
+}
 
-  RenderedFrame rendered;
-  rendered.pictures.aovs = wanted_aovs(sampling);
-  set_provenance(Provenance::kTraced, film_size(stage.shot(moment)), rendered.pictures.aovs);
-  rendered.report.frame = frame;
-  TraceParams trace = trace_params(sampling, stage);
-  trace.frame = static_cast<std::uint32_t>(frame);
-  const FrameTargets targets{rendered.pictures.film, &rendered.pictures.aovs, nullptr, touched};
-  if (sampling.shutter > 0.0f) {
-    rendered.report.rays = trace_exposure(stage, sampling, trace, {pool, context}, targets);
-    stage.device.update(moment.resolved, pool);  // layers of first hits are of the frame's own time
-  } else {
-    rendered.report.rays = trace_frame(stage.shot(moment), trace, {pool, context}, targets);
-  }
-  if (!context.cancelled) add_first_hits(stage, sampling, moment, frame, pool, rendered.pictures.aovs);
-  clock.add_to(rendered.report);
-  return rendered;
+RenderedFrame render_noisy_frame(Stage& stage, const Sampling& sampling, int frame, const ThreadPool& pool,
+                                 const Context& context, NoisyFrame& noisy) {
+  const Workers workers{pool, context};
+  return render_with(stage, sampling, frame, workers,
+                     [&](const Shot& shot, const TraceParams& params, SampleShare share, FramePictures& pictures) {
+                       return trace_noisy_frame(shot, params, workers, noisy, pictures.aovs, share);
+                     });
 }
 
 }  // namespace lippmann

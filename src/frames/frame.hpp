@@ -15,6 +15,7 @@
 #include "lippmann/stage/placement.hpp"
 #include "reuse/point_image.hpp"
 #include "trace/device_scene.hpp"
+#include "trace/noisy_frame.hpp"
 #include "trace/trace_frame.hpp"
 
 namespace lippmann {
@@ -86,5 +87,9 @@ void add_first_hits(const Stage& stage, const Sampling& sampling, const Moment& 
 /// set meanwhile.
 RenderedFrame render_frame(Stage& stage, const Sampling& sampling, int frame, const ThreadPool& pool, const Context& context,
                            TouchedBlocks* touched = nullptr);
+
+/// The same frame with its film in `noisy`, and what the denoiser needs beside it.
+RenderedFrame render_noisy_frame(Stage& stage, const Sampling& sampling, int frame, const ThreadPool& pool,
+                                 const Context& context, NoisyFrame& noisy);
 
 }  // namespace lippmann

@@ -5,31 +5,16 @@
 #include <algorithm>
 
 #include "core/printable.hpp"
-#include "frames/denoised_frames.hpp"
 #include "frames/error_bounded_frames.hpp"
 #include "frames/exact_frames.hpp"
 #include "frames/forward_frames.hpp"
-#include "frames/shared_light_frames.hpp"
+#include "frames/traced_frames.hpp"
 #include "lippmann/core/error.hpp"
 #include "scene/deform.hpp"
 #include "scene/splats.hpp"
 
 namespace lippmann {
 namespace {
-
-class TracedFrames final : public FrameMaker {
- public:
-  TracedFrames(Stage& stage, const Sampling& sampling, const ThreadPool& pool, const Context& context)
-      : stage_(stage), sampling_(sampling), pool_(pool), context_(context) {}
-
-  RenderedFrame make(int frame) override { return render_frame(stage_, sampling_, frame, pool_, context_); }
-
- private:
-  Stage& stage_;
-  Sampling sampling_;
-  const ThreadPool& pool_;
-  const Context& context_;
-};
 
 /// Points are carried from frame to frame with their nodes, which says nothing of meshes that change their shape.
 void refuse_deforming_meshes(const Scene& scene) {
@@ -57,14 +42,9 @@ class MakerOf {
 
   std::unique_ptr<FrameMaker> operator()(const AutoReuse&) const { return (*this)(TraceAll{}); }
   std::unique_ptr<FrameMaker> operator()(const TraceAll&) const {
-    if (sampling_.denoise) return make<DenoisedFrames>(nullptr);
     return std::make_unique<TracedFrames>(stage_, sampling_, pool_, context_);
   }
   std::unique_ptr<FrameMaker> operator()(const CopySettled& reuse) const { return make<ExactFrames>(reuse); }
-  std::unique_ptr<FrameMaker> operator()(const ShareLight& reuse) const {
-    if (sampling_.denoise) return make<DenoisedFrames>(&reuse);
-    return make<SharedLightFrames>(reuse);
-  }
   std::unique_ptr<FrameMaker> operator()(const Interpolate& reuse) const {
     refuse_deforming_meshes(stage_.scene);
     refuse_splats(stage_.scene);
@@ -87,14 +67,11 @@ class MakerOf {
 /// Bytes per pixel, for each kind of reuse.
 struct WorkingBytes {
   const Sampling& sampling;
-  const Workload& work;
+  int frames;
 
-  double denoising() const { return sampling.denoise ? DenoisedFrames::bytes_per_pixel(work) : 0.0; }
-
-  double operator()(const AutoReuse&) const { return 0.0; }
-  double operator()(const TraceAll&) const { return denoising(); }
-  double operator()(const CopySettled&) const { return work.frames > 1 ? ExactFrames::bytes_kept_per_pixel() : 0.0; }
-  double operator()(const ShareLight&) const { return CachedLightTracer::bytes_per_pixel(work.covered) + denoising(); }
+  double operator()(const AutoReuse&) const { return (*this)(TraceAll{}); }
+  double operator()(const TraceAll&) const { return TracedFrames::bytes_per_pixel(sampling); }
+  double operator()(const CopySettled&) const { return frames > 1 ? ExactFrames::bytes_kept_per_pixel() : 0.0; }
   double operator()(const Interpolate& reuse) const {
     return reuse.min_psnr_db ? ErrorBoundedFrames::bytes_kept_per_pixel() : ForwardFrames::bytes_kept_per_pixel(reuse);
   }
@@ -105,7 +82,6 @@ struct SegmentLength {
   int operator()(const AutoReuse&) const { return 1; }
   int operator()(const TraceAll&) const { return 1; }
   int operator()(const CopySettled& reuse) const { return reuse.keyframes.value_or(1); }
-  int operator()(const ShareLight&) const { return SharedLightFrames::frames_per_segment(); }
   int operator()(const Interpolate& reuse) const {
     return reuse.min_psnr_db ? ErrorBoundedFrames::frames_per_segment(reuse) : key_frame_interval(reuse);
   }
@@ -113,21 +89,16 @@ struct SegmentLength {
 
 }  // namespace
 
-Reuse reuse_for(const Scene& scene, const FrameParams& params) {
-  const Reuse reuse = resolved_reuse(params);
-  return std::holds_alternative<ShareLight>(reuse) && has_splats(scene) ? Reuse(TraceAll{}) : reuse;
-}
-
 std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const FrameParams& params, const ThreadPool& pool,
                                              const Context& context) {
   Sampling sampling = params.sampling;
   // Points that are moved are those of one eye.
   if (std::holds_alternative<Interpolate>(params.reuse)) sampling.angular_filter = AngularFilter::kNone;
-  return std::visit(MakerOf(stage, sampling, pool, context), reuse_for(stage.scene, params));
+  return std::visit(MakerOf(stage, sampling, pool, context), resolved_reuse(params));
 }
 
-double working_bytes_per_pixel(const FrameParams& params, const Workload& work) {
-  return std::visit(WorkingBytes{params.sampling, work}, resolved_reuse(params));
+double working_bytes_per_pixel(const FrameParams& params, int frames) {
+  return std::visit(WorkingBytes{params.sampling, frames}, resolved_reuse(params));
 }
 
 int frames_per_segment(const FrameParams& params) { return std::visit(SegmentLength{}, resolved_reuse(params)); }

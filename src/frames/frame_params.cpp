@@ -7,13 +7,9 @@
 #include <string>
 
 #include "lippmann/core/error.hpp"
-#include "lippmann/optics/crosstalk.hpp"
 
 namespace lippmann {
 namespace {
-
-/// Fewer paths a pixel leave nothing to be saved.
-constexpr int kLeastPaths = 8;
 
 /// Beyond it, squares of lengths come near to what floats hold.
 constexpr float kMostApertureMm = 1e6f;
@@ -59,29 +55,9 @@ void check_reuse(const CopySettled& copy, const Sampling& sampling) {
   refuse_shutter(sampling);
   if (integrator_of(sampling) == Integrator::kPath)
     throw usage_error("reuse", "copy needs Whitted shading; path-traced pixels have different noise in every frame",
-                      "light, none or auto, or `integrator` whitted");
+                      "none or auto, or `integrator` whitted");
   if (!can_copy_settled(sampling))
     throw usage_error("reuse", "copy cannot make alpha or extra layers, except provenance", "none or auto");
-}
-
-void check_reuse(const ShareLight& light, const Sampling& sampling) {
-  check_floor(light.min_psnr_db);
-  if (light.time_budget_s && !(*light.time_budget_s > 0.0 && std::isfinite(*light.time_budget_s)))
-    throw usage_error("time-budget", fmt::format("is {} s", *light.time_budget_s), "a number of seconds above 0");
-  if (light.time_budget_s && light.min_psnr_db)
-    throw usage_error("time-budget", "and `min-psnr` both set the quality of frames", "one of the two");
-  if (light.time_budget_s && light.quality_at == QualityAt::kEye)
-    throw usage_error("quality-at", "eye cannot be combined with `time-budget`, which sets no quality", "one of the two");
-  if (!(light.crosstalk_px >= 0.0 && light.crosstalk_px <= kMaxBlurPx))
-    throw usage_error("crosstalk", "must be between 0 and 8 pixels", "0 to 8 pixels or views");
-  refuse_shutter(sampling);
-  if (can_share_light(sampling, light)) return;
-  if (integrator_of(sampling) != Integrator::kPath)
-    throw usage_error("reuse", "light needs path tracing", "`integrator` path with it, or copy, interpolate, none or auto");
-  if (has_layers_of_paths(sampling))
-    throw usage_error("aov", "the layers direct and indirect need complete paths, which share no light",
-                      "`reuse` none or auto with them");
-  throw usage_error("spp", "sharing light does not pay below 8 samples a pixel", "8 or more, or `reuse` none or auto");
 }
 
 /// The member that would take from a frame what its floor promises; empty if there is none.
@@ -95,17 +71,16 @@ void check_reuse(const Interpolate& how, const Sampling& sampling) {
   check_key_frames(how.keyframes);
   check_floor(how.min_psnr_db);
   if (integrator_of(sampling) == Integrator::kPath)
-    throw usage_error("reuse", "interpolate needs Whitted shading", "none, light or auto, or `integrator` whitted");
+    throw usage_error("reuse", "interpolate needs Whitted shading", "none or auto, or `integrator` whitted");
   refuse_shutter(sampling);
   if (sampling.lens.is_open())
-    throw usage_error(name_of_opening(sampling.lens), "depth of field cannot be interpolated",
-                      "`reuse` copy, light, none or auto");
+    throw usage_error(name_of_opening(sampling.lens), "depth of field cannot be interpolated", "`reuse` copy, none or auto");
   if (sampling.transparent) throw usage_error("transparent", "interpolated frames have no alpha", "`reuse` none with it");
   if (has_layers_of_every_pixel(sampling))
     throw usage_error("aov", "interpolated frames have no extra layers but provenance", "`reuse` none with it");
   if (sampling.angular_filter == AngularFilter::kBox)
     throw usage_error("angular-filter", "box cannot be interpolated: each point belongs to one eye",
-                      "`reuse` copy, light, none or auto");
+                      "`reuse` copy, none or auto");
   if (const std::string against = against_floor(how); how.min_psnr_db && !against.empty())
     throw usage_error(against, "cannot be combined with `min-psnr`, which traces missed and uncertain pixels",
                       "one of the two");
@@ -144,13 +119,6 @@ void check_sampling(const Sampling& sampling) {
   const bool paths = integrator_of(sampling) == Integrator::kPath;
   if (has_layers_of_paths(sampling) && !paths)
     throw usage_error("aov", "the layers direct and indirect need path tracing", "`integrator` path with them");
-  if (!sampling.denoise) return;
-  if (!paths) throw usage_error("denoise", "needs path tracing", "`integrator` path with it");
-  if (samples_per_pixel(sampling) < 2)
-    throw usage_error("denoise", "cannot estimate noise from one sample a pixel", "`spp` of 2 or more with it");
-  if (sampling.lens.is_open() || sampling.shutter > 0.0f)
-    throw usage_error("denoise", "cannot be combined with depth of field or motion blur",
-                      "`denoise` without `aperture`, `f-number` and `shutter`");
 }
 
 /// Where the lens is open.
@@ -180,23 +148,17 @@ void check_angular_filter(const Sampling& sampling, const Optics& optics) {
 }  // namespace
 
 const char* name_of(const Reuse& reuse) {
-  constexpr const char* kNames[] = {"auto", "none", "copy", "light", "interpolate"};
+  constexpr const char* kNames[] = {"auto", "none", "copy", "interpolate"};
   return kNames[reuse.index()];
-}
-
-bool can_share_light(const Sampling& sampling, const ShareLight& light) {
-  return integrator_of(sampling) == Integrator::kPath && !has_layers_of_paths(sampling) && sampling.shutter <= 0.0f &&
-         (samples_per_pixel(sampling) >= kLeastPaths || light.min_psnr_db || light.time_budget_s);
 }
 
 bool can_copy_settled(const Sampling& sampling) {
   return integrator_of(sampling) == Integrator::kWhitted && !has_layers_of_every_pixel(sampling) && !sampling.transparent &&
-         !sampling.denoise && sampling.shutter <= 0.0f;
+         sampling.shutter <= 0.0f;
 }
 
 Reuse resolved_reuse(const FrameParams& params) {
   if (!std::holds_alternative<AutoReuse>(params.reuse)) return params.reuse;
-  if (can_share_light(params.sampling)) return ShareLight{};
   if (can_copy_settled(params.sampling)) return CopySettled{};
   return TraceAll{};
 }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "frames/frame_maker.hpp"
+#include "frames/traced_frames.hpp"
 #include "lippmann/core/error.hpp"
 #include "trace/strip_order.hpp"
 
@@ -69,26 +70,18 @@ void check_strips(const FrameParams& params, const Optics& optics, int strips) {
     throw usage_error(
         kStrips, fmt::format("{} are too many for {} rows, of which {} stay together", strips, film_size(optics).y, together),
         fmt::format("1 to {}", most));
-  const Reuse reuse = resolved_reuse(params);
-  if (std::holds_alternative<Interpolate>(reuse))
+  if (std::holds_alternative<Interpolate>(params.reuse))
     throw usage_error(kStrips, "strips are rendered separately, and interpolated frames need whole key frames",
-                      "1, or `reuse` none, copy or light");
-  if (params.sampling.denoise)
+                      "1, or `reuse` none or copy");
+  if (is_denoised(params.sampling) && can_be_denoised(optics))
     throw usage_error(kStrips, "strips are rendered separately, and the denoiser needs the rows of other strips",
-                      "1, or no `denoise`");
-  if (const auto* light = std::get_if<ShareLight>(&reuse); light && light->time_budget_s)
-    throw usage_error(kStrips, "strips cannot be combined with `time-budget`, which measures one machine",
-                      "1, or `spp` or `min-psnr`");
+                      "1, or `denoise` none");
 }
 
 FrameReport report_of_strips(const std::vector<FrameReport>& strips, const std::vector<int>& rows) {
   FrameReport frame = strips.front();
-  for (std::size_t i = 1; i < strips.size(); ++i) {
-    add_costs(strips[i], frame);
-    if (strips[i].kind == "shared") frame.kind = strips[i].kind;
-  }
-  for (const auto psnr_db :
-       {&FrameReport::estimated_psnr_db, &FrameReport::psnr_at_least_db, &FrameReport::estimated_block_psnr_db})
+  for (std::size_t i = 1; i < strips.size(); ++i) add_costs(strips[i], frame);
+  for (const auto psnr_db : {&FrameReport::estimated_psnr_db, &FrameReport::psnr_at_least_db, &FrameReport::psnr_at_most_db})
     frame.*psnr_db = psnr_of_all(strips, rows, psnr_db);
   return frame;
 }

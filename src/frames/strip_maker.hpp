@@ -1,8 +1,7 @@
 // Frames in strips of rows, each made by itself with the memory of its rows: for stills that one process would need too long
 // for, or too much memory.
 //
-// A strip has the bits that its rows have in the whole frame where frames are traced. Where light is shared, every strip of
-// every frame has light of its own, so that the picture depends on how many strips there are, and on nothing else.
+// A strip has the bits that its rows have in the whole frame.
 #pragma once
 
 #include "frames/frame.hpp"

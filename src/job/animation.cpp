@@ -25,6 +25,7 @@
 #include "frames/banded_frames.hpp"
 #include "frames/frame_maker.hpp"
 #include "frames/picture_check.hpp"
+#include "frames/traced_frames.hpp"
 #include "job/aov_params.hpp"
 #include "job/folder_documents.hpp"
 #include "job/job_fingerprint.hpp"
@@ -350,6 +351,7 @@ class Animation {
   }
 
   void check_layout() {
+    if (!can_be_denoised(optics())) made_as_.sampling.denoise = Denoise::kNone;
     layout_.check_picture_size(!params_.sampling.aov.empty());
     if (!params_.output.video.empty() && !layout_.is_picture())
       throw usage_error("video", "needs a layout with one picture per frame", "`layout` quilt or integral");
@@ -357,7 +359,6 @@ class Animation {
       throw usage_error("video", "needs pictures that store depth as integers", "`format` png or png16");
     if (!params_.output.video.empty() && (is_part() || run_.ranks) && layout_.format() != PictureFormat::kPng)
       throw usage_error("video", "needs pictures of 8 bits: it is encoded from those of all parts", "`format` png");
-    see_crosstalk();
     check(made_as_, optics());
     check_strips_of(params_, made_as_, optics());
     check_memory();
@@ -367,10 +368,9 @@ class Animation {
 
   MemoryFacts memory_facts() const {
     return {params_,
-            {made_as_.sampling, reuse_for(stage_.scene, made_as_)},
+            made_as_,
             layout_,
             film_size(optics()),
-            stage_.scene.timeline.frame_count,
             static_cast<int>(frames_.size()),
             FrameSink::frames_in_memory(pool_.threads()),
             makes_videos() && !is_part(),
@@ -379,9 +379,7 @@ class Animation {
 
   void check_memory() {
     if (run_.only_finished && !is_cut()) return;  // no frame is rendered
-    MemoryFacts facts = memory_facts();
-    if (std::holds_alternative<ShareLight>(facts.made_as.reuse))
-      facts.covered = covered_share(stage_, made_as_.sampling, pool_);
+    const MemoryFacts facts = memory_facts();
     const double available = run_.available_memory.value_or(available_memory_bytes());
     const bool joins = !leaves_strips() || (run_.ranks && is_first_rank());
     memory_ = is_cut() ? plan_strips_memory(facts, params_.strips, joins, available) : plan_memory(facts, available);
@@ -389,18 +387,8 @@ class Animation {
     if (!sentence.empty() && is_first_rank()) context_.warning(sentence);
   }
 
-  /// Frames that share light tell their errors as they are seen through the display's lenses.
-  void see_crosstalk() {
-    check_crosstalk(params_, made_as_.reuse);
-    auto* light = std::get_if<ShareLight>(&made_as_.reuse);
-    if (light) light->crosstalk_px = crosstalk_at_eye(params_, optics(), stage_.display.get());
-  }
-
   /// Makes room in it, and records what is going to be rendered.
   RenderFolder open_folder() {
-    if (const std::string sentence = whole_paths_sentence(params_); !sentence.empty()) context_.warning(sentence);
-    if (const std::string sentence = sharp_eye_sentence(made_as_.reuse, optics()); !sentence.empty())
-      context_.warning(sentence);
     if (stage_.display && !videos_.empty()) warn_of_videos(*stage_.display, layout_, context_);
     for (const VideoFile& video : videos_) {
       make_room_for_video(video, layout_.picture_size());
@@ -419,7 +407,7 @@ class Animation {
     report.scene = params_.scene.name;
     report.optics = optics();
     report.params = params_;
-    report.reuse = reuse_for(stage_.scene, made_as_);
+    report.reuse = made_as_.reuse;
     report.light = stage_.light;
     report.view = stage_.array.how;
     report.depth_scale = stage_.placed.depth_scale;

@@ -74,7 +74,7 @@ std::vector<int> frames_to_measure(const std::vector<int>& of_job, int segment, 
   const auto measure = [&](std::size_t i, std::ptrdiff_t count) {
     frames.insert(segments[i].begin(), segments[i].begin() + std::min(count, std::ssize(segments[i])));
   };
-  measure(0, neighbours == Neighbours::kSettling ? 5 : 2);
+  measure(0, 2);
   measure(segments.size() / 2, 2);
   measure(segments.size() - 1, 2);
   return {frames.begin(), frames.end()};

@@ -29,9 +29,8 @@ struct MeasuredRun {
 
 /// Which frames tell what all take.
 enum class Neighbours {
-  kOthers,   ///< frames of a segment but for its first take about as much as each other: two are measured
-  kCopied,   ///< the same, where segments may be single frames that others are copied from
-  kSettling  ///< as frames that share light: from the fifth on they take about the same, so five are measured of one segment
+  kOthers,  ///< frames of a segment but for its first take about as much as each other: two are measured
+  kCopied,  ///< the same, where segments may be single frames that others are copied from
 };
 
 /// Of the first, the middle and the last segment.

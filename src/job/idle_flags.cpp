@@ -22,10 +22,9 @@ bool has_key_frames(const RenderParams& params) {
          (choice == ReuseChoice::kAuto && can_copy_settled(params.sampling));
 }
 
-bool shares_light(const RenderParams& params) {
-  const ReuseChoice choice = params.reuse.choice;
-  return choice == ReuseChoice::kLight || (choice == ReuseChoice::kAuto && can_share_light(params.sampling));
-}
+bool may_denoise(const RenderParams& params) { return traces_paths(params) || params.sampling.denoise == Denoise::kNone; }
+
+bool precompensates(const RenderParams& params) { return params.optics.precompensate; }
 
 bool makes_videos(const RenderParams& params) { return !params.output.video.empty(); }
 
@@ -67,23 +66,23 @@ struct Effect {
 };
 
 constexpr const char* kInterpolateToo = "--reuse interpolate with it";
-constexpr const char* kShareLightToo = "path-traced frames that share light: --integrator path --reuse light with it";
 constexpr const char* kSurroundingsToo = "--environment studio, a colour or a panorama with it";
 
 constexpr std::array kEffects{
     Effect{"asset-root", is_file, "a scene file instead of a built-in scene"},
     Effect{"texture-memory", is_file, "a scene file instead of a built-in scene"},
     Effect{"up", is_file, "a scene file instead of a built-in scene"},
+    Effect{"crosstalk", precompensates, "--precompensate with it"},
     Effect{"packing", has_microlenses, "--optics microlens with it"},
     Effect{"fit-depth", has_parallax, "optics other than a single view"},
     Effect{"view-angle", has_parallax, "optics other than a single view"},
     Effect{"clamp-indirect", traces_paths, "--integrator path with it"},
+    Effect{"denoise", may_denoise, "--integrator path with it"},
     Effect{"environment-strength", has_surroundings, kSurroundingsToo},
     Effect{"environment-rotation", has_surroundings_to_turn, "--environment studio or a panorama with it"},
     Effect{"exposure", makes_codes, "--format png, png16 or tiff, or --video with it: EXR files stay linear"},
     Effect{"tone", makes_codes, "--format png, png16 or tiff, or --video with it: EXR files stay linear"},
     Effect{"keyframes", has_key_frames, "--reuse copy or interpolate with it"},
-    Effect{"quality-at", shares_light, kShareLightToo},
     Effect{"splat", interpolates, kInterpolateToo},
     Effect{"fill", interpolates, kInterpolateToo},
     Effect{"halving", interpolates, kInterpolateToo},

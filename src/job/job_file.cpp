@@ -15,6 +15,7 @@
 #include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "job/params_table.hpp"
+#include "job/removed_params.hpp"
 #include "job/scene_light.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/core/version.hpp"
@@ -140,6 +141,7 @@ void read_job(const fs::path& file, RenderParams& params) try {
       set_opposite(*info, table, value_text(node, place), place, params);
       continue;
     }
+    if (const auto removed = removal_of(key.str(), "", fmt::format("{}: {}", place, key.str()))) throw *removed;
     const ParamInfo* info = find_param(key.str());
     if (!info) throw usage_error(place, fmt::format("there is no key '{}'{}", key.str(), did_you_mean(key.str())));
     const std::string where = fmt::format("{}: {}", place, info->name);

@@ -10,8 +10,6 @@
 #include "frames/frame_maker.hpp"
 #include "job/size_estimate.hpp"
 #include "lippmann/core/error.hpp"
-#include "trace/first_hits.hpp"
-#include "trace/strip_order.hpp"
 #include "video/video_codec.hpp"
 
 namespace lippmann {
@@ -125,19 +123,15 @@ double writing(const MemoryFacts& facts) {
 /// Which film pixel goes where, kept from frame to frame.
 double layout_tables(const MemoryFacts& facts) { return facts.layout.moves() ? sizeof(std::uint32_t) : 0.0; }
 
-double working(const MemoryFacts& facts) {
-  return working_bytes_per_pixel(facts.made_as, {facts.animation_frames, facts.frames, facts.covered});
-}
+double working(const MemoryFacts& facts) { return working_bytes_per_pixel(facts.made_as, facts.frames); }
 
 double pixels_of(const MemoryFacts& facts) { return static_cast<double>(facts.film.x) * facts.film.y; }
 
 /// Why frames cannot be cut; empty: they can.
 std::string reason_against_bands(const MemoryFacts& facts) {
   const FrameParams& made_as = facts.made_as;
-  if (made_as.sampling.denoise) return "the denoiser (`denoise`) looks at pixels of other rows";
+  if (is_denoised(made_as.sampling)) return "the denoiser (`denoise`) looks at pixels of other rows";
   if (std::holds_alternative<Interpolate>(made_as.reuse)) return "interpolated frames (`reuse`) are made from whole ones";
-  const auto* light = std::get_if<ShareLight>(&made_as.reuse);
-  if (light && light->time_budget_s) return "`time-budget` is that of a whole frame";
   if (facts.most_bands == 1) return "the rows of this picture are traced together";
   return {};
 }
@@ -204,30 +198,7 @@ std::string sentence_of(const MemoryPlan& plan, const MemoryFacts& facts, double
       "Whole frames of {}x{} pixels would take about {} of memory, and {} are available: ", facts.film.x, facts.film.y,
       bytes_text(estimated_bytes(facts, plan.bands > 1 ? 1 : facts.frames_at_a_time, 1)), bytes_text(available));
   if (plan.bands == 1) return why + "each frame is written before the next one is rendered.";
-  const bool shares = std::holds_alternative<ShareLight>(facts.made_as.reuse);
-  return why + fmt::format("each is rendered in {} bands of rows{}.", plan.bands,
-                           shares
-                               ? fmt::format(", which find their soft light each by itself (as with `strips` {})", plan.bands)
-                               : ", to the same pixels");
-}
-
-double covered_share(const Stage& stage, const Sampling& sampling, const ThreadPool& pool) {
-  constexpr int kBands = 6;
-  const Optics& optics = stage.placed.optics;
-  const int together = rows_per_strip(optics), height = film_size(optics).y;
-  Shot shot = stage.shot(stage.moment_at(0));
-  std::size_t met = 0, all = 0;
-  for (int i = 0; i < kBands; ++i) {
-    const int first = (2 * i + 1) * height / (2 * kBands) / together * together;
-    shot.rows = {first, std::min(first + together, height)};
-    FrameAovs aovs;
-    aovs.want(Aov::kDepth);
-    find_first_hits(shot, sampling.order, nullptr, pool, aovs);
-    const std::vector<float>& depth = aovs[Aov::kDepth].data;
-    met += static_cast<std::size_t>(std::count_if(depth.begin(), depth.end(), [](float z) { return std::isfinite(z); }));
-    all += depth.size();
-  }
-  return static_cast<double>(met) / static_cast<double>(std::max<std::size_t>(all, 1));
+  return why + fmt::format("each is rendered in {} bands of rows, to the same pixels.", plan.bands);
 }
 
 }  // namespace lippmann

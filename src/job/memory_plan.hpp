@@ -16,15 +16,13 @@ namespace lippmann {
 /// The inputs of the memory estimate, beside the pixels.
 struct MemoryFacts {
   const RenderParams& params;
-  FrameParams made_as;  ///< its reuse is the one that serves the scene (reuse_for)
+  FrameParams made_as;
   const FrameLayout& layout;
   Vec2i film{0, 0};
-  int animation_frames = 1;    ///< the scene's: neighbours of frames count where these are made with them
   int frames = 1;              ///< that are rendered
   int frames_at_a_time = 1;    ///< at most: being traced, waiting and being written
   bool writes_videos = false;  ///< along with the frames
   int most_bands = 1;          ///< into which a frame can be cut; 1: it cannot
-  double covered = 1.0;        ///< the share of pixels that see a surface, which soft light is shared on
 };
 
 /// How frames are made.
@@ -49,9 +47,5 @@ MemoryPlan plan_strips_memory(const MemoryFacts& facts, int strips, bool joins, 
 
 /// One sentence for people; empty where all is as usual.
 std::string sentence_of(const MemoryPlan& plan, const MemoryFacts& facts, double available);
-
-/// The share of a frame's pixels that see a surface, from a few bands of rows of the timeline's first moment, which the stage
-/// stands at.
-double covered_share(const Stage& stage, const Sampling& sampling, const ThreadPool& pool);
 
 }  // namespace lippmann

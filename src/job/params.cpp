@@ -43,7 +43,6 @@ RenderParams with_scene_defaults(RenderParams params) {
   const bool paths = is_physical_format(params.scene.name) && !of_splats && params.reuse.choice != ReuseChoice::kInterpolate;
   if (of_splats && params.sampling.spp == 0) params.sampling.spp = kSplatSamples;
   params.sampling.integrator = paths ? Integrator::kPath : Integrator::kWhitted;
-  if (paths && params.sampling.spp == 0) params.sampling.spp = kFirstPathSamples;
   return params;
 }
 

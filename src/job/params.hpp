@@ -22,8 +22,9 @@
 namespace lippmann {
 
 enum class OpticsKind { kLenticular, kMicrolens, kMultiview, kSingle };
-enum class ReuseChoice { kAuto, kNone, kCopy, kLight, kInterpolate };
-enum class DebugPicture { kNone, kMissed, kProvenance };
+enum class ReuseChoice { kAuto, kNone, kCopy, kInterpolate };
+enum class DebugPicture { kNone, kMissed };
+
 /// Which scene, in what light, and what of it is looked at.
 struct SceneParams {
   std::string name;                   ///< a built-in name or a file
@@ -65,15 +66,13 @@ struct OpticsParams {
 /// What frames take from each other, as requested: parameters of other kinds must not be given (job/reuse_params.hpp).
 struct ReuseParams {
   ReuseChoice choice = ReuseChoice::kAuto;
-  std::optional<int> keyframes{};            ///< a key frame every K frames; none: chosen, or kDefaultKeyframes
-  std::optional<double> min_psnr_db{};       ///< what every frame's PSNR is to reach, in 8-bit codes
-  std::optional<double> time_budget_s{};     ///< how long a path-traced frame may take, about, on this machine
-  QualityAt quality_at = QualityAt::kPixel;  ///< what the goal of frames that share light is for
+  std::optional<int> keyframes{};       ///< a key frame every K frames; none: chosen, or kDefaultKeyframes
+  std::optional<double> min_psnr_db{};  ///< what every frame's PSNR is to reach, in 8-bit codes
   SplatMode splat = SplatMode::kView;
   MissedFill fill = MissedFill::kInterpolate;  ///< kInterpolate or kRetrace
   bool halving = false;
   bool no_z_buffer = false;
-  DebugPicture debug = DebugPicture::kNone;  ///< kMissed: missed pixels stay black; kProvenance: where light came from
+  DebugPicture debug = DebugPicture::kNone;  ///< kMissed: missed pixels stay black
 };
 
 /// Companions rendered from the same frames.
@@ -102,9 +101,6 @@ struct RenderParams {
   int threads = 0;      ///< 0: one per processor
   bool resume = false;  ///< keep the frames that the same job has finished before
 };
-
-/// Samples per pixel of paths that are the scene's default: a first picture comes within seconds.
-inline constexpr int kFirstPathSamples = 16;
 
 /// With the integrator that the scene's format asks for where none is given: paths for physical formats (is_physical_format),
 /// unless --reuse interpolate is wanted, which knows Whitted's shading alone; Whitted's shading for all others. Formats that

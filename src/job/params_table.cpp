@@ -11,6 +11,7 @@
 
 #include "core/suggest.hpp"
 #include "job/param_text.hpp"
+#include "job/removed_params.hpp"
 #include "job/reuse_params.hpp"
 #include "job/scene_light.hpp"
 #include "layout/frame_names.hpp"
@@ -29,12 +30,12 @@ constexpr std::array<std::string_view, 6> kUpNames{"y", "x", "z", "-x", "-y", "-
 constexpr std::array<std::string_view, 2> kPackingNames{"square", "hexagonal"};
 constexpr std::array<std::string_view, 3> kOrderNames{"rows", "columns", "view-tiles"};
 constexpr std::array<std::string_view, 3> kToneNames{"none", "neutral", "agx"};
-constexpr std::array<std::string_view, 5> kReuseNames{"auto", "none", "copy", "light", "interpolate"};
+constexpr std::array<std::string_view, 4> kReuseNames{"auto", "none", "copy", "interpolate"};
+constexpr std::array<std::string_view, 2> kDenoiseNames{"auto", "none"};
 constexpr std::array<std::string_view, 2> kAngularNames{"none", "box"};
 constexpr std::array<std::string_view, 2> kSplatNames{"lens", "view"};
 constexpr std::array<std::string_view, 2> kFillNames{"interpolate", "retrace"};
-constexpr std::array<std::string_view, 2> kQualityAtNames{"pixel", "eye"};
-constexpr std::array<std::string_view, 3> kDebugNames{"none", "missed", "provenance"};
+constexpr std::array<std::string_view, 2> kDebugNames{"none", "missed"};
 constexpr std::array<std::string_view, 4> kFormatNames{"png", "png16", "tiff", "exr"};
 constexpr std::array<std::string_view, 7> kLayoutNames{"integral", "quilt", "views", "native", "print", "stereo", "rgbd"};
 constexpr std::array<std::string_view, 1> kCompanionNames{"single"};
@@ -103,12 +104,22 @@ Codec<E> choice(const std::array<std::string_view, N>& names) {
       {names.begin(), names.end()}};
 }
 
-/// Jobs of before have other names.
+/// Job files of earlier versions have other names.
 Codec<ReuseChoice> reuse_choice() {
   Codec<ReuseChoice> codec = choice<ReuseChoice>(kReuseNames);
   codec.read = [by_name = codec.read](std::string_view value, const std::string& where) {
     if (value == "exact") return ReuseChoice::kAuto;
     return value == "forward" ? ReuseChoice::kInterpolate : by_name(value, where);
+  };
+  return codec;
+}
+
+/// Job files of earlier versions have true or false.
+Codec<Denoise> denoise_choice() {
+  Codec<Denoise> codec = choice<Denoise>(kDenoiseNames);
+  codec.read = [by_name = codec.read](std::string_view value, const std::string& where) {
+    if (value == "true") return Denoise::kAuto;
+    return value == "false" ? Denoise::kNone : by_name(value, where);
   };
   return codec;
 }
@@ -161,7 +172,9 @@ template <class T, class... Members>
 ParamInfo row_of(ParamKind kind, Codec<T> codec, Documentation words, Members... way) {
   ParamInfo info{words.name, words.group, words.type, words.doc, kind, true, false, {}, {}};
   info.set = [=, read = codec.read](RenderParams& params, const Values& values, const std::string& where) {
-    member_of(params, way...) = read(values.empty() ? std::string_view() : std::string_view(values.back()), where);
+    const std::string_view value = values.empty() ? std::string_view() : std::string_view(values.back());
+    if (const auto removed = removal_of(words.name, value, where)) throw *removed;
+    member_of(params, way...) = read(value, where);
   };
   info.get = [=, write = codec.write](const RenderParams& params) {
     std::string value = write(member_of(params, way...));
@@ -191,6 +204,11 @@ ParamInfo runs_only(ParamInfo info) {
 
 ParamInfo path(ParamInfo info) {
   info.is_path = true;
+  return info;
+}
+
+ParamInfo with_bare_value(ParamInfo info, std::string_view value) {
+  info.bare_value = value;
   return info;
 }
 
@@ -394,9 +412,8 @@ std::vector<ParamInfo> optics_rows() {
            "With --layout stereo: width of the picture on the screen; default: the display's width, else 600 (27 inch)"}),
       row(ParamKind::kText, &P::optics, &OpticsParams::crosstalk_px, crosstalk,
           {"crosstalk", "Optics", "PIXELS|C%",
-           "Blur of the lenses, for --precompensate and for errors at the eye: sigma of a Gaussian in pixels (quilts: in "
-           "views), "
-           "or the share of each neighbour, such as 0.4 or 10%; default: that of --display"}),
+           "With --precompensate: blur of the lenses, as the sigma of a Gaussian in pixels (quilts: in views) or the share of "
+           "each neighbour, such as 0.4 or 10%; default: that of --display"}),
       row(ParamKind::kFlag, &P::optics, &OpticsParams::precompensate, flag(),
           {"precompensate", "Optics", "",
            "Sharpen pictures so that crosstalk turns them into the wanted ones, as far as pixel values between black and white "
@@ -420,7 +437,7 @@ std::vector<ParamInfo> rendering_rows() {
            "PLY "
            "files, else whitted"}),
       row(ParamKind::kNumber, &P::sampling, &Sampling::spp, integer<int>(0, 1 << 16),
-          {"spp", "Rendering", "N", "Samples per pixel; 0: 1 (whitted), 64 (path), 16 (path chosen by default)"}),
+          {"spp", "Rendering", "N", "Samples per pixel; 0: 1 (whitted) or 16 (path)"}),
       row(ParamKind::kText, &P::sampling, &Sampling::angular_filter, optional_choice<AngularFilter>(kAngularNames),
           {"angular-filter", "Rendering", "NAME",
            "With --optics multiview: a view is seen from one eye (none) or from the whole range between its neighbours (box), "
@@ -450,9 +467,12 @@ std::vector<ParamInfo> rendering_rows() {
           {"clamp-indirect", "Rendering", "X",
            "With --integrator path: limit the indirect light of a sample to X, which removes bright specks but loses light; 0: "
            "off"}),
-      row(ParamKind::kFlag, &P::sampling, &Sampling::denoise, flag(),
-          {"denoise", "Rendering", "",
-           "With --integrator path: remove noise by averaging over pixels, views and frames that show the same surface"}),
+      with_bare_value(
+          row(ParamKind::kText, &P::sampling, &Sampling::denoise, denoise_choice(),
+              {"denoise", "Rendering", "auto|none",
+               "Remove the noise of path tracing by averaging over pixels and views that show the same surface: auto "
+               "(with 2 or more samples per pixel) or none"}),
+          "auto"),
       path(row(
           ParamKind::kText, &P::scene, &SceneParams::environment, environment,
           {"environment", "Rendering", "none|studio|COLOUR|FILE",
@@ -489,36 +509,19 @@ std::vector<ParamInfo> reuse_rows() {
         return read_number(value, kLeastPsnr, kMostPsnr, where);
       },
       [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }};
-  const Codec<std::optional<double>> seconds{
-      [](std::string_view value, const std::string& where) -> std::optional<double> {
-        return read_number(value, kLeastBudgetS, kMostBudgetS, where);
-      },
-      [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }};
   return {
       row(ParamKind::kText, &P::reuse, &ReuseParams::choice, reuse_choice(),
           {"reuse", "Reuse", "NAME",
-           "How frames share work. none; copy: copy pixels that cannot have changed, for the same pictures as none; light: "
-           "share "
-           "soft light between pixels, views and frames, with an estimated error; interpolate: make frames from the points of "
-           "key frames (the paper's method); auto: light for path tracing, else copy"}),
+           "How frames share work. none; copy: copy pixels that cannot have changed, for the same pictures as none; "
+           "interpolate: make frames from the points of key frames (the paper's method); auto: copy, or none for path "
+           "tracing"}),
       row(ParamKind::kText, &P::reuse, &ReuseParams::keyframes, keyframes,
           {"keyframes", "Reuse", "K|auto",
            "With --reuse copy or interpolate: trace a key frame every K frames; auto: chosen by cost, or 8 for interpolate "
            "without --min-psnr"}),
       row(ParamKind::kNumber, &P::reuse, &ReuseParams::min_psnr_db, min_psnr,
           {"min-psnr", "Reuse", "DB",
-           "Lowest PSNR of a frame. With --reuse interpolate: trace pixels until it is reached; with --reuse light: take as "
-           "many "
-           "samples as it needs, instead of --spp"}),
-      row(ParamKind::kText, &P::reuse, &ReuseParams::quality_at, choice<QualityAt>(kQualityAtNames),
-          {"quality-at", "Reuse", "WHERE",
-           "With --reuse light: --min-psnr holds for single pixels (pixel) or for the picture at an eye behind the lenses, "
-           "which "
-           "mix neighbours by --crosstalk (eye)"}),
-      row(ParamKind::kNumber, &P::reuse, &ReuseParams::time_budget_s, seconds,
-          {"time-budget", "Reuse", "S",
-           "With --reuse light: choose the samples so that a frame takes about S seconds, except the first of every 16; the "
-           "pictures then depend on the machine"}),
+           "With --reuse interpolate: lowest PSNR of a frame; pixels are traced until it is reached"}),
       row(ParamKind::kText, &P::reuse, &ReuseParams::splat, choice<SplatMode>(kSplatNames),
           {"splat", "Reuse", "WHERE",
            "With --reuse interpolate: project points within their lens (as in the paper) or within their directional view"}),
@@ -533,10 +536,7 @@ std::vector<ParamInfo> reuse_rows() {
            "With --reuse interpolate: let points overwrite each other in pixel order, without a depth test (wrong, for "
            "study)"}),
       row(ParamKind::kText, &P::reuse, &ReuseParams::debug, choice<DebugPicture>(kDebugNames),
-          {"debug", "Reuse", "PICTURE",
-           "missed (with --reuse interpolate): leave missed pixels black; provenance (with --reuse light): show traced light "
-           "red, "
-           "cached light green, and cached light of earlier frames blue"}),
+          {"debug", "Reuse", "PICTURE", "With --reuse interpolate: missed leaves missed pixels black"}),
   };
 }
 
@@ -612,7 +612,7 @@ std::vector<ParamInfo> running_rows() {
       row(ParamKind::kNumber, &P::strips, integer<int>(1, kMostStrips),
           {"strips", "Running", "N",
            "Render each frame in N strips of rows, for huge stills: units and ranks share the strips, 'lippmann finish' joins "
-           "them; each strip has its own shared light"}),
+           "them"}),
       runs_only(row(ParamKind::kNumber, &P::threads, integer<int>(0, 1024),
                     {"threads", "Running", "N", "Number of rendering threads; 0: one per processor"})),
       runs_only(row(ParamKind::kFlag, &P::resume, flag(),

@@ -34,6 +34,7 @@ struct ParamInfo {
   std::vector<std::string_view> choices = {};  ///< all that it may be, where those are words; empty: anything else
   std::string_view opposite = {};              ///< for a kFlag, the name of the flag and key that says false; empty: none
   std::string_view opposite_doc = {};          ///< one line
+  std::string_view bare_value = {};            ///< the value of the flag without one; empty: it needs a value
 };
 
 /// All parameters, in the order of --help. `scene` comes first.

@@ -20,43 +20,23 @@ void refuse_interpolation_flags(const ReuseParams& params) {
     throw usage_error(stray, "has no effect without interpolated frames", "--reuse interpolate with it");
 }
 
-void refuse_light_flags(const ReuseParams& params) {
-  constexpr const char* kAccepted = "--integrator path --reuse light with it, 8 --spp or more, and no --aov direct or indirect";
-  if (params.time_budget_s) throw usage_error("--time-budget", "is for path-traced frames that share light", kAccepted);
-  if (params.quality_at != QualityAt::kPixel)
-    throw usage_error("--quality-at", "eye is for path-traced frames that share light", kAccepted);
-  if (params.debug == DebugPicture::kProvenance)
-    throw usage_error("--debug", "provenance needs frames that share light", kAccepted);
-}
-
 TraceAll trace_all(const ReuseParams& params) {
   refuse_interpolation_flags(params);
-  refuse_light_flags(params);
   if (params.keyframes)
     throw usage_error("--keyframes", "has no effect where every frame is traced in full",
                       "it together with --reuse copy or interpolate");
   if (params.min_psnr_db)
     throw usage_error("--min-psnr", "has no effect where every frame is traced in full",
-                      "--reuse interpolate with it, or light with --integrator path");
+                      "--spp for path tracing; --min-psnr with --reuse interpolate");
   return {};
 }
 
 CopySettled copy_settled(const ReuseParams& params) {
   refuse_interpolation_flags(params);
-  refuse_light_flags(params);
   return {params.keyframes};
 }
 
-ShareLight share_light(const ReuseParams& params) {
-  refuse_interpolation_flags(params);
-  if (params.keyframes)
-    throw usage_error("--keyframes", "has no effect on frames that share light",
-                      "it together with --reuse copy or interpolate");
-  return {params.min_psnr_db, params.time_budget_s, params.debug == DebugPicture::kProvenance, params.quality_at};
-}
-
 Interpolate interpolate(const ReuseParams& params) {
-  refuse_light_flags(params);
   const bool shows_missed = params.debug == DebugPicture::kMissed;
   if (shows_missed && params.fill == MissedFill::kRetrace)
     throw usage_error("--fill", "retrace cannot be combined with --debug missed, which leaves missed pixels black",
@@ -68,12 +48,11 @@ Interpolate interpolate(const ReuseParams& params) {
           params.halving,   params.no_z_buffer};
 }
 
-/// Key frames and floors may be given for any scene, as in jobs for many scenes: frames that share light have no
-/// key frames, and pixels that are copied or traced keep to any floor.
+/// Key frames and floors may be given for any scene, as in jobs for many scenes: path-traced frames have no key frames, and
+/// pixels that are copied or traced keep to any floor, if they have no noise.
 Reuse reuse_by_sampling(ReuseParams params, const Sampling& sampling) {
   if (can_copy_settled(sampling)) return copy_settled(params);
   params.keyframes.reset();
-  if (can_share_light(sampling, {params.min_psnr_db, params.time_budget_s})) return share_light(params);
   if (integrator_of(sampling) == Integrator::kWhitted) params.min_psnr_db.reset();
   return trace_all(params);
 }
@@ -86,8 +65,6 @@ Reuse wanted_reuse(const ReuseParams& params, const Sampling& sampling) {
       return trace_all(params);
     case ReuseChoice::kCopy:
       return copy_settled(params);
-    case ReuseChoice::kLight:
-      return share_light(params);
     case ReuseChoice::kInterpolate:
       break;
   }
@@ -105,14 +82,6 @@ FrameParams frame_params(const RenderParams& params) {
 void check_floor(const RenderParams& params) {
   if (params.reuse.min_psnr_db && !tone_of(params.output.pictures).is_identity())
     throw usage_error("--min-psnr", "cannot be combined with --exposure or --tone", "--min-psnr without them");
-}
-
-std::string whole_paths_sentence(const RenderParams& params) {
-  Sampling plain = params.sampling;
-  plain.aov.clear(), plain.shutter = 0.0f;
-  if (params.reuse.choice != ReuseChoice::kAuto || can_share_light(params.sampling) || !can_share_light(plain)) return "";
-  if (params.sampling.shutter > 0.0f) return "--shutter makes every frame one of several times: no light is shared";
-  return "--aov direct and indirect are parts of whole paths: no light is shared";
 }
 
 }  // namespace lippmann

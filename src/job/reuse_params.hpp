@@ -6,8 +6,7 @@
 namespace lippmann {
 
 inline constexpr int kMaxKeyframes = 4096;
-inline constexpr double kLeastPsnr = 20.0, kMostPsnr = 90.0;            ///< floors that can be asked for
-inline constexpr double kLeastBudgetS = 0.001, kMostBudgetS = 86400.0;  ///< seconds of a frame, likewise
+inline constexpr double kLeastPsnr = 20.0, kMostPsnr = 90.0;  ///< floors that can be asked for
 
 /// How the frames of a job are made: kAuto becomes what its sampling allows. `params` as with_scene_defaults() leaves them.
 /// Throws a usage Error for parameters of reuse that mean nothing to the kind that serves, and for all that check() refuses.
@@ -15,8 +14,5 @@ FrameParams frame_params(const RenderParams& params);
 
 /// Throws a usage Error for a floor that is asked of pictures of another tone.
 void check_floor(const RenderParams& params);
-
-/// One sentence where light that could be shared is not because of what else is asked for; else empty.
-std::string whole_paths_sentence(const RenderParams& params);
 
 }  // namespace lippmann

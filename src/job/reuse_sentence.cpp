@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <variant>
-
-#include "job/shared_light.hpp"
 
 namespace lippmann {
 namespace {
@@ -48,7 +47,6 @@ struct Describe {
     return report.frames.size() == 1 ? "the frame was traced in full" : "every frame was traced in full";
   }
   std::string operator()(const CopySettled&) const { return describe_copied(report); }
-  std::string operator()(const ShareLight&) const { return shared_light_sentence(report.frames); }
   std::string operator()(const Interpolate&) const { return describe_interpolated(report); }
 };
 
@@ -56,6 +54,21 @@ struct Describe {
 
 std::string reuse_sentence(const RenderReport& report) {
   return fmt::format("{}: {}", name_of(report.reuse), std::visit(Describe{report}, report.reuse));
+}
+
+std::string error_sentence(const std::vector<FrameReport>& frames) {
+  const FrameReport* worst = nullptr;
+  for (const FrameReport& frame : frames)
+    if (frame.estimated_psnr_db && (!worst || *frame.estimated_psnr_db < *worst->estimated_psnr_db)) worst = &frame;
+  if (!worst) return "";
+  std::string interval;
+  if (worst->psnr_at_least_db && worst->psnr_at_most_db)
+    interval = fmt::format(" ({:.0f} to {:.0f})", *worst->psnr_at_least_db, *worst->psnr_at_most_db);
+  else if (worst->psnr_at_least_db)
+    interval = fmt::format(" (at least {:.0f})", *worst->psnr_at_least_db);
+  const std::string error = fmt::format("{:.0f} dB{}", *worst->estimated_psnr_db, interval);
+  return frames.size() == 1 ? "estimated error " + error
+                            : fmt::format("estimated error at worst {}, in frame {}", error, worst->frame);
 }
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Which reuse served a render, what it did, and how sure that is: a sentence for people.
+// Which reuse served a render, what it did, and how large its error is: sentences for people.
 #pragma once
 
 #include <string>
@@ -9,5 +9,9 @@ namespace lippmann {
 
 /// Begins with the name of the kind that served (name_of).
 std::string reuse_sentence(const RenderReport& report);
+
+/// "estimated error 42 dB (40 to 44)": the PSNR of the frame with the largest error and its 90 % interval. Empty without
+/// estimates.
+std::string error_sentence(const std::vector<FrameReport>& frames);
 
 }  // namespace lippmann

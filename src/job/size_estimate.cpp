@@ -15,7 +15,7 @@ enum class Texture { kClean, kDenoised, kNoisy };
 
 Texture texture_of(const RenderParams& params) {
   if (integrator_of(params.sampling) == Integrator::kWhitted) return Texture::kClean;
-  return params.sampling.denoise ? Texture::kDenoised : Texture::kNoisy;
+  return is_denoised(params.sampling) ? Texture::kDenoised : Texture::kNoisy;
 }
 
 double of(Texture texture, double clean, double denoised, double noisy) {

@@ -54,9 +54,7 @@ RenderParams job_in(const std::filesystem::path& folder, RenderParams params) {
 
 Neighbours neighbours_in(const RenderParams& params) {
   if (params.strips > 1) return Neighbours::kOthers;
-  const Reuse reuse = resolved_reuse(frame_params(params));
-  if (std::holds_alternative<ShareLight>(reuse)) return Neighbours::kSettling;
-  return std::holds_alternative<CopySettled>(reuse) ? Neighbours::kCopied : Neighbours::kOthers;
+  return std::holds_alternative<CopySettled>(frame_params(params).reuse) ? Neighbours::kCopied : Neighbours::kOthers;
 }
 
 /// Renders frames as a unit does, writes their files, and takes the time of both.

@@ -74,11 +74,13 @@ bool lists(const Json& json, const char* text) {
 }
 
 FrameFacts frame_facts(const Json& frame) {
-  constexpr std::array<std::string_view, 4> kKinds{"full", "key", "in-between", "shared"};
+  constexpr std::array<std::string_view, 3> kKinds{"full", "key", "in-between"};
   FrameFacts facts;
-  if (const auto kind = frame.find("kind"); kind != frame.end() && kind->is_string())
+  if (const auto kind = frame.find("kind"); kind != frame.end() && kind->is_string()) {
     for (const std::string_view known : kKinds)
       if (*kind == known) facts.kind = known;
+    if (*kind == "shared") facts.kind = "full";  // of earlier versions
+  }
   if (const auto psnr = frame.find("estimated_psnr_db"); psnr != frame.end() && psnr->is_number())
     if (const double value = psnr->get<double>(); std::isfinite(value)) facts.psnr_db = value;
   return facts;

@@ -15,7 +15,7 @@ namespace lippmann {
 
 /// What a report says of one frame.
 struct FrameFacts {
-  std::string kind = {};               ///< full, key, in-between or shared; empty: the report does not say
+  std::string kind = {};               ///< full, key or in-between; empty: the report does not say
   std::optional<double> psnr_db = {};  ///< as estimated while rendering; none: exact, or not estimated
 };
 

@@ -1,14 +1,10 @@
 #include "live/live_passes.hpp"
 
-#include <memory>
 #include <utility>
-#include <variant>
 
 #include "folder/develop_frame.hpp"
 #include "frames/frame_maker.hpp"
-#include "frames/shared_light_frames.hpp"
 #include "image/tone.hpp"
-#include "job/reuse_params.hpp"
 #include "job/test_pattern.hpp"
 #include "job/undo_crosstalk.hpp"
 #include "lippmann/image/encode.hpp"
@@ -53,15 +49,6 @@ LivePictures pictures_of(RenderedFrame rendered, const LiveStage& live, const Pa
   return {facts.view_size, std::move(views), std::move(panel)};
 }
 
-/// Frames before it, which the render would share light with, have no part in it: some moments' wait for a draft of any frame.
-std::unique_ptr<FrameMaker> draft_maker(LiveStage& live, const FrameParams& draft, const Context& context) {
-  const Reuse reuse = reuse_for(live.stage().scene, draft);
-  if (const auto* light = std::get_if<ShareLight>(&reuse))
-    return std::make_unique<SharedLightFrames>(live.stage(), draft.sampling, *light, live.pool(), context,
-                                               LightHistory::kFrame);
-  return make_frame_maker(live.stage(), draft, live.pool(), context);
-}
-
 }  // namespace
 
 std::optional<LivePictures> coarse_pictures(LiveStage& live, const PageFacts& facts, int frame, const Context& context) {
@@ -88,10 +75,9 @@ std::optional<LivePictures> draft_pictures(LiveStage& live, const PageFacts& fac
   if (!uses_paths(params) || samples_per_pixel(params.sampling) <= 2 * kDraftSamples) return std::nullopt;
   FrameParams draft{params.sampling, AutoReuse{}};
   draft.sampling.spp = kDraftSamples;
-  draft.sampling.denoise = false;
   draft.sampling.aov.clear();
   check(draft, live.stage().placed.optics);
-  RenderedFrame drawn = draft_maker(live, draft, context)->make(frame);
+  RenderedFrame drawn = make_frame_maker(live.stage(), draft, live.pool(), context)->make(frame);
   if (context.cancelled) return std::nullopt;
   return pictures_of(std::move(drawn), live, facts);
 }

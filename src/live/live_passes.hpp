@@ -1,5 +1,5 @@
-// The pictures of a frame, one after the other: a coarse light field at once, a draft of paths that share light, and what
-// `lippmann render` makes.
+// The pictures of a frame, one after the other: a coarse light field at once, a draft of few paths, and what `lippmann
+// render` makes.
 //
 // Each pass ends early, without a picture, when the context is cancelled.
 #pragma once

@@ -95,7 +95,7 @@ Chart psnr_chart(const RenderFigures& render) {
   chart.series.push_back(
       series_of(render, "at least (95 % confidence)", 1, [](const auto& frame) { return frame.psnr_at_least_db; }));
   chart.series.push_back(
-      series_of(render, "means over 64 pixels", 4, [](const auto& frame) { return frame.estimated_block_psnr_db; }));
+      series_of(render, "at most (95 % confidence)", 4, [](const auto& frame) { return frame.psnr_at_most_db; }));
   keep_used(chart.series);
   add_psnr_levels(render, chart);
   return chart;

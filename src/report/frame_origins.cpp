@@ -8,27 +8,20 @@ namespace {
 /// `exact` is what older versions call it.
 bool is_copied(const RenderFigures& render) { return render.reuse == "copy" || render.reuse == "exact"; }
 
-std::array<double, 5> all_of(Origin origin) {
-  std::array<double, 5> shares{};
-  shares[static_cast<std::size_t>(origin)] = 1.0;
-  return shares;
-}
-
 /// What is neither reused nor traced was filled.
-std::array<double, 5> in_between_origins(const FrameReport& frame, double pixels, bool copied) {
+OriginShares in_between_origins(const FrameReport& frame, double pixels, bool copied) {
   const double reused = std::min(static_cast<double>(frame.reused_pixels) / pixels, 1.0);
-  if (copied) return {1.0 - reused, reused, 0.0, 0.0, 0.0};
+  if (copied) return {1.0 - reused, reused, 0.0, 0.0};
   const double traced = std::min(static_cast<double>(frame.retraced_pixels) / pixels, 1.0 - reused);
-  return {traced, 0.0, reused, 1.0 - reused - traced, 0.0};
+  return {traced, 0.0, reused, 1.0 - reused - traced};
 }
 
 }  // namespace
 
 bool is_traced_whole(const FrameReport& frame) { return frame.kind == "full" || frame.kind == "key"; }
 
-std::optional<std::array<double, 5>> origins_of(const FrameReport& frame, const RenderFigures& render) {
-  if (frame.kind == "shared") return all_of(Origin::kShared);
-  if (frame.kind != "in-between") return all_of(Origin::kTraced);
+std::optional<OriginShares> origins_of(const FrameReport& frame, const RenderFigures& render) {
+  if (frame.kind != "in-between") return OriginShares{1.0, 0.0, 0.0, 0.0};
   if (!render.pixels || *render.pixels < 1.0) return std::nullopt;
   return in_between_origins(frame, *render.pixels, is_copied(render));
 }

@@ -10,18 +10,17 @@
 
 namespace lippmann {
 
-enum class Origin { kTraced, kCopied, kInterpolated, kFilled, kShared };
+enum class Origin { kTraced, kCopied, kInterpolated, kFilled };
 /// By Origin.
-inline constexpr std::array<std::string_view, 5> kOriginNames{"traced", "copied", "interpolated", "filled",
-                                                              "soft light shared"};
+inline constexpr std::array<std::string_view, 4> kOriginNames{"traced", "copied", "interpolated", "filled"};
+using OriginShares = std::array<double, kOriginNames.size()>;
 
 /// Shares by Origin that add up to 1. None where the size of frames is not known.
 ///   traced         every ray of its own
 ///   copied         the bits of a key frame, provably unchanged (reuse copy)
 ///   interpolated   from the points of key frames (reuse interpolate)
 ///   filled         no point fell there: from its neighbours (reuse interpolate, fill interpolate)
-///   shared         sharp light traced, soft light from the cache of all frames (reuse light)
-std::optional<std::array<double, 5>> origins_of(const FrameReport& frame, const RenderFigures& render);
+std::optional<OriginShares> origins_of(const FrameReport& frame, const RenderFigures& render);
 
 /// Of kind full or key.
 bool is_traced_whole(const FrameReport& frame);

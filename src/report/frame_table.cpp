@@ -51,7 +51,7 @@ std::vector<Column> frame_columns(const RenderFigures& render) {
   add_pixels("not covered", &FrameReport::not_covered_pixels);
   columns.push_back({"PSNR dB", [](const auto& frame) { return decibels(frame.estimated_psnr_db); }});
   columns.push_back({"at least dB", [](const auto& frame) { return decibels(frame.psnr_at_least_db); }});
-  columns.push_back({"means dB", [](const auto& frame) { return decibels(frame.estimated_block_psnr_db); }});
+  columns.push_back({"at most dB", [](const auto& frame) { return decibels(frame.psnr_at_most_db); }});
   return columns;
 }
 

@@ -33,7 +33,7 @@ SummaryFigure traced_figure(const RenderFigures& render) {
                                     [&](const FrameReport& frame) { return origins_of(frame, render).has_value(); });
   if (!is_known || render.frames.empty()) return {"pixels traced", kNotKnown, ""};
   std::string others;
-  for (const Origin origin : {Origin::kCopied, Origin::kInterpolated, Origin::kFilled, Origin::kShared})
+  for (const Origin origin : {Origin::kCopied, Origin::kInterpolated, Origin::kFilled})
     if (const double share = mean_share(render, origin); share > 0.0)
       others += fmt::format("{}{} {}", others.empty() ? "" : ", ", percent_text(share),
                             kOriginNames[static_cast<std::size_t>(origin)]);

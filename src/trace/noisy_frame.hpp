@@ -27,11 +27,11 @@ inline bool is_of_second_half(std::uint32_t sample) { return (std::popcount(samp
 /// With which the light of samples of either half, each 1 / spp of the film's, adds up to NoisyFrame::noise.
 std::array<float, 2> weights_of_halves(int spp);
 
-/// Gives all images but the film the panel's size, and 0.
-void clear_guides(Vec2i film, NoisyFrame& noisy);
+/// What the images of a NoisyFrame take.
+inline constexpr double kNoisyFrameBytesPerPixel = 17 * sizeof(float);
 
 /// As trace_frame for the same scene, made for paths, at 2 or more samples per pixel: noisy.film has the bits of its film.
 RayCounts trace_noisy_frame(const Shot& shot, const TraceParams& params, const Workers& workers, NoisyFrame& noisy,
-                            FrameAovs& aovs);
+                            FrameAovs& aovs, SampleShare share = {});
 
 }  // namespace lippmann

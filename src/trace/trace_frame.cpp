@@ -107,24 +107,24 @@ std::array<float, 2> weights_of_halves(int spp) {
   return {weight(spp - second), -weight(second)};
 }
 
-void clear_guides(Vec2i film, NoisyFrame& noisy) {
-  for (Image* image : {&noisy.noise, &noisy.seen, &noisy.albedo, &noisy.normal}) *image = Image(film.x, film.y, 3);
-  for (Image* image : {&noisy.z, &noisy.met}) *image = Image(film.x, film.y, 1);
-}
-
 RayCounts trace_noisy_frame(const Shot& shot, const TraceParams& params, const Workers& workers, NoisyFrame& noisy,
-                            FrameAovs& aovs) {
-  const Vec2i size = film_size(shot);
-  noisy.film = Image(size.x, size.y, 3);
-  clear_guides(size, noisy);
-  allocate_light(size, aovs);
+                            FrameAovs& aovs, SampleShare share) {
+  if (share.is_first()) {
+    const Vec2i size = film_size(shot);
+    for (Image* image : {&noisy.film, &noisy.noise, &noisy.seen, &noisy.albedo, &noisy.normal})
+      *image = Image(size.x, size.y, 3);
+    for (Image* image : {&noisy.z, &noisy.met}) *image = Image(size.x, size.y, 1);
+    allocate_light(size, aovs);
+  }
   PathFilm film = light_in(aovs);
   film.noise = noisy.noise.data.data(), film.seen = noisy.seen.data.data();
   const FirstSurfaces surfaces{noisy.albedo.data.data(), noisy.normal.data.data(), noisy.z.data.data(), noisy.met.data.data(),
                                display_z(shot.world_from_display)};
   film.surfaces = &surfaces;
-  const RayCounts counts = FrameTracer(shot, params, noisy.film, film).trace({}, workers);
-  finish_alpha(params.spp, aovs);
+  FrameTracer tracer(shot, params, noisy.film, film);
+  tracer.take(share);
+  const RayCounts counts = tracer.trace({}, workers);
+  if (share.is_last()) finish_alpha(params.spp, aovs);
   return counts;
 }
 

@@ -16,6 +16,12 @@
 
 namespace lippmann {
 
+/// Whether the noise of path tracing is removed (denoise/denoiser.hpp).
+enum class Denoise {
+  kAuto,  ///< of path-traced frames with 2 or more samples per pixel: see is_denoised()
+  kNone,  ///< frames stay as traced
+};
+
 /// How a frame is traced, and which layers it has.
 struct Sampling {
   std::optional<Integrator> integrator{};  ///< none: Whitted's
@@ -27,9 +33,9 @@ struct Sampling {
   int max_depth = 0;     ///< path vertices; 0: the scene's own limit
   std::uint32_t seed = 0;
   float clamp_indirect = 0.0f;  ///< paths: the brightest indirect contribution to a sample; 0: any
-  bool denoise = false;         ///< paths: frames are filtered (denoise/denoiser.hpp)
-  bool transparent = false;     ///< pictures have alpha: the surroundings light the scene but are not seen
-  std::vector<Aov> aov{};       ///< extra layers beside the picture
+  Denoise denoise = Denoise::kAuto;
+  bool transparent = false;  ///< pictures have alpha: the surroundings light the scene but are not seen
+  std::vector<Aov> aov{};    ///< extra layers beside the picture
 };
 
 /// All that frames of a scene and its optics depend on.
@@ -39,7 +45,7 @@ struct FrameParams {
 };
 
 /// Samples per pixel of paths by default.
-inline constexpr int kPathSamples = 64;
+inline constexpr int kPathSamples = 16;
 
 inline Integrator integrator_of(const Sampling& sampling) { return sampling.integrator.value_or(Integrator::kWhitted); }
 
@@ -47,9 +53,10 @@ inline int samples_per_pixel(const Sampling& sampling) {
   return sampling.spp > 0 ? sampling.spp : integrator_of(sampling) == Integrator::kPath ? kPathSamples : 1;
 }
 
-/// Whether frames sampled so can share light: paths, enough of them (or as many as `light` asks for), and no layers that are
-/// parts of whole paths, and no motion blur, which is of several times.
-bool can_share_light(const Sampling& sampling, const ShareLight& light = {});
+/// Whether frames are denoised: not where the noise cannot be estimated, from one sample per pixel.
+inline bool is_denoised(const Sampling& sampling) {
+  return sampling.denoise == Denoise::kAuto && integrator_of(sampling) == Integrator::kPath && samples_per_pixel(sampling) > 1;
+}
 
 /// Whether frames sampled so can be copied where they stay as they are: Whitted's shading, no layers beside the picture but
 /// provenance, and no motion blur.

@@ -12,8 +12,7 @@ namespace lippmann {
 
 struct FrameReport {
   int frame = 0;
-  /// full: traced; key: traced, and others are made from it; in-between: made from others; shared: path-traced, with soft light
-  /// from the cache.
+  /// full: traced; key: traced, and others are made from it; in-between: made from others.
   std::string kind = "full";
   double seconds = 0.0;      ///< wall time of rendering, without writing files
   double cpu_seconds = 0.0;  ///< all threads' time together, without writing files
@@ -22,11 +21,9 @@ struct FrameReport {
   std::uint64_t newly_visible_pixels = 0, not_covered_pixels = 0;
   std::uint64_t retraced_pixels = 0;
   std::uint64_t reused_pixels = 0;
-  std::optional<double> estimated_psnr_db;         ///< from held-out pixels; none: exact, or not estimated
-  std::optional<double> psnr_at_least_db;          ///< lower bound of it at 95 % confidence; none where there is no estimate
-  std::optional<double> estimated_block_psnr_db;   ///< the PSNR of means over 64 neighbouring pixels; shared frames only
-  std::optional<double> estimated_psnr_at_eye_db;  ///< of what an eye sees (QualityAt::kEye); shared light's frames only
-  std::optional<double> psnr_at_eye_at_least_db;   ///< lower bound of it at 95 % confidence
+  std::optional<double> estimated_psnr_db;  ///< from held-out pixels; none: exact, or not estimated
+  std::optional<double> psnr_at_least_db;   ///< the PSNR is higher than this with 95 % confidence; none: no estimate
+  std::optional<double> psnr_at_most_db;    ///< the PSNR is lower than this with 95 % confidence; path-traced frames only
   std::optional<Precompensation> precompensation;  ///< what undoing crosstalk cost; none: it was not undone
   bool kept = false;                               ///< finished by an earlier run, which its figures are of
 };

@@ -35,10 +35,9 @@ class Renderer {
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Frame `index` of the scene's timeline, counted from 0: film as the optics lie (linear light, RGB), layers, figures. What
-  /// frames share is kept best where they are asked for in ascending order: one that shares light (ShareLight) needs all since
-  /// the last multiple of 16, so that frame 15 alone takes the time of 16 frames, where TraceAll traces it alone. None where
-  /// context.cancelled was set meanwhile. Throws Error for frames that the timeline does not have.
+  /// Frame `index` of the scene's timeline, counted from 0: film as the optics lie (linear light, RGB), layers, figures. Frames
+  /// that reuse others (CopySettled, Interpolate) take the least time in ascending order. None where context.cancelled was set
+  /// meanwhile. Throws Error for frames that the timeline does not have.
   std::optional<RenderedFrame> frame(int index);
 
   const Scene& scene() const;

@@ -38,8 +38,6 @@ enum class Provenance : std::uint8_t {
   kFilled,        ///< missed, and filled from its neighbours
   kRetraced,      ///< missed, and traced
   kBlack,         ///< missed, and left black
-  kSharedNow,     ///< most of its light was looked up; most of that was found in this frame
-  kSharedBefore,  ///< most of its light was looked up; most of that was known from frames before
 };
 struct ProvenanceInfo {
   std::string_view name;  ///< for people
@@ -47,16 +45,10 @@ struct ProvenanceInfo {
 };
 /// By Provenance.
 inline constexpr ProvenanceInfo kProvenanceInfos[] = {
-    {"traced", false},
-    {"copied from a key frame", false},
-    {"interpolated", false},
-    {"missed, filled", true},
-    {"missed, traced", true},
-    {"missed, left black", true},
-    {"light shared, found in this frame", false},
-    {"light shared, known from before", false},
+    {"traced", false},        {"copied from a key frame", false}, {"interpolated", false},
+    {"missed, filled", true}, {"missed, traced", true},           {"missed, left black", true},
 };
-static_assert(std::size(kProvenanceInfos) == static_cast<std::size_t>(Provenance::kSharedBefore) + 1);
+static_assert(std::size(kProvenanceInfos) == static_cast<std::size_t>(Provenance::kBlack) + 1);
 
 /// What makes a layer.
 enum class AovOrigin : std::uint8_t {

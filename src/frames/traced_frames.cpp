@@ -1,0 +1,36 @@
+#include "frames/traced_frames.hpp"
+
+#include "layout/film_layout.hpp"
+#include "trace/noisy_frame.hpp"
+
+namespace lippmann {
+
+bool can_be_denoised(const Optics& optics) { return view_tiles(optics) || whole_pixels_per_lens(optics).x > 0; }
+
+TracedFrames::TracedFrames(Stage& stage, const Sampling& sampling, const ThreadPool& pool, const Context& context)
+    : stage_(stage), sampling_(sampling), pool_(pool), context_(context) {
+  const Optics& optics = stage.placed.optics;
+  if (is_denoised(sampling) && can_be_denoised(optics)) denoiser_.emplace(optics, film_layout(optics, "denoise"));
+}
+
+RenderedFrame TracedFrames::make(int frame) {
+  return denoiser_ ? denoised(frame) : render_frame(stage_, sampling_, frame, pool_, context_);
+}
+
+RenderedFrame TracedFrames::denoised(int frame) {
+  NoisyFrame noisy;
+  RenderedFrame rendered = render_noisy_frame(stage_, sampling_, frame, pool_, context_, noisy);
+  if (context_.cancelled) return rendered;
+  const FrameClock clock(pool_);
+  const Mat3f display_from_world = inverse(stage_.moment_at(frame).world_from_display).linear;
+  rendered.pictures.film = denoiser_->denoise(
+      {noisy.film, noisy.noise, noisy.seen, noisy.albedo, noisy.normal, noisy.z, noisy.met, display_from_world}, pool_);
+  clock.add_to(rendered.report);
+  return rendered;
+}
+
+double TracedFrames::bytes_per_pixel(const Sampling& sampling) {
+  return is_denoised(sampling) ? kNoisyFrameBytesPerPixel + Denoiser::kWorkBytesPerPixel : 0.0;
+}
+
+}  // namespace lippmann
