@@ -38,7 +38,7 @@ TEST(BenchLight, json_has_a_row_per_scene_with_all_figures) {
     }
     EXPECT_EQ(row["frame_flicker"].is_number(), frames[r] >= 3);
     const double ratio = row["full_cpu_seconds"].get<double>() / row["cpu_seconds"].get<double>();
-    EXPECT_NEAR(row["time_ratio"].get<double>(), ratio, 0.01 * ratio);  // seconds have four decimals
+    EXPECT_NEAR(row["time_ratio"].get<double>(), ratio, 0.02 * ratio);  // seconds have four decimals
     EXPECT_NEAR(row["saving_total"].get<double>(), 1.0 - 1.0 / ratio, 0.01);
     EXPECT_GT(row["full_block_psnr_db"], row["full_psnr_db"]) << "independent noise is weaker in means";
   }

@@ -29,7 +29,7 @@ const std::vector<Mode>& modes() {
                                      {"views", {"--layout", "views"}},
                                      {"quilt", {"--optics", "multiview", "--views", "2x2", "--layout", "quilt"}},
                                      {"hci", {"--optics", "multiview", "--views", "2x2", "--camera-grid", "--to", "hci"}},
-                                     {"shared light", {"--integrator", "path", "--spp", "4"}},
+                                     {"paths", {"--integrator", "path", "--spp", "4"}},
                                      {"interpolated", {"--reuse", "interpolate", "--keyframes", "4"}},
                                      {"strips", {"--strips", "3", "--aov", "depth", "--spp", "4"}},
                                      {"units of strips", {"--strips", "4"}, true},

@@ -1,4 +1,4 @@
-// What the tool says of light: how much is shared, which lamps shine, how many samples were taken.
+// What the tool says of path-traced frames: their light, their samples, their error.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -10,42 +10,42 @@ namespace {
 
 using testing::HasSubstr;
 
-Words small_paths(const std::string& folder) {
-  return {"render", "teapot", "--lenses", "8", "--integrator", "path", "--spp", "2", "--frames", "0-1", "--output", folder};
+Words small_paths(const std::string& frames, const std::string& folder) {
+  return {"render", "teapot", "--lenses", "8", "--integrator", "path", "--spp", "2", "--frames", frames, "--output", folder};
 }
 
-/// As small_paths, with enough samples for soft light to be shared, which in so small a picture pays in a room.
-Words small_shared(const std::string& folder, const std::string& frames) {
-  return {"render", "room", "--full-depth", "--lenses", "16",       "--integrator", "path",
-          "--spp",  "64",   "--frames",     frames,     "--output", folder};
-}
-
-TEST(Light, frames_that_are_traced_although_light_could_be_shared_say_so) {
+TEST(Light, the_summary_says_how_large_the_error_of_paths_is) {
   const TempDir dir;
-  const Words few_lenses{"render", "teapot",   "--lenses", "4",  "--integrator", "path",  "--spp",
-                         "8",      "--frames", "0",        "-o", "out",          "--aov", "direct"};
-  EXPECT_THAT(run_tool(dir, few_lenses).err, HasSubstr("no light is shared"));
+  EXPECT_THAT(run_tool(dir, small_paths("0", "one")).out,
+              testing::ContainsRegex("estimated error [0-9]+ dB \\([0-9]+ to [0-9]+\\)\n"));
+  const RunResult two = run_tool(dir, small_paths("0-1", "two"));
+  EXPECT_THAT(two.out, testing::ContainsRegex("estimated error at worst [0-9]+ dB \\([0-9]+ to [0-9]+\\), in frame [01]\n"));
+  EXPECT_THAT(two.out, HasSubstr("every frame was traced in full"));
 }
 
-// 70 dB are an error of 0.08 codes, which is less than cells are known to, and than 64 times as many paths reach.
-TEST(Light, the_summary_warns_of_frames_that_may_fall_short_of_a_floor) {
+// The summary rounds what the report holds.
+TEST(Light, the_report_holds_the_interval_of_every_path_traced_frame) {
   const TempDir dir;
-  const Words traced{"render", "teapot",   "--lenses", "4",          "--integrator", "path",     "--spp",
-                     "8",      "--frames", "0-1",      "--min-psnr", "70",           "--output", "out"};
-  const std::string summary = run_tool(dir, traced).out;
-  EXPECT_THAT(summary, HasSubstr("every frame was traced in full; estimated PSNR "));
-  EXPECT_THAT(summary,
-              HasSubstr("  warning   frames 0, 1 may be below --min-psnr 70 (at 95 % confidence); 2 estimates are below it"));
+  EXPECT_EQ(run_tool(dir, small_paths("0-1", "out")).exit_code, 0);
+  const nlohmann::json report = json_of(bytes_of(dir / "out/report.json"));
+  for (const auto& frame : report["frames"]) {
+    EXPECT_EQ(frame["kind"], "full");
+    EXPECT_LT(frame["psnr_at_least_db"], frame["estimated_psnr_db"]);
+    EXPECT_LT(frame["estimated_psnr_db"], frame["psnr_at_most_db"]);
+  }
 }
 
-TEST(Light, the_summary_says_how_many_frames_share_light) {
+TEST(Light, bare_denoise_means_auto_and_is_the_default) {
   const TempDir dir;
-  const RunResult shared = run_tool(dir, small_shared("shared", "0-1"));
-  EXPECT_THAT(shared.out, HasSubstr("of 2 frames share light; estimated PSNR "));
-  EXPECT_THAT(shared.out, HasSubstr("dB on average, "));
-  EXPECT_THAT(shared.out, HasSubstr("dB at worst (frame "));
-  EXPECT_THAT(shared.out, testing::Not(HasSubstr("key frames")));
-  EXPECT_THAT(run_tool(dir, small_paths("traced")).out, HasSubstr("every frame was traced in full"));
+  const auto pictures = [&](const std::string& folder, const Words& flags) {
+    return rendered(dir, small_paths("0", folder) + flags, folder);
+  };
+  const Files by_default = pictures("a", {}), plain = pictures("b", {"--denoise", "none"});
+  EXPECT_NE(by_default, plain);
+  EXPECT_EQ(pictures("c", {"--denoise"}), by_default);
+  EXPECT_EQ(pictures("d", {"--denoise", "auto"}), by_default);
+  EXPECT_EQ(pictures("e", {"--denoise", "--reuse", "none"}), by_default);
+  EXPECT_EQ(pictures("f", {"--denoise=none", "--reuse", "none"}), plain);
 }
 
 /// A triangle: little work for any integrator.
@@ -71,12 +71,9 @@ TEST(Light, the_summary_says_how_many_samples_were_taken_and_what_makes_less_noi
   const auto summary = [&](const Words& flags) {
     return run_tool(dir, Words{"render", "plain.obj", "--lenses", "4", "--frames", "0"} + flags).out;
   };
-  EXPECT_THAT(summary({}),
-              HasSubstr("path traced with 16 samples a pixel; --denoise takes their noise out, --spp 64 lessens it\n"));
-  EXPECT_THAT(summary({"--denoise"}), HasSubstr("path traced with 16 samples a pixel, denoised; --spp 64 for less noise\n"));
-  EXPECT_THAT(summary({"--shutter", "0.5"}), HasSubstr("path traced with 16 samples a pixel; --spp 64 for less noise\n"));
-  EXPECT_THAT(summary({"--spp", "1"}), HasSubstr("path traced with 1 sample a pixel; --spp 64 for less noise\n"));
-  EXPECT_THAT(summary({"--spp", "64"}), HasSubstr("path traced with 64 samples a pixel\n"));
+  EXPECT_THAT(summary({}), HasSubstr("path traced with 16 samples a pixel, denoised; --spp 64 for less noise\n"));
+  EXPECT_THAT(summary({"--denoise", "none"}), HasSubstr("path traced with 16 samples a pixel; --spp 64 for less noise\n"));
+  EXPECT_THAT(summary({"--spp", "1"}), HasSubstr("path traced with 1 sample a pixel; --spp 4 for less noise\n"));
   EXPECT_THAT(summary({"--integrator", "whitted"}), testing::Not(HasSubstr("path traced")));
 }
 

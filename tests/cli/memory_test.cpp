@@ -56,16 +56,10 @@ TEST_F(Memories, estimates_of_interpolated_frames_are_near_the_peak) {
   expect_near_one("interpolate", ratio(flags, "128x128", "512x512"));
 }
 
-TEST_F(Memories, estimates_of_denoised_paths_are_near_the_peak) {
-  const Words flags{"room", "--integrator", "path", "--spp", "2", "--frames", "0", "--denoise", "--reuse", "none"};
-  expect_near_one("denoise", ratio(flags, "128x128", "320x320"));
-}
-
-// Soft light is shared on surfaces: a scene that fills the picture, and one that leaves half of it empty.
-TEST_F(Memories, estimates_of_shared_light_are_near_the_peak) {
-  const Words light{"--spp", "8", "--frames", "0", "--reuse", "light"};
-  expect_near_one("gears", ratio(Words{"gears", "--integrator", "path"} + light, "256x256", "640x640"));
-  expect_near_one("desk", ratio(Words{LIPPMANN_SOURCE "/examples/desk.glb"} + light, "256x256", "640x640"));
+TEST_F(Memories, estimates_of_paths_are_near_the_peak) {
+  const Words flags{"room", "--integrator", "path", "--spp", "2", "--frames", "0"};
+  expect_near_one("denoised", ratio(flags, "128x128", "320x320"));
+  expect_near_one("as traced", ratio(flags + Words{"--denoise", "none"}, "128x128", "640x640"));
 }
 
 }  // namespace

@@ -38,7 +38,10 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(render({"--transparent", "--video", "a.mp4"}, "--transparent: cannot be combined with --video"),
                     render({"--integrator", "path", "--reuse", "forward"}, "--reuse: interpolate needs Whitted shading"),
                     render({"--integrator", "path", "--reuse", "forward"}, "or --integrator whitted"),
-                    render({"--denoise"}, "--denoise: needs path tracing"), render({"--splat", "lens"}, "--splat"),
+                    render({"--denoise"}, "--denoise: has no effect"), render({"--splat", "lens"}, "--splat"),
+                    render({"--denoise", "auto"}, "--denoise: has no effect"),
+                    render({"--integrator", "path", "--min-psnr", "40"},
+                           "--spp for path tracing; --min-psnr with --reuse interpolate"),
                     render({"--reuse", "backward"}, "--reuse"), render({"--min-psnr", "5", "--reuse", "none"}, "--min-psnr"),
                     render({"--fit-depth", "--full-depth"}, "--full-depth")));
 
@@ -73,7 +76,6 @@ INSTANTIATE_TEST_SUITE_P(
                     render({"--no-z-buffer"}, "--no-z-buffer"), render({"--reuse", "none", "--keyframes", "8"}, "--keyframes"),
                     render({"--integrator", "path", "--spp", "64", "--keyframes", "8"}, "--keyframes: has no effect"),
                     render({"--clamp-indirect", "4"}, "--clamp-indirect: has no effect"),
-                    render({"--quality-at", "pixel"}, "--quality-at: has no effect"),
                     render({"--video-codec", "hevc"}, "--video-codec: has no effect"), render({"--crf", "20"}, "--crf"),
                     render({"--crf", "20", "--video", "a.mkv"}, "--crf: has no effect"),
                     render({"--exr-pixels", "float"}, "--exr-pixels: has no effect"),

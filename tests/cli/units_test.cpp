@@ -45,7 +45,7 @@ TEST(Units, plan_says_why_a_job_is_one_unit) {
   const Words plan{"plan", "teapot", "--size", "64x16", "--lenses", "8x2", "--units", "4", "--only-list"};
   EXPECT_THAT(run_tool(dir, plan + Words{"--frames", "3"}).out,
               HasSubstr("One frame is one unit, unless it is rendered in strips (--strips).\n"));
-  EXPECT_THAT(run_tool(dir, plan + Words{"--frames", "0-3", "--integrator", "path"}).out,
+  EXPECT_THAT(run_tool(dir, plan + Words{"--frames", "0-3", "--reuse", "interpolate", "--keyframes", "8"}).out,
               HasSubstr("All frames are made together: the job is one unit.\n"));
   EXPECT_THAT(run_tool(dir, plan + Words{"--frames", "0-1"}).out, HasSubstr("The job falls into 2 units at most.\n"));
 }

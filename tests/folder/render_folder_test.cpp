@@ -42,19 +42,17 @@ TEST(RenderFolder, recorded_frame_is_found_by_the_same_job_with_its_figures) {
   EXPECT_FALSE(again.find(5).has_value());
 }
 
-TEST(RenderFolder, recorded_frame_that_shares_light_is_found_with_its_errors) {
+TEST(RenderFolder, recorded_path_traced_frame_is_found_with_its_errors) {
   const test::TempDir dir;
   make_picture(dir, 4);
-  FrameReport shared = report_of(4);
-  shared.kind = "shared";
-  shared.estimated_psnr_db = 40.5, shared.psnr_at_least_db = 39.25, shared.estimated_block_psnr_db = 55.75;
-  RenderFolder(dir.path(), "job-a").add(shared, files_of(dir, 4));
+  FrameReport traced = report_of(4);
+  traced.estimated_psnr_db = 40.5, traced.psnr_at_least_db = 39.25, traced.psnr_at_most_db = 42.75;
+  RenderFolder(dir.path(), "job-a").add(traced, files_of(dir, 4));
   const auto found = RenderFolder(dir.path(), "job-a").find(4);
   ASSERT_TRUE(found.has_value());
-  EXPECT_EQ(found->kind, "shared");
   EXPECT_EQ(found->estimated_psnr_db, 40.5);
   EXPECT_EQ(found->psnr_at_least_db, 39.25);
-  EXPECT_EQ(found->estimated_block_psnr_db, 55.75);
+  EXPECT_EQ(found->psnr_at_most_db, 42.75);
 }
 
 TEST(RenderFolder, another_job_is_refused_and_changes_nothing) {

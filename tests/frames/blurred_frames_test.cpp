@@ -107,17 +107,5 @@ TEST(DepthOfField, copied_frames_are_traced_ones_to_the_bit) {
   EXPECT_EQ(films(ReuseChoice::kCopy), films(ReuseChoice::kNone));
 }
 
-// Two renders of 64 paths differ by their noise; frames that share light are as near to each of them as these to one another.
-TEST(DepthOfField, light_that_is_shared_is_seen_through_the_lens_too) {
-  const auto frames = [](ReuseChoice reuse, std::uint32_t seed) {
-    RenderParams params = blurred_view(reuse);
-    params.sampling.integrator = Integrator::kPath, params.sampling.spp = 64, params.sampling.seed = seed;
-    return make_frames(params, {0});
-  };
-  const MadeFrames traced = frames(ReuseChoice::kNone, 1), other = frames(ReuseChoice::kNone, 2),
-                   shared = frames(ReuseChoice::kLight, 1);
-  EXPECT_GE(psnr_between(traced, shared, 0), psnr_between(traced, other, 0) - 1.0);
-}
-
 }  // namespace
 }  // namespace lippmann

@@ -25,21 +25,15 @@ std::string refused(const FrameParams& params) {
   return {};
 }
 
-TEST(FrameParams, auto_shares_the_light_of_paths_and_copies_whitted_pixels) {
-  EXPECT_STREQ(name_of(resolved_reuse({kPaths, {}})), "light");
-  EXPECT_STREQ(name_of(resolved_reuse({})), "copy");
-}
+TEST(FrameParams, auto_copies_whitted_pixels) { EXPECT_STREQ(name_of(resolved_reuse({})), "copy"); }
 
-TEST(FrameParams, auto_traces_all_where_nothing_is_left_to_reuse) {
-  Sampling few = kPaths, parts = kPaths;
-  few.spp = 4;
-  parts.aov = {Aov::kIndirect};
-  for (const Sampling& sampling : {few, parts, Sampling{.transparent = true}, Sampling{.aov = {Aov::kDepth}}})
+TEST(FrameParams, auto_traces_all_paths_alpha_and_layers) {
+  for (const Sampling& sampling : {kPaths, Sampling{.transparent = true}, Sampling{.aov = {Aov::kDepth}}})
     EXPECT_STREQ(name_of(resolved_reuse({sampling, {}})), "none");
 }
 
 TEST(FrameParams, a_kind_that_is_chosen_stays_as_it_is) {
-  for (const Reuse& reuse : {Reuse(TraceAll{}), Reuse(CopySettled{}), Reuse(ShareLight{}), Reuse(Interpolate{})})
+  for (const Reuse& reuse : {Reuse(TraceAll{}), Reuse(CopySettled{}), Reuse(Interpolate{})})
     EXPECT_EQ(resolved_reuse({kPaths, reuse}).index(), reuse.index());
 }
 
@@ -52,15 +46,8 @@ TEST(FrameParams, few_paths_share_light_where_a_goal_says_how_many_it_takes) {
 }
 
 TEST(FrameParams, sampling_that_a_kind_of_reuse_does_not_know_is_refused) {
-  Sampling few = kPaths, parts = kPaths;
-  few.spp = 4;
-  parts.aov = {Aov::kDirect};
   EXPECT_EQ(refused({kPaths, CopySettled{}}), "reuse");
   EXPECT_EQ(refused({{.aov = {Aov::kDepth}}, CopySettled{}}), "reuse");
-  EXPECT_EQ(refused({{}, ShareLight{}}), "reuse");
-  EXPECT_EQ(refused({few, ShareLight{}}), "spp");
-  EXPECT_EQ(refused({parts, ShareLight{}}), "aov");
-  EXPECT_EQ(refused({kPaths, ShareLight{.min_psnr_db = 40.0, .time_budget_s = 1.0}}), "time-budget");
   EXPECT_EQ(refused({kPaths, Interpolate{}}), "reuse");
   EXPECT_EQ(refused({{.transparent = true}, Interpolate{}}), "transparent");
   EXPECT_EQ(refused({{.aov = {Aov::kDepth}}, Interpolate{}}), "aov");
@@ -75,10 +62,8 @@ TEST(FrameParams, blur_that_means_nothing_is_refused) {
   EXPECT_EQ(refused({{.spp = 4, .lens = {.aperture_mm = 1.0f}}, Interpolate{}}), "aperture");
   EXPECT_EQ(refused({{.spp = 4, .shutter = 1.5f}, TraceAll{}}), "shutter");
   EXPECT_EQ(refused({{.spp = 1, .shutter = 0.5f}, TraceAll{}}), "shutter");
-  EXPECT_EQ(refused({{.integrator = Integrator::kPath, .spp = 4, .shutter = 0.5f, .denoise = true}, TraceAll{}}), "denoise");
   for (const Reuse& reuse : {Reuse(CopySettled{}), Reuse(Interpolate{})})
     EXPECT_EQ(refused({{.spp = 4, .shutter = 0.5f}, reuse}), "shutter");
-  EXPECT_EQ(refused({{.integrator = Integrator::kPath, .spp = 32, .shutter = 0.5f}, ShareLight{}}), "shutter");
   EXPECT_EQ(refused({{.spp = 4, .shutter = 0.5f}, {}}), "");
   EXPECT_STREQ(name_of(resolved_reuse({{.spp = 4, .shutter = 0.5f}, {}})), "none");
 }
@@ -111,11 +96,8 @@ TEST(FrameParams, numbers_that_mean_nothing_are_refused) {
     EXPECT_EQ(refused({{}, CopySettled{.keyframes = every}}), "keyframes");
   }
   EXPECT_EQ(refused({{}, Interpolate{.keyframes = 1}}), "");
-  for (const double none : {0.0, -5.0, std::nan(""), HUGE_VAL}) {
+  for (const double none : {0.0, -5.0, std::nan(""), HUGE_VAL})
     EXPECT_EQ(refused({{}, Interpolate{.min_psnr_db = none}}), "min-psnr");
-    EXPECT_EQ(refused({kPaths, ShareLight{.min_psnr_db = none}}), "min-psnr");
-    EXPECT_EQ(refused({kPaths, ShareLight{.time_budget_s = none}}), "time-budget");
-  }
 }
 
 TEST(FrameParams, what_takes_from_a_floor_what_it_promises_is_refused) {
@@ -125,11 +107,23 @@ TEST(FrameParams, what_takes_from_a_floor_what_it_promises_is_refused) {
   EXPECT_EQ(refused({{}, Interpolate{.min_psnr_db = 50.0, .no_z_buffer = true}}), "no-z-buffer");
 }
 
-TEST(FrameParams, layers_and_denoising_of_paths_are_refused_without_them) {
+TEST(FrameParams, layers_of_paths_are_refused_without_them) {
   EXPECT_EQ(refused({{.aov = {Aov::kIndirect}}, TraceAll{}}), "aov");
-  EXPECT_EQ(refused({{.denoise = true}, TraceAll{}}), "denoise");
-  EXPECT_EQ(refused({{.integrator = Integrator::kPath, .spp = 1, .denoise = true}, TraceAll{}}), "denoise");
-  EXPECT_EQ(refused({{.integrator = Integrator::kPath, .spp = 2, .denoise = true}, TraceAll{}}), "");
+  EXPECT_EQ(refused({{.integrator = Integrator::kPath, .aov = {Aov::kIndirect}}, TraceAll{}}), "");
+}
+
+TEST(FrameParams, paths_have_16_samples_by_default_and_whitted_pixels_one) {
+  EXPECT_EQ(samples_per_pixel({.integrator = Integrator::kPath}), 16);
+  EXPECT_EQ(samples_per_pixel({}), 1);
+  EXPECT_EQ(samples_per_pixel({.integrator = Integrator::kPath, .spp = 5}), 5);
+}
+
+TEST(FrameParams, paths_of_two_or_more_samples_are_denoised_by_default) {
+  EXPECT_TRUE(is_denoised({.integrator = Integrator::kPath}));
+  EXPECT_TRUE(is_denoised({.integrator = Integrator::kPath, .spp = 2}));
+  EXPECT_FALSE(is_denoised({.integrator = Integrator::kPath, .spp = 1}));
+  EXPECT_FALSE(is_denoised({.integrator = Integrator::kPath, .denoise = Denoise::kNone}));
+  EXPECT_FALSE(is_denoised({.spp = 16}));
 }
 
 TEST(FrameParams, a_box_over_directions_needs_views_and_several_samples) {

@@ -112,31 +112,11 @@ TEST(Provenance, of_frames_with_a_floor_says_what_was_traced) {
   EXPECT_GT(predicted, 0);  // else nothing has been tested
 }
 
-TEST(Provenance, of_shared_light_is_of_this_frame_at_first_and_of_frames_before_too_later) {
-  RenderParams params = small_scene("room");
-  params.sampling.integrator = Integrator::kPath;
-  params.sampling.spp = 64;
-  params.optics.fit_depth = false;
-  params.reuse = {};
-  const MadeFrames made = told(params, {0, 1}, 3);
-  for (const int frame : {0, 1}) ASSERT_EQ(made.report(frame).kind, "shared") << frame;
-  EXPECT_GT(count(made, 0, Provenance::kSharedNow), 500u);  // much of what is seen is lit by a lamp itself
-  EXPECT_EQ(count(made, 0, Provenance::kSharedBefore), 0u);
-  EXPECT_GT(count(made, 1, Provenance::kSharedBefore), 0u);
-  EXPECT_GT(count(made, 1, Provenance::kSharedNow), 0u);
-  for (const int frame : {0, 1})
-    EXPECT_EQ(count(made, frame, Provenance::kTraced) + count(made, frame, Provenance::kSharedNow) +
-                  count(made, frame, Provenance::kSharedBefore),
-              kPixels);
-  EXPECT_EQ(provenance(made, 1).data, provenance(make_frames(telling(params), {1}, 1), 1).data);
-}
-
 TEST(Provenance, of_denoised_frames_is_that_of_the_frames_with_noise) {
   RenderParams params = small_scene();
   params.optics.lenses = {8, 0};
   params.sampling.integrator = Integrator::kPath;
   params.sampling.spp = 4;
-  params.sampling.denoise = true;
   const MadeFrames made = told(params, {1});
   EXPECT_EQ(count(made, 1, Provenance::kTraced), provenance(made, 1).data.size());
 }

@@ -41,18 +41,5 @@ TEST(TracedFrames, have_the_size_of_their_optics) {
   }
 }
 
-// Neighbours are looked at, so that a frame depends on more than itself.
-TEST(DenoisedFrames, are_the_same_wherever_a_render_begins_and_on_any_number_of_threads) {
-  RenderParams params = small_scene();
-  params.optics.lenses = {8, 0};
-  params.sampling.integrator = Integrator::kPath;
-  params.sampling.spp = 4;
-  params.sampling.denoise = true;
-  const MadeFrames all = make_frames(params, frames_from(0, 3), 1), part = make_frames(params, {1, 2}, 3);
-  for (const auto& [number, film] : part.films()) EXPECT_EQ(film, all.film(number)) << number;
-  EXPECT_EQ(make_frames(params, {2}).film(2), all.film(2));
-  EXPECT_EQ(part.sources.size(), 2u);  // 0 and 3
-}
-
 }  // namespace
 }  // namespace lippmann::test

@@ -67,11 +67,6 @@ TEST(FrameCosts, of_sources_count_frames_before_those_of_the_job) {
   EXPECT_DOUBLE_EQ(frame_costs(run, {14}, 16).source_cpu_seconds, 4.0);
 }
 
-TEST(FrameCosts, of_frames_that_share_light_are_measured_until_they_settle) {
-  EXPECT_THAT(frames_to_measure(frames_from(0, 48), 16, Neighbours::kSettling), ElementsAre(0, 1, 2, 3, 4, 16, 17, 32, 33));
-  EXPECT_THAT(frames_to_measure(frames_from(0, 3), 16, Neighbours::kSettling), ElementsAre(0, 1, 2));
-}
-
 TEST(FrameCosts, of_a_place_that_was_not_measured_are_those_of_the_last_before_it_or_else_of_the_first) {
   const MeasuredRun run{{made(2, 3.0), made(3, 2.0), made(8, 1.0)}, {}, 0.0, 6.0, 0};
   const FrameCosts costs = frame_costs(run, frames_from(0, 16), 16);

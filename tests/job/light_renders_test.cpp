@@ -28,7 +28,8 @@ class LightRenders : public Renders {
 };
 
 TEST_F(LightRenders, layers_of_light_lie_beside_others_and_sum_to_the_picture) {
-  const Settings layers{{"aov", "direct,indirect,albedo,motion,ray-depth"}, {"format", "exr"}, {"exr-pixels", "float"}};
+  const Settings layers{
+      {"aov", "direct,indirect,albedo,motion,ray-depth"}, {"format", "exr"}, {"exr-pixels", "float"}, {"denoise", "none"}};
   render(teapot("out", "0-1", kPaths + layers));
   const auto channel = [&](const std::string& name) {
     return read_channels(dir_ / "out/frame_0001.exr", std::vector{name}).data;
@@ -57,6 +58,7 @@ TEST_F(LightRenders, stronger_panorama_gives_a_brighter_film) {
                 {"spp", "4"},
                 {"environment", "studio"},
                 {"environment-strength", strength},
+                {"denoise", "none"},
                 {"format", "exr"},
                 {"exr-pixels", "float"}}));
     return mean_of_film(strength + "/frame_0000.exr");
@@ -89,7 +91,7 @@ TEST_F(LightRenders, transparent_pictures_have_alpha_in_every_format_and_layout)
                                     Settings{{"format", "exr"}} + kPaths,
                                     {{"layout", "views"}},
                                     {{"layout", "quilt"}},
-                                    kPaths + Settings{{"denoise", "true"}}};
+                                    kPaths + Settings{{"denoise", "none"}}};
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     const std::string folder = std::to_string(i);
     render(teapot(folder, "0", Settings{{"transparent", "true"}} + kinds[i]));
@@ -132,7 +134,7 @@ TEST_F(LightRenders, transparent_is_refused_where_alpha_cannot_be_or_means_nothi
 }
 
 TEST_F(LightRenders, denoised_frames_have_every_layout_and_layers) {
-  const Settings paths{{"integrator", "path"}, {"spp", "2"}, {"frames", "3"}, {"denoise", "true"}};
+  const Settings paths{{"integrator", "path"}, {"spp", "2"}, {"frames", "3"}};
   const std::vector<Settings> kinds{{{"optics", "multiview"}, {"views", "3x1"}, {"size", "48x16"}, {"layout", "quilt"}},
                                     {{"optics", "multiview"}, {"views", "2x2"}, {"size", "32x36"}, {"camera-grid", "true"}},
                                     {{"optics", "microlens"}, {"lens-pixels", "3"}, {"layout", "views"}, {"lenses", "8"}},
@@ -144,21 +146,28 @@ TEST_F(LightRenders, denoised_frames_have_every_layout_and_layers) {
   }
 }
 
-TEST_F(LightRenders, what_cannot_be_denoised_or_interpolated_is_refused) {
+TEST_F(LightRenders, path_traced_stills_are_denoised_unless_the_job_says_otherwise) {
+  const auto pictures = [&](const std::string& denoise) {
+    return rendered(teapot(denoise, "3", kPaths + Settings{{"denoise", denoise}}));
+  };
+  const Files by_default = rendered(teapot("default", "3", kPaths)), plain = pictures("none");
+  EXPECT_NE(by_default, plain);
+  EXPECT_EQ(pictures("auto"), by_default);
+  EXPECT_EQ(pictures("true"), by_default) << "as job files of earlier versions say it";
+  EXPECT_EQ(pictures("false"), plain);
+}
+
+TEST_F(LightRenders, one_sample_a_pixel_is_not_denoised) {
+  const Settings one = kPaths + Settings{{"spp", "1"}};
+  EXPECT_EQ(rendered(teapot("a", "3", one)), rendered(teapot("b", "3", one + Settings{{"denoise", "none"}})));
+}
+
+TEST_F(LightRenders, what_cannot_be_interpolated_is_refused) {
   const auto refused = [&](const Settings& settings) { return refusal(teapot("out", "0", settings)); };
-  EXPECT_THAT(refused({{"denoise", "true"}}), HasSubstr("denoise: needs path tracing"));
-  EXPECT_THAT(refused({{"integrator", "path"}, {"spp", "1"}, {"denoise", "true"}}),
-              HasSubstr("denoise: cannot estimate noise from one sample"));
-  EXPECT_THAT(refused(kPaths + Settings{{"denoise", "true"}, {"lens-pixels", "7.5"}}),
-              HasSubstr("denoise: there are no views behind lenses without a whole number of pixels"));
   EXPECT_THAT(refused(kPaths + Settings{{"reuse", "interpolate"}}), HasSubstr("reuse: interpolate needs Whitted shading"));
   EXPECT_THAT(refused({{"splat", "lens"}}), HasSubstr("splat"));
   EXPECT_THAT(refused({{"min-psnr", "30"}, {"reuse", "none"}}), HasSubstr("min-psnr"));
-}
-
-TEST_F(LightRenders, frames_traced_whole_although_light_could_be_shared_are_warned_of) {
-  render(teapot("out", "0", {{"lenses", "4"}, {"integrator", "path"}, {"spp", "8"}, {"aov", "direct"}}));
-  EXPECT_THAT(warnings_, HasSubstr("no light is shared"));
+  EXPECT_THAT(refused(kPaths + Settings{{"min-psnr", "30"}}), HasSubstr("--spp for path tracing"));
 }
 
 TEST_F(LightRenders, depth_is_fitted_unless_the_job_or_its_user_says_otherwise) {

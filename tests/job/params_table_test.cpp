@@ -69,8 +69,6 @@ const std::map<std::string_view, Values> kOtherValues{
     {"reuse", {"interpolate"}},
     {"keyframes", {"4"}},
     {"min-psnr", {"45.5"}},
-    {"quality-at", {"eye"}},
-    {"time-budget", {"2.5"}},
     {"splat", {"lens"}},
     {"fill", {"retrace"}},
     {"no-z-buffer", {"true"}},
@@ -96,7 +94,7 @@ const std::map<std::string_view, Values> kOtherValues{
     {"mirror", {"true"}},
     {"pseudoscopic", {"true"}},
     {"transparent", {"true"}},
-    {"denoise", {"true"}},
+    {"denoise", {"none"}},
 };
 
 const ParamInfo& param(std::string_view name) {
@@ -131,6 +129,15 @@ TEST(ParamsTable, reuse_by_its_former_names_is_read_and_written_by_its_own) {
     param("reuse").set(params, {former}, "test");
     EXPECT_EQ(param("reuse").get(params), Values{name});
   }
+}
+
+TEST(ParamsTable, denoise_as_a_boolean_is_read_and_written_by_name) {
+  for (const auto& [former, name] : {std::pair("true", "auto"), std::pair("false", "none")}) {
+    RenderParams params;
+    param("denoise").set(params, {former}, "test");
+    EXPECT_EQ(param("denoise").get(params), Values{name});
+  }
+  EXPECT_THAT(message_of_setting("denoise", "yes"), HasSubstr("auto, none"));
 }
 
 TEST(ParamsTable, setting_one_parameter_leaves_all_others_alone) {

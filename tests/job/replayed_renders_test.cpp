@@ -84,51 +84,6 @@ TEST_F(ReplayedRenders, sweep_is_numbered_pictures_and_a_video) {
   EXPECT_TRUE(exists("sweep.mkv"));
 }
 
-/// A quilt by paths, of 8 views of 48 x 48 pixels, whose neighbours are 15 % each of what an eye sees.
-const Settings kSeenPaths{{"optics", "multiview"}, {"views", "8x1"},       {"size", "384x48"}, {"view-angle", "20"},
-                          {"frames", "1"},         {"integrator", "path"}, {"spp", "32"}};
-
-/// The mean squared error, in codes, of what the eyes of all views see.
-double error_at_eyes(const Files& reference, const Files& test, const fs::path& folder) {
-  double sum = 0.0;
-  for (const auto& [name, bytes] : reference)
-    sum += measure_difference(read_image8(folder / "reference" / name), read_image8(folder / "test" / name)).mse.mean;
-  EXPECT_EQ(reference.size(), test.size());
-  return sum / static_cast<double>(reference.size());
-}
-
-/// What a frame is told with: its lower bound holds for 95 % of all frames.
-double deviation_db(double told_db, double least_db) { return (told_db - least_db) / 1.645; }
-
-// The reference's own noise, of 512 samples, is a sixteenth of that of 32 paths: the frame seems 0.3 dB worse than it is where
-// it is as good as these, and more where it is better.
-TEST_F(ReplayedRenders, frames_that_share_light_tell_what_eyes_see_of_their_errors) {
-  const RenderReport told = render(job("room", "paths", kSeenPaths + Settings{{"crosstalk", "15%"}, {"reuse", "light"}}));
-  render(job("room", "many", kSeenPaths + Settings{{"reuse", "none"}, {"seed", "9"}, {"spp", "512"}}));
-  const FrameReport& frame = told.frames.at(0);
-  for (const bool crosstalk : {false, true}) {
-    ReplayParams params{.sweep = 8};
-    if (crosstalk) params.view.crosstalk_px = read_crosstalk("15%", "crosstalk");
-    seen(params, "many/frame_0001.png", "reference"), seen(params, "paths/frame_0001.png", "test");
-    const double true_db =
-        psnr_db(error_at_eyes(files_in(dir_ / "reference", ".png"), files_in(dir_ / "test", ".png"), dir_.path()));
-    const double told_db = crosstalk ? *frame.estimated_psnr_at_eye_db : *frame.estimated_psnr_db,
-                 least_db = crosstalk ? *frame.psnr_at_eye_at_least_db : *frame.psnr_at_least_db;
-    EXPECT_NEAR(told_db - 0.3, true_db, 2.0 * deviation_db(told_db, least_db)) << crosstalk;
-    EXPECT_LT(deviation_db(told_db, least_db), 0.75) << crosstalk;
-  }
-  EXPECT_GT(*frame.estimated_psnr_at_eye_db, *frame.estimated_psnr_db + 0.5);
-  EXPECT_LT(*frame.psnr_at_eye_at_least_db, *frame.estimated_psnr_at_eye_db);
-}
-
-TEST_F(ReplayedRenders, without_crosstalk_an_eye_is_told_to_see_single_pixels) {
-  const Settings light = kSeenPaths + Settings{{"reuse", "light"}, {"quality-at", "eye"}};
-  const FrameReport sharp = render(job("room", "sharp", light)).frames.at(0);
-  EXPECT_EQ(sharp.estimated_psnr_at_eye_db, sharp.estimated_psnr_db);
-  EXPECT_EQ(sharp.psnr_at_eye_at_least_db, sharp.psnr_at_least_db);
-  EXPECT_THAT(warnings_, HasSubstr("an eye sees single pixels"));
-}
-
 TEST_F(ReplayedRenders, refocusing_makes_what_is_asked_for_and_no_eye_view) {
   render_teapot();
   const FocalStack stack{-10.0, 10.0, 3};

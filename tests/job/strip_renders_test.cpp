@@ -50,7 +50,12 @@ const std::vector<Settings>& kinds() {
       {{"optics", "microlens"}, {"size", "64x184"}, {"lenses", "8x23"}, {"aov", "normal"}, {"transparent", "true"}},
       {{"slant", "12"}, {"lens-pixels", "4.5"}, {"lenses", "0"}},
       {{"aov", "provenance"}},
-      {{"integrator", "path"}, {"spp", "4"}, {"aov", "motion"}, {"precompensate", "true"}, {"crosstalk", "0.4"}}};
+      {{"integrator", "path"},
+       {"spp", "4"},
+       {"denoise", "none"},
+       {"aov", "motion"},
+       {"precompensate", "true"},
+       {"crosstalk", "0.4"}}};
   return all;
 }
 
@@ -101,18 +106,6 @@ TEST_F(StripRenders, by_units_in_any_order_are_finished_to_the_bytes_of_one_run)
     EXPECT_EQ(strips.size(), static_cast<std::size_t>(count));
     EXPECT_THAT(strips, testing::Contains(testing::StartsWith("0")));
   }
-}
-
-TEST_F(StripRenders, of_shared_light_depend_on_the_number_of_strips_alone) {
-  const Settings light{{"integrator", "path"}, {"spp", "8"}, {"strips", "3"}, {"aov", "provenance"}};
-  render(still("one", light));
-  EXPECT_TRUE(exists("one/aov_0003.exr"));
-  for (const int unit : {2, 1, 3}) render_unit(still("units", light), unit, 3);
-  ASSERT_TRUE(finish("units").report);
-  EXPECT_TRUE(pictures("units") == pictures("one"));
-  const auto report = nlohmann::json::parse(bytes("units/report.json"));
-  EXPECT_TRUE(report["frames"][0]["psnr_at_least_db"].is_number());
-  EXPECT_EQ(report["reuse"], "light");
 }
 
 TEST_F(StripRenders, of_an_animation_and_its_video_have_the_bytes_of_whole_frames) {
@@ -195,10 +188,8 @@ TEST_F(StripRenders, that_cannot_be_are_refused) {
               HasSubstr("strips: 13 are too many for 184 rows, of which 16 stay together; accepted: 1 to 12"));
   EXPECT_THAT(refused({{"strips", "2"}, {"reuse", "interpolate"}}),
               HasSubstr("strips: strips are rendered separately, and interpolated"));
-  EXPECT_THAT(refused({{"strips", "2"}, {"integrator", "path"}, {"denoise", "true"}}),
+  EXPECT_THAT(refused({{"strips", "2"}, {"integrator", "path"}}),
               HasSubstr("strips: strips are rendered separately, and the denoiser"));
-  EXPECT_THAT(refused({{"strips", "2"}, {"integrator", "path"}, {"time-budget", "9"}}),
-              HasSubstr("`time-budget`, which measures one machine"));
   EXPECT_FALSE(exists("a"));
 }
 
@@ -222,19 +213,14 @@ TEST_F(StripRenders, are_planned_with_every_strip_once_and_what_they_take) {
 
 // Bands of rows are strips that need no files, chosen where whole frames would take more memory than there is.
 
-TEST_F(StripRenders, where_memory_is_short_bands_have_the_bytes_of_as_many_strips) {
-  const Settings shared{{"integrator", "path"}, {"spp", "8"}, {"reuse", "light"}, {"aov", "depth"}};
-  render(still("whole", shared));
+TEST_F(StripRenders, where_memory_is_short_bands_have_the_bytes_of_whole_frames) {
+  const Settings paths{{"integrator", "path"}, {"spp", "8"}, {"denoise", "none"}, {"aov", "depth"}};
+  render(still("whole", paths));
   EXPECT_THAT(warnings_, Not(HasSubstr("bands of rows")));
   const double pixels = 64 * 184;
-  render(still("bands", shared), {.available_memory = 90.0 * pixels});
-  const std::size_t at = warnings_.find("each is rendered in ");
-  ASSERT_NE(at, std::string::npos) << warnings_;
-  EXPECT_THAT(warnings_, HasSubstr("bands of rows, which find their soft light each by itself (as with `strips` "));
-  const std::string bands = std::to_string(std::atoi(warnings_.c_str() + at + std::string("each is rendered in ").size()));
-  EXPECT_NE(bands, "1");
-  render(still("strips", shared + Settings{{"strips", bands}}));
-  EXPECT_EQ(pictures("bands"), pictures("strips"));
+  render(still("bands", paths), {.available_memory = 90.0 * pixels});
+  EXPECT_THAT(warnings_, HasSubstr("bands of rows, to the same pixels"));
+  EXPECT_EQ(pictures("bands"), pictures("whole"));
   EXPECT_THAT(files_in(dir_ / "bands", ".exr").size(), 1u) << "layers, and no strips";
   EXPECT_EQ(job_of("bands").strips, 1) << "the job is the same wherever it is rendered";
 }
@@ -245,10 +231,8 @@ TEST_F(StripRenders, what_does_not_fit_in_bands_is_refused_with_the_reason) {
   };
   const Settings path{{"integrator", "path"}, {"spp", "8"}};
   EXPECT_THAT(refusal({}, 10.0), HasSubstr("even in bands of rows"));
-  EXPECT_THAT(refusal(path + Settings{{"denoise", "true"}}, 50.0),
-              HasSubstr("are not possible: the denoiser (`denoise`) looks at pixels of other rows"));
+  EXPECT_THAT(refusal(path, 50.0), HasSubstr("are not possible: the denoiser (`denoise`) looks at pixels of other rows"));
   EXPECT_THAT(refusal({{"reuse", "interpolate"}}, 30.0), HasSubstr("interpolated frames (`reuse`) are made from whole ones"));
-  EXPECT_THAT(refusal({{"integrator", "path"}, {"reuse", "light"}, {"time-budget", "1"}}, 50.0), HasSubstr("`time-budget`"));
   EXPECT_THAT(refusal({{"strips", "4"}}, 5.0), HasSubstr("4 of 64x184 pixels need about"));
   EXPECT_FALSE(fs::exists(dir_ / "none"));
 }

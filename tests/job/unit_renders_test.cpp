@@ -35,7 +35,7 @@ const std::vector<Settings>& kinds() {
                                          {{"reuse", "interpolate"}, {"keyframes", "4"}},
                                          {{"reuse", "interpolate"}, {"keyframes", "2"}, {"min-psnr", "40"}},
                                          {{"integrator", "path"}, {"spp", "4"}},
-                                         {{"integrator", "path"}, {"spp", "2"}, {"reuse", "none"}, {"denoise", "true"}}};
+                                         {{"integrator", "path"}, {"spp", "2"}, {"denoise", "none"}}};
   return all;
 }
 
@@ -158,9 +158,11 @@ TEST_F(UnitRenders, are_planned_with_every_frame_once_and_what_they_take) {
   EXPECT_THAT(measured.units[1].frames, ElementsAre(16, 17, 18, 19, 20, 21, 22, 23));
   for (const PlannedUnit& unit : measured.units) EXPECT_GT(unit.cpu_seconds.value_or(0.0), 0.0);
   EXPECT_GT(measured.costs->peak_memory_bytes, 1u << 20);
-  RenderParams light = job("teapot", "out", film);
-  light.sampling.integrator = Integrator::kPath;
-  const UnitPlan listed = plan_units(light, 9, false, context_);
+  RenderParams paths = job("teapot", "out", film), interpolated = paths;
+  paths.sampling.integrator = Integrator::kPath;
+  EXPECT_EQ(plan_units(paths, 9, false, context_).segment, 1);
+  interpolated.reuse.choice = ReuseChoice::kInterpolate, interpolated.reuse.keyframes = 16;
+  const UnitPlan listed = plan_units(interpolated, 9, false, context_);
   EXPECT_EQ(listed.segment, 16);
   ASSERT_EQ(listed.units.size(), 2u);
   EXPECT_THAT(listed.units[0].frames, ElementsAre(8, 9, 10, 11, 12, 13, 14, 15));

@@ -104,17 +104,12 @@ RenderParams with_defaults(const std::string& scene, const Sampling& sampling = 
 
 TEST(SceneDefaults, files_of_physical_materials_are_path_traced_where_nothing_is_said) {
   EXPECT_EQ(with_defaults("plain.obj").sampling.integrator, Integrator::kPath);
-  EXPECT_EQ(with_defaults("plain.obj").sampling.spp, 16);
-  EXPECT_EQ(with_defaults("plain.obj", {.spp = 2}).sampling.spp, 2);
+  EXPECT_EQ(samples_per_pixel(with_defaults("plain.obj").sampling), 16);
+  EXPECT_EQ(samples_per_pixel(with_defaults("plain.obj", {.integrator = Integrator::kPath}).sampling), 16);
+  EXPECT_EQ(samples_per_pixel(with_defaults("plain.obj", {.spp = 2}).sampling), 2);
   EXPECT_EQ(with_defaults("plain.obj", {.integrator = Integrator::kWhitted}).sampling.integrator, Integrator::kWhitted);
   EXPECT_EQ(with_defaults("plain.obj", {}, ReuseChoice::kInterpolate).sampling.integrator, Integrator::kWhitted);
   EXPECT_EQ(with_defaults("teapot").sampling.integrator, Integrator::kWhitted);
-}
-
-// Who asks for paths by name gets as many as such a picture deserves.
-TEST(SceneDefaults, paths_that_are_asked_for_are_more_than_those_of_a_first_picture) {
-  const Sampling paths{.integrator = Integrator::kPath};
-  EXPECT_EQ(samples_per_pixel(with_defaults("plain.obj", paths).sampling), kPathSamples);
 }
 
 }  // namespace

@@ -23,7 +23,6 @@ RenderParams slow_room() {
   params.optics.size = {2048, 512};
   params.sampling.integrator = Integrator::kPath;
   params.sampling.spp = 256;
-  params.reuse.choice = ReuseChoice::kNone;
   return params;
 }
 
@@ -48,7 +47,7 @@ TEST(LiveScene, views_at_rest_are_those_of_the_saved_jobs_render) {
   expect_render(test::small_room(), {{"settings", {{"orbit", "20,10"}, {"zoom", "1.3"}, {"exposure", "0.7"}}}, {"frame", 7}});
 }
 
-TEST(LiveScene, paths_that_share_light_are_those_of_the_render) {
+TEST(LiveScene, denoised_paths_are_those_of_the_render) {
   RenderParams params = test::small_room();
   params.sampling.integrator = Integrator::kPath;
   params.sampling.spp = 24;

@@ -7,7 +7,7 @@
 namespace lippmann {
 namespace {
 
-using Shares = std::array<double, 5>;
+using Shares = OriginShares;
 
 RenderFigures render_of(const std::string& reuse) {
   RenderFigures render;
@@ -21,26 +21,20 @@ void expect_shares(const FrameReport& frame, const std::string& reuse, const Sha
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR((*shares)[i], expected[i], 1e-12) << kOriginNames[i];
 }
 
-TEST(FrameOrigins, key_and_full_frames_are_traced) { expect_shares(test::key_frame(0), "interpolate", {1, 0, 0, 0, 0}); }
+TEST(FrameOrigins, key_and_full_frames_are_traced) { expect_shares(test::key_frame(0), "interpolate", {1, 0, 0, 0}); }
 
 TEST(FrameOrigins, copied_frames_are_traced_where_they_are_not_copied) {
-  expect_shares(test::in_between_frame(1), "copy", {0.2, 0.8, 0, 0, 0});
+  expect_shares(test::in_between_frame(1), "copy", {0.2, 0.8, 0, 0});
 }
 
 TEST(FrameOrigins, interpolated_frames_are_filled_where_they_are_neither_reused_nor_traced) {
-  expect_shares(test::in_between_frame(1), "interpolate", {0.15, 0, 0.8, 0.05, 0});
-}
-
-TEST(FrameOrigins, shared_frames_share_light) {
-  FrameReport frame = test::key_frame(0);
-  frame.kind = "shared";
-  expect_shares(frame, "light", {0, 0, 0, 0, 1});
+  expect_shares(test::in_between_frame(1), "interpolate", {0.15, 0, 0.8, 0.05});
 }
 
 TEST(FrameOrigins, shares_stay_within_the_frame_whatever_a_report_says) {
   FrameReport frame = test::in_between_frame(1);
   frame.reused_pixels = 70, frame.retraced_pixels = 1000;
-  expect_shares(frame, "interpolate", {0.3, 0, 0.7, 0, 0});
+  expect_shares(frame, "interpolate", {0.3, 0, 0.7, 0});
 }
 
 TEST(FrameOrigins, without_the_size_of_frames_shares_are_not_known) {
