@@ -39,15 +39,17 @@ Vec3f factor_of(const Texels& texels, std::size_t p) { return texels.met[p] * (r
 struct Denoiser::Impl {
   FilmViews views;
   RayGenerator rays;
+  std::uint32_t width;  ///< of the film
 
   Ray ray_of(std::size_t pixel) const {
-    const auto p = static_cast<std::uint32_t>(pixel), width = static_cast<std::uint32_t>(views.film_size().x);
+    const auto p = static_cast<std::uint32_t>(pixel);
     return rays.ray({static_cast<float>(p % width) + 0.5f, static_cast<float>(p / width) + 0.5f});
   }
 };
 
-Denoiser::Denoiser(const Optics& optics, const ViewLayout& film)
-    : impl_(std::make_unique<Impl>(Impl{{optics, film}, RayGenerator(optics)})) {}
+Denoiser::Denoiser(const Optics& optics)
+    : impl_(std::make_unique<Impl>(
+          Impl{FilmViews(optics), RayGenerator(optics), static_cast<std::uint32_t>(film_size(optics).x)})) {}
 Denoiser::~Denoiser() = default;
 
 Image Denoiser::denoise(const DenoiserInput& frame, const ThreadPool& pool) const {

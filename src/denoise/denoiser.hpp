@@ -20,7 +20,6 @@
 
 #include "lippmann/core/parallel.hpp"
 #include "lippmann/image/image.hpp"
-#include "lippmann/layout/view_layout.hpp"
 #include "lippmann/optics/optics.hpp"
 
 namespace lippmann {
@@ -33,8 +32,8 @@ struct DenoiserInput {
 
 class Denoiser {
  public:
-  /// film: where the views' pixels lie in the panel.
-  Denoiser(const Optics& optics, const ViewLayout& film);
+  /// `optics` must pass validate().
+  explicit Denoiser(const Optics& optics);
   ~Denoiser();
 
   /// The frame's film without noise: its bits depend neither on the number of threads nor on the processor.

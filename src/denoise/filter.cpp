@@ -308,28 +308,32 @@ struct GatherRow {
   LightRow light{}, guide{};
 };
 
-/// Where a view sees the points of a row: the column and row of the upper left one of the four pixels around each, and whether
-/// those to the right and below matter. Places that are not in the view are next to it.
+/// Where a view sees the points of a row: the column and row of the pixel to the left of each, and whether the one to the right
+/// matters. Places that are not in the view are next to it.
 struct alignas(64) PlaceRow {
-  int column[kColumns], row[kColumns], right[kColumns], below[kColumns];
+  int column[kColumns], row[kColumns], right[kColumns];
 };
 
 LIPPMANN_INLINE float perspective(float z, float vergence) { return 1.0f / most(1.0f - z * vergence, 1e-3f); }
 
+/// below: 0 for the upper two of the four pixels, 1 for the lower two.
 LIPPMANN_MULTIVERSION
-void find_places(const SurfaceRow& a, const FilmViews& views, const FilmViews::Sight& sight, int count, PlaceRow& places) {
+void find_places(const SurfaceRow& a, const FilmViews& views, const FilmViews::Sight& sight, int below, int count,
+                 PlaceRow& places) {
   constexpr float kLeastShare = 1.0f / 64;  // of a pixel beside the one that shows the place
   const Vec2f samples_per_mm = views.samples_per_mm(), size(views.size());
   const float vergence = views.vergence();
+  const float* shifts = views.shifts();
   LIPPMANN_FOR_COLUMNS(i, count) {
     const int j = i + kMargin;
     const float nearer = perspective(a.z[j], vergence);
-    const float place_x = (a.x[j] - sight.k.x * a.z[j]) * nearer * samples_per_mm.x - sight.first.x + kLeastShare;
     const float place_y = sight.first.y - (a.y[j] - sight.k.y * a.z[j]) * nearer * samples_per_mm.y + kLeastShare;
-    const float x = least(most(place_x, -2.0f), size.x), y = least(most(place_y, -2.0f), size.y);
-    const float column = std::floor(x), row = std::floor(y);
-    places.column[i] = static_cast<int>(column), places.row[i] = static_cast<int>(row);
-    places.right[i] = x - column >= 2.0f * kLeastShare ? 1 : 0, places.below[i] = y - row >= 2.0f * kLeastShare ? 1 : 0;
+    const float y = least(most(place_y, -2.0f), size.y), upper = std::floor(y);
+    const int row = static_cast<int>(upper) + below;
+    const float place_x = (a.x[j] - sight.k.x * a.z[j]) * nearer * samples_per_mm.x - sight.first.x - shifts[row] + kLeastShare;
+    const float x = least(most(place_x, -2.0f), size.x), left = std::floor(x);
+    places.row[i] = y - upper >= 2.0f * kLeastShare || below == 0 ? row : -1;
+    places.column[i] = static_cast<int>(left), places.right[i] = x - left >= 2.0f * kLeastShare ? 1 : 0;
   }
 }
 
@@ -464,20 +468,21 @@ class Gatherer {
   /// The four pixels around each place.
   void add_view(int view) {
     const int lanes = whole_lanes(columns_);
-    find_places(own_->surface, views_, views_.sight(view), lanes, places_);
-    for (int below = 0; below < 2; ++below)
+    for (int below = 0; below < 2; ++below) {
+      find_places(own_->surface, views_, views_.sight(view), below, lanes, places_);
       for (int right = 0; right < 2; ++right)
-        if (read_found(view, right, below)) add_found(*own_, planes_, *found_, views_, views_.sight(view), lanes, sums_);
+        if (read_found(view, right)) add_found(*own_, planes_, *found_, views_, views_.sight(view), lanes, sums_);
+    }
   }
 
-  bool read_found(int view, int right, int below) {
+  bool read_found(int view, int right) {
     bool any = false;
     const Vec2i size = views_.size();
     for (int i = 0; i < columns_; ++i) {
       float& there = found_->surface.there[i + kMargin];
       there = 0.0f;
-      if (own_->surface.there[i + kMargin] == 0.0f || right > places_.right[i] || below > places_.below[i]) continue;
-      const int x = places_.column[i] + right, y = places_.row[i] + below;
+      if (own_->surface.there[i + kMargin] == 0.0f || right > places_.right[i]) continue;
+      const int x = places_.column[i] + right, y = places_.row[i];
       if (x < 0 || y < 0 || x >= size.x || y >= size.y) continue;
       const std::uint32_t p = views_.row(view, y)[x];
       if (p == FilmViews::kNoPixel || !(texels_.met[p] > 0.0f)) continue;

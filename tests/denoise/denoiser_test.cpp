@@ -13,7 +13,6 @@ constexpr int kWidth = 96, kHeight = 16;
 Optics four_views() {
   return {{kWidth, kHeight, 0.25f}, MultiView{.columns = 4, .rows = 1, .view_cone = 0.4f, .distance_mm = 60.0f}};
 }
-const ViewLayout kFilm{LayoutKind::kQuilt, {4, 1}, {4, 1}};
 
 /// What a denoiser is given, every pixel alike at first.
 struct Made {
@@ -44,7 +43,7 @@ struct Made {
 
 Image denoised(Made made, int threads = 2) {
   const ThreadPool pool(threads);
-  return Denoiser(four_views(), kFilm).denoise(made.input(), pool);
+  return Denoiser(four_views()).denoise(made.input(), pool);
 }
 
 /// Light of 1 with the noise of halves that are each wrong by a standard deviation of 0.5.
