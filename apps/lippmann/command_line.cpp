@@ -61,8 +61,10 @@ class ShortHelp : public CLI::Formatter {
   std::string examples_;
 };
 
-bool is_command(const CLI::App& root, const std::string& name) {
-  return !root.get_subcommands([&](const CLI::App* command) { return command->get_name() == name; }).empty();
+/// Null: there is none.
+const CLI::App* command_named(const std::string& name, const CLI::App& root) {
+  const auto found = root.get_subcommands([&](const CLI::App* command) { return command->get_name() == name; });
+  return found.empty() ? nullptr : found.front();
 }
 
 /// For what is no command.
@@ -80,8 +82,8 @@ std::vector<std::string> help_words(std::vector<std::string> words) {
 
 /// Gives flags that may stand alone their value, where the next word is none: "--denoise" becomes "--denoise=auto". Not those
 /// that take no value in this command.
-std::vector<std::string> with_bare_values(std::vector<std::string> words, CLI::App& root) {
-  const CLI::App* command = words.empty() ? nullptr : root.get_subcommand_no_throw(words.front());
+std::vector<std::string> with_bare_values(std::vector<std::string> words, const CLI::App& root) {
+  const CLI::App* command = words.empty() ? nullptr : command_named(words.front(), root);
   for (std::size_t i = 1; command && i < words.size(); ++i) {
     if (!words[i].starts_with("--")) continue;
     const ParamInfo* info = find_param(std::string_view(words[i]).substr(2));
@@ -206,7 +208,7 @@ std::optional<int> CommandLine::parse(int argc, char** argv) {
   try {
     std::vector<std::string> words(argv + 1, argv + argc);
     const bool about_command = words.size() > 1 && words.front() == "help" && words[1] != "help";
-    if (about_command && !is_command(*app_, words[1])) return refuse(*app_, words[1]);
+    if (about_command && !command_named(words[1], *app_)) return refuse(*app_, words[1]);
     words = with_bare_values(help_words(words), *app_);
     std::reverse(words.begin(), words.end());  // as CLI11 wants them
     app_->parse(std::move(words));

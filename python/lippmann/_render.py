@@ -146,7 +146,7 @@ def frames(
     which = _which(frames, core.frame_count)
     if progress is not None and not callable(progress):
         raise Error("progress", f"is {progress!r}", "a function of frame and share")
-    denoised = choice(denoise, "denoise", ("auto", "none", True, False)) in ("auto", True)
+    denoised = denoise if isinstance(denoise, bool) else choice(denoise, "denoise", ("auto", "none")) == "auto"
     if denoise is True and not paths:
         raise Error("denoise", "needs path tracing", "denoise='auto', or integrator='path' with it")
     samples = usual_spp if spp is None else integer(spp, "spp", 1, 1 << 20)

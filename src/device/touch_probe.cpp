@@ -102,30 +102,16 @@ TouchProbe::TouchProbe(const RayScene& scene, const std::vector<HorizonBox>& box
 
 TouchProbe::~TouchProbe() = default;
 
-void TouchProbe::find_lowest(const RayPacket& rays, const LaneMask& active, float* lowest) const {
+std::uint8_t TouchProbe::lowest_met(const RayPacket& rays, const LaneMask& active) const {
   RayPacket packet = rays;
   ShadowContext context;
   make_ready(packet);  // rays that wait for a shadow test are not yet
   std::fill_n(context.transmittance, kLanes, static_cast<float>(everything_));
   if (!boxes_->boxes.empty())
     occluded(boxes_->scene.get(), boxes_->native_width, sound_lanes(packet, kLargestReach, active), packet, context);
-  std::copy_n(context.transmittance, kLanes, lowest);
-}
-
-std::uint8_t TouchProbe::lowest_met(const RayPacket& rays, const LaneMask& active) const {
-  float of_lanes[kLanes];
-  find_lowest(rays, active, of_lanes);
   float lowest = everything_;
-  for (int i = 0; i < kLanes; ++i) lowest = std::min(lowest, active.lane[i] ? of_lanes[i] : lowest);
+  for (int i = 0; i < kLanes; ++i) lowest = std::min(lowest, active.lane[i] ? context.transmittance[i] : lowest);
   return static_cast<std::uint8_t>(lowest);
-}
-
-LaneMask TouchProbe::met(const RayPacket& rays, const LaneMask& active) const {
-  float of_lanes[kLanes];
-  find_lowest(rays, active, of_lanes);
-  LaneMask met{};
-  for (int i = 0; i < kLanes; ++i) met.lane[i] = active.lane[i] && of_lanes[i] < TouchedBlocks::kNever ? -1 : 0;
-  return met;
 }
 
 }  // namespace lippmann

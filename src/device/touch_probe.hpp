@@ -22,12 +22,7 @@ class TouchProbe {
   /// The lowest horizon of the boxes that the active rays meet from tnear to tfar: how far they went, or are about to go.
   std::uint8_t lowest_met(const RayPacket& rays, const LaneMask& active) const;
 
-  /// Those of the active rays that meet any box.
-  LaneMask met(const RayPacket& rays, const LaneMask& active) const;
-
  private:
-  void find_lowest(const RayPacket& rays, const LaneMask& active, float* lowest) const;
-
   struct Boxes;
   std::unique_ptr<Boxes> boxes_;
   std::uint8_t everything_ = TouchedBlocks::kNever;  ///< lowest horizon of the boxes without end

@@ -1,5 +1,6 @@
 #include "frames/traced_frames.hpp"
 
+#include "frames/audit.hpp"
 #include "layout/film_layout.hpp"
 #include "trace/noisy_frame.hpp"
 
@@ -14,7 +15,10 @@ TracedFrames::TracedFrames(Stage& stage, const Sampling& sampling, const ThreadP
 }
 
 RenderedFrame TracedFrames::make(int frame) {
-  return denoiser_ ? denoised(frame) : render_frame(stage_, sampling_, frame, pool_, context_);
+  RenderedFrame rendered = denoiser_ ? denoised(frame) : render_frame(stage_, sampling_, frame, pool_, context_);
+  if (integrator_of(sampling_) == Integrator::kPath && !context_.cancelled)
+    audit(stage_, sampling_, frame, rendered.pictures.film, pool_, context_, rendered.report);
+  return rendered;
 }
 
 RenderedFrame TracedFrames::denoised(int frame) {

@@ -55,10 +55,4 @@ void BsdfPacket::sample(const LaneMask& lanes, const Lanes& lobe, const Lanes& u
   }
 }
 
-void BsdfPacket::remove_diffuse() {
-  lanes_.remove_diffuse();
-  for (int i = 0; i < kLanes; ++i)
-    if (others_.lane[i]) bsdfs_[index(i)]->remove_diffuse();
-}
-
 }  // namespace lippmann

@@ -38,21 +38,17 @@ class BsdfPacket {
   // As those of Bsdf, for lanes of a mask that have a surface. Numbers in [0, 1).
   void evaluate(const LaneMask& lanes, const Lanes3& lights, BsdfValueLanes& values) const;
   void sample(const LaneMask& lanes, const Lanes& lobe, const Lanes& u, const Lanes& v, BsdfSamples& samples) const;
-  void remove_diffuse();
 
   // And of one.
   Vec3f highlight(int i, Vec3f light) const { return base_.lane[i] ? Vec3f(0.0f) : bsdfs_[index(i)]->highlight(light); }
   Vec3f diffuse_albedo(int i) const { return base_.lane[i] ? lanes_.diffuse_albedo(i) : bsdfs_[index(i)]->diffuse_albedo(); }
-  float diffuse_share(int i) const { return base_.lane[i] ? lanes_.diffuse_share(i) : bsdfs_[index(i)]->diffuse_share(); }
-  BsdfValue evaluate_diffuse(int i, Vec3f light) const {
+  Vec3f evaluate_diffuse(int i, Vec3f light) const {
     return base_.lane[i] ? lanes_.evaluate_diffuse(i, *albedo_, light) : bsdfs_[index(i)]->evaluate_diffuse(light);
   }
-  Vec3f normal(int i) const { return base_.lane[i] ? lanes_.normal(i) : bsdfs_[index(i)]->normal(); }
   Vec3f lit_side(int i, Vec3f smooth) const {
     if (!base_.lane[i]) return bsdfs_[index(i)]->lit_side(smooth);
     return lanes_.scatters_through(i) ? Vec3f(0.0f) : lanes_.normal(i);
   }
-  bool is_sharp(int i) const { return base_.lane[i] ? lanes_.is_sharp(i) : bsdfs_[index(i)]->is_sharp(); }
 
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }

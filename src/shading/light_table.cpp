@@ -104,18 +104,13 @@ LightTable::LightTable(const LightSources& sources, const Environment& environme
   near_ = kind_of(powers.near), far_ = kind_of(powers.far);
   // A quarter of the flux across any direction arrives at a surface, on average over the ways that it may be turned.
   far_irradiance_ = 0.25f * static_cast<float>(far_.chances.total());
-  for (float& share : record_shares_) share /= static_cast<float>(near_.chances.total());
 }
 
 LightTable::Kind LightTable::kind_of(std::span<const float> powers) const {
-  Kind kind{DiscreteDistribution(powers), {}};
+  Kind kind{DiscreteDistribution(powers)};
   if (kind.empty()) return kind;
-  kind.begins = {0.0f,
-                 kind.chances.probability_before(first_round()),
-                 kind.chances.probability_before(sun()),
-                 kind.chances.probability_before(first_triangle()),
-                 kind.chances.probability_before(powers.size() - 1),
-                 1.0f};
+  kind.of_sun = kind.chances.probability_before(first_triangle()) - kind.chances.probability_before(sun());
+  kind.of_sky = 1.0f - kind.chances.probability_before(powers.size() - 1);
   return kind;
 }
 
@@ -181,7 +176,7 @@ void LightTable::add_triangles_of(std::size_t r, Powers& powers) {
   const Emitter* emitter = sources_.emitters.of(record.instance);
   if (!emitter) return;
   first_triangle_[r] = static_cast<int>(triangles_.size());
-  record_shares_.resize(sources_.records.size(), 0.0f), bodies_.resize(sources_.records.size(), kEndless);
+  bodies_.resize(sources_.records.size(), kEndless);
   const Affine3f place = record.placed ? record.world_from_mesh : Affine3f{};
   const BodyFacing closed = mirrored(emitter->closed, place);
   for (std::uint32_t t = 0; t < record.mesh->triangles.size(); ++t) {
@@ -196,7 +191,6 @@ void LightTable::add_triangles_of(std::size_t r, Powers& powers) {
                           static_cast<std::uint32_t>(r), t, closed});
     // Both sides shine.
     powers.near.push_back(has_area ? finite(kPi * 2.0f * triangles_.back().area * emitter->of(t)) : 0.0f);
-    record_shares_[r] += powers.near.back();
   }
   const auto material = static_cast<std::size_t>(sources_.scene.instances[record.instance].material);
   if (closed != BodyFacing::kNone && is_opaque(sources_.materials[material])) bodies_[r] = bounds_of(*record.mesh, place);
@@ -213,9 +207,9 @@ float LightTable::near_share(const LightReceiver& at) const {
   return std::min(1.0f - kLeastShareOfKind, std::max(kLeastShareOfKind, share));
 }
 
-float LightTable::chance(LightGroups groups, const LightReceiver& at) const {
+float LightTable::chance_of_sky(const LightReceiver& at) const {
   const float near = near_share(at);
-  return near * near_.chance(groups) + (1.0f - near) * far_.chance(groups);
+  return near * near_.of_sky + (1.0f - near) * far_.of_sky;
 }
 
 /// A tree draws anew, with what is left of the number that has chosen it. Trees are asked first, as the list of all entries is
@@ -237,43 +231,25 @@ std::optional<LightTable::Chosen> LightTable::choose(const Kind& kind, const Lig
 
 std::optional<LightSample> LightTable::sample_entry(std::size_t entry, Vec3f from, Vec2f u) const {
   if (entry < points()) return sample_point(entry, from);
-  if (entry < round_tree()) return round(entry - first_round(), from, u);
+  if (entry < round_tree()) return sample_round(sources_.lights[rounds_[entry - first_round()]], unit_, from, u);
   if (entry == sun()) return sample_sky(environment_.sample_sun(u));
   if (entry < triangle_tree()) return sample_triangle_light(triangles_[entry - first_triangle()], from, u);
-  return sky_sample(u);
+  return sample_sky(environment_.sample_rest(u));
 }
 
-std::optional<LightSample> LightTable::sample(const Kind& kind, float share, const LightReceiver& at, float pick,
-                                              Vec2f u) const {
-  const std::optional<Chosen> chosen = choose(kind, at, pick);
+/// What is left of the number that has chosen a kind is spread over the kind's lights.
+std::optional<LightSample> LightTable::sample(const LightReceiver& at, float pick, Vec2f u) const {
+  if (near_.empty() && far_.empty()) return std::nullopt;
+  const float near = near_share(at);
+  const bool is_near = pick < near || far_.empty();
+  const float of_kind = is_near ? near : 1.0f - near, within = (is_near ? pick : pick - near) / of_kind;
+  const std::optional<Chosen> chosen = choose(is_near ? near_ : far_, at, std::clamp(within, 0.0f, kBelowOne));
   if (!chosen) return std::nullopt;
   std::optional<LightSample> s = sample_entry(chosen->entry, at.position, u);
   if (!s) return std::nullopt;
-  const float chance = share * chosen->chance;
+  const float chance = of_kind * chosen->chance;
   if (s->is_point()) s->radiance /= chance;
   s->density *= chance;
-  return s;
-}
-
-std::optional<LightSample> LightTable::sample(const LightReceiver& at, float pick, Vec2f u) const {
-  return sample({LightGroup::kPoints, LightGroup::kEnd}, at, pick, u);
-}
-
-/// What is left of the number that has chosen a kind is spread over the kind's chances of these groups.
-std::optional<LightSample> LightTable::sample(LightGroups groups, const LightReceiver& at, float pick, Vec2f u) const {
-  const float near = near_share(at), of_near = near * near_.chance(groups), of_far = (1.0f - near) * far_.chance(groups);
-  const float share = of_near + of_far;
-  if (!(share > 0.0f)) return std::nullopt;
-  const float drawn = pick * share;
-  const bool is_near = drawn < of_near || !(of_far > 0.0f);
-  const Kind& kind = is_near ? near_ : far_;
-  const float of_kind = is_near ? near : 1.0f - near;
-  const float begin = kind.begin_of(groups.begin), within = (is_near ? drawn : drawn - of_near) / of_kind;
-  std::optional<LightSample> s =
-      sample(kind, of_kind, at, std::clamp(begin + within, begin, kind.begin_of(groups.end) * kBelowOne), u);
-  if (!s) return std::nullopt;
-  s->density /= share;
-  if (s->is_point()) s->radiance *= share;
   return s;
 }
 
@@ -290,25 +266,12 @@ float LightTable::chance_within(const LightTree& tree, std::size_t of_tree, std:
   return near * near_.probability(of_tree) * tree.probability(static_cast<std::uint32_t>(index), at);
 }
 
-std::optional<LightSample> LightTable::round(std::size_t k, Vec3f from, Vec2f u) const {
-  return sample_round(sources_.lights[rounds_[k]], unit_, from, u);
-}
-
 std::optional<LightSample> LightTable::see_round(std::size_t k, Vec3f from, Vec3f direction) const {
   return lippmann::see_round(sources_.lights[rounds_[k]], unit_, from, direction);
 }
 
 bool LightTable::is_pointed_at(std::size_t k, const RayPacket& rays) const {
   return lippmann::is_pointed_at(sources_.lights[rounds_[k]], rays);
-}
-
-float LightTable::share_of_lamp(std::size_t light) const {
-  const auto share = [&](const LightTree& tree, std::size_t of_tree, std::size_t first, std::size_t index) {
-    const float own = near_.probability(first + index) + far_.probability(first + index);
-    return own + near_.probability(of_tree) * tree.share_of_power(static_cast<std::uint32_t>(index));
-  };
-  return has_size(light) ? share(round_tree_, round_tree(), first_round(), static_cast<std::size_t>(round_of_[light]))
-                         : share(point_tree_, point_tree(), 0, light);
 }
 
 std::optional<LightSample> LightTable::sample_point(std::size_t index, Vec3f from) const {
@@ -356,14 +319,11 @@ Vec3f LightTable::emission_at(const Triangle& t, Vec2f barycentric) const {
   return factor * Vec3f(look_up(surface->emissive_map, sources_.textures, *record.mesh, t.prim, barycentric));
 }
 
-float LightTable::share_of_record(std::size_t record) const {
-  return record_shares_.empty() || near_.empty() ? 0.0f : record_shares_[record];
-}
-
-LightTable::Sky LightTable::sky(const SkyRays& rays, int i, const LightReceiver& at) const {
+float LightTable::density_of_sky(const SkyRays& rays, int i, const LightReceiver& at) const {
   const Environment::Density density = environment_.density(rays, i);
-  const LightGroups group = density.of_sun ? kSun : kSkyLight;
-  return {group, chance(group, at) * density.value};
+  const float near = near_share(at);
+  const float chance = density.of_sun ? near * near_.of_sun + (1.0f - near) * far_.of_sun : chance_of_sky(at);
+  return chance * density.value;
 }
 
 float LightTable::density_of(std::uint32_t record, std::uint32_t prim, float distance, Vec3f direction,

@@ -44,19 +44,6 @@ struct LightSources {
   float size;                      ///< half the scene's diagonal: far smaller lamps are points
 };
 
-/// Groups of lights, in the order that they are chosen from: point-like ones, lamps that have a size (round_lights.hpp), the
-/// surroundings' sun (Environment::has_sun), triangles that shine, the rest of the surroundings. The later, the softer the
-/// shadows.
-enum class LightGroup : std::uint8_t { kPoints, kRound, kSun, kLamps, kSky, kEnd };
-
-/// All groups from one on, up to another that is not of them.
-struct LightGroups {
-  LightGroup begin, end;
-};
-inline constexpr LightGroups kPointLights{LightGroup::kPoints, LightGroup::kRound},
-    kRoundLights{LightGroup::kRound, LightGroup::kSun}, kSun{LightGroup::kSun, LightGroup::kLamps},
-    kLamps{LightGroup::kLamps, LightGroup::kSky}, kSkyLight{LightGroup::kSky, LightGroup::kEnd};
-
 /// Up to this many lamps of a group, or triangles, are drawn by their power; more are drawn by a tree.
 inline constexpr std::size_t kMostLampsByPower = 4, kMostTrianglesByPower = 4;
 
@@ -71,14 +58,9 @@ class LightTable {
   /// A light for a point: `pick` chooses which, `u` where on it. None where it is turned away or out of reach.
   std::optional<LightSample> sample(const LightReceiver& at, float pick, Vec2f u) const;
 
-  /// Lamps, and one of them as a point; none where it is turned away or out of reach, or no point.
-  std::size_t points() const { return sources_.lights.size(); }
-  std::optional<LightSample> point(std::size_t light, Vec3f from) const { return sample_point(light, from); }
-
-  /// Lamps that have a size, and a direction to one of them, or the light that a ray sees of it which has scattered at `from`:
-  /// densities are that lamp's alone, without its chance: for sample() at `at`, that is chance_of_round().
+  /// Lamps that have a size, and the light that a ray sees of one of them which has scattered at `from`: the density is that
+  /// lamp's alone; sample() at `at` draws the lamp with chance_of_round().
   std::size_t rounds() const { return rounds_.size(); }
-  std::optional<LightSample> round(std::size_t k, Vec3f from, Vec2f u) const;
   std::optional<LightSample> see_round(std::size_t k, Vec3f from, Vec3f direction) const;
   float chance_of_round(std::size_t k, const LightReceiver& at) const;
   /// Whether any ray of the packet points at it, lanes that are not active included.
@@ -92,47 +74,25 @@ class LightTable {
     round_tree_.meet(origin, direction, reach, [&](std::uint32_t k) { visit(std::size_t{k}); });
   }
 
-  /// Irradiance across per colour of such a light.
-  float unit() const { return unit_; }
-
-  /// As sample(), of lights of these groups alone. Densities are those of sample() over chance().
-  std::optional<LightSample> sample(LightGroups groups, const LightReceiver& at, float pick, Vec2f u) const;
-
   /// Whether it is worth while to draw directions into the sky for all surfaces of a packet, before it is known which of them
   /// ask for the sky.
-  bool asks_sky_often() const { return (near_.empty() ? 1.0f : 0.5f) * far_.chance(kSkyLight) > 0.25f; }
+  bool asks_sky_often() const { return (near_.empty() ? 1.0f : 0.5f) * far_.of_sky > 0.25f; }
   /// Whether sample() draws from the rest of the sky for this `pick`.
-  bool picks_sky(const LightReceiver& at, float pick) const { return pick >= 1.0f - chance(kSkyLight, at); }
-  /// What sample() then gives for the u that draw i was made for (Environment::sample_rest); chance: chance(kSkyLight, at), or
-  /// 1 for sample(kSkyLight, ...).
-  static std::optional<LightSample> sky_sample(const SkyDraws& draws, int i, float chance) {
+  bool picks_sky(const LightReceiver& at, float pick) const { return pick >= 1.0f - chance_of_sky(at); }
+  /// What sample() then gives for the u that draw i was made for (Environment::sample_rest).
+  std::optional<LightSample> sky_sample(const SkyDraws& draws, int i, const LightReceiver& at) const {
     if (!(draws.density[i] > 0.0f)) return std::nullopt;
     return LightSample{Vec3f(draws.x[i], draws.y[i], draws.z[i]), kInfinity, Vec3f(draws.red[i], draws.green[i], draws.blue[i]),
-                       draws.density[i] * chance};
+                       draws.density[i] * chance_of_sky(at)};
   }
-
-  /// The same of one, for sample(kSkyLight, ...).
-  std::optional<LightSample> sky_sample(Vec2f u) const { return sample_sky(environment_.sample_rest(u)); }
-
-  /// The chance of sample() to choose a light of these groups, and whether it ever does.
-  float chance(LightGroups groups, const LightReceiver& at) const;
-  bool has(LightGroups groups) const { return near_.chance(groups) > 0.0f || far_.chance(groups) > 0.0f; }
 
   /// The density with which sample() draws the point where a ray of unit `direction` from `at` meets triangle `prim` of a
   /// record at `distance`; 0 where the triangle is none of its lights.
   float density_of(std::uint32_t record, std::uint32_t prim, float distance, Vec3f direction, const LightReceiver& at) const;
 
-  /// What sample() knows of a direction into the sky, that of ray i whose radiance was looked up.
-  struct Sky {
-    LightGroups group;     ///< kSun or kSkyLight
-    float density = 0.0f;  ///< the one that sample() gives this direction
-  };
-  Sky sky(const SkyRays& rays, int i, const LightReceiver& at) const;
+  /// The density with which sample() draws a direction into the sky, that of ray i whose radiance was looked up.
+  float density_of_sky(const SkyRays& rays, int i, const LightReceiver& at) const;
 
-  /// The share of the power of the lights of its kind that a lamp has, whether it is a point or has a size; and the share of
-  /// near lights' power that all triangles of a record have.
-  float share_of_lamp(std::size_t light) const;
-  float share_of_record(std::size_t record) const;
   /// Whether there are near and far lights: else near_share() is the same everywhere.
   bool has_both_kinds() const { return !near_.empty() && !far_.empty(); }
   /// The chance of sample() to choose a near light.
@@ -152,16 +112,15 @@ class LightTable {
   /// Lights of one kind. Near and far ones have the same entries; those of the other kind have chance 0.
   struct Kind {
     DiscreteDistribution chances;
-    std::array<float, 6> begins{};  ///< by group: the chance of all before it
+    float of_sun = 0.0f, of_sky = 0.0f;  ///< chances of the sky's sun and of the rest of the sky
 
     bool empty() const { return chances.empty(); }
     float probability(std::size_t entry) const { return empty() ? 0.0f : chances.probability(entry); }
-    float begin_of(LightGroup group) const { return begins[static_cast<std::size_t>(group)]; }
-    float chance(LightGroups groups) const { return begin_of(groups.end) - begin_of(groups.begin); }
   };
   Kind kind_of(std::span<const float> powers) const;
 
   // Entries of a kind's chances: every group but the surroundings' ends with its tree, whether there is one or not.
+  std::size_t points() const { return sources_.lights.size(); }
   std::size_t point_tree() const { return points(); }
   std::size_t first_round() const { return point_tree() + 1; }
   std::size_t round_tree() const { return first_round() + rounds(); }
@@ -190,7 +149,7 @@ class LightTable {
     float chance;
   };
   std::optional<Chosen> choose(const Kind& kind, const LightReceiver& at, float pick) const;
-  std::optional<LightSample> sample(const Kind& kind, float share, const LightReceiver& at, float pick, Vec2f u) const;
+  float chance_of_sky(const LightReceiver& at) const;
   std::optional<LightSample> sample_entry(std::size_t entry, Vec3f from, Vec2f u) const;
   float chance_within(const LightTree& tree, std::size_t of_tree, std::size_t first, std::size_t index,
                       const LightReceiver& at) const;
@@ -221,7 +180,6 @@ class LightTable {
   /// By record: the box around a mesh that is closed and opaque, whose triangles' inner sides nobody sees from outside; an
   /// endless one around all others. Empty: no triangle shines.
   std::vector<Bounds3f> bodies_;
-  std::vector<float> record_shares_;  ///< by record: its share of near lights' power; empty: no triangle shines
 };
 
 }  // namespace lippmann

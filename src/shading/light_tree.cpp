@@ -208,7 +208,7 @@ std::optional<LightTree::Choice> LightTree::choose(const LightReceiver& at, floa
   std::int32_t child = 0;
   const float probability = descend({nodes_.data(), or_null(cones_), or_null(beams_), or_null(faces_)}, at, u, child);
   if (!(probability > 0.0f)) return std::nullopt;
-  return Choice{static_cast<std::uint32_t>(~child), probability, u};
+  return Choice{static_cast<std::uint32_t>(~child), probability};
 }
 
 float LightTree::probability(std::uint32_t light, const LightReceiver& at) const {
@@ -218,11 +218,6 @@ float LightTree::probability(std::uint32_t light, const LightReceiver& at) const
 
 float LightTree::importance(const LightReceiver& at) const {
   return empty() ? 0.0f : weigh_all({nodes_.data(), or_null(cones_), or_null(beams_), or_null(faces_)}, at);
-}
-
-float LightTree::share_of_power(std::uint32_t light) const {
-  if (empty() || slots_[light] == kNowhere) return 0.0f;
-  return nodes_[slots_[light] / kLanes].power[static_cast<int>(slots_[light] % kLanes)];
 }
 
 std::uint32_t LightTree::touched(std::uint32_t node, const Line& line) const {

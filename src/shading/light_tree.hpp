@@ -105,7 +105,6 @@ class LightTree {
   struct Choice {
     std::uint32_t light;
     float probability;
-    float rest;  ///< in [0, 1), as good as a new number
   };
   /// Draws a light; none where none reaches the point.
   std::optional<Choice> choose(const LightReceiver& at, float u) const;
@@ -115,9 +114,6 @@ class LightTree {
 
   /// Unshadowed irradiance of the lights at the point, relative to that of all lights at distance 1.
   float importance(const LightReceiver& at) const;
-
-  /// A light's share of the tree's power.
-  float share_of_power(std::uint32_t light) const;
 
   /// Calls visit(light) for every light whose ball a ray of unit direction may touch up to `reach`. Lights without a radius are
   /// never touched.

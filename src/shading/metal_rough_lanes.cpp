@@ -218,19 +218,10 @@ void MetalRoughLanes::sample(const GgxAlbedo& albedo, const Lanes& lobe, const L
   }
 }
 
-void MetalRoughLanes::remove_diffuse() {
-  LIPPMANN_FOR_LANES(i) {
-    const float rest = gloss_share_[i] + glass_share_[i], all = rest > 0.0f ? rest : 1.0f;
-    diffuse_share_[i] = 0.0f, gloss_share_[i] /= all, glass_share_[i] /= all;
-  }
-  diffuse_color_ = {};
-}
-
-BsdfValue MetalRoughLanes::evaluate_diffuse(int i, const GgxAlbedo& albedo, Vec3f light) const {
+Vec3f MetalRoughLanes::evaluate_diffuse(int i, const GgxAlbedo& albedo, Vec3f light) const {
   const float cosine = glm::dot(light, normal_.get(i));
-  if (!(cosine > 0.0f)) return {Vec3f(0.0f), 0.0f, true};
-  const float density = cosine * (1.0f / kPi);
-  return {density * let_in(base(i), albedo, cosine) / diffuse_passes_.get(i), density, false};
+  if (!(cosine > 0.0f)) return Vec3f(0.0f);
+  return cosine * (1.0f / kPi) * let_in(base(i), albedo, cosine) / diffuse_passes_.get(i);
 }
 
 }  // namespace lippmann

@@ -49,15 +49,12 @@ class MetalRoughLanes {
   // As MetalRoughBsdf's, for all lanes.
   void evaluate(const GgxAlbedo& albedo, const Lanes3& lights, BsdfValueLanes& values) const;
   void sample(const GgxAlbedo& albedo, const Lanes& lobe, const Lanes& u, const Lanes& v, BsdfSampleLanes& samples) const;
-  void remove_diffuse();
 
   // And for one.
-  BsdfValue evaluate_diffuse(int i, const GgxAlbedo& albedo, Vec3f light) const;
+  Vec3f evaluate_diffuse(int i, const GgxAlbedo& albedo, Vec3f light) const;
   Vec3f diffuse_albedo(int i) const { return diffuse_color_.get(i) * diffuse_passes_.get(i); }
-  float diffuse_share(int i) const { return diffuse_share_[i]; }
   Vec3f normal(int i) const { return normal_.get(i); }
   bool scatters_through(int i) const { return glass_[i] > 0.0f; }
-  bool is_sharp(int i) const { return alpha_[i] < kSmoothAlpha || (gloss_share_[i] == 0.0f && !scatters_through(i)); }
 
  private:
   /// What a lane has; the shortest kernels that know all lanes do.

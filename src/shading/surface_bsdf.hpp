@@ -38,14 +38,8 @@ class Bsdf {
   Vec3f diffuse_albedo() const {
     return std::visit([](const auto& b) { return b.diffuse_albedo(); }, bsdf_);
   }
-  float diffuse_share() const {
-    return std::visit([](const auto& b) { return b.diffuse_share(); }, bsdf_);
-  }
-  BsdfValue evaluate_diffuse(Vec3f light) const {
+  Vec3f evaluate_diffuse(Vec3f light) const {
     return std::visit([&](const auto& b) { return b.evaluate_diffuse(light); }, bsdf_);
-  }
-  Vec3f normal() const {
-    return std::visit([](const auto& b) { return b.normal(); }, bsdf_);
   }
   /// Whether light that is not mirrored may come from behind, too.
   bool scatters_through() const {
@@ -56,18 +50,11 @@ class Bsdf {
     const auto* layered = std::get_if<LayeredBsdf>(&bsdf_);
     return layered ? layered->straight() : Vec3f(0.0f);
   }
-  /// The side that light has to come from: normal(), or null where it may come from both. smooth: the point's normal without
-  /// any map, by which a coat may see what the surface below it looks away from.
+  /// The side that light has to come from: the diffuse part's normal, or null where it may come from both. smooth: the point's
+  /// normal without any map, by which a coat may see what the surface below it looks away from.
   Vec3f lit_side(Vec3f smooth) const {
     if (scatters_through()) return Vec3f(0.0f);
     return std::visit([&](const auto& b) { return b.has_coat_apart() ? smooth : b.normal(); }, bsdf_);
-  }
-  bool is_sharp() const {
-    return std::visit([](const auto& b) { return b.is_sharp(); }, bsdf_);
-  }
-  /// Takes the diffuse part out of evaluate() and sample(), for who has it from elsewhere; evaluate_diffuse() stays.
-  void remove_diffuse() {
-    std::visit([](auto& b) { b.remove_diffuse(); }, bsdf_);
   }
 
  private:

@@ -1,6 +1,7 @@
 // The integrators of whole frames: which one a scene was made for.
 #pragma once
 
+#include "core/random.hpp"
 #include "trace/path_integrator.hpp"
 #include "trace/whitted.hpp"
 
@@ -23,8 +24,8 @@ RayCounts with_integrator(const Integration& make, const Use& use) {
   };
   if (!make.scene.path)
     return counted(WhittedTracer(make.scene, make.beam, {make.params.max_depth, make.params.spp}, make.film));
-  PathParams paths = path_params(make.params);
-  paths.spp = make.params.spp;
+  const TraceParams& trace = make.params;
+  const PathParams paths{trace.max_depth, hash(trace.seed, trace.frame), trace.clamp_indirect, trace.spp};
   return counted(PathIntegrator(make.scene, make.beam, paths, make.film));
 }
 

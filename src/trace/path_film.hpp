@@ -21,7 +21,6 @@ struct PathFilm {
   float* all = nullptr;
   float* direct = nullptr;    ///< what shines by itself, and what one surface has scattered
   float* indirect = nullptr;  ///< the rest
-  float* deepest = nullptr;   ///< of that, what as many surfaces have scattered as may (PathParams::max_depth)
   float* noise = nullptr;     ///< NoisyFrame::noise
   float* seen = nullptr;      ///< what has met no surface, or shines from the first
   const FirstSurfaces* surfaces = nullptr;

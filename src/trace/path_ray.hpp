@@ -22,10 +22,10 @@ struct PathRay {
   bool one_color : 1 = false;         ///< it carries one colour alone, as a surface has dispersed it
   bool through_wall : 1 = false;      ///< has gone straight through a wall, which is no vertex
   std::uint16_t events : 13 = 0;      ///< vertices, passed surfaces included: what the random numbers go by
-  std::uint16_t lights_from : 3 = 0;  ///< LightGroups before this one have been sampled already: to meet them adds nothing
   std::uint16_t medium = kNoMedium;   ///< the medium that it is in
 
   bool has_met_nothing() const { return depth == 0 && !through_wall; }
+  bool has_scattered() const { return scattered_at > 0.0f; }
   /// Surfaces that have shaped its light; a wall before the first vertex makes it no light that is seen as it is.
   int surfaces() const { return depth > 0 || !through_wall ? depth : 1; }
 };
@@ -55,10 +55,9 @@ inline PathRay passed(PathRay ray, const ShadingPoint& point, float length) {
   return ray;
 }
 
-/// Sends `ray` on from a point at `length`, in a direction that was drawn there; throughput as it is then. lit_side: with which
-/// the point asks for lights.
-inline void scatter(PathRay& ray, const ShadingPoint& point, Vec3f lit_side, const BsdfSample& sample, Vec3f throughput,
-                    float length) {
+/// Sends `ray` on from a point at `length`, in a direction that was drawn there, with this throughput. Unless it goes straight
+/// on, the caller sets lit_side and near_share.
+inline void scatter(PathRay& ray, const ShadingPoint& point, const BsdfSample& sample, Vec3f throughput, float length) {
   ray.origin = point.position;
   ray.throughput = throughput;
   ray.t_near = point.t_near, ray.path_length = length;
@@ -72,15 +71,7 @@ inline void scatter(PathRay& ray, const ShadingPoint& point, Vec3f lit_side, con
   // What shines straight behind is reached by the last vertex's shadow rays, too.
   if (sample.straight) return;
   ray.direction = sample.direction;
-  ray.density = sample.density, ray.scattered_at = length, ray.lights_from = 0;
-  ray.lit_side = lit_side, ray.near_share = -1.0f;
-}
-
-/// `ray`, sent on so.
-inline PathRay scattered(PathRay ray, const ShadingPoint& point, Vec3f lit_side, const BsdfSample& sample, Vec3f throughput,
-                         float length) {
-  scatter(ray, point, lit_side, sample, throughput, length);
-  return ray;
+  ray.density = sample.density, ray.scattered_at = length;
 }
 
 /// The point where `ray` has scattered last, as it asked for lights there.

@@ -13,7 +13,7 @@ float ShadowQueue::lift(const ShadingPoint& point, float distance, ShadowRay& ra
   return from_there;
 }
 
-std::size_t ShadowQueue::fill_packet(std::size_t first) {
+std::size_t ShadowQueue::trace_packet(const ShadedScene& scene, std::size_t first) {
   const std::size_t count = std::min<std::size_t>(kLanes, rays_.size() - first);
   for (std::size_t i = 0; i < kLanes; ++i) {
     const ShadowRay& ray = rays_[first + std::min(i, count - 1)];
@@ -23,11 +23,6 @@ std::size_t ShadowQueue::fill_packet(std::size_t first) {
     packet_.active.lane[i] = i < count ? -1 : 0;
     packet_.transmittance.white[i] = 1.0f;
   }
-  return count;
-}
-
-std::size_t ShadowQueue::trace_packet(const ShadedScene& scene, std::size_t first) {
-  const std::size_t count = fill_packet(first);
   scene.trace_shadows(packet_.active, packet_.rays, packet_.transmittance);
   return count;
 }

@@ -89,7 +89,7 @@ struct PixelPackets {
 }  // namespace
 
 RayCounts trace_pixels(const Shot& shot, const TraceParams& params, Pixels pixels, const Workers& workers, Image& film,
-                       PrimaryPoints* points) {
+                       PrimaryPoints* points, float* open) {
   if (pixels.empty()) return {};
   const ShadedScene& scene = shot.device.shaded();
   const OrderedPixels ordered = in_ray_order(pixels, shot.optics, params.order);
@@ -105,7 +105,7 @@ RayCounts trace_pixels(const Shot& shot, const TraceParams& params, Pixels pixel
       trace_batch(scene, packets, {batch, 0, spp}, integrator, sinks);
     });
   };
-  const PathFilm light{.all = film.data.data()};
+  const PathFilm light{.all = film.data.data(), .open = open};
   return trace_strips(ordered.begin.size() - 1, workers.silent(), [&](std::size_t strip) {
     const std::size_t first = ordered.begin[strip];
     const Pixels of_strip = Pixels(ordered.pixels).subspan(first, ordered.begin[strip + 1] - first);

@@ -164,40 +164,25 @@ void LayeredBsdf::set_shares() {
   shares_.diffuse = below * luminance(diffuse_color_ * gloss_passes_);
   shares_.through = below * luminance(through_color_ * gloss_passes_);
   shares_.glass = below * glass_share_ * std::max(0.1f, luminance(surface_.base.base_color));
-  scale_shares();
-}
-
-void LayeredBsdf::scale_shares() {
   Shares& s = shares_;
   const float sum = s.diffuse + s.through + s.sheen + s.gloss + s.glass + s.coat;
   if (!(sum > 0.0f)) return;
   for (float* share : {&s.diffuse, &s.through, &s.sheen, &s.gloss, &s.glass, &s.coat}) *share /= sum;
 }
 
-BsdfValue LayeredBsdf::evaluate_diffuse(Vec3f light_world) const {
+Vec3f LayeredBsdf::evaluate_diffuse(Vec3f light_world) const {
   const Vec3f light = frame_.to_local(light_world);
-  if (!(light.z > 0.0f)) return {Vec3f(0.0f), 0.0f, true};
+  if (!(light.z > 0.0f)) return Vec3f(0.0f);
   const Vec3f to_viewer = sheen_passes_ * gloss_passes_, both = below_sheen(light) * below_gloss(light);
   const float cosine = light.z * (1.0f / kPi);
   Vec3f share(0.0f);
   for (int c = 0; c < 3; ++c)
     if (to_viewer[c] > 0.0f) share[c] = both[c] / to_viewer[c];
-  return {cosine * share, cosine, false};
-}
-
-bool LayeredBsdf::is_sharp() const {
-  return shares_.through == 0.0f && shares_.sheen == 0.0f && (is_smooth_ || (shares_.gloss == 0.0f && shares_.glass == 0.0f)) &&
-         (is_mirror(coat_alpha_) || shares_.coat == 0.0f);
+  return cosine * share;
 }
 
 bool LayeredBsdf::has_coat_apart() const {
   return surface_.base.clearcoat > 0.0f && !is_mirror(coat_alpha_) && coat_frame_.z != frame_.z;
-}
-
-void LayeredBsdf::remove_diffuse() {
-  diffuse_color_ = Vec3f(0.0f);
-  shares_.diffuse = 0.0f;
-  scale_shares();
 }
 
 void LayeredBsdf::add_diffuse(Vec3f light, BsdfValue& value) const {

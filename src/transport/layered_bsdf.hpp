@@ -42,15 +42,12 @@ class LayeredBsdf {
 
   /// The diffuse part that is reflected, as MetalRoughBsdf's.
   Vec3f diffuse_albedo() const { return below_coat_ * sheen_passes_ * gloss_passes_ * diffuse_color_; }
-  float diffuse_share() const { return shares_.diffuse; }
-  BsdfValue evaluate_diffuse(Vec3f light) const;
+  Vec3f evaluate_diffuse(Vec3f light) const;
   Vec3f normal() const { return frame_.z; }
-  bool is_sharp() const;
   /// What passes a smooth thin wall straight on, a Dirac lobe of sample(); 0 of all else.
   Vec3f straight() const;
   bool scatters_through() const { return glass_share_ > 0.0f || through_color_ != Vec3f(0.0f); }
   bool has_coat_apart() const;
-  void remove_diffuse();
 
  private:
   /// Probabilities of sample(); add up to 1 or are all 0.
@@ -66,7 +63,6 @@ class LayeredBsdf {
   void set_gloss();
   void set_coat();
   void set_shares();
-  void scale_shares();
 
   Vec3f single_albedo(Vec3f direction) const;
   /// Film and bare surface mixed: the directional albedo with compensation, and the reflectance of one facet.

@@ -45,32 +45,17 @@ void MetalRoughBsdf::set_shares() {
   shares_.gloss = below_coat_ * base_.gloss_luminance;
   shares_.diffuse = below_coat_ * base_.diffuse_luminance;
   shares_.glass = below_coat_ * glass_chance(glass_);
-  scale_shares();
-}
-
-void MetalRoughBsdf::scale_shares() {
   const float sum = shares_.coat + shares_.gloss + shares_.diffuse + shares_.glass;
   if (sum > 0.0f) shares_.coat /= sum, shares_.gloss /= sum, shares_.diffuse /= sum, shares_.glass /= sum;
 }
 
-BsdfValue MetalRoughBsdf::evaluate_diffuse(Vec3f light_world) const {
+Vec3f MetalRoughBsdf::evaluate_diffuse(Vec3f light_world) const {
   const float cosine = glm::dot(light_world, frame_.z);
-  if (!(cosine > 0.0f)) return {Vec3f(0.0f), 0.0f, true};
-  const float density = cosine * (1.0f / kPi);
-  return {density * let_in(base_, albedo_, cosine) / base_.diffuse_passes, density, false};
-}
-
-bool MetalRoughBsdf::is_sharp() const {
-  return (base_.is_smooth() || (shares_.gloss == 0.0f && shares_.glass == 0.0f)) && (smooth(coat_alpha_) || coat_ == 0.0f);
+  if (!(cosine > 0.0f)) return Vec3f(0.0f);
+  return cosine * (1.0f / kPi) * let_in(base_, albedo_, cosine) / base_.diffuse_passes;
 }
 
 bool MetalRoughBsdf::has_coat_apart() const { return coat_ > 0.0f && !smooth(coat_alpha_) && coat_frame_.z != frame_.z; }
-
-void MetalRoughBsdf::remove_diffuse() {
-  base_.diffuse_color = Vec3f(0.0f);
-  shares_.diffuse = 0.0f;
-  scale_shares();
-}
 
 void MetalRoughBsdf::add_gloss(Vec3f light, BsdfValue& value) const {
   float density;

@@ -34,18 +34,13 @@ class MetalRoughBsdf {
   /// A direction for `lobe` and `u` in [0, 1); none where the surface takes all.
   std::optional<BsdfSample> sample(float lobe, Vec2f u) const;
 
-  /// The diffuse part alone, for those who know the light that arrives from all around: radiance is albedo x the mean over the
-  /// hemisphere of radiance x evaluate_diffuse().cosine_f.
+  /// The diffuse part alone is their product: a colour, and cosine_f per colour.
   Vec3f diffuse_albedo() const { return below_coat_ * base_.diffuse_color * base_.diffuse_passes; }
-  float diffuse_share() const { return shares_.diffuse; }  ///< chance of sample() to draw it
-  BsdfValue evaluate_diffuse(Vec3f light) const;           ///< per albedo; density: cosine to normal() / pi
+  Vec3f evaluate_diffuse(Vec3f light) const;
   Vec3f normal() const { return frame_.z; }
-  bool is_sharp() const;                                         ///< no lobe but the diffuse one has a width
   bool scatters_through() const { return glass_.share > 0.0f; }  ///< light from behind, Dirac's lobes included
   /// A rough coat has another normal than normal(), and may have light from where that looks away.
   bool has_coat_apart() const;
-  /// Takes the diffuse part out of evaluate() and sample(), for who has it from elsewhere; evaluate_diffuse() stays.
-  void remove_diffuse();
 
  private:
   struct Shares {
@@ -54,7 +49,6 @@ class MetalRoughBsdf {
 
   void set_coat(const MetalRoughSurface& s);
   void set_shares();
-  void scale_shares();
 
   Vec3f local_to_gloss(Vec3f world, Vec3f local) const { return glossy_apart_ ? gloss_frame_.to_local(world) : local; }
   void add_gloss(Vec3f light, BsdfValue& value) const;

@@ -4,10 +4,6 @@ namespace lippmann {
 
 PhongBsdf::PhongBsdf(const PhongPoint& point, Vec3f normal, Vec3f view, bool entering)
     : point_(point), normal_(normal), view_(view), entering_(entering) {
-  set_shares();
-}
-
-void PhongBsdf::set_shares() {
   const float diffuse = luminance(point_.diffuse), mirror = luminance(point_.mirror);
   const float sum = diffuse + mirror + point_.through;
   diffuse_share_ = sum > 0.0f ? diffuse / sum : 0.0f;
@@ -15,15 +11,7 @@ void PhongBsdf::set_shares() {
   through_share_ = sum > 0.0f ? point_.through / sum : 0.0f;
 }
 
-void PhongBsdf::remove_diffuse() {
-  point_.diffuse = Vec3f(0.0f);
-  set_shares();
-}
-
-BsdfValue PhongBsdf::evaluate_diffuse(Vec3f light) const {
-  const float cosine = glm::dot(normal_, light) * (1.0f / kPi);
-  return cosine > 0.0f ? BsdfValue{Vec3f(cosine), cosine, false} : BsdfValue{Vec3f(0.0f), 0.0f, true};
-}
+Vec3f PhongBsdf::evaluate_diffuse(Vec3f light) const { return Vec3f(std::max(0.0f, glm::dot(normal_, light) * (1.0f / kPi))); }
 
 BsdfValue PhongBsdf::evaluate(Vec3f light) const {
   const float cosine = glm::dot(normal_, light) * (1.0f / kPi);

@@ -31,21 +31,14 @@ class PhongBsdf {
 
   std::optional<BsdfSample> sample(float lobe, Vec2f u) const;
 
-  /// The diffuse part alone, for those who know the light that arrives from all around: radiance is albedo x the mean over the
-  /// hemisphere of radiance x evaluate_diffuse().cosine_f.
+  /// The diffuse part alone is their product: a colour, and cosine_f of a white surface.
   Vec3f diffuse_albedo() const { return point_.diffuse; }
-  float diffuse_share() const { return diffuse_share_; }  ///< chance of sample() to draw it
-  BsdfValue evaluate_diffuse(Vec3f light) const;          ///< per albedo; density: cosine to normal() / pi
+  Vec3f evaluate_diffuse(Vec3f light) const;
   Vec3f normal() const { return normal_; }
-  static constexpr bool is_sharp() { return true; }           ///< no lobe but the diffuse one has a width
   static constexpr bool scatters_through() { return false; }  ///< light from behind, other than by Dirac's lobes
   static constexpr bool has_coat_apart() { return false; }    ///< as MetalRoughBsdf's
-  /// As MetalRoughBsdf's; highlights stay.
-  void remove_diffuse();
 
  private:
-  void set_shares();
-
   PhongPoint point_;
   Vec3f normal_, view_;
   bool entering_;

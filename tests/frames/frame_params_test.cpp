@@ -37,14 +37,6 @@ TEST(FrameParams, a_kind_that_is_chosen_stays_as_it_is) {
     EXPECT_EQ(resolved_reuse({kPaths, reuse}).index(), reuse.index());
 }
 
-TEST(FrameParams, few_paths_share_light_where_a_goal_says_how_many_it_takes) {
-  Sampling few = kPaths;
-  few.spp = 1;
-  EXPECT_FALSE(can_share_light(few));
-  EXPECT_TRUE(can_share_light(few, {.min_psnr_db = 40.0}));
-  EXPECT_TRUE(can_share_light(few, {.time_budget_s = 1.0}));
-}
-
 TEST(FrameParams, sampling_that_a_kind_of_reuse_does_not_know_is_refused) {
   EXPECT_EQ(refused({kPaths, CopySettled{}}), "reuse");
   EXPECT_EQ(refused({{.aov = {Aov::kDepth}}, CopySettled{}}), "reuse");

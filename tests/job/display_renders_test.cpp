@@ -167,12 +167,11 @@ TEST_F(DisplayRenders, finished_pictures_are_precompensated_to_the_same_codes) {
   EXPECT_EQ(replay({.in = dir_ / "made"}, context_).written.size(), 1u);
 }
 
-TEST_F(DisplayRenders, crosstalk_that_nobody_says_or_wants_is_refused) {
+TEST_F(DisplayRenders, crosstalk_that_is_unknown_or_too_strong_is_refused) {
   const auto refused = [&](const Settings& settings, const std::string& message) {
     EXPECT_THAT(refusal(teapot("out", "0", settings)), HasSubstr(message));
   };
   refused({{"precompensate", "true"}}, "crosstalk of the display is not known");
-  refused({{"crosstalk", "0.3"}}, "precompensate");
   refused({{"precompensate", "true"}, {"crosstalk", "2"}}, "cannot be told apart");
   EXPECT_THAT(refusal(job("teapot", "out", {{"precompensate", "true"}, {"crosstalk", "0.3"}, {"optics", "single"}})),
               HasSubstr("single view"));

@@ -213,15 +213,15 @@ TEST_F(StripRenders, are_planned_with_every_strip_once_and_what_they_take) {
 
 // Bands of rows are strips that need no files, chosen where whole frames would take more memory than there is.
 
+// A frame and the key frame take 31 bytes a pixel, with the codes and the file of a picture. Bands take 19 at least.
 TEST_F(StripRenders, where_memory_is_short_bands_have_the_bytes_of_whole_frames) {
-  const Settings paths{{"integrator", "path"}, {"spp", "8"}, {"denoise", "none"}, {"aov", "depth"}};
-  render(still("whole", paths));
+  const Settings copied{{"frames", "3-4"}, {"reuse", "copy"}};
+  render(still("whole", copied));
   EXPECT_THAT(warnings_, Not(HasSubstr("bands of rows")));
-  const double pixels = 64 * 184;
-  render(still("bands", paths), {.available_memory = 90.0 * pixels});
+  render(still("bands", copied), {.available_memory = 31.0 * 64 * 184});
   EXPECT_THAT(warnings_, HasSubstr("bands of rows, to the same pixels"));
   EXPECT_EQ(pictures("bands"), pictures("whole"));
-  EXPECT_THAT(files_in(dir_ / "bands", ".exr").size(), 1u) << "layers, and no strips";
+  EXPECT_THAT(files_in(dir_ / "bands", ".exr"), IsEmpty()) << "no strips";
   EXPECT_EQ(job_of("bands").strips, 1) << "the job is the same wherever it is rendered";
 }
 
