@@ -1,7 +1,7 @@
 #include "denoise/denoiser.hpp"
 
-#include "denoise/film_views.hpp"
 #include "denoise/filter.hpp"
+#include "denoise/sorted_views.hpp"
 #include "optics/ray_generator.hpp"
 
 namespace lippmann {
@@ -15,12 +15,12 @@ constexpr float kMostLight = 1e15f;
 
 /// fn(pixel) for every pixel of the views that has a surface, in parallel.
 template <class Fn>
-void for_each_texel(const FilmViews& views, const Texels& texels, const ThreadPool& pool, const Fn& fn) {
+void for_each_texel(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const Fn& fn) {
   const Vec2i size = views.size();
   pool.for_each(static_cast<std::size_t>(views.views()) * static_cast<std::size_t>(size.y), [&](std::size_t row) {
     const std::uint32_t* pixels = views.row(static_cast<int>(row) / size.y, static_cast<int>(row) % size.y);
     for (int x = 0; x < size.x; ++x)
-      if (pixels[x] != FilmViews::kNoPixel && texels.met[pixels[x]] > 0.0f) fn(std::size_t{pixels[x]});
+      if (pixels[x] != SortedViews::kNoPixel && texels.met[pixels[x]] > 0.0f) fn(std::size_t{pixels[x]});
   });
 }
 
@@ -37,7 +37,7 @@ Vec3f factor_of(const Texels& texels, std::size_t p) { return texels.met[p] * (r
 }  // namespace
 
 struct Denoiser::Impl {
-  FilmViews views;
+  SortedViews views;
   RayGenerator rays;
   std::uint32_t width;  ///< of the film
 
@@ -49,11 +49,11 @@ struct Denoiser::Impl {
 
 Denoiser::Denoiser(const Optics& optics)
     : impl_(std::make_unique<Impl>(
-          Impl{FilmViews(optics), RayGenerator(optics), static_cast<std::uint32_t>(film_size(optics).x)})) {}
+          Impl{SortedViews(optics), RayGenerator(optics), static_cast<std::uint32_t>(film_size(optics).x)})) {}
 Denoiser::~Denoiser() = default;
 
 Image Denoiser::denoise(const DenoiserInput& frame, const ThreadPool& pool) const {
-  const FilmViews& views = impl_->views;
+  const SortedViews& views = impl_->views;
   const Texels texels{frame.film.data.data(),   frame.noise.data.data(), frame.normal.data.data(),
                       frame.albedo.data.data(), frame.z.data.data(),     frame.met.data.data()};
   const float* seen = frame.seen.data.data();

@@ -80,7 +80,7 @@ struct Piece {
 
 /// fn(piece) for pieces that cover all views, in parallel.
 template <class Fn>
-void for_each_piece(const FilmViews& views, int stride, const ThreadPool& pool, const Fn& fn) {
+void for_each_piece(const SortedViews& views, int stride, const ThreadPool& pool, const Fn& fn) {
   const Vec2i size = views.size();
   const int across = (size.x + kColumns - 1) / kColumns;
   const int in_class = (size.y + stride - 1) / stride, parts = (in_class + kRowsPerPiece - 1) / kRowsPerPiece;
@@ -99,7 +99,7 @@ void for_each_piece(const FilmViews& views, int stride, const ThreadPool& pool, 
 template <int kHeight, class Row>
 class Window {
  public:
-  Window(const FilmViews& views, const Piece& piece) : views_(views), piece_(piece) { loaded_.fill(-1); }
+  Window(const SortedViews& views, const Piece& piece) : views_(views), piece_(piece) { loaded_.fill(-1); }
 
   /// Row y + d stride at [d + kHeight / 2], null beyond the view. load(pixel, i, row) reads a pixel with a surface to column i.
   template <class Load>
@@ -122,14 +122,14 @@ class Window {
     const std::uint32_t* pixels = views_.row(piece_.view, y);
     for (int x = piece_.column - margin; x < piece_.column + piece_.columns + margin; ++x) {
       const int i = x - piece_.column + kMargin;
-      const std::uint32_t p = x >= 0 && x < views_.size().x ? pixels[x] : FilmViews::kNoPixel;
-      const bool there = p != FilmViews::kNoPixel && met[p] > 0.0f;
+      const std::uint32_t p = x >= 0 && x < views_.size().x ? pixels[x] : SortedViews::kNoPixel;
+      const bool there = p != SortedViews::kNoPixel && met[p] > 0.0f;
       row.surface.there[i] = there ? 1.0f : 0.0f;
       if (there) load(p, i, row);
     }
   }
 
-  const FilmViews& views_;
+  const SortedViews& views_;
   Piece piece_;
   std::unique_ptr<std::array<Row, kHeight>> rows_ = std::make_unique<std::array<Row, kHeight>>();
   std::array<int, kHeight> loaded_;
@@ -138,10 +138,10 @@ class Window {
 
 /// fn(pixel, column of the piece) for every pixel of a row that has a surface.
 template <class Fn>
-void for_each_pixel(const FilmViews& views, const Piece& piece, int y, const float* met, const Fn& fn) {
+void for_each_pixel(const SortedViews& views, const Piece& piece, int y, const float* met, const Fn& fn) {
   const std::uint32_t* pixels = views.row(piece.view, y) + piece.column;
   for (int i = 0; i < piece.columns; ++i)
-    if (pixels[i] != FilmViews::kNoPixel && met[pixels[i]] > 0.0f) fn(pixels[i], i);
+    if (pixels[i] != SortedViews::kNoPixel && met[pixels[i]] > 0.0f) fn(pixels[i], i);
 }
 
 /// Loops run over whole vectors: what lies beyond the last column is worked out in vain.
@@ -318,7 +318,7 @@ LIPPMANN_INLINE float perspective(float z, float vergence) { return 1.0f / most(
 
 /// below: 0 for the upper two of the four pixels, 1 for the lower two.
 LIPPMANN_MULTIVERSION
-void find_places(const SurfaceRow& a, const FilmViews& views, const FilmViews::Sight& sight, int below, int count,
+void find_places(const SurfaceRow& a, const SortedViews& views, const SortedViews::Sight& sight, int below, int count,
                  PlaceRow& places) {
   constexpr float kLeastShare = 1.0f / 64;  // of a pixel beside the one that shows the place
   const Vec2f samples_per_mm = views.samples_per_mm(), size(views.size());
@@ -340,8 +340,8 @@ void find_places(const SurfaceRow& a, const FilmViews& views, const FilmViews::S
 /// Adds one pixel of another view to each mean: as much as the ray of the pixel is near the point, over the distance between
 /// samples.
 LIPPMANN_MULTIVERSION
-void add_found(const GatherRow& a, const PlaneRow& planes, const GatherRow& b, const FilmViews& views,
-               const FilmViews::Sight& sight, int count, SumRow& sums) {
+void add_found(const GatherRow& a, const PlaneRow& planes, const GatherRow& b, const SortedViews& views,
+               const SortedViews::Sight& sight, int count, SumRow& sums) {
   const Vec2f samples_per_mm = views.samples_per_mm();
   const float vergence = views.vergence();
   LIPPMANN_FOR_COLUMNS(i, count) {
@@ -392,7 +392,7 @@ void add_changes(const std::array<const BlurRow*, 7>& rows, int count, ChangeRow
 
 // ---- Passes -----------------------------------------------------------------------------------------------------------------
 
-void find_outliers(const FilmViews& views, const Texels& texels, const ThreadPool& pool, std::vector<Estimate>& estimates) {
+void find_outliers(const SortedViews& views, const Texels& texels, const ThreadPool& pool, std::vector<Estimate>& estimates) {
   for_each_piece(views, 1, pool, [&](const Piece& piece) {
     Window<7, TexelRow> window(views, piece);
     const auto load = [&](std::size_t p, int i, TexelRow& row) {
@@ -413,7 +413,7 @@ void find_outliers(const FilmViews& views, const Texels& texels, const ThreadPoo
   });
 }
 
-void make_guides(const FilmViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& estimates,
+void make_guides(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& estimates,
                  std::vector<Estimate>& guides) {
   for_each_piece(views, 1, pool, [&](const Piece& piece) {
     Window<kSteps, TexelRow> window(views, piece);
@@ -439,7 +439,7 @@ namespace {
 /// Searches other views for the points of one row of a piece.
 class Gatherer {
  public:
-  Gatherer(const FilmViews& views, const Texels& texels, const std::vector<Estimate>& guides)
+  Gatherer(const SortedViews& views, const Texels& texels, const std::vector<Estimate>& guides)
       : views_(views), texels_(texels), guides_(guides) {}
 
   void gather(const Piece& piece, int y, std::vector<Estimate>& gathered) {
@@ -485,14 +485,14 @@ class Gatherer {
       const int x = places_.column[i] + right, y = places_.row[i];
       if (x < 0 || y < 0 || x >= size.x || y >= size.y) continue;
       const std::uint32_t p = views_.row(view, y)[x];
-      if (p == FilmViews::kNoPixel || !(texels_.met[p] > 0.0f)) continue;
+      if (p == SortedViews::kNoPixel || !(texels_.met[p] > 0.0f)) continue;
       read(p, i + kMargin, *found_);
       any = true;
     }
     return any;
   }
 
-  const FilmViews& views_;
+  const SortedViews& views_;
   const Texels& texels_;
   const std::vector<Estimate>& guides_;
   int columns_ = 0;
@@ -504,7 +504,7 @@ class Gatherer {
 
 }  // namespace
 
-void gather(const FilmViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& guides,
+void gather(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& guides,
             std::vector<Estimate>& gathered) {
   for_each_piece(views, 1, pool, [&](const Piece& piece) {
     Gatherer gatherer(views, texels, guides);
@@ -512,8 +512,8 @@ void gather(const FilmViews& views, const Texels& texels, const ThreadPool& pool
   });
 }
 
-void smooth(const FilmViews& views, const Texels& texels, const ThreadPool& pool, int step, const std::vector<Estimate>& light,
-            std::vector<Estimate>& smoothed) {
+void smooth(const SortedViews& views, const Texels& texels, const ThreadPool& pool, int step,
+            const std::vector<Estimate>& light, std::vector<Estimate>& smoothed) {
   for_each_piece(views, step, pool, [&](const Piece& piece) {
     Window<kSteps, TexelRow> window(views, piece);
     const auto load = [&](std::size_t p, int i, TexelRow& row) {
@@ -530,7 +530,7 @@ void smooth(const FilmViews& views, const Texels& texels, const ThreadPool& pool
   });
 }
 
-void find_blur(const FilmViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& filtered,
+void find_blur(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& filtered,
                std::vector<Estimate>& share) {
   for_each_piece(views, 1, pool, [&](const Piece& piece) {
     Window<7, BlurRow> window(views, piece);

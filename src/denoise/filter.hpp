@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "denoise/film_views.hpp"
+#include "denoise/sorted_views.hpp"
 #include "lippmann/core/parallel.hpp"
 
 namespace lippmann {
@@ -30,25 +30,25 @@ struct Texels {
 /// but one of the same material is as bright. Their light says nothing of how much light there is, and would stay as a white
 /// dot or be spread as a blotch. `estimates`: the variance of every pixel on entry; `light.x` becomes the factor that makes the
 /// pixel as bright as that one, else 1.
-void find_outliers(const FilmViews& views, const Texels& texels, const ThreadPool& pool, std::vector<Estimate>& estimates);
+void find_outliers(const SortedViews& views, const Texels& texels, const ThreadPool& pool, std::vector<Estimate>& estimates);
 
 /// Averages light and variance over 5 x 5 neighbours of the same surface: the light of `guides` is what is compared between
 /// views, and Texels::place holds the variance of single pixels, each known from two numbers in `estimates`, as that of their
 /// neighbourhood.
-void make_guides(const FilmViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& estimates,
+void make_guides(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& estimates,
                  std::vector<Estimate>& guides);
 
 /// For each pixel the mean of its own light and that of the same point in neighbouring views.
-void gather(const FilmViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& guides,
+void gather(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& guides,
             std::vector<Estimate>& gathered);
 
 /// One pass of 5 x 5 neighbours `step` pixels apart in the same view.
-void smooth(const FilmViews& views, const Texels& texels, const ThreadPool& pool, int step, const std::vector<Estimate>& light,
-            std::vector<Estimate>& smoothed);
+void smooth(const SortedViews& views, const Texels& texels, const ThreadPool& pool, int step,
+            const std::vector<Estimate>& light, std::vector<Estimate>& smoothed);
 
 /// Finds what noise does not explain: where filtered light differs from a pixel's own by more, over 7 x 7 pixels together, than
 /// their noise does, it has been blurred. `share`: how much of the change of every pixel is to stay, as `variance`.
-void find_blur(const FilmViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& filtered,
+void find_blur(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& filtered,
                std::vector<Estimate>& share);
 
 /// Pixels that one pass reads to either side of a row or column, at most.

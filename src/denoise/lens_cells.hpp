@@ -10,7 +10,7 @@
 namespace lippmann {
 
 /// Place: where a ray crosses z = 0, mm. k: the slope towards which it leaves for the viewer's plane, place / V + slope
-/// (film_views.hpp).
+/// (sorted_views.hpp).
 class LensCells {
  public:
   /// None for optics without lenses, and for lenses narrower than a pixel of the film.

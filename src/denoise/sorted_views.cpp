@@ -1,4 +1,4 @@
-#include "denoise/film_views.hpp"
+#include "denoise/sorted_views.hpp"
 
 #include <map>
 
@@ -67,7 +67,7 @@ struct LensBounds {
 
 }  // namespace
 
-FilmViews::FilmViews(const Optics& optics) {
+SortedViews::SortedViews(const Optics& optics) {
   const OpticsFacts facts = optics_facts(optics);
   vergence_ = std::isfinite(facts.viewing_distance_mm) ? 1.0f / facts.viewing_distance_mm : 0.0f;
   samples_per_mm_ = {1.0 / facts.samples.across_mm, 1.0 / facts.samples.down_mm};
@@ -79,7 +79,7 @@ FilmViews::FilmViews(const Optics& optics) {
   }
 }
 
-void FilmViews::sort_by_tiles(const Optics& optics) {
+void SortedViews::sort_by_tiles(const Optics& optics) {
   const Vec2i film = film_size(optics);
   const ViewLayout layout = view_tiles(optics) ? film_layout(optics, "denoise") : ViewLayout{LayoutKind::kStack, {1, 1}, {}};
   grid_ = layout.grid;
@@ -98,7 +98,7 @@ void FilmViews::sort_by_tiles(const Optics& optics) {
   }
 }
 
-int FilmViews::free_view(Vec2i at, int x, int y) const {
+int SortedViews::free_view(Vec2i at, int x, int y) const {
   for (int away = 0; away < grid_.columns; ++away)
     for (const int column : {at.x + away, at.x - away}) {
       const int view = at.y * grid_.columns + column;
@@ -107,7 +107,7 @@ int FilmViews::free_view(Vec2i at, int x, int y) const {
   return -1;
 }
 
-void FilmViews::sort_by_lenses(const Optics& optics, const LensCells& cells) {
+void SortedViews::sort_by_lenses(const Optics& optics, const LensCells& cells) {
   LensBounds bounds;
   for_each_line(optics, vergence_,
                 [&](const PixelLine& line) { bounds.add(cells.cell_of(line.place, line.k, line.row), line.row); });

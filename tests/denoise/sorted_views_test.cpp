@@ -1,4 +1,4 @@
-#include "denoise/film_views.hpp"
+#include "denoise/sorted_views.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,36 +20,36 @@ Ray ray_of(const Optics& optics, std::uint32_t pixel) {
 
 /// fn(view, column, row, pixel) for all pixels of the views.
 template <class Fn>
-void for_each_pixel(const FilmViews& views, const Fn& fn) {
+void for_each_pixel(const SortedViews& views, const Fn& fn) {
   for (int view = 0; view < views.views(); ++view)
     for (int y = 0; y < views.size().y; ++y)
       for (int x = 0; x < views.size().x; ++x)
-        if (const std::uint32_t p = views.row(view, y)[x]; p != FilmViews::kNoPixel) fn(view, x, y, p);
+        if (const std::uint32_t p = views.row(view, y)[x]; p != SortedViews::kNoPixel) fn(view, x, y, p);
 }
 
 /// How many pixels have none and one place; more than one fail.
 std::array<int, 2> pixels_by_places(const Optics& optics) {
   const Vec2i film = film_size(optics);
   std::vector<std::size_t> places(static_cast<std::size_t>(film.x * film.y));
-  for_each_pixel(FilmViews(optics), [&](int, int, int, std::uint32_t p) { ++places.at(p); });
+  for_each_pixel(SortedViews(optics), [&](int, int, int, std::uint32_t p) { ++places.at(p); });
   std::array<int, 2> pixels{};
   for (const std::size_t n : places) ++pixels.at(n);
   return pixels;
 }
 
-TEST(FilmViews, every_pixel_has_one_place) {
+TEST(SortedViews, every_pixel_has_one_place) {
   for (const OpticsKind& kind : optics_kinds()) EXPECT_EQ(pixels_by_places(kind.optics)[0], 0) << kind.name;
 }
 
-TEST(FilmViews, padding_of_a_quilt_has_no_place) {
+TEST(SortedViews, padding_of_a_quilt_has_no_place) {
   const Optics optics{{61, 43, 0.25f}, MultiView{.columns = 3, .rows = 2, .view_cone = 0.5f, .distance_mm = 60.0f}};
   EXPECT_EQ(pixels_by_places(optics)[1], 60 * 42);
 }
 
-TEST(FilmViews, whole_pixels_make_the_views_of_the_film) {
+TEST(SortedViews, whole_pixels_make_the_views_of_the_film) {
   for (const OpticsKind& kind : optics_kinds()) {
     if (!kind.whole_views) continue;
-    const FilmViews views(kind.optics);
+    const SortedViews views(kind.optics);
     const ViewLayout layout = film_layout(kind.optics, "test");
     const Vec2i size = view_size(layout, film_size(kind.optics), "test");
     EXPECT_EQ(views.size(), size) << kind.name;
@@ -64,17 +64,17 @@ TEST(FilmViews, whole_pixels_make_the_views_of_the_film) {
 }
 
 /// How far a pixel's ray at depth z is from where its view should see it, in columns and rows.
-Vec2f off(const FilmViews& views, const Ray& ray, float z, int view, int x, int y) {
+Vec2f off(const SortedViews& views, const Ray& ray, float z, int view, int x, int y) {
   const Vec2f point = Vec2f(ray.origin) + Vec2f(ray.direction) * ((z - ray.origin.z) / ray.direction.z);
-  const FilmViews::Sight& sight = views.sight(view);
+  const SortedViews::Sight& sight = views.sight(view);
   const Vec2f place = (point - sight.k * z) / (1.0f - z * views.vergence()) * views.samples_per_mm();
   return {place.x - sight.first.x - views.shifts()[y] - static_cast<float>(x), sight.first.y - place.y - static_cast<float>(y)};
 }
 
-TEST(FilmViews, sights_find_points_at_their_pixels) {
+TEST(SortedViews, sights_find_points_at_their_pixels) {
   for (const OpticsKind& kind : optics_kinds()) {
     if (!kind.whole_views) continue;
-    const FilmViews views(kind.optics);
+    const SortedViews views(kind.optics);
     for (const float z : {-8.0f, 0.0f, 5.0f})
       for_each_pixel(views, [&](int view, int x, int y, std::uint32_t p) {
         const Vec2f error = off(views, ray_of(kind.optics, p), z, view, x, y);
@@ -85,9 +85,9 @@ TEST(FilmViews, sights_find_points_at_their_pixels) {
 }
 
 // Directions of a view's pixels differ by less than a pixel, which moves a point at the depth budget by one sample.
-TEST(FilmViews, sights_miss_by_less_than_a_pixels_direction) {
+TEST(SortedViews, sights_miss_by_less_than_a_pixels_direction) {
   for (const OpticsKind& kind : optics_kinds()) {
-    const FilmViews views(kind.optics);
+    const SortedViews views(kind.optics);
     if (kind.whole_views || views.views() == 1) continue;
     const float budget = depth_budget_mm(kind.optics);
     for (const float share : {-0.5f, 0.0f, 0.5f})

@@ -20,11 +20,11 @@ namespace lippmann {
 
 class LensCells;
 
-class FilmViews {
+class SortedViews {
  public:
   static constexpr std::uint32_t kNoPixel = 0xffffffff;
 
-  explicit FilmViews(const Optics& optics);
+  explicit SortedViews(const Optics& optics);
 
   /// Columns and rows of a view.
   Vec2i size() const { return size_; }
