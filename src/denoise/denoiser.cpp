@@ -2,6 +2,7 @@
 
 #include "denoise/filter.hpp"
 #include "denoise/sorted_views.hpp"
+#include "optics/lens_cells.hpp"
 #include "optics/ray_generator.hpp"
 
 namespace lippmann {
@@ -39,18 +40,30 @@ Vec3f factor_of(const Texels& texels, std::size_t p) { return texels.met[p] * (r
 struct Denoiser::Impl {
   SortedViews views;
   RayGenerator rays;
-  std::uint32_t width;  ///< of the film
+  std::uint32_t width, first_row;  ///< of the film
 
   Ray ray_of(std::size_t pixel) const {
     const auto p = static_cast<std::uint32_t>(pixel);
-    return rays.ray({static_cast<float>(p % width) + 0.5f, static_cast<float>(p / width) + 0.5f});
+    return rays.ray({static_cast<float>(p % width) + 0.5f, static_cast<float>(first_row + p / width) + 0.5f});
   }
 };
 
-Denoiser::Denoiser(const Optics& optics)
-    : impl_(std::make_unique<Impl>(
-          Impl{SortedViews(optics), RayGenerator(optics), static_cast<std::uint32_t>(film_size(optics).x)})) {}
+Denoiser::Denoiser(const Optics& optics, int first_row, int end_row)
+    : impl_(std::make_unique<Impl>(Impl{SortedViews(optics, {first_row, std::min(end_row, film_size(optics).y)}),
+                                        RayGenerator(optics), static_cast<std::uint32_t>(film_size(optics).x),
+                                        static_cast<std::uint32_t>(first_row)})) {}
 Denoiser::~Denoiser() = default;
+
+int Denoiser::rows_around(const Optics& optics) {
+  int rows = kOutlierReach + kGuideReach + kMostRowsAway + kBlurReach;
+  for (const int step : kFilterSteps) rows += step * (kNeighbours / 2);
+  const int film_rows = film_size(optics).y;
+  if (const std::optional<ViewTiles> tiles = view_tiles(optics)) return tiles->rows > 1 ? film_rows : rows;
+  // Hexagons reach into the rows of lenses above and below theirs.
+  if (const std::optional<LensCells> cells = lens_cells(optics))
+    return std::min(film_rows, std::max(rows, static_cast<int>(std::ceil((rows + 2) * cells->cell_px.y))));
+  return rows;
+}
 
 Image Denoiser::denoise(const DenoiserInput& frame, const ThreadPool& pool) const {
   const SortedViews& views = impl_->views;

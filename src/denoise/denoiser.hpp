@@ -16,6 +16,7 @@
 // is the mean over neighbours on the same surface, not that of single pixels.
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "lippmann/core/parallel.hpp"
@@ -32,12 +33,17 @@ struct DenoiserInput {
 
 class Denoiser {
  public:
-  /// `optics` must pass validate().
-  explicit Denoiser(const Optics& optics);
+  /// `optics` must pass validate(). Frames hold the rows first_row ... end_row - 1 of the film; beyond the film: all that there
+  /// are.
+  explicit Denoiser(const Optics& optics, int first_row = 0, int end_row = std::numeric_limits<int>::max());
   ~Denoiser();
 
   /// The frame's film without noise: its bits depend neither on the number of threads nor on the processor.
   Image denoise(const DenoiserInput& frame, const ThreadPool& pool) const;
+
+  /// Rows of the film above and below a row on which its result depends: a row that has so many in the frame, or all that there
+  /// are, gets the bits that it has in the whole film. Of a quilt with several rows of tiles: all of the film.
+  static int rows_around(const Optics& optics);
 
   /// Memory beside the frame: two estimates of light, and where the views' pixels lie in the film.
   static constexpr double kWorkBytesPerPixel = 36.0;

@@ -18,7 +18,7 @@ constexpr float kPlaneSpread = 1.0f;  ///< distances between samples, off the pl
 /// What counts as the same light, beside the noise of both: a share of the light itself that nobody sees.
 constexpr float kRelativeSpread = 0.02f;
 
-constexpr int kViewReach = 3;
+constexpr int kViewReach = 3;  ///< views to either side, and up and down
 
 // What counts as a pixel that a single path has lit.
 constexpr float kOneHalf = 0.4f;   ///< its noise over its light, at least: 0.4 where 70 % of it is in one half of its samples
@@ -40,7 +40,6 @@ constexpr float kNoNoise = 1e-10f;
 
 constexpr int kColumns = 128, kMargin = 8, kRow = kColumns + 2 * kMargin;
 constexpr int kRowsPerPiece = 32;
-constexpr int kSteps = 5;  ///< neighbours across and down of the passes that smooth
 
 struct alignas(64) SurfaceRow {
   float x[kRow], y[kRow], z[kRow];
@@ -136,6 +135,18 @@ class Window {
   std::array<const Row*, kHeight> around_;
 };
 
+/// fn(y) for the rows of a piece that have a surface.
+template <class Fn>
+void for_each_row(const SortedViews& views, const Piece& piece, const float* met, const Fn& fn) {
+  for (int row = 0; row < piece.rows; ++row) {
+    const int y = piece.row + row * piece.stride;
+    const std::uint32_t* pixels = views.row(piece.view, y) + piece.column;
+    if (std::any_of(pixels, pixels + piece.columns,
+                    [met](std::uint32_t p) { return p != SortedViews::kNoPixel && met[p] > 0.0f; }))
+      fn(y);
+  }
+}
+
 /// fn(pixel, column of the piece) for every pixel of a row that has a surface.
 template <class Fn>
 void for_each_pixel(const SortedViews& views, const Piece& piece, int y, const float* met, const Fn& fn) {
@@ -230,9 +241,9 @@ LIPPMANN_INLINE void add(const LightRow& light, int j, float weight, SumRow& sum
 
 // ---- Kernels: one row of one piece -----------------------------------------------------------------------------------------
 
-using RowsOfFive = std::array<const TexelRow*, kSteps>;
+using RowsOfFive = std::array<const TexelRow*, kNeighbours>;
 using RowsOfSeven = std::array<const TexelRow*, 7>;
-static_assert(2 * kOutlierReach + 1 == 7 && 2 * kBlurReach + 1 == 7 && 2 * kGuideReach + 1 == kSteps);
+static_assert(2 * kOutlierReach + 1 == 7 && 2 * kBlurReach + 1 == 7 && 2 * kGuideReach + 1 == kNeighbours);
 
 /// The squared light of the brightest pixel but one of the same material within 7 x 7 (`brightest`, `second`), and how many
 /// there are.
@@ -281,16 +292,16 @@ void pool_neighbours(const RowsOfFive& rows, float distance_mm, float vergence, 
 
 LIPPMANN_MULTIVERSION
 void smooth_row(const RowsOfFive& rows, int step, float distance_mm, float vergence, int count, SumRow& sums) {
-  constexpr std::array<float, kSteps> kSpline{1.0f / 16, 1.0f / 4, 3.0f / 8, 1.0f / 4, 1.0f / 16};
-  const TexelRow& a = *rows[kSteps / 2];
+  constexpr std::array<float, kNeighbours> kSpline{1.0f / 16, 1.0f / 4, 3.0f / 8, 1.0f / 4, 1.0f / 16};
+  const TexelRow& a = *rows[kNeighbours / 2];
   PlaneRow planes;
   make_planes(a.surface, distance_mm * static_cast<float>(step), vergence, count, planes);
   clear(sums, count);
-  for (std::size_t dj = 0; dj < kSteps; ++dj) {
+  for (std::size_t dj = 0; dj < kNeighbours; ++dj) {
     const TexelRow* b = rows[dj];
-    for (std::size_t di = 0; b && di < kSteps; ++di) {
+    for (std::size_t di = 0; b && di < kNeighbours; ++di) {
       const float part = kSpline[di] * kSpline[dj];
-      const int shift = kMargin + (static_cast<int>(di) - kSteps / 2) * step;
+      const int shift = kMargin + (static_cast<int>(di) - kNeighbours / 2) * step;
       LIPPMANN_FOR_COLUMNS(i, count) {
         const int j = i + shift;
         const float weight = b->surface.there[j] * weight_of(material_difference(a.surface, i + kMargin, b->surface, j) +
@@ -322,14 +333,14 @@ void find_places(const SurfaceRow& a, const SortedViews& views, const SortedView
                  PlaceRow& places) {
   constexpr float kLeastShare = 1.0f / 64;  // of a pixel beside the one that shows the place
   const Vec2f samples_per_mm = views.samples_per_mm(), size(views.size());
-  const float vergence = views.vergence();
+  const float vergence = views.vergence(), first_row = static_cast<float>(views.first_row());
   const float* shifts = views.shifts();
   LIPPMANN_FOR_COLUMNS(i, count) {
     const int j = i + kMargin;
     const float nearer = perspective(a.z[j], vergence);
     const float place_y = sight.first.y - (a.y[j] - sight.k.y * a.z[j]) * nearer * samples_per_mm.y + kLeastShare;
-    const float y = least(most(place_y, -2.0f), size.y), upper = std::floor(y);
-    const int row = static_cast<int>(upper) + below;
+    const float y = least(most(place_y, first_row - 2.0f), first_row + size.y), upper = std::floor(y);
+    const int row = static_cast<int>(upper) - views.first_row() + below;
     const float place_x = (a.x[j] - sight.k.x * a.z[j]) * nearer * samples_per_mm.x - sight.first.x - shifts[row] + kLeastShare;
     const float x = least(most(place_x, -2.0f), size.x), left = std::floor(x);
     places.row[i] = y - upper >= 2.0f * kLeastShare || below == 0 ? row : -1;
@@ -399,7 +410,7 @@ void find_outliers(const SortedViews& views, const Texels& texels, const ThreadP
       set_surface(texels, p, i, row.surface);
       set_light(texels.light + 3 * p, 0.0f, i, row.light);
     };
-    for (int y = piece.row; y < piece.row + piece.rows; ++y) {
+    for_each_row(views, piece, texels.met, [&](int y) {
       BrightRow found;
       find_brightest(window.around(y, kOutlierReach, texels.met, load), whole_lanes(piece.columns), found);
       for_each_pixel(views, piece, y, texels.met, [&](std::size_t p, int i) {
@@ -409,19 +420,19 @@ void find_outliers(const SortedViews& views, const Texels& texels, const ThreadP
         estimates[p].light.x =
             alone && estimates[p].variance >= square(kOneHalf) * squared ? std::sqrt(found.second[i] / squared) : 1.0f;
       });
-    }
+    });
   });
 }
 
 void make_guides(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& estimates,
                  std::vector<Estimate>& guides) {
   for_each_piece(views, 1, pool, [&](const Piece& piece) {
-    Window<kSteps, TexelRow> window(views, piece);
+    Window<kNeighbours, TexelRow> window(views, piece);
     const auto load = [&](std::size_t p, int i, TexelRow& row) {
       set_surface(texels, p, i, row.surface);
       set_light(texels.light + 3 * p, estimates[p].variance, i, row.light);
     };
-    for (int y = piece.row; y < piece.row + piece.rows; ++y) {
+    for_each_row(views, piece, texels.met, [&](int y) {
       SumRow sums;
       pool_neighbours(window.around(y, kGuideReach, texels.met, load), views.sample_distance_mm(), views.vergence(),
                       whole_lanes(piece.columns), sums);
@@ -430,7 +441,7 @@ void make_guides(const SortedViews& views, const Texels& texels, const ThreadPoo
         guides[p] = {Vec3f(sums.red[i], sums.green[i], sums.blue[i]) * over, variance * (sums.squares[i] * over * over)};
         texels.place[3 * p + 2] = variance;
       });
-    }
+    });
   });
 }
 
@@ -443,7 +454,7 @@ class Gatherer {
       : views_(views), texels_(texels), guides_(guides) {}
 
   void gather(const Piece& piece, int y, std::vector<Estimate>& gathered) {
-    columns_ = piece.columns;
+    columns_ = piece.columns, row_ = y;
     std::fill_n(own_->surface.there + kMargin, kColumns, 0.0f);
     for_each_pixel(views_, piece, y, texels_.met, [&](std::size_t p, int i) { read(p, i + kMargin, *own_); });
     start_means(*own_, views_.sample_distance_mm(), views_.vergence(), whole_lanes(columns_), planes_, sums_);
@@ -483,7 +494,7 @@ class Gatherer {
       there = 0.0f;
       if (own_->surface.there[i + kMargin] == 0.0f || right > places_.right[i]) continue;
       const int x = places_.column[i] + right, y = places_.row[i];
-      if (x < 0 || y < 0 || x >= size.x || y >= size.y) continue;
+      if (x < 0 || y < 0 || x >= size.x || y >= size.y || std::abs(y - row_) > kMostRowsAway) continue;
       const std::uint32_t p = views_.row(view, y)[x];
       if (p == SortedViews::kNoPixel || !(texels_.met[p] > 0.0f)) continue;
       read(p, i + kMargin, *found_);
@@ -495,7 +506,7 @@ class Gatherer {
   const SortedViews& views_;
   const Texels& texels_;
   const std::vector<Estimate>& guides_;
-  int columns_ = 0;
+  int columns_ = 0, row_ = 0;
   std::unique_ptr<GatherRow> own_ = std::make_unique<GatherRow>(), found_ = std::make_unique<GatherRow>();
   PlaceRow places_;
   PlaneRow planes_;
@@ -508,25 +519,24 @@ void gather(const SortedViews& views, const Texels& texels, const ThreadPool& po
             std::vector<Estimate>& gathered) {
   for_each_piece(views, 1, pool, [&](const Piece& piece) {
     Gatherer gatherer(views, texels, guides);
-    for (int y = piece.row; y < piece.row + piece.rows; ++y) gatherer.gather(piece, y, gathered);
+    for_each_row(views, piece, texels.met, [&](int y) { gatherer.gather(piece, y, gathered); });
   });
 }
 
 void smooth(const SortedViews& views, const Texels& texels, const ThreadPool& pool, int step,
             const std::vector<Estimate>& light, std::vector<Estimate>& smoothed) {
   for_each_piece(views, step, pool, [&](const Piece& piece) {
-    Window<kSteps, TexelRow> window(views, piece);
+    Window<kNeighbours, TexelRow> window(views, piece);
     const auto load = [&](std::size_t p, int i, TexelRow& row) {
       set_surface(texels, p, i, row.surface);
       set_light(light[p], i, row.light);
     };
-    for (int row = 0; row < piece.rows; ++row) {
-      const int y = piece.row + row * step;
+    for_each_row(views, piece, texels.met, [&](int y) {
       SumRow sums;
-      smooth_row(window.around(y, kSteps / 2 * step, texels.met, load), step, views.sample_distance_mm(), views.vergence(),
+      smooth_row(window.around(y, kNeighbours / 2 * step, texels.met, load), step, views.sample_distance_mm(), views.vergence(),
                  whole_lanes(piece.columns), sums);
       for_each_pixel(views, piece, y, texels.met, [&](std::size_t p, int i) { smoothed[p] = sums.mean(i); });
-    }
+    });
   });
 }
 
@@ -539,14 +549,14 @@ void find_blur(const SortedViews& views, const Texels& texels, const ThreadPool&
       row.change[i] = squares(light[0] - own[0], light[1] - own[1], light[2] - own[2]);
       row.variance[i] = texels.place[3 * p + 2];
     };
-    for (int y = piece.row; y < piece.row + piece.rows; ++y) {
+    for_each_row(views, piece, texels.met, [&](int y) {
       ChangeRow sums;
       add_changes(window.around(y, kBlurReach, texels.met, load), whole_lanes(piece.columns), sums);
       for_each_pixel(views, piece, y, texels.met, [&](std::size_t p, int i) {
         const float explained = kExplained * sums.variance[i];
         share[p].variance = sums.change[i] > explained ? explained / sums.change[i] : 1.0f;
       });
-    }
+    });
   });
 }
 

@@ -51,7 +51,9 @@ void smooth(const SortedViews& views, const Texels& texels, const ThreadPool& po
 void find_blur(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& filtered,
                std::vector<Estimate>& share);
 
-/// Pixels that one pass reads to either side of a row or column, at most.
+// How many rows above and below its own a pass reads.
 inline constexpr int kOutlierReach = 3, kGuideReach = 2, kBlurReach = 3;
+inline constexpr int kNeighbours = 5;    ///< across and down, of smooth()
+inline constexpr int kMostRowsAway = 8;  ///< of gather(): points that another view shows farther up or down are not found
 
 }  // namespace lippmann

@@ -18,13 +18,20 @@
 
 namespace lippmann {
 
-class LensCells;
+struct LensCells;
+
+/// Rows of a film.
+struct RowRange {
+  int first, end;
+};
 
 class SortedViews {
  public:
   static constexpr std::uint32_t kNoPixel = 0xffffffff;
 
-  explicit SortedViews(const Optics& optics);
+  /// rows: of the film, those that there are; pixels are counted from the first of them. Views are those of the whole film, but
+  /// for rows that have no pixel.
+  SortedViews(const Optics& optics, RowRange rows);
 
   /// Columns and rows of a view.
   Vec2i size() const { return size_; }
@@ -35,8 +42,8 @@ class SortedViews {
   /// The film's pixels in row y of a view, or kNoPixel; as many as a view has columns.
   const std::uint32_t* row(int view, int y) const { return pixels_.data() + slot(view, y); }
 
-  /// A view sees points at column = samples_per_mm.x place.x - first.x - shift(row), row = first.y - samples_per_mm.y place.y;
-  /// where lenses do not cover whole pixels, to half a pixel's direction.
+  /// A view sees points at column = samples_per_mm.x place.x - first.x - shift(row), and at row + first_row() =
+  /// first.y - samples_per_mm.y place.y; where lenses do not cover whole pixels, to half a pixel's direction.
   struct Sight {
     Vec2f k{0.0f}, first{0.0f};
   };
@@ -44,6 +51,7 @@ class SortedViews {
   /// By row, from -kBeyond to size().y + kBeyond - 1: where its first lens is, in columns.
   const float* shifts() const { return shifts_.data() + kBeyond; }
   static constexpr int kBeyond = 2;
+  int first_row() const { return first_row_; }  ///< row 0 in the views of the whole film
   float vergence() const { return vergence_; }  ///< 1 / V, per mm
   Vec2f samples_per_mm() const { return samples_per_mm_; }
 
@@ -51,8 +59,8 @@ class SortedViews {
   float sample_distance_mm() const { return std::max(1.0f / samples_per_mm_.x, 1.0f / samples_per_mm_.y); }
 
  private:
-  void sort_by_tiles(const Optics& optics);
-  void sort_by_lenses(const Optics& optics, const LensCells& cells);
+  void sort_by_tiles(const Optics& optics, RowRange rows);
+  void sort_by_lenses(const Optics& optics, const LensCells& cells, RowRange rows);
   /// The view nearest to a column and row of views, in that row, that has no pixel at (x, y) so far; -1: none.
   int free_view(Vec2i at, int x, int y) const;
   std::size_t slot(int view, int y) const {
@@ -61,6 +69,7 @@ class SortedViews {
   }
 
   Vec2i size_{0};
+  int first_row_ = 0;
   ViewGrid grid_;
   std::vector<std::uint32_t> pixels_;
   std::vector<Sight> sights_;

@@ -99,9 +99,40 @@ TEST(DenoisedOptics, light_does_not_cross_edges_in_depth) {
   }
 }
 
+/// A plane that is tilted behind the display and lit more to one side.
+Plane tilted(Vec2f place) { return {0.2f * place.x, 1.0f + 0.02f * place.y}; }
+
+/// Rows first ... end - 1.
+Image rows_of(const Image& image, int first, int end) {
+  Image rows(image.width, end - first, image.channels);
+  const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(image.width) * image.channels;
+  std::copy(image.data.begin() + first * row, image.data.begin() + end * row, rows.data.begin());
+  return rows;
+}
+
+TEST(DenoisedOptics, a_strip_with_rows_around_has_the_bits_of_the_film) {
+  for (const OpticsKind& kind : optics_kinds(4)) {
+    const Optics& optics = kind.optics;
+    const int height = film_size(optics).y, around = Denoiser::rows_around(optics);
+    const int first = height / 2, end = first + 5, low = std::max(0, first - around), high = std::min(height, end + around);
+    const auto tiles = view_tiles(optics);
+    EXPECT_EQ(high - low == height, tiles && tiles->rows > 1) << kind.name;
+    const Frame frame = noisy_frame(optics, tilted);
+    Frame strip;
+    for (Image Frame::*image :
+         {&Frame::film, &Frame::noise, &Frame::seen, &Frame::albedo, &Frame::normal, &Frame::z, &Frame::met})
+      strip.*image = rows_of(frame.*image, low, high);
+    const ThreadPool pool(2);
+    const Image film =
+        Denoiser(optics, low, high)
+            .denoise({strip.film, strip.noise, strip.seen, strip.albedo, strip.normal, strip.z, strip.met}, pool);
+    EXPECT_EQ(rows_of(film, first - low, end - low).data, rows_of(denoised(optics, frame), first, end).data) << kind.name;
+  }
+}
+
 TEST(DenoisedOptics, any_number_of_threads_gives_the_same_bits) {
   for (const OpticsKind& kind : optics_kinds()) {
-    const Frame frame = noisy_frame(kind.optics, [](Vec2f place) { return Plane{0.2f * place.x, 1.0f}; });
+    const Frame frame = noisy_frame(kind.optics, tilted);
     EXPECT_EQ(denoised(kind.optics, frame, 1).data, denoised(kind.optics, frame, 3).data) << kind.name;
   }
 }

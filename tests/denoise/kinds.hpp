@@ -13,7 +13,8 @@ struct OpticsKind {
   bool whole_views;  ///< film_layout() takes it
 };
 
-inline std::vector<OpticsKind> optics_kinds() {
+/// rows: how many times as high as they need be.
+inline std::vector<OpticsKind> optics_kinds(int rows = 1) {
   const MultiView quilt{.columns = 3, .rows = 2, .view_cone = 0.5f, .distance_mm = 60.0f, .pixel_height = 1.5f};
   MultiView grid = quilt;
   grid.baseline_mm = 2.0f;
@@ -29,20 +30,20 @@ inline std::vector<OpticsKind> optics_kinds() {
   SlantedPanel panel{.periods = 23.3, .tilt = -0.19, .center = 0.4, .distance_mm = 60.0f};
   SlantedPanel diamond = panel;
   diamond.inverted = false, diamond.sub_pixels[0][1] = {Vec2f(0.25f, 0.1f), Vec2f(-0.25f, 0.1f), Vec2f(0.0f, -0.3f)};
-  const Panel plane{60, 48, 0.25f};
-  return {{"quilt", {{60, 42, 0.25f}, quilt}, true},
-          {"cameras", {{60, 40, 0.25f}, grid}, true},
-          {"single view", {{40, 30, 0.25f}, SingleView{.distance_mm = 60.0f}}, true},
-          {"sheet", {{96, 50, 0.0625f}, sheet}, true},
-          {"fractional sheet", {{96, 50, 0.0625f}, fractional}, false},
-          {"slanted sheet", {{96, 50, 0.0625f}, slanted}, false},
-          {"sheet seen from nearby", {{96, 50, 0.0625f}, near}, false},
-          {"square lenses", {{96, 96, 0.0625f}, array}, true},
-          {"fractional lenses", {{96, 96, 0.0625f}, odd}, false},
-          {"hexagonal lenses", {{96, 96, 0.0625f}, hexagonal}, false},
+  const Panel plane{60, 48 * rows, 0.25f};
+  return {{"quilt", {{60, 42 * rows, 0.25f}, quilt}, true},
+          {"cameras", {{60, 40 * rows, 0.25f}, grid}, true},
+          {"single view", {{40, 30 * rows, 0.25f}, SingleView{.distance_mm = 60.0f}}, true},
+          {"sheet", {{96, 50 * rows, 0.0625f}, sheet}, true},
+          {"fractional sheet", {{96, 50 * rows, 0.0625f}, fractional}, false},
+          {"slanted sheet", {{96, 50 * rows, 0.0625f}, slanted}, false},
+          {"sheet seen from nearby", {{96, 50 * rows, 0.0625f}, near}, false},
+          {"square lenses", {{96, 96 * rows, 0.0625f}, array}, true},
+          {"fractional lenses", {{96, 96 * rows, 0.0625f}, odd}, false},
+          {"hexagonal lenses", {{96, 96 * rows, 0.0625f}, hexagonal}, false},
           {"slanted panel", {plane, panel}, false},
           {"panel of diamonds", {plane, diamond}, false},
-          {"lenses narrower than pixels", {{40, 30, 0.25f}, LenticularSheet{.lens_pitch_mm = 0.1f}}, false},
+          {"lenses narrower than pixels", {{40, 30 * rows, 0.25f}, LenticularSheet{.lens_pitch_mm = 0.1f}}, false},
           {"table",
            {plane, make_ray_table(plane, 1,
                                   [](Vec2f pixel) {

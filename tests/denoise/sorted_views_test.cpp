@@ -18,6 +18,8 @@ Ray ray_of(const Optics& optics, std::uint32_t pixel) {
   return ray_of_pixel(optics, {static_cast<float>(pixel % width) + 0.5f, static_cast<float>(pixel / width) + 0.5f});
 }
 
+SortedViews all_views(const Optics& optics) { return {optics, {0, film_size(optics).y}}; }
+
 /// fn(view, column, row, pixel) for all pixels of the views.
 template <class Fn>
 void for_each_pixel(const SortedViews& views, const Fn& fn) {
@@ -31,7 +33,7 @@ void for_each_pixel(const SortedViews& views, const Fn& fn) {
 std::array<int, 2> pixels_by_places(const Optics& optics) {
   const Vec2i film = film_size(optics);
   std::vector<std::size_t> places(static_cast<std::size_t>(film.x * film.y));
-  for_each_pixel(SortedViews(optics), [&](int, int, int, std::uint32_t p) { ++places.at(p); });
+  for_each_pixel(all_views(optics), [&](int, int, int, std::uint32_t p) { ++places.at(p); });
   std::array<int, 2> pixels{};
   for (const std::size_t n : places) ++pixels.at(n);
   return pixels;
@@ -49,7 +51,7 @@ TEST(SortedViews, padding_of_a_quilt_has_no_place) {
 TEST(SortedViews, whole_pixels_make_the_views_of_the_film) {
   for (const OpticsKind& kind : optics_kinds()) {
     if (!kind.whole_views) continue;
-    const SortedViews views(kind.optics);
+    const SortedViews views = all_views(kind.optics);
     const ViewLayout layout = film_layout(kind.optics, "test");
     const Vec2i size = view_size(layout, film_size(kind.optics), "test");
     EXPECT_EQ(views.size(), size) << kind.name;
@@ -74,7 +76,7 @@ Vec2f off(const SortedViews& views, const Ray& ray, float z, int view, int x, in
 TEST(SortedViews, sights_find_points_at_their_pixels) {
   for (const OpticsKind& kind : optics_kinds()) {
     if (!kind.whole_views) continue;
-    const SortedViews views(kind.optics);
+    const SortedViews views = all_views(kind.optics);
     for (const float z : {-8.0f, 0.0f, 5.0f})
       for_each_pixel(views, [&](int view, int x, int y, std::uint32_t p) {
         const Vec2f error = off(views, ray_of(kind.optics, p), z, view, x, y);
@@ -84,18 +86,21 @@ TEST(SortedViews, sights_find_points_at_their_pixels) {
   }
 }
 
-// Directions of a view's pixels differ by less than a pixel, which moves a point at the depth budget by one sample.
+// Directions of a view's pixels differ by less than a pixel, which moves a point at the depth budget by one sample. Of panels
+// with irregular sub-pixels a few are in a view beside their own.
 TEST(SortedViews, sights_miss_by_less_than_a_pixels_direction) {
   for (const OpticsKind& kind : optics_kinds()) {
-    const SortedViews views(kind.optics);
+    const SortedViews views = all_views(kind.optics);
     if (kind.whole_views || views.views() == 1) continue;
     const float budget = depth_budget_mm(kind.optics);
-    for (const float share : {-0.5f, 0.0f, 0.5f})
+    for (const float share : {-0.5f, 0.0f, 0.5f}) {
+      int pixels = 0, missed = 0;
       for_each_pixel(views, [&](int view, int x, int y, std::uint32_t p) {
-        const Vec2f error = off(views, ray_of(kind.optics, p), share * budget, view, x, y);
-        ASSERT_LT(std::abs(error.x), 1.0f + kRounding) << kind.name << " " << view << " " << share;
-        ASSERT_LT(std::abs(error.y), 1.0f) << kind.name << " " << view << " " << share;
+        const Vec2f error = glm::abs(off(views, ray_of(kind.optics, p), share * budget, view, x, y));
+        ++pixels, missed += error.x > 1.0f + kRounding || error.y > 1.0f;
       });
+      EXPECT_LE(missed, kind.name == std::string("panel of diamonds") ? pixels / 50 : 0) << kind.name << " " << share;
+    }
   }
 }
 
