@@ -53,12 +53,12 @@ TEST(Audit, is_the_same_on_any_number_of_threads_and_in_any_part) {
   EXPECT_LT(one.estimated_psnr_db, one.psnr_at_most_db);
 }
 
-// 20 seeds against one reference of 512 times their samples. If each interval holds with probability 0.9, fewer than 12 of 20
+// 20 seeds against one reference of 128 times their samples. If each interval holds with probability 0.9, fewer than 12 of 20
 // hold with probability 7e-5.
 TEST(Audit, intervals_mostly_contain_the_truth) {
   constexpr int kSeeds = 20, kLeastHeld = 12;
   RenderParams params = noisy_paths();
-  params.sampling.spp = 1024, params.sampling.seed = kSeeds;
+  params.sampling.spp = 256, params.sampling.seed = kSeeds;
   const MadeFrames reference = make_frames(params, {3});
   params.sampling.spp = 2;
   int held = 0;
