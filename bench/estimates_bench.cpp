@@ -20,19 +20,22 @@ constexpr int kSeeds = 5, kQuickSeeds = 2, kFramesPerSeed = 4;
 /// The reported intervals of the frames of a row.
 struct Intervals {
   int frames = 0, contain = 0, too_low = 0, too_high = 0;  ///< too_low: the truth lies above
-  double excess_db = 0.0, width_db = 0.0;                  ///< sums; excess: estimate less truth
+  int bounded = 0;                                         ///< frames with an estimate; the others have a lower bound alone
+  double excess_db = 0.0, width_db = 0.0;                  ///< sums over those; excess: estimate less truth
 
   void add(const FrameReport& report, double true_db) {
-    if (!report.estimated_psnr_db || !report.psnr_at_least_db || !report.psnr_at_most_db || !std::isfinite(true_db)) return;
-    const bool low = true_db > *report.psnr_at_most_db, high = true_db < *report.psnr_at_least_db;
+    if (!report.psnr_at_least_db || !std::isfinite(true_db)) return;
+    const bool low = report.psnr_at_most_db && true_db > *report.psnr_at_most_db, high = true_db < *report.psnr_at_least_db;
     ++frames, too_low += low ? 1 : 0, too_high += high ? 1 : 0, contain += low || high ? 0 : 1;
+    if (!report.estimated_psnr_db || !report.psnr_at_most_db) return;
+    ++bounded;
     excess_db += *report.estimated_psnr_db - true_db;
     width_db += *report.psnr_at_most_db - *report.psnr_at_least_db;
   }
 };
 
 nlohmann::ordered_json row_of(const LightCase& row, Vec2i size, const Intervals& found) {
-  const auto mean = [&](double sum) { return rounded_or_null(sum / found.frames); };
+  const auto mean = [&](double sum) { return rounded_or_null(sum / found.bounded); };
   return {{"scene", row.name},
           {"width", size.x},
           {"height", size.y},
@@ -40,6 +43,7 @@ nlohmann::ordered_json row_of(const LightCase& row, Vec2i size, const Intervals&
           {"contain_truth", found.contain},
           {"too_low", found.too_low},
           {"too_high", found.too_high},
+          {"without_upper_bound", found.frames - found.bounded},
           {"mean_width_db", mean(found.width_db)},
           {"mean_excess_db", mean(found.excess_db)}};
 }
@@ -47,7 +51,7 @@ nlohmann::ordered_json row_of(const LightCase& row, Vec2i size, const Intervals&
 std::string line_of(const LightCase& row, Vec2i size, const Intervals& found) {
   return fmt::format("{:<12} {:>9} {:>7} {:>14} {:>8} {:>9} {:>10.2f} {:>+13.2f}\n", row.name,
                      fmt::format("{}x{}", size.x, size.y), found.frames, found.contain, found.too_low, found.too_high,
-                     found.width_db / found.frames, found.excess_db / found.frames);
+                     found.width_db / found.bounded, found.excess_db / found.bounded);
 }
 
 }  // namespace

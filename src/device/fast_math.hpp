@@ -34,10 +34,4 @@ LIPPMANN_INLINE float fast_exp2(float x) {
 /// x^y for x > 0, not denormal.
 LIPPMANN_INLINE float fast_pow(float x, float y) { return fast_exp2(y * fast_log2(x)); }
 
-/// The largest e with 2^e <= x, for x > 0, not denormal.
-LIPPMANN_INLINE int floor_log2(float x) { return (std::bit_cast<std::int32_t>(x) >> 23) - 127; }
-
-/// 2^e, for e in [-126, 127].
-LIPPMANN_INLINE float power_of_two(int e) { return std::bit_cast<float>((e + 127) << 23); }
-
 }  // namespace lippmann

@@ -22,16 +22,31 @@ FrameParams made_alone(FrameParams params) {
   return params;
 }
 
-/// A PSNR of the mean squared error; none where a strip has none.
-std::optional<double> psnr_of_all(const std::vector<FrameReport>& strips, const std::vector<int>& rows,
-                                  std::optional<double> FrameReport::*psnr_db) {
-  double error = 0.0;
+/// The interval of a frame's error from those of its strips, which are independent. It has the form of error_interval()
+/// (frames/audit.hpp): from the mean to its upper bound lies a width that is proportional to the standard error.
+void combine_estimates(const std::vector<FrameReport>& strips, const std::vector<int>& rows, FrameReport& frame) {
+  const double all_rows = std::accumulate(rows.begin(), rows.end(), 0.0);
+  double mean = 0.0, squared_width = 0.0;
+  frame.estimated_psnr_db = frame.psnr_at_least_db = frame.psnr_at_most_db = std::nullopt;
   for (std::size_t i = 0; i < strips.size(); ++i) {
-    const std::optional<double>& of_strip = strips[i].*psnr_db;
-    if (!of_strip) return std::nullopt;
-    error += rows[i] * std::pow(10.0, -0.1 * *of_strip);
+    const FrameReport& strip = strips[i];
+    if (!strip.psnr_at_least_db) continue;  // all pixels exact, as those of the surroundings
+    const double share = rows[i] / all_rows, high = std::pow(10.0, -0.1 * *strip.psnr_at_least_db);
+    double width = high;
+    if (strip.estimated_psnr_db) {
+      const double of_strip = std::pow(10.0, -0.1 * *strip.estimated_psnr_db);
+      mean += share * of_strip;
+      width = of_strip * std::log(high / of_strip);
+    }
+    squared_width += share * width * share * width;
   }
-  return -10.0 * std::log10(error / std::accumulate(rows.begin(), rows.end(), 0.0));
+  if (!(squared_width > 0.0)) return;
+  const double width = std::sqrt(squared_width);
+  const auto psnr = [](double error) { return -10.0 * std::log10(error); };
+  frame.psnr_at_least_db = psnr(mean > 0.0 ? mean * std::exp(width / mean) : width);
+  if (!(mean > 0.0)) return;
+  frame.estimated_psnr_db = psnr(mean);
+  frame.psnr_at_most_db = psnr(mean * std::exp(-width / mean));
 }
 
 void add_costs(const FrameReport& strip, FrameReport& frame) {
@@ -80,8 +95,7 @@ void check_strips(const FrameParams& params, const Optics& optics, int strips) {
 FrameReport report_of_strips(const std::vector<FrameReport>& strips, const std::vector<int>& rows) {
   FrameReport frame = strips.front();
   for (std::size_t i = 1; i < strips.size(); ++i) add_costs(strips[i], frame);
-  for (const auto psnr_db : {&FrameReport::estimated_psnr_db, &FrameReport::psnr_at_least_db, &FrameReport::psnr_at_most_db})
-    frame.*psnr_db = psnr_of_all(strips, rows, psnr_db);
+  combine_estimates(strips, rows, frame);
   return frame;
 }
 

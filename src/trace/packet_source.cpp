@@ -28,8 +28,8 @@ LIPPMANN_MULTIVERSION void center_lanes(const StripPixel* pixels, int top, int w
   }
 }
 
-LIPPMANN_MULTIVERSION void set_range(float depth, Vec3f forward, LaneRange lanes, RayPacket& rays) {
-  for (int i = lanes.first; i < lanes.first + lanes.count; ++i) {
+LIPPMANN_MULTIVERSION void set_range(float depth, Vec3f forward, RayPacket& rays) {
+  LIPPMANN_FOR_LANES(i) {
     rays.tnear[i] = 0.0f;
     rays.tfar[i] = depth / (rays.dir_x[i] * forward.x + rays.dir_y[i] * forward.y + rays.dir_z[i] * forward.z);
   }
@@ -55,19 +55,13 @@ SampleRays::SampleRays(const Optics& optics, const Affine3f& world_from_display,
 }
 
 void SampleRays::fill(int sample, const float* px, const float* py, const std::uint32_t* pixel, RayPacket& rays) const {
-  fill_rays(of(sample), px, py, {}, rays);
+  const RayGenerator& eye = eyes_[eyes_.size() > 1 ? static_cast<std::size_t>(sample) : 0];
+  eye.rays(px, py, kLanes, {rays.org_x, rays.org_y, rays.org_z, rays.dir_x, rays.dir_y, rays.dir_z});
+  set_range(eye.depth(), eye.forward(), rays);
   if (!lens_.is_open()) return;
   std::uint32_t samples[kLanes];
   std::fill_n(samples, kLanes, static_cast<std::uint32_t>(sample));
   lens_.spread({pixel, samples}, rays);
-}
-
-void fill_rays(const RayGenerator& generator, const float* px, const float* py, LaneRange lanes, RayPacket& rays) {
-  const int begin = lanes.first;
-  generator.rays(
-      px + begin, py + begin, lanes.count,
-      {rays.org_x + begin, rays.org_y + begin, rays.org_z + begin, rays.dir_x + begin, rays.dir_y + begin, rays.dir_z + begin});
-  set_range(generator.depth(), generator.forward(), lanes, rays);
 }
 
 PacketSource::PacketSource(const Optics& optics, const Affine3f& world_from_display, RayOrder order, const SubPixel& sub_pixel,
@@ -90,12 +84,6 @@ int PacketSource::rows_in_strip(int strip) const {
 bool PacketSource::is_inside(int rows, int packet, int lane) const {
   const int at = packet * kLanes + lane;
   return at < width_ * order_.strip_height && order_.pixels[static_cast<std::size_t>(at)].y < rows;
-}
-
-int PacketSource::lanes(int strip, int packet) const {
-  int count = 0;
-  for (int i = 0; i < kLanes; ++i) count += is_inside(rows_in_strip(strip), packet, i);
-  return count;
 }
 
 int PacketSource::fill(int strip, int packet, int sample, RayPacket& rays, LaneMask& active, std::uint32_t* pixel) const {

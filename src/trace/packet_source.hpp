@@ -29,25 +29,13 @@ struct SubPixel {
 class SampleRays {
  public:
   SampleRays(const Optics& optics, const Affine3f& world_from_display, const SubPixel& sub_pixel);
-  const RayGenerator& of(int sample) const { return eyes_[eyes_.size() > 1 ? static_cast<std::size_t>(sample) : 0]; }
-  std::size_t eyes() const { return eyes_.size(); }
   /// Through its own point of the lens, sixteen rays of one sample number of these pixels of the whole film.
   void fill(int sample, const float* px, const float* py, const std::uint32_t* pixel, RayPacket& rays) const;
-  /// Rays that fill_rays() has made with of() have yet to go through it.
-  const ThinLens& lens() const { return lens_; }
 
  private:
   std::vector<RayGenerator> eyes_;
   ThinLens lens_;
 };
-
-/// The lanes whose rays a generator makes.
-struct LaneRange {
-  int first = 0, count = kLanes;
-};
-
-/// Fills origin, direction, tnear and tfar of these lanes: rays through places on the panel, in pixels.
-void fill_rays(const RayGenerator& generator, const float* px, const float* py, LaneRange lanes, RayPacket& rays);
 
 class PacketSource {
  public:
@@ -57,18 +45,10 @@ class PacketSource {
 
   /// How many strips the rows have. They are numbered from the first of them.
   int strips() const { return strips_; }
-  /// The number that strip 0 has in the whole film.
-  int first_strip() const { return rows_.first / order_.strip_height; }
   /// The number that the first pixel of the rows has in the whole film.
   std::uint32_t first_pixel() const { return static_cast<std::uint32_t>(rows_.first) * static_cast<std::uint32_t>(width_); }
   /// Packets of a full strip; a lower last strip has as many, some lanes or whole packets of them inactive.
   int packets_per_strip() const { return packets_; }
-
-  /// StripOrder::across.
-  int across() const { return order_.across; }
-
-  /// How many lanes of a packet there are; none, too, of packets that the strip does not have.
-  int lanes(int strip, int packet) const;
 
   /// Fills origin, direction, tnear and tfar of packet `packet` of a strip, the pixel index (y * width + x of the whole film)
   /// of each lane and which lanes there are. Returns the number of active lanes; inactive ones get the ray of an active one.

@@ -54,14 +54,6 @@ void append_along_slant(std::vector<StripPixel>& out, double columns_per_row, in
         }
 }
 
-/// StripOrder::across. What comes next in a row of pixels lies along the order.
-int steps_across(const std::vector<StripPixel>& pixels) {
-  const int most = std::min(kLanes, static_cast<int>(pixels.size()) - 1);
-  for (int i = 2; i <= most; ++i)
-    if (pixels[static_cast<std::size_t>(i)].y == pixels[0].y && pixels[1].y != pixels[0].y) return i;
-  return kLanes;
-}
-
 int strip_height(const std::optional<LensArray>& lenses, Vec2i n) {
   // Two-dimensional lenses: four lens rows, so that view tiles are 4 x 4.
   if (lenses && lenses->row_pitch_mm > 0.0 && n.y > 0) return 4 * n.y;
@@ -102,7 +94,6 @@ StripOrder make_strip_order(const Optics& optics, RayOrder order) {
       }
       break;
   }
-  strip.across = steps_across(strip.pixels);
   return strip;
 }
 

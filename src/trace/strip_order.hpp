@@ -25,8 +25,6 @@ struct StripPixel {
 
 struct StripOrder {
   int strip_height = 16;  ///< rows; the last strip may be lower
-  /// So much further on lies, as a rule, the neighbour in the next column of the same view; kLanes at most.
-  int across = kLanes;
   std::vector<StripPixel>
       pixels;  ///< every pixel of a full strip once; a lower last strip skips those with y beyond its height
 };

@@ -78,10 +78,8 @@ TEST(LightTree, of_one_light_draws_it_always) {
     ASSERT_TRUE(choice);
     EXPECT_EQ(choice->light, 0u);
     EXPECT_EQ(choice->probability, 1.0f);
-    EXPECT_NEAR(choice->rest, u, 1e-6f) << "as good as before";
   }
   EXPECT_EQ(tree.probability(0, {}), 1.0f);
-  EXPECT_EQ(tree.share_of_power(0), 1.0f);
 }
 
 // Straight above at distances 1 and 2: 1 : 1/4. Of one above and one below, the second keeps 1/16: 16/17.

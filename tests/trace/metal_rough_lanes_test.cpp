@@ -58,47 +58,41 @@ struct Points {
   MetalRoughLanes lanes;
 };
 
-void expect_values_of(Points& points, bool has_diffuse) {
+void expect_values_of(Points& points) {
   Lanes3 lights;
   for (int i = 0; i < kLanes; ++i) lights.set(i, points.direction());
   BsdfValueLanes values;
   points.lanes.evaluate(albedo(), lights, values);
   for (int i = 0; i < kLanes; ++i) {
-    MetalRoughBsdf bsdf = points.bsdf(i);
-    if (!has_diffuse) bsdf.remove_diffuse();
+    const MetalRoughBsdf bsdf = points.bsdf(i);
     const BsdfValue expected = bsdf.evaluate(lights.get(i));
     EXPECT_EQ(values.cosine_f.get(i), expected.cosine_f) << i;
     EXPECT_EQ(values.density[i], expected.density) << i;
     EXPECT_EQ(values.get(i).transmitted, expected.transmitted) << i;
-    const BsdfValue diffuse = bsdf.evaluate_diffuse(lights.get(i));
-    EXPECT_EQ(points.lanes.evaluate_diffuse(i, albedo(), lights.get(i)).cosine_f, diffuse.cosine_f) << i;
+    EXPECT_EQ(points.lanes.evaluate_diffuse(i, albedo(), lights.get(i)), bsdf.evaluate_diffuse(lights.get(i))) << i;
     EXPECT_EQ(points.lanes.diffuse_albedo(i), bsdf.diffuse_albedo()) << i;
-    EXPECT_EQ(points.lanes.diffuse_share(i), bsdf.diffuse_share()) << i;
-    EXPECT_EQ(points.lanes.is_sharp(i), bsdf.is_sharp()) << i;
     EXPECT_EQ(points.lanes.scatters_through(i), bsdf.scatters_through()) << i;
     EXPECT_EQ(points.lanes.normal(i), bsdf.normal()) << i;
   }
 }
 
 struct Drawn {
-  int diffuse = 0, glossy = 0, mirrored = 0, refracted = 0, refracted_sharply = 0, none = 0;
+  int scattered = 0, mirrored = 0, refracted = 0, refracted_sharply = 0, none = 0;
 };
 
-void expect_samples_of(Points& points, bool has_diffuse, Drawn& drawn) {
+void expect_samples_of(Points& points, Drawn& drawn) {
   Lanes lobe, u, v;
   for (int i = 0; i < kLanes; ++i) lobe[i] = points.between(0, 1), u[i] = points.between(0, 1), v[i] = points.between(0, 1);
   BsdfSampleLanes samples;
   points.lanes.sample(albedo(), lobe, u, v, samples);
   for (int i = 0; i < kLanes; ++i) {
-    MetalRoughBsdf bsdf = points.bsdf(i);
-    if (!has_diffuse) bsdf.remove_diffuse();
+    const MetalRoughBsdf bsdf = points.bsdf(i);
     const std::optional<BsdfSample> expected = bsdf.sample(lobe[i], {u[i], v[i]});
     ASSERT_EQ(samples.density[i] > 0.0f, expected.has_value()) << i;
-    ++(!expected                        ? drawn.none
-       : expected->transmitted          ? expected->is_delta() ? drawn.refracted_sharply : drawn.refracted
-       : expected->is_delta()           ? drawn.mirrored
-       : lobe[i] < bsdf.diffuse_share() ? drawn.diffuse
-                                        : drawn.glossy);
+    ++(!expected               ? drawn.none
+       : expected->transmitted ? expected->is_delta() ? drawn.refracted_sharply : drawn.refracted
+       : expected->is_delta()  ? drawn.mirrored
+                               : drawn.scattered);
     if (!expected) continue;
     EXPECT_EQ(samples.direction.get(i), expected->direction) << i;
     EXPECT_EQ(samples.weight.get(i), expected->weight) << i;
@@ -111,9 +105,7 @@ TEST(MetalRoughLanes, values_are_the_bsdfs) {
   for (const Kind kind : {Kind::kGloss, Kind::kAny})
     for (unsigned seed = 0; seed < 60; ++seed) {
       Points points(seed, kind);
-      expect_values_of(points, true);
-      points.lanes.remove_diffuse();
-      expect_values_of(points, false);
+      expect_values_of(points);
     }
 }
 
@@ -122,11 +114,9 @@ TEST(MetalRoughLanes, samples_are_the_bsdfs) {
     Drawn drawn;
     for (unsigned seed = 0; seed < 100; ++seed) {
       Points points(seed, kind);
-      expect_samples_of(points, true, drawn);
-      points.lanes.remove_diffuse();
-      expect_samples_of(points, false, drawn);
+      expect_samples_of(points, drawn);
     }
-    for (const int count : {drawn.diffuse, drawn.glossy, drawn.mirrored, drawn.none}) EXPECT_GT(count, 100);
+    for (const int count : {drawn.scattered, drawn.mirrored, drawn.none}) EXPECT_GT(count, 100);
     for (const int count : {drawn.refracted, drawn.refracted_sharply})
       EXPECT_TRUE(kind == Kind::kAny ? count > 100 : count == 0);
   }
@@ -136,13 +126,11 @@ TEST(MetalRoughLanes, without_any_gloss_the_shorter_way_gives_the_same) {
   Drawn drawn;
   for (unsigned seed = 0; seed < 60; ++seed) {
     Points points(seed, Kind::kLambert);
-    expect_values_of(points, true);
-    expect_samples_of(points, true, drawn);
-    points.lanes.remove_diffuse();
-    expect_values_of(points, false);
+    expect_values_of(points);
+    expect_samples_of(points, drawn);
   }
-  EXPECT_GT(drawn.diffuse, 500);
-  EXPECT_EQ(drawn.glossy + drawn.mirrored + drawn.refracted + drawn.refracted_sharply, 0);
+  EXPECT_GT(drawn.scattered, 500);
+  EXPECT_EQ(drawn.mirrored + drawn.refracted + drawn.refracted_sharply, 0);
 }
 
 TEST(MetalRoughLanes, a_lane_does_not_depend_on_its_neighbours) {

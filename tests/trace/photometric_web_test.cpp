@@ -99,7 +99,7 @@ TEST(PhotometricWeb, the_flux_is_that_of_a_lamp_alike_in_all_directions) {
   for (int i = 0; i < kSteps; ++i)
     for (int j = 0; j < kSteps; ++j) {
       const double z = (i + 0.5) * 2.0 / kSteps - 1.0, r = std::sqrt(1.0 - z * z), a = (j + 0.5) * 2.0 * M_PI / kSteps;
-      const auto light = lights.point(0, middle + Vec3f(r * std::cos(a), r * std::sin(a), z));
+      const auto light = lights.sample({middle + Vec3f(r * std::cos(a), r * std::sin(a), z)}, 0.5f, Vec2f(0.5f));
       if (light) sum += static_cast<double>(light->radiance.x);
     }
   EXPECT_NEAR(sum / (kSteps * kSteps), 1.0, 2e-3);

@@ -65,23 +65,6 @@ TEST(StripOrder, view_tiles_of_microlenses_share_one_direction) {
   }
 }
 
-TEST(StripOrder, neighbours_across_are_in_the_next_column_of_the_same_view) {
-  const std::vector<Optics> all = optics_of_odd_sizes();
-  const auto check = [](const Optics& optics, RayOrder order, int across, int columns) {
-    const StripOrder strip = make_strip_order(optics, order);
-    EXPECT_EQ(strip.across, across);
-    const StripPixel first = strip.pixels[0], beside = strip.pixels[static_cast<std::size_t>(strip.across)];
-    EXPECT_EQ(beside.x, first.x + columns);
-    EXPECT_EQ(beside.y, first.y);
-  };
-  check(all[0], RayOrder::kViewTiles, 16, 8);  // a lenticular sheet: down a lens, and then the next one
-  check(all[2], RayOrder::kViewTiles, 4, 4);   // microlenses: tiles of 4 x 4 of them
-  check(all[3], RayOrder::kViewTiles, 4, 1);   // one view
-  check(all[3], RayOrder::kColumns, 16, 1);
-  check(all[3], RayOrder::kRows, 16, 16);     // none is near; beside one another lie those before and after it
-  check(all[4], RayOrder::kViewTiles, 8, 1);  // along the slant
-}
-
 TEST(StripOrder, view_tiles_of_a_slanted_panel_follow_its_lenses) {
   // A lens of 10 sub-pixels that shifts by 600 * 0.25 / 100 = 1.5 of them per row: over 8 rows two lenses' worth is crossed
   // straight down, and only what whole sub-pixels are off by and the second column (1/10 each) along the slant.

@@ -186,9 +186,9 @@ TEST(LayeredBsdf, without_any_layer_it_is_the_common_surface) {
         EXPECT_NEAR(ours.density, theirs.density, 1e-4f * theirs.density);
         EXPECT_EQ(ours.transmitted, theirs.transmitted);
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(ours.cosine_f[c], theirs.cosine_f[c], 1e-4f * theirs.cosine_f[c]);
-        const BsdfValue matt = layered.evaluate_diffuse(light), common_matt = common.evaluate_diffuse(light);
+        const Vec3f matt = layered.evaluate_diffuse(light), common_matt = common.evaluate_diffuse(light);
         for (int c = 0; c < 3; ++c)
-          EXPECT_NEAR(layered.diffuse_albedo()[c] * matt.cosine_f[c], common.diffuse_albedo()[c] * common_matt.cosine_f[c],
+          EXPECT_NEAR(layered.diffuse_albedo()[c] * matt[c], common.diffuse_albedo()[c] * common_matt[c],
                       1e-4f * common.diffuse_albedo()[c]);
       }
     }

@@ -14,8 +14,8 @@ namespace lippmann {
 struct Context {
   int threads = 0;                             ///< worker threads; 0 = one per processor that this process may use
   std::function<void(std::string_view)> warn;  ///< one complete sentence per call, no newline; any thread
-  /// Share of the frame under way that is traced, 0 to 1; any thread, often. It begins anew for every frame that the one that
-  /// is asked for needs: neighbours of one that is denoised, those before one that shares light.
+  /// Share of the frame under way that is traced, 0 to 1; any thread, often. It begins anew for every frame that the requested
+  /// one needs: the key frames around an interpolated one.
   std::function<void(double)> frame_progress;
   std::atomic<bool> cancelled{false};  ///< set (from a signal handler too) to stop at the next tile or frame
 

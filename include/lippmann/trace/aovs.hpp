@@ -25,7 +25,7 @@ enum class Aov : std::uint8_t {
   kMotion,      ///< see place_in_view; pixels to the right and down since the frame before
   kProvenance,  ///< where the pixel came from: a number of Provenance
   kDirect,      ///< path tracing only: what shines by itself and light that one surface has scattered
-  kIndirect,    ///< path tracing only: all other light; with kDirect it adds up to the film, but for rounding
+  kIndirect,    ///< path tracing only: all other light; with kDirect it adds up to the film before denoising, but for rounding
   kAlpha,       ///< share of the pixel's samples that hit something, what alpha covers by its share; the film is then free of
                 ///< the surroundings that the others would see
 };
