@@ -11,18 +11,18 @@ namespace lippmann {
 namespace {
 
 // What counts as the same surface, in standard deviations of a Gaussian.
-constexpr float kNormalSpread = 0.15f;  ///< the length of the difference of unit normals
-constexpr float kAlbedoSpread = 0.15f;
+constexpr float kNormalSpread = 0.2f;  ///< the length of the difference of unit normals
+constexpr float kAlbedoSpread = 0.2f;
 constexpr float kMetSpread = 0.2f;
-constexpr float kPlaneSpread = 1.0f;  ///< distances between samples, off the plane of the surface
+constexpr float kPlaneSpread = 3.0f;  ///< distances between samples, off the plane of the surface
 /// What counts as the same light, beside the noise of both: a share of the light itself that nobody sees.
-constexpr float kRelativeSpread = 0.02f;
+constexpr float kRelativeSpread = 0.01f;
 
 constexpr int kViewReach = 3;  ///< views to either side, and up and down
 
 // What counts as a pixel that a single path has lit.
 constexpr float kOneHalf = 0.4f;   ///< its noise over its light, at least: 0.4 where 70 % of it is in one half of its samples
-constexpr float kBrighter = 2.0f;  ///< than its neighbours
+constexpr float kBrighter = 3.0f;  ///< than its neighbours
 constexpr float kSameMaterial = 4.0f;     ///< material_difference, at most
 constexpr float kLeastNeighbours = 8.0f;  ///< of the same material
 
