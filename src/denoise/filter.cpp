@@ -39,7 +39,7 @@ constexpr float kNoNoise = 1e-10f;
 // ---- Rows of a part of a view, one array per number, with the columns beside them --------------------------------------
 
 constexpr int kColumns = 128, kMargin = 8, kRow = kColumns + 2 * kMargin;
-constexpr int kRowsPerPiece = 32;
+constexpr int kRowsPerPiece = 16;
 
 struct alignas(64) SurfaceRow {
   float x[kRow], y[kRow], z[kRow];
@@ -83,10 +83,11 @@ void for_each_piece(const SortedViews& views, int stride, const ThreadPool& pool
   const Vec2i size = views.size();
   const int across = (size.x + kColumns - 1) / kColumns;
   const int in_class = (size.y + stride - 1) / stride, parts = (in_class + kRowsPerPiece - 1) / kRowsPerPiece;
-  const int per_view = across * stride * parts;
-  pool.for_each(static_cast<std::size_t>(views.views()) * static_cast<std::size_t>(per_view), [&](std::size_t index) {
-    const int view = static_cast<int>(index / static_cast<std::size_t>(per_view)),
-              in_view = static_cast<int>(index) - view * per_view;
+  const auto pieces = static_cast<std::size_t>(views.views()) * static_cast<std::size_t>(across * stride * parts);
+  pool.for_each(pieces, [&](std::size_t index) {
+    // View by view: pixels of different views lie next to each other in the film of lenses.
+    const int view = static_cast<int>(index % static_cast<std::size_t>(views.views()));
+    const int in_view = static_cast<int>(index / static_cast<std::size_t>(views.views()));
     const int column = in_view % across * kColumns, part = in_view / across;
     const int first = part % stride + part / stride * kRowsPerPiece * stride;
     const int rows = std::min(kRowsPerPiece, (size.y - first + stride - 1) / stride);

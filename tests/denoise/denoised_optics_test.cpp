@@ -130,6 +130,22 @@ TEST(DenoisedOptics, a_strip_with_rows_around_has_the_bits_of_the_film) {
   }
 }
 
+TEST(DenoisedOptics, huge_light_and_depths_stay_finite) {
+  for (const OpticsKind& kind : optics_kinds()) {
+    Frame frame = noisy_frame(kind.optics, [](Vec2f place) { return place.x < 0.0f ? Plane{-1e30f, 1e30f} : tilted(place); });
+    frame.film.data[0] = 3e38f, frame.noise.data[0] = -3e38f;
+    frame.normal.data[2] = frame.albedo.data[0] = 0.0f;
+    const Image film = denoised(kind.optics, frame);
+    EXPECT_TRUE(std::all_of(film.data.begin(), film.data.end(), [](float v) { return std::isfinite(v); })) << kind.name;
+  }
+}
+
+TEST(DenoisedOptics, views_of_a_single_pixel_are_denoised) {
+  const Optics optics{{16, 16, 0.25f}, MicrolensArray{.lens_pitch_mm = 4.0f, .gap_mm = 8.0f, .offset_mm = {0.0f, 0.0f}}};
+  const Frame frame = noisy_frame(optics, [](Vec2f) { return Plane{0.0f, 1.0f}; });
+  EXPECT_LT(errors_of(denoised(optics, frame), frame.truth, 0).squared, kVariance);
+}
+
 TEST(DenoisedOptics, any_number_of_threads_gives_the_same_bits) {
   for (const OpticsKind& kind : optics_kinds()) {
     const Frame frame = noisy_frame(kind.optics, tilted);
