@@ -22,7 +22,6 @@
 #include "apps/lippmann/write_page.hpp"
 #include "core/folder.hpp"
 #include "core/printable.hpp"
-#include "frames/traced_frames.hpp"
 #include "job/animation.hpp"
 #include "job/job_file.hpp"
 #include "job/job_stage.hpp"
@@ -74,9 +73,9 @@ bool can_be_replayed(const RenderReport& report) {
 }
 
 /// How the pictures were made, and what makes better ones.
-std::string describe_paths(const Sampling& sampling, const Optics& optics) {
+std::string describe_paths(const Sampling& sampling) {
   const int samples = samples_per_pixel(sampling);
-  const bool denoised = is_denoised(sampling) && can_be_denoised(optics);
+  const bool denoised = is_denoised(sampling);
   return fmt::format("path traced with {} sample{} a pixel{}; --spp {} for less noise", samples, samples == 1 ? "" : "s",
                      denoised ? ", denoised" : "", 4 * samples);
 }
@@ -90,7 +89,7 @@ void print_line(std::string_view name, const std::string& value) { print_out("  
 
 /// What was chosen where the command line says nothing: a render that is only planned should be judged by it, too.
 void print_choices(const Sampling& sampling, const Optics& optics, const std::string& light, const std::string& view) {
-  if (integrator_of(sampling) == Integrator::kPath) print_line("shading", describe_paths(sampling, optics));
+  if (integrator_of(sampling) == Integrator::kPath) print_line("shading", describe_paths(sampling));
   if (!light.empty()) print_line("light", light);
   if (!view.empty()) print_line("view", view);
 }

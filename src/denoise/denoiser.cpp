@@ -1,66 +1,109 @@
 #include "denoise/denoiser.hpp"
 
 #include "denoise/filter.hpp"
+#include "denoise/sorted_views.hpp"
+#include "optics/lens_cells.hpp"
+#include "optics/ray_generator.hpp"
 
 namespace lippmann {
 namespace {
 
-constexpr int kSteps[] = {1, 2, 4, 8};
+constexpr int kFilterSteps[] = {1, 2, 4};
 /// Highlights are not multiplied by albedo: dark surfaces are divided by no less.
 constexpr float kLeastFactor = 0.04f;
+/// Light is limited so that its square, and sums of a few squares, are finite.
+constexpr float kMostLight = 1e15f;
 
-Vec3f rgb(const Image& image, std::size_t pixel) {
-  return {image.data[3 * pixel], image.data[3 * pixel + 1], image.data[3 * pixel + 2]};
+/// fn(pixel) for every pixel of the views that has a surface, in parallel.
+template <class Fn>
+void for_each_texel(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const Fn& fn) {
+  const Vec2i size = views.size();
+  pool.for_each(static_cast<std::size_t>(views.views()) * static_cast<std::size_t>(size.y), [&](std::size_t row) {
+    const std::uint32_t* pixels = views.row(static_cast<int>(row) / size.y, static_cast<int>(row) % size.y);
+    for (int x = 0; x < size.x; ++x)
+      if (pixels[x] != SortedViews::kNoPixel && texels.met[pixels[x]] > 0.0f) fn(std::size_t{pixels[x]});
+  });
 }
+
+Vec3f rgb(const float* image, std::size_t p) { return {image[3 * p], image[3 * p + 1], image[3 * p + 2]}; }
+void set_rgb(Vec3f color, float* image, std::size_t p) {
+  image[3 * p] = color.x, image[3 * p + 1] = color.y, image[3 * p + 2] = color.z;
+}
+
+Vec3f limited(Vec3f light) { return glm::clamp(light, Vec3f(-kMostLight), Vec3f(kMostLight)); }
+
+/// What multiplies light: of a texel, whose albedo is that of its surface.
+Vec3f factor_of(const Texels& texels, std::size_t p) { return texels.met[p] * (rgb(texels.albedo, p) + Vec3f(kLeastFactor)); }
 
 }  // namespace
 
 struct Denoiser::Impl {
-  ViewGeometry views;
-  Vec2i panel;
+  SortedViews views;
+  RayGenerator rays;
+  std::uint32_t width, first_row;  ///< of the film
+
+  Ray ray_of(std::size_t pixel) const {
+    const auto p = static_cast<std::uint32_t>(pixel);
+    return rays.ray({static_cast<float>(p % width) + 0.5f, static_cast<float>(first_row + p / width) + 0.5f});
+  }
 };
 
-Denoiser::Denoiser(const Optics& optics, const ViewLayout& film)
-    : impl_(std::make_unique<Impl>(Impl{{optics, film}, film_size(optics)})) {}
+Denoiser::Denoiser(const Optics& optics, int first_row, int end_row)
+    : impl_(std::make_unique<Impl>(Impl{SortedViews(optics, {first_row, std::min(end_row, film_size(optics).y)}),
+                                        RayGenerator(optics), static_cast<std::uint32_t>(film_size(optics).x),
+                                        static_cast<std::uint32_t>(first_row)})) {}
 Denoiser::~Denoiser() = default;
 
-Image Denoiser::denoise(const DenoiserInput& input, const ThreadPool& pool) const {
-  const ViewGeometry& views = impl_->views;
-  TexelFrame to;
-  const std::vector<std::uint32_t>& pixels = views.pixels();
-  to.texels.resize(pixels.size());
-  to.seen.resize(pixels.size()), to.albedo_factor.resize(pixels.size());
-  constexpr std::size_t kPiece = 4096;
-  pool.for_each((pixels.size() + kPiece - 1) / kPiece, [&](std::size_t piece) {
-    for (std::size_t i = piece * kPiece; i < std::min(pixels.size(), (piece + 1) * kPiece); ++i) {
-      const std::size_t p = pixels[i];
-      Texel& t = to.texels[i];
-      to.seen[i] = rgb(input.seen, p);
-      t.met = input.met.data[p];
-      to.albedo_factor[i] = rgb(input.albedo, p) + Vec3f(kLeastFactor * t.met);
-      if (!(t.met > 0.0f)) continue;
-      const Vec3f inverse = 1.0f / to.albedo_factor[i];
-      t.light = (rgb(input.film, p) - to.seen[i]) * inverse;
-      const Vec3f noise = rgb(input.noise, p) * inverse;
-      t.variance = glm::dot(noise, noise);
-      const Vec3f normal = input.display_from_world * rgb(input.normal, p);
-      const float length = glm::length(rgb(input.normal, p)), scaled = glm::length(normal);
-      if (scaled > 0.0f) t.normal = normal * (length / scaled / t.met) * Vec3f(1.0f, -1.0f, 1.0f);
-      t.z = input.z.data[p] / t.met;
-      t.albedo = rgb(input.albedo, p) / t.met;
-    }
+int Denoiser::rows_around(const Optics& optics) {
+  int rows = kOutlierReach + kGuideReach + kMostRowsAway + kBlurReach;
+  for (const int step : kFilterSteps) rows += step * (kNeighbours / 2);
+  const int film_rows = film_size(optics).y;
+  if (const std::optional<ViewTiles> tiles = view_tiles(optics)) return tiles->rows > 1 ? film_rows : rows;
+  // Hexagons reach into the rows of lenses above and below theirs.
+  if (const std::optional<LensCells> cells = lens_cells(optics))
+    return std::min(film_rows, std::max(rows, static_cast<int>(std::ceil((rows + 2) * cells->cell_px.y))));
+  return rows;
+}
+
+Image Denoiser::denoise(const DenoiserInput& frame, const ThreadPool& pool) const {
+  const SortedViews& views = impl_->views;
+  const Texels texels{frame.film.data.data(),   frame.noise.data.data(), frame.normal.data.data(),
+                      frame.albedo.data.data(), frame.z.data.data(),     frame.met.data.data()};
+  const float* seen = frame.seen.data.data();
+  const std::size_t pixels = frame.met.data.size();
+  std::vector<Estimate> a(pixels), b(pixels);
+
+  for_each_texel(views, texels, pool, [&](std::size_t p) {
+    const float met = texels.met[p];
+    set_rgb(rgb(texels.albedo, p) / met, texels.albedo, p);
+    const Vec3f factor = factor_of(texels, p), noise = limited(rgb(texels.place, p) / factor);
+    set_rgb(limited((rgb(texels.light, p) - rgb(seen, p)) / factor), texels.light, p);
+    a[p].variance = glm::dot(noise, noise);
+    const Vec3f normal = rgb(texels.normal, p), turned = frame.display_from_world * normal;
+    const float length = glm::length(normal), scaled = glm::length(turned);
+    set_rgb(scaled > 0.0f ? turned * (length / scaled / met) : Vec3f(0.0f), texels.normal, p);
+    texels.z[p] /= met;
+    const Ray ray = impl_->ray_of(p);
+    const Vec3f point = ray.origin + ray.direction * ((texels.z[p] - ray.origin.z) / ray.direction.z);
+    texels.place[3 * p] = point.x, texels.place[3 * p + 1] = point.y;
   });
-  clip_outliers(views, pool, to.texels);
-  make_guides(views, pool, to.texels);
-  std::vector<Estimate> light = gather(views, to, pool);
-  for (const int step : kSteps) light = smooth(views, to.texels, light, step, pool);
-  take_back_blur(views, to.texels, light, pool);
-  Image film(impl_->panel.x, impl_->panel.y, 3);
-  for (std::size_t i = 0; i < light.size(); ++i) {
-    const Vec3f color = to.seen[i] + to.albedo_factor[i] * light[i].light;
-    for (int c = 0; c < 3; ++c) film.data[3 * views.pixels()[i] + static_cast<std::size_t>(c)] = color[c];
+  find_outliers(views, texels, pool, a);
+  for_each_texel(views, texels, pool, [&](std::size_t p) {
+    set_rgb(rgb(texels.light, p) * a[p].light.x, texels.light, p);
+    a[p].variance *= a[p].light.x * a[p].light.x;
+  });
+  make_guides(views, texels, pool, a, b);
+  gather(views, texels, pool, b, a);
+  for (const int step : kFilterSteps) {
+    smooth(views, texels, pool, step, a, b);
+    std::swap(a, b);
   }
-  return film;
+  find_blur(views, texels, pool, a, b);
+  for_each_texel(views, texels, pool, [&](std::size_t p) {
+    const Vec3f own = rgb(texels.light, p), light = own + b[p].variance * (a[p].light - own);
+    set_rgb(rgb(seen, p) + factor_of(texels, p) * light, texels.light, p);
+  });
+  return std::move(frame.film);
 }
 
 }  // namespace lippmann

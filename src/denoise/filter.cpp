@@ -3,270 +3,561 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <memory>
+
+#include "core/multiversion.hpp"
 
 namespace lippmann {
 namespace {
 
 // What counts as the same surface, in standard deviations of a Gaussian.
-constexpr float kNormalSpread = 0.15f;  ///< the length of the difference of unit normals
-constexpr float kAlbedoSpread = 0.15f;
+constexpr float kNormalSpread = 0.2f;  ///< the length of the difference of unit normals
+constexpr float kAlbedoSpread = 0.2f;
 constexpr float kMetSpread = 0.2f;
-constexpr float kPlaneSpread = 1.0f;  ///< distances between samples, off the plane of the surface
-// What counts as the same light: in standard deviations of the difference of two guides.
-constexpr float kLightSpread = 1.0f;
-constexpr float kRelativeSpread = 0.02f;  ///< as a share of the light itself: differences that nobody sees
-constexpr float kLeastWeight = 1e-4f;
+constexpr float kPlaneSpread = 3.0f;  ///< distances between samples, off the plane of the surface
+/// What counts as the same light, beside the noise of both: a share of the light itself that nobody sees.
+constexpr float kRelativeSpread = 0.01f;
 
-constexpr int kViewReach = 3;
+constexpr int kViewReach = 3;  ///< views to either side, and up and down
 
 // What counts as a pixel that a single path has lit.
 constexpr float kOneHalf = 0.4f;   ///< its noise over its light, at least: 0.4 where 70 % of it is in one half of its samples
-constexpr float kBrighter = 2.0f;  ///< than its neighbours
-constexpr float kSameMaterial = 4.0f;  ///< material_difference, at most
-constexpr int kLeastNeighbours = 8;    ///< that are to know better
+constexpr float kBrighter = 3.0f;  ///< than its neighbours
+constexpr float kSameMaterial = 4.0f;     ///< material_difference, at most
+constexpr float kLeastNeighbours = 8.0f;  ///< of the same material
 
-/// What is known of another pixel counts for less where its variance is more than so many times a pixel's own: else the edge of
-/// a highlight, of which nothing is known, would be taken into all that lies around.
+/// What is known of another pixel counts for less where its variance is more than this many times a pixel's own: else the edge
+/// of a highlight, of which nothing is known, would be taken into all that lies around.
 constexpr float kInfluence = 16.0f;
 
-/// Light may differ from a pixel's own by so much of the variance that it is told to have, which is about twice of what it has
+/// Light may differ from a pixel's own by this share of the estimated variance, which is about twice the real one
 /// (NoisyFrame::noise); sums over 49 pixels are known to about a quarter.
 constexpr float kExplained = 0.7f;
 
-float square(float x) { return x * x; }
-float squared_length(Vec3f v) { return glm::dot(v, v); }
-float inverse_square(float x) { return 1.0f / (x * x); }
+constexpr float kNoNoise = 1e-10f;
 
-/// Sum of squares of how much two texels differ beside their light and place.
-float material_difference(const Texel& a, const Texel& b) {
-  return squared_length(a.normal - b.normal) * inverse_square(kNormalSpread) +
-         squared_length(a.albedo - b.albedo) * inverse_square(kAlbedoSpread) +
-         square(a.met - b.met) * inverse_square(kMetSpread);
+// ---- Rows of a part of a view, one array per number, with the columns beside them --------------------------------------
+
+constexpr int kColumns = 128, kMargin = 8, kRow = kColumns + 2 * kMargin;
+constexpr int kRowsPerPiece = 32;
+
+struct alignas(64) SurfaceRow {
+  float x[kRow], y[kRow], z[kRow];
+  float normal_x[kRow], normal_y[kRow], normal_z[kRow];
+  float red[kRow], green[kRow], blue[kRow];  ///< albedo
+  float met[kRow];
+  float there[kRow];  ///< 1; 0: no surface, and all else is without meaning
+};
+
+struct alignas(64) LightRow {
+  float red[kRow], green[kRow], blue[kRow], variance[kRow];
+};
+
+struct TexelRow {
+  SurfaceRow surface{};
+  LightRow light{};
+};
+
+LIPPMANN_INLINE void set_surface(const Texels& texels, std::size_t p, int i, SurfaceRow& row) {
+  row.x[i] = texels.place[3 * p], row.y[i] = texels.place[3 * p + 1], row.z[i] = texels.z[p];
+  row.normal_x[i] = texels.normal[3 * p], row.normal_y[i] = texels.normal[3 * p + 1],
+  row.normal_z[i] = texels.normal[3 * p + 2];
+  row.red[i] = texels.albedo[3 * p], row.green[i] = texels.albedo[3 * p + 1], row.blue[i] = texels.albedo[3 * p + 2];
+  row.met[i] = texels.met[p];
 }
 
-float light_difference(Vec3f a, float variance_a, Vec3f b, float variance_b) {
-  const float variance = variance_a + variance_b;
-  const float visible = square(kRelativeSpread) * (squared_length(a) + squared_length(b)) + 1e-10f;
-  return std::max(0.0f, squared_length(a - b) - variance) / (square(kLightSpread) * variance + visible);
+LIPPMANN_INLINE void set_light(const float* light, float variance, int i, LightRow& row) {
+  row.red[i] = light[0], row.green[i] = light[1], row.blue[i] = light[2], row.variance[i] = variance;
+}
+
+void set_light(const Estimate& estimate, int i, LightRow& row) { set_light(&estimate.light.x, estimate.variance, i, row); }
+
+/// A part of a view: `columns` from `column` on, and `rows` rows, `stride` apart.
+struct Piece {
+  int view, column, columns, row, rows, stride;
+};
+
+/// fn(piece) for pieces that cover all views, in parallel.
+template <class Fn>
+void for_each_piece(const SortedViews& views, int stride, const ThreadPool& pool, const Fn& fn) {
+  const Vec2i size = views.size();
+  const int across = (size.x + kColumns - 1) / kColumns;
+  const int in_class = (size.y + stride - 1) / stride, parts = (in_class + kRowsPerPiece - 1) / kRowsPerPiece;
+  const int per_view = across * stride * parts;
+  pool.for_each(static_cast<std::size_t>(views.views()) * static_cast<std::size_t>(per_view), [&](std::size_t index) {
+    const int view = static_cast<int>(index / static_cast<std::size_t>(per_view)),
+              in_view = static_cast<int>(index) - view * per_view;
+    const int column = in_view % across * kColumns, part = in_view / across;
+    const int first = part % stride + part / stride * kRowsPerPiece * stride;
+    const int rows = std::min(kRowsPerPiece, (size.y - first + stride - 1) / stride);
+    if (rows > 0) fn(Piece{view, column, std::min(kColumns, size.x - column), first, rows, stride});
+  });
+}
+
+/// The rows around one row of a piece, each loaded once while the piece is gone through from top to bottom.
+template <int kHeight, class Row>
+class Window {
+ public:
+  Window(const SortedViews& views, const Piece& piece) : views_(views), piece_(piece) { loaded_.fill(-1); }
+
+  /// Row y + d stride at [d + kHeight / 2], null beyond the view. load(pixel, i, row) reads a pixel with a surface to column i.
+  template <class Load>
+  const std::array<const Row*, kHeight>& around(int y, int margin, const float* met, const Load& load) {
+    for (int d = -kHeight / 2; d <= kHeight / 2; ++d) {
+      const int from = y + d * piece_.stride;
+      auto& row = around_[static_cast<std::size_t>(d + kHeight / 2)];
+      row = nullptr;
+      if (from < 0 || from >= views_.size().y) continue;
+      const auto slot = static_cast<std::size_t>(from / piece_.stride % kHeight);
+      row = &(*rows_)[slot];
+      if (std::exchange(loaded_[slot], from) != from) read(from, margin, met, load, (*rows_)[slot]);
+    }
+    return around_;
+  }
+
+ private:
+  template <class Load>
+  void read(int y, int margin, const float* met, const Load& load, Row& row) const {
+    const std::uint32_t* pixels = views_.row(piece_.view, y);
+    for (int x = piece_.column - margin; x < piece_.column + piece_.columns + margin; ++x) {
+      const int i = x - piece_.column + kMargin;
+      const std::uint32_t p = x >= 0 && x < views_.size().x ? pixels[x] : SortedViews::kNoPixel;
+      const bool there = p != SortedViews::kNoPixel && met[p] > 0.0f;
+      row.surface.there[i] = there ? 1.0f : 0.0f;
+      if (there) load(p, i, row);
+    }
+  }
+
+  const SortedViews& views_;
+  Piece piece_;
+  std::unique_ptr<std::array<Row, kHeight>> rows_ = std::make_unique<std::array<Row, kHeight>>();
+  std::array<int, kHeight> loaded_;
+  std::array<const Row*, kHeight> around_;
+};
+
+/// fn(y) for the rows of a piece that have a surface.
+template <class Fn>
+void for_each_row(const SortedViews& views, const Piece& piece, const float* met, const Fn& fn) {
+  for (int row = 0; row < piece.rows; ++row) {
+    const int y = piece.row + row * piece.stride;
+    const std::uint32_t* pixels = views.row(piece.view, y) + piece.column;
+    if (std::any_of(pixels, pixels + piece.columns,
+                    [met](std::uint32_t p) { return p != SortedViews::kNoPixel && met[p] > 0.0f; }))
+      fn(y);
+  }
+}
+
+/// fn(pixel, column of the piece) for every pixel of a row that has a surface.
+template <class Fn>
+void for_each_pixel(const SortedViews& views, const Piece& piece, int y, const float* met, const Fn& fn) {
+  const std::uint32_t* pixels = views.row(piece.view, y) + piece.column;
+  for (int i = 0; i < piece.columns; ++i)
+    if (pixels[i] != SortedViews::kNoPixel && met[pixels[i]] > 0.0f) fn(pixels[i], i);
+}
+
+/// Loops run over whole vectors: what lies beyond the last column is worked out in vain.
+int whole_lanes(int columns) { return (columns + 15) / 16 * 16; }
+
+#define LIPPMANN_FOR_COLUMNS(i, count) _Pragma("GCC ivdep") for (int i = 0; i < (count); ++i)
+
+// ---- Weights --------------------------------------------------------------------------------------------------------------
+
+LIPPMANN_INLINE float square(float x) { return x * x; }
+LIPPMANN_INLINE float squares(float x, float y, float z) { return x * x + y * y + z * z; }
+constexpr float inverse_square(float x) { return 1.0f / (x * x); }
+LIPPMANN_INLINE float least(float a, float b) { return a < b ? a : b; }
+LIPPMANN_INLINE float most(float a, float b) { return a > b ? a : b; }
+
+/// Sum of squares of how much two texels differ beside their light and place.
+LIPPMANN_INLINE float material_difference(const SurfaceRow& a, int i, const SurfaceRow& b, int j) {
+  return squares(a.normal_x[i] - b.normal_x[j], a.normal_y[i] - b.normal_y[j], a.normal_z[i] - b.normal_z[j]) *
+             inverse_square(kNormalSpread) +
+         squares(a.red[i] - b.red[j], a.green[i] - b.green[j], a.blue[i] - b.blue[j]) * inverse_square(kAlbedoSpread) +
+         square(a.met[i] - b.met[j]) * inverse_square(kMetSpread);
+}
+
+LIPPMANN_INLINE float light_difference(const LightRow& a, int i, const LightRow& b, int j) {
+  const float variance = a.variance[i] + b.variance[j];
+  const float visible =
+      square(kRelativeSpread) * (squares(a.red[i], a.green[i], a.blue[i]) + squares(b.red[j], b.green[j], b.blue[j])) +
+      kNoNoise;
+  const float difference = squares(a.red[i] - b.red[j], a.green[i] - b.green[j], a.blue[i] - b.blue[j]) - variance;
+  return most(difference, 0.0f) / (variance + visible);
 }
 
 /// How much another pixel counts by how well it is known.
-float influence(float variance, float of_other) {
-  constexpr float kNoNoise = 1e-10f;
-  return std::min(1.0f, kInfluence * (variance + kNoNoise) / (of_other + kNoNoise));
+LIPPMANN_INLINE float influence(float variance, float of_other) {
+  return least(1.0f, kInfluence * (variance + kNoNoise) / (of_other + kNoNoise));
 }
 
-float weight_of(float difference) { return difference < 18.0f ? std::exp(-0.5f * difference) : 0.0f; }
+/// exp(-difference / 2) as the limit of powers, with 64 in place of infinity, which vectorises well.
+LIPPMANN_INLINE float weight_of(float difference) {
+  float power = most(1.0f - difference * (1.0f / 128), 0.0f);
+  for (int doubling = 0; doubling < 6; ++doubling) power *= power;
+  return power;
+}
 
-/// A mean under way.
-struct Mean {
-  Vec3f light{0.0f};
-  float variance = 0.0f, weight = 0.0f;
-
-  void add(Vec3f value, float its_variance, float w) {
-    light += w * value;
-    variance += w * w * its_variance;
-    weight += w;
-  }
-  Estimate finished() const { return {light / weight, variance / (weight * weight)}; }
+/// Normals whose product with a difference of points is its distance off the plane over the spread.
+struct alignas(64) PlaneRow {
+  float x[kColumns], y[kColumns], z[kColumns];
 };
 
-/// fn(view, x, y, index) for every pixel; rows in parallel.
-template <class Fn>
-void for_each_pixel(const ViewGeometry& views, const ThreadPool& pool, const Fn& fn) {
-  const Vec2i size = views.view_size();
-  pool.for_each(static_cast<std::size_t>(views.views()) * static_cast<std::size_t>(size.y), [&](std::size_t row) {
-    const int view = static_cast<int>(row) / size.y, y = static_cast<int>(row) % size.y;
-    for (int x = 0; x < size.x; ++x) fn(view, x, y, row * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x));
-  });
+LIPPMANN_INLINE void make_planes(const SurfaceRow& a, float distance_mm, float vergence, int count, PlaneRow& planes) {
+  LIPPMANN_FOR_COLUMNS(i, count) {
+    const int j = i + kMargin;
+    const float length = std::sqrt(squares(a.normal_x[j], a.normal_y[j], a.normal_z[j]));
+    const float spread = kPlaneSpread * distance_mm * std::abs(1.0f - a.z[j] * vergence) + 1e-6f;
+    const float scale = 1.0f / (most(length, 1e-6f) * spread);
+    planes.x[i] = a.normal_x[j] * scale, planes.y[i] = a.normal_y[j] * scale, planes.z[i] = a.normal_z[j] * scale;
+  }
 }
 
-/// How far b's point lies off the plane of a's surface, in samples, squared and over the spread.
-class PlaneOf {
- public:
-  PlaneOf(const ViewGeometry& views, const Texel& a, Vec2f pixel, int view, float samples)
-      : views_(views), point_(views.point(pixel, a.z, view)) {
-    const float length = glm::length(a.normal);
-    normal_ = length > 0.0f ? a.normal / length : Vec3f(0.0f);
-    scale_ = inverse_square(kPlaneSpread * samples * views.sample_distance_mm(a.z) + 1e-6f);
-  }
-  float difference(const Texel& b, Vec2f pixel, int view) const {
-    return square(glm::dot(normal_, views_.point(pixel, b.z, view) - point_)) * scale_;
-  }
+LIPPMANN_INLINE float plane_difference(const PlaneRow& planes, const SurfaceRow& a, int i, const SurfaceRow& b, int j) {
+  const int at = i + kMargin;
+  return square(planes.x[i] * (b.x[j] - a.x[at]) + planes.y[i] * (b.y[j] - a.y[at]) + planes.z[i] * (b.z[j] - a.z[at]));
+}
 
- private:
-  const ViewGeometry& views_;
-  Vec3f point_, normal_;
-  float scale_;
+/// Means under way.
+struct alignas(64) SumRow {
+  float red[kColumns], green[kColumns], blue[kColumns], variance[kColumns], weight[kColumns], squares[kColumns];
+
+  Estimate mean(int i) const {
+    const float over = 1.0f / weight[i];
+    return {{red[i] * over, green[i] * over, blue[i] * over}, variance[i] * over * over};
+  }
 };
 
-}  // namespace
-
-namespace {
-
-/// The squared light of the brightest pixel but one of the same material within 7 x 7; infinite where these are too few.
-float light_around(const std::vector<Texel>& texels, Vec2i size, int x, int y, std::size_t index) {
-  constexpr int kReach = 3;
-  float brightest = 0.0f, second = 0.0f;
-  int neighbours = 0;
-  for (int j = std::max(0, y - kReach); j <= std::min(size.y - 1, y + kReach); ++j)
-    for (int i = std::max(0, x - kReach); i <= std::min(size.x - 1, x + kReach); ++i) {
-      const std::size_t other = index + static_cast<std::ptrdiff_t>(j - y) * size.x + (i - x);
-      const Texel& b = texels[other];
-      if (other == index || !(b.met > 0.0f) || material_difference(texels[index], b) >= kSameMaterial) continue;
-      const float light = squared_length(b.light);
-      second = std::max(second, std::min(brightest, light));
-      brightest = std::max(brightest, light);
-      ++neighbours;
-    }
-  return neighbours < kLeastNeighbours ? std::numeric_limits<float>::infinity() : second;
+LIPPMANN_INLINE void clear(SumRow& sums, int count) {
+  LIPPMANN_FOR_COLUMNS(i, count) {
+    sums.red[i] = sums.green[i] = sums.blue[i] = sums.variance[i] = sums.weight[i] = sums.squares[i] = 0.0f;
+  }
 }
 
-}  // namespace
-
-void clip_outliers(const ViewGeometry& views, const ThreadPool& pool, std::vector<Texel>& texels) {
-  std::vector<float> share(texels.size(), 1.0f);
-  for_each_pixel(views, pool, [&](int, int x, int y, std::size_t index) {
-    const Texel& a = texels[index];
-    const float light = squared_length(a.light);
-    if (!(a.met > 0.0f) || a.variance < square(kOneHalf) * light) return;
-    const float around = light_around(texels, views.view_size(), x, y, index);
-    if (light > square(kBrighter) * around) share[index] = std::sqrt(around / light);
-  });
-  for (std::size_t i = 0; i < texels.size(); ++i) texels[i].light *= share[i], texels[i].variance *= square(share[i]);
+LIPPMANN_INLINE void add(const LightRow& light, int j, float weight, SumRow& sums, int i) {
+  sums.red[i] += weight * light.red[j], sums.green[i] += weight * light.green[j], sums.blue[i] += weight * light.blue[j];
+  sums.variance[i] += weight * weight * light.variance[j];
+  sums.weight[i] += weight;
 }
 
-void make_guides(const ViewGeometry& views, const ThreadPool& pool, std::vector<Texel>& texels) {
-  constexpr int kReach = 2;
-  const Vec2i size = views.view_size();
-  std::vector<float> pooled(texels.size());
-  for_each_pixel(views, pool, [&](int view, int x, int y, std::size_t index) {
-    Texel& a = texels[index];
-    if (!(a.met > 0.0f)) return;
-    const PlaneOf plane(views, a, Vec2f(x, y), view, kReach);
-    Vec3f light(0.0f);
-    float variance = 0.0f, weight = 0.0f, squares = 0.0f;
-    for (int j = std::max(0, y - kReach); j <= std::min(size.y - 1, y + kReach); ++j)
-      for (int i = std::max(0, x - kReach); i <= std::min(size.x - 1, x + kReach); ++i) {
-        const Texel& b = texels[index + static_cast<std::ptrdiff_t>(j - y) * size.x + (i - x)];
-        if (!(b.met > 0.0f)) continue;
-        const float w = weight_of(material_difference(a, b) + plane.difference(b, Vec2f(i, j), view));
-        light += w * b.light, variance += w * b.variance, weight += w, squares += w * w;
+// ---- Kernels: one row of one piece -----------------------------------------------------------------------------------------
+
+using RowsOfFive = std::array<const TexelRow*, kNeighbours>;
+using RowsOfSeven = std::array<const TexelRow*, 7>;
+static_assert(2 * kOutlierReach + 1 == 7 && 2 * kBlurReach + 1 == 7 && 2 * kGuideReach + 1 == kNeighbours);
+
+/// The squared light of the brightest pixel but one of the same material within 7 x 7 (`brightest`, `second`), and how many
+/// there are.
+struct alignas(64) BrightRow {
+  float brightest[kColumns], second[kColumns], neighbours[kColumns];
+};
+
+LIPPMANN_MULTIVERSION
+void find_brightest(const RowsOfSeven& rows, int count, BrightRow& found) {
+  LIPPMANN_FOR_COLUMNS(i, count) found.brightest[i] = found.second[i] = found.neighbours[i] = 0.0f;
+  const SurfaceRow& a = rows[kOutlierReach]->surface;
+  for (int dj = -kOutlierReach; dj <= kOutlierReach; ++dj) {
+    const TexelRow* b = rows[static_cast<std::size_t>(dj + kOutlierReach)];
+    for (int di = -kOutlierReach; b && di <= kOutlierReach; ++di) {
+      if (di == 0 && dj == 0) continue;
+      LIPPMANN_FOR_COLUMNS(i, count) {
+        const int j = i + kMargin + di;
+        const float same = material_difference(a, i + kMargin, b->surface, j) < kSameMaterial ? b->surface.there[j] : 0.0f;
+        const float light = same * squares(b->light.red[j], b->light.green[j], b->light.blue[j]);
+        found.second[i] = most(found.second[i], least(found.brightest[i], light));
+        found.brightest[i] = most(found.brightest[i], light);
+        found.neighbours[i] += same;
       }
-    a.guide = light / weight;
-    pooled[index] = variance / weight;
-    a.guide_variance = pooled[index] * squares / (weight * weight);
+    }
+  }
+}
+
+LIPPMANN_MULTIVERSION
+void pool_neighbours(const RowsOfFive& rows, float distance_mm, float vergence, int count, SumRow& sums) {
+  const SurfaceRow& a = rows[kGuideReach]->surface;
+  PlaneRow planes;
+  make_planes(a, distance_mm * kGuideReach, vergence, count, planes);
+  clear(sums, count);
+  for (int dj = -kGuideReach; dj <= kGuideReach; ++dj) {
+    const TexelRow* b = rows[static_cast<std::size_t>(dj + kGuideReach)];
+    for (int di = -kGuideReach; b && di <= kGuideReach; ++di) LIPPMANN_FOR_COLUMNS(i, count) {
+        const int j = i + kMargin + di;
+        const float weight = b->surface.there[j] * weight_of(material_difference(a, i + kMargin, b->surface, j) +
+                                                             plane_difference(planes, a, i, b->surface, j));
+        sums.red[i] += weight * b->light.red[j], sums.green[i] += weight * b->light.green[j];
+        sums.blue[i] += weight * b->light.blue[j], sums.variance[i] += weight * b->light.variance[j];
+        sums.weight[i] += weight, sums.squares[i] += weight * weight;
+      }
+  }
+}
+
+LIPPMANN_MULTIVERSION
+void smooth_row(const RowsOfFive& rows, int step, float distance_mm, float vergence, int count, SumRow& sums) {
+  constexpr std::array<float, kNeighbours> kSpline{1.0f / 16, 1.0f / 4, 3.0f / 8, 1.0f / 4, 1.0f / 16};
+  const TexelRow& a = *rows[kNeighbours / 2];
+  PlaneRow planes;
+  make_planes(a.surface, distance_mm * static_cast<float>(step), vergence, count, planes);
+  clear(sums, count);
+  for (std::size_t dj = 0; dj < kNeighbours; ++dj) {
+    const TexelRow* b = rows[dj];
+    for (std::size_t di = 0; b && di < kNeighbours; ++di) {
+      const float part = kSpline[di] * kSpline[dj];
+      const int shift = kMargin + (static_cast<int>(di) - kNeighbours / 2) * step;
+      LIPPMANN_FOR_COLUMNS(i, count) {
+        const int j = i + shift;
+        const float weight = b->surface.there[j] * weight_of(material_difference(a.surface, i + kMargin, b->surface, j) +
+                                                             plane_difference(planes, a.surface, i, b->surface, j) +
+                                                             light_difference(a.light, i + kMargin, b->light, j));
+        add(b->light, j, part * weight * influence(a.light.variance[i + kMargin], b->light.variance[j]), sums, i);
+      }
+    }
+  }
+}
+
+/// A row of pixels whose points other views are searched for.
+struct GatherRow {
+  SurfaceRow surface{};
+  LightRow light{}, guide{};
+};
+
+/// Where a view sees the points of a row: the column and row of the pixel to the left of each, and whether the one to the right
+/// matters. Places that are not in the view are next to it.
+struct alignas(64) PlaceRow {
+  int column[kColumns], row[kColumns], right[kColumns];
+};
+
+LIPPMANN_INLINE float perspective(float z, float vergence) { return 1.0f / most(1.0f - z * vergence, 1e-3f); }
+
+/// below: 0 for the upper two of the four pixels, 1 for the lower two.
+LIPPMANN_MULTIVERSION
+void find_places(const SurfaceRow& a, const SortedViews& views, const SortedViews::Sight& sight, int below, int count,
+                 PlaceRow& places) {
+  constexpr float kLeastShare = 1.0f / 64;  // of a pixel beside the one that shows the place
+  const Vec2f samples_per_mm = views.samples_per_mm(), size(views.size());
+  const float vergence = views.vergence(), first_row = static_cast<float>(views.first_row());
+  const float* shifts = views.shifts();
+  LIPPMANN_FOR_COLUMNS(i, count) {
+    const int j = i + kMargin;
+    const float nearer = perspective(a.z[j], vergence);
+    const float place_y = sight.first.y - (a.y[j] - sight.k.y * a.z[j]) * nearer * samples_per_mm.y + kLeastShare;
+    const float y = least(most(place_y, first_row - 2.0f), first_row + size.y), upper = std::floor(y);
+    const int row = static_cast<int>(upper) - views.first_row() + below;
+    const float place_x = (a.x[j] - sight.k.x * a.z[j]) * nearer * samples_per_mm.x - sight.first.x - shifts[row] + kLeastShare;
+    const float x = least(most(place_x, -2.0f), size.x), left = std::floor(x);
+    places.row[i] = y - upper >= 2.0f * kLeastShare || below == 0 ? row : -1;
+    places.column[i] = static_cast<int>(left), places.right[i] = x - left >= 2.0f * kLeastShare ? 1 : 0;
+  }
+}
+
+/// Adds one pixel of another view to each mean: as much as the ray of the pixel is near the point, over the distance between
+/// samples.
+LIPPMANN_MULTIVERSION
+void add_found(const GatherRow& a, const PlaneRow& planes, const GatherRow& b, const SortedViews& views,
+               const SortedViews::Sight& sight, int count, SumRow& sums) {
+  const Vec2f samples_per_mm = views.samples_per_mm();
+  const float vergence = views.vergence();
+  LIPPMANN_FOR_COLUMNS(i, count) {
+    const int j = i + kMargin;
+    const float nearer = perspective(a.surface.z[j], vergence), back = a.surface.z[j] - b.surface.z[j];
+    const float slope_x = sight.k.x - (a.surface.x[j] - sight.k.x * a.surface.z[j]) * nearer * vergence;
+    const float slope_y = sight.k.y - (a.surface.y[j] - sight.k.y * a.surface.z[j]) * nearer * vergence;
+    const float off_x = (b.surface.x[j] + slope_x * back - a.surface.x[j]) * nearer * samples_per_mm.x;
+    const float off_y = (b.surface.y[j] + slope_y * back - a.surface.y[j]) * nearer * samples_per_mm.y;
+    const float part = most(1.0f - std::abs(off_x), 0.0f) * most(1.0f - std::abs(off_y), 0.0f);
+    const float weight =
+        weight_of(material_difference(a.surface, j, b.surface, j) + plane_difference(planes, a.surface, i, b.surface, j) +
+                  light_difference(a.guide, j, b.guide, j));
+    add(b.light, j, b.surface.there[j] * part * weight, sums, i);
+  }
+}
+
+LIPPMANN_MULTIVERSION
+void start_means(const GatherRow& a, float distance_mm, float vergence, int count, PlaneRow& planes, SumRow& sums) {
+  make_planes(a.surface, distance_mm, vergence, count, planes);
+  clear(sums, count);
+  LIPPMANN_FOR_COLUMNS(i, count) add(a.light, i + kMargin, 1.0f, sums, i);
+}
+
+/// How much light changes, and how much noise does, over 7 x 7 pixels.
+struct alignas(64) ChangeRow {
+  float change[kRow], variance[kRow];
+};
+
+struct BlurRow {
+  struct {
+    float there[kRow];
+  } surface{};
+  float change[kRow]{}, variance[kRow]{};
+};
+
+LIPPMANN_MULTIVERSION
+void add_changes(const std::array<const BlurRow*, 7>& rows, int count, ChangeRow& sums) {
+  LIPPMANN_FOR_COLUMNS(i, count) sums.change[i] = sums.variance[i] = 0.0f;
+  for (const BlurRow* b : rows)
+    for (int di = -kBlurReach; b && di <= kBlurReach; ++di) LIPPMANN_FOR_COLUMNS(i, count) {
+        const int j = i + kMargin + di;
+        sums.change[i] += b->surface.there[j] * b->change[j], sums.variance[i] += b->surface.there[j] * b->variance[j];
+      }
+}
+
+}  // namespace
+
+// ---- Passes -----------------------------------------------------------------------------------------------------------------
+
+void find_outliers(const SortedViews& views, const Texels& texels, const ThreadPool& pool, std::vector<Estimate>& estimates) {
+  for_each_piece(views, 1, pool, [&](const Piece& piece) {
+    Window<7, TexelRow> window(views, piece);
+    const auto load = [&](std::size_t p, int i, TexelRow& row) {
+      set_surface(texels, p, i, row.surface);
+      set_light(texels.light + 3 * p, 0.0f, i, row.light);
+    };
+    for_each_row(views, piece, texels.met, [&](int y) {
+      BrightRow found;
+      find_brightest(window.around(y, kOutlierReach, texels.met, load), whole_lanes(piece.columns), found);
+      for_each_pixel(views, piece, y, texels.met, [&](std::size_t p, int i) {
+        const float* light = texels.light + 3 * p;
+        const float squared = squares(light[0], light[1], light[2]);
+        const bool alone = found.neighbours[i] >= kLeastNeighbours && squared > square(kBrighter) * found.second[i];
+        estimates[p].light.x =
+            alone && estimates[p].variance >= square(kOneHalf) * squared ? std::sqrt(found.second[i] / squared) : 1.0f;
+      });
+    });
   });
-  for (std::size_t i = 0; i < texels.size(); ++i) texels[i].variance = pooled[i];
+}
+
+void make_guides(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& estimates,
+                 std::vector<Estimate>& guides) {
+  for_each_piece(views, 1, pool, [&](const Piece& piece) {
+    Window<kNeighbours, TexelRow> window(views, piece);
+    const auto load = [&](std::size_t p, int i, TexelRow& row) {
+      set_surface(texels, p, i, row.surface);
+      set_light(texels.light + 3 * p, estimates[p].variance, i, row.light);
+    };
+    for_each_row(views, piece, texels.met, [&](int y) {
+      SumRow sums;
+      pool_neighbours(window.around(y, kGuideReach, texels.met, load), views.sample_distance_mm(), views.vergence(),
+                      whole_lanes(piece.columns), sums);
+      for_each_pixel(views, piece, y, texels.met, [&](std::size_t p, int i) {
+        const float over = 1.0f / sums.weight[i], variance = sums.variance[i] * over;
+        guides[p] = {Vec3f(sums.red[i], sums.green[i], sums.blue[i]) * over, variance * (sums.squares[i] * over * over)};
+        texels.place[3 * p + 2] = variance;
+      });
+    });
+  });
 }
 
 namespace {
 
-/// Averages what other views show of one pixel's point.
+/// Searches other views for the points of one row of a piece.
 class Gatherer {
  public:
-  Gatherer(const ViewGeometry& views, const Texel& texel) : a_(texel), size_(views.view_size()) {
-    mean_.add(a_.light, a_.variance, 1.0f);
+  Gatherer(const SortedViews& views, const Texels& texels, const std::vector<Estimate>& guides)
+      : views_(views), texels_(texels), guides_(guides) {}
+
+  void gather(const Piece& piece, int y, std::vector<Estimate>& gathered) {
+    columns_ = piece.columns, row_ = y;
+    std::fill_n(own_->surface.there + kMargin, kColumns, 0.0f);
+    for_each_pixel(views_, piece, y, texels_.met, [&](std::size_t p, int i) { read(p, i + kMargin, *own_); });
+    start_means(*own_, views_.sample_distance_mm(), views_.vergence(), whole_lanes(columns_), planes_, sums_);
+    const ViewGrid& grid = views_.grid();
+    const int column = piece.view % grid.columns, row = piece.view / grid.columns;
+    for (int d = -kViewReach; d <= kViewReach; ++d) {
+      if (d == 0) continue;
+      if (column + d >= 0 && column + d < grid.columns) add_view(piece.view + d);
+      if (row + d >= 0 && row + d < grid.rows) add_view(piece.view + d * grid.columns);
+    }
+    for_each_pixel(views_, piece, y, texels_.met, [&](std::size_t p, int i) { gathered[p] = sums_.mean(i); });
   }
 
-  /// Adds the light that a view has at a place, between its four pixels.
-  void add(const std::vector<Texel>& texels, int view, Vec2f place, const PlaneOf& plane) {
-    const Vec2f corner = glm::floor(place), share = place - corner;
-    const int x = static_cast<int>(corner.x), y = static_cast<int>(corner.y);
-    if (!(place.x > -1.0f && place.y > -1.0f && x < size_.x && y < size_.y)) return;
-    for (int k = 0; k < 4; ++k) {
-      const int i = x + (k & 1), j = y + (k >> 1);
-      if (i < 0 || j < 0 || i >= size_.x || j >= size_.y) continue;
-      const float part = ((k & 1) != 0 ? share.x : 1.0f - share.x) * ((k >> 1) != 0 ? share.y : 1.0f - share.y);
-      const Texel& b = texels[(static_cast<std::size_t>(view) * size_.y + j) * size_.x + i];
-      if (!(part > 0.0f) || !(b.met > 0.0f)) continue;
-      const float difference = material_difference(a_, b) +
-                               light_difference(a_.guide, a_.guide_variance, b.guide, b.guide_variance) +
-                               plane.difference(b, Vec2f(i, j), view);
-      const float w = part * weight_of(difference);
-      if (w > kLeastWeight) mean_.add(b.light, b.variance, w);
+ private:
+  void read(std::size_t p, int i, GatherRow& row) const {
+    row.surface.there[i] = 1.0f;
+    set_surface(texels_, p, i, row.surface);
+    set_light(texels_.light + 3 * p, texels_.place[3 * p + 2], i, row.light);
+    set_light(guides_[p], i, row.guide);
+  }
+
+  /// The four pixels around each place.
+  void add_view(int view) {
+    const int lanes = whole_lanes(columns_);
+    for (int below = 0; below < 2; ++below) {
+      find_places(own_->surface, views_, views_.sight(view), below, lanes, places_);
+      for (int right = 0; right < 2; ++right)
+        if (read_found(view, right)) add_found(*own_, planes_, *found_, views_, views_.sight(view), lanes, sums_);
     }
   }
 
-  Estimate finished() const { return mean_.finished(); }
+  bool read_found(int view, int right) {
+    bool any = false;
+    const Vec2i size = views_.size();
+    for (int i = 0; i < columns_; ++i) {
+      float& there = found_->surface.there[i + kMargin];
+      there = 0.0f;
+      if (own_->surface.there[i + kMargin] == 0.0f || right > places_.right[i]) continue;
+      const int x = places_.column[i] + right, y = places_.row[i];
+      if (x < 0 || y < 0 || x >= size.x || y >= size.y || std::abs(y - row_) > kMostRowsAway) continue;
+      const std::uint32_t p = views_.row(view, y)[x];
+      if (p == SortedViews::kNoPixel || !(texels_.met[p] > 0.0f)) continue;
+      read(p, i + kMargin, *found_);
+      any = true;
+    }
+    return any;
+  }
 
- private:
-  const Texel& a_;
-  Vec2i size_;
-  Mean mean_;
+  const SortedViews& views_;
+  const Texels& texels_;
+  const std::vector<Estimate>& guides_;
+  int columns_ = 0, row_ = 0;
+  std::unique_ptr<GatherRow> own_ = std::make_unique<GatherRow>(), found_ = std::make_unique<GatherRow>();
+  PlaceRow places_;
+  PlaneRow planes_;
+  SumRow sums_;
 };
 
 }  // namespace
 
-std::vector<Estimate> gather(const ViewGeometry& views, const TexelFrame& frame, const ThreadPool& pool) {
-  const ViewGrid& grid = views.grid();
-  std::vector<Estimate> gathered(frame.texels.size());
-  for_each_pixel(views, pool, [&](int view, int x, int y, std::size_t index) {
-    const Texel& a = frame.texels[index];
-    if (!(a.met > 0.0f)) return;
-    Gatherer mean(views, a);
-    const Vec2f pixel(x, y);
-    const PlaneOf plane(views, a, pixel, view, 1.0f);
-    const int column = view % grid.columns, row = view / grid.columns;
-    for (int d = -kViewReach; d <= kViewReach; ++d) {
-      if (d == 0) continue;
-      if (column + d >= 0 && column + d < grid.columns)
-        mean.add(frame.texels, view + d, views.moved(pixel, a.z, view, view + d), plane);
-      const int other = view + d * grid.columns;
-      if (row + d >= 0 && row + d < grid.rows) mean.add(frame.texels, other, views.moved(pixel, a.z, view, other), plane);
-    }
-    gathered[index] = mean.finished();
+void gather(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& guides,
+            std::vector<Estimate>& gathered) {
+  for_each_piece(views, 1, pool, [&](const Piece& piece) {
+    Gatherer gatherer(views, texels, guides);
+    for_each_row(views, piece, texels.met, [&](int y) { gatherer.gather(piece, y, gathered); });
   });
-  return gathered;
 }
 
-std::vector<Estimate> smooth(const ViewGeometry& views, const std::vector<Texel>& texels, const std::vector<Estimate>& light,
-                             int step, const ThreadPool& pool) {
-  constexpr std::array<float, 5> kSpline{1.0f / 16, 1.0f / 4, 3.0f / 8, 1.0f / 4, 1.0f / 16};
-  const Vec2i size = views.view_size();
-  std::vector<Estimate> smoothed(light.size());
-  for_each_pixel(views, pool, [&](int view, int x, int y, std::size_t index) {
-    const Texel& a = texels[index];
-    if (!(a.met > 0.0f)) return;
-    const PlaneOf plane(views, a, Vec2f(x, y), view, static_cast<float>(step));
-    Mean mean;
-    for (int dj = -2; dj <= 2; ++dj)
-      for (int di = -2; di <= 2; ++di) {
-        const int i = x + di * step, j = y + dj * step;
-        if (i < 0 || j < 0 || i >= size.x || j >= size.y) continue;
-        const std::size_t other = index + static_cast<std::ptrdiff_t>(dj * step) * size.x + di * step;
-        const Texel& b = texels[other];
-        if (!(b.met > 0.0f)) continue;
-        const float part = kSpline[static_cast<std::size_t>(di + 2)] * kSpline[static_cast<std::size_t>(dj + 2)];
-        const Estimate &p = light[index], &q = light[other];
-        const float w = part * weight_of(material_difference(a, b) + plane.difference(b, Vec2f(i, j), view) +
-                                         light_difference(p.light, p.variance, q.light, q.variance));
-        mean.add(q.light, q.variance, w * influence(p.variance, q.variance));
-      }
-    smoothed[index] = mean.finished();
+void smooth(const SortedViews& views, const Texels& texels, const ThreadPool& pool, int step,
+            const std::vector<Estimate>& light, std::vector<Estimate>& smoothed) {
+  for_each_piece(views, step, pool, [&](const Piece& piece) {
+    Window<kNeighbours, TexelRow> window(views, piece);
+    const auto load = [&](std::size_t p, int i, TexelRow& row) {
+      set_surface(texels, p, i, row.surface);
+      set_light(light[p], i, row.light);
+    };
+    for_each_row(views, piece, texels.met, [&](int y) {
+      SumRow sums;
+      smooth_row(window.around(y, kNeighbours / 2 * step, texels.met, load), step, views.sample_distance_mm(), views.vergence(),
+                 whole_lanes(piece.columns), sums);
+      for_each_pixel(views, piece, y, texels.met, [&](std::size_t p, int i) { smoothed[p] = sums.mean(i); });
+    });
   });
-  return smoothed;
 }
 
-void take_back_blur(const ViewGeometry& views, const std::vector<Texel>& texels, std::vector<Estimate>& filtered,
-                    const ThreadPool& pool) {
-  constexpr int kReach = 3;
-  const Vec2i size = views.view_size();
-  std::vector<float> share(texels.size());  // how much of the change stays
-  for_each_pixel(views, pool, [&](int, int x, int y, std::size_t index) {
-    float change = 0.0f, variance = 0.0f;
-    for (int j = std::max(0, y - kReach); j <= std::min(size.y - 1, y + kReach); ++j)
-      for (int i = std::max(0, x - kReach); i <= std::min(size.x - 1, x + kReach); ++i) {
-        const std::size_t other = index + static_cast<std::ptrdiff_t>(j - y) * size.x + (i - x);
-        if (!(texels[other].met > 0.0f)) continue;
-        change += squared_length(filtered[other].light - texels[other].light);
-        variance += texels[other].variance;
-      }
-    share[index] = change > kExplained * variance ? kExplained * variance / change : 1.0f;
+void find_blur(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& filtered,
+               std::vector<Estimate>& share) {
+  for_each_piece(views, 1, pool, [&](const Piece& piece) {
+    Window<7, BlurRow> window(views, piece);
+    const auto load = [&](std::size_t p, int i, BlurRow& row) {
+      const float *own = texels.light + 3 * p, *light = &filtered[p].light.x;
+      row.change[i] = squares(light[0] - own[0], light[1] - own[1], light[2] - own[2]);
+      row.variance[i] = texels.place[3 * p + 2];
+    };
+    for_each_row(views, piece, texels.met, [&](int y) {
+      ChangeRow sums;
+      add_changes(window.around(y, kBlurReach, texels.met, load), whole_lanes(piece.columns), sums);
+      for_each_pixel(views, piece, y, texels.met, [&](std::size_t p, int i) {
+        const float explained = kExplained * sums.variance[i];
+        share[p].variance = sums.change[i] > explained ? explained / sums.change[i] : 1.0f;
+      });
+    });
   });
-  for (std::size_t i = 0; i < filtered.size(); ++i)
-    filtered[i].light = texels[i].light + share[i] * (filtered[i].light - texels[i].light);
 }
 
 }  // namespace lippmann

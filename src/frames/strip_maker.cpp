@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "frames/frame_maker.hpp"
-#include "frames/traced_frames.hpp"
 #include "lippmann/core/error.hpp"
 #include "trace/strip_order.hpp"
 
@@ -88,7 +87,7 @@ void check_strips(const FrameParams& params, const Optics& optics, int strips) {
   if (std::holds_alternative<Interpolate>(params.reuse))
     throw usage_error(kStrips, "strips are rendered separately, and interpolated frames need whole key frames",
                       "1, or `reuse` none or copy");
-  if (is_denoised(params.sampling) && can_be_denoised(optics))
+  if (is_denoised(params.sampling))
     throw usage_error(kStrips, "strips are rendered separately, and the denoiser needs the rows of other strips",
                       "1, or `denoise` none");
 }

@@ -1,17 +1,13 @@
 #include "frames/traced_frames.hpp"
 
 #include "frames/audit.hpp"
-#include "layout/film_layout.hpp"
 #include "trace/noisy_frame.hpp"
 
 namespace lippmann {
 
-bool can_be_denoised(const Optics& optics) { return view_tiles(optics) || whole_pixels_per_lens(optics).x > 0; }
-
 TracedFrames::TracedFrames(Stage& stage, const Sampling& sampling, const ThreadPool& pool, const Context& context)
     : stage_(stage), sampling_(sampling), pool_(pool), context_(context) {
-  const Optics& optics = stage.placed.optics;
-  if (is_denoised(sampling) && can_be_denoised(optics)) denoiser_.emplace(optics, film_layout(optics, "denoise"));
+  if (is_denoised(sampling)) denoiser_.emplace(stage.placed.optics);
 }
 
 RenderedFrame TracedFrames::make(int frame) {

@@ -8,9 +8,6 @@
 
 namespace lippmann {
 
-/// Whether the denoiser takes frames of these optics: they need views of whole pixels.
-bool can_be_denoised(const Optics& optics);
-
 class TracedFrames final : public FrameMaker {
  public:
   /// `stage`, `pool` and `context` must outlive this object.

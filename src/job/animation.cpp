@@ -25,7 +25,6 @@
 #include "frames/banded_frames.hpp"
 #include "frames/frame_maker.hpp"
 #include "frames/picture_check.hpp"
-#include "frames/traced_frames.hpp"
 #include "job/aov_params.hpp"
 #include "job/folder_documents.hpp"
 #include "job/job_fingerprint.hpp"
@@ -351,7 +350,6 @@ class Animation {
   }
 
   void check_layout() {
-    if (!can_be_denoised(optics())) made_as_.sampling.denoise = Denoise::kNone;
     layout_.check_picture_size(!params_.sampling.aov.empty());
     if (!params_.output.video.empty() && !layout_.is_picture())
       throw usage_error("video", "needs a layout with one picture per frame", "`layout` quilt or integral");

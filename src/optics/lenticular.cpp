@@ -144,6 +144,17 @@ std::optional<ViewCameras> cameras_of(const Panel& panel, const LenticularSheet&
       v, {sheet.lens_pitch_mm, m * v / (v + g)}, centre, lens_eyes({n, 1}, sheet.parallax * m * v / g, sheet.eye_height_mm)};
 }
 
+LensCells lens_cells_of(const Panel& panel, const LenticularSheet& sheet) {
+  const double slant = sheet.slant, pitch = sheet.lens_pitch_mm, pixel = panel.pixel_pitch_mm;
+  const double spread = 1.0 + sheet.gap_mm / static_cast<double>(sheet.viewing_distance_mm);
+  LensCells cells;
+  cells.lenses_per_mm = Vec2d(std::cos(slant), std::sin(slant)) / pitch;
+  cells.first_lens = sheet.offset_mm / pitch;
+  cells.cell_px.x = pitch / std::cos(slant) * spread / pixel;
+  cells.px_per_k.x = sheet.gap_mm / (pixel * sheet.parallax);
+  return cells;
+}
+
 void set_lenses(LenticularSheet& sheet, float pitch_mm, float gap_mm, Vec2f offset_mm) {
   sheet.lens_pitch_mm = pitch_mm, sheet.gap_mm = gap_mm, sheet.offset_mm = offset_mm.x;
   sheet.viewing_distance_mm = kInfinity;

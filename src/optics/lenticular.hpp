@@ -74,6 +74,7 @@ StepRule step_rule(const Panel& panel, const LenticularSheet& sheet, StepsWithin
 void pixels_seeing(const Panel& panel, const LenticularSheet& sheet, Vec3f point_mm, std::vector<Vec2f>& pixels);
 LenticularSight sight_of(const Panel& panel, const LenticularSheet& sheet);
 std::optional<ViewCameras> cameras_of(const Panel& panel, const LenticularSheet& sheet);
+LensCells lens_cells_of(const Panel& panel, const LenticularSheet& sheet);
 void set_lenses(LenticularSheet& sheet, float pitch_mm, float gap_mm, Vec2f offset_mm);
 
 }  // namespace lippmann

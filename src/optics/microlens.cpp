@@ -225,6 +225,17 @@ std::optional<ViewCameras> cameras_of(const Panel& panel, const MicrolensArray& 
   return ViewCameras{v, Vec2d(array.lens_pitch_mm), centre, lens_eyes(n, array.parallax * m * v / g, 0.0)};
 }
 
+LensCells lens_cells_of(const Panel& panel, const MicrolensArray& array) {
+  const double pitch = array.lens_pitch_mm, row_pitch = row_pitch_mm(array), pixel = panel.pixel_pitch_mm;
+  LensCells cells;
+  cells.rows = array.packing == LensPacking::kHexagonal ? LensCells::Rows::kHexagonal : LensCells::Rows::kSquare;
+  cells.lenses_per_mm.x = 1.0 / pitch, cells.first_lens = array.offset_mm.x / pitch;
+  cells.rows_per_mm = 1.0 / row_pitch, cells.first_row_mm = array.offset_mm.y;
+  cells.cell_px = Vec2d(1.0, row_pitch / pitch) * (cell_mm(array) / pixel);
+  cells.px_per_k = Vec2d(array.gap_mm / (pixel * array.parallax));
+  return cells;
+}
+
 void set_lenses(MicrolensArray& array, float pitch_mm, float gap_mm, Vec2f offset_mm) {
   array.lens_pitch_mm = pitch_mm, array.gap_mm = gap_mm, array.offset_mm = offset_mm;
   array.viewing_distance_mm = kInfinity;

@@ -109,6 +109,7 @@ StepRule step_rule(const Panel& panel, const MicrolensArray& array, StepsWithin 
 void pixels_seeing(const Panel& panel, const MicrolensArray& array, Vec3f point_mm, std::vector<Vec2f>& pixels);
 MicrolensSight sight_of(const Panel& panel, const MicrolensArray& array);
 std::optional<ViewCameras> cameras_of(const Panel& panel, const MicrolensArray& array);
+LensCells lens_cells_of(const Panel& panel, const MicrolensArray& array);
 void set_lenses(MicrolensArray& array, float pitch_mm, float gap_mm, Vec2f offset_mm);
 
 }  // namespace lippmann

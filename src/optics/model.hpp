@@ -17,6 +17,7 @@
 #include "lippmann/optics/view_phases.hpp"
 #include "lippmann/optics/viewing.hpp"
 #include "optics/lens_axis.hpp"
+#include "optics/lens_cells.hpp"
 
 namespace lippmann {
 
@@ -139,6 +140,12 @@ concept HasCameras = requires(const Panel& panel, const Model& model) {
 template <class Model>
 concept HasViewPhases = requires(const Model& model) {
   { view_phases_of(model) } -> std::same_as<ViewPhases>;
+};
+
+/// Models of lenses say which of them the ray of a pixel goes through (optics/lens_cells.hpp).
+template <class Model>
+concept HasLensCells = requires(const Panel& panel, const Model& model) {
+  { lens_cells_of(panel, model) } -> std::same_as<LensCells>;
 };
 
 /// Models of lenses can be given others: pitch across, gap, the centre of lens 0, seen from infinity.

@@ -229,6 +229,17 @@ OpticsFacts facts_of(const Panel& panel, const SlantedPanel& slanted) {
   return facts;
 }
 
+LensCells lens_cells_of(const Panel& panel, const SlantedPanel& slanted) {
+  // A place at x and y from 0 to 1 across the panel and up it has the phase (x + y T) P - center (slanted_panel.hpp).
+  const double periods = slanted.periods, pixel = panel.pixel_pitch_mm;
+  LensCells cells;
+  cells.lenses_per_mm = Vec2d(1.0 / panel.width, slanted.tilt / panel.height) * (periods / pixel);
+  cells.first_lens = slanted.center - 0.5 * (1.0 + slanted.tilt) * periods;
+  cells.cell_px.x = 3 * panel.width / periods;
+  cells.cone = slanted.view_cone, cells.parallax = slanted.parallax, cells.sign = slanted.inverted ? -1.0 : 1.0;
+  return cells;
+}
+
 Vec2d zone_slope(const Panel&, const SlantedPanel& slanted, Vec2d share) {
   return {std::tan(slanted.view_cone * (share.x - 0.5)), 0.0};
 }

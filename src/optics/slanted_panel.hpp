@@ -90,6 +90,7 @@ Vec2d zone_slope(const Panel& panel, const SlantedPanel& slanted, Vec2d share);
 StepRule step_rule(const Panel& panel, const SlantedPanel& slanted, StepsWithin within);
 void pixels_seeing(const Panel& panel, const SlantedPanel& slanted, Vec3f point_mm, std::vector<Vec2f>& pixels);
 SlantedSight sight_of(const Panel& panel, const SlantedPanel& slanted);
+LensCells lens_cells_of(const Panel& panel, const SlantedPanel& slanted);
 inline ViewPhases view_phases_of(const SlantedPanel& slanted) {
   return {slanted.periods, slanted.tilt, slanted.center, slanted.inverted, slanted.sub_pixels};
 }

@@ -13,12 +13,11 @@ constexpr int kWidth = 96, kHeight = 16;
 Optics four_views() {
   return {{kWidth, kHeight, 0.25f}, MultiView{.columns = 4, .rows = 1, .view_cone = 0.4f, .distance_mm = 60.0f}};
 }
-const ViewLayout kFilm{LayoutKind::kQuilt, {4, 1}, {4, 1}};
 
 /// What a denoiser is given, every pixel alike at first.
 struct Made {
   Image film{kWidth, kHeight, 3}, noise{kWidth, kHeight, 3}, seen{kWidth, kHeight, 3}, albedo{kWidth, kHeight, 3},
-      normal{kWidth, kHeight, 3}, z{kWidth, kHeight, 1}, met{kWidth, kHeight, 1}, still{kWidth, kHeight, 2};
+      normal{kWidth, kHeight, 3}, z{kWidth, kHeight, 1}, met{kWidth, kHeight, 1};
 
   Made() {
     for (int y = 0; y < kHeight; ++y)
@@ -39,14 +38,12 @@ struct Made {
     }
   }
 
-  DenoiserInput input() const { return {film, noise, seen, albedo, normal, z, met, still, still}; }
+  DenoiserInput input() { return {film, noise, seen, albedo, normal, z, met}; }
 };
 
-Image denoised(const Made& made, int threads = 2) {
+Image denoised(Made made, int threads = 2) {
   const ThreadPool pool(threads);
-  const Denoiser denoiser(four_views(), kFilm);
-  const auto frame = denoiser.prepare(made.input(), pool);
-  return denoiser.denoise(nullptr, *frame, nullptr, pool);
+  return Denoiser(four_views()).denoise(made.input(), pool);
 }
 
 /// Light of 1 with the noise of halves that are each wrong by a standard deviation of 0.5.
@@ -178,18 +175,6 @@ TEST(Denoiser, what_is_seen_without_a_surface_is_not_touched) {
     }
   const Image film = denoised(made);
   for (int x = 0; x < kWidth; ++x) EXPECT_EQ(film.pixel(x, 5)[0], 0.01f * static_cast<float>(x));
-}
-
-TEST(Denoiser, frames_beside_help_where_motion_says_and_not_elsewhere) {
-  const ThreadPool pool(2);
-  const Denoiser denoiser(four_views(), kFilm);
-  Made now = noisy(5), exact;
-  const auto ready = denoiser.prepare(now.input(), pool), other = denoiser.prepare(exact.input(), pool);
-  const double alone = mean_squared_error(denoiser.denoise(nullptr, *ready, nullptr, pool), 1.0f);
-  EXPECT_LT(mean_squared_error(denoiser.denoise(other.get(), *ready, other.get(), pool), 1.0f), alone);
-  for (float& v : now.still.data) v = 1000.0f;  // out of the picture
-  const auto away = denoiser.prepare(now.input(), pool);
-  EXPECT_EQ(denoiser.denoise(other.get(), *away, other.get(), pool).data, denoiser.denoise(nullptr, *away, nullptr, pool).data);
 }
 
 TEST(Denoiser, any_number_of_threads_gives_the_same_bits) {
