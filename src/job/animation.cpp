@@ -372,7 +372,8 @@ class Animation {
             static_cast<int>(frames_.size()),
             FrameSink::frames_in_memory(pool_.threads()),
             makes_videos() && !is_part(),
-            params_.scene.name == kTestPattern ? 1 : most_strips(optics())};
+            params_.scene.name == kTestPattern ? 1 : most_strips(optics()),
+            rows_around(made_as_.sampling, optics())};
   }
 
   void check_memory() {
