@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "frames/frame_maker.hpp"
+#include "frames/traced_frames.hpp"
 #include "lippmann/core/error.hpp"
 #include "trace/strip_order.hpp"
 
