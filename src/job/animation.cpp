@@ -26,7 +26,6 @@
 #include "frames/frame_maker.hpp"
 #include "frames/picture_check.hpp"
 #include "frames/traced_frames.hpp"
-#include "frames/traced_frames.hpp"
 #include "job/aov_params.hpp"
 #include "job/folder_documents.hpp"
 #include "job/job_fingerprint.hpp"
