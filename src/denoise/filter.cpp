@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "core/multiversion.hpp"
 
@@ -97,9 +98,9 @@ void for_each_piece(const SortedViews& views, int stride, const ThreadPool& pool
 
 /// The rows around one row of a piece, each loaded once while the piece is gone through from top to bottom.
 template <int kHeight, class Row>
-class Window {
+class RowWindow {
  public:
-  Window(const SortedViews& views, const Piece& piece) : views_(views), piece_(piece) { loaded_.fill(-1); }
+  RowWindow(const SortedViews& views, const Piece& piece) : views_(views), piece_(piece) { loaded_.fill(-1); }
 
   /// Row y + d stride at [d + kHeight / 2], null beyond the view. load(pixel, i, row) reads a pixel with a surface to column i.
   template <class Load>
@@ -406,7 +407,7 @@ void add_changes(const std::array<const BlurRow*, 7>& rows, int count, ChangeRow
 
 void find_outliers(const SortedViews& views, const Texels& texels, const ThreadPool& pool, std::vector<Estimate>& estimates) {
   for_each_piece(views, 1, pool, [&](const Piece& piece) {
-    Window<7, TexelRow> window(views, piece);
+    RowWindow<7, TexelRow> window(views, piece);
     const auto load = [&](std::size_t p, int i, TexelRow& row) {
       set_surface(texels, p, i, row.surface);
       set_light(texels.light + 3 * p, 0.0f, i, row.light);
@@ -428,7 +429,7 @@ void find_outliers(const SortedViews& views, const Texels& texels, const ThreadP
 void make_guides(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& estimates,
                  std::vector<Estimate>& guides) {
   for_each_piece(views, 1, pool, [&](const Piece& piece) {
-    Window<kNeighbours, TexelRow> window(views, piece);
+    RowWindow<kNeighbours, TexelRow> window(views, piece);
     const auto load = [&](std::size_t p, int i, TexelRow& row) {
       set_surface(texels, p, i, row.surface);
       set_light(texels.light + 3 * p, estimates[p].variance, i, row.light);
@@ -527,7 +528,7 @@ void gather(const SortedViews& views, const Texels& texels, const ThreadPool& po
 void smooth(const SortedViews& views, const Texels& texels, const ThreadPool& pool, int step,
             const std::vector<Estimate>& light, std::vector<Estimate>& smoothed) {
   for_each_piece(views, step, pool, [&](const Piece& piece) {
-    Window<kNeighbours, TexelRow> window(views, piece);
+    RowWindow<kNeighbours, TexelRow> window(views, piece);
     const auto load = [&](std::size_t p, int i, TexelRow& row) {
       set_surface(texels, p, i, row.surface);
       set_light(light[p], i, row.light);
@@ -544,7 +545,7 @@ void smooth(const SortedViews& views, const Texels& texels, const ThreadPool& po
 void find_blur(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& filtered,
                std::vector<Estimate>& share) {
   for_each_piece(views, 1, pool, [&](const Piece& piece) {
-    Window<7, BlurRow> window(views, piece);
+    RowWindow<7, BlurRow> window(views, piece);
     const auto load = [&](std::size_t p, int i, BlurRow& row) {
       const float *own = texels.light + 3 * p, *light = &filtered[p].light.x;
       row.change[i] = squares(light[0] - own[0], light[1] - own[1], light[2] - own[2]);

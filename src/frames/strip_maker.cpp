@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "frames/frame_maker.hpp"
+#include "frames/traced_frames.hpp"
 #include "lippmann/core/error.hpp"
 #include "trace/strip_order.hpp"
 
@@ -87,8 +88,8 @@ void check_strips(const FrameParams& params, const Optics& optics, int strips) {
   if (std::holds_alternative<Interpolate>(params.reuse))
     throw usage_error(kStrips, "strips are rendered separately, and interpolated frames need whole key frames",
                       "1, or `reuse` none or copy");
-  if (is_denoised(params.sampling))
-    throw usage_error(kStrips, "strips are rendered separately, and the denoiser needs the rows of other strips",
+  if (strips > 1 && rows_around(params.sampling, optics) >= film_size(optics).y)
+    throw usage_error(kStrips, "the denoiser averages views of all rows of the quilt: each strip would trace the whole frame",
                       "1, or `denoise` none");
 }
 

@@ -1,13 +1,36 @@
 #include "frames/traced_frames.hpp"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "frames/audit.hpp"
 #include "trace/noisy_frame.hpp"
+#include "trace/strip_order.hpp"
 
 namespace lippmann {
 
+int rows_around(const Sampling& sampling, const Optics& optics) {
+  return is_denoised(sampling) ? Denoiser::rows_around(optics) : 0;
+}
+
+namespace {
+
+/// `rows`, and those around them that their pixels depend on, as whole bands that are traced together.
+FilmRows with_rows_around(FilmRows rows, int around, const Optics& optics) {
+  const int height = film_size(optics).y, together = rows_per_strip(optics), end = std::min(rows.end, height) + around;
+  return {std::max(rows.first - around, 0) / together * together, std::min((end + together - 1) / together * together, height)};
+}
+
+}  // namespace
+
 TracedFrames::TracedFrames(Stage& stage, const Sampling& sampling, const ThreadPool& pool, const Context& context)
-    : stage_(stage), sampling_(sampling), pool_(pool), context_(context) {
-  if (is_denoised(sampling)) denoiser_.emplace(stage.placed.optics);
+    : stage_(stage),
+      sampling_(sampling),
+      pool_(pool),
+      context_(context),
+      traced_rows_(with_rows_around(stage.rows, rows_around(sampling, stage.placed.optics), stage.placed.optics)) {
+  if (is_denoised(sampling)) denoiser_.emplace(stage.placed.optics, traced_rows_.first, traced_rows_.end);
 }
 
 RenderedFrame TracedFrames::make(int frame) {
@@ -19,14 +42,32 @@ RenderedFrame TracedFrames::make(int frame) {
 
 RenderedFrame TracedFrames::denoised(int frame) {
   NoisyFrame noisy;
+  const FilmRows own = std::exchange(stage_.rows, traced_rows_);
   RenderedFrame rendered = render_noisy_frame(stage_, sampling_, frame, pool_, context_, noisy);
+  stage_.rows = own;
   if (context_.cancelled) return rendered;
   const FrameClock clock(pool_);
   const Mat3f display_from_world = inverse(stage_.moment_at(frame).world_from_display).linear;
   rendered.pictures.film = denoiser_->denoise(
       {noisy.film, noisy.noise, noisy.seen, noisy.albedo, noisy.normal, noisy.z, noisy.met, display_from_world}, pool_);
+  keep_rows(own, rendered.pictures);
   clock.add_to(rendered.report);
   return rendered;
+}
+
+/// Of the rows that were traced, these.
+void TracedFrames::keep_rows(FilmRows rows, FramePictures& pictures) const {
+  rows.end = std::min(rows.end, film_size(stage_.placed.optics).y);
+  if (rows == traced_rows_) return;
+  const auto keep = [&](Image& image) {
+    const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(image.width) * image.channels;
+    const auto first = image.data.begin() + (rows.first - traced_rows_.first) * row;
+    image.height = rows.end - rows.first;
+    image.data = std::vector<float>(first, first + image.height * row);
+  };
+  keep(pictures.film);
+  for (std::size_t i = 0; i < kAovs; ++i)
+    if (pictures.aovs.wanted[i]) keep(pictures.aovs.images[i]);
 }
 
 double TracedFrames::bytes_per_pixel(const Sampling& sampling) {

@@ -8,6 +8,9 @@
 
 namespace lippmann {
 
+/// Rows of the film above and below a row on which its pixels depend; all of the film's in a denoised quilt of several rows.
+int rows_around(const Sampling& sampling, const Optics& optics);
+
 class TracedFrames final : public FrameMaker {
  public:
   /// `stage`, `pool` and `context` must outlive this object.
@@ -20,11 +23,13 @@ class TracedFrames final : public FrameMaker {
 
  private:
   RenderedFrame denoised(int frame);
+  void keep_rows(FilmRows rows, FramePictures& pictures) const;
 
   Stage& stage_;
   Sampling sampling_;
   const ThreadPool& pool_;
   const Context& context_;
+  FilmRows traced_rows_;              ///< the stage's, and around them what the denoiser reads
   std::optional<Denoiser> denoiser_;  ///< none: frames stay as traced
 };
 

@@ -25,6 +25,7 @@
 #include "frames/banded_frames.hpp"
 #include "frames/frame_maker.hpp"
 #include "frames/picture_check.hpp"
+#include "frames/traced_frames.hpp"
 #include "job/aov_params.hpp"
 #include "job/folder_documents.hpp"
 #include "job/job_fingerprint.hpp"
@@ -372,7 +373,8 @@ class Animation {
             static_cast<int>(frames_.size()),
             FrameSink::frames_in_memory(pool_.threads()),
             makes_videos() && !is_part(),
-            params_.scene.name == kTestPattern ? 1 : most_strips(optics())};
+            params_.scene.name == kTestPattern ? 1 : most_strips(optics()),
+            rows_around(made_as_.sampling, optics())};
   }
 
   void check_memory() {

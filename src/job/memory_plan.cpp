@@ -130,10 +130,15 @@ double pixels_of(const MemoryFacts& facts) { return static_cast<double>(facts.fi
 /// Why frames cannot be cut; empty: they can.
 std::string reason_against_bands(const MemoryFacts& facts) {
   const FrameParams& made_as = facts.made_as;
-  if (is_denoised(made_as.sampling)) return "the denoiser (`denoise`) looks at pixels of other rows";
+  if (facts.rows_around >= facts.film.y) return "the denoiser (`denoise`) averages views of all rows of the quilt";
   if (std::holds_alternative<Interpolate>(made_as.reuse)) return "interpolated frames (`reuse`) are made from whole ones";
   if (facts.most_bands == 1) return "the rows of this picture are traced together";
   return {};
+}
+
+/// The share of a frame that is traced at once.
+double traced_share(const MemoryFacts& facts, int bands) {
+  return bands > 1 ? std::min(1.0, 1.0 / bands + 2.0 * facts.rows_around / facts.film.y) : 1.0;
 }
 
 [[noreturn]] void refuse(const MemoryFacts& facts, double needed, double available) {
@@ -149,9 +154,9 @@ std::string reason_against_bands(const MemoryFacts& facts) {
 }  // namespace
 
 double estimated_bytes(const MemoryFacts& facts, int frames_at_a_time, int bands) {
-  const double held = frame_held(facts), traced_apart = bands > 1 ? held / bands : 0.0;
+  const double held = frame_held(facts), traced = traced_share(facts, bands), traced_apart = bands > 1 ? held * traced : 0.0;
   const double per_pixel =
-      layout_tables(facts) + frames_at_a_time * held + traced_apart + working(facts) / bands + writing(facts);
+      layout_tables(facts) + frames_at_a_time * held + traced_apart + working(facts) * traced + writing(facts);
   return pixels_of(facts) * per_pixel;
 }
 
@@ -161,7 +166,7 @@ double joined_frame_bytes(const MemoryFacts& facts) {
 
 MemoryPlan plan_strips_memory(const MemoryFacts& facts, int strips, bool joins, double available) {
   constexpr double kCopies = 2.0;  // its file is encoded in memory
-  const double strip = pixels_of(facts) / strips * (kCopies * frame_held(facts) + working(facts));
+  const double strip = pixels_of(facts) * traced_share(facts, strips) * (kCopies * frame_held(facts) + working(facts));
   if (strip > available)
     throw Error("strips",
                 fmt::format("{} of {}x{} pixels need about {} of memory each, and {} are available", strips, facts.film.x,

@@ -23,6 +23,7 @@ struct MemoryFacts {
   int frames_at_a_time = 1;    ///< at most: being traced, waiting and being written
   bool writes_videos = false;  ///< along with the frames
   int most_bands = 1;          ///< into which a frame can be cut; 1: it cannot
+  int rows_around = 0;         ///< of a band, above it and below it, that are traced with it (frames/traced_frames.hpp)
 };
 
 /// How frames are made.

@@ -50,12 +50,9 @@ const std::vector<Settings>& kinds() {
       {{"optics", "microlens"}, {"size", "64x184"}, {"lenses", "8x23"}, {"aov", "normal"}, {"transparent", "true"}},
       {{"slant", "12"}, {"lens-pixels", "4.5"}, {"lenses", "0"}},
       {{"aov", "provenance"}},
-      {{"integrator", "path"},
-       {"spp", "4"},
-       {"denoise", "none"},
-       {"aov", "motion"},
-       {"precompensate", "true"},
-       {"crosstalk", "0.4"}}};
+      {{"integrator", "path"}, {"spp", "4"}, {"aov", "motion"}, {"precompensate", "true"}, {"crosstalk", "0.4"}},
+      {{"integrator", "path"}, {"spp", "2"}, {"denoise", "none"}},
+      {{"integrator", "path"}, {"spp", "2"}, {"slant", "12"}, {"lens-pixels", "4.5"}, {"lenses", "0"}}};
   return all;
 }
 
@@ -188,8 +185,9 @@ TEST_F(StripRenders, that_cannot_be_are_refused) {
               HasSubstr("strips: 13 are too many for 184 rows, of which 16 stay together; accepted: 1 to 12"));
   EXPECT_THAT(refused({{"strips", "2"}, {"reuse", "interpolate"}}),
               HasSubstr("strips: strips are rendered separately, and interpolated"));
-  EXPECT_THAT(refused({{"strips", "2"}, {"integrator", "path"}}),
-              HasSubstr("strips: strips are rendered separately, and the denoiser"));
+  const Settings rows_of_views{{"optics", "multiview"}, {"views", "2x4"}, {"size", "64x160"}};
+  EXPECT_THAT(refusal(job("teapot", "a", rows_of_views + Settings{{"strips", "2"}, {"integrator", "path"}})),
+              HasSubstr("strips: the denoiser averages views of all rows"));
   EXPECT_FALSE(exists("a"));
 }
 
@@ -213,25 +211,30 @@ TEST_F(StripRenders, are_planned_with_every_strip_once_and_what_they_take) {
 
 // Bands of rows are strips that need no files, chosen where whole frames would take more memory than there is.
 
-// A frame and the key frame take 31 bytes a pixel, with the codes and the file of a picture. Bands take 19 at least.
+// With the codes and the file of a picture, a frame and its key frame take 31 bytes a pixel, and bands 19 at least. A denoised
+// frame takes 123 bytes a pixel, and bands, with the rows around them that are traced again, 66 at least.
 TEST_F(StripRenders, where_memory_is_short_bands_have_the_bytes_of_whole_frames) {
-  const Settings copied{{"frames", "3-4"}, {"reuse", "copy"}};
-  render(still("whole", copied));
-  EXPECT_THAT(warnings_, Not(HasSubstr("bands of rows")));
-  render(still("bands", copied), {.available_memory = 31.0 * 64 * 184});
-  EXPECT_THAT(warnings_, HasSubstr("bands of rows, to the same pixels"));
-  EXPECT_EQ(pictures("bands"), pictures("whole"));
-  EXPECT_THAT(files_in(dir_ / "bands", ".exr"), IsEmpty()) << "no strips";
-  EXPECT_EQ(job_of("bands").strips, 1) << "the job is the same wherever it is rendered";
+  const std::pair<Settings, double> kinds[] = {{{{"frames", "3-4"}, {"reuse", "copy"}}, 31.0},
+                                               {{{"integrator", "path"}, {"spp", "2"}}, 130.0}};
+  for (const auto& [settings, bytes_per_pixel] : kinds) {
+    render(still("whole", settings), {.force = true});
+    EXPECT_THAT(warnings_, Not(HasSubstr("bands of rows")));
+    render(still("bands", settings), {.force = true, .available_memory = bytes_per_pixel * 64 * 184});
+    EXPECT_THAT(warnings_, HasSubstr("bands of rows, to the same pixels"));
+    EXPECT_EQ(pictures("bands"), pictures("whole"));
+    EXPECT_THAT(files_in(dir_ / "bands", ".exr"), IsEmpty()) << "no strips";
+    EXPECT_EQ(job_of("bands").strips, 1) << "the job is the same wherever it is rendered";
+  }
 }
 
 TEST_F(StripRenders, what_does_not_fit_in_bands_is_refused_with_the_reason) {
   const auto refusal = [&](const Settings& settings, double bytes_per_pixel) {
     return error_message([&] { render(still("none", settings), {.available_memory = bytes_per_pixel * 64 * 184}); });
   };
-  const Settings path{{"integrator", "path"}, {"spp", "8"}};
   EXPECT_THAT(refusal({}, 10.0), HasSubstr("even in bands of rows"));
-  EXPECT_THAT(refusal(path, 50.0), HasSubstr("are not possible: the denoiser (`denoise`) looks at pixels of other rows"));
+  const Settings rows_of_views{{"optics", "multiview"}, {"views", "2x4"}, {"size", "64x160"}, {"integrator", "path"}};
+  EXPECT_THAT(error_message([&] { render(job("teapot", "none", rows_of_views), {.available_memory = 50.0 * 64 * 160}); }),
+              HasSubstr("are not possible: the denoiser (`denoise`) averages views of all rows"));
   EXPECT_THAT(refusal({{"reuse", "interpolate"}}, 30.0), HasSubstr("interpolated frames (`reuse`) are made from whole ones"));
   EXPECT_THAT(refusal({{"strips", "4"}}, 5.0), HasSubstr("4 of 64x184 pixels need about"));
   EXPECT_FALSE(fs::exists(dir_ / "none"));
