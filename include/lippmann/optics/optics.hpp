@@ -100,8 +100,8 @@ struct Ray {
 };
 
 /// Optics that are known by their rays alone: those of a simulated lens, a measured display, or any function from pixel to ray
-/// (make_ray_table). Pixels are traced, and that is all: without an inverse and without views, such pictures are not
-/// interpolated, denoised, laid out as views or replayed.
+/// (make_ray_table). Pixels are traced, and denoised over their neighbours on the panel: without an inverse and without views,
+/// such pictures are not interpolated, laid out as views or replayed.
 struct RayTable {
   /// Row by row from the top left, panel.width * samples_per_side to a row, panel.height * samples_per_side rows: the ray of a
   /// sample is that of the part of the pixel it lies in. Every ray starts at its own origin. Copies of optics share them.
