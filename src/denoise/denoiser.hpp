@@ -45,8 +45,9 @@ class Denoiser {
   /// are, gets the bits that it has in the whole film. Of a quilt with several rows of tiles: all of the film.
   static int rows_around(const Optics& optics);
 
-  /// Memory beside the frame: two estimates of light, and where the views' pixels lie in the film.
-  static constexpr double kWorkBytesPerPixel = 36.0;
+  /// Memory beside the frame, measured: two estimates of light, and where the views' pixels lie in the film. 36 for quilts, 40
+  /// for hexagonal lenses.
+  static constexpr double kWorkBytesPerPixel = 40.0;
 
  private:
   struct Impl;

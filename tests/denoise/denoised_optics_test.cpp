@@ -68,7 +68,7 @@ constexpr double kVariance = 0.125;
 /// twice that in one of the directions, where views are narrow.
 constexpr double kLeft = 2.0 * (70.0 / 256.0) * (70.0 / 256.0);
 
-TEST(DenoisedOptics, even_light_loses_its_noise_and_keeps_its_mean) {
+TEST(DenoisedOptics, even_light_loses_its_noise_alone) {
   for (const OpticsKind& kind : optics_kinds())
     for (const float z : {-3.0f, 0.0f, 2.0f}) {
       const Frame frame = noisy_frame(kind.optics, [z](Vec2f) { return Plane{z, 1.0f}; });
@@ -110,7 +110,7 @@ Image rows_of(const Image& image, int first, int end) {
   return rows;
 }
 
-TEST(DenoisedOptics, a_strip_with_rows_around_has_the_bits_of_the_film) {
+TEST(DenoisedOptics, strips_with_rows_around_match_the_film) {
   for (const OpticsKind& kind : optics_kinds(4)) {
     const Optics& optics = kind.optics;
     const int height = film_size(optics).y, around = Denoiser::rows_around(optics);
