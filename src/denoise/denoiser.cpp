@@ -9,12 +9,12 @@ namespace lippmann {
 namespace {
 
 constexpr int kFilterSteps[] = {1, 2, 4};
-/// Highlights are not multiplied by albedo: dark surfaces are divided by no less.
+/// Added to the albedo before light is divided by it: highlights on dark surfaces do not scale with the albedo.
 constexpr float kLeastFactor = 0.04f;
-/// Light is limited so that its square, and sums of a few squares, are finite.
+/// Light is clamped to this value, so that sums of its squares stay finite.
 constexpr float kMostLight = 1e15f;
 
-/// fn(pixel) for every pixel of the views that has a surface, in parallel.
+/// Calls fn(pixel) for every pixel of the views that shows a surface, in parallel.
 template <class Fn>
 void for_each_texel(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const Fn& fn) {
   const Vec2i size = views.size();
@@ -32,7 +32,7 @@ void set_rgb(Vec3f color, float* image, std::size_t p) {
 
 Vec3f limited(Vec3f light) { return glm::clamp(light, Vec3f(-kMostLight), Vec3f(kMostLight)); }
 
-/// What multiplies light: of a texel, whose albedo is that of its surface.
+/// The film's light is this factor times Texels::light. Texels::albedo must already be divided by `met`.
 Vec3f factor_of(const Texels& texels, std::size_t p) { return texels.met[p] * (rgb(texels.albedo, p) + Vec3f(kLeastFactor)); }
 
 }  // namespace
@@ -59,7 +59,7 @@ int Denoiser::rows_around(const Optics& optics) {
   for (const int step : kFilterSteps) rows += step * (kNeighbours / 2);
   const int film_rows = film_size(optics).y;
   if (const std::optional<ViewTiles> tiles = view_tiles(optics)) return tiles->rows > 1 ? film_rows : rows;
-  // Hexagons reach into the rows of lenses above and below theirs.
+  // Hexagonal cells overlap the rows of lenses above and below their own.
   if (const std::optional<LensCells> cells = lens_cells(optics))
     return std::min(film_rows, std::max(rows, static_cast<int>(std::ceil((rows + 2) * cells->cell_px.y))));
   return rows;

@@ -1,19 +1,19 @@
 // Removes the noise of path tracing from a frame of a light field, guided by noise-free features: albedo, normal, depth.
 //
-// Light is separated from textures (divided by albedo). It is averaged with the light of the same point in neighbouring views,
-// found by its depth, and then with its neighbours in the view, over steps of increasing size. The weight of another pixel
-// falls with the difference of the surfaces, and with the part of the difference in light that noise does not explain; the
-// variance of every pixel is estimated from the two halves of its samples.
+// Light is divided by the albedo, so that textures are not blurred. Each pixel is averaged with pixels that show the same point
+// in neighbouring views; its depth gives their positions. It is then averaged with its neighbours in the same view, in passes
+// with steps of 1, 2 and 4 pixels. A neighbour's weight decreases with the difference between the two surfaces, and with the
+// difference in light that exceeds the noise. The variance of a pixel is estimated from the two halves of its samples.
 //
-// All passes are loops over rows of a view, one array per number, that the compiler turns into vector instructions
+// The inner loops of all passes run over one row of a view, with one array per component, and the compiler vectorises them
 // (core/multiversion.hpp).
 //
 // Based on: H. Dammertz et al., "Edge-avoiding a-trous wavelet transform for fast global illumination filtering", HPG 2010
-// (steps that double); C. Schied et al., "Spatiotemporal variance-guided filtering", HPG 2017 (light over albedo, weights by
-// variance, which is filtered along); F. Rousselle et al., "Adaptive rendering with non-local means filtering", SIGGRAPH Asia
-// 2012 (variance from two half buffers; distances less the noise that is expected of them).
-// We deviate: (1) views take part in place of frames, so that every frame is denoised by itself; (2) the light that is compared
-// is the mean over neighbours on the same surface, not that of single pixels.
+// (steps that double); C. Schied et al., "Spatiotemporal variance-guided filtering", HPG 2017 (division by albedo, weights that
+// depend on a variance, which is filtered too); F. Rousselle et al., "Adaptive rendering with non-local means filtering",
+// SIGGRAPH Asia 2012 (variance from two half buffers, distances minus their expected noise).
+// Our deviations: (1) we average over neighbouring views instead of earlier frames, so each frame is denoised on its own;
+// (2) between views, we compare means over neighbours on the same surface instead of single pixels.
 #pragma once
 
 #include <limits>
@@ -25,28 +25,30 @@
 
 namespace lippmann {
 
-/// One frame as traced; each image has the film's size: as in trace/noisy_frame.hpp. Denoising overwrites all of them.
+/// The images of a NoisyFrame (trace/noisy_frame.hpp), each of the same size. Denoising overwrites all of them.
 struct DenoiserInput {
   Image &film, &noise, &seen, &albedo, &normal, &z, &met;
-  Mat3f display_from_world{1.0f};  ///< rotates directions, at any scale
+  Mat3f display_from_world{1.0f};  ///< rotates directions; its scale does not matter
 };
 
+/// Denoises frames that are rendered for the same optics.
 class Denoiser {
  public:
-  /// `optics` must pass validate(). Frames hold the rows first_row ... end_row - 1 of the film; beyond the film: all that there
-  /// are.
+  /// `optics` must pass validate(). The frames hold rows first_row to end_row - 1 of the film; end_row is limited to the film's
+  /// height.
   explicit Denoiser(const Optics& optics, int first_row = 0, int end_row = std::numeric_limits<int>::max());
   ~Denoiser();
 
-  /// The frame's film without noise: its bits depend neither on the number of threads nor on the processor.
+  /// Returns the denoised film. Its bits depend neither on the number of threads nor on the processor.
   Image denoise(const DenoiserInput& frame, const ThreadPool& pool) const;
 
-  /// Rows of the film above and below a row on which its result depends: a row that has so many in the frame, or all that there
-  /// are, gets the bits that it has in the whole film. Of a quilt with several rows of tiles: all of the film.
+  /// Number of film rows above and below a row that affect its result. A row gets the same bits as in the whole film if the
+  /// frame holds this many rows, or all up to the film's edge, on both sides. For quilts with several rows of tiles: the
+  /// film's height.
   static int rows_around(const Optics& optics);
 
-  /// Memory beside the frame, measured: two estimates of light, and where the views' pixels lie in the film. 36 for quilts, 40
-  /// for hexagonal lenses.
+  /// Working memory per pixel in addition to the frame: two estimates of light, and the film pixel of each view pixel.
+  /// Measured: 36 bytes for quilts, 40 for hexagonal lenses.
   static constexpr double kWorkBytesPerPixel = 40.0;
 
  private:

@@ -11,33 +11,33 @@
 namespace lippmann {
 namespace {
 
-// What counts as the same surface, in standard deviations of a Gaussian.
-constexpr float kNormalSpread = 0.2f;  ///< the length of the difference of unit normals
+// Standard deviations of the Gaussian weights that compare two surfaces.
+constexpr float kNormalSpread = 0.2f;  ///< length of the difference of unit normals
 constexpr float kAlbedoSpread = 0.2f;
 constexpr float kMetSpread = 0.2f;
-constexpr float kPlaneSpread = 3.0f;  ///< distances between samples, off the plane of the surface
-/// What counts as the same light, beside the noise of both: a share of the light itself that nobody sees.
+constexpr float kPlaneSpread = 3.0f;  ///< distance from the surface's plane, in sample distances
+/// Differences in light below this share of the light are invisible and count as equal, in addition to those due to noise.
 constexpr float kRelativeSpread = 0.01f;
 
-constexpr int kViewReach = 3;  ///< views to either side, and up and down
+constexpr int kViewReach = 3;  ///< number of views to the left, to the right, up and down
 
-// What counts as a pixel that a single path has lit.
-constexpr float kOneHalf = 0.4f;   ///< its noise over its light, at least: 0.4 where 70 % of it is in one half of its samples
-constexpr float kBrighter = 3.0f;  ///< than its neighbours
-constexpr float kSameMaterial = 4.0f;     ///< material_difference, at most
-constexpr float kLeastNeighbours = 8.0f;  ///< of the same material
+// Thresholds for pixels that a single bright path dominates.
+constexpr float kOneHalf = 0.4f;          ///< minimum noise over light: 0.4 if one half of the samples has 70 % of the light
+constexpr float kBrighter = 3.0f;         ///< minimum light, relative to the second-brightest neighbour
+constexpr float kSameMaterial = 4.0f;     ///< maximum material_difference()
+constexpr float kLeastNeighbours = 8.0f;  ///< minimum number of neighbours of the same material
 
-/// What is known of another pixel counts for less where its variance is more than this many times a pixel's own: else the edge
-/// of a highlight, of which nothing is known, would be taken into all that lies around.
+/// A neighbour gets less weight if its variance exceeds the pixel's own by more than this factor. Otherwise the noisy edge of a
+/// highlight would spread into its surroundings.
 constexpr float kInfluence = 16.0f;
 
-/// Light may differ from a pixel's own by this share of the estimated variance, which is about twice the real one
-/// (NoisyFrame::noise); sums over 49 pixels are known to about a quarter.
+/// Filtering may change light by this share of the estimated variance. The estimate is about twice the true variance
+/// (NoisyFrame::noise), and a sum over 49 pixels is accurate to about 25 %.
 constexpr float kExplained = 0.7f;
 
 constexpr float kNoNoise = 1e-10f;
 
-// ---- Rows of a part of a view, one array per number, with the columns beside them --------------------------------------
+// ---- Rows of a piece of a view: one array per component, with margins on both sides ------------------------------------
 
 constexpr int kColumns = 128, kMargin = 8, kRow = kColumns + 2 * kMargin;
 constexpr int kRowsPerPiece = 16;
@@ -47,7 +47,7 @@ struct alignas(64) SurfaceRow {
   float normal_x[kRow], normal_y[kRow], normal_z[kRow];
   float red[kRow], green[kRow], blue[kRow];  ///< albedo
   float met[kRow];
-  float there[kRow];  ///< 1; 0: no surface, and all else is without meaning
+  float there[kRow];  ///< 1: there is a surface; 0: there is none, and the other arrays are undefined
 };
 
 struct alignas(64) LightRow {
@@ -73,12 +73,12 @@ LIPPMANN_INLINE void set_light(const float* light, float variance, int i, LightR
 
 void set_light(const Estimate& estimate, int i, LightRow& row) { set_light(&estimate.light.x, estimate.variance, i, row); }
 
-/// A part of a view: `columns` from `column` on, and `rows` rows, `stride` apart.
+/// A part of a view: `columns` columns starting at `column`, and `rows` rows starting at `row`, `stride` rows apart.
 struct Piece {
   int view, column, columns, row, rows, stride;
 };
 
-/// fn(piece) for pieces that cover all views, in parallel.
+/// Calls fn(piece) for pieces that cover all views, in parallel.
 template <class Fn>
 void for_each_piece(const SortedViews& views, int stride, const ThreadPool& pool, const Fn& fn) {
   const Vec2i size = views.size();
@@ -86,7 +86,7 @@ void for_each_piece(const SortedViews& views, int stride, const ThreadPool& pool
   const int in_class = (size.y + stride - 1) / stride, parts = (in_class + kRowsPerPiece - 1) / kRowsPerPiece;
   const auto pieces = static_cast<std::size_t>(views.views()) * static_cast<std::size_t>(across * stride * parts);
   pool.for_each(pieces, [&](std::size_t index) {
-    // View by view: pixels of different views lie next to each other in the film of lenses.
+    // The view index varies fastest, because pixels of different views are neighbours in the film of a lens array.
     const int view = static_cast<int>(index % static_cast<std::size_t>(views.views()));
     const int in_view = static_cast<int>(index / static_cast<std::size_t>(views.views()));
     const int column = in_view % across * kColumns, part = in_view / across;
@@ -96,13 +96,14 @@ void for_each_piece(const SortedViews& views, int stride, const ThreadPool& pool
   });
 }
 
-/// The rows around one row of a piece, each loaded once while the piece is gone through from top to bottom.
+/// A sliding window over the rows of a piece. Each row is loaded once if the piece is processed from top to bottom.
 template <int kHeight, class Row>
 class RowWindow {
  public:
   RowWindow(const SortedViews& views, const Piece& piece) : views_(views), piece_(piece) { loaded_.fill(-1); }
 
-  /// Row y + d stride at [d + kHeight / 2], null beyond the view. load(pixel, i, row) reads a pixel with a surface to column i.
+  /// Returns row y + d stride at index d + kHeight / 2, or null beyond the view. load(pixel, i, row) copies a pixel that shows
+  /// a surface to column i.
   template <class Load>
   const std::array<const Row*, kHeight>& around(int y, int margin, const float* met, const Load& load) {
     for (int d = -kHeight / 2; d <= kHeight / 2; ++d) {
@@ -137,7 +138,7 @@ class RowWindow {
   std::array<const Row*, kHeight> around_;
 };
 
-/// fn(y) for the rows of a piece that have a surface.
+/// Calls fn(y) for every row of a piece that shows a surface.
 template <class Fn>
 void for_each_row(const SortedViews& views, const Piece& piece, const float* met, const Fn& fn) {
   for (int row = 0; row < piece.rows; ++row) {
@@ -149,7 +150,7 @@ void for_each_row(const SortedViews& views, const Piece& piece, const float* met
   }
 }
 
-/// fn(pixel, column of the piece) for every pixel of a row that has a surface.
+/// Calls fn(pixel, column of the piece) for every pixel of a row that shows a surface.
 template <class Fn>
 void for_each_pixel(const SortedViews& views, const Piece& piece, int y, const float* met, const Fn& fn) {
   const std::uint32_t* pixels = views.row(piece.view, y) + piece.column;
@@ -157,7 +158,7 @@ void for_each_pixel(const SortedViews& views, const Piece& piece, int y, const f
     if (pixels[i] != SortedViews::kNoPixel && met[pixels[i]] > 0.0f) fn(pixels[i], i);
 }
 
-/// Loops run over whole vectors: what lies beyond the last column is worked out in vain.
+/// Rounds up to whole vectors. Results beyond the last column are not used.
 int whole_lanes(int columns) { return (columns + 15) / 16 * 16; }
 
 #define LIPPMANN_FOR_COLUMNS(i, count) _Pragma("GCC ivdep") for (int i = 0; i < (count); ++i)
@@ -170,7 +171,7 @@ constexpr float inverse_square(float x) { return 1.0f / (x * x); }
 LIPPMANN_INLINE float least(float a, float b) { return a < b ? a : b; }
 LIPPMANN_INLINE float most(float a, float b) { return a > b ? a : b; }
 
-/// Sum of squares of how much two texels differ beside their light and place.
+/// Sum of the squared differences in normal, albedo and coverage, each divided by its spread.
 LIPPMANN_INLINE float material_difference(const SurfaceRow& a, int i, const SurfaceRow& b, int j) {
   return squares(a.normal_x[i] - b.normal_x[j], a.normal_y[i] - b.normal_y[j], a.normal_z[i] - b.normal_z[j]) *
              inverse_square(kNormalSpread) +
@@ -187,19 +188,19 @@ LIPPMANN_INLINE float light_difference(const LightRow& a, int i, const LightRow&
   return most(difference, 0.0f) / (variance + visible);
 }
 
-/// How much another pixel counts by how well it is known.
+/// Factor from 0 to 1 that reduces the weight of a much noisier pixel: see kInfluence.
 LIPPMANN_INLINE float influence(float variance, float of_other) {
   return least(1.0f, kInfluence * (variance + kNoNoise) / (of_other + kNoNoise));
 }
 
-/// exp(-difference / 2) as the limit of powers, with 64 in place of infinity, which vectorises well.
+/// Approximates exp(-difference / 2) by (1 - difference / 128)^64, which vectorises well.
 LIPPMANN_INLINE float weight_of(float difference) {
   float power = most(1.0f - difference * (1.0f / 128), 0.0f);
   for (int doubling = 0; doubling < 6; ++doubling) power *= power;
   return power;
 }
 
-/// Normals whose product with a difference of points is its distance off the plane over the spread.
+/// Scaled normals. The dot product with the offset of another point is that point's distance from the plane, in spreads.
 struct alignas(64) PlaneRow {
   float x[kColumns], y[kColumns], z[kColumns];
 };
@@ -219,7 +220,7 @@ LIPPMANN_INLINE float plane_difference(const PlaneRow& planes, const SurfaceRow&
   return square(planes.x[i] * (b.x[j] - a.x[at]) + planes.y[i] * (b.y[j] - a.y[at]) + planes.z[i] * (b.z[j] - a.z[at]));
 }
 
-/// Means under way.
+/// Weighted sums that mean() divides by the weight.
 struct alignas(64) SumRow {
   float red[kColumns], green[kColumns], blue[kColumns], variance[kColumns], weight[kColumns], squares[kColumns];
 
@@ -247,8 +248,8 @@ using RowsOfFive = std::array<const TexelRow*, kNeighbours>;
 using RowsOfSeven = std::array<const TexelRow*, 7>;
 static_assert(2 * kOutlierReach + 1 == 7 && 2 * kBlurReach + 1 == 7 && 2 * kGuideReach + 1 == kNeighbours);
 
-/// The squared light of the brightest pixel but one of the same material within 7 x 7 (`brightest`, `second`), and how many
-/// there are.
+/// Squared light of the brightest and the second-brightest pixel of the same material within 7 x 7, and the number of such
+/// pixels.
 struct alignas(64) BrightRow {
   float brightest[kColumns], second[kColumns], neighbours[kColumns];
 };
@@ -315,25 +316,25 @@ void smooth_row(const RowsOfFive& rows, int step, float distance_mm, float verge
   }
 }
 
-/// A row of pixels whose points other views are searched for.
+/// A row of pixels as gather() reads it, from its own view or another one.
 struct GatherRow {
   SurfaceRow surface{};
   LightRow light{}, guide{};
 };
 
-/// Where a view sees the points of a row: the column and row of the pixel to the left of each, and whether the one to the right
-/// matters. Places that are not in the view are next to it.
+/// Positions of a row's points in another view: column and row of the pixel to the left of each point, and 1 in `right` if the
+/// pixel to its right contributes too. Positions outside the view are clamped to just beyond its edge.
 struct alignas(64) PlaceRow {
   int column[kColumns], row[kColumns], right[kColumns];
 };
 
 LIPPMANN_INLINE float perspective(float z, float vergence) { return 1.0f / most(1.0f - z * vergence, 1e-3f); }
 
-/// below: 0 for the upper two of the four pixels, 1 for the lower two.
+/// `below` is 0 for the upper two of the four pixels around a point and 1 for the lower two.
 LIPPMANN_MULTIVERSION
 void find_places(const SurfaceRow& a, const SortedViews& views, const SortedViews::Sight& sight, int below, int count,
                  PlaceRow& places) {
-  constexpr float kLeastShare = 1.0f / 64;  // of a pixel beside the one that shows the place
+  constexpr float kLeastShare = 1.0f / 64;  // bilinear weight below which a pixel is ignored
   const Vec2f samples_per_mm = views.samples_per_mm(), size(views.size());
   const float vergence = views.vergence(), first_row = static_cast<float>(views.first_row());
   const float* shifts = views.shifts();
@@ -350,8 +351,8 @@ void find_places(const SurfaceRow& a, const SortedViews& views, const SortedView
   }
 }
 
-/// Adds one pixel of another view to each mean: as much as the ray of the pixel is near the point, over the distance between
-/// samples.
+/// Adds one pixel of another view to each sum. The weight falls linearly to zero at one sample distance between the pixel's ray
+/// and the point.
 LIPPMANN_MULTIVERSION
 void add_found(const GatherRow& a, const PlaneRow& planes, const GatherRow& b, const SortedViews& views,
                const SortedViews::Sight& sight, int count, SumRow& sums) {
@@ -379,7 +380,7 @@ void start_means(const GatherRow& a, float distance_mm, float vergence, int coun
   LIPPMANN_FOR_COLUMNS(i, count) add(a.light, i + kMargin, 1.0f, sums, i);
 }
 
-/// How much light changes, and how much noise does, over 7 x 7 pixels.
+/// Sums over 7 x 7 pixels: the squared change in light, and the variance of the noise.
 struct alignas(64) ChangeRow {
   float change[kRow], variance[kRow];
 };
@@ -478,7 +479,7 @@ class Gatherer {
     set_light(guides_[p], i, row.guide);
   }
 
-  /// The four pixels around each place.
+  /// Adds the four pixels of a view around each point.
   void add_view(int view) {
     const int lanes = whole_lanes(columns_);
     for (int below = 0; below < 2; ++below) {

@@ -1,6 +1,6 @@
-// The passes of the denoiser over one frame (denoiser.hpp says how they go together). Private to src/denoise.
+// The passes of the denoiser over one frame; denoiser.hpp describes how they are combined. Private to src/denoise.
 //
-// Images have one entry per pixel of the film. A pass writes only what no other of its rows reads.
+// Images have one entry per pixel of the film. Within a pass, no row reads values that another row writes.
 #pragma once
 
 #include <vector>
@@ -10,50 +10,50 @@
 
 namespace lippmann {
 
-/// Light of three channels, and its variance as the sum over them.
+/// Light in three channels, and the sum of their variances.
 struct Estimate {
   Vec3f light{0.0f};
   float variance = 0.0f;
 };
 
-/// What is known of the pixels: arrays of one or three numbers per pixel. Only pixels with met > 0 count.
+/// The inputs of the passes: arrays of one or three numbers per pixel. Entries are valid only where met > 0.
 struct Texels {
-  float* light;   ///< over albedo, 3 numbers
-  float* place;   ///< x and y of the point that is seen, mm in the display frame, and the variance of light around it
-  float* normal;  ///< display frame, 3 numbers; shorter than 1 where samples differ
+  float* light;   ///< light divided by albedo, 3 numbers
+  float* place;   ///< 3 numbers: x and y of the visible point, in mm in the display frame; mean variance of light around it
+  float* normal;  ///< in the display frame, 3 numbers; shorter than 1 if the samples differ
   float* albedo;  ///< 3 numbers
-  float* z;       ///< of the point that is seen, mm in the display frame
-  float* met;     ///< share of the pixel that the surface covers
+  float* z;       ///< z of the visible point, in mm in the display frame
+  float* met;     ///< share of the pixel covered by the surface
 };
 
-/// Finds pixels that a rare bright path has lit: most of their light is in one half of their samples, and no other pixel around
-/// but one of the same material is as bright. Their light says nothing of how much light there is, and would stay as a white
-/// dot or be spread as a blotch. `estimates`: the variance of every pixel on entry; `light.x` becomes the factor that makes the
-/// pixel as bright as that one, else 1.
+/// Finds fireflies: pixels with most of their light in one half of their samples, and much brighter than all but one of the
+/// surrounding pixels of the same material. Unfiltered they would stay as white dots, and filtered they would become blotches.
+/// `estimates` holds the variance of every pixel on entry. The pass sets light.x to the factor that reduces the pixel to its
+/// second-brightest neighbour, or to 1 for all other pixels.
 void find_outliers(const SortedViews& views, const Texels& texels, const ThreadPool& pool, std::vector<Estimate>& estimates);
 
-/// Averages light and variance over 5 x 5 neighbours of the same surface: the light of `guides` is what is compared between
-/// views, and Texels::place holds the variance of single pixels, each known from two numbers in `estimates`, as that of their
-/// neighbourhood.
+/// Averages light and variance over 5 x 5 neighbours on the same surface. gather() compares the light of `guides` between
+/// views. The averaged variance of a single pixel is stored in Texels::place; it is more reliable than the value in
+/// `estimates`, which comes from two numbers.
 void make_guides(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& estimates,
                  std::vector<Estimate>& guides);
 
-/// For each pixel the mean of its own light and that of the same point in neighbouring views.
+/// Averages each pixel with the pixels of neighbouring views that show the same point.
 void gather(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& guides,
             std::vector<Estimate>& gathered);
 
-/// One pass of 5 x 5 neighbours `step` pixels apart in the same view.
+/// Averages each pixel with 5 x 5 neighbours in the same view, `step` pixels apart.
 void smooth(const SortedViews& views, const Texels& texels, const ThreadPool& pool, int step,
             const std::vector<Estimate>& light, std::vector<Estimate>& smoothed);
 
-/// Finds what noise does not explain: where filtered light differs from a pixel's own by more, over 7 x 7 pixels together, than
-/// their noise does, it has been blurred. `share`: how much of the change of every pixel is to stay, as `variance`.
+/// Finds blurred pixels: those where the filter has changed light, summed over 7 x 7 pixels, by more than the noise explains.
+/// Sets share[p].variance to the share of the pixel's change that should be kept, from 0 to 1.
 void find_blur(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& filtered,
                std::vector<Estimate>& share);
 
-// How many rows above and below its own a pass reads.
+// Number of rows that a pass reads above and below its own.
 inline constexpr int kOutlierReach = 3, kGuideReach = 2, kBlurReach = 3;
-inline constexpr int kNeighbours = 5;    ///< across and down, of smooth()
-inline constexpr int kMostRowsAway = 8;  ///< of gather(): points that another view shows farther up or down are not found
+inline constexpr int kNeighbours = 5;    ///< width and height of the window of smooth()
+inline constexpr int kMostRowsAway = 8;  ///< gather() ignores pixels of other views that are more rows away
 
 }  // namespace lippmann

@@ -10,14 +10,14 @@
 namespace lippmann {
 namespace {
 
-/// The line of a pixel's ray.
+/// The ray of a pixel as x(z) = place + s z, with k = place / V + s.
 struct PixelLine {
   std::uint32_t pixel;
-  int row;  ///< of the film
+  int row;  ///< row of the film
   Vec2d place, k;
 };
 
-/// fn(line) for every pixel of the film, row by row.
+/// Calls fn(line) for every pixel of the film, row by row.
 template <class Fn>
 void for_each_line(const Optics& optics, double vergence, const Fn& fn) {
   const RayGenerator generator(optics);
@@ -36,14 +36,15 @@ void for_each_line(const Optics& optics, double vergence, const Fn& fn) {
   }
 }
 
-/// The pixel of its cell, counted from a corner. Pixels that lie alike below many lenses are not where rounding decides.
+/// Column and row of the pixel within its cell. The small offset keeps positions that repeat below many lenses away from the
+/// boundaries between pixels, where rounding errors would decide.
 Vec2i in_cell_px(const LensCells::Cell& cell) { return Vec2i(glm::floor(cell.in_cell + 0.0137)); }
 
-/// Lenses and pixels below them, first and last.
+/// The ranges of lenses, and of pixels below a lens.
 struct LensBounds {
   std::map<int, Vec2i> columns_of_rows;
   Vec2i first_px{std::numeric_limits<int>::max()}, last_px{std::numeric_limits<int>::min()};
-  int most_in_row = 0;  ///< pixels of one row of the film below one lens
+  int most_in_row = 0;  ///< maximum number of pixels below one lens in one row of the film
 
   void add(const LensCells::Cell& cell, int row) {
     Vec2i& columns = columns_of_rows.try_emplace(cell.lens.y, cell.lens.x, cell.lens.x).first->second;
@@ -83,7 +84,7 @@ void SortedViews::sort_by_tiles(const Optics& optics, RowRange rows) {
   const ViewLayout layout = view_tiles(optics) ? film_layout(optics, "denoise") : ViewLayout{LayoutKind::kStack, {1, 1}, {}};
   grid_ = layout.grid;
   const Vec2i size = view_size(layout, film, "denoise"), middle = size / 2;
-  const bool one_row = size.y == film.y;  // of tiles
+  const bool one_row = size.y == film.y;  // the quilt has one row of tiles
   first_row_ = one_row ? rows.first : 0;
   size_ = {size.x, one_row ? rows.end - rows.first : size.y};
   shifts_.assign(static_cast<std::size_t>(size_.y + 2 * kBeyond), 0.0f);
@@ -118,7 +119,7 @@ int SortedViews::free_view(Vec2i at, int x, int y) const {
 void SortedViews::sort_by_lenses(const Optics& optics, const LensCells& cells, RowRange rows) {
   const auto is_in_rows = [rows](const PixelLine& line) { return line.row >= rows.first && line.row < rows.end; };
   LensBounds bounds;
-  Vec2i lens_rows(std::numeric_limits<int>::max(), std::numeric_limits<int>::min());  // first and last
+  Vec2i lens_rows(std::numeric_limits<int>::max(), std::numeric_limits<int>::min());  // first and last row
   for_each_line(optics, vergence_, [&](const PixelLine& line) {
     const LensCells::Cell cell = cells.cell_of(line.place, line.k, line.row);
     bounds.add(cell, line.row);
@@ -145,11 +146,11 @@ void SortedViews::sort_by_lenses(const Optics& optics, const LensCells& cells, R
     if (!is_in_rows(line)) return;
     const int y = cell.lens.y - lens_rows.x, x = cell.lens.x - bounds.columns_of_rows[cell.lens.y].x;
     const int view = free_view(px, x, y);
-    if (view < 0) return;  // stays as traced; no optics are known of which this happens
+    if (view < 0) return;  // the pixel stays as traced; no known optics get here
     pixels_[slot(view, y) + static_cast<std::size_t>(x)] = line.pixel - before;
     shifts_[static_cast<std::size_t>(y + kBeyond)] = static_cast<float>(at.x - cell.in_lens - x);
   });
-  Sight sight;  // of the view before, where a view has none but pixels that others had no place for
+  Sight sight;  // a view that only holds surplus pixels of its neighbours takes the sight of the previous view
   for (const Sums& sum : sums) {
     if (sum.pixels > 0.0) sight = {Vec2f(sum.k / sum.pixels), Vec2f(sum.first / sum.pixels)};
     sights_.push_back(sight);

@@ -1,12 +1,13 @@
-// The pixels of a film, sorted into views: grids of pixels that look in about the same direction.
+// Sorts the pixels of a film into views: grids of pixels whose rays have about the same direction.
 //
-// With x(z) = l + s z for a ray, k = l / V + s is the same for all rays of a view, and the view sees a point (X, z) at the
-// place (X - k z) / (1 - z / V) of the plane z = 0 (optics/view_place.hpp). Display frame: mm, y up.
+// A ray is x(z) = l + s z, and V is the viewing distance. k = l / V + s is the same for all rays of a view. The view shows a
+// point (X, z) at (X - k z) / (1 - z / V) in the plane z = 0 (optics/view_place.hpp). Lengths are in mm in the display frame,
+// with y up.
 //
-// Views of a quilt are its tiles. Of lenses, a view has one pixel below each: the same one where lenses cover whole pixels,
-// else the one whose ray leaves in the direction nearest to the view's, to half a pixel. Lenses at the panel's edge, hexagons
-// and lenses of a fractional width leave places without a pixel. A slanted panel's pixels are its sub-pixels. All other optics,
-// and lenses narrower than a pixel, have a single view: the film.
+// The views of a quilt are its tiles. With lenses, a view has one pixel below each lens. It is the same pixel if lenses cover
+// whole pixels; otherwise it is the pixel whose ray is nearest to the view's direction, to within half a pixel. Lenses at the
+// panel's edge, hexagonal lenses and lenses of a fractional width leave gaps in the grid. The pixels of a slanted panel are its
+// sub-pixels. All other optics, and lenses narrower than a pixel, have a single view, the film.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,7 @@ namespace lippmann {
 
 struct LensCells;
 
-/// Rows of a film.
+/// Rows `first` to `end` - 1 of a film.
 struct RowRange {
   int first, end;
 };
@@ -29,39 +30,41 @@ class SortedViews {
  public:
   static constexpr std::uint32_t kNoPixel = 0xffffffff;
 
-  /// rows: of the film, those that there are; pixels are counted from the first of them. Views are those of the whole film, but
-  /// for rows that have no pixel.
+  /// `rows` are the rows of the film that a frame holds; pixel indices start at the first of them. The views are those of the
+  /// whole film, without the rows that have no pixel in the frame. `optics` must pass validate().
   SortedViews(const Optics& optics, RowRange rows);
 
-  /// Columns and rows of a view.
+  /// Width and height of a view.
   Vec2i size() const { return size_; }
-  /// Views across and up: view v = row * columns + column.
+  /// Columns and rows of views; view v = row * columns + column.
   const ViewGrid& grid() const { return grid_; }
   int views() const { return grid_.count(); }
 
-  /// The film's pixels in row y of a view, or kNoPixel; as many as a view has columns.
+  /// The pixel indices in row y of a view, one per column; kNoPixel marks a gap.
   const std::uint32_t* row(int view, int y) const { return pixels_.data() + slot(view, y); }
 
-  /// A view sees points at column = samples_per_mm.x place.x - first.x - shift(row), and at row + first_row() =
-  /// first.y - samples_per_mm.y place.y; where lenses do not cover whole pixels, to half a pixel's direction.
+  /// Maps a place in the plane z = 0 to a pixel of the view: column = samples_per_mm.x place.x - first.x - shifts()[row], and
+  /// row = first.y - samples_per_mm.y place.y - first_row(). The mapping is accurate to half a pixel's direction if lenses do
+  /// not cover whole pixels, and exact otherwise.
   struct Sight {
     Vec2f k{0.0f}, first{0.0f};
   };
   const Sight& sight(int view) const { return sights_[static_cast<std::size_t>(view)]; }
-  /// By row, from -kBeyond to size().y + kBeyond - 1: where its first lens is, in columns.
+  /// Offset of each row's first lens, in columns. Valid indices are -kBeyond to size().y + kBeyond - 1.
   const float* shifts() const { return shifts_.data() + kBeyond; }
   static constexpr int kBeyond = 2;
-  int first_row() const { return first_row_; }  ///< row 0 in the views of the whole film
+  int first_row() const { return first_row_; }  ///< row 0 of these views, as a row in the views of the whole film
   float vergence() const { return vergence_; }  ///< 1 / V, per mm
   Vec2f samples_per_mm() const { return samples_per_mm_; }
 
-  /// From sample to sample of a view in the plane z = 0, the larger of both axes.
+  /// Distance between neighbouring samples of a view in the plane z = 0, the larger of both axes.
   float sample_distance_mm() const { return std::max(1.0f / samples_per_mm_.x, 1.0f / samples_per_mm_.y); }
 
  private:
   void sort_by_tiles(const Optics& optics, RowRange rows);
   void sort_by_lenses(const Optics& optics, const LensCells& cells, RowRange rows);
-  /// The view nearest to a column and row of views, in that row, that has no pixel at (x, y) so far; -1: none.
+  /// Finds the view nearest to column at.x in row at.y of the grid that has no pixel at (x, y) yet. Returns -1 if there is
+  /// none.
   int free_view(Vec2i at, int x, int y) const;
   std::size_t slot(int view, int y) const {
     return (static_cast<std::size_t>(view) * static_cast<std::size_t>(size_.y) + static_cast<std::size_t>(y)) *

@@ -1,4 +1,4 @@
-// A path-traced frame as a denoiser wants it: its light, how noisy it is, and what is known of the surfaces without noise.
+// A path-traced frame with the inputs of the denoiser: its light, an estimate of the noise, and noise-free surface features.
 #pragma once
 
 #include <array>
@@ -8,29 +8,30 @@
 
 namespace lippmann {
 
-/// Means over the samples of every pixel, so that edges are as smooth here as in the film. Surfaces are those that a camera ray
-/// meets first and that scatter light; what alpha does not cover counts as not met.
+/// All images are means over the samples of each pixel, so edges are antialiased like those of the film. Albedo, normal, z and
+/// met describe the first surface of each camera ray if it scatters light. Parts that alpha cuts away count as not hit.
 struct NoisyFrame {
   Image film;    ///< 3 channels: all light
-  Image noise;   ///< 3 channels: half of what the means of two halves of the samples differ by: of the film's error's size
-  Image seen;    ///< 3 channels: the part that has met no surface, or shines from the first: free of the noise of paths
-  Image albedo;  ///< 3 channels: base colour, 0 where no surface was met
-  Image normal;  ///< 3 channels: world space; shorter than 1 where samples differ
-  Image z;       ///< 1 channel: in display mm, 0 where no surface was met: to be divided by `met`
-  Image met;     ///< 1 channel: share of samples that met a surface
+  Image noise;   ///< 3 channels: half the difference between the means of two halves of the samples, an estimate of the error
+  Image seen;    ///< 3 channels: background, and emission of the first surface; this part has no path-tracing noise
+  Image albedo;  ///< 3 channels: base colour, 0 without a surface
+  Image normal;  ///< 3 channels: world space; shorter than 1 if the samples differ
+  Image z;       ///< 1 channel: in display mm, 0 without a surface; divide by `met` to get the depth of the surface
+  Image met;     ///< 1 channel: share of the samples that hit a surface
 };
 
-/// Which of two halves of a pixel's samples each belongs to: that with an even or an odd number of binary ones. Each half of
-/// 2^k samples is then spread over the pixel and over directions as evenly as the other.
+/// Whether a sample belongs to the second of two halves of a pixel's samples: whether its number has an odd count of binary
+/// ones. Both halves of 2^k samples then cover the pixel and the directions equally well.
 inline bool is_of_second_half(std::uint32_t sample) { return (std::popcount(sample) & 1) != 0; }
 
-/// With which the light of samples of either half, each 1 / spp of the film's, adds up to NoisyFrame::noise.
+/// The weights of samples of the first and the second half in NoisyFrame::noise, in units of a sample's weight in the film.
 std::array<float, 2> weights_of_halves(int spp);
 
-/// What the images of a NoisyFrame take.
+/// Memory of the images of a NoisyFrame, in bytes per pixel.
 inline constexpr double kNoisyFrameBytesPerPixel = 17 * sizeof(float);
 
-/// As trace_frame for the same scene, made for paths, at 2 or more samples per pixel: noisy.film has the bits of its film.
+/// Like trace_frame(), for a scene built for path tracing and 2 or more samples per pixel. noisy.film has the same bits as the
+/// film of trace_frame().
 RayCounts trace_noisy_frame(const Shot& shot, const TraceParams& params, const Workers& workers, NoisyFrame& noisy,
                             FrameAovs& aovs, SampleShare share = {});
 

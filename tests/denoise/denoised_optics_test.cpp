@@ -1,4 +1,4 @@
-// The denoiser behind every kind of optics: planes of even light, on frames made by hand.
+// Tests the denoiser with every kind of optics, on synthetic frames of uniformly lit planes.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-/// A plane that faces the viewer, and its light.
+/// Depth and light of a plane that faces the viewer.
 struct Plane {
   float z, light;
 };
@@ -19,7 +19,7 @@ struct Frame {
   Image film, noise, seen, albedo, normal, z, met, truth;
 };
 
-/// Half of the samples' means have a standard deviation of half the light; see denoiser_test.cpp for `noise`.
+/// Each of the two half-sample means has a standard deviation of half the light. denoiser_test.cpp explains `noise`.
 Frame noisy_frame(const Optics& optics, const std::function<Plane(Vec2f place)>& plane_at) {
   const Vec2i size = film_size(optics);
   const Image three(size.x, size.y, 3), one(size.x, size.y, 1);
@@ -46,7 +46,7 @@ Image denoised(const Optics& optics, Frame frame, int threads = 2) {
   return Denoiser(optics).denoise({frame.film, frame.noise, frame.seen, frame.albedo, frame.normal, frame.z, frame.met}, pool);
 }
 
-/// Mean squared error over the squared light, and the mean over the mean light.
+/// Mean squared relative error, and the mean ratio of denoised to true light.
 struct Errors {
   double squared = 0.0, mean = 0.0;
 };
@@ -61,14 +61,14 @@ Errors errors_of(const Image& film, const Image& truth, int channel) {
   return {errors.squared / pixels, errors.mean / pixels};
 }
 
-/// Noise has a variance of 1/8 of the squared light.
+/// Variance of the noise, relative to the squared light.
 constexpr double kVariance = 0.125;
 
-/// The spline of a single pass over 5 x 5 neighbours leaves (1 + 16 + 36 + 16 + 1) / 256 of the variance down and across;
-/// twice that in one of the directions, where views are narrow.
+/// Share of the variance that a single pass over 5 x 5 neighbours leaves: (1 + 16 + 36 + 16 + 1) / 256 in each direction. The
+/// factor 2 allows for narrow views.
 constexpr double kLeft = 2.0 * (70.0 / 256.0) * (70.0 / 256.0);
 
-TEST(DenoisedOptics, even_light_loses_its_noise_alone) {
+TEST(DenoisedOptics, uniform_light_loses_only_its_noise) {
   for (const OpticsKind& kind : optics_kinds())
     for (const float z : {-3.0f, 0.0f, 2.0f}) {
       const Frame frame = noisy_frame(kind.optics, [z](Vec2f) { return Plane{z, 1.0f}; });
@@ -82,7 +82,7 @@ TEST(DenoisedOptics, even_light_loses_its_noise_alone) {
     }
 }
 
-// Light that leaked from the brighter plane would raise the mean of the darker one beside the edge.
+// Leaked light from the brighter plane would raise the mean of the darker one next to the edge.
 TEST(DenoisedOptics, light_does_not_cross_edges_in_depth) {
   for (const OpticsKind& kind : optics_kinds()) {
     const float width = window_size_mm(kind.optics).x / 8.0f;
@@ -99,10 +99,10 @@ TEST(DenoisedOptics, light_does_not_cross_edges_in_depth) {
   }
 }
 
-/// A plane that is tilted behind the display and lit more to one side.
+/// A tilted plane with a gradient of light.
 Plane tilted(Vec2f place) { return {0.2f * place.x, 1.0f + 0.02f * place.y}; }
 
-/// Rows first ... end - 1.
+/// Returns rows `first` to `end` - 1 of an image.
 Image rows_of(const Image& image, int first, int end) {
   Image rows(image.width, end - first, image.channels);
   const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(image.width) * image.channels;
@@ -146,7 +146,7 @@ TEST(DenoisedOptics, views_of_a_single_pixel_are_denoised) {
   EXPECT_LT(errors_of(denoised(optics, frame), frame.truth, 0).squared, kVariance);
 }
 
-TEST(DenoisedOptics, any_number_of_threads_gives_the_same_bits) {
+TEST(DenoisedOptics, bits_do_not_depend_on_threads) {
   for (const OpticsKind& kind : optics_kinds()) {
     const Frame frame = noisy_frame(kind.optics, tilted);
     EXPECT_EQ(denoised(kind.optics, frame, 1).data, denoised(kind.optics, frame, 3).data) << kind.name;

@@ -1,4 +1,4 @@
-// The denoiser on frames made by hand: four views of 24 x 16 pixels, of a plane in z = 0 unless said otherwise.
+// Tests the denoiser on synthetic frames: four views of 24 x 16 pixels that show a plane at z = 0 unless stated otherwise.
 #include "denoise/denoiser.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ Optics four_views() {
   return {{kWidth, kHeight, 0.25f}, MultiView{.columns = 4, .rows = 1, .view_cone = 0.4f, .distance_mm = 60.0f}};
 }
 
-/// What a denoiser is given, every pixel alike at first.
+/// The input of a denoiser. Initially all pixels are the same.
 struct Made {
   Image film{kWidth, kHeight, 3}, noise{kWidth, kHeight, 3}, seen{kWidth, kHeight, 3}, albedo{kWidth, kHeight, 3},
       normal{kWidth, kHeight, 3}, z{kWidth, kHeight, 1}, met{kWidth, kHeight, 1};
@@ -29,8 +29,8 @@ struct Made {
       }
   }
 
-  /// The means of the two halves of the samples, which by chance differ as they do; those of evenly spread samples differ by
-  /// about sqrt(2) as much for the same error, and so are these told to.
+  /// Sets the means of the two halves of a pixel's samples. With the stratified samples of the renderer, these means differ
+  /// about sqrt(2) times as much as independent ones with the same error, so `noise` is scaled by that factor.
   void set(int x, int y, float even, float odd_half) {
     for (int c = 0; c < 3; ++c) {
       film.pixel(x, y)[c] = 0.5f * (even + odd_half);
@@ -46,7 +46,7 @@ Image denoised(Made made, int threads = 2) {
   return Denoiser(four_views()).denoise(made.input(), pool);
 }
 
-/// Light of 1 with the noise of halves that are each wrong by a standard deviation of 0.5.
+/// Light of 1. Each of the two half-sample means has noise with a standard deviation of 0.5.
 Made noisy(unsigned seed) {
   Made made;
   std::mt19937 random(seed);
@@ -65,8 +65,8 @@ double mean_squared_error(const Image& film, float truth) {
   return sum / static_cast<double>(film.data.size());
 }
 
-// A mean of n pixels has 1/n of their squared error, 0.125; the widest step alone reaches over 33 x 16 pixels.
-TEST(Denoiser, even_light_loses_its_noise_and_keeps_its_mean) {
+// The squared error of a pixel is 0.125, and that of a mean of n pixels is 0.125 / n. The widest step covers 17 x 16 pixels.
+TEST(Denoiser, noise_decreases_and_the_mean_stays) {
   const Made made = noisy(1);
   EXPECT_NEAR(mean_squared_error(made.film, 1.0f), 0.125, 0.02);
   const Image film = denoised(made);
@@ -76,7 +76,7 @@ TEST(Denoiser, even_light_loses_its_noise_and_keeps_its_mean) {
   EXPECT_NEAR(sum / static_cast<double>(film.data.size()), 1.0, 3.0 * 0.35 / std::sqrt(kWidth * kHeight));
 }
 
-TEST(Denoiser, light_without_noise_stays_as_it_is_shadows_and_all) {
+TEST(Denoiser, noise_free_light_keeps_its_shadows) {
   Made made;
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x)
@@ -85,8 +85,8 @@ TEST(Denoiser, light_without_noise_stays_as_it_is_shadows_and_all) {
   for (std::size_t i = 0; i < film.data.size(); ++i) ASSERT_NEAR(film.data[i], made.film.data[i], 1e-3f) << i;
 }
 
-// The filter takes differences so slight for the same light; without noise they stay all the same.
-TEST(Denoiser, what_no_noise_explains_is_not_blurred) {
+// These differences are about as small as kRelativeSpread, so the filter averages over them. find_blur() must undo this.
+TEST(Denoiser, slight_differences_without_noise_are_not_blurred) {
   Made made;
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x)
@@ -95,7 +95,7 @@ TEST(Denoiser, what_no_noise_explains_is_not_blurred) {
   for (std::size_t i = 0; i < film.data.size(); ++i) ASSERT_NEAR(film.data[i], made.film.data[i], 1e-4f) << i;
 }
 
-/// The light farthest from 1 of all pixels more than `away` columns from column `x`.
+/// Largest deviation from 1 among the pixels more than `away` columns from column `x`.
 float farthest_from_one(const Image& film, int x, int away) {
   float farthest = 0.0f;
   for (int j = 0; j < kHeight; ++j)
@@ -104,27 +104,27 @@ float farthest_from_one(const Image& film, int x, int away) {
   return farthest;
 }
 
-TEST(Denoiser, a_pixel_that_one_path_has_lit_is_no_dot_and_no_blot) {
+TEST(Denoiser, fireflies_leave_neither_dot_nor_blotch) {
   Made made;
   made.set(36, 8, 41.0f, 1.0f);
   EXPECT_LT(farthest_from_one(denoised(made), 0, -1), 0.01f);
 }
 
-TEST(Denoiser, a_bright_pixel_that_all_paths_have_lit_stays) {
+TEST(Denoiser, a_bright_pixel_without_noise_stays) {
   Made made;
   made.set(36, 8, 21.0f, 21.0f);
   EXPECT_NEAR(denoised(made).pixel(36, 8)[0], 21.0f, 0.1f);
 }
 
-TEST(Denoiser, a_bright_pixel_alone_on_its_material_stays) {
+TEST(Denoiser, an_isolated_bright_surface_stays) {
   Made made;
   made.set(36, 8, 41.0f, 1.0f);
   made.normal.pixel(36, 8)[0] = 1.0f, made.normal.pixel(36, 8)[2] = 0.0f;
   EXPECT_GT(denoised(made).pixel(36, 8)[0], 10.0f);
 }
 
-/// 3 x 3 pixels of a highlight, each of which some paths meet and others do not.
-TEST(Denoiser, the_edge_of_a_highlight_is_not_taken_into_its_surroundings) {
+/// A highlight of 3 x 3 pixels, each with nearly all of its light in one half of its samples.
+TEST(Denoiser, highlights_do_not_spread_into_their_surroundings) {
   Made made;
   for (int j = 7; j <= 9; ++j)
     for (int i = 35; i <= 37; ++i) made.set(i, j, (i + j) % 2 == 0 ? 80.0f : 1.0f, (i + j) % 2 == 0 ? 1.0f : 80.0f);
@@ -133,7 +133,7 @@ TEST(Denoiser, the_edge_of_a_highlight_is_not_taken_into_its_surroundings) {
   EXPECT_LT(farthest_from_one(film, 36, 5), 0.05f);
 }
 
-TEST(Denoiser, textures_stay_sharp_below_noisy_light) {
+TEST(Denoiser, textures_stay_sharp_under_noisy_light) {
   Made made = noisy(2);
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; x += 2)
@@ -150,7 +150,7 @@ TEST(Denoiser, textures_stay_sharp_below_noisy_light) {
   EXPECT_NEAR(bright / (kWidth * kHeight / 2), 1.0, 0.05);
 }
 
-TEST(Denoiser, surfaces_of_other_normals_do_not_mix) {
+TEST(Denoiser, surfaces_with_different_normals_do_not_mix) {
   Made made = noisy(3);
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x)
@@ -166,7 +166,7 @@ TEST(Denoiser, surfaces_of_other_normals_do_not_mix) {
     }
 }
 
-TEST(Denoiser, what_is_seen_without_a_surface_is_not_touched) {
+TEST(Denoiser, pixels_without_a_surface_do_not_change) {
   Made made = noisy(4);
   for (int x = 0; x < kWidth; ++x)
     for (int c = 0; c < 3; ++c) {
@@ -177,7 +177,7 @@ TEST(Denoiser, what_is_seen_without_a_surface_is_not_touched) {
   for (int x = 0; x < kWidth; ++x) EXPECT_EQ(film.pixel(x, 5)[0], 0.01f * static_cast<float>(x));
 }
 
-TEST(Denoiser, any_number_of_threads_gives_the_same_bits) {
+TEST(Denoiser, bits_do_not_depend_on_threads) {
   const Made made = noisy(6);
   EXPECT_EQ(denoised(made, 1).data, denoised(made, 3).data);
 }

@@ -1,4 +1,4 @@
-// Small films of every kind of optics.
+// Optics of every kind with small films, for tests.
 #pragma once
 
 #include <vector>
@@ -10,10 +10,10 @@ namespace lippmann {
 struct OpticsKind {
   const char* name;
   Optics optics;
-  bool whole_views;  ///< film_layout() takes it
+  bool whole_views;  ///< film_layout() accepts it, because its views consist of whole pixels
 };
 
-/// rows: how many times as high as they need be.
+/// Returns all kinds. The films are `rows` times as high as necessary.
 inline std::vector<OpticsKind> optics_kinds(int rows = 1) {
   const MultiView quilt{.columns = 3, .rows = 2, .view_cone = 0.5f, .distance_mm = 60.0f, .pixel_height = 1.5f};
   MultiView grid = quilt;

@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-constexpr float kRounding = 2e-3f;  ///< single precision of lengths up to 60 mm, in pixels
+constexpr float kRounding = 2e-3f;  ///< rounding error, in pixels, of lengths up to 60 mm in single precision
 
 Ray ray_of(const Optics& optics, std::uint32_t pixel) {
   const auto width = static_cast<std::uint32_t>(film_size(optics).x);
@@ -20,7 +20,7 @@ Ray ray_of(const Optics& optics, std::uint32_t pixel) {
 
 SortedViews all_views(const Optics& optics) { return {optics, {0, film_size(optics).y}}; }
 
-/// fn(view, column, row, pixel) for all pixels of the views.
+/// Calls fn(view, column, row, pixel) for all pixels of the views.
 template <class Fn>
 void for_each_pixel(const SortedViews& views, const Fn& fn) {
   for (int view = 0; view < views.views(); ++view)
@@ -29,7 +29,7 @@ void for_each_pixel(const SortedViews& views, const Fn& fn) {
         if (const std::uint32_t p = views.row(view, y)[x]; p != SortedViews::kNoPixel) fn(view, x, y, p);
 }
 
-/// How many pixels have none and one place; more than one fail.
+/// Returns the number of film pixels that have no place in the views, and of those that have one. Throws if one has several.
 std::array<int, 2> pixels_by_places(const Optics& optics) {
   const Vec2i film = film_size(optics);
   std::vector<std::size_t> places(static_cast<std::size_t>(film.x * film.y));
@@ -48,7 +48,7 @@ TEST(SortedViews, padding_of_a_quilt_has_no_place) {
   EXPECT_EQ(pixels_by_places(optics)[1], 60 * 42);
 }
 
-TEST(SortedViews, whole_pixels_make_the_views_of_the_film) {
+TEST(SortedViews, views_of_whole_pixels_match_the_layout) {
   for (const OpticsKind& kind : optics_kinds()) {
     if (!kind.whole_views) continue;
     const SortedViews views = all_views(kind.optics);
@@ -65,7 +65,7 @@ TEST(SortedViews, whole_pixels_make_the_views_of_the_film) {
   }
 }
 
-/// How far a pixel's ray at depth z is from where its view should see it, in columns and rows.
+/// Distance, in columns and rows, from a pixel to the position at which its view shows the ray's point at depth z.
 Vec2f off(const SortedViews& views, const Ray& ray, float z, int view, int x, int y) {
   const Vec2f point = Vec2f(ray.origin) + Vec2f(ray.direction) * ((z - ray.origin.z) / ray.direction.z);
   const SortedViews::Sight& sight = views.sight(view);
@@ -86,9 +86,9 @@ TEST(SortedViews, sights_find_points_at_their_pixels) {
   }
 }
 
-// Directions of a view's pixels differ by less than a pixel, which moves a point at the depth budget by one sample. Of panels
-// with irregular sub-pixels a few are in a view beside their own.
-TEST(SortedViews, sights_miss_by_less_than_a_pixels_direction) {
+// The directions of a view's pixels differ by less than one pixel, which shifts a point at the depth budget by one sample. On
+// panels with irregular sub-pixels, a few pixels are sorted into a neighbouring view.
+TEST(SortedViews, sights_are_accurate_to_one_pixel) {
   for (const OpticsKind& kind : optics_kinds()) {
     const SortedViews views = all_views(kind.optics);
     if (kind.whole_views || views.views() == 1) continue;
