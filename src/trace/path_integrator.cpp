@@ -8,21 +8,23 @@
 namespace lippmann {
 namespace {
 
-/// Paths are first put to Russian roulette where they leave this vertex.
+/// Russian roulette applies from this vertex of a path on, counted from 1.
 constexpr int kRouletteDepth = 3;
 constexpr std::uint32_t kColorStream = 0x636f6c6fu;
 
-/// Behind the facet there is only what is transmitted, whatever the smooth normal says, and before it only what is not.
+/// Whether a direction is on the correct side of the geometric facet: behind it for transmission, in front of it otherwise. The
+/// shading normal may disagree.
 bool is_possible(const ShadingPoint& point, Vec3f direction, bool transmitted) {
   return point.is_behind(direction) == transmitted;
 }
 
-/// The same of light that is asked for: to lamps that are about to set, rays start from the smooth surface.
+/// The same test for a sampled light. It also accepts lights just behind the facet that are still above the smooth surface;
+/// their shadow rays start at the smooth surface.
 bool may_shine(const ShadingPoint& point, Vec3f direction, bool transmitted) {
   return is_possible(point, direction, transmitted) || (!transmitted && point.rises_to(direction));
 }
 
-/// Russian roulette: false ends the path; else its throughput makes up for those that end.
+/// Russian roulette. Returns false if the path ends; otherwise it divides the throughput by `chance`.
 bool survives(Vec3f& throughput, float chance, float number) {
   if (!(number < chance)) return false;
   throughput /= chance;
@@ -111,7 +113,8 @@ void PathIntegrator::shade_surface(const RayHitPacket& packet, int i, PathRay& r
   vertices_.active.lane[i] = -1;
 }
 
-/// Paths that may have no more vertices: the last one's shadow rays pass walls, so what it has drawn does, too.
+/// Continues a path of maximum depth straight through a thin wall. Shadow rays pass walls, so sampled BSDF directions must,
+/// too.
 void PathIntegrator::pass_wall(const RayHitPacket& packet, int i, const PathRay& ray, float length) {
   const ShadingPoint& point = vertices_.point(i);
   if (!point.is_wall) return;
@@ -122,8 +125,8 @@ void PathIntegrator::pass_wall(const RayHitPacket& packet, int i, const PathRay&
   send_on(ray, point, on, ray.throughput * straight, length);
 }
 
-/// From the first surface on that disperses light, a path is one of red, green or blue light, which stands for three: else
-/// each such surface would divide it again.
+/// Restricts a path to one random colour channel, weighted by 3, at the first surface that disperses light. The path keeps its
+/// channel; otherwise every such surface would split it again.
 void PathIntegrator::make_one_color(PathRay& ray, int i) {
   const std::uint32_t channel = hash(ray.seed, ray.index, kColorStream) % 3;
   surface_.color_channel[i] = static_cast<std::uint8_t>(channel);
@@ -191,7 +194,8 @@ void PathIntegrator::shine(int i, const LightSample& light, const BsdfValue& val
   shadow_rays_.push(point, light, clamped(radiance, ray.depth + 1), ray.pixel, ray.depth + 1);
 }
 
-/// No path goes behind the facet by itself. There light is asked for alone, which is too noisy for gloss.
+/// Weights a light of finite size by multiple importance sampling. BSDF sampling never goes behind the facet, so lights there
+/// get the full weight, but only for diffuse reflection: gloss would be too noisy.
 Vec3f PathIntegrator::from_wide_light(int i, const LightSample& light, const BsdfValue& value) const {
   const Vec3f per_density = light.radiance / light.density;
   Vec3f f = value.cosine_f * power_heuristic(light.density, value.density);
@@ -201,7 +205,7 @@ Vec3f PathIntegrator::from_wide_light(int i, const LightSample& light, const Bsd
   return f * per_density;
 }
 
-/// In a direction that was drawn from the BSDF.
+/// Continues a path in a direction that was sampled from the BSDF.
 void PathIntegrator::follow(int i, const PathRay& ray, const BsdfSample& sample) {
   const ShadingPoint& point = vertices_.point(i);
   if (!is_possible(point, sample.direction, sample.transmitted)) return;
@@ -214,7 +218,8 @@ void PathIntegrator::follow(int i, const PathRay& ray, const BsdfSample& sample)
   next->lit_side = vertices_.bsdfs.lit_side(i, point.normal), next->near_share = vertices_.near_share[i];
 }
 
-/// Null where the path carries nothing; else valid until the next call.
+/// Adds the next ray of a path to the next wave. Returns null if the path ends because it carries no light or has too many
+/// events. The pointer is valid until the next call.
 PathRay* PathIntegrator::send_on(const PathRay& ray, const ShadingPoint& point, const BsdfSample& sample, Vec3f throughput,
                                  float length) {
   if (throughput == Vec3f(0.0f) || !is_finite(throughput)) return nullptr;
@@ -230,7 +235,8 @@ void PathIntegrator::trace_shadow_rays() {
       shadow_rays_.trace(scene_, [this](const ShadowRay& ray, Vec3f radiance) { add(ray.pixel, radiance, ray.depth); });
 }
 
-/// Emission that a path meets at its second vertex is direct light of the first; what comes later is indirect.
+/// Clamps indirect light, which more than one vertex has scattered. Emission at a path's second vertex is direct light of the
+/// first.
 Vec3f PathIntegrator::clamped(Vec3f radiance, int depth) const {
   const float most = largest(radiance);
   return params_.clamp_indirect > 0.0f && depth > 1 && most > params_.clamp_indirect
@@ -238,7 +244,7 @@ Vec3f PathIntegrator::clamped(Vec3f radiance, int depth) const {
              : radiance;
 }
 
-/// depth: vertices that have scattered it.
+/// Adds light to the film. `depth` is the number of vertices that have scattered it.
 void PathIntegrator::add(std::uint32_t pixel, Vec3f radiance, int depth) {
   const auto add_to = [&](float* film, float weight) {
     float* p = film + 3 * static_cast<std::size_t>(pixel);

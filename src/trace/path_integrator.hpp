@@ -1,5 +1,5 @@
-// Path tracing, wave by wave: at every vertex one light is sampled by a shadow ray (next-event estimation), and the path goes
-// on in a direction drawn from the BSDF, until roulette or its depth ends it.
+// Path tracing in waves of rays. At every vertex, a shadow ray samples one light (next-event estimation), and the path
+// continues in a direction sampled from the BSDF. Russian roulette or the maximum depth ends the path.
 //
 // Based on: J. Kajiya, "The rendering equation", SIGGRAPH 1986; E. Veach, "Robust Monte Carlo Methods for Light Transport
 // Simulation", 1997 (multiple importance sampling, the power heuristic; Russian roulette).
@@ -21,45 +21,45 @@
 namespace lippmann {
 
 struct PathParams {
-  int max_depth = 6;            ///< path vertices on surfaces
-  std::uint32_t seed = 0;       ///< one for each frame: other frames have other noise
-  float clamp_indirect = 0.0f;  ///< > 0: no indirect contribution of a path is brighter than this; loses light
-  int spp = 1;                  ///< samples per pixel: each counts 1 / spp
+  int max_depth = 6;            ///< maximum number of path vertices on surfaces
+  std::uint32_t seed = 0;       ///< differs between frames, so that their noise is independent
+  float clamp_indirect = 0.0f;  ///< > 0: upper limit of a path's indirect contribution, which loses light; 0: no limit
+  int spp = 1;                  ///< samples per pixel; each has the weight 1 / spp
 };
 
-/// Used by one thread at a time. The class is large because all of its state belongs to the packet that is being shaded:
-/// path_lights.cpp has the light that rays meet, path_integrator.cpp all else.
+/// Traces the paths of one thread; not thread-safe. The class is large because all of its functions share the state of the
+/// packet that is being shaded. path_lights.cpp handles lights that rays hit, path_integrator.cpp everything else.
 class PathIntegrator {
  public:
-  /// The scene was made for Integrator::kPath; film.all is not null. All arguments must outlive this object.
+  /// `scene` must be built for Integrator::kPath, and film.all must not be null. The arguments must outlive this object.
   PathIntegrator(const ShadedScene& scene, const BeamFootprint& beam, const PathParams& params, const PathFilm& film);
 
-  /// From now on camera rays are sample number `sample` of their pixels.
+  /// Sets the sample number within each pixel for the camera rays that follow.
   void begin(int sample);
-  /// Shades camera rays that have met the scene. The rest of their paths waits for finish().
+  /// Shades the first hits of camera rays. finish() traces the rest of their paths.
   void primary(const CameraPacket& packet);
-  /// Traces everything that waits, wave by wave.
+  /// Traces all remaining rays, wave by wave.
   void finish();
 
   const RayCounts& counts() const { return counts_; }
 
  private:
-  /// Where the paths of a packet have met surfaces that scatter.
+  /// The vertices of a packet's paths on surfaces that scatter light.
   struct Vertices {
     LaneMask active;
     std::array<ShadingPoint, kLanes> points;
-    Lanes lengths;       ///< from the start of each path
-    Lanes near_share{};  ///< LightReceiver::near_share, where the scene has both kinds of lights
+    Lanes lengths;       ///< path length up to the vertex
+    Lanes near_share{};  ///< LightReceiver::near_share, set if the scene has both near and far lights
     BsdfPacket bsdfs;
 
     const ShadingPoint& point(int i) const { return points[static_cast<std::size_t>(i)]; }
-    /// Asks for lights.
+    /// The input of light sampling.
     LightReceiver receiver(int i) const { return {point(i).position, bsdfs.lit_side(i, point(i).normal)}; }
   };
 
   const LightTable& lights() const { return *scene_.path->lights; }
 
-  // Of all functions below, `rays` are by lane.
+  // In all functions below, `rays` has one element per lane.
   void shade(const RayHitPacket& packet, LaneMask active, PathRay* rays);
   void draw_numbers(const PathRay* rays);
   void shade_surface(const RayHitPacket& packet, int i, PathRay& ray);
@@ -81,7 +81,7 @@ class PathIntegrator {
   void shade_miss(const RayHitPacket& packet, int i, const PathRay& ray);
   void meet_emission(const RayHitPacket& packet, int i, const PathRay& ray, Vec3f emission);
 
-  /// Adds light that a ray has met.
+  /// Adds light that a ray has hit.
   void end_path(const PathRay& ray, Vec3f radiance) { add(ray.pixel, clamped(radiance, ray.surfaces()), ray.surfaces()); }
   Vec3f clamped(Vec3f radiance, int depth) const;
   void add(std::uint32_t pixel, Vec3f radiance, int depth);
@@ -90,15 +90,15 @@ class PathIntegrator {
   const BeamFootprint& beam_;
   PathParams params_;
   PathFilm film_;
-  float weight_;                          ///< of a sample's light
-  std::array<float, 2> noise_weights_{};  ///< of a sample of the first and of the second half: see weights_of_halves()
-  float noise_weight_ = 0.0f;             ///< that of this sample
+  float weight_;                          ///< weight of a sample
+  std::array<float, 2> noise_weights_{};  ///< for samples of the first and the second half: see weights_of_halves()
+  float noise_weight_ = 0.0f;             ///< weight of the current sample
   RayCounts counts_;
   std::vector<PathRay> wave_, next_;  ///< rays of this wave and of the next
-  SurfacePacket surface_;             ///< surfaces of the packet that is being shaded
-  Vertices vertices_;                 ///< those of them that scatter
+  SurfacePacket surface_;             ///< surfaces hit by the packet that is being shaded
+  Vertices vertices_;                 ///< those of them that scatter light
   PathNumbers numbers_;
-  SkyRays sky_;  ///< by lane of the packet
+  SkyRays sky_;  ///< one ray per lane of the packet
   SplatHits splat_hits_;
   ShadowQueue shadow_rays_;
 };

@@ -1,11 +1,11 @@
-// Light that the rays of paths meet: splats, lamps that have a size, surfaces that shine, the sky. Where a vertex could also
-// have sampled that light by a shadow ray, it counts by the power heuristic.
+// Adds the light that path rays hit: splats, lamps of finite size, emitting surfaces and the sky. Light that the last vertex
+// could also have sampled by a shadow ray is weighted by the power heuristic.
 #include "trace/path_integrator.hpp"
 
 namespace lippmann {
 
-/// The eye sees splats, and sees them in mirrors and through glass; what scatters light is not lit by them. What lies behind
-/// has the share that they let pass; lanes that nothing passes are done.
+/// Adds splats to camera rays, also through mirrors and glass. Splats do not light surfaces that scatter. The throughput is
+/// multiplied by the share of light that the splats transmit, and lanes become inactive if that share is 0.
 void PathIntegrator::meet_splats(const RayPacket& packet, LaneMask& active, PathRay* rays) {
   LaneMask looking;
   for (int i = 0; i < kLanes; ++i) looking.lane[i] = active.lane[i] && rays[i].density == kInfinity ? -1 : 0;
@@ -19,7 +19,7 @@ void PathIntegrator::meet_splats(const RayPacket& packet, LaneMask& active, Path
   }
 }
 
-/// Rays go on through lamps that have a size.
+/// Adds lamps of finite size. They do not block rays.
 void PathIntegrator::meet_round_lights(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
   if (lights().has_many_rounds()) {
     for (int i = 0; i < kLanes; ++i)
@@ -35,7 +35,8 @@ void PathIntegrator::meet_round_lights(const RayHitPacket& packet, const LaneMas
   }
 }
 
-/// The eye does not see lamps, rays that have scattered somewhere do. reach: how far this part of the ray goes from its origin.
+/// Adds lamp `k` if the ray hits it. Lamps are invisible to camera rays. `reach` is the distance from the ray's origin to its
+/// next hit.
 void PathIntegrator::meet_round_light(std::size_t k, const PathRay& ray, float reach) {
   if (!ray.has_scattered()) return;
   const float passed = ray.path_length - ray.scattered_at;
@@ -54,12 +55,12 @@ void PathIntegrator::look_up_sky(const RayPacket& rays) {
 
 void PathIntegrator::shade_miss(const RayHitPacket& packet, int i, const PathRay& ray) {
   const unsigned id = packet.hit.geomID[i];
-  if (id >= kLightId && id != kNoId) {  // a bulb: surfaces ask for its light, so only mirrors and lenses see it
+  if (id >= kLightId && id != kNoId) {  // a bulb: seen by camera rays and Dirac lobes, else sampled by shadow rays
     if (ray.density == kInfinity) end_path(ray, ray.throughput * scene_.lights[id - kLightId].color);
     return;
   }
   if (film_.open && ray.has_met_nothing()) {
-    film_.open[ray.pixel] += ray.throughput.x;  // 1, or what splats have left of it
+    film_.open[ray.pixel] += ray.throughput.x;  // 1, or the share that splats transmit
     return;
   }
   float share = 1.0f;

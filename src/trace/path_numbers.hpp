@@ -1,4 +1,4 @@
-// Random numbers of the vertices that the paths of a packet have reached, drawn side by side.
+// Random numbers for the current path vertices of a packet, computed for all lanes at once.
 #pragma once
 
 #include <array>
@@ -11,9 +11,11 @@
 
 namespace lippmann {
 
+/// The pairs of random numbers of one vertex per lane.
 class PathNumbers {
  public:
-  /// Draws the numbers of the lanes in `lanes`; the last pair is seldom needed. rays: by lane.
+  /// Draws the numbers for the active lanes. `rays` has one element per lane. Pass `with_last` only if the last pair
+  /// (kCoveragePair) is needed, because it rarely is.
   void draw(const LaneMask& lanes, const PathRay* rays, bool with_last) {
     PathPairs paths;
     for (int i = 0; i < kLanes; ++i) {
@@ -33,7 +35,7 @@ class PathNumbers {
   const LanePairs& pairs(std::uint32_t pair) const { return pairs_[pair]; }
   Vec2f pair(int i, std::uint32_t pair) const { return {pairs_[pair].x[i], pairs_[pair].y[i]}; }
 
-  /// Directions into the sky by the lanes' numbers for a place on a light; drawn once per packet, on the first call.
+  /// Sky directions, sampled with kOnLightPair of each lane. They are computed on the first call after draw().
   const SkyDraws& sky_draws(const Environment& environment) {
     if (!std::exchange(has_sky_draws_, true)) {
       LIPPMANN_FOR_LANES(i) sky_draws_.u[i] = pairs_[kOnLightPair].x[i], sky_draws_.v[i] = pairs_[kOnLightPair].y[i];
