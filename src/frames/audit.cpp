@@ -13,24 +13,24 @@
 namespace lippmann {
 namespace {
 
-/// The held-out paths are 2 x kPathsPerSample / kPixelsPerHeldOut = 1.6 % of the frame's.
+/// One pixel in this many is held out. The audit adds 2 x kPathsPerSample / kPixelsPerHeldOut = 1.6 % to the frame's paths.
 constexpr std::size_t kPixelsPerHeldOut = 500;
-/// Of small pictures more pixels are held out: the interval of fewer is wider than 6 dB.
+/// Minimum number of held-out pixels in small pictures. With fewer, the interval is wider than 6 dB.
 constexpr std::size_t kLeastHeldOut = 64;
-/// Paths of each of the two pictures, as a multiple of the frame's. The noise of the product is then as small as the error of a
-/// frame that is denoised as well as with eight times its paths.
+/// Paths per pixel of each retraced picture, as a multiple of the frame's. Both pictures together have eight times the frame's
+/// paths, so they can measure a denoised frame that is as accurate as one with eight times its paths.
 constexpr int kPathsPerSample = 4;
-/// The code of a mean of few paths is biased, because the transfer curve is not linear.
+/// Minimum number of paths. With few paths, the sRGB code of their mean is biased, because the transfer curve is not linear.
 constexpr int kLeastPaths = 32;
-/// Half the width of the 90 % interval in standard errors. A normal distribution has 1.645; the standard error itself is
-/// underestimated where few pixels carry the error. `lippmann bench estimates` measures how often the interval holds.
+/// Half the width of the 90 % interval, in standard errors. A normal distribution needs 1.645, but the standard error is
+/// underestimated if a few pixels cause most of the error. `lippmann bench estimates` measures how often the interval holds.
 constexpr double kDeviations = 2.0;
 
 constexpr std::uint32_t kPlacesSalt = 0x61756469u, kFirstSalt = 0x61756431u, kSecondSalt = 0x61756432u;
 
 using Color = std::array<double, 3>;
 
-/// One pixel of each of as many runs of consecutive pixels, ascending.
+/// Divides the pixels into runs of equal length and picks one at random from each. The result is in ascending order.
 std::vector<std::uint32_t> held_out_pixels(std::size_t pixels, std::uint32_t seed) {
   const std::size_t count = std::min(pixels, std::max(kLeastHeldOut, pixels / kPixelsPerHeldOut));
   std::vector<std::uint32_t> chosen;
@@ -54,7 +54,7 @@ std::vector<Color> codes_at(std::span<const std::uint32_t> pixels, const Image& 
   return codes;
 }
 
-/// The same pixels as other paths show them. They are traced into the film, which gets its own values back.
+/// Retraces `pixels` with other random numbers and returns their sRGB codes. The film is used as a buffer and then restored.
 std::vector<Color> traced_codes(const Shot& shot, const TraceParams& trace, std::span<const std::uint32_t> pixels,
                                 const Workers& workers, Image& film, float* open, RayCounts& rays) {
   std::vector<float> own;

@@ -1,9 +1,9 @@
 // Estimates the error of a path-traced frame on held-out pixels.
 //
-// About one pixel in 500 is traced again, twice, with random numbers of its own. With d the code (sRGB, 0 to 1) of the frame's
-// pixel, and a and b those of the two pictures, which are independent of d and of each other, the expected value of
-// (d - a)(d - b) is the squared error of d: the noise of a and b does not add to it. The frame's squared error is the mean over
-// the held-out pixels. The estimate is reported; no picture depends on it.
+// About one pixel in 500 is held out and traced two more times with new random numbers. Let d be the sRGB code (0 to 1) of such
+// a pixel in the frame, and a and b its codes in the two new pictures. a and b are independent of d and of each other, so the
+// expected value of (d - a)(d - b) is the squared error of d, without the noise of a and b. The frame's squared error is the
+// mean over the held-out pixels. The estimate is only reported; it does not change the picture.
 #pragma once
 
 #include <span>
@@ -12,18 +12,19 @@
 
 namespace lippmann {
 
-/// A mean squared error and the bounds of its 90 % interval, each >= 0; codes from 0 to 1.
+/// A mean squared error and the bounds of its 90 % interval, in squared codes (0 to 1). All three are >= 0.
 struct ErrorInterval {
   double mean = 0.0, low = 0.0, high = 0.0;
 };
 
-/// The interval of the mean of which `samples` (2 or more) are independent estimates. It lies symmetrically about the
-/// logarithm of their mean, because a few pixels make most of the error; where the mean is not positive, low is 0 and high
-/// follows from the standard error alone.
+/// Computes the interval of the mean of `samples`, which are 2 or more independent estimates. The interval is symmetric in the
+/// logarithm, because a few pixels cause most of the error. If the mean is not positive, mean and low are 0 and high depends
+/// on the standard error alone.
 ErrorInterval error_interval(std::span<const double> samples);
 
-/// Fills the PSNR and its interval in `report`, and adds the rays and the time. `film` is the finished frame; the device scene
-/// is at the frame's moment. Does nothing for frames with motion blur, whose samples belong to several moments.
+/// Sets the PSNR and its interval in `report`, and adds the audit's rays and time. `film` is the finished frame; it is the same
+/// afterwards. The stage's device scene must be at the frame's time. Does nothing for frames with motion blur, whose samples
+/// belong to several times.
 void audit(Stage& stage, const Sampling& sampling, int frame, Image& film, const ThreadPool& pool, const Context& context,
            FrameReport& report);
 

@@ -16,22 +16,22 @@ namespace {
 
 constexpr const char* kStrips = "strips";
 
-/// Copied frames have the same bits as traced ones, and a strip has no neighbours to be copied from.
+/// Replaces copying by tracing, which gives the same bits: a strip has no key frames to copy from.
 FrameParams made_alone(FrameParams params) {
   params.reuse = resolved_reuse(params);
   if (std::holds_alternative<CopySettled>(params.reuse)) params.reuse = TraceAll{};
   return params;
 }
 
-/// The interval of a frame's error from those of its strips, which are independent. It has the form of error_interval()
-/// (frames/audit.hpp): from the mean to its upper bound lies a width that is proportional to the standard error.
+/// Combines the error intervals of independent strips into that of the frame, in the form of error_interval() in
+/// frames/audit.hpp. The width, log(high / mean) times the mean, is proportional to the standard error.
 void combine_estimates(const std::vector<FrameReport>& strips, const std::vector<int>& rows, FrameReport& frame) {
   const double all_rows = std::accumulate(rows.begin(), rows.end(), 0.0);
   double mean = 0.0, squared_width = 0.0;
   frame.estimated_psnr_db = frame.psnr_at_least_db = frame.psnr_at_most_db = std::nullopt;
   for (std::size_t i = 0; i < strips.size(); ++i) {
     const FrameReport& strip = strips[i];
-    if (!strip.psnr_at_least_db) continue;  // all pixels exact, as those of the surroundings
+    if (!strip.psnr_at_least_db) continue;  // all pixels are exact, e.g. those of the surroundings
     const double share = rows[i] / all_rows, high = std::pow(10.0, -0.1 * *strip.psnr_at_least_db);
     double width = high;
     if (strip.estimated_psnr_db) {

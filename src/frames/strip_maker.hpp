@@ -1,7 +1,7 @@
-// Frames in strips of rows, each made by itself with the memory of its rows: for stills that one process would need too long
-// for, or too much memory.
+// Renders frames in strips of rows, for stills that take too much time or memory in a single process. Each strip is rendered
+// separately and needs memory for its own rows only.
 //
-// A strip has the bits that its rows have in the whole frame.
+// The pixels of a strip have the same bits as in the whole frame.
 #pragma once
 
 #include "frames/frame.hpp"
@@ -9,17 +9,20 @@
 
 namespace lippmann {
 
+/// Renders strips of frames.
 class StripMaker {
  public:
-  /// `params` passes check_strips(); `stage`, `pool` and `context` outlive this, and nothing else renders with the stage.
+  /// `params` must pass check_strips(). `stage`, `pool` and `context` must outlive this object, and nothing else may render
+  /// with the stage.
   StripMaker(Stage& stage, const FrameParams& params, int strips, const ThreadPool& pool, const Context& context);
 
   int strips() const { return strips_; }
 
-  /// The rows of strip `strip` of a frame, from 0 at the top.
+  /// The film rows of a strip. Strips are numbered from 0 at the top.
   FilmRows rows_of(int strip) const;
 
-  /// Film and layers of these rows. In any order. Unfinished when the context was cancelled meanwhile.
+  /// Renders the film and layers of one strip. Strips may be made in any order. The result is incomplete if the context is
+  /// cancelled meanwhile.
   RenderedFrame make(int frame, int strip);
 
  private:
@@ -30,14 +33,15 @@ class StripMaker {
   const Context& context_;
 };
 
-/// Into how many strips frames fall at most: rays are traced together in bands of rows, which stay whole.
+/// Maximum number of strips of a frame. Rays are traced together in bands of rows, which cannot be divided.
 int most_strips(const Optics& optics);
 
-/// Throws a usage Error where frames cannot be made in so many strips: where rows need others, or are too few.
+/// Throws a usage Error if frames cannot be rendered in `strips` strips: if there are too few rows, or if a strip needs the
+/// pixels of the whole frame.
 void check_strips(const FrameParams& params, const Optics& optics, int strips);
 
-/// What a frame took as its strips did, and how good it is, which are those of a frame: `rows` of each, in the same order.
-/// Neither is empty.
+/// Combines the reports of a frame's strips: adds their times and rays, and combines their error estimates. `rows` holds the
+/// number of rows of each strip, in the same order. Neither argument may be empty.
 FrameReport report_of_strips(const std::vector<FrameReport>& strips, const std::vector<int>& rows);
 
 }  // namespace lippmann

@@ -16,7 +16,7 @@ int rows_around(const Sampling& sampling, const Optics& optics) {
 
 namespace {
 
-/// `rows`, and those around them that their pixels depend on, as whole bands that are traced together.
+/// Extends `rows` by `around` rows on both sides, rounded outwards to whole bands of rows that are traced together.
 FilmRows with_rows_around(FilmRows rows, int around, const Optics& optics) {
   const int height = film_size(optics).y, together = rows_per_strip(optics), end = std::min(rows.end, height) + around;
   return {std::max(rows.first - around, 0) / together * together, std::min((end + together - 1) / together * together, height)};
@@ -55,7 +55,7 @@ RenderedFrame TracedFrames::denoised(int frame) {
   return rendered;
 }
 
-/// Of the rows that were traced, these.
+/// Crops the film and the layers from the traced rows to `rows`.
 void TracedFrames::keep_rows(FilmRows rows, FramePictures& pictures) const {
   rows.end = std::min(rows.end, film_size(stage_.placed.optics).y);
   if (rows == traced_rows_) return;

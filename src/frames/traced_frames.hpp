@@ -1,4 +1,4 @@
-// Frames that are traced, each by itself. Path-traced frames are denoised (denoise/denoiser.hpp) if the sampling says so.
+// Traces every frame separately. Path-traced frames are denoised (denoise/denoiser.hpp) if is_denoised() is true.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,11 @@
 
 namespace lippmann {
 
-/// Rows of the film above and below a row on which its pixels depend; all of the film's in a denoised quilt of several rows.
+/// Number of film rows above and below a row that affect its pixels: 0 without denoising, and the film's height for a denoised
+/// quilt with several rows of tiles.
 int rows_around(const Sampling& sampling, const Optics& optics);
 
+/// Makes frames by tracing all of their pixels.
 class TracedFrames final : public FrameMaker {
  public:
   /// `stage`, `pool` and `context` must outlive this object.
@@ -18,7 +20,7 @@ class TracedFrames final : public FrameMaker {
 
   RenderedFrame make(int frame) override;
 
-  /// Working memory beside the film and the layers.
+  /// Working memory per pixel in addition to the film and the layers, in bytes.
   static double bytes_per_pixel(const Sampling& sampling);
 
  private:
@@ -29,8 +31,8 @@ class TracedFrames final : public FrameMaker {
   Sampling sampling_;
   const ThreadPool& pool_;
   const Context& context_;
-  FilmRows traced_rows_;              ///< the stage's, and around them what the denoiser reads
-  std::optional<Denoiser> denoiser_;  ///< none: frames stay as traced
+  FilmRows traced_rows_;              ///< the stage's rows, and those around them that the denoiser reads
+  std::optional<Denoiser> denoiser_;  ///< empty: frames are not denoised
 };
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Parameters and values of earlier versions, each with what replaces it: flags and job files that still have one get one clear
+// Parameters and values of earlier versions, each with its replacement. Flags and job files that still use one get a clear
 // error.
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace lippmann {
 
-/// The usage Error for a parameter, or for a value of one, that was removed; none: it was not. `where` names the place:
-/// "--reuse".
+/// Returns a usage Error if the parameter `name`, or its value `value`, was removed, and nullopt otherwise. `where` is the name
+/// that the error shows, e.g. "--reuse".
 std::optional<Error> removal_of(std::string_view name, std::string_view value, const std::string& where);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Which reuse served a render, what it did, and how large its error is: sentences for people.
+// Sentences for people that summarise a render: its kind of reuse, the pixels that were reused, and the estimated error.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace lippmann {
 
-/// Begins with the name of the kind that served (name_of).
+/// The kind of reuse (name_of()), followed by its effect.
 std::string reuse_sentence(const RenderReport& report);
 
-/// "estimated error 42 dB (40 to 44)": the PSNR of the frame with the largest error and its 90 % interval. Empty without
-/// estimates.
+/// The PSNR of the frame with the largest error and its 90 % interval, e.g. "estimated error 42 dB (40 to 44)". Returns an
+/// empty string if no frame has an estimate.
 std::string error_sentence(const std::vector<FrameReport>& frames);
 
 }  // namespace lippmann

@@ -1,5 +1,5 @@
-// How the frames of a scene on its optics are made: how each is sampled, and what it takes from others. It knows no scene's
-// name, no folder and no flag.
+// Parameters for rendering the frames of a scene for its optics: the sampling of each frame, and reuse between frames. Scene
+// names, folders and flags are not part of them.
 #pragma once
 
 #include <cstdint>
@@ -16,35 +16,37 @@
 
 namespace lippmann {
 
-/// Whether the noise of path tracing is removed (denoise/denoiser.hpp).
+/// Selects whether path-tracing noise is removed (denoise/denoiser.hpp).
 enum class Denoise {
-  kAuto,  ///< of path-traced frames with 2 or more samples per pixel: see is_denoised()
-  kNone,  ///< frames stay as traced
+  kAuto,  ///< denoise path-traced frames with 2 or more samples per pixel: see is_denoised()
+  kNone,  ///< do not denoise
 };
 
-/// How a frame is traced, and which layers it has.
+/// How to trace a frame, and which layers to produce.
 struct Sampling {
-  std::optional<Integrator> integrator{};  ///< none: Whitted's
+  std::optional<Integrator> integrator{};  ///< default: Integrator::kWhitted
   RayOrder order = RayOrder::kViewTiles;
-  int spp = 0;                                    ///< samples per pixel; 0: 1, of paths kPathSamples
-  std::optional<AngularFilter> angular_filter{};  ///< none: kBox for several samples of a display's quilt, see PlacedOptics
-  ViewLens lens{};                                ///< of views: depth of field; 2 or more samples per pixel
-  float shutter = 0.0f;  ///< motion blur: open for this share of the time from frame to frame, around the frame's; 0 to 1
-  int max_depth = 0;     ///< path vertices; 0: the scene's own limit
+  int spp = 0;  ///< samples per pixel; 0: kPathSamples for path tracing, else 1
+  /// Default: kBox for a display's quilt with several samples per pixel, see PlacedOptics.
+  std::optional<AngularFilter> angular_filter{};
+  ViewLens lens{};  ///< depth of field of the views; needs 2 or more samples per pixel
+  /// Motion blur: the shutter is open for this share of the frame interval, centred on the frame's time; 0 to 1.
+  float shutter = 0.0f;
+  int max_depth = 0;  ///< maximum number of path vertices; 0: the scene's own limit
   std::uint32_t seed = 0;
-  float clamp_indirect = 0.0f;  ///< paths: the brightest indirect contribution to a sample; 0: any
+  float clamp_indirect = 0.0f;  ///< path tracing: upper limit of a path's indirect contribution (linear light); 0: none
   Denoise denoise = Denoise::kAuto;
-  bool transparent = false;  ///< pictures have alpha: the surroundings light the scene but are not seen
-  std::vector<Aov> aov{};    ///< extra layers beside the picture
+  bool transparent = false;  ///< adds alpha to pictures: the surroundings light the scene but are invisible
+  std::vector<Aov> aov{};    ///< extra layers to produce
 };
 
-/// All that frames of a scene and its optics depend on.
+/// All parameters of frames besides the scene and its optics.
 struct FrameParams {
   Sampling sampling{};
   Reuse reuse{};
 };
 
-/// Samples per pixel of paths by default.
+/// Default number of samples per pixel for path tracing.
 inline constexpr int kPathSamples = 16;
 
 inline Integrator integrator_of(const Sampling& sampling) { return sampling.integrator.value_or(Integrator::kWhitted); }
@@ -53,23 +55,23 @@ inline int samples_per_pixel(const Sampling& sampling) {
   return sampling.spp > 0 ? sampling.spp : integrator_of(sampling) == Integrator::kPath ? kPathSamples : 1;
 }
 
-/// Whether frames are denoised: not where the noise cannot be estimated, from one sample per pixel.
+/// Returns whether frames are denoised. One sample per pixel is never denoised, because its noise cannot be estimated.
 inline bool is_denoised(const Sampling& sampling) {
   return sampling.denoise == Denoise::kAuto && integrator_of(sampling) == Integrator::kPath && samples_per_pixel(sampling) > 1;
 }
 
-/// Whether frames sampled so can be copied where they stay as they are: Whitted's shading, no layers beside the picture but
-/// provenance, and no motion blur.
+/// Returns whether CopySettled can be used: with Whitted shading, without motion blur and alpha, and without extra layers other
+/// than provenance.
 bool can_copy_settled(const Sampling& sampling);
 
-/// The kind of reuse that serves: as it is, and of AutoReuse what the sampling allows.
+/// Returns params.reuse, with AutoReuse replaced by the kind that the sampling allows.
 Reuse resolved_reuse(const FrameParams& params);
 
-/// Throws a usage Error for parameters that are out of range, contradict each other, or that the optics do not have. It names
-/// the member (min-psnr for min_psnr_db, as job files do) and what would be accepted.
+/// Throws a usage Error if parameters are out of range, contradict each other, or do not apply to `optics`. The error names the
+/// parameter as in job files (min-psnr for min_psnr_db) and the accepted values.
 void check(const FrameParams& params, const Optics& optics);
 
-/// The part of it that does not depend on the optics.
+/// Checks only what does not depend on the optics. Throws as above.
 void check(const FrameParams& params);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// A frame as it was traced: its film and layers as the optics lie, and what making it took.
+// A rendered frame: its film and layers in the native layout of the optics, and its report.
 #pragma once
 
 #include "lippmann/frames/frame_report.hpp"
@@ -7,13 +7,14 @@
 
 namespace lippmann {
 
+/// The images of one frame, all in the native layout of the optics.
 struct FramePictures {
-  Image film;
-  FrameAovs aovs;
-  Image8 codes;  ///< the film's 8-bit codes, for files and videos; empty where nothing needs them
+  Image film;      ///< linear light, RGB
+  FrameAovs aovs;  ///< the extra layers
+  Image8 codes;    ///< 8-bit codes of the film for files and videos; empty if not needed
 };
 
-/// A frame as traced, and what that took. The codes are not made yet.
+/// A frame and its report. pictures.codes is still empty.
 struct RenderedFrame {
   FramePictures pictures;
   FrameReport report;

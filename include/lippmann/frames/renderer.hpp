@@ -1,5 +1,5 @@
-// The front door for programs that hold a scene in memory: a scene, optics, sampling and reuse go in; frames with their layers
-// and figures come out. It knows no flags, no job files and no folders: job/animation.hpp puts those on top.
+// The main interface for programs that hold a scene in memory. A renderer takes a scene, optics, sampling and reuse, and
+// returns frames with their layers and reports. Flags, job files and folders are handled by job/animation.hpp.
 //
 //   const Context context;
 //   const Scene scene = load_scene("room", {}, context);
@@ -24,20 +24,20 @@
 
 namespace lippmann {
 
-/// Renders the frames of one scene through one set of optics. The same bits for any number of threads, and whichever frames are
-/// asked for. One thread at a time; different renderers are independent.
+/// Renders the frames of one scene for one set of optics. A frame has the same bits for any number of threads, whichever other
+/// frames are rendered. A renderer is not thread-safe; different renderers are independent.
 class Renderer {
  public:
-  /// Builds what rays are traced against, on context.threads threads. An integrator that is not named is Whitted's. `context`
-  /// outlives it. Throws Error where the scene does not pass validate(), or where parameters contradict each other.
+  /// Builds the data structures for ray tracing on context.threads threads. The default integrator is Integrator::kWhitted.
+  /// `context` must outlive this object. Throws Error if the scene does not pass validate(), or if parameters are invalid.
   Renderer(Scene scene, Placement placement, FrameParams params, const Context& context);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Frame `index` of the scene's timeline, counted from 0: film as the optics lie (linear light, RGB), layers, figures. Frames
-  /// that reuse others (CopySettled, Interpolate) take the least time in ascending order. None where context.cancelled was set
-  /// meanwhile. Throws Error for frames that the timeline does not have.
+  /// Renders frame `index` of the scene's timeline, counted from 0. The film holds linear RGB light in the native layout of the
+  /// optics. With CopySettled and Interpolate, ascending order takes the least time. Returns nullopt if context.cancelled is
+  /// set meanwhile. Throws Error if the timeline does not have this frame.
   std::optional<RenderedFrame> frame(int index);
 
   const Scene& scene() const;

@@ -1,4 +1,4 @@
-// What the frames of an animation take from each other: one of several kinds of reuse, each with its own parameters.
+// Reuse of pixels between the frames of an animation: several kinds, each with its own parameters.
 #pragma once
 
 #include <optional>
@@ -8,34 +8,37 @@
 
 namespace lippmann {
 
-/// CopySettled where the sampling allows it, else TraceAll: see resolved_reuse().
+/// Selects CopySettled if the sampling allows it, else TraceAll: see resolved_reuse().
 struct AutoReuse {};
 
-/// Every frame is traced, and nothing is shared.
+/// Traces every frame in full.
 struct TraceAll {};
 
-/// Whitted's shading: pixels that provably stay as they are are copied from key frames. The same bits as TraceAll.
+/// Copies pixels that provably do not change from key frames. Frames have the same bits as with TraceAll. Requires Whitted
+/// shading.
 struct CopySettled {
-  std::optional<int> keyframes{};  ///< a key frame every so many frames; none: chosen where it pays
+  std::optional<int> keyframes{};  ///< frames from one key frame to the next; default: chosen automatically
 };
 
-/// The paper's: frames between key frames are made from the points of these, and what no point lands on is filled. Whitted's
-/// shading alone.
+/// Interpolates as in the paper: projects the points of key frames into the frames between them, and fills the pixels that no
+/// point lands on. Requires Whitted shading.
 struct Interpolate {
-  std::optional<int> keyframes{};       ///< a key frame every so many frames; none: kDefaultKeyframes, or chosen with a floor
-  std::optional<double> min_psnr_db{};  ///< a floor for every frame, 8-bit codes: uncertain pixels are traced; none: no floor
+  /// Frames from one key frame to the next; default: kDefaultKeyframes, or chosen automatically with min_psnr_db.
+  std::optional<int> keyframes{};
+  /// Minimum PSNR of every frame in 8-bit codes, in dB. Uncertain pixels are traced to reach it. Default: no minimum.
+  std::optional<double> min_psnr_db{};
   SplatMode splat = SplatMode::kView;
   MissedFill fill = MissedFill::kInterpolate;
-  bool halving = false;      ///< made frames are sources too (reuse/frame_plan.hpp); else key frames only
-  bool no_z_buffer = false;  ///< points overwrite each other in pixel order: wrong, for study
+  bool halving = false;      ///< use interpolated frames as sources, too (reuse/frame_plan.hpp), not only key frames
+  bool no_z_buffer = false;  ///< let points overwrite each other in pixel order; incorrect, for experiments only
 };
 
 using Reuse = std::variant<AutoReuse, TraceAll, CopySettled, Interpolate>;
 
-/// The default for interpolated animations.
+/// Default number of frames from one key frame to the next for Interpolate.
 inline constexpr int kDefaultKeyframes = 8;
 
-/// auto, none, copy or interpolate.
+/// Returns "auto", "none", "copy" or "interpolate".
 const char* name_of(const Reuse& reuse);
 
 }  // namespace lippmann
