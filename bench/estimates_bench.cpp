@@ -1,5 +1,5 @@
-// How often the interval that frames report for their PSNR (psnr_at_least_db to psnr_at_most_db of report.json) contains the
-// true PSNR: frames of all rows of bench light, with several seeds, against converged references.
+// Measures how often the PSNR interval that frames report (psnr_at_least_db to psnr_at_most_db in report.json) contains the
+// true PSNR. It renders all rows of bench light with several seeds and compares them with converged references.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -17,11 +17,11 @@ namespace {
 
 constexpr int kSeeds = 5, kQuickSeeds = 2, kFramesPerSeed = 4;
 
-/// The reported intervals of the frames of a row.
+/// Statistics of the reported intervals of a row's frames.
 struct Intervals {
-  int frames = 0, contain = 0, too_low = 0, too_high = 0;  ///< too_low: the truth lies above
-  int bounded = 0;                                         ///< frames with an estimate; the others have a lower bound alone
-  double excess_db = 0.0, width_db = 0.0;                  ///< sums over those; excess: estimate less truth
+  int frames = 0, contain = 0, too_low = 0, too_high = 0;  ///< too_low: the true PSNR lies above the interval
+  int bounded = 0;                                         ///< frames with an estimate; the others only have a lower bound
+  double excess_db = 0.0, width_db = 0.0;                  ///< sums over the bounded frames; excess: estimate minus true PSNR
 
   void add(const FrameReport& report, double true_db) {
     if (!report.psnr_at_least_db || !std::isfinite(true_db)) return;

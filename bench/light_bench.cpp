@@ -1,7 +1,8 @@
-// Path tracing with 16 samples a pixel, denoised, beside 64 samples as traced, both against converged references.
+// Compares denoised path tracing at 16 samples per pixel with 64 samples per pixel without denoising, both measured against
+// converged references.
 //
-// Checked: frames have no NaN; the mean light of the denoised frames is that of the references but for kMeanLight. Reported:
-// whether their PSNR, of pixels and of pixels at edges, is at most kCloseDb below that of 64 samples.
+// The benchmark fails if a frame has a NaN, or if the mean light of the denoised frames differs from the references by more
+// than kMeanLight. It reports whether their PSNR, for all pixels and for pixels at edges, is at most kCloseDb below 64 samples.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -87,7 +88,7 @@ std::string line_of(const LightCase& row, const LightFigures& denoised, const Li
                      keeps_light(denoised) ? "" : "  LIGHT");
 }
 
-/// test - reference, amplified around mid-grey.
+/// Returns test - reference, amplified and centred on mid-grey.
 Image8 error_picture(const Image8& reference, const Image8& test) {
   Image8 error = test;
   for (std::size_t i = 0; i < error.rgb.size(); ++i)
@@ -96,10 +97,11 @@ Image8 error_picture(const Image8& reference, const Image8& test) {
   return error;
 }
 
-/// FOLDER/SCENE_FRAME_reference.png and so on: the views one below the other.
+/// Writes FOLDER/SCENE_FRAME_reference.png and likewise the denoised, full and error pictures, with the views stacked
+/// vertically.
 void write_pictures(const std::filesystem::path& folder, const LightCase& row, const References& references,
                     const LightFigures& denoised, const LightFigures& full) {
-  std::error_code ignored;  // write_picture() reports what is wrong
+  std::error_code ignored;  // write_picture() reports the error
   std::filesystem::create_directories(folder, ignored);
   for (std::size_t f = 0; f < references.size(); ++f) {
     const std::string stem = std::filesystem::path(row.name).stem().string();

@@ -9,7 +9,7 @@
 namespace lippmann::bench {
 namespace {
 
-/// The mean of products of errors against both halves of a reference.
+/// The mean product of the errors against the two halves of a reference.
 struct SquaredError {
   double sum = 0.0;
   std::size_t count = 0;

@@ -1,9 +1,9 @@
-// How far path-traced frames are from converged ones, in 8-bit codes, and how much they flicker from view to view and from
-// frame to frame.
+// Measures the error of path-traced frames against converged ones, in 8-bit codes, and the flicker between views and between
+// frames.
 //
-// Frames are stacks of views, one below the other (layout/light_field.hpp). A block is 8 x 8 pixels of one view, counted from
-// its upper left corner; pixels left over at the edges of a view belong to no block. Noise that is independent from pixel to
-// pixel is 8 times weaker in the mean of a block; an error shared by neighbours is as strong.
+// Frames are vertical stacks of views (layout/light_field.hpp). Each view is divided into blocks of 8 x 8 pixels from its upper
+// left corner; incomplete blocks at its edges are ignored. The mean of a block has 1/8 of the standard deviation of independent
+// pixel noise, but the full error that neighbouring pixels share.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 namespace lippmann::bench {
 
 inline constexpr int kBlockSide = 8;
-inline constexpr int kEdgeCodes = 16;  ///< least difference between two pixels with an edge between them, in any channel
+inline constexpr int kEdgeCodes = 16;  ///< minimum difference, in any channel, between neighbouring pixels across an edge
 
 /// The shape of a stack of views.
 struct ViewStack {
@@ -26,32 +26,33 @@ struct ViewStack {
 
 using Frames = std::vector<Image8>;
 
-/// A converged frame, rendered twice with independent random numbers. The product of the differences from both is the squared
-/// error on average: the noise of the references drops out.
+/// A converged frame, rendered twice with independent random numbers. The product of the differences from both halves is, on
+/// average, the squared error without the noise of the reference.
 using Reference = std::array<Image8, 2>;
 using References = std::vector<Reference>;
 
 /// The mean of both halves.
 Image8 mean_of(const Reference& reference);
 
-/// Over all frames, pixels and channels, in codes squared, at least 0. As many frames in both, of one size.
+/// Mean squared error over all frames, pixels and channels, in squared codes, at least 0. Both arguments need the same number
+/// of frames, of the same size.
 double mean_squared_error(const References& references, const Frames& test);
 
-/// The mean codes of every block, three channels each.
+/// Returns the mean code of every block, for three channels each.
 std::vector<double> block_means(const Image8& stack, Vec2i view_size);
 
-/// Of the means of blocks. NaN where there are no blocks.
+/// Mean squared error of the block means. NaN without blocks.
 double block_squared_error(const References& references, const Frames& test, Vec2i view_size);
 
-/// Of the pixels on either side of an edge of the reference. NaN where there are none.
+/// Mean squared error of the pixels on both sides of an edge in the reference. NaN without edges.
 double edge_squared_error(const References& references, const Frames& test, Vec2i view_size);
 
-/// Linear light of the test over that of the references, summed over all frames, pixels and channels. Light beyond the
-/// brightest code is not counted. NaN where the references are black.
+/// Linear light of the test divided by that of the references, each summed over all frames, pixels and channels. Light above
+/// the brightest code is clipped. NaN if the references are black.
 double mean_light_ratio(const References& references, const Frames& test);
 
-/// Mean of |a - 2 b + c| in codes over three neighbouring views in a row of the grid, and over three frames in a row. NaN where
-/// there are no three.
+/// Mean of |a - 2 b + c| in codes, over three neighbouring views in a row of the grid, or over three consecutive frames. NaN
+/// with fewer than three.
 double view_flicker(const Frames& frames, const ViewStack& views);
 double frame_flicker(const Frames& frames);
 

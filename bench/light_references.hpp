@@ -1,4 +1,4 @@
-// Converged frames that others are compared with, kept in a folder because they take far longer than what is measured.
+// Converged reference frames. They are kept in a folder, because rendering them takes far longer than the benchmark itself.
 #pragma once
 
 #include <filesystem>
@@ -11,19 +11,21 @@
 
 namespace lippmann::bench {
 
-/// The folder of a request: as given, else $XDG_CACHE_HOME/lippmann/references or ~/.cache/lippmann/references. Throws a usage
-/// Error where neither is known.
+/// Returns the requested folder, or by default $XDG_CACHE_HOME/lippmann/references or ~/.cache/lippmann/references. Throws a
+/// usage Error if `requested` is empty and neither XDG_CACHE_HOME nor HOME is set.
 std::filesystem::path reference_folder(const std::string& requested);
 
+/// Renders the references of a scene, or reads those that are kept.
 class LightReferences {
  public:
-  /// `sampling`: path tracing, with the samples per pixel of both halves together. Its seed must differ from that of the frames
-  /// to be compared; the second half takes the next seed. `say` gets a line per rendered half. All references outlive this.
+  /// `sampling` selects path tracing and has the samples per pixel of both halves together. Its seed and the next one, which
+  /// the second half uses, must differ from the seeds of the compared frames. `say` receives a line per rendered half; it may
+  /// be empty. `stage`, `pool` and `context` must outlive this object.
   LightReferences(Stage& stage, Sampling sampling, std::filesystem::path folder, const ThreadPool& pool, const Context& context,
                   std::function<void(std::string_view)> say);
 
-  /// Both halves of a frame as stacks of views. A kept half is used if one sample per pixel, traced now, has the same bits as
-  /// when it was kept. Throws Error where a half cannot be written, or when the context is cancelled.
+  /// Returns both halves of a frame as stacks of views. A kept half is reused if a probe with one sample per pixel has the same
+  /// bits as when the half was rendered. Throws Error if a half cannot be written, or if the context is cancelled.
   Reference frame(const std::string& name, int frame);
 
   int rendered() const { return rendered_; }
@@ -39,7 +41,7 @@ class LightReferences {
   const ThreadPool& pool_;
   const Context& context_;
   std::function<void(std::string_view)> say_;
-  int rendered_ = 0, kept_ = 0;  ///< halves
+  int rendered_ = 0, kept_ = 0;  ///< number of halves
 };
 
 }  // namespace lippmann::bench

@@ -15,7 +15,7 @@
 namespace lippmann::bench {
 namespace {
 
-constexpr int kFrames = 3;  // the fewest that have a flicker
+constexpr int kFrames = 3;  // the minimum for measuring flicker
 constexpr int kQuickReferenceSamples = 64, kQuickViewPixels = 16;
 constexpr std::string_view kQuilt = "-quilt";
 constexpr const char* kQuietRows[] = {"teapot", "room", "small-balls", "tree", "room-quilt", "tree-quilt"};
@@ -46,7 +46,7 @@ void set_views(Extent<int> views, int pixels, RenderParams& params) {
   params.optics.size = {views.x * pixels, views.y * pixels};
 }
 
-/// `all`: of the timeline. A stretch from a third of it on, where everything has moved.
+/// Selects consecutive frames from one third of the timeline on, where all objects have moved. `all` is the timeline's length.
 void set_frames(int all, const Request& request, LightCase& row) {
   row.count = std::min(request.frames > 0 ? request.frames : is_quilt(row.name) ? 1 : kFrames, all);
   row.first = std::min(all / 3, all - row.count);
@@ -69,7 +69,7 @@ LightCase hostile_case(const HostileScene& scene, const Request& request) {
   return row;
 }
 
-/// Other views, as requested.
+/// Replaces the row's views by those of the request.
 void choose_views(const Request& request, RenderParams& params) {
   constexpr int kMostViews = 64, kViewPixels = 120;
   if (request.views.empty() && request.view_pixels == 0) return;

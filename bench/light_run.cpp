@@ -15,7 +15,7 @@
 namespace lippmann::bench {
 namespace {
 
-/// Far from those of measured frames, whose paths references must not share.
+/// Seed of the references, far from the seeds of the measured frames, so that they share no paths.
 constexpr std::uint32_t kReferenceSeed = 1u << 20;
 
 Scene scene_of(const LightCase& row, const Context& context) {

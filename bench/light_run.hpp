@@ -1,8 +1,8 @@
-// Renders the frames of a row in several ways, and compares them with converged references: CPU time, error, mean light,
-// flicker.
+// Renders the frames of a row with several samplings, and measures CPU time, and error, mean light and flicker relative to
+// converged references.
 //
-// CPU seconds are those of rendering, of all threads together. Every frame is rendered in all ways before the next frame is, so
-// that all ways find the machine in the same state.
+// CPU seconds are the rendering time of all threads together. Each frame is rendered with all samplings before the next frame,
+// so that changes in the machine's speed affect all of them equally.
 #pragma once
 
 #include <filesystem>
@@ -18,24 +18,26 @@
 
 namespace lippmann::bench {
 
-/// What one way to render the frames of a row takes and gives.
+/// The cost and quality of a row's frames with one sampling.
 struct LightFigures {
   double cpu_seconds = 0.0;
-  double psnr_db = 0.0, block_psnr_db = 0.0, edge_psnr_db = 0.0;  ///< from the mean squared errors of all frames
-  double mean_light = 1.0;                                        ///< over that of the references
-  double view_flicker = 0.0, frame_flicker = 0.0;                 ///< less those of the references, in codes
-  std::vector<FrameReport> reports;                               ///< by frame
+  double psnr_db = 0.0, block_psnr_db = 0.0, edge_psnr_db = 0.0;  ///< from the mean squared error of all frames together
+  double mean_light = 1.0;                                        ///< relative to the references
+  double view_flicker = 0.0, frame_flicker = 0.0;                 ///< minus that of the references, in codes
+  std::vector<FrameReport> reports;                               ///< one per frame
   std::vector<double> psnr_db_by_frame;
   Frames frames;
 };
 
+/// Renders and measures the frames of one row.
 class LightBench {
  public:
-  /// Makes the scene, and the references that are not kept. `row`, `request` and `context` outlive this. Throws Error.
+  /// Builds the scene and renders the references that are not kept. `row`, `request` and `context` must outlive this object.
+  /// Throws Error if the scene is invalid or a reference cannot be made.
   LightBench(const LightCase& row, const Request& request, const Context& context);
 
-  /// One result per sampling, which differ in samples, denoising and seed from that of the row. Throws Error where a frame has
-  /// a sample that is NaN, or when the context is cancelled.
+  /// Returns one result per sampling. The samplings may differ from the row's in samples, denoising and seed only. Throws Error
+  /// if a frame contains a NaN, or if the context is cancelled.
   std::vector<LightFigures> measure(const std::vector<Sampling>& ways);
 
   Vec2i film_size() const;
@@ -55,7 +57,7 @@ class LightBench {
   References references_;
 };
 
-/// The row's sampling with other samples per pixel, denoised or not.
+/// Returns `sampling` with the given samples per pixel and denoising.
 Sampling with_samples(Sampling sampling, int spp, Denoise denoise);
 
 }  // namespace lippmann::bench
