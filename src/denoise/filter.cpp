@@ -23,7 +23,7 @@ constexpr int kViewReach = 3;  ///< number of views to the left, to the right, u
 
 // Thresholds for pixels that a single bright path dominates.
 constexpr float kOneHalf = 0.4f;          ///< minimum noise over light: 0.4 if one half of the samples has 70 % of the light
-constexpr float kBrighter = 3.0f;         ///< minimum light, relative to the second-brightest neighbour
+constexpr float kBrighter = 2.0f;         ///< minimum light, relative to the second-brightest neighbour
 constexpr float kSameMaterial = 4.0f;     ///< maximum material_difference()
 constexpr float kLeastNeighbours = 8.0f;  ///< minimum number of neighbours of the same material
 
