@@ -57,10 +57,12 @@ std::string reuse_sentence(const RenderReport& report) {
 }
 
 std::string error_sentence(const std::vector<FrameReport>& frames) {
-  const FrameReport* worst = nullptr;
-  for (const FrameReport& frame : frames)
+  const FrameReport *worst = nullptr, *least_sure = nullptr;
+  for (const FrameReport& frame : frames) {
     if (frame.estimated_psnr_db && (!worst || *frame.estimated_psnr_db < *worst->estimated_psnr_db)) worst = &frame;
-  if (!worst) return "";
+    if (frame.psnr_at_least_db && (!least_sure || *frame.psnr_at_least_db < *least_sure->psnr_at_least_db)) least_sure = &frame;
+  }
+  if (!worst) return least_sure ? fmt::format("estimated error {:.0f} dB or better", *least_sure->psnr_at_least_db) : "";
   std::string interval;
   if (worst->psnr_at_least_db && worst->psnr_at_most_db)
     interval = fmt::format(" ({:.0f} to {:.0f})", *worst->psnr_at_least_db, *worst->psnr_at_most_db);

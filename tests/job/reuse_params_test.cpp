@@ -118,6 +118,12 @@ TEST(ErrorSentence, of_several_frames_is_that_of_the_worst) {
   EXPECT_EQ(error_sentence(frames), "estimated error at worst 38 dB (37 to 39), in frame 7");
 }
 
+TEST(ErrorSentence, of_a_frame_without_visible_error_is_its_bound) {
+  FrameReport frame;
+  frame.psnr_at_least_db = 54.4;
+  EXPECT_EQ(error_sentence({frame}), "estimated error 54 dB or better");
+}
+
 TEST(ErrorSentence, of_frames_without_an_estimate_is_empty) { EXPECT_EQ(error_sentence({FrameReport{}}), ""); }
 
 }  // namespace
