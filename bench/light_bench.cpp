@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <string>
 #include <system_error>
 
 #include "bench/benchmarks.hpp"
@@ -77,7 +78,9 @@ std::string heading() {
 std::string line_of(const LightCase& row, const LightFigures& denoised, const LightFigures& full) {
   const double frames = row.count;
   const auto db = [](double a, double b) { return fmt::format("{:.2f} : {:.2f}", a, b); };
-  const auto signed_pair = [](double a, double b) { return fmt::format("{:+.2f} : {:+.2f}", a, b); };
+  const auto signed_pair = [](double a, double b) {
+    return std::isfinite(a) && std::isfinite(b) ? fmt::format("{:+.2f} : {:+.2f}", a, b) : std::string("-");
+  };
   return fmt::format("{:<12} {:>13} {:>6.2f} {:>15} {:>15} {:>15} {:>15} {:>15} {:>15}{}{}\n", row.name,
                      db(denoised.cpu_seconds / frames, full.cpu_seconds / frames), full.cpu_seconds / denoised.cpu_seconds,
                      db(denoised.psnr_db, full.psnr_db), db(denoised.edge_psnr_db, full.edge_psnr_db),
