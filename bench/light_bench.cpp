@@ -100,8 +100,7 @@ Image8 error_picture(const Image8& reference, const Image8& test) {
   return error;
 }
 
-/// Writes FOLDER/SCENE_FRAME_reference.png and likewise the denoised, full and error pictures, with the views stacked
-/// vertically.
+/// Writes FOLDER/SCENE_FRAME_NAME.png, where NAME is reference, denoised, full or error. The views are stacked vertically.
 void write_pictures(const std::filesystem::path& folder, const LightCase& row, const References& references,
                     const LightFigures& denoised, const LightFigures& full) {
   std::error_code ignored;  // write_picture() reports the error

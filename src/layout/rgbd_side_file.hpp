@@ -35,7 +35,7 @@ DepthRange range_before_eye(DepthRange range, double distance_mm);
 
 std::filesystem::path rgbd_side_path(const std::filesystem::path& image);
 
-/// None if there is no such file, or it does not speak of depth. Throws Error where it says something impossible.
+/// Returns nothing if there is no such file or it does not describe depth. Throws Error where it says something impossible.
 std::optional<RgbdSideFile> read_rgbd_side_file(const std::filesystem::path& image);
 
 void write_rgbd_side_file(const std::filesystem::path& image, const RgbdSideFile& side);

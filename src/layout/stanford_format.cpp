@@ -59,7 +59,7 @@ LightField read_stanford(const fs::path& folder, const FormatOptions& options) {
   return field;
 }
 
-/// None if the cameras are unknown or irregular.
+/// Returns nothing if the cameras are unknown or irregular.
 std::optional<HciParameters> regular_cameras(const LightField& field, const fs::path& folder) {
   if (!field.cameras) return std::nullopt;
   try {

@@ -34,7 +34,7 @@ struct LensCells {
   Cell cell_of(Vec2d place, Vec2d k, int row) const;
 };
 
-/// None for optics without lenses. `optics` must pass validate().
+/// Returns nothing for optics without lenses. `optics` must pass validate().
 std::optional<LensCells> lens_cells(const Optics& optics);
 
 }  // namespace lippmann

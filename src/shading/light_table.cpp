@@ -237,7 +237,7 @@ std::optional<LightSample> LightTable::sample_entry(std::size_t entry, Vec3f fro
   return sample_sky(environment_.sample_rest(u));
 }
 
-/// What is left of the number that has chosen a kind is spread over the kind's lights.
+/// `pick` first chooses near or far lights. Its position within the chosen range then chooses a light of that kind.
 std::optional<LightSample> LightTable::sample(const LightReceiver& at, float pick, Vec2f u) const {
   if (near_.empty() && far_.empty()) return std::nullopt;
   const float near = near_share(at);

@@ -74,12 +74,12 @@ class LightTable {
     round_tree_.meet(origin, direction, reach, [&](std::uint32_t k) { visit(std::size_t{k}); });
   }
 
-  /// Whether it is worth while to draw directions into the sky for all surfaces of a packet, before it is known which of them
-  /// ask for the sky.
+  /// Whether drawing sky directions for all lanes of a packet at once pays off, before it is known which lanes sample the sky.
   bool asks_sky_often() const { return (near_.empty() ? 1.0f : 0.5f) * far_.of_sky > 0.25f; }
-  /// Whether sample() draws from the rest of the sky for this `pick`.
+  /// Whether sample() samples the sky, without its sun, for this `pick`.
   bool picks_sky(const LightReceiver& at, float pick) const { return pick >= 1.0f - chance_of_sky(at); }
-  /// What sample() then gives for the u that draw i was made for (Environment::sample_rest).
+  /// Returns what sample() returns if picks_sky(), from draw i of Environment::sample_rest(). Returns nothing if that draw has
+  /// no density.
   std::optional<LightSample> sky_sample(const SkyDraws& draws, int i, const LightReceiver& at) const {
     if (!(draws.density[i] > 0.0f)) return std::nullopt;
     return LightSample{Vec3f(draws.x[i], draws.y[i], draws.z[i]), kInfinity, Vec3f(draws.red[i], draws.green[i], draws.blue[i]),

@@ -38,7 +38,7 @@ class Foreground {
     visit_seen(scene, instance, resolved, plane_from_world, region_, [&](std::span<const Vec3f> polygon) { add(polygon); });
   }
 
-  /// None if there is nothing.
+  /// Returns nothing if there are no polygons.
   std::optional<float> front() const {
     if (!any_) return std::nullopt;
     const double enough = kWallShare * 4.0 * static_cast<double>(half_.x * half_.y);

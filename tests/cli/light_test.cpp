@@ -1,4 +1,4 @@
-// What the tool says of path-traced frames: their light, their samples, their error.
+// Tests what the tool prints about path-traced frames: their light, their samples and their error.
 #include <gmock/gmock.h>
 
 #include <fstream>
