@@ -120,8 +120,8 @@ nlohmann::ordered_json to_json(const RunReport& run);
 /// Where the files of a journal are.
 std::filesystem::path journal_folder(const std::filesystem::path& folder);
 
-/// Returns nothing if no run has written there. `problem` names a damaged line, or two runs of different jobs that both finished
-/// something; a torn last line is not a problem. Throws Error for a journal that is no regular file or cannot be read.
+/// Returns nothing if no run has written there. `problem` names a damaged line, or two runs of different jobs that both
+/// finished something; a torn last line is not a problem. Throws Error for a journal that is no regular file or cannot be read.
 std::optional<FolderJournal> read_journal(const std::filesystem::path& folder);
 
 /// What one run has written: its frames, what it was asked for, and its end once it has ended. A file that is gone says

@@ -20,9 +20,9 @@ inline constexpr std::string_view kQuiltSideFileExample = R"({"quilt_settings": 
 
 std::filesystem::path quilt_side_path(const std::filesystem::path& image);
 
-/// Returns nothing if there is no such file or it does not describe a quilt. In place of {"quilt_settings": {"viewX": 8, "viewY": 6}} the
-/// table may be called quilt or be the document itself, and its keys columns and rows, or quiltCols and quiltRows. Throws Error
-/// where it says something impossible.
+/// Returns nothing if there is no such file or it does not describe a quilt. In place of {"quilt_settings": {"viewX": 8,
+/// "viewY": 6}} the table may be called quilt or be the document itself, and its keys columns and rows, or quiltCols and
+/// quiltRows. Throws Error where it says something impossible.
 std::optional<QuiltSideFile> read_quilt_side_file(const std::filesystem::path& image);
 
 /// Reads its text; `where` names it in messages.
