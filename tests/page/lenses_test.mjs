@@ -2,7 +2,7 @@
 // 30), and the warning of flips.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { closeAfterEach, eyeOfView, grid, inFolder, lenslets, lippmann, open, psnrBeside, quilt, replay, set, sheet, view } from "./support.mjs";
+import { closeAfterEach, drawn, eyeOfView, grid, inFolder, lenslets, lippmann, open, psnrBeside, quilt, replay, set, sheet, view } from "./support.mjs";
 
 closeAfterEach();
 
@@ -43,7 +43,7 @@ test("the program computes crosstalk when the slider is let go of, and saved pag
   assert.match(await slider.evaluate((input) => input.closest(".row").querySelector("output").value), /^1.00.px/);
   assert.equal(await page.evaluate(() => window.lippmann.state.crosstalk), 0);
   await press("change", "1");
-  await page.waitForSelector('#stage[data-drawn="true"]');
+  await drawn(page);
   assert.deepEqual(asked.filter((url) => /views\/0\/\d/.test(url)).map((url) => url.split("/").slice(-3).join("/")), ["views/0/100"]);
   lippmann("view", "slanted", "--save", "slanted-page");
   const saved = await open(`file://${inFolder("slanted-page")}/index.html#crosstalk=1`);

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
 import { differenceFrom, drop } from "./panel.mjs";
-import { closeAfterEach, expectComplaints, grid, inFolder, lippmann, open, play, sheet, view } from "./support.mjs";
+import { closeAfterEach, drawn, expectComplaints, grid, inFolder, lippmann, open, play, sheet, view } from "./support.mjs";
 
 closeAfterEach();
 
@@ -95,13 +95,12 @@ test("a calibration that is dropped on the page is read by the program", async (
   assert.equal(await page.locator('option[value="display"]').isDisabled(), true);
   await drop(page, "visual.json", readFileSync(inFolder(display), "utf8"));
   await page.waitForFunction(() => window.lippmann.state.show === "display");
-  await page.waitForSelector('#stage[data-drawn="true"]');
+  await drawn(page);
   assert.equal((await differenceFrom(page, "dropped.png")).most, 0);
   lippmann("convert", quilts[0], "second.png", "--to", "native", "--display", calibration("second-panel", { center: 0.2, serial: "LKG-second" }));
   await drop(page, "visual.json", readFileSync(inFolder("second-panel.json"), "utf8"));
   await page.getByText(/LKG-second/).waitFor();
-  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
-  await page.waitForSelector('#stage[data-drawn="true"]');
+  await drawn(page);
   assert.equal((await differenceFrom(page, "second.png")).most, 0);
 });
 

@@ -144,13 +144,17 @@ export async function open(address, { width = 820, height = 420, ready = true, o
   return page;
 }
 
+/** Waits until the page shows its state as it is now. It draws in the next frame of the screen, until when it says that it has
+ *  drawn the state before. */
+export async function drawn(page) {
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  await page.waitForSelector('#stage[data-drawn="true"]');
+}
+
 /** Sets the state, and waits until it is drawn. */
 export async function set(page, changes) {
-  await page.evaluate(async (changes) => {
-    window.lippmann.set(changes);
-    await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
-  }, changes);
-  await page.waitForSelector('#stage[data-drawn="true"]');
+  await page.evaluate((changes) => window.lippmann.set(changes), changes);
+  await drawn(page);
 }
 
 /** RGBA codes of the page's picture of an eye. */
