@@ -66,7 +66,7 @@ Report measure_estimates(const Request& request, const Context& context) {
   for (const LightCase& row : light_cases(wanted, context)) {
     std::vector<Sampling> ways;
     for (int seed = 0; seed < (request.quick ? kQuickSeeds : kSeeds); ++seed) {
-      ways.push_back(with_samples(row.params.sampling, kPathSamples, Denoise::kAuto));
+      ways.push_back(with_samples(row.params.sampling, Integrator::kPath.facts().default_samples, Denoise::kAuto));
       ways.back().seed = static_cast<std::uint32_t>(seed);
     }
     LightBench bench(row, request, context);

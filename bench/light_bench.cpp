@@ -18,7 +18,8 @@
 namespace lippmann::bench {
 namespace {
 
-constexpr int kSamples = kPathSamples, kFullSamples = 64;
+const int kSamples = Integrator::kPath.facts().default_samples;
+constexpr int kFullSamples = 64;
 constexpr double kCloseDb = 0.3, kMeanLight = 0.005;
 constexpr int kErrorGain = 4, kMidGrey = 128;
 

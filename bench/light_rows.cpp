@@ -8,6 +8,7 @@
 
 #include "bench/hostile_scenes.hpp"
 #include "bench/scenes.hpp"
+#include "job/job_scene.hpp"
 #include "job/param_text.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/scene/builtin.hpp"
@@ -59,7 +60,7 @@ LightCase quiet_case(const std::string& name, const Request& request, const Cont
     set_views({8, 6}, 64, row.params);
   else
     set_views({8, 1}, 128, row.params);
-  set_frames(wanted_scene(row.params, context).timeline.frame_count, request, row);
+  set_frames(load_scene_of(ResolvedJob(row.params), context).scene.timeline.frame_count, request, row);
   return row;
 }
 

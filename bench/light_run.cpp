@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <memory>
+#include <utility>
 
 #include "frames/frame_maker.hpp"
 #include "job/reuse_params.hpp"
@@ -18,11 +19,11 @@ namespace {
 /// Seed of the references, far from the seeds of the measured frames, so that they share no paths.
 constexpr std::uint32_t kReferenceSeed = 1u << 20;
 
-Scene scene_of(const LightCase& row, const Context& context) {
-  if (!row.build) return wanted_scene(row.params, context);
+JobScene scene_of(const LightCase& row, const Context& context) {
+  if (!row.build) return load_scene_of(ResolvedJob(row.params), context);
   Scene scene = row.build();
   validate(scene, row.name);
-  return scene;
+  return {std::move(scene), {}};
 }
 
 Frames means_of(const References& references) {
@@ -43,7 +44,7 @@ LightBench::LightBench(const LightCase& row, const Request& request, const Conte
       request_(request),
       context_(context),
       pool_(resolved_threads(context)),
-      stage_(scene_of(row, context), row.params, pool_) {
+      stage_(scene_of(row, context), ResolvedJob(row.params), pool_) {
   const Vec2i size = film_size();
   const LightField field = light_field_of(Image(size.x, size.y, 3), stage_.placed.optics);
   views_ = {field.grid, field.view_size};
@@ -73,7 +74,7 @@ std::vector<LightFigures> LightBench::measure(const std::vector<Sampling>& ways)
   for (const Sampling& way : ways) {
     RenderParams params = row_.params;
     params.sampling = way;
-    makers.push_back(make_frame_maker(stage_, frame_params(params), pool_, context_));
+    makers.push_back(make_frame_maker(stage_, frame_params(ResolvedJob(params)), pool_, context_));
   }
   std::vector<LightFigures> figures(ways.size());
   for (int frame = row_.first; frame < row_.first + row_.count; ++frame)

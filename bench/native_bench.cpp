@@ -42,7 +42,7 @@ Display with_many_views(Display display) {
 class NativeBench {
  public:
   NativeBench(const BenchScene& scene, const ThreadPool& pool, const Context& context)
-      : scene_(scene), pool_(pool), context_(context), stage_(scene.params, pool, context) {}
+      : scene_(scene), pool_(pool), context_(context), stage_(ResolvedJob(scene.params), pool, context) {}
 
   /// A frame on those optics; adds the CPU seconds to `seconds`.
   Image render(const Optics& optics, double& seconds) {

@@ -79,7 +79,11 @@ Json frames_of(const ReuseRun& run) {
 class StyleTimer {
  public:
   StyleTimer(const BenchScene& scene, const ThreadPool& pool, const Context& context)
-      : stage_(scene.params, pool, context), params_(scene.params), frame_(scene.frame), pool_(pool), context_(context) {
+      : stage_(ResolvedJob(scene.params), pool, context),
+        params_(scene.params),
+        frame_(scene.frame),
+        pool_(pool),
+        context_(context) {
     const Panel& panel = stage_.placed.optics.panel;
     const auto width = static_cast<std::uint32_t>(panel.width), lens = static_cast<std::uint32_t>(lens_width());
     for (std::uint32_t y = 0; y < static_cast<std::uint32_t>(panel.height); ++y)

@@ -201,7 +201,7 @@ Report measure_rays(const Request& request, const Context& context) {
   const ThreadPool pool(1);
   pool.run([&] {
     for (const BenchScene& setup : bench_scenes(request, context)) {
-      JobStage stage(setup.params, pool, context);
+      JobStage stage(ResolvedJob(setup.params), pool, context);
       const ResolvedScene resolved = evaluate(stage.scene, stage.scene.timeline.time(setup.frame));
       stage.device.update(resolved, pool);
       const Affine3f world_from_array = world_from_display(stage.array, stage.placed.units_per_mm, resolved);

@@ -52,7 +52,7 @@ Image every_column(const Image& picture, int step) {
 class ReplayBench {
  public:
   ReplayBench(const RenderParams& params, int frame, const ThreadPool& pool, const Context& context)
-      : pool_(pool), context_(context), stage_(params, pool, context), params_(params) {
+      : pool_(pool), context_(context), stage_(ResolvedJob(params), pool, context), params_(params) {
     recorded_ = {stage_.placed.optics, render_frame(stage_, params.sampling, frame, pool, context).pictures.film};
     world_from_display_ = stage_.moment_at(frame).world_from_display;
     grid_ = lens_grid(optics());

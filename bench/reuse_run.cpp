@@ -152,7 +152,7 @@ std::vector<ReuseRun> run_round(Stage& stage, const BenchAnimation& animation, c
   std::vector<ReuseRun> runs;
   const Panel& panel = stage.placed.optics.panel;
   for (const ReuseMethod& method : methods) {
-    makers.push_back(make_frame_maker(stage, frame_params(method.params), pool, context));
+    makers.push_back(make_frame_maker(stage, frame_params(ResolvedJob(method.params)), pool, context));
     const std::size_t pixels = static_cast<std::size_t>(panel.width) * static_cast<std::size_t>(panel.height);
     runs.push_back({animation.name, method.name, method.params.reuse.keyframes.value_or(kDefaultKeyframes), pixels, {}});
   }
@@ -184,7 +184,7 @@ std::vector<ReuseRun> run_round(Stage& stage, const BenchAnimation& animation, c
 std::vector<ReuseRun> run_reuse(const BenchAnimation& animation, const std::vector<ReuseMethod>& methods,
                                 const Request& request, const Context& context, int rounds) {
   const ThreadPool pool(resolved_threads(context));
-  JobStage stage(animation.params, pool, context);
+  JobStage stage(ResolvedJob(animation.params), pool, context);
   std::vector<ReuseRun> runs = run_round(stage, animation, methods, request, pool, context);
   for (int round = 1; round < rounds; ++round) {
     const std::vector<ReuseRun> again = run_round(stage, animation, methods, request, pool, context);

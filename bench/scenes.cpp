@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "job/job_scene.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/scene/builtin.hpp"
 
@@ -109,7 +110,7 @@ std::vector<BenchAnimation> bench_animations(const Request& request, const Conte
     if (!fs::exists(path)) continue;
     RenderParams params = scene.params;
     params.scene.camera_path = path.string();
-    const int all = wanted_scene(params, context).timeline.frame_count;
+    const int all = load_scene_of(ResolvedJob(params), context).scene.timeline.frame_count;
     const int wanted = request.frames > 0 ? request.frames : kTachyonFrames;
     const int first = request.frames > all - kTachyonFirst ? 0 : kTachyonFirst;
     result.push_back({"tachyon " + scene.name, std::move(params), first, std::min(wanted, all - first)});

@@ -105,7 +105,7 @@ Report measure_spheres(const Request& request, const Context& context) {
   pool.run([&] {
     for (const BenchScene& setup : bench_scenes(wanted, context)) {
       begin_step(request, context, fmt::format("spheres: {}", setup.name));
-      JobStage stage(setup.params, pool, context);
+      JobStage stage(ResolvedJob(setup.params), pool, context);
       const ResolvedScene resolved = evaluate(stage.scene, stage.scene.timeline.time(setup.frame));
       PrimitiveTable<WorldSphere> table = world_spheres(stage.scene, resolved);
       if (table.primitives.empty()) throw Error(setup.name, "it has no spheres", "a scene with spheres, such as small-balls");

@@ -32,7 +32,10 @@ double tachyon_seconds(const std::filesystem::path& scene, int size) {
 class OurFrame {
  public:
   OurFrame(RenderParams params, OpticsKind optics, const ThreadPool& pool, const Context& context)
-      : params_(with_optics(std::move(params), optics)), stage_(params_, pool, context), pool_(pool), context_(context) {}
+      : params_(with_optics(std::move(params), optics)),
+        stage_(ResolvedJob(params_), pool, context),
+        pool_(pool),
+        context_(context) {}
 
   double seconds() {
     return second_run([&] { render_frame(stage_, params_.sampling, 0, pool_, context_); });

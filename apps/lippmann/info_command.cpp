@@ -53,7 +53,7 @@ int run(const InfoOptions& options, const Context& context) {
     print(info, options.json);
     return 0;
   }
-  print(describe_scene(with_scene_defaults(options.flags.read()), context), options.json);
+  print(describe_scene(options.flags.resolve(), context), options.json);
   return 0;
 }
 

@@ -39,18 +39,22 @@ void add_param(const Command& command, const ParamInfo& info, std::vector<std::s
   option.one_word_each();
 }
 
-}  // namespace
+/// The names of the parameters that flags set.
+std::vector<std::string_view> given(const ParamFlags& flags) {
+  std::vector<std::string_view> names;
+  for (const auto& [name, texts] : flags.values)
+    if (!texts.empty()) names.push_back(name);
+  return names;
+}
 
-RenderParams ParamFlags::read() const {
+RenderParams asked(const ParamFlags& flags) {
   RenderParams params;
-  const bool scene_is_job = std::filesystem::path(scene).extension() == ".toml";
-  if (scene_is_job && !job.empty()) throw usage_error("--job", "cannot be combined with a job as SCENE", "one job file");
-  if (scene_is_job || !job.empty()) read_job(scene_is_job ? scene : job, params);
-  if (!scene.empty() && !scene_is_job) params.scene.name = scene;
-  std::vector<std::string_view> given;
-  for (const auto& [name, texts] : values) {
-    if (texts.empty()) continue;
-    given.push_back(name);
+  const bool scene_is_job = std::filesystem::path(flags.scene).extension() == ".toml";
+  if (scene_is_job && !flags.job.empty()) throw usage_error("--job", "cannot be combined with a job as SCENE", "one job file");
+  if (scene_is_job || !flags.job.empty()) read_job(scene_is_job ? flags.scene : flags.job, params);
+  if (!flags.scene.empty() && !scene_is_job) params.scene.name = flags.scene;
+  for (const std::string_view name : given(flags)) {
+    const std::vector<std::string>& texts = flags.values.at(name);
     const ParamInfo& info = *find_param(name);
     if (info.kind == ParamKind::kFlag && texts.size() > 1)
       throw usage_error(fmt::format("--{}", name), fmt::format("and --{} contradict each other", info.opposite), "one of them");
@@ -58,8 +62,21 @@ RenderParams ParamFlags::read() const {
   }
   if (params.scene.name.empty())
     throw usage_error("SCENE", "is missing", "a built-in name (see: lippmann scenes), a file, or a job");
-  refuse_idle_flags(given, with_scene_defaults(params));
   return params;
+}
+
+}  // namespace
+
+RenderParams ParamFlags::read() const {
+  RenderParams params = asked(*this);
+  refuse_idle_flags(given(*this), ResolvedJob(params));
+  return params;
+}
+
+ResolvedJob ParamFlags::resolve() const {
+  ResolvedJob resolved(asked(*this));
+  refuse_idle_flags(given(*this), resolved);
+  return resolved;
 }
 
 void add_param_flags_beside(const Command& command, ParamFlags& flags, std::initializer_list<std::string_view> unwanted) {

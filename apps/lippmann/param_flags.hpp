@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "job/params.hpp"
+#include "job/resolved_job.hpp"
 
 namespace lippmann::app {
 
@@ -19,8 +19,10 @@ struct ParamFlags {
   std::string job;
   std::map<std::string_view, std::vector<std::string>> values;  ///< by parameter, as given
 
-  /// The job, if there is one, and what the flags say over it. Throws Error.
+  /// The job file, if there is one, and what the flags say over it. Throws Error, also for a flag that has no effect.
   RenderParams read() const;
+  /// The same, completed.
+  ResolvedJob resolve() const;
 };
 
 /// Declares all parameters but the scene and those that are named: commands whose first argument may be something else than a

@@ -81,7 +81,7 @@ nlohmann::ordered_json plan_json(const UnitPlan& plan) {
 }
 
 int run(const PlanOptions& options, const Context& context) {
-  const UnitPlan plan = plan_units(options.flags.read(), options.units, !options.only_list, context);
+  const UnitPlan plan = plan_units(options.flags.resolve(), options.units, !options.only_list, context);
   if (context.cancelled) return 1;
   if (options.json)
     print_json(plan_json(plan));

@@ -1,4 +1,4 @@
-// `lippmann render SCENE`: flags and job file into RenderParams, then render_animation; progress, and what was made.
+// `lippmann render SCENE`: flags and job file into a ResolvedJob, then render_animation; progress, and what was made.
 #include <fmt/core.h>
 
 #include <unistd.h>
@@ -89,7 +89,7 @@ void print_line(std::string_view name, const std::string& value) { print_out("  
 
 /// What was chosen where the command line says nothing: a render that is only planned should be judged by it, too.
 void print_choices(const Sampling& sampling, const Optics& optics, const std::string& light, const std::string& view) {
-  if (integrator_of(sampling) == Integrator::kPath) print_line("shading", describe_paths(sampling));
+  if (facts_of(sampling).is_stochastic) print_line("shading", describe_paths(sampling));
   if (!light.empty()) print_line("light", light);
   if (!view.empty()) print_line("view", view);
 }
@@ -208,9 +208,9 @@ RunParams run_params(const RenderOptions& options, Ranks* ranks) {
 }
 
 /// Says what a render would make, and makes nothing.
-void plan_only(const RenderParams& params, const RenderOptions& options, Context& context) {
-  plan_animation(params, context, run_params(options, nullptr),
-                 [&](const RenderPlan& plan) { print_plan(plan, params, options.json); });
+void plan_only(const ResolvedJob& job, const RenderOptions& options, const Context& context) {
+  const RenderSetup setup(job, run_params(options, nullptr), context);
+  print_plan(setup.plan(0), job.params(), options.json);
 }
 
 bool is_first(const Ranks* ranks) { return !ranks || ranks->rank() == 0; }
@@ -222,23 +222,23 @@ RenderProgressKind progress_kind(const RenderOptions& options, const Ranks* rank
 }
 
 /// Renders, with progress on stderr, and says what was made; quiet: neither.
-RenderReport render(const RenderParams& params, const RenderOptions& options, Ranks* ranks, Context& context) {
+RenderReport render(const ResolvedJob& job, const RenderOptions& options, Ranks* ranks, Context& context) {
   std::optional<RenderProgress> progress;
   Planned planned;
   RenderObserver observer;
   observer.planned = [&](const RenderPlan& plan) {
     planned = {plan.folder, plan.names, plan.picture_size, plan.pictures_per_frame, plan.kept};
-    progress.emplace(plan, params, progress_kind(options, ranks));
+    progress.emplace(plan, job.params(), progress_kind(options, ranks));
   };
   observer.traced = [&](const FrameReport& frame) { progress->traced(frame); };
   observer.written = [&](int frame, std::uintmax_t bytes) { progress->written(frame, bytes); };
   context.frame_progress = [&](double share) { progress->within(share); };
-  const RenderReport report = render_animation(params, context, observer, run_params(options, ranks));
+  const RenderReport report = render_animation(job, context, observer, run_params(options, ranks));
   context.frame_progress = nullptr;
   progress.reset();
   const bool quiet = options.json || options.quiet || !is_first(ranks);
   if (!quiet) print_summary(report, planned, options);
-  if (params.output.page && !options.is_part() && !report.interrupted && is_first(ranks)) {
+  if (job.output().page && !options.is_part() && !report.interrupted && is_first(ranks)) {
     const SavedPage page = write_page(planned.folder, context);
     if (!quiet && !page.index.empty()) print_line("page", page.index.string());
   }
@@ -246,8 +246,8 @@ RenderReport render(const RenderParams& params, const RenderOptions& options, Ra
 }
 
 /// One of several processes: the first speaks for all of them.
-void join_in(const RenderOptions& options, const RenderParams& params, const Ranks& ranks, Context& context) {
-  if (!options.unit.empty() || params.output.also)
+void join_in(const RenderOptions& options, const OutputParams& output, const Ranks& ranks, Context& context) {
+  if (!options.unit.empty() || output.also)
     throw usage_error(options.unit.empty() ? "also" : "unit", "cannot be combined with mpirun", "one of both");
   const auto online = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
   context.threads = threads_of_rank(resolved_threads(context), online, local_rank_count());
@@ -267,21 +267,22 @@ int run(const RenderOptions& options, Context& context) {
     throw usage_error("--quiet", "cannot be combined with --verbose or --progress", "one of them");
   if (options.verbose && !options.progress.empty())
     throw usage_error("--verbose", "cannot be combined with --progress", "one of them");
-  const RenderParams params = with_scene_defaults(options.flags.read());
-  if (params.output.page && params.output.pictures.mirror)
+  const ResolvedJob job = options.flags.resolve();
+  const OutputParams& output = job.output();
+  if (output.page && output.pictures.mirror)
     throw usage_error("--page", "cannot be combined with --mirror", "no --mirror with it");
   if (!options.dump_job.empty()) {
     make_folder(fs::path(options.dump_job).parent_path());
-    write_job(options.dump_job, params);
+    write_job(options.dump_job, job.params());
   }
-  if (options.dry_run) return plan_only(params, options, context), 0;
+  if (options.dry_run) return plan_only(job, options, context), 0;
   const std::unique_ptr<Ranks> ranks = join_ranks();
   try {
-    if (ranks) join_in(options, params, *ranks, context);
-    const RenderReport report = render(params, options, ranks.get(), context);
+    if (ranks) join_in(options, output, *ranks, context);
+    const RenderReport report = render(job, options, ranks.get(), context);
     if (options.json && is_first(ranks.get())) print_json(to_json(report));
-    if (params.output.also == Companion::kSingle && !report.interrupted)
-      render(single_clip(report.params, report.optics), options, nullptr, context);
+    if (output.also == Companion::kSingle && !report.interrupted)
+      render(ResolvedJob(single_clip(report.params, report.optics)), options, nullptr, context);
   } catch (const Error& error) {
     if (is_for_the_first_to_say(ranks.get(), context)) return error.exit_code();
     throw;

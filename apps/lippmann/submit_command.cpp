@@ -58,7 +58,7 @@ Submission submission_of(const SubmitOptions& options, const Context& context) {
                       "a .toml; lippmann render SCENE --dump-job FILE.toml writes one");
   read_job(options.job, params);
   params.threads = options.threads > 0 ? options.threads : params.threads > 0 ? params.threads : resolved_threads(context);
-  const UnitPlan plan = plan_units(params, options.units, !options.only_list, context);
+  const UnitPlan plan = plan_units(ResolvedJob(params), options.units, !options.only_list, context);
   Submission submission;
   submission.program = program_of_tasks(options.program);
   submission.job = fs::absolute(options.job).lexically_normal();

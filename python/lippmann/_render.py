@@ -12,8 +12,6 @@ from ._light_field import LightField
 from ._optics import Display, Optics, camera_grid, display_of
 from ._scene import Scene, choose_camera, load, strength_and_turn, surround
 
-_SPLATS = 4  # samples per pixel of files of splats alone, which are light already
-
 Progress = Callable[[int, float], Any]
 
 
@@ -129,27 +127,23 @@ def frames(
         begins anew for every frame that the one that is asked for needs.
     """
     if isinstance(scene, Scene):
-        core, kind = scene._core.copy(), scene._kind
+        core = scene._core.copy()
     else:
-        loaded = load(path(scene, "scene"))
-        core, kind = loaded._core, loaded._kind
+        core = load(path(scene, "scene"))._core
     if reuse == "light":
         accepted = "denoise='auto' (the default), reuse='auto' or 'none'"
         raise Error("reuse", "'light' was removed: path-traced frames are denoised instead", accepted)
     reuse = choice(reuse, "reuse", ("auto", "none", "copy", "interpolate"))
-    if integrator is None:
-        paths, usual_spp = kind == "physical" and reuse != "interpolate", _SPLATS if kind == "splats" else 0
-    else:
-        paths = choice(integrator, "integrator", ("path", "whitted")) == "path"
-        usual_spp = 0
+    named = "" if integrator is None else choice(integrator, "integrator", tuple(_core.integrator_names()))
+    sampling = _core.Sampling(core, named, reuse == "interpolate")
     wanted = _layers(layers)
     which = _which(frames, core.frame_count)
     if progress is not None and not callable(progress):
         raise Error("progress", f"is {progress!r}", "a function of frame and share")
     denoised = denoise if isinstance(denoise, bool) else choice(denoise, "denoise", ("auto", "none")) == "auto"
-    if denoise is True and not paths:
+    if denoise is True and not sampling.is_stochastic:
         raise Error("denoise", "needs path tracing", "denoise='auto', or integrator='path' with it")
-    samples = usual_spp if spp is None else integer(spp, "spp", 1, 1 << 20)
+    samples = sampling.spp if spp is None else integer(spp, "spp", 1, 1 << 20)
     depth_limit = integer(max_depth, "max_depth", 0, 1 << 16)
     key = integer(seed, "seed", 0, (1 << 32) - 1)
     every = None if keyframes is None else integer(keyframes, "keyframes", 1, 1 << 20)
@@ -170,19 +164,18 @@ def frames(
                 warn_of_ignored(argument, "it is of `environment`, and none is given")
     if isinstance(scene, Scene):
         scene._require_surfaces(core)
-    if environment is None and light == "auto" and (not paths or kind != "whitted"):
-        core.add_missing_light(paths)
+    if environment is None and light == "auto" and not (sampling.is_stochastic and core.kind == "whitted"):
+        core.add_missing_light(sampling)
     native = choice(layout, "layout", ("views", "native")) == "native"
     if native and transparent:
         raise Error("transparent", "what a panel shows lies before nothing", "layout='views' with it")
     placement, shown = _place(core, display, native, fit_depth, focus, fit_to, zoom, orbit)
-    sampling = _core.Sampling(paths)
     sampling.spp, sampling.max_depth, sampling.seed = samples, depth_limit, key
     sampling.denoise, sampling.transparent = denoised, bool(transparent)
     sampling.set_lens(*opening, focal_plane)
     sampling.shutter = open_share
     sampling.want_layers(wanted)
-    chosen = _reuse(reuse, every, floor, paths, set(wanted), sampling)
+    chosen = _reuse(reuse, every, floor, set(wanted), sampling)
     with Naming(optics="display"):
         made = _core.Frames(core, placement, sampling, chosen, workers)
     return Animation(made, which, shown, progress)
@@ -217,17 +210,17 @@ def _which(frames: Optional[Iterable[int]], count: int) -> Sequence[int]:
 
 
 def _reuse(
-    name: str, keyframes: Optional[int], min_psnr: Optional[float], paths: bool, layers: Set[str], sampling: Any
+    name: str, keyframes: Optional[int], min_psnr: Optional[float], layers: Set[str], sampling: Any
 ) -> Any:
     """The reuse of that name, with keyframes and min_psnr. "auto" with keyframes becomes "copy" where pixels can be copied.
     min_psnr holds without more where pixels of Whitted's shading are copied or traced.
     """
-    if min_psnr is not None and paths:
+    if min_psnr is not None and sampling.is_stochastic:
         accepted = "spp for path tracing; min_psnr with reuse='interpolate'"
         raise Error("min_psnr", "was removed for path tracing", accepted)
     if name == "auto":
         is_blurred = sampling.shutter > 0.0
-        if not paths and keyframes is not None and not (is_blurred or sampling.transparent or layers - {"provenance"}):
+        if sampling.can_share_pixels and keyframes is not None and not (is_blurred or sampling.transparent or layers - {"provenance"}):
             name = "copy"
         if keyframes is not None and name != "copy":
             warn_of_ignored("keyframes", "reuse='auto' chooses a way without them here")
@@ -271,16 +264,15 @@ def _place(
         (number(yaw, "orbit", -360, 360), number(pitch, "orbit", -90, 90)),
     )
     optics = camera_grid() if display is None else display
+    fit = None if fit_depth is None else bool(fit_depth)
     if isinstance(optics, Optics):
         if native:
             raise Error("layout", "native is a display's own, and optics are given", "views, or a display")
-        fit = not optics.is_views if fit_depth is None else bool(fit_depth)
         with Naming(optics="display"):
             return _core.place(core, optics, fit, wish), None
     if not isinstance(optics, (Display, str, os.PathLike)):
         raise Error("display", f"is {optics!r}", "a name, a file, a lippmann.Display or optics")
     shown = display_of(optics, "display")
     own = native or shown.kind != "slanted-panel"
-    fit = True if fit_depth is None else bool(fit_depth)
     with Naming():
         return _core.place_display(core, shown, own, fit, wish), shown

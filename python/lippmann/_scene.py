@@ -120,16 +120,14 @@ class Scene:
     def __init__(self, name: str = "scene", *, frames: int = 1, frames_per_second: float = 25.0) -> None:
         count = integer(frames, "frames", 1, 1 << 20)
         self._core = _core.Scene(text(name, "name"), count, positive(frames_per_second, "frames_per_second", 1e4))
-        self._kind, self._is_file = "physical", False
+        self._is_file = False
         self._start()
 
     @classmethod
-    def _of(cls, core: Any, kind: str, is_file: bool) -> "Scene":
-        """kind: what its format describes, which decides what a render computes: "physical", "whitted" or "splats". is_file: that it
-        was read, not made.
-        """
+    def _of(cls, core: Any, is_file: bool) -> "Scene":
+        """is_file: that it was read, not made."""
         scene = cls.__new__(cls)
-        scene._core, scene._kind, scene._is_file = core, kind, is_file
+        scene._core, scene._is_file = core, is_file
         scene._start()
         return scene
 
@@ -170,7 +168,7 @@ class Scene:
 
     def copy(self) -> "Scene":
         """A scene of its own with the same contents. Handles of objects stay with the one that made them."""
-        return Scene._of(self._core.copy(), self._kind, self._is_file)
+        return Scene._of(self._core.copy(), self._is_file)
 
     __copy__ = copy  # copy.copy(); copy.deepcopy() and pickle keep handles and their scene together
 
@@ -509,8 +507,7 @@ def load(
     )
     with Naming(os.fsdecode(where)):
         core = _core.load_scene(where, *options)
-    kind = "splats" if _core.is_splat_file(where) else "physical" if _core.is_physical_format(where) else "whitted"
-    return Scene._of(core, kind, True)
+    return Scene._of(core, True)
 
 
 # ---- Cameras and surroundings --------------------------------------------------------------------------------------------

@@ -147,6 +147,17 @@ class Walk {
   void part(std::array<T, N>& values) const {
     each(values);
   }
+  void part(const std::optional<Integrator>& value) const {
+    const std::string name(value ? value->facts().name : std::string_view());
+    part(name);
+  }
+  void part(std::optional<Integrator>& value) const {
+    std::string name;
+    part(name);
+    value.reset();
+    for (const Integrator known : integrators())
+      if (known.facts().name == name) value = known;
+  }
   template <class T>
   void part(const std::optional<T>& value) const {
     archive_.optional(value, *this);

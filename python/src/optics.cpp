@@ -197,11 +197,11 @@ void bind_optics(py::module_& module) {
       .def_property_readonly("depth_scale", [](const Placement& p) { return p.placed.depth_scale; })
       .def_property_readonly("how", [](const Placement& p) { return decoded(p.array.how); });
   py::class_<ViewWish>(module, "ViewWish").def(py::init(&wish_of)).def(pickled<ViewWish>());
-  module.def("place", [](const Scene& scene, const Optics& optics, bool fit_depth, const ViewWish& view) {
+  module.def("place", [](const Scene& scene, const Optics& optics, std::optional<bool> fit_depth, const ViewWish& view) {
     return place(scene, optics, PlacementWish{view, fit_depth});
   });
   module.def("place_display",
-             [](const Scene& scene, const Display& display, bool native, bool fit_depth, const ViewWish& view) {
+             [](const Scene& scene, const Display& display, bool native, std::optional<bool> fit_depth, const ViewWish& view) {
                return place(scene, display, native ? DisplayPicture::kNative : DisplayPicture::kQuilt, {view, fit_depth});
              });
 }

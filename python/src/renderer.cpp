@@ -150,10 +150,18 @@ Reuse reuse_named(const std::string& name, const std::optional<int>& keyframes, 
   return AutoReuse{};
 }
 
-Sampling sampling_by(bool paths) {
+/// integrator: a name of integrators(), or empty for the scene's default.
+Sampling sampling_of(const Scene& scene, const std::string& integrator, bool interpolates) {
   Sampling sampling;
-  sampling.integrator = paths ? Integrator::kPath : Integrator::kWhitted;
-  return sampling;
+  for (const Integrator known : integrators())
+    if (known.facts().name == integrator) sampling.integrator = known;
+  return completed(std::move(sampling), scene.kind, interpolates);
+}
+
+std::vector<std::string> integrator_names() {
+  std::vector<std::string> names;
+  for (const Integrator known : integrators()) names.emplace_back(known.facts().name);
+  return names;
 }
 
 bool denoises(const Sampling& sampling) { return sampling.denoise == Denoise::kAuto; }
@@ -211,7 +219,9 @@ std::shared_ptr<Frames> frames_of(Scene& scene, const Placement& placement, cons
 
 void bind_frame_params(py::module_& module) {
   py::class_<Sampling>(module, "Sampling")
-      .def(py::init(&sampling_by))
+      .def(py::init(&sampling_of))
+      .def_property_readonly("is_stochastic", [](const Sampling& s) { return facts_of(s).is_stochastic; })
+      .def_property_readonly("can_share_pixels", [](const Sampling& s) { return facts_of(s).can_share_pixels; })
       .def(pickled<Sampling>())
       .def("want_layers", &want_layers)
       .def_readwrite("spp", &Sampling::spp)
@@ -233,6 +243,7 @@ void bind_frame_params(py::module_& module) {
 }  // namespace
 
 void bind_renderer(py::module_& module) {
+  module.def("integrator_names", &integrator_names);
   py::class_<Film, SharedFilm>(module, "Film")
       .def(pickled<Film>())
       .def_property_readonly("picture", &picture_of)

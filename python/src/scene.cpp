@@ -193,24 +193,8 @@ py::object bounds_of(const Scene& scene, int frame) {
   return moved(std::move(corners), {2, 3});
 }
 
-bool has_area(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
-  const Vec3d a(mesh.positions[triangle[0]]), b(mesh.positions[triangle[1]]), c(mesh.positions[triangle[2]]);
-  return glm::cross(b - a, c - a) != Vec3d(0.0);
-}
-
-/// Whether it is anything to be seen. Targets and joints may open what is folded up at rest.
-bool is_surface(const Shape& shape) {
-  const Mesh* mesh = std::get_if<Mesh>(&shape);
-  return !mesh || !mesh->targets.empty() || !mesh->skin.joints.empty() ||
-         std::any_of(mesh->triangles.begin(), mesh->triangles.end(), [&](const auto& t) { return has_area(*mesh, t); });
-}
-
-/// Whether it is a mistake, as files without surfaces are: nothing of what was added is seen, or nothing was and no sky is
-/// around.
-bool shows_nothing(const Scene& scene) {
-  if (std::any_of(scene.shapes.begin(), scene.shapes.end(), is_surface)) return false;
-  const Background& sky = scene.background;
-  return !scene.shapes.empty() || (!sky.map && sky.horizon == Vec3f(0.0f) && sky.zenith == Vec3f(0.0f));
+const char* word_for(SceneKind kind) {
+  return kind == SceneKind::kSplats ? "splats" : kind == SceneKind::kWhitted ? "whitted" : "physical";
 }
 
 void bind_elements(py::class_<Scene, SharedScene>& scene) {
@@ -283,7 +267,8 @@ void bind_scene(py::module_& module) {
       .def("check", [](const Scene& s) { validate(s, "scene"); })
       .def("move_near_origin", &move_near_origin)
       .def("add_missing_light",
-           [](Scene& s, bool paths) { return add_missing_light(s, paths ? Integrator::kPath : Integrator::kWhitted); })
+           [](Scene& s, const Sampling& sampling) { return add_missing_light(s, integrator_of(sampling)); })
+      .def_property_readonly("kind", [](const Scene& s) { return word_for(s.kind); })
       .def("bounds", &bounds_of)
       .def_property_readonly("name", [](const Scene& s) { return decoded(s.name); })
       .def("shows_nothing", &shows_nothing)
@@ -296,8 +281,6 @@ void bind_scene(py::module_& module) {
       .def("choose_camera_at", [](Scene& s, std::size_t index) { choose_camera(s, index); });
   bind_elements(scene);
   module.def("load_scene", &load);
-  module.def("is_physical_format", &is_physical_format);
-  module.def("is_splat_file", &is_splat_file);
   module.def("builtin_scenes", &builtin_scene_lines);
 }
 

@@ -53,7 +53,7 @@ void refuse_shutter(const Sampling& sampling) {
 void check_reuse(const CopySettled& copy, const Sampling& sampling) {
   check_key_frames(copy.keyframes);
   refuse_shutter(sampling);
-  if (integrator_of(sampling) == Integrator::kPath)
+  if (!facts_of(sampling).can_share_pixels)
     throw usage_error("reuse", "copy needs Whitted shading; path-traced pixels have different noise in every frame",
                       "none or auto, or `integrator` whitted");
   if (!can_copy_settled(sampling))
@@ -70,7 +70,7 @@ std::string against_floor(const Interpolate& how) {
 void check_reuse(const Interpolate& how, const Sampling& sampling) {
   check_key_frames(how.keyframes);
   check_floor(how.min_psnr_db);
-  if (integrator_of(sampling) == Integrator::kPath)
+  if (!facts_of(sampling).can_share_pixels)
     throw usage_error("reuse", "interpolate needs Whitted shading", "none or auto, or `integrator` whitted");
   refuse_shutter(sampling);
   if (sampling.lens.is_open())
@@ -116,8 +116,7 @@ void check_sampling(const Sampling& sampling) {
     throw usage_error("clamp-indirect", fmt::format("is {}", sampling.clamp_indirect), "a number above 0, or 0 for any light");
   check_lens(sampling.lens);
   check_shutter(sampling);
-  const bool paths = integrator_of(sampling) == Integrator::kPath;
-  if (has_layers_of_paths(sampling) && !paths)
+  if (has_layers_of_paths(sampling) && !facts_of(sampling).separates_light)
     throw usage_error("aov", "the layers direct and indirect need path tracing", "`integrator` path with them");
 }
 
@@ -152,8 +151,17 @@ const char* name_of(const Reuse& reuse) {
   return kNames[reuse.index()];
 }
 
+Sampling completed(Sampling sampling, SceneKind scene, bool interpolates) {
+  constexpr int kSplatSamples = 4;  // nothing else smooths splats that are smaller than a pixel
+  if (sampling.integrator) return sampling;
+  if (scene == SceneKind::kSplats && sampling.spp == 0) sampling.spp = kSplatSamples;
+  const bool paths = scene == SceneKind::kPhysical && !interpolates;
+  sampling.integrator = paths ? Integrator::kPath : Integrator::kWhitted;
+  return sampling;
+}
+
 bool can_copy_settled(const Sampling& sampling) {
-  return integrator_of(sampling) == Integrator::kWhitted && !has_layers_of_every_pixel(sampling) && !sampling.transparent &&
+  return facts_of(sampling).can_share_pixels && !has_layers_of_every_pixel(sampling) && !sampling.transparent &&
          sampling.shutter <= 0.0f;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "frames/frame.hpp"
 #include "frames/frame_maker.hpp"
@@ -34,12 +35,16 @@ void check(const Placement& placement, const Scene& scene) {
 /// Before anything is built.
 FrameParams checked(FrameParams params, const Placement& placement, const Scene& scene) {
   check(placement, scene);
+  const bool interpolates = std::holds_alternative<Interpolate>(params.reuse);
+  params.sampling = completed(std::move(params.sampling), scene.kind, interpolates);
   check(params, placement.placed.optics);
   return params;
 }
 
 Scene checked(Scene scene) {
   validate(scene, "scene");
+  if (shows_nothing(scene))
+    throw Error("scene", "has no surfaces to show", "a scene with triangles that have an area, or other shapes");
   return scene;
 }
 

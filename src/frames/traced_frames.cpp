@@ -35,7 +35,7 @@ TracedFrames::TracedFrames(Stage& stage, const Sampling& sampling, const ThreadP
 
 RenderedFrame TracedFrames::make(int frame) {
   RenderedFrame rendered = denoiser_ ? denoised(frame) : render_frame(stage_, sampling_, frame, pool_, context_);
-  if (integrator_of(sampling_) == Integrator::kPath && !context_.cancelled)
+  if (facts_of(sampling_).is_stochastic && !context_.cancelled)
     audit(stage_, sampling_, frame, rendered.pictures.film, pool_, context_, rendered.report);
   return rendered;
 }

@@ -61,8 +61,8 @@ FinishedAnimation finish_animation(const fs::path& folder, const std::vector<fs:
                                    const RenderObserver& observer) {
   RunParams run;
   run.only_finished = true;
-  FinishedAnimation finished =
-      finish_folder(folder, join, [&](const RenderParams& params) { return render_animation(params, context, observer, run); });
+  FinishedAnimation finished = finish_folder(
+      folder, join, [&](const RenderParams& params) { return render_animation(ResolvedJob(params), context, observer, run); });
   if (!finished.report || finished.report->params.output.also != Companion::kSingle) return finished;
   const fs::path single = folder / kSingleFolder;
   std::vector<fs::path> singles;

@@ -71,7 +71,7 @@ std::string job_of_folder(const RenderParams& params, const FolderJournal& journ
 }
 
 /// The videos of a job file; none if it cannot be read.
-std::vector<std::string> videos_of(const std::filesystem::path& job) try {
+std::vector<std::string> videos_in(const std::filesystem::path& job) try {
   RenderParams params;
   read_job(job, params);
   return params.output.video;
@@ -89,10 +89,10 @@ bool is_readable_job(const std::filesystem::path& job) try {
 
 /// Whether a job file that differs from the recorded one is damaged. One that somebody edited can be read, and resuming it
 /// reads the same settings; nobody edits that of the single view, which its render writes.
-bool is_damaged_job(const std::filesystem::path& job, const RenderParams& params, const RenderFolder& folder) {
-  if (!params.resume || !folder.now().files.contains(kJobFile)) return false;
+bool is_damaged_job(const std::filesystem::path& file, const ResolvedJob& job, const RenderFolder& folder) {
+  if (!job.params().resume || !folder.now().files.contains(kJobFile)) return false;
   const bool is_of_single = folder.path().filename() == kSingleFolder && has_journal(folder.path().parent_path());
-  return is_of_single || !is_readable_job(job) || !differences(job, params).empty();
+  return is_of_single || !is_readable_job(file) || !differences(file, job).empty();
 }
 
 /// Whether earlier runs were asked for all that runs are asked for now.
@@ -102,24 +102,24 @@ bool holds_all(const FolderJournal& before, const FolderJournal& now) {
 
 }  // namespace
 
-void write_job_of_folder(const RenderParams& params, const std::vector<int>& frames, int frame_count, RenderFolder& folder,
+void write_job_of_folder(const ResolvedJob& job, const std::vector<int>& frames, int frame_count, RenderFolder& folder,
                          const Context& context) {
   const std::filesystem::path file = folder.path() / kJobFile;
   const bool is_there = is_regular_file_there(file);
   const bool is_as_recorded = is_there && is_as_written(folder.now(), folder.path(), kJobFile);
-  const bool is_damaged = is_there && !is_as_recorded && is_damaged_job(file, params, folder);
+  const bool is_damaged = is_there && !is_as_recorded && is_damaged_job(file, job, folder);
   if (is_there && !is_as_recorded && !is_damaged) {
-    if (const auto keys = differences(file, params); !keys.empty())
+    if (const auto keys = differences(file, job); !keys.empty())
       context.warning(
           fmt::format("{} was not written by this render and stays, although it differs in {}; report.json has the settings",
                       file.string(), fmt::join(keys, ", ")));
     return;
   }
-  const std::vector<std::string> videos = is_as_recorded ? videos_of(file) : std::vector<std::string>();
-  const bool has_same_videos = params.output.video.empty() || are_same_paths(params.output.video, videos);
+  const std::vector<std::string> videos = is_as_recorded ? videos_in(file) : std::vector<std::string>();
+  const bool has_same_videos = job.output().video.empty() || are_same_paths(job.output().video, videos);
   if (is_there && !is_damaged && has_same_videos && holds_all(folder.before(), folder.now())) return;
   folder.write(kJobFile, [&](const FolderJournal& journal) {
-    return job_of_folder(params, journal, frames, frame_count, videos, folder.path());
+    return job_of_folder(job.params(), journal, frames, frame_count, videos, folder.path());
   });
 }
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "folder/render_folder.hpp"
-#include "job/params.hpp"
 #include "job/report.hpp"
+#include "job/resolved_job.hpp"
 #include "lippmann/core/context.hpp"
 
 namespace lippmann {
@@ -14,7 +14,7 @@ namespace lippmann {
 /// Writes a job file that renders all frames that this run and those before and beside it have been asked for, with the videos,
 /// and with the folders beside them (FolderJournal::companions). A job.toml that no run has written, or that was edited, stays;
 /// resuming writes a damaged one again. The run has begun.
-void write_job_of_folder(const RenderParams& params, const std::vector<int>& frames, int frame_count, RenderFolder& folder,
+void write_job_of_folder(const ResolvedJob& job, const std::vector<int>& frames, int frame_count, RenderFolder& folder,
                          const Context& context);
 
 /// Writes a report as soon as a run has begun, unless one of this render is there: whoever looks at the folder meanwhile, or

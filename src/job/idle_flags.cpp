@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-bool traces_paths(const RenderParams& params) { return integrator_of(params.sampling) == Integrator::kPath; }
+bool traces_paths(const RenderParams& params) { return facts_of(params.sampling).is_stochastic; }
 
 bool interpolates(const RenderParams& params) { return params.reuse.choice == ReuseChoice::kInterpolate; }
 
@@ -102,9 +102,9 @@ std::string flags_of(std::string_view parameter) {
 
 }  // namespace
 
-void refuse_idle_flags(std::span<const std::string_view> given, const RenderParams& params) {
+void refuse_idle_flags(std::span<const std::string_view> given, const ResolvedJob& job) {
   for (const Effect& effect : kEffects)
-    if (std::find(given.begin(), given.end(), effect.parameter) != given.end() && !effect.exists(params))
+    if (std::find(given.begin(), given.end(), effect.parameter) != given.end() && !effect.exists(job.params()))
       throw usage_error(flags_of(effect.parameter), "has no effect on this render", effect.accepted);
 }
 

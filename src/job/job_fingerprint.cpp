@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string_view>
 
 #include "core/fingerprint.hpp"
@@ -21,33 +22,41 @@ namespace lippmann {
 
 namespace fs = std::filesystem;
 
-std::string job_fingerprint(const RenderParams& params, const Scene& scene, const Display* display) {
+namespace {
+
+std::optional<ResolvedJob> readable_job(const fs::path& file) try {
+  if (!is_regular_file_there(file)) return std::nullopt;
+  RenderParams params;
+  read_job(file, params);
+  return ResolvedJob(params);
+} catch (const Error&) {
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string job_fingerprint(const ResolvedJob& job, const Scene& scene, const Display* display) {
   Fingerprint print;
   print.add(version());
   for (const ParamInfo& info : params_table()) {
     if (!info.changes_pictures) continue;
     print.add(info.name);
-    for (const std::string& value : info.get(params)) print.add(value);
+    for (const std::string& value : info.get(job.params())) print.add(value);
   }
   print.add(fingerprint(scene));
   if (display) print.add(json_to_text(display_json(*display), -1));
   return fmt::format("{:016x}", print.value());
 }
 
-std::vector<std::string> differences(const fs::path& job_file, const RenderParams& params) {
+std::vector<std::string> differences(const fs::path& job_file, const ResolvedJob& job) {
   constexpr std::array<std::string_view, 10> kOnlyRun{"frames", "output", "video",   "video-codec", "crf",
                                                       "also",   "page",   "threads", "resume",      "order"};
-  RenderParams other;
   std::vector<std::string> names;
-  try {
-    if (!is_regular_file_there(job_file)) return {};
-    read_job(job_file, other);
-  } catch (const Error&) {
-    return {};
-  }
-  other = with_scene_defaults(other);
+  const std::optional<ResolvedJob> other = readable_job(job_file);
+  if (!other) return names;
   for (const ParamInfo& info : params_table())
-    if (std::find(kOnlyRun.begin(), kOnlyRun.end(), info.name) == kOnlyRun.end() && info.get(other) != info.get(params))
+    if (std::find(kOnlyRun.begin(), kOnlyRun.end(), info.name) == kOnlyRun.end() &&
+        info.get(other->params()) != info.get(job.params()))
       names.emplace_back(info.name);
   return names;
 }

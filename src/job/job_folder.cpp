@@ -15,24 +15,24 @@
 namespace lippmann {
 namespace {
 
-std::set<std::string> companions_of(const RenderParams& params) {
+std::set<std::string> companions_of(const OutputParams& output) {
   std::set<std::string> names;
-  if (params.output.also == Companion::kSingle) names.insert(kSingleFolder);
-  if (params.output.page) names.insert(kPageFolder);
+  if (output.also == Companion::kSingle) names.insert(kSingleFolder);
+  if (output.page) names.insert(kPageFolder);
   return names;
 }
 
 }  // namespace
 
-RenderFolder open_job_folder(const std::filesystem::path& path, const std::string& job, const RenderParams& params,
+RenderFolder open_job_folder(const std::filesystem::path& path, const std::string& fingerprint, const ResolvedJob& job,
                              const std::vector<int>& frames, int frame_count, bool force, const Context& context) {
   make_folder(path);
   remove_stale_temporaries(path);
-  RenderFolder folder(path, job, [&](const std::filesystem::path& own) {
-    clear_folder(path, {.job = job, .frames = frames, .force = force, .own = own}, context);
+  RenderFolder folder(path, fingerprint, [&](const std::filesystem::path& own) {
+    clear_folder(path, {.job = fingerprint, .frames = frames, .force = force, .own = own}, context);
   });
-  folder.begin(frames, companions_of(params));
-  write_job_of_folder(params, frames, frame_count, folder, context);
+  folder.begin(frames, companions_of(job.output()));
+  write_job_of_folder(job, frames, frame_count, folder, context);
   return folder;
 }
 

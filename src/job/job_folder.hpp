@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "folder/render_folder.hpp"
-#include "job/params.hpp"
+#include "job/resolved_job.hpp"
 #include "lippmann/core/context.hpp"
 
 namespace lippmann {
 
 /// Makes the folder, begins the run's journal there, makes room (folder/claim_folder.hpp), records `frames`, which are all of
 /// the job, and writes job.toml. `frame_count`: of the scene's animation. Throws Error as clear_folder and RenderFolder do.
-RenderFolder open_job_folder(const std::filesystem::path& path, const std::string& job, const RenderParams& params,
+RenderFolder open_job_folder(const std::filesystem::path& path, const std::string& fingerprint, const ResolvedJob& job,
                              const std::vector<int>& frames, int frame_count, bool force, const Context& context);
 
 /// What the tool is called with to go on with the render of a folder, in silence.

@@ -2,52 +2,27 @@
 
 #include <utility>
 
-#include "job/display_optics.hpp"
-#include "job/make_optics.hpp"
-#include "lippmann/stage/fit_array.hpp"
-
 namespace lippmann {
 
-/// All that is known before structures for rays are built.
-struct JobStage::Parts {
-  std::unique_ptr<const Display> display;
-  std::string light;
-  Scene scene;
-  FittedArray array;
-  PlacedOptics placed;
+JobStage::JobStage(const ResolvedJob& job, const ThreadPool& pool, const Context& context)
+    : JobStage(load_scene_of(job, context), job, pool) {
+  if (!array.warning.empty()) context.warning(array.warning);
+}
 
-  Parts(Scene described, const RenderParams& params)
-      : display(wanted_display(params)),
-        scene(std::move(described)),
-        array(fit_array(scene, window_aspect(params, scene.resolution, display.get()), params.scene.view)),
-        placed(make_optics(params, scene, array, display.get())) {}
+JobStage::JobStage(JobScene loaded, const ResolvedJob& job, const ThreadPool& pool)
+    : JobStage(std::move(loaded), lippmann::place(job, loaded.scene), *job.sampling().integrator, pool) {}
 
-  static Parts loaded(const RenderParams& params, const Context& context) {
-    SceneNotes notes;
-    Parts parts(wanted_scene(params, context, &notes), params);
-    parts.light = std::move(notes.light);
-    if (!parts.array.warning.empty()) context.warning(parts.array.warning);
-    return parts;
-  }
-};
+// `loaded` is a reference: the scene is moved from only once the optics are placed in it.
+JobStage::JobStage(JobScene&& loaded, PlacedJob placed_job, Integrator integrator, const ThreadPool& pool)
+    : Stage(std::move(loaded.scene), std::move(placed_job.array), std::move(placed_job.placed), integrator, pool),
+      display(std::move(placed_job.display)),
+      light(std::move(loaded.notes.light)) {}
 
-JobStage::JobStage(Parts parts, Integrator integrator, const ThreadPool& pool)
-    : Stage(std::move(parts.scene), std::move(parts.array), std::move(parts.placed), integrator, pool),
-      display(std::move(parts.display)),
-      light(std::move(parts.light)) {}
-
-JobStage::JobStage(const RenderParams& params, const ThreadPool& pool, const Context& context)
-    : JobStage(Parts::loaded(params, context), integrator_of(params.sampling), pool) {}
-
-JobStage::JobStage(Scene described, const RenderParams& params, const ThreadPool& pool)
-    : JobStage(Parts(std::move(described), params), integrator_of(params.sampling), pool) {}
-
-void JobStage::place(const RenderParams& params) {
-  std::unique_ptr<const Display> wanted = wanted_display(params);
-  FittedArray fitted = fit_array(scene, window_aspect(params, scene.resolution, wanted.get()), params.scene.view);
-  placed = make_optics(params, scene, fitted, wanted.get());
-  array = std::move(fitted);
-  display = std::move(wanted);
+void JobStage::place(const ResolvedJob& job) {
+  PlacedJob other = lippmann::place(job, scene);
+  array = std::move(other.array);
+  placed = std::move(other.placed);
+  display = std::move(other.display);
 }
 
 }  // namespace lippmann

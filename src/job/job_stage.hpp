@@ -5,28 +5,27 @@
 #include <string>
 
 #include "frames/frame.hpp"
-#include "job/params.hpp"
+#include "job/job_scene.hpp"
+#include "job/placed_job.hpp"
+#include "job/resolved_job.hpp"
 #include "lippmann/display/display.hpp"
 
 namespace lippmann {
 
 struct JobStage : Stage {
   std::unique_ptr<const Display> display;  ///< none: optics of the parameters alone
-  std::string light;                       ///< SceneNotes::light; empty where the scene was there already
+  std::string light;                       ///< SceneNotes::light
 
-  /// Loads the scene, fits the array and builds what rays are traced against. Throws Error.
-  JobStage(const RenderParams& params, const ThreadPool& pool, const Context& context);
-  /// The same for a scene that is there already and passes validate(); it is lit by what it holds, whatever environment the
-  /// parameters name. Throws Error.
-  JobStage(Scene scene, const RenderParams& params, const ThreadPool& pool);
+  /// Loads the scene, places the optics and builds what rays are traced against. Throws Error.
+  JobStage(const ResolvedJob& job, const ThreadPool& pool, const Context& context);
+  /// The same for a scene that is there already. It keeps its light, whatever environment the job names. Throws Error.
+  JobStage(JobScene loaded, const ResolvedJob& job, const ThreadPool& pool);
 
-  /// Fits the array anew, and makes other optics: of parameters that differ in what is seen of the scene and what shows it, not
-  /// in the scene, its light or its integrator. Throws Error, and then stays as it was.
-  void place(const RenderParams& params);
+  /// Places other optics: those of a job with the same scene, light and integrator. Throws Error, and then stays as it was.
+  void place(const ResolvedJob& job);
 
  private:
-  struct Parts;
-  JobStage(Parts parts, Integrator integrator, const ThreadPool& pool);
+  JobStage(JobScene&& loaded, PlacedJob placed_job, Integrator integrator, const ThreadPool& pool);
 };
 
 }  // namespace lippmann

@@ -1,5 +1,5 @@
-// Everything that decides a render, as one plain struct with defaults. Command-line flags and job-file keys of the same names
-// are read into it, and written from it, through one table: params_table.hpp.
+// What is asked of a render, as one plain struct. Command-line flags and job-file keys of the same names are read into it, and
+// written from it, through one table: params_table.hpp. What is left open, ResolvedJob completes (resolved_job.hpp).
 #pragma once
 
 #include <cstdint>
@@ -102,12 +102,7 @@ struct RenderParams {
   bool resume = false;  ///< keep the frames that the same job has finished before
 };
 
-/// With the integrator that the scene's format asks for where none is given: paths for physical formats (is_physical_format),
-/// unless --reuse interpolate is wanted, which knows Whitted's shading alone; Whitted's shading for all others. Formats that
-/// hold depth get the layer. Everything below takes the parameters as they are after this.
-RenderParams with_scene_defaults(RenderParams params);
-
-/// Whether pictures are to hold the views of two eyes (job/stereo_optics.hpp).
+/// Whether pictures are to hold the views of two eyes (job/screen_for_stereo.hpp).
 bool wants_stereo(const RenderParams& params);
 
 /// As given; else depth is fitted to what shows it to eyes: lenses, and all that a display is named for. Views without a
@@ -119,16 +114,6 @@ inline OpticsKind optics_kind(const RenderParams& params) { return params.optics
 
 /// Whether `scene` names one of the built-in scenes, and thus no file.
 bool is_builtin_scene(const std::string& scene);
-
-/// What is known of a scene beside what it holds.
-struct SceneNotes {
-  std::vector<std::string> camera_names;  ///< in the file's order
-  std::string light;                      ///< one sentence: which light was taken, and why
-};
-
-/// The scene that the parameters name, loaded and lit as they say, or nothing but a display for the test pattern
-/// (test_pattern.hpp). The camera that decides the view is its first. Throws Error.
-Scene wanted_scene(const RenderParams& params, const Context& context, SceneNotes* notes = nullptr);
 
 /// `output`, or by default out/<scene name>: the built-in's name, or the file's without folder and ending.
 std::string output_folder(const RenderParams& params);

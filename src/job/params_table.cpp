@@ -146,6 +146,18 @@ Codec<std::optional<E>> optional_choice(const std::array<std::string_view, N>& n
           [made](const std::optional<E>& value) { return value ? made.write(*value) : std::string(); }, made.choices};
 }
 
+Codec<std::optional<Integrator>> integrator_name() {
+  std::vector<std::string_view> names;
+  for (const Integrator integrator : integrators()) names.push_back(integrator.facts().name);
+  const auto read = [names](std::string_view value, const std::string& where) {
+    return std::optional(integrators()[read_choice(value, names, where)]);
+  };
+  const auto write = [](const std::optional<Integrator>& value) {
+    return value ? std::string(value->facts().name) : std::string();
+  };
+  return {read, write, names};
+}
+
 /// The name of a format of light fields.
 Codec<std::string> light_field_name() {
   return {
@@ -431,7 +443,7 @@ std::vector<ParamInfo> rendering_rows() {
   using P = RenderParams;
   const Codec<std::string> environment{read_environment_choice, [](const std::string& value) { return value; }};
   return {
-      row(ParamKind::kText, &P::sampling, &Sampling::integrator, optional_choice<Integrator>(kIntegratorNames),
+      row(ParamKind::kText, &P::sampling, &Sampling::integrator, integrator_name(),
           {"integrator", "Rendering", "NAME",
            "whitted (sharp shadows, mirrors, refraction) or path (path tracing: all light); default: path for glTF, OBJ and "
            "PLY "

@@ -53,7 +53,7 @@ Interpolate interpolate(const ReuseParams& params) {
 Reuse reuse_by_sampling(ReuseParams params, const Sampling& sampling) {
   if (can_copy_settled(sampling)) return copy_settled(params);
   params.keyframes.reset();
-  if (integrator_of(sampling) == Integrator::kWhitted) params.min_psnr_db.reset();
+  if (!facts_of(sampling).is_stochastic) params.min_psnr_db.reset();
   return trace_all(params);
 }
 
@@ -73,8 +73,8 @@ Reuse wanted_reuse(const ReuseParams& params, const Sampling& sampling) {
 
 }  // namespace
 
-FrameParams frame_params(const RenderParams& params) {
-  FrameParams frames{params.sampling, wanted_reuse(params.reuse, params.sampling)};
+FrameParams frame_params(const ResolvedJob& job) {
+  FrameParams frames{job.sampling(), wanted_reuse(job.params().reuse, job.sampling())};
   check(frames);
   return frames;
 }

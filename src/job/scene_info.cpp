@@ -7,9 +7,7 @@
 #include <variant>
 
 #include "core/printable.hpp"
-#include "job/display_optics.hpp"
-#include "job/make_optics.hpp"
-#include "job/panel_size.hpp"
+#include "job/placed_job.hpp"
 #include "job/report.hpp"
 #include "lippmann/scene/load.hpp"
 #include "lippmann/scene/timeline.hpp"
@@ -122,12 +120,14 @@ std::string list_counts(std::initializer_list<std::pair<std::size_t, std::string
 
 }  // namespace
 
-SceneInfo describe_scene(const RenderParams& params, const Context& context) {
+SceneInfo describe_scene(const ResolvedJob& job, const Context& context) {
   SceneInfo info;
   Context collecting;
   collecting.threads = context.threads;
   collecting.warn = [&](std::string_view text) { info.warnings.emplace_back(text); };
-  const Scene scene = wanted_scene(params, collecting, &info.notes);
+  JobScene loaded = load_scene_of(job, collecting);
+  const Scene& scene = loaded.scene;
+  info.notes = std::move(loaded.notes);
   info.name = scene.name;
   info.animations = scene.animation_names, info.animation = scene.animation;
   info.variants = scene.variant_names;
@@ -137,9 +137,9 @@ SceneInfo describe_scene(const RenderParams& params, const Context& context) {
   count(scene, info);
   info.origin = scene.origin;
   info.bounds = bounds_over_animation(scene);
-  const auto display = wanted_display(params);
-  info.array = fit_array(scene, window_aspect(params, scene.resolution, display.get()), params.scene.view);
-  const PlacedOptics placed = make_optics(params, scene, info.array, display.get());
+  PlacedJob placed_job = place(job, scene);
+  info.array = std::move(placed_job.array);
+  const PlacedOptics& placed = placed_job.placed;
   info.optics = placed.optics;
   info.units_per_mm = placed.units_per_mm, info.depth_scale = placed.depth_scale;
   info.array_center = world_from_display(info.array, info.units_per_mm, evaluate(scene, scene.timeline.time(0))).translation;

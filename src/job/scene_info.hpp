@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "job/params.hpp"
+#include "job/job_scene.hpp"
+#include "job/resolved_job.hpp"
 #include "lippmann/core/context.hpp"
 #include "lippmann/core/math.hpp"
 #include "lippmann/optics/optics.hpp"
@@ -39,8 +40,8 @@ struct SceneInfo {
   std::vector<std::string> warnings;              ///< complete sentences: what the importer did not take over
 };
 
-/// Loads the scene and fits the array as a render with these params would. Throws Error.
-SceneInfo describe_scene(const RenderParams& params, const Context& context);
+/// Loads the scene and places the optics as a render would. Throws Error.
+SceneInfo describe_scene(const ResolvedJob& job, const Context& context);
 
 nlohmann::ordered_json to_json(const SceneInfo& info);
 

@@ -60,9 +60,7 @@ std::optional<Vec3f> read_color(std::string_view value, const std::string& where
   return is_list ? std::optional(read_linear(value, where)) : std::nullopt;
 }
 
-Surrounding surrounding_of(const RenderParams& params) {
-  return {params.scene.environment_strength, params.scene.environment_rotation_deg};
-}
+Surrounding surrounding_of(const SceneParams& params) { return {params.environment_strength, params.environment_rotation_deg}; }
 
 /// A name with an ending is that of a file that is missing; a word may be a misspelt one.
 Error no_such_environment(const std::string& value) {
@@ -75,20 +73,19 @@ Error no_such_environment(const std::string& value) {
 }
 
 /// What --environment asks for.
-std::string light_as_asked(Scene& scene, const RenderParams& params, const Context& context) {
-  const std::string& value = params.scene.environment;
+std::string light_as_asked(Scene& scene, const SceneParams& params, const Context& context) {
+  const std::string& value = params.environment;
   if (value == kNone) return "The scene has its own light alone, as --environment none asks for.";
   if (value == kStudio) {
     surround_with(scene, studio_environment(viewer_orientation(scene)), surrounding_of(params), 1.0f);
     return "The built-in studio lights the scene, as --environment asks for.";
   }
   if (const std::optional<Vec3f> color = read_color(value, "--environment")) {
-    surround_with(scene, params.scene.environment_strength * *color);
+    surround_with(scene, params.environment_strength * *color);
     return fmt::format("The colour {} surrounds the scene, as --environment asks for.", value);
   }
   if (!std::filesystem::exists(value)) throw no_such_environment(value);
-  scene.background.map =
-      read_environment(value, params.scene.environment_strength, params.scene.environment_rotation_deg, context);
+  scene.background.map = read_environment(value, params.environment_strength, params.environment_rotation_deg, context);
   return fmt::format("The panorama {} lights the scene, as --environment asks for.", value);
 }
 
@@ -103,14 +100,14 @@ std::string read_environment_choice(std::string_view value, const std::string& w
   return std::string(value);
 }
 
-std::string light_scene(Scene& scene, const RenderParams& params, const Context& context) {
-  if (!params.scene.environment.empty()) return light_as_asked(scene, params, context);
-  if (integrator_of(params.sampling) == Integrator::kWhitted) {
+std::string light_scene(Scene& scene, const SceneParams& params, Integrator integrator, const Context& context) {
+  if (!params.environment.empty()) return light_as_asked(scene, params, context);
+  if (!integrator.facts().is_lit_by_surroundings) {
     if (lacks_lamps(scene))
-      context.warning(fmt::format("{} has no lights: a key light from above left of the viewer is added", params.scene.name));
+      context.warning(fmt::format("{} has no lights: a key light from above left of the viewer is added", params.name));
     return light_for_whitted(scene);
   }
-  if (!is_physical_format(params.scene.name) && own_light(scene) != OwnLight::kNone) return "The scene has its own light.";
+  if (!is_physical_format(params.name) && own_light(scene) != OwnLight::kNone) return "The scene has its own light.";
   return light_for_paths(scene, surrounding_of(params));
 }
 

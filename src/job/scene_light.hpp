@@ -18,6 +18,6 @@ std::string read_environment_choice(std::string_view value, const std::string& w
 /// Lights `scene` as the parameters say. Where --environment says nothing, path-traced scenes of physical formats get the
 /// studio (scene/studio_light.hpp) where they have no light of their own, a dim studio around lamps of their own; Whitted's
 /// shading gets the default light (scene/default_light.hpp). Returns one sentence: which light was taken, and why.
-std::string light_scene(Scene& scene, const RenderParams& params, const Context& context);
+std::string light_scene(Scene& scene, const SceneParams& params, Integrator integrator, const Context& context);
 
 }  // namespace lippmann

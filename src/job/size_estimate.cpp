@@ -14,7 +14,7 @@ namespace {
 enum class Texture { kClean, kDenoised, kNoisy };
 
 Texture texture_of(const RenderParams& params) {
-  if (integrator_of(params.sampling) == Integrator::kWhitted) return Texture::kClean;
+  if (!facts_of(params.sampling).is_stochastic) return Texture::kClean;
   return is_denoised(params.sampling) ? Texture::kDenoised : Texture::kNoisy;
 }
 

@@ -1,15 +1,14 @@
 #include "job/stripped_frames.hpp"
 
-#include <utility>
-
 #include "folder/strips.hpp"
 #include "job/job_folder.hpp"
 #include "layout/frame_names.hpp"
 
 namespace lippmann {
 
-StrippedFrames::StrippedFrames(const StripMaker& strips, RenderFolder& folder, Settings settings, const Context& context)
-    : strips_(strips), folder_(folder), settings_(std::move(settings)), context_(context) {}
+StrippedFrames::StrippedFrames(const StripMaker& strips, RenderFolder& folder, const Settings& settings, RunProgress& progress,
+                               const Context& context)
+    : strips_(strips), folder_(folder), settings_(settings), progress_(progress), context_(context) {}
 
 void StrippedFrames::make_strips(const std::vector<int>& parts) {
   take_strips(parts, folder_,
@@ -23,7 +22,8 @@ bool StrippedFrames::make_strip(int frame, int strip) {
   const FileRecords files = write_strip(folder_.path(), frame, strip, rendered.pictures);
   const FrameStrip number{frame, strip, strips_.strips()};
   folder_.add_strip(number, rendered.report, files);
-  if (settings_.made) settings_.made(number, rendered.report, files.begin()->second.bytes);
+  made_.push_back({number, rendered.report});
+  progress_.strip_written(rendered.report, files.begin()->second.bytes);
   return true;
 }
 

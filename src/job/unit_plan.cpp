@@ -2,6 +2,7 @@
 
 #include <time.h>
 
+#include <utility>
 #include <variant>
 
 #include "core/scratch_folder.hpp"
@@ -10,9 +11,10 @@
 #include "frames/strip_maker.hpp"
 #include "job/animation.hpp"
 #include "job/job_folder.hpp"
-#include "job/job_stage.hpp"
+#include "job/job_scene.hpp"
+#include "job/placed_job.hpp"
+#include "job/render_setup.hpp"
 #include "job/reuse_params.hpp"
-#include "lippmann/core/parallel.hpp"
 
 namespace lippmann {
 namespace {
@@ -35,62 +37,58 @@ UnitPlan cut(const std::vector<int>& parts, int strips, int segment, int count) 
   return plan;
 }
 
-int segment_of(const RenderParams& params) { return params.strips > 1 ? 1 : frames_per_segment(frame_params(params)); }
-
-UnitPlan unmeasured_plan(const RenderParams& params, int count, const Context& context) {
-  const ThreadPool pool(params.threads > 0 ? params.threads : resolved_threads(context));
-  const JobStage stage(params, pool, context);
-  if (params.strips > 1) check_strips(frame_params(params), stage.placed.optics, params.strips);
-  return cut(parts_of(frames_of_job(params, stage.scene.timeline), params.strips), params.strips, segment_of(params), count);
+UnitPlan unmeasured_plan(const ResolvedJob& job, int count, const Context& context) {
+  const FrameParams made_as = frame_params(job);
+  const JobScene loaded = load_scene_of(job, context);
+  const PlacedJob placed_job = place(job, loaded.scene);
+  const int strips = job.params().strips;
+  if (job.is_in_strips()) check_strips(made_as, placed_job.placed.optics, strips);
+  return cut(parts_of(frames_of_job(job.params(), loaded.scene.timeline), strips), strips, segment_of(job, made_as), count);
 }
 
 /// The same job in a folder of its own, pictures and layers alone: videos are made by who finishes it.
-RenderParams job_in(const std::filesystem::path& folder, RenderParams params) {
+ResolvedJob job_in(const std::filesystem::path& folder, const ResolvedJob& job) {
+  RenderParams params = job.params();
   params.output.folder = folder.string();
   params.output.video.clear();
   params.resume = false;
-  return params;
+  return ResolvedJob(std::move(params));
 }
 
-Neighbours neighbours_in(const RenderParams& params) {
-  if (params.strips > 1) return Neighbours::kOthers;
-  return std::holds_alternative<CopySettled>(frame_params(params).reuse) ? Neighbours::kCopied : Neighbours::kOthers;
+Neighbours neighbours_in(const ResolvedJob& job, const FrameParams& made_as) {
+  if (job.is_in_strips()) return Neighbours::kOthers;
+  return std::holds_alternative<CopySettled>(made_as.reuse) ? Neighbours::kCopied : Neighbours::kOthers;
 }
 
 /// Renders frames as a unit does, writes their files, and takes the time of both.
-UnitPlan measured_plan(const RenderParams& params, int count, const Context& context) {
-  const ScratchFolder folder;
-  UnitPlan plan;
-  std::vector<int> parts;
-  RunParams run;
-  run.choose = [&](const std::vector<int>& of_job, int segment) {
-    plan = cut(of_job, params.strips, segment, count);
-    parts = of_job;
-    return frames_to_measure(of_job, segment, neighbours_in(params));
-  };
-  MeasuredRun measured;
+UnitPlan measured_plan(const ResolvedJob& job, int count, const Context& context) {
   const double begin = process_cpu_seconds();
-  RenderObserver observer;
-  observer.planned = [&](const RenderPlan& planned) {
-    measured.setup_cpu_seconds = process_cpu_seconds() - begin;
-    if (planned.join_bytes > 0.0) plan.join_bytes = planned.join_bytes;
-  };
-  const RenderReport report = render_animation(job_in(folder.path(), params), context, observer, run);
+  const FrameParams made_as = frame_params(job);
+  const int strips = job.params().strips, segment = segment_of(job, made_as);
+  JobScene loaded = load_scene_of(job, context);
+  const std::vector<int> parts = parts_of(frames_of_job(job.params(), loaded.scene.timeline), strips);
+  UnitPlan plan = cut(parts, strips, segment, count);
+  RunParams run;
+  run.parts = frames_to_measure(parts, segment, neighbours_in(job, made_as));
+  const ScratchFolder folder;
+  RenderSetup setup(job_in(folder.path(), job), run, context, std::move(loaded));
+  if (setup.join_bytes > 0.0) plan.join_bytes = setup.join_bytes;
+  MeasuredRun measured;
+  measured.setup_cpu_seconds = process_cpu_seconds() - begin;
+  const RenderReport report = render_animation(setup, context);
   measured.cpu_seconds = process_cpu_seconds() - begin;
-  measured.frames = params.strips > 1 ? report.strips : report.frames, measured.sources = report.run.sources;
+  measured.frames = job.is_in_strips() ? report.strips : report.frames, measured.sources = report.run.sources;
   measured.peak_memory_bytes = report.run.peak_memory_bytes;
-  plan.costs = frame_costs(measured, parts, plan.segment);
-  const std::vector<std::vector<int>> units = units_of(parts, plan.segment, count);
-  for (std::size_t i = 0; i < units.size(); ++i)
-    plan.units[i].cpu_seconds = cpu_seconds_of(units[i], plan.segment, *plan.costs);
+  plan.costs = frame_costs(measured, parts, segment);
+  const std::vector<std::vector<int>> units = units_of(parts, segment, count);
+  for (std::size_t i = 0; i < units.size(); ++i) plan.units[i].cpu_seconds = cpu_seconds_of(units[i], segment, *plan.costs);
   return plan;
 }
 
 }  // namespace
 
-UnitPlan plan_units(const RenderParams& wanted, int count, bool measure, const Context& context) {
-  const RenderParams params = with_scene_defaults(wanted);
-  return measure ? measured_plan(params, count, context) : unmeasured_plan(params, count, context);
+UnitPlan plan_units(const ResolvedJob& job, int count, bool measure, const Context& context) {
+  return measure ? measured_plan(job, count, context) : unmeasured_plan(job, count, context);
 }
 
 }  // namespace lippmann

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "job/frame_costs.hpp"
-#include "job/params.hpp"
+#include "job/resolved_job.hpp"
 #include "lippmann/core/context.hpp"
 
 namespace lippmann {
@@ -27,6 +27,6 @@ struct UnitPlan {
 
 /// `count` units or as many as there are segments. With `measure`, frames are rendered into a folder that is thrown away
 /// (core/scratch_folder.hpp). Throws Error for jobs that cannot be rendered.
-UnitPlan plan_units(const RenderParams& params, int count, bool measure, const Context& context);
+UnitPlan plan_units(const ResolvedJob& job, int count, bool measure, const Context& context);
 
 }  // namespace lippmann

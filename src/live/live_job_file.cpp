@@ -37,11 +37,11 @@ fs::path take_name(const fs::path& wanted) {
 
 }  // namespace
 
-fs::path LiveJobFile::save(const RenderParams& params) {
+fs::path LiveJobFile::save(const ResolvedJob& job) {
   make_folder(wanted_.parent_path());
   const bool is_own = !written_.empty() && text_in(written_) == text_;
   const fs::path file = is_own ? written_ : take_name(wanted_);
-  const std::string text = job_text(params, file.parent_path());
+  const std::string text = job_text(job.params(), file.parent_path());
   write_file_atomically(file, std::as_bytes(std::span(text)));
   written_ = file, text_ = text;
   return file;

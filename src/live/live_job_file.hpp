@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "job/params.hpp"
+#include "job/resolved_job.hpp"
 
 namespace lippmann {
 
@@ -15,7 +15,7 @@ class LiveJobFile {
 
   /// Writes the job whole or not at all, over what it wrote last unless somebody has changed that since. Returns the file.
   /// Throws Error naming it.
-  std::filesystem::path save(const RenderParams& params);
+  std::filesystem::path save(const ResolvedJob& job);
 
  private:
   std::filesystem::path wanted_, written_;

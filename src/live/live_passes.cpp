@@ -23,8 +23,6 @@ constexpr double kCoarsePixels = 48e3;
 /// Samples of a pixel where paths are traced: fewer pixels with less noise show more.
 constexpr int kCoarsePaths = 4;
 
-bool uses_paths(const RenderParams& params) { return integrator_of(params.sampling) == Integrator::kPath; }
-
 /// As the panel shows a film: only sub-pixels that were traced one by one are put together.
 PictureParams layout_of_panel(const Optics& optics) {
   PictureParams as_shown;
@@ -37,8 +35,8 @@ Image8 panel_codes(const LiveStage& live, RenderedFrame rendered) {
   const JobStage& stage = live.stage();
   const Optics& optics = stage.placed.optics;
   const FrameLayout as_shown(layout_of_panel(optics), optics, stage.display.get());
-  develop_frame({as_shown, optics, tone_of(live.params().output.pictures), stage.scene.encoding,
-                 crosstalk_to_undo(live.params(), optics, stage.display.get())},
+  develop_frame({as_shown, optics, tone_of(live.job().params().output.pictures), stage.scene.encoding,
+                 crosstalk_to_undo(live.job().params(), optics, stage.display.get())},
                 rendered);
   return to_codes(rendered.pictures.film, stage.scene.encoding);
 }
@@ -52,15 +50,15 @@ LivePictures pictures_of(RenderedFrame rendered, const LiveStage& live, const Pa
 }  // namespace
 
 std::optional<LivePictures> coarse_pictures(LiveStage& live, const PageFacts& facts, int frame, const Context& context) {
-  const RenderParams& params = live.params();
-  if (params.scene.name == kTestPattern) return std::nullopt;
+  const RenderParams& params = live.job().params();
+  if (live.job().is_test_pattern()) return std::nullopt;
   JobStage& stage = live.stage();
   const Vec2i size = coarse_view_size(facts, kCoarsePixels);
   const Optics rays = view_rays(stage.placed, facts, size);
   const Moment moment = stage.moment_at(frame);
   stage.device.update(moment.resolved, live.pool());
   Sampling sampling = params.sampling;
-  sampling.spp = uses_paths(params) ? kCoarsePaths : 1;
+  sampling.spp = facts_of(params.sampling).is_stochastic ? kCoarsePaths : 1;
   sampling.angular_filter = AngularFilter::kNone;
   sampling.lens = {};
   Image film;
@@ -71,8 +69,8 @@ std::optional<LivePictures> coarse_pictures(LiveStage& live, const PageFacts& fa
 }
 
 std::optional<LivePictures> draft_pictures(LiveStage& live, const PageFacts& facts, int frame, const Context& context) {
-  const RenderParams& params = live.params();
-  if (!uses_paths(params) || samples_per_pixel(params.sampling) <= 2 * kDraftSamples) return std::nullopt;
+  const RenderParams& params = live.job().params();
+  if (!facts_of(params.sampling).is_stochastic || samples_per_pixel(params.sampling) <= 2 * kDraftSamples) return std::nullopt;
   FrameParams draft{params.sampling, AutoReuse{}};
   draft.sampling.spp = kDraftSamples;
   draft.sampling.aov.clear();
@@ -95,7 +93,8 @@ Image8 depth_picture(LiveStage& live, const PageFacts& facts, Vec2i view_size, i
   stage.device.update(moment.resolved, live.pool());
   FrameAovs layers;
   layers.want(Aov::kDepth);
-  find_first_hits({stage.device, rays, moment.world_from_display}, live.params().sampling.order, nullptr, live.pool(), layers);
+  find_first_hits({stage.device, rays, moment.world_from_display}, live.job().params().sampling.order, nullptr, live.pool(),
+                  layers);
   Image disparities = disparities_mm(layers[Aov::kDepth], facts.axes.vergence, stage.placed.depth_scale);
   take_near_at_edges(disparities, view_size, visible_jump_mm(facts, view_size));
   return disparity_codes(disparities, facts.disparity_scale_mm);

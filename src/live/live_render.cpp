@@ -21,7 +21,7 @@ LiveRender::~LiveRender() {
   if (thread_.joinable()) thread_.join();
 }
 
-void LiveRender::start(const RenderParams& params, std::function<void()> ended) {
+void LiveRender::start(const ResolvedJob& job, std::function<void()> ended) {
   {
     const std::lock_guard lock(mutex_);
     if (state_ == "running") throw Error("render", "another render is running", "cancel it first");
@@ -30,8 +30,8 @@ void LiveRender::start(const RenderParams& params, std::function<void()> ended) 
   }
   if (thread_.joinable()) thread_.join();  // it has ended, and may still tell so: not below the lock
   context_.cancelled = false;
-  thread_ = std::thread([this, params, ended = std::move(ended)] {
-    run(params);
+  thread_ = std::thread([this, job, ended = std::move(ended)] {
+    run(job);
     ended();
   });
 }
@@ -43,7 +43,7 @@ bool LiveRender::is_running() const {
   return state_ == "running";
 }
 
-void LiveRender::run(const RenderParams& params) {
+void LiveRender::run(const ResolvedJob& job) {
   RenderObserver observer;
   observer.planned = [this](const RenderPlan& plan) {
     const std::lock_guard lock(mutex_);
@@ -59,7 +59,7 @@ void LiveRender::run(const RenderParams& params) {
     share_ = share;
   };
   try {
-    const RenderReport report = render_animation(params, context_, observer);
+    const RenderReport report = render_animation(job, context_, observer);
     const std::lock_guard lock(mutex_);
     state_ = report.interrupted ? "stopped" : "finished";
   } catch (const std::exception& error) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <thread>
 
-#include "job/params.hpp"
+#include "job/resolved_job.hpp"
 #include "lippmann/core/context.hpp"
 
 namespace lippmann {
@@ -22,7 +22,7 @@ class LiveRender {
   LiveRender& operator=(const LiveRender&) = delete;
 
   /// What render_animation does, in a thread of its own. `ended` is called when it has. Throws an Error where one runs already.
-  void start(const RenderParams& params, std::function<void()> ended);
+  void start(const ResolvedJob& job, std::function<void()> ended);
 
   /// Leaves what Ctrl-C leaves: finished frames, for `lippmann render job.toml --resume`.
   void cancel();
@@ -34,7 +34,7 @@ class LiveRender {
   nlohmann::ordered_json json() const;
 
  private:
-  void run(const RenderParams& params);
+  void run(const ResolvedJob& job);
 
   mutable std::mutex mutex_;
   std::thread thread_;

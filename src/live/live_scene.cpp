@@ -38,7 +38,7 @@ Json panel_json(const Display* display, const InterlaceParams& interlace) {
 LiveScene::LiveScene(const RenderParams& base, std::filesystem::path job_file, std::function<void(std::string_view)> warn,
                      const InterlaceParams& interlace)
     : context_(std::move(warn)),
-      live_(LiveSettings(base).params(), context_),
+      live_(LiveSettings(base).job(), context_),
       interlace_(interlace),
       settings_(base),
       job_file_(std::move(job_file)) {
@@ -110,7 +110,7 @@ bool LiveScene::is_stale(std::uint64_t version) const {
 
 void LiveScene::make(const Order& order) {
   const int frame = order.settings.frame();
-  live_.set(order.settings.params());
+  live_.set(order.settings.job());
   begin(order);
   if (is_stale(order.version)) return;
   const PageFacts facts = facts_;  // this thread alone changes it
@@ -267,7 +267,7 @@ void LiveScene::require_sound() const {
 std::filesystem::path LiveScene::save() {
   const std::lock_guard lock(mutex_);
   require_sound();
-  const std::filesystem::path file = job_file_.save(settings_.params());
+  const std::filesystem::path file = job_file_.save(settings_.job());
   saved_ = file.string();
   ++serial_;
   changed_.notify_all();
@@ -279,11 +279,11 @@ void LiveScene::render(bool all_frames) {
   {
     const std::lock_guard lock(mutex_);
     require_sound();
-    params = settings_.params();
+    params = settings_.job().params();
     const int frame = settings_.frame();
     if (!all_frames) params.output.frames = FrameRanges{{frame, frame}};
   }
-  render_.start(params, [this] { tell(); });
+  render_.start(ResolvedJob(params), [this] { tell(); });
   context_.cancelled = true;  // what is finer than a coarse picture waits
   tell();
 }

@@ -86,12 +86,12 @@ void LiveSettings::set_frame(int frame, int frame_count) {
   frame_ = frame;
 }
 
-RenderParams LiveSettings::params() const { return with_scene_defaults(applied(changes_)); }
+ResolvedJob LiveSettings::job() const { return ResolvedJob(applied(changes_)); }
 
 nlohmann::ordered_json LiveSettings::values() const {
-  const RenderParams all = params();
+  const ResolvedJob all = job();
   nlohmann::ordered_json values = nlohmann::ordered_json::object();
-  for (const std::string_view name : kNames) values[std::string(name)] = value_of(*find_param(name), all);
+  for (const std::string_view name : kNames) values[std::string(name)] = value_of(*find_param(name), all.params());
   return values;
 }
 

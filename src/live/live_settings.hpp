@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "job/params.hpp"
+#include "job/resolved_job.hpp"
 
 namespace lippmann {
 
@@ -28,8 +28,8 @@ class LiveSettings {
   /// 0 ... frame_count - 1. Throws a usage Error.
   void set_frame(int frame, int frame_count);
 
-  /// All of it, with the defaults of the scene's format.
-  RenderParams params() const;
+  /// All of it.
+  ResolvedJob job() const;
   int frame() const { return frame_; }
 
   /// By name: the text of each parameter in force, empty where it follows from others.

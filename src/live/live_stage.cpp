@@ -13,46 +13,42 @@ namespace lippmann {
 namespace {
 
 /// All that a scene, its light and its tables depend on.
-std::string scene_key(const RenderParams& params) {
+std::string scene_key(const ResolvedJob& job) {
   RenderParams key;
-  key.scene = params.scene;
+  key.scene = job.scene();
   key.scene.view = {};
-  key.sampling.integrator = params.sampling.integrator;
+  key.sampling.integrator = job.sampling().integrator;
   return job_text(key, {});
 }
 
 /// One frame alone: pixels that could be copied from others are traced, to the same bits and without a search for them.
-FrameParams params_of_one_frame(const RenderParams& params) {
-  FrameParams made_as = frame_params(params);
+FrameParams params_of_one_frame(const ResolvedJob& job) {
+  FrameParams made_as = frame_params(job);
   if (std::holds_alternative<CopySettled>(resolved_reuse(made_as))) made_as.reuse = TraceAll{};
   return made_as;
 }
 
 }  // namespace
 
-LiveStage::LiveStage(const RenderParams& params, const Context& context)
-    : context_(context),
-      pool_(params.threads > 0 ? params.threads : resolved_threads(context)),
-      params_(params),
-      stage_(std::make_unique<JobStage>(params, pool_, context)) {}
+LiveStage::LiveStage(const ResolvedJob& job, const Context& context)
+    : context_(context), pool_(job.threads(context)), job_(job), stage_(std::make_unique<JobStage>(job, pool_, context)) {}
 
-void LiveStage::set(const RenderParams& params) {
-  if (job_text(params, {}) == job_text(params_, {})) return;
+void LiveStage::set(const ResolvedJob& job) {
+  if (job_text(job.params(), {}) == job_text(job_.params(), {})) return;
   maker_.reset();
-  if (scene_key(params) == scene_key(params_))
-    stage_->place(params);
+  if (scene_key(job) == scene_key(job_))
+    stage_->place(job);
   else
-    stage_ = std::make_unique<JobStage>(params, pool_, context_);
-  params_ = params;
+    stage_ = std::make_unique<JobStage>(job, pool_, context_);
+  job_ = job;
 }
 
 std::optional<RenderedFrame> LiveStage::frame(int frame) {
   if (!maker_ || frame <= last_frame_) {
-    const FrameParams made_as = params_of_one_frame(params_);
+    const FrameParams made_as = params_of_one_frame(job_);
     check(made_as, stage_->placed.optics);
     maker_.reset();
-    maker_ = params_.scene.name == kTestPattern ? make_pattern_frames(*stage_, pool_)
-                                                : make_frame_maker(*stage_, made_as, pool_, context_);
+    maker_ = job_.is_test_pattern() ? make_pattern_frames(*stage_, pool_) : make_frame_maker(*stage_, made_as, pool_, context_);
   }
   last_frame_ = frame;
   RenderedFrame made = maker_->make(frame);
@@ -63,10 +59,10 @@ std::optional<RenderedFrame> LiveStage::frame(int frame) {
 
 PageFacts LiveStage::facts() const {
   PageFacts facts = page_facts(stage_->placed.optics);
-  facts.title = std::filesystem::path(params_.scene.name).filename().string();
-  facts.has_depth = params_.scene.name != kTestPattern && facts.grid.count() > 1;
+  facts.title = std::filesystem::path(job_.scene().name).filename().string();
+  facts.has_depth = !job_.is_test_pattern() && facts.grid.count() > 1;
   const Timeline& timeline = stage_->scene.timeline;
-  facts.frames_per_second = params_.scene.fps > 0.0 ? params_.scene.fps : timeline.frames_per_second;
+  facts.frames_per_second = job_.frames_per_second(timeline);
   for (int frame = 0; frame < timeline.frame_count; ++frame) facts.frames.push_back({fmt::format("{:04}", frame), {}});
   return facts;
 }

@@ -7,7 +7,7 @@
 
 #include "frames/frame_maker.hpp"
 #include "job/job_stage.hpp"
-#include "job/params.hpp"
+#include "job/resolved_job.hpp"
 #include "lippmann/core/context.hpp"
 #include "lippmann/core/parallel.hpp"
 #include "view/page_facts.hpp"
@@ -17,13 +17,13 @@ namespace lippmann {
 class LiveStage {
  public:
   /// Loads the scene. `context` outlives it. Throws Error.
-  LiveStage(const RenderParams& params, const Context& context);
+  LiveStage(const ResolvedJob& job, const Context& context);
 
   /// The array is fitted anew and optics are made; the scene is loaded again where it, its light or its integrator is another.
   /// Throws Error, and then stays as it was.
-  void set(const RenderParams& params);
+  void set(const ResolvedJob& job);
 
-  const RenderParams& params() const { return params_; }
+  const ResolvedJob& job() const { return job_; }
   JobStage& stage() { return *stage_; }
   const JobStage& stage() const { return *stage_; }
   const ThreadPool& pool() const { return pool_; }
@@ -39,9 +39,9 @@ class LiveStage {
  private:
   const Context& context_;
   ThreadPool pool_;
-  RenderParams params_;
+  ResolvedJob job_;
   std::unique_ptr<JobStage> stage_;
-  std::unique_ptr<FrameMaker> maker_;  ///< of these params; null: there is none yet
+  std::unique_ptr<FrameMaker> maker_;  ///< of this job; null: there is none yet
   int last_frame_ = 0;                 ///< that it made
 };
 

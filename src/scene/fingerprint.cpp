@@ -19,7 +19,8 @@ class SceneFingerprint {
 
   void add(const Scene& scene) {
     const auto& [name, nodes, shapes, textures, materials, instances, skins, lights, webs, cameras, display, background,
-                 timeline, animation_names, animation, variant_names, origin, encoding, max_depth, resolution] = scene;
+                 timeline, animation_names, animation, variant_names, origin, encoding, max_depth, resolution, kind] = scene;
+    static_cast<void>(kind);  // decides defaults alone
     add_each(nodes);
     add_each(shapes);
     add_each(textures);

@@ -219,9 +219,15 @@ bool is_splat_file(const std::string& name) {
   return format->load == load_ply_file ? is_ply_of_splats(name) : format->load == load_gltf_file && is_gltf_of_splats(name);
 }
 
+SceneKind scene_kind(const std::string& name) {
+  if (!is_physical_format(name)) return SceneKind::kWhitted;
+  return is_splat_file(name) ? SceneKind::kSplats : SceneKind::kPhysical;
+}
+
 Scene load_scene(const std::string& name, const LoadOptions& options, const Context& context) {
   const BuiltinScene* builtin = find_builtin(name);
   Scene scene = builtin ? build(*builtin, options) : load_file(name, options, context);
+  scene.kind = scene_kind(name);
   validate(scene, name);
   return scene;
 }

@@ -82,7 +82,7 @@ std::string light_for_paths(Scene& scene, const Surrounding& how) {
 
 std::string add_missing_light(Scene& scene, Integrator integrator) {
   validate(scene, "scene");
-  return integrator == Integrator::kWhitted ? light_for_whitted(scene) : light_for_paths(scene, Surrounding{});
+  return integrator.facts().is_lit_by_surroundings ? light_for_paths(scene, Surrounding{}) : light_for_whitted(scene);
 }
 
 }  // namespace lippmann

@@ -41,12 +41,13 @@ Placement place(const Scene& scene, const Optics& optics, const PlacementWish& w
   const Vec2f window = window_size_mm(optics);
   Placement placement;
   placement.array = fit_array(scene, window.x / window.y, wish.view);
-  placement.placed = placed_on(scene, placement.array, optics, wish.fit_depth);
+  placement.placed = placed_on(scene, placement.array, optics, wish.fit_depth.value_or(!view_tiles(optics)));
   return placement;
 }
 
 Placement place(const Scene& scene, const Display& display, DisplayPicture picture, const PlacementWish& wish) {
-  Placement placement = place(scene, optics_of(display, picture), wish);
+  const PlacementWish complete{wish.view, wish.fit_depth.value_or(true)};
+  Placement placement = place(scene, optics_of(display, picture), complete);
   placement.placed.for_display = true;
   return placement;
 }

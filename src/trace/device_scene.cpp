@@ -5,8 +5,9 @@
 namespace lippmann {
 
 DeviceScene::DeviceScene(const Scene& scene, const ThreadPool& pool, Integrator integrator)
-    : shaded_(std::make_unique<ShadedScene>(
-          scene, pool, integrator == Integrator::kWhitted ? MaterialUse::kWhitted : MaterialUse::kPaths)) {}
+    : integrator_(integrator),
+      shaded_(std::make_unique<ShadedScene>(
+          scene, pool, integrator.facts().samples_all_light ? MaterialUse::kPaths : MaterialUse::kWhitted)) {}
 
 DeviceScene::~DeviceScene() = default;
 

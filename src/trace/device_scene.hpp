@@ -26,8 +26,10 @@ class DeviceScene {
   void update(const ResolvedScene& resolved, const ThreadPool& pool);
 
   const ShadedScene& shaded() const { return *shaded_; }  ///< shading/shaded_scene.hpp
+  Integrator integrator() const { return integrator_; }
 
  private:
+  Integrator integrator_;
   std::unique_ptr<ShadedScene> shaded_;
 };
 

@@ -256,4 +256,17 @@ void PathIntegrator::add(std::uint32_t pixel, Vec3f radiance, int depth) {
   if (film_.noise) add_to(film_.noise, weight_ * noise_weight_);
 }
 
+constinit const IntegratorModel path_model{
+    {.name = "path",
+     .default_samples = 16,
+     .is_stochastic = true,
+     .separates_light = true,
+     .samples_all_light = true,
+     .is_lit_by_surroundings = true},
+    [](const Integration& from) -> std::unique_ptr<FrameIntegrator> {
+      const TraceParams& trace = from.params;
+      const PathParams params{trace.max_depth, hash(trace.seed, trace.frame), trace.clamp_indirect, trace.spp};
+      return std::make_unique<PathIntegrator>(from.scene, from.beam, params, from.film);
+    }};
+
 }  // namespace lippmann

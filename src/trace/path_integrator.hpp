@@ -13,6 +13,7 @@
 #include "shading/bsdf_packet.hpp"
 #include "shading/light_table.hpp"
 #include "shading/splat_light.hpp"
+#include "trace/integrator_model.hpp"
 #include "trace/path_film.hpp"
 #include "trace/path_numbers.hpp"
 #include "trace/path_wave.hpp"
@@ -29,19 +30,18 @@ struct PathParams {
 
 /// Traces the paths of one thread; not thread-safe. The class is large because all of its functions share the state of the
 /// packet that is being shaded. path_lights.cpp handles lights that rays hit, path_integrator.cpp everything else.
-class PathIntegrator {
+class PathIntegrator final : public FrameIntegrator {
  public:
   /// `scene` must be built for Integrator::kPath, and film.all must not be null. The arguments must outlive this object.
   PathIntegrator(const ShadedScene& scene, const BeamFootprint& beam, const PathParams& params, const PathFilm& film);
 
-  /// Sets the sample number within each pixel for the camera rays that follow.
-  void begin(int sample);
+  void begin(int sample) override;
   /// Shades the first hits of camera rays. finish() traces the rest of their paths.
-  void primary(const CameraPacket& packet);
+  void primary(const CameraPacket& packet) override;
   /// Traces all remaining rays, wave by wave.
-  void finish();
+  void finish() override;
 
-  const RayCounts& counts() const { return counts_; }
+  const RayCounts& counts() const override { return counts_; }
 
  private:
   /// The vertices of a packet's paths on surfaces that scatter light.

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "trace/integrators.hpp"
+#include "trace/integrator_model.hpp"
 #include "trace/noisy_frame.hpp"
 #include "trace/trace_batch.hpp"
 #include "trace/trace_packets.hpp"
@@ -16,6 +16,7 @@ class FrameTracer {
   /// Light is also added to `parts`, which are 0 so far.
   FrameTracer(const Shot& shot, const TraceParams& params, Image& film, const PathFilm& parts = {})
       : scene_(shot.device.shaded()),
+        integrator_(shot.device.integrator().model()),
         params_(params),
         beam_(shot.optics, shot.world_from_display, params.spp),
         source_(shot.optics, shot.world_from_display, params.order,
@@ -50,23 +51,23 @@ class FrameTracer {
  private:
   /// What is left of it when the context is cancelled is not traced: a strip of many samples may take minutes.
   RayCounts trace_strip(const FrameWork& work, std::size_t strip, const Context& context) const {
-    return with_integrator({scene_, beam_, params_, film_}, [&](auto& integrator) {
-      std::optional<BlockProbe> probe;
-      if constexpr (requires { integrator.tell(&*probe); })
-        if (probe_) integrator.tell(&probe.emplace(*probe_));
-      const StripPackets packets{source_, static_cast<int>(strip)};
-      for_each_batch(work, strip, source_.packets_per_strip(), [&](std::span<const int> batch, std::size_t block) {
-        if (context.cancelled) return;
-        const std::uint64_t rays_before = integrator.counts().total();
-        trace_batch(scene_, packets, {batch, share_.first, params_.spp, share_.step}, integrator, sinks_);
-        if (!probe) return;
-        touched_->lowest_horizon[block] = probe->take();
-        touched_->rays[block] = static_cast<std::uint32_t>(integrator.counts().total() - rays_before);
-      });
+    const std::unique_ptr<FrameIntegrator> integrator = integrator_.make({scene_, beam_, params_, film_});
+    std::optional<BlockProbe> probe;
+    if (probe_) integrator->tell(&probe.emplace(*probe_));
+    const StripPackets packets{source_, static_cast<int>(strip)};
+    for_each_batch(work, strip, source_.packets_per_strip(), [&](std::span<const int> batch, std::size_t block) {
+      if (context.cancelled) return;
+      const std::uint64_t rays_before = integrator->counts().total();
+      trace_batch(scene_, packets, {batch, share_.first, params_.spp, share_.step}, *integrator, sinks_);
+      if (!probe) return;
+      touched_->lowest_horizon[block] = probe->take();
+      touched_->rays[block] = static_cast<std::uint32_t>(integrator->counts().total() - rays_before);
     });
+    return integrator->counts();
   }
 
   const ShadedScene& scene_;
+  const IntegratorModel& integrator_;
   const TraceParams& params_;
   BeamFootprint beam_;
   PacketSource source_;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "trace/frame_work.hpp"
-#include "trace/integrators.hpp"
+#include "trace/integrator_model.hpp"
 #include "trace/trace_batch.hpp"
 
 namespace lippmann {
@@ -109,12 +109,11 @@ RayCounts trace_pixels(const Shot& shot, const TraceParams& params, Pixels pixel
   return trace_strips(ordered.begin.size() - 1, workers.silent(), [&](std::size_t strip) {
     const std::size_t first = ordered.begin[strip];
     const Pixels of_strip = Pixels(ordered.pixels).subspan(first, ordered.begin[strip + 1] - first);
-    const RayCounts counts = with_integrator({scene, beam, params, light}, [&](auto& integrator) {
-      trace({samples, of_strip}, params.spp, integrator, {&film, along ? &*capture : nullptr});
-    });
+    const auto integrator = shot.device.integrator().model().make({scene, beam, params, light});
+    trace({samples, of_strip}, params.spp, *integrator, {&film, along ? &*capture : nullptr});
     NoIntegrator none;
     if (capture && !along) trace({centres, of_strip}, 1, none, {nullptr, &*capture});
-    return counts;
+    return integrator->counts();
   });
 }
 

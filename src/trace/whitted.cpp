@@ -309,4 +309,10 @@ void WhittedTracer::add_to_film(const LaneMask& active, const Bundle& bundle, co
   }
 }
 
+constinit const IntegratorModel whitted_model{
+    {.name = "whitted", .can_share_pixels = true}, [](const Integration& from) -> std::unique_ptr<FrameIntegrator> {
+      const WhittedParams params{from.params.max_depth, from.params.spp};
+      return std::make_unique<WhittedTracer>(from.scene, from.beam, params, from.film);
+    }};
+
 }  // namespace lippmann

@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "device/ray_log.hpp"
-#include "device/touch_probe.hpp"
 #include "lippmann/image/image.hpp"
 #include "shading/direct_light.hpp"
 #include "shading/splat_light.hpp"
 #include "shading/surface.hpp"
 #include "trace/camera_packet.hpp"
+#include "trace/integrator_model.hpp"
 #include "trace/path_film.hpp"
 #include "trace/ray_queue.hpp"
 #include "trace/trace_frame.hpp"
@@ -29,25 +29,26 @@ struct WhittedParams {
 };
 
 /// Tracing state of one thread at a time. Adds radiance to pixels of the film; const inputs must outlive it.
-class WhittedTracer {
+class WhittedTracer final : public FrameIntegrator {
  public:
   /// film.all is not null. Where film.open is not null, it receives how many samples would see the surroundings, which they
   /// then do not see.
   WhittedTracer(const ShadedScene& scene, const BeamFootprint& beam, const WhittedParams& params, const PathFilm& film);
 
   /// Shades camera rays that have met the scene. Mirror and refracted rays wait for finish().
-  void primary(const CameraPacket& packet);
+  void primary(const CameraPacket& packet) override;
 
   /// Traces everything that waits, wave by wave.
-  void finish();
+  void finish() override;
 
-  const RayCounts& counts() const { return counts_; }
+  const RayCounts& counts() const override { return counts_; }
+
+  void begin(int) override {}
 
   /// From now on appends every packet to `log` that follows from camera packets.
   void log_to(RayLog* log) { log_ = log; }
 
-  /// From now on tells `probe` of every ray.
-  void tell(BlockProbe* probe) { probe_ = probe; }
+  void tell(BlockProbe* probe) override { probe_ = probe; }
 
  private:
   void shade(const RayHitPacket& packet, LaneMask active, Bundle& bundle, int depth);

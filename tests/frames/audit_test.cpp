@@ -37,11 +37,11 @@ RenderParams noisy_paths() {
 }
 
 TEST(Audit, does_not_change_the_picture) {
-  const RenderParams params = with_scene_defaults(noisy_paths());
+  const ResolvedJob job(noisy_paths());
   const Context context;
   const ThreadPool pool(1);
-  JobStage stage(params, pool, context);
-  EXPECT_EQ(make_frames(params, {3}).film(3), render_frame(stage, params.sampling, 3, pool, context).pictures.film.data);
+  JobStage stage(job, pool, context);
+  EXPECT_EQ(make_frames(params, {3}).film(3), render_frame(stage, job.sampling(), 3, pool, context).pictures.film.data);
 }
 
 TEST(Audit, does_not_depend_on_threads_or_range) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "frames/made_frames.hpp"
+#include "job/job_scene.hpp"
 #include "job/scene_info.hpp"
 #include "lippmann/core/error.hpp"
 #include "scene/gltf/gltf_builder.hpp"
@@ -107,19 +108,19 @@ TEST_F(DeformingFrames, are_not_interpolated) {
 
 TEST_F(DeformingFrames, are_those_of_the_animation_chosen_by_name_or_index) {
   RenderParams rest = params(ReuseChoice::kNone);
-  EXPECT_EQ(wanted_scene(rest, {}).timeline.frame_count, 8);
+  EXPECT_EQ(load_scene_of(ResolvedJob(rest), {}).scene.timeline.frame_count, 8);
   for (const char* said : {"Rest", "1"}) {
     rest.scene.animation = said;
-    EXPECT_EQ(wanted_scene(rest, {}).timeline.frame_count, 1) << said;
+    EXPECT_EQ(load_scene_of(ResolvedJob(rest), {}).scene.timeline.frame_count, 1) << said;
   }
-  EXPECT_THAT(to_text(describe_scene(rest, {})), HasSubstr("shown: Rest (1); others: Bend (0)"));
+  EXPECT_THAT(to_text(describe_scene(ResolvedJob(rest), {})), HasSubstr("shown: Rest (1); others: Bend (0)"));
 }
 
 TEST_F(DeformingFrames, of_an_unknown_animation_are_refused_with_those_that_there_are) {
   RenderParams jump = params(ReuseChoice::kNone);
   jump.scene.animation = "Jump";
   try {
-    wanted_scene(jump, {});
+    load_scene_of(ResolvedJob(jump), {});
     FAIL() << "found";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), HasSubstr("'Jump' is not in the file; accepted: Bend (0), Rest (1)"));

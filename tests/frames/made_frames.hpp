@@ -30,11 +30,11 @@ struct MadeFrames {
 
 /// `frames` in ascending order, as a render of them makes them.
 inline MadeFrames make_frames(const RenderParams& said, const std::vector<int>& frames, int threads = 2) {
-  const RenderParams params = with_scene_defaults(said);
+  const ResolvedJob job(said);
   const Context context;
   const ThreadPool pool(threads);
-  JobStage stage(params, pool, context);
-  const auto maker = make_frame_maker(stage, frame_params(params), pool, context);
+  JobStage stage(job, pool, context);
+  const auto maker = make_frame_maker(stage, frame_params(job), pool, context);
   MadeFrames made;
   for (const int frame : frames) made.frames[frame] = maker->make(frame);
   made.sources = maker->sources();

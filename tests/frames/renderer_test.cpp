@@ -33,9 +33,9 @@ TEST(Renderer, makes_the_frames_that_a_render_by_name_makes) {
   params.sampling.spp = 2;
   const Context context;
   const ThreadPool pool(1);
-  JobStage stage(params, pool, context);
-  Renderer renderer(built_in("primitives"), {stage.array, stage.placed}, frame_params(params), context);
-  const auto maker = make_frame_maker(stage, frame_params(params), pool, context);
+  JobStage stage(ResolvedJob(params), pool, context);
+  Renderer renderer(built_in("primitives"), {stage.array, stage.placed}, frame_params(ResolvedJob(params)), context);
+  const auto maker = make_frame_maker(stage, frame_params(ResolvedJob(params)), pool, context);
   for (const int frame : {3, 4, 9}) {
     const auto made = renderer.frame(frame);
     ASSERT_TRUE(made.has_value());

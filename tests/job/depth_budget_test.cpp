@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "job/make_optics.hpp"
+#include "job/optics_on.hpp"
 #include "lippmann/display/load_display.hpp"
 
 namespace lippmann {
@@ -60,7 +60,7 @@ RenderParams fitted_depth() {
 }
 
 TEST(FitDepth, deep_scene_is_shown_just_as_deep_as_can_be) {
-  const PlacedOptics placed = make_optics(fitted_depth(), Scene{}, array_of_depth(4.0f));
+  const PlacedOptics placed = test::optics_on(array_of_depth(4.0f), fitted_depth());
   const ShownDepth shown = shown_depth(array_of_depth(4.0f), placed.units_per_mm, placed.depth_scale, placed.optics);
   EXPECT_NEAR(shown.deepest_mm(), shown.budget_mm, 1e-3f * shown.budget_mm);
   EXPECT_LT(placed.depth_scale, 0.5f);
@@ -69,7 +69,7 @@ TEST(FitDepth, deep_scene_is_shown_just_as_deep_as_can_be) {
 TEST(FitDepth, is_the_default_of_lenses_and_displays_and_not_of_views_that_are_data) {
   const auto scale = [](const RenderParams& params, const char* display = nullptr) {
     const std::optional<Display> loaded = display ? std::optional(load_display(display)) : std::nullopt;
-    return make_optics(params, Scene{}, array_of_depth(40.0f), loaded ? &*loaded : nullptr).depth_scale;
+    return test::optics_on(array_of_depth(40.0f), params, loaded ? &*loaded : nullptr).depth_scale;
   };
   RenderParams params;
   EXPECT_LT(scale(params), 0.1f) << "a lenticular sheet";
@@ -96,15 +96,15 @@ TEST(FitDepth, is_told_with_the_factor_and_the_true_depth) {
 }
 
 TEST(FitDepth, scene_that_fits_stays_as_it_is) {
-  EXPECT_EQ(make_optics(fitted_depth(), Scene{}, array_of_depth(0.5f)).depth_scale, 1.0f);
+  EXPECT_EQ(test::optics_on(array_of_depth(0.5f), fitted_depth()).depth_scale, 1.0f);
 }
 
 TEST(FitDepth, optics_are_those_of_the_display_whatever_the_depth) {
   RenderParams plain = fitted_depth();
   plain.optics.fit_depth = false;
-  ASSERT_EQ(make_optics(plain, Scene{}, array_of_depth(4.0f)).depth_scale, 1.0f);
+  ASSERT_EQ(test::optics_on(array_of_depth(4.0f), plain).depth_scale, 1.0f);
   const auto gap = [](const RenderParams& params) {
-    return std::get<LenticularSheet>(make_optics(params, Scene{}, array_of_depth(4.0f)).optics.model).gap_mm;
+    return std::get<LenticularSheet>(test::optics_on(array_of_depth(4.0f), params).optics.model).gap_mm;
   };
   EXPECT_EQ(gap(fitted_depth()), gap(plain));
 }

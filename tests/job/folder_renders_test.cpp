@@ -25,7 +25,7 @@ TEST_F(FolderRenders, with_other_settings_are_refused_and_change_nothing) {
     RenderParams other = teapot("a", "0-1", {{"view-angle", "40"}});
     other.resume = resume;
     EXPECT_THAT(refusal(other), HasSubstr("a: holds another render: it differs in view-angle, aov"));
-    EXPECT_THAT(error_message([&] { plan_animation(other, context_, {}, nullptr); }), HasSubstr("holds another render"));
+    EXPECT_THAT(error_message([&] { RenderSetup(ResolvedJob(other), {}, context_); }), HasSubstr("holds another render"));
   }
   EXPECT_EQ(all_files(dir_ / "a"), before);
 }

@@ -14,7 +14,7 @@ using testing::ElementsAre;
 TEST(JobFingerprint, differs_for_what_changes_pictures_and_for_nothing_else) {
   const Scene scene;
   RenderParams params;
-  const std::string same = job_fingerprint(params, scene);
+  const std::string same = job_fingerprint(ResolvedJob(params), scene);
   RenderParams elsewhere = params;
   elsewhere.output.folder = "elsewhere";
   elsewhere.threads = 7;
@@ -23,13 +23,13 @@ TEST(JobFingerprint, differs_for_what_changes_pictures_and_for_nothing_else) {
   elsewhere.output.also = Companion::kSingle, elsewhere.output.page = true;
   elsewhere.resume = true;
   elsewhere.sampling.order = RayOrder::kRows;
-  EXPECT_EQ(job_fingerprint(elsewhere, scene), same);
+  EXPECT_EQ(job_fingerprint(ResolvedJob(elsewhere), scene), same);
   RenderParams finer = params;
   finer.sampling.spp = 2;
-  EXPECT_NE(job_fingerprint(finer, scene), same);
+  EXPECT_NE(job_fingerprint(ResolvedJob(finer), scene), same);
   Scene darker;
   darker.background.horizon = Vec3f(0.5f);
-  EXPECT_NE(job_fingerprint(params, darker), same);
+  EXPECT_NE(job_fingerprint(ResolvedJob(params), darker), same);
 }
 
 TEST(JobFingerprint, differences_are_the_parameters_that_decide_pictures) {
@@ -37,9 +37,9 @@ TEST(JobFingerprint, differences_are_the_parameters_that_decide_pictures) {
   std::ofstream(dir / "job.toml") << "scene = \"teapot\"\nspp = 4\nview-angle = 40\nthreads = 3\nframes = \"0-3\"\n";
   RenderParams params;
   params.scene.name = "teapot";
-  EXPECT_THAT(differences(dir / "job.toml", with_scene_defaults(params)), ElementsAre("view-angle", "spp"));
+  EXPECT_THAT(differences(dir / "job.toml", ResolvedJob(params)), ElementsAre("view-angle", "spp"));
   std::ofstream(dir / "job.toml") << "no job";
-  EXPECT_THAT(differences(dir / "job.toml", params), ElementsAre());
+  EXPECT_THAT(differences(dir / "job.toml", ResolvedJob(params)), ElementsAre());
 }
 
 }  // namespace

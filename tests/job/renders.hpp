@@ -58,7 +58,7 @@ class Renders : public testing::Test {
 
   RenderReport render(const RenderParams& params, const RunParams& run = {}) {
     warnings_.clear();
-    return render_animation(params, context_, {}, run);
+    return render_animation(ResolvedJob(params), context_, {}, run);
   }
 
   /// The pictures of a render.

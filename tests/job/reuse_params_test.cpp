@@ -23,7 +23,7 @@ RenderParams said(ReuseChoice choice, Integrator integrator = Integrator::kWhitt
 
 std::string refused(const RenderParams& params) {
   try {
-    frame_params(params);
+    frame_params(ResolvedJob(params));
   } catch (const Error& error) {
     return error.where();
   }
@@ -39,16 +39,16 @@ RenderParams with_reuse(const ReuseParams& reuse) {
 TEST(ReuseParams, auto_takes_key_frames_to_copied_frames_and_ignores_them_for_paths) {
   RenderParams paths = said(ReuseChoice::kAuto, Integrator::kPath);
   paths.reuse.keyframes = 5;  // as jobs for many scenes have it
-  EXPECT_STREQ(name_of(frame_params(paths).reuse), "none");
+  EXPECT_STREQ(name_of(frame_params(ResolvedJob(paths)).reuse), "none");
   RenderParams whitted = said(ReuseChoice::kAuto);
   whitted.reuse.keyframes = 5;
-  EXPECT_EQ(std::get<CopySettled>(frame_params(whitted).reuse).keyframes, 5);
+  EXPECT_EQ(std::get<CopySettled>(frame_params(ResolvedJob(whitted)).reuse).keyframes, 5);
 }
 
 TEST(ReuseParams, missed_pixels_stay_black_to_be_looked_at) {
   RenderParams params = said(ReuseChoice::kInterpolate);
   params.reuse.debug = DebugPicture::kMissed;
-  EXPECT_EQ(std::get<Interpolate>(frame_params(params).reuse).fill, MissedFill::kBlack);
+  EXPECT_EQ(std::get<Interpolate>(frame_params(ResolvedJob(params)).reuse).fill, MissedFill::kBlack);
   params.reuse.fill = MissedFill::kRetrace;
   EXPECT_EQ(refused(params), "--fill");
   params.reuse.fill = MissedFill::kInterpolate;
@@ -82,7 +82,7 @@ TEST(ReuseParams, what_interpolates_is_refused_where_pixels_are_copied) {
 TEST(ReuseParams, copied_pixels_keep_to_any_floor) {
   RenderParams params = said(ReuseChoice::kAuto);
   params.reuse.min_psnr_db = 50.0;
-  EXPECT_STREQ(name_of(frame_params(params).reuse), "copy");
+  EXPECT_STREQ(name_of(frame_params(ResolvedJob(params)).reuse), "copy");
 }
 
 TEST(ReuseSentence, begins_with_the_kind_that_served_and_tells_what_it_did) {

@@ -27,7 +27,7 @@ SPHERE CENTER -1 0 0 RAD 1 grey
 SPHERE CENTER 1 0 0 RAD 1 grey
 END_SCENE
 )";
-  const SceneInfo info = describe_scene(params, Context{});
+  const SceneInfo info = describe_scene(ResolvedJob(params), Context{});
   EXPECT_EQ(info.spheres, 2u);
   EXPECT_EQ(info.triangles, 0u);
   EXPECT_EQ(info.lights, 1u);
@@ -58,7 +58,7 @@ TEST(SceneInfo, file_with_animations_says_whether_its_keys_are_on_frames) {
 TEST(SceneInfo, animated_scene_says_what_moves) {
   RenderParams params;
   params.scene.name = "gears";
-  const SceneInfo info = describe_scene(params, Context{});
+  const SceneInfo info = describe_scene(ResolvedJob(params), Context{});
   EXPECT_GE(info.frames, 400);
   EXPECT_GT(info.moving_instances, 0u);
   EXPECT_FALSE(info.bounds.empty());

@@ -9,6 +9,7 @@
 
 #include "image/exr.hpp"
 #include "image/png.hpp"
+#include "job/job_scene.hpp"
 #include "lippmann/core/error.hpp"
 #include "scene/studio_light.hpp"
 #include "support/temp_dir.hpp"
@@ -53,8 +54,7 @@ TEST_F(SceneLight, is_the_studio_where_a_file_brings_none) {
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
       "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   for (const RenderParams& params : {plain_file(), params_of("a.gltf", gltf_of("", "")), params_of("a.ply", ply)}) {
-    SceneNotes notes;
-    const Scene scene = wanted_scene(params, {}, &notes);
+    const auto [scene, notes] = load_scene_of(ResolvedJob(params), {});
     ASSERT_TRUE(scene.background.map) << params.scene.name;
     EXPECT_EQ(scene.background.map->strength, 1.0f);
     EXPECT_TRUE(scene.lights.empty());
@@ -63,8 +63,7 @@ TEST_F(SceneLight, is_the_studio_where_a_file_brings_none) {
 }
 
 TEST_F(SceneLight, is_a_dim_studio_around_lamps_of_the_file) {
-  SceneNotes notes;
-  const Scene scene = wanted_scene(params_of("a.gltf", gltf_of(kLampNode, kLamp)), {}, &notes);
+  const auto [scene, notes] = load_scene_of(ResolvedJob(params_of("a.gltf", gltf_of(kLampNode, kLamp))), {});
   ASSERT_EQ(scene.lights.size(), 1u);
   ASSERT_TRUE(scene.background.map);
   EXPECT_EQ(scene.background.map->strength, kDimStudio);
@@ -73,10 +72,10 @@ TEST_F(SceneLight, is_a_dim_studio_around_lamps_of_the_file) {
 
 TEST_F(SceneLight, of_the_studio_is_scaled_and_turned_as_of_a_panorama) {
   RenderParams params = plain_file();
-  const float rotation = wanted_scene(params, {}).background.map->rotation;
+  const float rotation = load_scene_of(ResolvedJob(params), {}).scene.background.map->rotation;
   params.scene.environment_strength = 3.0f;
   params.scene.environment_rotation_deg = 90.0f;
-  const Scene scene = wanted_scene(params, {});
+  const Scene scene = load_scene_of(ResolvedJob(params), {}).scene;
   EXPECT_EQ(scene.background.map->strength, 3.0f);
   EXPECT_FLOAT_EQ(scene.background.map->rotation, rotation + 0.5f * kPi);
 }
@@ -84,22 +83,22 @@ TEST_F(SceneLight, of_the_studio_is_scaled_and_turned_as_of_a_panorama) {
 TEST_F(SceneLight, of_whitted_and_of_other_formats_stays_as_it_was) {
   RenderParams whitted = plain_file();
   whitted.sampling.integrator = Integrator::kWhitted;
-  const Scene scene = wanted_scene(whitted, {});
+  const Scene scene = load_scene_of(ResolvedJob(whitted), {}).scene;
   EXPECT_FALSE(scene.background.map);
   EXPECT_EQ(scene.lights.size(), 1u) << "the default light";
-  EXPECT_FALSE(wanted_scene(params_of("a.nff", "l 3 4 5\ns 0 0 0 1\n"), {}).background.map);
+  EXPECT_FALSE(load_scene_of(ResolvedJob(params_of("a.nff", "l 3 4 5\ns 0 0 0 1\n")), {}).scene.background.map);
   RenderParams teapot;
   teapot.scene.name = "teapot";
   teapot.sampling.integrator = Integrator::kPath;
-  EXPECT_FALSE(wanted_scene(teapot, {}).background.map);
+  EXPECT_FALSE(load_scene_of(ResolvedJob(teapot), {}).scene.background.map);
 }
 
 TEST_F(SceneLight, of_other_formats_is_added_where_nothing_would_be_seen) {
   RenderParams params = params_of("dark.nff", "s 0 0 0 1\n");
-  EXPECT_TRUE(wanted_scene(params, {}).background.map) << "the studio, for paths";
+  EXPECT_TRUE(load_scene_of(ResolvedJob(params), {}).scene.background.map) << "the studio, for paths";
   params.sampling.integrator = Integrator::kWhitted;
-  EXPECT_EQ(wanted_scene(params, {}).lights.size(), 1u);
-  const Scene blue = wanted_scene(params_of("blue.nff", "b 0.1 0.2 0.3\ns 0 0 0 1\n"), {});
+  EXPECT_EQ(load_scene_of(ResolvedJob(params), {}).scene.lights.size(), 1u);
+  const Scene blue = load_scene_of(ResolvedJob(params_of("blue.nff", "b 0.1 0.2 0.3\ns 0 0 0 1\n")), {}).scene;
   EXPECT_FALSE(blue.background.map) << "paths find its background";
   EXPECT_EQ(blue.background.zenith, Vec3f(0.1f, 0.2f, 0.3f));
 }
@@ -107,25 +106,25 @@ TEST_F(SceneLight, of_other_formats_is_added_where_nothing_would_be_seen) {
 TEST_F(SceneLight, is_what_environment_asks_for) {
   RenderParams params = plain_file();
   params.scene.environment = "none";
-  Scene scene = wanted_scene(params, {});
+  Scene scene = load_scene_of(ResolvedJob(params), {}).scene;
   EXPECT_FALSE(scene.background.map);
   EXPECT_EQ(scene.background.zenith, Vec3f(0.0f));
   params.sampling.integrator = Integrator::kWhitted;
-  EXPECT_TRUE(wanted_scene(params, {}).lights.empty());
+  EXPECT_TRUE(load_scene_of(ResolvedJob(params), {}).scene.lights.empty());
 
   params.scene.environment = "studio";
   params.scene.name = "teapot";
-  SceneNotes notes;
-  EXPECT_TRUE(wanted_scene(params, {}, &notes).background.map);
-  EXPECT_EQ(notes.light, "The built-in studio lights the scene, as --environment asks for.");
+  const JobScene in_studio = load_scene_of(ResolvedJob(params), {});
+  EXPECT_TRUE(in_studio.scene.background.map);
+  EXPECT_EQ(in_studio.notes.light, "The built-in studio lights the scene, as --environment asks for.");
 
   params.scene.environment_strength = 2.0f;
   params.scene.environment = "0.5,0.25,1";
-  scene = wanted_scene(params, {});
+  scene = load_scene_of(ResolvedJob(params), {}).scene;
   EXPECT_EQ(scene.background.horizon, Vec3f(1.0f, 0.5f, 2.0f));
   EXPECT_EQ(scene.background.zenith, scene.background.horizon);
   params.scene.environment = "#ff00bc";
-  scene = wanted_scene(params, {});
+  scene = load_scene_of(ResolvedJob(params), {}).scene;
   EXPECT_NEAR(scene.background.zenith.x, 2.0f, 1e-6f);
   EXPECT_EQ(scene.background.zenith.y, 0.0f);
   EXPECT_NEAR(scene.background.zenith.z, 2.0f * 0.50289f, 1e-4f) << "code 188 of sRGB";
@@ -138,7 +137,7 @@ TEST_F(SceneLight, of_a_panorama_is_as_strong_as_its_file_times_the_factor) {
   RenderParams params = plain_file();
   params.scene.environment = (dir_ / "sky.exr").string();
   params.scene.environment_strength = 4.0f;
-  const Scene scene = wanted_scene(params, {});
+  const Scene scene = load_scene_of(ResolvedJob(params), {}).scene;
   ASSERT_TRUE(scene.background.map);
   EXPECT_EQ(scene.background.map->strength, 4.0f);
 }
@@ -149,7 +148,7 @@ TEST_F(SceneLight, of_codes_and_of_missing_files_is_refused_by_their_name) {
     RenderParams params = plain_file();
     params.scene.environment = (dir_ / file).string();
     try {
-      wanted_scene(params, {});
+      load_scene_of(ResolvedJob(params), {}).scene;
       FAIL() << file;
     } catch (const Error& error) {
       EXPECT_THAT(error.what(), HasSubstr(file));

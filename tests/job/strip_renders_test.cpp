@@ -30,7 +30,7 @@ class StripRenders : public Renders {
     Context context;
     context.threads = 1;
     params.resume = true;
-    render_animation(params, context, {}, {.units = Units{{unit}, count}});
+    render_animation(ResolvedJob(params), context, {}, {.units = Units{{unit}, count}});
   }
 
   FinishedAnimation finish(const std::string& folder, const std::vector<fs::path>& join = {}) const {
@@ -193,7 +193,7 @@ TEST_F(StripRenders, that_cannot_be_are_refused) {
 
 TEST_F(StripRenders, are_planned_with_every_strip_once_and_what_they_take) {
   const RenderParams params = still("out", {{"frames", "3-4"}, {"strips", "4"}});
-  const UnitPlan measured = plan_units(params, 3, true, context_);
+  const UnitPlan measured = plan_units(ResolvedJob(params), 3, true, context_);
   ASSERT_EQ(measured.units.size(), 3u);
   EXPECT_THAT(measured.units[1].frames, ElementsAre(3, 4));
   std::vector<std::pair<int, int>> all;
@@ -205,7 +205,7 @@ TEST_F(StripRenders, are_planned_with_every_strip_once_and_what_they_take) {
   EXPECT_EQ(all.size(), 8u);
   EXPECT_TRUE(std::is_sorted(all.begin(), all.end()) && std::adjacent_find(all.begin(), all.end()) == all.end());
   EXPECT_GT(measured.join_bytes.value_or(0.0), 64.0 * 184.0 * 12.0);
-  EXPECT_EQ(plan_units(params, 99, false, context_).units.size(), 8u);
+  EXPECT_EQ(plan_units(ResolvedJob(params), 99, false, context_).units.size(), 8u);
   EXPECT_FALSE(exists("out"));
 }
 

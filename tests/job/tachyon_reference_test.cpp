@@ -28,7 +28,7 @@ Image8 our_picture(const fs::path& scene, Vec2i size, const fs::path& camera_pat
   params.optics.size = {size.x, size.y};
   const ThreadPool pool(2);
   const Context context;
-  JobStage stage(params, pool, context);
+  JobStage stage(ResolvedJob(params), pool, context);
   return to_codes(render_frame(stage, params.sampling, frame, pool, context).pictures.film, stage.scene.encoding);
 }
 

@@ -21,7 +21,7 @@ class UnitRenders : public Renders {
   void render_unit(const RenderParams& params, int unit, int count) const {
     Context context;
     context.threads = 1;
-    render_animation(params, context, {}, {.units = Units{{unit}, count}});
+    render_animation(ResolvedJob(params), context, {}, {.units = Units{{unit}, count}});
   }
 
   FinishedAnimation finish(const std::string& folder, const std::vector<fs::path>& join = {}) const {
@@ -153,16 +153,16 @@ TEST_F(UnitRenders, that_cannot_be_are_refused) {
 
 TEST_F(UnitRenders, are_planned_with_every_frame_once_and_what_they_take) {
   const Settings film{{"size", "64x16"}, {"lenses", "8x2"}, {"frames", "8-31"}};
-  const UnitPlan measured = plan_units(job("teapot", "out", film), 3, true, context_);
+  const UnitPlan measured = plan_units(ResolvedJob(job("teapot", "out", film)), 3, true, context_);
   ASSERT_EQ(measured.units.size(), 3u);
   EXPECT_THAT(measured.units[1].frames, ElementsAre(16, 17, 18, 19, 20, 21, 22, 23));
   for (const PlannedUnit& unit : measured.units) EXPECT_GT(unit.cpu_seconds.value_or(0.0), 0.0);
   EXPECT_GT(measured.costs->peak_memory_bytes, 1u << 20);
   RenderParams paths = job("teapot", "out", film), interpolated = paths;
   paths.sampling.integrator = Integrator::kPath;
-  EXPECT_EQ(plan_units(paths, 9, false, context_).segment, 1);
+  EXPECT_EQ(plan_units(ResolvedJob(paths), 9, false, context_).segment, 1);
   interpolated.reuse.choice = ReuseChoice::kInterpolate, interpolated.reuse.keyframes = 16;
-  const UnitPlan listed = plan_units(interpolated, 9, false, context_);
+  const UnitPlan listed = plan_units(ResolvedJob(interpolated), 9, false, context_);
   EXPECT_EQ(listed.segment, 16);
   ASSERT_EQ(listed.units.size(), 2u);
   EXPECT_THAT(listed.units[0].frames, ElementsAre(8, 9, 10, 11, 12, 13, 14, 15));

@@ -56,7 +56,7 @@ Image8 views_of_render(RenderParams params, const std::filesystem::path& folder,
   const Context context;
   params.output.folder = folder.string();
   params.output.frames = FrameRanges{{frame, frame}};
-  render_animation(params, context);
+  render_animation(ResolvedJob(params), context);
   return PageField(folder, LightFieldHints{}, context).quilt(0);
 }
 

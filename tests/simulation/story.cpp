@@ -152,7 +152,7 @@ class Teller {
     folder.add_video(video, frames_);
   }
 
-  /// As Animation does it.
+  /// As render_animation does it.
   RenderReport render(const Work& work) {
     const Context context;
     const RenderParams params = params_of(work);
@@ -161,7 +161,7 @@ class Teller {
     const bool makes_video = has_video_ && !work.units;
     const std::vector<std::string> videos = makes_video ? std::vector{video_of(work.folder)} : std::vector<std::string>();
     if (!work.force) require_free_folder(work.folder, work.job, {}, frames_, videos);
-    RenderFolder folder = open_job_folder(work.folder, work.job, params, frames_, kAllFrames, work.force, context);
+    RenderFolder folder = open_job_folder(work.folder, work.job, ResolvedJob(params), frames_, kAllFrames, work.force, context);
     RenderReport report;
     report.params = params;
     begin_report(report, folder);

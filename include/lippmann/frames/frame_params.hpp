@@ -10,6 +10,7 @@
 #include "lippmann/optics/angular_filter.hpp"
 #include "lippmann/optics/optics.hpp"
 #include "lippmann/optics/view_lens.hpp"
+#include "lippmann/scene/scene.hpp"
 #include "lippmann/trace/aovs.hpp"
 #include "lippmann/trace/integrator.hpp"
 #include "lippmann/trace/ray_order.hpp"
@@ -24,9 +25,9 @@ enum class Denoise {
 
 /// How to trace a frame, and which layers to produce.
 struct Sampling {
-  std::optional<Integrator> integrator{};  ///< default: Integrator::kWhitted
+  std::optional<Integrator> integrator{};  ///< default: see completed()
   RayOrder order = RayOrder::kViewTiles;
-  int spp = 0;  ///< samples per pixel; 0: kPathSamples for path tracing, else 1
+  int spp = 0;  ///< samples per pixel; 0: that of the integrator, or see completed()
   /// Default: kBox for a display's quilt with several samples per pixel, see PlacedOptics.
   std::optional<AngularFilter> angular_filter{};
   ViewLens lens{};  ///< depth of field of the views; needs 2 or more samples per pixel
@@ -46,18 +47,22 @@ struct FrameParams {
   Reuse reuse{};
 };
 
-/// Default number of samples per pixel for path tracing.
-inline constexpr int kPathSamples = 16;
+/// Chooses the integrator if `sampling` does not. The tool, Renderer and the Python module all take it from here:
+/// - physical scenes: path tracing (16 samples per pixel); Whitted shading (1) if frames are interpolated
+/// - Whitted scenes: Whitted shading
+/// - splats: Whitted shading, and 4 samples per pixel unless `sampling` says a number
+Sampling completed(Sampling sampling, SceneKind scene, bool interpolates);
 
 inline Integrator integrator_of(const Sampling& sampling) { return sampling.integrator.value_or(Integrator::kWhitted); }
+inline const IntegratorFacts& facts_of(const Sampling& sampling) { return integrator_of(sampling).facts(); }
 
 inline int samples_per_pixel(const Sampling& sampling) {
-  return sampling.spp > 0 ? sampling.spp : integrator_of(sampling) == Integrator::kPath ? kPathSamples : 1;
+  return sampling.spp > 0 ? sampling.spp : facts_of(sampling).default_samples;
 }
 
 /// Returns whether frames are denoised. One sample per pixel is never denoised, because its noise cannot be estimated.
 inline bool is_denoised(const Sampling& sampling) {
-  return sampling.denoise == Denoise::kAuto && integrator_of(sampling) == Integrator::kPath && samples_per_pixel(sampling) > 1;
+  return sampling.denoise == Denoise::kAuto && facts_of(sampling).is_stochastic && samples_per_pixel(sampling) > 1;
 }
 
 /// Returns whether CopySettled can be used: with Whitted shading, without motion blur and alpha, and without extra layers other

@@ -28,8 +28,9 @@ namespace lippmann {
 /// frames are rendered. A renderer is not thread-safe; different renderers are independent.
 class Renderer {
  public:
-  /// Builds the data structures for ray tracing on context.threads threads. The default integrator is Integrator::kWhitted.
-  /// `context` must outlive this object. Throws Error if the scene does not pass validate(), or if parameters are invalid.
+  /// Builds the data structures for ray tracing on context.threads threads. completed() chooses the
+  /// integrator if params does not. `context` must outlive this object. Throws Error if the scene does not pass validate() or
+  /// shows nothing, or if parameters are invalid.
   Renderer(Scene scene, Placement placement, FrameParams params, const Context& context);
   ~Renderer();
   Renderer(Renderer&&) noexcept;

@@ -30,6 +30,9 @@ Scene load_scene(const std::string& name, const LoadOptions& options, const Cont
 /// built-in scene, and none of the formats that describe Whitted's shading (Tachyon, NFF).
 bool is_physical_format(const std::string& name);
 
+/// What the scene of that name describes, by its ending, and by the header of files that may hold splats.
+SceneKind scene_kind(const std::string& name);
+
 /// Whether `name` is a file of splats (3D Gaussians) alone, PLY by its header or glTF by its JSON. What cannot be read is none.
 bool is_splat_file(const std::string& name);
 

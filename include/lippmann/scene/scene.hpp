@@ -381,6 +381,13 @@ struct Instance {
   bool casts_no_shadow = false;      ///< meshes; other shapes only if no instance of the scene casts a shadow
 };
 
+/// What a scene's materials and lights describe. Decides the defaults of sampling: see completed() (frames/frame_params.hpp).
+enum class SceneKind {
+  kPhysical,  ///< physical materials and light: files of glTF, OBJ and PLY, and scenes made in memory
+  kWhitted,   ///< Whitted shading: the built-in scenes, and files of NFF and Tachyon
+  kSplats,    ///< splats alone, whose colours hold their light already
+};
+
 struct Scene {
   std::string name;
   std::vector<Node> nodes;
@@ -402,6 +409,10 @@ struct Scene {
   Encoding encoding = Encoding::kSrgb;
   int max_depth = 6;       ///< path vertices; the file's own limit where it has one
   Vec2i resolution{0, 0};  ///< that the file asks for; 0: none
+  SceneKind kind = SceneKind::kPhysical;
 };
+
+/// Whether a render would show nothing: the scene has no surface with an area, and no sky around it.
+bool shows_nothing(const Scene& scene);
 
 }  // namespace lippmann

@@ -1,6 +1,8 @@
 // Where optics stand in a scene, and how large they are there.
 #pragma once
 
+#include <optional>
+
 #include "lippmann/display/display.hpp"
 #include "lippmann/optics/optics.hpp"
 #include "lippmann/scene/scene.hpp"
@@ -26,7 +28,9 @@ struct Placement {
 /// What is chosen of a placement, where not all is left to the fit.
 struct PlacementWish {
   ViewWish view{};
-  bool fit_depth = true;  ///< a scene that is deeper than the optics resolve is shown less deep (PlacedOptics::depth_scale)
+  /// Whether a scene that is deeper than the optics resolve is shown less deep (PlacedOptics::depth_scale). None: yes, unless
+  /// the optics are views that belong to no display: nobody knows what will resolve them.
+  std::optional<bool> fit_depth{};
 };
 
 /// Which of a display's pictures is rendered.

@@ -1,4 +1,4 @@
-#include "job/make_optics.hpp"
+#include "job/screen_of_params.hpp"
 
 #include <fmt/format.h>
 
@@ -6,11 +6,8 @@
 #include <utility>
 #include <variant>
 
-#include "job/display_optics.hpp"
 #include "job/panel_size.hpp"
-#include "job/stereo_optics.hpp"
 #include "lippmann/core/error.hpp"
-#include "stage/depth_budget.hpp"
 
 namespace lippmann {
 namespace {
@@ -119,39 +116,23 @@ void check_lens(const Optics& optics) {
                               static_cast<float>(lenses->viewing_distance_mm), optics.panel);
 }
 
-/// Without a display: as the parameters say, lenses 1 mm wide.
-Optics optics_of_params(const RenderParams& params, const Scene& scene, const FittedArray& array) {
-  const PanelSize size = panel_size(params, scene.resolution);
-  const Extent<int> views = optics_kind(params) == OpticsKind::kMultiview ? quilt_views(params) : Extent<int>{1, 1};
-  Optics optics;
-  optics.panel = make_panel(size, views.x);
-  const float window_height_mm = static_cast<float>(size.height / views.y) * optics.panel.pixel_pitch_mm;
-  const float fitted_mm = array.viewing_distance / scene_units_per_mm(array, window_height_mm);
-  optics.model = make_model(params, optics.panel, size, scene, viewing_distance_mm(params, fitted_mm, window_height_mm));
-  check_lens(optics);
-  return optics;
-}
-
 }  // namespace
 
-PlacedOptics make_optics(const RenderParams& params, const Scene& scene, const FittedArray& array, const Display* display) {
-  refuse_stereo_params(params);
-  if (wants_stereo(params)) return placed_on(scene, array, stereo_optics(params, array, display), fits_depth(params));
-  PlacedOptics placed = placed_on(
-      scene, array, display ? display_optics(params, *display) : optics_of_params(params, scene, array), fits_depth(params));
-  placed.for_display = display != nullptr;
-  return placed;
-}
-
-float window_aspect(const RenderParams& params, Vec2i scene_resolution, const Display* display) {
-  if (wants_stereo(params)) return stereo_window_aspect(params, display);
-  if (display) {
-    const Vec2f window = window_size_mm(display_optics(params, *display));
-    return window.x / window.y;
-  }
-  const PanelSize size = panel_size(params, scene_resolution);
+Screen screen_of_params(const RenderParams& params, const Scene& scene) {
+  const PanelSize size = panel_size(params, scene.resolution);
   const Extent<int> views = optics_kind(params) == OpticsKind::kMultiview ? quilt_views(params) : Extent<int>{1, 1};
-  return static_cast<float>(size.width / views.x) / static_cast<float>(size.height / views.y);
+  const Panel panel = make_panel(size, views.x);
+  const auto optics_for = [params, &scene, size, views, panel](const FittedArray& array) {
+    const float window_height_mm = static_cast<float>(size.height / views.y) * panel.pixel_pitch_mm;
+    const float fitted_mm = array.viewing_distance / scene_units_per_mm(array, window_height_mm);
+    const float distance_mm = viewing_distance_mm(params, fitted_mm, window_height_mm);
+    Optics optics;
+    optics.panel = panel;
+    optics.model = make_model(params, panel, size, scene, distance_mm);
+    check_lens(optics);
+    return optics;
+  };
+  return {static_cast<float>(size.width / views.x) / static_cast<float>(size.height / views.y), optics_for};
 }
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-#include "job/display_optics.hpp"
+#include "job/screen_of_display.hpp"
 
 #include <fmt/core.h>
 
@@ -6,7 +6,6 @@
 
 #include "job/panel_size.hpp"
 #include "lippmann/core/error.hpp"
-#include "lippmann/display/load_display.hpp"
 
 namespace lippmann {
 namespace {
@@ -71,12 +70,6 @@ void require_size(Vec2i film) {
                       fmt::format("1 to {} pixels, at most {} a side: --size says a smaller one", kMaxPixels, kMaxSide));
 }
 
-}  // namespace
-
-std::unique_ptr<const Display> wanted_display(const RenderParams& params) {
-  return params.optics.display.empty() ? nullptr : std::make_unique<const Display>(load_display(params.optics.display));
-}
-
 Optics display_optics(const RenderParams& params, const Display& display) {
   refuse_what_the_display_decides(params);
   const bool slanted = display.kind == DisplayKind::kSlantedPanel,
@@ -97,6 +90,14 @@ Optics display_optics(const RenderParams& params, const Display& display) {
                       "no --optics, multiview or single");
   require_size(film_size(optics));
   return optics;
+}
+
+}  // namespace
+
+Screen screen_of_display(const RenderParams& params, const Display& display) {
+  const Optics optics = display_optics(params, display);
+  const Vec2f window = window_size_mm(optics);
+  return {window.x / window.y, [optics](const FittedArray&) { return optics; }};
 }
 
 }  // namespace lippmann

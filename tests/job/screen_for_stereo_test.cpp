@@ -1,11 +1,11 @@
 // Two eyes before a screen: disparities worked out by hand from similar triangles. A point d behind the screen at the distance
 // D has the disparity ipd d / (D + d) on it.
-#include "job/stereo_optics.hpp"
+#include "job/screen_for_stereo.hpp"
 
 #include <gmock/gmock.h>
 
 #include "folder/frame_layout.hpp"
-#include "job/make_optics.hpp"
+#include "job/optics_on.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/display/load_display.hpp"
 #include "support/error_message.hpp"
@@ -28,7 +28,7 @@ RenderParams stereo_params() {
 Optics optics_for(const RenderParams& params, const Display* display = nullptr) {
   FittedArray array;
   array.plane_height = 8.0f, array.viewing_distance = 24.0f;
-  return make_optics(params, Scene{}, array, display).optics;
+  return test::optics_on(array, params, display).optics;
 }
 
 /// Where both eyes see a point, mm of the screen: right minus left.
@@ -41,14 +41,14 @@ Vec2d disparity_mm(const Optics& optics, Vec3f point) {
   return Vec2d(moved) * static_cast<double>(optics.panel.pixel_pitch_mm);
 }
 
-TEST(StereoOptics, disparity_is_that_of_similar_triangles) {
+TEST(ScreenForStereo, disparity_is_that_of_similar_triangles) {
   const Optics optics = optics_for(stereo_params());
   EXPECT_NEAR(disparity_mm(optics, {0, 0, 0}).x, 0.0, 1e-3) << "in the plane of the screen";
   EXPECT_NEAR(disparity_mm(optics, {0, 0, -600}).x, 31.5, 1e-3) << "63 600 / 1200 behind it";
   EXPECT_NEAR(disparity_mm(optics, {0, 0, 300}).x, -63.0, 1e-3) << "63 (-300) / 300 in front of it";
 }
 
-TEST(StereoOptics, eyes_never_toe_in) {
+TEST(ScreenForStereo, eyes_never_toe_in) {
   const Optics optics = optics_for(stereo_params());
   for (const Vec3f point : {Vec3f(150, 90, -600), Vec3f(-150, 90, -600), Vec3f(80, -60, 100)}) {
     const Vec2d moved = disparity_mm(optics, point);
@@ -57,7 +57,7 @@ TEST(StereoOptics, eyes_never_toe_in) {
   }
 }
 
-TEST(StereoOptics, ipd_and_screen_width_are_as_given) {
+TEST(ScreenForStereo, ipd_and_screen_width_are_as_given) {
   RenderParams params = stereo_params();
   params.optics.ipd_mm = 50.0, params.optics.screen_width_mm = 1200.0;
   const Optics optics = optics_for(params);
@@ -65,7 +65,7 @@ TEST(StereoOptics, ipd_and_screen_width_are_as_given) {
   EXPECT_NEAR(disparity_mm(optics, {0, 0, -200}).x, 12.5, 1e-3);  // 50 200 / 800
 }
 
-TEST(StereoOptics, squeezed_views_see_the_same_screen) {
+TEST(ScreenForStereo, squeezed_views_see_the_same_screen) {
   RenderParams params = stereo_params();
   params.output.pictures.stereo.packing = StereoPacking::kHalfSideBySide;
   params.optics.size = {600, 300};
@@ -79,7 +79,7 @@ TEST(StereoOptics, squeezed_views_see_the_same_screen) {
   EXPECT_EQ(window_size_mm(over), Vec2f(600, 300));
 }
 
-TEST(StereoOptics, display_is_the_screen) {
+TEST(ScreenForStereo, display_is_the_screen) {
   const Display display = load_display("portrait");
   RenderParams params;
   params.output.pictures.to = "stereo";
@@ -89,11 +89,11 @@ TEST(StereoOptics, display_is_the_screen) {
   EXPECT_NEAR(viewing_distance_mm(optics), viewing_distance_mm(display), 1e-3);
 }
 
-TEST(StereoOptics, all_depth_is_shown_by_default) {
+TEST(ScreenForStereo, all_depth_is_shown_by_default) {
   EXPECT_EQ(depth_budget_mm(optics_for(stereo_params())), kInfinity) << "no eye passes from one view to the other";
 }
 
-TEST(StereoOptics, picture_takes_the_pixels_of_its_packing) {
+TEST(ScreenForStereo, picture_takes_the_pixels_of_its_packing) {
   RenderParams params = stereo_params();
   params.optics.size = {4, 2};
   params.output.pictures.stereo = {StereoPacking::kOverUnder, true};
@@ -108,7 +108,7 @@ TEST(StereoOptics, picture_takes_the_pixels_of_its_packing) {
   EXPECT_EQ(layout.video_path("out/a.mp4"), "out/a_ou_rl.mp4");
 }
 
-TEST(StereoOptics, what_has_no_meaning_is_refused) {
+TEST(ScreenForStereo, what_has_no_meaning_is_refused) {
   RenderParams params = stereo_params();
   params.optics.size = {1201, 300};
   EXPECT_THAT(error_message([&] { optics_for(params); }), HasSubstr("1201x300 pixels do not hold two views"));

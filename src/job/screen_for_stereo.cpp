@@ -1,4 +1,4 @@
-#include "job/stereo_optics.hpp"
+#include "job/screen_for_stereo.hpp"
 
 #include <fmt/core.h>
 
@@ -65,27 +65,25 @@ void require_stereo_size(Vec2i film) {
 
 }  // namespace
 
-void refuse_stereo_params(const RenderParams& params) {
-  if (wants_stereo(params)) return;
-  if (params.optics.ipd_mm) throw usage_error("ipd", "has no effect without two eyes", "`layout` stereo");
-  if (params.optics.screen_width_mm) throw usage_error("screen-width", "has no effect without two eyes", "`layout` stereo");
+void refuse_stereo_params(const OpticsParams& optics) {
+  if (optics.ipd_mm) throw usage_error("ipd", "has no effect without two eyes", "`layout` stereo");
+  if (optics.screen_width_mm) throw usage_error("screen-width", "has no effect without two eyes", "`layout` stereo");
 }
 
-Optics stereo_optics(const RenderParams& params, const FittedArray& array, const Display* display) {
+Screen screen_for_stereo(const RenderParams& params, const Display* display) {
   refuse_other_optics(params.optics);
   const Vec2i stored = stored_view(params, display);
   require_stereo_size({2 * stored.x, stored.y});
-  const Vec2d screen = screen_mm(params, display, stored), pixel = screen / Vec2d(stored);
-  MultiView eyes{2, 1};
-  eyes.distance_mm = static_cast<float>(eyes_distance_mm(params, array, display, screen.y));
-  eyes.baseline_mm = static_cast<float>(params.optics.ipd_mm.value_or(kUsualIpdMm));
-  eyes.pixel_height = static_cast<float>(pixel.y / pixel.x);
-  return {{2 * stored.x, stored.y, static_cast<float>(pixel.x)}, eyes};
-}
-
-float stereo_window_aspect(const RenderParams& params, const Display* display) {
-  const Vec2d screen = screen_mm(params, display, stored_view(params, display));
-  return static_cast<float>(screen.x / screen.y);
+  const Vec2d screen = screen_mm(params, display, stored);
+  const auto optics_for = [params, display, stored, screen](const FittedArray& array) -> Optics {
+    const Vec2d pixel = screen / Vec2d(stored);
+    MultiView eyes{2, 1};
+    eyes.distance_mm = static_cast<float>(eyes_distance_mm(params, array, display, screen.y));
+    eyes.baseline_mm = static_cast<float>(params.optics.ipd_mm.value_or(kUsualIpdMm));
+    eyes.pixel_height = static_cast<float>(pixel.y / pixel.x);
+    return {{2 * stored.x, stored.y, static_cast<float>(pixel.x)}, eyes};
+  };
+  return {static_cast<float>(screen.x / screen.y), optics_for};
 }
 
 }  // namespace lippmann

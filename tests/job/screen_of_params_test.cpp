@@ -1,11 +1,14 @@
-#include "job/make_optics.hpp"
+#include "job/screen_of_params.hpp"
 
 #include <gtest/gtest.h>
 
+#include "job/optics_on.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace {
+
+using test::optics_on;
 
 /// An array 8 units high, viewed from 24 units.
 FittedArray placed_array() {
@@ -15,10 +18,10 @@ FittedArray placed_array() {
   return array;
 }
 
-TEST(MakeOptics, default_sheet_has_the_gap_of_its_viewing_angle) {
+TEST(ScreenOfParams, default_sheet_has_the_gap_of_its_viewing_angle) {
   RenderParams params;
   params.optics.viewing_distance_mm = kInfinity;
-  const Optics optics = make_optics(params, Scene{}, placed_array()).optics;
+  const Optics optics = optics_on(placed_array(), params).optics;
   const auto& sheet = std::get<LenticularSheet>(optics.model);
   EXPECT_FLOAT_EQ(optics.panel.pixel_pitch_mm, 0.125f);
   EXPECT_FLOAT_EQ(sheet.lens_pitch_mm, 1.0f);
@@ -27,67 +30,67 @@ TEST(MakeOptics, default_sheet_has_the_gap_of_its_viewing_angle) {
   EXPECT_EQ(whole_pixels_per_lens(optics), Vec2i(8, 1));
 }
 
-TEST(MakeOptics, panel_is_scaled_to_the_fitted_plane) {
-  const PlacedOptics placed = make_optics({}, Scene{}, placed_array());
+TEST(ScreenOfParams, panel_is_scaled_to_the_fitted_plane) {
+  const PlacedOptics placed = optics_on(placed_array(), {});
   EXPECT_FLOAT_EQ(placed.units_per_mm, 8.0f / 64.0f);
   EXPECT_FLOAT_EQ(std::get<LenticularSheet>(placed.optics.model).viewing_distance_mm, 24.0f * 64.0f / 8.0f);
   EXPECT_FLOAT_EQ(resolved_z_front_mm(placed.optics), 192.0f) << "rays start at the viewer";
 }
 
-TEST(MakeOptics, one_view_of_a_quilt_fills_the_fitted_plane) {
+TEST(ScreenOfParams, one_view_of_a_quilt_fills_the_fitted_plane) {
   RenderParams params;
   params.optics.kind = OpticsKind::kMultiview;
   params.optics.views = {4, 3};
   params.optics.size = {400, 300};
-  const PlacedOptics placed = make_optics(params, Scene{}, placed_array());
+  const PlacedOptics placed = optics_on(placed_array(), params);
   const float view_height_mm = 100.0f * placed.optics.panel.pixel_pitch_mm;
   EXPECT_FLOAT_EQ(placed.units_per_mm * view_height_mm, 8.0f);
   EXPECT_FLOAT_EQ(std::get<MultiView>(placed.optics.model).distance_mm * placed.units_per_mm, 24.0f);
 }
 
-TEST(MakeOptics, camera_grid_divides_the_viewing_zone_among_the_longer_sides_eyes) {
+TEST(ScreenOfParams, camera_grid_divides_the_viewing_zone_among_the_longer_sides_eyes) {
   RenderParams params;
   params.optics.kind = OpticsKind::kMultiview;
   params.optics.views = {9, 5};
   params.optics.size = {900, 500};
   params.optics.camera_grid = true;
   params.optics.view_angle_deg = 30.0f;
-  const Optics optics = make_optics(params, Scene{}, placed_array()).optics;
+  const Optics optics = optics_on(placed_array(), params).optics;
   const auto& views = std::get<MultiView>(optics.model);
   EXPECT_FLOAT_EQ(views.baseline_mm, 2.0f * views.distance_mm * std::tan(radians(15.0f)) / 9.0f);
   EXPECT_NEAR(degrees(viewing_zone(optics)), 30.0f, 1e-4f);
 }
 
-TEST(MakeOptics, whole_cells_stay_aligned_with_pixels_for_odd_counts_and_near_viewers) {
+TEST(ScreenOfParams, whole_cells_stay_aligned_with_pixels_for_odd_counts_and_near_viewers) {
   for (const int lenses : {1, 7, 64})
     for (const float distance : {50.0f, 192.0f, kInfinity}) {
       RenderParams params;
       params.optics.lenses = {lenses, 0};
       params.optics.lens_pixels = {6.0f, 0.0f};
       params.optics.viewing_distance_mm = distance;
-      EXPECT_EQ(whole_pixels_per_lens(make_optics(params, Scene{}, placed_array()).optics), Vec2i(6, 1))
+      EXPECT_EQ(whole_pixels_per_lens(optics_on(placed_array(), params).optics), Vec2i(6, 1))
           << lenses << " lenses, viewed from " << distance;
       params.optics.kind = OpticsKind::kMicrolens;
-      EXPECT_EQ(whole_pixels_per_lens(make_optics(params, Scene{}, placed_array()).optics), Vec2i(6, 6))
+      EXPECT_EQ(whole_pixels_per_lens(optics_on(placed_array(), params).optics), Vec2i(6, 6))
           << lenses << " lenslets, viewed from " << distance;
     }
 }
 
-TEST(MakeOptics, pixels_of_a_slanted_sheet_count_along_the_rows) {
+TEST(ScreenOfParams, pixels_of_a_slanted_sheet_count_along_the_rows) {
   RenderParams params;
   params.optics.slant_deg = 60.0f;
   params.optics.viewing_distance_mm = kInfinity;
-  const Optics optics = make_optics(params, Scene{}, placed_array()).optics;
+  const Optics optics = optics_on(placed_array(), params).optics;
   EXPECT_NEAR(std::get<LenticularSheet>(optics.model).lens_pitch_mm, 8.0f * optics.panel.pixel_pitch_mm * 0.5f, 1e-6f);
 }
 
-TEST(MakeOptics, viewer_too_close_for_lenses_of_a_pixel_is_refused_by_the_name_of_the_flag) {
+TEST(ScreenOfParams, viewer_too_close_for_lenses_of_a_pixel_is_refused_by_the_name_of_the_flag) {
   for (const OpticsKind kind : {OpticsKind::kLenticular, OpticsKind::kMicrolens}) {
     RenderParams params;
     params.optics.kind = kind;
     params.optics.viewing_distance_mm = 0.1f;  // lenses of 8 pixels, 2 mm before them: 1 / 21 of a cell
     try {
-      make_optics(params, Scene{}, placed_array());
+      optics_on(placed_array(), params);
       FAIL() << "accepted";
     } catch (const Error& error) {
       EXPECT_TRUE(std::string(error.what()).starts_with("--viewing-distance")) << error.what();
@@ -95,28 +98,29 @@ TEST(MakeOptics, viewer_too_close_for_lenses_of_a_pixel_is_refused_by_the_name_o
   }
 }
 
-TEST(MakeOptics, infinite_viewer_is_refused_where_there_are_no_lenses) {
+TEST(ScreenOfParams, infinite_viewer_is_refused_where_there_are_no_lenses) {
   RenderParams params;
   params.optics.kind = OpticsKind::kSingle;
   params.optics.viewing_distance_mm = kInfinity;
-  EXPECT_THROW(make_optics(params, Scene{}, placed_array()), Error);
+  EXPECT_THROW(optics_on(placed_array(), params), Error);
 }
 
-TEST(MakeOptics, single_view_of_an_array_viewed_from_infinity_is_taken_from_a_finite_place) {
+TEST(ScreenOfParams, single_view_of_an_array_viewed_from_infinity_is_taken_from_a_finite_place) {
   RenderParams params;
   params.optics.kind = OpticsKind::kSingle;
   FittedArray array = placed_array();
   array.viewing_distance = kInfinity;
-  EXPECT_FLOAT_EQ(std::get<SingleView>(make_optics(params, Scene{}, array).optics.model).distance_mm, 3.0f * 64.0f);
+  EXPECT_FLOAT_EQ(std::get<SingleView>(optics_on(array, params).optics.model).distance_mm, 3.0f * 64.0f);
 }
 
-TEST(MakeOptics, single_view_takes_the_cameras_pixel_offset) {
+TEST(ScreenOfParams, single_view_takes_the_cameras_pixel_offset) {
   RenderParams params;
   params.optics.kind = OpticsKind::kSingle;
   Scene scene;
   scene.cameras.push_back({});
   scene.cameras[0].pixel_offset = {0.5f, -0.5f};
-  EXPECT_EQ(std::get<SingleView>(make_optics(params, scene, placed_array()).optics.model).pixel_offset, Vec2f(0.5f, -0.5f));
+  EXPECT_EQ(std::get<SingleView>(optics_on(placed_array(), params, nullptr, scene).optics.model).pixel_offset,
+            Vec2f(0.5f, -0.5f));
 }
 
 }  // namespace

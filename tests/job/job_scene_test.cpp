@@ -1,10 +1,12 @@
-// The scene that parameters name, as they change it.
+// The scene that parameters name, as they change it, and the defaults that follow from its format.
+#include "job/job_scene.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "job/params.hpp"
+#include "job/params_table.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/scene/timeline.hpp"
 #include "support/temp_dir.hpp"
@@ -12,7 +14,7 @@
 namespace lippmann {
 namespace {
 
-class WantedScene : public testing::Test {
+class JobScene : public testing::Test {
  protected:
   /// Parameters that name a file with these contents.
   RenderParams params_of(const std::string& name, const std::string& contents) const {
@@ -25,10 +27,10 @@ class WantedScene : public testing::Test {
   test::TempDir dir_;
 };
 
-TEST_F(WantedScene, light_scale_multiplies_lamps) {
+TEST_F(JobScene, light_scale_multiplies_lamps) {
   RenderParams params = params_of("a.nff", "l 1 2 3 0.5 0.25 1\ns 0 0 0 1\n");
   params.scene.light_scale = 4.0f;
-  EXPECT_EQ(wanted_scene(params, {}).lights.at(0).color, Vec3f(2.0f, 1.0f, 4.0f));
+  EXPECT_EQ(load_scene_of(ResolvedJob(params), {}).scene.lights.at(0).color, Vec3f(2.0f, 1.0f, 4.0f));
 }
 
 constexpr const char* kTwoCameras = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1,2]}],
@@ -40,20 +42,20 @@ constexpr const char* kTwoCameras = R"({"asset":{"version":"2.0"},"scene":0,"sce
  "bufferViews":[{"buffer":0,"byteLength":36}],
  "buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
 
-TEST_F(WantedScene, camera_is_chosen_by_name_or_index) {
+TEST_F(JobScene, camera_is_chosen_by_name_or_index) {
   RenderParams params = params_of("a.gltf", kTwoCameras);
-  EXPECT_EQ(wanted_scene(params, {}).cameras.at(0).name, "Front");
+  EXPECT_EQ(load_scene_of(ResolvedJob(params), {}).scene.cameras.at(0).name, "Front");
   for (const char* said : {"Side", "1"}) {
     params.scene.camera = said;
-    EXPECT_EQ(wanted_scene(params, {}).cameras.at(0).name, "Side") << said;
+    EXPECT_EQ(load_scene_of(ResolvedJob(params), {}).scene.cameras.at(0).name, "Side") << said;
   }
 }
 
-TEST_F(WantedScene, unknown_camera_is_an_error_that_lists_them) {
+TEST_F(JobScene, unknown_camera_is_an_error_that_lists_them) {
   RenderParams params = params_of("a.gltf", kTwoCameras);
   params.scene.camera = "Sied";
   try {
-    wanted_scene(params, {});
+    load_scene_of(ResolvedJob(params), {}).scene;
     FAIL() << "no error";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("did you mean 'Side'?"),
@@ -62,54 +64,62 @@ TEST_F(WantedScene, unknown_camera_is_an_error_that_lists_them) {
   }
 }
 
-TEST_F(WantedScene, camera_names_are_in_the_files_order) {
+TEST_F(JobScene, camera_names_are_in_the_files_order) {
   RenderParams params = params_of("a.gltf", kTwoCameras);
   params.scene.camera = "Side";
-  SceneNotes notes;
-  wanted_scene(params, {}, &notes);
-  EXPECT_THAT(notes.camera_names, testing::ElementsAre("Front", "Side"));
+  EXPECT_THAT(load_scene_of(ResolvedJob(params), {}).notes.camera_names, testing::ElementsAre("Front", "Side"));
 }
 
 // Every axis ends up along +y: where a sphere on that axis, 3 units from the origin, is found.
-TEST_F(WantedScene, up_axis_of_the_file_becomes_y) {
+TEST_F(JobScene, up_axis_of_the_file_becomes_y) {
   const std::pair<UpAxis, const char*> axes[] = {{UpAxis::kX, "3 0 0"},       {UpAxis::kY, "0 3 0"},
                                                  {UpAxis::kZ, "0 0 3"},       {UpAxis::kMinusX, "-3 0 0"},
                                                  {UpAxis::kMinusY, "0 -3 0"}, {UpAxis::kMinusZ, "0 0 -3"}};
   for (const auto& [up, center] : axes) {
     RenderParams params = params_of("a.nff", std::string("s ") + center + " 1\n");
     params.scene.up = up;
-    const Scene scene = wanted_scene(params, {});
+    const Scene scene = load_scene_of(ResolvedJob(params), {}).scene;
     const Vec3f at = finite_bounds(scene, evaluate(scene, 0.0)).center();
     EXPECT_LT(glm::length(at - Vec3f(0, 3, 0)), 1e-5f) << center;
   }
 }
 
-TEST_F(WantedScene, turned_scene_keeps_its_camera_before_it) {
+TEST_F(JobScene, turned_scene_keeps_its_camera_before_it) {
   const std::string text = "v from 0 -8 0 at 0 0 0 up 0 0 1 angle 30\nl 0 -9 9\ns 0 0 0 1\n";
   RenderParams params = params_of("a.nff", text);
   params.scene.up = UpAxis::kZ;
-  const Scene scene = wanted_scene(params, {});
+  const Scene scene = load_scene_of(ResolvedJob(params), {}).scene;
   const Affine3f world_from_camera = evaluate(scene, 0.0).of(scene.cameras.at(0).node);
   EXPECT_LT(glm::length(world_from_camera.translation - Vec3f(0, 0, 8)), 1e-5f);
   EXPECT_LT(glm::length(world_from_camera.linear[1] - Vec3f(0, 1, 0)), 1e-5f);
 }
 
-RenderParams with_defaults(const std::string& scene, const Sampling& sampling = {}, ReuseChoice reuse = ReuseChoice::kAuto) {
+ResolvedJob with_defaults(const std::string& scene, const Sampling& sampling = {}, ReuseChoice reuse = ReuseChoice::kAuto) {
   RenderParams params;
   params.scene.name = scene;
   params.sampling = sampling;
   params.reuse.choice = reuse;
-  return with_scene_defaults(params);
+  return ResolvedJob(params);
 }
 
-TEST(SceneDefaults, files_of_physical_materials_are_path_traced_where_nothing_is_said) {
-  EXPECT_EQ(with_defaults("plain.obj").sampling.integrator, Integrator::kPath);
-  EXPECT_EQ(samples_per_pixel(with_defaults("plain.obj").sampling), 16);
-  EXPECT_EQ(samples_per_pixel(with_defaults("plain.obj", {.integrator = Integrator::kPath}).sampling), 16);
-  EXPECT_EQ(samples_per_pixel(with_defaults("plain.obj", {.spp = 2}).sampling), 2);
-  EXPECT_EQ(with_defaults("plain.obj", {.integrator = Integrator::kWhitted}).sampling.integrator, Integrator::kWhitted);
-  EXPECT_EQ(with_defaults("plain.obj", {}, ReuseChoice::kInterpolate).sampling.integrator, Integrator::kWhitted);
-  EXPECT_EQ(with_defaults("teapot").sampling.integrator, Integrator::kWhitted);
+TEST(ResolvedJob, is_completed_once) {
+  for (const char* to : {"", "rgbd", "hci"}) {
+    RenderParams asked;
+    asked.scene.name = "plain.obj", asked.output.pictures.to = to;
+    const ResolvedJob job(asked), again(job.params());
+    for (const ParamInfo& info : params_table())
+      EXPECT_EQ(info.get(job.params()), info.get(again.params())) << info.name << ", to " << to;
+  }
+}
+
+TEST(ResolvedJob, files_of_physical_materials_are_path_traced_where_nothing_is_said) {
+  EXPECT_EQ(with_defaults("plain.obj").sampling().integrator, Integrator::kPath);
+  EXPECT_EQ(samples_per_pixel(with_defaults("plain.obj").sampling()), 16);
+  EXPECT_EQ(samples_per_pixel(with_defaults("plain.obj", {.integrator = Integrator::kPath}).sampling()), 16);
+  EXPECT_EQ(samples_per_pixel(with_defaults("plain.obj", {.spp = 2}).sampling()), 2);
+  EXPECT_EQ(with_defaults("plain.obj", {.integrator = Integrator::kWhitted}).sampling().integrator, Integrator::kWhitted);
+  EXPECT_EQ(with_defaults("plain.obj", {}, ReuseChoice::kInterpolate).sampling().integrator, Integrator::kWhitted);
+  EXPECT_EQ(with_defaults("teapot").sampling().integrator, Integrator::kWhitted);
 }
 
 }  // namespace

@@ -1,0 +1,27 @@
+// The scene of a job, loaded and lit as its parameters say.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "job/resolved_job.hpp"
+#include "lippmann/core/context.hpp"
+#include "lippmann/scene/scene.hpp"
+
+namespace lippmann {
+
+/// What is known of a scene beside what it holds.
+struct SceneNotes {
+  std::vector<std::string> camera_names;  ///< in the file's order
+  std::string light;                      ///< one sentence: which light was taken, and why
+};
+
+struct JobScene {
+  Scene scene;  ///< passes validate(); the camera that decides the view comes first
+  SceneNotes notes;
+};
+
+/// Loads the job's scene, or an empty one for the test pattern. Throws Error.
+JobScene load_scene_of(const ResolvedJob& job, const Context& context);
+
+}  // namespace lippmann

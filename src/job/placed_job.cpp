@@ -1,0 +1,36 @@
+#include "job/placed_job.hpp"
+
+#include <utility>
+
+#include "job/screen_for_stereo.hpp"
+#include "job/screen_of_display.hpp"
+#include "job/screen_of_params.hpp"
+#include "lippmann/display/load_display.hpp"
+
+namespace lippmann {
+namespace {
+
+std::unique_ptr<const Display> named_display(const std::string& name) {
+  return name.empty() ? nullptr : std::make_unique<const Display>(load_display(name));
+}
+
+}  // namespace
+
+Screen screen_of(const ResolvedJob& job, const Scene& scene, const Display* display) {
+  const RenderParams& params = job.params();
+  if (wants_stereo(params)) return screen_for_stereo(params, display);
+  refuse_stereo_params(params.optics);
+  return display ? screen_of_display(params, *display) : screen_of_params(params, scene);
+}
+
+PlacedJob place(const ResolvedJob& job, const Scene& scene) {
+  PlacedJob placed_job;
+  placed_job.display = named_display(job.params().optics.display);
+  const Screen screen = screen_of(job, scene, placed_job.display.get());
+  placed_job.array = fit_array(scene, screen.window_aspect, job.scene().view);
+  placed_job.placed = placed_on(scene, placed_job.array, screen.optics(placed_job.array), fits_depth(job.params()));
+  placed_job.placed.for_display = placed_job.display && !wants_stereo(job.params());
+  return placed_job;
+}
+
+}  // namespace lippmann

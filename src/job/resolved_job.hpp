@@ -1,0 +1,47 @@
+// A job with every default filled in: the one value that scenes, optics and frames are made from.
+#pragma once
+
+#include <filesystem>
+#include <utility>
+
+#include "job/params.hpp"
+#include "lippmann/core/context.hpp"
+#include "lippmann/scene/timeline.hpp"
+
+namespace lippmann {
+
+/// What was asked for, completed. Only the constructor applies defaults, so no caller can forget them or apply them twice.
+class ResolvedJob {
+ public:
+  /// Completes `asked`:
+  /// - the integrator: see completed() (frames/frame_params.hpp);
+  /// - the depth layer for output formats that store depth;
+  /// - a single view for RGB-D pictures.
+  /// Throws a usage Error for an unknown output format.
+  explicit ResolvedJob(RenderParams asked);
+
+  const RenderParams& params() const { return params_; }
+  const SceneParams& scene() const { return params_.scene; }
+  const OutputParams& output() const { return params_.output; }
+  const Sampling& sampling() const { return params_.sampling; }
+
+  /// Whether there is no scene, but a picture that shows if a display and its calibration belong together.
+  bool is_test_pattern() const;
+
+  /// Whether each frame is rendered in strips of rows.
+  bool is_in_strips() const { return params_.strips > 1; }
+
+  /// How many threads render it: as asked for, or as many as `context` has.
+  int threads(const Context& context) const;
+
+  /// Of the animation and of videos: as asked for, or the scene's own.
+  double frames_per_second(const Timeline& timeline) const;
+
+  /// The same job, with its files in another folder.
+  ResolvedJob in_folder(const std::filesystem::path& folder) const;
+
+ private:
+  RenderParams params_;
+};
+
+}  // namespace lippmann

@@ -1,0 +1,88 @@
+// An integrator that only this test knows: everything that a renderer decides by its integrator, it asks the integrator.
+#include <gmock/gmock.h>
+
+#include "lippmann/core/error.hpp"
+#include "lippmann/frames/renderer.hpp"
+#include "lippmann/scene/builtin.hpp"
+#include "lippmann/scene/load.hpp"
+#include "support/error_message.hpp"
+#include "trace/integrator_model.hpp"
+#include "trace/trace_frame.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::error_message;
+using testing::HasSubstr;
+
+constexpr float kLight = 0.25f, kNoise = 0.125f;
+
+/// Every pixel that sees something is equally bright, give or take what alternates from sample to sample.
+class Silhouette final : public FrameIntegrator {
+ public:
+  Silhouette(const Integration& from) : film_(from.film), weight_(1.0f / static_cast<float>(from.params.spp)) {}
+
+  void begin(int sample) override { light_ = kLight + (sample % 2 == 0 ? kNoise : -kNoise); }
+  void primary(const CameraPacket& packet) override {
+    for (int i = 0; i < kLanes; ++i) {
+      if (packet.active.lane[i] == 0) continue;
+      ++counts_.primary;
+      if (packet.rays.hit.geomID[i] == kNoId) continue;
+      for (int c = 0; c < 3; ++c) film_.all[3 * packet.target[i] + static_cast<std::size_t>(c)] += weight_ * light_;
+    }
+  }
+  void finish() override {}
+  const RayCounts& counts() const override { return counts_; }
+
+ private:
+  PathFilm film_;
+  float weight_, light_ = kLight;
+  RayCounts counts_;
+};
+
+std::unique_ptr<FrameIntegrator> make_silhouette(const Integration& from) { return std::make_unique<Silhouette>(from); }
+
+constexpr IntegratorModel kQuiet{{.name = "silhouette", .default_samples = 3}, make_silhouette};
+constexpr IntegratorModel kNoisy{{.name = "noisy silhouette", .default_samples = 4, .is_stochastic = true}, make_silhouette};
+
+Renderer renderer_of(const IntegratorModel& model, const Context& context, const Reuse& reuse = {}, Sampling sampling = {}) {
+  const Scene scene = load_scene("primitives", {}, context);
+  sampling.integrator = Integrator(model);
+  Optics optics;
+  optics.panel = {64, 64, 1.0f};
+  optics.model = SingleView{200.0f, {}};
+  const Placement placement = place(scene, optics);
+  return Renderer(scene, placement, {sampling, reuse}, context);
+}
+
+TEST(OtherIntegrator, renders_frames_with_its_own_number_of_samples) {
+  const Context context;
+  const auto frame = renderer_of(kQuiet, context).frame(0);
+  ASSERT_TRUE(frame);
+  EXPECT_EQ(frame->report.rays.primary, 3u * 64u * 64u);
+  EXPECT_FALSE(frame->report.estimated_psnr_db) << "it has no noise";
+  // Two samples of three are brighter: 0.25 + 0.125 / 3.
+  EXPECT_NEAR(*std::max_element(frame->pictures.film.data.begin(), frame->pictures.film.data.end()), 0.2916667f, 1e-6f);
+}
+
+TEST(OtherIntegrator, is_denoised_and_audited_where_it_is_stochastic) {
+  const Context context;
+  const Sampling as_traced{.denoise = Denoise::kNone};
+  const auto traced = renderer_of(kNoisy, context, {}, as_traced).frame(0), denoised = renderer_of(kNoisy, context).frame(0);
+  ASSERT_TRUE(traced && denoised);
+  EXPECT_EQ(traced->report.rays.primary / (64u * 64u), 4u);
+  EXPECT_NE(traced->pictures.film.data, denoised->pictures.film.data) << "edges are smoothed";
+}
+
+TEST(OtherIntegrator, makes_what_its_facts_say_alone) {
+  const Context context;
+  const auto refusal = [&](const Reuse& reuse, const Sampling& sampling = {}) {
+    return error_message([&] { renderer_of(kQuiet, context, reuse, sampling); });
+  };
+  EXPECT_THAT(refusal(CopySettled{}), HasSubstr("copy needs"));
+  EXPECT_THAT(refusal(Interpolate{}), HasSubstr("interpolate needs"));
+  EXPECT_THAT(refusal({}, {.aov = {Aov::kIndirect}}), HasSubstr("direct and indirect"));
+}
+
+}  // namespace
+}  // namespace lippmann

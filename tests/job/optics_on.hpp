@@ -1,0 +1,14 @@
+// The optics of a job on an array that a test made.
+#pragma once
+
+#include "job/placed_job.hpp"
+
+namespace lippmann::test {
+
+inline PlacedOptics optics_on(const FittedArray& array, const RenderParams& params, const Display* display = nullptr,
+                              const Scene& scene = {}) {
+  const ResolvedJob job(params);
+  return placed_on(scene, array, screen_of(job, scene, display).optics(array), fits_depth(params));
+}
+
+}  // namespace lippmann::test
