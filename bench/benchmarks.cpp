@@ -1,60 +1,158 @@
 #include "bench/benchmarks.hpp"
 
-#include "lippmann/core/error.hpp"
+#include <CLI/CLI.hpp>
 
 namespace lippmann::bench {
+namespace {
+
+constexpr const char* kLightRows =
+    "Rows to measure: names that `lippmann-bench light --list` prints, other built-in scenes or files; default: all of the "
+    "list";
+constexpr const char* kAnimations =
+    "Animations to measure: built-in scenes or Tachyon's teapot, room and smallballs; default: all";
+
+void add_scenes(CLI::App& command, Request& request, const std::string& help) {
+  command.add_option("SCENE,--scene", request.scenes, help)->type_name("SCENE");
+}
+
+/// Most benchmarks measure single frames of built-in scenes or files.
+void add_scenes_with_default(CLI::App& command, Request& request, const std::string& default_scenes) {
+  add_scenes(command, request, "Scenes to measure: names of built-in scenes or files; default: " + default_scenes);
+}
+
+void add_tachyon_scenes(CLI::App& command, Request& request) {
+  command.add_option("--tachyon-scenes", request.tachyon_scenes, "The folder of Tachyon's own scenes")
+      ->type_name("DIR")
+      ->capture_default_str();
+}
+
+void add_frames(CLI::App& command, Request& request, const std::string& default_frames) {
+  command.add_option("--frames", request.frames, "Frames of each animation; default: " + default_frames)
+      ->type_name("N")
+      ->check(CLI::Range(1, 1'000'000));
+}
+
+void add_view_pixels(CLI::App& command, Request& request, const std::string& default_pixels) {
+  command.add_option("--view-pixels", request.view_pixels, "Width and height of each view; default: " + default_pixels)
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+}
+
+void add_views(CLI::App& command, Request& request) {
+  command
+      .add_option("--views", request.views, "Views across and up in place of each row's own; default with --view-pixels: 3x1")
+      ->type_name("CxR");
+  add_view_pixels(command, request, "each row's own, with --views 120");
+}
+
+void add_large(CLI::App& command, Request& request) {
+  command.add_flag("--large", request.large, "Also measure the teapot at 3840x2160 pixels");
+}
+
+void add_quick(CLI::App& command, Request& request) {
+  command.add_flag("--quick", request.quick, "Measure a few small frames, to check that the benchmark works");
+}
+
+void add_reference_spp(CLI::App& command, Request& request) {
+  command
+      .add_option("--reference-spp", request.reference_spp,
+                  "Samples per pixel of the reference pictures; default: 1024, with --quick 64")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1 << 20));
+}
+
+void add_references(CLI::App& command, Request& request) {
+  add_reference_spp(command, request);
+  command
+      .add_option("--references", request.references,
+                  "The folder that keeps the reference pictures; default: lippmann/references in the user's cache")
+      ->type_name("DIR");
+}
+
+void add_pictures(CLI::App& command, Request& request) {
+  command
+      .add_option("--pictures", request.pictures,
+                  "Also write the compared pictures and their errors as PNG files into this folder")
+      ->type_name("DIR");
+}
+
+}  // namespace
+
+Error interrupted() { return {"interrupted", "the benchmark did not reach its end"}; }
 
 void begin_step(const Request& request, const Context& context, std::string_view what) {
-  if (context.cancelled) throw Error("bench", "was stopped before its end");
+  if (context.cancelled) throw interrupted();
   if (request.say) request.say(what);
 }
 
 const std::vector<Benchmark>& benchmarks() {
   static const std::vector<Benchmark> all{
-      {"denoise",
-       "path-traced frames as traced and denoised: PSNR, flicker from view to view, time",
-       measure_denoise,
-       {"--scene", "--quick", "--reference-spp", "--references"}},
-      {"estimates",
-       "how often the PSNR interval that path-traced frames report contains the true PSNR",
-       measure_estimates,
-       {"--scene", "--frames", "--views", "--view-pixels", "--quick", "--reference-spp", "--references"}},
-      {"lamps",
-       "path-traced frames below 10 to 10,000 lamps: CPU time, PSNR, and CPU time at equal PSNR",
-       measure_lamps,
-       {"--quick", "--reference-spp"}},
-      {"light",
-       "denoised frames of 16 samples a pixel beside plain paths of 64: time, error, mean light, flicker",
+      {"denoise", "Path-traced frames with and without denoising: PSNR, flicker from view to view, CPU time", measure_denoise,
+       [](CLI::App& command, Request& request) {
+         add_scenes_with_default(command, request, "teapot, room, tree");
+         add_quick(command, request);
+         add_references(command, request);
+       }},
+      {"estimates", "How often the PSNR interval that path-traced frames report contains the true PSNR", measure_estimates,
+       [](CLI::App& command, Request& request) {
+         add_scenes(command, request, kLightRows);
+         add_frames(command, request, "4");
+         add_views(command, request);
+         add_quick(command, request);
+         add_references(command, request);
+       }},
+      {"lamps", "Path-traced frames lit by 10 to 10,000 lamps: CPU time, PSNR, and CPU time at equal PSNR", measure_lamps,
+       [](CLI::App& command, Request& request) {
+         add_quick(command, request);
+         add_reference_spp(command, request);
+       }},
+      {"light", "Denoised frames of 16 samples per pixel beside plain ones of 64: CPU time, error, mean light, flicker",
        measure_light,
-       {"--scene", "--list", "--frames", "--views", "--view-pixels", "--quick", "--pictures", "--reference-spp",
-        "--references"}},
-      {"native",
-       "the own frame of a slanted panel beside one interlaced from 48 views, against 512 views",
-       measure_native,
-       {"--scene"}},
-      {"paper",
-       "the tables of the paper: interpolated animations beside traced ones, pixel-tracing styles",
-       measure_paper,
-       {"--scene", "--tachyon-scenes", "--frames", "--large", "--plot", "--csv"}},
-      {"png", "CPU time and size of a PNG by strategy, filter and level", measure_png},
-      {"rays", "rays per second of our passes beside bare Embree, by ray order and scene", measure_rays, {"--scene"}},
-      {"replay",
-       "eye views through the arrays beside direct views, by depth; whether depth is the right way round",
-       measure_replay,
-       {"--scene"}},
-      {"reuse",
-       "what reuse between frames saves of full tracing, and how near the pictures are",
-       measure_reuse,
-       {"--scene", "--tachyon-scenes", "--frames", "--large"}},
-      {"spheres", "rays per second against our spheres beside Embree's own sphere points", measure_spheres, {"--scene"}},
-      {"splats",
-       "a quilt of 48 views of 100,000 and of a million splats: CPU time, and beside nearest hits of triangles",
+       [](CLI::App& command, Request& request) {
+         add_scenes(command, request, kLightRows);
+         command.add_flag("--list", request.list, "List the rows and measure nothing");
+         add_frames(command, request, "3, of quilts 1");
+         add_views(command, request);
+         add_quick(command, request);
+         add_pictures(command, request);
+         add_references(command, request);
+       }},
+      {"native", "The native frame of a slanted panel beside one interlaced from 48 views: PSNR and CPU time", measure_native,
+       [](CLI::App& command, Request& request) { add_scenes_with_default(command, request, "teapot, room"); }},
+      {"paper", "The tables of the paper: interpolated animations beside traced ones, and pixel-tracing styles", measure_paper,
+       [](CLI::App& command, Request& request) {
+         add_scenes(command, request, kAnimations);
+         add_tachyon_scenes(command, request);
+         add_frames(command, request, "48, of Tachyon's 24");
+         add_large(command, request);
+         command.add_option("--plot", request.plot, "Also draw plots as PNG files into this folder")->type_name("DIR");
+         command.add_option("--csv", request.csv, "Also write the summary, one row per scene, as CSV")->type_name("FILE");
+       }},
+      {"png", "CPU time and size of a PNG file by strategy, filter and level", measure_png, [](CLI::App&, Request&) {}},
+      {"rays", "Rays per second of our passes beside bare Embree, by scene and ray order", measure_rays,
+       [](CLI::App& command, Request& request) { add_scenes_with_default(command, request, "all built-in scenes"); }},
+      {"replay", "Eye views through the arrays beside direct views, by depth, and whether depth is inverted", measure_replay,
+       [](CLI::App& command, Request& request) { add_scenes_with_default(command, request, "room"); }},
+      {"reuse", "What reuse between frames saves of full tracing, and how close the pictures are", measure_reuse,
+       [](CLI::App& command, Request& request) {
+         add_scenes(command, request, kAnimations);
+         add_tachyon_scenes(command, request);
+         add_frames(command, request, "48, of Tachyon's 24");
+         add_large(command, request);
+       }},
+      {"spheres", "Rays per second against our spheres beside Embree's sphere points", measure_spheres,
+       [](CLI::App& command, Request& request) { add_scenes_with_default(command, request, "small-balls"); }},
+      {"splats", "A quilt of 48 views of 100,000 and of a million splats: CPU time, also relative to tracing triangles",
        measure_splats,
-       {"--view-pixels", "--quick"}},
-      {"tachyon",
-       "CPU time per pixel beside the program tachyon, on its own scenes",
-       measure_tachyon,
-       {"--scene", "--tachyon-scenes"}},
+       [](CLI::App& command, Request& request) {
+         add_view_pixels(command, request, "420 and 560");
+         add_quick(command, request);
+       }},
+      {"tachyon", "CPU time per pixel beside the program tachyon, on its own scenes", measure_tachyon,
+       [](CLI::App& command, Request& request) {
+         add_scenes(command, request, "Scenes to measure: teapot, room or smallballs; default: all three");
+         add_tachyon_scenes(command, request);
+       }},
   };
   return all;
 }

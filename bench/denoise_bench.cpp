@@ -49,7 +49,7 @@ Report measure_denoise(const Request& request, const Context& context) {
         const LightFigures &noisy = measured[w], &denoised = measured[w + 1];
         const int spp = ways[w].spp;
         if (spp <= 16 && !request.quick && !(denoised.psnr_db > noisy.psnr_db))
-          throw Error("bench denoise", fmt::format("{} at {} samples is farther from the truth than before", scene.name, spp));
+          throw Error("denoise", fmt::format("{} at {} samples is farther from the truth than before", scene.name, spp));
         ++report.passed_checks;
         report.rows.push_back({{"scene", scene.name},
                                {"picture", quilt ? "quilt" : "integral"},

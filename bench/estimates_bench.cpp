@@ -1,5 +1,5 @@
 // Measures how often the PSNR interval that frames report (psnr_at_least_db to psnr_at_most_db in report.json) contains the
-// true PSNR. It renders all rows of bench light with several seeds and compares them with converged references.
+// true PSNR. It renders all rows of `lippmann-bench light` with several seeds and compares them with converged references.
 #include <fmt/core.h>
 
 #include <algorithm>

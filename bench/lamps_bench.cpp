@@ -149,7 +149,7 @@ class LampCase {
     params.sampling.spp = spp, params.sampling.seed = seed, params.sampling.denoise = Denoise::kNone;
     params.reuse = TraceAll{};
     std::optional<RenderedFrame> frame = Renderer(scene_, placement_, params, context_).frame(0);
-    if (!frame) throw Error("bench", "was stopped before its end");
+    if (!frame) throw interrupted();
     return std::move(*frame);
   }
 
@@ -172,7 +172,7 @@ Report measure_lamps(const Request& request, const Context& context) {
       begin_step(request, context, fmt::format("lamps: {} {}", count, row.name));
       LampCase bench(lamp_room(row.kind, count), request.quick ? 16 : 64, context);
       const MeasuredLamps m = bench.measure(reference_spp, request.quick ? 1 : kLampsRepetitions);
-      if (!(m.squared_error > 0.0)) throw Error("bench lamps", fmt::format("{} {} have no noise", count, row.name));
+      if (!(m.squared_error > 0.0)) throw Error("lamps", fmt::format("{} {} have no noise", count, row.name));
       ++report.passed_checks;
       const double worth = m.cpu_seconds * m.squared_error;
       if (count == 10) worth_of_ten = worth;

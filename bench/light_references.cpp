@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "bench/bench.hpp"
 #include "core/fingerprint.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
@@ -54,7 +55,7 @@ Image8 LightReferences::render(int frame, std::uint32_t seed, int spp, std::uint
   Sampling sampling = sampling_;
   sampling.seed = seed, sampling.spp = spp, sampling.denoise = Denoise::kNone;
   const Image film = render_frame(stage_, sampling, frame, pool_, context_).pictures.film;
-  if (context_.cancelled) throw Error("bench", "was stopped before its end");
+  if (context_.cancelled) throw interrupted();
   if (fingerprint) {
     Fingerprint print;
     print.add_bytes(film.data.data(), film.data.size() * sizeof(float));

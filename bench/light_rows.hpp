@@ -1,4 +1,4 @@
-// The rows of `lippmann bench light`: scenes with their optics, samples and frames.
+// The rows of `lippmann-bench light`: scenes with their optics, samples and frames.
 //
 // Built-in scenes and files have 8 views of 128 x 128 pixels, or 48 views of 64 x 64 if the row's name ends in -quilt. The
 // hostile scenes (hostile_scenes.hpp) define their own optics.

@@ -84,8 +84,7 @@ std::vector<LightFigures> LightBench::measure(const std::vector<Sampling>& ways)
       std::size_t nan_count = 0;
       figures[w].frames.push_back(
           to_codes(views_of_layer(made.pictures.film, stage_.placed.optics), stage_.scene.encoding, &nan_count));
-      if (nan_count > 0)
-        throw Error("bench", fmt::format("{}, frame {}: {} samples are not numbers", row_.name, frame, nan_count));
+      if (nan_count > 0) throw Error(row_.name, fmt::format("frame {}: {} samples are not numbers", frame, nan_count));
       figures[w].cpu_seconds += made.report.cpu_seconds;
       figures[w].reports.push_back(std::move(made.report));
       makers[w]->recycle(std::move(made.pictures.film));

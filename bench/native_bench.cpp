@@ -95,7 +95,7 @@ Report measure_native(const Request& request, const Context& context) {
         measure_difference(reference, bench.interlaced(display, ViewFilter::kNearest, quilt_seconds)).psnr_db;
     const double linear = measure_difference(reference, bench.interlaced(display, ViewFilter::kLinear, ignored)).psnr_db;
     const double gain = native - std::max(nearest, linear);
-    if (gain < kLeastGain) throw Error("bench native", scene.name + ": the own frame is not sharper than the interlaced one");
+    if (gain < kLeastGain) throw Error("native", scene.name + ": the own frame is not sharper than the interlaced one");
     ++report.passed_checks;
     report.rows.push_back({{"scene", scene.name},
                            {"native_psnr_db", rounded(native)},

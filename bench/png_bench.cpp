@@ -124,8 +124,8 @@ Report measure_png(const Request& request, const Context& context) {
     begin_step(request, context, fmt::format("png: {}", name));
     const Image8 image = make_picture(kind);
     for (const Setting& setting : settings()) {
-      if (context.cancelled) return report;
-      if (!comes_back(image, setting.options)) throw Error("bench png", "a picture does not come back from its PNG");
+      if (context.cancelled) throw interrupted();
+      if (!comes_back(image, setting.options)) throw Error("png", "a picture does not come back from its PNG");
       ++report.passed_checks;
       report.rows.push_back(measure(name, image, setting));
     }

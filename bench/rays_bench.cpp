@@ -157,7 +157,7 @@ class RayBench {
       scene_.trace(log_[p].active, packet, Coherence::kCoherent);
       for (int i = 0; i < kLanes; ++i)
         if (log_[p].active.lane[i] && packet.ray.tfar[i] != hits_.t[p * kLanes + static_cast<std::size_t>(i)])
-          throw Error("bench rays", "the primary pass and the bare loop disagree in packet " + std::to_string(p));
+          throw Error("rays", "the primary pass and the bare loop disagree in packet " + std::to_string(p));
     }
   }
 

@@ -102,7 +102,7 @@ class ReplayBench {
 
   const RenderedPanel& recorded() const { return recorded_; }
   RenderedPanel pseudoscopic() const {
-    return {optics(), apply(rotated_elemental_images(optics(), "bench replay"), recorded_.picture)};
+    return {optics(), apply(rotated_elemental_images(optics(), "replay"), recorded_.picture)};
   }
 
  private:
@@ -153,8 +153,7 @@ nlohmann::ordered_json row_of(const std::string& name, const ReplayBench& bench,
 
 void check(bool holds, const std::string& what, Vec3d eye, Report& report) {
   if (!holds)
-    throw Error("bench replay",
-                what + " from the eye at x = " + std::to_string(eye.x) + ", y = " + std::to_string(eye.y) + " mm");
+    throw Error("replay", what + " from the eye at x = " + std::to_string(eye.x) + ", y = " + std::to_string(eye.y) + " mm");
   ++report.passed_checks;
 }
 

@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr double kFloor = 50.0;  // dB
 constexpr int kRounds = 3;
 
-/// Plain interpolation, whose errors have no bound, is in `lippmann bench paper`.
+/// Plain interpolation, whose errors have no bound, is in `lippmann-bench paper`.
 std::vector<ReuseMethod> reuse_methods(RenderParams params) {
   params.reuse.choice = ReuseChoice::kCopy;
   const ReuseMethod exact{"exact", params};

@@ -141,7 +141,7 @@ namespace {
 
 /// Frames that were stopped half-way are not to be compared.
 void stop_if_cancelled(const Context& context) {
-  if (context.cancelled) throw Error("bench", "was stopped before its end");
+  if (context.cancelled) throw interrupted();
 }
 
 std::vector<ReuseRun> run_round(Stage& stage, const BenchAnimation& animation, const std::vector<ReuseMethod>& methods,

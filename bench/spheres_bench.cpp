@@ -92,7 +92,7 @@ void check(const std::vector<float>& ours, const std::vector<float>& theirs) {
   for (std::size_t i = 0; i < ours.size(); ++i)
     if (std::abs(ours[i] - theirs[i]) > 1e-3f * std::abs(theirs[i])) ++different;
   if (different * 1000 > ours.size())
-    throw Error("bench spheres", std::to_string(different) + " of " + std::to_string(ours.size()) + " rays disagree");
+    throw Error("spheres", std::to_string(different) + " of " + std::to_string(ours.size()) + " rays disagree");
 }
 
 }  // namespace

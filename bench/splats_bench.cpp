@@ -154,7 +154,7 @@ void check_rays(const ShadedScene& scene, const PacketSource& source) {
     const float passed =
         passed_by_all(scene, {r.org_x[0], r.org_y[0], r.org_z[0], r.dir_x[0], r.dir_y[0], r.dir_z[0], r.tnear[0], r.tfar[0]});
     if (packets[p].active.lane[0] && !(std::abs(passed - light.passed[0]) < 2e-3f))
-      throw Error("bench splats", fmt::format("a ray lets {} pass, all splats {}", light.passed[0], passed));
+      throw Error("splats", fmt::format("a ray lets {} pass, all splats {}", light.passed[0], passed));
   }
 }
 
@@ -172,7 +172,7 @@ double seconds_of_hits(const ShadedScene& scene, const PacketSource& source) {
 
 double seconds_of_frame(Renderer& renderer) {
   std::optional<RenderedFrame> frame = renderer.frame(0);
-  if (!frame) throw Error("bench", "was stopped before its end");
+  if (!frame) throw interrupted();
   return frame->report.cpu_seconds;
 }
 

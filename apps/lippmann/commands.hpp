@@ -43,7 +43,6 @@ void add_scenes_command(const Command& root, Action& chosen);
 void add_displays_command(const Command& root, Action& chosen);
 void add_view_command(const Command& root, Action& chosen);
 void add_play_command(const Command& root, Action& chosen);
-void add_bench_command(const Command& root, Action& chosen);
 /// `command_line` is what these tell about.
 void add_complete_command(const Command& root, Action& chosen, const CommandLine& command_line);
 void add_manual_command(const Command& root, Action& chosen, const CommandLine& command_line);

@@ -29,7 +29,7 @@
 namespace lippmann::app {
 namespace {
 
-constexpr int kFailed = 1;
+constexpr int kFailed = 1, kWrongUsage = 2;
 
 /// How the tool was called: its path where there is one, so that what is suggested runs as it is printed.
 std::string called_as(int argc, char** argv) {
@@ -84,8 +84,20 @@ int run_command(const CommandLine& command_line, const Action& chosen, Context& 
   }
 }
 
+/// Whether the command line is "bench ..." or "help bench".
+bool names_bench(int argc, char** argv) {
+  const int command = argc > 1 && std::string_view(argv[1]) == "help" ? 2 : 1;
+  return command < argc && std::string_view(argv[command]) == "bench";
+}
+
 int run(int argc, char** argv) {
   check_stack_limit();
+  if (names_bench(argc, argv)) {
+    print_error(
+        "lippmann: `bench` is a program of its own: lippmann-bench NAME (build it with scripts/build release "
+        "lippmann-bench)\n");
+    return kWrongUsage;
+  }
   CommandLine command_line("lippmann", "Renders 3D integral images (light-field images) and their animation.",
                            fmt::format("lippmann {}\n{}", version(), build_facts()));
   const Command root = command_line.root();
@@ -105,7 +117,6 @@ int run(int argc, char** argv) {
   add_info_command(root, chosen);
   add_scenes_command(root, chosen);
   add_displays_command(root, chosen);
-  add_bench_command(root, chosen);
   add_complete_command(root, chosen, command_line);
   add_manual_command(root, chosen, command_line);
   if (const std::optional<int> done = command_line.parse(argc, argv)) return *done;

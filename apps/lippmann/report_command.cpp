@@ -51,7 +51,7 @@ void add_report_command(const Command& root, Action& chosen) {
       root.add_command("report", "Write a page of a render's figures, or of several side by side, which opens from a disk");
   command
       .add_option("IN", options->in,
-                  "The folder of a render, its report.json, or what `lippmann bench` prints with --json; several are compared")
+                  "The folder of a render, its report.json, or what `lippmann-bench` prints with --json; several are compared")
       .required();
   command
       .add_option("-o,--output", options->output,
@@ -62,7 +62,7 @@ void add_report_command(const Command& root, Action& chosen) {
       "Examples:\n"
       "  lippmann report out/teapot                                  out/teapot/report.html\n"
       "  lippmann report out/traced out/copied -o compared.html      what reuse saves, frame by frame\n"
-      "  lippmann bench reuse --json > reuse.json && lippmann report reuse.json\n");
+      "  lippmann-bench reuse --json > reuse.json && lippmann report reuse.json\n");
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 

@@ -23,7 +23,7 @@ constexpr int kPathsPerSample = 4;
 /// Minimum number of paths. With few paths, the sRGB code of their mean is biased, because the transfer curve is not linear.
 constexpr int kLeastPaths = 32;
 /// Half the width of the 90 % interval, in standard errors. A normal distribution needs 1.645, but the standard error is
-/// underestimated if a few pixels cause most of the error. `lippmann bench estimates` measures how often the interval holds.
+/// underestimated if a few pixels cause most of the error. `lippmann-bench estimates` measures how often the interval holds.
 constexpr double kDeviations = 2.0;
 
 constexpr std::uint32_t kPlacesSalt = 0x61756469u, kFirstSalt = 0x61756431u, kSecondSalt = 0x61756432u;

@@ -84,7 +84,7 @@ std::string bench_section(const Json& result, const std::filesystem::path& path)
   const Json& rows = result.at("rows");
   const bool are_rows =
       rows.is_array() && std::all_of(rows.begin(), rows.end(), [](const Json& row) { return row.is_object(); });
-  if (!are_rows) throw Error(path.string(), "its rows are not a list of objects", "what `lippmann bench` prints as JSON");
+  if (!are_rows) throw Error(path.string(), "its rows are not a list of objects", "what `lippmann-bench` prints as JSON");
   const auto checks = result.find("passed_checks");
   const std::string passed =
       checks != result.end() ? fmt::format("<p class=\"note\">{} checks of results passed.</p>", escaped(value_text(*checks)))

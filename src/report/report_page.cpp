@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kAccepted = "the folder of a render, its report.json, or what `lippmann bench` prints as JSON";
+constexpr const char* kAccepted = "the folder of a render, its report.json, or what `lippmann-bench` prints as JSON";
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;  // a frame takes about 600
 constexpr std::size_t kMostPictures = 6;
 /// By which a page that was written before is known.

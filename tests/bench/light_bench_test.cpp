@@ -1,4 +1,4 @@
-// Rows of bench light and bench estimates on a few small frames.
+// Rows of the benchmarks light and estimates on a few small frames.
 #include <gmock/gmock.h>
 
 #include <cmath>

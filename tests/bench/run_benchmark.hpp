@@ -1,4 +1,4 @@
-// Benchmarks run in this process: what `lippmann bench NAME` prints as JSON.
+// Benchmarks run in this process: what `lippmann-bench NAME` prints as JSON.
 #pragma once
 
 #include <algorithm>
