@@ -122,7 +122,7 @@ export class App {
     });
     this.store.listen(() => {
       this.moved = true;
-      this.redraw();
+      this.outdate();
     });
     this.store.listen(() => this.live?.setFrame(this.store.state.frame));
     this.listen();
@@ -142,6 +142,12 @@ export class App {
     this.wanted = true;
   }
 
+  /** The picture is no longer that of the state: data-drawn says so at once. */
+  private outdate(): void {
+    byId("stage").dataset.drawn = "false";
+    this.redraw();
+  }
+
   /** Of a scene that is set up: settings, pictures or a render are further than they were. */
   private hearOfScene(picture: boolean): void {
     const [field] = this.fields;
@@ -154,7 +160,7 @@ export class App {
     byId("facts").title = this.live?.state?.depth.summary ?? "";
     byId("stage").dataset.rest = String(this.live?.isAtRest);
     byId("stage").dataset.outdated = String(this.live?.isOutdated);
-    if (picture) this.redraw();
+    if (picture) this.outdate();
     this.updateControls();
   }
 
