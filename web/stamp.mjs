@@ -17,7 +17,7 @@ const files = [
   "vite.config.js",
   ...readdirSync(join(folder, "src")).map((name) => `src/${name}`),
   "public/app.css",
-  ...["index.html", "app.js", "app.css"].map((name) => `dist/${name}`),
+  ...["index.html", "app.js", "app.css", "report.js", "report.sha256"].map((name) => `dist/${name}`),
 ].sort();
 
 const hash = createHash("sha256");

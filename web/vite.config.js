@@ -1,4 +1,7 @@
-// Builds the page into dist/: index.html, app.js and app.css under names that stay, which the program embeds.
+// Builds into dist/, under names that stay and which the program embeds: the page of `lippmann view` (index.html, app.js and app.css) and,
+// with `--mode report`, the script of report pages (report.js, and its hash for their content security policy).
+import { createHash } from "node:crypto";
+import { readFileSync } from "node:fs";
 import { defineConfig } from "vite";
 
 /// Pages that are opened from a disk may run classic scripts only, no modules.
@@ -10,8 +13,16 @@ const classicScript = {
   },
 };
 
-export default defineConfig({
-  base: "./",
+const hashOfScript = {
+  name: "hash-of-script",
+  generateBundle(_, bundle) {
+    const { code } = bundle["report.js"];
+    if (/<\/script|<!--/i.test(code)) throw new Error("report.js cannot stand in a script element");
+    this.emitFile({ type: "asset", fileName: "report.sha256", source: createHash("sha256").update(code).digest("base64") });
+  },
+};
+
+const view = {
   plugins: [classicScript],
   build: {
     target: "es2021",
@@ -20,4 +31,20 @@ export default defineConfig({
       output: { format: "iife", entryFileNames: "app.js", assetFileNames: "app[extname]" },
     },
   },
-});
+};
+
+const report = {
+  plugins: [hashOfScript],
+  build: {
+    target: "es2021",
+    modulePreload: false,
+    emptyOutDir: false,
+    copyPublicDir: false,
+    rollupOptions: {
+      input: "src/report.ts",
+      output: { format: "iife", entryFileNames: "report.js", postBanner: `/*! With uPlot:\n${readFileSync("node_modules/uplot/LICENSE", "utf8")}*/` },
+    },
+  },
+};
+
+export default defineConfig(({ mode }) => ({ base: "./", ...(mode === "report" ? report : view) }));

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import bpy
 
-from . import losses
+from . import losses, nodes
 from . import materials as of_nodes
 
 LAYER = "lippmann"       # the layout of what is baked
@@ -36,14 +36,14 @@ def kinds():
 def lost_by_input(material):
     """{input: words} of a material whose nodes below the shader the exporter does not know."""
     output = material.node_tree.get_output_node("ALL") if material and material.use_nodes and material.node_tree else None
-    shader = losses.source(output.inputs["Surface"]) if output else None
+    shader = nodes.source(output.inputs["Surface"]) if output else None
     if shader is None or shader.type != "BSDF_PRINCIPLED":
         return {}
     found = {}
     for name in kinds():
         socket = of_nodes.input_of(shader, name)
-        source = losses.source(socket) if socket else None
-        words = [losses.lost_of_node(node) for node in ([source, *losses.upstream(source)] if source else [])]
+        source = nodes.source(socket) if socket else None
+        words = [losses.lost_of_node(node) for node in ([source, *nodes.upstream(source)] if source else [])]
         if any(words):
             found[name] = list(dict.fromkeys(word for word in words if word))
     return found
@@ -96,7 +96,7 @@ def shining(material, name, image):
     tree = copy.node_tree
     if name != "Normal":
         output = tree.get_output_node("ALL")
-        socket = of_nodes.input_of(losses.source(output.inputs["Surface"]), name)
+        socket = of_nodes.input_of(nodes.source(output.inputs["Surface"]), name)
         light = tree.nodes.new("ShaderNodeEmission")
         of_nodes.put(of_nodes.value_of(socket), light.inputs["Color"], tree)
         tree.links.new(light.outputs[0], output.inputs["Surface"])
@@ -154,7 +154,7 @@ def bake_job(job, stage, size):
     for index, inputs in job.slots.items():
         material = job.thing.material_slots[index].material.copy()
         tree = material.node_tree
-        shader = losses.source(tree.get_output_node("ALL").inputs["Surface"])
+        shader = nodes.source(tree.get_output_node("ALL").inputs["Surface"])
         for name in inputs:
             show_picture(tree, shader, name, pictures[name], layer)
         job.thing.material_slots[index].material = material

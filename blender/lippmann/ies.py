@@ -12,7 +12,7 @@ import pathlib
 
 import bpy
 
-from . import losses
+from .nodes import source
 
 LUMENS_PER_WATT = 177.83  # as Cycles has it, of white light
 MISSING = object()        # a lamp whose file is not there
@@ -32,10 +32,10 @@ def profile_of(light):
     if light.type != "POINT" or not light.use_nodes or not light.node_tree:
         return None
     output = light.node_tree.get_output_node("ALL")
-    shader = losses.source(output.inputs["Surface"]) if output else None
+    shader = source(output.inputs["Surface"]) if output else None
     if shader is None or shader.type != "EMISSION" or shader.inputs["Color"].is_linked:
         return None
-    node = losses.source(shader.inputs["Strength"])
+    node = source(shader.inputs["Strength"])
     if node is None or node.type != "TEX_IES" or any(socket.is_linked for socket in node.inputs):
         return None
     colour = [mine * its for mine, its in zip(light.color, shader.inputs["Color"].default_value)]

@@ -3,31 +3,13 @@
 Blender's exporter reads one Principled BSDF or Emission right at the material's output, with image textures; nodes that compute colours are not evaluated.
 """
 
-from . import exposure, film, frame
+from . import exposure, film, frame, ies
+from .nodes import source, upstream
 
 SHADERS = {"BSDF_PRINCIPLED", "EMISSION", "BACKGROUND"}
 CARRIED = {"TEX_IMAGE", "NORMAL_MAP", "MAPPING", "UVMAP", "TEX_COORD", "SEPARATE_COLOR", "SEPRGB", "RGB", "VALUE", "REROUTE", "VERTEX_COLOR", "MATH"}
 STRANDS = {"PATH", "HALO", "LINE"}
 MOVING = {"MOVIE", "SEQUENCE", "TILED"}
-
-
-def upstream(node):
-    """The nodes that a node's inputs come from, however far away."""
-    found, todo = [], [node]
-    while todo:
-        for socket in todo.pop().inputs:
-            for link in socket.links:
-                if link.from_node not in found:
-                    found.append(link.from_node)
-                    todo.append(link.from_node)
-    return found
-
-
-def source(socket):
-    """The node that a socket is linked to, past reroutes; None without one."""
-    while socket.links and socket.links[0].from_node.type == "REROUTE":
-        socket = socket.links[0].from_node.inputs[0]
-    return socket.links[0].from_node if socket.links else None
 
 
 def multiplies(node):
@@ -85,8 +67,6 @@ def has_nodes_of_its_own(light):
 
 
 def say_of_lights(lights, still, report):
-    from . import ies  # which uses this module
-
     for light in lights:
         profile = ies.profile_of(light)
         if profile and profile[0] is ies.MISSING:

@@ -21,9 +21,9 @@ ChartSeries series_of(const RenderFigures& render, std::string name, int color, 
   return series;
 }
 
-std::vector<std::string> numbers_of(const RenderFigures& render) {
-  std::vector<std::string> numbers;
-  for (const FrameReport& frame : render.frames) numbers.push_back(fmt::format("{}", frame.frame));
+std::vector<int> numbers_of(const RenderFigures& render) {
+  std::vector<int> numbers;
+  for (const FrameReport& frame : render.frames) numbers.push_back(frame.frame);
   return numbers;
 }
 
@@ -63,7 +63,7 @@ struct Comparison {
 
   using FigureOf = std::function<std::optional<double>(std::size_t render, int number, const FrameReport& frame)>;
   void fill(const std::vector<std::string>& names, const FigureOf& figure, Chart& chart) const {
-    for (const int number : numbers) chart.slots.push_back(fmt::format("{}", number));
+    chart.frames.assign(numbers.begin(), numbers.end());
     for (std::size_t i = 0; i < by_number.size(); ++i) {
       ChartSeries series{names[i], static_cast<int>(i % 8), {}};
       for (const int number : numbers) {
@@ -90,7 +90,7 @@ std::optional<double> sure_psnr_db(const FrameReport& frame) {
 
 Chart psnr_chart(const RenderFigures& render) {
   Chart chart{"PSNR, as told by held-out pixels", "dB"};
-  chart.starts_at_zero = false, chart.slots = numbers_of(render);
+  chart.starts_at_zero = false, chart.frames = numbers_of(render);
   chart.series.push_back(series_of(render, "estimate", 0, [](const auto& frame) { return frame.estimated_psnr_db; }));
   chart.series.push_back(
       series_of(render, "at least (95 % confidence)", 1, [](const auto& frame) { return frame.psnr_at_least_db; }));
@@ -103,7 +103,7 @@ Chart psnr_chart(const RenderFigures& render) {
 
 Chart origin_chart(const RenderFigures& render) {
   Chart chart{"Where pixels come from", "% of a frame"};
-  chart.is_stacked = true, chart.top = 100.0, chart.slots = numbers_of(render);
+  chart.is_stacked = true, chart.top = 100.0, chart.frames = numbers_of(render);
   for (std::size_t i = 0; i < kOriginNames.size(); ++i)
     chart.series.push_back(series_of(render, std::string(kOriginNames[i]), static_cast<int>(i), [&](const FrameReport& frame) {
       const auto shares = origins_of(frame, render);
@@ -115,7 +115,7 @@ Chart origin_chart(const RenderFigures& render) {
 
 Chart time_chart(const RenderFigures& render) {
   Chart chart{"CPU time a frame", "s"};
-  chart.is_stacked = true, chart.slots = numbers_of(render);
+  chart.is_stacked = true, chart.frames = numbers_of(render);
   const auto seconds_where = [](bool whole) {
     return [whole](const FrameReport& frame) {
       return is_traced_whole(frame) == whole ? std::optional(frame.cpu_seconds) : std::nullopt;
@@ -129,7 +129,7 @@ Chart time_chart(const RenderFigures& render) {
 
 Chart saving_chart(const RenderFigures& render) {
   Chart chart{"CPU time saved", "% of a frame traced whole"};
-  chart.slots = numbers_of(render);
+  chart.frames = numbers_of(render);
   const std::optional<double> traced = traced_cpu_seconds(render);
   chart.series.push_back(series_of(render, "saved", 1, [&](const FrameReport& frame) {
     return is_traced_whole(frame) ? std::nullopt : percent(saving(frame.cpu_seconds, traced));
@@ -140,7 +140,7 @@ Chart saving_chart(const RenderFigures& render) {
 Chart ray_chart(const RenderFigures& render) {
   const double pixels = render.pixels.value_or(1e6);
   Chart chart{render.pixels ? "Rays a pixel" : "Rays a frame", render.pixels ? "rays" : "million rays"};
-  chart.is_stacked = true, chart.slots = numbers_of(render);
+  chart.is_stacked = true, chart.frames = numbers_of(render);
   const auto rays_of = [&](std::uint64_t RayCounts::*kind) {
     return [pixels, kind](const FrameReport& frame) { return std::optional(static_cast<double>(frame.rays.*kind) / pixels); };
   };

@@ -55,6 +55,16 @@ std::string escaped(std::string_view text) {
   return html;
 }
 
+std::string data_html(const nlohmann::ordered_json& data) {
+  std::string html = "<script type=\"application/json\">";
+  for (const char c : json_to_text(data, -1))  // JSON has these in strings only
+    if (c == '<')
+      html += "\\u003c";
+    else
+      html += c;
+  return html + "</script>";
+}
+
 std::string table_html(const HtmlTable& table) {
   std::string html = fmt::format("<div class=\"scroll\" tabindex=\"0\"><table class=\"{}\">", table.style);
   if (!table.head.empty())

@@ -1,6 +1,7 @@
 // Text of pages in HTML: names of foreign origin as they are safe within it, and tables.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,9 @@ namespace lippmann {
 
 /// Fit to stand between tags and in quoted attributes; bytes that are no UTF-8 become U+FFFD, control characters spaces.
 std::string escaped(std::string_view text);
+
+/// Data for the page's script: an element that is not shown and cannot run.
+std::string data_html(const nlohmann::ordered_json& data);
 
 /// A cell is HTML already. Rows may be shorter than the head.
 struct HtmlTable {

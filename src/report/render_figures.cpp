@@ -48,7 +48,7 @@ RunFigures run_figures(const Json& run) {
   return figures;
 }
 
-/// As many as can be understood; the others are counted.
+/// Skips frames that cannot be understood and counts them.
 void read_frame_list(const Json& list, RenderFigures& figures) {
   std::size_t left_out = 0;
   for (const Json& json : list)
@@ -56,6 +56,8 @@ void read_frame_list(const Json& list, RenderFigures& figures) {
       figures.frames.push_back(*frame);
     else
       ++left_out;
+  std::stable_sort(figures.frames.begin(), figures.frames.end(),
+                   [](const auto& a, const auto& b) { return a.frame < b.frame; });
   if (left_out > 0)
     figures.missing.push_back(fmt::format("{} frame{} of the report lack{} figures and {} left out.", left_out,
                                           left_out == 1 ? "" : "s", left_out == 1 ? "s" : "", left_out == 1 ? "is" : "are"));

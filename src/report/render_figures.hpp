@@ -30,7 +30,7 @@ struct RenderFigures {
   nlohmann::ordered_json settings = nlohmann::ordered_json::object();
   double frames_per_second = 25.0;
   bool interrupted = false;
-  std::vector<FrameReport> frames;  ///< as the report lists them
+  std::vector<FrameReport> frames;  ///< ascending
   std::vector<RunFigures> runs;
   std::optional<double> pixels;  ///< of a frame's film; none: the optics cannot be read
   double source_frames = 0.0;    ///< rendered only because others are made from them

@@ -17,7 +17,7 @@
 #include "report/bench_section.hpp"
 #include "report/comparison_section.hpp"
 #include "report/html.hpp"
-#include "report/page_style.hpp"
+#include "report/page_parts.hpp"
 #include "report/render_section.hpp"
 
 namespace lippmann {
@@ -63,13 +63,14 @@ std::string title_of(const std::vector<std::string>& names, std::size_t benchmar
   return title.empty() ? (benchmarks == 1 ? "Benchmark" : "Benchmarks") : title;
 }
 
-std::string page_html(const std::string& heading, const std::string& title, const std::string& body) {
+std::string page_html(const std::string& heading, const std::string& title, const std::string& body, bool has_charts) {
+  const std::string script = has_charts ? fmt::format("<script>{}</script>\n", page_script()) : std::string();
   return fmt::format(R"(<!doctype html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'sha256-{}'">
 <meta name="color-scheme" content="light dark">
 {}
 <title>{} - Lippmann</title>
@@ -81,10 +82,10 @@ std::string page_html(const std::string& heading, const std::string& title, cons
 <main>
 {}</main>
 <footer>Written by lippmann {}. Times are of rendering, without writing files; CPU time is of all threads together.</footer>
-</body>
+{}</body>
 </html>
 )",
-                     kMark, escaped(title), page_style(), escaped(heading), body, version());
+                     page_script_hash(), kMark, escaped(title), page_style(), escaped(heading), body, version(), script);
 }
 
 void require_own_report(const fs::path& file) {
@@ -114,8 +115,8 @@ ReportPage make_report_page(const std::vector<fs::path>& inputs, const Context& 
     body += render_section(renders[i], read_thumbnails(renders[i].report, kMostPictures, context));
     for (const std::string& sentence : renders[i].missing) page.missing.push_back(fmt::format("{}: {}", names[i], sentence));
   }
-  page.html =
-      page_html(renders.empty() ? "Benchmark report" : "Render report", title_of(names, benchmark_count), body + benchmarks);
+  page.html = page_html(renders.empty() ? "Benchmark report" : "Render report", title_of(names, benchmark_count),
+                        body + benchmarks, !renders.empty());
   return page;
 }
 

@@ -1,4 +1,5 @@
-// A page of figures of renders and benchmarks: one file of HTML that opens from a disk, and loads and runs nothing.
+// A page of figures of renders and benchmarks: one file of HTML that opens from a disk, loads nothing, and runs one script,
+// which draws the charts.
 //
 // It holds pictures of some frames and says where each figure comes from. Names of foreign origin are shown as they are, and
 // cannot become anything else.

@@ -13,9 +13,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Any number of pages may ask: the folder is looked at so often.
-constexpr std::chrono::milliseconds kBetweenLooks{200};
-
 RenderState state_in(RenderStateReader& reader, const fs::path& folder) {
   if (std::optional<RenderState> state = reader.read()) return std::move(*state);
   throw Error(folder.string(), "holds no journal of a render", "a folder that `lippmann render` writes to");
@@ -39,8 +36,12 @@ bool is_unfinished_render(const fs::path& folder) try {
   return false;
 }
 
-RunningRender::RunningRender(fs::path folder, ToolCommand resuming)
-    : folder_(std::move(folder)), resuming_(std::move(resuming)), reader_(folder_), state_(state_in(reader_, folder_)) {
+RunningRender::RunningRender(fs::path folder, ToolCommand resuming, std::chrono::milliseconds between_looks)
+    : folder_(std::move(folder)),
+      resuming_(std::move(resuming)),
+      between_looks_(between_looks),
+      reader_(folder_),
+      state_(state_in(reader_, folder_)) {
   frames_ = state_.journal.asked;
   if (frames_.empty()) throw Error(folder_.string(), "no frames were asked for", "a render that has begun");
   take(state_.journal);
@@ -64,7 +65,7 @@ void RunningRender::take(const FolderJournal& journal) {
 /// Under the lock, as what follows.
 void RunningRender::look() {
   const auto now = std::chrono::steady_clock::now();
-  if (now - looked_ < kBetweenLooks) return;
+  if (now - looked_ < between_looks_) return;
   looked_ = now;
   try {
     state_ = state_in(reader_, folder_);

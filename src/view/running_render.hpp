@@ -30,7 +30,9 @@ bool is_unfinished_render(const std::filesystem::path& folder);
 class RunningRender : public ComingFrames {
  public:
   /// `resuming`: goes on with the folder's render. Throws Error if the folder holds no journal, or a damaged one.
-  RunningRender(std::filesystem::path folder, ToolCommand resuming);
+  /// The folder is read again after `between_looks`, however many pages ask.
+  RunningRender(std::filesystem::path folder, ToolCommand resuming,
+                std::chrono::milliseconds between_looks = std::chrono::milliseconds(200));
 
   /// All that runs have been asked for when this was made, ascending.
   const std::vector<int>& frames() const override { return frames_; }
@@ -60,6 +62,7 @@ class RunningRender : public ComingFrames {
 
   const std::filesystem::path folder_;
   const ToolCommand resuming_;
+  const std::chrono::milliseconds between_looks_;
   mutable std::mutex mutex_;
   RenderStateReader reader_;
   RenderState state_;

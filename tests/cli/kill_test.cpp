@@ -56,7 +56,7 @@ Files lasting_files(const fs::path& folder) {
 
 void run_and_kill(const TempDir& dir, const Words& arguments, std::chrono::microseconds after) {
   Subprocess running(tool_command(arguments), {dir.path().string(), 0});
-  std::this_thread::sleep_for(after);
+  std::this_thread::sleep_for(after);  // any moment will do
   running.signal(SIGKILL);
   running.wait();
 }

@@ -35,9 +35,12 @@ TEST(Streams, refusal_with_all_of_them_closed_has_its_exit_code) {
   EXPECT_EQ(run_script(dir, "exec \"$0\" \"$@\" <&- >&- 2>&-", {"render", "--no-such-flag"}).exit_code, 2);
 }
 
+/// A shell's command that ends once nobody reads its output.
+const std::string kUntilNobodyReads = "(while echo; do :; done) 2>/dev/null";
+
 TEST(Streams, render_goes_on_when_nobody_reads_its_progress_any_more) {
   const TempDir dir;
-  run_script(dir, "{ sleep 0.2; \"$0\" \"$@\" 2>&1 >/dev/null; echo $? > code; } | true",
+  run_script(dir, "{ " + kUntilNobodyReads + "; \"$0\" \"$@\" 2>&1 >/dev/null; echo $? > code; } | true",
              small_teapot("0-3", "a") + Words{"--verbose"});
   EXPECT_EQ(code_in(dir), "0");
   expect_done(dir, {"check", "a"});
@@ -45,7 +48,7 @@ TEST(Streams, render_goes_on_when_nobody_reads_its_progress_any_more) {
 
 TEST(Streams, render_is_finished_and_fails_when_nobody_reads_its_report) {
   const TempDir dir;
-  run_script(dir, "{ sleep 0.2; \"$0\" \"$@\" 2>err; echo $? > code; } | true",
+  run_script(dir, "{ " + kUntilNobodyReads + "; \"$0\" \"$@\" 2>err; echo $? > code; } | true",
              small_teapot("0-1", "a") + Words{"--json", "--also", "single"});
   EXPECT_EQ(code_in(dir), "1");
   EXPECT_THAT(bytes_of(dir / "err"), testing::HasSubstr("standard output: cannot be written"));

@@ -149,14 +149,15 @@ class SlurmCluster {
     return run({"/usr/bin/env", "SLURM_CONF=" + folder_ + "/slurm.conf", "bash", "-c", command}, {where.string(), 0});
   }
 
-  /// Whether the queue is empty within two minutes.
-  bool ends() const {
-    for (int i = 0; i < 1200; ++i) {
-      if (shell("squeue -h").out.empty()) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    }
+  /// Whether a command prints a text within two minutes.
+  bool comes_to_say(const std::string& command, const std::string& text) const {
+    for (int i = 0; i < 1200; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(100)))
+      if (shell(command).out == text) return true;
     return false;
   }
+
+  /// Whether the queue is empty within two minutes.
+  bool ends() const { return comes_to_say("squeue -h", ""); }
 
  private:
   static std::string script() { return LIPPMANN_SOURCE "/tests/cli/slurm/cluster.sh"; }
@@ -179,7 +180,7 @@ TEST(Submit, slurm_renders_the_whole_though_a_task_is_requeued_and_the_node_is_d
   const std::string task = cluster.shell("squeue -h -t running -o %A | head -1").out;
   EXPECT_EQ(cluster.shell("scontrol requeue " + task).exit_code, 0);
   EXPECT_EQ(cluster.shell("scontrol update nodename=$(hostname -s) state=drain reason=test").exit_code, 0);
-  std::this_thread::sleep_for(std::chrono::seconds(1));
+  ASSERT_TRUE(cluster.comes_to_say("sinfo -h -o %T", "drained\n")) << cluster.shell("sinfo").out;
   EXPECT_EQ(cluster.shell("scontrol update nodename=$(hostname -s) state=resume").exit_code, 0);
   ASSERT_TRUE(cluster.ends()) << cluster.shell("squeue").out;
   EXPECT_EQ(film(dir), whole);

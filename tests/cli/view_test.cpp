@@ -1,10 +1,8 @@
 // `lippmann view` from outside: what it prints, how it ends, and the page that `render --page` leaves.
 #include <gmock/gmock.h>
 
-#include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <thread>
 
 #include "cli/tool.hpp"
 
@@ -18,7 +16,7 @@ TEST(View, serves_until_it_is_interrupted_and_prints_the_address_alone) {
   const TempDir dir;
   ASSERT_EQ(run_tool(dir, small_teapot("0", "r")).exit_code, 0);
   Subprocess server(tool_command({"view", "r", "--port", "0"}), {.working_folder = dir.path().string()});
-  std::this_thread::sleep_for(std::chrono::seconds(2));
+  server.wait_for_line();
   server.signal(SIGINT);
   const RunResult result = server.wait();
   EXPECT_EQ(result.exit_code, 128 + SIGINT);
@@ -38,7 +36,7 @@ TEST(View, a_scene_is_set_up_at_an_address_that_has_a_token) {
   const TempDir dir;
   Subprocess server(tool_command({"view", "room", "--size", "64x64", "--lenses", "8", "--port", "0"}),
                     {.working_folder = dir.path().string()});
-  std::this_thread::sleep_for(std::chrono::seconds(3));
+  server.wait_for_line();
   server.signal(SIGINT);
   const RunResult result = server.wait();
   EXPECT_EQ(result.exit_code, 128 + SIGINT);
@@ -54,7 +52,7 @@ TEST(View, an_unfinished_render_is_shown_at_an_address_that_has_a_token) {
   render.signal(SIGKILL);
   render.wait();
   Subprocess server(tool_command({"view", "r", "--port", "0"}), {.working_folder = dir.path().string()});
-  std::this_thread::sleep_for(std::chrono::seconds(2));
+  server.wait_for_line();
   server.signal(SIGINT);
   EXPECT_THAT(server.wait().out, testing::MatchesRegex("http://127\\.0\\.0\\.1:[0-9]+/[0-9a-f]+/\n"));
 }

@@ -23,7 +23,7 @@ TEST(BackgroundQueue, in_order_halves_run_in_the_order_of_submission) {
   std::vector<int> order;
   {
     BackgroundQueue queue(4, 8);
-    for (int i = 0; i < 200; ++i)
+    for (int i = 0; i < 200; ++i)  // pieces take different times
       queue.submit([i] { std::this_thread::sleep_for(std::chrono::microseconds((i * 37) % 200)); },
                    [&, i] { order.push_back(i); });
     queue.finish();
@@ -48,7 +48,7 @@ TEST(BackgroundQueue, never_more_pieces_than_its_capacity_exist) {
   BackgroundQueue queue(2, 3);
   for (int i = 0; i < 50; ++i) {
     auto held = std::make_shared<Counted>(alive, most);
-    queue.submit([held] { std::this_thread::sleep_for(std::chrono::microseconds(100)); });
+    queue.submit([held] { std::this_thread::sleep_for(std::chrono::microseconds(100)); });  // so that pieces pile up
   }
   queue.finish();
   EXPECT_EQ(alive, 0);
@@ -85,7 +85,7 @@ TEST(BackgroundQueue, destroyed_with_pieces_waiting_drops_them_without_hanging) 
     begun.get_future().wait();
     for (int i = 0; i < 5; ++i) queue.submit([&] { ++ran; });
     releaser = std::thread([&] {
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));  // the queue's end begins meanwhile, which nothing shows
       go.set_value();
     });
   }

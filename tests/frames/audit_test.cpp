@@ -41,7 +41,7 @@ TEST(Audit, does_not_change_the_picture) {
   const Context context;
   const ThreadPool pool(1);
   JobStage stage(job, pool, context);
-  EXPECT_EQ(make_frames(params, {3}).film(3), render_frame(stage, job.sampling(), 3, pool, context).pictures.film.data);
+  EXPECT_EQ(make_frames(noisy_paths(), {3}).film(3), render_frame(stage, job.sampling(), 3, pool, context).pictures.film.data);
 }
 
 TEST(Audit, does_not_depend_on_threads_or_range) {

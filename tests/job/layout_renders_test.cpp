@@ -4,7 +4,6 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "compare/compare.hpp"
 #include "job/renders.hpp"
@@ -118,13 +117,11 @@ TEST_F(LayoutRenders, what_cannot_be_is_refused_before_anything_is_made) {
   refused({{"lens-pixels", "7.5"}, {"to", "views"}}, "whole number of pixels");
 }
 
-TEST_F(LayoutRenders, tiff_pictures_hold_the_codes_of_png_and_are_the_same_bytes_at_any_time) {
+TEST_F(LayoutRenders, tiff_pictures_hold_the_codes_of_png_and_a_fixed_time) {
   render(array("png"));
   render(array("tiff", {{"format", "tiff"}}));
   EXPECT_TRUE(are_identical("png/frame_0003.png", "tiff/frame_0003.tif"));
-  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // TIFF's time stamps count seconds
-  render(array("later", {{"format", "tiff"}}));
-  EXPECT_EQ(bytes("tiff/frame_0003.tif"), bytes("later/frame_0003.tif"));
+  EXPECT_THAT(bytes("tiff/frame_0003.tif"), HasSubstr("1970:01:01 00:00:00"));
 }
 
 TEST_F(LayoutRenders, ffv1_video_holds_the_codes_of_the_pictures) {

@@ -23,9 +23,9 @@ TEST(LiveJobFile, saving_again_replaces_what_it_wrote) {
   const test::TempDir dir;
   LiveJobFile job(dir.path() / "new" / "room.toml");
   RenderParams params = test::small_room();
-  EXPECT_EQ(job.save(params), dir.path() / "new" / "room.toml");
+  EXPECT_EQ(job.save(ResolvedJob(params)), dir.path() / "new" / "room.toml");
   params.scene.view.zoom = 2.5f;
-  EXPECT_EQ(job.save(params), dir.path() / "new" / "room.toml");
+  EXPECT_EQ(job.save(ResolvedJob(params)), dir.path() / "new" / "room.toml");
   RenderParams read;
   read_job(dir.path() / "new" / "room.toml", read);
   EXPECT_EQ(read.scene.view.zoom, 2.5f);
@@ -36,9 +36,9 @@ TEST(LiveJobFile, files_of_others_stay) {
   const fs::path taken = dir.path() / "room.toml";
   std::ofstream(taken) << "somebody's";
   LiveJobFile job(taken);
-  EXPECT_EQ(job.save(test::small_room()), dir.path() / "room-2.toml");
+  EXPECT_EQ(job.save(ResolvedJob(test::small_room())), dir.path() / "room-2.toml");
   std::ofstream(dir.path() / "room-2.toml") << "changed meanwhile";
-  EXPECT_EQ(job.save(test::small_room()), dir.path() / "room-3.toml");
+  EXPECT_EQ(job.save(ResolvedJob(test::small_room())), dir.path() / "room-3.toml");
   EXPECT_EQ(text_of(taken), "somebody's");
   EXPECT_EQ(text_of(dir.path() / "room-2.toml"), "changed meanwhile");
 }

@@ -20,18 +20,18 @@ TEST(LiveSettings, settings_lie_over_the_command_line_and_may_be_given_back) {
   LiveSettings settings(base);
   set(settings, "zoom", "3");
   set(settings, "orbit", "30,15");
-  EXPECT_EQ(settings.params().scene.view.zoom, 3.0f);
+  EXPECT_EQ(settings.job().scene().view.zoom, 3.0f);
   EXPECT_EQ(settings.values()["orbit"], "30,15");
   EXPECT_EQ(settings.changed().size(), 2u);
   settings.set("zoom", nullptr);
-  EXPECT_EQ(settings.params().scene.view.zoom, 2.0f);
+  EXPECT_EQ(settings.job().scene().view.zoom, 2.0f);
 }
 
 TEST(LiveSettings, bad_values_are_refused_and_nothing_has_changed) {
   LiveSettings settings(test::small_room());
   EXPECT_THAT(test::error_message([&] { set(settings, "zoom", "-1"); }), HasSubstr("zoom"));
   EXPECT_THAT(test::error_message([&] { set(settings, "spp", "many"); }), HasSubstr("spp"));
-  EXPECT_EQ(settings.params().scene.view.zoom, 1.0f);
+  EXPECT_EQ(settings.job().scene().view.zoom, 1.0f);
   EXPECT_TRUE(settings.changed().empty());
 }
 

@@ -41,7 +41,7 @@ class BegunFrames {
 struct Looked {
   Context context;
   BegunFrames begun{context};
-  LiveStage live{room_of_paths(), context};
+  LiveStage live{ResolvedJob(room_of_paths()), context};
 };
 
 TEST(LiveStage, frames_of_paths_need_no_others) {
@@ -71,9 +71,9 @@ TEST(LiveStage, other_parameters_make_other_frames) {
   Looked looked;
   const auto before = looked.live.frame(0);
   RenderParams params = room_of_paths();
-  looked.live.set(params);
+  looked.live.set(ResolvedJob(params));
   params.scene.view.orbit = {30.0f, 0.0f};
-  looked.live.set(params);
+  looked.live.set(ResolvedJob(params));
   const auto turned = looked.live.frame(1);
   const auto back = looked.live.frame(0);
   ASSERT_TRUE(before && turned && back);

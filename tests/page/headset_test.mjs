@@ -131,6 +131,7 @@ test("time goes on in the headset, and a headset that ends the session gives the
   await button(page).click();
   await page.waitForSelector('#stage[data-headset="true"]');
   await page.evaluate(() => window.lippmann.set({ frame: 4 }));
+  await page.evaluate(() => window.lippmann.picture(8, 8));  // loads the frame
   await framesLater(page, 3);
   await page.keyboard.press("Tab");
   assert.ok((await psnrOf(page, 0)) >= 40);

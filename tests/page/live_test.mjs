@@ -7,7 +7,7 @@ import { expectComplaints, eyeCodes, inFolder, lippmann, open, view } from "./su
 
 const page = await open(await view("room", "--optics", "multiview", "--views", "4x1", "--size", "256x64", "--frames", "0-3"), { width: 820, height: 420 });
 page.setDefaultTimeout(90000);
-const atRest = () => page.waitForSelector('#stage[data-rest="true"]');
+const atRest = () => page.waitForSelector('#stage[data-rest="true"][data-drawn="true"]');
 const scene = () => page.evaluate(() => window.lippmann.scene);
 const codes = (one) => eyeCodes(one, 64);
 const notice = (pattern) => page.waitForFunction((pattern) => new RegExp(pattern).test(document.querySelector("#notice").textContent), pattern);
@@ -57,7 +57,7 @@ test("a click puts the plane where something is seen", async () => {
 
 test("the saved job renders what is seen, code by code", async () => {
   await page.getByRole("slider", { name: "Frame" }).fill("2");
-  await page.waitForSelector('#stage[data-frame="2"][data-rest="true"]');
+  await page.waitForSelector('#stage[data-frame="2"][data-rest="true"][data-drawn="true"]');
   await page.getByRole("button", { name: "Save job" }).click();
   await page.waitForFunction(() => window.lippmann.scene.saved === "room.toml");
   lippmann("render", "room.toml", "--frames", "2", "-o", "again", "-q");

@@ -34,8 +34,7 @@ test("a movement on slow graphics is coarse but for its first picture, and its e
   const moved = await canvas(page);
   assert.equal(divisors[0], 1);
   assert.equal(divisors.at(-1), 4, String(divisors));
-  await page.evaluate(() => window.lippmann.set({ exposure: 1 }));
-  await page.waitForTimeout(300);
+  await set(page, { exposure: 1 });
   await set(page, { exposure: 0 });
   await atRest(page);
   assert.ok((await canvas(page)) === moved, "another picture than at rest");
@@ -43,7 +42,6 @@ test("a movement on slow graphics is coarse but for its first picture, and its e
 
 test("a coarse picture shows the same, by fewer pixels", async () => {
   const page = await open(address, { script: slowed(20) });
-  await move(page, 30);
   await page.evaluate(() => {
     window.codes = () => {
       const canvas = document.querySelector("canvas"), [width, height] = [canvas.clientWidth, canvas.clientHeight];
@@ -51,10 +49,16 @@ test("a coarse picture shows the same, by fewer pixels", async () => {
       context.drawImage(canvas, 0, 0, width, height);
       return context.getImageData(0, 0, width, height).data;
     };
-    window.away = window.codes();  // as coarse, from the side
   });
+  // Without a pause, in which a fine picture would be drawn.
   const divisor = await page.evaluate(async () => {
-    window.lippmann.set({ eye: [...window.lippmann.fields[0].eye_mm] });
+    const [x, y, z] = window.lippmann.fields[0].eye_mm;
+    for (let i = 1; i <= 30; i++) {
+      window.lippmann.set({ eye: [x + (20 * i) / 30, y, z] });
+      await new Promise(requestAnimationFrame);
+    }
+    window.away = window.codes();  // as coarse, from the side
+    window.lippmann.set({ eye: [x, y, z] });
     await new Promise(requestAnimationFrame);
     window.coarse = window.codes();
     return document.getElementById("stage").dataset.divisor;

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
 import { differenceFrom, drop } from "./panel.mjs";
-import { closeAfterEach, drawn, expectComplaints, grid, inFolder, lippmann, open, play, sheet, view } from "./support.mjs";
+import { closeAfterEach, drawn, expectComplaints, grid, inFolder, lippmann, open, play, set, sheet, view } from "./support.mjs";
 
 closeAfterEach();
 
@@ -23,8 +23,7 @@ async function compare(name, input, display, flags = [], reading = []) {
   lippmann("convert", input, `${name}.png`, ...reading, "--to", "native", "--display", display, ...flags);
   const page = await open(await play(input, "--display", display, ...flags, ...reading));
   await page.evaluate(() => window.lippmann.pause());
-  await page.evaluate(() => window.lippmann.set({ frame: 0 }));
-  await page.waitForSelector('#stage[data-frame="0"]');
+  await set(page, { frame: 0 });
   const { most, differ } = await differenceFrom(page, `${name}.png`);
   console.log(`${name}: ${most} codes at most, ${(100 * differ).toFixed(4)} % of the codes differ`);
   assert.ok(most <= 1, `${name}: ${most} codes`);
@@ -83,8 +82,8 @@ test("frames play in a loop, of which all is loaded once", async () => {
   assert.equal(pictures().length, 4, "frames are loaded again");
   // Each frame that is played is the one that convert makes.
   lippmann("convert", quilts[2], "loop.png", "--to", "native", "--display", "loop-panel.json");
-  await page.evaluate(() => (window.lippmann.pause(), window.lippmann.set({ frame: 2 })));
-  await page.waitForSelector('#stage[data-frame="2"]');
+  await page.evaluate(() => window.lippmann.pause());
+  await set(page, { frame: 2 });
   assert.deepEqual(await differenceFrom(page, "loop.png"), { most: 0, differ: 0 });
 });
 

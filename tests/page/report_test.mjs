@@ -1,6 +1,6 @@
-// The page of figures opens from a disk, without a script, and fits windows of every width.
+// The page of figures opens from a disk, draws its charts, and fits windows of every width.
 import assert from "node:assert/strict";
-import { readFileSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { closeAfterEach, inFolder, lippmann, open } from "./support.mjs";
@@ -25,24 +25,72 @@ test("it opens from a disk, shows pictures, and the console has nothing to say",
   assert.ok(asked.every((url) => url.startsWith("file:") || url.startsWith("data:")), `${asked}`);
 });
 
-test("every frame tells the figures that the report has", async () => {
+/** The page holds six digits of a figure, and shows four. */
+const shown = (figure) => Number(Number(figure.toPrecision(6)).toPrecision(4));
+const chart = (page, title) => page.locator("figure.chart", { hasText: title }).first();
+/** What the legend says of each series once it is that of a frame. */
+const legend = async (figure, frame) => {
+  await figure.locator(".u-series", { hasText: new RegExp(`^Frame${frame}$`) }).waitFor();
+  return figure.locator(".u-series").evaluateAll((rows) => Object.fromEntries(rows.map((row) => [row.querySelector(".u-label").textContent, row.querySelector(".u-value").textContent])));
+};
+/** Waits until the canvas has these colours most, without what is transparent. */
+const hasColors = async (page, figure, wanted) => page.waitForFunction(([canvas, wanted]) => {
+  const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
+  copy.drawImage(canvas, 0, 0);
+  const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
+  const pixels = new Map();
+  for (let i = 0; i < data.length; i += 4) if (data[i + 3] === 255) pixels.set(data.slice(i, i + 3).join(), (pixels.get(data.slice(i, i + 3).join()) ?? 0) + 1);
+  return [...pixels].sort((a, b) => b[1] - a[1]).slice(0, wanted.length).map(([color]) => color).sort().join() === wanted.sort().join();
+}, [await figure.locator("canvas").elementHandle(), wanted]);
+
+test("pointing at a frame shows the figures that the report has, in all charts", async () => {
   const page = await openFile("made/report.html");
-  const titles = await page.locator("rect.tip title").evaluateAll((all) => all.map((title) => title.textContent));
-  for (const frame of report("made").frames.filter((frame) => frame.psnr_at_least_db !== null)) {
-    const bound = Number(frame.psnr_at_least_db.toPrecision(4));
-    const told = titles.find((title) => title.startsWith(`Frame ${frame.frame}\n`) && title.includes("at least"));
-    assert.ok(told?.includes(`at least (95 % confidence): ${bound} dB`), `${frame.frame}: ${told}`);
+  const { frames } = report("made");
+  const area = chart(page, "Where pixels come from").locator(".u-over");
+  const { width } = await area.boundingBox();
+  for (const [i, frame] of frames.entries()) {
+    await area.hover({ position: { x: (width * (i + 0.5)) / frames.length, y: 20 } });
+    const psnr = await legend(chart(page, "PSNR"), frame.frame);
+    const bound = frame.psnr_at_least_db;
+    assert.equal(psnr["at least (95 % confidence)"], bound === null ? "\u2013" : String(shown(bound)));
+    assert.equal((await legend(chart(page, "CPU time a frame"), frame.frame))[frame.kind === "in-between" ? "with reuse" : "traced whole"], String(shown(frame.cpu_seconds)));
   }
 });
 
-test("bars are drawn in colours that can be told apart, in light and dark", async () => {
+test("charts have the colours of the page, light and dark, and light on paper", async () => {
   const page = await openFile("made/report.html");
-  for (const colorScheme of ["light", "dark"]) {
-    await page.emulateMedia({ colorScheme });
-    const colors = await page.locator(".chart:has(.bar) >> nth=0").locator(".bar").evaluateAll((bars) => bars.map((bar) => getComputedStyle(bar).fill));
-    assert.ok(colors.length > 1 && new Set(colors).size === colors.length, `${colorScheme}: ${colors}`);
+  const figure = chart(page, "Where pixels come from");
+  const style = () => page.evaluate(() => [0, 2].map((i) => getComputedStyle(document.documentElement).getPropertyValue(`--c${i}`)));
+  const seen = [];
+  for (const media of [{ colorScheme: "light" }, { colorScheme: "dark" }, { media: "print" }]) {
+    await page.emulateMedia(media);
+    const wanted = (await style()).map((hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16)).join());
+    await hasColors(page, figure, wanted);
+    seen.push(String(wanted));
   }
-  await page.emulateMedia({ colorScheme: null });
+  assert.equal(seen[2], seen[0]);
+  assert.notEqual(seen[1], seen[0]);
+  await page.emulateMedia({ colorScheme: null, media: null });
+});
+
+test("charts are described in words", async () => {
+  const page = await openFile("made/report.html");
+  const { frames } = report("made");
+  const seconds = frames.filter((frame) => frame.kind === "in-between").map((frame) => shown(frame.cpu_seconds));
+  const spoken = await page.getByRole("img", { name: /^CPU time a frame/ }).getAttribute("aria-label");
+  assert.ok(spoken.startsWith(`CPU time a frame (s) of ${frames.length} frames; traced whole: `), spoken);
+  assert.ok(spoken.endsWith(`; with reuse: ${Math.min(...seconds)} to ${Math.max(...seconds)}`), spoken);
+});
+
+test("a thousand frames are drawn", async () => {
+  const long = report("made");
+  long.frames = [...Array(1000).keys()].map((number) => ({ ...long.frames[number % long.frames.length], frame: number }));
+  mkdirSync(inFolder("long"));
+  writeFileSync(inFolder("long/report.json"), JSON.stringify(long));
+  lippmann("report", "long", "-q");
+  const page = await openFile("long/report.html");
+  assert.equal(await page.locator("figure.chart canvas").count(), await page.locator("figure.chart").count());
+  assert.match(await page.getByRole("img", { name: /^Rays a pixel/ }).getAttribute("aria-label"), /of 1000 frames/);
 });
 
 test("no window is too narrow, and the table scrolls in its own box", async () => {
@@ -50,6 +98,8 @@ test("no window is too narrow, and the table scrolls in its own box", async () =
     const page = await openFile("both.html", { width, height: 700 });
     await page.locator("details").evaluateAll((all) => all.forEach((details) => (details.open = true)));
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
+    const widths = await page.locator("figure.chart").evaluateAll((all) => all.map((figure) => [figure.clientWidth, figure.querySelector(".uplot").clientWidth]));
+    assert.ok(widths.length > 5 && widths.every(([figure, plot]) => plot === figure), `${widths}`);
   }
 });
 

@@ -127,7 +127,7 @@ async function load(page, address, attempts = 4) {
   await page.goto(address).catch(async (error) => {
     const isLate = error.message.includes("ERR_SOCKET_NOT_CONNECTED") || error.message.includes("chrome-error:");
     if (!isLate || attempts <= 1) throw error;
-    await page.waitForTimeout(300);
+    await page.waitForURL(/^chrome-error:/, { timeout: 1000 }).catch(() => {});
     await load(page, address, attempts - 1);
   });
 }
@@ -144,12 +144,8 @@ export async function open(address, { width = 820, height = 420, ready = true, o
   return page;
 }
 
-/** Waits until the page shows its state as it is now. It draws in the next frame of the screen, until when it says that it has
- *  drawn the state before. */
-export async function drawn(page) {
-  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
-  await page.waitForSelector('#stage[data-drawn="true"]');
-}
+/** Waits until the page shows its state. A change of the state resets data-drawn at once. */
+export const drawn = (page) => page.waitForSelector('#stage[data-drawn="true"]');
 
 /** Sets the state, and waits until it is drawn. */
 export async function set(page, changes) {

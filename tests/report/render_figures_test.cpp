@@ -58,6 +58,11 @@ TEST(RenderFigures, the_worst_frame_is_that_of_the_lowest_bound) {
   EXPECT_EQ(figure(test::figures_of(report), "lowest PSNR"), "35.00 dB | at least, at 95 % confidence; frame 2");
 }
 
+TEST(RenderFigures, frames_are_sorted) {
+  const test::OrderedJson report = test::report_of_frames("none", {test::key_frame(7), test::key_frame(2)});
+  EXPECT_EQ(test::figures_of(report).frames.front().frame, 2);
+}
+
 TEST(RenderFigures, interpolated_frames_without_a_floor_are_not_measured) {
   const test::OrderedJson report = test::report_of_frames("interpolate", {test::in_between_frame(1)});
   EXPECT_THAT(figure(test::figures_of(report), "lowest PSNR"), HasSubstr("the error was not measured"));

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <csignal>
 #include <system_error>
+#include <utility>
 
 namespace lippmann::test {
 namespace {
@@ -36,11 +37,14 @@ std::array<int, 2> make_pipe() {
   _exit(127);
 }
 
-/// Reads both pipes until the program has closed them.
-void drain(int out, int err, RunResult& result) {
+enum class Until { kLine, kEnd };
+
+/// Reads both pipes until stdout has a line, or until the program has closed them.
+void drain(int out, int err, Until until, RunResult& result) {
   std::array<pollfd, 2> ends{pollfd{out, POLLIN, 0}, pollfd{err, POLLIN, 0}};
   const std::array<std::string*, 2> texts{&result.out, &result.err};
   for (int open_ends = 2; open_ends > 0;) {
+    if (until == Until::kLine && (ends[0].fd < 0 || result.out.find('\n') != std::string::npos)) return;
     if (poll(ends.data(), ends.size(), -1) < 0) {
       if (errno == EINTR) continue;
       fail("poll");
@@ -83,17 +87,18 @@ Subprocess::~Subprocess() {
 
 void Subprocess::signal(int number) const { kill(pid_, number); }
 
+void Subprocess::wait_for_line() { drain(out_, err_, Until::kLine, printed_); }
+
 RunResult Subprocess::wait() {
-  RunResult result;
-  drain(out_, err_, result);
+  drain(out_, err_, Until::kEnd, printed_);
   int status = 0;
   while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
   }
   pid_ = -1;
   close(out_);
   close(err_);
-  result.exit_code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
-  return result;
+  printed_.exit_code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  return std::move(printed_);
 }
 
 RunResult run(const std::vector<std::string>& command, const RunOptions& options) {

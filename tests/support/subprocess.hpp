@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -27,10 +28,13 @@ class Subprocess {
   Subprocess& operator=(const Subprocess&) = delete;
 
   void signal(int number) const;
+  /// Waits until it has printed a whole line on stdout, or has closed stdout.
+  void wait_for_line();
   RunResult wait();
 
  private:
   pid_t pid_ = -1;
+  RunResult printed_;  ///< until now
   int out_ = -1, err_ = -1;
 };
 

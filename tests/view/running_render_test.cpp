@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -20,6 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+
+/// The folder is read whenever somebody asks.
+constexpr std::chrono::milliseconds kAlways{0};
 
 /// A folder of three frames that this process renders, as far as journals tell; pictures of two are there.
 class RunningRenderTest : public testing::Test {
@@ -43,6 +47,7 @@ class RunningRenderTest : public testing::Test {
     fs::permissions(path, fs::perms::owner_all);
     return path;
   }
+  /// Asks until the process that was started has come so far.
   static nlohmann::ordered_json state_once(RunningRender& render, const std::string& word) {
     for (int i = 0; i < 500; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(20)))
       if (auto state = render.state_after(0); state["state"] == word) return state;
@@ -55,14 +60,13 @@ class RunningRenderTest : public testing::Test {
 };
 
 TEST_F(RunningRenderTest, frames_that_are_finished_are_told_once) {
-  RunningRender render(dir_.path(), {"/bin/false", {}});
+  RunningRender render(dir_.path(), {"/bin/false", {}}, kAlways);
   nlohmann::ordered_json state = render.state_after(0);
   EXPECT_EQ(state["state"], "running");
   EXPECT_EQ(state["frames"], 3);
   ASSERT_EQ(state["finished"].size(), 1u);
   EXPECT_EQ(state["finished"][0]["kind"], "key");
   add(1);
-  std::this_thread::sleep_for(std::chrono::milliseconds(250));
   state = render.state_after(1);
   ASSERT_EQ(state["finished"].size(), 1u);
   EXPECT_EQ(state["finished"][0]["index"], 1);
@@ -70,25 +74,24 @@ TEST_F(RunningRenderTest, frames_that_are_finished_are_told_once) {
 }
 
 TEST_F(RunningRenderTest, picture_of_a_frame_is_there_when_the_frame_is) {
-  auto render = std::make_shared<RunningRender>(dir_.path(), ToolCommand{"/bin/false", {}});
+  auto render = std::make_shared<RunningRender>(dir_.path(), ToolCommand{"/bin/false", {}}, kAlways);
   const PageField field(dir_.path(), render, Context());
   ASSERT_EQ(field.facts().frames.size(), 3u);
   EXPECT_EQ(field.facts().frames[2].label, "0002");
   EXPECT_EQ(field.panel(0).rgb, pictures_[0].rgb);
   EXPECT_THAT(test::error_message([&] { field.panel(1); }), HasSubstr("Frame 0001: is not rendered yet"));
   add(1);
-  std::this_thread::sleep_for(std::chrono::milliseconds(250));
   render->state_after(0);
   EXPECT_EQ(field.panel(1).rgb, pictures_[1].rgb);
 }
 
 TEST_F(RunningRenderTest, render_that_was_stopped_is_resumed_by_the_command_that_was_given) {
   folder_.reset();
-  RunningRender render(dir_.path(), {tool_that("echo 'no such scene' >&2; exit 1"), {"render", "a b/job.toml", "--resume"}});
+  RunningRender render(dir_.path(), {tool_that("echo 'no such scene' >&2; exit 1"), {"render", "a b/job.toml", "--resume"}},
+                       kAlways);
   EXPECT_EQ(render.state_after(0)["state"], "stopped");
   EXPECT_THROW(render.stop(), Error);
   render.resume();
-  std::this_thread::sleep_for(std::chrono::milliseconds(250));
   EXPECT_EQ(state_once(render, "stopped")["error"], "no such scene");
   std::ifstream words(dir_ / "words");
   std::string line;
@@ -98,7 +101,7 @@ TEST_F(RunningRenderTest, render_that_was_stopped_is_resumed_by_the_command_that
 
 TEST_F(RunningRenderTest, resumed_render_is_stopped_while_it_is_set_up) {
   folder_.reset();
-  RunningRender render(dir_.path(), {tool_that("exec sleep 60"), {}});
+  RunningRender render(dir_.path(), {tool_that("exec sleep 60"), {}}, kAlways);
   render.resume();
   EXPECT_EQ(render.state_after(0)["state"], "starting");
   EXPECT_THROW(render.resume(), Error);

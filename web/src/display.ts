@@ -1,17 +1,7 @@
 // The panel that light fields are played on: the numbers that the program has read from its calibration (docs/view.md lists the
 // keys), checked before they are used. Nothing here reads a calibration: the text of a dropped file is sent to the program.
 import { postText } from "./data";
-import { Refusal } from "./field";
-
-/** Which view each sub-pixel is of; src/view/page_display.hpp. */
-export interface SlantedPanel {
-  periods: number;
-  tilt: number;
-  center: number;
-  inverted: boolean;
-  /** [row from the bottom, modulo 4][column modulo 2][red, green, blue][x, y] in pixels. */
-  sub_pixels: number[][][][];
-}
+import { Refusal, type SlantedPanel } from "./field";
 
 export interface PanelDisplay {
   name: string;

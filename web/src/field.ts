@@ -1,5 +1,4 @@
 // What the page is told of a light field (docs/view.md lists the keys), checked before it is used.
-import type { SlantedPanel } from "./display";
 
 export interface Axis {
   views: number;
@@ -21,6 +20,16 @@ export interface Frame {
 export interface Origin {
   name: string;
   missed: boolean;
+}
+
+/** Which view each sub-pixel is of; src/view/page_display.hpp. */
+export interface SlantedPanel {
+  periods: number;
+  tilt: number;
+  center: number;
+  inverted: boolean;
+  /** [row from the bottom, modulo 4][column modulo 2][red, green, blue][x, y] in pixels. */
+  sub_pixels: number[][][][];
 }
 
 export interface Field {

@@ -187,8 +187,9 @@ export class Live {
         const shown = this.shownId;
         const isNews = state.serial !== before?.serial || state.share !== before.share || JSON.stringify(state.render) !== JSON.stringify(before.render);
         this.take(state);
+        if (isNews) this.changed(false);
         if (state.picture && state.picture.id !== this.shownId) await this.load(state.picture);
-        if (isNews || shown !== this.shownId) this.changed(shown !== this.shownId);
+        if (shown !== this.shownId) this.changed(true);
         this.notify("server", "");
         if (!isNews && performance.now() - asked < 100) await pause(250);
       } catch (error) {

@@ -1,5 +1,5 @@
 // The controls of a scene that is set up: where it is seen from, what shows it, its light, and what becomes of it.
-import { button, check, chooser, element, group, rounded, slider, type Shown } from "./controls";
+import { button, check, chooser, element, group, rounded, slider, type Shown } from "./elements";
 import type { Field } from "./field";
 import type { Live, Rendered } from "./live";
 import { minutes } from "./run";

@@ -2,7 +2,7 @@
 //   parent to page: frame.contentWindow.postMessage({ lippmann: { eye: [20, 0, 500], frame: 12, focus: -10, aperture: 1 } }, "*")
 //   page to parent: { lippmann: { state: {...} } } after every change; no pictures.
 import { shareOutOfZone } from "./field";
-import type { App } from "./main";
+import type { App } from "./app";
 import type { LiveState } from "./live";
 import type { RunState } from "./run";
 import type { State } from "./state";

@@ -1,5 +1,5 @@
 // The controls of a render that runs or was stopped: how far it is, and one button that stops or resumes it.
-import { button, element, group, type Shown } from "./controls";
+import { button, element, group, type Shown } from "./elements";
 import type { Run } from "./run";
 
 const kOrders: Record<string, string> = { running: "Stop", starting: "Stop", stopping: "Stopping\u2026", stopped: "Resume" };

@@ -1,0 +1,659 @@
+// The page of a light field: draws what the state says whenever it changes.
+import { makeControls } from "./controls";
+import type { PanelDisplay } from "./display";
+import { depthOfDisparity, naturalSize, Refusal, shareOfZone, shareOutOfZone, slopeInZone, type Field } from "./field";
+import { Frames } from "./frames";
+import { Live, type Choices } from "./live";
+import { orbitOf, planeDistance, planeRange, setOrbit, setPlaneDistance, setZoom } from "./live_controls";
+import { codeFromLinear, openGl } from "./gl";
+import { Pace } from "./pace";
+import { Player } from "./player";
+import { showLegend } from "./provenance";
+import { Run, type RunState } from "./run";
+import { Renderer, useOf } from "./renderer";
+import { Store } from "./state";
+import { Tilt } from "./tilt";
+import { Timeline } from "./timeline";
+import { Headset, type HeadsetView } from "./xr";
+
+const byId = <Kind extends HTMLElement = HTMLElement>(id: string): Kind => document.getElementById(id) as Kind;
+
+/** Bytes of frames on the GPU: less where a phone or a small machine shares its memory with it. */
+function frameBudget(): number {
+  const gigabytes = (navigator as { deviceMemory?: number }).deviceMemory ?? 4;
+  return Math.min(Math.max(gigabytes * 64, 128), 512) * 1024 * 1024;
+}
+
+export function fail(error: unknown): void {
+  const section = byId("failure");
+  const text = error instanceof Refusal ? error.message : `The page failed: ${error instanceof Error ? error.message : String(error)}`;
+  const heading = document.createElement("h2");
+  heading.textContent = "This light field cannot be shown";
+  const paragraph = document.createElement("p");
+  paragraph.textContent = text;
+  section.replaceChildren(heading, paragraph);
+  section.hidden = false;
+}
+
+function describe(field: Field): string {
+  const { across, up, view_size: size } = field;
+  const views = across.views * up.views;
+  const grid = up.views > 1 ? `${across.views}\u00d7${up.views} views` : `${views} view${views === 1 ? "" : "s"}`;
+  return `${grid} of ${size[0]}\u00d7${size[1]}${field.depth ? ", with depth" : ""}`;
+}
+
+/** Whether the control that has the focus does something with the key itself. */
+function isOfControl({ target, key }: KeyboardEvent): boolean {
+  if (target instanceof HTMLButtonElement) return key === " ";
+  if (target instanceof HTMLInputElement && target.type === "checkbox") return key === " ";
+  if (target instanceof HTMLInputElement && target.type === "range") return key.startsWith("Arrow") || key === "Home";
+  return target instanceof HTMLInputElement || target instanceof HTMLSelectElement;
+}
+
+/** What a pointer has grasped, and how everything was then. */
+interface Drag {
+  x: number;
+  y: number;
+  shares: [number, number];
+  what: "eye" | "wipe" | "line" | "turn" | "plane";
+  orbit: [number, number];
+  plane: number;
+}
+
+export class App {
+  readonly store: Store;
+  readonly canvas = byId<HTMLCanvasElement>("canvas");
+  readonly frames: Frames;
+  readonly renderer: Renderer;
+  readonly timeline: Timeline;
+  readonly player: Player;
+  readonly tilt: Tilt;
+  readonly headset: Headset;
+  readonly live: Live | null;
+  readonly run: Run | null;
+  private wanted = true;
+  private moved = false;
+  private readonly pace = new Pace();
+  private pointer: { x: number; y: number } | null = null;
+  private notices = new Map<string, string>();
+  private prefetching = false;
+  private eyeHome = "";
+  private updateControls: () => void = () => {};
+
+  constructor(
+    readonly fields: Field[],
+    display: PanelDisplay | null,
+    about: Choices | null,
+    run: RunState | null,
+  ) {
+    this.run = run && new Run(run, fields[0], () => this.hearOfRun(), (topic, text) => this.notify(topic, text));
+    this.store = new Store(fields, display !== null, display !== null && (about?.plays ?? true), about !== null);
+    const gl = openGl(this.canvas);
+    this.frames = new Frames(gl, fields, frameBudget(), () => this.redraw(), (text) => this.notify("size", text));
+    this.renderer = new Renderer(gl, fields, this.frames);
+    this.timeline = new Timeline(byId("time"), this.store, (frame) => this.isThere(frame));
+    this.live = about && new Live(about, fields[0], this.frames, (picture) => this.hearOfScene(picture), (topic, text) => this.notify(topic, text));
+    this.player = new Player(gl, this.store, this.frames, byId("stage"), (about, text) => this.notify(about, text));
+    if (display) this.beginPlaying(display);
+    this.tilt = new Tilt(
+      () => [0, 1].map((axis) => this.store.state.eye[axis] / this.store.state.eye[2]) as [number, number],
+      ([x, y]) => this.moveEye(shareOfZone(fields[0].across, x), shareOfZone(fields[0].up, y)),
+      () => this.store.touch(),
+      (text) => this.notify("tilt", text),
+    );
+    this.headset = new Headset(
+      gl,
+      fields[0],
+      (now, framebuffer, views) => this.drawHeadset(now, framebuffer, views),
+      () => this.hearOfHeadset(),
+      (text) => this.notify("headset", text),
+    );
+    this.updateControls = makeControls(byId("controls"), this.store, {
+      save: () => this.savePicture(),
+      copy: () => void this.copyLink(),
+      focusRange: () => this.focusRange(),
+      player: this.player,
+      tilt: this.tilt,
+      headset: this.headset,
+      live: this.live,
+      run: this.run,
+    });
+    this.store.listen(() => {
+      this.moved = true;
+      this.outdate();
+    });
+    this.store.listen(() => this.live?.setFrame(this.store.state.frame));
+    this.listen();
+    this.head();
+    if (this.run) this.beginRun();
+    if (this.player.isPlaying && !this.live) this.timeline.toggle();
+    requestAnimationFrame((now) => this.tick(now));
+  }
+
+  /** The panel of a scene that is set up may change with it. */
+  private beginPlaying(display: PanelDisplay): void {
+    if (this.live) this.player.follow(display);
+    else this.player.playOn(display);
+  }
+
+  redraw(): void {
+    this.wanted = true;
+  }
+
+  /** The picture is no longer that of the state: data-drawn says so at once. */
+  private outdate(): void {
+    byId("stage").dataset.drawn = "false";
+    this.redraw();
+  }
+
+  /** Of a scene that is set up: settings, pictures or a render are further than they were. */
+  private hearOfScene(picture: boolean): void {
+    const [field] = this.fields;
+    this.followOthers();
+    if (this.eyeHome !== field.eye_mm.join()) {
+      this.eyeHome = field.eye_mm.join();
+      this.store.set({ eye: field.eye_mm });
+    }
+    byId("facts").textContent = `${describe({ ...field, depth: false })}${this.progress()}`;
+    byId("facts").title = this.live?.state?.depth.summary ?? "";
+    byId("stage").dataset.rest = String(this.live?.isAtRest);
+    byId("stage").dataset.outdated = String(this.live?.isOutdated);
+    if (picture) this.outdate();
+    this.updateControls();
+  }
+
+  /** A panel's page shows what is set up in another one beside it: the frame, too. The program says with which frame a page
+   *  begins, unless its address does. */
+  private followOthers(): void {
+    const frame = this.live?.othersFrame ?? null;
+    if (this.live?.isNew && this.store.state.frame > 0) this.live.setFrame(this.store.state.frame);
+    else if (frame !== null && !this.timeline.playing) this.store.set({ frame });
+    if (this.live?.state) this.player.follow(this.live.state.display);
+  }
+
+  /** The first picture is one that is there. */
+  private beginRun(): void {
+    const { frames } = this.fields[0];
+    if (frames[this.store.state.frame].pending) this.store.set({ frame: Math.max(frames.findIndex((frame) => !frame.pending), 0) });
+    this.hearOfRun();
+  }
+
+  /** Of a render that runs: frames are finished, or it has been stopped or resumed. */
+  private hearOfRun(): void {
+    const isOver = this.run?.state.state === "finished";
+    byId("facts").textContent = isOver ? describe(this.fields[0]) : (this.run?.describe() ?? "");
+    this.notify("run", this.run?.state.error ?? "");
+    this.timeline.takeFrames();
+    this.updateControls();
+    this.redraw();
+  }
+
+  private progress(): string {
+    const state = this.live?.state;
+    if (!state || this.live?.isAtRest) return ", as rendered";
+    const before = this.live?.isOutdated ? ", with the settings before" : "";
+    if (state.error) return before;
+    if (state.render?.state === "running") return `${before}, coarse while the job is rendered`;
+    if (state.pass === "") return `${before}, being set up`;
+    const passes = { coarse: "coarse", draft: "draft", final: "as rendered" };
+    return `${before}, ${passes[state.pass]}: ${Math.round(100 * state.share)}\u2009%`;
+  }
+
+  private head(): void {
+    const titles = this.fields.map((field) => field.title);
+    document.title = `${titles.join(" and ")} \u2013 Lippmann`;
+    byId("title").textContent = titles.join(" and ");
+    byId("facts").textContent = describe(this.fields[0]);
+    this.noticeOfShapes();
+    for (const field of this.fields) if (field.assumption) this.notify("assumption", "Nothing says where the cameras stood: angles and depths are assumed.");
+  }
+
+  /** Two light fields are laid over each other by their displays' windows, whatever the size of these. */
+  private noticeOfShapes(): void {
+    const [first, second] = this.fields.map((field) => field.window_mm.size[0] / field.window_mm.size[1]);
+    if (second !== undefined && Math.abs(first / second - 1) > 0.02)
+      this.notify("shapes", "Their displays differ in shape: the second is stretched to the first.");
+  }
+
+  private notify(about: string, text: string): void {
+    if (text) this.notices.set(about, text);
+    else this.notices.delete(about);
+    const all = [...this.notices.values()].join(" ");
+    const notice = byId("notice");
+    if (notice.textContent !== all) notice.textContent = all;
+  }
+
+  private shown(): number[] {
+    return this.renderer.shownFields(this.store.state);
+  }
+
+  private isThere(frame: number): boolean {
+    if (this.live) return this.live.shownFrame === this.store.state.frame;
+    const use = useOf(this.store.state);
+    try {
+      return this.shown().every((field) => this.frames.get(field, this.renderer.frameOf(field, frame), use) !== null);
+    } catch {
+      return true;
+    }
+  }
+
+  private tick(now: number): void {
+    requestAnimationFrame((next) => this.tick(next));
+    if (this.headset.isOn) return;
+    this.timeline.tick(now);
+    if (this.fitCanvas()) this.wanted = true;
+    if (!this.wanted && !this.pace.rests()) return;
+    this.wanted = false;
+    const divisor = this.pace.draws(now, this.moved);
+    this.moved = false;
+    this.draw(this.store.state.show === "eye" ? divisor : 1);
+  }
+
+  /** A headset has a clock and a picture of its own; the page waits meanwhile. */
+  private drawHeadset(now: number, framebuffer: WebGLFramebuffer | null, views: HeadsetView[]): void {
+    this.timeline.tick(now);
+    const { state } = this.store;
+    this.frames.pin(this.shown(), state.frame);
+    this.renderer.drawHeadset(state, framebuffer, views, this.ground());
+    void this.prefetch();
+  }
+
+  private hearOfHeadset(): void {
+    const isOn = this.headset?.isOn ?? false;
+    byId("stage").dataset.headset = String(isOn);
+    this.notify("in headset", isOn ? "The headset shows the light field, and this page waits. Leave VR comes back to it." : "");
+    this.updateControls();
+    this.redraw();
+  }
+
+  private ground(): number[] {
+    return this.store.state.theme === "light" ? [0.93, 0.93, 0.93] : [0.055, 0.055, 0.06];
+  }
+
+  private fitCanvas(): boolean {
+    document.body.classList.toggle("plays", this.player.isPlaying);
+    if (this.player.isPlaying) {
+      const changed = this.player.fit(this.canvas);
+      this.renderer.screen = [this.canvas.width, this.canvas.height];
+      return changed;
+    }
+    this.canvas.style.width = this.canvas.style.height = "";
+    this.notify("screen", "");
+    const ratio = Math.min(window.devicePixelRatio || 1, 2);
+    const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
+    const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
+    const [before, above] = this.renderer.screen;
+    this.renderer.screen = [width, height];
+    return before !== width || above !== height;
+  }
+
+  /** With so many times fewer pixels than the screen has in a row, and in a column. */
+  private draw(divisor = 1): void {
+    const { state } = this.store;
+    document.documentElement.dataset.theme = state.theme;
+    this.frames.pin(this.shown(), state.frame);
+    this.renderer.loupe = state.show === "panel" ? this.pointer : null;
+    let drawn = false;
+    try {
+      drawn = this.renderer.draw(state, this.ground(), divisor);
+      this.notify("frame", "");
+    } catch (error) {
+      if (!(error instanceof Refusal)) throw error;
+      this.notify("frame", error.message);
+      drawn = true;
+    }
+    byId("bar").hidden = drawn;
+    byId("stage").dataset.drawn = String(drawn && divisor === 1 && !this.frames.isAsking);
+    byId("stage").dataset.divisor = String(divisor);
+    byId("stage").dataset.frame = drawn ? String(this.live?.shownFrame ?? state.frame) : "";
+
+    this.canvas.setAttribute("aria-label", this.spoken());
+    if (!drawn) return;
+    this.showZone();
+    this.showValues();
+    this.showScale();
+    this.showOrigins();
+    this.showLine();
+    void this.prefetch();
+  }
+
+  private spoken(): string {
+    const { state } = this.store;
+    return `${this.fields[0].title}, frame ${this.fields[0].frames[state.frame].label}: ${this.shownText()}`;
+  }
+
+  private shownText(): string {
+    const { state } = this.store;
+    if (state.show === "display") return `played on ${this.player.describe()}. F fills the screen, ${this.live ? "arrow keys do what dragging does, " : ""}space plays.`;
+    const eye = state.eye.map((x) => x.toFixed(0)).join(", ");
+    return `${state.show === "panel" ? "what the panel shows" : `seen from ${eye} millimetres`}. Arrow keys move the eye, space plays.`;
+  }
+
+  /** Loads what comes next, one frame at a time, as many as there is room for. */
+  private async prefetch(): Promise<void> {
+    if (this.prefetching || this.live) return;
+    this.prefetching = true;
+    const { state } = this.store;
+    const use = useOf(state);
+    const count = this.fields[0].frames.length;
+    const room = Math.min(count, this.frames.roomFor(0, use));
+    const from = state.frame;
+    for (let i = 1; i < room && state.frame === from; i++)
+      for (const field of this.shown()) await (await this.frames.load(field, this.renderer.frameOf(field, (from + i) % count), use))?.whole;
+    this.prefetching = false;
+    if (state.frame !== from) this.redraw();
+  }
+
+  /** Marks the line of which the epipolar-plane image is. */
+  private showLine(): void {
+    const { state } = this.store;
+    const line = byId("line");
+    line.hidden = state.line < 0 || state.show !== "eye";
+    if (line.hidden) return;
+    const { left, top, width, height } = this.renderer.place;
+    const ratio = this.canvas.clientWidth / this.renderer.screen[0];
+    line.style.left = `${this.canvas.offsetLeft + left * ratio}px`;
+    line.style.top = `${this.canvas.offsetTop + (top + state.line * height) * ratio}px`;
+    line.style.width = `${width * ratio}px`;
+  }
+
+  /** Warns of flips, as `replay` does. */
+  private showZone(): void {
+    const { state } = this.store;
+    const field = this.fields[this.shown()[0]];
+    const share = state.show === "eye" ? shareOutOfZone(field, state.eye) : 0;
+    const beyond = { stays: "the outermost views", repeats: "the views of the next cone", "next lens": "the pictures of neighbouring lenses" }[field.across.beyond];
+    this.notify("zone", share > 0 ? `This eye is out of the viewing zone of ${Math.max(1, Math.round(100 * share))}\u2009% of the display: there it sees ${beyond}.` : "");
+  }
+
+  private showScale(): void {
+    const { state } = this.store;
+    const scale = byId("scale");
+    scale.hidden = this.shown().length < 2 || state.compare !== "difference";
+    if (scale.hidden) return;
+    const errors = this.difference();
+    scale.textContent = "";
+    const ends = document.createElement("span");
+    ends.textContent = `0 to ${Math.round(state.scale)} codes`;
+    const psnr = document.createElement("span");
+    psnr.textContent = errors === Infinity ? "identical" : `${errors.toFixed(2)} dB`;
+    const strip = document.createElement("i");
+    scale.append(strip, ends, psnr);
+    if (this.fields[0].frames[state.frame].psnr_db === undefined && this.timeline.psnr[state.frame] !== errors) {
+      this.timeline.psnr[state.frame] = errors;
+      this.timeline.update();
+    }
+  }
+
+  private showOrigins(): void {
+    const { state } = this.store;
+    const overlay = state.show === "display" ? "none" : state.overlay;
+    showLegend(byId("legend"), this.fields[this.shown()[0]], overlay, overlay === "none" ? null : this.renderer.originShares(state));
+  }
+
+  /** PSNR of the second picture as it is seen, in codes. */
+  private difference(): number {
+    const [first, second] = [0, 1].map((field) => this.renderer.picture({ ...this.store.state, overlay: "none" }, field, naturalSize(this.fields[0])));
+    if (!first || !second) return NaN;
+    let sum = 0;
+    for (let i = 0; i < first.length; i++) sum += (first[i] - second[i]) ** 2;
+    return sum === 0 ? Infinity : 10 * Math.log10((255 ** 2 * 0.75 * first.length) / sum);
+  }
+
+  private showValues(): void {
+    const { state } = this.store;
+    const values = byId<HTMLOutputElement>("values");
+    const share = this.pointer && this.renderer.shareAt(state, this.pointer.x, this.pointer.y);
+    if (!share || state.show === "display") {
+      values.value = "";
+      return;
+    }
+    const field = this.fields[this.shown()[0]];
+    const size = state.show === "panel" ? field.panel.size : naturalSize(field);
+    const parts = [`${Math.floor(share[0] * size[0])}, ${Math.floor(share[1] * size[1])}`];
+    this.shown().forEach((_, i) => {
+      const linear = this.renderer.valueAt(i as 0 | 1, share);
+      parts.push(linear.map((v) => String(codeFromLinear(v * 2 ** state.exposure)).padStart(3, "\u2007")).join(" "));
+      if (this.shown().length === 1) parts.push(linear.map((v) => v.toFixed(3)).join(" "));
+    });
+    if (field.depth && state.show === "eye" && this.shown().length === 1) {
+      const depth = this.renderer.depthAt(state, share);
+      if (depth !== null && Math.abs(depth) < 1e4) parts.push(`z ${depth.toFixed(1)} mm`);
+    }
+    values.value = parts.join("   ");
+  }
+
+  private focusRange(): [number, number] {
+    const field = this.fields[0];
+    const { state } = this.store;
+    const known = this.frames.peek(0, state.frame, useOf(state));
+    if (!known) return [-50, 50];
+    const nearest = field.vergence_per_mm > 0 ? 0.8 / field.vergence_per_mm : Infinity;
+    const farthest = field.vergence_per_mm > 0 ? -2 / field.vergence_per_mm : -Infinity;
+    const [least, most] = known.disparities.map((w) => {
+      const z = 1 + w * field.vergence_per_mm > 0.02 ? depthOfDisparity(field, w) : -Infinity;
+      return Math.min(Math.max(z, farthest), nearest);
+    });
+    return [Math.min(least, state.focus), Math.max(most, state.focus, least + 1)];
+  }
+
+  // ---- Pointer and keys --------------------------------------------------------------------------------------------------
+
+  private at(event: PointerEvent | WheelEvent): { x: number; y: number } {
+    const box = this.canvas.getBoundingClientRect();
+    const [width, height] = this.renderer.screen;
+    return { x: ((event.clientX - box.left) / box.width) * width, y: ((event.clientY - box.top) / box.height) * height };
+  }
+
+  private listen(): void {
+    const { canvas } = this;
+    let drag: (Drag & { moved: boolean; finger: number }) | null = null;
+    const fingers = new Set<number>();
+    // Two fingers zoom the page, as the browser does it; what the first has moved until then goes back.
+    const giveUpDrag = (): void => {
+      if (drag?.moved) this.dragTo(drag, drag);
+      drag = null;
+    };
+    canvas.addEventListener("pointerdown", (event) => {
+      fingers.add(event.pointerId);
+      if (fingers.size > 1) return giveUpDrag();
+      canvas.setPointerCapture(event.pointerId);
+      const at = this.at(event);
+      drag = { ...at, finger: event.pointerId, shares: this.shares(), moved: false, what: this.graspedAt(at.x, at.y), orbit: this.live ? orbitOf(this.live) : [0, 0], plane: this.live ? planeDistance(this.live) : 1 };
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      const at = this.at(event);
+      this.pointer = at;
+      this.redraw();
+      if (!drag || drag.finger !== event.pointerId) return;
+      if (Math.hypot(at.x - drag.x, at.y - drag.y) > 4) drag.moved = true;
+      if (drag.moved) this.dragTo(drag, at);
+    });
+    canvas.addEventListener("pointerup", (event) => {
+      fingers.delete(event.pointerId);
+      if (drag && !drag.moved) this.clickAt(this.at(event));
+      if (event.pointerType !== "mouse") this.pointer = null;
+      drag = null;
+      this.redraw();
+    });
+    canvas.addEventListener("pointercancel", (event) => {
+      fingers.delete(event.pointerId);
+      giveUpDrag();
+    });
+    canvas.addEventListener("pointerleave", () => {
+      this.pointer = null;
+      this.redraw();
+    });
+    canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+    canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault();
+      fail(new Refusal("The browser has taken the graphics away, for want of memory perhaps. Reload the page."));
+    });
+    window.addEventListener("keydown", (event) => this.key(event));
+    // Who clicks a button with a pointer means the picture by the keys that follow.
+    window.addEventListener("click", (event) => {
+      if (event.detail > 0 && event.target instanceof Element && event.target.closest("button")) canvas.focus({ preventScroll: true });
+    });
+    window.addEventListener("hashchange", () => this.store.readAddress());
+    const toggle = byId<HTMLButtonElement>("toggle");
+    toggle.addEventListener("click", () => {
+      const open = document.body.classList.toggle("open");
+      toggle.setAttribute("aria-expanded", String(open));
+    });
+  }
+
+  private shares(): [number, number] {
+    const { eye } = this.store.state;
+    const field = this.fields[0];
+    return [shareOfZone(field.across, eye[0] / eye[2]), shareOfZone(field.up, eye[1] / eye[2])];
+  }
+
+  private graspedAt(x: number, y: number): Drag["what"] {
+    const { state } = this.store;
+    const { left, top, width, height } = this.renderer.place;
+    const near = 14 * (this.renderer.screen[0] / this.canvas.clientWidth);
+    if (this.shown().length > 1 && state.compare === "wipe" && Math.abs(x - left - state.wipe * width) < near) return "wipe";
+    if (state.line >= 0 && Math.abs(y - top - state.line * height) < near) return "line";
+    return this.live ? state.drag : "eye";
+  }
+
+  private dragTo(drag: Drag, at: { x: number; y: number }): void {
+    const { left, top, width, height } = this.renderer.place;
+    if (drag.what === "wipe") this.store.set({ wipe: (at.x - left) / width });
+    else if (drag.what === "line") this.store.set({ line: Math.min(Math.max((at.y - top) / height, 0), 1) });
+    else if (this.live && drag.what === "turn") setOrbit(this.live, drag.orbit[0] - (180 * (at.x - drag.x)) / width, drag.orbit[1] + (90 * (at.y - drag.y)) / height);
+    else if (this.live && drag.what === "plane") this.movePlane(drag.plane, (drag.y - at.y) / height);
+    else if (this.store.state.show === "eye") this.moveEye(drag.shares[0] + (at.x - drag.x) / width, drag.shares[1] - (at.y - drag.y) / height);
+  }
+
+  /** From a distance, by a share of where it may be moved; upwards is away from the viewer. */
+  private movePlane(from: number, share: number): void {
+    if (!this.live?.state?.plane) return;
+    const [nearest, farthest] = planeRange(this.live);
+    setPlaneDistance(this.live, Math.min(Math.max(from + share * (farthest - nearest), nearest), farthest));
+  }
+
+  /** Within the zone, to its ends. */
+  private moveEye(across: number, up: number): void {
+    const { eye } = this.store.state;
+    const field = this.fields[0];
+    const within = (share: number) => Math.min(Math.max(share, 0), 1);
+    const x = field.across.views > 1 ? slopeInZone(field.across, within(across)) * eye[2] : eye[0];
+    const y = field.up.views > 1 ? slopeInZone(field.up, within(up)) * eye[2] : eye[1];
+    this.store.set({ eye: [x, y, eye[2]] });
+  }
+
+  private clickAt(at: { x: number; y: number }): void {
+    const { state } = this.store;
+    const share = this.renderer.shareAt(state, at.x, at.y);
+    if (!share || state.show !== "eye") return;
+    if (this.live && state.drag === "turn") return;
+    if (this.live && state.drag === "plane") this.putPlaneAt(share);
+    else this.focusAt(share);
+  }
+
+  /** What is seen there shall lie in the display's plane. */
+  putPlaneAt(share: [number, number]): void {
+    const depth = this.renderer.depthAt(this.store.state, share);
+    if (depth !== null && Number.isFinite(depth)) this.live?.setPlane(depth);
+  }
+
+  /** Focuses on what is seen there; a closed aperture opens. */
+  focusAt(share: [number, number]): void {
+    const { state } = this.store;
+    const depth = this.renderer.depthAt(state, share);
+    if (depth === null) return;
+    this.store.set({ focus: depth, aperture: state.aperture > 0 ? state.aperture : 0.5 });
+  }
+
+  /** With Ctrl it is the browser's, which zooms the page: touchpads send pinches so. */
+  private wheel(event: WheelEvent): void {
+    if (event.ctrlKey) return;
+    event.preventDefault();
+    if (this.live && this.store.state.drag === "turn") return setZoom(this.live, this.live.number("zoom", 1) * 2 ** (-Math.sign(event.deltaY) / 8));
+    const { eye } = this.store.state;
+    const factor = 2 ** (Math.sign(event.deltaY) / 16);
+    const home = this.fields[0].eye_mm[2];
+    const z = Math.min(Math.max(eye[2] * factor, home / 4), home * 4);
+    this.store.set({ eye: [(eye[0] / eye[2]) * z, (eye[1] / eye[2]) * z, z] });
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const by = event.shiftKey ? 0.01 : 0.05;
+    const [across, up] = this.shares();
+    const actions: Record<string, () => void> = {
+      ArrowLeft: () => this.arrow(across - by, up, -1, 0),
+      ArrowRight: () => this.arrow(across + by, up, 1, 0),
+      ArrowUp: () => this.arrow(across, up + by, 0, -1),
+      ArrowDown: () => this.arrow(across, up - by, 0, 1),
+      Home: () => this.moveEye(0.5, 0.5),
+      " ": () => this.timeline.toggle(),
+      ",": () => this.timeline.step(-1),
+      ".": () => this.timeline.step(1),
+      f: () => (this.player.isPlaying ? void this.player.toggleFullScreen() : this.focusAt([0.5, 0.5])),
+      a: () => this.store.set({ aperture: this.store.state.aperture > 0 ? 0 : 0.5 }),
+      p: () => this.store.set({ show: this.store.state.show === "panel" ? "eye" : "panel" }),
+    };
+    const action = actions[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    if (!action || isOfControl(event)) return;
+    event.preventDefault();
+    action();
+  }
+
+  /** Moves the eye, or before the panel's picture the loupe. */
+  private arrow(across: number, up: number, x: number, y: number): void {
+    const { show, drag } = this.store.state;
+    if (show !== "panel" && this.live && drag === "turn") return setOrbit(this.live, orbitOf(this.live)[0] + 5 * x, orbitOf(this.live)[1] - 5 * y);
+    if (show !== "panel" && this.live && drag === "plane") return this.movePlane(planeDistance(this.live), -0.02 * y);
+    if (show === "eye") this.moveEye(across, up);
+    if (show !== "panel") return;
+    const { left, top, width, height } = this.renderer.place;
+    const at = this.pointer ?? { x: left + width / 2, y: top + height / 2 };
+    this.pointer = { x: Math.min(Math.max(at.x + x * 8, left), left + width), y: Math.min(Math.max(at.y + y * 8, top), top + height) };
+    this.redraw();
+  }
+
+  // ---- What leaves the page ----------------------------------------------------------------------------------------------
+
+  /** Codes (RGBA, from the top) of what the eye sees of a light field in a picture of that size. */
+  async picture(size: [number, number], field = 0): Promise<Uint8ClampedArray> {
+    const { state } = this.store;
+    const frame = await this.frames.load(field, this.renderer.frameOf(field, state.frame), useOf({ ...state, show: "eye" }));
+    await frame?.whole;
+    const codes = this.renderer.picture(state, field, size);
+    if (!codes) throw new Refusal("The frame is not there yet.");
+    return codes;
+  }
+
+  /** Codes (RGBA, from the top) of what the panel is to show; of the canvas, whose pixels are the panel's. */
+  panelCodes(): Uint8ClampedArray {
+    this.fitCanvas();
+    this.draw();
+    return this.renderer.canvasCodes();
+  }
+
+  private savePicture(): void {
+    this.draw();
+    this.canvas.toBlob((blob) => {
+      if (!blob) return;
+      const link = document.createElement("a");
+      link.href = URL.createObjectURL(blob);
+      link.download = `${this.fields[0].title}-${this.fields[0].frames[this.store.state.frame].label}.png`;
+      link.click();
+      URL.revokeObjectURL(link.href);
+    });
+  }
+
+  private async copyLink(): Promise<void> {
+    const link = location.href.split("#")[0] + this.store.address();
+    try {
+      await navigator.clipboard.writeText(link);
+      this.notify("link", "The link is in the clipboard.");
+    } catch {
+      location.hash = this.store.address();
+      this.notify("link", "The link stands in the address bar.");
+    }
+    window.setTimeout(() => this.notify("link", ""), 3000);
+  }
+}
