@@ -162,8 +162,6 @@ def frames(
         for argument, is_said in (("environment_strength", factor != 1.0), ("environment_rotation_deg", turn != 0.0)):
             if is_said:
                 warn_of_ignored(argument, "it is of `environment`, and none is given")
-    if isinstance(scene, Scene):
-        scene._require_surfaces(core)
     if environment is None and light == "auto" and not (sampling.is_stochastic and core.kind == "whitted"):
         core.add_missing_light(sampling)
     native = choice(layout, "layout", ("views", "native")) == "native"

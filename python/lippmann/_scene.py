@@ -399,11 +399,6 @@ class Scene:
 
     # ---- Inside --------------------------------------------------------------------------------------------------------
 
-    def _require_surfaces(self, core: Any) -> None:
-        """As of files, whose readers decide it. core: a copy, with what surrounds it; a sky alone is a scene."""
-        if not self._is_file and core.shows_nothing():
-            raise Error("scene", "has no surfaces to show", "a scene with triangles that have an area, or other shapes")
-
     def _material(self, material: Optional[Material], has_uvs: bool = False) -> int:
         """The index of a material, as it is now; equal ones are one."""
         if material is None:

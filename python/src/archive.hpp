@@ -21,6 +21,7 @@
 #include "lippmann/core/math.hpp"
 #include "lippmann/core/version.hpp"
 #include "lippmann/image/image.hpp"
+#include "lippmann/trace/integrator.hpp"
 
 namespace lippmann::python {
 

@@ -8,6 +8,7 @@
 #include "bindings.hpp"
 #include "interruptible.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/frames/frame_params.hpp"
 #include "lippmann/image/encode.hpp"
 #include "lippmann/scene/builtin.hpp"
 #include "lippmann/scene/load.hpp"
@@ -271,7 +272,6 @@ void bind_scene(py::module_& module) {
       .def_property_readonly("kind", [](const Scene& s) { return word_for(s.kind); })
       .def("bounds", &bounds_of)
       .def_property_readonly("name", [](const Scene& s) { return decoded(s.name); })
-      .def("shows_nothing", &shows_nothing)
       .def_property_readonly("frame_count", [](const Scene& s) { return s.timeline.frame_count; })
       .def_property_readonly("frames_per_second", [](const Scene& s) { return s.timeline.frames_per_second; })
       .def_property_readonly("material_count", [](const Scene& s) { return s.materials.size(); })

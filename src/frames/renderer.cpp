@@ -43,8 +43,9 @@ FrameParams checked(FrameParams params, const Placement& placement, const Scene&
 
 Scene checked(Scene scene) {
   validate(scene, "scene");
-  if (shows_nothing(scene))
-    throw Error("scene", "has no surfaces to show", "a scene with triangles that have an area, or other shapes");
+  const Background& sky = scene.background;
+  if (scene.shapes.empty() && !sky.map && sky.horizon == Vec3f(0.0f) && sky.zenith == Vec3f(0.0f))
+    throw Error("scene", "has no surfaces to show", "a scene with meshes or other shapes, or with a sky");
   return scene;
 }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "job/make_optics.hpp"
+#include "job/placed_job.hpp"
 #include "lippmann/scene/load.hpp"
 #include "lippmann/scene/timeline.hpp"
 
@@ -57,9 +57,7 @@ TEST(HostileScenes, pass_validation) {
 TEST(HostileScenes, have_the_optics_that_they_ask_for) {
   for (const HostileScene& hostile : hostile_scenes()) {
     const Scene scene = hostile.build();
-    const FittedArray array = fit_array(scene);
-    const PlacedOptics placed = make_optics(hostile.params, scene, array);
-    EXPECT_NO_THROW(validate(placed.optics)) << hostile.name;
+    EXPECT_NO_THROW(validate(place(ResolvedJob(hostile.params), scene).placed.optics)) << hostile.name;
     EXPECT_EQ(hostile.params.sampling.integrator, Integrator::kPath) << hostile.name;
   }
 }

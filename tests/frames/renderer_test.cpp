@@ -96,9 +96,13 @@ TEST(Renderer, lighting_refuses_a_scene_with_bad_indices) {
   EXPECT_THROW(add_missing_light(scene, Integrator::kPath), Error);
 }
 
-TEST(Renderer, fits_depth_to_what_optics_resolve_unless_told_not_to) {
+TEST(Renderer, fits_depth_to_what_lenses_resolve) {
   const Scene scene = built_in("room");
-  EXPECT_LT(place(scene, small_quilt()).placed.depth_scale, 1.0f);
+  EXPECT_LT(place(scene, small_quilt(), {.fit_depth = true}).placed.depth_scale, 1.0f);
+  EXPECT_EQ(place(scene, small_quilt()).placed.depth_scale, 1.0f) << "nobody knows what will resolve these views";
+  Optics lenses = small_quilt();
+  lenses.model = LenticularSheet{};
+  EXPECT_LT(place(scene, lenses).placed.depth_scale, 1.0f);
 }
 
 TEST(Renderer, traces_optics_that_are_rays_alone_and_does_not_interpolate_them) {

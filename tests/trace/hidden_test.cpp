@@ -8,7 +8,7 @@ namespace {
 
 using namespace test;
 
-constexpr Integrator kEitherLight[] = {Integrator::kWhitted, Integrator::kPath};
+const Integrator kEitherLight[] = {Integrator::kWhitted, Integrator::kPath};
 constexpr Vec3f kRed{1, 0, 0}, kBlue{0, 0, 0.25f};
 
 /// What the middle of the picture shows. Depth is that of the first hit.

@@ -188,7 +188,7 @@ TEST(RoundLight, a_spot_s_edge_is_smooth_or_squared) {
       light.smooth_edge = smooth;
       const float expected = 0.75f * (smooth ? 0.5f : 0.25f);
       const Picture p = trace(s.scene, single_view(33), {}, 1, 0.0, kNearby, integrator);
-      EXPECT_NEAR(p.at(16, 16).x, expected, 0.005f) << static_cast<int>(integrator) << smooth;
+      EXPECT_NEAR(p.at(16, 16).x, expected, 0.005f) << integrator.facts().name << smooth;
     }
   }
 }

@@ -12,7 +12,7 @@ namespace {
 
 using namespace test;
 
-constexpr Integrator kIntegrators[] = {Integrator::kWhitted, Integrator::kPath};
+const Integrator kIntegrators[] = {Integrator::kWhitted, Integrator::kPath};
 const Affine3f kCloseUp{Mat3f(0.1f), Vec3f(0.0f)};
 // Index 1.5. At normal incidence ((n - 1) / (n + 1))^2 is mirrored. At 60 degrees the cosine inside is sqrt(1 - 0.75 / 2.25) =
 // 0.81650; s: ((0.5 - 1.22474) / 1.72474)^2 = 0.17657, p: ((0.75 - 0.81650) / 1.56650)^2 = 0.00180; half their sum is mirrored.

@@ -9,7 +9,7 @@ namespace {
 using namespace test;
 
 constexpr int kTransparentSize = 32;
-constexpr Integrator kBoth[] = {Integrator::kWhitted, Integrator::kPath};
+const Integrator kBoth[] = {Integrator::kWhitted, Integrator::kPath};
 
 Picture traced(const Scene& scene, Integrator integrator, int spp, bool transparent = true) {
   const ThreadPool pool(2);

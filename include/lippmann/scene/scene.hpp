@@ -412,7 +412,4 @@ struct Scene {
   SceneKind kind = SceneKind::kPhysical;
 };
 
-/// Whether a render would show nothing: the scene has no surface with an area, and no sky around it.
-bool shows_nothing(const Scene& scene);
-
 }  // namespace lippmann
