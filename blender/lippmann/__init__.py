@@ -3,7 +3,7 @@
 bl_info = {
     "name": "Lippmann",
     "author": "The authors of Lippmann",
-    "version": (0, 2, 0),
+    "version": (0, 3, 0),
     "blender": (3, 4, 0),
     "location": "Render properties, with the render engine Lippmann",
     "description": "Renders for light-field displays: quilts, native frames, views and videos",
