@@ -1,5 +1,5 @@
-// All that other programs need of Lippmann: a scene, optics and a placement go into a Renderer, frames come out; pictures and
-// light fields are read, converted, looked at and written. Each header below says what it is for.
+// The whole library. A scene, optics and a placement go into a Renderer, frames come out; other functions read, convert, show
+// and write pictures and light fields. Each header below describes its part.
 #pragma once
 
 #include "lippmann/core/context.hpp"
