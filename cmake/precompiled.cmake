@@ -3,7 +3,7 @@
 # set. Every file still includes all that it uses, and compiles without them.
 
 set(precompile ON)
-if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR CMAKE_CXX_COMPILER_LAUNCHER OR CMAKE_CXX_CLANG_TIDY OR LIPPMANN_SANITIZE)
+if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR CMAKE_CXX_COMPILER_LAUNCHER OR LIPPMANN_SANITIZE)
   set(precompile OFF)
 endif()
 option(LIPPMANN_PCH "Precompile headers; by default only where no compiler launcher is set" ${precompile})

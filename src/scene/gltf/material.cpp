@@ -162,7 +162,7 @@ class MaterialReader {
     if (refracts) e.dispersion = static_cast<float>(Extension(from, "KHR_materials_dispersion").number("dispersion", 0.0));
     if (e.sheen.color != Vec3f(0.0f) || e.anisotropy.strength > 0.0f || e.iridescence.share > 0.0f ||
         e.diffuse_transmission.share > 0.0f || e.volume || e.dispersion > 0.0f)
-      surface.extensions = std::move(e);
+      surface.extensions = e;
   }
 
   /// How thick it is, rays find out; the file only says whether it is thick at all.

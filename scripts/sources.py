@@ -1,0 +1,52 @@
+"""The sources that checks compile by themselves: how CMake would compile each, and which changed lately."""
+
+import json
+import os
+import pathlib
+import re
+import subprocess
+
+FOLDERS = ("src/", "apps/", "bench/")
+SIX_HOURS_S = 6 * 3600
+INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
+
+
+def output(*command):
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+
+
+def compile_commands(build, joined):
+    """The entry of the compilation database for each source, or for each file that joins sources of a part, by path from here.
+    `build` is the folder of this database."""
+    configure = ["cmake", "-S", ".", "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", f"-DLIPPMANN_UNITY={joined}"]
+    configure += ["-DLIPPMANN_PCH=OFF", "-DLIPPMANN_TESTS=OFF", "-DLIPPMANN_BENCH=ON", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"]
+    subprocess.run(configure, check=True, stdout=subprocess.DEVNULL)
+    entries = json.loads(pathlib.Path(build, "compile_commands.json").read_text())
+    return {os.path.relpath(entry["file"]): entry for entry in entries}
+
+
+def of_checked_folders(commands):
+    return {path: entry for path, entry in commands.items() if path.startswith(FOLDERS)}
+
+
+def changed_files(base):
+    """Files that changed since the commit `base`; since six hours before HEAD if it is None. A shallow clone has less history: then
+    all files count as changed."""
+    if base is None:
+        since = int(output("git", "log", "-1", "--format=%ct")) - SIX_HOURS_S
+        base = output("git", "rev-list", "-1", f"--before={since}", "HEAD").strip()
+        base = base or output("git", "hash-object", "-t", "tree", "/dev/null").strip()
+    return set(output("git", "diff", "--name-only", "--diff-filter=d", base).split())
+
+
+def includes(path):
+    """The project's headers that the file names itself."""
+    found = set()
+    for name in INCLUDE.findall(pathlib.Path(path).read_text()):
+        found.update(root + name for root in ("include/", "src/", "") if os.path.exists(root + name))
+    return found
+
+
+def affected(commands, changed):
+    """The sources that changed, or that include a changed header."""
+    return {path for path in commands if path in changed or includes(path) & changed}
