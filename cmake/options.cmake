@@ -59,10 +59,12 @@ function(lippmann_optimise_tests target)
   target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:$<IF:$<BOOL:${TEST_COMPUTES}>,-O1,-O0>>)
 endfunction()
 
-# lippmann_test(NAME [COMPUTES] SOURCES ... DEPENDS ...): one GoogleTest program, its tests known to ctest under their own names.
+# lippmann_test(NAME [QUICK] [COMPUTES] SOURCES ... DEPENDS ...): one GoogleTest program.
+# QUICK: all its tests together take seconds at most. ctest runs the program once, under its name and the label quick; of other
+# programs, ctest knows each test under its own name.
 # COMPUTES: its own code takes time, to look at many pixels, say.
 function(lippmann_test name)
-  cmake_parse_arguments(TEST "COMPUTES" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(TEST "QUICK;COMPUTES" "" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${name} ${TEST_SOURCES})
   target_link_libraries(${name} PRIVATE lippmann_test_support ${TEST_DEPENDS} GTest::gmock GTest::gtest_main)
   if(TEST_COMPUTES)
@@ -73,6 +75,11 @@ function(lippmann_test name)
     lippmann_use_precompiled(${name} lippmann_test_headers)
   endif()
   lippmann_may_join(${name})
-  # A loaded machine may take far longer than the 5 s that CMake gives a program to list its tests.
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT ${LIPPMANN_TEST_TIMEOUT})
+  if(TEST_QUICK)
+    add_test(NAME ${name} COMMAND ${name})
+    set_tests_properties(${name} PROPERTIES LABELS quick TIMEOUT ${LIPPMANN_TEST_TIMEOUT})
+  else()
+    # A loaded machine may take far longer than the 5 s that CMake gives a program to list its tests.
+    gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT ${LIPPMANN_TEST_TIMEOUT})
+  endif()
 endfunction()

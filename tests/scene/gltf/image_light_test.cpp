@@ -113,7 +113,8 @@ TEST(GltfImageLight, faces_show_what_is_seen_from_the_middle) {
 // An alpha of 51 is 0.2.
 TEST(GltfImageLight, alpha_divides_colours) {
   GltfBuilder b;
-  const Scene scene = parse(surrounded_by(b, Json(6, add_plain(b, {255, 128, 0, 51}))));
+  const int picture = add_plain(b, {255, 128, 0, 51});
+  const Scene scene = parse(surrounded_by(b, Json(6, picture)));
   expect_color(seen(map_of(scene), {1, 0, 0}), {5.0f, 5.0f * kHalf, 0});
 }
 
