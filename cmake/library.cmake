@@ -23,7 +23,7 @@ foreach(part ${parts})
   target_sources(lippmann_library PRIVATE $<TARGET_OBJECTS:lippmann_${part}>)
   target_link_libraries(lippmann_library PRIVATE lippmann_${part})
 endforeach()
-# What belongs to others (tinygltf, stb, Draco) stays inside: programs may have their own.
+# What belongs to others (stb, Draco) stays inside: programs may have their own.
 target_link_options(lippmann_library PRIVATE
   -Wl,--version-script=${PROJECT_SOURCE_DIR}/cmake/exported_symbols.map -Wl,--as-needed)
 if(NOT LIPPMANN_SANITIZE)

@@ -16,39 +16,30 @@ namespace {
 // ---- Layout ---------------------------------------------------------------------------------------------------------
 
 /// 0 for a type that glTF does not have.
-std::size_t component_bytes(int type) {
+std::size_t component_bytes(ComponentType type) {
   switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+    case ComponentType::kByte:
+    case ComponentType::kUnsignedByte:
       return 1;
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+    case ComponentType::kShort:
+    case ComponentType::kUnsignedShort:
       return 2;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+    case ComponentType::kUnsignedInt:
+    case ComponentType::kFloat:
       return 4;
     default:
       return 0;
   }
 }
 
-bool is_unsigned(int type) {
-  return type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE || type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
-         type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
-}
-
-std::size_t components_of(int type) {
-  return static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(type)));
+bool is_unsigned(ComponentType type) {
+  return type == ComponentType::kUnsignedByte || type == ComponentType::kUnsignedShort || type == ComponentType::kUnsignedInt;
 }
 
 /// Columns of matrices begin at multiples of four bytes.
-std::size_t element_bytes(const tinygltf::Accessor& a) {
-  const std::size_t component = component_bytes(a.componentType);
-  const std::size_t rows = a.type == TINYGLTF_TYPE_MAT2   ? 2
-                           : a.type == TINYGLTF_TYPE_MAT3 ? 3
-                           : a.type == TINYGLTF_TYPE_MAT4 ? 4
-                                                          : 0;
-  return rows ? rows * ((rows * component + 3) / 4 * 4) : components_of(a.type) * component;
+std::size_t element_bytes(const Accessor& a) {
+  const std::size_t component = component_bytes(a.component_type), side = static_cast<std::size_t>(a.matrix_side);
+  return side ? side * ((side * component + 3) / 4 * 4) : static_cast<std::size_t>(a.components) * component;
 }
 
 /// Where the elements of an accessor lie in its buffer view.
@@ -59,44 +50,36 @@ struct Elements {
   const std::byte* operator[](std::size_t i) const { return bytes.data() + i * stride; }
 };
 
-Bytes view_bytes(const Document& document, int index) {
-  const tinygltf::BufferView& view = document.model.bufferViews[static_cast<std::size_t>(index)];
-  return document.buffers[static_cast<std::size_t>(view.buffer)].subspan(view.byteOffset, view.byteLength);
-}
-
 /// Checks, without overflow, that `count` elements fit: offset + (count - 1) stride + size <= bytes.
 Elements locate(const Document& document, int view_index, std::size_t offset, std::size_t size, std::size_t count,
                 const std::string& where) {
-  const tinygltf::BufferView& view = document.model.bufferViews[static_cast<std::size_t>(view_index)];
-  const std::size_t stride = view.byteStride ? view.byteStride : size;
-  const bool fits =
-      offset <= view.byteLength && size <= view.byteLength - offset && count - 1 <= (view.byteLength - offset - size) / stride;
+  const BufferView& view = document.buffer_views[static_cast<std::size_t>(view_index)];
+  const std::size_t stride = view.byte_stride ? view.byte_stride : size;
+  const bool fits = offset <= view.byte_length && size <= view.byte_length - offset &&
+                    count - 1 <= (view.byte_length - offset - size) / stride;
   if (stride < size) document.report.fail(where, fmt::format("elements of {} bytes stand {} bytes apart", size, stride));
   if (!fits)
     document.report.fail(
         where, fmt::format("{} elements of {} bytes from byte {} on lie outside bufferViews[{}], which has {} bytes", count,
-                           size, offset, view_index, view.byteLength));
-  return {view_bytes(document, view_index).subspan(offset), stride, count};
+                           size, offset, view_index, view.byte_length));
+  return {document.view(view_index).subspan(offset), stride, count};
 }
 
-Elements dense_elements(const Document& document, const tinygltf::Accessor& a, const std::string& where) {
-  return locate(document, a.bufferView, a.byteOffset, element_bytes(a), a.count, where);
+Elements dense_elements(const Document& document, const Accessor& a, const std::string& where) {
+  return locate(document, a.buffer_view, a.byte_offset, element_bytes(a), a.count, where);
 }
 
 struct SparseElements {
   Elements indices, values;
 };
 
-SparseElements sparse_elements(const Document& document, const tinygltf::Accessor& a, const std::string& where) {
-  const auto& s = a.sparse;
-  const int type = s.indices.componentType;
-  if (!is_unsigned(type)) document.report.fail(where + ".sparse.indices", "the component type is not an unsigned integer");
-  const std::size_t count = static_cast<std::size_t>(s.count);
-  if (count > a.count) document.report.fail(where + ".sparse", fmt::format("replaces {} of {} elements", count, a.count));
-  return {locate(document, s.indices.bufferView, static_cast<std::size_t>(s.indices.byteOffset), component_bytes(type), count,
-                 where + ".sparse.indices"),
-          locate(document, s.values.bufferView, static_cast<std::size_t>(s.values.byteOffset), element_bytes(a), count,
-                 where + ".sparse.values")};
+SparseElements sparse_elements(const Document& document, const Accessor& a, const std::string& where) {
+  const Sparse& s = *a.sparse;
+  if (!is_unsigned(s.index_type))
+    document.report.fail(where + ".sparse.indices", "the component type is not an unsigned integer");
+  if (s.count > a.count) document.report.fail(where + ".sparse", fmt::format("replaces {} of {} elements", s.count, a.count));
+  return {locate(document, s.index_view, s.index_offset, component_bytes(s.index_type), s.count, where + ".sparse.indices"),
+          locate(document, s.value_view, s.value_offset, element_bytes(a), s.count, where + ".sparse.values")};
 }
 
 // ---- Conversion -----------------------------------------------------------------------------------------------------
@@ -110,11 +93,11 @@ C load(const std::byte* at) {
 
 /// Calls use(C{}) with the C++ type of an unsigned component type.
 template <class F>
-void with_unsigned(int type, const F& use) {
+void with_unsigned(ComponentType type, const F& use) {
   switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+    case ComponentType::kUnsignedByte:
       return use(std::uint8_t{});
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+    case ComponentType::kUnsignedShort:
       return use(std::uint16_t{});
     default:
       return use(std::uint32_t{});
@@ -123,13 +106,13 @@ void with_unsigned(int type, const F& use) {
 
 /// The same for any component type that has passed check_accessors().
 template <class F>
-void with_component(int type, const F& use) {
+void with_component(ComponentType type, const F& use) {
   switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
+    case ComponentType::kByte:
       return use(std::int8_t{});
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
+    case ComponentType::kShort:
       return use(std::int16_t{});
-    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+    case ComponentType::kFloat:
       return use(float{});
     default:
       return with_unsigned(type, use);
@@ -154,24 +137,24 @@ struct Target {
   float* operator[](std::size_t i) const { return values + i * components; }
 };
 
-std::uint32_t sparse_index(const tinygltf::Accessor& a, const SparseElements& sparse, std::size_t i) {
+std::uint32_t sparse_index(const Accessor& a, const SparseElements& sparse, std::size_t i) {
   std::uint32_t index = 0;
-  with_unsigned(a.sparse.indices.componentType, [&](auto c) { index = load<decltype(c)>(sparse.indices[i]); });
+  with_unsigned(a.sparse->index_type, [&](auto c) { index = load<decltype(c)>(sparse.indices[i]); });
   return index;
 }
 
-void fill(const Document& document, const tinygltf::Accessor& a, const std::string& where, Target target) {
+void fill(const Document& document, const Accessor& a, const std::string& where, Target target) {
   const auto convert = [&](const std::byte* from, float* to) {
-    with_component(a.componentType, [&](auto c) {
+    with_component(a.component_type, [&](auto c) {
       using C = decltype(c);
       for (std::size_t k = 0; k < target.components; ++k) to[k] = to_float(load<C>(from + k * sizeof(C)), a.normalized);
     });
   };
-  if (a.bufferView >= 0) {
+  if (a.buffer_view >= 0) {
     const Elements elements = dense_elements(document, a, where);
     for (std::size_t i = 0; i < a.count; ++i) convert(elements[i], target[i]);
   }
-  if (!a.sparse.isSparse) return;
+  if (!a.sparse) return;
   const SparseElements sparse = sparse_elements(document, a, where);
   for (std::size_t i = 0; i < sparse.indices.count; ++i) {
     const std::uint32_t index = sparse_index(a, sparse, i);
@@ -196,10 +179,10 @@ std::string_view type_name(std::size_t components) {
   }
 }
 
-const tinygltf::Accessor& accessor_of_type(const Document& document, int index, std::size_t components) {
-  const tinygltf::Accessor& a = document.model.accessors[static_cast<std::size_t>(index)];
-  const bool square = a.type == TINYGLTF_TYPE_MAT2;  // four components, but not a VEC4
-  if (components_of(a.type) != components || square)
+const Accessor& accessor_of_type(const Document& document, int index, std::size_t components) {
+  const Accessor& a = document.accessor(index);
+  const bool square = a.matrix_side == 2;  // four components, but not a VEC4
+  if (static_cast<std::size_t>(a.components) != components || square)
     document.report.fail(element("accessors", static_cast<std::size_t>(index)), "has the wrong type for its use",
                          std::string(type_name(components)));
   return a;
@@ -208,27 +191,25 @@ const tinygltf::Accessor& accessor_of_type(const Document& document, int index, 
 }  // namespace
 
 void check_views(const Document& document) {
-  const tinygltf::Model& model = document.model;
-  for (std::size_t i = 0; i < model.bufferViews.size(); ++i) {
-    const tinygltf::BufferView& view = model.bufferViews[i];
+  for (std::size_t i = 0; i < document.buffer_views.size(); ++i) {
+    const BufferView& view = document.buffer_views[i];
     const std::size_t available = document.buffers[static_cast<std::size_t>(view.buffer)].size();
-    if (view.byteOffset > available || view.byteLength > available - view.byteOffset)
+    if (view.byte_offset > available || view.byte_length > available - view.byte_offset)
       document.report.fail(element("bufferViews", i),
-                           fmt::format("{} bytes from byte {} on lie outside buffers[{}], which has {} bytes", view.byteLength,
-                                       view.byteOffset, view.buffer, available));
+                           fmt::format("{} bytes from byte {} on lie outside buffers[{}], which has {} bytes", view.byte_length,
+                                       view.byte_offset, view.buffer, available));
   }
 }
 
 void check_accessors(const Document& document) {
-  const tinygltf::Model& model = document.model;
-  for (std::size_t i = 0; i < model.accessors.size(); ++i) {
-    const tinygltf::Accessor& a = model.accessors[i];
+  for (std::size_t i = 0; i < document.accessors.size(); ++i) {
+    const Accessor& a = document.accessors[i];
     const std::string where = element("accessors", i);
-    if (!component_bytes(a.componentType))
-      document.report.fail(where, fmt::format("has the component type {}", a.componentType),
+    if (!component_bytes(a.component_type))
+      document.report.fail(where, fmt::format("has the component type {}", static_cast<int>(a.component_type)),
                            "5120, 5121, 5122, 5123, 5125, 5126");
-    if (a.bufferView >= 0) dense_elements(document, a, where);
-    if (a.sparse.isSparse) sparse_elements(document, a, where);
+    if (a.buffer_view >= 0) dense_elements(document, a, where);
+    if (a.sparse) sparse_elements(document, a, where);
   }
 }
 
@@ -236,7 +217,7 @@ template <class T>
 std::vector<T> unpack(Document& document, int index) {
   constexpr std::size_t components = kComponents<T>;
   const std::string where = element("accessors", static_cast<std::size_t>(index));
-  const tinygltf::Accessor& a = accessor_of_type(document, index, components);
+  const Accessor& a = accessor_of_type(document, index, components);
   document.unpacked.spend(a.count, sizeof(T), where, document.report);
   std::vector<T> values(a.count, T(0.0f));
   const Target target{reinterpret_cast<float*>(values.data()), components};
@@ -250,14 +231,14 @@ template <class T>
 std::vector<T> unpack_unsigned(Document& document, int index) {
   constexpr std::size_t components = kComponents<T>;
   const std::string where = element("accessors", static_cast<std::size_t>(index));
-  const tinygltf::Accessor& a = accessor_of_type(document, index, components);
-  if (!is_unsigned(a.componentType) || a.bufferView < 0 || a.sparse.isSparse)
+  const Accessor& a = accessor_of_type(document, index, components);
+  if (!is_unsigned(a.component_type) || a.buffer_view < 0 || a.sparse)
     document.report.fail(where, "does not hold plain unsigned integers", "component type 5121, 5123 or 5125, not sparse");
   document.unpacked.spend(a.count, sizeof(T), where, document.report);
   std::vector<T> values(a.count);
   std::uint32_t* out = reinterpret_cast<std::uint32_t*>(values.data());
   const Elements elements = dense_elements(document, a, where);
-  with_unsigned(a.componentType, [&](auto c) {
+  with_unsigned(a.component_type, [&](auto c) {
     using C = decltype(c);
     for (std::size_t i = 0; i < a.count; ++i)
       for (std::size_t k = 0; k < components; ++k) out[i * components + k] = load<C>(elements[i] + k * sizeof(C));

@@ -20,9 +20,10 @@ float value_of(float x) { return x; }
 Vec3f value_of(Vec3f v) { return v; }
 Quatf value_of(Vec4f v) { return {v.w, v.x, v.y, v.z}; }
 
-Interpolation interpolation_of(const tinygltf::AnimationSampler& sampler) {
-  if (sampler.interpolation == "STEP") return Interpolation::kStep;
-  return sampler.interpolation == "CUBICSPLINE" ? Interpolation::kCubicSpline : Interpolation::kLinear;
+Interpolation interpolation_of(Value sampler) {
+  const std::string& name = sampler["interpolation"].text();
+  if (name == "STEP") return Interpolation::kStep;
+  return name == "CUBICSPLINE" ? Interpolation::kCubicSpline : Interpolation::kLinear;
 }
 
 class AnimationReader {
@@ -34,30 +35,33 @@ class AnimationReader {
   double duration = 0.0;
 
   void read(std::size_t index) {
-    const tinygltf::Animation& animation = document_.model.animations[index];
-    for (std::size_t i = 0; i < animation.channels.size(); ++i)
-      read_channel(animation, animation.channels[i], element("animations", index, "channels", i));
+    const Value animation = document_.root["animations"].at(index), channels = animation["channels"];
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+      const Value sampler = animation["samplers"].at(channels.at(i)["sampler"].count());
+      read_channel(sampler, channels.at(i)["target"], element("animations", index, "channels", i));
+    }
   }
 
  private:
-  void read_channel(const tinygltf::Animation& animation, const tinygltf::AnimationChannel& channel, const std::string& where) {
-    if (channel.target_node < 0) return;  // an extension says what it animates
-    const tinygltf::AnimationSampler& sampler = animation.samplers[static_cast<std::size_t>(channel.sampler)];
-    const int node = nodes_.scene_node[static_cast<std::size_t>(channel.target_node)];
+  void read_channel(Value sampler, Value animated, const std::string& where) {
+    const int file_node = animated["node"].index();
+    if (file_node < 0) return;  // an extension says what it animates
+    const int node = nodes_.scene_node[static_cast<std::size_t>(file_node)];
     if (node < 0) return;
-    if (channel.target_path == "weights") return read_weights(sampler, where, node);
+    const std::string& path = animated["path"].text();
+    if (path == "weights") return read_weights(sampler, where, node);
     if (scene_.nodes[static_cast<std::size_t>(node)].matrix)
-      report_.fail(where, fmt::format("animates nodes[{}], which has a matrix", channel.target_node),
+      report_.fail(where, fmt::format("animates nodes[{}], which has a matrix", file_node),
                    "a node with translation, rotation and scale");
     NodeAnimation& target = animation_of(node);
-    if (channel.target_path == "translation")
+    if (path == "translation")
       read_values<Vec3f>(sampler, where, target.translation);
-    else if (channel.target_path == "scale")
+    else if (path == "scale")
       read_values<Vec3f>(sampler, where, target.scale);
-    else if (channel.target_path == "rotation")
+    else if (path == "rotation")
       read_rotations(sampler, where, target.rotation);
     else
-      report_.fail(where + ".target.path", "is " + shown(channel.target_path), "translation, rotation, scale, weights");
+      report_.fail(where + ".target.path", "is " + shown(path), "translation, rotation, scale, weights");
   }
 
   NodeAnimation& animation_of(int node) {
@@ -69,12 +73,11 @@ class AnimationReader {
 
   /// count: how many values lie side by side in the place of one.
   template <class V, class T>
-  void read_values(const tinygltf::AnimationSampler& sampler, const std::string& where, Channel<T>& channel,
-                   std::size_t count = 1) {
+  void read_values(Value sampler, const std::string& where, Channel<T>& channel, std::size_t count = 1) {
     if (!channel.times.empty()) report_.fail(where, "animates what another channel animates already");
     channel.interpolation = interpolation_of(sampler);
-    channel.times = read_times(sampler.input);
-    const std::vector<V> values = unpack<V>(document_, sampler.output);
+    channel.times = read_times(sampler["input"].index());
+    const std::vector<V> values = unpack<V>(document_, sampler["output"].index());
     const std::size_t per_key = count * (channel.interpolation == Interpolation::kCubicSpline ? 3 : 1);
     if (values.size() != per_key * channel.times.size())
       report_.fail(where, fmt::format("has {} keys, but {} values", channel.times.size(), values.size()),
@@ -83,13 +86,13 @@ class AnimationReader {
     duration = std::max(duration, channel.times.back());
   }
 
-  void read_weights(const tinygltf::AnimationSampler& sampler, const std::string& where, int node) {
+  void read_weights(Value sampler, const std::string& where, int node) {
     const std::size_t count = scene_.nodes[static_cast<std::size_t>(node)].morph_weights.size();
     if (count == 0) return report_.warn_at("animated weights of nodes without morph targets are left out", where);
     read_values<float>(sampler, where, animation_of(node).morph_weights, count);
   }
 
-  void read_rotations(const tinygltf::AnimationSampler& sampler, const std::string& where, Channel<Quatf>& channel) {
+  void read_rotations(Value sampler, const std::string& where, Channel<Quatf>& channel) {
     read_values<Vec4f>(sampler, where, channel);
     const bool cubic = channel.interpolation == Interpolation::kCubicSpline;
     for (std::size_t key = 0; key < channel.times.size(); ++key) {
@@ -131,7 +134,7 @@ double rate_of_keys(const Timeline& timeline) {
 void read_animation(Document& document, const NodeMap& nodes, const std::string& wanted, double frames_per_second,
                     Scene& scene) {
   scene.timeline.frames_per_second = frames_per_second > 0.0 ? frames_per_second : kGltfFramesPerSecond;
-  for (const tinygltf::Animation& animation : document.model.animations) scene.animation_names.push_back(animation.name);
+  scene.animation_names = names_in(document.root["animations"]);
   if (scene.animation_names.empty()) {
     if (!wanted.empty()) throw usage_error("animation", "has no effect: the file has no animations", "a file with animations");
     return;

@@ -10,24 +10,32 @@
 
 namespace lippmann::gltf {
 
-const tinygltf::Primitive& primitive_of(const Document& document, PrimitiveId id) {
-  return document.model.meshes[static_cast<std::size_t>(id.mesh)].primitives[static_cast<std::size_t>(id.primitive)];
+Mode mode_of(Value primitive) { return static_cast<Mode>(primitive["mode"].integer(static_cast<int>(Mode::kTriangles))); }
+
+std::vector<PrimitiveId> all_primitives(const Document& document) {
+  std::vector<PrimitiveId> all;
+  const Value meshes = document.root["meshes"];
+  for (std::size_t m = 0; m < meshes.size(); ++m)
+    for (std::size_t p = 0; p < meshes.at(m)["primitives"].size(); ++p)
+      all.push_back({static_cast<int>(m), static_cast<int>(p)});
+  return all;
+}
+
+Value primitive_of(const Document& document, PrimitiveId id) {
+  return document.at("meshes", id.mesh)["primitives"].at(static_cast<std::size_t>(id.primitive));
 }
 
 std::string element(PrimitiveId id) {
   return element("meshes", static_cast<std::size_t>(id.mesh), "primitives", static_cast<std::size_t>(id.primitive));
 }
 
-int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
-  const auto found = primitive.attributes.find(name);
-  return found == primitive.attributes.end() ? -1 : found->second;
-}
+int attribute(Value primitive, const std::string& name) { return primitive["attributes"][name].index(); }
 
 template <class T>
 std::vector<T> read_per_vertex(Document& document, PrimitiveId id, int accessor, const std::string& name,
                                std::size_t vertices) {
   if (accessor < 0) return {};
-  const std::size_t count = document.model.accessors[static_cast<std::size_t>(accessor)].count;
+  const std::size_t count = document.accessor(accessor).count;
   if (count != vertices)
     document.report.fail(element(id), fmt::format("has {} positions, but {} values of {}", vertices, count, name));
   return unpack<T>(document, accessor);
@@ -41,7 +49,7 @@ std::vector<T> read_attribute(Document& document, PrimitiveId id, const std::str
 void warn_of_unread_attributes(Document& document, PrimitiveId id) {
   constexpr std::string_view kRead[] = {"POSITION", "NORMAL", "TANGENT", "COLOR_0"};
   constexpr std::string_view kSets[] = {"TEXCOORD_", "JOINTS_", "WEIGHTS_"};
-  for (const auto& [name, accessor] : primitive_of(document, id).attributes) {
+  for (const auto& [name, accessor] : primitive_of(document, id)["attributes"].index_map()) {
     const auto begins = [&attribute_name = name](std::string_view set) { return attribute_name.starts_with(set); };
     if (std::find(std::begin(kRead), std::end(kRead), name) != std::end(kRead)) continue;
     if (std::any_of(std::begin(kSets), std::end(kSets), begins)) continue;
@@ -53,7 +61,7 @@ void read_colors(Document& document, PrimitiveId id, Mesh& mesh) {
   const int accessor = attribute(primitive_of(document, id), "COLOR_0");
   if (accessor < 0) return;
   const std::size_t vertices = mesh.positions.size();
-  if (document.model.accessors[static_cast<std::size_t>(accessor)].type == TINYGLTF_TYPE_VEC3) {
+  if (document.accessor(accessor).components == 3) {
     mesh.colors = read_per_vertex<Vec3f>(document, id, accessor, "COLOR_0", vertices);
   } else {
     for (const Vec4f& rgba : read_per_vertex<Vec4f>(document, id, accessor, "COLOR_0", vertices)) {

@@ -14,11 +14,16 @@ struct PrimitiveId {
   auto operator<=>(const PrimitiveId&) const = default;
 };
 
-const tinygltf::Primitive& primitive_of(const Document& document, PrimitiveId id);
+/// As glTF numbers them.
+enum class Mode : int { kPoints = 0, kTriangles = 4, kTriangleStrip, kTriangleFan };
+Mode mode_of(Value primitive);
+
+std::vector<PrimitiveId> all_primitives(const Document& document);
+Value primitive_of(const Document& document, PrimitiveId id);
 std::string element(PrimitiveId id);
 
 /// The accessor of an attribute; -1: the primitive does not have it.
-int attribute(const tinygltf::Primitive& primitive, const std::string& name);
+int attribute(Value primitive, const std::string& name);
 
 /// One value per vertex, or none where the primitive does not have the attribute. T: Vec2f, Vec3f, Vec4f.
 template <class T>

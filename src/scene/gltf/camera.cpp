@@ -8,10 +8,10 @@
 namespace lippmann::gltf {
 namespace {
 
-Camera read_perspective(const tinygltf::PerspectiveCamera& from) {
+Camera read_perspective(Value from) {
   Camera camera;
-  camera.vertical_fov = static_cast<float>(from.yfov);
-  camera.aspect = static_cast<float>(from.aspectRatio);
+  camera.vertical_fov = static_cast<float>(from["yfov"].number(0.0));
+  camera.aspect = static_cast<float>(from["aspectRatio"].number(0.0));
   return camera;
 }
 
@@ -29,15 +29,20 @@ float half_extent(const Affine3f& node_from_world, const Bounds3f& bounds) {
   return half > 0.0f && std::isfinite(half) ? half : 1.0f;
 }
 
+bool shows_nothing(Value orthographic) {
+  return orthographic["xmag"].number(0.0) == 0.0 || orthographic["ymag"].number(0.0) == 0.0;
+}
+
 /// Its angle is that of a perspective camera that shows the same height at the scene's centre, for whoever wants an angle.
-Camera read_orthographic(const tinygltf::OrthographicCamera& from, int node, const Scene& scene) {
+Camera read_orthographic(Value from, int node, const Scene& scene) {
   const ResolvedScene rest = evaluate(scene, 0.0);
   const Bounds3f bounds = finite_bounds(scene, rest);
   const Affine3f node_from_world = inverse(rest.of(node));
-  const bool is_empty = from.xmag == 0.0 || from.ymag == 0.0;
-  const float half_height = is_empty ? half_extent(node_from_world, bounds) : std::abs(static_cast<float>(from.ymag));
-  const float half_width = std::abs(static_cast<float>(from.xmag));
-  const float middle = static_cast<float>(0.5 * (from.znear + from.zfar));
+  const bool is_empty = shows_nothing(from);
+  const float half_height =
+      is_empty ? half_extent(node_from_world, bounds) : std::abs(static_cast<float>(from["ymag"].number(0.0)));
+  const float half_width = std::abs(static_cast<float>(from["xmag"].number(0.0)));
+  const float middle = static_cast<float>(0.5 * (from["znear"].number(0.0) + from["zfar"].number(0.0)));
   const float distance = distance_to_centre(node_from_world, bounds, std::max(middle, half_height));
   constexpr float kNarrowest = 1e-3f, kWidest = 3.0f;
   Camera camera;
@@ -51,16 +56,20 @@ Camera read_orthographic(const tinygltf::OrthographicCamera& from, int node, con
 
 void read_cameras(Document& document, const NodeMap& nodes, Scene& scene) {
   for (std::size_t i = 0; i < nodes.file_node.size(); ++i) {
-    const int index = document.model.nodes[static_cast<std::size_t>(nodes.file_node[i])].camera;
+    const int index = document.at("nodes", nodes.file_node[i])["camera"].index();
     if (index < 0) continue;
-    const tinygltf::Camera& from = document.model.cameras[static_cast<std::size_t>(index)];
+    const Value from = document.at("cameras", index);
+    const std::string& type = from["type"].text();
+    const std::string where = element("cameras", static_cast<std::size_t>(index));
+    const Value shape = from[type];
+    if (!shape) document.report.fail(where + "." + type, "is missing");
     const int node = static_cast<int>(i);
-    const bool perspective = from.type == "perspective";
-    if (!perspective && (from.orthographic.xmag == 0.0 || from.orthographic.ymag == 0.0))
+    const bool perspective = type == "perspective";
+    if (!perspective && shows_nothing(shape))
       document.report.warn_at("orthographic cameras whose xmag or ymag is 0 would show nothing: they show the whole scene",
-                              element("cameras", static_cast<std::size_t>(index)));
-    Camera camera = perspective ? read_perspective(from.perspective) : read_orthographic(from.orthographic, node, scene);
-    camera.name = !from.name.empty() ? from.name : scene.nodes[i].name;
+                              where);
+    Camera camera = perspective ? read_perspective(shape) : read_orthographic(shape, node, scene);
+    camera.name = !from["name"].text().empty() ? from["name"].text() : scene.nodes[i].name;
     camera.node = node;
     scene.cameras.push_back(std::move(camera));
   }

@@ -24,6 +24,12 @@ std::string listed(const std::vector<std::string>& names) {
 
 }  // namespace
 
+std::vector<std::string> names_in(Value array) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < array.size(); ++i) names.push_back(array.at(i)["name"].text());
+  return names;
+}
+
 std::size_t choose(const char* parameter, const std::vector<std::string>& names, const std::string& wanted) {
   const auto named = std::find(names.begin(), names.end(), wanted);
   if (named != names.end()) return static_cast<std::size_t>(named - names.begin());

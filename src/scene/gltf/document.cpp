@@ -1,21 +1,18 @@
 // From bytes to a checked document, in the order in which trust grows:
 // 1. take the container apart; 2. parse the JSON within limits; 3. check it against the schema, which also removes all that is
-// not used; 4. take buffers and images out of it and fetch the buffers ourselves; 5. let tinygltf turn what is left, which
-// holds no file names and no sizes of data, into structs, and check their indices; 6. decompress, and check
-// byte ranges, once the counts are known to fit into memory (demand.hpp).
+// not used; 4. fetch the buffers, and read buffer views and accessors; 5. decompress, and check byte ranges, once the counts
+// are known to fit into memory (demand.hpp).
 #include "scene/gltf/document.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <exception>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
 
 #include "core/file_content.hpp"
 #include "scene/gltf/accessor.hpp"
-#include "scene/gltf/check_indices.hpp"
 #include "scene/gltf/draco.hpp"
 #include "scene/gltf/json.hpp"
 #include "scene/gltf/meshopt.hpp"
@@ -128,60 +125,85 @@ void check_extensions(const Json& root, UsedExtensions used, Report& report) {
 }
 
 /// What a buffer refers to; `left` counts down the bytes that buffers may still load.
-Bytes fetch_buffer(const Json& buffer, const std::string& where, std::uint64_t& left, Document& document) {
-  const std::string& uri = buffer.at("uri").get_ref<const std::string&>();
+Bytes fetch_buffer(Value buffer, const std::string& where, std::uint64_t& left, Document& document) {
+  const std::string& uri = buffer["uri"].text();
   document.loaded.push_back(fetch(uri, document.folders, left, where, document.report));
-  const bool is_short = document.loaded.back().size() < buffer.at("byteLength").get<std::size_t>();
+  const bool is_short = document.loaded.back().size() < buffer["byteLength"].count();
   if (const auto stand_in = stand_in_for_file(document.loaded.back()); stand_in && is_short && !uri.starts_with("data:"))
     document.report.fail(where, fmt::format("{} is {}", shown(uri), stand_in->what), stand_in->remedy);
   left -= std::min<std::uint64_t>(left, document.loaded.back().size());
   return document.loaded.back();
 }
 
-void take_buffers(Json& root, std::optional<Bytes> binary, Document& document) {
-  const auto buffers = root.find("buffers");
-  if (buffers == root.end()) return;
+void read_buffers(std::optional<Bytes> binary, Document& document) {
+  const Value buffers = document.root["buffers"];
   std::uint64_t left = document.limits.file_bytes;
-  for (std::size_t i = 0; i < buffers->size(); ++i) {
-    const Json& buffer = (*buffers)[i];
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    const Value buffer = buffers.at(i);
     const std::string where = element("buffers", i);
     if (is_fallback(buffer)) {
       document.buffers.emplace_back();
       continue;
     }
-    const bool in_chunk = !buffer.contains("uri");
+    const bool in_chunk = !buffer["uri"];
     if (in_chunk && (i != 0 || !binary)) document.report.fail(where, "has no uri, and there is no binary chunk for it");
     const Bytes available = in_chunk ? *binary : fetch_buffer(buffer, where, left, document);
-    const std::size_t declared = buffer.at("byteLength").get<std::size_t>();
+    const std::size_t declared = buffer["byteLength"].count();
     if (declared > available.size())
       document.report.fail(where, fmt::format("promises {} bytes, {} are there", declared, available.size()));
     document.buffers.push_back(available.first(declared));
   }
-  root.erase(buffers);
 }
 
-void take_images(Json& root, Document& document) {
-  const auto images = root.find("images");
-  if (images == root.end()) return;
-  for (const Json& image : *images)
-    document.images.push_back({image.value("name", ""), image.value("uri", ""), image.value("bufferView", -1)});
-  root.erase(images);
+BufferView read_view(Value from) {
+  return {from["buffer"].index(), from["byteOffset"].count(), from["byteLength"].count(), from["byteStride"].count()};
 }
 
-void parse_model(const Json& root, Document& document) {
-  const std::string text = root.dump();
-  if (text.size() > std::numeric_limits<unsigned>::max()) document.report.fail("", "the JSON is too long");
-  tinygltf::TinyGLTF parser;
-  std::string errors, warnings;
-  bool good = false;
-  try {
-    good = parser.LoadASCIIFromString(&document.model, &errors, &warnings, text.data(), static_cast<unsigned>(text.size()), {},
-                                      tinygltf::REQUIRE_VERSION);
-  } catch (const std::exception& error) {
-    errors = error.what();
+Sparse read_sparse(Value from) {
+  const Value indices = from["indices"], values = from["values"];
+  return {.count = from["count"].count(),
+          .index_view = indices["bufferView"].index(),
+          .value_view = values["bufferView"].index(),
+          .index_offset = indices["byteOffset"].count(),
+          .value_offset = values["byteOffset"].count(),
+          .index_type = static_cast<ComponentType>(indices["componentType"].integer(0))};
+}
+
+Accessor read_accessor(Value from) {
+  Accessor accessor;
+  accessor.buffer_view = from["bufferView"].index();
+  accessor.byte_offset = from["byteOffset"].count();
+  accessor.count = from["count"].count();
+  accessor.component_type = static_cast<ComponentType>(from["componentType"].integer(0));
+  accessor.normalized = from["normalized"].flag(false);
+  const std::string& type = from["type"].text();  // SCALAR, VEC2 ... VEC4, MAT2 ... MAT4
+  const int side = type == "SCALAR" ? 1 : type.back() - '0';
+  accessor.matrix_side = type.starts_with("MAT") ? side : 0;
+  accessor.components = accessor.matrix_side ? side * side : side;
+  if (const Value sparse = from["sparse"]) accessor.sparse = read_sparse(sparse);
+  return accessor;
+}
+
+void read_layout(Document& document) {
+  const Value views = document.root["bufferViews"], accessors = document.root["accessors"];
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    document.buffer_views.push_back(read_view(views.at(i)));
+    document.packed_views.push_back(packed_view(views.at(i)));
   }
-  // It reports several errors a line each; some of them, about what is optional in glTF, with success.
-  if (!good) document.report.fail("", printable(errors.substr(0, errors.find('\n'))));
+  for (std::size_t i = 0; i < accessors.size(); ++i) document.accessors.push_back(read_accessor(accessors.at(i)));
+}
+
+/// Checks the indices of animation samplers. The schema checks only indices into arrays of the root.
+void check_channels(const Document& document) {
+  const Value animations = document.root["animations"];
+  for (std::size_t i = 0; i < animations.size(); ++i) {
+    const Value channels = animations.at(i)["channels"];
+    const std::size_t samplers = animations.at(i)["samplers"].size();
+    for (std::size_t c = 0; c < channels.size(); ++c)
+      if (const std::size_t sampler = channels.at(c)["sampler"].count(); sampler >= samplers)
+        document.report.fail(element("animations", i, "channels", c),
+                             fmt::format("refers to samplers[{}], but there are {}", sampler, samplers));
+  }
 }
 
 }  // namespace
@@ -200,12 +222,11 @@ void read_document(std::vector<std::byte> contents, Document& document) {
   SchemaFindings findings = check_schema(root, document.report);
   findings.unknown.warn(document.report.context(), "property", "properties");
   check_extensions(root, std::move(findings.extensions), document.report);
-  take_buffers(root, container.binary, document);
-  take_images(root, document);
-  take_packed_views(root, document);
-  lend_views(root);
-  parse_model(root, document);
-  check_indices(document);
+  document.json = std::make_shared<const Json>(std::move(root));
+  document.root = Value(*document.json);
+  check_channels(document);
+  read_buffers(container.binary, document);
+  read_layout(document);
   check_packed_views(document);
 }
 
@@ -216,21 +237,25 @@ void unpack_document(Document& document) {
   check_accessors(document);
 }
 
+Bytes Document::view(int index) const {
+  const BufferView& view = buffer_views[static_cast<std::size_t>(index)];
+  return buffers[static_cast<std::size_t>(view.buffer)].subspan(view.byte_offset, view.byte_length);
+}
+
 std::string image_problem(const Document& document, std::size_t image) {
-  const ImageSource& source = document.images[image];
-  if (source.buffer_view >= 0 || source.uri.empty()) return {};
-  return uri_problem(source.uri, document.folders, document.report.where(element("images", image)));
+  const Value source = document.root["images"].at(image);
+  const std::string& uri = source["uri"].text();
+  if (source["bufferView"] || uri.empty()) return {};
+  return uri_problem(uri, document.folders, document.report.where(element("images", image)));
 }
 
 Bytes image_bytes(const Document& document, std::size_t image, std::vector<std::byte>& storage) {
-  const ImageSource& source = document.images[image];
+  const Value source = document.root["images"].at(image);
+  if (const Value view = source["bufferView"]) return document.view(view.index());
   const std::string where = element("images", image);
-  if (source.buffer_view >= 0) {
-    const tinygltf::BufferView& view = document.model.bufferViews[static_cast<std::size_t>(source.buffer_view)];
-    return document.buffers[static_cast<std::size_t>(view.buffer)].subspan(view.byteOffset, view.byteLength);
-  }
-  if (source.uri.empty()) document.report.fail(where, "has neither a uri nor a buffer view");
-  storage = fetch(source.uri, document.folders, document.limits.file_bytes, where, document.report);
+  const std::string& uri = source["uri"].text();
+  if (uri.empty()) document.report.fail(where, "has neither a uri nor a buffer view");
+  storage = fetch(uri, document.folders, document.limits.file_bytes, where, document.report);
   return storage;
 }
 

@@ -1,10 +1,10 @@
 // A glTF document that has passed all checks of form, with the bytes that it refers to.
 #pragma once
 
-#include <tiny_gltf.h>
-
 #include <cstddef>
 #include <filesystem>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,6 +13,7 @@
 #include "scene/gltf.hpp"
 #include "scene/gltf/container.hpp"
 #include "scene/gltf/report.hpp"
+#include "scene/gltf/value.hpp"
 #include "scene/side_file.hpp"
 
 namespace lippmann::gltf {
@@ -28,10 +29,30 @@ class Budget {
   std::uint64_t limit_, left_;
 };
 
-struct ImageSource {
-  std::string name;
-  std::string uri;  ///< empty: in a buffer view
-  int buffer_view = -1;
+struct BufferView {
+  int buffer = 0;
+  std::size_t byte_offset = 0, byte_length = 0;
+  std::size_t byte_stride = 0;  ///< 0: elements follow one another without gaps
+};
+
+/// As glTF numbers them.
+enum class ComponentType : int { kByte = 5120, kUnsignedByte, kShort, kUnsignedShort, kUnsignedInt = 5125, kFloat };
+
+struct Sparse {
+  std::size_t count = 0;
+  int index_view = 0, value_view = 0;
+  std::size_t index_offset = 0, value_offset = 0;
+  ComponentType index_type = ComponentType::kUnsignedInt;
+};
+
+struct Accessor {
+  int buffer_view = -1;  ///< -1: zeros
+  std::size_t byte_offset = 0, count = 0;
+  ComponentType component_type = ComponentType::kFloat;
+  bool normalized = false;
+  int components = 1;   ///< of an element
+  int matrix_side = 0;  ///< rows and columns where elements are matrices, else 0
+  std::optional<Sparse> sparse;
 };
 
 /// A buffer view that meshoptimizer has packed (meshopt.hpp).
@@ -42,8 +63,8 @@ struct PackedView {
   std::string mode, filter;
 };
 
-/// Holds: every index in `model` refers to something that exists, every buffer view lies within its buffer, every accessor
-/// within its buffer views. `model` has neither buffers nor images; they are here.
+/// Holds: every index in `root` refers to something that exists, every buffer view lies within its buffer, every accessor
+/// within its buffer views.
 struct Document {
   Document(const std::filesystem::path& path, const LoadOptions& options, const Context& context, const GltfLimits& file_limits)
       : folders{path.parent_path(), options.asset_root},
@@ -57,11 +78,19 @@ struct Document {
   GltfLimits limits;
   Report report;
   Budget unpacked;
-  tinygltf::Model model;
+  Value root;
   std::vector<Bytes> buffers;
-  std::vector<ImageSource> images;
+  std::vector<BufferView> buffer_views;                 ///< the file's, then those of what was packed
   std::vector<std::optional<PackedView>> packed_views;  ///< by buffer view of the file
+  std::vector<Accessor> accessors;
 
+  /// An element of one of the root's arrays.
+  Value at(std::string_view array, int index) const { return root[array].at(static_cast<std::size_t>(index)); }
+  const Accessor& accessor(int index) const { return accessors[static_cast<std::size_t>(index)]; }
+  /// The bytes of a buffer view.
+  Bytes view(int index) const;
+
+  std::shared_ptr<const nlohmann::json> json;  ///< what `root` refers to
   std::vector<std::byte> contents;             ///< the bytes of the scene's file
   std::vector<std::vector<std::byte>> loaded;  ///< what `buffers` views outside of `contents`
 };

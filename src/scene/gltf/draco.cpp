@@ -16,7 +16,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "lippmann/core/error.hpp"
 #include "scene/gltf/attribute.hpp"
@@ -110,20 +109,20 @@ class PrimitiveUnpacker {
  public:
   explicit PrimitiveUnpacker(Document& document) : document_(document), report_(document.report) {}
 
-  void unpack(PrimitiveId id, const tinygltf::Value& extension) {
-    const tinygltf::Primitive& primitive = primitive_of(document_, id);
+  void unpack(PrimitiveId id, Value extension) {
+    const Value primitive = primitive_of(document_, id);
     const std::string where = element(id);
-    if (primitive.mode != TINYGLTF_MODE_TRIANGLES || primitive.indices < 0)
+    const int indices = primitive["indices"].index();
+    if (mode_of(primitive) != Mode::kTriangles || indices < 0)
       report_.fail(where, "is packed by Draco, but no indexed list of triangles");
-    const int view = extension.Get("bufferView").GetNumberAsInt();
+    const int view = extension["bufferView"].index();
     const int position = attribute(primitive, "POSITION");
-    const std::uint64_t faces = accessor_at(primitive.indices).count / 3;
+    const std::uint64_t faces = accessor_at(indices).count / 3;
     const std::uint64_t points = position < 0 ? 0 : accessor_at(position).count;
     const draco::Mesh& mesh = mesh_of(view, faces, points, where);
-    if (begin(primitive.indices, view, -1, 3ull * mesh.num_faces(), where)) fill_indices(primitive.indices, mesh, where);
-    const tinygltf::Value& attributes = extension.Get("attributes");
-    for (const std::string& name : attributes.Keys()) {
-      const int accessor = attribute(primitive, name), unique_id = attributes.Get(name).GetNumberAsInt();
+    if (begin(indices, view, -1, 3ull * mesh.num_faces(), where)) fill_indices(indices, mesh, where);
+    for (const auto& [name, unique_id] : extension["attributes"].index_map()) {
+      const int accessor = attribute(primitive, name);
       if (accessor < 0) report_.fail(where, "does not have the attribute " + shown(name) + ", which Draco packs");
       if (!begin(accessor, view, unique_id, mesh.num_points(), where)) continue;
       const draco::PointAttribute* from = mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(unique_id));
@@ -133,7 +132,7 @@ class PrimitiveUnpacker {
   }
 
  private:
-  tinygltf::Accessor& accessor_at(int index) { return document_.model.accessors[static_cast<std::size_t>(index)]; }
+  Accessor& accessor_at(int index) { return document_.accessors[static_cast<std::size_t>(index)]; }
 
   /// Decoded when it is first asked for; at most so many faces and points.
   const draco::Mesh& mesh_of(int view, std::uint64_t most_faces, std::uint64_t most_points, const std::string& where) {
@@ -151,7 +150,7 @@ class PrimitiveUnpacker {
                               [&](std::uint64_t bytes) { document_.unpacked.spend(bytes, 2, where, report_); }};
     std::string problem;
     try {
-      const draco::Status status = decode(bytes_of(view), allowance, *mesh);
+      const draco::Status status = decode(document_.view(view), allowance, *mesh);
       if (!status.ok()) problem = status.error_msg_string();
     } catch (const Error&) {
       throw;
@@ -160,11 +159,6 @@ class PrimitiveUnpacker {
     }
     if (!problem.empty()) report_.fail(where, "the Draco data is not readable: " + printable(problem));
     return *mesh;
-  }
-
-  Bytes bytes_of(int index) const {
-    const tinygltf::BufferView& view = document_.model.bufferViews[static_cast<std::size_t>(index)];
-    return document_.buffers[static_cast<std::size_t>(view.buffer)].subspan(view.byteOffset, view.byteLength);
   }
 
   /// Whether the accessor, which is to have `count` elements, is still to be filled from there.
@@ -180,56 +174,52 @@ class PrimitiveUnpacker {
   }
 
   std::vector<std::byte>& new_bytes(int index, std::size_t element_size, const std::string& where) {
-    tinygltf::Accessor& accessor = accessor_at(index);
+    Accessor& accessor = accessor_at(index);
     document_.unpacked.spend(accessor.count, element_size, where, report_);
     std::vector<std::byte>& bytes = document_.loaded.emplace_back(accessor.count * element_size);
-    tinygltf::BufferView view;
-    view.buffer = static_cast<int>(document_.buffers.size());
-    view.byteLength = bytes.size();
+    accessor.buffer_view = static_cast<int>(document_.buffer_views.size());
+    accessor.byte_offset = 0;
+    document_.buffer_views.push_back({.buffer = static_cast<int>(document_.buffers.size()), .byte_length = bytes.size()});
     document_.buffers.push_back(bytes);
-    accessor.bufferView = static_cast<int>(document_.model.bufferViews.size());
-    accessor.byteOffset = 0;
-    document_.model.bufferViews.push_back(view);
     return bytes;
   }
 
   void fill_indices(int index, const draco::Mesh& mesh, const std::string& where) {
-    const int type = accessor_at(index).componentType;
-    bool good = accessor_at(index).type == TINYGLTF_TYPE_SCALAR;
-    if (type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE)
+    const ComponentType type = accessor_at(index).component_type;
+    bool good = accessor_at(index).components == 1;
+    if (type == ComponentType::kUnsignedByte)
       good = good && write_indices<std::uint8_t>(mesh, new_bytes(index, 1, where));
-    else if (type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT)
+    else if (type == ComponentType::kUnsignedShort)
       good = good && write_indices<std::uint16_t>(mesh, new_bytes(index, 2, where));
     else
-      good = good && type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT &&
-             write_indices<std::uint32_t>(mesh, new_bytes(index, 4, where));
+      good = good && type == ComponentType::kUnsignedInt && write_indices<std::uint32_t>(mesh, new_bytes(index, 4, where));
     if (!good) report_.fail(where, "the Draco data's indices do not fit their accessor");
   }
 
   void fill_values(int index, const draco::PointAttribute& from, const std::string& where) {
-    const int components = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor_at(index).type));
+    const int components = accessor_at(index).components;
     bool good = components >= 1 && components <= 4 && components == from.num_components();
     const auto write = [&]<class T>(T) {
       good =
           good && write_values<T>(from, components, new_bytes(index, static_cast<std::size_t>(components) * sizeof(T), where));
     };
-    switch (accessor_at(index).componentType) {
-      case TINYGLTF_COMPONENT_TYPE_BYTE:
+    switch (accessor_at(index).component_type) {
+      case ComponentType::kByte:
         write(std::int8_t{});
         break;
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      case ComponentType::kUnsignedByte:
         write(std::uint8_t{});
         break;
-      case TINYGLTF_COMPONENT_TYPE_SHORT:
+      case ComponentType::kShort:
         write(std::int16_t{});
         break;
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      case ComponentType::kUnsignedShort:
         write(std::uint16_t{});
         break;
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+      case ComponentType::kUnsignedInt:
         write(std::uint32_t{});
         break;
-      case TINYGLTF_COMPONENT_TYPE_FLOAT:
+      case ComponentType::kFloat:
         write(float{});
         break;
       default:
@@ -247,23 +237,10 @@ class PrimitiveUnpacker {
 
 }  // namespace
 
-void lend_views(nlohmann::json& root) {
-  const nlohmann::json::json_pointer view(std::string("/extensions/") + kDraco + "/bufferView");
-  if (!root.contains("meshes") || !root.contains("accessors")) return;
-  for (nlohmann::json& mesh : root.at("meshes"))
-    for (nlohmann::json& primitive : mesh.at("primitives"))
-      if (primitive.contains(view) && primitive.contains("indices"))
-        root.at("accessors").at(primitive.at("indices").get<std::size_t>()).emplace("bufferView", primitive.at(view));
-}
-
 void unpack_primitives(Document& document) {
   PrimitiveUnpacker unpacker(document);
-  for (std::size_t m = 0; m < document.model.meshes.size(); ++m)
-    for (std::size_t p = 0; p < document.model.meshes[m].primitives.size(); ++p) {
-      const tinygltf::Primitive& primitive = document.model.meshes[m].primitives[p];
-      const auto found = primitive.extensions.find(kDraco);
-      if (found != primitive.extensions.end()) unpacker.unpack({static_cast<int>(m), static_cast<int>(p)}, found->second);
-    }
+  for (const PrimitiveId id : all_primitives(document))
+    if (const Value packed = primitive_of(document, id).extension(kDraco)) unpacker.unpack(id, packed);
 }
 
 }  // namespace lippmann::gltf

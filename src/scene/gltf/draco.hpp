@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 
 #include "scene/gltf/document.hpp"
 
@@ -12,12 +11,8 @@ inline constexpr const char* kDraco = "KHR_draco_mesh_compression";
 /// Bytes of the decoder's tables for a face or a vertex, with either method.
 inline constexpr std::uint64_t kDracoTableBytes = 100;
 
-/// Lends the accessors of packed indices their primitive's buffer view until they are unpacked: tinygltf refuses indices
-/// without.
-void lend_views(nlohmann::json& root);
-
-/// Gives the accessors of every packed primitive of the model buffer views of their own, with the decompressed elements. The
-/// model's buffer views have been checked. Throws Error at the primitive.
+/// Gives the accessors of every packed primitive buffer views of their own, with the decompressed elements. The file's buffer
+/// views have been checked. Throws Error at the primitive.
 void unpack_primitives(Document& document);
 
 }  // namespace lippmann::gltf

@@ -128,7 +128,7 @@ class ImageLightReader {
   ImageLightReader(Document& document, std::size_t light)
       : document_(document),
         where_(fmt::format("{}.{}", kImageBased, element("lights", light))),
-        light_(document.model.extensions.at(kImageBased).Get("lights").Get(static_cast<int>(light))) {}
+        light_(document.root.extension(kImageBased)["lights"].at(light)) {}
 
   /// None where an image cannot be read.
   std::optional<EnvironmentMap> read() {
@@ -136,27 +136,26 @@ class ImageLightReader {
     if (!cube) return std::nullopt;
     EnvironmentMap map;
     map.radiance = panorama_of(*cube, glm::conjugate(rotation()), document_.report.context());
-    if (light_.Has("intensity")) map.strength = static_cast<float>(light_.Get("intensity").GetNumberAsDouble());
+    map.strength = static_cast<float>(light_["intensity"].number(1.0));
     return map;
   }
 
  private:
   Quatf rotation() const {
-    if (!light_.Has("rotation")) return {1.0f, 0.0f, 0.0f, 0.0f};
-    const tinygltf::Value& q = light_.Get("rotation");
-    const auto part = [&q](int i) { return static_cast<float>(q.Get(i).GetNumberAsDouble()); };
-    const Quatf rotation(part(3), part(0), part(1), part(2));
+    if (!light_["rotation"]) return {1.0f, 0.0f, 0.0f, 0.0f};
+    const Vec4f q = light_["rotation"].vector(Vec4f(0.0f));
+    const Quatf rotation(q.w, q.x, q.y, q.z);
     const float length = glm::length(rotation);
     if (!(length > 1e-6f)) document_.report.fail(where_ + ".rotation", "is not a unit quaternion");
     return rotation / length;
   }
 
   std::optional<CubeMap> read_cube() {
-    const tinygltf::Value& levels = light_.Get("specularImages");
-    if (levels.ArrayLen() == 0) document_.report.fail(where_ + ".specularImages", "is empty", "the six faces of a cube");
+    const Value levels = light_["specularImages"];
+    if (levels.size() == 0) document_.report.fail(where_ + ".specularImages", "is empty", "the six faces of a cube");
     std::array<std::size_t, kFaces> images{};
     for (std::size_t i = 0; i < kFaces; ++i) {
-      images[i] = static_cast<std::size_t>(levels.Get(0).Get(static_cast<int>(i)).GetNumberAsInt());
+      images[i] = levels.at(0).at(i).count();
       if (!has_room(images[i])) return std::nullopt;
     }
     CubeMap cube;
@@ -199,18 +198,15 @@ class ImageLightReader {
 
   Document& document_;
   std::string where_;
-  const tinygltf::Value& light_;
+  Value light_;
 };
 
 }  // namespace
 
 void read_image_light(Document& document, Scene& scene) {
-  if (document.model.scenes.empty()) return;
-  const tinygltf::ExtensionMap& extensions = document.model.scenes[chosen_scene(document.model)].extensions;
-  const auto extension = extensions.find(kImageBased);
-  if (extension == extensions.end()) return;
-  const auto light = static_cast<std::size_t>(extension->second.Get("light").GetNumberAsInt());
-  scene.background.map = ImageLightReader(document, light).read();
+  if (document.root["scenes"].size() == 0) return;
+  if (const Value extension = document.root["scenes"].at(chosen_scene(document)).extension(kImageBased))
+    scene.background.map = ImageLightReader(document, extension["light"].count()).read();
 }
 
 }  // namespace lippmann::gltf

@@ -12,12 +12,10 @@
 namespace lippmann::gltf {
 namespace {
 
-constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
-
 template <class T>
-std::vector<T> read_attribute(Document& document, const tinygltf::Value& attributes, const char* name) {
-  if (!attributes.Has(name)) return {};
-  return unpack<T>(document, attributes.Get(name).GetNumberAsInt());
+std::vector<T> read_attribute(Document& document, Value attributes, const char* name) {
+  const int accessor = attributes[name].index();
+  return accessor < 0 ? std::vector<T>() : unpack<T>(document, accessor);
 }
 
 Quatf unit_rotation(Vec4f v, std::size_t index, const std::string& where, const Report& report) {
@@ -30,12 +28,9 @@ Quatf unit_rotation(Vec4f v, std::size_t index, const std::string& where, const 
 
 }  // namespace
 
-bool is_instanced(const tinygltf::Node& node) { return node.extensions.contains(kInstancing); }
-
 std::vector<int> read_places(Document& document, int file_node, int scene_node, Scene& scene) {
-  const tinygltf::Node& node = document.model.nodes[static_cast<std::size_t>(file_node)];
   const std::string where = element("nodes", static_cast<std::size_t>(file_node)) + ".extensions." + kInstancing;
-  const tinygltf::Value& attributes = node.extensions.at(kInstancing).Get("attributes");
+  const Value attributes = document.at("nodes", file_node).extension(kInstancing)["attributes"];
   const std::vector<Vec3f> translations = read_attribute<Vec3f>(document, attributes, "TRANSLATION");
   const std::vector<Vec4f> rotations = read_attribute<Vec4f>(document, attributes, "ROTATION");
   const std::vector<Vec3f> scales = read_attribute<Vec3f>(document, attributes, "SCALE");

@@ -8,8 +8,7 @@
 
 namespace lippmann::gltf {
 
-/// Whether the node shows its mesh at the places that the extension gives.
-bool is_instanced(const tinygltf::Node& node);
+inline constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
 
 /// Adds a child of `scene_node` to the scene for every place; their indices. Throws Error at the file's node.
 std::vector<int> read_places(Document& document, int file_node, int scene_node, Scene& scene);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "core/file_content.hpp"
 
@@ -19,31 +21,34 @@ std::string line_and_column(std::string_view text, std::size_t offset) {
   return fmt::format("line {}, column {}", 1 + std::count(before.begin(), before.end(), '\n'), before.size() - line_start + 1);
 }
 
-/// Reads through a document once, without keeping anything, and stops at the first thing that is wrong. (The library's own
-/// callback parser could check limits while it builds, but takes time quadratic in the length of an array.)
-class LimitCheck : public Json::json_sax_t {
+/// Builds the document while it is parsed, and stops at the first thing that is wrong. (The library's own callback parser could
+/// check limits too, but takes time quadratic in the length of an array.)
+class LimitedBuilder : public Json::json_sax_t {
  public:
-  LimitCheck(std::string_view text, const GltfLimits& limits, const Report& report)
+  LimitedBuilder(std::string_view text, const GltfLimits& limits, const Report& report)
       : text_(text), limits_(limits), report_(report) {}
 
-  bool null() override { return count_value(); }
-  bool boolean(bool) override { return count_value(); }
-  bool number_integer(number_integer_t) override { return count_value(); }
-  bool number_unsigned(number_unsigned_t) override { return count_value(); }
-  bool number_float(number_float_t, const string_t&) override { return count_value(); }
-  bool string(string_t&) override { return count_value(); }
-  bool binary(binary_t&) override { return count_value(); }
+  Json root;
+
+  bool null() override { return add(nullptr); }
+  bool boolean(bool value) override { return add(value); }
+  bool number_integer(number_integer_t value) override { return add(value); }
+  bool number_unsigned(number_unsigned_t value) override { return add(value); }
+  bool number_float(number_float_t value, const string_t&) override { return add(value); }
+  bool string(string_t& value) override { return add(std::move(value)); }
+  bool binary(binary_t&) override { return false; }  // JSON text has none
   bool key(string_t& name) override {
+    count_value();
     key_ = name;
-    return count_value();
+    return true;
   }
 
   bool start_object(std::size_t) override {
     if (++objects_ > limits_.json_objects)
       report_.fail("", "the JSON has too many objects", fmt::format("at most {}", limits_.json_objects));
-    return enter();
+    return enter(Json::object());
   }
-  bool start_array(std::size_t) override { return enter(); }
+  bool start_array(std::size_t) override { return enter(Json::array()); }
   bool end_object() override { return leave(); }
   bool end_array() override { return leave(); }
 
@@ -58,18 +63,28 @@ class LimitCheck : public Json::json_sax_t {
   }
 
  private:
-  bool count_value() {
+  void count_value() {
     if (++values_ > limits_.json_values)
       report_.fail("", "the JSON has too many values", fmt::format("at most {}", limits_.json_values));
+  }
+  bool add(Json value) {
+    place(std::move(value));
     return true;
   }
-  bool enter() {
-    if (++depth_ > limits_.json_depth)
+  Json& place(Json value) {
+    count_value();
+    if (open_.empty()) return root = std::move(value);
+    if (open_.back()->is_array()) return open_.back()->emplace_back(std::move(value));
+    return (*open_.back())[key_] = std::move(value);
+  }
+  bool enter(Json container) {
+    if (open_.size() == static_cast<std::size_t>(limits_.json_depth))
       report_.fail("", "the JSON is nested too deep", fmt::format("at most {} levels", limits_.json_depth));
-    return count_value();
+    open_.push_back(&place(std::move(container)));
+    return true;
   }
   bool leave() {
-    --depth_;
+    open_.pop_back();
     return true;
   }
 
@@ -77,18 +92,17 @@ class LimitCheck : public Json::json_sax_t {
   const GltfLimits& limits_;
   const Report& report_;
   std::uint64_t values_ = 0, objects_ = 0;
-  std::string key_;  ///< the latest
-  int depth_ = 0;
+  std::string key_;          ///< the latest
+  std::vector<Json*> open_;  ///< the containers around the next value, outermost first; none of them moves before it is closed
 };
 
 }  // namespace
 
 Json parse_json(std::string_view text, const GltfLimits& limits, const Report& report) {
-  LimitCheck check(text, limits, report);
-  Json::sax_parse(text.begin(), text.end(), &check);
-  Json root = Json::parse(text.begin(), text.end());
-  if (!root.is_object()) report.fail("", "the JSON is not an object");
-  return root;
+  LimitedBuilder builder(text, limits, report);
+  Json::sax_parse(text.begin(), text.end(), &builder);
+  if (!builder.root.is_object()) report.fail("", "the JSON is not an object");
+  return std::move(builder.root);
 }
 
 }  // namespace lippmann::gltf

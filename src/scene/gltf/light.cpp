@@ -11,6 +11,8 @@
 namespace lippmann::gltf {
 namespace {
 
+constexpr const char* kPunctual = "KHR_lights_punctual";
+
 /// Blender's exporter turns its watts into candela and lux by the luminous efficacy that the specification suggests (unless
 /// told otherwise), and emission not: taken as they are, its lamps would outshine everything.
 constexpr float kLumensPerWatt = 683.0f;
@@ -51,9 +53,7 @@ float scale_of(std::string_view generator, LightKind kind) {
 }
 
 /// Sizes have no place in the extension: custom properties of the light in Blender, and what its add-on writes (docs/gltf.md).
-float extra(const tinygltf::Light& from, const char* name) {
-  return from.extras.Has(name) ? static_cast<float>(from.extras.Get(name).GetNumberAsDouble()) : 0.0f;
-}
+float extra(Value from, const char* name) { return static_cast<float>(from["extras"][name].number(0.0)); }
 
 /// Blender's soft edge in place of the inner cone: a part of the cosines from the outer cone's to 1.
 void blend_edge(float blend, Light& light) {
@@ -63,30 +63,32 @@ void blend_edge(float blend, Light& light) {
 }
 
 /// The edge between the cones: the extension's own, or Blender's, of which its exporter writes inner = outer (1 - blend).
-void read_edge(const tinygltf::Light& from, std::string_view generator, Light& light) {
-  if (from.extras.Has("blend"))
+void read_edge(Value from, std::string_view generator, Light& light) {
+  if (from["extras"]["blend"])
     blend_edge(extra(from, "blend"), light);
   else if (is_of_blender(generator) && light.outer_cone > 0.0f)
     blend_edge(1.0f - light.inner_cone / light.outer_cone, light);
 }
 
-Light read_light(const tinygltf::Light& from, std::string_view generator, const std::string& where, const Report& report) {
+Light read_light(Value from, std::string_view generator, const std::string& where, const Report& report) {
   Light light;
-  light.name = from.name;
-  if (!from.color.empty()) light.color = Vec3f(from.color[0], from.color[1], from.color[2]);
-  light.color *= static_cast<float>(from.intensity);
-  light.range = from.range > 0.0 ? static_cast<float>(from.range) : kInfinity;
-  if (from.type == "directional") {
+  light.name = from["name"].text();
+  light.color = static_cast<float>(from["intensity"].number(1.0)) * from["color"].vector(Vec3f(1.0f));
+  light.range = static_cast<float>(from["range"].number(kInfinity));
+  const std::string& type = from["type"].text();
+  if (type == "directional") {
     light.kind = LightKind::kDirectional;
     light.angular_diameter = std::min(extra(from, "angle"), kPi);
     return light;
   }
   light.inverse_square = true;
   light.radius = extra(from, "radius");
-  if (from.type == "point") return light;
+  if (type == "point") return light;
   light.kind = LightKind::kSpot;
-  light.inner_cone = static_cast<float>(from.spot.innerConeAngle);
-  light.outer_cone = static_cast<float>(from.spot.outerConeAngle);
+  const Value spot = from["spot"];
+  if (!spot) report.fail(where + ".spot", "is missing");
+  light.inner_cone = static_cast<float>(spot["innerConeAngle"].number(0.0));
+  light.outer_cone = static_cast<float>(spot["outerConeAngle"].number(light.outer_cone));
   if (light.inner_cone > light.outer_cone) report.fail(where + ".spot", "the inner cone is wider than the outer one");
   read_edge(from, generator, light);
   return light;
@@ -96,12 +98,12 @@ Light read_light(const tinygltf::Light& from, std::string_view generator, const 
 
 void read_lights(Document& document, const NodeMap& nodes, Scene& scene) {
   for (std::size_t i = 0; i < nodes.file_node.size(); ++i) {
-    const tinygltf::Node& node = document.model.nodes[static_cast<std::size_t>(nodes.file_node[i])];
-    const auto extension = node.extensions.find("KHR_lights_punctual");
-    if (extension == node.extensions.end() || nodes.hidden[i]) continue;
-    const std::size_t index = static_cast<std::size_t>(extension->second.Get("light").GetNumberAsInt());
-    const std::string& generator = document.model.asset.generator;
-    Light light = read_light(document.model.lights[index], generator, element("lights", index), document.report);
+    const Value extension = document.at("nodes", nodes.file_node[i]).extension(kPunctual);
+    if (!extension || nodes.hidden[i]) continue;
+    const std::size_t index = extension["light"].count();
+    const std::string& generator = document.root["asset"]["generator"].text();
+    const Value from = document.root.extension(kPunctual)["lights"].at(index);
+    Light light = read_light(from, generator, element("lights", index), document.report);
     light.node = static_cast<int>(i);
     light.color *= scale_of(generator, light.kind);
     scene.lights.push_back(std::move(light));

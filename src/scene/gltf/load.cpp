@@ -55,7 +55,7 @@ class InstanceReader {
     bool any_hidden = false;
     for (std::size_t i = 0; i < nodes_.file_node.size(); ++i) {
       const int file_node = nodes_.file_node[i];
-      if (node_at(file_node).mesh < 0) continue;
+      if (!node_at(file_node)["mesh"]) continue;
       if (nodes_.hidden[i])
         any_hidden = true;
       else
@@ -68,37 +68,38 @@ class InstanceReader {
   }
 
  private:
-  const tinygltf::Node& node_at(int file_node) const { return document_.model.nodes[static_cast<std::size_t>(file_node)]; }
+  Value node_at(int file_node) const { return document_.at("nodes", file_node); }
 
   /// The nodes that show the mesh: the file's own, or the copies that an extension adds.
   std::vector<int> places_of(int file_node, int scene_node) {
-    if (!is_instanced(node_at(file_node))) return {scene_node};
-    if (node_at(file_node).skin < 0) return read_places(document_, file_node, scene_node, scene_);
+    if (!node_at(file_node).extension(kInstancing)) return {scene_node};
+    if (!node_at(file_node)["skin"]) return read_places(document_, file_node, scene_node, scene_);
     document_.report.warn_at("copies of skinned meshes are left out: they would all stand in one place",
                              element("nodes", static_cast<std::size_t>(file_node)));
     return {scene_node};
   }
 
   void add(int file_node, const std::vector<int>& places) {
-    const tinygltf::Node& node = node_at(file_node);
+    const Value node = node_at(file_node);
     for (const int place : places) refuse_infinite(rest_.of(place), file_node, document_.report);
-    const tinygltf::Mesh& mesh = document_.model.meshes[static_cast<std::size_t>(node.mesh)];
-    const int skin = node.skin < 0 ? -1 : skins_.read(node.skin);
-    for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+    const Value mesh = document_.at("meshes", node["mesh"].index()), primitives = mesh["primitives"];
+    const std::string& name = node["name"].text().empty() ? mesh["name"].text() : node["name"].text();
+    const int skin = node["skin"] ? skins_.read(node["skin"].index()) : -1;
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
       Instance instance;
-      const PrimitiveId id{node.mesh, static_cast<int>(i)};
-      if (is_splats(mesh.primitives[i])) {
+      const PrimitiveId id{node["mesh"].index(), static_cast<int>(i)};
+      if (is_splats(primitives.at(i))) {
         instance.shape = splats_of(id, skin);
         instance.material = material_of_splats_;
       } else {
         instance.material =
-            material_of(material_in(mesh.primitives[i], variant_, element(id), document_.report), materials_, scene_);
+            material_of(material_in(primitives.at(i), variant_, element(id), document_.report), materials_, scene_);
         instance.shape = shape_of(id, skin, materials_.needs[static_cast<std::size_t>(instance.material)]);
         instance.skin = skin;
-        instance.hidden_from_cameras = denies(node, "visible_to_camera");
-        instance.casts_no_shadow = denies(node, "casts_shadow");
+        instance.hidden_from_cameras = !node["extras"]["visible_to_camera"].flag(true);
+        instance.casts_no_shadow = !node["extras"]["casts_shadow"].flag(true);
       }
-      instance.name = node.name.empty() ? mesh.name : node.name;
+      instance.name = name;
       if (instance.shape < 0) continue;
       document_.unpacked.spend(places.size(), sizeof(Instance) + instance.name.size(), element(id), document_.report);
       for (const int place : places) {

@@ -18,14 +18,14 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 /// The corners in the order in which they form triangles: the indices, or simply 0, 1, 2, ...
 std::vector<std::uint32_t> read_corners(Document& document, PrimitiveId id, std::size_t vertices) {
-  const tinygltf::Primitive& primitive = primitive_of(document, id);
-  if (primitive.indices < 0) {
+  const int indices = primitive_of(document, id)["indices"].index();
+  if (indices < 0) {
     document.unpacked.spend(vertices, sizeof(std::uint32_t), element(id), document.report);
     std::vector<std::uint32_t> corners(vertices);
     std::iota(corners.begin(), corners.end(), 0u);
     return corners;
   }
-  std::vector<std::uint32_t> corners = unpack_unsigned<std::uint32_t>(document, primitive.indices);
+  std::vector<std::uint32_t> corners = unpack_unsigned<std::uint32_t>(document, indices);
   const auto bad = std::find_if(corners.begin(), corners.end(), [&](std::uint32_t corner) { return corner >= vertices; });
   if (bad != corners.end())
     document.report.fail(element(id), fmt::format("index {} is {}", bad - corners.begin(), *bad),
@@ -33,15 +33,15 @@ std::vector<std::uint32_t> read_corners(Document& document, PrimitiveId id, std:
   return corners;
 }
 
-std::vector<Triangle> assemble(const std::vector<std::uint32_t>& v, int mode) {
+std::vector<Triangle> assemble(const std::vector<std::uint32_t>& v, Mode mode) {
   std::vector<Triangle> triangles;
-  if (mode == TINYGLTF_MODE_TRIANGLES) {
+  if (mode == Mode::kTriangles) {
     triangles.reserve(v.size() / 3);
     for (std::size_t i = 0; i + 2 < v.size(); i += 3) triangles.push_back({v[i], v[i + 1], v[i + 2]});
     return triangles;
   }
   triangles.reserve(v.size());
-  const bool strip = mode == TINYGLTF_MODE_TRIANGLE_STRIP;
+  const bool strip = mode == Mode::kTriangleStrip;
   for (std::size_t i = 0; i + 2 < v.size(); ++i)
     triangles.push_back(strip ? Triangle{v[i], v[i + 1 + i % 2], v[i + 2 - i % 2]} : Triangle{v[i + 1], v[i + 2], v[0]});
   return triangles;
@@ -73,8 +73,8 @@ void normalize_normals(Mesh& mesh, const std::string& where, Report& report) {
 }  // namespace
 
 std::optional<Mesh> read_mesh(Document& document, PrimitiveId id, const MaterialNeeds& needs) {
-  const tinygltf::Primitive& primitive = primitive_of(document, id);
-  if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
+  const Value primitive = primitive_of(document, id);
+  if (mode_of(primitive) < Mode::kTriangles) {
     document.report.not_supported("points and lines are", "they are left out", element(id));
     return std::nullopt;
   }
@@ -95,7 +95,7 @@ std::optional<Mesh> read_mesh(Document& document, PrimitiveId id, const Material
   if (needs.tangents) read_tangents(document, id, mesh);
   const std::vector<std::uint32_t> corners = read_corners(document, id, vertices);
   document.unpacked.spend(corners.size(), sizeof(Triangle), element(id), document.report);
-  mesh.triangles = assemble(corners, primitive.mode);
+  mesh.triangles = assemble(corners, mode_of(primitive));
   normalize_normals(mesh, element(id), document.report);
   read_targets(document, id, mesh);
   return mesh;

@@ -8,12 +8,9 @@
 #include <fmt/format.h>
 #include <meshoptimizer.h>
 
-#include <nlohmann/json.hpp>
-
 namespace lippmann::gltf {
 namespace {
 
-using Json = nlohmann::json;
 constexpr const char* kMeshopt = "EXT_meshopt_compression";
 
 std::string where_of(std::size_t view) { return element("bufferViews", view) + ".extensions." + kMeshopt; }
@@ -77,30 +74,19 @@ std::vector<std::byte> unpack_view(Document& document, const PackedView& view, c
 
 }  // namespace
 
-void take_packed_views(Json& root, Document& document) {
-  const auto views = root.find("bufferViews");
-  if (views == root.end()) return;
-  document.packed_views.resize(views->size());
-  for (std::size_t i = 0; i < views->size(); ++i) {
-    Json& view = (*views)[i];
-    const auto extensions = view.find("extensions");
-    if (extensions == view.end()) continue;
-    if (const auto packed = extensions->find(kMeshopt); packed != extensions->end())
-      document.packed_views[i] = {.buffer = packed->at("buffer").get<int>(),
-                                  .byte_offset = packed->value("byteOffset", std::size_t{0}),
-                                  .byte_length = packed->at("byteLength").get<std::size_t>(),
-                                  .byte_stride = packed->at("byteStride").get<std::size_t>(),
-                                  .count = packed->at("count").get<std::size_t>(),
-                                  .mode = packed->at("mode").get<std::string>(),
-                                  .filter = packed->value("filter", "NONE")};
-    view.erase(extensions);
-  }
+std::optional<PackedView> packed_view(Value view) {
+  const Value packed = view.extension(kMeshopt);
+  if (!packed) return std::nullopt;
+  return PackedView{.buffer = packed["buffer"].index(),
+                    .byte_offset = packed["byteOffset"].count(),
+                    .byte_length = packed["byteLength"].count(),
+                    .byte_stride = packed["byteStride"].count(),
+                    .count = packed["count"].count(),
+                    .mode = packed["mode"].text(),
+                    .filter = packed["filter"] ? packed["filter"].text() : "NONE"};
 }
 
-bool is_fallback(const Json& buffer) {
-  const Json::json_pointer fallback(std::string("/extensions/") + kMeshopt + "/fallback");
-  return buffer.contains(fallback) && buffer.at(fallback).get<bool>();
-}
+bool is_fallback(Value buffer) { return buffer.extension(kMeshopt)["fallback"].flag(false); }
 
 void check_packed_views(const Document& document) {
   for (std::size_t i = 0; i < document.packed_views.size(); ++i) {
@@ -117,10 +103,10 @@ void unpack_views(Document& document) {
     if (!document.packed_views[i]) continue;
     const std::string where = where_of(i);
     document.loaded.push_back(unpack_view(document, *document.packed_views[i], where));
-    tinygltf::BufferView& view = document.model.bufferViews[i];
+    BufferView& view = document.buffer_views[i];
     view.buffer = static_cast<int>(document.buffers.size());
-    view.byteOffset = 0;
-    view.byteLength = document.loaded.back().size();
+    view.byte_offset = 0;
+    view.byte_length = document.loaded.back().size();
     document.buffers.push_back(document.loaded.back());
   }
 }

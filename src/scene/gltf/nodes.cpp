@@ -11,8 +11,6 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-Vec3f vec3(const std::vector<double>& v, Vec3f otherwise) { return v.empty() ? otherwise : Vec3f(v[0], v[1], v[2]); }
-
 /// Column-major, as glTF stores it. What is not affine (a projection) has no place in a node.
 Affine3f affine(const std::vector<double>& m, const std::string& where, const Report& report) {
   constexpr double kTolerance = 1e-5;  // exporters write float products
@@ -21,18 +19,18 @@ Affine3f affine(const std::vector<double>& m, const std::string& where, const Re
   return {Mat3f(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]), Vec3f(m[12], m[13], m[14])};
 }
 
-Node read_node(const tinygltf::Node& from, const std::string& where, const Report& report) {
+Node read_node(Value from, const std::string& where, const Report& report) {
   Node node;
-  node.name = from.name;
-  if (!from.matrix.empty()) {
-    node.matrix = affine(from.matrix, where + ".matrix", report);
+  node.name = from["name"].text();
+  if (const Value matrix = from["matrix"]) {
+    node.matrix = affine(matrix.numbers(), where + ".matrix", report);
     return node;
   }
-  node.local.translation = vec3(from.translation, Vec3f(0.0f));
-  node.local.scale = vec3(from.scale, Vec3f(1.0f));
-  if (const std::vector<double>& q = from.rotation; !q.empty()) {
-    const Quatf rotation(static_cast<float>(q[3]), static_cast<float>(q[0]), static_cast<float>(q[1]),
-                         static_cast<float>(q[2]));
+  node.local.translation = from["translation"].vector(Vec3f(0.0f));
+  node.local.scale = from["scale"].vector(Vec3f(1.0f));
+  if (from["rotation"]) {
+    const Vec4f q = from["rotation"].vector(Vec4f(0.0f));
+    const Quatf rotation(q.w, q.x, q.y, q.z);
     const float length = glm::length(rotation);
     if (!(length > 1e-6f) || !std::isfinite(length)) report.fail(where + ".rotation", "is not a unit quaternion");
     node.local.rotation = rotation / length;
@@ -41,24 +39,24 @@ Node read_node(const tinygltf::Node& from, const std::string& where, const Repor
 }
 
 /// In double precision, of a node that read_node() accepts.
-Affine3d exact_transform(const tinygltf::Node& from) {
-  if (const std::vector<double>& m = from.matrix; !m.empty())
+Affine3d exact_transform(Value from) {
+  if (const std::vector<double> m = from["matrix"].numbers(); !m.empty())
     return {glm::dmat3(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]), Vec3d(m[12], m[13], m[14])};
   const auto vector = [](const std::vector<double>& v, double otherwise) {
     return v.empty() ? Vec3d(otherwise) : Vec3d(v[0], v[1], v[2]);
   };
-  const std::vector<double>& q = from.rotation;
+  const std::vector<double> q = from["rotation"].numbers();
   const glm::dquat rotation = q.empty() ? glm::dquat(1.0, 0.0, 0.0, 0.0) : glm::dquat(q[3], q[0], q[1], q[2]);
   const glm::dmat3 r = glm::mat3_cast(glm::normalize(rotation));
-  const Vec3d scale = vector(from.scale, 1.0);
-  return {{scale.x * r[0], scale.y * r[1], scale.z * r[2]}, vector(from.translation, 0.0)};
+  const Vec3d scale = vector(from["scale"].numbers(), 1.0);
+  return {{scale.x * r[0], scale.y * r[1], scale.z * r[2]}, vector(from["translation"].numbers(), 0.0)};
 }
 
 /// -1: a root. Every node is a child at most once, which leaves cycles as the only way not to be a tree.
-std::vector<int> find_parents(const tinygltf::Model& model, const Report& report) {
-  std::vector<int> parents(model.nodes.size(), -1);
-  for (std::size_t i = 0; i < model.nodes.size(); ++i)
-    for (const int child : model.nodes[i].children) {
+std::vector<int> find_parents(Value nodes, const Report& report) {
+  std::vector<int> parents(nodes.size(), -1);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (const int child : nodes.at(i)["children"].indices()) {
       int& parent = parents[at(child)];
       if (parent >= 0)
         report.fail(element("nodes", at(child)), fmt::format("has two parents, nodes[{}] and nodes[{}]", parent, i));
@@ -76,21 +74,21 @@ std::vector<int> tops_of(const std::vector<int>& parents) {
 }
 
 /// The nodes below `roots`, depth first. No recursion: a hierarchy may be as deep as the file is long.
-std::vector<int> preorder(const tinygltf::Model& model, const std::vector<int>& roots) {
+std::vector<int> preorder(Value nodes, const std::vector<int>& roots) {
   std::vector<int> order, stack(roots.rbegin(), roots.rend());
   while (!stack.empty()) {
     const int node = stack.back();
     stack.pop_back();
     order.push_back(node);
-    const std::vector<int>& children = model.nodes[at(node)].children;
+    const std::vector<int> children = nodes.at(at(node))["children"].indices();
     stack.insert(stack.end(), children.rbegin(), children.rend());
   }
   return order;
 }
 
-void refuse_cycles(const tinygltf::Model& model, const std::vector<int>& parents, const Report& report) {
+void refuse_cycles(Value nodes, const std::vector<int>& parents, const Report& report) {
   std::vector<bool> reached(parents.size(), false);
-  for (const int node : preorder(model, tops_of(parents))) reached[at(node)] = true;
+  for (const int node : preorder(nodes, tops_of(parents))) reached[at(node)] = true;
   const auto unreached = std::find(reached.begin(), reached.end(), false);
   if (unreached != reached.end())
     report.fail(element("nodes", static_cast<std::size_t>(unreached - reached.begin())),
@@ -98,10 +96,10 @@ void refuse_cycles(const tinygltf::Model& model, const std::vector<int>& parents
 }
 
 /// By node of the file: whether an ancestor of it is listed.
-std::vector<bool> below_listed(const tinygltf::Model& model, const std::vector<int>& listed, const std::vector<int>& parents) {
+std::vector<bool> below_listed(Value nodes, const std::vector<int>& listed, const std::vector<int>& parents) {
   std::vector<bool> in_scene(parents.size(), false), below(parents.size(), false);
   for (const int node : listed) in_scene[at(node)] = true;
-  for (const int node : preorder(model, tops_of(parents)))
+  for (const int node : preorder(nodes, tops_of(parents)))
     if (const int parent = parents[at(node)]; parent >= 0 && in_scene[at(parent)]) in_scene[at(node)] = below[at(node)] = true;
   return below;
 }
@@ -116,53 +114,44 @@ std::vector<int> roots_among(const std::vector<int>& listed, const std::vector<i
       fmt::format("{} lists nodes[{}], which is a child of nodes[{}] and so no root: it is shown once, below "
                   "its parent where that is in the scene",
                   where, *child, parents[at(*child)]));
-  const std::vector<bool> below = below_listed(document.model, listed, parents);
+  const std::vector<bool> below = below_listed(document.root["nodes"], listed, parents);
   std::vector<int> roots;
   std::copy_if(listed.begin(), listed.end(), std::back_inserter(roots), [&](int node) { return !below[at(node)]; });
   return roots;
 }
 
 std::vector<int> roots_of(Document& document, const std::vector<int>& parents) {
-  const tinygltf::Model& model = document.model;
-  if (model.scenes.empty()) return tops_of(parents);
-  const std::size_t chosen = chosen_scene(model);
-  if (model.scenes.size() > 1)
-    document.report.warn(fmt::format("of {} scenes only the default one, scenes[{}], is read", model.scenes.size(), chosen));
-  return roots_among(model.scenes[chosen].nodes, parents, element("scenes", chosen), document);
+  const Value scenes = document.root["scenes"];
+  if (scenes.size() == 0) return tops_of(parents);
+  const std::size_t chosen = chosen_scene(document);
+  if (scenes.size() > 1)
+    document.report.warn(fmt::format("of {} scenes only the default one, scenes[{}], is read", scenes.size(), chosen));
+  return roots_among(scenes.at(chosen)["nodes"].indices(), parents, element("scenes", chosen), document);
 }
 
 /// Based on: Khronos Group, "KHR_node_visibility", 2025. Its children are hidden with it.
-bool hides_itself(const tinygltf::Node& node) {
-  const auto extension = node.extensions.find("KHR_node_visibility");
-  return extension != node.extensions.end() && extension->second.Has("visible") &&
-         !extension->second.Get("visible").Get<bool>();
-}
+bool hides_itself(Value node) { return !node.extension("KHR_node_visibility")["visible"].flag(true); }
 
 }  // namespace
 
-bool denies(const tinygltf::Node& node, const char* name) {
-  if (!node.extras.Has(name)) return false;
-  const tinygltf::Value& value = node.extras.Get(name);
-  return value.IsBool() ? !value.Get<bool>() : value.IsNumber() && value.GetNumberAsDouble() == 0.0;
-}
-
-std::size_t chosen_scene(const tinygltf::Model& model) { return model.defaultScene < 0 ? 0 : at(model.defaultScene); }
+std::size_t chosen_scene(const Document& document) { return document.root["scene"].count(); }
 
 NodeMap read_nodes(Document& document, Scene& scene) {
-  const tinygltf::Model& model = document.model;
-  const std::vector<int> parents = find_parents(model, document.report);
-  refuse_cycles(model, parents, document.report);
+  const Value nodes = document.root["nodes"];
+  const std::vector<int> parents = find_parents(nodes, document.report);
+  refuse_cycles(nodes, parents, document.report);
 
   NodeMap map;
-  map.file_node = preorder(model, roots_of(document, parents));
-  map.scene_node.assign(model.nodes.size(), -1);
+  map.file_node = preorder(nodes, roots_of(document, parents));
+  map.scene_node.assign(nodes.size(), -1);
   for (const int file_node : map.file_node) {
     map.scene_node[at(file_node)] = static_cast<int>(scene.nodes.size());
-    Node node = read_node(model.nodes[at(file_node)], element("nodes", at(file_node)), document.report);
-    map.parent_from_node.push_back(exact_transform(model.nodes[at(file_node)]));
+    const Value from = nodes.at(at(file_node));
+    Node node = read_node(from, element("nodes", at(file_node)), document.report);
+    map.parent_from_node.push_back(exact_transform(from));
     const int parent = parents[at(file_node)];
     node.parent = parent < 0 ? -1 : map.scene_node[at(parent)];
-    map.hidden.push_back(hides_itself(model.nodes[at(file_node)]) || (node.parent >= 0 && map.hidden[at(node.parent)]));
+    map.hidden.push_back(hides_itself(from) || (node.parent >= 0 && map.hidden[at(node.parent)]));
     scene.nodes.push_back(std::move(node));
   }
   return map;

@@ -18,11 +18,8 @@ struct NodeMap {
   std::vector<bool> hidden;                ///< by node of the Scene: it or a node above it is not visible (KHR_node_visibility)
 };
 
-/// Whether the node's `extras` have false of that name, or 0, which Blender has in its place.
-bool denies(const tinygltf::Node& node, const char* name);
-
 /// The scene of a file that is read; the file has one or more.
-std::size_t chosen_scene(const tinygltf::Model& model);
+std::size_t chosen_scene(const Document& document);
 
 /// Fills scene.nodes. Warns about a scene that lists nodes which are no roots. Throws Error where a node has two parents, is
 /// its own ancestor or has no proper transform.

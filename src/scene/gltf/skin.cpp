@@ -12,10 +12,10 @@ namespace {
 
 Affine3f affine(const glm::mat4& m) { return {Mat3f(m), Vec3f(m[3])}; }
 
-std::vector<Affine3f> read_inverse_binds(Document& document, const tinygltf::Skin& skin, const std::string& where) {
-  std::vector<Affine3f> matrices(skin.joints.size());
-  if (skin.inverseBindMatrices < 0) return matrices;
-  const std::vector<glm::mat4> read = unpack<glm::mat4>(document, skin.inverseBindMatrices);
+std::vector<Affine3f> read_inverse_binds(Document& document, Value skin, const std::string& where) {
+  std::vector<Affine3f> matrices(skin["joints"].size());
+  if (!skin["inverseBindMatrices"]) return matrices;
+  const std::vector<glm::mat4> read = unpack<glm::mat4>(document, skin["inverseBindMatrices"].index());
   if (read.size() < matrices.size())
     document.report.fail(where, fmt::format("has {} joints, but {} inverse bind matrices", matrices.size(), read.size()));
   for (std::size_t i = 0; i < matrices.size(); ++i) matrices[i] = affine(read[i]);
@@ -30,7 +30,7 @@ struct Influences {
 
 std::vector<Influences> read_influences(Document& document, PrimitiveId id, std::size_t vertices, std::size_t joints) {
   std::vector<Influences> sets;
-  const tinygltf::Primitive& primitive = primitive_of(document, id);
+  const Value primitive = primitive_of(document, id);
   for (;;) {
     const int joint = attribute(primitive, fmt::format("JOINTS_{}", sets.size()));
     const int weight = attribute(primitive, fmt::format("WEIGHTS_{}", sets.size()));
@@ -53,11 +53,12 @@ std::vector<Influences> read_influences(Document& document, PrimitiveId id, std:
 int SkinReader::read(int index) {
   const auto [known, is_new] = known_.try_emplace(index, -1);
   if (!is_new) return known->second;
-  const tinygltf::Skin& from = document_.model.skins[static_cast<std::size_t>(index)];
+  const Value from = document_.at("skins", index);
+  const std::vector<int> joints = from["joints"].indices();
   const std::string where = element("skins", static_cast<std::size_t>(index));
-  if (from.joints.empty()) return -1;
-  Skin skin{from.name, {}, read_inverse_binds(document_, from, where)};
-  for (const int joint : from.joints) {
+  if (joints.empty()) return -1;
+  Skin skin{from["name"].text(), {}, read_inverse_binds(document_, from, where)};
+  for (const int joint : joints) {
     skin.joints.push_back(nodes_.scene_node[static_cast<std::size_t>(joint)]);
     if (skin.joints.back() < 0)
       document_.report.fail(where, fmt::format("has the joint nodes[{}], which is not in the scene", joint));
@@ -93,10 +94,10 @@ void read_skin_weights(Document& document, PrimitiveId id, std::size_t joints, M
 
 void read_targets(Document& document, PrimitiveId id, Mesh& mesh) {
   const std::size_t vertices = mesh.positions.size();
-  for (const std::map<std::string, int>& from : primitive_of(document, id).targets) {
+  const Value targets = primitive_of(document, id)["targets"];
+  for (std::size_t i = 0; i < targets.size(); ++i) {
     const auto read = [&](const char* name) {
-      const auto found = from.find(name);
-      return read_per_vertex<Vec3f>(document, id, found == from.end() ? -1 : found->second, name, vertices);
+      return read_per_vertex<Vec3f>(document, id, targets.at(i)[name].index(), name, vertices);
     };
     MorphTarget target{read("POSITION"), {}, {}};
     if (!mesh.normals.empty()) target.normals = read("NORMAL");
@@ -107,16 +108,16 @@ void read_targets(Document& document, PrimitiveId id, Mesh& mesh) {
 }
 
 std::vector<float> read_morph_weights(Document& document, int file_node) {
-  const tinygltf::Node& node = document.model.nodes[static_cast<std::size_t>(file_node)];
-  if (node.mesh < 0) return {};
-  const tinygltf::Mesh& mesh = document.model.meshes[static_cast<std::size_t>(node.mesh)];
-  const std::size_t targets = mesh.primitives.empty() ? 0 : mesh.primitives.front().targets.size();
-  for (std::size_t i = 0; i < mesh.primitives.size(); ++i)
-    if (mesh.primitives[i].targets.size() != targets)
-      document.report.fail(
-          element({node.mesh, static_cast<int>(i)}),
-          fmt::format("has {} morph targets, the mesh's first primitive {}", mesh.primitives[i].targets.size(), targets));
-  const std::vector<double>& given = node.weights.empty() ? mesh.weights : node.weights;
+  const Value node = document.at("nodes", file_node);
+  const int index = node["mesh"].index();
+  if (index < 0) return {};
+  const Value mesh = document.at("meshes", index), primitives = mesh["primitives"];
+  const std::size_t targets = primitives.size() == 0 ? 0 : primitives.at(0)["targets"].size();
+  for (std::size_t i = 0; i < primitives.size(); ++i)
+    if (const std::size_t count = primitives.at(i)["targets"].size(); count != targets)
+      document.report.fail(element({index, static_cast<int>(i)}),
+                           fmt::format("has {} morph targets, the mesh's first primitive {}", count, targets));
+  const std::vector<double> given = (node["weights"].size() > 0 ? node : mesh)["weights"].numbers();
   if (!given.empty() && given.size() != targets)
     document.report.fail(element("nodes", static_cast<std::size_t>(file_node)),
                          fmt::format("has {} weights for {} morph targets", given.size(), targets));

@@ -23,7 +23,7 @@ class SplatPrimitive {
       : document_(document), id_(id), primitive_(primitive_of(document, id)), where_(element(id)) {}
 
   Splats read() {
-    if (primitive_.mode != TINYGLTF_MODE_POINTS) fail("has splats, but its mode is not POINTS", "mode 0");
+    if (mode_of(primitive_) != Mode::kPoints) fail("has splats, but its mode is not POINTS", "mode 0");
     if (const std::string kernel = word("kernel"); kernel != "ellipse" && !kernel.empty())
       fail(fmt::format("its splats have the kernel {}", shown(kernel)), "ellipse");
     Splats splats;
@@ -42,10 +42,7 @@ class SplatPrimitive {
     document_.report.fail(where_, problem, accepted);
   }
 
-  std::string word(const char* key) const {
-    const tinygltf::Value& extension = primitive_.extensions.at(kGaussianSplatting);
-    return extension.Has(key) ? extension.Get(key).Get<std::string>() : std::string();
-  }
+  std::string word(const char* key) const { return primitive_.extension(kGaussianSplatting)[key].text(); }
 
   bool reads_linear() const {
     const std::string space = word("colorSpace");
@@ -59,7 +56,7 @@ class SplatPrimitive {
   std::vector<T> values(const std::string& name) {
     const int accessor = attribute(primitive_, name);
     if (accessor < 0) fail(fmt::format("its splats have no attribute {}", name));
-    const std::size_t count = document_.model.accessors[static_cast<std::size_t>(accessor)].count;
+    const std::size_t count = document_.accessor(accessor).count;
     if (name != "POSITION" && count != count_) fail(fmt::format("has {} positions, but {} values of {}", count_, count, name));
     return unpack<T>(document_, accessor);
   }
@@ -91,14 +88,14 @@ class SplatPrimitive {
 
   Document& document_;
   PrimitiveId id_;
-  const tinygltf::Primitive& primitive_;
+  Value primitive_;
   std::string where_;
   std::size_t count_ = 0;
 };
 
 }  // namespace
 
-bool is_splats(const tinygltf::Primitive& primitive) { return primitive.extensions.contains(kGaussianSplatting); }
+bool is_splats(Value primitive) { return static_cast<bool>(primitive.extension(kGaussianSplatting)); }
 
 std::optional<Splats> read_splats(Document& document, PrimitiveId id) {
   Splats splats = SplatPrimitive(document, id).read();

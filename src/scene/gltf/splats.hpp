@@ -9,7 +9,7 @@
 namespace lippmann::gltf {
 
 /// Whether the primitive has the extension.
-bool is_splats(const tinygltf::Primitive& primitive);
+bool is_splats(Value primitive);
 
 /// The splats of such a primitive. None, with a warning, where none of them can be shown. Throws Error for attributes that are
 /// missing or of the wrong type or number, and for kernels and colour spaces that are not known.

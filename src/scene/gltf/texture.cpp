@@ -10,17 +10,25 @@
 namespace lippmann::gltf {
 namespace {
 
-Wrap wrap_mode(int mode, const std::string& where, const Report& report) {
-  switch (mode) {
-    case TINYGLTF_TEXTURE_WRAP_REPEAT:
+constexpr int kNearest = 9728;
+
+Wrap wrap_mode(Value mode, const std::string& where, const Report& report) {
+  switch (const int code = mode.integer(10497)) {
+    case 10497:
       return Wrap::kRepeat;
-    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
+    case 33648:
       return Wrap::kMirror;
-    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
+    case 33071:
       return Wrap::kClamp;
     default:
-      report.fail(where, fmt::format("has the wrap mode {}", mode), "10497 (repeat), 33071 (clamp), 33648 (mirror)");
+      report.fail(where, fmt::format("has the wrap mode {}", code), "10497 (repeat), 33071 (clamp), 33648 (mirror)");
   }
+}
+
+/// The image of a texture that is read; -1: it has none. WebP first: the other is for readers that do not know it.
+int image_of(Value texture) {
+  const Value webp = texture.extension("EXT_texture_webp");
+  return (webp ? webp : texture)["source"].index();
 }
 
 /// The G of metallic-roughness textures, of glossiness in A.
@@ -35,7 +43,7 @@ void make_roughness(float glossiness, Texture& texture) {
 }  // namespace
 
 int TextureReader::read(int index, bool srgb) {
-  const tinygltf::Texture& texture = document_.model.textures[static_cast<std::size_t>(index)];
+  const Value texture = document_.at("textures", index);
   const std::string where = element("textures", static_cast<std::size_t>(index));
   const int source = image_of(texture);
   if (source < 0) {
@@ -47,19 +55,19 @@ int TextureReader::read(int index, bool srgb) {
                              element("images", static_cast<std::size_t>(source)));
     return -1;
   }
-  tinygltf::Sampler sampler;
-  if (texture.sampler >= 0) sampler = document_.model.samplers[static_cast<std::size_t>(texture.sampler)];
-  const std::string sampler_where = element("samplers", static_cast<std::size_t>(std::max(texture.sampler, 0)));
-  if (sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST)
+  const Value sampler = texture["sampler"] ? document_.at("samplers", texture["sampler"].index()) : Value();
+  const std::string sampler_where = element("samplers", texture["sampler"].count());
+  if (sampler["magFilter"].integer(0) == kNearest)
     document_.report.not_supported("nearest-neighbour filtering is", "textures are filtered linearly", sampler_where);
-  const Wrap wrap_u = wrap_mode(sampler.wrapS, sampler_where, document_.report);
-  const Wrap wrap_v = wrap_mode(sampler.wrapT, sampler_where, document_.report);
+  const Wrap wrap_u = wrap_mode(sampler["wrapS"], sampler_where, document_.report);
+  const Wrap wrap_v = wrap_mode(sampler["wrapT"], sampler_where, document_.report);
 
   const auto [known, is_new] = known_.try_emplace({source, wrap_u, wrap_v, srgb}, static_cast<int>(scene_.textures.size()));
   if (!is_new) return known->second;
   Texture result;
   const std::size_t image = static_cast<std::size_t>(source);
-  result.name = !document_.images[image].name.empty() ? document_.images[image].name : texture.name;
+  const std::string& name = document_.at("images", source)["name"].text();
+  result.name = !name.empty() ? name : texture["name"].text();
   result.wrap_u = wrap_u, result.wrap_v = wrap_v;
   result.srgb = srgb;
   const auto picture = [this, image](std::vector<std::byte>& storage) { return image_bytes(document_, image, storage); };
@@ -90,12 +98,6 @@ const std::string& TextureReader::problem_of(int image) {
   const std::string problem = texture_image_problem(image_bytes(document_, index, storage));
   if (!problem.empty()) known->second = "an image " + problem;
   return known->second;
-}
-
-/// WebP first: the other is for readers that do not know it.
-int TextureReader::image_of(const tinygltf::Texture& texture) {
-  const auto webp = texture.extensions.find("EXT_texture_webp");
-  return webp == texture.extensions.end() ? texture.source : webp->second.Get("source").GetNumberAsInt();
 }
 
 }  // namespace lippmann::gltf

@@ -29,9 +29,6 @@ class TextureReader {
   void decode();
 
  private:
-  /// The image of a texture that is read; -1: it has none.
-  static int image_of(const tinygltf::Texture& texture);
-
   /// Why an image of the file cannot be read; empty: nothing speaks against it.
   const std::string& problem_of(int image);
 

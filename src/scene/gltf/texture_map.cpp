@@ -9,19 +9,13 @@
 namespace lippmann::gltf {
 namespace {
 
-Vec2f pair(const tinygltf::Value& object, const char* name, Vec2f otherwise) {
-  if (!object.Has(name)) return otherwise;
-  const tinygltf::Value& value = object.Get(name);
-  return {static_cast<float>(value.Get(0).GetNumberAsDouble()), static_cast<float>(value.Get(1).GetNumberAsDouble())};
-}
-
-void set_transform(const tinygltf::Value& transform, TextureMap& map) {
-  const Vec2f scale = pair(transform, "scale", Vec2f(1.0f));
-  const double angle = transform.Has("rotation") ? transform.Get("rotation").GetNumberAsDouble() : 0.0;
+void set_transform(Value transform, TextureMap& map) {
+  const Vec2f scale = transform["scale"].vector(Vec2f(1.0f));
+  const double angle = transform["rotation"].number(0.0);
   const float c = static_cast<float>(std::cos(angle)), s = static_cast<float>(std::sin(angle));
   map.matrix = {scale.x * Vec2f(c, -s), scale.y * Vec2f(s, c)};
-  map.offset = pair(transform, "offset", Vec2f(0.0f));
-  if (transform.Has("texCoord")) map.uv_set = transform.Get("texCoord").GetNumberAsInt();
+  map.offset = transform["offset"].vector(Vec2f(0.0f));
+  map.uv_set = transform["texCoord"].integer(map.uv_set);
 }
 
 /// In the order in which they choose their sets.
@@ -38,25 +32,16 @@ std::vector<TextureMap*> maps_of(MetallicRoughness& s) {
 
 }  // namespace
 
-MapSource map_source(const tinygltf::Value* info) {
-  if (!info) return {};
-  MapSource source{info->Get("index").GetNumberAsInt(), 0, nullptr};
-  if (info->Has("texCoord")) source.uv_set = info->Get("texCoord").GetNumberAsInt();
-  if (info->Has("extensions") && info->Get("extensions").Has("KHR_texture_transform"))
-    source.transform = &info->Get("extensions").Get("KHR_texture_transform");
-  return source;
+TextureMap read_map(Value info, bool srgb, TextureReader& textures) {
+  return read_map_from(info, [&](int texture) { return textures.read(texture, srgb); });
 }
 
-TextureMap read_map(const MapSource& source, bool srgb, TextureReader& textures) {
-  return read_map_from(source, [&](int texture) { return textures.read(texture, srgb); });
-}
-
-TextureMap read_map_from(const MapSource& source, const std::function<int(int)>& read) {
+TextureMap read_map_from(Value info, const std::function<int(int)>& read) {
   TextureMap map;
-  if (source.texture < 0) return map;
-  map.texture = read(source.texture);
-  map.uv_set = source.uv_set;
-  if (source.transform) set_transform(*source.transform, map);
+  if (!info) return map;
+  map.texture = read(info["index"].index());
+  map.uv_set = info["texCoord"].integer(0);
+  if (const Value transform = info.extension("KHR_texture_transform")) set_transform(transform, map);
   return map;
 }
 

@@ -11,22 +11,10 @@ namespace {
 
 constexpr const char* kExtension = "KHR_materials_variants";
 
-std::vector<int> variants_of(const tinygltf::Value& mapping) {
-  std::vector<int> variants;
-  const tinygltf::Value& list = mapping.Get("variants");
-  for (int i = 0; i < static_cast<int>(list.ArrayLen()); ++i) variants.push_back(list.Get(i).GetNumberAsInt());
-  return variants;
-}
-
 }  // namespace
 
 std::vector<std::string> variant_names(const Document& document) {
-  std::vector<std::string> names;
-  const auto found = document.model.extensions.find(kExtension);
-  if (found == document.model.extensions.end()) return names;
-  const tinygltf::Value& list = found->second.Get("variants");
-  for (int i = 0; i < static_cast<int>(list.ArrayLen()); ++i) names.push_back(list.Get(i).Get("name").Get<std::string>());
-  return names;
+  return names_in(document.root.extension(kExtension)["variants"]);
 }
 
 int choose_variant(const std::vector<std::string>& names, const std::string& wanted) {
@@ -36,18 +24,18 @@ int choose_variant(const std::vector<std::string>& names, const std::string& wan
   return static_cast<int>(choose("variant", names, wanted));
 }
 
-int material_in(const tinygltf::Primitive& primitive, int variant, const std::string& where, const Report& report) {
-  const auto found = primitive.extensions.find(kExtension);
-  if (variant < 0 || found == primitive.extensions.end()) return primitive.material;
-  const tinygltf::Value& mappings = found->second.Get("mappings");
+int material_in(Value primitive, int variant, const std::string& where, const Report& report) {
+  const int otherwise = primitive["material"].index();
+  if (variant < 0) return otherwise;
+  const Value mappings = primitive.extension(kExtension)["mappings"];
   int material = -1;
-  for (int i = 0; i < static_cast<int>(mappings.ArrayLen()); ++i) {
-    const std::vector<int> variants = variants_of(mappings.Get(i));
+  for (std::size_t i = 0; i < mappings.size(); ++i) {
+    const std::vector<int> variants = mappings.at(i)["variants"].indices();
     if (std::find(variants.begin(), variants.end(), variant) == variants.end()) continue;
     if (material >= 0) report.fail(where, "has two materials for one variant");
-    material = mappings.Get(i).Get("material").GetNumberAsInt();
+    material = mappings.at(i)["material"].index();
   }
-  return material >= 0 ? material : primitive.material;
+  return material >= 0 ? material : otherwise;
 }
 
 }  // namespace lippmann::gltf

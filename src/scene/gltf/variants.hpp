@@ -14,6 +14,6 @@ std::vector<std::string> variant_names(const Document& document);
 int choose_variant(const std::vector<std::string>& names, const std::string& wanted);
 
 /// The file's material of a primitive in that variant (-1: in none); -1: glTF's default. where: names the primitive.
-int material_in(const tinygltf::Primitive& primitive, int variant, const std::string& where, const Report& report);
+int material_in(Value primitive, int variant, const std::string& where, const Report& report);
 
 }  // namespace lippmann::gltf

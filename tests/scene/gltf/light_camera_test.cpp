@@ -73,6 +73,10 @@ TEST(GltfLight, spot_light_without_angles_reaches_45_degrees) {
   EXPECT_FLOAT_EQ(light.outer_cone, kPi / 4);
 }
 
+TEST(GltfLight, spot_light_without_its_description_is_an_error) {
+  EXPECT_THAT(error_message([] { light_of({{"type", "spot"}}); }), HasSubstr("lights[0].spot: is missing"));
+}
+
 TEST(GltfLight, inner_cone_wider_than_the_outer_is_an_error) {
   EXPECT_THAT(error_message([] {
                 light_of({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.9}}}});
@@ -213,6 +217,13 @@ TEST(GltfCamera, perspective_is_read_in_the_order_of_the_nodes) {
   EXPECT_EQ(scene.cameras[1].vertical_fov, 0.5f);
   EXPECT_EQ(scene.cameras[1].aspect, 0.0f);
   EXPECT_EQ(scene.cameras[1].node, 1);
+}
+
+TEST(GltfCamera, description_of_another_type_is_an_error) {
+  GltfBuilder b;
+  b.add("cameras", {{"type", "perspective"}, {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"znear", 0}, {"zfar", 1}}}});
+  b.add_node({{"camera", 0}});
+  EXPECT_THAT(error_message([&] { parse(b); }), HasSubstr("cameras[0].perspective: is missing"));
 }
 
 TEST(GltfCamera, scene_without_one_has_none) {
