@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstring>
 #include <limits>
+#include <utility>
+#include <variant>
 
 #include "reuse/make_landing.hpp"
 #include "reuse/move_points.hpp"
@@ -106,45 +108,19 @@ LIPPMANN_INLINE void project_lanes(const Rule& rule, const Limits& limits, const
   std::memcpy(block.source + first, source, sizeof(source));
 }
 
-template <class Rule>
-LIPPMANN_INLINE void project_block(const Rule& rule, const Limits& limits, const Motion& motion, const RowOfPoints& points,
-                                   int count, Block& block) {
-  for (int first = 0; first < count; first += kPointLanes)
-    project_lanes(rule, limits, motion, points, first, std::min(kPointLanes, count - first), block);
+/// std::visit would call through a table, which hides the loop from the instruction set of its caller.
+template <class Use, std::size_t... I>
+LIPPMANN_INLINE void use_landing(const AnyLanding& any, const Use& use, std::index_sequence<I...>) {
+  (void)((any.index() == I && (use(*std::get_if<I>(&any)), true)) || ...);
 }
 
-// One clone per instruction set of each rule's loop.
-LIPPMANN_MULTIVERSION void project(const GridLanding& rule, const Limits& limits, const Motion& motion,
-                                   const RowOfPoints& points, int count, Block& block) {
-  project_block(rule, limits, motion, points, count, block);
-}
-LIPPMANN_MULTIVERSION void project(const SheetLanding<SplatMode::kView>& rule, const Limits& limits, const Motion& motion,
-                                   const RowOfPoints& points, int count, Block& block) {
-  project_block(rule, limits, motion, points, count, block);
-}
-LIPPMANN_MULTIVERSION void project(const SheetLanding<SplatMode::kLens>& rule, const Limits& limits, const Motion& motion,
-                                   const RowOfPoints& points, int count, Block& block) {
-  project_block(rule, limits, motion, points, count, block);
-}
-LIPPMANN_MULTIVERSION void project(const SquareLanding<SplatMode::kView>& rule, const Limits& limits, const Motion& motion,
-                                   const RowOfPoints& points, int count, Block& block) {
-  project_block(rule, limits, motion, points, count, block);
-}
-LIPPMANN_MULTIVERSION void project(const SquareLanding<SplatMode::kLens>& rule, const Limits& limits, const Motion& motion,
-                                   const RowOfPoints& points, int count, Block& block) {
-  project_block(rule, limits, motion, points, count, block);
-}
-LIPPMANN_MULTIVERSION void project(const HexagonLanding<SplatMode::kView>& rule, const Limits& limits, const Motion& motion,
-                                   const RowOfPoints& points, int count, Block& block) {
-  project_block(rule, limits, motion, points, count, block);
-}
-LIPPMANN_MULTIVERSION void project(const HexagonLanding<SplatMode::kLens>& rule, const Limits& limits, const Motion& motion,
-                                   const RowOfPoints& points, int count, Block& block) {
-  project_block(rule, limits, motion, points, count, block);
-}
-LIPPMANN_MULTIVERSION void project(const SlantedLanding& rule, const Limits& limits, const Motion& motion,
-                                   const RowOfPoints& points, int count, Block& block) {
-  project_block(rule, limits, motion, points, count, block);
+LIPPMANN_MULTIVERSION void project(const AnyLanding& any, const Limits& limits, const Motion& motion, const RowOfPoints& points,
+                                   int count, Block& block) {
+  const auto project_by = [&](const auto& rule) LIPPMANN_INLINE_LAMBDA {
+    for (int first = 0; first < count; first += kPointLanes)
+      project_lanes(rule, limits, motion, points, first, std::min(kPointLanes, count - first), block);
+  };
+  use_landing(any, project_by, std::make_index_sequence<std::variant_size_v<AnyLanding>>());
 }
 
 /// A point that lands in another strip than the one that it comes from.
@@ -208,9 +184,7 @@ struct Splatter::Impl {
     return {first * limits.width, end * limits.width};
   }
 
-  template <class Rule>
-  void splat_strip(const Rule& landing, const PointImage& image, const Motion& motion, TargetRange own, std::uint64_t* keys,
-                   Strays& strays) const {
+  void splat_strip(const PointImage& image, const Motion& motion, TargetRange own, std::uint64_t* keys, Strays& strays) const {
     const PrimaryPoints& p = image.points;
     Block block;
     std::fill(keys + own.begin, keys + own.end, 0);
@@ -220,7 +194,7 @@ struct Splatter::Impl {
         const auto at = static_cast<std::size_t>(row_begin + i);
         const std::uint8_t* contrast = image.contrast.empty() ? nullptr : &image.contrast[at];
         const RowOfPoints points{&p.z[at], &p.object[at], contrast, row_begin / limits.width, i};
-        project(landing, limits, motion, points, count, block);
+        project(rule, limits, motion, points, count, block);
         if (!z_buffer) order_by_source(block, count);
         offer_block(block, count, own, keys, strays);
       }
@@ -265,13 +239,9 @@ void Splatter::splat(const PointImage& image, const Motion& motion, const Thread
   const std::size_t strips = static_cast<std::size_t>((impl_->height + kRowsPerStrip - 1) / kRowsPerStrip);
   buffer.keys.resize(image.points.object.size());
   std::vector<Strays> strays(strips);
-  std::visit(
-      [&](const auto& rule) {
-        pool.for_each(strips, [&](std::size_t s) {
-          impl_->splat_strip(rule, image, motion, impl_->targets_of_strip(s), buffer.keys.data(), strays[s]);
-        });
-      },
-      impl_->rule);
+  pool.for_each(strips, [&](std::size_t s) {
+    impl_->splat_strip(image, motion, impl_->targets_of_strip(s), buffer.keys.data(), strays[s]);
+  });
   pool.for_each(strips, [&](std::size_t s) {
     const TargetRange own = impl_->targets_of_strip(s);
     offer_strays(strays, own, buffer.keys.data());
