@@ -207,13 +207,16 @@ TEST(ColorProfile, srgb_is_silent_and_others_are_named) {
   EXPECT_THAT(color_profile_notice(to_bytes(profile_with(kSrgbPrimaries, 1.8))), HasSubstr("'Mine'"));
 }
 
-TEST(ColorProfile, damaged_ones_end_in_a_notice_or_none) {
+TEST(ColorProfile, damaged_ones_are_not_taken_for_srgb) {
+  constexpr std::size_t kHeader = 132;  // with the number of tags
   const std::string whole = profile_with(kP3Primaries, 2.2);
-  for (std::size_t size = 0; size <= whole.size(); ++size) color_profile_notice(to_bytes(whole.substr(0, size)));
+  for (std::size_t size = 0; size < kHeader; ++size) EXPECT_EQ(color_profile_notice(to_bytes(whole.substr(0, size))), "");
+  for (std::size_t size = kHeader; size < whole.size(); ++size)
+    EXPECT_THAT(color_profile_notice(to_bytes(whole.substr(0, size))), HasSubstr("is not applied")) << size;
   for (std::size_t at = 128; at < whole.size(); ++at) {
     std::string damaged = whole;
     damaged[at] = '\xff';
-    color_profile_notice(to_bytes(damaged));
+    EXPECT_THAT(color_profile_notice(to_bytes(damaged)), HasSubstr("is not applied")) << at;
   }
 }
 
