@@ -201,13 +201,6 @@ Vec3f smooth_lift(const SurfacePacket& s, int i) {
   return record.placed ? record.world_from_mesh.linear * lift : lift;
 }
 
-void evaluate_geometry(const ShadedScene& scene, const RayHitPacket& packet, const LaneMask& active, SurfacePacket& s) {
-  place_hits(packet, active, scene.secondary_t_near, s);
-  LaneMask left = s.hit, group;
-  for (int first; s.any_hit && (first = take_group(s.record, left, group)) >= 0;)
-    evaluate_record(scene, s.record[first], packet, group, s);
-}
-
 void evaluate_surfaces(const ShadedScene& scene, const RayHitPacket& packet, const LaneMask& active, const Lanes& path_length,
                        const BeamFootprint& beam, SurfacePacket& s, const LaneMask* spread) {
   const PacketBeams beams{beam, path_length, spread};

@@ -42,9 +42,6 @@ void evaluate_surfaces(const ShadedScene& scene, const RayHitPacket& packet, con
 /// none; after evaluate_surfaces. Seldom asked for, and therefore not among what is evaluated of every point.
 Vec3f smooth_lift(const SurfacePacket& surface, int i);
 
-/// Only position, normal and instance, for object buffers and point images.
-void evaluate_geometry(const ShadedScene& scene, const RayHitPacket& packet, const LaneMask& active, SurfacePacket& surface);
-
 /// How wide the beam of a ray is where it hits, for texture filtering: sample_footprint_mm of the optics, in world units along
 /// the display's axes, by the length of the path from the plane where rays start. (Paths are taken as straight along -z and
 /// mirrors as unfolded: exact for the central view, and within the cosine of half the viewing zone for others.)

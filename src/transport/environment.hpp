@@ -39,8 +39,7 @@ class Environment {
 
   /// Few directions that hold so much of the light that they cast shadows of their own: a panorama's sun, or its lamps. Found
   /// by find_sun() (sky_patches.hpp); gradients have none. All other directions are the rest of the sky.
-  bool has_sun() const { return sun_.total() > 0.0; }
-  /// The share of all light that comes from the sun.
+  /// This is the share of all light that comes from them: 0 where there is no such sun.
   float sun_share() const;
 
   struct Sample {
@@ -48,7 +47,7 @@ class Environment {
     float density = 0.0f;  ///< per steradian
     Vec3f radiance{0.0f};  ///< along the direction, but for rounding
   };
-  /// A direction of the sun, where has_sun().
+  /// A direction of the sun, where sun_share() > 0.
   Sample sample_sun(Vec2f u) const { return sample(sun_, u); }
   /// One of the rest of the sky; its density is 0 where that is dark.
   Sample sample_rest(Vec2f u) const { return sample(rest_, u); }

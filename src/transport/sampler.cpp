@@ -51,13 +51,6 @@ Vec2f scrambled_sobol(std::uint32_t index, std::uint32_t seed) {
   return {p.x, p.y};
 }
 
-PathSampler::PathSampler(std::uint32_t seed, std::uint32_t index) : seed_(seed), reversed_index_(reversed_bits(index)) {}
-
-Vec2f PathSampler::next() {
-  const Point p = point_of(reversed_index_, hash(seed_, pair_++));
-  return {p.x, p.y};
-}
-
 LIPPMANN_MULTIVERSION void sample_pairs(const PathPairs& paths, std::uint32_t pair, float* x, float* y) {
 #pragma GCC ivdep
   for (int i = 0; i < PathPairs::kPaths; ++i) {

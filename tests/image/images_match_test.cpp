@@ -1,5 +1,3 @@
-#include "image/difference.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,12 +11,6 @@ namespace {
 
 using test::images_match;
 using test::noise_codes;
-
-TEST(DifferencePicture, absolute_difference_times_gain_is_clamped) {
-  const Image8 a{2, 1, {10, 20, 30, 0, 0, 255}}, b{2, 1, {12, 15, 30, 100, 0, 0}};
-  EXPECT_THAT(difference_picture(a, b).rgb, ::testing::ElementsAre(2, 5, 0, 100, 0, 255));
-  EXPECT_THAT(difference_picture(a, b, 3).rgb, ::testing::ElementsAre(6, 15, 0, 255, 0, 255));
-}
 
 TEST(ImagesMatch, each_threshold_decides) {
   const Image8 reference = noise_codes(10, 10);

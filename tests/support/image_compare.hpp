@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <string>
 
-#include "image/difference.hpp"
 #include "image/png.hpp"
 
 namespace lippmann::test {
@@ -32,6 +31,14 @@ inline std::filesystem::path evidence_folder() {
   std::filesystem::path folder = std::filesystem::path(given ? given : "test-failures") / test;
   std::filesystem::create_directories(folder);
   return folder;
+}
+
+/// min(255, gain |a - b|) per code: black where they agree.
+inline Image8 difference_picture(const Image8& a, const Image8& b, int gain) {
+  Image8 difference = a;
+  std::transform(a.rgb.begin(), a.rgb.end(), b.rgb.begin(), difference.rgb.begin(),
+                 [gain](int x, int y) { return static_cast<unsigned char>(std::min(255, gain * std::abs(x - y))); });
+  return difference;
 }
 
 /// Writes the three pictures and says where.

@@ -33,27 +33,42 @@ TEST(Sampler, the_mean_over_seeds_is_a_half) {
   EXPECT_NEAR(sum.y / kSeeds, 0.5f, 0.0183f);
 }
 
+/// Pair `pair` of 16 paths of one pixel.
+std::vector<Vec2f> pairs_of(std::uint32_t seed, std::uint32_t first_index, std::uint32_t first, std::uint32_t pair) {
+  PathPairs paths;
+  for (std::uint32_t i = 0; i < PathPairs::kPaths; ++i)
+    paths.seed[i] = seed, paths.index[i] = first_index + i, paths.first[i] = first;
+  float x[PathPairs::kPaths], y[PathPairs::kPaths];
+  sample_pairs(paths, pair, x, y);
+  std::vector<Vec2f> pairs;
+  for (int i = 0; i < PathPairs::kPaths; ++i) pairs.push_back({x[i], y[i]});
+  return pairs;
+}
+
 TEST(Sampler, pairs_of_one_path_are_not_correlated) {
   double product = 0.0;
-  constexpr int kPaths = 4096;
-  for (std::uint32_t i = 0; i < kPaths; ++i) {
-    PathSampler sampler(9u, i);
-    const Vec2f a = sampler.next(), b = sampler.next();
-    product += static_cast<double>((a.x - 0.5f) * (b.x - 0.5f));
+  constexpr std::uint32_t kPaths = 4096;
+  for (std::uint32_t first = 0; first < kPaths; first += PathPairs::kPaths) {
+    const std::vector<Vec2f> a = pairs_of(9u, first, 0, 0), b = pairs_of(9u, first, 0, 1);
+    for (std::size_t i = 0; i < a.size(); ++i) product += static_cast<double>((a[i].x - 0.5f) * (b[i].x - 0.5f));
   }
   // Independent: standard deviation 1/12 / sqrt(4096) = 0.0013.
   EXPECT_NEAR(product / kPaths, 0.0, 0.0052);
 }
 
-TEST(Sampler, jumping_to_a_pair_gives_its_numbers) {
-  PathSampler straight(3u, 7u), jumping(3u, 7u);
-  straight.next();
-  straight.next();
-  jumping.jump_to(2);
-  EXPECT_EQ(straight.next(), jumping.next());
+TEST(Sampler, paths_of_a_pixel_are_stratified_in_every_pair) {
+  for (std::uint32_t pair = 0; pair < 5; ++pair) {
+    std::set<int> columns, rows;
+    for (const Vec2f p : pairs_of(3u, 32u, 0, pair))
+      columns.insert(static_cast<int>(16.0f * p.x)), rows.insert(static_cast<int>(16.0f * p.y));
+    EXPECT_EQ(columns.size(), 16u) << pair;
+    EXPECT_EQ(rows.size(), 16u) << pair;
+  }
 }
 
-TEST(Sampler, paths_side_by_side_have_the_numbers_of_each_alone) {
+TEST(Sampler, later_first_pair_skips_pairs) { EXPECT_EQ(pairs_of(3u, 7u, 2, 1), pairs_of(3u, 7u, 0, 3)); }
+
+TEST(Sampler, paths_side_by_side_do_not_depend_on_each_other) {
   PathPairs paths;
   for (std::uint32_t i = 0; i < PathPairs::kPaths; ++i) {
     paths.seed[i] = 1000u * i + 7u;
@@ -62,11 +77,8 @@ TEST(Sampler, paths_side_by_side_have_the_numbers_of_each_alone) {
   }
   float x[PathPairs::kPaths], y[PathPairs::kPaths];
   sample_pairs(paths, 2, x, y);
-  for (int i = 0; i < PathPairs::kPaths; ++i) {
-    PathSampler alone(paths.seed[i], paths.index[i]);
-    alone.jump_to(paths.first[i] + 2);
-    EXPECT_EQ(alone.next(), Vec2f(x[i], y[i])) << i;
-  }
+  for (std::size_t i = 0; i < PathPairs::kPaths; ++i)
+    EXPECT_EQ(pairs_of(paths.seed[i], paths.index[i], paths.first[i], 2)[0], Vec2f(x[i], y[i])) << i;
 }
 
 }  // namespace

@@ -150,9 +150,4 @@ float meshing_angle(int driver_teeth, float driver_angle, int teeth, float direc
   return direction + kPi + kPi / static_cast<float>(teeth) - ratio * (driver_angle - direction);
 }
 
-float ring_meshing_angle(int gear_teeth, float gear_angle, int ring_teeth, float direction) {
-  // Inside a ring both turn the same way: a tooth d ahead of the line of centres fills a space d gear_teeth / ring_teeth ahead.
-  return direction + static_cast<float>(gear_teeth) / static_cast<float>(ring_teeth) * (gear_angle - direction);
-}
-
 }  // namespace lippmann::builtin

@@ -38,8 +38,5 @@ Mesh ring_gear_mesh(int inner_teeth, int outer_teeth, const GearBlank& blank);
 /// The rotation of a gear that meshes with a driver turned by `driver_angle`; `direction`: of its centre, seen from the
 /// driver's.
 float meshing_angle(int driver_teeth, float driver_angle, int teeth, float direction);
-/// The rotation of a ring (its spaces) around a gear inside it that is turned by `gear_angle`; `direction`: of the gear's
-/// centre, seen from the ring's.
-float ring_meshing_angle(int gear_teeth, float gear_angle, int ring_teeth, float direction);
 
 }  // namespace lippmann::builtin

@@ -34,6 +34,13 @@ float ring_clearance(int teeth, float ring_angle, Vec2f p) {
   return radius * (std::abs(from_tooth(teeth, tooth_angle, p)) - ring_tooth_half_angle(teeth, radius));
 }
 
+/// The rotation of a ring (its spaces) around a gear inside it that is turned by `gear_angle`; `direction`: of the gear's
+/// centre, seen from the ring's.
+float ring_meshing_angle(int gear_teeth, float gear_angle, int ring_teeth, float direction) {
+  // Inside a ring both turn the same way: a tooth d ahead of the line of centres fills a space d gear_teeth / ring_teeth ahead.
+  return direction + static_cast<float>(gear_teeth) / static_cast<float>(ring_teeth) * (gear_angle - direction);
+}
+
 /// Points of all of a gear's flanks, around its own centre.
 std::vector<Vec2f> flank_points(int teeth, float gear_angle) {
   std::vector<Vec2f> points;
@@ -82,7 +89,7 @@ TEST(MeshingAngle, gears_turn_together_without_touching_and_without_slack) {
       }
 }
 
-TEST(RingMeshingAngle, gear_turns_inside_a_ring_without_touching_and_without_slack) {
+TEST(RingTooth, gear_turns_inside_a_ring_without_touching_and_without_slack) {
   for (const float direction : {0.0f, 1.9f})
     for (int step = 0; step < 10; ++step) {
       const float gear_angle = 0.053f * static_cast<float>(step);
