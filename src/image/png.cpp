@@ -125,8 +125,6 @@ std::vector<std::byte> encode(const std::string& where, const AnyImage& image, c
 
 std::vector<std::byte> encode_png(const Image8& image, const PngOptions& options) { return encode("PNG", image, options); }
 
-std::vector<std::byte> encode_png(const Image16& image, const PngOptions& options) { return encode("PNG", image, options); }
-
 void write_png(const std::filesystem::path& path, const Image8& image, const PngOptions& options) {
   write_file_atomically(path, encode(path.string(), image, options));
 }

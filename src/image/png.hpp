@@ -24,7 +24,6 @@ struct PngOptions {
 
 /// The bytes of the file. Throws Error for sizes outside 1 ... 65536.
 std::vector<std::byte> encode_png(const Image8& image, const PngOptions& options = {});
-std::vector<std::byte> encode_png(const Image16& image, const PngOptions& options = {});
 
 /// Puts them in a file that appears only when complete. Throws Error naming it.
 void write_png(const std::filesystem::path& path, const Image8& image, const PngOptions& options = {});

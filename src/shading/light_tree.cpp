@@ -198,11 +198,6 @@ const Part* or_null(const std::vector<Part>& parts) {
 
 }  // namespace
 
-std::size_t LightTree::bytes() const {
-  return nodes_.size() * sizeof(LightNode) + boxes_.size() * sizeof(LightBoxes) + cones_.size() * sizeof(LightCones) +
-         beams_.size() * sizeof(LightBeams) + faces_.size() * sizeof(LightFaces) + slots_.size() * sizeof(std::uint32_t);
-}
-
 std::optional<LightTree::Choice> LightTree::choose(const LightReceiver& at, float u) const {
   if (empty()) return std::nullopt;
   std::int32_t child = 0;

@@ -100,7 +100,6 @@ class LightTree {
   explicit LightTree(std::span<const TreeLight> lights);
 
   bool empty() const { return nodes_.empty(); }
-  std::size_t bytes() const;
 
   struct Choice {
     std::uint32_t light;

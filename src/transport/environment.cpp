@@ -247,12 +247,8 @@ void Environment::sample_rest(SkyDraws& draws) const {
   }
 }
 
-Environment::Density Environment::density(Vec3f direction) const {
-  return density_at(place_of(direction, rotation_), direction.y);
-}
-
-Environment::Density Environment::density_at(Vec2f across_down, float cosine) const {
-  const SkyPatches::Place place = patches_.at(across_down, cosine);
+Environment::Density Environment::density(const SkyRays& rays, int i) const {
+  const SkyPatches::Place place = patches_.at({rays.across[i], rays.down[i]}, rays.y[i]);
   if (const float of_sun = sun_.density(patches_, place); of_sun > 0.0f) return {of_sun, true};
   return {rest_.density(patches_, place), false};
 }

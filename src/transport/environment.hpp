@@ -58,10 +58,8 @@ class Environment {
     float value = 0.0f;   ///< per steradian
     bool of_sun = false;  ///< whether sample_sun() draws the direction; else sample_rest() does
   };
-  /// Along a unit vector.
-  Density density(Vec3f direction) const;
-  /// Along ray i of those whose radiance was looked up, to the same bits.
-  Density density(const SkyRays& rays, int i) const { return density_at({rays.across[i], rays.down[i]}, rays.y[i]); }
+  /// Along ray i of those whose radiance was looked up.
+  Density density(const SkyRays& rays, int i) const;
 
   bool is_dark() const { return sun_.is_dark() && rest_.is_dark(); }
   /// Mean over all directions.
@@ -69,7 +67,6 @@ class Environment {
 
  private:
   Sample sample(const PatchChoice& patches, Vec2f u) const;
-  Density density_at(Vec2f place, float cosine) const;
 
   const Background& background_;
   Background gradient_;  ///< the background without its map, in the range of light

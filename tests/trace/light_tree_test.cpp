@@ -333,13 +333,5 @@ TEST(LightTree, a_ray_meets_all_balls_that_it_passes) {
   EXPECT_LT(visits, 2 * met_at_all) << "others are not asked";
 }
 
-// 640 bytes for at most sixteen lights, 4 for the slot of each.
-TEST(LightTree, a_hundred_thousand_lamps_take_less_than_a_hundred_bytes_each) {
-  const std::vector<TreeLight> lights = random_lights(Kind::kPoints, 100000, 15);
-  const LightTree tree(lights);
-  EXPECT_LT(tree.bytes(), 100 * lights.size());
-  EXPECT_GT(tree.choose({{1, 1, 1}, {0, 0, 1}}, 0.5f)->probability, 1e-5f) << "a light nearby";
-}
-
 }  // namespace
 }  // namespace lippmann

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "chi_squared.hpp"
 #include "transport/sampler.hpp"
 #include "transport/sampling.hpp"
@@ -18,6 +20,15 @@ Background panorama(int width, int height, const std::function<Vec3f(int, int)>&
       std::copy(&c.x, &c.x + 3, b.map->radiance.pixel(x, y));
     }
   return b;
+}
+
+Environment::Density density_of(const Environment& e, Vec3f direction) {
+  SkyRays rays;
+  std::fill_n(rays.x, SkyRays::kRays, direction.x);
+  std::fill_n(rays.y, SkyRays::kRays, direction.y);
+  std::fill_n(rays.z, SkyRays::kRays, direction.z);
+  e.radiance(rays);
+  return e.density(rays, 0);
 }
 
 // Eight columns of 45 degrees; column 4 begins at +x, and z grows with the column.
@@ -50,7 +61,6 @@ TEST(Environment, directions_side_by_side_see_what_each_alone_sees) {
     for (int i = 0; i < SkyRays::kRays; ++i) {
       const Vec3f direction(rays.x[i], rays.y[i], rays.z[i]);
       EXPECT_EQ(e.radiance(direction), Vec3f(rays.red[i], rays.green[i], rays.blue[i])) << i;
-      EXPECT_EQ(e.density(direction).value, e.density(rays, i).value) << i;
     }
   }
 }
@@ -132,7 +142,7 @@ TEST(Environment, directions_are_drawn_as_their_density_says) {
     const auto draw = [&](int i) -> std::optional<Vec3f> {
       return e.sample_rest(scrambled_sobol(0, static_cast<std::uint32_t>(i))).direction;
     };
-    const auto density = [&](Vec3f d) { return static_cast<double>(e.density(d).value); };
+    const auto density = [&](Vec3f d) { return static_cast<double>(density_of(e, d).value); };
     EXPECT_LT(test::chi_squared(200'000, draw, density).deviations(), 4.0);
   }
 }
@@ -142,7 +152,7 @@ TEST(Environment, a_samples_density_is_that_of_its_direction) {
   const Environment e(b);
   for (std::uint32_t i = 0; i < 200; ++i) {
     const Environment::Sample s = e.sample_rest(scrambled_sobol(i, 4u));
-    EXPECT_NEAR(s.density, e.density(s.direction).value, 1e-3f * s.density) << i;
+    EXPECT_NEAR(s.density, density_of(e, s.direction).value, 1e-3f * s.density) << i;
   }
 }
 
@@ -155,7 +165,7 @@ TEST(Environment, a_sun_of_one_texel_is_found_wherever_it_lies) {
     EXPECT_NEAR(e.sun_share(), at.y % 127 == 0 ? 1.25f / 2.25f : 0.5f, 0.002f) << at.x << ", " << at.y;
     double solid_angle = 0.0;
     for_each_direction(b, 3, [&](Vec3f d, double steradian) {
-      const bool of_sun = e.density(d).of_sun;
+      const bool of_sun = density_of(e, d).of_sun;
       solid_angle += of_sun ? steradian : 0.0;
       EXPECT_TRUE(of_sun || e.radiance(d).y <= 1.01f) << "the sun's light reaches beyond it, at " << at.x << ", " << at.y;
     });
@@ -170,7 +180,7 @@ TEST(Environment, densities_of_sun_and_rest_integrate_to_one_and_their_light_is_
   const Environment e(b);
   double of_sun = 0.0, of_rest = 0.0, light = 0.0;
   for_each_direction(b, 6, [&](Vec3f d, double steradian) {
-    const Environment::Density density = e.density(d);
+    const Environment::Density density = density_of(e, d);
     (density.of_sun ? of_sun : of_rest) += static_cast<double>(density.value) * steradian;
     light += static_cast<double>(e.radiance(d).y) * steradian;
   });
@@ -191,7 +201,7 @@ TEST(Environment, samples_of_a_sun_have_no_noise) {
   const double of_sun = static_cast<double>(e.sun_share() * e.mean_radiance().y) * 4.0 * M_PI;
   for (std::uint32_t i = 0; i < 256; ++i) {
     const Environment::Sample s = e.sample_sun(scrambled_sobol(i, 7u));
-    ASSERT_TRUE(e.density(s.direction).of_sun) << i;
+    ASSERT_TRUE(density_of(e, s.direction).of_sun) << i;
     EXPECT_NEAR(static_cast<double>(e.radiance(s.direction).y / s.density), of_sun, 0.02 * of_sun) << i;
   }
 }
@@ -208,7 +218,7 @@ TEST(Environment, soft_skies_have_no_sun) {
   for (const Background* b : std::initializer_list<const Background*>{&gradient, &even, &dark, &window, &veiled}) {
     const Environment e(*b);
     EXPECT_EQ(e.sun_share(), 0.0f);
-    EXPECT_FALSE(e.density({0.0f, 0.0f, 1.0f}).of_sun);
+    EXPECT_FALSE(density_of(e, {0.0f, 0.0f, 1.0f}).of_sun);
   }
 }
 
@@ -217,7 +227,7 @@ TEST(Environment, an_even_one_has_its_radiance_as_mean_and_a_dark_one_says_so) {
   even.horizon = even.zenith = Vec3f(0.5f);
   EXPECT_NEAR(Environment(even).mean_radiance().y, 0.5f, 1e-4f);
   EXPECT_TRUE(Environment(Background{}).is_dark());
-  EXPECT_EQ(Environment(Background{}).density({0.0f, 1.0f, 0.0f}).value, 0.0f);
+  EXPECT_EQ(density_of(Environment(Background{}), {0.0f, 1.0f, 0.0f}).value, 0.0f);
 }
 
 }  // namespace
