@@ -29,7 +29,7 @@
 namespace lippmann::app {
 namespace {
 
-constexpr int kFailed = 1, kWrongUsage = 2;
+constexpr int kFailed = 1, kRemoved = 2;  ///< exit codes
 
 /// How the tool was called: its path where there is one, so that what is suggested runs as it is printed.
 std::string called_as(int argc, char** argv) {
@@ -96,7 +96,7 @@ int run(int argc, char** argv) {
     print_error(
         "lippmann: `bench` is a program of its own: lippmann-bench NAME (build it with scripts/build release "
         "lippmann-bench)\n");
-    return kWrongUsage;
+    return kRemoved;
   }
   CommandLine command_line("lippmann", "Renders 3D integral images (light-field images) and their animation.",
                            fmt::format("lippmann {}\n{}", version(), build_facts()));

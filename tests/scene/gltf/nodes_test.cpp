@@ -25,9 +25,9 @@ using testing::HasSubstr;
 const float kHalfRoot = std::sqrt(0.5f);
 
 /// A handful of roundings of numbers of order one.
-constexpr float kRounding = 1e-6f;
+constexpr float kFloatRounding = 1e-6f;
 
-void expect_near(Vec3f actual, Vec3f expected, float tolerance = kRounding) {
+void expect_near(Vec3f actual, Vec3f expected, float tolerance = kFloatRounding) {
   EXPECT_LE(glm::length(actual - expected), tolerance) << actual.x << " " << actual.y << " " << actual.z;
 }
 
@@ -60,7 +60,7 @@ TEST(GltfNodes, world_transform_scales_then_rotates_then_moves_level_by_level) {
   const Scene scene = parse(b);
   const ResolvedScene rest = evaluate(scene, 0.0);
   // (1, 1, 1) in the child is (2, 1, 1) in its parent, scaled (4, 3, 4), rotated (-3, 4, 4), moved (7, 4, 4).
-  expect_near(transform_point(rest.of(1), {1, 1, 1}), {7, 4, 4}, 4 * kRounding);
+  expect_near(transform_point(rest.of(1), {1, 1, 1}), {7, 4, 4}, 4 * kFloatRounding);
 }
 
 TEST(GltfNodes, matrix_is_read_by_columns) {
@@ -243,7 +243,7 @@ TEST(GltfSkin, joints_bind_matrices_and_weights_are_read) {
   expect_near(posed(scene, 0), {10, 0, 0});  // joint 0 alone
   expect_near(posed(scene, 1), {0, 1, 1});   // (1, 0, 0) bound to (1, 0, 1), turned
   // (0, 1, 0): half of (10, 1, 0) and half of (-1, 0, 1).
-  expect_near(posed(scene, 2), {4.5f, 0.5f, 0.5f}, 4 * kRounding);
+  expect_near(posed(scene, 2), {4.5f, 0.5f, 0.5f}, 4 * kFloatRounding);
 }
 
 TEST(GltfSkin, joints_that_are_not_visible_still_carry_it) {
@@ -273,7 +273,7 @@ TEST(GltfSkin, second_set_of_joints_counts_too) {
   attributes["JOINTS_1"] = attributes["JOINTS_0"];
   attributes["WEIGHTS_1"] = b.add_accessor(std::vector<Vec4f>{{0, 0, 0, 0}, {0, 0.5f, 0, 0}, {0, 0, 0, 0}});
   // (1, 0, 0): half of (11, 0, 0) and half of (0, 1, 1).
-  expect_near(posed(parse(b), 1), {5.5f, 0.5f, 0.5f}, 4 * kRounding);
+  expect_near(posed(parse(b), 1), {5.5f, 0.5f, 0.5f}, 4 * kFloatRounding);
 }
 
 TEST(GltfSkin, that_no_node_uses_is_not_even_looked_at) {
@@ -405,7 +405,7 @@ TEST(GltfAnimation, cubic_spline_reads_tangents_around_each_value) {
   // = 27/32 + 27/32 + 25/32 + 6/32 = 85/32.
   const Scene scene = parse(animated<Vec3f>("translation", "CUBICSPLINE", {0, 2},
                                             {{9, 0, 0}, {1, 0, 0}, {3, 0, 0}, {-2, 0, 0}, {5, 0, 0}, {9, 0, 0}}));
-  expect_near(position_at(scene, 0.5), {85.0f / 32.0f, 0, 0}, 4 * kRounding);
+  expect_near(position_at(scene, 0.5), {85.0f / 32.0f, 0, 0}, 4 * kFloatRounding);
 }
 
 TEST(GltfAnimation, rotation_is_read_as_x_y_z_w_and_takes_the_arc) {
