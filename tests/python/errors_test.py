@@ -169,7 +169,7 @@ class Errors(Case):
         with self.assertRaises(lippmann.Error):
             lippmann.display_from_toml("kind = 3")
 
-    def test_scenes_without_anything_or_of_zero_size_render_or_are_refused(self):
+    def test_scenes_without_anything_are_refused_and_those_of_zero_size_are_warned_of(self):
         self.assertWrong("scene", lippmann.render, lippmann.Scene(), small_grid(1, 1, (8, 8)), spp=1)
         lamp = lippmann.Scene()
         lamp.add_light()
@@ -181,7 +181,8 @@ class Errors(Case):
         point = lippmann.Scene()
         point.set_background((1, 1, 1))
         point.add_mesh(np.ones((3, 3)), [[0, 1, 2]])
-        self.assertWrong("scene", lippmann.render, point, small_grid(1, 1, (8, 8)), spp=1)
+        with self.assertWarnsRegex(lippmann.LippmannWarning, "none of the scene's triangles has an area"):
+            lippmann.render(point, small_grid(1, 1, (8, 8)), spp=1)
         opened = lippmann.Scene()
         opened.add_mesh(np.zeros((3, 3)), [[0, 1, 2]], targets=[[[0, 0, 0], [1, 0, 0], [0, 1, 0]]], weights=[1])
         opened.place_display(height=2, viewing_distance=20)
