@@ -1,5 +1,7 @@
 #include "scene/gltf/camera.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -62,7 +64,7 @@ void read_cameras(Document& document, const NodeMap& nodes, Scene& scene) {
     const std::string& type = from["type"].text();
     const std::string where = element("cameras", static_cast<std::size_t>(index));
     const Value shape = from[type];
-    if (!shape) document.report.fail(where + "." + type, "is missing");
+    if (!shape) document.report.fail(fmt::format("{}.{}", where, type), "is missing");
     const int node = static_cast<int>(i);
     const bool perspective = type == "perspective";
     if (!perspective && shows_nothing(shape))
