@@ -21,7 +21,7 @@ struct ParamFlags {
 
   /// The job file, if there is one, and what the flags say over it. Throws Error, also for a flag that has no effect.
   RenderParams read() const;
-  /// The same, completed.
+  /// The same, with all defaults filled in.
   ResolvedJob resolve() const;
 };
 

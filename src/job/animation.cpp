@@ -63,13 +63,13 @@ int kept_parts(const RenderSetup& setup, RenderFolder& folder) {
   return static_cast<int>(std::count_if(setup.parts.parts.begin(), setup.parts.parts.end(), is_finished));
 }
 
-/// Makes frames, or the strips alone where the run leaves them.
+/// Renders parts: whole frames, or only strips if the run leaves joining to others.
 void make_parts(const RenderSetup& setup, const std::vector<int>& parts, FrameLoop& loop, StrippedFrames* strips) {
   if (setup.leaves_strips()) return strips->make_strips(parts);
   loop.take(frames_of_parts(parts, setup.parts.strips));
 }
 
-/// Makes units that no rank has taken yet, one after the other, until there are no more.
+/// Takes units that no rank has taken yet, one by one, and renders them.
 void share_parts(const Run& run, FrameLoop& loop, StrippedFrames* strips) {
   constexpr int kUnitsPerRank = 8;  // few enough to begin seldom, enough for ranks to end at about the same time
   const RenderSetup& setup = run.setup;
@@ -93,7 +93,7 @@ void report_strips(const RenderSetup& setup, const StrippedFrames& strips, Rende
   }
 }
 
-/// Makes this process's share of the run, with the videos where it makes all frames.
+/// Renders this process's share of the run. A process that stands alone also writes the videos.
 void make_run(const Run& run, FrameMaker& maker, StrippedFrames* strips) {
   const RenderSetup& setup = run.setup;
   RenderReport& report = run.report;
@@ -119,12 +119,13 @@ bool has_all_strips(const FolderJournal& journal, int frame, int strips) {
   return finished != journal.strips.end() && static_cast<int>(finished->second.finished.size()) == strips;
 }
 
-/// Joins the frames whose strips the ranks have all rendered: those of a rank that was stopped are left for later.
+/// Joins the frames that have all of their strips. Frames of a rank that was stopped stay in strips.
 void join_frames(const Run& run) {
   const FolderJournal journal = run.folder.now();
   std::vector<int> frames;
   for (const int frame : run.setup.parts.frames)
-    if (has_all_strips(journal, frame, run.setup.parts.strips) || run.folder.find(frame)) frames.push_back(frame);
+    if (has_all_strips(journal, frame, run.setup.parts.strips) || (run.setup.keeps_frames() && run.folder.find(frame)))
+      frames.push_back(frame);
   StrippedFrames joined = stripped_frames(run, true);
   FrameLoop loop(run, joined, {});
   loop.take(frames);
@@ -135,7 +136,7 @@ void join_frames(const Run& run) {
   });
 }
 
-/// What is left for the first rank once all are done.
+/// Joins frames and encodes videos on the first rank, after all ranks have finished.
 void finish_ranks(const Run& run, FrameMaker& maker) {
   if (run.setup.job.is_in_strips() && !run.context.cancelled) join_frames(run);
   const FolderJournal journal = run.folder.now();

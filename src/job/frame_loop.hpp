@@ -13,7 +13,7 @@
 
 namespace lippmann {
 
-/// A run under way: what it makes, where, and who hears of it.
+/// The state that the parts of a run share.
 struct Run {
   RenderSetup& setup;
   RenderFolder& folder;

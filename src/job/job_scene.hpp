@@ -10,7 +10,7 @@
 
 namespace lippmann {
 
-/// What is known of a scene beside what it holds.
+/// Facts about a loaded scene that the scene itself does not store.
 struct SceneNotes {
   std::vector<std::string> camera_names;  ///< in the file's order
   std::string light;                      ///< one sentence: which light was taken, and why

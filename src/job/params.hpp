@@ -1,5 +1,5 @@
-// What is asked of a render, as one plain struct. Command-line flags and job-file keys of the same names are read into it, and
-// written from it, through one table: params_table.hpp. What is left open, ResolvedJob completes (resolved_job.hpp).
+// The parameters of a render as the user gave them, in one plain struct. One table, params_table.hpp, reads and writes them as
+// command-line flags and job-file keys. ResolvedJob (resolved_job.hpp) fills in the defaults.
 #pragma once
 
 #include <cstdint>

@@ -44,7 +44,7 @@ constexpr std::array<std::string_view, 2> kDepthScaleNames{"disparity", "depth"}
 /// The layers that `aov` takes; alpha comes with `transparent`.
 const std::span<const std::string_view> kWantedAovNames(kAovNames.data(), kAovs - 1);
 
-constexpr int kMaxCount = 1 << 20;  ///< pixels or lenses along one side; the panel as a whole is bounded in make_optics
+constexpr int kMaxCount = 1 << 20;  ///< pixels or lenses along one side; the panel as a whole is bounded in panel_size()
 
 /// How each type of member is read and written. One pair of functions makes a row's `set` and `get`.
 template <class T>

@@ -18,8 +18,7 @@ struct PlacedJob {
   PlacedOptics placed;
 };
 
-/// What the job's pictures are made for. The arguments outlive the result. Throws a usage Error for parameters that contradict
-/// each other.
+/// Returns the screen of a job. The arguments must outlive it. Throws a usage Error if parameters contradict each other.
 Screen screen_of(const ResolvedJob& job, const Scene& scene, const Display* display);
 
 /// Loads the job's display, fits the array to the scene, and makes the optics. Rays start where the fitted viewer stands, so

@@ -1,4 +1,4 @@
-// What a render is going to do, for people and for programs that watch it.
+// The plan of a render: folder, frames, sizes and memory, for progress displays and dry runs.
 #pragma once
 
 #include <cstdint>

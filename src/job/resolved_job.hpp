@@ -10,7 +10,8 @@
 
 namespace lippmann {
 
-/// What was asked for, completed. Only the constructor applies defaults, so no caller can forget them or apply them twice.
+/// The parameters of a job with all defaults filled in. Only the constructor applies defaults, so no caller can forget them or
+/// apply them twice.
 class ResolvedJob {
  public:
   /// Completes `asked`:
@@ -31,10 +32,10 @@ class ResolvedJob {
   /// Whether each frame is rendered in strips of rows.
   bool is_in_strips() const { return params_.strips > 1; }
 
-  /// How many threads render it: as asked for, or as many as `context` has.
+  /// Returns the number of rendering threads: the one asked for, or that of `context`.
   int threads(const Context& context) const;
 
-  /// Of the animation and of videos: as asked for, or the scene's own.
+  /// Returns the frame rate of the animation and of videos: the one asked for, or the scene's own.
   double frames_per_second(const Timeline& timeline) const;
 
   /// The same job, with its files in another folder.

@@ -11,7 +11,7 @@
 
 namespace lippmann {
 
-/// What one run does of a job.
+/// Parameters of one run of a job.
 struct RunParams {
   bool force = false;  ///< another render in the folder is replaced, and videos that are there (folder/claim_folder.hpp)
   std::optional<Units> units = {};              ///< none: all frames. Videos wait until all are there (finish_animation)
@@ -40,7 +40,7 @@ struct RunParts {
   RunParts(const ResolvedJob& job, const FrameParams& made_as, const Timeline& timeline, const RunParams& run);
 };
 
-/// Where a job may be cut into units: of frames that are rendered in strips, between any two.
+/// Returns RunParts::segment: 1 if frames are rendered in strips, which may be cut into units anywhere.
 int segment_of(const ResolvedJob& job, const FrameParams& made_as);
 
 }  // namespace lippmann

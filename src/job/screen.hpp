@@ -1,4 +1,5 @@
-// What a job's pictures are made for, before and after it is known where the viewer stands.
+// The screen that a job's pictures are for. Its aspect is needed to fit the array to the scene, and the fitted array to make
+// its optics.
 #pragma once
 
 #include <functional>

@@ -29,8 +29,8 @@ namespace lippmann {
 class Renderer {
  public:
   /// Builds the data structures for ray tracing on context.threads threads. completed() chooses the
-  /// integrator if params does not. `context` must outlive this object. Throws Error if the scene does not pass validate() or
-  /// shows nothing, or if parameters are invalid.
+  /// integrator if `params` does not. `context` must outlive this object. Throws Error if the scene does not pass validate(),
+  /// if it has neither shapes nor a sky, or if parameters are invalid.
   Renderer(Scene scene, Placement placement, FrameParams params, const Context& context);
   ~Renderer();
   Renderer(Renderer&&) noexcept;

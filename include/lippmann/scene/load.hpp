@@ -30,7 +30,7 @@ Scene load_scene(const std::string& name, const LoadOptions& options, const Cont
 /// built-in scene, and none of the formats that describe Whitted's shading (Tachyon, NFF).
 bool is_physical_format(const std::string& name);
 
-/// What the scene of that name describes, by its ending, and by the header of files that may hold splats.
+/// Returns the kind of the scene with this name, from its ending. Files that may hold splats are opened to find out.
 SceneKind scene_kind(const std::string& name);
 
 /// Whether `name` is a file of splats (3D Gaussians) alone, PLY by its header or glTF by its JSON. What cannot be read is none.

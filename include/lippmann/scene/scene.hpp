@@ -381,7 +381,8 @@ struct Instance {
   bool casts_no_shadow = false;      ///< meshes; other shapes only if no instance of the scene casts a shadow
 };
 
-/// What a scene's materials and lights describe. Decides the defaults of sampling: see completed() (frames/frame_params.hpp).
+/// The model that a scene's materials and lights follow. It decides the default sampling: see completed() in
+/// frames/frame_params.hpp.
 enum class SceneKind {
   kPhysical,  ///< physical materials and light: files of glTF, OBJ and PLY, and scenes made in memory
   kWhitted,   ///< Whitted shading: the built-in scenes, and files of NFF and Tachyon
