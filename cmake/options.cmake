@@ -3,6 +3,8 @@
 add_library(lippmann_options INTERFACE)
 target_include_directories(lippmann_options INTERFACE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
 target_compile_options(lippmann_options INTERFACE -Wall -Wextra -Wshadow -Wno-unknown-pragmas)
+# GCC notes that packets by value have had another ABI since 4.6. No packet crosses the library's boundary.
+target_compile_options(lippmann_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>)
 
 # Floating point: contraction to FMA is off, so that every instruction-set clone of a kernel (core/multiversion.hpp) gives the
 # same bits; errno and traps are not used, which lets the compiler vectorise floor, sqrt and selects.

@@ -5,7 +5,7 @@
 // geometry still sees whole native packets; elsewhere Embree splits it itself.
 #pragma once
 
-#if __has_include(<embree4/rtcore.h>) && !defined(LIPPMANN_EMBREE3)
+#if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
 #else
 #include <embree3/rtcore.h>

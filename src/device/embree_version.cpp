@@ -1,6 +1,6 @@
 #include "device/embree_version.hpp"
 
-#include <embree3/rtcore.h>
+#include "device/embree_shim.hpp"
 
 namespace lippmann {
 

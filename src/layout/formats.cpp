@@ -14,7 +14,7 @@ const std::vector<LightFieldFormat>& light_field_formats() {
   return all;
 }
 
-const LightFieldFormat& find_format(const std::string& name, const std::string& flag) {
+const LightFieldFormat& find_format(std::string_view name, std::string_view flag) {
   std::string known;
   std::vector<std::string_view> names;
   for (const LightFieldFormat& format : light_field_formats()) {
@@ -22,7 +22,7 @@ const LightFieldFormat& find_format(const std::string& name, const std::string& 
     known += fmt::format("{}{}", known.empty() ? "" : ", ", format.name);
     names.push_back(format.name);
   }
-  throw usage_error(flag, fmt::format("unknown format '{}'{}", name, did_you_mean(name, names)), known);
+  throw usage_error(std::string(flag), fmt::format("unknown format '{}'{}", name, did_you_mean(name, names)), known);
 }
 
 }  // namespace lippmann

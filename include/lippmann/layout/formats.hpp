@@ -72,6 +72,6 @@ LightFieldFormat rgbd_format();
 const std::vector<LightFieldFormat>& light_field_formats();
 
 /// Throws a usage Error naming `flag` and the known names.
-const LightFieldFormat& find_format(const std::string& name, const std::string& flag);
+const LightFieldFormat& find_format(std::string_view name, std::string_view flag);
 
 }  // namespace lippmann

@@ -141,7 +141,11 @@ TEST(GltfMeshopt, exponential_numbers_are_expanded) {
   GltfBuilder b;
   std::vector<std::uint32_t> filtered(9);
   const std::vector<Vec3f> corners{{0, 0, 0}, {1024, 0, 0}, {0, 0.5f, 0}};
+#if MESHOPTIMIZER_VERSION >= 190
+  meshopt_encodeFilterExp(filtered.data(), 3, 12, 15, &corners[0].x, meshopt_EncodeExpSharedVector);
+#else
   meshopt_encodeFilterExp(filtered.data(), 3, 12, 15, &corners[0].x);
+#endif
   b.add_node({{"mesh", b.add_triangle()}});
   pack_view(b, 0, pack_vertices(filtered.data(), 3, 12), 3, 12, "ATTRIBUTES", "EXPONENTIAL");
   EXPECT_EQ(mesh_of(with_fallback(b)).positions, corners);  // powers of two: exact in any mantissa

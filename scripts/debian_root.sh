@@ -1,0 +1,39 @@
+# Debian systems in folders, for scripts/try_on and scripts/package_test, which source this file. Needs root and debootstrap.
+
+# Prints where this machine takes Debian's packages from; $MIRROR overrides it.
+debian_mirror() {
+  local found
+  found=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/*.{list,sources} 2>/dev/null |
+    sed -n 's/^URIs: *\([^ ]*\).*/\1/p; s/^deb [^h]*\(http[^ ]*\).*/\1/p' | head -1 || true)
+  echo "${MIRROR:-${found:-http://deb.debian.org/debian}}"
+}
+
+require_debian_root() {
+  command -v debootstrap >/dev/null || { echo "$0 needs debootstrap: apt-get install debootstrap" >&2; exit 2; }
+  [[ $(id -u) -eq 0 ]] || { echo "$0 must run as root: it installs Debian into a folder" >&2; exit 2; }
+}
+
+# Installs the minimal system of a suite (bookworm, trixie, sid) into a folder: make_debian_root SUITE FOLDER.
+# The name server, settings of apt and certificate authorities of this machine come along.
+make_debian_root() {
+  local suite=$1 root=$2
+  debootstrap --variant=minbase "$suite" "$root" "$(debian_mirror)" || return
+  cp /etc/resolv.conf "$root/etc/" 2>/dev/null || true
+  cp -r /etc/apt/apt.conf.d/. "$root/etc/apt/apt.conf.d/"
+  mkdir -p "$root/usr/local/share"
+  cp -r /usr/local/share/ca-certificates "$root/usr/local/share/"
+  in_debian_root "$root" apt-get update -qq
+}
+
+# Runs a command in the system: in_debian_root FOLDER COMMAND... Its mounts end with the command.
+in_debian_root() {
+  local root=$1
+  shift
+  # shellcheck disable=SC2016
+  unshare --mount --propagation private bash -c '
+    root=$1; shift
+    mount --rbind /dev "$root/dev" && mount --rbind /sys "$root/sys" && mount -t proc proc "$root/proc" || exit
+    exec chroot "$root" "$@"' _ "$root" \
+    /usr/bin/env -i HOME=/root TERM="${TERM:-dumb}" PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
+    LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"
+}
