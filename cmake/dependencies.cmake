@@ -1,4 +1,4 @@
-# Everything comes from Debian 12 packages; scripts/bootstrap installs them.
+# Everything comes from packages of Debian 12 or newer; scripts/bootstrap installs them.
 
 find_package(PkgConfig REQUIRED)
 find_package(TBB REQUIRED)
@@ -27,10 +27,11 @@ pkg_check_modules(WebP REQUIRED IMPORTED_TARGET libwebp)
 pkg_check_modules(FFmpeg REQUIRED IMPORTED_TARGET libavcodec libavformat libavutil libswscale)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 
-# The archive: Debian's shared libdraco brings image and glTF readers along, whose symbols other libraries have too.
-find_library(DRACO_ARCHIVE libdraco.a REQUIRED)
+# The archive where there is one: Debian's shared libdraco brings image and glTF readers along, whose symbols other libraries
+# have too. Fedora and Arch package no archive.
+find_library(DRACO_LIBRARY NAMES libdraco.a draco REQUIRED)
 find_path(DRACO_INCLUDE_DIR draco/draco_features.h REQUIRED)
-add_library(draco::archive STATIC IMPORTED)
-set_target_properties(draco::archive PROPERTIES
-  IMPORTED_LOCATION ${DRACO_ARCHIVE}
+add_library(draco::library UNKNOWN IMPORTED)
+set_target_properties(draco::library PROPERTIES
+  IMPORTED_LOCATION ${DRACO_LIBRARY}
   INTERFACE_INCLUDE_DIRECTORIES ${DRACO_INCLUDE_DIR})

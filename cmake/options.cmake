@@ -3,6 +3,8 @@
 add_library(lippmann_options INTERFACE)
 target_include_directories(lippmann_options INTERFACE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
 target_compile_options(lippmann_options INTERFACE -Wall -Wextra -Wshadow -Wno-unknown-pragmas)
+# Designated initialisers leave the other members at their defaults on purpose.
+target_compile_options(lippmann_options INTERFACE -Wno-missing-field-initializers)
 # GCC notes that packets by value have had another ABI since 4.6. No packet crosses the library's boundary.
 target_compile_options(lippmann_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>)
 

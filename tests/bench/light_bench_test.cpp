@@ -110,7 +110,9 @@ TEST(BenchEstimates, every_interval_contains_the_truth_or_lies_beside_it) {
     EXPECT_EQ(row["frames"], 2 * 2) << "two frames of two seeds";
     EXPECT_EQ(row["contain_truth"].get<int>() + row["too_low"].get<int>() + row["too_high"].get<int>(), row["frames"]);
     EXPECT_LE(row["without_upper_bound"], row["frames"]);
-    if (row["mean_width_db"].is_number()) EXPECT_GT(row["mean_width_db"], 0.0);
+    if (row["mean_width_db"].is_number()) {
+      EXPECT_GT(row["mean_width_db"], 0.0);
+    }
     frames += row["frames"].get<int>(), contain += row["contain_truth"].get<int>();
   }
   EXPECT_EQ(report.details["frames"], frames);

@@ -26,12 +26,12 @@ RunResult run_program(const TempDir& dir, std::vector<std::string> arguments) {
   return run(arguments, {dir.path().string(), 0});
 }
 
-void expect_wrong_usage(const std::vector<std::string>& arguments, const std::string& message) {
+void expect_wrong_usage(const std::vector<std::string>& arguments, const std::string& pattern) {
   const TempDir dir;
   const RunResult result = run_program(dir, arguments);
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_EQ(result.out, "");
-  EXPECT_EQ(result.err, "lippmann-bench: " + message + "\n");
+  EXPECT_THAT(result.err, testing::MatchesRegex("lippmann-bench: " + pattern + "\n"));
 }
 
 /// The names after `lippmann-bench` in a page.
@@ -73,7 +73,7 @@ TEST(BenchProgram, foreign_options_are_refused_with_the_accepted_ones) {
 }
 
 TEST(BenchProgram, bad_values_are_refused) {
-  expect_wrong_usage({"lamps", "--reference-spp", "0"}, "lamps: --reference-spp: Value 0 not in range 1 to 1048576");
+  expect_wrong_usage({"lamps", "--reference-spp", "0"}, "lamps: --reference-spp: Value 0 not in range [^\n]*1 [^\n]*1048576\\]?");
 }
 
 TEST(BenchProgram, unknown_benchmark_is_answered_with_the_nearest) {
@@ -122,8 +122,9 @@ TEST(BenchProgram, docs_name_known_benchmarks_and_the_readme_all) {
   const fs::path source(LIPPMANN_SOURCE);
   EXPECT_THAT(benchmarks_named_in(source / "README.md"), testing::ContainerEq(known));
   for (const auto& page : fs::recursive_directory_iterator(source / "docs"))
-    if (page.path().extension() == ".md")
+    if (page.path().extension() == ".md") {
       EXPECT_THAT(benchmarks_named_in(page.path()), testing::IsSubsetOf(known)) << page.path();
+    }
 }
 
 }  // namespace

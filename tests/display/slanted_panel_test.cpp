@@ -19,15 +19,6 @@ double view_of(const Optics& optics, int i, int j, int color) {
 /// The eye, up to 400 mm from the middle in floats, is good to 3e-5 mm of about 800 mm that the cone spreads over.
 constexpr double kView = 1e-6;
 
-Calibration flipped_calibration() {
-  Calibration calibration;
-  calibration.pitch = 52.594;
-  calibration.slope = -7.2115;
-  calibration.center = 0.40277;
-  calibration.flip_image_x = true;
-  return calibration;
-}
-
 TEST(SlantedDisplay, portrait_has_the_published_periods_and_tilt) {
   // 52 * 1536 / 324 cos(atan(-1/7)) = 246.5185 * 0.989949 = 244.0409; 2048 / (1536 * -7) = -0.1904762.
   const Display portrait = load_display("looking-glass-portrait");
@@ -84,7 +75,7 @@ TEST(SlantedDisplay, flipped_portrait_sub_pixel_table_by_hand) {
   //   1535  2047  2   0.99967448  0.00024414  246.392153  0.607847
   // flipImageY changes none of it.
   Display d;
-  d.calibration = flipped_calibration();
+  d.calibration = {.pitch = 52.594, .slope = -7.2115, .center = 0.40277, .flip_image_x = true};
   const struct {
     int i, j, color;
     double v;
@@ -100,7 +91,7 @@ TEST(SlantedDisplay, flipped_portrait_sub_pixel_table_by_hand) {
 TEST(SlantedDisplay, flip_of_slope_alone_keeps_steps) {
   // As above with + c / 4608: 45.328980 + 0.053597 c; with the step and 1/2 more: 44.775384 of green.
   Display d;
-  d.calibration = flipped_calibration();
+  d.calibration = {.pitch = 52.594, .slope = -7.2115, .center = 0.40277, .flip_image_x = true};
   d.calibration.flip = Calibration::Flip::kSlope;
   EXPECT_NEAR(view_of(native_optics(d), 0, 0, 0), 0.671020, kView);
   EXPECT_NEAR(view_of(native_optics(d), 0, 0, 1), 0.617423, kView);

@@ -44,7 +44,7 @@ TEST(Report, infinite_lengths_are_null) {
   RenderReport report;
   report.optics.model = LenticularSheet{};
   EXPECT_TRUE(to_json(report)["optics"]["viewing_distance_mm"].is_null());
-  EXPECT_NO_THROW(Json::parse(to_json(report).dump()));
+  EXPECT_TRUE(Json::accept(to_json(report).dump()));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 # Installs the library, builds examples/library against it as a project of its own, and runs these programs on a scene.
-#   cmake -D BUILD=... -D SOURCE=... -D CXX=... -D FLAGS=... -P installed.cmake
+#   cmake -D BUILD=... -D SOURCE=... -D CXX=... -D GENERATOR=... -D FLAGS=... -P installed.cmake
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
@@ -20,7 +20,7 @@ file(REMOVE_RECURSE ${work})
 run(${CMAKE_COMMAND} --install ${BUILD} --component development --prefix ${work}/prefix)
 
 # Nobody's copy of the sources is seen from here: what the headers need is installed with them.
-run(${CMAKE_COMMAND} -S ${SOURCE}/examples/library -B ${examples} -D CMAKE_PREFIX_PATH=${work}/prefix
+run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE}/examples/library -B ${examples} -D CMAKE_PREFIX_PATH=${work}/prefix
   -D CMAKE_CXX_COMPILER=${CXX} "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_EXE_LINKER_FLAGS=${FLAGS}")
 run(${CMAKE_COMMAND} --build ${examples})
 

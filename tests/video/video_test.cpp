@@ -181,6 +181,14 @@ std::string probe_stereo(const fs::path& path, VideoCodec codec, const StereoLay
   return test::run_command("ffprobe -v error -show_streams '" + path.string() + "'").output;
 }
 
+/// The mode of the st3d box (Google's Spherical Video V2): type, version and flags, mode. -1 without the box.
+/// ffprobe 7 and later do not print it for HEVC: their muxer adds a vexu box without a packing, which their demuxer prefers.
+int stereo_mode_of_mp4(const fs::path& path) {
+  const std::string file = file_bytes(path);
+  const std::size_t at = file.find("st3d");
+  return at == std::string::npos || at + 8 >= file.size() ? -1 : file[at + 8];
+}
+
 TEST(Video, files_of_two_eyes_views_say_how_they_lie) {
   if (!test::program_exists("ffprobe")) GTEST_SKIP() << "ffprobe (package ffmpeg) is not installed";
   const TempDir dir;
@@ -194,8 +202,10 @@ TEST(Video, files_of_two_eyes_views_say_how_they_lie) {
   EXPECT_THAT(probe_stereo(mkv, VideoCodec::kFfv1, over), HasSubstr("type=top and bottom"));
   EXPECT_THAT(probe_stereo(mkv, VideoCodec::kFfv1, rows), HasSubstr("type=interleaved lines"));
   EXPECT_THAT(probe_stereo(mkv, VideoCodec::kFfv1, right), AllOf(HasSubstr("type=side by side"), HasSubstr("inverted=1")));
-  EXPECT_THAT(probe_stereo(mp4, VideoCodec::kHevc, sbs), HasSubstr("type=side by side")) << "st3d";
-  EXPECT_THAT(probe_stereo(mp4, VideoCodec::kHevc, over), HasSubstr("type=top and bottom"));
+  probe_stereo(mp4, VideoCodec::kHevc, sbs);
+  EXPECT_EQ(stereo_mode_of_mp4(mp4), 2) << "left to right";
+  probe_stereo(mp4, VideoCodec::kHevc, over);
+  EXPECT_EQ(stereo_mode_of_mp4(mp4), 1) << "top to bottom";
   write_video(mkv, smooth_frames(2, 96, 64));
   EXPECT_THAT(test::run_command("ffprobe -v error -show_streams '" + mkv.string() + "'").output,
               Not(HasSubstr("side by side")));
