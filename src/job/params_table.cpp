@@ -160,9 +160,8 @@ Codec<std::optional<Integrator>> integrator_name() {
 
 /// The name of a format of light fields.
 Codec<std::string> light_field_name() {
-  return {
-      [](std::string_view value, const std::string& where) { return std::string(find_format(value, where).name); },
-      [](const std::string& value) { return value; }};
+  return {[](std::string_view value, const std::string& where) { return std::string(find_format(value, where).name); },
+          [](const std::string& value) { return value; }};
 }
 
 struct Documentation {

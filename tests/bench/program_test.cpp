@@ -73,7 +73,8 @@ TEST(BenchProgram, foreign_options_are_refused_with_the_accepted_ones) {
 }
 
 TEST(BenchProgram, bad_values_are_refused) {
-  expect_wrong_usage({"lamps", "--reference-spp", "0"}, "lamps: --reference-spp: Value 0 not in range [^\n]*1 [^\n]*1048576\\]?");
+  expect_wrong_usage({"lamps", "--reference-spp", "0"},
+                     "lamps: --reference-spp: Value 0 not in range [^\n]*1 [^\n]*1048576\\]?");
 }
 
 TEST(BenchProgram, unknown_benchmark_is_answered_with_the_nearest) {
