@@ -1,11 +1,17 @@
-// LIPPMANN_MULTIVERSION before a function definition compiles it once per instruction set (AVX-512, AVX2, baseline) and
-// picks at load time; LIPPMANN_INLINE marks the small functions that such kernels are made of.
+// LIPPMANN_MULTIVERSION before a function definition compiles it once per instruction set (AVX-512, AVX2, baseline), and the
+// program's loader picks one; LIPPMANN_INLINE marks the small functions that such kernels are made of.
 //
 // Inside, write plain loops over lanes or pixels: the compiler vectorises them for each set. Only what is inlined gets the
 // wide instructions, hence LIPPMANN_INLINE. -ffp-contract=off (cmake/options.cmake) keeps all versions bit-identical.
+//
+// It needs GCC, x86-64, and glibc, whose loader resolves such functions. Elsewhere there is one version, for the instruction
+// set that the compiler is told to use (-march). Clang 14 has the attribute, but selects levels of the architecture without
+// looking at the processor, and makes no versions of a function whose declaration lacks the attribute.
 #pragma once
 
-#if defined(LIPPMANN_NO_MULTIVERSION) || !defined(__x86_64__)
+#include <cstddef>  // defines __GLIBC__
+
+#if defined(LIPPMANN_NO_MULTIVERSION) || defined(__clang__) || !defined(__x86_64__) || !defined(__GLIBC__)
 #define LIPPMANN_MULTIVERSION
 #else
 #define LIPPMANN_MULTIVERSION __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
