@@ -13,8 +13,7 @@ set_target_properties(lippmann_library PROPERTIES
   EXPORT_NAME lippmann
   VERSION ${PROJECT_VERSION}
   SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
-  LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}
-  LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/exported_symbols.map)
+  LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 target_compile_features(lippmann_library INTERFACE cxx_std_20)
 target_include_directories(lippmann_library INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
@@ -24,11 +23,11 @@ foreach(part ${parts})
   target_link_libraries(lippmann_library PRIVATE lippmann_${part})
 endforeach()
 # What belongs to others (stb, Draco) stays inside: programs may have their own.
-target_link_options(lippmann_library PRIVATE
-  -Wl,--version-script=${PROJECT_SOURCE_DIR}/cmake/exported_symbols.map -Wl,--as-needed)
-if(NOT LIPPMANN_SANITIZE)
-  target_link_options(lippmann_library PRIVATE -Wl,--no-undefined)
+set(complete COMPLETE)
+if(LIPPMANN_SANITIZE)
+  set(complete "")  # the program brings a sanitizer's run-time
 endif()
+lippmann_link(lippmann_library EXPORTS ${PROJECT_SOURCE_DIR}/cmake/exported_symbols.map ${complete})
 
 include(CMakePackageConfigHelpers)
 set(package_folder lib/cmake/lippmann)

@@ -1,0 +1,34 @@
+# Linker flags, which differ among systems. ELF linkers (GNU ld, gold, lld, mold) get the flags below; others get none, and their
+# modules export and link more than they need.
+
+set(LIPPMANN_ELF_LINKER OFF)
+if(UNIX AND NOT APPLE)
+  set(LIPPMANN_ELF_LINKER ON)
+endif()
+
+# lippmann_link(TARGET [EXPORTS FILE] [HIDE_ARCHIVES] [COMPLETE] [SMALL]): links the libraries that TARGET uses, and no others that
+# it names.
+# EXPORTS: a version script; other symbols stay inside.
+# HIDE_ARCHIVES: symbols of static libraries stay inside.
+# COMPLETE: a symbol that no library has is an error of linking, not of loading.
+# SMALL: code that nothing calls is dropped.
+function(lippmann_link target)
+  cmake_parse_arguments(LINK "HIDE_ARCHIVES;COMPLETE;SMALL" "EXPORTS" "" ${ARGN})
+  if(NOT LIPPMANN_ELF_LINKER)
+    return()
+  endif()
+  if(LINK_EXPORTS)
+    target_link_options(${target} PRIVATE -Wl,--version-script=${LINK_EXPORTS})
+    set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${LINK_EXPORTS})
+  endif()
+  if(LINK_HIDE_ARCHIVES)
+    target_link_options(${target} PRIVATE -Wl,--exclude-libs,ALL)
+  endif()
+  target_link_options(${target} PRIVATE -Wl,--as-needed)
+  if(LINK_COMPLETE)
+    target_link_options(${target} PRIVATE -Wl,--no-undefined)
+  endif()
+  if(LINK_SMALL)
+    target_link_options(${target} PRIVATE -Wl,--gc-sections)
+  endif()
+endfunction()
