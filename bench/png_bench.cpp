@@ -1,6 +1,5 @@
 // CPU time and size of one 512 x 512 PNG for each way to compress it: the table of docs/decisions/0002-png-compression.md.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 
 #include "bench/benchmarks.hpp"
 #include "bench/timing.hpp"
+#include "core/platform.hpp"
 #include "core/random.hpp"
 #include "image/png.hpp"
 #include "image/read_image.hpp"
@@ -72,7 +72,7 @@ Image8 make_picture(Kind kind) {
 }
 
 bool comes_back(const Image8& image, const PngOptions& options) {
-  const auto path = std::filesystem::temp_directory_path() / fmt::format("lippmann-png-bench-{}.png", getpid());
+  const auto path = std::filesystem::temp_directory_path() / fmt::format("lippmann-png-bench-{}.png", platform::process_id());
   write_png(path, image, options);
   const bool equal = read_image8(path).rgb == image.rgb;
   std::filesystem::remove(path);

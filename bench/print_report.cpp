@@ -1,12 +1,10 @@
 #include "bench/print_report.hpp"
 
-#include <sys/utsname.h>
-
 #include <algorithm>
 
 #include "apps/lippmann/print.hpp"
-#include "core/cpu_model.hpp"
 #include "core/json_text.hpp"
+#include "core/platform.hpp"
 
 namespace lippmann::bench {
 namespace {
@@ -14,11 +12,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json describe_machine(const Context& context) {
-  utsname system{};
-  uname(&system);
-  return {{"cpu", cpu_model()},
+  return {{"cpu", platform::cpu_model()},
           {"threads", resolved_threads(context)},
-          {"system", std::string(system.sysname) + " " + system.release},
+          {"system", platform::system_name()},
           {"compiler", std::string("g++ ") + __VERSION__}};
 }
 

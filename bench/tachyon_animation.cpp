@@ -1,7 +1,6 @@
 #include "bench/tachyon_animation.hpp"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -9,6 +8,7 @@
 #include <string>
 
 #include "bench/program.hpp"
+#include "core/platform.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann::bench {
@@ -20,7 +20,7 @@ constexpr int kTinySize = 8;
 class CameraFile {
  public:
   explicit CameraFile(const BenchAnimation& animation)
-      : path_(std::filesystem::temp_directory_path() / fmt::format("lippmann-reuse-bench-{}.cam", getpid())) {
+      : path_(std::filesystem::temp_directory_path() / fmt::format("lippmann-reuse-bench-{}.cam", platform::process_id())) {
     std::ifstream all(animation.params.scene.camera_path);
     std::ofstream some(path_);
     std::string line;

@@ -1,26 +1,16 @@
 #include "bench/timing.hpp"
 
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
+#include "core/platform.hpp"
+
 namespace lippmann::bench {
-namespace {
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-}  // namespace
-
 double seconds(const std::function<void()>& work) {
-  const double start = cpu_seconds();
+  const double start = platform::thread_cpu_seconds();
   work();
-  return cpu_seconds() - start;
+  return platform::thread_cpu_seconds() - start;
 }
 
 double second_run(const std::function<void()>& work) {

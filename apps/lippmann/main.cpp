@@ -1,12 +1,8 @@
 // Parses the command line, runs the one command that it names, and turns every failure into one message and an exit code:
 // 0 done, 1 the work failed (bad input, I/O), 2 wrong usage, 128 + n stopped by signal n.
-#include <fcntl.h>
 #include <fmt/core.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -22,6 +18,7 @@
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/interrupt.hpp"
 #include "apps/lippmann/print.hpp"
+#include "core/platform.hpp"
 #include "core/printable.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/core/version.hpp"
@@ -39,18 +36,10 @@ std::string called_as(int argc, char** argv) {
 
 /// Threads take their stacks from this limit too, and one that is too small ends the process without a word.
 void check_stack_limit() {
-  constexpr rlim_t kLeastBytes = rlim_t{512} << 10;  // renders crash below 256 KB
-  rlimit stack{};
-  if (getrlimit(RLIMIT_STACK, &stack) == 0 && stack.rlim_cur < kLeastBytes)
-    throw Error("ulimit -s", fmt::format("the stack is limited to {} KB", stack.rlim_cur >> 10),
+  constexpr std::uint64_t kLeastBytes = std::uint64_t{512} << 10;  // renders crash below 256 KB
+  if (const std::optional<std::uint64_t> bytes = platform::stack_limit_bytes(); bytes && *bytes < kLeastBytes)
+    throw Error("ulimit -s", fmt::format("the stack is limited to {} KB", *bytes >> 10),
                 fmt::format("at least {} KB", kLeastBytes >> 10));
-}
-
-/// Opens /dev/null for each standard stream that was closed at the start. Otherwise the next file that is opened would take its
-/// number.
-void open_missing_streams() {
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if (fcntl(stream, F_GETFD) < 0 && errno == EBADF && open("/dev/null", O_RDWR) != stream) return;
 }
 
 /// The code, or that of a failure where standard output did not take all that was printed: a pipe that nobody reads any more.
@@ -132,9 +121,8 @@ int run(int argc, char** argv) {
 }  // namespace lippmann::app
 
 int main(int argc, char** argv) {
-  lippmann::app::open_missing_streams();
-  std::signal(SIGPIPE, SIG_IGN);  // a reader of progress that goes away does not end a render
-  std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is an error of writing like a full disk, with its message
+  lippmann::platform::open_missing_streams();
+  lippmann::platform::ignore_write_signals();
   try {
     return lippmann::app::code_after_flush(lippmann::app::run(argc, argv));
   } catch (const lippmann::Error& error) {

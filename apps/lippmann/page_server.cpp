@@ -3,22 +3,15 @@
 #include <fmt/core.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <utility>
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/print.hpp"
-#include "core/printable.hpp"
+#include "core/platform.hpp"
 #include "view/http_server.hpp"
 
 namespace lippmann::app {
 namespace {
-
-/// In the background: the browser may be what is started first, and may run for days.
-void open_in_browser(const std::string& address) {
-  const std::string command = "xdg-open " + shell_word(address) + " >/dev/null 2>&1 &";
-  if (std::system(command.c_str()) != 0) print_error("no browser could be started; the address is above\n");
-}
 
 int serve(HttpServer& server, PageAnswers& answers, const std::string& token, const PageServerFlags& flags,
           const Context& context) {
@@ -26,7 +19,7 @@ int serve(HttpServer& server, PageAnswers& answers, const std::string& token, co
   fmt::print("{}\n", address);
   std::fflush(stdout);
   print_error("Open this address in a browser; Ctrl-C ends it.\n");
-  if (flags.open) open_in_browser(address);
+  if (flags.open && !platform::open_in_browser(address)) print_error("no browser could be started; the address is above\n");
   server.run(answers, context.cancelled);
   return 0;
 }

@@ -1,7 +1,6 @@
 #include "apps/lippmann/progress.hpp"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <utility>
 
 #include "apps/lippmann/print.hpp"
+#include "core/platform.hpp"
 #include "core/printable.hpp"
 
 namespace lippmann::app {
@@ -109,7 +109,7 @@ void Progress::draw() {
   std::fflush(stderr);
 }
 
-bool Progress::stderr_is_terminal() { return isatty(STDERR_FILENO) == 1; }
+bool Progress::stderr_is_terminal() { return platform::is_stderr_terminal(); }
 
 std::string clock_text(double seconds) {
   const auto whole = static_cast<long long>(std::llround(seconds));

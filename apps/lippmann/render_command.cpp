@@ -1,8 +1,6 @@
 // `lippmann render SCENE`: flags and job file into a ResolvedJob, then render_animation; progress, and what was made.
 #include <fmt/core.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -21,6 +19,7 @@
 #include "apps/lippmann/render_progress.hpp"
 #include "apps/lippmann/write_page.hpp"
 #include "core/folder.hpp"
+#include "core/platform.hpp"
 #include "core/printable.hpp"
 #include "job/animation.hpp"
 #include "job/job_file.hpp"
@@ -251,8 +250,7 @@ RenderReport render(const ResolvedJob& job, const RenderOptions& options, Ranks*
 void join_in(const RenderOptions& options, const OutputParams& output, const Ranks& ranks, Context& context) {
   if (!options.unit.empty() || output.also)
     throw usage_error(options.unit.empty() ? "also" : "unit", "cannot be combined with mpirun", "one of both");
-  const auto online = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
-  context.threads = threads_of_rank(resolved_threads(context), online, local_rank_count());
+  context.threads = threads_of_rank(resolved_threads(context), platform::online_cpus(), local_rank_count());
   if (ranks.rank() > 0) context.warn = {};
 }
 

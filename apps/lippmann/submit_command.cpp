@@ -16,6 +16,7 @@
 #include "apps/lippmann/result_flags.hpp"
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
+#include "core/platform.hpp"
 #include "core/printable.hpp"
 #include "job/job_file.hpp"
 #include "job/submission.hpp"
@@ -39,8 +40,7 @@ struct SubmitOptions {
 /// Where tasks find the tool, whatever their working folder: where this one lies, if it was called by its path.
 fs::path program_of_tasks(const std::string& called_as) {
   if (called_as == "lippmann") return called_as;
-  std::error_code ignored;
-  const fs::path self = fs::read_symlink("/proc/self/exe", ignored);
+  const fs::path self = platform::program_file();
   return self.empty() ? fs::path(called_as) : self;
 }
 

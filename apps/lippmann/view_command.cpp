@@ -12,6 +12,7 @@
 #include "apps/lippmann/light_field_flags.hpp"
 #include "apps/lippmann/page_server.hpp"
 #include "apps/lippmann/scene_to_set_up.hpp"
+#include "core/platform.hpp"
 #include "core/printable.hpp"
 #include "job/job_folder.hpp"
 #include "layout/rendered.hpp"
@@ -72,7 +73,7 @@ bool is_render_to_watch(const ViewOptions& options) {
 }
 
 int watch(const ViewOptions& options, const Context& context) {
-  const ToolCommand resuming{fs::canonical("/proc/self/exe"), words_to_resume(options.in)};
+  const ToolCommand resuming{platform::program_file(), words_to_resume(options.in)};
   auto render = std::make_shared<RunningRender>(options.in, resuming);
   auto field = std::make_unique<PageField>(options.in, render, context);
   return serve_page(std::move(field), std::move(render), options.server, context);

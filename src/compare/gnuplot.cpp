@@ -1,13 +1,11 @@
 #include "compare/gnuplot.hpp"
 
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cerrno>
+#include <system_error>
 
 #include "core/atomic_file.hpp"
+#include "core/platform.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
@@ -17,14 +15,9 @@ namespace fs = std::filesystem;
 
 /// The exit code, 127 if there is no such program.
 int run_gnuplot(const fs::path& script) {
-  std::string program = "gnuplot", file = script.string();
-  char* arguments[] = {program.data(), file.data(), nullptr};
-  pid_t process = 0;
-  if (posix_spawnp(&process, program.c_str(), nullptr, nullptr, arguments, environ) != 0) return 127;
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+  std::error_code problem;
+  platform::ChildProcess process({.words = {"gnuplot", script.string()}}, problem);
+  return problem ? 127 : process.wait();
 }
 
 }  // namespace

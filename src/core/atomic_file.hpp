@@ -2,8 +2,8 @@
 //
 // A crash of the program leaves at most a hidden file named .<stem>.tmp-<process id>-<host>-<letters><extension> in the same
 // folder (the extension is kept because libraries choose a format by it); remove_stale_temporaries clears it away. A loss of
-// power may leave what was there before, and never half a file; sync_folder (core/synced.hpp) makes sure that it leaves the new
-// one.
+// power may leave what was there before, and never half a file; sync_folder (core/platform.hpp) makes sure that it leaves the
+// new one.
 #pragma once
 
 #include <cstddef>

@@ -3,7 +3,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/synced.hpp"
+#include "core/platform.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
@@ -19,7 +19,7 @@ void make_folder(const fs::path& folder) {
   fs::create_directories(folder, problem);
   if (problem)
     throw Error(folder.string(), "the folder cannot be made (" + problem.message() + ")", "a folder that can be written into");
-  for (const fs::path& above : changed) sync_folder(above);
+  for (const fs::path& above : changed) platform::sync_folder(above);
 }
 
 void remove_if_there(const fs::path& path) {

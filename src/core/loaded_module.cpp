@@ -1,13 +1,14 @@
 #include "core/loaded_module.hpp"
 
-#include <dlfcn.h>
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <string>
 #include <system_error>
 
+#include "core/platform.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
@@ -17,13 +18,8 @@ namespace fs = std::filesystem;
 
 /// The file of the program, or of the shared library that this is a part of.
 fs::path own_file() {
-  std::error_code ignored;
-  Dl_info info;
-  if (dladdr(reinterpret_cast<const void*>(&load_module), &info) != 0 && info.dli_fname) {
-    const fs::path file = fs::canonical(info.dli_fname, ignored);
-    if (file.filename().string().starts_with("liblippmann.so")) return file;
-  }
-  return fs::read_symlink("/proc/self/exe", ignored);
+  const fs::path file = platform::file_of_code(reinterpret_cast<const void*>(&load_module));
+  return file.filename().string().starts_with("liblippmann.so") ? file : platform::program_file();
 }
 
 /// The only place that knows where modules lie: beside the program or library, as they are built, or in lib/lippmann, as they
@@ -55,10 +51,11 @@ const void* load_module(const ModuleName& module, int version) {
     return Error(path->string(), fmt::format("{} need this module, and it cannot be loaded ({})", module.purpose, reason),
                  "libraries of the version that it was built with");
   };
-  void* loaded = dlopen(path->c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (!loaded) throw failure(dlerror());
+  std::string problem;
+  void* loaded = platform::load_library(*path, problem);
+  if (!loaded) throw failure(problem);
   using Entry = const void*(int version);
-  auto* entry = reinterpret_cast<Entry*>(dlsym(loaded, module.entry));
+  auto* entry = reinterpret_cast<Entry*>(platform::find_symbol(loaded, module.entry));
   const void* found = entry ? entry(version) : nullptr;
   if (!found) throw failure("it belongs to another version of this program");
   return found;

@@ -1,41 +1,26 @@
 #include "lippmann/core/parallel.hpp"
 
-#include <pthread.h>
-#include <sched.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_scheduler_observer.h>
-#include <time.h>
-#include <xmmintrin.h>
 
 #include <algorithm>
 #include <map>
 #include <mutex>
 #include <thread>
 
+#include "core/platform.hpp"
 #include "core/task_order.hpp"
 
 namespace lippmann {
 
-int resolved_threads(const Context& context) {
-  if (context.threads > 0) return context.threads;
-  cpu_set_t set;
-  CPU_ZERO(&set);
-  if (sched_getaffinity(0, sizeof(set), &set) == 0) return std::max(1, CPU_COUNT(&set));
-  return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-}
+int resolved_threads(const Context& context) { return context.threads > 0 ? context.threads : platform::usable_cpus(); }
 
-DenormalsAreZero::DenormalsAreZero() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ | 0x8040u); }
-DenormalsAreZero::~DenormalsAreZero() { _mm_setcsr(saved_); }
+DenormalsAreZero::DenormalsAreZero() : saved_(platform::flush_denormals()) {}
+DenormalsAreZero::~DenormalsAreZero() { platform::restore_float_control(saved_); }
 
 namespace {
-
-double seconds_of(clockid_t clock) {
-  timespec time{};
-  clock_gettime(clock, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 /// Adds up the CPU time that worker threads spend inside an arena. A worker that is inside is read through its thread's clock,
 /// which lives as long as the thread: no thread ends before it has left.
@@ -51,10 +36,8 @@ class CpuMeter : public tbb::task_scheduler_observer {
   void on_scheduler_entry(bool is_worker) override {
     if (!is_worker) return;
     order_.begin();
-    Visit visit{};
-    pthread_getcpuclockid(pthread_self(), &visit.clock);
-    visit.start = seconds_of(visit.clock);
-    enter(visit);
+    const platform::ThreadClock clock;
+    enter({clock, clock.seconds()});
     order_.end();
   }
 
@@ -67,32 +50,32 @@ class CpuMeter : public tbb::task_scheduler_observer {
   double seconds() const {
     const std::lock_guard lock(mutex_);
     double sum = left_;
-    for (const auto& [thread, visit] : inside_) sum += seconds_of(visit.clock) - visit.start;
+    for (const auto& [thread, visit] : inside_) sum += visit.clock.seconds() - visit.start;
     return sum;
   }
 
  private:
   struct Visit {
-    clockid_t clock;
+    platform::ThreadClock clock;
     double start;
   };
 
   void enter(const Visit& visit) {
     const std::lock_guard lock(mutex_);
-    inside_[pthread_self()] = visit;
+    inside_.insert_or_assign(std::this_thread::get_id(), visit);
   }
 
   void leave() {
     const std::lock_guard lock(mutex_);
-    const auto visit = inside_.find(pthread_self());
+    const auto visit = inside_.find(std::this_thread::get_id());
     if (visit == inside_.end()) return;
-    left_ += seconds_of(visit->second.clock) - visit->second.start;
+    left_ += visit->second.clock.seconds() - visit->second.start;
     inside_.erase(visit);
   }
 
   TaskOrder order_;
   mutable std::mutex mutex_;
-  std::map<pthread_t, Visit> inside_;
+  std::map<std::thread::id, Visit> inside_;
   double left_ = 0.0;
 };
 
@@ -138,6 +121,6 @@ void ThreadPool::run(const std::function<void()>& fn) const {
   order.all_ended();
 }
 
-double ThreadPool::cpu_seconds() const { return seconds_of(CLOCK_THREAD_CPUTIME_ID) + impl_->workers.seconds(); }
+double ThreadPool::cpu_seconds() const { return platform::thread_cpu_seconds() + impl_->workers.seconds(); }
 
 }  // namespace lippmann

@@ -1,12 +1,8 @@
 #include "core/regular_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <system_error>
 
 #include "lippmann/core/error.hpp"
@@ -16,16 +12,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string not_regular(mode_t mode) {
-  const char* kind = S_ISDIR(mode)                    ? "a folder"
-                     : S_ISFIFO(mode)                 ? "a FIFO"
-                     : S_ISSOCK(mode)                 ? "a socket"
-                     : S_ISCHR(mode) || S_ISBLK(mode) ? "a device"
-                                                      : "something else";
+std::string not_regular(fs::file_type type) {
+  using Type = fs::file_type;
+  const char* kind = type == Type::directory                          ? "a folder"
+                     : type == Type::fifo                             ? "a FIFO"
+                     : type == Type::socket                           ? "a socket"
+                     : type == Type::character || type == Type::block ? "a device"
+                                                                      : "something else";
   return fmt::format("is not a regular file but {}", kind);
 }
 
-std::string text_of(int error) { return std::generic_category().message(error); }
+std::string not_opened(const std::error_code& problem) { return fmt::format("cannot be opened ({})", problem.message()); }
+
+std::string not_read(const std::error_code& problem) { return fmt::format("cannot be read ({})", problem.message()); }
 
 Error unreadable(const RegularFile& file, const fs::path& path, const std::string& accepted) {
   return Error(path.string(), file.exists() ? file.problem() : "there is no such file", accepted);
@@ -52,36 +51,28 @@ Contents read_whole(const fs::path& path, std::uintmax_t limit_bytes, const std:
 
 }  // namespace
 
-RegularFile::RegularFile(const fs::path& path) : descriptor_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
-  struct stat status {};
-  const int error = descriptor_ < 0 ? errno : 0;
-  if (descriptor_ < 0 && stat(path.c_str(), &status) != 0) {  // one that may not be opened has a kind as well
-    exists_ = errno != ENOENT && errno != ENOTDIR;
-    problem_ = exists_ ? fmt::format("cannot be opened ({})", text_of(error)) : "does not exist";
-  } else if (descriptor_ >= 0 && fstat(descriptor_, &status) != 0) {
-    problem_ = fmt::format("cannot be read ({})", text_of(errno));
-  } else if (!S_ISREG(status.st_mode)) {
-    problem_ = not_regular(status.st_mode);
-  } else if (error != 0) {
-    problem_ = fmt::format("cannot be opened ({})", text_of(error));
-  }
-  if (problem_.empty()) size_ = static_cast<std::uintmax_t>(status.st_size);
-}
-
-RegularFile::~RegularFile() {
-  if (descriptor_ >= 0) close(descriptor_);
+RegularFile::RegularFile(const fs::path& path) {
+  std::error_code unopened, unknown;
+  file_ = platform::OpenFile(path, platform::OpenFile::Mode::kRead, unopened);
+  // A file that may not be opened has a kind as well.
+  const fs::file_type type = unopened ? fs::status(path, unknown).type() : file_.kind(size_, unknown);
+  exists_ = type != fs::file_type::not_found;
+  if (!exists_)
+    problem_ = "does not exist";
+  else if (unknown)
+    problem_ = unopened ? not_opened(unknown) : not_read(unknown);
+  else if (type != fs::file_type::regular)
+    problem_ = not_regular(type);
+  else if (unopened)
+    problem_ = not_opened(unopened);
+  if (!problem_.empty()) size_ = 0;
 }
 
 std::size_t RegularFile::read(void* to, std::size_t count) {
-  constexpr std::size_t kMostAtOnce = std::size_t{1} << 30;
-  std::size_t done = 0;
-  while (problem_.empty() && done < count) {
-    const ssize_t read = ::read(descriptor_, static_cast<char*>(to) + done, std::min(count - done, kMostAtOnce));
-    if (read < 0 && errno == EINTR) continue;
-    if (read < 0) problem_ = fmt::format("cannot be read ({})", text_of(errno));
-    if (read <= 0) break;
-    done += static_cast<std::size_t>(read);
-  }
+  if (!problem_.empty()) return 0;
+  std::error_code problem;
+  const std::size_t done = file_.read(to, count, problem);
+  if (problem) problem_ = not_read(problem);
   return done;
 }
 
@@ -106,17 +97,16 @@ void require_regular_file(const fs::path& path, const std::string& accepted) {
 }
 
 bool is_regular_file_there(const fs::path& path) {
-  struct stat status {};
   constexpr const char* kAccepted = "a file, or nothing of that name";
-  if (stat(path.c_str(), &status) == 0) {
-    if (S_ISREG(status.st_mode)) return true;
-    throw Error(path.string(), not_regular(status.st_mode), kAccepted);
-  }
-  const int error = errno;
-  const bool dangles = lstat(path.c_str(), &status) == 0 && S_ISLNK(status.st_mode);
-  if ((error == ENOENT || error == ENOTDIR) && !dangles) return false;
-  throw Error(path.string(), dangles ? "is a link that leads nowhere" : fmt::format("cannot be looked at ({})", text_of(error)),
-              kAccepted);
+  std::error_code unknown, ignored;
+  const fs::file_type type = fs::status(path, unknown).type();
+  if (type == fs::file_type::regular) return true;
+  const bool is_missing = type == fs::file_type::not_found;
+  if (!is_missing && !unknown) throw Error(path.string(), not_regular(type), kAccepted);
+  const bool dangles = fs::is_symlink(fs::symlink_status(path, ignored));
+  if (is_missing && !dangles) return false;
+  throw Error(path.string(),
+              dangles ? "is a link that leads nowhere" : fmt::format("cannot be looked at ({})", unknown.message()), kAccepted);
 }
 
 }  // namespace lippmann

@@ -10,15 +10,14 @@
 #include <string>
 #include <vector>
 
+#include "core/platform.hpp"
+
 namespace lippmann {
 
 /// A file that is open for reading, from its first byte. Opening never waits and never throws.
 class RegularFile {
  public:
   explicit RegularFile(const std::filesystem::path& path);
-  ~RegularFile();
-  RegularFile(const RegularFile&) = delete;
-  RegularFile& operator=(const RegularFile&) = delete;
 
   /// Why it cannot be read, to follow its name: "does not exist", "is not a regular file but a FIFO"; empty if it is open.
   const std::string& problem() const { return problem_; }
@@ -29,7 +28,7 @@ class RegularFile {
   std::size_t read(void* to, std::size_t count);
 
  private:
-  int descriptor_ = -1;
+  platform::OpenFile file_;
   bool exists_ = true;
   std::uintmax_t size_ = 0;
   std::string problem_;

@@ -1,24 +1,21 @@
 #include "core/scratch_folder.hpp"
 
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
 #include <string>
 #include <system_error>
 
+#include "core/platform.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
 
 ScratchFolder::ScratchFolder() {
-  std::error_code ignored;
-  const std::filesystem::path place = std::filesystem::temp_directory_path(ignored);
-  std::string pattern = (place / "lippmann-XXXXXX").string();
-  if (place.empty() || !mkdtemp(pattern.data()))
+  std::error_code problem;
+  const std::filesystem::path place = std::filesystem::temp_directory_path(problem);
+  if (!problem) path_ = platform::make_unique_folder(place / "lippmann-", problem);
+  if (problem)
     throw Error(place.empty() ? "TMPDIR" : place.string(),
-                std::string("no folder can be made there for files that are thrown away: ") + std::strerror(errno),
+                "no folder can be made there for files that are thrown away: " + problem.message(),
                 "a TMPDIR that can be written");
-  path_ = pattern;
 }
 
 ScratchFolder::~ScratchFolder() {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/huge_pages.hpp"
+#include "core/platform.hpp"
 #include "device/builder_tasks.hpp"
 #include "scene/splats.hpp"
 
@@ -110,7 +110,7 @@ std::size_t splats_in(const SplatTable& table) {
 
 void fill_table(SplatTable& table, const Scene& scene, const ResolvedScene& resolved) {
   table.splats.clear();
-  reserve_huge(table.splats, splats_in(table));
+  platform::reserve_huge(table.splats, splats_in(table));
   for (std::uint32_t s = 0; s < table.sets.size(); ++s) {
     SplatSet& set = table.sets[s];
     const Affine3f place = resolved.of(scene.instances[set.instance].node);

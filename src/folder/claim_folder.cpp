@@ -13,8 +13,8 @@
 
 #include "core/folder.hpp"
 #include "core/frame_ranges.hpp"
+#include "core/platform.hpp"
 #include "core/regular_file.hpp"
-#include "core/synced.hpp"
 #include "folder/folder_check.hpp"
 #include "folder/journal.hpp"
 #include "folder/render_folder.hpp"
@@ -161,7 +161,7 @@ void remove_page(const fs::path& folder, const FileRecords& files) {
 
 void sync_if_there(const fs::path& folder) {
   std::error_code ignored;
-  if (fs::is_directory(folder, ignored)) sync_folder(folder);
+  if (fs::is_directory(folder, ignored)) platform::sync_folder(folder);
 }
 
 /// Makes sure that a loss of power does not bring back the removed files of frames, which no journal will name.

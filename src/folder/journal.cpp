@@ -14,10 +14,10 @@
 #include "core/folder_entries.hpp"
 #include "core/frame_ranges.hpp"
 #include "core/json_text.hpp"
+#include "core/platform.hpp"
 #include "core/printable.hpp"
 #include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
-#include "core/synced.hpp"
 #include "folder/frame_report_json.hpp"
 #include "layout/frame_names.hpp"
 #include "lippmann/core/error.hpp"
@@ -273,7 +273,7 @@ bool holds_anything(const FolderJournal& journal) {
 void sync_names(const fs::path& folder, const std::vector<fs::path>& files) {
   std::set<fs::path> folders{folder};
   for (const fs::path& file : files) folders.insert(file.parent_path());
-  for (const fs::path& named_in : folders) sync_folder(named_in);
+  for (const fs::path& named_in : folders) platform::sync_folder(named_in);
 }
 
 FileRecords records_of(const fs::path& folder, const std::vector<fs::path>& files) {
@@ -343,7 +343,7 @@ FolderJournal read_journal_part(const fs::path& part) {
 }
 
 void sync_render(const fs::path& folder, const FolderJournal& journal) {
-  for (const fs::path& part : journal.parts) sync_file(part);
+  for (const fs::path& part : journal.parts) platform::sync_file(part);
   std::vector<fs::path> files;
   for (const auto& [frame, record] : journal.frames)
     for (const auto& [name, sum] : record.files) files.push_back(folder / name);

@@ -3,6 +3,9 @@
 
 #include <filesystem>
 #include <string>
+#include <system_error>
+
+#include "core/platform.hpp"
 
 namespace lippmann {
 
@@ -11,11 +14,6 @@ class JournalPart {
   /// Begins a file of this run alone in the folder of journals, which exists: its first line says whose render it is. Throws
   /// Error if it cannot be written.
   JournalPart(const std::filesystem::path& folder, const std::string& job);
-  ~JournalPart();
-  JournalPart(JournalPart&& other) noexcept;
-  JournalPart(const JournalPart&) = delete;
-  JournalPart& operator=(const JournalPart&) = delete;
-  JournalPart& operator=(JournalPart&&) = delete;
 
   /// Adds a line and waits until it is on the disk. Throws Error if it cannot be written or the file is no longer in its
   /// folder, and from then on always: what stands there of the line stays the end of the file.
@@ -31,8 +29,8 @@ class JournalPart {
 
  private:
   std::filesystem::path path_;
-  int descriptor_ = -1;
-  int problem_ = 0;  ///< errno of what could not be written
+  platform::OpenFile file_;
+  std::error_code problem_;  ///< of a line that could not be written
 };
 
 }  // namespace lippmann

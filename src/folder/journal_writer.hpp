@@ -12,7 +12,7 @@
 namespace lippmann {
 
 struct JournalWriter {
-  std::string host;    ///< the machine's name (core/host_name.hpp)
+  std::string host;    ///< the machine's name (platform::host_name)
   int process = 0;     ///< its number on that machine
   double began = 0.0;  ///< seconds since 1970, whole, by that machine's clock
 

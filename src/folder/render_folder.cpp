@@ -10,7 +10,7 @@
 
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
-#include "core/synced.hpp"
+#include "core/platform.hpp"
 #include "folder/journal_writer.hpp"
 #include "lippmann/core/error.hpp"
 
@@ -31,7 +31,7 @@ FolderJournal journal_of(const fs::path& folder, const std::string& job) {
 /// Makes the folder of the journal, and syncs its parents so that it survives a loss of power.
 fs::path made_journal_folder(const fs::path& folder) {
   make_folder(journal_folder(folder));
-  for (const fs::path& made : {folder, fs::absolute(folder / "").parent_path().parent_path()}) sync_folder(made);
+  for (const fs::path& made : {folder, fs::absolute(folder / "").parent_path().parent_path()}) platform::sync_folder(made);
   return journal_folder(folder);
 }
 
@@ -113,7 +113,7 @@ void RenderFolder::write(const std::string& name, const std::function<std::strin
     const auto bytes = std::as_bytes(std::span(text));
     part_.add(written_line(name, checksum_of(bytes)));
     write_file_atomically(folder_ / name, bytes);
-    sync_folder(folder_);
+    platform::sync_folder(folder_);
     wanted = text_of(now());
   }
 }
@@ -123,7 +123,7 @@ void RenderFolder::begin_video(const fs::path& video, const std::vector<int>& fr
 }
 
 void RenderFolder::add_video(const fs::path& video, const std::vector<int>& frames, bool has_side_file) {
-  sync_folder(video.parent_path());
+  platform::sync_folder(video.parent_path());
   std::optional<FileChecksum> side;
   if (has_side_file) side = written_checksum(side_name(video.string()));
   part_.add(video_line(video_name(folder_, video), frames, written_checksum(video), side));

@@ -1,20 +1,17 @@
 #include "image/tiff.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <tiffio.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cassert>
-#include <cerrno>
 #include <cstdarg>
 #include <memory>
 #include <system_error>
 #include <utility>
 
 #include "core/atomic_file.hpp"
+#include "core/platform.hpp"
 #include "image/limits.hpp"
 #include "image/rgba.hpp"
 #include "lippmann/core/error.hpp"
@@ -26,24 +23,23 @@ constexpr double kMmPerInch = 25.4;
 
 constexpr std::size_t kMaxClassicSamples = (std::size_t{7} << 32) / 8;
 
-/// Writes to a file descriptor and remembers whether anything failed: libtiff does not say so of the last bytes, the directory
-/// without which nothing can be opened.
+/// Writes to an open file and remembers whether anything failed: libtiff does not report a failure of the last bytes, the
+/// directory without which nothing can be opened.
 class Output {
  public:
   Output(const std::filesystem::path& temporary, const std::filesystem::path& path, bool big)
-      : path_(path), descriptor_(open(temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666)) {
-    if (descriptor_ < 0) throw failure(errno);
+      : path_(path), file_(temporary, platform::OpenFile::Mode::kCreate, problem_) {
+    if (problem_) throw failure();
     const std::unique_ptr<TIFFOpenOptions, OptionsDeleter> options(TIFFOpenOptionsAlloc());
     if (!options) throw std::bad_alloc();
     TIFFOpenOptionsSetErrorHandlerExtR(options.get(), &be_silent, nullptr);
     TIFFOpenOptionsSetWarningHandlerExtR(options.get(), &be_silent, nullptr);
     tiff_ = TIFFClientOpenExt("file", big ? "w8" : "w", this, &on_read, &on_write, &on_seek, &on_close, &on_size, &on_map,
                               &on_unmap, options.get());
-    if (!tiff_) throw failure(error_);
+    if (!tiff_) throw failure();
   }
   ~Output() {
     if (tiff_) TIFFClose(tiff_);
-    if (descriptor_ >= 0) ::close(descriptor_);
   }
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
@@ -52,17 +48,15 @@ class Output {
 
   /// Throws if anything could not be written.
   void finish() {
-    if (!TIFFWriteDirectory(tiff_)) throw failure(error_);
+    if (!TIFFWriteDirectory(tiff_)) throw failure();
     TIFFClose(std::exchange(tiff_, nullptr));
-    if (::close(std::exchange(descriptor_, -1)) != 0 && error_ == 0) error_ = errno;
-    if (error_ != 0) throw failure(error_);
+    keep(file_.close());
+    if (problem_) throw failure();
   }
 
-  Error failure(int code) const {
-    return Error(path_.string(), "cannot be written as TIFF: " +
-                                     (code == 0 ? std::string("libtiff refuses it") : std::generic_category().message(code)));
+  Error failure() const {
+    return Error(path_.string(), "cannot be written as TIFF: " + (problem_ ? problem_.message() : "libtiff refuses it"));
   }
-  Error failure() const { return failure(error_); }
 
  private:
   struct OptionsDeleter {
@@ -72,36 +66,35 @@ class Output {
   static int be_silent(TIFF*, void*, const char*, const char*, va_list) { return 1; }
   static Output& of(thandle_t handle) { return *static_cast<Output*>(handle); }
   static tmsize_t on_read(thandle_t handle, void* to, tmsize_t count) {
-    return ::read(of(handle).descriptor_, to, static_cast<std::size_t>(count));
+    std::error_code problem;
+    const std::size_t done = of(handle).file_.read(to, static_cast<std::size_t>(count), problem);
+    return problem ? -1 : static_cast<tmsize_t>(done);
   }
   static tmsize_t on_write(thandle_t handle, void* from, tmsize_t count) {
-    Output& output = of(handle);
-    for (tmsize_t done = 0; done < count;) {
-      const ssize_t written =
-          ::write(output.descriptor_, static_cast<char*>(from) + done, static_cast<std::size_t>(count - done));
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) {
-        if (output.error_ == 0) output.error_ = errno;
-        return -1;
-      }
-      done += written;
-    }
-    return count;
+    const std::error_code problem = of(handle).file_.write(from, static_cast<std::size_t>(count));
+    of(handle).keep(problem);
+    return problem ? -1 : count;
   }
   static toff_t on_seek(thandle_t handle, toff_t offset, int whence) {
-    return static_cast<toff_t>(::lseek(of(handle).descriptor_, static_cast<off_t>(offset), whence));
+    return static_cast<toff_t>(of(handle).file_.seek(static_cast<std::int64_t>(offset), whence));
   }
   static int on_close(thandle_t) { return 0; }
   static toff_t on_size(thandle_t handle) {
-    struct stat status {};
-    return fstat(of(handle).descriptor_, &status) == 0 ? static_cast<toff_t>(status.st_size) : 0;
+    std::uintmax_t bytes = 0;
+    std::error_code ignored;
+    of(handle).file_.kind(bytes, ignored);
+    return bytes;
   }
   static int on_map(thandle_t, void**, toff_t*) { return 0; }
   static void on_unmap(thandle_t, void*, toff_t) {}
 
+  void keep(const std::error_code& problem) {
+    if (!problem_) problem_ = problem;
+  }
+
   const std::filesystem::path& path_;
-  int descriptor_ = -1;
-  int error_ = 0;  // errno of the first write that failed
+  std::error_code problem_;  // of the first write that failed
+  platform::OpenFile file_;
   TIFF* tiff_ = nullptr;
 };
 

@@ -1,13 +1,13 @@
 #include "job/animation.hpp"
 
 #include <fmt/core.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "core/platform.hpp"
 #include "folder/kept_lease.hpp"
 #include "frames/banded_frames.hpp"
 #include "job/folder_documents.hpp"
@@ -19,12 +19,6 @@
 
 namespace lippmann {
 namespace {
-
-std::uint64_t peak_memory_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-}
 
 /// Makes room in the folder, and records what is going to be rendered.
 RenderFolder open_folder(const RenderSetup& setup, const Context& context) {
@@ -173,7 +167,7 @@ RenderReport render_animation(RenderSetup& setup, const Context& context, const 
   const std::unique_ptr<FrameMaker> whole = strips ? nullptr : whole_frames(setup, context);
   FrameMaker& maker = strips ? *strips : *whole;
   make_run(run, maker, strips ? &*strips : nullptr);
-  report.run.peak_memory_bytes = peak_memory_bytes();
+  report.run.peak_memory_bytes = platform::peak_memory_bytes();
   folder.end(report.run);
   if (ranks) ranks->end();
   if (!is_first) return report;

@@ -2,9 +2,7 @@
 
 #include <utility>
 
-#include "core/available_memory.hpp"
-#include "core/cpu_model.hpp"
-#include "core/host_name.hpp"
+#include "core/platform.hpp"
 #include "folder/claim_folder.hpp"
 #include "frames/strip_maker.hpp"
 #include "frames/traced_frames.hpp"
@@ -52,7 +50,7 @@ void plan_memory_of(RenderSetup& setup, const Context& context) {
   const MemoryFacts facts = memory_facts(setup);
   if (setup.job.is_in_strips()) setup.join_bytes = joined_frame_bytes(facts);
   if (run.only_finished && !setup.job.is_in_strips()) return;  // no frame is rendered
-  const double available = run.available_memory.value_or(available_memory_bytes());
+  const double available = run.available_memory.value_or(platform::available_memory_bytes());
   if (setup.job.is_in_strips()) {
     const bool joins = !setup.leaves_strips() || (run.ranks && run.is_first_rank());
     setup.memory = plan_strips_memory(facts, setup.job.params().strips, joins, available);
@@ -137,7 +135,7 @@ RenderReport RenderSetup::report() const {
   report.depth_scale = stage.placed.depth_scale;
   report.depth = shown_depth(stage.array, stage.placed.units_per_mm, report.depth_scale, report.optics);
   report.crosstalk_px = crosstalk;
-  report.run.host = host_name(), report.run.cpu = cpu_model();
+  report.run.host = platform::host_name(), report.run.cpu = platform::cpu_model();
   report.run.unit = run.units ? write_units(*run.units) : std::string();
   report.run.threads = pool.threads();
   report.videos = names_of(videos);

@@ -19,7 +19,7 @@ struct RunParams {
   std::optional<std::vector<int>> parts = {};   ///< renders these parts (parts_of), whatever the two above say
   Ranks* ranks = nullptr;                       ///< that share the frames out among them; null: this process stands alone
   bool only_finished = false;                   ///< no frame is rendered: all have been, or it is an Error
-  std::optional<double> available_memory = {};  ///< bytes; none: what this machine has (core/available_memory.hpp)
+  std::optional<double> available_memory = {};  ///< bytes; none: what this machine has (core/platform.hpp)
 
   /// Whether other runs render the rest of the job.
   bool is_part() const { return units || only_frames || parts; }

@@ -1,10 +1,9 @@
 #include "job/unit_plan.hpp"
 
-#include <time.h>
-
 #include <utility>
 #include <variant>
 
+#include "core/platform.hpp"
 #include "core/scratch_folder.hpp"
 #include "distribute/units.hpp"
 #include "frames/frame_maker.hpp"
@@ -18,13 +17,6 @@
 
 namespace lippmann {
 namespace {
-
-/// Of all threads, since the process began.
-double process_cpu_seconds() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 /// Units without their costs. parts: of frames that are rendered in so many strips (parts_of).
 UnitPlan cut(const std::vector<int>& parts, int strips, int segment, int count) {
@@ -62,7 +54,7 @@ Neighbours neighbours_in(const ResolvedJob& job, const FrameParams& made_as) {
 
 /// Renders frames as a unit does, writes their files, and takes the time of both.
 UnitPlan measured_plan(const ResolvedJob& job, int count, const Context& context) {
-  const double begin = process_cpu_seconds();
+  const double begin = platform::process_cpu_seconds();
   const FrameParams made_as = frame_params(job);
   const int strips = job.params().strips, segment = segment_of(job, made_as);
   JobScene loaded = load_scene_of(job, context);
@@ -74,9 +66,9 @@ UnitPlan measured_plan(const ResolvedJob& job, int count, const Context& context
   RenderSetup setup(job_in(folder.path(), job), run, context, std::move(loaded));
   if (setup.join_bytes > 0.0) plan.join_bytes = setup.join_bytes;
   MeasuredRun measured;
-  measured.setup_cpu_seconds = process_cpu_seconds() - begin;
+  measured.setup_cpu_seconds = platform::process_cpu_seconds() - begin;
   const RenderReport report = render_animation(setup, context);
-  measured.cpu_seconds = process_cpu_seconds() - begin;
+  measured.cpu_seconds = platform::process_cpu_seconds() - begin;
   measured.frames = job.is_in_strips() ? report.strips : report.frames, measured.sources = report.run.sources;
   measured.peak_memory_bytes = report.run.peak_memory_bytes;
   plan.costs = frame_costs(measured, parts, segment);

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/huge_pages.hpp"
+#include "core/platform.hpp"
 
 namespace lippmann {
 namespace {
@@ -60,7 +60,7 @@ std::uint64_t place_on_curve(Vec3f center, const Bounds3f& box) {
 template <class T>
 void reorder(std::vector<T>& values, const std::vector<std::pair<std::uint64_t, std::size_t>>& order, std::size_t each) {
   std::vector<T> sorted;
-  reserve_huge(sorted, values.size());
+  platform::reserve_huge(sorted, values.size());
   for (const auto& [place, i] : order)
     for (std::size_t k = 0; k < each; ++k) sorted.push_back(values[i * each + k]);
   values = std::move(sorted);

@@ -1,12 +1,7 @@
 #include "view/http_connection.hpp"
 
-#include <poll.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <utility>
 #include <variant>
 
@@ -21,11 +16,9 @@ constexpr std::size_t kPiece = std::size_t{16} << 10;
 
 }  // namespace
 
-HttpConnection::HttpConnection(int socket, const Terms& terms) : socket_(socket), terms_(terms) {
+HttpConnection::HttpConnection(platform::Socket socket, const Terms& terms) : socket_(std::move(socket)), terms_(terms) {
   enter(State::kIdle, terms_.idle);
 }
-
-HttpConnection::~HttpConnection() { close(socket_); }
 
 void HttpConnection::enter(State state, seconds patience) {
   state_ = state;
@@ -33,9 +26,10 @@ void HttpConnection::enter(State state, seconds patience) {
   deadline_ = since_ + patience;
 }
 
-short HttpConnection::events() const {
-  if (state_ == State::kSending) return POLLOUT;
-  return waits_for_client() && state_ != State::kOver ? POLLIN : 0;
+platform::SocketEvent HttpConnection::event() const {
+  using platform::SocketEvent;
+  if (state_ == State::kSending) return SocketEvent::kWritable;
+  return waits_for_client() && state_ != State::kOver ? SocketEvent::kReadable : SocketEvent::kNone;
 }
 
 void HttpConnection::ready() {
@@ -54,13 +48,9 @@ void HttpConnection::read_requests() {
 
 void HttpConnection::receive() {
   std::array<char, kPiece> piece;
-  const ssize_t count = recv(socket_, piece.data(), piece.size(), 0);
-  if (count < 0 && (errno == EAGAIN || errno == EINTR)) return;
-  if (count <= 0) {
-    state_ = State::kOver;
-    return;
-  }
-  if (state_ != State::kEnding) input_.append(piece.data(), static_cast<std::size_t>(count));
+  const auto [bytes, is_over] = socket_.receive(piece);
+  if (is_over) state_ = State::kOver;
+  if (state_ != State::kEnding) input_.append(piece.data(), bytes);
 }
 
 /// Reads a request from the bytes received so far.
@@ -92,7 +82,7 @@ void HttpConnection::begin_body(const RequestHead& head) {
   if (head_.body_refusal != 0) return refuse(refusal_of(head_.body_refusal));
   enter(State::kBody, terms_.body);
   constexpr std::string_view go_on = "HTTP/1.1 100 Continue\r\n\r\n";
-  if (head_.awaits_continue && input_.size() < head_.body_bytes) send(socket_, go_on.data(), go_on.size(), MSG_NOSIGNAL);
+  if (head_.awaits_continue && input_.size() < head_.body_bytes) socket_.send(go_on, false);
 }
 
 /// The connection cannot go on after it.
@@ -126,14 +116,10 @@ void HttpConnection::send_some() {
     const bool is_head = sent_ < output_.size();
     const std::string_view rest =
         is_head ? std::string_view(output_).substr(sent_) : std::string_view(*body_).substr(sent_ - output_.size());
-    const ssize_t count = send(socket_, rest.data(), rest.size(), MSG_NOSIGNAL | (is_head && body_bytes > 0 ? MSG_MORE : 0));
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0 && errno == EAGAIN) return;
-    if (count <= 0) {
-      state_ = State::kOver;
-      return;
-    }
-    sent_ += static_cast<std::size_t>(count);
+    const auto [bytes, is_over] = socket_.send(rest, is_head && body_bytes > 0);
+    if (is_over) state_ = State::kOver;
+    if (bytes == 0) return;
+    sent_ += bytes;
     deadline_ = Clock::now() + terms_.send;
   }
   end_answer();
@@ -143,7 +129,7 @@ void HttpConnection::end_answer() {
   output_.clear();
   body_.reset();
   if (!head_.keeps_alive) {
-    shutdown(socket_, SHUT_WR);
+    socket_.end_sending();
     enter(State::kEnding, kEndPatience);
     return;
   }

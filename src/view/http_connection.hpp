@@ -4,14 +4,13 @@
 // body is read only for requests that are let in.
 #pragma once
 
-#include <sys/types.h>
-
 #include <chrono>
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
 
+#include "core/platform.hpp"
 #include "view/answers.hpp"
 #include "view/http_message.hpp"
 
@@ -30,16 +29,15 @@ class HttpConnection {
     std::function<std::optional<PageAnswer>(const PageRequest&)> refusal;
   };
 
-  /// Takes the socket, which does not block, and closes it. `terms` must outlive the connection.
-  HttpConnection(int socket, const Terms& terms);
-  ~HttpConnection();
+  /// `terms` must outlive the connection.
+  HttpConnection(platform::Socket socket, const Terms& terms);
   HttpConnection(const HttpConnection&) = delete;
   HttpConnection& operator=(const HttpConnection&) = delete;
 
-  int socket() const { return socket_; }
-  short events() const;  ///< to be polled for; 0: none
+  /// The event that ready() waits for.
+  platform::WatchedSocket watched() const { return {socket_.handle(), event()}; }
 
-  /// The socket can be read or written, as events() says, or has failed.
+  /// The socket can be read or written, as watched() says, or has failed.
   void ready();
 
   /// The request that is complete, once; answer() follows.
@@ -65,6 +63,7 @@ class HttpConnection {
     kOver,
   };
 
+  platform::SocketEvent event() const;
   void enter(State state, std::chrono::seconds patience);
   void receive();
   void read_requests();
@@ -75,7 +74,7 @@ class HttpConnection {
   void send_some();
   void end_answer();
 
-  const int socket_;
+  platform::Socket socket_;
   const Terms& terms_;
   State state_ = State::kIdle;
   Clock::time_point since_, deadline_;

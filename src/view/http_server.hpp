@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "core/platform.hpp"
 #include "view/answers.hpp"
 
 namespace lippmann {
@@ -37,9 +38,6 @@ class HttpServer {
   /// Takes the port: the one given (0: any that is free), or without one the usual, and any where that is taken. A connection
   /// without a request is closed after idle_seconds. Throws Error.
   HttpServer(const std::string& host, std::optional<int> port, int idle_seconds = kUsualIdleSeconds);
-  ~HttpServer();
-  HttpServer(const HttpServer&) = delete;
-  HttpServer& operator=(const HttpServer&) = delete;
 
   int port() const;
 
@@ -47,7 +45,7 @@ class HttpServer {
   void run(PageAnswers& answers, const std::atomic<bool>& stopped);
 
  private:
-  int listener_ = -1;
+  platform::Socket listener_;
   int idle_seconds_;
 };
 

@@ -1,11 +1,12 @@
 // Another process of the tool itself, with its messages; what it prints is dropped.
 #pragma once
 
-#include <sys/types.h>
-
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "core/platform.hpp"
 
 namespace lippmann {
 
@@ -34,9 +35,9 @@ class ToolProcess {
   std::string failure();
 
  private:
-  void end(int status);
+  void end(int exit_code);
 
-  pid_t process_ = 0;  ///< 0: it has ended
+  std::unique_ptr<platform::ChildProcess> process_;  ///< null: it has ended
   bool is_interrupted_ = false;
   std::filesystem::path messages_;  ///< the file that stderr goes to
   std::string failure_;

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "cli/tool.hpp"
-#include "core/host_name.hpp"
+#include "core/platform.hpp"
 
 namespace lippmann::test {
 namespace {
@@ -54,7 +54,7 @@ TEST(Interruption, files_left_half_written_by_a_killed_render_are_cleared_away_b
   const int ended = 1 << 30;  // beyond every process id of Linux
   std::filesystem::create_directory(dir / "a");
   for (const char* name : {"a/.frame_0001.tmp-", ".film.tmp-"})
-    std::ofstream(dir / (name + std::to_string(ended) + "-" + host_name() + "-0123abcd.mkv")) << "half";
+    std::ofstream(dir / (name + std::to_string(ended) + "-" + platform::host_name() + "-0123abcd.mkv")) << "half";
   ASSERT_EQ(run_tool(dir, small_teapot("0", "a") + Words{"--video", "film.mkv"}).exit_code, 0);
   EXPECT_EQ(temporaries_in(dir / "a"), Words());
   EXPECT_EQ(temporaries_in(dir.path()), Words());

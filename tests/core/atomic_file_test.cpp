@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/host_name.hpp"
+#include "core/platform.hpp"
 #include "lippmann/core/error.hpp"
 #include "support/error_message.hpp"
 #include "support/file_size_limit.hpp"
@@ -114,8 +114,8 @@ pid_t ended_process() {
 
 TEST(StaleTemporaries, left_by_ended_processes_are_removed_and_no_others) {
   const TempDir dir;
-  const std::string here = "-" + host_name() + "-0123abcd", ended = std::to_string(ended_process()) + here,
-                    elsewhere = std::to_string(ended_process()) + "-" + host_name() + "x-0123abcd",
+  const std::string here = "-" + platform::host_name() + "-0123abcd", ended = std::to_string(ended_process()) + here,
+                    elsewhere = std::to_string(ended_process()) + "-" + platform::host_name() + "x-0123abcd",
                     alive = std::to_string(getpid()) + here;
   const std::vector<std::string> stale{".frame_0003.tmp-" + ended + ".png", "..journal.tmp-" + ended + ".jsonl"},
       others{".frame_0004.tmp-" + alive + ".png",
@@ -133,7 +133,7 @@ TEST(StaleTemporaries, left_by_ended_processes_are_removed_and_no_others) {
 
 TEST(StaleTemporaries, of_one_file_are_removed_alone) {
   const TempDir dir;
-  const std::string ended = std::to_string(ended_process()) + "-" + host_name() + "-0123abcd";
+  const std::string ended = std::to_string(ended_process()) + "-" + platform::host_name() + "-0123abcd";
   for (const char* stem : {"a", "b"})
     std::ofstream(dir.path() / ("." + std::string(stem) + ".tmp-" + ended + ".mp4")) << "half";
   remove_stale_temporaries(dir.path(), "a.mp4");

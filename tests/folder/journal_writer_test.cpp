@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "core/host_name.hpp"
+#include "core/platform.hpp"
 #include "folder/journal_part.hpp"
 #include "support/temp_dir.hpp"
 
@@ -59,12 +59,12 @@ class Writing {
 };
 
 TEST(JournalWriter, name_of_a_part_says_who_writes_it) {
-  const auto writer = writer_of("/a/01764104700-" + host_name() + "-4321.jsonl");
+  const auto writer = writer_of("/a/01764104700-" + platform::host_name() + "-4321.jsonl");
   ASSERT_TRUE(writer);
   EXPECT_TRUE(writer->is_of_this_machine());
   EXPECT_EQ(writer->process, 4321);
   EXPECT_EQ(writer->began, 1764104700.0);
-  EXPECT_EQ(writer_of("01764104700-" + host_name() + "-4321-2.jsonl")->process, 4321);  // the second of that second
+  EXPECT_EQ(writer_of("01764104700-" + platform::host_name() + "-4321-2.jsonl")->process, 4321);  // the second of that second
 }
 
 TEST(JournalWriter, names_of_other_machines_may_have_dashes) {
@@ -96,7 +96,7 @@ TEST(JournalWriter, interrupting_does_what_ctrl_c_does) {
 // The number is this process's, which is alive; but it has another file open, or reads this one.
 TEST(JournalWriter, process_that_has_got_the_number_since_is_not_taken_for_the_writer) {
   const test::TempDir dir;
-  const fs::path part = dir / ("01764104700-" + host_name() + "-" + std::to_string(getpid()) + ".jsonl");
+  const fs::path part = dir / ("01764104700-" + platform::host_name() + "-" + std::to_string(getpid()) + ".jsonl");
   std::ofstream(part) << "{}\n";
   std::signal(SIGINT, [](int) { std::_Exit(1); });
   EXPECT_FALSE(is_being_written(part));

@@ -23,7 +23,7 @@ class Connection : public testing::Test {
   ~Connection() override { close(ends_[0]); }
 
   /// Whoever made the connection closes the other end.
-  int server_end() const { return ends_[1]; }
+  platform::Socket server_end() const { return platform::Socket(ends_[1]); }
 
   void say(HttpConnection& connection, const std::string& bytes) {
     EXPECT_EQ(write(ends_[0], bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));

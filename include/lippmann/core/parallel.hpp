@@ -40,7 +40,7 @@ class ThreadPool {
   int threads_;
 };
 
-/// Flushes denormals to zero in this thread for the life of the object (MXCSR FTZ and DAZ), then restores.
+/// Flushes denormals to zero in this thread for the life of the object on x86 and ARM64, then restores.
 class DenormalsAreZero {
  public:
   DenormalsAreZero();

@@ -1,16 +1,18 @@
-#include "core/available_memory.hpp"
-
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <fstream>
 #include <limits>
 #include <optional>
 #include <sstream>
 #include <string>
 
-namespace lippmann {
+#include "core/platform.hpp"
+
+namespace lippmann::platform {
 namespace {
 
 namespace fs = std::filesystem;
@@ -95,4 +97,26 @@ double available_memory_bytes(const fs::path& proc, const fs::path& cgroups) {
   return std::max(0.0, left);
 }
 
-}  // namespace lippmann
+std::uint64_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+std::optional<std::uint64_t> stack_limit_bytes() {
+  rlimit stack{};
+  if (getrlimit(RLIMIT_STACK, &stack) != 0 || stack.rlim_cur == RLIM_INFINITY) return std::nullopt;
+  return stack.rlim_cur;
+}
+
+void prefer_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
+#ifdef MADV_HUGEPAGE
+  constexpr std::size_t kLeast = std::size_t{8} << 20;  // a few huge pages of 2 MB
+  if (bytes < kLeast) return;
+  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE)), begin = reinterpret_cast<std::uintptr_t>(memory);
+  const std::uintptr_t from = (begin + page - 1) / page * page, to = (begin + bytes) / page * page;
+  madvise(reinterpret_cast<void*>(from), to - from, MADV_HUGEPAGE);  // a hint: its result changes nothing
+#endif
+}
+
+}  // namespace lippmann::platform

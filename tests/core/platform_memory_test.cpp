@@ -1,5 +1,5 @@
 // What memory the files of Linux leave a process.
-#include "core/available_memory.hpp"
+#include "core/platform.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -21,7 +21,7 @@ class AvailableMemory : public testing::Test {
     fs::create_directories((dir_ / name).parent_path());
     std::ofstream(dir_ / name) << text;
   }
-  double available() const { return available_memory_bytes(dir_ / "proc", dir_ / "cgroup"); }
+  double available() const { return platform::available_memory_bytes(dir_ / "proc", dir_ / "cgroup"); }
 
   TempDir dir_;
 };
@@ -66,7 +66,7 @@ TEST_F(AvailableMemory, is_what_the_limit_of_the_address_space_leaves) {
   setrlimit(RLIMIT_AS, &before);
 }
 
-TEST(AvailableMemoryHere, is_more_than_nothing) { EXPECT_GT(available_memory_bytes(), 1e6); }
+TEST(AvailableMemoryHere, is_more_than_nothing) { EXPECT_GT(platform::available_memory_bytes(), 1e6); }
 
 }  // namespace
 }  // namespace lippmann::test
