@@ -63,12 +63,16 @@ function(lippmann_optimise_tests target)
   target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:$<IF:$<BOOL:${TEST_COMPUTES}>,-O1,-O0>>)
 endfunction()
 
-# lippmann_test(NAME [QUICK] [COMPUTES] SOURCES ... DEPENDS ...): one GoogleTest program.
+# lippmann_test(NAME [QUICK] [COMPUTES] [SOURCES ...] DEPENDS ...): one GoogleTest program, of all *_test.cpp of the folder unless
+# SOURCES are given.
 # QUICK: all its tests together take seconds at most. ctest runs the program once, under its name and the label quick; of other
 # programs, ctest knows each test under its own name.
 # COMPUTES: its own code takes time, to look at many pixels, say.
 function(lippmann_test name)
   cmake_parse_arguments(TEST "QUICK;COMPUTES" "" "SOURCES;DEPENDS" ${ARGN})
+  if(NOT TEST_SOURCES)
+    file(GLOB TEST_SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*_test.cpp)
+  endif()
   add_executable(${name} ${TEST_SOURCES})
   target_link_libraries(${name} PRIVATE lippmann_test_support ${TEST_DEPENDS} GTest::gmock GTest::gtest_main)
   if(TEST_COMPUTES)

@@ -15,6 +15,7 @@
 #include "lippmann/layout/open_light_field.hpp"
 #include "lippmann/layout/quilt_name.hpp"
 #include "lippmann/optics/optics.hpp"
+#include "lippmann/optics/optics_of_kind.hpp"
 #include "lippmann/optics/view_phases.hpp"
 #include "lippmann/optics/viewing.hpp"
 #include "lippmann/replay/all_in_focus.hpp"

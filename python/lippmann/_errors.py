@@ -12,6 +12,8 @@ import sys
 import warnings
 from typing import Any, Callable, Mapping, TypeVar, Union
 
+from . import _core
+
 _Value = TypeVar("_Value")
 
 # The library's names of arguments that Python calls otherwise, wherever they occur.
@@ -44,7 +46,7 @@ _PHRASES = (
 )
 
 _QUOTED = re.compile("`([a-z]+(?:-[a-z]+)*)`")
-_FIELD = re.compile(r"(?:panel|multiview|lenticular|microlens|singleview|rays)\.(\w+)(?:\.[xy])?")
+_FIELD = re.compile(rf"(?:panel|singleview|{'|'.join(_core.optics_kinds())})\.(\w+)(?:\.[xy])?")
 _WANTED_GRID = re.compile(r"\bCxR, such as (\d+)x(\d+)")
 _WANTED_ROW = re.compile(r"(?<![\w./\\-])Nx1(?![\w./\\-])")
 _GRID = re.compile(r"(?<![\w./\\-])(\d+)x(\d+)(?![\w./\\-])")  # columns by rows, not in a file's name

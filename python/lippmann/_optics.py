@@ -5,6 +5,7 @@ Sizes are (height, width) in pixels, as the shapes of arrays are. Lengths are mm
 
 from __future__ import annotations
 
+import json
 import math
 from typing import Any, Callable, List, Optional, Sequence, Tuple
 
@@ -148,6 +149,31 @@ def microlens_array(
     gap = positive(gap_mm, "gap_mm")
     with Naming(**_FIELDS):
         return _core.microlens_array(panel, pixel, pitch, gap, bool(hexagonal), offset, distance)
+
+
+def _for_json(value: Any, name: str) -> Any:
+    """The same of lists and numbers that JSON has; None for infinity."""
+    if isinstance(value, (np.ndarray, np.generic)):
+        value = value.tolist()
+    if isinstance(value, (list, tuple)):
+        return [_for_json(part, name) for part in value]
+    if isinstance(value, float) and math.isinf(value) and value > 0:
+        return None
+    if value is None or not isinstance(value, (bool, int, float, str)) or (isinstance(value, float) and not math.isfinite(value)):
+        raise Error(name, f"is {value!r}", "a number, a text or a list of numbers")
+    return value
+
+
+def optics(kind: str, size: Tuple[int, int] = (512, 512), *, pixel_mm: float = 0.125, **values: Any) -> Optics:
+    """Optics of any kind that the library has, by the names of report.json: `optics("single", (40, 56), distance_mm=500)`.
+
+    kind: "optics": {"kind": ...} of a report. size: (height, width) of the panel in pixels of pixel_mm. values: what the report
+    says of this kind, such as lens_pitch_mm and gap_mm; lengths are mm, angles degrees, math.inf is infinity.
+    """
+    panel, pixel = pair(size, "size", 1, _MOST), positive(pixel_mm, "pixel_mm")
+    members = json.dumps({name: _for_json(value, name) for name, value in values.items()})
+    with Naming(**_FIELDS):
+        return _core.optics(text(kind, "kind"), panel, pixel, members)
 
 
 def single_view(size: Tuple[int, int] = (512, 512), *, pixel_mm: float = 0.125, distance_mm: float = 500.0) -> Optics:

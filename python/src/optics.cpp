@@ -11,6 +11,7 @@
 #include "lippmann/core/error.hpp"
 #include "lippmann/display/load_display.hpp"
 #include "lippmann/optics/optics.hpp"
+#include "lippmann/optics/optics_of_kind.hpp"
 #include "lippmann/optics/viewing.hpp"
 #include "lippmann/stage/placement.hpp"
 
@@ -120,7 +121,7 @@ std::string views_text(const ViewTiles& tiles) {
 std::string lenses_text(const Optics& optics) {
   if (sub_pixels_per_pixel(optics) > 1) return "a slanted panel";
   const std::optional<LensArray> lenses = lens_array(optics);
-  if (!lenses) return "rays of one's own";
+  if (!lenses) return kind_name(optics) == "rays" ? "rays of one's own" : std::string(kind_name(optics));
   return lenses->row_pitch_mm > 0.0 ? "a microlens array" : "a lenticular sheet";
 }
 
@@ -171,6 +172,10 @@ void bind_optics(py::module_& module) {
       .def("rays", &rays_of,
            "Origins (n, 3), mm, and unit directions (n, 3) of the rays of points (n, 2) of the panel: x, y in pixels from its "
            "top left corner, centres at + 0.5.");
+  module.def("optics_kinds", &optics_kind_names);
+  module.def("optics", [](const std::string& kind, const Pair& size, float pixel_mm, const std::string& members) {
+    return optics_of_kind(kind, {size[1], size[0], pixel_mm}, members);
+  });
   module.def("views",
              [](const Pair& grid, const Pair& view, float pixel_mm, float cone_deg, float distance_mm, float baseline_mm) {
                return views(xy(grid), xy(view), pixel_mm, cone_deg, distance_mm, baseline_mm);

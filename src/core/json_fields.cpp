@@ -27,11 +27,12 @@ JsonFields::JsonFields(const Json& json, std::string where, std::string object)
 
 void JsonFields::reject(std::string_view key, const std::string& problem, const std::string& accepted) const {
   const std::string name = object_.empty() ? std::string(key) : object_ + "." + std::string(key);
-  throw Error(fmt::format("{}: {}", where_, printable(name)), problem, accepted);
+  throw Error(where_.empty() ? printable(name) : fmt::format("{}: {}", where_, printable(name)), problem, accepted);
 }
 
 const Json& JsonFields::value(std::string_view key) const {
-  const auto found = json_.find(std::string(key));
+  const std::string& name = read_.emplace_back(key);
+  const auto found = json_.find(name);
   return found == json_.end() ? kNone : *found;
 }
 
@@ -130,7 +131,8 @@ JsonFields JsonFields::inner(std::string_view key) const { return element(key, v
 void JsonFields::allow_only(const std::vector<std::string_view>& keys) const {
   for (const auto& member : json_.items()) {
     if (std::find(keys.begin(), keys.end(), member.key()) != keys.end()) continue;
-    reject(member.key(), "there is no such key" + did_you_mean(member.key(), keys), fmt::format("{}", fmt::join(keys, ", ")));
+    reject(member.key(), "there is no such key" + did_you_mean(member.key(), keys),
+           keys.empty() ? "nothing" : fmt::format("{}", fmt::join(keys, ", ")));
   }
 }
 

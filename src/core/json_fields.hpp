@@ -25,8 +25,8 @@ class JsonFields {
  public:
   using Json = nlohmann::ordered_json;
 
-  /// `json` stays where it is. `object`: its name for complaints, empty for the document itself. Throws Error where `json` is
-  /// no object.
+  /// `json` stays where it is. `object`: its name for complaints, empty for the document itself. An empty `where`: complaints
+  /// name the key alone. Throws Error where `json` is no object.
   JsonFields(const Json& json, std::string where, std::string object);
 
   bool has(std::string_view key) const { return !value(key).is_null(); }
@@ -64,6 +64,8 @@ class JsonFields {
 
   /// Throws Error for a key that is none of these, with the nearest of them.
   void allow_only(const std::vector<std::string_view>& keys) const;
+  /// The same for a key that no function above was called with.
+  void allow_read() const { allow_only(std::vector<std::string_view>(read_.begin(), read_.end())); }
 
   [[noreturn]] void reject(std::string_view key, const std::string& problem, const std::string& accepted) const;
 
@@ -73,6 +75,7 @@ class JsonFields {
 
   const Json& json_;
   std::string where_, object_;
+  mutable std::vector<std::string> read_;  ///< keys that were asked for, missing ones among them
 };
 
 /// For a reader that knows infinity as number_or_infinity does.

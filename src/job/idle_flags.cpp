@@ -7,6 +7,7 @@
 
 #include "job/params_table.hpp"
 #include "lippmann/core/error.hpp"
+#include "optics/optics_kind.hpp"
 
 namespace lippmann {
 namespace {
@@ -52,10 +53,10 @@ bool has_surroundings_to_turn(const RenderParams& params) {
 
 /// A display decides what its optics are.
 bool has_microlenses(const RenderParams& params) {
-  return optics_kind(params) == OpticsKind::kMicrolens || (!params.optics.kind && !params.optics.display.empty());
+  return optics_kind(params).info().takes_param("packing") || (!params.optics.kind && !params.optics.display.empty());
 }
 
-bool has_parallax(const RenderParams& params) { return params.optics.kind != OpticsKind::kSingle; }
+bool has_parallax(const RenderParams& params) { return optics_kind(params).info().has_parallax; }
 
 bool is_file(const RenderParams& params) { return !is_builtin_scene(params.scene.name); }
 

@@ -7,6 +7,7 @@
 #include "job/test_pattern.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/scene/builtin.hpp"
+#include "optics/optics_kind.hpp"
 
 namespace lippmann {
 
@@ -23,7 +24,7 @@ bool wants_stereo(const RenderParams& params) {
 }
 
 bool fits_depth(const RenderParams& params) {
-  return params.optics.fit_depth.value_or(!params.optics.display.empty() || optics_kind(params) != OpticsKind::kMultiview);
+  return params.optics.fit_depth.value_or(!params.optics.display.empty() || optics_kind(params).info().fits_depth);
 }
 
 std::string output_folder(const RenderParams& params) {

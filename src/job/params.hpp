@@ -7,21 +7,19 @@
 #include <string>
 #include <vector>
 
-#include "core/extent.hpp"
 #include "core/frame_ranges.hpp"
 #include "folder/picture_params.hpp"
 #include "lippmann/core/context.hpp"
 #include "lippmann/core/math.hpp"
 #include "lippmann/frames/frame_params.hpp"
-#include "lippmann/optics/optics.hpp"
 #include "lippmann/scene/load.hpp"
 #include "lippmann/stage/choose_camera.hpp"
 #include "lippmann/stage/view_wish.hpp"
+#include "optics/optics_params.hpp"
 #include "video/video_codec.hpp"
 
 namespace lippmann {
 
-enum class OpticsKind { kLenticular, kMicrolens, kMultiview, kSingle };
 enum class ReuseChoice { kAuto, kNone, kCopy, kInterpolate };
 enum class DebugPicture { kNone, kMissed };
 
@@ -41,26 +39,6 @@ struct SceneParams {
   float environment_strength = 1.0f;  ///< factor
   float environment_rotation_deg = 0.0f;  ///< about the vertical
   ViewWish view;
-};
-
-/// What it is rendered for.
-struct OpticsParams {
-  std::string display{};                       ///< a preset, a file of one's own or a calibration; empty: none
-  std::optional<OpticsKind> kind{};            ///< none: the display's, or lenticular
-  LensPacking packing = LensPacking::kSquare;  ///< microlens arrays
-  Extent<int> lenses{};                        ///< 0: 64 across, and as many down as fill the panel
-  Extent<float> lens_pixels{};                 ///< pixels below a lens, not necessarily whole; 0: 8
-  Extent<int> size{};                          ///< the whole panel in pixels; 0: lenses x lens-pixels
-  Extent<int> views{};                         ///< multi-view: columns and rows of the quilt; 0: 8x6
-  bool camera_grid = false;                    ///< multi-view: eyes at equal distances across and up, not at equal angles
-  std::optional<float> view_angle_deg{};       ///< viewing zone, full angle; sets the gap; none: the display's, or 28
-  std::optional<float> viewing_distance_mm{};  ///< none: where the scene's camera stands; inf: parallel cells
-  std::optional<bool> fit_depth{};             ///< depth is compressed to what the display can resolve; none: fits_depth()
-  float slant_deg = 0.0f;                      ///< how far a lenticular sheet's lenses lean from the vertical
-  std::optional<double> ipd_mm{};              ///< stereo: between the eyes; none: kUsualIpdMm
-  std::optional<double> screen_width_mm{};     ///< stereo: of the screen; none: the display's, or kUsualScreenMm
-  std::optional<double> crosstalk_px{};        ///< sigma (optics/crosstalk.hpp); none: the display's
-  bool precompensate = false;                  ///< pictures are such that crosstalk makes the wanted ones of them
 };
 
 /// What frames take from each other, as requested: parameters of other kinds must not be given (job/reuse_params.hpp).
@@ -105,8 +83,7 @@ struct RenderParams {
 /// Whether pictures are to hold the views of two eyes (job/screen_for_stereo.hpp).
 bool wants_stereo(const RenderParams& params);
 
-/// As given; else depth is fitted to what shows it to eyes: lenses, and all that a display is named for. Views without a
-/// display are data (a quilt to be converted, a camera grid), of which nobody knows what will resolve them.
+/// As given; else depth is fitted for every display, and for the kinds of optics that say so.
 bool fits_depth(const RenderParams& params);
 
 /// What is traced: as given, or lenticular.

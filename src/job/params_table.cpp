@@ -18,6 +18,7 @@
 #include "lippmann/layout/formats.hpp"
 #include "lippmann/optics/crosstalk.hpp"
 #include "lippmann/trace/aovs.hpp"
+#include "optics/optics_kind.hpp"
 #include "stage/read_view_wish.hpp"
 
 namespace lippmann {
@@ -25,7 +26,6 @@ namespace {
 
 using Values = std::vector<std::string>;
 
-constexpr std::array<std::string_view, 4> kOpticsNames{"lenticular", "microlens", "multiview", "single"};
 constexpr std::array<std::string_view, 6> kUpNames{"y", "x", "z", "-x", "-y", "-z"};
 constexpr std::array<std::string_view, 2> kPackingNames{"square", "hexagonal"};
 constexpr std::array<std::string_view, 3> kOrderNames{"rows", "columns", "view-tiles"};
@@ -144,6 +144,18 @@ Codec<std::optional<E>> optional_choice(const std::array<std::string_view, N>& n
   const Codec<E> made = choice<E>(names);
   return {[made](std::string_view value, const std::string& where) { return std::optional<E>(made.read(value, where)); },
           [made](const std::optional<E>& value) { return value ? made.write(*value) : std::string(); }, made.choices};
+}
+
+Codec<std::optional<OpticsKind>> optics_kind_name() {
+  std::vector<std::string_view> names;
+  for (const OpticsKind kind : optics_kinds()) names.push_back(kind.info().name);
+  const auto read = [names](std::string_view value, const std::string& where) {
+    return std::optional(optics_kinds()[read_choice(value, names, where)]);
+  };
+  const auto write = [](const std::optional<OpticsKind>& value) {
+    return value ? std::string(value->info().name) : std::string();
+  };
+  return {read, write, names};
 }
 
 Codec<std::optional<Integrator>> integrator_name() {
@@ -385,15 +397,13 @@ std::vector<ParamInfo> optics_rows() {
       [](std::string_view value, const std::string& where) { return std::optional(read_crosstalk(value, where)); },
       [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }};
   const Codec<std::optional<float>> distance{read_distance, [](const std::optional<float>& v) { return write_distance(v); }};
+  static const std::string kKindDoc = fmt::format("{}; default: that of --display, else lenticular", optics_kinds_help());
   return {
       path(runs_only(
           row(ParamKind::kText, &P::optics, &OpticsParams::display, text(),
               {"display", "Optics", "NAME|FILE",
                "Display to render for: a preset (see: lippmann displays), your own .toml file, or a calibration .json"}))),
-      row(ParamKind::kText, &P::optics, &OpticsParams::kind, optional_choice<OpticsKind>(kOpticsNames),
-          {"optics", "Optics", "KIND",
-           "lenticular, microlens, multiview (a quilt of views) or single (one pinhole view); default: that of --display, else "
-           "lenticular"}),
+      row(ParamKind::kText, &P::optics, &OpticsParams::kind, optics_kind_name(), {"optics", "Optics", "KIND", kKindDoc}),
       row(ParamKind::kText, &P::optics, &OpticsParams::packing, choice<LensPacking>(kPackingNames),
           {"packing", "Optics", "KIND", "Packing of microlenses: square or hexagonal"}),
       row(ParamKind::kText, &P::optics, &OpticsParams::lenses, extent(1, kMaxCount),

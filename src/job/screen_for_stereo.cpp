@@ -12,18 +12,13 @@ namespace {
 
 constexpr Vec2i kUsualViewPx{960, 540};  ///< a whole view's size, where nobody says
 
-void refuse_in_stereo(bool given, const char* parameter) {
-  if (given) throw usage_error(parameter, "has no effect on a stereo picture", "`layout` stereo without it");
+void refuse_in_stereo(bool given, std::string_view parameter) {
+  if (given) throw usage_error(std::string(parameter), "has no effect on a stereo picture", "`layout` stereo without it");
 }
 
 void refuse_other_optics(const OpticsParams& optics) {
   refuse_in_stereo(optics.kind.has_value(), "optics");
-  refuse_in_stereo(optics.lenses.x > 0, "lenses");
-  refuse_in_stereo(optics.lens_pixels.x > 0.0f, "lens-pixels");
-  refuse_in_stereo(optics.packing != LensPacking::kSquare, "packing");
-  refuse_in_stereo(optics.slant_deg != 0.0f, "slant");
-  refuse_in_stereo(optics.views.x > 0, "views");
-  refuse_in_stereo(optics.camera_grid, "camera-grid");
+  for (const KindParam& param : kKindParams) refuse_in_stereo(param.is_given(optics), param.name);
   refuse_in_stereo(optics.view_angle_deg.has_value(), "view-angle");
 }
 

@@ -15,11 +15,10 @@ void refuse(bool given, const char* flag, const char* problem, const char* accep
 }
 
 void refuse_what_the_display_decides(const RenderParams& params) {
-  constexpr const char* kAccepted = "a display of your own in a .toml file (docs/displays.md)";
-  refuse(params.optics.lenses.x > 0, "--lenses", "the display has its own", kAccepted);
-  refuse(params.optics.lens_pixels.x > 0.0f, "--lens-pixels", "the display has its own", kAccepted);
-  refuse(params.optics.packing != LensPacking::kSquare, "--packing", "the display has its own", kAccepted);
-  refuse(params.optics.slant_deg != 0.0f, "--slant", "the display has its own", kAccepted);
+  for (const KindParam& param : kKindParams)
+    if (param.name != "views" && param.name != "camera-grid" && param.is_given(params.optics))
+      throw usage_error(std::string(param.name), "the display has its own",
+                        "a display of your own in a .toml file (docs/displays.md)");
   refuse(params.optics.camera_grid, "--camera-grid", "cannot be combined with --display, whose views are at equal angles",
          "one of the two");
 }

@@ -1,9 +1,5 @@
-// The screen of a job that names no display.
-//
-// Lenses are 1 mm wide on the panel; all that matters is proportion: the panel is scaled to the fitted plane. Of a lens cell
-// c = pixels x pitch wide and a viewing zone of full angle a, the gap is g = c / (2 tan(a/2)); cells that converge to a viewer
-// at distance V belong to lenses of pitch p = c / (1 + g/V). Of a camera grid the viewing zone is divided among the N eyes of
-// its longer side: they stand 2 V tan(a/2) / N apart.
+// The screen of a job that names no display. The kind of its optics makes panel and model of the parameters
+// (optics/optics_kind.hpp).
 #pragma once
 
 #include "job/params.hpp"

@@ -3,6 +3,8 @@
 #include "core/degrees.hpp"
 #include "core/json_fields.hpp"
 #include "optics/checks.hpp"
+#include "optics/lens_params.hpp"
+#include "optics/optics_kind.hpp"
 
 namespace lippmann {
 
@@ -159,5 +161,42 @@ void set_lenses(LenticularSheet& sheet, float pitch_mm, float gap_mm, Vec2f offs
   sheet.lens_pitch_mm = pitch_mm, sheet.gap_mm = gap_mm, sheet.offset_mm = offset_mm.x;
   sheet.viewing_distance_mm = kInfinity;
 }
+
+namespace {
+
+/// Lenses have no extent along the sheet: numbers down only say how high the panel is.
+PanelSize lenticular_size(const OpticsParams& params, Vec2i) {
+  const float pixels = lens_pixels_across(params);
+  if (params.size.x > 0) return {params.size.x, params.size.y, pixels};
+  const int lenses = params.lenses.x > 0 ? params.lenses.x : kDefaultLenses;
+  return {covered_pixels(lenses, pixels),
+          covered_pixels(params.lenses.y > 0 ? params.lenses.y : lenses,
+                         params.lens_pixels.y > 0.0f ? params.lens_pixels.y : pixels),
+          pixels};
+}
+
+OpticsModel sheet_of_params(const ModelSetup& setup) {
+  const Panel& panel = setup.panel;
+  LenticularSheet sheet;
+  sheet.slant = radians(setup.params.slant_deg);
+  const float cell =  // the parameter counts pixels along a row
+      setup.size.lens_pixels * panel.pixel_pitch_mm * std::cos(sheet.slant);
+  const LensGeometry lens = lens_geometry(cell, setup.params, setup.viewing_distance_mm);
+  const float width = static_cast<float>(panel.width) * panel.pixel_pitch_mm * std::cos(sheet.slant);
+  sheet.lens_pitch_mm = lens.pitch_mm;
+  sheet.gap_mm = lens.gap_mm;
+  sheet.offset_mm = cell_center_nearest_middle(width, cell) * lens.pitch_per_cell;
+  sheet.viewing_distance_mm = setup.viewing_distance_mm;
+  return sheet;
+}
+
+}  // namespace
+
+constinit const OpticsKindInfo lenticular_kind{.name = kind_of(LenticularSheet{}),
+                                               .takes = {"lenses", "lens-pixels", "slant"},
+                                               .panel_size = lenticular_size,
+                                               .make_model = sheet_of_params};
+
+const OpticsKindInfo& kind_info(const LenticularSheet&) { return lenticular_kind; }
 
 }  // namespace lippmann

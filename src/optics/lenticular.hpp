@@ -76,5 +76,6 @@ LenticularSight sight_of(const Panel& panel, const LenticularSheet& sheet);
 std::optional<ViewCameras> cameras_of(const Panel& panel, const LenticularSheet& sheet);
 LensCells lens_cells_of(const Panel& panel, const LenticularSheet& sheet);
 void set_lenses(LenticularSheet& sheet, float pitch_mm, float gap_mm, Vec2f offset_mm);
+const OpticsKindInfo& kind_info(const LenticularSheet&);
 
 }  // namespace lippmann

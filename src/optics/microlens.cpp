@@ -4,6 +4,8 @@
 
 #include "core/json_fields.hpp"
 #include "optics/checks.hpp"
+#include "optics/lens_params.hpp"
+#include "optics/optics_kind.hpp"
 
 namespace lippmann {
 
@@ -240,5 +242,48 @@ void set_lenses(MicrolensArray& array, float pitch_mm, float gap_mm, Vec2f offse
   array.lens_pitch_mm = pitch_mm, array.gap_mm = gap_mm, array.offset_mm = offset_mm;
   array.viewing_distance_mm = kInfinity;
 }
+
+namespace {
+
+/// Lenslets are round: as many pixels down as across.
+PanelSize microlens_size(const OpticsParams& params, Vec2i) {
+  constexpr float kHexagonalRow = 0.8660254f;  // rows are this fraction of a pitch apart
+  const float pixels = lens_pixels_across(params);
+  if (params.lens_pixels.y > 0.0f && params.lens_pixels.y != pixels)
+    throw usage_error("lens-pixels", fmt::format("{} pixels across but {} down", pixels, params.lens_pixels.y),
+                      "the same number both ways: lenslets are round");
+  const float row_pixels = params.packing == LensPacking::kHexagonal ? pixels * kHexagonalRow : pixels;
+  if (params.size.x > 0) {
+    if (params.lenses.y > 0) require_agreement(params.size.y, params.lenses.y, row_pixels, "down");
+    return {params.size.x, params.size.y, pixels};
+  }
+  const int lenses = params.lenses.x > 0 ? params.lenses.x : kDefaultLenses;
+  return {covered_pixels(lenses, pixels), covered_pixels(params.lenses.y > 0 ? params.lenses.y : lenses, row_pixels), pixels};
+}
+
+OpticsModel array_of_params(const ModelSetup& setup) {
+  const Panel& panel = setup.panel;
+  MicrolensArray array;
+  array.packing = setup.params.packing;
+  const float cell = setup.size.lens_pixels * panel.pixel_pitch_mm;
+  const float row = array.packing == LensPacking::kHexagonal ? cell * std::sqrt(0.75f) : cell;
+  const LensGeometry lens = lens_geometry(cell, setup.params, setup.viewing_distance_mm);
+  const Vec2f extent = Vec2f(panel.width, panel.height) * panel.pixel_pitch_mm;
+  array.lens_pitch_mm = lens.pitch_mm;
+  array.gap_mm = lens.gap_mm;
+  array.offset_mm =
+      Vec2f(cell_center_nearest_middle(extent.x, cell), cell_center_nearest_middle(extent.y, row)) * lens.pitch_per_cell;
+  array.viewing_distance_mm = setup.viewing_distance_mm;
+  return array;
+}
+
+}  // namespace
+
+constinit const OpticsKindInfo microlens_kind{.name = kind_of(MicrolensArray{}),
+                                              .takes = {"lenses", "lens-pixels", "packing"},
+                                              .panel_size = microlens_size,
+                                              .make_model = array_of_params};
+
+const OpticsKindInfo& kind_info(const MicrolensArray&) { return microlens_kind; }
 
 }  // namespace lippmann

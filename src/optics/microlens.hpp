@@ -111,5 +111,6 @@ MicrolensSight sight_of(const Panel& panel, const MicrolensArray& array);
 std::optional<ViewCameras> cameras_of(const Panel& panel, const MicrolensArray& array);
 LensCells lens_cells_of(const Panel& panel, const MicrolensArray& array);
 void set_lenses(MicrolensArray& array, float pitch_mm, float gap_mm, Vec2f offset_mm);
+const OpticsKindInfo& kind_info(const MicrolensArray&);
 
 }  // namespace lippmann

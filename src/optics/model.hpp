@@ -21,7 +21,8 @@
 
 namespace lippmann {
 
-class JsonFields;  // core/json_fields.hpp
+class JsonFields;       // core/json_fields.hpp
+struct OpticsKindInfo;  // optics/optics_kind.hpp
 
 /// How far apart the samples of a view are in the plane z = 0: to the right and down.
 struct SampleGrid {
@@ -152,6 +153,12 @@ concept HasLensCells = requires(const Panel& panel, const Model& model) {
 template <class Model>
 concept HasLenses = requires(Model& model, float mm, Vec2f offset_mm) {
   set_lenses(model, mm, mm, offset_mm);
+};
+
+/// Models that flags and job files can name say how parameters make them (optics/optics_kind.hpp).
+template <class Model>
+concept IsNamedByFlags = requires(const Model& model) {
+  { kind_info(model) } -> std::same_as<const OpticsKindInfo&>;
 };
 
 /// What the model of these optics says.

@@ -3,6 +3,8 @@
 #include "core/degrees.hpp"
 #include "core/json_fields.hpp"
 #include "optics/checks.hpp"
+#include "optics/lens_params.hpp"
+#include "optics/optics_kind.hpp"
 
 namespace lippmann {
 namespace {
@@ -181,5 +183,40 @@ std::optional<ViewCameras> cameras_of(const Panel& panel, const MultiView& views
   }
   return cameras;
 }
+
+namespace {
+
+/// By default, 8x6 views of 256x256 pixels.
+PanelSize quilt_size(const OpticsParams& params, Vec2i) {
+  constexpr int kDefaultTile = 256;
+  const Extent<int> views = params.views.x > 0 ? params.views : Extent<int>{8, 6}, size = params.size;
+  if (size.x == 0) return {covered_pixels(views.x, kDefaultTile), covered_pixels(views.y, kDefaultTile), 0.0f, views};
+  if (size.x % views.x != 0 || size.y % views.y != 0)
+    throw usage_error(
+        "size", fmt::format("{}x{} pixels do not divide into `views` {}x{}", size.x, size.y, views.x, views.y),
+        fmt::format("for example {}x{}", std::max(1, size.x / views.x) * views.x, std::max(1, size.y / views.y) * views.y));
+  return {size.x, size.y, 0.0f, views};
+}
+
+/// The viewing zone is divided among the N eyes of a camera grid's longer side: they stand 2 V tan(a/2) / N apart.
+OpticsModel views_of_params(const ModelSetup& setup) {
+  const Extent<int> views = setup.size.views;
+  const float distance_mm = setup.viewing_distance_mm;
+  MultiView model{views.x, views.y, view_angle(setup.params), false, distance_mm};
+  if (setup.params.camera_grid)
+    model.baseline_mm = 2.0f * distance_mm * std::tan(0.5f * model.view_cone) / static_cast<float>(std::max(views.x, views.y));
+  return model;
+}
+
+}  // namespace
+
+constinit const OpticsKindInfo multiview_kind{.name = kind_of(MultiView{}),
+                                              .help = "a quilt of views",
+                                              .takes = {"views", "camera-grid"},
+                                              .fits_depth = false,  // data, of which nobody knows what will resolve it
+                                              .panel_size = quilt_size,
+                                              .make_model = views_of_params};
+
+const OpticsKindInfo& kind_info(const MultiView&) { return multiview_kind; }
 
 }  // namespace lippmann

@@ -93,5 +93,6 @@ StepRule step_rule(const Panel& panel, const MultiView& views, StepsWithin withi
 void pixels_seeing(const Panel& panel, const MultiView& views, Vec3f point_mm, std::vector<Vec2f>& pixels);
 QuiltSight sight_of(const Panel& panel, const MultiView& views);
 std::optional<ViewCameras> cameras_of(const Panel& panel, const MultiView& views);
+const OpticsKindInfo& kind_info(const MultiView&);
 
 }  // namespace lippmann

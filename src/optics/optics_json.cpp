@@ -1,6 +1,7 @@
 #include "optics/optics_json.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include "core/json_fields.hpp"
 #include "core/printable.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/optics/optics_of_kind.hpp"
 #include "optics/models.hpp"
 
 namespace lippmann {
@@ -25,17 +27,7 @@ bool any_kind(const Visit& visit) {
   (std::make_index_sequence<std::variant_size_v<OpticsModel>>{});
 }
 
-std::string all_kinds() {
-  std::string kinds;
-  any_kind([&](const auto& model) {
-    kinds += (kinds.empty() ? "" : ", ") + std::string(kind_of(model));
-    return false;
-  });
-  return kinds;
-}
-
-OpticsModel model_from(const JsonFields& json) {
-  const std::string kind = json.text("kind");
+OpticsModel model_from(const std::string& kind, const JsonFields& json) {
   OpticsModel read;
   const bool known = any_kind([&](auto model) {
     if (kind != kind_of(model)) return false;
@@ -43,7 +35,7 @@ OpticsModel model_from(const JsonFields& json) {
     read = std::move(model);
     return true;
   });
-  if (!known) json.reject("kind", "is " + shown(kind), "one of " + all_kinds());
+  if (!known) json.reject("kind", "is " + shown(kind), fmt::format("one of {}", fmt::join(optics_kind_names(), ", ")));
   return read;
 }
 
@@ -74,7 +66,7 @@ Json optics_json(const Optics& optics) {
 Optics optics_from_json(const Json& json, const std::string& where) {
   const JsonFields members(json, where, "optics");
   Optics optics;
-  optics.model = model_from(members);
+  optics.model = model_from(members.text("kind"), members);
   optics.panel = panel_from(members, sub_pixels_per_pixel(optics));
   optics.z_front_mm = members.float_or("z_front_mm", kInfinity);
   try {
@@ -82,6 +74,31 @@ Optics optics_from_json(const Json& json, const std::string& where) {
   } catch (const Error& error) {
     throw Error(where, "the optics make no rays: " + error.where() + " " + error.problem(), error.accepted());
   }
+  return optics;
+}
+
+std::vector<std::string_view> optics_kind_names() {
+  std::vector<std::string_view> names;
+  any_kind([&](const auto& model) {
+    names.push_back(kind_of(model));
+    return false;
+  });
+  return names;
+}
+
+std::string_view kind_name(const Optics& optics) {
+  return std::visit([](const auto& model) -> std::string_view { return kind_of(model); }, optics.model);
+}
+
+Optics optics_of_kind(const std::string& kind, const Panel& panel, const std::string& members) {
+  const Json json = Json::parse(members, nullptr, false);
+  if (!json.is_object()) throw Error("members", "is no JSON object", "keys and values");
+  const JsonFields fields(json, "", "");
+  Optics optics;
+  optics.model = model_from(kind, fields);
+  fields.allow_read();
+  optics.panel = panel;
+  validate(optics);
   return optics;
 }
 

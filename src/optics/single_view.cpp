@@ -2,6 +2,7 @@
 
 #include "core/json_fields.hpp"
 #include "optics/checks.hpp"
+#include "optics/optics_kind.hpp"
 
 namespace lippmann {
 
@@ -54,5 +55,25 @@ std::optional<ViewCameras> cameras_of(const Panel& panel, const SingleView& view
   const Vec2d centre = 0.5 * Vec2d(panel.width, panel.height) - Vec2d(view.pixel_offset);
   return ViewCameras{view.distance_mm, Vec2d(panel.pixel_pitch_mm), centre, {Vec2d(0.0)}};
 }
+
+namespace {
+
+PanelSize single_size(const OpticsParams& params, Vec2i scene_resolution) {
+  if (params.size.x > 0) return {params.size.x, params.size.y};
+  if (scene_resolution.x > 0 && scene_resolution.y > 0) return {scene_resolution.x, scene_resolution.y};
+  return {512, 512};
+}
+
+OpticsModel view_of_params(const ModelSetup& setup) { return SingleView{setup.viewing_distance_mm, setup.pixel_offset}; }
+
+}  // namespace
+
+constinit const OpticsKindInfo single_kind{.name = kind_of(SingleView{}),
+                                           .help = "one pinhole view",
+                                           .has_parallax = false,
+                                           .panel_size = single_size,
+                                           .make_model = view_of_params};
+
+const OpticsKindInfo& kind_info(const SingleView&) { return single_kind; }
 
 }  // namespace lippmann

@@ -50,5 +50,6 @@ inline StepRule step_rule(const Panel&, const SingleView&, StepsWithin) { return
 void pixels_seeing(const Panel& panel, const SingleView& view, Vec3f point_mm, std::vector<Vec2f>& pixels);
 QuiltSight sight_of(const Panel& panel, const SingleView& view);
 std::optional<ViewCameras> cameras_of(const Panel& panel, const SingleView& view);
+const OpticsKindInfo& kind_info(const SingleView&);
 
 }  // namespace lippmann

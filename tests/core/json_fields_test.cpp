@@ -71,5 +71,14 @@ TEST(JsonFields, complaints_name_file_object_and_key_and_what_is_accepted) {
   EXPECT_THAT(message([](const JsonFields& f) { f.inner("in").allow_only({"m"}); }), HasSubstr("in.n: there is no such key"));
 }
 
+TEST(JsonFields, keys_that_nobody_has_read_are_refused) {
+  const Json json = Json::parse(R"({"gap": 1, "gpa": 2})");
+  const JsonFields read(json, "", "");
+  read.number("gap");
+  EXPECT_THAT(test::error_message([&] { read.allow_read(); }), HasSubstr("gpa: there is no such key, did you mean 'gap'?"));
+  EXPECT_TRUE(read.has("gpa"));
+  EXPECT_NO_THROW(read.allow_read());
+}
+
 }  // namespace
 }  // namespace lippmann

@@ -69,7 +69,7 @@ constexpr double kVariance = 0.125;
 constexpr double kLeft = 2.0 * (70.0 / 256.0) * (70.0 / 256.0);
 
 TEST(DenoisedOptics, uniform_light_loses_only_its_noise) {
-  for (const OpticsKind& kind : optics_kinds())
+  for (const OpticsCase& kind : optics_cases())
     for (const float z : {-3.0f, 0.0f, 2.0f}) {
       const Frame frame = noisy_frame(kind.optics, [z](Vec2f) { return Plane{z, 1.0f}; });
       const Image film = denoised(kind.optics, frame);
@@ -84,7 +84,7 @@ TEST(DenoisedOptics, uniform_light_loses_only_its_noise) {
 
 // Leaked light from the brighter plane would raise the mean of the darker one next to the edge.
 TEST(DenoisedOptics, light_does_not_cross_edges_in_depth) {
-  for (const OpticsKind& kind : optics_kinds()) {
+  for (const OpticsCase& kind : optics_cases()) {
     const float width = window_size_mm(kind.optics).x / 8.0f;
     const Frame frame = noisy_frame(kind.optics, [width](Vec2f place) {
       return place.x < 0.0f ? Plane{-3.0f, 8.0f} : Plane{1.5f, place.x < width ? 1.0f : 1.001f};
@@ -111,7 +111,7 @@ Image rows_of(const Image& image, int first, int end) {
 }
 
 TEST(DenoisedOptics, strips_with_rows_around_match_the_film) {
-  for (const OpticsKind& kind : optics_kinds(4)) {
+  for (const OpticsCase& kind : optics_cases(4)) {
     const Optics& optics = kind.optics;
     const int height = film_size(optics).y, around = Denoiser::rows_around(optics);
     const int first = height / 2, end = first + 5, low = std::max(0, first - around), high = std::min(height, end + around);
@@ -131,7 +131,7 @@ TEST(DenoisedOptics, strips_with_rows_around_match_the_film) {
 }
 
 TEST(DenoisedOptics, huge_light_and_depths_stay_finite) {
-  for (const OpticsKind& kind : optics_kinds()) {
+  for (const OpticsCase& kind : optics_cases()) {
     Frame frame = noisy_frame(kind.optics, [](Vec2f place) { return place.x < 0.0f ? Plane{-1e30f, 1e30f} : tilted(place); });
     frame.film.data[0] = 3e38f, frame.noise.data[0] = -3e38f;
     frame.normal.data[2] = frame.albedo.data[0] = 0.0f;
@@ -147,7 +147,7 @@ TEST(DenoisedOptics, views_of_a_single_pixel_are_denoised) {
 }
 
 TEST(DenoisedOptics, bits_do_not_depend_on_threads) {
-  for (const OpticsKind& kind : optics_kinds()) {
+  for (const OpticsCase& kind : optics_cases()) {
     const Frame frame = noisy_frame(kind.optics, tilted);
     EXPECT_EQ(denoised(kind.optics, frame, 1).data, denoised(kind.optics, frame, 3).data) << kind.name;
   }

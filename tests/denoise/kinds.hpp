@@ -7,14 +7,14 @@
 
 namespace lippmann {
 
-struct OpticsKind {
+struct OpticsCase {
   const char* name;
   Optics optics;
   bool whole_views;  ///< film_layout() accepts it, because its views consist of whole pixels
 };
 
 /// Returns all kinds. The films are `rows` times as high as necessary.
-inline std::vector<OpticsKind> optics_kinds(int rows = 1) {
+inline std::vector<OpticsCase> optics_cases(int rows = 1) {
   const MultiView quilt{.columns = 3, .rows = 2, .view_cone = 0.5f, .distance_mm = 60.0f, .pixel_height = 1.5f};
   MultiView grid = quilt;
   grid.baseline_mm = 2.0f;

@@ -40,7 +40,7 @@ std::array<int, 2> pixels_by_places(const Optics& optics) {
 }
 
 TEST(SortedViews, every_pixel_has_one_place) {
-  for (const OpticsKind& kind : optics_kinds()) EXPECT_EQ(pixels_by_places(kind.optics)[0], 0) << kind.name;
+  for (const OpticsCase& kind : optics_cases()) EXPECT_EQ(pixels_by_places(kind.optics)[0], 0) << kind.name;
 }
 
 TEST(SortedViews, padding_of_a_quilt_has_no_place) {
@@ -49,7 +49,7 @@ TEST(SortedViews, padding_of_a_quilt_has_no_place) {
 }
 
 TEST(SortedViews, views_of_whole_pixels_match_the_layout) {
-  for (const OpticsKind& kind : optics_kinds()) {
+  for (const OpticsCase& kind : optics_cases()) {
     if (!kind.whole_views) continue;
     const SortedViews views = all_views(kind.optics);
     const ViewLayout layout = film_layout(kind.optics, "test");
@@ -74,7 +74,7 @@ Vec2f off(const SortedViews& views, const Ray& ray, float z, int view, int x, in
 }
 
 TEST(SortedViews, sights_find_points_at_their_pixels) {
-  for (const OpticsKind& kind : optics_kinds()) {
+  for (const OpticsCase& kind : optics_cases()) {
     if (!kind.whole_views) continue;
     const SortedViews views = all_views(kind.optics);
     for (const float z : {-8.0f, 0.0f, 5.0f})
@@ -89,7 +89,7 @@ TEST(SortedViews, sights_find_points_at_their_pixels) {
 // The directions of a view's pixels differ by less than one pixel, which shifts a point at the depth budget by one sample. On
 // panels with irregular sub-pixels, a few pixels are sorted into a neighbouring view.
 TEST(SortedViews, sights_are_accurate_to_one_pixel) {
-  for (const OpticsKind& kind : optics_kinds()) {
+  for (const OpticsCase& kind : optics_cases()) {
     const SortedViews views = all_views(kind.optics);
     if (kind.whole_views || views.views() == 1) continue;
     const float budget = depth_budget_mm(kind.optics);

@@ -88,7 +88,7 @@ TEST(PanelSize, oblong_lenslets_are_refused) {
   RenderParams params;
   params.optics.kind = OpticsKind::kMicrolens;
   params.optics.lens_pixels = {8.0f, 10.0f};
-  EXPECT_THAT(refusal(params), HasSubstr("--lens-pixels"));
+  EXPECT_THAT(refusal(params), HasSubstr("lens-pixels: "));
 }
 
 TEST(PanelSize, quilt_divides_into_its_views_or_is_refused_with_a_size_that_does) {
@@ -126,14 +126,15 @@ TEST(PanelSize, what_has_no_meaning_for_the_optics_is_refused) {
   RenderParams params;
   params.optics.kind = OpticsKind::kSingle;
   params.optics.lenses = {64, 0};
-  EXPECT_THAT(refusal(params), HasSubstr("--lenses"));
+  EXPECT_THAT(refusal(params),
+              HasSubstr("lenses: has no effect on this kind of optics; accepted: with `optics` lenticular or microlens"));
   params = {};
   params.optics.views = {8, 6};
-  EXPECT_THAT(refusal(params), HasSubstr("--views"));
+  EXPECT_THAT(refusal(params), HasSubstr("views: "));
   params = {};
   params.optics.kind = OpticsKind::kMicrolens;
   params.optics.slant_deg = 10.0f;
-  EXPECT_THAT(refusal(params), HasSubstr("--slant"));
+  EXPECT_THAT(refusal(params), HasSubstr("slant: "));
 }
 
 TEST(PanelSize, more_lenses_than_pixels_are_refused) {

@@ -1,11 +1,44 @@
-"""Optics that are a function from pixel to ray."""
+"""Optics by the name of their model, and optics that are a function from pixel to ray."""
 
+import math
 import warnings
 
 import numpy as np
 
 import lippmann
 from support import Case
+
+
+class OpticsByName(Case):
+    def test_a_kind_and_its_values_make_the_optics_of_its_function(self):
+        points = np.array([[0.5, 0.5], [20.25, 31.0], [55.5, 39.5]], np.float32)
+        lenses = dict(pixel_mm=0.25, lens_pitch_mm=2.0, gap_mm=4.0)
+        for named, made in (
+            (lippmann.optics("single", (40, 56), pixel_mm=0.5, distance_mm=300), lippmann.single_view((40, 56), pixel_mm=0.5, distance_mm=300)),
+            (
+                lippmann.optics("lenticular", (40, 56), slant_deg=0, offset_mm=np.float32(1), viewing_distance_mm=math.inf, **lenses),
+                lippmann.lenticular_sheet((40, 56), **lenses),
+            ),
+            (
+                lippmann.optics("microlens", (40, 56), packing="square", offset_mm=(1, 1), viewing_distance_mm=600, **lenses),
+                lippmann.microlens_array((40, 56), viewing_distance_mm=600, **lenses),
+            ),
+        ):
+            self.assertEqual(repr(named), repr(made))
+            for parts in zip(named.rays(points), made.rays(points)):
+                self.assertSame(*parts)
+
+    def test_wrong_kinds_and_values_are_named(self):
+        self.assertIn("lenticular", self.assertWrong("kind", lippmann.optics, "lenticules").accepted)
+        self.assertWrong("kind", lippmann.optics, 3)
+        self.assertWrong("size", lippmann.optics, "single", (0, 3), distance_mm=500)
+        self.assertWrong("distance_mm", lippmann.optics, "single")
+        self.assertWrong("distance_mm", lippmann.optics, "single", distance_mm=-1)
+        self.assertWrong("gap_mm", lippmann.optics, "lenticular", lens_pitch_mm=1, gap_mm=-1, slant_deg=0, viewing_distance_mm=500)
+        self.assertWrong("distance_mm", lippmann.optics, "single", distance_mm="far")
+        self.assertWrong("distance_mm", lippmann.optics, "single", distance_mm=math.nan)
+        self.assertWrong("distance_mm", lippmann.optics, "single", distance_mm=object())
+        self.assertIn("distance_mm", self.assertWrong("distance", lippmann.optics, "single", distance_mm=500, distance=3).problem)
 
 
 class OwnOptics(Case):

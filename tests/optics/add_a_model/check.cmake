@@ -1,0 +1,47 @@
+# Adds the model of parallel_view.patch to a copy of the sources, as docs/add-an-optics-model.md says it, and runs the model's test.
+# If the patch does not apply any more, or the page names other files, bring both up to date.
+#   cmake -D SOURCE=... -D WORK=... -D CXX=... -D LAUNCHER=... -P check.cmake
+cmake_minimum_required(VERSION 3.25)
+
+set(tree ${WORK}/tree)
+file(REMOVE_RECURSE ${tree})
+file(COPY ${SOURCE}/CMakeLists.txt ${SOURCE}/cmake ${SOURCE}/include ${SOURCE}/src DESTINATION ${tree})
+file(COPY ${SOURCE}/tests/optics ${SOURCE}/tests/support DESTINATION ${tree}/tests)
+
+find_program(patch patch REQUIRED)
+set(file ${CMAKE_CURRENT_LIST_DIR}/parallel_view.patch)
+execute_process(COMMAND ${patch} -p1 --forward --no-backup-if-mismatch -i ${file} WORKING_DIRECTORY ${tree}
+  COMMAND_ERROR_IS_FATAL ANY)
+
+# The page names each file of the patch, with NAME in place of parallel_view; CHANGELOG.md is one more of a real commit's.
+file(STRINGS ${file} touched REGEX "^\\+\\+\\+ b/")
+list(LENGTH touched count)
+if(count GREATER 6)
+  message(FATAL_ERROR "a model takes ${count} files, without CHANGELOG.md; docs/add-an-optics-model.md promises 6")
+endif()
+file(READ ${SOURCE}/docs/add-an-optics-model.md page)
+foreach(line IN LISTS touched)
+  string(REGEX REPLACE "^\\+\\+\\+ b/" "" path "${line}")
+  string(REPLACE parallel_view NAME path "${path}")
+  string(FIND "${page}" "`${path}`" found)
+  if(found EQUAL -1)
+    message(FATAL_ERROR "docs/add-an-optics-model.md does not name `${path}`")
+  endif()
+endforeach()
+
+# Of the library, the optics alone are compiled.
+file(WRITE ${WORK}/CMakeLists.txt "
+cmake_minimum_required(VERSION 3.25)
+project(add_a_model LANGUAGES CXX)
+add_subdirectory(tree lippmann)
+find_package(GTest REQUIRED)
+add_executable(model_test tree/tests/optics/parallel_view_test.cpp)
+target_compile_features(model_test PRIVATE cxx_std_20)
+target_include_directories(model_test PRIVATE tree/tests)
+target_link_libraries(model_test PRIVATE lippmann::optics GTest::gtest_main)
+")
+execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S ${WORK} -B ${WORK}/build -D CMAKE_CXX_COMPILER=${CXX}
+  -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -D CMAKE_BUILD_TYPE=Debug -D CMAKE_CXX_FLAGS_DEBUG= -D LIPPMANN_UNITY=ON
+  -D LIPPMANN_PCH=OFF COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build --target model_test -- -j2 COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${WORK}/build/model_test --gtest_brief=1 COMMAND_ERROR_IS_FATAL ANY)
