@@ -62,11 +62,11 @@ std::set<std::string> flags_of_help(const TempDir& dir) {
   const std::string help = run_tool(dir, {"convert", "--help"}).out;
   static const TextPattern flag("--[a-z][a-z-]*");
   std::set<std::string> flags;
-  // The option lists; a flag is declared where its line begins.
+  // The option lists. CLI11 indents a flag by 2 to 10 columns, depending on its version, and descriptions by 28.
   std::istringstream lines(help);
   for (std::string line; std::getline(lines, line);) {
     const std::size_t begin = line.find_first_not_of(' ');
-    if (begin == std::string::npos || begin > 4 || line[begin] != '-') continue;
+    if (begin == std::string::npos || begin > 10 || line[begin] != '-') continue;
     if (const auto found = flag.search(line)) flags.insert(found->groups[0]);
   }
   for (const char* other : {"--from", "--to", "--help", "--help-all", "--json", "--quiet"}) flags.erase(other);
