@@ -25,7 +25,7 @@ Vec2f integrate(float cosine, float alpha) {
 
 GgxAlbedo::GgxAlbedo() {
   constexpr float kStep = 1.0f / (kSize - 1);
-  for (std::size_t at = 0; at < single_f0_.size(); ++at) {
+  for (std::size_t at = 0; at < std::size(single_f0_); ++at) {
     const float roughness = kStep * static_cast<float>(at / kSize), cosine = kStep * static_cast<float>(at % kSize);
     const Vec2f single = integrate(std::max(cosine, 1e-3f), std::max(roughness * roughness, kSmoothAlpha));
     single_f0_[at] = single.x, single_f90_[at] = single.y;

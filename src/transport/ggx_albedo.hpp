@@ -17,7 +17,6 @@
 // to 0.6 are 4 to 6 % too dark; with Turquin's F0 in place of the series, F0 = 0.5 is 16 % too bright at roughness 1.
 #pragma once
 
-#include <array>
 #include <cmath>
 
 #include "lippmann/core/math.hpp"
@@ -39,7 +38,7 @@ class GgxAlbedo {
   LIPPMANN_INLINE Vec3f single(float cosine, float alpha) const {
     const TablePlace r(std::sqrt(alpha), kSize), c(cosine, kSize);
     const int at = r.index * kSize + c.index;
-    return {mixed(single_f0_.data(), at, r.share, c.share), mixed(single_f90_.data(), at, r.share, c.share),
+    return {mixed(single_f0_, at, r.share, c.share), mixed(single_f90_, at, r.share, c.share),
             edge_of_later_facets(cosine, alpha)};
   }
 
@@ -66,7 +65,7 @@ class GgxAlbedo {
     const TablePlace r(std::sqrt(alpha), kSize);
     const float edge = edge_of_later_facets(0.65f, alpha);  // where most of it is lost
     const auto mixed = [&](int k) LIPPMANN_INLINE_LAMBDA {
-      const float* column = mean_[k].data();
+      const float(&column)[kSize] = mean_[k];
       return column[r.index] * (1.0f - r.share) + column[r.index + 1] * r.share;
     };
     const float of_f0 = mixed(0), of_f90 = mixed(1);
@@ -80,6 +79,8 @@ class GgxAlbedo {
   const SheenAlbedo& sheen() const { return sheen_; }
 
  private:
+  static constexpr int kSize = 32;  ///< entries along each side; cosines from 0 to 1, roughness = sqrt(alpha), too
+
   /// So are nearly all dielectrics: one channel, a third of the divisions.
   static bool are_grey(Vec3f f0, Vec3f f90) { return f0.x == f0.y && f0.x == f0.z && f90.x == f90.y && f90.x == f90.z; }
 
@@ -96,14 +97,14 @@ class GgxAlbedo {
     return Color(1.0f) + of_more_bounces(all, single.z, f0, f90) * ((1.0f - all) / all);
   }
 
-  LIPPMANN_INLINE static float mixed(const float* table, int at, float of_rougher, float of_next) {
+  LIPPMANN_INLINE static float mixed(const float (&table)[kSize * kSize], int at, float of_rougher, float of_next) {
     return (table[at] * (1.0f - of_next) + table[at + 1] * of_next) * (1.0f - of_rougher) +
            (table[at + kSize] * (1.0f - of_next) + table[at + kSize + 1] * of_next) * of_rougher;
   }
 
-  static constexpr int kSize = 32;  ///< entries along each side; cosines from 0 to 1, roughness = sqrt(alpha), too
-  std::array<float, kSize * kSize> single_f0_, single_f90_;  ///< [roughness][cosine]
-  std::array<std::array<float, kSize>, 4> mean_;  ///< by roughness: means of single().x and .y, and of both times (1 - E) / E
+  // Plain arrays, indexed as such: GCC 14 does not vectorise loops that take the address of a table in a member.
+  float single_f0_[kSize * kSize], single_f90_[kSize * kSize];  ///< [roughness][cosine]
+  float mean_[4][kSize];  ///< by roughness: means of single().x and .y, and of both times (1 - E) / E
   GlassAlbedo glass_;
   BrushedAlbedo brushed_;
   SheenAlbedo sheen_;
