@@ -35,26 +35,22 @@ double estimated_psnr(const ErrorEstimate& error) { return psnr_db(error.mse > 0
 
 }  // namespace
 
-ErrorBoundedFrames::ErrorBoundedFrames(Stage& stage, const Sampling& sampling, const Interpolate& reuse, const ThreadPool& pool,
-                                       const Context& context)
-    : stage_(stage),
-      sampling_(sampling),
+ErrorBoundedFrames::ErrorBoundedFrames(const MakerParts& parts, const Interpolate& reuse)
+    : parts_(parts),
       reuse_(reuse),
-      pool_(pool),
-      context_(context),
       every_(key_frame_interval(reuse)),
-      last_frame_(stage.scene.timeline.frame_count - 1),
-      maker_(stage.scene, stage.placed.optics, forward_params(sampling, reuse)) {}
+      last_frame_(parts.stage.scene.timeline.frame_count - 1),
+      maker_(parts.stage.scene, parts.stage.placed.optics, forward_params(parts.sampling, reuse)) {}
 
 RenderedFrame ErrorBoundedFrames::make(int frame) {
   std::erase_if(films_, [&](const auto& film) { return film.first < frame; });
   if (!films_.contains(frame) && !keys_.contains(frame)) render(frame);
-  return context_.cancelled ? RenderedFrame{} : take(frame);
+  return parts_.context.cancelled ? RenderedFrame{} : take(frame);
 }
 
 void ErrorBoundedFrames::render(int frame) {
   const Segment& segment = segment_of(frame);
-  if (context_.cancelled || films_.contains(frame) || keys_.contains(frame)) return;
+  if (parts_.context.cancelled || films_.contains(frame) || keys_.contains(frame)) return;
   if (segment.length == 0) {
     forget_before(frame);
     trace(frame);
@@ -69,7 +65,7 @@ void ErrorBoundedFrames::render(int frame) {
 void ErrorBoundedFrames::render_between(int frame, const FrameInterval& interval, const Evidence& learned) {
   forget_before(interval.first);
   const bool holds = middle_holds(interval, learned);
-  if (context_.cancelled || films_.contains(frame)) return;  // it is the middle one
+  if (parts_.context.cancelled || films_.contains(frame)) return;  // it is the middle one
   if (holds)
     predict_or_trace(frame, interval, learned);
   else
@@ -83,13 +79,13 @@ const ErrorBoundedFrames::Segment& ErrorBoundedFrames::segment_of(int frame) {
 }
 
 ErrorBoundedFrames::Segment ErrorBoundedFrames::try_segment(int first) {
-  const Vec2i film = film_size(stage_.placed.optics);
+  const Vec2i film = film_size(parts_.stage.placed.optics);
   const std::uint64_t pixels = static_cast<std::uint64_t>(film.x) * static_cast<std::uint64_t>(film.y);
   if (last_frame_ - first < 2) return {};
   key(first);
-  const double prediction = prediction_cost(stage_.scene, keys_.at(first).report.rays, pixels);
+  const double prediction = prediction_cost(parts_.stage.scene, keys_.at(first).report.rays, pixels);
   if (prediction > kMostPredictionCost) return {};
-  for (int length = every_; length > 1 && !context_.cancelled; length /= 2) {
+  for (int length = every_; length > 1 && !parts_.context.cancelled; length /= 2) {
     const FrameInterval interval{first, std::min(first + length, last_frame_)};
     const FloorLesson lesson = learn(interval);
     const auto saving = [&](int frames, double cost) { return (1.0 - prediction - cost) * (frames - 1) / frames; };
@@ -103,9 +99,9 @@ ErrorBoundedFrames::Segment ErrorBoundedFrames::try_segment(int first) {
 FloorLesson ErrorBoundedFrames::learn(const FrameInterval& interval) {
   const int middle = middle_frame(interval);
   const PointImage &previous = key(interval.first), &following = key(interval.last), &traced = key(middle);
-  if (context_.cancelled) return {};
-  const FrameClock clock(pool_);
-  FloorLesson lesson = maker_.learn_floor({previous, following, position(middle, interval)}, middle, traced, pool_);
+  if (parts_.context.cancelled) return {};
+  const FrameClock clock(parts_.pool);
+  FloorLesson lesson = maker_.learn_floor({previous, following, position(middle, interval)}, middle, traced, parts_.pool);
   FrameReport& report = keys_.at(middle).report;
   clock.add_to(report);
   report.kind = "full";
@@ -123,20 +119,22 @@ bool ErrorBoundedFrames::middle_holds(const FrameInterval& interval, const Evide
 
 bool ErrorBoundedFrames::predict_or_trace(int frame, const FrameInterval& interval, const Evidence& learned) {
   const PointImage &previous = key(interval.first), &following = key(interval.last);
-  const FrameClock clock(pool_);
+  const FrameClock clock(parts_.pool);
   PointImage image;
-  image.moment = stage_.moment_at(frame);
+  image.moment = parts_.stage.moment_at(frame);
   RayCounts rays;
   bool updated = false;
   const TracePackets trace = [&](std::span<const std::uint8_t> wanted, Image& film) {
-    if (!updated) stage_.device.update(image.moment.resolved, pool_);
+    if (!updated) parts_.stage.device.update(image.moment.resolved, parts_.pool);
     updated = true;
-    add(trace_packets(stage_.shot(image.moment), trace_params(sampling_, stage_), wanted, {pool_, context_}, film), rays);
+    add(trace_packets(parts_.stage.shot(image.moment), trace_params(parts_.sampling, parts_.stage), wanted,
+                      {parts_.pool, parts_.context}, film),
+        rays);
   };
   InBetweenCounts counts;
   const FloorOutcome outcome =
-      maker_.make_to_floor({previous, following, position(frame, interval)}, frame, learned, trace, pool_, image, counts);
-  FrameReport report = in_between_report(frame, counts, rays, film_size(stage_.placed.optics));
+      maker_.make_to_floor({previous, following, position(frame, interval)}, frame, learned, trace, parts_.pool, image, counts);
+  FrameReport report = in_between_report(frame, counts, rays, film_size(parts_.stage.placed.optics));
   if (outcome.holds) {
     report.estimated_psnr_db = estimated_psnr(outcome.error);
     report.psnr_at_least_db = psnr_db(outcome.error.bound);
@@ -145,18 +143,18 @@ bool ErrorBoundedFrames::predict_or_trace(int frame, const FrameInterval& interv
   if (outcome.holds) {
     RenderedFrame& made = films_[frame];
     made.pictures.film = std::move(image.film);
-    made.pictures.aovs = wanted_aovs(sampling_);
-    set_provenance(image.provenance, film_size(stage_.placed.optics), made.pictures.aovs);
+    made.pictures.aovs = wanted_aovs(parts_.sampling);
+    set_provenance(image.provenance, film_size(parts_.stage.placed.optics), made.pictures.aovs);
     made.report = report;
     not_asked_for_[frame] = report;
-  } else if (!context_.cancelled) {
+  } else if (!parts_.context.cancelled) {
     this->trace(frame, report);
   }
   return outcome.holds;
 }
 
 void ErrorBoundedFrames::trace(int frame, const FrameReport& spent) {
-  RenderedFrame& rendered = films_[frame] = render_frame(stage_, sampling_, frame, pool_, context_);
+  RenderedFrame& rendered = films_[frame] = render_frame(parts_.stage, parts_.sampling, frame, parts_.pool, parts_.context);
   add_spent(spent, rendered.report);
   not_asked_for_[frame] = rendered.report;
 }
@@ -164,7 +162,7 @@ void ErrorBoundedFrames::trace(int frame, const FrameReport& spent) {
 const PointImage& ErrorBoundedFrames::key(int frame) {
   const auto known = keys_.find(frame);
   if (known != keys_.end()) return known->second.image;
-  ForwardSource& source = keys_[frame] = trace_source(stage_, sampling_, reuse_, frame, maker_, pool_, context_);
+  ForwardSource& source = keys_[frame] = trace_source(parts_, reuse_, frame, maker_);
   not_asked_for_[frame] = source.report;
   return source.image;
 }
@@ -176,12 +174,12 @@ void ErrorBoundedFrames::forget_before(int frame) {
 RenderedFrame ErrorBoundedFrames::take(int frame) {
   not_asked_for_.erase(frame);
   if (const auto made = films_.find(frame); made != films_.end()) return std::move(films_.extract(made).mapped());
-  const FrameClock clock(pool_);
+  const FrameClock clock(parts_.pool);
   const ForwardSource& source = keys_.at(frame);
   RenderedFrame rendered;
   rendered.pictures.film = source.image.film;
-  rendered.pictures.aovs = wanted_aovs(sampling_);
-  set_provenance(Provenance::kTraced, film_size(stage_.placed.optics), rendered.pictures.aovs);
+  rendered.pictures.aovs = wanted_aovs(parts_.sampling);
+  set_provenance(Provenance::kTraced, film_size(parts_.stage.placed.optics), rendered.pictures.aovs);
   rendered.report = source.report;
   clock.add_to(rendered.report);
   return rendered;

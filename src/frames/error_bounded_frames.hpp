@@ -25,8 +25,7 @@ namespace lippmann {
 class ErrorBoundedFrames final : public FrameMaker {
  public:
   /// `reuse.min_psnr_db` is given.
-  ErrorBoundedFrames(Stage& stage, const Sampling& sampling, const Interpolate& reuse, const ThreadPool& pool,
-                     const Context& context);
+  ErrorBoundedFrames(const MakerParts& parts, const Interpolate& reuse);
 
   RenderedFrame make(int frame) override;
   std::vector<FrameReport> sources() const override;
@@ -59,11 +58,8 @@ class ErrorBoundedFrames final : public FrameMaker {
   void forget_before(int frame);
   RenderedFrame take(int frame);
 
-  Stage& stage_;
-  Sampling sampling_;
+  MakerParts parts_;
   Interpolate reuse_;
-  const ThreadPool& pool_;
-  const Context& context_;
   int every_, last_frame_;
   InBetweenMaker maker_;
   std::map<int, ForwardSource> keys_;         ///< by frame

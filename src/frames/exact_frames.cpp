@@ -14,15 +14,11 @@ constexpr int kLongestRest = 256;
 
 }  // namespace
 
-ExactFrames::ExactFrames(Stage& stage, const Sampling& sampling, const CopySettled& reuse, const ThreadPool& pool,
-                         const Context& context)
-    : stage_(stage),
-      sampling_(sampling),
+ExactFrames::ExactFrames(const MakerParts& parts, const CopySettled& reuse)
+    : parts_(parts),
       reuse_(reuse),
-      pool_(pool),
-      context_(context),
-      last_frame_(stage.scene.timeline.frame_count - 1),
-      settled_(stage.scene, stage.array.node, reuse.keyframes) {}
+      last_frame_(parts.stage.scene.timeline.frame_count - 1),
+      settled_(parts.stage.scene, parts.stage.array.node, reuse.keyframes) {}
 
 RenderedFrame ExactFrames::make(int frame) {
   if (frame > key_ && frame < key_ + span_) return from_key(frame);
@@ -33,14 +29,14 @@ RenderedFrame ExactFrames::make(int frame) {
     if (SettledBlocks::can_settle(blocks_.boxes)) return key(frame);
   }
   rest_ = std::max(0, rest_ - 1);
-  RenderedFrame rendered = render_frame(stage_, sampling_, frame, pool_, context_);
+  RenderedFrame rendered = render_frame(parts_.stage, parts_.sampling, frame, parts_.pool, parts_.context);
   full_seconds_ = rendered.report.cpu_seconds;
   return rendered;
 }
 
 RenderedFrame ExactFrames::key(int frame) {
-  RenderedFrame rendered = render_frame(stage_, sampling_, frame, pool_, context_, &blocks_);
-  if (context_.cancelled) return rendered;
+  RenderedFrame rendered = render_frame(parts_.stage, parts_.sampling, frame, parts_.pool, parts_.context, &blocks_);
+  if (parts_.context.cancelled) return rendered;
   rendered.report.kind = "key";
   key_seconds_ = rendered.report.cpu_seconds;
   key_ = frame;
@@ -53,22 +49,22 @@ RenderedFrame ExactFrames::key(int frame) {
 }
 
 RenderedFrame ExactFrames::from_key(int frame) {
-  const FrameClock clock(pool_);
+  const FrameClock clock(parts_.pool);
   RenderedFrame rendered;
-  const Moment moment = stage_.moment_at(frame);
+  const Moment moment = parts_.stage.moment_at(frame);
   rendered.pictures.film = film_;
-  stage_.device.update(moment.resolved, pool_);
+  parts_.stage.device.update(moment.resolved, parts_.pool);
   const std::vector<std::uint8_t> unsettled = settled_.unsettled(blocks_, frame - key_);
-  rendered.report.rays =
-      trace_blocks(stage_.shot(moment), trace_params(sampling_, stage_), unsettled, {pool_, context_}, rendered.pictures.film);
-  rendered.pictures.aovs = wanted_aovs(sampling_);
-  tell_copied(stage_.shot(moment), unsettled, rendered.pictures.aovs);
+  rendered.report.rays = trace_blocks(parts_.stage.shot(moment), trace_params(parts_.sampling, parts_.stage), unsettled,
+                                      {parts_.pool, parts_.context}, rendered.pictures.film);
+  rendered.pictures.aovs = wanted_aovs(parts_.sampling);
+  tell_copied(parts_.stage.shot(moment), unsettled, rendered.pictures.aovs);
   rendered.report.frame = frame;
   rendered.report.kind = "in-between";
   const std::uint64_t samples = static_cast<std::uint64_t>(film_.width) * static_cast<std::uint64_t>(film_.height) *
-                                static_cast<std::uint64_t>(samples_per_pixel(sampling_));
+                                static_cast<std::uint64_t>(samples_per_pixel(parts_.sampling));
   rendered.report.reused_pixels =
-      (samples - rendered.report.rays.primary) / static_cast<std::uint64_t>(samples_per_pixel(sampling_));
+      (samples - rendered.report.rays.primary) / static_cast<std::uint64_t>(samples_per_pixel(parts_.sampling));
   clock.add_to(rendered.report);
   if (!reuse_.keyframes) judge(rendered.report);
   return rendered;
@@ -78,7 +74,7 @@ void ExactFrames::tell_copied(const Shot& shot, std::span<const std::uint8_t> un
   set_provenance(Provenance::kCopied, film_size(shot), aovs);
   if (!aovs.wants(Aov::kProvenance)) return;
   std::vector<float>& codes = aovs[Aov::kProvenance].data;
-  for_each_pixel_of_blocks(shot, sampling_.order, unsettled,
+  for_each_pixel_of_blocks(shot, parts_.sampling.order, unsettled,
                            [&](std::uint32_t pixel) { codes[pixel] = static_cast<float>(Provenance::kTraced); });
 }
 

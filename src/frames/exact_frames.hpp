@@ -9,7 +9,7 @@ namespace lippmann {
 
 class ExactFrames final : public FrameMaker {
  public:
-  ExactFrames(Stage& stage, const Sampling& sampling, const CopySettled& reuse, const ThreadPool& pool, const Context& context);
+  ExactFrames(const MakerParts& parts, const CopySettled& reuse);
 
   RenderedFrame make(int frame) override;
 
@@ -22,11 +22,8 @@ class ExactFrames final : public FrameMaker {
   void tell_copied(const Shot& shot, std::span<const std::uint8_t> unsettled, FrameAovs& aovs) const;
   void judge(const FrameReport& in_between);
 
-  Stage& stage_;
-  Sampling sampling_;
+  MakerParts parts_;
   CopySettled reuse_;
-  const ThreadPool& pool_;
-  const Context& context_;
   int last_frame_;
   SettledBlocks settled_;
 

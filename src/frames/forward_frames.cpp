@@ -13,26 +13,22 @@ bool is_source(int frame, const FrameInterval& interval) { return frame - interv
 
 }  // namespace
 
-ForwardFrames::ForwardFrames(Stage& stage, const Sampling& sampling, const Interpolate& reuse, const ThreadPool& pool,
-                             const Context& context)
-    : stage_(stage),
-      sampling_(sampling),
+ForwardFrames::ForwardFrames(const MakerParts& parts, const Interpolate& reuse)
+    : parts_(parts),
       reuse_(reuse),
-      pool_(pool),
-      context_(context),
       every_(key_frame_interval(reuse)),
-      last_frame_(stage.scene.timeline.frame_count - 1),
-      maker_(stage.scene, stage.placed.optics, forward_params(sampling, reuse)) {}
+      last_frame_(parts.stage.scene.timeline.frame_count - 1),
+      maker_(parts.stage.scene, parts.stage.placed.optics, forward_params(parts.sampling, reuse)) {}
 
 RenderedFrame ForwardFrames::make(int frame) {
   keep_only_sources_of(frame);
   RenderedFrame rendered;
-  rendered.pictures.aovs = wanted_aovs(sampling_);
+  rendered.pictures.aovs = wanted_aovs(parts_.sampling);
   const auto tell_provenance = [&](const Source& source) {
-    set_provenance(source.image.provenance, film_size(stage_.placed.optics), rendered.pictures.aovs);
+    set_provenance(source.image.provenance, film_size(parts_.stage.placed.optics), rendered.pictures.aovs);
   };
   const auto copy = [&](const Source& source) {
-    const FrameClock clock(pool_);
+    const FrameClock clock(parts_.pool);
     tell_provenance(source);
     rendered.pictures.film = source.image.film;
     rendered.report = source.report;
@@ -45,9 +41,9 @@ RenderedFrame ForwardFrames::make(int frame) {
   } else {
     const std::vector<FrameInterval> path = path_to(frame);
     key(path.front().first), key(path.front().last);
-    for (std::size_t i = 0; i + 1 < path.size() && !context_.cancelled; ++i)
+    for (std::size_t i = 0; i + 1 < path.size() && !parts_.context.cancelled; ++i)
       if (const int middle = middle_frame(path[i]); !sources_.contains(middle)) add(between(middle, path[i], true));
-    if (context_.cancelled) return rendered;
+    if (parts_.context.cancelled) return rendered;
     if (reuse_.halving && is_source(frame, path.back())) {
       copy(add(between(frame, path.back(), true)));
     } else {
@@ -78,7 +74,7 @@ void ForwardFrames::keep_only_sources_of(int frame) {
 
 const ForwardFrames::Source& ForwardFrames::key(int frame) {
   const auto known = sources_.find(frame);
-  return known != sources_.end() ? known->second : add(trace_source(stage_, sampling_, reuse_, frame, maker_, pool_, context_));
+  return known != sources_.end() ? known->second : add(trace_source(parts_, reuse_, frame, maker_));
 }
 
 const ForwardFrames::Source& ForwardFrames::add(Source source) {
@@ -88,20 +84,21 @@ const ForwardFrames::Source& ForwardFrames::add(Source source) {
 }
 
 ForwardFrames::Source ForwardFrames::between(int frame, const FrameInterval& interval, bool as_source) {
-  const FrameClock clock(pool_);
+  const FrameClock clock(parts_.pool);
   Source source;
   source.image.film = spare_films_.take();
-  source.image.moment = stage_.moment_at(frame);
+  source.image.moment = parts_.stage.moment_at(frame);
   const Moment& moment = source.image.moment;
   RayCounts rays;
   const TracePixels trace = [&](std::span<const std::uint32_t> pixels, Image& film, PrimaryPoints* points) {
-    stage_.device.update(moment.resolved, pool_);
-    rays = trace_pixels(stage_.shot(moment), trace_params(sampling_, stage_), pixels, {pool_, context_}, film, points);
+    parts_.stage.device.update(moment.resolved, parts_.pool);
+    rays = trace_pixels(parts_.stage.shot(moment), trace_params(parts_.sampling, parts_.stage), pixels,
+                        {parts_.pool, parts_.context}, film, points);
   };
   const float position = static_cast<float>(frame - interval.first) / static_cast<float>(interval.last - interval.first);
   const BetweenFrames between{sources_.at(interval.first).image, sources_.at(interval.last).image, position};
-  const InBetweenCounts counts = maker_.make(between, as_source, trace, pool_, source.image);
-  source.report = in_between_report(frame, counts, rays, film_size(stage_.placed.optics));
+  const InBetweenCounts counts = maker_.make(between, as_source, trace, parts_.pool, source.image);
+  source.report = in_between_report(frame, counts, rays, film_size(parts_.stage.placed.optics));
   clock.add_to(source.report);
   return source;
 }

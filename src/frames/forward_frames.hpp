@@ -17,8 +17,7 @@ namespace lippmann {
 
 class ForwardFrames final : public FrameMaker {
  public:
-  ForwardFrames(Stage& stage, const Sampling& sampling, const Interpolate& reuse, const ThreadPool& pool,
-                const Context& context);
+  ForwardFrames(const MakerParts& parts, const Interpolate& reuse);
 
   RenderedFrame make(int frame) override;
   void recycle(Image film) override { spare_films_.give(std::move(film)); }
@@ -36,11 +35,8 @@ class ForwardFrames final : public FrameMaker {
   const Source& key(int frame);
   const Source& add(Source source);
 
-  Stage& stage_;
-  Sampling sampling_;
+  MakerParts parts_;
   Interpolate reuse_;
-  const ThreadPool& pool_;
-  const Context& context_;
   int every_, last_frame_;
   InBetweenMaker maker_;
   SpareImages spare_films_;

@@ -15,8 +15,8 @@ ForwardParams forward_params(const Sampling& sampling, const Interpolate& reuse)
   return forward;
 }
 
-ForwardSource trace_source(Stage& stage, const Sampling& sampling, const Interpolate& reuse, int frame,
-                           const InBetweenMaker& maker, const ThreadPool& pool, const Context& context) {
+ForwardSource trace_source(const MakerParts& parts, const Interpolate& reuse, int frame, const InBetweenMaker& maker) {
+  const auto& [stage, sampling, pool, context] = parts;
   const FrameClock clock(pool);
   ForwardSource source;
   PointImage& image = source.image;

@@ -1,7 +1,7 @@
 // A frame that others are made from.
 #pragma once
 
-#include "frames/frame.hpp"
+#include "frames/frame_maker.hpp"
 #include "reuse/in_between.hpp"
 
 namespace lippmann {
@@ -17,9 +17,8 @@ ForwardParams forward_params(const Sampling& sampling, const Interpolate& reuse)
 /// Every how many frames one is traced, or at least is, where it is chosen.
 inline int key_frame_interval(const Interpolate& reuse) { return reuse.keyframes.value_or(kDefaultKeyframes); }
 
-/// Traces a key frame, with its points, and prepares it for `maker`. Unfinished when context.cancelled is set meanwhile.
-ForwardSource trace_source(Stage& stage, const Sampling& sampling, const Interpolate& reuse, int frame,
-                           const InBetweenMaker& maker, const ThreadPool& pool, const Context& context);
+/// Traces a key frame with its points and prepares it for `maker`. The result is incomplete if the context is cancelled.
+ForwardSource trace_source(const MakerParts& parts, const Interpolate& reuse, int frame, const InBetweenMaker& maker);
 
 /// The report of a frame made from others; without times.
 FrameReport in_between_report(int frame, const InBetweenCounts& counts, const RayCounts& rays, Vec2i film);

@@ -35,33 +35,18 @@ void refuse_splats(const Scene& scene) {
 }
 
 /// A maker for each kind of reuse.
-class MakerOf {
- public:
-  MakerOf(Stage& stage, const Sampling& sampling, const ThreadPool& pool, const Context& context)
-      : stage_(stage), sampling_(sampling), pool_(pool), context_(context) {}
+struct MakerOf {
+  const MakerParts& parts;
 
   std::unique_ptr<FrameMaker> operator()(const AutoReuse&) const { return (*this)(TraceAll{}); }
-  std::unique_ptr<FrameMaker> operator()(const TraceAll&) const {
-    return std::make_unique<TracedFrames>(stage_, sampling_, pool_, context_);
-  }
-  std::unique_ptr<FrameMaker> operator()(const CopySettled& reuse) const { return make<ExactFrames>(reuse); }
+  std::unique_ptr<FrameMaker> operator()(const TraceAll&) const { return std::make_unique<TracedFrames>(parts); }
+  std::unique_ptr<FrameMaker> operator()(const CopySettled& reuse) const { return std::make_unique<ExactFrames>(parts, reuse); }
   std::unique_ptr<FrameMaker> operator()(const Interpolate& reuse) const {
-    refuse_deforming_meshes(stage_.scene);
-    refuse_splats(stage_.scene);
-    if (reuse.min_psnr_db) return make<ErrorBoundedFrames>(reuse);
-    return make<ForwardFrames>(reuse);
+    refuse_deforming_meshes(parts.stage.scene);
+    refuse_splats(parts.stage.scene);
+    if (reuse.min_psnr_db) return std::make_unique<ErrorBoundedFrames>(parts, reuse);
+    return std::make_unique<ForwardFrames>(parts, reuse);
   }
-
- private:
-  template <class Frames, class How>
-  std::unique_ptr<FrameMaker> make(const How& how) const {
-    return std::make_unique<Frames>(stage_, sampling_, how, pool_, context_);
-  }
-
-  Stage& stage_;
-  const Sampling& sampling_;
-  const ThreadPool& pool_;
-  const Context& context_;
 };
 
 /// Bytes per pixel, for each kind of reuse.
@@ -91,10 +76,10 @@ struct SegmentLength {
 
 std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const FrameParams& params, const ThreadPool& pool,
                                              const Context& context) {
-  Sampling sampling = params.sampling;
+  MakerParts parts{stage, params.sampling, pool, context};
   // Points that are moved are those of one eye.
-  if (std::holds_alternative<Interpolate>(params.reuse)) sampling.angular_filter = AngularFilter::kNone;
-  return std::visit(MakerOf(stage, sampling, pool, context), resolved_reuse(params));
+  if (std::holds_alternative<Interpolate>(params.reuse)) parts.sampling.angular_filter = AngularFilter::kNone;
+  return std::visit(MakerOf{parts}, resolved_reuse(params));
 }
 
 double working_bytes_per_pixel(const FrameParams& params, int frames) {

@@ -9,6 +9,14 @@
 
 namespace lippmann {
 
+/// What all makers are made from. The stage, the pool and the context must outlive the maker.
+struct MakerParts {
+  Stage& stage;
+  Sampling sampling;
+  const ThreadPool& pool;
+  const Context& context;
+};
+
 class FrameMaker {
  public:
   virtual ~FrameMaker() = default;

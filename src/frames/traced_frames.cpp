@@ -24,32 +24,32 @@ FilmRows with_rows_around(FilmRows rows, int around, const Optics& optics) {
 
 }  // namespace
 
-TracedFrames::TracedFrames(Stage& stage, const Sampling& sampling, const ThreadPool& pool, const Context& context)
-    : stage_(stage),
-      sampling_(sampling),
-      pool_(pool),
-      context_(context),
-      traced_rows_(with_rows_around(stage.rows, rows_around(sampling, stage.placed.optics), stage.placed.optics)) {
-  if (is_denoised(sampling)) denoiser_.emplace(stage.placed.optics, traced_rows_.first, traced_rows_.end);
+TracedFrames::TracedFrames(const MakerParts& parts)
+    : parts_(parts),
+
+      traced_rows_(with_rows_around(parts.stage.rows, rows_around(parts.sampling, parts.stage.placed.optics),
+                                    parts.stage.placed.optics)) {
+  if (is_denoised(parts.sampling)) denoiser_.emplace(parts.stage.placed.optics, traced_rows_.first, traced_rows_.end);
 }
 
 RenderedFrame TracedFrames::make(int frame) {
-  RenderedFrame rendered = denoiser_ ? denoised(frame) : render_frame(stage_, sampling_, frame, pool_, context_);
-  if (facts_of(sampling_).is_stochastic && !context_.cancelled)
-    audit(stage_, sampling_, frame, rendered.pictures.film, pool_, context_, rendered.report);
+  RenderedFrame rendered =
+      denoiser_ ? denoised(frame) : render_frame(parts_.stage, parts_.sampling, frame, parts_.pool, parts_.context);
+  if (facts_of(parts_.sampling).is_stochastic && !parts_.context.cancelled)
+    audit(parts_.stage, parts_.sampling, frame, rendered.pictures.film, parts_.pool, parts_.context, rendered.report);
   return rendered;
 }
 
 RenderedFrame TracedFrames::denoised(int frame) {
   NoisyFrame noisy;
-  const FilmRows own = std::exchange(stage_.rows, traced_rows_);
-  RenderedFrame rendered = render_noisy_frame(stage_, sampling_, frame, pool_, context_, noisy);
-  stage_.rows = own;
-  if (context_.cancelled) return rendered;
-  const FrameClock clock(pool_);
-  const Mat3f display_from_world = inverse(stage_.moment_at(frame).world_from_display).linear;
+  const FilmRows own = std::exchange(parts_.stage.rows, traced_rows_);
+  RenderedFrame rendered = render_noisy_frame(parts_.stage, parts_.sampling, frame, parts_.pool, parts_.context, noisy);
+  parts_.stage.rows = own;
+  if (parts_.context.cancelled) return rendered;
+  const FrameClock clock(parts_.pool);
+  const Mat3f display_from_world = inverse(parts_.stage.moment_at(frame).world_from_display).linear;
   rendered.pictures.film = denoiser_->denoise(
-      {noisy.film, noisy.noise, noisy.seen, noisy.albedo, noisy.normal, noisy.z, noisy.met, display_from_world}, pool_);
+      {noisy.film, noisy.noise, noisy.seen, noisy.albedo, noisy.normal, noisy.z, noisy.met, display_from_world}, parts_.pool);
   keep_rows(own, rendered.pictures);
   clock.add_to(rendered.report);
   return rendered;
@@ -57,7 +57,7 @@ RenderedFrame TracedFrames::denoised(int frame) {
 
 /// Crops the film and the layers from the traced rows to `rows`.
 void TracedFrames::keep_rows(FilmRows rows, FramePictures& pictures) const {
-  rows.end = std::min(rows.end, film_size(stage_.placed.optics).y);
+  rows.end = std::min(rows.end, film_size(parts_.stage.placed.optics).y);
   if (rows == traced_rows_) return;
   const auto keep = [&](Image& image) {
     const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(image.width) * image.channels;

@@ -15,8 +15,7 @@ int rows_around(const Sampling& sampling, const Optics& optics);
 /// Makes frames by tracing all of their pixels.
 class TracedFrames final : public FrameMaker {
  public:
-  /// `stage`, `pool` and `context` must outlive this object.
-  TracedFrames(Stage& stage, const Sampling& sampling, const ThreadPool& pool, const Context& context);
+  explicit TracedFrames(const MakerParts& parts);
 
   RenderedFrame make(int frame) override;
 
@@ -27,10 +26,7 @@ class TracedFrames final : public FrameMaker {
   RenderedFrame denoised(int frame);
   void keep_rows(FilmRows rows, FramePictures& pictures) const;
 
-  Stage& stage_;
-  Sampling sampling_;
-  const ThreadPool& pool_;
-  const Context& context_;
+  MakerParts parts_;
   FilmRows traced_rows_;              ///< the stage's rows, and those around them that the denoiser reads
   std::optional<Denoiser> denoiser_;  ///< empty: frames are not denoised
 };
