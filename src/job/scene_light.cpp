@@ -12,7 +12,6 @@
 #include "job/param_text.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
-#include "lippmann/scene/load.hpp"
 #include "lippmann/stage/environment_file.hpp"
 #include "scene/default_light.hpp"
 #include "scene/studio_light.hpp"
@@ -107,7 +106,7 @@ std::string light_scene(Scene& scene, const SceneParams& params, Integrator inte
       context.warning(fmt::format("{} has no lights: a key light from above left of the viewer is added", params.name));
     return light_for_whitted(scene);
   }
-  if (!is_physical_format(params.name) && own_light(scene) != OwnLight::kNone) return "The scene has its own light.";
+  if (scene.kind == SceneKind::kWhitted && own_light(scene) != OwnLight::kNone) return "The scene has its own light.";
   return light_for_paths(scene, surrounding_of(params));
 }
 

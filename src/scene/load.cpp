@@ -56,22 +56,28 @@ Scene load_ply_file(const fs::path& path, const LoadOptions& options, const Cont
   return at_rate(load_ply(path, context, options.asset_root, options.texture_bytes, origin), options);
 }
 
+bool never_of_splats(const fs::path&) { return false; }
+
 /// One row per file format. Rows that share a loader stand together.
 struct Format {
   std::string_view extension;  ///< lower case, with its dot
   bool takes_camera_path;
   bool has_animations;    ///< to choose from, and sets of materials
   bool may_be_empty;      ///< a background alone is a scene
-  bool is_physical;       ///< is_physical_format()
+  bool is_physical;       ///< describes surfaces and light physically, not Whitted's shading
   std::string_view kind;  ///< what describe_content() calls such files, where it is not text
+  bool (*is_of_splats)(const fs::path&);
   Scene (*load)(const fs::path&, const LoadOptions&, const Context&, const Vec3d& origin);
 };
 
 constexpr std::string_view kGlb = "a binary glTF scene (.glb)";
 constexpr Format kFormats[] = {
-    {".dat", true, false, true, false, {}, load_dat},          {".glb", false, true, false, true, kGlb, load_gltf_file},
-    {".gltf", false, true, false, true, kGlb, load_gltf_file}, {".nff", false, false, false, false, {}, load_nff_file},
-    {".obj", false, false, false, true, {}, load_obj_file},    {".ply", false, false, false, true, "a PLY file", load_ply_file},
+    {".dat", true, false, true, false, {}, never_of_splats, load_dat},
+    {".glb", false, true, false, true, kGlb, is_gltf_of_splats, load_gltf_file},
+    {".gltf", false, true, false, true, kGlb, is_gltf_of_splats, load_gltf_file},
+    {".nff", false, false, false, false, {}, never_of_splats, load_nff_file},
+    {".obj", false, false, false, true, {}, never_of_splats, load_obj_file},
+    {".ply", false, false, false, true, "a PLY file", is_ply_of_splats, load_ply_file},
 };
 
 std::string lower_extension(const fs::path& path) {
@@ -178,6 +184,7 @@ Scene load_file(const fs::path& path, const LoadOptions& options, const Context&
     throw usage_error("variant", fmt::format("{} has no sets of materials to choose from", path.string()), "a glTF scene");
   require_scene_content(path, format->kind);
   Scene scene = load_near_origin(*format, path, options, context);
+  if (!format->is_physical) scene.kind = SceneKind::kWhitted;
   if (!format->may_be_empty) require_surfaces(scene, path);
   return scene;
 }
@@ -197,6 +204,7 @@ Scene build(const BuiltinScene& builtin, const LoadOptions& options) {
   if (!options.variant.empty())
     throw usage_error("variant", fmt::format("{} has no sets of materials to choose from", builtin.name), "a glTF scene");
   Scene scene = builtin.build();
+  scene.kind = SceneKind::kWhitted;
   Timeline& timeline = scene.timeline;
   if (options.frames_per_second > 0.0) {
     const double seconds = timeline.frame_count / timeline.frames_per_second;
@@ -208,26 +216,15 @@ Scene build(const BuiltinScene& builtin, const LoadOptions& options) {
 
 }  // namespace
 
-bool is_physical_format(const std::string& name) {
-  const Format* format = find_builtin(name) ? nullptr : find_format(name);
-  return format && format->is_physical;
-}
-
-bool is_splat_file(const std::string& name) {
-  const Format* format = find_builtin(name) ? nullptr : find_format(name);
-  if (!format || !format->is_physical) return false;
-  return format->load == load_ply_file ? is_ply_of_splats(name) : format->load == load_gltf_file && is_gltf_of_splats(name);
-}
-
 SceneKind scene_kind(const std::string& name) {
-  if (!is_physical_format(name)) return SceneKind::kWhitted;
-  return is_splat_file(name) ? SceneKind::kSplats : SceneKind::kPhysical;
+  const Format* format = find_builtin(name) ? nullptr : find_format(name);
+  if (!format || !format->is_physical) return SceneKind::kWhitted;
+  return format->is_of_splats(name) ? SceneKind::kSplats : SceneKind::kPhysical;
 }
 
 Scene load_scene(const std::string& name, const LoadOptions& options, const Context& context) {
   const BuiltinScene* builtin = find_builtin(name);
   Scene scene = builtin ? build(*builtin, options) : load_file(name, options, context);
-  scene.kind = scene_kind(name);
   validate(scene, name);
   return scene;
 }

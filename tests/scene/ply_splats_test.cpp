@@ -218,9 +218,10 @@ TEST(PlySplats, files_are_told_by_their_header) {
   std::ofstream(dir / "splats.ply", std::ios::binary) << SplatFile{}.text();
   std::ofstream(dir / "mesh.ply", std::ios::binary)
       << "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nend_header\n";
-  EXPECT_TRUE(is_splat_file((dir / "splats.ply").string()));
-  EXPECT_FALSE(is_splat_file((dir / "mesh.ply").string()));
-  EXPECT_FALSE(is_splat_file((dir / "none.ply").string()));
+  EXPECT_EQ(scene_kind((dir / "splats.ply").string()), SceneKind::kSplats);
+  EXPECT_EQ(scene_kind((dir / "mesh.ply").string()), SceneKind::kPhysical);
+  EXPECT_EQ(scene_kind((dir / "none.ply").string()), SceneKind::kPhysical);
+  EXPECT_EQ(load_scene((dir / "splats.ply").string(), {}, {}).kind, SceneKind::kSplats);
 }
 
 TEST(Splats, bounds_leave_out_what_strays) {

@@ -26,15 +26,9 @@ struct LoadOptions {
 /// supported is a warning in `context`. The result has passed validate().
 Scene load_scene(const std::string& name, const LoadOptions& options, const Context& context);
 
-/// Whether `name` is a file of a format that describes surfaces and light physically (glTF, OBJ, PLY), by its ending: no
-/// built-in scene, and none of the formats that describe Whitted's shading (Tachyon, NFF).
-bool is_physical_format(const std::string& name);
-
-/// Returns the kind of the scene with this name, from its ending. Files that may hold splats are opened to find out.
+/// Returns the kind of the scene with this name without loading it, from its ending and, for PLY and glTF, from the file's
+/// header or JSON. A file that cannot be read counts as physical.
 SceneKind scene_kind(const std::string& name);
-
-/// Whether `name` is a file of splats (3D Gaussians) alone, PLY by its header or glTF by its JSON. What cannot be read is none.
-bool is_splat_file(const std::string& name);
 
 /// Checks every index, size and number of a scene (finite vertices, triangle indices, parents before children, radii > 0).
 /// Throws Error naming `where` and the element.

@@ -179,6 +179,7 @@ Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& p
 
   Scene scene;
   scene.name = path.stem().string();
+  if (gltf::is_of_splats_alone(*document.json)) scene.kind = SceneKind::kSplats;
   const gltf::NodeMap nodes = gltf::read_nodes(document, scene);
   gltf::refuse_infinite_transforms(document, nodes, scene);
   gltf::refuse_excess(document, nodes, options.animation);

@@ -9,6 +9,7 @@
 #include "lippmann/core/error.hpp"
 #include "scene/gltf.hpp"
 #include "scene/gltf/json.hpp"
+#include "scene/gltf/splats.hpp"
 
 namespace lippmann {
 namespace {
@@ -46,7 +47,9 @@ bool is_of_splats(const Json& primitive) {
          primitive["extensions"].contains(kSplatExtension);
 }
 
-bool is_of_splats_alone(const Json& document) {
+}  // namespace
+
+bool gltf::is_of_splats_alone(const Json& document) {
   bool any = false;
   for (const Json& mesh : array_of(document, "meshes"))
     for (const Json& primitive : array_of(mesh, "primitives")) {
@@ -56,15 +59,13 @@ bool is_of_splats_alone(const Json& document) {
   return any;
 }
 
-}  // namespace
-
 bool is_gltf_of_splats(const std::filesystem::path& path) {
   const GltfLimits limits;
   const std::string text = leading_json(path, limits.file_bytes);
   if (text.find(kSplatExtension) == std::string::npos) return false;
   try {
     const Context quiet;
-    return is_of_splats_alone(gltf::parse_json(text, limits, gltf::Report(path.string(), quiet)));
+    return gltf::is_of_splats_alone(gltf::parse_json(text, limits, gltf::Report(path.string(), quiet)));
   } catch (const Error&) {
     return false;
   }

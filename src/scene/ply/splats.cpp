@@ -208,6 +208,7 @@ Scene read_splats(const std::string& name, const Header& header, Body& body, con
   if (splats.centers.empty()) throw Error(name, "has no splats to show");
   sort_by_place(splats);
   Scene scene;
+  scene.kind = SceneKind::kSplats;
   scene.origin = origin;
   scene.nodes.push_back(upright_node(header.is_z_up));
   scene.materials.push_back(splat_material());
