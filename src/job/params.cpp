@@ -23,10 +23,6 @@ bool wants_stereo(const RenderParams& params) {
   return pictures.layout == PictureLayout::kStereo || pictures.to == "stereo";
 }
 
-bool fits_depth(const RenderParams& params) {
-  return params.optics.fit_depth.value_or(!params.optics.display.empty() || optics_kind(params).info().fits_depth);
-}
-
 std::string output_folder(const RenderParams& params) {
   if (!params.output.folder.empty()) return params.output.folder;
   return (std::filesystem::path("out") / std::filesystem::path(params.scene.name).stem()).string();

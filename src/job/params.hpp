@@ -83,9 +83,6 @@ struct RenderParams {
 /// Whether pictures are to hold the views of two eyes (job/screen_for_stereo.hpp).
 bool wants_stereo(const RenderParams& params);
 
-/// As given; else depth is fitted for every display, and for the kinds of optics that say so.
-bool fits_depth(const RenderParams& params);
-
 /// What is traced: as given, or lenticular.
 inline OpticsKind optics_kind(const RenderParams& params) { return params.optics.kind.value_or(OpticsKind::kLenticular); }
 

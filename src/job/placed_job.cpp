@@ -28,8 +28,11 @@ PlacedJob place(const ResolvedJob& job, const Scene& scene) {
   placed_job.display = named_display(job.params().optics.display);
   const Screen screen = screen_of(job, scene, placed_job.display.get());
   placed_job.array = fit_array(scene, screen.window_aspect, job.scene().view);
-  placed_job.placed = placed_on(scene, placed_job.array, screen.optics(placed_job.array), fits_depth(job.params()));
-  placed_job.placed.for_display = placed_job.display && !wants_stereo(job.params());
+  const bool has_display = placed_job.display != nullptr, is_stereo = wants_stereo(job.params());
+  Optics optics = screen.optics(placed_job.array);
+  const bool fit_depth = fits_depth(job.params().optics.fit_depth, optics, has_display || is_stereo);
+  placed_job.placed = placed_on(scene, placed_job.array, std::move(optics), fit_depth);
+  placed_job.placed.for_display = has_display && !is_stereo;
   return placed_job;
 }
 

@@ -213,7 +213,6 @@ OpticsModel views_of_params(const ModelSetup& setup) {
 constinit const OpticsKindInfo multiview_kind{.name = kind_of(MultiView{}),
                                               .help = "a quilt of views",
                                               .takes = {"views", "camera-grid"},
-                                              .fits_depth = false,  // data, of which nobody knows what will resolve it
                                               .panel_size = quilt_size,
                                               .make_model = views_of_params};
 

@@ -32,7 +32,6 @@ struct OpticsKindInfo {
   std::string_view name;                       ///< kind_of() the model
   std::string_view help = {};                  ///< stands behind the name in --help; may be empty
   std::array<std::string_view, 4> takes = {};  ///< those of kKindParams that have an effect
-  bool fits_depth = true;                      ///< depth is fitted to the optics unless flags say otherwise
   bool has_parallax = true;                    ///< an eye that moves sees another picture
 
   /// Returns the panel. `scene_resolution`: the size that the scene's file asks for; {0, 0}: none. Throws a usage Error for

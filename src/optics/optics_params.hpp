@@ -41,7 +41,7 @@ struct OpticsParams {
   bool camera_grid = false;                    ///< multi-view: eyes at equal distances across and up, not at equal angles
   std::optional<float> view_angle_deg{};       ///< viewing zone, full angle; sets the gap; none: the display's, or 28
   std::optional<float> viewing_distance_mm{};  ///< none: where the scene's camera stands; inf: parallel cells
-  std::optional<bool> fit_depth{};             ///< depth is compressed to what the display can resolve; none: fits_depth()
+  std::optional<bool> fit_depth{};             ///< depth is compressed to what the display can resolve; see fits_depth()
   float slant_deg = 0.0f;                      ///< how far a lenticular sheet's lenses lean from the vertical
   std::optional<double> ipd_mm{};              ///< stereo: between the eyes; none: kUsualIpdMm
   std::optional<double> screen_width_mm{};     ///< stereo: of the screen; none: the display's, or kUsualScreenMm

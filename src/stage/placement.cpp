@@ -19,6 +19,10 @@ Optics optics_of(const Display& display, DisplayPicture picture) {
 
 }  // namespace
 
+bool fits_depth(std::optional<bool> wish, const Optics& optics, bool is_for_screen) {
+  return wish.value_or(is_for_screen || !view_tiles(optics));
+}
+
 PlacedOptics placed_on(const Scene& scene, const FittedArray& array, Optics optics, bool fit_depth) {
   PlacedOptics placed;
   const Vec2f window = window_size_mm(optics);
@@ -35,21 +39,27 @@ PlacedOptics placed_on(const Scene& scene, const FittedArray& array, Optics opti
   return placed;
 }
 
-Placement place(const Scene& scene, const Optics& optics, const PlacementWish& wish) {
+namespace {
+
+Placement placed_in(const Scene& scene, const Optics& optics, const PlacementWish& wish, bool for_display) {
   validate(scene, "scene");
   validate(optics);
   const Vec2f window = window_size_mm(optics);
   Placement placement;
   placement.array = fit_array(scene, window.x / window.y, wish.view);
-  placement.placed = placed_on(scene, placement.array, optics, wish.fit_depth.value_or(!view_tiles(optics)));
+  placement.placed = placed_on(scene, placement.array, optics, fits_depth(wish.fit_depth, optics, for_display));
+  placement.placed.for_display = for_display;
   return placement;
 }
 
+}  // namespace
+
+Placement place(const Scene& scene, const Optics& optics, const PlacementWish& wish) {
+  return placed_in(scene, optics, wish, false);
+}
+
 Placement place(const Scene& scene, const Display& display, DisplayPicture picture, const PlacementWish& wish) {
-  const PlacementWish complete{wish.view, wish.fit_depth.value_or(true)};
-  Placement placement = place(scene, optics_of(display, picture), complete);
-  placement.placed.for_display = true;
-  return placement;
+  return placed_in(scene, optics_of(display, picture), wish, true);
 }
 
 }  // namespace lippmann

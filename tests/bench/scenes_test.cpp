@@ -11,11 +11,11 @@ namespace {
 TEST(BenchmarkScenes, have_all_of_their_depth) {
   const Request request;
   const Context context;
-  for (const BenchScene& scene : bench_scenes(request, context)) EXPECT_FALSE(fits_depth(scene.params)) << scene.name;
+  for (const BenchScene& scene : bench_scenes(request, context)) EXPECT_EQ(scene.params.optics.fit_depth, false) << scene.name;
   for (const BenchAnimation& animation : bench_animations(request, context))
-    EXPECT_FALSE(fits_depth(animation.params)) << animation.name;
-  for (const BenchScene& scene : tachyon_scenes(request)) EXPECT_FALSE(fits_depth(scene.params)) << scene.name;
-  for (const LightCase& row : light_cases(request, context)) EXPECT_FALSE(fits_depth(row.params)) << row.name;
+    EXPECT_EQ(animation.params.optics.fit_depth, false) << animation.name;
+  for (const BenchScene& scene : tachyon_scenes(request)) EXPECT_EQ(scene.params.optics.fit_depth, false) << scene.name;
+  for (const LightCase& row : light_cases(request, context)) EXPECT_EQ(row.params.optics.fit_depth, false) << row.name;
 }
 
 }  // namespace

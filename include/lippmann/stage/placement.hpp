@@ -28,9 +28,7 @@ struct Placement {
 /// What is chosen of a placement, where not all is left to the fit.
 struct PlacementWish {
   ViewWish view{};
-  /// Whether a scene that is deeper than the optics resolve is shown less deep (PlacedOptics::depth_scale). None: yes, unless
-  /// the optics are views that belong to no display: nobody knows what will resolve them.
-  std::optional<bool> fit_depth{};
+  std::optional<bool> fit_depth{};  ///< see fits_depth()
 };
 
 /// Which of a display's pictures is rendered.
@@ -38,6 +36,11 @@ enum class DisplayPicture {
   kNative,  ///< the panel's own pixels, each with its own ray (native_optics)
   kQuilt,   ///< its views side by side (quilt_optics), which the display's player spreads over the panel
 };
+
+/// Whether a scene that is deeper than the optics resolve is shown less deep (PlacedOptics::depth_scale): `wish` where there is
+/// one. Otherwise depth is fitted, except for views that are not for a screen: they are data (a quilt to be converted, a camera
+/// grid), and what will resolve them is not known. is_for_screen: the optics belong to a display or to a stereo picture.
+bool fits_depth(std::optional<bool> wish, const Optics& optics, bool is_for_screen);
 
 /// Optics in the proportions of the array that was fitted to the scene: as deep as they are, or fitted to what they resolve.
 /// Rays begin at the optics' viewer, or before the first wall behind the viewer of the fit. Throws Error as validate().
