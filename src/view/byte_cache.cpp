@@ -13,11 +13,6 @@ Bytes ByteCache::get(const std::string& key, const std::function<std::string()>&
   return made;
 }
 
-std::size_t ByteCache::bytes() const {
-  const std::lock_guard lock(entries_mutex_);
-  return bytes_;
-}
-
 Bytes ByteCache::find(const std::string& key) {
   const std::lock_guard lock(entries_mutex_);
   const auto found = by_key_.find(key);

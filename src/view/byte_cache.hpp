@@ -21,8 +21,6 @@ class ByteCache {
   /// What `make` throws is passed on, and nothing is kept.
   Bytes get(const std::string& key, const std::function<std::string()>& make);
 
-  std::size_t bytes() const;
-
  private:
   struct Entry {
     std::string key;
@@ -34,7 +32,7 @@ class ByteCache {
 
   const std::size_t most_bytes_;
   std::mutex making_;
-  mutable std::mutex entries_mutex_;
+  std::mutex entries_mutex_;
   std::list<Entry> entries_;  ///< the most recently used first
   std::map<std::string, std::list<Entry>::iterator> by_key_;
   std::size_t bytes_ = 0;

@@ -35,11 +35,4 @@ Image8 disparity_codes(const Image& disparities, double scale_mm) {
   return codes;
 }
 
-double disparity_of_codes(const unsigned char* rgb, double scale_mm) {
-  const int code = rgb[0] * 256 + rgb[1];
-  if (code == 0) return -std::numeric_limits<double>::infinity();
-  const double t = (code - 1) / (0.5 * kSteps) - 1.0;
-  return scale_mm * t / (1.0 - std::abs(t));
-}
-
 }  // namespace lippmann

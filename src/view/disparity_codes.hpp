@@ -21,7 +21,4 @@ Image disparities_mm(const Image& depth, double vergence, double parallax);
 /// `disparities`: 1 channel; what is not finite gets code 0. scale_mm > 0.
 Image8 disparity_codes(const Image& disparities, double scale_mm);
 
-/// The inverse for one pixel of codes; -inf: nothing there.
-double disparity_of_codes(const unsigned char* rgb, double scale_mm);
-
 }  // namespace lippmann

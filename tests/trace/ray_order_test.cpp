@@ -89,16 +89,6 @@ TEST(StripOrder, view_tiles_of_a_slanted_panel_follow_its_lenses) {
   }
 }
 
-TEST(RayOrderNames, each_name_parses_back) {
-  for (const RayOrder order : kOrders) {
-    RayOrder parsed{};
-    EXPECT_TRUE(parse(to_string(order), parsed));
-    EXPECT_EQ(parsed, order);
-  }
-  RayOrder ignored{};
-  EXPECT_FALSE(parse("spiral", ignored));
-}
-
 TEST(PacketSource, fill_covers_the_panel_once_whatever_its_size) {
   for (const Optics& optics : optics_of_odd_sizes())
     for (const RayOrder order : kOrders) {

@@ -18,15 +18,20 @@ TEST(DisparityCodes, disparity_is_what_points_move_by_per_slope) {
   EXPECT_EQ(disparity_mm(-kInfinity, 1.0 / 500.0, 1.0), -500.0);
 }
 
-// Near the plane a step of the codes is scale / 32767; at ten scales away 121 times as much.
-TEST(DisparityCodes, codes_say_disparities_finely) {
-  for (const float z : {0.0f, 0.37f, -2.5f, 55.0f, -300.0f}) {
+// With a scale of 60 mm, t is 0, 1/2, -1/2, 10/11 and 0.37/60.37 (which rounds 32967.8 + 1).
+TEST(DisparityCodes, codes_follow_the_formula) {
+  const auto code = [](float z) {
     Image depth(1, 1, 1);
     depth.data[0] = z;
     const Image8 codes = disparity_codes(disparities_mm(depth, 0.0, 1.0), 60.0);
-    const double step = 60.0 / 32767.0 * squared(1.0f + std::abs(z) / 60.0f);
-    EXPECT_NEAR(disparity_of_codes(codes.rgb.data(), 60.0), z, step) << z;
-  }
+    EXPECT_EQ(codes.rgb[2], 0);
+    return codes.rgb[0] * 256 + codes.rgb[1];
+  };
+  EXPECT_EQ(code(0.0f), 32768);
+  EXPECT_EQ(code(60.0f), 49152);
+  EXPECT_EQ(code(-60.0f), 16385);
+  EXPECT_EQ(code(600.0f), 62556);
+  EXPECT_EQ(code(0.37f), 32969);
 }
 
 TEST(DisparityCodes, nothing_and_what_is_no_depth_give_code_0) {

@@ -10,8 +10,7 @@ enum class RayOrder {
   kViewTiles,  ///< tiles of one directional view: neighbours in a packet share one direction
 };
 
-/// The order as a flag's value and back; parse returns false for an unknown word.
+/// The order as a flag's value.
 const char* to_string(RayOrder order);
-bool parse(const char* text, RayOrder& order);
 
 }  // namespace lippmann
