@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
+#include <chrono>
 #include <future>
 
 namespace lippmann::test {
@@ -90,16 +90,21 @@ TEST(Progress, more_than_an_hour_left_prints_estimate_and_advice_once) {
   EXPECT_EQ(printed_after_first_frame(3600), "[1/2] frame 0; 1:00:00 left\n[2/2] frame 1; done\n");
 }
 
-TEST(Heartbeat, beats_until_it_goes) {
-  std::promise<void> beaten;
-  std::atomic<int> beats{0};
+TEST(Heartbeat, ends_with_the_beat_under_way) {
+  std::promise<void> begun, may_end;
+  std::future<void> end = may_end.get_future();
+  bool has_ended = false;
   {
     const app::Heartbeat heartbeat([&] {
-      if (++beats == 1) beaten.set_value();
+      if (has_ended) return;
+      begun.set_value();
+      end.wait();
+      has_ended = true;
     });
-    beaten.get_future().wait();
+    EXPECT_EQ(begun.get_future().wait_for(std::chrono::minutes(1)), std::future_status::ready);
+    may_end.set_value();
   }
-  EXPECT_GE(beats, 1);
+  EXPECT_TRUE(has_ended);
 }
 
 }  // namespace

@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <iterator>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/random.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/core/math.hpp"
 #include "support/command.hpp"
 #include "support/error_message.hpp"
 #include "support/file_bytes.hpp"
@@ -24,12 +25,25 @@ namespace fs = std::filesystem;
 using test::file_bytes;
 using test::TempDir;
 
-void read_to_the_end(const fs::path& path) {
+/// How many frames of how many files were read, and how many files were refused.
+struct Outcome {
+  int frames = 0, errors = 0;
+};
+
+/// Checks that frames are whole and of one size, and that errors name the file.
+void read_to_the_end(const fs::path& path, Outcome& outcome) {
   try {
     VideoReader reader(path);
-    while (reader.next()) {
+    Vec2i size(0);
+    while (const std::optional<Image8> frame = reader.next()) {
+      if (size == Vec2i(0)) size = {frame->width, frame->height};
+      ASSERT_EQ(Vec2i(frame->width, frame->height), size);
+      ASSERT_EQ(frame->rgb.size(), 3 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+      ++outcome.frames;
     }
-  } catch (const Error&) {
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr(path.filename().string()));
+    ++outcome.errors;
   }
 }
 
@@ -69,10 +83,14 @@ TEST_P(EveryCodec, damaged_files_give_frames_or_an_error) {
     writer.finish();
   }
   const std::string whole = file_bytes(path);
+  Outcome outcome;
   for (std::uint32_t number = 0; number < 250; ++number) {
+    SCOPED_TRACE(number);
     std::ofstream(path, std::ios::binary) << damaged(whole, number);
-    read_to_the_end(path);
+    read_to_the_end(path, outcome);
   }
+  EXPECT_GT(outcome.frames, 0);
+  EXPECT_GT(outcome.errors, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Video, EveryCodec,
