@@ -3,11 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/platform.hpp"
+#include "core/regular_file.hpp"
 #include "folder/kept_lease.hpp"
 #include "frames/banded_frames.hpp"
 #include "job/folder_documents.hpp"
@@ -16,6 +18,7 @@
 #include "job/job_videos.hpp"
 #include "job/stripped_frames.hpp"
 #include "job/test_pattern.hpp"
+#include "layout/frame_names.hpp"
 
 namespace lippmann {
 namespace {
@@ -108,9 +111,13 @@ void make_run(const Run& run, FrameMaker& maker, StrippedFrames* strips) {
   report.run.write_seconds = loop.write_seconds();
 }
 
-bool has_all_strips(const FolderJournal& journal, int frame, int strips) {
-  const auto finished = journal.strips.find(frame);
-  return finished != journal.strips.end() && static_cast<int>(finished->second.finished.size()) == strips;
+/// Whether all strips of a frame are recorded, and their files are there: those of a frame that was joined are gone.
+bool has_all_strips(const FolderJournal& journal, const std::filesystem::path& folder, int frame, int strips) {
+  const auto recorded = journal.strips.find(frame);
+  if (recorded == journal.strips.end()) return false;
+  for (int strip = 0; strip < strips; ++strip)
+    if (!recorded->second.finished.contains(strip) || !is_regular_file_there(folder / strip_name(frame, strip))) return false;
+  return true;
 }
 
 /// Joins the frames that have all of their strips. Frames of a rank that was stopped stay in strips.
@@ -118,7 +125,8 @@ void join_frames(const Run& run) {
   const FolderJournal journal = run.folder.now();
   std::vector<int> frames;
   for (const int frame : run.setup.parts.frames)
-    if (has_all_strips(journal, frame, run.setup.parts.strips) || (run.setup.keeps_frames() && run.folder.find(frame)))
+    if (has_all_strips(journal, run.setup.folder, frame, run.setup.parts.strips) ||
+        (run.setup.keeps_frames() && run.folder.find(frame)))
       frames.push_back(frame);
   StrippedFrames joined = stripped_frames(run, true);
   FrameLoop loop(run, joined, {});

@@ -2,10 +2,13 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <thread>
+#include <utility>
 
 #include "core/frame_ranges.hpp"
+#include "distribute/ranks.hpp"
 #include "job/finish_animation.hpp"
 #include "job/renders.hpp"
 #include "job/unit_plan.hpp"
@@ -168,6 +171,33 @@ TEST_F(StripRenders, in_folders_of_their_own_are_joined) {
   ASSERT_TRUE(finish("all", {dir_ / "part1", dir_ / "part2"}).report);
   EXPECT_TRUE(pictures("all") == pictures("whole"));
   EXPECT_EQ(files_in(dir_ / "part1", ".exr").size(), 2u) << "parts stay";
+}
+
+/// The first of two ranks, the other of which is stopped before it renders anything of the units that it takes.
+class RankOfStoppedJob : public Ranks {
+ public:
+  int rank() const override { return 0; }
+  int size() const override { return 2; }
+  void listen(std::function<void(const WorkDone&)>) override {}
+  void begin() override {}
+  bool has_begun() const override { return true; }
+  int next() override { return std::exchange(next_, 1000); }
+  void tell(const WorkDone&) override {}
+  void end() override {}
+
+ private:
+  int next_ = 0;
+};
+
+TEST_F(StripRenders, of_a_stopped_rank_are_left_beside_an_earlier_frame) {
+  const RenderParams params = still("a", {{"strips", "3"}});
+  render(params);
+  const Files whole = pictures("a");
+  RankOfStoppedJob ranks;
+  render(params, {.ranks = &ranks});
+  EXPECT_EQ(files_in(dir_ / "a", ".exr").size(), 1u) << "nothing is joined";
+  EXPECT_EQ(kept(resume(job_of("a"))), 1u);
+  EXPECT_TRUE(pictures("a") == whole);
 }
 
 TEST_F(StripRenders, belong_to_their_job_and_go_with_it) {
