@@ -39,7 +39,7 @@ namespace lippmann {
 struct LightReceiver {
   Vec3f position{0.0f};
   Vec3f normal{0.0f};        ///< unit, of the side that light must come from to count; null: it may come from either
-  float near_share = -1.0f;  ///< LightTable::near_share() of the point, where that is known already; else negative
+  float near_share = -1.0f;  ///< LightChoice::near_share() of the point, where that is known already; else negative
 };
 
 /// How a lamp shines by the angle to its axis: coefficients of the first three Legendre polynomials.

@@ -26,8 +26,9 @@ bool is_round(const WhittedLight& light, float scene_size);
 /// Whether any ray of the packet may see it, lanes that are not active included.
 bool is_pointed_at(const WhittedLight& light, const RayPacket& rays);
 
-/// A light from within its directions, chosen by `u`; its density is that of the direction alone. unit: LightTable::unit().
-/// None where the point is out of reach, or the direction is one that the lamp does not shine in.
+/// A light from within its directions, chosen by `u`; its density is that of the direction alone. `unit`: a factor on its
+/// colour, explained in light_table.hpp. None where the point is out of reach, or the direction is one that the lamp does not
+/// shine in.
 std::optional<LightSample> sample_round(const WhittedLight& light, float unit, Vec3f from, Vec2f u);
 
 /// The same for the light that a ray of unit direction sees, which has scattered at `from`.

@@ -174,13 +174,13 @@ void PathIntegrator::sample_lights(const PathRay* rays) {
 std::optional<LightSample> PathIntegrator::light_for(int i) {
   const float pick = numbers_.pair(i, kChoicePair).x;
   LightReceiver at;
-  if (lights().has_both_kinds()) {
+  if (lights().choice().has_both_kinds()) {
     at = vertices_.receiver(i);
-    vertices_.near_share[i] = at.near_share = lights().near_share(at);
+    vertices_.near_share[i] = at.near_share = lights().choice().near_share(at);
   }
-  if (lights().asks_sky_often() && lights().picks_sky(at, pick))
+  if (lights().choice().asks_sky_often() && lights().choice().picks_sky(at, pick))
     return lights().sky_sample(numbers_.sky_draws(lights().environment()), i, at);
-  if (!lights().has_both_kinds()) at = vertices_.receiver(i);
+  if (!lights().choice().has_both_kinds()) at = vertices_.receiver(i);
   return lights().sample(at, pick, numbers_.pair(i, kOnLightPair));
 }
 
