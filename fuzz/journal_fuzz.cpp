@@ -27,7 +27,7 @@ void check_names(const FileRecords& files) {
   }
 }
 
-void check_frame(int frame, const JournalFrame& finished) {
+void check_frame(int frame, const JournalEntry& finished) {
   require(frame >= 0 && finished.report.frame == frame, "a frame is not what it is called");
   check_names(finished.files);
   require(!frame_line(finished.report, finished.files).empty(), "a frame cannot be written");

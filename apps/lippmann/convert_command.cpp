@@ -47,8 +47,8 @@ LightFieldHints hints_of(const ConvertOptions& options) {
   return hints;
 }
 
-DepthFramesParams depth_frames_of(const ConvertOptions& options) {
-  DepthFramesParams params{options.in, options.out, options.to, params_of(options).options, options.stereo.view_angle_deg};
+DepthConversion depth_frames_of(const ConvertOptions& options) {
+  DepthConversion params{options.in, options.out, options.to, params_of(options).options, options.stereo.view_angle_deg};
   params.ipd_mm = options.stereo.ipd_mm.value_or(kUsualIpdMm);
   params.depth_scale = options.depth.scale.value_or(1.0);
   return params;

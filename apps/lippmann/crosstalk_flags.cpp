@@ -44,7 +44,7 @@ int run_precompensate(const CrosstalkFlags& flags, const std::string& display, c
     throw usage_error("--precompensate", "the crosstalk of the display is not known",
                       "--crosstalk, or a --display file with it");
   params.sigma_px = *sigma_px;
-  const PrecompensatedFrames made = precompensate_frames(params, context);
+  const Precompensated made = precompensate_frames(params, context);
   const Precompensation& bound = made.bound;
   if (result.json) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();

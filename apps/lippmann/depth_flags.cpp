@@ -36,8 +36,8 @@ void add_depth_flags(const Command& command, DepthFlags& flags) {
       .range(0.0, 100.0);
 }
 
-int run_depth_views(const DepthFramesParams& params, const ResultFlags& result, const Context& context) {
-  const DepthFrames made = convert_depth_frames(params, context);
+int run_depth_views(const DepthConversion& params, const ResultFlags& result, const Context& context) {
+  const ConvertedDepth made = convert_depth_frames(params, context);
   if (result.json) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const auto& path : made.written) files.push_back(path.string());

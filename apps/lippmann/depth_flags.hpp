@@ -25,6 +25,6 @@ struct DepthFlags {
 void add_depth_flags(const Command& command, DepthFlags& flags);
 
 /// `convert` of RGB-D pictures to views; prints what share of them was filled.
-int run_depth_views(const DepthFramesParams& params, const ResultFlags& result, const Context& context);
+int run_depth_views(const DepthConversion& params, const ResultFlags& result, const Context& context);
 
 }  // namespace lippmann::app

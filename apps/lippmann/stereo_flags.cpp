@@ -55,7 +55,7 @@ int run_stereo(const StereoFlags& flags, const LightFieldHints& field, const std
   params.layout = flags.layout().value_or(StereoLayout{});
   params.ipd_mm = flags.ipd_mm;
   params.distance_mm = flags.viewing_distance_mm, params.screen_width_mm = flags.screen_width_mm;
-  const StereoFrames made = convert_to_stereo(params, context);
+  const ConvertedStereo made = convert_to_stereo(params, context);
   if (result.json) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const auto& path : made.written) files.push_back(path.string());

@@ -47,7 +47,7 @@ void check_kinds(const fs::path& test, const FrameSource& a, const FrameSource& 
 
 struct Pair {
   std::string name;
-  SourceFrame reference, test;
+  FrameSource::Item reference, test;
 };
 
 /// Takes frames from both, in step.
@@ -64,7 +64,7 @@ class PairSource {
   }
 
   std::optional<Pair> next() {
-    std::optional<SourceFrame> a = reference_->next(), b = test_->next();
+    std::optional<FrameSource::Item> a = reference_->next(), b = test_->next();
     if (a.has_value() != b.has_value())
       throw Error(a ? test_path_.string() : reference_path_.string(),
                   fmt::format("ends after {} frames, {} has more", count_, a ? reference_path_.string() : test_path_.string()));

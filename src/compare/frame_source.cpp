@@ -44,11 +44,11 @@ class PictureFiles : public FrameSource {
 
   SourceKind kind() const override { return kind_; }
 
-  std::optional<SourceFrame> next() override {
+  std::optional<Item> next() override {
     if (position_ == files_.size()) return std::nullopt;
     const fs::path file = files_[position_++];
     if (position_ == 1) warn_of_left_out(file);
-    return SourceFrame{file.stem().string(), [file, this] { return load(file); }};
+    return Item{file.stem().string(), [file, this] { return load(file); }};
   }
 
   std::vector<std::string> names() const override {
@@ -92,7 +92,7 @@ class VideoFrames : public FrameSource {
 
   SourceKind kind() const override { return SourceKind::kVideo; }
 
-  std::optional<SourceFrame> next() override {
+  std::optional<Item> next() override {
     if (wanted_ && taken_ == wanted_->size()) return std::nullopt;
     if (wanted_)
       while (count_ < (*wanted_)[taken_] && reader_.next()) ++count_;
@@ -101,7 +101,7 @@ class VideoFrames : public FrameSource {
       throw Error(path_.string(), fmt::format("has no frame {}, which `frames` asks for", (*wanted_)[taken_]));
     if (!picture) return std::nullopt;
     ++taken_;
-    return SourceFrame{fmt::format("frame_{:04}", count_++), [picture = std::move(*picture)] { return picture; }};
+    return Item{fmt::format("frame_{:04}", count_++), [picture = std::move(*picture)] { return picture; }};
   }
 
  private:

@@ -16,20 +16,20 @@
 
 namespace lippmann {
 
-struct SourceFrame {
-  std::string name;              ///< the file's without folder and extension; of a video frame_0000, ...
-  std::function<Image8()> load;  ///< its codes; from any thread, while the source lives; throws Error
-};
-
 enum class SourceKind { kPicture, kFolder, kVideo };
 
 class FrameSource {
  public:
+  struct Item {
+    std::string name;              ///< the file's without folder and extension; of a video frame_0000, ...
+    std::function<Image8()> load;  ///< its codes; from any thread, while the source lives; throws Error
+  };
+
   virtual ~FrameSource() = default;
   virtual SourceKind kind() const = 0;
 
   /// None after the last one. Throws Error naming the file.
-  virtual std::optional<SourceFrame> next() = 0;
+  virtual std::optional<Item> next() = 0;
 
   /// The names of all frames, where they are known from the start: not of videos.
   virtual std::vector<std::string> names() const { return {}; }

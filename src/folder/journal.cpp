@@ -367,7 +367,7 @@ std::string asked_line(const std::vector<int>& frames, const std::set<std::strin
 
 std::string frame_line(const FrameReport& frame, const FileRecords& files) { return line_of(finished_json(frame, files)); }
 
-std::string strip_line(const FrameStrip& strip, const FrameReport& report, const FileRecords& files) {
+std::string strip_line(const StripNumber& strip, const FrameReport& report, const FileRecords& files) {
   Json json{{"strip", strip.strip}, {"strips", strip.count}};
   json.update(finished_json(report, files));
   return line_of(json);

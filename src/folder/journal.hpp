@@ -47,20 +47,20 @@ void sync_names(const std::filesystem::path& folder, const std::vector<std::file
 /// cannot be read.
 FileRecords records_of(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 
-struct JournalFrame {
+struct JournalEntry {
   FrameReport report;
   FileRecords files;
 };
 
 /// A strip of a frame, from 0 at the top.
-struct FrameStrip {
+struct StripNumber {
   int frame = 0, strip = 0;
   int count = 1;  ///< that the frame has
 };
 
 struct JournalStrips {
   int count = 1;                         ///< that the frame has
-  std::map<int, JournalFrame> finished;  ///< by strip; of several lines for a strip the last one counts
+  std::map<int, JournalEntry> finished;  ///< by strip; of several lines for a strip the last one counts
 };
 
 struct JournalVideo {
@@ -92,7 +92,7 @@ struct FolderJournal {
   std::vector<int> asked;               ///< the frames that runs of the job were to render, each once, ascending
   std::set<std::string> companions;     ///< that runs of the job were to write: kSingleFolder, kPageFolder
   FileRecords page;                     ///< files of the page, by path relative to the folder
-  std::map<int, JournalFrame> frames;   ///< finished; of several lines for a frame the last one counts
+  std::map<int, JournalEntry> frames;   ///< finished; of several lines for a frame the last one counts
   std::map<int, JournalStrips> strips;  ///< by frame; their files are gone once the frame is finished
   std::map<std::string, std::vector<FileChecksum>> files;  ///< job.toml, report.json: as runs have written them
   std::map<std::string, JournalVideo> videos;              ///< by path relative to the folder
@@ -139,7 +139,7 @@ void require_sound(const std::filesystem::path& folder, const FolderJournal& jou
 std::string job_line(const std::string& job);
 std::string asked_line(const std::vector<int>& frames, const std::set<std::string>& companions = {});
 std::string frame_line(const FrameReport& frame, const FileRecords& files);
-std::string strip_line(const FrameStrip& strip, const FrameReport& report, const FileRecords& files);
+std::string strip_line(const StripNumber& strip, const FrameReport& report, const FileRecords& files);
 std::string written_line(const std::string& name, const FileChecksum& sum);
 std::string video_line(const std::string& name, const std::vector<int>& frames, const std::optional<FileChecksum>& sum,
                        const std::optional<FileChecksum>& side = {});

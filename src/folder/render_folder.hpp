@@ -52,7 +52,7 @@ class RenderFolder {
   void add(const FrameReport& frame, const FileRecords& files) { part_.add(frame_line(frame, files)); }
 
   /// Records a strip whose file is complete. As add().
-  void add_strip(const FrameStrip& strip, const FrameReport& report, const FileRecords& files) {
+  void add_strip(const StripNumber& strip, const FrameReport& report, const FileRecords& files) {
     part_.add(strip_line(strip, report, files));
   }
 

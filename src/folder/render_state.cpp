@@ -87,7 +87,7 @@ std::optional<RenderState> RenderStateReader::read() {
   return state;
 }
 
-fs::path picture_of(const JournalFrame& frame) {
+fs::path picture_of(const JournalEntry& frame) {
   for (const auto& [name, sum] : frame.files) {
     const fs::path path(name);
     if (!name.starts_with("frame_")) continue;

@@ -61,6 +61,6 @@ class RenderStateReader {
 };
 
 /// The picture or the folder of views of a finished frame, relative to the render's folder.
-std::filesystem::path picture_of(const JournalFrame& frame);
+std::filesystem::path picture_of(const JournalEntry& frame);
 
 }  // namespace lippmann

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "image/spare_images.hpp"
+
 namespace lippmann {
 namespace {
 
@@ -16,7 +18,23 @@ void copy_rows(const FramePictures& band, int first_row, FramePictures& whole) {
     if (whole.aovs.wanted[i]) copy_rows(band.aovs.images[i], first_row, whole.aovs.images[i]);
 }
 
-}  // namespace
+class BandedFrames final : public FrameMaker {
+ public:
+  BandedFrames(StripMaker bands, Vec2i film, const FrameAovs& wanted, const Context& context);
+
+  RenderedFrame make(int frame) override;
+
+  void recycle(Image film) override { spare_films_.give(std::move(film)); }
+
+ private:
+  FramePictures whole_pictures();
+
+  StripMaker bands_;
+  Vec2i film_;
+  FrameAovs wanted_;
+  const Context& context_;
+  SpareImages spare_films_;
+};
 
 BandedFrames::BandedFrames(StripMaker bands, Vec2i film, const FrameAovs& wanted, const Context& context)
     : bands_(std::move(bands)), film_(film), wanted_(wanted), context_(context) {}
@@ -46,6 +64,12 @@ RenderedFrame BandedFrames::make(int frame) {
   }
   whole.report = report_of_strips(reports, rows);
   return whole;
+}
+
+}  // namespace
+
+std::unique_ptr<FrameMaker> make_banded_frames(StripMaker bands, Vec2i film, const FrameAovs& wanted, const Context& context) {
+  return std::make_unique<BandedFrames>(std::move(bands), film, wanted, context);
 }
 
 }  // namespace lippmann

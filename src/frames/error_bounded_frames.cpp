@@ -1,9 +1,15 @@
 #include "frames/error_bounded_frames.hpp"
 
 #include <algorithm>
+#include <map>
+#include <span>
 #include <utility>
+#include <vector>
 
+#include "frames/forward_source.hpp"
 #include "lippmann/image/metrics.hpp"
+#include "reuse/frame_plan.hpp"
+#include "reuse/in_between.hpp"
 #include "reuse/tracing_costs.hpp"
 #include "trace/trace_packets.hpp"
 
@@ -33,7 +39,46 @@ float position(int frame, const FrameInterval& interval) {
 /// An error of 0 among the held-out pixels is no proof that there is none.
 double estimated_psnr(const ErrorEstimate& error) { return psnr_db(error.mse > 0.0 ? error.mse : error.bound); }
 
-}  // namespace
+class ErrorBoundedFrames final : public FrameMaker {
+ public:
+  ErrorBoundedFrames(const MakerParts& parts, const Interpolate& reuse);
+
+  RenderedFrame make(int frame) override;
+  std::vector<FrameReport> sources() const override;
+
+ private:
+  struct Segment {
+    int length = 0;     ///< frames from key to key; 0: all are traced
+    Evidence evidence;  ///< what uncertainty means in it
+  };
+
+  /// Renders a frame, and whatever it depends on, into films_ or keys_.
+  void render(int frame);
+  void render_between(int frame, const FrameInterval& interval, const Evidence& learned);
+  /// The segment of a frame. Tries it where that has not been done.
+  const Segment& segment_of(int frame);
+  Segment try_segment(int first);
+  /// Traces the middle frame of an interval, which has such keys around it, and compares it with its prediction.
+  FloorLesson learn(const FrameInterval& interval);
+  /// Whether the frame in the middle of an interval, which is made first, was worth predicting.
+  bool middle_holds(const FrameInterval& interval, const Evidence& learned);
+  /// False: the frame had to be traced.
+  bool predict_or_trace(int frame, const FrameInterval& interval, const Evidence& learned);
+  void trace(int frame, const FrameReport& spent = {});
+  const PointImage& key(int frame);
+  void forget_before(int frame);
+  RenderedFrame take(int frame);
+
+  MakerParts parts_;
+  Interpolate reuse_;
+  int every_, last_frame_;
+  InBetweenMaker maker_;
+  std::map<int, ForwardSource> keys_;         ///< by frame
+  std::map<int, RenderedFrame> films_;        ///< likewise: made, not taken yet
+  std::map<int, Segment> segments_;           ///< by first frame
+  std::map<int, bool> middle_holds_;          ///< by middle frame
+  std::map<int, FrameReport> not_asked_for_;  ///< rendered because others depend on them, by frame
+};
 
 ErrorBoundedFrames::ErrorBoundedFrames(const MakerParts& parts, const Interpolate& reuse)
     : parts_(parts),
@@ -191,7 +236,13 @@ std::vector<FrameReport> ErrorBoundedFrames::sources() const {
   return reports;
 }
 
-double ErrorBoundedFrames::bytes_kept_per_pixel() {
+}  // namespace
+
+std::unique_ptr<FrameMaker> make_error_bounded_frames(const MakerParts& parts, const Interpolate& reuse) {
+  return std::make_unique<ErrorBoundedFrames>(parts, reuse);
+}
+
+double error_bounded_frames_bytes_per_pixel() {
   constexpr double kFilm = 3 * sizeof(float), kPoint = sizeof(float) + sizeof(std::uint32_t), kContrast = 1;
   const int halvings = halving_depth(kDefaultKeyframes);
   const int images = 1 + halvings, films = halvings - 1;                      // seldom all at once
@@ -199,6 +250,6 @@ double ErrorBoundedFrames::bytes_kept_per_pixel() {
   return images * (kFilm + kPoint + kContrast) + films * kFilm + kUncertainty;
 }
 
-int ErrorBoundedFrames::frames_per_segment(const Interpolate& reuse) { return kSegmentIntervals * key_frame_interval(reuse); }
+int error_bounded_frames_per_segment(const Interpolate& reuse) { return kSegmentIntervals * key_frame_interval(reuse); }
 
 }  // namespace lippmann

@@ -12,61 +12,19 @@
 // same bytes as in the whole.
 #pragma once
 
-#include <map>
-#include <vector>
+#include <memory>
 
-#include "frames/forward_source.hpp"
 #include "frames/frame_maker.hpp"
-#include "reuse/frame_plan.hpp"
-#include "reuse/in_between.hpp"
 
 namespace lippmann {
 
-class ErrorBoundedFrames final : public FrameMaker {
- public:
-  /// `reuse.min_psnr_db` is given.
-  ErrorBoundedFrames(const MakerParts& parts, const Interpolate& reuse);
+/// `reuse.min_psnr_db` must be set.
+std::unique_ptr<FrameMaker> make_error_bounded_frames(const MakerParts& parts, const Interpolate& reuse);
 
-  RenderedFrame make(int frame) override;
-  std::vector<FrameReport> sources() const override;
+/// What the maker keeps from frame to frame.
+double error_bounded_frames_bytes_per_pixel();
 
-  static double bytes_kept_per_pixel();
-
-  /// Frames for which it is found out together whether predicting pays.
-  static int frames_per_segment(const Interpolate& reuse);
-
- private:
-  struct Segment {
-    int length = 0;     ///< frames from key to key; 0: all are traced
-    Evidence evidence;  ///< what uncertainty means in it
-  };
-
-  /// Renders a frame, and whatever it depends on, into films_ or keys_.
-  void render(int frame);
-  void render_between(int frame, const FrameInterval& interval, const Evidence& learned);
-  /// The segment of a frame. Tries it where that has not been done.
-  const Segment& segment_of(int frame);
-  Segment try_segment(int first);
-  /// Traces the middle frame of an interval, which has such keys around it, and compares it with its prediction.
-  FloorLesson learn(const FrameInterval& interval);
-  /// Whether the frame in the middle of an interval, which is made first, was worth predicting.
-  bool middle_holds(const FrameInterval& interval, const Evidence& learned);
-  /// False: the frame had to be traced.
-  bool predict_or_trace(int frame, const FrameInterval& interval, const Evidence& learned);
-  void trace(int frame, const FrameReport& spent = {});
-  const PointImage& key(int frame);
-  void forget_before(int frame);
-  RenderedFrame take(int frame);
-
-  MakerParts parts_;
-  Interpolate reuse_;
-  int every_, last_frame_;
-  InBetweenMaker maker_;
-  std::map<int, ForwardSource> keys_;         ///< by frame
-  std::map<int, RenderedFrame> films_;        ///< likewise: made, not taken yet
-  std::map<int, Segment> segments_;           ///< by first frame
-  std::map<int, bool> middle_holds_;          ///< by middle frame
-  std::map<int, FrameReport> not_asked_for_;  ///< rendered because others depend on them, by frame
-};
+/// Frames for which it is found out together whether predicting pays.
+int error_bounded_frames_per_segment(const Interpolate& reuse);
 
 }  // namespace lippmann

@@ -1,8 +1,12 @@
 #include "frames/exact_frames.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <span>
 #include <utility>
+#include <vector>
 
+#include "reuse/settled_blocks.hpp"
 #include "trace/pixels_of_blocks.hpp"
 
 namespace lippmann {
@@ -12,7 +16,33 @@ namespace {
 constexpr double kLeastSpanSaving = 0.02;
 constexpr int kLongestRest = 256;
 
-}  // namespace
+class ExactFrames final : public FrameMaker {
+ public:
+  ExactFrames(const MakerParts& parts, const CopySettled& reuse);
+
+  RenderedFrame make(int frame) override;
+
+ private:
+  RenderedFrame key(int frame);
+  RenderedFrame from_key(int frame);
+  /// The layer of provenance, where it is wanted: what lies in settled blocks was copied.
+  void tell_copied(const Shot& shot, std::span<const std::uint8_t> unsettled, FrameAovs& aovs) const;
+  void judge(const FrameReport& in_between);
+
+  MakerParts parts_;
+  CopySettled reuse_;
+  int last_frame_;
+  SettledBlocks settled_;
+
+  int key_ = 0, span_ = 0;  ///< the key serves frames key_ ... key_ + span_ - 1
+  Image film_;              ///< the key's
+  TouchedBlocks blocks_;    ///< the key's
+
+  // Whether all this pays is measured; the pictures do not depend on it.
+  double full_seconds_ = 0.0, key_seconds_ = 0.0;  ///< CPU time of the last full frame and key; 0: none yet
+  int rest_ = 0;                                   ///< frames to trace before the next key is tried
+  int next_rest_ = 16;
+};
 
 ExactFrames::ExactFrames(const MakerParts& parts, const CopySettled& reuse)
     : parts_(parts),
@@ -87,6 +117,12 @@ void ExactFrames::judge(const FrameReport& in_between) {
   }
   span_ = 0;
   rest_ = next_rest_, next_rest_ = std::min(2 * next_rest_, kLongestRest);
+}
+
+}  // namespace
+
+std::unique_ptr<FrameMaker> make_exact_frames(const MakerParts& parts, const CopySettled& reuse) {
+  return std::make_unique<ExactFrames>(parts, reuse);
 }
 
 }  // namespace lippmann

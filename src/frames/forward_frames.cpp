@@ -1,8 +1,15 @@
 #include "frames/forward_frames.hpp"
 
+#include <map>
 #include <set>
+#include <span>
 #include <utility>
+#include <vector>
 
+#include "frames/forward_source.hpp"
+#include "image/spare_images.hpp"
+#include "reuse/frame_plan.hpp"
+#include "reuse/in_between.hpp"
 #include "trace/trace_pixels.hpp"
 
 namespace lippmann {
@@ -11,7 +18,32 @@ namespace {
 /// Whether halving makes frames between this one and an end of the interval whose middle it is.
 bool is_source(int frame, const FrameInterval& interval) { return frame - interval.first > 1 || interval.last - frame > 1; }
 
-}  // namespace
+class ForwardFrames final : public FrameMaker {
+ public:
+  ForwardFrames(const MakerParts& parts, const Interpolate& reuse);
+
+  RenderedFrame make(int frame) override;
+  void recycle(Image film) override { spare_films_.give(std::move(film)); }
+  std::vector<FrameReport> sources() const override;
+
+ private:
+  using Source = ForwardSource;
+
+  Source between(int frame, const FrameInterval& interval, bool as_source);
+  /// The intervals to go through until the frame, which is no key, is made from the ends of the last one.
+  std::vector<FrameInterval> path_to(int frame) const;
+  void keep_only_sources_of(int frame);
+  const Source& key(int frame);
+  const Source& add(Source source);
+
+  MakerParts parts_;
+  Interpolate reuse_;
+  int every_, last_frame_;
+  InBetweenMaker maker_;
+  SpareImages spare_films_;
+  std::map<int, Source> sources_;             ///< by frame
+  std::map<int, FrameReport> not_asked_for_;  ///< rendered as sources only, by frame
+};
 
 ForwardFrames::ForwardFrames(const MakerParts& parts, const Interpolate& reuse)
     : parts_(parts),
@@ -96,7 +128,7 @@ ForwardFrames::Source ForwardFrames::between(int frame, const FrameInterval& int
                         {parts_.pool, parts_.context}, film, points);
   };
   const float position = static_cast<float>(frame - interval.first) / static_cast<float>(interval.last - interval.first);
-  const BetweenFrames between{sources_.at(interval.first).image, sources_.at(interval.last).image, position};
+  const SourcePair between{sources_.at(interval.first).image, sources_.at(interval.last).image, position};
   const InBetweenCounts counts = maker_.make(between, as_source, trace, parts_.pool, source.image);
   source.report = in_between_report(frame, counts, rays, film_size(parts_.stage.placed.optics));
   clock.add_to(source.report);
@@ -109,7 +141,13 @@ std::vector<FrameReport> ForwardFrames::sources() const {
   return reports;
 }
 
-double ForwardFrames::bytes_kept_per_pixel(const Interpolate& reuse) {
+}  // namespace
+
+std::unique_ptr<FrameMaker> make_forward_frames(const MakerParts& parts, const Interpolate& reuse) {
+  return std::make_unique<ForwardFrames>(parts, reuse);
+}
+
+double forward_frames_bytes_per_pixel(const Interpolate& reuse) {
   constexpr double kFilm = 3 * sizeof(float), kPoint = sizeof(float) + sizeof(std::uint32_t), kContrast = 1, kSpareFilms = 2;
   // Two keys, one made frame per halving, the keys of two splats, and films to be used again.
   const int images = 2 + (reuse.halving ? halving_depth(key_frame_interval(reuse)) : 0);

@@ -8,6 +8,7 @@
 #include "frames/error_bounded_frames.hpp"
 #include "frames/exact_frames.hpp"
 #include "frames/forward_frames.hpp"
+#include "frames/forward_source.hpp"
 #include "frames/traced_frames.hpp"
 #include "lippmann/core/error.hpp"
 #include "scene/deform.hpp"
@@ -39,13 +40,13 @@ struct MakerOf {
   const MakerParts& parts;
 
   std::unique_ptr<FrameMaker> operator()(const AutoReuse&) const { return (*this)(TraceAll{}); }
-  std::unique_ptr<FrameMaker> operator()(const TraceAll&) const { return std::make_unique<TracedFrames>(parts); }
-  std::unique_ptr<FrameMaker> operator()(const CopySettled& reuse) const { return std::make_unique<ExactFrames>(parts, reuse); }
+  std::unique_ptr<FrameMaker> operator()(const TraceAll&) const { return make_traced_frames(parts); }
+  std::unique_ptr<FrameMaker> operator()(const CopySettled& reuse) const { return make_exact_frames(parts, reuse); }
   std::unique_ptr<FrameMaker> operator()(const Interpolate& reuse) const {
     refuse_deforming_meshes(parts.stage.scene);
     refuse_splats(parts.stage.scene);
-    if (reuse.min_psnr_db) return std::make_unique<ErrorBoundedFrames>(parts, reuse);
-    return std::make_unique<ForwardFrames>(parts, reuse);
+    if (reuse.min_psnr_db) return make_error_bounded_frames(parts, reuse);
+    return make_forward_frames(parts, reuse);
   }
 };
 
@@ -55,10 +56,10 @@ struct WorkingBytes {
   int frames;
 
   double operator()(const AutoReuse&) const { return (*this)(TraceAll{}); }
-  double operator()(const TraceAll&) const { return TracedFrames::bytes_per_pixel(sampling); }
-  double operator()(const CopySettled&) const { return frames > 1 ? ExactFrames::bytes_kept_per_pixel() : 0.0; }
+  double operator()(const TraceAll&) const { return traced_frames_bytes_per_pixel(sampling); }
+  double operator()(const CopySettled&) const { return frames > 1 ? kExactFramesBytesPerPixel : 0.0; }
   double operator()(const Interpolate& reuse) const {
-    return reuse.min_psnr_db ? ErrorBoundedFrames::bytes_kept_per_pixel() : ForwardFrames::bytes_kept_per_pixel(reuse);
+    return reuse.min_psnr_db ? error_bounded_frames_bytes_per_pixel() : forward_frames_bytes_per_pixel(reuse);
   }
 };
 
@@ -68,7 +69,7 @@ struct SegmentLength {
   int operator()(const TraceAll&) const { return 1; }
   int operator()(const CopySettled& reuse) const { return reuse.keyframes.value_or(1); }
   int operator()(const Interpolate& reuse) const {
-    return reuse.min_psnr_db ? ErrorBoundedFrames::frames_per_segment(reuse) : key_frame_interval(reuse);
+    return reuse.min_psnr_db ? error_bounded_frames_per_segment(reuse) : key_frame_interval(reuse);
   }
 };
 

@@ -1,9 +1,11 @@
 #include "frames/traced_frames.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "denoise/denoiser.hpp"
 #include "frames/audit.hpp"
 #include "trace/noisy_frame.hpp"
 #include "trace/strip_order.hpp"
@@ -22,11 +24,24 @@ FilmRows with_rows_around(FilmRows rows, int around, const Optics& optics) {
   return {std::max(rows.first - around, 0) / together * together, std::min((end + together - 1) / together * together, height)};
 }
 
-}  // namespace
+/// Makes frames by tracing all of their pixels.
+class TracedFrames final : public FrameMaker {
+ public:
+  explicit TracedFrames(const MakerParts& parts);
+
+  RenderedFrame make(int frame) override;
+
+ private:
+  RenderedFrame denoised(int frame);
+  void keep_rows(FilmRows rows, FramePictures& pictures) const;
+
+  MakerParts parts_;
+  FilmRows traced_rows_;              ///< the stage's rows, and those around them that the denoiser reads
+  std::optional<Denoiser> denoiser_;  ///< empty: frames are not denoised
+};
 
 TracedFrames::TracedFrames(const MakerParts& parts)
     : parts_(parts),
-
       traced_rows_(with_rows_around(parts.stage.rows, rows_around(parts.sampling, parts.stage.placed.optics),
                                     parts.stage.placed.optics)) {
   if (is_denoised(parts.sampling)) denoiser_.emplace(parts.stage.placed.optics, traced_rows_.first, traced_rows_.end);
@@ -70,7 +85,11 @@ void TracedFrames::keep_rows(FilmRows rows, FramePictures& pictures) const {
     if (pictures.aovs.wanted[i]) keep(pictures.aovs.images[i]);
 }
 
-double TracedFrames::bytes_per_pixel(const Sampling& sampling) {
+}  // namespace
+
+std::unique_ptr<FrameMaker> make_traced_frames(const MakerParts& parts) { return std::make_unique<TracedFrames>(parts); }
+
+double traced_frames_bytes_per_pixel(const Sampling& sampling) {
   return is_denoised(sampling) ? kNoisyFrameBytesPerPixel + Denoiser::kWorkBytesPerPixel : 0.0;
 }
 

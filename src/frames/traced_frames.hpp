@@ -1,9 +1,8 @@
 // Traces every frame separately. Path-traced frames are denoised (denoise/denoiser.hpp) if is_denoised() is true.
 #pragma once
 
-#include <optional>
+#include <memory>
 
-#include "denoise/denoiser.hpp"
 #include "frames/frame_maker.hpp"
 
 namespace lippmann {
@@ -13,22 +12,9 @@ namespace lippmann {
 int rows_around(const Sampling& sampling, const Optics& optics);
 
 /// Makes frames by tracing all of their pixels.
-class TracedFrames final : public FrameMaker {
- public:
-  explicit TracedFrames(const MakerParts& parts);
+std::unique_ptr<FrameMaker> make_traced_frames(const MakerParts& parts);
 
-  RenderedFrame make(int frame) override;
-
-  /// Working memory per pixel in addition to the film and the layers, in bytes.
-  static double bytes_per_pixel(const Sampling& sampling);
-
- private:
-  RenderedFrame denoised(int frame);
-  void keep_rows(FilmRows rows, FramePictures& pictures) const;
-
-  MakerParts parts_;
-  FilmRows traced_rows_;              ///< the stage's rows, and those around them that the denoiser reads
-  std::optional<Denoiser> denoiser_;  ///< empty: frames are not denoised
-};
+/// Working memory per pixel in addition to the film and the layers, in bytes.
+double traced_frames_bytes_per_pixel(const Sampling& sampling);
 
 }  // namespace lippmann

@@ -37,8 +37,8 @@ RenderFolder open_folder(const RenderSetup& setup, const Context& context) {
 std::unique_ptr<FrameMaker> whole_frames(RenderSetup& setup, const Context& context) {
   if (setup.job.is_test_pattern()) return make_pattern_frames(setup.stage, setup.pool);
   if (setup.memory.bands <= 1) return make_frame_maker(setup.stage, setup.made_as, setup.pool, context);
-  return std::make_unique<BandedFrames>(StripMaker(setup.stage, setup.made_as, setup.memory.bands, setup.pool, context),
-                                        film_size(setup.optics()), wanted_aovs(setup.made_as.sampling), context);
+  return make_banded_frames(StripMaker(setup.stage, setup.made_as, setup.memory.bands, setup.pool, context),
+                            film_size(setup.optics()), wanted_aovs(setup.made_as.sampling), context);
 }
 
 StrippedFrames stripped_frames(const Run& run, bool only_joins) {

@@ -80,8 +80,8 @@ std::vector<int> frames_to_measure(const std::vector<int>& of_job, int segment, 
   return {frames.begin(), frames.end()};
 }
 
-FrameCosts frame_costs(const MeasuredRun& run, const std::vector<int>& of_job, int segment) {
-  FrameCosts costs;
+JobCosts frame_costs(const MeasuredRun& run, const std::vector<int>& of_job, int segment) {
+  JobCosts costs;
   costs.setup_cpu_seconds = run.setup_cpu_seconds;
   costs.at = costs_by_place(run.frames, segment);
   costs.source_cpu_seconds = source_cost(run, of_job, segment);
@@ -93,7 +93,7 @@ FrameCosts frame_costs(const MeasuredRun& run, const std::vector<int>& of_job, i
   return costs;
 }
 
-double cpu_seconds_of(const std::vector<int>& frames, int segment, const FrameCosts& costs) {
+double cpu_seconds_of(const std::vector<int>& frames, int segment, const JobCosts& costs) {
   double sum = costs.setup_cpu_seconds + costs.source_cpu_seconds;
   for (const int frame : frames) sum += costs.write_cpu_seconds + cost_at(frame % segment, costs.at);
   return sum;

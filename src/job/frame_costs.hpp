@@ -10,7 +10,7 @@
 namespace lippmann {
 
 /// CPU times are those of all threads together.
-struct FrameCosts {
+struct JobCosts {
   double setup_cpu_seconds = 0.0;       ///< for loading and building, which every unit pays
   std::map<int, double> at;             ///< for a frame of this place in its segment (from 0), or up to the next entry's
   double write_cpu_seconds = 0.0;       ///< for the files of a frame
@@ -36,9 +36,9 @@ enum class Neighbours {
 /// Of the first, the middle and the last segment.
 std::vector<int> frames_to_measure(const std::vector<int>& of_job, int segment, Neighbours neighbours);
 
-FrameCosts frame_costs(const MeasuredRun& run, const std::vector<int>& of_job, int segment);
+JobCosts frame_costs(const MeasuredRun& run, const std::vector<int>& of_job, int segment);
 
 /// What a run of these frames takes.
-double cpu_seconds_of(const std::vector<int>& frames, int segment, const FrameCosts& costs);
+double cpu_seconds_of(const std::vector<int>& frames, int segment, const JobCosts& costs);
 
 }  // namespace lippmann

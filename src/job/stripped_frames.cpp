@@ -20,7 +20,7 @@ bool StrippedFrames::make_strip(int frame, int strip) {
   const RenderedFrame rendered = strips_.make(frame, strip);
   if (context_.cancelled) return false;
   const FileRecords files = write_strip(folder_.path(), frame, strip, rendered.pictures);
-  const FrameStrip number{frame, strip, strips_.strips()};
+  const StripNumber number{frame, strip, strips_.strips()};
   folder_.add_strip(number, rendered.report, files);
   made_.push_back({number, rendered.report});
   progress_.strip_written(rendered.report, files.begin()->second.bytes);

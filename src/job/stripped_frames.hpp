@@ -22,7 +22,7 @@ class StrippedFrames final : public FrameMaker {
 
   /// A strip that was rendered and recorded.
   struct MadeStrip {
-    FrameStrip number;
+    StripNumber number;
     FrameReport report;
   };
 

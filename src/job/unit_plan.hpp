@@ -20,7 +20,7 @@ struct PlannedUnit {
 struct UnitPlan {
   int segment = 1;  ///< frames_per_segment
   std::vector<PlannedUnit> units;
-  std::optional<FrameCosts> costs = {};
+  std::optional<JobCosts> costs = {};
   std::optional<double> join_bytes =
       {};  ///< the memory that joining a frame from strips takes, about; none: not known, or none is
 };

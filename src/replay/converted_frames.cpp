@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void write_report(const fs::path& path, const RenderedFrames& frames, const FrameConversion& conversion) {
+void write_report(const fs::path& path, const RenderedFrames& frames, const PictureConversion& conversion) {
   nlohmann::ordered_json made{{"from", conversion.in.string()}};
   made.update(conversion.made());
   const nlohmann::ordered_json report{
@@ -33,7 +33,8 @@ void make_other_folder(const fs::path& folder, const fs::path& in) {
 
 }  // namespace
 
-std::vector<fs::path> convert_frames(const RenderedFrames& frames, const FrameConversion& conversion, const Context& context) {
+std::vector<fs::path> convert_frames(const RenderedFrames& frames, const PictureConversion& conversion,
+                                     const Context& context) {
   const fs::path from = frames.files.front().parent_path();
   make_other_folder(conversion.out, from.empty() ? "." : from);
   std::vector<fs::path> written;

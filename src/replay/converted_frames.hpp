@@ -11,7 +11,7 @@
 
 namespace lippmann {
 
-struct FrameConversion {
+struct PictureConversion {
   std::filesystem::path in, out;  ///< out: a folder, pictures of the same names
   Optics optics;                  ///< those that the converted pictures are for
   std::function<Picture(const Picture&)> convert;
@@ -20,7 +20,7 @@ struct FrameConversion {
 
 /// Codes are written as .png, floats as they come. Returns what was written, report.json last. Throws Error; an `out` that is
 /// the folder of the frames is refused. Stops between frames when context.cancelled is set.
-std::vector<std::filesystem::path> convert_frames(const RenderedFrames& frames, const FrameConversion& conversion,
+std::vector<std::filesystem::path> convert_frames(const RenderedFrames& frames, const PictureConversion& conversion,
                                                   const Context& context);
 
 }  // namespace lippmann

@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "core/folder.hpp"
 #include "layout/light_field_source.hpp"
 #include "layout/rgbd_name.hpp"
+#include "layout/rgbd_picture.hpp"
 #include "layout/rgbd_side_file.hpp"
 #include "layout/view_files.hpp"
 #include "lippmann/core/error.hpp"
@@ -16,7 +20,6 @@
 #include "lippmann/replay/light_field_frames.hpp"
 #include "replay/depth_views.hpp"
 #include "replay/lens_interlace.hpp"
-#include "replay/rgbd_frames.hpp"
 #include "video/video_reader.hpp"
 
 namespace lippmann {
@@ -24,16 +27,66 @@ namespace {
 
 namespace fs = std::filesystem;
 
+struct RgbdFrame {
+  fs::path name;     ///< a file's name; a video's frames are called frame_0000.png, frame_0001.png, ...
+  LightField field;  ///< one view with depth
+};
+
+/// The frames of RGB-D pictures or of an RGB-D video, read one at a time.
+class RgbdFrames {
+ public:
+  /// `in`: a picture, a folder of frame_*_rgbd.png, or a video, whose side file describes all of its frames. Throws Error if
+  /// there is no such file, or no frame in the folder.
+  RgbdFrames(const fs::path& in, const FormatOptions& options);
+
+  /// The next frame; none after the last one. Throws Error naming the file, and of videos the frame.
+  std::optional<RgbdFrame> next();
+
+  /// The file whose side file says how deep the first frame is.
+  const fs::path& first() const { return files_.front(); }
+  /// Whether `in` is one picture, not a sequence of them.
+  bool is_one_picture() const { return one_; }
+
+ private:
+  std::optional<RgbdFrame> next_of_video();
+
+  std::vector<fs::path> files_;
+  FormatOptions options_;
+  bool one_;
+  std::optional<VideoReader> video_;
+  std::size_t count_ = 0;  ///< how many have been read
+};
+
+RgbdFrames::RgbdFrames(const fs::path& in, const FormatOptions& options)
+    : files_(light_fields_in(in, "rgbd")), options_(options), one_(files_.front() == in && !is_video_name(in)) {
+  if (files_.front() == in && is_video_name(in)) video_.emplace(in);
+}
+
+std::optional<RgbdFrame> RgbdFrames::next() {
+  if (video_) return next_of_video();
+  if (count_ == files_.size()) return std::nullopt;
+  const fs::path& file = files_[count_++];
+  return RgbdFrame{file.filename(), rgbd_format().read(file, options_)};
+}
+
+std::optional<RgbdFrame> RgbdFrames::next_of_video() {
+  std::optional<Image8> picture = video_->next();
+  if (!picture) return std::nullopt;
+  const std::string where = fmt::format("{}, frame {}", first().string(), count_);
+  return RgbdFrame{fmt::format("frame_{:04}.png", count_++),
+                   light_field_of_rgbd(*std::exchange(picture, {}), first(), where, options_)};
+}
+
 /// A sheet of lenses, or an array of them, whose pixels have no calibration.
 bool has_lenses(const Display& display) { return display.kind != DisplayKind::kSlantedPanel; }
 
 /// Whether what is wanted is the picture behind the display's lenses, not views.
-bool is_behind_lenses(const DepthFramesParams& params) {
+bool is_behind_lenses(const DepthConversion& params) {
   return params.to == "integral" && params.options.display && has_lenses(*params.options.display);
 }
 
 /// Two eyes before the screen of the picture, or the display's.
-Optics eyes_optics(const LightField& source, const DepthFramesParams& params) {
+Optics eyes_optics(const LightField& source, const DepthConversion& params) {
   const ViewCameras& camera = *source.cameras;
   MultiView eyes{2, 1};
   eyes.baseline_mm = static_cast<float>(params.ipd_mm);
@@ -54,7 +107,7 @@ Optics views_for(Display display, const std::optional<ViewGrid>& views) {
 }
 
 /// Views of the picture's own size before its own screen.
-Optics own_views(const LightField& source, const DepthFramesParams& params) {
+Optics own_views(const LightField& source, const DepthConversion& params) {
   LightField wanted;
   wanted.grid = params.options.views.value_or(ViewGrid{48, 1});
   wanted.view_size = source.view_size, wanted.aspect = source.aspect;
@@ -71,7 +124,7 @@ Optics own_views(const LightField& source, const DepthFramesParams& params) {
   return optics;
 }
 
-Optics wanted_optics(const LightField& source, const DepthFramesParams& params) {
+Optics wanted_optics(const LightField& source, const DepthConversion& params) {
   if (params.to == "stereo") return eyes_optics(source, params);
   if (is_behind_lenses(params)) return lens_views(*params.options.display, params.options.views);
   if (params.options.display) return views_for(*params.options.display, params.options.views);
@@ -79,7 +132,7 @@ Optics wanted_optics(const LightField& source, const DepthFramesParams& params) 
 }
 
 /// Says what nothing says.
-void warn_of_assumptions(const fs::path& first, const DepthFramesParams& params, const Context& context) {
+void warn_of_assumptions(const fs::path& first, const DepthConversion& params, const Context& context) {
   if (read_rgbd_side_file(first)) return;
   const DepthRange range = params.options.depth_range.value_or(DepthRange{});
   context.warning(
@@ -88,14 +141,14 @@ void warn_of_assumptions(const fs::path& first, const DepthFramesParams& params,
                   first.string(), range.far_mm, range.near_mm));
 }
 
-fs::path path_for(const DepthFramesParams& params, const LightFieldFormat& to, const fs::path& name, bool one,
+fs::path path_for(const DepthConversion& params, const LightFieldFormat& to, const fs::path& name, bool one,
                   const Picture& stack) {
   fs::path path = one ? params.out : params.out / without_rgbd_name(name).stem();
   if (!to.is_folder && (!one || !path.has_extension())) path += std::string(".") + exact_ending(stack);
   return path;
 }
 
-std::vector<fs::path> write_frame(const LightField& field, const fs::path& path, const DepthFramesParams& params,
+std::vector<fs::path> write_frame(const LightField& field, const fs::path& path, const DepthConversion& params,
                                   const ThreadPool& pool) {
   const LightFieldFormat& to = find_format(params.to, "to");
   if (!is_behind_lenses(params)) return to.write(field, path, params.options);
@@ -116,7 +169,7 @@ bool is_rgbd(const fs::path& in) {
   return has_rgbd_name(first) || read_rgbd_side_file(first);
 }
 
-DepthFrames convert_depth_frames(const DepthFramesParams& params, const Context& context) {
+ConvertedDepth convert_depth_frames(const DepthConversion& params, const Context& context) {
   const LightFieldFormat& to = find_format(params.to, "to");
   if (is_video_name(params.out))
     throw Error(params.out.string(), "is a video's name; frames are written as pictures",
@@ -125,7 +178,7 @@ DepthFrames convert_depth_frames(const DepthFramesParams& params, const Context&
   const bool one = frames.is_one_picture();
   const ThreadPool pool(resolved_threads(context));
   warn_of_assumptions(frames.first(), params, context);
-  DepthFrames made;
+  ConvertedDepth made;
   double filled = 0.0;
   const NewFolder folder(one ? params.out.parent_path() : params.out);
   int count = 0;

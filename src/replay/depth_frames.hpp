@@ -12,7 +12,7 @@
 
 namespace lippmann {
 
-struct DepthFramesParams {
+struct DepthConversion {
   std::filesystem::path in;    ///< a picture, a folder of frame_*_rgbd.png, or a video
   std::filesystem::path out;   ///< as of convert (layout/convert.hpp)
   std::string to;              ///< a format
@@ -23,7 +23,7 @@ struct DepthFramesParams {
   double depth_scale = 1.0;                   ///< shown depth / coded depth
 };
 
-struct DepthFrames {
+struct ConvertedDepth {
   std::vector<std::filesystem::path> written;
   ViewGrid views;
   Vec2i view_size{0, 0};
@@ -35,6 +35,6 @@ bool is_rgbd(const std::filesystem::path& in);
 
 /// Codes stay codes of as many bits. Says what is assumed of pictures without a side file. Throws Error naming the file or
 /// parameter.
-DepthFrames convert_depth_frames(const DepthFramesParams& params, const Context& context);
+ConvertedDepth convert_depth_frames(const DepthConversion& params, const Context& context);
 
 }  // namespace lippmann

@@ -8,15 +8,15 @@
 
 namespace lippmann {
 
-PrecompensatedFrames precompensate_frames(const PrecompensateParams& params, const Context& context) {
+Precompensated precompensate_frames(const PrecompensateParams& params, const Context& context) {
   constexpr const char* kFlag = "precompensate";
   RenderedFrames frames =
       params.optics ? RenderedFrames{*params.optics, pictures_of(params.in)} : find_rendered_frames(params.in);
   Image nothing;
   precompensate(frames.optics, params.sigma_px, kFlag, nothing);  // refuses before anything is written
-  PrecompensatedFrames result;
+  Precompensated result;
   Precompensation& bound = result.bound;
-  FrameConversion conversion{params.in, params.out, frames.optics, {}, {}};
+  PictureConversion conversion{params.in, params.out, frames.optics, {}, {}};
   conversion.convert = [&](const Picture& picture) {
     Image light = to_linear(picture);
     const Precompensation done = precompensate(frames.optics, params.sigma_px, kFlag, light);

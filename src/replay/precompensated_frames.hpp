@@ -17,13 +17,13 @@ struct PrecompensateParams {
   std::optional<Optics> optics = {};  ///< those that the pictures are for; none: as the report.json beside them says
 };
 
-struct PrecompensatedFrames {
+struct Precompensated {
   std::vector<std::filesystem::path> written;  ///< report.json last
   Precompensation bound;                       ///< the mean share clipped, the largest residual of any
 };
 
 /// Codes become codes of as many bits. Throws Error naming the flag or file. Stops between frames when context.cancelled is
 /// set.
-PrecompensatedFrames precompensate_frames(const PrecompensateParams& params, const Context& context);
+Precompensated precompensate_frames(const PrecompensateParams& params, const Context& context);
 
 }  // namespace lippmann

@@ -105,13 +105,13 @@ LightField stereo_views(const RenderedPanel& panel, Vec3d eye_mm, double ipd_mm,
   return field;
 }
 
-StereoFrames convert_to_stereo(const StereoParams& params, const Context& context) {
+ConvertedStereo convert_to_stereo(const StereoParams& params, const Context& context) {
   const LightFieldFrames frames = find_light_field_frames(params.in, with_warnings(params.field, context));
   const EyePair eyes = eye_pair(params, frames.optics);
   const ThreadPool pool(resolved_threads(context));
   const bool pair = is_pair(frames.optics), one = frames.files.size() == 1 && frames.files.front() == params.in;
   if (pair) refuse_eyes(params);
-  StereoFrames made;
+  ConvertedStereo made;
   if (!pair && !frames.assumption.empty()) context.warning(frames.assumption);
   if (!pair) made.out_of_zone = warn_out_of_zone(frames.optics, eyes, context);
   FormatOptions reading, writing;

@@ -25,7 +25,7 @@ struct StereoParams {
   std::optional<double> screen_width_mm = {};  ///< on which the light field is shown; none: as wide as its optics say
 };
 
-struct StereoFrames {
+struct ConvertedStereo {
   std::vector<std::filesystem::path> written;
   Vec2i view_size{0, 0};     ///< a whole view's
   double out_of_zone = 0.0;  ///< the larger share of the display through which an eye sees another zone (eye_sampler.hpp)
@@ -34,7 +34,7 @@ struct StereoFrames {
 /// The views of a light field of two views are taken as they are; then lengths and an angle are errors. Warns of eyes out of
 /// the viewing zone. Throws Error naming the file or parameter. When context.cancelled is set, it stops at once: pictures that
 /// are finished stay, the one under way leaves nothing.
-StereoFrames convert_to_stereo(const StereoParams& params, const Context& context);
+ConvertedStereo convert_to_stereo(const StereoParams& params, const Context& context);
 
 /// What two eyes see of one panel, as a light field of 2 views; they are `ipd_mm` apart around `eye_mm`. Unfinished when
 /// `context` is cancelled.

@@ -72,7 +72,7 @@ void InBetweenMaker::prepare(PointImage& frame, const ThreadPool& pool) const {
   if (sampler_) sampler_->find_contrast(frame, pool);
 }
 
-InBetweenCounts InBetweenMaker::make(const BetweenFrames& between, bool as_source, const TracePixels& trace,
+InBetweenCounts InBetweenMaker::make(const SourcePair& between, bool as_source, const TracePixels& trace,
                                      const ThreadPool& pool, PointImage& frame) {
   const auto& [previous, following, position] = between;
   const Motion from_previous = motion_between(groups_, previous.moment, frame.moment);
@@ -104,7 +104,7 @@ InBetweenCounts InBetweenMaker::make(const BetweenFrames& between, bool as_sourc
   return counts;
 }
 
-void InBetweenMaker::predict(const BetweenFrames& between, const ThreadPool& pool, PointImage& frame, InBetweenCounts& counts) {
+void InBetweenMaker::predict(const SourcePair& between, const ThreadPool& pool, PointImage& frame, InBetweenCounts& counts) {
   const auto& [previous, following, position] = between;
   const Motion from_previous = motion_between(groups_, previous.moment, frame.moment);
   const Motion from_following = motion_between(groups_, following.moment, frame.moment);
@@ -129,7 +129,7 @@ void InBetweenMaker::predict(const BetweenFrames& between, const ThreadPool& poo
                                    uncertainty_);
 }
 
-FloorLesson InBetweenMaker::learn_floor(const BetweenFrames& between, int number, const PointImage& traced,
+FloorLesson InBetweenMaker::learn_floor(const SourcePair& between, int number, const PointImage& traced,
                                         const ThreadPool& pool) {
   PointImage predicted;
   predicted.moment = traced.moment;
@@ -140,7 +140,7 @@ FloorLesson InBetweenMaker::learn_floor(const BetweenFrames& between, int number
                                pool);
 }
 
-FloorOutcome InBetweenMaker::make_to_floor(const BetweenFrames& between, int number, const Evidence& learned,
+FloorOutcome InBetweenMaker::make_to_floor(const SourcePair& between, int number, const Evidence& learned,
                                            const TracePackets& trace, const ThreadPool& pool, PointImage& frame,
                                            InBetweenCounts& counts) {
   predict(between, pool, frame, counts);

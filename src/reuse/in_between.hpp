@@ -38,7 +38,7 @@ struct InBetweenCounts {
 };
 
 /// Where a frame lies between the two that it is made from.
-struct BetweenFrames {
+struct SourcePair {
   const PointImage& previous;
   const PointImage& following;
   float position;  ///< the share of the way from the previous to the following one, 0 ... 1
@@ -54,16 +54,16 @@ class InBetweenMaker {
   void prepare(PointImage& frame, const ThreadPool& pool) const;
 
   /// Makes the frame at frame.moment: its film and, where wanted, all that makes it a source in turn.
-  InBetweenCounts make(const BetweenFrames& between, bool as_source, const TracePixels& trace, const ThreadPool& pool,
+  InBetweenCounts make(const SourcePair& between, bool as_source, const TracePixels& trace, const ThreadPool& pool,
                        PointImage& frame);
 
   /// Predicts the film of a frame that is known, and tells what that teaches about others between the same two. `number` is the
   /// frame's in its animation; rays of the previous frame are counted.
-  FloorLesson learn_floor(const BetweenFrames& between, int number, const PointImage& traced, const ThreadPool& pool);
+  FloorLesson learn_floor(const SourcePair& between, int number, const PointImage& traced, const ThreadPool& pool);
 
   /// Makes the film of the frame so that its PSNR keeps to params.floor, or finds that it is better traced as a whole: then
   /// film is of no use.
-  FloorOutcome make_to_floor(const BetweenFrames& between, int number, const Evidence& learned, const TracePackets& trace,
+  FloorOutcome make_to_floor(const SourcePair& between, int number, const Evidence& learned, const TracePackets& trace,
                              const ThreadPool& pool, PointImage& frame, InBetweenCounts& counts);
 
  private:
@@ -71,7 +71,7 @@ class InBetweenMaker {
   /// Of a frame of which missed_ were missed, which now come from `missed`.
   void tell_provenance(Provenance missed, PointImage& frame) const;
   /// Fills frame.film and uncertainty_.
-  void predict(const BetweenFrames& between, const ThreadPool& pool, PointImage& frame, InBetweenCounts& counts);
+  void predict(const SourcePair& between, const ThreadPool& pool, PointImage& frame, InBetweenCounts& counts);
 
   ForwardParams params_;
   Vec2i film_size_;

@@ -64,7 +64,7 @@ std::uint64_t pixels_in(const Patches& patches, std::span<const std::uint8_t> wa
 
 }  // namespace
 
-FloorLesson learn_floor(const FloorParams& params, const PredictedFrame& frame, const Image& predicted, const Image& traced,
+FloorLesson learn_floor(const FloorParams& params, const Predicted& frame, const Image& predicted, const Image& traced,
                         const ThreadPool& pool) {
   const Patches& patches = frame.patches;
   std::vector<std::uint8_t> uncertainty;
@@ -87,8 +87,8 @@ FloorLesson learn_floor(const FloorParams& params, const PredictedFrame& frame, 
   return lesson;
 }
 
-FloorOutcome hold_floor(const FloorParams& params, const PredictedFrame& frame, const Evidence& learned,
-                        const TracePackets& trace, const ThreadPool& pool, Image& film) {
+FloorOutcome hold_floor(const FloorParams& params, const Predicted& frame, const Evidence& learned, const TracePackets& trace,
+                        const ThreadPool& pool, Image& film) {
   const Patches& patches = frame.patches;
   std::vector<std::uint8_t> uncertainty;
   patches.root_mean_squares(frame.uncertainty, pool, uncertainty);

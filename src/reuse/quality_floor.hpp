@@ -28,7 +28,7 @@ struct FloorParams {
 inline constexpr double kMostCost = 0.9;
 
 /// What is known of a predicted frame but its film.
-struct PredictedFrame {
+struct Predicted {
   int number;                                 ///< in the animation
   std::span<const std::uint8_t> uncertainty;  ///< by pixel
   const Patches& patches;                     ///< which its pixels are divided into
@@ -42,7 +42,7 @@ struct FloorLesson {
   double cost = 1.0;  ///< what tracing part of a frame like it would cost, held-out patches included; in traced frames
 };
 
-FloorLesson learn_floor(const FloorParams& params, const PredictedFrame& frame, const Image& predicted, const Image& traced,
+FloorLesson learn_floor(const FloorParams& params, const Predicted& frame, const Image& predicted, const Image& traced,
                         const ThreadPool& pool);
 
 struct FloorOutcome {
@@ -52,7 +52,7 @@ struct FloorOutcome {
 };
 
 /// `film` is the prediction, then the finished frame. `learned` is of a frame predicted over no shorter a time.
-FloorOutcome hold_floor(const FloorParams& params, const PredictedFrame& frame, const Evidence& learned,
-                        const TracePackets& trace, const ThreadPool& pool, Image& film);
+FloorOutcome hold_floor(const FloorParams& params, const Predicted& frame, const Evidence& learned, const TracePackets& trace,
+                        const ThreadPool& pool, Image& film);
 
 }  // namespace lippmann

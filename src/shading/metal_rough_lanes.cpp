@@ -34,7 +34,7 @@ LIPPMANN_MULTIVERSION void MetalRoughLanes::prepare_gloss(const GgxAlbedo& albed
     s.base_color = base_color_.get(i), s.specular_color = specular_color_.get(i);
     s.metallic = metallic_[i], s.roughness = roughness_[i], s.ior = ior_[i], s.specular = specular_[i];
     s.transmission = transmission_[i];
-    const MetalRoughBase b = metal_rough_base(s, albedo, lifted_view(Frame(gloss_normal_.get(i)).to_local(view_.get(i))));
+    const MetalRoughBase b = metal_rough_base(s, albedo, lifted_view(Basis(gloss_normal_.get(i)).to_local(view_.get(i))));
     local_view_.set(i, b.view);
     alpha_[i] = b.alpha;
     diffuse_color_.set(i, b.diffuse_color), diffuse_passes_.set(i, b.diffuse_passes);
@@ -63,7 +63,7 @@ LIPPMANN_INLINE BsdfValue MetalRoughLanes::evaluate(int i, const GgxAlbedo& albe
   const MetalRoughBase b = base(i);
   const float diffuse_share = diffuse_share_[i], gloss_share = gloss_share_[i];
   const float cosine = glm::dot(light, normal_.get(i));
-  const Vec3f local = Frame(gloss_normal_.get(i)).to_local(light);
+  const Vec3f local = Basis(gloss_normal_.get(i)).to_local(light);
   float of_gloss;
   const Vec3f diffuse = diffuse_cosine_f(b, albedo, cosine), gloss = gloss_cosine_f(b, local, of_gloss);
   const bool is_diffuse = (cosine > 0.0f) & (diffuse_share > 0.0f);
@@ -108,7 +108,7 @@ LIPPMANN_MULTIVERSION void MetalRoughLanes::evaluate_glass(const GgxAlbedo& albe
 LIPPMANN_MULTIVERSION void MetalRoughLanes::sample_lambert(const Lanes& lobe, const Lanes& u, const Lanes& v,
                                                            BsdfSampleLanes& samples) const {
   LIPPMANN_FOR_LANES(i) {
-    const Vec3f normal = normal_.get(i), direction = Frame(normal).to_world(sample_cosine({u[i], v[i]}));
+    const Vec3f normal = normal_.get(i), direction = Basis(normal).to_world(sample_cosine({u[i], v[i]}));
     const float cosine = glm::dot(direction, normal);
     const bool is_any = (cosine > 0.0f) & (lobe[i] < diffuse_share_[i]);
     const float density = is_any ? cosine * (1.0f / kPi) : 0.0f;
@@ -132,7 +132,7 @@ LIPPMANN_INLINE BsdfSample MetalRoughLanes::draw(int i, float lobe, Vec2f u, con
   const MetalRoughBase b = base(i);
   const float gloss_share = gloss_share_[i], below_gloss = diffuse_share_[i], below_glass = below_gloss + gloss_share;
   const bool is_diffuse = lobe < below_gloss, is_glossy = !is_diffuse & (lobe < below_glass);
-  const Vec3f scattered = Frame(normal_.get(i)).to_world(sample_cosine(u));
+  const Vec3f scattered = Basis(normal_.get(i)).to_world(sample_cosine(u));
   Vec3f light = mirrored(b.view, draw_facet(b, u));
   bool is_any = is_diffuse | (is_glossy & (light.z > 0.0f)), is_transmitted = false;
   Vec3f of_mirror = b.gloss_albedo / (gloss_share > 0.0f ? gloss_share : 1.0f);
@@ -149,7 +149,7 @@ LIPPMANN_INLINE BsdfSample MetalRoughLanes::draw(int i, float lobe, Vec2f u, con
                  is_glass ? of_glass * (is_transmitted ? part.tint.y : 1.0f) : of_mirror.y,
                  is_glass ? of_glass * (is_transmitted ? part.tint.z : 1.0f) : of_mirror.z};
   }
-  const Vec3f by_facet = Frame(gloss_normal_.get(i)).to_world(light);
+  const Vec3f by_facet = Basis(gloss_normal_.get(i)).to_world(light);
   const Vec3f direction(is_diffuse ? scattered.x : by_facet.x, is_diffuse ? scattered.y : by_facet.y,
                         is_diffuse ? scattered.z : by_facet.z);
   const bool is_delta = !is_diffuse & b.is_smooth();

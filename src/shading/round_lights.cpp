@@ -42,7 +42,7 @@ Vec3f direction_in(const Cone& cone, Vec2f u) {
   const float share = std::min(glm::dot(d, d), 1.0f), height = cone.one_minus_cos * share;  // 1 - cosine
   // sine = sqrt(height (2 - height)) along d / |d| = d / sqrt(share)
   const float scale = std::sqrt(std::max(0.0f, cone.one_minus_cos * (2.0f - height)));
-  return glm::normalize(Frame(cone.axis).to_world({scale * d.x, scale * d.y, 1.0f - height}));
+  return glm::normalize(Basis(cone.axis).to_world({scale * d.x, scale * d.y, 1.0f - height}));
 }
 
 /// The way to a sphere along a direction that meets it, or passes it by a rounding error; from within, to where it is left.

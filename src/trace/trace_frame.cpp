@@ -129,7 +129,7 @@ RayCounts trace_noisy_frame(const Shot& shot, const TraceParams& params, const W
   return counts;
 }
 
-RayCounts trace_frame(const Shot& shot, const TraceParams& params, const Workers& workers, const FrameTargets& into,
+RayCounts trace_frame(const Shot& shot, const TraceParams& params, const Workers& workers, const TraceTargets& into,
                       SampleShare share) {
   const ShadedScene& scene = shot.device.shaded();
   const Vec2i size = film_size(shot);

@@ -33,7 +33,7 @@ struct TraceParams {
 };
 
 /// What a traced frame goes into.
-struct FrameTargets {
+struct TraceTargets {
   Image& film;                       ///< becomes 3 channels, linear, as large as film_size(shot) says
   FrameAovs* aovs = nullptr;         ///< layers of light (paths only; find_first_hits, trace/first_hits.hpp, finds others)
   PrimaryPoints* points = nullptr;   ///< first hits behind the pixels' centres: free at one sample per pixel, else a pass
@@ -43,7 +43,7 @@ struct FrameTargets {
 /// Traces a frame. The same bits for any number of threads. Returns early, film unfinished, when the context is cancelled.
 /// share: of the samples, all of which weigh as much; the first share clears the film, others add to it, in order, and with the
 /// last the film and its layers of light are done. Points and touched blocks are of all samples only.
-RayCounts trace_frame(const Shot& shot, const TraceParams& params, const Workers& workers, const FrameTargets& into,
+RayCounts trace_frame(const Shot& shot, const TraceParams& params, const Workers& workers, const TraceTargets& into,
                       SampleShare share = {});
 
 /// Traces the blocks of a frame for which `wanted` (by block, as in TouchedBlocks) is not 0, to the same bits as trace_frame;

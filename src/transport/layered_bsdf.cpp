@@ -17,14 +17,14 @@ Vec3f lifted(Vec3f local) {
 }
 
 /// About `normal`, with x along the tangent where it has a direction across the normal.
-Frame frame_along(Vec3f normal, Vec3f tangent) {
-  Frame frame(normal);
+Basis basis_along(Vec3f normal, Vec3f tangent) {
+  Basis basis(normal);
   const Vec3f across = tangent - normal * glm::dot(normal, tangent);
   const float length = glm::length(across);
-  if (!(length > 1e-6f * glm::length(tangent))) return frame;
-  frame.x = across / length;
-  frame.y = glm::cross(normal, frame.x);
-  return frame;
+  if (!(length > 1e-6f * glm::length(tangent))) return basis;
+  basis.x = across / length;
+  basis.y = glm::cross(normal, basis.x);
+  return basis;
 }
 
 /// Khronos Group, KHR_materials_anisotropy.
@@ -44,8 +44,8 @@ LayeredBsdf::LayeredBsdf(const LayeredSurface& s, const GgxAlbedo& albedo, const
     : surface_(s),
       albedo_(albedo),
       ahead_(-view),
-      frame_(s.anisotropy > 0.0f ? frame_along(normals.diffuse, tangent) : Frame(normals.diffuse)),
-      gloss_frame_(frame_),
+      basis_(s.anisotropy > 0.0f ? basis_along(normals.diffuse, tangent) : Basis(normals.diffuse)),
+      gloss_basis_(basis_),
       glossy_apart_(normals.gloss != normals.diffuse),
       is_smooth_(s.anisotropy == 0.0f && is_mirror(squared(s.base.roughness))),
       ggx_(facets_of(s)),
@@ -58,8 +58,8 @@ LayeredBsdf::LayeredBsdf(const LayeredSurface& s, const GgxAlbedo& albedo, const
       diffuse_color_(matt_ * (1.0f - s.diffuse_transmission) * s.base.base_color),
       through_color_(matt_ * s.diffuse_transmission * s.diffuse_transmission_color),
       most_sheen_(most(s.sheen_color)) {
-  if (glossy_apart_) gloss_frame_ = s.anisotropy > 0.0f ? frame_along(normals.gloss, tangent) : Frame(normals.gloss);
-  view_ = lifted(gloss_frame_.to_local(view));
+  if (glossy_apart_) gloss_basis_ = s.anisotropy > 0.0f ? basis_along(normals.gloss, tangent) : Basis(normals.gloss);
+  view_ = lifted(gloss_basis_.to_local(view));
   set_gloss();
   if (glass_share_ > 0.0f && !is_smooth_) {
     const Vec3f single = single_albedo(view_);
@@ -68,8 +68,8 @@ LayeredBsdf::LayeredBsdf(const LayeredSurface& s, const GgxAlbedo& albedo, const
   }
   if (most_sheen_ > 0.0f) sheen_passes_ = passes_sheen(view_.z);
   if (s.base.clearcoat > 0.0f) {
-    coat_frame_ = Frame(normals.coat);
-    coat_view_ = lifted(coat_frame_.to_local(view));
+    coat_basis_ = Basis(normals.coat);
+    coat_view_ = lifted(coat_basis_.to_local(view));
     set_coat();
   }
   set_shares();
@@ -171,7 +171,7 @@ void LayeredBsdf::set_shares() {
 }
 
 Vec3f LayeredBsdf::evaluate_diffuse(Vec3f light_world) const {
-  const Vec3f light = frame_.to_local(light_world);
+  const Vec3f light = basis_.to_local(light_world);
   if (!(light.z > 0.0f)) return Vec3f(0.0f);
   const Vec3f to_viewer = sheen_passes_ * gloss_passes_, both = below_sheen(light) * below_gloss(light);
   const float cosine = light.z * (1.0f / kPi);
@@ -182,7 +182,7 @@ Vec3f LayeredBsdf::evaluate_diffuse(Vec3f light_world) const {
 }
 
 bool LayeredBsdf::has_coat_apart() const {
-  return surface_.base.clearcoat > 0.0f && !is_mirror(coat_alpha_) && coat_frame_.z != frame_.z;
+  return surface_.base.clearcoat > 0.0f && !is_mirror(coat_alpha_) && coat_basis_.z != basis_.z;
 }
 
 void LayeredBsdf::add_diffuse(Vec3f light, BsdfValue& value) const {
@@ -244,7 +244,7 @@ void LayeredBsdf::add_coat(Vec3f light, BsdfValue& value) const {
 
 /// Light that comes through does so behind the normals of both the diffuse part and the gloss.
 BsdfValue LayeredBsdf::evaluate(Vec3f light_world) const {
-  const Vec3f local = frame_.to_local(light_world), light = local_to_gloss(light_world, local);
+  const Vec3f local = basis_.to_local(light_world), light = local_to_gloss(light_world, local);
   BsdfValue value, under_sheen;
   value.transmitted = scatters_through() && local.z < 0.0f && light.z < 0.0f;
   if (local.z > 0.0f || value.transmitted) {
@@ -259,14 +259,14 @@ BsdfValue LayeredBsdf::evaluate(Vec3f light_world) const {
     if (most_sheen_ > 0.0f && light.z > 0.0f) add_sheen(light, value);
   }
   value.cosine_f *= below_coat_;
-  if (surface_.base.clearcoat > 0.0f && !is_mirror(coat_alpha_)) add_coat(coat_frame_.to_local(light_world), value);
+  if (surface_.base.clearcoat > 0.0f && !is_mirror(coat_alpha_)) add_coat(coat_basis_.to_local(light_world), value);
   return value;
 }
 
 bool LayeredBsdf::draw_gloss(Vec2f u, BsdfSample& s) const {
   const Vec3f light = mirrored(view_, is_smooth_ ? kAbove : ggx_.sample_visible(view_, u));
   if (!(light.z > 0.0f)) return false;
-  s.direction = gloss_frame_.to_world(light);
+  s.direction = gloss_basis_.to_world(light);
   if (is_smooth_) s.density = kInfinity, s.weight = below_coat_ * below_sheen(light) / shares_.gloss * gloss_albedo_;
   return true;
 }
@@ -285,7 +285,7 @@ bool LayeredBsdf::draw_glass(float decision, Vec2f u, BsdfSample& s) const {
   Vec3f light = mirrored(view_, normal);
   if (s.transmitted) light = surface_.is_thin ? flipped(light) : refracted_away(view_, normal, eta_);
   if (light.z == 0.0f || (light.z < 0.0f) != s.transmitted) return false;
-  s.direction = gloss_frame_.to_world(light);
+  s.direction = gloss_basis_.to_world(light);
   if (!is_smooth_) return true;
   const float chance = shares_.glass * (s.transmitted ? 1.0f - facet.chance : facet.chance);
   s.density = kInfinity;
@@ -308,7 +308,7 @@ bool LayeredBsdf::draw_coat(Vec2f u, BsdfSample& s) const {
   const bool smooth = is_mirror(coat_alpha_);
   const Vec3f light = mirrored(coat_view_, smooth ? kAbove : Ggx{coat_alpha_}.sample_visible(coat_view_, u));
   if (!(light.z > 0.0f)) return false;
-  s.direction = coat_frame_.to_world(light);
+  s.direction = coat_basis_.to_world(light);
   if (smooth) s.density = kInfinity, s.weight = Vec3f((1.0f - below_coat_) / shares_.coat);
   return true;
 }
@@ -316,17 +316,17 @@ bool LayeredBsdf::draw_coat(Vec2f u, BsdfSample& s) const {
 /// A direction; weight and density left open but of Dirac's lobes. False where the surface takes all.
 bool LayeredBsdf::draw(float lobe, Vec2f u, BsdfSample& s) const {
   if (lobe < shares_.diffuse) {
-    s.direction = frame_.to_world(sample_cosine(u));
+    s.direction = basis_.to_world(sample_cosine(u));
     return true;
   }
   if ((lobe -= shares_.diffuse) < shares_.through) {
-    s.direction = frame_.to_world(flipped(sample_cosine(u)));
+    s.direction = basis_.to_world(flipped(sample_cosine(u)));
     s.transmitted = true;
-    return !glossy_apart_ || glm::dot(s.direction, gloss_frame_.z) < 0.0f;
+    return !glossy_apart_ || glm::dot(s.direction, gloss_basis_.z) < 0.0f;
   }
   if ((lobe -= shares_.through) < shares_.sheen) {
     const float radius = std::sqrt(std::max(0.0f, 1.0f - u.x * u.x)), angle = 2.0f * kPi * u.y;
-    s.direction = gloss_frame_.to_world({radius * std::cos(angle), radius * std::sin(angle), u.x});
+    s.direction = gloss_basis_.to_world({radius * std::cos(angle), radius * std::sin(angle), u.x});
     return u.x > 0.0f;
   }
   if ((lobe -= shares_.sheen) < shares_.gloss) return draw_gloss(u, s);

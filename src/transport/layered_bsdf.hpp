@@ -43,7 +43,7 @@ class LayeredBsdf {
   /// The diffuse part that is reflected, as MetalRoughBsdf's.
   Vec3f diffuse_albedo() const { return below_coat_ * sheen_passes_ * gloss_passes_ * diffuse_color_; }
   Vec3f evaluate_diffuse(Vec3f light) const;
-  Vec3f normal() const { return frame_.z; }
+  Vec3f normal() const { return basis_.z; }
   /// What passes a smooth thin wall straight on, a Dirac lobe of sample(); 0 of all else.
   Vec3f straight() const;
   bool scatters_through() const { return glass_share_ > 0.0f || through_color_ != Vec3f(0.0f); }
@@ -74,7 +74,7 @@ class LayeredBsdf {
   float below_sheen(Vec3f light) const;
   GlassFacet glass_facet(float cosine) const;
 
-  Vec3f local_to_gloss(Vec3f world, Vec3f local) const { return glossy_apart_ ? gloss_frame_.to_local(world) : local; }
+  Vec3f local_to_gloss(Vec3f world, Vec3f local) const { return glossy_apart_ ? gloss_basis_.to_local(world) : local; }
   void add_diffuse(Vec3f light, BsdfValue& value) const;
   void add_gloss(Vec3f light, BsdfValue& value) const;
   void add_glass(Vec3f light, BsdfValue& value) const;
@@ -89,11 +89,11 @@ class LayeredBsdf {
   LayeredSurface surface_;
   const GgxAlbedo& albedo_;
   Vec3f ahead_;             ///< from the viewer to the point and on
-  Frame frame_;             ///< of the diffuse part; x along the tangent
-  Frame gloss_frame_;       ///< of all else below the coat
-  Frame coat_frame_;        ///< set where there is one
-  bool glossy_apart_;       ///< the gloss has a frame of its own
-  Vec3f view_, coat_view_;  ///< local to gloss_frame_ and coat_frame_
+  Basis basis_;             ///< of the diffuse part; x along the tangent
+  Basis gloss_basis_;       ///< of all else below the coat
+  Basis coat_basis_;        ///< set where there is one
+  bool glossy_apart_;       ///< the gloss has a basis of its own
+  Vec3f view_, coat_view_;  ///< local to gloss_basis_ and coat_basis_
   bool is_smooth_;
   AnisotropicGgx ggx_;
   float coat_alpha_, eta_;

@@ -22,7 +22,7 @@ struct MetalRoughSurface {
   float clearcoat = 0.0f, clearcoat_roughness = 0.0f;
 };
 
-/// The base at one point, seen from one direction. Directions are local to the gloss's frame, but for those of diffuse light.
+/// The base at one point, seen from one direction. Directions are local to the gloss's basis, but for those of diffuse light.
 struct MetalRoughBase {
   Vec3f view;  ///< unit, towards the viewer
   float alpha;

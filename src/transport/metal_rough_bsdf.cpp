@@ -17,18 +17,18 @@ Vec3f half_vector(Vec3f a, Vec3f b) { return glm::normalize(a + b); }
 MetalRoughBsdf::MetalRoughBsdf(const MetalRoughSurface& s, const GgxAlbedo& albedo, const Normals& normals, Vec3f view,
                                bool entering)
     : albedo_(albedo),
-      frame_(normals.diffuse),
-      gloss_frame_(frame_),
+      basis_(normals.diffuse),
+      gloss_basis_(basis_),
       glossy_apart_(normals.gloss != normals.diffuse),
       coat_alpha_(squared(s.clearcoat_roughness)),
       glass_{s.base_color, (1.0f - s.metallic) * s.transmission, entering ? s.ior : 1.0f / s.ior} {
-  if (glossy_apart_) gloss_frame_ = Frame(normals.gloss);
-  base_ = metal_rough_base(s, albedo, lifted_view(gloss_frame_.to_local(view)));
+  if (glossy_apart_) gloss_basis_ = Basis(normals.gloss);
+  base_ = metal_rough_base(s, albedo, lifted_view(gloss_basis_.to_local(view)));
   if (glass_.share > 0.0f && !base_.is_smooth())
     glass_.compensation = 1.0f / albedo.glass().single(base_.view.z, base_.alpha, glass_.eta);
   if (s.clearcoat > 0.0f) {
-    coat_frame_ = Frame(normals.coat);
-    coat_view_ = lifted_view(coat_frame_.to_local(view));
+    coat_basis_ = Basis(normals.coat);
+    coat_view_ = lifted_view(coat_basis_.to_local(view));
     set_coat(s);
   }
   set_shares();
@@ -50,12 +50,12 @@ void MetalRoughBsdf::set_shares() {
 }
 
 Vec3f MetalRoughBsdf::evaluate_diffuse(Vec3f light_world) const {
-  const float cosine = glm::dot(light_world, frame_.z);
+  const float cosine = glm::dot(light_world, basis_.z);
   if (!(cosine > 0.0f)) return Vec3f(0.0f);
   return cosine * (1.0f / kPi) * let_in(base_, albedo_, cosine) / base_.diffuse_passes;
 }
 
-bool MetalRoughBsdf::has_coat_apart() const { return coat_ > 0.0f && !smooth(coat_alpha_) && coat_frame_.z != frame_.z; }
+bool MetalRoughBsdf::has_coat_apart() const { return coat_ > 0.0f && !smooth(coat_alpha_) && coat_basis_.z != basis_.z; }
 
 void MetalRoughBsdf::add_gloss(Vec3f light, BsdfValue& value) const {
   float density;
@@ -83,7 +83,7 @@ void MetalRoughBsdf::add_coat(Vec3f light, BsdfValue& value) const {
 }
 
 BsdfValue MetalRoughBsdf::evaluate(Vec3f light_world) const {
-  const Vec3f local = frame_.to_local(light_world), light = local_to_gloss(light_world, local);
+  const Vec3f local = basis_.to_local(light_world), light = local_to_gloss(light_world, local);
   BsdfValue value;
   value.transmitted = scatters_through() && local.z < 0.0f && light.z < 0.0f;
   if (local.z > 0.0f && shares_.diffuse > 0.0f) {
@@ -92,7 +92,7 @@ BsdfValue MetalRoughBsdf::evaluate(Vec3f light_world) const {
   }
   if (light.z > 0.0f && shares_.gloss > 0.0f && !base_.is_smooth()) add_gloss(light, value);
   if (shares_.glass > 0.0f && !base_.is_smooth()) add_glass(light, value);
-  if (coat_ > 0.0f && !smooth(coat_alpha_)) add_coat(coat_frame_.to_local(light_world), value);
+  if (coat_ > 0.0f && !smooth(coat_alpha_)) add_coat(coat_basis_.to_local(light_world), value);
   return value;
 }
 
@@ -100,7 +100,7 @@ BsdfValue MetalRoughBsdf::evaluate(Vec3f light_world) const {
 bool MetalRoughBsdf::sample_glass(float decision, Vec2f u, BsdfSample& s) const {
   float outward;
   const Vec3f light = draw_glass(glass_.eta, base_.view, draw_facet(base_, u), decision, s.transmitted, outward);
-  s.direction = gloss_frame_.to_world(light);
+  s.direction = gloss_basis_.to_world(light);
   if (base_.is_smooth()) {
     s.density = kInfinity;
     s.weight = (below_coat_ * glass_.share / shares_.glass) * (s.transmitted ? glass_.tint : Vec3f(1.0f));
@@ -113,12 +113,12 @@ bool MetalRoughBsdf::draw(float lobe, Vec2f u, BsdfSample& s) const {
   const float below_gloss = shares_.diffuse, below_glass = below_gloss + shares_.gloss,
               below_coat = below_glass + shares_.glass;
   if (lobe < below_gloss) {
-    s.direction = frame_.to_world(sample_cosine(u));
+    s.direction = basis_.to_world(sample_cosine(u));
     return true;
   }
   if (lobe < below_glass) {
     const Vec3f light = mirrored(base_.view, draw_facet(base_, u));
-    s.direction = gloss_frame_.to_world(light);
+    s.direction = gloss_basis_.to_world(light);
     if (base_.is_smooth()) s.density = kInfinity, s.weight = below_coat_ * base_.gloss_albedo / shares_.gloss;
     return light.z > 0.0f;
   }
@@ -129,7 +129,7 @@ bool MetalRoughBsdf::draw(float lobe, Vec2f u, BsdfSample& s) const {
 bool MetalRoughBsdf::draw_coat(Vec2f u, BsdfSample& s) const {
   const bool is_smooth = smooth(coat_alpha_);
   const Vec3f light = mirrored(coat_view_, is_smooth ? kUp : Ggx{coat_alpha_}.sample_visible(coat_view_, u));
-  s.direction = coat_frame_.to_world(light);
+  s.direction = coat_basis_.to_world(light);
   if (is_smooth) s.density = kInfinity, s.weight = Vec3f((1.0f - below_coat_) / shares_.coat);
   return light.z > 0.0f;
 }

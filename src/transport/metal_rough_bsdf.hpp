@@ -37,7 +37,7 @@ class MetalRoughBsdf {
   /// The diffuse part alone is their product: a colour, and cosine_f per colour.
   Vec3f diffuse_albedo() const { return below_coat_ * base_.diffuse_color * base_.diffuse_passes; }
   Vec3f evaluate_diffuse(Vec3f light) const;
-  Vec3f normal() const { return frame_.z; }
+  Vec3f normal() const { return basis_.z; }
   bool scatters_through() const { return glass_.share > 0.0f; }  ///< light from behind, Dirac's lobes included
   /// A rough coat has another normal than normal(), and may have light from where that looks away.
   bool has_coat_apart() const;
@@ -50,7 +50,7 @@ class MetalRoughBsdf {
   void set_coat(const MetalRoughSurface& s);
   void set_shares();
 
-  Vec3f local_to_gloss(Vec3f world, Vec3f local) const { return glossy_apart_ ? gloss_frame_.to_local(world) : local; }
+  Vec3f local_to_gloss(Vec3f world, Vec3f local) const { return glossy_apart_ ? gloss_basis_.to_local(world) : local; }
   void add_gloss(Vec3f light, BsdfValue& value) const;
   void add_glass(Vec3f light, BsdfValue& value) const;
   void add_coat(Vec3f light, BsdfValue& value) const;
@@ -60,10 +60,10 @@ class MetalRoughBsdf {
   bool draw_coat(Vec2f u, BsdfSample& s) const;
 
   const GgxAlbedo& albedo_;
-  Frame frame_, gloss_frame_, coat_frame_;  ///< the coat's are set where there is one
-  bool glossy_apart_;                       ///< the gloss has a frame of its own
+  Basis basis_, gloss_basis_, coat_basis_;  ///< the coat's are set where there is one
+  bool glossy_apart_;                       ///< the gloss has a basis of its own
   MetalRoughBase base_;
-  Vec3f coat_view_;  ///< local to coat_frame_
+  Vec3f coat_view_;  ///< local to coat_basis_
   float coat_alpha_;
   Glass glass_;
   float coat_ = 0.0f;

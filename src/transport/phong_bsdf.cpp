@@ -29,7 +29,7 @@ std::optional<BsdfSample> PhongBsdf::sample(float lobe, Vec2f u) const {
   BsdfSample s;
   if (lobe < diffuse_share_) {
     const Vec3f local = sample_cosine(u);
-    s.direction = Frame(normal_).to_world(local);
+    s.direction = Basis(normal_).to_world(local);
     s.weight = point_.diffuse / diffuse_share_;
     s.density = diffuse_share_ * local.z * (1.0f / kPi);
     if (!(s.density > 0.0f)) return std::nullopt;

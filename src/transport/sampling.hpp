@@ -9,9 +9,9 @@
 namespace lippmann {
 
 /// A right-handed orthonormal basis around z; local directions have z along it.
-struct Frame {
-  Frame() = default;  ///< not set
-  explicit Frame(Vec3f z_axis) : z(z_axis) {
+struct Basis {
+  Basis() = default;  ///< not set
+  explicit Basis(Vec3f z_axis) : z(z_axis) {
     const float sign = std::copysign(1.0f, z.z);
     const float a = -1.0f / (sign + z.z), b = z.x * z.y * a;
     x = {1.0f + sign * z.x * z.x * a, sign * b, -sign * z.x};

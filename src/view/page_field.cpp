@@ -16,6 +16,7 @@
 #include "lippmann/replay/eye_sampler.hpp"
 #include "view/disparity_codes.hpp"
 #include "view/near_edges.hpp"
+#include "view/running_render.hpp"
 #include "view/views_provenance.hpp"
 #include "view/within_folder.hpp"
 
@@ -80,7 +81,7 @@ PageField::PageField(fs::path in, LightFieldHints hints, const Context& context)
   }
 }
 
-PageField::PageField(const fs::path& folder, std::shared_ptr<const ComingFrames> coming, const Context& context)
+PageField::PageField(const fs::path& folder, std::shared_ptr<const RunningRender> coming, const Context& context)
     : root_(shown_root(folder)), pool_(resolved_threads(context)), coming_(std::move(coming)) {
   const Rendering rendering = read_rendering(folder / "report.json");
   if (rendering.mirrored)

@@ -16,14 +16,7 @@
 
 namespace lippmann {
 
-/// The frames of a render that is not finished: all are known by number, their files come one by one.
-class ComingFrames {
- public:
-  virtual ~ComingFrames() = default;
-  virtual const std::vector<int>& frames() const = 0;  ///< ascending, at least one
-  /// The file of the frame at that index; none until it is finished. Thread-safe.
-  virtual std::optional<std::filesystem::path> file(std::size_t index) const = 0;
-};
+class RunningRender;
 
 class PageField {
  public:
@@ -34,7 +27,7 @@ class PageField {
 
   /// What a render's folder will hold: its report says the optics, and whether there is depth. Throws Error naming it. A frame
   /// that has not come yet is an Error when it is asked for.
-  PageField(const std::filesystem::path& folder, std::shared_ptr<const ComingFrames> coming, const Context& context);
+  PageField(const std::filesystem::path& folder, std::shared_ptr<const RunningRender> coming, const Context& context);
 
   const PageFacts& facts() const { return facts_; }
 
@@ -64,7 +57,7 @@ class PageField {
   LightFieldFrames frames_;
   PageFacts facts_;
   ThreadPool pool_;
-  std::shared_ptr<const ComingFrames> coming_;  ///< null: all files are there
+  std::shared_ptr<const RunningRender> coming_;  ///< null: all files are there
 };
 
 }  // namespace lippmann

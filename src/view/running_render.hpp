@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "folder/render_state.hpp"
-#include "view/page_field.hpp"
+#include "layout/rendered.hpp"
 #include "view/tool_process.hpp"
 
 namespace lippmann {
@@ -27,18 +27,18 @@ namespace lippmann {
 bool is_unfinished_render(const std::filesystem::path& folder);
 
 /// Thread-safe.
-class RunningRender : public ComingFrames {
+class RunningRender {
  public:
   /// `resuming`: goes on with the folder's render. Throws Error if the folder holds no journal, or a damaged one.
   /// The folder is read again after `between_looks`, however many pages ask.
   RunningRender(std::filesystem::path folder, ToolCommand resuming,
                 std::chrono::milliseconds between_looks = std::chrono::milliseconds(200));
 
-  /// All that runs have been asked for when this was made, ascending.
-  const std::vector<int>& frames() const override { return frames_; }
+  /// All that runs have been asked for when this was made, ascending; at least one.
+  const std::vector<int>& frames() const { return frames_; }
 
   /// The file of the frame of that index, once it is finished.
-  std::optional<std::filesystem::path> file(std::size_t index) const override;
+  std::optional<std::filesystem::path> file(std::size_t index) const;
 
   /// What the page is told (docs/view.md lists the keys), with the frames that were found finished after the first `known`.
   nlohmann::ordered_json state_after(std::size_t known);

@@ -157,7 +157,7 @@ TEST_F(LayoutRenders, eyes_before_a_quilt_see_what_is_rendered_for_them) {
               {"view-angle", "15.189"},
               {"frames", "3"},
               {"viewing-distance", "600"}}));
-  const StereoFrames made =
+  const ConvertedStereo made =
       convert_to_stereo({.in = dir_ / "q", .out = dir_ / "eyes", .ipd_mm = 50.0, .screen_width_mm = 64.0}, context_);
   EXPECT_EQ(made.view_size, Vec2i(64, 36));
   EXPECT_EQ(made.out_of_zone, 0.0);
@@ -263,9 +263,9 @@ TEST_F(LayoutRenders, views_of_a_middle_and_its_depth_are_like_the_true_ones) {
               {"aov", "depth"}}));
   convert("true", "middle", "rgbd");
   convert("true", "views", "views");
-  DepthFramesParams params{dir_ / "middle/frame_0000_rgbd.png", dir_ / "made", "views", {}, 10.0};
+  DepthConversion params{dir_ / "middle/frame_0000_rgbd.png", dir_ / "made", "views", {}, 10.0};
   params.options.views = ViewGrid{5, 1};
-  const DepthFrames made = convert_depth_frames(params, context_);
+  const ConvertedDepth made = convert_depth_frames(params, context_);
   EXPECT_EQ(made.views, (ViewGrid{5, 1}));
   EXPECT_LT(made.filled_share, 0.05);
   const auto psnr = [&](const std::string& view) {
@@ -277,7 +277,7 @@ TEST_F(LayoutRenders, views_of_a_middle_and_its_depth_are_like_the_true_ones) {
 
 TEST_F(LayoutRenders, picture_with_depth_is_shown_on_a_display_and_to_two_eyes) {
   render(job("room", "a", {{"size", "60x80"}, {"frames", "0"}, {"layout", "rgbd"}}));
-  DepthFramesParams params{dir_ / "a", dir_ / "q", "quilt"};
+  DepthConversion params{dir_ / "a", dir_ / "q", "quilt"};
   params.options.display = load_display("portrait"), params.depth_scale = 0.5;
   convert_depth_frames(params, context_);
   EXPECT_EQ(codes_of(dir_ / "q/frame_0000_qs8x6a0.75.png").width, 3360);
@@ -285,7 +285,7 @@ TEST_F(LayoutRenders, picture_with_depth_is_shown_on_a_display_and_to_two_eyes) 
   params.options.display = load_display("microlens-0.7mm-phone"), params.options.display->pixels = {180, 320};
   EXPECT_EQ(convert_depth_frames(params, context_).views, (ViewGrid{23, 23}));
   EXPECT_EQ(codes_of(dir_ / "sheet/frame_0000.png").height, 320) << "the panel's pixels";
-  DepthFramesParams eyes{dir_ / "a", dir_ / "p", "stereo"};
+  DepthConversion eyes{dir_ / "a", dir_ / "p", "stereo"};
   eyes.ipd_mm = 5.0;
   EXPECT_EQ(convert_depth_frames(eyes, context_).view_size, Vec2i(60, 80));
 }

@@ -14,7 +14,7 @@ using test::kNormal;
 
 /// At an angle from the normal.
 Vec3f view_at(float degrees_from_normal) {
-  return Frame(kNormal).to_world({std::sin(radians(degrees_from_normal)), 0.0f, std::cos(radians(degrees_from_normal))});
+  return Basis(kNormal).to_world({std::sin(radians(degrees_from_normal)), 0.0f, std::cos(radians(degrees_from_normal))});
 }
 
 MetalRoughBsdf bsdf_of(const MetalRoughSurface& surface, float angle, bool entering = true) {

@@ -11,12 +11,12 @@ namespace {
 
 using test::albedo;
 using test::kNormal;
-const Frame kFrame(kNormal);
-const Vec3f kTangent = kFrame.to_world({0.6f, 0.8f, 0.0f});
+const Basis kBasis(kNormal);
+const Vec3f kTangent = kBasis.to_world({0.6f, 0.8f, 0.0f});
 
 Vec3f direction(float degrees_from_normal, float azimuth_degrees = 0.0f) {
   const float sine = std::sin(radians(degrees_from_normal)), azimuth = radians(azimuth_degrees);
-  return kFrame.to_world({sine * std::cos(azimuth), sine * std::sin(azimuth), std::cos(radians(degrees_from_normal))});
+  return kBasis.to_world({sine * std::cos(azimuth), sine * std::sin(azimuth), std::cos(radians(degrees_from_normal))});
 }
 
 LayeredBsdf bsdf_of(const LayeredSurface& surface, Vec3f view, bool entering = true) {
