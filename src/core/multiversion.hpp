@@ -4,14 +4,15 @@
 // Inside, write plain loops over lanes or pixels: the compiler vectorises them for each set. Only what is inlined gets the
 // wide instructions, hence LIPPMANN_INLINE. -ffp-contract=off (cmake/options.cmake) keeps all versions bit-identical.
 //
-// It needs GCC, x86-64, and glibc, whose loader resolves such functions. Elsewhere there is one version, for the instruction
-// set that the compiler is told to use (-march). Clang 14 has the attribute, but selects levels of the architecture without
-// looking at the processor, and makes no versions of a function whose declaration lacks the attribute.
+// It needs x86-64, glibc, whose loader resolves such functions, and GCC or Clang 19. Elsewhere there is one version, for the
+// instruction set that the compiler is told to use (-march). Clang 14 has the attribute, but its resolver does not test the
+// processor for levels of the architecture.
 #pragma once
 
 #include <cstddef>  // defines __GLIBC__
 
-#if defined(LIPPMANN_NO_MULTIVERSION) || defined(__clang__) || !defined(__x86_64__) || !defined(__GLIBC__)
+#if defined(LIPPMANN_NO_MULTIVERSION) || !defined(__x86_64__) || !defined(__GLIBC__) || \
+    (defined(__clang__) && __clang_major__ < 19)
 #define LIPPMANN_MULTIVERSION
 #else
 #define LIPPMANN_MULTIVERSION __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
