@@ -185,8 +185,8 @@ struct PartSize {
 void check_window_place(const std::string& name, FileBytes value, const std::string& where) {
   std::array<std::int32_t, 4> window{};
   std::memcpy(window.data(), value.data(), sizeof window);
-  const auto [left, top, right, bottom] = window;
-  const auto refuse = [&, left = left, top = top, right = right, bottom = bottom](const std::string& problem) {
+  const std::int32_t left = window[0], top = window[1], right = window[2], bottom = window[3];
+  const auto refuse = [&](const std::string& problem) {
     throw unreadable_picture(
         where, fmt::format("its {} window from ({}, {}) to ({}, {}) {}", name, left, top, right, bottom, problem));
   };
