@@ -16,10 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file of the program, or of the shared library that this is a part of.
+/// The file of the program or shared library that contains this code; a Python module brings its own copy.
 fs::path own_file() {
   const fs::path file = platform::file_of_code(reinterpret_cast<const void*>(&load_module));
-  return file.filename().string().starts_with("liblippmann.so") ? file : platform::program_file();
+  // For a program, the system may give the name by which it was called, without its folder.
+  return file.filename().string().find(".so") != std::string::npos ? file : platform::program_file();
 }
 
 /// The only place that knows where modules lie: beside the program or library, as they are built, or in lib/lippmann, as they
