@@ -127,7 +127,7 @@ class SplatFiles : public testing::Test {
 GltfBuilder splats_alone() {
   SplatDocument document;
   GltfBuilder builder = document.builder();
-  builder.add_mesh(document.primitive);
+  builder.add_node({{"mesh", builder.add_mesh(document.primitive)}});
   return builder;
 }
 
