@@ -31,7 +31,9 @@ endif()
 # lippmann_may_join(TARGET): with LIPPMANN_UNITY, the sources of TARGET are compiled twelve at a time, which reads each header once
 # for all of them. A file of twelve is not so long that the last one to compile holds up the others.
 function(lippmann_may_join target)
-  if(LIPPMANN_UNITY)
+  # Clang refuses to make versions of a function (core/multiversion.hpp) that an earlier source of the joined file calls.
+  # Sanitizers build no versions.
+  if(LIPPMANN_UNITY AND (CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR LIPPMANN_SANITIZE))
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
       # GCC takes the joined files for headers, in which members of types of unnamed namespaces would be a mistake.
