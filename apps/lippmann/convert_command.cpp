@@ -119,8 +119,10 @@ void add_convert_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<ConvertOptions>();
   const Command command = root.add_command("convert", "Convert light fields from one format to another, without loss");
   command
-      .add_option("IN", options->in,
-                  "A picture or folder in the input format, or a folder of several: frame_0000, ...; of RGB-D also a video")
+      .add_option(
+          "IN", options->in,
+          "A picture or folder in the input format, a folder of pictures that are the views (1.jpg ... 10.jpg), or a folder "
+          "of several: frame_0000, ...; of RGB-D also a video")
       .required();
   command.add_option("OUT", options->out, "A picture (.png; .exr for float samples), or a folder; a quilt's name is completed")
       .required();

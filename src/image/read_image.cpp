@@ -7,6 +7,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "core/file_content.hpp"
@@ -49,6 +50,20 @@ const Format& format_of(FileBytes file, const std::string& where) {
 std::vector<std::byte> bytes_in(const fs::path& path) { return read_recorded_bytes(path, kMaxImageFileBytes, "a picture"); }
 
 PictureHeader read_header(const fs::path& path) { return picture_header(bytes_in(path), path.string()); }
+
+/// The header of a PNG or JPEG file, from its first bytes. Returns nothing for other formats, whose headers may point behind
+/// them, and for headers that are longer or damaged.
+std::optional<PictureHeader> begun_header(const fs::path& path) {
+  constexpr std::size_t kBeginBytes = std::size_t{256} << 10;
+  const std::string begin = read_file_begin(path, kBeginBytes);
+  const FileBytes bytes = std::as_bytes(std::span(begin));
+  if (!is_png(bytes) && !is_jpeg(bytes)) return std::nullopt;
+  try {
+    return picture_header(bytes, path.string());
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
 
 DecodedPicture read_decoded(const fs::path& path, const PictureWarning& warn) {
   DecodedPicture picture = decode_picture(bytes_in(path), path.string());
@@ -211,6 +226,12 @@ Image read_channels(const fs::path& path, std::span<const std::string> names) {
 }
 
 SampleKind sample_kind(const fs::path& path) { return read_header(path).kind; }
+
+PictureShape picture_shape(const fs::path& path) {
+  std::optional<PictureHeader> header = begun_header(path);
+  if (!header) header = read_header(path);
+  return {header->width, header->height, header->kind};
+}
 
 Image8 read_image8(const fs::path& path, const PictureWarning& warn) { return to_image8(read_decoded(path, warn), path); }
 

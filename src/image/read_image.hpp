@@ -45,6 +45,15 @@ LeftOutChannels left_out_channels(const std::filesystem::path& path);
 enum class SampleKind { kByte, kWord, kFloat };
 SampleKind sample_kind(const std::filesystem::path& path);
 
+/// Of the upright picture.
+struct PictureShape {
+  int width = 0, height = 0;
+  SampleKind kind = SampleKind::kByte;
+};
+
+/// Reads only the beginning of PNG and JPEG files where their headers fit into it.
+PictureShape picture_shape(const std::filesystem::path& path);
+
 /// The 8-bit codes: as stored; of 16-bit files round(255 code / 65535); of float files sRGB-encoded (image/encode.hpp).
 /// Has 3 channels, as read_rgb() does.
 Image8 read_image8(const std::filesystem::path& path, const PictureWarning& warn = {});

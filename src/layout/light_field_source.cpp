@@ -8,6 +8,7 @@
 #include "core/regular_file.hpp"
 #include "core/text_pattern.hpp"
 #include "layout/frame_names.hpp"
+#include "layout/picture_folder.hpp"
 #include "layout/quilt_side_file.hpp"
 #include "layout/rgbd_name.hpp"
 #include "layout/rgbd_side_file.hpp"
@@ -81,11 +82,18 @@ bool is_described_by_report(const fs::path& path, const LightFieldSource& source
   return format.name != "eslf" || !options.views || !source.rendered || *options.views == source.rendered->film.grid;
 }
 
+/// Whether a report.json may describe these files: no render writes a folder of pictures with names of any kind.
+bool may_have_report(const fs::path& path, const std::string& from) {
+  if (!from.empty() && find_format(from, "from").states_cameras) return false;
+  std::error_code ignored;
+  return !fs::is_directory(path, ignored) || format_of_folder(path);
+}
+
 }  // namespace
 
 LightFieldSource light_field_source(const fs::path& path, const std::string& from, const FormatOptions& options) {
   LightFieldSource source{nullptr, options};
-  if (from.empty() || !find_format(from, "from").states_cameras) source.rendering = rendering_of(path);
+  if (may_have_report(path, from)) source.rendering = rendering_of(path);
   if (source.rendering)
     source.rendered = rendered_views(with_parallax(source.rendering->optics, source.rendering->depth_scale));
   source.format = &find_format(from.empty() ? format_of(path, source) : from, "from");
@@ -135,7 +143,7 @@ const LightFieldFormat& format_of_light_field(const fs::path& in, const std::str
   return *light_field_source(frames.empty() ? in : frames.front(), from, {}).format;
 }
 
-bool is_light_field_folder(const fs::path& folder) { return format_of_folder(folder).has_value(); }
+bool is_light_field_folder(const fs::path& folder) { return format_of_folder(folder) || is_picture_folder(folder); }
 
 namespace {
 
@@ -151,7 +159,7 @@ std::vector<fs::path> light_field_frames(const fs::path& folder, const std::stri
   if (!from.empty() && find_format(from, "from").is_folder) return frame_folders_in(folder);
   std::vector<fs::path> frames = frame_pictures_in(folder);
   if (frames.empty() && from.empty()) frames = frame_folders_in(folder);
-  if (frames.empty() && !is_light_field_folder(folder)) frames = described_pictures_in(folder, from);
+  if (frames.empty() && !format_of_folder(folder)) frames = described_pictures_in(folder, from);
   return frames;
 }
 

@@ -35,7 +35,7 @@ Error unknown_format(const std::filesystem::path& picture);
 /// The format in which `in`, or the first frame in it, is read. Throws as light_field_source.
 const LightFieldFormat& format_of_light_field(const std::filesystem::path& in, const std::string& from);
 
-/// Whether a folder holds files of views of a format that is known by their names.
+/// Whether a folder holds files of views of a format that is known by their names, or pictures alone, which are views then.
 bool is_light_field_folder(const std::filesystem::path& folder);
 
 /// The frames of an animation in a folder, frame_*: pictures, or folders where the format is a folder; with an empty `from`

@@ -8,10 +8,20 @@
 
 #include "core/folder.hpp"
 #include "core/folder_entries.hpp"
+#include "core/platform.hpp"
+#include "layout/picture_samples.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
 namespace fs = std::filesystem;
+
+namespace {
+
+std::size_t sample_bytes(const Picture& picture) {
+  return std::visit([](const auto& image) { return sizeof samples_of(image)[0]; }, picture);
+}
+
+}  // namespace
 
 std::vector<NumberedFile> numbered_files(const fs::path& folder, const TextPattern& pattern, const std::string& accepted) {
   std::vector<NumberedFile> files;
@@ -55,6 +65,21 @@ ViewGrid complete_grid(const fs::path& folder, const std::vector<NumberedFile>& 
   return {last_column - first_column + 1, last_row - first_row + 1};
 }
 
+void require_stack_fits(const std::string& where, int views, Vec2i view_size, std::size_t sample_bytes,
+                        double available_bytes) {
+  constexpr double kMostPixels = 4294967295.0;  // pixels of a stack have 32-bit indices
+  constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
+  const double pixels = 1.0 * views * view_size.x * view_size.y, bytes = 3.0 * pixels * static_cast<double>(sample_bytes);
+  const std::string what = fmt::format("{} views of {}x{} pixels", views, view_size.x, view_size.y);
+  if (pixels > kMostPixels)
+    throw Error(where, what + " are too many", fmt::format("at most {:.0f} pixels in all views together", kMostPixels));
+  if (bytes > available_bytes)
+    throw Error(
+        where,
+        fmt::format("{} take {:.1f} GiB of memory, and {:.1f} GiB are available", what, bytes / kGiB, available_bytes / kGiB),
+        "fewer or smaller pictures");
+}
+
 LightField read_view_files(const std::vector<fs::path>& by_view, ViewGrid grid,
                            const std::function<Picture(const fs::path&)>& read) {
   LightField field;
@@ -65,6 +90,8 @@ LightField read_view_files(const std::vector<fs::path>& by_view, ViewGrid grid,
     if (view == 0) {
       field.view_size = size_of(picture);
       field.aspect = static_cast<double>(field.view_size.x) / field.view_size.y;
+      require_stack_fits(path.parent_path().string(), grid.count(), field.view_size, sample_bytes(picture),
+                         platform::available_memory_bytes());
       field.stack = blank(picture, stack_size(field));
     }
     if (size_of(picture) != field.view_size || picture.index() != field.stack.index())

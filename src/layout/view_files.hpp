@@ -27,7 +27,12 @@ std::vector<NumberedFile> numbered_files(const std::filesystem::path& folder, co
 /// and the last. Throws Error naming the folder and one that is missing.
 ViewGrid complete_grid(const std::filesystem::path& folder, const std::vector<NumberedFile>& files);
 
-/// Throws Error naming the first file whose size or kind of samples is not that of the first. by_view: grid.count() of them.
+/// Throws Error naming `where` if the stack of that many views would have 2^32 pixels or more, or would not fit into the
+/// memory that is available (infinite: any amount).
+void require_stack_fits(const std::string& where, int views, Vec2i view_size, std::size_t sample_bytes, double available_bytes);
+
+/// Throws Error naming the first file whose size or kind of samples is not that of the first, or the first if all
+/// of them do not fit into memory. by_view: grid.count() of them.
 LightField read_view_files(const std::vector<std::filesystem::path>& by_view, ViewGrid grid,
                            const std::function<Picture(const std::filesystem::path&)>& read);
 /// read_picture with these warnings.

@@ -1,7 +1,12 @@
-// A folder of view_000.png, view_001.png, ...: view 0 from the left and below, as layout/view_layout.hpp numbers them.
+// A folder of view_000.png, view_001.png, ..., or of pictures with any names: view 0 from the left and below, as
+// layout/view_layout.hpp numbers them.
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "core/folder_entries.hpp"
 #include "core/text_pattern.hpp"
+#include "layout/picture_folder.hpp"
 #include "layout/rendered.hpp"
 #include "layout/view_files.hpp"
 #include "lippmann/core/error.hpp"
@@ -11,6 +16,8 @@ namespace lippmann {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kViewNames = "a folder of view_000.png, view_001.png, ...";
 
 /// Reads the depth of all views, or of none if one of them has none.
 void read_depth(const std::vector<fs::path>& by_view, LightField& field) {
@@ -22,18 +29,29 @@ void read_depth(const std::vector<fs::path>& by_view, LightField& field) {
   }
 }
 
-LightField read_views(const fs::path& folder, const FormatOptions& options) {
+/// view_000.png, ... where there are any, else all pictures of the folder.
+std::vector<fs::path> views_in(const fs::path& folder, const FormatOptions& options) {
   static const TextPattern name("view_([0-9]{1,6})\\.[^.]+", TextPattern::Letters::kEitherCase);
-  const std::vector<NumberedFile> files = numbered_files(folder, name, "view_000.png, view_001.png, ...");
+  const std::vector<fs::directory_entry> entries = entries_of(folder, kViewNames);
+  if (std::none_of(entries.begin(), entries.end(),
+                   [](const fs::directory_entry& entry) { return name.match(entry.path().filename().string()); }))
+    return pictures_of_views(folder, options.warn);
+  const std::vector<NumberedFile> files = numbered_files(folder, name, kViewNames);
   const int first = files.front().numbers[0], count = static_cast<int>(files.size());
   if (first > 1 || files.back().numbers[0] != first + count - 1)
     throw Error(folder.string(), "views are missing", fmt::format("all from 0 to {}", files.back().numbers[0]));
+  std::vector<fs::path> by_view;
+  for (const NumberedFile& file : files) by_view.push_back(file.path);
+  return by_view;
+}
+
+LightField read_views(const fs::path& folder, const FormatOptions& options) {
+  const std::vector<fs::path> by_view = views_in(folder, options);
+  const int count = static_cast<int>(by_view.size());
   const ViewGrid grid = options.views.value_or(ViewGrid{count, 1});
   if (grid.count() != count)
     throw usage_error(
         "views", fmt::format("{}x{} are not as many as the {} views in {}", grid.columns, grid.rows, count, folder.string()));
-  std::vector<fs::path> by_view;
-  for (const NumberedFile& file : files) by_view.push_back(file.path);
   LightField field = read_view_files(by_view, grid, picture_reader(options.warn));
   if (options.with_depth) read_depth(by_view, field);
   return field;
@@ -48,7 +66,10 @@ std::vector<fs::path> write_views(const LightField& field, const fs::path& folde
 
 LightFieldFormat views_format() {
   return {.name = "views",
-          .is = "a folder of view_000.png, ...; from left to right, then upwards; `views`: across and up",
+          .is =
+              "a folder of view_000.png, ..., or of pictures of one size, 1.jpg ... 10.jpg, in the order of their names; from "
+              "left to right, "
+              "then upwards; `views`: across and up",
           .is_folder = true,
           .read = read_views,
           .write = write_views,

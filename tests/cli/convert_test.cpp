@@ -48,6 +48,23 @@ TEST(Convert, what_is_not_known_of_cameras_and_depth_is_said) {
   EXPECT_FALSE(fs::exists(dir / "h/parameters.cfg"));
 }
 
+TEST(Convert, folder_of_any_pictures_is_views) {
+  const TempDir dir;
+  fs::create_directories(dir / "photos");
+  for (const int number : {2, 10, 1})
+    write_picture(dir / "photos" / (std::to_string(number) + ".png"),
+                  Image8{1, 1, std::vector<unsigned char>(3, static_cast<unsigned char>(number))});
+  std::ofstream(dir / "photos/notes.txt") << "mine";
+  const RunResult result = run_tool(dir, {"convert", "photos", "p.png", "--to", "eslf"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("its 3 pictures are the views, in the order of their names from 1.png to 10.png; "
+                                    "left out: notes.txt"));
+  EXPECT_EQ(std::get<Image8>(read_picture(dir / "p.png")).rgb, (std::vector<unsigned char>{1, 1, 1, 2, 2, 2, 10, 10, 10}));
+  write_picture(dir / "photos/3.png", Image8{2, 1, std::vector<unsigned char>(6)});
+  expect_refusal(run_tool(dir, {"convert", "photos", "q.png", "--to", "eslf"}), 1, "3.png: 2x1 8-bit");
+  EXPECT_FALSE(fs::exists(dir / "q.png"));
+}
+
 TEST(Convert, dropped_camera_positions_are_reported) {
   const TempDir dir;
   fs::create_directories(dir / "s");

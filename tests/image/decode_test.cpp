@@ -259,6 +259,8 @@ TEST_P(EveryFormat, is_known_by_its_bytes_and_has_the_size_that_its_header_says)
   write_bytes(dir / "a.txt", expected.file());
   EXPECT_EQ(channel_names(dir / "a.txt"), expected.channels);
   EXPECT_EQ(sample_kind(dir / "a.txt"), expected.kind);
+  const PictureShape shape = picture_shape(dir / "a.txt");
+  EXPECT_EQ(std::tuple(shape.width, shape.height, shape.kind), std::tuple(expected.width, expected.height, expected.kind));
   const Image read = read_image(dir / "a.txt");
   EXPECT_EQ(read.width, expected.width);
   EXPECT_EQ(read.height, expected.height);
