@@ -57,6 +57,10 @@ int main(int argc, char** argv) {
   write(folder / "exr_windows", test::exr_file(part));
   const char bmp[] = {'B', 'M', 58, 0, 0, 0, 0, 0, 0, 0, 54, 0, 0, 0, 40, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 24, 0};
   write(folder / "bmp", std::string(bmp, sizeof bmp) + std::string(28, '\0'));
+  const char gif[] =
+      "GIF89a\2\0\2\0\x81\0\0\x0a\x14\x1e\x28\x32\x3c\x46\x50\x5a\x64\x6e\x78!\xf9\4\1\0\0\1\0,"
+      "\0\0\0\0\2\0\2\0\0\2\3\x44\x34\5\0;";
+  write(folder / "gif", std::string(gif, sizeof gif - 1));
   const char tga[] = {0, 0, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 1, 0, 8, 0, '\x82', 50, 0, 60};
   write(folder / "tga", std::string(tga, sizeof tga));
   return 0;

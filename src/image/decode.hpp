@@ -84,6 +84,11 @@ bool is_bmp(FileBytes file);
 PictureHeader bmp_header(FileBytes file, const std::string& where);
 DecodedPicture decode_bmp(FileBytes file, const std::string& where);
 
+bool is_gif(FileBytes file);
+PictureHeader gif_header(FileBytes file, const std::string& where);
+/// The first picture of an animation: RGB, or RGBA where some of it may be transparent.
+DecodedPicture decode_gif(FileBytes file, const std::string& where);
+
 /// TGA has no mark of its own: whether the fields of a header fit together. To be asked last.
 bool is_tga(FileBytes file);
 PictureHeader tga_header(FileBytes file, const std::string& where);

@@ -36,14 +36,14 @@ constexpr std::array kFormats{Format{is_png, png_header, decode_png},          F
                               Format{is_jpeg, jpeg_header, decode_jpeg},       Format{is_tiff, tiff_header, decode_tiff},
                               Format{is_hdr, hdr_header, decode_hdr},          Format{is_webp, webp_header, decode_webp},
                               Format{is_netpbm, netpbm_header, decode_netpbm}, Format{is_bmp, bmp_header, decode_bmp},
-                              Format{is_tga, tga_header, decode_tga}};
+                              Format{is_gif, gif_header, decode_gif},          Format{is_tga, tga_header, decode_tga}};
 
 const Format& format_of(FileBytes file, const std::string& where) {
   for (const Format& format : kFormats)
     if (format.begins(file)) return format;
   const FileContent content = describe_content(file);
   throw Error(where, "cannot be read as a picture: it is " + content.what,
-              content.remedy.empty() ? "PNG, JPEG, TIFF, OpenEXR, Radiance HDR, WebP, BMP, PPM (P6), PGM (P5), PFM or TGA"
+              content.remedy.empty() ? "PNG, JPEG, TIFF, OpenEXR, Radiance HDR, WebP, BMP, GIF, PPM (P6), PGM (P5), PFM or TGA"
                                      : content.remedy);
 }
 

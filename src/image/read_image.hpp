@@ -1,10 +1,12 @@
-// Reads pictures: PNG, OpenEXR, TIFF, JPEG, Radiance HDR, WebP, BMP, PPM, PGM, PFM and TGA, told apart by their first bytes.
+// Reads pictures: PNG, OpenEXR, TIFF, JPEG, Radiance HDR, WebP, BMP, GIF, PPM, PGM, PFM and TGA, told apart by their
+// first bytes.
 //
 // Only the first picture of a file is read, at most 65536 pixels a side and 2^28 pixels in all; transparency is not applied.
 // Pictures are turned upright as EXIF, TIFF, HDR and TGA files say. Of EXR files the display window is read (exr_decode.cpp).
-// EXR and HDR colours become linear Rec. 709, HDR light what was measured. What a file says and is not honoured (gamma, colour
-// profile, pixels that are not square, further parts and layers) is warned about, if it does not come to the same.
-// All throw Error naming the file if it is missing, truncated, not a picture, or too large.
+// EXR and HDR colours become linear Rec. 709, HDR light what was measured. Codes become sRGB's by the ICC profile of the
+// file (icc_transform.hpp). What a file says and is not honoured (gamma, pixels that are not square, further parts and layers)
+// is warned about, if it does not come to the same. All throw Error naming the file if it is missing, truncated, not a picture,
+// or too large.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// BMP and TGA, by stb_image, whose other formats are left out. Tachyon's scenes use TGA for image maps.
+// BMP, GIF and TGA, by stb_image, whose other formats are left out. Tachyon's scenes use TGA for image maps.
 //
 // stb_image takes what lies behind a file's end for zeros. Here it gets ones instead, and whoever asks for them has a truncated
 // file.
@@ -14,6 +14,7 @@
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_BMP
+#define STBI_ONLY_GIF
 #define STBI_ONLY_TGA
 #define STBI_NO_STDIO
 #define STBI_FAILURE_USERMSG
@@ -132,6 +133,100 @@ PictureHeader bmp_header(FileBytes file, const std::string& where) {
 
 DecodedPicture decode_bmp(FileBytes file, const std::string& where) {
   return decode<std::uint8_t>(file, where, bmp_header(file, where), stbi_load_from_callbacks);
+}
+
+namespace {
+
+/// What the blocks of a GIF file tell of its pictures, without decoding them.
+struct GifContent {
+  int pictures = 0;        ///< 2: two or more
+  bool is_whole = false;   ///< the last block that was looked at is the trailer or a second picture
+  bool is_opaque = false;  ///< the first one, which covers all of the canvas and has no transparent colour
+};
+
+/// Based on: CompuServe, "Graphics Interchange Format, Version 89a", 1990: a header of 13 bytes and a table of colours, then
+/// blocks: extensions (0x21) and pictures (0x2c), which end in sub-blocks of a size and as many bytes, the last of size 0.
+class GifBlocks {
+ public:
+  explicit GifBlocks(FileBytes file) : file_(file) {}
+
+  GifContent content() {
+    constexpr std::uint64_t kExtension = 0x21, kPicture = 0x2c, kTrailer = 0x3b, kGraphicControl = 0xf9;
+    GifContent content;
+    bool is_transparent = false;
+    at_ = 13 + color_table_bytes(10);
+    while (content.pictures < 2) {
+      const std::uint64_t kind = byte(at_);
+      if (kind == kExtension) {
+        if (byte(at_ + 1) == kGraphicControl) is_transparent = (byte(at_ + 3) & 1) != 0;
+        at_ += 2;
+      } else if (kind == kPicture) {
+        if (++content.pictures == 1) content.is_opaque = !is_transparent && covers_canvas();
+        at_ += 10 + color_table_bytes(at_ + 9) + 1;
+      } else {
+        content.is_whole = kind == kTrailer;
+        return content;
+      }
+      skip_sub_blocks();
+    }
+    content.is_whole = true;
+    return content;
+  }
+
+ private:
+  /// 0 behind the end.
+  std::uint64_t byte(std::size_t at) const { return at < file_.size() ? byte_at(file_, at) : 0; }
+
+  std::size_t color_table_bytes(std::size_t flags_at) const {
+    const std::uint64_t flags = byte(flags_at);
+    return flags & 0x80 ? std::size_t{6} << (flags & 7) : 0;
+  }
+
+  /// Whether the picture at the current place begins at 0, 0 and has the size of the canvas.
+  bool covers_canvas() const {
+    for (std::size_t i = 0; i < 4; ++i)
+      if (byte(at_ + 1 + i) != 0 || byte(at_ + 5 + i) != byte(6 + i)) return false;
+    return true;
+  }
+
+  void skip_sub_blocks() {
+    while (const std::uint64_t size = byte(at_)) at_ += 1 + size;
+    ++at_;
+  }
+
+  FileBytes file_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+bool is_gif(FileBytes file) {
+  return file.size() >= 6 && (std::memcmp(file.data(), "GIF87a", 6) == 0 || std::memcmp(file.data(), "GIF89a", 6) == 0);
+}
+
+PictureHeader gif_header(FileBytes file, const std::string& where) {
+  constexpr std::size_t kGifHeaderBytes = 13;
+  if (file.size() < kGifHeaderBytes) throw unreadable_picture(where, "the file is truncated");
+  const Shape shape = shape_of(file, where);
+  constexpr std::uint64_t kMostGifPixelsPerByte = 4096;  // a code of 12 bits stands for as many at most, and a code before it
+  check_file_holds(where, file.size(), pixels_of(shape), kMostGifPixelsPerByte);
+  const GifContent content = GifBlocks(file).content();
+  if (!content.is_whole) throw unreadable_picture(where, "the file is truncated or damaged");
+  if (content.pictures == 0) throw unreadable_picture(where, "there is no picture in it");
+  PictureHeader header = plain_header(shape.width, shape.height, content.is_opaque ? 3 : 4, SampleKind::kByte);
+  if (content.pictures > 1) header.notices.emplace_back("it is animated: only its first picture is read");
+  return header;
+}
+
+DecodedPicture decode_gif(FileBytes file, const std::string& where) {
+  const PictureHeader header = gif_header(file, where);
+  const int channels = static_cast<int>(header.channels.size());
+  const auto load = [&](const stbi_io_callbacks* calls, void* user, int* width, int* height, int* read, int) {
+    stbi_uc* samples = stbi_load_from_callbacks(calls, user, width, height, read, channels);
+    *read = channels;  // it states 4 always
+    return samples;
+  };
+  return decode<std::uint8_t>(file, where, header, load);
 }
 
 bool is_tga(FileBytes file) {

@@ -189,6 +189,16 @@ Bytes hdr_plain_file() {
       "abc\x80"s);
 }
 
+/// Four colours, one of them in each pixel: the codes 4 (clear), 0, 1, 2 of 3 bits, then 3 and 5 (end) of 4.
+Bytes gif_file() {
+  using namespace std::literals;
+  return bytes_of(
+      "GIF89a\2\0\2\0\x81\0\0"
+      "\x0a\x14\x1e\x28\x32\x3c\x46\x50\x5a\x64\x6e\x78"
+      "\x2c\0\0\0\0\2\0\2\0\0"
+      "\2\3\x44\x34\5\0\x3b"s);
+}
+
 Bytes ppm_file() {
   const Image8 codes = noise_codes(kWidth, kHeight);
   return encode_ppm({{kWidth, kHeight, {codes.rgb.begin(), codes.rgb.end()}}, 255});
@@ -240,6 +250,7 @@ const Case kCases[] = {
     {"ppm", ppm_file, kWidth, kHeight, kRgb, SampleKind::kByte},
     {"pfm", [] { return encode_pfm(noise_image(kWidth, kHeight, 3)); }, kWidth, kHeight, kRgb, SampleKind::kFloat},
     {"bmp", bmp_file, 3, 2, kRgb, SampleKind::kByte},
+    {"gif", gif_file, 2, 2, kRgb, SampleKind::kByte},
     {"tga", tga_file, 2, 2, kRgb, SampleKind::kByte},
     {"tga_runs", tga_run_file, 4, 1, kGrey, SampleKind::kByte},
 };
@@ -340,6 +351,10 @@ TEST(DecodeTga, rows_from_the_bottom_and_blue_first) {
   EXPECT_THAT(samples_of<std::uint8_t>(tga_file()), ElementsAre(3, 2, 1, 6, 5, 4, 9, 8, 7, 12, 11, 10));
 }
 
+TEST(DecodeGif, colours_of_the_table) {
+  EXPECT_THAT(samples_of<std::uint8_t>(gif_file()), ElementsAre(10, 20, 30, 40, 50, 60, 70, 80, 90, 100, 110, 120));
+}
+
 TEST(DecodeTga, runs) { EXPECT_THAT(samples_of<std::uint8_t>(tga_run_file()), ElementsAre(50, 50, 50, 60)); }
 
 // Adobe's inks are stored inverted: 255 of each is none, white.
@@ -349,7 +364,7 @@ TEST(DecodeJpeg, cmyk_without_ink_is_white) {
 
 TEST(DecodePicture, formats_that_are_not_read_are_refused_with_those_that_are) {
   for (const char* file :
-       {"GIF89a..................", "BM......................", "FORM....ILBMBMHD........", "8BPS...................."})
+       {"qoif....................", "BM......................", "FORM....ILBMBMHD........", "8BPS...................."})
     EXPECT_THAT(error_message([&] { decode_picture(bytes_of(std::string_view(file)), "a.png"); }),
                 AllOf(HasSubstr("a.png: cannot be read as a picture"), HasSubstr("PNG, JPEG, TIFF, OpenEXR")));
 }

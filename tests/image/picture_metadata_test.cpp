@@ -346,6 +346,37 @@ TEST(DecodeBmp, rows_from_the_bottom_or_the_top) {
   EXPECT_THAT(error_message([&] { decode_picture(to_bytes(old), "a.bmp"); }), HasSubstr("truncated"));
 }
 
+// ---- GIF ----------------------------------------------------------------------------------------------------------------
+
+const std::string kGifHeader = "GIF89a\2\0\1\0\x80\0\0\x0a\x0b\x0c\x14\x15\x16"s;
+
+/// A row of `width` pixels at x, of the second colour each: the codes 4 (clear), 1, 1 and 5 (end) of 3 bits.
+std::string gif_picture(char x, char width) {
+  return "\x2c"s + x + "\0\0\0"s + width + "\0\1\0\0\2\2"s + (width == 2 ? "\x4c\x0a"s : "\x4c\x01"s) + '\0';
+}
+
+TEST(DecodeGif, transparent_and_uncovered_pixels_have_an_alpha) {
+  const auto of = [](const std::string& blocks) { return to_bytes(kGifHeader + blocks + ";"); };
+  EXPECT_THAT(decoded_as<std::uint8_t>(of(gif_picture(0, 2))), ElementsAre(20, 21, 22, 20, 21, 22));
+  EXPECT_THAT(decoded_as<std::uint8_t>(of(gif_picture(1, 1))), ElementsAre(0, 0, 0, 0, 20, 21, 22, 255));
+  const std::string transparent = "!\xf9\4\1\0\0\1\0"s, comment = "!\xfe\3abc\0"s;
+  EXPECT_THAT(decoded_as<std::uint8_t>(of(comment + transparent + gif_picture(0, 2))), testing::SizeIs(8));
+}
+
+TEST(DecodeGif, the_first_picture_of_an_animation_is_read) {
+  const std::string first = gif_picture(0, 2);
+  EXPECT_THAT(header_in(to_bytes(kGifHeader + first + ";")).notices, IsEmpty());
+  EXPECT_THAT(header_in(to_bytes(kGifHeader + first + first + ";")).notices, ElementsAre(HasSubstr("it is animated")));
+}
+
+TEST(DecodeGif, without_a_picture_or_too_large_is_refused) {
+  const auto message = [](const std::string& text) { return error_message([&] { decode_picture(to_bytes(text), "a.gif"); }); };
+  EXPECT_THAT(message(kGifHeader + ";"), HasSubstr("a.gif: cannot be read as a picture: there is no picture in it"));
+  EXPECT_THAT(message("GIF89a\0\0\1\0\0\0\0;"s), HasSubstr("0 x 1 pixels"));
+  EXPECT_THAT(message("GIF89a\xff\xff\xff\xff\0\0\0;"s), HasSubstr("65535 x 65535 pixels"));
+  EXPECT_THAT(message("GIF89a\xff\x3f\xff\x3f\0\0\0;"s), HasSubstr("cannot hold"));
+}
+
 // ---- What is no picture -------------------------------------------------------------------------------------------------
 
 TEST(DecodePicture, names_what_stands_in_for_a_picture) {
