@@ -29,9 +29,13 @@ set(commit "${LIPPMANN_COMMIT}")
 if(NOT commit)
   lippmann_find_commit(commit)
 endif()
+set(picture_libraries "OpenEXR ${OpenEXR_VERSION}, libpng ${PNG_VERSION_STRING}, libtiff ${TIFF_VERSION_STRING}, libwebp ${WebP_VERSION}")
+if(LCMS_FOUND)
+  string(APPEND picture_libraries ", Little CMS ${LCMS_VERSION}")
+endif()
 set(LIPPMANN_BUILD_FACTS
   "LIPPMANN_COMMIT=\"${commit}\""
   "LIPPMANN_COMPILER=\"${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}\""
   "LIPPMANN_BUILD_TYPE=\"${CMAKE_BUILD_TYPE}\""
   "LIPPMANN_LIBAVCODEC=\"${FFmpeg_libavcodec_VERSION}\""
-  "LIPPMANN_PICTURE_LIBRARIES=\"OpenEXR ${OpenEXR_VERSION}, libpng ${PNG_VERSION_STRING}, libtiff ${TIFF_VERSION_STRING}, libwebp ${WebP_VERSION}\"")
+  "LIPPMANN_PICTURE_LIBRARIES=\"${picture_libraries}\"")

@@ -131,4 +131,10 @@ std::string color_profile_notice(FileBytes icc) {
                      shown(name.empty() ? "without a name" : name));
 }
 
+std::vector<std::byte> profile_to_apply(FileBytes icc) {
+  const IccProfile profile(icc);
+  if (!profile.is_profile() || is_srgb(profile)) return {};
+  return {icc.begin(), icc.end()};
+}
+
 }  // namespace lippmann

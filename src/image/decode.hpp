@@ -31,6 +31,7 @@ struct PictureHeader {
   SampleKind kind = SampleKind::kByte;
   int colors = 0;  ///< how many of the first channels are the colour: 3, 1 (grey), 0 (none of an EXR file's channels is)
   Orientation orientation = Orientation::kUpright;  ///< of the samples, as the file has them
+  std::vector<std::byte> profile = {};    ///< the ICC profile of the samples, unless it is sRGB's; decode_picture() applies it
   std::vector<std::string> notices = {};  ///< what of the file is not honoured: "its gamma of 1 is ...", to follow its name
 };
 
@@ -41,9 +42,10 @@ struct DecodedPicture {
   Samples samples;  ///< as the header's kind says; width x height x channels
 };
 
-/// Decodes whichever format the bytes begin as, and turns the picture upright: orientation is kUpright. An error that says
-/// what the bytes are and lists the formats if they begin as none. The functions of single formats below leave samples as the
-/// file has them.
+/// Decodes whichever format the bytes begin as, turns the picture upright (orientation is kUpright) and applies its colour
+/// profile: codes are sRGB's, `profile` is empty, and a notice names a profile that cannot be applied. An error that says what
+/// the bytes are and lists the formats if they begin as none. The functions of single formats below leave samples as the file
+/// has them.
 PictureHeader picture_header(FileBytes file, const std::string& where);
 DecodedPicture decode_picture(FileBytes file, const std::string& where);
 
@@ -53,11 +55,13 @@ DecodedPicture decode_png(FileBytes file, const std::string& where);  ///< palet
 
 bool is_jpeg(FileBytes file);
 PictureHeader jpeg_header(FileBytes file, const std::string& where);
-DecodedPicture decode_jpeg(FileBytes file, const std::string& where);  ///< grey or RGB; CMYK as RGB
+/// Grey or RGB; CMYK as sRGB, by its profile if it has one.
+DecodedPicture decode_jpeg(FileBytes file, const std::string& where);
 
 bool is_tiff(FileBytes file);
 PictureHeader tiff_header(FileBytes file, const std::string& where);
-/// The first picture: grey or RGB of 8 or 16 bits or floats, with further channels; all other kinds as 8-bit RGB.
+/// The first picture: grey or RGB of 8 or 16 bits or floats, with further channels; CMYK with a profile as sRGB of 8 or 16
+/// bits; all other kinds as 8-bit RGB.
 DecodedPicture decode_tiff(FileBytes file, const std::string& where);
 
 bool is_exr(FileBytes file);

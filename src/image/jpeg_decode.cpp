@@ -8,15 +8,19 @@
 #include <jpeglib.h>
 // clang-format on
 
+#include <algorithm>
 #include <csetjmp>
 #include <cstring>
 #include <map>
+#include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "image/color_profile.hpp"
 #include "image/decode.hpp"
 #include "image/exif.hpp"
+#include "image/icc_transform.hpp"
 #include "image/limits.hpp"
 
 namespace lippmann {
@@ -54,14 +58,14 @@ class JpegDecoder {
     return header;
   }
 
-  std::vector<std::uint8_t> samples(const PictureHeader& header) {
+  /// Takes the profile of inks from the header, or leaves a notice there.
+  Samples samples(PictureHeader& header) {
     const std::size_t pixels = static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
     const bool cmyk = jpeg_.out_color_space == JCS_CMYK;
     const std::size_t channels = cmyk ? 4 : header.channels.size();
     std::vector<std::uint8_t> codes(pixels * channels);
     if (!read_rows(codes.data(), channels * static_cast<std::size_t>(header.width))) throw unreadable_picture(where_, reason_);
-    if (cmyk) to_rgb(codes, pixels);
-    return codes;
+    return cmyk ? rgb_of(std::move(codes), header) : Samples(std::move(codes));
   }
 
  private:
@@ -101,7 +105,7 @@ class JpegDecoder {
     }
     std::vector<std::byte> icc;
     for (const auto& [number, piece] : profile) icc.insert(icc.end(), piece.begin(), piece.end());
-    if (const std::string notice = color_profile_notice(icc); !notice.empty()) header.notices.push_back(notice);
+    header.profile = profile_to_apply(icc);
     if (jpeg_.saw_JFIF_marker && jpeg_.X_density > 0 && jpeg_.Y_density > 0) {
       const double ratio = static_cast<double>(jpeg_.X_density) / jpeg_.Y_density;
       add_aspect_notice(header, jpeg_.density_unit == 0 ? ratio : 1.0 / ratio);  // without a unit they are the pixels' sides
@@ -131,12 +135,25 @@ class JpegDecoder {
     return true;
   }
 
-  /// In place. Adobe's files, which are nearly all that exist, store the inverse of each ink.
-  static void to_rgb(std::vector<std::uint8_t>& codes, std::size_t pixels) {
+  /// By the profile, else by what a filter of each ink lets through. Adobe's files, which are nearly all that exist, store the
+  /// inverse of each ink.
+  static Samples rgb_of(std::vector<std::uint8_t> codes, PictureHeader& header) {
+    if (!header.profile.empty()) {
+      std::vector<std::uint8_t> inks(codes.size());
+      std::transform(codes.begin(), codes.end(), inks.begin(), [](int code) { return static_cast<std::uint8_t>(255 - code); });
+      if (std::optional<Samples> rgb = rgb_of_inks(header.profile, std::move(inks))) {
+        header.profile.clear();
+        return *std::move(rgb);
+      }
+    }
+    header.profile.clear();
+    header.notices.emplace_back(kInksNotice);
+    const std::size_t pixels = codes.size() / 4;
     for (std::size_t i = 0; i < pixels; ++i)
       for (std::size_t c = 0; c < 3; ++c)
         codes[3 * i + c] = static_cast<std::uint8_t>((codes[4 * i + c] * codes[4 * i + 3] + 127) / 255);
     codes.resize(3 * pixels);
+    return codes;
   }
 
   FileBytes file_;
@@ -158,8 +175,9 @@ PictureHeader jpeg_header(FileBytes file, const std::string& where) { return Jpe
 
 DecodedPicture decode_jpeg(FileBytes file, const std::string& where) {
   JpegDecoder decoder(file, where);
-  const PictureHeader header = decoder.header();
-  return {header, decoder.samples(header)};
+  PictureHeader header = decoder.header();
+  Samples samples = decoder.samples(header);
+  return {std::move(header), std::move(samples)};
 }
 
 }  // namespace lippmann

@@ -54,6 +54,7 @@ class PngDecoder {
     PictureHeader header =
         plain_header(width, height, channels, png_get_bit_depth(png_, info_) == 16 ? SampleKind::kWord : SampleKind::kByte);
     header.orientation = orientation();
+    header.profile = profile();
     header.notices = color_notices();
     if (is_animated_) header.notices.emplace_back("it is animated: only its first picture is read");
     add_place_notices(header);
@@ -92,19 +93,21 @@ class PngDecoder {
     return exif_orientation(std::as_bytes(std::span(exif, size)));
   }
 
+  std::vector<std::byte> profile() const {
+    png_charp name = nullptr;
+    int compression = 0;
+    png_bytep profile = nullptr;
+    png_uint_32 size = 0;
+    if (coding_points_ || !png_get_iCCP(png_, info_, &name, &compression, &profile, &size)) return {};
+    return profile_to_apply(std::as_bytes(std::span(profile, size)));
+  }
+
   /// In the order in which one chunk overrules another.
   std::vector<std::string> color_notices() const {
     constexpr std::string_view kReadAsSrgb = "are not applied: its codes are read as sRGB's";
     if (coding_points_ && *coding_points_ != kSrgbCodingPoints) return {fmt::format("its colours (cICP) {}", kReadAsSrgb)};
     if (coding_points_) return {};
-    png_charp name = nullptr;
-    int compression = 0;
-    png_bytep profile = nullptr;
-    png_uint_32 size = 0;
-    if (png_get_iCCP(png_, info_, &name, &compression, &profile, &size)) {
-      const std::string notice = color_profile_notice(std::as_bytes(std::span(profile, size)));
-      return notice.empty() ? std::vector<std::string>() : std::vector{notice};
-    }
+    if (png_get_valid(png_, info_, PNG_INFO_iCCP)) return {};
     int intent = 0;
     if (png_get_sRGB(png_, info_, &intent)) return {};
     std::vector<std::string> notices;

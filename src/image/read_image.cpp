@@ -14,7 +14,9 @@
 #include "core/printable.hpp"
 #include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
+#include "image/color_profile.hpp"
 #include "image/decode.hpp"
+#include "image/icc_transform.hpp"
 #include "image/limits.hpp"
 #include "image/orientation.hpp"
 #include "lippmann/core/error.hpp"
@@ -174,7 +176,11 @@ PictureHeader picture_header(FileBytes file, const std::string& where) {
 }
 
 DecodedPicture decode_picture(FileBytes file, const std::string& where) {
-  return upright(format_of(file, where).decode(file, where));
+  DecodedPicture picture = upright(format_of(file, where).decode(file, where));
+  const std::vector<std::byte> profile = std::exchange(picture.header.profile, {});
+  if (!profile.empty() && !apply_color_profile(profile, picture.header, picture.samples))
+    picture.header.notices.push_back(color_profile_notice(profile));
+  return picture;
 }
 
 Image read_image(const fs::path& path, const PictureWarning& warn) { return to_image(read_decoded(path, warn)); }

@@ -13,10 +13,13 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "image/chromaticities.hpp"
 #include "image/color_profile.hpp"
 #include "image/decode.hpp"
+#include "image/icc_transform.hpp"
 #include "image/limits.hpp"
 #include "image/orientation.hpp"
 
@@ -36,6 +39,7 @@ struct Layout {
   std::uint32_t width = 0, height = 0;
   std::uint32_t block_width = 0, block_height = 0;  // the size of a strip or a tile
   bool direct = false, tiled = false;
+  bool inks = false;  // cyan, magenta, yellow and black, of 8 or 16 bits
 
   std::size_t sample_bytes() const { return bits / 8u; }
   std::size_t block_channels() const { return planes == PLANARCONFIG_SEPARATE ? 1 : channels; }
@@ -67,22 +71,36 @@ class TiffDecoder {
     return header;
   }
 
-  Samples samples() {
-    if (!layout_.direct) return rgb_samples();
-    switch (layout_.bits) {
-      case 8:
-        return direct_samples<std::uint8_t, std::uint8_t>();
-      case 16:
-        if (layout_.format == SAMPLEFORMAT_IEEEFP) return direct_samples<Imath::half, float>();
-        return direct_samples<std::uint16_t, std::uint16_t>();
-      case 32:
-        return direct_samples<float, float>();
-      default:
-        return direct_samples<double, float>();
+  /// Takes the profile of inks from the header, or leaves a notice there.
+  Samples samples(PictureHeader& header) {
+    if (layout_.direct) return direct_samples();
+    if (layout_.inks && !header.profile.empty()) {
+      if (std::optional<Samples> rgb = rgb_of_inks(header.profile, direct_samples())) {
+        header.profile.clear();
+        return *std::move(rgb);
+      }
     }
+    if (layout_.inks && layout_.bits == 16)
+      throw unreadable_picture(where_, "its inks (CMYK) of 16 bits have no colour profile that can be applied");
+    if (layout_.inks) header.profile.clear(), header.notices.emplace_back(kInksNotice);
+    return rgb_samples();
   }
 
  private:
+  Samples direct_samples() {
+    switch (layout_.bits) {
+      case 8:
+        return blocks<std::uint8_t, std::uint8_t>();
+      case 16:
+        if (layout_.format == SAMPLEFORMAT_IEEEFP) return blocks<Imath::half, float>();
+        return blocks<std::uint16_t, std::uint16_t>();
+      case 32:
+        return blocks<float, float>();
+      default:
+        return blocks<double, float>();
+    }
+  }
+
   static int on_error(TIFF*, void* user, const char*, const char* format, va_list arguments) {
     TiffDecoder& decoder = *static_cast<TiffDecoder*>(user);
     if (decoder.reason_[0] == 0) std::vsnprintf(decoder.reason_.data(), decoder.reason_.size(), format, arguments);
@@ -128,8 +146,7 @@ class TiffDecoder {
     std::uint32_t size = 0;
     const void* profile = nullptr;
     if (TIFFGetField(tiff_.get(), TIFFTAG_ICCPROFILE, &size, &profile) && profile) {
-      const std::string notice = color_profile_notice({static_cast<const std::byte*>(profile), size});
-      if (!notice.empty()) header.notices.push_back(notice);
+      header.profile = profile_to_apply({static_cast<const std::byte*>(profile), size});
       return;
     }
     Chromaticities chromaticities;
@@ -154,7 +171,7 @@ class TiffDecoder {
   }
 
   SampleKind kind() const {
-    if (!layout_.direct || (layout_.bits == 8)) return SampleKind::kByte;
+    if (layout_.bits == 8 || !(layout_.direct || layout_.inks)) return SampleKind::kByte;
     return layout_.format == SAMPLEFORMAT_IEEEFP ? SampleKind::kFloat : SampleKind::kWord;
   }
 
@@ -193,6 +210,8 @@ class TiffDecoder {
     const bool plain = l.photometric == PHOTOMETRIC_MINISBLACK || l.photometric == PHOTOMETRIC_MINISWHITE ||
                        (l.photometric == PHOTOMETRIC_RGB && l.channels >= 3);
     l.direct = (whole || real) && plain;
+    l.inks = whole && l.photometric == PHOTOMETRIC_SEPARATED && l.channels == 4 &&
+             field<std::uint16_t>(TIFFTAG_INKSET, INKSET_CMYK) == INKSET_CMYK;
     const std::uint64_t pixels = std::uint64_t{l.width} * l.height, bits = std::uint64_t{l.bits} * l.channels;
     check_file_holds(where_, file_.size(), l.direct ? pixels * (bits / 8) : pixels * bits / 8, ratio());
     const std::uint64_t block = std::uint64_t{l.block_width} * l.block_height * (bits / 8 + 1);
@@ -202,7 +221,7 @@ class TiffDecoder {
 
   /// One strip or tile after the other, each decoded into `block` and copied to its place.
   template <class Stored, class Sample>
-  std::vector<Sample> direct_samples() {
+  std::vector<Sample> blocks() {
     const Layout& l = layout_;
     const std::size_t pixels = std::size_t{l.width} * l.height, step = l.block_channels();
     std::vector<Sample> samples(pixels * l.channels);
@@ -275,7 +294,9 @@ PictureHeader tiff_header(FileBytes file, const std::string& where) { return Tif
 
 DecodedPicture decode_tiff(FileBytes file, const std::string& where) {
   TiffDecoder decoder(file, where);
-  return {decoder.header(), decoder.samples()};
+  PictureHeader header = decoder.header();
+  Samples samples = decoder.samples(header);
+  return {std::move(header), std::move(samples)};
 }
 
 }  // namespace lippmann

@@ -49,8 +49,7 @@ PictureHeader webp_header(FileBytes file, const std::string& where) {
   if (pixels > kFreePixels) check_file_holds(where, file.size(), pixels, kMostPixelsPerByte);
   PictureHeader header = plain_header(features.width, features.height, channels, SampleKind::kByte);
   header.orientation = exif_orientation(webp_chunk(file, "EXIF"));
-  if (const std::string notice = color_profile_notice(webp_chunk(file, "ICCP")); !notice.empty())
-    header.notices.push_back(notice);
+  header.profile = profile_to_apply(webp_chunk(file, "ICCP"));
   return header;
 }
 

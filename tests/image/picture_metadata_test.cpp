@@ -1,13 +1,18 @@
 // What pictures say beside their samples: which way is up, exposure, gamma, colours, the pixels' shape.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <tiffio.h>
 
+#include <array>
 #include <fstream>
+#include <iterator>
+#include <optional>
 
 #include "image/chromaticities.hpp"
 #include "image/color_profile.hpp"
 #include "image/decode.hpp"
 #include "image/exif.hpp"
+#include "image/icc_transform.hpp"
 #include "image/orientation.hpp"
 #include "image/png.hpp"
 #include "image/read_image.hpp"
@@ -178,7 +183,7 @@ std::string fixed16(double value) { return big_endian(static_cast<std::uint32_t>
 /// Of three primaries under D50, and one gamma.
 std::string profile_with(const std::array<std::array<double, 3>, 3>& primaries, double gamma) {
   std::string header(128, '\0'), table, data;
-  header.replace(16, 4, "RGB ").replace(36, 4, "acsp");
+  header.replace(8, 4, "\2\x40\0\0"s).replace(12, 12, "mntrRGB XYZ ").replace(36, 4, "acsp");
   const auto add = [&](std::string_view name, const std::string& tag) {
     table += std::string(name) + big_endian(static_cast<std::uint32_t>(132 + 7 * 12 + data.size())) +
              big_endian(static_cast<std::uint32_t>(tag.size()));
@@ -192,7 +197,23 @@ std::string profile_with(const std::array<std::array<double, 3>, 3>& primaries, 
     add(std::array{"rTRC", "gTRC", "bTRC"}[i],
         "curv" + std::string(4, '\0') + big_endian(1) + big_endian(static_cast<std::uint32_t>(gamma * 256.0), 2));
   }
+  header.replace(0, 4, big_endian(static_cast<std::uint32_t>(132 + table.size() + data.size())));
   return header + big_endian(7) + table + data;
+}
+
+/// Of a press on which any full ink is black: a table of two values per ink, Lab in 8 bits. Without ink it is white.
+std::string press_profile() {
+  std::string header(128, '\0'), lut = "mft1\0\0\0\0\4\3\2\0"s;
+  for (const double value : {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}) lut += fixed16(value);
+  const auto add_identity = [&](int curves) {
+    for (int i = 0; i < 256 * curves; ++i) lut += static_cast<char>(i % 256);
+  };
+  add_identity(4);
+  for (int node = 0; node < 16; ++node) lut += node == 0 ? "\xff\x80\x80"s : "\0\x80\x80"s;
+  add_identity(3);
+  header.replace(0, 4, big_endian(static_cast<std::uint32_t>(144 + lut.size())));
+  header.replace(8, 4, "\2\x40\0\0"s).replace(12, 12, "prtrCMYKLab ").replace(36, 4, "acsp");
+  return header + big_endian(1) + "A2B0" + big_endian(144) + big_endian(static_cast<std::uint32_t>(lut.size())) + lut;
 }
 
 constexpr std::array<std::array<double, 3>, 3> kSrgbPrimaries{
@@ -225,7 +246,108 @@ TEST(ColorProfile, of_jpeg_and_png_files_is_found) {
   std::string jpeg;
   for (const unsigned char c : test::encode_jpeg(8, 8, 1, std::vector<std::uint8_t>(64, 90))) jpeg += static_cast<char>(c);
   jpeg.insert(2, "\xff\xe2" + big_endian(static_cast<std::uint32_t>(segment.size() + 2), 2) + segment);
-  EXPECT_THAT(header_in(to_bytes(jpeg)).notices, ElementsAre(HasSubstr("'Mine'")));
+  EXPECT_EQ(header_in(to_bytes(jpeg)).profile.size(), profile.size());
+  EXPECT_THAT(decode_picture(to_bytes(jpeg), "a").header.notices, ElementsAre(HasSubstr("'Mine'"))) << "RGB's, of a grey file";
+}
+
+#ifdef LIPPMANN_HAS_LCMS
+
+template <class Code>
+std::vector<Code> by_profile(const std::string& profile, int channels, std::vector<Code> codes) {
+  const SampleKind kind = sizeof(Code) == 1 ? SampleKind::kByte : SampleKind::kWord;
+  Samples samples(std::move(codes));
+  EXPECT_TRUE(apply_color_profile(to_bytes(profile), plain_header(1, 1, channels, kind), samples));
+  return std::get<std::vector<Code>>(samples);
+}
+
+// Worked out from the primaries' XYZ under D50: (100, 150, 120) of P3 is (82.9, 153.1, 118.3) of sRGB, and a code c of
+// gamma 1.8 encodes (c / maximum)^1.8.
+TEST(ApplyColorProfile, codes_become_those_of_srgb) {
+  using testing::AllOf, testing::Ge, testing::Le;
+  const auto near = [](int value, int error) { return AllOf(Ge(value - error), Le(value + error)); };
+  EXPECT_THAT(by_profile<std::uint8_t>(profile_with(kP3Primaries, 2.2), 3, {100, 150, 120}),
+              ElementsAre(near(83, 1), near(153, 1), near(118, 1)));
+  EXPECT_THAT(by_profile<std::uint8_t>(profile_with(kSrgbPrimaries, 1.8), 4, {128, 128, 128, 77}),
+              ElementsAre(near(146, 1), near(146, 1), near(146, 1), 77))
+      << "alpha stays";
+  EXPECT_THAT(by_profile<std::uint16_t>(profile_with(kSrgbPrimaries, 1.8), 3, {30000, 30000, 30000}),
+              testing::Each(near(34874, 40)));
+  std::string grey = profile_with(kSrgbPrimaries, 1.8);
+  grey.replace(16, 4, "GRAY").replace(grey.find("rTRC"), 4, "kTRC");
+  EXPECT_THAT(by_profile<std::uint8_t>(grey, 2, {128, 5}), ElementsAre(near(146, 1), 5));
+}
+
+TEST(ApplyColorProfile, damaged_profiles_leave_codes_as_they_are) {
+  const std::string whole = profile_with(kP3Primaries, 2.2);
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    Samples samples(std::vector<std::uint8_t>{100, 150, 120});
+    const bool is_applied =
+        apply_color_profile(to_bytes(whole.substr(0, size)), plain_header(1, 1, 3, SampleKind::kByte), samples);
+    EXPECT_EQ(is_applied, samples != Samples(std::vector<std::uint8_t>{100, 150, 120})) << size;
+  }
+}
+
+TEST(ApplyColorProfile, files_are_read_as_srgb_without_a_notice) {
+  std::vector<std::uint8_t> codes;
+  for (int i = 0; i < 64; ++i) codes.insert(codes.end(), {100, 150, 120});
+  const std::string segment = "ICC_PROFILE\0\x01\x01"s + profile_with(kP3Primaries, 2.2);
+  std::string jpeg;
+  for (const unsigned char c : test::encode_jpeg(8, 8, 3, codes)) jpeg += static_cast<char>(c);
+  jpeg.insert(2, "\xff\xe2" + big_endian(static_cast<std::uint32_t>(segment.size() + 2), 2) + segment);
+  const DecodedPicture picture = decode_picture(to_bytes(jpeg), "a");
+  EXPECT_THAT(picture.header.notices, IsEmpty());
+  EXPECT_THAT(picture.header.profile, IsEmpty());
+  EXPECT_NEAR(std::get<std::vector<std::uint8_t>>(picture.samples)[0], 83, 3) << "JPEG changes codes by one or two";
+}
+
+/// Magenta at half and full strength, and none.
+TEST(RgbOfInks, by_the_profile_of_a_press) {
+  const std::vector<std::uint8_t> inks{0, 128, 0, 0, 0, 255, 0, 0, 0, 0, 0, 0};
+  const std::optional<Samples> samples = rgb_of_inks(to_bytes(press_profile()), inks);
+  ASSERT_TRUE(samples);
+  const auto& rgb = std::get<std::vector<std::uint8_t>>(*samples);
+  ASSERT_EQ(rgb.size(), 9u);
+  EXPECT_NEAR(rgb[0], 119, 2) << "L* = 50 is 118.9";
+  EXPECT_NEAR(rgb[1], rgb[0], 1);
+  EXPECT_THAT(std::vector(rgb.begin() + 3, rgb.end()), ElementsAre(0, 0, 0, 255, 255, 255));
+  EXPECT_FALSE(rgb_of_inks(to_bytes(profile_with(kP3Primaries, 2.2)), inks)) << "not of inks";
+}
+
+#endif
+
+TEST(RgbOfInks, jpeg_without_a_profile_is_an_estimate) {
+  const auto file = test::encode_jpeg(8, 8, 4, std::vector<std::uint8_t>(256, 255));
+  const Bytes bytes = to_bytes(std::string(file.begin(), file.end()));
+  EXPECT_THAT(decode_picture(bytes, "a").header.notices, ElementsAre(HasSubstr("its inks (CMYK) have no colour profile")));
+}
+
+std::string tiff_of_inks(int bits, const std::string& profile) {
+  const test::TempDir dir;
+  TIFF* tiff = TIFFOpen((dir / "a.tif").c_str(), "w");
+  TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, 1);
+  TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, 1);
+  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, bits);
+  TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 4);
+  TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_SEPARATED);
+  TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+  if (!profile.empty()) TIFFSetField(tiff, TIFFTAG_ICCPROFILE, static_cast<std::uint32_t>(profile.size()), profile.data());
+  std::array<std::uint8_t, 8> magenta{};
+  for (int i = 0; i < bits / 8; ++i) magenta[static_cast<std::size_t>(bits / 8 + i)] = 255;
+  TIFFWriteEncodedStrip(tiff, 0, magenta.data(), bits / 2);
+  TIFFClose(tiff);
+  std::ifstream file(dir / "a.tif", std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(RgbOfInks, tiff_by_its_profile_or_an_estimate) {
+  EXPECT_THAT(decoded_as<std::uint8_t>(to_bytes(tiff_of_inks(8, ""))), ElementsAre(255, 0, 255));
+  EXPECT_THAT(decode_picture(to_bytes(tiff_of_inks(8, "")), "a").header.notices, ElementsAre(HasSubstr("its inks (CMYK)")));
+  EXPECT_THAT(error_message([] { decode_picture(to_bytes(tiff_of_inks(16, "")), "a.tif"); }),
+              HasSubstr("a.tif: cannot be read as a picture: its inks (CMYK) of 16 bits have no colour profile"));
+#ifdef LIPPMANN_HAS_LCMS
+  EXPECT_THAT(decoded_as<std::uint8_t>(to_bytes(tiff_of_inks(8, press_profile()))), ElementsAre(0, 0, 0));
+  EXPECT_THAT(decoded_as<std::uint16_t>(to_bytes(tiff_of_inks(16, press_profile()))), ElementsAre(0, 0, 0));
+#endif
 }
 
 // ---- Chromaticities -----------------------------------------------------------------------------------------------------
