@@ -21,14 +21,14 @@
 namespace lippmann::app {
 namespace {
 
-ConvertParams params_of(const ConvertOptions& options) {
+ConvertParams params_of(const ConvertOptions& options, std::string_view to) {
   ConvertParams params;
-  params.from = options.from, params.to = options.to;
+  params.from = options.from, params.to = to;
   params.options.views = read_grid(options.views, "--views");
   params.options.tiles = read_grid(options.quilt, "--quilt");
   if (options.aspect > 0.0) params.options.aspect = options.aspect;
   if (options.bits > 0) params.options.bits = options.bits;
-  if (!options.display.empty()) params.options.display = load_display(options.display);
+  if (options.has_display()) params.options.display = options.read_display();
   const InterlaceParams interlace = options.filter.read();
   params.options.filter = interlace.filter, params.options.sigma_views = interlace.sigma_views;
   params.options.stereo = options.stereo.layout();
@@ -43,12 +43,13 @@ LightFieldHints hints_of(const ConvertOptions& options) {
                         .views = read_grid(options.views, "--views"),
                         .tiles = read_grid(options.quilt, "--quilt"),
                         .view_angle_deg = options.stereo.view_angle_deg};
-  if (!options.display.empty()) hints.display = load_display(options.display);
+  if (options.has_display()) hints.display = options.read_display();
   return hints;
 }
 
-DepthConversion depth_frames_of(const ConvertOptions& options) {
-  DepthConversion params{options.in, options.out, options.to, params_of(options).options, options.stereo.view_angle_deg};
+DepthConversion depth_frames_of(const ConvertOptions& options, std::string_view to) {
+  DepthConversion params{options.in, options.out, std::string(to), params_of(options, to).options,
+                         options.stereo.view_angle_deg};
   params.ipd_mm = options.stereo.ipd_mm.value_or(kUsualIpdMm);
   params.depth_scale = options.depth.scale.value_or(1.0);
   return params;
@@ -66,14 +67,17 @@ int run(const ConvertOptions& options, const Context& context) {
     case ConvertKind::kPrecompensate:
       return run_precompensate(options.crosstalk, options.display, options.in, options.out, options.result, context);
     case ConvertKind::kDepthViews:
-      return run_depth_views(depth_frames_of(options), options.result, context);
+      return run_depth_views(depth_frames_of(options, conversion.to->name), options.result, context);
     case ConvertKind::kStereo:
       return run_stereo(options.stereo, hints_of(options), options.in, options.out, options.result, context);
     case ConvertKind::kRearrange:
+    case ConvertKind::kDisplay:
       break;
   }
-  ConvertParams params = params_of(options);
+  ConvertParams params = params_of(options, conversion.to->name);
   params.options.warn = context.warn;
+  params.threads = context.threads;
+  if (conversion.kind == ConvertKind::kDisplay) params.display_picture = options.picture.read(options.filter.read());
   const Converted converted = convert(options.in, options.out, params);
   if (options.to == "rgbd" && converted.written.size() > 2 && options.depth.range.empty() && conversion.from->name != "rgbd")
     context.warning(
@@ -93,15 +97,18 @@ int run(const ConvertOptions& options, const Context& context) {
   if (options.result.json) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const auto& path : converted.written) files.push_back(path.string());
-    const nlohmann::ordered_json result{{"views", {converted.views.columns, converted.views.rows}},
-                                        {"view_size", {converted.view_size.x, converted.view_size.y}},
-                                        {"files", files}};
+    nlohmann::ordered_json result{{"views", {converted.views.columns, converted.views.rows}},
+                                  {"view_size", {converted.view_size.x, converted.view_size.y}},
+                                  {"files", files}};
+    if (params.display_picture) result["fitted"] = converted.fitted;
     print_json(result);
     return 0;
   }
   if (!options.result.wants_text()) return 0;
-  fmt::print("{}x{} views of {}x{} pixels: {}{}\n", converted.views.columns, converted.views.rows, converted.view_size.x,
-             converted.view_size.y, printable_line(converted.written.front().string()),
+  if (options.sheet.are_given()) fmt::print("{}\n", params.options.display->description);
+  fmt::print("{}x{} views of {}x{} pixels{}: {}{}\n", converted.views.columns, converted.views.rows, converted.view_size.x,
+             converted.view_size.y, converted.fitted.empty() ? "" : ", " + converted.fitted,
+             printable_line(converted.written.front().string()),
              converted.written.size() > 1 ? " ... " + printable_line(converted.written.back().string()) : "");
   return 0;
 }
@@ -117,7 +124,8 @@ std::string formats_help() {
 
 void add_convert_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<ConvertOptions>();
-  const Command command = root.add_command("convert", "Convert light fields from one format to another, without loss");
+  const Command command = root.add_command(
+      "convert", "Convert light fields from one format to another, without loss, or into the picture of a display");
   command
       .add_option(
           "IN", options->in,
@@ -130,7 +138,8 @@ void add_convert_command(const Command& root, Action& chosen) {
       .type_name("FORMAT");
   command
       .add_option("--to", options->to,
-                  "Format of OUT (see below); required, except with --rotate-elemental, --spoc or --precompensate")
+                  "Format of OUT (see below); default: the picture of --display. Required without it, except with "
+                  "--rotate-elemental, --spoc or --precompensate")
       .type_name("FORMAT");
   command
       .add_option("--views", options->views, "Number of views across and up; for an integral image, the pixels below each lens")
@@ -148,10 +157,13 @@ void add_convert_command(const Command& root, Action& chosen) {
   command.add_option("--crop", options->crop, "Keep only this window of every view; X and Y count from the top left")
       .type_name("WxH+X+Y");
   command.add_option("--bits", options->bits, "Bits per sample of PPM files; default: as read").range(8, 16);
-  command.add_option("--display", options->display,
-                     "The display that a native frame belongs to, or that RGB-D pictures are shown on: a name (see: lippmann "
-                     "displays), a calibration .json, or a .toml of your own");
-  add_view_filter_flags(command, options->filter, " for --to native");
+  command.add_option(
+      "--display", options->display,
+      "The display whose picture is made (integral, quilt or native), that IN belongs to (--from native), or that "
+      "RGB-D pictures are shown on: a name (see: lippmann displays), a calibration .json, or a .toml of your own");
+  add_view_filter_flags(command, options->filter, " for --display, --to native");
+  add_display_picture_flags(command, options->picture);
+  add_sheet_flags(command, options->sheet);
   add_orthoscopic_flags(command, options->orthoscopic);
   add_crosstalk_flags(command, options->crosstalk);
   add_stereo_flags(command, options->stereo);

@@ -9,6 +9,8 @@
 
 #include "layout/light_field_source.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/display/load_display.hpp"
+#include "lippmann/layout/display_picture.hpp"
 #include "replay/depth_frames.hpp"
 #include "replay/no_light_field.hpp"
 
@@ -33,7 +35,13 @@ bool is_written(const Conversion& c) {
 }
 
 bool has_formats(const ConvertOptions&, const Conversion& c) { return c.to != nullptr; }
-bool is_rearranged(const ConvertOptions&, const Conversion& c) { return c.kind == ConvertKind::kRearrange; }
+bool is_for_display(const ConvertOptions&, const Conversion& c) { return c.kind == ConvertKind::kDisplay; }
+bool is_rearranged(const ConvertOptions& o, const Conversion& c) {
+  return c.kind == ConvertKind::kRearrange || is_for_display(o, c);
+}
+/// A print: a picture that somebody turns or lays below a sheet.
+bool is_print(const ConvertOptions& o, const Conversion& c) { return is_for_display(o, c) && c.to->name == "integral"; }
+bool is_flip(const ConvertOptions& o, const Conversion& c) { return is_print(o, c) && o.picture.flip; }
 bool is_spoc(const ConvertOptions&, const Conversion& c) { return c.kind == ConvertKind::kSpoc; }
 bool is_precompensation(const ConvertOptions&, const Conversion& c) { return c.kind == ConvertKind::kPrecompensate; }
 bool is_stereo(const ConvertOptions&, const Conversion& c) { return c.kind == ConvertKind::kStereo; }
@@ -52,17 +60,24 @@ bool uses_views(const ConvertOptions& options, const Conversion& c) {
 }
 
 /// Stereo output has two views, whatever tiles the source has.
-bool uses_tiles(const ConvertOptions&, const Conversion& c) {
-  return is_read<&FormatUses::tiles>(c) || is_written<&FormatUses::tiles>(c);
+bool uses_tiles(const ConvertOptions& o, const Conversion& c) {
+  return is_read<&FormatUses::tiles>(c) || (is_written<&FormatUses::tiles>(c) && !is_for_display(o, c));
 }
 
-bool uses_display(const ConvertOptions&, const Conversion& c) {
+/// Between views; frames of a flip print have transitions of their own.
+bool uses_filter(const ConvertOptions& o, const Conversion& c) {
+  return is_written<&FormatUses::filter>(c) || (is_for_display(o, c) && !o.picture.flip);
+}
+
+bool uses_display(const ConvertOptions& o, const Conversion& c) {
+  if (is_for_display(o, c)) return true;
   if (c.kind == ConvertKind::kPrecompensate || c.kind == ConvertKind::kDepthViews) return true;
   return is_read<&FormatUses::display>(c) || is_written<&FormatUses::display>(c);
 }
 
 bool uses_view_angle(const ConvertOptions& options, const Conversion& c) {
-  return c.kind == ConvertKind::kStereo || (c.kind == ConvertKind::kDepthViews && !makes_stereo(c) && options.display.empty());
+  return c.kind == ConvertKind::kStereo ||
+         (c.kind == ConvertKind::kDepthViews && !makes_stereo(c) && options.display.empty()) || options.sheet.are_given();
 }
 
 /// Rules for all flags but --json and --quiet, which always have an effect.
@@ -74,15 +89,28 @@ constexpr std::array kIdleRules{
              "--from integral, eslf, views, quilt, hci or native to a format with another order of views, or RGB-D pictures"},
     IdleRule{"--quilt", [](const ConvertOptions& o) { return !o.quilt.empty(); }, uses_tiles, "--from quilt or --to quilt"},
     IdleRule{"--aspect", [](const ConvertOptions& o) { return o.aspect > 0.0; },
-             [](const ConvertOptions&, const Conversion& c) { return is_written<&FormatUses::aspect>(c); }, "--to quilt"},
+             [](const ConvertOptions& o, const Conversion& c) {
+               return is_written<&FormatUses::aspect>(c) && !is_for_display(o, c);
+             },
+             "--to quilt without --display"},
     IdleRule{"--keep", [](const ConvertOptions& o) { return !o.keep.empty(); }, is_rearranged, "--to with a format"},
     IdleRule{"--crop", [](const ConvertOptions& o) { return !o.crop.empty(); }, is_rearranged, "--to with a format"},
     IdleRule{"--bits", [](const ConvertOptions& o) { return o.bits > 0; },
              [](const ConvertOptions&, const Conversion& c) { return is_written<&FormatUses::bits>(c); }, "--to jpeg-pleno"},
     IdleRule{"--display", [](const ConvertOptions& o) { return !o.display.empty(); }, uses_display,
-             "--from native, --to native, --precompensate, or RGB-D pictures"},
-    IdleRule{"--filter", [](const ConvertOptions& o) { return !o.filter.filter.empty(); },
-             [](const ConvertOptions&, const Conversion& c) { return is_written<&FormatUses::filter>(c); }, "--to native"},
+             "--from native, --to native, integral or quilt, --precompensate, or RGB-D pictures"},
+    IdleRule{"--lpi", [](const ConvertOptions& o) { return o.sheet.are_given(); }, uses_display,
+             "--to integral, or RGB-D pictures"},
+    IdleRule{"--fit", [](const ConvertOptions& o) { return !o.picture.fit.empty(); }, is_for_display, "--display"},
+    IdleRule{"--mirror", [](const ConvertOptions& o) { return o.picture.mirror; }, is_print,
+             "the --display of a sheet or an array of lenses"},
+    IdleRule{"--rotate", [](const ConvertOptions& o) { return o.picture.turn_deg.has_value(); }, is_print,
+             "the --display of a sheet or an array of lenses"},
+    IdleRule{"--flip", [](const ConvertOptions& o) { return o.picture.flip; }, is_print, "the --display of a sheet"},
+    IdleRule{"--shares", [](const ConvertOptions& o) { return !o.picture.shares.empty(); }, is_flip, "--flip"},
+    IdleRule{"--blend", [](const ConvertOptions& o) { return o.picture.blend.has_value(); }, is_flip, "--flip"},
+    IdleRule{"--filter", [](const ConvertOptions& o) { return !o.filter.filter.empty(); }, uses_filter,
+             "--display, --to native"},
     IdleRule{"--sigma", [](const ConvertOptions& o) { return o.filter.sigma > 0.0; },
              [](const ConvertOptions& o, const Conversion& c) {
                return is_written<&FormatUses::filter>(c) && o.filter.filter == "gaussian";
@@ -109,7 +137,8 @@ constexpr std::array kIdleRules{
     IdleRule{"--ipd", [](const ConvertOptions& o) { return o.stereo.ipd_mm.has_value(); },
              [](const ConvertOptions&, const Conversion& c) { return c.kind != ConvertKind::kRearrange && makes_stereo(c); },
              "--to stereo, of more than two views"},
-    IdleRule{"--viewing-distance", [](const ConvertOptions& o) { return o.stereo.viewing_distance_mm.has_value(); }, is_stereo,
+    IdleRule{"--viewing-distance", [](const ConvertOptions& o) { return o.stereo.viewing_distance_mm.has_value(); },
+             [](const ConvertOptions& o, const Conversion& c) { return is_stereo(o, c) || o.sheet.are_given(); },
              "--to stereo, of more than two views"},
     IdleRule{"--screen-width", [](const ConvertOptions& o) { return o.stereo.screen_width_mm.has_value(); }, is_stereo,
              "--to stereo, of more than two views"},
@@ -135,6 +164,12 @@ constexpr std::array kIdleRules{
              "RGB-D pictures converted to another format, without --keep and --crop"},
 };
 
+/// A display that IN is the native frame of is that of the reader.
+bool makes_display_picture(const ConvertOptions& options, const Conversion& c) {
+  const std::string_view to = c.to->name;
+  return options.has_display() && c.from->name != "native" && (to == "integral" || to == "quilt" || to == "native");
+}
+
 std::string described(const Conversion& conversion) {
   switch (conversion.kind) {
     case ConvertKind::kRotate:
@@ -150,6 +185,12 @@ std::string described(const Conversion& conversion) {
 
 }  // namespace
 
+Display ConvertOptions::read_display() const {
+  if (!sheet.are_given()) return load_display(display);
+  const auto text_of = [](const std::optional<double>& number) { return number ? fmt::format("{}", *number) : std::string(); };
+  return load_display(sheet.line({display, text_of(stereo.viewing_distance_mm), text_of(stereo.view_angle_deg)}));
+}
+
 Conversion conversion_of(const ConvertOptions& options) {
   const OrthoscopicFlags& orthoscopic = options.orthoscopic;
   if (orthoscopic.rotate_elemental && orthoscopic.spoc_mm)
@@ -160,16 +201,20 @@ Conversion conversion_of(const ConvertOptions& options) {
   if (options.crosstalk.precompensate) return {ConvertKind::kPrecompensate};
   if (options.to.empty() && !options.crosstalk.crosstalk.empty())
     throw usage_error("--crosstalk", "has no effect without --precompensate", "--precompensate with it");
-  if (options.to.empty())
-    throw usage_error("--to", "is required", "a format, see --help; or --rotate-elemental, --spoc or --precompensate");
+  if (options.to.empty() && !options.has_display())
+    throw usage_error("--to", "is required",
+                      "a format, see --help; --display; or --rotate-elemental, --spoc or --precompensate");
   Conversion conversion;
-  conversion.to = &find_format(options.to, "--to");
+  conversion.to =
+      options.to.empty() ? &find_format(own_format(options.read_display()), "--to") : &find_format(options.to, "--to");
   const bool from_rgbd = options.from == "rgbd" || (options.from.empty() && is_rgbd(options.in));
   if (!from_rgbd && options.from.empty()) refuse_what_is_no_light_field(options.in);
   conversion.from = from_rgbd ? &find_format("rgbd", "--from") : &format_of_light_field(options.in, options.from);
   const bool has_parts = !options.keep.empty() || !options.crop.empty();
-  if (from_rgbd && options.to != "rgbd" && !has_parts)
+  if (from_rgbd && conversion.to->name != "rgbd" && !has_parts)
     conversion.kind = ConvertKind::kDepthViews;
+  else if (makes_display_picture(options, conversion))
+    conversion.kind = ConvertKind::kDisplay;
   else if (options.to == "stereo" && conversion.from->name != "stereo" && !has_parts)
     conversion.kind = ConvertKind::kStereo;
   return conversion;

@@ -5,8 +5,10 @@
 
 #include "apps/lippmann/crosstalk_flags.hpp"
 #include "apps/lippmann/depth_flags.hpp"
+#include "apps/lippmann/display_picture_flags.hpp"
 #include "apps/lippmann/orthoscopic_flags.hpp"
 #include "apps/lippmann/result_flags.hpp"
+#include "apps/lippmann/sheet_flags.hpp"
 #include "apps/lippmann/stereo_flags.hpp"
 #include "apps/lippmann/view_filter_flags.hpp"
 #include "lippmann/layout/formats.hpp"
@@ -23,11 +25,18 @@ struct ConvertOptions {
   CrosstalkFlags crosstalk;
   StereoFlags stereo;
   DepthFlags depth;
+  SheetFlags sheet;
+  DisplayPictureFlags picture;
+
+  bool has_display() const { return !display.empty() || sheet.are_given(); }
+  /// Throws a usage Error naming the flag. has_display() is true.
+  Display read_display() const;
 };
 
 /// The kind of a conversion, decided by one flag or by the pair of formats.
 enum class ConvertKind {
   kRearrange,      ///< moves the pixels of views
+  kDisplay,        ///< resamples views for a display
   kDepthViews,     ///< computes views from RGB-D pictures
   kStereo,         ///< computes the views of two eyes
   kRotate,         ///< --rotate-elemental

@@ -47,6 +47,16 @@ std::vector<std::string_view> given(const ParamFlags& flags) {
   return names;
 }
 
+/// The sheet of the flags as a display in one line. Its pitch depends on the angle and the distance.
+void set_sheet(const ParamFlags& flags, RenderParams& params) {
+  const auto text_of = [&](std::string_view name) {
+    const auto found = flags.values.find(name);
+    return found == flags.values.end() || found->second.empty() ? std::string() : found->second.back();
+  };
+  const std::string line = flags.sheet.line({text_of("display"), text_of("viewing-distance"), text_of("view-angle")});
+  find_param("display")->set(params, {line}, "--display");
+}
+
 RenderParams asked(const ParamFlags& flags) {
   RenderParams params;
   const bool scene_is_job = std::filesystem::path(flags.scene).extension() == ".toml";
@@ -60,6 +70,7 @@ RenderParams asked(const ParamFlags& flags) {
       throw usage_error(fmt::format("--{}", name), fmt::format("and --{} contradict each other", info.opposite), "one of them");
     info.set(params, texts, fmt::format("--{}", name));
   }
+  if (flags.sheet.are_given()) set_sheet(flags, params);
   if (params.scene.name.empty())
     throw usage_error("SCENE", "is missing", "a built-in name (see: lippmann scenes), a file, or a job");
   return params;
@@ -94,6 +105,7 @@ void add_param_flags(const Command& command, ParamFlags& flags, std::initializer
         std::any_of(wanted.begin(), wanted.end(), [&](auto word) { return word == info.name || word == info.group; });
     if ((listed || wanted.size() == 0) && info.name != "scene") add_param(command, info, flags.values[info.name]);
   }
+  add_sheet_flags(command, flags.sheet);
   command.add_option("--job", flags.job, "A job file (.toml); flags override what it says").type_name("FILE").group("Scene");
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "apps/lippmann/sheet_flags.hpp"
 #include "job/resolved_job.hpp"
 
 namespace lippmann::app {
@@ -17,6 +18,7 @@ class Command;  // command_line.hpp
 struct ParamFlags {
   std::string scene;  ///< positional: a built-in name, a file, or a job
   std::string job;
+  SheetFlags sheet;                                             ///< in place of `display`
   std::map<std::string_view, std::vector<std::string>> values;  ///< by parameter, as given
 
   /// The job file, if there is one, and what the flags say over it. Throws Error, also for a flag that has no effect.

@@ -50,14 +50,26 @@ SubPixelOffsets offsets_of(const Calibration& calibration) {
 
 /// Lenses whose cells are `cell_mm` wide and converge to the viewer, over a zone of that angle.
 struct Lenses {
-  float pitch_mm, gap_mm;
+  double pitch_mm, gap_mm;
 };
 
 Lenses lenses_of(const Display& display, double distance_mm) {
   // p = pitch of the sheet itself; its cells are p (1 + g/V) wide: 2 atan(cell / 2g) = cone, thus g = p / (2 tan(cone/2) -
   // p/V).
   const double p = display.lenses.pitch_mm, spread = 2.0 * std::tan(0.5 * display.view_cone_deg * kDegree);
-  return {static_cast<float>(p), static_cast<float>(p / (spread - p / distance_mm))};
+  return {p, p / (spread - p / distance_mm)};
+}
+
+/// Where the coordinate of LensStrips is 0 at the panel's centre.
+double centre_of_strips(const Display& display, const LensStrips& strips) {
+  return 0.5 * (display.pixels.x * strips.cosine - display.pixels.y * strips.sine);
+}
+
+/// The centre of the first lens to the right of the panel's centre.
+float sheet_offset_mm(const Display& display) {
+  const LensStrips strips = lens_strips(display);
+  const double edge = (strips.start_px - centre_of_strips(display, strips)) / strips.cell_px;
+  return static_cast<float>((edge - std::floor(edge) + 0.5) * display.lenses.pitch_mm);
 }
 
 }  // namespace
@@ -101,16 +113,18 @@ Optics native_optics(const Display& display) {
     return optics;
   }
   const Lenses lenses = lenses_of(display, distance);
+  const auto pitch = static_cast<float>(lenses.pitch_mm), gap = static_cast<float>(lenses.gap_mm);
   if (display.kind == DisplayKind::kLenticularSheet) {
     LenticularSheet sheet;
-    sheet.lens_pitch_mm = lenses.pitch_mm, sheet.gap_mm = lenses.gap_mm, sheet.offset_mm = 0.5f * lenses.pitch_mm;
+    sheet.lens_pitch_mm = pitch, sheet.gap_mm = gap;
+    sheet.offset_mm = display.lenses.phase_px ? sheet_offset_mm(display) : 0.5f * pitch;
     sheet.slant = static_cast<float>(display.lenses.slant_deg * kDegree);
     sheet.viewing_distance_mm = static_cast<float>(distance);
     optics.model = sheet;
   } else {
     MicrolensArray array;
     array.packing = display.lenses.packing;
-    array.lens_pitch_mm = lenses.pitch_mm, array.gap_mm = lenses.gap_mm, array.offset_mm = Vec2f(0.5f * lenses.pitch_mm);
+    array.lens_pitch_mm = pitch, array.gap_mm = gap, array.offset_mm = Vec2f(0.5f * pitch);
     array.viewing_distance_mm = static_cast<float>(distance);
     optics.model = array;
   }
@@ -127,6 +141,18 @@ std::optional<Optics> quilt_optics(const Display& display) {
   views.distance_mm = static_cast<float>(viewing_distance_mm(display));
   views.pixel_height = static_cast<float>(pixel_height / pixel_width);
   return Optics{.panel = {quilt.width, quilt.height, static_cast<float>(pixel_width)}, .model = views};
+}
+
+LensStrips lens_strips(const Display& display) {
+  const double distance = viewing_distance_mm(display), slant = display.lenses.slant_deg * kDegree;
+  const Lenses lenses = lenses_of(display, distance);
+  LensStrips strips;
+  strips.cosine = std::cos(slant), strips.sine = std::sin(slant);
+  strips.cell_px = lenses.pitch_mm * (1.0 + lenses.gap_mm / distance) / display.pixel_mm();
+  const std::optional<double> phase = display.lenses.phase_px;
+  const double edge = phase ? *phase * strips.cosine - 0.5 * strips.sine : centre_of_strips(display, strips);
+  strips.start_px = edge - strips.cell_px * std::ceil(edge / strips.cell_px);
+  return strips;
 }
 
 double pixels_below_lens(const Display& display) {

@@ -45,10 +45,12 @@ OrderedJson calibration_json(const Calibration& c) {
 }
 
 OrderedJson lenses_json(const DisplayLenses& lenses) {
-  return {{"pitch_mm", lenses.pitch_mm},
-          {"lenses_per_inch", 25.4 / lenses.pitch_mm},
-          {"slant_deg", lenses.slant_deg},
-          {"packing", lenses.packing == LensPacking::kSquare ? "square" : "hexagonal"}};
+  OrderedJson json{{"pitch_mm", lenses.pitch_mm},
+                   {"lenses_per_inch", 25.4 / lenses.pitch_mm},
+                   {"slant_deg", lenses.slant_deg},
+                   {"packing", lenses.packing == LensPacking::kSquare ? "square" : "hexagonal"}};
+  if (lenses.phase_px) json["phase_px"] = *lenses.phase_px;
+  return json;
 }
 
 }  // namespace

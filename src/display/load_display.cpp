@@ -15,6 +15,7 @@
 #include "display/document.hpp"
 #include "display/presets.hpp"
 #include "display/read_display.hpp"
+#include "display/sheet_line.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
@@ -135,10 +136,15 @@ Display load_display(const std::string& preset_or_path) {
   const std::string ending = lower(fs::path(preset_or_path).extension().string());
   if (ending == ".toml" || ending == ".json") return load_file(preset_or_path);
   if (const PresetFile* preset = find_preset(lower(preset_or_path))) return named_preset(*preset);
+  if (is_sheet_line(preset_or_path)) {
+    Display display = display_from_line(preset_or_path);
+    check_display(display, "display");
+    return display;
+  }
   throw unknown_preset("display", preset_or_path);
 }
 
-bool is_display_preset(const std::string& name) { return find_preset(lower(name)) != nullptr; }
+bool is_display_file(const std::string& display) { return !find_preset(lower(display)) && !is_sheet_line(display); }
 
 std::vector<Display> display_presets() {
   std::vector<Display> displays;

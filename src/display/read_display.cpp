@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/json_fields.hpp"
@@ -17,6 +19,34 @@ using Json = nlohmann::ordered_json;
 constexpr NumberRange kSide{1, 65536}, kTiles{1, 64}, kDpi{1, 1e5}, kCone{0.1, 175}, kAspect{0.01, 100}, kOffset{-4, 4},
     kAngle{-360, 360};
 constexpr std::size_t kMaxCells = 8;
+
+/// The tables of a display's file.
+enum class Level { kFile, kLenses, kCalibration, kQuilt, kVideo };
+
+constexpr std::array<const char*, 5> kPlaces{"the top of the file, before the first table", "[lenses]", "[calibration]",
+                                             "[quilt]", "[video]"};
+
+const std::vector<std::string_view>& keys_of(Level level) {
+  static const std::array<std::vector<std::string_view>, 5> keys{
+      {{"base", "description", "kind", "serials", "pixels", "dpi", "view_cone_deg", "viewing_distance_mm", "crosstalk",
+        "calibration", "lenses", "quilt", "video"},
+       {"pitch_mm", "lenses_per_inch", "slant_deg", "packing", "phase_px"},
+       {"pitch", "slope", "center", "invView", "flipImageX", "flipImageY", "flipSubp", "verticalAngle", "fringe",
+        "subpixelCells", "CellPatternMode", "configVersion", "patterns", "inversion", "flip"},
+       {"tiles", "size", "aspect"},
+       {"codec", "longest_side", "quilts"}}};
+  return keys[static_cast<std::size_t>(level)];
+}
+
+/// Throws Error for a key of another table, naming that table, and for an unknown key.
+void allow_keys_of(Level level, const JsonFields& fields) {
+  const std::vector<std::string_view>& own = keys_of(level);
+  for (std::size_t other = 0; other < kPlaces.size(); ++other)
+    for (const std::string_view key : keys_of(static_cast<Level>(other)))
+      if (std::find(own.begin(), own.end(), key) == own.end() && fields.has(key))
+        fields.reject(key, "is in the wrong place", std::string("this key in ") + kPlaces[other]);
+  fields.allow_only(own);
+}
 
 /// Within a factor of a thousand of what lenses are, and not 0.
 double read_slope(const JsonFields& fields, double otherwise) {
@@ -67,7 +97,7 @@ Calibration read_calibration(const JsonFields& fields, Calibration c) {
 }
 
 DisplayLenses read_lenses(const JsonFields& fields) {
-  fields.allow_only({"pitch_mm", "lenses_per_inch", "slant_deg", "packing"});
+  allow_keys_of(Level::kLenses, fields);
   if (fields.has("pitch_mm") == fields.has("lenses_per_inch"))
     fields.reject("pitch_mm", fields.has("pitch_mm") ? "is given besides lenses_per_inch" : "is missing, and lenses_per_inch",
                   "one of the two");
@@ -75,12 +105,13 @@ DisplayLenses read_lenses(const JsonFields& fields) {
   lenses.pitch_mm =
       fields.has("pitch_mm") ? fields.number("pitch_mm", {1e-3, 1e3}) : 25.4 / fields.number("lenses_per_inch", {0.1, 2e4});
   lenses.slant_deg = fields.number_or("slant_deg", {-89, 89}, 0.0);
+  if (fields.has("phase_px")) lenses.phase_px = fields.number("phase_px", {-65536, 65536});
   lenses.packing = fields.word_or("packing", {"square", "hexagonal"}, 0) == 0 ? LensPacking::kSquare : LensPacking::kHexagonal;
   return lenses;
 }
 
 DisplayQuilt read_quilt(const JsonFields& fields, Vec2i pixels) {
-  fields.allow_only({"tiles", "size", "aspect"});
+  allow_keys_of(Level::kQuilt, fields);
   const Vec2i tiles = fields.whole_pair("tiles", kTiles), size = fields.whole_pair("size", kSide);
   if (size.x < tiles.x || size.y < tiles.y)
     fields.reject("size",
@@ -92,7 +123,7 @@ DisplayQuilt read_quilt(const JsonFields& fields, Vec2i pixels) {
 
 DisplayVideo read_video(const JsonFields& fields) {
   static const std::vector<std::string_view> codecs{"h264", "hevc", "vp9", "av1", "ffv1"};
-  fields.allow_only({"codec", "longest_side", "quilts"});
+  allow_keys_of(Level::kVideo, fields);
   DisplayVideo video;
   video.codec = codecs[fields.word_or("codec", codecs, 1)];
   video.longest_side = fields.whole_or("longest_side", {16, 65536}, video.longest_side);
@@ -119,8 +150,7 @@ void read_optics(const JsonFields& fields, Display& display) {
     return;
   }
   const JsonFields calibration = fields.inner("calibration");
-  calibration.allow_only({"pitch", "slope", "center", "invView", "flipImageX", "flipImageY", "flipSubp", "verticalAngle",
-                          "fringe", "subpixelCells", "CellPatternMode", "configVersion", "patterns", "inversion", "flip"});
+  allow_keys_of(Level::kCalibration, calibration);
   display.calibration = read_calibration(calibration, {});
 }
 
@@ -128,8 +158,7 @@ void read_optics(const JsonFields& fields, Display& display) {
 
 Display display_from_tables(const Json& json, const std::string& where) {
   const JsonFields fields(json, where, "");
-  fields.allow_only({"base", "description", "kind", "serials", "pixels", "dpi", "view_cone_deg", "viewing_distance_mm",
-                     "crosstalk", "calibration", "lenses", "quilt", "video"});
+  allow_keys_of(Level::kFile, fields);
   Display display;
   read_optics(fields, display);
   display.description = printable(fields.text_or("description", ""));

@@ -54,12 +54,14 @@ void check_picture_ending(const std::filesystem::path& path, const Picture& pict
                 std::string(ending) + (std::holds_alternative<Image>(picture) ? " for float samples" : " for 8 or 16 bits"));
 }
 
-void write_picture(const std::filesystem::path& path, const Picture& picture) {
+void write_picture(const std::filesystem::path& path, const Picture& picture, double dots_per_inch) {
   check_picture_ending(path, picture);
   require_samples(picture, path.string());
   if (const auto* light = std::get_if<Image>(&picture)) require_channels(*light, 3, path.string());
-  if (const auto* bytes = std::get_if<Image8>(&picture)) return write_png(path, *bytes);
-  if (const auto* words = std::get_if<Image16>(&picture)) return write_png(path, *words);
+  PngOptions options;
+  options.dots_per_inch = dots_per_inch;
+  if (const auto* bytes = std::get_if<Image8>(&picture)) return write_png(path, *bytes, options);
+  if (const auto* words = std::get_if<Image16>(&picture)) return write_png(path, *words, options);
   const std::array<ExrLayer, 1> layers{film_layer(std::get<Image>(picture), ExrSample::kFloat)};
   write_exr(path, layers);
 }

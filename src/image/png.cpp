@@ -93,6 +93,10 @@ class Encoder {
                  alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_ABSOLUTE);
+    if (options.dots_per_inch > 0.0) {
+      const auto per_metre = static_cast<png_uint_32>(options.dots_per_inch / 0.0254 + 0.5);
+      png_set_pHYs(png_, info_, per_metre, per_metre, PNG_RESOLUTION_METER);
+    }
     png_write_info(png_, info_);
     if (bits == 16) png_set_swap(png_);
     const std::size_t row = static_cast<std::size_t>(width) * (alpha ? 4 : 3) * static_cast<std::size_t>(bits / 8);

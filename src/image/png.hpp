@@ -20,6 +20,7 @@ struct PngOptions {
   int level = 1;  ///< deflate's effort, 0 (stored) ... 9; run-length and Huffman ignore it
   PngStrategy strategy = PngStrategy::kDefault;
   PngFilter filter = PngFilter::kUp;
+  double dots_per_inch = 0.0;  ///< stated as whole pixels per metre (pHYs); 0: not stated
 };
 
 /// The bytes of the file. Throws Error for sizes outside 1 ... 65536.

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 bool is_relative_path(const ParamInfo& info, const std::string& value) {
   return info.is_path && !value.empty() && fs::path(value).is_relative() &&
-         !(info.name == "scene" && is_builtin_scene(value)) && !(info.name == "display" && is_display_preset(value)) &&
+         !(info.name == "scene" && is_builtin_scene(value)) && !(info.name == "display" && !is_display_file(value)) &&
          !(info.name == "environment" && !environment_is_file(value));
 }
 

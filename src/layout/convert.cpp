@@ -1,9 +1,12 @@
 #include "lippmann/layout/convert.hpp"
 
+#include <memory>
 #include <utility>
 
 #include "core/folder.hpp"
+#include "image/tiff.hpp"
 #include "layout/light_field_source.hpp"
+#include "layout/quilt_side_file.hpp"
 #include "layout/rgbd_name.hpp"
 #include "layout/view_files.hpp"
 #include "lippmann/core/error.hpp"
@@ -15,12 +18,50 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool is_tiff_name(const fs::path& path) { return path.extension() == ".tif" || path.extension() == ".tiff"; }
+
+/// As many as processors, or those that are given.
+int resolved_threads(int threads) {
+  Context context;
+  context.threads = threads;
+  return lippmann::resolved_threads(context);
+}
+
+Picture cropped(Picture view, const Crop& window) {
+  LightField one;
+  one.grid = {1, 1}, one.view_size = size_of(view), one.stack = std::move(view);
+  crop(one, window, "crop");
+  return std::move(one.stack);
+}
+
+/// Prints state their resolution.
+std::vector<fs::path> write_display_picture(const Picture& picture, const Display& display, DisplayTarget target,
+                                            const fs::path& path) {
+  if (target == DisplayTarget::kQuilt) {
+    const QuiltName quilt = quilt_name_of(*display.quilt);
+    const fs::path named = with_quilt_name(path, quilt);
+    write_picture(named, picture);
+    write_quilt_side_file(named, {quilt, quilt.tiles.count(), false});
+    return {named, quilt_side_path(named)};
+  }
+  const auto* bytes = std::get_if<Image8>(&picture);
+  constexpr double kInchMm = 25.4;
+  if (bytes && is_tiff_name(path))
+    write_tiff(path, *bytes, display.dpi / kInchMm);
+  else
+    write_picture(path, picture, display.dpi);
+  return {path};
+}
+
 class Conversion {
  public:
-  explicit Conversion(const ConvertParams& params) : params_(params), to_(find_format(params.to, "to")) {}
+  explicit Conversion(const ConvertParams& params) : params_(params), to_(find_format(params.to, "to")) {
+    if (params.display_picture) pool_ = std::make_unique<ThreadPool>(resolved_threads(params.threads));
+  }
 
   /// `is_frame`: the ending of `out` is that of `in`, not a wish.
   void convert_one(const fs::path& in, const fs::path& out, bool is_frame, Converted& result) const {
+    if (params_.display_picture) return show_one(in, out, is_frame, result);
     FormatOptions reading = params_.options;
     reading.with_depth = to_.uses_cameras;
     if (to_.name == "stereo") reading.stereo.reset();  // it is what is made; pictures that are read have names
@@ -43,6 +84,32 @@ class Conversion {
     result.lacks_depth = to_.uses_cameras && field.cameras && !field.depth;
   }
 
+  /// Writes the picture of the display. Views of folders are fitted one by one as they are read: they may be large photos.
+  void show_one(const fs::path& in, const fs::path& out, bool is_frame, Converted& result) const {
+    const Display& display = *params_.options.display;
+    const DisplayTarget target = display_target(display, to_.name);
+    ViewFitter fitter(display, target, params_.display_picture->fit, *pool_);
+    FormatOptions reading = params_.options;
+    reading.fit_view = [&](Picture view) {
+      if (params_.crop) view = cropped(std::move(view), *params_.crop);
+      const Vec2d size(size_of(view));
+      return fitter.fitted(view, size.x / size.y);
+    };
+    LightField field = open_light_field(in, params_.from, reading).field;
+    if (params_.keep) keep(field, *params_.keep, "keep");
+    if (!fitter.has_fitted()) {
+      if (params_.crop) crop(field, *params_.crop, "crop");
+      fitter.fit(field);
+    }
+    const Picture picture = display_picture(field, display, target, *params_.display_picture, *pool_);
+    fs::path path = out;
+    if (is_frame || !path.has_extension()) path.replace_extension(exact_ending(picture));
+    const NewFolder folder(path.parent_path());
+    for (fs::path& file : write_display_picture(picture, display, target, path)) result.written.push_back(std::move(file));
+    result.views = field.grid, result.view_size = field.view_size;
+    result.fitted = fitter.described();
+  }
+
   /// What a frame is called there. Only a quilt is named like one: `to_` names its own.
   fs::path name_of(const fs::path& frame) const {
     const fs::path bare = without_rgbd_name(without_stereo_name(without_quilt_name(frame.filename())));
@@ -52,7 +119,11 @@ class Conversion {
  private:
   const ConvertParams& params_;
   const LightFieldFormat& to_;
+  std::unique_ptr<ThreadPool> pool_;  ///< of display pictures
 };
+
+/// Whether each picture of a folder is a light field: frames of a flip print are its views.
+bool may_have_frames(const ConvertParams& params) { return !params.display_picture || !params.display_picture->flip; }
 
 }  // namespace
 
@@ -60,7 +131,7 @@ Converted convert(const fs::path& in, const fs::path& out, const ConvertParams& 
   const Conversion conversion(params);
   Converted result;
   std::error_code ignored;
-  const bool is_folder = fs::is_directory(in, ignored);
+  const bool is_folder = fs::is_directory(in, ignored) && may_have_frames(params);
   const std::vector<fs::path> frames = is_folder ? light_field_frames(in, params.from) : std::vector<fs::path>();
   const bool may_be_one = params.from.empty() || find_format(params.from, "from").is_folder || !is_folder;
   if (frames.empty() && !may_be_one) throw Error(in.string(), "contains no frames", "frame_0000.png, frame_0001.png, ...");

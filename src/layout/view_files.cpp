@@ -103,8 +103,11 @@ LightField read_view_files(const std::vector<fs::path>& by_view, ViewGrid grid,
   return field;
 }
 
-std::function<Picture(const fs::path&)> picture_reader(const std::function<void(std::string_view)>& warn) {
-  return [warn](const fs::path& path) { return read_picture(path, warn); };
+std::function<Picture(const fs::path&)> picture_reader(const FormatOptions& options) {
+  return [warn = options.warn, fit = options.fit_view](const fs::path& path) {
+    Picture picture = read_picture(path, warn);
+    return fit ? fit(std::move(picture)) : picture;
+  };
 }
 
 const char* exact_ending(const Picture& picture) { return std::holds_alternative<Image>(picture) ? "exr" : "png"; }

@@ -44,7 +44,7 @@ std::string value_of(const ParamInfo& info, const RenderParams& params) {
 
 /// Whatever a page says becomes no path.
 void refuse_files(const std::string& name, const std::string& value, const RenderParams& base) {
-  if (name == "display" && !value.empty() && value != base.optics.display && !is_display_preset(value))
+  if (name == "display" && !value.empty() && value != base.optics.display && is_display_file(value))
     throw usage_error("display", "the page accepts presets only",
                       fmt::format("a name of `lippmann displays`, or `lippmann view {} FILE`", flag_of("display")));
   if (name == "environment" && value != base.scene.environment && environment_is_file(value))

@@ -19,7 +19,7 @@
 #include "lippmann/layout/open_light_field.hpp"
 #include "lippmann/replay/light_field_frames.hpp"
 #include "replay/depth_views.hpp"
-#include "replay/lens_interlace.hpp"
+#include "layout/lens_interlace.hpp"
 #include "video/video_reader.hpp"
 
 namespace lippmann {

@@ -62,6 +62,8 @@ struct DisplayLenses {
   double pitch_mm = 1.0;
   double slant_deg = 0.0;  ///< angle of a sheet's lenses from the vertical
   LensPacking packing = LensPacking::kSquare;
+  /// Of a sheet: where the print below a lens begins, in pixels from the left edge of the top row; none: at the centre.
+  std::optional<double> phase_px = {};
 };
 
 /// What a device plays. By default, everything.
@@ -109,6 +111,16 @@ double tilt_of(const Display& display);
 
 /// How many of its pixels (whole ones) lie below a lens, across.
 double pixels_below_lens(const Display& display);
+
+/// How the print of a lenticular sheet is divided: the strip below lens k covers the pixels x of row y (continuous, y down)
+/// with start + k cell <= x cos(slant) - y sin(slant) < start + (k + 1) cell. The sheet's viewer sees the whole of each strip:
+/// with the lenses' pitch p, the gap g and the viewing distance D, strips are p (D + g) / D wide, because rays from the eye
+/// through two neighbouring lens centres, p apart at the distance D, are that far apart on the print, at D + g.
+struct LensStrips {
+  double start_px = 0.0, cell_px = 1.0;
+  double cosine = 1.0, sine = 0.0;
+};
+LensStrips lens_strips(const Display& display);
 
 /// How many views: of its quilt; else the pixels (of a slanted panel sub-pixels) below a lens, rounded down.
 int views_of(const Display& display);

@@ -1,5 +1,5 @@
 // Turns light fields of one format into another. Pixels are moved, never changed, so that ways and back are exact wherever
-// both formats hold the same samples.
+// both formats hold the same samples; only pictures for a display are resampled (layout/display_picture.hpp).
 #pragma once
 
 #include <filesystem>
@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lippmann/layout/display_picture.hpp"
 #include "lippmann/layout/formats.hpp"
 #include "lippmann/layout/subset.hpp"
 
@@ -17,6 +18,9 @@ struct ConvertParams {
   FormatOptions options;
   std::optional<Crop> crop;       ///< the part of every view that is kept; none: all of it
   std::optional<KeptViews> keep;  ///< the views that are kept, chosen before they are cropped; none: all
+  /// Resample for options.display, whose picture `to` (integral, quilt or native) is; none: move pixels.
+  std::optional<DisplayPictureParams> display_picture = {};
+  int threads = 0;  ///< of display pictures; 0: one per processor
 };
 
 struct Converted {
@@ -24,6 +28,7 @@ struct Converted {
   ViewGrid views;
   Vec2i view_size{0, 0};
   bool drops_positions = false;                     ///< of cameras, without a unit or distance, which the format does not hold
+  std::string fitted = {};                          ///< how views were resampled for a display; empty: they were not
   bool lacks_cameras = false, lacks_depth = false;  ///< which a format would have taken, but nothing gave
 };
 

@@ -1,4 +1,4 @@
-#include "replay/lens_interlace.hpp"
+#include "layout/lens_interlace.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,54 @@
+#include "apps/lippmann/display_picture_flags.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "apps/lippmann/command_line.hpp"
+#include "core/number_text.hpp"
+#include "lippmann/core/error.hpp"
+
+namespace lippmann::app {
+namespace {
+
+std::vector<double> read_shares(const std::string& text) {
+  std::vector<double> shares;
+  for (std::size_t begin = 0; !text.empty() && begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    shares.push_back(read_number(text.substr(begin, end - begin), 1e-3, 1e3, "--shares"));
+    begin = end + 1;
+  }
+  return shares;
+}
+
+}  // namespace
+
+DisplayPictureParams DisplayPictureFlags::read(const InterlaceParams& interlace) const {
+  DisplayPictureParams params;
+  if (fit == "pad") params.fit = AspectFit::kPad;
+  if (fit == "stretch") params.fit = AspectFit::kStretch;
+  params.filter = interlace.filter, params.sigma_views = interlace.sigma_views;
+  if (flip) params.flip = FlipParams{read_shares(shares), blend.value_or(0.0)};
+  params.mirror = mirror;
+  params.turn_deg = turn_deg.value_or(0);
+  if (params.turn_deg % 90 != 0) throw usage_error("--rotate", "is no quarter turn", "90, 180 or 270");
+  return params;
+}
+
+void add_display_picture_flags(const Command& command, DisplayPictureFlags& flags) {
+  const Command group = command.add_group("Pictures of a display", "With --display, or --lpi, --dpi and --paper");
+  group.add_option("--fit", flags.fit, "Views of another shape than the display: crop (default), pad or stretch")
+      .one_of({"crop", "pad", "stretch"});
+  group.add_flag("--flip", flags.flip, "Flip print: the pictures of IN are frames, the first at the left below each lens");
+  group.add_option("--shares", flags.shares, "With --flip: the share of each frame, such as 2,1,1; default: equal")
+      .type_name("N,N,...");
+  group
+      .add_option("--blend", flags.blend,
+                  "With --flip: soft transitions, as a share of the smaller frame, up to 1 (morph); default 0: hard")
+      .range(0.0, 1.0);
+  group.add_flag("--mirror", flags.mirror, "Mirror the print left to right, for the back of a sheet");
+  group.add_option("--rotate", flags.turn_deg, "Turn the print clockwise by 90, 180 or 270 degrees")
+      .type_name("DEG")
+      .range(90, 270);
+}
+
+}  // namespace lippmann::app

@@ -1,0 +1,25 @@
+// Flags of `lippmann convert` for pictures of a display.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "lippmann/layout/display_picture.hpp"
+
+namespace lippmann::app {
+
+class Command;  // command_line.hpp
+
+struct DisplayPictureFlags {
+  std::string fit, shares;
+  bool mirror = false, flip = false;
+  std::optional<int> turn_deg;
+  std::optional<double> blend;
+
+  /// Throws a usage Error naming the flag.
+  DisplayPictureParams read(const InterlaceParams& interlace) const;
+};
+
+void add_display_picture_flags(const Command& command, DisplayPictureFlags& flags);
+
+}  // namespace lippmann::app

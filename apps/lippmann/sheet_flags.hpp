@@ -1,0 +1,26 @@
+// Flags that describe a lenticular sheet on a print, without a file: --lpi 60.12 --dpi 600 --paper A5.
+#pragma once
+
+#include <string>
+
+namespace lippmann::app {
+
+class Command;  // command_line.hpp
+
+struct SheetFlags {
+  std::string lpi, lenses_per_mm, pitch_mm, visual_lpi, dpi, paper, phase;
+  bool landscape = false;
+
+  /// Flags of the command that belong to the sheet, too; empty: not given.
+  struct Others {
+    std::string display, viewing_distance_mm, view_angle_deg;
+  };
+
+  bool are_given() const;
+  /// The display in one line, for load_display. Throws a usage Error for a --display beside it, and if a part is missing.
+  std::string line(const Others& others) const;
+};
+
+void add_sheet_flags(const Command& command, SheetFlags& flags);
+
+}  // namespace lippmann::app

@@ -1,0 +1,83 @@
+// The pictures of a display, made of views of any size: what a sheet of lenses is laid on, a quilt, or a panel's native frame.
+//
+// Views are cropped or padded to the shape of the display and resampled, in linear light, to what it resolves: by area where
+// they get smaller, by Lanczos (3 lobes) where they get larger. They spread evenly over the viewing zone, view 0 from the left.
+// Below the lenses of a sheet they lie in the opposite order, view N - 1 at the left. All functions give the same bits for any
+// number of threads.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lippmann/core/parallel.hpp"
+#include "lippmann/display/display.hpp"
+#include "lippmann/layout/interlace.hpp"
+#include "lippmann/layout/light_field.hpp"
+
+namespace lippmann {
+
+/// How a view of another shape fills the display.
+enum class AspectFit { kCrop, kPad, kStretch };
+
+/// A flip print: frames take the place of views. Below each lens, frame 0 lies at the left.
+struct FlipParams {
+  std::vector<double> shares = {};  ///< of the lens, one for each frame, above 0, in any unit; empty: equal shares
+  double blend = 0.0;  ///< 0: hard transitions; 1: each transition spreads over the smaller of the two shares that it joins
+};
+
+struct DisplayPictureParams {
+  AspectFit fit = AspectFit::kCrop;
+  ViewFilter filter = ViewFilter::kNearest;  ///< between views; gaussian: native frames only. Arrays: nearest only
+  double sigma_views = 0.5;                  ///< of gaussian
+  std::optional<FlipParams> flip = {};       ///< sheets only
+  bool mirror = false;                       ///< left and right change places, for prints on the back of a sheet
+  int turn_deg = 0;                          ///< clockwise: 0, 90, 180 or 270
+};
+
+/// The kind of picture: as a format of layout/formats.hpp.
+enum class DisplayTarget { kIntegral, kQuilt, kNative };
+
+/// Throws a usage Error naming the format if the display has no such picture. `format`: integral, quilt or native.
+DisplayTarget display_target(const Display& display, std::string_view format);
+
+/// The format of the display's own picture: native for slanted panels, integral for the others.
+std::string_view own_format(const Display& display);
+
+/// Fits views, one at a time, to what a display resolves.
+class ViewFitter {
+ public:
+  /// The arguments must outlive this object. Throws a usage Error for strips below 2 pixels or wider than the picture.
+  ViewFitter(const Display& display, DisplayTarget target, AspectFit fit, const ThreadPool& pool);
+
+  /// `aspect`: of the scene that the view shows, width / height. Throws Error if the size is not that of the first view.
+  Picture fitted(const Picture& view, double aspect);
+  /// The same for each view of a light field in memory.
+  void fit(LightField& field);
+
+  Vec2i size() const { return size_; }
+  bool has_fitted() const { return original_.x > 0; }
+  /// "cropped from 4000x3000 to 2250x3000, resized to 372x682".
+  std::string described() const;
+
+ private:
+  Vec2d window_of(Vec2i view, double aspect) const;
+
+  const Display& display_;
+  DisplayTarget target_;
+  AspectFit fit_;
+  const ThreadPool& pool_;
+  Vec2i size_{0, 0};
+  double first_ = 0.0, step_ = 1.0;  ///< the display's share of width where the first sample begins, and of each sample
+  double aspect_ = 1.0;              ///< of the display
+  Vec2i original_{0, 0};
+  Vec2d window_{0.0};
+};
+
+/// The picture of the display, of views that a ViewFitter has fitted. Throws a usage Error for views of more than one row, a
+/// single view, and shares that are not as many as the frames.
+Picture display_picture(const LightField& field, const Display& display, DisplayTarget target,
+                        const DisplayPictureParams& params, const ThreadPool& pool);
+
+}  // namespace lippmann

@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "image/resample_light.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/display_picture.hpp"
+#include "lippmann/optics/viewing.hpp"
+
+namespace lippmann {
+namespace {
+
+/// Shapes that differ by less need no crop.
+constexpr double kSameAspect = 0.01;
+
+/// The samples of a view that one row of a display's lenses shows, as shares of the display's width.
+struct RowOfSamples {
+  int count;
+  double first, step;
+};
+
+/// Upright sheets: one sample for each strip, at its place. Slanted ones cross the columns: two for each lens.
+RowOfSamples samples_of_sheet(const Display& display) {
+  const LensStrips strips = lens_strips(display);
+  const double width = display.pixels.x;
+  if (strips.sine != 0.0) {
+    const int count = 2 * static_cast<int>(std::ceil(width * strips.cosine / strips.cell_px));
+    return {count, 0.0, 1.0 / count};
+  }
+  constexpr double kRounding = 1e-6;
+  const int count = static_cast<int>(std::ceil((width - strips.start_px) / strips.cell_px - kRounding));
+  return {count, strips.start_px / width, strips.cell_px / width};
+}
+
+void check_strips(const Display& display) {
+  const double cell = lens_strips(display).cell_px;
+  constexpr double kRoundingPx = 1e-6;
+  if (cell >= 2.0 - kRoundingPx && cell <= display.pixels.x + kRoundingPx) return;
+  throw usage_error(
+      "display",
+      fmt::format("{:.3f} pixels lie below a lens, of {}x{} pixels in all", cell, display.pixels.x, display.pixels.y),
+      "a lens pitch from 2 pixels to the width of the picture");
+}
+
+Vec2i tile_of(const DisplayQuilt& quilt) { return {quilt.width / quilt.columns, quilt.height / quilt.rows}; }
+
+}  // namespace
+
+ViewFitter::ViewFitter(const Display& display, DisplayTarget target, AspectFit fit, const ThreadPool& pool)
+    : display_(display), target_(target), fit_(fit), pool_(pool) {
+  aspect_ = static_cast<double>(display.pixels.x) / display.pixels.y;
+  if (target == DisplayTarget::kQuilt) aspect_ = display.quilt->aspect;
+  if (target != DisplayTarget::kIntegral) {
+    size_ = display.quilt ? tile_of(*display.quilt) : (display.pixels + 1) / 2;
+    step_ = 1.0 / size_.x;
+  } else if (display.kind == DisplayKind::kLenticularSheet) {
+    check_strips(display);
+    const RowOfSamples row = samples_of_sheet(display);
+    size_ = {row.count, display.pixels.y};
+    first_ = row.first, step_ = row.step;
+  } else {
+    size_ = lens_grid(native_optics(display));
+    step_ = 1.0 / size_.x;
+  }
+}
+
+/// The part of a view that fills the display, in its pixels; larger than the view where it is padded.
+Vec2d ViewFitter::window_of(Vec2i view, double aspect) const {
+  const double excess = aspect / aspect_;
+  const bool is_tile = target_ != DisplayTarget::kIntegral && view == size_;
+  if (fit_ == AspectFit::kStretch || is_tile || std::abs(excess - 1.0) < kSameAspect) return view;
+  const bool is_too_wide = excess > 1.0;
+  if ((fit_ == AspectFit::kCrop) == is_too_wide) return {view.x / excess, view.y};
+  return {view.x, view.y * excess};
+}
+
+Picture ViewFitter::fitted(const Picture& view, double aspect) {
+  const Vec2i from = size_of(view);
+  if (has_fitted() && from != original_)
+    throw Error("views", fmt::format("one has {}x{} pixels, and others {}x{}", from.x, from.y, original_.x, original_.y),
+                "views of one size");
+  original_ = from, window_ = window_of(from, aspect);
+  const bool is_whole = window_ == Vec2d(from);
+  // Panels sample views of any size.
+  if (target_ == DisplayTarget::kNative && is_whole && from.x <= display_.pixels.x && from.y <= display_.pixels.y) {
+    size_ = from;
+    return view;
+  }
+  if (is_whole && from == size_ && first_ == 0.0) return view;
+  const bool pads = fit_ == AspectFit::kPad;
+  const Vec2d corner = 0.5 * (Vec2d(from) - window_);
+  const AxisSamples across{corner.x + first_ * window_.x, step_ * window_.x, size_.x, pads};
+  const AxisSamples down{corner.y, window_.y / size_.y, size_.y, pads};
+  return with_samples_like(view, resampled_light(view, across, down, pool_));
+}
+
+void ViewFitter::fit(LightField& field) {
+  LightField made = field;
+  for (int view = 0; view < field.grid.count(); ++view) {
+    const Picture picture = fitted(view_of(field, view), field.aspect);
+    if (view == 0) made.view_size = size_of(picture), made.stack = blank(picture, stack_size(made));
+    set_view(made, view, picture);
+  }
+  made.depth.reset();
+  field = std::move(made);
+}
+
+std::string ViewFitter::described() const {
+  std::string text;
+  const Vec2i used(glm::round(window_));
+  if (used != original_)
+    text = fmt::format("{} from {}x{} to {}x{}", fit_ == AspectFit::kPad ? "padded" : "cropped", original_.x, original_.y,
+                       used.x, used.y);
+  if (size_ != used) text += fmt::format("{}resized to {}x{}", text.empty() ? "" : ", ", size_.x, size_.y);
+  return text;
+}
+
+}  // namespace lippmann

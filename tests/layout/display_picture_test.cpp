@@ -1,0 +1,249 @@
+// Pictures of displays, of views of any size. The trials are prints and panels whose pixels are known.
+#include "lippmann/layout/display_picture.hpp"
+
+#include <gmock/gmock.h>
+
+#include <array>
+#include <map>
+
+#include "light_fields.hpp"
+#include "lippmann/display/load_display.hpp"
+#include "lippmann/layout/convert.hpp"
+#include "support/error_message.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+using testing::HasSubstr;
+
+Image8 plain(Vec2i size, unsigned char r, unsigned char g, unsigned char b) {
+  Image8 image{size.x, size.y, {}};
+  for (int i = 0; i < size.x * size.y; ++i) image.rgb.insert(image.rgb.end(), {r, g, b});
+  return image;
+}
+
+/// View k is red 40 k + 10 all over.
+LightField plain_views(int count, Vec2i size, const Display& display, DisplayTarget target, const ThreadPool& pool) {
+  ViewFitter fitter(display, target, AspectFit::kCrop, pool);
+  LightField field;
+  field.grid = {count, 1};
+  for (int view = 0; view < count; ++view) {
+    const Picture fitted =
+        fitter.fitted(plain(size, static_cast<unsigned char>(20 * view + 10), 0, 255), static_cast<double>(size.x) / size.y);
+    if (view == 0) field.view_size = size_of(fitted), field.stack = blank(fitted, stack_size(field));
+    set_view(field, view, fitted);
+  }
+  return field;
+}
+
+int view_at(const Picture& picture, int x, int y) {
+  const auto& image = std::get<Image8>(picture);
+  return (image.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x))] -
+          10) /
+         20;
+}
+
+Picture print_of(int count, Vec2i size, const std::string& line, const DisplayPictureParams& params = {}) {
+  const ThreadPool pool(2);
+  const Display sheet = load_display(line);
+  return display_picture(plain_views(count, size, sheet, DisplayTarget::kIntegral, pool), sheet, DisplayTarget::kIntegral,
+                         params, pool);
+}
+
+TEST(DisplayPicture, six_photos_behind_lenses_of_a_fractional_pitch) {
+  const Picture print = print_of(6, {3512, 2422}, "lpi=60.12 dpi=600 paper=3593x2783px");
+  ASSERT_EQ(size_of(print), Vec2i(3593, 2783));
+  std::map<int, int> pixels;
+  int lenses = 1;
+  for (int x = 0; x < 3593; ++x) {
+    ++pixels[view_at(print, x, 1000)];
+    if (x > 0 && view_at(print, x, 1000) > view_at(print, x - 1, 1000)) ++lenses;
+  }
+  EXPECT_EQ(lenses, 360);
+  for (int view = 0; view < 6; ++view) EXPECT_NEAR(pixels[view] / 3593.0, 1.0 / 6.0, 0.003) << view;
+  for (int x = 0; x < 9; ++x) EXPECT_GE(view_at(print, x, 0), view_at(print, x + 1, 0)) << "mirrored below a lens";
+}
+
+TEST(DisplayPicture, whole_pitch_has_one_column_for_each_view) {
+  const Picture print = print_of(6, {351, 242}, "lpi=60.12 dpi=360.72 paper=5.98833x4.63833in");
+  ASSERT_EQ(size_of(print), Vec2i(2160, 1673));
+  for (int x = 0; x < 2160; ++x) ASSERT_EQ(view_at(print, x, 7), 5 - x % 6) << x;
+}
+
+TEST(DisplayPicture, ten_frames_of_a_flip_print) {
+  DisplayPictureParams flip;
+  flip.flip = FlipParams{};
+  // Pixel x is told from its left edge: lenses begin half a pixel to the right.
+  const Picture print = print_of(10, {64, 8}, "pitch-mm=0.33725555555555556 dpi=720 paper=1434x20px phase=0.5", flip);
+  for (int x = 0; x < 1434; ++x) ASSERT_EQ(view_at(print, x, 3), 250 * x % 2390 / 239) << x;
+}
+
+TEST(DisplayPicture, two_pictures_get_twelve_pixels_each) {
+  const Picture print = print_of(2, {50, 20}, "lpi=60 dpi=1440 paper=42x1mm");
+  ASSERT_EQ(size_of(print).x, 2381);
+  for (int x = 0; x < 2381; ++x) ASSERT_EQ(view_at(print, x, 0), x % 24 < 12 ? 1 : 0) << x;
+}
+
+TEST(DisplayPicture, flip_shares_and_soft_transitions) {
+  DisplayPictureParams flip;
+  flip.flip = FlipParams{{2.0, 1.0, 1.0}, 0.0};
+  const std::string line = "pitch-mm=1 dpi=1016 paper=80x4px";  // 40 pixels
+  const Picture hard = print_of(3, {8, 4}, line, flip);
+  for (int x = 0; x < 80; ++x) EXPECT_EQ(view_at(hard, x, 0), x % 40 < 20 ? 0 : x % 40 < 30 ? 1 : 2) << x;
+  flip.flip->blend = 0.4;  // 0.4 x 10 pixels around both transitions
+  const Picture soft = print_of(3, {8, 4}, line, flip);
+  const auto red = [&](int x) { return int{std::get<Image8>(soft).rgb[3 * static_cast<std::size_t>(x)]}; };
+  EXPECT_EQ(red(17), 10);
+  EXPECT_GT(red(18), 10);
+  EXPECT_LT(red(21), 30);
+  EXPECT_EQ(red(22), 30);
+  EXPECT_GT(red(30), red(29));
+  EXPECT_THAT(test::error_message([&] { print_of(4, {8, 4}, line, flip); }), HasSubstr("3 shares for 4 frames"));
+}
+
+TEST(DisplayPicture, linear_filter_ramps_between_views) {
+  DisplayPictureParams linear;
+  linear.filter = ViewFilter::kLinear;
+  const Picture print = print_of(2, {8, 4}, "pitch-mm=1 dpi=1016 paper=40x4px", linear);
+  const auto& image = std::get<Image8>(print);
+  EXPECT_EQ(image.rgb[0], 30);
+  EXPECT_EQ(image.rgb[3 * 39], 10);
+  for (std::size_t x = 0; x < 39; ++x) EXPECT_GE(image.rgb[3 * x], image.rgb[3 * x + 3]);
+  EXPECT_GT(image.rgb[3 * 19], 10);
+  EXPECT_LT(image.rgb[3 * 19], 30);
+}
+
+// Slanted lenses: at the same distance along the lenses' normal every row shows the same view.
+TEST(DisplayPicture, slanted_lenses_shift_from_row_to_row) {
+  const std::string line = "pitch-mm=1 dpi=1016 paper=200x100px slant=14.0362434679";  // tan = 1/4
+  const Picture print = print_of(8, {8, 4}, line);
+  for (int y = 0; y + 4 < 100; y += 4)
+    for (int x = 0; x < 199; ++x) ASSERT_EQ(view_at(print, x, y), view_at(print, x + 1, y + 4)) << x << ", " << y;
+}
+
+TEST(DisplayPicture, photos_become_the_quilt_of_the_go) {
+  const test::TempDir dir;
+  std::filesystem::create_directories(dir / "in");
+  for (int view = 0; view < 66; ++view)
+    write_picture(dir / ("in/view_" + std::string(view < 10 ? "0" : "") + std::to_string(view) + ".png"),
+                  plain({40, 30}, static_cast<unsigned char>(100 + view), 200, 50));
+  ConvertParams params{.from = "views", .to = "quilt"};
+  params.options.display = load_display("go");
+  params.display_picture = DisplayPictureParams{};
+  const Converted made = convert(dir / "in", dir / "go.png", params);
+  ASSERT_EQ(made.written.front().filename(), "go_qs11x6a0.5625.png");
+  EXPECT_EQ(made.fitted, "cropped from 40x30 to 17x30, resized to 372x682");
+  const auto quilt = std::get<Image8>(read_picture(made.written.front()));
+  ASSERT_EQ(Vec2i(quilt.width, quilt.height), Vec2i(4092, 4092));
+  const auto red = [&](int x, int y) {
+    return int{quilt.rgb[3 * (static_cast<std::size_t>(y) * 4092 + static_cast<std::size_t>(x))]};
+  };
+  for (int x = 0; x < 4092; ++x) {
+    ASSERT_EQ(red(x, 0), 155 + x / 372) << "the first row: views 55 to 65";
+    ASSERT_EQ(red(x, 4091), 100 + x / 372) << "the last row: views 0 to 10";
+  }
+}
+
+TEST(DisplayPicture, both_eyes_get_half_of_a_calibrated_panel) {
+  const Display panel = display_from_calibration(
+      R"({"pitch": {"value": 52.59267044067383}, "slope": {"value": -7.083540916442871}, "center": {"value": 0.8167931437492371},
+          "screenW": {"value": 1536}, "screenH": {"value": 2048}, "DPI": {"value": 324}})",
+      "visual.json");
+  EXPECT_NEAR(periods_of(panel), 246.8802, 5e-5);
+  EXPECT_NEAR(tilt_of(panel), -0.188230, 5e-7);
+  const SlantedPanel lenses = slanted_panel(panel, 300.0);
+  const double z = (0.5 + 0.5 * lenses.tilt - 1.0 / (3 * 1536)) * lenses.periods - lenses.center;  // red: a third to the left
+  EXPECT_NEAR(1.0 - (z - std::floor(z)), 0.6118, 5e-5);
+  const ThreadPool pool(2);
+  ViewFitter fitter(panel, DisplayTarget::kNative, AspectFit::kCrop, pool);
+  LightField pair;
+  pair.grid = {2, 1}, pair.view_size = {300, 400};
+  const Picture red = fitter.fitted(plain({400, 400}, 255, 0, 0), 1.0), blue = fitter.fitted(plain({400, 400}, 0, 0, 255), 1.0);
+  pair.view_size = size_of(red), pair.stack = blank(red, stack_size(pair));
+  set_view(pair, 0, red), set_view(pair, 1, blue);
+  const auto frame = std::get<Image8>(display_picture(pair, panel, DisplayTarget::kNative, {}, pool));
+  double left = 0.0, right = 0.0;
+  for (std::size_t i = 0; i < frame.rgb.size(); i += 3) left += frame.rgb[i] == 255, right += frame.rgb[i + 2] == 255;
+  const double pixels = 1536.0 * 2048.0;
+  EXPECT_NEAR(left / pixels, 0.5, 0.002);
+  EXPECT_NEAR(right / pixels, 0.5, 0.002);
+}
+
+TEST(DisplayPicture, microlenses_show_views_across_and_up) {
+  const Display array = display_from_toml(
+      "kind = \"microlens-array\"\npixels = [40, 40]\ndpi = 254\nview_cone_deg = 30\n[lenses]\npitch_mm = 0.397\n",
+      "array.toml");
+  const ThreadPool pool(2);
+  ViewFitter fitter(array, DisplayTarget::kIntegral, AspectFit::kCrop, pool);
+  LightField field;
+  field.grid = {2, 2}, field.view_size = fitter.size();
+  field.stack = plain(stack_size(field), 0, 0, 0);
+  for (int view = 0; view < 4; ++view)
+    set_view(field, view, plain(field.view_size, static_cast<unsigned char>(20 * view + 10), 0, 0));
+  const Picture picture = display_picture(field, array, DisplayTarget::kIntegral, {}, pool);
+  // A lens edge lies at the centre: to the right of it and below is the top left of a lens, seen from the right and from below.
+  EXPECT_EQ(view_at(picture, 20, 20), 1);
+  EXPECT_EQ(view_at(picture, 19, 20), 0);
+  EXPECT_EQ(view_at(picture, 20, 19), 3);
+}
+
+TEST(DisplayPicture, mirrored_and_turned) {
+  const std::string line = "pitch-mm=1 dpi=101.6 paper=8x6px";  // 4 pixels
+  const Picture print = print_of(4, {8, 6}, line);
+  DisplayPictureParams params;
+  params.mirror = true;
+  const Picture mirrored = print_of(4, {8, 6}, line, params);
+  for (int x = 0; x < 8; ++x) EXPECT_EQ(view_at(mirrored, x, 2), view_at(print, 7 - x, 2));
+  params.mirror = false, params.turn_deg = 90;
+  const Picture turned = print_of(4, {8, 6}, line, params);
+  ASSERT_EQ(size_of(turned), Vec2i(6, 8));
+  for (int y = 0; y < 8; ++y) EXPECT_EQ(view_at(turned, 3, y), view_at(print, y, 2)) << "the left goes to the top";
+}
+
+TEST(DisplayPicture, same_for_any_number_of_threads) {
+  const Display sheet = load_display("lpi=60.12 dpi=600 paper=211x97px slant=9.5");
+  const auto made_with = [&](int threads) {
+    const ThreadPool pool(threads);
+    LightField field = test::numbered_field({5, 1}, {83, 61});
+    ViewFitter fitter(sheet, DisplayTarget::kIntegral, AspectFit::kPad, pool);
+    fitter.fit(field);
+    DisplayPictureParams params;
+    params.filter = ViewFilter::kLinear;
+    return display_picture(field, sheet, DisplayTarget::kIntegral, params, pool);
+  };
+  EXPECT_TRUE(test::same_samples(made_with(1), made_with(4)));
+}
+
+TEST(DisplayPicture, padded_views_have_black_bars) {
+  const ThreadPool pool(1);
+  const Display go = load_display("go");
+  ViewFitter fitter(go, DisplayTarget::kQuilt, AspectFit::kPad, pool);
+  const auto view = std::get<Image8>(fitter.fitted(plain({90, 80}, 200, 200, 200), 90.0 / 80.0));
+  ASSERT_EQ(Vec2i(view.width, view.height), Vec2i(372, 682));
+  const auto red = [&](int y) { return int{view.rgb[3 * static_cast<std::size_t>(y) * 372]}; };
+  EXPECT_EQ(red(0), 0);
+  EXPECT_EQ(red(169), 0);
+  EXPECT_EQ(red(172), 200);
+  EXPECT_EQ(red(509), 200);
+  EXPECT_EQ(red(681), 0);
+  EXPECT_EQ(fitter.described(), "padded from 90x80 to 90x160, resized to 372x682");
+}
+
+TEST(DisplayPicture, refuses_what_makes_no_print) {
+  EXPECT_THAT(test::error_message([] {
+                print_of(1, {8, 4}, "pitch-mm=1 dpi=1016 paper=80x4px");
+              }),
+              HasSubstr("2 or more pictures"));
+  EXPECT_THAT(test::error_message([] { display_target(load_display("portrait"), "integral"); }), HasSubstr("native or quilt"));
+  EXPECT_THAT(test::error_message([] { display_target(load_display("lenticular-60lpi-600dpi"), "quilt"); }),
+              HasSubstr("has no quilt"));
+  const ThreadPool pool(1);
+  const Display go = load_display("go");
+  ViewFitter fitter(go, DisplayTarget::kQuilt, AspectFit::kCrop, pool);
+  fitter.fitted(plain({90, 80}, 1, 1, 1), 1.0);
+  EXPECT_THAT(test::error_message([&] { fitter.fitted(plain({90, 81}, 1, 1, 1), 1.0); }), HasSubstr("90x81"));
+}
+
+}  // namespace
+}  // namespace lippmann
