@@ -75,9 +75,14 @@ bool uses_display(const ConvertOptions& o, const Conversion& c) {
   return is_read<&FormatUses::display>(c) || is_written<&FormatUses::display>(c);
 }
 
+/// The pitch of a print depends on the angle if it follows from that of the lenses.
+bool depends_on_angle(const ConvertOptions& options) {
+  return options.sheet.are_given() && options.sheet.visual_lpi.empty() && options.stereo.viewing_distance_mm;
+}
+
 bool uses_view_angle(const ConvertOptions& options, const Conversion& c) {
   return c.kind == ConvertKind::kStereo ||
-         (c.kind == ConvertKind::kDepthViews && !makes_stereo(c) && options.display.empty()) || options.sheet.are_given();
+         (c.kind == ConvertKind::kDepthViews && !makes_stereo(c) && options.display.empty()) || depends_on_angle(options);
 }
 
 /// Rules for all flags but --json and --quiet, which always have an effect.
@@ -99,8 +104,6 @@ constexpr std::array kIdleRules{
              [](const ConvertOptions&, const Conversion& c) { return is_written<&FormatUses::bits>(c); }, "--to jpeg-pleno"},
     IdleRule{"--display", [](const ConvertOptions& o) { return !o.display.empty(); }, uses_display,
              "--from native, --to native, integral or quilt, --precompensate, or RGB-D pictures"},
-    IdleRule{"--lpi", [](const ConvertOptions& o) { return o.sheet.are_given(); }, uses_display,
-             "--to integral, or RGB-D pictures"},
     IdleRule{"--fit", [](const ConvertOptions& o) { return !o.picture.fit.empty(); }, is_for_display, "--display"},
     IdleRule{"--mirror", [](const ConvertOptions& o) { return o.picture.mirror; }, is_print,
              "the --display of a sheet or an array of lenses"},
@@ -221,6 +224,8 @@ Conversion conversion_of(const ConvertOptions& options) {
 }
 
 void refuse_idle_flags(const ConvertOptions& options, const Conversion& conversion) {
+  if (options.sheet.are_given() && !uses_display(options, conversion))
+    throw usage_error(options.sheet.first_given(), described(conversion), "--to integral, or RGB-D pictures");
   for (const IdleRule& rule : kIdleRules)
     if (rule.is_given(options) && !rule.has_effect(options, conversion))
       throw usage_error(rule.flag, described(conversion), rule.accepted);

@@ -25,19 +25,16 @@ std::array<std::pair<const char*, std::string>, 8> sheet_values(const SheetFlags
            {"landscape", flags.landscape ? "yes" : ""}}};
 }
 
-/// The first flag that is given; empty: none.
-std::string first_given(const SheetFlags& flags) {
-  for (const auto& [key, value] : sheet_values(flags))
+}  // namespace
+
+std::string SheetFlags::first_given() const {
+  for (const auto& [key, value] : sheet_values(*this))
     if (!value.empty()) return fmt::format("--{}", key);
   return {};
 }
 
-}  // namespace
-
-bool SheetFlags::are_given() const { return !first_given(*this).empty(); }
-
 std::string SheetFlags::line(const Others& others) const {
-  const std::string given = first_given(*this);
+  const std::string given = first_given();
   if (!others.display.empty()) throw usage_error(given, "cannot be combined with --display", "one of the two");
   const auto require = [&](bool is_there, const char* what) {
     if (!is_there) throw usage_error(given, fmt::format("does not describe a sheet without {}", what), kWholeSheet);

@@ -16,7 +16,9 @@ struct SheetFlags {
     std::string display, viewing_distance_mm, view_angle_deg;
   };
 
-  bool are_given() const;
+  /// --lpi or another; empty: none is given.
+  std::string first_given() const;
+  bool are_given() const { return !first_given().empty(); }
   /// The display in one line, for load_display. Throws a usage Error for a --display beside it, and if a part is missing.
   std::string line(const Others& others) const;
 };

@@ -163,8 +163,9 @@ double pixels_below_lens(const Display& display) {
 int views_of(const Display& display) {
   if (display.quilt) return display.quilt->columns * display.quilt->rows;
   if (display.kind == DisplayKind::kSlantedPanel) return static_cast<int>(3.0 * pixels_below_lens(display));
+  if (display.kind == DisplayKind::kLenticularSheet) return static_cast<int>(lens_strips(display).cell_px + 1e-6);
   const int across = static_cast<int>(pixels_below_lens(display) + 1e-6);
-  return display.kind == DisplayKind::kMicrolensArray ? across * across : across;
+  return across * across;
 }
 
 const char* to_string(DisplayKind kind) {

@@ -78,7 +78,8 @@ Picture quilt_picture(const LightField& field, const Display& display, ViewFilte
 }
 
 void require_views(const LightField& field, const Display& display) {
-  if (field.grid.count() < 2) throw usage_error("views", "one picture shows nothing new to any eye", "2 or more pictures");
+  if (field.grid.count() < 2)
+    throw usage_error("views", "one picture shows nothing new to any eye", "2 or more pictures, and as many of `keep`");
   if (field.grid.rows > 1 && display.kind != DisplayKind::kMicrolensArray)
     throw usage_error(
         "views",

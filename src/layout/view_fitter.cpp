@@ -95,13 +95,12 @@ Picture ViewFitter::fitted(const Picture& view, double aspect) {
 }
 
 void ViewFitter::fit(LightField& field) {
-  LightField made = field;
+  LightField made{{}, field.grid, {0, 0}, field.aspect, field.tiles, field.bits, {}, field.cameras, field.positions};
   for (int view = 0; view < field.grid.count(); ++view) {
     const Picture picture = fitted(view_of(field, view), field.aspect);
     if (view == 0) made.view_size = size_of(picture), made.stack = blank(picture, stack_size(made));
     set_view(made, view, picture);
   }
-  made.depth.reset();
   field = std::move(made);
 }
 

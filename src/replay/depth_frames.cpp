@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/folder.hpp"
+#include "layout/lens_interlace.hpp"
 #include "layout/light_field_source.hpp"
 #include "layout/rgbd_name.hpp"
 #include "layout/rgbd_picture.hpp"
@@ -19,7 +20,6 @@
 #include "lippmann/layout/open_light_field.hpp"
 #include "lippmann/replay/light_field_frames.hpp"
 #include "replay/depth_views.hpp"
-#include "layout/lens_interlace.hpp"
 #include "video/video_reader.hpp"
 
 namespace lippmann {

@@ -45,7 +45,21 @@ const std::map<std::string, std::string>& values() {
                                                       {"--depth-range", "7:-9"},
                                                       {"--depth-coding", "depth"},
                                                       {"--near-black", ""},
-                                                      {"--depth-scale", "0.5"}};
+                                                      {"--depth-scale", "0.5"},
+                                                      {"--fit", "stretch"},
+                                                      {"--flip", ""},
+                                                      {"--shares", "1,2"},
+                                                      {"--blend", "0.5"},
+                                                      {"--mirror", ""},
+                                                      {"--rotate", "90"},
+                                                      {"--lpi", "21"},
+                                                      {"--lenses-per-mm", "1"},
+                                                      {"--pitch-mm", "1"},
+                                                      {"--visual-lpi", "21"},
+                                                      {"--dpi", "90"},
+                                                      {"--paper", "A6"},
+                                                      {"--landscape", ""},
+                                                      {"--phase", "3"}};
   return all;
 }
 
@@ -78,7 +92,9 @@ class ConvertFlags : public testing::Test {
   void SetUp() override {
     std::ofstream(dir_ / "d.toml") << "kind = \"slanted-panel\"\npixels = [40, 30]\ndpi = 60\nview_cone_deg = 40\n"
                                       "crosstalk = 0.3\n[calibration]\npitch = 8.1\nslope = -5\ncenter = 0.3\n"
-                                      "[quilt]\ntiles = [4, 2]\nsize = [48, 24]\n";
+                                      "[quilt]\ntiles = [4, 2]\nsize = [64, 24]\n";
+    std::ofstream(dir_ / "sheet.toml") << "kind = \"lenticular-sheet\"\npixels = [90, 40]\ndpi = 90\nview_cone_deg = 40\n"
+                                          "[lenses]\nlenses_per_inch = 9.3\n";
     expect_done(dir_, {"render", "room", "--optics", "multiview", "--views", "8x1", "--size", "96x12", "--frames", "0",
                        "--layout", "views", "-o", "r"});
     fs::create_directories(dir_ / "in");
@@ -117,6 +133,8 @@ TEST_F(ConvertFlags, each_changes_the_result_or_is_refused) {
   const std::string quilt = "in/q_qs8x1a1.png";
   walk("in/views", "integral", {"--from", "views"});
   walk("in/views", "native", {"--display", "d.toml"});
+  walk("in/views", "integral", {"--display", "sheet.toml"});
+  walk("in/views", "integral", {"--lpi", "20", "--dpi", "100", "--paper", "4x5in"});
   walk("in/views", "jpeg-pleno", {});
   walk("in/pair_2x1.png", "views", {});
   walk("d/frame_0000_rgbd.png", "quilt", {});
@@ -127,9 +145,10 @@ TEST_F(ConvertFlags, each_changes_the_result_or_is_refused) {
 }
 
 TEST_F(ConvertFlags, refusals_name_the_formats_and_what_accepts_the_flag) {
-  expect_refusal(run_tool(dir_, {"convert", "in/views", "s.png", "--from", "views", "--views", "8x1", "--to", "integral",
-                                 "--display", "d.toml"}),
-                 2, "--display: has no effect from views to integral; accepted: --from native, --to native");
+  expect_refusal(run_tool(dir_, {"convert", "in/views", "s", "--to", "hci", "--display", "d.toml"}), 2,
+                 "--display: has no effect from views to hci; accepted: --from native, --to native");
+  expect_refusal(run_tool(dir_, {"convert", "in/views", "s", "--to", "hci", "--dpi", "300"}), 2,
+                 "--dpi: has no effect from views to hci; accepted: --to integral");
   expect_refusal(run_tool(dir_, {"convert", "r", "o", "--rotate-elemental", "--gap", "2"}), 2,
                  "--gap: has no effect with --rotate-elemental; accepted: --spoc");
   expect_refusal(run_tool(dir_, {"convert", "in/views", "n.png", "--to", "native", "--display", "d.toml", "--sigma", "1"}), 2,

@@ -17,8 +17,8 @@ using Picture = std::variant<Image8, Image16, Image>;
 /// honoured, such as a colour profile. Throws Error naming the file if it is missing, damaged, no picture, or too large.
 Picture read_picture(const std::filesystem::path& path, const std::function<void(std::string_view)>& warn = {});
 
-/// 8- and 16-bit codes as .png, floats as .exr. dots_per_inch: written into a .png; 0: not stated. Throws Error naming the file,
-/// also where the ending does not suit.
+/// 8- and 16-bit codes as .png, floats as .exr. dots_per_inch: written into a .png; 0: not stated. Throws Error naming the
+/// file, also where the ending does not suit.
 void write_picture(const std::filesystem::path& path, const Picture& picture, double dots_per_inch = 0.0);
 
 /// Linear light: codes are sRGB's, floats are linear already. What is not finite becomes 0.
