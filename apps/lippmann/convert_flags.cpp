@@ -142,11 +142,11 @@ constexpr std::array kIdleRules{
              "--to stereo, of more than two views"},
     IdleRule{"--viewing-distance", [](const ConvertOptions& o) { return o.stereo.viewing_distance_mm.has_value(); },
              [](const ConvertOptions& o, const Conversion& c) { return is_stereo(o, c) || o.sheet.are_given(); },
-             "--to stereo, of more than two views"},
+             "--to stereo, of more than two views, or --lpi"},
     IdleRule{"--screen-width", [](const ConvertOptions& o) { return o.stereo.screen_width_mm.has_value(); }, is_stereo,
              "--to stereo, of more than two views"},
     IdleRule{"--view-angle", [](const ConvertOptions& o) { return o.stereo.view_angle_deg.has_value(); }, uses_view_angle,
-             "--to stereo, or RGB-D pictures converted to views without --display"},
+             "--to stereo, --lpi with --viewing-distance, or RGB-D pictures converted to views without --display"},
     IdleRule{"--depth-range", [](const ConvertOptions& o) { return !o.depth.range.empty(); },
              [](const ConvertOptions&, const Conversion& c) {
                return is_read<&FormatUses::depth_coding>(c) || is_written<&FormatUses::depth_coding>(c);

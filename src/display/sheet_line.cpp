@@ -109,7 +109,7 @@ std::pair<std::string, double> pitch_of(const SheetValues& values) {
   for (const std::string_view key : kPitchKeys) {
     const std::optional<double> number = number_of(values, key, 1e-3, 1e4);
     if (!number) continue;
-    if (pitch) throw usage_error(std::string(key), "cannot be combined with " + pitch->first, "one of the two");
+    if (pitch) throw usage_error(std::string(key), "cannot be combined with `" + pitch->first + "`", "one of the two");
     const double per_mm = key == "lenses-per-mm" ? *number : *number / kInchMm;
     pitch = {std::string(key), key == "pitch-mm" ? *number : 1.0 / per_mm};
   }
@@ -158,7 +158,7 @@ Display display_from_line(const std::string& line) {
   sheet.lenses.phase_px = number_of(values, "phase", -65536.0, 65536.0).value_or(0.0);
   const bool is_of_print = key == "visual-lpi" || !sheet.viewing_distance_mm;
   if (key == "visual-lpi" && !sheet.viewing_distance_mm)
-    throw usage_error("visual-lpi", "depends on the distance of the eye", "viewing-distance with it, or lpi");
+    throw usage_error("visual-lpi", "depends on the distance of the eye", "`viewing-distance` with it, or `lpi`");
   // Strips of the width c show the whole angle: g = c / (2 tan(angle / 2)). Then p = c D / (D + g).
   const double gap = pitch_mm / (2.0 * std::tan(0.5 * sheet.view_cone_deg * std::numbers::pi / 180.0));
   const double distance = viewing_distance_mm(sheet);

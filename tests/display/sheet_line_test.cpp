@@ -73,7 +73,7 @@ TEST(SheetLine, mistakes_name_the_key_and_what_is_accepted) {
   EXPECT_THAT(refusal("lpi=60 dpi=600 paper=A9"), AllOf(HasSubstr("'A9'"), HasSubstr("A0 to A8, letter")));
   EXPECT_THAT(refusal("lpi=60 dpi=600"), AllOf(HasSubstr("paper"), HasSubstr("148x210mm")));
   EXPECT_THAT(refusal("lpi=60 dpi=600 papre=A5"), HasSubstr("'paper'"));
-  EXPECT_THAT(refusal("lpi=60 pitch-mm=0.4 dpi=600 paper=A5"), HasSubstr("cannot be combined with lpi"));
+  EXPECT_THAT(refusal("lpi=60 pitch-mm=0.4 dpi=600 paper=A5"), HasSubstr("cannot be combined with `lpi`"));
   EXPECT_THAT(refusal("lpi=60 lpi=61 dpi=600 paper=A5"), HasSubstr("twice"));
   EXPECT_THAT(refusal("visual-lpi=60 dpi=600 paper=A5"), HasSubstr("viewing-distance"));
   EXPECT_THAT(refusal("lpi=350 dpi=600 paper=A5"), HasSubstr("1.714 pixels below a lens"));
