@@ -113,11 +113,11 @@ Picture oriented(Picture picture, bool mirror, int turn_deg) {
 DisplayTarget display_target(const Display& display, std::string_view format) {
   const bool is_panel = display.kind == DisplayKind::kSlantedPanel;
   if (format == "integral" && is_panel)
-    throw usage_error("to", display.name + " is a slanted panel: what lies behind its lenses is its native frame",
-                      "native" + std::string(display.quilt ? " or quilt" : ""));
+    throw usage_error("display", display.name + " is a slanted panel: what lies behind its lenses is its native frame",
+                      "`to` native" + std::string(display.quilt ? " or quilt" : ""));
   if (format == "native") require_own_frame(display);
   if (format == "quilt" && !display.quilt)
-    throw usage_error("to", display.name + " has no quilt", std::string(own_format(display)));
+    throw usage_error("display", display.name + " has no quilt", "`to` " + std::string(own_format(display)));
   if (format == "quilt") return DisplayTarget::kQuilt;
   return format == "native" ? DisplayTarget::kNative : DisplayTarget::kIntegral;
 }

@@ -39,7 +39,7 @@ struct DisplayPictureParams {
 /// The kind of picture: as a format of layout/formats.hpp.
 enum class DisplayTarget { kIntegral, kQuilt, kNative };
 
-/// Throws a usage Error naming the format if the display has no such picture. `format`: integral, quilt or native.
+/// Throws a usage Error naming `display` if the display has no such picture. `format`: integral, quilt or native.
 DisplayTarget display_target(const Display& display, std::string_view format);
 
 /// The format of the display's own picture: native for slanted panels, integral for the others.
