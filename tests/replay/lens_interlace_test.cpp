@@ -1,5 +1,5 @@
 // What lies behind lenses of views: which view a pixel shows, and which place of it, worked out by hand.
-#include "replay/lens_interlace.hpp"
+#include "layout/lens_interlace.hpp"
 
 #include <gmock/gmock.h>
 
