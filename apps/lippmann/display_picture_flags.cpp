@@ -24,6 +24,7 @@ std::vector<double> read_shares(const std::string& text) {
 
 DisplayPictureParams DisplayPictureFlags::read(const InterlaceParams& interlace) const {
   DisplayPictureParams params;
+  if (fit == "crop") params.fit = AspectFit::kCrop;
   if (fit == "pad") params.fit = AspectFit::kPad;
   if (fit == "stretch") params.fit = AspectFit::kStretch;
   params.filter = interlace.filter, params.sigma_views = interlace.sigma_views;
@@ -36,7 +37,10 @@ DisplayPictureParams DisplayPictureFlags::read(const InterlaceParams& interlace)
 
 void add_display_picture_flags(const Command& command, DisplayPictureFlags& flags) {
   const Command group = command.add_group("Pictures of a display", "With --display, or --lpi, --dpi and --paper");
-  group.add_option("--fit", flags.fit, "Views of another shape than the display: crop (default), pad or stretch")
+  group
+      .add_option(
+          "--fit", flags.fit,
+          "Views of another shape than the display: crop, pad or stretch; default: stretch for native frames, else crop")
       .one_of({"crop", "pad", "stretch"});
   group.add_flag("--flip", flags.flip, "Flip print: the pictures of IN are frames, the first at the left below each lens");
   group.add_option("--shares", flags.shares, "With --flip: the share of each frame, such as 2,1,1; default: equal")

@@ -88,7 +88,7 @@ class Conversion {
   void show_one(const fs::path& in, const fs::path& out, bool is_frame, Converted& result) const {
     const Display& display = *params_.options.display;
     const DisplayTarget target = display_target(display, to_.name);
-    ViewFitter fitter(display, target, params_.display_picture->fit, *pool_);
+    ViewFitter fitter(display, target, params_.display_picture->fit.value_or(default_fit(target)), *pool_);
     FormatOptions reading = params_.options;
     reading.fit_view = [&](Picture view) {
       if (params_.crop) view = cropped(std::move(view), *params_.crop);

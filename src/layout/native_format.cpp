@@ -37,7 +37,8 @@ LightField read_native(const fs::path& path, const FormatOptions& options) {
 
 std::vector<fs::path> write_native(const LightField& field, const fs::path& path, const FormatOptions& options) {
   const InterlaceParams params{options.filter.value_or(ViewFilter::kNearest), options.sigma_views.value_or(0.5)};
-  write_picture(path, interlace(field, wanted_display(options), params, all_threads()));
+  const Display& display = wanted_display(options);
+  write_picture(path, interlace(field, display, params, all_threads()), display.dpi);
   return {path};
 }
 

@@ -46,6 +46,10 @@ Vec2i tile_of(const DisplayQuilt& quilt) { return {quilt.width / quilt.columns, 
 
 }  // namespace
 
+AspectFit default_fit(DisplayTarget target) {
+  return target == DisplayTarget::kNative ? AspectFit::kStretch : AspectFit::kCrop;
+}
+
 ViewFitter::ViewFitter(const Display& display, DisplayTarget target, AspectFit fit, const ThreadPool& pool)
     : display_(display), target_(target), fit_(fit), pool_(pool) {
   aspect_ = static_cast<double>(display.pixels.x) / display.pixels.y;

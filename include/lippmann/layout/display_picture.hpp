@@ -28,7 +28,7 @@ struct FlipParams {
 };
 
 struct DisplayPictureParams {
-  AspectFit fit = AspectFit::kCrop;
+  std::optional<AspectFit> fit = {};         ///< none: default_fit()
   ViewFilter filter = ViewFilter::kNearest;  ///< between views; gaussian: native frames only. Arrays: nearest only
   double sigma_views = 0.5;                  ///< of gaussian
   std::optional<FlipParams> flip = {};       ///< sheets only
@@ -41,6 +41,9 @@ enum class DisplayTarget { kIntegral, kQuilt, kNative };
 
 /// Throws a usage Error naming `display` if the display has no such picture. `format`: integral, quilt or native.
 DisplayTarget display_target(const Display& display, std::string_view format);
+
+/// Stretch for native frames, as players of panels show views of another shape; crop for the others.
+AspectFit default_fit(DisplayTarget target);
 
 /// The format of the display's own picture: native for slanted panels, integral for the others.
 std::string_view own_format(const Display& display);
