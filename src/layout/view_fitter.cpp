@@ -85,8 +85,9 @@ Picture ViewFitter::fitted(const Picture& view, double aspect) {
                 "views of one size");
   original_ = from, window_ = window_of(from, aspect);
   const bool is_whole = window_ == Vec2d(from);
-  // Panels sample views of any size.
-  if (target_ == DisplayTarget::kNative && is_whole && from.x <= display_.pixels.x && from.y <= display_.pixels.y) {
+  // Panels sample views of any size, as players do. Views that are cropped or padded are reduced first if they are larger.
+  const bool is_small = from.x <= display_.pixels.x && from.y <= display_.pixels.y;
+  if (target_ == DisplayTarget::kNative && is_whole && (is_small || fit_ == AspectFit::kStretch)) {
     size_ = from;
     return view;
   }

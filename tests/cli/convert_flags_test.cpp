@@ -46,7 +46,7 @@ const std::map<std::string, std::string>& values() {
                                                       {"--depth-coding", "depth"},
                                                       {"--near-black", ""},
                                                       {"--depth-scale", "0.5"},
-                                                      {"--fit", "stretch"},
+                                                      {"--fit", "pad"},
                                                       {"--flip", ""},
                                                       {"--shares", "1,2"},
                                                       {"--blend", "0.5"},

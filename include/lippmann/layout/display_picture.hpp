@@ -42,7 +42,7 @@ enum class DisplayTarget { kIntegral, kQuilt, kNative };
 /// Throws a usage Error naming `display` if the display has no such picture. `format`: integral, quilt or native.
 DisplayTarget display_target(const Display& display, std::string_view format);
 
-/// Stretch for native frames, as players of panels show views of another shape; crop for the others.
+/// Stretch for native frames, whose views are then sampled at their own size, as players of panels do; crop for the others.
 AspectFit default_fit(DisplayTarget target);
 
 /// The format of the display's own picture: native for slanted panels, integral for the others.
