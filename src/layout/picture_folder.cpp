@@ -45,7 +45,9 @@ FolderContent content_of(const fs::path& folder) {
 bool is_left_by_others(const std::string& name) {
   std::string lower = name;
   std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
-  return lower.ends_with('/') || lower.ends_with(".txt") || lower == "thumbs.db" || lower == "desktop.ini";
+  if (lower.ends_with('/') || lower == "thumbs.db" || lower == "desktop.ini") return true;
+  constexpr std::string_view kNotes[] = {".txt", ".md", ".pdf", ".xmp"};
+  return std::any_of(std::begin(kNotes), std::end(kNotes), [&](std::string_view ending) { return lower.ends_with(ending); });
 }
 
 /// "a, b, c and 4 more".

@@ -12,7 +12,8 @@
 namespace lippmann {
 
 /// Whether a folder can be taken for views without being told so: it holds two or more pictures and, beside them, only
-/// subfolders, text files and what file managers leave (Thumbs.db, desktop.ini, hidden files). Opens no file.
+/// subfolders, notes (.txt, .md, .pdf, .xmp) and what file managers leave (Thumbs.db, desktop.ini, hidden files). Opens
+/// no file.
 bool is_picture_folder(const std::filesystem::path& folder);
 
 /// The pictures of a folder, whatever else it holds; one call of `warn` names what is left out. Reads their headers, decodes

@@ -117,7 +117,7 @@ TEST(PictureFolder, is_taken_unasked_only_where_pictures_are_alone) {
   EXPECT_FALSE(is_light_field_folder(dir.path())) << "one picture";
   write_grey(dir / "b.png", 1);
   fs::create_directories(dir / "originals");
-  for (const char* name : {".hidden", "THUMBS.DB", "desktop.ini", "a.txt"}) std::ofstream(dir / name) << "x";
+  for (const char* name : {".hidden", "THUMBS.DB", "desktop.ini", "a.txt", "Notes.MD"}) std::ofstream(dir / name) << "x";
   EXPECT_TRUE(is_light_field_folder(dir.path()));
   for (const char* name : {"index.html", "report.json", "clip.mp4"}) {
     std::ofstream(dir / name) << "x";
