@@ -70,6 +70,28 @@ class ChildActions {
   posix_spawn_file_actions_t actions_{};
 };
 
+/// The child gets the default action of signals that this process ignores: a shell starts background jobs with SIGINT ignored,
+/// and ignore_write_signals() ignores the others.
+class ChildAttributes {
+ public:
+  ChildAttributes() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    for (const int signal : {SIGINT, SIGPIPE, SIGXFSZ}) sigaddset(&signals, signal);
+    posix_spawnattr_init(&attributes_);
+    posix_spawnattr_setsigdefault(&attributes_, &signals);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF);
+  }
+  ~ChildAttributes() { posix_spawnattr_destroy(&attributes_); }
+  ChildAttributes(const ChildAttributes&) = delete;
+  ChildAttributes& operator=(const ChildAttributes&) = delete;
+
+  const posix_spawnattr_t* get() const { return &attributes_; }
+
+ private:
+  posix_spawnattr_t attributes_{};
+};
+
 double to_seconds(const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); }
 
 }  // namespace
@@ -104,7 +126,8 @@ ChildProcess::ChildProcess(const ChildCommand& command, std::error_code& problem
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const ChildActions actions(command);
-  const int error = posix_spawnp(&process_, arguments[0], actions.get(), nullptr, arguments.data(), environ);
+  const ChildAttributes attributes;
+  const int error = posix_spawnp(&process_, arguments[0], actions.get(), attributes.get(), arguments.data(), environ);
   if (error != 0) process_ = 0;
   problem = std::error_code(error, std::generic_category());
 }

@@ -54,6 +54,15 @@ TEST(ChildProcess, interrupted_child_ends_by_that_signal) {
   EXPECT_FALSE(child.is_running());
 }
 
+TEST(ChildProcess, child_obeys_signals_that_this_process_ignores) {
+  const auto before = std::signal(SIGINT, SIG_IGN);
+  std::error_code problem;
+  ChildProcess child({.words = {"sleep", "1000"}}, problem);
+  std::signal(SIGINT, before);
+  child.interrupt();
+  EXPECT_EQ(child.wait(), 128 + SIGINT);
+}
+
 TEST(ChildProcess, cpu_seconds_are_the_childs) {
   std::error_code problem;
   ChildProcess child({.words = {"sh", "-c", "i=0; while [ $i -lt 20000 ]; do i=$((i+1)); done"}}, problem);
