@@ -39,11 +39,9 @@ void refuse_folder(const fs::path& folder) {
         folder.string(), "the job in it has not been rendered",
         fmt::format("`lippmann render {0}` first, or `lippmann view {0}`, which sets it up", (folder / "job.toml").string()));
   if (const std::string picture = first_name(entries, is_picture_name); !picture.empty())
-    throw Error(
-        folder.string(), fmt::format("its pictures, such as {}, are not named as frames or views", picture),
-        fmt::format("{}; one of these pictures; or `lippmann convert --from views`, which takes all as views in the order of "
-                    "their names",
-                    kFramesOrViews));
+    throw Error(folder.string(), fmt::format("its pictures, such as {}, are not named as frames or views", picture),
+                fmt::format("{}; one of these pictures; or the format views, which takes all in the order of their names",
+                            kFramesOrViews));
 }
 
 }  // namespace
