@@ -11,6 +11,7 @@
 #include <numbers>
 #include <vector>
 
+#include "lippmann/core/math.hpp"
 #include "lippmann/image/encode.hpp"
 
 namespace lippmann {
