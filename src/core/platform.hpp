@@ -106,7 +106,7 @@ class OpenFile {
 
   bool is_open() const { return descriptor_ >= 0; }
 
-  /// What kind of file it is; `bytes` gets its size.
+  /// Returns the kind of file; `bytes` gets its size.
   std::filesystem::file_type kind(std::uintmax_t& bytes, std::error_code& problem) const;
 
   /// Reads `count` bytes, or fewer at the file's end and after a failure. Returns how many.

@@ -48,7 +48,7 @@ bool is_open_for_writing(const fs::path& link, const struct stat& file) {
          opened.st_ino == file.st_ino && (itself.st_mode & S_IWUSR) != 0;
 }
 
-/// What a child does before it becomes the program.
+/// Changes to the child's files and folder before it becomes the program.
 class ChildActions {
  public:
   explicit ChildActions(const ChildCommand& command) {

@@ -60,7 +60,7 @@ Lenses lenses_of(const Display& display, double distance_mm) {
   return {p, p / (spread - p / distance_mm)};
 }
 
-/// Where the coordinate of LensStrips is 0 at the panel's centre.
+/// The position at which LensStrips have coordinate 0 at the panel's centre.
 double centre_of_strips(const Display& display, const LensStrips& strips) {
   return 0.5 * (display.pixels.x * strips.cosine - display.pixels.y * strips.sine);
 }

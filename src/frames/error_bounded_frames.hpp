@@ -21,7 +21,7 @@ namespace lippmann {
 /// `reuse.min_psnr_db` must be set.
 std::unique_ptr<FrameMaker> make_error_bounded_frames(const MakerParts& parts, const Interpolate& reuse);
 
-/// What the maker keeps from frame to frame.
+/// Bytes per pixel that the maker keeps between frames.
 double error_bounded_frames_bytes_per_pixel();
 
 /// Frames for which it is found out together whether predicting pays.

@@ -10,7 +10,7 @@ namespace lippmann {
 
 std::unique_ptr<FrameMaker> make_exact_frames(const MakerParts& parts, const CopySettled& reuse);
 
-/// What the maker keeps from frame to frame.
+/// Bytes per pixel that the maker keeps between frames.
 inline constexpr double kExactFramesBytesPerPixel = 3 * sizeof(float);
 
 }  // namespace lippmann

@@ -11,7 +11,7 @@ namespace lippmann {
 
 std::unique_ptr<FrameMaker> make_forward_frames(const MakerParts& parts, const Interpolate& reuse);
 
-/// What the maker keeps from frame to frame.
+/// Bytes per pixel that the maker keeps between frames.
 double forward_frames_bytes_per_pixel(const Interpolate& reuse);
 
 }  // namespace lippmann

@@ -9,7 +9,7 @@
 
 namespace lippmann {
 
-/// What all makers are made from. The stage, the pool and the context must outlive the maker.
+/// Arguments of every maker's constructor. The stage, the pool and the context must outlive the maker.
 struct MakerParts {
   Stage& stage;
   Sampling sampling;

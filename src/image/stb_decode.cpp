@@ -137,7 +137,7 @@ DecodedPicture decode_bmp(FileBytes file, const std::string& where) {
 
 namespace {
 
-/// What the blocks of a GIF file tell of its pictures, without decoding them.
+/// Properties of a GIF file's pictures that its blocks state, read without decoding.
 struct GifContent {
   int pictures = 0;        ///< 2: two or more
   bool is_whole = false;   ///< the last block that was looked at is the trailer or a second picture

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 bool is_tiff_name(const fs::path& path) { return path.extension() == ".tif" || path.extension() == ".tiff"; }
 
-/// As many as processors, or those that are given.
+/// Returns the given number of threads, or one per processor.
 int resolved_threads(int threads) {
   Context context;
   context.threads = threads;

@@ -106,7 +106,7 @@ class LightOfSamples {
   std::vector<float> light_;
 };
 
-/// What a pixel shows: a blend of views at a blend of columns.
+/// The value of a pixel: a blend of views at a blend of columns.
 struct StripPixel {
   Blend views, columns;
 };

@@ -1,4 +1,4 @@
-// What the parameters of lens arrays have in common.
+// Parameters that all lens arrays share.
 //
 // Lenses are 1 mm wide on the panel; all that matters is proportion: the panel is scaled to the fitted plane. For a lens cell
 // c = pixels x pitch wide and a viewing zone of full angle a, the gap is g = c / (2 tan(a/2)). Cells that converge to a viewer

@@ -1,4 +1,4 @@
-// What the lights of a scene are made of.
+// The parts of a scene's table of lights.
 #pragma once
 
 #include <span>

@@ -62,7 +62,7 @@ struct DisplayLenses {
   double pitch_mm = 1.0;
   double slant_deg = 0.0;  ///< angle of a sheet's lenses from the vertical
   LensPacking packing = LensPacking::kSquare;
-  /// Of a sheet: where the print below a lens begins, in pixels from the left edge of the top row; none: at the centre.
+  /// Left edge of the print below a lens of a sheet, in pixels from the left edge of the top row; none: at the centre.
   std::optional<double> phase_px = {};
 };
 
