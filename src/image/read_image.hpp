@@ -47,7 +47,7 @@ LeftOutChannels left_out_channels(const std::filesystem::path& path);
 enum class SampleKind { kByte, kWord, kFloat };
 SampleKind sample_kind(const std::filesystem::path& path);
 
-/// Of the upright picture.
+/// Size and samples of a picture; width and height are those of the upright picture.
 struct PictureShape {
   int width = 0, height = 0;
   SampleKind kind = SampleKind::kByte;
