@@ -5,8 +5,10 @@ target_include_directories(lippmann_options INTERFACE ${PROJECT_SOURCE_DIR}/incl
 target_compile_options(lippmann_options INTERFACE -Wall -Wextra -Wshadow -Wno-unknown-pragmas)
 # Designated initialisers leave the other members at their defaults on purpose.
 target_compile_options(lippmann_options INTERFACE -Wno-missing-field-initializers)
-# GCC notes that packets by value have had another ABI since 4.6. No packet crosses the library's boundary.
-target_compile_options(lippmann_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>)
+# Packets by value have another ABI for each instruction set, and since GCC 4.6. No packet crosses the library's boundary.
+target_compile_options(lippmann_options INTERFACE -Wno-psabi)
+# Loops over lanes join comparisons with & and |, which vectorise, where && and || would branch.
+target_compile_options(lippmann_options INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
 
 # Floating point: contraction to FMA is off, so that every instruction-set clone of a kernel (core/multiversion.hpp) gives the
 # same bits; errno and traps are not used, which lets the compiler vectorise floor, sqrt and selects.
@@ -32,8 +34,11 @@ endif()
 # for all of them. A file of twelve is not so long that the last one to compile holds up the others.
 function(lippmann_may_join target)
   # Clang refuses to make versions of a function (core/multiversion.hpp) that an earlier source of the joined file calls.
-  # Sanitizers build no versions.
-  if(LIPPMANN_UNITY AND (CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR LIPPMANN_SANITIZE))
+  # Sanitizers and Clang before 19 build no versions.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 19 AND NOT LIPPMANN_SANITIZE)
+    return()
+  endif()
+  if(LIPPMANN_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
       # GCC takes the joined files for headers, in which members of types of unnamed namespaces would be a mistake.

@@ -1,4 +1,4 @@
-# Debian systems in folders, for scripts/try_on and scripts/package_test, which source this file. Needs root and debootstrap.
+# Debian and Ubuntu systems in folders, for scripts/try_on and scripts/package_test, which source this file. Needs root and debootstrap.
 
 # Prints where this machine takes Debian's packages from; $MIRROR overrides it.
 debian_mirror() {
@@ -13,11 +13,15 @@ require_debian_root() {
   [[ $(id -u) -eq 0 ]] || { echo "$0 must run as root: it installs Debian into a folder" >&2; exit 2; }
 }
 
-# Installs the minimal system of a suite (bookworm, trixie, sid) into a folder: make_debian_root SUITE FOLDER.
+# Installs the minimal system of a suite (bookworm, trixie, sid; Ubuntu: noble) into a folder: make_debian_root SUITE FOLDER.
 # The name server, settings of apt and certificate authorities of this machine come along.
 make_debian_root() {
   local suite=$1 root=$2
-  debootstrap --variant=minbase "$suite" "$root" "$(debian_mirror)" || return
+  case $suite in
+    # Debian 12's debootstrap does not know noble, but all of Ubuntu's suites are installed as gutsy was.
+    noble) debootstrap --variant=minbase --components=main,universe noble "$root" "${UBUNTU_MIRROR:-http://archive.ubuntu.com/ubuntu}" gutsy ;;
+    *) debootstrap --variant=minbase "$suite" "$root" "$(debian_mirror)" ;;
+  esac || return
   cp /etc/resolv.conf "$root/etc/" 2>/dev/null || true
   cp -r /etc/apt/apt.conf.d/. "$root/etc/apt/apt.conf.d/"
   mkdir -p "$root/usr/local/share"

@@ -80,7 +80,7 @@ LIPPMANN_MULTIVERSION LaneMask sound_lanes(const RayPacket& rays, float reach, c
     const bool direction =
         (std::abs(rays.dir_x[i]) <= reach) & (std::abs(rays.dir_y[i]) <= reach) & (std::abs(rays.dir_z[i]) <= reach);
     const bool range = (rays.tnear[i] >= 0.0f) & (rays.tnear[i] <= kInfinity) & (std::abs(rays.tfar[i]) <= kInfinity);
-    sound.lane[i] = origin & direction & range ? active.lane[i] : 0;
+    sound.lane[i] = (origin & direction & range) ? active.lane[i] : 0;
   }
   return sound;
 }

@@ -77,7 +77,7 @@ LIPPMANN_MULTIVERSION int cross_planes(const WorldPlaneRecord* planes, std::size
   }
   int any = 0;
   LIPPMANN_FOR_LANES(i) {
-    lit.lane[i] = (active.lane[i] != 0) & (rays.tfar[i] >= 0.0f) ? -1 : 0;
+    lit.lane[i] = ((active.lane[i] != 0) & (rays.tfar[i] >= 0.0f)) ? -1 : 0;
     any |= lit.lane[i];
   }
   return any;

@@ -246,7 +246,7 @@ LIPPMANN_INLINE void choose_layer(const Constants& constants, const PrimaryPoint
     s.per_view.v[i] = c.columns.slope_per_px * z / (1.0f - z * c.vergence) * c.samples_per_mm;
     s.layer.v[i] = other_in_front ? object_beside : object;
     s.behind.v[i] = other_in_front ? column : beside;
-    const float missing = (beside == column) | (object_beside == kMissedObject) ? kFar : 0.0f;
+    const float missing = ((beside == column) | (object_beside == kMissedObject)) ? kFar : 0.0f;
     const bool own_left = off <= 0.0f;
     s.left.cost.v[i] = own_left ? -off : 1.0f - off + missing;
     s.right.cost.v[i] = own_left ? 1.0f + off + missing : off;
@@ -266,8 +266,8 @@ LIPPMANN_INLINE void offer_view(const Constants& constants, float step, Search& 
     const float t = s.place.v[i] + step * s.per_view.v[i] - 0.5f;
     const float lens = std::floor(t), to_left = t - lens;
     const float left = lens * c.columns.per_lens + view, right = left + c.columns.per_lens;
-    offer(is_view & (left >= 0.0f) & (left < c.width) ? to_left + extra : kFar, left, s.other_left, i);
-    offer(is_view & (right >= 0.0f) & (right < c.width) ? 1.0f - to_left + extra : kFar, right, s.other_right, i);
+    offer((is_view & (left >= 0.0f) & (left < c.width)) ? to_left + extra : kFar, left, s.other_left, i);
+    offer((is_view & (right >= 0.0f) & (right < c.width)) ? 1.0f - to_left + extra : kFar, right, s.other_right, i);
   }
 }
 

@@ -43,7 +43,7 @@ LIPPMANN_INLINE int find_setting(const SurfacePacket& s, ShadowPacket& shadow) {
   LIPPMANN_FOR_LANES(i) {
     const float behind =
         s.facet.x[i] * shadow.rays.dir_x[i] + s.facet.y[i] * shadow.rays.dir_y[i] + s.facet.z[i] * shadow.rays.dir_z[i];
-    const int sets = (s.hit.lane[i] != 0) & (behind < 0.0f) & (shadow.arriving[i] > 0.0f) ? -1 : 0;
+    const int sets = ((s.hit.lane[i] != 0) & (behind < 0.0f) & (shadow.arriving[i] > 0.0f)) ? -1 : 0;
     shadow.lifted.lane[i] = sets;
     any |= sets;
   }
@@ -89,7 +89,7 @@ LIPPMANN_INLINE void dim_by_distance(const Vec3f a, ShadowPacket& shadow) {
 LIPPMANN_INLINE int choose_active(const SurfacePacket& s, float least_light, ShadowPacket& shadow) {
   int count = 0;
   LIPPMANN_FOR_LANES(i) {
-    const int active = (s.hit.lane[i] != 0) & (shadow.arriving[i] > least_light) ? -1 : 0;
+    const int active = ((s.hit.lane[i] != 0) & (shadow.arriving[i] > least_light)) ? -1 : 0;
     shadow.active.lane[i] = active;
     count -= active;
   }
@@ -105,7 +105,7 @@ LIPPMANN_INLINE int highlight_shows(const SurfacePacket& s, const RayPacket& vie
                 hz = shadow.rays.dir_z[i] - view.dir_z[i];
     const float along = s.normal.x[i] * hx + s.normal.y[i] * hy + s.normal.z[i] * hz;
     const float limit = s.highlight_cutoff[i] * s.highlight_cutoff[i] * (hx * hx + hy * hy + hz * hz);
-    any |= (visibility[i] > 0.0f) & (along > 0.0f) & (along * along > limit) ? -1 : 0;
+    any |= ((visibility[i] > 0.0f) & (along > 0.0f) & (along * along > limit)) ? -1 : 0;
   }
   return any;
 }

@@ -57,7 +57,7 @@ LIPPMANN_INLINE void weigh_cones(const LightNode& n, const LightCones& c, const 
         b.xx[i] * (x * x - z * z) + b.yy[i] * (y * y - z * z) + 2.0f * (b.xy[i] * x * y + b.xz[i] * x * z + b.yz[i] * y * z);
     const float mean = b.mean[i] + b.linear.x[i] * x + b.linear.y[i] * y + b.linear.z[i] * z + square;
     const float shining = b.inverse_ramp[i] > 0.0f ? fading : std::max(mean, kLeastShining * b.mean[i]);
-    w[i] = all | (along >= edge) ? w[i] * shining : 0.0f;
+    w[i] = (all | (along >= edge)) ? w[i] * shining : 0.0f;
   }
 }
 
@@ -184,7 +184,7 @@ LIPPMANN_MULTIVERSION std::uint32_t touched_lanes(const LightNode& n, const Ligh
     const float along = cx * d.x + cy * d.y + cz * d.z;
     const float px = cx - along * d.x, py = cy - along * d.y, pz = cz - along * d.z;
     const bool near_line = px * px + py * py + pz * pz <= n.radius[i] * n.radius[i] * (1.0f + kMargin);
-    bits[i] = (n.power[i] > 0.0f) & near_line & (enter <= leave) ? 1u << i : 0u;
+    bits[i] = ((n.power[i] > 0.0f) & near_line & (enter <= leave)) ? 1u << i : 0u;
   }
   std::uint32_t all = 0;
   for (const std::uint32_t bit : bits) all |= bit;

@@ -15,7 +15,7 @@ LIPPMANN_MULTIVERSION void place_hits(const RayHitPacket& packet, const LaneMask
   constexpr float kRounding = 1e-5f;
   int any = 0, all = -1;
   LIPPMANN_FOR_LANES(i) {
-    const int hit = (active.lane[i] != 0) & (packet.hit.geomID[i] < kLightId) ? -1 : 0;
+    const int hit = ((active.lane[i] != 0) & (packet.hit.geomID[i] < kLightId)) ? -1 : 0;
     s.hit.lane[i] = hit;
     const unsigned placed = packet.hit.instID[0][i];
     s.record[i] = placed != kNoId ? placed : packet.hit.geomID[i];

@@ -55,7 +55,7 @@ TEST_F(JobScene, unknown_camera_is_an_error_that_lists_them) {
   RenderParams params = params_of("a.gltf", kTwoCameras);
   params.scene.camera = "Sied";
   try {
-    load_scene_of(ResolvedJob(params), {}).scene;
+    load_scene_of(ResolvedJob(params), {});
     FAIL() << "no error";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("did you mean 'Side'?"),

@@ -148,7 +148,7 @@ TEST_F(SceneLight, of_codes_and_of_missing_files_is_refused_by_their_name) {
     RenderParams params = plain_file();
     params.scene.environment = (dir_ / file).string();
     try {
-      load_scene_of(ResolvedJob(params), {}).scene;
+      load_scene_of(ResolvedJob(params), {});
       FAIL() << file;
     } catch (const Error& error) {
       EXPECT_THAT(error.what(), HasSubstr(file));
