@@ -17,6 +17,7 @@
 #include "lippmann/display/load_display.hpp"
 #include "lippmann/layout/convert.hpp"
 #include "replay/depth_frames.hpp"
+#include "replay/video_views.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -77,6 +78,8 @@ int run(const ConvertOptions& options, const Context& context) {
   ConvertParams params = params_of(options, conversion.to->name);
   params.options.warn = context.warn;
   params.threads = context.threads;
+  params.icc = options.picture.icc;
+  if (conversion.is_from_video) params.read_views = read_video_views;
   if (conversion.kind == ConvertKind::kDisplay) params.display_picture = options.picture.read(options.filter.read());
   const Converted converted = convert(options.in, options.out, params);
   if (options.to == "rgbd" && converted.written.size() > 2 && options.depth.range.empty() && conversion.from->name != "rgbd")
@@ -130,7 +133,7 @@ void add_convert_command(const Command& root, Action& chosen) {
       .add_option(
           "IN", options->in,
           "A picture or folder in the input format, a folder of pictures that are the views (1.jpg ... 10.jpg), or a folder "
-          "of several: frame_0000, ...; of RGB-D also a video")
+          "of several: frame_0000, ...; a video whose frames are the views (--views Nx1: N of them), or of RGB-D")
       .required();
   command.add_option("OUT", options->out, "A picture (.png; .exr for float samples), or a folder; a quilt's name is completed")
       .required();

@@ -8,11 +8,14 @@
 #include <utility>
 
 #include "layout/light_field_source.hpp"
+#include "layout/rendered.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/display/load_display.hpp"
 #include "lippmann/layout/display_picture.hpp"
+#include "lippmann/layout/quilt_name.hpp"
 #include "replay/depth_frames.hpp"
 #include "replay/no_light_field.hpp"
+#include "video/video_reader.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -56,6 +59,7 @@ bool keeps_order(const Conversion& c) {
 
 bool uses_views(const ConvertOptions& options, const Conversion& c) {
   if (c.kind == ConvertKind::kDepthViews) return !makes_stereo(c);
+  if (c.is_from_video) return true;
   return is_read<&FormatUses::views>(c) && (!options.keep.empty() || !keeps_order(c));
 }
 
@@ -108,6 +112,8 @@ constexpr std::array kIdleRules{
     IdleRule{"--mirror", [](const ConvertOptions& o) { return o.picture.mirror; }, is_print,
              "the --display of a sheet or an array of lenses"},
     IdleRule{"--rotate", [](const ConvertOptions& o) { return o.picture.turn_deg.has_value(); }, is_print,
+             "the --display of a sheet or an array of lenses"},
+    IdleRule{"--icc", [](const ConvertOptions& o) { return !o.picture.icc.empty(); }, is_print,
              "the --display of a sheet or an array of lenses"},
     IdleRule{"--flip", [](const ConvertOptions& o) { return o.picture.flip; }, is_print, "the --display of a sheet"},
     IdleRule{"--shares", [](const ConvertOptions& o) { return !o.picture.shares.empty(); }, is_flip, "--flip"},
@@ -173,6 +179,17 @@ bool makes_display_picture(const ConvertOptions& options, const Conversion& c) {
   return options.has_display() && c.from->name != "native" && (to == "integral" || to == "quilt" || to == "native");
 }
 
+/// A video whose frames are views. Those of a render or of a quilt's name hold all views in each frame.
+bool is_video_of_views(const ConvertOptions& options) {
+  if (!is_video_name(options.in) || !(options.from.empty() || options.from == "views")) return false;
+  if (options.from.empty() && (parse_quilt_name(options.in) || rendering_of(options.in)))
+    throw Error(options.in, "each frame of this video holds several views, and frames are read as pictures",
+                "the folder of frames that it was made of, or --from views, where each frame is a view");
+  if (options.to == "stereo")
+    throw usage_error("--to", "the frames of a video become views first", "views, then a conversion of these to stereo");
+  return true;
+}
+
 std::string described(const Conversion& conversion) {
   switch (conversion.kind) {
     case ConvertKind::kRotate:
@@ -211,8 +228,13 @@ Conversion conversion_of(const ConvertOptions& options) {
   conversion.to =
       options.to.empty() ? &find_format(own_format(options.read_display()), "--to") : &find_format(options.to, "--to");
   const bool from_rgbd = options.from == "rgbd" || (options.from.empty() && is_rgbd(options.in));
-  if (!from_rgbd && options.from.empty()) refuse_what_is_no_light_field(options.in);
-  conversion.from = from_rgbd ? &find_format("rgbd", "--from") : &format_of_light_field(options.in, options.from);
+  conversion.is_from_video = !from_rgbd && is_video_of_views(options);
+  if (!from_rgbd && !conversion.is_from_video && options.from.empty()) refuse_what_is_no_light_field(options.in);
+  if (from_rgbd)
+    conversion.from = &find_format("rgbd", "--from");
+  else
+    conversion.from =
+        conversion.is_from_video ? &find_format("views", "--from") : &format_of_light_field(options.in, options.from);
   const bool has_parts = !options.keep.empty() || !options.crop.empty();
   if (from_rgbd && conversion.to->name != "rgbd" && !has_parts)
     conversion.kind = ConvertKind::kDepthViews;

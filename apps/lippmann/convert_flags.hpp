@@ -47,6 +47,7 @@ enum class ConvertKind {
 struct Conversion {
   ConvertKind kind = ConvertKind::kRearrange;
   const LightFieldFormat *from = nullptr, *to = nullptr;  ///< null for the last three kinds
+  bool is_from_video = false;                             ///< its frames are the views
 };
 
 /// Throws a usage Error for a missing --to, for flags that exclude each other, and for an unknown format.

@@ -53,6 +53,11 @@ void add_display_picture_flags(const Command& command, DisplayPictureFlags& flag
   group.add_option("--rotate", flags.turn_deg, "Turn the print clockwise by 90, 180 or 270 degrees")
       .type_name("DEG")
       .range(90, 270);
+  group
+      .add_option("--icc", flags.icc,
+                  "ICC profile of the printer, RGB or CMYK: colours are turned to it (relative colorimetric, with black point "
+                  "compensation); CMYK needs OUT to be .tiff; default: sRGB")
+      .type_name("FILE");
 }
 
 }  // namespace lippmann::app

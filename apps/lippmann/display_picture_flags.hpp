@@ -11,7 +11,7 @@ namespace lippmann::app {
 class Command;  // command_line.hpp
 
 struct DisplayPictureFlags {
-  std::string fit, shares;
+  std::string fit, shares, icc;
   bool mirror = false, flip = false;
   std::optional<int> turn_deg;
   std::optional<double> blend;

@@ -51,7 +51,7 @@ class PictureWriter {
         write_png(picture, codes16(pictures));
         break;
       case PictureFormat::kTiff:
-        write_tiff(picture, pictures.codes, files_.pixels_per_mm);
+        write_tiff(picture, pictures.codes, {.pixels_per_mm = files_.pixels_per_mm});
         break;
       case PictureFormat::kExr:
         layers.insert(layers.begin(), film_layer(pictures.film, exr_sample(files_.exr_pixels)));

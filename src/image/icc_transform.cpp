@@ -36,20 +36,24 @@ OpenProfile output_profile(cmsContext context, cmsColorSpaceSignature space) {
   return OpenProfile(curve ? cmsCreateGrayProfileTHR(context, cmsD50_xyY(), curve) : nullptr);
 }
 
+OpenProfile open_profile(cmsContext context, FileBytes icc) {
+  if (icc.size() > std::numeric_limits<cmsUInt32Number>::max()) return nullptr;
+  return OpenProfile(cmsOpenProfileFromMemTHR(context, icc.data(), static_cast<cmsUInt32Number>(icc.size())));
+}
+
 /// Null if the profile cannot be used for samples of this color space. `extra`: channels behind the colours, which are copied.
 OpenTransform transform_of(cmsContext context, FileBytes icc, cmsColorSpaceSignature space, unsigned extra, unsigned bytes) {
-  if (icc.size() > std::numeric_limits<cmsUInt32Number>::max()) return nullptr;
-  const OpenProfile from(cmsOpenProfileFromMemTHR(context, icc.data(), static_cast<cmsUInt32Number>(icc.size())));
+  const OpenProfile from = open_profile(context, icc);
   if (!from || cmsGetColorSpace(from.get()) != space) return nullptr;
   const OpenProfile to = output_profile(context, space);
   if (!to) return nullptr;
-  const bool has_inks = space == cmsSigCmykData, is_grey = space == cmsSigGrayData;
+  const bool is_cmyk = space == cmsSigCmykData, is_grey = space == cmsSigGrayData;
   const cmsUInt32Number layout = EXTRA_SH(extra) | BYTES_SH(bytes);
   const cmsUInt32Number rgb = COLORSPACE_SH(PT_RGB) | CHANNELS_SH(3) | layout,
                         grey = COLORSPACE_SH(PT_GRAY) | CHANNELS_SH(1) | layout,
                         cmyk = COLORSPACE_SH(PT_CMYK) | CHANNELS_SH(4) | layout;
   const cmsUInt32Number flags = cmsFLAGS_BLACKPOINTCOMPENSATION | cmsFLAGS_NOCACHE | (extra > 0 ? cmsFLAGS_COPY_ALPHA : 0);
-  return OpenTransform(cmsCreateTransformTHR(context, from.get(), has_inks ? cmyk : (is_grey ? grey : rgb), to.get(),
+  return OpenTransform(cmsCreateTransformTHR(context, from.get(), is_cmyk ? cmyk : (is_grey ? grey : rgb), to.get(),
                                              is_grey ? grey : rgb, INTENT_RELATIVE_COLORIMETRIC, flags));
 }
 
@@ -65,7 +69,44 @@ void transform(void* with, const std::vector<Code>& from, std::size_t from_chann
                    static_cast<cmsUInt32Number>(std::min(kPixelsAtOnce, pixels - at)));
 }
 
+bool has_inks(cmsHPROFILE profile) { return cmsGetColorSpace(profile) == cmsSigCmykData; }
+
+/// From sRGB to a profile of RGB codes or inks. Null if it cannot be used.
+OpenTransform output_transform(cmsContext context, cmsHPROFILE to, std::size_t bytes) {
+  if (!has_inks(to) && cmsGetColorSpace(to) != cmsSigRgbData) return nullptr;
+  const OpenProfile from(cmsCreate_sRGBProfileTHR(context));
+  const cmsUInt32Number rgb = COLORSPACE_SH(PT_RGB) | CHANNELS_SH(3) | BYTES_SH(bytes),
+                        cmyk = COLORSPACE_SH(PT_CMYK) | CHANNELS_SH(4) | BYTES_SH(bytes);
+  return OpenTransform(cmsCreateTransformTHR(context, from.get(), rgb, to, has_inks(to) ? cmyk : rgb,
+                                             INTENT_RELATIVE_COLORIMETRIC, cmsFLAGS_BLACKPOINTCOMPENSATION | cmsFLAGS_NOCACHE));
+}
+
 }  // namespace
+
+std::optional<int> output_channels(FileBytes icc) {
+  const IccContext context(cmsCreateContext(nullptr, nullptr));
+  const OpenProfile profile = open_profile(context.get(), icc);
+  if (!profile || !output_transform(context.get(), profile.get(), 1)) return std::nullopt;
+  return has_inks(profile.get()) ? 4 : 3;
+}
+
+std::optional<Samples> output_codes(FileBytes icc, const Samples& rgb) {
+  const IccContext context(cmsCreateContext(nullptr, nullptr));
+  const OpenProfile to = open_profile(context.get(), icc);
+  if (!to) return std::nullopt;
+  const std::size_t channels = has_inks(to.get()) ? 4 : 3;
+  return std::visit(
+      [&](const auto& codes) -> std::optional<Samples> {
+        using Code = typename std::remove_cvref_t<decltype(codes)>::value_type;
+        if constexpr (std::is_floating_point_v<Code>) return std::nullopt;
+        const OpenTransform with = output_transform(context.get(), to.get(), sizeof(Code));
+        if (!with) return std::nullopt;
+        std::vector<Code> printed(codes.size() / 3 * channels);
+        transform(with.get(), codes, 3, printed, channels);
+        return Samples(std::move(printed));
+      },
+      rgb);
+}
 
 bool apply_color_profile(FileBytes icc, const PictureHeader& header, Samples& samples) {
   constexpr std::size_t kMostExtraChannels = 7;  // of Little CMS's formats
@@ -106,6 +147,10 @@ std::optional<Samples> rgb_of_inks(FileBytes icc, const Samples& inks) {
 bool apply_color_profile(FileBytes, const PictureHeader&, Samples&) { return false; }
 
 std::optional<Samples> rgb_of_inks(FileBytes, const Samples&) { return std::nullopt; }
+
+std::optional<int> output_channels(FileBytes) { return std::nullopt; }
+
+std::optional<Samples> output_codes(FileBytes, const Samples&) { return std::nullopt; }
 
 #endif
 

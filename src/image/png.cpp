@@ -92,7 +92,11 @@ class Encoder {
     png_set_IHDR(png_, info_, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), bits,
                  alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
-    png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_ABSOLUTE);
+    if (options.profile.empty())
+      png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_ABSOLUTE);
+    else
+      png_set_iCCP(png_, info_, "ICC profile", PNG_COMPRESSION_TYPE_BASE,
+                   reinterpret_cast<png_const_bytep>(options.profile.data()), static_cast<png_uint_32>(options.profile.size()));
     if (options.dots_per_inch > 0.0) {
       const auto per_metre = static_cast<png_uint_32>(options.dots_per_inch / 0.0254 + 0.5);
       png_set_pHYs(png_, info_, per_metre, per_metre, PNG_RESOLUTION_METER);

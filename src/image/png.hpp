@@ -1,8 +1,10 @@
-// Writes 8-bit and 16-bit RGB pictures, with alpha where they have it, as PNG, tagged sRGB. Equal pictures give equal bytes.
+// Writes 8-bit and 16-bit RGB pictures, with alpha where they have it, as PNG, tagged sRGB or with a colour
+// profile. Equal pictures give equal bytes.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "lippmann/image/image.hpp"
@@ -20,7 +22,8 @@ struct PngOptions {
   int level = 1;  ///< deflate's effort, 0 (stored) ... 9; run-length and Huffman ignore it
   PngStrategy strategy = PngStrategy::kDefault;
   PngFilter filter = PngFilter::kUp;
-  double dots_per_inch = 0.0;  ///< stated as whole pixels per metre (pHYs); 0: not stated
+  double dots_per_inch = 0.0;               ///< stated as whole pixels per metre (pHYs); 0: not stated
+  std::span<const std::byte> profile = {};  ///< RGB profile of the codes (iCCP); empty: they are sRGB's
 };
 
 /// The bytes of the file. Throws Error for sizes outside 1 ... 65536.

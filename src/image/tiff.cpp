@@ -111,15 +111,28 @@ std::uint64_t write_colour_space(TIFF* tiff) {
 
 constexpr std::uint32_t kRowsPerStrip = 32;
 
-void set_fields(TIFF* tiff, const Image8& image, double pixels_per_mm) {
-  const bool alpha = !image.alpha.empty();
+/// What is written, of any kind.
+template <class Code>
+struct Raster {
+  int width, height;
+  std::size_t colors;  ///< 3: RGB; 4: inks
+  const std::vector<Code>& codes;
+  const std::vector<Code>& alpha;  ///< one per pixel, or empty
+};
+
+template <class Code>
+void set_fields(TIFF* tiff, const Raster<Code>& image, const TiffOptions& options) {
+  const bool alpha = !image.alpha.empty(), has_inks = image.colors == 4;
   TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(image.width));
   TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(image.height));
   TIFFSetField(tiff, TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
-  TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, alpha ? 4 : 3);
-  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 8);
+  TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, static_cast<int>(image.colors) + (alpha ? 1 : 0));
+  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, static_cast<int>(8 * sizeof(Code)));
   TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_UINT);
-  TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_RGB);
+  TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, has_inks ? PHOTOMETRIC_SEPARATED : PHOTOMETRIC_RGB);
+  if (has_inks) TIFFSetField(tiff, TIFFTAG_INKSET, INKSET_CMYK);
+  if (!options.profile.empty())
+    TIFFSetField(tiff, TIFFTAG_ICCPROFILE, static_cast<std::uint32_t>(options.profile.size()), options.profile.data());
   TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
   TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, kRowsPerStrip);
   TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_ADOBE_DEFLATE);
@@ -130,52 +143,83 @@ void set_fields(TIFF* tiff, const Image8& image, double pixels_per_mm) {
     const std::uint16_t unassociated = EXTRASAMPLE_UNASSALPHA;
     TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, 1, &unassociated);
   }
-  if (pixels_per_mm > 0.0) {
-    TIFFSetField(tiff, TIFFTAG_XRESOLUTION, pixels_per_mm * kMmPerInch);
-    TIFFSetField(tiff, TIFFTAG_YRESOLUTION, pixels_per_mm * kMmPerInch);
+  if (options.pixels_per_mm > 0.0) {
+    TIFFSetField(tiff, TIFFTAG_XRESOLUTION, options.pixels_per_mm * kMmPerInch);
+    TIFFSetField(tiff, TIFFTAG_YRESOLUTION, options.pixels_per_mm * kMmPerInch);
     TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);
   }
 }
 
 /// A strip's samples, alpha beside the colours. libtiff may change them.
-std::vector<unsigned char> strip_of(const Image8& image, std::size_t first_row, std::size_t rows) {
+template <class Code>
+std::vector<Code> strip_of(const Raster<Code>& image, std::size_t first_row, std::size_t rows) {
   const std::size_t width = static_cast<std::size_t>(image.width), begin = first_row * width, end = begin + rows * width;
-  const auto part = [&](const std::vector<unsigned char>& codes, std::size_t channels) {
-    return std::vector<unsigned char>(codes.begin() + static_cast<std::ptrdiff_t>(channels * begin),
-                                      codes.begin() + static_cast<std::ptrdiff_t>(channels * end));
+  const auto part = [&](const std::vector<Code>& codes, std::size_t channels) {
+    return std::vector<Code>(codes.begin() + static_cast<std::ptrdiff_t>(channels * begin),
+                             codes.begin() + static_cast<std::ptrdiff_t>(channels * end));
   };
-  std::vector<unsigned char> rgb = part(image.rgb, 3);
-  return image.alpha.empty() ? rgb : interleaved(rgb, part(image.alpha, 1));
+  std::vector<Code> colors = part(image.codes, image.colors);
+  return image.alpha.empty() ? colors : interleaved(colors, part(image.alpha, 1));
 }
 
-void check_tiff_size(const std::string& where, const Image8& image) {
-  const bool sides = image.width >= 1 && image.height >= 1 && std::max(image.width, image.height) <= kMaxImageSide;
-  if (sides && std::int64_t{image.width} * image.height <= kMaxTiffPixels) return;
-  throw Error(where, fmt::format("a picture of {} x {} pixels", image.width, image.height),
+void check_tiff_size(const std::string& where, int width, int height) {
+  const bool sides = width >= 1 && height >= 1 && std::max(width, height) <= kMaxImageSide;
+  if (sides && std::int64_t{width} * height <= kMaxTiffPixels) return;
+  throw Error(where, fmt::format("a picture of {} x {} pixels", width, height),
               fmt::format("sides of 1 to {} pixels, at most {} pixels", kMaxImageSide, kMaxTiffPixels));
 }
 
-}  // namespace
-
-void write_tiff(const std::filesystem::path& path, const Image8& image, double pixels_per_mm, TiffKind kind) {
-  assert(image.rgb.size() == std::size_t{3} * image.width * image.height);
-  check_tiff_size(path.string(), image);
+template <class Code>
+void write(const std::filesystem::path& path, const Raster<Code>& image, const TiffOptions& options) {
+  assert(image.codes.size() == image.colors * image.width * image.height);
+  check_tiff_size(path.string(), image.width, image.height);
   AtomicFile file(path);
-  const bool big = kind == TiffKind::kBig || image.rgb.size() + image.alpha.size() > kMaxClassicSamples;
-  Output output(file.temporary_path(), path, big);
-  const std::uint64_t colour_space = write_colour_space(output.tiff());
-  if (colour_space == 0) throw output.failure();
-  set_fields(output.tiff(), image, pixels_per_mm);
-  TIFFSetField(output.tiff(), TIFFTAG_EXIFIFD, colour_space);
+  const std::size_t bytes = (image.codes.size() + image.alpha.size()) * sizeof(Code);
+  Output output(file.temporary_path(), path, options.kind == TiffKind::kBig || bytes > kMaxClassicSamples);
+  const bool is_srgb = options.profile.empty();
+  const std::uint64_t colour_space = is_srgb ? write_colour_space(output.tiff()) : 0;
+  if (is_srgb && colour_space == 0) throw output.failure();
+  set_fields(output.tiff(), image, options);
+  if (is_srgb) TIFFSetField(output.tiff(), TIFFTAG_EXIFIFD, colour_space);
   const auto height = static_cast<std::size_t>(image.height);
   for (std::size_t row = 0; row < height; row += kRowsPerStrip) {
-    std::vector<unsigned char> strip = strip_of(image, row, std::min<std::size_t>(kRowsPerStrip, height - row));
+    std::vector<Code> strip = strip_of(image, row, std::min<std::size_t>(kRowsPerStrip, height - row));
     const auto number = static_cast<std::uint32_t>(row / kRowsPerStrip);
-    if (TIFFWriteEncodedStrip(output.tiff(), number, strip.data(), static_cast<tmsize_t>(strip.size())) < 0)
+    if (TIFFWriteEncodedStrip(output.tiff(), number, strip.data(), static_cast<tmsize_t>(sizeof(Code) * strip.size())) < 0)
       throw output.failure();
   }
   output.finish();
   file.commit();
+}
+
+template <class AnyImage>
+void write_rgb(const std::filesystem::path& path, const AnyImage& image, const TiffOptions& options) {
+  write(path, Raster<typename decltype(image.rgb)::value_type>{image.width, image.height, 3, image.rgb, image.alpha}, options);
+}
+
+template <class Code>
+void write_inks(const std::filesystem::path& path, const Inks<Code>& image, const TiffOptions& options) {
+  assert(!options.profile.empty());
+  const std::vector<Code> opaque;
+  write(path, Raster<Code>{image.width, image.height, 4, image.cmyk, opaque}, options);
+}
+
+}  // namespace
+
+void write_tiff(const std::filesystem::path& path, const Image8& image, const TiffOptions& options) {
+  write_rgb(path, image, options);
+}
+
+void write_tiff(const std::filesystem::path& path, const Image16& image, const TiffOptions& options) {
+  write_rgb(path, image, options);
+}
+
+void write_tiff(const std::filesystem::path& path, const Inks<std::uint8_t>& image, const TiffOptions& options) {
+  write_inks(path, image, options);
+}
+
+void write_tiff(const std::filesystem::path& path, const Inks<std::uint16_t>& image, const TiffOptions& options) {
+  write_inks(path, image, options);
 }
 
 }  // namespace lippmann

@@ -1,9 +1,12 @@
-// Writes 8-bit RGB pictures, with alpha (not associated) where they have it, as TIFF, tagged sRGB, with the resolution at which
-// they are to be printed. Equal pictures give equal bytes.
+// Writes pictures of 8 or 16 bits as TIFF, with the resolution at which they are to be printed: RGB, with alpha (not
+// associated) where they have it, tagged sRGB or with a colour profile; or inks. Equal pictures give equal bytes.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
+#include <vector>
 
 #include "lippmann/image/image.hpp"
 
@@ -17,9 +20,24 @@ enum class TiffKind {
   kBig,
 };
 
-/// Deflate-compressed, in a file that appears only when complete.
-/// pixels_per_mm: written as dots per inch; 0: the file says nothing. Throws Error naming the file.
-void write_tiff(const std::filesystem::path& path, const Image8& image, double pixels_per_mm = 0.0,
-                TiffKind kind = TiffKind::kAuto);
+struct TiffOptions {
+  double pixels_per_mm = 0.0;  ///< written as dots per inch; 0: the file says nothing
+  TiffKind kind = TiffKind::kAuto;
+  std::span<const std::byte> profile = {};  ///< ICC profile of the codes; empty: they are sRGB's
+};
+
+/// Cyan, magenta, yellow, black, 4 samples a pixel; the highest code is full ink.
+template <class Code>
+struct Inks {
+  int width = 0, height = 0;
+  std::vector<Code> cmyk;
+};
+
+/// Deflate-compressed, in a file that appears only when complete. Throws Error naming the file.
+void write_tiff(const std::filesystem::path& path, const Image8& image, const TiffOptions& options = {});
+void write_tiff(const std::filesystem::path& path, const Image16& image, const TiffOptions& options = {});
+/// options.profile is not empty.
+void write_tiff(const std::filesystem::path& path, const Inks<std::uint8_t>& image, const TiffOptions& options);
+void write_tiff(const std::filesystem::path& path, const Inks<std::uint16_t>& image, const TiffOptions& options);
 
 }  // namespace lippmann

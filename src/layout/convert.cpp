@@ -1,10 +1,11 @@
 #include "lippmann/layout/convert.hpp"
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "core/folder.hpp"
-#include "image/tiff.hpp"
+#include "image/print_file.hpp"
 #include "layout/light_field_source.hpp"
 #include "layout/quilt_side_file.hpp"
 #include "layout/rgbd_name.hpp"
@@ -17,8 +18,6 @@ namespace lippmann {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_tiff_name(const fs::path& path) { return path.extension() == ".tif" || path.extension() == ".tiff"; }
 
 /// Returns the given number of threads, or one per processor.
 int resolved_threads(int threads) {
@@ -34,9 +33,9 @@ Picture cropped(Picture view, const Crop& window) {
   return std::move(one.stack);
 }
 
-/// Prints state their resolution.
+/// Prints state their resolution. `profile`: of the printer; null: none.
 std::vector<fs::path> write_display_picture(const Picture& picture, const Display& display, DisplayTarget target,
-                                            const fs::path& path) {
+                                            const fs::path& path, const OutputProfile* profile) {
   if (target == DisplayTarget::kQuilt) {
     const QuiltName quilt = quilt_name_of(*display.quilt);
     const fs::path named = with_quilt_name(path, quilt);
@@ -44,18 +43,14 @@ std::vector<fs::path> write_display_picture(const Picture& picture, const Displa
     write_quilt_side_file(named, {quilt, quilt.tiles.count(), false});
     return {named, quilt_side_path(named)};
   }
-  const auto* bytes = std::get_if<Image8>(&picture);
-  constexpr double kInchMm = 25.4;
-  if (bytes && is_tiff_name(path))
-    write_tiff(path, *bytes, display.dpi / kInchMm);
-  else
-    write_picture(path, picture, display.dpi);
+  write_print(path, picture, display.dpi, profile);
   return {path};
 }
 
 class Conversion {
  public:
   explicit Conversion(const ConvertParams& params) : params_(params), to_(find_format(params.to, "to")) {
+    if (!params.icc.empty()) profile_.emplace(params.icc);
     if (params.display_picture) pool_ = std::make_unique<ThreadPool>(resolved_threads(params.threads));
   }
 
@@ -65,7 +60,7 @@ class Conversion {
     FormatOptions reading = params_.options;
     reading.with_depth = to_.uses_cameras;
     if (to_.name == "stereo") reading.stereo.reset();  // it is what is made; pictures that are read have names
-    OpenedLightField opened = open_light_field(in, params_.from, reading);
+    OpenedLightField opened = open(in, reading);
     LightField& field = opened.field;
     if (params_.keep) keep(field, *params_.keep, "keep");
     if (params_.crop) crop(field, *params_.crop, "crop");
@@ -95,7 +90,7 @@ class Conversion {
       const Vec2d size(size_of(view));
       return fitter.fitted(view, size.x / size.y);
     };
-    LightField field = open_light_field(in, params_.from, reading).field;
+    LightField field = open(in, reading).field;
     if (params_.keep) keep(field, *params_.keep, "keep");
     if (!fitter.has_fitted()) {
       if (params_.crop) crop(field, *params_.crop, "crop");
@@ -105,7 +100,8 @@ class Conversion {
     fs::path path = out;
     if (is_frame || !path.has_extension()) path.replace_extension(exact_ending(picture));
     const NewFolder folder(path.parent_path());
-    for (fs::path& file : write_display_picture(picture, display, target, path)) result.written.push_back(std::move(file));
+    for (fs::path& file : write_display_picture(picture, display, target, path, profile_ ? &*profile_ : nullptr))
+      result.written.push_back(std::move(file));
     result.views = field.grid, result.view_size = field.view_size;
     result.fitted = fitter.described();
   }
@@ -117,8 +113,14 @@ class Conversion {
   }
 
  private:
+  OpenedLightField open(const fs::path& in, const FormatOptions& reading) const {
+    if (params_.read_views) return {.field = params_.read_views(in, reading), .format = "views"};
+    return open_light_field(in, params_.from, reading);
+  }
+
   const ConvertParams& params_;
   const LightFieldFormat& to_;
+  std::optional<OutputProfile> profile_;
   std::unique_ptr<ThreadPool> pool_;  ///< of display pictures
 };
 

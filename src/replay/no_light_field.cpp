@@ -51,7 +51,8 @@ void refuse_what_is_no_light_field(const fs::path& in) {
   if (!fs::exists(in, ignored)) throw Error(in.string(), "there is no such file or folder");
   if (!fs::is_directory(in, ignored)) {
     if (is_video_name(in))
-      throw Error(in.string(), "views cannot be read from a video", "the folder of frames that the video was made of");
+      throw Error(in.string(), "views are read from a video by `lippmann convert` alone",
+                  "`lippmann convert` to views, or the folder of frames that the video was made of");
     return;
   }
   if (light_field_frames(in, "").empty() && !is_light_field_folder(in)) refuse_folder(in);

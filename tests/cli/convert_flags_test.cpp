@@ -9,6 +9,7 @@
 
 #include "cli/tool.hpp"
 #include "core/text_pattern.hpp"
+#include "support/icc_profile.hpp"
 
 namespace lippmann::test {
 namespace {
@@ -52,6 +53,7 @@ const std::map<std::string, std::string>& values() {
                                                       {"--blend", "0.5"},
                                                       {"--mirror", ""},
                                                       {"--rotate", "90"},
+                                                      {"--icc", "printer.icc"},
                                                       {"--lpi", "21"},
                                                       {"--lenses-per-mm", "1"},
                                                       {"--pitch-mm", "1"},
@@ -95,6 +97,7 @@ class ConvertFlags : public testing::Test {
                                       "[quilt]\ntiles = [4, 2]\nsize = [64, 24]\n";
     std::ofstream(dir_ / "sheet.toml") << "kind = \"lenticular-sheet\"\npixels = [90, 40]\ndpi = 90\nview_cone_deg = 40\n"
                                           "[lenses]\nlenses_per_inch = 9.3\n";
+    std::ofstream(dir_ / "printer.icc", std::ios::binary) << profile_with(kP3Primaries, 2.2);
     expect_done(dir_, {"render", "room", "--optics", "multiview", "--views", "8x1", "--size", "96x12", "--frames", "0",
                        "--layout", "views", "-o", "r"});
     fs::create_directories(dir_ / "in");
@@ -118,7 +121,8 @@ class ConvertFlags : public testing::Test {
       if (run.exit_code == 0)
         EXPECT_NE(files_below(dir_ / "o"), without) << in << " to " << to << ": " << flag << " changes nothing";
       else
-        EXPECT_THAT(run.err, AnyOf(HasSubstr(flag), HasSubstr("--to: a stereo picture has"))) << in << " to " << to;
+        EXPECT_THAT(run.err, AnyOf(HasSubstr(flag), HasSubstr("--to: a stereo picture has"), HasSubstr("Little CMS")))
+            << in << " to " << to;
       fs::remove_all(dir_ / "o");
     }
   }
@@ -154,7 +158,10 @@ TEST_F(ConvertFlags, refusals_name_the_formats_and_what_accepts_the_flag) {
   expect_refusal(run_tool(dir_, {"convert", "in/views", "n.png", "--to", "native", "--display", "d.toml", "--sigma", "1"}), 2,
                  "--sigma");
   std::ofstream(dir_ / "clip.mp4") << "no video";
-  expect_refusal(run_tool(dir_, {"convert", "clip.mp4", "o", "--to", "views"}), 1, "views cannot be read from a video");
+  expect_refusal(run_tool(dir_, {"convert", "clip.mp4", "o", "--to", "views"}), 1, "clip.mp4");
+  expect_refusal(run_tool(dir_, {"convert", "clip_qs8x6a0.75.mp4", "o", "--to", "views"}), 1,
+                 "each frame of this video holds several views");
+  EXPECT_FALSE(fs::exists(dir_ / "o"));
 }
 
 }  // namespace

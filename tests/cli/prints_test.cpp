@@ -1,4 +1,5 @@
 // Pictures of displays from the command line: prints, quilts and native frames of any views.
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 
 #include <array>
@@ -41,6 +42,23 @@ TEST_F(Prints, a_sheet_in_one_line_and_its_resolution) {
   EXPECT_THAT(bytes_of(dir_ / "out.png"), HasSubstr(std::string("pHYs\0\0\x0c\x4e\0\0\x0c\x4e\x01", 13))) << "3150 per metre";
   expect_done(dir_, Words{"convert", "in", "out.tiff"} + sheet_);
   EXPECT_EQ(picture("out.tiff").rgb, print.rgb);
+}
+
+TEST_F(Prints, frames_of_a_video_are_views) {
+  for (int view = 0; view < 4; ++view) {
+    fs::create_directories(dir_ / "frames");
+    fs::copy_file(dir_ / fmt::format("in/view_{:03}.png", view), dir_ / fmt::format("frames/frame_{:04}.png", view));
+  }
+  expect_done(dir_, {"encode", "frames", "clip.mkv"});
+  expect_done(dir_, Words{"convert", "in", "folder.png"} + sheet_);
+  expect_done(dir_, Words{"convert", "clip.mkv", "video.png"} + sheet_);
+  EXPECT_EQ(picture("video.png").rgb, picture("folder.png").rgb) << "FFV1 keeps all codes";
+  expect_done(dir_, {"convert", "clip.mkv", "two", "--to", "views", "--views", "2x1"});
+  EXPECT_EQ(picture("two/view_000.png").rgb[0], 0);
+  EXPECT_EQ(picture("two/view_001.png").rgb[0], 180) << "the last frame of four";
+  EXPECT_FALSE(fs::exists(dir_ / "two/view_002.png"));
+  expect_refusal(run_tool(dir_, {"convert", "clip.mkv", "five", "--to", "views", "--views", "5x1"}), 2, "has only 4 frames");
+  expect_refusal(run_tool(dir_, {"convert", "clip.mkv", "rows", "--to", "views", "--views", "2x2"}), 2, "one row of views");
 }
 
 TEST_F(Prints, a_flip_print_has_the_first_frame_at_the_left) {

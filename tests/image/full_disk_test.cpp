@@ -76,7 +76,7 @@ TEST(FullDisk, png_that_does_not_fit_is_an_error_and_no_file) {
 
 TEST(FullDisk, tiff_that_does_not_fit_is_an_error_and_no_file) {
   for (const TiffKind kind : {TiffKind::kAuto, TiffKind::kBig})
-    expect_error_and_no_file_for_every_limit([&](const auto& path) { write_tiff(path, noise(), 10.0, kind); });
+    expect_error_and_no_file_for_every_limit([&](const auto& path) { write_tiff(path, noise(), {10.0, kind}); });
 }
 
 TEST(FullDisk, exr_that_does_not_fit_is_an_error_and_no_file) {

@@ -103,8 +103,8 @@ TEST(Tiff, big_files_are_big_tiff_and_hold_the_same_codes) {
     EXPECT_EQ(std::string(begin, 2), "II");
     return static_cast<int>(begin[2]);
   };
-  write_tiff(dir / "small.tif", codes, 10.0);
-  write_tiff(dir / "big.tif", codes, 10.0, TiffKind::kBig);
+  write_tiff(dir / "small.tif", codes, {.pixels_per_mm = 10.0});
+  write_tiff(dir / "big.tif", codes, {10.0, TiffKind::kBig});
   EXPECT_EQ(version(dir / "small.tif"), 42);
   EXPECT_EQ(version(dir / "big.tif"), 43);
   EXPECT_EQ(read_image8(dir / "big.tif").rgb, codes.rgb);

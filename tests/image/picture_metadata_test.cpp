@@ -18,6 +18,7 @@
 #include "image/read_image.hpp"
 #include "support/encode_image.hpp"
 #include "support/error_message.hpp"
+#include "support/icc_profile.hpp"
 #include "support/pictures.hpp"
 #include "support/temp_dir.hpp"
 
@@ -26,7 +27,12 @@ namespace {
 
 using namespace std::string_literals;
 using namespace std::string_view_literals;
+using test::big_endian;
 using test::error_message;
+using test::kP3Primaries;
+using test::kSrgbPrimaries;
+using test::press_profile;
+using test::profile_with;
 using test::TempDir;
 using ::testing::ElementsAre;
 using ::testing::FloatEq;
@@ -40,12 +46,6 @@ template <class Range>
 Bytes to_bytes(const Range& range) {
   const auto bytes = std::as_bytes(std::span(std::data(range), std::size(range)));
   return {bytes.begin(), bytes.end()};
-}
-
-std::string big_endian(std::uint32_t value, int size = 4) {
-  std::string text;
-  for (int i = size; i-- > 0;) text += static_cast<char>(value >> 8 * i & 0xff);
-  return text;
 }
 
 /// EXIF data with one entry.
@@ -177,49 +177,6 @@ TEST(PngNotices, are_warned_about_once_with_the_file) {
 }
 
 // ---- Colour profiles ----------------------------------------------------------------------------------------------------
-
-std::string fixed16(double value) { return big_endian(static_cast<std::uint32_t>(static_cast<std::int32_t>(value * 65536.0))); }
-
-/// Of three primaries under D50, and one gamma.
-std::string profile_with(const std::array<std::array<double, 3>, 3>& primaries, double gamma) {
-  std::string header(128, '\0'), table, data;
-  header.replace(8, 4, "\2\x40\0\0"s).replace(12, 12, "mntrRGB XYZ ").replace(36, 4, "acsp");
-  const auto add = [&](std::string_view name, const std::string& tag) {
-    table += std::string(name) + big_endian(static_cast<std::uint32_t>(132 + 7 * 12 + data.size())) +
-             big_endian(static_cast<std::uint32_t>(tag.size()));
-    data += tag;
-  };
-  add("desc", "desc" + std::string(4, '\0') + big_endian(5) + "Mine" + std::string(1, '\0'));
-  for (std::size_t i = 0; i < 3; ++i) {
-    std::string xyz = "XYZ " + std::string(4, '\0');
-    for (const double value : primaries[i]) xyz += fixed16(value);
-    add(std::array{"rXYZ", "gXYZ", "bXYZ"}[i], xyz);
-    add(std::array{"rTRC", "gTRC", "bTRC"}[i],
-        "curv" + std::string(4, '\0') + big_endian(1) + big_endian(static_cast<std::uint32_t>(gamma * 256.0), 2));
-  }
-  header.replace(0, 4, big_endian(static_cast<std::uint32_t>(132 + table.size() + data.size())));
-  return header + big_endian(7) + table + data;
-}
-
-/// Of a press on which any full ink is black: a table of two values per ink, Lab in 8 bits. Without ink it is white.
-std::string press_profile() {
-  std::string header(128, '\0'), lut = "mft1\0\0\0\0\4\3\2\0"s;
-  for (const double value : {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}) lut += fixed16(value);
-  const auto add_identity = [&](int curves) {
-    for (int i = 0; i < 256 * curves; ++i) lut += static_cast<char>(i % 256);
-  };
-  add_identity(4);
-  for (int node = 0; node < 16; ++node) lut += node == 0 ? "\xff\x80\x80"s : "\0\x80\x80"s;
-  add_identity(3);
-  header.replace(0, 4, big_endian(static_cast<std::uint32_t>(144 + lut.size())));
-  header.replace(8, 4, "\2\x40\0\0"s).replace(12, 12, "prtrCMYKLab ").replace(36, 4, "acsp");
-  return header + big_endian(1) + "A2B0" + big_endian(144) + big_endian(static_cast<std::uint32_t>(lut.size())) + lut;
-}
-
-constexpr std::array<std::array<double, 3>, 3> kSrgbPrimaries{
-    {{0.4361, 0.2225, 0.0139}, {0.3851, 0.7169, 0.0971}, {0.1431, 0.0606, 0.7139}}};
-constexpr std::array<std::array<double, 3>, 3> kP3Primaries{
-    {{0.5151, 0.2412, -0.0011}, {0.2920, 0.6922, 0.0419}, {0.1571, 0.0666, 0.7841}}};
 
 TEST(ColorProfile, srgb_is_silent_and_others_are_named) {
   EXPECT_EQ(color_profile_notice({}), "");

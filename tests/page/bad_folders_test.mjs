@@ -72,7 +72,7 @@ test("folders that hold no light field are refused before anything is served", a
   }
   await assert.rejects(view("nothing"), /nothing: is an empty folder/);
   await assert.rejects(view("videos"), /only videos \(a\.mp4\), and views cannot be read from a video/);
-  await assert.rejects(view("videos/a.mp4"), /views cannot be read from a video/);
+  await assert.rejects(view("videos/a.mp4"), /views are read from a video by `lippmann convert` alone/);
   await assert.rejects(view("jobs"), /`lippmann render jobs\/job\.toml` first/);
   await assert.rejects(view("others"), /its pictures, such as ein Bild\.png, are not named as frames or views/);
   await assert.rejects(view("others/ein Bild.png"), /the format of others\/ein Bild\.png is unknown/);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,7 +21,10 @@ struct ConvertParams {
   std::optional<KeptViews> keep;  ///< the views that are kept, chosen before they are cropped; none: all
   /// Resample for options.display, whose picture `to` (integral, quilt or native) is; none: move pixels.
   std::optional<DisplayPictureParams> display_picture = {};
-  int threads = 0;  ///< of display pictures; 0: one per processor
+  /// Reads IN in place of a format's reader: a video, which no reader of layout knows (replay/video_views.hpp).
+  std::function<LightField(const std::filesystem::path&, const FormatOptions&)> read_views = {};
+  std::filesystem::path icc = {};  ///< profile of the printer, for display pictures that are prints; empty: they are sRGB
+  int threads = 0;                 ///< of display pictures; 0: one per processor
 };
 
 struct Converted {

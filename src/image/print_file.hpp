@@ -1,0 +1,35 @@
+// Pictures to be printed: PNG or TIFF files with a resolution, in sRGB's codes or those of a printer's ICC profile.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lippmann/image/picture_file.hpp"
+
+namespace lippmann {
+
+/// The profile of a printer, of RGB codes or of inks (cyan, magenta, yellow, black).
+class OutputProfile {
+ public:
+  /// Throws Error naming the file if it is missing, damaged or of another kind, or if the program is built without Little CMS.
+  explicit OutputProfile(const std::filesystem::path& file);
+
+  const std::string& where() const { return where_; }
+  const std::vector<std::byte>& bytes() const { return bytes_; }
+  bool has_inks() const { return has_inks_; }
+
+ private:
+  std::string where_;
+  std::vector<std::byte> bytes_;
+  bool has_inks_ = false;
+};
+
+/// 8- and 16-bit codes as .png or .tiff, floats as .exr, in a file that appears only when complete. With a profile the colours
+/// are turned to it (relative colorimetric, black point compensation) and it is embedded; inks need .tiff. Throws Error naming
+/// the file, the ending that suits, or the profile.
+void write_print(const std::filesystem::path& path, const Picture& picture, double dots_per_inch,
+                 const OutputProfile* profile = nullptr);
+
+}  // namespace lippmann
