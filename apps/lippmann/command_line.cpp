@@ -44,7 +44,7 @@ class ShortHelp : public CLI::Formatter {
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
     if (mode == CLI::AppFormatMode::Sub) return CLI::Formatter::make_help(app, std::move(name), mode);
     std::string text = make_description(app) + make_usage(app, std::move(name)) + "\n" + examples_ + make_positionals(app);
-    if (mode == CLI::AppFormatMode::All) return text + make_groups(app, mode);
+    if (mode == CLI::AppFormatMode::All) return text + make_groups(app, mode) + make_subcommands(app, mode);
     text +=
         make_group("Common options", false, app->get_options([this](const CLI::Option* option) { return is_common(*option); }));
     return text + "\nAll options, by group: --help-all\n";

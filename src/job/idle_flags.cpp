@@ -42,7 +42,13 @@ bool makes_exr(const RenderParams& params) {
 
 bool makes_codes(const RenderParams& params) { return !makes_exr(params) || makes_videos(params); }
 
-bool has_surroundings(const RenderParams& params) { return params.scene.environment != "none"; }
+bool is_file(const RenderParams& params) { return !is_builtin_scene(params.scene.name); }
+
+/// Built-in scenes have their own light, and Whitted shading has no surroundings unless they are asked for.
+bool has_surroundings(const RenderParams& params) {
+  if (!params.scene.environment.empty()) return params.scene.environment != "none";
+  return is_file(params) && facts_of(params.sampling).is_lit_by_surroundings;
+}
 
 /// A colour (scene_light.hpp) looks the same from all sides.
 bool has_surroundings_to_turn(const RenderParams& params) {
@@ -58,7 +64,8 @@ bool has_microlenses(const RenderParams& params) {
 
 bool has_parallax(const RenderParams& params) { return optics_kind(params).info().has_parallax; }
 
-bool is_file(const RenderParams& params) { return !is_builtin_scene(params.scene.name); }
+/// A single sample of Whitted shading lies in the middle of its pixel. Files may hold splats, which have more.
+bool has_random_numbers(const RenderParams& params) { return is_file(params) || samples_per_pixel(params.sampling) > 1; }
 
 struct Effect {
   std::string_view parameter;
@@ -79,6 +86,7 @@ constexpr std::array kEffects{
     Effect{"view-angle", has_parallax, "optics other than a single view"},
     Effect{"clamp-indirect", traces_paths, "--integrator path with it"},
     Effect{"denoise", may_denoise, "--integrator path with it"},
+    Effect{"seed", has_random_numbers, "--spp 2 or more, or --integrator path with it"},
     Effect{"environment-strength", has_surroundings, kSurroundingsToo},
     Effect{"environment-rotation", has_surroundings_to_turn, "--environment studio or a panorama with it"},
     Effect{"exposure", makes_codes, "--format png, png16 or tiff, or --video with it: EXR files stay linear"},

@@ -1,0 +1,189 @@
+// Every flag of `render`, on renders of several kinds: it changes the files that are made, or it is refused by its name.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "cli/tool.hpp"
+#include "core/text_pattern.hpp"
+
+namespace lippmann::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// A value for each flag that, where the flag has an effect, makes other files than the default does.
+const std::map<std::string, std::string>& values() {
+  static const std::map<std::string, std::string> all{{"--animation", "0"},
+                                                      {"--aperture", "4"},
+                                                      {"--asset-root", "."},
+                                                      {"--camera", "0"},
+                                                      {"--camera-grid", ""},
+                                                      {"--camera-path", "none.cam"},
+                                                      {"--clamp-indirect", "0.1"},
+                                                      {"--crf", "40"},
+                                                      {"--crosstalk", "0.4"},
+                                                      {"--debug", "missed"},
+                                                      {"--denoise", "auto"},
+                                                      {"--depth-coding", "depth"},
+                                                      {"--depth-range", "5:-5"},
+                                                      {"--display", "portrait"},
+                                                      {"--dpi", "90"},
+                                                      {"--environment", "#ff8000"},
+                                                      {"--environment-rotation", "90"},
+                                                      {"--environment-strength", "2"},
+                                                      {"--exposure", "1"},
+                                                      {"--exr-pixels", "float"},
+                                                      {"--f-number", "2"},
+                                                      {"--fill", "retrace"},
+                                                      {"--fit-to", "nothing"},
+                                                      {"--focal-plane", "20"},
+                                                      {"--focus", "900"},
+                                                      {"--format", "png16"},
+                                                      {"--halving", ""},
+                                                      {"--integrator", "path"},
+                                                      {"--ipd", "20"},
+                                                      {"--landscape", ""},
+                                                      {"--layout", "views"},
+                                                      {"--lens-pixels", "5"},
+                                                      {"--lenses", "5"},
+                                                      {"--lenses-per-mm", "1"},
+                                                      {"--light-scale", "0.5"},
+                                                      {"--lpi", "21"},
+                                                      {"--max-depth", "1"},
+                                                      {"--mirror", ""},
+                                                      {"--near-black", ""},
+                                                      {"--no-z-buffer", ""},
+                                                      {"--optics", "single"},
+                                                      {"--orbit", "20"},
+                                                      {"--packing", "hexagonal"},
+                                                      {"--paper", "A6"},
+                                                      {"--phase", "3"},
+                                                      {"--pitch-mm", "1"},
+                                                      {"--precompensate", ""},
+                                                      {"--pseudoscopic", ""},
+                                                      {"--quilt", "2x3"},
+                                                      {"--reuse", "interpolate"},
+                                                      {"--right-first", ""},
+                                                      {"--screen-width", "300"},
+                                                      {"--seed", "7"},
+                                                      {"--shutter", "0.7"},
+                                                      {"--size", "23x17"},
+                                                      {"--slant", "10"},
+                                                      {"--splat", "lens"},
+                                                      {"--spp", "3"},
+                                                      {"--stereo", "over-under"},
+                                                      {"--texture-memory", "10"},
+                                                      {"--to", "miv"},
+                                                      {"--tone", "agx"},
+                                                      {"--transparent", ""},
+                                                      {"--up", "z"},
+                                                      {"--variant", "0"},
+                                                      {"--video-codec", "ffv1"},
+                                                      {"--view-angle", "50"},
+                                                      {"--viewing-distance", "200"},
+                                                      {"--views", "3x2"},
+                                                      {"--visual-lpi", "21"},
+                                                      {"--zoom", "2"}};
+  return all;
+}
+
+/// Flags that may leave these pictures as they are, and why.
+const std::map<std::string, std::string>& others() {
+  static const std::map<std::string, std::string> all{
+      {"--also", "more files"},
+      {"--aov", "more files"},
+      {"--angular-filter", "'none' and 'box' are compared where there are several samples: tests of frames"},
+      {"--dry-run", "makes nothing"},
+      {"--dump-job", "another file"},
+      {"--fit-depth", "the default for lens arrays"},
+      {"--force", "of a folder that is there"},
+      {"--fps", "frame 0 is that of any rate"},
+      {"--frames", "given"},
+      {"--full-depth", "the depth of the room fits"},
+      {"--job", "a file of flags"},
+      {"--keyframes", "speed, where pixels are copied"},
+      {"--min-psnr", "Whitted frames that are traced keep to any floor"},
+      {"--only-frames", "of a job in parts"},
+      {"--order", "speed"},
+      {"--output", "given"},
+      {"--page", "more files"},
+      {"--progress", "what is printed"},
+      {"--resume", "of a folder that is there"},
+      {"--strips", "how a picture is cut for machines"},
+      {"--threads", "speed"},
+      {"--unit", "of a job in parts"},
+      {"--verbose", "what is printed"},
+      {"--video", "another file"}};
+  return all;
+}
+
+/// The pictures, and what lies beside them, by their names.
+std::map<std::string, std::string> frames_in(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  if (fs::exists(folder))
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+      if (const std::string name = fs::relative(entry.path(), folder).string();
+          entry.is_regular_file() && name.starts_with("frame_"))
+        files[name] = bytes_of(entry.path());
+  return files;
+}
+
+std::set<std::string> flags_of_help(const TempDir& dir) {
+  static const TextPattern flag("--[a-z][a-z-]*");
+  std::set<std::string> flags;
+  std::istringstream lines(run_tool(dir, {"render", "--help-all"}).out);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t begin = line.find_first_not_of(' ');  // CLI11 indents a flag by 2 to 10 columns, descriptions by more
+    if (begin == std::string::npos || begin > 10 || line[begin] != '-') continue;
+    if (const auto found = flag.search(line)) flags.insert(found->groups[0]);
+  }
+  for (const char* other : {"--help", "--help-all", "--json", "--quiet"}) flags.erase(other);
+  return flags;
+}
+
+class RenderFlags : public testing::Test {
+ protected:
+  /// Runs each flag on top of a render that works without it. `may_stay`: flags whose values are this render's own.
+  void walk(const Words& render, const std::set<std::string>& may_stay) {
+    const Words base = Words{"render"} + render + Words{"--quiet", "--output", "o"};
+    const RunResult plain = run_tool(dir_, base);
+    ASSERT_EQ(plain.exit_code, 0) << plain.err;
+    const auto without = frames_in(dir_ / "o");
+    ASSERT_FALSE(without.empty());
+    fs::remove_all(dir_ / "o");
+    for (const auto& [flag, value] : values()) {
+      if (std::find(base.begin(), base.end(), flag) != base.end()) continue;
+      const RunResult run = run_tool(dir_, base + (value.empty() ? Words{flag} : Words{flag, value}));
+      if (run.exit_code != 0) {
+        EXPECT_THAT(run.err, testing::AnyOf(HasSubstr(flag), HasSubstr("the display has its own"))) << render[0];
+      } else {
+        EXPECT_TRUE(may_stay.contains(flag) || frames_in(dir_ / "o") != without)
+            << render[0] << ": " << flag << " changes nothing";
+      }
+      fs::remove_all(dir_ / "o");
+    }
+  }
+
+  TempDir dir_;
+};
+
+TEST_F(RenderFlags, each_changes_the_pictures_or_is_refused) {
+  std::set<std::string> known;
+  for (const auto& [flag, value] : values()) known.insert(flag);
+  for (const auto& [flag, why] : others()) known.insert(flag);
+  EXPECT_EQ(known, flags_of_help(dir_)) << "a flag that this test does not try";
+  // The teapot has one camera, and the one frame of an animation is a key frame.
+  walk({"teapot", "--frames", "0", "--lenses", "5x5", "--lens-pixels", "4"}, {"--camera", "--reuse"});
+  walk({"teapot", "--frames", "0", "--optics", "multiview", "--views", "3x2", "--size", "24x16", "--integrator", "path",
+        "--spp", "2", "--denoise", "none"},
+       {"--camera"});
+  walk({"teapot", "--frames", "0", "--layout", "stereo", "--viewing-distance", "600", "--size", "32x18"}, {"--reuse"});
+}
+
+}  // namespace
+}  // namespace lippmann::test
