@@ -30,7 +30,7 @@ void describe(AVStereo3D& stereo, const StereoLayout& layout) {
 }
 
 void add_side_data(AVStream& stream, std::uint8_t* data, std::size_t size) {
-#if LIBAVFORMAT_VERSION_MAJOR >= 61  // FFmpeg 7
+#if LIBAVFORMAT_VERSION_INT >= AV_VERSION_INT(60, 15, 100)  // FFmpeg 6.1
   AVCodecParameters& codec = *stream.codecpar;
   if (av_packet_side_data_add(&codec.coded_side_data, &codec.nb_coded_side_data, AV_PKT_DATA_STEREO3D, data, size, 0)) return;
 #else
