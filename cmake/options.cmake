@@ -7,6 +7,10 @@ target_compile_options(lippmann_options INTERFACE -Wall -Wextra -Wshadow -Wno-un
 target_compile_options(lippmann_options INTERFACE -Wno-missing-field-initializers)
 # Packets by value have another ABI for each instruction set, and since GCC 4.6. No packet crosses the library's boundary.
 target_compile_options(lippmann_options INTERFACE -Wno-psabi)
+# GCC 13 takes any reference that a function returns for one to its argument, if that is a temporary.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13 AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 14)
+  target_compile_options(lippmann_options INTERFACE -Wno-dangling-reference)
+endif()
 # Loops over lanes join comparisons with & and |, which vectorise, where && and || would branch.
 target_compile_options(lippmann_options INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
 

@@ -66,7 +66,7 @@ int TextureReader::read(int index, bool srgb) {
   if (!is_new) return known->second;
   Texture result;
   const std::size_t image = static_cast<std::size_t>(source);
-  const std::string name = document_.at("images", source)["name"].text();
+  const std::string& name = document_.at("images", source)["name"].text();
   result.name = !name.empty() ? name : texture["name"].text();
   result.wrap_u = wrap_u, result.wrap_v = wrap_v;
   result.srgb = srgb;
