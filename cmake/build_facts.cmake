@@ -33,6 +33,9 @@ set(picture_libraries "OpenEXR ${OpenEXR_VERSION}, libpng ${PNG_VERSION_STRING},
 if(LCMS_FOUND)
   string(APPEND picture_libraries ", Little CMS ${LCMS_VERSION}")
 endif()
+if(LIBHEIF_FOUND)
+  string(APPEND picture_libraries ", libheif ${LIBHEIF_VERSION}")
+endif()
 set(LIPPMANN_BUILD_FACTS
   "LIPPMANN_COMMIT=\"${commit}\""
   "LIPPMANN_COMPILER=\"${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}\""

@@ -1,4 +1,4 @@
-# Debian packages, by `cpack -G DEB` in the build folder: the tool; the module for videos, which alone needs FFmpeg; the library
+# Debian packages, by `cpack -G DEB` in the build folder: the tool; the modules for videos and for HEIC pictures; the library
 # for other programs; the Python package, which contains what it needs of the library.
 
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # tests and benchmarks need not be built for a package
@@ -10,6 +10,9 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_COMPONENTS_ALL tool video development)
+if(TARGET lippmann_heic_module)
+  list(APPEND CPACK_COMPONENTS_ALL heic)
+endif()
 if(TARGET lippmann_mpi_module)
   list(APPEND CPACK_COMPONENTS_ALL mpi)
 endif()
@@ -21,10 +24,13 @@ if(TARGET lippmann_python)
     "if(NOT EXISTS \"$<TARGET_FILE:lippmann_python>\")\n  list(REMOVE_ITEM CPACK_COMPONENTS_ALL python3)\nendif()\n")
 endif()
 set(CPACK_DEBIAN_TOOL_PACKAGE_NAME lippmann)
-set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS lippmann-video)
+set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS "lippmann-video, lippmann-heic")
 set(CPACK_DEBIAN_VIDEO_PACKAGE_NAME lippmann-video)
 set(CPACK_DEBIAN_VIDEO_PACKAGE_DEPENDS "lippmann (= ${PROJECT_VERSION})")
 set(CPACK_COMPONENT_VIDEO_DESCRIPTION "Writes and reads videos for Lippmann")
+set(CPACK_DEBIAN_HEIC_PACKAGE_NAME lippmann-heic)
+set(CPACK_DEBIAN_HEIC_PACKAGE_DEPENDS "lippmann (= ${PROJECT_VERSION})")
+set(CPACK_COMPONENT_HEIC_DESCRIPTION "Reads HEIC and AVIF pictures for Lippmann")
 set(CPACK_DEBIAN_MPI_PACKAGE_NAME lippmann-mpi)
 set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "lippmann (= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_MPI_PACKAGE_RECOMMENDS openmpi-bin)

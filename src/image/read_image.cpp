@@ -37,16 +37,18 @@ struct Format {
 constexpr std::array kFormats{Format{is_png, png_header, decode_png},          Format{is_exr, exr_header, decode_exr},
                               Format{is_jpeg, jpeg_header, decode_jpeg},       Format{is_tiff, tiff_header, decode_tiff},
                               Format{is_hdr, hdr_header, decode_hdr},          Format{is_webp, webp_header, decode_webp},
-                              Format{is_netpbm, netpbm_header, decode_netpbm}, Format{is_bmp, bmp_header, decode_bmp},
-                              Format{is_gif, gif_header, decode_gif},          Format{is_tga, tga_header, decode_tga}};
+                              Format{is_netpbm, netpbm_header, decode_netpbm}, Format{is_heic, heic_header, decode_heic},
+                              Format{is_bmp, bmp_header, decode_bmp},          Format{is_gif, gif_header, decode_gif},
+                              Format{is_tga, tga_header, decode_tga}};
 
 const Format& format_of(FileBytes file, const std::string& where) {
   for (const Format& format : kFormats)
     if (format.begins(file)) return format;
   const FileContent content = describe_content(file);
   throw Error(where, "cannot be read as a picture: it is " + content.what,
-              content.remedy.empty() ? "PNG, JPEG, TIFF, OpenEXR, Radiance HDR, WebP, BMP, GIF, PPM (P6), PGM (P5), PFM or TGA"
-                                     : content.remedy);
+              content.remedy.empty()
+                  ? "PNG, JPEG, TIFF, OpenEXR, Radiance HDR, WebP, HEIC, AVIF, BMP, GIF, PPM (P6), PGM (P5), PFM or TGA"
+                  : content.remedy);
 }
 
 std::vector<std::byte> bytes_in(const fs::path& path) { return read_recorded_bytes(path, kMaxImageFileBytes, "a picture"); }

@@ -72,8 +72,9 @@ std::optional<int> frame_of_file(const std::string& name) {
 }
 
 bool is_picture_name(const fs::path& path) {
-  constexpr std::array<std::string_view, 15> kEndings{".png", ".exr", ".tif", ".tiff", ".jpg", ".jpeg", ".ppm", ".pgm",
-                                                      ".pnm", ".tga", ".bmp", ".hdr",  ".pfm", ".webp", ".gif"};
+  constexpr std::array<std::string_view, 18> kEndings{".png", ".exr",  ".tif", ".tiff", ".jpg",  ".jpeg",
+                                                      ".ppm", ".pgm",  ".pnm", ".tga",  ".bmp",  ".hdr",
+                                                      ".pfm", ".webp", ".gif", ".heic", ".heif", ".avif"};
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
   return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();

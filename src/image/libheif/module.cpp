@@ -1,0 +1,111 @@
+// The module's only export: pictures by libheif.
+#include <libheif/heif.h>
+
+#include <cstring>
+#include <memory>
+
+#include "image/heic_module.hpp"
+
+namespace lippmann {
+namespace {
+
+template <auto free>
+struct Deleter {
+  template <class T>
+  void operator()(T* pointer) const {
+    free(pointer);
+  }
+};
+using File = std::unique_ptr<heif_context, Deleter<heif_context_free>>;
+using Handle = std::unique_ptr<heif_image_handle, Deleter<heif_image_handle_release>>;
+using Pixels = std::unique_ptr<heif_image, Deleter<heif_image_release>>;
+
+/// The main picture of a file.
+struct Opened {
+  File file;
+  Handle handle;
+  HeicPicture header;
+};
+
+std::vector<std::byte> profile_of(const heif_image_handle* handle) {
+  std::vector<std::byte> profile(heif_image_handle_get_raw_color_profile_size(handle));
+  if (!profile.empty() && heif_image_handle_get_raw_color_profile(handle, profile.data()).code != heif_error_Ok)
+    profile.clear();
+  return profile;
+}
+
+Opened open(std::span<const std::byte> bytes) {
+  Opened opened;
+  opened.file.reset(heif_context_alloc());
+  const auto keep = [&](const heif_error& error) {
+    if (error.code != heif_error_Ok) opened.header.problem = error.message;
+    return error.code == heif_error_Ok;
+  };
+  heif_image_handle* handle = nullptr;
+  if (!keep(heif_context_read_from_memory_without_copy(opened.file.get(), bytes.data(), bytes.size(), nullptr)) ||
+      !keep(heif_context_get_primary_image_handle(opened.file.get(), &handle)))
+    return opened;
+  opened.handle.reset(handle);
+  opened.header.width = heif_image_handle_get_width(handle);
+  opened.header.height = heif_image_handle_get_height(handle);
+  opened.header.bits = heif_image_handle_get_luma_bits_per_pixel(handle);
+  opened.header.has_alpha = heif_image_handle_has_alpha_channel(handle) != 0;
+  opened.header.profile = profile_of(handle);
+  if (opened.header.bits < 1 || opened.header.bits > 16) opened.header.problem = "its number of bits is unknown";
+  return opened;
+}
+
+heif_chroma chroma_of(const HeicPicture& picture) {
+  if (picture.bits > 8) return picture.has_alpha ? heif_chroma_interleaved_RRGGBBAA_LE : heif_chroma_interleaved_RRGGBB_LE;
+  return picture.has_alpha ? heif_chroma_interleaved_RGBA : heif_chroma_interleaved_RGB;
+}
+
+/// Copies rows, which libheif pads.
+void copy_codes(const std::uint8_t* plane, std::size_t stride, HeicPicture& picture) {
+  const std::size_t row = static_cast<std::size_t>(picture.width) * (picture.has_alpha ? 4 : 3);
+  const std::size_t height = static_cast<std::size_t>(picture.height);
+  picture.codes.resize(row * height);
+  for (std::size_t y = 0; y < height; ++y) {
+    std::uint16_t* to = &picture.codes[y * row];
+    if (picture.bits > 8)
+      std::memcpy(to, plane + y * stride, row * sizeof *to);
+    else
+      for (std::size_t i = 0; i < row; ++i) to[i] = plane[y * stride + i];
+  }
+}
+
+class Libheif : public HeicModule {
+ public:
+  HeicPicture header(std::span<const std::byte> file) const override { return open(file).header; }
+
+  HeicPicture decode(std::span<const std::byte> file) const override {
+    const Opened opened = open(file);
+    HeicPicture picture = opened.header;
+    if (!picture.problem.empty()) return picture;
+    heif_image* decoded = nullptr;
+    const heif_error error = heif_decode_image(opened.handle.get(), &decoded, heif_colorspace_RGB, chroma_of(picture), nullptr);
+    const Pixels pixels(decoded);
+    int stride = 0;
+    const std::uint8_t* plane =
+        pixels ? heif_image_get_plane_readonly(pixels.get(), heif_channel_interleaved, &stride) : nullptr;
+    if (error.code != heif_error_Ok || !plane) {
+      picture.problem = error.code != heif_error_Ok ? error.message : "its pixels are missing";
+      return picture;
+    }
+    const bool has_size = heif_image_get_width(pixels.get(), heif_channel_interleaved) == picture.width &&
+                          heif_image_get_height(pixels.get(), heif_channel_interleaved) == picture.height;
+    if (has_size)
+      copy_codes(plane, static_cast<std::size_t>(stride), picture);
+    else
+      picture.problem = "its pixels have another size than its header says";
+    return picture;
+  }
+};
+
+}  // namespace
+}  // namespace lippmann
+
+extern "C" __attribute__((visibility("default"))) const lippmann::HeicModule* lippmann_heic_module(int version) {
+  static const lippmann::Libheif module;
+  return version == lippmann::kHeicModuleVersion ? &module : nullptr;
+}
