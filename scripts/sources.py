@@ -39,6 +39,12 @@ def changed_files(base):
     return set(output("git", "diff", "--name-only", "--diff-filter=d", base).split())
 
 
+def by_last_change():
+    """The place of each file in the order of changes: 0 for the one that changed last."""
+    names = output("git", "log", "--format=", "--name-only").splitlines()
+    return {name: place for place, name in reversed(list(enumerate(filter(None, names))))}
+
+
 def includes(path):
     """The project's headers that the file names itself."""
     found = set()
