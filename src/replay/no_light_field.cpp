@@ -38,7 +38,12 @@ void refuse_folder(const fs::path& folder) {
     throw Error(
         folder.string(), "the job in it has not been rendered",
         fmt::format("`lippmann render {0}` first, or `lippmann view {0}`, which sets it up", (folder / "job.toml").string()));
-  if (const std::string picture = first_name(entries, is_picture_name); !picture.empty())
+  const auto is_picture = [](const fs::directory_entry& entry) { return is_picture_name(entry.path()); };
+  const std::string picture = first_name(entries, is_picture_name);
+  if (std::count_if(entries.begin(), entries.end(), is_picture) == 1)
+    throw Error(folder.string(), fmt::format("there is only one picture in it, {}", picture),
+                "two or more pictures of one size, which are the views");
+  if (!picture.empty())
     throw Error(folder.string(), fmt::format("its pictures, such as {}, are not named as frames or views", picture),
                 fmt::format("{}; one of these pictures; or the format views, which takes all in the order of their names",
                             kFramesOrViews));

@@ -99,5 +99,12 @@ TEST_F(Prints, mistakes_leave_nothing_behind) {
   refuse({"--dpi", "80", "--display", "portrait"}, "--dpi: cannot be combined with --display");
 }
 
+TEST_F(Prints, a_folder_with_one_picture_is_refused) {
+  fs::create_directories(dir_ / "one");
+  fs::copy_file(dir_ / "in/view_000.png", dir_ / "one/a.png");
+  expect_refusal(run_tool(dir_, Words{"convert", "one", "out.png"} + sheet_), 1, "there is only one picture in it, a.png");
+  EXPECT_FALSE(fs::exists(dir_ / "out.png"));
+}
+
 }  // namespace
 }  // namespace lippmann::test

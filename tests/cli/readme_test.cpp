@@ -12,9 +12,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The lines of code blocks that call the tool, without their comments.
-Words commands_of_readme() {
-  std::ifstream file(fs::path(LIPPMANN_SOURCE) / "README.md");
+/// The lines of a page's code blocks that call the tool, without their comments.
+Words commands_of(const std::string& page) {
+  std::ifstream file(fs::path(LIPPMANN_SOURCE) / page);
   Words commands;
   for (std::string line; std::getline(file, line);)
     if (line.starts_with("lippmann ")) commands.push_back(line.substr(0, line.find("  #")));
@@ -49,8 +49,15 @@ std::string quick(const std::string& line) {
   return line + " --dry-run";
 }
 
+/// Runs a line as a shell does that finds the tool.
+void expect_runs(const TempDir& dir, const std::string& line) {
+  const std::string path = "PATH=" + fs::path(LIPPMANN_TOOL).parent_path().string() + ":$PATH; ";
+  const RunResult result = run({"sh", "-c", path + line}, {dir.path().string(), 0});
+  EXPECT_EQ(result.exit_code, 0) << line << "\n" << result.err;
+}
+
 TEST(Readme, commands_run_as_they_stand) {
-  const Words commands = commands_of_readme();
+  const Words commands = commands_of("README.md");
   ASSERT_GE(commands.size(), 20u);
   const TempDir dir;
   fs::create_directory_symlink(fs::path(LIPPMANN_SOURCE) / "examples", dir / "examples");
@@ -58,10 +65,34 @@ TEST(Readme, commands_run_as_they_stand) {
   for (const std::string& command : commands) {
     if (command.find("/usr/share/doc/tachyon") != std::string::npos && !fs::exists("/usr/share/doc/tachyon/examples/scenes"))
       continue;
-    const std::string path = "PATH=" + fs::path(LIPPMANN_TOOL).parent_path().string() + ":$PATH; ";
-    const RunResult result = run({"sh", "-c", path + quick(command)}, {dir.path().string(), 0});
-    EXPECT_EQ(result.exit_code, 0) << command << "\n" << result.err;
+    expect_runs(dir, quick(command));
   }
+}
+
+/// Writes the pictures and displays that docs/prints.md speaks of.
+void make_pictures_of_prints(const TempDir& dir) {
+  expect_done(dir, {"render", "teapot", "--optics", "multiview", "--views", "3x1", "--size", "96x24", "--frames", "0",
+                    "--layout", "views", "-q", "-o", "made"});
+  for (const char* folder : {"views", "photos", "frames"}) {
+    fs::create_directories(dir / folder);
+    for (const char* view : {"0", "1", "2"})
+      fs::copy_file(dir / ("made/frame_0000/view_00" + std::string(view) + ".png"),
+                    dir / (std::string(folder) + "/" + view + ".png"));
+  }
+  std::ofstream(dir / "own.toml") << "kind = \"lenticular-sheet\"\npixels = [90, 40]\ndpi = 90\nview_cone_deg = 40\n"
+                                     "[lenses]\nlenses_per_inch = 9.3\n";
+  std::ofstream(dir / "visual.json")
+      << R"({"configVersion": "1.0", "serial": "LKG", "pitch": {"value": 52.6}, "slope": {"value": -7.1},
+    "center": {"value": 0.8}, "viewCone": {"value": 40}, "invView": {"value": 1}, "DPI": {"value": 324},
+    "screenW": {"value": 1536}, "screenH": {"value": 2048}, "flipImageX": {"value": 0}})";
+}
+
+TEST(Docs, commands_of_prints_run_as_they_stand) {
+  const TempDir dir;
+  make_pictures_of_prints(dir);
+  const Words commands = commands_of("docs/prints.md");
+  ASSERT_GE(commands.size(), 6u);
+  for (const std::string& command : commands) expect_runs(dir, command);
 }
 
 /// Words and phrases that readers stumble over, in small letters.
