@@ -49,6 +49,15 @@ int libpng_bits(PngFilter filter) {
   return PNG_FILTER_NONE;
 }
 
+struct PngFormat {
+  int width, height, bits;
+  int channels;  ///< 1 grey, 3 RGB, 4 with alpha
+
+  int color_type() const {
+    return channels == 1 ? PNG_COLOR_TYPE_GRAY : channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA;
+  }
+};
+
 /// libpng's errors jump: what lies between setjmp() and them has no destructors.
 class Encoder {
  public:
@@ -65,10 +74,8 @@ class Encoder {
   Encoder(const Encoder&) = delete;
   Encoder& operator=(const Encoder&) = delete;
 
-  std::vector<std::byte> encode(int width, int height, int bits, bool alpha, const unsigned char* samples,
-                                const PngOptions& options) {
-    if (!write(width, height, bits, alpha, samples, options))
-      throw Error(where_, std::string("cannot be encoded as png: ") + reason_);
+  std::vector<std::byte> encode(const PngFormat& format, const unsigned char* samples, const PngOptions& options) {
+    if (!write(format, samples, options)) throw Error(where_, std::string("cannot be encoded as png: ") + reason_);
     return std::move(file_);
   }
 
@@ -84,27 +91,27 @@ class Encoder {
     encoder.file_.insert(encoder.file_.end(), bytes, bytes + count);
   }
 
-  bool write(int width, int height, int bits, bool alpha, const unsigned char* samples, const PngOptions& options) {
+  bool write(const PngFormat& format, const unsigned char* samples, const PngOptions& options) {
     if (setjmp(back_) != 0) return false;
     png_set_compression_level(png_, options.level);
     png_set_compression_strategy(png_, zlib_strategy(options.strategy));
     png_set_filter(png_, PNG_FILTER_TYPE_BASE, libpng_bits(options.filter));
-    png_set_IHDR(png_, info_, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), bits,
-                 alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
-    if (options.profile.empty())
-      png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_ABSOLUTE);
-    else
+    png_set_IHDR(png_, info_, static_cast<png_uint_32>(format.width), static_cast<png_uint_32>(format.height), format.bits,
+                 format.color_type(), PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (!options.profile.empty())
       png_set_iCCP(png_, info_, "ICC profile", PNG_COMPRESSION_TYPE_BASE,
                    reinterpret_cast<png_const_bytep>(options.profile.data()), static_cast<png_uint_32>(options.profile.size()));
+    else if (format.channels > 1)
+      png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_ABSOLUTE);
     if (options.dots_per_inch > 0.0) {
       const auto per_metre = static_cast<png_uint_32>(options.dots_per_inch / 0.0254 + 0.5);
       png_set_pHYs(png_, info_, per_metre, per_metre, PNG_RESOLUTION_METER);
     }
     png_write_info(png_, info_);
-    if (bits == 16) png_set_swap(png_);
-    const std::size_t row = static_cast<std::size_t>(width) * (alpha ? 4 : 3) * static_cast<std::size_t>(bits / 8);
-    for (int y = 0; y < height; ++y) png_write_row(png_, samples + row * static_cast<std::size_t>(y));
+    if (format.bits == 16) png_set_swap(png_);
+    const std::size_t row =
+        static_cast<std::size_t>(format.width) * static_cast<std::size_t>(format.channels * format.bits / 8);
+    for (int y = 0; y < format.height; ++y) png_write_row(png_, samples + row * static_cast<std::size_t>(y));
     png_write_end(png_, info_);
     return true;
   }
@@ -125,7 +132,7 @@ std::vector<std::byte> encode(const std::string& where, const AnyImage& image, c
   check_image_size(where, image.width, image.height, alpha ? 4 : 3);
   const std::vector<Code> with_alpha = interleaved(image.rgb, image.alpha);
   const std::vector<Code>& samples = alpha ? with_alpha : image.rgb;
-  return Encoder(where).encode(image.width, image.height, 8 * sizeof(Code), alpha,
+  return Encoder(where).encode({image.width, image.height, 8 * sizeof(Code), alpha ? 4 : 3},
                                reinterpret_cast<const unsigned char*>(samples.data()), options);
 }
 
@@ -139,6 +146,14 @@ void write_png(const std::filesystem::path& path, const Image8& image, const Png
 
 void write_png(const std::filesystem::path& path, const Image16& image, const PngOptions& options) {
   write_file_atomically(path, encode(path.string(), image, options));
+}
+
+void write_png(const std::filesystem::path& path, const HeightMap& heights, const PngOptions& options) {
+  assert(heights.codes.size() == static_cast<std::size_t>(heights.width) * heights.height);
+  const std::string where = path.string();
+  check_image_size(where, heights.width, heights.height, 1);
+  const auto* samples = reinterpret_cast<const unsigned char*>(heights.codes.data());
+  write_file_atomically(path, Encoder(where).encode({heights.width, heights.height, 16, 1}, samples, options));
 }
 
 }  // namespace lippmann

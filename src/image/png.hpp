@@ -1,8 +1,9 @@
-// Writes 8-bit and 16-bit RGB pictures, with alpha where they have it, as PNG, tagged sRGB or with a colour
-// profile. Equal pictures give equal bytes.
+// Writes 8-bit and 16-bit RGB pictures, with alpha where they have it, as PNG, tagged sRGB or with a colour profile, and
+// heights as grey PNG without a colour space. Equal pictures give equal bytes.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <vector>
@@ -26,11 +27,18 @@ struct PngOptions {
   std::span<const std::byte> profile = {};  ///< RGB profile of the codes (iCCP); empty: they are sRGB's
 };
 
+/// Heights, row-major from the top-left: 0 is the lowest, 65535 the highest.
+struct HeightMap {
+  int width = 0, height = 0;
+  std::vector<std::uint16_t> codes = {};
+};
+
 /// The bytes of the file. Throws Error for sizes outside 1 ... 65536.
 std::vector<std::byte> encode_png(const Image8& image, const PngOptions& options = {});
 
 /// Puts them in a file that appears only when complete. Throws Error naming it.
 void write_png(const std::filesystem::path& path, const Image8& image, const PngOptions& options = {});
 void write_png(const std::filesystem::path& path, const Image16& image, const PngOptions& options = {});
+void write_png(const std::filesystem::path& path, const HeightMap& heights, const PngOptions& options = {});
 
 }  // namespace lippmann

@@ -16,6 +16,7 @@
 #include "image/orientation.hpp"
 #include "image/png.hpp"
 #include "image/read_image.hpp"
+#include "image/tiff.hpp"
 #include "support/encode_image.hpp"
 #include "support/error_message.hpp"
 #include "support/icc_profile.hpp"
@@ -457,6 +458,34 @@ TEST(DecodeGif, without_a_picture_or_too_large_is_refused) {
 }
 
 // ---- What is no picture -------------------------------------------------------------------------------------------------
+
+TEST(Resolution, of_tiff_is_in_dots_per_inch) {
+  const TempDir dir;
+  write_tiff(dir / "a.tif", Image8{2, 1, std::vector<unsigned char>(6)}, 600.0 / 25.4);
+  TIFF* tiff = TIFFOpen((dir / "a.tif").c_str(), "r");
+  float across = 0.0f, down = 0.0f;
+  std::uint16_t unit = 0;
+  TIFFGetField(tiff, TIFFTAG_XRESOLUTION, &across);
+  TIFFGetField(tiff, TIFFTAG_YRESOLUTION, &down);
+  TIFFGetField(tiff, TIFFTAG_RESOLUTIONUNIT, &unit);
+  TIFFClose(tiff);
+  EXPECT_FLOAT_EQ(across, 600.0f);
+  EXPECT_FLOAT_EQ(down, 600.0f);
+  EXPECT_EQ(unit, RESUNIT_INCH);
+}
+
+TEST(Resolution, of_heights_stands_in_a_grey_png_without_a_colour_space) {
+  const TempDir dir;
+  PngOptions options;
+  options.dots_per_inch = 1440.0;
+  write_png(dir / "a.png", HeightMap{2, 1, {0, 0x1234}}, options);
+  std::ifstream file(dir / "a.png", std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_THAT(bytes, HasSubstr("IHDR" + big_endian(2) + big_endian(1) + "\x10\0"s)) << "16 bits, grey";
+  EXPECT_THAT(bytes, HasSubstr("pHYs" + big_endian(56693) + big_endian(56693) + "\x01"));
+  EXPECT_THAT(bytes, testing::Not(testing::AnyOf(HasSubstr("sRGB"), HasSubstr("gAMA"))));
+  EXPECT_THAT(decoded_as<std::uint16_t>(to_bytes(bytes)), ElementsAre(0, 0x1234));
+}
 
 TEST(DecodePicture, names_what_stands_in_for_a_picture) {
   const auto message = [](std::string_view text) { return error_message([&] { decode_picture(to_bytes(text), "a.png"); }); };

@@ -1,0 +1,35 @@
+// Draws boxes and text into pictures, for the labels of test sheets and the marks around prints.
+//
+// Colours are sRGB codes of 8 bits and become samples of the picture's kind. What lies outside the picture is left out. Text
+// is ASCII, in capitals 7 units high, in lines 12 units high; a unit is `scale` pixels, so that letters have sharp edges.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "lippmann/core/math.hpp"
+#include "lippmann/image/picture_file.hpp"
+
+namespace lippmann {
+
+using Rgb8 = std::array<unsigned char, 3>;
+inline constexpr Rgb8 kBlack{0, 0, 0}, kWhite{255, 255, 255};
+
+/// Pixels from `from`, included, to `to`, excluded.
+struct PixelBox {
+  Vec2i from{0, 0}, to{0, 0};
+
+  Vec2i size() const { return to - from; }
+};
+
+inline constexpr int kTextCapital = 7, kTextLine = 12;  ///< heights, units
+
+void fill_box(Picture& picture, const PixelBox& box, const Rgb8& colour);
+
+/// Returns the width of the longest line and the height of all lines, units. '\n' ends a line.
+Vec2i text_units(std::string_view text);
+
+/// `corner`: the top left corner of the first line.
+void draw_text(Picture& picture, Vec2i corner, int scale, std::string_view text, const Rgb8& colour = kBlack);
+
+}  // namespace lippmann
