@@ -79,14 +79,10 @@ bool uses_display(const ConvertOptions& o, const Conversion& c) {
   return is_read<&FormatUses::display>(c) || is_written<&FormatUses::display>(c);
 }
 
-/// The pitch of a print depends on the angle if it follows from that of the lenses.
-bool depends_on_angle(const ConvertOptions& options) {
-  return options.sheet.are_given() && options.sheet.visual_lpi.empty() && options.stereo.viewing_distance_mm;
-}
-
 bool uses_view_angle(const ConvertOptions& options, const Conversion& c) {
   return c.kind == ConvertKind::kStereo ||
-         (c.kind == ConvertKind::kDepthViews && !makes_stereo(c) && options.display.empty()) || depends_on_angle(options);
+         (c.kind == ConvertKind::kDepthViews && !makes_stereo(c) && options.display.empty()) ||
+         options.sheet.pitch_depends_on_angle(options.stereo.viewing_distance_mm.has_value());
 }
 
 /// Rules for all flags but --json and --quiet, which always have an effect.
@@ -114,6 +110,12 @@ constexpr std::array kIdleRules{
     IdleRule{"--rotate", [](const ConvertOptions& o) { return o.picture.turn_deg.has_value(); }, is_print,
              "the --display of a sheet or an array of lenses"},
     IdleRule{"--icc", [](const ConvertOptions& o) { return !o.picture.icc.empty(); }, is_print,
+             "the --display of a sheet or an array of lenses"},
+    IdleRule{"--bleed-mm", [](const ConvertOptions& o) { return o.picture.bleed_mm.has_value(); }, is_print,
+             "the --display of a sheet or an array of lenses"},
+    IdleRule{"--marks", [](const ConvertOptions& o) { return o.picture.marks; }, is_print,
+             "the --display of a sheet or an array of lenses"},
+    IdleRule{"--proof", [](const ConvertOptions& o) { return o.picture.proof; }, is_print,
              "the --display of a sheet or an array of lenses"},
     IdleRule{"--flip", [](const ConvertOptions& o) { return o.picture.flip; }, is_print, "the --display of a sheet"},
     IdleRule{"--shares", [](const ConvertOptions& o) { return !o.picture.shares.empty(); }, is_flip, "--flip"},

@@ -29,6 +29,7 @@ DisplayPictureParams DisplayPictureFlags::read(const InterlaceParams& interlace)
   if (fit == "stretch") params.fit = AspectFit::kStretch;
   params.filter = interlace.filter, params.sigma_views = interlace.sigma_views;
   if (flip) params.flip = FlipParams{read_shares(shares), blend.value_or(0.0)};
+  params.finish = {bleed_mm.value_or(0.0), marks, proof};
   params.mirror = mirror;
   params.turn_deg = turn_deg.value_or(0);
   if (params.turn_deg % 90 != 0) throw usage_error("--rotate", "is no quarter turn", "90, 180 or 270");
@@ -58,6 +59,12 @@ void add_display_picture_flags(const Command& command, DisplayPictureFlags& flag
                   "ICC profile of the printer, RGB or CMYK: colours are turned to it (relative colorimetric, with black point "
                   "compensation); CMYK needs OUT to be .tiff; default: sRGB")
       .type_name("FILE");
+  group.add_option("--bleed-mm", flags.bleed_mm, "How far the picture of a print goes on beyond each edge at which it is cut")
+      .type_name("MM")
+      .range(0.01, 100.0);
+  group.add_flag("--marks", flags.marks,
+                 "Around a print: crop and registration marks, and bands that are black once a sheet lies straight");
+  group.add_flag("--proof", flags.proof, "Only the middle square inch of a print, pixel by pixel the same");
 }
 
 }  // namespace lippmann::app

@@ -12,9 +12,9 @@ class Command;  // command_line.hpp
 
 struct DisplayPictureFlags {
   std::string fit, shares, icc;
-  bool mirror = false, flip = false;
+  bool mirror = false, flip = false, marks = false, proof = false;
   std::optional<int> turn_deg;
-  std::optional<double> blend;
+  std::optional<double> blend, bleed_mm;
 
   /// Throws a usage Error naming the flag.
   DisplayPictureParams read(const InterlaceParams& interlace) const;

@@ -18,6 +18,10 @@ struct SheetFlags {
 
   /// --lpi or another; empty: none is given.
   std::string first_given() const;
+  /// Whether the pitch of the print depends on --view-angle: it then follows from that of the lenses.
+  bool pitch_depends_on_angle(bool has_viewing_distance) const {
+    return are_given() && visual_lpi.empty() && has_viewing_distance;
+  }
   bool are_given() const { return !first_given().empty(); }
   /// The display in one line, for load_display. Throws a usage Error for a --display beside it, and if a part is missing.
   std::string line(const Others& others) const;

@@ -81,7 +81,7 @@ class Conversion {
 
   /// Writes the picture of the display. Views of folders are fitted one by one as they are read: they may be large photos.
   void show_one(const fs::path& in, const fs::path& out, bool is_frame, Converted& result) const {
-    const Display& display = *params_.options.display;
+    const Display display = with_bleed(*params_.options.display, params_.display_picture->finish.bleed_mm);
     const DisplayTarget target = display_target(display, to_.name);
     ViewFitter fitter(display, target, params_.display_picture->fit.value_or(default_fit(target)), *pool_);
     FormatOptions reading = params_.options;

@@ -9,6 +9,7 @@
 
 #include "layout/lens_interlace.hpp"
 #include "layout/picture_samples.hpp"
+#include "layout/print_finish.hpp"
 #include "layout/strip_interlace.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/optics/viewing.hpp"
@@ -129,13 +130,15 @@ std::string_view own_format(const Display& display) {
 Picture display_picture(const LightField& field, const Display& display, DisplayTarget target,
                         const DisplayPictureParams& params, const ThreadPool& pool) {
   require_views(field, display);
+  if (target != DisplayTarget::kIntegral && !params.finish.is_plain())
+    throw usage_error("marks", "bleed, marks and proofs are for prints", "the display of a sheet or an array of lenses");
   const auto picture = [&] {
     if (target == DisplayTarget::kQuilt) return quilt_picture(field, display, params.filter);
     if (target == DisplayTarget::kNative) return interlace(field, display, {params.filter, params.sigma_views}, pool);
     if (display.kind == DisplayKind::kMicrolensArray) return array_picture(field, display, params, pool);
     return interlace_strips(field, display, params, pool);
   };
-  return oriented(picture(), params.mirror, params.turn_deg);
+  return oriented(finished(picture(), display, params.finish), params.mirror, params.turn_deg);
 }
 
 }  // namespace lippmann

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "layout/picture_samples.hpp"
+#include "layout/strip_place.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
 
@@ -129,11 +130,9 @@ class StripInterlacer {
   bool is_upright() const { return strips_.sine == 0.0; }
 
   StripPixel pixel_at(int i, int j) const {
-    // Pixels whose centre lies on an edge between two parts show the right one, whatever the rounding.
-    constexpr double kRoundingPx = 1e-6;
-    const double y = j + 0.5, s = (i + 0.5) * strips_.cosine - y * strips_.sine;
-    const double strip = (s - strips_.start_px + kRoundingPx) / strips_.cell_px, lens = std::floor(strip);
-    const Blend views = order_.at(strip - lens);
+    const double y = j + 0.5;
+    const auto [lens, within] = strip_place(strips_, {i + 0.5, y});
+    const Blend views = order_.at(within);
     if (is_upright()) {
       const int column = std::clamp(static_cast<int>(lens), 0, size_.x - 1);
       return {views, {column, column, 0.0f}};

@@ -27,6 +27,15 @@ struct FlipParams {
   double blend = 0.0;  ///< 0: hard transitions; 1: each transition spreads over the smaller of the two shares that it joins
 };
 
+/// What surrounds the print of a sheet or an array, on the paper that it is cut from.
+struct PrintFinish {
+  double bleed_mm = 0.0;  ///< how far the picture goes on beyond each edge at which the print is cut
+  bool marks = false;     ///< a margin of 10 mm with crop marks, targets, figures, and bands to align a sheet by
+  bool proof = false;     ///< the middle square inch of the print instead of all of it, pixel by pixel the same
+
+  bool is_plain() const { return bleed_mm == 0.0 && !marks && !proof; }
+};
+
 struct DisplayPictureParams {
   std::optional<AspectFit> fit = {};         ///< none: default_fit()
   ViewFilter filter = ViewFilter::kNearest;  ///< between views; gaussian: native frames only. Arrays: nearest only
@@ -34,6 +43,7 @@ struct DisplayPictureParams {
   std::optional<FlipParams> flip = {};       ///< sheets only
   bool mirror = false;                       ///< left and right change places, for prints on the back of a sheet
   int turn_deg = 0;                          ///< clockwise: 0, 90, 180 or 270
+  PrintFinish finish = {};                   ///< sheets and arrays only
 };
 
 /// The kind of picture: as a format of layout/formats.hpp.
@@ -78,8 +88,13 @@ class ViewFitter {
   Vec2d window_{0.0};
 };
 
+/// A display that is larger on all sides, whose lenses lie where they were. ViewFitter and display_picture take it in place of
+/// the display where DisplayPictureParams::finish has a bleed.
+Display with_bleed(const Display& display, double bleed_mm);
+
 /// The picture of the display, of views that a ViewFitter has fitted. Throws a usage Error for views of more than one row, a
-/// single view, and shares that are not as many as the frames.
+/// single view, shares that are not as many as the frames, a finish of what is no print, and a proof
+/// of a print that is no larger.
 Picture display_picture(const LightField& field, const Display& display, DisplayTarget target,
                         const DisplayPictureParams& params, const ThreadPool& pool);
 

@@ -1,0 +1,24 @@
+// Where points of a print lie in the strips below the lenses of a sheet.
+#pragma once
+
+#include <cmath>
+
+#include "lippmann/display/display.hpp"
+
+namespace lippmann {
+
+struct StripPlace {
+  double lens = 0.0;    ///< number of the strip, whole
+  double within = 0.0;  ///< 0 at its left end, below 1
+};
+
+/// `point`: pixels, y down; the centre of the first pixel is at 0.5. Points on the edge between two parts of a strip lie in the
+/// right one, whatever the rounding.
+inline StripPlace strip_place(const LensStrips& strips, Vec2d point) {
+  constexpr double kRoundingPx = 1e-6;
+  const double s = point.x * strips.cosine - point.y * strips.sine;
+  const double strip = (s - strips.start_px + kRoundingPx) / strips.cell_px, lens = std::floor(strip);
+  return {lens, strip - lens};
+}
+
+}  // namespace lippmann
