@@ -41,6 +41,7 @@ void add_replay_command(const Command& root, Action& chosen);
 void add_report_command(const Command& root, Action& chosen);
 void add_scenes_command(const Command& root, Action& chosen);
 void add_displays_command(const Command& root, Action& chosen);
+void add_sheet_command(const Command& root, Action& chosen);
 void add_view_command(const Command& root, Action& chosen);
 void add_play_command(const Command& root, Action& chosen);
 /// `command_line` is what these tell about.

@@ -36,6 +36,7 @@ std::vector<std::string> display_names() {
 
 /// What flags, without dashes, and arguments take that their declaration does not say.
 std::vector<std::string> values_of(const std::string& name) {
+  if (name == "KIND") return {"pitch", "phase", "viewing-zone", "lens"};
   if (name == "SCENE") return scene_names();
   if (name == "display") return display_names();
   if (name == "to" || name == "from") return format_names();

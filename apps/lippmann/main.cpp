@@ -106,6 +106,7 @@ int run(int argc, char** argv) {
   add_info_command(root, chosen);
   add_scenes_command(root, chosen);
   add_displays_command(root, chosen);
+  add_sheet_command(root, chosen);
   add_complete_command(root, chosen, command_line);
   add_manual_command(root, chosen, command_line);
   if (const std::optional<int> done = command_line.parse(argc, argv)) return *done;

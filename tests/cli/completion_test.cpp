@@ -40,6 +40,7 @@ TEST(Completion, flags_and_their_values_come_from_the_declarations) {
   EXPECT_THAT(completions({"render", "--also", ""}), ElementsAre("single"));
   EXPECT_THAT(completions({"render", "--display", "looking-glass-por"}), Contains("looking-glass-portrait"));
   EXPECT_THAT(completions({"convert", "a", "b", "--to", "jp"}), ElementsAre("jpeg-pleno"));
+  EXPECT_THAT(completions({"sheet", "p"}), ElementsAre("pitch", "phase", ":files"));
 }
 
 TEST(Completion, arguments_are_scenes_and_files_and_flags_without_known_values_take_files) {

@@ -138,7 +138,8 @@ TEST(Docs, are_in_plain_words) {
 
 TEST(Docs, of_flags_are_in_plain_words) {
   const TempDir dir;
-  for (const char* command : {"render", "check", "compare", "convert", "encode", "replay", "info", "scenes", "displays"}) {
+  for (const char* command :
+       {"render", "check", "compare", "convert", "encode", "replay", "info", "scenes", "displays", "sheet"}) {
     const Words help = command == std::string("render") ? Words{"--help-all"} : Words{"--help"};
     EXPECT_THAT(odd_words_in(run_tool(dir, Words{command} + help).out), testing::IsEmpty()) << command;
   }

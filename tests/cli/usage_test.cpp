@@ -16,7 +16,7 @@ TEST(Tool, help_lists_the_commands_and_exits_with_0) {
   const RunResult result = run_tool(dir, {"--help"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.err, "");
-  for (const char* command : {"render", "info", "scenes", "compare", "convert", "encode"})
+  for (const char* command : {"render", "info", "scenes", "compare", "convert", "encode", "sheet"})
     EXPECT_THAT(result.out, HasSubstr(command));
   EXPECT_THAT(result.out, testing::Not(HasSubstr("bench")));
 }

@@ -461,7 +461,7 @@ TEST(DecodeGif, without_a_picture_or_too_large_is_refused) {
 
 TEST(Resolution, of_tiff_is_in_dots_per_inch) {
   const TempDir dir;
-  write_tiff(dir / "a.tif", Image8{2, 1, std::vector<unsigned char>(6)}, 600.0 / 25.4);
+  write_tiff(dir / "a.tif", Image8{2, 1, std::vector<unsigned char>(6)}, {.pixels_per_mm = 600.0 / 25.4});
   TIFF* tiff = TIFFOpen((dir / "a.tif").c_str(), "r");
   float across = 0.0f, down = 0.0f;
   std::uint16_t unit = 0;

@@ -1,0 +1,100 @@
+// Based on: E. Hecht, Optics, 5th edition (2017), section 5.2.2, "Refraction at Spherical Surfaces": paraxial light in air that
+// meets a surface of the radius r of a medium of the index n focuses at the distance f = n r / (n - 1) behind it. A print at
+// f = t is sharp for r = t (n - 1) / n.
+//
+// The viewing angle is that of the rays through a lens's vertex: they reach p / 2 at the depth t at the angle a with
+// tan a = p / 2 t, and leave at b with sin b = n sin a (Snell).
+#include "sheet/lens_heights.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "image/limits.hpp"
+#include "layout/strip_place.hpp"
+#include "lippmann/core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+/// The height of the cap above its edges.
+double cap_mm(const LensShape& shape, double x_mm) {
+  const double r = shape.radius_mm, half = 0.5 * shape.pitch_mm;
+  return std::sqrt(std::max(0.0, r * r - x_mm * x_mm)) - std::sqrt(std::max(0.0, r * r - half * half));
+}
+
+double viewing_angle_deg(const LensShape& shape, double index) {
+  const double inside = std::atan(0.5 * shape.pitch_mm / shape.thickness_mm);
+  return 2.0 * std::asin(std::min(1.0, index * std::sin(inside))) * 180.0 / std::numbers::pi;
+}
+
+double radius_of(double pitch_mm, const LensSpec& spec) {
+  const double half = 0.5 * pitch_mm, n = spec.refractive_index;
+  const int given = spec.radius_mm.has_value() + spec.height_mm.has_value() + spec.thickness_mm.has_value();
+  if (given != 1)
+    throw usage_error("thickness-mm", given == 0 ? "is missing: the shape of the lenses is unknown" : "has one shape too many",
+                      "one of `thickness-mm`, `radius-mm` and `height-mm`");
+  const auto refuse = [&](const char* name, double value, const std::string& accepted) {
+    return usage_error(name, fmt::format("{:g} makes lenses {:.4f} mm wide more than half a cylinder", value, pitch_mm),
+                       accepted);
+  };
+  if (spec.height_mm) {
+    const double s = *spec.height_mm;
+    if (s > half) throw refuse("height-mm", s, fmt::format("at most {:.4f}", half));
+    return (half * half + s * s) / (2.0 * s);
+  }
+  if (spec.radius_mm) {
+    if (*spec.radius_mm < half) throw refuse("radius-mm", *spec.radius_mm, fmt::format("at least {:.4f}", half));
+    return *spec.radius_mm;
+  }
+  const double radius = *spec.thickness_mm * (n - 1.0) / n;
+  if (radius < half)
+    throw refuse("thickness-mm", *spec.thickness_mm,
+                 fmt::format("at least {:.4f} for the index {:g}", half * n / (n - 1.0), n));
+  return radius;
+}
+
+}  // namespace
+
+LensShape lens_shape(double pitch_mm, const LensSpec& spec) {
+  const double n = spec.refractive_index;
+  LensShape shape;
+  shape.pitch_mm = pitch_mm;
+  shape.radius_mm = radius_of(pitch_mm, spec);
+  shape.height_mm = cap_mm(shape, 0.0);
+  shape.thickness_mm = n * shape.radius_mm / (n - 1.0);
+  shape.view_angle_deg = viewing_angle_deg(shape, n);
+  return shape;
+}
+
+HeightMap lens_heights(const Display& sheet, const LensShape& shape, const ThreadPool& pool) {
+  const Vec2i size = sheet.pixels;
+  check_image_size("paper", size.x, size.y, 1);
+  const LensStrips strips = lens_strips(sheet);
+  // Lenses are narrower than strips; both agree at the centre of the print. Stretched about it, lenses lie in the strips.
+  const double stretch = strips.cell_px / (shape.pitch_mm / sheet.pixel_mm());
+  const Vec2d centre = 0.5 * Vec2d(size);
+  const auto code_at = [&](int x, int y) {
+    const double within = strip_place(strips, centre + stretch * (Vec2d(x + 0.5, y + 0.5) - centre)).within;
+    const double share = cap_mm(shape, (within - 0.5) * shape.pitch_mm) / shape.height_mm;
+    return static_cast<std::uint16_t>(std::lround(65535.0 * std::clamp(share, 0.0, 1.0)));
+  };
+  HeightMap map{size.x, size.y};
+  const auto width = static_cast<std::size_t>(size.x);
+  map.codes.resize(width * static_cast<std::size_t>(size.y));
+  const auto fill_row = [&](std::size_t y) {
+    for (std::size_t x = 0; x < width; ++x) map.codes[y * width + x] = code_at(static_cast<int>(x), static_cast<int>(y));
+  };
+  fill_row(0);
+  pool.for_each(static_cast<std::size_t>(size.y), [&](std::size_t y) {
+    if (y == 0) return;
+    if (strips.sine != 0.0) return fill_row(y);
+    const auto row = map.codes.begin() + static_cast<std::ptrdiff_t>(y * width);
+    std::copy_n(map.codes.begin(), width, row);
+  });
+  return map;
+}
+
+}  // namespace lippmann

@@ -1,0 +1,98 @@
+#include "sheet/lens_heights.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lippmann/display/load_display.hpp"
+#include "support/error_message.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::error_message;
+using testing::HasSubstr;
+
+LensSpec thickness(double mm) {
+  LensSpec spec;
+  spec.thickness_mm = mm;
+  return spec;
+}
+
+/// A sheet whose lenses are 24 pixels wide, as its strips are: the viewer is far away.
+Display sheet_of_whole_pixels() { return load_display("lpi=60 dpi=1440 paper=240x6px viewing-distance=10000000"); }
+
+TEST(LensShapes, radius_follows_from_thickness_and_index) {
+  // r = 0.9 (1.5 - 1) / 1.5 = 0.3; s = 0.3 - sqrt(0.09 - 0.04) = 0.0763932; sin b = 1.5 sin(atan(0.2 / 0.9)), b = 18.9895
+  // degrees.
+  const LensShape shape = lens_shape(0.4, thickness(0.9));
+  EXPECT_NEAR(shape.radius_mm, 0.3, 1e-12);
+  EXPECT_NEAR(shape.height_mm, 0.07639320225, 1e-10);
+  EXPECT_NEAR(shape.thickness_mm, 0.9, 1e-12);
+  EXPECT_NEAR(shape.view_angle_deg, 37.979, 1e-3);
+}
+
+TEST(LensShapes, height_and_radius_are_two_names_of_a_cap) {
+  LensSpec by_height, by_radius;
+  by_height.height_mm = 0.1, by_radius.radius_mm = 0.25;  // (0.2^2 + 0.1^2) / 0.2
+  EXPECT_NEAR(lens_shape(0.4, by_height).radius_mm, 0.25, 1e-12);
+  EXPECT_NEAR(lens_shape(0.4, by_radius).height_mm, 0.1, 1e-12);
+}
+
+TEST(LensShapes, more_than_half_a_cylinder_is_refused) {
+  LensSpec spec;
+  EXPECT_THAT(error_message([&] { lens_shape(0.4, spec); }), HasSubstr("the shape of the lenses is unknown"));
+  spec.radius_mm = 0.19;
+  EXPECT_THAT(error_message([&] { lens_shape(0.4, spec); }), HasSubstr("at least 0.2"));
+  spec.height_mm = 0.1;
+  EXPECT_THAT(error_message([&] { lens_shape(0.4, spec); }), HasSubstr("one shape too many"));
+  spec = {};
+  spec.height_mm = 0.21;
+  EXPECT_THAT(error_message([&] { lens_shape(0.4, spec); }), HasSubstr("at most 0.2"));
+  EXPECT_THAT(error_message([&] { lens_shape(0.4, thickness(0.5)); }), HasSubstr("at least 0.6000 for the index 1.5"));
+}
+
+TEST(LensHeights, are_those_of_a_cylinder) {
+  const ThreadPool pool(2);
+  const Display sheet = sheet_of_whole_pixels();
+  const LensShape shape = lens_shape(sheet.lenses.pitch_mm, thickness(0.9));
+  const HeightMap map = lens_heights(sheet, shape, pool);
+  ASSERT_EQ(map.codes.size(), 240u * 6u);
+  const double edge = std::sqrt(0.09 - std::pow(25.4 / 120.0, 2));
+  for (int x = 0; x < 240; ++x) {
+    const double from_axis = (x % 24 - 11.5) * 25.4 / 1440.0;
+    const double expected = 65535.0 * (std::sqrt(0.09 - from_axis * from_axis) - edge) / (0.3 - edge);
+    // A relative 1e-7 of the pitch, that of a viewer at 10 km, is a code at most.
+    EXPECT_NEAR(map.codes[static_cast<std::size_t>(x)], expected, 1.0) << x;
+    EXPECT_EQ(map.codes[static_cast<std::size_t>(x) + 240 * 5], map.codes[static_cast<std::size_t>(x)]);
+  }
+}
+
+// Lenses are narrower than the strips below them: over the print, the number of strips is smaller than that of lenses.
+TEST(LensHeights, lenses_have_the_pitch_of_the_sheet) {
+  const ThreadPool pool(1);
+  const Display sheet = load_display("lpi=20 dpi=400 paper=4000x2px viewing-distance=60");
+  const LensShape shape = lens_shape(sheet.lenses.pitch_mm, thickness(3.0));
+  const HeightMap map = lens_heights(sheet, shape, pool);
+  int edges = 0;
+  for (std::size_t x = 1; x + 1 < 4000; ++x)
+    if (map.codes[x] < map.codes[x - 1] && map.codes[x] <= map.codes[x + 1]) ++edges;
+  const double strips = 4000.0 / lens_strips(sheet).cell_px;
+  EXPECT_LT(strips, 196.0);
+  EXPECT_NEAR(edges, 200, 1) << "4000 pixels of 1/400 inch, 20 lenses per inch";
+}
+
+TEST(LensHeights, slanted_lenses_are_the_same_for_any_number_of_threads) {
+  const Display sheet = load_display("lpi=20 dpi=400 paper=300x200px slant=12");
+  const auto made = [&](int threads) {
+    const ThreadPool pool(threads);
+    return lens_heights(sheet, lens_shape(sheet.lenses.pitch_mm, thickness(3.0)), pool).codes;
+  };
+  const auto one = made(1);
+  EXPECT_EQ(one, made(3));
+  EXPECT_FALSE(std::equal(one.begin(), one.begin() + 300, one.begin() + 300 * 50));
+}
+
+}  // namespace
+}  // namespace lippmann
