@@ -1,5 +1,3 @@
-// The checked longjmp of the C library takes a jump to another stack for a mistake.
-#undef _FORTIFY_SOURCE
 #include "simulation/world.hpp"
 
 #include <cxxabi.h>
