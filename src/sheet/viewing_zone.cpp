@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "image/draw.hpp"
 #include "image/limits.hpp"
@@ -52,11 +53,17 @@ Tiling tiling_for(Vec2i size, Vec2i units) {
   return tiling;
 }
 
+/// "-20 deg", "0 deg", "+20 deg".
+std::string angle_text(double angle_deg) {
+  const long rounded = std::lround(angle_deg);
+  return rounded == 0 ? "0 deg" : fmt::format("{:+} deg", rounded);
+}
+
 /// One view, a sample for each lens and rows as far apart.
 Picture numbered_view(Vec2i size, int view, int views, double angle_deg) {
   Picture picture = blank(Image8{}, size);
   fill_box(picture, {Vec2i(0), size}, tint(views > 1 ? static_cast<double>(view) / (views - 1) : 0.5));
-  const std::string number = fmt::format("{}", view + 1), angle = fmt::format("{:+.0f} deg", angle_deg);
+  const std::string number = fmt::format("{}", view + 1), angle = angle_text(angle_deg);
   // The number is twice as large as the angle below it.
   const Vec2i number_units(2 * text_units(number).x, 2 * kTextCapital + 4), angle_units = text_units(angle);
   const Tiling tiling = tiling_for(size, {text_units("-00 deg").x, number_units.y + angle_units.y});

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <sstream>
@@ -54,6 +55,23 @@ TEST(Sheet, test_prints_are_a4_without_a_paper) {
   const nlohmann::json report = report_of(dir, sheet("viewing-zone", {"--lpi", "20", "--dpi", "100"}));
   EXPECT_EQ(report["size"], json_of("[827, 1169]"));
   EXPECT_EQ(report["angles_deg"].size(), 3u);
+}
+
+TEST(Sheet, viewing_zone_is_red_for_an_eye_at_the_left) {
+  const TempDir dir;
+  const std::string line = "lpi=40 dpi=400 paper=60x40mm viewing-distance=400";
+  expect_done(dir, {"sheet", "viewing-zone", "-o", "o/out.png", "--display", line});
+  const auto colours_from = [&](const std::string& eye) {
+    expect_done(dir, {"replay", "o/out.png", "--display", line, "--eye", eye, "-o", "eye"});
+    const Image8 seen = std::get<Image8>(read_picture(dir / "eye/eye_out.png"));
+    const std::size_t corner = 3 * (4 * static_cast<std::size_t>(seen.width) + static_cast<std::size_t>(seen.width) / 2);
+    return std::array<int, 3>{seen.rgb[corner], seen.rgb[corner + 1], seen.rgb[corner + 2]};
+  };
+  // Five views over 50 degrees: the middles of the first and the last one are at 400 mm tan(25 degrees) 4 / 5.
+  const auto left = colours_from("-149,0,400"), right = colours_from("149,0,400"), middle = colours_from("0,0,400");
+  EXPECT_GT(left[0], left[2] + 100);
+  EXPECT_GT(right[2], right[0] + 100);
+  EXPECT_EQ(middle[0], middle[2]);
 }
 
 TEST(Sheet, mistakes_leave_nothing_behind) {
