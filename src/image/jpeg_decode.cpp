@@ -3,7 +3,8 @@
 // A truncated or damaged scan is a warning to libjpeg, which fills the rest with grey; here it is an error. So is a
 // progressive file of more scans than any encoder makes: each costs a pass over the whole picture.
 #include <cstdio>
-// clang-format off: jpeglib.h needs FILE, and codes of errors depend on the version that it defines
+// jpeglib.h needs FILE, and the codes of errors depend on the version that it defines.
+// clang-format off
 #include <jpeglib.h>
 #include <jerror.h>
 // clang-format on

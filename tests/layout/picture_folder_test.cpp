@@ -93,8 +93,8 @@ TEST(PictureFolder, fewer_than_two_pictures_are_refused) {
   const TempDir dir;
   const auto message = [&] { return error_message([&] { open_light_field(dir.path(), "views", {}); }); };
   EXPECT_THAT(message(), HasSubstr("there are no views in it; accepted"));
-  std::ofstream(dir / "IMG_1.HEIC") << "x";
-  EXPECT_THAT(message(), HasSubstr("there are no views in it, only IMG_1.HEIC; accepted"));
+  std::ofstream(dir / "IMG_1.CR2") << "x";
+  EXPECT_THAT(message(), HasSubstr("there are no views in it, only IMG_1.CR2; accepted"));
   write_grey(dir / "a.png", 1);
   EXPECT_THAT(message(), HasSubstr("there is only one picture in it, a.png; accepted"));
   EXPECT_THAT(message(), HasSubstr("two or more pictures"));
