@@ -34,6 +34,7 @@ struct EncodeOptions {
   std::string from, out, codec, frames;
   std::optional<int> crf;
   std::optional<double> fps;
+  std::optional<int> turn_deg;
   ResultFlags result;
 };
 
@@ -50,12 +51,22 @@ std::vector<NumberedFrame> wanted_frames(const EncodeOptions& options) {
   return find_frames(options.from, frames_of(read_frames(options.frames, "--frames")));
 }
 
+/// A player finds the views of a quilt or of two eyes where the name of the video states them.
+int turn_of(const EncodeOptions& options, const std::vector<NumberedFrame>& frames) {
+  const int turn_deg = options.turn_deg.value_or(0);
+  if (turn_deg % 90 != 0) throw usage_error("--rotate", "is no quarter turn", "90, 180 or 270");
+  if (const fs::path plain("clip.mp4"); turn_deg != 0 && video_path(plain, frames) != plain)
+    throw usage_error("--rotate", "cannot be combined with frames that hold several views", "frames of one view");
+  return turn_deg;
+}
+
 int run(const EncodeOptions& options, Context& context) {
   VideoOptions video{.rate = {}, .codec = {}, .crf = options.crf, .threads = kEncoderThreads};
   if (!options.codec.empty()) video.codec = static_cast<VideoCodec>(read_choice(options.codec, kVideoCodecNames, "--codec"));
   const std::vector<NumberedFrame> frames = wanted_frames(options);
   warn_of_unchecked(frames.front().path.parent_path() / ".", context);
   video.stereo = stereo_of(frames);
+  const int turn_deg = turn_of(options, frames);
   video.rate = frame_rate(rate_of(options, frames));
   const fs::path out = video_path(options.out, frames);
   const NewFolder folder(out.parent_path());
@@ -65,9 +76,10 @@ int run(const EncodeOptions& options, Context& context) {
   std::optional<Progress> progress;
   if (!options.result.quiet)
     progress.emplace(count, Progress::stderr_is_terminal() ? ProgressStyle::kBar : ProgressStyle::kLines);
-  const bool whole = encode_frames(frames, out, video, context, [&](const NumberedFrame& frame) {
+  const auto encoded = [&](const NumberedFrame& frame) {
     if (progress) progress->step(frame.path.filename().string());
-  });
+  };
+  const bool whole = encode_frames(frames, out, video, context, encoded, turn_deg);
   progress.reset();
   if (!whole) return 1;
   describe_depth_of(frames, out, context);
@@ -104,6 +116,9 @@ void add_encode_command(const Command& root, Action& chosen) {
       .add_option("--frames,--range", options->frames,
                   "Only frames A to B, both included; lists and steps: 0,2,4 or 0-10:2; default: all")
       .type_name("A-B");
+  command.add_option("--rotate", options->turn_deg, "Turn the frames clockwise by 90, 180 or 270 degrees")
+      .type_name("DEG")
+      .range(90, 270);
   add_result_flags(command, options->result);
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }

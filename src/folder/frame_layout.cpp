@@ -7,6 +7,7 @@
 #include "folder/frame_files.hpp"
 #include "image/tiff.hpp"
 #include "layout/film_layout.hpp"
+#include "layout/quad_name.hpp"
 #include "layout/rgbd_name.hpp"
 #include "layout/sub_pixels.hpp"
 #include "lippmann/core/error.hpp"
@@ -153,6 +154,7 @@ void FrameLayout::use_format(const LightFieldFormat& format, const Optics& optic
   names_.is_folder = format.is_folder;
   is_rgbd_ = format.name == kRgbdFormat;
   if (is_rgbd_) names_.suffix = kRgbdEnding;
+  if (format.name == kQuadFormat) names_.suffix = kQuadEnding;
   if (format_ == PictureFormat::kTiff) throw usage_error("format", "light-field formats do not use TIFF", "png, png16 or exr");
   view_size_ = view_size(film, film_, "to");
   if (format.is_folder) pictures_per_frame_ = film.grid.count();
@@ -187,6 +189,7 @@ void FrameLayout::pair_views(const StereoLayout& layout, const Optics& optics) {
 Vec2i FrameLayout::picture_size() const {
   if (stereo_) return stereo_size_;
   if (is_rgbd_) return {2 * view_size_.x, view_size_.y};
+  if (light_field_ && light_field_->name == kQuadFormat) return 2 * view_size_;
   if (light_field_) return light_field_->is_folder ? view_size_ : film_;
   if (sub_pixels_) return {film_.x / 3, film_.y};
   if (!arrangement_) return film_;

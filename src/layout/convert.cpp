@@ -7,6 +7,7 @@
 #include "core/folder.hpp"
 #include "image/print_file.hpp"
 #include "layout/light_field_source.hpp"
+#include "layout/quad_name.hpp"
 #include "layout/quilt_side_file.hpp"
 #include "layout/rgbd_name.hpp"
 #include "layout/view_files.hpp"
@@ -108,7 +109,7 @@ class Conversion {
 
   /// What a frame is called there. Only a quilt is named like one: `to_` names its own.
   fs::path name_of(const fs::path& frame) const {
-    const fs::path bare = without_rgbd_name(without_stereo_name(without_quilt_name(frame.filename())));
+    const fs::path bare = without_rgbd_name(without_quad_name(without_stereo_name(without_quilt_name(frame.filename()))));
     return to_.is_folder ? bare.stem() : bare;
   }
 

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "layout/lens_interlace.hpp"
+#include "layout/oriented.hpp"
 #include "layout/picture_samples.hpp"
 #include "layout/print_finish.hpp"
 #include "layout/strip_interlace.hpp"
@@ -86,27 +86,6 @@ void require_views(const LightField& field, const Display& display) {
         "views",
         fmt::format("{} shows one row of views, and there are {}x{}", display.name, field.grid.columns, field.grid.rows),
         "one row of views; `keep` takes one of several");
-}
-
-/// Mirrors left and right, then turns clockwise.
-Picture oriented(Picture picture, bool mirror, int turn_deg) {
-  if (!mirror && turn_deg == 0) return picture;
-  const Vec2i from = size_of(picture), to = turn_deg % 180 == 0 ? from : Vec2i(from.y, from.x);
-  Picture turned = blank(picture, to);
-  std::visit(
-      [&](const auto& source) {
-        auto out = samples_of(std::get<std::remove_cvref_t<decltype(source)>>(turned)).begin();
-        for (int y = 0; y < to.y; ++y)
-          for (int x = 0; x < to.x; ++x, out += 3) {
-            const std::array<Vec2i, 4> places{
-                {{x, y}, {y, from.y - 1 - x}, {from.x - 1 - x, from.y - 1 - y}, {from.x - 1 - y, x}}};
-            Vec2i at = places[static_cast<std::size_t>(turn_deg / 90)];
-            if (mirror) at.x = from.x - 1 - at.x;
-            std::copy_n(samples_of(source).begin() + 3 * (static_cast<std::ptrdiff_t>(at.y) * from.x + at.x), 3, out);
-          }
-      },
-      picture);
-  return turned;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "core/text_pattern.hpp"
 #include "layout/frame_names.hpp"
 #include "layout/picture_folder.hpp"
+#include "layout/quad_name.hpp"
 #include "layout/quilt_side_file.hpp"
 #include "layout/rgbd_name.hpp"
 #include "layout/rgbd_side_file.hpp"
@@ -110,6 +111,7 @@ LightFieldSource light_field_source(const fs::path& path, const std::string& fro
 std::optional<std::string> format_by_name(const fs::path& picture) {
   if (parse_quilt_name(picture)) return "quilt";
   if (parse_stereo_name(picture)) return "stereo";
+  if (has_quad_name(picture)) return std::string(kQuadFormat);
   if (has_rgbd_name(picture) || read_rgbd_side_file(picture)) return "rgbd";
   if (read_quilt_side_file(picture)) return "quilt";
   return std::nullopt;

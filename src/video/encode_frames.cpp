@@ -14,6 +14,8 @@
 #include "core/recorded_file.hpp"
 #include "core/text_pattern.hpp"
 #include "image/read_image.hpp"
+#include "layout/oriented.hpp"
+#include "layout/quad_name.hpp"
 #include "layout/rgbd_name.hpp"
 #include "layout/rgbd_side_file.hpp"
 #include "lippmann/core/error.hpp"
@@ -130,6 +132,7 @@ std::optional<StereoLayout> stereo_of(const std::vector<NumberedFrame>& frames) 
 
 fs::path video_path(const fs::path& out, const std::vector<NumberedFrame>& frames) {
   if (const std::optional<StereoLayout> stereo = stereo_of(frames)) return with_stereo_name(out, *stereo);
+  if (!frames.empty() && has_quad_name(frames.front().path)) return with_quad_name(out);
   if (!frames.empty() && has_rgbd_name(frames.front().path)) return with_rgbd_name(out);
   const std::optional<QuiltName> quilt = frames.empty() ? std::nullopt : parse_quilt_name(frames.front().path);
   return quilt && !parse_quilt_name(out) ? with_quilt_name(out, *quilt) : out;
@@ -147,14 +150,15 @@ void describe_depth_of(const std::vector<NumberedFrame>& frames, const fs::path&
 }
 
 bool encode_frames(const std::vector<NumberedFrame>& frames, const fs::path& out, const VideoOptions& options,
-                   const Context& context, const std::function<void(const NumberedFrame&)>& encoded) {
+                   const Context& context, const std::function<void(const NumberedFrame&)>& encoded, int turn_deg) {
   VideoWriter writer(out, options);
   const int threads = std::clamp(resolved_threads(context), 1, 8);
   BackgroundQueue queue(threads, threads + 1);
   for (const NumberedFrame& frame : frames) {
     if (context.cancelled) break;
     const auto picture = std::make_shared<Image8>();
-    queue.submit([picture, &frame, &context] { *picture = read_image8(frame.path, context.warn); },
+    queue.submit([picture, &frame, &context,
+                  turn_deg] { *picture = std::get<Image8>(oriented(read_image8(frame.path, context.warn), false, turn_deg)); },
                  [picture, &frame, &writer, &encoded] {
                    writer.add_frame(*picture);
                    if (encoded) encoded(frame);

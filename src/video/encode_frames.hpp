@@ -34,9 +34,10 @@ std::optional<StereoLayout> stereo_of(const std::vector<NumberedFrame>& frames);
 /// nothing for other frames.
 void describe_depth_of(const std::vector<NumberedFrame>& frames, const std::filesystem::path& out, const Context& context);
 
-/// Frames are read ahead on other threads. `encoded` is called after each, on one of them. Stops when the context is cancelled;
+/// Frames are read ahead on other threads, and turned clockwise by turn_deg: 0, 90, 180 or 270. `encoded` is called after each,
+/// on one of them. Stops when the context is cancelled;
 /// the file then is not written, and false returned. Throws Error as VideoWriter and read_image8 do.
 bool encode_frames(const std::vector<NumberedFrame>& frames, const std::filesystem::path& out, const VideoOptions& options,
-                   const Context& context, const std::function<void(const NumberedFrame&)>& encoded = {});
+                   const Context& context, const std::function<void(const NumberedFrame&)>& encoded = {}, int turn_deg = 0);
 
 }  // namespace lippmann

@@ -46,12 +46,12 @@ Vec2i view_in(const fs::path& path) {
   return {image.rgb[0], image.rgb[1]};
 }
 
-/// All but the panel's own frame, which holds a part of each view, and pictures of two views or one: see interlace_test.cpp,
-/// stereo_test.cpp and rgbd_test.cpp.
+/// All but the panel's own frame, which holds a part of each view, and pictures of a fixed number of views: see
+/// interlace_test.cpp, stereo_test.cpp, quad_test.cpp and rgbd_test.cpp.
 std::vector<LightFieldFormat> exact_formats() {
   std::vector<LightFieldFormat> formats = light_field_formats();
   std::erase_if(formats, [](const LightFieldFormat& format) {
-    return format.name == "native" || format.name == "stereo" || format.name == "rgbd";
+    return format.name == "native" || format.name == "stereo" || format.name == "quad" || format.name == "rgbd";
   });
   return formats;
 }

@@ -93,5 +93,23 @@ TEST(EncodeFrames, cancelled_or_failed_leaves_no_file) {
   EXPECT_FALSE(fs::exists(dir / "a.mkv"));
 }
 
+TEST(EncodeFrames, turned_clockwise_by_three_quarters) {
+  const TempDir dir;
+  const Image8 frame = noise_codes(16, 8, 1);
+  write_png(dir / "frame_0000.png", frame);
+  ASSERT_TRUE(encode_frames(find_frames(dir.path()), dir / "a.mkv", {}, {}, {}, 270));
+  VideoReader reader(dir / "a.mkv");
+  const auto turned = reader.next();
+  ASSERT_TRUE(turned);
+  ASSERT_EQ(turned->width, 8);
+  ASSERT_EQ(turned->height, 16);
+  // Counterclockwise by a quarter: the top right pixel comes to the top left.
+  for (int x = 0; x < 8; ++x)
+    for (int y = 0; y < 16; ++y)
+      for (int c = 0; c < 3; ++c)
+        EXPECT_EQ(turned->rgb[static_cast<std::size_t>(3 * (y * 8 + x) + c)],
+                  frame.rgb[static_cast<std::size_t>(3 * (x * 16 + 15 - y) + c)]);
+}
+
 }  // namespace
 }  // namespace lippmann

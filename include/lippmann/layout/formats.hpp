@@ -67,6 +67,7 @@ LightFieldFormat eslf_format();
 LightFieldFormat native_format();
 LightFieldFormat miv_format();
 LightFieldFormat stereo_format();
+LightFieldFormat quad_format();
 LightFieldFormat rgbd_format();
 
 /// All of them, in the order of --help.
