@@ -30,6 +30,7 @@
 #include "lippmann/core/error.hpp"
 #include "lippmann/core/parallel.hpp"
 #include "lippmann/optics/crosstalk.hpp"
+#include "optics/view_spacing.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -87,7 +88,8 @@ std::string describe_depth(const ShownDepth& shown, const Optics& optics, float 
 void print_line(std::string_view name, const std::string& value) { print_out("  {:<9} {}\n", name, printable_line(value)); }
 
 /// What was chosen where the command line says nothing: a render that is only planned should be judged by it, too.
-void print_choices(const Sampling& sampling, const std::string& light, const std::string& view) {
+void print_choices(const Sampling& sampling, const Optics& optics, const std::string& light, const std::string& view) {
+  if (const std::string spacing = view_spacing(optics); !spacing.empty()) print_line("eyes", spacing);
   if (facts_of(sampling).is_stochastic) print_line("shading", describe_paths(sampling));
   if (!light.empty()) print_line("light", light);
   if (!view.empty()) print_line("view", view);
@@ -133,7 +135,7 @@ void print_summary(const RenderReport& report, const Planned& plan, const Render
       print_line("in 3D", program + " view " + shell_word(folder.string()));
     }
   }
-  print_choices(report.params.sampling, report.light, report.view);
+  print_choices(report.params.sampling, report.optics, report.light, report.view);
   if (const auto done = precompensation_of(report))
     print_line("crosstalk", fmt::format("{:.1f} % of each neighbour undone; {}", 100.0 * neighbour_share(*report.crosstalk_px),
                                         describe_bound(done->clipped_share, done->largest_residual)));
@@ -195,7 +197,7 @@ void print_plan(const RenderPlan& plan, const RenderParams& params, bool json) {
                                  describe_parts(sizes), bytes_text(static_cast<double>(bytes))));
   print_line("memory", fmt::format("about {} for frames, beside the scene{}", bytes_text(plan.memory_bytes),
                                    plan.bands > 1 ? fmt::format("; in {} bands of rows", plan.bands) : ""));
-  print_choices(params.sampling, plan.stage.light, plan.stage.array.how);
+  print_choices(params.sampling, placed.optics, plan.stage.light, plan.stage.array.how);
   if (placed.depth_scale < 1.0f || !shown.fits()) print_line("depth", describe_depth(shown, placed.optics, placed.depth_scale));
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/printable.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/optics/viewing.hpp"
 #include "scene/deform.hpp"
 #include "scene/splats.hpp"
 #include "trace/first_hits.hpp"
@@ -29,7 +30,8 @@ Optics through_the_frame(const Optics& optics) {
                 std::max(1, static_cast<int>(std::lround(window.y / across))), across};
   Optics from_eye = optics;
   from_eye.z_front_mm = kInfinity;
-  view.model = SingleView{resolved_z_front_mm(from_eye), Vec2f(0.0f)};
+  const float distance = resolved_z_front_mm(from_eye);
+  view.model = SingleView{distance, Vec2f(0.0f), static_cast<float>(design_viewer(optics).slope_at_centre.y) * distance};
   view.z_front_mm = resolved_z_front_mm(optics), view.z_back_mm = optics.z_back_mm;
   return view;
 }

@@ -59,6 +59,21 @@ std::optional<float> read_distance(std::string_view text, const std::string& whe
 
 std::string write_distance(std::optional<float> distance_mm) { return distance_mm ? fmt::format("{}", *distance_mm) : "auto"; }
 
+EyeHeight read_eye_height(std::string_view text, const std::string& where) {
+  constexpr std::string_view kDegrees = "deg";
+  constexpr float kMostDegrees = 80.0f, kMostMm = 1e6f;
+  const bool is_angle = text.ends_with(kDegrees);
+  const auto value = parse_number<float>(is_angle ? text.substr(0, text.size() - kDegrees.size()) : text);
+  if (!value || !(std::abs(*value) <= (is_angle ? kMostDegrees : kMostMm)))
+    throw usage_error(where, fmt::format("cannot read '{}' as the height of an eye", text),
+                      "millimetres above the middle of the display, such as 150, or degrees from -80 to 80, such as 30deg");
+  return {*value, is_angle};
+}
+
+std::string write_eye_height(const EyeHeight& height) {
+  return fmt::format("{}{}", height.value, height.is_angle ? "deg" : "");
+}
+
 DepthRange read_depth_range(std::string_view text, const std::string& where) {
   const std::size_t colon = text.find(':');
   const auto near = parse_number<double>(text.substr(0, colon));

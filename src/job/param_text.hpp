@@ -13,6 +13,7 @@
 #include "core/extent.hpp"
 #include "core/number_text.hpp"
 #include "lippmann/layout/depth_coding.hpp"
+#include "optics/optics_params.hpp"
 
 namespace lippmann {
 
@@ -28,6 +29,10 @@ std::string write_extent(const Extent<float>& extent);
 /// Millimetres > 0, "inf", or "auto" (none).
 std::optional<float> read_distance(std::string_view text, const std::string& where);
 std::string write_distance(std::optional<float> distance_mm);
+
+/// Millimetres, such as 150, or degrees, such as 30deg.
+EyeHeight read_eye_height(std::string_view text, const std::string& where);
+std::string write_eye_height(const EyeHeight& height);
 
 /// NEAR:FAR, mm, far below near.
 DepthRange read_depth_range(std::string_view text, const std::string& where);

@@ -397,6 +397,9 @@ std::vector<ParamInfo> optics_rows() {
       [](std::string_view value, const std::string& where) { return std::optional(read_crosstalk(value, where)); },
       [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }};
   const Codec<std::optional<float>> distance{read_distance, [](const std::optional<float>& v) { return write_distance(v); }};
+  const Codec<std::optional<EyeHeight>> eye_height{
+      [](std::string_view value, const std::string& where) { return std::optional(read_eye_height(value, where)); },
+      [](const std::optional<EyeHeight>& value) { return value ? write_eye_height(*value) : std::string(); }};
   static const std::string kKindDoc = fmt::format("{}; default: that of --display, else lenticular", optics_kinds_help());
   return {
       path(runs_only(
@@ -418,12 +421,21 @@ std::vector<ParamInfo> optics_rows() {
       row(ParamKind::kFlag, &P::optics, &OpticsParams::camera_grid, flag(),
           {"camera-grid", "Optics", "",
            "With --optics multiview: parallel cameras on a regular grid, as in light-field data sets"}),
+      row(ParamKind::kFlag, &P::optics, &OpticsParams::cone_ends, flag(),
+          {"cone-ends", "Optics", "",
+           "With --optics multiview: the outermost views are seen from the ends of the viewing zone, N - 1 steps apart; "
+           "default: "
+           "half a step inside"}),
       row(ParamKind::kNumber, &P::optics, &OpticsParams::view_angle_deg, optional_number<float>(0.1, 170.0),
           {"view-angle", "Optics", "DEG",
            "Full angle of the viewing zone; sets the gap between lenses and panel; default: that of --display, else 28"}),
       row(ParamKind::kText, &P::optics, &OpticsParams::viewing_distance_mm, distance,
           {"viewing-distance", "Optics", "MM|inf|auto",
            "Distance at which the lenses' viewing zones coincide; auto: that of --display, else the camera's distance"}),
+      row(ParamKind::kText, &P::optics, &OpticsParams::eye_height, eye_height,
+          {"eye-height", "Optics", "MM|DEGdeg",
+           "Height of the viewer's eyes above the middle of the display, such as 150, or 30deg seen from there; below 0: below "
+           "it"}),
       row(ParamKind::kNumber, &P::optics, &OpticsParams::slant_deg, number<float>(-80.0, 80.0),
           {"slant", "Optics", "DEG", "Angle of a lenticular sheet's lenses from the vertical"}),
       row(ParamKind::kNumber, &P::optics, &OpticsParams::ipd_mm, optional_number<double>(0.1, 1000.0),

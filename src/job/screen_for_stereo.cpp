@@ -6,6 +6,7 @@
 
 #include "job/panel_size.hpp"
 #include "lippmann/core/error.hpp"
+#include "optics/eye_height.hpp"
 
 namespace lippmann {
 namespace {
@@ -76,7 +77,7 @@ Screen screen_for_stereo(const RenderParams& params, const Display* display) {
     eyes.distance_mm = static_cast<float>(eyes_distance_mm(params, array, display, screen.y));
     eyes.baseline_mm = static_cast<float>(params.optics.ipd_mm.value_or(kUsualIpdMm));
     eyes.pixel_height = static_cast<float>(pixel.y / pixel.x);
-    return {{2 * stored.x, stored.y, static_cast<float>(pixel.x)}, eyes};
+    return with_eye_height({{2 * stored.x, stored.y, static_cast<float>(pixel.x)}, eyes}, params.optics.eye_height);
   };
   return {static_cast<float>(screen.x / screen.y), optics_for};
 }

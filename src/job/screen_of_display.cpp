@@ -3,9 +3,12 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <utility>
 
 #include "job/panel_size.hpp"
 #include "lippmann/core/error.hpp"
+#include "optics/eye_height.hpp"
+#include "optics/view_spacing.hpp"
 
 namespace lippmann {
 namespace {
@@ -16,7 +19,7 @@ void refuse(bool given, const char* flag, const char* problem, const char* accep
 
 void refuse_what_the_display_decides(const RenderParams& params) {
   for (const KindParam& param : kKindParams)
-    if (param.name != "views" && param.name != "camera-grid" && param.is_given(params.optics))
+    if (param.name != "views" && param.name != "camera-grid" && param.name != "cone-ends" && param.is_given(params.optics))
       throw usage_error(std::string(param.name), "the display has its own",
                         "a display of your own in a .toml file (docs/displays.md)");
   refuse(params.optics.camera_grid, "--camera-grid", "cannot be combined with --display, whose views are at equal angles",
@@ -47,7 +50,7 @@ Optics wanted_quilt(const RenderParams& params, Display display) {
                       fmt::format("{}x{} views on {}x{} pixels", quilt.columns, quilt.rows, quilt.width, quilt.height),
                       "fewer views");
   display.quilt = quilt;
-  return *quilt_optics(display);
+  return with_cone_ends(*quilt_optics(display), params.optics.cone_ends);
 }
 
 Optics single_optics(const Display& display) {
@@ -76,6 +79,8 @@ Optics display_optics(const RenderParams& params, const Display& display) {
   const OpticsKind kind = params.optics.kind.value_or(own_kind(display));
   const bool is_quilt = kind == OpticsKind::kMultiview && !(slanted && native);
   refuse(params.optics.views.x > 0 && !is_quilt, "--views", "has no effect on this kind of optics", "with --optics multiview");
+  refuse(params.optics.cone_ends && !is_quilt, "--cone-ends", "has no effect on this kind of optics",
+         "with --optics multiview");
   const Display wanted = with_params(params, display, is_quilt);
   Optics optics;
   if (kind == OpticsKind::kSingle)
@@ -88,7 +93,7 @@ Optics display_optics(const RenderParams& params, const Display& display) {
     throw usage_error("--optics", fmt::format("{} is a {}", display.name, to_string(display.kind)),
                       "no --optics, multiview or single");
   require_size(film_size(optics));
-  return optics;
+  return with_eye_height(std::move(optics), params.optics.eye_height);
 }
 
 }  // namespace

@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "job/panel_size.hpp"
 #include "lippmann/core/error.hpp"
+#include "optics/eye_height.hpp"
 
 namespace lippmann {
 namespace {
@@ -62,7 +64,7 @@ Screen screen_of_params(const RenderParams& params, const Scene& scene) {
     optics.panel = panel;
     optics.model = optics_kind(params).info().make_model({params.optics, panel, size, distance_mm, pixel_offset});
     check_lens(optics);
-    return optics;
+    return with_eye_height(std::move(optics), params.optics.eye_height);
   };
   return {static_cast<float>(size.width / size.views.x) / static_cast<float>(size.height / size.views.y), optics_for};
 }

@@ -26,7 +26,8 @@ RenderParams single_clip(const RenderParams& params, const Optics& optics) {
   single.optics.kind = OpticsKind::kSingle;
   single.optics.packing = defaults.optics.packing, single.optics.lenses = {}, single.optics.lens_pixels = {},
   single.optics.views = {};
-  single.optics.camera_grid = false, single.optics.slant_deg = 0.0f, single.optics.fit_depth.reset();
+  single.optics.camera_grid = false, single.optics.cone_ends = false, single.optics.slant_deg = 0.0f,
+  single.optics.fit_depth.reset();
   single.optics.crosstalk_px.reset(), single.optics.precompensate = false, single.sampling.angular_filter.reset();
   single.optics.size = params.optics.display.empty() ? extent_of_picture(optics) : Extent<int>{};
   single.output.pictures.layout.reset(), single.output.pictures.to.clear(),

@@ -32,7 +32,7 @@ EyeMm eye_of_view(const MultiView& views, int view) {
   const double baseline = views.parallax * views.baseline_mm, reach = views.parallax * views.distance_mm;
   return {reach * std::tan(angles.first + view * angles.step) + first_eye(baseline, views.columns, views.eye_shift.x) +
               view % views.columns * baseline,
-          first_eye(baseline, views.rows, views.eye_shift.y) + view / views.columns * baseline};
+          views.eye_height_mm + first_eye(baseline, views.rows, views.eye_shift.y) + view / views.columns * baseline};
 }
 
 MultiViewRays make_multi_view(const Panel& panel, const MultiView& views, float z_front_mm) {
@@ -46,8 +46,8 @@ MultiViewRays make_multi_view(const Panel& panel, const MultiView& views, float 
   c.pixel_pitch_mm = panel.pixel_pitch_mm, c.pixel_height_mm = panel.pixel_pitch_mm * views.pixel_height;
   c.first_half_angle = static_cast<float>(0.5 * angles.first), c.half_angle_step = static_cast<float>(0.5 * angles.step);
   const double baseline = views.parallax * views.baseline_mm;
-  c.first_eye_mm =
-      Vec2f(first_eye(baseline, views.columns, views.eye_shift.x), first_eye(baseline, views.rows, views.eye_shift.y));
+  c.first_eye_mm = Vec2f(first_eye(baseline, views.columns, views.eye_shift.x),
+                         views.eye_height_mm + first_eye(baseline, views.rows, views.eye_shift.y));
   c.baseline_mm = static_cast<float>(baseline);
   c.eye_reach_mm = views.parallax * views.distance_mm;
   c.distance_mm = views.distance_mm, c.inverse_distance = 1.0f / views.distance_mm;
@@ -84,6 +84,7 @@ void check_model(const Panel& panel, const MultiView& views) {
                  fmt::format("a length from {} to {} mm, or 0 for a cone of views", kMinLength, kMaxLength));
   check_number("multiview.pixel_height", views.pixel_height, 0.01, 100);
   check_parallax("multiview.parallax", views.parallax);
+  check_position("multiview.eye_height_mm", views.eye_height_mm);
   for (const float shift : {views.eye_shift.x, views.eye_shift.y})
     check_number("multiview.eye_shift", shift, -kMaxSide, kMaxSide);
 }
@@ -97,12 +98,14 @@ void write_model(const MultiView& views, nlohmann::ordered_json& json) {
     json["cone_ends_included"] = views.cone_ends_included;
   }
   if (views.pixel_height != 1.0f) json["pixel_height"] = views.pixel_height;
+  if (views.eye_height_mm != 0.0f) json["eye_height_mm"] = views.eye_height_mm;
 }
 
 void read_model(const JsonFields& json, MultiView& views) {
   views.columns = json.whole("columns", kAnyCount), views.rows = json.whole("rows", kAnyCount);
   views.distance_mm = json.float_number("distance_mm");
   views.pixel_height = json.float_or("pixel_height", 1.0f);
+  views.eye_height_mm = json.float_or("eye_height_mm", 0.0f);
   if (json.has("baseline_mm")) {
     views.baseline_mm = json.float_number("baseline_mm");
     return;
@@ -144,6 +147,7 @@ OpticsFacts facts_of(const Panel& panel, const MultiView& views) {
   facts.window_size_mm =
       Vec2f(1.0f, views.pixel_height) * Vec2f(panel.width / views.columns, panel.height / views.rows) * panel.pixel_pitch_mm;
   facts.window = {{0.0, 0.0}, Vec2d(facts.window_size_mm)};
+  facts.eye_height_mm = views.eye_height_mm;
   facts.viewing_zone = views_zone(views);
   facts.depth_budget_mm = view_budget_mm(views, panel.pixel_pitch_mm);
   facts.parallax = grid ? Parallax{views.columns > 1, views.rows > 1} : Parallax{true, false};
@@ -198,13 +202,16 @@ PanelSize quilt_size(const OpticsParams& params, Vec2i) {
   return {size.x, size.y, 0.0f, views};
 }
 
-/// The viewing zone is divided among the N eyes of a camera grid's longer side: they stand 2 V tan(a/2) / N apart.
+/// The viewing zone is divided among the N eyes of a camera grid's longer side: they stand 2 V tan(a/2) / N apart. With its
+/// ends included, N - 1 steps lead from one end to the other.
 OpticsModel views_of_params(const ModelSetup& setup) {
   const Extent<int> views = setup.size.views;
   const float distance_mm = setup.viewing_distance_mm;
-  MultiView model{views.x, views.y, view_angle(setup.params), false, distance_mm};
-  if (setup.params.camera_grid)
-    model.baseline_mm = 2.0f * distance_mm * std::tan(0.5f * model.view_cone) / static_cast<float>(std::max(views.x, views.y));
+  MultiView model{views.x, views.y, view_angle(setup.params), setup.params.cone_ends, distance_mm};
+  if (!setup.params.camera_grid) return model;
+  const int eyes = std::max(views.x, views.y), steps = setup.params.cone_ends ? std::max(1, eyes - 1) : eyes;
+  model.baseline_mm = 2.0f * distance_mm * std::tan(0.5f * model.view_cone) / static_cast<float>(steps);
+  model.cone_ends_included = false;
   return model;
 }
 
@@ -212,7 +219,7 @@ OpticsModel views_of_params(const ModelSetup& setup) {
 
 constinit const OpticsKindInfo multiview_kind{.name = kind_of(MultiView{}),
                                               .help = "a quilt of views",
-                                              .takes = {"views", "camera-grid"},
+                                              .takes = {"views", "camera-grid", "cone-ends"},
                                               .panel_size = quilt_size,
                                               .make_model = views_of_params};
 

@@ -3,7 +3,8 @@
 // Tiles are floor(width / columns) x floor(height / rows) pixels, anchored at the bottom left; what is left over at the top and
 // at the right is padding, whose pixels continue the view next to them and see no point. View v lies at column v mod columns,
 // row floor(v / columns) from the bottom; its eye is at (distance tan(cone ((v + 1/2) / N - 1/2)), 0, distance), or in a camera
-// grid at (baseline (column - (columns - 1)/2), baseline (row - (rows - 1)/2), distance); x and y times the parallax.
+// grid at (baseline (column - (columns - 1)/2), baseline (row - (rows - 1)/2), distance); x and y times the parallax. An eye
+// height is added to all y, whatever the parallax.
 #pragma once
 
 #include <vector>
@@ -20,8 +21,9 @@ struct MultiViewRays {
   float padding_top_px;
   float pixel_pitch_mm, pixel_height_mm;
   float first_half_angle, half_angle_step;  ///< eyes' angles, halved: view 0's, and from view to view
-  Vec2f first_eye_mm;                       ///< where a camera grid, which has no angles, has its lower left eye, and
-  float baseline_mm;                        ///< how far it is from eye to eye; else both are 0
+  Vec2f first_eye_mm;                       ///< where a camera grid, which has no angles, has its lower left eye; of a cone,
+                                            ///< 0 and the eye height
+  float baseline_mm;                        ///< how far it is from eye to eye of a camera grid; else 0
   float eye_reach_mm;                       ///< eyes are at this times the tangent of their angle
   float distance_mm, inverse_distance;
   float front_from_eye_mm;  ///< z_front - distance, <= 0
@@ -60,7 +62,7 @@ LIPPMANN_INLINE Crossing crossing(const MultiViewRays& c, float px, float py) {
   const float x = (px - column * c.tile_width_px - 0.5f * c.tile_width_px) * c.pixel_pitch_mm;
   const float y = (0.5f * c.tile_height_px - (down - row * c.tile_height_px)) * c.pixel_height_mm;
   const float view = (c.rows - 1.0f - row) * c.columns + column;
-  // One of the two terms is 0: no branch, no gather.
+  // One of the two terms of x is 0: no branch, no gather.
   const float on_cone = c.eye_reach_mm * tangent_of_double(c.first_half_angle + view * c.half_angle_step);
   const float eye_x = on_cone + (c.first_eye_mm.x + column * c.baseline_mm);
   const float eye_y = c.first_eye_mm.y + (c.rows - 1.0f - row) * c.baseline_mm;

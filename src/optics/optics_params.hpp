@@ -30,6 +30,12 @@ class OpticsKind {
   const OpticsKindInfo* info_;
 };
 
+/// How far the viewer's eyes are above the middle of the display, or below it.
+struct EyeHeight {
+  float value = 0.0f;     ///< mm, or degrees
+  bool is_angle = false;  ///< seen from the middle of the display
+};
+
 struct OpticsParams {
   std::string display{};                       ///< a preset, a file of one's own or a calibration; empty: none
   std::optional<OpticsKind> kind{};            ///< none: the display's, or lenticular
@@ -39,8 +45,10 @@ struct OpticsParams {
   Extent<int> size{};                          ///< the whole panel in pixels; 0: lenses x lens-pixels
   Extent<int> views{};                         ///< multi-view: columns and rows of the quilt; 0: 8x6
   bool camera_grid = false;                    ///< multi-view: eyes at equal distances across and up, not at equal angles
+  bool cone_ends = false;                      ///< multi-view: the outermost eyes stand at the ends of the viewing zone
   std::optional<float> view_angle_deg{};       ///< viewing zone, full angle; sets the gap; none: the display's, or 28
   std::optional<float> viewing_distance_mm{};  ///< none: where the scene's camera stands; inf: parallel cells
+  std::optional<EyeHeight> eye_height{};       ///< none: at the height of the display's middle
   std::optional<bool> fit_depth{};             ///< depth is compressed to what the display can resolve; see fits_depth()
   float slant_deg = 0.0f;                      ///< how far a lenticular sheet's lenses lean from the vertical
   std::optional<double> ipd_mm{};              ///< stereo: between the eyes; none: kUsualIpdMm
@@ -62,6 +70,7 @@ inline constexpr std::array kKindParams{
     KindParam{"slant", [](const OpticsParams& params) { return params.slant_deg != 0.0f; }},
     KindParam{"views", [](const OpticsParams& params) { return params.views.x > 0; }},
     KindParam{"camera-grid", [](const OpticsParams& params) { return params.camera_grid; }},
+    KindParam{"cone-ends", [](const OpticsParams& params) { return params.cone_ends; }},
 };
 
 /// Returns the viewing angle of the parameters, or 28 degrees, in radians.

@@ -7,8 +7,12 @@
 namespace lippmann {
 
 SingleViewRays make_single_view(const Panel& panel, const SingleView& view, float z_front_mm) {
-  return {0.5f * panel.width - view.pixel_offset.x, 0.5f * panel.height - view.pixel_offset.y, panel.pixel_pitch_mm,
-          1.0f / view.distance_mm, z_front_mm - view.distance_mm};
+  return {0.5f * panel.width - view.pixel_offset.x,
+          0.5f * panel.height - view.pixel_offset.y,
+          panel.pixel_pitch_mm,
+          view.eye_height_mm,
+          1.0f / view.distance_mm,
+          z_front_mm - view.distance_mm};
 }
 
 LIPPMANN_MULTIVERSION
@@ -21,12 +25,14 @@ void pixels_seeing(const Panel& panel, const SingleView& view, Vec3f point_mm, s
   if (!(from_eye > 0.0)) return;
   const double px_per_mm = distance / from_eye / panel.pixel_pitch_mm;
   const double px = 0.5 * panel.width - view.pixel_offset.x + point_mm.x * px_per_mm;
-  const double py = 0.5 * panel.height - view.pixel_offset.y - point_mm.y * px_per_mm;
+  const double eye_y = view.eye_height_mm;
+  const double py = 0.5 * panel.height - view.pixel_offset.y - eye_y / panel.pixel_pitch_mm - (point_mm.y - eye_y) * px_per_mm;
   if (px >= 0.0 && px < panel.width && py >= 0.0 && py < panel.height) pixels.emplace_back(px, py);
 }
 
 void check_model(const Panel&, const SingleView& view) {
   check_length("singleview.distance_mm", view.distance_mm);
+  check_position("singleview.eye_height_mm", view.eye_height_mm);
   for (const float offset : {view.pixel_offset.x, view.pixel_offset.y})
     if (!(std::abs(offset) <= kMaxSide))
       reject_field("singleview.pixel_offset", fmt::format("is {} pixels", offset), fmt::format("at most {} pixels", kMaxSide));
@@ -35,10 +41,12 @@ void check_model(const Panel&, const SingleView& view) {
 void write_model(const SingleView& view, nlohmann::ordered_json& json) {
   json["distance_mm"] = view.distance_mm;
   json["pixel_offset_px"] = {view.pixel_offset.x, view.pixel_offset.y};
+  if (view.eye_height_mm != 0.0f) json["eye_height_mm"] = view.eye_height_mm;
 }
 
 void read_model(const JsonFields& json, SingleView& view) {
   view.distance_mm = json.float_number("distance_mm");
+  view.eye_height_mm = json.float_or("eye_height_mm", 0.0f);
   view.pixel_offset = json.has("pixel_offset_px") ? Vec2f(json.pair("pixel_offset_px")) : Vec2f(0.0f);
 }
 
@@ -48,12 +56,13 @@ OpticsFacts facts_of(const Panel& panel, const SingleView& view) {
   facts.window = {Vec2d(view.pixel_offset.x, -view.pixel_offset.y) * m, Vec2d(panel.width * m, panel.height * m)};
   facts.whole_pixels_per_lens = Vec2i(1);
   facts.single_view = true;
+  facts.eye_height_mm = view.eye_height_mm;
   return facts;
 }
 
 std::optional<ViewCameras> cameras_of(const Panel& panel, const SingleView& view) {
   const Vec2d centre = 0.5 * Vec2d(panel.width, panel.height) - Vec2d(view.pixel_offset);
-  return ViewCameras{view.distance_mm, Vec2d(panel.pixel_pitch_mm), centre, {Vec2d(0.0)}};
+  return ViewCameras{view.distance_mm, Vec2d(panel.pixel_pitch_mm), centre, {Vec2d(0.0, view.eye_height_mm)}};
 }
 
 namespace {

@@ -9,10 +9,12 @@
 
 namespace lippmann {
 
-/// The pinhole at (0, 0, distance). Rays are told from the pinhole, so that they leave it exactly where z_front = distance.
+/// The pinhole at (0, eye_height, distance). Rays are told from the pinhole, so that they leave it exactly where z_front =
+/// distance.
 struct SingleViewRays {
   float centre_x_px, centre_y_px;  ///< the panel's centre less the offset of the sample points
   float pixel_pitch_mm;
+  float eye_y_mm;
   float inverse_distance;   ///< per mm
   float front_from_eye_mm;  ///< z_front - distance, <= 0
 };
@@ -21,8 +23,8 @@ SingleViewRays make_single_view(const Panel& panel, const SingleView& view, floa
 
 LIPPMANN_INLINE Crossing crossing(const SingleViewRays& c, float px, float py) {
   const float slope_x = -((px - c.centre_x_px) * c.pixel_pitch_mm) * c.inverse_distance;
-  const float slope_y = -((c.centre_y_px - py) * c.pixel_pitch_mm) * c.inverse_distance;
-  return {c.front_from_eye_mm * slope_x, c.front_from_eye_mm * slope_y, slope_x, slope_y};
+  const float slope_y = (c.eye_y_mm - (c.centre_y_px - py) * c.pixel_pitch_mm) * c.inverse_distance;
+  return {c.front_from_eye_mm * slope_x, c.eye_y_mm + c.front_from_eye_mm * slope_y, slope_x, slope_y};
 }
 
 void write_block(const SingleViewRays& constants, const RayFrame& frame, const float* px, const float* py,

@@ -97,6 +97,7 @@ SlantedPanelRays make_slanted_panel(const Panel& panel, const SlantedPanel& slan
   c.width_px = static_cast<float>(width), c.height_px = static_cast<float>(panel.height);
   c.pixel_mm = panel.pixel_pitch_mm;
   c.eye_reach_mm = slanted.parallax * slanted.distance_mm;
+  c.eye_y_mm = slanted.eye_height_mm;
   c.distance_mm = slanted.distance_mm, c.inverse_distance = 1.0f / slanted.distance_mm;
   c.front_from_eye_mm = z_front_mm - slanted.distance_mm;
   int at = 0;
@@ -116,7 +117,8 @@ void pixels_seeing(const Panel& panel, const SlantedPanel& slanted, Vec3f point_
   if (!(from_eye > 0.0)) return;
   const double magnification = distance / from_eye, pixel_mm = panel.pixel_pitch_mm;
   const double width_mm = panel.width * static_cast<double>(panel.pixel_pitch_mm);
-  const double up = 0.5 * panel.height + point_mm.y * magnification / pixel_mm;
+  const double y_mm = point_mm.y * magnification + slanted.eye_height_mm * (1.0 - magnification);
+  const double up = 0.5 * panel.height + y_mm / pixel_mm;
   constexpr double kReach = 4.0;  // pixels by which a sub-pixel may lie beyond its pixel: see validate
   if (!(up >= -kReach && up <= panel.height + kReach)) return;
   const double pitch = width_mm / slanted.periods, x_mm = point_mm.x * magnification;
@@ -154,6 +156,7 @@ void check_model(const Panel& panel, const SlantedPanel& slanted) {
       for (const Vec2f offset : column)
         for (const float value : {offset.x, offset.y}) check_number("slanted.sub_pixels", value, -kMaxOffset, kMaxOffset);
   check_parallax("slanted.parallax", slanted.parallax);
+  check_position("slanted.eye_height_mm", slanted.eye_height_mm);
 }
 
 namespace {
@@ -193,6 +196,7 @@ void write_model(const SlantedPanel& slanted, Json& json) {
   json["inverted"] = slanted.inverted;
   json["view_cone_deg"] = to_degrees(slanted.view_cone);
   json["distance_mm"] = slanted.distance_mm;
+  if (slanted.eye_height_mm != 0.0f) json["eye_height_mm"] = slanted.eye_height_mm;
   if (slanted.sub_pixels != striped_sub_pixels()) json["sub_pixel_offsets_px"] = sub_pixels_json(slanted.sub_pixels);
 }
 
@@ -201,6 +205,7 @@ void read_model(const JsonFields& json, SlantedPanel& slanted) {
   slanted.inverted = json.flag_or("inverted", true);
   slanted.view_cone = from_degrees(json.number("view_cone_deg"));
   slanted.distance_mm = json.float_number("distance_mm");
+  slanted.eye_height_mm = json.float_or("eye_height_mm", 0.0f);
   constexpr std::string_view kOffsets = "sub_pixel_offsets_px";
   if (json.has(kOffsets))
     read_list(json, json.value(kOffsets), slanted.sub_pixels, [&](const Json& row, auto& columns) {
@@ -217,6 +222,7 @@ OpticsFacts facts_of(const Panel& panel, const SlantedPanel& slanted) {
   const SlantedLens lens = slanted_lens(panel, slanted);
   const int film_width = 3 * panel.width;
   OpticsFacts facts = facts_of_window(panel, slanted.distance_mm);
+  facts.eye_height_mm = slanted.eye_height_mm;
   facts.viewing_zone = slanted.view_cone;
   facts.depth_budget_mm = lens.pitch_mm / lens.slope_step;
   facts.parallax = {true, false};

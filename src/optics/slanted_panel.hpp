@@ -3,7 +3,7 @@
 //
 // A sub-pixel at position (x, y), from 0 to 1 across the panel and up it, lies at the phase z = (x + y T) P - center below the
 // lenses: v = 1 - fract(z) (or fract(z)) of the view cone. Its ray crosses the plane z = 0 at that same position and comes from
-// the eye at (parallax distance tan(cone (v - 1/2)), 0, distance). Phases are worked out in double: there are up to
+// the eye at (parallax distance tan(cone (v - 1/2)), eye_height, distance). Phases are worked out in double: there are up to
 // thousands of lenses.
 #pragma once
 
@@ -25,6 +25,7 @@ struct SlantedPanelRays {
   float width_px, height_px;             ///< panel pixels
   float pixel_mm;
   float eye_reach_mm;  ///< eyes are at this times the tangent of their angle
+  float eye_y_mm;
   float distance_mm, inverse_distance;
   float front_from_eye_mm;  ///< z_front - distance, <= 0
   /// Positions of sub-pixels, panel pixels from their pixel's centre: of red, green and blue in the columns 2n and 2n + 1 of
@@ -48,8 +49,8 @@ LIPPMANN_INLINE Crossing crossing(const SlantedPanelRays& c, float px, float py)
   const float from_middle = c.phase_sign * (static_cast<float>(phase - std::floor(phase)) - 0.5f);
   const float eye_x = c.eye_reach_mm * tangent_of_double(c.half_cone * from_middle);
   const float x = (column - 0.5f * c.width_px + in_x) * c.pixel_mm, y = (up - 0.5f * c.height_px + in_y) * c.pixel_mm;
-  const float slope_x = (eye_x - x) * c.inverse_distance, slope_y = -y * c.inverse_distance;
-  return {eye_x + c.front_from_eye_mm * slope_x, c.front_from_eye_mm * slope_y, slope_x, slope_y};
+  const float slope_x = (eye_x - x) * c.inverse_distance, slope_y = (c.eye_y_mm - y) * c.inverse_distance;
+  return {eye_x + c.front_from_eye_mm * slope_x, c.eye_y_mm + c.front_from_eye_mm * slope_y, slope_x, slope_y};
 }
 
 void write_block(const SlantedPanelRays& constants, const RayFrame& frame, const float* px, const float* py,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "layout/light_field_source.hpp"
+#include "layout/quad_name.hpp"
 #include "layout/rgbd_name.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/layout/open_light_field.hpp"
@@ -51,7 +52,7 @@ bool is_as_shown(const fs::path& picture, const std::string& layout, const Optic
   const std::optional<ViewTiles> views = view_tiles(optics);
   if (name) return views && name->tiles == ViewGrid{views->columns, views->rows};
   if (layout == "quilt") return views.has_value();
-  if (layout == "eslf" || layout == "stereo") return false;
+  if (layout == "eslf" || layout == "stereo" || has_quad_name(picture)) return false;
   return layout != "integral" || has_lenses(optics);
 }
 
@@ -175,20 +176,22 @@ Optics optics_of_cameras(const LightField& field, const std::string& where) {
   Vec2d middle(0.0);
   for (const Vec2d& eye : cameras.eyes_mm) middle += eye / static_cast<double>(cameras.eyes_mm.size());
   const Vec2d off_axis_px = cameras.centre_px + middle * Vec2d(1.0, -1.0) / cameras.pixel_mm - 0.5 * Vec2d(field.view_size);
-  if (std::max(std::abs(off_axis_px.x), std::abs(off_axis_px.y)) > 0.01 * field.view_size.x)
-    throw Error(where,
-                fmt::format("its cameras look past the middle of their pictures, by ({:.4g}, {:.4g}) pixels", off_axis_px.x,
-                            off_axis_px.y),
-                "cameras around the axis of the display");
+  const double tolerance_px = 0.01 * field.view_size.x;
+  if (std::abs(off_axis_px.x) > tolerance_px)
+    throw Error(where, fmt::format("its cameras look past the middle of their pictures, by {:.4g} pixels", off_axis_px.x),
+                "cameras before the middle of the display, at any height");
+  const bool is_level = std::abs(off_axis_px.y) <= tolerance_px;
+  const auto eye_height_mm = static_cast<float>(is_level ? 0.0 : -off_axis_px.y * cameras.pixel_mm.y);
   Optics optics;
   optics.panel = quilt_panel(field, cameras.pixel_mm.x);
   if (field.grid.count() == 1) {
-    optics.model = SingleView{static_cast<float>(cameras.distance_mm), {}};
+    optics.model = SingleView{static_cast<float>(cameras.distance_mm), {}, eye_height_mm};
     return optics;
   }
   MultiView views{field.grid.columns, field.grid.rows};
   views.distance_mm = static_cast<float>(cameras.distance_mm);
   views.baseline_mm = static_cast<float>(*baseline);
+  views.eye_height_mm = eye_height_mm;
   views.pixel_height = static_cast<float>(cameras.pixel_mm.y / cameras.pixel_mm.x);
   optics.model = views;
   validate(optics);

@@ -108,7 +108,8 @@ GridLanding single_grid(const Panel& panel, const SingleView& view) {
   grid.c.across = {per_mm, c.centre_x_px, 1.0f}, grid.c.down = {per_mm, c.centre_y_px, 1.0f};
   for (int i = 0; i < panel.width; ++i) set_column(grid, 0, i, plain_line(grid.c.across, 0.0, i, 0, 0, panel.width - 1));
   for (int j = 0; j < panel.height; ++j)
-    grid.lines[static_cast<std::size_t>(j)] = plain_line(grid.c.down, 0.0, j, 0, 0, panel.height - 1);
+    grid.lines[static_cast<std::size_t>(j)] =
+        plain_line(grid.c.down, c.eye_y_mm * c.inverse_distance, j, 0, 0, panel.height - 1);
   return grid;
 }
 

@@ -1,7 +1,7 @@
 // Where a moved point is seen on a slanted panel's own frame, of which no two rows share their directions.
 //
-// The sub-pixel's ray comes from the eye at (e, 0, D), so that from there the point (X, Y, Z) lies in the plane z = 0 at
-//   s = (X - e Z / D) / (1 - Z / D),   y = Y / (1 - Z / D),
+// The sub-pixel's ray comes from the eye at (e, h, D), so that from there the point (X, Y, Z) lies in the plane z = 0 at
+//   s = (X - e Z / D) / (1 - Z / D),   y = (Y - h Z / D) / (1 - Z / D),
 // in the row that holds y. Of that row, the sub-pixel is taken that lies nearest to s of those with the phase of the point's
 // own, one below each lens: with the difference d of the phase at s and that phase, at s - (d - round(d)) lenses. It sends its
 // light into the same direction to within half of what lies between two sub-pixels, and is half a lens from s at the most.
@@ -49,7 +49,7 @@ LIPPMANN_INLINE PointLanding land_by(const SlantedLanding&, const SlantedLanding
   const float eye = from.x + r.c.distance_mm * from.slope_x, depth = z * r.c.inverse_distance;
   const float from_eye = 1.0f - depth, q = 1.0f / from_eye;
   const float s = r.middle_x + (x - eye * depth) * q * r.sub_pixels_per_mm;
-  const float down = r.middle_y - y * q * r.sub_pixels_per_mm * (1.0f / 3.0f);
+  const float down = r.middle_y - (y - r.c.eye_y_mm * depth) * q * r.sub_pixels_per_mm * (1.0f / 3.0f);
   const float row = std::floor(down);
   const float here = along_row(r, r.px + static_cast<float>(i));
   const float difference = (s - here) * r.lenses_per_sub_pixel + (row + 0.5f - r.py) * r.lenses_per_row;

@@ -65,6 +65,15 @@ TEST(Tool, dry_run_says_which_light_and_view_were_chosen) {
   EXPECT_THAT(plan["view"].get<std::string>(), HasSubstr("no camera"));
 }
 
+TEST(Tool, dry_run_says_where_the_eyes_of_a_quilt_stand) {
+  const TempDir dir;
+  const Words sweep{"render", "room",     "--optics", "multiview",    "--views", "23x1",     "--size",
+                    "920x30", "--frames", "0",        "--view-angle", "45",      "--dry-run"};
+  EXPECT_THAT(run_tool(dir, sweep).out, HasSubstr("  eyes      23 views 1.9565 degrees apart"));
+  EXPECT_THAT(run_tool(dir, sweep + Words{"--cone-ends"}).out, HasSubstr("  eyes      23 views 2.0455 degrees apart"));
+  expect_refusal(run_tool(dir, small_teapot("0", "r") + Words{"--cone-ends"}), 2, "--cone-ends");
+}
+
 TEST(Tool, quiet_commands_print_nothing_where_all_is_well) {
   const TempDir dir;
   const RunResult render = run_tool(dir, small_teapot("0-1", "r") + Words{"-q"});

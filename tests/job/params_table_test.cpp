@@ -78,6 +78,8 @@ const std::map<std::string_view, Values> kOtherValues{
     {"to", {"hci"}},
     {"quilt", {"4x2"}},
     {"camera-grid", {"true"}},
+    {"cone-ends", {"true"}},
+    {"eye-height", {"-12.5deg"}},
     {"video-codec", {"hevc"}},
     {"crf", {"30"}},
     {"also", {"single"}},

@@ -52,13 +52,14 @@ class OpticsSampler {
     if (views.rows % 2 == 0) views.baseline_mm = 0.5f + 50.0f * views.view_cone;  // a camera grid
     if (views.view_cone > 0.6f) views.pixel_height = views.view_cone;
     views.parallax = parallax();
+    views.eye_height_mm = eye_height();
     o.model = views;
     return o;
   }
 
   Optics single_view() {
     Optics o{.panel = panel(), .model = {}};
-    o.model = SingleView{uniform(200.0f, 1000.0f), {uniform(-1.0f, 1.0f), uniform(-1.0f, 1.0f)}};
+    o.model = SingleView{uniform(200.0f, 1000.0f), {uniform(-1.0f, 1.0f), uniform(-1.0f, 1.0f)}, eye_height()};
     return o;
   }
 
@@ -73,6 +74,7 @@ class OpticsSampler {
     s.view_cone = uniform(0.3f, 1.5f), s.distance_mm = uniform(200.0f, 1000.0f);
     s.sub_pixels = striped_sub_pixels(coin());
     s.parallax = parallax();
+    s.eye_height_mm = eye_height();
     if (coin())  // each sub-pixel within a third of the pixel of its own, as they may not overlap
       for (auto& row : s.sub_pixels)
         for (auto& column : row)
@@ -104,6 +106,7 @@ class OpticsSampler {
   static constexpr int kKinds = 7;
 
  private:
+  float eye_height() { return coin() ? 0.0f : uniform(-50.0f, 50.0f); }
   float parallax() { return coin() ? 1.0f : uniform(0.2f, 1.0f); }
 
   /// 2 to 20 pixels per lens, whole in half of the cases.

@@ -65,12 +65,14 @@ struct MultiView {
   float pixel_height = 1.0f;         ///< in pixel widths: tiles whose pixels, stretched to a display, are not square there
   float parallax = 1.0f;             ///< see with_parallax
   Vec2f eye_shift{0.0f};             ///< all eyes, to the right and up, in steps from view to view (optics/angular_filter.hpp)
+  float eye_height_mm = 0.0f;        ///< all eyes, above the middle of the plane z = 0
 };
 
-/// One pinhole at (0, 0, distance) through the rectangle of the panel in z = 0.
+/// One pinhole at (0, eye_height, distance) through the rectangle of the panel in z = 0.
 struct SingleView {
   float distance_mm = 500.0f;
   Vec2f pixel_offset{0.0f};  ///< sample points are shifted by this many pixels (x right, y down)
+  float eye_height_mm = 0.0f;
 };
 
 /// Where the sub-pixels of each panel pixel lie, in panel pixels from the pixel's centre, x right, y up: [row from the bottom,
@@ -91,7 +93,8 @@ struct SlantedPanel {
   float view_cone = radians(40.0f);  ///< full angle that v from 0 to 1 spreads over
   float distance_mm = 500.0f;        ///< from the viewer to the plane z = 0
   SubPixelOffsets sub_pixels = striped_sub_pixels();
-  float parallax = 1.0f;  ///< see with_parallax
+  float parallax = 1.0f;       ///< see with_parallax
+  float eye_height_mm = 0.0f;  ///< of the viewer, above the middle of the panel
 };
 
 struct Ray {
