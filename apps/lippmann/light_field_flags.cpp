@@ -7,7 +7,7 @@
 namespace lippmann::app {
 
 LightFieldHints LightFieldFlags::read() const {
-  LightFieldHints hints{report, from, read_grid(views, "--views"), read_grid(quilt, "--quilt"), view_angle_deg};
+  LightFieldHints hints{report, from, read_grid(views, "--views"), read_grid(quilt, "--quilt"), view_angle_deg, cone_ends};
   if (!display.empty()) hints.display = load_display(display);
   return hints;
 }
@@ -16,7 +16,8 @@ void add_report_flags(const Command& command, LightFieldFlags& flags, const std:
   command.add_option("--report", flags.report, "Path of report.json, if it is not beside the pictures").type_name("FILE");
   command
       .add_option("--display", flags.display,
-                  "The display whose native frame IN is: a name (see: lippmann displays), a calibration .json, or a .toml of "
+                  "The display whose native frame IN is, or that a quilt or a row of views is for: a name (see: lippmann "
+                  "displays), a calibration .json, or a .toml of "
                   "your own" +
                       more)
       .type_name("NAME|FILE");
@@ -29,10 +30,13 @@ void add_light_field_flags(const Command& command, LightFieldFlags& flags) {
   group.add_option("--views", flags.views, "Number of views across and up").type_name("CxR");
   group.add_option("--quilt", flags.quilt, "Number of tiles of a quilt").type_name("CxR");
   group
-      .add_option("--view-angle", flags.view_angle_deg,
-                  "Angle between the outermost views; default: 40 for a row of views, 10 for a grid of cameras")
+      .add_option(
+          "--view-angle", flags.view_angle_deg,
+          "Angle over which the views spread; default: that of --display, 40 for a row of views, 10 for a grid of cameras")
       .type_name("DEG")
       .range(0.001, 179.0);
+  group.add_flag("--cone-ends", flags.cone_ends,
+                 "The outermost views of a row are seen from the ends of that angle; default: from half a step inside");
 }
 
 }  // namespace lippmann::app

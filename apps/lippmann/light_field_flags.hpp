@@ -13,6 +13,7 @@ class Command;  // command_line.hpp
 struct LightFieldFlags {
   std::string report, from, views, quilt, display;
   std::optional<double> view_angle_deg;
+  bool cone_ends = false;
 
   /// Throws a usage Error naming the flag.
   LightFieldHints read() const;

@@ -94,7 +94,7 @@ void add_play_command(const Command& root, Action& chosen) {
       .type_name("FILE");
   command.add_option("--threads", options->threads, "Worker threads; 0: one per processor").range(0, 4096);
   add_scene_to_set_up_flags(command, options->scene,
-                            {"display", "views", "quilt", "view-angle", "threads", "resume", "also", "page"});
+                            {"display", "views", "quilt", "view-angle", "cone-ends", "threads", "resume", "also", "page"});
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 

@@ -56,6 +56,7 @@ RenderParams scene_params(const std::string& in, const SceneToSetUpFlags& flags,
   if (!field.quilt.empty()) all.values["quilt"] = {field.quilt};
   if (!field.display.empty()) all.values["display"] = {field.display};
   if (field.view_angle_deg) all.values["view-angle"] = {fmt::format("{}", *field.view_angle_deg)};
+  if (field.cone_ends) all.values["cone-ends"] = {"true"};
   if (threads > 0) all.values["threads"] = {fmt::format("{}", threads)};
   return all.read();
 }

@@ -68,7 +68,7 @@ int save(const ViewOptions& options, const Context& context) {
 bool is_render_to_watch(const ViewOptions& options) {
   const LightFieldFlags& field = options.field;
   const bool is_alone = options.other.empty() && field.from.empty() && field.report.empty() && field.views.empty() &&
-                        field.quilt.empty() && field.display.empty() && !field.view_angle_deg;
+                        field.quilt.empty() && field.display.empty() && !field.view_angle_deg && !field.cone_ends;
   return is_alone && fs::exists(fs::path(options.in) / "report.json") && is_unfinished_render(options.in);
 }
 
@@ -122,7 +122,7 @@ void add_view_command(const Command& root, Action& chosen) {
   add_report_flags(command, options->field, "; of a scene the display that it is rendered for");
   command.add_option("--threads", options->threads, "Worker threads; 0: one per processor").range(0, 4096);
   add_scene_to_set_up_flags(command, options->scene,
-                            {"display", "views", "quilt", "view-angle", "threads", "resume", "also", "page"});
+                            {"display", "views", "quilt", "view-angle", "cone-ends", "threads", "resume", "also", "page"});
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 

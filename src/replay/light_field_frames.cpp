@@ -13,6 +13,7 @@
 #include "lippmann/layout/open_light_field.hpp"
 #include "lippmann/layout/quilt_name.hpp"
 #include "lippmann/optics/viewing.hpp"
+#include "optics/view_spacing.hpp"
 #include "replay/no_light_field.hpp"
 
 namespace lippmann {
@@ -86,8 +87,9 @@ LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, 
   if (hints.display && !hints.is_other_display)
     throw usage_error("display", "has no effect: report.json states the display of " + first.string(),
                       "pictures without a report.json");
-  if (hints.view_angle_deg)
-    throw usage_error("view-angle", "has no effect: report.json states the cameras", "views whose cameras are unknown");
+  if (hints.view_angle_deg || hints.cone_ends)
+    throw usage_error(hints.cone_ends ? "cone-ends" : "view-angle", "has no effect: report.json states the cameras",
+                      "views whose cameras are unknown");
   if (rendering.mirrored)
     throw Error(first.string(), "the pictures are mirrored, to be printed on the back of a sheet", "a render without `mirror`");
   frames.optics = rendering.optics;
@@ -105,8 +107,9 @@ LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, 
 
 /// Pictures without a report that are what a display's panel shows.
 LightFieldFrames of_panel(LightFieldFrames frames, const LightFieldHints& hints) {
-  for (const auto& [given, flag] : {std::pair(hints.view_angle_deg.has_value(), "view-angle"),
-                                    std::pair(hints.views.has_value(), "views"), std::pair(hints.tiles.has_value(), "quilt")})
+  for (const auto& [given, flag] :
+       {std::pair(hints.view_angle_deg.has_value(), "view-angle"), std::pair(hints.views.has_value(), "views"),
+        std::pair(hints.tiles.has_value(), "quilt"), std::pair(hints.cone_ends, "cone-ends")})
     if (given) throw usage_error(flag, "has no effect: `display` states the rays of the panel", "views, or a quilt");
   frames.optics = native_optics(*hints.display), frames.is_panel = true;
   const Vec2i panel(frames.optics.panel.width, frames.optics.panel.height);
@@ -126,7 +129,41 @@ void refuse_unused(const LightFieldHints& hints, const LightFieldFormat& format)
   };
   refuse(hints.views && !format.reads.views, "views", "`from` integral, eslf, views, quilt, hci or native");
   refuse(hints.tiles && !format.reads.tiles, "quilt", "`from` quilt");
-  refuse(hints.display && !hints.is_other_display, "display", "`from` native, or pictures whose format is unknown");
+}
+
+/// Flags that say something else than the files do.
+void refuse_stated_cameras(const LightFieldHints& hints, const fs::path& file) {
+  const auto refuse = [&](bool given, const char* flag) {
+    if (given)
+      throw usage_error(flag, fmt::format("has no effect: {} states its cameras", file.string()),
+                        "views whose cameras are unknown");
+  };
+  refuse(hints.view_angle_deg.has_value(), "view-angle");
+  refuse(hints.cone_ends, "cone-ends");
+  refuse(hints.display && !hints.is_other_display, "display");
+}
+
+/// The views of a field as a quilt for a display.
+Optics quilt_for(Display display, const LightField& field, const LightFieldHints& hints) {
+  const ViewGrid& grid = field.grid;
+  if (grid.rows > 1)
+    throw usage_error("display", fmt::format("has no effect on a grid of {}x{} views", grid.columns, grid.rows),
+                      "a row of views, or the frame of its panel");
+  if (hints.view_angle_deg) display.view_cone_deg = *hints.view_angle_deg;
+  display.quilt = DisplayQuilt{grid.columns, grid.rows, grid.columns * field.view_size.x, field.view_size.y, field.aspect};
+  return with_cone_ends(*quilt_optics(display), hints.cone_ends);
+}
+
+/// What is taken for granted of views whose cameras nobody states.
+std::string assumption_about(const fs::path& file, const Optics& optics, const LightFieldHints& hints) {
+  std::string text = fmt::format("The cameras of {} are unknown. Assumed: a display {:.4g} mm high, seen from {:.4g} mm",
+                                 file.string(), kWindowHeightMm, kDistanceMm);
+  if (const std::string spacing = view_spacing(optics); !spacing.empty())
+    text += ", and " + spacing;
+  else if (!hints.view_angle_deg)
+    text += fmt::format(", and views over {:.4g} degrees", kGridAngleDeg);
+  if (!hints.view_angle_deg) text += "; `view-angle` sets the angle";
+  return text + ".";
 }
 
 /// A light field beside which no render's report lies.
@@ -134,18 +171,15 @@ LightFieldFrames of_format(LightFieldFrames frames, const LightFieldSource& sour
   const fs::path& first = frames.files.front();
   const LightField field = source.format->read(first, source.options);
   if (field.cameras) {
-    if (hints.view_angle_deg)
-      throw usage_error("view-angle", fmt::format("has no effect: {} states its cameras", first.string()),
-                        "views whose cameras are unknown");
+    refuse_stated_cameras(hints, first);
     frames.optics = optics_of_cameras(field, first.string());
+  } else if (hints.display && !hints.is_other_display) {
+    frames.optics = quilt_for(*hints.display, field, hints);
   } else {
-    frames.optics = assumed_optics(field, hints.view_angle_deg);
-    frames.assumption = fmt::format("The cameras of {} are unknown. Assumed: a display {:.4g} mm high, seen from {:.4g} mm",
-                                    first.string(), kWindowHeightMm, kDistanceMm);
-    if (!hints.view_angle_deg)
-      frames.assumption += fmt::format(", and views over {:.4g} degrees; `view-angle` sets the angle",
-                                       field.grid.rows > 1 ? kGridAngleDeg : kConeDeg);
-    frames.assumption += ".";
+    if (hints.cone_ends && field.grid.rows > 1)
+      throw usage_error("cone-ends", "has no effect on a grid of cameras", "a row of views");
+    frames.optics = assumed_optics(field, hints.view_angle_deg, hints.cone_ends);
+    frames.assumption = assumption_about(first, frames.optics, hints);
   }
   return rearranged(std::move(frames), hints.from, source.options);
 }
@@ -198,7 +232,7 @@ Optics optics_of_cameras(const LightField& field, const std::string& where) {
   return optics;
 }
 
-MultiView assumed_views(const LightField& field, std::optional<double> view_angle_deg) {
+MultiView assumed_views(const LightField& field, std::optional<double> view_angle_deg, bool cone_ends) {
   const bool is_grid = field.grid.rows > 1;
   const double angle = radians(view_angle_deg.value_or(is_grid ? kGridAngleDeg : kConeDeg));
   MultiView views{field.grid.columns, field.grid.rows};
@@ -208,14 +242,14 @@ MultiView assumed_views(const LightField& field, std::optional<double> view_angl
   if (is_grid)
     views.baseline_mm = static_cast<float>(2.0 * kDistanceMm * std::tan(0.5 * angle) / std::max(field.grid.columns - 1, 1));
   else
-    views.view_cone = static_cast<float>(angle);
+    views.view_cone = static_cast<float>(angle), views.cone_ends_included = cone_ends;
   return views;
 }
 
-Optics assumed_optics(const LightField& field, std::optional<double> view_angle_deg) {
+Optics assumed_optics(const LightField& field, std::optional<double> view_angle_deg, bool cone_ends) {
   Optics optics;
   optics.panel = quilt_panel(field, pixel_width_mm(field));
-  optics.model = assumed_views(field, view_angle_deg);
+  optics.model = assumed_views(field, view_angle_deg, cone_ends);
   validate(optics);
   return optics;
 }

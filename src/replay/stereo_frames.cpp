@@ -51,6 +51,7 @@ void refuse_eyes(const StereoParams& params) {
   refuse(params.distance_mm.has_value(), "viewing-distance");
   refuse(params.screen_width_mm.has_value(), "screen-width");
   refuse(params.field.view_angle_deg.has_value(), "view-angle");
+  refuse(params.field.cone_ends, "cone-ends");
 }
 
 /// The larger share of both eyes.

@@ -94,6 +94,30 @@ TEST(Replay, foreign_frame_of_a_panel_is_seen_through_its_display) {
   expect_done(dir, {"view", "f/foreign.png", "--display", "d.toml", "--save", "page"});
 }
 
+TEST(Replay, foreign_quilt_is_seen_through_its_display) {
+  const TempDir dir;
+  std::ofstream(dir / "d.toml") << "base = \"portrait\"\n[quilt]\ntiles = [4, 2]\nsize = [96, 64]\naspect = 0.75\n";
+  expect_done(dir, {"render", "room", "--display", "d.toml", "--frames", "0", "-o", "q"});
+  expect_done(dir, {"replay", "q", "--eye", "60,0,650", "--size", "60x80", "-o", "own"});
+  fs::create_directories(dir / "f");
+  fs::copy(dir / "q/frame_0000_qs4x2a0.75.png", dir / "f/other_QS4X2A0.75 (1).png");
+  const Words replay{"replay", "f", "--eye", "60,0,650", "--size", "60x80", "--display", "d.toml"};
+  expect_done(dir, replay + Words{"-o", "a"});
+  EXPECT_EQ(bytes_of(dir / "a/eye_other (1).png"), bytes_of(dir / "own/eye_0000.png"));
+  expect_done(dir, replay + Words{"--cone-ends", "-o", "b"});
+  EXPECT_NE(bytes_of(dir / "b/eye_other (1).png"), bytes_of(dir / "own/eye_0000.png"));
+}
+
+TEST(Replay, unknown_cameras_are_said_to_be_assumed) {
+  const TempDir dir;
+  render_for_replay(dir);
+  expect_done(dir, {"convert", "out/frame_0003.png", "f/q.png", "--to", "quilt"});
+  EXPECT_THAT(run_tool(dir, {"replay", "f/q_qs4x2a1.png"}).err,
+              HasSubstr("8 views 5 degrees apart, the outermost half a step"));
+  EXPECT_THAT(run_tool(dir, {"replay", "f/q_qs4x2a1.png", "--cone-ends", "--view-angle", "35"}).err,
+              HasSubstr("8 views 5 degrees apart, the outermost at the ends of 35 degrees"));
+}
+
 TEST(Info, says_what_pictures_and_folders_are) {
   const TempDir dir;
   render_for_replay(dir);

@@ -26,9 +26,11 @@ struct LightFieldHints {
   std::string from = {};                            ///< a format of `convert`; empty: as names and the report say
   std::optional<ViewGrid> views = {};               ///< how many across and up
   std::optional<ViewGrid> tiles = {};               ///< how many tiles of a quilt across and up
-  std::optional<double> view_angle_deg = {};        ///< between the outermost views, where nothing states the cameras
+  std::optional<double> view_angle_deg = {};        ///< of the viewing zone, where nothing states the cameras
+  bool cone_ends = false;                           ///< the outermost views of a row stand at the ends of that angle
   std::function<void(std::string_view)> warn = {};  ///< as FormatOptions::warn
-  /// Pictures whose format is native, or of which nothing states the format, are what this display's panel shows.
+  /// Pictures whose format is native, or of which nothing states the format, are what this display's panel shows. A row of
+  /// views without cameras is a quilt for it.
   std::optional<Display> display = {};
   bool is_other_display = false;  ///< `display` need not be that of the pictures: no error where they are something else
 };
@@ -61,10 +63,10 @@ RenderedPanel panel_of(const LightField& field, const Optics& optics, const std:
 Optics optics_of_cameras(const LightField& field, const std::string& where);
 
 /// The same of views whose cameras nobody states: a display 100 mm high, seen from 300 mm away, by a row of views that spread
-/// over an angle (40 degrees unless hints), or by a grid of cameras (10 degrees across).
-Optics assumed_optics(const LightField& field, std::optional<double> view_angle_deg);
+/// over an angle (default: 40 degrees), with its ends or half a step inside, or by a grid of cameras (10 degrees across).
+Optics assumed_optics(const LightField& field, std::optional<double> view_angle_deg, bool cone_ends = false);
 
 /// The model of these optics.
-MultiView assumed_views(const LightField& field, std::optional<double> view_angle_deg);
+MultiView assumed_views(const LightField& field, std::optional<double> view_angle_deg, bool cone_ends = false);
 
 }  // namespace lippmann
