@@ -37,3 +37,11 @@ add_library(draco::library UNKNOWN IMPORTED)
 set_target_properties(draco::library PROPERTIES
   IMPORTED_LOCATION ${DRACO_LIBRARY}
   INTERFACE_INCLUDE_DIRECTORIES ${DRACO_INCLUDE_DIR})
+
+# Optional: aligning pictures. Debian's small packages of OpenCV have no CMake files; libopencv-dev has, and brings VTK along.
+find_path(OPENCV_INCLUDE_DIR opencv2/calib3d.hpp PATH_SUFFIXES opencv4)
+set(OPENCV_LIBRARIES "")
+foreach(component core features2d calib3d)
+  find_library(OPENCV_${component}_LIBRARY opencv_${component})
+  list(APPEND OPENCV_LIBRARIES ${OPENCV_${component}_LIBRARY})
+endforeach()

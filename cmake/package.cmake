@@ -1,4 +1,4 @@
-# Debian packages, by `cpack -G DEB` in the build folder: the tool; the modules for videos and for HEIC pictures; the library
+# Debian packages, by `cpack -G DEB` in the build folder: the tool; the modules for videos, HEIC pictures and alignment; the library
 # for other programs; the Python package, which contains what it needs of the library.
 
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # tests and benchmarks need not be built for a package
@@ -13,6 +13,9 @@ set(CPACK_COMPONENTS_ALL tool video development)
 if(TARGET lippmann_heic_module)
   list(APPEND CPACK_COMPONENTS_ALL heic)
 endif()
+if(TARGET lippmann_align_module)
+  list(APPEND CPACK_COMPONENTS_ALL align)
+endif()
 if(TARGET lippmann_mpi_module)
   list(APPEND CPACK_COMPONENTS_ALL mpi)
 endif()
@@ -24,13 +27,16 @@ if(TARGET lippmann_python)
     "if(NOT EXISTS \"$<TARGET_FILE:lippmann_python>\")\n  list(REMOVE_ITEM CPACK_COMPONENTS_ALL python3)\nendif()\n")
 endif()
 set(CPACK_DEBIAN_TOOL_PACKAGE_NAME lippmann)
-set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS "lippmann-video, lippmann-heic")
+set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS "lippmann-video, lippmann-heic, lippmann-align")
 set(CPACK_DEBIAN_VIDEO_PACKAGE_NAME lippmann-video)
 set(CPACK_DEBIAN_VIDEO_PACKAGE_DEPENDS "lippmann (= ${PROJECT_VERSION})")
 set(CPACK_COMPONENT_VIDEO_DESCRIPTION "Writes and reads videos for Lippmann")
 set(CPACK_DEBIAN_HEIC_PACKAGE_NAME lippmann-heic)
 set(CPACK_DEBIAN_HEIC_PACKAGE_DEPENDS "lippmann (= ${PROJECT_VERSION})")
 set(CPACK_COMPONENT_HEIC_DESCRIPTION "Reads HEIC and AVIF pictures for Lippmann")
+set(CPACK_DEBIAN_ALIGN_PACKAGE_NAME lippmann-align)
+set(CPACK_DEBIAN_ALIGN_PACKAGE_DEPENDS "lippmann (= ${PROJECT_VERSION})")
+set(CPACK_COMPONENT_ALIGN_DESCRIPTION "Aligns pictures and finds depth in stereo pairs for Lippmann")
 set(CPACK_DEBIAN_MPI_PACKAGE_NAME lippmann-mpi)
 set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "lippmann (= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_MPI_PACKAGE_RECOMMENDS openmpi-bin)

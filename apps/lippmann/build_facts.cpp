@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "align/align_module_file.hpp"
 #include "core/task_library.hpp"
 #include "device/embree_version.hpp"
 #include "distribute/ranks_module_file.hpp"
@@ -22,6 +23,7 @@ std::string build_facts() {
   facts += fmt::format("{:<9}{}\n", "pictures", LIPPMANN_PICTURE_LIBRARIES);
   facts += fmt::format("{:<9}module {}, for FFmpeg (libavcodec {})\n", "videos", word_for(is_video_module_installed()),
                        LIPPMANN_LIBAVCODEC);
+  facts += fmt::format("{:<9}module {}, for OpenCV\n", "align", word_for(is_align_module_installed()));
   return facts + fmt::format("{:<9}module {}", "MPI", word_for(is_ranks_module_installed()));
 }
 

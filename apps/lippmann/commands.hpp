@@ -35,6 +35,7 @@ void add_finish_command(const Command& root, Action& chosen, const std::string& 
 void add_check_command(const Command& root, Action& chosen);
 void add_compare_command(const Command& root, Action& chosen);
 void add_convert_command(const Command& root, Action& chosen);
+void add_align_command(const Command& root, Action& chosen);
 void add_encode_command(const Command& root, Action& chosen);
 void add_info_command(const Command& root, Action& chosen);
 void add_replay_command(const Command& root, Action& chosen);

@@ -98,6 +98,7 @@ int run(int argc, char** argv) {
   add_check_command(root, chosen);
   add_compare_command(root, chosen);
   add_convert_command(root, chosen);
+  add_align_command(root, chosen);
   add_encode_command(root, chosen);
   add_replay_command(root, chosen);
   add_report_command(root, chosen);

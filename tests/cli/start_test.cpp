@@ -63,6 +63,18 @@ TEST(Start, without_the_video_module_only_videos_fail_and_the_message_says_where
                                  HasSubstr((dir / "lib/lippmann/liblippmann_video.so").string())));
 }
 
+TEST(Start, without_the_align_module_alignment_names_its_package) {
+  const TempDir dir;
+  const Words tool = lone_tool(dir);
+  fs::create_directory(dir / "in");
+  for (const char* name : {"in/1.png", "in/2.png"}) fs::copy_file(dir / "r/frame_0000.png", dir / name);
+  const RunResult refused = run_lone(dir, tool + Words{"align", "in", "out"});
+  expect_refusal(refused, 1,
+                 "liblippmann_align.so: alignment and depth from two pictures need this module, and it is not installed");
+  EXPECT_THAT(refused.err, HasSubstr("(package lippmann-align)"));
+  EXPECT_FALSE(fs::exists(dir / "out"));
+}
+
 TEST(Start, video_module_is_found_where_it_is_installed) {
   const TempDir dir;
   const Words tool = lone_tool(dir);

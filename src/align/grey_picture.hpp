@@ -1,0 +1,20 @@
+// The brightness of a picture, as programs that compare pictures take it: 8-bit codes, row-major from the top left.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lippmann/core/math.hpp"
+#include "lippmann/image/picture_file.hpp"
+
+namespace lippmann {
+
+struct GreyPicture {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> codes;
+};
+
+/// The mean of the channels' sRGB codes, reduced by area where a side is longer than `longest` pixels.
+GreyPicture grey_of(const Picture& picture, int longest);
+
+}  // namespace lippmann
