@@ -48,11 +48,13 @@ LightFieldHints hints_of(const ConvertOptions& options) {
   return hints;
 }
 
-DepthConversion depth_frames_of(const ConvertOptions& options, std::string_view to) {
+DepthConversion depth_frames_of(const ConvertOptions& options, std::string_view to, bool is_pair) {
   DepthConversion params{options.in, options.out, std::string(to), params_of(options, to).options,
                          options.stereo.view_angle_deg};
   params.ipd_mm = options.stereo.ipd_mm.value_or(kUsualIpdMm);
   params.depth_scale = options.depth.scale.value_or(1.0);
+  params.depth = options.depth.map;
+  params.is_pair = is_pair;
   return params;
 }
 
@@ -68,7 +70,8 @@ int run(const ConvertOptions& options, const Context& context) {
     case ConvertKind::kPrecompensate:
       return run_precompensate(options.crosstalk, options.display, options.in, options.out, options.result, context);
     case ConvertKind::kDepthViews:
-      return run_depth_views(depth_frames_of(options, conversion.to->name), options.result, context);
+      return run_depth_views(depth_frames_of(options, conversion.to->name, conversion.from->name == "stereo"), options.result,
+                             context);
     case ConvertKind::kStereo:
       return run_stereo(options.stereo, hints_of(options), options.in, options.out, options.result, context);
     case ConvertKind::kRearrange:
@@ -145,7 +148,10 @@ void add_convert_command(const Command& root, Action& chosen) {
                   "--rotate-elemental, --spoc or --precompensate")
       .type_name("FORMAT");
   command
-      .add_option("--views", options->views, "Number of views across and up; for an integral image, the pixels below each lens")
+      .add_option(
+          "--views", options->views,
+          "Number of views across and up; for an integral image, the pixels below each lens; of a stereo picture, computes so "
+          "many views between the two")
       .type_name("CxR");
   command
       .add_option("--quilt", options->quilt,

@@ -9,6 +9,7 @@
 
 #include "layout/light_field_source.hpp"
 #include "layout/rendered.hpp"
+#include "layout/rgbd_name.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/display/load_display.hpp"
 #include "lippmann/layout/display_picture.hpp"
@@ -48,6 +49,7 @@ bool is_flip(const ConvertOptions& o, const Conversion& c) { return is_print(o, 
 bool is_spoc(const ConvertOptions&, const Conversion& c) { return c.kind == ConvertKind::kSpoc; }
 bool is_precompensation(const ConvertOptions&, const Conversion& c) { return c.kind == ConvertKind::kPrecompensate; }
 bool is_stereo(const ConvertOptions&, const Conversion& c) { return c.kind == ConvertKind::kStereo; }
+bool makes_depth_views(const Conversion& c) { return c.kind == ConvertKind::kDepthViews && c.to->name != "rgbd"; }
 bool makes_stereo(const Conversion& c) { return c.to && c.to->name == "stereo"; }
 
 /// Whether the writer numbers views as the reader does, so that it does not matter how they lie in a grid.
@@ -58,7 +60,7 @@ bool keeps_order(const Conversion& c) {
 }
 
 bool uses_views(const ConvertOptions& options, const Conversion& c) {
-  if (c.kind == ConvertKind::kDepthViews) return !makes_stereo(c);
+  if (c.kind == ConvertKind::kDepthViews) return makes_depth_views(c) && !makes_stereo(c);
   if (c.is_from_video) return true;
   return is_read<&FormatUses::views>(c) && (!options.keep.empty() || !keeps_order(c));
 }
@@ -75,13 +77,12 @@ bool uses_filter(const ConvertOptions& o, const Conversion& c) {
 
 bool uses_display(const ConvertOptions& o, const Conversion& c) {
   if (is_for_display(o, c)) return true;
-  if (c.kind == ConvertKind::kPrecompensate || c.kind == ConvertKind::kDepthViews) return true;
+  if (c.kind == ConvertKind::kPrecompensate || makes_depth_views(c)) return true;
   return is_read<&FormatUses::display>(c) || is_written<&FormatUses::display>(c);
 }
 
 bool uses_view_angle(const ConvertOptions& options, const Conversion& c) {
-  return c.kind == ConvertKind::kStereo ||
-         (c.kind == ConvertKind::kDepthViews && !makes_stereo(c) && options.display.empty()) ||
+  return c.kind == ConvertKind::kStereo || (makes_depth_views(c) && !makes_stereo(c) && options.display.empty()) ||
          options.sheet.pitch_depends_on_angle(options.stereo.viewing_distance_mm.has_value());
 }
 
@@ -155,6 +156,9 @@ constexpr std::array kIdleRules{
              "--to stereo, of more than two views"},
     IdleRule{"--view-angle", [](const ConvertOptions& o) { return o.stereo.view_angle_deg.has_value(); }, uses_view_angle,
              "--to stereo, --lpi with --viewing-distance, or RGB-D pictures converted to views without --display"},
+    IdleRule{"--depth", [](const ConvertOptions& o) { return !o.depth.map.empty(); },
+             [](const ConvertOptions&, const Conversion& c) { return c.kind == ConvertKind::kDepthViews; },
+             "a picture, without --keep and --crop"},
     IdleRule{"--depth-range", [](const ConvertOptions& o) { return !o.depth.range.empty(); },
              [](const ConvertOptions&, const Conversion& c) {
                return is_read<&FormatUses::depth_coding>(c) || is_written<&FormatUses::depth_coding>(c);
@@ -171,8 +175,8 @@ constexpr std::array kIdleRules{
              },
              "--from rgbd or --to rgbd"},
     IdleRule{"--depth-scale", [](const ConvertOptions& o) { return o.depth.scale.has_value(); },
-             [](const ConvertOptions&, const Conversion& c) { return c.kind == ConvertKind::kDepthViews; },
-             "RGB-D pictures converted to another format, without --keep and --crop"},
+             [](const ConvertOptions&, const Conversion& c) { return makes_depth_views(c); },
+             "RGB-D or stereo pictures converted to views, without --keep and --crop"},
 };
 
 /// A display that IN is the native frame of is that of the reader.
@@ -190,6 +194,28 @@ bool is_video_of_views(const ConvertOptions& options) {
   if (options.to == "stereo")
     throw usage_error("--to", "the frames of a video become views first", "views, then a conversion of these to stereo");
   return true;
+}
+
+/// The format of IN. A picture with a depth map becomes RGB-D.
+void find_source(const ConvertOptions& options, Conversion& conversion) {
+  const bool from_rgbd =
+      options.from == "rgbd" || (options.from.empty() && (!options.depth.map.empty() || is_rgbd(options.in)));
+  conversion.is_from_video = !from_rgbd && is_video_of_views(options);
+  if (!from_rgbd && !conversion.is_from_video && options.from.empty()) refuse_what_is_no_light_field(options.in);
+  if (from_rgbd)
+    conversion.from = &find_format("rgbd", "--from");
+  else
+    conversion.from =
+        conversion.is_from_video ? &find_format("views", "--from") : &format_of_light_field(options.in, options.from);
+}
+
+bool makes_views_of_depth(const ConvertOptions& options, const Conversion& c) {
+  return c.from->name == "rgbd" && (!options.depth.map.empty() || c.to->name != "rgbd");
+}
+
+/// Two views have no other grid of views, so that `--views` asks for more of them.
+bool makes_views_of_pair(const ConvertOptions& options, const Conversion& c) {
+  return c.from->name == "stereo" && c.to->name != "stereo" && c.to->name != "rgbd" && !options.views.empty();
 }
 
 std::string described(const Conversion& conversion) {
@@ -229,20 +255,18 @@ Conversion conversion_of(const ConvertOptions& options) {
   Conversion conversion;
   conversion.to =
       options.to.empty() ? &find_format(own_format(options.read_display()), "--to") : &find_format(options.to, "--to");
-  const bool from_rgbd = options.from == "rgbd" || (options.from.empty() && is_rgbd(options.in));
-  conversion.is_from_video = !from_rgbd && is_video_of_views(options);
-  if (!from_rgbd && !conversion.is_from_video && options.from.empty()) refuse_what_is_no_light_field(options.in);
-  if (from_rgbd)
-    conversion.from = &find_format("rgbd", "--from");
-  else
-    conversion.from =
-        conversion.is_from_video ? &find_format("views", "--from") : &format_of_light_field(options.in, options.from);
-  const bool has_parts = !options.keep.empty() || !options.crop.empty();
-  if (from_rgbd && conversion.to->name != "rgbd" && !has_parts)
+  if (!options.depth.map.empty() && (!options.from.empty() || has_rgbd_name(options.in)))
+    throw usage_error("--depth",
+                      options.from.empty() ? "its name says that " + options.in + " has its depth beside the colours"
+                                           : "cannot be combined with --from",
+                      "a picture whose depth is in another file");
+  find_source(options, conversion);
+  const bool is_whole = options.keep.empty() && options.crop.empty();
+  if (is_whole && (makes_views_of_depth(options, conversion) || makes_views_of_pair(options, conversion)))
     conversion.kind = ConvertKind::kDepthViews;
   else if (makes_display_picture(options, conversion))
     conversion.kind = ConvertKind::kDisplay;
-  else if (options.to == "stereo" && conversion.from->name != "stereo" && !has_parts)
+  else if (is_whole && options.to == "stereo" && conversion.from->name != "stereo")
     conversion.kind = ConvertKind::kStereo;
   return conversion;
 }

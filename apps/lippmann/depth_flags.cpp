@@ -24,6 +24,12 @@ void add_depth_flags(const Command& command, DepthFlags& flags) {
       command.add_group("RGB-D pictures", "With --from rgbd, as views for --display or of --views; or with --to rgbd");
   group
       .add_option(
+          "--depth", flags.map,
+          "The depth of the picture IN, in a file of its own: grey of 8 or 16 bits, in any size, or an EXR file with the "
+          "channel Z")
+      .type_name("FILE");
+  group
+      .add_option(
           "--depth-range", flags.range,
           "Depths of the nearest and the farthest grey in mm, above 0 in front of the screen; default: as the side file says "
           "(without one 10:-30), or all that is there")

@@ -14,7 +14,7 @@ class Command;       // command_line.hpp
 struct ResultFlags;  // result_flags.hpp
 
 struct DepthFlags {
-  std::string range, coding;
+  std::string range, coding, map;
   bool near_black = false;
   std::optional<double> scale;
 

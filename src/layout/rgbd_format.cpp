@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "layout/cameras.hpp"
 #include "layout/picture_samples.hpp"
@@ -58,7 +59,8 @@ void require_depth(const Image& greys, const std::string& where) {
 RgbdSideFile described_rgbd(const fs::path& path, const FormatOptions& options, Vec2i view) {
   RgbdSideFile assumed;
   assumed.distance_mm = kAssumedDistanceMm;
-  assumed.size_mm = {kAssumedHeightMm * view.x / view.y, kAssumedHeightMm};
+  const int squeeze = has_half_rgbd_name(path) ? 2 : 1;
+  assumed.size_mm = {kAssumedHeightMm * view.x * squeeze / view.y, kAssumedHeightMm};
   RgbdSideFile side = read_rgbd_side_file(path).value_or(assumed);
   if (options.depth_range) side.coding.range = *options.depth_range;
   if (options.even_in_depth) side.coding.even_in_depth = *options.even_in_depth;
@@ -145,15 +147,20 @@ LightField light_field_of_rgbd(const Picture& picture, const fs::path& file, con
   if (size.x % 2 != 0 || size.x < 2)
     throw Error(where, fmt::format("{} pixels across cannot be divided into colours and depth", size.x),
                 "an even width: colours at the left, depth of the same size at the right");
-  const RgbdSideFile side = described_rgbd(file, options, view);
-  LightField field;
-  field.grid = {1, 1}, field.view_size = view, field.aspect = side.size_mm.x / side.size_mm.y;
-  field.stack = blank(picture, view);
+  Picture colours = blank(picture, view);
   std::vector<std::uint32_t> pixels;
   for (int y = 0; y < view.y; ++y)
     for (int x = 0; x < view.x; ++x) pixels.push_back(static_cast<std::uint32_t>(y * size.x + x));
-  move_pixels(picture, pixels, field.stack, {});
-  field.depth = read_greys(picture, view, where);
+  move_pixels(picture, pixels, colours, {});
+  return light_field_of_colours(std::move(colours), read_greys(picture, view, where), file, options);
+}
+
+LightField light_field_of_colours(Picture colours, Image greys, const fs::path& file, const FormatOptions& options) {
+  const Vec2i view = size_of(colours);
+  const RgbdSideFile side = described_rgbd(file, options, view);
+  LightField field;
+  field.grid = {1, 1}, field.view_size = view, field.aspect = side.size_mm.x / side.size_mm.y;
+  field.stack = std::move(colours), field.depth = std::move(greys);
   for (float& z : field.depth->data) z = static_cast<float>(depth_of_grey(side.coding, side.distance_mm, z));
   const Vec2d pixel = side.size_mm / Vec2d(view);
   field.cameras = ViewCameras{side.distance_mm, pixel, 0.5 * Vec2d(view), {side.eye_mm}};

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "lippmann/image/image.hpp"
 #include "lippmann/image/picture_file.hpp"
 #include "lippmann/layout/formats.hpp"
 
@@ -14,5 +15,9 @@ namespace lippmann {
 /// range goes.
 LightField light_field_of_rgbd(const Picture& picture, const std::filesystem::path& file, const std::string& where,
                                const FormatOptions& options);
+
+/// The same of colours and greys from 0 to 1, of one size. `file` has the side file.
+LightField light_field_of_colours(Picture colours, Image greys, const std::filesystem::path& file,
+                                  const FormatOptions& options);
 
 }  // namespace lippmann

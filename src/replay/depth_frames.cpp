@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/folder.hpp"
+#include "layout/depth_map.hpp"
 #include "layout/lens_interlace.hpp"
 #include "layout/light_field_source.hpp"
 #include "layout/rgbd_name.hpp"
@@ -20,6 +21,7 @@
 #include "lippmann/layout/open_light_field.hpp"
 #include "lippmann/replay/light_field_frames.hpp"
 #include "replay/depth_views.hpp"
+#include "replay/pair_depth.hpp"
 #include "video/video_reader.hpp"
 
 namespace lippmann {
@@ -29,15 +31,15 @@ namespace fs = std::filesystem;
 
 struct RgbdFrame {
   fs::path name;     ///< a file's name; a video's frames are called frame_0000.png, frame_0001.png, ...
-  LightField field;  ///< one view with depth
+  LightField field;  ///< one view with depth, or two views of a stereo picture
 };
 
-/// The frames of RGB-D pictures or of an RGB-D video, read one at a time.
+/// The frames of RGB-D pictures or of an RGB-D video, read one at a time, or a picture with a depth map.
 class RgbdFrames {
  public:
-  /// `in`: a picture, a folder of frame_*_rgbd.png, or a video, whose side file describes all of its frames. Throws Error if
+  /// `in`: a picture, a folder of RGB-D pictures, or a video, whose side file describes all of its frames. Throws Error if
   /// there is no such file, or no frame in the folder.
-  RgbdFrames(const fs::path& in, const FormatOptions& options);
+  explicit RgbdFrames(const DepthConversion& params);
 
   /// The next frame; none after the last one. Throws Error naming the file, and of videos the frame.
   std::optional<RgbdFrame> next();
@@ -49,24 +51,55 @@ class RgbdFrames {
 
  private:
   std::optional<RgbdFrame> next_of_video();
+  LightField read(const fs::path& file) const;
+  LightField read_pair(const fs::path& file) const;
 
   std::vector<fs::path> files_;
-  FormatOptions options_;
+  const DepthConversion& params_;
   bool one_;
   std::optional<VideoReader> video_;
   std::size_t count_ = 0;  ///< how many have been read
 };
 
-RgbdFrames::RgbdFrames(const fs::path& in, const FormatOptions& options)
-    : files_(light_fields_in(in, "rgbd")), options_(options), one_(files_.front() == in && !is_video_name(in)) {
-  if (files_.front() == in && is_video_name(in)) video_.emplace(in);
+std::vector<fs::path> files_with_depth(const DepthConversion& params) {
+  if (params.is_pair) return light_fields_in(params.in, "stereo");
+  if (params.depth.empty()) return light_fields_in(params.in, "rgbd");
+  std::error_code ignored;
+  if (fs::is_directory(params.in, ignored) || is_video_name(params.in))
+    throw usage_error("depth", params.in.string() + " is no single picture", "a picture with its depth map");
+  return {params.in};
+}
+
+RgbdFrames::RgbdFrames(const DepthConversion& params)
+    : files_(files_with_depth(params)), params_(params), one_(files_.front() == params.in && !is_video_name(params.in)) {
+  if (files_.front() == params.in && is_video_name(params.in)) video_.emplace(params.in);
 }
 
 std::optional<RgbdFrame> RgbdFrames::next() {
   if (video_) return next_of_video();
   if (count_ == files_.size()) return std::nullopt;
   const fs::path& file = files_[count_++];
-  return RgbdFrame{file.filename(), rgbd_format().read(file, options_)};
+  return RgbdFrame{file.filename(), read(file)};
+}
+
+LightField RgbdFrames::read(const fs::path& file) const {
+  if (params_.is_pair) return read_pair(file);
+  if (params_.depth.empty()) return rgbd_format().read(file, params_.options);
+  Picture colours = read_picture(file, params_.options.warn);
+  const std::optional<RgbdSideFile> side = read_rgbd_side_file(file);
+  const bool near_black = params_.options.near_black.value_or(side && side->coding.near_black);
+  Image greys = read_depth_map(params_.depth, size_of(colours), near_black);
+  return light_field_of_colours(std::move(colours), std::move(greys), file, params_.options);
+}
+
+/// Two views before a screen of the size that is assumed of pictures.
+LightField RgbdFrames::read_pair(const fs::path& file) const {
+  LightField pair = stereo_format().read(file, params_.options);
+  const Vec2d view(pair.view_size);
+  const RgbdSideFile assumed;
+  const Vec2d pixel = Vec2d(assumed.size_mm.y * pair.aspect, assumed.size_mm.y) / view;
+  pair.cameras = ViewCameras{assumed.distance_mm, pixel, 0.5 * view, {Vec2d(0.0), Vec2d(0.0)}};
+  return pair;
 }
 
 std::optional<RgbdFrame> RgbdFrames::next_of_video() {
@@ -74,7 +107,7 @@ std::optional<RgbdFrame> RgbdFrames::next_of_video() {
   if (!picture) return std::nullopt;
   const std::string where = fmt::format("{}, frame {}", first().string(), count_);
   return RgbdFrame{fmt::format("frame_{:04}.png", count_++),
-                   light_field_of_rgbd(*std::exchange(picture, {}), first(), where, options_)};
+                   light_field_of_rgbd(*std::exchange(picture, {}), first(), where, params_.options)};
 }
 
 /// A sheet of lenses, or an array of them, whose pixels have no calibration.
@@ -141,9 +174,21 @@ void warn_of_assumptions(const fs::path& first, const DepthConversion& params, c
                   first.string(), range.far_mm, range.near_mm));
 }
 
+/// The views, with samples as the picture has them; to RGB-D, the picture itself.
+DepthViews shown_views(const RgbdFrame& frame, const DepthConversion& params, const ThreadPool& pool, const Context& context) {
+  const LightField& source = frame.field;
+  if (params.to == kRgbdFormat) return {source};
+  const Optics optics = wanted_optics(source, params);
+  DepthViews views = params.is_pair ? views_from_depths(pictures_with_depth(source, optics, frame.name.string(), context),
+                                                        optics, params.depth_scale, pool)
+                                    : views_from_depth(source, optics, params.depth_scale, pool);
+  views.field.stack = with_samples_like(source.stack, std::get<Image>(std::move(views.field.stack)));
+  return views;
+}
+
 fs::path path_for(const DepthConversion& params, const LightFieldFormat& to, const fs::path& name, bool one,
                   const Picture& stack) {
-  fs::path path = one ? params.out : params.out / without_rgbd_name(name).stem();
+  fs::path path = one ? params.out : params.out / (params.is_pair ? without_stereo_name(name) : without_rgbd_name(name)).stem();
   if (!to.is_folder && (!one || !path.has_extension())) path += std::string(".") + exact_ending(stack);
   return path;
 }
@@ -174,19 +219,17 @@ ConvertedDepth convert_depth_frames(const DepthConversion& params, const Context
   if (is_video_name(params.out))
     throw Error(params.out.string(), "is a video's name; frames are written as pictures",
                 "a folder, of which `lippmann encode` makes a video");
-  RgbdFrames frames(params.in, params.options);
+  RgbdFrames frames(params);
   const bool one = frames.is_one_picture();
   const ThreadPool pool(resolved_threads(context));
-  warn_of_assumptions(frames.first(), params, context);
+  if (!params.is_pair) warn_of_assumptions(frames.first(), params, context);
   ConvertedDepth made;
   double filled = 0.0;
   const NewFolder folder(one ? params.out.parent_path() : params.out);
   int count = 0;
   while (const std::optional<RgbdFrame> frame = context.cancelled ? std::nullopt : frames.next()) {
-    const LightField& source = frame->field;
-    DepthViews views = views_from_depth(source, wanted_optics(source, params), params.depth_scale, pool);
-    views.field.stack = with_samples_like(source.stack, std::get<Image>(std::move(views.field.stack)));
-    const fs::path path = path_for(params, to, frame->name, one, source.stack);
+    DepthViews views = shown_views(*frame, params, pool, context);
+    const fs::path path = path_for(params, to, frame->name, one, frame->field.stack);
     const NewFolder of_frame(to.is_folder ? path : fs::path());
     for (fs::path& file : write_frame(views.field, path, params, pool)) made.written.push_back(std::move(file));
     made.views = views.field.grid, made.view_size = views.field.view_size;

@@ -21,6 +21,8 @@ struct DepthConversion {
   std::optional<double> view_angle_deg = {};  ///< without a display; none: as of views that nothing describes
   double ipd_mm = kUsualIpdMm;                ///< `to` stereo
   double depth_scale = 1.0;                   ///< shown depth / coded depth
+  std::filesystem::path depth = {};           ///< the depth of the picture IN (layout/depth_map.hpp); empty: IN is RGB-D
+  bool is_pair = false;                       ///< IN is a stereo picture, or a folder of them (replay/pair_depth.hpp)
 };
 
 struct ConvertedDepth {

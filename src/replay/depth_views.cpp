@@ -69,12 +69,34 @@ class ViewMaker {
     std::fill(disparity_.data.begin(), disparity_.data.end(), kNoPoint);
   }
 
-  void make() {
+  /// Shows the points of the source; pixels without one stay open.
+  void show() {
     splat();
     for (int y = 0; y < disparity_.height; ++y)
       for (int x = 0; x < disparity_.width; ++x)
         if (has_point(x, y)) take_colour(x, y);
-    fill();
+  }
+
+  /// Takes the points of another source in the pixels that are open.
+  void complete_from(const ViewMaker& other) {
+    for (int y = 0; y < disparity_.height; ++y)
+      for (int x = 0; x < disparity_.width; ++x) {
+        if (has_point(x, y) || !other.has_point(x, y)) continue;
+        disparity_.pixel(x, y)[0] = other.disparity_.pixel(x, y)[0];
+        std::copy_n(other.colours_.pixel(x, y), 3, colours_.pixel(x, y));
+      }
+  }
+
+  /// Fills open pixels.
+  void fill() {
+    std::vector<Vec2i> holes;
+    for (int y = 0; y < disparity_.height; ++y)
+      for (int x = 0; x < disparity_.width; ++x)
+        if (!has_point(x, y)) holes.push_back({x, y});
+    missed_ = static_cast<std::int64_t>(holes.size());
+    std::vector<float> depths;
+    for (const Vec2i hole : holes) depths.push_back(fill_colour(hole));
+    for (std::size_t i = 0; i < holes.size(); ++i) disparity_.pixel(holes[i].x, holes[i].y)[0] = depths[i];
   }
 
   const Image& colours() const { return colours_; }
@@ -166,16 +188,6 @@ class ViewMaker {
   struct Neighbour {
     int x, y, steps;
   };
-  void fill() {
-    std::vector<Vec2i> holes;
-    for (int y = 0; y < disparity_.height; ++y)
-      for (int x = 0; x < disparity_.width; ++x)
-        if (!has_point(x, y)) holes.push_back({x, y});
-    missed_ = static_cast<std::int64_t>(holes.size());
-    std::vector<float> depths;
-    for (const Vec2i hole : holes) depths.push_back(fill_colour(hole));
-    for (std::size_t i = 0; i < holes.size(); ++i) disparity_.pixel(holes[i].x, holes[i].y)[0] = depths[i];
-  }
 
   void look(Vec2i from, Vec2i step, std::vector<Neighbour>& found) const {
     int steps = 1;
@@ -230,6 +242,15 @@ LightField empty_views(const Optics& optics, const ViewCameras& cameras) {
   return field;
 }
 
+std::vector<const DepthPicture*> nearest_first(const std::vector<DepthPicture>& pictures, Vec2d slope) {
+  std::vector<const DepthPicture*> order;
+  for (const DepthPicture& picture : pictures) order.push_back(&picture);
+  std::stable_sort(order.begin(), order.end(), [&](const DepthPicture* a, const DepthPicture* b) {
+    return glm::length(a->slope - slope) < glm::length(b->slope - slope);
+  });
+  return order;
+}
+
 Image depths_of(const Image& disparity, double distance_mm) {
   Image depth = disparity;
   for (float& z : depth.data) z = z == kNoPoint ? kNoPoint : static_cast<float>(depth_of_disparity(z, distance_mm));
@@ -239,15 +260,27 @@ Image depths_of(const Image& disparity, double distance_mm) {
 }  // namespace
 
 DepthViews views_from_depth(const LightField& source, const Optics& optics, double depth_scale, const ThreadPool& pool) {
+  return views_from_depths(std::span(&source, 1), optics, depth_scale, pool);
+}
+
+DepthViews views_from_depths(std::span<const LightField> sources, const Optics& optics, double depth_scale,
+                             const ThreadPool& pool) {
   const ViewCameras cameras = cameras_for(optics);
   DepthViews made{empty_views(optics, cameras)};
   const Vec2d window = window_size_mm(optics);
   const Vec2i size = made.field.view_size;
-  const DepthPicture picture = depth_picture(source, window, size, depth_scale);
+  std::vector<DepthPicture> pictures;
+  for (const LightField& source : sources) pictures.push_back(depth_picture(source, window, size, depth_scale));
   std::vector<std::int64_t> missed(cameras.eyes_mm.size());
   pool.for_each(cameras.eyes_mm.size(), [&](std::size_t v) {
-    ViewMaker view(picture, cameras.eyes_mm[v] / cameras.distance_mm - picture.slope, window, size);
-    view.make();
+    const Vec2d slope = cameras.eyes_mm[v] / cameras.distance_mm;
+    std::vector<ViewMaker> makers;
+    makers.reserve(pictures.size());
+    for (const DepthPicture* picture : nearest_first(pictures, slope))
+      makers.emplace_back(*picture, slope - picture->slope, window, size).show();
+    ViewMaker& view = makers.front();
+    for (std::size_t i = 1; i < makers.size(); ++i) view.complete_from(makers[i]);
+    view.fill();
     missed[v] = view.missed();
     set_view(made.field, static_cast<int>(v), view.colours());
     set_depth(made.field, static_cast<int>(v), depths_of(view.disparity(), cameras.distance_mm));

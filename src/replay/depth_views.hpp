@@ -14,6 +14,8 @@
 // point, bilinear among pixels of its surface.
 #pragma once
 
+#include <span>
+
 #include "lippmann/core/parallel.hpp"
 #include "lippmann/layout/light_field.hpp"
 #include "lippmann/optics/optics.hpp"
@@ -29,5 +31,10 @@ struct DepthViews {
 /// and what has another shape is cut off. `depth_scale` times as deep as it is. The same bits for any number of threads. Throws
 /// Error for optics whose views have no cameras.
 DepthViews views_from_depth(const LightField& source, const Optics& optics, double depth_scale, const ThreadPool& pool);
+
+/// The same of pictures that were seen from several places, one or more: each view takes the nearest one, and the others where
+/// that one shows nothing, before missed pixels are filled.
+DepthViews views_from_depths(std::span<const LightField> sources, const Optics& optics, double depth_scale,
+                             const ThreadPool& pool);
 
 }  // namespace lippmann

@@ -133,7 +133,8 @@ std::optional<StereoLayout> stereo_of(const std::vector<NumberedFrame>& frames) 
 fs::path video_path(const fs::path& out, const std::vector<NumberedFrame>& frames) {
   if (const std::optional<StereoLayout> stereo = stereo_of(frames)) return with_stereo_name(out, *stereo);
   if (!frames.empty() && has_quad_name(frames.front().path)) return with_quad_name(out);
-  if (!frames.empty() && has_rgbd_name(frames.front().path)) return with_rgbd_name(out);
+  if (!frames.empty() && has_rgbd_name(frames.front().path) && !has_half_rgbd_name(frames.front().path))
+    return with_rgbd_name(out);
   const std::optional<QuiltName> quilt = frames.empty() ? std::nullopt : parse_quilt_name(frames.front().path);
   return quilt && !parse_quilt_name(out) ? with_quilt_name(out, *quilt) : out;
 }

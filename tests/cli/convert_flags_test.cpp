@@ -9,6 +9,7 @@
 
 #include "cli/tool.hpp"
 #include "core/text_pattern.hpp"
+#include "lippmann/image/picture_file.hpp"
 #include "support/icc_profile.hpp"
 
 namespace lippmann::test {
@@ -43,6 +44,7 @@ const std::map<std::string, std::string>& values() {
                                                       {"--viewing-distance", "900"},
                                                       {"--screen-width", "300"},
                                                       {"--view-angle", "9"},
+                                                      {"--depth", "d/depth.png"},
                                                       {"--depth-range", "7:-9"},
                                                       {"--depth-coding", "depth"},
                                                       {"--near-black", ""},
@@ -109,6 +111,11 @@ class ConvertFlags : public testing::Test {
     expect_done(dir_, {"convert", "in/views", "in/pair.png", "--from", "views", "--to", "stereo", "--keep", "2-3"});
     expect_done(dir_, {"convert", "in/pair_2x1.png", "in/two", "--to", "views"});
     expect_done(dir_, {"render", "room", "--size", "30x20", "--frames", "0", "--layout", "rgbd", "-o", "d"});
+    Image8 colours{30, 20, {}}, depth{15, 10, {}};
+    for (int i = 0; i < 3 * 30 * 20; ++i) colours.rgb.push_back(static_cast<unsigned char>(i * 37 % 251));
+    for (int i = 0; i < 3 * 15 * 10; ++i) depth.rgb.push_back(static_cast<unsigned char>(i / 3 % 15 * 17));
+    write_picture(dir_ / "d/colours.png", colours);
+    write_picture(dir_ / "d/depth.png", depth);
   }
 
   /// Runs each flag on top of a conversion that works without it.
@@ -124,7 +131,8 @@ class ConvertFlags : public testing::Test {
       if (run.exit_code == 0)
         EXPECT_NE(files_below(dir_ / "o"), without) << in << " to " << to << ": " << flag << " changes nothing";
       else
-        EXPECT_THAT(run.err, AnyOf(HasSubstr(flag), HasSubstr("--to: a stereo picture has"), HasSubstr("Little CMS")))
+        EXPECT_THAT(run.err, AnyOf(HasSubstr(flag), HasSubstr("--to: a stereo picture has"), HasSubstr("Little CMS"),
+                                   HasSubstr("too few to find their depth"), HasSubstr("liblippmann_align.so")))
             << in << " to " << to;
       fs::remove_all(dir_ / "o");
     }
@@ -146,6 +154,7 @@ TEST_F(ConvertFlags, each_changes_the_result_or_is_refused) {
   walk("in/pair_2x1.png", "views", {});
   walk("d/frame_0000_rgbd.png", "quilt", {});
   walk("d/frame_0000_rgbd.png", "stereo", {});
+  walk("d/colours.png", "quilt", {"--depth", "d/depth.png"});
   walk("in/views", "stereo", {});
   walk("in/two", "stereo", {});
   walk(quilt, "quilt", {});

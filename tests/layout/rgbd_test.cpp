@@ -56,6 +56,10 @@ TEST(Rgbd, neighbouring_names_are_read) {
     EXPECT_TRUE(has_rgbd_name(path)) << path;
   for (const char* path : {"a/brgbd.png", "a/b_rgbd_.png", "a/rgb.png"}) EXPECT_FALSE(has_rgbd_name(path)) << path;
   EXPECT_EQ(without_rgbd_name("a/rgbd.png"), "a/picture.png");
+  EXPECT_TRUE(has_half_rgbd_name("a/b_HRGBD.png"));
+  EXPECT_FALSE(has_half_rgbd_name("a/b_RGBD.png"));
+  EXPECT_EQ(without_rgbd_name("a/b_HRGBD.png"), "a/b.png");
+  EXPECT_EQ(with_rgbd_name("a/b_hrgbd.png"), "a/b_rgbd.png") << "what is written is not squeezed";
   EXPECT_EQ(without_rgbd_name("a/b.rgbd.png"), "a/b.png");
 }
 

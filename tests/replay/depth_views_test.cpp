@@ -117,6 +117,22 @@ TEST(DepthViews, nearer_surfaces_hide_and_what_comes_into_view_is_filled_from_be
   EXPECT_NEAR(made.filled_share, 16.0 / 120.0, 1e-9);
 }
 
+TEST(DepthViews, another_picture_shows_what_the_nearest_one_hides) {
+  LightField left = board(), right = board();
+  left.cameras->eyes_mm = {{-20, 0}}, right.cameras->eyes_mm = {{20, 0}};
+  Image colours = std::get<Image>(right.stack);
+  for (std::size_t i = 1; i < colours.data.size(); i += 3) colours.data[i] = 1.0f;
+  right.stack = colours;
+  const ThreadPool pool(1);
+  const DepthViews made = views_from_depths(std::vector{left, right}, three_eyes(), 1.0, pool);
+  EXPECT_EQ(made.filled_share, 0.0);
+  const Image middle = std::get<Image>(view_of(made.field, 1));
+  // The wall moves by 4 pixels from the left picture to the middle view: 4 columns at the edge and 4 beside the board are new.
+  for (int x = 0; x < 40; ++x) EXPECT_EQ(middle.pixel(x, 2)[1], x < 4 || (x >= 25 && x < 29) ? 1.0f : 0.0f) << x;
+  EXPECT_EQ(std::get<Image>(view_of(made.field, 0)).pixel(26, 2)[1], 0.0f);
+  EXPECT_EQ(std::get<Image>(view_of(made.field, 2)).pixel(26, 2)[1], 1.0f);
+}
+
 TEST(DepthViews, depth_goes_with_the_views) {
   const DepthViews made = shown(board());
   const Image depth = depth_of(made.field, 2);
