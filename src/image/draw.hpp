@@ -13,7 +13,7 @@
 namespace lippmann {
 
 using Rgb8 = std::array<unsigned char, 3>;
-inline constexpr Rgb8 kBlack{0, 0, 0}, kWhite{255, 255, 255};
+inline constexpr Rgb8 kBlackRgb{0, 0, 0}, kWhiteRgb{255, 255, 255};
 
 /// Pixels from `from`, included, to `to`, excluded.
 struct PixelBox {
@@ -30,6 +30,6 @@ void fill_box(Picture& picture, const PixelBox& box, const Rgb8& colour);
 Vec2i text_units(std::string_view text);
 
 /// `corner`: the top left corner of the first line.
-void draw_text(Picture& picture, Vec2i corner, int scale, std::string_view text, const Rgb8& colour = kBlack);
+void draw_text(Picture& picture, Vec2i corner, int scale, std::string_view text, const Rgb8& colour = kBlackRgb);
 
 }  // namespace lippmann

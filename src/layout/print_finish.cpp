@@ -80,7 +80,7 @@ class PrintMarks {
   void line(Vec2i from, Vec2i to) {
     const int before = thickness() / 2, after = thickness() - before;
     const Vec2i across(from.x == to.x ? 1 : 0, from.y == to.y ? 1 : 0);
-    fill_box(picture_, {from - before * across, to + after * across}, kBlack);
+    fill_box(picture_, {from - before * across, to + after * across}, kBlackRgb);
   }
 
   /// A cross with a ring.
@@ -92,7 +92,7 @@ class PrintMarks {
     for (int y = -arm; y <= arm; ++y)
       for (int x = -arm; x <= arm; ++x)
         if (std::abs(std::sqrt(static_cast<double>(x * x + y * y)) - radius) < half)
-          fill_box(picture_, {centre + Vec2i(x, y), centre + Vec2i(x + 1, y + 1)}, kBlack);
+          fill_box(picture_, {centre + Vec2i(x, y), centre + Vec2i(x + 1, y + 1)}, kBlackRgb);
   }
 
   void band(const PixelBox& box) {
@@ -100,7 +100,7 @@ class PrintMarks {
     for (int y = box.from.y; y < box.to.y; ++y)
       for (int x = box.from.x; x < box.to.x; ++x) {
         const double within = strip_place(strips, Vec2d(origin_ + Vec2i(x, y)) + 0.5).within;
-        if (std::abs(within - 0.5) < 1.0 / 6.0) fill_box(picture_, {{x, y}, {x + 1, y + 1}}, kBlack);
+        if (std::abs(within - 0.5) < 1.0 / 6.0) fill_box(picture_, {{x, y}, {x + 1, y + 1}}, kBlackRgb);
       }
   }
 
@@ -152,7 +152,7 @@ Picture finished(Picture bled, const Display& display, const PrintFinish& finish
   const Vec2i whole = kept.size() + 2 * margin;
   check_image_size("marks", whole.x, whole.y, 3);
   Picture print = blank(bled, whole);
-  if (margin > 0) fill_box(print, {Vec2i(0), whole}, kWhite);
+  if (margin > 0) fill_box(print, {Vec2i(0), whole}, kWhiteRgb);
   copy_box(bled, kept, print, Vec2i(margin));
   const Vec2i origin = kept.from - margin;
   if (finish.marks)

@@ -12,7 +12,7 @@ namespace {
 
 Picture white_picture(int width, int height) {
   Picture picture = Image8{width, height, std::vector<unsigned char>(std::size_t{3} * width * height)};
-  fill_box(picture, {{0, 0}, {width, height}}, kWhite);
+  fill_box(picture, {{0, 0}, {width, height}}, kWhiteRgb);
   return picture;
 }
 
@@ -27,9 +27,9 @@ std::string drawing_of(const Picture& picture) {
 
 TEST(Draw, boxes_are_clipped_at_the_edges) {
   Picture picture = white_picture(4, 3);
-  fill_box(picture, {{2, 1}, {90, 90}}, kBlack);
-  fill_box(picture, {{-5, -5}, {1, 1}}, kBlack);
-  fill_box(picture, {{3, 2}, {1, 0}}, kBlack);
+  fill_box(picture, {{2, 1}, {90, 90}}, kBlackRgb);
+  fill_box(picture, {{-5, -5}, {1, 1}}, kBlackRgb);
+  fill_box(picture, {{3, 2}, {1, 0}}, kBlackRgb);
   EXPECT_EQ(drawing_of(picture), "#...\n..##\n..##\n");
 }
 
