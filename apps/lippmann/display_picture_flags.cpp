@@ -31,6 +31,7 @@ DisplayPictureParams DisplayPictureFlags::read(const InterlaceParams& interlace)
   if (flip) params.flip = FlipParams{read_shares(shares), blend.value_or(0.0)};
   params.finish = {bleed_mm.value_or(0.0), marks, proof};
   params.mirror = mirror;
+  params.view_shift_px = view_shift_px.value_or(0.0);
   params.turn_deg = turn_deg.value_or(0);
   if (params.turn_deg % 90 != 0) throw usage_error("--rotate", "is no quarter turn", "90, 180 or 270");
   return params;
@@ -43,6 +44,12 @@ void add_display_picture_flags(const Command& command, DisplayPictureFlags& flag
           "--fit", flags.fit,
           "Views of another shape than the display: crop, pad or stretch; default: stretch for native frames, else crop")
       .one_of({"crop", "pad", "stretch"});
+  group
+      .add_option("--view-shift", flags.view_shift_px,
+                  "Moves the zero plane: the part that is shown lies so many pixels further right in each next view. Above 0 "
+                  "the scene comes forward, below 0 it goes back")
+      .type_name("PX")
+      .range(-1e4, 1e4);
   group.add_flag("--flip", flags.flip, "Flip print: the pictures of IN are frames, the first at the left below each lens");
   group.add_option("--shares", flags.shares, "With --flip: the share of each frame, such as 2,1,1; default: equal")
       .type_name("N,N,...");

@@ -14,7 +14,7 @@ struct DisplayPictureFlags {
   std::string fit, shares, icc;
   bool mirror = false, flip = false, marks = false, proof = false;
   std::optional<int> turn_deg;
-  std::optional<double> blend, bleed_mm;
+  std::optional<double> blend, bleed_mm, view_shift_px;
 
   /// Throws a usage Error naming the flag.
   DisplayPictureParams read(const InterlaceParams& interlace) const;

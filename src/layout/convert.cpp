@@ -84,12 +84,17 @@ class Conversion {
   void show_one(const fs::path& in, const fs::path& out, bool is_frame, Converted& result) const {
     const Display display = with_bleed(*params_.options.display, params_.display_picture->finish.bleed_mm);
     const DisplayTarget target = display_target(display, to_.name);
-    ViewFitter fitter(display, target, params_.display_picture->fit.value_or(default_fit(target)), *pool_);
+    const DisplayPictureParams& shown = *params_.display_picture;
+    ViewFitter fitter(display, target, shown.fit.value_or(default_fit(target)), *pool_, shown.view_shift_px);
     FormatOptions reading = params_.options;
-    reading.fit_view = [&](Picture view) {
+    reading.fit_view = [&](Picture view, int number, ViewGrid grid) {
       if (params_.crop) view = cropped(std::move(view), *params_.crop);
       const Vec2d size(size_of(view));
-      return fitter.fitted(view, size.x / size.y);
+      if (params_.keep) {
+        number = number_among_kept(number, grid, *params_.keep, "keep").value_or(0);
+        grid = kept_grid(grid, *params_.keep, "keep");
+      }
+      return fitter.fitted(view, size.x / size.y, number, grid);
     };
     LightField field = open(in, reading).field;
     if (params_.keep) keep(field, *params_.keep, "keep");
@@ -97,7 +102,7 @@ class Conversion {
       if (params_.crop) crop(field, *params_.crop, "crop");
       fitter.fit(field);
     }
-    const Picture picture = display_picture(field, display, target, *params_.display_picture, *pool_);
+    const Picture picture = display_picture(field, display, target, shown, *pool_);
     fs::path path = out;
     if (is_frame || !path.has_extension()) path.replace_extension(exact_ending(picture));
     const NewFolder folder(path.parent_path());

@@ -70,7 +70,7 @@ LightField read_hci(const fs::path& folder, const FormatOptions& options) {
   std::vector<fs::path> by_view(files.size());
   for (int i = 0; i < count; ++i)
     by_view[static_cast<std::size_t>(from_top_left(grid, i))] = files[static_cast<std::size_t>(i)].path;
-  LightField field = read_view_files(by_view, grid, picture_reader(options));
+  LightField field = read_view_files(by_view, grid, options);
   if (!parameters || grid != ViewGrid{parameters->columns, parameters->rows}) return field;
   field.cameras = hci_cameras(*parameters);
   read_depth(folder, *parameters, field);

@@ -88,7 +88,7 @@ LightField read_miv(const fs::path& folder, const FormatOptions& options) {
   const ViewGrid grid = grid_of(cameras, options, folder);
   std::vector<fs::path> by_view;
   for (const MivCamera& camera : cameras) by_view.push_back(picture_of(folder, camera));
-  LightField field = read_view_files(by_view, grid, picture_reader(options));
+  LightField field = read_view_files(by_view, grid, options);
   field.cameras = cameras_of_miv(cameras);
   if (field.cameras) read_depth(folder, cameras, field);
   return field;

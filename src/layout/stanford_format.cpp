@@ -52,7 +52,7 @@ LightField read_stanford(const fs::path& folder, const FormatOptions& options) {
   std::vector<fs::path> by_view(files.size());
   for (std::size_t i = 0; i < files.size(); ++i)
     by_view[static_cast<std::size_t>(from_top_left(grid, static_cast<int>(i)))] = files[i].path;
-  LightField field = read_view_files(by_view, grid, picture_reader(options));
+  LightField field = read_view_files(by_view, grid, options);
   field.positions = stanford_positions(by_view);
   const std::optional<HciParameters> parameters = read_hci_parameters(folder);
   if (parameters && grid == ViewGrid{parameters->columns, parameters->rows}) field.cameras = hci_cameras(*parameters);

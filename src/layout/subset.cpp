@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <utility>
 
@@ -86,6 +87,20 @@ void crop(LightField& field, const Crop& window, const std::string& flag) {
   cropped.aspect *=
       static_cast<double>(window.size.x) * field.view_size.y / (static_cast<double>(window.size.y) * field.view_size.x);
   field = std::move(cropped);
+}
+
+ViewGrid kept_grid(ViewGrid grid, const KeptViews& kept, const std::string& flag) {
+  return {static_cast<int>(members(kept.columns, grid.columns, "columns", flag).size()),
+          static_cast<int>(members(kept.rows, grid.rows, "rows", flag).size())};
+}
+
+std::optional<int> number_among_kept(int view, ViewGrid grid, const KeptViews& kept, const std::string& flag) {
+  const std::vector<int> columns = members(kept.columns, grid.columns, "columns", flag);
+  const std::vector<int> rows = members(kept.rows, grid.rows, "rows", flag);
+  const auto column = std::find(columns.begin(), columns.end(), view % grid.columns);
+  const auto row = std::find(rows.begin(), rows.end(), view / grid.columns);
+  if (column == columns.end() || row == rows.end()) return std::nullopt;
+  return static_cast<int>((row - rows.begin()) * std::ssize(columns) + (column - columns.begin()));
 }
 
 void keep(LightField& field, const KeptViews& kept, const std::string& flag) {

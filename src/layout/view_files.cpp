@@ -80,13 +80,16 @@ void require_stack_fits(const std::string& where, int views, Vec2i view_size, st
         "fewer or smaller pictures");
 }
 
-LightField read_view_files(const std::vector<fs::path>& by_view, ViewGrid grid,
-                           const std::function<Picture(const fs::path&)>& read) {
+namespace {
+
+using ViewReader = std::function<Picture(const fs::path&, int view)>;
+
+LightField read_each_view(const std::vector<fs::path>& by_view, ViewGrid grid, const ViewReader& read) {
   LightField field;
   field.grid = grid;
   for (int view = 0; view < grid.count(); ++view) {
     const fs::path& path = by_view[static_cast<std::size_t>(view)];
-    const Picture picture = read(path);
+    const Picture picture = read(path, view);
     if (view == 0) {
       field.view_size = size_of(picture);
       field.aspect = static_cast<double>(field.view_size.x) / field.view_size.y;
@@ -103,11 +106,18 @@ LightField read_view_files(const std::vector<fs::path>& by_view, ViewGrid grid,
   return field;
 }
 
-std::function<Picture(const fs::path&)> picture_reader(const FormatOptions& options) {
-  return [warn = options.warn, fit = options.fit_view](const fs::path& path) {
-    Picture picture = read_picture(path, warn);
-    return fit ? fit(std::move(picture)) : picture;
-  };
+}  // namespace
+
+LightField read_view_files(const std::vector<fs::path>& by_view, ViewGrid grid,
+                           const std::function<Picture(const fs::path&)>& read) {
+  return read_each_view(by_view, grid, [&](const fs::path& path, int) { return read(path); });
+}
+
+LightField read_view_files(const std::vector<fs::path>& by_view, ViewGrid grid, const FormatOptions& options) {
+  return read_each_view(by_view, grid, [&](const fs::path& path, int view) {
+    Picture picture = read_picture(path, options.warn);
+    return options.fit_view ? options.fit_view(std::move(picture), view, grid) : picture;
+  });
 }
 
 const char* exact_ending(const Picture& picture) { return std::holds_alternative<Image>(picture) ? "exr" : "png"; }

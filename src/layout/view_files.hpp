@@ -36,8 +36,8 @@ void require_stack_fits(const std::string& where, int views, Vec2i view_size, st
 /// of them do not fit into memory. by_view: grid.count() of them.
 LightField read_view_files(const std::vector<std::filesystem::path>& by_view, ViewGrid grid,
                            const std::function<Picture(const std::filesystem::path&)>& read);
-/// read_picture with the warnings of the options, and their fit_view.
-std::function<Picture(const std::filesystem::path&)> picture_reader(const FormatOptions& options);
+/// The same by read_picture, with the warnings of the options and their fit_view.
+LightField read_view_files(const std::vector<std::filesystem::path>& by_view, ViewGrid grid, const FormatOptions& options);
 
 /// PNG for codes, EXR for floats: "png" or "exr".
 const char* exact_ending(const Picture& picture);

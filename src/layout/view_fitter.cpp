@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "image/resample_light.hpp"
@@ -50,8 +51,9 @@ AspectFit default_fit(DisplayTarget target) {
   return target == DisplayTarget::kNative ? AspectFit::kStretch : AspectFit::kCrop;
 }
 
-ViewFitter::ViewFitter(const Display& display, DisplayTarget target, AspectFit fit, const ThreadPool& pool)
-    : display_(display), target_(target), fit_(fit), pool_(pool) {
+ViewFitter::ViewFitter(const Display& display, DisplayTarget target, AspectFit fit, const ThreadPool& pool,
+                       double view_shift_px)
+    : display_(display), target_(target), fit_(fit), pool_(pool), view_shift_px_(view_shift_px) {
   aspect_ = static_cast<double>(display.pixels.x) / display.pixels.y;
   if (target == DisplayTarget::kQuilt) aspect_ = display.quilt->aspect;
   if (target != DisplayTarget::kIntegral) {
@@ -78,13 +80,28 @@ Vec2d ViewFitter::window_of(Vec2i view, double aspect) const {
   return {view.x, view.y * excess};
 }
 
-Picture ViewFitter::fitted(const Picture& view, double aspect) {
+/// The largest window of the same shape that lies in every view, wherever the shifts put it.
+Vec2d ViewFitter::window_in_all(Vec2i view, double aspect, ViewGrid grid) const {
+  Vec2d window = window_of(view, aspect);
+  const Vec2d left = Vec2d(view) - std::abs(view_shift_px_) * Vec2d(grid.columns - 1, grid.rows - 1);
+  if (left.x < 0.5 * view.x || left.y < 0.5 * view.y)
+    throw usage_error("view-shift",
+                      fmt::format("{:.4g} pixels from view to view leave less than half of {}x{} views of {}x{} pixels",
+                                  view_shift_px_, grid.columns, grid.rows, view.x, view.y),
+                      "a smaller shift");
+  if (fit_ == AspectFit::kPad) return window;
+  const Vec2d share = glm::min(left / window, Vec2d(1.0));
+  window *= fit_ == AspectFit::kStretch ? share : Vec2d(std::min(share.x, share.y));
+  return window;
+}
+
+Picture ViewFitter::fitted(const Picture& view, double aspect, int number, ViewGrid grid) {
   const Vec2i from = size_of(view);
   if (has_fitted() && from != original_)
     throw Error("views", fmt::format("one has {}x{} pixels, and others {}x{}", from.x, from.y, original_.x, original_.y),
                 "views of one size");
-  original_ = from, window_ = window_of(from, aspect);
-  const bool is_whole = window_ == Vec2d(from);
+  original_ = from, window_ = window_in_all(from, aspect, grid);
+  const bool is_whole = window_ == Vec2d(from) && view_shift_px_ == 0.0;
   // Panels sample views of any size, as players do. Views that are cropped or padded are reduced first if they are larger.
   const bool is_small = from.x <= display_.pixels.x && from.y <= display_.pixels.y;
   if (target_ == DisplayTarget::kNative && is_whole && (is_small || fit_ == AspectFit::kStretch)) {
@@ -93,7 +110,8 @@ Picture ViewFitter::fitted(const Picture& view, double aspect) {
   }
   if (is_whole && from == size_ && first_ == 0.0) return view;
   const bool pads = fit_ == AspectFit::kPad;
-  const Vec2d corner = 0.5 * (Vec2d(from) - window_);
+  const Vec2d place = Vec2d(number % grid.columns, number / grid.columns) - 0.5 * Vec2d(grid.columns - 1, grid.rows - 1);
+  const Vec2d corner = 0.5 * (Vec2d(from) - window_) + view_shift_px_ * place * Vec2d(1.0, -1.0);
   const AxisSamples across{corner.x + first_ * window_.x, step_ * window_.x, size_.x, pads};
   const AxisSamples down{corner.y, window_.y / size_.y, size_.y, pads};
   return with_samples_like(view, resampled_light(view, across, down, pool_));
@@ -102,7 +120,7 @@ Picture ViewFitter::fitted(const Picture& view, double aspect) {
 void ViewFitter::fit(LightField& field) {
   LightField made{{}, field.grid, {0, 0}, field.aspect, field.tiles, field.bits, {}, field.cameras, field.positions};
   for (int view = 0; view < field.grid.count(); ++view) {
-    const Picture picture = fitted(view_of(field, view), field.aspect);
+    const Picture picture = fitted(view_of(field, view), field.aspect, view, field.grid);
     if (view == 0) made.view_size = size_of(picture), made.stack = blank(picture, stack_size(made));
     set_view(made, view, picture);
   }
@@ -115,7 +133,9 @@ std::string ViewFitter::described() const {
   if (used != original_)
     text = fmt::format("{} from {}x{} to {}x{}", fit_ == AspectFit::kPad ? "padded" : "cropped", original_.x, original_.y,
                        used.x, used.y);
-  if (size_ != used) text += fmt::format("{}resized to {}x{}", text.empty() ? "" : ", ", size_.x, size_.y);
+  const auto add = [&](const std::string& more) { text += (text.empty() ? "" : ", ") + more; };
+  if (view_shift_px_ != 0.0) add(fmt::format("shifted by {:.4g} pixels from view to view", view_shift_px_));
+  if (size_ != used) add(fmt::format("resized to {}x{}", size_.x, size_.y));
   return text;
 }
 

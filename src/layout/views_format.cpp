@@ -52,7 +52,7 @@ LightField read_views(const fs::path& folder, const FormatOptions& options) {
   if (grid.count() != count)
     throw usage_error(
         "views", fmt::format("{}x{} are not as many as the {} views in {}", grid.columns, grid.rows, count, folder.string()));
-  LightField field = read_view_files(by_view, grid, picture_reader(options));
+  LightField field = read_view_files(by_view, grid, options);
   if (options.with_depth) read_depth(by_view, field);
   return field;
 }

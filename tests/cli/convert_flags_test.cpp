@@ -50,6 +50,7 @@ const std::map<std::string, std::string>& values() {
                                                       {"--near-black", ""},
                                                       {"--depth-scale", "0.5"},
                                                       {"--fit", "pad"},
+                                                      {"--view-shift", "0.5"},
                                                       {"--flip", ""},
                                                       {"--shares", "1,2"},
                                                       {"--blend", "0.5"},

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -215,6 +216,76 @@ TEST(DisplayPicture, same_for_any_number_of_threads) {
   EXPECT_TRUE(test::same_samples(made_with(1), made_with(4)));
 }
 
+/// A texture that moves to the right by two pixels from view to view.
+Image8 moving_view(int view) {
+  Image8 image = plain({40, 30}, 0, 0, 90);
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 40; ++x)
+      image.rgb[3 * static_cast<std::size_t>(40 * y + x)] =
+          static_cast<unsigned char>(1 + (37 * (x - 2 * view + 8) + 11 * y) % 255);
+  return image;
+}
+
+TEST(DisplayPicture, shift_of_views_stops_what_moves_by_it) {
+  const Display sheet = load_display("pitch-mm=1 dpi=254 paper=360x270px");  // 4:3, 36 lenses
+  const ThreadPool pool(1);
+  ViewFitter fitter(sheet, DisplayTarget::kIntegral, AspectFit::kCrop, pool, 2.0);
+  const ViewGrid grid{3, 1};
+  const Picture left = fitter.fitted(moving_view(0), 4.0 / 3.0, 0, grid);
+  EXPECT_EQ(fitter.described(), "cropped from 40x30 to 36x27, shifted by 2 pixels from view to view, resized to 36x270");
+  for (int view = 1; view < 3; ++view)
+    EXPECT_TRUE(test::same_samples(fitter.fitted(moving_view(view), 4.0 / 3.0, view, grid), left)) << view;
+}
+
+TEST(DisplayPicture, shift_of_rows_moves_the_window_up) {
+  const Display array = display_from_toml(
+      "kind = \"microlens-array\"\npixels = [40, 40]\ndpi = 254\nview_cone_deg = 30\n[lenses]\npitch_mm = 0.4\n", "array.toml");
+  const ThreadPool pool(1);
+  ViewFitter fitter(array, DisplayTarget::kIntegral, AspectFit::kCrop, pool, 3.0);
+  Image8 view = plain({33, 33}, 0, 0, 0);
+  for (int y = 0; y < 33; ++y)
+    for (int x = 0; x < 33; ++x)
+      view.rgb[3 * static_cast<std::size_t>(33 * y + x)] = static_cast<unsigned char>(y < 3 ? 200 : 0);
+  const auto red = [&](int row) { return int{std::get<Image8>(fitter.fitted(view, 1.0, row, {1, 2})).rgb[0]}; };
+  EXPECT_EQ(red(0), 0) << "rows 3 to 33";
+  EXPECT_EQ(red(1), 200) << "rows 0 to 30";
+}
+
+TEST(DisplayPicture, shifted_views_show_edges_only_if_padded) {
+  const Display go = load_display("go");
+  const ThreadPool pool(1);
+  const auto darkest = [&](AspectFit fit, int view) {
+    ViewFitter fitter(go, DisplayTarget::kQuilt, fit, pool, 3.0);
+    const auto fitted = std::get<Image8>(fitter.fitted(plain({90, 160}, 200, 200, 200), 90.0 / 160.0, view, {3, 1}));
+    return int{*std::min_element(fitted.rgb.begin(), fitted.rgb.end())};
+  };
+  for (const int view : {0, 1, 2}) {
+    EXPECT_EQ(darkest(AspectFit::kCrop, view), 200) << view;
+    EXPECT_EQ(darkest(AspectFit::kStretch, view), 200) << view;
+  }
+  EXPECT_EQ(darkest(AspectFit::kPad, 0), 0);
+  EXPECT_EQ(darkest(AspectFit::kPad, 1), 200);
+  EXPECT_EQ(darkest(AspectFit::kPad, 2), 0);
+}
+
+TEST(DisplayPicture, shift_counts_the_views_that_are_kept) {
+  const test::TempDir dir;
+  std::filesystem::create_directories(dir / "all");
+  std::filesystem::create_directories(dir / "some");
+  for (int view = 0; view < 5; ++view) {
+    write_picture(dir / ("all/view_" + std::to_string(view) + ".png"), moving_view(view));
+    if (view % 2 == 1) write_picture(dir / ("some/view_" + std::to_string(view / 2) + ".png"), moving_view(view));
+  }
+  ConvertParams params{.from = "views", .to = "integral"};
+  params.options.display = load_display("pitch-mm=1 dpi=254 paper=360x270px");
+  params.display_picture = DisplayPictureParams{};
+  params.display_picture->view_shift_px = 4.0;
+  convert(dir / "some", dir / "some.png", params);
+  params.keep = read_kept_views("1-3:2", "keep");
+  convert(dir / "all", dir / "all.png", params);
+  EXPECT_TRUE(test::same_samples(read_picture(dir / "some.png"), read_picture(dir / "all.png")));
+}
+
 TEST(DisplayPicture, padded_views_have_black_bars) {
   const ThreadPool pool(1);
   const Display go = load_display("go");
@@ -243,6 +314,11 @@ TEST(DisplayPicture, refuses_what_makes_no_print) {
   ViewFitter fitter(go, DisplayTarget::kQuilt, AspectFit::kCrop, pool);
   fitter.fitted(plain({90, 80}, 1, 1, 1), 1.0);
   EXPECT_THAT(test::error_message([&] { fitter.fitted(plain({90, 81}, 1, 1, 1), 1.0); }), HasSubstr("90x81"));
+  ViewFitter shifted(go, DisplayTarget::kQuilt, AspectFit::kCrop, pool, -24.0);
+  EXPECT_THAT(test::error_message([&] {
+                shifted.fitted(plain({90, 80}, 1, 1, 1), 1.0, 0, {3, 1});
+              }),
+              HasSubstr("view-shift: -24 pixels from view to view leave less than half"));
 }
 
 }  // namespace

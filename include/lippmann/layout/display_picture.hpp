@@ -43,6 +43,7 @@ struct DisplayPictureParams {
   std::optional<FlipParams> flip = {};       ///< sheets only
   bool mirror = false;                       ///< left and right change places, for prints on the back of a sheet
   int turn_deg = 0;                          ///< clockwise: 0, 90, 180 or 270
+  double view_shift_px = 0.0;                ///< as ViewFitter has it
   PrintFinish finish = {};                   ///< sheets and arrays only
 };
 
@@ -61,26 +62,34 @@ std::string_view own_format(const Display& display);
 /// Fits views, one at a time, to what a display resolves.
 class ViewFitter {
  public:
+  /// view_shift_px moves the zero plane: the window that is shown moves to the right by so many pixels of a view from each
+  /// column to the next, around the middle of all, and up likewise from row to row. Above 0 the scene comes forward. Cropped
+  /// and stretched views keep only what the shifts leave of all of them; padded ones get black edges.
+  ///
   /// The arguments must outlive this object. Throws a usage Error for strips below 2 pixels or wider than the picture.
-  ViewFitter(const Display& display, DisplayTarget target, AspectFit fit, const ThreadPool& pool);
+  ViewFitter(const Display& display, DisplayTarget target, AspectFit fit, const ThreadPool& pool, double view_shift_px = 0.0);
 
-  /// `aspect`: of the scene that the view shows, width / height. Throws Error if the size is not that of the first view.
-  Picture fitted(const Picture& view, double aspect);
+  /// `aspect`: of the scene that the view shows, width / height. `number`: of the view in `grid`, for its shift. Throws Error
+  /// if the size is not that of the first view, and a usage Error naming `view-shift` for shifts that leave less than half of
+  /// it.
+  Picture fitted(const Picture& view, double aspect, int number = 0, ViewGrid grid = {1, 1});
   /// The same for each view of a light field in memory.
   void fit(LightField& field);
 
   Vec2i size() const { return size_; }
   bool has_fitted() const { return original_.x > 0; }
-  /// "cropped from 4000x3000 to 2250x3000, resized to 372x682".
+  /// "cropped from 4000x3000 to 2250x3000, shifted by 1.5 pixels from view to view, resized to 372x682".
   std::string described() const;
 
  private:
   Vec2d window_of(Vec2i view, double aspect) const;
+  Vec2d window_in_all(Vec2i view, double aspect, ViewGrid grid) const;
 
   const Display& display_;
   DisplayTarget target_;
   AspectFit fit_;
   const ThreadPool& pool_;
+  double view_shift_px_;
   Vec2i size_{0, 0};
   double first_ = 0.0, step_ = 1.0;  ///< the display's share of width where the first sample begins, and of each sample
   double aspect_ = 1.0;              ///< of the display

@@ -31,7 +31,8 @@ struct FormatOptions {
   std::optional<StereoLayout> stereo = {};     ///< how two views lie in one picture; none: as its name says, or side by side
   std::optional<DepthRange> depth_range = {};  ///< greys cover it; none: as the RGB-D picture's side file says, or all there is
   std::optional<bool> even_in_depth = {}, near_black = {};  ///< how they are coded; none: as the side file says (DepthCoding)
-  std::function<Picture(Picture)> fit_view = {};    ///< applied to each view as its file is read: huge ones need not be kept
+  /// Applied to each view as its file is read, so that large ones need not be kept. `view`: its number in the grid.
+  std::function<Picture(Picture, int view, ViewGrid grid)> fit_view = {};
   std::function<void(std::string_view)> warn = {};  ///< of what pictures say and is not honoured (image/picture_file.hpp)
 };
 
