@@ -14,9 +14,11 @@
 #include "image/webp.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/core/version.hpp"
+#include "lippmann/display/load_display.hpp"
 #include "lippmann/optics/crosstalk.hpp"
 #include "view/field_json.hpp"
 #include "view/page_files.hpp"
+#include "view/page_print.hpp"
 
 namespace lippmann {
 namespace {
@@ -25,7 +27,7 @@ namespace {
 constexpr int kServedEffort = 0;
 /// Of a sigma, in hundredths of a pixel.
 constexpr auto kMostCrosstalk = static_cast<std::size_t>(100.0 * kMaxBlurPx);
-constexpr std::string_view kCalibration = "calibration", kLive = "live", kRun = "run";
+constexpr std::string_view kCalibration = "calibration", kLive = "live", kRun = "run", kPrint = "print";
 
 PageAnswer answer_with(int status, std::string text, std::string type = "text/plain; charset=utf-8") {
   return {status, std::move(type), std::make_shared<const std::string>(std::move(text))};
@@ -81,17 +83,25 @@ PagePicture page_picture(const PageField& field, std::string_view kind, std::siz
   return encoded_picture(kind == "provenance" ? field.provenance(frame) : field.panel(frame), effort);
 }
 
-std::string fields_text(const std::vector<std::unique_ptr<PageField>>& fields, const std::optional<PageDisplay>& display) {
+std::string fields_text(const std::vector<std::unique_ptr<PageField>>& fields, const std::optional<PageDisplay>& display,
+                        PageOffers offers) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const auto& field : fields) list.push_back(field_json(field->facts()));
   nlohmann::ordered_json json{{"lippmann", version()}, {"fields", std::move(list)}};
   if (display) json["display"] = page_display_json(*display);
+  if (offers.prints) {
+    nlohmann::ordered_json displays = nlohmann::ordered_json::array();
+    for (const Display& one : display_presets()) displays.push_back(one.name);
+    json["prints"] = {{"displays", std::move(displays)}};
+  }
   return json_to_text(json, -1);
 }
 
 PageAnswers::PageAnswers(std::vector<std::unique_ptr<PageField>> fields, PageAccess access, std::optional<PageDisplay> display,
                          std::size_t cache_bytes)
-    : fields_(std::move(fields)), access_(std::move(access)), display_(std::move(display)), cache_(cache_bytes) {}
+    : fields_(std::move(fields)), access_(std::move(access)), display_(std::move(display)), cache_(cache_bytes) {
+  if (fields_.size() == 1 && fields_.front()->has_plain_views()) prints_ = std::make_shared<PagePrints>(*fields_.front());
+}
 
 PageAnswers::PageAnswers(std::unique_ptr<LivePage> live, PageAccess access)
     : live_(std::move(live)), access_(std::move(access)), cache_(0) {}
@@ -101,10 +111,11 @@ PageAnswers::PageAnswers(std::unique_ptr<PageField> field, std::shared_ptr<Runni
   fields_.push_back(std::move(field));
 }
 
-/// A text is a calibration, of which nothing is kept, or what is to be done with a live scene or with a render that runs.
+/// A text is a calibration, of which nothing is kept, the settings of a print, or what is to be done with a live scene or with
+/// a render that runs.
 bool PageAnswers::takes_text(std::string_view path) const {
   const std::string_view part = path.substr(0, path.find('/'));
-  return path == kCalibration || (part == kLive && live_) || (part == kRun && render_);
+  return path == kCalibration || (path == kPrint && prints_) || (part == kLive && live_) || (part == kRun && render_);
 }
 
 std::optional<PageAnswer> PageAnswers::refusal(const PageRequest& request) const {
@@ -135,6 +146,7 @@ PageAnswer PageAnswers::answer(const PageRequest& request) {
 
 PageAnswer PageAnswers::answer_text(const PageRequest& request, std::string_view path) {
   if (path == kCalibration) return calibration(request.body);
+  if (path == kPrint) return make_print(request.body);
   cut_part(path);
   return live_ ? live_->post(path, request.body) : run_order(path);
 }
@@ -148,6 +160,7 @@ PageAnswer PageAnswers::answer_path(std::string_view path) {
   const std::string_view part = cut_part(rest);
   if (live_ && part == kLive) return live_->get(rest);
   if (render_ && part == kRun) return run_state(rest);
+  if (prints_ && part == kPrint) return print_picture(rest);
   return picture(path);
 }
 
@@ -157,7 +170,7 @@ std::string PageAnswers::description() const {
                          {"fields", nlohmann::ordered_json::array({field_json(fields_.front()->facts())})},
                          {"run", render_->state_after(0)}},
                         -1);
-  if (!live_) return fields_text(fields_, display_);
+  if (!live_) return fields_text(fields_, display_, {.prints = prints_ != nullptr});
   return json_to_text(
       {{"lippmann", version()}, {"fields", nlohmann::ordered_json::array({live_->field()})}, {"live", live_->about()}}, -1);
 }
@@ -174,6 +187,24 @@ PageAnswer PageAnswers::calibration(const std::string& text) const {
   } catch (const Error& error) {
     return failed(error.what());
   }
+}
+
+PageAnswer PageAnswers::make_print(const std::string& request) {
+  try {
+    return answer_with(200, json_to_text(prints_->make(request), -1), "application/json");
+  } catch (const Error& error) {
+    return failed(error.what());
+  }
+}
+
+/// KIND/ID
+PageAnswer PageAnswers::print_picture(std::string_view path) const {
+  const std::string_view kind = cut_part(path);
+  const std::optional<std::size_t> id = number_in(path);
+  if (!id) return unknown_path();
+  const Bytes bytes = prints_->picture(kind, *id);
+  if (!bytes) return prints_->is_outdated(*id) ? PageAnswer{204, "text/plain", nullptr} : unknown_path();
+  return {200, bytes->starts_with("RIFF") ? "image/webp" : "image/png", bytes};
 }
 
 /// state/KNOWN

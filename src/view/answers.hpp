@@ -48,12 +48,17 @@ class LivePage {
   virtual PageAnswer post(std::string_view path, const std::string& body) = 0;
 };
 
+class PagePrints;  // view/page_print.hpp
+
 /// Thread-safe.
 class PageAnswers {
  public:
   static constexpr std::size_t kDefaultCacheBytes = std::size_t{256} << 20;
 
-  /// `display`: what the first of them is played on, as require_own_frame and require_one_row allow.
+  /// `display`: what the first of them is played on, as require_own_frame and require_one_row allow. Of one light field with
+  /// plain views, pages may ask for prints (view/page_print.hpp):
+  ///   POST print                     PagePrints::make
+  ///   GET  print/views/ID, print/panel/ID, print/file/ID
   PageAnswers(std::vector<std::unique_ptr<PageField>> fields, PageAccess access, std::optional<PageDisplay> display = {},
               std::size_t cache_bytes = kDefaultCacheBytes);
 
@@ -79,12 +84,15 @@ class PageAnswers {
   InterlaceParams interlace() const;
   PageAnswer calibration(const std::string& text) const;
   PageAnswer picture(std::string_view path);
+  PageAnswer make_print(const std::string& request);
+  PageAnswer print_picture(std::string_view path) const;
   PageAnswer run_state(std::string_view path);
   PageAnswer run_order(std::string_view order);
 
   std::vector<std::unique_ptr<PageField>> fields_;
   std::unique_ptr<LivePage> live_;
   std::shared_ptr<RunningRender> render_;
+  std::shared_ptr<PagePrints> prints_;        ///< null: there are none
   PageAccess access_;
   std::optional<PageDisplay> display_;
   ByteCache cache_;
@@ -98,7 +106,13 @@ struct PagePicture {
 PagePicture encoded_picture(const Image8& picture, int effort);
 PagePicture page_picture(const PageField& field, std::string_view kind, std::size_t frame, int effort);
 
-/// fields.json: the version, what field_json says of each, and the display that they are played on.
-std::string fields_text(const std::vector<std::unique_ptr<PageField>>& fields, const std::optional<PageDisplay>& display = {});
+struct PageOffers {
+  bool prints = false;
+};
+
+/// fields.json: the version, what field_json says of each, the display that they are played on, and what the server
+/// offers beside them: prints, with the displays that it knows.
+std::string fields_text(const std::vector<std::unique_ptr<PageField>>& fields, const std::optional<PageDisplay>& display = {},
+                        PageOffers offers = {});
 
 }  // namespace lippmann

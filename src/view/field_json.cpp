@@ -1,8 +1,8 @@
 #include "view/field_json.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/json_fields.hpp"
 #include "lippmann/trace/aovs.hpp"
 #include "view/page_display.hpp"
 
@@ -61,8 +61,6 @@ Json provenance_json() {
   for (const ProvenanceInfo& info : kProvenanceInfos) infos.push_back({{"name", info.name}, {"missed", info.missed}});
   return infos;
 }
-
-Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 }  // namespace
 

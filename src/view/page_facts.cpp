@@ -45,6 +45,11 @@ void describe_views(const Optics& optics, const ViewLayout& film, PageFacts& fac
   facts.lens_samples_up = lenses && lenses->row_pitch_mm > 0.0;
 }
 
+/// Whether every view has a pixel below every lens: prints may end within one.
+bool has_whole_lenses(const ViewLayout& film, Vec2i picture) {
+  return film.kind != LayoutKind::kIntegral || (picture.x % film.grid.columns == 0 && picture.y % film.grid.rows == 0);
+}
+
 Image seen_by_eyes(const RenderedPanel& rendered, const PageFacts& facts, const ThreadPool& pool, double crosstalk_px) {
   const Vec2i size = facts.view_size;
   const ViewGrid &grid = facts.grid, &tiles = facts.tiles;
@@ -66,7 +71,8 @@ Image seen_by_eyes(const RenderedPanel& rendered, const PageFacts& facts, const 
 
 PageFacts page_facts(const Optics& optics) {
   PageFacts facts;
-  if (const std::optional<RenderedViews> views = rendered_views(optics))
+  const std::optional<RenderedViews> views = rendered_views(optics);
+  if (views && has_whole_lenses(views->film, picture_size(optics)))
     describe_views(optics, views->film, facts);
   else
     describe_eyes(optics, facts);
@@ -89,7 +95,8 @@ Image8 views_quilt(const RenderedPanel& rendered, const PageFacts& facts, const 
                    double crosstalk_px) {
   const ViewLayout quilt{LayoutKind::kQuilt, facts.grid, facts.tiles};
   const std::optional<RenderedViews> views = rendered_views(rendered.optics);
-  if (!views) return to_codes(seen_by_eyes(rendered, facts, pool, crosstalk_px), Encoding::kSrgb);
+  if (!views || facts.panel == PanelPicture::kOwn)
+    return to_codes(seen_by_eyes(rendered, facts, pool, crosstalk_px), Encoding::kSrgb);
   const Vec2i size(rendered.picture.width, rendered.picture.height);
   if (facts.panel == PanelPicture::kQuilt && size == picture_size(quilt, facts.view_size))
     return to_codes(rendered.picture, Encoding::kSrgb);

@@ -119,6 +119,20 @@ Image8 PageField::provenance(std::size_t frame) const {
 
 Image8 PageField::panel(std::size_t frame) const { return to_codes(read(frame).picture, Encoding::kSrgb); }
 
+LightField PageField::views(std::size_t frame,
+                            const std::function<Picture(const Picture&, int view, ViewGrid grid)>& fit) const {
+  const fs::path file = file_of(frame);
+  require_within(root_, file);
+  FormatOptions options;
+  options.views = hints_.views, options.tiles = hints_.tiles, options.fit_view = fit;
+  const LightFieldSource source = light_field_source(file, hints_.from, options);
+  return source.format->read(file, source.options);
+}
+
+bool PageField::has_plain_views() const {
+  return !coming_ && !frames_.is_panel && facts_.panel != PanelPicture::kOwn && facts_.grid.count() > 1;
+}
+
 fs::path PageField::file_of(std::size_t frame) const {
   if (!coming_) return frames_.files[frame];
   if (const std::optional<fs::path> file = coming_->file(frame)) return *file;
@@ -145,7 +159,7 @@ PageField::Layered PageField::layered(std::size_t frame) const {
 }
 
 void PageField::find_layers() {
-  if (frames_.is_panel || facts_.panel == PanelPicture::kOwn || facts_.grid.count() < 2) return;
+  if (!has_plain_views()) return;
   const Layered first = layered(0);
   facts_.has_depth = first.field.depth.has_value();
   facts_.has_provenance = first.provenance.has_value();

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lippmann/core/parallel.hpp"
+#include "lippmann/layout/light_field.hpp"
 #include "lippmann/replay/light_field_frames.hpp"
 #include "view/page_facts.hpp"
 
@@ -41,6 +42,12 @@ class PageField {
   Image8 provenance(std::size_t frame) const;
   /// sRGB codes of facts().panel_size.
   Image8 panel(std::size_t frame) const;
+  /// The views as the files have them. Needs has_plain_views(). `fit`: as FormatOptions::fit_view.
+  LightField views(std::size_t frame, const std::function<Picture(const Picture&, int view, ViewGrid grid)>& fit) const;
+
+  /// Whether files hold the pixels of two views or more, and all of them are there.
+  bool has_plain_views() const;
+  int threads() const { return pool_.threads(); }
 
  private:
   RenderedPanel read(std::size_t frame) const;

@@ -8,6 +8,7 @@ import { orbitOf, planeDistance, planeRange, setOrbit, setPlaneDistance, setZoom
 import { codeFromLinear, openGl } from "./gl";
 import { Pace } from "./pace";
 import { Player } from "./player";
+import { Print, type PrintChoices } from "./print";
 import { showLegend } from "./provenance";
 import { Run, type RunState } from "./run";
 import { Renderer, useOf } from "./renderer";
@@ -71,6 +72,7 @@ export class App {
   readonly headset: Headset;
   readonly live: Live | null;
   readonly run: Run | null;
+  readonly print: Print | null;
   private wanted = true;
   private moved = false;
   private readonly pace = new Pace();
@@ -85,6 +87,7 @@ export class App {
     display: PanelDisplay | null,
     about: Choices | null,
     run: RunState | null,
+    prints: PrintChoices | null,
   ) {
     this.run = run && new Run(run, fields[0], () => this.hearOfRun(), (topic, text) => this.notify(topic, text));
     this.store = new Store(fields, display !== null, display !== null && (about?.plays ?? true), about !== null);
@@ -93,6 +96,7 @@ export class App {
     this.renderer = new Renderer(gl, fields, this.frames);
     this.timeline = new Timeline(byId("time"), this.store, (frame) => this.isThere(frame));
     this.live = about && new Live(about, fields[0], this.frames, (picture) => this.hearOfScene(picture), (topic, text) => this.notify(topic, text));
+    this.print = prints && new Print(prints, fields[0], this.frames, () => this.store.state, (facts) => this.takeFacts(facts), (picture) => this.hearOfPrint(picture), (topic, text) => this.notify(topic, text));
     this.player = new Player(gl, this.store, this.frames, byId("stage"), (about, text) => this.notify(about, text));
     if (display) this.beginPlaying(display);
     this.tilt = new Tilt(
@@ -117,12 +121,15 @@ export class App {
       headset: this.headset,
       live: this.live,
       run: this.run,
+      print: this.print,
+      savePrint: () => this.print?.save(fields[0].title),
     });
     this.store.listen(() => {
       this.moved = true;
       this.outdate();
     });
     this.store.listen(() => this.live?.setFrame(this.store.state.frame));
+    this.store.listen(() => this.print?.follow());
     this.listen();
     this.head();
     if (this.run) this.beginRun();
@@ -188,6 +195,29 @@ export class App {
     this.redraw();
   }
 
+  /** What is seen is something else from now on; the eye stays where it was in the viewing zone. */
+  private takeFacts(facts: Partial<Field>): void {
+    const [field] = this.fields;
+    const [across, up] = this.shares();
+    Object.assign(field, facts);
+    const [, y, z] = field.eye_mm;
+    this.store.set({ eye: [slopeInZone(field.across, across) * z, field.up.views > 1 ? slopeInZone(field.up, up) * z : y, z] });
+  }
+
+  /** Of the print: it is being made, or is shown in place of the views. */
+  private hearOfPrint(picture: boolean): void {
+    const stage = byId("stage");
+    stage.dataset.print = this.print?.isBusy ? "making" : this.print?.isSeen ? "shown" : "";
+    this.canvas.style.cursor = this.print?.awaitsClick ? "crosshair" : "";
+    if (picture) {
+      this.timeline.pause();
+      this.noticeOfAssumption();
+      byId("facts").textContent = this.print?.isSeen ? "seen through the lenses of the print" : describe(this.fields[0]);
+      this.outdate();
+    }
+    this.updateControls();
+  }
+
   private progress(): string {
     const state = this.live?.state;
     if (!state || this.live?.isAtRest) return ", as rendered";
@@ -205,7 +235,13 @@ export class App {
     byId("title").textContent = titles.join(" and ");
     byId("facts").textContent = describe(this.fields[0]);
     this.noticeOfShapes();
-    for (const field of this.fields) if (field.assumption) this.notify("assumption", "Nothing says where the cameras stood: angles and depths are assumed.");
+    this.noticeOfAssumption();
+  }
+
+  /** A print's lenses are known. */
+  private noticeOfAssumption(): void {
+    const isAssumed = this.fields.some((field) => field.assumption) && !this.print?.isSeen;
+    this.notify("assumption", isAssumed ? "Nothing says where the cameras stood: angles and depths are assumed." : "");
   }
 
   /** Two light fields are laid over each other by their displays' windows, whatever the size of these. */
@@ -547,6 +583,7 @@ export class App {
     const { state } = this.store;
     const share = this.renderer.shareAt(state, at.x, at.y);
     if (!share || state.show !== "eye") return;
+    if (this.print?.awaitsClick) return this.putZeroPlaneAt(share);
     if (this.live && state.drag === "turn") return;
     if (this.live && state.drag === "plane") this.putPlaneAt(share);
     else this.focusAt(share);
@@ -556,6 +593,12 @@ export class App {
   putPlaneAt(share: [number, number]): void {
     const depth = this.renderer.depthAt(this.store.state, share);
     if (depth !== null && Number.isFinite(depth)) this.live?.setPlane(depth);
+  }
+
+  /** What is seen there shall lie in the zero plane of the print. */
+  private putZeroPlaneAt(share: [number, number]): void {
+    const depth = this.renderer.depthAt(this.store.state, share);
+    if (depth !== null && Number.isFinite(depth)) this.print?.setPlane(depth);
   }
 
   /** Focuses on what is seen there; a closed aperture opens. */

@@ -5,6 +5,8 @@ import { hasCrosstalk, neighbourShare, shareOfZone, slopeInZone, type Field } fr
 import type { Live } from "./live";
 import { setUpGroups } from "./live_controls";
 import type { Player } from "./player";
+import type { Print } from "./print";
+import { printGroup } from "./print_controls";
 import { runGroup } from "./run_controls";
 import type { Run } from "./run";
 import type { State, Store } from "./state";
@@ -26,6 +28,8 @@ export interface Actions {
   headset: Headset;
   live: Live | null;
   run: Run | null;
+  print: Print | null;
+  savePrint: () => void;
 }
 
 /** Fills `parent`; what is returned brings all controls up to the state. */
@@ -44,6 +48,7 @@ export function makeControls(parent: HTMLElement, store: Store, actions: Actions
       onlyIf(() => hasViews() && store.state.show !== "display", eyeGroup(store, field, actions, shown), shown),
       onlyIf(() => hasViews() && store.state.show !== "display", focusGroup(store, actions, shown), shown),
       pictureGroup(store, field, actions, hasViews, shown),
+      actions.print ? onlyIf(() => store.state.show !== "display", printGroup(actions.print, actions.savePrint, shown), shown) : null,
       beginsOnPanel ? null : playGroup(actions.player, actions.live !== null, shown),
       element(
         "div",
@@ -150,7 +155,7 @@ function pictureGroup(store: Store, field: Field, actions: Actions, hasViews: ()
     showChoice(store, hasViews, shown),
     choice("Between views", "between", [["depth", "Moved by their depth"], ["blend", "Blended"]], store, shown, () => field.depth),
     check("Show single lenses", () => state.lenses, (lenses) => store.set({ lenses }), shown, () => field.lens_samples.some(Boolean)),
-    slider({ label: "Crosstalk", late: () => asksForCrosstalk(field), applies: () => (hasCrosstalk(field) || (asksForCrosstalk(field) && actions.live === null)) && state.show === "eye" && state.aperture === 0, range: () => [0, Math.max(2, state.crosstalk)], value: () => state.crosstalk, text: (value) => (value === 0 ? "none" : `${rounded(value, 2)}\u2009px, ${rounded(100 * neighbourShare(value), 1)}\u2009%`), set: (crosstalk) => store.set({ crosstalk: Math.round(100 * crosstalk) / 100 }), reset: () => store.set({ crosstalk: 0 }) }, shown),
+    slider({ label: "Crosstalk", late: () => asksForCrosstalk(field), applies: () => (hasCrosstalk(field) || (asksForCrosstalk(field) && actions.live === null && !actions.print?.isSeen)) && state.show === "eye" && state.aperture === 0, range: () => [0, Math.max(2, state.crosstalk)], value: () => state.crosstalk, text: (value) => (value === 0 ? "none" : `${rounded(value, 2)}\u2009px, ${rounded(100 * neighbourShare(value), 1)}\u2009%`), set: (crosstalk) => store.set({ crosstalk: Math.round(100 * crosstalk) / 100 }), reset: () => store.set({ crosstalk: 0 }) }, shown),
     choice("Overlay", "overlay", [["none", "None"], ["provenance", "Where pixels came from"], ["missed", "Missed pixels"]], store, shown, () => field.provenance !== null && state.show !== "display"),
     check("Epipolar-plane image", () => state.line >= 0, (on) => store.set({ line: on ? 0.5 : -1 }), shown, () => field.across.views > 1),
     slider({ label: "Line, from the top", applies: () => state.line >= 0, range: () => [0, 1], value: () => state.line, text: (value) => `${rounded(100 * value, 0)}\u2009%`, set: (line) => store.set({ line }) }, shown),

@@ -73,6 +73,35 @@ export function chooser(label: string, options: () => [string, string][], value:
   return row;
 }
 
+interface EntrySettings {
+  label: string;
+  value: () => string;
+  set: (value: string) => void;
+  applies: () => boolean;
+  numeric?: boolean;
+  /** Offered while it is typed. */
+  choices?: string[];
+}
+
+/** A short text, taken when it is done. */
+export function entry(settings: EntrySettings, shown: Shown[]): HTMLElement {
+  const id = `control-${nextId++}`;
+  const input = element("input", { type: "text", id, inputMode: settings.numeric ? "decimal" : "text", autocomplete: "off", spellcheck: false });
+  const row = element("div", { className: "row entry" }, element("label", { htmlFor: id }, settings.label), input);
+  if (settings.choices) {
+    input.setAttribute("list", `${id}-choices`);
+    row.append(element("datalist", { id: `${id}-choices` }, ...settings.choices.map((value) => element("option", { value }))));
+  }
+  input.addEventListener("change", () => settings.set(input.value.trim()));
+  shown.push({
+    update: () => {
+      row.hidden = !settings.applies();
+      if (document.activeElement !== input) input.value = settings.value();
+    },
+  });
+  return row;
+}
+
 export function check(label: string, value: () => boolean, set: (on: boolean) => void, shown: Shown[], applies = () => true): HTMLElement {
   const id = `control-${nextId++}`;
   const input = element("input", { type: "checkbox", id });

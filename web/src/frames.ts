@@ -180,6 +180,13 @@ export class Frames {
     before.forEach((one) => one && this.deleteTextures(one));
   }
 
+  /** Shows the frames of files again. */
+  endLive(): void {
+    this.isLive = false;
+    for (const one of [this.live, this.livePlayed]) if (one) this.deleteTextures(one);
+    this.live = this.livePlayed = this.livePictures = null;
+  }
+
   /** These are not given up, whatever the bound says. */
   pin(fields: number[], frame: number): void {
     this.pinned = fields.map((field) => `${field}/${frame}/`);

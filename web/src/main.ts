@@ -5,15 +5,16 @@ import { readDisplay } from "./display";
 import { readFields, Refusal } from "./field";
 import type { Choices } from "./live";
 import { steerFromOutside } from "./outside";
+import type { PrintChoices } from "./print";
 import type { RunState } from "./run";
 
 async function start(): Promise<void> {
   try {
     const json = await loadFields();
     const fields = readFields(json);
-    const { display, live, run } = json as { display?: unknown; live?: Choices; run?: RunState };
+    const { display, live, run, prints } = json as { display?: unknown; live?: Choices; run?: RunState; prints?: PrintChoices };
     const panel = display ?? live?.display;
-    const app = new App(fields, panel ? readDisplay(panel) : null, live ?? null, run ?? null);
+    const app = new App(fields, panel ? readDisplay(panel) : null, live ?? null, run ?? null, prints ?? null);
     steerFromOutside(app);
   } catch (error) {
     fail(error);

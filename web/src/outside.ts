@@ -4,6 +4,7 @@
 import { shareOutOfZone } from "./field";
 import type { App } from "./app";
 import type { LiveState } from "./live";
+import type { Print } from "./print";
 import type { RunState } from "./run";
 import type { State } from "./state";
 
@@ -22,6 +23,8 @@ interface Handle {
   /** Of a scene that is set up: what the program says of it, and settings by the names of flags. */
   readonly scene: LiveState | null;
   setUp(settings: Record<string, string | null>): void;
+  /** Of a print: the field that the program described last, as it was answered; null: none is made. */
+  readonly print: Print["made"];
   /** Of a render that runs or was stopped: what the program says of it. */
   readonly run: RunState | null;
 }
@@ -58,6 +61,9 @@ export function steerFromOutside(app: App): void {
       return structuredClone(app.run?.state ?? null);
     },
     setUp: (settings) => app.live?.set(settings),
+    get print() {
+      return structuredClone(app.print?.made ?? null);
+    },
   };
   window.addEventListener("message", (event) => {
     const changes = (event.data as { lippmann?: Record<string, unknown> } | null)?.lippmann;

@@ -144,7 +144,7 @@ export class Store {
   }
 
   reset(): void {
-    this.set({ ...this.defaults, frame: this.state.frame, theme: this.state.theme });
+    this.set({ ...this.defaults, eye: this.fields[0].eye_mm, frame: this.state.frame, theme: this.state.theme });
   }
 
   readAddress(): void {

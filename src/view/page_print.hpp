@@ -1,0 +1,61 @@
+// Prints that a page asks for: the picture of a display, made of the views of a frame as `lippmann convert` makes it, and what
+// eyes see of it through the display's lenses.
+//
+// One print is made at a time, of at most kMostPrintPixels, and only the last one is kept. All functions are thread-safe.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "lippmann/layout/display_picture.hpp"
+#include "view/byte_cache.hpp"
+#include "view/page_field.hpp"
+
+namespace lippmann {
+
+/// An A4 page at 1000 dpi has 97 million. Each takes 15 bytes while a print is made.
+inline constexpr double kMostPrintPixels = 100e6;
+
+struct PrintRequest {
+  std::size_t frame = 0;
+  Display display;
+  std::optional<AspectFit> fit = {};  ///< none: default_fit()
+  double view_shift_px = 0.0;         ///< as ViewFitter has it
+};
+
+/// Reads {"frame", "display", "file": {"name", "text"}, "fit", "view_shift_px"}: the display is a name or a sheet in one line,
+/// or the text of a file, never a file of this machine. Throws Error naming the key.
+PrintRequest read_print_request(const std::string& text);
+
+class PagePrints {
+ public:
+  /// `field` must outlive this object, and have plain views.
+  explicit PagePrints(const PageField& field);
+
+  /// Makes a print, and returns its number `id`, its `description`, how its views were `fitted`, its `pixels` and `field`, the
+  /// light field that eyes see of it (field_json). Throws Error.
+  nlohmann::ordered_json make(const std::string& request);
+
+  /// Of the print of that number: "views", what eyes see, or "panel" or "file", the print itself. Null: there is no such
+  /// picture.
+  Bytes picture(std::string_view kind, std::size_t id) const;
+  /// Whether a newer print has taken the place of that one.
+  bool is_outdated(std::size_t id) const;
+
+ private:
+  struct Print;
+  std::shared_ptr<const Print> kept() const;
+
+  const PageField& field_;
+  ThreadPool pool_;
+  std::mutex making_;
+  mutable std::mutex mutex_;  ///< of what follows
+  std::shared_ptr<const Print> last_;
+  std::size_t made_ = 0;
+};
+
+}  // namespace lippmann

@@ -1,0 +1,214 @@
+// The print of the light field: what the program is asked for, and the page as it shows what eyes see of it through the lenses
+// (docs/view.md lists the keys). Requests follow one another.
+import { loadPicture, postText } from "./data";
+import { disparityOfDepth, Refusal, slopeInZone, type Field } from "./field";
+import type { Frames } from "./frames";
+
+export interface PrintChoices {
+  displays: string[];
+}
+
+interface Made {
+  id: number;
+  description: string;
+  fitted: string;
+  pixels: [number, number];
+  field: Field;
+}
+
+/** A sheet of lenses on paper, as the page lets it be set. */
+export const kSheet = "sheet";
+/** A display whose file was chosen. */
+export const kFile = "file";
+
+export interface PrintSettings {
+  display: string;
+  lpi: string;
+  dpi: string;
+  paper: string;
+  landscape: boolean;
+  fit: "" | "crop" | "pad" | "stretch";
+  shift: number;
+}
+
+const message = (error: unknown): string => (error instanceof Error ? error.message : String(error));
+
+export class Print {
+  readonly settings: PrintSettings;
+  file: { name: string; text: string } | null = null;
+  made: Made | null = null;
+  /** Whether the sheet is to be seen, and whether it is. */
+  isWanted = false;
+  isSeen = false;
+  /** Whether the next click on the picture sets the zero plane. */
+  awaitsClick = false;
+  private madeOf = "";
+  private shownId = 0;
+  private pending = 0;
+  private hasPanel = false;
+  private queue: Promise<void> = Promise.resolve();
+  private readonly own: Field;
+
+  constructor(
+    readonly about: PrintChoices,
+    field: Field,
+    private readonly frames: Frames,
+    private readonly state: () => { frame: number; show: string },
+    private readonly take: (facts: Partial<Field>) => void,
+    private readonly changed: (picture: boolean) => void,
+    private readonly notify: (about: string, text: string) => void,
+  ) {
+    this.own = { ...field };
+    const [width, height] = field.window_mm.size;
+    this.settings = { display: kSheet, lpi: "60", dpi: "600", paper: "A5", landscape: width > height, fit: "", shift: 0 };
+  }
+
+  get isBusy(): boolean {
+    return this.pending > 0;
+  }
+
+  /** How far views may be shifted, each from the one before: the outermost by a seventh of their width. */
+  get shiftRange(): [number, number] {
+    const { across, view_size: size } = this.own;
+    const most = (0.3 * size[0]) / Math.max(across.views - 1, 1);
+    return [-most, most];
+  }
+
+  set(changes: Partial<PrintSettings>): void {
+    Object.assign(this.settings, changes);
+    this.notify("print", "");
+    if (this.isWanted) this.enqueue(() => this.show());
+    this.changed(false);
+  }
+
+  /** The sheet shows it at once: eyes see nothing else of the zero plane. */
+  setShift(shift: number): void {
+    this.isWanted = true;
+    this.set({ shift });
+  }
+
+  /** What is seen at that depth of the views is to lie in the zero plane. */
+  setPlane(depth: number): void {
+    const { across, view_size: size, window_mm: window } = this.own;
+    const last = slopeInZone(across, 1 - 0.5 / across.views);
+    const first = slopeInZone(across, 0.5 / across.views);
+    const step = (last - first) / Math.max(across.views - 1, 1);
+    const [least, most] = this.shiftRange;
+    this.awaitsClick = false;
+    this.setShift(Math.min(Math.max((-disparityOfDepth(this.own, depth) * step * size[0]) / window.size[0], least), most));
+  }
+
+  see(on: boolean): void {
+    this.isWanted = on;
+    this.awaitsClick = false;
+    this.notify("print", "");
+    this.enqueue(() => this.show());
+  }
+
+  /** What is clicked is looked for in the views, without the sheet. */
+  awaitClick(on: boolean): void {
+    this.see(false);
+    this.awaitsClick = on;
+    this.changed(false);
+  }
+
+  async chooseFile(file: File): Promise<void> {
+    if (file.size > 1 << 19) return this.notify("print", `${file.name} is larger than 512 kB, and no display.`);
+    this.file = { name: file.name, text: await file.text() };
+    this.set({ display: kFile });
+  }
+
+  /** The page's frame, or what it shows, may have changed. */
+  follow(): void {
+    if (!this.isWanted || this.isBusy) return;
+    if (this.state().show === "display") this.see(false);
+    else if (!this.isCurrent()) this.enqueue(() => this.show());
+  }
+
+  /** Whether the print of these settings is seen, and the panel's picture is there if it is shown. */
+  private isCurrent(): boolean {
+    const isThere = this.isSeen && this.shownId === this.made?.id && this.madeOf === this.request();
+    return isThere && (this.hasPanel || !this.needsPanel(this.made as Made));
+  }
+
+  private needsPanel(made: Made): boolean {
+    return this.state().show === "panel" && made.field.panel.is === "own";
+  }
+
+  save(title: string): void {
+    this.notify("print", "");
+    this.enqueue(async () => {
+      const made = await this.make();
+      const blob = await this.picture("file", made);
+      const link = document.createElement("a");
+      link.href = URL.createObjectURL(blob);
+      link.download = `${title.replace(/\.[^.]*$/, "")}-print.png`;
+      link.click();
+      URL.revokeObjectURL(link.href);
+    });
+  }
+
+  private enqueue(task: () => Promise<void>): void {
+    this.pending++;
+    this.changed(false);
+    this.queue = this.queue
+      .then(task)
+      .catch((error: unknown) => {
+        this.leave();
+        this.notify("print", message(error));
+      })
+      .finally(() => {
+        this.pending--;
+        this.changed(false);
+        this.follow();
+      });
+  }
+
+  private request(): string {
+    const { display, lpi, dpi, paper, landscape, fit, shift } = this.settings;
+    const shown = display === kFile && this.file ? { file: this.file } : { display: display === kSheet ? `lpi=${lpi} dpi=${dpi} paper=${paper}${landscape ? " landscape" : ""}` : display };
+    return JSON.stringify({ frame: this.state().frame, ...shown, ...(fit === "" ? {} : { fit }), view_shift_px: shift });
+  }
+
+  private async make(): Promise<Made> {
+    const wanted = this.request();
+    if (this.made && this.madeOf === wanted) return this.made;
+    this.made = JSON.parse(await postText("print", wanted)) as Made;
+    this.madeOf = wanted;
+    return this.made;
+  }
+
+  private async picture(kind: "views" | "panel" | "file", made: Made): Promise<Blob> {
+    const blob = await loadPicture(`print/${kind}/${made.id}`);
+    if (blob.size > 0) return blob;
+    this.made = null;
+    throw new Refusal("Another page has made a print meanwhile. Try again.");
+  }
+
+  private async show(): Promise<void> {
+    if (!this.isWanted) return this.leave();
+    if (this.isCurrent()) return;
+    const made = await this.make();
+    const needsPanel = this.needsPanel(made);
+    const views = await this.picture("views", made);
+    const panel = needsPanel ? await this.picture("panel", made) : null;
+    const { frames: _, ...facts } = made.field;
+    await this.frames.showLive({ ...this.own, ...facts }, { views, depth: null, panel });
+    this.frames.isLive = true;
+    this.isSeen = true;
+    this.hasPanel = panel !== null;
+    this.shownId = made.id;
+    this.take(facts);
+    this.changed(true);
+  }
+
+  private leave(): void {
+    this.isWanted = false;
+    if (!this.isSeen) return;
+    this.isSeen = false;
+    this.frames.endLive();
+    const { frames: _, ...facts } = this.own;
+    this.take(facts);
+    this.changed(true);
+  }
+}
