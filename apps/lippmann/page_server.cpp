@@ -53,6 +53,13 @@ int serve_page(std::unique_ptr<LivePage> live, const PageServerFlags& flags, con
   return serve(server, answers, token, flags, context);
 }
 
+int serve_page(std::shared_ptr<DroppedPictures> dropped, const PageServerFlags& flags, const Context& context) {
+  HttpServer server(flags.host, flags.port);
+  const std::string token = random_token();
+  PageAnswers answers(std::move(dropped), {page_hosts(flags.host, server.port()), token});
+  return serve(server, answers, token, flags, context);
+}
+
 int serve_page(std::unique_ptr<PageField> field, std::shared_ptr<RunningRender> render, const PageServerFlags& flags,
                const Context& context) {
   HttpServer server(flags.host, flags.port);

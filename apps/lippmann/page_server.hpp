@@ -8,6 +8,7 @@
 
 #include "lippmann/core/context.hpp"
 #include "view/answers.hpp"
+#include "view/dropped_pictures.hpp"
 
 namespace lippmann::app {
 
@@ -26,6 +27,8 @@ void add_page_server_flags(const Command& command, PageServerFlags& flags);
 int serve_page(std::unique_ptr<LivePage> live, const PageServerFlags& flags, const Context& context);
 int serve_page(std::vector<std::unique_ptr<PageField>> fields, std::optional<PageDisplay> display, const PageServerFlags& flags,
                const Context& context);
+/// A page on which pictures are dropped: its address has a token, too.
+int serve_page(std::shared_ptr<DroppedPictures> dropped, const PageServerFlags& flags, const Context& context);
 /// A render that may be stopped and resumed from the page: its address has a token, too.
 int serve_page(std::unique_ptr<PageField> field, std::shared_ptr<RunningRender> render, const PageServerFlags& flags,
                const Context& context);

@@ -1,4 +1,5 @@
-// `lippmann view IN [OTHER]`: a light field, or two beside each other, in the browser; or a scene, which is set up there.
+// `lippmann view [IN [OTHER]]`: a light field, or two beside each other, in the browser; a scene, which is set up there; or
+// pictures that are dropped on the page.
 #include <fmt/core.h>
 
 #include <filesystem>
@@ -90,8 +91,33 @@ int set_up(const ViewOptions& options, const Context& context) {
   return serve_page(std::make_unique<LiveAnswers>(std::move(scene)), options.server, context);
 }
 
+// ---- Nothing yet --------------------------------------------------------------------------------------------------------
+
+/// Throws a usage Error for flags that say something of IN.
+void refuse_flags_without_in(const ViewOptions& options) {
+  const LightFieldFlags& field = options.field;
+  const auto refuse = [](bool given, const std::string& flag) {
+    if (given) throw usage_error(flag, "has no effect without IN", "lippmann view IN");
+  };
+  refuse(!options.save.empty(), "--save");
+  refuse(!field.from.empty(), "--from");
+  refuse(!field.views.empty(), "--views");
+  refuse(!field.quilt.empty(), "--quilt");
+  refuse(!field.display.empty(), "--display");
+  refuse(!field.report.empty(), "--report");
+  refuse(field.view_angle_deg.has_value(), "--view-angle");
+  refuse(!options.scene.job_file.empty(), "--save-job");
+  for (const auto& [name, values] : options.scene.params.values) refuse(!values.empty(), fmt::format("--{}", name));
+}
+
+int await_pictures(const ViewOptions& options, const Context& context) {
+  refuse_flags_without_in(options);
+  return serve_page(std::make_shared<DroppedPictures>(context), options.server, context);
+}
+
 int run(const ViewOptions& options, Context& context) {
   context.threads = options.threads;
+  if (options.in.empty()) return await_pictures(options, context);
   if (is_scene_to_set_up(options.in)) return set_up(options, context);
   refuse_scene_flags(options.in, options.scene);
   if (!options.save.empty()) return save(options, context);
@@ -106,12 +132,10 @@ void add_view_command(const Command& root, Action& chosen) {
   const Command command =
       root.add_command("view", "Show a light field in the browser, or set up a scene there: eyes, time, focus, comparison");
   command.footer("Nothing outside IN and OTHER is readable through the server; see docs/view.md.");
-  command
-      .add_option(
-          "IN", options->in,
-          "A rendered picture, a folder of frames, or any light field that `lippmann convert` reads; or a scene or a job, "
-          "as `lippmann render` takes them")
-      .required();
+  command.add_option(
+      "IN", options->in,
+      "A rendered picture, a folder of frames, or any light field that `lippmann convert` reads; or a scene or a job, "
+      "as `lippmann render` takes them. Without it, pictures can be dropped on the page");
   command.add_option("OTHER", options->other, "Another one, compared with it: wiped, side by side, or as a difference");
   add_page_server_flags(command, options->server);
   command

@@ -16,6 +16,7 @@
 #include "lippmann/core/version.hpp"
 #include "lippmann/display/load_display.hpp"
 #include "lippmann/optics/crosstalk.hpp"
+#include "view/dropped_pictures.hpp"
 #include "view/field_json.hpp"
 #include "view/page_files.hpp"
 #include "view/page_print.hpp"
@@ -27,7 +28,7 @@ namespace {
 constexpr int kServedEffort = 0;
 /// Of a sigma, in hundredths of a pixel.
 constexpr auto kMostCrosstalk = static_cast<std::size_t>(100.0 * kMaxBlurPx);
-constexpr std::string_view kCalibration = "calibration", kLive = "live", kRun = "run", kPrint = "print";
+constexpr std::string_view kCalibration = "calibration", kLive = "live", kRun = "run", kPrint = "print", kDrop = "drop";
 
 PageAnswer answer_with(int status, std::string text, std::string type = "text/plain; charset=utf-8") {
   return {status, std::move(type), std::make_shared<const std::string>(std::move(text))};
@@ -89,6 +90,7 @@ std::string fields_text(const std::vector<std::unique_ptr<PageField>>& fields, c
   for (const auto& field : fields) list.push_back(field_json(field->facts()));
   nlohmann::ordered_json json{{"lippmann", version()}, {"fields", std::move(list)}};
   if (display) json["display"] = page_display_json(*display);
+  if (offers.drops) json["drops"] = true;
   if (offers.prints) {
     nlohmann::ordered_json displays = nlohmann::ordered_json::array();
     for (const Display& one : display_presets()) displays.push_back(one.name);
@@ -111,10 +113,15 @@ PageAnswers::PageAnswers(std::unique_ptr<PageField> field, std::shared_ptr<Runni
   fields_.push_back(std::move(field));
 }
 
+PageAnswers::PageAnswers(std::shared_ptr<DroppedPictures> dropped, PageAccess access)
+    : dropped_(std::move(dropped)), access_(std::move(access)), cache_(0) {}
+
 /// A text is a calibration, of which nothing is kept, the settings of a print, or what is to be done with a live scene or with
 /// a render that runs.
 bool PageAnswers::takes_text(std::string_view path) const {
   const std::string_view part = path.substr(0, path.find('/'));
+  if (dropped_ && part == kDrop) return true;
+  if (const auto shown = dropped_ ? dropped_->shown() : nullptr) return shown->takes_text(path);
   return path == kCalibration || (path == kPrint && prints_) || (part == kLive && live_) || (part == kRun && render_);
 }
 
@@ -141,7 +148,30 @@ PageAnswer PageAnswers::answer(const PageRequest& request) {
   if (std::optional<PageAnswer> refused = refusal(request)) return *std::move(refused);
   std::string_view path = std::string_view(request.path).substr(1);
   if (!access_.token.empty()) cut_part(path);
+  if (dropped_) return answer_drop(request, path);
   return request.method == "POST" ? answer_text(request, path) : answer_path(path);
+}
+
+/// What was dropped answers itself, but does not know that more may be dropped.
+PageAnswer PageAnswers::answer_drop(const PageRequest& request, std::string_view path) {
+  const bool is_text = request.method == "POST";
+  const std::shared_ptr<PageAnswers> shown = dropped_->shown();
+  if (path == "fields.json" && !is_text) {
+    const bool prints = shown && shown->prints_;
+    return answer_with(200, fields_text(shown ? shown->fields_ : fields_, {}, {.prints = prints, .drops = true}),
+                       "application/json");
+  }
+  std::string_view rest = path;
+  if (!is_text || cut_part(rest) != kDrop) {
+    PageAnswers& answers = shown ? *shown : *this;
+    return is_text ? answers.answer_text(request, path) : answers.answer_path(path);
+  }
+  try {
+    dropped_->post(rest, request.body);
+    return answer_with(200, json_to_text({{"received", request.body.size()}}, -1), "application/json");
+  } catch (const Error& error) {
+    return failed(error.what());
+  }
 }
 
 PageAnswer PageAnswers::answer_text(const PageRequest& request, std::string_view path) {

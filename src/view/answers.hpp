@@ -48,7 +48,8 @@ class LivePage {
   virtual PageAnswer post(std::string_view path, const std::string& body) = 0;
 };
 
-class PagePrints;  // view/page_print.hpp
+class DroppedPictures;  // view/dropped_pictures.hpp
+class PagePrints;       // view/page_print.hpp
 
 /// Thread-safe.
 class PageAnswers {
@@ -70,6 +71,10 @@ class PageAnswers {
   ///   POST run/stop, run/resume
   PageAnswers(std::unique_ptr<PageField> field, std::shared_ptr<RunningRender> render, PageAccess access);
 
+  /// Shows the pictures that pages drop, and nothing before the first. `access` has a token: nobody else may fill the disk.
+  ///   POST drop/...  DroppedPictures::post
+  PageAnswers(std::shared_ptr<DroppedPictures> dropped, PageAccess access);
+
   PageAnswer answer(const PageRequest& request);
 
   /// The answer to a request that is refused whatever its body is: it comes from elsewhere, lacks the token, or posts where no
@@ -80,6 +85,7 @@ class PageAnswers {
   bool takes_text(std::string_view path) const;
   PageAnswer answer_path(std::string_view path);
   PageAnswer answer_text(const PageRequest& request, std::string_view path);
+  PageAnswer answer_drop(const PageRequest& request, std::string_view path);
   std::string description() const;
   InterlaceParams interlace() const;
   PageAnswer calibration(const std::string& text) const;
@@ -93,6 +99,7 @@ class PageAnswers {
   std::unique_ptr<LivePage> live_;
   std::shared_ptr<RunningRender> render_;
   std::shared_ptr<PagePrints> prints_;        ///< null: there are none
+  std::shared_ptr<DroppedPictures> dropped_;  ///< null: pages cannot drop any
   PageAccess access_;
   std::optional<PageDisplay> display_;
   ByteCache cache_;
@@ -107,11 +114,11 @@ PagePicture encoded_picture(const Image8& picture, int effort);
 PagePicture page_picture(const PageField& field, std::string_view kind, std::size_t frame, int effort);
 
 struct PageOffers {
-  bool prints = false;
+  bool prints = false, drops = false;
 };
 
 /// fields.json: the version, what field_json says of each, the display that they are played on, and what the server
-/// offers beside them: prints, with the displays that it knows.
+/// offers beside them: prints, with the displays that it knows, and to show pictures that are dropped.
 std::string fields_text(const std::vector<std::unique_ptr<PageField>>& fields, const std::optional<PageDisplay>& display = {},
                         PageOffers offers = {});
 

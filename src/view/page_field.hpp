@@ -8,6 +8,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "lippmann/core/parallel.hpp"
@@ -31,6 +33,8 @@ class PageField {
   PageField(const std::filesystem::path& folder, std::shared_ptr<const RunningRender> coming, const Context& context);
 
   const PageFacts& facts() const { return facts_; }
+  /// In place of the name of the files.
+  void set_title(std::string title) { facts_.title = std::move(title); }
 
   // These are of the frame of that index, below facts().frames.size(). All throw Error naming the file; thread-safe.
 

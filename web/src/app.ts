@@ -2,6 +2,7 @@
 import { makeControls } from "./controls";
 import type { PanelDisplay } from "./display";
 import { depthOfDisparity, naturalSize, Refusal, shareOfZone, shareOutOfZone, slopeInZone, type Field } from "./field";
+import { send, type pictures } from "./drop";
 import { Frames } from "./frames";
 import { Live, type Choices } from "./live";
 import { orbitOf, planeDistance, planeRange, setOrbit, setPlaneDistance, setZoom } from "./live_controls";
@@ -87,7 +88,7 @@ export class App {
     display: PanelDisplay | null,
     about: Choices | null,
     run: RunState | null,
-    prints: PrintChoices | null,
+    { prints, drops }: { prints: PrintChoices | null; drops: boolean },
   ) {
     this.run = run && new Run(run, fields[0], () => this.hearOfRun(), (topic, text) => this.notify(topic, text));
     this.store = new Store(fields, display !== null, display !== null && (about?.plays ?? true), about !== null);
@@ -97,7 +98,7 @@ export class App {
     this.timeline = new Timeline(byId("time"), this.store, (frame) => this.isThere(frame));
     this.live = about && new Live(about, fields[0], this.frames, (picture) => this.hearOfScene(picture), (topic, text) => this.notify(topic, text));
     this.print = prints && new Print(prints, fields[0], this.frames, () => this.store.state, (facts) => this.takeFacts(facts), (picture) => this.hearOfPrint(picture), (topic, text) => this.notify(topic, text));
-    this.player = new Player(gl, this.store, this.frames, byId("stage"), (about, text) => this.notify(about, text));
+    this.player = new Player(gl, this.store, this.frames, byId("stage"), (about, text) => this.notify(about, text), (dropped) => void this.takePictures(dropped, drops));
     if (display) this.beginPlaying(display);
     this.tilt = new Tilt(
       () => [0, 1].map((axis) => this.store.state.eye[axis] / this.store.state.eye[2]) as [number, number],
@@ -135,6 +136,17 @@ export class App {
     if (this.run) this.beginRun();
     if (this.player.isPlaying && !this.live) this.timeline.toggle();
     requestAnimationFrame((now) => this.tick(now));
+  }
+
+  /** Pictures that were dropped on the page take the place of what it shows. */
+  private async takePictures(dropped: ReturnType<typeof pictures>, isAllowed: boolean): Promise<void> {
+    try {
+      const found = await dropped;
+      if (!isAllowed) throw new Refusal("To drop pictures, start `lippmann view` without a name.");
+      await send(found, (share) => this.notify("drop", `The pictures are being read: ${Math.round(100 * share)}\u2009%`));
+    } catch (error) {
+      this.notify("drop", error instanceof Refusal ? error.message : String(error));
+    }
   }
 
   /** The panel of a scene that is set up may change with it. */

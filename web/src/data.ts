@@ -54,6 +54,11 @@ async function answerOf(path: string, settings: RequestInit = {}): Promise<Respo
   throw new Refusal(reason || `${path}: the server answers ${response.status}.`);
 }
 
+/** Sends a piece of a file. */
+export async function postBytes(path: string, body: Blob): Promise<void> {
+  await answerOf(path, { method: "POST", body, headers: { "Content-Type": "application/octet-stream" } });
+}
+
 /** The program's answer to a text. */
 export async function postText(path: string, body: string): Promise<string> {
   if (usesScripts()) throw new Refusal("A saved page cannot read calibrations: `lippmann play` does.");

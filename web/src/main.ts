@@ -2,6 +2,7 @@
 import { App, fail } from "./app";
 import { loadFields } from "./data";
 import { readDisplay } from "./display";
+import { DropPage } from "./drop";
 import { readFields, Refusal } from "./field";
 import type { Choices } from "./live";
 import { steerFromOutside } from "./outside";
@@ -11,10 +12,12 @@ import type { RunState } from "./run";
 async function start(): Promise<void> {
   try {
     const json = await loadFields();
+    const { drops } = json as { drops?: boolean };
+    if (drops && (json as { fields: unknown[] }).fields.length === 0) return void new DropPage(document.getElementById("failure") as HTMLElement);
     const fields = readFields(json);
     const { display, live, run, prints } = json as { display?: unknown; live?: Choices; run?: RunState; prints?: PrintChoices };
     const panel = display ?? live?.display;
-    const app = new App(fields, panel ? readDisplay(panel) : null, live ?? null, run ?? null, prints ?? null);
+    const app = new App(fields, panel ? readDisplay(panel) : null, live ?? null, run ?? null, { prints: prints ?? null, drops: drops === true });
     steerFromOutside(app);
   } catch (error) {
     fail(error);

@@ -1,5 +1,6 @@
 // Playing on a panel: which one, full screen, and its pixels one by one on the pixels of the screen.
 import { readCalibration, readDisplay, type PanelDisplay } from "./display";
+import { isOfPictures, pictures } from "./drop";
 import { Refusal } from "./field";
 import type { Frames } from "./frames";
 import type { Gl } from "./gl";
@@ -29,11 +30,13 @@ export class Player {
     private readonly frames: Frames,
     private readonly stage: HTMLElement,
     private readonly notify: (about: string, text: string) => void,
+    takePictures: (dropped: ReturnType<typeof pictures>) => void,
   ) {
     document.addEventListener("fullscreenchange", () => this.store.touch());
     window.addEventListener("dragover", (event) => event.preventDefault());
     window.addEventListener("drop", (event) => {
       event.preventDefault();
+      if (event.dataTransfer && isOfPictures(event.dataTransfer)) return takePictures(pictures(event.dataTransfer));
       const file = event.dataTransfer?.files[0];
       if (file) void this.take(file);
     });
