@@ -44,6 +44,19 @@ TEST(View, a_scene_is_set_up_at_an_address_that_has_a_token) {
   EXPECT_TRUE(fs::is_empty(dir.path()));
 }
 
+TEST(View, without_a_name_an_empty_page_has_a_token) {
+  const TempDir dir;
+  Subprocess server(tool_command({"view", "--port", "0"}), {.working_folder = dir.path().string()});
+  server.wait_for_line();
+  server.signal(SIGINT);
+  const RunResult result = server.wait();
+  EXPECT_EQ(result.exit_code, 128 + SIGINT);
+  EXPECT_THAT(result.out, testing::MatchesRegex("http://127\\.0\\.0\\.1:[0-9]+/[0-9a-f]+/\n"));
+  for (const Words& flag : {Words{"--save", "page"}, Words{"--from", "hci"}, Words{"--view-angle", "9"}, Words{"--zoom", "2"},
+                            Words{"--save-job", "x.toml"}, Words{"--display", "go"}})
+    expect_refusal(run_tool(dir, Words{"view"} + flag), 2, flag[0] + ": has no effect without IN");
+}
+
 // From there it can be resumed.
 TEST(View, an_unfinished_render_is_shown_at_an_address_that_has_a_token) {
   const TempDir dir;
