@@ -25,7 +25,8 @@ TEST(Printable, text_beyond_60_characters_is_cut_between_characters) {
 }
 
 TEST(Printable, lines_are_not_cut_and_have_no_control_characters) {
-  EXPECT_EQ(printable_line(std::string(100, 'a') + "\x1b]0;title\x07\r\n"), std::string(100, 'a') + "?]0;title???");
+  const std::string hundred(100, 'a');
+  EXPECT_EQ(printable_line(hundred + "\x1b]0;title\x07\r\n"), hundred + "?]0;title???");
   EXPECT_EQ(printable_line("a\xe2\x80\xae"
                            "b"),
             "a?"
