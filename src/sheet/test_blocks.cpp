@@ -118,7 +118,7 @@ BlockTest drawn(const TestPlan& plan, const Display& sheet, BarDirection bars, c
   const BlockLayout layout = block_layout(sheet, plan.header, labels, bars);
   BlockTest test;
   test.picture = blank(Image8{}, sheet.pixels);
-  fill_box(test.picture, {Vec2i(0), sheet.pixels}, kWhite);
+  fill_box(test.picture, {Vec2i(0), sheet.pixels}, kWhiteRgb);
   draw_text(test.picture, layout.header, layout.scale, plan.header);
   const LensStrips strips = lens_strips(sheet);
   for (int i = 0; i < static_cast<int>(labels.size()); ++i) {
