@@ -40,7 +40,7 @@ export function printGroup(print: Print, save: () => void, shown: Shown[]): HTML
     check("See through the sheet", () => print.isWanted, (on) => print.see(on), shown),
     slider({ label: "Zero plane", late: () => true, range: () => print.shiftRange, steps: 600, value: () => settings.shift, text: (shift) => `${shift > 0 ? "+" : ""}${rounded(shift, 2)}\u2009px a view`, set: (shift) => print.setShift(shift), reset: () => print.setShift(0) }, shown),
     said,
-    element("div", { className: "buttons" }, saving, click, button("Display file\u2026", () => choose(print))),
+    element("div", { className: "buttons" }, saving, click, button("From a file\u2026", () => choose(print))),
   );
 }
 
