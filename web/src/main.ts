@@ -12,12 +12,13 @@ import type { RunState } from "./run";
 async function start(): Promise<void> {
   try {
     const json = await loadFields();
-    const { drops } = json as { drops?: boolean };
-    if (drops && (json as { fields: unknown[] }).fields.length === 0) return void new DropPage(document.getElementById("failure") as HTMLElement);
+    const described = json as { drops?: boolean; fields?: unknown[] } | null;
+    const drops = described?.drops === true;
+    if (drops && described?.fields?.length === 0) return void new DropPage(document.getElementById("failure") as HTMLElement);
     const fields = readFields(json);
     const { display, live, run, prints } = json as { display?: unknown; live?: Choices; run?: RunState; prints?: PrintChoices };
     const panel = display ?? live?.display;
-    const app = new App(fields, panel ? readDisplay(panel) : null, live ?? null, run ?? null, { prints: prints ?? null, drops: drops === true });
+    const app = new App(fields, panel ? readDisplay(panel) : null, live ?? null, run ?? null, { prints: prints ?? null, drops });
     steerFromOutside(app);
   } catch (error) {
     fail(error);
