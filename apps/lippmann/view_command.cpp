@@ -106,6 +106,7 @@ void refuse_flags_without_in(const ViewOptions& options) {
   refuse(!field.display.empty(), "--display");
   refuse(!field.report.empty(), "--report");
   refuse(field.view_angle_deg.has_value(), "--view-angle");
+  refuse(field.cone_ends, "--cone-ends");
   refuse(!options.scene.job_file.empty(), "--save-job");
   for (const auto& [name, values] : options.scene.params.values) refuse(!values.empty(), fmt::format("--{}", name));
 }

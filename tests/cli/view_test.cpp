@@ -53,7 +53,7 @@ TEST(View, without_a_name_an_empty_page_has_a_token) {
   EXPECT_EQ(result.exit_code, 128 + SIGINT);
   EXPECT_THAT(result.out, testing::MatchesRegex("http://127\\.0\\.0\\.1:[0-9]+/[0-9a-f]+/\n"));
   for (const Words& flag : {Words{"--save", "page"}, Words{"--from", "hci"}, Words{"--view-angle", "9"}, Words{"--zoom", "2"},
-                            Words{"--save-job", "x.toml"}, Words{"--display", "go"}})
+                            Words{"--save-job", "x.toml"}, Words{"--display", "go"}, Words{"--cone-ends"}})
     expect_refusal(run_tool(dir, Words{"view"} + flag), 2, flag[0] + ": has no effect without IN");
 }
 
