@@ -153,7 +153,6 @@ double stepped(double nominal_px, double dpi, double steps, const PitchStep& ste
 }  // namespace
 
 PitchStep read_pitch_step(const std::string& text) {
-  PitchStep step;
   const auto number_before = [&](std::string_view unit) {
     return read_number(text.substr(0, text.size() - unit.size()), 1e-6, 1e3, "step");
   };
