@@ -41,9 +41,6 @@ class AlignModule {
 /// To be raised with every change of this header: a module of another version is refused.
 inline constexpr int kAlignModuleVersion = 1;
 
-/// What the module exports as lippmann_align_module; null where it has another version.
-using AlignModuleEntry = const AlignModule*(int version);
-
 /// Loads the module on the first call; any thread may call it. Throws Error that names the module and what is missing: the
 /// module itself or a library that it needs.
 const AlignModule& align_module();

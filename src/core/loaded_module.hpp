@@ -8,7 +8,7 @@ namespace lippmann {
 
 struct ModuleName {
   const char* file;     ///< liblippmann_video.so
-  const char* entry;    ///< the one function that it exports: const Interface* entry(int version); null for another version
+  const char* entry;    ///< the one function that it exports: const void* entry(int version); null for another version
   const char* purpose;  ///< "videos", for messages
   const char* package;  ///< that installs it
 };

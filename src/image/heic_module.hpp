@@ -29,7 +29,4 @@ class HeicModule {
 /// To be raised with every change of this header: a module of another version is refused.
 inline constexpr int kHeicModuleVersion = 1;
 
-/// What the module exports as lippmann_heic_module; null where it has another version.
-using HeicModuleEntry = const HeicModule*(int version);
-
 }  // namespace lippmann

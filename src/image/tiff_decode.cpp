@@ -14,6 +14,7 @@
 #include <cstring>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "image/chromaticities.hpp"
@@ -106,7 +107,13 @@ class TiffDecoder {
     if (decoder.reason_[0] == 0) std::vsnprintf(decoder.reason_.data(), decoder.reason_.size(), format, arguments);
     return 1;
   }
-  static int on_warning(TIFF*, void*, const char*, const char*, va_list) { return 1; }
+  /// libtiff 4.5.1 looks at the size of the file before it reads a tag, and warns that it does without the tag.
+  static int on_warning(TIFF*, void* user, const char*, const char* format, va_list) {
+    const std::string_view text(format);
+    if (text.starts_with("IO error during reading of") || text.starts_with("Requested memory size for tag"))
+      static_cast<TiffDecoder*>(user)->cut_off_ = true;
+    return 1;
+  }
   static tmsize_t on_read(thandle_t user, void* to, tmsize_t count) {
     TiffDecoder& decoder = *static_cast<TiffDecoder*>(user);
     const std::uint64_t there = decoder.at_ < decoder.file_.size() ? decoder.file_.size() - decoder.at_ : 0;

@@ -56,9 +56,6 @@ class VideoModule {
 /// To be raised with every change of this header: a module of another version is refused.
 inline constexpr int kVideoModuleVersion = 2;
 
-/// What the module exports as lippmann_video_module; null where it has another version.
-using VideoModuleEntry = const VideoModule*(int version);
-
 /// Loads the module on the first call; any thread may call it. Throws Error that names the module and what is missing: the
 /// module itself or a library that it needs.
 const VideoModule& video_module();

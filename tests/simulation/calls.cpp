@@ -209,6 +209,9 @@ extern "C" {
 LIPPMANN_OPEN(open)
 LIPPMANN_OPEN(open64)
 
+/// What `open` is, and `openat` below, where the compiler guards calls (_FORTIFY_SOURCE) and flags are not constant.
+int __open_2(const char* path, int flags) { return open(path, flags); }
+
 int openat(int folder, const char* path, int flags, ...) {
   static const auto actual = real<int(int, const char*, int, ...)>("openat");
   va_list rest;
@@ -217,6 +220,8 @@ int openat(int folder, const char* path, int flags, ...) {
   va_end(rest);
   return is_simulated(path) ? open_simulated(path, flags) : actual(folder, path, flags, mode);
 }
+
+int __openat_2(int folder, const char* path, int flags) { return openat(folder, path, flags); }
 
 FILE* fopen(const char* path, const char* mode) {
   static const auto actual = real<FILE*(const char*, const char*)>("fopen");

@@ -105,7 +105,7 @@ class Libheif : public HeicModule {
 }  // namespace
 }  // namespace lippmann
 
-extern "C" __attribute__((visibility("default"))) const lippmann::HeicModule* lippmann_heic_module(int version) {
+extern "C" __attribute__((visibility("default"))) const void* lippmann_heic_module(int version) {
   static const lippmann::Libheif module;
   return version == lippmann::kHeicModuleVersion ? &module : nullptr;
 }

@@ -16,7 +16,7 @@ class FfmpegModule : public VideoModule {
 }  // namespace
 }  // namespace lippmann
 
-extern "C" __attribute__((visibility("default"))) const lippmann::VideoModule* lippmann_video_module(int version) {
+extern "C" __attribute__((visibility("default"))) const void* lippmann_video_module(int version) {
   static const lippmann::FfmpegModule module;
   return version == lippmann::kVideoModuleVersion ? &module : nullptr;
 }
