@@ -25,7 +25,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kInchMm = 25.4;
 
-/// What a file holds, for people and for programs.
+/// The result of a command, as text for people and as JSON for programs.
 struct SheetResult {
   std::string text;
   Json json = Json::object();

@@ -1,4 +1,4 @@
-// What the part asks of OpenCV: a module (liblippmann_align.so) that is loaded when it is first needed.
+// The interface to OpenCV: a module (liblippmann_align.so) that is loaded when it is first needed.
 //
 // OpenCV is optional and maps some thirty shared libraries. The rest of the program knows this interface alone;
 // src/align/opencv implements it. Pixel origin: the corner of the top-left pixel. OpenCV runs single-threaded in it, so that

@@ -49,8 +49,8 @@ class FocusSearch {
 
   bool has_texture() const { return wanted_.contrast >= kLeastContrast; }
 
-  /// Where the place lies in `picture`, right of where it lies in the middle one; `from`: the neighbour that is nearer to the
-  /// middle, where it is `known`. None: no such patch is there; `guess` is where shared places say that it is.
+  /// Returns how far the place lies in `picture` to the right of its position in the middle one, pixels. `from`: the neighbour
+  /// nearer to the middle, in which this is `known`. None: no such patch is there; `guess` then follows from shared places.
   std::optional<double> find(std::size_t picture, std::size_t from, double known, double& guess) const {
     const std::vector<double> steps = near_steps(picture, from, known);
     guess = known + steps[steps.size() / 2];

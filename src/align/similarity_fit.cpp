@@ -117,7 +117,7 @@ class PictureFit {
  private:
   std::size_t unknowns() const { return 3 * rules_.size() - 2; }
   std::size_t slope_index() const { return unknowns() - 1; }
-  /// Of b; a and y follow. The fixed picture has none.
+  /// Returns the index of the unknown b of a picture; a and y follow it. The fixed picture has no unknowns.
   std::size_t index_of(std::size_t picture) const { return 3 * (picture < fixed_ ? picture : picture - 1); }
 
   std::vector<std::size_t> row_begins() const {

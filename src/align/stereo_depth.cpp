@@ -26,7 +26,7 @@ namespace {
 constexpr int kMatchedPx = 1600, kMatchedFeatures = 3000;
 constexpr std::size_t kLeastShared = 20;
 constexpr double kMostRowError = 1.0;       ///< pixels of the matched pictures
-constexpr double kMostContradiction = 1.5;  ///< likewise
+constexpr double kMostContradiction = 1.5;  ///< pixels of the matched pictures
 constexpr float kUnknown = -std::numeric_limits<float>::infinity();
 
 /// Swaps left and right.
@@ -75,7 +75,7 @@ void warn_of_rows(const SharedPlaces& shared, const std::string& name, const Con
                     name, error));
 }
 
-/// Of shared places, with a margin for what lies between them.
+/// Returns the range of disparities of shared places, with a margin for surfaces between them.
 DisparityRange range_of_pair(const SharedPlaces& shared) {
   std::vector<double> moves;
   for (std::size_t i = 0; i < shared.in_first.size(); ++i) moves.push_back(shared.in_first[i].x - shared.in_second[i].x);

@@ -71,14 +71,14 @@ DecodedPicture decode_exr(FileBytes file, const std::string& where);
 
 /// Light as it was measured: EXPOSURE and COLORCORR are undone, PRIMARIES and XYZE become linear Rec. 709. Rows and columns are
 /// turned as the header says.
+bool is_hdr(FileBytes file);
+PictureHeader hdr_header(FileBytes file, const std::string& where);
+DecodedPicture decode_hdr(FileBytes file, const std::string& where);
+
 /// HEIC and AVIF; needs the module that heic_module.hpp describes.
 bool is_heic(FileBytes file);
 PictureHeader heic_header(FileBytes file, const std::string& where);
 DecodedPicture decode_heic(FileBytes file, const std::string& where);
-
-bool is_hdr(FileBytes file);
-PictureHeader hdr_header(FileBytes file, const std::string& where);
-DecodedPicture decode_hdr(FileBytes file, const std::string& where);
 
 bool is_webp(FileBytes file);
 PictureHeader webp_header(FileBytes file, const std::string& where);

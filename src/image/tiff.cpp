@@ -111,7 +111,7 @@ std::uint64_t write_colour_space(TIFF* tiff) {
 
 constexpr std::uint32_t kRowsPerStrip = 32;
 
-/// What is written, of any kind.
+/// A picture to be written: RGB codes or inks, of 8 or 16 bits.
 template <class Code>
 struct Raster {
   int width, height;

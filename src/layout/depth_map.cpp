@@ -19,11 +19,15 @@ namespace fs = std::filesystem;
 constexpr const char* kDepthMaps = "grey of 8 or 16 bits, or an EXR file with the channel Z";
 constexpr float kNothing = 1e9f;
 
+bool has_z(const fs::path& path) {
+  if (sample_kind(path) != SampleKind::kFloat) return false;
+  const std::vector<std::string> names = channel_names(path);
+  return std::find(names.begin(), names.end(), "Z") != names.end();
+}
+
 /// The channel Z of an EXR file, else all channels.
 Image depth_channels(const fs::path& path) {
-  if (sample_kind(path) != SampleKind::kFloat) return read_image(path);
-  const std::vector<std::string> names = channel_names(path);
-  if (std::find(names.begin(), names.end(), "Z") == names.end()) return read_image(path);
+  if (!has_z(path)) return read_image(path);
   const std::array<std::string, 1> z{"Z"};
   return read_channels(path, z);
 }
@@ -51,7 +55,7 @@ void scale_floats(Image& grey, const fs::path& path) {
   for (const float z : grey.data)
     if (is_depth(z)) least = std::min(least, z), most = std::max(most, z);
   if (!(least < most)) throw Error(path.string(), "has the same depth everywhere", kDepthMaps);
-  for (float& z : grey.data) z = is_depth(z) ? (z - least) / (most - least) : 1.0f;
+  for (float& z : grey.data) z = is_depth(z) ? (z - least) / (most - least) : z < 0.0f ? 0.0f : 1.0f;
 }
 
 void require_shape(const Image& grey, Vec2i size, const fs::path& path) {
@@ -63,6 +67,12 @@ void require_shape(const Image& grey, Vec2i size, const fs::path& path) {
 }
 
 }  // namespace
+
+DepthMapCoding usual_depth_coding(const fs::path& path) {
+  if (!has_z(path)) return {};
+  const Image z = depth_channels(path);
+  return {std::none_of(z.data.begin(), z.data.end(), [](float value) { return value < 0.0f; }), true};
+}
 
 Image enlarged_depth(const Image& depth, Vec2i size, float edge) {
   if (size == Vec2i(depth.width, depth.height)) return depth;

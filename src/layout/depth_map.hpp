@@ -1,8 +1,7 @@
 // Depth in a file of its own, beside a picture: grey of 8 or 16 bits, floats, or the channel Z of an EXR file.
 //
 // Codes are plain numbers from 0 to 1, without sRGB's curve. Floats, of any unit, are scaled: the least is 0, the greatest 1.
-// Numbers that are not finite, and those of 1e9 or more, by which renderers mean nothing at all, become the greatest of the
-// others.
+// Renderers write numbers of 1e9 or more, infinite ones or NaN where there is no surface: below 0 they become 0, else 1.
 #pragma once
 
 #include <filesystem>
@@ -11,6 +10,16 @@
 #include "lippmann/image/image.hpp"
 
 namespace lippmann {
+
+struct DepthMapCoding {
+  bool near_black = false;     ///< small numbers are near
+  bool even_in_depth = false;  ///< numbers are linear in depth, not in disparity
+};
+
+/// The coding that a file has where nothing states it. The channel Z of an EXR file is linear in depth: a distance from the
+/// camera if none of its numbers is below 0, else a height above the display, as `render` writes it. All other files are near
+/// where they are white, and linear in disparity. Throws Error naming the file.
+DepthMapCoding usual_depth_coding(const std::filesystem::path& path);
 
 /// The greys as depth_of_grey (layout/rgbd_side_file.hpp) takes them, of 1 channel and that size: between pixels of one surface
 /// in between, else those of the nearer surface. The edges of small maps are not exact, and colours of a near thing that were

@@ -1,4 +1,4 @@
-// What surrounds a print: bleed that is cut off, marks outside it, and proofs of one inch. Private to this part.
+// Bleed and marks around a print: bleed that is cut off, marks outside it, and proofs of one inch. Private to this part.
 //
 // The marks stand in a white margin of 10 mm around the bleed: lines at the corners, where the print is cut; a target in the
 // middle of each side; the pitch and the resolution; and for sheets, above and below, a band that is black below the middle

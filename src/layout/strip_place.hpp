@@ -1,4 +1,4 @@
-// Where points of a print lie in the strips below the lenses of a sheet.
+// Positions of points of a print in the strips below the lenses of a sheet.
 #pragma once
 
 #include <cmath>

@@ -27,7 +27,7 @@ struct FlipParams {
   double blend = 0.0;  ///< 0: hard transitions; 1: each transition spreads over the smaller of the two shares that it joins
 };
 
-/// What surrounds the print of a sheet or an array, on the paper that it is cut from.
+/// Bleed and marks around the print of a sheet or an array, on the paper that it is cut from.
 struct PrintFinish {
   double bleed_mm = 0.0;  ///< how far the picture goes on beyond each edge at which the print is cut
   bool marks = false;     ///< a margin of 10 mm with crop marks, targets, figures, and bands to align a sheet by

@@ -51,7 +51,8 @@ Opened open(std::span<const std::byte> bytes) {
   opened.header.bits = heif_image_handle_get_luma_bits_per_pixel(handle);
   opened.header.has_alpha = heif_image_handle_has_alpha_channel(handle) != 0;
   opened.header.profile = profile_of(handle);
-  if (opened.header.bits < 1 || opened.header.bits > 16) opened.header.problem = "its number of bits is unknown";
+  if (opened.header.bits < 8 || opened.header.bits > 16)
+    opened.header.problem = "its codes have a number of bits that is not read: 8 to 16 are";
   return opened;
 }
 
