@@ -1,5 +1,5 @@
-// The interface to libheif: a module (liblippmann_heic.so) that is loaded when the first HEIC picture is read. libheif brings the
-// codecs of videos, which nothing else here needs. Private to src/image.
+// The interface to libheif: a module (liblippmann_heic.so) that is loaded when the first HEIC picture is read. libheif brings
+// the codecs of videos, which nothing else here needs. Private to src/image.
 #pragma once
 
 #include <cstddef>
