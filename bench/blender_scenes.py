@@ -4,7 +4,7 @@
   bench/blender_scenes.py FILE_OR_FOLDER ... [--out DIR] [--size N] [--samples N] [--tool FILE] [--json]
 
 Both get the same file, frame, eye, samples and view transform (bench/cycles/blend_inside_blender.py). Materials that the exporter does not know, world and lamps come as
-docs/blender.md says: a low figure beside a warning tells what that warning costs. Writes DIR/scenes.html with pictures side by side. Needs python3-numpy and Blender (BLENDER names another).
+docs/guide/blender.md says: a low figure beside a warning tells what that warning costs. Writes DIR/scenes.html with pictures side by side. Needs python3-numpy and Blender (BLENDER names another).
 """
 
 import argparse

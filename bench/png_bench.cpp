@@ -1,4 +1,4 @@
-// CPU time and size of one 512 x 512 PNG for each way to compress it: the table of docs/decisions/0002-png-compression.md.
+// CPU time and size of one 512 x 512 PNG for each way to compress it: the table of docs/lab/decisions/0002-png-compression.md.
 #include <fmt/format.h>
 
 #include <algorithm>

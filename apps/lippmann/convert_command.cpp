@@ -123,7 +123,7 @@ std::string formats_help() {
   std::string text = "Formats:\n";
   for (const LightFieldFormat& format : light_field_formats())
     text += fmt::format("  {:<10}  {}\n", format.name, with_flags(format.is));
-  return text + "See docs/layouts.md for each, with an example.";
+  return text + "See docs/reference/layouts.md for each, with an example.";
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ void add_play_command(const Command& root, Action& chosen) {
   const Command command = root.add_command(
       "play",
       "Play a light field on a calibrated panel, full screen in the browser, interlaced as it plays; or set up a scene on it");
-  command.footer("Open the page on the panel's screen and press F; see docs/view.md.");
+  command.footer("Open the page on the panel's screen and press F; see docs/guide/view.md.");
   command
       .add_option(
           "IN", options->in,

@@ -324,7 +324,7 @@ void add_render_command(const Command& root, Action& chosen, const std::string& 
   command.add_flag("-v,--verbose", options->verbose, "Print a line for every frame").group("Running");
   command
       .add_option("--progress", options->progress,
-                  "json: on stderr one object a line, before the first frame and after every frame (docs/formats.md)")
+                  "json: on stderr one object a line, before the first frame and after every frame (docs/reference/formats.md)")
       .one_of({"json"})
       .type_name("FORMAT")
       .group("Running");

@@ -16,7 +16,7 @@ namespace lippmann::app {
 enum class RenderProgressKind {
   kAuto,     ///< a bar on a terminal, elsewhere a line now and then
   kVerbose,  ///< a line per frame
-  kJson,     ///< an object per frame, and within long ones: docs/formats.md has its keys
+  kJson,     ///< an object per frame, and within long ones: docs/reference/formats.md has its keys
   kNone
 };
 

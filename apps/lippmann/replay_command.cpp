@@ -157,7 +157,7 @@ void add_refocus_flags(const Command& command, ReplayOptions& options) {
 void add_replay_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<ReplayOptions>();
   const Command command = root.add_command("replay", "Show what an eye sees of a light field on its display, and refocus it");
-  command.footer("Lengths are in millimetres of the display, whose lens plane is z = 0; see docs/replay.md.");
+  command.footer("Lengths are in millimetres of the display, whose lens plane is z = 0; see docs/guide/replay.md.");
   command
       .add_option("IN", options->in, "A rendered picture, a folder of frames, or any light field that `lippmann convert` reads")
       .required();

@@ -132,7 +132,7 @@ void add_view_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<ViewOptions>();
   const Command command =
       root.add_command("view", "Show a light field in the browser, or set up a scene there: eyes, time, focus, comparison");
-  command.footer("Nothing outside IN and OTHER is readable through the server; see docs/view.md.");
+  command.footer("Nothing outside IN and OTHER is readable through the server; see docs/guide/view.md.");
   command.add_option(
       "IN", options->in,
       "A rendered picture, a folder of frames, or any light field that `lippmann convert` reads; or a scene or a job, "

@@ -1,4 +1,4 @@
-"""What a camera's lens and shutter blur, as flags of `lippmann render` (docs/displays.md, "Depth of field and motion blur")."""
+"""What a camera's lens and shutter blur, as flags of `lippmann render` (docs/guide/displays.md, "Depth of field and motion blur")."""
 
 from . import displays, frame
 

@@ -1,4 +1,4 @@
-"""Blender's Film > Transparent, as `--transparent` of the tool (docs/formats.md): pictures with alpha, whose surroundings light the scene and are not seen."""
+"""Blender's Film > Transparent, as `--transparent` of the tool (docs/reference/formats.md): pictures with alpha, whose surroundings light the scene and are not seen."""
 
 
 def lost_of_transparency(scene, still):

@@ -1,7 +1,7 @@
 """The light-field frame: an empty whose XY plane is the display's, its +Z towards the viewer. Where it stands, and what is sharp there.
 
 Without one the display stands before the scene's camera: at its focus where it has depth of field, else amid what it sees.
-Depths follow docs/displays.md: a display of height H mm that is h units high in the scene has H / h mm per unit, its viewer at the viewing distance D, and
+Depths follow docs/guide/displays.md: a display of height H mm that is h units high in the scene has H / h mm per unit, its viewer at the viewing distance D, and
 resolves depth within the budget b on either side; both are figures of `lippmann displays --json`.
 """
 

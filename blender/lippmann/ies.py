@@ -1,4 +1,4 @@
-"""Point lamps whose IES texture has a file: Blender's exporter drops it, and glTF's EXT_lights_ies carries it (docs/gltf.md).
+"""Point lamps whose IES texture has a file: Blender's exporter drops it, and glTF's EXT_lights_ies carries it (docs/reference/gltf.md).
 
 Taken are lamps as Blender's users make them: an IES Texture, with no rotation of its own, as the strength of the lamp's Emission. Cycles makes
 4 pi / 177.83 of a candela and spreads a lamp's power over 4 pi, so that a lamp of P watts has P / 177.83 of the file's candelas. Its azimuths run from

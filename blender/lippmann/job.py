@@ -1,6 +1,6 @@
 """One render through the tool: the scene exported by a Blender of its own, then `lippmann render` on it, both child processes.
 
-Below the output folder: scene.glb and world.exr (what is rendered), still/ or animation/ (the tool's folders, docs/formats.md), lippmann.log.
+Below the output folder: scene.glb and world.exr (what is rendered), still/ or animation/ (the tool's folders, docs/reference/formats.md), lippmann.log.
 """
 
 import json

@@ -186,7 +186,7 @@ def shining_area(light, report):
 
 
 def sized(light):
-    """The light with its size as custom properties, which glTF's exporter writes as extras: it has no other place for them (docs/gltf.md)."""
+    """The light with its size as custom properties, which glTF's exporter writes as extras: it has no other place for them (docs/reference/gltf.md)."""
     light = light.copy()
     if light.type == "SUN":
         light["angle"] = light.angle
@@ -199,7 +199,7 @@ def sized(light):
 
 
 def unmet_by(instance):
-    """What rays do not meet, as custom properties, which glTF's exporter writes as extras (docs/gltf.md). Area lights are in no light's way."""
+    """What rays do not meet, as custom properties, which glTF's exporter writes as extras (docs/reference/gltf.md). Area lights are in no light's way."""
     things = [instance.object.original] + ([instance.parent.original] if instance.is_instance and instance.parent else [])
     is_area = things[0].type == "LIGHT" and things[0].data.type == "AREA"
     unmet = {}

@@ -117,7 +117,7 @@ class Child:
 
 
 def pictures(folder, frame):
-    """The finished pictures of a frame: one, or those of a folder of views. Names are those of docs/formats.md."""
+    """The finished pictures of a frame: one, or those of a folder of views. Names are those of docs/reference/formats.md."""
     folder = pathlib.Path(folder)
     stem = f"frame_{frame:04d}"
     found = sorted(path for path in folder.glob(stem + "*") if path.suffix in (".png", ".exr", ".tif", ".tiff"))

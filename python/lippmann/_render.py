@@ -99,7 +99,7 @@ def frames(
     frames: which, counted from 0; None: all.
     layout: "views": of a slanted panel its quilt, else what lies behind its lenses; "native": the panel's own pixels.
     layers: of depth (mm, above 0 in front of the display), ray-depth, normal, position (both in the world), id, albedo, motion
-        (pixels since the frame before), provenance (a code, docs/reuse.md), direct, indirect. "disparity" asks for depth.
+        (pixels since the frame before), provenance (a code, docs/guide/reuse.md), direct, indirect. "disparity" asks for depth.
     integrator: "path" (all light, by random paths) or "whitted" (quick: direct light, sharp shadows, mirrors). None: path, but
         whitted for scenes of formats that describe Whitted's shading, the built-in ones among them, and for files of splats
         alone.
@@ -109,7 +109,7 @@ def frames(
     aperture_mm, or f_number (of a camera with a sensor 36 mm wide, in scenes in metres): depth of field for views: the diameter
         of the lens that each is seen through. focal_plane_mm: what is sharp, in front of the display's plane. 2 or more spp.
     shutter: motion blur, over this share of the time from frame to frame (0 to 1). 2 or more spp.
-    reuse: auto, none, copy, interpolate (docs/reuse.md); the last two need integrator="whitted". keyframes: for copy and
+    reuse: auto, none, copy, interpolate (docs/guide/reuse.md); the last two need integrator="whitted". keyframes: for copy and
         interpolate, the largest distance between key frames. min_psnr: for interpolate, the lowest PSNR of a frame in dB. A reuse
         that has no use for one of them refuses it; "auto" ignores unsuitable keyframes, with a LippmannWarning.
     fit_depth: scenes that are deeper than the display resolves are shown less deep. None: as `lippmann render`: not for views of

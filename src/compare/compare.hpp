@@ -1,6 +1,6 @@
 // Compares two pictures, two folders of frames, or two videos (or a folder and a video) frame by frame.
 //
-// Definitions of all figures: image/metrics.hpp and docs/metrics.md.
+// Definitions of all figures: image/metrics.hpp and docs/reference/metrics.md.
 #pragma once
 
 #include <filesystem>

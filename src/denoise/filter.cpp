@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-// Standard deviations of the Gaussian weights that compare two surfaces. docs/decisions/0013 has the measurements.
+// Standard deviations of the Gaussian weights that compare two surfaces. docs/develop/decisions/0013 has the measurements.
 constexpr float kNormalSpread = 0.2f;  ///< length of the difference of unit normals
 constexpr float kAlbedoSpread = 0.2f;
 constexpr float kMetSpread = 0.2f;

@@ -44,7 +44,7 @@ SheetValues values_of_line(const std::string& line) {
     const std::vector<std::string_view> known(kSheetKeys.begin(), kSheetKeys.end());
     if (std::find(known.begin(), known.end(), key) == known.end())
       throw usage_error("display", "a sheet has no " + shown(key) + did_you_mean(key, known),
-                        "lpi=60.12 dpi=600 paper=A5, and the other keys of docs/displays.md");
+                        "lpi=60.12 dpi=600 paper=A5, and the other keys of docs/guide/displays.md");
     if (!values.emplace(key, equals < word.size() ? word.substr(equals + 1) : "").second)
       throw usage_error(key, "is given twice", "once");
     begin = end;

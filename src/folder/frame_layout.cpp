@@ -140,7 +140,7 @@ void FrameLayout::check_picture_size(bool with_layers) const {
       fmt::format("up to {} pixels, or `format` tiff (`layout` print) without `aov` up to {}", kMaxFilePixels, kMaxTiffPixels));
 }
 
-/// A recording array turns every elemental image by 180 degrees (docs/replay.md): a layout that is not turned round.
+/// A recording array turns every elemental image by 180 degrees (docs/guide/replay.md): a layout that is not turned round.
 void FrameLayout::turn_round(const Optics& optics, PictureLayout layout) {
   if (layout != PictureLayout::kIntegral || !has_lenses(optics))
     throw usage_error("pseudoscopic", "needs elemental images, which lie behind lenses", "`layout` integral");

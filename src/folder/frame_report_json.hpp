@@ -1,4 +1,4 @@
-// The figures of a frame as JSON, in a folder's journal and in report.json; docs/formats.md explains every key.
+// The figures of a frame as JSON, in a folder's journal and in report.json; docs/reference/formats.md explains every key.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -18,7 +18,7 @@ enum class PngStrategy { kDefault, kFiltered, kRunLength, kHuffman };
 /// From which neighbours a byte is predicted; adaptive tries all for every row.
 enum class PngFilter { kNone, kLeft, kUp, kAverage, kPaeth, kAdaptive };
 
-/// The defaults are chosen by measurement: docs/decisions/0002-png-compression.md.
+/// The defaults are chosen by measurement: docs/lab/decisions/0002-png-compression.md.
 struct PngOptions {
   int level = 1;  ///< deflate's effort, 0 (stored) ... 9; run-length and Huffman ignore it
   PngStrategy strategy = PngStrategy::kDefault;

@@ -2,7 +2,7 @@
 // rows.
 //
 // An estimate, within a factor of 1.5 of what renders have been measured to take beyond what the scene takes
-// (docs/decisions/0079-memory-is-estimated-by-part.md has the figures).
+// (docs/lab/decisions/0079-memory-is-estimated-by-part.md has the figures).
 #pragma once
 
 #include <string>

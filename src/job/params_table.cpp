@@ -633,9 +633,9 @@ std::vector<ParamInfo> file_rows() {
               {"crf", "Files", "N", "Quality of videos, 0 (best) to 51 (h264, hevc) or 63; default 18, hevc 20, else 24"})),
       runs_only(row(ParamKind::kText, &P::output, &OutputParams::also, optional_choice<Companion>(kCompanionNames),
                     {"also", "Files", "WHAT", "single: then the same frames as one eye sees them, into DIR/single"})),
-      runs_only(
-          row(ParamKind::kFlag, &P::output, &OutputParams::page, flag(),
-              {"page", "Files", "", "Also write DIR/page, a page that shows the light field in any browser (docs/view.md)"})),
+      runs_only(row(
+          ParamKind::kFlag, &P::output, &OutputParams::page, flag(),
+          {"page", "Files", "", "Also write DIR/page, a page that shows the light field in any browser (docs/guide/view.md)"})),
   };
 }
 

@@ -44,7 +44,7 @@ class LiveScene {
   /// settings.
   std::uint64_t change(const nlohmann::ordered_json& changes);
 
-  /// What the page is told (docs/view.md lists the keys), as soon as it is not that of `serial`, or after `patience`.
+  /// What the page is told (docs/guide/view.md lists the keys), as soon as it is not that of `serial`, or after `patience`.
   nlohmann::ordered_json state_after(std::uint64_t serial, std::chrono::milliseconds patience) const;
 
   /// The facts of the light field as the last picture has it.

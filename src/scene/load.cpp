@@ -107,10 +107,11 @@ std::string meant_builtin(const fs::path& path) {
   constexpr std::string_view kOfBlender[] = {".usd", ".usda", ".usdc", ".usdz", ".abc", ".fbx", ".dae", ".stl"};
   const std::string extension = lower_extension(path);
   if (extension == ".blend")
-    throw Error(path.string(), "is a file of Blender", "a render by its add-on (docs/blender.md), or a .glb that it exports");
+    throw Error(path.string(), "is a file of Blender",
+                "a render by its add-on (docs/guide/blender.md), or a .glb that it exports");
   if (std::find(std::begin(kOfBlender), std::end(kOfBlender), extension) != std::end(kOfBlender))
     throw Error(path.string(), "is a scene format that Blender reads",
-                "a .glb of it, which Blender makes by to_glb.py (docs/scenes.md, \"Other formats\")");
+                "a .glb of it, which Blender makes by to_glb.py (docs/guide/scenes.md, \"Other formats\")");
   throw Error(path.string(), "is not a known scene format", accepted_names());
 }
 

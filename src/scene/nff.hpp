@@ -1,4 +1,4 @@
-// Reads Eric Haines' Neutral File Format (.nff): what docs/scenes.md says it means, as a Scene.
+// Reads Eric Haines' Neutral File Format (.nff): what docs/guide/scenes.md says it means, as a Scene.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,5 @@
-// Reads Wavefront OBJ files (.obj) and their materials (.mtl): what docs/scenes.md says they mean, as a Scene without camera.
+// Reads Wavefront OBJ files (.obj) and their materials (.mtl): what docs/guide/scenes.md says they mean, as a Scene without
+// camera.
 #pragma once
 
 #include <filesystem>

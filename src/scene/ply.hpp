@@ -1,5 +1,5 @@
-// Reads PLY files (.ply), Stanford's polygon format, text and binary: what docs/scenes.md says they mean, as a Scene without
-// camera.
+// Reads PLY files (.ply), Stanford's polygon format, text and binary: what docs/guide/scenes.md says they mean, as a Scene
+// without camera.
 #pragma once
 
 #include <cstdint>

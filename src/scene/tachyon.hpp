@@ -1,4 +1,4 @@
-// Reads Tachyon scene files (.dat) and camera paths (.cam): what docs/tachyon.md says they mean, as a Scene.
+// Reads Tachyon scene files (.dat) and camera paths (.cam): what docs/reference/tachyon.md says they mean, as a Scene.
 //
 // Tachyon's world is left-handed (right = up x view), ours is right-handed: every point, direction and axis is mirrored in the
 // plane z = 0 on import, and nothing else knows of it.

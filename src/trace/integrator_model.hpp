@@ -1,4 +1,4 @@
-// The interface of integrators of whole frames. docs/add-an-integrator.md lists the steps to add one.
+// The interface of integrators of whole frames. docs/develop/add-an-integrator.md lists the steps to add one.
 #pragma once
 
 #include <memory>

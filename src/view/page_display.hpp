@@ -21,7 +21,7 @@ struct PageDisplay {
 /// Throws a usage Error naming `views` where views are more than one row, of which no panel's frame is made.
 void require_one_row(const PageFacts& facts);
 
-/// Which view each sub-pixel is of (docs/view.md lists the keys).
+/// Which view each sub-pixel is of (docs/guide/view.md lists the keys).
 nlohmann::ordered_json phases_json(const ViewPhases& phases);
 
 /// The same of a panel, with its name and size, and how views are mixed.

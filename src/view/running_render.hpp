@@ -40,7 +40,8 @@ class RunningRender {
   /// The file of the frame of that index, once it is finished.
   std::optional<std::filesystem::path> file(std::size_t index) const;
 
-  /// What the page is told (docs/view.md lists the keys), with the frames that were found finished after the first `known`.
+  /// What the page is told (docs/guide/view.md lists the keys), with the frames that were found finished after the first
+  /// `known`.
   nlohmann::ordered_json state_after(std::size_t known);
 
   /// Does to the processes of this machine that render into the folder what Ctrl-C does. Throws Error if there are none.

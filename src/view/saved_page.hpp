@@ -1,7 +1,7 @@
 // The page with its light fields in a folder that any web server serves, and that opens from a disk too.
 //
 // Pages that are opened from a disk may not read files beside them, only run scripts: so each picture is a script that hands
-// its bytes, in base 64, to the page. That takes a third more bytes, and one way serves both (docs/decisions/0024).
+// its bytes, in base 64, to the page. That takes a third more bytes, and one way serves both (docs/lab/decisions/0024).
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-"""The commands of docs/blender.md, in a home folder of their own: they install the add-on's zip file and render an animation. Blender runs this file."""
+"""The commands of docs/guide/blender.md, in a home folder of their own: they install the add-on's zip file and render an animation. Blender runs this file."""
 
 import json
 import os
@@ -11,7 +11,7 @@ import unittest
 
 import bpy
 
-DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs/blender.md"
+DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs/guide/blender.md"
 ARCHIVE = "build/release/lippmann-blender.zip"  # as the documented commands name it
 HAS_EXTENSIONS = bpy.app.version >= (4, 2)
 

@@ -71,7 +71,7 @@ TEST(Readme, commands_run_as_they_stand) {
   }
 }
 
-/// Writes the pictures and displays that docs/prints.md speaks of.
+/// Writes the pictures and displays that docs/guide/prints.md speaks of.
 void make_pictures_of_prints(const TempDir& dir) {
   expect_done(dir, {"render", "teapot", "--optics", "multiview", "--views", "3x1", "--size", "96x24", "--frames", "0",
                     "--layout", "views", "-q", "-o", "made"});
@@ -89,7 +89,7 @@ void make_pictures_of_prints(const TempDir& dir) {
     "screenW": {"value": 1536}, "screenH": {"value": 2048}, "flipImageX": {"value": 0}})";
 }
 
-/// Writes the pictures of docs/prints.md that need texture: three views, two of them as a pair, and one with a depth map.
+/// Writes the pictures of docs/guide/prints.md that need texture: three views, two of them as a pair, and one with a depth map.
 void make_textured_pictures(const TempDir& dir) {
   expect_done(dir, {"render", "room", "--optics", "multiview", "--views", "3x1", "--size", "2040x480", "--view-angle", "4",
                     "--frames", "0", "--layout", "views", "-q", "-o", "textured"});
@@ -110,7 +110,7 @@ TEST(Docs, commands_of_prints_run_as_they_stand) {
   const TempDir dir;
   make_pictures_of_prints(dir);
   make_textured_pictures(dir);
-  const Words commands = commands_of("docs/prints.md");
+  const Words commands = commands_of("docs/guide/prints.md");
   ASSERT_GE(commands.size(), 6u);
   for (const std::string& command : commands)
     if (is_align_module_installed() || !needs_align_module(command)) expect_runs(dir, command);
@@ -151,9 +151,9 @@ TEST(Docs, links_lead_to_files) {
 TEST(Docs, are_in_plain_words) {
   const fs::path source(LIPPMANN_SOURCE);
   EXPECT_THAT(odd_words_in(bytes_of(source / "README.md")), testing::IsEmpty());
-  for (const auto& entry : fs::directory_iterator(source / "docs"))
-    if (entry.path().extension() == ".md") {
-      EXPECT_THAT(odd_words_in(bytes_of(entry.path())), testing::IsEmpty()) << entry.path();
+  for (const char* part : {"docs/guide", "docs/reference", "docs/develop"})
+    for (const auto& page : fs::recursive_directory_iterator(source / part)) {
+      if (page.is_regular_file()) EXPECT_THAT(odd_words_in(bytes_of(page.path())), testing::IsEmpty()) << page.path();
     }
 }
 

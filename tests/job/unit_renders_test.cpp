@@ -82,7 +82,7 @@ TEST_F(UnitRenders, that_are_missing_or_damaged_are_named_and_a_resume_renders_t
   EXPECT_TRUE(finish("a").report) << "a second time";
 }
 
-// Which frames `copy` copies from is chosen anew in each run (docs/decisions/0050): its layers are not compared.
+// Which frames `copy` copies from is chosen anew in each run (docs/lab/decisions/0050): its layers are not compared.
 TEST_F(UnitRenders, and_resumed_runs_tell_where_pixels_came_from_as_one_run_does) {
   const std::vector<Settings> ways{{{"reuse", "interpolate"}, {"keyframes", "4"}},
                                    {{"reuse", "interpolate"}, {"keyframes", "2"}, {"min-psnr", "40"}},

@@ -68,7 +68,7 @@ test("an eye that leaves the zone is warned of, with the share that replay says"
   assert.equal(await notice(), "");
 });
 
-test("the crosstalk is told as the share of each neighbour, as in docs/displays.md", async () => {
+test("the crosstalk is told as the share of each neighbour, as in docs/guide/displays.md", async () => {
   const page = await open(await view("sheet"));
   for (const [sigma, share] of [[0.3, "4.8"], [0.5, "15.7"], [0.75, "23.0"]]) {
     await set(page, { crosstalk: sigma });

@@ -1,4 +1,4 @@
-"""What is written about the package holds: docstrings, stubs, and docs/python.md, whose code runs as it stands."""
+"""What is written about the package holds: docstrings, stubs, and docs/guide/python.md, whose code runs as it stands."""
 
 import ast
 import doctest
@@ -60,7 +60,7 @@ class Documents(Case):
         self.assertIn(lippmann.__version__, said)
 
     def test_the_code_of_docs_python_md_runs_word_for_word(self):
-        text = (SOURCE / "docs/python.md").read_text()
+        text = (SOURCE / "docs/guide/python.md").read_text()
         blocks = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
         self.assertGreaterEqual(len(blocks), 5)
         (self.folder / "examples").symlink_to(SOURCE / "examples")
@@ -69,7 +69,7 @@ class Documents(Case):
         self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_every_format_and_example_is_named_in_docs_python_md(self):
-        text = (SOURCE / "docs/python.md").read_text()
+        text = (SOURCE / "docs/guide/python.md").read_text()
         for example in (SOURCE / "examples/python").glob("*.py"):
             self.assertIn(f"examples/python/{example.name}", text)
         for name in lippmann.formats():

@@ -11,8 +11,8 @@ namespace lippmann {
 
 /// The name of a preset ("looking-glass-portrait", or without "looking-glass-"), or a path: .toml, a display of one's own;
 /// .json, a calibration ("visual.json"), which takes what it lacks (quilt, cone, video) from the preset of its serial number;
-/// or a lenticular sheet in one line, "lpi=60.12 dpi=600 paper=A5" (docs/displays.md). Throws Error naming the file and key,
-/// or, of an unknown name, the nearest.
+/// or a lenticular sheet in one line, "lpi=60.12 dpi=600 paper=A5" (docs/guide/displays.md). Throws Error naming the file and
+/// key, or, of an unknown name, the nearest.
 Display load_display(const std::string& preset_or_path);
 
 /// Whether it is a path: neither the name of a preset nor a sheet in one line.

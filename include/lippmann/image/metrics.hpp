@@ -1,6 +1,6 @@
 // How much a picture differs from a reference: mean squared error, PSNR and SSIM of 8-bit codes.
 //
-// Exact definitions (also in docs/metrics.md), for codes 0 ... 255 of reference a and test b:
+// Exact definitions (also in docs/reference/metrics.md), for codes 0 ... 255 of reference a and test b:
 //   MSE of a channel   mean over all pixels of (a - b)^2; its mean: (R + G + B) / 3
 //   RMSE               square root of the MSE; of the mean: of the mean MSE (not the mean of three roots)
 //   PSNR               10 log10(255^2 / mean MSE) dB; infinite for equal pictures

@@ -212,8 +212,8 @@ struct SurfaceExtensions {
   float dispersion = 0.0f;       ///< 20 / Abbe number; 0: all colours are refracted alike
 };
 
-/// glTF 2.0's metallic-roughness model with the extensions that docs/gltf.md lists. Maps multiply the factors beside them, with
-/// the channels named here; colours are sRGB textures, all else is stored as it is.
+/// glTF 2.0's metallic-roughness model with the extensions that docs/reference/gltf.md lists. Maps multiply the factors beside
+/// them, with the channels named here; colours are sRGB textures, all else is stored as it is.
 struct MetallicRoughness {
   Vec4f base_color{1.0f};
   TextureMap base_color_map;

@@ -52,7 +52,8 @@ float scale_of(std::string_view generator, LightKind kind) {
   return kind == LightKind::kDirectional ? 1.0f : 1.0f / (4.0f * kPi);
 }
 
-/// Sizes have no place in the extension: custom properties of the light in Blender, and what its add-on writes (docs/gltf.md).
+/// Sizes have no place in the extension: custom properties of the light in Blender, and what its add-on writes
+/// (docs/reference/gltf.md).
 float extra(Value from, const char* name) { return static_cast<float>(from["extras"][name].number(0.0)); }
 
 /// Blender's soft edge in place of the inner cone: a part of the cosines from the outer cone's to 1.

@@ -1,4 +1,4 @@
-# Adds the model of parallel_view.patch to a copy of the sources, as docs/add-an-optics-model.md says it, and runs the model's test.
+# Adds the model of parallel_view.patch to a copy of the sources, as docs/develop/add-an-optics-model.md says it, and runs the model's test.
 # If the patch does not apply any more, or the page names other files, bring both up to date.
 #   cmake -D SOURCE=... -D WORK=... -D CXX=... -D LAUNCHER=... -P check.cmake
 cmake_minimum_required(VERSION 3.25)
@@ -17,15 +17,15 @@ execute_process(COMMAND ${patch} -p1 --forward --no-backup-if-mismatch -i ${file
 file(STRINGS ${file} touched REGEX "^\\+\\+\\+ b/")
 list(LENGTH touched count)
 if(count GREATER 6)
-  message(FATAL_ERROR "a model takes ${count} files, without CHANGELOG.md; docs/add-an-optics-model.md promises 6")
+  message(FATAL_ERROR "a model takes ${count} files, without CHANGELOG.md; docs/develop/add-an-optics-model.md promises 6")
 endif()
-file(READ ${SOURCE}/docs/add-an-optics-model.md page)
+file(READ ${SOURCE}/docs/develop/add-an-optics-model.md page)
 foreach(line IN LISTS touched)
   string(REGEX REPLACE "^\\+\\+\\+ b/" "" path "${line}")
   string(REPLACE parallel_view NAME path "${path}")
   string(FIND "${page}" "`${path}`" found)
   if(found EQUAL -1)
-    message(FATAL_ERROR "docs/add-an-optics-model.md does not name `${path}`")
+    message(FATAL_ERROR "docs/develop/add-an-optics-model.md does not name `${path}`")
   endif()
 endforeach()
 
