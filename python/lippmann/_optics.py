@@ -50,7 +50,7 @@ def display_of(display: Any, argument: str) -> Display:
 
 
 def display_from_toml(toml: str) -> Display:
-    """The display that a text says, which is what a .toml file would hold (docs/guide/displays.md)."""
+    """The display that a text says, which is what a .toml file would hold (docs/reference/displays.md)."""
     with Naming(text="toml"):
         return _core.display_from_toml(text(toml, "toml"))
 

@@ -7,7 +7,8 @@
 
 namespace lippmann {
 
-/// As docs/guide/displays.md names the keys of files; besides, what follows from them: views, periods, tilt, lens pitch, size.
+/// As docs/reference/displays.md names the keys of files; besides, what follows from them: views, periods, tilt, lens pitch,
+/// size.
 nlohmann::ordered_json display_json(const Display& display);
 
 }  // namespace lippmann

@@ -8,7 +8,7 @@
 
 namespace lippmann {
 
-/// A whole display; `json` as docs/guide/displays.md describes TOML files. Throws Error naming `where` and the key.
+/// A whole display; `json` as docs/reference/displays.md describes TOML files. Throws Error naming `where` and the key.
 Display display_from_tables(const nlohmann::ordered_json& json, const std::string& where);
 
 /// What a calibration's JSON says, over `base`: its pitch, slope and center it must say itself. Throws likewise.

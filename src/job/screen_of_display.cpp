@@ -21,7 +21,7 @@ void refuse_what_the_display_decides(const RenderParams& params) {
   for (const KindParam& param : kKindParams)
     if (param.name != "views" && param.name != "camera-grid" && param.name != "cone-ends" && param.is_given(params.optics))
       throw usage_error(std::string(param.name), "the display has its own",
-                        "a display of your own in a .toml file (docs/guide/displays.md)");
+                        "a display of your own in a .toml file (docs/reference/displays.md)");
   refuse(params.optics.camera_grid, "--camera-grid", "cannot be combined with --display, whose views are at equal angles",
          "one of the two");
 }

@@ -2,7 +2,7 @@
 // optics that follow.
 //
 // Three kinds: slanted panels (Looking Glass and the like), whose every sub-pixel has a direction by calibration; lenticular
-// sheets on a print or a panel; microlens arrays on a panel. docs/guide/displays.md describes the files.
+// sheets on a print or a panel; microlens arrays on a panel. docs/reference/displays.md describes the files.
 #pragma once
 
 #include <array>
