@@ -121,10 +121,9 @@ class LightTreeBuilder {
     for (const std::uint32_t l : members) box.add(lights_[l].middle);
     const Vec3f size = box.size();
     if (!(std::max({size.x, size.y, size.z}) > 0.0f)) return members.size() / 2;
-    const auto [axis, bin] = best_cut(members, box);
-    const auto side = std::partition(members.begin(), members.end(), [&, axis = axis, bin = bin](std::uint32_t l) {
-      return bin_of(lights_[l].middle, box, axis) < bin;
-    });
+    const Cut cut = best_cut(members, box);
+    const auto side = std::partition(members.begin(), members.end(),
+                                     [&](std::uint32_t l) { return bin_of(lights_[l].middle, box, cut.axis) < cut.bin; });
     const auto first = static_cast<std::size_t>(side - members.begin());
     return std::min(first, members.size() - first) * kLeastPart < members.size() ? halve_by_count(members, size) : first;
   }
