@@ -1,4 +1,5 @@
 // The commands of README.md run as they stand there.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -116,6 +117,55 @@ TEST(Docs, commands_of_prints_run_as_they_stand) {
     if (is_align_module_installed() || !needs_align_module(command)) expect_runs(dir, command);
 }
 
+/// Writes the files that the other pages of the guide use.
+void make_files_of_the_guide(const TempDir& dir) {
+  const fs::path examples = fs::path(LIPPMANN_SOURCE) / "examples";
+  fs::create_directory_symlink(examples, dir / "examples");
+  fs::copy_file(examples / "desk.glb", dir / "chair.glb");
+  make_pictures_of_prints(dir);
+  std::ofstream(dir / "own.toml") << "kind = \"slanted-panel\"\npixels = [1536, 2048]\ndpi = 324\nview_cone_deg = 40\n"
+                                     "crosstalk = 0.3\n[calibration]\npitch = 52.6\nslope = -7.1\ncenter = 0.8\n";
+  std::ofstream(dir / "film.toml") << "scene = \"teapot\"\nframes = \"0-1\"\nsize = \"32x24\"\nlenses = 4\noutput = \"film\"\n";
+  std::ofstream(dir / "sky.hdr") << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n\x40\x40\x40\x81\x40\x40\x40\x81";
+}
+
+/// Renders, in small, the folders that commands of the guide read.
+void make_renders_of_the_guide(const TempDir& dir) {
+  const Words small{"--size", "256x256", "--lenses", "32", "--frames", "40", "-q"};
+  expect_done(dir, Words{"render", "room", "-o", "out/room"} + small);
+  expect_done(dir, Words{"render", "room", "-o", "recorded"} + small);
+  expect_done(dir, {"render", "film.toml", "-q"});
+  expect_done(dir, {"render", "teapot", "--frames", "3", "--size", "32x24", "--lenses", "4", "-q", "-o", "still"});
+  expect_done(dir, {"render", "chair.glb", "--frames", "0-1", "--size", "32x32", "--optics", "single", "--spp", "1", "-q", "-o",
+                    "clip"});
+  expect_done(dir, {"render", "teapot", "--optics", "multiview", "--views", "8x6", "--size", "240x240", "--frames", "0",
+                    "--layout", "quilt", "-q", "-o", "quilt"});
+  for (const auto& file : fs::directory_iterator(dir / "quilt"))
+    if (file.path().extension() == ".png") fs::copy_file(file.path(), dir / "quilt_qs8x6a0.75.png");
+}
+
+/// Whether a command serves a page until it is stopped.
+bool is_server(const std::string& command) {
+  return command.starts_with("lippmann play") ||
+         (command.starts_with("lippmann view") && command.find("--save") == std::string::npos);
+}
+
+TEST(Docs, commands_of_the_guide_run_as_they_stand) {
+  const TempDir dir;
+  make_files_of_the_guide(dir);
+  Words renders, others;
+  for (const char* page : {"displays", "light", "many-machines", "replay", "reuse"})
+    for (const std::string& command : commands_of(fmt::format("docs/guide/{}.md", page)))
+      if (!is_server(command)) (command.starts_with("lippmann render") ? renders : others).push_back(command);
+  ASSERT_GE(renders.size(), 20u);
+  ASSERT_GE(others.size(), 15u);
+  for (const std::string& command : renders)
+    expect_runs(dir, command.find("--dry-run") != std::string::npos ? command : quick(command));
+  make_renders_of_the_guide(dir);
+  for (const std::string& command : others)
+    expect_runs(dir, "HOME=.; " + command + (command.starts_with("lippmann plan") ? " --only-list" : ""));
+}
+
 /// Words and phrases that readers stumble over, in small letters.
 std::vector<std::string> odd_words_in(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -153,7 +203,8 @@ TEST(Docs, are_in_plain_words) {
   EXPECT_THAT(odd_words_in(bytes_of(source / "README.md")), testing::IsEmpty());
   for (const char* part : {"docs/guide", "docs/reference", "docs/develop"})
     for (const auto& page : fs::recursive_directory_iterator(source / part)) {
-      if (page.is_regular_file()) EXPECT_THAT(odd_words_in(bytes_of(page.path())), testing::IsEmpty()) << page.path();
+      if (!page.is_regular_file()) continue;
+      EXPECT_THAT(odd_words_in(bytes_of(page.path())), testing::IsEmpty()) << page.path();
     }
 }
 
