@@ -1,4 +1,4 @@
-// The commands of README.md run as they stand there.
+// The commands of README.md and of the guide run as they stand there.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -60,7 +60,7 @@ void expect_runs(const TempDir& dir, const std::string& line) {
 }
 
 TEST(Readme, commands_run_as_they_stand) {
-  const Words commands = commands_of("README.md");
+  const Words commands = commands_of("README.md") + commands_of("docs/guide/start.md");
   ASSERT_GE(commands.size(), 20u);
   const TempDir dir;
   fs::create_directory_symlink(fs::path(LIPPMANN_SOURCE) / "examples", dir / "examples");
