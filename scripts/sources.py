@@ -29,13 +29,16 @@ def of_checked_folders(commands):
     return {path: entry for path, entry in commands.items() if path.startswith(FOLDERS)}
 
 
+def default_start():
+    """The last commit that is six hours older than HEAD; the empty tree in a shallow clone with less history."""
+    since = int(output("git", "log", "-1", "--format=%ct")) - SIX_HOURS_S
+    base = output("git", "rev-list", "-1", f"--before={since}", "HEAD").strip()
+    return base or output("git", "hash-object", "-t", "tree", "/dev/null").strip()
+
+
 def changed_files(base):
-    """Files that changed since the commit `base`; since six hours before HEAD if it is None. A shallow clone has less history: then
-    all files count as changed."""
-    if base is None:
-        since = int(output("git", "log", "-1", "--format=%ct")) - SIX_HOURS_S
-        base = output("git", "rev-list", "-1", f"--before={since}", "HEAD").strip()
-        base = base or output("git", "hash-object", "-t", "tree", "/dev/null").strip()
+    """Files that changed since the commit `base`; since six hours before HEAD if it is None."""
+    base = base or default_start()
     return set(output("git", "diff", "--name-only", "--diff-filter=d", base).split())
 
 
