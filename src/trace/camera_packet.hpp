@@ -1,4 +1,4 @@
-// Sixteen camera rays that are traced together.
+// A packet of sixteen camera rays.
 #pragma once
 
 #include "device/ray_packet.hpp"
@@ -6,17 +6,17 @@
 namespace lippmann {
 
 struct CameraPacket {
-  RayHitPacket rays;  ///< origin, direction, tnear and tfar are set; once traced, also what was hit
+  RayHitPacket rays;  ///< the caller sets origin, direction, tnear and tfar; tracing adds the hits
   LaneMask active;
-  Lanes reach;  ///< tfar before they were traced
-  /// Where a lane's light goes: its pixel (y * width + x of the rows that are rendered), or a slot of whoever traces samples
-  /// one by one.
+  Lanes reach;  ///< tfar before tracing
+  /// Where each lane's light is added: a pixel (y * width + x within the rendered rows), or a slot defined by the caller that
+  /// traces single samples.
   alignas(64) std::uint32_t target[kLanes];
-  /// Random numbers are those of sample number `sample` of a stream. A stream is a pixel of the whole film, as a rule.
+  /// Each lane draws the random numbers of sample `sample` of stream `stream`. A stream is normally a pixel of the whole film.
   alignas(64) std::uint32_t stream[kLanes], sample[kLanes];
 };
 
-/// Random numbers are those of a sample of the pixel that the light goes to. Before targets are counted from later rows.
+/// Seeds each lane by its target pixel and sample number. Call this before targets are rebased to the rendered rows.
 inline void set_streams(int sample, CameraPacket& packet) {
   LIPPMANN_FOR_LANES(i) packet.stream[i] = packet.target[i], packet.sample[i] = static_cast<std::uint32_t>(sample);
 }

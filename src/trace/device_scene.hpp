@@ -1,4 +1,4 @@
-// A Scene made ready for tracing: acceleration structures, flattened primitives, shading tables; at one moment of its timeline.
+// A Scene prepared for tracing at one time: acceleration structures, flattened primitives and shading tables.
 #pragma once
 
 #include <memory>
@@ -12,17 +12,18 @@ namespace lippmann {
 
 struct ShadedScene;
 
-/// Built once per scene, updated once per frame. What never moves is built once; what moves rigidly is moved, not rebuilt.
-/// The Scene must outlive it. Tracing reads it from any number of threads; update() must not overlap with tracing.
+/// Build once per scene and update once per frame. Static objects are built once; rigidly moving objects are transformed, not
+/// rebuilt. The Scene must outlive this object. Any number of threads may trace concurrently; update() must not overlap with
+/// tracing.
 class DeviceScene {
  public:
-  /// What rays meet is the same for every integrator; materials and lights are tabulated for this one.
+  /// Tabulates materials and lights for `integrator`. The geometry is the same for every integrator.
   DeviceScene(const Scene& scene, const ThreadPool& pool, Integrator integrator = Integrator::kWhitted);
   ~DeviceScene();
   DeviceScene(const DeviceScene&) = delete;
   DeviceScene& operator=(const DeviceScene&) = delete;
 
-  /// Moves everything to where `resolved` has it.
+  /// Moves all objects to their places in `resolved`.
   void update(const ResolvedScene& resolved, const ThreadPool& pool);
 
   const ShadedScene& shaded() const { return *shaded_; }  ///< shading/shaded_scene.hpp

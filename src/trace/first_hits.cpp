@@ -10,14 +10,14 @@
 namespace lippmann {
 namespace {
 
-/// However many holes lie behind one another: then whatever comes is taken.
+/// Maximum number of holes that a ray passes. The next hit counts regardless of its opacity.
 constexpr int kMostHoles = 64;
 
 Vec3f unit_direction(const RayHitPacket& packet, int i) {
   return {packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]};
 }
 
-/// What alpha does not cover, whatever glass of the same material lets through.
+/// Returns whether alpha makes the surface a hole. Transmission of the same material does not count as a hole.
 bool is_hole(const ShadedScene& scene, const SurfacePacket& surface, int i, float least_opacity) {
   const Material& material = scene.scene->materials[scene.material_of_instance[surface.instance[i]]];
   const auto* m = std::get_if<MetallicRoughness>(&material.surface);
@@ -26,7 +26,7 @@ bool is_hole(const ShadedScene& scene, const SurfacePacket& surface, int i, floa
   return surface.opacity[i] < least_opacity * solid;
 }
 
-/// The integrator that stores what first hits are.
+/// The integrator that stores first hits.
 class FirstHits {
  public:
   FirstHits(const Shot& shot, const FrameStep* step, FrameAovs& aovs, float least_opacity)
@@ -50,7 +50,7 @@ class FirstHits {
       if (scene_.has_splats()) stop_at_splats(packet, left, active);
       evaluate_surfaces(scene_, packet.rays, active, Lanes{}, beam_, surface);
       if (!store(packet.rays, surface, packet.target, hole == kMostHoles, active)) return;
-      // Behind holes, along the same rays.
+      // Continue through the holes along the same rays.
       for (int i = 0; i < kLanes; ++i)
         if (active.lane[i]) rays.tnear[i] = rays.tfar[i] + surface.t_near[i];
       std::copy_n(packet.reach.lane, kLanes, rays.tfar);
@@ -60,8 +60,8 @@ class FirstHits {
   void finish() const {}
 
  private:
-  /// Splats are hit where less than half of what lies behind shines through. left: what passes up to here. Lanes that have hit
-  /// some are no longer active.
+  /// Stores splat hits: the first splat behind which less than half of the light passes. `left` is the share of light that has
+  /// passed so far. Deactivates lanes that hit a splat.
   void stop_at_splats(CameraPacket& packet, Lanes& left, LaneMask& active) const {
     SplatHits hits;
     SplatLight light;
@@ -77,7 +77,7 @@ class FirstHits {
     }
   }
 
-  /// They have no normal: the viewer's direction stands for it.
+  /// Stores a splat hit. Splats have no normal, so the layer stores the direction to the viewer.
   void store_splat(CameraPacket& packet, int i, const SplatHit& hit, Vec3f color) const {
     RayPacket& ray = packet.rays.ray;
     const Vec3f direction = unit_direction(packet.rays, i);
@@ -90,7 +90,7 @@ class FirstHits {
     store(packet.rays, surface, i, packet.target[i]);
   }
 
-  /// Stores the lanes that have hit something; those that have hit a hole stay active. Whether there are any.
+  /// Stores the lanes that hit a surface. Lanes that hit a hole stay active. Returns whether any lane hit a hole.
   bool store(const RayHitPacket& packet, const SurfacePacket& surface, const std::uint32_t* pixel, bool last,
              LaneMask& active) const {
     bool any_hole = false;

@@ -1,4 +1,4 @@
-// Fills the layers of a frame that say what the first hit behind every pixel's centre is.
+// Fills the layers of a frame that describe the first hit behind each pixel's centre.
 #pragma once
 
 #include "lippmann/core/math.hpp"
@@ -11,15 +11,15 @@
 
 namespace lippmann {
 
-/// Where everything is in a frame, which is that of the device scene, and where it was in the frame before.
+/// The scene in the current frame, as in the device scene, and in the previous frame.
 struct FrameStep {
   const ResolvedScene& now;
   const ResolvedScene& before;
   Affine3f world_from_display_before;
 };
 
-/// Fills the layers of `aovs` that are wanted and of first hits: one ray through the centre of every pixel. Without `step`
-/// nothing has moved. Surfaces whose alpha is below least_opacity are holes. The same bits for any number of threads.
+/// Fills the wanted first-hit layers of `aovs` with one ray through the centre of each pixel. Without `step`, all motion is
+/// zero. Surfaces with an alpha below `least_opacity` are holes. The result does not depend on the number of threads.
 void find_first_hits(const Shot& shot, RayOrder order, const FrameStep* step, const ThreadPool& pool, FrameAovs& aovs,
                      float least_opacity = 0.5f);
 

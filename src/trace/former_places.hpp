@@ -1,7 +1,7 @@
-// Where the points that rays hit were in the frame before, as the display of then saw them.
+// Positions of ray hits in the previous frame, as seen from that frame's display.
 //
-// What moves with a node is taken back by the node's motion; of a mesh that changes its shape, the same place of the same
-// triangle is looked up in the former pose. Composed in double precision.
+// Points on a moving node go back by the node's motion. Points on a deforming mesh use the same barycentric coordinates of the
+// same triangle in the previous pose. The transforms are composed in double precision.
 #pragma once
 
 #include <optional>
@@ -16,18 +16,18 @@ namespace lippmann {
 
 class FormerPlaces {
  public:
-  /// The device scene is as it is `now`. All arguments must outlive this.
+  /// The device scene must be in the state of `step.now`. All arguments must outlive this object.
   FormerPlaces(const ShadedScene& scene, const Affine3f& world_from_display, const FrameStep& step);
 
-  /// Where the point of lane i, whose surface is evaluated, was in the frame before, in mm of its display. None: the point has
-  /// not moved before the display.
+  /// Returns the position of lane i's hit in the previous frame, in mm of that frame's display, or nothing if the point has not
+  /// moved relative to the display. The surface of the lane must have been evaluated.
   std::optional<Vec3f> of(const RayHitPacket& packet, const SurfacePacket& surface, int i) const;
 
  private:
   struct OfInstance {
     bool still = true;
-    Affine3d display_from_world;     ///< to the frame before, from world space now
-    std::optional<MeshPose> pose{};  ///< in the frame before, where the mesh changes its shape
+    Affine3d display_from_world;     ///< from current world space to the display of the previous frame
+    std::optional<MeshPose> pose{};  ///< pose in the previous frame; only for deforming meshes
   };
 
   Vec3f posed_point(const MeshPose& pose, const RayHitPacket& packet, const SurfacePacket& surface, int i) const;

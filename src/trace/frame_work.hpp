@@ -1,4 +1,4 @@
-// Which packets of a frame are traced, and in which batches.
+// Selects the packets of a frame to trace and groups them into batches.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 
 namespace lippmann {
 
-/// Blocks (by block of the frame, touched_blocks.hpp) or packets (by packet of the frame, trace_packets.hpp) whose `wanted` is
-/// not 0; all of them where it is empty.
+/// The blocks (indexed as in touched_blocks.hpp) or packets (indexed as in trace_packets.hpp) with a nonzero entry in `wanted`.
+/// An empty `wanted` selects all of them.
 struct FrameWork {
   enum class Unit { kBlocks, kPackets };
   Unit unit = Unit::kBlocks;
@@ -28,8 +28,8 @@ inline std::size_t blocks_in(int packets) {
   return static_cast<std::size_t>((packets + kPacketsPerBlock - 1) / kPacketsPerBlock);
 }
 
-/// Calls trace(packets of the strip, block of the frame) for what is wanted of a strip of so many packets. Wanted packets form
-/// batches of their own, as large as blocks.
+/// Calls trace(packets of the strip, block of the frame) for the selected work of a strip with `packets_per_strip` packets.
+/// Selected packets form batches of at most the size of a block.
 template <class Trace>
 void for_each_batch(const FrameWork& work, std::size_t strip, int packets_per_strip, const Trace& trace) {
   std::array<int, kPacketsPerBlock> batch;
@@ -54,8 +54,8 @@ void for_each_batch(const FrameWork& work, std::size_t strip, int packets_per_st
   }
 }
 
-/// Adds up what trace(strip) returns for every strip. Strips that are not begun when the context is cancelled are left out.
-/// share: of the frame whose progress is told.
+/// Returns the sum of trace(strip) over all strips. After cancellation, no further strip starts. `share` scales the reported
+/// progress to the share of the frame that is traced.
 template <class Trace>
 RayCounts trace_strips(std::size_t strips, const Workers& workers, const Trace& trace, SampleShare share = {}) {
   std::vector<RayCounts> counts(strips);
@@ -64,7 +64,7 @@ RayCounts trace_strips(std::size_t strips, const Workers& workers, const Trace& 
   workers.pool.for_each(strips, [&](std::size_t strip) {
     if (!context.cancelled) counts[strip] = trace(strip);
     const std::size_t finished = ++done;
-    if (workers.progress == Progress::kTold && context.frame_progress)
+    if (workers.progress == Progress::kReported && context.frame_progress)
       context.frame_progress(share.progress(static_cast<double>(finished) / static_cast<double>(strips)));
   });
   RayCounts total;

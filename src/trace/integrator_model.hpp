@@ -1,4 +1,4 @@
-// The interface of integrators of whole frames. docs/develop/add-an-integrator.md lists the steps to add one.
+// The interface of integrators. docs/develop/add-an-integrator.md lists the steps to add one.
 #pragma once
 
 #include <memory>
@@ -15,25 +15,25 @@ namespace lippmann {
 struct ShadedScene;
 struct TraceParams;
 
-/// Adds the light that camera rays bring to their pixels. An object serves one thread at a time; trace_batch() calls it.
+/// Adds the light of camera rays to their pixels. Not thread-safe: each thread has its own object. trace_batch() calls it.
 class FrameIntegrator {
  public:
   virtual ~FrameIntegrator() = default;
 
   /// Sets the sample number within each pixel for the camera rays that follow.
   virtual void begin(int sample) = 0;
-  /// Shades camera rays that have met the scene. Rays that follow from them may wait for finish().
+  /// Shades camera rays that have been traced. Secondary rays may be queued until finish().
   virtual void primary(const CameraPacket& packet) = 0;
-  /// Traces everything that waits.
+  /// Traces all queued rays.
   virtual void finish() = 0;
   virtual const RayCounts& counts() const = 0;
 
-  /// From now on `probe` hears of every ray, so that other frames can copy pixels. Only called where the facts say
+  /// Records all following rays in `probe`, so that other frames can copy pixels. Only called if the facts set
   /// can_share_pixels.
-  virtual void tell(BlockProbe* probe);
+  virtual void set_probe(BlockProbe* probe);
 };
 
-/// What integrators of frames are made of. All of it outlives them.
+/// The arguments of an integrator. All references must outlive the integrator.
 struct Integration {
   const ShadedScene& scene;
   const BeamFootprint& beam;
@@ -41,7 +41,7 @@ struct Integration {
   PathFilm film;  ///< integrators that do not separate light fill only `all` and `open`
 };
 
-/// An integrator: a constant beside its class.
+/// An integrator: its properties and its factory. Each is a constant next to its class.
 struct IntegratorModel {
   IntegratorFacts facts;
   std::unique_ptr<FrameIntegrator> (*make)(const Integration& from);

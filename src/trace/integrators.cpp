@@ -1,4 +1,4 @@
-// The integrators that the program knows.
+// The list of all integrators.
 #include <array>
 
 #include "trace/integrator_model.hpp"
@@ -15,6 +15,6 @@ std::span<const Integrator> integrators() {
 
 const IntegratorFacts& Integrator::facts() const { return model_->facts; }
 
-void FrameIntegrator::tell(BlockProbe*) {}
+void FrameIntegrator::set_probe(BlockProbe*) {}
 
 }  // namespace lippmann

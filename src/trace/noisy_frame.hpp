@@ -9,10 +9,10 @@
 namespace lippmann {
 
 /// All images are means over the samples of each pixel, so edges are antialiased like those of the film. Albedo, normal, z and
-/// met describe the first surface of each camera ray if it scatters light. Parts that alpha cuts away count as not hit.
+/// met describe the first surface of each camera ray that scatters light. Parts that alpha cuts away count as not hit.
 struct NoisyFrame {
   Image film;    ///< 3 channels: all light
-  Image noise;   ///< 3 channels: half the difference between the means of two halves of the samples, an estimate of the error
+  Image noise;   ///< 3 channels: half the difference between the means of two halves of the samples; an estimate of the error
   Image seen;    ///< 3 channels: background, and emission of the first surface; this part has no path-tracing noise
   Image albedo;  ///< 3 channels: base colour, 0 without a surface
   Image normal;  ///< 3 channels: world space; shorter than 1 if the samples differ
@@ -20,18 +20,19 @@ struct NoisyFrame {
   Image met;     ///< 1 channel: share of the samples that hit a surface
 };
 
-/// Whether a sample belongs to the second of two halves of a pixel's samples: whether its number has an odd count of binary
-/// ones. Both halves of 2^k samples then cover the pixel and the directions equally well.
+/// Returns whether a sample belongs to the second half of a pixel's samples. The second half has the sample numbers with an odd
+/// number of binary ones. For 2^k samples, both halves cover the pixel and the directions equally well.
 inline bool is_of_second_half(std::uint32_t sample) { return (std::popcount(sample) & 1) != 0; }
 
-/// The weights of samples of the first and the second half in NoisyFrame::noise, in units of a sample's weight in the film.
+/// Returns the weights of samples of the first and the second half in NoisyFrame::noise, relative to a sample's weight in the
+/// film.
 std::array<float, 2> weights_of_halves(int spp);
 
 /// Memory of the images of a NoisyFrame, in bytes per pixel.
 inline constexpr double kNoisyFrameBytesPerPixel = 17 * sizeof(float);
 
-/// Like trace_frame(), for a scene built for path tracing and 2 or more samples per pixel. noisy.film has the same bits as the
-/// film of trace_frame().
+/// Traces a frame like trace_frame() and also fills the inputs of the denoiser. The scene must be built for path tracing, with
+/// at least 2 samples per pixel. noisy.film is bit-identical to the film of trace_frame().
 RayCounts trace_noisy_frame(const Shot& shot, const TraceParams& params, const Workers& workers, NoisyFrame& noisy,
                             FrameAovs& aovs, SampleShare share = {});
 

@@ -1,4 +1,4 @@
-// Primary rays, packet by packet: follows a strip's order, places samples in their pixels, asks the optics for rays.
+// Generates primary rays, packet by packet: follows the strip's order, places samples within pixels and calls the optics.
 #pragma once
 
 #include <vector>
@@ -13,9 +13,9 @@
 
 namespace lippmann {
 
-/// Where in its pixel sample s of n lies, each in [0, 1): the centre for n = 1; else the s-th of n points of a Hammersley set,
-/// shifted (modulo 1) by a hash of seed and pixel, so that neighbours are decorrelated and each pixel is evenly covered. And
-/// from which eye of its view it is seen, the same for all pixels, and through which lens.
+/// Placement of sample s of n within a pixel, each coordinate in [0, 1). A single sample lies at the centre. Otherwise the
+/// samples are the points of a Hammersley set, shifted (modulo 1) by a hash of seed and pixel: each pixel is evenly covered and
+/// neighbours are decorrelated. Also selects the eye of the view, which is the same for all pixels, and the lens.
 struct SubPixel {
   std::uint32_t seed = 0;
   int samples = 1;
@@ -25,11 +25,12 @@ struct SubPixel {
   Vec2f position(std::uint32_t pixel, int sample) const;
 };
 
-/// The rays of each sample of a pixel: of one eye of a view, or of several.
+/// Generates the rays of each sample of a pixel, from one eye of a view or from several.
 class SampleRays {
  public:
   SampleRays(const Optics& optics, const Affine3f& world_from_display, const SubPixel& sub_pixel);
-  /// Through its own point of the lens, sixteen rays of one sample number of these pixels of the whole film.
+  /// Fills sixteen rays of one sample number. Each ray passes through its own point of the lens. `pixel` holds indices in the
+  /// whole film.
   void fill(int sample, const float* px, const float* py, const std::uint32_t* pixel, RayPacket& rays) const;
 
  private:
@@ -39,19 +40,19 @@ class SampleRays {
 
 class PacketSource {
  public:
-  /// `rows` begin and end where strips do.
+  /// `rows` must begin and end at strip boundaries.
   PacketSource(const Optics& optics, const Affine3f& world_from_display, RayOrder order, const SubPixel& sub_pixel,
                FilmRows rows = {});
 
-  /// How many strips the rows have. They are numbered from the first of them.
+  /// Returns the number of strips in the rows. Strips are numbered from the first of them.
   int strips() const { return strips_; }
-  /// The number that the first pixel of the rows has in the whole film.
+  /// Returns the index in the whole film of the first pixel of the rows.
   std::uint32_t first_pixel() const { return static_cast<std::uint32_t>(rows_.first) * static_cast<std::uint32_t>(width_); }
-  /// Packets of a full strip; a lower last strip has as many, some lanes or whole packets of them inactive.
+  /// Returns the number of packets of a full strip. A lower last strip has the same number, with inactive lanes or packets.
   int packets_per_strip() const { return packets_; }
 
-  /// Fills origin, direction, tnear and tfar of packet `packet` of a strip, the pixel index (y * width + x of the whole film)
-  /// of each lane and which lanes there are. Returns the number of active lanes; inactive ones get the ray of an active one.
+  /// Fills origin, direction, tnear and tfar of a packet of a strip, the pixel index of each lane (y * width + x in the whole
+  /// film) and the active lanes. Returns the number of active lanes. Inactive lanes get the ray of an active one.
   int fill(int strip, int packet, int sample, RayPacket& rays, LaneMask& active, std::uint32_t* pixel) const;
 
  private:
@@ -62,11 +63,11 @@ class PacketSource {
   StripOrder order_;
   SubPixel sub_pixel_;
   int width_;
-  FilmRows rows_;  ///< both of them within the film
+  FilmRows rows_;  ///< clamped to the film
   int strips_, packets_;
 };
 
-/// The packets of a strip, for trace_batch(). Light goes to pixels of the rows, random numbers are those of the whole film's.
+/// The packets of a strip, for trace_batch(). Light goes to pixels of the rows; random numbers are those of the whole film.
 struct StripPackets {
   const PacketSource& source;
   int strip;
@@ -80,7 +81,7 @@ struct StripPackets {
   }
 };
 
-/// The pixels of a packet: pixel(y * width + x) for each, y from the first of the source's rows.
+/// Calls pixel(y * width + x) for each pixel of a packet. y counts from the first of the source's rows.
 template <class Pixel>
 void for_each_pixel(const PacketSource& source, int strip, int packet, const Pixel& pixel) {
   CameraPacket camera;

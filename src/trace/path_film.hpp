@@ -1,30 +1,30 @@
-// Where the light of paths goes, and what is kept beside it.
+// The outputs of path tracing: light and surface features per pixel.
 #pragma once
 
 #include "shading/shading_point.hpp"
 
 namespace lippmann {
 
-/// What the camera rays' first surfaces are, weighted as their light: see NoisyFrame.
+/// Features of the first surfaces of camera rays, weighted like their light: see NoisyFrame.
 struct FirstSurfaces {
   float *albedo, *normal;                   ///< three channels
   float *z, *met;                           ///< one
-  Vec4f display_z{0.0f, 0.0f, 0.0f, 0.0f};  ///< z in display mm = dot with (x, y, z, 1)
+  Vec4f display_z{0.0f, 0.0f, 0.0f, 0.0f};  ///< z in display mm = dot(display_z, (x, y, z, 1))
 
   void add(const ShadingPoint& point, Vec3f normal_there, std::size_t pixel, float weight) const;
 };
-/// The last row of the matrix from world to display.
+/// Returns the row of the world-to-display matrix that yields z.
 Vec4f display_z(const Affine3f& world_from_display);
 
-/// Three channels a pixel each, unless stated otherwise; null: nowhere.
+/// Output arrays with three channels per pixel unless stated otherwise. A null pointer disables an output.
 struct PathFilm {
   float* all = nullptr;
-  float* direct = nullptr;    ///< what shines by itself, and what one surface has scattered
-  float* indirect = nullptr;  ///< the rest
+  float* direct = nullptr;    ///< emission, and light that one surface has scattered
+  float* indirect = nullptr;  ///< all other light
   float* noise = nullptr;     ///< NoisyFrame::noise
-  float* seen = nullptr;      ///< what has met no surface, or shines from the first
+  float* seen = nullptr;      ///< background, and emission of the first surface
   const FirstSurfaces* surfaces = nullptr;
-  float* open = nullptr;  ///< one channel: how many samples would see the surroundings, which they then do not
+  float* open = nullptr;  ///< one channel: number of samples that miss all surfaces; the film then omits the surroundings
 };
 
 }  // namespace lippmann

@@ -12,8 +12,8 @@ namespace {
 constexpr int kRouletteDepth = 3;
 constexpr std::uint32_t kColorStream = 0x636f6c6fu;
 
-/// Whether a direction is on the correct side of the geometric facet: behind it for transmission, in front of it otherwise. The
-/// shading normal may disagree.
+/// Returns whether a direction is on the correct side of the geometric facet: behind it for transmission, in front otherwise.
+/// The shading normal may disagree.
 bool is_possible(const ShadingPoint& point, Vec3f direction, bool transmitted) {
   return point.is_behind(direction) == transmitted;
 }
@@ -195,7 +195,7 @@ void PathIntegrator::shine(int i, const LightSample& light, const BsdfValue& val
 }
 
 /// Weights a light of finite size by multiple importance sampling. BSDF sampling never goes behind the facet, so lights there
-/// get the full weight, but only for diffuse reflection: gloss would be too noisy.
+/// get the full weight, but only for diffuse reflection: glossy lobes would be too noisy.
 Vec3f PathIntegrator::from_wide_light(int i, const LightSample& light, const BsdfValue& value) const {
   const Vec3f per_density = light.radiance / light.density;
   Vec3f f = value.cosine_f * power_heuristic(light.density, value.density);

@@ -55,7 +55,8 @@ void PathIntegrator::look_up_sky(const RayPacket& rays) {
 
 void PathIntegrator::shade_miss(const RayHitPacket& packet, int i, const PathRay& ray) {
   const unsigned id = packet.hit.geomID[i];
-  if (id >= kLightId && id != kNoId) {  // a bulb: seen by camera rays and Dirac lobes, else sampled by shadow rays
+  // A visible light: camera rays and Dirac lobes hit it; all other paths sample it by shadow rays.
+  if (id >= kLightId && id != kNoId) {
     if (ray.density == kInfinity) end_path(ray, ray.throughput * scene_.lights[id - kLightId].color);
     return;
   }

@@ -1,4 +1,4 @@
-// A path on its way between two surfaces.
+// The state of a path between two surfaces.
 #pragma once
 
 #include "device/ray_scene.hpp"
@@ -11,31 +11,31 @@ namespace lippmann {
 struct PathRay {
   Vec3f origin{0.0f}, direction{0.0f}, throughput{1.0f};
   Vec3f lit_side{0.0f};      ///< LightReceiver::normal at the last scattering
-  float near_share = -1.0f;  ///< LightReceiver::near_share there
+  float near_share = -1.0f;  ///< LightReceiver::near_share at the last scattering
   float t_near = 0.0f, path_length = 0.0f;
   float scattered_at = 0.0f;  ///< path length at the last scattering
-  float density = kInfinity;  ///< density of `direction` at the last scattering; kInfinity: a Dirac lobe's, or from the lens
-  std::uint32_t pixel = 0;    ///< where its light goes
-  std::uint32_t seed = 0, index = 0;  ///< decide its random numbers (transport/sampler.hpp)
+  float density = kInfinity;  ///< density of `direction` at the last scattering; kInfinity for Dirac lobes and camera rays
+  std::uint32_t pixel = 0;    ///< pixel that receives the light
+  std::uint32_t seed = 0, index = 0;  ///< key of the random numbers (transport/sampler.hpp)
   std::uint16_t depth = 0;            ///< vertices on surfaces so far
-  bool spread : 1 = false;            ///< scattered by other than Dirac lobes: textures need not be sharp
-  bool one_color : 1 = false;         ///< it carries one colour alone, as a surface has dispersed it
-  bool through_wall : 1 = false;      ///< has gone straight through a wall, which is no vertex
-  std::uint16_t events : 13 = 0;      ///< vertices, passed surfaces included: what the random numbers go by
-  std::uint16_t medium = kNoMedium;   ///< the medium that it is in
+  bool spread : 1 = false;            ///< scattered by a lobe that is not a Dirac lobe: textures need not be sharp
+  bool one_color : 1 = false;         ///< carries one colour channel only, because a surface has dispersed it
+  bool through_wall : 1 = false;      ///< has gone straight through a thin wall, which does not count as a vertex
+  std::uint16_t events : 13 = 0;      ///< vertices and passed surfaces so far: the index of the random numbers
+  std::uint16_t medium = kNoMedium;   ///< the medium that contains the ray
 
   bool has_met_nothing() const { return depth == 0 && !through_wall; }
   bool has_scattered() const { return scattered_at > 0.0f; }
-  /// Surfaces that have shaped its light; a wall before the first vertex makes it no light that is seen as it is.
+  /// Returns the number of surfaces that have changed the light. A wall before the first vertex counts as one.
   int surfaces() const { return depth > 0 || !through_wall ? depth : 1; }
 };
 
-/// A surface that lets light pass is no vertex of a path, but however many of them there are, it must come to an end.
+/// Limits vertices plus passed surfaces, because surfaces that let light pass do not count as vertices.
 inline constexpr int kMostEvents = 1024;
-/// Pairs of random numbers at each vertex: which light and lobe; where on the light; which way; roulette and coverage.
+/// Indices of the random number pairs of a vertex: light and lobe; point on the light; direction; roulette and coverage.
 inline constexpr std::uint32_t kChoicePair = 0, kOnLightPair = 1, kWayPair = 2, kCoveragePair = 3, kPairsPerEvent = 4;
 
-/// Lane i of camera rays, with the seed of its random numbers.
+/// Returns the path that starts with lane i of camera rays. `seed` is the seed of its random numbers.
 inline PathRay camera_path_ray(const CameraPacket& packet, int i, std::uint32_t seed) {
   const RayPacket& rays = packet.rays.ray;
   PathRay ray;
@@ -46,7 +46,8 @@ inline PathRay camera_path_ray(const CameraPacket& packet, int i, std::uint32_t 
   return ray;
 }
 
-/// `ray` beyond a point that it passes as if nothing were there, `length` from the path's start.
+/// Returns `ray` continued beyond a point that it passes unchanged. `length` is the distance of the point from the path's
+/// start.
 inline PathRay passed(PathRay ray, const ShadingPoint& point, float length) {
   ray.origin = point.position;
   ray.t_near = point.t_near;
@@ -55,8 +56,8 @@ inline PathRay passed(PathRay ray, const ShadingPoint& point, float length) {
   return ray;
 }
 
-/// Sends `ray` on from a point at `length`, in a direction that was drawn there, with this throughput. Unless it goes straight
-/// on, the caller sets lit_side and near_share.
+/// Continues `ray` from `point` with a sampled direction and the given throughput. `length` is the path length at the point.
+/// Unless the sample goes straight on, the caller must set lit_side and near_share.
 inline void scatter(PathRay& ray, const ShadingPoint& point, const BsdfSample& sample, Vec3f throughput, float length) {
   ray.origin = point.position;
   ray.throughput = throughput;
@@ -68,13 +69,13 @@ inline void scatter(PathRay& ray, const ShadingPoint& point, const BsdfSample& s
     ray.through_wall = true;
   ray.spread |= !sample.is_delta();
   if (sample.transmitted && point.behind != kSameMedium) ray.medium = point.behind;
-  // What shines straight behind is reached by the last vertex's shadow rays, too.
+  // Light straight behind the surface is also sampled by the last vertex's shadow rays, so keep its direction and density.
   if (sample.straight) return;
   ray.direction = sample.direction;
   ray.density = sample.density, ray.scattered_at = length;
 }
 
-/// The point where `ray` has scattered last, as it asked for lights there.
+/// Returns the light receiver at the point of the last scattering, as used for light sampling there.
 inline LightReceiver last_receiver(const PathRay& ray) {
   return {ray.origin - (ray.path_length - ray.scattered_at) * ray.direction, ray.lit_side, ray.near_share};
 }

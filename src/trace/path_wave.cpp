@@ -5,11 +5,12 @@
 namespace lippmann {
 namespace {
 
-/// Things are told apart by this many of the lowest bits of their records: nearly always enough, and no table to keep.
+/// Number of sort buckets. Objects are told apart by the lowest bits of their ids: nearly always enough, and no table is
+/// needed.
 constexpr std::size_t kBuckets = 64;
 
-/// Up to 16 rays into a packet; lanes beyond them get the last one's and are inactive. of_cameras: those that only holes have
-/// been in the way of.
+/// Loads up to 16 rays into a packet. Lanes beyond `count` repeat the last ray and are inactive. `of_cameras` marks camera rays
+/// that have passed only holes.
 void load_rays(const PathRay* rays, std::size_t count, RayHitPacket& packet, LaneMask& active, LaneMask& of_cameras) {
   for (std::size_t i = 0; i < kLanes; ++i) {
     const PathRay& ray = rays[std::min(i, count - 1)];
@@ -27,7 +28,7 @@ std::size_t bucket_of(const HitPacket& hit, std::size_t lane) {
   return (placed != kNoId ? placed : hit.geomID[lane]) % kBuckets;
 }
 
-/// Where a field of a lane lies, counted from the first packet's first lane in steps of the field's size.
+/// Distance between the same field of two packets, in units of the field's size. Gather indices count from lane 0 of packet 0.
 constexpr std::size_t kStride = sizeof(RayHitPacket) / sizeof(float);
 
 template <class Word>
@@ -35,7 +36,7 @@ LIPPMANN_INLINE void gather(const Word* from, const std::int32_t* place, Word* t
   LIPPMANN_FOR_LANES(i) to[i] = from[place[i]];
 }
 
-/// Lane i from where place[i] says.
+/// Gathers lane i of `to` from place[i].
 LIPPMANN_MULTIVERSION void gather_packet(const RayHitPacket* met, const std::int32_t* place, RayHitPacket& to) {
   gather(met->ray.org_x, place, to.ray.org_x);
   gather(met->ray.org_y, place, to.ray.org_y);
@@ -75,7 +76,7 @@ void PathWave::sort() {
   std::array<std::uint32_t, kBuckets> next{};
   for (std::size_t r = 0; r < rays_.size(); ++r) ++next[bucket_of(met_[r / kLanes].hit, r % kLanes)];
   std::uint32_t before = 0;
-  for (std::uint32_t& n : next) {  // from how many there are to where they begin
+  for (std::uint32_t& n : next) {  // convert counts to start offsets
     const std::uint32_t count = n;
     n = before;
     before += count;

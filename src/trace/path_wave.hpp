@@ -1,7 +1,7 @@
-// Many path rays meet the scene together, and are shaded in packets of those that have hit the same.
+// Traces many path rays together and regroups them into packets that hit the same object.
 //
-// Rays that have left a surface go everywhere: sixteen of them in a row hit several things, and each has to be evaluated for
-// all lanes of a packet, most of them idle. Sorted, a packet is of one mesh or of the sky.
+// Scattered rays diverge: sixteen consecutive rays hit several objects, and each object would be shaded for a packet that is
+// mostly idle. After sorting, most packets belong to one mesh or to the sky.
 #pragma once
 
 #include <memory>
@@ -13,17 +13,17 @@ namespace lippmann {
 
 class PathWave {
  public:
-  /// Meets all of `rays` with the scene; both must outlive the wave.
+  /// Traces all of `rays`. Both arguments must outlive this object.
   PathWave(const ShadedScene& scene, const std::vector<PathRay>& rays);
 
   std::size_t packets() const { return packets_; }
-  /// The p-th packet of what was hit, sorted.
+  /// Loads packet `p` in sorted order.
   void load(std::size_t p);
 
-  /// Valid until the next load().
+  /// The following accessors are valid until the next load().
   const RayHitPacket& packet() const { return packet_; }
   const LaneMask& active() const { return active_; }
-  /// By lane; those of active lanes have the throughput that the media on their way have left.
+  /// One per lane. The throughput of active lanes includes the transmittance of the media along the ray.
   PathRay* rays() { return lanes_; }
 
  private:
@@ -33,13 +33,13 @@ class PathWave {
   const std::vector<PathRay>& rays_;
   std::size_t packets_;
   std::unique_ptr<RayHitPacket[]> met_;     ///< in the order of rays_
-  std::unique_ptr<std::uint32_t[]> order_;  ///< indices of rays_
+  std::unique_ptr<std::uint32_t[]> order_;  ///< indices into rays_, sorted
   RayHitPacket packet_;
   LaneMask active_;
   PathRay lanes_[kLanes];
 };
 
-/// Meets `rays` with the scene and calls shade(packet, active, rays of the active lanes) for all of them.
+/// Traces `rays` and calls shade(packet, active, rays of the lanes) for all of them.
 template <class Shade>
 void trace_wave(const ShadedScene& scene, const std::vector<PathRay>& rays, const Shade& shade) {
   PathWave wave(scene, rays);

@@ -1,4 +1,4 @@
-// Which pixels lie in chosen blocks of a frame.
+// Lists the pixels of selected blocks of a frame.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace lippmann {
 
-/// Calls fn(pixel) for the pixels that trace_blocks() traces where it is given `wanted` (by block, as in TouchedBlocks); pixels
-/// are y * width + x, y from the first of the shot's rows.
+/// Calls fn(pixel) for each pixel that trace_blocks() traces for `wanted` (indexed by block, as in TouchedBlocks). Pixels are y
+/// * width + x, with y counted from the first of the shot's rows.
 void for_each_pixel_of_blocks(const Shot& shot, RayOrder order, std::span<const std::uint8_t> wanted,
                               const std::function<void(std::uint32_t)>& fn);
 

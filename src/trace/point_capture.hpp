@@ -1,4 +1,4 @@
-// Keeps the first hits of primary packets while they are traced, so that a point image costs no rays of its own.
+// Records the first hits of primary packets while they are traced, so a point image needs no rays of its own.
 #pragma once
 
 #include "shading/shaded_scene.hpp"
@@ -10,11 +10,11 @@ namespace lippmann {
 /// Thread-safe for packets of different pixels.
 class PointCapture {
  public:
-  /// `points` has the panel's size; both must outlive this.
+  /// `points` must have the size of the film. The scene and `points` must outlive this object.
   PointCapture(const ShadedScene& scene, const Affine3f& display_from_world, PrimaryPoints& points)
       : scene_(scene), display_from_world_(display_from_world), points_(points) {}
 
-  /// Stores where the active lanes of a traced packet have ended.
+  /// Stores the hits of the active lanes of a traced packet.
   void store(const CameraPacket& camera) const;
 
  private:

@@ -1,5 +1,4 @@
-// What lies behind every pixel of a frame: how deep the first hit of its centre ray is, and on what. Point images (src/reuse)
-// are made of it.
+// The depth and object of each pixel's first hit. Point images (src/reuse) are made from it.
 #pragma once
 
 #include <cstddef>
@@ -8,13 +7,13 @@
 
 namespace lippmann {
 
-/// The object of a pixel whose ray met nothing.
+/// The object of a pixel whose ray hit nothing.
 inline constexpr std::uint32_t kNoObject = 0xffffffffu;
 
-/// One entry per pixel, row-major from the top left. The point itself is where the pixel's ray is at that depth.
+/// One entry per pixel, row-major from the top left. The point itself lies on the pixel's ray at depth z.
 struct PrimaryPoints {
-  std::vector<float> z;               ///< mm in the display frame at the frame's time; -inf where nothing was hit
-  std::vector<std::uint32_t> object;  ///< index in Scene::instances; visible light l: instances.size() + l; or kNoObject
+  std::vector<float> z;               ///< mm in the display frame at the frame's time; -inf without a hit
+  std::vector<std::uint32_t> object;  ///< index in Scene::instances; visible light l has instances.size() + l; or kNoObject
 
   void resize(std::size_t pixels) { z.resize(pixels), object.resize(pixels); }
 };

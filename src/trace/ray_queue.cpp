@@ -9,10 +9,10 @@
 namespace lippmann {
 namespace {
 
-/// The limit for one wave: some 200 MB. Depths at which pictures still change stay far below.
+/// Maximum number of rays of one wave, about 200 MB. Depths at which images still change need far fewer.
 constexpr std::size_t kMostRays = std::size_t{1} << 22;
 
-/// The arrays of the queue from some ray on.
+/// The arrays of the queue, starting at some ray.
 struct QueueView {
   float *org_x, *org_y, *org_z, *dir_x, *dir_y, *dir_z, *weight_x, *weight_y, *weight_z, *path_length, *tnear, *open;
   std::uint32_t* pixel;
@@ -21,7 +21,7 @@ struct QueueView {
 using Register = float __attribute__((vector_size(4 * kLanes)));
 using Indices = std::int32_t __attribute__((vector_size(4 * kLanes)));
 
-#ifdef __clang__  // which has no word for it; only fuzzers are built with clang
+#ifdef __clang__  // Clang has no __builtin_shuffle. Only fuzzers are built with clang.
 Register picked_of(const Register& first, const Register& second, const Indices& index) {
   Register picked;
   for (int k = 0; k < kLanes; ++k) {
@@ -38,7 +38,7 @@ LIPPMANN_INLINE Register picked_of(const Register& first, const Register& second
 LIPPMANN_INLINE Register picked_of(const Register& source, const Indices& index) { return __builtin_shuffle(source, index); }
 #endif
 
-/// to[k] = from[index[k]] for 16 words: one instruction of AVX-512, where a loop would become sixteen loads.
+/// to[k] = from[index[k]] for 16 words. This is one AVX-512 instruction; a loop would become sixteen loads.
 LIPPMANN_INLINE void pick(const void* from, const Indices& index, void* to) {
   Register source;
   std::memcpy(&source, from, sizeof(source));
@@ -46,7 +46,7 @@ LIPPMANN_INLINE void pick(const void* from, const Indices& index, void* to) {
   std::memcpy(to, &picked, sizeof(picked));
 }
 
-/// The same from 32 words.
+/// to[k] = from[index[k]], from 32 words.
 LIPPMANN_INLINE void pick_of_two(const float* from, const Indices& index, float* to) {
   Register first, second;
   std::memcpy(&first, from, sizeof(first));
@@ -55,7 +55,7 @@ LIPPMANN_INLINE void pick_of_two(const float* from, const Indices& index, float*
   std::memcpy(to, &picked, sizeof(picked));
 }
 
-/// Always a whole packet: what is written behind the last entry is overwritten by the next ones.
+/// Always copies a whole packet. The next append overwrites the entries beyond the last ray.
 LIPPMANN_MULTIVERSION void copy_branches(const SurfacePacket& s, const RayHitPacket& packet, const Bundle& bundle,
                                          const Branches& branches, const int* entry, const QueueView to) {
   Indices of_branch, lane;
@@ -125,8 +125,8 @@ void RayQueue::load(std::size_t first, RayHitPacket& packet, Bundle& bundle, Lan
   fill_packet(field(0) + first, capacity_, pixel_.get() + first, lanes, packet, bundle, active);
 }
 
-/// Twice the room, at least that of a batch; always with that of a whole append behind the last ray. Not cleared: what lies
-/// behind the last ray is read into inactive lanes only.
+/// Doubles the capacity, at least to that of a batch, and leaves room for a whole append behind the last ray. The memory is not
+/// cleared: entries behind the last ray are only read into inactive lanes.
 void RayQueue::grow() {
   const std::size_t capacity = std::max<std::size_t>(2 * capacity_, 2048);
   if (capacity > kMostRays)

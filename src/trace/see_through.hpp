@@ -1,4 +1,4 @@
-// What Whitted's rays find behind surfaces that are not opaque: how much of it is left, and how much of it nothing has shaped.
+// Light behind surfaces that are not opaque, for the Whitted integrator.
 #pragma once
 
 #include "shading/surface.hpp"
@@ -6,10 +6,10 @@
 
 namespace lippmann {
 
-/// What alpha does not cover is as if nothing were there; what glass lets through has met the glass.
+/// Sets Branches::open: holes in alpha keep a ray open, transmission through glass closes it.
 void keep_holes_open(const ShadedScene& scene, const SurfacePacket& surface, Branches& branches);
 
-/// What thin walls take of the light behind them, which `rays` look at.
+/// Multiplies the transmitted shares by the transmittance of thin walls along `rays`.
 void tint_walls(const ShadedScene& scene, const SurfacePacket& surface, const RayPacket& rays, Branches& branches);
 
 }  // namespace lippmann

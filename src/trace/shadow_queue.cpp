@@ -2,7 +2,7 @@
 
 namespace lippmann {
 
-/// Starts the ray from the smooth surface, to the same place of the light; returns how far that is.
+/// Moves the ray's origin to the smooth surface and aims it at the same point of the light. Returns the new distance.
 float ShadowQueue::lift(const ShadingPoint& point, float distance, ShadowRay& ray) {
   const Vec3f up = point.lift();
   ray.origin += up;

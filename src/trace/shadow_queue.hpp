@@ -1,4 +1,4 @@
-// Lights that shine on vertices of paths unless something lies between: they wait until there are packets of them.
+// The queue of shadow rays of path vertices, traced in packets.
 #pragma once
 
 #include <vector>
@@ -13,14 +13,16 @@ struct ShadowRay {
   Vec3f origin, direction, radiance;
   float t_near, t_far;
   std::uint32_t pixel;
-  int depth;  ///< vertices that scatter it
+  int depth;  ///< number of vertices that scatter the light
 };
 
 class ShadowQueue {
  public:
-  /// From a point to a light; `radiance` arrives at `pixel` where nothing lies between, scattered by `depth` vertices.
+  /// Adds a ray from a point to a light. If it is unoccluded, `radiance` arrives at `pixel` after scattering at `depth`
+  /// vertices.
   void push(const ShadingPoint& point, const LightSample& light, const Vec3f& radiance, std::uint32_t pixel, int depth) {
-    ShadowRay& ray = rays_.emplace_back();  // filled in place: copies of what has just been written wait for it
+    // Filled in place: copying a struct that was just written would stall on store forwarding.
+    ShadowRay& ray = rays_.emplace_back();
     ray.origin = point.position, ray.direction = light.direction;
     ray.radiance = radiance;
     ray.t_near = point.t_near;
@@ -29,8 +31,8 @@ class ShadowQueue {
     ray.pixel = pixel, ray.depth = depth;
   }
 
-  /// Traces all that wait, calls add(shadow ray, radiance) for what arrives, in the order of push(), and returns how many there
-  /// were.
+  /// Traces all queued rays in the order of push() and calls add(shadow ray, radiance) for those that are not fully occluded.
+  /// Returns the number of rays traced.
   template <class Add>
   std::size_t trace(const ShadedScene& scene, const Add& add) {
     for (std::size_t first = 0; first < rays_.size(); first += kLanes) {

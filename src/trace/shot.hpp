@@ -1,4 +1,4 @@
-// What is rendered of one moment, and by whom.
+// The scene, optics and workers of a render.
 #pragma once
 
 #include "lippmann/core/context.hpp"
@@ -10,25 +10,25 @@
 
 namespace lippmann {
 
-/// A scene as it is at the moment, seen through optics that lie somewhere in it.
+/// A scene at one time, seen through optics placed in it.
 struct Shot {
-  const DeviceScene& device;  ///< where update() has moved it
+  const DeviceScene& device;  ///< at its state after the last update()
   const Optics& optics;
-  Affine3f world_from_display{};  ///< mm to the world's units: a similarity
-  FilmRows rows{};                ///< that are rendered: films, layers and pixels' numbers are those of these rows alone
+  Affine3f world_from_display{};  ///< maps mm to world units; a similarity
+  FilmRows rows{};                ///< rows to render; films, layers and pixel indices cover these rows only
 };
 
-/// The size of what is rendered.
+/// Returns the size of the rendered image.
 inline Vec2i film_size(const Shot& shot) { return film_size(shot.optics, shot.rows); }
 
-enum class Progress { kSilent, kTold };
+enum class Progress { kSilent, kReported };
 
-/// Who works, who may say stop, and whether that work is progress of the frame.
+/// The threads, the cancellation context, and whether the work counts as progress of the frame.
 struct Workers {
   const ThreadPool& pool;
   const Context& context;
-  Progress progress = Progress::kTold;
-  /// For what is done besides the frame. It is stopped just as well.
+  Progress progress = Progress::kReported;
+  /// Returns the same workers without progress reports. Cancellation still applies.
   Workers silent() const { return {pool, context, Progress::kSilent}; }
 };
 

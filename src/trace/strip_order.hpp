@@ -1,9 +1,7 @@
-// The order in which a strip's pixels are traced ("pixel-tracing style" in the paper): 16 neighbours in this order form a
-// packet.
+// The order in which a strip's pixels are traced ("pixel-tracing style" in the paper). 16 consecutive pixels form a packet.
 //
-// A strip is a horizontal band of the panel; strips are the unit of work of a thread, of a height that depends on the optics
-// alone. Packets of rows mix the directions below a lens and diverge; packets down a lens, or within one directional view, stay
-// coherent.
+// A strip is a horizontal band of the panel and the unit of work of a thread. Its height depends on the optics only. Packets
+// along a row mix the directions below a lens and diverge; packets down a lens, or within one directional view, stay coherent.
 #pragma once
 
 #include <cstdint>
@@ -15,21 +13,20 @@
 
 namespace lippmann {
 
-/// Packets of a block: they are shaded before their mirror rays are traced, all of them together. Enough to fill the next
-/// wave's packets; few enough to stay in cache and to be near one another in the picture (touched_blocks.hpp).
+/// Packets of a block. A block's packets are shaded before their mirror rays are traced. The number is large enough to fill the
+/// packets of the next wave, and small enough to stay in cache and to cover a small area (touched_blocks.hpp).
 inline constexpr int kPacketsPerBlock = 16;
 
 struct StripPixel {
-  std::uint16_t x, y;  ///< y from the strip's top
+  std::uint16_t x, y;  ///< y counts from the strip's top
 };
 
 struct StripOrder {
-  int strip_height = 16;  ///< rows; the last strip may be lower
-  std::vector<StripPixel>
-      pixels;  ///< every pixel of a full strip once; a lower last strip skips those with y beyond its height
+  int strip_height = 16;           ///< rows; the last strip may be lower
+  std::vector<StripPixel> pixels;  ///< each pixel of a full strip once; a lower last strip skips pixels below its height
 };
 
-/// Rows of a full strip.
+/// Returns the number of rows of a full strip.
 int rows_per_strip(const Optics& optics);
 
 StripOrder make_strip_order(const Optics& optics, RayOrder order);

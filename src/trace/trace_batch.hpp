@@ -1,10 +1,10 @@
-// The loop over camera packets: every picture, layer and record is made by it. Packets say which rays there are, an integrator
-// what becomes of them, sinks what is kept besides.
+// The loop over camera packets that produces every image, layer and record. Packets generate rays, the integrator shades them,
+// and sinks record other data.
 //
-//   Packets     bool fill(int packet, int sample, CameraPacket& into)   false: no lane is active
-//   Integrator  void primary(CameraPacket& packet)   shades rays that have met the scene; what goes on from there may wait
-//               void finish()                        traces everything that waits
-//               void begin(int sample)               where it has one: which sample of their pixels comes next
+//   Packets     bool fill(int packet, int sample, CameraPacket& into)   returns false if no lane is active
+//   Integrator  void primary(CameraPacket& packet)   shades traced rays; may queue secondary rays
+//               void finish()                        traces all queued rays
+//               void begin(int sample)               optional: sets the sample number of the next rays
 #pragma once
 
 #include <algorithm>
@@ -16,18 +16,18 @@
 
 namespace lippmann {
 
-/// Packets whose rays are all shaded before what follows from them is traced, sample by sample.
+/// Packets that are all shaded before their secondary rays are traced, sample by sample.
 struct Batch {
   std::span<const int> packets;
   int first_sample = 0, end_sample = 1, step = 1;
 };
 
 struct PacketSinks {
-  Image* film = nullptr;                 ///< pixels become 0 before their first sample
-  const PointCapture* points = nullptr;  ///< keeps what camera rays hit
+  Image* film = nullptr;                 ///< set to 0 before the first sample of a pixel
+  const PointCapture* points = nullptr;  ///< records first hits
 };
 
-/// An integrator that makes nothing: for sinks alone.
+/// An integrator that does nothing, for runs that only fill sinks.
 struct NoIntegrator {
   void primary(const CameraPacket&) {}
   void finish() {}
@@ -56,7 +56,7 @@ void trace_batch(const ShadedScene& scene, Packets&& packets, const Batch& batch
   }
 }
 
-/// One camera ray through the centre of every pixel of the shot's rows. `integrator` is used by many threads at a time.
+/// Traces one camera ray through the centre of each pixel of the shot's rows. Many threads call `integrator` concurrently.
 template <class Integrator>
 void trace_centres(const Shot& shot, RayOrder order, const ThreadPool& pool, Integrator& integrator,
                    const PacketSinks& sinks = {}) {

@@ -10,10 +10,10 @@
 namespace lippmann {
 namespace {
 
-/// What tracing a frame needs, whichever packets of it are traced.
+/// Traces selected packets of a frame.
 class FrameTracer {
  public:
-  /// Light is also added to `parts`, which are 0 so far.
+  /// Light is also added to `parts`, which must be zero-initialized.
   FrameTracer(const Shot& shot, const TraceParams& params, Image& film, const PathFilm& parts = {})
       : scene_(shot.device.shaded()),
         integrator_(shot.device.integrator().model()),
@@ -26,7 +26,7 @@ class FrameTracer {
     film_.all = film.data.data();
   }
 
-  /// Of the samples, only these. Others than the first add to what is in the film.
+  /// Restricts tracing to one share of the samples. Shares after the first add to the film.
   void take(SampleShare share) {
     share_ = share;
     if (!share.is_first()) sinks_.film = nullptr;
@@ -34,7 +34,7 @@ class FrameTracer {
 
   void capture_to(const PointCapture* points) { sinks_.points = points; }
 
-  /// Fills `touched`, whose boxes the probe has.
+  /// Fills `touched` from the boxes of `probe`.
   void probe_with(const TouchProbe& probe, TouchedBlocks& touched) {
     const std::size_t blocks = static_cast<std::size_t>(source_.strips()) * blocks_in(source_.packets_per_strip());
     touched.lowest_horizon.assign(blocks, TouchedBlocks::kNever);
@@ -49,11 +49,11 @@ class FrameTracer {
   }
 
  private:
-  /// What is left of it when the context is cancelled is not traced: a strip of many samples may take minutes.
+  /// Traces a strip. Checks for cancellation per batch, because a strip with many samples may take minutes.
   RayCounts trace_strip(const FrameWork& work, std::size_t strip, const Context& context) const {
     const std::unique_ptr<FrameIntegrator> integrator = integrator_.make({scene_, beam_, params_, film_});
     std::optional<BlockProbe> probe;
-    if (probe_) integrator->tell(&probe.emplace(*probe_));
+    if (probe_) integrator->set_probe(&probe.emplace(*probe_));
     const StripPackets packets{source_, static_cast<int>(strip)};
     for_each_batch(work, strip, source_.packets_per_strip(), [&](std::span<const int> batch, std::size_t block) {
       if (context.cancelled) return;
@@ -85,7 +85,7 @@ void allocate_light(Vec2i film_size, FrameAovs& aovs) {
     if (aovs.wants(aov)) aovs.allocate(aov, film_size);
 }
 
-/// Where the parts of the light go that are wanted, allocated before.
+/// Returns the outputs for the wanted light layers, which must be allocated.
 PathFilm light_in(FrameAovs& aovs) {
   PathFilm film;
   const auto part = [&](Aov aov) { return aovs.wants(aov) ? aovs[aov].data.data() : nullptr; };
@@ -93,7 +93,7 @@ PathFilm light_in(FrameAovs& aovs) {
   return film;
 }
 
-/// From how many samples are open to the share of those that are not.
+/// Converts the number of open samples to coverage.
 void finish_alpha(int spp, FrameAovs& aovs) {
   if (!aovs.wants(Aov::kAlpha)) return;
   for (float& alpha : aovs[Aov::kAlpha].data) alpha = std::max(0.0f, 1.0f - alpha / static_cast<float>(spp));

@@ -1,4 +1,4 @@
-// Renders one frame: every pixel's ray through the array into the scene, shaded as the DeviceScene's integrator does.
+// Renders one frame: traces each pixel's rays through the array and shades them with the DeviceScene's integrator.
 #pragma once
 
 #include <cstdint>
@@ -23,31 +23,33 @@ namespace lippmann {
 
 struct TraceParams {
   RayOrder order = RayOrder::kViewTiles;
-  int spp = 1;                                          ///< samples per pixel; above 1 stratified over the pixel's area
-  int max_depth = 6;                                    ///< path vertices: 1 = no mirrors
-  AngularFilter angular_filter = AngularFilter::kNone;  ///< how views are filtered; has an effect above 1 sample per pixel
-  ViewLens lens{};                                      ///< by its aperture (lens_by_aperture)
-  std::uint32_t seed = 0;   ///< decides where in pixels samples lie, in every frame alike: what stands still must not flicker
-  std::uint32_t frame = 0;  ///< paths: other frames have other noise
-  float clamp_indirect = 0.0f;  ///< paths: > 0: no indirect contribution to a sample is brighter; loses light
+  int spp = 1;                                          ///< samples per pixel; stratified over the pixel's area if > 1
+  int max_depth = 6;                                    ///< maximum number of path vertices; 1: no mirrors
+  AngularFilter angular_filter = AngularFilter::kNone;  ///< how views are filtered; needs more than 1 sample per pixel
+  ViewLens lens{};                                      ///< specified by its aperture (lens_by_aperture)
+  std::uint32_t seed = 0;   ///< seed of sample positions within pixels; the same in every frame, so static parts do not flicker
+  std::uint32_t frame = 0;  ///< path tracing: frame number, so that the noise differs between frames
+  float clamp_indirect = 0.0f;  ///< path tracing: > 0: upper limit of an indirect contribution, which loses light
 };
 
-/// What a traced frame goes into.
+/// The outputs of trace_frame().
 struct TraceTargets {
-  Image& film;                       ///< becomes 3 channels, linear, as large as film_size(shot) says
-  FrameAovs* aovs = nullptr;         ///< layers of light (paths only; find_first_hits, trace/first_hits.hpp, finds others)
-  PrimaryPoints* points = nullptr;   ///< first hits behind the pixels' centres: free at one sample per pixel, else a pass
-  TouchedBlocks* touched = nullptr;  ///< the blocks whose rays meet its boxes
+  Image& film;                ///< resized to 3 linear channels and film_size(shot)
+  FrameAovs* aovs = nullptr;  ///< light layers; path tracing only (find_first_hits, trace/first_hits.hpp, fills the others)
+  /// First hits behind the pixels' centres: free with one sample per pixel, otherwise an extra pass.
+  PrimaryPoints* points = nullptr;
+  TouchedBlocks* touched = nullptr;  ///< filled with the blocks whose rays meet its boxes
 };
 
-/// Traces a frame. The same bits for any number of threads. Returns early, film unfinished, when the context is cancelled.
-/// share: of the samples, all of which weigh as much; the first share clears the film, others add to it, in order, and with the
-/// last the film and its layers of light are done. Points and touched blocks are of all samples only.
+/// Traces a frame. The result does not depend on the number of threads. After cancellation it returns early with an unfinished
+/// film. `share` selects samples; all samples have the same weight. The first share clears the film and later shares, in order,
+/// add to it. The film and its light layers are complete after the last share. `points` and `touched` need all samples in one
+/// call.
 RayCounts trace_frame(const Shot& shot, const TraceParams& params, const Workers& workers, const TraceTargets& into,
                       SampleShare share = {});
 
-/// Traces the blocks of a frame for which `wanted` (by block, as in TouchedBlocks) is not 0, to the same bits as trace_frame;
-/// `film` has that size already, and what lies in other blocks stays as it is.
+/// Traces the blocks with a nonzero entry in `wanted` (indexed as in TouchedBlocks). The result is bit-identical to
+/// trace_frame(). `film` must have the size of the shot; other blocks stay unchanged.
 RayCounts trace_blocks(const Shot& shot, const TraceParams& params, std::span<const std::uint8_t> wanted,
                        const Workers& workers, Image& film);
 

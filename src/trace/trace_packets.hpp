@@ -1,4 +1,4 @@
-// Traces chosen packets of a frame: what is left when the others are reused from other frames.
+// Traces selected packets of a frame when the others are reused from other frames.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,11 @@
 
 namespace lippmann {
 
-/// Packets are 16 neighbours in a strip's order (strip_order.hpp), strip by strip from the top. Traces those for which `wanted`
-/// (by packet of the frame; those of a lower last strip that have no pixels count too) is not 0, as trace_frame would: the same
-/// rays, but for how crossings round where other rays share their mirror packets. `film` has the panel's size, and what lies in
-/// other packets stays as it is. The same bits for any number of threads. Returns early, some packets unfinished, when
-/// context.cancelled is set.
+/// Traces the packets with a nonzero entry in `wanted`. Packets are 16 neighbours in a strip's order (strip_order.hpp), strip
+/// by strip from the top; `wanted` also has entries for the empty packets of a lower last strip. The rays equal those of
+/// trace_frame(), except for rounding where mirror packets are shared with other rays. `film` must have the panel's size; other
+/// packets stay unchanged. The result does not depend on the number of threads. After cancellation it returns early with some
+/// packets unfinished.
 RayCounts trace_packets(const Shot& shot, const TraceParams& params, std::span<const std::uint8_t> wanted,
                         const Workers& workers, Image& film);
 

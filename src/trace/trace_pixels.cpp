@@ -13,7 +13,7 @@ namespace {
 
 using Pixels = std::span<const std::uint32_t>;
 
-/// The position in the ray order of every pixel of a full strip, by y * width + x.
+/// Returns each pixel's position in the ray order of a full strip, indexed by y * width + x.
 std::vector<std::uint32_t> ranks_in_strip(const StripOrder& order, int width) {
   std::vector<std::uint32_t> ranks(order.pixels.size());
   for (std::uint32_t i = 0; i < order.pixels.size(); ++i)
@@ -21,7 +21,7 @@ std::vector<std::uint32_t> ranks_in_strip(const StripOrder& order, int width) {
   return ranks;
 }
 
-/// The pixels sorted by strip and, within it, as the ray order has them; strip s is [begin[s], begin[s + 1]).
+/// Pixels sorted by strip and ray order. Strip s is [begin[s], begin[s + 1]).
 struct OrderedPixels {
   std::vector<std::uint32_t> pixels;
   std::vector<std::size_t> begin;
@@ -45,7 +45,7 @@ OrderedPixels in_ray_order(Pixels pixels, const Optics& optics, RayOrder ray_ord
   return ordered;
 }
 
-/// Where the rays of pixels start and go, by sample.
+/// The rays and targets of pixels, by sample.
 struct PixelRays {
   PixelRays(const Shot& shot, const SubPixel& where)
       : sub_pixel(where),
@@ -56,7 +56,7 @@ struct PixelRays {
   SubPixel sub_pixel;
   SampleRays samples;
   std::uint32_t width;
-  std::uint32_t first_pixel;  ///< the number in the whole film of the first one that is rendered
+  std::uint32_t first_pixel;  ///< index of the first rendered pixel in the whole film
 };
 
 /// Packets of 16 pixels of a list, for trace_batch().
@@ -64,7 +64,7 @@ struct PixelPackets {
   const PixelRays& from;
   Pixels pixels;
 
-  /// Lanes beyond the last pixel get its ray and are inactive.
+  /// Lanes beyond the last pixel repeat its ray and are inactive.
   bool fill(int packet, int sample, CameraPacket& into) const {
     const auto first = static_cast<std::size_t>(packet) * kLanes;
     const SubPixel& sub_pixel = from.sub_pixel;

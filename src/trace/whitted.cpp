@@ -6,7 +6,7 @@
 namespace lippmann {
 namespace {
 
-/// Shadow packets for more lights would not stay in cache, and those for a million would not fit into memory.
+/// Limits the number of lights per pass. Shadow packets of more lights would not fit into the cache.
 constexpr std::size_t kMostLightsAtOnce = 32;
 
 int count_lanes(const LaneMask& mask) {
@@ -15,8 +15,8 @@ int count_lanes(const LaneMask& mask) {
   return count;
 }
 
-/// color (ambient + diffuse light) + highlight + emission, weighted by opacity: what the surface itself sends towards the ray.
-/// Tachyon's is not weighted.
+/// Computes the light that the surface itself sends towards the ray, weighted by opacity: color * (ambient + diffuse light) +
+/// highlight + emission. Tachyon materials are not weighted.
 template <Lanes Lanes3::*kChannel>
 LIPPMANN_INLINE void radiance_channel(const SurfacePacket& s, const DirectLight& direct, float whole, Lanes3& out) {
   LIPPMANN_FOR_LANES(i) {
@@ -35,7 +35,7 @@ LIPPMANN_MULTIVERSION void local_radiance(const SurfacePacket& s, const DirectLi
   radiance_channel<&Lanes3::z>(s, direct, whole, out);
 }
 
-/// Mirrored rays, and transmitted ones as if nothing refracted them.
+/// Computes mirrored rays and straight transmitted rays.
 LIPPMANN_MULTIVERSION void branch_off(const RayPacket& rays, const SurfacePacket& s, Branches& branches) {
   LIPPMANN_FOR_LANES(i) {
     const float dx = rays.dir_x[i], dy = rays.dir_y[i], dz = rays.dir_z[i];
@@ -56,8 +56,8 @@ LIPPMANN_MULTIVERSION void branch_off(const RayPacket& rays, const SurfacePacket
   }
 }
 
-/// The entries in which there is a ray: of each lane the mirrored one, then the transmitted one. (So each pixel gets its parts
-/// in one order, whatever packets its rays travel in.)
+/// Lists the entries that have a ray: for each lane first the mirrored, then the transmitted one. The order of a pixel's
+/// contributions thus does not depend on the packets.
 int list_branches(const SurfacePacket& s, int* entry) {
   int count = 0;
   for (int i = 0; i < kLanes; ++i) {
@@ -69,7 +69,7 @@ int list_branches(const SurfacePacket& s, int* entry) {
   return count;
 }
 
-/// Snell's law; total reflection gives the mirror direction. eta = n_from / n_to, normal towards the ray.
+/// Refracts d by Snell's law. Total reflection returns the mirror direction. eta = n_from / n_to; the normal faces the ray.
 Vec3f refracted(Vec3f d, Vec3f n, float eta) {
   const float cosine = -glm::dot(d, n);
   const float k = 1.0f - eta * eta * (1.0f - cosine * cosine);
@@ -77,7 +77,7 @@ Vec3f refracted(Vec3f d, Vec3f n, float eta) {
   return glm::normalize(eta * d + (eta * cosine - std::sqrt(k)) * n);
 }
 
-/// The background along (x, y, z), a unit vector.
+/// Evaluates the background gradient along the unit vector (x, y, z).
 struct Sky {
   explicit Sky(const Background& b)
       : horizon(b.horizon),
@@ -95,7 +95,7 @@ struct Sky {
   float begin, inverse_range;
 };
 
-/// What the lanes see that have hit nothing.
+/// Sets the radiance of lanes that hit nothing.
 LIPPMANN_MULTIVERSION void see_sky(const Background& background, const RayHitPacket& packet, Lanes3& radiance) {
   const Sky sky(background);
   LIPPMANN_FOR_LANES(i) {
@@ -107,7 +107,7 @@ LIPPMANN_MULTIVERSION void see_sky(const Background& background, const RayHitPac
   }
 }
 
-/// see_sky for panoramas.
+/// Like see_sky(), for panoramas.
 void see_panorama(const Environment& environment, const RayHitPacket& packet, Lanes3& radiance) {
   for (int i = 0; i < kLanes; ++i)
     if (packet.hit.geomID[i] == kNoId)
@@ -121,14 +121,15 @@ void see_lights(const std::vector<WhittedLight>& lights, const RayHitPacket& pac
   }
 }
 
-/// The lanes whose rays have met nothing but holes since the lens.
+/// Returns the lanes whose rays have hit only holes since the lens.
 LaneMask still_open(const Bundle& bundle) {
   LaneMask lanes;
   LIPPMANN_FOR_LANES(i) lanes.lane[i] = bundle.open[i] > 0.0f ? -1 : 0;
   return lanes;
 }
 
-/// At the end of a path, branch `first` + lane shows the background. Tachyon's: what lies straight ahead, and whole.
+/// Adds the background at the end of a path, for branch `first` + lane. In Tachyon mode, adds the unweighted background
+/// straight ahead.
 LIPPMANN_MULTIVERSION void end_branches(const Background& background, const RayPacket& rays, const Branches& branches,
                                         int first, bool tachyon, Lanes3& radiance) {
   const Sky sky(background);
@@ -145,7 +146,7 @@ LIPPMANN_MULTIVERSION void end_branches(const Background& background, const RayP
   }
 }
 
-/// end_branches for panoramas.
+/// Like end_branches(), for panoramas.
 void end_in_panorama(const Environment& environment, const LaneMask& hit, const Branches& branches, int first,
                      Lanes3& radiance) {
   for (int i = 0; i < kLanes; ++i) {
@@ -202,7 +203,7 @@ void WhittedTracer::finish() {
   }
 }
 
-/// What lies behind splats has the weight that they let pass; lanes that nothing passes are done.
+/// Adds splats and scales the weight of the light behind them by their transmittance. Deactivates lanes with no transmittance.
 void WhittedTracer::look_at_splats(const RayPacket& rays, LaneMask& active, Bundle& bundle) {
   SplatLight light;
   see_splats(scene_, active, rays, splat_hits_, light);
@@ -249,11 +250,10 @@ void WhittedTracer::gather_light(const RayHitPacket& packet, DirectLight& direct
         packet, std::span(scene_.lights).subspan(first).first(std::min(shadows_.size(), scene_.lights.size() - first)), direct);
 }
 
-/// As many lights as there are shadow packets, at most.
+/// Gathers at most as many lights as there are shadow packets.
 void WhittedTracer::gather_lights(const RayHitPacket& packet, std::span<const WhittedLight> lights, DirectLight& direct) {
-  const float least_light = scene_.tachyon ? 0.001959f : 0.0f;  // Tachyon's, about 1/512
-  // Three rounds, so that the processor works on one light's kernel while the roots and quotients of the one before are on
-  // their way.
+  const float least_light = scene_.tachyon ? 0.001959f : 0.0f;  // Tachyon's threshold, about 1/512
+  // Three loops, so that the kernel of one light overlaps with the square roots and divisions of the previous one.
   for (std::size_t l = 0; l < lights.size(); ++l) shadow_rays_[l] = aim_at_light(lights[l], surface_, least_light, shadows_[l]);
   for (std::size_t l = 0; l < lights.size(); ++l) {
     if (shadow_rays_[l] == 0) continue;
@@ -266,7 +266,7 @@ void WhittedTracer::gather_lights(const RayHitPacket& packet, std::span<const Wh
     if (shadow_rays_[l] != 0) add_light(lights[l], surface_, packet.ray, shadows_[l], scene_.tachyon, direct);
 }
 
-/// Queues the rays with which paths go on, or ends the paths here.
+/// Queues the mirrored and transmitted rays, or ends the paths with the background if `last` is set.
 void WhittedTracer::branch(const RayHitPacket& packet, const Bundle& bundle, bool last, Lanes3& radiance) {
   Branches branches;
   branch_off(packet.ray, surface_, branches);

@@ -1,9 +1,9 @@
-// Whitted's recursive ray tracing, in waves: a batch of packets is shaded, its mirror and refracted rays are queued, the queue
-// is the next wave.
+// Whitted's recursive ray tracing in waves. A batch of packets is shaded, and its mirrored and refracted rays form the next
+// wave.
 //
 // Based on: T. Whitted, "An improved illumination model for shaded display", CACM 23(6), 1980.
-// We deviate: (1) breadth first instead of recursion, so that secondary rays travel in full packets of neighbours; (2) at the
-// depth limit a mirror shows the background instead of black, as Tachyon does.
+// This implementation deviates in two points: (1) it is breadth first, so secondary rays are traced in full packets of
+// neighbours; (2) at the depth limit a mirror shows the background instead of black, as Tachyon does.
 #pragma once
 
 #include <cstdint>
@@ -24,31 +24,31 @@
 namespace lippmann {
 
 struct WhittedParams {
-  int max_depth = 6;  ///< 1 = no mirrors
-  int spp = 1;        ///< samples of a pixel: each counts 1 / spp
+  int max_depth = 6;  ///< 1: no mirrors
+  int spp = 1;        ///< samples per pixel; each has the weight 1 / spp
 };
 
-/// Tracing state of one thread at a time. Adds radiance to pixels of the film; const inputs must outlive it.
+/// Traces rays for one thread and adds radiance to the film. The constructor's arguments must outlive this object.
 class WhittedTracer final : public FrameIntegrator {
  public:
-  /// film.all is not null. Where film.open is not null, it receives how many samples would see the surroundings, which they
-  /// then do not see.
+  /// film.all must not be null. If film.open is not null, it receives the number of samples that miss all surfaces, and these
+  /// samples add no surroundings to the film.
   WhittedTracer(const ShadedScene& scene, const BeamFootprint& beam, const WhittedParams& params, const PathFilm& film);
 
-  /// Shades camera rays that have met the scene. Mirror and refracted rays wait for finish().
+  /// Shades camera rays that have been traced. Queues mirrored and refracted rays for finish().
   void primary(const CameraPacket& packet) override;
 
-  /// Traces everything that waits, wave by wave.
+  /// Traces all queued rays, wave by wave.
   void finish() override;
 
   const RayCounts& counts() const override { return counts_; }
 
   void begin(int) override {}
 
-  /// From now on appends every packet to `log` that follows from camera packets.
+  /// Appends all secondary packets to `log` from now on.
   void log_to(RayLog* log) { log_ = log; }
 
-  void tell(BlockProbe* probe) override { probe_ = probe; }
+  void set_probe(BlockProbe* probe) override { probe_ = probe; }
 
  private:
   void shade(const RayHitPacket& packet, LaneMask active, Bundle& bundle, int depth);
@@ -63,7 +63,7 @@ class WhittedTracer final : public FrameIntegrator {
   const ShadedScene& scene_;
   const BeamFootprint& beam_;
   int max_depth_;
-  float weight_;  ///< what a sample counts
+  float weight_;  ///< weight of a sample
   PathFilm film_;
   RayCounts counts_;
   RayLog* log_ = nullptr;
@@ -71,8 +71,8 @@ class WhittedTracer final : public FrameIntegrator {
   RayQueue wave_, next_;
   SurfacePacket surface_;
   SplatHits splat_hits_;
-  std::vector<ShadowPacket> shadows_;  ///< one for each light of those that are sampled at once
-  std::vector<int> shadow_rays_;       ///< active lanes of each
+  std::vector<ShadowPacket> shadows_;  ///< one per light of a pass
+  std::vector<int> shadow_rays_;       ///< active lanes of each shadow packet
 };
 
 }  // namespace lippmann

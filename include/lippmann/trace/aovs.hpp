@@ -1,7 +1,7 @@
-// Further layers of a frame: what the first hit behind every pixel's centre is, parts of its light, and where that came from.
+// Additional layers of a frame (AOVs): properties of the first hit behind each pixel's centre, and parts of the light.
 //
-// Surfaces that are not there do not count as hit: what alpha masks cut away, and what blended surfaces cover to less than a
-// half. Everything else is as solid for these layers as stone, glass too.
+// First hits skip surfaces that an alpha mask cuts away and blended surfaces with an opacity below one half. All other
+// surfaces, glass included, count as opaque.
 #pragma once
 
 #include <array>
@@ -20,59 +20,58 @@ enum class Aov : std::uint8_t {
   kNormal,      ///< unit, world space, towards the ray
   kId,          ///< index in Scene::instances
   kPosition,    ///< world space
-  kRayDepth,    ///< mm along the ray from where it starts (resolved_z_front_mm): from the eye
-  kAlbedo,      ///< base colour, textures and vertex colours included
-  kMotion,      ///< see place_in_view; pixels to the right and down since the frame before
-  kProvenance,  ///< where the pixel came from: a number of Provenance
-  kDirect,      ///< path tracing only: what shines by itself and light that one surface has scattered
-  kIndirect,    ///< path tracing only: all other light; with kDirect it adds up to the film before denoising, but for rounding
-  kAlpha,       ///< share of the pixel's samples that hit something, what alpha covers by its share; the film is then free of
-                ///< the surroundings that the others would see
+  kRayDepth,    ///< mm along the ray from its start (resolved_z_front_mm); for views, from the eye
+  kAlbedo,      ///< base colour, including textures and vertex colours
+  kMotion,      ///< pixels to the right and down since the previous frame: see place_in_view
+  kProvenance,  ///< source of the pixel: a value of Provenance
+  kDirect,      ///< path tracing only: emission, and light that one surface has scattered
+  kIndirect,    ///< path tracing only: all other light; kDirect + kIndirect equals the film before denoising, up to rounding
+  kAlpha,       ///< coverage of the pixel, including partial alpha; the film then omits the surroundings
 };
 
-/// Where a pixel came from: the values of Aov::kProvenance. A pixel is missed if no point of another frame lands on it.
+/// Source of a pixel: the values of Aov::kProvenance. A pixel is missed if no point of another frame lands on it.
 enum class Provenance : std::uint8_t {
   kTraced,        ///< in this frame
-  kCopied,        ///< from a key frame, as it provably stays as it is
+  kCopied,        ///< from a key frame; the pixel provably does not change
   kInterpolated,  ///< from points of other frames
   kFilled,        ///< missed, and filled from its neighbours
   kRetraced,      ///< missed, and traced
   kBlack,         ///< missed, and left black
 };
 struct ProvenanceInfo {
-  std::string_view name;  ///< for people
+  std::string_view name;  ///< text for users
   bool missed;
 };
-/// By Provenance.
+/// Indexed by Provenance.
 inline constexpr ProvenanceInfo kProvenanceInfos[] = {
     {"traced", false},        {"copied from a key frame", false}, {"interpolated", false},
     {"missed, filled", true}, {"missed, traced", true},           {"missed, left black", true},
 };
 static_assert(std::size(kProvenanceInfos) == static_cast<std::size_t>(Provenance::kBlack) + 1);
 
-/// What makes a layer.
+/// How a layer is computed.
 enum class AovOrigin : std::uint8_t {
   kFirstHit,  ///< one ray through the pixel's centre
-  kLight,     ///< a mean over all samples, made with the light: no property of what is behind the pixel's centre
-  kFrame,     ///< told by whatever makes the frame, which it is made no differently for
+  kLight,     ///< averaged over all samples of the pixel while it is lit
+  kFrame,     ///< reported by the frame maker at no cost to the frame
 };
 
-/// All that is known of a layer anywhere: a new one is a value of Aov, a row below and what computes it.
+/// Properties of a layer. To add a layer, add a value of Aov, a row below and the code that computes it.
 struct AovInfo {
-  std::string_view name;  ///< as flags, files and other programs call it
+  std::string_view name;  ///< name in flags, files and other programs
   int channels;
-  float nothing;  ///< where nothing was hit
+  float nothing;  ///< value of pixels without a hit
   AovOrigin origin;
-  /// In OpenEXR: layer.channel, or just channel where the layer has no name, as compositing programs expect them. Floats where
-  /// half has not enough digits.
+  /// Channel names in OpenEXR, as compositing programs expect them: "layer.channel", or "channel" if the layer has no name.
+  /// Layers are stored as float if half is not precise enough.
   struct InExr {
     std::string_view layer;
     std::array<std::string_view, 3> channels;
     bool is_float;
-    double bytes_per_pixel;  ///< about, as compressed files of the built-in scenes have it
+    double bytes_per_pixel;  ///< approximate compressed size, measured on the built-in scenes
   } exr;
 };
-/// By Aov.
+/// Indexed by Aov.
 inline constexpr AovInfo kAovInfos[] = {
     {"depth", 1, -std::numeric_limits<float>::infinity(), AovOrigin::kFirstHit, {"", {"Z"}, true, 3.0}},
     {"normal", 3, 0.0f, AovOrigin::kFirstHit, {"N", {"X", "Y", "Z"}, false, 1.5}},
@@ -93,7 +92,7 @@ constexpr const AovInfo& info_of(Aov aov) { return kAovInfos[static_cast<std::si
 constexpr int channels_of(Aov aov) { return info_of(aov).channels; }
 constexpr bool is_light(Aov aov) { return info_of(aov).origin == AovOrigin::kLight; }
 
-/// By Aov.
+/// Indexed by Aov.
 inline constexpr std::array<std::string_view, kAovs> kAovNames = [] {
   std::array<std::string_view, kAovs> names;
   for (std::size_t i = 0; i < kAovs; ++i) names[i] = kAovInfos[i].name;
@@ -102,7 +101,7 @@ inline constexpr std::array<std::string_view, kAovs> kAovNames = [] {
 
 struct FrameAovs {
   std::array<bool, kAovs> wanted{};
-  std::array<Image, kAovs> images;  ///< one for each Aov: as large as the film where wanted, else empty
+  std::array<Image, kAovs> images;  ///< one per Aov: as large as the film if wanted, otherwise empty
 
   bool wants(Aov aov) const { return wanted[static_cast<std::size_t>(aov)]; }
   bool wants_any(AovOrigin origin) const;
@@ -110,7 +109,7 @@ struct FrameAovs {
   Image& operator[](Aov aov) { return images[static_cast<std::size_t>(aov)]; }
   const Image& operator[](Aov aov) const { return images[static_cast<std::size_t>(aov)]; }
 
-  /// Gives the image of a wanted layer the film's size, with nothing hit.
+  /// Resizes the image of a wanted layer to the film and fills it with the value of pixels without a hit.
   void allocate(Aov aov, Vec2i film_size);
 };
 

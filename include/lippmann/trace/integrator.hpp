@@ -1,4 +1,4 @@
-// Which light is computed, and how.
+// The integrators: which light they compute, and how.
 #pragma once
 
 #include <span>
@@ -6,26 +6,26 @@
 
 namespace lippmann {
 
-/// Answers of an integrator to the rest of the program. Nothing outside the integrators asks which one it is.
+/// Properties of an integrator. Code outside the integrators depends on these only, never on which integrator is used.
 struct IntegratorFacts {
-  std::string_view name;                ///< in flags and job files
-  int default_samples = 1;              ///< per pixel
-  bool is_stochastic = false;           ///< pictures have noise, different in every frame, that more samples reduce
-  bool can_share_pixels = false;        ///< pixels may be copied or interpolated from other frames
-  bool separates_light = false;         ///< makes the layers of direct and of indirect light
-  bool samples_all_light = false;       ///< needs tables of all lights, emissive surfaces and media of the scene
-  bool is_lit_by_surroundings = false;  ///< a scene without lamps is lit well enough by what surrounds it
+  std::string_view name;           ///< name in flags and job files
+  int default_samples = 1;         ///< per pixel
+  bool is_stochastic = false;      ///< images have noise that differs between frames and decreases with the number of samples
+  bool can_share_pixels = false;   ///< frames may copy or interpolate pixels from other frames
+  bool separates_light = false;    ///< fills the layers of direct and indirect light
+  bool samples_all_light = false;  ///< needs tables of all lights, emissive surfaces and media of the scene
+  bool is_lit_by_surroundings = false;  ///< the surroundings light a scene without lamps well enough
 };
 
 struct IntegratorModel;  // trace/integrator_model.hpp
 
-/// How light is computed: the name of an integrator.
+/// Identifies an integrator.
 class Integrator {
  public:
   static const Integrator kWhitted;  ///< direct light, sharp shadows, mirrors, refraction
-  static const Integrator kPath;     ///< all of it, by random paths
+  static const Integrator kPath;     ///< all light, by path tracing
 
-  /// `model` outlives the result.
+  /// `model` must outlive this object.
   constexpr explicit Integrator(const IntegratorModel& model) : model_(&model) {}
 
   const IntegratorFacts& facts() const;
