@@ -1,5 +1,5 @@
-// How much light one scattering at anisotropic GGX facets sends back, over angle, azimuth and both roughnesses:
-// ggx_albedo.hpp's table, for gloss that is rougher one way.
+// Directional albedo of single scattering at anisotropic GGX facets, over angle, azimuth and both roughnesses. The anisotropic
+// counterpart of the table in ggx_albedo.hpp.
 #pragma once
 
 #include <memory>
@@ -16,9 +16,9 @@ class BrushedAlbedo {
   BrushedAlbedo(const BrushedAlbedo&) = delete;
   BrushedAlbedo& operator=(const BrushedAlbedo&) = delete;
 
-  /// As GgxAlbedo::single, of the view v (unit, v.z >= 0, x along the rougher way). alpha: across; anisotropy: as glTF has it,
-  /// from alpha to 1 along x with its square; both in [0, 1]. The first call, from whichever thread, integrates the table: some
-  /// 0.1 s, which scenes without such surfaces need not wait for.
+  /// Returns GgxAlbedo::single for the view v (unit length, v.z >= 0, x along the rougher direction). alpha: across that
+  /// direction, in [0, 1]. anisotropy: as in glTF, in [0, 1]; its square moves the alpha along x from `alpha` to 1. The first
+  /// call integrates the table (about 0.1 s), so scenes without such surfaces do not pay for it. Thread-safe.
   Vec2f single(Vec3f v, float alpha, float anisotropy) const;
 
  private:

@@ -1,4 +1,4 @@
-// What both kinds of surface answer: how much light goes from one direction to another, and a direction worth following.
+// The results of evaluating and sampling a BSDF, shared by both surface models.
 #pragma once
 
 #include "lippmann/core/math.hpp"
@@ -8,25 +8,25 @@ namespace lippmann {
 
 struct BsdfValue {
   Vec3f cosine_f{0.0f};      ///< BSDF times |cosine| to the shading normal, per steradian
-  float density = 0.0f;      ///< the density with which sample() draws that direction, per steradian
-  bool transmitted = false;  ///< the direction lies behind the surface
+  float density = 0.0f;      ///< density with which sample() draws the direction, per steradian
+  bool transmitted = false;  ///< whether the direction lies behind the surface
 };
 
 struct BsdfSample {
   Vec3f direction{0.0f};
-  Vec3f weight{0.0f};        ///< cosine_f / density; for Dirac's lobes, their share over their probability
-  float density = 0.0f;      ///< per steradian; kInfinity: drawn from a Dirac lobe
-  bool transmitted = false;  ///< goes on behind the surface
-  bool straight = false;     ///< goes on as if nothing were there
-  bool is_vertex = true;     ///< false: what goes straight on does not count among a path's vertices
+  Vec3f weight{0.0f};        ///< cosine_f / density; for Dirac lobes, their share divided by their probability
+  float density = 0.0f;      ///< per steradian; kInfinity for a Dirac lobe
+  bool transmitted = false;  ///< continues behind the surface
+  bool straight = false;     ///< continues in the same direction
+  bool is_vertex = true;     ///< false: a straight continuation that does not count as a path vertex
   bool is_delta() const { return density == kInfinity; }
 };
 
-/// The mirror direction of v (both point away from the surface) about n.
+/// Returns the mirror direction of v about n. Both directions point away from the surface.
 LIPPMANN_INLINE Vec3f mirrored(Vec3f v, Vec3f n) { return 2.0f * glm::dot(v, n) * n - v; }
 
-/// Snell's law: where the light comes from that leaves along v (away from the surface); n on v's side, eta =
-/// n_beyond / n_here. The null vector at total reflection.
+/// Returns the refracted direction by Snell's law, pointing away from the surface. n lies on v's side; eta = n_beyond / n_here.
+/// Returns the null vector at total reflection.
 LIPPMANN_INLINE Vec3f refracted_away(Vec3f v, Vec3f n, float eta) {
   const float cosine = glm::dot(v, n), k = 1.0f - (1.0f - cosine * cosine) / (eta * eta);
   const bool passes = k > 0.0f;

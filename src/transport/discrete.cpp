@@ -15,7 +15,7 @@ DiscreteDistribution::DiscreteDistribution(std::span<const float> weights) {
     if (counted(weights[i]) > 0.0) last = i;
     cumulative_.push_back(static_cast<float>((sum += counted(weights[i])) / total_));
   }
-  // Whatever the rounding, u < 1 finds an index that has weight.
+  // For any rounding, u < 1 must select an index with positive weight.
   std::fill(cumulative_.begin() + static_cast<std::ptrdiff_t>(last), cumulative_.end(), 1.0f);
   step_ = 1.0f / static_cast<float>(weights.size());
   for (std::uint32_t part = 0, index = 0; part < weights.size(); ++part) {

@@ -1,4 +1,4 @@
-// Choosing one of many by weight: what decides which light, and which texel of an environment, is sampled.
+// Discrete sampling by weight, used to choose lights and texels of environments.
 #pragma once
 
 #include <algorithm>
@@ -12,17 +12,17 @@ namespace lippmann {
 class DiscreteDistribution {
  public:
   DiscreteDistribution() = default;
-  /// Weights finite and >= 0, denormal ones count as 0; where all are 0 the distribution is empty.
+  /// Weights must be finite and >= 0. Denormal weights count as 0. If all weights are 0, the distribution is empty.
   explicit DiscreteDistribution(std::span<const float> weights);
 
   bool empty() const { return cumulative_.empty(); }
   std::size_t size() const { return cumulative_.size(); }
   double total() const { return total_; }
 
-  /// The index for u in [0, 1), never one of weight 0; `rest` (in [0, 1)) is how far u lies in the index's share, and as good
-  /// as a new number. Not empty.
+  /// Returns the index for u in [0, 1), never one with weight 0. `rest` receives the position of u within the index's share, in
+  /// [0, 1), which can serve as a new random number. The distribution must not be empty.
   std::size_t sample(float u, float& rest) const {
-    // The part of [0, 1) that u lies in; rounding may take it one too far.
+    // Find the part of [0, 1) that contains u. Rounding may give the next one.
     const auto count = static_cast<float>(cumulative_.size());
     auto part = std::min(static_cast<std::size_t>(u * count), cumulative_.size() - 1);
     while (part > 0 && start_of(part) > u) --part;
@@ -33,18 +33,18 @@ class DiscreteDistribution {
     return index;
   }
 
-  /// The probability of an index.
+  /// Returns the probability of an index.
   float probability(std::size_t index) const { return cumulative_[index] - probability_before(index); }
 
-  /// The probability of all indices before it together.
+  /// Returns the total probability of all lower indices.
   float probability_before(std::size_t index) const { return index > 0 ? cumulative_[index - 1] : 0.0f; }
 
  private:
   float start_of(std::size_t part) const { return std::min(static_cast<float>(part) * step_, 0x1.fffffep-1f); }
 
-  std::vector<float> cumulative_;     ///< share of all up to and including an index; the last is 1
-  std::vector<std::uint32_t> first_;  ///< [0, 1) in as many equal parts: the index that each begins in (a "guide table")
-  float step_ = 0.0f;                 ///< a part's length
+  std::vector<float> cumulative_;     ///< cumulative shares; the last entry is 1
+  std::vector<std::uint32_t> first_;  ///< guide table: splits [0, 1) into equal parts and holds the index at the start of each
+  float step_ = 0.0f;                 ///< length of a part
   double total_ = 0.0;
 };
 

@@ -8,14 +8,14 @@
 namespace lippmann {
 namespace {
 
-/// A gradient's grid: fine enough that it is followed, small enough for a cache.
+/// Resolution of the grid for a gradient: fine enough to follow the gradient, small enough for the cache.
 constexpr int kGradientWidth = 64, kGradientHeight = 32;
 
-/// x, y in [0, 1].
+/// Computes the panorama coordinates of a direction, in [0, 1].
 LIPPMANN_INLINE void find_place(float x, float y, float z, float rotation, float& across, float& down) {
   const float turns = 0.5f + (fast_atan2(z, x) - rotation) * (0.5f / kPi), fraction = turns - std::floor(turns);
   const float polar = fast_acos(std::min(std::max(y, -1.0f), 1.0f)) * (1.0f / kPi);
-  const bool known = (fraction < 1.0f) & (polar <= 1.0f);  // not rounded up, nor of a direction that is not a number
+  const bool known = (fraction < 1.0f) & (polar <= 1.0f);  // reject values that were rounded up, and NaN directions
   across = known ? fraction : 0.0f;
   down = known ? polar : 0.0f;
 }
@@ -26,7 +26,7 @@ Vec2f place_of(Vec3f d, float rotation) {
   return place;
 }
 
-/// A panorama's texels in tiles and how it is placed, as numbers for loops over directions.
+/// A panorama's tiled texels and its rotation, in a form for loops over directions.
 struct Panorama {
   Panorama(const SkyPatches& patches, float of_rotation)
       : texels(patches.texels_of(0)),
@@ -42,7 +42,8 @@ struct Panorama {
   float rotation;
 };
 
-/// Between a patch's corners; corner: where the red of the upper left one is; within, below: in [0, 1], across and down.
+/// Interpolates between a patch's corners. `corner` is the offset of the red value of the upper left corner. `within` (across)
+/// and `below` (down) are in [0, 1].
 LIPPMANN_INLINE void interpolate(const float* texels, const SkyPatches::Layout& layout, int corner, float within, float below,
                                  float* light) {
   for (int c = 0; c < 3; ++c) {
@@ -53,7 +54,7 @@ LIPPMANN_INLINE void interpolate(const float* texels, const SkyPatches::Layout& 
   }
 }
 
-/// Bilinear, at a place of find_place().
+/// Looks up the panorama bilinearly at a result of find_place().
 LIPPMANN_INLINE void look_at(const Panorama map, float across, float down, float* light) {
   constexpr int kTile = SkyPatches::kTile;
   const float x = across * static_cast<float>(map.width) - 0.5f, y = down * static_cast<float>(map.height) + 0.5f;
@@ -78,7 +79,7 @@ LIPPMANN_MULTIVERSION void look_at_all(const Panorama map, SkyRays& rays) {
   }
 }
 
-/// turn: share of it; cosine: the polar angle's.
+/// Computes a unit vector. `turn` is the azimuth as a share of a full turn; `cosine` is that of the polar angle.
 LIPPMANN_INLINE void find_direction(float turn, float cosine, float rotation, float& x, float& y, float& z) {
   float sin_azimuth, cos_azimuth;
   fast_sin_cos((turn - 0.5f) * 2.0f * kPi + rotation, sin_azimuth, cos_azimuth);
@@ -86,7 +87,7 @@ LIPPMANN_INLINE void find_direction(float turn, float cosine, float rotation, fl
   x = sine * cos_azimuth, y = cosine, z = sine * sin_azimuth;
 }
 
-/// In [0, 1), of density proportional to a line from a to b >= 0; evenly where both are 0.
+/// Samples [0, 1) with a density that is linear from a to b, both >= 0. Samples uniformly if both are 0.
 LIPPMANN_INLINE float sample_line(float u, float a, float b) {
   const float sum = a + b, from = a / (sum > 0.0f ? sum : 1.0f);
   const float root = std::sqrt(std::max(from * from + u * (1.0f - 2.0f * from), 0.0f)), both = from + root;
@@ -96,13 +97,13 @@ LIPPMANN_INLINE float sample_line(float u, float a, float b) {
 
 LIPPMANN_INLINE float mixed(float a, float b, float share) { return a * (1.0f - share) + b * share; }
 
-/// Patches that were drawn, side by side, and where in them.
+/// Chosen patches of all lanes, and random numbers for positions within them.
 struct PatchDraws {
   alignas(64) float x[SkyDraws::kDraws], y[SkyDraws::kDraws];          ///< column and row
   alignas(64) float u[SkyDraws::kDraws], v[SkyDraws::kDraws];          ///< random numbers in [0, 1)
   alignas(64) float density[SkyDraws::kDraws];                         ///< per luminance
-  alignas(64) float upper[SkyDraws::kDraws], lower[SkyDraws::kDraws];  ///< cosines of the polar angle at top and bottom
-  alignas(64) float corners[4][3][SkyDraws::kDraws];                   ///< as SkyPatches::corners has them, by channel
+  alignas(64) float upper[SkyDraws::kDraws], lower[SkyDraws::kDraws];  ///< cosine of the polar angle at the top and the bottom
+  alignas(64) float corners[4][3][SkyDraws::kDraws];                   ///< in the order of SkyPatches::corners, by channel
 
   void set(int i, const SkyPatches& sky, const PatchChoice::Drawn& drawn) {
     x[i] = static_cast<float>(drawn.x), y[i] = static_cast<float>(drawn.y);
@@ -119,7 +120,7 @@ struct PatchDraws {
   }
 };
 
-/// Places within the patches, by their luminance, and what is seen there.
+/// Samples positions within the patches by luminance, and computes the light there.
 LIPPMANN_INLINE void draw_within(const Panorama& map, const PatchDraws& patches, int i, SkyDraws& draws) {
   const float upper_left = patches.luminance(0, i), upper_right = patches.luminance(1, i), lower_left = patches.luminance(2, i),
               lower_right = patches.luminance(3, i);
@@ -130,7 +131,7 @@ LIPPMANN_INLINE void draw_within(const Panorama& map, const PatchDraws& patches,
   const float turn = (patches.x[i] + 0.5f + across) / static_cast<float>(map.width);
   const float cosine = mixed(patches.upper[i], patches.lower[i], down);
   find_direction(turn, cosine, map.rotation, draws.x[i], draws.y[i], draws.z[i]);
-  // Light is bilinear in the polar angle, where patches are even in its cosine.
+  // The light is bilinear in the polar angle, but the patches are uniform in its cosine.
   const float polar = fast_acos(std::min(std::max(cosine, -1.0f), 1.0f)) * (1.0f / kPi);
   const float below = std::min(std::max(polar * static_cast<float>(map.height) + 0.5f - patches.y[i], 0.0f), 1.0f);
   const auto channel = [&](int c) LIPPMANN_INLINE_LAMBDA {
@@ -150,7 +151,7 @@ Vec3f gradient(const Background& b, Vec3f d) {
   return glm::mix(b.horizon, b.zenith, std::clamp(share, 0.0f, 1.0f));
 }
 
-/// Columns go round, rows end at the poles.
+/// Columns wrap around; rows are clamped at the poles.
 Vec3f gradient_texel(const Background& b, int x, int y) {
   x = (x + kGradientWidth) % kGradientWidth, y = std::clamp(y, 0, kGradientHeight - 1);
   const float cosine = std::cos((static_cast<float>(y) + 0.5f) * (kPi / kGradientHeight));
@@ -159,7 +160,7 @@ Vec3f gradient_texel(const Background& b, int x, int y) {
   return gradient(b, direction);
 }
 
-/// Around a texel, as a gradient may begin between texels, and no light may have no chance.
+/// Averages around a texel: a gradient may begin between two texels, and no light may have probability 0.
 Vec3f gradient_around(const Background& b, int x, int y) {
   Vec3f light(0.0f);
   for (int dy = -1; dy <= 1; ++dy)

@@ -1,7 +1,6 @@
-// Angles from coordinates, and coordinates from angles, in a form that vectorises, which the library's are not: good to 3e-7.
+// Trigonometric functions that the compiler can vectorise, unlike those of the standard library. Their error is at most 3e-7.
 //
-// The series of arc tangent and arc sine are cut short and their coefficients moved so that the largest error on the interval
-// is as small as it can be (E. Remez, 1934).
+// The polynomials for arc tangent and arc sine are minimax approximations (E. Remez, 1934).
 #pragma once
 
 #include <cmath>
@@ -11,7 +10,7 @@
 
 namespace lippmann {
 
-/// As std::atan2 for numbers whose zeros have no sign.
+/// Returns std::atan2(y, x), but ignores the sign of zeros.
 LIPPMANN_INLINE float fast_atan2(float y, float x) {
   const float ax = std::abs(x), ay = std::abs(y);
   const bool flat = ax >= ay;
@@ -28,10 +27,10 @@ LIPPMANN_INLINE float fast_atan2(float y, float x) {
   return y < 0.0f ? -half : half;
 }
 
-/// For |x| <= 1.
+/// Returns the arc cosine of |x| <= 1.
 LIPPMANN_INLINE float fast_acos(float x) {
   const float a = std::abs(x);
-  const bool steep = a > 0.5f;  // there arccos x = 2 arcsin sqrt((1 - x) / 2)
+  const bool steep = a > 0.5f;  // use arccos x = 2 arcsin sqrt((1 - x) / 2)
   const float z = steep ? 0.5f * (1.0f - a) : a * a, s = steep ? std::sqrt(z) : a;
   const float p = 0.166668215f + z * (0.0749307718f + z * (0.0457077875f + z * (0.0231422849f + z * 0.0437630404f)));
   const float arcsine = s + s * z * p;
@@ -39,10 +38,10 @@ LIPPMANN_INLINE float fast_acos(float x) {
   return x < 0.0f ? kPi - of_a : of_a;
 }
 
-/// For angles of a few turns.
+/// Computes sine and cosine of angles of up to a few turns.
 LIPPMANN_INLINE void fast_sin_cos(float angle, float& sine, float& cosine) {
   const float quarters = std::floor(angle * (2.0f / kPi) + 0.5f);
-  // pi / 2 in two parts, the first of which, times a small whole number, is exact.
+  // Subtracts multiples of pi / 2 in two parts. Multiples of the first part are exact.
   const float x = (angle - quarters * 1.5703125f) - quarters * 4.83826795e-4f, z = x * x;
   const float s = x + x * z * (-0.16666651f + z * (0.008331979f + z * -0.00019495636f));
   const float c = 1.0f - 0.5f * z + z * z * (0.041666646f + z * (-0.0013887368f + z * 2.4438452e-05f));

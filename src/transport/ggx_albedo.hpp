@@ -1,20 +1,22 @@
-// How much light a GGX surface sends back in all: tables over angle and roughness, and what they are for, making up for the
-// light that bounces between facets more than once.
+// Tables of the directional albedo of GGX surfaces over angle and roughness, used to compensate for light that bounces between
+// facets more than once.
 //
-// Based on: C. Kulla, A. Conty, "Revisiting Physically Based Shading at Imageworks", SIGGRAPH 2017 course (what is lost comes
-// back as a series of bounces, each with the facets' mean reflectance F); E. Turquin, "Practical multiple scattering
-// compensation for microfacet models", 2019 (it has the shape of the lobe of one scattering: a factor).
+// Based on: C. Kulla, A. Conty, "Revisiting Physically Based Shading at Imageworks", SIGGRAPH 2017 course (the lost light
+// returns as a series of bounces, each with the mean facet reflectance F); E. Turquin, "Practical multiple scattering
+// compensation for microfacet models", 2019 (multiple scattering has the shape of the single-scattering lobe, so it is a
+// factor).
 //
-// Of what is left between the facets, a share e leaves with each further bounce: F e + F (1 - e) F e + ... = F e / (1 - F (1 -
-// e)). The factor is 1 + (1 - E) / E of that, E the albedo of one scattering where F = 1.
+// A share e of the light between the facets leaves with each further bounce: F e + F (1 - e) F e + ... = F e / (1 - F (1 - e)).
+// The factor is 1 + (1 - E) / E times this sum, where E is the albedo of single scattering for F = 1.
 //
-// We deviate, in two numbers that were fitted to walks from facet to facet (E. Heitz et al., "Multiple-Scattering Microfacet
-// BSDFs with the Smith Model", SIGGRAPH 2016), of roughness 0.2 to 1:
-// 1. e = 0.3 + 0.74 E in place of the mean of E.
-// 2. F = F0 + (F90 - F0) w, w = 0.065 + 0.77 (1 - roughness) (1 - cosine) in place of 1 / 21, which is Schlick's weight in the
-//    mean over all directions: light that grazes a surface of low slopes grazes the next facet, too.
-// Albedos of F0 >= 0.2 are within 1.2 % of the walks', of F0 = 0.04 within 2.4 %. With 1 / 21, grazed metals of roughness 0.3
-// to 0.6 are 4 to 6 % too dark; with Turquin's F0 in place of the series, F0 = 0.5 is 16 % too bright at roughness 1.
+// This implementation deviates in two numbers, which are fitted to simulated walks between facets (E. Heitz et al.,
+// "Multiple-Scattering Microfacet BSDFs with the Smith Model", SIGGRAPH 2016) for roughness 0.2 to 1:
+// 1. e = 0.3 + 0.74 E instead of the mean of E.
+// 2. F = F0 + (F90 - F0) w with w = 0.065 + 0.77 (1 - roughness) (1 - cosine). The usual w = 1 / 21 is the mean of Schlick's
+// weight over all directions, but light that grazes a surface with low slopes also grazes the next facet.
+// Albedos are within 1.2 % of the walks for F0 >= 0.2, and within 2.4 % for F0 = 0.04. With w = 1 / 21, metals of roughness 0.3
+// to 0.6 are 4 to 6 % too dark at grazing angles. With Turquin's F0 instead of the series, F0 = 0.5 is 16 % too bright at
+// roughness 1.
 #pragma once
 
 #include <cmath>
@@ -27,14 +29,15 @@
 
 namespace lippmann {
 
-/// With Schlick's reflectance F0 + (F90 - F0) (1 - cos)^5 every albedo is linear in F0 and F90; the tables hold the parts.
+/// With Schlick's reflectance F0 + (F90 - F0) (1 - cos)^5, every albedo is linear in F0 and F90. The tables hold the
+/// coefficients.
 class GgxAlbedo {
  public:
-  /// Integrates them: some 40 ms.
+  /// Integrates the tables (about 40 ms).
   GgxAlbedo();
 
-  /// Directional albedo of one scattering: F0 = 1, F90 = 0 in x; F0 = 0, F90 = 1 in y; w of the facets that light meets after
-  /// the first in z. cosine: between the view and the normal, in [0, 1].
+  /// Returns the coefficients of the directional albedo of single scattering: x for F0 = 1, F90 = 0; y for F0 = 0, F90 = 1. z
+  /// is the weight w of the facets after the first. cosine: between the view and the normal, in [0, 1].
   LIPPMANN_INLINE Vec3f single(float cosine, float alpha) const {
     const TablePlace r(std::sqrt(alpha), kSize), c(cosine, kSize);
     const int at = r.index * kSize + c.index;
@@ -42,28 +45,28 @@ class GgxAlbedo {
             edge_of_later_facets(cosine, alpha)};
   }
 
-  /// The z of single().
+  /// Returns the z of single().
   LIPPMANN_INLINE static float edge_of_later_facets(float cosine, float alpha) {
     return 0.065f + 0.77f * (1.0f - std::sqrt(alpha)) * (1.0f - cosine);
   }
 
-  /// By how much reflected light is multiplied, so that F0 = F90 = 1 loses none.
+  /// Returns the factor for reflected light that makes a surface with F0 = F90 = 1 lossless.
   static Vec3f compensation(Vec3f single, Vec3f f0, Vec3f f90) { return compensation_of(single, f0, f90); }
 
-  /// Directional albedo with compensation.
+  /// Returns the directional albedo with compensation.
   static Vec3f directional(Vec3f single, Vec3f f0, Vec3f f90) {
     return are_grey(f0, f90) ? Vec3f(directional_of(single, f0.x, f90.x)) : directional_of(single, f0, f90);
   }
-  /// The same without a branch; of a colour, or of one channel.
+  /// Like directional(), without branches. `Color` is a colour or one channel.
   template <class Color>
   LIPPMANN_INLINE static Color directional_of(Vec3f single, Color f0, Color f90) {
     return (f0 * single.x + f90 * single.y) * compensation_of(single, f0, f90);
   }
 
-  /// The mean of directional() over the hemisphere, weighted by the cosine.
+  /// Returns the cosine-weighted mean of directional() over the hemisphere.
   LIPPMANN_INLINE Vec3f mean(float alpha, Vec3f f0, Vec3f f90) const {
     const TablePlace r(std::sqrt(alpha), kSize);
-    const float edge = edge_of_later_facets(0.65f, alpha);  // where most of it is lost
+    const float edge = edge_of_later_facets(0.65f, alpha);  // at the angle where most of the light is lost
     const auto mixed = [&](int k) LIPPMANN_INLINE_LAMBDA {
       const float(&column)[kSize] = mean_[k];
       return column[r.index] * (1.0f - r.share) + column[r.index + 1] * r.share;
@@ -72,19 +75,19 @@ class GgxAlbedo {
     return f0 * of_f0 + f90 * of_f90 + of_more_bounces(of_f0 + of_f90, edge, f0, f90) * (f0 * mixed(2) + f90 * mixed(3));
   }
 
-  /// The like of single() for rough glass.
+  /// Returns the corresponding table for rough glass.
   const GlassAlbedo& glass() const { return glass_; }
-  /// And for gloss that is rougher one way, and for sheen.
+  /// Return the corresponding tables for anisotropic gloss and for sheen.
   const BrushedAlbedo& brushed() const { return brushed_; }
   const SheenAlbedo& sheen() const { return sheen_; }
 
  private:
-  static constexpr int kSize = 32;  ///< entries along each side; cosines from 0 to 1, roughness = sqrt(alpha), too
+  static constexpr int kSize = 32;  ///< entries along each side; cosine and roughness = sqrt(alpha) range from 0 to 1
 
-  /// So are nearly all dielectrics: one channel, a third of the divisions.
+  /// Returns whether one channel suffices. Nearly all dielectrics are grey, which saves two thirds of the divisions.
   static bool are_grey(Vec3f f0, Vec3f f90) { return f0.x == f0.y && f0.x == f0.z && f90.x == f90.y && f90.x == f90.z; }
 
-  /// The share that comes back of light that has met white facets and not left them: F e / (1 - F (1 - e)).
+  /// Returns the share of light left between white facets that eventually leaves: F e / (1 - F (1 - e)).
   template <class Color>
   LIPPMANN_INLINE static Color of_more_bounces(float all, float edge, Color f0, Color f90) {
     const Color facet = glm::min(f0 + (f90 - f0) * edge, Color(1.0f));
@@ -102,7 +105,7 @@ class GgxAlbedo {
            (table[at + kSize] * (1.0f - of_next) + table[at + kSize + 1] * of_next) * of_rougher;
   }
 
-  // Plain arrays, indexed as such: GCC 14 does not vectorise loops that take the address of a table in a member.
+  // These are plain arrays, because GCC 14 does not vectorise loops that take the address of a table in a member.
   float single_f0_[kSize * kSize], single_f90_[kSize * kSize];  ///< [roughness][cosine]
   float mean_[4][kSize];  ///< by roughness: means of single().x and .y, and of both times (1 - E) / E
   GlassAlbedo glass_;

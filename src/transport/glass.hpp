@@ -1,5 +1,5 @@
-// What of glTF's surface transmits, smooth or rough, as formulas without branches, as those of metal_rough_base.hpp are: for
-// one point (metal_rough_bsdf.hpp) and for sixteen (shading/metal_rough_lanes.hpp), to the same bits.
+// The transmissive part of glTF's surface, smooth or rough. Like metal_rough_base.hpp, the formulas have no branches: they
+// serve one point (metal_rough_bsdf.hpp) and sixteen (shading/metal_rough_lanes.hpp) with bit-identical results.
 //
 // Based on: B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007.
 #pragma once
@@ -9,26 +9,27 @@
 
 namespace lippmann {
 
-/// At one point, seen from one side.
+/// Glass at one point, seen from one side.
 struct Glass {
-  Vec3f tint{0.0f};           ///< of what is refracted
-  float share = 0.0f;         ///< of the surface; 0: no glass
+  Vec3f tint{0.0f};           ///< colour of refracted light
+  float share = 0.0f;         ///< share of the surface; 0: no glass
   float eta = 1.0f;           ///< n_beyond / n_here
-  float compensation = 1.0f;  ///< for light that met more than one facet
+  float compensation = 1.0f;  ///< factor for light that hits more than one facet
 };
 
-/// Chance of being drawn, in proportion to what it sends on: not too small for what is reflected without a tint.
+/// Returns the sampling weight of the glass. It is proportional to the light sent on, with a lower limit because reflection is
+/// not tinted.
 LIPPMANN_INLINE float glass_chance(const Glass& glass) {
   const float light = luminance(glass.tint);
   return glass.share * (light > 0.1f ? light : 0.1f);
 }
 
-/// What rough glass sends to `view` from `light`, on the same side or beyond, times |cosine|; and the density of drawing it, of
-/// a facet as sample_visible() does and then of draw_glass(). Both directions unit and local, view.z > 0.
+/// Returns the BSDF of rough glass times |cosine|. `light` is on the same side or beyond. `density` receives the density of
+/// sampling a facet by sample_visible() and a direction by draw_glass(). Both directions are unit and local, with view.z > 0.
 LIPPMANN_INLINE Vec3f glass_cosine_f(const Glass& glass, float alpha, Vec3f view, Vec3f light, float& density) {
   const Ggx ggx{alpha};
   const bool reflected = light.z > 0.0f;
-  // The facet's normal, towards the viewer. Refraction's half vector is along -(view + eta light).
+  // The facet normal points to the viewer. The half vector of refraction lies along -(view + eta light).
   const Vec3f half = glm::normalize(view + (reflected ? 1.0f : glass.eta) * light), h = (half.z < 0.0f ? -1.0f : 1.0f) * half;
   const float cosine = glm::dot(view, h), beyond = glm::dot(light, h);
   const float fresnel = fresnel_dielectric(cosine, glass.eta);
@@ -44,8 +45,8 @@ LIPPMANN_INLINE Vec3f glass_cosine_f(const Glass& glass, float alpha, Vec3f view
           (reflected ? 1.0f : glass.tint.z) * all};
 }
 
-/// Where the light comes from that a facet sends to `view`: reflected with Fresnel's probability, else refracted. decision in
-/// [0, 1). outward: > 0 unless the next facet is in the way.
+/// Returns the light direction that a facet reflects (with Fresnel's probability) or refracts to `view`. decision in [0, 1).
+/// `outward` is > 0 unless the next facet blocks the direction.
 LIPPMANN_INLINE Vec3f draw_glass(float eta, Vec3f view, Vec3f facet, float decision, bool& transmitted, float& outward) {
   transmitted = decision >= fresnel_dielectric(glm::dot(view, facet), eta);
   const Vec3f refracted = refracted_away(view, facet, eta), reflected = mirrored(view, facet);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kLargestContrast = 0.5f;  // (n - 1) / (n + 1) for n = 3
 
-/// Mean over the facets that the view sees of what their light passes on its way out.
+/// Returns the mean over the facets visible to the view of the share of light that is not masked on its way out.
 float integrate(float cosine, float alpha, float eta) {
   constexpr int kPoints = 256;
   const Ggx ggx{alpha};
@@ -30,7 +30,7 @@ float integrate(float cosine, float alpha, float eta) {
   return sum / kPoints;
 }
 
-/// The albedos of glass that is entered, or left: [contrast][roughness][cosine].
+/// The albedos of glass on entering or on leaving: [contrast][roughness][cosine].
 class Table {
  public:
   Table(int contrasts, int cosines, bool entering) : contrasts_(contrasts), cosines_(cosines) {
@@ -65,7 +65,7 @@ class Table {
 
 }  // namespace
 
-/// From within, total reflection gives the albedo edges.
+/// On leaving, total reflection gives the albedo sharp edges.
 struct GlassAlbedo::Tables {
   Table entered{6, 16, true}, left{12, 24, false};
 };

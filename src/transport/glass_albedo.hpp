@@ -1,8 +1,8 @@
-// How much light one scattering at rough glass sends on, reflected and refracted together: what is missing to 1 met more than
-// one facet, and is made up for by the factor 1 / albedo.
+// Directional albedo of single scattering at rough glass, reflection and refraction together. The light missing to 1 hits more
+// than one facet; the factor 1 / albedo compensates for it.
 //
-// Based on: E. Turquin, "Practical multiple scattering compensation for microfacet models", 2019 (a white surface whose lobes
-// are all divided by their directional albedo loses nothing).
+// Based on: E. Turquin, "Practical multiple scattering compensation for microfacet models", 2019 (a white surface is lossless
+// if all its lobes are divided by their directional albedo).
 #pragma once
 
 #include <array>
@@ -18,9 +18,9 @@ class GlassAlbedo {
   GlassAlbedo(const GlassAlbedo&) = delete;
   GlassAlbedo& operator=(const GlassAlbedo&) = delete;
 
-  /// cosine: between the view and the normal, in [0, 1]; eta = n_beyond / n_here, as if 1/3 or 3 beyond these. Within 1 % for
-  /// glass of 1.3 and more. The first call, from whichever thread, integrates the tables: some 0.2 s, which scenes without
-  /// rough glass need not wait for.
+  /// Returns the albedo. cosine: between the view and the normal, in [0, 1]. eta = n_beyond / n_here, clamped to [1/3, 3].
+  /// Within 1 % for an index of refraction of 1.3 and more. The first call integrates the tables (about 0.2 s), so scenes
+  /// without rough glass do not pay for it. Thread-safe.
   float single(float cosine, float alpha, float eta) const;
 
  private:

@@ -9,14 +9,14 @@ constexpr Vec3f kAbove(0.0f, 0.0f, 1.0f);
 
 bool is_mirror(float alpha) { return alpha < kSmoothAlpha; }
 
-/// Grazing views have no digits left for masking.
+/// Keeps the view off the horizon, where masking loses all precision.
 Vec3f lifted(Vec3f local) {
   if (local.z >= kLeastCosineOfView) return local;
   local.z = kLeastCosineOfView;
   return glm::normalize(local);
 }
 
-/// About `normal`, with x along the tangent where it has a direction across the normal.
+/// Returns a basis around `normal`. x lies along the tangent, unless the tangent is parallel to the normal.
 Basis basis_along(Vec3f normal, Vec3f tangent) {
   Basis basis(normal);
   const Vec3f across = tangent - normal * glm::dot(normal, tangent);
@@ -27,7 +27,7 @@ Basis basis_along(Vec3f normal, Vec3f tangent) {
   return basis;
 }
 
-/// Khronos Group, KHR_materials_anisotropy.
+/// Based on: Khronos Group, KHR_materials_anisotropy.
 AnisotropicGgx facets_of(const LayeredSurface& s) {
   const float across = squared(s.base.roughness), along = glm::mix(across, 1.0f, squared(s.anisotropy));
   return {glm::max(Vec2f(along, across), Vec2f(kSmoothAlpha))};
@@ -90,7 +90,8 @@ Vec3f LayeredBsdf::fresnel_of(Vec3f f0, Vec3f f90, float cosine) const {
   return glm::mix(bare, film_reflectance(surface_.film, f0, cosine), surface_.film_share);
 }
 
-/// A film's reflectance changes with the angle in no way that tables could hold: it is taken as that of the whole surface.
+/// Returns the albedo with the film. The film's reflectance varies too irregularly with the angle for tables, so its value for
+/// the direction stands for the whole surface.
 Vec3f LayeredBsdf::albedo_of(Vec3f f0, Vec3f f90, Vec3f direction) const {
   const Vec3f single = single_albedo(direction);
   const Vec3f bare = GgxAlbedo::directional(single, f0, f90);
@@ -99,7 +100,7 @@ Vec3f LayeredBsdf::albedo_of(Vec3f f0, Vec3f f90, Vec3f direction) const {
   return glm::mix(bare, GgxAlbedo::directional(single, film, film), surface_.film_share);
 }
 
-/// As MetalRoughBsdf's: one lobe carries dielectric and metal, with the compensation that both have on the mean.
+/// Sets the gloss as in MetalRoughBsdf: one lobe carries dielectric and metal, with their mean compensation.
 void LayeredBsdf::set_gloss() {
   const MetalRoughSurface& s = surface_.base;
   const Vec3f single = single_albedo(view_);
@@ -126,15 +127,15 @@ void LayeredBsdf::set_coat() {
   below_coat_ = 1.0f - surface_.base.clearcoat * GgxAlbedo::directional(single, Vec3f(kCoatReflectance), Vec3f(1.0f)).x;
 }
 
-/// What of white light along a direction gets through the gloss. Below films it is grey, as the most colourful of them would
-/// else dye what lies below.
+/// Returns the share of white light along a direction that passes the gloss. Below a film it is grey; otherwise the film would
+/// dye the layers below.
 Vec3f LayeredBsdf::passes_gloss(Vec3f direction) const {
   const Vec3f reflected = albedo_of(dielectric_f0_, dielectric_f90_, direction);
   if (surface_.film_share == 0.0f) return Vec3f(1.0f) - reflected;
   return Vec3f(std::max(0.0f, 1.0f - most(reflected)));
 }
 
-/// What diffuse light from `light` (on the viewer's side) is multiplied by.
+/// Returns the factor for diffuse light from `light`, which lies on the viewer's side.
 Vec3f LayeredBsdf::below_gloss(Vec3f light) const {
   const Vec3f in = passes_gloss(light);
   return surface_.film_share == 0.0f ? in * gloss_passes_ / diffuse_passes_ : glm::min(in, gloss_passes_);
@@ -205,7 +206,7 @@ void LayeredBsdf::add_gloss(Vec3f light, BsdfValue& value) const {
   value.density += shares_.gloss * ggx_.visible_density(view_, h) / (4.0f * cosine);
 }
 
-/// A thin wall sends on what it lets through as it would mirror it, on its other side.
+/// Adds the glass lobe. A thin wall transmits along the mirrored lobe on its other side.
 void LayeredBsdf::add_glass(Vec3f light, BsdfValue& value) const {
   const bool reflected = light.z > 0.0f, bends = !reflected && !surface_.is_thin;
   Vec3f h = glm::normalize(bends ? view_ + eta_ * light : view_ + above(light));
@@ -242,7 +243,7 @@ void LayeredBsdf::add_coat(Vec3f light, BsdfValue& value) const {
   value.density += shares_.coat * ggx.visible_density(coat_view_, h) / (4.0f * cosine);
 }
 
-/// Light that comes through does so behind the normals of both the diffuse part and the gloss.
+/// Evaluates the BSDF. Transmitted light must lie behind the normals of both the diffuse part and the gloss.
 BsdfValue LayeredBsdf::evaluate(Vec3f light_world) const {
   const Vec3f local = basis_.to_local(light_world), light = local_to_gloss(light_world, local);
   BsdfValue value, under_sheen;
@@ -276,7 +277,7 @@ Vec3f LayeredBsdf::straight() const {
   return below_coat_ * sheen_passes_ * glass_share_ * glass_facet(view_.z).transmitted;
 }
 
-/// Reflects or transmits at the surface or at a facet. decision in [0, 1).
+/// Samples reflection or transmission at the surface or at a facet. decision in [0, 1).
 bool LayeredBsdf::draw_glass(float decision, Vec2f u, BsdfSample& s) const {
   const Vec3f normal = is_smooth_ ? kAbove : ggx_.sample_visible(view_, u);
   const GlassFacet facet = glass_facet(glm::dot(view_, normal));
@@ -293,9 +294,9 @@ bool LayeredBsdf::draw_glass(float decision, Vec2f u, BsdfSample& s) const {
   return true;
 }
 
-/// chance: of doing so.
+/// Continues straight through. `chance` is the probability of this event.
 bool LayeredBsdf::pass_straight(float chance, BsdfSample& s) const {
-  s.direction = ahead_;  // as it is: views are lifted, and what is seen through panes of many walls must not drift
+  s.direction = ahead_;  // unmodified: the view may be lifted, and paths through many thin walls must not drift
   s.density = kInfinity;
   s.weight = straight() / chance;
   s.straight = surface_.shadow_rays_pass;
@@ -313,7 +314,7 @@ bool LayeredBsdf::draw_coat(Vec2f u, BsdfSample& s) const {
   return true;
 }
 
-/// A direction; weight and density left open but of Dirac's lobes. False where the surface takes all.
+/// Samples a direction. Sets weight and density only for Dirac lobes. Returns false if the light is absorbed.
 bool LayeredBsdf::draw(float lobe, Vec2f u, BsdfSample& s) const {
   if (lobe < shares_.diffuse) {
     s.direction = basis_.to_world(sample_cosine(u));

@@ -1,11 +1,11 @@
-// glTF 2.0's surfaces with what few of them have: sheen, gloss that is rougher one way than the other, thin films, diffuse
-// light that comes through, thin walls of glass. The common ones are metal_rough_bsdf.hpp's, which these must not slow down.
+// glTF 2.0 surfaces with rare features: sheen, anisotropic gloss, thin films, diffuse transmission and thin walls of glass.
+// Common surfaces use metal_rough_bsdf.hpp, which stays fast without these features.
 //
-// Based on: what metal_rough_bsdf.hpp is; Khronos Group, KHR_materials_sheen, _anisotropy, _iridescence,
-// _diffuse_transmission, _volume (its thin walls). From above: clear coat, sheen, then gloss with its film over diffuse light.
-// We deviate: 1. sheen and films pass the lesser of what they would let in from the light and out to the viewer, so that what
-// lies below stays reciprocal; 2. of glass that is rougher one way, the light that met several facets is made up for as if it
-// were as rough both ways as it looks from the viewer (alpha_towards).
+// Based on: the references of metal_rough_bsdf.hpp; Khronos Group, KHR_materials_sheen, _anisotropy, _iridescence,
+// _diffuse_transmission, _volume (thin walls). The layers from above are clear coat, sheen, gloss with its film, and diffuse.
+// This implementation deviates in two points. 1. Sheen and films let through the lesser of the shares for the light and for the
+// viewer, so the layers below stay reciprocal. 2. Compensation for multiple scattering in anisotropic glass uses the isotropic
+// roughness that the viewer sees (alpha_towards).
 #pragma once
 
 #include <optional>
@@ -16,45 +16,45 @@
 
 namespace lippmann {
 
-/// At one point, textures looked up. Colours and shares in [0, 1].
+/// Surface parameters at one point, with textures applied. Colours and shares are in [0, 1].
 struct LayeredSurface {
   MetalRoughSurface base;
   Vec3f sheen_color{0.0f};
   float sheen_roughness = 0.0f;
-  float anisotropy = 0.0f;  ///< roughness along the tangent: alpha -> 1 with the square of it
-  float film_share = 0.0f;  ///< how much of the surface has the film
+  float anisotropy = 0.0f;  ///< its square moves the alpha along the tangent from `alpha` to 1
+  float film_share = 0.0f;  ///< share of the surface that has the film
   ThinFilm film;
-  float diffuse_transmission = 0.0f;  ///< share of the diffuse light
+  float diffuse_transmission = 0.0f;  ///< share of diffuse light that is transmitted
   Vec3f diffuse_transmission_color{1.0f};
-  bool is_thin = false;           ///< what transmits is a wall so thin that it bends nothing
-  bool shadow_rays_pass = false;  ///< such a wall: what goes straight() on is known to light that is sampled beyond it
+  bool is_thin = false;           ///< the transmissive part is a thin wall without refraction
+  bool shadow_rays_pass = false;  ///< shadow rays pass the thin wall, so straight() must not count it as a vertex
 };
 
 class LayeredBsdf {
  public:
-  /// As MetalRoughBsdf, sheen and what transmits with the gloss's normal. tangent: along which it is rougher, not along the
-  /// normal; of any length.
+  /// Takes the arguments of MetalRoughBsdf. Sheen and transmission use the gloss's normal. tangent: the rougher direction, not
+  /// parallel to the normal; of any length.
   LayeredBsdf(const LayeredSurface& surface, const GgxAlbedo& albedo, const MetalRoughBsdf::Normals& normals, Vec3f tangent,
               Vec3f view, bool entering);
 
   BsdfValue evaluate(Vec3f light) const;
   std::optional<BsdfSample> sample(float lobe, Vec2f u) const;
 
-  /// The diffuse part that is reflected, as MetalRoughBsdf's.
+  /// Return the reflected diffuse part, as in MetalRoughBsdf.
   Vec3f diffuse_albedo() const { return below_coat_ * sheen_passes_ * gloss_passes_ * diffuse_color_; }
   Vec3f evaluate_diffuse(Vec3f light) const;
   Vec3f normal() const { return basis_.z; }
-  /// What passes a smooth thin wall straight on, a Dirac lobe of sample(); 0 of all else.
+  /// Returns the share of light that passes a smooth thin wall straight on, a Dirac lobe of sample(). 0 for all other surfaces.
   Vec3f straight() const;
   bool scatters_through() const { return glass_share_ > 0.0f || through_color_ != Vec3f(0.0f); }
   bool has_coat_apart() const;
 
  private:
-  /// Probabilities of sample(); add up to 1 or are all 0.
+  /// Probabilities of sample(). They add up to 1 or are all 0.
   struct Shares {
     float diffuse = 0.0f, through = 0.0f, sheen = 0.0f, gloss = 0.0f, glass = 0.0f, coat = 0.0f;
   };
-  /// What a facet of the glass sends where, and how probably sample() reflects.
+  /// Reflectance and transmittance of a glass facet, and the probability that sample() reflects.
   struct GlassFacet {
     Vec3f reflected, transmitted;
     float chance;
@@ -65,7 +65,7 @@ class LayeredBsdf {
   void set_shares();
 
   Vec3f single_albedo(Vec3f direction) const;
-  /// Film and bare surface mixed: the directional albedo with compensation, and the reflectance of one facet.
+  /// Mix film and bare surface: the directional albedo with compensation, and the reflectance of one facet.
   Vec3f albedo_of(Vec3f f0, Vec3f f90, Vec3f direction) const;
   Vec3f fresnel_of(Vec3f f0, Vec3f f90, float cosine) const;
   Vec3f passes_gloss(Vec3f direction) const;
@@ -88,19 +88,19 @@ class LayeredBsdf {
 
   LayeredSurface surface_;
   const GgxAlbedo& albedo_;
-  Vec3f ahead_;             ///< from the viewer to the point and on
-  Basis basis_;             ///< of the diffuse part; x along the tangent
-  Basis gloss_basis_;       ///< of all else below the coat
-  Basis coat_basis_;        ///< set where there is one
-  bool glossy_apart_;       ///< the gloss has a basis of its own
+  Vec3f ahead_;             ///< direction from the viewer to the point
+  Basis basis_;             ///< basis of the diffuse part; x along the tangent
+  Basis gloss_basis_;       ///< basis of all other layers below the coat
+  Basis coat_basis_;        ///< set if there is a coat
+  bool glossy_apart_;       ///< the gloss has its own basis
   Vec3f view_, coat_view_;  ///< local to gloss_basis_ and coat_basis_
   bool is_smooth_;
   AnisotropicGgx ggx_;
   float coat_alpha_, eta_;
-  float matt_, glass_share_;                         ///< shares: dielectric that scatters inside, dielectric that transmits
+  float matt_, glass_share_;  ///< shares of the dielectric that scatters inside and of the dielectric that transmits
   Vec3f dielectric_f0_, dielectric_f90_;             ///< reflectance of the gloss above the diffuse part
-  Vec3f diffuse_color_, through_color_;              ///< without anything above
-  Vec3f gloss_passes_{1.0f}, diffuse_passes_{1.0f};  ///< what gets through the gloss to the viewer; on average
+  Vec3f diffuse_color_, through_color_;              ///< albedo without the layers above
+  Vec3f gloss_passes_{1.0f}, diffuse_passes_{1.0f};  ///< shares that pass the gloss: to the viewer, and on average
   Vec3f gloss_albedo_{0.0f}, gloss_compensation_{1.0f};
   float glass_compensation_ = 1.0f;
   float most_sheen_, sheen_passes_ = 1.0f;

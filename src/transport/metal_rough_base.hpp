@@ -1,8 +1,8 @@
-// The base of glTF's metallic-roughness surface, diffuse light under a dielectric gloss or metal, as formulas without branches:
-// they serve one point (metal_rough_bsdf.hpp) and, in loops that the compiler makes wide, sixteen
-// (shading/metal_rough_lanes.hpp), to the same bits.
+// The base of glTF's metallic-roughness surface: diffuse under a dielectric gloss, or metal. The formulas have no branches:
+// they serve one point (metal_rough_bsdf.hpp) and, in vectorised loops, sixteen (shading/metal_rough_lanes.hpp), with
+// bit-identical results.
 //
-// Based on: what metal_rough_bsdf.hpp is.
+// Based on: the references of metal_rough_bsdf.hpp.
 #pragma once
 
 #include "transport/bsdf.hpp"
@@ -11,7 +11,7 @@
 
 namespace lippmann {
 
-/// At one point, textures looked up. Colours in [0, 1].
+/// Surface parameters at one point, with textures applied. Colours are in [0, 1].
 struct MetalRoughSurface {
   Vec3f base_color{1.0f};
   float metallic = 1.0f, roughness = 1.0f;
@@ -22,21 +22,22 @@ struct MetalRoughSurface {
   float clearcoat = 0.0f, clearcoat_roughness = 0.0f;
 };
 
-/// The base at one point, seen from one direction. Directions are local to the gloss's basis, but for those of diffuse light.
+/// The base at one point, seen from one direction. Directions are local to the gloss's basis, except for those of diffuse
+/// light.
 struct MetalRoughBase {
   Vec3f view;  ///< unit, towards the viewer
   float alpha;
-  Vec3f diffuse_color;                       ///< albedo, the gloss's share taken out
-  Vec3f diffuse_passes;                      ///< share of diffuse light that the gloss lets in
-  Vec3f dielectric_f0, gloss_f0;             ///< reflectance of the gloss above the diffuse part; of it and of metal, weighted
-  float dielectric_f90, gloss_f90;           ///< likewise, where it is grazed
-  Vec3f gloss_compensation, gloss_albedo;    ///< for light that met more than one facet; with it
-  float diffuse_luminance, gloss_luminance;  ///< of white light from all around, what both send to the viewer
+  Vec3f diffuse_color;              ///< albedo, excluding the share reflected by the gloss
+  Vec3f diffuse_passes;             ///< share of diffuse light that the gloss lets in
+  Vec3f dielectric_f0, gloss_f0;    ///< reflectance of the gloss above the diffuse part; weighted sum of it and the metal's
+  float dielectric_f90, gloss_f90;  ///< the same at grazing angles
+  Vec3f gloss_compensation, gloss_albedo;    ///< compensation for multiple scattering; albedo including it
+  float diffuse_luminance, gloss_luminance;  ///< luminance of both parts towards the viewer under uniform white light
 
   bool is_smooth() const { return alpha < kSmoothAlpha; }
 };
 
-/// Grazing views have no digits left for masking.
+/// Keeps the view off the horizon, where masking loses all precision.
 LIPPMANN_INLINE Vec3f lifted_view(Vec3f local) {
   constexpr float kLeastCosine = 1e-4f;
   const float z = local.z >= kLeastCosine ? local.z : kLeastCosine;
@@ -44,7 +45,7 @@ LIPPMANN_INLINE Vec3f lifted_view(Vec3f local) {
   return {local.x * scale, local.y * scale, z * scale};
 }
 
-/// GgxAlbedo::single() of facets that are rough, or of a mirror.
+/// Returns GgxAlbedo::single() for rough facets, or its limit for a mirror.
 LIPPMANN_INLINE Vec3f single_albedo(const GgxAlbedo& albedo, float cosine, float alpha) {
   const Vec3f rough = albedo.single(cosine, alpha);
   const float edge = schlick_weight(cosine);
@@ -63,8 +64,8 @@ LIPPMANN_INLINE MetalRoughBase metal_rough_base(const MetalRoughSurface& s, cons
   b.gloss_f0 = dielectric * b.dielectric_f0 + s.metallic * s.base_color;
   b.gloss_f90 = dielectric * b.dielectric_f90 + s.metallic;
 
-  // Each part's own compensation: of the dielectric and of the metal. Their sum is carried by one lobe; its factor is the
-  // mean, weighted by what they send.
+  // Dielectric and metal have their own compensation, but one lobe carries both. Its factor is the mean, weighted by their
+  // light.
   const Vec3f single = single_albedo(albedo, view.z, b.alpha);
   const Vec3f of_dielectric = GgxAlbedo::directional_of(single, b.dielectric_f0, Vec3f(b.dielectric_f90));
   b.gloss_albedo = dielectric * of_dielectric + s.metallic * GgxAlbedo::directional_of(single, s.base_color, Vec3f(1.0f));
@@ -85,20 +86,20 @@ LIPPMANN_INLINE MetalRoughBase metal_rough_base(const MetalRoughSurface& s, cons
   return b;
 }
 
-/// The share of light from the angle of `cosine` to the diffuse part's normal that the gloss lets in, per channel.
+/// Returns the share of light that the gloss lets in, per channel. `cosine` is that to the diffuse part's normal.
 LIPPMANN_INLINE Vec3f let_in(const MetalRoughBase& b, const GgxAlbedo& albedo, float cosine) {
   return Vec3f(1.0f) -
          GgxAlbedo::directional_of(single_albedo(albedo, cosine, b.alpha), b.dielectric_f0, Vec3f(b.dielectric_f90));
 }
 
-/// Kelemen and Szirmay-Kalos: what the gloss lets in on the way from the light and out on the way to the viewer (the latter,
-/// and the normalisation, are in diffuse_color), times the cosine.
+/// Returns the diffuse BRDF times the cosine, after Kelemen and Szirmay-Kalos: the product of the shares that the gloss lets in
+/// from the light and out to the viewer. diffuse_color includes the latter and the normalisation.
 LIPPMANN_INLINE Vec3f diffuse_cosine_f(const MetalRoughBase& b, const GgxAlbedo& albedo, float cosine) {
   return b.diffuse_color * let_in(b, albedo, cosine) * (cosine * (1.0f / kPi));
 }
 
-/// What a rough gloss sends to the viewer from `light`, z > 0, times the cosine; and the density of drawing it, which is
-/// Ggx::visible_density's, of whose parts the value has most.
+/// Returns the BRDF of a rough gloss times the cosine, for light.z > 0. `density` receives Ggx::visible_density, which shares
+/// most of its terms with the value.
 LIPPMANN_INLINE Vec3f gloss_cosine_f(const MetalRoughBase& b, Vec3f light, float& density) {
   const Ggx ggx{b.alpha};
   const Vec3f h = glm::normalize(b.view + light);
@@ -109,8 +110,8 @@ LIPPMANN_INLINE Vec3f gloss_cosine_f(const MetalRoughBase& b, Vec3f light, float
   return fresnel * b.gloss_compensation * (facets * seen_from_both / (4.0f * b.view.z));
 }
 
-/// The normal of a facet that the viewer sees, of a rough or smooth surface: mirrored(), it is a direction in which the gloss
-/// sends light, below the surface where that takes it.
+/// Samples the normal of a facet visible to the viewer, for rough and smooth surfaces. mirrored() about it gives a light
+/// direction, which may lie below the surface.
 LIPPMANN_INLINE Vec3f draw_facet(const MetalRoughBase& b, Vec2f u) {
   const Vec3f facet = Ggx{b.alpha}.sample_visible(b.view, u);
   const bool smooth = b.is_smooth();

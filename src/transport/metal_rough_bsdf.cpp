@@ -96,7 +96,7 @@ BsdfValue MetalRoughBsdf::evaluate(Vec3f light_world) const {
   return value;
 }
 
-/// Reflects with Fresnel's probability, else refracts, at the surface or at a facet. decision in [0, 1).
+/// Reflects with Fresnel's probability, otherwise refracts, at the surface or at a facet. decision in [0, 1).
 bool MetalRoughBsdf::sample_glass(float decision, Vec2f u, BsdfSample& s) const {
   float outward;
   const Vec3f light = draw_glass(glass_.eta, base_.view, draw_facet(base_, u), decision, s.transmitted, outward);
@@ -108,7 +108,7 @@ bool MetalRoughBsdf::sample_glass(float decision, Vec2f u, BsdfSample& s) const 
   return outward > 0.0f;
 }
 
-/// A direction; weight and density left open but of Dirac's lobes. False where the surface takes all.
+/// Samples a direction. Sets weight and density only for Dirac lobes. Returns false if the light is absorbed.
 bool MetalRoughBsdf::draw(float lobe, Vec2f u, BsdfSample& s) const {
   const float below_gloss = shares_.diffuse, below_glass = below_gloss + shares_.gloss,
               below_coat = below_glass + shares_.glass;
@@ -135,7 +135,8 @@ bool MetalRoughBsdf::draw_coat(Vec2f u, BsdfSample& s) const {
 }
 
 std::optional<BsdfSample> MetalRoughBsdf::sample(float lobe, Vec2f u) const {
-  std::optional<BsdfSample> s(std::in_place);  // made where it goes: copies of what has just been written wait for it
+  // constructed in place: copying a struct that was just written would stall on store forwarding
+  std::optional<BsdfSample> s(std::in_place);
   if (!draw(lobe, u, *s)) {
     s.reset();
   } else if (!s->is_delta()) {

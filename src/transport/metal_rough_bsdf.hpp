@@ -1,11 +1,11 @@
-// glTF 2.0's metallic-roughness surface as a BSDF: base (diffuse under a dielectric gloss, or metal), glass where it
+// glTF 2.0's metallic-roughness surface as a BSDF: base (diffuse under a dielectric gloss, or metal), glass if the surface
 // transmits, and a clear coat.
 //
 // Based on: Khronos Group, "glTF 2.0 Specification", 2021, appendix B; KHR_materials_specular, _ior, _transmission, _clearcoat;
 // C. Kelemen, L. Szirmay-Kalos, "A Microfacet Based Coupled Specular-Matte BRDF Model", Eurographics 2001 (the diffuse part
-// under the gloss, so that both together lose no light); B. Walter et al., EGSR 2007 (rough glass; what it sends on
-// after several facets is made up for as in glass_albedo.hpp).
-// Glass refracts wherever it is entered, as closed shapes do; the radiance's compression inside it is left out, as it cancels
+// under the gloss, lossless together); B. Walter et al., EGSR 2007 (rough glass, with compensation for multiple scattering as
+// in glass_albedo.hpp).
+// Glass refracts at every surface, as closed shapes do. The compression of radiance inside it is left out, because it cancels
 // on the way out.
 #pragma once
 
@@ -18,33 +18,35 @@ namespace lippmann {
 
 class MetalRoughBsdf {
  public:
-  /// By what each part goes, unit length, on the viewer's side. The gloss's normal faces the view, the diffuse part's need not.
+  /// The normals of the parts, unit length, on the viewer's side. The gloss's normal must face the view; the diffuse part's may
+  /// not.
   struct Normals {
     Vec3f diffuse, gloss, coat{0.0f};
   };
-  /// view: unit, towards the viewer; entering: he is outside.
+  /// view: unit, towards the viewer. entering: the viewer is outside.
   MetalRoughBsdf(const MetalRoughSurface& surface, const GgxAlbedo& albedo, const Normals& normals, Vec3f view, bool entering);
   MetalRoughBsdf(const MetalRoughSurface& surface, const GgxAlbedo& albedo, Vec3f normal, Vec3f coat_normal, Vec3f view,
                  bool entering)
       : MetalRoughBsdf(surface, albedo, Normals{normal, normal, coat_normal}, view, entering) {}
 
-  /// Light from `light` (unit, away from the surface) to the viewer, Dirac's lobes left out.
+  /// Evaluates light from `light` (unit, away from the surface) to the viewer, without Dirac lobes.
   BsdfValue evaluate(Vec3f light) const;
 
-  /// A direction for `lobe` and `u` in [0, 1); none where the surface takes all.
+  /// Samples a direction for `lobe` and `u` in [0, 1). Returns nothing if the light is absorbed.
   std::optional<BsdfSample> sample(float lobe, Vec2f u) const;
 
-  /// The diffuse part alone is their product: a colour, and cosine_f per colour.
+  /// Return the two factors of the diffuse part: a colour, and cosine_f per colour.
   Vec3f diffuse_albedo() const { return below_coat_ * base_.diffuse_color * base_.diffuse_passes; }
   Vec3f evaluate_diffuse(Vec3f light) const;
   Vec3f normal() const { return basis_.z; }
-  bool scatters_through() const { return glass_.share > 0.0f; }  ///< light from behind, Dirac's lobes included
-  /// A rough coat has another normal than normal(), and may have light from where that looks away.
+  bool scatters_through() const { return glass_.share > 0.0f; }  ///< transmits light from behind, including by Dirac lobes
+  /// Returns whether a rough coat has another normal than normal(). The coat may then receive light from behind normal().
   bool has_coat_apart() const;
 
  private:
   struct Shares {
-    float diffuse = 0.0f, gloss = 0.0f, glass = 0.0f, coat = 0.0f;  ///< probabilities of sample(); add up to 1 or are all 0
+    float diffuse = 0.0f, gloss = 0.0f, glass = 0.0f,
+          coat = 0.0f;  ///< probabilities of sample(); they add up to 1 or are all 0
   };
 
   void set_coat(const MetalRoughSurface& s);
@@ -60,14 +62,14 @@ class MetalRoughBsdf {
   bool draw_coat(Vec2f u, BsdfSample& s) const;
 
   const GgxAlbedo& albedo_;
-  Basis basis_, gloss_basis_, coat_basis_;  ///< the coat's are set where there is one
-  bool glossy_apart_;                       ///< the gloss has a basis of its own
+  Basis basis_, gloss_basis_, coat_basis_;  ///< coat_basis_ is set if there is a coat
+  bool glossy_apart_;                       ///< the gloss has its own basis
   MetalRoughBase base_;
   Vec3f coat_view_;  ///< local to coat_basis_
   float coat_alpha_;
   Glass glass_;
   float coat_ = 0.0f;
-  float below_coat_ = 1.0f;  ///< what passes the coat
+  float below_coat_ = 1.0f;  ///< share that passes the coat
   Shares shares_;
 };
 

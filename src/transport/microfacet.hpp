@@ -1,5 +1,5 @@
-// Rough surfaces made of tiny mirrors: the GGX distribution, its shadowing, sampling of the facets that are seen; Fresnel's
-// reflectance. Local directions: z is the normal.
+// Microfacet surfaces: the GGX distribution, its masking, sampling of visible normals, and Fresnel reflectance. In local
+// directions, z is the normal.
 //
 // Based on: B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007; E. Heitz, "Understanding
 // the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2), 2014; J. Dupuy, A. Benyoub, "Sampling Visible GGX
@@ -11,36 +11,36 @@
 
 namespace lippmann {
 
-/// alpha = roughness^2 (glTF). Below this the surface is a mirror: a lobe of Dirac's.
+/// Surfaces with a lower alpha = roughness^2 (glTF) are mirrors: Dirac lobes.
 inline constexpr float kSmoothAlpha = 1e-3f;
 
-/// An isotropic GGX distribution of facets. alpha >= kSmoothAlpha.
+/// An isotropic GGX distribution of facets. alpha must be >= kSmoothAlpha.
 struct Ggx {
   float alpha = 1.0f;
 
-  /// Density of facets' normals h, h.z > 0; its integral over h.z is 1.
+  /// Returns the density of facet normals h with h.z > 0. The integral of h.z times it is 1.
   float distribution(Vec3f h) const {
     const float a2 = alpha * alpha;
-    // sin^2 from x and y: 1 - cos^2 has no digits left where narrow lobes peak.
+    // Compute sin^2 from x and y: 1 - cos^2 has no precision left at the peak of narrow lobes.
     const float d = a2 * h.z * h.z + h.x * h.x + h.y * h.y;
     return a2 / (kPi * d * d);
   }
-  /// The share of facets visible from v, v.z != 0 (Smith).
+  /// Returns the share of facets visible from v (Smith). v.z must not be 0.
   float masking(Vec3f v) const { return 1.0f / (1.0f + lambda(v)); }
-  /// The share visible from both a and b (height-correlated).
+  /// Returns the share of facets visible from both a and b (height-correlated).
   float masking(Vec3f a, Vec3f b) const { return 1.0f / (1.0f + lambda(a) + lambda(b)); }
-  /// A facet's normal, as those that v sees are distributed, v.z > 0.
+  /// Samples the normal of a facet visible from v, with v.z > 0.
   LIPPMANN_INLINE Vec3f sample_visible(Vec3f v, Vec2f u) const;
-  /// The density of sample_visible.
+  /// Returns the density of sample_visible().
   float visible_density(Vec3f v, Vec3f h) const { return masking(v) * std::max(0.0f, glm::dot(v, h)) * distribution(h) / v.z; }
-  /// Smith's Lambda.
+  /// Returns Smith's Lambda.
   float lambda(Vec3f v) const {
     const float cosine2 = v.z * v.z, tangent2 = (cosine2 < 1.0f ? 1.0f - cosine2 : 0.0f) / cosine2;
     return 0.5f * (std::sqrt(1.0f + alpha * alpha * tangent2) - 1.0f);
   }
 };
 
-/// Facets that lean further along x than along y, or less far. alpha: along both, each >= kSmoothAlpha.
+/// An anisotropic GGX distribution. alpha: along x and y, each >= kSmoothAlpha.
 struct AnisotropicGgx {
   Vec2f alpha{1.0f};
 
@@ -52,7 +52,7 @@ struct AnisotropicGgx {
   float masking(Vec3f a, Vec3f b) const { return 1.0f / (1.0f + lambda(a) + lambda(b)); }
   LIPPMANN_INLINE Vec3f sample_visible(Vec3f v, Vec2f u) const {
     const Vec3f stretched = glm::normalize(Vec3f(alpha.x * v.x, alpha.y * v.y, v.z));
-    // A uniform point of the spherical cap of mirror directions, then the half vector.
+    // Sample a uniform point of the spherical cap of mirror directions, then take the half vector.
     const float z = (1.0f - u.y) * (1.0f + stretched.z) - stretched.z, square = 1.0f - z * z;
     const float radius = std::sqrt(square > 0.0f ? square : 0.0f);
     float sine, cosine;
@@ -67,7 +67,7 @@ struct AnisotropicGgx {
   float lambda(Vec3f v) const {
     return 0.5f * (std::sqrt(1.0f + (squared(alpha.x * v.x) + squared(alpha.y * v.y)) / squared(v.z)) - 1.0f);
   }
-  /// The alpha of the isotropic surface whose albedo comes closest from v (unit): what v sees of both alphas.
+  /// Returns the alpha of the isotropic surface with the closest albedo from v (unit).
   float alpha_towards(Vec3f v) const {
     return std::sqrt(squared(alpha.x * v.x) + squared(alpha.y * v.y) + alpha.x * alpha.y * squared(v.z));
   }
@@ -75,13 +75,13 @@ struct AnisotropicGgx {
 
 inline Vec3f Ggx::sample_visible(Vec3f v, Vec2f u) const { return AnisotropicGgx{Vec2f(alpha)}.sample_visible(v, u); }
 
-/// (1 - cosine)^5.
+/// Returns (1 - cosine)^5.
 LIPPMANN_INLINE float schlick_weight(float cosine) {
   const float rest = 1.0f - cosine, above = rest > 0.0f ? rest : 0.0f, m = above < 1.0f ? above : 1.0f, square = m * m;
   return square * square * m;
 }
 
-/// Unpolarised reflectance between two dielectrics, exact; eta = n_transmitted / n_incident. 1 at total reflection.
+/// Returns the exact unpolarised reflectance between two dielectrics, 1 at total reflection. eta = n_transmitted / n_incident.
 LIPPMANN_INLINE float fresnel_dielectric(float cosine_incident, float eta) {
   const float above = cosine_incident > 0.0f ? cosine_incident : 0.0f, ci = above < 1.0f ? above : 1.0f;
   const float cosine2 = 1.0f - (1.0f - ci * ci) / squared(eta), ct = std::sqrt(cosine2 > 0.0f ? cosine2 : 0.0f);
@@ -89,7 +89,7 @@ LIPPMANN_INLINE float fresnel_dielectric(float cosine_incident, float eta) {
   return cosine2 > 0.0f ? 0.5f * (squared(parallel) + squared(perpendicular)) : 1.0f;
 }
 
-/// Reflectance at normal incidence from air.
+/// Returns the reflectance at normal incidence from air.
 inline float normal_reflectance(float ior) {
   const float r = (ior - 1.0f) / (ior + 1.0f);
   return r * r;

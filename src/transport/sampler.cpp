@@ -22,7 +22,7 @@ LIPPMANN_INLINE std::uint32_t scrambled_upwards(std::uint32_t x, std::uint32_t s
   return x;
 }
 
-/// The second dimension of Sobol's sequence, its bits in reverse order: Pascal's triangle modulo 2, by halves.
+/// Returns the second dimension of Sobol's sequence with reversed bits: Pascal's triangle modulo 2, computed by halves.
 LIPPMANN_INLINE std::uint32_t second_sobol_reversed(std::uint32_t index) {
   index ^= index >> 16;
   index ^= (index & 0xff00ff00u) >> 8;
@@ -35,9 +35,10 @@ struct Point {
   float x, y;
 };
 
-/// Scrambling is done on reversed bits, and the first dimension is the index's bits reversed: most reversals cancel.
+/// Computes a point. Scrambling works on reversed bits, and the first dimension is the bit-reversed index, so most reversals
+/// cancel.
 LIPPMANN_INLINE Point point_of(std::uint32_t reversed_index, std::uint32_t seed) {
-  // Shuffled: Owen's scrambling of the index itself, which keeps every aligned block of 2^k indices together.
+  // Shuffle by Owen scrambling of the index, which keeps each aligned block of 2^k indices together.
   const std::uint32_t shuffled = reversed_bits(scrambled_upwards(reversed_index, seed));
   const std::uint32_t x = scrambled_upwards(shuffled, hash(seed));
   const std::uint32_t y = scrambled_upwards(second_sobol_reversed(shuffled), hash(~seed));

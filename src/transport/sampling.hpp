@@ -1,4 +1,4 @@
-// Directions and points from two numbers in [0, 1)^2, with the densities that they have.
+// Directions and points from two numbers in [0, 1)^2, and their densities.
 //
 // Based on: P. Shirley, K. Chiu, "A Low Distortion Map Between Disk and Square", JGT 2(3), 1997; T. Duff et al., "Building an
 // Orthonormal Basis, Revisited", JCGT 6(1), 2017.
@@ -8,9 +8,9 @@
 
 namespace lippmann {
 
-/// A right-handed orthonormal basis around z; local directions have z along it.
+/// A right-handed orthonormal basis around z.
 struct Basis {
-  Basis() = default;  ///< not set
+  Basis() = default;  ///< uninitialized
   explicit Basis(Vec3f z_axis) : z(z_axis) {
     const float sign = std::copysign(1.0f, z.z);
     const float a = -1.0f / (sign + z.z), b = z.x * z.y * a;
@@ -22,7 +22,7 @@ struct Basis {
   Vec3f x, y, z;
 };
 
-/// Uniform over the unit disc.
+/// Samples the unit disc uniformly.
 LIPPMANN_INLINE Vec2f sample_disc(Vec2f u) {
   const Vec2f p = 2.0f * u - Vec2f(1.0f);
   const bool wide = std::abs(p.x) > std::abs(p.y);
@@ -33,20 +33,20 @@ LIPPMANN_INLINE Vec2f sample_disc(Vec2f u) {
   return {radius * cosine, radius * sine};
 }
 
-/// Over the hemisphere z > 0, density cos / pi.
+/// Samples the hemisphere z > 0 with density cos / pi.
 LIPPMANN_INLINE Vec3f sample_cosine(Vec2f u) {
   const Vec2f d = sample_disc(u);
   const float square = 1.0f - d.x * d.x - d.y * d.y;
   return {d.x, d.y, std::sqrt(square > 0.0f ? square : 0.0f)};
 }
 
-/// Barycentric coordinates of the second and third corner, uniform over a triangle.
+/// Returns the barycentric coordinates of the second and third corner, uniform over a triangle.
 Vec2f sample_triangle(Vec2f u);
 
-/// Veach's power heuristic (exponent 2) for one sample of each of two techniques. Right for infinite densities, too.
+/// Returns Veach's power heuristic (exponent 2) for one sample of each of two techniques. Infinite densities are allowed.
 inline float power_heuristic(float density, float other_density) {
   if (!(other_density > 0.0f)) return 1.0f;
-  const float ratio = other_density / density;  // not the squares, which overflow
+  const float ratio = other_density / density;  // the squares would overflow
   return 1.0f / (1.0f + ratio * ratio);
 }
 

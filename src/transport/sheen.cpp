@@ -8,12 +8,13 @@
 namespace lippmann {
 namespace {
 
-/// Below this roughness the fibres are as thin as floats tell apart.
+/// Lower bound of the roughness: the limit of float precision.
 constexpr float kLeastRoughness = 0.1f;
 
 float alpha_of(float roughness) { return squared(std::max(roughness, kLeastRoughness)); }
 
-/// Section 3, table 1: the shadowing's exponent, fitted at alpha 0 (second number) and 1 (first), as a curve over the cosine.
+/// The exponent of the shadowing as a function of the cosine (section 3, table 1), interpolated between the fits for alpha = 0
+/// (second number) and alpha = 1 (first).
 class Shadowing {
  public:
   explicit Shadowing(float alpha) {

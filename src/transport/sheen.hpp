@@ -1,10 +1,10 @@
-// Light that fibres on a surface scatter, and how much of it there is in all: a table over angle and roughness.
+// Sheen: light scattered by fibres on a surface, and a table of its albedo over angle and roughness.
 //
-// Based on: A. Estevez, C. Kulla, "Production Friendly Microfacet Sheen BRDF", SIGGRAPH 2017 course (the Charlie distribution,
-// its shadowing as fitted there); Khronos Group, KHR_materials_sheen (alpha = roughness^2; what lies below is scaled by the
+// Based on: A. Estevez, C. Kulla, "Production Friendly Microfacet Sheen BRDF", SIGGRAPH 2017 course (the Charlie distribution
+// and its fitted shadowing); Khronos Group, KHR_materials_sheen (alpha = roughness^2; the layers below are scaled by the
 // albedo).
-// We deviate: shadowing is not softened towards the terminator, so that the lobe is reciprocal; and a table that exceeds 1, as
-// the fit does at grazing angles, ends there.
+// This implementation deviates in two points: shadowing is not softened towards the terminator, so the lobe stays reciprocal;
+// and the albedo is clamped to 1, which the fit exceeds at grazing angles.
 #pragma once
 
 #include <array>
@@ -15,7 +15,8 @@
 
 namespace lippmann {
 
-/// Per colour of the sheen, without the cosine. Local directions: z is the normal; both z > 0. roughness in [0, 1].
+/// Returns the BRDF per sheen colour, without the cosine. In local directions z is the normal; both z must be > 0. roughness in
+/// [0, 1].
 float sheen_f(Vec3f view, Vec3f light, float roughness);
 
 class SheenAlbedo {
@@ -25,8 +26,8 @@ class SheenAlbedo {
   SheenAlbedo(const SheenAlbedo&) = delete;
   SheenAlbedo& operator=(const SheenAlbedo&) = delete;
 
-  /// Directional albedo of white sheen, in [0, 1]. cosine: between the view and the normal, in [0, 1]. The first call, from
-  /// whichever thread, integrates the table: some 0.1 s, which scenes without sheen need not wait for.
+  /// Returns the directional albedo of white sheen, in [0, 1]. cosine: between the view and the normal, in [0, 1]. The first
+  /// call integrates the table (about 0.1 s), so scenes without sheen do not pay for it. Thread-safe.
   float operator()(float cosine, float roughness) const;
 
  private:

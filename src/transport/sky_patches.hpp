@@ -1,12 +1,11 @@
-// A panorama's light between its texels: which part of it is a sun, and directions drawn exactly by the light that is looked up
-// bilinearly.
+// The panorama as patches between its texels: finds the sun and samples directions exactly in proportion to the bilinear light.
 //
-// A patch lies between the centres of four neighbouring texels, where looked-up light is bilinear. There are as many columns of
-// patches as of texels (the last one leads round to the first texels) and one row more: the first and the last row are half as
-// high and lie between the poles and the outermost texels. Rows count from straight up.
+// A patch lies between the centres of four neighbouring texels, where the light is bilinear. There are as many columns of
+// patches as of texels (the last column wraps around) and one row more: the first and the last row have half the height and lie
+// between the poles and the outermost texels. Row 0 is at the top.
 //
-// Patches lie in memory by tiles of 8 x 8, each with all the texels that its patches touch, so that what a direction needs is
-// near by: a panorama is larger than a core's cache, and directions into it go everywhere.
+// Patches are stored in tiles of 8 x 8. Each tile holds all texels that its patches touch, so a lookup is local: a panorama
+// exceeds the cache of a core, and directions are incoherent.
 #pragma once
 
 #include <array>
@@ -20,20 +19,20 @@
 
 namespace lippmann {
 
-/// The light of a grid of texels over the sphere, seen as patches.
+/// The light of a grid of texels over the sphere, as patches.
 class SkyPatches {
  public:
-  /// Patches of a tile, along each side.
+  /// Patches along each side of a tile.
   static constexpr int kTile = 8;
-  /// Where a tile's texels lie: floats from a channel of a row to the next channel, from a row to the one below, and from a
-  /// tile to the next. Of the largest panorama (EnvironmentMap) they are fewer than 2^31.
+  /// Distances in floats between channels of a row, between rows, and between tiles. Offsets in the largest panorama
+  /// (EnvironmentMap) are below 2^31.
   struct Layout {
     int channel = kTile + 1, row = 3 * channel, tile = 244;
   };
-  /// Where all light is grey, as the studio's: channels are one.
+  /// Layout if all light is grey, as in a studio: the channels share one value.
   static constexpr Layout kGrey{0, kTile + 1, 84};
 
-  /// light: of a texel, at x in [0, width) and y in [0, height); finite and not negative.
+  /// light: returns the light of a texel at x in [0, width), y in [0, height). It must be finite and not negative.
   SkyPatches(int width, int height, const std::function<Vec3f(int x, int y)>& light);
 
   int width() const { return width_; }
@@ -41,12 +40,13 @@ class SkyPatches {
   float texel_solid_angle(int y) const;
   Vec3f texel(int x, int y) const;
 
-  /// Somewhere on the sphere.
+  /// A position on the sphere.
   struct Place {
-    int x = 0, y = 0;    ///< the patch's column and row
-    Vec2f within{0.0f};  ///< in [0, 1]: across in azimuth, down in the cosine of the polar angle, which is even in solid angle
+    int x = 0, y = 0;  ///< column and row of the patch
+    Vec2f within{
+        0.0f};  ///< in [0, 1]: across in azimuth, down in the cosine of the polar angle, so it is uniform in solid angle
   };
-  /// across, down: shares of the turn and of the polar angle, in [0, 1); `cosine`: the polar angle's.
+  /// across_down: azimuth and polar angle as shares of their ranges, in [0, 1). cosine: of the polar angle.
   Place at(Vec2f across_down, float cosine) const;
 
   int rows() const { return height_ + 1; }
@@ -56,25 +56,25 @@ class SkyPatches {
   float patch_solid_angle(int y) const {
     return (cosine_above(y) - cosine_above(y + 1)) * 2.0f * kPi / static_cast<float>(width_);
   }
-  /// Cosine of the polar angle at the top of a row of patches.
+  /// Returns the cosine of the polar angle at the top of a row of patches.
   float cosine_above(int y) const { return cosines_[static_cast<std::size_t>(y)]; }
 
-  // Tiles; those on the right and at the bottom may hold fewer patches than others.
+  // Tiles at the right and the bottom edge may hold fewer patches.
   int tiles_across() const { return tiles_across_; }
   int tiles_down() const { return (rows() + kTile - 1) / kTile; }
   std::size_t tile(int tile_x, int tile_y) const {
     return static_cast<std::size_t>(tile_y) * static_cast<std::size_t>(tiles_across_) + static_cast<std::size_t>(tile_x);
   }
   const Layout& layout() const { return layout_; }
-  /// Of a tile's texels, row by row, all that is red, green and blue.
+  /// Returns a tile's texels, row by row; in each row red, then green, then blue.
   const float* texels_of(std::size_t tile) const { return texels_.data() + static_cast<std::size_t>(layout_.tile) * tile; }
-  /// Red of the upper left corner of a patch. One float on is that of the upper right one.
+  /// Returns the red value of the upper left corner of a patch. The next float is that of the upper right corner.
   const float* corner(int x, int y) const {
     return texels_of(tile(x / kTile, y / kTile)) + layout_.row * (y % kTile) + x % kTile;
   }
-  /// Luminance at the patch's corners: upper left, upper right, lower left, lower right.
+  /// Returns the luminance at the patch's corners: upper left, upper right, lower left, lower right.
   std::array<float, 4> corners(int x, int y) const;
-  /// Of a texel, by where its red is.
+  /// Returns the luminance of a texel, given the address of its red value.
   float luminance_at(const float* red) const {
     return luminance(Vec3f(red[0], red[layout_.channel], red[2 * layout_.channel]));
   }
@@ -86,37 +86,37 @@ class SkyPatches {
   std::vector<float> cosines_;
 };
 
-/// By SkyPatches::patch.
+/// Indexed by SkyPatches::patch.
 using PatchMask = std::vector<bool>;
 
-/// The patches of a sun: those that touch texels of at least 50 times the mean luminance, a level that is doubled until they
-/// fit into 0.02 steradian; no patches (an empty mask) where these texels have less than a tenth of all light. So neither
-/// panoramas with a sun that clouds veil nor those with large windows have one: their shadows are soft.
+/// Returns the patches of the sun: those that touch texels of at least 50 times the mean luminance. The threshold doubles until
+/// the patches fit into 0.02 steradian. Returns an empty mask if these texels have less than a tenth of all light. Veiled suns
+/// and large windows thus do not count as a sun; their shadows are soft.
 PatchMask find_sun(const SkyPatches& sky);
 
-/// Draws places of some of a sky's patches by their luminance: a tile, a row of its patches, a patch of that row, and a place
-/// within the patch.
+/// Samples positions in a subset of a sky's patches by luminance: first a tile, then a row of the tile, a patch of the row, and
+/// a position within the patch.
 class PatchChoice {
  public:
   PatchChoice() = default;  ///< has no patches
   PatchChoice(const SkyPatches& sky, const std::function<bool(std::size_t patch)>& is_of);
 
   bool is_dark() const { return tile_rows_.empty(); }
-  /// Luminance over solid angle.
+  /// Returns the integral of luminance over solid angle.
   double total() const { return tile_rows_.total(); }
 
-  // Drawing goes by steps, so that many directions can be drawn side by side: what the second step reads is asked of memory by
-  // the first.
+  // Sampling has two steps, so that many directions can be sampled together: the first step prefetches the memory that the
+  // second one reads.
   /// A row of patches within a tile.
   struct Row {
     std::size_t tile;
     int tile_x, y;
-    Vec2f rest;                   ///< of the numbers that have drawn it
-    float density_per_luminance;  ///< per steradian, of all places in it
+    Vec2f rest;                   ///< remainder of the random numbers
+    float density_per_luminance;  ///< per steradian, for all positions in the row
   };
-  /// Not where is_dark(). `sky` is that which it was made for. u in [0, 1).
+  /// Chooses a row. Requires !is_dark(). `sky` must be the constructor's. u in [0, 1).
   Row draw_row(const SkyPatches& sky, Vec2f u) const;
-  /// One of its patches.
+  /// A chosen patch of a row.
   struct Drawn {
     int x, y;
     Vec2f rest;
@@ -124,14 +124,14 @@ class PatchChoice {
   };
   Drawn draw_patch(const SkyPatches& sky, const Row& row) const;
 
-  /// The density with which a place is drawn, per steradian; 0 in patches that are not its own.
+  /// Returns the density of a position, per steradian; 0 outside this object's patches.
   float density(const SkyPatches& sky, const SkyPatches::Place& place) const;
 
  private:
-  /// Of the rows of patches within a tile; a line of a cache.
+  /// Rows of patches within a tile; one cache line.
   struct alignas(64) TileRows {
-    std::array<float, SkyPatches::kTile> upto;                   ///< share of the tile's light, with the rows above
-    std::array<float, SkyPatches::kTile> density_per_luminance;  ///< as Row's
+    std::array<float, SkyPatches::kTile> upto;                   ///< cumulative share of the tile's light
+    std::array<float, SkyPatches::kTile> density_per_luminance;  ///< see Row
   };
   using RowOfPatches = std::array<float, SkyPatches::kTile>;
   float add_tile(const SkyPatches& sky, int tile_x, int tile_y, const std::function<bool(std::size_t patch)>& is_of);
@@ -141,7 +141,7 @@ class PatchChoice {
   DiscreteDistribution tile_rows_;
   std::vector<DiscreteDistribution> tiles_;  ///< by row of tiles
   std::vector<TileRows> rows_;               ///< by tile
-  std::vector<std::uint8_t> own_;            ///< by tile and row in it: a bit for every patch that may be drawn
+  std::vector<std::uint8_t> own_;            ///< by tile and row within it: one bit per patch that may be drawn
 };
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Where a number lies in a table of evenly spaced values over [0, 1].
+// Interpolation in a table of evenly spaced values over [0, 1].
 #pragma once
 
 #include <algorithm>
@@ -7,17 +7,17 @@
 
 namespace lippmann {
 
-/// Entry `index`, and how far on the way to the next. Numbers beyond the ends lie at them. size >= 2. |x| size within int's
-/// range.
+/// Computes an entry and the interpolation weight of the next one. Numbers outside [0, 1] are clamped. size must be >= 2, and
+/// |x| size must fit into an int.
 struct TablePlace {
   LIPPMANN_INLINE TablePlace(float x, int size) {
     const float at = x * static_cast<float>(size - 1);
-    // Held within bounds as a whole number: of bounds on x the compiler makes branches.
+    // Clamp the integer: the compiler makes branches of a clamp of x.
     index = std::min(std::max(static_cast<int>(at), 0), size - 2);
     const float beyond = at - static_cast<float>(index), above = beyond > 0.0f ? beyond : 0.0f;
     share = above < 1.0f ? above : 1.0f;
   }
-  int index;  ///< not std::size_t, which the compiler does not gather by
+  int index;  ///< int: compilers do not gather by std::size_t
   float share;
 };
 

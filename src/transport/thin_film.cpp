@@ -1,8 +1,8 @@
-// The letters are the paper's: 1 is air, 2 the film, 3 the surface; R and T what a boundary mirrors and lets through, phi the
-// phase that mirroring shifts, D the optical path that is longer through the film.
+// Notation follows the paper: 1 is air, 2 the film, 3 the surface; R and T are reflectance and transmittance of a boundary, phi
+// is the phase shift of a reflection, and D is the additional optical path through the film.
 //
-// The spectrum that the film sends back is a sum of cosines of the phase, whose colours are known: those of eyes' sensitivity
-// in the Fourier domain, which is close to a sum of Gaussians.
+// The reflected spectrum is a sum of cosines of the phase. Their colours follow from the sensitivity of the eye in the Fourier
+// domain, which is nearly a sum of Gaussians.
 #include "transport/thin_film.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace lippmann {
 namespace {
 
-/// One Gaussian of a colour matching function's, over wave numbers.
+/// One Gaussian of a colour matching function over wave numbers.
 struct Sensitivity {
   float height, place, variance;
 
@@ -21,12 +21,12 @@ struct Sensitivity {
   }
 };
 
-// Section 4, table of the fit: X has two of them.
+// From the table of the fit in section 4. X has two Gaussians.
 constexpr Sensitivity kX{5.4856e-13f, 1.6810e+06f, 4.3278e+09f}, kXBlue{9.7470e-14f, 2.2399e+06f, 4.5282e+09f},
     kY{4.4201e-13f, 1.7953e+06f, 9.3046e+09f}, kZ{5.2481e-13f, 2.2084e+06f, 6.6121e+09f};
-constexpr float kWhole = 1.0685e-7f;  ///< what makes white 1
+constexpr float kWhole = 1.0685e-7f;  ///< normalises white to 1
 
-/// Colour of the cosine that a path longer by `path_m` and the shifts make of white, in linear sRGB.
+/// Returns the linear sRGB colour that white light gets from a path difference of `path_m` metres and phase shifts.
 Vec3f color_of_path(float path_m, Vec3f shift) {
   const float phase = 2.0f * kPi * path_m;
   const float x = kX.at(phase, shift.x) + kXBlue.at(phase, shift.x), y = kY.at(phase, shift.y), z = kZ.at(phase, shift.z);
@@ -39,7 +39,7 @@ float schlick(float f0, float cosine) { return f0 + (1.0f - f0) * schlick_weight
 
 float reflectance_between(float from, float to) { return squared((to - from) / (to + from)); }
 
-/// A film that vanishes must not be seen: its index goes to air's below 30 nm.
+/// Fades a vanishing film out: below 30 nm its index of refraction goes to that of air.
 float visible_ior(const ThinFilm& film) {
   const float t = std::clamp(film.thickness_nm / 30.0f, 0.0f, 1.0f);
   return 1.0f + (film.ior - 1.0f) * t * t * (3.0f - 2.0f * t);
@@ -52,14 +52,14 @@ Vec3f film_reflectance(const ThinFilm& film, Vec3f f0, float cosine) {
   const float squared_c2 = 1.0f - (1.0f - c1 * c1) / (n2 * n2);
   if (squared_c2 < 0.0f) return Vec3f(1.0f);
   const float c2 = std::sqrt(squared_c2);
-  // Schlick's would mirror at a slant where the film has no index left.
+  // Schlick's approximation would reflect at grazing angles even if the film has the index of air.
   const float r12 = fresnel_dielectric(c1, n2), t121 = 1.0f - r12;
 
   Vec3f r23(0.0f), phi(0.0f);
   for (int c = 0; c < 3; ++c) {
     const float root = std::sqrt(std::clamp(f0[c], 0.0f, 0.9999f)), n3 = (1.0f + root) / (1.0f - root);
     r23[c] = schlick(reflectance_between(n2, n3), c2);
-    phi[c] = kPi + (n3 < n2 ? kPi : 0.0f);  // that of 21, a way back into a denser medium, and of 23
+    phi[c] = kPi + (n3 < n2 ? kPi : 0.0f);  // of reflection at 2-1 (towards the denser medium) and at 2-3
   }
   const Vec3f r123 = glm::clamp(r12 * r23, Vec3f(1e-5f), Vec3f(0.9999f)), root = glm::sqrt(r123);
   const Vec3f rs = t121 * t121 * r23 / (Vec3f(1.0f) - r123);
