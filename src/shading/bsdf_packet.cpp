@@ -3,7 +3,7 @@
 namespace lippmann {
 namespace {
 
-/// Becomes one where it goes: BSDFs are large.
+/// Converts to the BSDF of a lane, to construct it in place: BSDFs are expensive to copy.
 struct BsdfOfLane {
   const ShadedScene& scene;
   const RayHitPacket& packet;

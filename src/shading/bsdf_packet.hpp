@@ -1,5 +1,5 @@
-// How the surfaces of a packet scatter: glTF's commonest side by side, all others one by one. Which of both a lane is computed
-// by depends on its own surface alone.
+// The BSDFs of a packet. The most common glTF surfaces are evaluated for all lanes together, all others one by one. The choice
+// for a lane depends only on its own surface.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace lippmann {
 
-/// A direction to follow from each of a packet's surfaces.
+/// Sampled directions of a packet's surfaces.
 struct BsdfSamples {
   BsdfSampleLanes lanes;
   LaneMask straight, is_vertex;
@@ -24,22 +24,22 @@ struct BsdfSamples {
 
 class BsdfPacket {
  public:
-  /// No lane has any surface.
+  /// Removes the surfaces of all lanes.
   void clear() {
     base_ = others_ = {};
     any_base_ = any_other_ = false;
     lanes_.clear();
   }
-  /// The surface that lane i has hit. Those of a packet are all set before anything is asked.
+  /// Sets the surface that lane i has hit. Set all lanes before any other call.
   void set(const ShadedScene& scene, const RayHitPacket& packet, const SurfacePacket& surface, int i);
-  /// Asked for once all are set.
+  /// Prepares the surfaces. Call this once after the last set().
   void prepare();
 
-  // As those of Bsdf, for lanes of a mask that have a surface. Numbers in [0, 1).
+  // Evaluate or sample the BSDFs of the lanes in a mask. These lanes must have a surface. The random numbers are in [0, 1).
   void evaluate(const LaneMask& lanes, const Lanes3& lights, BsdfValueLanes& values) const;
   void sample(const LaneMask& lanes, const Lanes& lobe, const Lanes& u, const Lanes& v, BsdfSamples& samples) const;
 
-  // And of one.
+  // The same for a single lane.
   Vec3f highlight(int i, Vec3f light) const { return base_.lane[i] ? Vec3f(0.0f) : bsdfs_[index(i)]->highlight(light); }
   Vec3f diffuse_albedo(int i) const { return base_.lane[i] ? lanes_.diffuse_albedo(i) : bsdfs_[index(i)]->diffuse_albedo(); }
   Vec3f evaluate_diffuse(int i, Vec3f light) const {
@@ -53,7 +53,7 @@ class BsdfPacket {
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-  LaneMask base_{}, others_{};  ///< lanes of lanes_, and of bsdfs_
+  LaneMask base_{}, others_{};  ///< lanes in lanes_ and in bsdfs_
   bool any_base_ = false, any_other_ = false;
   const GgxAlbedo* albedo_ = nullptr;
   MetalRoughLanes lanes_;

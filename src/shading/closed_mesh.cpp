@@ -13,9 +13,9 @@
 namespace lippmann {
 namespace {
 
-/// Parts of the mesh's size that vertices are told apart by.
+/// Vertices closer than the mesh's size divided by this number are merged.
 constexpr double kParts = 1e6;
-/// Volumes below this part of the enclosing cube's are none: of a sheet with two sides.
+/// Smaller volumes, relative to the bounding cube, count as 0: they belong to two-sided sheets.
 constexpr double kLeastVolume = 1e-9;
 
 struct Extent {
@@ -30,7 +30,7 @@ Extent extent_of(const Mesh& mesh) {
   return extent;
 }
 
-/// By vertex: the number of its place, the same for all vertices there.
+/// Returns a position index per vertex. Vertices at the same position share the index.
 std::vector<std::uint32_t> places_of(const Mesh& mesh, const Extent& extent) {
   using Key = std::array<std::int64_t, 3>;
   const double per_unit = kParts / extent.size();
@@ -51,8 +51,8 @@ std::vector<std::uint32_t> places_of(const Mesh& mesh, const Extent& extent) {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Edges that triangles go along from the lower to the higher place, and those that they go along the other way; from the lower
-/// to the higher place, both.
+/// The edges of triangles, split by direction: `up` runs from the lower to the higher position index, `down` the other way.
+/// Both store the lower index first.
 struct Edges {
   std::vector<Edge> up, down;
 
@@ -74,7 +74,7 @@ bool is_closed(const Mesh& mesh, const Extent& extent) {
   return !edges.up.empty() && edges.all_are_shared_by_two();
 }
 
-/// Above 0 where triangles face outward.
+/// Returns the signed volume, > 0 if the triangles face outward.
 double volume_of(const Mesh& mesh, const Extent& extent) {
   double six_times = 0.0;
   for (const auto& [a, b, c] : mesh.triangles) {

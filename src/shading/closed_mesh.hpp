@@ -1,16 +1,16 @@
-// Whether a mesh encloses a body, so that the insides of its triangles are hidden from all that is outside.
+// Tests whether a mesh is closed, so that the inner sides of its triangles are invisible from outside.
 #pragma once
 
 namespace lippmann {
 
 struct Mesh;
 
-/// Which way the triangles of a closed mesh face.
+/// The side that the triangles of a closed mesh face.
 enum class BodyFacing { kNone, kOutward, kInward };
 
-/// kNone unless every edge of the mesh is that of two triangles, which go along it in opposite directions, and the body has a
-/// volume. Vertices that lie within a millionth of the mesh's size count as one, as where normals or texture coordinates have a
-/// seam. Triangles without two different edges count for nothing. A point that is not finite: kNone.
+/// Returns kNone unless the mesh is closed: each edge belongs to exactly two triangles, which traverse it in opposite
+/// directions, and the volume is not 0. Vertices within a millionth of the mesh's size count as one, so seams of normals or
+/// texture coordinates do not matter. Ignores degenerate triangles. Returns kNone if a point is not finite.
 BodyFacing facing_of_closed(const Mesh& mesh);
 
 }  // namespace lippmann

@@ -37,7 +37,7 @@ LIPPMANN_INLINE void dim(ShadowPacket& shadow, int i, float factor) {
   shadow.arriving[i] *= factor;
 }
 
-/// Whether any light comes from behind a facet that its smooth normal sees it from.
+/// Marks lanes whose light lies behind the facet but in front of the smooth normal. Returns whether there are any.
 LIPPMANN_INLINE int find_setting(const SurfacePacket& s, ShadowPacket& shadow) {
   int any = 0;
   LIPPMANN_FOR_LANES(i) {
@@ -50,7 +50,7 @@ LIPPMANN_INLINE int find_setting(const SurfacePacket& s, ShadowPacket& shadow) {
   return any;
 }
 
-/// Rays to lights that are about to set start from the smooth surface.
+/// Moves the shadow ray origins of marked lanes to the smooth surface.
 void lift_rays(const SurfacePacket& s, ShadowPacket& shadow) {
   for (int i = 0; i < kLanes; ++i) {
     if (!shadow.lifted.lane[i]) continue;
@@ -60,7 +60,7 @@ void lift_rays(const SurfacePacket& s, ShadowPacket& shadow) {
   }
 }
 
-/// Weakens by Tachyon's cone: linear in the angle.
+/// Dims the light by Tachyon's cone, which is linear in the angle.
 void dim_by_angle(const WhittedLight& light, ShadowPacket& shadow) {
   for (int i = 0; i < kLanes; ++i) {
     const Vec3f to_light(shadow.rays.dir_x[i], shadow.rays.dir_y[i], shadow.rays.dir_z[i]);
@@ -72,13 +72,13 @@ void dim_by_angle(const WhittedLight& light, ShadowPacket& shadow) {
   }
 }
 
-/// Weakens, or strengthens, by what the lamp sends that way.
+/// Scales the light by the lamp's photometric web.
 void dim_by_web(const WhittedLight& light, ShadowPacket& shadow) {
   for (int i = 0; i < kLanes; ++i)
     dim(shadow, i, fading(light, {shadow.rays.dir_x[i], shadow.rays.dir_y[i], shadow.rays.dir_z[i]}));
 }
 
-/// Weakens by Tachyon's attenuation.
+/// Dims the light by Tachyon's attenuation.
 LIPPMANN_INLINE void dim_by_distance(const Vec3f a, ShadowPacket& shadow) {
   LIPPMANN_FOR_LANES(i) {
     const float d = shadow.rays.tfar[i];
@@ -96,7 +96,8 @@ LIPPMANN_INLINE int choose_active(const SurfacePacket& s, float least_light, Sha
   return count;
 }
 
-/// Whether N.H passes the cutoff in any lit lane: without root, quotient or power, as most packets have no highlight.
+/// Returns whether N.H exceeds the cutoff in any lit lane. Avoids square roots, divisions and powers, because most packets have
+/// no highlight.
 LIPPMANN_INLINE int highlight_shows(const SurfacePacket& s, const RayPacket& view, const ShadowPacket& shadow,
                                     const Lanes& visibility) {
   int any = 0;
@@ -146,7 +147,7 @@ LIPPMANN_MULTIVERSION void add_untinted_light(const WhittedLight& light, const S
     add_highlight(color, surface, view, shadow, visibility, tachyon ? 1.0f : 0.0f, direct);
 }
 
-/// Adds what has passed tinted surfaces, in lanes that are lit.
+/// Adds light that has passed tinted surfaces, in the active lanes.
 void add_tinted(const Lanes3& tint, const LaneMask& active, const Lanes3& light, Lanes3& to) {
   for (int i = 0; i < kLanes; ++i)
     if (active.lane[i]) to.set(i, to.get(i) + tint.get(i) * light.get(i));

@@ -1,8 +1,8 @@
-// The light that a packet of surface points receives from one light: shadow rays, Lambert's N.L, Blinn's highlight.
+// Direct light of a packet of surface points from one light: shadow rays, Lambert's N.L and Blinn's highlight.
 //
 // Based on: T. Whitted, "An improved illumination model for shaded display", CACM 23(6), 1980; J. F. Blinn, "Models of light
-// reflection for computer synthesized pictures", SIGGRAPH 1977 (the half-vector highlight, without an N.L factor, as Tachyon
-// has it).
+// reflection for computer synthesized pictures", SIGGRAPH 1977 (the half-vector highlight; like Tachyon, without the factor
+// N.L).
 #pragma once
 
 #include "device/transmittance.hpp"
@@ -10,32 +10,32 @@
 
 namespace lippmann {
 
-/// Direct light gathered so far, per lane: what multiplies the surface's diffuse colour, and the highlights by their tint.
+/// Accumulated direct light per lane. The caller multiplies `diffuse` by the surface's colour and `highlight` by its tint.
 struct DirectLight {
-  Lanes3 diffuse;    ///< sum of light colour x N.L x visibility
-  Lanes3 highlight;  ///< sum of light colour x (N.H)^size x visibility, in the light's colour; tint comes later.
-                     ///< Tachyon's: neither the light's fading and transmittance nor, in metal, its colour enter.
+  Lanes3 diffuse;    ///< sum of light colour * N.L * visibility
+  Lanes3 highlight;  ///< sum of light colour * (N.H)^size * visibility, before the surface's tint. In Tachyon mode it omits the
+                     ///< light's fading and transmittance and, for metal, its colour.
 };
 
-/// Rays from a packet of points to one light.
+/// Shadow rays from a packet of points to one light.
 struct ShadowPacket {
-  /// Sets what is the same for every packet.
+  /// Initializes the ray fields that all packets share.
   ShadowPacket() { make_ready(rays); }
 
   alignas(64) RayPacket rays;
-  LaneMask active;  ///< lanes whose surface faces the light within its range and cone
-  LaneMask lifted;  ///< lanes whose rays start from the smooth surface (smooth_lift.hpp); set where
+  LaneMask active;  ///< lanes whose surface faces the light, within its range and cone
+  LaneMask lifted;  ///< lanes whose rays start from the smooth surface (smooth_lift.hpp); valid if any_lifted is set
   bool any_lifted = false;
-  Lanes strength;               ///< what distance and cone leave of the light at the point, for active lanes
-  Lanes arriving;               ///< strength x N.L, for active lanes
-  Transmittance transmittance;  ///< 1; once traced, how much of the light passes in lanes that it does not end
+  Lanes strength;               ///< factor of the light by distance and cone, for active lanes
+  Lanes arriving;               ///< strength * N.L, for active lanes
+  Transmittance transmittance;  ///< 1 before tracing; then the transmittance of lanes that are not fully occluded
 };
 
-/// Fills rays, active, strength and arriving. Light of strength x N.L <= least_light is none. Returns how many lanes are
-/// active.
+/// Fills rays, active, strength and arriving. Light with strength * N.L <= least_light is ignored. Returns the number of active
+/// lanes.
 int aim_at_light(const WhittedLight& light, const SurfacePacket& surface, float least_light, ShadowPacket& shadow);
 
-/// Adds what arrives. `view`: the rays that hit the surface.
+/// Adds the unoccluded light. `view`: the rays that hit the surface.
 void add_light(const WhittedLight& light, const SurfacePacket& surface, const RayPacket& view, const ShadowPacket& shadow,
                bool tachyon, DirectLight& direct);
 

@@ -10,11 +10,11 @@
 namespace lippmann {
 namespace {
 
-/// A triangle is looked up in this number of parts along each edge, at most.
+/// Maximum number of texture lookups along each edge of a triangle.
 constexpr int kMostParts = 2;
-/// No triangle of a texture counts less than this share of the texture's mean: look-ups may have missed what shines there.
+/// Lower bound of a textured triangle's brightness, relative to the texture's mean: lookups may miss small bright areas.
 constexpr float kLeastShare = 1e-2f, kLeastMean = 1.0f / 65535.0f;
-/// So many triangles are one piece of work.
+/// Triangles per parallel task.
 constexpr std::size_t kPiece = 4096;
 
 struct MapParts {
@@ -22,7 +22,7 @@ struct MapParts {
   int per_edge;
 };
 
-/// extent: width or height of a triangle, in texels of the finest level.
+/// extent: width or height of a triangle in texels of the finest level.
 MapParts parts_of(const DeviceTexture& texture, float extent) {
   const std::size_t last = texture.levels.size() - 1;
   if (!(extent < 1e9f)) return {last, 1};
@@ -31,7 +31,8 @@ MapParts parts_of(const DeviceTexture& texture, float extent) {
   return {level, std::clamp(static_cast<int>(std::ceil(extent)), 1, level < last ? kMostParts : 1)};
 }
 
-/// Calls visit(barycentric) for the middles of all parts of a triangle that is cut in so many along each edge; all are equal.
+/// Divides each edge of a triangle into `per_edge` parts, which gives per_edge^2 equal triangles, and calls visit(barycentric)
+/// for their centres.
 template <class Visit>
 void visit_parts(int per_edge, const Visit& visit) {
   const auto at = [&](int i, int j, float third) {

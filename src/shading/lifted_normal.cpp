@@ -1,7 +1,7 @@
 // After: A. Keller et al., "The Iray Light Transport Simulation and Rendering System", 2017, appendix A.3 "Local Shading Normal
-// Adaption", which says what is wanted of the normal. The solution is our own: in the plane of the facet's normal (z) and the
-// given one (x beside it), a normal at angle a from z mirrors the view (vx, vz) to a height of vx sin 2a + vz cos 2a, which is
-// the wanted height at the angle found.
+// Adaption", which states the requirements. The closed-form solution is our own. In the plane of the facet's normal (z) and the
+// given normal (towards x), a normal at angle a from z mirrors the view (vx, vz) to the height vx sin 2a + vz cos 2a. Solving
+// for the required height gives the angle.
 #include "shading/lifted_normal.hpp"
 
 #include <algorithm>
@@ -10,17 +10,17 @@
 namespace lippmann {
 namespace {
 
-/// How high above the facet mirror directions are at least, unless the view is lower itself.
+/// Minimum height of mirror directions above the facet, unless the view itself is lower.
 constexpr float kLeastHeight = 0.01f, kPartOfView = 0.9f;
 
-/// Sine and cosine of the angle at which the view is mirrored to `height`, on the side of growing x, times a number above 0.
+/// Returns a positive multiple of the sine and cosine of the angle that mirrors the view to `height`, on the side of growing x.
 Vec2f angle_of(float vx, float vz, float height) {
   const float in_plane = std::sqrt(vx * vx + vz * vz);
   const float c = vz / in_plane, s = vx / in_plane, wanted = height / in_plane;
   const float beside = std::sqrt(std::max(0.0f, 1.0f - wanted * wanted));
   const Vec2f doubled(s * wanted + c * beside, c * wanted - s * beside);
   return doubled.y > 0.0f ? Vec2f(doubled.x, 1.0f + doubled.y)
-                          : Vec2f(1.0f - doubled.y, doubled.x);  // halved without loss of digits
+                          : Vec2f(1.0f - doubled.y, doubled.x);  // half-angle formula without cancellation
 }
 
 }  // namespace

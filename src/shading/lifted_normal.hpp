@@ -1,13 +1,13 @@
-// Normals whose mirror direction leaves the surface.
+// Adjusts shading normals so that mirror directions leave the surface.
 #pragma once
 
 #include "lippmann/core/math.hpp"
 
 namespace lippmann {
 
-/// `normal` where the mirror direction of `view` about it is above the facet, else the one nearest to it, between it and the
-/// facet's, for which that is so. Seen edge-on, a smooth or bent normal mirrors the view into the surface, which would be black
-/// there. normal, view: unit length; facet: of any length, on the viewer's side.
+/// Returns `normal` if it mirrors `view` to above the facet. Otherwise returns the nearest normal with this property, between
+/// `normal` and the facet's normal. Without this adjustment, smooth or bent normals seen edge-on mirror the view into the
+/// surface, which appears black. normal, view: unit length. facet: any length, on the viewer's side.
 Vec3f lifted_normal(Vec3f normal, Vec3f facet, Vec3f view);
 
 }  // namespace lippmann

@@ -7,7 +7,7 @@ namespace {
 
 constexpr float kBelowOne = 1.0f - 0x1p-24f;
 
-/// Whether more lights have power than are drawn by it.
+/// Returns whether the group has more lights than sampling by power supports.
 bool needs_tree(const LightGroup& group) {
   const auto in_tree =
       std::count_if(group.lights.begin(), group.lights.end(), [](const TreeLight& l) { return l.power > 0.0f; });
@@ -40,7 +40,7 @@ LightChoice::LightChoice(std::array<LightGroup, kGroups> groups, float sun, floa
   }
   add(0.0f, sky);
   near_ = kind_of(near), far_ = kind_of(far);
-  // A quarter of the flux across any direction arrives at a surface, on average over the ways that it may be turned.
+  // A randomly oriented surface receives a quarter of the flux density across the light's direction, on average.
   far_irradiance_ = 0.25f * static_cast<float>(far_.chances.total());
 }
 
@@ -72,7 +72,7 @@ float LightChoice::chance_of_sun(const LightReceiver& at) const {
   return near * near_.of_sun + (1.0f - near) * far_.of_sun;
 }
 
-/// A light has its own entry, near or far, or is drawn by the tree.
+/// Returns the probability of a light: from its own entry, near or far, or through the tree.
 float LightChoice::chance_of(Part group, std::size_t light, const LightReceiver& at) const {
   const Tree& by_tree = trees_[group];
   const float near = near_share(at);
@@ -81,7 +81,7 @@ float LightChoice::chance_of(Part group, std::size_t light, const LightReceiver&
   return near * near_.probability(by_tree.entry) * by_tree.tree.probability(static_cast<std::uint32_t>(light), at);
 }
 
-/// `pick` first chooses near or far lights. Its position within the chosen range then chooses a light of that kind.
+/// Chooses near or far lights by `pick`. The position of `pick` within the chosen range then chooses a light of that kind.
 std::optional<LightChoice::Chosen> LightChoice::choose(const LightReceiver& at, float pick) const {
   if (near_.empty() && far_.empty()) return std::nullopt;
   const float near = near_share(at);
@@ -92,8 +92,8 @@ std::optional<LightChoice::Chosen> LightChoice::choose(const LightReceiver& at, 
   return chosen;
 }
 
-/// A tree draws anew, with what is left of the number that has chosen it. Trees are asked first, as the list of all entries is
-/// long where there are any.
+/// Chooses a light of one kind. Trees reuse the remainder of `pick`. Trees are tested first: if there is one, the list of all
+/// entries is long.
 std::optional<LightChoice::Chosen> LightChoice::choose_of(const Kind& kind, const LightReceiver& at, float pick) const {
   for (std::size_t g = 0; g < kGroups; ++g) {
     const Tree& group = trees_[g];

@@ -1,8 +1,8 @@
-// Which light of a scene is drawn for a point, and how probably; light_table.hpp has what the lights are.
+// Chooses a light of a scene for a point, and computes the probability of the choice. light_table.hpp evaluates the lights.
 //
-// Lights that fall off with the squared distance are near lights, all others (the sky, suns, lamps without falloff) are far
-// ones. Near or far is drawn by the irradiance that each kind sends to the point, so the scene's size does not matter. Of one
-// kind, a group is drawn by its power, and of the group a light: of few lights by their power, too; of many by a tree, for the
+// Lights with inverse-square falloff are near lights; all others (the sky, suns, lamps without falloff) are far lights. The
+// first choice, near or far, uses the irradiance of each kind at the point, so it does not depend on the scene's size. Then a
+// group is chosen by power, and a light within the group: by power if the group is small, otherwise by a tree for the given
 // point (light_tree.hpp).
 #pragma once
 
@@ -18,26 +18,27 @@
 
 namespace lippmann {
 
-/// Where a scene has near and far lights, each kind is drawn with at least this probability: the estimate ignores shadows.
+/// Minimum probability of each kind if the scene has near and far lights, because the irradiance estimate ignores shadows.
 inline constexpr float kLeastShareOfKind = 1.0f / 8.0f;
 
-/// The largest float for powers beyond it, and 0 for what is not a positive number.
+/// Clamps powers to the largest float, and to 0 if they are not positive.
 inline float finite_power(float power) { return power > 0.0f ? std::min(power, std::numeric_limits<float>::max()) : 0.0f; }
 
-/// Lights that are drawn alike. All vectors have one element per light.
+/// Lights of one type. All vectors have one element per light.
 struct LightGroup {
-  std::vector<float> near, far;   ///< flux of near lights, irradiance of far ones across their direction; 0 for the other kind
-  std::vector<TreeLight> lights;  ///< the near ones as a tree knows them
-  float irradiance = 0.0f;        ///< of `lights`, at distance 1
-  std::size_t most_by_power = 0;  ///< up to this many near lights are drawn by their power; more are drawn by a tree
+  std::vector<float> near,
+      far;  ///< flux of near lights and irradiance of far lights across their direction; 0 for lights of the other kind
+  std::vector<TreeLight> lights;  ///< the near lights, in the tree's form
+  float irradiance = 0.0f;        ///< irradiance of `lights` at distance 1
+  std::size_t most_by_power = 0;  ///< up to this number, near lights are chosen by power; otherwise by a tree
 };
 
-/// The sum of the lights' powers.
+/// Returns the sum of the lights' powers.
 float sum_of_powers(std::span<const TreeLight> lights);
 
 class LightChoice {
  public:
-  /// Points, lamps that have a size, and triangles are groups. The sky's sun and the rest of the sky are one light each.
+  /// Point lamps, lamps with a size, and triangles are groups. The sky's sun and the rest of the sky are one light each.
   enum Part : std::size_t { kPoints, kRounds, kTriangles, kSun, kSky };
   static constexpr std::size_t kGroups = 3;
 
@@ -46,35 +47,35 @@ class LightChoice {
 
   struct Chosen {
     Part part;
-    std::size_t light;  ///< of the group
+    std::size_t light;  ///< index within the group
     float chance;
   };
-  /// Draws a light. None where none reaches the point.
+  /// Chooses a light. Returns nothing if no light reaches the point.
   std::optional<Chosen> choose(const LightReceiver& at, float pick) const;
 
-  /// The probability that choose() draws a light of a group, or a sample of the sky's sun, or of the rest of the sky.
+  /// Return the probability that choose() returns a light of a group, the sky's sun, or the rest of the sky.
   float chance_of(Part group, std::size_t light, const LightReceiver& at) const;
   float chance_of_sun(const LightReceiver& at) const;
   float chance_of_sky(const LightReceiver& at) const;
 
-  /// Whether drawing sky directions for all lanes of a packet at once pays off, before it is known which lanes sample the sky.
+  /// Returns whether the sky is chosen so often that sampling sky directions for all lanes of a packet in advance pays off.
   bool asks_sky_often() const { return (near_.empty() ? 1.0f : 0.5f) * far_.of_sky > 0.25f; }
-  /// Whether choose() draws the sky, without its sun, for this `pick`.
+  /// Returns whether choose() returns the sky (without its sun) for this `pick`.
   bool picks_sky(const LightReceiver& at, float pick) const { return pick >= 1.0f - chance_of_sky(at); }
 
-  /// Whether there are near and far lights: else near_share() is the same everywhere.
+  /// Returns whether there are both near and far lights. Otherwise near_share() is constant.
   bool has_both_kinds() const { return !near_.empty() && !far_.empty(); }
-  /// The chance of choose() to draw a near light.
+  /// Returns the probability that choose() returns a near light.
   float near_share(const LightReceiver& at) const;
 
-  /// The near lights of a group. It is there even if the group's lights are drawn by their power.
+  /// Returns the tree of a group's near lights. It exists even if the lights are chosen by power.
   const LightTree& tree(Part group) const { return trees_[group].tree; }
   bool draws_by_tree(Part group) const { return near_.probability(trees_[group].entry) > 0.0f; }
 
  private:
-  /// The lights of one kind. Near and far ones have the same entries: the lights of each group and then its tree, whether it is
-  /// used or not, with the sun before the triangles and the sky at the end. Lights of the other kind have chance 0, and where a
-  /// group is drawn by its tree, its lights have chance 0 and the tree has their power.
+  /// The lights of one kind. Near and far lights have the same entries: for each group its lights and then its tree, used or
+  /// not; the sun precedes the triangles, and the sky comes last. Lights of the other kind have probability 0. If a group uses
+  /// its tree, its lights have probability 0 and the tree has their power.
   struct Kind {
     DiscreteDistribution chances;
     float of_sun = 0.0f, of_sky = 0.0f;
@@ -84,8 +85,8 @@ class LightChoice {
   };
   struct Tree {
     LightTree tree;
-    std::size_t entry = 0, first = 0;  ///< its own entry, and that of the group's first light
-    float irradiance = 0.0f;           ///< of its lights, at distance 1
+    std::size_t entry = 0, first = 0;  ///< index of the tree's entry and of the group's first light
+    float irradiance = 0.0f;           ///< irradiance of the tree's lights at distance 1
   };
 
   Kind kind_of(std::span<const float> powers) const;
@@ -94,7 +95,7 @@ class LightChoice {
 
   std::array<Tree, kGroups> trees_;
   Kind near_, far_;
-  float far_irradiance_ = 0.0f;  ///< of far lights, on a surface turned any way
+  float far_irradiance_ = 0.0f;  ///< irradiance of far lights on a randomly oriented surface
 };
 
 }  // namespace lippmann

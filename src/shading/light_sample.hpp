@@ -1,4 +1,4 @@
-// One light, seen from a point, and how lamps fade.
+// A light sampled from a point, and the fading of lamps.
 #pragma once
 
 #include "lippmann/core/math.hpp"
@@ -7,15 +7,17 @@
 namespace lippmann {
 
 struct LightSample {
-  Vec3f direction{0.0f};  ///< to the light, unit
-  float distance = 0.0f;  ///< shadow rays end before it
-  Vec3f radiance{0.0f};   ///< arriving from there; from a point-like light, its irradiance across over its chance
-  float density = 0.0f;   ///< chance of the light times density of the direction, per steradian; kInfinity: a point-like light
-  bool is_lamp = false;   ///< Phong's highlights answer to it
+  Vec3f direction{0.0f};  ///< unit, to the light
+  float distance = 0.0f;  ///< distance at which the shadow ray ends
+  Vec3f radiance{
+      0.0f};  ///< radiance from the direction; for point-like lights, the irradiance across it divided by the probability
+  /// Probability of the light times density of the direction, per steradian; kInfinity for point-like lights.
+  float density = 0.0f;
+  bool is_lamp = false;  ///< makes highlights on Phong surfaces
   bool is_point() const { return density == kInfinity; }
 };
 
-/// How much of a lamp goes in a direction (unit, from the point to the lamp): the fading of its cone, or its web's intensity.
+/// Returns the factor of a lamp for a direction (unit, from the point to the lamp): its cone's fading, or its web's intensity.
 float fading(const WhittedLight& light, Vec3f direction);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// The parts of a scene's table of lights.
+// The inputs of a scene's light table.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@ namespace lippmann {
 
 struct GeometryRecord;
 
-/// All of it must outlive the lights.
+/// All members must outlive the lights.
 struct LightSources {
   const Scene& scene;
   std::span<const WhittedLight> lights;
@@ -20,8 +20,8 @@ struct LightSources {
   std::span<const WhittedMaterial> materials;
   std::span<const DeviceTexture> textures;
   const Emitters& emitters;
-  std::span<const WebBeam> beams;  ///< by web of the scene
-  float size;                      ///< half the scene's diagonal: far smaller lamps are points
+  std::span<const WebBeam> beams;  ///< indexed by the scene's webs
+  float size;                      ///< half the scene's diagonal; much smaller lamps count as points
 };
 
 }  // namespace lippmann

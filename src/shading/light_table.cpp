@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-/// Up to this many lamps of a group are drawn by their power.
+/// Maximum number of lamps in a group that is sampled by power.
 constexpr std::size_t kMostLampsByPower = 4;
 
 bool has_phong(const Scene& scene) {
@@ -18,7 +18,7 @@ bool has_phong(const Scene& scene) {
                      [](const Material& m) { return std::holds_alternative<PhongSurface>(m.surface); });
 }
 
-/// The light's share that reaches a point at `distance` in `direction` (to the light); its fading with both.
+/// Returns the share of the light that reaches a point at `distance` in `direction` (to the light).
 float strength(const WhittedLight& light, Vec3f direction, float distance) {
   if (distance > light.range) return 0.0f;
   float s = light.falls_off > 0.0f ? 1.0f / std::max(distance * distance, 1e-20f) : 1.0f;
@@ -27,16 +27,16 @@ float strength(const WhittedLight& light, Vec3f direction, float distance) {
   return s;
 }
 
-/// Far lights send the same irradiance to all points of the scene.
+/// Returns whether the light falls off with the distance. Far lights send the same irradiance to all points of the scene.
 bool is_near(const WhittedLight& light) { return light.falls_off > 0.0f; }
 
-/// The flux of a near light; the irradiance of a far one across its direction.
+/// Returns the flux of a near light, or the irradiance of a far light across its direction.
 float power(const WhittedLight& light, float unit) {
   const float color = unit * luminance(light.color);
   return finite_power(is_near(light) ? 4.0f * kPi * color : color);
 }
 
-/// Adds a lamp, or an empty place for it if its power is 0.
+/// Adds a lamp to a group, or an empty slot if its power is 0.
 void add_lamp(const LightSources& sources, std::size_t lamp, float of_lamp, LightGroup& group) {
   const WhittedLight& light = sources.lights[lamp];
   group.near.push_back(is_near(light) ? of_lamp : 0.0f);
@@ -70,8 +70,8 @@ LightTable::LightTable(const LightSources& sources, const Environment& environme
       triangles_(sources),
       choice_(make_choice()) {}
 
-/// Finds the lamps that have a size, and groups all lights. The group of points has a place for every lamp; those that have a
-/// size are never drawn from there.
+/// Collects the lamps with a size, and groups all lights. The group of point lamps has a slot for every lamp, but lamps with a
+/// size are never chosen from it.
 LightChoice LightTable::make_choice() {
   LightGroup points, rounds;
   points.most_by_power = rounds.most_by_power = kMostLampsByPower;

@@ -1,12 +1,12 @@
-// The lights of a scene as paths see them: point-like lights, lamps that have a size, the sky's sun, triangles that shine, the
-// rest of the sky. light_choice.hpp says which of them is drawn for a point.
+// The lights of a scene for path tracing: point-like lights, lamps with a size, the sky's sun, emissive triangles, and the rest
+// of the sky. light_choice.hpp chooses among them.
 //
 // Based on: E. Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997 (next-event estimation, and the
-// densities that multiple importance sampling asks for).
+// densities for multiple importance sampling).
 //
-// Units. Lights multiply N.L by their colour (scene.hpp), on Phong surfaces without the 1 / pi of Lambert's law; there they
-// stand for pi times the irradiance, so that path-traced pictures are as bright as Whitted's.
-// Shapes that shine but are no meshes, and visible light bulbs, are met by rays alone.
+// Units. Lights multiply N.L by their colour (scene.hpp). Phong surfaces omit the 1 / pi of Lambert's law; in scenes with Phong
+// surfaces, colours thus stand for the irradiance divided by pi, and path-traced images are as bright as Whitted's.
+// Emissive shapes other than meshes, and visible light bulbs, are only found by rays that hit them.
 #pragma once
 
 #include <cstdint>
@@ -25,44 +25,46 @@ struct RayPacket;
 
 class LightTable {
  public:
-  /// Both must outlive it.
+  /// The arguments must outlive this object.
   LightTable(const LightSources& sources, const Environment& environment);
 
-  /// A light for a point: `pick` chooses which, `u` where on it. None where it is turned away or out of reach.
+  /// Samples a light for a point: `pick` chooses the light and `u` the position on it. Returns nothing if the light faces away
+  /// or is out of range.
   std::optional<LightSample> sample(const LightReceiver& at, float pick, Vec2f u) const;
 
-  /// How sample() chooses.
+  /// Returns the distribution that sample() uses.
   const LightChoice& choice() const { return choice_; }
 
-  /// Lamps that have a size, and the light that a ray sees of one of them which has scattered at `from`: the density is that
-  /// lamp's alone; sample() at `at` draws the lamp with chance_of_round().
+  /// Number of lamps with a size. see_round() evaluates lamp k along a ray that has scattered at `from`; its density is that of
+  /// the lamp's direction only. chance_of_round() is the probability that sample() chooses the lamp for `at`.
   std::size_t rounds() const { return rounds_.size(); }
   std::optional<LightSample> see_round(std::size_t k, Vec3f from, Vec3f direction) const;
   float chance_of_round(std::size_t k, const LightReceiver& at) const { return choice_.chance_of(LightChoice::kRounds, k, at); }
-  /// Whether any ray of the packet points at it, lanes that are not active included.
+  /// Returns whether any ray of the packet may hit the lamp, including inactive lanes.
   bool is_pointed_at(std::size_t k, const RayPacket& rays) const;
-  /// Whether there are so many that each ray had better ask for those that it may meet.
+  /// Returns whether rays should query the tree for the lamps in their way, because there are many.
   bool has_many_rounds() const { return choice_.draws_by_tree(LightChoice::kRounds); }
-  /// Calls visit(k) for all lamps that have a size which a ray of unit direction may meet up to `reach`.
+  /// Calls visit(k) for all lamps with a size that a ray of unit direction may hit up to `reach`.
   template <class Visit>
   void meet_rounds(Vec3f origin, Vec3f direction, float reach, const Visit& visit) const {
     for (const std::uint32_t k : suns_) visit(std::size_t{k});
     choice_.tree(LightChoice::kRounds).meet(origin, direction, reach, [&](std::uint32_t k) { visit(std::size_t{k}); });
   }
 
-  /// Returns what sample() returns if choice().picks_sky(), from draw i of Environment::sample_rest(). Returns nothing if that
-  /// draw has no density.
+  /// Returns the result of sample() if choice().picks_sky(), from draw i of Environment::sample_rest(). Returns nothing if that
+  /// draw has density 0.
   std::optional<LightSample> sky_sample(const SkyDraws& draws, int i, const LightReceiver& at) const {
     if (!(draws.density[i] > 0.0f)) return std::nullopt;
     return LightSample{Vec3f(draws.x[i], draws.y[i], draws.z[i]), kInfinity, Vec3f(draws.red[i], draws.green[i], draws.blue[i]),
                        draws.density[i] * choice_.chance_of_sky(at)};
   }
 
-  /// The density with which sample() draws the point where a ray of unit `direction` from `at` meets triangle `prim` of a
-  /// record at `distance`; 0 where the triangle is none of its lights.
+  /// Returns the density with which sample() chooses the point at `distance` along unit `direction` on triangle `prim` of a
+  /// record. Returns 0 if the triangle is not a light.
   float density_of(std::uint32_t record, std::uint32_t prim, float distance, Vec3f direction, const LightReceiver& at) const;
 
-  /// The density with which sample() draws a direction into the sky, that of ray i whose radiance was looked up.
+  /// Returns the density with which sample() chooses the direction of ray i, which hits the sky. The radiance of `rays` must
+  /// have been looked up.
   float density_of_sky(const SkyRays& rays, int i, const LightReceiver& at) const;
 
   const Environment& environment() const { return environment_; }
@@ -75,9 +77,9 @@ class LightTable {
   const Environment& environment_;
   float unit_;
   ShiningTriangles triangles_;
-  std::vector<std::size_t> rounds_;  ///< lamps that have a size: indices into the sources' lights
-  std::vector<std::uint32_t> suns_;  ///< those of rounds_ that are discs in the sky
-  LightChoice choice_;               ///< last: made from all of the above
+  std::vector<std::size_t> rounds_;  ///< lamps with a size: indices into sources_.lights
+  std::vector<std::uint32_t> suns_;  ///< indices into rounds_ of the suns with a disc
+  LightChoice choice_;               ///< last member: depends on all of the above
 };
 
 }  // namespace lippmann

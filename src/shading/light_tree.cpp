@@ -3,21 +3,21 @@
 namespace lippmann {
 namespace {
 
-/// Below the horizon a light keeps this share of its weight straight above.
+/// Share of the weight that a light keeps below the receiver's horizon.
 constexpr float kLeastFacing = 1.0f / 16.0f;
-/// Squared distances are at least so large, as where lamps are asked for their light.
+/// Lower bound of squared distances, as in the evaluation of lamps.
 constexpr float kLeastSquared = 1e-20f;
-/// What shines along its face still counts so much: rounding may not take it away.
+/// Lower bound of the squared cosine of faces seen edge-on, so that rounding does not remove their light.
 constexpr float kLeastSquaredCosine = 1e-6f;
-/// Rounding may not make it negative either.
+/// Lower bound of a face's factor, so that rounding does not make it negative.
 constexpr float kLeastFaceShining = 1e-4f;
-/// Where any of a cluster's cones shines, the cluster keeps at least this share of its mean over all directions. A single
-/// lamp keeps at least that share of its full light, so that rounding does not take away what it shines at its cone's rim.
+/// Lower bounds inside the cones. A cluster keeps at least the first share of its mean over all directions. A single lamp keeps
+/// at least the second share of its full light, so that rounding does not remove light at the rim of its cone.
 constexpr float kLeastShining = 1.0f / 16.0f, kLeastFading = 1e-3f;
-/// Ranges and cones give way by so much, so that rounding takes no light away.
+/// Relative tolerance of ranges and cones, so that rounding does not remove light.
 constexpr float kMargin = 1e-4f;
 
-/// The tree's parts, as the kernels read them; null: it has none.
+/// The arrays of the tree, as the kernels read them; null if the tree has none.
 struct LightNodes {
   const LightNode* nodes;
   const LightCones* cones;
@@ -39,7 +39,7 @@ LIPPMANN_INLINE void weigh_places(const LightNode& n, const LightReceiver& at, L
   }
 }
 
-/// Beyond the cone by more than the angle that the child is seen under, there is no light.
+/// A child is dark if the point lies outside its cone by more than the child's angular radius.
 LIPPMANN_INLINE void weigh_cones(const LightNode& n, const LightCones& c, const LightBeams& b, const LightReceiver& at,
                                  Lanes& w) {
   const Vec3f p = at.position;
@@ -74,7 +74,7 @@ LIPPMANN_INLINE void weigh_faces(const LightNode& n, const LightFaces& f, const 
   }
 }
 
-/// All of a node's lines that weigh() will read, while those that it reads first are on their way: they lie far apart.
+/// Prefetches all cache lines of a node that weigh() will read. They lie far apart in memory.
 LIPPMANN_INLINE void prefetch(const LightNodes& tree, std::uint32_t node) {
   const auto lines_of = [](const auto* part, std::size_t index) {
     if (!part) return;
@@ -90,7 +90,8 @@ LIPPMANN_INLINE void weigh(const LightNodes& tree, std::uint32_t node, const Lig
   if (tree.faces) weigh_faces(tree.nodes[node], tree.faces[node], at, w);
 }
 
-/// Sums of weights: lanes i and i + 8, of these i and i + 4, and so on, one after the other; the last is the sum of all.
+/// A pairwise summation tree of the weights: lanes i and i + 8, then i and i + 4 of these, and so on. The last element is the
+/// total.
 struct Sums {
   float of[kLanes];
   LIPPMANN_INLINE float all() const { return of[14]; }
@@ -103,14 +104,14 @@ LIPPMANN_INLINE void add_up(const Lanes& w, Sums& s) {
   s.of[14] = s.of[12] + s.of[13];
 }
 
-/// One of two, by a number in [0, their sum), never one of weight 0; the number becomes one within its weight.
+/// Chooses one of two weights by u in [0, sum), never one with weight 0. `u` receives its position within the chosen weight.
 LIPPMANN_INLINE int pick_second(float first, float second, float& u) {
   if (u < first || !(second > 0.0f)) return 0;
   u = std::max(u - first, 0.0f);
   return 1;
 }
 
-/// A lane by its weight, for u in [0, 1), of which `u` becomes what is left.
+/// Chooses a lane by weight for u in [0, 1). `u` receives the remainder, again in [0, 1).
 LIPPMANN_INLINE int pick(const Lanes& w, const Sums& s, float& u) {
   u *= s.all();
   int lane = pick_second(s.of[12], s.of[13], u);
@@ -121,7 +122,7 @@ LIPPMANN_INLINE int pick(const Lanes& w, const Sums& s, float& u) {
   return lane;
 }
 
-/// Returns a slot's child, ~light, and its probability; 0 where no light reaches the point.
+/// Descends the tree. `child` receives ~light. Returns the probability of the choice, 0 if no light reaches the point.
 LIPPMANN_MULTIVERSION float descend(const LightNodes& tree, const LightReceiver& at, float& u, std::int32_t& child) {
   float probability = 1.0f;
   child = 0;
@@ -163,7 +164,7 @@ LIPPMANN_MULTIVERSION float weigh_all(const LightNodes& tree, const LightReceive
   return sums.all();
 }
 
-/// Narrows [enter, leave] to where a line is within a slab of one axis. inverse: 1 / the direction's coordinate, finite.
+/// Clips [enter, leave] to a slab of one axis. inverse: 1 / the direction's coordinate, finite.
 LIPPMANN_INLINE void cut_slab(float lower, float upper, float origin, float inverse, float& enter, float& leave) {
   const float a = (lower - origin) * inverse, b = (upper - origin) * inverse;
   enter = std::max(enter, std::min(a, b)), leave = std::min(leave, std::max(a, b));
@@ -171,7 +172,7 @@ LIPPMANN_INLINE void cut_slab(float lower, float upper, float origin, float inve
 
 float finite_inverse(float x) { return 1.0f / (std::abs(x) > 1e-18f ? x : std::copysign(1e-18f, x)); }
 
-/// Lanes whose ball and box a ray touches, as bits.
+/// Returns a bit mask of the lanes whose ball and box a ray touches.
 LIPPMANN_MULTIVERSION std::uint32_t touched_lanes(const LightNode& n, const LightBoxes& box, Vec3f o, Vec3f d, Vec3f inverse,
                                                   float reach) {
   alignas(64) std::uint32_t bits[kLanes];

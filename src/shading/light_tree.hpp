@@ -1,29 +1,31 @@
-// A tree of lights, from which one is drawn for a point by about the share that it has in the point's light: near and bright
-// lights often, those that are out of reach or turned away never, at a cost that grows with the tree's depth.
+// A tree of lights that samples a light approximately in proportion to its unshadowed contribution to a point. Lights out of
+// range or facing away are never chosen. The cost grows with the depth of the tree.
 //
-// Based on: A. Conty Estevez, C. Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", HPG 2018 (clusters
-// with an importance that a point gives them; one descent draws a light, and says with which probability).
-// 1. Building: lights are cut in two again and again, where the least scatter of power is left on both sides; up to sixteen
-//    parts become the children of a node. A child knows its power, where its middle is and how far its power lies from there,
-//    a ball that holds it, how far it reaches, and which way it shines.
-// 2. Drawing: at each node the point gives all children their importance at once, and one number picks a child by it; what is
-//    left of the number picks at the next node.
-// 3. Probability of a light that a ray has met: the product of the same shares on the way up to the root.
-// We deviate: 1. Sixteen children in place of two: the lanes of one kernel, and a quarter of the levels. 2. Squared distances
-// are means over a cluster, |x - middle|^2 + variance, and cosines are smoothed by the same variance, in place of bounds by
-// boxes: what lies within a cluster gets no importance that jumps. 3. Clusters are cut by place alone. 4. One light is drawn,
-// no splitting. 5. A light below a point's horizon keeps a sixteenth of its importance: normals may be bent.
-//    6. So does what shines inward in a closed body: the point may be inside, or the body may let light through.
+// Based on: A. Conty Estevez, C. Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", HPG 2018
+// (importances of clusters for a point; one descent samples a light and its probability).
+// 1. Building: the lights are split recursively at the cut with the least scatter of power on both sides. Up to sixteen parts
+// become the children of a node. A child stores its power, the centre and variance of the power, a bounding ball, its range,
+// and the directions in which it emits.
+// 2. Sampling: each node computes the importance of all children at once, and a random number chooses a child. The remainder of
+// the number chooses at the next node.
+// 3. Probability of a given light: the product of the same shares on the way up to the root.
+// This implementation deviates in six points: 1. Nodes have sixteen children instead of two: the lanes of one kernel, and a
+// quarter of the levels. 2. Squared distances are means over a cluster, |x - centre|^2 + variance, and cosines are smoothed by
+// the same variance, instead of bounds by boxes. The importance of points inside a cluster is thus continuous. 3. Clusters are
+// split by position only. 4. One light is sampled, without splitting. 5. A light below the point's horizon keeps a sixteenth of
+// its importance, because normals may be bent. 6. Light from the inner side of a closed body keeps a sixteenth, too: the point
+// may be inside, or the body may transmit light.
 //
-// Symbols: w importance; p power; d distance of the middle; v variance; n the receiver's normal; M mean of m m^T over the
-// cluster's faces m.   w = p facing shining / (d^2 + v)
-//   facing = 1/16 + 15/16 (n.d + sqrt((n.d)^2 + v / 3)) / 2 sqrt(d^2 + v); 1 where light may come from either side
-//   shining, of what shines by cones: 0 where the point lies beyond all of them; else of a single lamp what its cone fades to,
-//   and of a cluster the mean of that over its lamps, as polynomial of second degree in -d / sqrt(d^2 + v), fitted over all
-//   directions; of faces: sqrt((d.M d + v / 16) / (d^2 + v) + 1e-6) - F.d / sqrt(d^2 + v)
-// Faces of closed bodies, which hide what shines inward, keep a sixteenth of their cosine there: they count ((1 + 1/16) / 2)^2
-// in M, and F is the mean of (1 - 1/16) / 2 of their outward m; of others F is 0. Of one such face, shining is its cosine
-// before it, and a sixteenth of that behind it.
+// Symbols: w importance; p power; d vector between point and centre; v variance; n the receiver's normal; M mean of m m^T over
+// the cluster's faces m.
+//   w = p facing shining / (d^2 + v)
+//   facing = 1/16 + 15/16 (n.d + sqrt((n.d)^2 + v / 3)) / 2 sqrt(d^2 + v); 1 if light may come from either side
+//   shining, for lamps with cones: 0 if the point lies outside all cones; otherwise for a single lamp its cone's fading, and
+//   for a cluster the mean over its lamps, as a polynomial of second degree in -d / sqrt(d^2 + v), fitted over all directions
+//   shining, for faces: sqrt((d.M d + v / 16) / (d^2 + v) + 1e-6) - F.d / sqrt(d^2 + v)
+// Faces of closed bodies, which hide light from their inner side, keep a sixteenth of their cosine there: they have the weight
+// ((1 + 1/16) / 2)^2 in M, and F is the mean of (1 - 1/16) / 2 times their outward m. For other faces, F is 0. For a single
+// such face, shining is thus its cosine in front of it, and a sixteenth of the cosine behind it.
 #pragma once
 
 #include <cstdint>
@@ -35,59 +37,60 @@
 
 namespace lippmann {
 
-/// A point that asks for light.
+/// A point that receives light.
 struct LightReceiver {
   Vec3f position{0.0f};
-  Vec3f normal{0.0f};        ///< unit, of the side that light must come from to count; null: it may come from either
-  float near_share = -1.0f;  ///< LightChoice::near_share() of the point, where that is known already; else negative
+  Vec3f normal{0.0f};        ///< unit, on the side from which light counts; null: both sides
+  float near_share = -1.0f;  ///< LightChoice::near_share() of the point if it is already known, otherwise negative
 };
 
-/// How a lamp shines by the angle to its axis: coefficients of the first three Legendre polynomials.
+/// Emission of a lamp by the angle to its axis: coefficients of the first three Legendre polynomials.
 struct LightProfile {
   double mean = 1.0, linear = 0.0, square = 0.0;
 };
 
-/// A light as the tree knows it.
+/// The description of a light in the tree.
 struct TreeLight {
   Vec3f middle{0.0f};
-  float power = 0.0f;     ///< irradiance across at distance 1; not above 0 or not finite: it is never drawn
-  float variance = 0.0f;  ///< mean squared distance from the middle of what shines
-  float radius = 0.0f;    ///< a ball of this radius around the middle holds all that shines
+  /// Irradiance across the direction at distance 1; lights without a positive, finite power are never chosen.
+  float power = 0.0f;
+  float variance = 0.0f;  ///< mean squared distance of the emission from the centre
+  float radius = 0.0f;    ///< radius of a ball around the centre that contains the light
   float range = kInfinity;
-  Vec3f axis{0.0f};  ///< unit; it shines no further from it than
+  Vec3f axis{0.0f};  ///< unit; no emission at more than half_angle from it
   float half_angle = kPi;
-  float inner_angle = kPi;                ///< and in full up to here: in between it fades with the squared cosine
-  const LightProfile* profile = nullptr;  ///< how it shines within its cone, where that is measured; null: by its angles
-  Vec3f face{0.0f};        ///< unit normal of what shines to both sides by the cosine; null: it shines all around alike
-  bool is_closed = false;  ///< behind the face is the inside of a body, which hides it from there
+  float inner_angle = kPi;                ///< full emission up to this angle; beyond it, fades with the squared cosine
+  const LightProfile* profile = nullptr;  ///< measured emission within the cone; null: defined by the angles
+  Vec3f face{0.0f};        ///< unit normal of a two-sided emitter with a cosine profile; null: emits in all directions
+  bool is_closed = false;  ///< the back of the face is the inside of a body, which hides it
 };
 
-/// Sixteen children, side by side.
+/// Sixteen children in struct-of-arrays form.
 struct LightNode {
-  Lanes x, y, z;                           ///< middle of the power
-  Lanes power;                             ///< share of the tree's; 0: no child
-  Lanes variance;                          ///< mean squared distance of the power from the middle
-  Lanes radius;                            ///< a ball of this radius around the middle holds the child
-  Lanes range;                             ///< the largest
+  Lanes x, y, z;                           ///< centre of the power
+  Lanes power;                             ///< share of the tree's power; 0: no child
+  Lanes variance;                          ///< mean squared distance of the power from the centre
+  Lanes radius;                            ///< radius of a ball around the centre that contains the child
+  Lanes range;                             ///< largest range of the lights
   alignas(64) std::int32_t child[kLanes];  ///< a node, or ~light
-  std::uint32_t parent = 0;                ///< slot: kLanes x node + lane; means nothing in the root
+  std::uint32_t parent = 0;                ///< slot: kLanes * node + lane; undefined in the root
 };
-/// A cone that holds all ways that a child shines.
+/// A cone that contains all emission directions of a child.
 struct LightCones {
-  Lanes x, y, z, cosine, sine;  ///< axis; cosine and sine of the half angle; cosine -1: pi, which holds everything
+  Lanes x, y, z, cosine, sine;  ///< axis; cosine and sine of the half angle; cosine -1 stands for a full sphere
 };
-/// How a child shines, on average over its power, by the direction m from it: mean + linear.m + m.Q m, where Q has no trace.
+/// Mean emission of a child in direction m, weighted by power: mean + linear.m + m.Q m, where Q has no trace.
 struct LightBeams {
   Lanes mean;
   Lanes3 linear;
   Lanes xx, yy, xy, xz, yz;  ///< elements of Q
-  Lanes inverse_ramp;        ///< a single lamp that fades in its cone (LightCones): 1 / (inner - outer cosine); else 0
+  Lanes inverse_ramp;        ///< single lamps that fade within their cone (LightCones): 1 / (inner - outer cosine); otherwise 0
 };
 /// Boxes around the balls of the lights in a child.
 struct LightBoxes {
   Lanes3 lower, upper;
 };
-/// The children's matrices M and vectors F.
+/// The matrices M and vectors F of the children.
 struct LightFaces {
   Lanes xx, yy, zz, xy, xz, yz;
   Lanes3 front;
@@ -96,7 +99,7 @@ struct LightFaces {
 class LightTree {
  public:
   LightTree() = default;
-  /// Holds the lights that have power and lie somewhere finite; a light's name is its index.
+  /// Builds the tree from all lights with a positive power and a finite position. Lights are identified by their index.
   explicit LightTree(std::span<const TreeLight> lights);
 
   bool empty() const { return nodes_.empty(); }
@@ -105,17 +108,17 @@ class LightTree {
     std::uint32_t light;
     float probability;
   };
-  /// Draws a light; none where none reaches the point.
+  /// Chooses a light. Returns nothing if no light reaches the point.
   std::optional<Choice> choose(const LightReceiver& at, float u) const;
 
-  /// The probability that choose() draws a light.
+  /// Returns the probability that choose() returns a light.
   float probability(std::uint32_t light, const LightReceiver& at) const;
 
-  /// Unshadowed irradiance of the lights at the point, relative to that of all lights at distance 1.
+  /// Returns the unshadowed irradiance of the lights at the point, relative to that of all lights at distance 1.
   float importance(const LightReceiver& at) const;
 
-  /// Calls visit(light) for every light whose ball a ray of unit direction may touch up to `reach`. Lights without a radius are
-  /// never touched.
+  /// Calls visit(light) for each light whose ball a ray of unit direction may touch up to `reach`. Skips lights without a
+  /// radius.
   template <class Visit>
   void meet(Vec3f origin, Vec3f direction, float reach, const Visit& visit) const {
     if (!boxes_.empty()) meet(0, {origin, direction, reach}, visit);
@@ -123,7 +126,7 @@ class LightTree {
 
  private:
   friend class LightTreeBuilder;
-  /// What a closed body's face keeps of its cosine on its inner side.
+  /// Share of its cosine that a closed body's face keeps on its inner side.
   static constexpr float kLeastInward = 1.0f / 16.0f;
   static constexpr std::uint32_t kNowhere = 0xffffffffu;
 
@@ -144,12 +147,12 @@ class LightTree {
     }
   }
 
-  std::vector<LightNode> nodes_;      ///< the root first
-  std::vector<LightCones> cones_;     ///< by node; empty: all shine all around
-  std::vector<LightBeams> beams_;     ///< likewise
-  std::vector<LightBoxes> boxes_;     ///< by node; empty: no light has a radius
-  std::vector<LightFaces> faces_;     ///< by node; empty: no light is a face
-  std::vector<std::uint32_t> slots_;  ///< by light: kLanes x node + lane; kNowhere: it is never drawn
+  std::vector<LightNode> nodes_;      ///< the root comes first
+  std::vector<LightCones> cones_;     ///< by node; empty if all lights emit in all directions
+  std::vector<LightBeams> beams_;     ///< by node; empty if all lights emit in all directions
+  std::vector<LightBoxes> boxes_;     ///< by node; empty if no light has a radius
+  std::vector<LightFaces> faces_;     ///< by node; empty if no light is a face
+  std::vector<std::uint32_t> slots_;  ///< by light: kLanes * node + lane; kNowhere: never chosen
 };
 
 }  // namespace lippmann

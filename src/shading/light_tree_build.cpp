@@ -12,7 +12,7 @@ namespace {
 using Members = std::span<std::uint32_t>;
 
 constexpr int kBins = 16;
-/// Cuts that leave less than 1 / this of the lights on one side give way to one in the middle, so that trees stay flat.
+/// If a cut leaves less than 1 / this of the lights on one side, the median is used instead, so that trees stay flat.
 constexpr std::size_t kLeastPart = 16;
 
 bool takes_part(const TreeLight& light) {
@@ -20,7 +20,7 @@ bool takes_part(const TreeLight& light) {
   return light.power > 0.0f && std::isfinite(light.power) && farthest <= kLargestReach && light.radius <= kLargestReach;
 }
 
-/// Power, its first and its second moment about some place.
+/// Power, and its first and second moment about a point.
 struct PowerMoments {
   std::size_t count = 0;
   double power = 0.0, squares = 0.0;
@@ -32,7 +32,7 @@ struct PowerMoments {
     ++count, power += p, first += p * from, squares += p * (glm::dot(from, from) + static_cast<double>(light.variance));
   }
   void add(const PowerMoments& m) { count += m.count, power += m.power, first += m.first, squares += m.squares; }
-  /// Power times its variance.
+  /// Returns the power times its variance.
   double scatter() const { return power > 0.0 ? std::max(0.0, squares - glm::dot(first, first) / power) : 0.0; }
 };
 
@@ -93,12 +93,13 @@ class LightTreeBuilder {
       if (part.size() == 1) tree_.slots_[part[0]] = slot;
       const std::int32_t child =
           part.size() == 1 ? ~static_cast<std::int32_t>(part[0]) : static_cast<std::int32_t>(add_node(part, slot));
-      tree_.nodes_[node].child[lane] = child;  // the vector may have grown
+      tree_.nodes_[node].child[lane] = child;  // index again: the vector may have grown
     }
     return node;
   }
 
-  /// Into at most kLanes parts: the largest again and again, until all fit below full nodes of the least depth.
+  /// Splits the members into at most kLanes parts: always the largest part, until all parts fit below full nodes of the least
+  /// depth.
   std::vector<Members> cut(Members members) const {
     std::size_t fits = 1;
     while (fits * kLanes < members.size()) fits *= kLanes;
@@ -115,7 +116,7 @@ class LightTreeBuilder {
     return parts;
   }
 
-  /// Puts the lights of one side first, and returns how many they are.
+  /// Reorders the lights so that one side of the cut comes first. Returns the number of lights on that side.
   std::size_t halve(Members members) const {
     Bounds3f box;
     for (const std::uint32_t l : members) box.add(lights_[l].middle);
@@ -145,7 +146,7 @@ class LightTreeBuilder {
   }
 
   struct Cut {
-    int axis = 0, bin = kBins / 2;  ///< the bins before it are the first side
+    int axis = 0, bin = kBins / 2;  ///< the bins before `bin` are the first side
   };
   Cut best_cut(Members members, const Bounds3f& box) const {
     Cut best;
@@ -166,7 +167,7 @@ class LightTreeBuilder {
     return best;
   }
 
-  /// By bin: the scatter of it and all that follow together.
+  /// Returns, for each bin, the joint scatter of this bin and all later bins.
   static std::array<double, kBins> scatters_from(const std::array<PowerMoments, kBins>& bins) {
     std::array<double, kBins> scatters{};
     PowerMoments sum;
@@ -234,7 +235,7 @@ class LightTreeBuilder {
   void describe_box(Members part, LightBoxes& boxes, int lane) const {
     Bounds3f box;
     for (const std::uint32_t l : part) {
-      // A little wider, as where balls are met by their own formula.
+      // slightly enlarged, because the ray test of balls uses another formula
       const float radius = lights_[l].radius * 1.0001f;
       box.add(lights_[l].middle - radius), box.add(lights_[l].middle + radius);
     }
@@ -261,7 +262,7 @@ class LightTreeBuilder {
   LightTree& tree_;
   std::span<const TreeLight> lights_;
   std::vector<std::uint32_t> members_;
-  std::vector<LightProfile> profiles_;  ///< by light; empty: all shine all around
+  std::vector<LightProfile> profiles_;  ///< by light; empty if all lights emit in all directions
   double total_ = 0.0;
   bool has_cones_ = false, has_balls_ = false, has_faces_ = false;
 };

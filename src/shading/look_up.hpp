@@ -1,4 +1,5 @@
-// Maps at one point of a mesh, unfiltered: paths that have left the lens array ask for them at many points per pixel.
+// Unfiltered texture lookups at one point of a mesh. Paths use them after the first bounce, where each pixel averages many
+// points.
 #pragma once
 
 #include <array>
@@ -9,14 +10,14 @@
 
 namespace lippmann {
 
-/// A quantity per vertex at barycentric coordinates of a triangle's second and third corner.
+/// Interpolates a per-vertex quantity. The barycentric coordinates are those of the triangle's second and third corner.
 template <class Value>
 Value interpolate(const std::vector<Value>& of_vertex, const std::array<std::uint32_t, 3>& corners, Vec2f barycentric) {
   return (1.0f - barycentric.x - barycentric.y) * of_vertex[corners[0]] + barycentric.x * of_vertex[corners[1]] +
          barycentric.y * of_vertex[corners[2]];
 }
 
-/// RGBA of a map, linear; white where there is none.
+/// Returns the linear RGBA of a map, or white without one.
 inline Vec4f look_up(const TextureMap& map, std::span<const DeviceTexture> textures, const Mesh& mesh, std::uint32_t triangle,
                      Vec2f barycentric) {
   const std::vector<Vec2f>& uvs = uvs_of(mesh, map.uv_set);

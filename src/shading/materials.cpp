@@ -36,7 +36,7 @@ WhittedMaterial from(const PhongSurface& s, MaterialTable& table) {
 // Roughness above this has no visible mirror image; below, the mirror fades in.
 constexpr float kMirrorRoughness = 0.4f;
 
-// KHR_materials_ior: stands for "reflects everything".
+// KHR_materials_ior: this index stands for total reflection.
 constexpr float kMirrorLikeIor = 1000.0f;
 
 WhittedMaterial from(const MetallicRoughness& s, Vec3f surroundings) {
@@ -55,14 +55,14 @@ WhittedMaterial from(const MetallicRoughness& s, Vec3f surroundings) {
     return m;
   }
   float dielectric_f0 = ((s.ior - 1.0f) / (s.ior + 1.0f)) * ((s.ior - 1.0f) / (s.ior + 1.0f));
-  if (s.ior >= kMirrorLikeIor)  // its specular colour alone says how much it reflects
+  if (s.ior >= kMirrorLikeIor)  // the specular colour alone defines the reflectance
     dielectric_f0 *= s.specular * (s.specular_color.x + s.specular_color.y + s.specular_color.z) / 3.0f;
   const float smooth = std::max(0.0f, 1.0f - s.roughness / kMirrorRoughness);
   m.mirror = smooth * glm::mix(dielectric_f0, 1.0f, s.metallic);
   m.mirror_tint = s.metallic;
   m.diffuse = (1.0f - s.metallic) * (1.0f - s.transmission) / kPi;
-  // The background lights the surface from all around: as irradiance / pi on the diffuse part, as a blurred mirror image on
-  // the metallic part that has no traced mirror.
+  // Ambient light stands for the background: its irradiance / pi on the diffuse part, and a blurred mirror image on the
+  // metallic part without a traced mirror.
   m.ambient = surroundings * ((1.0f - s.metallic) * (1.0f - s.transmission) + s.metallic * (1.0f - smooth));
   const float alpha = std::max(s.roughness * s.roughness, 0.01f);
   m.highlight_size = std::max(1.0f, 2.0f / (alpha * alpha) - 2.0f);
@@ -78,7 +78,7 @@ WhittedMaterial from(const MetallicRoughness& s, Vec3f surroundings) {
   return m;
 }
 
-/// Whether nothing but its colour scatters light.
+/// Returns whether the surface scatters light only diffusely.
 bool is_matt(const MetallicRoughness& s) {
   return !s.unlit && !s.extensions && s.metallic == 0.0f && s.specular == 0.0f && s.transmission == 0.0f &&
          s.clearcoat == 0.0f && s.normal_map.texture < 0;
@@ -119,7 +119,7 @@ float shadow_transmittance(const WhittedMaterial& material) {
 
 namespace {
 
-/// What turns directions of the world into a node's own, whatever its scale. A node that is scaled to nothing: as the world.
+/// Returns the rotation from world to node directions, without scale. Returns the identity if the node's scale is 0.
 Mat3f rotation_to(const Affine3f& world_from_node) {
   Mat3f axes(1.0f);
   for (int c = 0; c < 3; ++c) {

@@ -5,7 +5,8 @@
 namespace lippmann {
 namespace {
 
-/// Black is as near to it as floats need: what is left after the distance is less than a code of any picture.
+/// Lower bound of the attenuation colour; the light left after the attenuation distance is then below one code value of any
+/// image format.
 constexpr float kLeastColor = 1e-6f;
 
 Vec3f absorption(const Volume& volume) {

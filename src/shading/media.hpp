@@ -1,6 +1,6 @@
-// What fills closed shapes of glass: how much light is left after a way through it.
+// Absorption inside closed glass shapes.
 //
-// Based on: Khronos Group, KHR_materials_volume (Beer's law, by a colour that is left after a distance).
+// Based on: Khronos Group, KHR_materials_volume (Beer's law, defined by a colour after a distance).
 #pragma once
 
 #include <cstdint>
@@ -10,20 +10,20 @@
 
 namespace lippmann {
 
-/// Media are named by small numbers, so that a ray that carries one is no larger.
+/// Media are identified by 16-bit numbers, to keep rays small.
 inline constexpr std::uint16_t kNoMedium = 0, kSameMedium = 0xffff;
 
 class Media {
  public:
   Media() = default;
-  /// Numbers all materials that fill what they bound. Throws Error where there are more of them than numbers.
+  /// Numbers all materials with a solid volume. Throws Error if there are more of them than numbers.
   explicit Media(const Scene& scene);
 
-  /// kNoMedium for a material that fills nothing.
+  /// Returns the medium inside a material, or kNoMedium.
   std::uint16_t of_material(std::uint32_t material) const { return of_material_.empty() ? kNoMedium : of_material_[material]; }
 
-  /// The share of light that is left after `distance` in a medium. A ray that never comes out of it has met no closed shape:
-  /// an infinite distance leaves all.
+  /// Returns the transmittance over `distance` in a medium. Returns 1 for an infinite distance: the ray never left the medium,
+  /// so the shape is not closed.
   Vec3f transmittance(std::uint16_t medium, float distance) const {
     if (!(distance < kInfinity)) return Vec3f(1.0f);
     return glm::exp(-distance * absorption_[medium]);
@@ -31,7 +31,7 @@ class Media {
 
  private:
   std::vector<Vec3f> absorption_;           ///< by medium, per world unit
-  std::vector<std::uint16_t> of_material_;  ///< empty: there are no media
+  std::vector<std::uint16_t> of_material_;  ///< empty without media
 };
 
 }  // namespace lippmann

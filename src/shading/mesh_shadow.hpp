@@ -1,5 +1,4 @@
-// What shadow rays find of meshes that are not opaque everywhere: what alpha leaves open, what see-through surfaces let pass,
-// and what goes straight on through thin walls.
+// Shadows of meshes that are not fully opaque: alpha, see-through surfaces and thin walls.
 #pragma once
 
 #include <memory>
@@ -11,10 +10,11 @@ namespace lippmann {
 struct ShadingTables;
 struct WhittedMaterial;
 
-/// The share of light, seen along a direction at an angle to a wall, that passes it in Whitted's shading.
+/// Returns the transmittance of a wall in Whitted shading. cosine: between the ray and the normal.
 Vec3f passes_wall(const WhittedMaterial& wall, Vec3f color, float cosine);
 
-/// For an instance that has the material; null: opaque. `tables` and materials outlive it.
+/// Returns the shadow caster for instances with the material, or null if it is opaque. `tables` and the materials must outlive
+/// it.
 std::unique_ptr<ShadowCaster> make_mesh_shadow(const ShadingTables& tables, const WhittedMaterial& material,
                                                const Material& described);
 

@@ -1,5 +1,5 @@
-// Sixteen points of the commonest surfaces side by side: the base of metallic roughness with its glass, without coat or any
-// layer, and Lambert's law, which is a base that has no gloss. What MetalRoughBsdf says of one, to the same bits.
+// Sixteen points of the most common surfaces together: metallic roughness with glass but without coat or other layers, and
+// Lambertian surfaces, which are a base without gloss. The results are bit-identical to MetalRoughBsdf.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct BsdfValueLanes {
   BsdfValue get(int i) const { return {cosine_f.get(i), density[i], transmitted.lane[i] != 0}; }
 };
 
-/// BsdfSample of sixteen points, all of them vertices; density 0: none.
+/// BsdfSample of sixteen points, all of them path vertices. Density 0 marks lanes without a sample.
 struct BsdfSampleLanes {
   Lanes3 direction, weight;
   Lanes density;
@@ -39,28 +39,28 @@ struct BsdfSampleLanes {
 
 class MetalRoughLanes {
  public:
-  /// Before the first lane is set.
+  /// Resets the object. Call this before the first set().
   void clear() { most_ = Kind::kLambert; }
-  /// Only what the base and its glass are made of counts. entering: the viewer is outside.
+  /// Sets a lane. Only the parameters of base and glass are used. entering: the viewer is outside.
   void set(int i, const MetalRoughSurface& surface, const MetalRoughBsdf::Normals& normals, Vec3f view, bool entering);
-  /// After all lanes have been set; those that have not hold what they held before.
+  /// Call this after all lanes are set. Lanes that are not set keep their old values.
   void prepare(const GgxAlbedo& albedo);
 
-  // As MetalRoughBsdf's, for all lanes.
+  // The same as MetalRoughBsdf, for all lanes.
   void evaluate(const GgxAlbedo& albedo, const Lanes3& lights, BsdfValueLanes& values) const;
   void sample(const GgxAlbedo& albedo, const Lanes& lobe, const Lanes& u, const Lanes& v, BsdfSampleLanes& samples) const;
 
-  // And for one.
+  // The same for a single lane.
   Vec3f evaluate_diffuse(int i, const GgxAlbedo& albedo, Vec3f light) const;
   Vec3f diffuse_albedo(int i) const { return diffuse_color_.get(i) * diffuse_passes_.get(i); }
   Vec3f normal(int i) const { return normal_.get(i); }
   bool scatters_through(int i) const { return glass_[i] > 0.0f; }
 
  private:
-  /// What a lane has; the shortest kernels that know all lanes do.
+  /// Features of a lane. The kernels used are the simplest that support all lanes.
   enum class Kind { kLambert, kGloss, kGlass };
 
-  /// lippmann::draw_glass() of all lanes.
+  /// The results of lippmann::draw_glass() for all lanes.
   struct GlassLanes {
     Lanes3 light;
     Lanes outward;
@@ -72,7 +72,7 @@ class MetalRoughLanes {
   template <bool with_glass>
   LIPPMANN_INLINE BsdfValue evaluate(int i, const GgxAlbedo& albedo, Vec3f light) const;
   LIPPMANN_INLINE void draw_glass(int i, float lobe, Vec2f u, GlassLanes& drawn) const;
-  /// Density and weight of Dirac's lobes alone; of others 1, for weigh().
+  /// Samples a direction. Sets density and weight only for Dirac lobes; for others both are 1 until weigh().
   template <bool with_glass>
   LIPPMANN_INLINE BsdfSample draw(int i, float lobe, Vec2f u, const GlassLanes* by_glass) const;
   template <bool with_glass>
@@ -88,16 +88,16 @@ class MetalRoughLanes {
   void sample_glass(const GgxAlbedo& albedo, const Lanes& lobe, const Lanes& u, const Lanes& v, BsdfSampleLanes& samples) const;
 
   Kind most_ = Kind::kLambert;
-  // As they were set.
+  // The values from set().
   Lanes3 base_color_{}, specular_color_{}, normal_{}, gloss_normal_{}, view_{};
   Lanes metallic_{}, roughness_{}, ior_{}, specular_{}, transmission_{};
-  // MetalRoughBase.
+  // Members of MetalRoughBase.
   Lanes3 local_view_{}, diffuse_color_{}, diffuse_passes_{}, dielectric_f0_{}, gloss_f0_{}, gloss_compensation_{},
       gloss_albedo_{};
   Lanes alpha_{}, dielectric_f90_{}, gloss_f90_{};
-  // Glass, whose tint is base_color_.
+  // Members of Glass. Its tint is base_color_.
   Lanes glass_{}, eta_{}, glass_compensation_{};
-  Lanes diffuse_share_{}, gloss_share_{}, glass_share_{};  ///< probabilities of sample(); add up to 1 or are all 0
+  Lanes diffuse_share_{}, gloss_share_{}, glass_share_{};  ///< probabilities of sample(); they add up to 1 or are all 0
 };
 
 }  // namespace lippmann

@@ -6,17 +6,17 @@
 namespace lippmann {
 namespace {
 
-/// 0 for what has no fraction.
+/// Returns the fraction of x, or 0 for NaN and infinity.
 LIPPMANN_INLINE float fraction(float x) { return std::min(std::max(0.0f, x - std::floor(x)), 1.0f); }
 
-/// In turns, [0, 1]; 0 on the axis.
+/// Returns the angle in turns, in [0, 1]; 0 on the axis.
 float angle_around_v(const ImageProjection& p, Vec3f q) {
   const float along_u = glm::dot(q, p.u_axis), along_w = glm::dot(q, glm::cross(p.v_axis, p.u_axis));
   const float turns = std::atan2(along_w, along_u) * (0.5f * std::numbers::inv_pi_v<float>);
   return turns < 0.0f ? turns + 1.0f : turns;
 }
 
-/// From -v_axis (0) to v_axis (1).
+/// Returns the angle in half turns, from -v_axis (0) to v_axis (1).
 float angle_from_v(const ImageProjection& p, Vec3f q) {
   const float sine = glm::length(glm::cross(p.v_axis, q)), cosine = -glm::dot(p.v_axis, q);
   return std::atan2(sine, cosine) * std::numbers::inv_pi_v<float>;
@@ -45,7 +45,7 @@ LIPPMANN_MULTIVERSION void relative_to_center(Vec3f center, const Lanes3& point,
   }
 }
 
-/// Applies scale and rotation to the raw coordinates in `at`, and finds the blur.
+/// Applies scale and rotation to the raw coordinates in `at`, and computes the blur.
 LIPPMANN_MULTIVERSION void place_on_picture(const ImageProjection& p, const Lanes3& q, const Lanes& path_length,
                                             const LaneMask& wanted, ProjectedLanes& at) {
   const float whole_path = p.kind == ProjectionKind::kPlane ? 1.0f : 0.0f;

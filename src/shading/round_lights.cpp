@@ -11,11 +11,12 @@
 namespace lippmann {
 namespace {
 
-/// Below these a lamp is taken for a point: its shadows are sharper than the distance at which shadow rays start.
-constexpr float kLeastRadius = 1e-5f;  // as a share of the scene's size
+/// Smaller lamps count as points: their penumbra would be narrower than the offset of shadow rays.
+constexpr float kLeastRadius = 1e-5f;  // relative to the scene's size
 constexpr float kLeastHalfAngle = 2e-5f;
 
-/// Where a lamp shines from. one_minus_cos is the half angle's, at most 1 but for points within a sphere, where it is 2.
+/// The directions to a lamp. one_minus_cos refers to the half angle: at most 1, except for points within a sphere, where it is
+/// 2.
 struct Cone {
   Vec3f axis;
   float one_minus_cos;
@@ -38,14 +39,15 @@ Cone cone_of(const WhittedLight& light, Vec3f from) {
 }
 
 Vec3f direction_in(const Cone& cone, Vec2f u) {
-  const Vec2f d = sample_disc(u);  // uniform over the disc: its squared radius is the share of disc and cone within it
+  const Vec2f d = sample_disc(u);  // uniform: the squared radius equals the share of disc and cone within it
   const float share = std::min(glm::dot(d, d), 1.0f), height = cone.one_minus_cos * share;  // 1 - cosine
   // sine = sqrt(height (2 - height)) along d / |d| = d / sqrt(share)
   const float scale = std::sqrt(std::max(0.0f, cone.one_minus_cos * (2.0f - height)));
   return glm::normalize(Basis(cone.axis).to_world({scale * d.x, scale * d.y, 1.0f - height}));
 }
 
-/// The way to a sphere along a direction that meets it, or passes it by a rounding error; from within, to where it is left.
+/// Returns the distance to a sphere along a direction that hits it, up to rounding. From within, returns the distance to the
+/// exit.
 float way_to(const WhittedLight& light, Vec3f from, Vec3f direction, bool is_within) {
   const WorldSphere ball{light.position.x, light.position.y, light.position.z, light.radius};
   const auto [middle, discriminant] =

@@ -1,4 +1,5 @@
-// Looks up textures for a packet: first, vectorised over its lanes, which texels count how much; then lane by lane the texels.
+// Texture lookups for a packet. First, texel indices and weights are computed for all lanes with vector instructions; then the
+// texels are read lane by lane.
 #include <algorithm>
 #include <cstring>
 
@@ -23,9 +24,9 @@ struct alignas(64) LaneInts {
   LIPPMANN_INLINE std::int32_t operator[](int i) const { return lane[i]; }
 };
 
-/// A texel as the numbers 0 ... 65535.
+/// Loads a texel as numbers from 0 to 65535.
 LIPPMANN_INLINE Color load(const std::uint16_t* texels, std::int32_t index) {
-  // Four codes interleaved with zeros are four 32-bit integers: two instructions on any x86-64.
+  // Interleaving four codes with zeros gives four 32-bit integers, in two instructions on any x86-64.
   Pair packed{};
   std::memcpy(&packed, texels + 4 * static_cast<std::ptrdiff_t>(index), 8);
   const auto words = __builtin_shufflevector(reinterpret_cast<Code>(packed), Code{}, 0, 8, 1, 9, 2, 10, 3, 11);
@@ -43,7 +44,7 @@ struct Taps {
   LaneInts index[4];
   Lanes weight[4];
 
-  /// Lane i: columns x and rows y of a level of that width; the weights sum to `share`.
+  /// Sets lane i from columns x and rows y of a level of the given width. The weights sum to `share`.
   LIPPMANN_INLINE void set(int i, int width, const Neighbours& x, const Neighbours& y, float share) {
     index[0][i] = y.first * width + x.first, index[1][i] = y.first * width + x.second;
     index[2][i] = y.second * width + x.first, index[3][i] = y.second * width + x.second;
@@ -51,7 +52,7 @@ struct Taps {
     weight[0][i] = upper * (1.0f - x.blend), weight[1][i] = upper * x.blend;
     weight[2][i] = lower * (1.0f - x.blend), weight[3][i] = lower * x.blend;
   }
-  /// Rows are far apart in memory, columns side by side.
+  /// Prefetches both rows. Rows are far apart in memory; columns are adjacent.
   LIPPMANN_INLINE void prefetch(const std::uint16_t* texels, int i) const {
     __builtin_prefetch(texels + 4 * static_cast<std::ptrdiff_t>(index[0][i]));
     __builtin_prefetch(texels + 4 * static_cast<std::ptrdiff_t>(index[2][i]));
@@ -62,7 +63,7 @@ struct Taps {
   }
 };
 
-/// Two neighbouring levels per lane, and how much of the coarser one.
+/// Two consecutive mip levels per lane, and the share of each.
 struct LevelPair {
   LaneInts fine, width[2], height[2];
   Lanes share[2];
@@ -80,20 +81,20 @@ struct LevelPair {
   }
 };
 
-/// A row of `count` points, from which the mean is taken.
+/// A line of `count` sample points per lane, which are averaged.
 struct Probes {
   Lanes u, v, line_u, line_v, inverse_count;
   LaneInts count;
   LevelPair level;
 };
 
-/// Covers each footprint by probes; returns the most that a lane needs.
+/// Covers each footprint with probes. Returns the largest count of any lane.
 LIPPMANN_INLINE int choose_probes(const DeviceTexture& texture, const UvLanes& uv, Probes& probes) {
   const auto width = static_cast<float>(texture.levels[0].width), height = static_cast<float>(texture.levels[0].height);
   const auto last = static_cast<float>(texture.levels.size() - 1);
   std::int32_t most = 1;
   LIPPMANN_FOR_LANES(i) {
-    const bool known = (std::abs(uv.u[i]) < 1e6f) & (std::abs(uv.v[i]) < 1e6f);  // else no fraction is left to look up
+    const bool known = (std::abs(uv.u[i]) < 1e6f) & (std::abs(uv.v[i]) < 1e6f);  // larger coordinates have no fraction left
     probes.u[i] = known ? uv.u[i] : 0.0f;
     probes.v[i] = known ? uv.v[i] : 0.0f;
     const float a_u = uv.a_u[i], a_v = uv.a_v[i], b_u = uv.b_u[i], b_v = uv.b_v[i];
@@ -101,13 +102,13 @@ LIPPMANN_INLINE int choose_probes(const DeviceTexture& texture, const UvLanes& u
     const float squared_a = a_x * a_x + a_y * a_y, squared_b = b_x * b_x + b_y * b_y;
     const bool along_b = squared_a < squared_b;
     const float longer = std::sqrt(std::max(squared_a, squared_b)), shorter = std::sqrt(std::min(squared_a, squared_b));
-    const bool bounded = (squared_a < 1e12f) & (squared_b < 1e12f);  // else the mean of all is looked up
+    const bool bounded = (squared_a < 1e12f) & (squared_b < 1e12f);  // otherwise use the mean of the texture
     const float shortest = std::max(std::max(shorter, 0.75f / kMaxProbes * longer), 1.0f);
-    // A probe's bilinear weights reach two texels: 4/3 of a texel apart they still cover the line without gaps.
+    // The bilinear weights of a probe span two texels, so probes 4/3 of a texel apart leave no gaps.
     const float wanted = std::min(std::max(std::ceil(0.75f * longer / shortest - 1e-3f), 1.0f), static_cast<float>(kMaxProbes));
     const float count = bounded ? wanted : 1.0f;
     const float lod = std::min(fast_log2(bounded ? shortest : 1.0f), last);
-    // Many overlapping probes hide the step from level to level by themselves; then one level does.
+    // Many overlapping probes hide the transition between levels, so one level is enough.
     const float smooth = count >= 4.0f ? std::floor(lod + 0.5f) : lod;
     const float chosen = bounded ? smooth : last;
     probes.line_u[i] = bounded ? (along_b ? b_u : a_u) : 0.0f;
@@ -123,10 +124,10 @@ LIPPMANN_INLINE int choose_probes(const DeviceTexture& texture, const UvLanes& u
   return most;
 }
 
-/// A wrap mode as numbers, so that the same arithmetic, without branches, serves all of them.
+/// A wrap mode encoded as numbers, so that all modes share branch-free arithmetic.
 struct WrapNumbers {
   float period, inverse_period, fold;
-  std::int32_t repeats;  ///< 1: beyond the last texel comes the first; 0: the last again
+  std::int32_t repeats;  ///< 1: the first texel follows the last; 0: the last repeats
 };
 
 LIPPMANN_INLINE WrapNumbers numbers_of(Wrap mode) {
@@ -145,7 +146,7 @@ LIPPMANN_INLINE Neighbours neighbours(float t, std::int32_t size, const WrapNumb
   return {i < 0 ? before : i, i >= last ? after : i + 1, x - static_cast<float>(i)};
 }
 
-/// Where probe k of every lane falls in level l of its pair.
+/// Computes the taps of probe k in level l of its pair, for all lanes.
 LIPPMANN_INLINE void place_probe(const Probes& probes, int k, int l, const WrapNumbers across, const WrapNumbers down,
                                  Taps& taps) {
   const float step = static_cast<float>(k) + 0.5f;
@@ -189,7 +190,7 @@ LIPPMANN_MULTIVERSION void sample_uv(const DeviceTexture& texture, const UvLanes
 }
 
 Vec4f sample_point(const DeviceTexture& texture, Vec2f uv, std::size_t of_level) {
-  const bool known = (std::abs(uv.x) < 1e6f) & (std::abs(uv.y) < 1e6f);  // else no fraction is left to look up
+  const bool known = (std::abs(uv.x) < 1e6f) & (std::abs(uv.y) < 1e6f);  // larger coordinates have no fraction left
   const DeviceTexture::Level& level = texture.levels[of_level];
   const Neighbours x = neighbours(known ? uv.x : 0.0f, level.width, numbers_of(texture.wrap_u));
   const Neighbours y = neighbours(known ? uv.y : 0.0f, level.height, numbers_of(texture.wrap_v));
@@ -204,7 +205,8 @@ Vec4f sample_point(const DeviceTexture& texture, Vec2f uv, std::size_t of_level)
 
 namespace {
 
-/// Tachyon interpolates over (resolution - 1) without wrapping; from the last level but one on it takes the last level's texel.
+/// Chooses levels as Tachyon does: it interpolates over (resolution - 1) without wrapping, and uses the last level from the
+/// second to last one on.
 LIPPMANN_INLINE void choose_levels(const DeviceTexture& texture, const ProjectedLanes& at, LevelPair& level) {
   const auto count = static_cast<std::int32_t>(texture.levels.size());
   const float range = static_cast<float>(count) - 0.9999f;

@@ -7,7 +7,7 @@
 namespace lippmann {
 namespace {
 
-/// What lights shapes from all around, where that is not traced. Of a gradient: between its ends.
+/// Returns the ambient light if surroundings are not traced: the mean of a panorama, or the middle of a gradient.
 Vec3f surroundings(const Scene& scene, const Environment& environment) {
   const Background& b = scene.background;
   return b.map ? environment.mean_radiance() : 0.5f * (b.horizon + b.zenith);
@@ -55,7 +55,7 @@ ShadedScene::ShadedScene(const Scene& described, const ResolvedScene& resolved, 
 void ShadedScene::update(const ResolvedScene& resolved, const ThreadPool& pool) {
   std::vector<WhittedLight> moved = make_lights(*scene, resolved);
   const bool stands = moved == lights && !any_emitter_moves();
-  if (!stands) lights = std::move(moved);  // the table refers to those that it has been made of
+  if (!stands) lights = std::move(moved);  // assign in place: the table refers to this vector
   RayScene::update(resolved, pool);
   if (!stands) tabulate_lights();
 }
@@ -66,7 +66,8 @@ bool ShadedScene::any_emitter_moves() const {
   return false;
 }
 
-/// The lights of this moment, for paths. A tree of a million takes seconds: it stays while they stand where they are.
+/// Tabulates the lights of the frame for paths. A tree of a million lights takes seconds, so update() keeps it while no light
+/// moves.
 void ShadedScene::tabulate_lights() {
   if (path)
     path->lights = std::make_unique<LightTable>(

@@ -1,4 +1,4 @@
-// A scene as rays meet it, with what surfaces and lights look like there.
+// A scene with geometry, materials and lights, ready for tracing and shading.
 #pragma once
 
 #include <memory>
@@ -16,16 +16,16 @@
 
 namespace lippmann {
 
-/// What only paths ask for.
+/// Tables that only path tracing uses.
 struct PathTables {
   GgxAlbedo albedo;
   Media media;
   Emitters emitters;
-  std::vector<WebBeam> beams;          ///< by web of the scene
+  std::vector<WebBeam> beams;          ///< indexed by the scene's webs
   std::unique_ptr<LightTable> lights;  ///< the frame's lights
 };
 
-/// Materials, textures and lights, in a form that loops over lanes read.
+/// Materials, textures and lights in a form for loops over lanes.
 struct ShadingTables : ShadowMaterials {
   ShadingTables(const Scene& scene, const ResolvedScene& resolved, MaterialUse use, const ThreadPool& pool);
 
@@ -36,19 +36,19 @@ struct ShadingTables : ShadowMaterials {
   std::vector<std::uint32_t> material_of_instance;
   std::vector<WhittedLight> lights;
   std::unique_ptr<Environment> environment;
-  std::unique_ptr<PathTables> path;  ///< null: made for Whitted's shading
+  std::unique_ptr<PathTables> path;  ///< null for Whitted shading
   std::vector<DeviceTexture> textures;
 
  private:
   std::span<const Material> described_materials_;
 };
 
-/// Kernels of shading read both parts of it. Rays know nothing of how they are shaded, but for what lets shadow rays pass.
+/// Shading kernels read both bases. Rays depend on shading only for the transmittance of shadow rays.
 struct ShadedScene : ShadingTables, RayScene {
-  /// Shows the timeline's first moment; `scene` outlives it.
+  /// Shows the first moment of the timeline. `scene` must outlive this object.
   ShadedScene(const Scene& scene, const ThreadPool& pool, MaterialUse use);
 
-  /// Moves everything to where `resolved` has it.
+  /// Moves all objects to their places in `resolved`.
   void update(const ResolvedScene& resolved, const ThreadPool& pool);
 
  private:

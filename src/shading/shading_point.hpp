@@ -1,4 +1,4 @@
-// One lane of a packet of surface points as a path sees it: what shines there, how it scatters, what lets light through.
+// One lane of a packet of surface points, for path tracing: emission, scattering and transmission.
 #pragma once
 
 #include <optional>
@@ -10,41 +10,40 @@ namespace lippmann {
 
 struct ShadingPoint {
   Vec3f position{0.0f};
-  Vec3f facet{0.0f};                      ///< normal of the facet, of any length, towards the viewer
-  Vec3f normal{0.0f};                     ///< smooth, unit length, on the same side
-  const SurfacePacket* smooth = nullptr;  ///< whose lane this is, where a mesh is to look smooth and lets no light through
+  Vec3f facet{0.0f};                      ///< normal of the facet, any length, towards the viewer
+  Vec3f normal{0.0f};                     ///< smooth normal, unit length, on the same side
+  const SurfacePacket* smooth = nullptr;  ///< the packet of this lane, if the mesh is smooth and opaque
   int lane = 0;
   Vec3f emission{0.0f};
-  Vec3f base_color{0.0f};              ///< textures looked up
-  float coverage = 1.0f;               ///< the rest of the light passes as if nothing were here
-  bool scatters = true;                ///< false: it only shines
-  float t_near = 0.0f;                 ///< rays that leave start so far away
-  std::uint16_t behind = kSameMedium;  ///< the medium that light is in which has gone through the surface
-  bool disperses = false;              ///< each colour goes its own way
-  bool is_wall = false;                ///< thin, and shadow rays pass it where it is smooth
+  Vec3f base_color{0.0f};              ///< with textures applied
+  float coverage = 1.0f;               ///< share of the light that interacts; the rest passes unchanged
+  bool scatters = true;                ///< false for pure emitters
+  float t_near = 0.0f;                 ///< start distance of outgoing rays
+  std::uint16_t behind = kSameMedium;  ///< the medium of transmitted light
+  bool disperses = false;              ///< refracts each colour channel differently
+  bool is_wall = false;                ///< a thin wall; shadow rays pass it if it is smooth
 
   bool is_behind(Vec3f direction) const { return glm::dot(facet, direction) < 0.0f; }
-  /// Whether a lamp in that direction, behind the facet, still shines on the smooth surface, which is as far away as lift().
+  /// Returns whether a lamp in a direction behind the facet still lights the smooth surface, which lies at distance lift().
   bool rises_to(Vec3f direction) const {
     return smooth && is_behind(direction) && glm::dot(normal, direction) > 0.0f && lift() != Vec3f(0.0f);
   }
   Vec3f lift() const { return smooth_lift(*smooth, lane); }
 };
 
-/// Lane i of surfaces that were hit (of scenes made for paths).
+/// Returns lane i of a packet that was hit. The scene must be built for paths.
 ShadingPoint shading_point(const ShadedScene& scene, const SurfacePacket& surface, int i);
 
-/// The direction that lane i is seen from.
+/// Returns the direction from the hit of lane i to the viewer.
 inline Vec3f view_of(const RayHitPacket& packet, int i) {
   return -Vec3f(packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]);
 }
 
-/// What its surface is made of where that is the base of metallic roughness alone, or scatters by Lambert's law alone; else
-/// none.
+/// Returns the base of the surface if it has only a metallic-roughness base or is purely diffuse. Returns nothing otherwise.
 std::optional<MetalRoughPoint> base_at(const ShadedScene& scene, const RayHitPacket& packet, const SurfacePacket& surface,
                                        int i);
 
-/// How the point scatters, whichever surface it has.
+/// Returns the BSDF of the point for any surface model.
 Bsdf bsdf_at(const ShadedScene& scene, const RayHitPacket& packet, const SurfacePacket& surface, int i);
 
 }  // namespace lippmann

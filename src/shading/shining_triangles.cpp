@@ -8,21 +8,22 @@
 namespace lippmann {
 namespace {
 
-/// Up to this many triangles are drawn by their power.
+/// Maximum number of triangles that are sampled by power.
 constexpr std::size_t kMostTrianglesByPower = 4;
 
-/// Which way the triangles of a closed mesh face once it is placed: a mirror turns them.
+/// Returns the facing of a closed mesh after it is placed. Mirroring reverses it.
 BodyFacing mirrored(BodyFacing facing, const Affine3f& place) {
   if (facing == BodyFacing::kNone || glm::determinant(place.linear) > 0.0f) return facing;
   return facing == BodyFacing::kOutward ? BodyFacing::kInward : BodyFacing::kOutward;
 }
 
-/// Whether all shadow rays end at it.
+/// Returns whether the material blocks all shadow rays.
 bool is_opaque(const WhittedMaterial& m) { return !m.has_alpha && !(m.wall_ior > 0.0f) && !(shadow_transmittance(m) > 0.0f); }
 
 constexpr Bounds3f kEndless{Vec3f(-kInfinity), Vec3f(kInfinity)};
 
-/// A little wider than the mesh: points on its own surface, which may be the walls of a room that shines, are not outside.
+/// Returns slightly enlarged bounds. Points on the mesh itself, such as the walls of an emissive room, must not count as
+/// outside.
 Bounds3f bounds_of(const Mesh& mesh, const Affine3f& place) {
   constexpr float kMargin = 1e-3f, kRounding = 1e-5f;
   Bounds3f bounds;
@@ -65,13 +66,13 @@ void ShiningTriangles::add(std::size_t r) {
   if (closed != BodyFacing::kNone && is_opaque(sources_.materials[material])) bodies_[r] = bounds_of(*record.mesh, place);
 }
 
-/// A triangle with two sides sends flux / (2 pi) x cosine.
+/// A two-sided triangle emits flux / (2 pi) * cosine.
 LightGroup ShiningTriangles::group() const {
   LightGroup group{{}, std::vector<float>(triangles_.size(), 0.0f), {}, 0.0f, kMostTrianglesByPower};
   for (const Triangle& t : triangles_) {
     const bool has_area = t.normal != Vec3f(0.0f);
     const Emitter& emitter = *sources_.emitters.of(sources_.records[t.record].instance);
-    // Both sides shine.
+    // both sides emit
     const float power = has_area ? finite_power(kPi * 2.0f * t.area * emitter.of(t.prim)) : 0.0f;
     group.near.push_back(power);
     group.lights.push_back(power > 0.0f ? tree_light(t.origin, t.edge_b, t.edge_c, power, t.closed) : TreeLight{});
@@ -90,8 +91,8 @@ float ShiningTriangles::seen_area(std::size_t triangle, Vec3f direction) const {
   return std::abs(glm::dot(direction, t.normal)) * t.area;
 }
 
-/// Shadow rays would tell, too, but for those that end near an edge: they stop short of the light by more than there is of the
-/// body before it. Inner sides are asked so rarely that each such ray would be a white dot.
+/// Tests for closed bodies, in addition to shadow rays: a shadow ray that ends near an edge stops short of the light and may
+/// miss the body in front of it. Inner sides are sampled so rarely that each such ray would leave a bright dot.
 bool ShiningTriangles::is_hidden(const Triangle& t, Vec3f from, Vec3f direction) const {
   if (t.closed == BodyFacing::kNone || !is_outside(bodies_[t.record], from)) return false;
   return (glm::dot(direction, t.normal) > 0.0f) == (t.closed == BodyFacing::kOutward);

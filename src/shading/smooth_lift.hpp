@@ -1,8 +1,8 @@
-// From a point of a facet to the smooth surface that the mesh stands for, whose normals it has.
+// The offset from a point on a facet to the smooth surface that the mesh approximates.
 //
-// After: J. Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, 2021, chapter 4. Where a lamp is about to set, its
-// light comes from behind some facets, though the smooth normal still sees it: these would be dark one by one, as a staircase.
-// Rays to such lamps start from the smooth surface, which lies above the facets where the mesh bulges.
+// After: J. Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, 2021, chapter 4. Near the terminator, a lamp may lie
+// behind a facet but in front of the smooth normal. Such facets would turn dark one by one, like a staircase. Shadow rays to
+// these lamps start from the smooth surface, which lies above convex facets.
 #pragma once
 
 #include <array>
@@ -11,14 +11,14 @@
 
 namespace lippmann {
 
-/// Three corners of a triangle with their normals, of any length but 0, and where in it (weights of the corners).
+/// The corners of a triangle, their normals (any length but 0), and the barycentric weights of a point.
 struct SmoothTriangle {
   std::array<Vec3f, 3> corners, normals;
   std::array<float, 3> weights;
 };
 
-/// Up to the planes that touch the smooth surface at the corners, by the point's weights; the null vector where the surface
-/// lies below the facet there. outer: 1, or -1 as seen from the side that the normals point away from.
+/// Returns the offset to the weighted planes that touch the smooth surface at the corners, or the null vector if the smooth
+/// surface lies below the facet. outer: 1, or -1 on the side that the normals point away from.
 inline Vec3f smooth_lift(const SmoothTriangle& t, float outer) {
   Vec3f point(0.0f), lift(0.0f);
   for (std::size_t k = 0; k < 3; ++k) point += t.weights[k] * t.corners[k];

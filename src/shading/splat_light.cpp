@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t kMostHarmonics = 16, kChannels = 3;
 
-/// The basis functions at a ray's direction in the axes of one set of splats, each three times: once for each channel.
+/// The basis functions for a ray's direction in the local axes of a splat set, each repeated for the three channels.
 class SplatBasis {
  public:
   void aim(const SplatSet& set, Vec3f direction) {
@@ -18,7 +18,7 @@ class SplatBasis {
       for (std::size_t c = 0; c < kChannels; ++c) values_[kChannels * k + c] = basis[k];
   }
 
-  /// 0.5 + sum of harmonics times basis functions, at least 0. Sums of four parts, so that they can be made side by side.
+  /// Returns 0.5 + the sum of harmonics times basis functions, at least 0. Twelve partial sums allow vector instructions.
   Vec3f color(const Splats& splats, std::size_t splat) const {
     constexpr std::size_t kStride = 12;
     const std::size_t each = harmonics_of(splats.degree), numbers = kChannels * each;
@@ -37,11 +37,11 @@ class SplatBasis {
   alignas(64) float values_[kChannels * kMostHarmonics];
 };
 
-/// The curve of sRGB, which goes on above 1.
+/// Returns the linear value of an sRGB code, extended above 1.
 float linear_of(float encoded) { return encoded <= 0.04045f ? encoded / 12.92f : fast_pow((encoded + 0.055f) / 1.055f, 2.4f); }
 Vec3f linear_of(Vec3f encoded) { return {linear_of(encoded.x), linear_of(encoded.y), linear_of(encoded.z)}; }
 
-/// What one ray sees of splats, nearest first.
+/// Blends the splats along one ray, nearest first.
 class Blend {
  public:
   explicit Blend(const ShadedScene& scene) : table_(scene.splats) {}
@@ -60,7 +60,7 @@ class Blend {
     left_ = hit.left;
   }
 
-  /// Where hardly anything passes, what is seen stands for all.
+  /// Returns the transmittance. Below kDark it counts as 0, and the blended colour is normalised to full coverage.
   float passed() const { return left_ < kDark ? 0.0f : left_; }
   Vec3f radiance() const {
     const Vec3f seen = encoded_share_ > 0.0f ? linear_ + encoded_share_ * linear_of(encoded_ / encoded_share_) : linear_;

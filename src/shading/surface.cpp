@@ -8,10 +8,10 @@
 namespace lippmann {
 namespace {
 
-/// Positions, how exact they are, the mask of lanes that hit something, whether any did and whether any did not.
+/// Sets positions, their precision, the mask of lanes with a hit, and whether there are any hits and any misses.
 LIPPMANN_MULTIVERSION void place_hits(const RayHitPacket& packet, const LaneMask& active, float least_t_near,
                                       SurfacePacket& s) {
-  // Rounding moves a point by some 10^-7 of its coordinates and of the ray's length.
+  // Rounding moves a point by about 10^-7 of its coordinates and of the ray's length.
   constexpr float kRounding = 1e-5f;
   int any = 0, all = -1;
   LIPPMANN_FOR_LANES(i) {
@@ -32,8 +32,7 @@ LIPPMANN_MULTIVERSION void place_hits(const RayHitPacket& packet, const LaneMask
   s.any_miss = all == 0;
 }
 
-/// Takes the first lane of `left`, and all those of the same key, out of it and into `group`; returns that lane, or -1 where
-/// none is left.
+/// Moves the first lane of `left` and all lanes with the same key to `group`. Returns that lane, or -1 if `left` is empty.
 LIPPMANN_MULTIVERSION int take_group(const std::uint32_t* key, LaneMask& left, LaneMask& group) {
   int first = kLanes;
   LIPPMANN_FOR_LANES(i) {
@@ -49,11 +48,11 @@ LIPPMANN_MULTIVERSION int take_group(const std::uint32_t* key, LaneMask& left, L
   return first;
 }
 
-/// The least squared length of a normal: less would be rounded to fewer digits. Facets' normals are as long as twice their
-/// area, and areas of small triangles in large units have squares far below 1.
+/// Lower bound of a normal's squared length; smaller values are denormal. Facet normals are as long as twice the area, so their
+/// squares get tiny for small triangles in large units.
 constexpr float kLeastSquare = std::numeric_limits<float>::min();
 
-/// Makes a normal unit length and turns it, and the facet's own, to the side of the facet that the ray came from.
+/// Normalises a normal, and turns it and the facet's normal to the side of the ray's origin.
 LIPPMANN_INLINE void face_ray(const RayPacket& rays, const LaneMask& lanes, int i, Vec3f facet, Vec3f n, SurfacePacket& s) {
   const bool behind = facet.x * rays.dir_x[i] + facet.y * rays.dir_y[i] + facet.z * rays.dir_z[i] > 0.0f;
   const float side = behind ? -1.0f : 1.0f;
@@ -100,7 +99,7 @@ LIPPMANN_MULTIVERSION void set_normals(const Lanes3& normal, const RayPacket& ra
   }
 }
 
-/// smooth: in mesh space, as the facets' normals in `packet` are.
+/// smooth: in mesh space, like the facet normals in `packet`.
 LIPPMANN_MULTIVERSION void set_mesh(const Mat3f normal_from_mesh, std::uint32_t instance, const Lanes3& smooth,
                                     const RayHitPacket& packet, const LaneMask& lanes, SurfacePacket& s) {
   const Vec3f to_x = normal_from_mesh[0], to_y = normal_from_mesh[1], to_z = normal_from_mesh[2];
@@ -150,7 +149,7 @@ void evaluate_primitives(const ShadedScene& scene, const GeometryRecord& record,
   set_normals(normal, packet.ray, lanes, s);
 }
 
-/// Normals and instances of `lanes`, which have all hit what `id` names. Returns its record, null for a plane.
+/// Sets normals and instances of `lanes`, which have all hit object `id`. Returns its record, or null for a plane.
 const GeometryRecord* evaluate_record(const ShadedScene& scene, unsigned id, const RayHitPacket& packet, const LaneMask& lanes,
                                       SurfacePacket& s) {
   if (id >= kPlaneId) {
@@ -165,7 +164,7 @@ const GeometryRecord* evaluate_record(const ShadedScene& scene, unsigned id, con
   return &record;
 }
 
-/// As evaluate_material, where the lanes' materials may differ.
+/// Calls evaluate_material() for each material among the lanes.
 void evaluate_materials(const ShadedScene& scene, const GeometryRecord* record, const RayHitPacket& packet,
                         const PacketBeams& beams, LaneMask lanes, SurfacePacket& s) {
   alignas(64) std::uint32_t material[kLanes];
@@ -192,7 +191,7 @@ Vec3f smooth_lift(const SurfacePacket& s, int i) {
   const Mesh& mesh = *record.mesh;
   const auto& hit = s.packet->hit;
   const auto& [a, b, c] = mesh.triangles[hit.primID[i]];
-  // Normals may point to the other side of the facets than their corners go round.
+  // The normals may point to the other side than the winding of the triangles.
   const bool inverted = glm::dot(Vec3f(hit.Ng_x[i], hit.Ng_y[i], hit.Ng_z[i]), mesh.normals[a]) < 0.0f;
   const Vec3f lift = smooth_lift({{mesh.positions[a], mesh.positions[b], mesh.positions[c]},
                                   {mesh.normals[a], mesh.normals[b], mesh.normals[c]},
@@ -210,7 +209,7 @@ void evaluate_surfaces(const ShadedScene& scene, const RayHitPacket& packet, con
   LaneMask left = s.hit, group;
   for (int first; s.any_hit && (first = take_group(s.record, left, group)) >= 0;) {
     const GeometryRecord* record = evaluate_record(scene, s.record[first], packet, group, s);
-    // Tachyon's pictures are what they are.
+    // no lift in Tachyon mode, to match its images
     s.any_smooth |= record && record->kind == GeometryKind::kMesh && !record->mesh->normals.empty() && !scene.tachyon;
     const std::uint32_t material = scene.material_of_instance[s.instance[first]];
     if (!record || record->one_material)

@@ -7,7 +7,8 @@
 namespace lippmann {
 namespace {
 
-/// Tangent and bitangent for a map: from the file's tangents, else along the map's own coordinates.
+/// Computes tangent and bitangent for a map: from the file's tangents, otherwise from the map's texture coordinates. Returns
+/// false if they are degenerate.
 bool tangent_frame(const Maps& maps, const TextureMap& map, Vec3f normal, Vec3f& tangent, Vec3f& bitangent) {
   const Mesh& mesh = *maps.record->mesh;
   const auto& corners = mesh.triangles[maps.triangle];
@@ -25,7 +26,7 @@ bool tangent_frame(const Maps& maps, const TextureMap& map, Vec3f normal, Vec3f&
     const Vec2f b = uvs[corners[1]] - uvs[corners[0]], c = uvs[corners[2]] - uvs[corners[0]];
     const float turned = b.x * c.y - c.x * b.y < 0.0f ? -1.0f : 1.0f;
     tangent = turned * (edge_b * c.y - edge_c * b.y);     // along growing u
-    bitangent = -turned * (edge_c * b.x - edge_b * c.x);  // against growing v: upwards in the picture
+    bitangent = -turned * (edge_c * b.x - edge_b * c.x);  // against growing v: upwards in the image
     tangent -= normal * glm::dot(normal, tangent);
     bitangent -= normal * glm::dot(normal, bitangent);
   }
@@ -35,7 +36,7 @@ bool tangent_frame(const Maps& maps, const TextureMap& map, Vec3f normal, Vec3f&
   return true;
 }
 
-/// `normal` of a mesh bent as the map says. outer: 1 where the viewer is on the outer side, -1 where he is behind the surface.
+/// Returns `normal` bent by a normal map. outer: 1 if the viewer is on the outer side, otherwise -1.
 Vec3f mapped_normal(const Maps& maps, const TextureMap& map, float scale, Vec3f normal, float outer) {
   Vec3f tangent, bitangent;
   if (!tangent_frame(maps, map, outer * normal, tangent, bitangent)) return normal;
@@ -61,8 +62,8 @@ MetalRoughSurface surface_at(const MetallicRoughness& m, Vec3f base_color, const
   return s;
 }
 
-/// The tangent, turned as an anisotropy's map and rotation say; strength: in, its factor, out, with the map. The null vector
-/// where the mesh has none.
+/// Returns the tangent, rotated by the anisotropy's map and rotation, or the null vector if the mesh has none. Multiplies
+/// `strength` by the map.
 Vec3f anisotropy_direction(const Anisotropy& anisotropy, const Maps& maps, Vec3f normal, float outer, float& strength) {
   Vec3f tangent, bitangent;
   if (!maps.record || !tangent_frame(maps, anisotropy.map, outer * normal, tangent, bitangent)) return Vec3f(0.0f);
@@ -83,7 +84,7 @@ void set_film(const Iridescence& from, const Maps& maps, LayeredSurface& s) {
   if (!(s.film.thickness_nm > 0.0f)) s.film_share = 0.0f;
 }
 
-/// What only LayeredBsdf knows.
+/// Returns whether the surface needs LayeredBsdf.
 bool is_layered(const SurfaceExtensions& e) {
   return e.sheen.color != Vec3f(0.0f) || e.anisotropy.strength > 0.0f || e.iridescence.share > 0.0f ||
          e.diffuse_transmission.share > 0.0f || (e.volume && !e.volume->is_solid);
@@ -102,7 +103,8 @@ LayeredSurface layered_surface(const MetalRoughSurface& base, const SurfaceExten
   return s;
 }
 
-/// Khronos Group, KHR_materials_dispersion: green is refracted as the material's index says, red less, blue more.
+/// Returns the index of refraction of a channel, after Khronos Group, KHR_materials_dispersion: green has the material's index,
+/// red a lower and blue a higher one.
 float ior_of_channel(float ior, float dispersion, int channel) {
   const float half_spread = (ior - 1.0f) * 0.025f * dispersion;
   return std::max(1.0f, ior + static_cast<float>(channel - 1) * half_spread);
@@ -113,7 +115,7 @@ void disperse(const SurfaceExtensions& e, int channel, MetalRoughSurface& s) {
   if (bends && e.dispersion > 0.0f && s.transmission > 0.0f) s.ior = ior_of_channel(s.ior, e.dispersion, channel);
 }
 
-/// The directions that a surface looks into.
+/// Normals and viewing direction of a surface point.
 struct Facing {
   MetalRoughBsdf::Normals normals;
   Vec3f view;
@@ -156,7 +158,7 @@ MetalRoughPoint metal_rough_point(const MetallicRoughness& m, Vec3f color, const
   normals.diffuse = normals.gloss = mapped(m.normal_map, m.normal_scale);
   if (at.surface.metallic > 0.0f || at.surface.specular > 0.0f || at.surface.transmission > 0.0f)
     normals.gloss = lifted(normals.gloss);
-  // Paint below gloss has most of its light by the given normal, which a lifted one would take from it.
+  // The diffuse part below a gloss keeps the given normal: a lifted one would remove most of its light.
   if (at.surface.metallic > 0.0f || at.surface.transmission > 0.0f) normals.diffuse = normals.gloss;
   if (m.clearcoat > 0.0f) normals.coat = lifted(mapped(m.clearcoat_normal_map, m.clearcoat_normal_scale));
   return at;

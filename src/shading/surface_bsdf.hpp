@@ -1,4 +1,4 @@
-// How a surface scatters at one point: its maps looked up, its normals bent, the BSDF that it has.
+// The BSDF of a surface at one point: applies maps and normal maps.
 #pragma once
 
 #include <span>
@@ -13,13 +13,13 @@
 
 namespace lippmann {
 
-/// A surface's BSDF, whichever kind it is.
+/// The BSDF of any surface model.
 class Bsdf {
  public:
   Bsdf(const PhongBsdf& bsdf) : bsdf_(bsdf) {}
   Bsdf(const MetalRoughBsdf& bsdf) : bsdf_(bsdf) {}
   Bsdf(const LayeredBsdf& bsdf) : bsdf_(bsdf) {}
-  /// Makes the BSDF of `kind` in place: they are large.
+  /// Constructs the BSDF of `kind` in place; BSDFs are expensive to copy.
   template <class Kind, class... Arguments>
   explicit Bsdf(std::in_place_type_t<Kind> kind, Arguments&&... arguments)
       : bsdf_(kind, std::forward<Arguments>(arguments)...) {}
@@ -27,7 +27,7 @@ class Bsdf {
   BsdfValue evaluate(Vec3f light) const {
     return std::visit([&](const auto& b) { return b.evaluate(light); }, bsdf_);
   }
-  /// What a point-like light adds beyond evaluate().
+  /// Returns the highlight of a point-like light, which evaluate() does not include.
   Vec3f highlight(Vec3f light) const {
     const auto* phong = std::get_if<PhongBsdf>(&bsdf_);
     return phong ? phong->highlight(light) : Vec3f(0.0f);
@@ -41,17 +41,17 @@ class Bsdf {
   Vec3f evaluate_diffuse(Vec3f light) const {
     return std::visit([&](const auto& b) { return b.evaluate_diffuse(light); }, bsdf_);
   }
-  /// Whether light that is not mirrored may come from behind, too.
+  /// Returns whether light may come from behind other than by Dirac lobes.
   bool scatters_through() const {
     return std::visit([](const auto& b) { return b.scatters_through(); }, bsdf_);
   }
-  /// What a thin wall lets pass straight on.
+  /// Returns the straight transmittance of a thin wall.
   Vec3f straight() const {
     const auto* layered = std::get_if<LayeredBsdf>(&bsdf_);
     return layered ? layered->straight() : Vec3f(0.0f);
   }
-  /// The side that light has to come from: the diffuse part's normal, or null where it may come from both. smooth: the point's
-  /// normal without any map, by which a coat may see what the surface below it looks away from.
+  /// Returns the side from which light counts: the diffuse part's normal, or null for both sides. smooth: the point's normal
+  /// without normal maps; with a separate coat it defines the side, because the coat may be lit from behind the diffuse normal.
   Vec3f lit_side(Vec3f smooth) const {
     if (scatters_through()) return Vec3f(0.0f);
     return std::visit([&](const auto& b) { return b.has_coat_apart() ? smooth : b.normal(); }, bsdf_);
@@ -61,7 +61,7 @@ class Bsdf {
   std::variant<PhongBsdf, MetalRoughBsdf, LayeredBsdf> bsdf_;
 };
 
-/// Maps at a point of a mesh; where there is no mesh, all are white.
+/// Texture lookups at a point of a mesh. Without a mesh, all maps are white.
 struct Maps {
   std::span<const DeviceTexture> textures;
   const GeometryRecord* record;
@@ -71,34 +71,34 @@ struct Maps {
   Vec4f operator()(const TextureMap& map) const;
 };
 
-/// A point as it is seen.
+/// A surface point and its viewer.
 struct SeenPoint {
   Vec3f normal;   ///< smooth, unit length, on the viewer's side
   Vec3f view;     ///< unit length, towards the viewer
   bool entering;  ///< the viewer is on the outer side
-  Vec3f facet;    ///< normal of the facet, of any length, on the viewer's side
+  Vec3f facet;    ///< normal of the facet, any length, on the viewer's side
 };
 
-/// Whether glTF's surface is its base, glass with it, and no more: sixteen points are computed side by side
+/// Returns whether a glTF surface has only its base, including glass. Such surfaces are evaluated sixteen at a time
 /// (metal_rough_lanes.hpp).
 bool is_base_alone(const MetallicRoughness& material);
 
-/// What the base of glTF's surfaces is made of at a point, and the ways that it faces.
+/// The base of a glTF surface at a point, and its normals.
 struct MetalRoughPoint {
   MetalRoughSurface surface;
   MetalRoughBsdf::Normals normals;
 };
 
-/// Maps looked up, those of the coat only if there is one. color: with what textures and vertices make of it. channel: of R, G,
-/// B the one that a path is of, where the surface disperses.
+/// Applies the maps, those of the coat only if there is one. color: base colour including textures and vertex colours. channel:
+/// the path's colour channel (R, G or B), if the surface disperses.
 MetalRoughPoint metal_rough_point(const MetallicRoughness& material, Vec3f color, const Maps& maps, const SeenPoint& point,
                                   int channel);
 
-/// The BSDF of glTF's surfaces. Arguments as of metal_rough_point().
+/// Returns the BSDF of a glTF surface. The arguments are those of metal_rough_point().
 Bsdf metal_rough_bsdf(const MetallicRoughness& material, Vec3f color, const Maps& maps, const GgxAlbedo& albedo,
                       const SeenPoint& point, int channel);
 
-/// Whether what transmits is a thin wall: what goes through it goes straight on.
+/// Returns whether the transmissive part is a thin wall, which does not refract.
 bool is_thin_wall(const MetallicRoughness& material);
 
 }  // namespace lippmann

@@ -1,11 +1,11 @@
-// Material terms of a packet of surface points, textures and vertex colours included.
+// Evaluates the material terms of a packet of surface points, including textures and vertex colours.
 #pragma once
 
 #include "shading/surface.hpp"
 
 namespace lippmann {
 
-/// A quantity per vertex, at the point of its triangle that lane i has hit.
+/// Returns a per-vertex quantity at the hit of lane i.
 template <class Value>
 Value at_hit(const std::vector<Value>& of_vertex, const GeometryRecord& record, const RayHitPacket& packet, int i) {
   const auto& [a, b, c] = record.mesh->triangles[packet.hit.primID[i]];
@@ -13,14 +13,14 @@ Value at_hit(const std::vector<Value>& of_vertex, const GeometryRecord& record, 
   return (1.0f - u - v) * of_vertex[a] + u * of_vertex[b] + v * of_vertex[c];
 }
 
-/// The beams of a packet's rays.
+/// The beams of a packet's rays, for texture filtering.
 struct PacketBeams {
   const BeamFootprint& footprint;
-  const Lanes& path_length;  ///< to the rays' origins
-  const LaneMask* spread;    ///< lanes as wide as a pixel, the others as a sample of it; null: none
+  const Lanes& path_length;  ///< up to the rays' origins
+  const LaneMask* spread;    ///< lanes filtered over a whole pixel instead of a sample; null: none
 };
 
-/// Sets the material terms of `lanes`, which have all hit `record` (null: a plane) and are all made of `material`.
+/// Sets the material terms of `lanes`, which have all hit `record` (null: a plane) and have the same material.
 void evaluate_material(const ShadedScene& scene, const WhittedMaterial& material, const GeometryRecord* record,
                        const RayHitPacket& packet, const PacketBeams& beams, const LaneMask& lanes, SurfacePacket& s);
 

@@ -1,4 +1,4 @@
-// What lamps and triangles that shine are to a tree of lights.
+// Converts lamps and emissive triangles to the form of the light tree.
 #pragma once
 
 #include "shading/closed_mesh.hpp"
@@ -8,12 +8,12 @@
 
 namespace lippmann {
 
-/// A lamp; without power where no tree serves it: it is at no place, or falls off by something else than the squared distance.
-/// beam: of its web, which outlives the building of the tree; null where it has none.
+/// Converts a lamp. The power is 0 if no tree supports it: a directional lamp, or one without inverse-square falloff. beam: of
+/// its web, or null; it must outlive the building of the tree.
 TreeLight tree_light(const WhittedLight& lamp, const WebBeam* beam = nullptr);
 
-/// A triangle with area. power: by area and radiance, in any unit that all triangles share. closed: which way it faces, as one
-/// of a closed mesh.
+/// Converts a triangle with a positive area. power: by area and radiance, in any unit common to all triangles. closed: the
+/// facing, if the triangle belongs to a closed mesh.
 TreeLight tree_light(Vec3f origin, Vec3f edge_b, Vec3f edge_c, float power, BodyFacing closed = BodyFacing::kNone);
 
 }  // namespace lippmann

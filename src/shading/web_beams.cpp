@@ -10,11 +10,11 @@ namespace {
 
 using Vec3d = glm::dvec3;
 
-/// Sums take steps of at most so many radians, in polar angle and in azimuth.
+/// Largest integration steps in radians, in polar angle and in azimuth.
 constexpr double kPolarStep = 0.1, kAzimuthStep = 0.25;
-/// Cones are wider by so much than the directions that were tried.
+/// Margin of cones beyond the sampled directions.
 constexpr double kConeMargin = 0.5 * kAzimuthStep;
-/// A mean direction shorter than this says nothing.
+/// A shorter mean direction is not significant.
 constexpr double kLeastMeanDirection = 1e-3;
 
 Vec3d direction_at(const PhotometricWeb& web, double polar, double azimuth) {
@@ -23,7 +23,7 @@ Vec3d direction_at(const PhotometricWeb& web, double polar, double azimuth) {
          Vec3d(sine * std::cos(azimuth), sine * std::sin(azimuth), std::cos(polar));
 }
 
-/// Calls visit(from, to) for equal steps along each stretch between angles.
+/// Calls visit(from, to) for equal steps of at most `most` in each interval between angles.
 template <class Visit>
 void visit_steps(std::span<const float> angles, double most, const Visit& visit) {
   for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
@@ -33,7 +33,7 @@ void visit_steps(std::span<const float> angles, double most, const Visit& visit)
   }
 }
 
-/// Calls visit(direction, flux) for small parts of the sphere that shine: flux is intensity times solid angle over 4 pi.
+/// Calls visit(direction, flux) for small parts of the sphere with emission. flux is intensity times solid angle over 4 pi.
 template <class Visit>
 void visit_parts_of_web(const PhotometricWeb& web, const Visit& visit) {
   constexpr float kAround[] = {0.0f, 2.0f * kPi};

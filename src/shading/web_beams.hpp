@@ -1,5 +1,5 @@
-// How photometric webs shine, as coarsely as the choice of lights asks for it: an axis, a cone that holds all light, and the
-// mean by the angle to the axis.
+// Coarse description of photometric webs for the choice of lights: an axis, a cone that contains all light, and the mean
+// emission by the angle to the axis.
 #pragma once
 
 #include <span>
@@ -12,11 +12,11 @@ namespace lippmann {
 
 struct WebBeam {
   Vec3f axis{0.0f, 0.0f, -1.0f};  ///< unit, in the light's space: the mean direction of its light
-  float half_angle = kPi;         ///< no light goes farther from the axis
+  float half_angle = kPi;         ///< no light farther from the axis
   LightProfile profile;           ///< around the axis
 };
 
-/// By web.
+/// Returns the beams of the webs, in their order.
 std::vector<WebBeam> beams_of(std::span<const PhotometricWeb> webs);
 
 }  // namespace lippmann
