@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-/// Of all builders: what calls back knows its scene's data, not who builds it.
+/// Returns the order shared by all builders: a callback knows its scene's data, but not which builder called it.
 TaskOrder& order() {
   static TaskOrder order;
   return order;

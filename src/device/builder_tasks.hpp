@@ -1,14 +1,14 @@
-// Embree's builders, which call us back on any of the calling arena's threads.
+// Embree's builders, which call our callbacks on any thread of the calling arena.
 #pragma once
 
 #include "device/embree_shim.hpp"
 
 namespace lippmann {
 
-/// Builds what rays of a scene are traced against.
+/// Builds the acceleration structure of a scene.
 void commit_scene(const EmbreeScene& scene);
 
-/// Lives as long as a call back from a builder: tells ThreadSanitizer that it lies within commit_scene().
+/// Marks a callback from a builder by its lifetime: tells ThreadSanitizer that the callback runs within commit_scene().
 class BuilderCall {
  public:
   BuilderCall();

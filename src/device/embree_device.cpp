@@ -33,7 +33,7 @@ Error embree_error(RTCError code, const std::string& doing, std::uint64_t wanted
 }
 
 EmbreeDevice make_embree_device(int threads, EmbreeMemory& memory) {
-  // Embree runs its builders on the calling arena's oneTBB threads; asking it for more would start its own.
+  // Embree builds on the oneTBB threads of the calling arena. With a larger number it would start its own threads.
   const std::string config = fmt::format("threads={},set_affinity=0", threads);
   EmbreeDevice device(rtcNewDevice(config.c_str()));
   if (!device) throw embree_error(rtcGetDeviceError(nullptr), "making a device", 0);

@@ -1,4 +1,4 @@
-// Embree's device, and what it says when something fails.
+// Embree's device and its errors.
 #pragma once
 
 #include <atomic>
@@ -10,12 +10,12 @@
 
 namespace lippmann {
 
-/// Counts what Embree asks for, on any thread.
+/// Counts the memory that Embree allocates. Thread-safe.
 class EmbreeMemory {
  public:
-  /// As Embree tells it: before it allocates so many bytes, or after it has released them (negative).
+  /// Records an allocation before it happens, or a release after it has happened (negative bytes), as Embree reports them.
   void add(std::int64_t bytes);
-  /// The most that it has wanted at a time.
+  /// Returns the peak of the requested memory.
   std::uint64_t wanted_bytes() const { return wanted_; }
 
  private:
@@ -23,13 +23,13 @@ class EmbreeMemory {
   std::atomic<std::uint64_t> wanted_{0};
 };
 
-/// The device reports to `memory`, which outlives it. Throws Error.
+/// Makes a device that reports its allocations to `memory`, which must outlive it. Throws Error.
 EmbreeDevice make_embree_device(int threads, EmbreeMemory& memory);
 
-/// Throws what has failed since the last call: on any thread of the device.
+/// Throws Error if any call failed on any thread of the device since the last check.
 void check_embree(RTCDevice device, const char* doing, const EmbreeMemory& memory);
 
-/// What an error of Embree's means: "building the scene: out of memory; it wanted 2100 MB in all".
+/// Returns the error for one of Embree's error codes.
 Error embree_error(RTCError code, const std::string& doing, std::uint64_t wanted_bytes);
 
 }  // namespace lippmann

@@ -1,11 +1,11 @@
-// What Embree holds of a scene.
+// Embree's representation of a scene.
 //
-// Two Embree scenes, traced one after the other with the same packet: `fixed` (built once: everything that never moves, meshes
-// flattened to world space, meshes that many instances share as Embree instances) and `moving` (rebuilt per frame over
-// instances and moving primitives; its meshes are built once). Every geometry of both has one id, the index of its
-// GeometryRecord. Meshes that change their shape are geometries of `moving` whose vertices are written anew per frame; their
-// trees are built once, of the first frame of the animation, and fitted to every other: the same bits whatever came before.
-// Infinite planes lie outside Embree: they are met first and shorten the rays.
+// There are two Embree scenes, traced one after the other with the same packet. `fixed` is built once and holds everything that
+// never moves: meshes flattened to world space, and meshes with many instances as Embree instances. `moving` is rebuilt per
+// frame over instances and moving primitives; its meshes are built once. Each geometry of both scenes has one id, the index of
+// its GeometryRecord. Deforming meshes are geometries of `moving` with new vertices per frame. Their trees are built for the
+// first frame of the animation and refitted for every other frame, so the result does not depend on the order of frames.
+// Infinite planes are not part of Embree: they are intersected first and shorten the rays.
 #pragma once
 
 #include <map>
@@ -18,36 +18,37 @@
 
 namespace lippmann {
 
-/// The tables of one of the two scenes.
+/// Primitive geometries of one of the two scenes.
 struct PrimitiveGeometries {
   EmbreeGeometry spheres, cylinders, rings, boxes;
 };
 
 struct RayScene::Embree {
-  EmbreeMemory memory;  ///< before the device, which reports to it
+  EmbreeMemory memory;  ///< declared before the device, which reports to it
   EmbreeDevice device;
   int native_width = 16;
   EmbreeScene fixed, moving, splats;
   bool has_fixed = false, has_moving = false;
   std::map<std::pair<int, int>, EmbreeScene> mesh_scenes;  ///< by shape and material index
   PrimitiveGeometries fixed_primitives, moving_primitives;
-  std::vector<std::unique_ptr<ShadowCaster>> shadow_casters;  ///< one for each mesh that is not opaque
+  std::vector<std::unique_ptr<ShadowCaster>> shadow_casters;  ///< one per mesh that is not opaque
   std::vector<EmbreeGeometry> placed;                         ///< by record id; the Embree instances that may move
   std::vector<int> moving_records;                            ///< ids of records in `moving` that are placed meshes
-  std::vector<EmbreeGeometry> posed;  ///< as SceneGeometry::posed; vertices are copies: Embree reads beyond the last one
+  std::vector<EmbreeGeometry> posed;  ///< in the order of SceneGeometry::posed; with their own copies of vertices, because
+                                      ///< Embree reads beyond the last one
 };
 
-/// What building and moving a scene have to do with: its geometry and what Embree holds of it.
+/// The parts that building and moving a scene need: its geometry and Embree's data.
 struct BuiltScene {
   SceneGeometry& geometry;
   RayScene::Embree& embree;
 };
 
-/// Fills both; `embree` has a device.
+/// Builds both parts. `embree` must have a device.
 void build_scene(const BuiltScene& scene, const ResolvedScene& resolved, const ShadowMaterials& materials,
                  const ThreadPool& pool);
 
-/// Moves everything to where `resolved` has it.
+/// Moves all objects to their places in `resolved`.
 void move_scene(const BuiltScene& scene, const ResolvedScene& resolved, const ThreadPool& pool);
 
 }  // namespace lippmann

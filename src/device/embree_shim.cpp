@@ -9,7 +9,7 @@ namespace {
 
 static_assert(RTC_MAX_INSTANCE_LEVEL_COUNT == 1, "one level of instances is all that scene_builder.cpp makes");
 
-// Packets are handed to Embree as they are.
+// Packets are passed to Embree without conversion.
 static_assert(kNoId == RTC_INVALID_GEOMETRY_ID);
 static_assert(sizeof(RayPacket) == sizeof(RTCRay16) && alignof(RayPacket) == alignof(RTCRay16));
 static_assert(offsetof(RayPacket, tnear) == offsetof(RTCRay16, tnear) &&
@@ -19,7 +19,7 @@ static_assert(offsetof(HitPacket, primID) == offsetof(RTCHit16, primID) &&
               offsetof(HitPacket, instID) == offsetof(RTCHit16, instID));
 static_assert(offsetof(RayHitPacket, hit) == offsetof(RTCRayHit16, hit));
 
-// A 16-packet and its two 8-packet halves hold the same fields in the same order, each field an array of 16 or 8 words.
+// A 16-packet and its two 8-packet halves hold the same fields in the same order. Each field is an array of 16 or 8 words.
 template <class Wide, class Half>
 void take_half(const Wide& wide, int half, Half& out) {
   constexpr std::size_t fields = sizeof(Half) / (8 * sizeof(float));
@@ -144,7 +144,7 @@ void occluded(RTCScene scene, int native_width, const LaneMask& active, RayPacke
   arguments.context = &context.embree;
   const auto query = &arguments;
 #else
-  rtcInitIntersectContext(&context.embree);  // not coherent: rtcOccluded16 with that flag was seen to hang in Embree 3.13
+  rtcInitIntersectContext(&context.embree);  // not coherent: rtcOccluded16 with that flag can hang in Embree 3.13
   const auto query = &context.embree;
 #endif
   if (native_width != 8) {

@@ -1,8 +1,8 @@
-// The only header that includes Embree: device and scene ownership, 16-ray packets, and the few calls that differ between
-// Embree 3.13 and 4.
+// The only header that includes Embree: device and scene ownership, 16-ray packets, and the calls that differ between Embree
+// 3.13 and 4.
 //
-// Packets are 16 rays wide everywhere. Where the machine is native at 8 (AVX2) a packet is traced as two halves, so that user
-// geometry still sees whole native packets; elsewhere Embree splits it itself.
+// Packets are 16 rays wide everywhere. On machines with 8 native lanes (AVX2), a packet is traced as two halves, so user
+// geometry callbacks still get whole native packets. On other machines, Embree splits packets itself.
 #pragma once
 
 #if __has_include(<embree4/rtcore.h>)
@@ -45,32 +45,32 @@ using EmbreeDevice = EmbreeHandle<RTCDevice, rtcReleaseDevice>;
 using EmbreeScene = EmbreeHandle<RTCScene, rtcReleaseScene>;
 using EmbreeGeometry = EmbreeHandle<RTCGeometry, rtcReleaseGeometry>;
 
-/// The packet width at which this device keeps packets whole: 16, 8 or 4.
+/// Returns the packet width that the device supports natively: 16, 8 or 4.
 int native_packet_width(RTCDevice device);
 
-/// A context for occlusion queries that gather transmittance through see-through surfaces (geometry filters multiply it).
+/// A context for occlusion queries. Geometry filters multiply its transmittance at see-through surfaces.
 struct ShadowContext {
 #if RTC_VERSION_MAJOR >= 4
   RTCRayQueryContext embree;
 #else
   RTCIntersectContext embree;
 #endif
-  // `embree` comes first: Embree hands its address to filters, which take it for the whole. A ray's id is its lane.
+  // `embree` must come first: Embree passes its address to filters, which cast it to this type. A ray's id is its lane.
   alignas(64) float transmittance[kLanes];
-  Lanes3 tint;  ///< multiplies it where is_tinted
+  Lanes3 tint;  ///< multiplies the transmittance if is_tinted is set
   bool is_tinted = false;
-  const SceneGeometry* geometry = nullptr;  ///< what filters of meshes look hits up in
+  const SceneGeometry* geometry = nullptr;  ///< filters of meshes look up hits here
 };
 
-/// The active lanes whose rays are numbers, and whose coordinates lie within `reach`: less than kLargestReach where instances
-/// magnify them. What is left out meets nothing. Scenes and optics are checked when they are loaded, but products of sound
-/// numbers may still overflow on a ray's way.
+/// Returns the active lanes whose rays have finite coordinates within `reach`, which is less than kLargestReach if instances
+/// magnify coordinates. Other lanes hit nothing. Scenes and optics are checked at load time, but products of valid numbers may
+/// still overflow.
 LaneMask sound_lanes(const RayPacket& rays, float reach, const LaneMask& active);
 
-/// Traces the active lanes, all of them sound; tfar and the hit of a lane change where something nearer than its tfar is met.
+/// Traces the active lanes, which must be sound. Changes tfar and the hit of a lane if there is a hit nearer than its tfar.
 void intersect(RTCScene scene, int native_width, const LaneMask& active, RayHitPacket& packet, Coherence coherence);
 
-/// A context for queries that gather splats. `embree` comes first, as in ShadowContext; a ray's id is its lane.
+/// A context for queries that collect splats. `embree` must come first, as in ShadowContext; a ray's id is its lane.
 struct SplatContext {
 #if RTC_VERSION_MAJOR >= 4
   RTCRayQueryContext embree;
@@ -80,11 +80,11 @@ struct SplatContext {
   SplatHits* hits = nullptr;
 };
 
-/// Calls the geometries' intersect functions for what the active lanes, all of them sound, come near.
+/// Calls the geometries' intersect functions for all candidates of the active lanes, which must be sound.
 void gather(RTCScene scene, int native_width, const LaneMask& active, RayHitPacket& packet, SplatContext& context);
 
-/// Sets tfar of an active lane, all of them sound, to -inf where something lies between tnear and tfar.
-/// `context.transmittance` must hold 1 for fresh lanes; it shrinks by each see-through surface passed.
+/// Sets tfar to -inf for active lanes that are occluded between tnear and tfar. The lanes must be sound. Initialize
+/// `context.transmittance` to 1; each see-through surface multiplies it.
 void occluded(RTCScene scene, int native_width, const LaneMask& active, RayPacket& packet, ShadowContext& context);
 
 }  // namespace lippmann

@@ -1,9 +1,9 @@
-// Which Embree the program was built with.
+// The version of Embree that the program was built with.
 #pragma once
 
 namespace lippmann {
 
-/// As in "3.13.5".
+/// Returns the version, such as "3.13.5".
 const char* embree_version();
 
 }  // namespace lippmann

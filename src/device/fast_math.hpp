@@ -1,4 +1,4 @@
-// Logarithm and powers in a form that vectorises, which the library's do not: good to 1e-6.
+// Logarithm and powers that the compiler can vectorise, unlike those of the standard library. The error is at most 1e-6.
 #pragma once
 
 #include <bit>
@@ -9,10 +9,10 @@
 
 namespace lippmann {
 
-/// For x > 0, not denormal; exact at powers of two.
+/// Returns log2(x) for x > 0 that is not denormal. Exact at powers of two.
 LIPPMANN_INLINE float fast_log2(float x) {
   const auto bits = std::bit_cast<std::int32_t>(x);
-  // Exponent so that the mantissa lies in [sqrt(1/2), sqrt(2)).
+  // Choose the exponent so that the mantissa lies in [sqrt(1/2), sqrt(2)).
   const std::int32_t exponent = (bits - 0x3f3504f3) >> 23;
   const float m = std::bit_cast<float>(bits - (exponent << 23));
   // log2(m) = 2 / ln 2 (s + s^3/3 + s^5/5 + ...), s = (m - 1) / (m + 1), |s| < 0.172.
@@ -21,7 +21,7 @@ LIPPMANN_INLINE float fast_log2(float x) {
   return static_cast<float>(exponent) + series;
 }
 
-/// For x < 127; below -126 as at -126.
+/// Returns 2^x for x < 127. Values below -126 are clamped.
 LIPPMANN_INLINE float fast_exp2(float x) {
   const float clamped = x < -126.0f ? -126.0f : x;
   const float whole = std::floor(clamped + 0.5f);
@@ -31,7 +31,7 @@ LIPPMANN_INLINE float fast_exp2(float x) {
   return std::bit_cast<float>((static_cast<std::int32_t>(whole) + 127) << 23) * p;
 }
 
-/// x^y for x > 0, not denormal.
+/// Returns x^y for x > 0 that is not denormal.
 LIPPMANN_INLINE float fast_pow(float x, float y) { return fast_exp2(y * fast_log2(x)); }
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Sixteen rays side by side: the arrays that every kernel of this part loops over.
+// Groups of sixteen values, one per ray of a packet. Every kernel of this part loops over them.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,13 @@
 namespace lippmann {
 
 inline constexpr int kLanes = 16;
-/// Packets that so many rays fill.
+/// Returns the number of packets for a number of rays.
 constexpr std::size_t packets_of(std::size_t rays) { return (rays + kLanes - 1) / kLanes; }
-/// A loop over the lanes of a packet, each iteration on its own: without the promise the compiler has to assume that the
-/// arrays of one packet overlap those of another, and gives up vectorising.
+/// A loop over the lanes of a packet with independent iterations. Without the pragma, the compiler must assume that the arrays
+/// of a packet overlap and does not vectorise.
 #define LIPPMANN_FOR_LANES(i) _Pragma("GCC ivdep") for (int i = 0; i < kLanes; ++i)
 
-/// Per-lane activity: -1 traced, 0 left alone.
+/// Active lanes: -1 active, 0 inactive.
 struct alignas(64) LaneMask {
   int lane[kLanes];
 };

@@ -1,8 +1,8 @@
-// Where a ray meets an analytic shape: exact spheres, open cylinders, rings, boxes, planes, prepared in world space.
+// Ray intersections with analytic shapes in world space: exact spheres, open cylinders, rings, boxes and planes.
 //
-// Each `distance(primitive, ray)` gives the parameter t of the nearest crossing with t_near < t < t_far, or +infinity. The
-// functions are scalar and branch-free on purpose: called in loops over the lanes of a packet they vectorise.
-// Directions need not be unit length, except where a primitive says so.
+// Each `distance(primitive, ray)` returns the parameter t of the nearest intersection with t_near < t < t_far, or +infinity.
+// The functions are scalar and branch-free, so that loops over the lanes of a packet vectorise. Directions need not have unit
+// length, unless a primitive requires it.
 #pragma once
 
 #include <cstdint>
@@ -21,16 +21,16 @@ LIPPMANN_INLINE float nearest_valid(float t0, float t1, bool valid0, bool valid1
   return valid0 ? t0 : second;
 }
 
-/// Rays of unit length only.
+/// Requires rays of unit length.
 struct WorldSphere {
   float x, y, z, radius;
 };
 
-/// The discriminant comes from the part of (centre - origin) perpendicular to the ray, which stays accurate for small, far
-/// spheres: Haines, Gunther, Akenine-Moller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019.
+/// The discriminant uses the part of (centre - origin) perpendicular to the ray, which stays accurate for small, far spheres:
+/// Haines, Gunther, Akenine-Moller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019.
 struct SphereCrossing {
   float middle;        ///< t of the ray's point closest to the centre
-  float discriminant;  ///< square of half the chord; < 0: none
+  float discriminant;  ///< squared half length of the chord; < 0: no intersection
 };
 
 LIPPMANN_INLINE SphereCrossing crossing(const WorldSphere& s, const LaneRay& r) {
@@ -50,13 +50,13 @@ LIPPMANN_INLINE float distance(const WorldSphere& s, const LaneRay& r) {
   return nearest_valid(t0, t1, real & (t0 > r.t_near) & (t0 < r.t_far), real & (t1 > r.t_near) & (t1 < r.t_far));
 }
 
-/// Whether the ray crosses the surface at all: for shadows.
+/// Returns whether the ray intersects the surface. Used for shadows.
 template <class Primitive>
 LIPPMANN_INLINE bool crosses(const Primitive& primitive, const LaneRay& r) {
   return distance(primitive, r) < kInfinity;
 }
 
-/// Without the root: t0 = b - half > t_near where b - t_near > half, and so on.
+/// Avoids the square root: t0 = b - half > t_near is equivalent to b - t_near > half, and so on.
 LIPPMANN_INLINE bool crosses(const WorldSphere& s, const LaneRay& r) {
   const auto [b, squared] = crossing(s, r);
   const float past_near = b - r.t_near, past_far = b - r.t_far;
@@ -76,7 +76,7 @@ LIPPMANN_INLINE float distance(const WorldCylinder& c, const LaneRay& r) {
   const float ox = r.ox - c.x, oy = r.oy - c.y, oz = r.oz - c.z;
   const float o_axial = ox * c.ax + oy * c.ay + oz * c.az;
   const float d_axial = r.dx * c.ax + r.dy * c.ay + r.dz * c.az;
-  // Everything perpendicular to the axis: a circle in the plane.
+  // Project to the plane perpendicular to the axis, where the cylinder is a circle.
   const float mx = r.dx - d_axial * c.ax, my = r.dy - d_axial * c.ay, mz = r.dz - d_axial * c.az;
   const float qx = ox - o_axial * c.ax, qy = oy - o_axial * c.ay, qz = oz - o_axial * c.az;
   const float a = mx * mx + my * my + mz * mz;
@@ -92,7 +92,7 @@ LIPPMANN_INLINE float distance(const WorldCylinder& c, const LaneRay& r) {
                        real & (t1 > r.t_near) & (t1 < r.t_far) & (h1 >= 0.0f) & (h1 <= c.length));
 }
 
-/// n . p = offset.
+/// The plane n . p = offset.
 struct WorldPlane {
   float nx, ny, nz, offset;
 };
@@ -100,7 +100,7 @@ struct WorldPlane {
 LIPPMANN_INLINE float distance(const WorldPlane& p, const LaneRay& r) {
   const float along = p.nx * r.dx + p.ny * r.dy + p.nz * r.dz;
   const float height = p.offset - (p.nx * r.ox + p.ny * r.oy + p.nz * r.oz);
-  const float t = height / along;  // parallel: +-inf or NaN, neither of which passes the test
+  const float t = height / along;  // parallel: +-inf or NaN, which both fail the test
   const bool valid = (t > r.t_near) & (t < r.t_far);
   return valid ? t : kInfinity;
 }
@@ -118,7 +118,7 @@ LIPPMANN_INLINE float distance(const WorldRing& g, const LaneRay& r) {
   return valid ? t : kInfinity;
 }
 
-/// The cube [-1, 1]^3 under an affine map.
+/// The image of the cube [-1, 1]^3 under an affine map.
 struct WorldBox {
   float m[9];  ///< box_from_world, linear part, columns
   float t[3];  ///< box_from_world, translation
@@ -155,7 +155,7 @@ Bounds3f bounds(const WorldCylinder& c);
 Bounds3f bounds(const WorldRing& g);
 Bounds3f bounds(const WorldBox& b);
 
-/// Outward (for rings and planes: the stored) normal at a point of the surface; not normalised.
+/// Returns the outward normal (for rings and planes, the stored one) at a surface point, not normalised.
 LIPPMANN_INLINE Vec3f normal_at(const WorldSphere& s, Vec3f p) { return {p.x - s.x, p.y - s.y, p.z - s.z}; }
 LIPPMANN_INLINE Vec3f normal_at(const WorldCylinder& c, Vec3f p) {
   const Vec3f axis(c.ax, c.ay, c.az), q = p - Vec3f(c.x, c.y, c.z);
@@ -163,9 +163,10 @@ LIPPMANN_INLINE Vec3f normal_at(const WorldCylinder& c, Vec3f p) {
 }
 LIPPMANN_INLINE Vec3f normal_at(const WorldRing& g, Vec3f) { return {g.nx, g.ny, g.nz}; }
 LIPPMANN_INLINE Vec3f normal_at(const WorldPlane& p, Vec3f) { return {p.nx, p.ny, p.nz}; }
-/// The face that p lies on: the axis of its largest box coordinate.
+/// Returns the normal of the face that contains p: the axis of the largest box coordinate.
 Vec3f normal_at(const WorldBox& b, Vec3f p);
-/// Tachyon's rule: the world axis of the largest |p - centre|, which differs from the face on elongated boxes.
+/// Returns the normal by Tachyon's rule: the world axis of the largest |p - centre|, which differs from the face's normal on
+/// elongated boxes.
 Vec3f tachyon_box_normal(const WorldBox& b, Vec3f p);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Keeps packets that a Whitted frame traces, so that a benchmark can trace the very same rays with nothing around them.
+// Records the packets of a Whitted frame, so that a benchmark can trace the same rays in isolation.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 namespace lippmann {
 
 struct LoggedPacket {
-  RayPacket rays;  ///< as handed to Embree: after planes have shortened them
+  RayPacket rays;  ///< as passed to Embree, after planes have shortened them
   LaneMask active;
   bool shadow = false;
   Coherence coherence = Coherence::kIncoherent;
@@ -16,7 +16,7 @@ struct LoggedPacket {
 
 using RayLog = std::vector<LoggedPacket>;
 
-/// Rays whose nearest hits are asked for.
+/// Returns a record of rays traced for their nearest hits.
 inline LoggedPacket logged(const RayPacket& rays, const LaneMask& active, Coherence coherence) {
   LoggedPacket packet{rays, active, false, coherence};
   make_ready(packet.rays);

@@ -1,14 +1,14 @@
-// Sixteen rays that are traced together, and what they have met.
+// A packet of sixteen rays and their hits.
 //
-// Words lie as Embree has them, so that packets are handed over as they are (embree_shim.cpp checks it), but no header names
-// Embree.
+// The memory layout is Embree's, so packets are passed on without conversion (embree_shim.cpp checks this), but no header
+// depends on Embree.
 #pragma once
 
 #include "device/lanes.hpp"
 
 namespace lippmann {
 
-/// A ray has an origin, a direction, tnear and tfar; the other words are the device's.
+/// The caller sets origin, direction, tnear and tfar. make_ready() sets the other fields, which are internal to the device.
 struct alignas(64) RayPacket {
   float org_x[kLanes], org_y[kLanes], org_z[kLanes], tnear[kLanes];
   float dir_x[kLanes], dir_y[kLanes], dir_z[kLanes], time[kLanes];
@@ -16,7 +16,7 @@ struct alignas(64) RayPacket {
   unsigned mask[kLanes], id[kLanes], flags[kLanes];
 };
 
-/// Sets the words that are the device's.
+/// Sets the fields that are internal to the device.
 LIPPMANN_INLINE void make_ready(RayPacket& rays) {
   LIPPMANN_FOR_LANES(i) {
     rays.time[i] = 0.0f;
@@ -26,12 +26,12 @@ LIPPMANN_INLINE void make_ready(RayPacket& rays) {
   }
 }
 
-/// Valid where geomID is not kNoId.
+/// Valid in lanes with a geomID other than kNoId.
 struct alignas(64) HitPacket {
-  float Ng_x[kLanes], Ng_y[kLanes], Ng_z[kLanes];  ///< normal of the facet, of any length; in mesh space where it is placed
+  float Ng_x[kLanes], Ng_y[kLanes], Ng_z[kLanes];  ///< normal of the facet, any length; in mesh space for placed meshes
   float u[kLanes], v[kLanes];                      ///< barycentric coordinates of a triangle's second and third corner
   unsigned primID[kLanes], geomID[kLanes], instID[1][kLanes];
-  unsigned reserved[kLanes];  ///< written by devices that know arrays of instances
+  unsigned reserved[kLanes];  ///< written by versions of Embree that support instance arrays
 };
 
 struct alignas(64) RayHitPacket {
@@ -39,19 +39,20 @@ struct alignas(64) RayHitPacket {
   HitPacket hit;
 };
 
-/// Makes a packet ready whose rays have met nothing yet.
+/// Prepares a packet for tracing and clears its hits.
 void clear_hits(RayHitPacket& packet);
 
 inline constexpr unsigned kNoId = 0xffffffffu;
-/// Geometry ids from here on name infinite planes.
+/// Geometry ids from this value on are infinite planes.
 inline constexpr unsigned kPlaneId = 0x80000000u;
-/// Geometry ids from here on name visible lights.
+/// Geometry ids from this value on are visible lights.
 inline constexpr unsigned kLightId = 0xC0000000u;
 
-/// Bits of RayPacket::mask: a ray meets geometries whose mask has one of its bits. Other rays meet all.
+/// Bits of RayPacket::mask. A ray intersects geometries whose mask shares a bit with the ray's. All other rays have all bits
+/// set.
 inline constexpr unsigned kCameraRay = 1, kShadowRay = 2;
 
-/// Whether the rays of a packet go about the same way.
+/// Whether the rays of a packet have similar directions.
 enum class Coherence { kCoherent, kIncoherent };
 
 }  // namespace lippmann

@@ -29,7 +29,7 @@ LIPPMANN_INLINE void record_hit(RayHitPacket& packet, const LaneMask& active, in
   packet.hit.instID[0][i] = hit ? kNoId : packet.hit.instID[0][i];
 }
 
-/// Meets the infinite planes: shortens tfar and records hits with the plane's id, kPlaneId + its index.
+/// Intersects the infinite planes: shortens tfar and records hits with the id kPlaneId + index.
 LIPPMANN_MULTIVERSION void meet_planes(const WorldPlaneRecord* planes, std::size_t count, const LaneMask& active,
                                        RayHitPacket& packet) {
   for (std::size_t p = 0; p < count; ++p) {
@@ -39,13 +39,13 @@ LIPPMANN_MULTIVERSION void meet_planes(const WorldPlaneRecord* planes, std::size
   }
 }
 
-/// Makes rays of cameras blind to what is hidden from these.
+/// Sets the masks of camera rays, so that they miss objects hidden from cameras.
 LIPPMANN_INLINE void hide(const LaneMask& of_cameras, RayPacket& rays) {
   LIPPMANN_FOR_LANES(i) rays.mask[i] = of_cameras.lane[i] != 0 ? kCameraRay : ~0u;
 }
 
-/// Whether any ray's line comes as close to a visible light as its radius: a small part of the work of meeting it, and most
-/// packets see no light.
+/// Returns whether the line of any ray touches a visible light. This test is much cheaper than an intersection, and most
+/// packets miss all lights.
 LIPPMANN_INLINE int points_at(const WorldSphere ball, const RayPacket& rays) {
   int any = 0;
   LIPPMANN_FOR_LANES(i) any |= discriminant(ball, lane_ray(rays, i)) >= 0.0f ? -1 : 0;
@@ -62,8 +62,8 @@ LIPPMANN_MULTIVERSION void meet_lights(const WorldSphere* lights, std::size_t co
   }
 }
 
-/// Ends the active rays that cross an opaque plane, weakens those that cross a see-through one; returns which are still lit,
-/// and whether any is.
+/// Ends the active rays that cross an opaque plane, and attenuates those that cross a see-through one. Fills `lit` with the
+/// remaining lanes and returns whether there are any.
 LIPPMANN_MULTIVERSION int cross_planes(const WorldPlaneRecord* planes, std::size_t count, const LaneMask& active,
                                        RayPacket& rays, Lanes& transmittance, LaneMask& lit) {
   for (std::size_t p = 0; p < count; ++p) {
@@ -83,8 +83,8 @@ LIPPMANN_MULTIVERSION int cross_planes(const WorldPlaneRecord* planes, std::size
   return any;
 }
 
-// How far secondary rays start from their surface. Tachyon's scenes: 1e-4 as measured against it. Others: relative to their
-// size, some ten times the rounding error of a hit point.
+// Returns the start distance of secondary rays. For Tachyon scenes it is 1e-4, measured against Tachyon's images. For others it
+// is relative to the scene's size, about ten times the rounding error of a hit point.
 float choose_t_near(const Scene& scene, const Bounds3f& b) {
   if (scene.encoding == Encoding::kTachyonTruncate) return 1e-4f;
   return b.empty() ? 1e-4f : 1e-5f * glm::length(b.size());

@@ -1,7 +1,7 @@
-// What rays meet: the only entrance to the device that traces them. A device is this class and the files of this part: update()
-// moves a scene, trace() and trace_shadows() follow rays through it.
+// The interface of the ray tracing device. The device consists of this class and the files of this part: update() moves the
+// scene, trace() and trace_shadows() trace rays.
 //
-// What hits refer to (records, planes) is public: shading reads it. The device's own structures are not.
+// The data that hits refer to (records, planes) is public, because shading reads it. The device's own structures are private.
 #pragma once
 
 #include <memory>
@@ -17,34 +17,34 @@
 
 namespace lippmann {
 
-/// Built once per scene, updated once per frame. What never moves is built once; what moves rigidly is moved, not rebuilt.
-/// Tracing reads it from any number of threads; update() must not overlap with it.
+/// Build once per scene and update once per frame. Static objects are built once; rigidly moving objects are transformed, not
+/// rebuilt. Any number of threads may trace concurrently; update() must not overlap with tracing.
 class RayScene : public SceneGeometry {
  public:
-  /// Stands at the timeline's first moment. `scene` outlives it, as do the casters that `materials` gives.
+  /// Shows the first moment of the timeline. `scene` and the data used by the casters of `materials` must outlive this object.
   RayScene(const Scene& scene, const ResolvedScene& resolved, const ShadowMaterials& materials, const ThreadPool& pool);
   ~RayScene();
   RayScene(const RayScene&) = delete;
   RayScene& operator=(const RayScene&) = delete;
 
-  /// Moves everything to where `resolved` has it.
+  /// Moves all objects to their places in `resolved`.
   void update(const ResolvedScene& resolved, const ThreadPool& pool);
 
-  /// The nearest hit of each active lane: tfar becomes its distance, and stays where there is none. of_cameras: the lanes whose
-  /// rays come from cameras, with nothing but holes on their way, and do not meet what is hidden from these; null: none.
+  /// Finds the nearest hit of each active lane and sets tfar to its distance; tfar stays unchanged without a hit. of_cameras:
+  /// lanes with camera rays that have passed only holes; these ignore objects hidden from cameras. Null: no lanes.
   void trace(const LaneMask& active, RayHitPacket& packet, Coherence coherence, const LaneMask* of_cameras = nullptr) const;
 
-  /// Sets tfar of active lanes to -inf where something opaque lies between tnear and tfar, and multiplies their transmittance
-  /// by what see-through surfaces let pass: `white` is read and written, the tint begins anew. Takes lanes whose rays are no
-  /// numbers out of `active`: they get no light.
+  /// Sets tfar to -inf for active lanes that are occluded by an opaque surface between tnear and tfar, and multiplies the
+  /// transmittance of the others by that of see-through surfaces. Reads and writes `white`; resets the tint. Removes lanes with
+  /// invalid rays from `active`, so they receive no light.
   void trace_shadows(LaneMask& active, RayPacket& rays, Transmittance& transmittance) const;
 
   bool has_splats() const { return !splats.splats.empty(); }
-  /// The splats on the active rays' way from tnear to tfar, as far as something shines through those before them.
+  /// Collects the splats along the active rays from tnear to tfar, until the transmittance falls below kDark.
   void meet_splats(const LaneMask& active, const RayPacket& rays, SplatHits& hits) const;
 
   struct Embree;
-  const Embree& embree() const { return *embree_; }  ///< for this part and benchmarks of it
+  const Embree& embree() const { return *embree_; }  ///< for this part and its benchmarks
 
  private:
   std::unique_ptr<Embree> embree_;

@@ -1,4 +1,4 @@
-// Makes Embree's scenes of a description, and moves what moves.
+// Builds Embree's scenes from a scene description, and moves objects.
 #include <algorithm>
 #include <map>
 
@@ -13,23 +13,23 @@
 namespace lippmann {
 namespace {
 
-// A fixed mesh shown more than once is flattened all the same while the copies stay below this; above, Embree instances share
-// it.
+// Fixed meshes with several instances are flattened up to this total number of triangles. Larger ones are shared by Embree
+// instances.
 constexpr std::size_t kFlattenTriangles = 200'000;
 
-/// Rays are followed at least so far, in sizes of the scene, whatever instances magnify them.
+/// Minimum reach of rays, in sizes of the scene, however much instances magnify them.
 constexpr float kLeastReach = 1000.0f;
 
-/// Robust: of rays that run along an edge that two triangles share, one in ten would else pass between them: Embree's faster
-/// test rounds an edge differently from either side.
+/// Makes a scene with robust intersection. Without it, one in ten rays along an edge shared by two triangles passes between
+/// them, because Embree's faster test rounds the edge differently from both sides.
 EmbreeScene make_scene(RTCDevice device, RTCSceneFlags flags) {
   EmbreeScene scene(rtcNewScene(device));
   rtcSetSceneFlags(scene.get(), flags | RTC_SCENE_FLAG_ROBUST);
   return scene;
 }
 
-/// Turns normals as the inverse transpose does, up to their length, and keeps them on the outer side; also where a node
-/// flattens its shape, which leaves no inverse. Columns: cross products of the others.
+/// Returns a matrix that transforms normals like the inverse transpose, up to length, and keeps them on the outer side. It also
+/// works for singular matrices. Its columns are cross products of the other columns.
 Mat3f outward_normals(const Mat3f& m) {
   const Mat3f cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
   return glm::determinant(m) < 0.0f ? -cofactors : cofactors;
@@ -40,21 +40,21 @@ Vec3f normalized_or(Vec3f v, Vec3f otherwise) {
   return length > 0.0f ? v / length : otherwise;
 }
 
-/// Whether a node scales its shape to nothing, or flattens it: rays cannot be taken into its space.
+/// Returns whether a node's scale is 0 along an axis, so that rays cannot be transformed to its space.
 bool is_singular(const Mat3f& m) {
   const float volume = std::abs(glm::determinant(m));
   return !(volume > 1e-12f * glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]));
 }
 
-/// The coordinates up to which rays stay within kLargestReach when they are taken into a node's space.
+/// Returns the largest ray coordinate that stays within kLargestReach when transformed to a node's space.
 float reach_of(const Affine3f& mesh_from_world) {
   const Mat3f& m = mesh_from_world.linear;
   const Vec3f sums = glm::abs(m[0]) + glm::abs(m[1]) + glm::abs(m[2]), moved = glm::abs(mesh_from_world.translation);
   const float factor = std::max({1.0f, sums.x, sums.y, sums.z}), offset = std::max({moved.x, moved.y, moved.z});
-  return std::max(0.0f, (kLargestReach - offset) / factor);  // 0 for what is not a number
+  return std::max(0.0f, (kLargestReach - offset) / factor);  // 0 for NaN
 }
 
-/// Assigns record ids while it attaches geometries.
+/// Attaches geometries and assigns record ids.
 class SceneBuilder {
  public:
   SceneBuilder(const BuiltScene& built, const ResolvedScene& resolved, const ShadowMaterials& materials, const ThreadPool& pool)
@@ -135,9 +135,9 @@ class SceneBuilder {
     for (Vec3f& p : world->positions) p = transform_point(place, p);
     const Mat3f normal_matrix = outward_normals(place.linear);
     for (Vec3f& n : world->normals) n = normalized_or(normal_matrix * n, n);
-    const float turned = glm::determinant(place.linear) < 0.0f ? -1.0f : 1.0f;  // a mirror turns the bitangent around
+    const float turned = glm::determinant(place.linear) < 0.0f ? -1.0f : 1.0f;  // mirroring reverses the bitangent
     for (Vec4f& t : world->tangents) t = Vec4f(normalized_or(place.linear * Vec3f(t), Vec3f(t)), turned * t.w);
-    if (glm::determinant(place.linear) < 0.0f)  // mirrored: the order of corners tells the outer side, as the normals do
+    if (glm::determinant(place.linear) < 0.0f)  // mirrored: reverse the winding, so that it agrees with the normals
       for (auto& triangle : world->triangles) std::swap(triangle[1], triangle[2]);
     const EmbreeGeometry geometry = make_triangles(*world, index);
     set_rays_met(geometry.get(), index);
@@ -153,7 +153,7 @@ class SceneBuilder {
   }
 
   void add_placed(const Mesh& mesh, const Instance& instance, std::uint32_t index, bool moving, const Affine3f& place) {
-    // One scene per mesh and material: the shadow filter that a see-through material needs belongs to the geometry.
+    // One scene per mesh and material, because a see-through material's shadow filter belongs to the geometry.
     EmbreeScene& mesh_scene = embree_.mesh_scenes[{instance.shape, instance.material}];
     if (!mesh_scene) {
       mesh_scene = make_scene(embree_.device.get(), RTC_SCENE_FLAG_NONE);
@@ -197,12 +197,12 @@ class SceneBuilder {
       filter_shadows(geometry.get(), *caster);
       embree_.shadow_casters.push_back(std::move(caster));
     }
-    rtcSetGeometryMask(geometry.get(), ~0u);  // of Embree 4, a geometry's own mask has one bit
+    rtcSetGeometryMask(geometry.get(), ~0u);  // in Embree 4, a geometry's own mask has one bit
     rtcCommitGeometry(geometry.get());
     return geometry;
   }
 
-  /// Which rays meet the instance.
+  /// Sets the mask that selects which rays intersect the instance.
   void set_rays_met(RTCGeometry geometry, std::uint32_t index) const {
     const Instance& instance = scene_.instances[index];
     const unsigned hidden_from =
@@ -280,10 +280,11 @@ class SceneBuilder {
   std::map<int, int> uses_;
 };
 
-/// least_reach: what would shorten the reach of rays below it is hidden, too: it is scaled to as good as nothing.
+/// Places a mesh instance. Hides it if it is singular or if it would reduce the reach of rays below least_reach, because its
+/// scale is then practically 0.
 void place(GeometryRecord& record, RTCGeometry geometry, const Affine3f& world_from_mesh, float least_reach) {
   record.reach = reach_of(inverse(world_from_mesh));
-  if (is_singular(world_from_mesh.linear) || !(record.reach >= least_reach)) {  // animations hide things so
+  if (is_singular(world_from_mesh.linear) || !(record.reach >= least_reach)) {  // animations hide objects by scaling them to 0
     record.reach = kLargestReach;
     record.hidden = true;
     rtcDisableGeometry(geometry);
@@ -309,7 +310,7 @@ float least_reach_of(const std::vector<GeometryRecord>& records) {
   return reach;
 }
 
-/// Re-derives the world primitives of one table, in the order in which the builder added them.
+/// Updates the world-space primitives of one table, in the order in which the builder added them.
 template <class Source, class Primitive>
 void move_primitives(PrimitiveTable<Primitive>& table, const EmbreeGeometry& geometry, const Scene& scene,
                      const ResolvedScene& resolved) {

@@ -3,7 +3,8 @@
 namespace lippmann {
 namespace {
 
-/// Ids of what is attached to a scene are records. Of placed meshes, Embree shows the ray as the mesh sees it.
+/// Returns the hit of ray i. Ids of geometries attached to a scene are record ids. For placed meshes, Embree passes the ray in
+/// mesh space.
 ShadowHit shadow_hit(const RTCFilterFunctionNArguments* args, const SceneGeometry& geometry, unsigned i) {
   const unsigned placed = RTCHitN_instID(args->hit, args->N, i, 0);
   const GeometryRecord& record = geometry.records[placed != kNoId ? placed : RTCHitN_geomID(args->hit, args->N, i)];
@@ -16,7 +17,7 @@ ShadowHit shadow_hit(const RTCFilterFunctionNArguments* args, const SceneGeometr
           record.placed ? record.world_from_mesh.linear * direction : direction};
 }
 
-/// Ray ids are lanes.
+/// Multiplies the transmittance of a lane. Ray ids are lanes.
 void weaken(ShadowContext& context, unsigned lane, Vec3f passes) {
   if (passes.x == passes.y && passes.y == passes.z) {
     context.transmittance[lane] *= passes.x;

@@ -1,4 +1,4 @@
-// How shadow rays pass a mesh that is not opaque everywhere: what Embree asks at every hit.
+// The filter that lets shadow rays pass meshes that are not fully opaque.
 #pragma once
 
 #include "device/embree_shim.hpp"
@@ -6,8 +6,8 @@
 
 namespace lippmann {
 
-/// Makes shadow rays ask `caster`, which outlives the geometry: they are weakened (ShadowContext), and ended only where nothing
-/// passes.
+/// Calls `caster` for each hit of a shadow ray with the geometry. Hits attenuate the ray (ShadowContext) and end it only at a
+/// transmittance of 0. `caster` must outlive the geometry.
 void filter_shadows(RTCGeometry geometry, const ShadowCaster& caster);
 
 }  // namespace lippmann

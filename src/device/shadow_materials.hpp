@@ -1,4 +1,4 @@
-// What the device has to know of materials: how much light their surfaces let pass on its straight way.
+// The interface to materials for shadow rays: how much light passes surfaces straight on.
 #pragma once
 
 #include <cstdint>
@@ -10,29 +10,29 @@
 
 namespace lippmann {
 
-/// Where a shadow ray meets a mesh.
+/// A hit of a shadow ray on a mesh.
 struct ShadowHit {
   const GeometryRecord& record;
   std::uint32_t triangle;
-  Vec2f barycentric;  ///< weights of the triangle's second and third corners
-  Vec3f facet;        ///< its normal on the outer side, in the space of the record's mesh, of any length
-  Vec3f direction;    ///< the ray's, towards the light, in world space
+  Vec2f barycentric;  ///< weights of the triangle's second and third corner
+  Vec3f facet;        ///< normal of the facet on the outer side, in mesh space, any length
+  Vec3f direction;    ///< direction of the ray, towards the light, in world space
 };
 
-/// What a mesh that is not opaque everywhere lets through. Thread-safe.
+/// The transmittance of a mesh that is not fully opaque. Thread-safe.
 class ShadowCaster {
  public:
   virtual ~ShadowCaster() = default;
-  /// The share of red, green and blue light that passes; 0: light ends there.
+  /// Returns the share of red, green and blue light that passes. 0 ends the ray.
   virtual Vec3f transmittance(const ShadowHit& hit) const = 0;
 };
 
 class ShadowMaterials {
  public:
   virtual ~ShadowMaterials() = default;
-  /// What an instance's whole surface lets through; 0: opaque.
+  /// Returns the transmittance of an instance's whole surface; 0: opaque.
   virtual float transmittance(std::uint32_t instance) const = 0;
-  /// For an instance that shows a mesh; null: opaque.
+  /// Returns the caster of an instance of a mesh, or null if it is opaque.
   virtual std::unique_ptr<ShadowCaster> caster(std::uint32_t instance) const = 0;
 };
 

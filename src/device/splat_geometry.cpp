@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-/// None: nothing of the splat is seen, or its node scales it to as good as nothing, or to something without end.
+/// Returns a splat in world space, or nothing if it is invisible or its node scales it to practically 0 or infinity.
 std::optional<WorldSplat> world_splat(const SplatSet& set, std::uint32_t set_index, std::uint32_t i, const Affine3f& place) {
   const Splats& splats = *set.splats;
   const float reach = reach_of_splat(splats.opacities[i]);
@@ -35,7 +35,7 @@ void splat_bounds(const RTCBoundsFunctionArguments* args) {
   const glm::dmat3 rows = glm::transpose(glm::inverse(to_splat));
   const Vec3f center(splat.x, splat.y, splat.z);
   const Vec3f half = std::sqrt(splat.reach) * Vec3f(glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2]));
-  // Wider by some rounding errors, for rays that graze the ellipsoid and splats that are flat.
+  // Pad for rounding errors, for grazing rays and flat splats.
   const Vec3f pad = 1e-4f * half + 1e-6f * (glm::abs(center) + half);
   const Vec3f lower = center - half - pad, upper = center + half + pad;
   args->bounds_o->lower_x = lower.x, args->bounds_o->upper_x = upper.x;
@@ -43,13 +43,13 @@ void splat_bounds(const RTCBoundsFunctionArguments* args) {
   args->bounds_o->lower_z = lower.z, args->bounds_o->upper_z = upper.z;
 }
 
-/// Where the rays of a packet of n lanes meet a splat.
+/// The hits of a packet of n rays with a splat.
 struct SplatMeeting {
   alignas(64) float t[kLanes], alpha[kLanes];
   alignas(64) int met[kLanes];
 };
 
-/// words: a packet in Embree's layout, arrays of n words. Returns whether any lane meets it.
+/// words: a packet in Embree's layout, arrays of n words. Returns whether any lane hits the splat.
 LIPPMANN_INLINE int meet_in_lanes(const WorldSplat& splat, const int* valid, const float* words, unsigned n,
                                   SplatMeeting& meeting) {
   int any = 0;
@@ -77,7 +77,7 @@ LIPPMANN_MULTIVERSION int meet_splat(const WorldSplat& splat, const int* valid, 
   return meet_in_lanes(splat, valid, words, n, meeting);
 }
 
-/// Its harmonics, which nothing has looked at since the last packet that met it: they come while the rays go on.
+/// Prefetches the splat's harmonics, which are probably not in the cache.
 void fetch_colour(const SplatTable& table, const WorldSplat& splat) {
   constexpr std::size_t kCacheLine = 64;
   const Splats& splats = *table.sets[splat.set].splats;
@@ -90,7 +90,8 @@ void collect_splat(const RTCIntersectFunctionNArguments* args) {
   const auto& table = *static_cast<const SplatTable*>(args->geometryUserPtr);
   auto* words = reinterpret_cast<float*>(args->rayhit);
   const unsigned n = args->N;
-  // The next ones on the curve are the likeliest to be met next. (Beyond the table's end nothing is read.)
+  // The next splats on the space-filling curve are the most likely to be hit next. (Prefetches beyond the table's end are
+  // harmless.)
   for (unsigned ahead = 1; ahead <= 2; ++ahead) __builtin_prefetch(table.splats.data() + args->primID + ahead);
   SplatMeeting meeting;
   if (!meet_splat(table.splats[args->primID], args->valid, words, n, meeting)) return;

@@ -1,4 +1,4 @@
-// Splats as a geometry of Embree's.
+// Splats as an Embree geometry.
 #pragma once
 
 #include "device/embree_scene.hpp"
@@ -6,10 +6,10 @@
 
 namespace lippmann {
 
-/// Fills the table of splats, and Embree's scene of them, for where `resolved` has their nodes.
+/// Fills the table of splats and builds their Embree scene for the node positions in `resolved`.
 void place_splats(const BuiltScene& built, const ResolvedScene& resolved);
 
-/// Adds what the active lanes, all of them sound, meet from tnear to tfar.
+/// Adds the splats that the active lanes hit from tnear to tfar. The lanes must be sound.
 void collect_splats(RTCScene scene, int native_width, const LaneMask& active, RayHitPacket& packet, SplatHits& hits);
 
 }  // namespace lippmann

@@ -1,9 +1,8 @@
-// The splats that sixteen rays meet, nearest first.
+// The splats along sixteen rays, nearest first.
 //
-// A ray's list ends where less than kDark of what lies behind shines through: splats behind that point are not kept, and
-// whoever looks for more of them need not look there. What is in a list in the end depends on the splats alone, not on the
-// order in which they were found: a splat is left out only if those before it are dark already, and more of them before it
-// make it no lighter.
+// A ray's list ends where the transmittance falls below kDark: splats behind that point are dropped, and the search can stop
+// there. The final list does not depend on the order in which splats are found: a splat is only dropped if the splats before it
+// are opaque enough, and more splats before it only lower the transmittance.
 #pragma once
 
 #include <algorithm>
@@ -15,17 +14,17 @@
 
 namespace lippmann {
 
-/// Where less of the light shines through splats, nothing does.
+/// A transmittance below this value counts as 0.
 inline constexpr float kDark = 1.0f / 1024.0f;
 
 struct SplatHit {
-  float t;              ///< where the ray comes nearest to the splat, in standard deviations
-  float alpha;          ///< how much it covers there
-  float left;           ///< the share of light that passes it and all before it
-  std::uint32_t splat;  ///< in SplatTable::splats
+  float t;              ///< distance of the splat's maximum along the ray
+  float alpha;          ///< opacity at this point
+  float left;           ///< transmittance of this splat and all before it
+  std::uint32_t splat;  ///< index in SplatTable::splats
 };
 
-/// Memory is kept from packet to packet.
+/// Reuses its memory from packet to packet.
 class SplatHits {
  public:
   void clear() {
@@ -34,7 +33,8 @@ class SplatHits {
 
   const std::vector<SplatHit>& of(int lane) const { return of_lane_[static_cast<std::size_t>(lane)]; }
 
-  /// Adds a splat to a lane's list, unless those before it are dark. Returns up to where others count, at most `reach`.
+  /// Adds a splat to a lane's list, unless the splats before it are opaque. Returns the distance up to which further splats
+  /// count, at most `reach`.
   float add(std::size_t lane, SplatHit hit, float reach);
 
  private:

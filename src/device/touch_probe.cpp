@@ -8,14 +8,14 @@
 namespace lippmann {
 namespace {
 
-// Boxes are so much wider than given, as a share of their coordinates: more than rounding moves a ray's crossing.
+// Relative padding of the boxes, larger than the rounding errors of ray intersections.
 constexpr float kPadding = 1e-5f;
 
 struct Slab {
   float enter, leave;
 };
 
-/// Directions of 0 count as very small ones: a ray in the slab's plane is within it.
+/// A direction of 0 counts as a tiny one: a ray in the plane of the slab lies within it.
 LIPPMANN_INLINE Slab cross(float lower, float upper, float origin, float direction) {
   const float inverse = std::copysign(1.0f / std::max(std::abs(direction), 1e-20f), direction);
   const float a = (lower - origin) * inverse, b = (upper - origin) * inverse;
@@ -25,8 +25,8 @@ LIPPMANN_INLINE Slab cross(float lower, float upper, float origin, float directi
 LIPPMANN_INLINE float larger(float a, float b) { return a > b ? a : b; }
 LIPPMANN_INLINE float smaller(float a, float b) { return a < b ? a : b; }
 
-/// A ray packet of n lanes in Embree's layout: arrays of n words. Rays that meet a box of horizon 0 end there, as no box can
-/// tell more; the others go on to all boxes on their way. Per ray `lowest` holds the lowest horizon so far.
+/// Intersects n rays in Embree's layout (arrays of n words) with a box. Rays that hit a box with horizon 0 end there, because
+/// no box can be lower; other rays continue. `lowest` holds the lowest horizon per ray.
 LIPPMANN_INLINE void meet_lanes(const Vec3f lower, const Vec3f upper, float horizon, const int* valid, float* words, unsigned n,
                                 float* lowest) {
   const auto* id = reinterpret_cast<const unsigned*>(words + 10 * n);
@@ -44,7 +44,7 @@ LIPPMANN_INLINE void meet_lanes(const Vec3f lower, const Vec3f upper, float hori
 
 }  // namespace
 
-/// Finite ones, padded, and what Embree holds of them.
+/// The padded, finite boxes and their Embree scene.
 struct TouchProbe::Boxes {
   struct Box {
     Vec3f lower, upper;
@@ -65,7 +65,7 @@ void TouchProbe::Boxes::bounds(const RTCBoundsFunctionArguments* args) {
   *args->bounds_o = {box.lower.x, box.lower.y, box.lower.z, 0.0f, box.upper.x, box.upper.y, box.upper.z, 0.0f};
 }
 
-/// The context's number per ray, otherwise a transmittance, is the lowest horizon.
+/// The context's transmittance array holds the lowest horizons.
 void TouchProbe::Boxes::meet(const RTCOccludedFunctionNArguments* args) {
   const Box& box = static_cast<const Box*>(args->geometryUserPtr)[args->primID];
   auto* context = reinterpret_cast<ShadowContext*>(args->context);
@@ -105,7 +105,7 @@ TouchProbe::~TouchProbe() = default;
 std::uint8_t TouchProbe::lowest_met(const RayPacket& rays, const LaneMask& active) const {
   RayPacket packet = rays;
   ShadowContext context;
-  make_ready(packet);  // rays that wait for a shadow test are not yet
+  make_ready(packet);  // shadow rays that are not yet traced are not ready
   std::fill_n(context.transmittance, kLanes, static_cast<float>(everything_));
   if (!boxes_->boxes.empty())
     occluded(boxes_->scene.get(), boxes_->native_width, sound_lanes(packet, kLargestReach, active), packet, context);

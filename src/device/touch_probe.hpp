@@ -10,25 +10,25 @@
 
 namespace lippmann {
 
-/// The boxes, ready for tests. Thread-safe.
+/// The boxes in a form for ray tests. Thread-safe.
 class TouchProbe {
  public:
-  /// On the device of `scene`, which outlives it.
+  /// Uses the device of `scene`, which must outlive this object.
   TouchProbe(const RayScene& scene, const std::vector<HorizonBox>& boxes);
   ~TouchProbe();
   TouchProbe(const TouchProbe&) = delete;
   TouchProbe& operator=(const TouchProbe&) = delete;
 
-  /// The lowest horizon of the boxes that the active rays meet from tnear to tfar: how far they went, or are about to go.
+  /// Returns the lowest horizon of the boxes that the active rays hit from tnear to tfar.
   std::uint8_t lowest_met(const RayPacket& rays, const LaneMask& active) const;
 
  private:
   struct Boxes;
   std::unique_ptr<Boxes> boxes_;
-  std::uint8_t everything_ = TouchedBlocks::kNever;  ///< lowest horizon of the boxes without end
+  std::uint8_t everything_ = TouchedBlocks::kNever;  ///< lowest horizon of the infinite boxes
 };
 
-/// The lowest horizon that the rays of one block have met so far.
+/// The lowest horizon that the rays of one block have hit so far.
 class BlockProbe {
  public:
   explicit BlockProbe(const TouchProbe& probe) : probe_(probe) {}
@@ -36,7 +36,7 @@ class BlockProbe {
   void add(const RayPacket& rays, const LaneMask& active) {
     if (lowest_ > 0) lowest_ = std::min(lowest_, probe_.lowest_met(rays, active));
   }
-  /// What the block has met; from now on about the next one.
+  /// Returns the result for the block and resets the probe for the next one.
   std::uint8_t take() { return std::exchange(lowest_, TouchedBlocks::kNever); }
 
  private:

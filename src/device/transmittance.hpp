@@ -1,16 +1,15 @@
-// What is left of the light along a packet of shadow rays.
+// Transmittance of a packet of shadow rays.
 #pragma once
 
 #include "device/lanes.hpp"
 
 namespace lippmann {
 
-/// White and tint together: most surfaces that let light pass weaken all colours alike, and packets that meet no others never
-/// touch the tint.
+/// The product of white and tint. Most see-through surfaces attenuate all channels equally, so most packets never use the tint.
 struct Transmittance {
-  Lanes white;             ///< 1 for fresh lanes
-  Lanes3 tint;             ///< where is_tinted
-  bool is_tinted = false;  ///< whether any lane is
+  Lanes white;             ///< 1 for new rays
+  Lanes3 tint;             ///< valid if is_tinted is set
+  bool is_tinted = false;  ///< whether any lane has a tint
 
   Vec3f at(int i) const { return is_tinted ? white[i] * tint.get(i) : Vec3f(white[i]); }
 };

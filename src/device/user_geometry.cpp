@@ -12,15 +12,15 @@ void bounds_callback(const RTCBoundsFunctionArguments* args) {
   Bounds3f b = bounds(table.primitives[args->primID]);
   const Vec3f size = b.size();
   const float extent = size.x + size.y + size.z;
-  if (!(extent > 0.0f && std::isfinite(extent))) b = {};  // scaled to nothing: met by no ray
-  // One part in 10^6 wider: a ray that grazes the exact surface must not miss the rounded box.
+  if (!(extent > 0.0f && std::isfinite(extent))) b = {};  // scaled to 0: no ray hits it
+  // Pad by 10^-6, so that a ray that grazes the exact surface does not miss the rounded box.
   const Vec3f pad = 1e-6f * glm::max(glm::abs(b.lower), glm::abs(b.upper));
   args->bounds_o->lower_x = b.lower.x - pad.x, args->bounds_o->upper_x = b.upper.x + pad.x;
   args->bounds_o->lower_y = b.lower.y - pad.y, args->bounds_o->upper_y = b.upper.y + pad.y;
   args->bounds_o->lower_z = b.lower.z - pad.z, args->bounds_o->upper_z = b.upper.z + pad.z;
 }
 
-/// A ray packet of n lanes in Embree's layout: 12 arrays of n words, and for hits 8 more.
+/// A packet of n rays in Embree's layout: 12 arrays of n words, and 8 more for hits.
 struct PacketView {
   float* words;
   unsigned n;
@@ -73,7 +73,7 @@ LIPPMANN_INLINE void intersect_callback(const RTCIntersectFunctionNArguments* ar
     intersect_lanes(primitive, args->valid, packet, args->N, args->primID, args->geomID, inst);
 }
 
-/// Shadow rays pass a see-through primitive, weakened at each crossing; ray ids are lanes (see ShadowContext).
+/// Lets shadow rays pass a see-through primitive and attenuates them at each crossing. Ray ids are lanes (see ShadowContext).
 template <class Primitive>
 void filter_lanes(const RTCOccludedFunctionNArguments* args, const Primitive& primitive, float transmittance) {
   const PacketView packet{reinterpret_cast<float*>(args->ray), args->N};
@@ -82,7 +82,7 @@ void filter_lanes(const RTCOccludedFunctionNArguments* args, const Primitive& pr
   for (unsigned i = 0; i < args->N; ++i) {
     if (!args->valid[i]) continue;
     LaneRay ray = packet.ray(i);
-    for (int crossing = 0; crossing < 2; ++crossing) {  // no shape here is crossed more often
+    for (int crossing = 0; crossing < 2; ++crossing) {  // every shape here has at most two crossings
       ray.t_near = distance(primitive, ray);
       if (!(ray.t_near < kInfinity)) break;
       context->transmittance[id[i]] *= transmittance;
@@ -103,7 +103,7 @@ LIPPMANN_INLINE void occluded_callback(const RTCOccludedFunctionNArguments* args
     occlude_lanes(primitive, args->valid, packet, args->N);
 }
 
-// Function clones cannot be templates, hence one pair by name for each kind.
+// Multiversioned functions cannot be templates, so each kind has its own pair.
 LIPPMANN_MULTIVERSION void intersect_sphere(const RTCIntersectFunctionNArguments* a) { intersect_callback<WorldSphere>(a); }
 LIPPMANN_MULTIVERSION void occlude_sphere(const RTCOccludedFunctionNArguments* a) { occluded_callback<WorldSphere>(a); }
 LIPPMANN_MULTIVERSION void intersect_cylinder(const RTCIntersectFunctionNArguments* a) { intersect_callback<WorldCylinder>(a); }

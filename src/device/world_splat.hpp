@@ -1,7 +1,7 @@
-// A splat as rays meet it, in world space: how near a ray comes to it, and how much it covers there.
+// A splat in world space for ray intersection.
 //
 // Based on: N. Moenne-Loccoz and others, "3D Gaussian Ray Tracing: Fast Tracing of Particle Scenes", SIGGRAPH Asia 2024,
-// section 4.2: a Gaussian counts with its largest value along the ray.
+// section 4.2: a Gaussian is evaluated at its maximum along the ray.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,18 @@
 namespace lippmann {
 
 struct WorldSplat {
-  float m[9];                 ///< from world to standard deviations, linear part, columns
+  float m[9];                 ///< maps world offsets to standard deviations; linear part, columns
   float x, y, z;              ///< centre
   float opacity;              ///< 0 to 1
-  float reach;                ///< squared distance from the centre, in standard deviations, up to which it is seen
-  std::uint32_t source, set;  ///< which of the splats of SplatTable::sets[set] it is
+  float reach;                ///< squared distance from the centre, in standard deviations, up to which the splat is visible
+  std::uint32_t source, set;  ///< index of the splat within SplatTable::sets[set]
 };
 static_assert(sizeof(WorldSplat) == 64, "one line of the cache");
 
-/// Where a ray of unit length comes nearest to a splat in standard deviations: `t`, and the squared distance there.
+/// The point of a unit-length ray that is nearest to the splat in standard deviations: its `t`, and its squared distance.
 ///
-/// The splat's space begins at the point of the ray that is nearest to the centre in the world, so that far eyes and flat
-/// splats lose no digits.
+/// Computed relative to the ray's point that is nearest to the centre in world space, to avoid cancellation for far eyes and
+/// flat splats.
 struct SplatApproach {
   float t, squared;
 };
@@ -43,7 +43,7 @@ LIPPMANN_INLINE SplatApproach approach(const WorldSplat& s, const LaneRay& r) {
   return {near + along, fx * fx + fy * fy + fz * fz};
 }
 
-/// What it covers at that squared distance.
+/// Returns the opacity at a squared distance.
 LIPPMANN_INLINE float alpha_at(const WorldSplat& s, float squared) {
   constexpr float kHalfLog2E = 0.72134752f;
   return s.opacity * fast_exp2(-kHalfLog2E * squared);
