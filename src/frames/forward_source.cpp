@@ -11,7 +11,7 @@ ForwardParams forward_params(const Sampling& sampling, const Interpolate& reuse)
   forward.fill = reuse.fill;
   if (reuse.min_psnr_db) forward.floor = FloorParams{*reuse.min_psnr_db, sampling.seed};
   forward.order = sampling.order;
-  forward.tells_provenance = wanted_aovs(sampling).wants(Aov::kProvenance);
+  forward.wants_provenance = wanted_aovs(sampling).wants(Aov::kProvenance);
   return forward;
 }
 

@@ -10,11 +10,12 @@
 namespace lippmann {
 namespace {
 
-constexpr std::size_t kStripPixels = 8192;  // worked on at a time
+constexpr std::size_t kStripPixels = 8192;  // processed at a time
 
-constexpr std::size_t kAveragedBlock = 64;  // pixels; loops of this fixed length turn into vector instructions
+constexpr std::size_t kAveragedBlock = 64;  // pixels; the compiler vectorises loops of this fixed length
 
-/// a + weight_b (b - a), of equals the same bits, for `count` floats: 3, or 4 where the next one may be read and written too.
+/// Computes a + weight_b (b - a), which preserves the bits of equal inputs. `count` is 3, or 4 if the next float may be read
+/// and written, too.
 template <std::size_t count>
 LIPPMANN_INLINE void mix(const float* color_a, const float* color_b, float weight_b, float* out) {
   float a[count], b[count], mixed[count];
@@ -31,14 +32,14 @@ struct Landed {
   const float* color(std::uint64_t key) const { return film + 3 * std::size_t{SplatBuffer::source(key)}; }
 };
 
-/// Mixes the colours of all pixels first ... end as the points have them, without a branch, which no processor could predict.
-/// Lists those that this does not do justice to, ascending: where not both points are there, or a colour changes; and some more
-/// at the end. Returns how many; `special` has room for all.
+/// Mixes the colours of pixels first ... end without branches, which would be unpredictable. Lists the pixels that need another
+/// treatment in ascending order: those without a point from both frames, those whose colour changes, and some at the end of the
+/// range. Returns their number. `special` must have room for all pixels.
 LIPPMANN_MULTIVERSION std::size_t mix_plainly(const Landed& a, const Landed& b, float weight_b, std::size_t first,
                                               std::size_t end, Image& film, std::uint32_t* special) {
   const std::uint64_t *keys_a = a.keys, *keys_b = b.keys;
   const float *film_a = a.film, *film_b = b.film;
-  const auto last = static_cast<std::uint32_t>(film.data.size() / 3 - 1);  // has no next one to read; kNoSource is above
+  const auto last = static_cast<std::uint32_t>(film.data.size() / 3 - 1);  // has no next float to read; kNoSource is larger
   std::size_t count = 0, p = first;
   for (; p + kAveragedBlock < end; p += kAveragedBlock) {
     alignas(64) std::uint32_t source_a[kAveragedBlock], source_b[kAveragedBlock], is_special[kAveragedBlock];
@@ -50,7 +51,7 @@ LIPPMANN_MULTIVERSION std::size_t mix_plainly(const Landed& a, const Landed& b, 
       is_special[i] = nearest_last >= last ? 1u : changes;
       source_a[i] = at_a < last ? at_a : 0u, source_b[i] = at_b < last ? at_b : 0u;
     }
-    for (std::size_t i = 0; i < kAveragedBlock; ++i) {  // all under way at once
+    for (std::size_t i = 0; i < kAveragedBlock; ++i) {  // prefetch all at once
       __builtin_prefetch(film_a + 3 * std::size_t{source_a[i]});
       __builtin_prefetch(film_b + 3 * std::size_t{source_b[i]});
     }
@@ -65,7 +66,7 @@ LIPPMANN_MULTIVERSION std::size_t mix_plainly(const Landed& a, const Landed& b, 
   return count;
 }
 
-/// The colours that one frame's points have between its samples, of those pixels where they change.
+/// The colours between the samples of one frame, for pixels whose colour changes.
 class ColorsBetween {
  public:
   ColorsBetween(const SplatSource& source, const EpipolarSampler* sampler, std::span<const std::uint32_t> pixels) {
@@ -82,7 +83,7 @@ class ColorsBetween {
     next_ = colors_.get();
   }
 
-  /// Asked for each of the pixels, in their order.
+  /// Returns the colour of the next pixel. Call this once per pixel, in order.
   const float* next_or(std::uint64_t key, const float* plain) {
     const bool changes = next_ && SplatBuffer::color_changes(key);
     const float* color = changes ? next_ : plain;
@@ -91,11 +92,11 @@ class ColorsBetween {
   }
 
  private:
-  std::unique_ptr<float[]> colors_;  ///< three each
+  std::unique_ptr<float[]> colors_;  ///< three per pixel
   const float* next_ = nullptr;
 };
 
-/// Colours of pixels first ... end; appends the missed ones.
+/// Computes the colours of pixels first ... end and appends missed pixels.
 void average_strip(const SplatSource& previous, const SplatSource& following, const EpipolarSampler* sampler, std::size_t first,
                    std::size_t end, Image& film, std::vector<std::uint32_t>& missed) {
   const Landed a(previous), b(following);
@@ -120,7 +121,7 @@ struct MovedPoint {
   std::uint32_t object = kMissedObject;
 };
 
-/// What has landed, with its depth at the new moment, which the key holds.
+/// Returns the point that has landed on a pixel, with its depth at the new moment from the key.
 MovedPoint moved_point(const SplatSource& source, std::size_t pixel) {
   const std::uint64_t key = source.landed.keys[pixel];
   if (key == 0) return {};

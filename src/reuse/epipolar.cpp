@@ -9,10 +9,10 @@
 namespace lippmann {
 namespace {
 
-constexpr float kContrast = 0.15f;  // as a share of a picture's range; smaller steps are not worth the search
-constexpr int kViews = 3;           // to either side
-constexpr float kViewCost = 0.03f;  // lenses that a view further away counts as
-constexpr float kExact = 1e-3f;     // lenses; a landing so near to the centre is taken as it is
+constexpr float kContrast = 0.15f;  // share of the image's range; smaller steps are not worth the search
+constexpr int kViews = 3;           // on each side
+constexpr float kViewCost = 0.03f;  // penalty in lenses per view of distance
+constexpr float kExact = 1e-3f;     // lenses; landings closer to the centre use the sample's colour
 constexpr float kFar = 9.0f;        // lenses; farther than any candidate
 
 template <class T>
@@ -34,8 +34,8 @@ struct alignas(64) Ids {
 
 /// The best candidate on one side of the place.
 struct Side {
-  Floats cost;   ///< lenses from the place, and what the view's distance adds
-  Floats extra;  ///< the latter
+  Floats cost;   ///< distance from the place in lenses, plus the penalty for the view's distance
+  Floats extra;  ///< the penalty
   Floats column;
 };
 
@@ -57,21 +57,22 @@ LIPPMANN_INLINE void offer(float cost, float column, Candidate& best, int i) {
   best.column.v[i] = cost < old_cost ? column : old_column;
 }
 
-/// The state of a search for kPointLanes colours; each step fills what the next one needs.
+/// The state of a search for kPointLanes colours. Each step fills the inputs of the next one.
 struct Search {
-  Ints source, row_begin;  ///< pixels: the sample, its row's first
-  Floats row, column;      ///< where the sample is
-  Floats beside, behind;   ///< columns of its neighbour, and of that of the two which is behind
+  Ints source, row_begin;  ///< pixel of the sample, and first pixel of its row
+  Floats row, column;      ///< place of the sample
+  Floats beside, behind;   ///< column of its neighbour, and of the rear one of the two
   Ids object, object_beside, layer;
-  Floats view, place, off;  ///< place: sought, in samples of the view; off: where the landing is from the sample's centre
-  Floats slope;             ///< slope of the view's rays
-  Floats depth;             ///< depth of the layer, mm
-  Floats per_view;          ///< how far its points shift from view to view, samples
-  Side left, right;         ///< the best in the own view, later in all views
+  Floats view, place,
+      off;       ///< place: the place searched for, in samples of the view; off: offset of the landing from the sample's centre
+  Floats slope;  ///< slope of the view's rays
+  Floats depth;  ///< depth of the layer, mm
+  Floats per_view;   ///< shift of its points per view, in samples
+  Side left, right;  ///< the best of the own view, later of all views
   Candidate other_left, other_right;
 };
 
-/// The two pixels that a colour lies between.
+/// The two pixels that a colour is interpolated between.
 struct Samples {
   Ints left, right;
   Floats left_weight;
@@ -86,9 +87,9 @@ EpipolarSampler::EpipolarSampler(const Optics& optics, Encoding encoding)
 
 namespace {
 
-/// differs[x]: whether float x of a row differs from the one `ahead` floats on by more than about kContrast of a picture's
-/// range. Display-referred codes are the values themselves; those of linear film go about with the square root, and |sqrt(a) -
-/// sqrt(b)| > c where (a - b)^2 > 2 c^2 (a + b), nearly.
+/// Sets differs[x] if float x of a row differs from the one `ahead` floats on by more than about kContrast of the image's
+/// range. Display-referred films are compared by value. Linear films are compared by their square roots: |sqrt(a) - sqrt(b)| >
+/// c is nearly equivalent to (a - b)^2 > 2 c^2 (a + b).
 LIPPMANN_MULTIVERSION void compare_floats(const float* row, int count, int ahead, bool linear, std::uint32_t* differs) {
   const float fixed = linear ? 0.0f : kContrast * kContrast, relative = linear ? 2.0f * kContrast * kContrast : 0.0f;
   for (int x = 0; x < count; ++x) {
@@ -98,7 +99,7 @@ LIPPMANN_MULTIVERSION void compare_floats(const float* row, int count, int ahead
   }
 }
 
-/// `differs` has room for the row's floats.
+/// `differs` must have room for the row's floats.
 LIPPMANN_MULTIVERSION void contrast_of_row(const float* colors, int width, int step, bool linear, std::uint32_t* differs,
                                            std::uint8_t* contrast) {
   const int pairs = std::max(0, width - step);
@@ -127,11 +128,11 @@ void EpipolarSampler::find_contrast(PointImage& image, const ThreadPool& pool) c
 
 namespace {
 
-/// The lines of a GridLanding in closed form, lens by lens and view by view.
+/// The lines of a GridLanding in closed form, by lens and view.
 struct SampleAxis {
-  float per_lens, per_pixel;  ///< pixels per lens; its inverse
-  float place, pitch;         ///< where lens 0 is, and the distance from lens to lens, mm
-  float slope, slope_per_px;  ///< slope of view 0, and the step from view to view
+  float per_lens, per_pixel;  ///< pixels per lens, and its inverse
+  float place, pitch;         ///< position of lens 0, and distance between lenses, mm
+  float slope, slope_per_px;  ///< slope of view 0, and step between views
 };
 
 struct Sample {
@@ -143,7 +144,7 @@ LIPPMANN_INLINE Sample sample_at(const SampleAxis& axis, float pixel) {
   return {lens, view, axis.place + lens * axis.pitch, axis.slope + view * axis.slope_per_px};
 }
 
-/// `place` and `slope` by pixel.
+/// Makes an axis from the functions `place` and `slope` of a pixel.
 template <class Place, class Slope>
 SampleAxis sample_axis(const GridScale& scale, int pixels, const Place& place, const Slope& slope) {
   const int step = static_cast<int>(scale.step);
@@ -152,7 +153,7 @@ SampleAxis sample_axis(const GridScale& scale, int pixels, const Place& place, c
           slope(0),   step > 1 ? (slope(step - 1) - slope(0)) / static_cast<float>(step - 1) : 0.0f};
 }
 
-/// What the steps need of the grid of samples.
+/// Constants of the grid of samples.
 struct Constants {
   float samples_per_mm, shift, vergence, width;
   SampleAxis columns, rows;
@@ -171,18 +172,18 @@ struct Constants {
             [&](int j) { return grid.lines[static_cast<std::size_t>(j)].slope; })) {}
 };
 
-/// Where a point is seen by a view, in its samples: the centre of sample k is at k + 0.5.
+/// Returns the coordinate of a point in a view, in samples. The centre of sample k is at k + 0.5.
 LIPPMANN_INLINE float coordinate(const Constants& c, float x, float z, float slope) {
   return (x + slope * z) / (1.0f - z * c.vergence) * c.samples_per_mm + c.shift;
 }
 
-/// Rows and columns of the sources.
+/// Sets rows and columns of the sources.
 LIPPMANN_INLINE void start(const Constants& c, const std::uint32_t* sources, Search& s) {
   const std::int32_t width = static_cast<std::int32_t>(c.width);
   const double rows_per_pixel = 1.0 / static_cast<double>(c.width);
   for (int i = 0; i < kPointLanes; ++i) {
     const std::int32_t source = static_cast<std::int32_t>(sources[i]);
-    // Never nearer to a whole number than half a pixel: exact.
+    // exact: never closer to an integer than half a pixel
     const std::int32_t row = static_cast<std::int32_t>((static_cast<double>(source) + 0.5) * rows_per_pixel);
     s.source.v[i] = source;
     s.row_begin.v[i] = row * width;
@@ -192,7 +193,7 @@ LIPPMANN_INLINE void start(const Constants& c, const std::uint32_t* sources, Sea
   }
 }
 
-/// What is known of the pixels of the rows at these columns.
+/// Looks up depth and object of the pixels at these columns.
 LIPPMANN_INLINE void look_up(const PrimaryPoints& points, const Ints& row_begin, const Floats& column, Floats& z, Ids& object) {
   Ints pixel;
   for (int i = 0; i < kPointLanes; ++i) pixel.v[i] = row_begin.v[i] + static_cast<std::int32_t>(column.v[i]);
@@ -200,7 +201,8 @@ LIPPMANN_INLINE void look_up(const PrimaryPoints& points, const Ints& row_begin,
   gather(points.object.data(), pixel.v, object.v);
 }
 
-/// 1. How far off its sample's centre a point has landed; the view's own sample on the other side of the place.
+/// Step 1. Computes the offset of the landing from its sample's centre, and the view's own sample on the other side of the
+/// place.
 LIPPMANN_INLINE void locate(const Constants& constants, const PrimaryPoints& points, const Motion& motion, Search& s) {
   const Constants c = constants;
   Positions p;
@@ -230,7 +232,7 @@ LIPPMANN_INLINE void locate(const Constants& constants, const PrimaryPoints& poi
   }
 }
 
-/// The layer: the sample, or the one beside it if that is nearer to the viewer.
+/// Selects the layer: the sample or its neighbour, whichever is nearer to the viewer.
 LIPPMANN_INLINE void choose_layer(const Constants& constants, const PrimaryPoints& points, Search& s) {
   const Constants c = constants;
   Floats z_beside;
@@ -256,7 +258,8 @@ LIPPMANN_INLINE void choose_layer(const Constants& constants, const PrimaryPoint
   }
 }
 
-/// 2. Offers the samples of the view `step` views further right on both sides of the place, as if all lay at the layer's depth.
+/// Step 2. Offers the samples on both sides of the place of the view `step` views to the right, assuming the layer's depth for
+/// all of them.
 LIPPMANN_INLINE void offer_view(const Constants& constants, float step, Search& s) {
   const Constants c = constants;
   const float extra = std::abs(step) * kViewCost;
@@ -271,8 +274,8 @@ LIPPMANN_INLINE void offer_view(const Constants& constants, float step, Search& 
   }
 }
 
-/// 3. Looks at what the best sample of other views on one side (-1 left, 1 right) shows; takes it where it tells more than the
-/// own view's samples.
+/// Step 3. Looks up the best sample of other views on one side (-1 left, 1 right). Takes it if it is better than the own view's
+/// samples.
 LIPPMANN_INLINE void look_at(const Constants& constants, const PrimaryPoints& points, const Candidate& best, float side,
                              Search& s) {
   const Constants c = constants;
@@ -285,7 +288,7 @@ LIPPMANN_INLINE void look_at(const Constants& constants, const PrimaryPoints& po
     const float extra = std::abs(there.view - s.view.v[i]) * kViewCost;
     const float x = position_on_line(there.place, there.slope, c.vergence, z.v[i]);
     const float r = coordinate(c, x, z.v[i], s.slope.v[i]) - s.place.v[i];
-    // Selections of numbers, one condition each: that is what the compiler turns into vector instructions.
+    // One condition per selection, so that the compiler vectorises the loop.
     float as_end = s.object.v[i] != s.object_beside.v[i] ? cost_there : kFar;
     as_end = depth_or_behind_all(z.v[i], id.v[i]) <= s.depth.v[i] ? as_end : kFar;
     as_end = id.v[i] != kMissedObject ? as_end : kFar;
@@ -299,7 +302,7 @@ LIPPMANN_INLINE void look_at(const Constants& constants, const PrimaryPoints& po
   }
 }
 
-/// 4. By distance alone, without what views have cost. Background has no place of its own, and needs none.
+/// Step 4. Computes weights by distance alone, without view penalties. Background has no position and uses the sample's colour.
 LIPPMANN_INLINE void weigh(const Search& s, Samples& out) {
   for (int i = 0; i < kPointLanes; ++i) {
     const bool exact = (std::abs(s.off.v[i]) < kExact) | (s.object.v[i] >= kMissedObject);

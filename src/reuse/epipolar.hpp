@@ -1,18 +1,17 @@
-// The colour beside a sample: what lies at the pixel's own place when the point that landed on it has landed off its centre.
+// Interpolates the colour at a pixel's centre when the point that landed on the pixel is off-centre.
 //
-// A directional view of a lens array has one sample per lens, so that a point lands up to half a lens beside the next sample.
-// Taking its colour as it is (the paper's rounding) is where most of an in-between frame's error comes from. But the other
-// views of the same panel row have sampled the same surface at other places: seen from depth z they lie z m/g to the side, view
-// by view (the lines of the epipolar plane image). Hence, where the colour changes beside the sample:
-//   1. The place that the pixel shows lies -d beside the sample, d the landing's offset in lenses. The layer: the nearer to the
-//      viewer of the sample and of its neighbour on that side in the same view.
-//   2. Among the views up to `kViews` to either side: the sample nearest to the place on its left, and the one on its right, as
-//      if all of them lay at the layer's depth; a view further away counts as farther away, because highlights and mirrors
-//      change with the direction.
-//   3. Each of these two is looked at. On the layer's object: its true place decides. Behind it, while the layer's edge is
-//   here:
-//      it shows that the layer has ended, and stands for the colour behind. In front: it tells nothing.
-//   4. Linear interpolation between the nearest place left and right, the view's own two samples included.
+// A directional view of a lens array has one sample per lens, so a point lands up to half a lens away from the next sample.
+// Using the point's colour unchanged (the paper's rounding) causes most of an in-between frame's error. But the other views of
+// the same panel row have sampled the same surface at other places: seen from depth z, these are shifted by z m/g per view (the
+// lines of the epipolar plane image). If the colour changes beside the sample:
+//   1. The place that the pixel shows is -d beside the sample, where d is the landing's offset in lenses. The layer is the
+//      sample or its neighbour on that side in the same view, whichever is nearer to the viewer.
+//   2. Among up to `kViews` views on each side, find the samples nearest to the place on its left and on its right, assuming
+//      the layer's depth for all of them. Distant views get a penalty, because highlights and mirrors change with the
+//      direction.
+//   3. Look up both samples. On the layer's object, use the true position. Behind it, near the layer's edge, the sample shows
+//      that the layer has ended, and stands for the colour behind. In front of it, ignore the sample.
+//   4. Interpolate linearly between the nearest places left and right, including the view's own two samples.
 // After the epipolar neighbours of light-field rendering (M. Levoy, P. Hanrahan, "Light field rendering", SIGGRAPH 1996; S. J.
 // Gortler et al., "The Lumigraph", SIGGRAPH 1996, section 3.3, depth correction).
 #pragma once
@@ -31,17 +30,16 @@ namespace lippmann {
 
 class EpipolarSampler {
  public:
-  /// Whether views and samples are regular enough: whole pixels per lens.
+  /// Returns whether the views and samples are regular enough: whole pixels per lens.
   static bool suits(const Optics& optics);
 
-  /// `optics` must suit. `encoding`: how the film becomes a picture, and thus which differences are seen.
+  /// `optics` must satisfy suits(). `encoding`: of the output image; decides which differences are visible.
   EpipolarSampler(const Optics& optics, Encoding encoding);
 
   /// Fills image.contrast.
   void find_contrast(PointImage& image, const ThreadPool& pool) const;
 
-  /// Interpolated colours (three floats each) for points that landed on pixels after `motion`, given by their source pixels in
-  /// `image`. Thread-safe.
+  /// Computes interpolated colours (three floats each) for landed points, given by their source pixels in `image`. Thread-safe.
   void colors(const PointImage& image, const Motion& motion, std::span<const std::uint32_t> sources, float* colors) const;
 
  private:

@@ -1,35 +1,36 @@
-// Which frames of an animation are traced, and which two each of the others is made from.
+// Selects the frames of an animation to trace, and the two source frames of each other frame.
 //
-// Key frames are every K-th frame from frame 0, and the last. The plan depends on the animation alone, not on which of its
-// frames are asked for, so that a part of it rendered later is the same. Frames between two keys are made straight from
-// both, or by halving (the paper's recursive interpolation): the frame in the middle of the interval first (the earlier one of
-// two), from the interval's ends; then the middles of both halves, from their own ends, and so on: a made frame is a source
-// like a traced one.
+// Key frames are every K-th frame from frame 0, and the last one. The plan depends on the whole animation, not on the requested
+// frames, so rendering a part later gives the same result. Frames between two keys are made directly from both, or by halving
+// (the paper's recursive interpolation): the middle frame of the interval first (the earlier one of two), from the interval's
+// ends; then the middles of both halves from their ends, and so on. A made frame is a source like a traced one.
 #pragma once
 
 #include <vector>
 
 namespace lippmann {
 
-/// Frames between two others: first < frame < last.
+/// The frames between two others: first < frame < last.
 struct FrameInterval {
   int first = 0, last = 0;
   bool operator==(const FrameInterval&) const = default;
 };
 
-/// `every` >= 1.
+/// Returns whether a frame is a key frame. `every` must be >= 1.
 bool is_key_frame(int frame, int every, int last_frame);
 
-/// The key frames around a frame that is none.
+/// Returns the key frames around a frame that is not a key.
 FrameInterval key_interval(int frame, int every, int last_frame);
 
-/// The frame that halving makes first: first + (last - first) / 2.
+/// Returns the frame that halving makes first: first + (last - first) / 2.
 int middle_frame(const FrameInterval& interval);
 
-/// What halving goes through until it makes a frame that is no key: the key interval first, last the one whose middle it is.
+/// Returns the intervals that halving visits to make a frame that is not a key: from the key interval to the interval whose
+/// middle it is.
 std::vector<FrameInterval> halving_path(int frame, int every, int last_frame);
 
-/// How often an interval between keys can be halved: how many made frames may be sources at a time, and one more.
+/// Returns how often an interval between keys can be halved: the maximum number of made frames that are sources at a time, plus
+/// one.
 int halving_depth(int every);
 
 }  // namespace lippmann

@@ -8,7 +8,7 @@
 namespace lippmann {
 namespace {
 
-constexpr double kNormal99 = 2.326;  // one-sided; why not that of 95 %: see the header
+constexpr double kNormal99 = 2.326;  // one-sided normal quantile; the header explains why 99 % and not 95 %
 
 constexpr std::array<std::uint8_t, 256> kLevels = [] {
   std::array<std::uint8_t, 256> levels{};
@@ -20,7 +20,7 @@ constexpr std::array<std::uint8_t, 256> kLevels = [] {
   return levels;
 }();
 
-/// Where in its run the next sample of a level lies.
+/// Tracks the position of the next sample within the current run of each level.
 class Runs {
  public:
   Runs(std::uint32_t length, std::uint32_t seed, int frame)
@@ -28,7 +28,7 @@ class Runs {
     for (std::uint32_t level = 0; level < kUncertaintyLevels; ++level) begin(level);
   }
 
-  /// Whether the next pixel of a level is the sample of its run.
+  /// Returns whether the next pixel of a level is the sample of its run.
   bool draw(std::uint32_t level) {
     Run& run = runs_[level];
     const bool drawn = run.place == run.sample;

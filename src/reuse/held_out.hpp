@@ -1,26 +1,28 @@
-// Held-out patches: a sample of an in-between frame's predictions that is traced to learn how wrong the others are.
+// Held-out patches: a sample of an in-between frame's predictions that is traced to estimate the error of the others.
 //
-// Patches (patches.hpp) are sorted into levels by their uncertainty (uncertainty.hpp), and every level is sampled by itself: of
-// each run of R consecutive patches of a level one, at a place hashed from seed, frame, level and run. So every patch has the
-// chance 1/R, and samples are spread evenly over levels and picture (stratified sampling of clusters: W. G. Cochran, "Sampling
-// Techniques", 3rd ed., 1977, chapters 5 and 9).
+// Patches (patches.hpp) are sorted into levels by their uncertainty (uncertainty.hpp), and each level is sampled separately:
+// one patch of each run of R consecutive patches of a level, at a position hashed from seed, frame, level and run. Each patch
+// thus has the probability 1/R, and samples are spread evenly over levels and image (stratified sampling of clusters: W. G.
+// Cochran, "Sampling Techniques", 3rd ed., 1977, chapters 5 and 9).
 //
-// With N patches in the frame, N_h in level h, n_h of them drawn, e_hi the mean squared errors of the samples known of that
-// level (over pixels and R, G, B, in 8-bit display codes), k_h how many and m_h their mean, the mean squared error that levels
-// 0 ... H leave in the frame, everything else and the samples themselves being traced, is estimated by
+// Let N be the number of patches in the frame, N_h those of level h, n_h of them drawn, e_hi the mean squared errors of the
+// known samples of that level (over pixels and R, G, B, in 8-bit display codes), k_h their number and m_h their mean. The mean
+// squared error that levels 0 ... H leave in the frame, with all other patches and the samples themselves traced, is estimated
+// by
 //   M = sum_h w_h sum_i e_hi,   w_h = (N_h - n_h) / (N k_h),
 // and bounded from above, at 95 % confidence, by
 //   U = M + w e + 2.326 sqrt(sum_h w_h^2 sum_i (e_hi - m_h)^2 + (w e)^2),   w the largest w_h.
-// The second term is a sample that was not drawn: errors are few and heavy-tailed, and what is not among n samples may still
-// happen once in n + 1. It errs as much as the worst that was drawn, and by no less than kUnseenError. If k of the samples err
-// by the same amount and the others not at all, U puts k at 3.3, 5.3, 7.0, 8.7 for k = 0, 1, 2, 3, where the exact 95 % limits
-// of a Poisson count are 3.0, 4.7, 6.3, 7.8: few errors are not normally distributed, so that the normal quantile of 95
-// %, 1.645, would fall short of them, and that of 99 % is taken. It is a bound for errors like those that samples can find:
-// what is wrong in a few pixels of a frame, by a hundred codes, and nowhere else, has to stay below kUnseenError. A level of
-// which no sample is known is taken to err by its uncertainty.
+// The second term stands for one sample that was not drawn: errors are rare and heavy-tailed, and an error absent from n
+// samples may still occur once in n + 1. Its error e is the largest one drawn, but at least kUnseenError. If k samples have
+// equal errors and the others none, U sets k to 3.3, 5.3, 7.0, 8.7 for k = 0, 1, 2, 3. The exact 95 % limits of a Poisson count
+// are 3.0, 4.7, 6.3, 7.8: rare errors are not normally distributed, so the normal quantile of 95 %, 1.645, would be too low,
+// and that of 99 % is used. The bound covers errors that samples can find; an error of a hundred codes in a few pixels of a
+// frame and nowhere else must stay below kUnseenError. A level without known samples is assumed to have its uncertainty as
+// error.
 //
-// The samples known are the frame's own and, by kLearnedWeight, all patches of a frame near by that was predicted and traced as
-// a whole: what a level of uncertainty errs by is taken to be the same in both. Then few of the frame's own are needed.
+// The known samples are the frame's own and, with weight kLearnedWeight, all patches of a nearby frame that was both predicted
+// and completely traced: the error of a level of uncertainty is assumed to be the same in both. Thus few samples of the frame
+// itself are needed.
 #pragma once
 
 #include <array>
@@ -30,7 +32,7 @@
 
 namespace lippmann {
 
-/// Levels of uncertainty: 0, 1, 2, 3, then about the square root of 2 wide.
+/// Levels of uncertainty: 0, 1, 2, 3, then with a width of about the square root of 2.
 inline constexpr int kUncertaintyLevels = 24;
 /// The largest uncertainty of each level.
 inline constexpr std::array<std::uint8_t, kUncertaintyLevels> kLevelEnd{0,  1,  2,  3,  4,  5,  6,  8,  10, 12,  14,  17,
@@ -38,53 +40,55 @@ inline constexpr std::array<std::uint8_t, kUncertaintyLevels> kLevelEnd{0,  1,  
 
 int level_of(std::uint8_t uncertainty);
 
-inline constexpr double kUnseenError = 12.0;  ///< root mean square over a patch, codes: one pixel's error counts a quarter
+/// Root mean square over a patch, in codes; an error in one pixel counts a quarter.
+inline constexpr double kUnseenError = 12.0;
 
 /// The sample of one frame.
 struct HeldOut {
   std::vector<std::uint32_t> patches;                        ///< ascending
-  std::vector<std::uint8_t> levels;                          ///< by entry of `patches`: its level
-  std::array<std::uint64_t, kUncertaintyLevels> population;  ///< patches of the frame by level
-  std::array<std::uint64_t, kUncertaintyLevels> drawn;       ///< how many of them are in the sample
+  std::vector<std::uint8_t> levels;                          ///< level of each entry of `patches`
+  std::array<std::uint64_t, kUncertaintyLevels> population;  ///< number of the frame's patches by level
+  std::array<std::uint64_t, kUncertaintyLevels> drawn;       ///< number of sampled patches by level
 };
 
-/// R for frames of that many patches: such that there are about 400 samples, within 4 ... 64.
+/// Returns R for a number of patches per frame: about 400 samples, with R within 4 ... 64.
 std::uint32_t patches_per_sample(std::size_t patches);
 
-/// uncertainty: by patch.
+/// Draws the sample. uncertainty: by patch.
 HeldOut hold_out(std::span<const std::uint8_t> uncertainty, std::uint32_t seed, int frame);
 
-/// What a patch of the frame that was learned from counts as, in samples: its patches have their errors in common, with their
-/// neighbours', and other frames will differ from it.
+/// Weight of a patch of the learning frame, in samples: its errors are correlated with those of its neighbours, and other
+/// frames differ from it.
 inline constexpr double kLearnedWeight = 0.5;
 
-/// What samples have shown.
+/// The errors of the known samples.
 struct Evidence {
-  /// Sums over the samples of one level; of their mean squared errors, in codes.
+  /// Count of one level's samples, and sums over their mean squared errors, in codes.
   struct Level {
     double count = 0.0, sum = 0.0, squares = 0.0, largest = 0.0;
   };
   std::array<Level, kUncertaintyLevels> levels;
 
-  /// `squared_errors`: one per held-out patch.
+  /// Adds samples. `squared_errors`: one per held-out patch.
   void add(const HeldOut& held_out, std::span<const double> squared_errors);
   void add(const Evidence& other);
-  /// As if each sample had been drawn `weight` times.
+  /// Scales the weight of all samples.
   void weigh(double weight);
 };
 
-/// Mean squared errors in codes.
+/// Mean squared errors, in codes.
 struct ErrorEstimate {
   double mse = 0.0;    ///< M
   double bound = 0.0;  ///< U
 };
 
-/// Entry h: what levels 0 ... h leave in the frame that `held_out` is of. `evidence`: of that sample, and maybe others.
+/// Returns estimates whose entry h is the error that levels 0 ... h leave in the frame of `held_out`. `evidence`: that sample,
+/// and optionally others.
 std::array<ErrorEstimate, kUncertaintyLevels> estimate_errors(const HeldOut& held_out, const Evidence& evidence);
 
-/// How many levels, from the lowest on, can be trusted so that the frame's error stays at or below `mse`: every one of their
-/// bounds does. Levels are thus tested in a fixed order until one fails, so that trusting too many has a chance of 5 %, however
-/// many are tested.
+/// Returns the number of lowest levels that can be trusted with the frame's error at or below `mse`: the bounds of all of them
+/// are. Levels are tested in a fixed order until one fails, so the probability of trusting too many is 5 %, regardless of the
+/// number of tests.
 int trusted_levels(const std::array<ErrorEstimate, kUncertaintyLevels>& errors, double mse);
 
 }  // namespace lippmann

@@ -7,11 +7,11 @@
 namespace lippmann {
 namespace {
 
-/// How far the weights of the two frames go from equal ones (0) to nearness in time (1). Nearness lets light and shadow change
-/// evenly; equal weights even out what either frame's samples miss. In between, both are better off than at either end.
+/// Interpolates the weights of the two frames between equal weights (0) and nearness in time (1). Nearness lets light and
+/// shadow change evenly; equal weights average out sampling errors of both frames. An intermediate value has the lowest error.
 constexpr float kNearness = 0.7f;
 
-/// The share of the following frame.
+/// Returns the weight of the following frame.
 float weight_at(float position) { return 0.5f + kNearness * (position - 0.5f); }
 
 bool has_size(const Image& film, Vec2i size) { return film.width == size.x && film.height == size.y && film.channels == 3; }
@@ -21,15 +21,15 @@ Provenance provenance_of_missed(MissedFill fill) {
   return kByFill[static_cast<std::size_t>(fill)];
 }
 
-/// What is traced of a frame that was predicted.
-void tell_traced(std::span<const std::uint32_t> pixels, std::vector<std::uint8_t>& provenance) {
+/// Marks the traced pixels of a predicted frame.
+void mark_traced(std::span<const std::uint32_t> pixels, std::vector<std::uint8_t>& provenance) {
   for (const std::uint32_t pixel : pixels) {
     const bool missed = provenance[pixel] == static_cast<std::uint8_t>(Provenance::kFilled);
     provenance[pixel] = static_cast<std::uint8_t>(missed ? Provenance::kRetraced : Provenance::kTraced);
   }
 }
 
-/// The mean of equals has the same bits.
+/// Blends two images. Equal inputs keep their bits.
 void blend(const Image& a, const Image& b, float weight_b, const ThreadPool& pool, Image& film) {
   constexpr std::size_t kPiece = std::size_t{1} << 15;
   const std::size_t values = film.data.size();
@@ -57,12 +57,13 @@ InBetweenMaker::InBetweenMaker(const Scene& scene, const Optics& optics, const F
 }
 
 Image& InBetweenMaker::film_of(PointImage& frame) const {
-  if (!has_size(frame.film, film_size_)) frame.film = Image(film_size_.x, film_size_.y, 3);  // else every pixel is written over
+  // otherwise each pixel is overwritten
+  if (!has_size(frame.film, film_size_)) frame.film = Image(film_size_.x, film_size_.y, 3);
   return frame.film;
 }
 
-void InBetweenMaker::tell_provenance(Provenance missed, PointImage& frame) const {
-  if (!params_.tells_provenance) return;
+void InBetweenMaker::set_provenance(Provenance missed, PointImage& frame) const {
+  if (!params_.wants_provenance) return;
   const auto pixels = static_cast<std::size_t>(film_size_.x) * static_cast<std::size_t>(film_size_.y);
   frame.provenance.assign(pixels, static_cast<std::uint8_t>(Provenance::kInterpolated));
   for (const std::uint32_t pixel : missed_) frame.provenance[pixel] = static_cast<std::uint8_t>(missed);
@@ -85,7 +86,7 @@ InBetweenCounts InBetweenMaker::make(const SourcePair& between, bool as_source, 
   average(a, b, sampler_ ? &*sampler_ : nullptr, pool, film_of(frame), missed_);
   if (as_source) average_points(a, b, pool, frame.points);
 
-  tell_provenance(provenance_of_missed(params_.fill), frame);
+  set_provenance(provenance_of_missed(params_.fill), frame);
 
   InBetweenCounts counts;
   if (!missed_.empty()) {
@@ -118,7 +119,7 @@ void InBetweenMaker::predict(const SourcePair& between, const ThreadPool& pool, 
   average({previous, from_previous, landed_previous_, 0.0f}, b, sampler, pool, from_following_, missed_);
   blend(from_previous_, from_following_, weight_at(position), pool, film_of(frame));
 
-  tell_provenance(Provenance::kFilled, frame);
+  set_provenance(Provenance::kFilled, frame);
   counts.missed = missed_.size();
   if (!missed_.empty()) {
     const Motion to_previous = motion_between(groups_, frame.moment, previous.moment);
@@ -147,8 +148,8 @@ FloorOutcome InBetweenMaker::make_to_floor(const SourcePair& between, int number
   const std::vector<float> costs = patches_->costs(between.previous.rays);
   const TracePackets tracing = [&](std::span<const std::uint8_t> wanted, Image& film) {
     trace(wanted, film);
-    for (std::size_t p = 0; params_.tells_provenance && p < wanted.size(); ++p)
-      if (wanted[p]) tell_traced(patches_->pixels(p), frame.provenance);
+    for (std::size_t p = 0; params_.wants_provenance && p < wanted.size(); ++p)
+      if (wanted[p]) mark_traced(patches_->pixels(p), frame.provenance);
   };
   const FloorOutcome outcome =
       hold_floor(*params_.floor, {number, uncertainty_, *patches_, costs, encoding_}, learned, tracing, pool, frame.film);

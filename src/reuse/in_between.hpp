@@ -1,7 +1,7 @@
-// Makes one in-between frame from the point images of two others: projects, averages, deals with what is missed.
+// Makes one in-between frame from the point images of two others: projects points, averages colours and fills missed pixels.
 //
-// The paper's interpolated animation; what to do with missed pixels after S. J. Adelson, L. F. Hodges, "Generating exact
-// ray-traced animation frames by reprojection", IEEE Computer Graphics and Applications 15(3), 1995 (retrace).
+// Based on the paper's interpolated animation. The treatment of missed pixels follows S. J. Adelson, L. F. Hodges, "Generating
+// exact ray-traced animation frames by reprojection", IEEE Computer Graphics and Applications 15(3), 1995 (retrace).
 #pragma once
 
 #include <optional>
@@ -18,8 +18,8 @@ namespace lippmann {
 enum class Provenance : std::uint8_t;
 
 enum class SplatSampling {
-  kPixel,     ///< the colour of the point that lands on a pixel, wherever on it it lands (the paper's)
-  kEpipolar,  ///< where colours change, that between samples (epipolar.hpp); arrays with whole pixels per lens only
+  kPixel,     ///< the colour of the point that lands on a pixel, anywhere within the pixel, as in the paper
+  kEpipolar,  ///< changing colours are interpolated between samples (epipolar.hpp); for arrays with whole pixels per lens only
 };
 
 struct ForwardParams {
@@ -27,8 +27,8 @@ struct ForwardParams {
   SplatSampling sampling = SplatSampling::kEpipolar;
   MissedFill fill = MissedFill::kInterpolate;
   std::optional<FloorParams> floor;       ///< for make_to_floor()
-  RayOrder order = RayOrder::kViewTiles;  ///< in which pixels are traced; with a floor only
-  bool tells_provenance = false;          ///< made frames get PointImage::provenance
+  RayOrder order = RayOrder::kViewTiles;  ///< the order in which pixels are traced; only used with a floor
+  bool wants_provenance = false;          ///< made frames get PointImage::provenance
 };
 
 struct InBetweenCounts {
@@ -37,39 +37,40 @@ struct InBetweenCounts {
   std::uint64_t retraced = 0;
 };
 
-/// Where a frame lies between the two that it is made from.
+/// A frame's position between its two source frames.
 struct SourcePair {
   const PointImage& previous;
   const PointImage& following;
-  float position;  ///< the share of the way from the previous to the following one, 0 ... 1
+  float position;  ///< share of the way from the previous to the following frame, 0 ... 1
 };
 
-/// Keeps its working memory from frame to frame: one per animation, used by one caller at a time.
+/// Reuses its memory from frame to frame. Use one object per animation, by one caller at a time.
 class InBetweenMaker {
  public:
-  /// `scene` and `optics` as traced. With kEpipolar and optics that do not suit it, or SplatMode::kLens, pixels are sampled.
+  /// `scene` and `optics` must be those of the traced frames. With SplatMode::kLens, or optics that do not suit kEpipolar,
+  /// colours are sampled by kPixel.
   InBetweenMaker(const Scene& scene, const Optics& optics, const ForwardParams& params);
 
-  /// Completes a frame that was traced (film, points, moment) so that others can be made from it.
+  /// Completes a traced frame (film, points, moment), so that other frames can be made from it.
   void prepare(PointImage& frame, const ThreadPool& pool) const;
 
-  /// Makes the frame at frame.moment: its film and, where wanted, all that makes it a source in turn.
+  /// Makes the film of the frame at frame.moment. If `as_source` is set, also fills the other data of a source frame.
   InBetweenCounts make(const SourcePair& between, bool as_source, const TracePixels& trace, const ThreadPool& pool,
                        PointImage& frame);
 
-  /// Predicts the film of a frame that is known, and tells what that teaches about others between the same two. `number` is the
-  /// frame's in its animation; rays of the previous frame are counted.
+  /// Predicts the film of a traced frame, and returns what its errors imply for other frames between the same two. `number`: of
+  /// the frame in its animation. The previous frame must have ray counts.
   FloorLesson learn_floor(const SourcePair& between, int number, const PointImage& traced, const ThreadPool& pool);
 
-  /// Makes the film of the frame so that its PSNR keeps to params.floor, or finds that it is better traced as a whole: then
-  /// film is of no use.
+  /// Makes the film of the frame with a PSNR of at least params.floor, or finds that the frame is better traced completely;
+  /// then the film is unusable.
   FloorOutcome make_to_floor(const SourcePair& between, int number, const Evidence& learned, const TracePackets& trace,
                              const ThreadPool& pool, PointImage& frame, InBetweenCounts& counts);
 
  private:
   Image& film_of(PointImage& frame) const;
-  /// Of a frame of which missed_ were missed, which now come from `missed`.
-  void tell_provenance(Provenance missed, PointImage& frame) const;
+  /// Sets the provenance of a frame with the missed pixels missed_, whose colours come from `missed`.
+  void set_provenance(Provenance missed, PointImage& frame) const;
   /// Fills frame.film and uncertainty_.
   void predict(const SourcePair& between, const ThreadPool& pool, PointImage& frame, InBetweenCounts& counts);
 
@@ -84,7 +85,7 @@ class InBetweenMaker {
   std::vector<std::uint32_t> missed_;
   std::optional<UncertaintyEstimator> uncertainty_estimator_;
   std::optional<Patches> patches_;
-  Image from_previous_, from_following_;  ///< predictions of one key frame alone
+  Image from_previous_, from_following_;  ///< predictions from one key frame alone
   std::vector<std::uint8_t> uncertainty_;
 };
 

@@ -1,24 +1,23 @@
-// Where the point behind a pixel is seen after it has moved: in the same directional view, or below the same lens.
+// Projects a moved point back to a pixel: in the same directional view, or below the same lens.
 //
-// Both are closed forms of the optics' inverse; a point lands on one pixel at the most. (X, Y, Z): the moved point in display
-// mm. Symbols as in optics/lens_axis.hpp: lens l, offset o of a pixel from the centre of its lens's cell, m / g, viewing
-// distance V, the eye e that the cells converge to.
+// Both are closed-form inverses of the optics. A point lands on at most one pixel. (X, Y, Z) is the moved point in display mm.
+// Symbols as in optics/lens_axis.hpp: lens l, offset o of a pixel from the centre of its lens's cell, m / g, viewing distance
+// V, and the eye e to which the cells converge.
 //
-// Same view (`SplatMode::kView`). Rays with one offset o below every lens form a parallel (V = inf) or perspective picture of
-// the scene with one sample per lens: the ray through lens position l has the slope -o m/g - (l - e)/V, so that the point is
-// seen through
+// Same view (`SplatMode::kView`). Rays with one offset o below every lens form a parallel (V = inf) or perspective image of the
+// scene with one sample per lens: the ray through lens position l has the slope -o m/g - (l - e)/V, so the point is seen
+// through
 //   l = (X + a Z) / (1 - Z/V),   a = o m/g - e/V
-// and belongs to the nearest lens. A row of a lenticular sheet and a view of a quilt follow the same formula: o = 0, e the
-// height of the eye or the eye of the view. Where the pixels per lens are not whole, the pixel of that lens which is nearest to
-// the offset o is taken: for slanted sheets in the row on which the point lands, for hexagonal cells as far as the cell
-// reaches.
+// and belongs to the nearest lens. A row of a lenticular sheet and a view of a quilt follow the same formula with o = 0 and e
+// the height of the eye or the eye of the view. Without whole pixels per lens, the pixel of that lens nearest to the offset o
+// is used: on slanted sheets in the row where the point lands, in hexagonal cells within the cell.
 //
-// Same lens (`SplatMode::kLens`, the paper's). Lens l sees the point at the offset o = -((X - l)/Z + (l - e)/V) g/m of its
-// cell; outside the cell it is dropped. So near to the lens plane that a 1/1000 of a lens moves the image through the whole
-// cell, the point stays in its pixel. Single views and the views of a quilt have no lenses (and lenticular sheets none along
-// their axis): there both modes are the same.
+// Same lens (`SplatMode::kLens`, as in the paper). Lens l sees the point at the offset o = -((X - l)/Z + (l - e)/V) g/m in its
+// cell; outside the cell, the point is dropped. Very near the lens plane, where a shift by 1/1000 of a lens would move the
+// image through the whole cell, the point stays in its pixel. Single views and the views of a quilt have no lenses (and
+// lenticular sheets none along their axis); there both modes are the same.
 //
-// Functions are inlined into loops over the pixels of a row (splat.cpp), which they let vectorise.
+// The functions are inlined into loops over the pixels of a row (splat.cpp), so that these vectorise.
 #pragma once
 
 #include <cmath>
@@ -33,36 +32,36 @@
 
 namespace lippmann {
 
-/// On one axis: the index of the pixel, below 0 where there is none, and how far the point lies from that sample's centre, in
-/// steps from sample to sample of the same view (lenses, rows), -0.5 ... 0.5.
+/// A landing on one axis: the pixel index, below 0 if there is none, and the point's offset from that sample's centre, in steps
+/// between samples of the same view (lenses, rows), -0.5 ... 0.5.
 struct AxisLanding {
   float pixel, off;
 };
 
-/// Either index is below 0 where the point is not seen.
+/// A landing on both axes. Either index is below 0 if the point is not visible.
 struct PointLanding {
   float column, row, off_x, off_y;
 };
 
 inline constexpr float kNowhere = -1.0f;
 
-/// Written without branches, and without bools in structs, either of which keeps loops from being vectorised.
+/// Written without branches and without bools in structs, because both prevent vectorisation.
 LIPPMANN_INLINE float pixel_if(bool seen, float pixel) { return seen ? pixel : kNowhere; }
 
-// ---- A regular grid: every view has its samples a whole number of pixels apart ------------------------------------------
+// ---- A regular grid: the samples of each view are a whole number of pixels apart ----------------------------------------
 
-/// One axis of a view: sample k = floor(l samples_per_mm + shift), pixel first + k step, within low ... high.
+/// One axis of a view: sample k = floor(l samples_per_mm + shift) is pixel first + k step, valid within low ... high.
 struct GridScale {
   float samples_per_mm, shift, step;
 };
 
 struct GridLine {
-  float place;  ///< where the rays of the pixels cross z = 0, mm
+  float place;  ///< where the pixel's rays cross z = 0, mm
   float slope;  ///< a
   float first, low, high;
 };
 
-/// Where the ray of a pixel of that line is at depth z.
+/// Returns the position of a pixel's ray at depth z.
 LIPPMANN_INLINE float position_on_line(float place, float slope, float vergence, float z) {
   return place - z * (slope + place * vergence);
 }
@@ -75,7 +74,7 @@ LIPPMANN_INLINE AxisLanding land_on_grid(const GridScale& scale, const GridLine&
   return {pixel_if((pixel >= line.low) & (pixel <= line.high), pixel), t - k - 0.5f};
 }
 
-/// Views of whole pixels per lens, of quilts, single views.
+/// Landing for arrays with whole pixels per lens, quilts and single views.
 struct GridLanding {
   struct Constants {
     GridScale across, down;  ///< `down` counts along -y
@@ -84,7 +83,7 @@ struct GridLanding {
   struct Row {
     Constants c;
     const float *place, *slope, *first, *low, *high;  ///< by column
-    GridLine line;                                    ///< the row's own line
+    GridLine line;                                    ///< the line of the row
   };
 
   Constants c;
@@ -101,7 +100,7 @@ struct GridLanding {
   }
 };
 
-/// The point at depth z behind pixel i of the row.
+/// Returns the point at depth z on the ray of pixel i of the row.
 LIPPMANN_INLINE Vec3f point_behind(const GridLanding::Row& r, int i, float z) {
   return {position_on_line(r.place[i], r.slope[i], r.c.vergence, z),
           -position_on_line(r.line.place, r.line.slope, r.c.vergence, z), z};
@@ -116,10 +115,10 @@ LIPPMANN_INLINE PointLanding land(const GridLanding::Row& r, int i, float x, flo
 
 // ---- Cells of any width -------------------------------------------------------------------------------------------------
 
-/// A pixel's place on a lens axis.
+/// A pixel's position on a lens axis.
 struct CellPlace {
-  float lens;    ///< its index
-  float offset;  ///< from the centre of its cell, pixels
+  float lens;    ///< index of the lens
+  float offset;  ///< from the centre of its cell, in pixels
 };
 
 LIPPMANN_INLINE CellPlace place_in_cell(const LensAxis<float>& axis, float s_px) {
@@ -134,7 +133,7 @@ LIPPMANN_INLINE CellPlace place_in_cell(const LensAxis<float>& axis, float s_px)
 
 inline constexpr float kNotSeen = std::numeric_limits<float>::quiet_NaN();
 
-/// Lens and offset at which a point is seen after it has moved; not a number where it is not.
+/// Lens and offset at which a moved point is seen; NaN if it is not visible.
 struct CellLanding {
   float lens, offset, off;
 };
@@ -147,7 +146,7 @@ LIPPMANN_INLINE CellLanding land_in_view(const LensAxis<float>& axis, CellPlace 
   return {lens, from_eye > 0.0f ? from.offset : kNotSeen, t - lens};
 }
 
-/// Not yet limited to the cell.
+/// The offset is not yet limited to the cell.
 LIPPMANN_INLINE float offset_below_lens(const LensAxis<float>& axis, CellPlace from, float x, float z) {
   const float l = axis.lens0_mm + from.lens * axis.pitch_mm;
   const bool in_plane = std::abs(z) * axis.slope_per_px * axis.cell_px <= 1e-3f * axis.pitch_mm;
@@ -166,14 +165,14 @@ LIPPMANN_INLINE CellLanding land_in_cells(const LensAxis<float>& axis, CellPlace
   return mode == SplatMode::kView ? land_in_view(axis, from, x, z) : land_below_lens(axis, from, x, z);
 }
 
-/// The pixel that holds a place below a lens; at the edge of the cell the nearest one whose centre lies in it. Pixels are
-/// 1 / per_pixel apart on the axis, pixel 0 begins at `begin`.
+/// Returns the pixel that contains a position below a lens. At the edge of the cell, returns the nearest pixel whose centre
+/// lies within it. Pixels are 1 / per_pixel apart on the axis; pixel 0 begins at `begin`.
 template <SplatMode mode>
 LIPPMANN_INLINE AxisLanding pixel_below_lens(const LensAxis<float>& axis, const CellLanding& at, float begin, float per_pixel) {
   const float cell = axis.start_px + at.lens * axis.cell_px - begin;
   const float place = (cell + 0.5f * axis.cell_px + at.offset) * per_pixel;
   const float first = std::ceil(cell * per_pixel - 0.5f), end = std::ceil((cell + axis.cell_px) * per_pixel - 0.5f);
-  float pixel = std::floor(place);  // not a number stays one
+  float pixel = std::floor(place);  // NaN stays NaN
   pixel = pixel < first ? first : pixel;
   pixel = pixel > end - 1.0f ? end - 1.0f : pixel;
   return {pixel_if((first < end) & (pixel >= 0.0f), pixel), mode == SplatMode::kView ? at.off : place - pixel - 0.5f};
@@ -186,9 +185,9 @@ struct SheetLanding {
   struct Row {
     LenticularConstants<float> c;
     GridScale down;
-    float eye_slope;  ///< slope down the rows, which count along -y: e/V
+    float eye_slope;  ///< slope of the rows, which count along -y: e/V
     float width, height;
-    float px, py;  ///< where entry 0's centre is
+    float px, py;  ///< centre of entry 0
   };
 
   Row constants;
@@ -200,7 +199,7 @@ struct SheetLanding {
   }
 };
 
-/// By the optics' own line, which is given at z = 0.
+/// Returns a point on the optics' own line, which is given at z = 0.
 LIPPMANN_INLINE Vec3f point_on(const Crossing& line, float z) {
   return {line.x + z * line.slope_x, line.y + z * line.slope_y, z};
 }
@@ -217,11 +216,11 @@ LIPPMANN_INLINE PointLanding land_on_sheet(const typename SheetLanding<mode>::Ro
 
 // ---- Microlenses --------------------------------------------------------------------------------------------------------
 
-/// Square cells and hexagons alike.
+/// Square and hexagonal cells.
 struct MicrolensRow {
   MicrolensConstants<float> c;
   float width, height;
-  float px, py;  ///< where entry 0's centre is
+  float px, py;  ///< centre of entry 0
 };
 
 template <SplatMode mode>
@@ -252,9 +251,9 @@ struct HexagonLanding {
   }
 };
 
-/// Lens and offset (in pixels) of a place on the panel.
+/// Lens and offset (in pixels) of a position on the panel.
 struct HexagonPlace {
-  float column, row;  ///< column counts half steps in odd rows
+  float column, row;  ///< the column counts half steps in odd rows
   float offset_x, offset_y;
 };
 
@@ -263,8 +262,8 @@ LIPPMANN_INLINE HexagonPlace place_in_hexagon(const MicrolensConstants<float>& c
   return {cell.column, cell.row, cell.from_column * c.columns.cell_px, cell.from_row * c.rows.cell_px};
 }
 
-/// The pixel that holds a place below a lens; where that one's centre belongs to a neighbour, the one a pixel nearer to the
-/// lens's centre.
+/// Returns the pixel that contains a position below a lens. If that pixel's centre belongs to a neighbouring lens, returns the
+/// pixel one step nearer to the lens's centre.
 LIPPMANN_INLINE PointLanding pixel_below_hexagon(const MicrolensConstants<float>& c, float column, float row, float offset_x,
                                                  float offset_y) {
   const float centre_x = c.columns.start_px + (column + 0.5f) * c.columns.cell_px;
@@ -307,8 +306,8 @@ LIPPMANN_INLINE PointLanding land_on_hexagons(const MicrolensRow& s, int i, floa
 
 // ---- By rule ------------------------------------------------------------------------------------------------------------
 
-// point_by(rule, row, i, z): the point at depth z behind pixel i of a row (counted from the row's first entry).
-// land_by(rule, row, i, ...): where that pixel's point lands after it has moved.
+// point_by(rule, row, i, z): returns the point at depth z behind pixel i of a row (counted from the row's first entry).
+// land_by(rule, row, i, ...): returns where that pixel's point lands after it has moved.
 
 LIPPMANN_INLINE Vec3f point_by(const GridLanding&, const GridLanding::Row& row, int i, float z) {
   return point_behind(row, i, z);

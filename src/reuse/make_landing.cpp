@@ -8,7 +8,7 @@
 namespace lippmann {
 namespace {
 
-/// A grid for one row of tiles, views or lenses; columns and rows are filled in by the caller.
+/// Returns a grid for one row of tiles, views or lenses. The caller fills in columns and rows.
 GridLanding empty_grid(const Panel& panel, double vergence, int sets) {
   GridLanding grid{};
   grid.c.vergence = static_cast<float>(vergence);
@@ -27,7 +27,7 @@ void set_column(GridLanding& grid, int set, int i, const GridLine& line) {
   grid.high[at] = line.high;
 }
 
-/// The rule of an axis with whole cells.
+/// Returns the scale of an axis with whole pixels per cell.
 GridScale scale_of(const LensAxis<double>& axis) {
   return {static_cast<float>(1.0 / axis.pitch_mm), static_cast<float>(0.5 - axis.lens0_mm / axis.pitch_mm),
           static_cast<float>(axis.whole_pixels)};
@@ -41,14 +41,15 @@ GridLine line_of(const LensAxis<double>& axis, int pixel, int size) {
           static_cast<float>(size - 1)};
 }
 
-/// One sample per pixel: pixel i of a view whose pixel 0 is `first`; `slope` as in GridLine.
+/// Returns the line of pixel i of a view with one sample per pixel, whose pixel 0 is `first`. `slope` as in GridLine.
 GridLine plain_line(const GridScale& scale, double slope, int i, int first, int low, int high) {
   const double place = (i - first + 0.5 - scale.shift) / scale.samples_per_mm;
   return {static_cast<float>(place), static_cast<float>(slope), static_cast<float>(first), static_cast<float>(low),
           static_cast<float>(high)};
 }
 
-/// Rows of a sheet, which the eye at V sees in perspective: row = floor(y0 samples_per_mm + shift), y0 along -y.
+/// Returns the scale of a sheet's rows, which the eye at V sees in perspective: row = floor(y0 samples_per_mm + shift), with y0
+/// along -y.
 GridScale sheet_rows(const LenticularConstants<double>& c) {
   const double spread = 1.0 + c.gap_mm * c.axis.vergence;
   return {static_cast<float>(spread / c.pixel_pitch_mm),
@@ -72,7 +73,7 @@ GridLanding microlens_grid(const Panel& panel, const MicrolensConstants<double>&
   return grid;
 }
 
-/// Padding belongs to the view next to it.
+/// Padding belongs to the adjacent view.
 GridLanding views_grid(const Panel& panel, const MultiView& views) {
   const MultiViewRays c = make_multi_view(panel, views, 0.0f);
   const int tile_width = panel.width / views.columns, tile_height = panel.height / views.rows;
@@ -158,7 +159,7 @@ AnyLanding landing(const Panel& panel, const SlantedPanel& slanted, SplatMode mo
                          0.5f * height, blue_first ? -1.0f : 1.0f, 0.0f, 0.0f}};
 }
 
-/// Models that do not say where a point lands.
+/// Models without a landing rule.
 template <class Model>
 AnyLanding landing(const Panel&, const Model&, SplatMode) {
   throw usage_error("reuse", "interpolate needs optics that can project points", "`reuse` copy, light, none or auto");

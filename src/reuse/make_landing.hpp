@@ -1,4 +1,4 @@
-// The landing rule (reuse/landing.hpp) that suits given optics.
+// Selects the landing rule (reuse/landing.hpp) for given optics.
 #pragma once
 
 #include <variant>
@@ -12,8 +12,8 @@ using AnyLanding = std::variant<GridLanding, SheetLanding<SplatMode::kView>, She
                                 SquareLanding<SplatMode::kView>, SquareLanding<SplatMode::kLens>,
                                 HexagonLanding<SplatMode::kView>, HexagonLanding<SplatMode::kLens>, SlantedLanding>;
 
-/// `optics` must pass validate(). Throws a usage Error for slanted panels whose sub-pixels do not lie in stripes, and for
-/// points that are to stay below their lenses.
+/// `optics` must pass validate(). Throws a usage Error for slanted panels with SplatMode::kLens or without striped sub-pixels,
+/// and for optics without a landing rule.
 AnyLanding make_landing(const Optics& optics, SplatMode mode);
 
 }  // namespace lippmann

@@ -1,12 +1,11 @@
-// Pixels of an in-between frame onto which no point has landed: why, and what they show instead.
+// Pixels of an in-between frame without a landed point: the cause, and the colour they get.
 //
-// The paper names two causes. Which one it was is found by asking what the pixel shows: the surface around it, that is, of its
-// nearest neighbours to the left and right in the same view (or below the same lens) which have a point, the one farther from
-// the viewer, because what comes into view comes from behind. That surface's point behind the pixel is carried back to both
-// source frames:
-//   newly visible  it lies within the picture (of its view, or its lens) of at least one of them: the area was covered, and
-//                  something nearer hid it there. Gaps that whole pixels leave where a surface stretches count here too.
-//   not covered    it lies outside both: neither frame's pictures reached so far. Also a pixel without neighbours.
+// The paper names two causes. The cause follows from the surface that the pixel shows: the nearest neighbours with a point, to
+// the left and right in the same view (or below the same lens), are compared, and the one farther from the viewer is used,
+// because newly visible parts come from behind. That surface's point behind the pixel is transformed to both source frames:
+//   newly visible  the point lies within the image (of its view, or its lens) of at least one source: something nearer occluded
+//                  it there. This also includes gaps of whole pixels in a stretched surface.
+//   not covered    the point lies outside both images. This also includes pixels without neighbours.
 #pragma once
 
 #include <cstdint>
@@ -23,17 +22,16 @@ struct MissedCauses {
   std::uint64_t newly_visible = 0, not_covered = 0;
 };
 
-/// What the two sources leave to know about an in-between frame after splatting.
+/// The two sources of an in-between frame after splatting.
 struct SplatPair {
   const SplatSource &previous, &following;
   const Motion &back_to_previous, &back_to_following;  ///< from the in-between frame's moment
 };
 
-/// Counts the causes of the pixels in `missed` (ascending) and, unless `film` is null, gives each the mean of its nearest
-/// neighbours that have a point: one to the left and one to the right of its view (or lens), and one up and one down within
-/// kFillReach steps, weighted by the inverse of their distance in pixels. Neighbours that belong to something in front of the
-/// farthest of them are left out: what has come into view was behind. Without any: the mean of the two sources' colours of the
-/// same pixel.
+/// Counts the causes of the pixels in `missed` (ascending). Unless `film` is null, sets each pixel to the mean of its nearest
+/// neighbours with a point: one to the left and one to the right in its view (or lens), and one up and one down within
+/// kFillReach steps, weighted by the inverse of their distance in pixels. Neighbours in front of the farthest one are ignored,
+/// because newly visible parts were behind. Without neighbours, uses the mean of the two sources' colours of the same pixel.
 MissedCauses resolve_missed(const SplatPair& pair, const Splatter& splatter, const ViewSteps& steps,
                             std::span<const std::uint32_t> missed, const ThreadPool& pool, Image* film);
 

@@ -16,7 +16,7 @@ GroupMotion to_group_motion(const Affine3d& a) {
   return motion;
 }
 
-/// As the display sees it.
+/// Returns the motion relative to the display.
 GroupMotion display_motion(const Affine3d& world, const Moment& from, const Moment& to) {
   if (world == Affine3d{} && from.world_from_display == to.world_from_display) {
     GroupMotion still = to_group_motion({});

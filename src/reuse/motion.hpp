@@ -1,9 +1,9 @@
-// The known motion from one moment to another, as seen from the display: one transform for all objects that move alike.
+// The known motion between two moments relative to the display: one transform per group of objects that move together.
 //
-// A point p (display mm at moment a) of an object on node n is, at moment b, at
-//   p' = display_from_world(b) world_from_n(b) n_from_world(a) world_from_display(a) p,
-// composed in double precision, because the world may be large beside a pixel. What stands still is one group, whatever node it
-// is on; if only the camera moves, there is no other.
+// A point p (display mm at moment a) of an object on node n moves at moment b to
+//   p' = display_from_world(b) world_from_n(b) n_from_world(a) world_from_display(a) p.
+// The product is composed in double precision, because the world may be large compared to a pixel. All static objects form one
+// group. If only the camera moves, it is the only group.
 #pragma once
 
 #include <array>
@@ -15,22 +15,22 @@
 
 namespace lippmann {
 
-/// Which objects of a scene move alike. Made once per scene.
+/// The groups of objects that move together. Make this once per scene.
 struct MotionGroups {
   std::vector<std::uint32_t> group_of_object;  ///< by object: instances, then lights
-  std::vector<int> node_of_group;              ///< group 0 stands still: -1
+  std::vector<int> node_of_group;              ///< group 0 is static and has -1
 };
 
-/// Meshes that change their shape are not carried right: what interpolates frames refuses them (frames/frame_maker.cpp).
+/// Deforming meshes are not supported: interpolated frames reject them (frames/frame_maker.cpp).
 MotionGroups make_motion_groups(const Scene& scene);
 
 struct GroupMotion {
   std::array<float, 12> rows;  ///< p' = linear p + translation: x from entries 0 ... 2 and 3, y from 4 ... 7, z from 8 ... 11
-  bool still = false;          ///< p' = p: points stay in their pixels, whatever rounding would make of them
+  bool still = false;          ///< p' = p exactly: points stay in their pixels despite rounding
 };
 
 struct Motion {
-  std::vector<GroupMotion> groups;  ///< one where everything moves alike
+  std::vector<GroupMotion> groups;  ///< one group if all objects move together
   const std::vector<std::uint32_t>* group_of_object = nullptr;
 
   bool uniform() const { return groups.size() == 1; }

@@ -1,4 +1,4 @@
-// Takes a handful of points to another moment: the inner step of projecting and sampling.
+// Transforms a small group of points to another moment: the inner step of projection and sampling.
 #pragma once
 
 #include <cstring>
@@ -8,14 +8,14 @@
 
 namespace lippmann {
 
-/// How many points are worked on at once: loops of this fixed length over local arrays turn into vector instructions.
+/// Number of points processed together. The compiler vectorises loops of this fixed length over local arrays.
 inline constexpr int kPointLanes = 16;
 
 struct alignas(64) Positions {
   float x[kPointLanes], y[kPointLanes], z[kPointLanes];
 };
 
-/// Those that stay exactly where they are: -1, the others 0.
+/// -1 for points that stay exactly in place, otherwise 0.
 struct alignas(64) StillLanes {
   std::int32_t lane[kPointLanes];
 };
@@ -33,7 +33,7 @@ LIPPMANN_INLINE void move_alike(const GroupMotion& motion, Positions& p, StillLa
   }
 }
 
-/// `object` may be kNoObject or kMissedObject; those do not move in any meaningful way.
+/// `object` may be kNoObject or kMissedObject; the motion of these points is meaningless.
 LIPPMANN_INLINE void move_each(const Motion& motion, const std::uint32_t* object, Positions& p, StillLanes& still) {
   const std::size_t objects = motion.group_of_object->size();
   const std::uint32_t* const groups = motion.group_of_object->data();
@@ -48,7 +48,7 @@ LIPPMANN_INLINE void move_each(const Motion& motion, const std::uint32_t* object
   }
 }
 
-/// The same for one point; one that stays is given back as it is.
+/// Moves a single point. Returns static points unchanged.
 inline Vec3f moved_point(const Motion& motion, std::uint32_t object, Vec3f p) {
   const bool known = object < motion.group_of_object->size();
   const GroupMotion& group = motion.groups[motion.uniform() || !known ? 0 : (*motion.group_of_object)[object]];

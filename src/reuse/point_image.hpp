@@ -1,7 +1,7 @@
-// The point image of a frame: behind every pixel the point that it shows, and in which colour. What other frames are made from.
+// The point image of a frame: point and colour of each pixel. Other frames are made from it.
 //
-// After the paper's point image. A pixel without a point ("missed", the paper's status -1) shows a colour that came from
-// elsewhere, which is not passed on to other frames.
+// After the paper's point image. A pixel without a point ("missed", the paper's status -1) has a colour from elsewhere, which
+// is not passed on to other frames.
 #pragma once
 
 #include <cstdint>
@@ -15,26 +15,26 @@
 
 namespace lippmann {
 
-/// In PrimaryPoints::object: no point is known behind this pixel; its depth is not a number.
+/// Value of PrimaryPoints::object for pixels without a known point; the depth is NaN.
 inline constexpr std::uint32_t kMissedObject = kNoObject - 1;
 inline constexpr float kMissedDepth = std::numeric_limits<float>::quiet_NaN();
 
-/// Where everything is at one time: the scene's nodes, and the display.
+/// The state of scene nodes and display at one time.
 struct Moment {
   ResolvedScene resolved;
   Affine3f world_from_display;  ///< a similarity
 };
 
-/// Bits of PointImage::contrast: the colour differs from that of the next sample of its view to the right, to the left.
+/// Bits of PointImage::contrast: the colour differs from that of the next sample of the view to the right or to the left.
 inline constexpr std::uint8_t kRightDiffers = 1, kLeftDiffers = 2;
 
 struct PointImage {
   Moment moment;
-  PrimaryPoints points;                  ///< at `moment`; kNoObject: background, kMissedObject: none
-  Image film;                            ///< 3 channels, linear: the colour of every pixel
-  std::vector<std::uint8_t> contrast;    ///< by pixel, of the bits above; empty: not looked for
-  std::vector<std::uint8_t> provenance;  ///< by pixel, values of Provenance; empty: all were traced, or nobody asks
-  std::vector<std::uint32_t> rays;       ///< by block that is traced together (TouchedBlocks::rays); empty: not counted
+  PrimaryPoints points;                  ///< at `moment`; kNoObject: background, kMissedObject: unknown
+  Image film;                            ///< 3 channels, linear
+  std::vector<std::uint8_t> contrast;    ///< by pixel, bits as above; empty: not computed
+  std::vector<std::uint8_t> provenance;  ///< by pixel, values of Provenance; empty: all pixels were traced, or not recorded
+  std::vector<std::uint32_t> rays;       ///< by block of rays traced together (TouchedBlocks::rays); empty: not counted
 };
 
 }  // namespace lippmann

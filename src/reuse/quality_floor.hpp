@@ -1,12 +1,12 @@
-// Traces of a predicted frame what has to be traced for its PSNR to stay at or above a floor.
+// Traces as much of a predicted frame as its PSNR needs to stay at or above a floor.
 //
-//   1. What patches of each level of uncertainty err by is known from a frame near by that was predicted and traced as a whole
-//      (learn_floor), and from held-out patches of this frame, which are traced. Both together bound with 95 % confidence what
-//      each level leaves in the frame (held_out.hpp).
-//   2. The most levels, from the lowest on, that keep the bound within the floor's mean squared error, and whose errors by this
-//      frame's own sample do so too, are trusted; all other patches are traced.
-//   3. Where that would cost about as much as all of the frame, nothing more is: it is better traced as a whole.
-// Which patches are traced depends on the predictions, the keys' rays, the seed and the frame's number alone.
+//   1. The errors of patches by level of uncertainty come from a nearby frame that was predicted and completely traced
+//      (learn_floor), and from held-out patches of this frame, which are traced. Together they bound with 95 % confidence the
+//      error that each level leaves in the frame (held_out.hpp).
+//   2. The largest number of lowest levels that keeps the bound within the floor's mean squared error, and also the errors
+//      estimated from this frame's own sample, is trusted. All other patches are traced.
+//   3. If that would cost about as much as the whole frame, tracing stops: the frame is better traced completely.
+// The selection depends only on the predictions, the keys' rays, the seed and the frame's number.
 #pragma once
 
 #include <span>
@@ -20,38 +20,39 @@
 namespace lippmann {
 
 struct FloorParams {
-  double min_psnr_db = 0.0;  ///< a floor for every frame, in 8-bit display codes; finite
+  double min_psnr_db = 0.0;  ///< lower limit for every frame, in 8-bit display codes; finite
   std::uint32_t seed = 0;    ///< decides which patches are held out
 };
 
-/// Frames whose other patches would cost more than this, in traced frames (tracing_costs.hpp), are not made from others.
+/// A frame is traced completely if its untrusted patches would cost more than this, in traced frames (tracing_costs.hpp).
 inline constexpr double kMostCost = 0.9;
 
-/// What is known of a predicted frame but its film.
+/// A predicted frame without its film.
 struct Predicted {
-  int number;                                 ///< in the animation
+  int number;                                 ///< number in the animation
   std::span<const std::uint8_t> uncertainty;  ///< by pixel
-  const Patches& patches;                     ///< which its pixels are divided into
+  const Patches& patches;                     ///< the division of its pixels
   std::span<const float> costs;               ///< by patch (Patches::costs)
-  Encoding encoding;                          ///< of the codes whose errors are meant
+  Encoding encoding;                          ///< encoding of the codes whose errors are measured
 };
 
-/// What a frame that was predicted and traced as a whole tells about others.
+/// The findings from a frame that was both predicted and completely traced.
 struct FloorLesson {
   Evidence evidence;
-  double cost = 1.0;  ///< what tracing part of a frame like it would cost, held-out patches included; in traced frames
+  double cost = 1.0;  ///< cost of tracing part of a similar frame, including held-out patches; in traced frames
 };
 
 FloorLesson learn_floor(const FloorParams& params, const Predicted& frame, const Image& predicted, const Image& traced,
                         const ThreadPool& pool);
 
 struct FloorOutcome {
-  bool holds = false;          ///< false: the frame is to be traced as a whole
-  std::uint64_t retraced = 0;  ///< pixels traced here, held-out ones among them
-  ErrorEstimate error;         ///< what the finished frame errs by, where the floor holds
+  bool holds = false;          ///< false: trace the frame completely
+  std::uint64_t retraced = 0;  ///< number of pixels traced here, including held-out ones
+  ErrorEstimate error;         ///< estimated error of the finished frame, if `holds`
 };
 
-/// `film` is the prediction, then the finished frame. `learned` is of a frame predicted over no shorter a time.
+/// `film` is the prediction on entry and the finished frame on return. `learned` must come from a frame predicted over at least
+/// the same time.
 FloorOutcome hold_floor(const FloorParams& params, const Predicted& frame, const Evidence& learned, const TracePackets& trace,
                         const ThreadPool& pool, Image& film);
 

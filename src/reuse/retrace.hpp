@@ -1,4 +1,4 @@
-// How the frames in between have single pixels, or packets of them, traced.
+// Callbacks that trace single pixels or packets of an in-between frame.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@
 
 namespace lippmann {
 
-/// Traces the given pixels (ascending) of the frame under way into its film and, where not null, its points.
+/// Traces the given pixels (ascending) of the current frame into its film and, if not null, its points.
 using TracePixels = std::function<void(std::span<const std::uint32_t> pixels, Image& film, PrimaryPoints* points)>;
 
-/// Traces those packets of the frame under way into its film for which `wanted` (trace/trace_packets.hpp) is not 0.
+/// Traces the packets of the current frame with a nonzero entry in `wanted` (trace/trace_packets.hpp) into its film.
 using TracePackets = std::function<void(std::span<const std::uint8_t> wanted, Image& film)>;
 
 }  // namespace lippmann

@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-// What a frame costs beside the blocks it traces, in full frames: the key's tests against the boxes, a copy.
+// Costs of a frame besides the blocks it traces, in full frames: the key's tests against the boxes, and a copy.
 constexpr double kKeyCost = 1.2, kCopyCost = 0.01;
 
 }  // namespace
@@ -37,7 +37,7 @@ int SettledBlocks::choose_span(const TouchedBlocks& blocks, int key, int last_fr
   }
 
   int best = 1;
-  double least = 1.0, sum = kKeyCost;  // costs of frames so far, in full frames: the least mean, and the sum
+  double least = 1.0, sum = kKeyCost;  // costs of the frames so far, in full frames: the least mean, and the sum
   for (int frames = 2; frames <= farthest; ++frames) {
     sum += kCopyCost + unsettled[static_cast<std::size_t>(horizon_of(frames - 1))] / all;
     if (sum / frames < least) best = frames, least = sum / frames;

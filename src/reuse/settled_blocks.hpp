@@ -1,8 +1,8 @@
-// Exact reuse in time: blocks of pixels that provably stay as they are over the frames to come, which copy them.
+// Exact temporal reuse: following frames copy blocks of pixels that provably do not change.
 //
-// A block of a key frame is settled for as long as none of its rays (to the surfaces, to the lights, along mirrors) meets a box
-// around anything that moves: then it sees and is lit by the same things, and tracing it again would give the same bits.
-// How far that holds is told apart in horizons, numbers of frames from the key on: the boxes of nearer horizons are smaller.
+// A block of a key frame is settled while none of its rays (to surfaces, to lights, along mirrors) hits a box around a moving
+// object: it then sees, and is lit by, the same objects, and tracing it again would give the same bits. The duration is divided
+// into horizons, numbers of frames from the key on; nearer horizons have smaller boxes.
 #pragma once
 
 #include <cstdint>
@@ -17,27 +17,29 @@ namespace lippmann {
 
 class SettledBlocks {
  public:
-  /// every: how many frames a key serves, itself among them, from 2; none: chosen by choose_span.
+  /// every: number of frames per key, including the key, at least 2. Without it, choose_span() chooses the number.
   SettledBlocks(const Scene& scene, int display_node, std::optional<int> every);
 
-  /// What to have trace_frame look for in a key frame. last_frame: where the animation ends. None at all: nothing moves.
+  /// Returns the boxes that trace_frame() must test in a key frame, or none if nothing moves. last_frame: last frame of the
+  /// animation.
   std::vector<HorizonBox> boxes(int key, int last_frame) const { return swept_.around(key, horizons_, last_frame); }
 
-  /// Whether any block can be settled in the frame after the key.
+  /// Returns whether any block can be settled in the frame after the key.
   static bool can_settle(std::span<const HorizonBox> boxes);
 
-  /// How many frames, the key among them, are best made from a key with these blocks: so many that the fewest rays per frame
-  /// are traced. 1: no reuse pays.
+  /// Returns the number of frames, including the key, to make from a key with these blocks. It minimises the rays traced per
+  /// frame. Returns 1 if reuse does not pay off.
   int choose_span(const TouchedBlocks& blocks, int key, int last_frame) const;
 
-  /// By block, 1 for those to trace in the frame `ahead` frames after the key: they are not settled so long.
+  /// Returns, by block, 1 for blocks to trace in the frame `ahead` frames after the key, because they are not settled that
+  /// long.
   std::vector<std::uint8_t> unsettled(const TouchedBlocks& blocks, int ahead) const;
 
  private:
   int horizon_of(int ahead) const;
 
   SweptBoxes swept_;
-  std::vector<int> horizons_;  ///< frames, the key among them; ascending
+  std::vector<int> horizons_;  ///< frames, including the key; ascending
   bool fixed_;
 };
 

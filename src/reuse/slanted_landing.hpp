@@ -1,13 +1,13 @@
-// Where a moved point is seen on a slanted panel's own frame, of which no two rows share their directions.
+// Projects a moved point to a slanted panel, where no two rows share their directions.
 //
-// The sub-pixel's ray comes from the eye at (e, h, D), so that from there the point (X, Y, Z) lies in the plane z = 0 at
+// The sub-pixel's ray comes from the eye at (e, h, D). From there, the point (X, Y, Z) appears in the plane z = 0 at
 //   s = (X - e Z / D) / (1 - Z / D),   y = (Y - h Z / D) / (1 - Z / D),
-// in the row that holds y. Of that row, the sub-pixel is taken that lies nearest to s of those with the phase of the point's
-// own, one below each lens: with the difference d of the phase at s and that phase, at s - (d - round(d)) lenses. It sends its
-// light into the same direction to within half of what lies between two sub-pixels, and is half a lens from s at the most.
-// Points that do not move stay. In stripes only: elsewhere a sub-pixel's place does not follow from its number.
+// in the row that contains y. Of the sub-pixels of that row with the phase of the point's own, one below each lens, the nearest
+// to s is used: if d is the difference between the phase at s and that phase, it lies at s - (d - round(d)) lenses. Its
+// direction is the same to within half the distance between two sub-pixels, and it is at most half a lens from s. Static points
+// stay in place. Only striped sub-pixels are supported, because otherwise a sub-pixel's place does not follow from its number.
 //
-// Symbols as in optics/slanted_panel.hpp; like landing.hpp, inlined into loops that vectorise.
+// Symbols as in optics/slanted_panel.hpp. Like landing.hpp, inlined into loops that vectorise.
 #pragma once
 
 #include "optics/slanted_panel.hpp"
@@ -19,10 +19,10 @@ struct SlantedLanding {
   struct Row {
     SlantedPanelRays c;  ///< at z = 0
     float lenses_per_sub_pixel, sub_pixels_per_lens;
-    float lenses_per_row;  ///< how the phase changes per row down
+    float lenses_per_row;  ///< change of the phase per row down
     float sub_pixels_per_mm, width, height, middle_x, middle_y;
-    float turned;  ///< -1: blue comes first, so that places in a pixel count from the right; else 1
-    float px, py;  ///< where entry 0's centre is
+    float turned;  ///< -1: blue comes first, so positions within a pixel count from the right; otherwise 1
+    float px, py;  ///< centre of entry 0
   };
 
   Row constants;
@@ -34,7 +34,7 @@ struct SlantedLanding {
   }
 };
 
-/// A film column (centre at + 0.5) to the place where it lies along the row, in sub-pixels, and back.
+/// Converts a film column (centre at + 0.5) to its position along the row, in sub-pixels. The function is its own inverse.
 LIPPMANN_INLINE float along_row(const SlantedLanding::Row& r, float column) {
   const float pixel = std::floor(column * (1.0f / 3.0f)), middle = 3.0f * pixel + 1.5f;
   return middle + r.turned * (column - middle);

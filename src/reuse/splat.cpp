@@ -13,18 +13,18 @@
 namespace lippmann {
 namespace {
 
-constexpr int kSplatBlock = 64;    // pixels projected at a time
-constexpr int kRowsPerStrip = 64;  // rows of the panel in a strip of sources, and in the strip of targets that a thread writes
-constexpr float kNearEnough = 0.1f;  // steps from a sample's centre within which its colour is good enough
-constexpr int kLeftBit = 1;          // which bit of PointImage::contrast is kLeftDiffers
+constexpr int kSplatBlock = 64;      // pixels projected at a time
+constexpr int kRowsPerStrip = 64;    // rows of a strip of sources, and of the strip of targets that one thread writes
+constexpr float kNearEnough = 0.1f;  // steps from a sample's centre within which its colour is used unchanged
+constexpr int kLeftBit = 1;          // index of the bit kLeftDiffers
 static_assert(kRightDiffers == 1 && kLeftDiffers == 1 << kLeftBit);
 constexpr std::uint32_t kBackgroundOrder = SplatBuffer::kBackgroundOrder;
 constexpr float kBackgroundBelow = std::numeric_limits<float>::lowest();
 
-/// Where a block of points lands; -1: nowhere.
+/// Landings of a block of points; -1: not visible.
 struct Block {
   alignas(64) std::int32_t target[kSplatBlock];
-  alignas(64) std::uint32_t order[kSplatBlock];   ///< who wins: the upper half of SplatBuffer's keys
+  alignas(64) std::uint32_t order[kSplatBlock];   ///< the upper half of SplatBuffer's keys
   alignas(64) std::uint32_t source[kSplatBlock];  ///< the lower half
 };
 
@@ -32,23 +32,23 @@ struct Block {
 struct RowOfPoints {
   const float* z;
   const std::uint32_t* object;
-  const std::uint8_t* contrast;  ///< null: not known
+  const std::uint8_t* contrast;  ///< null: unknown
   int row, first;                ///< panel coordinates of entry 0
 };
 
-/// What is common to all points of a panel.
+/// Constants of a panel.
 struct Limits {
   int width;
-  float front, back;  ///< z between which rays run
+  float front, back;  ///< range of z along the rays
 };
 
-/// Depths as whole numbers in the same order, all above kBackgroundOrder.
+/// Maps depths to integers in the same order, all above kBackgroundOrder.
 LIPPMANN_INLINE std::uint32_t order_of(float depth) {
-  const auto bits = std::bit_cast<std::uint32_t>(depth + 0.0f);  // -0 is 0
+  const auto bits = std::bit_cast<std::uint32_t>(depth + 0.0f);  // -0 becomes 0
   return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
 }
 
-/// A row's last lanes may not be there: then zeros.
+/// Loads a group of lanes. Missing lanes at the end of a row become 0.
 template <class T>
 LIPPMANN_INLINE void load(const T* from, int lanes, T* to) {
   if (lanes == kPointLanes) {
@@ -59,7 +59,7 @@ LIPPMANN_INLINE void load(const T* from, int lanes, T* to) {
   }
 }
 
-/// Points first ... first + lanes of a row: local arrays of a fixed size, which the compiler turns into registers.
+/// Projects points first ... first + lanes of a row. Local arrays of a fixed size are kept in registers.
 template <class Rule>
 LIPPMANN_INLINE void project_lanes(const Rule& rule, const Limits& limits, const Motion& motion, const RowOfPoints& points,
                                    int first, int lanes, Block& block) {
@@ -87,7 +87,7 @@ LIPPMANN_INLINE void project_lanes(const Rule& rule, const Limits& limits, const
   const std::int32_t own = points.row * limits.width + points.first + first, width = limits.width;
   const float front = limits.front, back = limits.back;
   for (int i = 0; i < kPointLanes; ++i) {
-    // Selections of numbers, one condition each: that is what the compiler turns into vector instructions.
+    // One condition per selection, so that the compiler vectorises the loop.
     const PointLanding at = land_by(rule, row, i, p.x[i], p.y[i], p.z[i]);
     const bool lands = (at.column >= 0.0f) & (at.row >= 0.0f) & (p.z[i] <= front) & (p.z[i] >= back);
     const std::int32_t landed =
@@ -108,7 +108,7 @@ LIPPMANN_INLINE void project_lanes(const Rule& rule, const Limits& limits, const
   std::memcpy(block.source + first, source, sizeof(source));
 }
 
-/// std::visit would call through a table, which hides the loop from the instruction set of its caller.
+/// Dispatches to the landing rule. std::visit would call through a table, and the loop would miss the caller's instruction set.
 template <class Use, std::size_t... I>
 LIPPMANN_INLINE void use_landing(const AnyLanding& any, const Use& use, std::index_sequence<I...>) {
   (void)((any.index() == I && (use(*std::get_if<I>(&any)), true)) || ...);
@@ -123,13 +123,13 @@ LIPPMANN_MULTIVERSION void project(const AnyLanding& any, const Limits& limits, 
   use_landing(any, project_by, std::make_index_sequence<std::variant_size_v<AnyLanding>>());
 }
 
-/// A point that lands in another strip than the one that it comes from.
+/// A point that lands in another strip than its source.
 struct Stray {
   std::int32_t target;
   std::uint64_t key;
 };
 
-/// What one strip of sources sends to others, and to which pixels.
+/// The points that one strip of sources sends to other strips, and the range of their targets.
 struct Strays {
   std::vector<Stray> points;
   std::int32_t lowest = std::numeric_limits<std::int32_t>::max(), highest = -1;
@@ -166,7 +166,7 @@ void offer_strays(const std::vector<Strays>& strays, TargetRange own, std::uint6
   }
 }
 
-/// Without a z-buffer the highest source wins.
+/// Orders points without a z-buffer: the highest source wins.
 void order_by_source(Block& block, int count) {
   for (int i = 0; i < count; ++i) block.order[i] = (~block.source[i] >> 1) + 1;
 }
@@ -200,7 +200,7 @@ struct Splatter::Impl {
       }
   }
 
-  /// One point, without the loops' machinery.
+  /// Projects a single point.
   PointLanding land_point(std::uint32_t pixel, float z, std::uint32_t object, const Motion& motion, float& moved_z) const {
     const auto width = static_cast<std::uint32_t>(limits.width);
     const int row = static_cast<int>(pixel / width), column = static_cast<int>(pixel % width);
@@ -214,7 +214,7 @@ struct Splatter::Impl {
         rule);
   }
 
-  /// Puts the depths of the points that have won without them where others expect them.
+  /// Replaces the order of the winning points by their depths, after splatting without a z-buffer.
   void restore_depths(const PointImage& image, const Motion& motion, TargetRange own, std::uint64_t* keys) const {
     for (std::int32_t target = own.begin; target < own.end; ++target) {
       if (keys[target] == 0) continue;

@@ -11,11 +11,11 @@ namespace {
 
 constexpr std::size_t kMaxBoxes = 100000;
 constexpr int kPartsPerAxis = 12;               // along each axis of a large mesh; smaller ones have 4
-constexpr std::size_t kTrianglesToPart = 2000;  // a mesh with so many, or more, is large
+constexpr std::size_t kTrianglesToPart = 2000;  // minimum size of a large mesh
 
 const Bounds3f kEverything{Vec3f(-kInfinity), Vec3f(kInfinity)};
 
-/// A mesh's triangles, gathered by the cell of a grid that their first vertex is in; cells without any are left out.
+/// Returns a mesh's triangles, grouped by the grid cell of their first vertex. Empty cells are left out.
 std::vector<std::vector<std::size_t>> triangles_by_part(const Mesh& mesh) {
   Bounds3f whole;
   for (const Vec3f& p : mesh.positions) whole.add(p);
@@ -31,7 +31,7 @@ std::vector<std::vector<std::size_t>> triangles_by_part(const Mesh& mesh) {
   return parts;
 }
 
-/// Boxes of a mesh's parts.
+/// Returns the boxes of a mesh's parts.
 std::vector<Bounds3f> parts_of(const Mesh& mesh) {
   std::vector<Bounds3f> boxes;
   for (const std::vector<std::size_t>& part : triangles_by_part(mesh)) {
@@ -42,7 +42,7 @@ std::vector<Bounds3f> parts_of(const Mesh& mesh) {
   return boxes;
 }
 
-/// The vertices of each of a mesh's parts; one on a border belongs to several.
+/// Returns the vertices of each of a mesh's parts. A vertex on a border belongs to several parts.
 std::vector<std::vector<std::uint32_t>> vertices_by_part(const Mesh& mesh) {
   std::vector<std::vector<std::uint32_t>> vertices;
   for (const std::vector<std::size_t>& part : triangles_by_part(mesh)) {
@@ -54,7 +54,7 @@ std::vector<std::vector<std::uint32_t>> vertices_by_part(const Mesh& mesh) {
   return vertices;
 }
 
-/// Exact boxes of analytic shapes, as they lie in their node.
+/// Returns the exact boxes of analytic shapes, in the space of their node.
 template <class Shapes>
 std::vector<Bounds3f> parts_of(const Shapes& shapes) {
   std::vector<Bounds3f> parts;
@@ -67,10 +67,10 @@ std::vector<Bounds3f> parts_of(const Shapes& shapes) {
   return parts;
 }
 
-/// One box around all that is seen of them: they are too many for one each.
+/// Returns one box around all visible splats: one box each would be too many.
 std::vector<Bounds3f> parts_of(const Splats& splats) { return {whole_bounds(splats, {})}; }
 
-/// As transform_bounds, of a box given by centre and half size.
+/// Like transform_bounds(), with the absolute values of the linear part in `reach`.
 Bounds3f around_transformed(const Affine3f& a, const Mat3f& reach, const Bounds3f& box) {
   const Vec3f center = transform_point(a, box.center()), half = reach * (0.5f * box.size());
   return {center - half, center + half};
@@ -82,18 +82,18 @@ bool contains(const Bounds3f& outer, const Bounds3f& inner) {
   return glm::all(glm::lessThanEqual(outer.lower, inner.lower)) && glm::all(glm::greaterThanEqual(outer.upper, inner.upper));
 }
 
-/// The boxes of one part, which stays as it is for its first `rests_for` frames; box_at: around it at a frame.
+/// Adds the boxes of one part, which does not change during its first `rests_for` frames. box_at: returns its box at a frame.
 template <class BoxAt>
 void add_boxes(std::size_t frames, std::size_t rests_for, std::span<const int> horizons, std::vector<HorizonBox>& boxes,
                const BoxAt& box_at) {
-  Bounds3f swept, told;
+  Bounds3f swept, bounded;
   std::size_t frame = 0;
   for (std::size_t h = 0; h < horizons.size() && frame < frames; ++h) {
     const auto horizon = static_cast<std::size_t>(horizons[h]);
     for (; frame < std::min(frames, horizon); ++frame) swept.add(box_at(frame));
-    if (rests_for >= horizon || rests_for == frames || contains(told, swept)) continue;
+    if (rests_for >= horizon || rests_for == frames || contains(bounded, swept)) continue;
     boxes.push_back({swept, static_cast<std::uint8_t>(h)});
-    told = swept;
+    bounded = swept;
   }
 }
 
@@ -127,7 +127,7 @@ std::vector<HorizonBox> SweptBoxes::around(int first, std::span<const int> horiz
   std::vector<ResolvedScene> moments;
   std::vector<HorizonBox> boxes;
   const int last = std::min(first + horizons.back() - 1, last_frame);
-  std::size_t known = horizons.size();  // horizons before this one have boxes
+  std::size_t known = horizons.size();  // the horizons before this one have boxes
   for (int frame = first; frame <= last; ++frame) {
     moments.push_back(evaluate(scene_, scene_.timeline.time(frame)));
     if (!all_changes(moments.front(), moments.back())) continue;
@@ -135,9 +135,9 @@ std::vector<HorizonBox> SweptBoxes::around(int first, std::span<const int> horiz
     boxes.push_back({kEverything, static_cast<std::uint8_t>(known)});
     break;
   }
-  const std::span<const int> told = horizons.first(known);
-  for (const MovingInstance& instance : instances_) add_swept(instance, moments, told, boxes);
-  for (const PosedInstance& instance : posed_) add_swept(instance, moments, told, boxes);
+  const std::span<const int> bounded = horizons.first(known);
+  for (const MovingInstance& instance : instances_) add_swept(instance, moments, bounded, boxes);
+  for (const PosedInstance& instance : posed_) add_swept(instance, moments, bounded, boxes);
   return boxes;
 }
 

@@ -1,7 +1,7 @@
-// Boxes around everything that moves during some frames of an animation, in world space.
+// World-space boxes around everything that moves during some frames of an animation.
 //
-// Meshes are bounded part by part, and every part by the box it sweeps: a turning object leaves free what it does not pass. Of
-// meshes that change their shape, parts that stay as they are have no box.
+// Meshes are bounded part by part, and each part by the box that it sweeps. The space that a turning object does not pass thus
+// stays free. Parts of deforming meshes that do not change have no box.
 #pragma once
 
 #include <span>
@@ -15,24 +15,24 @@ namespace lippmann {
 
 class SweptBoxes {
  public:
-  /// display_node: what the lens array moves with; -1: nothing. The scene must outlive this.
+  /// display_node: the node that carries the lens array, or -1. The scene must outlive this object.
   SweptBoxes(const Scene& scene, int display_node);
 
-  /// Boxes that hold all that moves between the first frame and the others of each horizon, at all of these frames; horizon h:
-  /// frames first ... first + horizons[h] - 1, as far as last_frame. horizons ascend, from 2. A box holds for its horizon and
-  /// all later ones. From where on something changes that no box can bound (the display, a light, an infinite plane), a box
-  /// without end.
+  /// Returns boxes that contain everything that moves between the first frame and the others of each horizon, at all of these
+  /// frames. Horizon h has the frames first ... first + horizons[h] - 1, up to last_frame. The horizons must ascend from at
+  /// least 2. A box applies to its horizon and all later ones. Changes that no box can bound (of the display, a light or an
+  /// infinite plane) give an infinite box.
   std::vector<HorizonBox> around(int first, std::span<const int> horizons, int last_frame) const;
 
  private:
   struct MovingInstance {
     int node = -1;
-    std::vector<Bounds3f> parts;  ///< local to the node
+    std::vector<Bounds3f> parts;  ///< in the space of the node
   };
 
   struct PosedInstance {
     std::size_t instance = 0;
-    std::vector<std::vector<std::uint32_t>> parts;  ///< the vertices of each
+    std::vector<std::vector<std::uint32_t>> parts;  ///< vertices of each part
   };
 
   void add_swept(const MovingInstance& instance, std::span<const ResolvedScene> moments, std::span<const int> horizons,
@@ -42,7 +42,7 @@ class SweptBoxes {
   bool all_changes(const ResolvedScene& from, const ResolvedScene& to) const;
 
   const Scene& scene_;
-  std::vector<int> decisive_nodes_;  ///< nodes that carry the display, lights or infinite planes, and move
+  std::vector<int> decisive_nodes_;  ///< moving nodes that carry the display, lights or infinite planes
   std::vector<MovingInstance> instances_;
   std::vector<PosedInstance> posed_;
 };
