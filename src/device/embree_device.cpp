@@ -25,9 +25,9 @@ void EmbreeMemory::add(std::int64_t bytes) {
 
 Error embree_error(RTCError code, const std::string& doing, std::uint64_t wanted_bytes) {
   if (code == RTC_ERROR_UNSUPPORTED_CPU)
-    return Error("Embree", doing + ": not on this processor", "x86-64 with SSE2, or ARM64");
+    return Error("Embree", doing + ": this processor is not supported", "x86-64 with SSE2, or ARM64");
   if (code != RTC_ERROR_OUT_OF_MEMORY) return Error("Embree", fmt::format("{}: error {}", doing, static_cast<int>(code)));
-  const std::string wanted = wanted_bytes < 1'000'000 ? "" : fmt::format("; it wanted {} MB in all", wanted_bytes / 1'000'000);
+  const std::string wanted = wanted_bytes < 1'000'000 ? "" : fmt::format("; {} MB required", wanted_bytes / 1'000'000);
   return Error("Embree", fmt::format("{}: out of memory{}", doing, wanted),
                "a scene with fewer triangles, or a machine with more memory");
 }

@@ -15,9 +15,9 @@ namespace {
 
 /// One pixel in this many is held out. The audit adds 2 x kPathsPerSample / kPixelsPerHeldOut = 1.6 % to the frame's paths.
 constexpr std::size_t kPixelsPerHeldOut = 500;
-/// Minimum number of held-out pixels in small pictures. With fewer, the interval is wider than 6 dB.
+/// Minimum number of held-out pixels in small images. With fewer, the interval is wider than 6 dB.
 constexpr std::size_t kLeastHeldOut = 64;
-/// Paths per pixel of each retraced picture, as a multiple of the frame's. Both pictures together have eight times the frame's
+/// Paths per pixel of each retraced image, as a multiple of the frame's. Both images together have eight times the frame's
 /// paths, so they can measure a denoised frame that is as accurate as one with eight times its paths.
 constexpr int kPathsPerSample = 4;
 /// Minimum number of paths. With few paths, the sRGB code of their mean is biased, because the transfer curve is not linear.

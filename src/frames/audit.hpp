@@ -1,9 +1,9 @@
 // Estimates the error of a path-traced frame on held-out pixels.
 //
 // About one pixel in 500 is held out and traced two more times with new random numbers. Let d be the sRGB code (0 to 1) of such
-// a pixel in the frame, and a and b its codes in the two new pictures. a and b are independent of d and of each other, so the
+// a pixel in the frame, and a and b its codes in the two new images. a and b are independent of d and of each other, so the
 // expected value of (d - a)(d - b) is the squared error of d, without the noise of a and b. The frame's squared error is the
-// mean over the held-out pixels. The estimate is only reported; it does not change the picture.
+// mean over the held-out pixels. The estimate is only reported; it does not change the image.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// Frames rendered band by band into one film in memory: the working memory of tracing is that of one band of rows.
+// Renders frames band by band into one film in memory. Tracing needs working memory for one band of rows only.
 #pragma once
 
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace lippmann {
 
-/// The bits of frames that are rendered in as many strips. film: the size of a whole frame. wanted: its layers. `context` must
-/// outlive the maker.
+/// Returns a maker whose frames have the same bits as frames rendered in the same number of strips. film: size of a whole
+/// frame. wanted: its layers. `context` must outlive the maker.
 std::unique_ptr<FrameMaker> make_banded_frames(StripMaker bands, Vec2i film, const FrameAovs& wanted, const Context& context);
 
 }  // namespace lippmann

@@ -16,13 +16,14 @@
 namespace lippmann {
 namespace {
 
-/// In one of so many intervals it is found out whether predicting pays in all of them.
+/// Number of intervals per segment. One interval decides for the whole segment whether prediction pays off.
 constexpr int kSegmentIntervals = 8;
-/// Where a prediction costs more than this share of a traced frame it is not even tried: what is left to trace takes the rest.
+/// If a prediction costs more than this share of a traced frame, it is not tried: tracing the uncertain part would cost the
+/// rest.
 constexpr double kMostPredictionCost = 1.0 / 3.0;
-/// The least saving of a whole interval, its key counted, for which frames are predicted: costs are known to a third only.
+/// Minimum saving of a whole interval, including its key, for predicting frames. Costs are accurate to about a third.
 constexpr double kLeastIntervalSaving = 0.05;
-/// What keys twice as near take from the cost of what is to trace, in traced frames: seldom more.
+/// Expected reduction of the tracing cost when keys are twice as close, in traced frames.
 constexpr double kHalvingGains = 0.1;
 
 void add_spent(const FrameReport& spent, FrameReport& report) {
@@ -31,12 +32,12 @@ void add_spent(const FrameReport& spent, FrameReport& report) {
   add(spent.rays, report.rays);
 }
 
-/// How far a frame is from the first to the last, 0 ... 1.
+/// Returns the position of a frame between the first and the last, 0 ... 1.
 float position(int frame, const FrameInterval& interval) {
   return static_cast<float>(frame - interval.first) / static_cast<float>(interval.last - interval.first);
 }
 
-/// An error of 0 among the held-out pixels is no proof that there is none.
+/// Returns the PSNR of the estimate, or of its bound if all held-out pixels have an error of 0.
 double estimated_psnr(const ErrorEstimate& error) { return psnr_db(error.mse > 0.0 ? error.mse : error.bound); }
 
 class ErrorBoundedFrames final : public FrameMaker {
@@ -48,21 +49,21 @@ class ErrorBoundedFrames final : public FrameMaker {
 
  private:
   struct Segment {
-    int length = 0;     ///< frames from key to key; 0: all are traced
-    Evidence evidence;  ///< what uncertainty means in it
+    int length = 0;     ///< frames between keys; 0: all frames are traced
+    Evidence evidence;  ///< errors by uncertainty in the segment
   };
 
-  /// Renders a frame, and whatever it depends on, into films_ or keys_.
+  /// Renders a frame and its sources into films_ or keys_.
   void render(int frame);
   void render_between(int frame, const FrameInterval& interval, const Evidence& learned);
-  /// The segment of a frame. Tries it where that has not been done.
+  /// Returns the segment of a frame, after trying it out on first use.
   const Segment& segment_of(int frame);
   Segment try_segment(int first);
-  /// Traces the middle frame of an interval, which has such keys around it, and compares it with its prediction.
+  /// Traces the middle frame of a key interval and compares it with its prediction.
   FloorLesson learn(const FrameInterval& interval);
-  /// Whether the frame in the middle of an interval, which is made first, was worth predicting.
+  /// Returns whether predicting the middle frame of an interval, which is made first, paid off.
   bool middle_holds(const FrameInterval& interval, const Evidence& learned);
-  /// False: the frame had to be traced.
+  /// Returns false if the frame had to be traced.
   bool predict_or_trace(int frame, const FrameInterval& interval, const Evidence& learned);
   void trace(int frame, const FrameReport& spent = {});
   const PointImage& key(int frame);
@@ -73,11 +74,11 @@ class ErrorBoundedFrames final : public FrameMaker {
   Interpolate reuse_;
   int every_, last_frame_;
   InBetweenMaker maker_;
-  std::map<int, ForwardSource> keys_;         ///< by frame
-  std::map<int, RenderedFrame> films_;        ///< likewise: made, not taken yet
-  std::map<int, Segment> segments_;           ///< by first frame
-  std::map<int, bool> middle_holds_;          ///< by middle frame
-  std::map<int, FrameReport> not_asked_for_;  ///< rendered because others depend on them, by frame
+  std::map<int, ForwardSource> keys_;          ///< by frame
+  std::map<int, RenderedFrame> films_;         ///< finished frames that are not yet returned, by frame
+  std::map<int, Segment> segments_;            ///< by first frame
+  std::map<int, bool> middle_holds_;           ///< by middle frame
+  std::map<int, FrameReport> source_reports_;  ///< reports of frames rendered only as sources, by frame
 };
 
 ErrorBoundedFrames::ErrorBoundedFrames(const MakerParts& parts, const Interpolate& reuse)
@@ -110,7 +111,7 @@ void ErrorBoundedFrames::render(int frame) {
 void ErrorBoundedFrames::render_between(int frame, const FrameInterval& interval, const Evidence& learned) {
   forget_before(interval.first);
   const bool holds = middle_holds(interval, learned);
-  if (parts_.context.cancelled || films_.contains(frame)) return;  // it is the middle one
+  if (parts_.context.cancelled || films_.contains(frame)) return;  // it is the middle frame
   if (holds)
     predict_or_trace(frame, interval, learned);
   else
@@ -150,13 +151,13 @@ FloorLesson ErrorBoundedFrames::learn(const FrameInterval& interval) {
   FrameReport& report = keys_.at(middle).report;
   clock.add_to(report);
   report.kind = "full";
-  not_asked_for_[middle] = report;
+  source_reports_[middle] = report;
   return lesson;
 }
 
 bool ErrorBoundedFrames::middle_holds(const FrameInterval& interval, const Evidence& learned) {
   const int middle = middle_frame(interval);
-  if (keys_.contains(middle)) return true;  // learned from
+  if (keys_.contains(middle)) return true;  // a key since learn()
   if (const auto known = middle_holds_.find(middle); known != middle_holds_.end()) return known->second;
   const bool holds = predict_or_trace(middle, interval, learned);
   return middle_holds_[middle] = holds;
@@ -191,7 +192,7 @@ bool ErrorBoundedFrames::predict_or_trace(int frame, const FrameInterval& interv
     made.pictures.aovs = wanted_aovs(parts_.sampling);
     set_provenance(image.provenance, film_size(parts_.stage.placed.optics), made.pictures.aovs);
     made.report = report;
-    not_asked_for_[frame] = report;
+    source_reports_[frame] = report;
   } else if (!parts_.context.cancelled) {
     this->trace(frame, report);
   }
@@ -201,14 +202,14 @@ bool ErrorBoundedFrames::predict_or_trace(int frame, const FrameInterval& interv
 void ErrorBoundedFrames::trace(int frame, const FrameReport& spent) {
   RenderedFrame& rendered = films_[frame] = render_frame(parts_.stage, parts_.sampling, frame, parts_.pool, parts_.context);
   add_spent(spent, rendered.report);
-  not_asked_for_[frame] = rendered.report;
+  source_reports_[frame] = rendered.report;
 }
 
 const PointImage& ErrorBoundedFrames::key(int frame) {
   const auto known = keys_.find(frame);
   if (known != keys_.end()) return known->second.image;
   ForwardSource& source = keys_[frame] = trace_source(parts_, reuse_, frame, maker_);
-  not_asked_for_[frame] = source.report;
+  source_reports_[frame] = source.report;
   return source.image;
 }
 
@@ -217,7 +218,7 @@ void ErrorBoundedFrames::forget_before(int frame) {
 }
 
 RenderedFrame ErrorBoundedFrames::take(int frame) {
-  not_asked_for_.erase(frame);
+  source_reports_.erase(frame);
   if (const auto made = films_.find(frame); made != films_.end()) return std::move(films_.extract(made).mapped());
   const FrameClock clock(parts_.pool);
   const ForwardSource& source = keys_.at(frame);
@@ -232,7 +233,7 @@ RenderedFrame ErrorBoundedFrames::take(int frame) {
 
 std::vector<FrameReport> ErrorBoundedFrames::sources() const {
   std::vector<FrameReport> reports;
-  for (const auto& [frame, report] : not_asked_for_) reports.push_back(report);
+  for (const auto& [frame, report] : source_reports_) reports.push_back(report);
   return reports;
 }
 
@@ -245,8 +246,9 @@ std::unique_ptr<FrameMaker> make_error_bounded_frames(const MakerParts& parts, c
 double error_bounded_frames_bytes_per_pixel() {
   constexpr double kFilm = 3 * sizeof(float), kPoint = sizeof(float) + sizeof(std::uint32_t), kContrast = 1;
   const int halvings = halving_depth(kDefaultKeyframes);
-  const int images = 1 + halvings, films = halvings - 1;                      // seldom all at once
-  constexpr double kUncertainty = 2 * sizeof(std::uint64_t) + 2 * kFilm + 5;  // landed, predicted by either key, planes
+  const int images = 1 + halvings, films = halvings - 1;  // rarely all at once
+  // landed points, predictions from either key, and planes
+  constexpr double kUncertainty = 2 * sizeof(std::uint64_t) + 2 * kFilm + 5;
   return images * (kFilm + kPoint + kContrast) + films * kFilm + kUncertainty;
 }
 

@@ -1,15 +1,15 @@
-// Interpolated frames that keep to a PSNR (--reuse interpolate --min-psnr): key frames are traced, the others predicted from
-// them and traced where they are uncertain (reuse/quality_floor.hpp).
+// Interpolated frames with a minimum PSNR (--reuse interpolate --min-psnr). Key frames are traced; the others are predicted
+// from them and traced where they are uncertain (reuse/quality_floor.hpp).
 //
-// Whether that pays is told from counts (reuse/tracing_costs.hpp), never from a clock. An animation is cut into segments of
-// kSegmentIntervals intervals, each of kDefaultKeyframes frames or as many as were asked for. In the first interval of a
-// segment the middle frame is predicted, traced as a whole and compared: its errors tell what uncertainty means in the segment,
-// and what the other frames will cost. If that pays, all of the segment has such intervals; if not, intervals half as long are
-// tried, unless a length was asked for. If nothing pays, all frames of the segment are traced, at no further cost. In every
-// interval the middle frame is made first; where it has to be traced as a whole after all, so have the others.
+// Counts (reuse/tracing_costs.hpp), never a clock, decide whether prediction pays off. The animation is divided into segments
+// of kSegmentIntervals intervals, each of kDefaultKeyframes frames or the requested number. In the first interval of a segment,
+// the middle frame is predicted, traced completely and compared: its errors calibrate the uncertainty in the segment and the
+// cost of the other frames. If prediction pays off, the whole segment uses such intervals; if not, intervals of half the length
+// are tried, unless a length was requested. If nothing pays off, all frames of the segment are traced at no further cost. In
+// each interval the middle frame is made first; if it has to be traced completely, so are the others.
 //
-// What is tried first depends on the animation alone, and what comes of it as well, so that any part of an animation has the
-// same bytes as in the whole.
+// The trials and their results depend on the whole animation only, so each part of an animation has the same bytes as in the
+// whole.
 #pragma once
 
 #include <memory>
@@ -21,10 +21,10 @@ namespace lippmann {
 /// `reuse.min_psnr_db` must be set.
 std::unique_ptr<FrameMaker> make_error_bounded_frames(const MakerParts& parts, const Interpolate& reuse);
 
-/// Bytes per pixel that the maker keeps between frames.
+/// Returns the memory that the maker keeps between frames, in bytes per pixel.
 double error_bounded_frames_bytes_per_pixel();
 
-/// Frames for which it is found out together whether predicting pays.
+/// Returns the number of frames of a segment.
 int error_bounded_frames_per_segment(const Interpolate& reuse);
 
 }  // namespace lippmann

@@ -12,7 +12,7 @@
 namespace lippmann {
 namespace {
 
-// Reuse that saves less than this share of the time is given up for a while, a longer one each time.
+// If reuse saves less than this share of the time, it pauses for a number of frames that doubles each time, up to kLongestRest.
 constexpr double kLeastSpanSaving = 0.02;
 constexpr int kLongestRest = 256;
 
@@ -25,8 +25,8 @@ class ExactFrames final : public FrameMaker {
  private:
   RenderedFrame key(int frame);
   RenderedFrame from_key(int frame);
-  /// The layer of provenance, where it is wanted: what lies in settled blocks was copied.
-  void tell_copied(const Shot& shot, std::span<const std::uint8_t> unsettled, FrameAovs& aovs) const;
+  /// Fills the provenance layer, if wanted: pixels of settled blocks were copied.
+  void mark_copied(const Shot& shot, std::span<const std::uint8_t> unsettled, FrameAovs& aovs) const;
   void judge(const FrameReport& in_between);
 
   MakerParts parts_;
@@ -34,13 +34,13 @@ class ExactFrames final : public FrameMaker {
   int last_frame_;
   SettledBlocks settled_;
 
-  int key_ = 0, span_ = 0;  ///< the key serves frames key_ ... key_ + span_ - 1
-  Image film_;              ///< the key's
-  TouchedBlocks blocks_;    ///< the key's
+  int key_ = 0, span_ = 0;  ///< the key is used for frames key_ ... key_ + span_ - 1
+  Image film_;              ///< of the key
+  TouchedBlocks blocks_;    ///< of the key
 
-  // Whether all this pays is measured; the pictures do not depend on it.
-  double full_seconds_ = 0.0, key_seconds_ = 0.0;  ///< CPU time of the last full frame and key; 0: none yet
-  int rest_ = 0;                                   ///< frames to trace before the next key is tried
+  // Timings decide how long reuse continues. They do not affect the images.
+  double full_seconds_ = 0.0, key_seconds_ = 0.0;  ///< CPU time of the last full frame and key; 0: not yet measured
+  int rest_ = 0;                                   ///< number of frames to trace before the next key is tried
   int next_rest_ = 16;
 };
 
@@ -88,7 +88,7 @@ RenderedFrame ExactFrames::from_key(int frame) {
   rendered.report.rays = trace_blocks(parts_.stage.shot(moment), trace_params(parts_.sampling, parts_.stage), unsettled,
                                       {parts_.pool, parts_.context}, rendered.pictures.film);
   rendered.pictures.aovs = wanted_aovs(parts_.sampling);
-  tell_copied(parts_.stage.shot(moment), unsettled, rendered.pictures.aovs);
+  mark_copied(parts_.stage.shot(moment), unsettled, rendered.pictures.aovs);
   rendered.report.frame = frame;
   rendered.report.kind = "in-between";
   const std::uint64_t samples = static_cast<std::uint64_t>(film_.width) * static_cast<std::uint64_t>(film_.height) *
@@ -100,7 +100,7 @@ RenderedFrame ExactFrames::from_key(int frame) {
   return rendered;
 }
 
-void ExactFrames::tell_copied(const Shot& shot, std::span<const std::uint8_t> unsettled, FrameAovs& aovs) const {
+void ExactFrames::mark_copied(const Shot& shot, std::span<const std::uint8_t> unsettled, FrameAovs& aovs) const {
   set_provenance(Provenance::kCopied, film_size(shot), aovs);
   if (!aovs.wants(Aov::kProvenance)) return;
   std::vector<float>& codes = aovs[Aov::kProvenance].data;
@@ -108,7 +108,7 @@ void ExactFrames::tell_copied(const Shot& shot, std::span<const std::uint8_t> un
                            [&](std::uint32_t pixel) { codes[pixel] = static_cast<float>(Provenance::kTraced); });
 }
 
-/// Ends the key's span where it does not pay: where the span's frames will take about as long as full ones.
+/// Ends the key's span if its frames would take about as long as full ones.
 void ExactFrames::judge(const FrameReport& in_between) {
   const double span_seconds = key_seconds_ + (span_ - 1) * in_between.cpu_seconds;
   if (span_seconds < (1.0 - kLeastSpanSaving) * span_ * full_seconds_) {

@@ -1,5 +1,5 @@
-// Frames by exact reuse: key frames traced whole, of the others only the blocks that do not provably stay as they are in the
-// key. The same bits as if every frame were traced, whichever frames are keys.
+// Exact reuse: key frames are traced completely; of other frames, only the blocks that may differ from the key. The bits are
+// the same as if every frame were traced, whichever frames are keys.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@ namespace lippmann {
 
 std::unique_ptr<FrameMaker> make_exact_frames(const MakerParts& parts, const CopySettled& reuse);
 
-/// Bytes per pixel that the maker keeps between frames.
+/// Memory that the maker keeps between frames, in bytes per pixel.
 inline constexpr double kExactFramesBytesPerPixel = 3 * sizeof(float);
 
 }  // namespace lippmann

@@ -15,7 +15,7 @@
 namespace lippmann {
 namespace {
 
-/// Whether halving makes frames between this one and an end of the interval whose middle it is.
+/// Returns whether halving makes frames between this middle frame and an end of its interval.
 bool is_source(int frame, const FrameInterval& interval) { return frame - interval.first > 1 || interval.last - frame > 1; }
 
 class ForwardFrames final : public FrameMaker {
@@ -30,7 +30,7 @@ class ForwardFrames final : public FrameMaker {
   using Source = ForwardSource;
 
   Source between(int frame, const FrameInterval& interval, bool as_source);
-  /// The intervals to go through until the frame, which is no key, is made from the ends of the last one.
+  /// Returns the intervals to process until a frame that is not a key can be made from the ends of the last one.
   std::vector<FrameInterval> path_to(int frame) const;
   void keep_only_sources_of(int frame);
   const Source& key(int frame);
@@ -41,8 +41,8 @@ class ForwardFrames final : public FrameMaker {
   int every_, last_frame_;
   InBetweenMaker maker_;
   SpareImages spare_films_;
-  std::map<int, Source> sources_;             ///< by frame
-  std::map<int, FrameReport> not_asked_for_;  ///< rendered as sources only, by frame
+  std::map<int, Source> sources_;              ///< by frame
+  std::map<int, FrameReport> source_reports_;  ///< reports of frames rendered only as sources, by frame
 };
 
 ForwardFrames::ForwardFrames(const MakerParts& parts, const Interpolate& reuse)
@@ -56,12 +56,12 @@ RenderedFrame ForwardFrames::make(int frame) {
   keep_only_sources_of(frame);
   RenderedFrame rendered;
   rendered.pictures.aovs = wanted_aovs(parts_.sampling);
-  const auto tell_provenance = [&](const Source& source) {
+  const auto mark_provenance = [&](const Source& source) {
     set_provenance(source.image.provenance, film_size(parts_.stage.placed.optics), rendered.pictures.aovs);
   };
   const auto copy = [&](const Source& source) {
     const FrameClock clock(parts_.pool);
-    tell_provenance(source);
+    mark_provenance(source);
     rendered.pictures.film = source.image.film;
     rendered.report = source.report;
     clock.add_to(rendered.report);
@@ -80,12 +80,12 @@ RenderedFrame ForwardFrames::make(int frame) {
       copy(add(between(frame, path.back(), true)));
     } else {
       Source made = between(frame, path.back(), false);
-      tell_provenance(made);
+      mark_provenance(made);
       rendered.pictures.film = std::move(made.image.film);
       rendered.report = made.report;
     }
   }
-  not_asked_for_.erase(frame);
+  source_reports_.erase(frame);
   return rendered;
 }
 
@@ -111,7 +111,7 @@ const ForwardFrames::Source& ForwardFrames::key(int frame) {
 
 const ForwardFrames::Source& ForwardFrames::add(Source source) {
   const int frame = source.report.frame;
-  not_asked_for_[frame] = source.report;
+  source_reports_[frame] = source.report;
   return sources_[frame] = std::move(source);
 }
 
@@ -137,7 +137,7 @@ ForwardFrames::Source ForwardFrames::between(int frame, const FrameInterval& int
 
 std::vector<FrameReport> ForwardFrames::sources() const {
   std::vector<FrameReport> reports;
-  for (const auto& [frame, report] : not_asked_for_) reports.push_back(report);
+  for (const auto& [frame, report] : source_reports_) reports.push_back(report);
   return reports;
 }
 
@@ -149,7 +149,7 @@ std::unique_ptr<FrameMaker> make_forward_frames(const MakerParts& parts, const I
 
 double forward_frames_bytes_per_pixel(const Interpolate& reuse) {
   constexpr double kFilm = 3 * sizeof(float), kPoint = sizeof(float) + sizeof(std::uint32_t), kContrast = 1, kSpareFilms = 2;
-  // Two keys, one made frame per halving, the keys of two splats, and films to be used again.
+  // Two keys, one made frame per halving, the keys of two splats, and reusable films.
   const int images = 2 + (reuse.halving ? halving_depth(key_frame_interval(reuse)) : 0);
   return images * (kFilm + kPoint + kContrast) + 2 * sizeof(std::uint64_t) + kSpareFilms * kFilm;
 }

@@ -1,6 +1,5 @@
-// The paper's interpolated animation: key frames are traced, the frames between them made from their points; straight from the
-// two keys, or by halving (reuse/frame_plan.hpp). Of the frames that others are made from, only those on the way to the frame
-// under way are kept.
+// The paper's interpolated animation: key frames are traced, and the frames between them are made from their points, directly
+// or by halving (reuse/frame_plan.hpp). Only the sources of the current frame are kept.
 #pragma once
 
 #include <memory>
@@ -11,7 +10,7 @@ namespace lippmann {
 
 std::unique_ptr<FrameMaker> make_forward_frames(const MakerParts& parts, const Interpolate& reuse);
 
-/// Bytes per pixel that the maker keeps between frames.
+/// Returns the memory that the maker keeps between frames, in bytes per pixel.
 double forward_frames_bytes_per_pixel(const Interpolate& reuse);
 
 }  // namespace lippmann

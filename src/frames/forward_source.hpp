@@ -1,4 +1,4 @@
-// A frame that others are made from.
+// A source frame, from which other frames are made.
 #pragma once
 
 #include "frames/frame_maker.hpp"
@@ -11,16 +11,16 @@ struct ForwardSource {
   FrameReport report;
 };
 
-/// How the frames between key frames are made of what they have.
+/// Returns the parameters for frames between key frames.
 ForwardParams forward_params(const Sampling& sampling, const Interpolate& reuse);
 
-/// Every how many frames one is traced, or at least is, where it is chosen.
+/// Returns the number of frames between key frames, or its default if it is chosen automatically.
 inline int key_frame_interval(const Interpolate& reuse) { return reuse.keyframes.value_or(kDefaultKeyframes); }
 
 /// Traces a key frame with its points and prepares it for `maker`. The result is incomplete if the context is cancelled.
 ForwardSource trace_source(const MakerParts& parts, const Interpolate& reuse, int frame, const InBetweenMaker& maker);
 
-/// The report of a frame made from others; without times.
+/// Returns the report of a frame made from others, without times.
 FrameReport in_between_report(int frame, const InBetweenCounts& counts, const RayCounts& rays, Vec2i film);
 
 }  // namespace lippmann

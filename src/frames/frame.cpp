@@ -71,10 +71,10 @@ void add_first_hits(const Stage& stage, const Sampling& sampling, const Moment& 
 
 namespace {
 
-/// Times in the exposure share a frame's samples among them: more would cost more updates of the scene than they show.
+/// Maximum number of times per exposure. More times would cost more scene updates without a visible effect.
 constexpr int kMostTimes = 32;
 
-/// Traces a share of a frame's samples.
+/// Traces one share of a frame's samples.
 using TraceShare = std::function<RayCounts(const Shot&, const TraceParams&, SampleShare, FramePictures&)>;
 
 /// Traces each share of the samples at its own time.
@@ -104,7 +104,7 @@ RenderedFrame render_with(Stage& stage, const Sampling& sampling, int frame, con
   if (sampling.shutter > 0.0f) {
     const std::vector<ExposureTime> times = exposure_times(sampling, stage.scene.timeline, frame);
     rendered.report.rays = trace_exposure(stage, times, params, workers, trace, rendered.pictures);
-    stage.device.update(moment.resolved, workers.pool);  // layers of first hits are of the frame's own time
+    stage.device.update(moment.resolved, workers.pool);  // first-hit layers show the frame's own time
   } else {
     rendered.report.rays = trace(stage.shot(moment), params, {}, rendered.pictures);
   }

@@ -1,4 +1,4 @@
-// Renders one frame: where everything is at its time, the scene made ready for tracing, every pixel traced.
+// Renders one frame: moves the scene to the frame's time and traces all pixels.
 #pragma once
 
 #include <chrono>
@@ -20,28 +20,28 @@
 
 namespace lippmann {
 
-/// What stays the same from frame to frame, set up once.
+/// The parts of rendering that are set up once for all frames.
 struct Stage {
   Scene scene;
   FittedArray array;
   PlacedOptics placed;
-  DeviceScene device;  ///< refers to `scene`: a Stage stays where it was made
-  FilmRows rows{};     ///< of every frame that are rendered (strip_maker.hpp)
+  DeviceScene device;  ///< refers to `scene`, so a Stage cannot be moved
+  FilmRows rows{};     ///< the rows of every frame to render (strip_maker.hpp)
 
-  /// Builds what rays are traced against. The scene passes validate().
+  /// Builds the device scene. The scene must pass validate().
   Stage(Scene scene, FittedArray array, PlacedOptics placed, Integrator integrator, const ThreadPool& pool);
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
-  /// Where everything is in a frame.
+  /// Return the state of the scene at a frame or a time.
   Moment moment_at(int frame) const;
   Moment moment_at_time(double seconds) const;
 
-  /// What is rendered of the moment that the device scene was moved to.
+  /// Returns the shot for the moment that the device scene was moved to.
   Shot shot(const Moment& moment) const { return {device, placed.optics, moment.world_from_display, rows}; }
 };
 
-/// Measures the rendering of one frame, from its making on.
+/// Measures the time of rendering one frame, starting at construction.
 class FrameClock {
  public:
   explicit FrameClock(const ThreadPool& pool) : pool_(pool), cpu_start_(pool.cpu_seconds()) {}
@@ -57,38 +57,38 @@ class FrameClock {
   double cpu_start_;
 };
 
-/// One of the times that a frame with motion blur is exposed at, and the samples that are traced then.
+/// One of the times at which a frame with motion blur is exposed, and its share of the samples.
 struct ExposureTime {
   double seconds = 0.0;
   SampleShare share;
 };
 
-/// The samples of a pixel in their order, spread evenly over the time that the shutter is open.
+/// Returns times spread evenly over the open time of the shutter, with the pixel's samples in order.
 std::vector<ExposureTime> exposure_times(const Sampling& sampling, const Timeline& timeline, int frame);
 
-/// Which layers a frame has to have.
+/// Returns the layers that a frame needs.
 FrameAovs wanted_aovs(const Sampling& sampling);
 
-/// Where the layer of provenance is wanted: all pixels of the frame came from there.
+/// Fills the provenance layer, if wanted, with one value for all pixels.
 void set_provenance(Provenance all, Vec2i film_size, FrameAovs& aovs);
 
-/// Likewise, by pixel, values of Provenance; none: all were traced.
+/// Fills the provenance layer, if wanted, from values of Provenance by pixel. If `of_pixels` is empty, all pixels were traced.
 void set_provenance(std::span<const std::uint8_t> of_pixels, Vec2i film_size, FrameAovs& aovs);
 
-/// How frames are traced. Quilts that displays show are seen as beams as wide as a view, unless `sampling` asks for something
-/// else.
+/// Returns the parameters for tracing. Quilts for displays use beams as wide as a view, unless `sampling` selects another
+/// filter.
 TraceParams trace_params(const Sampling& sampling, const Stage& stage);
 
-/// Fills the layers that do not come with the light; the device scene is at the frame's `moment`.
+/// Fills the layers that are computed separately from the light. The device scene must be at the frame's `moment`.
 void add_first_hits(const Stage& stage, const Sampling& sampling, const Moment& moment, int frame, const ThreadPool& pool,
                     FrameAovs& aovs);
 
-/// Moves the device scene to the frame's time and traces it; `touched` as for trace_frame. Unfinished when context.cancelled is
-/// set meanwhile.
+/// Moves the device scene to the frame's time and traces the frame. `touched` as for trace_frame(). The result is incomplete if
+/// context.cancelled is set meanwhile.
 RenderedFrame render_frame(Stage& stage, const Sampling& sampling, int frame, const ThreadPool& pool, const Context& context,
                            TouchedBlocks* touched = nullptr);
 
-/// The same frame with its film in `noisy`, and what the denoiser needs beside it.
+/// Renders the same frame with its film and the denoiser's inputs in `noisy`.
 RenderedFrame render_noisy_frame(Stage& stage, const Sampling& sampling, int frame, const ThreadPool& pool,
                                  const Context& context, NoisyFrame& noisy);
 

@@ -17,7 +17,7 @@
 namespace lippmann {
 namespace {
 
-/// Points are carried from frame to frame with their nodes, which says nothing of meshes that change their shape.
+/// Interpolation moves points with their nodes, so it does not support deforming meshes.
 void refuse_deforming_meshes(const Scene& scene) {
   const std::vector<bool> moves = moving_instances(scene);
   for (std::size_t i = 0; i < scene.instances.size(); ++i)
@@ -28,14 +28,14 @@ void refuse_deforming_meshes(const Scene& scene) {
                         "copy, none or auto for this scene");
 }
 
-/// A point image has one point for each pixel, and splats are many behind one another.
+/// A point image has one point per pixel, but splats have many along a ray.
 void refuse_splats(const Scene& scene) {
   if (has_splats(scene))
     throw usage_error("reuse", "interpolated frames need one surface behind each pixel, and splats have many",
                       "copy, none or auto for this scene");
 }
 
-/// A maker for each kind of reuse.
+/// Makes the maker for each kind of reuse.
 struct MakerOf {
   const MakerParts& parts;
 
@@ -50,7 +50,7 @@ struct MakerOf {
   }
 };
 
-/// Bytes per pixel, for each kind of reuse.
+/// Returns bytes per pixel for each kind of reuse.
 struct WorkingBytes {
   const Sampling& sampling;
   int frames;
@@ -63,7 +63,7 @@ struct WorkingBytes {
   }
 };
 
-/// How many frames belong together, for each kind of reuse.
+/// Returns the segment length for each kind of reuse.
 struct SegmentLength {
   int operator()(const AutoReuse&) const { return 1; }
   int operator()(const TraceAll&) const { return 1; }
@@ -78,7 +78,7 @@ struct SegmentLength {
 std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const FrameParams& params, const ThreadPool& pool,
                                              const Context& context) {
   MakerParts parts{stage, params.sampling, pool, context};
-  // Points that are moved are those of one eye.
+  // a moved point belongs to a single eye
   if (std::holds_alternative<Interpolate>(params.reuse)) parts.sampling.angular_filter = AngularFilter::kNone;
   return std::visit(MakerOf{parts}, resolved_reuse(params));
 }

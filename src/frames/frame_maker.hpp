@@ -1,4 +1,4 @@
-// Makes the frames of an animation one after the other, in the way that the reuse asked for makes them.
+// Makes the frames of an animation in order, with a kind of reuse.
 #pragma once
 
 #include <map>
@@ -21,29 +21,28 @@ class FrameMaker {
  public:
   virtual ~FrameMaker() = default;
 
-  /// Frames in ascending order; which of them are left out changes no picture. Unfinished when the context was cancelled
-  /// meanwhile.
+  /// Makes a frame. Frame numbers must ascend; skipping frames does not change any image. The result is incomplete if the
+  /// context is cancelled meanwhile.
   virtual RenderedFrame make(int frame) = 0;
 
-  /// Takes back the film of a frame that it made and that nobody needs any more: memory for the next. Thread-safe.
+  /// Takes back the film of a frame that is no longer needed, to reuse its memory. Thread-safe.
   virtual void recycle(Image) {}
 
-  /// What was rendered besides the frames asked for so far, because these are made from it; ascending.
+  /// Returns the reports of the frames that were rendered only as sources of requested frames so far, in ascending order.
   virtual std::vector<FrameReport> sources() const { return {}; }
 };
 
-/// The maker of the kind of reuse that serves (resolved_reuse). `params` passes check(); `stage`, `pool` and `context` outlive
-/// the result. Throws a usage Error for scenes that it cannot serve.
+/// Makes the maker for resolved_reuse(). `params` must pass check(). `stage`, `pool` and `context` must outlive the result.
+/// Throws a usage Error for scenes that the kind of reuse does not support.
 std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const FrameParams& params, const ThreadPool& pool,
                                              const Context& context);
 
-/// Bytes per pixel that making `frames` frames takes, and keeps from frame to frame, beside the film and layers of the frame
-/// that is made.
+/// Returns the working memory for `frames` frames, in bytes per pixel, in addition to the film and layers of the current frame.
 double working_bytes_per_pixel(const FrameParams& params, int frames);
 
-/// Where an animation is best cut into parts that are rendered apart: before frames whose number is a multiple of this. Frames
-/// from there on need none before them, or one key frame that is traced on both sides of the cut. Pictures do not depend on
-/// where it is cut.
+/// Returns the segment length: an animation is best divided before frames whose number is a multiple of it. Frames from there
+/// on need no earlier frames, or only one key frame, which is traced on both sides of the cut. The cut does not change any
+/// image.
 int frames_per_segment(const FrameParams& params);
 
 }  // namespace lippmann

@@ -11,24 +11,25 @@
 namespace lippmann {
 namespace {
 
-/// Beyond it, squares of lengths come near to what floats hold.
+/// Larger apertures would overflow squared lengths.
 constexpr float kMostApertureMm = 1e6f;
 
 bool has_layer(const Sampling& sampling, Aov layer) {
   return std::find(sampling.aov.begin(), sampling.aov.end(), layer) != sampling.aov.end();
 }
 
-/// But for provenance, which whatever makes a frame tells, layers are of every pixel.
+/// Returns whether there are layers besides provenance. Such layers need every pixel to be traced; frame makers report
+/// provenance.
 bool has_layers_of_every_pixel(const Sampling& sampling) {
   return std::any_of(sampling.aov.begin(), sampling.aov.end(), [](Aov layer) { return layer != Aov::kProvenance; });
 }
 
-/// What only paths have as parts.
+/// Returns whether there are layers that only path tracing produces.
 bool has_layers_of_paths(const Sampling& sampling) {
   return has_layer(sampling, Aov::kDirect) || has_layer(sampling, Aov::kIndirect);
 }
 
-/// The member that opens the lens.
+/// Returns the name of the parameter that opens the lens.
 const char* name_of_opening(const ViewLens& lens) { return lens.aperture_mm > 0.0f ? "aperture" : "f-number"; }
 
 void check_key_frames(const std::optional<int>& every) {
@@ -43,7 +44,7 @@ void check_floor(const std::optional<double>& min_psnr_db) {
 void check_reuse(const AutoReuse&, const Sampling&) {}
 void check_reuse(const TraceAll&, const Sampling&) {}
 
-/// What frames share or move is of one time.
+/// Rejects motion blur: reused pixels and points belong to a single time.
 void refuse_shutter(const Sampling& sampling) {
   if (sampling.shutter > 0.0f)
     throw usage_error("shutter", "motion blur cannot be combined with frames that reuse others",
@@ -60,7 +61,7 @@ void check_reuse(const CopySettled& copy, const Sampling& sampling) {
     throw usage_error("reuse", "copy cannot make alpha or extra layers, except provenance", "none or auto");
 }
 
-/// The member that would take from a frame what its floor promises; empty if there is none.
+/// Returns the name of a parameter that contradicts a minimum PSNR, or an empty string.
 std::string against_floor(const Interpolate& how) {
   if (how.fill != MissedFill::kInterpolate) return "fill";
   if (how.halving) return "halving";
@@ -106,29 +107,29 @@ void check_several_samples(const char* field, const char* problem, const Samplin
 void check_shutter(const Sampling& sampling) {
   if (!(sampling.shutter >= 0.0f && sampling.shutter <= 1.0f))
     throw usage_error("shutter", fmt::format("is {}", sampling.shutter), "a share of the time from frame to frame, 0 to 1");
-  if (sampling.shutter > 0.0f) check_several_samples("shutter", "motion blur needs several samples a pixel", sampling);
+  if (sampling.shutter > 0.0f) check_several_samples("shutter", "motion blur needs several samples per pixel", sampling);
 }
 
 void check_sampling(const Sampling& sampling) {
   if (sampling.spp < 0) throw usage_error("spp", fmt::format("is {}", sampling.spp), "a number of samples, or 0");
   if (sampling.max_depth < 0) throw usage_error("max-depth", fmt::format("is {}", sampling.max_depth), "1 or more, or 0");
   if (!(sampling.clamp_indirect >= 0.0f))
-    throw usage_error("clamp-indirect", fmt::format("is {}", sampling.clamp_indirect), "a number above 0, or 0 for any light");
+    throw usage_error("clamp-indirect", fmt::format("is {}", sampling.clamp_indirect), "a number above 0, or 0 for no limit");
   check_lens(sampling.lens);
   check_shutter(sampling);
   if (has_layers_of_paths(sampling) && !facts_of(sampling).separates_light)
     throw usage_error("aov", "the layers direct and indirect need path tracing", "`integrator` path with them");
 }
 
-/// Where the lens is open.
+/// Checks an open lens.
 void check_lens(const Sampling& sampling, const Optics& optics) {
   const char* const field = name_of_opening(sampling.lens);
   if (!can_have_view_lens(optics))
     throw usage_error(field,
-                      "only views have eyes that a lens may be put in: pixels below lenses have directions of their own, and "
-                      "blur with depth as those lenses do",
+                      "depth of field needs optics with views: pixels below lenses have their own directions and blur with "
+                      "depth",
                       "`optics` single or multiview");
-  check_several_samples(field, "depth of field needs several samples a pixel", sampling);
+  check_several_samples(field, "depth of field needs several samples per pixel", sampling);
   if (!(sampling.lens.focal_plane_mm < viewing_distance_mm(optics)))
     throw usage_error("focal-plane", fmt::format("at {} mm lies behind the viewer", sampling.lens.focal_plane_mm),
                       fmt::format("less than the viewing distance, {} mm", viewing_distance_mm(optics)));
@@ -138,10 +139,10 @@ void check_angular_filter(const Sampling& sampling, const Optics& optics) {
   constexpr const char* kField = "angular-filter";
   if (!view_tiles(optics))
     throw usage_error(kField,
-                      "only views have eyes to be spread: below lenses, the samples of a pixel are seen from all of its "
-                      "directions anyway",
+                      "box needs optics with views: the samples of a pixel below a lens already cover all of its "
+                      "directions",
                       "`optics` multiview, or `spp` alone");
-  check_several_samples(kField, "box needs several samples a pixel", sampling);
+  check_several_samples(kField, "box needs several samples per pixel", sampling);
 }
 
 }  // namespace
@@ -152,7 +153,7 @@ const char* name_of(const Reuse& reuse) {
 }
 
 Sampling completed(Sampling sampling, SceneKind scene, bool interpolates) {
-  constexpr int kSplatSamples = 4;  // nothing else smooths splats that are smaller than a pixel
+  constexpr int kSplatSamples = 4;  // more samples are the only antialiasing of splats smaller than a pixel
   if (sampling.integrator) return sampling;
   if (scene == SceneKind::kSplats && sampling.spp == 0) sampling.spp = kSplatSamples;
   const bool paths = scene == SceneKind::kPhysical && !interpolates;

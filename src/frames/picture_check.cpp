@@ -18,10 +18,10 @@ namespace {
 
 constexpr int kRaysAcross = 128;
 constexpr double kLeastShare = 0.001;
-/// Surfaces count if they cover at least this share of what is behind them.
+/// Surfaces count as visible with at least this opacity.
 constexpr float kLeastOpacity = 1.0f / 256.0f;
 
-/// The display's frame as its viewer sees it.
+/// Returns a view through the display's frame from the viewer's eye.
 Optics through_the_frame(const Optics& optics) {
   const Vec2f window = window_size_mm(optics);
   const float across = std::min(window.x, window.y) / static_cast<float>(kRaysAcross);
@@ -36,7 +36,7 @@ Optics through_the_frame(const Optics& optics) {
   return view;
 }
 
-/// No surface of the instance is less transparent than this.
+/// Returns an upper bound of the opacity of the instance's surface.
 float largest_alpha(const Scene& scene, const MetallicRoughness& surface, const Shape& shape) {
   float largest = surface.base_color.w;
   if (const auto* mesh = std::get_if<Mesh>(&shape); mesh && !mesh->alphas.empty())
@@ -78,7 +78,7 @@ bool any_area(const Scene& scene) {
   });
 }
 
-/// Whether everything finite lies behind where rays begin.
+/// Returns whether all finite objects lie behind the start of the rays.
 bool all_behind(const Stage& stage, int frame) {
   const Moment moment = stage.moment_at(frame);
   const Bounds3f bounds = finite_bounds(stage.scene, moment.resolved, inverse(moment.world_from_display));
@@ -88,7 +88,7 @@ bool all_behind(const Stage& stage, int frame) {
 std::string why_nothing_is_met(const Stage& stage, int frame) {
   const Scene& scene = stage.scene;
   if (scene.instances.empty()) return "the scene has no surfaces";
-  if (!any_area(scene)) return "none of the scene's triangles has an area";
+  if (!any_area(scene)) return "all triangles of the scene have area 0";
   if (all_transparent(scene))
     return "everything in the scene is transparent: its alpha is 0, or below the cutoff of its material";
   if (all_behind(stage, frame)) return "everything lies behind the viewer";
@@ -116,7 +116,7 @@ bool has_light(const Scene& scene) {
          std::any_of(scene.materials.begin(), scene.materials.end(), gives_light);
 }
 
-/// Whether all pixels have the colour of the first.
+/// Returns whether all pixels have the same colour.
 bool is_uniform(const Image& film) {
   const auto channels = static_cast<std::size_t>(film.channels);
   return std::equal(film.data.begin() + static_cast<std::ptrdiff_t>(std::min(channels, film.data.size())), film.data.end(),
@@ -127,9 +127,9 @@ std::string why_uniform(const Scene& scene, const SeenShare& seen, const Image& 
   const bool is_black = std::all_of(film.data.begin(), film.data.end(), [](float v) { return v == 0.0f; });
   if (is_black && !has_light(scene)) return "there is no light in the scene";
   if (seen.only_instance >= 0)
-    return fmt::format("{} fills it: the viewer may stand inside it or too near",
+    return fmt::format("{} fills the image: the viewer may be inside it or too close",
                        shown(scene.instances[static_cast<std::size_t>(seen.only_instance)].name));
-  return is_black ? "no light reaches what is seen" : "all surfaces that are seen have the same colour and light";
+  return is_black ? "no light reaches the visible surfaces" : "all visible surfaces have the same colour and light";
 }
 
 std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
@@ -172,7 +172,7 @@ std::string doubt_about_picture(const Stage& stage, int frame, const SeenShare& 
   if (std::all_of(film.data.begin(), film.data.end(), [](float v) { return v > 1.0f; }))
     return fmt::format("frame {} is overexposed: all of it is brighter than white; a lower exposure or a tone curve shows more",
                        frame);
-  if (is_uniform(film)) return fmt::format("frame {} has one colour all over: {}", frame, why_uniform(stage.scene, seen, film));
+  if (is_uniform(film)) return fmt::format("frame {} has a single colour: {}", frame, why_uniform(stage.scene, seen, film));
   return {};
 }
 

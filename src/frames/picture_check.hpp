@@ -1,4 +1,5 @@
-// Warns of pictures that show nothing: why a frame is of one colour all over, or why its subject covers less than 0.1 % of it.
+// Warns of images that show nothing: finds out why a frame has a single colour, or why its subject covers less than 0.1 % of
+// it.
 #pragma once
 
 #include <string>
@@ -9,15 +10,15 @@ namespace lippmann {
 
 /// Shares of 128 x 128 rays from the viewer through the display's frame, by what they hit.
 struct SeenShare {
-  double anything = 0.0;   ///< share of rays that meet a surface which is not fully transparent
-  double subject = 0.0;    ///< share that meet what the view is about (FittedArray::is_subject)
-  int only_instance = -1;  ///< the one that all rays meet; -1: there is none
+  double anything = 0.0;   ///< rays that hit a surface that is not fully transparent
+  double subject = 0.0;    ///< rays that hit the subject of the view (FittedArray::is_subject)
+  int only_instance = -1;  ///< the instance that all rays hit, or -1
 };
 
-/// Moves the stage's device scene to the frame's time.
+/// Computes the shares for a frame. Moves the stage's device scene to the frame's time.
 SeenShare look_at_frame(Stage& stage, int frame, const ThreadPool& pool);
 
-/// One sentence for a warning, with the reason; empty for a film that shows something. film: of the whole frame.
+/// Returns a warning with the reason as one sentence, or an empty string if the film shows something. film: of the whole frame.
 std::string doubt_about_picture(const Stage& stage, int frame, const SeenShare& seen, const Image& film);
 
 }  // namespace lippmann

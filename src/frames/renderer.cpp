@@ -16,23 +16,23 @@
 namespace lippmann {
 namespace {
 
-/// That of another scene may name a node that this one does not have.
+/// Checks a placement: one made for another scene may refer to a node that does not exist.
 void check(const Placement& placement, const Scene& scene) {
   const FittedArray& array = placement.array;
   const int nodes = static_cast<int>(scene.nodes.size());
   if (array.node < -1 || array.node >= nodes)
-    throw Error("placement", fmt::format("the array moves with node {}, of {} in the scene", array.node, nodes),
+    throw Error("placement", fmt::format("the array moves with node {}, but the scene has {} nodes", array.node, nodes),
                 "place() of the same scene");
   const auto is_size = [](float value) { return value > 0.0f && std::isfinite(value); };
   if (!is_size(array.plane_height) || !is_size(placement.placed.units_per_mm))
     throw Error(
         "placement",
         fmt::format("the plane is {} units high, at {} units a millimetre", array.plane_height, placement.placed.units_per_mm),
-        "two numbers above 0, as place() gives them");
+        "two numbers above 0, as returned by place()");
   validate(placement.placed.optics);
 }
 
-/// Before anything is built.
+/// Checks and completes the parameters before anything is built.
 FrameParams checked(FrameParams params, const Placement& placement, const Scene& scene) {
   check(placement, scene);
   const bool interpolates = std::holds_alternative<Interpolate>(params.reuse);
@@ -57,7 +57,7 @@ struct Renderer::Impl {
   ThreadPool pool;
   Stage stage;
   std::unique_ptr<FrameMaker> maker;
-  bool is_checked = false;  ///< whether the first frame has been looked at
+  bool is_checked = false;  ///< whether the first frame has been checked
 
   Impl(Scene scene, Placement placement, FrameParams requested, const Context& caller)
       : context(caller),

@@ -31,7 +31,7 @@ void combine_estimates(const std::vector<FrameReport>& strips, const std::vector
   frame.estimated_psnr_db = frame.psnr_at_least_db = frame.psnr_at_most_db = std::nullopt;
   for (std::size_t i = 0; i < strips.size(); ++i) {
     const FrameReport& strip = strips[i];
-    if (!strip.psnr_at_least_db) continue;  // all pixels are exact, e.g. those of the surroundings
+    if (!strip.psnr_at_least_db) continue;  // all pixels are exact, for example those of the surroundings
     const double share = rows[i] / all_rows, high = std::pow(10.0, -0.1 * *strip.psnr_at_least_db);
     double width = high;
     if (strip.estimated_psnr_db) {
@@ -82,9 +82,8 @@ RenderedFrame StripMaker::make(int frame, int strip) {
 void check_strips(const FrameParams& params, const Optics& optics, int strips) {
   const int most = most_strips(optics), together = rows_per_strip(optics);
   if (strips > most)
-    throw usage_error(
-        kStrips, fmt::format("{} are too many for {} rows, of which {} stay together", strips, film_size(optics).y, together),
-        fmt::format("1 to {}", most));
+    throw usage_error(kStrips, fmt::format("{} are too many for {} rows in bands of {}", strips, film_size(optics).y, together),
+                      fmt::format("1 to {}", most));
   if (std::holds_alternative<Interpolate>(params.reuse))
     throw usage_error(kStrips, "strips are rendered separately, and interpolated frames need whole key frames",
                       "1, or `reuse` none or copy");

@@ -99,7 +99,7 @@ TEST_F(PictureCheck, no_area) {
   mesh.positions = {Vec3f(0), Vec3f(1), Vec3f(2)};
   mesh.triangles = {{0, 1, 2}};
   add("line", mesh);
-  EXPECT_THAT(warnings(), HasSubstr("none of the scene's triangles has an area"));
+  EXPECT_THAT(warnings(), HasSubstr("all triangles of the scene have area 0"));
 }
 
 TEST_F(PictureCheck, alpha_of_0_in_both_modes) {
@@ -158,7 +158,7 @@ TEST_F(PictureCheck, a_camera_within_an_object) {
   surface().unlit = true;
   add_box("shell", Vec3f(-9), Vec3f(9));
   add_camera(Vec3f(0));
-  EXPECT_THAT(warnings(), HasSubstr("'shell' fills it"));
+  EXPECT_THAT(warnings(), HasSubstr("'shell' fills the image"));
 }
 
 TEST_F(PictureCheck, no_light) {

@@ -211,8 +211,7 @@ TEST_F(StripRenders, belong_to_their_job_and_go_with_it) {
 TEST_F(StripRenders, that_cannot_be_are_refused) {
   const auto refused = [&](const Settings& settings) { return refusal(still("a", settings)); };
   EXPECT_THAT(error_message([&] { still("a", {{"strips", "0"}}); }), HasSubstr("strips"));
-  EXPECT_THAT(refused({{"strips", "13"}}),
-              HasSubstr("strips: 13 are too many for 184 rows, of which 16 stay together; accepted: 1 to 12"));
+  EXPECT_THAT(refused({{"strips", "13"}}), HasSubstr("strips: 13 are too many for 184 rows in bands of 16; accepted: 1 to 12"));
   EXPECT_THAT(refused({{"strips", "2"}, {"reuse", "interpolate"}}),
               HasSubstr("strips: strips are rendered separately, and interpolated"));
   const Settings rows_of_views{{"optics", "multiview"}, {"views", "2x4"}, {"size", "64x160"}};

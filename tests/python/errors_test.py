@@ -181,7 +181,7 @@ class Errors(Case):
         point = lippmann.Scene()
         point.set_background((1, 1, 1))
         point.add_mesh(np.ones((3, 3)), [[0, 1, 2]])
-        with self.assertWarnsRegex(lippmann.LippmannWarning, "none of the scene's triangles has an area"):
+        with self.assertWarnsRegex(lippmann.LippmannWarning, "all triangles of the scene have area 0"):
             lippmann.render(point, small_grid(1, 1, (8, 8)), spp=1)
         opened = lippmann.Scene()
         opened.add_mesh(np.zeros((3, 3)), [[0, 1, 2]], targets=[[[0, 0, 0], [1, 0, 0], [0, 1, 0]]], weights=[1])

@@ -12,14 +12,14 @@ namespace {
 
 TEST(EmbreeDevice, errors_for_want_of_memory_say_so_and_how_much_was_wanted) {
   const Error error = embree_error(RTC_ERROR_OUT_OF_MEMORY, "building the scene", 2'100'700'000);
-  EXPECT_EQ(error.problem(), "building the scene: out of memory; it wanted 2100 MB in all");
+  EXPECT_EQ(error.problem(), "building the scene: out of memory; 2100 MB required");
   EXPECT_EQ(error.accepted(), "a scene with fewer triangles, or a machine with more memory");
   EXPECT_EQ(embree_error(RTC_ERROR_OUT_OF_MEMORY, "making a device", 0).problem(), "making a device: out of memory");
 }
 
 TEST(EmbreeDevice, errors_of_the_processor_say_which_would_do_and_others_their_number) {
   const Error error = embree_error(RTC_ERROR_UNSUPPORTED_CPU, "making a device", 0);
-  EXPECT_EQ(error.problem(), "making a device: not on this processor");
+  EXPECT_EQ(error.problem(), "making a device: this processor is not supported");
   EXPECT_EQ(error.accepted(), "x86-64 with SSE2, or ARM64");
   EXPECT_EQ(embree_error(RTC_ERROR_INVALID_OPERATION, "moving the scene", 0).problem(), "moving the scene: error 3");
 }
