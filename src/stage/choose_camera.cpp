@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kNoCamera = static_cast<std::size_t>(-1);
 
-/// Names first: a camera may be called "1".
+/// Returns the index of a camera. Names take precedence: a camera may be named "1".
 std::size_t find_camera(const std::vector<std::string>& names, const std::string& wanted) {
   const auto named = std::find(names.begin(), names.end(), wanted);
   if (named != names.end()) return static_cast<std::size_t>(named - names.begin());
@@ -28,10 +28,10 @@ std::size_t find_camera(const std::vector<std::string>& names, const std::string
 Error no_such_camera(const std::vector<std::string>& names, const std::string& wanted) {
   if (names.empty()) return usage_error("camera", "the scene has no cameras", "no `camera`");
   const std::string hint = did_you_mean(wanted, std::vector<std::string_view>(names.begin(), names.end()));
-  return usage_error("camera", fmt::format("no camera is called {}{}", shown(wanted), hint), list_cameras(names));
+  return usage_error("camera", fmt::format("there is no camera {}{}", shown(wanted), hint), list_cameras(names));
 }
 
-/// Rotations by multiples of 90 degrees, exactly.
+/// Returns rotations by multiples of 90 degrees, without rounding errors.
 Quatf upright(UpAxis up) {
   constexpr float kHalf = 0.70710678f;
   switch (up) {
@@ -51,7 +51,7 @@ Quatf upright(UpAxis up) {
   return {1.0f, 0.0f, 0.0f, 0.0f};
 }
 
-/// Puts a node above all others, as the first: what stood nowhere (-1) stands at it.
+/// Inserts a node as the first one and as the root of all others. Everything without a node (-1) is attached to it.
 void insert_root(Scene& scene, Node root) {
   for (Node& node : scene.nodes) ++node.parent;
   for (Instance& instance : scene.instances) ++instance.node;

@@ -1,5 +1,5 @@
-// Based on: T. Möller and B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997, section 2. Rays have their own
-// loop, as this is asked for before there is anything to trace against, and by `info`, which traces nothing.
+// Based on: T. Möller and B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997, section 2. This file has its
+// own loop over triangles, because it is used before the ray tracing scene is built, and by `info`, which builds none.
 #include "stage/enclosure.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ struct EnclosureRay {
   Vec3f origin, direction;
 };
 
-/// Spread evenly over the sphere (a Fibonacci spiral), along no edge of a box.
+/// Returns directions distributed evenly over the sphere (a Fibonacci spiral), none along an edge of a box.
 Vec3f spread_direction(int i) {
   constexpr float kTurn = 2.0f * kPi * (2.0f - std::numbers::phi_v<float>);
   const float z = 1.0f - (2.0f * static_cast<float>(i) + 1.0f) / kDirections;
@@ -24,7 +24,8 @@ Vec3f spread_direction(int i) {
   return {radius * std::cos(angle), z, radius * std::sin(angle)};
 }
 
-/// How far along the ray, in lengths of its direction; none: kInfinity. Edges belong to both sides, so that none is a gap.
+/// Returns the distance along the ray in lengths of its direction, or kInfinity. Edges belong to both triangles, so there are
+/// no gaps.
 float distance_to(const EnclosureRay& ray, Vec3f a, Vec3f b, Vec3f c) {
   constexpr float kEdge = 1e-5f;
   const Vec3f u = b - a, v = c - a, p = glm::cross(ray.direction, v);
@@ -55,11 +56,11 @@ LightThrough light_through(const Material& material) {
   return surface.unlit || surface.emissive != Vec3f(0.0f) ? LightThrough::kShines : LightThrough::kStops;
 }
 
-/// A mesh that keeps light out or shines.
+/// A mesh that blocks or emits light.
 struct Wall {
   const Mesh* mesh;
   Affine3f mesh_from_world;
-  Bounds3f bounds;  ///< in the world
+  Bounds3f bounds;  ///< in world space
   bool shines;
 };
 
@@ -79,7 +80,7 @@ std::vector<Wall> walls_of(const Scene& scene, const ResolvedScene& resolved) {
 
 bool sees_light(const std::vector<Wall>& walls, const EnclosureRay& ray) {
   float nearest = kInfinity;
-  bool shines = true;  // what is outside
+  bool shines = true;  // the outside is bright
   for (const Wall& wall : walls) {
     if (!meets(ray, wall.bounds)) continue;
     const EnclosureRay in_mesh{transform_point(wall.mesh_from_world, ray.origin),

@@ -1,4 +1,4 @@
-// Whether a scene's surfaces keep out all light from outside.
+// Tests whether a scene's surfaces block all light from outside.
 #pragma once
 
 #include "lippmann/scene/scene.hpp"
@@ -6,10 +6,9 @@
 
 namespace lippmann {
 
-/// Whether who stands at `point` (world) has dark surfaces on all sides: a closed room, or a dome. Surfaces that shine give
-/// light themselves, and what is clear or cut out by its alpha keeps none out. Looks along 64 directions, at the meshes alone,
-/// those with skins at rest; gaps that all directions miss count for nothing. Time: that of 64 looks at every triangle in a
-/// closed room, of a few elsewhere.
+/// Returns whether `point` (world) is surrounded by dark surfaces: a closed room, or a dome. Emissive surfaces count as light,
+/// and transparent or cut-out surfaces do not block it. Traces 64 rays against the meshes only, with skinned meshes in their
+/// rest pose; smaller gaps are missed. In a closed room, each ray tests every triangle; elsewhere only a few rays are needed.
 bool is_enclosed(const Scene& scene, const ResolvedScene& resolved, Vec3f point);
 
 }  // namespace lippmann

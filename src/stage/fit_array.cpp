@@ -1,8 +1,8 @@
 // The fit is exact and needs no search. A viewer at (x, y, d) who looks along -z with half angle a sees a point p if it lies on
-// the inner side of the four sides of his pyramid, two of which say for the width: +-(p.x - x) cos a + p.z sin a <= d sin a.
-// With R and L the largest values of +-p.x cos a + p.z sin a over all points, both sides touch the points if
-// x = (R - L) / (2 cos a) and d = (R + L) / (2 sin a). The same for the height; the larger d counts. R and L are bounds along
-// slanted axes, which finite_bounds knows exactly for every kind of shape.
+// the inner side of the four sides of the view pyramid. Two of them define the width: +-(p.x - x) cos a + p.z sin a <= d sin a.
+// Let R and L be the largest values of +-p.x cos a + p.z sin a over all points. Both sides touch the points for x = (R - L) /
+// (2 cos a) and d = (R + L) / (2 sin a). The height is analogous; the larger d is used. R and L are bounds along slanted axes,
+// which finite_bounds computes exactly for every kind of shape.
 #include "lippmann/stage/fit_array.hpp"
 
 #include <fmt/format.h>
@@ -21,16 +21,16 @@
 namespace lippmann {
 namespace {
 
-/// A plane much nearer to the camera than that would make all of the scene background.
-constexpr float kNearestPlane = 0.05f;  // diagonals of what is seen
+/// Minimum distance of the plane: a nearer plane would turn the whole scene into background.
+constexpr float kNearestPlane = 0.05f;  // in diagonals of the visible part
 constexpr float kDefaultFov = radians(45.0f);
-constexpr float kMargin = 1.05f;  ///< what is seen, over what there is to see
+constexpr float kMargin = 1.05f;  ///< ratio of the visible size to the size of the content
 
-/// The rotation, place and one scale of a node's transform.
+/// Returns the rotation, translation and one scale of a node's transform.
 Affine3f similarity(const Affine3f& a) {
   const float scale = uniform_scale(a);
   if (!(scale > 0.0f) || !std::isfinite(scale))
-    throw Error("scene", "the node that carries the lens array is scaled to nothing", "a scale other than 0");
+    throw Error("scene", "the node that carries the lens array has a scale of 0", "a scale other than 0");
   const Vec3f z = glm::normalize(a.linear[2]);
   const Vec3f y = glm::normalize(a.linear[1] - glm::dot(a.linear[1], z) * z);
   return {scale * Mat3f(glm::cross(y, z), y, z), a.translation};
@@ -38,7 +38,7 @@ Affine3f similarity(const Affine3f& a) {
 
 Mat3f rotation_of(const Affine3f& similarity) { return similarity.linear / uniform_scale(similarity); }
 
-/// What all the rules look at.
+/// The inputs of all rules.
 struct Setting {
   const Scene& scene;
   const ResolvedScene& resolved;  ///< at frame 0
@@ -46,14 +46,14 @@ struct Setting {
   float aspect;
 };
 
-/// World units per unit of a node at frame 0; 1 for what rotations of a hierarchy round.
+/// Returns the world units per unit of a node at frame 0. Values within rounding errors of 1 become 1.
 float world_units(const Setting& setting, int node) {
   constexpr float kRounding = 1e-5f;
   const float scale = uniform_scale(similarity(setting.resolved.of(node)));
   return std::abs(scale - 1.0f) <= kRounding ? 1.0f : scale;
 }
 
-/// The frame in which the array of a node is fitted: the node's place and rotation, in world units of frame 0.
+/// Returns the frame in which the array of a node is fitted: the node's translation and rotation, in world units of frame 0.
 Affine3f world_from_frame(const Setting& setting, int node, const ResolvedScene& resolved) {
   const Affine3f world_from_node = similarity(resolved.of(node));
   return {world_from_node.linear / world_units(setting, node), world_from_node.translation};
@@ -69,7 +69,7 @@ DisplayPlacement in_world_units(DisplayPlacement display, float units) {
   return display;
 }
 
-/// Frame 0 and, where anything moves, others: calls visit(resolved) for each.
+/// Calls visit(resolved) for frame 0 and, if anything moves, for other sampled frames.
 template <class Visit>
 void visit_frames(const Scene& scene, const Visit& visit) {
   const std::vector<bool> moves = moving_instances(scene), nodes_move = moving_nodes(scene);
@@ -81,7 +81,7 @@ void visit_frames(const Scene& scene, const Visit& visit) {
   }
 }
 
-/// Half of what a camera shows: over the distance, or at every distance where it is orthographic.
+/// Half the size of a camera's view: per distance, or at every distance for an orthographic camera.
 struct CameraView {
   bool is_orthographic;
   Vec2f half;
@@ -97,8 +97,9 @@ ConvexRegion region_of(const CameraView& view) {
   return view.is_orthographic ? beam_region(view.half) : view_region(Vec3f(0.0f), view.half);
 }
 
-/// The array square to a camera's view, at a distance, filling it. Its viewer stands where the camera is; where that is
-/// orthographic, at least so far away that he sees all of it at the default angle, as its place along its view means nothing.
+/// Places the array perpendicular to a camera's view at a distance, filling the view. Its viewer is at the camera. The position
+/// of an orthographic camera along its view is meaningless, so its viewer is at least so far away that the default angle covers
+/// the view.
 void place_before_camera(FittedArray& array, float distance, const CameraView& view) {
   array.node_from_plane = {Mat3f(1.0f), {0.0f, 0.0f, -distance}};
   array.plane_height = 2.0f * view.half.y * (view.is_orthographic ? 1.0f : distance);
@@ -110,7 +111,7 @@ std::string camera_name(const Camera& camera) {
   return camera.name.empty() ? std::string("the camera") : fmt::format("camera '{}'", printable(camera.name));
 }
 
-// ---- What a camera sees -------------------------------------------------------------------------------------------------
+// ---- Visible parts ------------------------------------------------------------------------------------------------------
 
 enum class Part { kSubject, kBackdrop, kAll };
 
@@ -128,7 +129,7 @@ SeenParts seen_of(const Setting& setting, Part part, const ResolvedScene& resolv
   return seen;
 }
 
-/// Half the width of the subject's part that a camera shows, as CameraView has it.
+/// Returns half the width of the visible part of the subject, as in CameraView.
 float width_of_subject(const Setting& setting, const Camera& camera, const CameraView& view) {
   float half = 0.0f;
   visit_frames(setting.scene, [&](const ResolvedScene& resolved) {
@@ -142,9 +143,9 @@ float width_of_subject(const Setting& setting, const Camera& camera, const Camer
   return half;
 }
 
-/// What the picture shows: the camera's own height, or more where the picture is too narrow for the part of the
-/// subject that the camera shows. Files that say how many pixels their picture has (Tachyon, NFF) mean the height of the view,
-/// whatever the size; those that say only its shape (glTF) mean the frame that their author saw.
+/// Returns the view of the image: the camera's own height, or more if the image is too narrow for the visible part of the
+/// subject. Files that specify a resolution (Tachyon, NFF) define the height of the view for any size; files that only specify
+/// an aspect ratio (glTF) define the author's frame.
 CameraView view_for(const Setting& setting, const Camera& camera) {
   const CameraView own = view_of(camera);
   float height = own.half.y;
@@ -205,7 +206,7 @@ FittedArray at_focus(const Setting& setting, const Camera& camera) {
   return array;
 }
 
-/// Only what the camera shows counts: of a room all around it, what is in front; of a ground without end, nothing.
+/// Only visible parts count: in a surrounding room, only what lies in front of the camera; an infinite ground does not count.
 FittedArray half_way_through(const Setting& setting, const Camera& camera) {
   FittedArray array;
   array.origin = FittedArray::Origin::kSceneCenter;
@@ -244,21 +245,21 @@ FittedArray half_way_through(const Setting& setting, const Camera& camera) {
 
 // ---- Fitted to bounds ---------------------------------------------------------------------------------------------------
 
-/// From where the subject is to be seen, and how wide the view is.
+/// The direction from which to view the subject, and the angle of view.
 struct Direction {
-  int node = -1;                                   ///< that the array moves with
+  int node = -1;                                   ///< node that the array moves with
   Mat3f node_from_view{1.0f};                      ///< rotation; the view is along its -z
   float tangent_y = std::tan(0.5f * kDefaultFov);  ///< half the view's height over the distance
 };
 
-/// Bounds of the subject over the animation along the axes of the view, and along the slanted ones of its pyramid.
+/// Bounds of the subject over the animation, along the axes of the view and along the slanted axes of its pyramid.
 struct SubjectBounds {
   Bounds3f straight;
   Vec2f right_up{-kInfinity}, left_down{-kInfinity};  ///< R and L of the width and of the height
 };
 
 SubjectBounds bounds_in_view(const Setting& setting, const Direction& direction, Vec2f cosine, Vec2f sine) {
-  // Rows: x cos + z sin, -x cos + z sin and the same of y; the third axis of each is not needed.
+  // Rows: x cos + z sin, -x cos + z sin, and the same for y. The third axis of each is unused.
   const Affine3f width{glm::transpose(Mat3f({cosine.x, 0, sine.x}, {-cosine.x, 0, sine.x}, {0, 0, 1})), Vec3f(0.0f)};
   const Affine3f height{glm::transpose(Mat3f({0, cosine.y, sine.y}, {0, -cosine.y, sine.y}, {0, 0, 1})), Vec3f(0.0f)};
   SubjectBounds all;
@@ -279,9 +280,9 @@ SubjectBounds bounds_in_view(const Setting& setting, const Direction& direction,
   return all;
 }
 
-/// Where the middle of the width and of the height is for a viewer so far in front of the subject's middle, so that margins are
-/// the same on both sides: an axis that fits with room to spare is seen under a smaller angle than it was measured with. Within
-/// what those angles allow.
+/// Returns the centre of width and height for a viewer at the given distance in front of the subject's middle, so that the
+/// margins on both sides are equal. An axis with room to spare is seen under a smaller angle than it was measured with. The
+/// centre stays within the limits of these angles.
 Vec2f middle_from(const Setting& setting, const Direction& direction, const SubjectBounds& bounds, Vec2f angle,
                   float distance) {
   constexpr int kMostPasses = 4;
@@ -303,7 +304,7 @@ Vec2f middle_from(const Setting& setting, const Direction& direction, const Subj
   return glm::clamp(middle, least, glm::max(least, most));
 }
 
-/// So far away that the subject just fits, and so that it stands in the middle of the picture.
+/// Places the viewer so far away that the subject just fits and is centred in the image.
 FittedArray fitted_to_bounds(const Setting& setting, const Direction& direction) {
   FittedArray array;
   array.origin = FittedArray::Origin::kBounds;
@@ -318,7 +319,7 @@ FittedArray fitted_to_bounds(const Setting& setting, const Direction& direction)
   const Vec2f enough = (bounds.right_up + bounds.left_down) / (2.0f * sine);
   const Vec3f size = bounds.straight.size();
   const float plane_z = bounds.straight.center().z;
-  // A rod that is seen along its length, or a point, would be seen from within.
+  // Keeps the viewer outside a rod seen along its length, or a point.
   const float least = size == Vec3f(0.0f) ? 1.0f : 0.5f * size.z + kNearestPlane * diagonal(bounds.straight);
   const float distance = std::max(std::max(enough.x, enough.y) - plane_z, least);
   const Vec2f middle = middle_from(setting, direction, bounds, angle, distance);
@@ -329,7 +330,7 @@ FittedArray fitted_to_bounds(const Setting& setting, const Direction& direction)
   return array;
 }
 
-/// Turned about the world's vertical and then upwards, no farther than straight above or below.
+/// Rotates about the world's vertical and then upwards, limited to straight above or below.
 Mat3f turned(const Mat3f& world_from_view, const Orbit& orbit) {
   const float elevation = degrees(std::asin(std::clamp(world_from_view[2].y, -1.0f, 1.0f)));
   const bool is_upright = world_from_view[1].y >= 0.0f;
@@ -345,7 +346,7 @@ Mat3f turned_in_node(const Setting& setting, int node, const Mat3f& node_from_vi
   return glm::transpose(world_from_node) * turned(world_from_node * node_from_view, orbit);
 }
 
-/// Takes the view that would be there without the wish to fit it to something.
+/// Returns the direction of the default view, without the wish to fit it to a node.
 Direction direction_of(const Scene& scene) {
   Direction direction;
   if (scene.display) {
@@ -370,7 +371,7 @@ FittedArray without_camera(const Setting& setting, const Orbit& orbit) {
       "The scene has no camera: the array goes through {} middle and is viewed from {:.4g} units away, {}, so that {} fits "
       "into the picture.{}",
       is_part ? "its subject's" : "its", array.viewing_distance,
-      orbit == Orbit{} ? "a little from above and from the right" : "from where the orbit says", is_part ? "the subject" : "it",
+      orbit == Orbit{} ? "a little from above and from the right" : "turned by the orbit", is_part ? "the subject" : "it",
       left_out_sentence(setting));
   return array;
 }
@@ -388,9 +389,9 @@ FittedArray fitted_to(const Setting& setting, const std::string& name, const Orb
   return array;
 }
 
-// ---- What people say beside the fit -------------------------------------------------------------------------------------
+// ---- Options of the user ------------------------------------------------------------------------------------------------
 
-/// Where --focus wants the plane: its z in the frame of the array as it is.
+/// Returns the z of the plane requested by `focus`, in the current frame of the array.
 float wanted_plane_z(const FittedArray& array, const Setting& setting, const std::string& focus) {
   const Affine3f world_from_plane = world_from_frame(setting, array.node, setting.resolved) * array.node_from_plane;
   const Affine3f plane_from_world = inverse(world_from_plane);
@@ -413,14 +414,14 @@ float wanted_plane_z(const FittedArray& array, const Setting& setting, const std
   return array.viewing_distance - static_cast<float>(numbers[0]) / uniform_scale(world_from_plane);
 }
 
-/// Whether the view is a beam, as that of an orthographic camera, whose height is the same at every distance.
+/// Returns whether the view is a beam of constant height, as that of an orthographic camera.
 bool shows_a_beam(const FittedArray& array, const Scene& scene) {
   using Origin = FittedArray::Origin;
   return (array.origin == Origin::kFocus || array.origin == Origin::kSceneCenter) &&
          view_of(scene.cameras.front()).is_orthographic;
 }
 
-/// Moves the plane along the view; the viewer stays, and what he sees too.
+/// Moves the plane along the view. The viewer and the visible part stay the same.
 void focus_at(FittedArray& array, const Setting& setting, const std::string& focus) {
   if (focus.empty()) return;
   const float z = wanted_plane_z(array, setting, focus), distance = array.viewing_distance - z;
@@ -436,7 +437,7 @@ void focus_at(FittedArray& array, const Setting& setting, const std::string& foc
                    : fmt::format(" The focus on {} moves the plane.", printable(focus));
 }
 
-/// Turns the whole array about the middle of its plane, which is what the view looks at.
+/// Rotates the whole array about the centre of its plane, which is the view's target.
 void turn(FittedArray& array, const Setting& setting, const Orbit& orbit) {
   if (orbit == Orbit{}) return;
   array.node_from_plane.linear = turned_in_node(setting, array.node, array.node_from_plane.linear, orbit);
@@ -453,7 +454,7 @@ void zoom_in(FittedArray& array, float factor) {
 
 // ---- Depth --------------------------------------------------------------------------------------------------------------
 
-/// How far everything reaches in front of the plane and behind it, as far as the viewer sees.
+/// Measures the depth of all finite shapes in front of the plane and behind it, limited to the viewer's position.
 void measure_all_depth(FittedArray& array, const Setting& setting, const Affine3f& plane_from_world) {
   const Bounds3f bounds = finite_bounds(setting.scene, setting.resolved, plane_from_world);
   if (bounds.empty()) return;
@@ -461,9 +462,8 @@ void measure_all_depth(FittedArray& array, const Setting& setting, const Affine3
   array.depth_back = std::min(bounds.lower.z, array.viewing_distance);
 }
 
-/// The same of what is looked at: the subject, and what of the walls behind and beside it is seen within one of its diagonals.
-/// subject: what is known of it already. A ground that reaches to the horizon decides nothing: it is as sharp as the subject
-/// where that stands on it.
+/// Measures the depth of the subject, and of visible walls behind and beside it within one of its diagonals. `subject`: its
+/// bounds if already known. A ground that extends to the horizon does not count: it is sharp where the subject stands on it.
 void measure_depth(FittedArray& array, const Setting& setting, const Affine3f& plane_from_world, Bounds3f subject) {
   const float tangent = 0.5f * array.plane_height / array.viewing_distance;
   ConvexRegion region = view_region({0.0f, 0.0f, array.viewing_distance}, {tangent * setting.aspect, tangent});
@@ -479,7 +479,7 @@ void measure_depth(FittedArray& array, const Setting& setting, const Affine3f& p
   array.depth_back = std::min(subject.lower.z, array.viewing_distance);
 }
 
-/// Bounds of a fitted subject over the animation, in the array's frame.
+/// Returns the bounds of a fitted subject over the animation, in the array's frame.
 Bounds3f bounds_over_animation(const FittedArray& array, const Setting& setting) {
   Bounds3f bounds;
   visit_frames(setting.scene, [&](const ResolvedScene& resolved) {
@@ -500,7 +500,7 @@ void measure_depth(FittedArray& array, const Setting& setting) {
     measure_depth(array, setting, plane_from_world, is_fitted ? bounds_over_animation(array, setting) : Bounds3f{});
 }
 
-/// Refuses arrays in whose space floats no longer tell the corners of small things apart, or overflow.
+/// Throws Error if floats in the array's space would lose precision or overflow.
 void check_extent(const FittedArray& array, const Setting& setting) {
   constexpr float kSmallest = 1e-9f, kLargest = 1e15f;
   const float height = array.plane_height;
@@ -523,7 +523,7 @@ FittedArray place(const Setting& setting, const ViewWish& wish) {
   return camera.focus_distance > 0.0f ? at_focus(setting, camera) : half_way_through(setting, camera);
 }
 
-/// What is named, or what is found where it matters: a display that the scene places shows what it shows.
+/// Returns the named subject, or the detected one. A display placed by the scene shows everything.
 Subject wanted_subject(const Scene& scene, const ViewWish& wish) {
   if (wish.fit_to.empty()) return scene.display ? whole_scene(scene) : find_subject(scene);
   const std::vector<bool> meant = instances_named(scene, wish.fit_to, "fit-to");
@@ -567,7 +567,7 @@ FittedArray fit_array(const Scene& scene, float aspect, const ViewWish& wish) {
 Affine3f world_from_display(const FittedArray& array, float units_per_mm, const ResolvedScene& resolved) {
   const int nodes = static_cast<int>(resolved.world_from_node.size());
   if (array.node < -1 || array.node >= nodes)
-    throw Error("array", fmt::format("moves with node {}, of {} in the scene", array.node, nodes),
+    throw Error("array", fmt::format("moves with node {}, but the scene has {} nodes", array.node, nodes),
                 "fit_array() of the same scene");
   const Affine3f plane = similarity(resolved.of(array.node)) * array.node_from_plane;
   return {plane.linear * units_per_mm, plane.translation};

@@ -15,9 +15,9 @@
 namespace lippmann {
 namespace {
 
-/// Walls that cover at least this share of the frame end the space that is seen.
+/// Walls that cover at least this share of the frame limit the visible space.
 constexpr double kWallShare = 0.25;
-constexpr float kBeforeWall = 0.999f;  ///< where rays begin, between the fitted viewer and the wall
+constexpr float kBeforeWall = 0.999f;  ///< start of the rays between the fitted viewer (0) and the wall (1)
 
 /// Polygons between the fitted viewer and the eye, within the frame.
 class Foreground {
@@ -30,7 +30,7 @@ class Foreground {
   void add(const Scene& scene, const Instance& instance, const ResolvedScene& resolved, const Affine3f& plane_from_world) {
     const Shape& shape = scene.shapes[static_cast<std::size_t>(instance.shape)];
     walls_.push_back({0.0, eye_});
-    if (std::holds_alternative<Splats>(shape)) return;  // those before the viewer are noise of the capture
+    if (std::holds_alternative<Splats>(shape)) return;  // splats in front of the viewer are noise of the capture
     if (const auto* planes = std::get_if<Planes>(&shape))
       return add_planes(*planes, plane_from_world * resolved.of(instance.node));
     const Bounds3f box = finite_bounds(scene, instance, resolved, plane_from_world);
@@ -38,7 +38,7 @@ class Foreground {
     visit_seen(scene, instance, resolved, plane_from_world, region_, [&](std::span<const Vec3f> polygon) { add(polygon); });
   }
 
-  /// Returns nothing if there are no polygons.
+  /// Returns the start of rays, or nothing if there are no polygons.
   std::optional<float> front() const {
     if (!any_) return std::nullopt;
     const double enough = kWallShare * 4.0 * static_cast<double>(half_.x * half_.y);
@@ -52,7 +52,7 @@ class Foreground {
   }
 
  private:
-  /// Of the plane through p: fitted viewer and eye lie on different sides.
+  /// Returns whether the plane through p separates the fitted viewer from the eye.
   bool is_wall(Vec3f p, Vec3f normal) const {
     const float offset = -glm::dot(normal, p), of_viewer = normal.z * viewer_ + offset, of_eye = normal.z * eye_ + offset;
     return (of_viewer > 0.0f) != (of_eye > 0.0f);
@@ -63,7 +63,7 @@ class Foreground {
     Vec3f normal(0.0f);
     for (std::size_t i = 2; i < polygon.size(); ++i) normal += glm::cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
     if (!is_wall(polygon[0], normal)) return;
-    // As the eye sees it on the plane z = 0.
+    // projected from the eye to the plane z = 0
     double twice_area = 0.0;
     const auto seen = [&](Vec3f p) { return Vec2f(p) * (eye_ / std::max(eye_ - p.z, 1e-3f * eye_)); };
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -79,7 +79,8 @@ class Foreground {
     for (const Plane& plane : planes) add_plane(transform_point(plane_from_node, plane.point), of_normals * plane.normal);
   }
 
-  /// One that separates the two meets the line between them. Any other is seen in a corner, if anywhere.
+  /// Adds an infinite plane. A plane that separates viewer and eye crosses the line between them. Other planes count if they
+  /// are visible in a corner of the frame.
   void add_plane(Vec3f p, Vec3f normal) {
     const float ahead = glm::dot(normal, p - Vec3f(0.0f, 0.0f, eye_));
     for (const float x : {-half_.x, half_.x})
@@ -92,16 +93,16 @@ class Foreground {
     walls_.back().add({4.0 * static_cast<double>(half_.x * half_.y), glm::dot(normal, p) / normal.z});
   }
 
-  /// Of one instance or more.
+  /// The walls of one or more instances.
   struct Walls {
-    double area;    ///< as the eye sees it on the plane z = 0
-    float nearest;  ///< the smallest z
+    double area;    ///< projected from the eye to the plane z = 0
+    float nearest;  ///< smallest z
 
     void add(const Walls& other) { area += other.area, nearest = std::min(nearest, other.nearest); }
   };
 
   float viewer_, eye_;
-  Vec2f half_;  ///< of the frame, on the plane z = 0
+  Vec2f half_;  ///< half the size of the frame on the plane z = 0
   ConvexRegion region_;
   bool any_ = false;
   std::vector<Walls> walls_;  ///< by instance

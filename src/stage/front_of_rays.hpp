@@ -1,13 +1,13 @@
-// Where rays begin: as far in front of the array's plane as the viewer's eye, unless that would show the back of a wall.
+// The start of rays: at the viewer's eye, or nearer to the array's plane if the eye would see the back of a wall.
 //
-// The array is fitted to a viewer, who is a camera of the file or found for the subject. The display's own viewer often stands
-// farther away, and sees what lies between the two through the display's frame: the floor before the subject above all. A wall
-// behind the file's camera lies there, too, and would hide everything.
+// The array is fitted to a viewer, which is a camera of the file or was found for the subject. The display's own viewer is
+// often farther away, and also sees what lies between the two through the display's frame, mainly the floor in front of the
+// subject. A wall behind the file's camera also lies there, and would hide everything.
 //
-// A surface is a wall where the plane of its polygon separates the fitted viewer from the eye: the eye sees its other side. Of
-// a floor, both see the upper side. An instance whose walls cover a quarter of the frame or more, or all of them together where
-// none does alone, ends the space that is seen: rays begin just before it. What covers less, such as a chair behind the camera,
-// is shown.
+// A surface is a wall if the plane of its polygon separates the fitted viewer from the eye, so the eye sees its other side.
+// Both see the upper side of a floor. Rays begin just in front of an instance whose walls cover at least a quarter of the
+// frame, or in front of all walls if only all of them together do. Smaller surfaces, such as a chair behind the camera, are
+// shown.
 #pragma once
 
 #include "lippmann/scene/scene.hpp"
@@ -15,9 +15,9 @@
 
 namespace lippmann {
 
-/// z of the array's plane frame, in units of its node: the fitted viewer's where nothing lies between him and the eye. aspect:
-/// width / height of the plane; eye: how far the display's viewer is in front of the plane, in the same units. Over the
-/// animation: the nearest.
+/// Returns z in the array's plane frame, in units of its node: that of the fitted viewer if nothing lies between it and the
+/// eye. aspect: width / height of the plane. eye: distance of the display's viewer in front of the plane, in the same units.
+/// Returns the nearest value over the animation.
 float front_of_rays(const Scene& scene, const FittedArray& array, float aspect, float eye);
 
 }  // namespace lippmann

@@ -15,8 +15,8 @@
 namespace lippmann {
 namespace {
 
-/// A lamp where the viewer stands, as bright at every distance: it lights what is seen, whatever the size of the room. A white
-/// diffuse surface that faces it shows half of display white, and what other walls reflect on top.
+/// Adds a lamp at the viewer without falloff: it lights the visible part of rooms of any size. A white diffuse surface that
+/// faces it has half of display white, plus the light reflected by other walls.
 void add_lamp_at_viewer(Scene& scene, const FittedArray& array) {
   constexpr float kAtViewer = 0.5f * kPi;
   Node node;
@@ -31,7 +31,7 @@ void add_lamp_at_viewer(Scene& scene, const FittedArray& array) {
   scene.lights.push_back(std::move(light));
 }
 
-/// In a closed room nothing of the studio would be seen. Whether it is one.
+/// Lights a closed room, where the studio would be invisible. Returns whether the room is closed.
 bool light_closed_room(Scene& scene) {
   const FittedArray array = fit_array(scene);
   if (!std::isfinite(array.viewing_distance)) return false;

@@ -7,11 +7,11 @@
 namespace lippmann {
 namespace {
 
-constexpr float kFarAway = 20.0f;   ///< the narrowest gap over the diagonal of what remains
-constexpr float kWideGap = 0.2f;    ///< over the longest side of all: narrower ones are those of a scattered scene
-constexpr float kSliver = 1000.0f;  ///< the longest side over the shortest
+constexpr float kFarAway = 20.0f;  ///< the narrowest gap, relative to the diagonal of the main part
+constexpr float kWideGap = 0.2f;   ///< relative to the longest side of the scene; narrower gaps are normal in a scattered scene
+constexpr float kSliver = 1000.0f;  ///< the longest side of a triangle over the shortest
 constexpr int kMostCuts = 64;
-constexpr std::size_t kBins = 512;  ///< an axis in equal parts, which gaps are measured in
+constexpr std::size_t kBins = 512;  ///< resolution of the gap search along an axis
 
 struct Gap {
   int axis = 0;
@@ -24,14 +24,14 @@ Bounds3f bounds_of(const std::vector<ScenePiece>& pieces) {
   return all;
 }
 
-/// The longest row of bins that no piece reaches.
+/// Returns the longest run of bins without any piece.
 Gap widest_gap(const std::vector<ScenePiece>& pieces, const Bounds3f& all, int axis) {
   const float size = all.size()[axis], bin = size / static_cast<float>(kBins);
   if (!(bin > 0.0f) || !std::isfinite(size)) return {};
   const auto bin_of = [&](float at) {
     return std::min(static_cast<std::size_t>(std::max((at - all.lower[axis]) / bin, 0.0f)), kBins - 1);
   };
-  std::array<int, kBins + 1> begins{};  // pieces that begin in a bin less those that have ended before it
+  std::array<int, kBins + 1> begins{};  // pieces that begin in a bin, minus those that ended before it
   for (const ScenePiece& piece : pieces) {
     ++begins[bin_of(piece.bounds.lower[axis])];
     --begins[bin_of(piece.bounds.upper[axis]) + 1];
@@ -55,7 +55,7 @@ Gap widest_gap(const std::vector<ScenePiece>& pieces, const Bounds3f& all) {
   return widest;
 }
 
-/// The side of the gap that has more surface, or where both have as much, more pieces.
+/// Returns the side of the gap with more surface, or for equal areas, with more pieces.
 std::vector<ScenePiece> heavier_side(const std::vector<ScenePiece>& pieces, const Gap& gap) {
   std::array<std::vector<ScenePiece>, 2> sides;
   std::array<double, 2> areas{};

@@ -1,9 +1,9 @@
-// Which part of a scene a view is about, where others lie so far away that a picture of all would show nothing of any.
+// Finds the main part of a scene whose parts are so far apart that an image of everything would show nothing.
 //
-// Based on gaps: the box around all is cut in the middle of the widest gap along an axis, and the side with less surface is
-// left out; the same again with what remains. The cuts count once what remains is so small beside the narrowest gap that it
-// would fill less than 1/20 of the picture's width. A scene whose parts lie closer together is whole. Slivers,
-// which a stray vertex makes of the triangles around it, do not close gaps.
+// Based on gaps: the bounding box is cut in the middle of the widest gap along an axis, and the side with less surface is
+// dropped; then the same is repeated. The cuts apply if the remaining part is so small relative to the narrowest gap that it
+// would fill less than 1/20 of the image's width. Otherwise the scene is whole. Slivers, which a stray vertex makes of adjacent
+// triangles, do not close gaps.
 #pragma once
 
 #include <optional>
@@ -15,13 +15,13 @@ namespace lippmann {
 
 struct ScenePiece {
   Bounds3f bounds;
-  float area = 0.0f;  ///< of its surface, about
+  float area = 0.0f;  ///< approximate surface area
   bool is_sliver = false;
 };
 
 ScenePiece piece_of_triangle(Vec3f a, Vec3f b, Vec3f c);
 
-/// A box around the pieces that remain, which cuts none of the others but slivers; none where nothing is left out.
+/// Returns a box around the main part, which cuts no other pieces except slivers. Returns nothing if the scene is whole.
 std::optional<Bounds3f> find_main_part(std::vector<ScenePiece> pieces);
 
 }  // namespace lippmann

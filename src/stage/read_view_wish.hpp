@@ -1,4 +1,4 @@
-// Finds in a scene what a ViewWish names, and reads its numbers from text.
+// Resolves the names in a ViewWish, and parses its numbers.
 #pragma once
 
 #include <string>
@@ -10,19 +10,18 @@
 
 namespace lippmann {
 
-/// Which instances a name means, one flag for each. Throws a usage Error at `flag` where there is no such name, with the
-/// nearest one, or where nothing is shown below it.
+/// Returns one flag per instance for a name. Throws a usage Error at `flag` if the name does not exist, with the most similar
+/// name, or if there is no shape below it.
 std::vector<bool> instances_named(const Scene& scene, const std::string& name, const char* flag);
 
-/// Whether a node or an instance has that name.
+/// Returns whether a node or an instance has that name.
 bool is_name_of_node(const Scene& scene, std::string_view name);
 
-/// "-30" or "-30,15", in degrees. Throws a usage Error at `where`.
+/// Parses "-30" or "-30,15", in degrees. Throws a usage Error at `where`.
 Orbit read_orbit(std::string_view text, const std::string& where);
 std::string write_orbit(const Orbit& orbit);
 
-/// The numbers between commas: one or three. Throws a usage Error at --focus where `text` is neither; the scene's names are
-/// what the Error then suggests.
+/// Parses one or three numbers separated by commas. Otherwise throws a usage Error at `focus` that suggests the scene's names.
 std::vector<double> read_focus(const Scene& scene, const std::string& text);
 
 }  // namespace lippmann

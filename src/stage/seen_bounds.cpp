@@ -1,5 +1,6 @@
 // Based on: Ivan E. Sutherland, Gary W. Hodgman, "Reentrant Polygon Clipping", Communications of the ACM 17(1), 1974: a convex
-// polygon is cut by one plane after the other; each keeps the corners on its side and adds a corner where an edge crosses it.
+// polygon is clipped by one plane after the other. Each clip keeps the corners on the inner side and adds a corner where an
+// edge crosses the plane.
 #include "stage/seen_bounds.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace {
 
 using Polygon = std::vector<Vec3f>;
 
-/// Cuts polygons and visits what is left of them. The buffers are kept between polygons.
+/// Clips polygons and visits the results. Reuses its buffers.
 class Clipper {
  public:
   Clipper(const ConvexRegion& region, const PolygonVisitor& visit) : region_(region), visit_(visit) {}
@@ -59,7 +60,7 @@ void add_mesh(Clipper& clipper, const Mesh& mesh, const std::vector<Vec3f>& posi
   for (const auto& [a, b, c] : mesh.triangles) clipper.add_triangle(positions[a], positions[b], positions[c]);
 }
 
-/// The surface of a box.
+/// Adds the surface of a box.
 void add_box(Clipper& clipper, const Bounds3f& box) {
   if (box.empty()) return;
   std::array<Vec3f, 8> corner;

@@ -1,4 +1,4 @@
-// A plane without end is linear in 1 / depth over the window, so that what is nearest and farthest of it is seen in corners.
+// An infinite plane is linear in 1 / depth over the window, so its extreme depths lie in corners.
 #include "stage/seen_depth.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kInfiniteDepth = std::numeric_limits<float>::infinity();
 
-/// Empty at first.
+/// Initially empty.
 struct DepthReach {
   float near = -kInfiniteDepth, far = kInfiniteDepth;
 
@@ -33,7 +33,7 @@ HalfSpace normalized(Vec3f normal, float offset) {
   return {normal / length, offset / length};
 }
 
-/// All that lies before the eye and between the sides of the window.
+/// Returns the region in front of the eye and within the sides of the window.
 ConvexRegion region_before(const EyeAtWindow& view) {
   const Vec3f eye = view.eye_mm;
   ConvexRegion region{{{0.0f, 0.0f, -1.0f}, eye.z}};
@@ -47,7 +47,7 @@ ConvexRegion region_before(const EyeAtWindow& view) {
   return region;
 }
 
-/// One moment of a scene, seen through the window.
+/// A scene at one time, seen through the window.
 class SeenMoment {
  public:
   SeenMoment(const Scene& scene, const ResolvedScene& resolved, const Affine3f& display_from_world, const EyeAtWindow& view)
@@ -57,7 +57,7 @@ class SeenMoment {
         view_(view),
         region_(region_before(view)) {}
 
-  /// Adds one instance; what cannot make the reach longer is not looked at closely.
+  /// Adds one instance. Skips instances whose box cannot extend the range.
   void add(const Instance& instance, DepthReach& reach) const {
     if (instance.hidden_from_cameras) return;
     const Shape& shape = scene_.shapes[static_cast<std::size_t>(instance.shape)];

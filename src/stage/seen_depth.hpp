@@ -1,7 +1,7 @@
-// From where to where an eye sees something through a window, over a whole animation.
+// The visible depth range of an eye behind a window over a whole animation.
 //
-// It is a matter of the scene alone: of all frames of its timeline, whichever are rendered. Meshes are exact, other shapes
-// count as the boxes around them (stage/seen_bounds.hpp), and so does what stands behind something else.
+// The result depends on all frames of the timeline, regardless of the frames rendered. Meshes are exact; other shapes count as
+// their bounding boxes (stage/seen_bounds.hpp). Occluded shapes count, too.
 #pragma once
 
 #include <optional>
@@ -13,18 +13,18 @@
 
 namespace lippmann {
 
-/// An eye before the plane z = 0 of the display frame, and the rectangle around the middle of that plane that it looks through.
+/// An eye in front of the plane z = 0 of the display frame, and a centred rectangle in that plane.
 struct EyeAtWindow {
   Vec3f eye_mm{0.0f, 0.0f, 300.0f};
   Vec2f window_mm{100.0f};
 };
 
-/// z of the display frame, above 0 in front of the display; -inf where a plane is seen up to its horizon.
+/// z in the display frame, > 0 in front of the display; -inf if a plane is visible up to its horizon.
 struct SeenDepth {
   float near_mm = 0.0f, far_mm = 0.0f;
 };
 
-/// None where nothing is seen in any frame. The same for any number of threads.
+/// Returns nothing if no frame has anything visible. The result does not depend on the number of threads.
 std::optional<SeenDepth> seen_depth(const Scene& scene, const FittedArray& array, float units_per_mm, const EyeAtWindow& eye,
                                     const ThreadPool& pool);
 

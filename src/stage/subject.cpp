@@ -20,11 +20,11 @@
 namespace lippmann {
 namespace {
 
-constexpr float kThin = 0.1f;          ///< a sheet's thickness over its longest side, at most
-constexpr float kNearFace = 0.05f;     ///< how far a sheet may lie from a face, over the box's size there
-constexpr float kSpanning = 0.8f;      ///< how much of a face its sheets span, at least
-constexpr float kMuchSmaller = 0.5f;   ///< diagonal of what remains over that of all
-constexpr float kSmallBefore = 0.25f;  ///< the same where only a wall, or a shell, says that this is a scene in surroundings
+constexpr float kThin = 0.1f;          ///< maximum thickness of a sheet, relative to its longest side
+constexpr float kNearFace = 0.05f;     ///< maximum distance of a sheet from a face, relative to the box's size
+constexpr float kSpanning = 0.8f;      ///< minimum share of a face that its sheets span
+constexpr float kMuchSmaller = 0.5f;   ///< maximum diagonal of the remaining part, relative to the whole
+constexpr float kSmallBefore = 0.25f;  ///< the same if a wall or a shell is the only evidence of surroundings
 
 using Indices = std::vector<std::size_t>;
 
@@ -36,7 +36,7 @@ struct Face {
 constexpr Face kFloorFace{1, false}, kCeilingFace{1, true};
 constexpr std::array<Face, 4> kWallFaces{{{0, false}, {0, true}, {2, false}, {2, true}}};
 
-/// Takes surroundings away from a scene's instances, round by round: a room may stand on a lawn below a sky.
+/// Removes surroundings from a scene's instances in rounds: a room may stand on a lawn below a sky.
 class Peeling {
  public:
   explicit Peeling(const Scene& scene) : scene_(scene), subject_(whole_scene(scene)) {
@@ -53,7 +53,7 @@ class Peeling {
   }
 
  private:
-  /// Bounds of each instance over the animation.
+  /// Computes the bounds of each instance over the animation.
   void measure() {
     bounds_.resize(scene_.instances.size());
     moves_ = moving_instances(scene_);
@@ -89,7 +89,7 @@ class Peeling {
 
   // ---- Strays -------------------------------------------------------------------------------------------------------
 
-  /// Meshes that do not move fall into triangles, and lists of other shapes into these.
+  /// Splits static meshes into triangles, and list shapes into their primitives.
   std::vector<ScenePiece> pieces() const {
     std::vector<ScenePiece> pieces;
     const ResolvedScene resolved = evaluate(scene_, scene_.timeline.time(0));
@@ -160,7 +160,7 @@ class Peeling {
     return true;
   }
 
-  /// The sheets at a face if they span it, each of them or together; else none.
+  /// Returns the sheets at a face if they span it, each of them or all together; otherwise none.
   Indices sheets_at(Face face, const Bounds3f& all, bool each) const {
     Indices sheets;
     for (const std::size_t i : left_)
@@ -168,7 +168,7 @@ class Peeling {
     return spans(bounds_of(sheets), face, all) ? sheets : Indices{};
   }
 
-  /// each: only sheets that span their faces alone. So coins on a table stay, where the boards of a floor go.
+  /// each: only sheets that span their faces alone. Thus coins on a table stay, while the boards of a floor are removed.
   bool peel_sheets(bool each) {
     const Bounds3f all = bounds_of(left_);
     const Indices floor = sheets_at(kFloorFace, all, each);
@@ -196,7 +196,7 @@ class Peeling {
 
   // ---- Shells -------------------------------------------------------------------------------------------------------
 
-  /// What would remain of the rest: a sky may stand around a ground that is nearly as wide.
+  /// Returns what would remain of the rest: a sky may surround a ground that is nearly as wide.
   Indices core_without(std::size_t shell) const {
     Peeling inner(*this);
     inner.left_ = without({shell});
@@ -205,7 +205,7 @@ class Peeling {
     return inner.left_;
   }
 
-  /// Whether nothing of the shell comes nearer to what it surrounds than that is large, except from below.
+  /// Returns whether no part of the shell, except from below, is nearer to its content than the content is large.
   bool leaves_free(std::size_t shell, const Bounds3f& core) const {
     const Vec3f size = core.size();
     const float reach = 0.5f * std::max({size.x, size.y, size.z});
@@ -224,7 +224,7 @@ class Peeling {
     return leaves_free(i, inner);
   }
 
-  /// Only the largest can be one.
+  /// Only the largest instance can be a shell.
   bool peel_shell() {
     const auto smaller = [&](std::size_t a, std::size_t b) { return diagonal(bounds_[a]) < diagonal(bounds_[b]); };
     const std::size_t largest = *std::max_element(left_.begin(), left_.end(), smaller);
@@ -277,7 +277,7 @@ Subject find_subject(const Scene& scene) { return Peeling(scene).run(); }
 
 namespace {
 
-/// The names of those for which is_listed(instance), without repetition.
+/// Lists the names of instances with is_listed(instance), without repetition.
 template <class IsListed>
 std::string list_instances(const Scene& scene, const IsListed& is_listed) {
   constexpr std::size_t kListed = 3;

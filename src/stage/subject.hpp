@@ -1,15 +1,15 @@
-// What a scene is about: everything but its surroundings, which are ground, walls, ceiling, sky and backdrop.
+// The subject of a scene: everything except its surroundings, which are ground, walls, ceiling, sky and backdrop.
 //
-// Surroundings are found by their shape and place alone, instance by instance, in world axes with +y up:
-//  - Sheets: instances that are thin along one axis and lie at a face of the box around everything. The sheets at a face count
-//    if together they span it. Ground lies at the lower face; walls reach down to the ground at the faces on the sides; a
-//    ceiling rests on walls.
+// Surroundings are found by shape and position only, per instance, in world axes with +y up:
+//  - Sheets: instances that are thin along one axis and lie at a face of the scene's box. The sheets at a face count if
+//    together they span it. Ground lies at the lower face; walls at the side faces extend down to the ground; a ceiling rests
+//    on walls.
 //  - Shells: an instance that contains everything else between its sides, with free space around it: sky, dome, backdrop,
 //    hills. Only the ground below may be nearer.
-// They are left out if what remains is much smaller. Before that, pieces are left out that lie so far away that a picture of
-// all would show nothing (main_part.hpp): instances, and triangles of meshes that do not move.
-// No surroundings are left out of a scene that is one mesh, and never everything.
-// Infinite planes have no bounds and decide nothing.
+// They are left out if the remaining part is much smaller. Before that, pieces are left out that are so far away that an image
+// of everything would show nothing (main_part.hpp): instances, and triangles of static meshes.
+// A scene with a single mesh has no surroundings, and never everything is left out.
+// Infinite planes have no bounds and are ignored.
 #pragma once
 
 #include <optional>
@@ -24,41 +24,41 @@ namespace lippmann {
 
 enum class InstanceRole {
   kSubject,
-  kGround,    ///< ground and ceilings: in a picture they reach from the subject to the far distance
+  kGround,    ///< ground and ceilings, which extend from the subject to the far distance
   kBackdrop,  ///< walls, sky, domes
   kUnseen,    ///< hidden from cameras
   kStray,     ///< far away from everything else
 };
 
-/// Whether it is seen beside the subject.
+/// Returns whether instances of the role are visible besides the subject.
 bool is_surrounding(InstanceRole role);
 
 struct Subject {
   std::vector<InstanceRole> roles;    ///< per instance
-  std::optional<Bounds3f> main_part;  ///< in the world: what lies beyond it has been left out; none: nothing has
-  std::vector<bool> is_cut;           ///< per instance, where there is a main part: only what lies in it counts
+  std::optional<Bounds3f> main_part;  ///< in world space; everything beyond it is left out; empty if nothing is
+  std::vector<bool> is_cut;           ///< per instance, if there is a main part: only the part inside it counts
   bool has_surroundings() const;
   bool contains(std::size_t instance) const { return roles[instance] == InstanceRole::kSubject; }
 };
 
-/// The frames at which a scene's animation is looked at, at most 63 of them: 0 and every n-th from there.
+/// Returns the frames at which the animation is sampled: 0 and every n-th frame, at most 63.
 std::vector<int> sampled_frames(const Timeline& timeline);
 
-/// All that is seen is subject.
+/// Returns a subject with all visible instances.
 Subject whole_scene(const Scene& scene);
 
-/// Bounds of an instance's part that counts, as finite_bounds() has them.
+/// Returns the bounds of the part of an instance that counts, like finite_bounds().
 Bounds3f bounds_of_part(const Scene& scene, const Subject& subject, std::size_t instance, const ResolvedScene& resolved,
                         const Affine3f& frame_from_world = {});
 
-/// The subject over the whole animation. Without anything finite but surroundings: everything.
+/// Returns the subject over the whole animation. If all finite instances are surroundings, returns everything.
 Subject find_subject(const Scene& scene);
 
-/// The length of a box's diagonal; 0 of an empty one.
+/// Returns the length of a box's diagonal, or 0 for an empty box.
 inline float diagonal(const Bounds3f& bounds) { return bounds.empty() ? 0.0f : glm::length(bounds.size()); }
 
-/// "'Plane', 'Wall' and 3 others": the instances that are surroundings; and those that have been left out as stray, or partly
-/// so, with the number of splats that their bounds leave out as far away.
+/// Return lists such as "'Plane', 'Wall' and 3 others": of the surroundings, and of instances that are left out as strays,
+/// completely or partly, with the number of distant splats outside their bounds.
 std::string list_surroundings(const Scene& scene, const Subject& subject);
 std::string list_strays(const Scene& scene, const Subject& subject);
 

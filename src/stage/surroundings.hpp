@@ -1,4 +1,4 @@
-// What surrounds and lights a scene, put into its background.
+// Sets the surroundings and light of a scene in its background.
 #pragma once
 
 #include <string>
@@ -7,18 +7,18 @@
 
 namespace lippmann {
 
-/// How panoramas are taken.
+/// Options for panoramas.
 struct Surrounding {
   float strength = 1.0f;  ///< factor
   float rotation_deg = 0.0f;
 };
 
-/// `share`: another factor on its light.
+/// Sets a panorama. `share`: another factor on its light.
 void surround_with(Scene& scene, EnvironmentMap map, const Surrounding& how, float share);
-/// Linear light, the same in all directions.
+/// Sets linear light, the same in all directions.
 void surround_with(Scene& scene, Vec3f color);
 
-/// The parts of add_missing_light() (lippmann/stage/lighting.hpp), with panoramas taken so.
+/// The parts of add_missing_light() (lippmann/stage/lighting.hpp), with options for panoramas.
 std::string light_for_whitted(Scene& scene);
 std::string light_for_paths(Scene& scene, const Surrounding& how);
 

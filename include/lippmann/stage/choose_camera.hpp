@@ -1,4 +1,4 @@
-// Which of a scene's cameras decides the view, by name or index, and which axis of a file points upwards.
+// Selects the camera that defines the view, by name or index, and the up axis of a file.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +11,20 @@ namespace lippmann {
 
 enum class UpAxis { kY, kX, kZ, kMinusX, kMinusY, kMinusZ };
 
-/// What the scene's cameras are called, in the file's order; an empty name where one has none.
+/// Returns the names of the scene's cameras in the file's order. Unnamed cameras have an empty name.
 std::vector<std::string> camera_names(const Scene& scene);
 
-/// "Front (0), Side (1)": what choose_camera() accepts.
+/// Returns the values that choose_camera() accepts, such as "Front (0), Side (1)".
 std::string list_cameras(const std::vector<std::string>& names);
 
-/// Puts the camera of that name, or else of that index, first: the first one decides the view, also where the scene places an
-/// array of its own. Empty: changes nothing. Throws a usage Error that lists the cameras.
+/// Moves the camera with the given name, or else with that index, to the front. The first camera defines the view, even if the
+/// scene places an array of its own. An empty string changes nothing. Throws a usage Error that lists the cameras.
 void choose_camera(Scene& scene, const std::string& wanted);
 
-/// The same by index alone, for callers that know it is one. Throws a usage Error that lists the cameras.
+/// The same by index only. Throws a usage Error that lists the cameras.
 void choose_camera(Scene& scene, std::size_t index);
 
-/// Turns all of the scene about the origin so that what points along `up` in the file points along +y.
+/// Rotates the whole scene about the origin so that the file's axis `up` becomes +y.
 void turn_upright(Scene& scene, UpAxis up);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// The panorama that lights a scene, read from the user's file.
+// Reads a panorama that lights a scene from the user's file.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@
 
 namespace lippmann {
 
-/// An equirectangular .hdr or .exr, linear: its colours, or grey three times. Negative samples become 0. strength: factor;
-/// rotation_deg: about the vertical. Warns about what the file says and is not honoured. Throws Error naming the file.
+/// Reads an equirectangular .hdr or .exr with linear light; grey is repeated in all channels. Clamps negative samples to 0.
+/// strength: factor. rotation_deg: about the vertical. Warns about ignored data in the file. Throws Error that names the file.
 EnvironmentMap read_environment(const std::filesystem::path& path, float strength, float rotation_deg,
                                 const Context& context = Context());
 

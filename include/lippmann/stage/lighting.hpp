@@ -1,4 +1,4 @@
-// Light for scenes that bring none of their own.
+// Light for scenes without lights.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace lippmann {
 
-/// Lights a scene that is lit too little to be seen by that integrator, as `lippmann render` does. Paths: the built-in studio
-/// where nothing gives light, and where walls around the viewer keep that out a lamp at the viewer; a dim studio around lamps
-/// that stand in darkness. Whitted's shading: a key light and a dim background where there is no lamp. All that is there stays,
-/// and a scene with light and surroundings stays as it is. The light lies as the first camera sees it. Returns one sentence:
-/// which light was taken, and why. Throws Error as validate(scene) does.
+/// Adds light to a scene that is too dark for the integrator, as `lippmann render` does. For path tracing: the built-in studio
+/// if nothing emits light, or a lamp at the viewer if walls around the viewer block the studio; a dim studio if there are lamps
+/// but no surroundings. For Whitted shading: a key light and a dim background if there are no lamps. Existing lights are kept,
+/// and a scene with light and surroundings does not change. The light is oriented by the first camera. Returns one sentence
+/// that says which light was added, and why. Throws Error if validate(scene) does.
 std::string add_missing_light(Scene& scene, Integrator integrator);
 
 }  // namespace lippmann

@@ -1,23 +1,23 @@
-// What people say of the view instead of leaving it to the fit (stage/fit_array.hpp).
+// The user's options for the view (stage/fit_array.hpp).
 //
-// Nodes are called by the name of a node, which stands for everything below it too, or by that of an object that is shown.
+// A node is selected by its name, which includes everything below it, or by the name of a visible object.
 #pragma once
 
 #include <string>
 
 namespace lippmann {
 
-/// How far the view is turned about what it looks at.
+/// Rotation of the view about its target.
 struct Orbit {
-  float yaw_deg = 0.0f;    ///< the viewer moves to the right
-  float pitch_deg = 0.0f;  ///< the viewer moves up; not beyond straight above or below
+  float yaw_deg = 0.0f;    ///< positive: the viewer moves to the right
+  float pitch_deg = 0.0f;  ///< positive: the viewer moves up; limited to straight above or below
   bool operator==(const Orbit&) const = default;
 };
 
 struct ViewWish {
-  std::string focus;   ///< a node's name, X,Y,Z in the world, or a distance from the viewer; empty: not given
-  std::string fit_to;  ///< a node's name; empty: not given
-  float zoom = 1.0f;   ///< > 0; what is seen of the plane is that much smaller
+  std::string focus;   ///< a node's name, X,Y,Z in the world, or a distance from the viewer; may be empty
+  std::string fit_to;  ///< a node's name; may be empty
+  float zoom = 1.0f;   ///< > 0; divides the visible size of the plane
   Orbit orbit;
 };
 
