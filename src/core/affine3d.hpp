@@ -1,11 +1,11 @@
-// Affine transforms in double precision: for chains of them in worlds that are large beside a pixel.
+// Affine transforms in double precision, for chains of transforms in worlds that are large compared to a pixel.
 #pragma once
 
 #include "lippmann/core/math.hpp"
 
 namespace lippmann {
 
-/// p -> linear * p + translation.
+/// The map p -> linear * p + translation.
 struct Affine3d {
   glm::dmat3 linear{1.0};
   glm::dvec3 translation{0.0};
@@ -25,7 +25,7 @@ inline Affine3d inverse(const Affine3d& a) {
 
 inline glm::dvec3 transform_point(const Affine3d& a, glm::dvec3 p) { return a.linear * p + a.translation; }
 
-/// Where a node has carried the world's points between two moments; exactly the identity where it has not moved.
+/// Returns the motion of a node between two moments in world space; exactly the identity if it has not moved.
 inline Affine3d world_motion(const Affine3f& from, const Affine3f& to) {
   return from == to ? Affine3d{} : to_double(to) * inverse(to_double(from));
 }

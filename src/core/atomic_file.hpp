@@ -1,9 +1,8 @@
-// Files that appear under their final name only when they are complete: written beside it, then renamed.
+// Files that appear under their final name only when complete: they are written next to it and then renamed.
 //
-// A crash of the program leaves at most a hidden file named .<stem>.tmp-<process id>-<host>-<letters><extension> in the same
-// folder (the extension is kept because libraries choose a format by it); remove_stale_temporaries clears it away. A loss of
-// power may leave what was there before, and never half a file; sync_folder (core/platform.hpp) makes sure that it leaves the
-// new one.
+// After a crash, at most a hidden file named .<stem>.tmp-<process id>-<host>-<letters><extension> remains in the same folder
+// (libraries need the extension to choose a format); remove_stale_temporaries() removes it. After a loss of power, the previous
+// file may remain, but never half a file; sync_folder (core/platform.hpp) ensures that the new file remains.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +11,10 @@
 
 namespace lippmann {
 
-/// For code that writes through a library that wants a path: give it temporary_path(), then commit(). One at a time per name.
+/// For code that writes through a library that needs a path: pass temporary_path(), then call commit().
 class AtomicFile {
  public:
-  /// Throws Error if the folder is missing or not writable, or the name is taken by something other than a regular file.
+  /// Throws Error if the folder is missing or not writable, or if the name belongs to something other than a regular file.
   explicit AtomicFile(std::filesystem::path path);
   /// Removes the temporary file unless commit() succeeded.
   ~AtomicFile();
@@ -33,11 +32,11 @@ class AtomicFile {
   bool committed_ = false;
 };
 
-/// Writes a whole file that way. Throws Error naming `path` when the disk is full or anything else fails.
+/// Writes a whole file atomically. Throws Error that names `path` if the disk is full or anything else fails.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-/// Removes what processes of this machine that no longer exist have left half-written in a folder; with a `file`, of that file
-/// alone. What cannot be read or removed stays.
+/// Removes incomplete files of terminated processes of this machine from a folder; with `file`, only those of that file.
+/// Ignores files that cannot be read or removed.
 void remove_stale_temporaries(const std::filesystem::path& folder, const std::filesystem::path& file = {});
 
 }  // namespace lippmann

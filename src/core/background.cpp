@@ -28,7 +28,7 @@ struct BackgroundQueue::Impl {
   std::vector<std::thread> threads;
 
   explicit Impl(int most_pieces) : capacity(most_pieces) {}
-  ~Impl();  // also where a later thread cannot start, and the constructor of the queue throws
+  ~Impl();  // also runs if a thread cannot start and the constructor of the queue throws
 
   void start(int number);
   void serve();
@@ -40,7 +40,7 @@ BackgroundQueue::Impl::~Impl() {
   {
     const std::lock_guard lock(mutex);
     stopping = true;
-    waiting.clear();  // the newest pieces: no turn before theirs waits for them
+    waiting.clear();  // the newest pieces: no earlier turn waits for them
   }
   changed.notify_all();
   for (std::thread& thread : threads) thread.join();
@@ -50,7 +50,7 @@ void BackgroundQueue::Impl::start(int number) {
   for (int i = 0; i < number; ++i) threads.emplace_back([this] { serve(); });
 }
 
-/// One half of a piece, outside the lock; skipped once a piece has failed.
+/// Runs one half of a piece without the lock. Does nothing after a failure.
 void BackgroundQueue::Impl::run(const std::function<void()>& half) {
   {
     const std::lock_guard lock(mutex);
@@ -78,7 +78,7 @@ void BackgroundQueue::Impl::serve() {
     changed.wait(lock, [&] { return next_turn == piece.turn; });
     lock.unlock();
     run(piece.in_order);
-    piece = {};  // frees what it holds before the next one may be submitted
+    piece = {};  // free its data before the next piece can be submitted
 
     lock.lock();
     ++next_turn, --existing;
@@ -109,7 +109,7 @@ void BackgroundQueue::submit(std::function<void()> work, std::function<void()> i
   const bool accepted = !impl_->failed;
   if (accepted) {
     impl_->waiting.push_back({impl_->submitted, std::move(work), std::move(in_order)});
-    ++impl_->submitted, ++impl_->existing;  // not before: a turn that nothing takes would be waited for
+    ++impl_->submitted, ++impl_->existing;  // increment last: an unassigned turn would never end
   }
   lock.unlock();
   impl_->changed.notify_all();

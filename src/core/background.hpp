@@ -1,9 +1,9 @@
-// Runs pieces of work on threads of their own, beside the caller, a bounded number at a time: compressing and writing files
-// while the next frame is traced.
+// Runs a bounded number of pieces of work on separate threads, for example to compress and write files while the next frame is
+// traced.
 //
-// Not oneTBB's flow graph, though its sequencer and limiter nodes order and bound just so: its tasks run on the workers that
-// trace, of which there are as many as cores. Writing waits for disks, and a task that waits holds its worker; and where all
-// workers trace, written frames pile up behind them. Threads of their own leave both to the operating system.
+// oneTBB's flow graph is not suitable, although its sequencer and limiter nodes provide the same order and bound: its tasks run
+// on the tracing workers, one per core. A task that waits for a disk blocks its worker, and while all workers trace, finished
+// frames pile up. With separate threads, the operating system schedules both.
 #pragma once
 
 #include <functional>
@@ -11,25 +11,25 @@
 
 namespace lippmann {
 
-/// Each piece has two halves: `work` runs on any of the threads, in any order; `in_order` runs after it, one at a time, in the
-/// order of submission (a video takes its frames so). Either may be empty. All members are called from one thread.
+/// Each piece has two halves: `work` runs on any thread, in any order; `in_order` runs after it, one at a time, in the order of
+/// submission (a video needs its frames in order). Either may be empty. Call all members from one thread.
 ///
-/// The first exception that a piece throws ends the queue: pieces not yet begun are dropped, and the next submit() or finish()
-/// rethrows it, once.
+/// The first exception of a piece stops the queue: pieces that have not started are dropped, and the next submit() or finish()
+/// rethrows the exception once.
 class BackgroundQueue {
  public:
-  /// threads >= 1; capacity >= 1: how many pieces may exist at a time, those being worked on included. What pieces hold
-  /// (pictures) is thereby bounded. Throws std::system_error where the system has no more threads.
+  /// threads >= 1. capacity >= 1: maximum number of existing pieces, including running ones, which bounds the memory of their
+  /// images. Throws std::system_error if the system has no more threads.
   BackgroundQueue(int threads, int capacity);
-  /// Drops the pieces not yet begun and waits for the others.
+  /// Drops the pieces that have not started, and waits for the others.
   ~BackgroundQueue();
   BackgroundQueue(const BackgroundQueue&) = delete;
   BackgroundQueue& operator=(const BackgroundQueue&) = delete;
 
-  /// Waits while `capacity` pieces exist, then queues this one; its own failure is reported by a later call.
+  /// Waits until fewer than `capacity` pieces exist, then queues this one. A later call reports its failure.
   void submit(std::function<void()> work, std::function<void()> in_order = {});
 
-  /// Waits until every piece has ended.
+  /// Waits until all pieces have finished.
   void finish();
 
  private:

@@ -1,4 +1,4 @@
-// Bytes as text: base 64 (RFC 4648, section 4), for pages that hold their pictures.
+// Base 64 encoding (RFC 4648, section 4), for pages with embedded images.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace lippmann {
 
-/// With '=' at the end, so that the length is a multiple of four.
+/// Encodes bytes, with '=' padding to a multiple of four characters.
 std::string base64(std::string_view bytes);
 
 }  // namespace lippmann

@@ -1,9 +1,9 @@
-// How many across and down, as flags and job files say it.
+// Numbers of columns and rows in flags and job files.
 #pragma once
 
 namespace lippmann {
 
-/// A 0 means "not given": it follows from the rest.
+/// 0 means "not given"; the value follows from other parameters.
 template <class T>
 struct Extent {
   T x = 0, y = 0;

@@ -1,4 +1,4 @@
-// The size and the checksum of a file's bytes (XXH3, 64 bits), which find damage; they are no protection against anybody.
+// Size and checksum (XXH3, 64 bits) of a file. They detect damage, not manipulation.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +16,10 @@ struct FileChecksum {
   bool operator==(const FileChecksum&) const = default;
 };
 
-/// What a file of these bytes has.
+/// Returns the checksum of bytes.
 FileChecksum checksum_of(std::span<const std::byte> bytes);
 
-/// None if there is no such file, it is no regular file (a FIFO is not waited for), or it cannot be read.
+/// Returns nothing if the file does not exist, is not a regular file (FIFOs do not block), or cannot be read.
 std::optional<FileChecksum> file_checksum(const std::filesystem::path& path);
 
 }  // namespace lippmann

@@ -1,13 +1,13 @@
-// Guesses what a file holds from its first bytes, for the message of a reader that cannot read it.
+// Guesses the contents of a file from its first bytes, for error messages.
 //
-// Use it where a reader has found that the bytes are not its format:
+// Use it if the bytes are not in the format of a reader:
 //
 //   const FileContent content = describe_content(bytes);
 //   throw Error(where, "cannot be read as glTF: it is " + content.what,
 //               content.remedy.empty() ? "a .glb or .gltf file" : content.remedy);
 //
-// A file with a remedy stands in for the file that the user meant: it is empty, a Git LFS pointer or a web page. No reader of
-// text takes those either, so it may ask stand_in_for_file() before it parses anything.
+// A file with a remedy is a placeholder for the intended file: an empty file, a Git LFS pointer or a web page. Text readers do
+// not accept these either, so they may call stand_in_for_file() before parsing.
 #pragma once
 
 #include <cstddef>
@@ -19,13 +19,14 @@ namespace lippmann {
 
 struct FileContent {
   std::string what;    ///< with its article: "a PNG picture", "text that begins 'hello'", "binary data of an unknown kind"
-  std::string remedy;  ///< how to get the file that was meant; empty unless `what` stands in for it
+  std::string remedy;  ///< how to get the intended file; empty unless the file is a placeholder
 };
 
-/// `begin` is the whole file or at least its first 512 bytes; empty only for an empty file. `what` is printable.
+/// Describes a file. `begin` is the whole file or at least its first 512 bytes; empty only for an empty file. `what` is
+/// printable.
 FileContent describe_content(std::span<const std::byte> begin);
 
-/// The same, but only for a file that the user can replace by the one meant.
+/// Describes placeholders only; returns nothing for other files.
 std::optional<FileContent> stand_in_for_file(std::span<const std::byte> begin);
 
 }  // namespace lippmann

@@ -1,5 +1,5 @@
-// A 64-bit number that tells contents apart, for caches and journals: equal contents give equal numbers on every machine of one
-// byte order. It is quick, and no protection against anybody.
+// A 64-bit hash of contents for caches and journals. Equal contents have equal hashes on all machines of the same byte order.
+// The hash is fast and not cryptographic.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace lippmann {
 
 class Fingerprint {
  public:
-  /// Contents and their length.
+  /// Adds bytes and their number.
   void add_bytes(const void* bytes, std::size_t size) {
     mix(size);
     const auto* at = static_cast<const unsigned char*>(bytes);
@@ -35,7 +35,7 @@ class Fingerprint {
     return value;
   }
 
-  /// FNV-1a's step on words, with the upper half folded back so that every bit reaches every other.
+  /// Applies FNV-1a's step to a word, and folds the upper half back so that every bit affects every other.
   void mix(std::uint64_t value) {
     state_ = (state_ ^ value) * 0x9e3779b97f4a7c15u;
     state_ ^= state_ >> 32;

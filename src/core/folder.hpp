@@ -1,4 +1,4 @@
-// Makes the folders that results go into.
+// Creates folders for results.
 #pragma once
 
 #include <filesystem>
@@ -6,17 +6,17 @@
 
 namespace lippmann {
 
-/// Makes a folder and those above it; an empty path is the working folder, which is there. Throws Error naming the folder.
+/// Creates a folder and its parents. An empty path is the working folder, which exists. Throws Error that names the folder.
 void make_folder(const std::filesystem::path& folder);
 
-/// Removes a file, a link or an empty folder. Throws Error naming it where it remains.
+/// Removes a file, a link or an empty folder if it exists. Throws Error that names it if that fails.
 void remove_if_there(const std::filesystem::path& path);
 
-/// As make_folder, for a folder that is to hold results: those folders that were made for it and are still empty when this
-/// object goes are removed again, so that a failure leaves nothing behind.
+/// Creates a folder for results like make_folder(). The destructor removes the new folders that are still empty, so a failure
+/// leaves nothing behind.
 class NewFolder {
  public:
-  /// Throws Error naming the folder.
+  /// Throws Error that names the folder.
   explicit NewFolder(std::filesystem::path folder);
   ~NewFolder();
   NewFolder(const NewFolder&) = delete;

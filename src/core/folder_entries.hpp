@@ -1,4 +1,4 @@
-// What lies in a folder, in the order in which people count: frame_9 before frame_10.
+// Lists a folder in natural order: frame_9 before frame_10.
 #pragma once
 
 #include <filesystem>
@@ -7,11 +7,12 @@
 
 namespace lippmann {
 
-/// Letter by letter, runs of digits by their value. A strict order: names that differ in leading zeros alone differ.
+/// Compares letter by letter, and runs of digits by value. A strict order of all names: names that differ only in leading zeros
+/// are not equal.
 bool natural_less(std::string_view a, std::string_view b);
 
-/// The entries of a folder but the hidden ones (.name), in the natural order of their names. Throws Error naming the folder if
-/// it cannot be listed; `accepted` says what it should be.
+/// Returns the entries of a folder, except hidden ones (.name), in natural order. Throws Error that names the folder if it
+/// cannot be listed; `accepted` is part of the message.
 std::vector<std::filesystem::directory_entry> entries_of(const std::filesystem::path& folder, std::string_view accepted = {});
 
 }  // namespace lippmann

@@ -12,7 +12,7 @@
 namespace lippmann {
 namespace {
 
-/// A, A-B or A-B:S.
+/// Parses A, A-B or A-B:S.
 std::optional<FrameRange> parse_range(std::string_view text) {
   const std::size_t colon = text.find(':');
   const std::string_view ends = text.substr(0, colon);
@@ -54,11 +54,11 @@ FrameRanges read_frames(std::string_view text, const std::string& where) {
     const std::size_t comma = std::min(text.find(',', start), text.size());
     const std::optional<FrameRange> range = parse_range(text.substr(start, comma - start));
     if (!range)
-      throw usage_error(where, fmt::format("'{}' does not say which frames", text),
+      throw usage_error(where, fmt::format("'{}' is not a selection of frames", text),
                         "A-B with 0 <= A <= B, one frame A, every S-th as A-B:S, or several of these: 0,2,4-8,10-20:5");
     count += (std::int64_t{range->last} - range->first) / range->step + 1;
     if (count > kMost)
-      throw usage_error(where, fmt::format("'{}' are too many frames", text), fmt::format("at most {}", kMost));
+      throw usage_error(where, fmt::format("'{}' selects too many frames", text), fmt::format("at most {}", kMost));
     ranges.push_back(*range);
     start = comma + 1;
   }

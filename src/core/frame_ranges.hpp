@@ -1,4 +1,4 @@
-// Frames of an animation as they are asked for: 0,2,4 or 0-10:2,20.
+// Selections of an animation's frames, such as 0,2,4 or 0-10:2,20.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace lippmann {
 
-/// Every step-th frame of an animation from `first` on, up to `last`.
+/// Every step-th frame from `first` to `last`.
 struct FrameRange {
   int first = 0;
   int last = 0;
@@ -15,17 +15,17 @@ struct FrameRange {
   bool operator==(const FrameRange&) const = default;
 };
 
-/// In any order; they may overlap.
+/// Ranges in any order; they may overlap.
 using FrameRanges = std::vector<FrameRange>;
 
-/// The frames of the ranges, each once, ascending.
+/// Returns the frames of the ranges, each once, in ascending order.
 std::vector<int> frames_of(const FrameRanges& ranges);
 
-/// The fewest ranges of neighbours that hold these frames, which ascend.
+/// Returns the fewest ranges of consecutive frames for an ascending list.
 FrameRanges ranges_of(const std::vector<int>& frames);
 
-/// "3-7", "3" for one frame, "0-10:2" for every second one, and several of these with commas between. Throws a usage Error at
-/// `where` that says what would be accepted.
+/// Parses "3-7", "3" for one frame, "0-10:2" for every second one, or several of these separated by commas. Throws a usage
+/// Error at `where`.
 FrameRanges read_frames(std::string_view text, const std::string& where);
 std::string write_frames(const FrameRanges& frames);
 

@@ -22,7 +22,7 @@ const Json kNone;
 JsonFields::JsonFields(const Json& json, std::string where, std::string object)
     : json_(json), where_(std::move(where)), object_(std::move(object)) {
   if (!json.is_object())
-    throw Error(where_, fmt::format("{} is no object", object_.empty() ? "it" : shown(object_)), "keys and values");
+    throw Error(where_, fmt::format("{} is not an object", object_.empty() ? "it" : shown(object_)), "keys and values");
 }
 
 void JsonFields::reject(std::string_view key, const std::string& problem, const std::string& accepted) const {
@@ -39,7 +39,7 @@ const Json& JsonFields::value(std::string_view key) const {
 double JsonFields::checked(std::string_view key, const Json& json, NumberRange range) const {
   const std::string accepted = fmt::format("a number from {} to {}", range.low, range.high);
   if (json.is_null()) reject(key, "is missing", accepted);
-  if (!json.is_number()) reject(key, "is no number", accepted);
+  if (!json.is_number()) reject(key, "is not a number", accepted);
   const double number = json.get<double>();
   if (!(number >= range.low && number <= range.high)) reject(key, fmt::format("is {}", number), accepted);
   return number;
@@ -76,7 +76,7 @@ bool JsonFields::flag_or(std::string_view key, bool otherwise) const {
 
 std::string JsonFields::text(std::string_view key) const {
   const Json& json = value(key);
-  if (!json.is_string()) reject(key, json.is_null() ? "is missing" : "is no text", "text");
+  if (!json.is_string()) reject(key, json.is_null() ? "is missing" : "is not a text", "text");
   return json.get<std::string>();
 }
 
@@ -85,9 +85,9 @@ std::string JsonFields::text_or(std::string_view key, std::string otherwise) con
 std::vector<std::string> JsonFields::texts_or_none(std::string_view key) const {
   std::vector<std::string> texts;
   if (!has(key)) return texts;
-  if (!value(key).is_array()) reject(key, "is no list", "a list of texts");
+  if (!value(key).is_array()) reject(key, "is not a list", "a list of texts");
   for (const Json& element : value(key)) {
-    if (!element.is_string()) reject(key, "has an element that is no text", "a list of texts");
+    if (!element.is_string()) reject(key, "has an element that is not a text", "a list of texts");
     texts.push_back(element.get<std::string>());
   }
   return texts;

@@ -1,5 +1,5 @@
-// The members of one JSON object, each checked as it is read: every complaint names file, object and key, and what would be
-// accepted. What files of foreign origin say is read through this (glTF has a schema, src/scene/gltf/schema.hpp).
+// Checked access to the members of a JSON object. Errors name the file, the object, the key and the accepted values. Use this
+// for untrusted files (glTF has a schema, src/scene/gltf/schema.hpp).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,60 +11,60 @@
 
 namespace lippmann {
 
-/// What a number may be, both ends included.
+/// An inclusive range of numbers.
 struct NumberRange {
   double low, high;
 };
 
-/// Lengths and angles of which the reader knows no narrower range.
+/// Range for lengths and angles without a narrower range.
 inline constexpr NumberRange kAnyNumber{-1e30, 1e30};
 inline constexpr NumberRange kAnyCount{1.0, 1e9};
 
-/// A member that is null counts as one that is missing, unless stated otherwise.
+/// A null member counts as missing, unless stated otherwise.
 class JsonFields {
  public:
   using Json = nlohmann::ordered_json;
 
-  /// `json` stays where it is. `object`: its name for complaints, empty for the document itself. An empty `where`: complaints
-  /// name the key alone. Throws Error where `json` is no object.
+  /// `json` must outlive this object. `object`: name for errors; empty for the document itself. With an empty `where`, errors
+  /// name only the key. Throws Error if `json` is not an object.
   JsonFields(const Json& json, std::string where, std::string object);
 
   bool has(std::string_view key) const { return !value(key).is_null(); }
-  /// Null where there is none.
+  /// Returns null for a missing member.
   const Json& value(std::string_view key) const;
 
   double number(std::string_view key, NumberRange range = kAnyNumber) const;
   double number_or(std::string_view key, NumberRange range, double otherwise) const;
   float float_number(std::string_view key) const { return static_cast<float>(number(key)); }
   float float_or(std::string_view key, float otherwise) const { return has(key) ? float_number(key) : otherwise; }
-  /// Null, which must be there, stands for infinity, which JSON does not have.
+  /// Returns a number, or infinity for null, because JSON has no infinity. The member must exist.
   float float_or_infinity(std::string_view key) const;
   int whole(std::string_view key, NumberRange range) const;
   int whole_or(std::string_view key, NumberRange range, int otherwise) const;
-  /// true, false, or a number that is 0 or not.
+  /// Returns true, false, or whether a number is not 0.
   bool flag_or(std::string_view key, bool otherwise) const;
   std::string text(std::string_view key) const;
   std::string text_or(std::string_view key, std::string otherwise) const;
   std::vector<std::string> texts_or_none(std::string_view key) const;
-  /// A list of `count` numbers.
+  /// Returns a list of `count` numbers.
   std::vector<double> numbers(std::string_view key, std::size_t count, NumberRange range = kAnyNumber) const;
   glm::dvec2 pair(std::string_view key, NumberRange range = kAnyNumber) const;
   Vec2i whole_pair(std::string_view key, NumberRange range) const;
-  /// Which of the words it is, by number.
+  /// Returns the index of the text in `words`.
   std::size_t word(std::string_view key, const std::vector<std::string_view>& words) const;
   std::size_t word_or(std::string_view key, const std::vector<std::string_view>& words, std::size_t otherwise) const;
 
-  /// An object inside this one.
+  /// Returns a nested object.
   JsonFields inner(std::string_view key) const;
-  /// `json`, a part of `key`'s value, as an object.
+  /// Returns `json`, which is part of the value of `key`, as an object.
   JsonFields element(std::string_view key, const Json& json) const { return {json, where_, std::string(key)}; }
-  /// `json`, a part of `key`'s value, as a list of `count` numbers.
+  /// Returns `json`, which is part of the value of `key`, as a list of `count` numbers.
   std::vector<double> numbers_in(std::string_view key, const Json& json, std::size_t count,
                                  NumberRange range = kAnyNumber) const;
 
-  /// Throws Error for a key that is none of these, with the nearest of them.
+  /// Throws Error for a key that is not in the list, with the most similar one.
   void allow_only(const std::vector<std::string_view>& keys) const;
-  /// The same for a key that no function above was called with.
+  /// Throws Error for a key that no member function has read.
   void allow_read() const { allow_only(std::vector<std::string_view>(read_.begin(), read_.end())); }
 
   [[noreturn]] void reject(std::string_view key, const std::string& problem, const std::string& accepted) const;
@@ -75,10 +75,10 @@ class JsonFields {
 
   const Json& json_;
   std::string where_, object_;
-  mutable std::vector<std::string> read_;  ///< keys that were asked for, missing ones among them
+  mutable std::vector<std::string> read_;  ///< keys that were read, including missing ones
 };
 
-/// For a reader that knows infinity as number_or_infinity does.
+/// Returns null for infinity and NaN: see float_or_infinity().
 nlohmann::ordered_json finite_or_null(double value);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// JSON from text and to text. nlohmann's parser and writer are compiled here, once: each takes seconds.
+// Parses and writes JSON. nlohmann's parser and writer are compiled only here, because each takes seconds to compile.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,10 +7,10 @@
 
 namespace lippmann {
 
-/// Keys keep their order. A text that is no JSON gives a value of which is_discarded() holds.
+/// Parses JSON and keeps the order of keys. For invalid text, is_discarded() of the result is true.
 nlohmann::ordered_json json_from_text(std::string_view text);
 
-/// On lines indented by so many spaces; below 0: all on one line. Bytes that are no UTF-8 become U+FFFD.
+/// Writes JSON indented by `indent` spaces; below 0, on one line. Bytes that are not UTF-8 become U+FFFD.
 std::string json_to_text(const nlohmann::ordered_json& json, int indent = 2);
 
 }  // namespace lippmann

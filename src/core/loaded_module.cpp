@@ -16,15 +16,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file of the program or shared library that contains this code; a Python module brings its own copy.
+/// Returns the file that contains this code: the program or a shared library. A Python module has its own copy.
 fs::path own_file() {
   const fs::path file = platform::file_of_code(reinterpret_cast<const void*>(&load_module));
-  // For a program, the system may give the name by which it was called, without its folder.
+  // For a program, the system may return the name it was called by, without its folder.
   return file.filename().string().find(".so") != std::string::npos ? file : platform::program_file();
 }
 
-/// The only place that knows where modules lie: beside the program or library, as they are built, or in lib/lippmann, as they
-/// are installed.
+/// Returns the possible files of a module: beside the program or library (build tree), or in lib/lippmann (installed). Only
+/// this function knows these locations.
 std::array<fs::path, 2> places_of(const ModuleName& module) {
   const fs::path folder = own_file().parent_path();
   return {folder / module.file, folder.parent_path() / "lib" / "lippmann" / module.file};

@@ -1,5 +1,5 @@
-// Parts of the program that need libraries which most commands do not: modules, shared objects beside the program that are
-// loaded when they are first asked for.
+// Modules: shared objects next to the program with parts that need libraries most commands do not need. They are loaded on
+// first use.
 #pragma once
 
 #include <string>
@@ -7,17 +7,17 @@
 namespace lippmann {
 
 struct ModuleName {
-  const char* file;     ///< liblippmann_video.so
-  const char* entry;    ///< the one function that it exports: const void* entry(int version); null for another version
-  const char* purpose;  ///< "videos", for messages
-  const char* package;  ///< that installs it
+  const char* file;     ///< for example liblippmann_video.so
+  const char* entry;    ///< its only exported function: const void* entry(int version); returns null for another version
+  const char* purpose;  ///< for messages, for example "videos"
+  const char* package;  ///< the package that installs it
 };
 
-/// What the module's entry gives for that version. It stays loaded: libraries below it do not survive being unloaded. Throws
-/// Error that names the module and what is missing: the module itself or a library that it needs.
+/// Returns the result of the module's entry function for a version. The module is never unloaded, because its libraries do not
+/// support that. Throws Error that names the module and the missing part: the module itself or a library.
 const void* load_module(const ModuleName& module, int version);
 
-/// Whether the module lies where it would be loaded from.
+/// Returns whether the module's file exists.
 bool is_module_installed(const ModuleName& module);
 
 }  // namespace lippmann

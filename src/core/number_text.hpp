@@ -1,4 +1,4 @@
-// Numbers as text, in a range.
+// Parses numbers in a range.
 #pragma once
 
 #include <charconv>
@@ -9,8 +9,8 @@
 
 namespace lippmann {
 
-/// The number that `text` is, whole; none for anything else around it. -0 is 0: written as TOML it would be a whole number,
-/// which knows no sign.
+/// Returns the number if it is the whole text, otherwise nothing. Returns 0 for -0, because TOML would write it as an integer
+/// without sign.
 template <class T>
 std::optional<T> parse_number(std::string_view text) {
   T value{};
@@ -20,13 +20,13 @@ std::optional<T> parse_number(std::string_view text) {
   return value == T{} ? T{} : value;
 }
 
-/// A whole number, lowest ... highest. Throws a usage Error at `where` that says what would be accepted.
+/// Parses an integer from lowest to highest. Throws a usage Error at `where` with the accepted range.
 std::int64_t read_integer(std::string_view text, std::int64_t lowest, std::int64_t highest, const std::string& where);
 
-/// The same, or "auto" (none).
+/// The same, or nothing for "auto".
 std::optional<int> read_integer_or_auto(std::string_view text, int lowest, int highest, const std::string& where);
 
-/// A finite number, lowest ... highest. Throws likewise.
+/// Parses a finite number from lowest to highest. Throws a usage Error at `where` with the accepted range.
 double read_number(std::string_view text, double lowest, double highest, const std::string& where);
 
 }  // namespace lippmann

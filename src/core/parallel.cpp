@@ -22,8 +22,8 @@ DenormalsAreZero::~DenormalsAreZero() { platform::restore_float_control(saved_);
 
 namespace {
 
-/// Adds up the CPU time that worker threads spend inside an arena. A worker that is inside is read through its thread's clock,
-/// which lives as long as the thread: no thread ends before it has left.
+/// Sums the CPU time of worker threads inside an arena. The time of a worker inside the arena is read from its thread's clock,
+/// which is valid because no thread ends before it has left.
 class CpuMeter : public tbb::task_scheduler_observer {
  public:
   explicit CpuMeter(tbb::task_arena& arena) : task_scheduler_observer(arena) { observe(true); }

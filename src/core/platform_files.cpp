@@ -40,7 +40,7 @@ int flags_of(OpenFile::Mode mode) {
   return 0;
 }
 
-/// 0, or an errno.
+/// Returns 0, or an errno.
 int sync_descriptor(int descriptor) {
   while (fsync(descriptor) != 0) {
     if (errno == EINTR) continue;
@@ -50,7 +50,7 @@ int sync_descriptor(int descriptor) {
   return 0;
 }
 
-/// Throws Error. A folder that may not be read cannot be synced, either.
+/// Throws Error. Unreadable folders cannot be synced.
 void sync_path(const fs::path& path, int flags) {
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | flags);
   int problem = 0;

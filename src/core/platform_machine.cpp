@@ -61,7 +61,7 @@ void restore_float_control(unsigned control) { _mm_setcsr(control); }
 
 // The upper half of the register is reserved.
 unsigned flush_denormals() {
-  constexpr std::uint64_t kFlushToZero = std::uint64_t{1} << 24;  // of inputs and results
+  constexpr std::uint64_t kFlushToZero = std::uint64_t{1} << 24;  // for inputs and results
   std::uint64_t control = 0;
   asm volatile("mrs %0, fpcr" : "=r"(control));
   asm volatile("msr fpcr, %0" : : "r"(control | kFlushToZero));
@@ -98,7 +98,7 @@ std::string machine_name() {
 std::string host_name() {
   std::string host = machine_name();
   std::erase_if(host, [](unsigned char c) { return !std::isalnum(c) && c != '-'; });
-  constexpr std::size_t kMostLetters = 64;  // the name of a file has at most 255
+  constexpr std::size_t kMostLetters = 64;  // file names have at most 255 bytes
   return host.empty() ? "host" : host.substr(0, kMostLetters);
 }
 

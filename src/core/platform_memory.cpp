@@ -19,14 +19,14 @@ namespace fs = std::filesystem;
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-/// The first number of a file; none where it holds a word ("max") or is not there.
+/// Returns the first number in a file, or nothing if the file contains a word ("max") or does not exist.
 std::optional<double> number_in(const fs::path& path) {
   std::ifstream file(path);
   double number = 0.0;
   return file >> number ? std::optional(number) : std::nullopt;
 }
 
-/// The number after a word at the beginning of a line.
+/// Returns the number after a word at the beginning of a line.
 std::optional<double> number_after(const fs::path& path, const std::string& word) {
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);) {
@@ -38,7 +38,7 @@ std::optional<double> number_after(const fs::path& path, const std::string& word
   return std::nullopt;
 }
 
-/// Names of the files of one version of cgroups.
+/// File names of one version of cgroups.
 struct CgroupFiles {
   const char *limit, *usage, *cache;
 };
@@ -51,14 +51,14 @@ double left_in(const fs::path& group, const CgroupFiles& files) {
   return *limit - *usage + number_after(group / "memory.stat", files.cache).value_or(0.0);
 }
 
-/// In a group and in all above it. In a container the path may be that of the host, so that only `root` is there.
+/// Returns the minimum over a group and its parents. In a container the path may be the host's, and only `root` exists.
 double left_in_all(const fs::path& root, std::string path, const CgroupFiles& files) {
   double left = left_in(root, files);
   for (; path.size() > 1; path.resize(path.rfind('/'))) left = std::min(left, left_in(root / path.substr(1), files));
   return left;
 }
 
-/// Lines are NUMBER:CONTROLLERS:PATH; version 2 has the number 0 and no controllers.
+/// Lines are NUMBER:CONTROLLERS:PATH; version 2 has number 0 and no controllers.
 double left_in_cgroups(const fs::path& proc, const fs::path& root) {
   std::ifstream file(proc / "self/cgroup");
   double left = kUnlimited;
@@ -73,10 +73,10 @@ double left_in_cgroups(const fs::path& proc, const fs::path& root) {
   return left;
 }
 
-/// Stacks and heaps of threads that are yet to start: they take address space, whatever of it is used.
+/// Stacks and heaps of threads that will be started; they use address space even if unused.
 constexpr double kThreadBytes = 64e6;
 
-/// Columns of /proc/self/statm count pages.
+/// The columns of /proc/self/statm count pages.
 double left_of_limit(decltype(RLIMIT_AS) resource, const fs::path& proc, int column) {
   rlimit limit{};
   if (getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kUnlimited;
@@ -115,7 +115,7 @@ void prefer_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size
   if (bytes < kLeast) return;
   const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE)), begin = reinterpret_cast<std::uintptr_t>(memory);
   const std::uintptr_t from = (begin + page - 1) / page * page, to = (begin + bytes) / page * page;
-  madvise(reinterpret_cast<void*>(from), to - from, MADV_HUGEPAGE);  // a hint: its result changes nothing
+  madvise(reinterpret_cast<void*>(from), to - from, MADV_HUGEPAGE);  // a hint: the result does not matter
 #endif
 }
 

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// glibc wraps these calls since 2.36; here they are the system's own.
+// glibc has wrappers since 2.36; these are the raw system calls.
 int open_process([[maybe_unused]] int process) {
 #ifdef SYS_pidfd_open
   return process > 0 ? static_cast<int>(syscall(SYS_pidfd_open, process, 0)) : -1;
@@ -40,7 +40,7 @@ bool send_signal([[maybe_unused]] int descriptor, [[maybe_unused]] int signal) {
 
 std::string open_files_of(int process) { return fmt::format("/proc/{}/fd", process); }
 
-/// The link to an open file is writable where the file was opened for writing.
+/// The link to an open file is writable if the file is open for writing.
 bool is_open_for_writing(const fs::path& link, const struct stat& file) {
   struct stat opened {
   }, itself{};
@@ -48,7 +48,7 @@ bool is_open_for_writing(const fs::path& link, const struct stat& file) {
          opened.st_ino == file.st_ino && (itself.st_mode & S_IWUSR) != 0;
 }
 
-/// Changes to the child's files and folder before it becomes the program.
+/// Sets up the child's files and folder before the program starts.
 class ChildActions {
  public:
   explicit ChildActions(const ChildCommand& command) {
@@ -70,8 +70,8 @@ class ChildActions {
   posix_spawn_file_actions_t actions_{};
 };
 
-/// The child gets the default action of signals that this process ignores: a shell starts background jobs with SIGINT ignored,
-/// and ignore_write_signals() ignores the others.
+/// Restores the default action of signals that this process ignores: shells start background jobs with SIGINT ignored, and
+/// ignore_write_signals() ignores the others.
 class ChildAttributes {
  public:
   ChildAttributes() {
@@ -154,7 +154,7 @@ bool ChildProcess::has_ended(int options) {
 bool ChildProcess::is_running() { return !has_ended(WNOHANG); }
 
 void ChildProcess::interrupt() {
-  if (process_ != 0) kill(process_, SIGINT);  // its number stays its own until it is waited for
+  if (process_ != 0) kill(process_, SIGINT);  // the id stays reserved until wait4()
 }
 
 int ChildProcess::wait() {

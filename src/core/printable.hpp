@@ -1,4 +1,4 @@
-// Makes text of foreign origin (a file's contents, a name) fit to stand in a message.
+// Makes untrusted text (file contents, names) safe for messages.
 #pragma once
 
 #include <string>
@@ -6,19 +6,18 @@
 
 namespace lippmann {
 
-/// The first 60 characters of UTF-8 text, then "..." if there are more; control characters, those that turn the direction of
-/// text, and bytes that are not UTF-8 become '?'.
+/// Returns the first 60 characters of UTF-8 text, followed by "..." if there are more. Control characters, characters that
+/// change the text direction, and bytes that are not UTF-8 become '?'.
 std::string printable(std::string_view text);
 
-/// All of the text, with the same characters replaced: one line of a message, with names that it got from files. Error and the
-/// tool's warnings pass through it.
+/// Returns the whole text as one line, with the same replacements. Used by Error and by the tool's warnings, because they
+/// contain names from files.
 std::string printable_line(std::string_view text);
 
-/// The first 60 characters in single quotes.
+/// Returns the first 60 characters in single quotes.
 std::string shown(std::string_view text);
 
-/// One word of a command that can be pasted into a shell: as it is where the shell gives no meaning to any of its characters,
-/// else quoted. Not shortened.
+/// Returns one word of a shell command: unchanged if no character is special to the shell, otherwise quoted. Not shortened.
 std::string shell_word(std::string_view text);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Random numbers as pure functions of what they are for: hash(seed, frame, pixel, sample), never of order or thread.
+// Random numbers as pure functions of their purpose: hash(seed, frame, pixel, sample), independent of order and threads.
 //
 // pcg-style integer mixing after: Jarzynski, Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020.
 #pragma once
@@ -20,7 +20,7 @@ LIPPMANN_INLINE std::uint32_t hash(std::uint32_t a, std::uint32_t b, std::uint32
   return hash(a ^ hash(b, c, d));
 }
 
-/// The top 24 bits as a float in [0, 1).
+/// Returns the top 24 bits as a float in [0, 1).
 LIPPMANN_INLINE float unit_float(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24f; }
 
 }  // namespace lippmann

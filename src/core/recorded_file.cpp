@@ -26,9 +26,9 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kJournal = ".lippmann";
-constexpr std::uintmax_t kMostJournalBytes = std::uintmax_t{4} << 30;  // as folder/journal.cpp
+constexpr std::uintmax_t kMostJournalBytes = std::uintmax_t{4} << 30;  // as in folder/journal.cpp
 
-/// A file by the render's folder that it lies in.
+/// A file and the folder of the render that it belongs to.
 struct RenderFile {
   fs::path folder;
   std::string name;  ///< relative to the folder
@@ -41,7 +41,7 @@ std::optional<RenderFile> render_file_of(const fs::path& file) {
   return RenderFile{parent.parent_path(), (parent.filename() / whole.filename()).string()};
 }
 
-/// Calls `line` with each whole line of a file of the journal. Throws Error for one that no render wrote.
+/// Calls `line` for each complete line of a journal file. Throws Error for an invalid line.
 void read_lines(const fs::path& part, const std::function<void(std::string_view)>& line) {
   if (!is_regular_file_there(part)) return;
   const std::string text = read_file_text(part, kMostJournalBytes, "the journal of a render");
@@ -54,7 +54,7 @@ void read_lines(const fs::path& part, const std::function<void(std::string_view)
     if (is_whole)
       line(one);
     else if (!is_last || !may_be_cut_line(one))
-      throw Error(part.string(), "is damaged: it has a line that no render wrote",
+      throw Error(part.string(), "is damaged: it has an invalid line",
                   "the journal as it was; a copy of the folder without .lippmann, which is not checked");
   }
 }
@@ -64,7 +64,7 @@ void read_journal_lines(const fs::path& folder, const std::function<void(std::st
     if (entry.path().extension() == ".jsonl") read_lines(entry.path(), line);
 }
 
-/// Whether a file of the journal has a whole line, or noise, which is damage.
+/// Returns whether a journal file has a complete line, or an invalid one.
 bool has_more_than_cut_line(const fs::path& part) {
   std::ifstream in(part, std::ios::binary);
   std::string line;
@@ -80,13 +80,13 @@ std::optional<FileChecksum> checksum_from(const Json& json) {
   return FileChecksum{bytes->get<std::uint64_t>(), sum->get<std::string>()};
 }
 
-/// The video whose side file has that name; of other files the name.
+/// Returns the video of a side file's name, or the name itself for other files.
 std::string_view video_of(std::string_view name) {
   constexpr std::string_view kSideFile = ".json";
   return name.ends_with(kSideFile) ? name.substr(0, name.size() - kSideFile.size()) : name;
 }
 
-/// The checksum that a line records for a file; none if the line does not name it.
+/// Returns the checksum that a line records for a file, or nothing if the line does not name it.
 std::optional<FileChecksum> recorded_in(std::string_view line, const std::string& name) {
   const std::string_view video = video_of(name);
   if (line.find(video) == std::string_view::npos) return std::nullopt;
@@ -122,7 +122,7 @@ void require_sum(const fs::path& file, const std::function<std::optional<FileChe
   if (sums.empty()) return;
   const std::optional<FileChecksum> found = sum();
   if (found && std::find(sums.begin(), sums.end(), *found) != sums.end()) return;
-  throw Error(file.string(), "is damaged or was exchanged: it has other bytes than its render wrote",
+  throw Error(file.string(), "is damaged or was replaced: its bytes differ from those that its render wrote",
               ways_out(of_render->folder));
 }
 
@@ -185,8 +185,7 @@ void require_recorded_frames(const fs::path& folder) {
     for (const auto& [name, sum] : files->items()) {
       std::error_code ignored;
       if (!fs::exists(fs::symlink_status(folder / name, ignored)))
-        throw Error((folder / name).string(), "is missing: the render in this folder wrote it, and it is gone",
-                    ways_out(folder));
+        throw Error((folder / name).string(), "is missing: the render in this folder wrote it", ways_out(folder));
     }
   });
 }

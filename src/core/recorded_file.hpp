@@ -1,5 +1,5 @@
-// Whether the files in a render's folder are still those that it wrote, as the folder's journal says (folder/journal.hpp), for
-// whoever opens one of them. A folder without a journal, and a file that the journal does not name, cannot be checked and pass.
+// Checks whether the files in a render's folder are unchanged since they were written, by the folder's journal
+// (folder/journal.hpp). Folders without a journal, and files that the journal does not name, are accepted.
 #pragma once
 
 #include <cstddef>
@@ -13,29 +13,29 @@
 
 namespace lippmann {
 
-/// Throws Error naming the file if the journal of the folder that it lies in, or of the one above, has other checksums for it
-/// than `bytes` have, or is damaged. `bytes` are the whole file's.
+/// Throws Error that names the file if the journal of its folder, or of the parent folder, is damaged or has only other
+/// checksums for the file than that of `bytes`. `bytes`: the whole file.
 void require_as_recorded(const std::filesystem::path& file, std::span<const std::byte> bytes);
 
-/// read_file_text() and read_file_bytes() (core/regular_file.hpp) of a file that may be a render's, checked as above.
+/// Like read_file_text() and read_file_bytes() (core/regular_file.hpp), with this check.
 std::string read_recorded_text(const std::filesystem::path& path, std::uintmax_t limit_bytes, const std::string& accepted = {});
 std::vector<std::byte> read_recorded_bytes(const std::filesystem::path& path, std::uintmax_t limit_bytes,
                                            const std::string& accepted = {});
 
-/// The same of a file that is read piece by piece: reads it whole if the journal names it.
+/// Checks a file that is read piece by piece: reads it completely if the journal names it.
 void require_as_recorded(const std::filesystem::path& file);
 
-/// Throws Error naming the first file of a frame that the folder's journal names and that is gone.
+/// Throws Error that names the first frame file in the folder's journal that is missing.
 void require_recorded_frames(const std::filesystem::path& folder);
 
-/// The names of the files of frames, of job.toml and of report.json in a folder's journal, relative to the folder.
+/// Returns the names of the frame files, job.toml and report.json in a folder's journal, relative to the folder.
 std::set<std::string> recorded_names(const std::filesystem::path& folder);
 
-/// Whether a folder has a journal with at least one whole line: one that was emptied counts as none.
+/// Returns whether a folder has a journal with at least one complete line. An emptied journal counts as none.
 bool has_journal(const std::filesystem::path& folder);
 
-/// Whether the end of a journal may be a line that was cut: by a process that was killed, or by a loss of power, which leaves
-/// zeros in place of some of it. Else it is something that no render wrote.
+/// Returns whether the end of a journal may be an incomplete line: from a killed process, or from a loss of power, which leaves
+/// zeros. Otherwise the line is invalid.
 bool may_be_cut_line(std::string_view line);
 
 }  // namespace lippmann

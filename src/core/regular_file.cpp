@@ -54,7 +54,7 @@ Contents read_whole(const fs::path& path, std::uintmax_t limit_bytes, const std:
 RegularFile::RegularFile(const fs::path& path) {
   std::error_code unopened, unknown;
   file_ = platform::OpenFile(path, platform::OpenFile::Mode::kRead, unopened);
-  // A file that may not be opened has a kind as well.
+  // A file that may not be opened still has a type.
   const fs::file_type type = unopened ? fs::status(path, unknown).type() : file_.kind(size_, unknown);
   exists_ = type != fs::file_type::not_found;
   if (!exists_)
@@ -105,8 +105,8 @@ bool is_regular_file_there(const fs::path& path) {
   if (!is_missing && !unknown) throw Error(path.string(), not_regular(type), kAccepted);
   const bool dangles = fs::is_symlink(fs::symlink_status(path, ignored));
   if (is_missing && !dangles) return false;
-  throw Error(path.string(),
-              dangles ? "is a link that leads nowhere" : fmt::format("cannot be looked at ({})", unknown.message()), kAccepted);
+  throw Error(path.string(), dangles ? "is a link without a target" : fmt::format("cannot be accessed ({})", unknown.message()),
+              kAccepted);
 }
 
 }  // namespace lippmann

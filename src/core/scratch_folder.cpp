@@ -13,8 +13,7 @@ ScratchFolder::ScratchFolder() {
   const std::filesystem::path place = std::filesystem::temp_directory_path(problem);
   if (!problem) path_ = platform::make_unique_folder(place / "lippmann-", problem);
   if (problem)
-    throw Error(place.empty() ? "TMPDIR" : place.string(),
-                "no folder can be made there for files that are thrown away: " + problem.message(),
+    throw Error(place.empty() ? "TMPDIR" : place.string(), "cannot create a temporary folder: " + problem.message(),
                 "a TMPDIR that can be written");
 }
 

@@ -1,14 +1,14 @@
-// A new folder for files that nobody keeps.
+// A new folder for temporary files.
 #pragma once
 
 #include <filesystem>
 
 namespace lippmann {
 
-/// Lies where the system keeps temporary files (TMPDIR), and is removed with all that is in it.
+/// Located in the system's temporary folder (TMPDIR), and removed with its contents.
 class ScratchFolder {
  public:
-  /// Throws Error naming the place where none can be made.
+  /// Throws Error that names the place if no folder can be created.
   ScratchFolder();
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;

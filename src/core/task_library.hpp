@@ -1,11 +1,11 @@
-// Which oneTBB the program runs on.
+// The version of oneTBB.
 #pragma once
 
 #include <string>
 
 namespace lippmann {
 
-/// As in "2021.8.0": of the library that is loaded, which may be newer than the one that the program was built with.
+/// Returns the version of the loaded library, such as "2021.8.0". It may be newer than that of the build.
 std::string task_library_version();
 
 }  // namespace lippmann

@@ -1,8 +1,8 @@
-// What ThreadSanitizer cannot see of tasks in libraries that are built without it: they come after what was done before they
-// were begun, and before what is done once all have ended.
+// Declares to ThreadSanitizer the order of tasks in libraries that are built without it: a task runs after everything done
+// before it was started, and before everything done after all have ended.
 #pragma once
 
-// Of sources that are watched, and of one that says itself that it is not (core/CMakeLists.txt).
+// Active in instrumented sources, and in one source that is not instrumented (core/CMakeLists.txt).
 #if defined(__SANITIZE_THREAD__) || defined(LIPPMANN_THREAD_SANITIZER)
 #include <sanitizer/tsan_interface.h>
 #define LIPPMANN_TELLS_TASK_ORDER
@@ -14,7 +14,7 @@ class TaskOrder {
  public:
 #ifdef LIPPMANN_TELLS_TASK_ORDER
   TaskOrder() { all_begin(); }
-  /// For tasks that are begun later than this was made.
+  /// Call this before tasks that start later than the construction of this object.
   void all_begin() { __tsan_release(&begun_); }
   void begin() { __tsan_acquire(&begun_); }
   void end() { __tsan_release(&ended_); }

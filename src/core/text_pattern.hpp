@@ -1,5 +1,4 @@
-// Texts that look so: regular expressions as ECMAScript has them. <regex> stays in text_pattern.cpp, for it takes seconds to
-// compile.
+// Regular expressions in ECMAScript syntax. Only text_pattern.cpp includes <regex>, because it takes seconds to compile.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +10,20 @@
 namespace lippmann {
 
 struct PatternMatch {
-  std::size_t begin = 0, end = 0;   ///< where in the text
-  std::vector<std::string> groups;  ///< the first is the whole match; empty where a group took no part in it
+  std::size_t begin = 0, end = 0;   ///< position in the text
+  std::vector<std::string> groups;  ///< the first is the whole match; empty for groups that did not participate
 };
 
-/// Any number of threads may use one at once.
+/// Thread-safe.
 class TextPattern {
  public:
   enum class Letters { kAsWritten, kEitherCase };
 
   explicit TextPattern(const std::string& expression, Letters letters = Letters::kAsWritten);
 
-  /// None if the text as a whole does not look so.
+  /// Returns nothing unless the whole text matches.
   std::optional<PatternMatch> match(const std::string& text) const;
-  /// The first place in the text that looks so.
+  /// Returns the first match in the text.
   std::optional<PatternMatch> search(const std::string& text) const;
 
  private:

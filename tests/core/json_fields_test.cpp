@@ -60,14 +60,14 @@ TEST(JsonFields, complaints_name_file_object_and_key_and_what_is_accepted) {
   const auto message = [](const auto& read) { return test::error_message([&] { read(fields()); }); };
   EXPECT_THAT(message([](const JsonFields& f) { f.inner("in").number("n", {0.0, 2.0}); }), HasSubstr("a.json: in.n: is 7"));
   EXPECT_THAT(message([](const JsonFields& f) { f.inner("in").number("n", {0.0, 2.0}); }), HasSubstr("from 0 to 2"));
-  EXPECT_THAT(message([](const JsonFields& f) { f.number("t"); }), HasSubstr("t: is no number"));
+  EXPECT_THAT(message([](const JsonFields& f) { f.number("t"); }), HasSubstr("t: is not a number"));
   EXPECT_THAT(message([](const JsonFields& f) { f.whole("n", kAnyCount); }), HasSubstr("n: is 2.5"));
-  EXPECT_THAT(message([](const JsonFields& f) { f.text("n"); }), HasSubstr("n: is no text"));
-  EXPECT_THAT(message([](const JsonFields& f) { f.pair("texts"); }), HasSubstr("texts: is no number"));
+  EXPECT_THAT(message([](const JsonFields& f) { f.text("n"); }), HasSubstr("n: is not a text"));
+  EXPECT_THAT(message([](const JsonFields& f) { f.pair("texts"); }), HasSubstr("texts: is not a number"));
   EXPECT_THAT(message([](const JsonFields& f) { f.numbers("pair", 3); }), HasSubstr("a list of 3 numbers"));
   EXPECT_THAT(message([](const JsonFields& f) { f.whole_pair("pair", kAnyCount); }), HasSubstr("pair: is 2.5"));
   EXPECT_THAT(message([](const JsonFields& f) { f.word("t", {"a", "b"}); }), HasSubstr("one of a, b"));
-  EXPECT_THAT(message([](const JsonFields& f) { f.inner("n"); }), HasSubstr("'n' is no object"));
+  EXPECT_THAT(message([](const JsonFields& f) { f.inner("n"); }), HasSubstr("'n' is not an object"));
   EXPECT_THAT(message([](const JsonFields& f) { f.inner("in").allow_only({"m"}); }), HasSubstr("in.n: there is no such key"));
 }
 

@@ -54,7 +54,7 @@ TEST(RecordedFile, bytes_that_were_recorded_pass_and_others_are_refused) {
   for (const char* name : {"frame_0000.png", "aov_0000.exr", "frame_0001/view_001.png"}) {
     EXPECT_EQ(refusal_of_file(dir / name, name), kNone);
     EXPECT_THAT(refusal_of_file(dir / name, "other bytes"),
-                testing::AllOf(HasSubstr(name), HasSubstr("other bytes than its render")));
+                testing::AllOf(HasSubstr(name), HasSubstr("bytes differ from those that its render wrote")));
   }
   EXPECT_EQ(refusal_of_file(dir / "report.json", "report"), kNone);
   EXPECT_NE(refusal_of_file(dir / "report.json", "reports"), kNone);
@@ -68,7 +68,8 @@ TEST(RecordedFile, video_and_its_side_file_are_compared) {
   for (const char* name : {"film.mp4", "film.mp4.json"}) {
     require_as_recorded(dir / name);
     make_render_file(dir / name, "other bytes");
-    EXPECT_THAT(test::error_message([&] { require_as_recorded(dir / name); }), HasSubstr("other bytes than its render"));
+    EXPECT_THAT(test::error_message([&] { require_as_recorded(dir / name); }),
+                HasSubstr("bytes differ from those that its render wrote"));
   }
 }
 

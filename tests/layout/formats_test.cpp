@@ -228,7 +228,7 @@ TEST(Quilt, name_and_side_file_that_disagree_are_refused) {
   EXPECT_THAT(refusal(R"({"quilt_settings":{"viewX":0,"viewY":3}})"), HasSubstr("quilt_settings.viewX"));
   EXPECT_THAT(refusal(R"({"quilt_settings":{"viewX":3,"viewY":2,"viewTotal":7}})"),
               HasSubstr("quilt_settings.viewTotal: is 7"));
-  EXPECT_THAT(refusal(R"({"quilt_settings":{"viewX":"a"}})"), HasSubstr("quilt_settings.viewX: is no number"));
+  EXPECT_THAT(refusal(R"({"quilt_settings":{"viewX":"a"}})"), HasSubstr("quilt_settings.viewX: is not a number"));
   EXPECT_THAT(refusal("{"), HasSubstr("not JSON"));
 }
 

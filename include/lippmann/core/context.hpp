@@ -1,6 +1,6 @@
-// What long work gets from its caller: how many threads it may use, where warnings and progress go, whether to stop.
+// The caller's settings for long operations: number of threads, destinations of warnings and progress, and cancellation.
 //
-// A Context is passed by reference from main() down; nothing in the library is global. All callbacks may be empty.
+// A Context is passed by reference from main() down; the library has no global state. All callbacks may be empty.
 #pragma once
 
 #include <atomic>
@@ -12,12 +12,13 @@
 namespace lippmann {
 
 struct Context {
-  int threads = 0;                             ///< worker threads; 0 = one per processor that this process may use
-  std::function<void(std::string_view)> warn;  ///< one complete sentence per call, no newline; any thread
-  /// Share of the frame under way that is traced, 0 to 1; any thread, often. It begins anew for every frame that the requested
-  /// one needs: the key frames around an interpolated one.
+  int threads = 0;  ///< worker threads; 0: one per processor that this process may use
+  /// Receives one complete sentence per call, without newline; called from any thread.
+  std::function<void(std::string_view)> warn;
+  /// Receives the traced share of the current frame, 0 to 1; called often, from any thread. Restarts for each frame that the
+  /// requested one needs, such as the key frames around an interpolated one.
   std::function<void(double)> frame_progress;
-  std::atomic<bool> cancelled{false};  ///< set (from a signal handler too) to stop at the next tile or frame
+  std::atomic<bool> cancelled{false};  ///< set it (also from a signal handler) to stop at the next tile or frame
 
   /// Reports to `warn` if it is set.
   void warning(std::string_view text) const {
@@ -25,7 +26,7 @@ struct Context {
   }
 };
 
-/// The number of threads that `context` asks for, resolved: >= 1.
+/// Returns the number of threads for `context`, at least 1.
 int resolved_threads(const Context& context);
 
 }  // namespace lippmann

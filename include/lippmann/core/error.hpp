@@ -1,7 +1,8 @@
-// The one exception type of the library: bad input from outside (a file, a flag, a size), with enough to mend it.
+// The only exception type of the library: invalid input from outside (a file, a flag, a size), with enough details to correct
+// it.
 //
 // Thrown at load and set-up only; kernels never throw. Only main() catches it, prints what() and exits with exit_code().
-// Our own mistakes are asserts, not Errors.
+// Internal bugs are asserts, not Errors.
 #pragma once
 
 #include <stdexcept>
@@ -10,13 +11,13 @@
 namespace lippmann {
 
 enum class ErrorKind {
-  kInput,  ///< the work cannot be done: bad file contents, I/O, limits; exit code 1
-  kUsage,  ///< wrong flag, key or value on the command line or in a job file; exit code 2
+  kInput,  ///< the operation cannot be done: invalid file contents, I/O, limits; exit code 1
+  kUsage,  ///< invalid flag, key or value on the command line or in a job file; exit code 2
 };
 
 class Error : public std::runtime_error {
  public:
-  /// where: file[:line], flag or key. problem: what is wrong there. accepted: what would be accepted, empty if obvious.
+  /// where: file[:line], flag or key. problem: what is wrong. accepted: what would be accepted; empty if obvious.
   Error(std::string where, std::string problem, std::string accepted = {}, ErrorKind kind = ErrorKind::kInput);
 
   const std::string& where() const { return where_; }
@@ -30,7 +31,7 @@ class Error : public std::runtime_error {
   ErrorKind kind_;
 };
 
-/// The same, for wrong usage (exit code 2).
+/// Returns an Error for invalid usage (exit code 2).
 Error usage_error(std::string where, std::string problem, std::string accepted = {});
 
 }  // namespace lippmann

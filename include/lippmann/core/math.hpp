@@ -1,4 +1,5 @@
-// Vectors (glm), similarity transforms, bounds. Column vectors: world_from_object * object_from_local applies right to left.
+// Vectors (glm), similarity transforms and bounds. Vectors are columns: world_from_object * object_from_local applies right to
+// left.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +18,7 @@ using Vec4f = glm::vec4;
 using Vec2d = glm::dvec2;
 using Vec3d = glm::dvec3;
 using Vec2i = glm::ivec2;
-using Mat3f = glm::mat3;  ///< columns
+using Mat3f = glm::mat3;  ///< column-major
 using Quatf = glm::quat;  ///< constructor order (w, x, y, z)
 
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -27,7 +28,7 @@ inline constexpr float radians(float degrees) { return degrees * (kPi / 180.0f);
 inline constexpr float degrees(float radians) { return radians * (180.0f / kPi); }
 inline constexpr float squared(float x) { return x * x; }
 
-/// p -> linear * p + translation.
+/// The map p -> linear * p + translation.
 struct Affine3f {
   Mat3f linear{1.0f};
   Vec3f translation{0.0f};
@@ -35,7 +36,7 @@ struct Affine3f {
 
 inline Vec3f transform_point(const Affine3f& a, Vec3f p) { return a.linear * p + a.translation; }
 inline Vec3f transform_vector(const Affine3f& a, Vec3f v) { return a.linear * v; }
-/// Not normalised; the inverse transpose, right for any invertible linear part.
+/// Transforms a normal by the inverse transpose. The result is not normalised. The linear part must be invertible.
 inline Vec3f transform_normal(const Affine3f& a, Vec3f n) { return glm::transpose(glm::inverse(a.linear)) * n; }
 inline Affine3f operator*(const Affine3f& a, const Affine3f& b) {
   return {a.linear * b.linear, a.linear * b.translation + a.translation};
@@ -45,10 +46,10 @@ inline Affine3f inverse(const Affine3f& a) {
   const Mat3f m = glm::inverse(a.linear);
   return {m, -(m * a.translation)};
 }
-/// The factor by which lengths grow, for a similarity; the cube root of the volume factor for any other transform.
+/// Returns the factor by which a similarity scales lengths; for other transforms, the cube root of the volume factor.
 inline float uniform_scale(const Affine3f& a) { return std::cbrt(std::abs(glm::determinant(a.linear))); }
 
-/// An axis-aligned box; empty until something is added.
+/// An axis-aligned box. Initially empty.
 struct Bounds3f {
   Vec3f lower{kInfinity};
   Vec3f upper{-kInfinity};
@@ -60,7 +61,7 @@ struct Bounds3f {
   Vec3f size() const { return upper - lower; }
 };
 
-/// The box around a transformed box.
+/// Returns the box around a transformed box.
 inline Bounds3f transform_bounds(const Affine3f& a, const Bounds3f& b) {
   Bounds3f r;
   if (b.empty()) return r;

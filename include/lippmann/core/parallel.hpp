@@ -1,8 +1,8 @@
-// Runs independent pieces of work on the context's threads. The only header behind which the task library (oneTBB) hides.
+// Runs independent pieces of work on the context's threads. This interface hides the task library (oneTBB).
 //
-// Rules that keep results bit-identical for any number of threads: the pieces are fixed by the caller, never by the thread
-// count; a piece writes only what is its own; reductions are made by the caller afterwards, in the order of the pieces.
-// Worker threads run with denormals flushed to zero (Embree asks for it, and it makes results independent of the caller).
+// Results are bit-identical for any number of threads by three rules: the caller defines the pieces, independently of the
+// thread count; a piece writes only its own data; the caller does reductions afterwards, in the order of the pieces. Worker
+// threads flush denormals to zero (Embree recommends it, and it makes results independent of the caller).
 #pragma once
 
 #include <cstddef>
@@ -13,25 +13,26 @@
 
 namespace lippmann {
 
-/// Threads to run on, set up once per process or render (creating them per frame costs more than a small frame).
+/// A pool of threads. Create one per process or render: creating it per frame costs more than a small frame.
 class ThreadPool {
  public:
-  explicit ThreadPool(int threads);  ///< threads >= 1, the calling thread counted
+  explicit ThreadPool(int threads);  ///< threads >= 1, including the calling thread
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
 
   int threads() const { return threads_; }
 
-  /// Calls fn(0) ... fn(count - 1), each exactly once, in any order, and returns when all have ended. The first exception
-  /// that fn throws is rethrown here after the others have ended.
+  /// Calls fn(0) ... fn(count - 1), each exactly once, in any order, and returns when all have finished. Rethrows the first
+  /// exception from fn after the others have finished.
   void for_each(std::size_t count, const std::function<void(std::size_t)>& fn) const;
 
-  /// Runs fn on this pool's threads, so that libraries that use oneTBB inside (Embree's builders) stay within it.
+  /// Runs fn on this pool's threads, so that libraries that use oneTBB internally (Embree's builders) use only this pool.
   void run(const std::function<void()>& fn) const;
 
-  /// CPU seconds that the calling thread has spent so far, and the other threads on this pool's work. The difference of two
-  /// calls is what the work between them cost, whatever else the process did meanwhile (writing files).
+  /// Returns the CPU seconds spent by the calling thread, plus those spent by the other threads on this pool's work. The
+  /// difference of two calls is the cost of the work between them, without other activities of the process, such as writing
+  /// files.
   double cpu_seconds() const;
 
  private:
@@ -40,7 +41,7 @@ class ThreadPool {
   int threads_;
 };
 
-/// Flushes denormals to zero in this thread for the life of the object on x86 and ARM64, then restores.
+/// Flushes denormals to zero in this thread during the object's lifetime, on x86 and ARM64.
 class DenormalsAreZero {
  public:
   DenormalsAreZero();
