@@ -12,8 +12,8 @@
 // (steps that double); C. Schied et al., "Spatiotemporal variance-guided filtering", HPG 2017 (division by albedo, weights that
 // depend on a variance, which is filtered too); F. Rousselle et al., "Adaptive rendering with non-local means filtering",
 // SIGGRAPH Asia 2012 (variance from two half buffers, distances minus their expected noise).
-// Our deviations: (1) we average over neighbouring views instead of earlier frames, so each frame is denoised on its own;
-// (2) between views, we compare means over neighbours on the same surface instead of single pixels.
+// This implementation deviates in two points: (1) it averages over neighbouring views instead of earlier frames, so each frame
+// is denoised on its own; (2) between views, it compares means over neighbours on the same surface instead of single pixels.
 #pragma once
 
 #include <limits>
