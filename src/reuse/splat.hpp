@@ -23,7 +23,7 @@ namespace lippmann {
 
 inline constexpr std::uint32_t kNoSource = 0x7fffffffu;
 
-/// The landed point of each pixel as one number, of which the maximum wins. The upper half is the depth (0: nothing, 1:
+/// The landed point of each pixel as one number; the largest wins. The upper half is the depth (0: nothing, 1:
 /// background, otherwise z at the new moment, mapped so that larger is nearer to the viewer). The lower half is the inverted
 /// source pixel; its lowest bit tells whether the colour changes on the side of the pixel's own place (PointImage::contrast).
 struct SplatBuffer {

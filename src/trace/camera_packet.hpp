@@ -9,7 +9,7 @@ struct CameraPacket {
   RayHitPacket rays;  ///< the caller sets origin, direction, tnear and tfar; tracing adds the hits
   LaneMask active;
   Lanes reach;  ///< tfar before tracing
-  /// Where each lane's light is added: a pixel (y * width + x within the rendered rows), or a slot defined by the caller that
+  /// Target of each lane's light: a pixel (y * width + x within the rendered rows), or a slot defined by the caller that
   /// traces single samples.
   alignas(64) std::uint32_t target[kLanes];
   /// Each lane draws the random numbers of sample `sample` of stream `stream`. A stream is normally a pixel of the whole film.

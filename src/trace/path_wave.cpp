@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-/// Number of sort buckets. Objects are told apart by the lowest bits of their ids: nearly always enough, and no table is
+/// Number of sort buckets. The bucket of an object is given by the lowest bits of its id: nearly always enough, and no table is
 /// needed.
 constexpr std::size_t kBuckets = 64;
 
