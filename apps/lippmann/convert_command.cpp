@@ -34,6 +34,7 @@ ConvertParams params_of(const ConvertOptions& options, std::string_view to) {
   params.options.filter = interlace.filter, params.options.sigma_views = interlace.sigma_views;
   params.options.stereo = options.stereo.layout();
   options.depth.add_to(params.options);
+  params.options.cameras = options.cameras.read();
   if (!options.crop.empty()) params.crop = read_crop(options.crop, "--crop");
   if (!options.keep.empty()) params.keep = read_kept_views(options.keep, "--keep");
   return params;
@@ -177,6 +178,7 @@ void add_convert_command(const Command& root, Action& chosen) {
   add_crosstalk_flags(command, options->crosstalk);
   add_stereo_flags(command, options->stereo);
   add_depth_flags(command, options->depth);
+  add_camera_flags(command, options->cameras);
   add_result_flags(command, options->result);
   command.footer(formats_help());
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });

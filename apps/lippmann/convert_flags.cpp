@@ -52,6 +52,10 @@ bool is_stereo(const ConvertOptions&, const Conversion& c) { return c.kind == Co
 bool makes_depth_views(const Conversion& c) { return c.kind == ConvertKind::kDepthViews && c.to->name != "rgbd"; }
 bool makes_stereo(const Conversion& c) { return c.to && c.to->name == "stereo"; }
 
+bool keeps_cameras(const ConvertOptions&, const Conversion& c) {
+  return c.kind == ConvertKind::kRearrange && (c.to->uses_cameras || c.to->keeps_positions);
+}
+
 /// Whether the writer numbers views as the reader does, so that it does not matter how they lie in a grid.
 bool keeps_order(const Conversion& c) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kPairs{
@@ -277,6 +281,8 @@ Conversion conversion_of(const ConvertOptions& options) {
 void refuse_idle_flags(const ConvertOptions& options, const Conversion& conversion) {
   if (options.sheet.are_given() && !uses_display(options, conversion))
     throw usage_error(options.sheet.first_given(), described(conversion), "--to integral, or RGB-D pictures");
+  if (const char* flag = options.cameras.first_given(); flag && !keeps_cameras(options, conversion))
+    throw usage_error(flag, described(conversion), "--to hci, miv, stanford, eslf or another format that holds cameras");
   for (const IdleRule& rule : kIdleRules)
     if (rule.is_given(options) && !rule.has_effect(options, conversion))
       throw usage_error(rule.flag, described(conversion), rule.accepted);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "apps/lippmann/camera_flags.hpp"
 #include "apps/lippmann/crosstalk_flags.hpp"
 #include "apps/lippmann/depth_flags.hpp"
 #include "apps/lippmann/display_picture_flags.hpp"
@@ -25,6 +26,7 @@ struct ConvertOptions {
   CrosstalkFlags crosstalk;
   StereoFlags stereo;
   DepthFlags depth;
+  CameraFlags cameras;
   SheetFlags sheet;
   DisplayPictureFlags picture;
 

@@ -1,9 +1,11 @@
 // `lippmann replay IN`: what eyes see of a rendered light field through its lenses.
 #include <fmt/core.h>
 
+#include <charconv>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/lippmann/command_line.hpp"
@@ -22,7 +24,7 @@ namespace {
 
 struct ReplayOptions {
   ReplayParams params;
-  std::string in, folder, size, focal_stack, filter, format = "png", video, crosstalk;
+  std::string in, folder, size, refocus, focal_stack, filter, format = "png", video, crosstalk;
   std::vector<double> eye;
   LightFieldFlags field;
   int threads = 0;
@@ -41,22 +43,50 @@ void read_size(const std::string& text, ReplayParams& params) {
     throw usage_error("--size", "'" + text + "' is not a size", "WxH in pixels, or lenses");
 }
 
+/// A depth in mm, or a disparity with the unit px; none if `text` is neither.
+std::optional<FocusPlane> parse_focus_plane(const std::string& text) {
+  FocusPlane plane;
+  const char* end = text.data() + text.size();
+  const auto [rest, problem] = std::from_chars(text.data(), end, plane.value);
+  plane.in_px = std::string_view(rest, static_cast<std::size_t>(end - rest)) == "px";
+  if (problem != std::errc() || !(rest == end || plane.in_px)) return std::nullopt;
+  return plane;
+}
+
+std::optional<FocusPlane> read_refocus(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const std::optional<FocusPlane> plane = parse_focus_plane(text);
+  if (!plane)
+    throw usage_error("--refocus", "'" + text + "' is not a depth",
+                      "a depth in mm, or a disparity from view to view such as 1.5px");
+  return plane;
+}
+
 /// Z0:Z1:N
 std::optional<FocalStack> read_focal_stack(const std::string& text) {
   if (text.empty()) return std::nullopt;
   FocalStack stack;
-  int read = 0;
-  if (std::sscanf(text.c_str(), "%lf:%lf:%6d%n", &stack.first_mm, &stack.last_mm, &stack.count, &read) != 3 ||
-      read != static_cast<int>(text.size()) || stack.count < 2 || stack.count > 1000)
-    throw usage_error("--focal-stack", "'" + text + "' is not a focal stack",
-                      "Z0:Z1:N, two depths in mm and 2 to 1000 pictures");
-  return stack;
+  const std::size_t first = text.find(':'), second = text.find(':', first + 1);
+  if (second != std::string::npos) {
+    const std::optional<FocusPlane> from = parse_focus_plane(text.substr(0, first)),
+                                    to = parse_focus_plane(text.substr(first + 1, second - first - 1));
+    const char* end = text.data() + text.size();
+    const auto [rest, problem] = std::from_chars(text.data() + second + 1, end, stack.count);
+    if (from && to && from->in_px == to->in_px && problem == std::errc() && rest == end && stack.count >= 2 &&
+        stack.count <= 1000) {
+      stack.first = from->value, stack.last = to->value, stack.in_px = from->in_px;
+      return stack;
+    }
+  }
+  throw usage_error("--focal-stack", "'" + text + "' is not a focal stack",
+                    "Z0:Z1:N, two depths in mm or two disparities such as -2px:2px:9, and 2 to 1000 pictures");
 }
 
 /// Throws a usage Error naming a flag that has no effect on the pictures that are asked for.
 void refuse_idle_flags(const ReplayOptions& options) {
   const ReplayParams& params = options.params;
-  const bool refocuses = params.refocus_mm || !options.focal_stack.empty(), has_epi = params.epi_row || params.epi_column;
+  const bool refocuses = !options.refocus.empty() || !options.focal_stack.empty(),
+             has_epi = params.epi_row || params.epi_column;
   const bool looks = params.ipd_mm || params.sweep > 0 || !(refocuses || has_epi);
   const struct {
     const char* flag;
@@ -82,6 +112,7 @@ ReplayParams params_of(const ReplayOptions& options) {
   params.exr = options.format == "exr";
   params.view.filter = options.filter == "nearest" ? SampleFilter::kNearest : SampleFilter::kLinear;
   if (!options.eye.empty()) params.eye_mm = Vec3d(options.eye[0], options.eye[1], options.eye[2]);
+  params.refocus = read_refocus(options.refocus);
   params.focal_stack = read_focal_stack(options.focal_stack);
   if (!options.crosstalk.empty()) params.view.crosstalk_px = read_crosstalk(options.crosstalk, "--crosstalk");
   read_size(options.size, params);
@@ -138,9 +169,15 @@ void add_eye_flags(const Command& command, ReplayOptions& options) {
 
 void add_refocus_flags(const Command& command, ReplayOptions& options) {
   const Command group = command.add_group("Refocusing");
-  group.add_option("--refocus", options.params.refocus_mm, "Refocus at this depth; positive depths are in front of the lenses")
-      .type_name("MM");
-  group.add_option("--focal-stack", options.focal_stack, "Write N pictures focused at depths from Z0 to Z1")
+  group
+      .add_option(
+          "--refocus", options.refocus,
+          "Refocus at this depth, or where points move by this many pixels from view to view (1.5px); positive: in front "
+          "of the lenses")
+      .type_name("MM|PXpx");
+  group
+      .add_option("--focal-stack", options.focal_stack,
+                  "Write N pictures focused at depths from Z0 to Z1, or at disparities (-2px:2px:9)")
       .type_name("Z0:Z1:N");
   group.add_flag("--all-in-focus", options.params.all_in_focus,
                  "From a focal stack, take every pixel where it is sharpest, and write its depth");

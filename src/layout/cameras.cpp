@@ -1,11 +1,46 @@
 #include "layout/cameras.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "layout/film_layout.hpp"
+#include "lippmann/core/error.hpp"
 
 namespace lippmann {
+namespace {
+
+void require_length(double length_mm, const char* parameter) {
+  constexpr double kLeast = 1e-6, kMost = 1e9;
+  if (!(length_mm >= kLeast && length_mm <= kMost))
+    throw usage_error(parameter, fmt::format("is {} mm", length_mm), fmt::format("{} to {} mm", kLeast, kMost));
+}
+
+/// The sum of the steps from each eye to the next along one axis of the grid.
+Vec2d sum_of_steps(const std::vector<Vec2d>& eyes, ViewGrid grid, bool across) {
+  Vec2d sum(0.0);
+  const auto eye = [&](int column, int row) { return eyes[static_cast<std::size_t>(row * grid.columns + column)]; };
+  if (across)
+    for (int row = 0; row < grid.rows; ++row) sum += eye(grid.columns - 1, row) - eye(0, row);
+  else
+    for (int column = 0; column < grid.columns; ++column) sum += eye(column, grid.rows - 1) - eye(column, 0);
+  return sum;
+}
+
+/// The positions in mm, around the axis, with x growing to the right and y upwards in the grid of views.
+std::vector<Vec2d> scaled_eyes(const std::vector<Vec2d>& positions, ViewGrid grid, double scale) {
+  Vec2d middle(0.0);
+  for (const Vec2d& position : positions) middle += position / static_cast<double>(positions.size());
+  const Vec2d signs(sum_of_steps(positions, grid, true).x < 0.0 ? -1.0 : 1.0,
+                    sum_of_steps(positions, grid, false).y < 0.0 ? -1.0 : 1.0);
+  std::vector<Vec2d> eyes;
+  for (const Vec2d& position : positions) eyes.push_back(scale * signs * (position - middle));
+  return eyes;
+}
+
+}  // namespace
+
 std::optional<RenderedViews> rendered_views(const Optics& optics) {
   if (is_single_view(optics)) return RenderedViews{{LayoutKind::kStack, {1, 1}, {}}, view_cameras(optics)};
   if (!view_tiles(optics) && whole_pixels_per_lens(optics).x < 1) return std::nullopt;
@@ -22,6 +57,34 @@ std::optional<double> common_baseline_mm(const ViewCameras& cameras, ViewGrid gr
       if (std::max(std::abs(miss.x), std::abs(miss.y)) > kShare * std::abs(baseline)) return std::nullopt;
     }
   return baseline;
+}
+
+double mean_step(const std::vector<Vec2d>& eyes, ViewGrid grid) {
+  if (grid.columns > 1) return std::abs(sum_of_steps(eyes, grid, true).x) / ((grid.columns - 1) * grid.rows);
+  return grid.rows > 1 ? std::abs(sum_of_steps(eyes, grid, false).y) / (grid.rows - 1) : 0.0;
+}
+
+ViewCameras cameras_as_stated(const StatedCameras& stated, const LightField& field, const std::string& where) {
+  require_length(stated.baseline_mm, "baseline");
+  require_length(stated.focal_length_mm, "focal-length");
+  require_length(stated.sensor_width_mm, "sensor-width");
+  require_length(stated.focus_distance_mm, "focus-distance");
+  const ViewGrid grid = field.grid;
+  const double pixel_mm =
+      stated.sensor_width_mm * stated.focus_distance_mm / (stated.focal_length_mm * static_cast<double>(field.view_size.x));
+  ViewCameras cameras{stated.focus_distance_mm, Vec2d(pixel_mm), 0.5 * Vec2d(field.view_size), {}};
+  for (int view = 0; view < grid.count(); ++view)
+    cameras.eyes_mm.push_back(stated.baseline_mm *
+                              (Vec2d(view % grid.columns, view / grid.columns) - 0.5 * Vec2d(grid.columns - 1, grid.rows - 1)));
+  if (!field.positions || grid.count() == 1) return cameras;
+  const double step = mean_step(*field.positions, grid);
+  const std::vector<Vec2d> eyes = scaled_eyes(*field.positions, grid, stated.baseline_mm / step);
+  const auto is_finite = [](const Vec2d& eye) { return std::isfinite(eye.x) && std::isfinite(eye.y); };
+  if (!std::all_of(eyes.begin(), eyes.end(), is_finite))
+    throw Error(where, "the positions in its names do not differ from column to column", "one position for each column");
+  // Rounded positions of a regular grid give the grid itself.
+  const ViewCameras placed{cameras.distance_mm, cameras.pixel_mm, cameras.centre_px, eyes};
+  return common_baseline_mm(placed, grid) ? cameras : placed;
 }
 
 std::string unknown_cameras(const LightField& field) {

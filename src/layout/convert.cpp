@@ -1,11 +1,14 @@
 #include "lippmann/layout/convert.hpp"
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include "core/folder.hpp"
 #include "image/print_file.hpp"
+#include "layout/cameras.hpp"
 #include "layout/light_field_source.hpp"
 #include "layout/quad_name.hpp"
 #include "layout/quilt_side_file.hpp"
@@ -63,6 +66,7 @@ class Conversion {
     if (to_.name == "stereo") reading.stereo.reset();  // it is what is made; pictures that are read have names
     OpenedLightField opened = open(in, reading);
     LightField& field = opened.field;
+    if (params_.options.cameras) state_cameras(field, in);
     if (params_.keep) keep(field, *params_.keep, "keep");
     if (params_.crop) crop(field, *params_.crop, "crop");
     FormatOptions writing = params_.options;
@@ -75,7 +79,7 @@ class Conversion {
     const NewFolder folder(to_.is_folder ? path : path.parent_path());
     for (fs::path& file : to_.write(field, path, writing)) result.written.push_back(std::move(file));
     result.views = field.grid, result.view_size = field.view_size;
-    result.drops_positions = field.positions && to_.name != "stanford" && !(to_.uses_cameras && field.cameras);
+    result.drops_positions = field.positions && !to_.keeps_positions && !(to_.uses_cameras && field.cameras);
     result.lacks_cameras = to_.uses_cameras && !field.cameras;
     result.lacks_depth = to_.uses_cameras && field.cameras && !field.depth;
   }
@@ -119,6 +123,13 @@ class Conversion {
   }
 
  private:
+  void state_cameras(LightField& field, const fs::path& in) const {
+    if (field.cameras)
+      throw usage_error("baseline", fmt::format("has no effect: {} states its cameras", in.string()),
+                        "views whose cameras are unknown");
+    field.cameras = cameras_as_stated(*params_.options.cameras, field, in.string());
+  }
+
   OpenedLightField open(const fs::path& in, const FormatOptions& reading) const {
     if (params_.read_views) return {.field = params_.read_views(in, reading), .format = "views"};
     return open_light_field(in, params_.from, reading);

@@ -44,7 +44,7 @@ fs::path per_view(const fs::path& folder, const char* kind, const ViewGrid& grid
 }
 
 /// Reads the depth of all views, or of none if one of them has none.
-void read_depth(const fs::path& folder, const HciParameters& parameters, LightField& field) {
+void read_depth(const fs::path& folder, double focus_distance_mm, LightField& field) {
   for (int view = 0; view < field.grid.count(); ++view)
     if (!is_regular_file_there(per_view(folder, "depth", field.grid, view))) return;
   field.depth = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
@@ -54,7 +54,7 @@ void read_depth(const fs::path& folder, const HciParameters& parameters, LightFi
     if (Vec2i(depth.width, depth.height) != field.view_size || depth.channels != 1)
       throw Error(path.string(), fmt::format("it has {}x{} pixels of {} channels", depth.width, depth.height, depth.channels),
                   fmt::format("{}x{} of 1 channel, as the views", field.view_size.x, field.view_size.y));
-    for (float& z : depth.data) z = static_cast<float>(1000.0 * (parameters.focus_distance_m - static_cast<double>(z)));
+    for (float& z : depth.data) z = static_cast<float>(focus_distance_mm - 1000.0 * static_cast<double>(z));
     set_depth(field, view, depth);
   }
 }
@@ -71,9 +71,11 @@ LightField read_hci(const fs::path& folder, const FormatOptions& options) {
   for (int i = 0; i < count; ++i)
     by_view[static_cast<std::size_t>(from_top_left(grid, i))] = files[static_cast<std::size_t>(i)].path;
   LightField field = read_view_files(by_view, grid, options);
-  if (!parameters || grid != ViewGrid{parameters->columns, parameters->rows}) return field;
-  field.cameras = hci_cameras(*parameters);
-  read_depth(folder, *parameters, field);
+  if (parameters && grid == ViewGrid{parameters->columns, parameters->rows}) field.cameras = hci_cameras(*parameters);
+  if (field.cameras)
+    read_depth(folder, field.cameras->distance_mm, field);
+  else if (options.cameras)
+    read_depth(folder, options.cameras->focus_distance_mm, field);
   return field;
 }
 

@@ -70,6 +70,25 @@ class Values {
   std::map<std::string, std::string> values_;
 };
 
+/// `baseline_mm`: between neighbouring eyes.
+HciParameters parameters_with(double baseline_mm, const LightField& field, const std::string& where) {
+  const ViewCameras& cameras = *field.cameras;
+  if (std::abs(cameras.pixel_mm.x / cameras.pixel_mm.y - 1.0) > 1e-4)
+    throw Error(where, "pixels are not square in views of cylindrical lenses, and the format knows no others",
+                "views of `optics` multiview `camera-grid` or `optics` microlens");
+  HciParameters p;
+  p.width = field.view_size.x, p.height = field.view_size.y;
+  p.columns = field.grid.columns, p.rows = field.grid.rows;
+  p.baseline_mm = baseline_mm;
+  p.focus_distance_m = 1e-3 * cameras.distance_mm;
+  p.focal_length_mm = p.sensor_size_mm * cameras.distance_mm / (cameras.pixel_mm.x * std::max(p.width, p.height));
+  Vec2d middle(0.0);
+  for (const Vec2d& eye : cameras.eyes_mm) middle += eye / static_cast<double>(cameras.eyes_mm.size());
+  const auto metres = [](double mm) { return std::abs(mm) < 1e-6 ? 0.0 : 1e-3 * mm; };  // what rounding leaves is nothing
+  p.centre_camera_m[0] = metres(middle.x), p.centre_camera_m[1] = metres(middle.y), p.centre_camera_m[2] = p.focus_distance_m;
+  return p;
+}
+
 }  // namespace
 
 HciParameters parse_hci_parameters(const std::string& text, const std::string& where) {
@@ -147,25 +166,21 @@ double hci_disparity_px(const HciParameters& p, double depth_m) {
 }
 
 HciParameters hci_parameters(const LightField& field, const std::string& where) {
-  const ViewCameras& cameras = *field.cameras;
-  const std::optional<double> baseline = common_baseline_mm(cameras, field.grid);
+  const std::optional<double> baseline = common_baseline_mm(*field.cameras, field.grid);
   if (!baseline)
     throw Error(where, "the views' eyes stand at distances that differ, and the format knows one baseline",
                 "views of `optics` multiview `camera-grid` or `optics` microlens; `keep` with equal steps");
-  if (std::abs(cameras.pixel_mm.x / cameras.pixel_mm.y - 1.0) > 1e-4)
-    throw Error(where, "pixels are not square in views of cylindrical lenses, and the format knows no others",
-                "views of `optics` multiview `camera-grid` or `optics` microlens");
-  HciParameters p;
-  p.width = field.view_size.x, p.height = field.view_size.y;
-  p.columns = field.grid.columns, p.rows = field.grid.rows;
-  p.baseline_mm = *baseline;
-  p.focus_distance_m = 1e-3 * cameras.distance_mm;
-  p.focal_length_mm = p.sensor_size_mm * cameras.distance_mm / (cameras.pixel_mm.x * std::max(p.width, p.height));
-  Vec2d middle(0.0);
-  for (const Vec2d& eye : cameras.eyes_mm) middle += eye / static_cast<double>(cameras.eyes_mm.size());
-  const auto metres = [](double mm) { return std::abs(mm) < 1e-6 ? 0.0 : 1e-3 * mm; };  // what rounding leaves is nothing
-  p.centre_camera_m[0] = metres(middle.x), p.centre_camera_m[1] = metres(middle.y), p.centre_camera_m[2] = p.focus_distance_m;
-  return p;
+  return parameters_with(*baseline, field, where);
+}
+
+HciParameters mean_hci_parameters(const LightField& field, const std::string& where) {
+  const std::optional<double> baseline = common_baseline_mm(*field.cameras, field.grid);
+  return parameters_with(baseline.value_or(mean_step(field.cameras->eyes_mm, field.grid)), field, where);
+}
+
+StatedCameras stated_cameras(const HciParameters& p) {
+  const double sensor_width_mm = p.sensor_size_mm * p.width / std::max(p.width, p.height);
+  return {p.baseline_mm, p.focal_length_mm, sensor_width_mm, 1000.0 * p.focus_distance_m};
 }
 
 ViewCameras hci_cameras(const HciParameters& p) {

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "lippmann/layout/formats.hpp"
 #include "lippmann/layout/light_field.hpp"
 
 namespace lippmann {
@@ -40,6 +41,10 @@ double hci_disparity_px(const HciParameters& parameters, double depth_m);
 /// The parameters of a light field whose cameras are known. Sensors are 35 mm wide. Throws Error naming `where` if the format
 /// cannot say what they are: distances between eyes that differ, or pixels that are not square.
 HciParameters hci_parameters(const LightField& field, const std::string& where);
+/// The same with the mean distance between neighbouring eyes, for formats that hold their positions too.
+HciParameters mean_hci_parameters(const LightField& field, const std::string& where);
+/// The parameters as flags would state them.
+StatedCameras stated_cameras(const HciParameters& parameters);
 /// Around the axis: where the middle camera stands in its scene, and how it is turned, does not matter to views.
 ViewCameras hci_cameras(const HciParameters& parameters);
 

@@ -1,4 +1,7 @@
 // What lies behind a lens array, and the plenoptic camera's variant of it, whose elements are not turned round.
+#include <fmt/format.h>
+
+#include "layout/eslf_side_file.hpp"
 #include "layout/packed_views.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/layout/formats.hpp"
@@ -13,14 +16,30 @@ ViewGrid wanted_views(const fs::path& path, const FormatOptions& options) {
   throw usage_error("views", "the number of pixels below each lens of " + path.string() + " is unknown", "CxR, such as 8x1");
 }
 
-template <LayoutKind kind>
 LightField read_integral(const fs::path& path, const FormatOptions& options) {
-  return read_packed(path, {kind, wanted_views(path, options), {}}, options.with_depth, options.warn);
+  return read_packed(path, {LayoutKind::kIntegral, wanted_views(path, options), {}}, options.with_depth, options.warn);
 }
 
-template <LayoutKind kind>
 std::vector<fs::path> write_integral(const LightField& field, const fs::path& path, const FormatOptions&) {
-  return write_packed(field, {kind, field.grid, {}}, path);
+  return write_packed(field, {LayoutKind::kIntegral, field.grid, {}}, path);
+}
+
+LightField read_eslf(const fs::path& path, const FormatOptions& options) {
+  const std::optional<EslfSideFile> side = read_eslf_side_file(path);
+  const ViewGrid grid = side && !options.views ? side->grid : wanted_views(path, options);
+  if (side && grid != side->grid)
+    throw Error(path.string(), fmt::format("its side file states {}x{} views", side->grid.columns, side->grid.rows),
+                "the same in `views`");
+  LightField field = read_packed(path, {LayoutKind::kEslf, grid, {}}, options.with_depth, options.warn);
+  if (side) field.positions = side->positions, field.cameras = side->cameras;
+  return field;
+}
+
+std::vector<fs::path> write_eslf(const LightField& field, const fs::path& path, const FormatOptions&) {
+  std::vector<fs::path> written = write_packed(field, {LayoutKind::kEslf, field.grid, {}}, path);
+  if (field.positions || field.cameras)
+    written.push_back(write_eslf_side_file(path, {field.grid, field.positions, field.cameras}));
+  return written;
 }
 
 }  // namespace
@@ -28,16 +47,17 @@ std::vector<fs::path> write_integral(const LightField& field, const fs::path& pa
 LightFieldFormat integral_format() {
   return {.name = "integral",
           .is = "what lies behind a lens array; `views`: pixels below each lens",
-          .read = read_integral<LayoutKind::kIntegral>,
-          .write = write_integral<LayoutKind::kIntegral>,
+          .read = read_integral,
+          .write = write_integral,
           .reads = {.views = true}};
 }
 
 LightFieldFormat eslf_format() {
   return {.name = "eslf",
           .is = "plenoptic camera: view (u, v) from the top left is every N-th pixel from (u, v); `views` 14x14 and the like",
-          .read = read_integral<LayoutKind::kEslf>,
-          .write = write_integral<LayoutKind::kEslf>,
+          .keeps_positions = true,
+          .read = read_eslf,
+          .write = write_eslf,
           .reads = {.views = true}};
 }
 

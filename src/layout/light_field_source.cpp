@@ -7,6 +7,7 @@
 #include "core/folder_entries.hpp"
 #include "core/regular_file.hpp"
 #include "core/text_pattern.hpp"
+#include "layout/eslf_side_file.hpp"
 #include "layout/frame_names.hpp"
 #include "layout/picture_folder.hpp"
 #include "layout/quad_name.hpp"
@@ -113,6 +114,7 @@ std::optional<std::string> format_by_name(const fs::path& picture) {
   if (parse_stereo_name(picture)) return "stereo";
   if (has_quad_name(picture)) return std::string(kQuadFormat);
   if (has_rgbd_name(picture) || read_rgbd_side_file(picture)) return "rgbd";
+  if (read_eslf_side_file(picture)) return "eslf";
   if (read_quilt_side_file(picture)) return "quilt";
   return std::nullopt;
 }

@@ -1,14 +1,16 @@
 // The Stanford light field archive's folders: out_{row}_{column}_{y}_{x}.png, row 0 at the top, column 0 at the left; y and x
 // are the position of the camera, y counted downwards like the rows. (Names in the archive end with or without a further _.)
 //
-// Names state no unit and no distance. Positions are kept as they are, and written again. Where the cameras are known and stand
-// in a regular grid, parameters.cfg is written too, and read, as the HCI benchmark has it (layout/hci_parameters.hpp).
+// Names state no unit and no distance. Positions are kept as they are, and written again. Where the cameras are known,
+// parameters.cfg is written too, and read, as the HCI benchmark has it (layout/hci_parameters.hpp); its baseline is the mean
+// distance between neighbouring cameras, which is the unit of the positions.
 // Without known positions y and x are the row and the column.
 #include <fmt/format.h>
 
 #include <charconv>
 
 #include "core/text_pattern.hpp"
+#include "layout/cameras.hpp"
 #include "layout/hci_parameters.hpp"
 #include "layout/view_files.hpp"
 #include "lippmann/core/error.hpp"
@@ -55,32 +57,43 @@ LightField read_stanford(const fs::path& folder, const FormatOptions& options) {
   LightField field = read_view_files(by_view, grid, options);
   field.positions = stanford_positions(by_view);
   const std::optional<HciParameters> parameters = read_hci_parameters(folder);
-  if (parameters && grid == ViewGrid{parameters->columns, parameters->rows}) field.cameras = hci_cameras(*parameters);
+  if (parameters && grid == ViewGrid{parameters->columns, parameters->rows})
+    field.cameras =
+        grid.count() == 1 ? hci_cameras(*parameters) : cameras_as_stated(stated_cameras(*parameters), field, folder.string());
   return field;
 }
 
-/// Returns nothing if the cameras are unknown or irregular.
-std::optional<HciParameters> regular_cameras(const LightField& field, const fs::path& folder) {
+/// Returns nothing if the cameras are unknown, or if the format cannot state their pixels.
+std::optional<HciParameters> parameters_of(const LightField& field, const fs::path& folder) {
   if (!field.cameras) return std::nullopt;
   try {
-    return hci_parameters(field, folder.string());
+    return mean_hci_parameters(field, folder.string());
   } catch (const Error&) {
     return std::nullopt;
   }
+}
+
+/// Six decimals as in the archive, or more where they are needed for the same number to be read again.
+std::string position_text(double position) {
+  const std::string archived = fmt::format("{:.6f}", position + 0.0), shortest = fmt::format("{}", position + 0.0);
+  double read = 0.0;
+  std::from_chars(archived.data(), archived.data() + archived.size(), read);
+  return read == position || shortest.find('e') != std::string::npos ? archived : shortest;
 }
 
 std::vector<fs::path> write_stanford(const LightField& field, const fs::path& folder, const FormatOptions&) {
   const char* ending = exact_ending(field.stack);
   std::vector<fs::path> written = write_view_files(field, folder, [&](int view) {
     const int row = field.grid.rows - 1 - view / field.grid.columns, column = view % field.grid.columns;
-    Vec2d eye(column, -row);
-    if (field.positions)
-      eye = (*field.positions)[static_cast<std::size_t>(view)];
-    else if (field.cameras)
-      eye = field.cameras->eyes_mm[static_cast<std::size_t>(view)];
+    const auto index = static_cast<std::size_t>(view);
+    if (field.positions) {
+      const Vec2d kept = (*field.positions)[index];
+      return fmt::format("out_{:02}_{:02}_{}_{}.{}", row, column, position_text(-kept.y), position_text(kept.x), ending);
+    }
+    const Vec2d eye = field.cameras ? field.cameras->eyes_mm[index] : Vec2d(column, -row);
     return fmt::format("out_{:02}_{:02}_{:.6f}_{:.6f}.{}", row, column, -eye.y + 0.0, eye.x, ending);
   });
-  std::optional<HciParameters> parameters = regular_cameras(field, folder);
+  std::optional<HciParameters> parameters = parameters_of(field, folder);
   if (!parameters) return written;
   parameters->scene = folder.filename().string();
   written.push_back(write_hci_parameters(folder, *parameters));
@@ -94,6 +107,7 @@ LightFieldFormat stanford_format() {
           .is = "the Stanford archive's folder: out_{row}_{column}_{y}_{x}.png, from the top left",
           .is_folder = true,
           .uses_cameras = true,
+          .keeps_positions = true,
           .read = read_stanford,
           .write = write_stanford};
 }

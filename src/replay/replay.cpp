@@ -14,6 +14,7 @@
 #include "lippmann/replay/light_field_frames.hpp"
 #include "lippmann/replay/refocus.hpp"
 #include "optics/model.hpp"
+#include "replay/disparity.hpp"
 #include "replay/replay_files.hpp"
 
 namespace lippmann {
@@ -34,14 +35,20 @@ Image side_by_side(const Image& left, const Image& right) {
 }
 
 /// The nearest depth of the stack white, the farthest black, evenly in codes.
-Image depth_for_looking(const Image& depth, const FocalStack& stack) {
-  const double near = std::max(stack.first_mm, stack.last_mm), far = std::min(stack.first_mm, stack.last_mm);
+Image depth_for_looking(const Image& depth, const std::vector<double>& depths_mm) {
+  const double near = std::max(depths_mm.front(), depths_mm.back()), far = std::min(depths_mm.front(), depths_mm.back());
   Image grey(depth.width, depth.height, 3);
   for (std::size_t i = 0; i < grey.data.size(); ++i) {
     const double share = near > far ? (depth.data[i / 3] - far) / (near - far) : 0.0;
     grey.data[i] = static_cast<float>(linear_from_srgb(std::clamp(share, 0.0, 1.0)));
   }
   return grey;
+}
+
+double depth_mm(const Optics& optics, const FocusPlane& plane, const char* parameter) {
+  const double z_mm = plane.in_px ? depth_of_disparity_px(optics, plane.value, parameter) : plane.value;
+  validate_depth(optics, z_mm, parameter);
+  return z_mm;
 }
 
 /// Everything that the pictures of one replay share.
@@ -65,7 +72,7 @@ class Replay {
     ReplayFiles files(file_settings());
     for (std::size_t i = 0; i < frames_.files.size() && !context_.cancelled; ++i) {
       if (params_.ipd_mm) make_pair(i, files);
-      if (params_.refocus_mm) keep(files, "refocus_" + label(i), refocused(i, *params_.refocus_mm));
+      if (refocus_mm_) keep(files, "refocus_" + label(i), refocused(i, *refocus_mm_));
       if (params_.focal_stack) make_stack(i, files);
       if (params_.epi_row) keep(files, "epi_row_" + label(i), epipolar_row(panel(i), *params_.epi_row, view_.filter, context_));
       if (params_.epi_column)
@@ -89,20 +96,19 @@ class Replay {
 
   /// Whether other pictures are asked for than the eye's view of every frame.
   bool asks_for_more() const {
-    return params_.ipd_mm || params_.sweep > 0 || params_.refocus_mm || params_.focal_stack || params_.epi_row ||
+    return params_.ipd_mm || params_.sweep > 0 || params_.refocus || params_.focal_stack || params_.epi_row ||
            params_.epi_column;
   }
 
   /// Whether any picture shows what an eye sees.
   bool looks_with_eyes() const { return !asks_for_more() || params_.ipd_mm || params_.sweep > 0; }
 
-  void check_products() const {
+  void check_products() {
     if (params_.ipd_mm && !(std::abs(*params_.ipd_mm) <= 1e6))
       throw usage_error("ipd", fmt::format("{} mm is out of range", *params_.ipd_mm), "-1000000 to 1000000");
-    if (params_.refocus_mm) validate_depth(frames_.optics, *params_.refocus_mm, "refocus");
-    if (params_.focal_stack)
-      for (const double z : {params_.focal_stack->first_mm, params_.focal_stack->last_mm})
-        validate_depth(frames_.optics, z, "focal-stack");
+    if (params_.refocus) refocus_mm_ = depth_mm(frames_.optics, *params_.refocus, "refocus");
+    for (int i = 0; params_.focal_stack && i < params_.focal_stack->count; ++i)
+      stack_mm_.push_back(depth_mm(frames_.optics, params_.focal_stack->plane(i), "focal-stack"));
     if (params_.all_in_focus && !params_.focal_stack)
       throw usage_error("all-in-focus", "needs a range of depths", "`focal-stack` Z0:Z1:N with it");
     if (!params_.video.empty() && asks_for_more() && !params_.ipd_mm && params_.sweep == 0)
@@ -147,20 +153,19 @@ class Replay {
   }
 
   void make_stack(std::size_t frame, ReplayFiles& files) {
-    const FocalStack& stack = *params_.focal_stack;
     std::optional<AllInFocus> sharpest;
     Image disagreement;
-    for (int i = 0; i < stack.count; ++i) {
-      const Image picture = refocused(frame, stack.depth_mm(i), &disagreement);
+    for (std::size_t i = 0; i < stack_mm_.size(); ++i) {
+      const Image picture = refocused(frame, stack_mm_[i], &disagreement);
       if (context_.cancelled) return;
       if (!params_.all_in_focus) files.add(fmt::format("stack_{}_{:02}", label(frame), i), picture);
       if (!sharpest) sharpest.emplace(frames_.optics, Vec2i(picture.width, picture.height));
-      sharpest->add(picture, disagreement, stack.depth_mm(i));
+      sharpest->add(picture, disagreement, stack_mm_[i]);
     }
     if (!params_.all_in_focus) return;
     files.add("all_in_focus_" + label(frame), sharpest->picture());
     files.add_depth("depth_" + label(frame), sharpest->depth());
-    files.add("depth_" + label(frame), depth_for_looking(sharpest->depth(), stack));
+    files.add("depth_" + label(frame), depth_for_looking(sharpest->depth(), stack_mm_));
   }
 
   /// The i-th of equal parts of the zone, from its middle; of many frames, the animation goes on meanwhile.
@@ -207,6 +212,8 @@ class Replay {
   ThreadPool pool_;
   std::optional<RenderedPanel> panel_;
   std::size_t panel_frame_ = 0;
+  std::optional<double> refocus_mm_;
+  std::vector<double> stack_mm_;  ///< depths of the focal stack
 };
 
 }  // namespace

@@ -11,11 +11,19 @@
 
 namespace lippmann {
 
-/// Depths from first to last, mm, equally far apart, count >= 2.
+/// A plane to focus on: its depth in mm of the display, or the pixels by which its points move from view to view, positive in
+/// front of z = 0 (depth_of_disparity_px in replay/disparity.hpp).
+struct FocusPlane {
+  double value = 0.0;
+  bool in_px = false;
+};
+
+/// Planes from first to last, equally far apart in their unit, count >= 2.
 struct FocalStack {
-  double first_mm = -20.0, last_mm = 20.0;
+  double first = -20.0, last = 20.0;
   int count = 21;
-  double depth_mm(int i) const { return first_mm + (last_mm - first_mm) * i / (count - 1); }
+  bool in_px = false;
+  FocusPlane plane(int i) const { return {first + (last - first) * i / (count - 1), in_px}; }
 };
 
 struct ReplayParams {
@@ -31,7 +39,7 @@ struct ReplayParams {
   // What to make; where nothing of this is asked for, the eye's view of every frame: eye_0000.png.
   std::optional<double> ipd_mm = {};           ///< two eyes so far apart: left_, right_ and, side by side, pair_0000.png
   int sweep = 0;                               ///< so many eyes from left to right through the zone: sweep_0000.png
-  std::optional<double> refocus_mm = {};       ///< focused at that depth: refocus_0000.png
+  std::optional<FocusPlane> refocus = {};      ///< focused on that plane: refocus_0000.png
   std::optional<FocalStack> focal_stack = {};  ///< at these: stack_0000_00.png
   bool all_in_focus = false;                   ///< from a stack: all_in_focus_0000.png, depth_0000.exr and (for looking) .png
   std::optional<int> epi_row = {}, epi_column = {};  ///< epi_row_0000.png, epi_column_0000.png

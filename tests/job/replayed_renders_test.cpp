@@ -87,7 +87,7 @@ TEST_F(ReplayedRenders, sweep_is_numbered_pictures_and_a_video) {
 TEST_F(ReplayedRenders, refocusing_makes_what_is_asked_for_and_no_eye_view) {
   render_teapot();
   const FocalStack stack{-10.0, 10.0, 3};
-  const Replayed result = seen({.refocus_mm = -5.0, .focal_stack = stack, .epi_row = 7}, "out/frame_0003.png", "a");
+  const Replayed result = seen({.refocus = FocusPlane{-5.0}, .focal_stack = stack, .epi_row = 7}, "out/frame_0003.png", "a");
   EXPECT_FALSE(result.eye_mm) << "no picture shows what an eye sees";
   const Files files = files_in(dir_ / "a", ".png");
   EXPECT_EQ(files.size(), 5u);
@@ -104,13 +104,13 @@ TEST_F(ReplayedRenders, impossible_eyes_sizes_depths_and_lines_are_refused) {
     EXPECT_THAT(refused({.eye_mm = eye}), HasSubstr("eye"));
   EXPECT_THAT(refused({.view = {.size = {60000, 60000}}}), HasSubstr("size"));
   EXPECT_THAT(refused({.view = {.pupil_mm = std::nan("")}}), HasSubstr("pupil"));
-  EXPECT_THAT(refused({.refocus_mm = 1e6}), HasSubstr("refocus"));
-  EXPECT_THAT(refused({.refocus_mm = std::nan("")}), HasSubstr("refocus"));
+  EXPECT_THAT(refused({.refocus = FocusPlane{1e6}}), HasSubstr("refocus"));
+  EXPECT_THAT(refused({.refocus = FocusPlane{std::nan("")}}), HasSubstr("refocus"));
   EXPECT_THAT(refused({.focal_stack = FocalStack{std::nan(""), 2.0, 5}}), HasSubstr("focal-stack"));
   EXPECT_THAT(refused({.all_in_focus = true}), HasSubstr("all-in-focus"));
   EXPECT_THAT(refused({.epi_row = 100000}), HasSubstr("epi"));
   EXPECT_THAT(refused({.epi_column = 3}), HasSubstr("epi-column"));
-  EXPECT_THAT(refused({.refocus_mm = 1.0, .video = dir_ / "a.mkv"}), HasSubstr("video"));
+  EXPECT_THAT(refused({.refocus = FocusPlane{1.0}, .video = dir_ / "a.mkv"}), HasSubstr("video"));
   EXPECT_THAT(refused({.field = {.view_angle_deg = 20.0}}), HasSubstr("view-angle"));
   EXPECT_FALSE(exists("never"));
 }
@@ -212,7 +212,7 @@ TEST_F(ReplayedRenders, cameras_that_nothing_states_are_assumed_and_that_is_said
   replay({.in = dir_ / format}, context_);
   EXPECT_THAT(warnings_, AllOf(HasSubstr("The cameras of"), HasSubstr("over 10 degrees; `view-angle` sets the angle")));
   EXPECT_TRUE(exists(format + "/replay/eye_" + format + ".png"));
-  EXPECT_EQ(seen({.refocus_mm = -5.0, .epi_row = 3, .epi_column = 3}, format, "products").written.size(), 3u);
+  EXPECT_EQ(seen({.refocus = FocusPlane{-5.0}, .epi_row = 3, .epi_column = 3}, format, "products").written.size(), 3u);
   warnings_.clear();
   replay({.in = dir_ / format, .field = {.view_angle_deg = 20.0}}, context_);
   EXPECT_THAT(warnings_, AllOf(HasSubstr("Assumed: a display 100 mm high"), Not(HasSubstr("sets the angle"))));

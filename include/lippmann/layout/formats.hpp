@@ -18,6 +18,14 @@
 
 namespace lippmann {
 
+/// Parallel cameras in a regular grid, for files that do not state their cameras. Lengths in mm.
+struct StatedCameras {
+  double baseline_mm = 0.0;  ///< between neighbouring cameras, before any view is left out
+  double focal_length_mm = 0.0;
+  double sensor_width_mm = 35.0;   ///< of all pixels of a row, before views are cropped
+  double focus_distance_mm = 0.0;  ///< from the cameras to the plane whose points do not move from view to view
+};
+
 /// What a format may need beside its name; each uses what concerns it.
 struct FormatOptions {
   std::optional<ViewGrid> views = {};  ///< how many views across and up: needed where neither names nor side files say it
@@ -31,6 +39,7 @@ struct FormatOptions {
   std::optional<StereoLayout> stereo = {};     ///< how two views lie in one picture; none: as its name says, or side by side
   std::optional<DepthRange> depth_range = {};  ///< greys cover it; none: as the RGB-D picture's side file says, or all there is
   std::optional<bool> even_in_depth = {}, near_black = {};  ///< how they are coded; none: as the side file says (DepthCoding)
+  std::optional<StatedCameras> cameras = {};                ///< of files that do not state theirs
   /// Applied to each view as its file is read, so that large ones need not be kept. `view`: its number in the grid.
   std::function<Picture(Picture, int view, ViewGrid grid)> fit_view = {};
   std::function<void(std::string_view)> warn = {};  ///< of what pictures say and is not honoured (image/picture_file.hpp)
@@ -46,10 +55,11 @@ struct FormatUses {
 /// Paths are those of one light field, of one moment: a picture or a folder.
 struct LightFieldFormat {
   std::string_view name;
-  std::string_view is;          ///< in one line
-  bool is_folder = false;       ///< a folder with one or more files for each view; else one picture
-  bool uses_cameras = false;    ///< its writer wants cameras and depth, where they are known
-  bool states_cameras = false;  ///< its files state the cameras: a report.json beside them does not count
+  std::string_view is;           ///< in one line
+  bool is_folder = false;        ///< a folder with one or more files for each view; else one picture
+  bool uses_cameras = false;     ///< its writer wants cameras and depth, where they are known
+  bool keeps_positions = false;  ///< its files hold the cameras' positions, even without a unit
+  bool states_cameras = false;   ///< its files state the cameras: a report.json beside them does not count
   /// Throws Error naming the file or the flag of an option.
   LightField (*read)(const std::filesystem::path& path, const FormatOptions& options) = nullptr;
   /// Returns what was written, pictures first. Folders are made. Throws likewise.

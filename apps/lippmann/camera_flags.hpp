@@ -1,0 +1,23 @@
+// Flags that state the cameras of a light field whose files do not.
+#pragma once
+
+#include <optional>
+
+#include "lippmann/layout/formats.hpp"
+
+namespace lippmann::app {
+
+class Command;  // command_line.hpp
+
+struct CameraFlags {
+  std::optional<double> baseline_mm, focal_length_mm, sensor_width_mm, focus_distance_mm;
+
+  /// The name of the first flag that is given; null: none is.
+  const char* first_given() const;
+  /// None where no flag is given. Throws a usage Error naming a flag that is missing.
+  std::optional<StatedCameras> read() const;
+};
+
+void add_camera_flags(const Command& command, CameraFlags& flags);
+
+}  // namespace lippmann::app

@@ -1,0 +1,96 @@
+#include "layout/eslf_side_file.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "core/atomic_file.hpp"
+#include "core/json_fields.hpp"
+#include "core/json_text.hpp"
+#include "core/recorded_file.hpp"
+#include "core/regular_file.hpp"
+#include "lippmann/core/error.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+using EslfJson = nlohmann::ordered_json;
+
+constexpr int kMaxEslfSide = 1024;  ///< views across or up
+constexpr std::string_view kEslfTable = "eslf";
+constexpr NumberRange kEslfLength{1e-9, 1e12};
+
+std::vector<Vec2d> points_of(const JsonFields& fields, std::string_view key, int count) {
+  const EslfJson& list = fields.value(key);
+  if (!list.is_array() || static_cast<int>(list.size()) != count)
+    fields.reject(key, "is not a list of one point for each view", fmt::format("{} pairs of numbers", count));
+  std::vector<Vec2d> points;
+  for (const EslfJson& point : list) {
+    const std::vector<double> pair = fields.numbers_in(key, point, 2);
+    points.emplace_back(pair[0], pair[1]);
+  }
+  return points;
+}
+
+ViewCameras cameras_in(const JsonFields& fields, int count) {
+  ViewCameras cameras;
+  cameras.distance_mm = fields.number("distance_mm", kEslfLength);
+  cameras.pixel_mm = fields.pair("pixel_mm", kEslfLength);
+  cameras.centre_px = fields.pair("centre_px");
+  cameras.eyes_mm = points_of(fields, "eyes_mm", count);
+  return cameras;
+}
+
+EslfJson json_of(const Vec2d& point) { return {point.x, point.y}; }
+
+EslfJson json_of(const std::vector<Vec2d>& points) {
+  EslfJson list = EslfJson::array();
+  for (const Vec2d& point : points) list.push_back(json_of(point));
+  return list;
+}
+
+}  // namespace
+
+fs::path eslf_side_path(const fs::path& picture) { return fs::path(picture) += ".json"; }
+
+std::optional<EslfSideFile> read_eslf_side_file(const fs::path& picture) {
+  constexpr std::uintmax_t kMaxBytes = std::uintmax_t{1} << 26;
+  const fs::path path = eslf_side_path(picture);
+  if (!is_regular_file_there(path)) return std::nullopt;
+  return parse_eslf_side_file(read_recorded_text(path, kMaxBytes, "the side file of a plenoptic camera's picture"),
+                              path.string());
+}
+
+std::optional<EslfSideFile> parse_eslf_side_file(const std::string& text, const std::string& where) {
+  const EslfJson json = json_from_text(text);
+  if (!json.is_object() || !json.contains(kEslfTable)) return std::nullopt;
+  const JsonFields fields = JsonFields(json, where, "").inner(kEslfTable);
+  const NumberRange side_range{1, kMaxEslfSide};
+  EslfSideFile side;
+  side.grid = {fields.whole("columns", side_range), fields.whole("rows", side_range)};
+  if (fields.has("positions")) side.positions = points_of(fields, "positions", side.grid.count());
+  if (fields.has("cameras")) side.cameras = cameras_in(fields.inner("cameras"), side.grid.count());
+  return side;
+}
+
+std::string eslf_side_text(const EslfSideFile& side) {
+  EslfJson table{{"columns", side.grid.columns}, {"rows", side.grid.rows}};
+  if (side.positions) table["positions"] = json_of(*side.positions);
+  if (side.cameras)
+    table["cameras"] = {{"distance_mm", side.cameras->distance_mm},
+                        {"pixel_mm", json_of(side.cameras->pixel_mm)},
+                        {"centre_px", json_of(side.cameras->centre_px)},
+                        {"eyes_mm", json_of(side.cameras->eyes_mm)}};
+  return json_to_text(EslfJson{{std::string(kEslfTable), table}}, -1) + '\n';
+}
+
+fs::path write_eslf_side_file(const fs::path& picture, const EslfSideFile& side) {
+  const fs::path path = eslf_side_path(picture);
+  const std::string text = eslf_side_text(side);
+  write_file_atomically(path, std::as_bytes(std::span(text)));
+  return path;
+}
+
+}  // namespace lippmann

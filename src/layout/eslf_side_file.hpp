@@ -1,0 +1,37 @@
+// The side file of a plenoptic camera's picture, <picture>.json: how many views it has, and where its cameras are, where that
+// is known. The picture itself can state neither.
+//
+//   {"eslf": {"columns": 14, "rows": 14, "positions": [[x, y], ...],
+//             "cameras": {"distance_mm": d, "pixel_mm": [w, h], "centre_px": [x, y], "eyes_mm": [[x, y], ...]}}}
+//
+// `positions` and `cameras` may be missing. Lists are in the order of views; x is to the right and y upwards, as in LightField.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lippmann/layout/light_field.hpp"
+
+namespace lippmann {
+
+struct EslfSideFile {
+  ViewGrid grid;
+  std::optional<std::vector<Vec2d>> positions = {};
+  std::optional<ViewCameras> cameras = {};
+};
+
+/// <picture>.json
+std::filesystem::path eslf_side_path(const std::filesystem::path& picture);
+
+/// None where there is no such file, or where it describes something else. Throws Error naming the file.
+std::optional<EslfSideFile> read_eslf_side_file(const std::filesystem::path& picture);
+/// None for JSON without the key `eslf`. Throws Error naming `where`.
+std::optional<EslfSideFile> parse_eslf_side_file(const std::string& text, const std::string& where);
+
+std::string eslf_side_text(const EslfSideFile& side);
+/// Returns the path.
+std::filesystem::path write_eslf_side_file(const std::filesystem::path& picture, const EslfSideFile& side);
+
+}  // namespace lippmann

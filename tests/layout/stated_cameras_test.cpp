@@ -1,0 +1,212 @@
+// Cameras that flags state for files that do not, and what formats keep of them.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "image/netpbm.hpp"
+#include "layout/cameras.hpp"
+#include "layout/eslf_side_file.hpp"
+#include "light_fields.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/convert.hpp"
+#include "lippmann/layout/open_light_field.hpp"
+#include "support/error_message.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+using test::error_message, test::numbered_field, test::TempDir;
+using testing::HasSubstr;
+
+constexpr StatedCameras kTrial{
+    .baseline_mm = 100.0, .focal_length_mm = 100.0, .sensor_width_mm = 35.0, .focus_distance_mm = 8000.0};
+
+ConvertParams stated(const char* from, const char* to, StatedCameras cameras = kTrial) {
+  ConvertParams params;
+  params.from = from, params.to = to, params.options.cameras = cameras;
+  return params;
+}
+
+/// HCI views without parameters.cfg, 3 across, of 512x1 pixels: depths of 4 m, 8 m and nothing at pixels 0, 1 and 2.
+void write_trial(const fs::path& folder) {
+  hci_format().write(numbered_field({3, 1}, {512, 1}), folder, {});
+  Image depth(512, 1, 1);
+  std::fill(depth.data.begin(), depth.data.end(), 8.0f);
+  depth.data[0] = 4.0f, depth.data[2] = INFINITY, depth.data[3] = 1e9f;
+  for (int view = 0; view < 3; ++view) write_pfm(folder / ("gt_depth_lowres_Cam00" + std::to_string(view) + ".pfm"), depth);
+}
+
+TEST(StatedCameras, disparities_follow_from_the_flags) {
+  const TempDir dir;
+  write_trial(dir / "in");
+  ConvertParams params = stated("hci", "hci");
+  params.options.views = ViewGrid{3, 1};
+  convert(dir / "in", dir / "out", params);
+  // b f n / s (1 / Z - 1 / F) = 146285.714 mm px (1 / Z - 1 / 8000 mm)
+  const Image disparity = read_pfm(dir / "out/gt_disp_lowres_Cam001.pfm");
+  EXPECT_NEAR(disparity.data[0], 18.2857, 1e-4);
+  EXPECT_NEAR(disparity.data[1], 0.0, 1e-4);
+  EXPECT_EQ(disparity.data[2], -INFINITY);
+  EXPECT_NEAR(disparity.data[3], -18.2857, 1e-4);
+}
+
+TEST(StatedCameras, every_second_view_doubles_disparities) {
+  const TempDir dir;
+  write_trial(dir / "in");
+  ConvertParams params = stated("hci", "hci");
+  params.options.views = ViewGrid{3, 1};
+  params.keep = read_kept_views("0-2:2", "--keep");
+  convert(dir / "in", dir / "out", params);
+  const Image disparity = read_pfm(dir / "out/gt_disp_lowres_Cam001.pfm");
+  EXPECT_NEAR(disparity.data[0], 36.5714, 1e-4);
+  EXPECT_NEAR(disparity.data[3], -36.5714, 1e-4);
+}
+
+TEST(StatedCameras, sensor_width_is_that_of_portrait_views) {
+  LightField field = numbered_field({2, 1}, {10, 40});
+  const ViewCameras cameras = cameras_as_stated(kTrial, field, "a");
+  EXPECT_NEAR(cameras.pixel_mm.x, 35.0 * 8000.0 / (100.0 * 10.0), 1e-9);
+  EXPECT_DOUBLE_EQ(cameras.pixel_mm.y, cameras.pixel_mm.x);
+}
+
+TEST(StatedCameras, files_that_state_cameras_refuse_them) {
+  const TempDir dir;
+  LightField field = numbered_field({3, 1}, {4, 4});
+  field.cameras = cameras_as_stated(kTrial, field, "a");
+  hci_format().write(field, dir / "in", {});
+  EXPECT_THAT(error_message([&] { convert(dir / "in", dir / "out", stated("hci", "miv")); }),
+              testing::AllOf(HasSubstr("baseline"), HasSubstr("states its cameras")));
+}
+
+TEST(StatedCameras, lengths_must_be_positive) {
+  const LightField field = numbered_field({2, 1}, {4, 4});
+  for (double StatedCameras::*length : {&StatedCameras::baseline_mm, &StatedCameras::focal_length_mm,
+                                        &StatedCameras::sensor_width_mm, &StatedCameras::focus_distance_mm})
+    for (const double bad : {0.0, -1.0, std::nan(""), static_cast<double>(INFINITY)}) {
+      StatedCameras cameras = kTrial;
+      cameras.*length = bad;
+      EXPECT_THROW(cameras_as_stated(cameras, field, "a"), Error) << bad;
+    }
+}
+
+/// Views 2 across and 2 up at irregular positions, x falling from left to right.
+LightField irregular_field() {
+  LightField field = numbered_field({2, 2}, {4, 4});
+  field.positions = std::vector<Vec2d>{{10.0, -776.88}, {0.0, -776.0}, {10.5, -770.123456789}, {1.5, -770.0}};
+  return field;
+}
+
+TEST(StanfordFormat, positions_come_back_exactly) {
+  const TempDir dir;
+  const LightField field = irregular_field();
+  stanford_format().write(field, dir / "a", {});
+  EXPECT_TRUE(fs::exists(dir / "a/out_01_00_776.880000_10.000000.png"));
+  convert(dir / "a", dir / "b", [] {
+    ConvertParams params;
+    params.from = params.to = "stanford";
+    return params;
+  }());
+  EXPECT_EQ(stanford_format().read(dir / "b", {}).positions, field.positions);
+}
+
+TEST(StanfordFormat, irregular_cameras_have_the_mean_baseline) {
+  const TempDir dir;
+  stanford_format().write(irregular_field(), dir / "a", {});
+  convert(dir / "a", dir / "b", stated("stanford", "stanford"));
+  const LightField read = stanford_format().read(dir / "b", {});
+  EXPECT_EQ(read.positions, irregular_field().positions);
+  ASSERT_TRUE(read.cameras);
+  EXPECT_NEAR(read.cameras->distance_mm, 8000.0, 1e-9);
+  const std::vector<Vec2d>& eyes = read.cameras->eyes_mm;
+  EXPECT_NEAR(0.5 * (eyes[1].x - eyes[0].x + eyes[3].x - eyes[2].x), 100.0, 1e-9);
+  EXPECT_NEAR(eyes[1].x - eyes[0].x, 100.0 * 10.0 / 9.5, 1e-9);
+  EXPECT_NEAR(eyes[2].y - eyes[0].y, 100.0 * (776.88 - 770.123456789) / 9.5, 1e-9);
+}
+
+TEST(StanfordFormat, equal_positions_have_no_baseline) {
+  LightField field = irregular_field();
+  field.positions = std::vector<Vec2d>(4, Vec2d(3.0, 4.0));
+  EXPECT_THAT(error_message([&] { cameras_as_stated(kTrial, field, "lego"); }),
+              testing::AllOf(HasSubstr("lego"), HasSubstr("positions")));
+}
+
+TEST(EslfFormat, side_file_keeps_positions_and_cameras) {
+  const TempDir dir;
+  LightField field = irregular_field();
+  field.cameras = cameras_as_stated(kTrial, field, "a");
+  eslf_format().write(field, dir / "a.png", {});
+  const OpenedLightField read = open_light_field(dir / "a.png", "", {});
+  EXPECT_EQ(read.format, "eslf");
+  EXPECT_TRUE(test::same_samples(read.field.stack, field.stack));
+  EXPECT_EQ(read.field.positions, field.positions);
+  ASSERT_TRUE(read.field.cameras);
+  EXPECT_EQ(read.field.cameras->eyes_mm, field.cameras->eyes_mm);
+  EXPECT_EQ(read.field.cameras->pixel_mm, field.cameras->pixel_mm);
+  EXPECT_EQ(read.field.cameras->centre_px, field.cameras->centre_px);
+  EXPECT_EQ(read.field.cameras->distance_mm, 8000.0);
+  EXPECT_THAT(error_message([&] { eslf_format().read(dir / "a.png", {.views = ViewGrid{4, 1}}); }), HasSubstr("2x2"));
+}
+
+TEST(EslfFormat, views_without_cameras_have_no_side_file) {
+  const TempDir dir;
+  eslf_format().write(numbered_field({2, 2}, {4, 4}), dir / "a.png", {});
+  EXPECT_FALSE(fs::exists(dir / "a.png.json"));
+}
+
+TEST(EslfFormat, damaged_side_files_are_refused) {
+  for (const char* text : {R"({"eslf": 3})", R"({"eslf": {"columns": 2}})", R"({"eslf": {"columns": 0, "rows": 1}})",
+                           R"({"eslf": {"columns": 2, "rows": 1, "positions": [[1, 2]]}})",
+                           R"({"eslf": {"columns": 2, "rows": 1, "positions": [[1, 2], [1]]}})",
+                           R"({"eslf": {"columns": 1, "rows": 1, "cameras": {"distance_mm": -1}}})",
+                           R"({"eslf": {"columns": 1, "rows": 1, "cameras": {"distance_mm": 1, "pixel_mm": [1, 0]}}})"})
+    EXPECT_THAT(error_message([&] { parse_eslf_side_file(text, "side.json"); }), HasSubstr("side.json")) << text;
+  EXPECT_FALSE(parse_eslf_side_file(R"({"quilt_settings": {}})", "a"));
+}
+
+/// A plenoptic camera's picture as PPM: red and green state the view, blue the pixel of the view.
+void write_plenoptic(const fs::path& path, ViewGrid grid, Vec2i view_size) {
+  const Vec2i size(grid.columns * view_size.x, grid.rows * view_size.y);
+  std::string samples;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      samples += static_cast<char>(x % grid.columns), samples += static_cast<char>(y % grid.rows);
+      samples += static_cast<char>(x / grid.columns + y / grid.rows);
+    }
+  std::ofstream(path, std::ios::binary) << "P6\n" << size.x << ' ' << size.y << "\n255\n" << samples;
+}
+
+void expect_plenoptic_views(const LightField& field) {
+  const Image8& stack = std::get<Image8>(field.stack);
+  std::size_t at = 0, wrong = 0;
+  for (int view = 0; view < field.grid.count(); ++view)
+    for (int y = 0; y < field.view_size.y; ++y)
+      for (int x = 0; x < field.view_size.x; ++x, at += 3)
+        wrong += stack.rgb[at] != view % field.grid.columns ||
+                 stack.rgb[at + 1] != field.grid.rows - 1 - view / field.grid.columns ||
+                 stack.rgb[at + 2] != static_cast<unsigned char>(x + y);
+  EXPECT_EQ(wrong, 0u);
+}
+
+TEST(EslfFormat, grids_of_real_cameras_are_exact) {
+  const TempDir dir;
+  const struct {
+    ViewGrid grid, wrong;
+    Vec2i view_size, size;
+  } trials[] = {{{14, 14}, {15, 15}, {541, 376}, {7574, 5264}}, {{15, 15}, {14, 14}, {625, 434}, {9375, 6510}}};
+  for (const auto& trial : trials) {
+    write_plenoptic(dir / "a.ppm", trial.grid, trial.view_size);
+    {
+      const LightField field = eslf_format().read(dir / "a.ppm", {.views = trial.grid});
+      EXPECT_EQ(field.view_size, trial.view_size);
+      expect_plenoptic_views(field);
+    }
+    EXPECT_THAT(error_message([&] { eslf_format().read(dir / "a.ppm", {.views = trial.wrong}); }),
+                HasSubstr(std::to_string(trial.size.x) + "x" + std::to_string(trial.size.y)));
+  }
+}
+
+}  // namespace
+}  // namespace lippmann
