@@ -1,6 +1,7 @@
 // Feeds bytes to the readers of light fields' side files and pictures that are our own. The first byte says which: 'h' HCI's
-// parameters.cfg, 'm' MIV's cameras.json, 'q' a quilt's side file, 'p' PPM, 'f' PFM, 'k' --keep, 'c' --crop. Whatever follows,
-// it either throws Error or gives what is written and read again to the same.
+// parameters.cfg, 'v' cvkit's NAME_param.txt, 'e' ESLF's side file, 'm' MIV's cameras.json, 'q' a quilt's side file, 'p' PPM,
+// 'f' PFM, 'k' --keep, 'c' --crop. Whatever follows, it either throws Error or gives what is written and read again to the
+// same.
 //
 // fuzz/light_field_seeds SEEDS && fuzz_light_field -dict=fuzz/light_field.dict CORPUS SEEDS; or scripts/fuzz light_field.
 #include <cmath>
@@ -9,6 +10,8 @@
 #include <string>
 
 #include "image/netpbm.hpp"
+#include "layout/cvkit_camera.hpp"
+#include "layout/eslf_side_file.hpp"
 #include "layout/hci_parameters.hpp"
 #include "layout/miv_cameras.hpp"
 #include "layout/quilt_side_file.hpp"
@@ -29,6 +32,20 @@ void hci(const std::string& text) {
   require(hci_cameras(parameters).eyes_mm.size() == static_cast<std::size_t>(parameters.columns * parameters.rows));
   const std::string again = hci_parameters_text(parameters);
   require(hci_parameters_text(parse_hci_parameters(again, "a")) == again);
+}
+
+void cvkit(const std::string& text) {
+  const CvkitCamera camera = parse_cvkit_camera(text, "a");
+  cameras_of_miv({camera.camera, camera.camera});
+  const std::string again = cvkit_camera_text(camera);
+  require(cvkit_camera_text(parse_cvkit_camera(again, "a")) == again);
+}
+
+void eslf(const std::string& text) {
+  const std::optional<EslfSideFile> side = parse_eslf_side_file(text, "a");
+  if (!side) return;
+  const std::string again = eslf_side_text(*side);
+  require(eslf_side_text(parse_eslf_side_file(again, "a").value()) == again);
 }
 
 void miv(const std::string& text) {
@@ -55,6 +72,10 @@ void read(char kind, const std::string& text) {
       return hci(text);
     case 'm':
       return miv(text);
+    case 'v':
+      return cvkit(text);
+    case 'e':
+      return eslf(text);
     case 'q':
       parse_quilt_side_file(text, "a");
       return;

@@ -29,6 +29,7 @@ ConvertParams params_of(const ConvertOptions& options, std::string_view to) {
   params.options.tiles = read_grid(options.quilt, "--quilt");
   if (options.aspect > 0.0) params.options.aspect = options.aspect;
   if (options.bits > 0) params.options.bits = options.bits;
+  params.options.png = options.png;
   if (options.has_display()) params.options.display = options.read_display();
   const InterlaceParams interlace = options.filter.read();
   params.options.filter = interlace.filter, params.options.sigma_views = interlace.sigma_views;
@@ -167,6 +168,7 @@ void add_convert_command(const Command& root, Action& chosen) {
   command.add_option("--crop", options->crop, "Keep only this window of every view; X and Y count from the top left")
       .type_name("WxH+X+Y");
   command.add_option("--bits", options->bits, "Bits per sample of PPM files; default: as read").range(8, 16);
+  command.add_flag("--png", options->png, "Write PNG in place of PPM files, --to jpeg-pleno");
   command.add_option(
       "--display", options->display,
       "The display whose picture is made (integral, quilt or native), that IN belongs to (--from native), or that "

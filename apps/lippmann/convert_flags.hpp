@@ -21,6 +21,7 @@ struct ConvertOptions {
   double aspect = 0.0;
   ViewFilterFlags filter;
   int bits = 0;
+  bool png = false;
   ResultFlags result;
   OrthoscopicFlags orthoscopic;
   CrosstalkFlags crosstalk;

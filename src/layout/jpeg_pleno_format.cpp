@@ -69,15 +69,20 @@ PpmCodes codes_of(const Picture& picture, int bits) {
 }
 
 std::vector<fs::path> write_jpeg_pleno(const LightField& field, const fs::path& folder, const FormatOptions& options) {
+  const auto name = [&](int view) {
+    const int i = from_top_left(field.grid, view);
+    return fmt::format("{:03}_{:03}.{}", i / field.grid.columns, i % field.grid.columns, options.png ? "png" : "ppm");
+  };
   if (std::holds_alternative<Image>(field.stack))
-    throw Error(folder.string(), "PPM holds codes, and the samples are floats", "pictures of 8 or 16 bits");
+    throw Error(folder.string(), "it holds codes, and the samples are floats", "pictures of 8 or 16 bits");
+  if (options.png) return write_view_files(field, folder, name);
   const int own_bits = std::holds_alternative<Image8>(field.stack) ? 8 : 16;
   const int bits = options.bits.value_or(field.bits > 0 ? field.bits : own_bits);
   make_folder(folder);
   std::vector<fs::path> written;
   for (int i = 0; i < field.grid.count(); ++i) {
     const int view = from_top_left(field.grid, i);
-    written.push_back(folder / fmt::format("{:03}_{:03}.ppm", i / field.grid.columns, i % field.grid.columns));
+    written.push_back(folder / name(view));
     write_ppm(written.back(), codes_of(view_of(field, view), bits));
   }
   return written;

@@ -32,10 +32,14 @@ std::optional<std::string> format_of_folder(const fs::path& folder) {
   const auto kind = [](std::string_view format, const char* file) {
     return Kind{format, TextPattern(file, TextPattern::Letters::kEitherCase)};
   };
-  static const std::array<Kind, 5> kinds{kind("miv", "cameras\\.json"), kind("hci", "input_Cam[0-9]{1,6}\\.[^.]+"),
-                                         kind("stanford", "out_[0-9]{1,5}_[0-9]{1,5}(?:_.*)?\\.[^.]+"),
-                                         kind("jpeg-pleno", "[0-9]{1,4}_[0-9]{1,4}\\.(?:ppm|png|tiff?|bmp|jpe?g|webp|exr)"),
-                                         kind("views", "view_[0-9]{1,6}\\.[^.]+")};
+  static const std::array<Kind, 7> kinds{
+      kind("miv", "cameras\\.json"),
+      kind("cvkit", ".{1,200}_param\\.txt"),
+      kind("hci", "input_Cam[0-9]{1,6}\\.[^.]+"),
+      kind("stanford", "out_[0-9]{1,5}_[0-9]{1,5}(?:_.*)?\\.[^.]+"),
+      kind("jpeg-pleno", "[0-9]{1,4}_[0-9]{1,4}\\.(?:ppm|png|tiff?|bmp|jpe?g|webp|exr)"),
+      kind("lytro", "(?:sai|lf)_[0-9]{1,4}_[0-9]{1,4}\\.(?:ppm|png|tiff?|bmp|jpe?g|webp|exr)"),
+      kind("views", "view_[0-9]{1,6}\\.[^.]+")};
   std::array<bool, kinds.size()> found{};
   for (const fs::directory_entry& entry : entries_of(folder))
     for (std::size_t i = 0; i < kinds.size(); ++i)

@@ -39,6 +39,9 @@ MivCamera camera_from(const JsonFields& json) {
   return camera;
 }
 
+/// In hundredths of a millimetre: rows of cameras that were calibrated are not level to the last digit.
+double height_of(const MivCamera& camera) { return std::round(1e5 * camera.position_m[2]); }
+
 }  // namespace
 
 std::vector<MivCamera> parse_miv_cameras(const std::string& text, const std::string& where) {
@@ -80,6 +83,23 @@ std::string miv_cameras_text(const std::vector<MivCamera>& cameras, const std::s
   const Json json{{"Version", "4.0"},        {"Content_name", content},    {"BoundingBox_center", {0, 0, 0}},
                   {"lengthsInMeters", true}, {"sourceCameraNames", names}, {"cameras", list}};
   return json_to_text(json) + '\n';
+}
+
+void sort_as_views(std::vector<MivCamera>& cameras) {
+  std::stable_sort(cameras.begin(), cameras.end(), [](const MivCamera& a, const MivCamera& b) {
+    return height_of(a) != height_of(b) ? height_of(a) < height_of(b) : a.position_m[1] > b.position_m[1];
+  });
+}
+
+ViewGrid grid_of_cameras(const std::vector<MivCamera>& cameras, std::optional<ViewGrid> views, const std::string& where) {
+  const int count = static_cast<int>(cameras.size());
+  int rows = 1;
+  for (std::size_t i = 1; i < cameras.size(); ++i) rows += height_of(cameras[i]) != height_of(cameras[i - 1]);
+  const ViewGrid grid = views.value_or(count % rows == 0 ? ViewGrid{count / rows, rows} : ViewGrid{count, 1});
+  if (grid.count() != count)
+    throw usage_error("views",
+                      fmt::format("{}x{} are not as many as the {} views in {}", grid.columns, grid.rows, count, where));
+  return grid;
 }
 
 std::vector<MivCamera> miv_cameras(const ViewCameras& cameras, Vec2i view_size, const std::vector<std::string>& names,

@@ -4,6 +4,7 @@
 // nothing there.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,13 @@ std::vector<MivCamera> parse_miv_cameras(const std::string& text, const std::str
 
 /// `depth`: whether maps of depth lie beside the views.
 std::string miv_cameras_text(const std::vector<MivCamera>& cameras, const std::string& content, bool depth);
+
+/// Sorts cameras in the order of views: row by row upwards, each to the right.
+void sort_as_views(std::vector<MivCamera>& cameras);
+
+/// The grid of sorted cameras: `views`; or as many rows as there are heights, if all hold as many views; else one row. Throws a
+/// usage Error for `views` of another number, naming `where`.
+ViewGrid grid_of_cameras(const std::vector<MivCamera>& cameras, std::optional<ViewGrid> views, const std::string& where);
 
 /// By view. Eyes all in one plane; the plane in which the views coincide lies distance_mm before it.
 std::vector<MivCamera> miv_cameras(const ViewCameras& cameras, Vec2i view_size, const std::vector<std::string>& names,

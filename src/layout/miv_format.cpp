@@ -25,28 +25,6 @@ std::vector<MivCamera> read_cameras(const fs::path& path) {
   return parse_miv_cameras(read_recorded_text(path, kMaxBytes, "a folder of pictures and cameras.json"), path.string());
 }
 
-/// In hundredths of a millimetre: rows of cameras that were calibrated are not level to the last digit.
-double height_of(const MivCamera& camera) { return std::round(1e5 * camera.position_m[2]); }
-
-/// Row by row upwards, each to the right.
-void sort_as_views(std::vector<MivCamera>& cameras) {
-  std::stable_sort(cameras.begin(), cameras.end(), [](const MivCamera& a, const MivCamera& b) {
-    return height_of(a) != height_of(b) ? height_of(a) < height_of(b) : a.position_m[1] > b.position_m[1];
-  });
-}
-
-/// The grid in the options; or as many rows as there are heights, if all hold as many views; else one row.
-ViewGrid grid_of(const std::vector<MivCamera>& cameras, const FormatOptions& options, const fs::path& folder) {
-  const int count = static_cast<int>(cameras.size());
-  int rows = 1;
-  for (std::size_t i = 1; i < cameras.size(); ++i) rows += height_of(cameras[i]) != height_of(cameras[i - 1]);
-  const ViewGrid grid = options.views.value_or(count % rows == 0 ? ViewGrid{count / rows, rows} : ViewGrid{count, 1});
-  if (grid.count() != count)
-    throw usage_error(
-        "views", fmt::format("{}x{} are not as many as the {} views in {}", grid.columns, grid.rows, count, folder.string()));
-  return grid;
-}
-
 fs::path picture_of(const fs::path& folder, const MivCamera& camera) {
   for (const char* ending : {".png", ".exr", ".ppm", ".tif", ".jpg"})
     if (const fs::path path = folder / (camera.name + ending); is_regular_file_there(path)) return path;
@@ -85,7 +63,7 @@ LightField read_miv(const fs::path& folder, const FormatOptions& options) {
   std::vector<MivCamera> cameras = read_cameras(folder / "cameras.json");
   if (cameras.empty()) throw Error((folder / "cameras.json").string(), "has no cameras");
   sort_as_views(cameras);
-  const ViewGrid grid = grid_of(cameras, options, folder);
+  const ViewGrid grid = grid_of_cameras(cameras, options.views, folder.string());
   std::vector<fs::path> by_view;
   for (const MivCamera& camera : cameras) by_view.push_back(picture_of(folder, camera));
   LightField field = read_view_files(by_view, grid, options);

@@ -66,7 +66,8 @@ LightField numbered_views(bool words = false) {
 
 /// Exact ways through formats that know no cameras end at those that need them.
 bool can_follow(const LightFieldFormat& from, const LightFieldFormat& to) {
-  return to.name != "miv" || from.name == "hci" || from.name == "miv";
+  const auto needs_cameras = [](const LightFieldFormat& format) { return format.name == "miv" || format.name == "cvkit"; };
+  return !needs_cameras(to) || from.name == "hci" || needs_cameras(from);
 }
 
 TEST(Formats, every_one_brings_back_what_was_written) {

@@ -33,6 +33,7 @@ struct FormatOptions {
   std::optional<double> aspect = {};  ///< the display's width / height, for a quilt's name; none: the source's or the picture's
   bool with_depth = false;            ///< read it from beside a rendered picture too, where it is (layout/rendered.hpp)
   std::optional<int> bits = {};       ///< how many a code of PPM files has, 1 ... 16; none: as many as the source's
+  bool png = false;                   ///< PNG in place of PPM files
   std::optional<Display> display = {};    ///< whose own frame a native picture is
   std::optional<ViewFilter> filter = {};  ///< how native frames take colours from views; none: from the nearest
   std::optional<double> sigma_views = {};
@@ -80,6 +81,8 @@ LightFieldFormat miv_format();
 LightFieldFormat stereo_format();
 LightFieldFormat quad_format();
 LightFieldFormat rgbd_format();
+LightFieldFormat cvkit_format();
+LightFieldFormat lytro_format();
 
 /// All of them, in the order of --help.
 const std::vector<LightFieldFormat>& light_field_formats();
