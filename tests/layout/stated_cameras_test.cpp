@@ -190,21 +190,32 @@ void expect_plenoptic_views(const LightField& field) {
   EXPECT_EQ(wrong, 0u);
 }
 
-TEST(EslfFormat, grids_of_real_cameras_are_exact) {
+TEST(EslfFormat, every_view_is_exact) {
   const TempDir dir;
+  for (const ViewGrid grid : {ViewGrid{14, 14}, ViewGrid{15, 15}}) {
+    write_plenoptic(dir / "a.ppm", grid, {11, 7});
+    const LightField field = eslf_format().read(dir / "a.ppm", {.views = grid});
+    EXPECT_EQ(field.view_size, Vec2i(11, 7));
+    expect_plenoptic_views(field);
+  }
+}
+
+TEST(EslfFormat, wrong_grid_of_real_cameras_is_refused) {
   const struct {
     ViewGrid grid, wrong;
     Vec2i view_size, size;
   } trials[] = {{{14, 14}, {15, 15}, {541, 376}, {7574, 5264}}, {{15, 15}, {14, 14}, {625, 434}, {9375, 6510}}};
   for (const auto& trial : trials) {
-    write_plenoptic(dir / "a.ppm", trial.grid, trial.view_size);
-    {
-      const LightField field = eslf_format().read(dir / "a.ppm", {.views = trial.grid});
-      EXPECT_EQ(field.view_size, trial.view_size);
-      expect_plenoptic_views(field);
-    }
-    EXPECT_THAT(error_message([&] { eslf_format().read(dir / "a.ppm", {.views = trial.wrong}); }),
-                HasSubstr(std::to_string(trial.size.x) + "x" + std::to_string(trial.size.y)));
+    const ViewLayout right{LayoutKind::kEslf, trial.grid, {}}, wrong{LayoutKind::kEslf, trial.wrong, {}};
+    EXPECT_EQ(view_size(right, trial.size, "a"), trial.view_size);
+    EXPECT_EQ(picture_size(right, trial.view_size), trial.size);
+    EXPECT_THAT(error_message([&] { view_size(wrong, trial.size, "flower.png"); }),
+                testing::AllOf(HasSubstr("flower.png"), HasSubstr("cannot be divided")));
+    // The last pixel of the view at the bottom right is that of the picture.
+    const int bottom_right = trial.grid.columns - 1;
+    const ViewPlace place = place_of_view(right, trial.view_size, trial.size, bottom_right);
+    EXPECT_EQ(place.first + (trial.view_size.x - 1) * place.across + (trial.view_size.y - 1) * place.down,
+              std::ptrdiff_t{trial.size.x} * trial.size.y - 1);
   }
 }
 
