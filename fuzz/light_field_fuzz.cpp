@@ -1,6 +1,7 @@
 // Feeds bytes to the readers of light fields' side files and pictures that are our own. The first byte says which: 'h' HCI's
-// parameters.cfg, 'v' cvkit's NAME_param.txt, 'e' ESLF's side file, 'm' MIV's cameras.json, 'q' a quilt's side file, 'p' PPM,
-// 'f' PFM, 'k' --keep, 'c' --crop. Whatever follows, it either throws Error or gives what is written and read again to the
+// parameters.cfg, 'v' cvkit's NAME_param.txt, 'e' ESLF's side file, 'm' MIV's cameras.json, 't' NeRF's transforms.json, 'a' and
+// 'i' COLMAP's cameras and images as text, 'A' and 'I' as binary, 'l' LLFF's poses_bounds.npy, 'q' a quilt's side file, 'p'
+// PPM, 'f' PFM, 'k' --keep, 'c' --crop. Whatever follows, it either throws Error or gives what is written and read again to the
 // same.
 //
 // fuzz/light_field_seeds SEEDS && fuzz_light_field -dict=fuzz/light_field.dict CORPUS SEEDS; or scripts/fuzz light_field.
@@ -10,11 +11,14 @@
 #include <string>
 
 #include "image/netpbm.hpp"
+#include "layout/colmap_model.hpp"
 #include "layout/cvkit_camera.hpp"
 #include "layout/eslf_side_file.hpp"
 #include "layout/hci_parameters.hpp"
+#include "layout/llff_poses.hpp"
 #include "layout/miv_cameras.hpp"
 #include "layout/quilt_side_file.hpp"
+#include "layout/transforms_json.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/layout/subset.hpp"
 
@@ -56,6 +60,41 @@ void miv(const std::string& text) {
   require(miv_cameras_text(parse_miv_cameras(again, "a"), "a", true) == again);
 }
 
+/// What is written of cameras that are complete is read again.
+void transforms(const std::string& text) {
+  std::vector<PosedPicture> pictures = parse_transforms(text, "a");
+  for (PosedPicture& picture : pictures) {
+    if (picture.camera.size.x < 1) picture.camera.size = {4, 3};
+    if (!(picture.camera.focal_px.x > 0.0)) picture.camera.focal_px = Vec2d(5.0);
+    if (!picture.depth.ends_with(".npy")) picture.depth.clear();
+  }
+  shared_plane({pictures.front().camera});
+  require(parse_transforms(transforms_text(pictures), "a").size() == pictures.size());
+}
+
+template <class Text>
+void colmap_cameras(const Text& text) {
+  PosedPicture picture;
+  picture.picture = "a.png";
+  for (const auto& [id, camera] : parse_colmap_cameras(text, "a")) {
+    picture.camera = camera;
+    require(parse_colmap_cameras(colmap_cameras_text({picture}), "a").at(1).focal_px == camera.focal_px);
+  }
+}
+
+template <class Text>
+void colmap_images(const Text& text) {
+  const ColmapCameras cameras = parse_colmap_cameras("1 PINHOLE 4 3 5 5 2 1", "a");
+  const std::vector<PosedPicture> pictures = parse_colmap_images(text, cameras, "a");
+  require(parse_colmap_images(colmap_images_text(pictures), cameras, "a").size() == pictures.size());
+}
+
+void llff(std::span<const std::byte> file) {
+  std::vector<PosedCamera> cameras;
+  for (const PosedPicture& picture : parse_llff_poses(file, "a")) cameras.push_back(picture.camera);
+  require(parse_llff_poses(encode_llff_poses(cameras, {1.0, 2.0}, "a"), "a").size() == cameras.size());
+}
+
 void ppm(std::span<const std::byte> file) {
   const PpmCodes picture = parse_ppm(file, "a");
   require(parse_ppm(encode_ppm(picture), "a").codes.rgb == picture.codes.rgb);
@@ -76,6 +115,18 @@ void read(char kind, const std::string& text) {
       return cvkit(text);
     case 'e':
       return eslf(text);
+    case 't':
+      return transforms(text);
+    case 'a':
+      return colmap_cameras(text);
+    case 'i':
+      return colmap_images(text);
+    case 'A':
+      return colmap_cameras(std::as_bytes(std::span(text)));
+    case 'I':
+      return colmap_images(std::as_bytes(std::span(text)));
+    case 'l':
+      return llff(std::as_bytes(std::span(text)));
     case 'q':
       parse_quilt_side_file(text, "a");
       return;

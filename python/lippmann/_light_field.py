@@ -265,6 +265,18 @@ class LightField:
 
     @property
     @known
+    def world_from_camera(self) -> np.ndarray:
+        """(rows, columns, 4, 4), float64: each camera's pose in mm. Its axes point right, up and backwards."""
+        return self._poses()[0]
+
+    @property
+    @known
+    def intrinsics_px(self) -> np.ndarray:
+        """(rows, columns, 4), float64: focal lengths and principal point (fx, fy, cx, cy) of each camera."""
+        return self._poses()[1]
+
+    @property
+    @known
     def units_per_mm(self) -> float:
         """Scene units for a mm of the display."""
         return self._placed().units_per_mm
@@ -286,6 +298,12 @@ class LightField:
         if cameras is None:
             raise Error("cameras", "are not known", "LightField(views, distance_mm=, baseline_mm=, pixel_mm=)")
         return cameras
+
+    def _poses(self) -> Any:
+        poses = self._views.poses
+        if poses is None:
+            raise Error("cameras", "are not known", "LightField(views, distance_mm=, baseline_mm=, pixel_mm=)")
+        return poses
 
     # ---- What eyes see -------------------------------------------------------------------------------------------------
 

@@ -55,6 +55,23 @@ py::object cameras_of(const LightField& field) {
                         moved(std::move(eyes), {field.grid.rows, field.grid.columns, 2}));
 }
 
+/// (rows, columns, 4, 4) from each camera's frame to the world, and (rows, columns, 4) focal lengths and principal points; none
+/// where they are not known.
+py::object poses_of(const LightField& field) {
+  if (!field.cameras && !field.poses) return py::none();
+  std::vector<double> matrices, intrinsics;
+  for (const PosedCamera& camera : posed_cameras(field, "cameras")) {
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 3; ++column) matrices.push_back(camera.rotation[column][row]);
+      matrices.push_back(camera.position_mm[row]);
+    }
+    matrices.insert(matrices.end(), {0.0, 0.0, 0.0, 1.0});
+    for (const Vec2d& pair : {camera.focal_px, camera.principal_px}) intrinsics.push_back(pair.x), intrinsics.push_back(pair.y);
+  }
+  return py::make_tuple(moved(std::move(matrices), {field.grid.rows, field.grid.columns, 4, 4}),
+                        moved(std::move(intrinsics), {field.grid.rows, field.grid.columns, 4}));
+}
+
 template <class T>
 void copy_codes(const py::array& views, T& image) {
   using Sample = typename decltype(image.rgb)::value_type;
@@ -227,6 +244,7 @@ void bind_light_field(py::module_& module) {
       .def_property_readonly("views", &views_array)
       .def_property_readonly("depth", &depth_of_views)
       .def_property_readonly("cameras", &cameras_of)
+      .def_property_readonly("poses", &poses_of)
       .def_property_readonly("aspect", [](const LightField& f) { return f.aspect; })
       .def("with_codes", &with_codes)
       .def("save", &save)

@@ -600,8 +600,8 @@ std::vector<ParamInfo> file_rows() {
            "rgbd (a view and its depth); default: the native layout of the optics"}),
       row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::to, light_field_name(),
           {"to", "Files", "FORMAT",
-           "Write each frame as a light field: hci, stanford, jpeg-pleno, miv or eslf, with cameras and depth where the format "
-           "has them"}),
+           "Write each frame as a light field: hci, stanford, jpeg-pleno, miv, nerf, colmap, llff or eslf, with cameras and "
+           "depth where the format has them"}),
       row(ParamKind::kFlag, &P::output, &OutputParams::pictures, &PictureParams::pseudoscopic, flag(),
           {"pseudoscopic", "Files", "",
            "With --layout integral: turn every elemental image by 180 degrees, as a real lens array records it; inverts "

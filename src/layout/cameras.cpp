@@ -88,6 +88,7 @@ ViewCameras cameras_as_stated(const StatedCameras& stated, const LightField& fie
 }
 
 std::string unknown_cameras(const LightField& field) {
+  if (field.poses) return "the cameras do not look through one rectangle from one plane";
   return field.positions ? "the cameras' positions have no unit, and their distance from the plane is not known"
                          : "the cameras of these views are unknown";
 }

@@ -80,8 +80,9 @@ class Conversion {
     for (fs::path& file : to_.write(field, path, writing)) result.written.push_back(std::move(file));
     result.views = field.grid, result.view_size = field.view_size;
     result.drops_positions = field.positions && !to_.keeps_positions && !(to_.uses_cameras && field.cameras);
-    result.lacks_cameras = to_.uses_cameras && !field.cameras;
-    result.lacks_depth = to_.uses_cameras && field.cameras && !field.depth;
+    const bool has_cameras = field.cameras || field.poses;
+    result.lacks_cameras = to_.uses_cameras && !has_cameras;
+    result.lacks_depth = to_.uses_cameras && has_cameras && !field.depth;
   }
 
   /// Writes the picture of the display. Views of folders are fitted one by one as they are read: they may be large photos.

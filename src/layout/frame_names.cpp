@@ -18,12 +18,13 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Files of one frame: beside the others, or in a folder of its own, where they are called as formats of several files call
-/// them (views, HCI, Stanford, JPEG Pleno, MIV).
+/// them (views, HCI, Stanford, JPEG Pleno, MIV, NeRF, COLMAP, LLFF).
 constexpr const char* kFrameFiles =
     R"((?:frame|aov)_([0-9]{1,9})(?:_qs[0-9xa.e+-]+|_(?:half_)?(?:2x1|ou)(?:_rl)?|_rows(?:_rl)?|_2x2|_rgbd)?\.(?:png|tif|exr)(?:\.json)?)"
     R"(|frame_([0-9]{1,9})/(?:(?:view|aov)_[0-9]{1,9}\.(?:png|tif|exr)|parameters\.cfg|cameras\.json|input_Cam[0-9]{1,6}\.(?:png|exr))"
     R"(|gt_(?:depth|disp)_lowres(?:_Cam[0-9]{1,6})?\.pfm|out_[0-9]{1,5}_[0-9]{1,5}(?:_[0-9.+-]{1,40})*\.(?:png|exr))"
-    R"(|[0-9]{1,4}_[0-9]{1,4}\.ppm|view_[0-9]{1,6}_depth\.png)|strip_([0-9]{1,9})_[0-9]{1,9}\.exr)";
+    R"(|[0-9]{1,4}_[0-9]{1,4}\.ppm|view_[0-9]{1,6}_depth\.png|images/[0-9]{3,6}\.(?:png|exr)|depth/[0-9]{3,6}(?:_ray)?\.npy|transforms\.json)"
+    R"(|poses_bounds\.npy|sparse/0/(?:cameras|images|points3D)\.txt)|strip_([0-9]{1,9})_[0-9]{1,9}\.exr)";
 
 std::vector<fs::path> frames_in(const fs::path& folder, bool are_folders) {
   require_recorded_frames(folder);

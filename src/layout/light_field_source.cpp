@@ -32,7 +32,10 @@ std::optional<std::string> format_of_folder(const fs::path& folder) {
   const auto kind = [](std::string_view format, const char* file) {
     return Kind{format, TextPattern(file, TextPattern::Letters::kEitherCase)};
   };
-  static const std::array<Kind, 7> kinds{
+  static const std::array<Kind, 10> kinds{
+      kind("nerf", "transforms(?:_train)?\\.json"),
+      kind("llff", "poses_bounds\\.npy"),
+      kind("colmap", "sparse"),
       kind("miv", "cameras\\.json"),
       kind("cvkit", ".{1,200}_param\\.txt"),
       kind("hci", "input_Cam[0-9]{1,6}\\.[^.]+"),

@@ -34,7 +34,7 @@ LightField like(const LightField& field, ViewGrid grid, Vec2i view_size) {
   LightField other;
   other.grid = grid, other.view_size = view_size;
   other.aspect = field.aspect, other.tiles = field.tiles, other.bits = field.bits;
-  other.cameras = field.cameras, other.positions = field.positions;
+  other.cameras = field.cameras, other.positions = field.positions, other.poses = field.poses;
   other.stack = blank(field.stack, stack_size(other));
   if (field.depth) other.depth = Image(view_size.x, view_size.y * grid.count(), 1);
   return other;
@@ -84,6 +84,8 @@ void crop(LightField& field, const Crop& window, const std::string& flag) {
   move_pixels(field.stack, from, cropped.stack, {});
   if (field.depth) move_pixels(*field.depth, from, *cropped.depth, {});
   if (cropped.cameras) cropped.cameras->centre_px -= Vec2d(window.offset);
+  if (cropped.poses)
+    for (PosedCamera& camera : *cropped.poses) camera.size = window.size, camera.principal_px -= Vec2d(window.offset);
   cropped.aspect *=
       static_cast<double>(window.size.x) * field.view_size.y / (static_cast<double>(window.size.y) * field.view_size.x);
   field = std::move(cropped);
@@ -109,6 +111,7 @@ void keep(LightField& field, const KeptViews& kept, const std::string& flag) {
   LightField fewer = like(field, {static_cast<int>(columns.size()), static_cast<int>(rows.size())}, field.view_size);
   if (fewer.cameras) fewer.cameras->eyes_mm.clear();
   if (fewer.positions) fewer.positions->clear();
+  if (fewer.poses) fewer.poses->clear();
   int view = 0;
   for (const int row : rows)
     for (const int column : columns) {
@@ -116,6 +119,7 @@ void keep(LightField& field, const KeptViews& kept, const std::string& flag) {
       set_view(fewer, view, view_of(field, source));
       if (field.depth) set_depth(fewer, view, depth_of(field, source));
       if (field.positions) fewer.positions->push_back((*field.positions)[static_cast<std::size_t>(source)]);
+      if (field.poses) fewer.poses->push_back((*field.poses)[static_cast<std::size_t>(source)]);
       if (field.cameras) fewer.cameras->eyes_mm.push_back(field.cameras->eyes_mm[static_cast<std::size_t>(source)]);
       ++view;
     }

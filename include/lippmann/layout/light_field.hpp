@@ -5,10 +5,12 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "lippmann/core/math.hpp"
 #include "lippmann/image/picture_file.hpp"
+#include "lippmann/layout/posed_camera.hpp"
 #include "lippmann/layout/view_layout.hpp"
 #include "lippmann/optics/view_cameras.hpp"
 
@@ -25,7 +27,14 @@ struct LightField {
   std::optional<ViewCameras> cameras = {};  ///< where they are known
   /// Position of each view's eye, right and up, in a unit and from an origin that the files do not state (Stanford).
   std::optional<std::vector<Vec2d>> positions = {};
+  /// By view, of cameras that are turned or do not share a plane, instead of `cameras`. Depth is then z of each camera's own
+  /// frame, in mm: the planar depth times -1.
+  std::optional<std::vector<PosedCamera>> poses = {};
 };
+
+/// The cameras of a light field, by view; those of one plane look along -z of the display frame. Throws Error naming `where`
+/// if they are unknown.
+std::vector<PosedCamera> posed_cameras(const LightField& field, const std::string& where);
 
 /// The size of the stack of all views.
 inline Vec2i stack_size(const LightField& field) { return {field.view_size.x, field.view_size.y * field.grid.count()}; }

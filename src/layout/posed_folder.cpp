@@ -1,0 +1,212 @@
+#include "layout/posed_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/folder.hpp"
+#include "core/printable.hpp"
+#include "core/recorded_file.hpp"
+#include "core/regular_file.hpp"
+#include "image/npy.hpp"
+#include "layout/cameras.hpp"
+#include "layout/view_files.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/image/encode.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Other writers leave the ending out: "./train/r_0" is r_0.png.
+fs::path listed_picture(const fs::path& folder, const fs::path& file, const PosedPicture& picture) {
+  for (const char* ending : {"", ".png", ".jpg", ".exr"})
+    if (const fs::path path = folder / (picture.picture + ending); is_regular_file_there(path)) return path;
+  throw Error(file.string(), fmt::format("{}: the picture {} is missing", picture.entry, shown(picture.picture)),
+              "a picture in " + folder.string());
+}
+
+/// Takes what a file does not state from the picture's size.
+void complete(PosedPicture& picture, Vec2i size, const std::string& where) {
+  PosedCamera& camera = picture.camera;
+  if (camera.size == Vec2i(0, 0)) camera.size = size;
+  if (camera.size != size)
+    throw Error(where,
+                fmt::format("{}: its camera has {}x{} pixels, and the picture {} has {}x{}", picture.entry, camera.size.x,
+                            camera.size.y, shown(picture.picture), size.x, size.y),
+                "a camera and a picture of one size");
+  if (picture.angle_x > 0.0) camera.focal_px = Vec2d(0.5 * size.x / std::tan(0.5 * picture.angle_x));
+  if (!picture.has_principal_px) camera.principal_px = 0.5 * Vec2d(size);
+}
+
+std::vector<PosedCamera> cameras_of(const std::vector<PosedPicture>& pictures) {
+  std::vector<PosedCamera> cameras;
+  for (const PosedPicture& picture : pictures) cameras.push_back(picture.camera);
+  return cameras;
+}
+
+template <class T>
+void reorder(std::vector<T>& values, const std::vector<std::size_t>& order) {
+  std::vector<T> sorted;
+  for (const std::size_t i : order) sorted.push_back(std::move(values[i]));
+  values = std::move(sorted);
+}
+
+/// Sorts views row by row upwards, each to the right, and returns how many rows there are.
+int sort_as_rows(ViewCameras& cameras, std::vector<PosedPicture>& pictures) {
+  constexpr double kSameRow = 1e-4;  // of the extent: calibrated rows are not level to the last digit
+  std::vector<std::size_t> order(pictures.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto eye = [&](std::size_t i) { return cameras.eyes_mm[i]; };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return eye(a).y < eye(b).y; });
+  double extent = 0.0;
+  for (const Vec2d& e : cameras.eyes_mm) extent = std::max(extent, glm::distance(e, cameras.eyes_mm.front()));
+  int rows = 0;
+  for (auto row = order.begin(); row != order.end(); ++rows) {
+    const double y = eye(*row).y;
+    const auto end = std::find_if(row, order.end(), [&](std::size_t i) { return eye(i).y > y + kSameRow * extent; });
+    std::stable_sort(row, end, [&](std::size_t a, std::size_t b) { return eye(a).x < eye(b).x; });
+    row = end;
+  }
+  reorder(pictures, order);
+  reorder(cameras.eyes_mm, order);
+  return rows;
+}
+
+ViewGrid posed_grid(std::vector<PosedPicture>& pictures, std::optional<ViewCameras>& cameras, const FormatOptions& options,
+                    const fs::path& file) {
+  const int count = static_cast<int>(pictures.size());
+  const int rows = cameras ? sort_as_rows(*cameras, pictures) : 1;
+  ViewGrid grid{count, 1};
+  if (count % rows == 0 && rows > 1 && common_baseline_mm(*cameras, {count / rows, rows})) grid = {count / rows, rows};
+  if (options.views && options.views->count() != count)
+    throw usage_error("views", fmt::format("{}x{} are not as many as the {} pictures in {}", options.views->columns,
+                                           options.views->rows, count, file.string()));
+  return options.views.value_or(grid);
+}
+
+Image read_planar_depth(const fs::path& path, Vec2i size) {
+  constexpr std::uintmax_t kMaxBytes = std::uintmax_t{1} << 32;
+  const NpyArray array = parse_npy(read_recorded_bytes(path, kMaxBytes, "a .npy file"), path.string());
+  const std::vector<std::size_t> shape{static_cast<std::size_t>(size.y), static_cast<std::size_t>(size.x)};
+  if (array.shape != shape)
+    throw Error(path.string(), "is no depth of its picture", fmt::format("{} rows of {} floats", size.y, size.x));
+  Image depth(size.x, size.y, 1);
+  std::transform(array.values.begin(), array.values.end(), depth.data.begin(), [](double d) { return static_cast<float>(d); });
+  return depth;
+}
+
+/// Reads the depth of all views, or of none if one of them has none that is known: other files hold codes of an unknown unit.
+void read_depths(const fs::path& folder, const std::vector<PosedPicture>& pictures, LightField& field) {
+  for (const PosedPicture& picture : pictures)
+    if (!picture.depth.ends_with(".npy") || !is_regular_file_there(folder / picture.depth)) return;
+  field.depth = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
+  const double plane = field.cameras ? field.cameras->distance_mm : 0.0;
+  for (int view = 0; view < field.grid.count(); ++view) {
+    Image depth = read_planar_depth(folder / pictures[static_cast<std::size_t>(view)].depth, field.view_size);
+    for (float& d : depth.data)
+      d = d > 0.0f && std::isfinite(d) ? static_cast<float>(plane - static_cast<double>(d)) : -kInfinity;
+    set_depth(field, view, depth);
+  }
+}
+
+unsigned char code_of(const Picture& stack, std::size_t sample) {
+  if (const auto* bytes = std::get_if<Image8>(&stack)) return bytes->rgb[sample];
+  return static_cast<unsigned char>(std::get<Image16>(stack).rgb[sample] >> 8);
+}
+
+bool is_there(double depth_mm) { return depth_mm > 0.0 && std::isfinite(depth_mm); }
+
+}  // namespace
+
+void check_inner_path(const std::string& path, const std::string& where) {
+  constexpr std::size_t kLongest = 1000;
+  const fs::path inner(path);
+  const bool leaves = std::any_of(inner.begin(), inner.end(), [](const fs::path& part) { return part == ".."; });
+  if (path.empty() || path.size() > kLongest || inner.is_absolute() || leaves || path.find('\0') != std::string::npos)
+    throw Error(where, "its path is " + shown(path), "a path inside the folder");
+}
+
+std::string posed_picture_name(int view, int count, const char* ending) {
+  const std::size_t digits = std::max<std::size_t>(3, std::to_string(count - 1).size());
+  return fmt::format("images/{:0{}}.{}", view, digits, ending);
+}
+LightField read_posed_pictures(const fs::path& folder, const fs::path& file, std::vector<PosedPicture> pictures,
+                               const FormatOptions& options) {
+  if (pictures.empty()) throw Error(file.string(), "lists no pictures", "one or more");
+  const Vec2i size = size_of(read_picture(listed_picture(folder, file, pictures.front())));
+  for (PosedPicture& picture : pictures) complete(picture, size, file.string());
+  std::optional<ViewCameras> cameras = shared_plane(cameras_of(pictures));
+  const ViewGrid grid = posed_grid(pictures, cameras, options, file);
+  std::vector<fs::path> by_view;
+  for (const PosedPicture& picture : pictures) by_view.push_back(listed_picture(folder, file, picture));
+  LightField field = read_view_files(by_view, grid, options);
+  if (options.fit_view) return field;  // its views have other sizes
+  if (cameras)
+    field.cameras = std::move(cameras);
+  else
+    field.poses = cameras_of(pictures);
+  read_depths(folder, pictures, field);
+  return field;
+}
+
+std::vector<fs::path> write_posed_pictures(const LightField& field, const fs::path& folder) {
+  make_folder(folder / "images");
+  const char* ending = exact_ending(field.stack);
+  return write_view_files(field, folder, [&](int view) { return posed_picture_name(view, field.grid.count(), ending); });
+}
+
+Image planar_depth(const LightField& field, int view) {
+  Image depth = depth_of(field, view);
+  for (float& z : depth.data) {
+    const double mm = planar_depth_mm(field, z);
+    z = is_there(mm) ? static_cast<float>(mm) : 0.0f;
+  }
+  return depth;
+}
+
+Image ray_lengths(const Image& planar_depth, const PosedCamera& camera) {
+  Image lengths = planar_depth;
+  for (int y = 0; y < lengths.height; ++y)
+    for (int x = 0; x < lengths.width; ++x) {
+      const Vec2d slope = (Vec2d(x + 0.5, y + 0.5) - camera.principal_px) / camera.focal_px;
+      float& length = *lengths.pixel(x, y);
+      length = static_cast<float>(length * std::sqrt(1.0 + glm::dot(slope, slope)));
+    }
+  return lengths;
+}
+
+std::vector<CloudPoint> point_cloud(const LightField& field, const std::vector<PosedCamera>& cameras, std::size_t most) {
+  std::vector<CloudPoint> cloud;
+  if (!field.depth) return cloud;
+  const bool is_light = std::holds_alternative<Image>(field.stack);
+  const Picture codes = is_light ? Picture(to_codes(std::get<Image>(field.stack), Encoding::kSrgb)) : Picture();
+  const Picture& colours = is_light ? codes : field.stack;
+  const double pixels = static_cast<double>(field.depth->data.size());
+  const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / static_cast<double>(most)))));
+  for (int view = 0; view < field.grid.count(); ++view)
+    for (int y = step / 2; y < field.view_size.y; y += step)
+      for (int x = step / 2; x < field.view_size.x; x += step) {
+        const int row = view * field.view_size.y + y;
+        const double depth_mm = planar_depth_mm(field, *field.depth->pixel(x, row));
+        if (!is_there(depth_mm)) continue;
+        const auto at =
+            3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(field.view_size.x) + static_cast<std::size_t>(x));
+        cloud.push_back({unprojected(cameras[static_cast<std::size_t>(view)], Vec2d(x + 0.5, y + 0.5), depth_mm),
+                         {code_of(colours, at), code_of(colours, at + 1), code_of(colours, at + 2)}});
+      }
+  return cloud;
+}
+
+Vec2d depth_bounds_mm(const LightField& field) {
+  Vec2d bounds(INFINITY, 0.0);
+  if (field.depth)
+    for (const float z : field.depth->data)
+      if (const double mm = planar_depth_mm(field, z); is_there(mm)) bounds = {std::min(bounds.x, mm), std::max(bounds.y, mm)};
+  return bounds.y > 0.0 ? bounds : Vec2d(100.0, 100e3);
+}
+
+}  // namespace lippmann

@@ -1,0 +1,348 @@
+// NeRF's, COLMAP's and LLFF's cameras against hand-worked figures, and what hostile files meet.
+#include <gmock/gmock.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "core/regular_file.hpp"
+#include "image/npy.hpp"
+#include "layout/colmap_model.hpp"
+#include "layout/llff_poses.hpp"
+#include "layout/transforms_json.hpp"
+#include "light_fields.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/formats.hpp"
+#include "lippmann/layout/subset.hpp"
+#include "support/error_message.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::error_message;
+using test::numbered_field;
+using test::same_samples;
+using test::TempDir;
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// 3 x 2 eyes 20 mm apart, 500 mm before a plane in which pixels are 0.5 mm wide; a wall 250 mm behind that plane.
+LightField six_views() {
+  LightField field = numbered_field({3, 2}, {40, 30});
+  field.cameras = {500.0, Vec2d(0.5), Vec2d(20.0, 15.0), {}};
+  for (int row = 0; row < 2; ++row)
+    for (int column = 0; column < 3; ++column) field.cameras->eyes_mm.emplace_back(20.0 * column - 20.0, 20.0 * row - 10.0);
+  field.depth = Image(40, 30 * 6, 1);
+  for (float& z : field.depth->data) z = -250.0f;
+  field.depth->data[7] = -INFINITY;
+  return field;
+}
+
+/// Cameras that look at the origin from 2 m away, each turned by 40 degrees about the vertical and raised by 10.
+LightField turned_views(int count = 4) {
+  LightField field = numbered_field({count, 1}, {40, 30});
+  field.poses.emplace();
+  for (int view = 0; view < count; ++view) {
+    const glm::dquat turn = glm::angleAxis(glm::radians(40.0 * view), Vec3d(0.0, 1.0, 0.0)) *
+                            glm::angleAxis(glm::radians(-10.0 * view), Vec3d(1.0, 0.0, 0.0));
+    const glm::dmat3 rotation = glm::mat3_cast(turn);
+    field.poses->push_back({{40, 30}, Vec2d(50.0), Vec2d(20.0, 15.0), rotation, 2000.0 * rotation[2]});
+  }
+  field.depth = Image(40, 30 * count, 1);
+  for (float& z : field.depth->data) z = -2000.0f;
+  return field;
+}
+
+void expect_same_poses(const std::vector<PosedCamera>& a, const std::vector<PosedCamera>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t view = 0; view < a.size(); ++view) {
+    EXPECT_LT(glm::distance(a[view].position_mm, b[view].position_mm), 1e-3) << view << ": 1e-6 m";
+    for (int axis = 0; axis < 3; ++axis) EXPECT_LT(glm::distance(a[view].rotation[axis], b[view].rotation[axis]), 1e-6) << view;
+    EXPECT_LT(glm::distance(a[view].focal_px, b[view].focal_px), 1e-6) << view;
+    EXPECT_LT(glm::distance(a[view].principal_px, b[view].principal_px), 1e-6) << view;
+  }
+}
+
+TEST(PosedCameras, principal_point_moves_with_the_eye) {
+  const PosedCamera right = posed_cameras(six_views(), "a")[2];
+  EXPECT_EQ(right.focal_px, Vec2d(1000.0)) << "500 mm / 0.5 mm";
+  EXPECT_EQ(right.principal_px, Vec2d(20.0 + 40.0, 15.0 + 20.0)) << "20 mm right and 10 mm down are 40 and 20 pixels";
+  EXPECT_EQ(right.position_mm, Vec3d(20.0, -10.0, 500.0));
+}
+
+TEST(PosedCameras, known_point_lands_on_known_pixel) {
+  // 10 mm right of the axis, 5 mm up, 200 mm before the plane, 300 mm from the eyes. From the eye at (20, -10) it lies 10 mm to
+  // the left and 15 mm up, which are 1000 / 300 pixels for each mm.
+  const PosedCamera right = posed_cameras(six_views(), "a")[2];
+  const Vec2d pixel = projected(right, {10.0, 5.0, 200.0});
+  EXPECT_NEAR(pixel.x, 60.0 - 10.0 * 1000.0 / 300.0, 1e-9);
+  EXPECT_NEAR(pixel.y, 35.0 - 15.0 * 1000.0 / 300.0, 1e-9);
+  EXPECT_LT(glm::distance(unprojected(right, pixel, 300.0), Vec3d(10.0, 5.0, 200.0)), 1e-9);
+}
+
+TEST(PosedFormats, grids_keep_cameras_and_depth) {
+  for (const char* name : {"nerf", "colmap"}) {
+    const TempDir dir;
+    const LightField field = six_views();
+    const LightFieldFormat& format = find_format(name, "format");
+    format.write(field, dir / "m", {});
+    const LightField back = format.read(dir / "m", {});
+    EXPECT_TRUE(same_samples(back.stack, field.stack)) << name;
+    EXPECT_EQ(back.grid, field.grid) << name;
+    ASSERT_TRUE(back.cameras) << name;
+    expect_same_poses(posed_cameras(back, "a"), posed_cameras(field, "a"));
+  }
+}
+
+TEST(PosedFormats, turned_cameras_keep_poses) {
+  for (const char* name : {"nerf", "colmap", "llff"}) {
+    const TempDir dir;
+    const LightField field = turned_views();
+    const LightFieldFormat& format = find_format(name, "format");
+    format.write(field, dir / "m", {});
+    const LightField back = format.read(dir / "m", {});
+    EXPECT_FALSE(back.cameras) << name;
+    ASSERT_TRUE(back.poses) << name;
+    expect_same_poses(*back.poses, *field.poses);
+    EXPECT_TRUE(same_samples(back.stack, field.stack)) << name;
+  }
+}
+
+TEST(PosedFormats, subsets_keep_their_cameras) {
+  LightField field = turned_views();
+  keep(field, {{1, 3, 2}, {}}, "keep");
+  crop(field, {{20, 10}, {4, 6}}, "crop");
+  ASSERT_EQ(field.poses->size(), 2u);
+  EXPECT_EQ((*field.poses)[1].position_mm, (*turned_views().poses)[3].position_mm);
+  EXPECT_EQ((*field.poses)[1].size, field.view_size);
+  EXPECT_EQ((*field.poses)[1].principal_px, Vec2d(20.0 - 4.0, 15.0 - 6.0));
+}
+
+TEST(NerfFormat, walls_have_constant_z_and_rays_of_z_over_cosine) {
+  const TempDir dir;
+  const LightField field = six_views();
+  nerf_format().write(field, dir / "m", {});
+  const auto array = [&](const char* name) { return parse_npy(read_file_bytes(dir / "m" / name, 1 << 20), name); };
+  const NpyArray z = array("depth/000.npy"), rays = array("depth/000_ray.npy");
+  EXPECT_EQ(z.shape, (std::vector<std::size_t>{30, 40}));
+  const PosedCamera camera = posed_cameras(field, "a")[0];
+  for (std::size_t i = 0; i < z.values.size(); ++i) {
+    if (i == 7) continue;
+    EXPECT_NEAR(z.values[i], 750.0, 750.0 * 1e-5);
+    const Vec2d off = (Vec2d(i % 40 + 0.5, i / 40 + 0.5) - camera.principal_px) / camera.focal_px;
+    EXPECT_NEAR(rays.values[i], 750.0 / std::cos(std::atan(glm::length(off))), 750.0 * 1e-6);
+  }
+  EXPECT_EQ(z.values[7], 0.0) << "nothing is there";
+  EXPECT_EQ(rays.values[7], 0.0);
+  const LightField back = nerf_format().read(dir / "m", {});
+  ASSERT_TRUE(back.depth);
+  EXPECT_NEAR(back.depth->data[0], -250.0f, 1e-3f);
+  EXPECT_EQ(back.depth->data[7], -INFINITY);
+}
+
+TEST(NerfFormat, ray_at_30_degrees_is_longer_by_1_1547) {
+  // tan 30 degrees off the axis: with 100 pixels of focal length, 57.735 pixels.
+  const PosedCamera camera{{1, 1}, Vec2d(100.0), Vec2d(0.5 - 100.0 * std::tan(std::numbers::pi / 6.0), 0.5), {}, {}};
+  Image depth(1, 1, 1);
+  depth.data[0] = 1000.0f;
+  EXPECT_NEAR(ray_lengths(depth, camera).data[0], 1154.7f, 0.01f);
+}
+
+TEST(NerfFormat, matrices_have_axes_of_blender) {
+  const TempDir dir;
+  nerf_format().write(turned_views(2), dir / "m", {});
+  const auto json = nlohmann::json::parse(read_file_text(dir / "m/transforms.json", 1 << 20));
+  EXPECT_NEAR(json["fl_x"].get<double>(), 50.0, 1e-12);
+  EXPECT_NEAR(json["camera_angle_x"].get<double>(), 2.0 * std::atan(20.0 / 50.0), 1e-12);
+  const auto& matrix = json["frames"][0]["transform_matrix"];
+  EXPECT_EQ(matrix[2], (nlohmann::json{0.0, 0.0, 1.0, 2.0})) << "not turned, 2 m towards the viewer";
+  EXPECT_THAT(json["depth"]["depth_file_path"].get<std::string>(), HasSubstr("planar depth (z)"));
+}
+
+TEST(NerfFormat, blenders_files_without_endings_are_read) {
+  const TempDir dir;
+  nerf_format().write(turned_views(2), dir / "m", {});
+  std::ofstream(dir / "m/transforms.json")
+      << R"({"camera_angle_x": 0.9273, "frames": [{"file_path": "./images/001", "transform_matrix":
+             [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 3], [0, 0, 0, 1]]}]})";
+  const LightField field = nerf_format().read(dir / "m", {});
+  EXPECT_NEAR(field.poses->front().focal_px.x, 20.0 / std::tan(0.9273 / 2.0), 1e-9);
+  EXPECT_EQ(field.poses->front().principal_px, Vec2d(20.0, 15.0));
+  EXPECT_EQ(field.poses->front().position_mm, Vec3d(0.0, 0.0, 3000.0));
+  EXPECT_TRUE(same_samples(field.stack, view_of(turned_views(2), 1)));
+}
+
+TEST(NerfFormat, wrong_cameras_are_refused_with_their_frame) {
+  const std::string good =
+      transforms_text({{"", "a.png", "", turned_views().poses->at(0)}, {"", "b.png", "", turned_views().poses->at(1)}});
+  parse_transforms(good, "t.json");
+  const auto refusal = [&](const std::string& part, const std::string& other) {
+    std::string text = good;
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+    text.replace(text.rfind(part), part.size(), other);
+    return error_message([&] { parse_transforms(text, "t.json"); });
+  };
+  EXPECT_THAT(error_message([] { parse_transforms("[", "t.json"); }), AllOf(HasSubstr("t.json"), HasSubstr("not JSON")));
+  EXPECT_THAT(error_message([] { parse_transforms(R"({"frames": []})", "t.json"); }), HasSubstr("0 frames"));
+  EXPECT_THAT(refusal("transform_matrix", "matrix"), AllOf(HasSubstr("frames[1]"), HasSubstr("missing")));
+  EXPECT_THAT(refusal("\"b.png\"", "\"../b.png\""), AllOf(HasSubstr("frames[1]"), HasSubstr("inside the folder")));
+  EXPECT_THAT(refusal("\"fl_x\": 50.0", "\"fl_x\": -50.0"), HasSubstr("fl_x"));
+  EXPECT_THAT(refusal("\"fl_x\": 50.0", "\"fl_x\": NaN"), HasSubstr("not JSON"));
+  EXPECT_THAT(refusal("\"fl_x\": 50.0", "\"k1\": 0.1, \"fl_x\": 50.0"), AllOf(HasSubstr("k1"), HasSubstr("distortion")));
+  const auto matrix = [](const char* rows) {
+    return error_message([&] {
+      parse_transforms(R"({"fl_x": 50, "frames": [{"file_path": "a", "transform_matrix": )" + std::string(rows) + "}]}",
+                       "t.json");
+    });
+  };
+  EXPECT_THAT(matrix("[[-1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"), AllOf(HasSubstr("frames[0]"), HasSubstr("left-handed")));
+  EXPECT_THAT(matrix("[[2,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"), HasSubstr("no rotation"));
+  EXPECT_THAT(matrix("[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,2]]"), HasSubstr("last row"));
+  EXPECT_THAT(matrix("[[1,0,0],[0,1,0],[0,0,1]]"), HasSubstr("transform_matrix"));
+}
+
+TEST(NerfFormat, cameras_that_disagree_with_pictures_are_refused) {
+  const TempDir dir;
+  nerf_format().write(turned_views(2), dir / "m", {});
+  std::string text = read_file_text(dir / "m/transforms.json", 1 << 20);
+  text.replace(text.find("\"w\": 40"), 7, "\"w\": 41");
+  std::ofstream(dir / "m/transforms.json") << text;
+  EXPECT_THAT(error_message([&] { nerf_format().read(dir / "m", {}); }),
+              AllOf(HasSubstr("frames[0]"), HasSubstr("41x30"), HasSubstr("40x30")));
+  nerf_format().write(turned_views(2), dir / "n", {});
+  std::filesystem::remove(dir / "n/images/001.png");
+  EXPECT_THAT(error_message([&] { nerf_format().read(dir / "n", {}); }), AllOf(HasSubstr("frames[1]"), HasSubstr("missing")));
+  EXPECT_THAT(error_message([&] {
+                nerf_format().write(numbered_field({1, 1}, {4, 4}), dir / "o", {});
+              }),
+              HasSubstr("cameras of these views are unknown"));
+}
+
+TEST(ColmapFormat, poses_are_camera_from_world_with_y_down) {
+  // Our camera at z = 2 m looks along -z. COLMAP's looks along +z: turned by 180 degrees about x, and the world's origin lies
+  // 2 m ahead.
+  const PosedPicture picture{"", "000.png", "", turned_views().poses->at(0)};
+  const std::string text = colmap_images_text({picture});
+  EXPECT_THAT(text, HasSubstr("\n1 0 1 0 0 0 0 2 1 000.png\n\n"));
+  EXPECT_THAT(colmap_cameras_text({picture}), HasSubstr("\n1 PINHOLE 40 30 50 50 20 15\n"));
+}
+
+TEST(ColmapFormat, clouds_lie_where_depth_is) {
+  const LightField field = six_views();
+  const std::vector<CloudPoint> all = point_cloud(field, posed_cameras(field, "a"), 100000);
+  EXPECT_EQ(all.size(), 40u * 30u * 6u - 1u) << "but for the pixel where nothing is";
+  for (const CloudPoint& point : all) EXPECT_NEAR(point.position_mm.z, -250.0, 1e-3);
+  const auto& codes = std::get<Image8>(field.stack).rgb;
+  EXPECT_EQ(all[0].rgb[1], codes[1]);
+  EXPECT_LE(point_cloud(field, posed_cameras(field, "a"), 100).size(), 100u);
+}
+
+template <class T>
+void put(std::vector<std::byte>& bytes, T value) {
+  const auto raw = std::bit_cast<std::array<std::byte, sizeof(T)>>(value);
+  bytes.insert(bytes.end(), raw.begin(), raw.end());
+}
+
+TEST(ColmapFormat, binary_models_say_the_same_as_text) {
+  std::vector<std::byte> cameras, images;
+  put<std::uint64_t>(cameras, 1), put<std::uint32_t>(cameras, 7), put<std::uint32_t>(cameras, 1);
+  put<std::uint64_t>(cameras, 40), put<std::uint64_t>(cameras, 30);
+  for (const double param : {50.0, 51.0, 20.0, 15.0}) put(cameras, param);
+  put<std::uint64_t>(images, 1), put<std::uint32_t>(images, 3);
+  for (const double value : {0.0, 1.0, 0.0, 0.0, 0.5, -0.25, 2.0}) put(images, value);
+  put<std::uint32_t>(images, 7);
+  for (const char c : {'a', '.', 'p', 'n', 'g', '\0'}) put(images, c);
+  put<std::uint64_t>(images, 1), put(images, 1.0), put(images, 2.0), put<std::int64_t>(images, -1);
+  const auto binary = parse_colmap_images(images, parse_colmap_cameras(cameras, "c"), "i");
+  const ColmapCameras same = parse_colmap_cameras("# comment\n7 PINHOLE 40 30 50 51 20 15\n", "c");
+  const auto text = parse_colmap_images("3 0 1 0 0 0.5 -0.25 2 7 a.png\n1 2 -1\n", same, "i");
+  ASSERT_EQ(binary.size(), 1u);
+  ASSERT_EQ(text.size(), 1u);
+  EXPECT_EQ(binary[0].picture, "a.png");
+  expect_same_poses({binary[0].camera}, {text[0].camera});
+  EXPECT_EQ(binary[0].camera.focal_px, Vec2d(50.0, 51.0));
+  EXPECT_LT(glm::distance(binary[0].camera.position_mm, Vec3d(-500.0, -250.0, 2000.0)), 1e-9);
+  images.resize(images.size() - 1);
+  EXPECT_THAT(error_message([&] { parse_colmap_images(images, same, "i.bin"); }),
+              AllOf(HasSubstr("i.bin: image 1"), HasSubstr("ends")));
+}
+
+TEST(ColmapFormat, wrong_lines_are_refused_with_their_number) {
+  const auto cameras = [](const char* text) { return error_message([&] { parse_colmap_cameras(text, "c.txt"); }); };
+  EXPECT_THAT(cameras("#\n1 PINHOLE 40 30 50 nan 20 15"), AllOf(HasSubstr("c.txt:2"), HasSubstr("'nan'")));
+  EXPECT_THAT(cameras("1 OPENCV 40 30 50 50 20 15 0.1 0 0 0"), HasSubstr("distorts"));
+  EXPECT_THAT(cameras("1 OPENCV_FISHEYE 40 30 50 50 20 15 0 0 0 0"), HasSubstr("OPENCV_FISHEYE"));
+  EXPECT_THAT(cameras("1 PINHOLE 40 30 50 50 20"), HasSubstr("ends before"));
+  EXPECT_THAT(cameras("1 PINHOLE 4 3 5 5 2 1\n1 PINHOLE 4 3 5 5 2 1"), HasSubstr("again"));
+  const ColmapCameras known = parse_colmap_cameras("1 PINHOLE 4 3 5 5 2 1", "c");
+  const auto images = [&](const char* text) { return error_message([&] { parse_colmap_images(text, known, "i.txt"); }); };
+  EXPECT_THAT(images("1 1 0 0 0 0 0 0 2 a.png\n"), AllOf(HasSubstr("i.txt:1"), HasSubstr("camera 2 is missing")));
+  EXPECT_THAT(images("1 9 0 0 0 0 0 0 1 a.png\n"), HasSubstr("unit quaternion"));
+  EXPECT_THAT(images("1 1 0 0 0 0 0 0 1 /a.png\n"), HasSubstr("inside the folder"));
+}
+
+TEST(LlffFormat, rows_have_axes_down_right_back) {
+  const PosedCamera camera = turned_views().poses->at(0);
+  const NpyArray rows = parse_npy(encode_llff_poses({camera}, {1500.0, 2500.0}, "a"), "a");
+  EXPECT_EQ(rows.shape, (std::vector<std::size_t>{1, 17}));
+  EXPECT_EQ(rows.values, (std::vector<double>{0, 1, 0, 0, 30, -1, 0, 0, 0, 40, 0, 0, 1, 2, 50, 1.5, 2.5}));
+}
+
+TEST(LlffFormat, shifted_sensors_and_oblong_pixels_are_refused) {
+  EXPECT_THAT(error_message([] {
+                encode_llff_poses(posed_cameras(six_views(), "a"), {1, 2}, "folder");
+              }),
+              AllOf(HasSubstr("view 0"), HasSubstr("-40 x"), HasSubstr("nerf")));
+  PosedCamera oblong = turned_views().poses->at(0);
+  oblong.focal_px.y = 60.0;
+  EXPECT_THAT(error_message([&] { encode_llff_poses({oblong}, {1, 2}, "folder"); }), HasSubstr("not square"));
+}
+
+TEST(LlffFormat, rows_that_make_no_cameras_are_refused) {
+  const auto refusal = [](std::size_t at, double value) {
+    std::vector<double> row{0, 1, 0, 0, 30, -1, 0, 0, 0, 40, 0, 0, 1, 2, 50, 1.5, 2.5};
+    row[at] = value;
+    return error_message([&] { parse_llff_poses(encode_npy(std::span<const double>(row), {1, 17}), "p.npy"); });
+  };
+  EXPECT_THAT(refusal(3, NAN), AllOf(HasSubstr("p.npy: row 0"), HasSubstr("nan")));
+  EXPECT_THAT(refusal(1, -1.0), HasSubstr("left-handed"));
+  EXPECT_THAT(refusal(4, 30.5), HasSubstr("30.5"));
+  EXPECT_THAT(refusal(14, 0.0), HasSubstr("focal length"));
+  const std::vector<double> short_row(16);
+  EXPECT_THAT(error_message([&] {
+                parse_llff_poses(encode_npy(std::span<const double>(short_row), {1, 16}), "p.npy");
+              }),
+              HasSubstr("17 numbers"));
+}
+
+TEST(Npy, orders_and_types_of_numpy_are_read) {
+  const auto file = [](const std::string& dict, std::vector<std::byte> data) {
+    std::string head = std::string("\x93NUMPY\x01", 7) + '\0';
+    head += static_cast<char>(dict.size());
+    head += '\0';
+    head += dict;
+    std::vector<std::byte> bytes(head.size());
+    std::memcpy(bytes.data(), head.data(), head.size());
+    bytes.insert(bytes.end(), data.begin(), data.end());
+    return bytes;
+  };
+  std::vector<std::byte> data;
+  for (const float value : {1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f}) put(data, value);
+  const NpyArray columns = parse_npy(file("{'descr': '<f4', 'fortran_order': True, 'shape': (2, 3), }", data), "a");
+  EXPECT_EQ(columns.values, (std::vector<double>{1, 3, 5, 2, 4, 6}));
+  std::vector<std::byte> swapped;
+  for (const std::byte b : {std::byte{0x40}, std::byte{0}, std::byte{0}, std::byte{0}}) swapped.push_back(b);
+  EXPECT_EQ(parse_npy(file("{'descr': '>f4', 'fortran_order': False, 'shape': (1,), }", swapped), "a").values[0], 2.0);
+  EXPECT_THAT(error_message([&] { parse_npy(file("{'descr': '<f4', 'fortran_order': False, 'shape': (7,), }", data), "a"); }),
+              HasSubstr("24 bytes"));
+  EXPECT_THAT(error_message([&] { parse_npy(file("{'descr': '<i8', 'fortran_order': False, 'shape': (3,), }", data), "a"); }),
+              HasSubstr("<i8"));
+}
+
+}  // namespace
+}  // namespace lippmann
