@@ -9,6 +9,7 @@
 #include "image/exr.hpp"
 #include "image/png.hpp"
 #include "image/tiff.hpp"
+#include "layout/posed_folder.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
 #include "lippmann/layout/film_views.hpp"
@@ -142,6 +143,8 @@ std::vector<fs::path> write_light_field_files(const FrameFiles& files, int frame
   const Image* depth = format.uses_cameras && pictures.aovs.wants(Aov::kDepth) ? &pictures.aovs[Aov::kDepth] : nullptr;
   LightField field = light_field_of(pictures.film, optics, depth);
   if (files.format != PictureFormat::kExr) field.stack = codes_of(files, std::get<Image>(field.stack));
+  if (files.one_set)
+    return write_posed_view(field, files.folder, {frame, files.one_set->count, kMmPerUnit * files.one_set->units_per_mm});
   const fs::path path = files.folder / frame_name(files.names, frame);
   if (files.names.is_folder) make_frame_folder(path);
   return format.write(field, path, files.writing);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "folder/picture_params.hpp"
@@ -13,6 +14,12 @@
 
 namespace lippmann {
 
+/// Frames that are the views of one data set, each from a camera of its own.
+struct OneSet {
+  int count = 1;              ///< of all frames
+  double units_per_mm = 1.0;  ///< world units per millimetre of the display frame
+};
+
 /// What all frames of a render have in common.
 struct FrameFiles {
   std::filesystem::path folder;
@@ -23,6 +30,7 @@ struct FrameFiles {
   double pixels_per_mm = 0.0;            ///< stated by TIFF files; 0: not known
   std::vector<ExrAttribute> about = {};  ///< attributes of EXR files
   FormatOptions writing = {};            ///< what the formats of light fields are told
+  std::optional<OneSet> one_set = {};    ///< none: every frame is a light field of its own
 };
 
 /// "png", "tif" or "exr".

@@ -44,8 +44,8 @@ struct FrameSink::Impl {
   Impl(const Settings& s, RenderFolder& f)
       : settings(s),
         folder(f),
-        files{f.path(),   s.layout.names(),         s.layout.format(), s.pictures.exr_pixels,
-              s.encoding, s.layout.pixels_per_mm(), s.about,           s.writing},
+        files{f.path(), s.layout.names(), s.layout.format(), s.pictures.exr_pixels, s.encoding, s.layout.pixels_per_mm(),
+              s.about,  s.writing,        s.one_set},
         queue(writing_threads(s.threads), queue_capacity(s.threads)) {
     for (const VideoFile& video : s.videos) videos.push_back(std::make_unique<VideoWriter>(video.path, video.options));
   }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "folder/frame_files.hpp"
 #include "folder/frame_layout.hpp"
 #include "folder/picture_params.hpp"
 #include "folder/render_folder.hpp"
@@ -43,6 +44,7 @@ class FrameSink {
     /// Hears that a frame's pictures and layers are there, and how many bytes they have: in order, one at a time, on any
     /// thread; may be empty.
     std::function<void(int frame, std::uintmax_t bytes)> written = {};
+    std::optional<OneSet> one_set = {};  ///< where all frames are views of one data set
   };
 
   /// `folder` outlives the sink; nothing else records in it meanwhile. Throws Error for videos that cannot be begun.

@@ -12,6 +12,7 @@
 #include "core/regular_file.hpp"
 #include "folder/kept_lease.hpp"
 #include "frames/banded_frames.hpp"
+#include "job/camera_set_files.hpp"
 #include "job/folder_documents.hpp"
 #include "job/frame_loop.hpp"
 #include "job/job_folder.hpp"
@@ -180,6 +181,7 @@ RenderReport render_animation(RenderSetup& setup, const Context& context, const 
   if (ranks) ranks->end();
   if (!is_first) return report;
   if (ranks) finish_ranks(run, maker);
+  if (!report.interrupted) write_camera_set_files(setup, folder);
   RenderReport all = write_report(report, folder);
   return ranks ? all : report;
 }

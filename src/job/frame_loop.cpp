@@ -44,6 +44,8 @@ FrameSink::Settings sink_settings(const Run& run, FrameMaker& maker, const std::
                                about_render(setup),
                                setup.pool.threads(),
                                [&maker](Image film) { maker.recycle(std::move(film)); }};
+  if (setup.job.scene().cameras)
+    settings.one_set = OneSet{setup.stage.scene.timeline.frame_count, setup.stage.placed.units_per_mm};
   if (setup.job.is_in_strips())
     settings.written = [&setup](int frame, std::uintmax_t) { remove_strips(setup.folder, frame, setup.parts.strips); };
   else

@@ -64,8 +64,11 @@ bool has_microlenses(const RenderParams& params) {
 
 bool has_parallax(const RenderParams& params) { return optics_kind(params).info().has_parallax; }
 
-/// A single sample of Whitted shading lies in the middle of its pixel. Files may hold splats, which have more.
-bool has_random_numbers(const RenderParams& params) { return is_file(params) || samples_per_pixel(params.sampling) > 1; }
+/// A single sample of Whitted shading lies in the middle of its pixel. Files may hold splats, which have more, and cameras
+/// around the scene are split at random.
+bool has_random_numbers(const RenderParams& params) {
+  return is_file(params) || samples_per_pixel(params.sampling) > 1 || params.scene.cameras;
+}
 
 struct Effect {
   std::string_view parameter;

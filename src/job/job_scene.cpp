@@ -6,6 +6,7 @@
 #include "job/test_pattern.hpp"
 #include "lippmann/scene/load.hpp"
 #include "lippmann/stage/choose_camera.hpp"
+#include "stage/camera_set.hpp"
 
 namespace lippmann {
 namespace {
@@ -31,6 +32,7 @@ JobScene load_scene_of(const ResolvedJob& job, const Context& context) {
   loaded.notes.camera_names = camera_names(scene);
   choose_camera(scene, params.camera);
   turn_upright(scene, params.up);
+  if (params.cameras) surround_with_cameras(scene, *params.cameras);
   for (Light& light : scene.lights) light.color *= params.light_scale;
   loaded.notes.light = light_scene(scene, params, *job.sampling().integrator, context);
   return loaded;

@@ -16,6 +16,7 @@
 #include "lippmann/stage/choose_camera.hpp"
 #include "lippmann/stage/view_wish.hpp"
 #include "optics/optics_params.hpp"
+#include "stage/camera_set.hpp"
 #include "video/video_codec.hpp"
 
 namespace lippmann {
@@ -38,6 +39,7 @@ struct SceneParams {
   std::string environment;            ///< none, studio, a colour or a panorama; empty: see job/scene_light.hpp
   float environment_strength = 1.0f;  ///< factor
   float environment_rotation_deg = 0.0f;  ///< about the vertical
+  std::optional<CameraSet> cameras{};     ///< around the scene, one for each frame, instead of its own; none: its own
   ViewWish view;
 };
 

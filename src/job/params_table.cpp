@@ -170,6 +170,14 @@ Codec<std::optional<Integrator>> integrator_name() {
   return {read, write, names};
 }
 
+/// Cameras around the scene.
+Codec<std::optional<CameraSet>> camera_set() {
+  return {[](std::string_view value, const std::string& where) {
+            return std::optional(read_camera_set(std::string(value), where));
+          },
+          [](const std::optional<CameraSet>& value) { return value ? write_camera_set(*value) : std::string(); }};
+}
+
 /// The name of a format of light fields.
 Codec<std::string> light_field_name() {
   return {[](std::string_view value, const std::string& where) { return std::string(find_format(value, where).name); },
@@ -371,6 +379,10 @@ std::vector<ParamInfo> scene_rows() {
                      "Camera of the file to render from; default: the first ('lippmann info' lists them)"})),
       runs_only(row(ParamKind::kText, &P::scene, &SceneParams::up, choice<UpAxis>(kUpNames),
                     {"up", "Scene", "AXIS", "Axis of the file that points up: x, y, z, -x, -y or -z"})),
+      row(ParamKind::kText, &P::scene, &SceneParams::cameras, camera_set(),
+          {"cameras", "Scene", "PATH:N",
+           "Render a data set of N cameras around the scene, which is held still: sphere, hemisphere or circle; one camera a "
+           "frame, with --to nerf (default), colmap or llff. An eighth of the cameras, chosen by --seed, is for testing"}),
       row(ParamKind::kText, &P::scene, &SceneParams::view, &ViewWish::focus, text(),
           {"focus", "Scene", "NODE|X,Y,Z|DISTANCE",
            "Place the display plane at a node, at a point, or at a distance from the viewer (scene units)"}),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "job/camera_set_files.hpp"
 #include "job/test_pattern.hpp"
 #include "lippmann/core/parallel.hpp"
 #include "lippmann/layout/formats.hpp"
@@ -12,6 +13,7 @@ namespace lippmann {
 namespace {
 
 void complete_pictures(RenderParams& params) {
+  complete_camera_set(params);
   PictureParams& pictures = params.output.pictures;
   if (pictures.layout == PictureLayout::kRgbd && pictures.to.empty()) pictures.layout.reset(), pictures.to = "rgbd";
   if (pictures.to == "rgbd" && !params.optics.kind) params.optics.kind = OpticsKind::kSingle;  // the view that is written

@@ -17,9 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Files of one frame: beside the others, or in a folder of its own, where they are called as formats of several files call
-/// them (views, HCI, Stanford, JPEG Pleno, MIV, NeRF, COLMAP, LLFF).
+/// Files of one frame: beside the others, in the folders of a data set that all frames are views of, or in a folder of its own,
+/// where they are called as formats of several files call them (views, HCI, Stanford, JPEG Pleno, MIV, NeRF, COLMAP, LLFF).
 constexpr const char* kFrameFiles =
+    R"((?:images/([0-9]{3,6})\.(?:png|exr)|depth/([0-9]{3,6})(?:_ray)?\.npy)|)"
     R"((?:frame|aov)_([0-9]{1,9})(?:_qs[0-9xa.e+-]+|_(?:half_)?(?:2x1|ou)(?:_rl)?|_rows(?:_rl)?|_2x2|_rgbd)?\.(?:png|tif|exr)(?:\.json)?)"
     R"(|frame_([0-9]{1,9})/(?:(?:view|aov)_[0-9]{1,9}\.(?:png|tif|exr)|parameters\.cfg|cameras\.json|input_Cam[0-9]{1,6}\.(?:png|exr))"
     R"(|gt_(?:depth|disp)_lowres(?:_Cam[0-9]{1,6})?\.pfm|out_[0-9]{1,5}_[0-9]{1,5}(?:_[0-9.+-]{1,40})*\.(?:png|exr))"
@@ -66,7 +67,8 @@ std::optional<int> frame_of_file(const std::string& name) {
   static const TextPattern pattern(kFrameFiles);
   const std::optional<PatternMatch> found = pattern.match(name);
   if (!found) return std::nullopt;
-  const std::string digits = found->groups[1] + found->groups[2] + found->groups[3];  // one of them alone
+  const std::string digits =
+      found->groups[1] + found->groups[2] + found->groups[3] + found->groups[4] + found->groups[5];  // one of them alone
   int frame = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), frame);
   return frame;

@@ -2,15 +2,13 @@
 // as depth/000.npy, ... and lengths of rays as depth/000_ray.npy, ...
 //
 // Depth is in thousandths of the matrices' unit, which nerfstudio's default depth_unit_scale_factor expects.
-#include <fmt/format.h>
-
 #include <span>
+#include <utility>
 
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
 #include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
-#include "image/npy.hpp"
 #include "layout/transforms_json.hpp"
 #include "layout/view_files.hpp"
 #include "lippmann/layout/formats.hpp"
@@ -29,11 +27,6 @@ LightField read_nerf(const fs::path& folder, const FormatOptions& options) {
   return read_posed_pictures(folder, file, parse_transforms(text, file.string()), options);
 }
 
-void write_array(const fs::path& path, const Image& image) {
-  write_file_atomically(
-      path, encode_npy(std::span(image.data), {static_cast<std::size_t>(image.height), static_cast<std::size_t>(image.width)}));
-}
-
 std::vector<fs::path> write_nerf(const LightField& field, const fs::path& folder, const FormatOptions&) {
   const std::vector<PosedCamera> cameras = posed_cameras(field, folder.string());
   std::vector<fs::path> written = write_posed_pictures(field, folder);
@@ -44,10 +37,9 @@ std::vector<fs::path> write_nerf(const LightField& field, const fs::path& folder
     picture.picture = posed_picture_name(view, field.grid.count(), exact_ending(field.stack));
     picture.camera = cameras[static_cast<std::size_t>(view)];
     if (field.depth) {
-      picture.depth = fmt::format("depth/{:03}.npy", view);
-      const Image depth = planar_depth(field, view);
-      write_array(written.emplace_back(folder / picture.depth), depth);
-      write_array(written.emplace_back(folder / ray_length_name(picture.depth)), ray_lengths(depth, picture.camera));
+      picture.depth = posed_depth_name(view, field.grid.count());
+      for (fs::path& path : write_posed_depth(field, view, picture.camera, folder, picture.depth))
+        written.push_back(std::move(path));
     }
     pictures.push_back(std::move(picture));
   }

@@ -63,6 +63,17 @@ std::optional<ViewCameras> shared_plane(const std::vector<PosedCamera>& cameras)
   return shared;
 }
 
+PosedCamera camera_in_world(const Optics& single_view, const Affine3f& world_from_display, const Vec3d& origin) {
+  LightField field;
+  field.view_size = film_size(single_view);
+  field.cameras = view_cameras(single_view);
+  PosedCamera camera = posed_cameras(field, "optics").front();
+  const glm::dmat3 linear(world_from_display.linear);
+  camera.position_mm = 1000.0 * (origin + linear * camera.position_mm + Vec3d(world_from_display.translation));
+  camera.rotation = glm::dmat3(glm::normalize(linear[0]), glm::normalize(linear[1]), glm::normalize(linear[2]));
+  return camera;
+}
+
 double planar_depth_mm(const LightField& field, float z) {
   return (field.cameras ? field.cameras->distance_mm : 0.0) - static_cast<double>(z);
 }

@@ -14,6 +14,10 @@ namespace lippmann {
 /// one rectangle. `cameras` has at least one.
 std::optional<ViewCameras> shared_plane(const std::vector<PosedCamera>& cameras);
 
+/// The camera of a single view in the world, with lengths in thousandths of the world's unit; `origin` is added to it. The
+/// world's transform is a similarity.
+PosedCamera camera_in_world(const Optics& single_view, const Affine3f& world_from_display, const Vec3d& origin);
+
 /// The planar depth in mm of a light field's z; not above 0 or not finite: nothing is there.
 double planar_depth_mm(const LightField& field, float z);
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
+#include "core/atomic_file.hpp"
 #include "core/folder.hpp"
 #include "core/printable.hpp"
 #include "core/recorded_file.hpp"
@@ -118,6 +120,20 @@ unsigned char code_of(const Picture& stack, std::size_t sample) {
   return static_cast<unsigned char>(std::get<Image16>(stack).rgb[sample] >> 8);
 }
 
+void write_array(const fs::path& path, const Image& image) {
+  const std::vector<std::size_t> shape{static_cast<std::size_t>(image.height), static_cast<std::size_t>(image.width)};
+  write_file_atomically(path, encode_npy(std::span<const float>(image.data), shape));
+}
+
+/// One view that write_posed_view wrote.
+LightField field_of_picture(const fs::path& folder, const PosedPicture& picture, bool with_colours) {
+  LightField field;
+  field.grid = {1, 1}, field.view_size = picture.camera.size;
+  if (with_colours) field.stack = read_picture(folder / picture.picture);
+  read_depths(folder, {picture}, field);
+  return field;
+}
+
 bool is_there(double depth_mm) { return depth_mm > 0.0 && std::isfinite(depth_mm); }
 
 }  // namespace
@@ -134,6 +150,15 @@ std::string posed_picture_name(int view, int count, const char* ending) {
   const std::size_t digits = std::max<std::size_t>(3, std::to_string(count - 1).size());
   return fmt::format("images/{:0{}}.{}", view, digits, ending);
 }
+std::string posed_depth_name(int view, int count) {
+  const fs::path picture = posed_picture_name(view, count, "npy");
+  return "depth/" + picture.filename().string();
+}
+
+std::string ray_length_name(const std::string& depth_name) {
+  return depth_name.substr(0, depth_name.size() - std::string(".npy").size()) + "_ray.npy";
+}
+
 LightField read_posed_pictures(const fs::path& folder, const fs::path& file, std::vector<PosedPicture> pictures,
                                const FormatOptions& options) {
   if (pictures.empty()) throw Error(file.string(), "lists no pictures", "one or more");
@@ -157,15 +182,6 @@ std::vector<fs::path> write_posed_pictures(const LightField& field, const fs::pa
   make_folder(folder / "images");
   const char* ending = exact_ending(field.stack);
   return write_view_files(field, folder, [&](int view) { return posed_picture_name(view, field.grid.count(), ending); });
-}
-
-Image planar_depth(const LightField& field, int view) {
-  Image depth = depth_of(field, view);
-  for (float& z : depth.data) {
-    const double mm = planar_depth_mm(field, z);
-    z = is_there(mm) ? static_cast<float>(mm) : 0.0f;
-  }
-  return depth;
 }
 
 Image ray_lengths(const Image& planar_depth, const PosedCamera& camera) {
@@ -199,6 +215,50 @@ std::vector<CloudPoint> point_cloud(const LightField& field, const std::vector<P
                          {code_of(colours, at), code_of(colours, at + 1), code_of(colours, at + 2)}});
       }
   return cloud;
+}
+
+std::vector<fs::path> write_posed_depth(const LightField& field, int view, const PosedCamera& camera, const fs::path& folder,
+                                        const std::string& name, double scale) {
+  Image depth = depth_of(field, view);
+  for (float& z : depth.data) {
+    const double mm = planar_depth_mm(field, z);
+    z = is_there(mm) ? static_cast<float>(scale * mm) : 0.0f;
+  }
+  const std::vector<fs::path> paths{folder / name, folder / ray_length_name(name)};
+  write_array(paths[0], depth);
+  write_array(paths[1], ray_lengths(depth, camera));
+  return paths;
+}
+
+std::vector<fs::path> write_posed_view(const LightField& field, const fs::path& folder, const ViewOfSet& view) {
+  make_folder(folder / "images");
+  std::vector<fs::path> written{folder / posed_picture_name(view.number, view.count, exact_ending(field.stack))};
+  write_picture(written.front(), field.stack);
+  if (!field.depth) return written;
+  make_folder(folder / "depth");
+  for (fs::path& path : write_posed_depth(field, 0, posed_cameras(field, folder.string()).front(), folder,
+                                          posed_depth_name(view.number, view.count), view.depth_scale))
+    written.push_back(std::move(path));
+  return written;
+}
+
+std::vector<CloudPoint> cloud_of_pictures(const fs::path& folder, const std::vector<PosedPicture>& pictures, std::size_t most) {
+  std::vector<CloudPoint> cloud;
+  for (const PosedPicture& picture : pictures) {
+    const std::vector<CloudPoint> seen =
+        point_cloud(field_of_picture(folder, picture, true), {picture.camera}, most / pictures.size() + 1);
+    cloud.insert(cloud.end(), seen.begin(), seen.end());
+  }
+  return cloud;
+}
+
+Vec2d depth_bounds_of_pictures(const fs::path& folder, const std::vector<PosedPicture>& pictures) {
+  Vec2d bounds(INFINITY, 0.0);
+  for (const PosedPicture& picture : pictures) {
+    const Vec2d own = depth_bounds_mm(field_of_picture(folder, picture, false));
+    bounds = {std::min(bounds.x, own.x), std::max(bounds.y, own.y)};
+  }
+  return bounds;
 }
 
 Vec2d depth_bounds_mm(const LightField& field) {

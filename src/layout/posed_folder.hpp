@@ -29,6 +29,10 @@ void check_inner_path(const std::string& path, const std::string& where);
 /// "images/000.png" of a view, with as many digits as `count` views need, so that names sort as views.
 std::string posed_picture_name(int view, int count, const char* ending);
 
+/// "depth/000.npy", and "depth/000_ray.npy" for the lengths of rays beside it.
+std::string posed_depth_name(int view, int count);
+std::string ray_length_name(const std::string& depth_name);
+
 /// Reads the pictures and arranges them: cameras that share a plane as a grid from the lowest left, others in the order of the
 /// file, as one row unless `options` has a grid. `file` is the file that lists them. Throws Error naming it and the entry where
 /// a picture is missing or has another size.
@@ -38,9 +42,24 @@ LightField read_posed_pictures(const std::filesystem::path& folder, const std::f
 /// Writes images/000.png, ... and returns their paths, by view.
 std::vector<std::filesystem::path> write_posed_pictures(const LightField& field, const std::filesystem::path& folder);
 
-/// A depth image as planar depth in mm, and as the length of the ray to the same point; 0: nothing is there.
-Image planar_depth(const LightField& field, int view);
+/// The length of the ray to the point that each pixel shows, from its planar depth; 0: nothing is there.
 Image ray_lengths(const Image& planar_depth, const PosedCamera& camera);
+
+/// Writes planar depth and ray lengths of a view into `folder`, times `scale`: depth/NNN.npy and depth/NNN_ray.npy, whose
+/// folder exists. 0: nothing is there.
+std::vector<std::filesystem::path> write_posed_depth(const LightField& field, int view, const PosedCamera& camera,
+                                                     const std::filesystem::path& folder, const std::string& name,
+                                                     double scale = 1.0);
+
+/// A light field of one view as one of the views of a larger set.
+struct ViewOfSet {
+  int number = 0, count = 1;
+  double depth_scale = 1.0;  ///< written depth for a millimetre
+};
+
+/// Writes images/NNN.png, and depth as above if there is any. Folders are made. Returns what was written.
+std::vector<std::filesystem::path> write_posed_view(const LightField& field, const std::filesystem::path& folder,
+                                                    const ViewOfSet& view);
 
 /// A point of the world, seen in a picture.
 struct CloudPoint {
@@ -54,5 +73,10 @@ std::vector<CloudPoint> point_cloud(const LightField& field, const std::vector<P
 
 /// The least and the greatest planar depth in mm; without depth, 100 mm and 100 m.
 Vec2d depth_bounds_mm(const LightField& field);
+
+/// The same of pictures of which write_posed_view wrote all, read one by one.
+std::vector<CloudPoint> cloud_of_pictures(const std::filesystem::path& folder, const std::vector<PosedPicture>& pictures,
+                                          std::size_t most);
+Vec2d depth_bounds_of_pictures(const std::filesystem::path& folder, const std::vector<PosedPicture>& pictures);
 
 }  // namespace lippmann

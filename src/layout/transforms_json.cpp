@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "core/json_fields.hpp"
 #include "core/json_text.hpp"
@@ -88,15 +89,21 @@ void write_intrinsics(const PosedCamera& camera, Json& json) {
   json["cx"] = camera.principal_px.x, json["cy"] = camera.principal_px.y;
 }
 
+/// The lists that nerfstudio reads; it wants all three.
+void list_split(const std::vector<PosedPicture>& pictures, const std::vector<bool>& is_test, Json& json) {
+  for (const char* key : {"train_filenames", "val_filenames", "test_filenames"}) {
+    Json& names = json[key] = Json::array();
+    const bool test = std::string_view(key) != "train_filenames";
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+      if (is_test[i] == test) names.push_back(pictures[i].picture);
+  }
+}
+
 bool same_intrinsics(const PosedCamera& a, const PosedCamera& b) {
   return a.size == b.size && a.focal_px == b.focal_px && a.principal_px == b.principal_px;
 }
 
 }  // namespace
-
-std::string ray_length_name(const std::string& depth_name) {
-  return depth_name.substr(0, depth_name.size() - std::string(".npy").size()) + "_ray.npy";
-}
 
 std::vector<PosedPicture> parse_transforms(const std::string& text, const std::string& where) {
   constexpr std::size_t kMaxFrames = 65536;
@@ -118,7 +125,7 @@ std::vector<PosedPicture> parse_transforms(const std::string& text, const std::s
   return pictures;
 }
 
-std::string transforms_text(const std::vector<PosedPicture>& pictures) {
+std::string transforms_text(const std::vector<PosedPicture>& pictures, const std::vector<bool>& is_test) {
   const PosedCamera& first = pictures.front().camera;
   const bool is_common =
       std::all_of(pictures.begin(), pictures.end(), [&](const PosedPicture& p) { return same_intrinsics(p.camera, first); });
@@ -129,6 +136,7 @@ std::string transforms_text(const std::vector<PosedPicture>& pictures) {
                      {"ray_length_file_path", "length of the ray from the camera"},
                      {"unit_scale_factor", 1.0 / kMmPerUnit},
                      {"nothing", 0}};
+  if (!is_test.empty()) list_split(pictures, is_test, json);
   json["frames"] = Json::array();
   for (const PosedPicture& picture : pictures) {
     Json frame{{"file_path", picture.picture}};

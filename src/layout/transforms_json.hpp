@@ -15,10 +15,8 @@ namespace lippmann {
 std::vector<PosedPicture> parse_transforms(const std::string& text, const std::string& where);
 
 /// A transforms.json for pictures whose cameras are complete. Depth files of pictures that name one hold planar depth in
-/// thousandths of the matrices' unit, beside ray lengths in depth/NNN_ray.npy.
-std::string transforms_text(const std::vector<PosedPicture>& pictures);
-
-/// The file with the lengths of rays beside a file of planar depth.
-std::string ray_length_name(const std::string& depth_name);
+/// thousandths of the matrices' unit, beside ray lengths in depth/NNN_ray.npy. `is_test`, by picture, splits them into lists
+/// for training and for testing; empty: no lists.
+std::string transforms_text(const std::vector<PosedPicture>& pictures, const std::vector<bool>& is_test = {});
 
 }  // namespace lippmann

@@ -27,7 +27,8 @@ const Settings kGrid{{"optics", "multiview"}, {"camera-grid", "true"}, {"views",
 
 TEST_F(LightFieldRenders, formats_of_light_fields_are_what_conversion_makes_of_the_same_render) {
   render(job("teapot", "film", kGrid + Settings{{"aov", "depth"}}));
-  for (const std::string format : {"hci", "stanford", "jpeg-pleno", "miv", "eslf", "views", "integral", "quilt"}) {
+  for (const std::string format :
+       {"hci", "stanford", "jpeg-pleno", "miv", "nerf", "colmap", "eslf", "views", "integral", "quilt"}) {
     convert("film", "converted-" + format, format);
     render(job("teapot", format, kGrid + Settings{{"to", format}}));
     const Files converted = pictures_below(dir_ / ("converted-" + format));

@@ -13,12 +13,12 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 
 TEST(FrameOfFile, knows_what_a_render_writes_and_nothing_else) {
-  for (const char* name :
-       {"frame_0007.png", "frame_0007.tif", "aov_0007.exr", "frame_0007_qs8x6a0.75.png", "frame_0007_qs8x6a1e-05.png.json",
-        "frame_0007/view_012.exr", "frame_0007/aov_012.exr", "frame_0007/input_Cam012.png",
-        "frame_0007/gt_disp_lowres_Cam012.pfm", "frame_0007/parameters.cfg", "frame_0007/cameras.json",
-        "frame_0007/out_00_01_-1.500000_2.000000.png", "frame_0007/000_012.ppm", "frame_0007/view_012_depth.png",
-        "frame_0007/images/012.png", "frame_0007/depth/012_ray.npy", "frame_0007/sparse/0/points3D.txt"})
+  for (const char* name : {"frame_0007.png", "frame_0007.tif", "aov_0007.exr", "frame_0007_qs8x6a0.75.png",
+                           "frame_0007_qs8x6a1e-05.png.json", "frame_0007/view_012.exr", "frame_0007/aov_012.exr",
+                           "frame_0007/input_Cam012.png", "frame_0007/gt_disp_lowres_Cam012.pfm", "frame_0007/parameters.cfg",
+                           "frame_0007/cameras.json", "frame_0007/out_00_01_-1.500000_2.000000.png", "frame_0007/000_012.ppm",
+                           "frame_0007/view_012_depth.png", "images/0007.png", "depth/007_ray.npy", "frame_0007/images/012.png",
+                           "frame_0007/depth/012_ray.npy", "frame_0007/sparse/0/points3D.txt"})
     EXPECT_EQ(frame_of_file(name), 7) << name;
   EXPECT_EQ(frame_of_file("frame_12345.png"), 12345);
   for (const char* name : {"frame_7.txt", "frame_.png", "frame_0007", "view_000.png", "x/frame_0007.png", "frame_0007/a.png",
