@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 
 #include "core/folder_entries.hpp"
@@ -80,9 +81,18 @@ void add_frames(const std::vector<int>& more, std::vector<int>& frames) {
   frames = std::move(both);
 }
 
+/// Whether a file of that name is written for all frames together: the job, the report, or a data set's cameras.
+bool is_document(const std::string& name) {
+  static const std::set<std::string_view> documents{
+      "job.toml",         "report.json", "transforms.json",      "transforms_train.json", "transforms_test.json",
+      "poses_bounds.npy", "test.txt",    "sparse/0/cameras.txt", "sparse/0/images.txt",   "sparse/0/points3D.txt",
+      "sparse/0/test.txt"};
+  return documents.contains(name);
+}
+
 void read_written(const Json& json, FolderJournal& journal) {
   const auto name = json.at("written").get<std::string>();
-  if (name != "job.toml" && name != "report.json") throw LineProblem("names a file that no render writes");
+  if (!is_document(name)) throw LineProblem("names a file that no render writes");
   journal.files[name].push_back(checksum_from_json(json));
 }
 
