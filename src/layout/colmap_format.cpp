@@ -52,7 +52,8 @@ std::vector<fs::path> write_colmap(const LightField& field, const fs::path& fold
   std::vector<PosedPicture> pictures;
   for (std::size_t view = 0; view < cameras.size(); ++view) {
     PosedPicture picture;
-    picture.picture = fs::path(posed_picture_name(static_cast<int>(view), field.grid.count(), exact_ending(field.stack))).filename().string();
+    picture.picture =
+        fs::path(posed_picture_name(static_cast<int>(view), field.grid.count(), exact_ending(field.stack))).filename().string();
     picture.camera = cameras[view];
     pictures.push_back(std::move(picture));
   }
