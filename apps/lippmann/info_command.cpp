@@ -65,8 +65,8 @@ void add_info_command(const Command& root, Action& chosen) {
   const Command command =
       root.add_command("info", "Describe a scene and how the lens array is fitted to it, or a picture or a folder of pictures");
   add_param_flags(command, options->flags,
-                  {"camera-path", "animation", "variant", "asset-root", "texture-memory", "camera", "up", "focus", "fit-to",
-                   "zoom", "orbit", "fps", "integrator", "environment", "layout", "Optics"});
+                  {"camera-path", "animation", "variant", "asset-root", "texture-memory", "points", "camera", "up", "focus",
+                   "fit-to", "zoom", "orbit", "fps", "integrator", "environment", "layout", "Optics"});
   command.add_flag("--json", options->json, "Print JSON on stdout");
   command.footer("SCENE may be a picture, a video, or a folder of views or frames: format, size, views, cameras, depth.");
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });

@@ -82,6 +82,7 @@ constexpr const char* kSurroundingsToo = "--environment studio, a colour or a pa
 constexpr std::array kEffects{
     Effect{"asset-root", is_file, "a scene file instead of a built-in scene"},
     Effect{"texture-memory", is_file, "a scene file instead of a built-in scene"},
+    Effect{"points", is_file, "a PLY file of points instead of a built-in scene"},
     Effect{"up", is_file, "a scene file instead of a built-in scene"},
     Effect{"crosstalk", precompensates, "--precompensate with it"},
     Effect{"packing", has_microlenses, "--optics microlens with it"},

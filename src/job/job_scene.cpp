@@ -19,6 +19,7 @@ LoadOptions load_options(const SceneParams& params) {
   options.variant = params.variant;
   options.asset_root = params.asset_root;
   options.texture_bytes = static_cast<std::uint64_t>(params.texture_memory) << 20;
+  options.point_size = params.point_size.value_or(0.0);
   return options;
 }
 

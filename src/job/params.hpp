@@ -40,6 +40,7 @@ struct SceneParams {
   float environment_strength = 1.0f;  ///< factor
   float environment_rotation_deg = 0.0f;  ///< about the vertical
   std::optional<CameraSet> cameras{};     ///< around the scene, one for each frame, instead of its own; none: its own
+  std::optional<double> point_size{};     ///< diameter of points, in units of their file; none: chosen from their spacing
   ViewWish view;
 };
 

@@ -355,6 +355,12 @@ ParamInfo near_black_row() {
 std::vector<ParamInfo> scene_rows() {
   using P = RenderParams;
   const Codec<Orbit> orbit{read_orbit, write_orbit};
+  const Codec<std::optional<double>> point_size{
+      [](std::string_view value, const std::string& where) -> std::optional<double> {
+        if (value == "auto") return std::nullopt;
+        return read_number(value, 1e-12, 1e12, where);
+      },
+      [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string("auto"); }};
   return {
       path(runs_only(row(ParamKind::kText, &P::scene, &SceneParams::name, text(),
                          {"scene", "Scene", "SCENE", "A built-in scene or a scene file"}))),
@@ -374,6 +380,9 @@ std::vector<ParamInfo> scene_rows() {
       runs_only(row(ParamKind::kNumber, &P::scene, &SceneParams::texture_memory, integer<int>(1, 1 << 20),
                     {"texture-memory", "Scene", "MB",
                      "Memory for decoded textures, 4 bytes a texel; the largest textures are halved until all fit"})),
+      runs_only(row(ParamKind::kText, &P::scene, &SceneParams::point_size, point_size,
+                    {"points", "Scene", "SIZE|auto",
+                     "Diameter of the points of a PLY file of points alone, in its units; auto: chosen from their spacing"})),
       runs_only(row(ParamKind::kText, &P::scene, &SceneParams::camera, text(),
                     {"camera", "Scene", "NAME|INDEX",
                      "Camera of the file to render from; default: the first ('lippmann info' lists them)"})),

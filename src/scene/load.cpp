@@ -53,7 +53,8 @@ Scene load_obj_file(const fs::path& path, const LoadOptions& options, const Cont
 }
 
 Scene load_ply_file(const fs::path& path, const LoadOptions& options, const Context& context, const Vec3d& origin) {
-  return at_rate(load_ply(path, context, options.asset_root, options.texture_bytes, origin), options);
+  return at_rate(load_ply(path, context, {{{}, options.asset_root}, options.texture_bytes, origin, options.point_size}),
+                 options);
 }
 
 bool never_of_splats(const fs::path&) { return false; }
@@ -65,6 +66,7 @@ struct Format {
   bool has_animations;    ///< to choose from, and sets of materials
   bool may_be_empty;      ///< a background alone is a scene
   bool is_physical;       ///< describes surfaces and light physically, not Whitted's shading
+  bool may_be_points;     ///< points alone are shown
   std::string_view kind;  ///< what describe_content() calls such files, where it is not text
   bool (*is_of_splats)(const fs::path&);
   Scene (*load)(const fs::path&, const LoadOptions&, const Context&, const Vec3d& origin);
@@ -72,12 +74,12 @@ struct Format {
 
 constexpr std::string_view kGlb = "a binary glTF scene (.glb)";
 constexpr Format kFormats[] = {
-    {".dat", true, false, true, false, {}, never_of_splats, load_dat},
-    {".glb", false, true, false, true, kGlb, is_gltf_of_splats, load_gltf_file},
-    {".gltf", false, true, false, true, kGlb, is_gltf_of_splats, load_gltf_file},
-    {".nff", false, false, false, false, {}, never_of_splats, load_nff_file},
-    {".obj", false, false, false, true, {}, never_of_splats, load_obj_file},
-    {".ply", false, false, false, true, "a PLY file", is_ply_of_splats, load_ply_file},
+    {".dat", true, false, true, false, false, {}, never_of_splats, load_dat},
+    {".glb", false, true, false, true, false, kGlb, is_gltf_of_splats, load_gltf_file},
+    {".gltf", false, true, false, true, false, kGlb, is_gltf_of_splats, load_gltf_file},
+    {".nff", false, false, false, false, false, {}, never_of_splats, load_nff_file},
+    {".obj", false, false, false, true, false, {}, never_of_splats, load_obj_file},
+    {".ply", false, false, false, true, true, "a PLY file", is_ply_of_splats, load_ply_file},
 };
 
 std::string lower_extension(const fs::path& path) {
@@ -183,6 +185,8 @@ Scene load_file(const fs::path& path, const LoadOptions& options, const Context&
     throw usage_error("animation", fmt::format("{} has no animations to choose from", path.string()), "a glTF scene");
   if (!options.variant.empty() && !format->has_animations)
     throw usage_error("variant", fmt::format("{} has no sets of materials to choose from", path.string()), "a glTF scene");
+  if (options.point_size > 0.0 && !format->may_be_points)
+    throw usage_error("points", fmt::format("{} is not a file of points alone", path.string()), "a PLY file without faces");
   require_scene_content(path, format->kind);
   Scene scene = load_near_origin(*format, path, options, context);
   if (!format->is_physical) scene.kind = SceneKind::kWhitted;

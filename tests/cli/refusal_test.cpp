@@ -84,7 +84,8 @@ INSTANTIATE_TEST_SUITE_P(
                     render({"--environment", "none", "--environment-strength", "2"}, "--environment-strength"),
                     render({"--environment", "none", "--environment-rotation", "9"}, "--environment-rotation"),
                     render({"--texture-memory", "100"}, "--texture-memory"), render({"--asset-root", "."}, "--asset-root"),
-                    render({"--up", "z"}, "--up: has no effect"), render({"--packing", "square"}, "--packing: has no effect"),
+                    render({"--up", "z"}, "--up: has no effect"), render({"--points", "1"}, "--points: has no effect"),
+                    render({"--packing", "square"}, "--packing: has no effect"),
                     render({"--optics", "single", "--full-depth"}, "--fit-depth or --full-depth: has no effect"),
                     render({"--optics", "single", "--view-angle", "20"}, "--view-angle: has no effect"),
                     render({"--environment", "#ff0000", "--environment-rotation", "9"}, "--environment-rotation")));

@@ -66,6 +66,7 @@ const std::map<std::string, std::string>& values() {
                                                       {"--paper", "A6"},
                                                       {"--phase", "3"},
                                                       {"--pitch-mm", "1"},
+                                                      {"--points", "2"},
                                                       {"--precompensate", ""},
                                                       {"--pseudoscopic", ""},
                                                       {"--quilt", "2x3"},

@@ -22,6 +22,7 @@ const std::map<std::string_view, Values> kOtherValues{
     {"variant", {"Beach"}},
     {"asset-root", {"models"}},
     {"texture-memory", {"4096"}},
+    {"points", {"0.25"}},
     {"camera", {"Front"}},
     {"up", {"-z"}},
     {"focus", {"Head"}},

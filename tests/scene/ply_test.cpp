@@ -305,12 +305,6 @@ TEST(Ply, damaged_bodies_name_the_element) {
   EXPECT_THAT(ply_error(header("binary_little_endian") + "abc"), HasSubstr("vertex 0: the file ends here"));
 }
 
-TEST(Ply, points_alone_are_refused) {
-  EXPECT_THAT(ply_error("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
-                        "end_header\n1 2 3\n"),
-              HasSubstr("a.ply: has vertices and no faces; accepted: a mesh, or splats"));
-}
-
 TEST(Ply, faces_without_an_area_are_not_called_missing) {
   EXPECT_THAT(ply_error(header("ascii") + "0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n"), HasSubstr("a.ply: none of its faces has an area"));
   EXPECT_THAT(ply_error(header("ascii") + "0 0 0\n1 0 0\n0 1 0\n2 0 1\n"), HasSubstr("faces of at least three corners"));

@@ -19,6 +19,8 @@ struct LoadOptions {
   /// Decoded textures of glTF, OBJ and PLY take so much at most, 4 bytes a texel: the largest are halved until they do, which
   /// is a warning. Tables for rendering take 2.7 times as much besides.
   std::uint64_t texture_bytes = std::uint64_t{1024} << 20;
+  double point_size =
+      0.0;                ///< diameter of the points of a PLY file of points alone, in its units; 0: chosen from their spacing
   std::string variant{};  ///< name or index of the set of materials, of files that hold several; empty: the file's default
 };
 

@@ -103,7 +103,7 @@ Error no_triangles(const std::string& name, bool has_vertices, bool has_faces) {
   const char* problem = has_vertices ? "has vertices and no faces"
                         : has_faces  ? "has faces and no vertices"
                                      : "has neither vertices nor faces";
-  return Error(name, problem, "a mesh, or splats (vertices with scale_0, rot_0, opacity); points are not shown");
+  return Error(name, problem, "a mesh, points, or splats (vertices with scale_0, rot_0, opacity)");
 }
 
 PlyMesh read_elements(const std::string& name, const Header& header, Body& body, const Vec3d& origin, const Context& context) {

@@ -17,16 +17,11 @@
 
 #include "lippmann/core/error.hpp"
 #include "scene/ply/columns.hpp"
+#include "scene/ply/vertices.hpp"
 #include "scene/splats.hpp"
 
 namespace lippmann::ply {
 namespace {
-
-const Element* vertices_of(const Header& header) {
-  const auto found = std::find_if(header.elements.begin(), header.elements.end(),
-                                  [](const Element& element) { return element.name == "vertex"; });
-  return found == header.elements.end() ? nullptr : &*found;
-}
 
 bool has_property(const Element& element, std::string_view name) {
   return std::any_of(element.properties.begin(), element.properties.end(),
@@ -136,12 +131,12 @@ class SplatReader {
     return {x, std::exp(at(scale[1])), scale.size() == 3 ? std::exp(at(scale[2])) : 0.0f};
   }
 
-  /// The first harmonic, which gives a colour c where it is (c - 1/2) / Y_0, with Y_0 = 1 / sqrt(4 pi).
+  /// The first harmonic, or that of the colour which stands in its place.
   Vec3f first_harmonic() const {
     const Vec3f value = at(columns_.color);
     if (columns_.has_harmonics) return value;
     const Type type = element_.properties[static_cast<std::size_t>(columns_.color[0])].type;
-    return (value / static_cast<float>(full_scale(type)) - 0.5f) * std::sqrt(4.0f * kPi);
+    return first_harmonic_of(value / static_cast<float>(full_scale(type)));
   }
 
   void add_row(Splats& splats) {
@@ -172,22 +167,8 @@ class SplatReader {
 Node upright_node(bool is_z_up) {
   Node node;
   node.name = "splats";
-  node.local.rotation = is_z_up ? Quatf(std::sqrt(0.5f), -std::sqrt(0.5f), 0.0f, 0.0f) : Quatf(0.0f, 1.0f, 0.0f, 0.0f);
+  node.local.rotation = is_z_up ? z_to_y() : Quatf(0.0f, 1.0f, 0.0f, 0.0f);
   return node;
-}
-
-/// Passes over what stands before the splats, and warns of all other elements.
-void skip_others(const std::string& name, const Header& header, Body& body, const Context& context) {
-  const Element* const vertices = vertices_of(header);
-  LeftOut left_out;
-  bool is_before = true;
-  for (const Element& element : header.elements) {
-    if (&element == vertices) is_before = false;
-    if (&element == vertices || element.count == 0) continue;
-    left_out.add(element.name, name);
-    if (is_before) body.pass_over(element);
-  }
-  left_out.warn(context, "element", "elements");
 }
 
 }  // namespace
@@ -199,7 +180,7 @@ bool has_splats(const Header& header) {
 }
 
 Scene read_splats(const std::string& name, const Header& header, Body& body, const Vec3d& origin, const Context& context) {
-  skip_others(name, header, body, context);
+  pass_over_others(name, header, body, context);
   const Vec3d in_file = header.is_z_up ? Vec3d(origin.x, -origin.z, origin.y) : Vec3d(origin.x, -origin.y, -origin.z);
   Splats splats = SplatReader(name, header, body, in_file, context).read();
   if (const std::size_t dropped = drop_unsound(splats); dropped > 0)
