@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "compare/compare_views.hpp"
 #include "compare/frame_source.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/core/parallel.hpp"
@@ -98,12 +99,12 @@ class PairSource {
   int count_ = 0;
 };
 
-FrameComparison compare_pair(const Pair& pair, const fs::path& test) {
+FrameComparison compare_pair(const Pair& pair, const fs::path& test, const SlowMetrics& wanted) {
   const Image8 a = pair.reference.load(), b = pair.test.load();
   if (a.width != b.width || a.height != b.height)
     throw Error(test.string(), fmt::format("frame {} has {} x {} pixels, the reference {} x {}", pair.name, b.width, b.height,
                                            a.width, a.height));
-  return {pair.name, measure_difference(a, b)};
+  return {pair.name, measure_difference(a, b, wanted)};
 }
 
 void add(ChannelErrors& sum, const ChannelErrors& value) {
@@ -148,9 +149,9 @@ Comparison summarise(std::vector<FrameComparison> frames) {
   return result;
 }
 
-Comparison compare(const fs::path& reference, const fs::path& test, const Context& context,
-                   const std::optional<std::vector<int>>& wanted) {
-  PairSource pairs(reference, test, wanted, context);
+Comparison compare(const fs::path& reference, const fs::path& test, const Context& context, const CompareParams& params) {
+  if (params.compares_views()) return compare_views(reference, test, context, params);
+  PairSource pairs(reference, test, params.frames, context);
   const ThreadPool pool(resolved_threads(context));
   std::vector<FrameComparison> frames;
   while (!context.cancelled) {
@@ -158,7 +159,7 @@ Comparison compare(const fs::path& reference, const fs::path& test, const Contex
     if (batch.empty()) break;
     const std::size_t first = frames.size();
     frames.resize(first + batch.size());
-    pool.for_each(batch.size(), [&](std::size_t i) { frames[first + i] = compare_pair(batch[i], test); });
+    pool.for_each(batch.size(), [&](std::size_t i) { frames[first + i] = compare_pair(batch[i], test, params.choice.slow); });
   }
   return summarise(std::move(frames));
 }

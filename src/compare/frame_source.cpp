@@ -112,18 +112,10 @@ class VideoFrames : public FrameSource {
   int count_ = 0;          ///< read
 };
 
-/// 12 of frame_0012 and of a quilt's frame_0012_qs8x6a0.75, else the digits at the end of a file's name; none without.
-std::optional<int> number_of(const fs::path& file) {
-  static const TextPattern numbered("frame_([0-9]{1,9})(?:_.*)?|.*?([0-9]{1,9})");
-  const auto found = numbered.match(file.stem().string());
-  if (!found) return std::nullopt;
-  return std::stoi(found->groups[1].empty() ? found->groups[2] : found->groups[1]);
-}
-
 void keep_wanted(const fs::path& folder, const std::vector<int>& wanted, std::vector<fs::path>& files) {
   std::set<int> missing(wanted.begin(), wanted.end());
   std::erase_if(files, [&](const fs::path& file) {
-    const std::optional<int> number = number_of(file);
+    const std::optional<int> number = frame_number(file);
     return !number || !std::binary_search(wanted.begin(), wanted.end(), *number) || missing.erase(*number) == 0;
   });
   if (!missing.empty()) throw Error(folder.string(), fmt::format("has no frame {}, which `frames` asks for", *missing.begin()));
@@ -149,6 +141,13 @@ std::unique_ptr<FrameSource> open_folder(const fs::path& folder, const std::opti
 }
 
 }  // namespace
+
+std::optional<int> frame_number(const fs::path& file) {
+  static const TextPattern numbered("frame_([0-9]{1,9})(?:_.*)?|.*?([0-9]{1,9})");
+  const auto found = numbered.match(file.stem().string());
+  if (!found) return std::nullopt;
+  return std::stoi(found->groups[1].empty() ? found->groups[2] : found->groups[1]);
+}
 
 std::unique_ptr<FrameSource> open_frames(const fs::path& path, const std::optional<std::vector<int>>& wanted,
                                          const PictureWarning& warn) {

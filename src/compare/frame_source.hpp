@@ -35,6 +35,10 @@ class FrameSource {
   virtual std::vector<std::string> names() const { return {}; }
 };
 
+/// The number after frame_, else at the end of a file's name without its ending: 12 of frame_0012 and of a quilt's
+/// frame_0012_qs8x6a0.75. None without.
+std::optional<int> frame_number(const std::filesystem::path& file);
+
 /// wanted: the frames to take, ascending, by the number after frame_ or at the end of their file's name, of videos by their
 /// order from 0; none: all. Throws Error naming `path` if there is nothing there, or a folder without pictures, with two for
 /// one frame, or without a wanted one; so does next() of a video that ends before the last wanted frame.

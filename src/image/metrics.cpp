@@ -5,8 +5,11 @@
 #include <cstdint>
 #include <limits>
 
+#include "image/flip.hpp"
+#include "image/ms_ssim.hpp"
 #include "image/require_samples.hpp"
 #include "image/ssim.hpp"
+#include "image/yuv_error.hpp"
 
 namespace lippmann {
 namespace {
@@ -28,7 +31,7 @@ double psnr_db(double mean_mse) {
   return mean_mse > 0.0 ? 10.0 * std::log10(255.0 * 255.0 / mean_mse) : std::numeric_limits<double>::infinity();
 }
 
-PictureMetrics measure_difference(const Image8& reference, const Image8& test) {
+PictureMetrics measure_difference(const Image8& reference, const Image8& test, const SlowMetrics& wanted) {
   require_samples(reference, "reference");
   require_samples(test, "test");
   if (reference.width != test.width || reference.height != test.height)
@@ -45,6 +48,10 @@ PictureMetrics measure_difference(const Image8& reference, const Image8& test) {
   m.psnr_db = psnr_db(m.mse.mean);
   m.ssim = ssim(reference, test);
   m.identical = sums[0] + sums[1] + sums[2] == 0;
+  const YuvPsnr yuv = yuv_psnr(reference, test);
+  m.psnr_y_db = yuv.y_db, m.psnr_yuv_db = yuv.yuv_db;
+  if (wanted.ms_ssim) m.ms_ssim = ms_ssim(reference, test);
+  if (wanted.flip) m.flip = flip(reference, test);
   return m;
 }
 

@@ -35,13 +35,6 @@ Window gaussian() {
   return window;
 }
 
-std::vector<double> luma(const Image8& image) {
-  std::vector<double> y(image.rgb.size() / 3);
-  for (std::size_t i = 0; i < y.size(); ++i)
-    y[i] = 0.299 * image.rgb[3 * i] + 0.587 * image.rgb[3 * i + 1] + 0.114 * image.rgb[3 * i + 2];
-  return y;
-}
-
 /// Window sums of one row: of a, b, a^2 + b^2, a b.
 struct Sums {
   std::vector<double> a, b, squares, product;
@@ -80,26 +73,62 @@ LIPPMANN_MULTIVERSION void similarity_of_row(const Sums& sums, int width, const 
   }
 }
 
-}  // namespace
+/// The second factor of SSIM alone.
+LIPPMANN_MULTIVERSION void contrast_structure_of_row(const Sums& sums, int width, const Window& window,
+                                                     double* __restrict result) {
+  const double *a = sums.a.data(), *b = sums.b.data(), *ss = sums.squares.data(), *sp = sums.product.data();
+  for (int x = 0; x < width; ++x) {
+    double mu_a = 0.0, mu_b = 0.0, squares = 0.0, product = 0.0;
+    for (int t = 0; t < kTaps; ++t) {
+      const double w = window[t];
+      mu_a += w * a[x + t];
+      mu_b += w * b[x + t];
+      squares += w * ss[x + t];
+      product += w * sp[x + t];
+    }
+    result[x] = (2.0 * (product - mu_a * mu_b) + kC2) / (squares - (mu_a * mu_a + mu_b * mu_b) + kC2);
+  }
+}
 
-double ssim(const Image8& reference, const Image8& test) {
-  assert(reference.width == test.width && reference.height == test.height);
-  const int columns = reference.width - kTaps + 1, rows = reference.height - kTaps + 1;
+using RowFunction = void (*)(const Sums& sums, int width, const Window& window, double* result);
+
+/// The mean over all places of the window of what `of_row` computes.
+double mean_over_places(const SamplePlane& a, const SamplePlane& b, RowFunction of_row) {
+  assert(a.width == b.width && a.height == b.height);
+  const int columns = a.width - kTaps + 1, rows = a.height - kTaps + 1;
   if (columns < 1 || rows < 1) return std::numeric_limits<double>::quiet_NaN();
   const Window window = gaussian();
-  const std::vector<double> a = luma(reference), b = luma(test);
-  const std::size_t width = static_cast<std::size_t>(reference.width);
+  const std::size_t width = static_cast<std::size_t>(a.width);
   Sums sums(width);
   std::vector<double> row(static_cast<std::size_t>(columns));
   double total = 0.0;
   for (int y = 0; y < rows; ++y) {
-    sum_down(&a[y * width], &b[y * width], reference.width, window, sums);
-    similarity_of_row(sums, columns, window, row.data());
+    sum_down(&a.samples[y * width], &b.samples[y * width], a.width, window, sums);
+    of_row(sums, columns, window, row.data());
     double row_total = 0.0;
     for (const double value : row) row_total += value;
     total += row_total;
   }
   return total / (static_cast<double>(columns) * rows);
 }
+
+}  // namespace
+
+SamplePlane luma_601(const Image8& image) {
+  SamplePlane y{image.width, image.height, std::vector<double>(image.rgb.size() / 3)};
+  for (std::size_t i = 0; i < y.samples.size(); ++i)
+    y.samples[i] = 0.299 * image.rgb[3 * i] + 0.587 * image.rgb[3 * i + 1] + 0.114 * image.rgb[3 * i + 2];
+  return y;
+}
+
+double ssim(const SamplePlane& reference, const SamplePlane& test) {
+  return mean_over_places(reference, test, similarity_of_row);
+}
+
+double contrast_structure(const SamplePlane& reference, const SamplePlane& test) {
+  return mean_over_places(reference, test, contrast_structure_of_row);
+}
+
+double ssim(const Image8& reference, const Image8& test) { return ssim(luma_601(reference), luma_601(test)); }
 
 }  // namespace lippmann

@@ -31,22 +31,23 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uintmax_t kMaxReportBytes = std::uintmax_t{256} << 20;  // a frame takes about 600
 
-using LayerChannel = std::array<std::string, 1>;
+using LayerChannels = std::span<const std::string>;
 
-bool has_channel(const fs::path& picture, const LayerChannel& channel) {
+bool has_channels(const fs::path& picture, LayerChannels channels) {
   const std::vector<std::string> names = channel_names(picture);
-  return std::find(names.begin(), names.end(), channel[0]) != names.end();
+  return std::all_of(channels.begin(), channels.end(),
+                     [&](const std::string& channel) { return std::find(names.begin(), names.end(), channel) != names.end(); });
 }
 
 /// Of an EXR picture that has it, or of the file of layers beside the picture.
-std::optional<Image> rendered_layer(const fs::path& picture, const LayerChannel& channel) {
-  if (picture.extension() == ".exr" && has_channel(picture, channel)) return read_channels(picture, channel);
+std::optional<Image> rendered_layer(const fs::path& picture, LayerChannels channels) {
+  if (picture.extension() == ".exr" && has_channels(picture, channels)) return read_channels(picture, channels);
   static const TextPattern numbered("(?:frame|view)_([0-9]+).*");
   const auto found = numbered.match(picture.filename().string());
   if (!found) return std::nullopt;
   const fs::path layers = picture.parent_path() / ("aov_" + found->groups[1] + ".exr");
-  if (!is_regular_file_there(layers) || !has_channel(layers, channel)) return std::nullopt;
-  return read_channels(layers, channel);
+  if (!is_regular_file_there(layers) || !has_channels(layers, channels)) return std::nullopt;
+  return read_channels(layers, channels);
 }
 
 /// A JSON object.
@@ -198,12 +199,17 @@ std::optional<Rendering> rendering_of(const fs::path& picture) {
 }
 
 std::optional<Image> rendered_depth(const fs::path& picture) {
-  static const LayerChannel depth{"Z"};
+  static const std::array<std::string, 1> depth{"Z"};
   return rendered_layer(picture, depth);
 }
 
+std::optional<Image> rendered_motion(const fs::path& picture) {
+  static const std::array<std::string, 2> motion{"motion.X", "motion.Y"};
+  return rendered_layer(picture, motion);
+}
+
 std::optional<Image> rendered_provenance(const fs::path& picture) {
-  static const LayerChannel provenance{"provenance"};
+  static const std::array<std::string, 1> provenance{"provenance"};
   return rendered_layer(picture, provenance);
 }
 

@@ -51,6 +51,9 @@ void warn_of_unchecked(const std::filesystem::path& in, const Context& context);
 /// aov_000.exr beside view_000... None if there is none. Throws Error as read_channels.
 std::optional<Image> rendered_depth(const std::filesystem::path& picture);
 
+/// Likewise, by how many pixels of its view each point has moved since the frame before: two channels, right and down.
+std::optional<Image> rendered_motion(const std::filesystem::path& picture);
+
 /// Likewise, where its pixels came from: values of Provenance (lippmann/trace/aovs.hpp).
 std::optional<Image> rendered_provenance(const std::filesystem::path& picture);
 

@@ -10,6 +10,7 @@
 
 #include "layout/cameras.hpp"
 #include "layout/light_field_source.hpp"
+#include "layout/views_layer.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
 #include "lippmann/layout/arrangement.hpp"
@@ -17,7 +18,6 @@
 #include "view/disparity_codes.hpp"
 #include "view/near_edges.hpp"
 #include "view/running_render.hpp"
-#include "view/views_provenance.hpp"
 #include "view/within_folder.hpp"
 
 namespace lippmann {

@@ -41,7 +41,7 @@ Comparison compare_quietly(const fs::path& reference, const fs::path& test, int 
                            const std::optional<std::vector<int>>& wanted = {}) {
   Context context;
   context.threads = threads;
-  return compare(reference, test, context, wanted);
+  return compare(reference, test, context, {.frames = wanted});
 }
 
 TEST(Compare, two_pictures_give_one_frame_with_their_metrics) {

@@ -6,6 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "image/flip.hpp"
+#include "image/ms_ssim.hpp"
 #include "image/png.hpp"
 #include "image/ssim.hpp"
 #include "lippmann/core/error.hpp"
@@ -99,6 +101,60 @@ TEST(Metrics, rmse_of_every_channel_is_what_ffmpegs_psnr_filter_finds) {
     const double filtered = 255.0 * std::pow(10.0, -test::number_after(output, label) / 20.0);
     EXPECT_NEAR(rmse, filtered, 1e-6 * filtered) << label << " is printed with 6 decimals of a decibel: 6e-8 of the RMSE";
   }
+}
+
+TEST(Metrics, luma_and_chroma_errors_are_worked_out_by_hand) {
+  const PictureMetrics m = measure_difference(flat(4, 4, 100), flat(4, 4, 110));
+  EXPECT_NEAR(m.psnr_y_db, 10.0 * std::log10(65025.0 / 100.0), 1e-12) << "grey differs in luma alone";
+  EXPECT_EQ(m.psnr_yuv_db, std::numeric_limits<double>::infinity());
+  const PictureMetrics red = measure_difference(Image8{1, 1, {100, 0, 0}}, Image8{1, 1, {110, 0, 0}});
+  const double y = 2.126, u = -2.126 / 1.8556, v = 7.874 / 1.5748;
+  EXPECT_NEAR(red.psnr_y_db, psnr_db(y * y), 1e-12);
+  EXPECT_NEAR(red.psnr_yuv_db, (6.0 * psnr_db(y * y) + psnr_db(u * u) + psnr_db(v * v)) / 8.0, 1e-12);
+}
+
+TEST(Metrics, luma_psnr_is_what_ffmpegs_psnr_filter_finds) {
+  if (!test::program_exists("ffmpeg")) GTEST_SKIP() << "ffmpeg is not installed";
+  const test::TempDir dir;
+  const Image8 a = smooth_codes(64, 48), b = smooth_codes(64, 48, 0.1);
+  write_png(dir / "a.png", a);
+  write_png(dir / "b.png", b);
+  const std::string to_yuv = "scale=out_color_matrix=bt709:out_range=pc:flags=accurate_rnd+full_chroma_int,format=yuv444p16le";
+  const std::string output =
+      test::run_command("ffmpeg -nostats -i '" + (dir / "a.png").string() + "' -i '" + (dir / "b.png").string() +
+                        "' -lavfi '[0]" + to_yuv + "[a];[1]" + to_yuv + "[b];[a][b]psnr' -f null -")
+          .output;
+  const PictureMetrics m = measure_difference(a, b);
+  const double y = test::number_after(output, "PSNR y:"), u = test::number_after(output, " u:"),
+               v = test::number_after(output, " v:");
+  EXPECT_NEAR(m.psnr_y_db, y, 0.01) << "ffmpeg's conversion has 15 bits";
+  EXPECT_NEAR(m.psnr_yuv_db, (6.0 * y + u + v) / 8.0, 0.01);
+}
+
+TEST(Metrics, slow_metrics_are_computed_where_chosen) {
+  const Image8 a = smooth_codes(170, 165), b = smooth_codes(170, 165, 0.3);
+  EXPECT_FALSE(measure_difference(a, b).flip || measure_difference(a, b).ms_ssim);
+  const PictureMetrics m = measure_difference(a, b, {.ms_ssim = true, .flip = true});
+  EXPECT_EQ(m.flip, flip(a, b));
+  EXPECT_EQ(m.ms_ssim, ms_ssim(a, b));
+}
+
+TEST(Flip, equal_pictures_have_none_and_primaries_the_most) {
+  const Image8 a = noise_codes(30, 20);
+  EXPECT_EQ(flip(a, a), 0.0);
+  Image8 green = flat(40, 40, 0), blue = green;
+  for (std::size_t i = 0; i < green.rgb.size(); i += 3) green.rgb[i + 1] = blue.rgb[i + 2] = 255;
+  EXPECT_NEAR(flip(green, blue), 1.0, 1e-6) << "the paper's largest difference";
+}
+
+TEST(MsSsim, needs_a_window_at_the_fifth_scale) {
+  EXPECT_TRUE(std::isnan(ms_ssim(flat(160, 200, 5), flat(160, 200, 5))));
+  EXPECT_DOUBLE_EQ(ms_ssim(noise_codes(161, 161), noise_codes(161, 161)), 1.0);
+}
+
+TEST(MsSsim, flat_pictures_leave_the_luminance_term_of_the_last_scale) {
+  const double luminance = (2.0 * 100 * 120 + 6.5025) / (100.0 * 100 + 120.0 * 120 + 6.5025);
+  EXPECT_NEAR(ms_ssim(flat(170, 170, 100), flat(170, 170, 120)), std::pow(luminance, 0.1333), 1e-9);
 }
 
 TEST(Ssim, flat_pictures_leave_the_luminance_term_only) {

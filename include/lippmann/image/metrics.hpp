@@ -1,4 +1,4 @@
-// How much a picture differs from a reference: mean squared error, PSNR and SSIM of 8-bit codes.
+// How much a picture differs from a reference: mean squared error, PSNR, SSIM, MS-SSIM and FLIP of 8-bit codes.
 //
 // Exact definitions (also in docs/reference/metrics.md), for codes 0 ... 255 of reference a and test b:
 //   MSE of a channel   mean over all pixels of (a - b)^2; its mean: (R + G + B) / 3
@@ -9,7 +9,17 @@
 //                      0.114 B (BT.601, not rounded): 11 x 11 Gaussian window of sigma 1.5 that sums to 1, K1 = 0.01,
 //                      K2 = 0.03, L = 255, averaged over the places where the window lies wholly inside the picture.
 //                      Not a number for pictures with a side below 11 pixels.
+//   PSNR-Y             10 log10(255^2 / mean squared difference) dB of Y = 0.2126 R + 0.7152 G + 0.0722 B (BT.709, full range,
+//   not
+//                      rounded); infinite where no luma differs
+//   PSNR-YUV           (6 PSNR-Y + PSNR-U + PSNR-V) / 8 with U = (B - Y) / 1.8556, V = (R - Y) / 1.5748 at full resolution;
+//                      infinite where one of them is
+//   MS-SSIM            Wang, Simoncelli, Bovik, "Multi-scale structural similarity for image quality assessment", 2003, eq. 7
+//                      with its five weights, of the luma of SSIM. Not a number below 161 pixels a side.
+//   FLIP               LDR-FLIP, Andersson et al. 2020, at 67 pixels per degree: mean over the pixels, 0 ... 1
 #pragma once
+
+#include <optional>
 
 #include "lippmann/image/image.hpp"
 
@@ -24,10 +34,17 @@ struct PictureMetrics {
   double psnr_db = 0.0;
   double ssim = 1.0;
   bool identical = true;
+  double psnr_y_db = 0.0, psnr_yuv_db = 0.0;
+  std::optional<double> ms_ssim = {}, flip = {};  ///< none: not chosen
+};
+
+/// The metrics that take long.
+struct SlowMetrics {
+  bool ms_ssim = false, flip = false;
 };
 
 /// Throws Error for pictures of two sizes, without a pixel, or with fewer samples than their size says.
-PictureMetrics measure_difference(const Image8& reference, const Image8& test);
+PictureMetrics measure_difference(const Image8& reference, const Image8& test, const SlowMetrics& wanted = {});
 
 /// PSNR of a mean squared error; infinite for 0.
 double psnr_db(double mean_mse);

@@ -1,0 +1,14 @@
+// Compares light fields view by view, and whether errors stay the same from view to view and frame to frame.
+#pragma once
+
+#include <filesystem>
+
+#include "compare/compare.hpp"
+
+namespace lippmann {
+
+/// As compare(), for CompareParams::compares_views().
+Comparison compare_views(const std::filesystem::path& reference, const std::filesystem::path& test, const Context& context,
+                         const CompareParams& params);
+
+}  // namespace lippmann

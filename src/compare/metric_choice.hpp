@@ -1,0 +1,21 @@
+// The metrics that a comparison may be asked for, besides those that it always has; defined in docs/metrics.md.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lippmann/image/metrics.hpp"
+
+namespace lippmann {
+
+struct MetricChoice {
+  bool psnr_y = false, psnr_yuv = false;  ///< always computed; chosen: columns of the table
+  SlowMetrics slow = {};
+  bool angular = false, flicker = false;  ///< of light fields, and of consecutive frames
+};
+
+/// Names separated by commas: psnr-y, psnr-yuv, ms-ssim, flip, angular, flicker; psnr and ssim, which there are always; all.
+/// Throws a usage Error naming `metrics`.
+MetricChoice read_metrics(const std::string& text);
+
+}  // namespace lippmann

@@ -1,0 +1,75 @@
+#include "compare/views_of_frame.hpp"
+
+#include <cstddef>
+#include <utility>
+#include <variant>
+
+#include "image/read_image.hpp"
+#include "layout/cameras.hpp"
+#include "layout/light_field_source.hpp"
+#include "layout/rendered.hpp"
+#include "layout/views_layer.hpp"
+#include "lippmann/image/encode.hpp"
+#include "lippmann/layout/open_light_field.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+Image8 codes_of(const Image8& picture) { return picture; }
+
+Image8 codes_of(const Image16& picture) {
+  Image8 codes{picture.width, picture.height, {}};
+  codes.rgb.reserve(picture.rgb.size());
+  for (const std::uint32_t code : picture.rgb) codes.rgb.push_back(static_cast<unsigned char>((code * 255 + 32767) / 65535));
+  return codes;
+}
+
+Image8 codes_of(const Image& picture) { return to_codes(picture, Encoding::kSrgb); }
+
+/// Whether a picture is one view: the hints or the report beside it say so, and it is no folder.
+bool is_single_view(const fs::path& path, const ViewsHints& hints) {
+  if (fs::is_directory(path) || !hints.from.empty() || hints.tiles) return false;
+  if (hints.views) return hints.views->count() == 1;
+  const std::optional<Rendering> rendering = rendering_of(path);
+  if (!rendering) return false;
+  const std::optional<RenderedViews> views = rendered_views(rendering->optics);
+  return views && views->film.grid.count() == 1;
+}
+
+FrameViews read_single_view(const fs::path& path, bool with_motion, const std::function<void(std::string_view)>& warn) {
+  FrameViews frame{.grid = {1, 1},
+                   .views = {std::visit([](const auto& picture) { return codes_of(picture); }, read_picture(path, warn))}};
+  frame.view_size = {frame.views[0].width, frame.views[0].height};
+  if (!with_motion) return frame;
+  frame.motion = rendered_motion(path);
+  if (frame.motion && Vec2i(frame.motion->width, frame.motion->height) != frame.view_size) frame.motion.reset();
+  return frame;
+}
+
+}  // namespace
+
+FrameViews read_views_of_frame(const fs::path& path, const ViewsHints& hints, bool with_motion,
+                               const std::function<void(std::string_view)>& warn) {
+  if (is_single_view(path, hints)) return read_single_view(path, with_motion, warn);
+  FormatOptions options;
+  options.views = hints.views, options.tiles = hints.tiles, options.warn = warn;
+  const OpenedLightField opened = open_light_field(path, hints.from, options);
+  FrameViews frame{.grid = opened.field.grid, .view_size = opened.field.view_size, .views = {}, .format = opened.format};
+  for (int view = 0; view < frame.grid.count(); ++view)
+    frame.views.push_back(std::visit([](const auto& picture) { return codes_of(picture); }, view_of(opened.field, view)));
+  if (with_motion) frame.motion = views_motion(path, opened.field);
+  return frame;
+}
+
+FrameViews read_views_like(const FrameViews& reference, const fs::path& path, const ViewsHints& hints,
+                           const std::function<void(std::string_view)>& warn) {
+  ViewsHints completed = hints;
+  if (!completed.views) completed.views = reference.grid;
+  const bool is_described = fs::is_directory(path) || rendering_of(path) || format_by_name(path);
+  if (completed.from.empty() && !is_described && reference.grid.count() > 1) completed.from = std::string(reference.format);
+  return read_views_of_frame(path, completed, false, warn);
+}
+
+}  // namespace lippmann

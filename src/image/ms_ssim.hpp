@@ -1,0 +1,11 @@
+// Multi-scale structural similarity; defined in image/metrics.hpp.
+#pragma once
+
+#include "lippmann/image/image.hpp"
+
+namespace lippmann {
+
+/// The pictures must have one size. NaN if a side is below 161 pixels: the window does not fit into the fifth scale.
+double ms_ssim(const Image8& reference, const Image8& test);
+
+}  // namespace lippmann

@@ -1,0 +1,15 @@
+// PSNR of luma and chroma; defined in image/metrics.hpp.
+#pragma once
+
+#include "lippmann/image/image.hpp"
+
+namespace lippmann {
+
+struct YuvPsnr {
+  double y_db = 0.0, yuv_db = 0.0;  ///< infinite where the pictures are equal
+};
+
+/// The pictures must have one size.
+YuvPsnr yuv_psnr(const Image8& reference, const Image8& test);
+
+}  // namespace lippmann
