@@ -37,12 +37,13 @@ TEST(CompareCommand, json_is_all_there_is_on_stdout) {
   EXPECT_EQ(json["identical"], false);
 }
 
-TEST(CompareCommand, table_has_a_line_per_frame_between_titles_and_mean) {
+TEST(CompareCommand, table_ends_with_mean_and_worst) {
   const TempDir dir;
   make_folders(dir);
   const RunResult result = run_tool(dir, {"compare", "a", "b"});
-  EXPECT_EQ(lines_of(result.out), 4u);
+  EXPECT_EQ(lines_of(result.out), 5u);
   EXPECT_THAT(result.out, HasSubstr("\nmean "));
+  EXPECT_THAT(result.out, HasSubstr("\nworst "));
 }
 
 TEST(CompareCommand, frames_are_those_that_are_asked_for) {
