@@ -34,6 +34,7 @@ void add_submit_command(const Command& root, Action& chosen, const std::string& 
 void add_finish_command(const Command& root, Action& chosen, const std::string& program);
 void add_check_command(const Command& root, Action& chosen);
 void add_compare_command(const Command& root, Action& chosen);
+void add_dataset_command(const Command& root, Action& chosen);
 void add_convert_command(const Command& root, Action& chosen);
 void add_align_command(const Command& root, Action& chosen);
 void add_encode_command(const Command& root, Action& chosen);

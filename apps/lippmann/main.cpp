@@ -93,6 +93,7 @@ int run(int argc, char** argv) {
   Action chosen;
   add_render_command(root, chosen, called_as(argc, argv));
   add_plan_command(root, chosen);
+  add_dataset_command(root, chosen);
   add_submit_command(root, chosen, called_as(argc, argv));
   add_finish_command(root, chosen, called_as(argc, argv));
   add_check_command(root, chosen);

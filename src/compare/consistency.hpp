@@ -1,4 +1,4 @@
-// Whether errors stay the same from view to view and from frame to frame; defined in docs/metrics.md.
+// Whether errors stay the same from view to view and from frame to frame; defined in docs/reference/metrics.md.
 //
 // An error that is the same in neighbouring views, or moves with the surface that it lies on, is seen as a property of the
 // scene; one that differs is seen as shimmer when the eye moves, or as flicker. Both figures are of the error's change alone.

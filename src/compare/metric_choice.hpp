@@ -1,4 +1,4 @@
-// The metrics that a comparison may be asked for, besides those that it always has; defined in docs/metrics.md.
+// The metrics that a comparison may be asked for, besides those that it always has; defined in docs/reference/metrics.md.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-"""What `lippmann compare` prints, against the definitions in docs/metrics.md, written here with NumPy in the plainest way."""
+"""What `lippmann compare` prints, against the definitions in docs/reference/metrics.md, written here with NumPy in the plainest way."""
 
 import json
 import unittest
