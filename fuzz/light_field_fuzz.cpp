@@ -1,12 +1,14 @@
 // Feeds bytes to the readers of light fields' side files and pictures that are our own. The first byte says which: 'h' HCI's
 // parameters.cfg, 'v' cvkit's NAME_param.txt, 'e' ESLF's side file, 'm' MIV's cameras.json, 't' NeRF's transforms.json, 'a' and
 // 'i' COLMAP's cameras and images as text, 'A' and 'I' as binary, 'l' LLFF's poses_bounds.npy, 'q' a quilt's side file, 'p'
-// PPM, 'f' PFM, 'k' --keep, 'c' --crop. Whatever follows, it either throws Error or gives what is written and read again to the
-// same.
+// PPM, 'f' PFM, 'k' --keep, 'c' --crop, 'w' the side file of a raw plenoptic picture, 'L' a Lytro container, 'r' Lytro metadata
+// of 16x16 packed codes. Whatever follows, it either throws Error or gives what is written and read again to the same.
 //
 // fuzz/light_field_seeds SEEDS && fuzz_light_field -dict=fuzz/light_field.dict CORPUS SEEDS; or scripts/fuzz light_field.
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 
@@ -15,7 +17,9 @@
 #include "layout/cvkit_camera.hpp"
 #include "layout/eslf_side_file.hpp"
 #include "layout/hci_parameters.hpp"
+#include "layout/lens_grid_file.hpp"
 #include "layout/llff_poses.hpp"
+#include "layout/lytro_raw.hpp"
 #include "layout/miv_cameras.hpp"
 #include "layout/quilt_side_file.hpp"
 #include "layout/transforms_json.hpp"
@@ -105,6 +109,19 @@ void pfm(std::span<const std::byte> file) {
   require(encode_pfm(parse_pfm(encode_pfm(picture), "a")).size() == encode_pfm(picture).size());
 }
 
+void lens_grid(const std::string& text) {
+  const std::optional<LensGrid> grid = parse_lens_grid(text, "a");
+  if (!grid) return;
+  const auto text_of = [](const LensGrid& of) { return nlohmann::ordered_json{{"plenoptic", lens_grid_json(of)}}.dump(); };
+  const LensGrid again = *parse_lens_grid(text_of(*grid), "a");
+  require(again.pitch_px == grid->pitch_px && std::abs(again.rotation - grid->rotation) < 1e-9);
+}
+
+void lytro(const LytroRaw& raw) {
+  require(raw.light.data.size() == 3 * static_cast<std::size_t>(raw.light.width * raw.light.height));
+  require(developed(raw).rgb.size() == raw.light.data.size() && raw.grid.pitch_px > 0.0);
+}
+
 void read(char kind, const std::string& text) {
   switch (kind) {
     case 'h':
@@ -134,6 +151,14 @@ void read(char kind, const std::string& text) {
       return ppm(std::as_bytes(std::span(text)));
     case 'f':
       return pfm(std::as_bytes(std::span(text)));
+    case 'w':
+      return lens_grid(text);
+    case 'l':
+      return lytro(parse_lfr(std::as_bytes(std::span(text)), "a"));
+    case 'r': {
+      constexpr std::array<std::byte, 384> kCodes{};
+      return lytro(parse_lytro(kCodes, text, "a"));
+    }
     case 'k':
       read_kept_views(text, "--keep");
       return;

@@ -12,6 +12,7 @@
 #include "apps/lippmann/print_json.hpp"
 #include "core/printable.hpp"
 #include "folder/claim_folder.hpp"
+#include "layout/lens_grid_file.hpp"
 #include "layout/rendered.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/display/load_display.hpp"
@@ -60,6 +61,11 @@ DepthConversion depth_frames_of(const ConvertOptions& options, std::string_view 
   return params;
 }
 
+/// A side file's document, and how well it fits.
+nlohmann::ordered_json lens_grid_result(const LensGridFit& fit) {
+  return {{"plenoptic", lens_grid_json(fit.grid)}, {"lenses", fit.lenses}, {"residual_px", fit.residual_px}};
+}
+
 int run(const ConvertOptions& options, const Context& context) {
   require_no_render(options.out);
   warn_of_unchecked(options.in, context);
@@ -84,6 +90,8 @@ int run(const ConvertOptions& options, const Context& context) {
   params.options.warn = context.warn;
   params.threads = context.threads;
   params.icc = options.picture.icc;
+  const ReadPlenopticFlags plenoptic = read_plenoptic_flags(options.plenoptic);
+  params.options.plenoptic = plenoptic.calibration;
   if (conversion.is_from_video) params.read_views = read_video_views;
   if (conversion.kind == ConvertKind::kDisplay) params.display_picture = options.picture.read(options.filter.read());
   const Converted converted = convert(options.in, options.out, params);
@@ -108,11 +116,13 @@ int run(const ConvertOptions& options, const Context& context) {
     nlohmann::ordered_json result{{"views", {converted.views.columns, converted.views.rows}},
                                   {"view_size", {converted.view_size.x, converted.view_size.y}},
                                   {"files", files}};
+    if (plenoptic.fit) result["lens_grid"] = lens_grid_result(*plenoptic.fit);
     if (params.display_picture) result["fitted"] = converted.fitted;
     print_json(result);
     return 0;
   }
   if (!options.result.wants_text()) return 0;
+  if (plenoptic.fit) fmt::print("{}\n", described(*plenoptic.fit));
   if (options.sheet.are_given()) fmt::print("{}\n", params.options.display->description);
   fmt::print("{}x{} views of {}x{} pixels{}: {}{}\n", converted.views.columns, converted.views.rows, converted.view_size.x,
              converted.view_size.y, converted.fitted.empty() ? "" : ", " + converted.fitted,
@@ -181,6 +191,7 @@ void add_convert_command(const Command& root, Action& chosen) {
   add_stereo_flags(command, options->stereo);
   add_depth_flags(command, options->depth);
   add_camera_flags(command, options->cameras);
+  add_plenoptic_flags(command, options->plenoptic);
   add_result_flags(command, options->result);
   command.footer(formats_help());
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });

@@ -38,6 +38,11 @@ bool is_written(const Conversion& c) {
   return c.to && c.to->writes.*use;
 }
 
+/// Raw plenoptic pictures are read for every kind of conversion but that of two eyes, which reads its light field itself.
+bool reads_plenoptic(const ConvertOptions&, const Conversion& c) {
+  return is_read<&FormatUses::plenoptic>(c) && c.kind != ConvertKind::kStereo;
+}
+
 bool has_formats(const ConvertOptions&, const Conversion& c) { return c.to != nullptr; }
 bool is_for_display(const ConvertOptions&, const Conversion& c) { return c.kind == ConvertKind::kDisplay; }
 bool is_rearranged(const ConvertOptions& o, const Conversion& c) {
@@ -96,7 +101,8 @@ constexpr std::array kIdleRules{
     IdleRule{"--to", [](const ConvertOptions& o) { return !o.to.empty(); }, has_formats,
              "a conversion without --rotate-elemental, --spoc and --precompensate"},
     IdleRule{"--views", [](const ConvertOptions& o) { return !o.views.empty(); }, uses_views,
-             "--from integral, eslf, views, quilt, hci or native to a format with another order of views, or RGB-D pictures"},
+             "--from integral, eslf, plenoptic, views, quilt, hci or native to a format with another order of views, or RGB-D "
+             "pictures"},
     IdleRule{"--quilt", [](const ConvertOptions& o) { return !o.quilt.empty(); }, uses_tiles, "--from quilt or --to quilt"},
     IdleRule{"--aspect", [](const ConvertOptions& o) { return o.aspect > 0.0; },
              [](const ConvertOptions& o, const Conversion& c) {
@@ -144,6 +150,22 @@ constexpr std::array kIdleRules{
              "--spoc"},
     IdleRule{"--gap", [](const ConvertOptions& o) { return o.orthoscopic.gap_mm.has_value(); }, is_spoc, "--spoc"},
     IdleRule{"--lens-pixels", [](const ConvertOptions& o) { return o.orthoscopic.lens_pixels.has_value(); }, is_spoc, "--spoc"},
+    IdleRule{"--white", [](const ConvertOptions& o) { return !o.plenoptic.white.empty(); }, reads_plenoptic,
+             "--from plenoptic"},
+    IdleRule{"--lens-pitch-px", [](const ConvertOptions& o) { return o.plenoptic.pitch_px.has_value(); }, reads_plenoptic,
+             "--from plenoptic"},
+    IdleRule{"--lens-row-pitch-px", [](const ConvertOptions& o) { return o.plenoptic.row_pitch_px.has_value(); },
+             reads_plenoptic, "--from plenoptic, to a format other than stereo"},
+    IdleRule{"--lens-rotation", [](const ConvertOptions& o) { return o.plenoptic.rotation_deg.has_value(); }, reads_plenoptic,
+             "--from plenoptic"},
+    IdleRule{"--lens-offset", [](const ConvertOptions& o) { return !o.plenoptic.offset.empty(); }, reads_plenoptic,
+             "--from plenoptic"},
+    IdleRule{"--lens-arrangement", [](const ConvertOptions& o) { return !o.plenoptic.arrangement.empty(); }, reads_plenoptic,
+             "--from plenoptic"},
+    IdleRule{"--sampling", [](const ConvertOptions& o) { return !o.plenoptic.sampling.empty(); }, reads_plenoptic,
+             "--from plenoptic"},
+    IdleRule{"--inverted", [](const ConvertOptions& o) { return o.plenoptic.inverted; }, reads_plenoptic,
+             "--from plenoptic, to a format other than stereo"},
     IdleRule{"--crosstalk", [](const ConvertOptions& o) { return !o.crosstalk.crosstalk.empty(); }, is_precompensation,
              "--precompensate"},
     IdleRule{"--stereo", [](const ConvertOptions& o) { return !o.stereo.packing.empty(); },

@@ -8,6 +8,7 @@
 #include "apps/lippmann/depth_flags.hpp"
 #include "apps/lippmann/display_picture_flags.hpp"
 #include "apps/lippmann/orthoscopic_flags.hpp"
+#include "apps/lippmann/plenoptic_flags.hpp"
 #include "apps/lippmann/result_flags.hpp"
 #include "apps/lippmann/sheet_flags.hpp"
 #include "apps/lippmann/stereo_flags.hpp"
@@ -30,6 +31,7 @@ struct ConvertOptions {
   CameraFlags cameras;
   SheetFlags sheet;
   DisplayPictureFlags picture;
+  PlenopticFlags plenoptic;
 
   bool has_display() const { return !display.empty() || sheet.are_given(); }
   /// Throws a usage Error naming the flag. has_display() is true.

@@ -9,6 +9,8 @@
 #include "core/text_pattern.hpp"
 #include "layout/eslf_side_file.hpp"
 #include "layout/frame_names.hpp"
+#include "layout/lens_grid_file.hpp"
+#include "layout/lytro_raw.hpp"
 #include "layout/picture_folder.hpp"
 #include "layout/quad_name.hpp"
 #include "layout/quilt_side_file.hpp"
@@ -123,6 +125,7 @@ std::optional<std::string> format_by_name(const fs::path& picture) {
   if (has_rgbd_name(picture) || read_rgbd_side_file(picture)) return "rgbd";
   if (read_eslf_side_file(picture)) return "eslf";
   if (read_quilt_side_file(picture)) return "quilt";
+  if (is_lytro_raw(picture) || read_lens_grid(picture)) return "plenoptic";
   return std::nullopt;
 }
 

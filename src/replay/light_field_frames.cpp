@@ -127,7 +127,7 @@ void refuse_unused(const LightFieldHints& hints, const LightFieldFormat& format)
   const auto refuse = [&](bool given, const char* flag, const char* accepted) {
     if (given) throw usage_error(flag, fmt::format("has no effect on the format {}", format.name), accepted);
   };
-  refuse(hints.views && !format.reads.views, "views", "`from` integral, eslf, views, quilt, hci or native");
+  refuse(hints.views && !format.reads.views, "views", "`from` integral, eslf, plenoptic, views, quilt, hci or native");
   refuse(hints.tiles && !format.reads.tiles, "quilt", "`from` quilt");
 }
 

@@ -1,6 +1,7 @@
 // `lippmann convert` from outside: what it prints, what it warns of, and what it leaves where it fails.
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "cli/tool.hpp"
@@ -162,6 +163,50 @@ TEST(Convert, turns_depth_round_by_both_ways_and_precompensates) {
   expect_refusal(run_tool(dir, {"convert", "out", "out", "--rotate-elemental"}), 1, "out: holds a render");
   expect_done(dir, {"convert", "out", "made", "--precompensate", "--crosstalk", "0.35"});
   EXPECT_TRUE(fs::exists(dir / "made/frame_0000.png"));
+}
+
+/// Lenses of 10.4 pixels, each a bright spot.
+void write_lens_spots(const fs::path& path, int side) {
+  Image8 codes{side, side, {}};
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const auto wave = [](int at) { return 0.5 - 0.5 * std::cos(6.283185307 * (at + 0.5) / 10.4); };
+      codes.rgb.insert(codes.rgb.end(), 3, static_cast<unsigned char>(250.0 * wave(x) * wave(y)));
+    }
+  write_picture(path, codes);
+}
+
+TEST(Convert, plenoptic_grid_is_given_or_found) {
+  const TempDir dir;
+  write_lens_spots(dir / "raw.png", 104);
+  write_lens_spots(dir / "white.png", 104);
+  const Words convert{"convert", "raw.png", "views", "--from", "plenoptic", "--to", "views"};
+  const Json given = report_of(dir, convert + Words{"--lens-pitch-px", "10.4", "--views", "9x9"});
+  EXPECT_EQ(given["view_size"], Json({10, 10}));
+  EXPECT_FALSE(given.contains("lens_grid"));
+  fs::remove_all(dir / "views");
+  const Json found = report_of(dir, convert + Words{"--white", "white.png"});
+  EXPECT_NEAR(found["lens_grid"]["plenoptic"]["pitch_px"].get<double>(), 10.4, 0.01);
+  EXPECT_LT(found["lens_grid"]["residual_px"].get<double>(), 0.1);
+  fs::remove_all(dir / "views");
+  EXPECT_THAT(run_tool(dir, convert + Words{"--white", "white.png", "--sampling", "lanczos"}).out,
+              HasSubstr("lens grid: square"));
+}
+
+TEST(Convert, plenoptic_flags_without_effect_are_refused) {
+  const TempDir dir;
+  write_lens_spots(dir / "raw.png", 104);
+  const Words convert{"convert", "raw.png", "views", "--from", "plenoptic", "--to", "views"};
+  expect_refusal(run_tool(dir, convert), 2, "--lens-pitch-px");
+  expect_refusal(run_tool(dir, convert + Words{"--lens-rotation", "2"}), 2, "--lens-rotation");
+  expect_refusal(run_tool(dir, convert + Words{"--lens-pitch-px", "10.4", "--lens-offset", "5"}), 2, "--lens-offset");
+  expect_refusal(run_tool(dir, convert + Words{"--lens-pitch-px", "nan"}), 2, "--lens-pitch-px");
+  expect_refusal(run_tool(dir, convert + Words{"--lens-pitch-px", "10.4", "--views", "12x12"}), 2, "--views");
+  expect_refusal(run_tool(dir, {"convert", "raw.png", "v", "--from", "eslf", "--views", "8x8", "--to", "views", "--inverted"}),
+                 2, "--inverted");
+  expect_refusal(run_tool(dir, {"convert", "raw.png", "p.png", "--from", "eslf", "--views", "8x8", "--to", "plenoptic"}), 2,
+                 "--to");
+  EXPECT_FALSE(fs::exists(dir / "p.png"));
 }
 
 }  // namespace

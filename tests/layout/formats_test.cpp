@@ -47,11 +47,12 @@ Vec2i view_in(const fs::path& path) {
 }
 
 /// All but the panel's own frame, which holds a part of each view, and pictures of a fixed number of views: see
-/// interlace_test.cpp, stereo_test.cpp, quad_test.cpp and rgbd_test.cpp.
+/// interlace_test.cpp, stereo_test.cpp, quad_test.cpp, rgbd_test.cpp and plenoptic_test.cpp.
 std::vector<LightFieldFormat> exact_formats() {
   std::vector<LightFieldFormat> formats = light_field_formats();
   std::erase_if(formats, [](const LightFieldFormat& format) {
-    return format.name == "native" || format.name == "stereo" || format.name == "quad" || format.name == "rgbd";
+    return format.name == "native" || format.name == "stereo" || format.name == "quad" || format.name == "rgbd" ||
+           format.name == "plenoptic";
   });
   return formats;
 }

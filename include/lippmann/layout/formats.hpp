@@ -13,6 +13,7 @@
 #include "lippmann/display/display.hpp"
 #include "lippmann/layout/depth_coding.hpp"
 #include "lippmann/layout/interlace.hpp"
+#include "lippmann/layout/lens_grid.hpp"
 #include "lippmann/layout/light_field.hpp"
 #include "lippmann/layout/stereo.hpp"
 
@@ -41,6 +42,7 @@ struct FormatOptions {
   std::optional<DepthRange> depth_range = {};  ///< greys cover it; none: as the RGB-D picture's side file says, or all there is
   std::optional<bool> even_in_depth = {}, near_black = {};  ///< how they are coded; none: as the side file says (DepthCoding)
   std::optional<StatedCameras> cameras = {};                ///< of files that do not state theirs
+  std::optional<PlenopticCalibration> plenoptic = {};       ///< of raw plenoptic pictures; none: as their files state
   /// Applied to each view as its file is read, so that large ones need not be kept. `view`: its number in the grid.
   std::function<Picture(Picture, int view, ViewGrid grid)> fit_view = {};
   std::function<void(std::string_view)> warn = {};  ///< of what pictures say and is not honoured (image/picture_file.hpp)
@@ -50,7 +52,7 @@ struct FormatOptions {
 /// even_in_depth and near_black.
 struct FormatUses {
   bool views = false, tiles = false, aspect = false, bits = false, display = false, filter = false, stereo = false,
-       depth_coding = false;
+       depth_coding = false, plenoptic = false;
 };
 
 /// Paths are those of one light field, of one moment: a picture or a folder.
@@ -76,6 +78,7 @@ LightFieldFormat hci_format();
 LightFieldFormat stanford_format();
 LightFieldFormat jpeg_pleno_format();
 LightFieldFormat eslf_format();
+LightFieldFormat plenoptic_format();
 LightFieldFormat native_format();
 LightFieldFormat miv_format();
 LightFieldFormat nerf_format();

@@ -1,0 +1,30 @@
+// Flags of `convert` for raw pictures of plenoptic cameras.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "layout/estimate_lens_grid.hpp"
+#include "lippmann/layout/lens_grid.hpp"
+
+namespace lippmann::app {
+
+class Command;  // command_line.hpp
+
+struct PlenopticFlags {
+  std::string white, offset, arrangement, sampling;
+  std::optional<double> pitch_px, row_pitch_px, rotation_deg;
+  bool inverted = false;
+};
+
+struct ReadPlenopticFlags {
+  std::optional<PlenopticCalibration> calibration = {};  ///< none: no flag is given
+  std::optional<LensGridFit> fit = {};                   ///< of the white picture, where no number states the grid
+};
+
+void add_plenoptic_flags(const Command& command, PlenopticFlags& flags);
+
+/// Reads the white picture, and estimates the grid unless it is given. Throws Error naming the flag or the file.
+ReadPlenopticFlags read_plenoptic_flags(const PlenopticFlags& flags);
+
+}  // namespace lippmann::app

@@ -1,0 +1,30 @@
+#include "lippmann/layout/lens_grid.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace lippmann {
+
+LensGrid lens_grid(double pitch_px, double rotation, Vec2d offset_px, LensArrangement arrangement) {
+  const bool is_square = arrangement == LensArrangement::kSquare;
+  return {pitch_px, is_square ? pitch_px : pitch_px * 0.5 * std::numbers::sqrt3, rotation, offset_px, arrangement};
+}
+
+LensGrid transposed(const LensGrid& grid) {
+  LensGrid swapped = grid;
+  swapped.offset_px = {grid.offset_px.y, grid.offset_px.x};
+  swapped.rotation = -grid.rotation;
+  if (grid.arrangement == LensArrangement::kSquare) std::swap(swapped.pitch_px, swapped.row_pitch_px);
+  if (grid.arrangement == LensArrangement::kHexagonal) swapped.arrangement = LensArrangement::kHexagonalColumns;
+  if (grid.arrangement == LensArrangement::kHexagonalColumns) swapped.arrangement = LensArrangement::kHexagonal;
+  return swapped;
+}
+
+Vec2d lens_centre(const LensGrid& grid, int column, int row) {
+  const double shift = grid.arrangement == LensArrangement::kHexagonal && row % 2 != 0 ? 0.5 : 0.0;
+  const double x = grid.pitch_px * (column + shift), y = grid.row_pitch_px * row;
+  const double c = std::cos(grid.rotation), s = std::sin(grid.rotation);
+  return grid.offset_px + Vec2d(c * x - s * y, s * x + c * y);
+}
+
+}  // namespace lippmann

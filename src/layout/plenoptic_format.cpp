@@ -1,0 +1,67 @@
+// The raw picture of a plenoptic camera: what its sensor sees behind lenses of any pitch, turned by any angle. It is read only;
+// `eslf` and `integral` hold the same views below lenses of whole pixels.
+#include <fmt/format.h>
+
+#include <functional>
+#include <optional>
+
+#include "layout/lens_grid_file.hpp"
+#include "layout/lytro_raw.hpp"
+#include "layout/plenoptic_views.hpp"
+#include "lippmann/core/error.hpp"
+#include "lippmann/layout/formats.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RawPicture {
+  Picture picture;
+  std::optional<LensGrid> grid;  ///< that its container or side file states
+};
+
+RawPicture read_raw(const fs::path& path, const std::function<void(std::string_view)>& warn) {
+  if (!is_lytro_raw(path)) return {read_picture(path, warn), read_lens_grid(path)};
+  const LytroRaw raw = read_lytro(path);
+  if (raw.orientation != 1 && warn)
+    warn(fmt::format("{}: its orientation {} is not applied: views are as the sensor saw them.", path.string(),
+                     raw.orientation));
+  return {developed(raw), raw.grid};
+}
+
+LightField read_plenoptic(const fs::path& path, const FormatOptions& options) {
+  PlenopticCalibration calibration = options.plenoptic.value_or(PlenopticCalibration());
+  const RawPicture raw = read_raw(path, options.warn);
+  if (!calibration.grid) calibration.grid = raw.grid;
+  if (!calibration.grid)
+    throw usage_error("lens-pitch-px", "the lens grid of " + path.string() + " is unknown",
+                      "a number of pixels, a white picture (`white`), or the side file " + path.filename().string() +
+                          ".json with \"plenoptic\"");
+  Image light = to_linear(raw.picture);
+  if (calibration.white) divide_by_white(light, *calibration.white, path.string());
+  const ViewGrid views = options.views.value_or(default_plenoptic_views(*calibration.grid));
+  return plenoptic_views(light, calibration, views, raw.picture, path.string());
+}
+
+std::vector<fs::path> refuse_to_write(const LightField&, const fs::path&, const FormatOptions&) {
+  throw usage_error("to", "raw plenoptic pictures are read, and not written", "eslf or integral, which hold the same views");
+}
+
+}  // namespace
+
+Image read_white(const fs::path& path) {
+  return white_shares(is_lytro_raw(path) ? read_lytro(path).light : to_linear(read_picture(path)));
+}
+
+LightFieldFormat plenoptic_format() {
+  return {.name = "plenoptic",
+          .is =
+              "raw picture of a plenoptic camera (Lytro .lfr, or any by `white` or `lens-pitch-px`), lenses of any pitch and "
+              "angle; read only",
+          .read = read_plenoptic,
+          .write = refuse_to_write,
+          .reads = {.views = true, .plenoptic = true}};
+}
+
+}  // namespace lippmann

@@ -1,0 +1,293 @@
+// Raw plenoptic pictures: views of light fields that are known, below lenses of any pitch; the lens grid of white pictures.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <functional>
+
+#include "layout/estimate_lens_grid.hpp"
+#include "layout/lens_grid_file.hpp"
+#include "layout/plenoptic_views.hpp"
+#include "lippmann/layout/convert.hpp"
+#include "lippmann/layout/formats.hpp"
+#include "lippmann/layout/open_light_field.hpp"
+#include "support/error_message.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+using test::error_message;
+using testing::HasSubstr;
+
+/// Light through the lens at a place, from a direction: its offset from the lens centre, in pixels.
+using RawLight = std::function<double(Vec2d lens, Vec2d offset)>;
+
+struct NearestLens {
+  Vec2i index{0, 0};
+  Vec2d centre;
+};
+
+/// The lens whose image a pixel lies in. Not for kHexagonalColumns.
+NearestLens nearest_lens(const LensGrid& grid, Vec2d place) {
+  const double c = std::cos(grid.rotation), s = std::sin(grid.rotation);
+  const Vec2d from = place - grid.offset_px;
+  const int row = static_cast<int>(std::lround((c * from.y - s * from.x) / grid.row_pitch_px));
+  const int column = static_cast<int>(std::lround((c * from.x + s * from.y) / grid.pitch_px));
+  NearestLens nearest{{0, 0}, Vec2d(1e9)};
+  for (int j = row - 1; j <= row + 1; ++j)
+    for (int i = column - 1; i <= column + 1; ++i) {
+      const Vec2d centre = lens_centre(grid, i, j);
+      if (glm::distance(centre, place) < glm::distance(nearest.centre, place)) nearest = {{i, j}, centre};
+    }
+  return nearest;
+}
+
+/// The mean over 3 x 3 places in each pixel.
+Image raw_picture(const LensGrid& grid, Vec2i size, const RawLight& light, int channels = 3) {
+  Image raw(size.x, size.y, channels);
+  constexpr int kParts = 3;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      double sum = 0.0;
+      for (int part = 0; part < kParts * kParts; ++part) {
+        const Vec2d place(x + (part % kParts + 0.5) / kParts, y + (part / kParts + 0.5) / kParts);
+        const Vec2d centre = nearest_lens(grid, place).centre;
+        sum += light(centre, place - centre);
+      }
+      for (int c = 0; c < channels; ++c) raw.pixel(x, y)[c] = static_cast<float>(sum / (kParts * kParts));
+    }
+  return raw;
+}
+
+/// Round images of the main lens's aperture, darker towards their rims, with a soft edge.
+RawLight white_light(double pitch) {
+  return [pitch](Vec2d, Vec2d offset) {
+    const double share = glm::length(offset) / (0.48 * pitch);
+    return share < 1.0 ? std::pow(1.0 - 0.9 * share * share, 2) : 0.01;
+  };
+}
+
+/// The distance between two grids' lenses, at most, over a picture. Their offsets may be different lenses.
+double grid_distance(const LensGrid& estimate, const LensGrid& truth, Vec2i size) {
+  double most = 0.0;
+  for (int j = -400; j <= 400; ++j)
+    for (int i = -400; i <= 400; ++i) {
+      const Vec2d centre = lens_centre(estimate, i, j);
+      if (centre.x < 0.0 || centre.y < 0.0 || centre.x > size.x || centre.y > size.y) continue;
+      most = std::max(most, glm::distance(centre, nearest_lens(truth, centre).centre));
+    }
+  return most;
+}
+
+/// Centres are found to a tenth of a pixel each, and 2,000 of them agree on a grid that is right to a twentieth.
+void expect_grid_found(const LensGrid& truth, Vec2i size) {
+  const LensGridFit fit = estimate_lens_grid(raw_picture(truth, size, white_light(truth.pitch_px), 1), "white");
+  EXPECT_EQ(fit.grid.arrangement, truth.arrangement);
+  EXPECT_NEAR(fit.grid.pitch_px, truth.pitch_px, 2e-3);
+  EXPECT_NEAR(fit.grid.row_pitch_px, truth.row_pitch_px, 2e-3);
+  EXPECT_NEAR(fit.grid.rotation, truth.rotation, 2e-4);
+  EXPECT_LT(grid_distance(fit.grid, truth, size), 0.05);
+  EXPECT_LT(fit.residual_px, 0.1);
+  EXPECT_GT(fit.lenses, 0.8 * size.x * size.y / (truth.pitch_px * truth.row_pitch_px));
+}
+
+TEST(LensGridEstimate, finds_square_lenses_of_fractional_pitch) {
+  expect_grid_found(lens_grid(10.135, radians(0.7f), {7.3, 4.1}, LensArrangement::kSquare), {520, 430});
+}
+
+TEST(LensGridEstimate, finds_hexagonal_lenses) {
+  expect_grid_found(lens_grid(14.29, radians(-2.3f), {3.0, 8.6}, LensArrangement::kHexagonal), {610, 500});
+}
+
+TEST(LensGridEstimate, finds_rows_that_are_scaled) {
+  LensGrid grid = lens_grid(9.94, 0.003, {6.0, 6.0}, LensArrangement::kHexagonal);
+  grid.row_pitch_px *= 1.004;
+  expect_grid_found(grid, {420, 420});
+}
+
+TEST(LensGridEstimate, finds_columns_by_swapped_axes) {
+  const LensGrid rows = lens_grid(11.2, 0.02, {5.5, 7.0}, LensArrangement::kHexagonal);
+  const Image white = raw_picture(rows, {400, 320}, white_light(11.2), 1);
+  Image swapped(320, 400, 1);
+  for (int y = 0; y < 320; ++y)
+    for (int x = 0; x < 400; ++x) *swapped.pixel(y, x) = *white.pixel(x, y);
+  const LensGridFit fit = estimate_lens_grid(swapped, "white");
+  EXPECT_EQ(fit.grid.arrangement, LensArrangement::kHexagonalColumns);
+  EXPECT_LT(grid_distance(transposed(fit.grid), rows, {400, 320}), 0.05);
+}
+
+TEST(LensGridEstimate, survives_dust_and_falling_light) {
+  const LensGrid truth = lens_grid(12.4, 0.01, {2.0, 9.0}, LensArrangement::kHexagonal);
+  const Vec2i size(500, 500);
+  Image white = raw_picture(truth, size, white_light(12.4), 1);
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      const Vec2d from = Vec2d(x, y) - 250.0;
+      *white.pixel(x, y) *= static_cast<float>(1.0 / (1.0 + glm::dot(from, from) / (300.0 * 300.0)));
+      if (glm::length(from - Vec2d(60.0, -90.0)) < 15.0) *white.pixel(x, y) *= 0.05f;
+    }
+  EXPECT_LT(grid_distance(estimate_lens_grid(white, "white").grid, truth, size), 0.1);
+}
+
+TEST(LensGridEstimate, refuses_pictures_without_lenses) {
+  Image noise(300, 300, 1);
+  std::uint32_t state = 1;
+  for (float& value : noise.data) value = static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) / (1 << 24);
+  EXPECT_THAT(error_message([&] { estimate_lens_grid(noise, "w.png"); }), HasSubstr("w.png: no lens grid is found"));
+  EXPECT_THAT(error_message([&] { estimate_lens_grid(Image(300, 300, 1), "w.png"); }), HasSubstr("nothing in it is repeated"));
+  EXPECT_THAT(error_message([&] { estimate_lens_grid(Image(40, 300, 1), "w.png"); }), HasSubstr("40x300 pixels"));
+  Image stripes(300, 300, 1);
+  for (int i = 0; i < 300 * 300; ++i) stripes.data[static_cast<std::size_t>(i)] = i % 300 % 10 < 5 ? 1.0f : 0.0f;
+  EXPECT_THROW(estimate_lens_grid(stripes, "w.png"), Error);
+}
+
+/// Light whose views are known: it varies slowly over the picture, and linearly with the direction.
+double known_light(Vec2d lens, Vec2d offset) {
+  return 0.5 + 0.2 * std::sin(0.021 * lens.x) * std::cos(0.017 * lens.y) + 0.02 * offset.x - 0.013 * offset.y;
+}
+
+LightField views_of(const Image& raw, const PlenopticCalibration& calibration, ViewGrid views) {
+  return plenoptic_views(raw, calibration, views, Image(), "raw");
+}
+
+float view_sample(const LightField& field, int view, int x, int y) {
+  return std::get<Image>(field.stack).pixel(x, view * field.view_size.y + y)[0];
+}
+
+TEST(PlenopticViews, turned_square_lenses_give_known_views) {
+  const LensGrid grid = lens_grid(10.135, 0.012, {6.7, 5.9}, LensArrangement::kSquare);
+  for (const bool lanczos : {false, true}) {
+    const LightField field = views_of(raw_picture(grid, {420, 330}, known_light), {.grid = grid, .lanczos = lanczos}, {7, 5});
+    ASSERT_EQ(field.grid, (ViewGrid{7, 5}));
+    // The lens at the top left of the views: of the largest rectangle of lenses in the picture.
+    int first_column = 0, first_row = 0;
+    for (; lens_centre(grid, first_column, field.view_size.y - 1).x < 3.25; ++first_column) {
+    }
+    for (; lens_centre(grid, 0, first_row).y < 2.25; ++first_row) {
+    }
+    const double c = std::cos(grid.rotation), s = std::sin(grid.rotation);
+    for (const int view : {0, 17, 34})
+      for (const Vec2i at : {Vec2i(0, 0), Vec2i(20, 9), field.view_size - 1}) {
+        const Vec2d along(view % 7 - 3, 2 - view / 7);
+        const Vec2d offset(c * along.x - s * along.y, s * along.x + c * along.y);
+        const Vec2d lens = lens_centre(grid, first_column + at.x, first_row + at.y);
+        // Light is linear in the direction, and samples may lie a quarter of a pixel beyond the last pixel's centre.
+        const double tolerance = at.x == 20 ? 1e-4 : 0.25 * 0.024;
+        EXPECT_NEAR(view_sample(field, view, at.x, at.y), known_light(lens, offset), tolerance) << view << " " << at.x;
+      }
+  }
+}
+
+TEST(PlenopticViews, hexagonal_rows_become_square_pixels) {
+  const LensGrid grid = lens_grid(12.0, 0.0, {6.0, 6.0}, LensArrangement::kHexagonal);
+  const RawLight ramp = [](Vec2d lens, Vec2d) { return 0.001 * lens.x + 0.0005 * lens.y; };
+  for (const bool lanczos : {false, true}) {
+    const LightField field = views_of(raw_picture(grid, {360, 300}, ramp), {.grid = grid, .lanczos = lanczos}, {3, 3});
+    const double rows = grid.row_pitch_px;
+    // Columns 0 to 28 lie in the picture: shifted lenses at 12 ... 348, others at 6 ... 342. Pixels stand at 12 ... 342.
+    ASSERT_EQ(field.view_size, Vec2i(static_cast<int>(330.0 / rows) + 1, 29));
+    for (const Vec2i at : {Vec2i(4, 4), Vec2i(15, 11), Vec2i(27, 20)})
+      EXPECT_NEAR(view_sample(field, 4, at.x, at.y), 0.001 * (12.0 + at.x * rows) + 0.0005 * (6.0 + at.y * rows), 1e-3);
+  }
+}
+
+TEST(PlenopticViews, vignetting_is_divided_out) {
+  const LensGrid grid = lens_grid(11.3, -0.02, {5.0, 8.0}, LensArrangement::kHexagonal);
+  const RawLight white = white_light(11.3);
+  const auto darker = [&](Vec2d lens, Vec2d offset) { return known_light(lens, {}) * white(lens, offset); };
+  Image light = raw_picture(grid, {300, 260}, darker);
+  divide_by_white(light, white_shares(raw_picture(grid, {300, 260}, white)), "raw");
+  const LightField field = views_of(light, {.grid = grid}, {5, 5});
+  for (const Vec2i at : {Vec2i(3, 3), Vec2i(14, 12)})
+    for (const int view : {0, 4, 20, 24})  // the corners, whose light is half of the middle's
+      EXPECT_NEAR(view_sample(field, view, at.x, at.y) / view_sample(field, 12, at.x, at.y), 1.0, 0.01);
+}
+
+/// A picture with a mark in the plane of the array, and in the next plane: all views show it in one place, whatever the pitch.
+TEST(PlenopticViews, wrong_pitch_drifts_by_a_lens_every_74) {
+  const double pitch = 10.135;
+  const Vec2i size(1600, 60);
+  const LensGrid truth = lens_grid(pitch, 0.0, {pitch / 2, pitch / 2}, LensArrangement::kSquare);
+  // Every lens is known by its light alone, which all of its pixels have.
+  const Image raw = raw_picture(truth, size, [&](Vec2d lens, Vec2d) { return std::lround(lens.x / pitch - 0.5); });
+  const LightField right = views_of(raw, {.grid = truth}, {9, 3});
+  const int last = right.view_size.x - 1;
+  ASSERT_EQ(last, 156);
+  for (int view = 0; view < 27; ++view) {
+    EXPECT_NEAR(view_sample(right, view, 0, 1), 0.0, 0.5) << view;
+    EXPECT_NEAR(view_sample(right, view, last, 1), last, 0.5) << view;
+  }
+  const LensGrid wrong = lens_grid(10.0, 0.0, {5.0, 5.0}, LensArrangement::kSquare);
+  const LightField drifting = views_of(raw, {.grid = wrong}, {9, 3});
+  for (const int lenses : {1, 2}) EXPECT_NEAR(view_sample(drifting, 13, 74 * lenses + 1, 1), 74 * lenses + 1 - lenses, 0.5);
+}
+
+TEST(PlenopticViews, inverted_lenses_turn_views_round) {
+  const LensGrid grid = lens_grid(10.0, 0.0, {5.0, 5.0}, LensArrangement::kSquare);
+  const Image raw = raw_picture(grid, {60, 60}, [](Vec2d, Vec2d offset) { return 0.5 + 0.01 * offset.x - 0.03 * offset.y; });
+  const LightField upright = views_of(raw, {.grid = grid}, {10, 10});
+  EXPECT_NEAR(view_sample(upright, 9, 2, 2), 0.5 + 0.045 - 0.135, 1e-5);  // the lowest eye at the right: 4.5 px right and down
+  const LightField turned = views_of(raw, {.grid = grid, .inverted = true}, {10, 10});
+  for (int view = 0; view < 100; ++view)
+    EXPECT_EQ(view_sample(turned, view, 2, 2), view_sample(upright, 99 - view, 2, 2)) << view;
+}
+
+TEST(PlenopticViews, lenses_of_whole_pixels_are_eslf) {
+  const test::TempDir dir;
+  Image8 codes{40, 30, {}};
+  for (int i = 0; i < 3600; ++i) codes.rgb.push_back(static_cast<unsigned char>(i * 37 + i / 256));
+  write_picture(dir / "raw.png", codes);
+  FormatOptions options;
+  options.views = ViewGrid{5, 5};
+  options.plenoptic = PlenopticCalibration{.grid = lens_grid(5.0, 0.0, {2.5, 2.5}, LensArrangement::kSquare)};
+  const LightField plenoptic = find_format("plenoptic", "from").read(dir / "raw.png", options);
+  const LightField eslf = find_format("eslf", "from").read(dir / "raw.png", options);
+  EXPECT_EQ(plenoptic.view_size, eslf.view_size);
+  EXPECT_DOUBLE_EQ(plenoptic.aspect, eslf.aspect);
+  EXPECT_EQ(std::get<Image8>(plenoptic.stack).rgb, std::get<Image8>(eslf.stack).rgb);
+}
+
+TEST(PlenopticViews, impossible_grids_are_refused) {
+  const Image raw(50, 50, 3);
+  PlenopticCalibration calibration{.grid = lens_grid(10.0, 0.0, {5.0, 5.0}, LensArrangement::kSquare)};
+  EXPECT_THAT(error_message([&] { views_of(raw, calibration, {11, 3}); }), HasSubstr("up to 10x10"));
+  calibration.grid = lens_grid(40.0, 0.0, {20.0, 20.0}, LensArrangement::kSquare);
+  EXPECT_THAT(error_message([&] { views_of(raw, calibration, {30, 30}); }), HasSubstr("fewer than 2x2 lenses"));
+  Image other(40, 50, 3);
+  EXPECT_THAT(error_message([&] { divide_by_white(other, white_shares(raw), "raw"); }), HasSubstr("40x50 pixels"));
+}
+
+TEST(PlenopticFormat, side_file_names_the_grid) {
+  const test::TempDir dir;
+  write_picture(dir / "raw.png", Image8{60, 60, std::vector<unsigned char>(10800, 90)});
+  std::ofstream(dir / "raw.png.json") << R"({"plenoptic": {"arrangement": "square", "pitch_px": 10.1, "offset_px": [5, 5]}})";
+  const OpenedLightField opened = open_light_field(dir / "raw.png", "", {});
+  EXPECT_EQ(opened.format, "plenoptic");
+  EXPECT_EQ(opened.field.grid, (ViewGrid{10, 10}));
+  const LensGrid grid = *read_lens_grid(dir / "raw.png");
+  EXPECT_EQ(grid, lens_grid(10.1, 0.0, {5.0, 5.0}, LensArrangement::kSquare));
+}
+
+TEST(PlenopticFormat, problems_name_the_key) {
+  const auto complaint = [](const char* text) { return error_message([&] { parse_lens_grid(text, "a.json"); }); };
+  EXPECT_THAT(complaint(R"({"plenoptic": {"arrangement": "round", "pitch_px": 9, "offset_px": [1, 1]}})"),
+              HasSubstr("plenoptic.arrangement"));
+  EXPECT_THAT(complaint(R"({"plenoptic": {"arrangement": "square", "pitch_px": 1, "offset_px": [1, 1]}})"),
+              HasSubstr("a number from 2 to 4096"));
+  EXPECT_THAT(complaint(R"({"plenoptic": {"arrangement": "square", "pitch_px": 9}})"), HasSubstr("offset_px"));
+  EXPECT_THAT(complaint(R"({"plenoptic": {"arrangement": "square", "pitch_px": 9, "offset_px": [1, 1], "pich": 1}})"),
+              HasSubstr("there is no such key"));
+}
+
+TEST(PlenopticFormat, unknown_grid_and_writing_are_refused) {
+  const test::TempDir dir;
+  write_picture(dir / "raw.png", Image8{60, 60, std::vector<unsigned char>(10800, 90)});
+  const LightFieldFormat& format = find_format("plenoptic", "from");
+  EXPECT_THAT(error_message([&] { format.read(dir / "raw.png", {}); }), HasSubstr("lens-pitch-px"));
+  EXPECT_THAT(error_message([&] { format.write({}, dir / "out.png", {}); }), HasSubstr("eslf or integral"));
+}
+
+}  // namespace
+}  // namespace lippmann
