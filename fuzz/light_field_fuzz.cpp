@@ -153,7 +153,7 @@ void read(char kind, const std::string& text) {
       return pfm(std::as_bytes(std::span(text)));
     case 'w':
       return lens_grid(text);
-    case 'l':
+    case 'L':
       return lytro(parse_lfr(std::as_bytes(std::span(text)), "a"));
     case 'r': {
       constexpr std::array<std::byte, 384> kCodes{};
