@@ -59,9 +59,12 @@ void refuse_server_flags(const PageServerFlags& server) {
 
 int save(const ViewOptions& options, const Context& context) {
   refuse_server_flags(options.server);
-  const SavedPage page = save_page(read_fields(options, context), options.save, context);
+  const std::vector<std::unique_ptr<PageField>> fields = read_fields(options, context);
+  const bool is_file = fs::path(options.save).extension() == ".html";
+  const SavedPage page = is_file ? save_page_file(fields, options.save, context) : save_page(fields, options.save, context);
   if (!page.index.empty())
-    fmt::print("{}: {:.1f} MB with all files beside it\n", printable_line(page.index.string()), 1e-6 * double(page.bytes));
+    fmt::print("{}: {:.1f} MB{}\n", printable_line(page.index.string()), 1e-6 * double(page.bytes),
+               page.files.size() > 1 ? " with all files beside it" : "");
   return 0;
 }
 
@@ -141,8 +144,9 @@ void add_view_command(const Command& root, Action& chosen) {
   add_page_server_flags(command, options->server);
   command
       .add_option("--save", options->save,
-                  "Instead, write the page with all its data into a folder that any web server serves, or a disk")
-      .type_name("FOLDER");
+                  "Instead, write the page with all its data into a folder that any web server serves, or a disk; a name that "
+                  "ends in .html: into one file")
+      .type_name("FOLDER|FILE.html");
   add_light_field_flags(command, options->field);
   add_report_flags(command, options->field, "; of a scene the display that it is rendered for");
   command.add_option("--threads", options->threads, "Worker threads; 0: one per processor").range(0, 4096);

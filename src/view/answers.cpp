@@ -20,6 +20,8 @@
 #include "view/field_json.hpp"
 #include "view/page_files.hpp"
 #include "view/page_print.hpp"
+#include "view/preview.hpp"
+#include "view/saved_page.hpp"
 
 namespace lippmann {
 namespace {
@@ -80,6 +82,7 @@ PagePicture encoded_picture(const Image8& picture, int effort) {
 
 PagePicture page_picture(const PageField& field, std::string_view kind, std::size_t frame, int effort) {
   if (kind == "views") return encoded_picture(field.quilt(frame), effort);
+  if (kind == "preview") return {encoded_preview(field.quilt(frame), field.facts()), "image/webp"};
   if (kind == "depth") return encoded_picture(field.disparities(frame), effort);
   return encoded_picture(kind == "provenance" ? field.provenance(frame) : field.panel(frame), effort);
 }
@@ -183,6 +186,7 @@ PageAnswer PageAnswers::answer_text(const PageRequest& request, std::string_view
 
 PageAnswer PageAnswers::answer_path(std::string_view path) {
   if (path == "fields.json") return answer_with(200, description(), "application/json");
+  if (path == "page.html" && !live_ && !render_) return whole_page();
   for (const PageFile& file : page_files())
     if (file.name == (path.empty() ? "index.html" : path))
       return answer_with(200, std::string(file.text), std::string(file.type));
@@ -192,6 +196,15 @@ PageAnswer PageAnswers::answer_path(std::string_view path) {
   if (render_ && part == kRun) return run_state(rest);
   if (prints_ && part == kPrint) return print_picture(rest);
   return picture(path);
+}
+
+/// The page as one file, to be given away.
+PageAnswer PageAnswers::whole_page() const {
+  try {
+    return answer_with(200, page_as_file(fields_, {}), "text/html; charset=utf-8");
+  } catch (const Error& error) {
+    return failed(error.what());
+  }
 }
 
 std::string PageAnswers::description() const {
@@ -270,7 +283,8 @@ PageAnswer PageAnswers::picture(std::string_view path) {
   if (!field || !frame || !crosstalk || *field >= fields_.size()) return unknown_path();
   const PageField& shown = *fields_[*field];
   const bool known = kind == "views" || kind == "panel" || (kind == "depth" && shown.facts().has_depth) ||
-                     (kind == "provenance" && shown.facts().has_provenance);
+                     (kind == "provenance" && shown.facts().has_provenance) ||
+                     (kind == "preview" && preview_view_size(shown.facts()));
   const bool may_blur = kind == "views" && shown.facts().panel == PanelPicture::kOwn;
   if (blurs && (!may_blur || *crosstalk < 1 || *crosstalk > kMostCrosstalk)) return unknown_path();
   if (!known || *frame >= shown.facts().frames.size()) return unknown_path();

@@ -60,6 +60,7 @@ class PageAnswers {
   /// plain views, pages may ask for prints (view/page_print.hpp):
   ///   POST print                     PagePrints::make
   ///   GET  print/views/ID, print/panel/ID, print/file/ID
+  /// GET page.html answers with the page as one file (page_as_file).
   PageAnswers(std::vector<std::unique_ptr<PageField>> fields, PageAccess access, std::optional<PageDisplay> display = {},
               std::size_t cache_bytes = kDefaultCacheBytes);
 
@@ -87,6 +88,7 @@ class PageAnswers {
   PageAnswer answer_text(const PageRequest& request, std::string_view path);
   PageAnswer answer_drop(const PageRequest& request, std::string_view path);
   std::string description() const;
+  PageAnswer whole_page() const;
   InterlaceParams interlace() const;
   PageAnswer calibration(const std::string& text) const;
   PageAnswer picture(std::string_view path);
@@ -105,7 +107,8 @@ class PageAnswers {
   ByteCache cache_;
 };
 
-/// One of the pictures of a frame: what "views", "depth", "provenance" or "panel" names, encoded for a page. Throws Error.
+/// One of the pictures of a frame: what "views", "preview", "depth", "provenance" or "panel" names, encoded for a page. Throws
+/// Error.
 struct PagePicture {
   std::string bytes, type;
 };

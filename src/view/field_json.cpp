@@ -5,6 +5,7 @@
 #include "core/json_fields.hpp"
 #include "lippmann/trace/aovs.hpp"
 #include "view/page_display.hpp"
+#include "view/preview.hpp"
 
 namespace lippmann {
 namespace {
@@ -55,6 +56,12 @@ Json panel_picture_json(const PageFacts& facts) {
   return json;
 }
 
+/// The size of a view in the first, small picture.
+Json preview_json(const PageFacts& facts) {
+  const std::optional<Vec2i> size = preview_view_size(facts);
+  return size ? Json{size->x, size->y} : Json();
+}
+
 /// What the codes mean, by code.
 Json provenance_json() {
   Json infos = Json::array();
@@ -81,6 +88,7 @@ Json field_json(const PageFacts& facts) {
           {"depth_budget_mm", finite_or_null(facts.depth_budget_mm)},
           {"depth", facts.has_depth},
           {"provenance", facts.has_provenance ? provenance_json() : Json()},
+          {"preview", preview_json(facts)},
           {"disparity_scale_mm", facts.disparity_scale_mm},
           {"frames_per_second", facts.frames_per_second},
           {"assumption", facts.assumption},

@@ -13,6 +13,7 @@
 #include "lippmann/core/error.hpp"
 #include "view/answers.hpp"
 #include "view/page_files.hpp"
+#include "view/preview.hpp"
 
 namespace lippmann {
 namespace {
@@ -22,7 +23,8 @@ namespace fs = std::filesystem;
 /// Pictures are made once and fetched often.
 constexpr int kSavedEffort = 2;
 /// In index.html: where its data come from.
-constexpr std::string_view kServed = "content=\"server\"", kScripts = "content=\"scripts\"";
+constexpr std::string_view kServed = "content=\"server\"", kScripts = "content=\"scripts\"", kWithin = "content=\"within\"";
+constexpr std::uintmax_t kMostFileBytes = std::uintmax_t{1} << 30;
 
 class PageFolder {
  public:
@@ -53,48 +55,104 @@ class PageFolder {
 };
 
 /// Somebody else's page stays.
-void require_own_page(const fs::path& folder) {
-  constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;
-  const fs::path file = folder / "index.html";
+void require_own_page(const fs::path& file, std::string_view mark, const char* accepted) {
   if (!is_regular_file_there(file)) return;
-  if (read_file_text(file, kMostBytes, "a page that was saved before").find(kScripts) == std::string::npos)
-    throw Error(file.string(), "is another page, and would be replaced",
-                "a new folder, or one of a page that was saved before");
+  if (read_file_text(file, kMostFileBytes, "a page that was saved before").find(mark) == std::string::npos)
+    throw Error(file.string(), "is another page, and would be replaced", accepted);
 }
 
-std::string saved_index(std::string_view served) {
-  std::string text(served);
-  const std::size_t at = text.find(kServed);
-  if (at == std::string::npos) throw Error("index.html", "of this program does not say where its data come from");
-  return text.replace(at, kServed.size(), kScripts);
+/// Replaces what index.html has once.
+void replace_once(std::string& text, std::string_view from, std::string_view to) {
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos) throw Error("index.html", fmt::format("of this program lacks {}", from));
+  text.replace(at, from.size(), to);
+}
+
+std::string saved_index(std::string_view source) {
+  std::string text(page_files().front().text);
+  replace_once(text, kServed, source);
+  return text;
+}
+
+std::string_view text_of_page_file(std::string_view name) {
+  for (const PageFile& file : page_files())
+    if (file.name == name) return file.text;
+  throw Error(std::string(name), "is no file of this program's page");
+}
+
+/// A document ends its scripts where it finds an end tag, in texts too. In texts of JavaScript and JSON `<\/` means `</`.
+std::string within_script(std::string_view text) {
+  std::string safe;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    safe += text[i];
+    if (text.substr(i).starts_with("</script") || text.substr(i).starts_with("<!--")) safe += '\\';
+  }
+  return safe;
 }
 
 /// Whether a saved page has pictures of that kind: the panel's own where it does not follow from the views.
-bool needs(const PageFacts& facts, std::string_view kind) {
+bool needs(const PageFacts& facts, std::string_view kind, std::size_t frame) {
+  if (kind == "preview") return frame == 0 && preview_view_size(facts);
   if (kind == "depth") return facts.has_depth;
   if (kind == "provenance") return facts.has_provenance;
   return kind == "views" || facts.panel == PanelPicture::kOwn;
 }
 
-}  // namespace
-
-SavedPage save_page(const std::vector<std::unique_ptr<PageField>>& fields, const fs::path& folder, const Context& context) {
-  require_own_page(folder);
-  PageFolder page(folder);
+/// Calls back with the name and the content of each picture. Whether all have been made.
+template <class Write>
+bool make_pictures(const std::vector<std::unique_ptr<PageField>>& fields, const Context& context, const Write& write) {
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const PageFacts& facts = fields[i]->facts();
     for (std::size_t frame = 0; frame < facts.frames.size(); ++frame)
-      for (const std::string_view kind : {"views", "depth", "provenance", "panel"}) {
-        if (context.cancelled) return {};
-        if (needs(facts, kind))
-          page.write_picture(fmt::format("{}/{}/{}", i, kind, frame), page_picture(*fields[i], kind, frame, kSavedEffort));
+      for (const std::string_view kind : {"preview", "views", "depth", "provenance", "panel"}) {
+        if (context.cancelled) return false;
+        if (needs(facts, kind, frame))
+          write(fmt::format("{}/{}/{}", i, kind, frame), page_picture(*fields[i], kind, frame, kSavedEffort));
       }
   }
+  return true;
+}
+
+}  // namespace
+
+SavedPage save_page(const std::vector<std::unique_ptr<PageField>>& fields, const fs::path& folder, const Context& context) {
+  require_own_page(folder / "index.html", kScripts, "a new folder, or one of a page that was saved before");
+  PageFolder page(folder);
+  const auto write = [&](const std::string& name, const PagePicture& picture) { page.write_picture(name, picture); };
+  if (!make_pictures(fields, context, write)) return {};
   page.write("fields.js", "lippmann_fields(" + fields_text(fields) + ")\n");
   for (const PageFile& file : page_files())
     if (file.name != "index.html") page.write(fs::path(file.name), file.text);
-  page.write("index.html", saved_index(page_files().front().text));
+  page.write("index.html", saved_index(kScripts));
   return {page.path() / "index.html", page.bytes(), page.files()};
+}
+
+std::string page_as_file(const std::vector<std::unique_ptr<PageField>>& fields, const Context& context) {
+  std::string text = saved_index(kWithin);
+  const std::size_t end_of_body = text.rfind("</body>");
+  if (end_of_body == std::string::npos) throw Error("index.html", "of this program has no body");
+  const std::string end = text.substr(end_of_body);
+  text.resize(end_of_body);
+  replace_once(text, R"(<link rel="stylesheet" href="./app.css" />)",
+               fmt::format("<style>{}</style>", text_of_page_file("app.css")));
+  replace_once(text, R"(<script defer src="./app.js"></script>)", "");
+  text += fmt::format("<script type=\"application/json\" id=\"data:fields\">{}</script>\n", within_script(fields_text(fields)));
+  const auto append = [&](const std::string& name, const PagePicture& picture) {
+    text += fmt::format("<script type=\"text/plain\" id=\"data:{}\" data-type=\"{}\">{}</script>\n", name, picture.type,
+                        base64(picture.bytes));
+    if (text.size() > kMostFileBytes)
+      throw Error("The page", "is larger than 1 GB as one file", "a folder: `lippmann view` with `save`");
+  };
+  if (!make_pictures(fields, context, append)) return {};
+  return text + fmt::format("<script>{}</script>\n", within_script(text_of_page_file("app.js"))) + end;
+}
+
+SavedPage save_page_file(const std::vector<std::unique_ptr<PageField>>& fields, const fs::path& file, const Context& context) {
+  require_own_page(file, kWithin, "a new file, or a page that was saved before");
+  const std::string text = page_as_file(fields, context);
+  if (text.empty()) return {};
+  write_file_atomically(file, std::as_bytes(std::span(text)));
+  return {file, text.size(), {file}};
 }
 
 SavedPage save_page(const fs::path& in, const fs::path& folder, const Context& context) {

@@ -3,17 +3,22 @@ import { makeControls } from "./controls";
 import type { PanelDisplay } from "./display";
 import { depthOfDisparity, naturalSize, Refusal, shareOfZone, shareOutOfZone, slopeInZone, type Field } from "./field";
 import { send, type pictures } from "./drop";
+import { canSavePage, download, loadBytes } from "./data";
 import { Frames } from "./frames";
+import { Hands } from "./hands";
+import { toggleKeyList } from "./keys";
 import { Live, type Choices } from "./live";
-import { orbitOf, planeDistance, planeRange, setOrbit, setPlaneDistance, setZoom } from "./live_controls";
+import { planeRange, setPlaneDistance } from "./live_controls";
+import { Motion } from "./motion";
 import { codeFromLinear, openGl } from "./gl";
 import { Pace } from "./pace";
 import { Player } from "./player";
 import { Print, type PrintChoices } from "./print";
+import { ProgressLine, type Work } from "./progress";
 import { showLegend } from "./provenance";
 import { Run, type RunState } from "./run";
 import { Renderer, useOf } from "./renderer";
-import { Store } from "./state";
+import { Store, type State } from "./state";
 import { Tilt } from "./tilt";
 import { Timeline } from "./timeline";
 import { Headset, type HeadsetView } from "./xr";
@@ -44,24 +49,6 @@ function describe(field: Field): string {
   return `${grid} of ${size[0]}\u00d7${size[1]}${field.depth ? ", with depth" : ""}`;
 }
 
-/** Whether the control that has the focus does something with the key itself. */
-function isOfControl({ target, key }: KeyboardEvent): boolean {
-  if (target instanceof HTMLButtonElement) return key === " ";
-  if (target instanceof HTMLInputElement && target.type === "checkbox") return key === " ";
-  if (target instanceof HTMLInputElement && target.type === "range") return key.startsWith("Arrow") || key === "Home";
-  return target instanceof HTMLInputElement || target instanceof HTMLSelectElement;
-}
-
-/** What a pointer has grasped, and how everything was then. */
-interface Drag {
-  x: number;
-  y: number;
-  shares: [number, number];
-  what: "eye" | "wipe" | "line" | "turn" | "plane";
-  orbit: [number, number];
-  plane: number;
-}
-
 export class App {
   readonly store: Store;
   readonly canvas = byId<HTMLCanvasElement>("canvas");
@@ -74,12 +61,15 @@ export class App {
   readonly live: Live | null;
   readonly run: Run | null;
   readonly print: Print | null;
+  readonly motion: Motion;
+  private readonly hands: Hands;
   private wanted = true;
   private moved = false;
   private readonly pace = new Pace();
-  private pointer: { x: number; y: number } | null = null;
   private notices = new Map<string, string>();
   private prefetching = false;
+  private hasDrawn = false;
+  private readonly progressLine = new ProgressLine(byId("progress"));
   private eyeHome = "";
   private updateControls: () => void = () => {};
 
@@ -93,13 +83,16 @@ export class App {
     this.run = run && new Run(run, fields[0], () => this.hearOfRun(), (topic, text) => this.notify(topic, text));
     this.store = new Store(fields, display !== null, display !== null && (about?.plays ?? true), about !== null);
     const gl = openGl(this.canvas);
-    this.frames = new Frames(gl, fields, frameBudget(), () => this.redraw(), (text) => this.notify("size", text));
+    this.frames = new Frames(gl, fields, frameBudget(), () => this.redraw(), (text) => this.notify("size", text), () => this.redraw());
     this.renderer = new Renderer(gl, fields, this.frames);
     this.timeline = new Timeline(byId("time"), this.store, (frame) => this.isThere(frame));
     this.live = about && new Live(about, fields[0], this.frames, (picture) => this.hearOfScene(picture), (topic, text) => this.notify(topic, text));
     this.print = prints && new Print(prints, fields[0], this.frames, () => this.store.state, (facts) => this.takeFacts(facts), (picture) => this.hearOfPrint(picture), (topic, text) => this.notify(topic, text));
     this.player = new Player(gl, this.store, this.frames, byId("stage"), (about, text) => this.notify(about, text), (dropped) => void this.takePictures(dropped, drops));
     if (display) this.beginPlaying(display);
+    this.motion = new Motion(() => this.shares(), () => this.hearOfMotion());
+    // An address that says where the eye is shows just that.
+    if (/[#&](eye|frame|line|aperture)=/.test(location.hash)) this.motion.end();
     this.tilt = new Tilt(
       () => [0, 1].map((axis) => this.store.state.eye[axis] / this.store.state.eye[2]) as [number, number],
       ([x, y]) => this.moveEye(shareOfZone(fields[0].across, x), shareOfZone(fields[0].up, y)),
@@ -114,8 +107,9 @@ export class App {
       (text) => this.notify("headset", text),
     );
     this.updateControls = makeControls(byId("controls"), this.store, {
-      save: () => this.savePicture(),
-      copy: () => void this.copyLink(),
+      savePicture: () => this.savePicture(),
+      copyLink: () => void this.copyLink(),
+      savePage: this.live || this.run || !canSavePage() ? null : () => void this.savePage(),
       focusRange: () => this.focusRange(),
       player: this.player,
       tilt: this.tilt,
@@ -123,6 +117,8 @@ export class App {
       live: this.live,
       run: this.run,
       print: this.print,
+      motion: this.motion,
+      zoom: { fit: () => this.hands.fit(), trueSize: () => this.hands.showTrueSize() },
       savePrint: () => this.print?.save(fields[0].title),
     });
     this.store.listen(() => {
@@ -131,8 +127,10 @@ export class App {
     });
     this.store.listen(() => this.live?.setFrame(this.store.state.frame));
     this.store.listen(() => this.print?.follow());
+    this.hands = new Hands(this);
     this.listen();
     this.head();
+    this.hearOfMotion();
     if (this.run) this.beginRun();
     if (this.player.isPlaying && !this.live) this.timeline.toggle();
     requestAnimationFrame((now) => this.tick(now));
@@ -173,7 +171,8 @@ export class App {
       this.eyeHome = field.eye_mm.join();
       this.store.set({ eye: field.eye_mm });
     }
-    byId("facts").textContent = `${describe({ ...field, depth: false })}${this.progress()}`;
+    byId("facts").textContent = `${describe({ ...field, depth: false })}${this.settingsBefore()}`;
+    this.showProgress("scene", this.workOnScene());
     byId("facts").title = this.live?.state?.depth.summary ?? "";
     byId("stage").dataset.rest = String(this.live?.isAtRest);
     byId("stage").dataset.outdated = String(this.live?.isOutdated);
@@ -230,15 +229,18 @@ export class App {
     this.updateControls();
   }
 
-  private progress(): string {
+  private settingsBefore(): string {
+    if (this.live?.isAtRest) return ", as rendered";
+    return this.live?.isOutdated ? ", with the settings before" : "";
+  }
+
+  /** How far the picture of a scene that is set up is. */
+  private workOnScene(): Work | null {
     const state = this.live?.state;
-    if (!state || this.live?.isAtRest) return ", as rendered";
-    const before = this.live?.isOutdated ? ", with the settings before" : "";
-    if (state.error) return before;
-    if (state.render?.state === "running") return `${before}, coarse while the job is rendered`;
-    if (state.pass === "") return `${before}, being set up`;
-    const passes = { coarse: "coarse", draft: "draft", final: "as rendered" };
-    return `${before}, ${passes[state.pass]}: ${Math.round(100 * state.share)}\u2009%`;
+    if (!state || this.live?.isAtRest || state.error) return null;
+    if (state.render?.state === "running") return { what: "Coarse pictures while the job is rendered" };
+    if (state.pass === "") return { what: "Setting the scene up" };
+    return { what: state.pass === "final" ? "Rendering" : "Rendering a first look", share: state.share };
   }
 
   private head(): void {
@@ -271,7 +273,7 @@ export class App {
     if (notice.textContent !== all) notice.textContent = all;
   }
 
-  private shown(): number[] {
+  shown(): number[] {
     return this.renderer.shownFields(this.store.state);
   }
 
@@ -290,11 +292,28 @@ export class App {
     if (this.headset.isOn) return;
     this.timeline.tick(now);
     if (this.fitCanvas()) this.wanted = true;
+    if (this.motion.step(now, this.maySway())) this.wanted = true;
     if (!this.wanted && !this.pace.rests()) return;
     this.wanted = false;
     const divisor = this.pace.draws(now, this.moved);
     this.moved = false;
     this.draw(this.store.state.show === "eye" ? divisor : 1);
+  }
+
+  /** Where there is something to see from elsewhere, and nothing else moves. */
+  private maySway(): boolean {
+    const [field] = this.fields;
+    const isThere = byId("stage").dataset.drawn === "true" && (!this.live || this.live.isAtRest);
+    return isThere && field.across.views * field.up.views > 1 && this.store.state.show === "eye" && !this.timeline.playing && !this.tilt.isOn && !this.print?.isWanted;
+  }
+
+  private hearOfMotion(): void {
+    const [field] = this.fields;
+    const hint = byId("hint");
+    const isFirstLook = !this.motion.isOver && !this.player.isPlaying && field.across.views * field.up.views > 1;
+    hint.textContent = isFirstLook ? (this.live ? "Drag to turn the scene" : "Drag to look around") : "";
+    this.updateControls();
+    this.redraw();
   }
 
   /** A headset has a clock and a picture of its own; the page waits meanwhile. */
@@ -337,10 +356,10 @@ export class App {
 
   /** With so many times fewer pixels than the screen has in a row, and in a column. */
   private draw(divisor = 1): void {
-    const { state } = this.store;
+    const state = this.seen;
     document.documentElement.dataset.theme = state.theme;
     this.frames.pin(this.shown(), state.frame);
-    this.renderer.loupe = state.show === "panel" ? this.pointer : null;
+    this.renderer.loupe = state.show === "panel" ? this.hands.pointer : null;
     let drawn = false;
     try {
       drawn = this.renderer.draw(state, this.ground(), divisor);
@@ -350,10 +369,16 @@ export class App {
       this.notify("frame", error.message);
       drawn = true;
     }
-    byId("bar").hidden = drawn;
-    byId("stage").dataset.drawn = String(drawn && divisor === 1 && !this.frames.isAsking);
-    byId("stage").dataset.divisor = String(divisor);
-    byId("stage").dataset.frame = drawn ? String(this.live?.shownFrame ?? state.frame) : "";
+    const isWhole = drawn && !this.isPreview();
+    this.hasDrawn ||= drawn;
+    const stage = byId("stage");
+    this.showProgress("frame", isWhole || this.live ? null : { what: "Loading", ...(this.frames.progress ?? { bytes: 0, of: null }) });
+    if (!this.live) stage.dataset.outdated = String(!drawn && this.hasDrawn);
+    stage.dataset.empty = String(!this.hasDrawn);
+    stage.dataset.preview = String(drawn && !isWhole);
+    stage.dataset.drawn = String(isWhole && divisor === 1 && !this.frames.isAsking);
+    stage.dataset.divisor = String(divisor);
+    stage.dataset.frame = isWhole ? String(this.live?.shownFrame ?? state.frame) : "";
 
     this.canvas.setAttribute("aria-label", this.spoken());
     if (!drawn) return;
@@ -362,7 +387,22 @@ export class App {
     this.showScale();
     this.showOrigins();
     this.showLine();
-    void this.prefetch();
+    if (isWhole) void this.prefetch();
+  }
+
+  /** Whether a small picture stands for one that is on its way. */
+  private isPreview(): boolean {
+    const { state } = this.store;
+    const isThere = (field: number): boolean => {
+      const frame = this.renderer.frameOf(field, state.frame);
+      return this.frames.peek(field, frame, useOf(state)) !== null || this.frames.getPreview(field, frame, useOf(state)) === null;
+    };
+    return !this.shown().every(isThere);
+  }
+
+  /** One line for all that takes a while; the first that was begun is told of. */
+  private showProgress(about: string, now: Work | null): void {
+    this.progressLine.show(about, now);
   }
 
   private spoken(): string {
@@ -407,7 +447,7 @@ export class App {
 
   /** Warns of flips, as `replay` does. */
   private showZone(): void {
-    const { state } = this.store;
+    const state = this.seen;
     const field = this.fields[this.shown()[0]];
     const share = state.show === "eye" ? shareOutOfZone(field, state.eye) : 0;
     const beyond = { stays: "the outermost views", repeats: "the views of the next cone", "next lens": "the pictures of neighbouring lenses" }[field.across.beyond];
@@ -449,9 +489,10 @@ export class App {
   }
 
   private showValues(): void {
-    const { state } = this.store;
+    const state = this.seen;
     const values = byId<HTMLOutputElement>("values");
-    const share = this.pointer && this.renderer.shareAt(state, this.pointer.x, this.pointer.y);
+    const { pointer } = this.hands;
+    const share = pointer && this.renderer.shareAt(state, pointer.x, pointer.y);
     if (!share || state.show === "display") {
       values.value = "";
       return;
@@ -485,188 +526,83 @@ export class App {
     return [Math.min(least, state.focus), Math.max(most, state.focus, least + 1)];
   }
 
-  // ---- Pointer and keys --------------------------------------------------------------------------------------------------
+  // ---- What hands ask for (hands.ts) -------------------------------------------------------------------------------------
 
-  private at(event: PointerEvent | WheelEvent): { x: number; y: number } {
-    const box = this.canvas.getBoundingClientRect();
-    const [width, height] = this.renderer.screen;
-    return { x: ((event.clientX - box.left) / box.width) * width, y: ((event.clientY - box.top) / box.height) * height };
-  }
-
-  private listen(): void {
-    const { canvas } = this;
-    let drag: (Drag & { moved: boolean; finger: number }) | null = null;
-    const fingers = new Set<number>();
-    // Two fingers zoom the page, as the browser does it; what the first has moved until then goes back.
-    const giveUpDrag = (): void => {
-      if (drag?.moved) this.dragTo(drag, drag);
-      drag = null;
-    };
-    canvas.addEventListener("pointerdown", (event) => {
-      fingers.add(event.pointerId);
-      if (fingers.size > 1) return giveUpDrag();
-      canvas.setPointerCapture(event.pointerId);
-      const at = this.at(event);
-      drag = { ...at, finger: event.pointerId, shares: this.shares(), moved: false, what: this.graspedAt(at.x, at.y), orbit: this.live ? orbitOf(this.live) : [0, 0], plane: this.live ? planeDistance(this.live) : 1 };
-    });
-    canvas.addEventListener("pointermove", (event) => {
-      const at = this.at(event);
-      this.pointer = at;
-      this.redraw();
-      if (!drag || drag.finger !== event.pointerId) return;
-      if (Math.hypot(at.x - drag.x, at.y - drag.y) > 4) drag.moved = true;
-      if (drag.moved) this.dragTo(drag, at);
-    });
-    canvas.addEventListener("pointerup", (event) => {
-      fingers.delete(event.pointerId);
-      if (drag && !drag.moved) this.clickAt(this.at(event));
-      if (event.pointerType !== "mouse") this.pointer = null;
-      drag = null;
-      this.redraw();
-    });
-    canvas.addEventListener("pointercancel", (event) => {
-      fingers.delete(event.pointerId);
-      giveUpDrag();
-    });
-    canvas.addEventListener("pointerleave", () => {
-      this.pointer = null;
-      this.redraw();
-    });
-    canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
-    canvas.addEventListener("webglcontextlost", (event) => {
-      event.preventDefault();
-      fail(new Refusal("The browser has taken the graphics away, for want of memory perhaps. Reload the page."));
-    });
-    window.addEventListener("keydown", (event) => this.key(event));
-    // Who clicks a button with a pointer means the picture by the keys that follow.
-    window.addEventListener("click", (event) => {
-      if (event.detail > 0 && event.target instanceof Element && event.target.closest("button")) canvas.focus({ preventScroll: true });
-    });
-    window.addEventListener("hashchange", () => this.store.readAddress());
-    const toggle = byId<HTMLButtonElement>("toggle");
-    toggle.addEventListener("click", () => {
-      const open = document.body.classList.toggle("open");
-      toggle.setAttribute("aria-expanded", String(open));
-    });
-  }
-
-  private shares(): [number, number] {
+  /** Where the eye stands in its zone. */
+  shares(): [number, number] {
     const { eye } = this.store.state;
     const field = this.fields[0];
     return [shareOfZone(field.across, eye[0] / eye[2]), shareOfZone(field.up, eye[1] / eye[2])];
   }
 
-  private graspedAt(x: number, y: number): Drag["what"] {
-    const { state } = this.store;
-    const { left, top, width, height } = this.renderer.place;
-    const near = 14 * (this.renderer.screen[0] / this.canvas.clientWidth);
-    if (this.shown().length > 1 && state.compare === "wipe" && Math.abs(x - left - state.wipe * width) < near) return "wipe";
-    if (state.line >= 0 && Math.abs(y - top - state.line * height) < near) return "line";
-    return this.live ? state.drag : "eye";
-  }
-
-  private dragTo(drag: Drag, at: { x: number; y: number }): void {
-    const { left, top, width, height } = this.renderer.place;
-    if (drag.what === "wipe") this.store.set({ wipe: (at.x - left) / width });
-    else if (drag.what === "line") this.store.set({ line: Math.min(Math.max((at.y - top) / height, 0), 1) });
-    else if (this.live && drag.what === "turn") setOrbit(this.live, drag.orbit[0] - (180 * (at.x - drag.x)) / width, drag.orbit[1] + (90 * (at.y - drag.y)) / height);
-    else if (this.live && drag.what === "plane") this.movePlane(drag.plane, (drag.y - at.y) / height);
-    else if (this.store.state.show === "eye") this.moveEye(drag.shares[0] + (at.x - drag.x) / width, drag.shares[1] - (at.y - drag.y) / height);
-  }
-
-  /** From a distance, by a share of where it may be moved; upwards is away from the viewer. */
-  private movePlane(from: number, share: number): void {
-    if (!this.live?.state?.plane) return;
-    const [nearest, farthest] = planeRange(this.live);
-    setPlaneDistance(this.live, Math.min(Math.max(from + share * (farthest - nearest), nearest), farthest));
-  }
-
-  /** Within the zone, to its ends. */
-  private moveEye(across: number, up: number): void {
+  /** The eye at a share of its zone, within the zone. */
+  private eyeAt(across: number, up: number): State["eye"] {
     const { eye } = this.store.state;
     const field = this.fields[0];
     const within = (share: number) => Math.min(Math.max(share, 0), 1);
     const x = field.across.views > 1 ? slopeInZone(field.across, within(across)) * eye[2] : eye[0];
     const y = field.up.views > 1 ? slopeInZone(field.up, within(up)) * eye[2] : eye[1];
-    this.store.set({ eye: [x, y, eye[2]] });
+    return [x, y, eye[2]];
   }
 
-  private clickAt(at: { x: number; y: number }): void {
-    const { state } = this.store;
-    const share = this.renderer.shareAt(state, at.x, at.y);
-    if (!share || state.show !== "eye") return;
-    if (this.print?.awaitsClick) return this.putZeroPlaneAt(share);
-    if (this.live && state.drag === "turn") return;
-    if (this.live && state.drag === "plane") this.putPlaneAt(share);
-    else this.focusAt(share);
+  moveEye(across: number, up: number): void {
+    this.store.set({ eye: this.eyeAt(across, up) });
+  }
+
+  /** The state as it is seen: the eye may sway, or follow the mouse. */
+  get seen(): State {
+    const state = { ...this.store.state, ...this.print?.preview };
+    return this.motion.isAway ? { ...state, eye: this.eyeAt(...this.motion.shares()) } : state;
+  }
+
+  /** Somebody has taken over. The eye stays where it was seen from, or goes back to where it stands. */
+  touched(stays: boolean): void {
+    if (stays && this.motion.isAway) this.moveEye(...this.motion.settle());
+    this.motion.end();
+  }
+
+  /** From a distance, by a share of where it may be moved; upwards is away from the viewer. */
+  movePlane(from: number, share: number): void {
+    if (!this.live?.state?.plane) return;
+    const [nearest, farthest] = planeRange(this.live);
+    setPlaneDistance(this.live, Math.min(Math.max(from + share * (farthest - nearest), nearest), farthest));
   }
 
   /** What is seen there shall lie in the display's plane. */
   putPlaneAt(share: [number, number]): void {
-    const depth = this.renderer.depthAt(this.store.state, share);
+    const depth = this.renderer.depthAt(this.seen, share);
     if (depth !== null && Number.isFinite(depth)) this.live?.setPlane(depth);
   }
 
   /** What is seen there shall lie in the zero plane of the print. */
-  private putZeroPlaneAt(share: [number, number]): void {
-    const depth = this.renderer.depthAt(this.store.state, share);
+  putZeroPlaneAt(share: [number, number]): void {
+    const depth = this.renderer.depthAt(this.seen, share);
     if (depth !== null && Number.isFinite(depth)) this.print?.setPlane(depth);
   }
 
   /** Focuses on what is seen there; a closed aperture opens. */
   focusAt(share: [number, number]): void {
     const { state } = this.store;
-    const depth = this.renderer.depthAt(state, share);
+    const depth = this.renderer.depthAt(this.seen, share);
     if (depth === null) return;
     this.store.set({ focus: depth, aperture: state.aperture > 0 ? state.aperture : 0.5 });
   }
 
-  /** With Ctrl it is the browser's, which zooms the page: touchpads send pinches so. */
-  private wheel(event: WheelEvent): void {
-    if (event.ctrlKey) return;
-    event.preventDefault();
-    if (this.live && this.store.state.drag === "turn") return setZoom(this.live, this.live.number("zoom", 1) * 2 ** (-Math.sign(event.deltaY) / 8));
-    const { eye } = this.store.state;
-    const factor = 2 ** (Math.sign(event.deltaY) / 16);
-    const home = this.fields[0].eye_mm[2];
-    const z = Math.min(Math.max(eye[2] * factor, home / 4), home * 4);
-    this.store.set({ eye: [(eye[0] / eye[2]) * z, (eye[1] / eye[2]) * z, z] });
+  private listen(): void {
+    this.canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault();
+      fail(new Refusal("The browser has taken the graphics away, for want of memory perhaps. Reload the page."));
+    });
+    window.addEventListener("hashchange", () => this.store.readAddress());
+    byId("toggle").addEventListener("click", () => this.toggleControls());
+    byId("help").addEventListener("click", () => toggleKeyList(this.live !== null));
+    byId("full").addEventListener("click", () => void this.player.toggleFullScreen());
+    byId("full").hidden = !document.fullscreenEnabled;
   }
 
-  private key(event: KeyboardEvent): void {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const by = event.shiftKey ? 0.01 : 0.05;
-    const [across, up] = this.shares();
-    const actions: Record<string, () => void> = {
-      ArrowLeft: () => this.arrow(across - by, up, -1, 0),
-      ArrowRight: () => this.arrow(across + by, up, 1, 0),
-      ArrowUp: () => this.arrow(across, up + by, 0, -1),
-      ArrowDown: () => this.arrow(across, up - by, 0, 1),
-      Home: () => this.moveEye(0.5, 0.5),
-      " ": () => this.timeline.toggle(),
-      ",": () => this.timeline.step(-1),
-      ".": () => this.timeline.step(1),
-      f: () => (this.player.isPlaying ? void this.player.toggleFullScreen() : this.focusAt([0.5, 0.5])),
-      a: () => this.store.set({ aperture: this.store.state.aperture > 0 ? 0 : 0.5 }),
-      p: () => this.store.set({ show: this.store.state.show === "panel" ? "eye" : "panel" }),
-    };
-    const action = actions[event.key.length === 1 ? event.key.toLowerCase() : event.key];
-    if (!action || isOfControl(event)) return;
-    event.preventDefault();
-    action();
-  }
-
-  /** Moves the eye, or before the panel's picture the loupe. */
-  private arrow(across: number, up: number, x: number, y: number): void {
-    const { show, drag } = this.store.state;
-    if (show !== "panel" && this.live && drag === "turn") return setOrbit(this.live, orbitOf(this.live)[0] + 5 * x, orbitOf(this.live)[1] - 5 * y);
-    if (show !== "panel" && this.live && drag === "plane") return this.movePlane(planeDistance(this.live), -0.02 * y);
-    if (show === "eye") this.moveEye(across, up);
-    if (show !== "panel") return;
-    const { left, top, width, height } = this.renderer.place;
-    const at = this.pointer ?? { x: left + width / 2, y: top + height / 2 };
-    this.pointer = { x: Math.min(Math.max(at.x + x * 8, left), left + width), y: Math.min(Math.max(at.y + y * 8, top), top + height) };
-    this.redraw();
+  private toggleControls(): void {
+    const open = document.body.classList.toggle("open");
+    byId("toggle").setAttribute("aria-expanded", String(open));
   }
 
   // ---- What leaves the page ----------------------------------------------------------------------------------------------
@@ -689,26 +625,36 @@ export class App {
   }
 
   private savePicture(): void {
+    this.touched(true);
     this.draw();
     this.canvas.toBlob((blob) => {
-      if (!blob) return;
-      const link = document.createElement("a");
-      link.href = URL.createObjectURL(blob);
-      link.download = `${this.fields[0].title}-${this.fields[0].frames[this.store.state.frame].label}.png`;
-      link.click();
-      URL.revokeObjectURL(link.href);
+      if (blob) download(blob, `${this.fields[0].title}-${this.fields[0].frames[this.store.state.frame].label}.png`);
     });
   }
 
+  /** One file with all pictures, which the program makes. */
+  private async savePage(): Promise<void> {
+    this.notify("page", "");
+    try {
+      const blob = await loadBytes("page.html", (progress) => this.showProgress("page", { what: "Making the page", ...progress }));
+      download(blob, `${this.fields[0].title.replace(/\.[^.]*$/, "")}.html`);
+    } catch (error) {
+      this.notify("page", error instanceof Error ? error.message : String(error));
+    }
+    this.showProgress("page", null);
+  }
+
   private async copyLink(): Promise<void> {
+    this.touched(true);
     const link = location.href.split("#")[0] + this.store.address();
     try {
       await navigator.clipboard.writeText(link);
-      this.notify("link", "The link is in the clipboard.");
+      const isLocal = /^(127\.|localhost|\[::1\])/.test(location.host) || location.protocol === "file:";
+      this.notify("link", isLocal ? "The link is in the clipboard. It works on this machine; for others, save the page." : "The link is in the clipboard.");
     } catch {
       location.hash = this.store.address();
       this.notify("link", "The link stands in the address bar.");
     }
-    window.setTimeout(() => this.notify("link", ""), 3000);
+    window.setTimeout(() => this.notify("link", ""), 5000);
   }
 }

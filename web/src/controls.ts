@@ -1,9 +1,10 @@
 // The controls beside the picture: native elements, so that keyboards and screen readers know them.
 import { asksForCrosstalk } from "./data";
-import { button, check, chooser, element, group, rounded, slider, type Shown } from "./elements";
+import { button, check, chooser, element, folded, group, rounded, slider, tip, type Shown } from "./elements";
 import { hasCrosstalk, neighbourShare, shareOfZone, slopeInZone, type Field } from "./field";
 import type { Live } from "./live";
-import { setUpGroups } from "./live_controls";
+import { jobGroup, lightDetails, setUpGroups } from "./live_controls";
+import type { Motion } from "./motion";
 import type { Player } from "./player";
 import type { Print } from "./print";
 import { printGroup } from "./print_controls";
@@ -20,9 +21,13 @@ function choice<Key extends keyof State>(label: string, key: Key, options: [stri
 }
 
 export interface Actions {
-  save: () => void;
-  copy: () => void;
+  savePicture: () => void;
+  copyLink: () => void;
+  /** Makes one file of the page; null: this page is such a file, or cannot be one. */
+  savePage: (() => void) | null;
   focusRange: () => [number, number];
+  zoom: { fit: () => void; trueSize: () => void };
+  motion: Motion;
   player: Player;
   tilt: Tilt;
   headset: Headset;
@@ -37,32 +42,65 @@ export function makeControls(parent: HTMLElement, store: Store, actions: Actions
   const shown: Shown[] = [];
   const { fields } = store;
   const field = fields[0];
-  const beginsOnPanel = actions.live?.about.plays ?? false;
-  const hasViews = () => field.across.views * field.up.views > 1;
-  parent.append(
-    ...[
-      beginsOnPanel ? playGroup(actions.player, true, shown) : null,
-      ...(actions.live ? setUpGroups(store, field, actions.live, shown) : []),
-      actions.run ? runGroup(actions.run, shown) : null,
-      fields.length > 1 ? compareGroup(store, shown) : null,
-      onlyIf(() => hasViews() && store.state.show !== "display", eyeGroup(store, field, actions, shown), shown),
-      onlyIf(() => hasViews() && store.state.show !== "display", focusGroup(store, actions, shown), shown),
-      pictureGroup(store, field, actions, hasViews, shown),
-      actions.print ? onlyIf(() => store.state.show !== "display", printGroup(actions.print, actions.savePrint, shown), shown) : null,
-      beginsOnPanel ? null : playGroup(actions.player, actions.live !== null, shown),
-      element(
-        "div",
-        { className: "buttons" },
-        button("Save picture", actions.save),
-        button("Copy link", actions.copy),
-        button("Reset", () => store.reset()),
-      ),
-    ].filter((one): one is HTMLElement => one !== null),
-  );
+  const { live, player, print } = actions;
+  const beginsOnPanel = live?.about.plays ?? false;
+  const isSeen = () => store.state.show !== "display";
+  const hasEyes = () => field.across.views * field.up.views > 1 && isSeen();
+  const groups = [
+    beginsOnPanel ? playGroup(player, true, shown) : null,
+    ...(live ? setUpGroups(store, field, live, shown) : []),
+    actions.run ? runGroup(actions.run, shown) : null,
+    fields.length > 1 ? compareGroup(store, shown) : null,
+    lookGroup(store, field, actions, hasEyes, shown),
+    shareGroup(actions),
+    print ? onlyIf(isSeen, folded("Print", printGroup(print, actions.savePrint, shown)), shown) : null,
+    folded(
+      "More",
+      live ? lightDetails(live, shown) : null,
+      onlyIf(hasEyes, eyeGroup(store, field, actions, shown), shown),
+      pictureGroup(store, field, actions, shown),
+      beginsOnPanel ? null : playGroup(player, live !== null, shown),
+    ),
+  ];
+  parent.append(element("div", { className: "groups" }, ...groups.filter((one): one is HTMLElement => one !== null)));
+  if (live) parent.append(jobGroup(live, shown));
   const update = () => shown.forEach((one) => one.update());
   store.listen(update);
   update();
   return update;
+}
+
+/** What everybody wants to set. */
+function lookGroup(store: Store, field: Field, actions: Actions, hasEyes: () => boolean, shown: Shown[]): HTMLElement {
+  const { state } = store;
+  const showsOne = () => store.fields.length < 2 || state.compare === "first" || state.compare === "second";
+  const across = zone("Left to right", 0, store, field, hasEyes, shown);
+  const up = zone("Down to up", 1, store, field, hasEyes, shown);
+  return group(
+    "Look",
+    showChoice(store, () => field.across.views * field.up.views > 1, shown),
+    tip("Where the eye stands in the viewing zone. Drag the picture, or use the arrow keys", across),
+    up,
+    tip("Opens the aperture: what is off the focus blurs. Double click what shall be sharp", slider({ label: "Background blur", applies: hasEyes, range: () => [0, 1], value: () => state.aperture, text: (value) => (value === 0 ? "all sharp" : `${rounded(100 * value, 0)}\u2009%`), set: (aperture) => store.set({ aperture }) }, shown)),
+    tip("Depth before the display's plane", slider({ label: "Sharp at", unit: "mm", applies: () => hasEyes() && state.aperture > 0, range: actions.focusRange, value: () => state.focus, set: (focus) => store.set({ focus }) }, shown)),
+    tip("Two eyes' pictures at once", choice("3D glasses", "stereo", [["off", "None"], ["anaglyph", "Red and cyan"], ["side-by-side", "Side by side"], ["top-bottom", "Top and bottom"]], store, shown, () => hasEyes() && showsOne())),
+    tip("Of the page alone, in stops. Files keep theirs", slider({ label: "Brightness", applies: () => state.show !== "display", range: () => [-4, 4], steps: 80, value: () => state.exposure, text: (value) => `${value > 0 ? "+" : ""}${rounded(value, 1)}\u2009EV`, set: (exposure) => store.set({ exposure }), reset: () => store.set({ exposure: 0 }) }, shown)),
+    onlyIf(() => state.show !== "display", element("div", { className: "buttons" }, tip("The whole picture (0)", button("Fit", actions.zoom.fit)), tip("A pixel of the views on each pixel of the screen (1)", button("1:1", actions.zoom.trueSize)), tip("All of this as it was", button("Reset", () => store.reset()))), shown),
+  );
+}
+
+/** What leaves the page. */
+function shareGroup(actions: Actions): HTMLElement {
+  return group(
+    "Share",
+    element(
+      "div",
+      { className: "buttons" },
+      ...(actions.savePage ? [actions.savePage] : []).map((save) => tip("One .html file with all pictures in it: it opens anywhere, without this program", button("Save page", save))),
+      tip("What is seen now, as a PNG", button("Save picture", actions.savePicture)),
+      tip("An address that shows just this. It works where this page can be reached", button("Copy link", actions.copyLink)),
+    ),
+  );
 }
 
 /** A button only where the device has the sensor. */
@@ -91,75 +129,69 @@ function headsetButton(headset: Headset, shown: Shown[]): HTMLElement {
   return row;
 }
 
+function zone(label: string, axis: 0 | 1, store: Store, field: Field, applies: () => boolean, shown: Shown[]): HTMLElement {
+  const { state } = store;
+  const its = () => (axis === 0 ? field.across : field.up);
+  const move = (share: number) => {
+    const eye = [...state.eye];
+    eye[axis] = slopeInZone(its(), share) * eye[2];
+    store.set({ eye });
+  };
+  return slider(
+    {
+      label,
+      applies: () => applies() && its().views > 1,
+      range: () => [0, 1],
+      value: () => shareOfZone(its(), state.eye[axis] / state.eye[2]),
+      text: () => `${rounded(state.eye[axis], 1)}\u2009mm`,
+      set: move,
+      reset: () => move(0.5),
+    },
+    shown,
+  );
+}
+
 function eyeGroup(store: Store, field: Field, actions: Actions, shown: Shown[]): HTMLElement {
   const { state } = store;
   const showsOne = () => store.fields.length < 2 || state.compare === "first" || state.compare === "second";
-  const slope = (axis: 0 | 1) => state.eye[axis] / state.eye[2];
-  const move = (axis: 0 | 1, share: number) => {
-    const eye = [...state.eye];
-    eye[axis] = slopeInZone(axis === 0 ? field.across : field.up, share) * eye[2];
-    store.set({ eye });
-  };
-  const zone = (label: string, axis: 0 | 1) =>
-    slider(
-      {
-        label,
-        applies: () => (axis === 0 ? field.across : field.up).views > 1,
-        range: () => [0, 1],
-        value: () => shareOfZone(axis === 0 ? field.across : field.up, slope(axis)),
-        text: () => `${rounded(state.eye[axis], 1)}\u2009mm`,
-        set: (share) => move(axis, share),
-        reset: () => move(axis, 0.5),
-      },
-      shown,
-    );
   const home = () => field.eye_mm[2];
+  const { motion } = actions;
   return group(
     "Eye",
-    zone("Left to right", 0),
-    zone("Down to up", 1),
-    slider(
-      {
-        label: "Distance",
-        unit: "mm",
-        range: () => [-2, 2],
-        value: () => Math.log2(state.eye[2] / home()),
-        text: () => `${rounded(state.eye[2], 0)}\u2009mm`,
-        set: (power) => {
-          const z = home() * 2 ** power;
-          store.set({ eye: [slope(0) * z, slope(1) * z, z] });
+    tip(
+      "From the eye to the display",
+      slider(
+        {
+          label: "Distance",
+          unit: "mm",
+          range: () => [-2, 2],
+          value: () => Math.log2(state.eye[2] / home()),
+          text: () => `${rounded(state.eye[2], 0)}\u2009mm`,
+          set: (power) => {
+            const z = home() * 2 ** power;
+            store.set({ eye: [(state.eye[0] / state.eye[2]) * z, (state.eye[1] / state.eye[2]) * z, z] });
+          },
         },
-      },
-      shown,
+        shown,
+      ),
     ),
+    tip("How far apart the two eyes of 3D glasses are, before the display", slider({ label: "Eye separation", unit: "mm", applies: () => showsOne() && state.stereo !== "off", range: () => [0, Math.max(80, state.separation)], value: () => state.separation, set: (separation) => store.set({ separation }) }, shown)),
+    tip("It sways, and follows the mouse, until the picture is touched", check("Sways by itself", () => motion.isOn, (on) => (on ? motion.restart() : motion.end()), shown, () => motion.canMove)),
     tiltButton(actions.tilt, shown),
     headsetButton(actions.headset, shown),
-    choice("Two eyes", "stereo", [["off", "Off"], ["anaglyph", "Anaglyph, red and cyan"], ["side-by-side", "Side by side"], ["top-bottom", "Top and bottom"]], store, shown, showsOne),
-    slider({ label: "Eye separation", unit: "mm", applies: () => showsOne() && state.stereo !== "off", range: () => [0, Math.max(80, state.separation)], value: () => state.separation, set: (separation) => store.set({ separation }) }, shown),
   );
 }
 
-function focusGroup(store: Store, actions: Actions, shown: Shown[]): HTMLElement {
-  const { state } = store;
-  return group(
-    "Focus",
-    slider({ label: "Aperture", range: () => [0, 1], value: () => state.aperture, text: (value) => (value === 0 ? "all in focus" : `${rounded(100 * value, 0)}\u2009% of the zone`), set: (aperture) => store.set({ aperture }) }, shown),
-    slider({ label: "Depth in focus", unit: "mm", applies: () => state.aperture > 0, range: actions.focusRange, value: () => state.focus, set: (focus) => store.set({ focus }) }, shown),
-  );
-}
-
-function pictureGroup(store: Store, field: Field, actions: Actions, hasViews: () => boolean, shown: Shown[]): HTMLElement {
+function pictureGroup(store: Store, field: Field, actions: Actions, shown: Shown[]): HTMLElement {
   const { state } = store;
   return group(
     "Picture",
-    showChoice(store, hasViews, shown),
-    choice("Between views", "between", [["depth", "Moved by their depth"], ["blend", "Blended"]], store, shown, () => field.depth),
-    check("Show single lenses", () => state.lenses, (lenses) => store.set({ lenses }), shown, () => field.lens_samples.some(Boolean)),
-    slider({ label: "Crosstalk", late: () => asksForCrosstalk(field), applies: () => (hasCrosstalk(field) || (asksForCrosstalk(field) && actions.live === null && !actions.print?.isSeen)) && state.show === "eye" && state.aperture === 0, range: () => [0, Math.max(2, state.crosstalk)], value: () => state.crosstalk, text: (value) => (value === 0 ? "none" : `${rounded(value, 2)}\u2009px, ${rounded(100 * neighbourShare(value), 1)}\u2009%`), set: (crosstalk) => store.set({ crosstalk: Math.round(100 * crosstalk) / 100 }), reset: () => store.set({ crosstalk: 0 }) }, shown),
-    choice("Overlay", "overlay", [["none", "None"], ["provenance", "Where pixels came from"], ["missed", "Missed pixels"]], store, shown, () => field.provenance !== null && state.show !== "display"),
-    check("Epipolar-plane image", () => state.line >= 0, (on) => store.set({ line: on ? 0.5 : -1 }), shown, () => field.across.views > 1),
+    tip("What is shown to an eye between two views", choice("Between views", "between", [["depth", "Moved by their depth"], ["blend", "Blended"]], store, shown, () => field.depth)),
+    tip("Each lens with one colour, as an eye far away sees it", check("Show single lenses", () => state.lenses, (lenses) => store.set({ lenses }), shown, () => field.lens_samples.some(Boolean))),
+    tip("How far the lenses blur neighbouring views: a sigma in pixels below a lens, and the share of each neighbour", slider({ label: "Crosstalk", late: () => asksForCrosstalk(field), applies: () => (hasCrosstalk(field) || (asksForCrosstalk(field) && actions.live === null && !actions.print?.isSeen)) && state.show === "eye" && state.aperture === 0, range: () => [0, Math.max(2, state.crosstalk)], value: () => state.crosstalk, text: (value) => (value === 0 ? "none" : `${rounded(value, 2)}\u2009px, ${rounded(100 * neighbourShare(value), 1)}\u2009%`), set: (crosstalk) => store.set({ crosstalk: Math.round(100 * crosstalk) / 100 }), reset: () => store.set({ crosstalk: 0 }) }, shown)),
+    tip("Tints pixels by how the render made them", choice("Overlay", "overlay", [["none", "None"], ["provenance", "Where pixels came from"], ["missed", "Missed pixels"]], store, shown, () => field.provenance !== null && state.show !== "display")),
+    tip("One line of the picture from eye after eye, the leftmost on top", check("Epipolar-plane image", () => state.line >= 0, (on) => store.set({ line: on ? 0.5 : -1 }), shown, () => field.across.views > 1)),
     slider({ label: "Line, from the top", applies: () => state.line >= 0, range: () => [0, 1], value: () => state.line, text: (value) => `${rounded(100 * value, 0)}\u2009%`, set: (line) => store.set({ line }) }, shown),
-    slider({ label: "Exposure", applies: () => state.show !== "display", range: () => [-4, 4], steps: 80, value: () => state.exposure, text: (value) => `${value > 0 ? "+" : ""}${rounded(value, 1)}\u2009EV`, set: (exposure) => store.set({ exposure }), reset: () => store.set({ exposure: 0 }) }, shown),
     check("Light background", () => state.theme === "light", (on) => store.set({ theme: on ? "light" : "dark" }), shown),
   );
 }
@@ -172,7 +204,7 @@ function onlyIf(applies: () => boolean, made: HTMLElement, shown: Shown[]): HTML
 
 /** A panel to play on may be dropped on the page. */
 function showChoice(store: Store, hasViews: () => boolean, shown: Shown[]): HTMLElement {
-  const row = choice("Show", "show", [["eye", "What the eye sees"], ["panel", "What the panel shows"], ["display", "Played on a calibrated panel"]], store, shown, () => hasViews() || store.plays);
+  const row = choice("Show", "show", [["eye", "What an eye sees"], ["panel", "The panel, without its lenses"], ["display", "Played on a calibrated panel"]], store, shown, () => hasViews() || store.plays);
   const played = row.querySelector<HTMLOptionElement>('option[value="display"]') as HTMLOptionElement;
   shown.push({ update: () => (played.hidden = played.disabled = !store.plays) });
   return row;

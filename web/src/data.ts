@@ -13,8 +13,20 @@ declare global {
   }
 }
 
-const usesScripts = (): boolean =>
-  document.querySelector('meta[name="lippmann-data"]')?.getAttribute("content") === "scripts";
+type Source = "server" | "scripts" | "within";
+
+/** A program that answers, scripts beside the page, or the page itself. */
+const source = (): Source => (document.querySelector('meta[name="lippmann-data"]')?.getAttribute("content") ?? "server") as Source;
+const isSaved = (): boolean => source() !== "server";
+
+/** Whether the program is there to make one file of the page. */
+export const canSavePage = (): boolean => !isSaved();
+
+/** How far something is that is being loaded; `of`: null where nobody says how much it is. */
+export interface Progress {
+  bytes: number;
+  of: number | null;
+}
 
 function runScript(path: string): Promise<void> {
   return new Promise((resolve, reject) => {
@@ -61,19 +73,19 @@ export async function postBytes(path: string, body: Blob): Promise<void> {
 
 /** The program's answer to a text. */
 export async function postText(path: string, body: string): Promise<string> {
-  if (usesScripts()) throw new Refusal("A saved page cannot read calibrations: `lippmann play` does.");
+  if (isSaved()) throw new Refusal("A saved page cannot read calibrations: `lippmann play` does.");
   return (await answerOf(path, { method: "POST", body, headers: { "Content-Type": "text/plain" } })).text();
 }
 
 /** Whether the program computes what eyes see through crosstalk: where views of theirs are not the panel's pixels, and the
  *  program is there. */
-export const asksForCrosstalk = (field: Field): boolean => !usesScripts() && field.panel.is === "own" && field.across.views * field.up.views > 1;
+export const asksForCrosstalk = (field: Field): boolean => !isSaved() && field.panel.is === "own" && field.across.views * field.up.views > 1;
 
 /** What the program says of a scene that is set up. */
 export const readState = async (path: string): Promise<unknown> => (await answerOf(path)).json();
 
 export async function loadFields(): Promise<unknown> {
-  if (!usesScripts()) {
+  if (!isSaved()) {
     const text = await (await answerOf("fields.json")).text();
     try {
       return JSON.parse(text);
@@ -81,6 +93,7 @@ export async function loadFields(): Promise<unknown> {
       throw new Refusal("The description of the light field is damaged: it is no JSON.");
     }
   }
+  if (source() === "within") return JSON.parse(textWithin("fields"));
   let found: unknown;
   window.lippmann_fields = (json) => (found = json);
   await runScript("fields.js");
@@ -117,7 +130,50 @@ function fromScript(name: string): Promise<Blob> {
   });
 }
 
-/** One picture: FIELD/views/FRAME, FIELD/depth/FRAME or FIELD/panel/FRAME. */
-export async function loadPicture(name: string): Promise<Blob> {
-  return usesScripts() ? fromScript(name) : (await answerOf(name)).blob();
+/** What stands in the document itself under a name. */
+function textWithin(name: string): string {
+  const text = document.getElementById(`data:${name}`)?.textContent;
+  if (!text) throw new Refusal(`The page is damaged: it lacks ${name}.`);
+  return text;
+}
+
+function pictureWithin(name: string): Blob {
+  const text = textWithin(name);
+  try {
+    return blobOf(text, document.getElementById(`data:${name}`)?.dataset.type ?? "");
+  } catch {
+    throw new Refusal(`The page is damaged: ${name} cannot be read.`);
+  }
+}
+
+/** What the server answers, with a word about every piece that comes. */
+export async function loadBytes(path: string, progress: (now: Progress) => void): Promise<Blob> {
+  progress({ bytes: 0, of: null });
+  const response = await answerOf(path);
+  const said = Number(response.headers.get("Content-Length"));
+  const reader = response.body?.getReader();
+  if (!reader) return response.blob();
+  const pieces: Uint8Array<ArrayBuffer>[] = [];
+  let bytes = 0;
+  for (let next = await reader.read(); !next.done; next = await reader.read()) {
+    pieces.push(next.value as Uint8Array<ArrayBuffer>);
+    bytes += next.value.length;
+    progress({ bytes, of: said > 0 ? said : null });
+  }
+  return new Blob(pieces, { type: response.headers.get("Content-Type") ?? "" });
+}
+
+/** One picture: FIELD/views/FRAME, FIELD/preview/FRAME, FIELD/depth/FRAME or FIELD/panel/FRAME. */
+export async function loadPicture(name: string, progress: (now: Progress) => void = () => {}): Promise<Blob> {
+  if (source() === "within") return pictureWithin(name);
+  return isSaved() ? fromScript(name) : loadBytes(name, progress);
+}
+
+/** Hands a file to the browser's downloads. */
+export function download(blob: Blob, name: string): void {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  URL.revokeObjectURL(link.href);
 }

@@ -124,6 +124,17 @@ export function group(title: string, ...rows: (HTMLElement | null)[]): HTMLEleme
   return section;
 }
 
+/** A row that says what it does to who waits above it. */
+export function tip<Row extends HTMLElement | null>(text: string, row: Row): Row {
+  if (row) row.title = text;
+  return row;
+}
+
+/** Groups that are out of the way until somebody opens them. */
+export function folded(title: string, ...groups: (HTMLElement | null)[]): HTMLElement {
+  return element("details", {}, element("summary", {}, title), ...groups.filter((one): one is HTMLElement => one !== null));
+}
+
 export function button(text: string, action: () => void): HTMLButtonElement {
   const made = element("button", { type: "button" }, text);
   made.addEventListener("click", action);

@@ -48,6 +48,8 @@ export interface Field {
   /** Null: nothing says where pixels came from. */
   provenance: Origin[] | null;
   disparity_scale_mm: number;
+  /** The size of views in the first, small picture; null: there is none. */
+  preview: [number, number] | null;
   frames_per_second: number;
   assumption: string;
   frames: Frame[];
@@ -87,6 +89,8 @@ function checkField(field: Field): void {
   require(Array.isArray(field.lens_samples) && areSizes(field.panel?.size), "it does not say what the panel shows");
   field.provenance ??= null;
   require(field.provenance === null || areOrigins(field.provenance), "it does not say what the codes of provenance are");
+  field.preview ??= null;
+  require(field.preview === null || areSizes(field.preview), "it does not say how large its preview is");
   require(isNumber(field.frames_per_second) && field.frames_per_second > 0, "it has no frame rate");
   require(Array.isArray(field.frames) && field.frames.length > 0, "it has no frames");
   require(field.frames.every((frame) => typeof frame?.label === "string"), "a frame has no label");

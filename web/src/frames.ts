@@ -1,5 +1,5 @@
 // Frames on the GPU: loaded when they are asked for or soon will be, the least recently used given up beyond a bound.
-import { asksForCrosstalk, loadPicture } from "./data";
+import { asksForCrosstalk, canSavePage, loadPicture, type Progress } from "./data";
 import { Refusal, type Field } from "./field";
 import { samePanel } from "./display";
 import { pictureTexture, type Gl } from "./gl";
@@ -89,6 +89,9 @@ export class Frames {
   private livePictures: { facts: Field; pictures: LivePictures } | null = null;
   private isPlayed = false;
   private isRemaking = false;
+  /** The first picture of each field, small, until the whole one is there. */
+  private readonly previews = new Map<number, { frame: number; made: LoadedFrame }>();
+  private readonly progresses = new Map<string, Progress>();
 
   constructor(
     private readonly gl: Gl,
@@ -96,6 +99,7 @@ export class Frames {
     private budget: number,
     private readonly changed: () => void,
     private readonly notice: (text: string) => void,
+    private readonly progressed: () => void,
   ) {}
 
   private key(field: number, frame: number, use: Use): string {
@@ -123,6 +127,46 @@ export class Frames {
     }
     void this.load(field, frame, use);
     return null;
+  }
+
+  /** A small picture of the frame, until the frame is there; null: there is none. */
+  getPreview(field: number, frame: number, use: Use): LoadedFrame | null {
+    const preview = this.previews.get(field);
+    return !this.isLive && use !== "display" && use !== "panel" && preview?.frame === frame ? preview.made : null;
+  }
+
+  /** How far all is that is being loaded; null: nothing is, or nobody knows. */
+  get progress(): Progress | null {
+    const all = [...this.progresses.values()];
+    if (all.length === 0) return null;
+    const sum = (of: (one: Progress) => number) => all.reduce((before, one) => before + of(one), 0);
+    return { bytes: sum((one) => one.bytes), of: all.every((one) => one.of !== null) ? sum((one) => one.of as number) : null };
+  }
+
+  private async makePreview(field: number, frame: number): Promise<void> {
+    const facts = this.fields[field];
+    const [width, height] = facts.preview as [number, number];
+    try {
+      const picture = await this.bitmap(`${field}/preview/${frame}`, facts.frames[frame].label, [facts.tiles[0] * width, facts.tiles[1] * height], facts.tiles);
+      const made: LoadedFrame = { layer: null, views: quiltTexture(this.gl, picture, facts.tiles, "srgb"), depth: null, panel: null, viewSize: [width, height], disparities: this.guessedRange(facts), bytes: 0, whole: Promise.resolve() };
+      picture.close();
+      this.previews.set(field, { frame, made });
+      this.changed();
+    } catch {
+      // The whole picture follows, or says what is wrong.
+    }
+  }
+
+  private givePreviewUp(field: number): void {
+    const preview = this.previews.get(field);
+    this.previews.delete(field);
+    if (preview) this.deleteTextures(preview.made);
+  }
+
+  /** Only before the first picture: later ones come while another is seen. Saved pages have one of their first frame. */
+  private wantsPreview(field: number, frame: number, use: Use): boolean {
+    const isFirst = ![...this.loaded.keys()].some((key) => key.startsWith(`${field}/`)) && !this.previews.has(field);
+    return isFirst && use === "eye" && this.fields[field].preview !== null && (frame === 0 || canSavePage());
   }
 
   /** What loading it threw lately. */
@@ -234,7 +278,10 @@ export class Frames {
       promise = use === "display" ? this.makePlayed(field, frame) : this.make(field, frame, this.useFor(field, use));
       this.loading.set(key, promise);
       promise
-        .then((made) => this.keep(key, made))
+        .then((made) => {
+          this.keep(key, made);
+          this.givePreviewUp(field);
+        })
         .catch((error: Error) => this.failures.set(key, { error, at: performance.now() }))
         .finally(() => {
           this.loading.delete(key);
@@ -300,6 +347,7 @@ export class Frames {
 
   private async make(field: number, frame: number, use: Use): Promise<LoadedFrame> {
     const facts = this.fields[field];
+    if (this.wantsPreview(field, frame, use)) await this.makePreview(field, frame);
     const label = facts.frames[frame].label;
     const needsPanel = use === "panel" && facts.panel.is === "own";
     const [views, panel] = await Promise.all([
@@ -370,7 +418,10 @@ export class Frames {
   }
 
   private async bitmap(name: string, label: string, size: [number, number], tiles = kWhole): Promise<ImageBitmap> {
-    const blob = await loadPicture(name);
+    const blob = await loadPicture(name, (now) => {
+      this.progresses.set(name, now);
+      this.progressed();
+    }).finally(() => this.progresses.delete(name));
     const options: ImageBitmapOptions = { premultiplyAlpha: "none", colorSpaceConversion: "none" };
     let picture: ImageBitmap;
     try {

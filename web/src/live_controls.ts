@@ -1,5 +1,5 @@
 // The controls of a scene that is set up: where it is seen from, what shows it, its light, and what becomes of it.
-import { button, check, chooser, element, group, rounded, slider, type Shown } from "./elements";
+import { button, check, chooser, element, group, rounded, slider, tip, type Shown } from "./elements";
 import type { Field } from "./field";
 import type { Live, Rendered } from "./live";
 import { minutes } from "./run";
@@ -65,7 +65,7 @@ function viewGroup(store: Store, live: Live, shown: Shown[]): HTMLElement {
     "Set-up",
     chooser(
       "Dragging the picture",
-      () => [["eye", "Moves the eye"], ["turn", "Turns the camera; the wheel zooms"], ["plane", "Moves the plane; a click puts it there"]],
+      () => [["turn", "Turns the scene, wheel zooms"], ["eye", "Moves the eye"], ["plane", "Moves the display plane"]],
       () => state.drag,
       (drag) => store.set({ drag }),
       shown,
@@ -73,7 +73,7 @@ function viewGroup(store: Store, live: Live, shown: Shown[]): HTMLElement {
     slider({ label: "Turn", range: () => [-180, 180], steps: 360, value: () => orbitOf(live)[0], text: (yaw) => `${rounded(yaw, 1)}\u00b0`, set: (yaw) => setOrbit(live, yaw, orbitOf(live)[1]), reset: () => live.set({ orbit: null }) }, shown),
     slider({ label: "Raise", range: () => [-89, 89], steps: 178, value: () => orbitOf(live)[1], text: (pitch) => `${rounded(pitch, 1)}\u00b0`, set: (pitch) => setOrbit(live, orbitOf(live)[0], pitch), reset: () => live.set({ orbit: null }) }, shown),
     slider({ label: "Zoom", range: () => [-2, 4], steps: 120, value: () => Math.log2(live.number("zoom", 1)), text: () => `${digits(live.number("zoom", 1))}\u00d7`, set: (power) => setZoom(live, 2 ** power), reset: () => live.set({ zoom: null }) }, shown),
-    slider({ label: "Display plane, from the viewer", applies: () => !!live.state?.plane, range: () => planeRange(live), value: () => planeDistance(live), text: (value) => digits(value, 4), set: (value) => setPlaneDistance(live, value), reset: () => live.set({ focus: null }) }, shown),
+    tip("Its distance from the viewer, in units of the scene", slider({ label: "Display plane", applies: () => !!live.state?.plane, range: () => planeRange(live), value: () => planeDistance(live), text: (value) => digits(value, 4), set: (value) => setPlaneDistance(live, value), reset: () => live.set({ focus: null }) }, shown)),
     check("Fit the depth to the display", () => live.value("fit-depth") === "true" || (live.value("fit-depth") === "" && fitsByDefault(live)), (on) => live.set({ "fit-depth": String(on) }), shown),
     check("Show the depth budget", () => state.budget, (budget) => store.set({ budget }), shown, () => store.fields[0].depth),
   );
@@ -104,16 +104,23 @@ function lightGroup(live: Live, shown: Shown[]): HTMLElement {
     const chosen = live.value("environment");
     return usual.some(([word]) => word === chosen) ? usual : [...usual, [chosen, chosen.split("/").pop() ?? chosen]];
   };
-  const paths = () => live.value("integrator") === "path";
   return group(
     "Light",
     chooser("Shading", () => (live.about.choices.integrator ?? []).map(named), () => live.value("integrator"), (integrator) => live.set({ integrator }), shown),
     slider({ label: "Samples a pixel", range: () => [0, 10], steps: 10, value: () => Math.log2(Math.max(1, samplesOf(live))), text: () => String(samplesOf(live)), set: (power) => live.set({ spp: String(Math.round(2 ** power)) }), reset: () => live.set({ spp: null }) }, shown),
     chooser("Surroundings", environments, () => live.value("environment"), (environment) => live.set({ environment }), shown),
-    slider({ label: "Their strength", applies: paths, range: () => [-4, 4], steps: 80, value: () => Math.log2(live.number("environment-strength", 1)), text: () => `${digits(live.number("environment-strength", 1))}\u00d7`, set: (power) => live.set({ "environment-strength": digits(2 ** power) }), reset: () => live.set({ "environment-strength": null }) }, shown),
-    slider({ label: "Turned by", applies: paths, range: () => [-180, 180], steps: 360, value: () => live.number("environment-rotation", 0), text: (value) => `${rounded(value, 0)}\u00b0`, set: (angle) => live.set({ "environment-rotation": digits(angle) }), reset: () => live.set({ "environment-rotation": null }) }, shown),
     slider({ label: "Exposure of the render", range: () => [-6, 6], steps: 120, value: () => live.number("exposure", 0), text: (value) => `${value > 0 ? "+" : ""}${rounded(value, 1)}\u2009EV`, set: (stops) => live.set({ exposure: digits(stops) }), reset: () => live.set({ exposure: null }) }, shown),
+  );
+}
+
+/** What few need to set. */
+export function lightDetails(live: Live, shown: Shown[]): HTMLElement {
+  const paths = () => live.value("integrator") === "path";
+  return group(
+    "Light, in detail",
     chooser("Tone", () => (live.about.choices.tone ?? []).map(named), () => live.value("tone"), (tone) => live.set({ tone }), shown),
+    slider({ label: "Surroundings' strength", applies: paths, range: () => [-4, 4], steps: 80, value: () => Math.log2(live.number("environment-strength", 1)), text: () => `${digits(live.number("environment-strength", 1))}\u00d7`, set: (power) => live.set({ "environment-strength": digits(2 ** power) }), reset: () => live.set({ "environment-strength": null }) }, shown),
+    slider({ label: "Surroundings' turn", applies: paths, range: () => [-180, 180], steps: 360, value: () => live.number("environment-rotation", 0), text: (value) => `${rounded(value, 0)}\u00b0`, set: (angle) => live.set({ "environment-rotation": digits(angle) }), reset: () => live.set({ "environment-rotation": null }) }, shown),
   );
 }
 
@@ -132,7 +139,8 @@ export function renderText(render: Rendered | null): string {
   return render.error;
 }
 
-function jobGroup(live: Live, shown: Shown[]): HTMLElement {
+/** Stays in sight while other controls are scrolled. */
+export function jobGroup(live: Live, shown: Shown[]): HTMLElement {
   const said = element("output", { className: "value job" });
   const bar = element("progress", { max: 1 });
   bar.setAttribute("aria-label", "Render");
@@ -149,12 +157,13 @@ function jobGroup(live: Live, shown: Shown[]): HTMLElement {
       bar.value = state?.render?.share ?? 0;
     },
   });
-  return group("Job", element("div", { className: "buttons" }, button("Save job", () => void live.save()), ...renders, cancel), bar, element("div", { className: "row panel" }, said));
+  const made = group("Render", element("div", { className: "buttons" }, ...renders, cancel, tip("A .toml that `lippmann render` takes", button("Save job", () => void live.save()))), bar, element("div", { className: "row panel" }, said));
+  made.classList.add("job");
+  return made;
 }
 
 export const setUpGroups = (store: Store, field: Field, live: Live, shown: Shown[]): HTMLElement[] => [
   viewGroup(store, live, shown),
   displayGroup(field, live, shown),
   lightGroup(live, shown),
-  jobGroup(live, shown),
 ];

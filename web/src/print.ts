@@ -1,7 +1,7 @@
 // The print of the light field: what the program is asked for, and the page as it shows what eyes see of it through the lenses
 // (docs/view.md lists the keys). Requests follow one another.
-import { loadPicture, postText } from "./data";
-import { disparityOfDepth, Refusal, slopeInZone, type Field } from "./field";
+import { download, loadPicture, postText } from "./data";
+import { depthOfDisparity, disparityOfDepth, Refusal, slopeInZone, type Field } from "./field";
 import type { Frames } from "./frames";
 
 export interface PrintChoices {
@@ -42,6 +42,8 @@ export class Print {
   isSeen = false;
   /** Whether the next click on the picture sets the zero plane. */
   awaitsClick = false;
+  /** While the zero plane is dragged: how the views are seen. */
+  preview: { aperture: number; focus: number } | null = null;
   private madeOf = "";
   private shownId = 0;
   private pending = 0;
@@ -87,15 +89,38 @@ export class Print {
     this.set({ shift });
   }
 
-  /** What is seen at that depth of the views is to lie in the zero plane. */
-  setPlane(depth: number): void {
+  /** Pixels of the first view by which a point moves from view to view, per mm of its disparity. */
+  private get pixelsPerDisparity(): number {
     const { across, view_size: size, window_mm: window } = this.own;
     const last = slopeInZone(across, 1 - 0.5 / across.views);
     const first = slopeInZone(across, 0.5 / across.views);
-    const step = (last - first) / Math.max(across.views - 1, 1);
+    return (((last - first) / Math.max(across.views - 1, 1)) * size[0]) / window.size[0];
+  }
+
+  private within(shift: number): number {
     const [least, most] = this.shiftRange;
+    return Math.min(Math.max(shift, least), most);
+  }
+
+  /** What is seen at that depth of the views is to lie in the zero plane. */
+  setPlane(depth: number): void {
     this.awaitsClick = false;
-    this.setShift(Math.min(Math.max((-disparityOfDepth(this.own, depth) * step * size[0]) / window.size[0], least), most));
+    this.setShift(this.within(-disparityOfDepth(this.own, depth) * this.pixelsPerDisparity));
+  }
+
+  /** The zero plane is dragged, by a share of the picture to the right. Meanwhile what lies in it is what is sharp. */
+  dragPlane(from: number, across: number): void {
+    const [least, most] = this.shiftRange;
+    this.settings.shift = this.within(from + across * (most - least));
+    this.preview = { aperture: 0.5, focus: depthOfDisparity(this.own, -this.settings.shift / this.pixelsPerDisparity) };
+    this.changed(false);
+  }
+
+  /** The zero plane that was dragged is taken. */
+  dropPlane(): void {
+    this.preview = null;
+    this.awaitsClick = false;
+    this.setShift(this.settings.shift);
   }
 
   see(on: boolean): void {
@@ -140,11 +165,7 @@ export class Print {
     this.enqueue(async () => {
       const made = await this.make();
       const blob = await this.picture("file", made);
-      const link = document.createElement("a");
-      link.href = URL.createObjectURL(blob);
-      link.download = `${title.replace(/\.[^.]*$/, "")}-print.png`;
-      link.click();
-      URL.revokeObjectURL(link.href);
+      download(blob, `${title.replace(/\.[^.]*$/, "")}-print.png`);
     });
   }
 

@@ -12,8 +12,8 @@ export function printGroup(print: Print, save: () => void, shown: Shown[]): HTML
     ...print.about.displays.map((name): [string, string] => [name, name]),
   ];
   const isSheet = () => settings.display === kSheet;
-  const click = button("Zero plane at a click", () => print.awaitClick(!print.awaitsClick));
-  click.title = "The next click on the picture sets it";
+  const click = button("Zero plane on the picture", () => print.awaitClick(!print.awaitsClick));
+  click.title = "Drag the picture left or right, or click on what shall lie in the paper";
   const saving = button("Save the print", save);
   const said = element("output", { className: "job value" });
   shown.push({

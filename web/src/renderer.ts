@@ -29,6 +29,8 @@ const kCompareModes = { first: "first", second: "first", wipe: "wipe", differenc
 const kLoupeRadius = 92;
 /** Beyond the views' own samples a picture has nothing to show, but edges of lenses and of depth should not look coarse. */
 const kLeastLongSide = 800;
+/** The longer side of a magnified picture, in pixels. */
+const kMostPlace = 8192;
 
 /** Crosstalk is computed where nothing else is asked for. */
 export const useOf = (state: State): Use => (state.show === "eye" && state.crosstalk > 0 && state.aperture === 0 ? `eye/${Math.round(100 * state.crosstalk)}` : state.show);
@@ -38,7 +40,9 @@ const axisOf = (axis: Axis): number[] => [axis.first, axis.step, axis.by === "an
 export class Renderer {
   /** The canvas' size, in pixels, when it is as fine as the screen. */
   screen: [number, number] = [1, 1];
-  /** Where the picture is on it, from the top left. */
+  /** Where the picture would be if it were not magnified: its size and its middle. */
+  fitted = { width: 1, height: 1, centre: [0, 0] as [number, number] };
+  /** Where the picture is on it, from the top left; magnified, it may be larger. */
   place: Rectangle = { left: 0, top: 0, width: 1, height: 1 };
   /** Likewise, on the canvas as it is now. */
   private drawn: Rectangle = this.place;
@@ -50,6 +54,8 @@ export class Renderer {
   private readonly screenPrograms = new Map<ScreenMode, Program>();
   /** One picture that needs no second pass goes straight to the canvas, which takes software graphics half the time. */
   private direct = false;
+  /** What the picture of the panel that was drawn last is of. */
+  private panelPart: Rectangle = this.place;
   private last: { state: State; field: Field; frame: LoadedFrame } | null = null;
   private readonly targets: [Target, Target, Target, Target];
 
@@ -75,11 +81,11 @@ export class Renderer {
     return state.compare === "second" ? [1] : [0, 1];
   }
 
-  /** Whether all that the state wants was there; the canvas is left as it was where not. For speed the canvas may
+  /** Whether all that the state wants was there, small pictures counted; the canvas is left as it was where not. For speed the canvas may
    *  have fewer pixels than the screen: so many times fewer in a row, and in a column. */
   draw(state: State, ground: number[], divisor = 1): boolean {
     const shown = this.shownFields(state);
-    const loaded = shown.map((field) => this.loaded(field, state));
+    const loaded = shown.map((field) => this.loaded(field, state) ?? this.frames.getPreview(field, this.frameOf(field, state.frame), useOf(state)));
     if (loaded.some((one) => !one)) return false;
     shown.forEach((field, i) => this.wantOverlay(field, loaded[i] as LoadedFrame, state));
     if (state.show === "display") return this.drawFrame(loaded[0] as LoadedFrame);
@@ -219,8 +225,25 @@ export class Renderer {
     const high = stereo && state.stereo === "top-bottom";
     const aspect = ((w / h) * (wide ? 2 : 1)) / (high ? 2 : 1);
     const fitted = Math.min(width / aspect, room);
-    const place = { width: Math.round(fitted * aspect), height: Math.round(fitted) };
-    this.place = { left: Math.round((width - place.width) / 2), top: Math.round((room - place.height) / 2), ...place };
+    this.fitted = { width: fitted * aspect, height: fitted, centre: [width / 2, room / 2] };
+    // The epipolar-plane image goes below the whole picture.
+    const by = state.line >= 0 && state.show === "eye" ? 1 : Math.min(state.magnify, this.mostMagnified);
+    const pan = by === state.magnify ? state.pan : [0, 0];
+    const place = { width: Math.max(1, Math.round(this.fitted.width * by)), height: Math.max(1, Math.round(this.fitted.height * by)) };
+    const [x, y] = [width / 2 + pan[0] * this.fitted.width, room / 2 + pan[1] * this.fitted.height];
+    this.place = { left: Math.round(x - place.width / 2), top: Math.round(y - place.height / 2), ...place };
+  }
+
+  /** What the GPU draws at once. */
+  get mostMagnified(): number {
+    return Math.max(1, kMostPlace / Math.max(this.fitted.width, this.fitted.height));
+  }
+
+  /** A pixel of the views (or of the panel) is one of the screen. */
+  magnifiedForTrueSize(state: State): number {
+    const field = this.fields[this.shownFields(state)[0]];
+    const size = state.show === "panel" ? field.panel.size : naturalSize(field);
+    return Math.min(Math.max(...size) / Math.max(this.fitted.width, this.fitted.height), this.mostMagnified);
   }
 
   private pictureSize(field: Field, state: State, two: boolean): [number, number] {
@@ -320,25 +343,37 @@ export class Renderer {
     return made;
   }
 
+  /** Only what is on the screen, so that a magnified panel takes no larger picture. */
   private drawPanel(target: Target, field: Field, frame: LoadedFrame, state: State): void {
-    const { width, height } = this.place;
+    const { place } = this;
     const ratio = this.gl.canvas.width / (this.gl.canvas as HTMLCanvasElement).clientWidth;
-    target.begin(width, height);
-    const loupe = this.loupe && { x: this.loupe.x - this.place.left, y: this.loupe.y - this.place.top };
+    const part = (this.panelPart = this.shownFields(state).length > 1 ? place : this.onScreen());
+    const size = [part.width, part.height].map((side) => Math.min(side, kMostPlace / 2)) as [number, number];
+    target.begin(...size);
+    const loupe = this.loupe;
     const [w, h] = field.panel.size;
+    const [perX, perY] = [w / place.width, h / place.height];
     const cell = field.panel.is === "integral" ? Math.max(field.across.views, field.up.views) : 8;
     const radius = kLoupeRadius * ratio;
     const overlay = this.overlays(frame, state);
     this.panelProgram({ overlay, layered: frame.layer !== null }).draw({
       ...this.fieldUniforms(field, frame),
       ...(overlay ? this.overlayUniforms(field, frame, state) : {}),
-      u_output_size: [width, height],
+      u_output_size: size,
       u_panel_size: field.panel.size,
       u_kind: { integers: [kPanelKinds[field.panel.is]] },
-      u_part: [0, 0, w, h],
-      u_loupe: loupe ? [loupe.x, loupe.y, radius, Math.max(2 * ratio, Math.floor((1.6 * radius) / (2 * cell)))] : [0, 0, 0, 1],
-      u_loupe_at: loupe ? [(loupe.x / width) * w, (loupe.y / height) * h] : [0, 0],
+      u_part: [(part.left - place.left) * perX, (part.top - place.top) * perY, part.width * perX, part.height * perY],
+      u_loupe: loupe ? [loupe.x - part.left, loupe.y - part.top, radius, Math.max(2 * ratio, Math.floor((1.6 * radius) / (2 * cell)))] : [0, 0, 0, 1],
+      u_loupe_at: loupe ? [(loupe.x - place.left) * perX, (loupe.y - place.top) * perY] : [0, 0],
     });
+  }
+
+  /** The part of the place that is on the screen. */
+  private onScreen(): Rectangle {
+    const { left, top, width, height } = this.place;
+    const [right, bottom] = [Math.min(left + width, this.screen[0]), Math.min(top + height, this.screen[1])];
+    const at = { left: Math.max(left, 0), top: Math.max(top, 0) };
+    return { ...at, width: Math.max(1, right - at.left), height: Math.max(1, bottom - at.top) };
   }
 
   private screenUniforms(state: State, ground: number[]): Record<string, Uniform> {
@@ -366,7 +401,7 @@ export class Renderer {
     let mode: ScreenMode = "first";
     if (stereo) mode = kStereoModes[state.stereo];
     else if (this.shownFields(state).length > 1) mode = kCompareModes[state.compare];
-    const drawn = this.drawn;
+    const drawn = state.show === "panel" ? this.panelPart : this.drawn;
     this.screenProgram(mode).draw({
       ...this.screenUniforms(state, ground),
       u_place: [drawn.left, height - drawn.top - drawn.height, drawn.width, drawn.height],
@@ -407,9 +442,16 @@ export class Renderer {
   valueAt(which: 0 | 1, share: [number, number]): number[] {
     if (this.last && (this.direct || (this.overlays(this.last.frame, this.last.state) && this.last.state.show === "eye"))) return this.valueOfEye(share);
     const target = this.targets[which];
-    const x = Math.min(target.width - 1, Math.floor(share[0] * target.width));
-    const y = Math.min(target.height - 1, Math.floor((1 - share[1]) * target.height));
+    const [across, down] = this.last?.state.show === "panel" ? this.inPanelPart(share) : share;
+    const x = Math.min(target.width - 1, Math.floor(across * target.width));
+    const y = Math.min(target.height - 1, Math.floor((1 - down) * target.height));
     return [...target.read(x, y, 1, 1)].slice(0, 3);
+  }
+
+  private inPanelPart(share: [number, number]): number[] {
+    const { place, panelPart: part } = this;
+    const within = (value: number) => Math.min(Math.max(value, 0), 1);
+    return [within((place.left + share[0] * place.width - part.left) / part.width), within((place.top + share[1] * place.height - part.top) / part.height)];
   }
 
   private valueOfEye(share: [number, number]): number[] {

@@ -14,6 +14,9 @@ export interface State {
   crosstalk: number;
   exposure: number;
   line: number;
+  /** How much larger than it fits the picture is, and by how much of that size its middle is off the middle. */
+  magnify: number;
+  pan: [number, number];
   /** What is laid over the picture: where its pixels came from, or those alone which were missed. */
   overlay: "none" | "provenance" | "missed";
   compare: "first" | "second" | "wipe" | "side-by-side" | "difference";
@@ -43,6 +46,7 @@ const kRanges: { [Key in keyof State]?: readonly [number, number] } = {
   exposure: [-8, 8],
   crosstalk: [0, 8],
   line: [-1, 1],
+  magnify: [0.1, 64],
   wipe: [0, 1],
   scale: [1, 255],
   speed: [0.05, 16],
@@ -63,14 +67,15 @@ export function defaultState(fields: Field[], plays: boolean, isSetUp = false): 
     crosstalk: 0,
     exposure: 0,
     line: -1,
+    magnify: 1,
+    pan: [0, 0],
     overlay: "none",
     compare: fields.length > 1 ? "wipe" : "first",
     wipe: 0.5,
     scale: 32,
     speed: 1,
     loop: true,
-    // On a panel there is no eye to move.
-    drag: plays && isSetUp ? "turn" : "eye",
+    drag: isSetUp ? "turn" : "eye",
     budget: false,
     theme: "dark",
   };
@@ -87,6 +92,10 @@ function readValue(key: keyof State, value: unknown, fields: Field[], current: u
     const eye = typeof value === "string" ? value.split(",").map(Number) : value;
     const fits = Array.isArray(eye) && eye.length === 3 && eye.every((x) => Number.isFinite(x) && Math.abs(x) < 1e6);
     return fits && eye[2] >= 1 ? eye : undefined;
+  }
+  if (key === "pan") {
+    const pan = typeof value === "string" ? value.split(",").map(Number) : value;
+    return Array.isArray(pan) && pan.length === 2 && pan.every((share) => Number.isFinite(share) && Math.abs(share) <= 64) ? pan : undefined;
   }
   if (typeof current === "boolean") return value === true || value === "1" ? true : value === false || value === "0" ? false : undefined;
   if (typeof current === "string") return kWords[key]?.includes(String(value)) ? value : undefined;

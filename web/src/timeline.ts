@@ -96,7 +96,9 @@ export class Timeline {
     const track = document.createElement("div");
     track.className = "track";
     track.append(this.marks, this.scrub);
-    this.parent.append(this.play, back, forward, track, this.label, this.loop, this.speed);
+    const heading = document.createElement("h2");
+    heading.textContent = "Time";
+    this.parent.append(heading, this.play, back, forward, track, this.label, this.loop, this.speed);
     this.parent.hidden = false;
   }
 

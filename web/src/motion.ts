@@ -1,0 +1,105 @@
+// How the eye moves before anybody has touched the page, so that a light field looks like one: it sways slowly, and follows a
+// mouse above the picture. Who prefers reduced motion sees neither.
+
+/** Shares of the viewing zone: across, up. */
+type Shares = [number, number];
+
+const kSwing: Shares = [0.34, 0.22];
+const kPeriodsMs: Shares = [7000, 9500];
+/** The first picture stays still for a moment, and the sway begins softly. */
+const kWaitMs = 900;
+const kRampMs = 1500;
+/** How soon the eye is where it goes to. */
+const kEaseMs = 140;
+const kMargin = 0.03;
+
+export class Motion {
+  private readonly isReduced = window.matchMedia?.("(prefers-reduced-motion: reduce)").matches ?? false;
+  private isTouched = false;
+  private pointer: Shares | null = null;
+  private began = 0;
+  private last = 0;
+  private offset: Shares = [0, 0];
+
+  /** home: where the eye stands in the zone without it. */
+  constructor(
+    private readonly home: () => Shares,
+    private readonly changed: () => void,
+  ) {}
+
+  /** Whether it moves, or waits to. */
+  get isOn(): boolean {
+    return !this.isTouched && !this.isReduced;
+  }
+
+  get canMove(): boolean {
+    return !this.isReduced;
+  }
+
+  /** Whether somebody has touched the page. */
+  get isOver(): boolean {
+    return this.isTouched;
+  }
+
+  /** From now on the eye stays where it is put. */
+  end(): void {
+    if (this.isTouched) return;
+    this.isTouched = true;
+    this.changed();
+  }
+
+  restart(): void {
+    this.isTouched = false;
+    this.began = 0;
+    this.changed();
+  }
+
+  /** A mouse is above that share of the picture, from its bottom left; null: above none. */
+  hover(at: Shares | null): void {
+    if (this.pointer && !at) this.began = 0;
+    this.pointer = at;
+  }
+
+  /** Where the eye is seen from is where it stands from now on. */
+  settle(): Shares {
+    const shares = this.shares();
+    this.offset = [0, 0];
+    return shares;
+  }
+
+  /** Shares of the zone in which the eye is now. */
+  shares(): Shares {
+    const home = this.home();
+    return [0, 1].map((i) => Math.min(Math.max(home[i] + this.offset[i], Math.min(home[i], kMargin)), Math.max(home[i], 1 - kMargin))) as Shares;
+  }
+
+  get isAway(): boolean {
+    return this.offset[0] !== 0 || this.offset[1] !== 0;
+  }
+
+  /** A frame of the screen. Whether the eye has moved; may: whether what is shown can be seen from elsewhere. */
+  step(now: number, may: boolean): boolean {
+    const past = Math.min(now - this.last, 100);
+    this.last = now;
+    const isMoving = this.isOn && may;
+    if (!isMoving && !this.isAway) {
+      this.began = 0;
+      return false;
+    }
+    if (this.began === 0) this.began = now;
+    const goal = isMoving ? this.goal(now) : ([0, 0] as Shares);
+    const by = 1 - Math.exp(-past / kEaseMs);
+    const next = this.offset.map((offset, i) => (Math.abs(goal[i] - offset) < 1e-4 ? goal[i] : offset + by * (goal[i] - offset))) as Shares;
+    const moved = next[0] !== this.offset[0] || next[1] !== this.offset[1];
+    this.offset = next;
+    return moved;
+  }
+
+  private goal(now: number): Shares {
+    const home = this.home();
+    if (this.pointer) return [this.pointer[0] - home[0], this.pointer[1] - home[1]];
+    const time = Math.max(0, now - this.began - kWaitMs);
+    const ramp = Math.min(1, time / kRampMs);
+    return [0, 1].map((i) => ramp * kSwing[i] * Math.sin((2 * Math.PI * time) / kPeriodsMs[i])) as Shares;
+  }
+}
