@@ -14,6 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// As many views as lie below a lens by default, and large enough that each is a picture; 4 times the pixels of the default.
+constexpr int kFirstViews = 8, kFirstViewSide = 360;
+
 void refuse_light_field_flags(const LightFieldFlags& field) {
   constexpr const char* kAccepted = "a rendered folder";
   if (!field.from.empty()) throw usage_error("--from", "applies to light fields, and IN is a scene", kAccepted);
@@ -59,6 +62,18 @@ RenderParams scene_params(const std::string& in, const SceneToSetUpFlags& flags,
   if (field.cone_ends) all.values["cone-ends"] = {"true"};
   if (threads > 0) all.values["threads"] = {fmt::format("{}", threads)};
   return all.read();
+}
+
+LiveSettings first_settings(const RenderParams& params, const std::string& in) {
+  const OpticsParams& optics = params.optics;
+  const bool takes_kind = std::any_of(kKindParams.begin(), kKindParams.end(), [&](const KindParam& one) { return one.is_given(optics); });
+  const bool is_said = !optics.display.empty() || optics.kind || takes_kind || optics.size.x > 0 || optics.precompensate;
+  if (is_said || params.output.pictures.layout || !params.output.pictures.to.empty() || fs::path(in).extension() == ".toml") return params;
+  RenderParams views = params;
+  views.optics.kind = OpticsKind::kMultiview;
+  views.optics.views = {kFirstViews, 1};
+  views.optics.size = {kFirstViews * kFirstViewSide, kFirstViewSide};
+  return {params, views};
 }
 
 fs::path job_file_for(const SceneToSetUpFlags& flags, const RenderParams& params) {

@@ -9,6 +9,7 @@
 
 #include "apps/lippmann/light_field_flags.hpp"
 #include "apps/lippmann/param_flags.hpp"
+#include "live/live_settings.hpp"
 
 namespace lippmann::app {
 
@@ -32,6 +33,10 @@ void refuse_scene_flags(const std::string& in, const SceneToSetUpFlags& flags);
 /// The render of the scene `in`. `field` has those of its flags that light fields have, too; others of them are refused.
 /// threads: 0 is as the job has it. Throws Error.
 RenderParams scene_params(const std::string& in, const SceneToSetUpFlags& flags, const LightFieldFlags& field, int threads);
+
+/// The settings that a page begins with. Where nothing says what shows the scene, that is a row of views, which look good on a
+/// screen at once; a job is shown as it is.
+LiveSettings first_settings(const RenderParams& params, const std::string& in);
 
 /// What Save on the page writes: SCENE.toml in the working folder, unless a flag says otherwise.
 std::filesystem::path job_file_for(const SceneToSetUpFlags& flags, const RenderParams& params);

@@ -35,12 +35,12 @@ Json panel_json(const Display* display, const InterlaceParams& interlace) {
 
 }  // namespace
 
-LiveScene::LiveScene(const RenderParams& base, std::filesystem::path job_file, std::function<void(std::string_view)> warn,
+LiveScene::LiveScene(const LiveSettings& settings, std::filesystem::path job_file, std::function<void(std::string_view)> warn,
                      const InterlaceParams& interlace)
     : context_(std::move(warn)),
-      live_(LiveSettings(base).job(), context_),
+      live_(settings.job(), context_),
       interlace_(interlace),
-      settings_(base),
+      settings_(settings),
       job_file_(std::move(job_file)) {
   context_.frame_progress = [this](double share) { share_ = share; };
   begin({settings_, version_});

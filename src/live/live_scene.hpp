@@ -33,7 +33,7 @@ class LiveScene {
   /// Loads the scene, so that what cannot be shown is refused here, and begins to render. Jobs are saved to `job_file`
   /// (LiveJobFile). `warn` hears what Context::warn does. `interlace`: how a panel that it is played on mixes views. Throws
   /// Error.
-  LiveScene(const RenderParams& base, std::filesystem::path job_file, std::function<void(std::string_view)> warn,
+  LiveScene(const LiveSettings& settings, std::filesystem::path job_file, std::function<void(std::string_view)> warn,
             const InterlaceParams& interlace = {});
   ~LiveScene();
   LiveScene(const LiveScene&) = delete;

@@ -60,8 +60,15 @@ LiveSettings::LiveSettings(RenderParams base) : base_(std::move(base)) {
   if (base_.output.frames) frame_ = base_.output.frames->front().first;
 }
 
+LiveSettings::LiveSettings(RenderParams base, RenderParams first) : LiveSettings(std::move(base)) { first_ = std::move(first); }
+
+const RenderParams& LiveSettings::changed_params(const std::map<std::string, std::string>& changes) const {
+  const auto is_set = [&](const std::string& name) { return changes.contains(name) && !changes.at(name).empty(); };
+  return first_ && !is_set("optics") && !is_set("display") ? *first_ : base_;
+}
+
 RenderParams LiveSettings::applied(const std::map<std::string, std::string>& changes) const {
-  RenderParams params = base_;
+  RenderParams params = changed_params(changes);
   for (const auto& [name, value] : changes) find_param(name)->set(params, {value}, name);
   return params;
 }

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,7 +20,10 @@ std::span<const std::string_view> live_setting_names();
 class LiveSettings {
  public:
   /// `base`: as the command line has it.
-  explicit LiveSettings(RenderParams base);
+  LiveSettings(RenderParams base);  // NOLINT(google-explicit-constructor): parameters are settings that nobody has changed
+
+  /// The page begins with `first`, which differs from `base` in its optics alone, until it sets optics or a display.
+  LiveSettings(RenderParams base, RenderParams first);
 
   /// Sets a parameter, or gives it back to the command line (null). Throws a usage Error naming it and what would be accepted;
   /// nothing has changed then.
@@ -39,9 +43,12 @@ class LiveSettings {
   nlohmann::ordered_json changed() const;
 
  private:
+  /// What `changes` are made to.
+  const RenderParams& changed_params(const std::map<std::string, std::string>& changes) const;
   RenderParams applied(const std::map<std::string, std::string>& changes) const;
 
   RenderParams base_;
+  std::optional<RenderParams> first_;
   std::map<std::string, std::string> changes_;
   int frame_ = 0;
 };

@@ -79,9 +79,11 @@ test("fitted depth is the depth that the views themselves show", async () => {
   assert.ok(Math.abs(depths[0] - depths[1]) < 1.5, `${depths}`);
 });
 
-test("an open aperture on the canvas is set by a click", async () => {
+test("a double click on the canvas opens the aperture, and a single one does not", async () => {
   await set(page, { aperture: 0, focus: 0 });
-  await page.locator("#canvas").click({ position: { x: 330, y: 330 } });
+  await page.locator("#canvas").click({ position: { x: 230, y: 230 } });
+  assert.equal(await page.evaluate(() => window.lippmann.state.aperture), 0);
+  await page.locator("#canvas").dblclick({ position: { x: 330, y: 330 } });
   const state = await page.evaluate(() => window.lippmann.state);
   assert.equal(state.aperture, 0.5);
 });

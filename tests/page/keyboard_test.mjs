@@ -13,7 +13,7 @@ test("Tab reaches every control, and each has a name", async () => {
   const page = await open(await view("grid", "grid"));
   await set(page, { stereo: "anaglyph", aperture: 0.5, line: 0.5 });
   const wanted = await page.evaluate(
-    () => [...document.querySelectorAll("button, input, select, canvas")].filter((one) => one.checkVisibility()).length,
+    () => [...document.querySelectorAll("button, input, select, canvas, summary")].filter((one) => one.checkVisibility()).length,
   );
   const reached = new Set();
   for (let i = 0; i < wanted + 2; i++) {
@@ -63,7 +63,7 @@ test("keys work on a fresh page, after a click on a button, and beside a control
   await page.getByRole("button", { name: "Pause" }).waitFor();
   await page.keyboard.press(" ");
   await page.getByRole("button", { name: "Play" }).waitFor();
-  await page.getByLabel("Exposure").focus();
+  await page.getByLabel("Brightness").focus();
   const { eye, exposure } = await state();
   await page.keyboard.press("ArrowRight");
   assert.deepEqual((await state()).eye, eye);
@@ -99,7 +99,7 @@ test("a phone shows all of it, and its controls where they are asked for", async
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
   assert.equal(await page.locator("#controls").isVisible(), false);
   await page.getByRole("button", { name: "Controls" }).click();
-  assert.equal(await page.getByLabel("Exposure").isVisible(), true);
+  assert.equal(await page.getByLabel("Brightness").isVisible(), true);
   const canvas = await page.locator("#canvas").boundingBox();
   assert.ok(canvas.height > 200, `the picture keeps ${canvas.height} pixels`);
 });

@@ -138,7 +138,7 @@ test("the depth budget is drawn over the picture: green is sharp, red blurs", as
 });
 
 test("the keyboard alone reaches every control and moves the plane", async () => {
-  const wanted = await page.evaluate(() => [...document.querySelectorAll("button, input, select, canvas")].filter((one) => one.checkVisibility()).length);
+  const wanted = await page.evaluate(() => [...document.querySelectorAll("button, input, select, canvas, summary")].filter((one) => one.checkVisibility()).length);
   await page.locator("#canvas").focus();
   const reached = new Set();
   for (let i = 0; i < wanted + 2; i++) {

@@ -89,7 +89,7 @@ test("what is clicked lies in the zero plane: two eyes see it at one place", asy
   const eyes = [await eyeOfView(page, 2, 0), await eyeOfView(page, 7, 0)];
   const place = [0.7, 0.34];  // the clock
   const before = await apart(page, place, eyes);
-  await page.getByRole("button", { name: "Zero plane at a click" }).click();
+  await page.getByRole("button", { name: "Zero plane on the picture" }).click();
   await page.waitForSelector('#stage[data-print=""][data-drawn="true"]');
   // The picture lies in the middle of the canvas, and has the window's shape.
   const box = await page.locator("#canvas").boundingBox();

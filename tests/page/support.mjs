@@ -75,12 +75,13 @@ async function release(page) {
   idle.push(page);
 }
 
-async function newPage({ width, height, script, hasTouch }) {
-  const context = await browser.newContext({ viewport: { width, height }, hasTouch });
+/** Nothing sways, unless a test is about that. */
+async function newPage({ width, height, script, hasTouch, sways }) {
+  const context = await browser.newContext({ viewport: { width, height }, hasTouch, reducedMotion: sways ? "no-preference" : "reduce" });
   context.on("page", watch);
   const page = await context.newPage();
   if (script) await page.addInitScript(script);
-  page.isPlain = !script && !hasTouch;
+  page.isPlain = !script && !hasTouch && !sways;
   page.on("request", (request) => page.onRequest(request.url()));
   return page;
 }
@@ -132,15 +133,20 @@ async function load(page, address, attempts = 4) {
   });
 }
 
-/** `ready` waits until the page shows something. */
-export async function open(address, { width = 820, height = 420, ready = true, onRequest = () => {}, script = "", hasTouch = false } = {}) {
-  const used = script || hasTouch ? undefined : idle.pop();
-  const page = used ?? (await newPage({ width, height, script, hasTouch }));
+/** Opens what is folded: all controls can be used. */
+export const unfold = (page) => page.evaluate(() => document.querySelectorAll("details").forEach((one) => (one.open = true)));
+
+/** `ready` waits until the page shows something, and unfolds its controls. */
+export async function open(address, { width = 820, height = 420, ready = true, onRequest = () => {}, script = "", hasTouch = false, sways = false } = {}) {
+  const used = script || hasTouch || sways ? undefined : idle.pop();
+  const page = used ?? (await newPage({ width, height, script, hasTouch, sways }));
   await page.setViewportSize({ width, height });
   opened.push(page);
   page.onRequest = onRequest;
   await load(page, address);
-  if (ready) await page.waitForSelector('#stage[data-drawn="true"]', { timeout: 120000 });
+  if (!ready) return page;
+  await page.waitForSelector('#stage[data-drawn="true"]', { timeout: 120000 });
+  await unfold(page);
   return page;
 }
 

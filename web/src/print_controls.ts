@@ -23,7 +23,7 @@ export function printGroup(print: Print, save: () => void, shown: Shown[]): HTML
       said.value = print.isBusy ? "The print is being made\u2026" : print.isSeen && print.made ? [print.made.description, print.made.fitted].filter(Boolean).join("\n") : "";
     },
   });
-  return group(
+  const made = group(
     "Print",
     chooser("Display", displays, () => settings.display, (display) => print.set({ display }), shown),
     entry({ label: "Lenses per inch", value: () => settings.lpi, set: (lpi) => print.set({ lpi }), applies: isSheet, numeric: true }, shown),
@@ -42,6 +42,8 @@ export function printGroup(print: Print, save: () => void, shown: Shown[]): HTML
     said,
     element("div", { className: "buttons" }, saving, click, button("From a file\u2026", () => choose(print))),
   );
+  made.classList.add("is-named-above");
+  return made;
 }
 
 function choose(print: Print): void {
