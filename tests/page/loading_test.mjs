@@ -1,0 +1,69 @@
+// A large light field is seen at once, small; what is being waited for stands in one line; and the page can be given away.
+import assert from "node:assert/strict";
+import { readFileSync, statSync } from "node:fs";
+import { test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { closeAfterEach, drawn, eyeCodes, inFolder, lippmann, open, sheet, view } from "./support.mjs";
+
+closeAfterEach();
+lippmann("render", "room", "--optics", "multiview", "--views", "4x2", "--size", "1440x1440", "--frames", "0", "--layout", "quilt", "-o", "large", "-q");
+sheet();
+
+/** A page of the test's own, whose requests may be held back. */
+const blank = () => open("about:blank", { ready: false, script: "0" });
+
+/** What the page asks for below such paths waits until it is let go. */
+async function held(page, pattern) {
+  let release;
+  const released = new Promise((resolve) => (release = resolve));
+  await page.route(pattern, async (route) => {
+    await released;
+    await route.continue();
+  });
+  return release;
+}
+
+test("a small picture is there first, eyes move in it, and the whole one takes its place", async () => {
+  const page = await blank();
+  const release = await held(page, "**/0/views/0");
+  const preview = page.waitForResponse(/\/0\/preview\/0$/);
+  await page.goto(await view("large"));
+  await page.waitForSelector('#stage[data-preview="true"]');
+  await page.locator("#progress", { hasText: "Loading" }).waitFor();
+  const small = await page.evaluate(() => document.querySelector("canvas").toDataURL());
+  await page.evaluate(() => window.lippmann.set({ eye: [20, 0, window.lippmann.fields[0].eye_mm[2]] }));
+  await page.waitForFunction((small) => document.querySelector("canvas").toDataURL() !== small, small);
+  assert.equal(await page.getAttribute("#stage", "data-drawn"), "false");
+  const bytes = (await (await preview).body()).length;
+  assert.ok(bytes > 1000 && bytes < 64e3, `${bytes} bytes`);
+  release();
+  await drawn(page);
+  assert.equal(await page.getAttribute("#stage", "data-preview"), "false");
+  await page.locator("#progress").waitFor({ state: "hidden" });
+});
+
+test("a frame that is on its way is told of, and the one before it is marked", async () => {
+  const page = await blank();
+  const release = await held(page, /0\/views\/[1-9]/);
+  await page.goto(await view("sheet"));
+  await drawn(page);
+  assert.equal(await page.getAttribute("#stage", "data-outdated"), "false");
+  await page.evaluate(() => window.lippmann.set({ frame: 3 }));
+  await page.waitForSelector('#stage[data-outdated="true"]');
+  await page.locator("#progress", { hasText: "Loading" }).waitFor();
+  release();
+  await page.waitForSelector('#stage[data-outdated="false"][data-frame="3"]');
+});
+
+test("Save page makes one file that opens without the program and shows the same", async () => {
+  const page = await open(await view("large"));
+  const [saved] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save page" }).click()]);
+  assert.equal(saved.suggestedFilename(), "large.html");
+  await saved.saveAs(inFolder("large.html"));
+  const alone = await open(pathToFileURL(inFolder("large.html")).href);
+  assert.deepEqual(await eyeCodes(alone, 64), await eyeCodes(page, 64));
+  assert.equal(await alone.getByRole("button", { name: "Save page" }).count(), 0);
+  lippmann("view", "large", "--save", "same.html");
+  assert.equal(statSync(inFolder("same.html")).size, statSync(inFolder("large.html")).size);
+  assert.ok(readFileSync(inFolder("same.html")).equals(readFileSync(inFolder("large.html"))));
+});
