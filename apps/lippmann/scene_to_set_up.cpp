@@ -66,9 +66,11 @@ RenderParams scene_params(const std::string& in, const SceneToSetUpFlags& flags,
 
 LiveSettings first_settings(const RenderParams& params, const std::string& in) {
   const OpticsParams& optics = params.optics;
-  const bool takes_kind = std::any_of(kKindParams.begin(), kKindParams.end(), [&](const KindParam& one) { return one.is_given(optics); });
+  const bool takes_kind =
+      std::any_of(kKindParams.begin(), kKindParams.end(), [&](const KindParam& one) { return one.is_given(optics); });
   const bool is_said = !optics.display.empty() || optics.kind || takes_kind || optics.size.x > 0 || optics.precompensate;
-  if (is_said || params.output.pictures.layout || !params.output.pictures.to.empty() || fs::path(in).extension() == ".toml") return params;
+  if (is_said || params.output.pictures.layout || !params.output.pictures.to.empty() || fs::path(in).extension() == ".toml")
+    return params;
   RenderParams views = params;
   views.optics.kind = OpticsKind::kMultiview;
   views.optics.views = {kFirstViews, 1};

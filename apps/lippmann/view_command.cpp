@@ -90,7 +90,8 @@ int set_up(const ViewOptions& options, const Context& context) {
   if (!options.save.empty())
     throw usage_error("--save", "needs a light field, and IN is a scene", "lippmann render SCENE --page");
   const RenderParams params = scene_params(options.in, options.scene, options.field, options.threads);
-  auto scene = std::make_unique<LiveScene>(first_settings(params, options.in), job_file_for(options.scene, params), context.warn);
+  auto scene =
+      std::make_unique<LiveScene>(first_settings(params, options.in), job_file_for(options.scene, params), context.warn);
   return serve_page(std::make_unique<LiveAnswers>(std::move(scene)), options.server, context);
 }
 

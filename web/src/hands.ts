@@ -2,9 +2,39 @@
 //
 // A drag looks around (or, of a scene that is set up, does what is chosen there), the wheel and two fingers zoom, the right button
 // pans, a double click focuses. Keys are heard wherever the focus is, but where a control needs them itself.
-import type { App } from "./app";
 import { toggleKeyList } from "./keys";
+import type { Live } from "./live";
 import { orbitOf, planeDistance, setOrbit, setZoom } from "./live_controls";
+import type { Motion } from "./motion";
+import type { Player } from "./player";
+import type { Print } from "./print";
+import type { Renderer } from "./renderer";
+import type { Store } from "./state";
+import type { Timeline } from "./timeline";
+
+/** What hands move. */
+interface Page {
+  readonly canvas: HTMLCanvasElement;
+  readonly renderer: Renderer;
+  readonly store: Store;
+  readonly timeline: Timeline;
+  readonly player: Player;
+  readonly motion: Motion;
+  readonly live: Live | null;
+  readonly print: Print | null;
+  /** Which light fields are shown. */
+  shown(): number[];
+  redraw(): void;
+  /** Somebody has taken over; whether the eye stays where it was seen from. */
+  touched(stays: boolean): void;
+  /** Where the eye stands in its zone. */
+  shares(): [number, number];
+  moveEye(across: number, up: number): void;
+  focusAt(share: [number, number]): void;
+  movePlane(from: number, share: number): void;
+  putPlaneAt(share: [number, number]): void;
+  putZeroPlaneAt(share: [number, number]): void;
+}
 
 export interface Place {
   x: number;
@@ -48,7 +78,7 @@ export class Hands {
   private pinch: Pinch | null = null;
   private lastClick: (Place & { at: number }) | null = null;
 
-  constructor(private readonly app: App) {
+  constructor(private readonly app: Page) {
     const { canvas } = app;
     canvas.addEventListener("pointerdown", (event) => this.down(event));
     canvas.addEventListener("pointermove", (event) => this.move(event));
@@ -203,7 +233,7 @@ export class Hands {
   /** Towards a place on the canvas, which stays where it is. */
   zoomAt(factor: number, at: Place): void {
     const { state } = this.app.store;
-    const { fitted, screen, mostMagnified } = this.app.renderer;
+    const { fitted, mostMagnified } = this.app.renderer;
     const magnify = Math.min(Math.max(state.magnify * factor, 0.1), mostMagnified);
     const by = magnify / state.magnify;
     const moved = [at.x, at.y].map((place, i) => {
@@ -213,7 +243,6 @@ export class Hands {
     });
     this.app.store.set({ magnify });
     this.panTo(moved[0], moved[1]);
-    if (Number.isNaN(screen[0])) this.fit();
   }
 
   fit(): void {

@@ -65,7 +65,7 @@ function viewGroup(store: Store, live: Live, shown: Shown[]): HTMLElement {
     "Set-up",
     chooser(
       "Dragging the picture",
-      () => [["turn", "Turns the scene, wheel zooms"], ["eye", "Moves the eye"], ["plane", "Moves the display plane"]],
+      () => [["turn", "Turns the scene"], ["eye", "Moves the eye"], ["plane", "Moves the display plane"]],
       () => state.drag,
       (drag) => store.set({ drag }),
       shown,
@@ -87,7 +87,7 @@ function displayGroup(field: Field, live: Live, shown: Shown[]): HTMLElement {
   const displays = (): [string, string][] => {
     const chosen = live.value("display");
     const others = chosen === "" || presets.includes(chosen) ? [] : [chosen];
-    return [["", "None: lenses as set here"], ...[...others, ...presets].map((name): [string, string] => [name, name.split("/").pop() ?? name])];
+    return [["", "None"], ...[...others, ...presets].map((name): [string, string] => [name, name.split("/").pop() ?? name])];
   };
   const free = () => live.value("display") === "";
   return group(
