@@ -105,7 +105,7 @@ std::string comparison_csv(const Comparison& comparison) {
     text += fmt::format("{},{},{},{},{},{},{},{},{}", quoted(frame.name), m.mse.r, m.mse.g, m.mse.b, m.mse.mean, m.rmse.r,
                         m.rmse.g, m.rmse.b, m.rmse.mean);
     for (const MetricColumn& column : metric_columns())
-      if (is_written(column, comparison)) text += "," + csv_number(column.of(m));
+      if (is_written(column, comparison)) text += fmt::format(",{}", csv_number(column.of(m)));
     text += "\n";
   }
   return text;

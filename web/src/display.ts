@@ -1,4 +1,4 @@
-// The panel that light fields are played on: the numbers that the program has read from its calibration (docs/view.md lists the
+// The panel that light fields are played on: the numbers that the program has read from its calibration (docs/guide/view.md lists the
 // keys), checked before they are used. Nothing here reads a calibration: the text of a dropped file is sent to the program.
 import { postText } from "./data";
 import { Refusal, type SlantedPanel } from "./field";

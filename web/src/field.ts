@@ -1,4 +1,4 @@
-// What the page is told of a light field (docs/view.md lists the keys), checked before it is used.
+// What the page is told of a light field (docs/guide/view.md lists the keys), checked before it is used.
 
 export interface Axis {
   views: number;

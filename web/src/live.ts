@@ -1,4 +1,4 @@
-// A scene that is set up live: what the program says of it, its newest pictures, and what is asked of it (docs/view.md lists the
+// A scene that is set up live: what the program says of it, its newest pictures, and what is asked of it (docs/guide/view.md lists the
 // keys). Settings are texts by the names of `lippmann render`'s flags.
 import { loadPicture, postText, readState } from "./data";
 import type { PanelDisplay } from "./display";

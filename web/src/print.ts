@@ -1,5 +1,5 @@
 // The print of the light field: what the program is asked for, and the page as it shows what eyes see of it through the lenses
-// (docs/view.md lists the keys). Requests follow one another.
+// (docs/guide/view.md lists the keys). Requests follow one another.
 import { download, loadPicture, postText } from "./data";
 import { depthOfDisparity, disparityOfDepth, Refusal, slopeInZone, type Field } from "./field";
 import type { Frames } from "./frames";

@@ -1,4 +1,4 @@
-// A render whose folder is shown while it runs, or once it was stopped: what the program says of it (docs/view.md lists the keys),
+// A render whose folder is shown while it runs, or once it was stopped: what the program says of it (docs/guide/view.md lists the keys),
 // and stopping and resuming it. Its frames are on the time line from the beginning, and `pending` until they are finished.
 import { postText, readState } from "./data";
 import type { Field } from "./field";
