@@ -396,9 +396,10 @@ std::vector<ParamInfo> scene_rows() {
           {"focus", "Scene", "NODE|X,Y,Z|DISTANCE",
            "Place the display plane at a node, at a point, or at a distance from the viewer (scene units)"}),
       row(ParamKind::kText, &P::scene, &SceneParams::view, &ViewWish::fit_to, text(),
-          {"fit-to", "Scene", "NODE",
-           "Fit the view to this node and its children, seen from the camera's direction; default: the camera's own view, or "
-           "the scene without its ground, walls and sky"}),
+          {"fit-to", "Scene", "NODE|all",
+           "Fit the view to this node and its children, or to the whole scene (all), seen from the camera's direction; "
+           "default: "
+           "the camera's own view, or the scene without its ground, walls and sky"}),
       row(ParamKind::kNumber, &P::scene, &SceneParams::view, &ViewWish::zoom, number<float>(1e-3, 1e3),
           {"zoom", "Scene", "FACTOR", "Enlarge the middle of the view by this factor"}),
       row(ParamKind::kText, &P::scene, &SceneParams::view, &ViewWish::orbit, orbit,

@@ -13,8 +13,8 @@
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
 #include "lippmann/stage/environment_file.hpp"
+#include "lippmann/stage/lighting.hpp"
 #include "scene/default_light.hpp"
-#include "scene/studio_light.hpp"
 #include "stage/surroundings.hpp"
 
 namespace lippmann {
@@ -76,7 +76,7 @@ std::string light_as_asked(Scene& scene, const SceneParams& params, const Contex
   const std::string& value = params.environment;
   if (value == kNone) return "The scene has its own light alone, as --environment none asks for.";
   if (value == kStudio) {
-    surround_with(scene, studio_environment(viewer_orientation(scene)), surrounding_of(params), 1.0f);
+    surround_with_studio(scene, params.environment_strength, params.environment_rotation_deg);
     return "The built-in studio lights the scene, as --environment asks for.";
   }
   if (const std::optional<Vec3f> color = read_color(value, "--environment")) {

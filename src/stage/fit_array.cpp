@@ -376,6 +376,9 @@ FittedArray without_camera(const Setting& setting, const Orbit& orbit) {
   return array;
 }
 
+/// Returns whether a name of `fit-to` stands for everything.
+bool is_whole_scene(const Scene& scene, const std::string& name) { return name == "all" && !is_name_of_node(scene, name); }
+
 FittedArray fitted_to(const Setting& setting, const std::string& name, const Orbit& orbit) {
   Direction direction = direction_of(setting.scene);
   direction.node_from_view = turned_in_node(setting, direction.node, direction.node_from_view, orbit);
@@ -385,7 +388,7 @@ FittedArray fitted_to(const Setting& setting, const std::string& name, const Orb
                      : !setting.scene.cameras.empty() ? ", from the camera's direction"
                                                       : "";
   array.how = fmt::format("The view is fitted to {}: the array goes through its middle and is viewed from {:.4g} units away{}.",
-                          shown(name), array.viewing_distance, from);
+                          is_whole_scene(setting.scene, name) ? "the whole scene" : shown(name), array.viewing_distance, from);
   return array;
 }
 
@@ -526,6 +529,7 @@ FittedArray place(const Setting& setting, const ViewWish& wish) {
 /// Returns the named subject, or the detected one. A display placed by the scene shows everything.
 Subject wanted_subject(const Scene& scene, const ViewWish& wish) {
   if (wish.fit_to.empty()) return scene.display ? whole_scene(scene) : find_subject(scene);
+  if (is_whole_scene(scene, wish.fit_to)) return whole_scene(scene);
   const std::vector<bool> meant = instances_named(scene, wish.fit_to, "fit-to");
   Subject subject = whole_scene(scene);
   for (std::size_t i = 0; i < meant.size(); ++i) {

@@ -80,6 +80,10 @@ std::string light_for_paths(Scene& scene, const Surrounding& how) {
       scene.lights.empty() ? "emissive surfaces" : "lamps", 100.0 * static_cast<double>(kDimStudio));
 }
 
+void surround_with_studio(Scene& scene, float strength, float rotation_deg) {
+  surround_with(scene, studio_environment(viewer_orientation(scene)), {strength, rotation_deg}, 1.0f);
+}
+
 std::string add_missing_light(Scene& scene, Integrator integrator) {
   validate(scene, "scene");
   return integrator.facts().is_lit_by_surroundings ? light_for_paths(scene, Surrounding{}) : light_for_whitted(scene);

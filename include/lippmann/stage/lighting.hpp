@@ -15,4 +15,8 @@ namespace lippmann {
 /// that says which light was added, and why. Throws Error if validate(scene) does.
 std::string add_missing_light(Scene& scene, Integrator integrator);
 
+/// Surrounds the scene with the built-in studio, in place of its own surroundings. The studio faces the scene's first camera.
+/// `strength` multiplies its light; `rotation_deg` turns it about the vertical.
+void surround_with_studio(Scene& scene, float strength = 1.0f, float rotation_deg = 0.0f);
+
 }  // namespace lippmann
