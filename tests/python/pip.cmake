@@ -1,0 +1,30 @@
+# Installs the package with pip into a fresh virtual environment, and renders with it outside of the source tree. The build is
+# taken as it is.
+#   cmake -D BUILD=... -D PYTHON=... -D SOURCE=... -P pip.cmake
+cmake_minimum_required(VERSION 3.25)
+
+set(folder ${BUILD}/tests/python/pip)
+file(REMOVE_RECURSE ${folder})
+file(MAKE_DIRECTORY ${folder})
+unset(ENV{PYTHONPATH})
+execute_process(COMMAND ${PYTHON} -m venv --system-site-packages ${folder}/venv RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+if(failed)
+  message("skipped: ${PYTHON} makes no virtual environment; python3-venv is needed")
+  return()
+endif()
+set(ENV{LIPPMANN_BUILD} ${BUILD})
+set(ENV{PIP_DISABLE_PIP_VERSION_CHECK} 1)
+execute_process(COMMAND ${folder}/venv/bin/pip install --no-index ${SOURCE}
+  WORKING_DIRECTORY ${folder} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${folder}/venv/bin/python -c "import lippmann
+assert lippmann.__file__.startswith('${folder}'), lippmann.__file__
+print(lippmann.render('room', lippmann.camera_grid(1, 2, (16, 16))).shape)"
+  WORKING_DIRECTORY ${folder} OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+if(NOT output STREQUAL "(1, 2, 16, 16, 3)\n")
+  message(FATAL_ERROR "printed: ${output}")
+endif()
+execute_process(COMMAND ${folder}/venv/bin/pip uninstall -y lippmann OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB_RECURSE left ${folder}/venv/lib/*/site-packages/lippmann/*)
+if(left)
+  message(FATAL_ERROR "pip uninstall leaves: ${left}")
+endif()
