@@ -13,7 +13,7 @@ Lengths are millimetres of the display: x to the right, y up, z towards the view
 
 from ._core import version as __version__
 from ._errors import Error, LippmannWarning
-from ._light_field import LightField, formats, open, to_codes
+from ._light_field import LightField, formats, open, show, to_codes
 from ._optics import (
     Display,
     Optics,
@@ -61,6 +61,7 @@ __all__ = [
     "random_scene",
     "render",
     "scenes",
+    "show",
     "single_view",
     "to_codes",
     "training_data",

@@ -8,7 +8,7 @@ from typing import Any, Iterable, Optional, Sequence, Tuple
 
 import numpy as np
 
-from ._errors import Error
+from ._errors import Error, MissingFileError
 
 
 def number(value: Any, name: str, lowest: float = -math.inf, highest: float = math.inf, finite: bool = True) -> float:
@@ -78,7 +78,7 @@ def file_path(value: Any, name: str) -> bytes:
     """The same of a file that is read."""
     where = path_bytes(value, name)
     if not os.path.isfile(where):
-        raise Error(name, f"there is no file {os.fsdecode(where)!r}", "a file")
+        raise MissingFileError(name, f"there is no file {os.fsdecode(where)!r}", "a file", os.fsdecode(where))
     return where
 
 

@@ -6,7 +6,9 @@ that take arguments stand in a `Naming`, which puts Python's names in their plac
 
 from __future__ import annotations
 
+import errno
 import functools
+import os
 import re
 import sys
 import warnings
@@ -73,6 +75,17 @@ class UnknownError(Error, AttributeError):
     """An attribute that an object of its kind may have, and this one does not: hasattr() is False, getattr() gives its default."""
 
 
+class MissingFileError(Error, FileNotFoundError):
+    """A file or folder to read does not exist. `filename` is its path, `errno` is ENOENT."""
+
+    def __init__(self, where: str, problem: str, accepted: str = "", filename: str = "") -> None:
+        super().__init__(where, problem, accepted)
+        self.errno, self.strerror, self.filename = errno.ENOENT, problem, filename or where
+
+    def __reduce__(self) -> Any:
+        return type(self), (self.where, self.problem, self.accepted, self.filename)
+
+
 def known(get: Callable[[Any], _Value]) -> Callable[[Any], _Value]:
     """Decorates the getter of a property that some objects lack: an Error of it becomes an UnknownError."""
 
@@ -131,6 +144,19 @@ class Naming:
         has_grids = " pixels" not in error.problem
         parts = (_sentence(part, self._names, has_grids, self._file) for part in (error.problem, error.accepted))
         Error.__init__(error, where, *parts)
+
+
+class Reading(Naming):
+    """A Naming of calls that read `file`: their errors become MissingFileErrors where there is no such file or folder."""
+
+    def __init__(self, file: str, **names: str) -> None:
+        super().__init__(file, **names)
+        self._read = file
+
+    def __exit__(self, kind: Any, error: Any, trace: Any) -> None:
+        super().__exit__(kind, error, trace)
+        if isinstance(error, Error) and not os.path.exists(self._read):
+            raise MissingFileError(error.where, error.problem, error.accepted, self._read) from None
 
 
 class LippmannWarning(UserWarning):

@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _core, _notebook
 from ._arguments import array, choice, integer, number, pair, path as _path, positive
-from ._errors import Error, Naming, known, warn_of_ignored
+from ._errors import Error, Naming, Reading, known, warn_of_ignored
 from ._optics import Display, Optics, display_of
 
 _SIZE = 1 << 15
@@ -32,6 +32,23 @@ def to_codes(picture: Any) -> np.ndarray:
     return _core.codes_of(flat).reshape(given.shape)
 
 
+def show(picture: Any, *, enlarge: int = 1) -> _notebook.Shown:
+    """A picture for the end of a notebook's cell. picture: (y, x, 3), uint8 codes or linear light, or (y, x) for grey: finite
+    values from the lowest, black, to the highest, white. enlarge: pixels a side for each of its own.
+    """
+    given = np.asarray(picture)
+    if given.ndim == 2 and given.size and given.dtype.kind in "fiu":
+        finite = np.isfinite(given)
+        low, high = (given[finite].min(), given[finite].max()) if finite.any() else (0.0, 0.0)
+        grey = (np.where(finite, given, low).astype(np.float64) - low) / max(float(high) - float(low), 1e-30)
+        given = np.repeat(np.rint(grey * 255).astype(np.uint8)[..., None], 3, axis=2)
+    codes = given if given.dtype == np.uint8 and given.ndim == 3 and given.shape[2] == 3 else to_codes(given)
+    if codes.ndim != 3:
+        raise Error("picture", f"has the shape {given.shape}", "the shape (y, x, 3) or (y, x)")
+    factor = integer(enlarge, "enlarge", 1, 64)
+    return _notebook.Shown(np.ascontiguousarray(codes.repeat(factor, axis=0).repeat(factor, axis=1)))
+
+
 class LightField:
     """The views of one moment, (rows, columns, y, x, channel); row 0 is the lowest, column 0 the leftmost.
 
@@ -41,7 +58,8 @@ class LightField:
     depth: (rows, columns, y, x), mm in front of the plane in which views coincide, -inf where nothing is.
     distance_mm, baseline_mm, pixel_mm: of the cameras, as of lippmann.camera_grid; all of them or none.
 
-    Attributes that are not known of a light field, such as the depth of one without depth, raise an Error that is an
+    `field[r, c]` is a view (y, x, 3), `field[r]` a row of views, `len(field)` the number of rows, and np.asarray(field) gives
+    `views`. Attributes that are not known of a light field, such as the depth of one without depth, raise an Error that is an
     AttributeError too: hasattr(field, "depth") tells. Light fields can be pickled and copied deeply.
 
     Arrays that it gives cannot be written where they are its own memory: copy them, or make another light field of others.
@@ -123,6 +141,21 @@ class LightField:
     def shape(self) -> Tuple[int, ...]:
         """(rows, columns, y, x, channel)."""
         return self.views.shape
+
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> np.ndarray:
+        """Returns `views`, for np.asarray(field). `copy` is that of NumPy 2."""
+        views = self.views
+        if dtype is not None and views.dtype != dtype:
+            if copy is False:
+                raise ValueError(f"{views.dtype} cannot become {np.dtype(dtype)} without a copy")
+            return views.astype(dtype)
+        return views.copy() if copy else views
+
+    def __len__(self) -> int:
+        return len(self.views)
+
+    def __getitem__(self, index: Any) -> np.ndarray:
+        return self.views[index]
 
     @property
     @known
@@ -424,7 +457,7 @@ class LightField:
         Throws ImportError where xarray (python3-xarray) is not installed.
         """
         try:
-            import xarray
+            import xarray  # type: ignore[import]
         except ImportError:
             raise ImportError("xarray is not installed: apt install python3-xarray, or pip install xarray") from None
         axes = ("row", "column", "y", "x")
@@ -507,7 +540,7 @@ def open(
     """
     name = "" if format is None else choice(format, "format", list(formats()))
     where = _path(path, "path")
-    with Naming(where):
+    with Reading(where):
         files = _core.light_fields_in(where, name)
     file = files[integer(frame, "frame", 0, len(files) - 1)]
     grid = None if views is None else pair(views, "views", 1, 1 << 16)

@@ -32,6 +32,19 @@ def png(codes: np.ndarray) -> bytes:
     )
 
 
+class Shown:
+    """A picture that notebooks display: `lippmann.show(field.refocus(10))`."""
+
+    def __init__(self, codes: np.ndarray) -> None:
+        self.codes = codes
+
+    def _repr_png_(self) -> bytes:
+        return png(self.codes)
+
+    def __repr__(self) -> str:
+        return f"<lippmann picture of {self.codes.shape[1]}x{self.codes.shape[0]} pixels>"
+
+
 def _small(view: np.ndarray) -> np.ndarray:
     """uint8 codes, no side above _SIDE: means over whole blocks of pixels."""
     step = max(1, -(-max(view.shape[:2]) // _SIDE))

@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import json
 import math
+import os
 from typing import Any, Callable, List, Optional, Sequence, Tuple
 
 import numpy as np
 
 from . import _core
 from ._arguments import array, integer, number, pair, path_bytes, positive, text
-from ._errors import Error, Naming
+from ._errors import Error, Naming, Reading
 
 Display = _core.Display
 Optics = _core.Optics
@@ -45,7 +46,7 @@ def display_of(display: Any, argument: str) -> Display:
     if isinstance(display, Display):
         return display
     where = path_bytes(display, argument)
-    with Naming(display=argument):
+    with Reading(os.fsdecode(where), display=argument):
         return _core.load_display(where)
 
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import dataclasses
 import itertools
-from typing import Any, Iterable, Iterator, Optional, Tuple
+from typing import Any, Iterable, Iterator, Optional, Tuple, Union
 
 import numpy as np
 
 from ._arguments import integer, pair
 from ._light_field import LightField
 from ._optics import Display, Optics, camera_grid, display_from_toml
+from ._options import Layer
 from ._render import render
 from ._scene import Material, Scene
 
@@ -127,7 +128,7 @@ def training_data(
     rows: int = 5,
     columns: int = 5,
     size: Tuple[int, int] = (128, 128),
-    layers: Iterable[str] = ("depth",),
+    layers: Union[Layer, Iterable[Layer]] = ("depth",),
     objects: int = 12,
     spp: int = 16,
     **options: Any,

@@ -3,26 +3,29 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Callable, Iterable, Iterator, List, Optional, Sequence, Set, Tuple, Union, overload
+from typing import Any, Dict, Iterable, Iterator, List, Optional, Sequence, Set, Tuple, Union, overload
 
 from . import _core
 from ._arguments import choice, integer, number, path, text
 from ._errors import Error, Naming, warn_of_ignored
 from ._light_field import LightField
 from ._optics import Display, Optics, camera_grid, display_of
+from ._options import AngularFilter, Denoise, Environment, Integrator, Layer, Layout, Light, Progress, Reuse
 from ._scene import Scene, choose_camera, load, strength_and_turn, surround
-
-Progress = Callable[[int, float], Any]
 
 
 class Animation:
     """Frames of one scene through one set of optics, rendered when they are asked for. Frames that reuse others are quickest in
     ascending order. `for field in animation`, `animation[3]`, `len(animation)`; `animation[2:5]` is an
-    Animation of those frames, which are rendered when they are asked for as well.
+    Animation of those frames, which are rendered when they are asked for as well. A pickle or a copy has the scene and its
+    settings, and renders by itself.
     """
 
-    def __init__(self, core: Any, frames: Sequence[int], display: Optional[Display], progress: Optional[Progress]) -> None:
-        self._core, self._frames, self._display, self._progress = core, frames, display, progress
+    def __init__(
+        self, core: Any, settings: Any, frames: Sequence[int], display: Optional[Display], progress: Optional[Progress]
+    ) -> None:
+        """settings: what _core.Frames was made of besides its scene and placement: sampling, reuse, threads."""
+        self._core, self._settings, self._frames, self._display, self._progress = core, settings, frames, display, progress
 
     def __len__(self) -> int:
         return len(self._frames)
@@ -32,7 +35,8 @@ class Animation:
         return f"<lippmann.Animation: {count} frame{'' if count == 1 else 's'}>"
 
     def __reduce__(self) -> Any:
-        raise TypeError("an Animation cannot be pickled or copied: it renders; copy its scene, or the light fields that it gives")
+        made_of = (self._core.scene, self._core.placement, *self._settings)
+        return _remade, (made_of, self._settings, self._frames, self._display, self._progress)
 
     @overload
     def __getitem__(self, index: int) -> LightField: ...
@@ -42,7 +46,7 @@ class Animation:
 
     def __getitem__(self, index: Union[int, slice]) -> Union[LightField, "Animation"]:
         if isinstance(index, slice):
-            return Animation(self._core, self._frames[index], self._display, self._progress)
+            return Animation(self._core, self._settings, self._frames[index], self._display, self._progress)
         if not -len(self) <= index < len(self):
             raise IndexError(f"{index} is outside {len(self)} frames")
         return self._frame(self._frames[index])
@@ -58,23 +62,30 @@ class Animation:
         return LightField._of_film(film, self._core.placement, self._display)
 
 
+def _remade(made_of: Any, *rest: Any) -> Animation:
+    """An Animation of a pickle."""
+    return Animation(_core.Frames(*made_of), *rest)
+
+
 def frames(
     scene: Union[Scene, str, "os.PathLike[str]"],
     display: Union[Display, Optics, str, "os.PathLike[str]", None] = None,
     *,
     frames: Optional[Iterable[int]] = None,
-    layout: str = "views",
-    layers: Iterable[str] = (),
-    integrator: Optional[str] = None,
+    layout: Layout = "views",
+    layers: Union[Layer, Iterable[Layer]] = (),
+    integrator: Optional[Integrator] = None,
     spp: Optional[int] = None,
     max_depth: int = 0,
     seed: int = 0,
-    denoise: Union[str, bool] = "auto",
+    clamp_indirect: float = 0.0,
+    denoise: Union[Denoise, bool] = "auto",
+    angular_filter: Optional[AngularFilter] = None,
     aperture_mm: float = 0.0,
     f_number: float = 0.0,
     focal_plane_mm: float = 0.0,
     shutter: float = 0.0,
-    reuse: str = "auto",
+    reuse: Reuse = "auto",
     keyframes: Optional[int] = None,
     min_psnr: Optional[float] = None,
     fit_depth: Optional[bool] = None,
@@ -82,8 +93,8 @@ def frames(
     fit_to: str = "",
     zoom: float = 1.0,
     orbit: Tuple[float, float] = (0.0, 0.0),
-    light: str = "auto",
-    environment: Any = None,
+    light: Light = "auto",
+    environment: Optional[Environment] = None,
     environment_strength: float = 1.0,
     environment_rotation_deg: float = 0.0,
     camera: Union[str, int, None] = None,
@@ -104,8 +115,11 @@ def frames(
         whitted for scenes of formats that describe Whitted's shading, the built-in ones among them, and for files of splats
         alone.
     spp: samples per pixel; None: 16 of paths, 4 of files of splats alone, else 1. max_depth: path vertices; 0: the scene's.
-        seed: of the random paths.
+        seed: of the random paths. clamp_indirect: limits the indirect light of a path, which removes bright specks but loses
+        light; 0: no limit.
     denoise: "auto" (or True) removes the noise of path-traced frames of 2 or more spp; "none" (or False) leaves frames as traced.
+    angular_filter: of views: "none" sees each from one eye, "box" from the whole range between its neighbours, so that depth
+        beyond the budget blurs. None: "box" for quilts of a display, else "none".
     aperture_mm, or f_number (of a camera with a sensor 36 mm wide, in scenes in metres): depth of field for views: the diameter
         of the lens that each is seen through. focal_plane_mm: what is sharp, in front of the display's plane. 2 or more spp.
     shutter: motion blur, over this share of the time from frame to frame (0 to 1). 2 or more spp.
@@ -114,11 +128,12 @@ def frames(
         that has no use for one of them refuses it; "auto" ignores unsuitable keyframes, with a LippmannWarning.
     fit_depth: scenes that are deeper than the display resolves are shown less deep. None: as `lippmann render`: not for views of
         one's own.
-    focus: what lies in the display's plane: a node's name, "x,y,z" or a distance. fit_to: a node that fills the picture.
+    focus: what lies in the display's plane: a node's name, "x,y,z" or a distance. fit_to: a node that fills the picture, or "all".
         zoom: above 1: nearer. orbit: degrees to the right and up.
     light: "auto" adds light where the scene has none, as `lippmann render` does; "none" adds nothing.
-    environment: surrounds and lights the scene in place of what it has: a panorama, equirectangular with the zenith on top, as a
-        file (.hdr, .exr, .pfm, .tif) or an array (y, x, 3) of linear light; or a colour (3). environment_strength: a factor on it.
+    environment: surrounds and lights the scene in place of what it has: "studio", the built-in one; a panorama, equirectangular
+        with the zenith on top, as a file (.hdr, .exr, .pfm, .tif) or an array (y, x, 3) of linear light; or a colour (3). "none"
+        keeps the scene's own light, as light="none" does. environment_strength: a factor on it.
         environment_rotation_deg: about +y. Without `environment` both are ignored, with a LippmannWarning.
     camera: of a scene's cameras the one that decides the view, by name or index (Scene.cameras); None: the first.
     transparent: the surroundings light the scene and are not seen: LightField.alpha.
@@ -133,9 +148,9 @@ def frames(
     if reuse == "light":
         accepted = "denoise='auto' (the default), reuse='auto' or 'none'"
         raise Error("reuse", "'light' was removed: path-traced frames are denoised instead", accepted)
-    reuse = choice(reuse, "reuse", ("auto", "none", "copy", "interpolate"))
+    sharing = choice(reuse, "reuse", ("auto", "none", "copy", "interpolate"))
     named = "" if integrator is None else choice(integrator, "integrator", tuple(_core.integrator_names()))
-    sampling = _core.Sampling(core, named, reuse == "interpolate")
+    sampling = _core.Sampling(core, named, sharing == "interpolate")
     wanted = _layers(layers)
     which = _which(frames, core.frame_count)
     if progress is not None and not callable(progress):
@@ -150,11 +165,15 @@ def frames(
     floor = None if min_psnr is None else number(min_psnr, "min_psnr", 1.0, 100.0)
     opening = number(aperture_mm, "aperture_mm", 0.0, 1e6), number(f_number, "f_number", 0.0, 1e6)
     focal_plane = number(focal_plane_mm, "focal_plane_mm", -1e6, 1e6)
+    limit = number(clamp_indirect, "clamp_indirect", 0.0, 1e6)
+    angular = None if angular_filter is None else choice(angular_filter, "angular_filter", ("none", "box"))
     open_share = number(shutter, "shutter", 0.0, 1.0)
     workers = integer(threads, "threads", 0, 4096)
     choice(light, "light", ("auto", "none"))
     core.move_near_origin()  # checks it
     choose_camera(core, camera)
+    if isinstance(environment, str) and environment == "none":
+        environment, light = None, "none"
     factor, turn = strength_and_turn(environment_strength, environment_rotation_deg, "environment_")
     if environment is not None:
         surround(core, environment, factor, turn, "environment")
@@ -171,12 +190,15 @@ def frames(
     sampling.spp, sampling.max_depth, sampling.seed = samples, depth_limit, key
     sampling.denoise, sampling.transparent = denoised, bool(transparent)
     sampling.set_lens(*opening, focal_plane)
-    sampling.shutter = open_share
+    sampling.shutter, sampling.clamp_indirect = open_share, limit
+    if angular is not None:
+        sampling.set_angular_filter(angular == "box")
     sampling.want_layers(wanted)
-    chosen = _reuse(reuse, every, floor, set(wanted), sampling)
+    chosen = _reuse(sharing, every, floor, set(wanted), sampling)
+    settings = sampling, chosen, workers
     with Naming(optics="display"):
-        made = _core.Frames(core, placement, sampling, chosen, workers)
-    return Animation(made, which, shown, progress)
+        made = _core.Frames(core, placement, *settings)
+    return Animation(made, settings, which, shown, progress)
 
 
 def render(
@@ -184,12 +206,40 @@ def render(
     display: Union[Display, Optics, str, "os.PathLike[str]", None] = None,
     *,
     frame: int = 0,
-    **options: Any,
+    layout: Layout = "views",
+    layers: Union[Layer, Iterable[Layer]] = (),
+    integrator: Optional[Integrator] = None,
+    spp: Optional[int] = None,
+    max_depth: int = 0,
+    seed: int = 0,
+    clamp_indirect: float = 0.0,
+    denoise: Union[Denoise, bool] = "auto",
+    angular_filter: Optional[AngularFilter] = None,
+    aperture_mm: float = 0.0,
+    f_number: float = 0.0,
+    focal_plane_mm: float = 0.0,
+    shutter: float = 0.0,
+    reuse: Reuse = "auto",
+    keyframes: Optional[int] = None,
+    min_psnr: Optional[float] = None,
+    fit_depth: Optional[bool] = None,
+    focus: str = "",
+    fit_to: str = "",
+    zoom: float = 1.0,
+    orbit: Tuple[float, float] = (0.0, 0.0),
+    light: Light = "auto",
+    environment: Optional[Environment] = None,
+    environment_strength: float = 1.0,
+    environment_rotation_deg: float = 0.0,
+    camera: Union[str, int, None] = None,
+    transparent: bool = False,
+    threads: int = 0,
+    progress: Optional[Progress] = None,
 ) -> LightField:
     """One frame as a light field. Arguments are those of lippmann.frames, but for `frame`."""
-    if "frames" in options:
-        raise TypeError("lippmann.render takes `frame`; lippmann.frames takes `frames`")
-    return frames(scene, display, frames=_Frame([frame]), **options)[0]
+    options: Dict[str, Any] = dict(locals())
+    options["frames"] = _Frame([options.pop("frame")])
+    return frames(**options)[0]
 
 
 class _Frame(List[int]):

@@ -14,10 +14,13 @@ from typing import Any, Dict, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from . import _core
-from ._arguments import array, file_path, indices, integer, number, path_bytes, positive, text, vector
-from ._errors import Error, Naming, warn, warn_of_ignored
+from ._arguments import array, choice, file_path, indices, integer, number, path_bytes, positive, text, vector
+from ._errors import Error, Reading, warn, warn_of_ignored
+from ._meshes import arrays_of, texture_of
+from ._options import UpAxis
 
 _UP = np.array([0.0, 1.0, 0.0])
+_UP_AXES = ("y", "x", "z", "-x", "-y", "-z")  # in the library's order
 
 
 def scenes() -> Dict[str, str]:
@@ -181,7 +184,7 @@ class Scene:
     def add_mesh(
         self,
         positions: Any,
-        triangles: Any,
+        triangles: Any = None,
         *,
         normals: Any = None,
         uvs: Any = None,
@@ -200,9 +203,21 @@ class Scene:
         normals (vertices, 3), uvs (vertices, 2) with v downwards, colors (vertices, 3), linear, times the material's. Without
         normals it is faceted. translation, rotation (quaternion x, y, z, w) and scale place it.
 
+        A mesh of trimesh or Open3D goes in the place of both: `add_mesh(mesh)`. Its uvs, vertex colours (as linear light), stored
+        normals and, without a material, its texture are taken where the arguments give none.
+
         targets: morph targets (targets, vertices, 3), in units of the mesh: what is added to positions, times weights (targets),
         0 where nothing is said; target_normals: of the same shape, added to the normals. skin: joints that carry it.
         """
+        if triangles is None:
+            held = arrays_of(positions)
+            if material is None and "uvs" in held:
+                material = Material((1.0, 1.0, 1.0), texture=texture_of(positions))
+            normals, uvs, colors = (
+                held.get(name) if value is None else value
+                for name, value in (("normals", normals), ("uvs", uvs), ("colors", colors))
+            )
+            positions, triangles = held["positions"], held["triangles"]
         points = array(positions, "positions", (None, 3))
         count = len(points)
         faces = indices(triangles, "triangles", 3, count)
@@ -351,7 +366,8 @@ class Scene:
 
     def set_environment(self, radiance: Any, *, strength: float = 1.0, rotation_deg: float = 0.0) -> None:
         """A panorama that surrounds the scene, and lights it. radiance: (y, x, 3), linear, 0 or more, equirectangular, the zenith
-        on top; or a file of it, .hdr, .exr, .pfm or .tif; or one colour (3). rotation_deg: about +y.
+        on top; or a file of it, .hdr, .exr, .pfm or .tif; or one colour (3); or "studio", the built-in one, which faces the first
+        camera that the scene has by then. rotation_deg: about +y.
         """
         surround(self._core, radiance, *strength_and_turn(strength, rotation_deg), "radiance")
 
@@ -439,7 +455,7 @@ class Scene:
 
     def _texture(self, rgba: np.ndarray) -> int:
         """The index of a texture (y, x, 4). Equal ones are one. The pixels decide, as an array may have changed meanwhile."""
-        key = rgba.shape, hashlib.blake2b(rgba, digest_size=32).digest()
+        key = rgba.shape, hashlib.blake2b(rgba.data, digest_size=32).digest()
         if key not in self._textures:
             self._textures[key] = self._core.add_texture(rgba, True)
         return self._textures[key]
@@ -484,24 +500,34 @@ def load(
     camera_path: Any = None,
     asset_root: Any = None,
     texture_memory_mb: int = 1024,
+    variant: str = "",
+    up: UpAxis = "y",
+    light_scale: float = 1.0,
 ) -> Scene:
-    """A built-in scene by name, or a file: .gltf, .glb, .dat, .nff, .obj, .ply.
+    """A built-in scene by name, or a file: .gltf, .glb, .dat, .nff, .obj, .ply. A missing file raises an Error that is a
+    FileNotFoundError too.
 
     frames_per_second: 0: the format's default. animation: by name or index, of files with several. camera_path: a Tachyon .cam
-    file. asset_root: a folder below which files may lie that the scene names; None: the scene's own.
+    file. asset_root: a folder below which files may lie that the scene names; None: the scene's own. variant: the materials'
+    variant of a glTF file, by name or index. up: the axis of the file that points up. light_scale: a factor on all lamps.
     texture_memory_mb: decoded textures of glTF and OBJ files take so much at most: the largest are halved until they do, which is
     a LippmannWarning. One that is larger than that by itself is an Error.
     """
     where = path_bytes(name, "name")
-    options = (
+    options: Tuple[Union[str, bytes], float, Union[str, bytes], str, str, int] = (
         "" if camera_path is None else path_bytes(camera_path, "camera_path"),
         number(frames_per_second, "frames_per_second", 0.0, 1e4),
         "" if asset_root is None else path_bytes(asset_root, "asset_root"),
         text(animation, "animation"),
+        text(variant, "variant"),
         integer(texture_memory_mb, "texture_memory_mb", 1, 1 << 20) << 20,
     )
-    with Naming(os.fsdecode(where)):
+    axis = _UP_AXES.index(choice(up, "up", _UP_AXES))
+    factor = number(light_scale, "light_scale", 0.0, 1e6)
+    with Reading(os.fsdecode(where)):
         core = _core.load_scene(where, *options)
+    core.turn_upright(axis)
+    core.scale_lamps(factor)
     return Scene._of(core, True)
 
 
@@ -525,7 +551,9 @@ def strength_and_turn(strength: Any, rotation_deg: Any, prefix: str = "") -> Tup
 
 
 def surround(core: Any, light: Any, factor: float, turn: float, name: str) -> None:
-    """Light from all around: a panorama as a file or an array (y, x, 3), or one colour (3). name: of the argument."""
+    """Light from all around: "studio", a panorama as a file or an array (y, x, 3), or one colour (3). name: of the argument."""
+    if isinstance(light, str) and light == "studio":
+        return core.surround_with_studio(factor, turn)
     if isinstance(light, (str, bytes, os.PathLike)):
         return core.read_environment(file_path(light, name), factor, turn)
     radiance = array(light, name, (3,) if _is_color(light) else (None, None, 3))

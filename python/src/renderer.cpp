@@ -182,7 +182,7 @@ class Frames {
   }
 
   SharedFilm frame(int index, const py::object& progress) {
-    if (!renderer_) throw Error("frames", "rendering was stopped", "a new call of lippmann.frames");
+    if (!renderer_) throw_stopped();
     std::optional<RenderedFrame> made;
     try {
       work_.run(progress, [&](const Context&) { made = renderer_->frame(index); });
@@ -190,7 +190,7 @@ class Frames {
       if (work_.context().cancelled) renderer_.reset();  // frames that share with others may have stopped half way
       throw;
     }
-    if (!made) throw Error("frames", "rendering was stopped", "a new call of lippmann.frames");
+    if (!made) throw_stopped();
     const Scene& scene = renderer_->scene();
     return std::make_shared<Film>(
         Film{std::move(*made), placement_.placed.optics, scene.encoding,
@@ -200,7 +200,15 @@ class Frames {
 
   const Placement& placement() const { return placement_; }
 
+  /// Returns a copy of the scene.
+  std::shared_ptr<Scene> scene() const {
+    if (!renderer_) throw_stopped();
+    return std::make_shared<Scene>(renderer_->scene());
+  }
+
  private:
+  [[noreturn]] static void throw_stopped() { throw Error("frames", "rendering was stopped", "a new call of lippmann.frames"); }
+
   Interruptible work_;
   Placement placement_;
   std::optional<Renderer> renderer_;
@@ -230,6 +238,11 @@ void bind_frame_params(py::module_& module) {
       .def_property("denoise", &denoises, &set_denoise)
       .def_readwrite("transparent", &Sampling::transparent)
       .def_readwrite("shutter", &Sampling::shutter)
+      .def_readwrite("clamp_indirect", &Sampling::clamp_indirect)
+      .def("set_angular_filter",
+           [](Sampling& sampling, bool is_box) {
+             sampling.angular_filter = is_box ? AngularFilter::kBox : AngularFilter::kNone;
+           })
       .def("set_lens", [](Sampling& sampling, float aperture_mm, float f_number, float focal_plane_mm) {
         sampling.lens = {aperture_mm, f_number, focal_plane_mm};
       });
@@ -261,6 +274,7 @@ void bind_renderer(py::module_& module) {
   py::class_<Frames, std::shared_ptr<Frames>>(module, "Frames")
       .def(py::init(&frames_of))
       .def("frame", &Frames::frame)
+      .def_property_readonly("scene", &Frames::scene)
       .def_property_readonly("placement", &Frames::placement);
 
   std::vector<std::string> layers(kAovNames.begin(), kAovNames.end());

@@ -35,12 +35,14 @@ int add(std::vector<T>& elements, T element) {
 }
 
 SharedScene load(const std::string& name, const std::string& camera_path, double frames_per_second,
-                 const std::string& asset_root, const std::string& animation, std::uint64_t texture_bytes) {
+                 const std::string& asset_root, const std::string& animation, const std::string& variant,
+                 std::uint64_t texture_bytes) {
   LoadOptions options;
   if (!camera_path.empty()) options.camera_path = camera_path;
   options.frames_per_second = frames_per_second;
   options.asset_root = asset_root;
   options.animation = animation;
+  options.variant = variant;
   options.texture_bytes = texture_bytes;
   SharedScene scene;
   Interruptible(0).run(py::none(),
@@ -241,7 +243,12 @@ void bind_elements(py::class_<Scene, SharedScene>& scene) {
            [](Scene& s, const Array<float>& radiance, float strength, float rotation_deg) {
              s.background.map = EnvironmentMap{image_of(radiance, 3, "radiance"), strength, radians(rotation_deg)};
            })
-      .def("read_environment", &surround_with_file);
+      .def("read_environment", &surround_with_file)
+      .def("surround_with_studio", &surround_with_studio)
+      .def("turn_upright", [](Scene& s, int axis) { turn_upright(s, static_cast<UpAxis>(axis)); })
+      .def("scale_lamps", [](Scene& s, float factor) {
+        for (Light& light : s.lights) light.color *= factor;
+      });
 }
 
 std::vector<std::pair<std::string, std::string>> builtin_scene_lines() {

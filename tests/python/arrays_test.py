@@ -40,6 +40,17 @@ class Arrays(Case):
         np.testing.assert_allclose(eyes[0, :, 0], [-10, 0, 10])
         np.testing.assert_allclose(eyes[:, 0, 1], [-10, 0, 10])
 
+    def test_a_light_field_is_its_array(self):
+        field = lippmann.render("room", small_grid(2, 3, (24, 32)), layers=["depth"])
+        self.assertSame(np.asarray(field), field.views)
+        self.assertTrue(np.shares_memory(np.asarray(field), field.views))
+        self.assertEqual(np.asarray(field, dtype=np.float64).dtype, np.float64)
+        self.assertEqual((len(field), field[1, 2].shape), (2, (24, 32, 3)))
+        self.assertSame(field[1, 2], field.views[1, 2])
+        self.assertSame(field[::-1], field.views[::-1])
+        self.assertEqual(len(list(field)), 2)
+        self.assertSame(np.mean(field, axis=(0, 1)), field.views.mean(axis=(0, 1)))
+
     def test_disparity_is_how_far_points_move_from_view_to_view(self):
         scene = lippmann.Scene()
         scene.add_plane((0, 0, 2), (0, 0, 1))

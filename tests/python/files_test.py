@@ -1,5 +1,7 @@
 """Files of all formats: written as the tool reads them, and read as it writes them."""
 
+import errno
+import pickle
 import os
 
 import numpy as np
@@ -54,6 +56,34 @@ class Files(Case):
                 lippmann._core.write_picture(field.refocus(3), str(folder / "own.png"))
                 self.assertEqual((folder / "own.png").read_bytes(), (folder / "replay/refocus_0009.png").read_bytes())
         self.assertWrong("frame", lippmann.open, folder, frame=2)
+
+    def test_missing_files_are_files_not_found(self):
+        missing = self.folder / "missing.glb"
+        for read in (
+            lambda: lippmann.load(missing),
+            lambda: lippmann.open(self.folder / "missing.png"),
+            lambda: lippmann.open(self.folder / "missing"),
+            lambda: lippmann.display(self.folder / "missing.toml"),
+            lambda: lippmann.render(missing),
+            lambda: lippmann.render("room", environment=self.folder / "missing.exr"),
+        ):
+            with self.assertRaises(FileNotFoundError) as caught:
+                read()
+            error = caught.exception
+            self.assertIsInstance(error, lippmann.Error)
+            self.assertEqual(error.errno, errno.ENOENT)
+            self.assertIn("missing", error.filename)
+            same = pickle.loads(pickle.dumps(error))
+            self.assertEqual((type(same), str(same), same.filename), (type(error), str(error), error.filename))
+        damaged = self.folder / "damaged.glb"
+        damaged.write_bytes(b"glTF")
+        with self.assertRaises(lippmann.Error) as caught:
+            lippmann.load(damaged)
+        self.assertNotIsInstance(caught.exception, FileNotFoundError)
+        field = lippmann.LightField(np.zeros((1, 2, 4, 4, 3), np.uint8))
+        with self.assertRaises(lippmann.Error) as caught:
+            field.save(damaged / "quilt.png", "quilt")
+        self.assertNotIsInstance(caught.exception, FileNotFoundError)
 
     def test_16_bits_and_floats_stay_what_they_are(self):
         field = self.rendered()

@@ -2,6 +2,7 @@
 
 import copy
 import inspect
+import multiprocessing
 import pickle
 
 import numpy as np
@@ -63,13 +64,17 @@ def examples():
     }
 
 
+def returned_by_process(value):
+    return repr(value), value
+
+
 class Pickling(Case):
     def copies_of(self, value):
         yield pickle.loads(pickle.dumps(value))
         yield pickle.loads(pickle.dumps(value, 2))
         yield copy.deepcopy(value)
 
-    def test_every_public_class_is_copied_or_says_why_not(self):
+    def test_every_public_class_is_copied(self):
         classes = {value for name, value in vars(lippmann).items() if inspect.isclass(value) and not name.startswith("_")}
         self.assertEqual(classes - {lippmann.Animation}, set(examples()))
         for kind, values in examples().items():
@@ -78,10 +83,28 @@ class Pickling(Case):
                     self.assertIs(type(same), kind)
                     if kind is not lippmann.Skin:  # whose arrays have no equality
                         self.assertEqual(repr(same), repr(value))
-        animation = lippmann.frames("room", small_grid())
-        for attempt in (pickle.dumps, copy.copy, copy.deepcopy):
-            with self.assertRaisesRegex(TypeError, "Animation cannot be pickled or copied"):
-                attempt(animation)
+
+    def test_copied_animations_render_the_same_by_themselves(self):
+        scene, _, _ = figure()
+        animation = lippmann.frames(scene, small_grid(), integrator="whitted", layers=["depth"], seed=3)
+        first = animation[0]
+        for same in (*self.copies_of(animation), copy.copy(animation), pickle.loads(pickle.dumps(animation[1:]))):
+            self.assertIs(type(same), lippmann.Animation)
+            self.assertSame(same[-1].views, animation[1].views)
+            self.assertSame(same[-1].depth, animation[1].depth)
+        self.assertEqual(first.report["frame"], 0)
+        self.assertEqual(len(pickle.loads(pickle.dumps(animation[1:]))), 1)
+
+    def test_values_travel_to_another_process(self):
+        scene, _, _ = figure()
+        field = rendered(scene, layers=["depth"])
+        values = [scene, field, small_grid(), lippmann.display(SMALL_PANEL), lippmann.frames(scene, small_grid(), integrator="whitted")]
+        with multiprocessing.get_context("spawn").Pool(1) as pool:
+            returned = pool.map(returned_by_process, values)
+        for value, (said, back) in zip(values, returned):
+            self.assertEqual((said, repr(back)), (repr(value), repr(value)))
+        self.assertSame(returned[1][1].views, field.views)
+        self.assertSame(returned[4][1][1].views, rendered(scene, frame=1).views)
 
     def test_copied_scenes_render_the_same_and_are_independent(self):
         scene, ball, _ = figure()

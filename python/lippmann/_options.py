@@ -1,0 +1,31 @@
+"""Types of the options of lippmann.frames and lippmann.render, for type checkers."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Callable, Literal, Union
+
+from numpy.typing import ArrayLike
+
+AngularFilter = Literal["none", "box"]
+Denoise = Literal["auto", "none"]
+Environment = Union[ArrayLike, "os.PathLike[str]"]
+Integrator = Literal["path", "whitted"]
+Layer = Literal[
+    "depth",
+    "ray-depth",
+    "normal",
+    "position",
+    "id",
+    "albedo",
+    "motion",
+    "provenance",
+    "direct",
+    "indirect",
+    "disparity",
+]
+Layout = Literal["views", "native"]
+Light = Literal["auto", "none"]
+Progress = Callable[[int, float], Any]
+Reuse = Literal["auto", "none", "copy", "interpolate"]
+UpAxis = Literal["y", "x", "z", "-x", "-y", "-z"]

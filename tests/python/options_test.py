@@ -1,0 +1,131 @@
+"""Options of lippmann.render: typed, and those of the tool."""
+
+import inspect
+import os
+import re
+import shutil
+import subprocess
+import typing
+
+import numpy as np
+
+import lippmann
+from lippmann import _options
+from support import Case, SOURCE, small_grid, tool
+
+# The tool's options of the groups that Python has, and what stands in their place. Optics are a value of their own.
+GROUPS = ("Scene", "Rendering", "Reuse")
+RENAMED = {"aperture": "aperture_mm", "focal-plane": "focal_plane_mm", "environment-rotation": "environment_rotation_deg",
+           "texture-memory": "texture_memory_mb", "fps": "frames_per_second", "scene": "name"}
+LEFT_OUT = {
+    "order",  # changes speed alone
+    "exposure", "tone",  # of pictures with codes: arrays are linear
+    "splat", "fill", "halving", "no-z-buffer", "debug",  # choices of --reuse interpolate for comparing its variants
+    "job",  # a file of flags
+}
+
+
+def tool_options():
+    """The names of the tool's options by group, from its help."""
+    options, group = {}, ""
+    for line in tool("render", "--help-all").splitlines():
+        if re.match(r"\S.*:$", line) or re.match(r"[A-Z]\w+$", line):
+            group = line.strip(":").split()[0]
+        found = re.match(r"\s+(?:-\w,)?\s*--([a-z-]+)", line)
+        if found:
+            options.setdefault(group, set()).add(found[1])
+    return options
+
+
+class Options(Case):
+    def test_options_are_those_of_the_tool(self):
+        options = tool_options()
+        self.assertLessEqual(set(GROUPS), set(options))
+        has = {name for function in (lippmann.load, lippmann.render, lippmann.frames) for name in inspect.signature(function).parameters}
+        for group in GROUPS:
+            for name in sorted(options[group] - LEFT_OUT):
+                self.assertIn(RENAMED.get(name, name.replace("-", "_")), has, f"--{name} of {group}")
+        self.assertEqual(LEFT_OUT - set().union(*options.values()), set(), "left out, and the tool has no such option")
+
+    def test_render_and_frames_take_the_same(self):
+        of_render = dict(inspect.signature(lippmann.render).parameters)
+        of_frames = dict(inspect.signature(lippmann.frames).parameters)
+        self.assertTrue(of_render.pop("frame") and of_frames.pop("frames"))
+        self.assertEqual(list(of_render.values()), list(of_frames.values()))
+
+    def test_types_have_the_names_that_are_accepted(self):
+        layers = {name for name in lippmann._core.layer_names if name != "alpha"} | {"disparity"}
+        self.assertEqual(set(typing.get_args(_options.Layer)), layers)
+        self.assertEqual(set(typing.get_args(_options.Integrator)), set(lippmann._core.integrator_names()))
+
+    def test_mypy_finds_misspelt_options(self):
+        mypy = shutil.which("mypy")
+        if not mypy:
+            self.skipTest("mypy is not installed")
+        program = self.folder / "program.py"
+        program.write_text(
+            'import lippmann\nlippmann.render("room", spq=3)\nlippmann.render("room", layers=["dpeth"])\n'
+            'for field in lippmann.frames("room", layers=["depth"], spp=4, environment="studio", fit_to="all"):\n'
+            "    print(field.views.mean(), field[0, 0].shape)\n"
+        )
+        environment = {**os.environ, "MYPYPATH": str(SOURCE / "python"), "MYPY_CACHE_DIR": str(self.folder / "cache")}
+        environment.pop("PYTHONPATH")
+        command = [mypy, "--strict", "--follow-imports=silent", "--no-error-summary", "--hide-error-codes", "program.py"]
+        said = subprocess.run(command, cwd=self.folder, env=environment, capture_output=True, text=True).stdout
+        errors = [line for line in said.splitlines() if "error:" in line]
+        self.assertEqual([line.split(":")[1] for line in errors], ["2", "3"], said)
+        self.assertIn('"spq"', errors[0])
+        self.assertIn("dpeth", errors[1])
+        clean = subprocess.run([mypy, "-p", "lippmann"], cwd=self.folder, env=environment, capture_output=True, text=True)
+        self.assertEqual(clean.returncode, 0, clean.stdout)
+
+    def test_the_studio_is_the_tools(self):
+        turned = ("--environment", "studio", "--environment-rotation", "30", "--environment-strength", "0.5")
+        tool("render", SOURCE / "examples/desk.glb", "--display", SOURCE / "tests/library/small_panel.toml", "--frames", "3", "--spp", "2",
+             *turned, "-o", self.folder / "tool", "-q")
+        (picture,) = (self.folder / "tool").glob("*.png")
+        field = lippmann.render(SOURCE / "examples/desk.glb", SOURCE / "tests/library/small_panel.toml", frame=3, spp=2,
+                                environment="studio", environment_rotation_deg=30, environment_strength=0.5)
+        field.save(self.folder / "own.png")
+        self.assertEqual((self.folder / "own.png").read_bytes(), picture.read_bytes())
+
+    def test_no_environment_is_no_added_light(self):
+        scene = lippmann.Scene()
+        scene.add_sphere((0, 0, 0), 0.5)
+        scene.place_display(height=2, viewing_distance=20)
+        dark = lippmann.render(scene, small_grid(1, 1), environment="none", spp=2)
+        self.assertEqual(dark.views.max(), 0)
+        self.assertSame(dark.views, lippmann.render(scene, small_grid(1, 1), light="none", spp=2).views)
+
+    def test_fit_to_all_shows_everything(self):
+        def covered(**options):
+            scene = lippmann.Scene()
+            for x in (-10, 0, 10):
+                scene.add_sphere((x, 0, 0), 1, material=lippmann.Material((1, 1, 1), unlit=True))
+            scene.add_camera((0, 0, 8), target=(0, 0, 0), vertical_fov_deg=20)
+            options.update(light="none", spp=1, fit_depth=False)
+            return lippmann.render(scene, small_grid(1, 1, (64, 64)), **options).views[0, 0, :, :, 0] > 0
+
+        self.assertEqual(np.diff(covered().any(axis=0).astype(int)).tolist().count(1), 1)  # the middle one alone
+        self.assertEqual(np.diff(covered(fit_to="all").any(axis=0).astype(int)).tolist().count(1), 3)
+
+    def test_angular_filter_and_clamp_reach_the_renderer(self):
+        def rendered(**options):
+            return lippmann.render("room", lippmann.quilt(1, 3, (32, 32)), spp=4, integrator="path", denoise="none", **options).views
+
+        plain = rendered()
+        self.assertSame(plain, rendered(angular_filter="none", clamp_indirect=0))
+        self.assertFalse(np.array_equal(plain, rendered(angular_filter="box")))
+        self.assertLess(rendered(clamp_indirect=1e-3).mean(), plain.mean())
+        self.assertWrong("angular_filter", rendered, angular_filter="bok")
+
+    def test_files_turn_upright_and_lamps_scale(self):
+        desk = SOURCE / "examples/desk.glb"
+        upright, turned = lippmann.load(desk).bounds(), lippmann.load(desk, up="z").bounds()
+        np.testing.assert_allclose(turned[:, 1], upright[:, 2], rtol=1e-5)
+        self.assertWrong("up", lippmann.load, desk, up="w")
+        self.assertWrong("light_scale", lippmann.load, desk, light_scale=-1)
+        def lit(factor):
+            return lippmann.render(lippmann.load("room", light_scale=factor), small_grid(1, 1), spp=1).views.mean()
+
+        self.assertLess(lit(0.5), lit(1))
