@@ -56,5 +56,24 @@ TEST(SavedPage, page_of_somebody_else_is_not_replaced_and_one_of_ours_is) {
   EXPECT_EQ(save_page(dir.path(), dir / "page", Context()).index, dir / "page/index.html");
 }
 
+TEST(SavedPage, one_file_holds_pictures_script_and_style) {
+  const TempDir dir;
+  test::write_sheet_frames(dir.path(), 1);
+  const std::string page = page_as_file(test::fields_of(dir.path()), Context());
+  EXPECT_THAT(page, HasSubstr("name=\"lippmann-data\" content=\"within\""));
+  EXPECT_THAT(page, HasSubstr("id=\"data:0/views/0\" data-type=\"image/webp\">UklGR"));
+  EXPECT_THAT(page, testing::Not(HasSubstr("href=\"./app.css\"")));
+  EXPECT_THAT(page, testing::Not(HasSubstr("src=\"./app.js\"")));
+}
+
+TEST(SavedPage, file_of_somebody_else_is_not_replaced) {
+  const TempDir dir;
+  test::write_sheet_frames(dir.path(), 1);
+  std::ofstream(dir / "home.html") << "<h1>Home</h1>";
+  EXPECT_THAT(test::error_message([&] { save_page_file(test::fields_of(dir.path()), dir / "home.html", Context()); }),
+              HasSubstr("is another page"));
+  EXPECT_EQ(text_of(dir / "home.html"), "<h1>Home</h1>");
+}
+
 }  // namespace
 }  // namespace lippmann
