@@ -22,8 +22,8 @@ namespace {
 /// The full width at half maximum of a Gaussian, in standard deviations: 2 sqrt(2 ln 2).
 constexpr float kFullWidth = 2.3548200f;
 
-/// Diameters over the distance to the third neighbour. Points on a square grid overlap by a fifth, and scattered ones leave
-/// hardly a hole.
+/// Diameters over the distance to the third neighbour. Points on a square grid overlap by a fifth; scattered points leave
+/// holes.
 constexpr float kOverlap = 1.2f;
 
 Splats read_rows(const std::string& name, const Element& element, Body& body, const Vec3d& origin, const Context& context) {
