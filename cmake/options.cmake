@@ -14,6 +14,10 @@ endif()
 # Loops over lanes join comparisons with & and |, which vectorise, where && and || would branch.
 target_compile_options(lippmann_options INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
 
+# Clang 19 and later leave out constructors that only versions of a function (core/multiversion.hpp) call, unless told so.
+target_compile_options(lippmann_options INTERFACE
+  $<$<AND:$<COMPILE_LANG_AND_ID:CXX,Clang>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,19>>:SHELL:-Xclang -mno-constructor-aliases>)
+
 # Floating point: contraction to FMA is off, so that every instruction-set clone of a kernel (core/multiversion.hpp) gives the
 # same bits; errno and traps are not used, which lets the compiler vectorise floor, sqrt and selects.
 target_compile_options(lippmann_options INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)

@@ -119,8 +119,8 @@ void print_summary(const RenderReport& report, const Planned& plan, const Render
             describe_pictures(plan), seconds, rays * 1e-6 / std::max(seconds, 1e-9),
             kept > 0 ? fmt::format(" ({} kept from before)", kept) : "");
   if (frames > 0) {
-    const auto path = [&folder = folder, &names = names](const FrameReport& frame) {
-      return (folder / frame_name(names, frame.frame)).string();
+    const auto path = [&in = folder, &called = names](const FrameReport& frame) {
+      return (in / frame_name(called, frame.frame)).string();
     };
     print_line("pictures", first_and_last(path(report.frames.front()), path(report.frames.back())));
     if (!report.interrupted)

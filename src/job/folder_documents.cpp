@@ -38,7 +38,7 @@ RunReport all_of(const std::vector<RunReport>& runs) {
 RenderReport report_of(const RenderReport& run, const FolderJournal& journal) {
   RenderReport all = run;
   for (const auto& [frame, record] : journal.frames) {
-    const auto is_it = [frame = frame](const FrameReport& made) { return made.frame == frame; };
+    const auto is_it = [number = frame](const FrameReport& made) { return made.frame == number; };
     if (std::any_of(run.frames.begin(), run.frames.end(), is_it)) continue;
     all.frames.push_back(record.report);
     all.frames.back().kept = true;

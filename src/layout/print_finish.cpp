@@ -15,7 +15,7 @@
 namespace lippmann {
 namespace {
 
-constexpr double kInchMm = 25.4, kMarginMm = 10.0;
+constexpr double kMarginMm = 10.0;
 
 int bleed_px(const Display& display, double bleed_mm) { return static_cast<int>(std::lround(bleed_mm / display.pixel_mm())); }
 

@@ -9,7 +9,6 @@
 namespace lippmann {
 namespace {
 
-constexpr std::size_t kMaxBoxes = 100000;
 constexpr int kPartsPerAxis = 12;               // along each axis of a large mesh; smaller ones have 4
 constexpr std::size_t kTrianglesToPart = 2000;  // minimum size of a large mesh
 

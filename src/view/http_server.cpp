@@ -125,7 +125,7 @@ class Connections {
       for (std::size_t i = 0; i < numbers.size(); ++i)
         if (watched[i + 2].is_ready) serve(numbers[i], [](HttpConnection& connection) { connection.ready(); });
       for (const auto& [number, answer] : pool_.take())
-        serve(number, [&answer = answer](HttpConnection& connection) { connection.answer(answer); });
+        serve(number, [&body = answer](HttpConnection& connection) { connection.answer(body); });
       if (watched[0].is_ready) accept_one();
     }
     std::erase_if(open_, [](const auto& one) { return one.second.is_over(); });

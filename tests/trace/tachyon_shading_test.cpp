@@ -10,8 +10,6 @@ namespace {
 using namespace test;
 
 constexpr int kShadedSize = 33, kShadedMiddle = 16;
-// How far single-precision shading may be off along one path.
-constexpr float kShadedRounding = 2e-5f;
 
 SmallScene tachyon_scene() {
   SmallScene s;
