@@ -1,8 +1,7 @@
-// The processes of one MPI job (mpirun -n N lippmann ...), as far as sharing out work goes.
+// Shares work among the processes of one MPI job (mpirun -n N lippmann ...).
 //
-// Rank 0 hands out numbers in a thread of its own while it works like the others. It asks for messages now and then instead of
-// waiting in MPI, where OpenMPI would take a whole processor for it. The library is loaded only in processes that mpirun has
-// started.
+// A thread of rank 0 hands out numbers while rank 0 also renders. The thread polls for messages, because a blocking wait in
+// Open MPI occupies a whole processor. Only processes started by mpirun load the library.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +10,16 @@
 
 namespace lippmann {
 
-/// What a rank tells rank 0 of a piece of work that is done.
+/// A finished piece of work, reported to rank 0.
 struct WorkDone {
   int frame = 0;
-  double seconds = 0.0;  ///< that it took to render
+  double seconds = 0.0;  ///< render time
   std::uint64_t rays = 0;
-  std::uint64_t bytes = 0;  ///< what its files take, which are complete
+  std::uint64_t bytes = 0;  ///< size of its files, which are complete
 };
 
-/// All ranks construct one, call begin(), next() until there is no more, and end(), in this order. A process that exits without
-/// end() makes mpirun end the whole job, so that nobody waits for it.
+/// Every rank constructs one and calls begin(), next() until no work is left, and end(), in this order. If a process exits
+/// without end(), mpirun ends the whole job, so no rank waits for it.
 class Ranks {
  public:
   virtual ~Ranks() = default;
@@ -28,38 +27,39 @@ class Ranks {
   virtual int rank() const = 0;
   virtual int size() const = 0;
 
-  /// On rank 0: hears what ranks have done, its own work left out, in a thread of its own, until end() returns. Before begin().
+  /// Sets the callback of rank 0 for the finished work of other ranks. It is called on a separate thread until end() returns.
+  /// Call before begin().
   virtual void listen(std::function<void(const WorkDone&)> listener) = 0;
 
-  /// Rank 0 goes through at once; the others wait until it has.
+  /// Returns at once on rank 0. Other ranks wait until rank 0 has called it.
   virtual void begin() = 0;
   virtual bool has_begun() const = 0;
 
-  /// 0, 1, 2, ...: each number goes to one rank, ascending for each.
+  /// Returns the next of the numbers 0, 1, 2, ... Each number goes to one rank; a rank gets ascending numbers.
   virtual int next() = 0;
 
-  /// Rank 0 is told. On rank 0 itself nothing happens.
+  /// Reports finished work to rank 0. Does nothing on rank 0.
   virtual void tell(const WorkDone& done) = 0;
 
-  /// Waits until all ranks are here.
+  /// Waits until all ranks have called it.
   virtual void end() = 0;
 };
 
-/// How many processes mpirun has started, as its environment says; 1: none did. Loads nothing.
+/// Returns the number of processes that mpirun started, from the environment, or 1 without mpirun. Loads no library.
 int rank_count();
 
-/// How many threads a rank has that may use `cpus` of the machine's `cpus_online`: its own, where mpirun has bound it to some;
-/// else its share among the ranks on this machine.
+/// Returns the number of threads for a rank that may use `cpus` of the machine's `cpus_online` processors: all of `cpus` if
+/// mpirun bound the rank to them, otherwise an equal share among the ranks on this machine.
 int threads_of_rank(int cpus, int cpus_online, int local_ranks);
 
-/// How many of the processes that mpirun has started are on this machine.
+/// Returns the number of processes that mpirun started on this machine.
 int local_rank_count();
 
-/// Null in a process that stands alone. Throws Error where several were started together and the module for MPI is not
-/// installed, or they do not find each other.
+/// Joins the ranks of the job. Returns null for a single process. Throws Error if there are several processes and the MPI
+/// module is not installed, or they cannot connect.
 std::unique_ptr<Ranks> join_ranks();
 
-/// To be raised with every change of this header: a module of another version is refused.
+/// Increment this with every change of this header: a module of another version is rejected.
 inline constexpr int kRanksVersion = 1;
 
 }  // namespace lippmann

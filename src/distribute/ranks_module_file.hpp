@@ -1,9 +1,9 @@
-// Whether renders can be shared by processes that mpirun starts here.
+// Checks whether processes started by mpirun can share a render.
 #pragma once
 
 namespace lippmann {
 
-/// Whether the module that needs MPI (distribute/ranks.hpp) is where it would be loaded from; it is not loaded.
+/// Returns whether the MPI module (distribute/ranks.hpp) is installed, without loading it.
 bool is_ranks_module_installed();
 
 }  // namespace lippmann

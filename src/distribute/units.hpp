@@ -1,4 +1,4 @@
-// An animation cut into units of work: parts that different processes, machines or days render into one folder.
+// Divides an animation into units of work, which separate processes, machines or runs render into one folder.
 #pragma once
 
 #include <string>
@@ -7,21 +7,22 @@
 
 namespace lippmann {
 
-/// One of so many, or several that a process renders one after the other: set-up is paid once.
+/// One or more of `count` units. A process that renders several sets up the scene only once.
 struct Units {
   std::vector<int> indices{1};  ///< from 1, ascending
   int count = 1;
 };
 
-/// "7/200"; "1-3,5/200" for several. Throws a usage Error at `where`.
+/// Reads "7/200", or "1-3,5/200" for several units. Throws a usage Error that names `where`.
 Units read_units(std::string_view text, const std::string& where);
 std::string write_units(const Units& units);
 
-/// Cuts frames, which ascend, before multiples of `segment` only (frames_per_segment), into `count` parts or as many as there
-/// are segments: none is empty, and their segments differ by one at most. The cut depends on these three alone.
+/// Divides ascending frames into `count` units, or one per segment if there are fewer segments. Cuts are only before multiples
+/// of `segment` (frames_per_segment). No unit is empty, and the numbers of segments differ by at most one. The result depends
+/// only on the arguments.
 std::vector<std::vector<int>> units_of(const std::vector<int>& frames, int segment, int count);
 
-/// The frames of these units; none where there are fewer segments than units.
+/// Returns the frames of these units. Units beyond the number of segments have no frames.
 std::vector<int> frames_of(const Units& units, const std::vector<int>& frames, int segment);
 
 }  // namespace lippmann

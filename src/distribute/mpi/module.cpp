@@ -1,4 +1,4 @@
-// Ranks on MPI: requests for numbers, and what is done, go to a thread of rank 0.
+// Implements Ranks with MPI. A thread of rank 0 receives requests for numbers and reports of finished work.
 #include <mpi.h>
 
 #include <atomic>
@@ -78,7 +78,7 @@ class MpiRanks final : public Ranks {
     wait(request);
   }
 
-  /// Until it is stopped and no message is left.
+  /// Answers messages until a stop is requested and no message is left.
   void serve(const std::stop_token& stop) {
     for (;;) {
       const bool is_last_look = stop.stop_requested();
