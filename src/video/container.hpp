@@ -1,4 +1,4 @@
-// FFmpeg's names for what choose_codec() has accepted. Private to this part.
+// Maps file endings to FFmpeg's names of containers. Private to this part.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@ namespace lippmann {
 
 const char* encoder_name(VideoCodec codec);
 
-/// Throws Error naming the file for an unknown ending.
+/// Returns FFmpeg's name of the container. Throws Error naming the file if its ending is unknown.
 const char* muxer_name(const std::filesystem::path& path);
 
 }  // namespace lippmann

@@ -26,12 +26,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Files whose names differ in their number alone.
+/// Files whose names differ only in their number.
 using Series = std::map<int, fs::path>;
 
 struct SeriesNames {
   fs::path folder;
-  TextPattern name;  ///< groups: what comes before the number, the number, what comes after
+  TextPattern name;  ///< groups: text before the number, the number, text after it
 };
 
 std::string escaped(const std::string& text) {
@@ -63,7 +63,7 @@ SeriesNames names_of(const std::string& from) {
           TextPattern(fmt::format("({})([0-9]{{1,9}})({})", escaped(before), escaped(after)))};
 }
 
-/// By what stands before and after the number.
+/// Groups the files by the text before and after the number.
 std::map<std::string, Series> series_in(const SeriesNames& names) {
   std::map<std::string, Series> all;
   for (const fs::directory_entry& entry : entries_of(names.folder)) {
@@ -81,7 +81,7 @@ std::map<std::string, Series> series_in(const SeriesNames& names) {
   return all;
 }
 
-/// The only series; or the one whose name begins with frame_, as render names them.
+/// Returns the only series, or the one named frame_..., which is the default name of rendered frames.
 const Series& chosen_series(const std::string& from, const std::map<std::string, Series>& all) {
   if (all.empty()) throw Error(from, "contains no frames", "frame_0000.png, frame_0001.png, ...");
   if (all.size() == 1) return all.begin()->second;
@@ -96,7 +96,7 @@ const Series& chosen_series(const std::string& from, const std::map<std::string,
               "a pattern that names one");
 }
 
-/// None where frames lack it or differ.
+/// Returns the side file that all frames share, or none if one lacks it or they differ.
 std::optional<RgbdSideFile> common_side_file(const std::vector<NumberedFrame>& frames) {
   const std::optional<RgbdSideFile> first = read_rgbd_side_file(frames.front().path);
   const auto is_alike = [&](const NumberedFrame& frame) { return read_rgbd_side_file(frame.path) == first; };
@@ -112,7 +112,7 @@ std::vector<NumberedFrame> find_frames(const std::string& from, std::vector<int>
   const Series& series = chosen_series(from, all);
   const int begin = series.begin()->first, end = series.rbegin()->first;
   if (wanted.empty()) {
-    // A gap ends the search, however far apart the numbers are.
+    // Stop at the first gap, since the largest number may be huge.
     for (int number = begin; wanted.size() <= series.size() && number <= end; ++number) wanted.push_back(number);
   }
   std::vector<NumberedFrame> frames;

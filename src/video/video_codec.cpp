@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 struct Container {
   std::string_view ending, muxer;
-  std::vector<VideoCodec> codecs;  ///< its own first
+  std::vector<VideoCodec> codecs;  ///< the default codec first
 };
 
 const std::vector<Container>& containers() {
@@ -44,7 +44,8 @@ std::string names(const std::vector<VideoCodec>& codecs) {
   return text;
 }
 
-/// The longest side in pixels. H.264, HEVC: what decoders in devices take (levels 5.2 and 6.2); VP9, AV1: the largest quilts.
+/// Returns the longest allowed side in pixels. For H.264 and HEVC: the limit of hardware decoders (levels 5.2 and 6.2). For VP9
+/// and AV1: the size of the largest quilts.
 int longest_side(VideoCodec codec) {
   switch (codec) {
     case VideoCodec::kH264:

@@ -1,4 +1,4 @@
-// Which codecs videos are written in, what each file ending may hold, and which is taken where nobody says.
+// Video codecs: the codecs that each file ending allows, and its default.
 #pragma once
 
 #include <array>
@@ -15,13 +15,13 @@ inline constexpr std::array<std::string_view, 5> kVideoCodecNames{"h264", "hevc"
 
 inline std::string_view name_of(VideoCodec codec) { return kVideoCodecNames[static_cast<std::size_t>(codec)]; }
 
-/// The codec that is asked for; else the ending's own: .mkv FFV1, .webm VP9, .mp4 and .mov H.264 up to 4096 pixels a side and
-/// HEVC above. A size of 0: not known yet, taken for small.
-/// Throws Error naming the file for an unknown ending, a codec that it does not hold, one that this build of FFmpeg lacks, and
-/// frames too large for it (the error says which codecs hold them).
+/// Returns `wanted`, or the default of the file ending: FFV1 for .mkv, VP9 for .webm, and for .mp4 and .mov H.264 up to 4096
+/// pixels a side and HEVC above. A size of 0 is unknown and counts as small. Throws Error naming the file if the ending is
+/// unknown, the container does not support the codec, this build of FFmpeg lacks the codec, or the frames are too large for it
+/// (the error lists codecs for this size).
 VideoCodec choose_codec(const std::filesystem::path& path, std::optional<VideoCodec> wanted, int width, int height);
 
-/// Constant rate factor: 0 is best. None for FFV1, which loses nothing.
+/// Constant rate factor: 0 is best. FFV1 has none, because it is lossless.
 struct CrfRange {
   int highest = 51, standard = 18;
 };

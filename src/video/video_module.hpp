@@ -1,7 +1,7 @@
-// What the part asks of FFmpeg, and the one way to it: a module (liblippmann_video.so) that is loaded when it is first asked.
+// Interface to FFmpeg, implemented by a module (liblippmann_video.so) that is loaded on first use.
 //
-// FFmpeg maps some hundred shared libraries, which most commands do not need. The rest of the program knows this interface
-// alone; src/video/ffmpeg implements it. All functions throw Error naming the file.
+// FFmpeg loads about a hundred shared libraries, which most commands do not need. The rest of the program uses only this
+// interface; src/video/ffmpeg implements it. All functions throw Error naming the file.
 #pragma once
 
 #include <cstdint>
@@ -16,18 +16,18 @@
 
 namespace lippmann {
 
-/// What a video is to be, checked and complete.
+/// Checked and complete settings of a video encoder.
 struct EncoderSettings {
-  std::filesystem::path path;  ///< that errors name
+  std::filesystem::path path;  ///< named in errors
   std::string temporary;       ///< the file that is written
   VideoCodec codec = VideoCodec::kH264;
   const char* muxer = nullptr;          ///< FFmpeg's names
-  const char* encoder = nullptr;        ///< one that has_encoder() knows
-  int width = 0, height = 0;            ///< every frame's, pixels
-  int crf = 0;                          ///< ignored by codecs that lose nothing
+  const char* encoder = nullptr;        ///< accepted by has_encoder()
+  int width = 0, height = 0;            ///< of every frame, pixels
+  int crf = 0;                          ///< ignored by lossless codecs
   int numerator = 25, denominator = 1;  ///< frames per second
   int threads = 1;
-  std::optional<StereoLayout> stereo = {};  ///< said to players, as far as the container can say it
+  std::optional<StereoLayout> stereo = {};  ///< written as metadata if the container supports it
 };
 
 class VideoEncoder {
@@ -41,7 +41,7 @@ class VideoEncoder {
 class VideoDecoder {
  public:
   virtual ~VideoDecoder() = default;
-  /// The next frame; none after the last one.
+  /// Returns the next frame, or none after the last one.
   virtual std::optional<Image8> next() = 0;
 };
 
@@ -53,11 +53,11 @@ class VideoModule {
   virtual std::unique_ptr<VideoDecoder> decoder(const std::filesystem::path& path) const = 0;
 };
 
-/// To be raised with every change of this header: a module of another version is refused.
+/// Increment this with every change of this header: a module of another version is rejected.
 inline constexpr int kVideoModuleVersion = 2;
 
-/// Loads the module on the first call; any thread may call it. Throws Error that names the module and what is missing: the
-/// module itself or a library that it needs.
+/// Loads the module on the first call. Thread-safe. Throws Error if the module or a library that it needs is missing; the
+/// message names both.
 const VideoModule& video_module();
 
 }  // namespace lippmann

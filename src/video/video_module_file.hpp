@@ -1,9 +1,9 @@
-// Whether videos can be written and read here.
+// Checks whether videos can be written and read.
 #pragma once
 
 namespace lippmann {
 
-/// Whether the module that needs FFmpeg (video/video_module.hpp) is where it would be loaded from; it is not loaded.
+/// Returns whether the FFmpeg module (video/video_module.hpp) is installed, without loading it.
 bool is_video_module_installed();
 
 }  // namespace lippmann

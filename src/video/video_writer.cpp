@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The fraction nearest to a value above 0, by its continued fraction, with terms up to a million.
+/// Returns the fraction nearest to a positive value, from its continued fraction, with terms up to a million.
 FrameRate nearest_fraction(double value) {
   constexpr double kLargest = 1e6;
   double before[2] = {0.0, 1.0}, last[2] = {1.0, 0.0};  // numerator, denominator
@@ -34,7 +34,7 @@ FrameRate nearest_fraction(double value) {
   return {static_cast<int>(last[0]), static_cast<int>(last[1])};
 }
 
-/// Throws Error for options that make no sense for that codec.
+/// Returns the constant rate factor to use. Throws Error if the codec does not support `crf`.
 int checked_crf(const fs::path& path, VideoCodec codec, std::optional<int> crf) {
   const std::optional<CrfRange> range = crf_range(codec);
   if (!range && crf)
@@ -66,7 +66,7 @@ struct VideoWriter::Impl {
   void open(const Image8& first) {
     width = first.width, height = first.height;
     const VideoCodec chosen = choose_codec(path, options.codec, width, height);
-    if (std::min(width, height) < 2 && chosen == VideoCodec::kFfv1)  // FFmpeg 5.1's FFV1 brings back black
+    if (std::min(width, height) < 2 && chosen == VideoCodec::kFfv1)  // FFmpeg 5.1 decodes such FFV1 frames as black
       throw Error(path.string(), fmt::format("frames of {} x {} pixels", width, height), "sides of at least 2 pixels");
     encoder = video_module().encoder({.path = path,
                                       .temporary = file.temporary_path().string(),

@@ -1,11 +1,12 @@
-// Writes frames as a video file, for watching (H.264, HEVC, VP9, AV1) or to keep every code (FFV1).
+// Writes frames as a video file, for viewing (H.264, HEVC, VP9, AV1) or without loss (FFV1).
 //
-//   .mp4, .mov  H.264, HEVC (.mp4: VP9, AV1 too); index in front
+//   .mp4, .mov  H.264, HEVC (.mp4 also VP9, AV1); index at the start
 //   .webm       VP9, AV1
-//   .mkv        FFV1 version 3, RGB: every code comes back; the others too
-// All but FFV1: yuv420p, BT.709 limited range, tagged so. A side of odd length gets its last column or row twice. Colour has
-// half the resolution of brightness: neighbouring views of an integral image share it.
-// Equal frames and options give equal bytes: no dates, no version strings that change from run to run.
+//   .mkv        FFV1 version 3, lossless RGB; also the other codecs
+// All codecs except FFV1 use yuv420p in BT.709 limited range, and are tagged accordingly. An odd width or height is padded by
+// repeating the last column or row. Chroma has half the resolution of luma, so neighbouring views of an integral image share
+// their colour. Equal frames and options give equal bytes: the file contains no dates and no version strings that vary between
+// runs.
 #pragma once
 
 #include <filesystem>
@@ -25,34 +26,35 @@ struct FrameRate {
   int numerator = 25, denominator = 1;
 };
 
-/// The nearest fraction; rates as they are usually rounded (29.97, 23.976) become the exact ones (30000/1001, 24000/1001).
+/// Returns the nearest fraction. The usual rounded rates (29.97, 23.976) become exact (30000/1001, 24000/1001).
 FrameRate frame_rate(double frames_per_second);
 
 struct VideoOptions {
   FrameRate rate{};
-  std::optional<VideoCodec> codec = {};     ///< none: by the file's ending and the size of frames (video_codec.hpp)
-  std::optional<int> crf = {};              ///< constant rate factor, 0 (best) ... 51 or 63; none: the codec's own
-  std::optional<StereoLayout> stereo = {};  ///< frames hold two eyes' views; players are told (video/ffmpeg/stereo_tags.hpp)
-  int threads = 1;                          ///< the encoder's. H.264's bytes depend on it: never derive it from the machine
+  std::optional<VideoCodec> codec = {};     ///< none: from the file ending and the frame size (video_codec.hpp)
+  std::optional<int> crf = {};              ///< constant rate factor, 0 (best) ... 51 or 63; none: the codec's default
+  std::optional<StereoLayout> stereo = {};  ///< stereo frames, tagged for players (video/ffmpeg/stereo_tags.hpp)
+  int threads = 1;  ///< encoder threads; H.264 output depends on this, so do not derive it from the machine
 };
 
-/// Warns where rows of two eyes go into a video whose neighbouring rows share their colour, and says what keeps them apart.
+/// Warns if row-interleaved stereo is written with chroma subsampling, which mixes the colours of both eyes, and names
+/// alternatives.
 void warn_of_mixed_rows(const std::filesystem::path& path, const VideoOptions& options, Vec2i size, const Context& context);
 
-/// Throws Error naming the file: for what choose_codec() refuses, a folder that cannot be written, frames that differ in size,
-/// a full disk. After an Error only destruction makes sense.
+/// Writes a video file. Throws Error naming the file if choose_codec() does, the folder is not writable, frames differ in size,
+/// or the disk is full. After an Error, the object can only be destroyed.
 class VideoWriter {
  public:
   explicit VideoWriter(const std::filesystem::path& path, const VideoOptions& options = {});
-  /// Without finish() nothing remains.
+  /// Removes the unfinished file unless finish() was called.
   ~VideoWriter();
   VideoWriter(const VideoWriter&) = delete;
   VideoWriter& operator=(const VideoWriter&) = delete;
 
-  /// The next frame. The first one sets the size.
+  /// Adds a frame. The first frame sets the size.
   void add_frame(const Image8& frame);
 
-  /// Completes the file and puts it under its name. At least one frame must have been added.
+  /// Completes the file and moves it to its final name. Requires at least one frame.
   void finish();
 
  private:
@@ -60,8 +62,8 @@ class VideoWriter {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Throws what a VideoWriter throws for a file of this name and frames of that size (0: not known), without writing: for checks
-/// before a long render.
+/// Throws the Error that a VideoWriter would throw for this file and frame size (0: unknown), without writing. Use it before a
+/// long render.
 void check_video_path(const std::filesystem::path& path, const VideoOptions& options = {}, int width = 0, int height = 0);
 
 }  // namespace lippmann

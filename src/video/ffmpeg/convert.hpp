@@ -1,6 +1,6 @@
-// Converts between pictures (8-bit RGB codes) and the frames of FFmpeg's encoders and decoders. Private to the module.
+// Converts between images (8-bit RGB codes) and FFmpeg frames. Private to the module.
 //
-// RGB frames are copied code by code. YUV goes through libswscale with its exact, reproducible settings.
+// RGB frames are copied unchanged. YUV is converted by libswscale with exact, reproducible settings.
 #pragma once
 
 #include "lippmann/image/image.hpp"
@@ -8,10 +8,10 @@
 
 namespace lippmann {
 
-/// Pictures to frames of BGR0, or of a YUV format by BT.709, limited range.
+/// Converts images to BGR0 frames, or to YUV frames in BT.709 limited range.
 class ToFrame {
  public:
-  /// The frame's size; pictures may be smaller: their last column and row are repeated.
+  /// Sets the frame size. Smaller images are padded by repeating their last column and row.
   ToFrame(int width, int height, AVPixelFormat format);
 
   /// The frame is overwritten by the next call, unless someone else holds a reference to it.
@@ -22,11 +22,11 @@ class ToFrame {
   FfmpegPtr<SwsContext> scaler_;  // null for BGR0
 };
 
-/// Decoded frames, whose size and format may change from one to the next, to pictures.
+/// Converts decoded frames to images. Size and format may change between frames.
 class ToPicture {
  public:
-  /// YUV by the frame's own matrix and range; unstated: BT.601, limited. Throws Error naming `path` if FFmpeg cannot convert
-  /// it.
+  /// Converts YUV by the frame's matrix and range, or BT.601 limited range by default. Throws Error naming `path` if FFmpeg
+  /// cannot convert it.
   Image8 convert(const std::filesystem::path& path, const AVFrame& frame);
 
  private:
@@ -34,7 +34,7 @@ class ToPicture {
 
   FfmpegPtr<AVFrame> rgb_;
   FfmpegPtr<SwsContext> scaler_;
-  AVPixelFormat format_ = AV_PIX_FMT_NONE;  // that scaler_ converts from
+  AVPixelFormat format_ = AV_PIX_FMT_NONE;  // source format of scaler_
   AVColorSpace matrix_ = AVCOL_SPC_UNSPECIFIED;
   AVColorRange range_ = AVCOL_RANGE_UNSPECIFIED;
 };

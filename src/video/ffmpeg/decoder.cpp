@@ -56,8 +56,8 @@ class FfmpegDecoder : public VideoDecoder {
     if (code < 0) throw ffmpeg_error(path_, action, code);
   }
 
-  /// What a decoder hands out is only what the bytes of the stream declare: libswscale asserts or reads beyond the frame where
-  /// it makes no sense.
+  /// Checks a decoded frame. Its fields come from the file, and libswscale asserts or reads beyond the frame if they are
+  /// invalid.
   void check_frame() {
     const Vec2i size(frame_->width, frame_->height);
     const auto wrong = [&](const std::string& problem) {
@@ -96,7 +96,7 @@ class FfmpegDecoder : public VideoDecoder {
     check(avcodec_open2(codec_.get(), decoder, nullptr), "cannot be decoded");
   }
 
-  /// Hands the decoder the stream's next packet, or the news that there are no more.
+  /// Sends the next packet of the stream to the decoder, or the end of the stream.
   void feed_decoder() {
     for (;;) {
       const int code = av_read_frame(demuxer_.get(), packet_.get());
@@ -126,9 +126,8 @@ class FfmpegDecoder : public VideoDecoder {
     }
   }
 
-  /// Demuxers take the end of the file for the end of the video. What the headers promise tells whether it is: an index with
-  /// more entries (MP4), or a duration beyond the last frame (Matroska; only told apart from other streams' where there are
-  /// none).
+  /// Throws Error if the file is truncated. Demuxers treat the end of the file as the end of the video, so this compares with
+  /// the headers: the number of index entries (MP4), or the duration (Matroska; only if the file has no other streams).
   void check_complete() const {
     const int indexed = avformat_index_get_entries_count(stream_);
     if (packets_ < indexed) throw Error(path_.string(), fmt::format("is truncated: {} of {} frames", packets_, indexed));
@@ -149,8 +148,8 @@ class FfmpegDecoder : public VideoDecoder {
   FfmpegPtr<AVPacket> packet_ = own(av_packet_alloc());
   const AVStream* stream_ = nullptr;
   Vec2i size_{0, 0};                                      // the first frame's
-  std::int64_t frames_ = 0, packets_ = 0, end_time_ = 0;  // decoded; read; where the last packet ends, in the stream's units
-  bool ended_ = false;                                    // there are no more packets; the decoder may still hold frames
+  std::int64_t frames_ = 0, packets_ = 0, end_time_ = 0;  // decoded; read; end of the last packet in stream time units
+  bool ended_ = false;                                    // no packets are left; the decoder may still hold frames
 };
 
 }  // namespace

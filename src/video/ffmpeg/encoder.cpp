@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 int round_up(int value, int multiple) { return (value + multiple - 1) / multiple * multiple; }
 
-/// Closes its file before it goes.
+/// Closes its file before it is destroyed.
 struct Muxer {
   AVFormatContext* context = nullptr;
 
@@ -31,8 +31,8 @@ struct Muxer {
   }
 };
 
-/// Whether a frame may be decoded at `dts` that is shown at `pts`, both in frames. libx265 takes a decoding time from memory
-/// that it has not set where a video has no more frames than it reorders.
+/// Returns whether a frame shown at `pts` may be decoded at `dts`, both in frames. libx265 reads the decoding time from
+/// uninitialised memory if the video has no more frames than it reorders.
 bool is_plausible(std::int64_t dts, std::int64_t pts) {
   constexpr std::int64_t kMostReordered = 64;
   return dts <= pts && pts <= dts + kMostReordered;
@@ -97,7 +97,7 @@ class FfmpegEncoder : public VideoEncoder {
     stream_->time_base = codec_->time_base;
     stream_->avg_frame_rate = codec_->framerate;
     check(avcodec_parameters_from_context(stream_->codecpar, codec_.get()), "cannot be set up");
-    // The tag that QuickTime and Apple's players want; FFmpeg's own choice is hev1.
+    // QuickTime and Apple's players require the tag hvc1; FFmpeg's default is hev1.
     if (settings_.codec == VideoCodec::kHevc && is_mpeg4()) stream_->codecpar->codec_tag = MKTAG('h', 'v', 'c', '1');
     if (settings_.stereo) tag_stereo(*muxer_.context, *stream_, *settings_.stereo);
     check(avio_open(&muxer_.context->pb, settings_.temporary.c_str(), AVIO_FLAG_WRITE), "cannot be created");
@@ -108,7 +108,7 @@ class FfmpegEncoder : public VideoEncoder {
     check(code, "cannot be written");
   }
 
-  /// Gives one frame (null: the end) to the encoder and writes what comes out.
+  /// Encodes a frame (null: end of the video) and writes the resulting packets.
   void encode(const AVFrame* frame) {
     check(avcodec_send_frame(codec_.get(), frame), "cannot be encoded");
     for (;;) {
@@ -117,7 +117,7 @@ class FfmpegEncoder : public VideoEncoder {
       check(code, "cannot be encoded");
       packet_->stream_index = stream_->index;
       packet_->duration = 1;
-      if (!is_plausible(packet_->dts, packet_->pts)) packet_->dts = AV_NOPTS_VALUE;  // the muxer finds it from pts
+      if (!is_plausible(packet_->dts, packet_->pts)) packet_->dts = AV_NOPTS_VALUE;  // the muxer derives it from pts
       av_packet_rescale_ts(packet_.get(), codec_->time_base, stream_->time_base);
       check(av_interleaved_write_frame(muxer_.context, packet_.get()), "cannot be written");
     }

@@ -25,22 +25,22 @@ void tag_colours(AVCodecContext& context) {
 
 void configure_h264(AVCodecContext& context, int crf) {
   set(context, "crf", crf);
-  // x264's macroblock tree reads memory that it never wrote (seen with x264 164): two encodings in one process then differ.
+  // x264's macroblock tree reads uninitialised memory (seen with x264 164), so two encodings in one process differ.
   set(context, "mbtree", 0);
 }
 
 void configure_hevc(AVCodecContext& context, int crf) {
   set(context, "crf", crf);
-  // A pool of fixed size, because rows are coded side by side where there is one, and that shows in the bytes; no version text.
+  // The thread pool has a fixed size, because row-parallel coding changes the output. info=0 leaves out the version text.
   set(context, "x265-params", "log-level=none:info=0:pools=4:frame-threads=1");
 }
 
 void configure_vp9(AVCodecContext& context, int crf) {
-  context.bit_rate = 0;  // the quality alone decides
+  context.bit_rate = 0;  // constant quality
   set(context, "crf", crf);
   set(context, "deadline", "good");
   set(context, "cpu-used", 3);
-  set(context, "tile-columns", 2);  // what threads work on; as many as the width allows
+  set(context, "tile-columns", 2);  // for threads; limited by the width
 }
 
 void configure_av1(AVCodecContext& context, int crf) {
@@ -52,9 +52,9 @@ void configure_av1(AVCodecContext& context, int crf) {
 
 void configure_ffv1(AVCodecContext& context) {
   context.level = 3;
-  context.gop_size = 1;  // every frame can be read alone
+  context.gop_size = 1;  // every frame can be decoded by itself
   context.slices =
-      std::min(context.width, context.height) < 16 ? 1 : 4;  // whatever the threads: they must not change the bytes
+      std::min(context.width, context.height) < 16 ? 1 : 4;  // independent of the threads, which must not change the output
   set(context, "slicecrc", 1);
 }
 

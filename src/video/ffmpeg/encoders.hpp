@@ -1,4 +1,4 @@
-// What the encoders of FFmpeg are told, per codec. Private to the module.
+// Settings of FFmpeg's encoders, per codec. Private to the module.
 #pragma once
 
 #include "video/ffmpeg/ffmpeg.hpp"
@@ -6,12 +6,12 @@
 
 namespace lippmann {
 
-/// FFV1 keeps RGB; the others take YUV at half the resolution of colour, whose sides must be even.
+/// Returns the pixel format: RGB for FFV1, otherwise YUV with half the chroma resolution, which needs even sides.
 AVPixelFormat pixel_format(VideoCodec codec);
 int size_multiple(VideoCodec codec);
 
-/// Quality, speed, and whatever keeps an encoder's bytes the same on every machine. Size and format are set before, threads
-/// too: bytes may depend on them.
+/// Sets quality, speed, and the options that make the output the same on every machine. Set the size, format and threads
+/// before, because the options may depend on them.
 void configure(AVCodecContext& context, VideoCodec codec, int crf);
 
 }  // namespace lippmann

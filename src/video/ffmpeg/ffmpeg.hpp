@@ -1,4 +1,4 @@
-// What the module's .cpp files share of FFmpeg's libraries: owners, errors, silence. Not to be included from anywhere else.
+// FFmpeg helpers of this module: owning pointers, errors, logging. Include only from the module's .cpp files.
 #pragma once
 
 extern "C" {
@@ -24,17 +24,17 @@ struct FfmpegDeleter {
 template <class T>
 using FfmpegPtr = std::unique_ptr<T, FfmpegDeleter>;
 
-/// Throws bad_alloc for null, as FFmpeg reports lack of memory.
+/// Returns the pointer. Throws bad_alloc for null, because FFmpeg allocators return null without memory.
 template <class T>
 FfmpegPtr<T> own(T* p) {
   if (!p) throw std::bad_alloc();
   return FfmpegPtr<T>(p);
 }
 
-/// "path: action: what FFmpeg says".
+/// Returns the Error "path: action: FFmpeg's message".
 Error ffmpeg_error(const std::filesystem::path& path, const std::string& action, int code);
 
-/// The libraries and encoders print to stderr by themselves; what matters reaches us as error codes.
+/// Disables messages that FFmpeg and the encoders print to stderr. Errors are reported as error codes.
 void silence_ffmpeg();
 
 }  // namespace lippmann

@@ -1,6 +1,6 @@
-// Tells players that frames hold the views of two eyes, and how. Private to the module.
+// Writes metadata about the stereo layout of the frames. Private to the module.
 //
-//   .mkv, .webm  StereoMode; half packings also the shape of one view, which the container's display size is of
+//   .mkv, .webm  StereoMode; for half packings the display size has the aspect ratio of one view
 //   .mp4         st3d (Spherical Video V2), left eye first, side by side or one above the other; .mov has none
 //   H.264        the frame packing message of the stream itself, left eye first
 #pragma once
@@ -10,10 +10,10 @@
 
 namespace lippmann {
 
-/// Before the file's header is written.
+/// Tags the container. Call before writing the file header.
 void tag_stereo(AVFormatContext& muxer, AVStream& stream, const StereoLayout& layout);
 
-/// For encoders that say it in their stream.
+/// Tags a frame, for encoders that write the layout into their stream.
 void tag_stereo(AVFrame& frame, const StereoLayout& layout);
 
 }  // namespace lippmann
