@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// Which cell a pixel has: `row` from the bottom.
+/// Returns the index of a pixel's cell. row: from the bottom.
 int cell_at(const Calibration& calibration, int column, int row) {
   const bool by_columns = calibration.patterns == Calibration::Patterns::kColumns;
   int cell = 0;
@@ -31,7 +31,7 @@ int cell_at(const Calibration& calibration, int column, int row) {
   return cell % static_cast<int>(calibration.cells.size());
 }
 
-/// Whether the sub-pixels of a pixel are counted from the right.
+/// Returns whether the sub-pixels of a pixel are counted from the right.
 bool flips_step(const Calibration& calibration) {
   return calibration.flip_image_x && calibration.flip != Calibration::Flip::kSlope;
 }
@@ -48,24 +48,23 @@ SubPixelOffsets offsets_of(const Calibration& calibration) {
   return offsets;
 }
 
-/// Lenses whose cells are `cell_mm` wide and converge to the viewer, over a zone of that angle.
+/// Lenses with cells `cell_mm` wide that converge to the viewer, over the display's view cone.
 struct Lenses {
   double pitch_mm, gap_mm;
 };
 
 Lenses lenses_of(const Display& display, double distance_mm) {
-  // p = pitch of the sheet itself; its cells are p (1 + g/V) wide: 2 atan(cell / 2g) = cone, thus g = p / (2 tan(cone/2) -
-  // p/V).
+  // p is the pitch of the sheet. Its cells are p (1 + g/V) wide. 2 atan(cell / 2g) = cone, thus g = p / (2 tan(cone/2) - p/V).
   const double p = display.lenses.pitch_mm, spread = 2.0 * std::tan(0.5 * display.view_cone_deg * kDegree);
   return {p, p / (spread - p / distance_mm)};
 }
 
-/// The position at which LensStrips have coordinate 0 at the panel's centre.
+/// Returns the position at which LensStrips have coordinate 0 at the panel's centre.
 double centre_of_strips(const Display& display, const LensStrips& strips) {
   return 0.5 * (display.pixels.x * strips.cosine - display.pixels.y * strips.sine);
 }
 
-/// The centre of the first lens to the right of the panel's centre.
+/// Returns the centre of the first lens to the right of the panel's centre.
 float sheet_offset_mm(const Display& display) {
   const LensStrips strips = lens_strips(display);
   const double edge = (strips.start_px - centre_of_strips(display, strips)) / strips.cell_px;
@@ -93,7 +92,7 @@ SlantedPanel slanted_panel(const Display& display, double distance_mm) {
   const Calibration& c = display.calibration;
   SlantedPanel panel;
   panel.periods = periods_of(display), panel.tilt = tilt_of(display);
-  // Stripes: the calibration's x + c s lies one sub-pixel s from where the sub-pixel itself is.
+  // For stripes, the calibration's x + c s is one sub-pixel s away from the sub-pixel's true position.
   const double step = c.cells.empty() ? (flips_step(c) ? -1.0 : 1.0) / (3.0 * display.pixels.x) : 0.0;
   const bool flips_center = c.flip_image_x && c.flip == Calibration::Flip::kSlopeStepAndCenter;
   panel.center = c.center + (flips_center ? 0.5 : 0.0) - panel.periods * step;

@@ -1,4 +1,4 @@
-// A display as JSON, for reports and `lippmann displays --json`.
+// Writes a display as JSON, for reports and `lippmann displays --json`.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,8 +7,7 @@
 
 namespace lippmann {
 
-/// As docs/reference/displays.md names the keys of files; besides, what follows from them: views, periods, tilt, lens pitch,
-/// size.
+/// Returns a display with the keys of docs/reference/displays.md and derived values: views, periods, tilt, lens pitch, size.
 nlohmann::ordered_json display_json(const Display& display);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// TOML and JSON of foreign origin as one kind of tree, within limits. Private to this part.
+// Parses untrusted TOML and JSON into the same kind of tree, within limits. Private to this part.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,11 +7,11 @@
 
 namespace lippmann {
 
-/// Files above this are refused.
+/// Larger files are rejected.
 inline constexpr std::size_t kMaxDocumentBytes = 1 << 20;
 
-/// An object; members that are {"value": x} have become x. Throw Error naming `where` (and the line) for text that is no such
-/// document, and for one that is too large or nested too deep. Dates, of which no display has any, become null.
+/// Return an object; members of the form {"value": x} become x, and dates become null. Throw Error naming `where` (and the
+/// line) if the text is invalid, too large or nested too deep.
 nlohmann::ordered_json parse_toml(std::string_view text, const std::string& where);
 nlohmann::ordered_json parse_json(std::string_view text, const std::string& where);
 

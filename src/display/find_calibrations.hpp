@@ -1,5 +1,5 @@
-// Finds the calibrations of displays that are plugged in: a Looking Glass shows itself as a small drive with
-// LKG_calibration/visual.json on it.
+// Finds the calibrations of connected displays. A Looking Glass appears as a small drive that contains
+// LKG_calibration/visual.json.
 #pragma once
 
 #include <filesystem>
@@ -7,11 +7,11 @@
 
 namespace lippmann {
 
-/// Where drives are mounted: /media, /run/media, /mnt (Linux), /Volumes (macOS).
+/// Returns the folders where drives are mounted: /media, /run/media, /mnt (Linux), /Volumes (macOS).
 std::vector<std::filesystem::path> usual_mount_points();
 
-/// The visual.json files of drives below these folders, up to two folders deep (/media/user/drive), sorted; those in
-/// LKG_calibration, and those beside a drive's other files. Folders that are not there or cannot be read hold none.
+/// Returns the sorted visual.json files of drives up to two folders below these (/media/user/drive), in LKG_calibration or in
+/// the root of the drive. Ignores folders that are missing or unreadable.
 std::vector<std::filesystem::path> find_calibrations(const std::vector<std::filesystem::path>& mount_points);
 
 }  // namespace lippmann

@@ -54,7 +54,7 @@ Display named_preset(const PresetFile& preset) {
   return display;
 }
 
-/// The preset with the longest prefix of the serial number.
+/// Returns the preset with the longest matching prefix of the serial number.
 std::optional<Display> preset_of_serial(const std::string& serial) {
   std::optional<Display> best;
   std::size_t length = 0;
@@ -64,7 +64,7 @@ std::optional<Display> preset_of_serial(const std::string& serial) {
   return best;
 }
 
-/// An unknown device: it gets a quilt of the commonest kind for its shape.
+/// Returns an unknown device, with the most common quilt for its shape.
 Display unknown_device(Vec2i pixels) {
   Display display;
   display.pixels = pixels;
@@ -74,7 +74,7 @@ Display unknown_device(Vec2i pixels) {
   return display;
 }
 
-/// A size or resolution that has no preset to come from.
+/// Throws Error if a size or resolution is missing and there is no preset for it.
 void require(const Json& json, const char* key, const std::string& where, const std::string& serial) {
   if (!json.contains(key))
     throw Error(where + ": " + key, "is missing, and no known device has the serial number " + shown(serial),

@@ -1,4 +1,4 @@
-// The presets, data/displays/*.toml, as the program has them in itself. Private to this part.
+// The presets data/displays/*.toml, embedded in the program. Private to this part.
 #pragma once
 
 #include <span>
@@ -7,11 +7,11 @@
 namespace lippmann {
 
 struct PresetFile {
-  std::string_view name;  ///< the file's, without its ending
+  std::string_view name;  ///< file name without its ending
   std::string_view text;
 };
 
-/// By name.
+/// Returns the presets, sorted by name.
 std::span<const PresetFile> preset_files();
 
 }  // namespace lippmann

@@ -20,7 +20,7 @@ constexpr NumberRange kSide{1, 65536}, kTiles{1, 64}, kDpi{1, 1e5}, kCone{0.1, 1
     kAngle{-360, 360};
 constexpr std::size_t kMaxCells = 8;
 
-/// The tables of a display's file.
+/// The tables of a display file.
 enum class Level { kFile, kLenses, kCalibration, kQuilt, kVideo };
 
 constexpr std::array<const char*, 5> kPlaces{"the top of the file, before the first table", "[lenses]", "[calibration]",
@@ -38,7 +38,7 @@ const std::vector<std::string_view>& keys_of(Level level) {
   return keys[static_cast<std::size_t>(level)];
 }
 
-/// Throws Error for a key of another table, naming that table, and for an unknown key.
+/// Throws Error for an unknown key, or for a key of another table, which the message names.
 void allow_keys_of(Level level, const JsonFields& fields) {
   const std::vector<std::string_view>& own = keys_of(level);
   for (std::size_t other = 0; other < kPlaces.size(); ++other)
@@ -48,7 +48,7 @@ void allow_keys_of(Level level, const JsonFields& fields) {
   fields.allow_only(own);
 }
 
-/// Within a factor of a thousand of what lenses are, and not 0.
+/// Reads a slope, whose magnitude must be plausible for lenses and not 0.
 double read_slope(const JsonFields& fields, double otherwise) {
   const double slope = fields.number_or("slope", {-1e4, 1e4}, otherwise);
   if (std::abs(slope) < 1e-3)
@@ -131,7 +131,7 @@ DisplayVideo read_video(const JsonFields& fields) {
   return video;
 }
 
-/// A sigma in pixels, or a text such as "10%".
+/// Reads a sigma in pixels, or a share of light as text such as "10%".
 double read_crosstalk_of(const JsonFields& fields) {
   if (!fields.value("crosstalk").is_string()) return fields.number("crosstalk", {0.0, kMaxBlurPx});
   try {

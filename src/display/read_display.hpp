@@ -1,4 +1,4 @@
-// Displays from the tables of their files. Private to this part.
+// Converts the tables of files to displays. Private to this part.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,10 +8,12 @@
 
 namespace lippmann {
 
-/// A whole display; `json` as docs/reference/displays.md describes TOML files. Throws Error naming `where` and the key.
+/// Returns a complete display. json: as docs/reference/displays.md describes TOML files. Throws Error naming `where` and the
+/// key.
 Display display_from_tables(const nlohmann::ordered_json& json, const std::string& where);
 
-/// What a calibration's JSON says, over `base`: its pitch, slope and center it must say itself. Throws likewise.
+/// Returns `base` with the values of a calibration's JSON. Pitch, slope and center are required. Throws like
+/// display_from_tables().
 Display display_from_visual(const nlohmann::ordered_json& json, const std::string& where, Display base);
 
 /// Throws Error naming `where` if the display's pixels have no rays.
