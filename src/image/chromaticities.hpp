@@ -1,5 +1,4 @@
-// The colours that a file's red, green and blue stand for, and the matrix to those of this project: linear light with the
-// primaries and the white of Rec. 709 (sRGB). Private to src/image.
+// Converts from the primaries and white of a file to linear Rec. 709 (sRGB). Private to src/image.
 #pragma once
 
 #include <array>
@@ -17,14 +16,14 @@ struct Chromaticities {
 /// X, Y and Z themselves as the three primaries; white is (1, 1, 1).
 inline constexpr Chromaticities kXyz{{1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0 / 3.0, 1.0 / 3.0}};
 
-/// Within what files round to.
+/// Returns whether the chromaticities are those of Rec. 709, with a tolerance for rounding in files.
 bool are_rec709(const Chromaticities& chromaticities);
 
-/// Takes linear colours to linear Rec. 709. White stays white: where the whites differ, by Bradford's adaptation. Colours that
-/// Rec. 709 cannot show get negative components. None if the chromaticities span no colours.
+/// Returns the matrix from linear colours to linear Rec. 709. White maps to white, by Bradford adaptation if the whites differ.
+/// Colours outside Rec. 709 get negative components. Returns none if the chromaticities are degenerate.
 std::optional<glm::dmat3> rec709_from(const Chromaticities& chromaticities);
 
-/// Multiplies the first three of every `channels` samples. Colours that are not finite stay.
+/// Multiplies the first three of every `channels` samples by the matrix. Colours that are not finite do not change.
 void convert_colors(const glm::dmat3& matrix, std::span<float> samples, std::size_t channels);
 
 }  // namespace lippmann

@@ -40,18 +40,18 @@ class IccProfile {
     return {};
   }
 
-  /// 0 behind the end.
+  /// Returns 0 beyond the end.
   static std::uint32_t whole(FileBytes bytes, std::size_t at, std::size_t size = 4) {
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < size; ++i)
       value = value << 8 | (at + i < bytes.size() ? std::to_integer<std::uint32_t>(bytes[at + i]) : 0);
     return value;
   }
-  /// Fixed point: 16 bits before the point and 16 after.
+  /// Reads a fixed-point number with 16 integer and 16 fractional bits.
   static double fixed(FileBytes bytes, std::size_t at) { return static_cast<std::int32_t>(whole(bytes, at)) / 65536.0; }
   static std::string_view text(FileBytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
-  /// The profile's description in ASCII: of version 2 as it is, of version 4 every second byte of UTF-16.
+  /// Returns the profile's description in ASCII: unchanged for version 2, every second byte of UTF-16 for version 4.
   std::string name() const {
     const FileBytes tag = this->tag("desc");
     if (tag.size() < 12) return "";
@@ -77,7 +77,7 @@ bool has_color(const IccProfile& profile, std::string_view tag, std::array<doubl
   return true;
 }
 
-/// The value of a curve at 0.5; none for an unknown kind of curve.
+/// Returns the value of a curve at 0.5, or none for an unknown kind of curve.
 std::optional<double> curve_at_half(FileBytes curve) {
   const std::string_view kind = IccProfile::text(curve.first(std::min<std::size_t>(4, curve.size())));
   if (kind == "curv") {

@@ -1,4 +1,4 @@
-// Whether an ICC profile says what readers take for granted: that codes are sRGB's. Private to src/image.
+// Checks whether an ICC profile is sRGB. Private to src/image.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace lippmann {
 
-/// "its colour profile 'Display P3' is not applied: ...", a notice of PictureHeader; empty if the profile is sRGB's within what
-/// an eye sees, or there is none.
+/// Returns the notice "its colour profile 'Display P3' is not applied: ..." for PictureHeader. Returns an empty string without
+/// a profile, or if it has no visible difference from sRGB.
 std::string color_profile_notice(FileBytes icc);
 
-/// The profile, for PictureHeader; empty if there is none, or it is sRGB's as above.
+/// Returns the profile for PictureHeader. It is empty without a profile, or if it is sRGB as above.
 std::vector<std::byte> profile_to_apply(FileBytes icc);
 
 inline constexpr const char* kInksNotice =

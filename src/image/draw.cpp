@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kQuadBytes = 64, kCornerBytes = 16;
 
-/// The font has the characters from ' ' to '~'; others become '?'.
+/// Replaces characters outside of ' ' to '~', which the font lacks, by '?'.
 std::string font_text(std::string_view text) {
   std::string known(text);
   std::replace_if(
@@ -24,7 +24,7 @@ std::string font_text(std::string_view text) {
   return known;
 }
 
-/// The rectangles of a text at the origin, units. Their corners are whole numbers.
+/// Returns the rectangles of a text at the origin, in units. Their corners are integers.
 std::vector<PixelBox> text_boxes(std::string_view text) {
   constexpr std::size_t kQuadsPerLetter = 32;
   std::string known = font_text(text);

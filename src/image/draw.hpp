@@ -1,6 +1,6 @@
-// Draws boxes and text into pictures, for the labels of test sheets and the marks around prints.
+// Draws boxes and text into images, for labels of test sheets and marks around prints.
 //
-// Colours are sRGB codes of 8 bits and become samples of the picture's kind. What lies outside the picture is left out. Text
+// Colours are sRGB codes of 8 bits and become samples of the picture's kind. Drawing is clipped to the image. Text
 // is ASCII, in capitals 7 units high, in lines 12 units high; a unit is `scale` pixels, so that letters have sharp edges.
 #pragma once
 
@@ -29,7 +29,7 @@ void fill_box(Picture& picture, const PixelBox& box, const Rgb8& colour);
 /// Returns the width of the longest line and the height of all lines, units. '\n' ends a line.
 Vec2i text_units(std::string_view text);
 
-/// `corner`: the top left corner of the first line.
+/// Draws text. corner: the top left corner of the first line.
 void draw_text(Picture& picture, Vec2i corner, int scale, std::string_view text, const Rgb8& colour = kBlackRgb);
 
 }  // namespace lippmann

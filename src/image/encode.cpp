@@ -13,13 +13,13 @@
 namespace lippmann {
 namespace {
 
-/// The definition that the table has to reproduce.
+/// Returns the sRGB code by definition, which the table must reproduce.
 int srgb_code(float value, int max_code) {
   if (!(value > 0.0f)) return 0;
   return static_cast<int>(std::floor(max_code * srgb_from_linear(std::min(value, 1.0f)) + 0.5));
 }
 
-/// The smallest float whose 8-bit code is `code`, 1 ... 255.
+/// Returns the smallest float with the given 8-bit code, 1 ... 255.
 float first_value_of(int code) {
   float value = static_cast<float>(linear_from_srgb((code - 0.5) / 255.0));
   while (srgb_code(value, 255) >= code) value = std::nextafter(value, 0.0f);

@@ -5,8 +5,8 @@
 
 namespace lippmann {
 
-/// `exif` begins with the byte order mark of its TIFF header, or with "Exif\0\0" before it. Upright where nothing else is said,
-/// or the data are damaged.
+/// Returns the orientation, or upright if it is missing or the data are damaged. exif: begins with the byte order mark of its
+/// TIFF header, or with "Exif\0\0" before it.
 Orientation exif_orientation(FileBytes exif);
 
 }  // namespace lippmann

@@ -46,7 +46,7 @@ std::vector<Sample> samples_of(const Image& image) {
   return {image.data.begin(), image.data.end()};
 }
 
-/// The header, the samples and where each channel's lie.
+/// The header, the samples and the location of each channel.
 struct Contents {
   Imf::Header header;
   Imf::FrameBuffer buffer;
@@ -84,7 +84,7 @@ struct Contents {
 };
 
 std::vector<std::byte> encode(const Contents& contents) {
-  constexpr int kNoThreads = 0;  // ours already fill the machine
+  constexpr int kNoThreads = 0;  // the thread pool already uses all processors
   ExrOutput stream;
   {
     Imf::OutputFile output(stream, contents.header, kNoThreads);

@@ -1,7 +1,7 @@
-// Writes float pictures as layers of one OpenEXR file: the film and what else is known of every pixel.
+// Writes float images as layers of one OpenEXR file: the film and further per-pixel data.
 //
-// One part; channels named as compositing programs expect them: R G B A, Z, and what else a frame has
-// (lippmann/trace/aovs.hpp). Equal pictures give equal bytes: no time stamp is written.
+// The file has one part. Channels have the names that compositing programs expect: R G B A, Z, and those of
+// lippmann/trace/aovs.hpp. Equal images give equal bytes: no time stamp is written.
 #pragma once
 
 #include <filesystem>
@@ -18,20 +18,20 @@ enum class ExrSample {
   kFloat,
 };
 
-/// All lossless.
+/// Lossless compression methods.
 enum class ExrCompression { kNone, kRunLength, kZipRow, kZip, kPiz };
 
 struct ExrLayer {
-  std::string name;  ///< channels are called name.channel, or just channel where name is empty
+  std::string name;  ///< channels are named name.channel, or channel if name is empty
   const Image* image = nullptr;
   std::vector<std::string> channels;  ///< one per channel of the image
   ExrSample sample = ExrSample::kHalf;
 };
 
 ExrLayer film_layer(const Image& film, ExrSample sample = ExrSample::kHalf);
-/// Colours of the film are multiplied by it already, as the format wants it.
+/// Returns a layer of alpha. The film's colours are already multiplied by alpha, as the format requires.
 ExrLayer alpha_layer(const Image& alpha, ExrSample sample = ExrSample::kHalf);
-/// As float: half has not enough digits for it.
+/// Returns a layer of depth as floats, because half precision is too low.
 ExrLayer depth_layer(const Image& depth);
 
 /// Text in the header of a file, beside the channels.
@@ -39,7 +39,7 @@ struct ExrAttribute {
   std::string name, text;
 };
 
-/// All images have one size, and no two channels one name. Throws Error naming the file.
+/// Writes layers. All images must have the same size, and channel names must be unique. Throws Error naming the file.
 void write_exr(const std::filesystem::path& path, std::span<const ExrLayer> layers,
                ExrCompression compression = ExrCompression::kZip, std::span<const ExrAttribute> attributes = {});
 

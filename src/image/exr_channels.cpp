@@ -26,7 +26,7 @@ ChannelName split(const std::string& name) {
   return {name.substr(0, at), name.substr(at + 1)};
 }
 
-/// "R", "G", "B", "A", "Y", "RY", "BY", "X", "Z" for what means them; else empty.
+/// Returns the meaning of a channel: "R", "G", "B", "A", "Y", "RY", "BY", "X", "Z" or empty.
 std::string meaning_of(std::string_view channel) {
   const std::string name = lower(channel);
   if (name == "red") return "R";
@@ -38,7 +38,7 @@ std::string meaning_of(std::string_view channel) {
   return "";
 }
 
-/// The names of a layer's channels by what they mean; a name that is written so comes before "r" or "Red".
+/// The names of a layer's channels by meaning. An exact name takes precedence over "r" or "Red".
 using Layer = std::map<std::string, std::string>;
 
 void add(Layer& layer, const std::string& name, const std::string& channel) {
@@ -60,7 +60,7 @@ ExrColors colors_of(const Layer& layer) {
              is_written_so(layer, "BY")) {
     take({"Y", "RY", "BY"});
     colors.luma_chroma = true;
-  } else if (has("Y") && !has("X")) {  // X, Y and Z are a place or a direction
+  } else if (has("Y") && !has("X")) {  // X, Y and Z are a position or direction
     take({"Y"});
   }
   if (!colors.channels.empty() && has("A")) colors.alpha = layer.at("A");
@@ -79,7 +79,7 @@ int rank_of(const std::string& channel) {
   return static_cast<int>(std::find(kFirst.begin(), kFirst.end(), channel) - kFirst.begin());
 }
 
-/// Whether the name is that of depth, alpha, a coordinate or another quantity that is no brightness.
+/// Returns whether the name is that of data other than brightness, such as depth, alpha or a coordinate.
 bool is_data(const std::string& name) {
   constexpr std::array<std::string_view, 17> kData{"a",     "alpha",    "x",         "z",      "ry",      "by",
                                                    "u",     "v",        "w",         "n",      "id",      "depth",

@@ -1,4 +1,4 @@
-// Which channels of an OpenEXR file are its colours, by their names. Private to src/image.
+// Finds the colour channels of an OpenEXR file by name. Private to src/image.
 //
 // A channel called "a.b.R" is R of the layer "a.b"; '.', ':' and '/' separate. Letters count in either case, and words ("Red")
 // as their first letter (but not of RY and BY, which OpenEXR reads). Colours are, where there is one of these, in this order:
@@ -14,17 +14,17 @@
 namespace lippmann {
 
 struct ExrColors {
-  std::vector<std::string> channels;  ///< R, G, B; or grey; or Y, RY, BY; none: the file has no colours
+  std::vector<std::string> channels;  ///< R, G, B; or grey; or Y, RY, BY; empty: the file has no colours
   std::string alpha;                  ///< of the same layer; empty: none
   bool luma_chroma = false;           ///< channels are Y, RY and BY
   bool by_name = true;                ///< false: the only channel, taken as grey whatever its name
-  std::vector<std::string> others;  ///< layers that have colours as well, if nothing but their order speaks for the chosen one
+  std::vector<std::string> others;    ///< other layers with colours, if the choice is only by order
 };
 
-/// `names` as the file has them.
+/// Finds the colours. names: in the file's order.
 ExrColors find_exr_colors(std::span<const std::string> names);
 
-/// All names: colours, alpha, then the rest by layer and in a layer R, G, B, A, Z first.
+/// Returns all names: colours, alpha, then the rest by layer, with R, G, B, A, Z first in each layer.
 std::vector<std::string> sorted_exr_channels(std::span<const std::string> names, const ExrColors& colors);
 
 }  // namespace lippmann

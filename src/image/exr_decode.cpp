@@ -1,8 +1,8 @@
-// OpenEXR: scan lines or the finest level of tiles, as floats, of the first part that has colours.
+// Decodes OpenEXR: scan lines or the finest level of tiles, as floats, of the first part with colours.
 //
-// Pictures are those of the display window: a smaller data window is put into its place with zeros around it, what of a larger
-// one lies outside is left out. Colours are converted to linear Rec. 709 where the file has other chromaticities. Which
-// channels are the colours is in exr_channels.hpp; they come first, then alpha, then the others by layer.
+// The image covers the display window. A smaller data window is surrounded by zeros and a larger one is cropped. Colours are
+// converted to linear Rec. 709 if the file has other chromaticities. exr_channels.hpp selects the colour channels. They come
+// first, then alpha, then the others by layer.
 #include <Imath/ImathBox.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
@@ -33,7 +33,7 @@
 namespace lippmann {
 namespace {
 
-/// How many bytes of samples one byte of the file can stand for. DWA keeps one number of 64, which deflate then packs.
+/// Returns the maximum compression ratio. DWA keeps one number of 64, which deflate then compresses.
 std::uint64_t ratio_of(Imf::Compression compression) {
   switch (compression) {
     case Imf::NO_COMPRESSION:
@@ -42,7 +42,7 @@ std::uint64_t ratio_of(Imf::Compression compression) {
     case Imf::DWAB_COMPRESSION:
       return 64 * kDeflateRatio;
     default:
-      return 2 * kDeflateRatio;  // PXR24 leaves a part of each float out before
+      return 2 * kDeflateRatio;  // PXR24 first drops a part of each float
   }
 }
 
@@ -50,7 +50,7 @@ void prepare_library() {
   static std::once_flag once;
   std::call_once(once, [] {
     Imf::staticInitialize();
-    Imf::setGlobalThreadCount(0);  // our own threads fill the machine
+    Imf::setGlobalThreadCount(0);  // the thread pool already uses all processors
     Imf::Header::setMaxImageSize(kMaxImageSide, kMaxImageSide);
     Imf::Header::setMaxTileSize(kMaxImageSide, kMaxImageSide);
   });
@@ -58,7 +58,7 @@ void prepare_library() {
 
 Imath::V2i size_of(const Imath::Box2i& window) { return window.size() + Imath::V2i(1); }
 
-/// A window's size, checked before it is computed in 32 bits.
+/// Throws Error if a window is too large, before its size is computed in 32 bits.
 void check_window(const std::string& where, const Imath::Box2i& window, std::size_t channels) {
   check_image_size(where, std::int64_t{window.max.x} - window.min.x + 1, std::int64_t{window.max.y} - window.min.y + 1,
                    static_cast<std::int64_t>(channels));
@@ -71,7 +71,7 @@ std::vector<std::string> channels_of(const Imf::Header& header) {
   return names;
 }
 
-/// The samples of `data` where they lie in `display`; zeros where there are none.
+/// Returns the samples of the window `data` inside the window `display`, with zeros elsewhere.
 std::vector<float> placed(const std::vector<float>& samples, std::size_t channels, const Imath::Box2i& data,
                           const Imath::Box2i& display) {
   const Imath::V2i size = size_of(display), data_size = size_of(data);
@@ -183,7 +183,7 @@ class ExrDecoder {
     return static_cast<std::uint64_t>(size_of(window).x) * static_cast<std::uint64_t>(size_of(window).y);
   }
 
-  /// OpenEXR allocates whole chunks, however little of them is in the picture.
+  /// Checks the size of chunks, because OpenEXR allocates whole chunks even if the image covers little of them.
   void check_chunks(std::uint64_t width, std::uint64_t picture_bytes, std::uint64_t pixel_bytes) const {
     constexpr std::uint64_t kFree = std::uint64_t{1} << 24;
     const Imf::Header& header = part();
@@ -243,7 +243,7 @@ class ExrDecoder {
     });
   }
 
-  /// RY = R / Y - 1, BY = B / Y - 1, and Y is the sum of R, G and B with the weights that the chromaticities give.
+  /// Decodes RY = R / Y - 1, BY = B / Y - 1. Y is the sum of R, G and B, weighted by the chromaticities.
   std::vector<float> luma_chroma_samples(const Imath::Box2i& window) {
     std::vector<std::string> stored = colors_.channels;
     if (!colors_.alpha.empty()) stored.push_back(colors_.alpha);
@@ -257,7 +257,7 @@ class ExrDecoder {
     return samples;
   }
 
-  /// OpenEXR's own filter gives every pixel its chroma, as halves.
+  /// Upsamples the chroma with OpenEXR's filter, as halves.
   std::vector<float> upsampled_luma_chroma(const Imath::Box2i& window) {
     ExrInput input(bytes_);
     const std::string& luma = colors_.channels.front();
@@ -286,7 +286,7 @@ class ExrDecoder {
   std::vector<std::string> names_;
 };
 
-/// OpenEXR's exceptions as ours.
+/// Converts OpenEXR's exceptions to Error.
 template <class Decode>
 auto without_foreign_exceptions(const std::string& where, const Decode& decode) {
   try {

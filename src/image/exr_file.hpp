@@ -1,4 +1,4 @@
-// What reading and writing OpenEXR files share: streams in memory. Not to be included from anywhere else.
+// Memory streams for reading and writing OpenEXR files. Include only from those files.
 #pragma once
 
 #include <OpenEXR/ImfIO.h>

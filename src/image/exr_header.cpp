@@ -3,8 +3,8 @@
 // an empty one. Then come, part by part, the places of its chunks: 8 bytes each, from the file's beginning. A chunk is the
 // number of its part (where there are several), its row (4 bytes) or its tile and level (16 bytes), its size and its samples.
 //
-// What OpenEXR takes from the file must be what is looked at here. It reads most values by their type, whatever their size
-// says; so a size that does not fit its type is an error here, or what follows would be read as something else.
+// The checks must parse the file as OpenEXR does. OpenEXR reads most values by type and ignores their size, so a size that does
+// not match the type is an error here.
 #include "image/exr_header.hpp"
 
 #include <OpenEXR/ImfAttribute.h>
@@ -52,7 +52,7 @@ constexpr std::array<std::pair<std::string_view, std::size_t>, 24> kSizes{{
     {"v3i", 12},
 }};
 
-/// Bytes that are read from the front. What is asked for and is not there is a truncated header.
+/// Reads bytes in order. Throws Error for a truncated header if they end.
 class HeaderInput {
  public:
   HeaderInput(FileBytes bytes, const std::string& where) : rest_(bytes), where_(where) {}
@@ -66,7 +66,7 @@ class HeaderInput {
     rest_ = rest_.subspan(taken.size());
     return taken;
   }
-  /// Followed by a zero, which belongs to it.
+  /// Returns a text including its terminating zero.
   std::string_view text() {
     const auto end = std::find(rest_.begin(), rest_.end(), std::byte{0});
     if (end == rest_.end()) throw truncated();
@@ -79,7 +79,7 @@ class HeaderInput {
     std::memcpy(&value, bytes(sizeof value).data(), sizeof value);
     return value;
   }
-  /// A number of bytes, as 4 bytes with a sign.
+  /// Reads a size in bytes, stored as a signed 32-bit integer.
   std::uint64_t size() {
     const auto size = number<std::int32_t>();
     if (size < 0) throw truncated();
@@ -110,7 +110,7 @@ bool is_preview(HeaderInput value) {
   return value.empty();
 }
 
-/// Whether OpenEXR reads as many bytes as the value has. `type` is followed by a zero.
+/// Returns whether the value has the size that OpenEXR reads for its type. type: followed by a zero.
 bool fits_type(std::string_view type, FileBytes value, const std::string& where) {
   const auto fixed = std::find_if(kSizes.begin(), kSizes.end(), [&](const auto& known) { return known.first == type; });
   if (fixed != kSizes.end()) return value.size() == fixed->second;
@@ -149,7 +149,7 @@ struct PartSize {
     if (tile[0] == 0 || tile[1] == 0) throw unreadable_picture(where, "its tiles have no sensible size");
     return tiles(width, height);
   }
-  /// The bytes in front of a chunk's samples, the numbers of its part and its size left out.
+  /// Returns the size of a chunk's coordinates, in bytes.
   std::uint64_t place_bytes() const { return tiled ? 16 : 4; }
 
  private:
@@ -181,7 +181,7 @@ struct PartSize {
   }
 };
 
-/// Refuses the numbers of a part's header that OpenEXR refuses, with our own messages.
+/// Rejects header values that OpenEXR rejects, with clearer messages.
 void check_window_place(const std::string& name, FileBytes value, const std::string& where) {
   std::array<std::int32_t, 4> window{};
   std::memcpy(window.data(), value.data(), sizeof window);
@@ -223,7 +223,7 @@ PartSize read_part_size(HeaderInput& input, bool tiled, const std::string& where
   return size;
 }
 
-/// Throws unless the chunk at `place` ends within the file. OpenEXR takes what lies behind the end for zeros.
+/// Throws unless the chunk at `place` ends within the file. OpenEXR would read zeros beyond the end.
 void check_chunk(FileBytes file, std::uint64_t place, const PartSize& part, bool several, const std::string& where) {
   const auto truncated = [&] { return unreadable_picture(where, "the file is truncated"); };
   if (place == 0 || place > file.size()) throw truncated();

@@ -1,7 +1,7 @@
-// Looks at an OpenEXR file's headers and chunks before OpenEXR does. Private to src/image.
+// Checks the headers and chunks of an OpenEXR file before OpenEXR reads them. Private to src/image.
 //
-// OpenEXR makes room for what an attribute says that it has, and for a place of every chunk, before it reads either: some
-// hundred bytes can make it allocate gigabytes. Some versions of it read a file that is cut off as if zeros followed.
+// OpenEXR allocates memory by the sizes in a header before it reads the data, so a hundred bytes can make it allocate
+// gigabytes. Some versions read a truncated file as if zeros followed.
 #pragma once
 
 #include <OpenEXR/ImfCompression.h>
@@ -14,10 +14,10 @@
 namespace lippmann {
 
 /// Throws Error unless the values of all attributes are in the file and have the size of their type, pictures are within the
-/// limits, and the file has all of their chunks to the last byte. Imf::staticInitialize() comes first.
+/// limits, and the file has all of their chunks to the last byte. Call Imf::staticInitialize() before.
 void check_exr_file(FileBytes file, const std::string& where);
 
-/// How many scan lines are compressed together.
+/// Returns the number of scan lines in a chunk.
 std::uint64_t exr_lines_per_chunk(Imf::Compression compression);
 
 }  // namespace lippmann

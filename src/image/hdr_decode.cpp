@@ -23,7 +23,7 @@ namespace {
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
-/// Rows, columns and what their numbers mean.
+/// The size, orientation and units of an HDR image.
 struct HdrShape {
   int width = 0, height = 0;
   bool rows_first = true;          ///< scan lines are rows, not columns
@@ -40,11 +40,11 @@ struct HdrShape {
 
 struct HdrHeader {
   HdrShape shape;
-  std::array<double, 3> exposure{1.0, 1.0, 1.0};  ///< what the light of each colour was multiplied by
-  double pixel_height = 1.0;                      ///< of pixels of a width of 1
+  std::array<double, 3> exposure{1.0, 1.0, 1.0};  ///< factor that was applied to each colour
+  double pixel_height = 1.0;                      ///< relative to the pixel width
   Chromaticities chromaticities;
   std::vector<std::string> notices;
-  std::size_t samples_at = 0;  ///< where in the file
+  std::size_t samples_at = 0;  ///< offset in the file
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -77,7 +77,7 @@ class HdrHeaderReader {
     return line;
   }
 
-  /// NAME=value; anything else is a comment, or the name of a program that has worked on it.
+  /// Reads NAME=value. Other lines are comments or names of programs.
   void read_variable(std::string_view text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos) return;
@@ -133,7 +133,7 @@ class HdrHeaderReader {
     header_.notices.emplace_back("its PRIMARIES make no sense and are ignored");
   }
 
-  /// "-Y 512 +X 768": sign, axis and number of scan lines, then of pixels in each.
+  /// Reads "-Y 512 +X 768": sign, axis and number of scan lines, then of pixels per line.
   void read_resolution(std::string_view text) {
     HdrShape& shape = header_.shape;
     const std::string_view all = text;
@@ -221,13 +221,13 @@ class HdrLines {
   const std::string& where_;
 };
 
-/// The mantissas' common factor.
+/// Returns the common factor of the mantissas.
 float scale_of(const Rgbe& pixel) { return pixel[3] == 0 ? 0.0f : std::ldexp(1.0f, pixel[3] - (128 + 8)); }
 
 HdrHeader read_hdr_header(FileBytes file, const std::string& where) {
   HdrHeader header = HdrHeaderReader(file, where).read();
   const std::uint64_t pixels = static_cast<std::uint64_t>(header.shape.width) * static_cast<std::uint64_t>(header.shape.height);
-  check_file_holds(where, file.size(), sizeof(Rgbe) * pixels, kDeflateRatio);  // runs are no tighter in files of any program
+  check_file_holds(where, file.size(), sizeof(Rgbe) * pixels, kDeflateRatio);  // no program writes more compact runs
   return header;
 }
 

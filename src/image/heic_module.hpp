@@ -1,5 +1,5 @@
-// The interface to libheif: a module (liblippmann_heic.so) that is loaded when the first HEIC picture is read. libheif brings
-// the codecs of videos, which nothing else here needs. Private to src/image.
+// The interface to libheif: a module (liblippmann_heic.so) that is loaded when the first HEIC picture is read. libheif loads
+// video codecs, which nothing else needs. Private to src/image.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,12 @@
 namespace lippmann {
 
 struct HeicPicture {
-  int width = 0, height = 0;  ///< upright: turns and mirrors that the file asks for are done
+  int width = 0, height = 0;  ///< upright, after the rotations and mirrors stored in the file
   int bits = 8;               ///< of a code, 8 to 16
   bool has_alpha = false;
   std::vector<std::byte> profile = {};    ///< ICC; empty: none
-  std::vector<std::uint16_t> codes = {};  ///< R, G, B and A of every pixel; empty where only the header was read
-  std::string problem = {};               ///< why the picture cannot be read; empty: it was
+  std::vector<std::uint16_t> codes = {};  ///< R, G, B and A of every pixel; empty if only the header was read
+  std::string problem = {};               ///< error message; empty on success
 };
 
 class HeicModule {
@@ -26,7 +26,7 @@ class HeicModule {
   virtual HeicPicture decode(std::span<const std::byte> file) const = 0;
 };
 
-/// To be raised with every change of this header: a module of another version is refused.
+/// Increment this with every change of this header: a module of another version is rejected.
 inline constexpr int kHeicModuleVersion = 1;
 
 }  // namespace lippmann

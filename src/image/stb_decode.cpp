@@ -174,7 +174,7 @@ class GifBlocks {
   }
 
  private:
-  /// 0 behind the end.
+  /// Returns 0 beyond the end.
   std::uint64_t byte(std::size_t at) const { return at < file_.size() ? byte_at(file_, at) : 0; }
 
   std::size_t color_table_bytes(std::size_t flags_at) const {
