@@ -24,7 +24,7 @@
 namespace lippmann {
 namespace {
 
-/// Makes room in the folder, and records what is going to be rendered.
+/// Prepares the render folder and records the frames to be rendered.
 RenderFolder open_folder(const RenderSetup& setup, const Context& context) {
   make_room_for_videos(setup.videos, setup.layout, setup.stage.display.get(), context);
   RenderFolder folder = open_job_folder(setup.folder, setup.fingerprint, setup.job, setup.parts.of_job,
@@ -61,15 +61,16 @@ int kept_parts(const RenderSetup& setup, RenderFolder& folder) {
   return static_cast<int>(std::count_if(setup.parts.parts.begin(), setup.parts.parts.end(), is_finished));
 }
 
-/// Renders parts: whole frames, or only strips if the run leaves joining to others.
+/// Renders the parts as whole frames, or as strips only if another process joins them.
 void make_parts(const RenderSetup& setup, const std::vector<int>& parts, FrameLoop& loop, StrippedFrames* strips) {
   if (setup.leaves_strips()) return strips->make_strips(parts);
   loop.take(frames_of_parts(parts, setup.parts.strips));
 }
 
-/// Takes units that no rank has taken yet, one by one, and renders them.
+/// Claims units one by one and renders them until none is left.
 void share_parts(const Run& run, FrameLoop& loop, StrippedFrames* strips) {
-  constexpr int kUnitsPerRank = 8;  // few enough to begin seldom, enough for ranks to end at about the same time
+  constexpr int kUnitsPerRank =
+      8;  // few, to limit the cost of starting a unit, but enough for ranks to end at about the same time
   const RenderSetup& setup = run.setup;
   Ranks& ranks = *setup.run.ranks;
   const std::vector<std::vector<int>> units = units_of(setup.parts.parts, setup.parts.segment, kUnitsPerRank * ranks.size());
@@ -91,11 +92,12 @@ void report_strips(const RenderSetup& setup, const StrippedFrames& strips, Rende
   }
 }
 
-/// Renders this process's share of the run. A process that stands alone also writes the videos.
+/// Renders this process's share of the run. Also writes the videos if there are no ranks.
 void make_run(const Run& run, FrameMaker& maker, StrippedFrames* strips) {
   const RenderSetup& setup = run.setup;
   RenderReport& report = run.report;
-  const bool writes_videos = !setup.run.ranks;  // frames that other ranks render come too late for a video written along
+  const bool writes_videos =
+      !setup.run.ranks;  // frames of other ranks arrive too late for a video that is encoded along with the frames
   FrameLoop loop(run, maker, writes_videos ? setup.videos : std::vector<VideoFile>());
   run.progress.planned(setup.plan(kept_parts(setup, run.folder)));
   report.run.setup_seconds = setup.seconds();
@@ -112,7 +114,7 @@ void make_run(const Run& run, FrameMaker& maker, StrippedFrames* strips) {
   report.run.write_seconds = loop.write_seconds();
 }
 
-/// Whether all strips of a frame are recorded, and their files are there: those of a frame that was joined are gone.
+/// Returns whether all strips of a frame are recorded and their files exist. The strips of joined frames were deleted.
 bool has_all_strips(const FolderJournal& journal, const std::filesystem::path& folder, int frame, int strips) {
   const auto recorded = journal.strips.find(frame);
   if (recorded == journal.strips.end()) return false;
@@ -121,7 +123,7 @@ bool has_all_strips(const FolderJournal& journal, const std::filesystem::path& f
   return true;
 }
 
-/// Joins the frames that have all of their strips. Frames of a rank that was stopped stay in strips.
+/// Joins the frames whose strips are complete. The other frames of an interrupted rank stay in strips.
 void join_frames(const Run& run) {
   const FolderJournal journal = run.folder.now();
   std::vector<int> frames;
@@ -164,7 +166,7 @@ RenderReport render_animation(RenderSetup& setup, const Context& context, const 
   const bool is_first = setup.run.is_first_rank();
   if (setup.parts.frames.empty())
     context.warning(fmt::format("unit {} has no frames: the job has fewer parts", write_units(*setup.run.units)));
-  if (!is_first) ranks->begin();  // once the first rank has made room
+  if (!is_first) ranks->begin();  // after the first rank has prepared the folder
   RenderFolder folder = open_folder(setup, context);
   const KeptLease lease(folder);
   RunProgress progress(observer, ranks);

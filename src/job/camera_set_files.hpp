@@ -1,4 +1,4 @@
-// The files of a data set of cameras around a scene: what no frame can write alone, because it lists all of them.
+// Writes the files that list all pictures of a data set of cameras around a scene.
 #pragma once
 
 #include "folder/render_folder.hpp"
@@ -6,13 +6,13 @@
 
 namespace lippmann {
 
-/// Fills in what a job with cameras around the scene takes for granted: a single view, and the format `nerf`. Throws a usage
-/// Error for other optics and formats.
+/// Sets the defaults of a job with cameras around the scene: a single view and the format `nerf`. Throws a usage Error for
+/// other optics and formats.
 void complete_camera_set(RenderParams& params);
 
-/// Writes the cameras of the frames that the folder's journal holds, in the format of the job: transforms.json with
-/// transforms_train.json and transforms_test.json, sparse/0, or poses_bounds.npy. Nothing for jobs without such cameras, or
-/// before the first frame.
+/// Writes the cameras of the frames in the folder's journal, in the format of the job: transforms.json with
+/// transforms_train.json and transforms_test.json, sparse/0, or poses_bounds.npy. Does nothing for jobs without such cameras,
+/// and before the first frame.
 void write_camera_set_files(const RenderSetup& setup, RenderFolder& folder);
 
 }  // namespace lippmann

@@ -58,14 +58,14 @@ void write_json(const fs::path& path, const Json& json) {
   write_file_atomically(path, std::as_bytes(std::span(text)));
 }
 
-/// None if there is no such file; a value that is discarded if it is no JSON.
+/// Returns nullopt if the file does not exist, and a discarded value if it is not valid JSON.
 std::optional<Json> read_json_if_there(const fs::path& path) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return std::nullopt;
   return json_from_text(read_file_text(path, kMaxJsonBytes));
 }
 
-/// Throws where the folder holds data of other parameters.
+/// Throws if the folder holds data made with other parameters.
 void claim_dataset_folder(const DatasetParams& params) {
   make_folder(params.folder);
   const fs::path path = params.folder / "dataset.json";
@@ -77,7 +77,7 @@ void claim_dataset_folder(const DatasetParams& params) {
   if (!there) write_json(path, wanted);
 }
 
-/// The sample.json of a sample that is complete: its files have the recorded sizes. None: it has to be made.
+/// Returns the sample.json of a complete sample, whose files have the recorded sizes; otherwise nullopt.
 std::optional<Json> complete_sample(const fs::path& folder) {
   std::optional<Json> json = read_json_if_there(folder / "sample.json");
   if (!json || !json->is_object() || !json->contains("files") || !(*json)["files"].is_array()) return std::nullopt;
@@ -96,7 +96,7 @@ class SampleFiles {
  public:
   SampleFiles(fs::path folder, int views, Vec2i size) : folder_(std::move(folder)), shape_{views, size.y, size.x} {}
 
-  /// One or more samples a pixel, of all views.
+  /// Writes the samples of all views, with one or more values per pixel.
   template <class Sample>
   void add(const std::string& name, const char* dtype, const std::vector<Sample>& samples) {
     std::vector<int> shape = shape_;
@@ -119,7 +119,7 @@ class SampleFiles {
   std::uint64_t bytes_ = 0;
 };
 
-/// Pixels by which a point moves to the left from one view to its right neighbour; -inf where there is nothing.
+/// Returns the shift of each point to the left from a view to its right neighbour, in pixels; -inf for the background.
 std::vector<float> disparities(const std::vector<float>& depth_mm, const DatasetCameras& cameras) {
   std::vector<float> disparity;
   disparity.reserve(depth_mm.size());
@@ -139,7 +139,7 @@ Json sample_json(const DatasetParams& params, int index, const DatasetCameras& c
           {"files", files}};
 }
 
-/// Returns how many bytes were written; none: cancelled.
+/// Returns the number of bytes written, or nullopt if cancelled.
 std::optional<std::uint64_t> make_sample(const DatasetParams& params, const std::vector<Mesh>& meshes, int index,
                                          const Context& context) {
   SampleRandom random(params.seed, static_cast<std::uint32_t>(index));
@@ -180,7 +180,7 @@ std::vector<int> samples_of(const DatasetParams& params) {
   return params.units ? frames_of(*params.units, all, 1) : all;
 }
 
-/// Returns whether all samples are there.
+/// Writes the manifest if all samples exist. Returns whether they do.
 bool write_manifest(const DatasetParams& params) {
   Json samples = Json::array();
   for (int index = 0; index < params.count; ++index) {

@@ -1,11 +1,11 @@
-// Training data: light fields of random scenes with depth, disparity, normals, motion and ids, as arrays of NumPy.
+// Makes training data: light fields of random scenes with depth, disparity, normals, motion and ids, as NumPy arrays.
 //
 // FOLDER/dataset.json      what was asked for; a run with other parameters is refused
 // FOLDER/sample_000000/    views.npy and one array a layer, and sample.json: the cameras, and sizes and checksums of the files
 // FOLDER/manifest.json     all sample.json, once every sample is there
 //
-// A sample's folder appears when it is complete, so that a run which was stopped or killed goes on with the next. Samples are
-// shared out among units; runs of the same unit must not overlap.
+// A sample's folder appears only when it is complete, so an interrupted run continues with the next sample. Samples are divided
+// among units. Two runs of the same unit must not overlap.
 #pragma once
 
 #include <cstdint>
@@ -23,22 +23,22 @@
 namespace lippmann {
 
 struct DatasetParams {
-  std::vector<std::string> scenes;  ///< whose meshes are the objects, beside spheres and boxes: built-in names or files
+  std::vector<std::string> scenes;  ///< built-in names or files whose meshes become objects, in addition to spheres and boxes
   std::filesystem::path folder;
   int count = 1;
   std::uint32_t seed = 0;
   ViewGrid grid{9, 9};
   Vec2i view_size{128, 128};
   int spp = 16;                     ///< samples per pixel of path tracing
-  std::optional<Units> units = {};  ///< none: all samples
+  std::optional<Units> units = {};  ///< nullopt: all samples
 };
 
 struct DatasetReport {
   int wanted = 0;            ///< samples of this run's units
-  int kept = 0, made = 0;    ///< found complete, and rendered
+  int kept = 0, made = 0;    ///< samples found complete, and samples rendered
   double seconds = 0.0;      ///< rendering and writing
   std::uint64_t bytes = 0;   ///< written
-  bool is_complete = false;  ///< every sample of the data set is there, and the manifest
+  bool is_complete = false;  ///< every sample and the manifest exist
 };
 
 struct DatasetObserver {
@@ -46,8 +46,8 @@ struct DatasetObserver {
   std::function<void(int index, double seconds)> made = {};
 };
 
-/// Stops after the sample under way, which leaves nothing, when context.cancelled is set. Throws Error for scenes that cannot
-/// be read, for a folder that holds other data, and for files that cannot be written.
+/// Renders the missing samples. Stops soon after context.cancelled is set; the current sample leaves no files. Throws Error for
+/// scenes that cannot be read, for a folder that holds other data, and for files that cannot be written.
 DatasetReport make_dataset(const DatasetParams& params, const Context& context, const DatasetObserver& observer = {});
 
 }  // namespace lippmann

@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kPlaneHeight = 10.0f, kViewHeightMm = 64.0f;
 
-/// Adds a texture of random squares; returns its index.
+/// Adds a texture of random squares and returns its index.
 int add_texture(Scene& scene, SampleRandom& random) {
   constexpr int kTexelsPerCell = 4;
   const int cells = 4 + random.below(20), side = kTexelsPerCell * cells;
@@ -27,7 +27,7 @@ int add_texture(Scene& scene, SampleRandom& random) {
   return static_cast<int>(scene.textures.size()) - 1;
 }
 
-/// Adds a material; returns its index.
+/// Adds a material and returns its index.
 int add_material(Scene& scene, bool can_be_textured, SampleRandom& random) {
   MetallicRoughness surface;
   surface.base_color = Vec4f(random.color(0.2f, 1.0f), 1.0f);
@@ -67,7 +67,7 @@ Shape object_shape(const std::vector<Mesh>& meshes, SampleRandom& random) {
   return Boxes{{.lower = Vec3f(-0.6f), .upper = Vec3f(0.6f)}};
 }
 
-/// Moves a node evenly from its place to another between frames 0 and 1.
+/// Moves a node linearly between two places from frame 0 to frame 1.
 void animate(Scene& scene, int node, SampleRandom& random) {
   const Transform& local = scene.nodes[static_cast<std::size_t>(node)].local;
   const std::vector<double> times{0.0, scene.timeline.time(1)};

@@ -24,7 +24,7 @@ std::vector<int> frames_to_render(const FolderCheck& check) {
   return {frames.begin(), frames.end()};
 }
 
-/// The job that the folder holds, with all frames that its runs were asked for.
+/// Returns the job of the folder, with all frames that its runs were given.
 RenderParams job_of(const fs::path& folder, const std::vector<fs::path>& join) {
   const fs::path own = folder / kJob;
   const bool is_own = join.empty() || is_regular_file_there(own);
@@ -36,7 +36,7 @@ RenderParams job_of(const fs::path& folder, const std::vector<fs::path>& join) {
   return params;
 }
 
-/// A folder that parts were joined to has a job file from then on, whether it can be finished yet or not.
+/// Writes the job file of a folder that others were joined into, even if it is not complete yet.
 void write_joint_job(const fs::path& folder, const RenderParams& params) {
   const std::string job = read_journal(folder).value_or(FolderJournal{}).job;
   RenderFolder(folder, job).write(kJob, [&](const FolderJournal&) { return job_text(params, folder); });

@@ -1,4 +1,4 @@
-// The end of a job that was rendered in parts: what has come of it, and the files that only the whole can have.
+// Finishes a job that was rendered in parts: checks it and writes the files that need all frames.
 #pragma once
 
 #include <filesystem>
@@ -14,20 +14,20 @@ namespace lippmann {
 
 struct FinishedAnimation {
   JoinedFolders joined;
-  FolderCheck check;           ///< the folder as it was before it was finished
-  std::vector<int> to_render;  ///< frames that are not finished, or not as they were written, and cannot be joined from strips
-  std::optional<RenderReport> report;  ///< the whole folder's; none where frames are to be rendered
-  bool has_single = true;              ///< false: the job asks for a render in kSingleFolder too, which is not complete
+  FolderCheck check;           ///< the folder before it was finished
+  std::vector<int> to_render;  ///< frames that are missing or differ from their record, and cannot be joined from strips
+  std::optional<RenderReport> report;  ///< report of the whole folder; nullopt if frames are missing
+  bool has_single = true;              ///< false: the job needs a render in kSingleFolder that is not complete
 };
 
-/// Takes over the frames of the folders `join` (join_folders), reads all files of the folder, and if every frame that the job
-/// asks for is there, or all of its strips are, joins strips and writes its videos, job.toml and report.json. Renders nothing.
-/// A render in kSingleFolder that the job asks for is finished like it. The job is the folder's job.toml, or else that of the
-/// first folder to be joined. Throws Error for folders without a render, and for what cannot be written.
+/// Takes over the frames of the folders `join` (join_folders) and reads all files of the folder. If all frames of the job or
+/// all of their strips exist, joins the strips and writes the videos, job.toml and report.json. Renders nothing. Finishes the
+/// job's render in kSingleFolder in the same way. The job is the folder's job.toml, or else that of the first folder in `join`.
+/// Throws Error for folders without a render, and for files that cannot be written.
 FinishedAnimation finish_animation(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& join,
                                    const Context& context, const RenderObserver& observer = {});
 
-/// The same with whatever writes the videos and the two files of a folder in which all frames are.
+/// Does the same, with a function that writes the videos and the two files of a complete folder.
 using CompleteFolder = std::function<RenderReport(const RenderParams&)>;
 FinishedAnimation finish_folder(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& join,
                                 const CompleteFolder& complete);

@@ -19,7 +19,7 @@ namespace {
 constexpr const char* kJobFile = "job.toml";
 constexpr const char* kReportFile = "report.json";
 
-/// What all runs took together: beside each other or after each other, times add up.
+/// Returns the total of all runs. Times add up, whether or not the runs overlapped.
 RunReport all_of(const std::vector<RunReport>& runs) {
   RunReport all;
   for (const RunReport& run : runs) {
@@ -34,7 +34,7 @@ RunReport all_of(const std::vector<RunReport>& runs) {
   return all;
 }
 
-/// Every frame of the journal; those that this run did not make are kept.
+/// Returns a report of every frame of the journal. Frames of other runs are marked as kept.
 RenderReport report_of(const RenderReport& run, const FolderJournal& journal) {
   RenderReport all = run;
   for (const auto& [frame, record] : journal.frames) {
@@ -70,7 +70,7 @@ std::string job_of_folder(const RenderParams& params, const FolderJournal& journ
   return job_text(whole, folder);
 }
 
-/// The videos of a job file; none if it cannot be read.
+/// Returns the videos of a job file; empty if it cannot be read.
 std::vector<std::string> videos_in(const std::filesystem::path& job) try {
   RenderParams params;
   read_job(job, params);
@@ -87,15 +87,15 @@ bool is_readable_job(const std::filesystem::path& job) try {
   return false;
 }
 
-/// Whether a job file that differs from the recorded one is damaged. One that somebody edited can be read, and resuming it
-/// reads the same settings; nobody edits that of the single view, which its render writes.
+/// Returns whether a job file that differs from the record is damaged. An edited file can still be read, and a resumed run
+/// reads the same settings from it. The single view's job file is written by its render and not meant to be edited.
 bool is_damaged_job(const std::filesystem::path& file, const ResolvedJob& job, const RenderFolder& folder) {
   if (!job.params().resume || !folder.now().files.contains(kJobFile)) return false;
   const bool is_of_single = folder.path().filename() == kSingleFolder && has_journal(folder.path().parent_path());
   return is_of_single || !is_readable_job(file) || !differences(file, job).empty();
 }
 
-/// Whether earlier runs were asked for all that runs are asked for now.
+/// Returns whether earlier runs were given all frames and companions of the present runs.
 bool holds_all(const FolderJournal& before, const FolderJournal& now) {
   return before.asked == now.asked && before.companions == now.companions;
 }

@@ -1,5 +1,4 @@
-// The two files of a folder that speak of all of its render, however many runs have worked at it: job.toml renders the same
-// again, report.json says how it went.
+// Writes the two files that describe the whole render of a folder: job.toml repeats it, and report.json holds its figures.
 #pragma once
 
 #include <vector>
@@ -11,18 +10,18 @@
 
 namespace lippmann {
 
-/// Writes a job file that renders all frames that this run and those before and beside it have been asked for, with the videos,
-/// and with the folders beside them (FolderJournal::companions). A job.toml that no run has written, or that was edited, stays;
-/// resuming writes a damaged one again. The run has begun.
+/// Writes a job file for all frames, videos and companions (FolderJournal::companions) of this run and all others in the
+/// folder. A job.toml that was edited or not written by a run is kept; a resumed run replaces a damaged one. Call after the run
+/// has begun.
 void write_job_of_folder(const ResolvedJob& job, const std::vector<int>& frames, int frame_count, RenderFolder& folder,
                          const Context& context);
 
-/// Writes a report as soon as a run has begun, unless one of this render is there: whoever looks at the folder meanwhile, or
-/// after a crash, learns from it which optics the frames are of.
+/// Writes a first report when a run begins, unless the folder has one of this render. It describes the optics of the frames to
+/// readers during the render and after a crash.
 void begin_report(const RenderReport& run, RenderFolder& folder);
 
-/// Writes what `run` reports with all frames that the folder's journal knows, and what all runs that have ended took. The run's
-/// own end is recorded. Returns what it wrote.
+/// Writes the report of `run` with all frames of the folder's journal and the totals of all finished runs. Call after the run's
+/// end is recorded. Returns the report.
 RenderReport write_report(const RenderReport& run, RenderFolder& folder);
 
 }  // namespace lippmann

@@ -9,8 +9,9 @@
 namespace lippmann {
 namespace {
 
-/// Where every frame may become a key of copied ones, a key that does not pay is followed by as many frames without one, and
-/// one that pays by about as many copies (frames/exact_frames.cpp). The first frame that is measured somewhere is always one.
+/// Expected frames per key, if any frame may be a key of copied ones. A key that does not pay off is followed by an equal
+/// number of frames without a key, and one that does by about as many copies (frames/exact_frames.cpp). The first frame of a
+/// measurement is always a key.
 constexpr double kFramesPerFreeKey = 16.0;
 
 double mean_cost(const std::vector<double>& costs) {
@@ -25,7 +26,7 @@ double sum_of_cpu(const std::vector<FrameReport>& frames) {
   return sum;
 }
 
-/// Mean costs by the frames' places in their segments.
+/// Returns the mean costs by the frames' positions in their segments.
 std::map<int, double> costs_by_place(const std::vector<FrameReport>& frames, int segment) {
   std::map<int, std::vector<double>> costs;
   std::vector<double> free_keys;
@@ -53,7 +54,8 @@ std::set<int> segments_of(const std::vector<FrameReport>& frames, int segment) {
   return segments;
 }
 
-/// A unit renders sources once, those of its last segment; others are frames of its own, which it is asked for later.
+/// Returns the cost of the sources that a unit renders besides its own frames. Only those of its last segment count; the others
+/// are frames of the unit itself.
 double source_cost(const MeasuredRun& run, const std::vector<int>& of_job, int segment) {
   const std::set<int> measured = segments_of(run.frames, segment);
   double sum = 0.0;

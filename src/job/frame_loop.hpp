@@ -1,4 +1,4 @@
-// The loop over the frames of a run: each is kept from before or made, reported, and given to be written.
+// The loop over the frames of a run. Each frame is kept from an earlier run or made, reported, and passed to the writer.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace lippmann {
 
-/// The state that the parts of a run share.
+/// State shared by the parts of a run.
 struct Run {
   RenderSetup& setup;
   RenderFolder& folder;
@@ -24,22 +24,23 @@ struct Run {
 
 class FrameLoop {
  public:
-  /// `maker` and what `run` refers to outlive this. Videos that finish() is not called for leave nothing.
+  /// `maker` and the objects that `run` refers to must outlive this object. Videos are discarded unless finish_videos() is
+  /// called.
   FrameLoop(const Run& run, FrameMaker& maker, const std::vector<VideoFile>& videos);
 
-  /// Takes frames in order, until the context is cancelled. Throws Error for a frame that cannot be written.
+  /// Renders or keeps the frames in order until the context is cancelled. Throws Error for a frame that cannot be written.
   void take(const std::vector<int>& frames);
 
-  /// Gives frames that are in the folder to the videos.
+  /// Adds frames that exist in the folder to the videos.
   void add_kept(const std::vector<int>& frames);
 
-  /// Waits until all is written. Throws as take() does.
+  /// Waits until all files are written. Throws like take().
   void wait();
 
-  /// Completes the videos, after wait().
+  /// Completes the videos. Call after wait().
   void finish_videos();
 
-  /// Spent so far encoding and writing, summed over threads.
+  /// Returns the seconds spent so far on encoding and writing, summed over threads.
   double write_seconds() const { return sink_.write_seconds(); }
 
  private:

@@ -16,7 +16,7 @@ bool traces_paths(const RenderParams& params) { return facts_of(params.sampling)
 
 bool interpolates(const RenderParams& params) { return params.reuse.choice == ReuseChoice::kInterpolate; }
 
-/// Whether some frames are key frames.
+/// Returns whether some frames are key frames.
 bool has_key_frames(const RenderParams& params) {
   const ReuseChoice choice = params.reuse.choice;
   return interpolates(params) || choice == ReuseChoice::kCopy ||
@@ -29,7 +29,7 @@ bool precompensates(const RenderParams& params) { return params.optics.precompen
 
 bool makes_videos(const RenderParams& params) { return !params.output.video.empty(); }
 
-/// FFV1, the codec of .mkv by default, has no quality to choose.
+/// Returns whether a video is written with a lossy codec. FFV1, the default for .mkv, has no quality setting.
 bool makes_lossy_videos(const RenderParams& params) {
   if (params.output.video_codec) return makes_videos(params) && *params.output.video_codec != VideoCodec::kFfv1;
   const auto is_lossy = [](const std::string& file) { return std::filesystem::path(file).extension() != ".mkv"; };
@@ -44,28 +44,29 @@ bool makes_codes(const RenderParams& params) { return !makes_exr(params) || make
 
 bool is_file(const RenderParams& params) { return !is_builtin_scene(params.scene.name); }
 
-/// Built-in scenes have their own light, and Whitted shading has no surroundings unless they are asked for.
+/// Returns whether the scene has surroundings. Built-in scenes have their own light; Whitted shading has surroundings only on
+/// request.
 bool has_surroundings(const RenderParams& params) {
   if (!params.scene.environment.empty()) return params.scene.environment != "none";
   return is_file(params) && facts_of(params.sampling).is_lit_by_surroundings;
 }
 
-/// A colour (scene_light.hpp) looks the same from all sides.
+/// Returns whether rotating the surroundings changes the picture. A uniform colour (scene_light.hpp) has no direction.
 bool has_surroundings_to_turn(const RenderParams& params) {
   const std::string& environment = params.scene.environment;
   const bool is_colour = environment.starts_with('#') || environment.find(',') != std::string::npos;
   return has_surroundings(params) && !is_colour;
 }
 
-/// A display decides what its optics are.
+/// Returns whether the optics may be microlenses. If a display is given without optics, the display decides.
 bool has_microlenses(const RenderParams& params) {
   return optics_kind(params).info().takes_param("packing") || (!params.optics.kind && !params.optics.display.empty());
 }
 
 bool has_parallax(const RenderParams& params) { return optics_kind(params).info().has_parallax; }
 
-/// A single sample of Whitted shading lies in the middle of its pixel. Files may hold splats, which have more, and cameras
-/// around the scene are split at random.
+/// Returns whether the render uses random numbers. A single sample of Whitted shading lies at the pixel's centre. Files may
+/// hold splats, which are multi-sampled, and cameras around the scene are split at random.
 bool has_random_numbers(const RenderParams& params) {
   return is_file(params) || samples_per_pixel(params.sampling) > 1 || params.scene.cameras;
 }
@@ -73,7 +74,7 @@ bool has_random_numbers(const RenderParams& params) {
 struct Effect {
   std::string_view parameter;
   bool (*exists)(const RenderParams&);
-  const char* accepted;  ///< what gives the flag an effect
+  const char* accepted;  ///< settings with which the flag has an effect
 };
 
 constexpr const char* kInterpolateToo = "--reuse interpolate with it";
@@ -107,7 +108,7 @@ constexpr std::array kEffects{
     Effect{"crf", makes_lossy_videos, "--video FILE with it, in a format that loses something (.mp4, .mov or .webm)"},
 };
 
-/// "--packing"; "--fit-depth or --full-depth", which set the same parameter.
+/// Returns "--packing", or "--fit-depth or --full-depth" for two flags that set the same parameter.
 std::string flags_of(std::string_view parameter) {
   const std::string_view opposite = find_param(parameter)->opposite;
   return flag_of(parameter) + (opposite.empty() ? "" : " or " + flag_of(opposite));

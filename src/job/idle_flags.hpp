@@ -1,4 +1,4 @@
-// Flags that would change nothing in a render. A flag without effect is the user's mistake, and is refused.
+// Refuses flags that have no effect on a render, as they are probably mistakes.
 #pragma once
 
 #include <span>
@@ -8,9 +8,9 @@
 
 namespace lippmann {
 
-/// Throws a usage Error for the first of `given` (names of parameters, as in params_table) that has no effect on the job. The
-/// error says what would give it one. Parameters that other set-up code refuses where they mean nothing (such as `lenses`) are
-/// not repeated here.
+/// Throws a usage Error for the first of `given` (parameter names as in params_table) that has no effect on the job. The error
+/// names settings with which it has one. Parameters that other set-up code refuses (such as `lenses`) are not checked again
+/// here.
 void refuse_idle_flags(std::span<const std::string_view> given, const ResolvedJob& job);
 
 }  // namespace lippmann

@@ -1,8 +1,8 @@
 // Job files: TOML whose keys are the names in params_table.hpp. A job reproduces a render.
 //
-// Paths in a job file are relative to the folder that it lies in; in RenderParams they are relative to the working folder. In
-// the folder of its render, a job file names that folder and what lies in it relative to itself, however it was given: a copy
-// of the folder renders into itself.
+// Paths in a job file are relative to the file's folder. In RenderParams they are relative to the working folder. A job file in
+// its render's folder stores that folder and the paths inside it relative to itself, even if they were given as absolute paths,
+// so a copy of the folder renders into itself.
 #pragma once
 
 #include <filesystem>
@@ -12,13 +12,14 @@
 
 namespace lippmann {
 
-/// Reads the keys of a job over `params`. Throws Error naming file, line and, for an unknown key, the nearest known one.
+/// Reads the keys of a job into `params`; other parameters keep their values. Throws Error naming file, line and, for an
+/// unknown key, the nearest known one.
 void read_job(const std::filesystem::path& file, RenderParams& params);
 
-/// The text of a job file in `folder` that gives these params: every key that is given, under its group's heading.
+/// Returns the text of a job file in `folder`: every given key, under its group's heading.
 std::string job_text(const RenderParams& params, const std::filesystem::path& folder);
 
-/// Writes job_text(), whole or not at all.
+/// Writes job_text() atomically.
 void write_job(const std::filesystem::path& file, const RenderParams& params);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Tells jobs apart by all that decides their pictures.
+// Fingerprints of jobs, made of everything that affects their pictures.
 #pragma once
 
 #include <filesystem>
@@ -11,11 +11,12 @@
 
 namespace lippmann {
 
-/// Identifies the parameters that change pictures, the scene, the display and this program's version: 16 hexadecimal digits.
+/// Returns 16 hexadecimal digits that identify the parameters that affect pictures, the scene, the display and this program's
+/// version.
 std::string job_fingerprint(const ResolvedJob& job, const Scene& scene, const Display* display = nullptr);
 
-/// The names of the parameters in which a job file and `job` differ, of those that decide pictures; none if the file cannot
-/// be read.
+/// Returns the names of the picture-affecting parameters that differ between a job file and `job`; empty if the file cannot be
+/// read.
 std::vector<std::string> differences(const std::filesystem::path& job_file, const ResolvedJob& job);
 
 }  // namespace lippmann

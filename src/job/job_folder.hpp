@@ -1,5 +1,5 @@
-// What a run does with the folder of its job, whatever makes the frames and writes their files: a render does it, and so does
-// the simulation of renders that are killed (tests/simulation).
+// The operations of a run on its job's folder, independent of how frames are made and written. Renders use them, and so does
+// the simulation of killed renders (tests/simulation).
 #pragma once
 
 #include <filesystem>
@@ -14,50 +14,51 @@
 
 namespace lippmann {
 
-/// Makes the folder, begins the run's journal there, makes room (folder/claim_folder.hpp), records `frames`, which are all of
-/// the job, and writes job.toml. `frame_count`: of the scene's animation. Throws Error as clear_folder and RenderFolder do.
+/// Makes the folder, begins the run's journal, clears old files (folder/claim_folder.hpp), records `frames` (all frames of the
+/// job) and writes job.toml. `frame_count` is the length of the scene's animation. Throws Error as clear_folder and
+/// RenderFolder do.
 RenderFolder open_job_folder(const std::filesystem::path& path, const std::string& fingerprint, const ResolvedJob& job,
                              const std::vector<int>& frames, int frame_count, bool force, const Context& context);
 
-/// What the tool is called with to go on with the render of a folder, in silence.
+/// Returns the command-line words that quietly resume the render of a folder.
 std::vector<std::string> words_to_resume(const std::filesystem::path& folder);
 
-/// What becomes of each frame.
+/// The steps of take_frames().
 struct FrameSteps {
-  bool keeps_finished = false;  ///< what is there as it was recorded is not made again
-  bool only_finished = false;   ///< nothing is made: a frame that is not there is an Error
+  bool keeps_finished = false;  ///< keep parts whose files match the record
+  bool only_finished = false;   ///< make nothing; a missing frame is an Error
   std::function<void(const FrameReport&)> keep;
-  std::function<bool(int)> make;  ///< false: was stopped
+  std::function<bool(int)> make;  ///< returns false if cancelled
 };
 
-/// In order, until one is stopped.
+/// Keeps or makes the frames in order until a step is cancelled.
 void take_frames(const std::vector<int>& frames, RenderFolder& folder, const FrameSteps& steps);
 
-/// What becomes of each strip.
+/// The steps of take_strips().
 struct StripSteps {
-  int count = 1;                ///< that a frame has
-  bool keeps_finished = false;  ///< what is there as it was recorded is not made again, nor strips of frames that are there
-  std::function<bool(int frame, int strip)> make;  ///< false: was stopped
+  int count = 1;                ///< strips per frame
+  bool keeps_finished = false;  ///< keep strips whose files match the record, and skip those of finished frames
+  std::function<bool(int frame, int strip)> make;  ///< returns false if cancelled
 };
 
-/// The parts of frames that are cut into so many strips: frame * count + strip of each, for frames that ascend. Throws a usage
-/// Error where that is more than a number holds.
+/// Returns the parts of frames cut into `count` strips: frame * count + strip for each. `frames` ascend. Throws a usage Error
+/// if a part's number overflows.
 std::vector<int> parts_of(const std::vector<int>& frames, int count);
 
-/// The frames of such parts, each once, ascending.
+/// Returns the frames of such parts, without duplicates, ascending.
 std::vector<int> frames_of_parts(const std::vector<int>& parts, int count);
 
-/// Their strips, by frame.
+/// Returns their strips, by frame.
 std::map<int, std::vector<int>> strips_of_parts(const std::vector<int>& parts, int count);
 
-/// Whether a part, or all of its frame, is there as `journal` records it. Reads the files.
+/// Returns whether the part, or its whole frame, exists as recorded in `journal`. Reads the files.
 bool is_finished_part(int part, int count, RenderFolder& folder, const FolderJournal& journal);
 
-/// Parts in order, until one is stopped.
+/// Keeps or makes the strips in order until a step is cancelled.
 void take_strips(const std::vector<int>& parts, RenderFolder& folder, const StripSteps& steps);
 
-/// Figures of the strips of a frame, from the top. Throws Error naming the first that is not finished, or not as it was
-/// written.
+/// Returns the figures of a frame's strips, from top to bottom. Throws Error naming the first strip that is missing or differs
+/// from its record.
 std::vector<FrameReport> finished_strips(const RenderFolder& folder, int frame, int count);
 
 }  // namespace lippmann

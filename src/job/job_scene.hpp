@@ -1,4 +1,4 @@
-// The scene of a job, loaded and lit as its parameters say.
+// Loads the scene of a job and applies its light.
 #pragma once
 
 #include <string>
@@ -13,11 +13,11 @@ namespace lippmann {
 /// Facts about a loaded scene that the scene itself does not store.
 struct SceneNotes {
   std::vector<std::string> camera_names;  ///< in the file's order
-  std::string light;                      ///< one sentence: which light was taken, and why
+  std::string light;                      ///< one sentence naming the light and the reason for it
 };
 
 struct JobScene {
-  Scene scene;  ///< passes validate(); the camera that decides the view comes first
+  Scene scene;  ///< passes validate(); the camera that sets the view comes first
   SceneNotes notes;
 };
 

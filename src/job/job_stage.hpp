@@ -1,4 +1,4 @@
-// The stage of a job: its display, its scene in its light, and the optics where the parameters want them.
+// The stage of a job: its display, its lit scene, and the placed optics.
 #pragma once
 
 #include <memory>
@@ -13,15 +13,15 @@
 namespace lippmann {
 
 struct JobStage : Stage {
-  std::unique_ptr<const Display> display;  ///< none: optics of the parameters alone
+  std::unique_ptr<const Display> display;  ///< null: the optics come from parameters alone
   std::string light;                       ///< SceneNotes::light
 
-  /// Loads the scene, places the optics and builds what rays are traced against. Throws Error.
+  /// Loads the scene, places the optics and builds the ray-tracing structures. Throws Error.
   JobStage(const ResolvedJob& job, const ThreadPool& pool, const Context& context);
-  /// The same for a scene that is there already. It keeps its light, whatever environment the job names. Throws Error.
+  /// Does the same for a loaded scene. The scene keeps its light, whatever environment the job names. Throws Error.
   JobStage(JobScene loaded, const ResolvedJob& job, const ThreadPool& pool);
 
-  /// Places other optics: those of a job with the same scene, light and integrator. Throws Error, and then stays as it was.
+  /// Replaces the optics by those of a job with the same scene, light and integrator. Throws Error and then changes nothing.
   void place(const ResolvedJob& job);
 
  private:

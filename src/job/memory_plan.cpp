@@ -17,10 +17,10 @@ namespace {
 
 constexpr double kFilm = 3 * sizeof(float);
 
-/// A file is encoded into a vector that grows by doubling.
+/// Files are encoded into a vector that grows by doubling.
 constexpr double kGrowth = 2.0;
 
-/// The share of the available memory to plan with: estimates err, and other programs need memory too.
+/// Share of the available memory to plan with. It allows for errors of the estimate and for other programs.
 constexpr double kReserve = 0.8;
 
 std::vector<Aov> layers_of(const MemoryFacts& facts) {
@@ -33,14 +33,14 @@ std::vector<Aov> layers_of(const MemoryFacts& facts) {
 
 double bytes_of(Aov aov) { return sizeof(float) * channels_of(aov); }
 
-/// Film and layers of a frame, bytes per pixel.
+/// Returns the bytes per pixel of a frame's film and layers.
 double frame_held(const MemoryFacts& facts) {
   double bytes = kFilm;
   for (const Aov aov : layers_of(facts)) bytes += bytes_of(aov);
   return bytes;
 }
 
-/// Encoding a picture: its codes, and the file. Of files, what noisy pictures take.
+/// Returns the bytes per pixel for encoding a picture: its codes and the file. File sizes are those of noisy pictures.
 double picture_written(const MemoryFacts& facts) {
   constexpr double kPngFile = 3 * 0.6, kPng16File = 3 * 1.7, kHalfFile = 3 * 1.3, kFloatFile = 3 * 2.9;
   constexpr double kCodes = 3.0, kCodes16 = 6.0, kHalves = 6.0;
@@ -59,8 +59,8 @@ double picture_written(const MemoryFacts& facts) {
   return (floats ? kGrowth * kFloatFile : kHalves + kGrowth * kHalfFile) + video_codes;
 }
 
-/// Encoding layers: those that are stored as halves are converted first. Alpha belongs to the picture, whose codes it is
-/// interleaved with.
+/// Returns the bytes per pixel for encoding layers. Layers stored as halves are converted first. Alpha counts as part of the
+/// picture, since it is interleaved with its codes.
 double layers_written(const MemoryFacts& facts) {
   double bytes = 0.0;
   for (const Aov aov : layers_of(facts)) {
@@ -73,7 +73,7 @@ double layers_written(const MemoryFacts& facts) {
   return bytes;
 }
 
-/// A frame that moves to another layout: a second film, and one layer at a time.
+/// Returns the bytes per pixel for moving a frame to another layout: a second film, and one layer at a time.
 double moved_bytes(const MemoryFacts& facts) {
   if (!facts.layout.moves()) return 0.0;
   double layer = 0.0;
@@ -81,13 +81,13 @@ double moved_bytes(const MemoryFacts& facts) {
   return kFilm + layer;
 }
 
-/// Light fields are put together from film and depth before they are written.
+/// Returns the bytes per pixel for assembling a light field from film and depth before it is written.
 double light_field_bytes(const MemoryFacts& facts) {
   if (!facts.layout.light_field()) return 0.0;
   return kFilm + 2.0 * sizeof(float);
 }
 
-/// Bytes per pixel that encoders buffer.
+/// Returns the bytes per pixel that encoders buffer.
 double video_bytes(VideoCodec codec) {
   switch (codec) {
     case VideoCodec::kH264:
@@ -113,21 +113,21 @@ double videos_written(const MemoryFacts& facts) {
   return bytes;
 }
 
-/// Memory for writing a frame, beside its film and layers.
+/// Returns the bytes per pixel for writing a frame, without its film and layers.
 double writing(const MemoryFacts& facts) {
   const double precompensated = facts.params.optics.precompensate ? 2.0 * kFilm : 0.0;
   return picture_written(facts) + layers_written(facts) + moved_bytes(facts) + light_field_bytes(facts) + precompensated +
          videos_written(facts);
 }
 
-/// Which film pixel goes where, kept from frame to frame.
+/// Returns the bytes per pixel of the layout's table of film pixels, which all frames share.
 double layout_tables(const MemoryFacts& facts) { return facts.layout.moves() ? sizeof(std::uint32_t) : 0.0; }
 
 double working(const MemoryFacts& facts) { return working_bytes_per_pixel(facts.made_as, facts.frames); }
 
 double pixels_of(const MemoryFacts& facts) { return static_cast<double>(facts.film.x) * facts.film.y; }
 
-/// Why frames cannot be cut; empty: they can.
+/// Returns the reason why frames cannot be cut into bands; empty if they can.
 std::string reason_against_bands(const MemoryFacts& facts) {
   const FrameParams& made_as = facts.made_as;
   if (facts.rows_around >= facts.film.y) return "the denoiser (`denoise`) averages views of all rows of the quilt";
@@ -136,7 +136,7 @@ std::string reason_against_bands(const MemoryFacts& facts) {
   return {};
 }
 
-/// The share of a frame that is traced at once.
+/// Returns the share of a frame that is traced at once.
 double traced_share(const MemoryFacts& facts, int bands) {
   return bands > 1 ? std::min(1.0, 1.0 / bands + 2.0 * facts.rows_around / facts.film.y) : 1.0;
 }
@@ -165,7 +165,7 @@ double joined_frame_bytes(const MemoryFacts& facts) {
 }
 
 MemoryPlan plan_strips_memory(const MemoryFacts& facts, int strips, bool joins, double available) {
-  constexpr double kCopies = 2.0;  // its file is encoded in memory
+  constexpr double kCopies = 2.0;  // the file is encoded in memory
   const double strip = pixels_of(facts) * traced_share(facts, strips) * (kCopies * frame_held(facts) + working(facts));
   if (strip > available)
     throw Error("strips",
@@ -178,7 +178,7 @@ MemoryPlan plan_strips_memory(const MemoryFacts& facts, int strips, bool joins, 
                 fmt::format("joining a frame of {}x{} pixels from its strips needs about {} of memory, and {} are available",
                             facts.film.x, facts.film.y, bytes_text(joined), bytes_text(available)),
                 "fewer pixels, fewer layers, or more memory");
-  return {1, false, strip + joined};  // the heap keeps most of what tracing has taken
+  return {1, false, strip + joined};  // the heap keeps most of the memory used for tracing
 }
 
 MemoryPlan plan_memory(const MemoryFacts& facts, double available) {

@@ -1,7 +1,7 @@
-// How much memory the frames of a render take, and how they are made where memory is short: one at a time, then in bands of
+// Estimates the memory of a render's frames. If memory is short, plans to render one frame at a time, or frames in bands of
 // rows.
 //
-// An estimate, within a factor of 1.5 of what renders have been measured to take beyond what the scene takes
+// The estimate is within a factor of 1.5 of the measured memory beyond that of the scene
 // (docs/lab/decisions/0079-memory-is-estimated-by-part.md has the figures).
 #pragma once
 
@@ -13,40 +13,40 @@
 
 namespace lippmann {
 
-/// The inputs of the memory estimate, beside the pixels.
+/// Inputs of the memory estimate, besides the pixels.
 struct MemoryFacts {
   const RenderParams& params;
   FrameParams made_as;
   const FrameLayout& layout;
   Vec2i film{0, 0};
-  int frames = 1;              ///< that are rendered
-  int frames_at_a_time = 1;    ///< at most: being traced, waiting and being written
+  int frames = 1;              ///< number of frames to render
+  int frames_at_a_time = 1;    ///< maximum number of frames being traced, queued and written
   bool writes_videos = false;  ///< along with the frames
-  int most_bands = 1;          ///< into which a frame can be cut; 1: it cannot
-  int rows_around = 0;         ///< of a band, above it and below it, that are traced with it (frames/traced_frames.hpp)
+  int most_bands = 1;          ///< maximum number of bands per frame; 1: frames cannot be cut
+  int rows_around = 0;         ///< extra rows traced above and below a band (frames/traced_frames.hpp)
 };
 
 /// How frames are made.
 struct MemoryPlan {
-  int bands = 1;               ///< of rows, each traced by itself
-  bool one_at_a_time = false;  ///< a frame is written before the next one is traced
-  double bytes = 0.0;          ///< the estimate, for two frames at a time where there are as many
+  int bands = 1;               ///< bands of rows per frame, traced separately
+  bool one_at_a_time = false;  ///< each frame is written before the next one is traced
+  double bytes = 0.0;          ///< the estimate, for up to two frames at a time
 };
 
-/// Bytes of so many frames at a time in so many bands.
+/// Estimates the bytes for a number of frames at a time, each in `bands` bands.
 double estimated_bytes(const MemoryFacts& facts, int frames_at_a_time, int bands);
 
-/// Memory for joining a frame from the files of its strips.
+/// Estimates the bytes for joining a frame from the files of its strips.
 double joined_frame_bytes(const MemoryFacts& facts);
 
-/// The first that fits, with a reserve, into `available` bytes: as many frames at a time as usual, one, bands. Throws Error
-/// where nothing does, with the reason why bands do not help.
+/// Returns the first plan that fits into `available` bytes with a reserve: the usual number of frames at a time, one frame at a
+/// time, bands. Throws Error if none fits, with the reason why bands do not help.
 MemoryPlan plan_memory(const MemoryFacts& facts, double available);
 
-/// The same for frames that a job wants in strips (RenderParams::strips), which have files; joins: frames are joined from them.
+/// Plans frames that are rendered in strips (RenderParams::strips), each with its own file. joins: frames are joined from them.
 MemoryPlan plan_strips_memory(const MemoryFacts& facts, int strips, bool joins, double available);
 
-/// One sentence for people; empty where all is as usual.
+/// Describes the plan in one sentence; empty for the usual plan.
 std::string sentence_of(const MemoryPlan& plan, const MemoryFacts& facts, double available);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Arrays as files of NumPy (.npy, format 1.0), which programs map into memory.
+// Writes arrays as NumPy files (.npy, format 1.0), which programs can map into memory.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace lippmann {
 
-/// A whole file. dtype: <f4, |u1, ...; bytes: the samples in C order, those of `shape`.
+/// Returns the bytes of a file. dtype: <f4, |u1, ...; bytes: the samples in C order, matching `shape`.
 std::vector<std::byte> npy_file(const std::string& dtype, const std::vector<int>& shape, std::span<const std::byte> bytes);
 
 }  // namespace lippmann

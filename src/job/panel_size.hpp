@@ -1,5 +1,5 @@
-// How large the panel is: from lenses, pixels below a lens, and the whole size, of which any may be left to follow from the
-// rest by the rule of the optics (optics/optics_kind.hpp).
+// Computes the size of the panel from the number of lenses, the pixels per lens and the total size. Missing values follow from
+// the others by the rule of the optics (optics/optics_kind.hpp).
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,15 @@
 
 namespace lippmann {
 
-/// Panels above this are refused: 25 GB of film. What a picture's file holds, FrameLayout asks.
+/// Maximum number of pixels of a panel: 25 GB of film. FrameLayout checks the limits of picture files.
 inline constexpr std::int64_t kMaxPixels = (std::int64_t{1} << 31) - 1;
 
-/// And longer sides, which picture files and libraries do not hold.
+/// Maximum pixels per side, a limit of picture files and libraries.
 inline constexpr int kMaxSide = 65536;
 
-/// `scene_resolution`: what the scene's file asks for, the default size of a single view; {0, 0}: nothing.
-/// Throws a usage Error naming the flags that contradict each other, and what would be accepted.
+/// Returns the size of the panel. `scene_resolution` is the resolution in the scene's file, the default size of a single view;
+/// {0, 0}: none.
+/// Throws a usage Error that names contradicting flags and what would be accepted.
 PanelSize panel_size(const RenderParams& params, Vec2i scene_resolution);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Values of parameters as text, both ways: numbers in a range, extents such as 64x64, names of choices.
+// Converts parameter values to and from text: numbers in a range, extents such as 64x64, names of choices.
 //
 // read_* throw a usage Error at `where` that says what would be accepted. Floats are written with the fewest digits that read
 // back to the same value.
@@ -17,27 +17,27 @@
 
 namespace lippmann {
 
-/// "true" or "false".
+/// Reads "true" or "false".
 bool read_flag(std::string_view text, const std::string& where);
 
-/// "64" (y stays 0) or "64x32".
+/// Reads "64" (y stays 0) or "64x32".
 Extent<int> read_extent(std::string_view text, int lowest, int highest, const std::string& where);
 Extent<float> read_extent(std::string_view text, float lowest, float highest, const std::string& where);
 std::string write_extent(const Extent<int>& extent);
 std::string write_extent(const Extent<float>& extent);
 
-/// Millimetres > 0, "inf", or "auto" (none).
+/// Reads millimetres > 0, "inf", or "auto" (nullopt).
 std::optional<float> read_distance(std::string_view text, const std::string& where);
 std::string write_distance(std::optional<float> distance_mm);
 
-/// Millimetres, such as 150, or degrees, such as 30deg.
+/// Reads millimetres, such as 150, or degrees, such as 30deg.
 EyeHeight read_eye_height(std::string_view text, const std::string& where);
 std::string write_eye_height(const EyeHeight& height);
 
-/// NEAR:FAR, mm, far below near.
+/// Reads NEAR:FAR in mm, where far must be below near.
 DepthRange read_depth_range(std::string_view text, const std::string& where);
 
-/// One name of a list of choices, its index; the list is what the Error offers.
+/// Reads the name of a choice and returns its index. The Error lists the names.
 std::size_t read_choice(std::string_view text, std::span<const std::string_view> names, const std::string& where);
 
 }  // namespace lippmann

@@ -16,19 +16,19 @@ struct RenderPlan {
   std::filesystem::path folder;
   FrameNames names;
   PictureFormat format = PictureFormat::kPng;
-  std::vector<int> frames;               ///< ascending: those of the unit that is rendered, or all
+  std::vector<int> frames;               ///< the unit's frames, or all; ascending
   std::vector<std::string> videos = {};  ///< files
-  int strips = 0;  ///< that `frames` are rendered in, those of the unit that is rendered; 0: they are rendered whole
-  int kept = 0;    ///< how many of `frames`, or of their strips, the same job has finished before
+  int strips = 0;                        ///< strips of `frames` to render in this unit; 0: whole frames
+  int kept = 0;                          ///< number of `frames`, or of their strips, kept from earlier runs
   Vec2i picture_size{0, 0};
   int pictures_per_frame = 1;
-  double memory_bytes = 0.0;  ///< that frames take beside the scene, about (memory_plan.hpp)
-  int bands = 1;              ///< that frames are rendered in, as whole ones would take more memory than there is
-  double join_bytes = 0.0;    ///< that joining a frame from strips takes, about; 0: none is joined
+  double memory_bytes = 0.0;  ///< estimated memory for frames, without the scene (memory_plan.hpp)
+  int bands = 1;              ///< bands per frame; more than 1 if memory is short
+  double join_bytes = 0.0;    ///< estimated memory for joining a frame from strips; 0: none is joined
 };
 
-/// Bytes of all pictures of a plan before compression: more than what PNG and EXR files take. Layers and videos are not
-/// counted; job/size_estimate.hpp says what files are likely to take.
+/// Returns the bytes of all pictures of a plan before compression, an upper bound for PNG and EXR files. Layers and videos are
+/// not counted. job/size_estimate.hpp estimates the sizes of the files.
 std::uint64_t largest_picture_bytes(const RenderPlan& plan, ExrPixels exr_pixels);
 
 }  // namespace lippmann

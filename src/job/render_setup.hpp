@@ -1,5 +1,4 @@
-// Everything that one run of a job needs before it makes its first frame. What can be refused, is refused here; nothing is
-// written yet.
+// The set-up of one run of a job before its first frame. Invalid jobs are refused here, before anything is written.
 #pragma once
 
 #include <chrono>
@@ -20,50 +19,50 @@
 
 namespace lippmann {
 
-/// Stays where it was made: its members refer to each other.
+/// Not movable: its members refer to each other.
 struct RenderSetup {
  private:
   const std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 
  public:
-  ResolvedJob job;  ///< with the folder that is written to
+  ResolvedJob job;  ///< with the output folder filled in
   const FrameParams made_as;
   const RunParams run;
   const ThreadPool pool;
   JobStage stage;
   const RunParts parts;
   const FrameLayout layout;
-  MemoryPlan memory;                     ///< how frames are made in the memory that there is
+  MemoryPlan memory;                     ///< how frames fit into the available memory
   double join_bytes = 0.0;               ///< memory for joining a frame from strips; 0: none is joined
-  std::optional<double> crosstalk;       ///< to be undone: a sigma in the optics' pixels or views
-  FormatOptions writing;                 ///< what the format of light fields is told
-  std::vector<VideoFile> videos;         ///< of all frames; none where other runs render the rest
+  std::optional<double> crosstalk;       ///< crosstalk to undo: a sigma in the optics' pixels or views
+  FormatOptions writing;                 ///< options of the light-field format
+  std::vector<VideoFile> videos;         ///< videos of all frames; empty if other runs render the rest
   std::string fingerprint;               ///< of the job (job_fingerprint.hpp)
-  std::filesystem::path folder;          ///< where the files go
-  std::filesystem::path crowded_folder;  ///< the usual one, where it holds another render; else empty
+  std::filesystem::path folder;          ///< output folder
+  std::filesystem::path crowded_folder;  ///< the default folder, if it holds another render; else empty
 
-  /// Loads the scene, unless it is given. Throws Error for jobs that cannot be rendered, and for folders that hold something
-  /// else.
+  /// Loads the scene unless `loaded` is given. Throws Error for jobs that cannot be rendered, and for folders that hold
+  /// anything else.
   RenderSetup(const ResolvedJob& wanted, const RunParams& run, const Context& context,
               std::optional<JobScene> loaded = std::nullopt);
   RenderSetup(const RenderSetup&) = delete;
   RenderSetup& operator=(const RenderSetup&) = delete;
 
-  /// Since it was begun.
+  /// Returns the seconds since the set-up began.
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count(); }
 
   const Optics& optics() const { return stage.placed.optics; }
 
-  /// Whether frames that are finished are kept; not where a video wants codes that the pictures do not hold to the bit.
+  /// Returns whether finished frames are kept. False if a video needs codes that the pictures do not store exactly.
   bool keeps_frames() const;
 
-  /// Whether the run makes strips alone: others make the rest, or frames are joined once all ranks are done.
+  /// Returns whether the run only makes strips: other runs make the rest, or frames are joined after all ranks.
   bool leaves_strips() const { return job.is_in_strips() && (run.units || run.parts || run.ranks); }
 
-  /// `kept`: how many of its parts are there already.
+  /// Returns the plan. `kept` is the number of parts that exist already.
   RenderPlan plan(int kept) const;
 
-  /// A report without frames.
+  /// Returns a report without frames.
   RenderReport report() const;
 };
 

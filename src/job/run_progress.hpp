@@ -1,4 +1,4 @@
-// Tells how a run goes: its observer, or the first rank of an MPI job, whose observer hears of all ranks.
+// Reports the progress of a run to its observer. In an MPI job, the first rank reports for all ranks.
 #pragma once
 
 #include <cstdint>
@@ -13,22 +13,21 @@
 
 namespace lippmann {
 
-/// Hears how a render goes. All functions may be empty; all but `written` are called in the thread that called
-/// render_animation.
+/// Progress callbacks. All may be empty. All but `written` are called on the thread that called render_animation.
 struct RenderObserver {
   std::function<void(const RenderPlan&)> planned;
-  std::function<void(const FrameReport&)> traced;  ///< a frame, or a strip of one, in order; its files follow
-  /// A frame's pictures and layers, or a strip, are on disk, of so many bytes; in order, one at a time, on any thread. Not of
-  /// what is kept, and not of frames that are joined from strips.
+  std::function<void(const FrameReport&)> traced;  ///< a traced frame or strip, in order, before its files
+  /// Called when the pictures and layers of a frame, or a strip, are on disk, with their size; in order, one at a time, on any
+  /// thread. Not called for kept frames and for frames joined from strips.
   std::function<void(int frame, std::uintmax_t bytes)> written;
 };
 
 class RunProgress {
  public:
-  /// `ranks`: null for a process that stands alone. Both outlive this object.
+  /// `ranks` is null for a single process. Both must outlive this object.
   RunProgress(const RenderObserver& observer, Ranks* ranks) : observer_(observer), ranks_(ranks) {}
 
-  /// On the first rank: passes on what the others tell. Before Ranks::begin().
+  /// Forwards the progress of the other ranks, on the first rank. Call before Ranks::begin().
   void listen();
 
   void planned(const RenderPlan& plan) const;
@@ -42,7 +41,7 @@ class RunProgress {
   const RenderObserver& observer_;
   Ranks* const ranks_;
   std::mutex mutex_;
-  std::map<int, WorkDone> traced_;  ///< by this rank, by frame: what the first rank is told once their files are written
+  std::map<int, WorkDone> traced_;  ///< work of this rank by frame, sent to the first rank when the files are written
 };
 
 }  // namespace lippmann

@@ -8,9 +8,9 @@
 
 namespace lippmann {
 
-/// The crosstalk to be undone, a sigma in the optics' pixels or views: as requested, or the display's (whose pixels, of a quilt
-/// for it, are so many views); none: nothing asked for. Throws a usage Error where nobody says it, it is too large, or the
-/// optics have no neighbours.
+/// Returns the crosstalk to undo, a sigma in the optics' pixels or views: the requested one, or the display's (in views, for a
+/// quilt). nullopt: none requested. Throws a usage Error if the value is unknown or too large, or the optics have no
+/// neighbouring pixels.
 std::optional<double> crosstalk_to_undo(const RenderParams& params, const Optics& optics, const Display* display);
 
 }  // namespace lippmann

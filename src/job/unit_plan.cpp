@@ -18,7 +18,7 @@
 namespace lippmann {
 namespace {
 
-/// Units without their costs. parts: of frames that are rendered in so many strips (parts_of).
+/// Cuts parts into units, without costs. parts: parts of frames with `strips` strips (parts_of).
 UnitPlan cut(const std::vector<int>& parts, int strips, int segment, int count) {
   UnitPlan plan;
   plan.segment = segment;
@@ -38,7 +38,7 @@ UnitPlan unmeasured_plan(const ResolvedJob& job, int count, const Context& conte
   return cut(parts_of(frames_of_job(job.params(), loaded.scene.timeline), strips), strips, segment_of(job, made_as), count);
 }
 
-/// The same job in a folder of its own, pictures and layers alone: videos are made by who finishes it.
+/// Returns the job with its own folder and only pictures and layers. Units make no videos.
 ResolvedJob job_in(const std::filesystem::path& folder, const ResolvedJob& job) {
   RenderParams params = job.params();
   params.output.folder = folder.string();
@@ -52,7 +52,7 @@ Neighbours neighbours_in(const ResolvedJob& job, const FrameParams& made_as) {
   return std::holds_alternative<CopySettled>(made_as.reuse) ? Neighbours::kCopied : Neighbours::kOthers;
 }
 
-/// Renders frames as a unit does, writes their files, and takes the time of both.
+/// Renders frames as a unit does, writes their files, and measures both.
 UnitPlan measured_plan(const ResolvedJob& job, int count, const Context& context) {
   const double begin = platform::process_cpu_seconds();
   const FrameParams made_as = frame_params(job);

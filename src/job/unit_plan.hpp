@@ -1,4 +1,4 @@
-// How a job falls into units of work, and what each of them is likely to take: a few frames are rendered to find out.
+// Divides a job into units of work, and estimates the cost of each from a few rendered frames.
 #pragma once
 
 #include <map>
@@ -13,8 +13,8 @@ namespace lippmann {
 
 struct PlannedUnit {
   std::vector<int> frames;
-  std::map<int, std::vector<int>> strips = {};  ///< by frame; empty: these are rendered whole
-  std::optional<double> cpu_seconds = {};       ///< about; none: nothing was measured
+  std::map<int, std::vector<int>> strips = {};  ///< by frame; empty: whole frames
+  std::optional<double> cpu_seconds = {};       ///< estimate; nullopt: not measured
 };
 
 struct UnitPlan {
@@ -25,7 +25,7 @@ struct UnitPlan {
       {};  ///< the memory that joining a frame from strips takes, about; none: not known, or none is
 };
 
-/// `count` units or as many as there are segments. With `measure`, frames are rendered into a folder that is thrown away
+/// Plans `count` units, or one per segment if there are fewer segments. With `measure`, renders frames into a temporary folder
 /// (core/scratch_folder.hpp). Throws Error for jobs that cannot be rendered.
 UnitPlan plan_units(const ResolvedJob& job, int count, bool measure, const Context& context);
 
