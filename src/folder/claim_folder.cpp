@@ -35,16 +35,16 @@ bool is_there(const fs::path& path) {
   return fs::exists(fs::symlink_status(path, ignored));
 }
 
-/// Nothing else stands in place of what a render writes once.
+/// Throws if job.toml or the report is not a regular file.
 void require_regular_files(const fs::path& folder) {
   for (const char* name : {"job.toml", kReport}) is_regular_file_there(folder / name);
 }
 
-/// What lies in a folder, seen from a job.
+/// The contents of a folder in relation to a job.
 struct Contents {
-  std::optional<FolderJournal> journal;  ///< whichever job it is for
-  bool is_this_job = false;              ///< and sound
-  std::vector<std::string> foreign;      ///< without what a stopped run of this job may have left
+  std::optional<FolderJournal> journal;  ///< of any job
+  bool is_this_job = false;              ///< the journal is of this job and undamaged
+  std::vector<std::string> foreign;      ///< foreign files, except leftovers of an interrupted run of this job
 };
 
 Contents contents_of(const fs::path& folder, const std::string& job) {
@@ -76,7 +76,7 @@ bool is_free(const fs::path& folder, const std::string& job) {
   return is_free(contents_of(folder, job)) && !has_other_run(folder, job);
 }
 
-/// "frame_0000.png and 3 more".
+/// Returns e.g. "frame_0000.png and 3 more".
 std::string some_of(const std::vector<std::string>& names) {
   return names.size() == 1 ? names.front() : fmt::format("{} and {} more", names.front(), names.size() - 1);
 }
@@ -94,7 +94,7 @@ std::optional<JournalVideo> find_video(const FolderJournal& journal, const std::
   return found == journal.videos.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// The job's video. A render also records the videos of its single view, in case that folder is removed.
+/// Returns the record of the job's video. A render also records the videos of its single view, in case that folder is removed.
 std::optional<JournalVideo> recorded_video(const fs::path& folder, const Contents& contents, const std::string& video) {
   if (contents.is_this_job)
     if (auto own = find_video(*contents.journal, video_name(folder, video))) return own;
@@ -118,8 +118,8 @@ void require_free_video(const fs::path& folder, const Contents& contents, const 
                 "all of them, with `resume` to keep the finished ones; `video` with another name; `force`, which replaces it");
 }
 
-/// Removes the file of a picture or of a view; the folder of views goes when it is empty. What is in place of a file or of its
-/// folder stays. Returns whether there is nothing of that name any more. Throws Error if the file cannot be removed.
+/// Removes the file of a picture or view, and the folder of views once it is empty. Objects of other types are kept. Returns
+/// whether the name is free afterwards. Throws Error if the file cannot be removed.
 bool remove_file(const fs::path& folder, const std::string& name) {
   std::error_code ignored;
   const fs::path file = folder / name, parent = fs::path(name).parent_path();
@@ -130,7 +130,7 @@ bool remove_file(const fs::path& folder, const std::string& name) {
   return true;
 }
 
-/// Videos, job files and reports that were changed since stay.
+/// Removes the files of a journal, except videos, job files and reports that were changed since.
 void remove_files_of(const fs::path& folder, const FolderJournal& journal) {
   for (const auto& [frame, record] : journal.frames)
     for (const auto& [name, sum] : record.files) remove_file(folder, name);
@@ -142,9 +142,9 @@ void remove_files_of(const fs::path& folder, const FolderJournal& journal) {
     if (is_as_written(journal, folder, name)) remove_file(folder, name);
 }
 
-/// Folders of it go where they are empty. Nothing is removed through a symbolic link.
+/// Removes the files of a page and the folders that become empty. Does not follow symbolic links.
 void remove_page(const fs::path& folder, const FileRecords& files) {
-  std::set<fs::path, std::greater<>> folders;  // the inner ones first
+  std::set<fs::path, std::greater<>> folders;  // inner folders first
   for (const auto& [name, sum] : files) {
     std::error_code ignored;
     bool is_linked = false;
@@ -164,7 +164,7 @@ void sync_if_there(const fs::path& folder) {
   if (fs::is_directory(folder, ignored)) platform::sync_folder(folder);
 }
 
-/// Makes sure that a loss of power does not bring back the removed files of frames, which no journal will name.
+/// Syncs the folders, so that removed files of frames cannot reappear after a power loss.
 void sync_removed(const fs::path& folder, const FolderJournal& journal) {
   std::set<fs::path> folders{folder};
   for (const auto& [frame, record] : journal.frames)
@@ -172,17 +172,17 @@ void sync_removed(const fs::path& folder, const FolderJournal& journal) {
   for (const fs::path& emptied : folders) sync_if_there(emptied);
 }
 
-/// Removes files of the journal but `own`, and its folder if that is empty then. A loss of power does not bring them back, so
-/// that they never stand beside what the next render records.
+/// Removes the journal files except `own`, and the journal's folder if it is then empty. Syncs the removal, so that old records
+/// cannot reappear beside the next render's after a power loss.
 void remove_parts(const fs::path& folder, const std::vector<fs::path>& parts, const fs::path& own = {}) {
   for (const fs::path& part : parts)
     if (part != own) remove_if_there(part);
   std::error_code ignored;
-  fs::remove(journal_folder(folder), ignored);  // unless anything else lies there
+  fs::remove(journal_folder(folder), ignored);  // fails if other files remain
   for (const fs::path& emptied : {journal_folder(folder), folder}) sync_if_there(emptied);
 }
 
-/// The render in the folder, or nothing where that is a symbolic link.
+/// Removes the single view's render, unless its folder is a symbolic link.
 void remove_single(const fs::path& folder) {
   std::error_code ignored;
   if (fs::is_symlink(folder, ignored)) return;
@@ -195,7 +195,7 @@ void remove_single(const fs::path& folder) {
   fs::remove(folder, ignored);
 }
 
-/// All that a render has left, its journal last: a run that is stopped in between can be repeated.
+/// Removes all files of a render, its journal last, so that an interrupted removal can be repeated.
 void remove_render(const fs::path& folder, const FolderJournal& journal, const fs::path& own) {
   remove_files_of(folder, journal);
   remove_page(folder, journal.page);

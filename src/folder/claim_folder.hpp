@@ -1,8 +1,8 @@
-// Which folder a render goes into, and what becomes of what lies there: one folder holds one render. What belongs to another is
-// never overwritten, and never kept beside the new one unsaid, unless the caller says so (--force).
+// Chooses and clears the folder of a render. A folder holds one render. Files of another render are neither overwritten nor
+// silently kept, unless the caller passes `force` (--force).
 //
-// `job`: job_fingerprint(). Files of a render are those that the folder's journal names (folder/journal.hpp); files that are
-// named as those of frames and that no journal names are foreign.
+// `job` is job_fingerprint(). The files of a render are those in the folder's journal (folder/journal.hpp). Files that are
+// named like frames but are not in the journal are foreign.
 #pragma once
 
 #include <filesystem>
@@ -14,34 +14,31 @@
 
 namespace lippmann {
 
-/// `wanted`, or the first of wanted-2, wanted-3, ... that holds no other render, in which none goes on, and that holds no
-/// foreign files.
+/// Returns `wanted`, or the first of wanted-2, wanted-3, ... without another render, a running one, or foreign files.
 std::filesystem::path free_folder(const std::filesystem::path& wanted, const std::string& job);
 
-/// Throws Error if `folder` holds another render, a run of another job goes on there, its journal is damaged, or it holds
-/// foreign files; if one of the `videos` is there
-/// and the render in the folder has not written it, or it shows frames of that render that are not among `frames`. Changes
-/// nothing. `differences`: the names of what another render, whose job file is given, has set differently, for the message.
+/// Throws Error if `folder` holds another render, a running job, a damaged journal or foreign files. Also throws if one of the
+/// `videos` exists and was not written by the folder's render, or shows frames of it that are not among `frames`. Changes
+/// nothing. `differences` returns the names of the parameters that differ from another render's job file, for the message.
 using JobDifferences = std::function<std::vector<std::string>(const std::filesystem::path& job_file)>;
 void require_free_folder(const std::filesystem::path& folder, const std::string& job, const JobDifferences& differences,
                          const std::vector<int>& frames, const std::vector<std::string>& videos);
 
-/// The render that clear_folder() makes room for.
+/// The render for which clear_folder() clears the folder.
 struct NewRender {
   std::string job;
   std::vector<int> frames;
   bool force = false;
-  std::filesystem::path own = {};  ///< the file of the journal that the run has begun, which stays; empty: it has not yet
+  std::filesystem::path own = {};  ///< journal file of this run, which is kept; empty: the run has not begun
 };
 
-/// Makes room in a folder that exists: removes what runs of other jobs that finished nothing have left, and with `force` the
-/// files of another render, each by its name in the journal, and foreign files of the frames. Folders that are symbolic links
-/// are not gone into. Says in a warning which foreign files stay. Throws Error for a file that cannot be removed; if a run of
-/// another job goes on there; and without `force` for another render.
+/// Clears an existing folder. Removes the leftovers of other jobs' runs that finished nothing. With `force`, also removes the
+/// files in another render's journal and foreign files of frames. Does not follow symbolic links. Warns about foreign files
+/// that remain. Throws Error for a file that cannot be removed, if a run of another job is active, and without `force` for
+/// another render.
 void clear_folder(const std::filesystem::path& folder, const NewRender& render, const Context& context);
 
-/// Throws Error if `out`, a file or a folder of frames that something other than a render is to write, is a finished file of a
-/// render or the folder of one.
+/// Throws Error if `out`, a destination outside of renders, is a finished file of a render or a render's folder.
 void require_no_render(const std::filesystem::path& out);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// A traced frame becomes what its picture shows: toned, crosstalk undone, its pixels where the layout wants them.
+// Develops a traced frame into a picture: applies tone, undoes crosstalk, and arranges the pixels in the layout.
 #pragma once
 
 #include <optional>
@@ -15,13 +15,13 @@ struct Development {
   const FrameLayout& layout;
   const Optics& optics;  ///< the film's
   Tone tone = {};
-  Encoding encoding = Encoding::kSrgb;           ///< how the scene's values become codes
+  Encoding encoding = Encoding::kSrgb;           ///< encoding of the scene's values
   std::optional<double> crosstalk_to_undo = {};  ///< a sigma in the optics' pixels or views (optics/crosstalk.hpp)
-  bool keeps_light = false;                      ///< light stays as it is, without tone, and multiplied by alpha
+  bool keeps_light = false;                      ///< keeps linear light without tone, premultiplied by alpha
 };
 
-/// Changes the film and the layers in their place; codes are not made. Returns the film's memory where the picture has another
-/// one, else an empty image.
+/// Develops the film and the layers in place, without making codes. Returns the film's buffer if the picture has a new one,
+/// else an empty image.
 Image develop_frame(const Development& development, RenderedFrame& rendered);
 
 }  // namespace lippmann

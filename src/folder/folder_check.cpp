@@ -27,7 +27,7 @@ bool is_of_frame(const FolderJournal& journal, int frame, const std::string& nam
   return found != journal.frames.end() && found->second.files.contains(name);
 }
 
-/// Those directly in folder / `below`.
+/// Adds the foreign files directly in folder / `below`.
 void add_foreign(const fs::path& folder, const fs::path& below, const FolderJournal& journal,
                  std::vector<std::string>& foreign) {
   for (const fs::directory_entry& entry : entries_of(folder / below)) {
@@ -58,7 +58,7 @@ void add_file(const fs::path& folder, const std::string& name, const std::vector
   add_file(name, state_of(folder / name, sums), check);
 }
 
-/// Of a frame that is not there, or not as it was written. Whatever is wrong with strips of others is of no account.
+/// Adds the strips of a frame that is missing or damaged. Strips of finished frames are not checked.
 void add_strips(const fs::path& folder, int frame, const JournalStrips& strips, FolderCheck& check) {
   const std::size_t wrong_before = check.missing.size() + check.damaged.size();
   for (const auto& [strip, record] : strips.finished)
@@ -79,7 +79,7 @@ void add_strips(const fs::path& folder, const FolderJournal& journal, FolderChec
   }
 }
 
-/// Videos of the render in kSingleFolder, by their paths from `folder`: its own check has them.
+/// Returns the videos of the render in kSingleFolder, by their paths from `folder`. That render's own check covers them.
 std::set<std::string> videos_of_single(const fs::path& folder, const FolderJournal& journal) {
   std::set<std::string> names;
   if (!journal.companions.contains(kSingleFolder)) return names;
@@ -88,7 +88,7 @@ std::set<std::string> videos_of_single(const fs::path& folder, const FolderJourn
   return names;
 }
 
-/// A folder without a journal was to be written and is not there at all.
+/// Checks the single view's render. A folder without a journal counts as missing.
 void add_single(const fs::path& folder, FolderCheck& check) {
   const std::optional<FolderJournal> journal = read_journal(folder / kSingleFolder);
   if (!journal || journal->job.empty()) return add_file(kSingleFolder, FileState::kMissing, check);

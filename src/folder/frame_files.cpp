@@ -28,7 +28,7 @@ ExrLayer layer_of(Aov aov, const Image& image) {
   return layer;
 }
 
-/// All but alpha, which belongs to the colours.
+/// Returns all layers except alpha, which is stored with the colours.
 std::vector<ExrLayer> aov_layers(const FrameAovs& aovs) {
   std::vector<ExrLayer> layers;
   for (std::size_t i = 0; i < kAovs; ++i)
@@ -36,12 +36,12 @@ std::vector<ExrLayer> aov_layers(const FrameAovs& aovs) {
   return layers;
 }
 
-/// One picture and its layers.
+/// Writes one picture and its layers.
 class PictureWriter {
  public:
   explicit PictureWriter(const FrameFiles& files) : files_(files) {}
 
-  /// Returns the files that it wrote.
+  /// Returns the files written.
   std::vector<fs::path> write(const fs::path& picture, const fs::path& aov, const FramePictures& pictures) const {
     std::vector<ExrLayer> layers = aov_layers(pictures.aovs);
     switch (files_.format) {
@@ -76,7 +76,7 @@ class PictureWriter {
   const FrameFiles& files_;
 };
 
-/// Piece `i` of `count` that lie one below the other.
+/// Returns piece `i` of `count` pieces stacked vertically.
 template <class Sample>
 std::vector<Sample> piece_of(const std::vector<Sample>& samples, int i, int count) {
   const auto size = static_cast<std::ptrdiff_t>(samples.size()) / count;
@@ -105,7 +105,7 @@ void make_frame_folder(const fs::path& folder) {
   remove_stale_temporaries(folder);
 }
 
-/// Takes codes of 8 bits, or of 16.
+/// Converts to 8-bit or 16-bit codes.
 Picture codes_of(const FrameFiles& files, const Image& stack) {
   if (files.format == PictureFormat::kPng16) return to_codes16(stack, files.encoding);
   return to_codes(stack, files.encoding);

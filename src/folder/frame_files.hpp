@@ -14,34 +14,35 @@
 
 namespace lippmann {
 
-/// Frames that are the views of one data set, each from a camera of its own.
+/// Data of frames that are the views of one data set, one camera per frame.
 struct OneSet {
-  int count = 1;              ///< of all frames
+  int count = 1;              ///< number of frames
   double units_per_mm = 1.0;  ///< world units per millimetre of the display frame
 };
 
-/// What all frames of a render have in common.
+/// Settings shared by all frames of a render.
 struct FrameFiles {
   std::filesystem::path folder;
   FrameNames names;
   PictureFormat format = PictureFormat::kPng;
   ExrPixels exr_pixels = ExrPixels::kHalf;
   Encoding encoding = Encoding::kSrgb;
-  double pixels_per_mm = 0.0;            ///< stated by TIFF files; 0: not known
+  double pixels_per_mm = 0.0;            ///< resolution written to TIFF files; 0: unknown
   std::vector<ExrAttribute> about = {};  ///< attributes of EXR files
-  FormatOptions writing = {};            ///< what the formats of light fields are told
-  std::optional<OneSet> one_set = {};    ///< none: every frame is a light field of its own
+  FormatOptions writing = {};            ///< options of the light-field formats
+  std::optional<OneSet> one_set = {};    ///< nullopt: every frame is a separate light field
 };
 
 /// "png", "tif" or "exr".
 const char* ending_of(PictureFormat format);
 
-/// Each file whole or not at all. Where names.views > 0, the views lie one below the other in `pictures`. Extra layers go into
-/// EXR pictures, else into a file beside them (layers_path). Returns what it wrote. Throws Error naming the file.
+/// Writes the files of a frame, each atomically. If names.views > 0, the views are stacked vertically in `pictures`. Extra
+/// layers go into EXR pictures, else into a separate file (layers_path). Returns the files written. Throws Error naming the
+/// file.
 std::vector<std::filesystem::path> write_frame_files(const FrameFiles& files, int frame, const FramePictures& pictures);
 
-/// The same of the views of a film as a format of light fields has them: a folder, or a picture. `pictures` holds codes, but
-/// for EXR, and depth where the format uses it (Aov::kDepth).
+/// Writes the views of a film in a light-field format: a folder or a picture. `pictures` holds codes (linear values for EXR),
+/// and depth if the format uses it (Aov::kDepth).
 std::vector<std::filesystem::path> write_light_field_files(const FrameFiles& files, int frame, const LightFieldFormat& format,
                                                            const Optics& optics, const FramePictures& pictures);
 

@@ -15,7 +15,7 @@
 namespace lippmann {
 namespace {
 
-constexpr std::int64_t kMaxFilePixels = std::int64_t{1} << 28;  ///< that PNG and EXR files are written and read with
+constexpr std::int64_t kMaxFilePixels = std::int64_t{1} << 28;  ///< limit for reading and writing PNG and EXR files
 
 ViewLayout wanted_layout(const PictureParams& params, PictureLayout layout, const ViewLayout& film) {
   const ViewGrid& grid = film.grid;
@@ -36,13 +36,13 @@ bool same_places(const ViewLayout& a, const ViewLayout& b) {
   return a.kind == b.kind && (a.kind != LayoutKind::kQuilt || a.tiles == b.tiles);
 }
 
-/// Width / height of what is seen of the display plane.
+/// Returns width / height of the visible part of the display plane.
 double display_aspect(const Optics& optics) {
   const Vec2f window = window_size_mm(optics);
   return static_cast<double>(window.x) / window.y;
 }
 
-/// Quilts for displays are called quilts.
+/// Returns the default layout. Quilts made for displays count as quilts.
 PictureLayout default_layout(const Optics& optics, const Display* display) {
   const bool is_quilt = display && view_tiles(optics);
   return is_quilt ? PictureLayout::kQuilt : PictureLayout::kIntegral;
@@ -53,7 +53,7 @@ void refuse_without(bool has_other, bool given, const char* name, const char* ot
     throw usage_error(name, fmt::format("has no effect without {}", other), fmt::format("{} with it", other));
 }
 
-/// The layout that a format is by another name.
+/// Returns the layout that has a format's name, if any.
 std::optional<PictureLayout> layout_named(const std::string& format) {
   if (format == "integral") return PictureLayout::kIntegral;
   if (format == "quilt") return PictureLayout::kQuilt;
@@ -64,7 +64,7 @@ std::optional<PictureLayout> layout_named(const std::string& format) {
   return std::nullopt;
 }
 
-/// `to` as a layout where it is one.
+/// Replaces `to` by the layout of that name, if any.
 PictureParams with_layout(PictureParams params) {
   if (params.layout == PictureLayout::kRgbd && params.to.empty()) params.to = "rgbd";
   if (params.to.empty()) return params;
@@ -83,7 +83,7 @@ void refuse_depth_params(const PictureParams& params) {
   refuse_without(is_rgbd, params.depth.near_black, "near-black", "`layout` rgbd");
 }
 
-/// Left and right exchanged.
+/// Returns the image with left and right exchanged.
 Image mirrored(const Image& image) {
   Image mirror(image.width, image.height, image.channels);
   for (int y = 0; y < image.height; ++y)
@@ -140,7 +140,7 @@ void FrameLayout::check_picture_size(bool with_layers) const {
       fmt::format("up to {} pixels, or `format` tiff (`layout` print) without `aov` up to {}", kMaxFilePixels, kMaxTiffPixels));
 }
 
-/// A recording array turns every elemental image by 180 degrees (docs/guide/replay.md): a layout that is not turned round.
+/// Rotates every elemental image by 180 degrees, as a recording lens array does (docs/guide/replay.md).
 void FrameLayout::turn_round(const Optics& optics, PictureLayout layout) {
   if (layout != PictureLayout::kIntegral || !has_lenses(optics))
     throw usage_error("pseudoscopic", "needs elemental images, which lie behind lenses", "`layout` integral");
@@ -172,7 +172,7 @@ void FrameLayout::arrange_views(const PictureParams& params, PictureLayout layou
   if (!same_places(film, wanted)) arrangement_.emplace(film, wanted, film_, "layout");
 }
 
-/// The film holds the views side by side, as they lie in the picture: squeezed by their pixels, which are not square.
+/// Places the film's two views side by side in the picture, squeezed to its non-square pixels.
 void FrameLayout::pair_views(const StereoLayout& layout, const Optics& optics) {
   const ViewLayout film = film_layout(optics, "layout");
   if (film.kind != LayoutKind::kQuilt || film.grid != ViewGrid{2, 1})
@@ -216,7 +216,7 @@ Image FrameLayout::arrange(const Image& film) const {
 void FrameLayout::arrange(FrameAovs& aovs) const {
   for (std::size_t i = 0; i < kAovs; ++i) {
     if (!aovs.wanted[i]) continue;
-    const bool whole_pixels = sub_pixels_ && !is_light(static_cast<Aov>(i));  // light has the sub-pixels' colours
+    const bool whole_pixels = sub_pixels_ && !is_light(static_cast<Aov>(i));  // layers of light have the colours of sub-pixels
     aovs.images[i] = whole_pixels ? middle_sub_pixels(aovs.images[i]) : arrange(aovs.images[i]);
   }
   if (mirrors_ && aovs.wants(Aov::kMotion))

@@ -1,5 +1,5 @@
-// What each frame's picture holds: the film as its optics lie, its views moved to where another layout wants them, or a light
-// field in one of the formats that convert writes.
+// The layout of each frame's picture: the film's native layout, its views rearranged into another layout, or one of the
+// light-field formats that convert writes.
 #pragma once
 
 #include <cstdint>
@@ -21,55 +21,55 @@ namespace lippmann {
 
 class FrameLayout {
  public:
-  /// `display`: whose optics they are, if any. Throws a usage Error where the optics have no views of whole pixels to be moved,
-  /// or tiles do not suit them.
+  /// `display` is the display of the optics, or null. Throws a usage Error if the optics have no views of whole pixels to
+  /// rearrange, or do not fit the tiles.
   FrameLayout(const PictureParams& params, const Optics& optics, const Display* display = nullptr);
 
   const FrameNames& names() const { return names_; }
 
-  /// The kind of files of pictures.
+  /// Returns the file format of pictures.
   PictureFormat format() const { return format_; }
 
-  /// The format of light fields that each frame is written in; null: it is a picture of its own, or a folder of views.
+  /// Returns the light-field format of the frames; null for pictures and folders of views.
   const LightFieldFormat* light_field() const { return light_field_; }
 
-  /// Whether each frame is one picture, as videos want it.
+  /// Returns whether each frame is one picture, as videos require.
   bool is_picture() const { return names_.views == 0 && (!light_field_ || is_rgbd_); }
 
-  /// Whether it is one view with its depth beside it.
+  /// Returns whether each frame is one view with its depth beside it.
   bool is_rgbd() const { return is_rgbd_; }
 
-  /// How many pictures of picture_size() a frame has.
+  /// Returns the number of pictures of picture_size() per frame.
   int pictures_per_frame() const { return pictures_per_frame_; }
 
-  /// Where a video of these pictures goes: a quilt's says so in its name, a stereo video, and RGB-D.
+  /// Returns the path of a video of these pictures. Quilt, stereo and RGB-D videos get a suffix.
   std::filesystem::path video_path(const std::filesystem::path& requested) const;
 
-  /// For quilts: tiles and the display's aspect.
+  /// Returns the tiles and the display's aspect, for quilts.
   const std::optional<QuiltName>& quilt() const { return quilt_; }
 
-  /// How two views lie in each picture, where that is its layout.
+  /// Returns the arrangement of the two views, for stereo pictures.
   const std::optional<StereoLayout>& stereo() const { return stereo_; }
 
-  /// Whether film is moved at all.
+  /// Returns whether the film's pixels are moved.
   bool moves() const { return stereo_ || arrangement_ || sub_pixels_ || mirrors_; }
 
-  /// Whether what the panel shows is the picture as arranged, whole pixels of sub-pixels; else it is the film.
+  /// Returns whether the panel shows the arranged picture, whose pixels are joined from sub-pixels, and not the film.
   bool joins_sub_pixels() const { return sub_pixels_; }
 
-  /// Those of the display, where there is one; else 0.
+  /// Returns the display's resolution, or 0 without a display.
   double pixels_per_mm() const { return pixels_per_mm_; }
 
-  /// The size of a view; that of the whole picture where nothing is moved.
+  /// Returns the size of a view, or of the whole picture if nothing is moved.
   Vec2i picture_size() const;
 
-  /// Throws a usage Error where that is more than the picture's kind of file, or that of extra layers, holds.
+  /// Throws a usage Error if pictures or extra layers exceed the limits of their file format.
   void check_picture_size(bool with_layers) const;
 
-  /// A film, or a layer of the same size, in its new places: views one below the other where names().views > 0.
+  /// Rearranges a film, or a layer of the same size. Views are stacked vertically if names().views > 0.
   Image arrange(const Image& film) const;
 
-  /// Arranges the layers that there are.
+  /// Arranges all layers present.
   void arrange(FrameAovs& aovs) const;
 
  private:
@@ -84,10 +84,10 @@ class FrameLayout {
   PictureFormat format_ = PictureFormat::kPng;
   const LightFieldFormat* light_field_ = nullptr;
   int pictures_per_frame_ = 1;
-  Vec2i view_size_{0, 0};  ///< a light field's
+  Vec2i view_size_{0, 0};  ///< size of a light field's view
   std::optional<Arrangement> arrangement_;
   std::optional<StereoLayout> stereo_;
-  std::vector<std::uint32_t> stereo_pixels_;  ///< for each pixel of the picture, the film's pixel that it shows
+  std::vector<std::uint32_t> stereo_pixels_;  ///< index of the film's pixel for each pixel of the picture
   Vec2i stereo_size_{0, 0};
   bool sub_pixels_ = false, mirrors_ = false, is_rgbd_ = false;
   double pixels_per_mm_ = 0.0;

@@ -1,4 +1,4 @@
-// The figures of a frame as JSON, in a folder's journal and in report.json; docs/reference/formats.md explains every key.
+// Converts the figures of a frame to and from JSON, for journals and report.json. docs/reference/formats.md explains every key.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,7 +12,7 @@ nlohmann::ordered_json to_json(const RayCounts& rays);
 nlohmann::ordered_json to_json(const std::optional<Precompensation>& done);
 nlohmann::ordered_json to_json(const FrameReport& frame);
 
-/// The inverse, also for reports of earlier versions; none if anything is missing or of the wrong type.
+/// Reads a report, also of earlier versions; nullopt if a value is missing or of the wrong type.
 std::optional<FrameReport> frame_report_from_json(const nlohmann::ordered_json& json);
 
 }  // namespace lippmann

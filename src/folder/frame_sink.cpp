@@ -18,13 +18,13 @@
 namespace lippmann {
 namespace {
 
-/// Writing a frame costs less than tracing one: half as many threads keep up with any scene.
+/// Returns the number of writing threads. Writing costs less than tracing, so half as many threads suffice.
 int writing_threads(int rendering_threads) { return std::clamp(rendering_threads / 2, 1, 8); }
 
-/// One more than are being written: the next is ready when a thread is.
+/// Returns the capacity of the queue: one more frame than threads, so that no thread waits for the next frame.
 int queue_capacity(int rendering_threads) { return writing_threads(rendering_threads) + 1; }
 
-/// Adds the wall time of its life to a sum of nanoseconds.
+/// Adds the wall time of its lifetime to a sum of nanoseconds.
 class TimedWork {
  public:
   explicit TimedWork(std::atomic<std::int64_t>& sum) : sum_(sum) {}
@@ -57,9 +57,10 @@ struct FrameSink::Impl {
   std::map<int, Precompensation> precompensated;
   int first_frame = -1;  ///< of the videos; -1: there is none yet
   std::atomic<std::int64_t> write_nanoseconds{0};
-  BackgroundQueue queue;  ///< last: its threads use what is above
+  BackgroundQueue queue;  ///< declared last, as its threads use the members above
 
-  /// Returns what was written. Its checksums are taken here, beside rendering, while the bytes are still in memory.
+  /// Writes a frame and returns its records. Computes checksums here, in parallel with rendering, while the bytes are in
+  /// memory.
   FileRecords write(RenderedFrame& rendered) {
     const TimedWork timed(write_nanoseconds);
     Image as_traced = develop(rendered);
@@ -75,13 +76,14 @@ struct FrameSink::Impl {
 
   bool keeps_light() const { return files.format == PictureFormat::kExr; }
 
-  /// The codes of the PNG itself: a video is the same whether its frames come from the film or from kept pictures.
+  /// Returns whether the codes of the PNG are kept, so that a video is the same whether its frames come from the film or from
+  /// kept pictures.
   bool needs_codes() const {
-    if (settings.layout.light_field()) return false;  // its picture has codes of its own, which videos read back
+    if (settings.layout.light_field()) return false;  // its picture has separate codes, which videos read back
     return files.format == PictureFormat::kPng || files.format == PictureFormat::kTiff || !videos.empty();
   }
 
-  /// Light becomes what the pictures hold, in its place. Returns the film's memory where that is another than the pictures'.
+  /// Develops the film in place. Returns the film's buffer if the pictures have a new one.
   Image develop(RenderedFrame& rendered) const {
     FramePictures& pictures = rendered.pictures;
     const Tone tone = tone_of(settings.pictures);
@@ -108,7 +110,7 @@ struct FrameSink::Impl {
     return written;
   }
 
-  /// All frames have one range, so that the side file of any of them is the video's.
+  /// Copies the depth range to the video's side file. All frames have the same range.
   bool describe_depth() const {
     const auto frame = picture_paths(files.folder, files.names, first_frame).front();
     const std::optional<RgbdSideFile> side = read_rgbd_side_file(frame);
@@ -117,7 +119,7 @@ struct FrameSink::Impl {
     return side.has_value();
   }
 
-  /// Videos beside pictures that keep the light.
+  /// Returns toned codes for videos if the pictures store linear light.
   Image8 toned_codes(const Tone& tone, Image film) const {
     apply_tone(tone, film);
     return to_codes(film, settings.encoding);

@@ -1,4 +1,4 @@
-// Where rendered frames go: encoded and written in the background, a bounded number at a time, recorded when complete.
+// Encodes and writes rendered frames in the background, a bounded number at a time, and records completed frames.
 #pragma once
 
 #include <cstdint>
@@ -33,47 +33,46 @@ class FrameSink {
   struct Settings {
     PictureParams pictures;
     const FrameLayout& layout;
-    const Optics& optics;                          ///< the films'
-    Encoding encoding = Encoding::kSrgb;           ///< how the scene's values become codes
+    const Optics& optics;                          ///< optics of the films
+    Encoding encoding = Encoding::kSrgb;           ///< encoding of the scene's values
     std::optional<double> crosstalk_to_undo = {};  ///< a sigma in the optics' pixels or views (optics/crosstalk.hpp)
     std::vector<VideoFile> videos = {};
-    FormatOptions writing = {};                 ///< what the formats of light fields are told
+    FormatOptions writing = {};                 ///< options of the light-field formats
     std::vector<ExrAttribute> about = {};       ///< attributes of EXR files
-    int threads = 1;                            ///< that render; a share as many again write
-    std::function<void(Image)> done_with = {};  ///< is given the film of every written frame, on any thread; may be empty
-    /// Hears that a frame's pictures and layers are there, and how many bytes they have: in order, one at a time, on any
-    /// thread; may be empty.
+    int threads = 1;                            ///< rendering threads; writing uses up to half as many more
+    std::function<void(Image)> done_with = {};  ///< receives the film of every written frame, on any thread; may be empty
+    /// Called when a frame's files are written, with their size in bytes: in order, one at a time, on any thread. May be empty.
     std::function<void(int frame, std::uintmax_t bytes)> written = {};
-    std::optional<OneSet> one_set = {};  ///< where all frames are views of one data set
+    std::optional<OneSet> one_set = {};  ///< set if all frames are views of one data set
   };
 
-  /// `folder` outlives the sink; nothing else records in it meanwhile. Throws Error for videos that cannot be begun.
+  /// `folder` must outlive the sink, and nothing else may record in it meanwhile. Throws Error for videos that cannot be begun.
   FrameSink(const Settings& settings, RenderFolder& folder);
-  /// Drops what is not written yet; videos that finish() has not completed leave nothing.
+  /// Discards unwritten frames, and videos unless finish_videos() was called.
   ~FrameSink();
   FrameSink(const FrameSink&) = delete;
   FrameSink& operator=(const FrameSink&) = delete;
 
-  /// Takes a frame; frames come in ascending order. Waits while too many are under way. Throws the Error of an earlier frame
-  /// that could not be written, once.
+  /// Queues a frame; frames must ascend. Blocks while the queue is full. Throws the Error of an earlier frame that could not be
+  /// written, once.
   void add(RenderedFrame rendered);
 
-  /// Takes a frame whose picture is there already: only videos need it, and read it back. Like add() otherwise.
+  /// Adds a frame whose picture exists. Only videos use it; they read it back. Otherwise like add().
   void add_kept(int frame);
 
-  /// Waits until all is written. Throws as add() does.
+  /// Waits until all frames are written. Throws like add().
   void wait();
 
-  /// Completes the videos, after wait(): without it, nothing remains of them. Returns whether each has a side file now.
+  /// Completes the videos; call after wait(). Returns whether each has a side file.
   bool finish_videos();
 
-  /// What undoing crosstalk has come to, by frame, after wait(); empty where it was not asked for.
+  /// Returns the results of undoing crosstalk by frame, after wait(); empty if not requested.
   const std::map<int, Precompensation>& precompensated() const;
 
-  /// Spent so far encoding and writing, summed over threads.
+  /// Returns the seconds spent so far on encoding and writing, summed over threads.
   double write_seconds() const;
 
-  /// How many frames of film may exist at a time for that many rendering threads, the one being traced included.
+  /// Returns the maximum number of films in memory for a number of rendering threads, including the one being traced.
   static int frames_in_memory(int threads);
 
  private:

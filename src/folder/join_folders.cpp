@@ -25,7 +25,7 @@ FolderJournal journal_of_render(const fs::path& folder) {
   return *std::move(journal);
 }
 
-/// The job of all of them.
+/// Returns the job shared by all folders.
 std::string common_job(const fs::path& folder, const std::vector<fs::path>& others) {
   const std::optional<FolderJournal> there = read_journal(folder);
   const std::string job = there ? there->job : journal_of_render(others.front()).job;
@@ -35,7 +35,7 @@ std::string common_job(const fs::path& folder, const std::vector<fs::path>& othe
   return job;
 }
 
-/// Linked where both are on one file system; whole or not at all.
+/// Links or copies a file atomically. Links it if both folders are on one file system.
 void take_over(const fs::path& from, const fs::path& to) {
   make_folder(to.parent_path());
   AtomicFile file(to);
@@ -46,7 +46,7 @@ void take_over(const fs::path& from, const fs::path& to) {
   file.commit();
 }
 
-/// A frame's strips that are not there.
+/// Takes over the strips of a frame that are missing.
 void join_strips(const fs::path& other, int frame, const JournalStrips& strips, RenderFolder& folder, JoinedFolders& joined) {
   const FolderJournal there = folder.now();
   for (const auto& [strip, record] : strips.finished) {

@@ -1,4 +1,4 @@
-// Brings together what runs of one job have rendered into folders of their own.
+// Merges folders that runs of one job have rendered into.
 #pragma once
 
 #include <filesystem>
@@ -8,15 +8,13 @@
 namespace lippmann {
 
 struct JoinedFolders {
-  std::vector<int> frames;  ///< that were taken over, ascending
-  std::vector<std::string>
-      not_as_written;  ///< files of the others that are damaged or missing: their frames or strips were left out
+  std::vector<int> frames;                  ///< frames taken over, ascending
+  std::vector<std::string> not_as_written;  ///< damaged or missing files of `others`; their frames or strips were skipped
 };
 
-/// Takes over the frames of `others`, and strips of those that are in pieces, that `folder` has not finished, or not as they
-/// were written: their files are linked, or copied where that cannot be, and recorded; the other folders stay as they are.
-/// `folder` is made if it is not there. Throws Error for folders that hold no render or those of different jobs, and for files
-/// that cannot be written.
+/// Takes over the frames and strips of `others` that are missing or damaged in `folder`. Their files are linked, or else
+/// copied, and recorded. The other folders are not changed. Makes `folder` if necessary. Throws Error for folders without a
+/// render or of different jobs, and for files that cannot be written.
 JoinedFolders join_folders(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& others);
 
 }  // namespace lippmann
