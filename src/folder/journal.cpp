@@ -30,14 +30,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// What makes a line no line of a journal.
+/// The reason why a line is invalid.
 using LineProblem = std::runtime_error;
 
 std::string line_of(const Json& json) { return json_to_text(json, -1) + '\n'; }
 
 Json checksum_json(const FileChecksum& sum) { return {{"bytes", sum.bytes}, {"xxh3", sum.xxh3}}; }
 
-/// What both frames and strips say of themselves.
+/// Returns the JSON shared by the records of frames and strips.
 Json finished_json(const FrameReport& report, const FileRecords& files) {
   Json json = to_json(report);
   json["files"] = Json::object();
@@ -81,7 +81,7 @@ void add_frames(const std::vector<int>& more, std::vector<int>& frames) {
   frames = std::move(both);
 }
 
-/// Whether a file of that name is written for all frames together: the job, the report, or a data set's cameras.
+/// Returns whether a name is that of a file for all frames together: the job, the report, or a data set's cameras.
 bool is_document(const std::string& name) {
   static const std::set<std::string_view> documents{
       "job.toml",         "report.json", "transforms.json",      "transforms_train.json", "transforms_test.json",
@@ -116,7 +116,7 @@ void read_asked(const Json& json, FolderJournal& journal) {
   }
 }
 
-/// A file in the folder of the page, or in folders in it.
+/// Returns whether a name is that of a file in the page's folder or its subfolders.
 bool is_page_file(const std::string& name) {
   const fs::path path(name);
   return path.is_relative() && path.lexically_normal() == path && path.has_filename() && path.has_parent_path() &&
@@ -174,7 +174,7 @@ void read_strips_of_run(const Json& json, RunReport& run) {
 void read_run(const Json& json, FolderJournal& journal) {
   RunReport run;
   json.at("host").get_to(run.host);
-  if (json.contains("cpu")) json["cpu"].get_to(run.cpu);  // runs of earlier versions do not say
+  if (json.contains("cpu")) json["cpu"].get_to(run.cpu);  // missing in runs of earlier versions
   json.at("unit").get_to(run.unit);
   run.frames = frames_from_json(json.at("frames"));
   if (json.contains("strips")) read_strips_of_run(json["strips"], run);
@@ -215,7 +215,7 @@ void read_line(const Json& json, bool is_first, FolderJournal& journal) {
 
 constexpr std::uintmax_t kMaxJournalBytes = std::uintmax_t{4} << 30;  // a frame of 48 views takes about 5000
 
-/// What is wrong with it, or nothing.
+/// Returns the problem of a line; empty if there is none.
 std::string problem_of(const Json& json, bool is_first, FolderJournal& journal) try {
   read_line(json, is_first, journal);
   return {};
@@ -225,14 +225,14 @@ std::string problem_of(const Json& json, bool is_first, FolderJournal& journal) 
   return problem.what();
 }
 
-/// What one run has written. A run that was killed while it wrote its first line has written nothing.
+/// Reads the journal file of one run. A run that was killed while writing its first line counts as empty.
 void read_part(const fs::path& path, std::uintmax_t& bytes_left, FolderJournal& journal) {
-  if (!is_regular_file_there(path)) return;  // taken away since the folder was listed
+  if (!is_regular_file_there(path)) return;  // removed since the folder was listed
   std::istringstream in(read_file_text(path, bytes_left, "the journal of a render"));
   bytes_left -= in.view().size();
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
-    if (in.eof() && may_be_cut_line(line)) break;  // it has no end: its process was killed
+    if (in.eof() && may_be_cut_line(line)) break;  // incomplete line: the process was killed
     const Json json = json_from_text(line);
     const bool is_last = in.eof() || in.peek() == std::ifstream::traits_type::eof();
     if (json.is_discarded() && is_last && number > 1 && may_be_cut_line(line)) break;  // cut by a crash of the machine
@@ -243,7 +243,7 @@ void read_part(const fs::path& path, std::uintmax_t& bytes_left, FolderJournal& 
   }
 }
 
-/// The job that the first line names; empty if it names none.
+/// Returns the job in the first line; empty if there is none.
 std::string job_of_part(const fs::path& path) {
   if (!is_regular_file_there(path)) return {};
   std::ifstream in(path, std::ios::binary);
@@ -254,7 +254,7 @@ std::string job_of_part(const fs::path& path) {
   return json.is_object() && job != json.end() && job->is_string() ? job->get<std::string>() : std::string();
 }
 
-/// Takes the runs out of `parts` that have finished nothing and are of other jobs than the rest. Returns them.
+/// Removes from `parts` the runs that finished nothing and whose job differs from the others. Returns them.
 std::vector<fs::path> take_claims(std::vector<fs::path>& parts) {
   std::map<std::string, std::vector<fs::path>> by_job;
   for (const fs::path& part : parts)
@@ -357,7 +357,7 @@ void sync_render(const fs::path& folder, const FolderJournal& journal) {
   std::vector<fs::path> files;
   for (const auto& [frame, record] : journal.frames)
     for (const auto& [name, sum] : record.files) files.push_back(folder / name);
-  if (!journal.strips.empty()) files.push_back(folder / strip_name(0, 0));  // all strips lie where this one does
+  if (!journal.strips.empty()) files.push_back(folder / strip_name(0, 0));  // all strips are in the same folder as this one
   sync_names(folder, files);
 }
 

@@ -1,10 +1,10 @@
-// The journal of an output folder: whose render the folder holds, which of its files are finished, and what bytes they have.
+// The journal of an output folder: the render's job, its finished files, and their checksums.
 //
-// Its first line claims the folder for the run's job, before anything else is written there.
+// Its first line claims the folder for the run's job before any other file is written.
 //
-// Every run writes a file of its own, .lippmann/TIME-HOST-PROCESS.jsonl, and never touches another's: renders of parts of one
-// job may run beside each other, on other machines too, and one that was killed at any moment can be taken up again. Together
-// they are the journal. One JSON object a line; lines are only ever added:
+// Every run writes its own file, .lippmann/TIME-HOST-PROCESS.jsonl, and never changes another run's. Several runs of one job
+// may therefore render at the same time, also on other machines, and a killed run can be resumed. All files together are the
+// journal. Each line is a JSON object. Lines are only appended:
 //
 //   {"job": "..."}                                          the first line: job_fingerprint()
 //   {"asked": "0-3", "companions": ["page"]}                the run is to render these frames, and to write these folders
@@ -19,8 +19,8 @@
 //   {"companion": "page", "files": {"page/index.html": {...}}}  files of the page are in place
 //   {"run": {...}}                                          the run has ended: what it took beside its frames
 //
-// A journal may have been written by anybody: its names are those of files that a render writes, below its folder and nowhere
-// else (videos: names of videos, anywhere), and its numbers are within reason.
+// A journal is untrusted input. File names must be those of files that a render writes below its folder (videos: names of
+// videos, anywhere), and numbers must be within limits.
 #pragma once
 
 #include <cstdint>
@@ -37,14 +37,13 @@
 
 namespace lippmann {
 
-/// Files of a folder by their names relative to it, as they were when they were finished.
+/// Checksums of finished files, by their names relative to the folder.
 using FileRecords = std::map<std::string, FileChecksum>;
 
-/// Makes sure that a loss of power leaves files in `folder`, or in folders in it, under their names.
+/// Syncs the names of files in `folder` or its subfolders, so that they survive a power loss.
 void sync_names(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 
-/// The records of files that lie in `folder`, once their names are safe from a loss of power. Throws Error naming the one that
-/// cannot be read.
+/// Syncs the names of files in `folder` and returns their records. Throws Error naming a file that cannot be read.
 FileRecords records_of(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 
 struct JournalEntry {
@@ -55,87 +54,86 @@ struct JournalEntry {
 /// A strip of a frame, from 0 at the top.
 struct StripNumber {
   int frame = 0, strip = 0;
-  int count = 1;  ///< that the frame has
+  int count = 1;  ///< strips per frame
 };
 
 struct JournalStrips {
-  int count = 1;                         ///< that the frame has
-  std::map<int, JournalEntry> finished;  ///< by strip; of several lines for a strip the last one counts
+  int count = 1;                         ///< strips per frame
+  std::map<int, JournalEntry> finished;  ///< by strip; the last of several lines counts
 };
 
 struct JournalVideo {
-  std::vector<FileChecksum> sums;  ///< that runs have given it; none: one was stopped while it put the video in place
-  std::vector<int> frames;         ///< that it shows, ascending
-  std::vector<FileChecksum> side;  ///< that runs have given its side file; none: it has none
+  std::vector<FileChecksum> sums;  ///< checksums of all versions written by runs; empty: a run stopped while writing it
+  std::vector<int> frames;         ///< frames of the video, ascending
+  std::vector<FileChecksum> side;  ///< checksums of all versions written by runs; empty: a run stopped while writing it
 };
 
-/// Folders that a render writes in its own: a render of its own, with a journal; a page for browsers.
+/// Companion folders inside a render's folder: the single view's render, with its own journal, and a page for browsers.
 inline constexpr const char* kSingleFolder = "single";
 inline constexpr const char* kPageFolder = "page";
 
-/// What a run did and took beside the figures of its frames.
+/// The figures of a run, apart from those of its frames.
 struct RunReport {
   std::string host = {};                        ///< the machine's name
-  std::string cpu = {};                         ///< its processor's; empty: not recorded
-  std::string unit = {};                        ///< such as 7/200; empty: all frames
-  std::vector<int> frames = {};                 ///< that it rendered, ascending
-  std::map<int, std::vector<int>> strips = {};  ///< that it rendered, by frame, ascending
+  std::string cpu = {};                         ///< name of the processor; empty: not recorded
+  std::string unit = {};                        ///< e.g. 7/200; empty: all frames
+  std::vector<int> frames = {};                 ///< frames rendered by the run, ascending
+  std::map<int, std::vector<int>> strips = {};  ///< strips rendered by the run, by frame, ascending
   double setup_seconds = 0.0;                   ///< wall time before the first frame: loading, building
-  double write_seconds = 0.0;  ///< time that files took to encode and write, summed over threads; beside rendering
+  double write_seconds = 0.0;                   ///< encoding and writing, summed over threads; overlaps rendering
   std::uint64_t peak_memory_bytes = 0;
   int threads = 1;
-  std::vector<FrameReport> sources = {};  ///< rendered only because frames are made from them; ascending
+  std::vector<FrameReport> sources = {};  ///< source frames rendered besides the run's own; ascending
 };
 
 struct FolderJournal {
-  std::string job;                      ///< whose render it is
-  std::vector<int> asked;               ///< the frames that runs of the job were to render, each once, ascending
-  std::set<std::string> companions;     ///< that runs of the job were to write: kSingleFolder, kPageFolder
+  std::string job;                      ///< fingerprint of the job
+  std::vector<int> asked;               ///< frames requested by all runs of the job, unique, ascending
+  std::set<std::string> companions;     ///< companions requested by runs of the job: kSingleFolder, kPageFolder
   FileRecords page;                     ///< files of the page, by path relative to the folder
-  std::map<int, JournalEntry> frames;   ///< finished; of several lines for a frame the last one counts
-  std::map<int, JournalStrips> strips;  ///< by frame; their files are gone once the frame is finished
-  std::map<std::string, std::vector<FileChecksum>> files;  ///< job.toml, report.json: as runs have written them
+  std::map<int, JournalEntry> frames;   ///< finished frames; the last of several lines for a frame counts
+  std::map<int, JournalStrips> strips;  ///< by frame; the files are deleted when the frame is finished
+  std::map<std::string, std::vector<FileChecksum>> files;  ///< checksums of all written versions of job.toml, report.json
   std::map<std::string, JournalVideo> videos;              ///< by path relative to the folder
-  std::vector<RunReport> runs;                             ///< that have ended
-  std::vector<std::filesystem::path> parts;                ///< the files that it was read from, one for each run
-  std::vector<std::filesystem::path> claims;               ///< files of runs of other jobs, which have finished nothing
-  std::string problem;  ///< what is wrong with the first line that is none of the above, and which it is; empty: all are sound
+  std::vector<RunReport> runs;                             ///< finished runs
+  std::vector<std::filesystem::path> parts;                ///< journal files read, one per run
+  std::vector<std::filesystem::path> claims;               ///< journal files of other jobs' runs that finished nothing
+  std::string problem;  ///< number and problem of the first invalid line; empty: all are valid
 };
 
-/// Whether files remain that somebody may want. A render that was stopped before its first frame holds nothing.
+/// Returns whether the render finished any file. A render stopped before its first frame has none.
 bool holds_anything(const FolderJournal& journal);
 
-/// Whether a file has bytes of one of these checksums.
+/// Returns whether a file has one of these checksums.
 bool is_as_written(const std::filesystem::path& file, const std::vector<FileChecksum>& sums);
 
-/// Whether a file that several runs write, job.toml or report.json, has bytes that one of them has given it.
+/// Returns whether job.toml or report.json equals one of the versions that runs have written.
 bool is_as_written(const FolderJournal& journal, const std::filesystem::path& folder, const std::string& name);
 
-/// Whether all these files of a folder have the bytes that were recorded.
+/// Returns whether all these files of a folder match their records.
 bool are_as_recorded(const std::filesystem::path& folder, const FileRecords& files);
 
-/// As a journal and report.json have it.
+/// Returns the JSON form used by journals and report.json.
 nlohmann::ordered_json to_json(const RunReport& run);
 
-/// Where the files of a journal are.
+/// Returns the folder of the journal's files.
 std::filesystem::path journal_folder(const std::filesystem::path& folder);
 
-/// Returns nothing if no run has written there. `problem` names a damaged line, or two runs of different jobs that both
-/// finished something; a torn last line is not a problem. Throws Error for a journal that is no regular file or cannot be read.
+/// Reads the journal of a folder; nullopt if no run has written there. `problem` names a damaged line, or two runs of different
+/// jobs that both finished something. An incomplete last line is not a problem. Throws Error for a journal that is not a
+/// regular file or cannot be read.
 std::optional<FolderJournal> read_journal(const std::filesystem::path& folder);
 
-/// What one run has written: its frames, what it was asked for, and its end once it has ended. A file that is gone says
-/// nothing.
+/// Reads the journal file of one run. Returns an empty journal if the file does not exist.
 FolderJournal read_journal_part(const std::filesystem::path& part);
 
-/// Makes sure that a loss of power leaves the journal as it was read, and the frames under their names: of a run that was
-/// killed, the last line and the last names may not be safe yet.
+/// Syncs the journal and the names of the frames' files. A killed run may not have synced its last line and last names.
 void sync_render(const std::filesystem::path& folder, const FolderJournal& journal);
 
 /// Throws Error if the journal has a problem.
 void require_sound(const std::filesystem::path& folder, const FolderJournal& journal);
 
-/// Lines of a journal, each with its end.
+/// Return lines of a journal, each with a newline.
 std::string job_line(const std::string& job);
 std::string asked_line(const std::vector<int>& frames, const std::set<std::string>& companions = {});
 std::string frame_line(const FrameReport& frame, const FileRecords& files);
@@ -146,14 +144,14 @@ std::string video_line(const std::string& name, const std::vector<int>& frames, 
 std::string page_line(const FileRecords& files);
 std::string run_line(const RunReport& run);
 
-/// Whether a file is of a frame that was asked for and is not finished, or a strip of one that was: a render that was stopped
-/// may have left it.
+/// Returns whether a file belongs to a requested but unfinished frame, or to a strip of one. An interrupted render may have
+/// left it.
 bool is_unfinished(const FolderJournal& journal, const std::string& name);
 
-/// The name of a video's side file.
+/// Returns the name of a video's side file.
 std::string side_name(const std::string& video);
 
-/// Whether a video of that path relative to the folder lies directly in the folder.
+/// Returns whether a video, given relative to the folder, lies directly in it.
 bool lies_in_folder(const std::string& video);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// The file of a journal that one run writes: lines are added, and none is lost once it has been.
+// The journal file of one run. Appended lines are durable.
 #pragma once
 
 #include <filesystem>
@@ -11,18 +11,18 @@ namespace lippmann {
 
 class JournalPart {
  public:
-  /// Begins a file of this run alone in the folder of journals, which exists: its first line says whose render it is. Throws
-  /// Error if it cannot be written.
+  /// Creates this run's file in the existing folder of journals. Its first line names the job. Throws Error if it cannot be
+  /// written.
   JournalPart(const std::filesystem::path& folder, const std::string& job);
 
-  /// Adds a line and waits until it is on the disk. Throws Error if it cannot be written or the file is no longer in its
-  /// folder, and from then on always: what stands there of the line stays the end of the file.
+  /// Appends a line and waits until it is on the disk. Throws Error if it cannot be written or the file was removed, and on
+  /// every later call: the incomplete line stays the end of the file.
   void add(const std::string& line);
 
-  /// Says that the run goes on (is_held). May run beside add().
+  /// Renews the lease of the run (is_held). May be called in parallel with add().
   void renew() const;
 
-  /// Takes the file away, as nothing has been recorded in it.
+  /// Removes the file. Call only if nothing has been recorded in it.
   void remove();
 
   const std::filesystem::path& path() const { return path_; }
@@ -30,7 +30,7 @@ class JournalPart {
  private:
   std::filesystem::path path_;
   platform::OpenFile file_;
-  std::error_code problem_;  ///< of a line that could not be written
+  std::error_code problem_;  ///< error of the first failed write
 };
 
 }  // namespace lippmann

@@ -25,7 +25,8 @@ Number number_of_digits(const std::string& digits) {
 
 using platform::ProcessHandle;
 
-/// The process of a part, if that process writes it. It is opened before it is looked at, so that what is looked at is it.
+/// Runs `act` on the process that writes a part, if there is one. Opens the process before checking it, so that its number
+/// cannot be reused in between.
 bool with_writer(const fs::path& part, bool (*act)(const ProcessHandle&)) {
   const std::optional<JournalWriter> writer = writer_of(part);
   if (!writer || !writer->is_of_this_machine()) return false;
@@ -33,7 +34,7 @@ bool with_writer(const fs::path& part, bool (*act)(const ProcessHandle&)) {
   return process.is_there() && process.writes(part) && act(process);
 }
 
-/// Whether this process may see which files that one has open. One that is gone has none.
+/// Returns whether this process may list the open files of the writer. A process that has ended has none.
 bool can_be_seen(const JournalWriter& writer) {
   if (!writer.is_of_this_machine()) return false;
   const ProcessHandle process(writer.process);
@@ -52,7 +53,8 @@ double seconds_since_written(const fs::path& part) {
 bool JournalWriter::is_of_this_machine() const { return host == platform::host_name(); }
 
 std::optional<JournalWriter> writer_of(const fs::path& part) {
-  // Names of machines may have dashes and digits: this machine's is known, of others the number is what stands last.
+  // Host names may contain dashes and digits. The name of this machine is matched exactly; for others, the last number is the
+  // process.
   static const TextPattern own("([0-9]{1,15})-(" + platform::host_name() + R"()-([0-9]{1,9})(?:-[0-9]{1,9})?\.jsonl)");
   static const TextPattern any(R"(([0-9]{1,15})-([A-Za-z0-9-]{1,64})-([0-9]{1,9})\.jsonl)");
   const std::string name = part.filename().string();

@@ -1,8 +1,7 @@
-// The process that writes a part of a journal: whether it still does, and stopping it.
+// Finds the process that writes a journal file, and interrupts it.
 //
-// A part is named TIME-HOST-PROCESS.jsonl (folder/journal.hpp). A number of a process alone proves nothing, as another process
-// may have got it since; a process of that number that has that very file open for writing is the render. The system closes the
-// file when the process ends, however it ends.
+// A part is named TIME-HOST-PROCESS.jsonl (folder/journal.hpp). Process numbers are reused, so a process counts as the writer
+// only if it has that file open for writing. The system closes the file when the process ends, even by a crash.
 #pragma once
 
 #include <filesystem>
@@ -13,26 +12,27 @@ namespace lippmann {
 
 struct JournalWriter {
   std::string host;    ///< the machine's name (platform::host_name)
-  int process = 0;     ///< its number on that machine
-  double began = 0.0;  ///< seconds since 1970, whole, by that machine's clock
+  int process = 0;     ///< process number on that machine
+  double began = 0.0;  ///< whole seconds since 1970, by that machine's clock
 
   bool is_of_this_machine() const;
 };
 
-/// As the name of the part says; none where it is no name of a part.
+/// Parses the name of a part; nullopt if it is not one.
 std::optional<JournalWriter> writer_of(const std::filesystem::path& part);
 
-/// Whether a process of this machine writes it. A process of another user is not seen.
+/// Returns whether a process of this machine writes the part. Processes of other users may not be detected.
 bool is_being_written(const std::filesystem::path& part);
 
-/// How long a run holds a folder since it has last renewed its lease (JournalPart::renew), where its process cannot be seen.
+/// Duration of a run's lease after its last renewal (JournalPart::renew), if its process cannot be inspected.
 inline constexpr double kLeaseSeconds = 600.0;
 
-/// Whether the run that writes it may still go on. Of this machine: while its process writes it. Of another machine, or of a
-/// process that this one may not look into: until it records its end, while its lease lasts.
+/// Returns whether the run that writes the part may be active. On this machine: while its process writes the part. On other
+/// machines, and for processes that cannot be inspected: until the run records its end or its lease expires.
 bool is_held(const std::filesystem::path& part);
 
-/// Does to that process what Ctrl-C does, once: a second time would end it at once. False: there is none.
+/// Interrupts the writer as Ctrl-C does. Call once: a second interrupt ends the process immediately. Returns false if there is
+/// no writer.
 bool interrupt_writer(const std::filesystem::path& part);
 
 }  // namespace lippmann

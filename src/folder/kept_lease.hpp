@@ -1,4 +1,4 @@
-// Renews the lease of a run on its folder, so that machines that cannot see its process do not take it for one that was killed.
+// Renews the lease of a run on its folder, so that machines that cannot inspect its process do not consider it dead.
 #pragma once
 
 #include <condition_variable>
@@ -11,7 +11,7 @@ namespace lippmann {
 
 class KeptLease {
  public:
-  /// Renews it from a thread of its own as long as this object lives, which `folder` must outlive.
+  /// Renews the lease from a background thread during its lifetime. `folder` must outlive this object.
   explicit KeptLease(const RenderFolder& folder);
   ~KeptLease();
   KeptLease(const KeptLease&) = delete;

@@ -1,4 +1,4 @@
-// What each frame's picture holds, and the kind of file that it goes into.
+// The layout and file format of each frame's picture.
 #pragma once
 
 #include <optional>
@@ -11,26 +11,26 @@
 
 namespace lippmann {
 
-/// Where the pixels of views lie (layout/view_layout.hpp).
+/// Arrangement of the views' pixels (layout/view_layout.hpp).
 enum class PictureLayout { kIntegral, kQuilt, kViews, kNative, kPrint, kStereo, kRgbd };
 enum class PictureFormat { kPng, kPng16, kTiff, kExr };
 enum class ExrPixels { kHalf, kFloat };
 
-/// How the grey of kRgbd means depth.
+/// Depth coding of kRgbd.
 struct DepthParams {
-  std::optional<DepthRange> range;   ///< none: what the scene shows over its animation (job/rgbd_options.hpp)
-  std::optional<DepthScale> linear;  ///< what grey is linear in; none: disparity
+  std::optional<DepthRange> range;   ///< nullopt: the visible range over the animation (job/rgbd_options.hpp)
+  std::optional<DepthScale> linear;  ///< quantity in which grey is linear; nullopt: disparity
   bool near_black = false;
 };
 
 struct PictureParams {
-  float exposure_ev = 0.0f;             ///< for pictures in codes and for videos; EXR stays as the light is
-  ToneCurve tone = ToneCurve::kNone;    ///< for the same
-  std::optional<PictureLayout> layout;  ///< none: as the optics lie, lens by lens or tile by tile
-  std::string to;                       ///< a format of light fields (layout/formats.hpp), in place of a layout; empty: none
-  bool pseudoscopic = false;            ///< kIntegral: as a lens array records, depth turned round
-  bool mirror = false;                  ///< kPrint: left and right exchanged, for print on the back of a sheet
-  Extent<int> quilt;                    ///< tiles of kQuilt; 0: as the optics lie, or as square as can be
+  float exposure_ev = 0.0f;             ///< for encoded pictures and videos; EXR stores linear light unchanged
+  ToneCurve tone = ToneCurve::kNone;    ///< for encoded pictures and videos
+  std::optional<PictureLayout> layout;  ///< nullopt: the native layout of the optics
+  std::string to;                       ///< light-field format in place of a layout; empty: none
+  bool pseudoscopic = false;            ///< kIntegral: as recorded by a lens array, with inverted depth
+  bool mirror = false;                  ///< kPrint: exchange left and right, for print on the back of a sheet
+  Extent<int> quilt;                    ///< tiles of kQuilt; 0: native, or nearly square
   StereoLayout stereo;                  ///< for kStereo
   DepthParams depth;                    ///< for kRgbd
   PictureFormat format = PictureFormat::kPng;

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What earlier runs, and those that run now, have recorded for this job.
+/// Returns the records of this job's earlier and active runs.
 FolderJournal journal_of(const fs::path& folder, const std::string& job) {
   FolderJournal journal = read_journal(folder).value_or(FolderJournal{});
   if (!journal.job.empty() && journal.job != job && journal.problem.empty())
@@ -41,7 +41,7 @@ FileChecksum written_checksum(const fs::path& file) {
   return *sum;
 }
 
-/// Files of the journal that runs of other jobs still write, also in the folder beside the frames that belongs to them.
+/// Returns the journal files that runs of other jobs still write, including those in the companion folder.
 std::vector<fs::path> other_runs(const fs::path& folder, const std::string& job) {
   const std::optional<FolderJournal> journal = read_journal(folder);
   if (!journal) return {};
@@ -76,7 +76,7 @@ void wait_for_others_to_give_way(const fs::path& folder, const std::string& job,
 RenderFolder::RenderFolder(fs::path folder, const std::string& job, const MakeRoom& make_room)
     : folder_(std::move(folder)), part_(made_journal_folder(folder_), job) {
   try {
-    // Looked for once the run's own file is there: of two runs that begin at one time, at least one sees the other.
+    // Checked after this run's file exists: of two runs that begin at the same time, at least one finds the other.
     wait_for_others_to_give_way(folder_, job, part_.path());
     require_no_other_run(folder_, job);
     if (make_room) make_room(part_.path());

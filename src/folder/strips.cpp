@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Nothing is lost, so that a joined frame has the bits of one that was rendered whole.
+/// Returns a layer of floats: a joined frame has the same bits as one rendered whole.
 ExrLayer float_layer(Aov aov, const Image& image) {
   const AovInfo& info = info_of(aov);
   ExrLayer layer{std::string(info.exr.layer), &image, {}, ExrSample::kFloat};
@@ -32,7 +32,7 @@ std::vector<std::string> channel_names_of(const ExrLayer& layer) {
   return names;
 }
 
-/// Film and wanted layers.
+/// Returns the film and the requested layers.
 std::vector<ExrLayer> layers_of_strip(const FramePictures& pictures) {
   std::vector<ExrLayer> layers{film_layer(pictures.film, ExrSample::kFloat)};
   for (std::size_t i = 0; i < kAovs; ++i)
@@ -62,7 +62,7 @@ std::optional<FrameReport> find_strip(const fs::path& folder, const FolderJourna
 
 FileRecords write_strip(const fs::path& folder, int frame, int strip, const FramePictures& pictures) {
   const fs::path file = folder / strip_name(frame, strip);
-  write_exr(file, layers_of_strip(pictures), ExrCompression::kNone);  // it is read once, and soon gone
+  write_exr(file, layers_of_strip(pictures), ExrCompression::kNone);  // temporary file, read once
   return records_of(folder, {file});
 }
 

@@ -1,5 +1,4 @@
-// The files of strips: rows of a frame, film and layers as floats, that wait in a render's folder until all of them are there
-// and the frame is joined from them.
+// Files of strips: rows of a frame's film and layers as floats, stored in the render's folder until the frame is joined.
 #pragma once
 
 #include <filesystem>
@@ -10,14 +9,14 @@
 
 namespace lippmann {
 
-/// The figures of a strip that the journal records and whose file is as it was written; else none. Reads the file.
+/// Returns the figures of a recorded strip if its file matches the record, else nullopt. Reads the file.
 std::optional<FrameReport> find_strip(const std::filesystem::path& folder, const FolderJournal& journal, int frame, int strip);
 
-/// Writes a strip's file, whole or not at all. Throws Error naming it.
+/// Writes a strip's file atomically. Throws Error naming the file.
 FileRecords write_strip(const std::filesystem::path& folder, int frame, int strip, const FramePictures& pictures);
 
-/// Reads a strip into the rows of a film, from `first_row` on, and of the layers that are wanted, which have all its size.
-/// Throws Error for a file that does not hold just these rows.
+/// Reads a strip into the rows from `first_row` of a film and its layers, which are allocated at full size. Throws Error for a
+/// file with other rows.
 void read_strip(const std::filesystem::path& file, int first_row, int rows, FramePictures& into);
 
 /// Removes the files of all strips of a frame, recorded or not. Throws Error naming one that cannot be removed.
