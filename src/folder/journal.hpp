@@ -65,7 +65,7 @@ struct JournalStrips {
 struct JournalVideo {
   std::vector<FileChecksum> sums;  ///< checksums of all versions written by runs; empty: a run stopped while writing it
   std::vector<int> frames;         ///< frames of the video, ascending
-  std::vector<FileChecksum> side;  ///< checksums of all versions written by runs; empty: a run stopped while writing it
+  std::vector<FileChecksum> side;  ///< checksums of all versions of its side file; empty: it has none
 };
 
 /// Companion folders inside a render's folder: the single view's render, with its own journal, and a page for browsers.
