@@ -67,7 +67,20 @@ const std::map<std::string, std::string>& values() {
                                                       {"--dpi", "90"},
                                                       {"--paper", "A6"},
                                                       {"--landscape", ""},
-                                                      {"--phase", "3"}};
+                                                      {"--phase", "3"},
+                                                      {"--baseline", "7"},
+                                                      {"--focal-length", "30"},
+                                                      {"--sensor-width", "20"},
+                                                      {"--focus-distance", "900"},
+                                                      {"--png", ""},
+                                                      {"--white", "d/colours.png"},
+                                                      {"--lens-pitch-px", "7.5"},
+                                                      {"--lens-row-pitch-px", "7"},
+                                                      {"--lens-rotation", "1"},
+                                                      {"--lens-offset", "1,1"},
+                                                      {"--lens-arrangement", "hexagonal"},
+                                                      {"--sampling", "lanczos"},
+                                                      {"--inverted", ""}};
   return all;
 }
 

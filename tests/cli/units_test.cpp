@@ -84,7 +84,7 @@ TEST(Units, plan_measures_in_a_folder_that_it_removes) {
   EXPECT_EQ(run_with("scratch").exit_code, 0);
   EXPECT_TRUE(fs::is_empty(dir / "scratch"));
   EXPECT_FALSE(fs::exists(dir / "a"));
-  expect_refusal(run_with("missing"), 1, "TMPDIR: no folder can be made there");
+  expect_refusal(run_with("missing"), 1, "TMPDIR: cannot create a temporary folder");
 }
 
 TEST(Units, in_folders_of_their_own_are_joined) {

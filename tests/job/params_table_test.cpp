@@ -18,6 +18,7 @@ using Values = std::vector<std::string>;
 const std::map<std::string_view, Values> kOtherValues{
     {"scene", {"room"}},
     {"camera-path", {"room.cam"}},
+    {"cameras", {"sphere:4"}},
     {"animation", {"Walk"}},
     {"variant", {"Beach"}},
     {"asset-root", {"models"}},

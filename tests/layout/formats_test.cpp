@@ -47,12 +47,13 @@ Vec2i view_in(const fs::path& path) {
 }
 
 /// All but the panel's own frame, which holds a part of each view, and pictures of a fixed number of views: see
-/// interlace_test.cpp, stereo_test.cpp, quad_test.cpp, rgbd_test.cpp and plenoptic_test.cpp.
+/// interlace_test.cpp, stereo_test.cpp, quad_test.cpp, rgbd_test.cpp, plenoptic_test.cpp and posed_test.cpp (LLFF states
+/// no shifted sensors).
 std::vector<LightFieldFormat> exact_formats() {
   std::vector<LightFieldFormat> formats = light_field_formats();
   std::erase_if(formats, [](const LightFieldFormat& format) {
     return format.name == "native" || format.name == "stereo" || format.name == "quad" || format.name == "rgbd" ||
-           format.name == "plenoptic";
+           format.name == "plenoptic" || format.name == "llff";
   });
   return formats;
 }
@@ -67,7 +68,9 @@ LightField numbered_views(bool words = false) {
 
 /// Exact ways through formats that know no cameras end at those that need them.
 bool can_follow(const LightFieldFormat& from, const LightFieldFormat& to) {
-  const auto needs_cameras = [](const LightFieldFormat& format) { return format.name == "miv" || format.name == "cvkit"; };
+  const auto needs_cameras = [](const LightFieldFormat& format) {
+    return format.name == "miv" || format.name == "cvkit" || format.name == "nerf" || format.name == "colmap";
+  };
   return !needs_cameras(to) || from.name == "hci" || needs_cameras(from);
 }
 

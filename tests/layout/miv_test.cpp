@@ -99,7 +99,7 @@ TEST(MivCameras, files_that_make_no_cameras_are_refused) {
   };
   EXPECT_THAT(error_message([] { parse_miv_cameras("{", "c.json"); }), AllOf(HasSubstr("c.json"), HasSubstr("not JSON")));
   EXPECT_THAT(error_message([] { parse_miv_cameras(R"({"cameras": []})", "c"); }), HasSubstr("0 cameras"));
-  EXPECT_THAT(error_message([] { parse_miv_cameras(R"({"cameras": [1]})", "c"); }), HasSubstr("no object"));
+  EXPECT_THAT(error_message([] { parse_miv_cameras(R"({"cameras": [1]})", "c"); }), HasSubstr("is not an object"));
   EXPECT_THAT(refusal("\"Name\": \"a\"", "\"Name\": \"../a\""), HasSubstr("Name"));
   EXPECT_THAT(refusal("Perspective", "Equirectangular"), HasSubstr("Projection"));
   EXPECT_THAT(refusal("\"Focal\"", "\"Fokal\""), HasSubstr("Focal"));

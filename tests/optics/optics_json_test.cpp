@@ -40,7 +40,7 @@ TEST(OpticsJson, infinite_distances_come_back) {
 
 TEST(OpticsJson, hostile_json_gives_one_error_that_names_file_and_key) {
   EXPECT_THAT(message_for("lenticular"), HasSubstr("report.json"));
-  EXPECT_THAT(message_for(nullptr), HasSubstr("no object"));
+  EXPECT_THAT(message_for(nullptr), HasSubstr("is not an object"));
   for (const auto& [key, value, part] : std::vector<std::tuple<const char*, Json, const char*>>{
            {"kind", "lenticuler", "'lenticuler'"},
            {"kind", 7, "optics.kind"},

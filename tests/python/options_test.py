@@ -22,6 +22,8 @@ LEFT_OUT = {
     "exposure", "tone",  # of pictures with codes: arrays are linear
     "splat", "fill", "halving", "no-z-buffer", "debug",  # choices of --reuse interpolate for comparing its variants
     "job",  # a file of flags
+    "cameras",  # whole data sets on disk
+    "points",  # of PLY files without faces
 }
 
 
