@@ -4,7 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -139,7 +141,15 @@ const Flag& Flag::values(int count, char delimiter) const { return option_->deli
 const Flag& Flag::single() const { return option_->expected(1), *this; }
 const Flag& Flag::one_word_each() const { return option_->allow_extra_args(false), *this; }
 const Flag& Flag::range(int least, int most) const { return option_->check(CLI::Range(least, most)), *this; }
-const Flag& Flag::range(double least, double most) const { return option_->check(CLI::Range(least, most)), *this; }
+const Flag& Flag::range(double least, double most) const {
+  // CLI::Range accepts NaN, which no comparison excludes.
+  const auto problem = [least, most](const std::string& text) {
+    const bool is_nan = std::isnan(std::strtod(text.c_str(), nullptr));
+    return is_nan ? fmt::format("Value {} not in range [{} - {}]", text, least, most) : std::string();
+  };
+  option_->check(CLI::Validator(problem, ""));
+  return option_->check(CLI::Range(least, most)), *this;
+}
 const Flag& Flag::positive() const { return option_->check(CLI::PositiveNumber), *this; }
 const Flag& Flag::not_negative() const { return option_->check(CLI::NonNegativeNumber), *this; }
 
