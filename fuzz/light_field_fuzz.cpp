@@ -64,7 +64,7 @@ void miv(const std::string& text) {
   require(miv_cameras_text(parse_miv_cameras(again, "a"), "a", true) == again);
 }
 
-/// What is written of cameras that are complete is read again.
+/// Writes complete cameras and reads them again.
 void transforms(const std::string& text) {
   std::vector<PosedPicture> pictures = parse_transforms(text, "a");
   for (PosedPicture& picture : pictures) {

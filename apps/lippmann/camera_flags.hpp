@@ -14,7 +14,7 @@ struct CameraFlags {
 
   /// The name of the first flag that is given; null: none is.
   const char* first_given() const;
-  /// None where no flag is given. Throws a usage Error naming a flag that is missing.
+  /// Returns nothing if no flag is given. Throws a usage Error naming a flag that is missing.
   std::optional<StatedCameras> read() const;
 };
 

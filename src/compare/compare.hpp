@@ -20,7 +20,7 @@ struct FrameComparison {
   PictureMetrics metrics;
 };
 
-/// Of one frame; none: not chosen, or without a value (of equal frames, of a single view, of the first frame).
+/// Values of one frame; empty if not chosen or without a value (of equal frames, of a single view, of the first frame).
 struct FrameConsistency {
   std::string name;
   std::optional<double> angular_psnr_db = {}, flicker = {};

@@ -14,7 +14,7 @@ struct MetricColumn {
   std::string_view title;  ///< in tables
   int digits = 4;          ///< behind the point, in tables
   bool worst_is_largest = false;
-  /// None where the picture has no such value (not chosen, too small, or the PSNR of equal pictures).
+  /// Empty if the picture has no such value (not chosen, too small, or the PSNR of equal pictures).
   std::optional<double> (*of)(const PictureMetrics& metrics);
   /// Whether a table has it.
   bool (*is_chosen)(const MetricChoice& choice);

@@ -14,7 +14,7 @@
 
 namespace lippmann {
 
-/// What a light field is where neither its name nor a report.json says it, as `convert` takes it.
+/// Describes a light field if neither its name nor a report.json does, as for `convert`.
 struct ViewsHints {
   std::string from = {};  ///< a format's name
   std::optional<ViewGrid> views = {}, tiles = {};

@@ -22,7 +22,7 @@ class Mosaic {
   float green_at_color(int x, int y) const {
     return (4.0f * at(x, y) + 2.0f * (sides(x, y, 1) + ends(x, y, 1)) - sides(x, y, 2) - ends(x, y, 2)) / 8.0f;
   }
-  /// Of a green pixel, the colour of its neighbours left and right.
+  /// Returns, at a green pixel, the colour of its left and right neighbours.
   float color_beside(int x, int y) const {
     return (5.0f * at(x, y) + 4.0f * sides(x, y, 1) - corners(x, y) - sides(x, y, 2) + 0.5f * ends(x, y, 2)) / 8.0f;
   }
@@ -30,7 +30,7 @@ class Mosaic {
   float color_above(int x, int y) const {
     return (5.0f * at(x, y) + 4.0f * ends(x, y, 1) - corners(x, y) - ends(x, y, 2) + 0.5f * sides(x, y, 2)) / 8.0f;
   }
-  /// Of a red pixel blue, of a blue one red.
+  /// Returns blue at a red pixel, and red at a blue one.
   float other_color(int x, int y) const {
     return (6.0f * at(x, y) + 2.0f * corners(x, y) - 1.5f * (sides(x, y, 2) + ends(x, y, 2))) / 8.0f;
   }

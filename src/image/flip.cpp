@@ -175,7 +175,7 @@ Opponents opponents_of(const Image8& image) {
   return planes;
 }
 
-/// What the eye resolves of each pixel, in Hunt-adjusted CIELAB.
+/// Returns the part of each pixel that the eye resolves, in Hunt-adjusted CIELAB.
 std::vector<Color> seen_colors(const Opponents& opponents) {
   const Opponents blurry{blurred(opponents[0], {{1.0, 0.0047}}), blurred(opponents[1], {{1.0, 0.0053}}),
                          blurred(opponents[2], {{34.1, 0.04}, {13.5, 0.025}})};

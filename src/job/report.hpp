@@ -1,4 +1,4 @@
-// What a render did, in figures: per frame and in all. report.json holds it; docs/reference/formats.md explains every key.
+// Figures of a render, per frame and in total. report.json holds them; docs/reference/formats.md explains every key.
 #pragma once
 
 #include <cstdint>

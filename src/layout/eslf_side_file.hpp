@@ -25,7 +25,7 @@ struct EslfSideFile {
 /// <picture>.json
 std::filesystem::path eslf_side_path(const std::filesystem::path& picture);
 
-/// None where there is no such file, or where it describes something else. Throws Error naming the file.
+/// Returns nothing if there is no such file, or if it describes something else. Throws Error naming the file.
 std::optional<EslfSideFile> read_eslf_side_file(const std::filesystem::path& picture);
 /// None for JSON without the key `eslf`. Throws Error naming `where`.
 std::optional<EslfSideFile> parse_eslf_side_file(const std::string& text, const std::string& where);

@@ -16,7 +16,7 @@ struct PosedCamera {
   Vec3d position_mm{0.0};
 };
 
-/// Where a point of the world appears; behind the camera, the result has no meaning.
+/// Returns the pixel that shows a point of the world; behind the camera, the result has no meaning.
 inline Vec2d projected(const PosedCamera& camera, Vec3d point_mm) {
   const Vec3d c = glm::transpose(camera.rotation) * (point_mm - camera.position_mm);
   return camera.principal_px + camera.focal_px * Vec2d(c.x, -c.y) / -c.z;
