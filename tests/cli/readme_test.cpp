@@ -19,8 +19,11 @@ namespace fs = std::filesystem;
 Words commands_of(const std::string& page) {
   std::ifstream file(fs::path(LIPPMANN_SOURCE) / page);
   Words commands;
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with("lippmann ")) commands.push_back(line.substr(0, line.find("  #")));
+  bool in_code = false;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("```")) in_code = !in_code;
+    if (in_code && line.starts_with("lippmann ")) commands.push_back(line.substr(0, line.find("  #")));
+  }
   return commands;
 }
 
