@@ -1,14 +1,21 @@
 #include "apps/lippmann/light_field_flags.hpp"
 
+#include <fmt/core.h>
+
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/grid_flag.hpp"
 #include "lippmann/display/load_display.hpp"
 
 namespace lippmann::app {
 
+std::string LightFieldFlags::named_display() const {
+  if (!sheet.are_given()) return display;
+  return sheet.line({display, "", view_angle_deg ? fmt::format("{}", *view_angle_deg) : ""});
+}
+
 LightFieldHints LightFieldFlags::read() const {
   LightFieldHints hints{report, from, read_grid(views, "--views"), read_grid(quilt, "--quilt"), view_angle_deg, cone_ends};
-  if (!display.empty()) hints.display = load_display(display);
+  if (const std::string name = named_display(); !name.empty()) hints.display = load_display(name);
   return hints;
 }
 
@@ -21,6 +28,7 @@ void add_report_flags(const Command& command, LightFieldFlags& flags, const std:
                   "your own" +
                       more)
       .type_name("NAME|FILE");
+  add_sheet_flags(command, flags.sheet);
 }
 
 void add_light_field_flags(const Command& command, LightFieldFlags& flags) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "apps/lippmann/sheet_flags.hpp"
 #include "lippmann/replay/light_field_frames.hpp"
 
 namespace lippmann::app {
@@ -14,15 +15,18 @@ struct LightFieldFlags {
   std::string report, from, views, quilt, display;
   std::optional<double> view_angle_deg;
   bool cone_ends = false;
+  SheetFlags sheet;  ///< in place of `display`
 
+  /// The display named by --display or described by the sheet flags; empty: neither is given. Throws a usage Error for both.
+  std::string named_display() const;
   /// Throws a usage Error naming the flag.
   LightFieldHints read() const;
 };
 
-/// All but --report and --display, in a group of their own.
+/// All but --report, --display and the sheet flags, in a group of their own.
 void add_light_field_flags(const Command& command, LightFieldFlags& flags);
 
-/// --report and --display. `more` ends the help of the latter.
+/// --report, --display and the sheet flags. `more` ends the help of --display.
 void add_report_flags(const Command& command, LightFieldFlags& flags, const std::string& more);
 
 }  // namespace lippmann::app

@@ -55,6 +55,7 @@ RenderParams scene_params(const std::string& in, const SceneToSetUpFlags& flags,
   refuse_light_field_flags(field);
   ParamFlags all = flags.params;
   all.scene = in;
+  all.sheet = field.sheet;
   if (!field.views.empty()) all.values["views"] = {field.views};
   if (!field.quilt.empty()) all.values["quilt"] = {field.quilt};
   if (!field.display.empty()) all.values["display"] = {field.display};

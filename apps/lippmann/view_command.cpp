@@ -72,7 +72,8 @@ int save(const ViewOptions& options, const Context& context) {
 bool is_render_to_watch(const ViewOptions& options) {
   const LightFieldFlags& field = options.field;
   const bool is_alone = options.other.empty() && field.from.empty() && field.report.empty() && field.views.empty() &&
-                        field.quilt.empty() && field.display.empty() && !field.view_angle_deg && !field.cone_ends;
+                        field.quilt.empty() && field.display.empty() && !field.sheet.are_given() && !field.view_angle_deg &&
+                        !field.cone_ends;
   return is_alone && fs::exists(fs::path(options.in) / "report.json") && is_unfinished_render(options.in);
 }
 
@@ -108,6 +109,7 @@ void refuse_flags_without_in(const ViewOptions& options) {
   refuse(!field.views.empty(), "--views");
   refuse(!field.quilt.empty(), "--quilt");
   refuse(!field.display.empty(), "--display");
+  refuse(field.sheet.are_given(), field.sheet.first_given());
   refuse(!field.report.empty(), "--report");
   refuse(field.view_angle_deg.has_value(), "--view-angle");
   refuse(field.cone_ends, "--cone-ends");

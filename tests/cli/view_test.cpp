@@ -52,8 +52,9 @@ TEST(View, without_a_name_an_empty_page_has_a_token) {
   const RunResult result = server.wait();
   EXPECT_EQ(result.exit_code, 128 + SIGINT);
   EXPECT_THAT(result.out, testing::MatchesRegex("http://127\\.0\\.0\\.1:[0-9]+/[0-9a-f]+/\n"));
-  for (const Words& flag : {Words{"--save", "page"}, Words{"--from", "hci"}, Words{"--view-angle", "9"}, Words{"--zoom", "2"},
-                            Words{"--save-job", "x.toml"}, Words{"--display", "go"}, Words{"--cone-ends"}})
+  for (const Words& flag :
+       {Words{"--save", "page"}, Words{"--from", "hci"}, Words{"--view-angle", "9"}, Words{"--zoom", "2"},
+        Words{"--save-job", "x.toml"}, Words{"--display", "go"}, Words{"--cone-ends"}, Words{"--lpi", "60"}})
     expect_refusal(run_tool(dir, Words{"view"} + flag), 2, flag[0] + ": has no effect without IN");
 }
 
@@ -80,6 +81,21 @@ TEST(View, flags_of_scenes_and_of_light_fields_are_told_apart) {
   expect_refusal(run_tool(dir, {"view", "teapot", "room"}), 2, "OTHER");
   expect_refusal(run_tool(dir, {"view", "teapot", "--save", "page"}), 2, "--save");
   expect_refusal(run_tool(dir, {"view", "missing.glb"}), 1, "there is no such file");
+}
+
+TEST(View, shows_a_print_through_the_sheet_of_its_flags) {
+  const TempDir dir;
+  const Words sheet{"--lpi", "20", "--dpi", "120", "--paper", "80x60px"};
+  expect_done(dir, {"render", "teapot", "--optics", "multiview", "--views", "6x1", "--size", "96x12", "--frames", "0",
+                    "--layout", "views", "-q", "-o", "made"});
+  expect_done(dir, Words{"convert", "made", "print.png", "-q"} + sheet);
+  fs::remove(dir / "print.report.json");
+  expect_done(dir, Words{"view", "print.png", "--save", "page"} + sheet);
+  const std::string fields = bytes_of(dir / "page/fields.js");
+  EXPECT_THAT(fields, HasSubstr("\"across\":{\"views\":6"));
+  expect_done(dir, Words{"replay", "print.png", "-o", "seen"} + sheet);
+  expect_refusal(run_tool(dir, Words{"view", "print.png", "--display", "go"} + sheet), 2, "--lpi: cannot be combined");
+  expect_refusal(run_tool(dir, {"view", "print.png", "--lpi", "20"}), 2, "without --dpi");
 }
 
 TEST(View, render_leaves_a_page_where_it_is_asked_for) {
