@@ -26,7 +26,7 @@ void add_depth_flags(const Command& command, DepthFlags& flags) {
       .add_option(
           "--depth", flags.map,
           "The depth of the picture IN, in a file of its own: grey of 8 or 16 bits, in any size, or an EXR file with the "
-          "channel Z")
+          "channel Z; or a HEIC photo that stores its depth, such as IN itself")
       .type_name("FILE");
   group
       .add_option(

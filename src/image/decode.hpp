@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -77,6 +78,8 @@ DecodedPicture decode_hdr(FileBytes file, const std::string& where);
 bool is_heic(FileBytes file);
 PictureHeader heic_header(FileBytes file, const std::string& where);
 DecodedPicture decode_heic(FileBytes file, const std::string& where);
+/// Decodes the depth image beside the main picture. Returns nothing if there is none.
+std::optional<StoredDepth> decode_heic_depth(FileBytes file, const std::string& where);
 
 bool is_webp(FileBytes file);
 PictureHeader webp_header(FileBytes file, const std::string& where);

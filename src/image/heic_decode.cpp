@@ -1,4 +1,4 @@
-// Decodes the main image of HEIC and AVIF files by libheif (image/heic_module.hpp).
+// Decodes the main image and the depth image of HEIC and AVIF files by libheif (image/heic_module.hpp).
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -50,6 +50,18 @@ DecodedPicture decode_heic(FileBytes file, const std::string& where) {
   const std::uint32_t most = (1u << picture.bits) - 1;
   for (std::uint16_t& code : picture.codes) code = static_cast<std::uint16_t>((code * 65535u + most / 2) / most);
   return {header, std::move(picture.codes)};
+}
+
+std::optional<StoredDepth> decode_heic_depth(FileBytes file, const std::string& where) {
+  const HeicDepth depth = heic_module().depth(file);
+  if (!depth.problem.empty()) throw unreadable_picture(where, depth.problem);
+  if (depth.codes.empty()) return std::nullopt;
+  check_image_size(where, depth.width, depth.height, 1);
+  StoredDepth stored{Image(depth.width, depth.height, 1), depth.is_z};
+  const float most = static_cast<float>((1u << depth.bits) - 1);
+  std::transform(depth.codes.begin(), depth.codes.end(), stored.grey.data.begin(),
+                 [most](std::uint16_t code) { return static_cast<float>(code) / most; });
+  return stored;
 }
 
 }  // namespace lippmann

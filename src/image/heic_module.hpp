@@ -19,14 +19,24 @@ struct HeicPicture {
   std::string problem = {};               ///< error message; empty on success
 };
 
+/// The depth image stored beside the main picture, as portrait photos of telephones have it.
+struct HeicDepth {
+  int width = 0, height = 0;              ///< upright; 0: the file has no depth image
+  int bits = 8;                           ///< of a code, 8 to 16
+  bool is_z = false;                      ///< codes grow with z; else with 1 / z or disparity
+  std::vector<std::uint16_t> codes = {};  ///< one per pixel
+  std::string problem = {};               ///< error message; empty on success
+};
+
 class HeicModule {
  public:
   virtual ~HeicModule() = default;
   virtual HeicPicture header(std::span<const std::byte> file) const = 0;
   virtual HeicPicture decode(std::span<const std::byte> file) const = 0;
+  virtual HeicDepth depth(std::span<const std::byte> file) const = 0;
 };
 
 /// Increment this with every change of this header: a module of another version is rejected.
-inline constexpr int kHeicModuleVersion = 1;
+inline constexpr int kHeicModuleVersion = 2;
 
 }  // namespace lippmann

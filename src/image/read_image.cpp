@@ -197,6 +197,11 @@ Image read_rgb(const fs::path& path, const PictureWarning& warn) {
   return image;
 }
 
+std::optional<StoredDepth> read_stored_depth(const fs::path& path) {
+  const std::vector<std::byte> file = bytes_in(path);
+  return is_heic(file) ? decode_heic_depth(file, path.string()) : std::nullopt;
+}
+
 std::vector<std::string> channel_names(const fs::path& path) { return read_header(path).channels; }
 
 LeftOutChannels left_out_channels(const fs::path& path) {

@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,6 +33,16 @@ Image read_rgb(const std::filesystem::path& path, const PictureWarning& warn = {
 
 /// The named channels of an EXR file, in this order ("R", "Z", "N.X", ...). An unknown name throws Error listing the file's.
 Image read_channels(const std::filesystem::path& path, std::span<const std::string> names);
+
+/// A depth image that a file stores beside its main picture.
+struct StoredDepth {
+  Image grey;         ///< one channel, 0 to 1, of any size
+  bool is_z = false;  ///< grey grows with z, the distance from the camera; else with 1 / z or disparity
+};
+
+/// Reads the depth image of a HEIC file, such as a portrait photo of a telephone. Returns nothing for files without one and for
+/// other formats.
+std::optional<StoredDepth> read_stored_depth(const std::filesystem::path& path);
 
 /// The channels' names in the order of read_image.
 std::vector<std::string> channel_names(const std::filesystem::path& path);

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "image/read_image.hpp"
@@ -16,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kDepthMaps = "grey of 8 or 16 bits, or an EXR file with the channel Z";
+constexpr const char* kDepthMaps = "grey of 8 or 16 bits, an EXR file with the channel Z, or a HEIC photo with a depth image";
 constexpr float kNothing = 1e9f;
 
 bool has_z(const fs::path& path) {
@@ -25,8 +27,9 @@ bool has_z(const fs::path& path) {
   return std::find(names.begin(), names.end(), "Z") != names.end();
 }
 
-/// The channel Z of an EXR file, else all channels.
+/// The channel Z of an EXR file, the depth image of a HEIC photo, else all channels.
 Image depth_channels(const fs::path& path) {
+  if (std::optional<StoredDepth> stored = read_stored_depth(path)) return std::move(stored->grey);
   if (!has_z(path)) return read_image(path);
   const std::array<std::string, 1> z{"Z"};
   return read_channels(path, z);
@@ -69,6 +72,7 @@ void require_shape(const Image& grey, Vec2i size, const fs::path& path) {
 }  // namespace
 
 DepthMapCoding usual_depth_coding(const fs::path& path) {
+  if (const std::optional<StoredDepth> stored = read_stored_depth(path)) return {stored->is_z, stored->is_z};
   if (!has_z(path)) return {};
   const Image z = depth_channels(path);
   return {std::none_of(z.data.begin(), z.data.end(), [](float value) { return value < 0.0f; }), true};

@@ -1,4 +1,5 @@
-// Depth in a file of its own, beside a picture: grey of 8 or 16 bits, floats, or the channel Z of an EXR file.
+// The depth of a picture, in a file of its own or in the photo itself: grey of 8 or 16 bits, floats, the channel Z of an EXR
+// file, or the depth image that a HEIC photo stores beside its colours.
 //
 // Codes are plain numbers from 0 to 1, without sRGB's curve. Floats, of any unit, are scaled: the least is 0, the greatest 1.
 // Renderers write numbers of 1e9 or more, infinite ones or NaN where there is no surface: below 0 they become 0, else 1.
@@ -17,8 +18,9 @@ struct DepthMapCoding {
 };
 
 /// The coding that a file has where nothing states it. The channel Z of an EXR file is linear in depth: a distance from the
-/// camera if none of its numbers is below 0, else a height above the display, as `render` writes it. All other files are near
-/// where they are white, and linear in disparity. Throws Error naming the file.
+/// camera if none of its numbers is below 0, else a height above the display, as `render` writes it. The depth image of a HEIC
+/// photo states its coding. All other files are near where they are white, and linear in disparity. Throws Error naming the
+/// file.
 DepthMapCoding usual_depth_coding(const std::filesystem::path& path);
 
 /// The greys as depth_of_grey (layout/rgbd_side_file.hpp) takes them, of 1 channel and that size: between pixels of one surface

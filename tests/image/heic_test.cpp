@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,21 @@ TEST(Heic, pictures_of_8_bits) {
 
 TEST(Heic, pictures_of_10_bits_become_16) {
   expect_quarters(std::get<Image16>(read_picture(picture("quarters_10bit.heic"))), 257.0, 1.0);
+}
+
+// quarters_depth.heic stores a grey image of half the size as its depth (an auxl reference and the auxC property
+// urn:mpeg:hevc:2015:auxid:2).
+TEST(Heic, depth_image_beside_the_picture) {
+  expect_quarters(std::get<Image8>(read_picture(picture("quarters_depth.heic"))), 1.0, 2.0);
+  const std::optional<StoredDepth> depth = read_stored_depth(picture("quarters_depth.heic"));
+  ASSERT_TRUE(depth);
+  EXPECT_FALSE(depth->is_z);
+  ASSERT_EQ(depth->grey.width, kWidth / 2);
+  ASSERT_EQ(depth->grey.height, kHeight / 2);
+  constexpr std::array<float, 4> kGreys{40, 120, 200, 240};
+  for (int quarter = 0; quarter < 4; ++quarter)
+    EXPECT_NEAR(depth->grey.pixel(8 + quarter % 2 * 16, 6 + quarter / 2 * 12)[0], kGreys[quarter] / 255.0f, 2.0f / 255.0f);
+  EXPECT_FALSE(read_stored_depth(picture("quarters.heic")));
 }
 
 TEST(Heic, damage_is_an_error) {

@@ -1,6 +1,7 @@
 // The module's only export: pictures by libheif.
 #include <libheif/heif.h>
 
+#include <algorithm>
 #include <cstring>
 #include <memory>
 
@@ -75,6 +76,45 @@ void copy_codes(const std::uint8_t* plane, std::size_t stride, HeicPicture& pict
   }
 }
 
+using DepthInfo = std::unique_ptr<const heif_depth_representation_info, Deleter<heif_depth_representation_info_free>>;
+
+/// The first depth image of a picture; null: there is none.
+Handle depth_image(const heif_image_handle* picture, HeicDepth& depth) {
+  heif_item_id id = 0;
+  if (heif_image_handle_get_list_of_depth_image_IDs(picture, &id, 1) != 1) return nullptr;
+  heif_image_handle* handle = nullptr;
+  const heif_error error = heif_image_handle_get_depth_image_handle(picture, id, &handle);
+  if (error.code != heif_error_Ok) depth.problem = error.message;
+  const heif_depth_representation_info* info = nullptr;
+  if (heif_image_handle_get_depth_image_representation_info(picture, id, &info) != 0 && info) {
+    const DepthInfo owner(info);
+    depth.is_z = info->depth_representation_type == heif_depth_representation_type_uniform_Z;
+  }
+  return Handle(handle);
+}
+
+/// Copies the luma of a depth image.
+void copy_depth(const heif_image* pixels, HeicDepth& depth) {
+  int stride = 0;
+  const std::uint8_t* plane = heif_image_get_plane_readonly(pixels, heif_channel_Y, &stride);
+  depth.bits = heif_image_get_bits_per_pixel_range(pixels, heif_channel_Y);
+  if (!plane || depth.bits < 8 || depth.bits > 16) {
+    depth.problem = "its depth image has no grey of 8 to 16 bits";
+    return;
+  }
+  depth.width = heif_image_get_width(pixels, heif_channel_Y), depth.height = heif_image_get_height(pixels, heif_channel_Y);
+  const std::size_t width = static_cast<std::size_t>(depth.width), height = static_cast<std::size_t>(depth.height);
+  depth.codes.resize(width * height);
+  for (std::size_t y = 0; y < height; ++y) {
+    const std::uint8_t* row = plane + y * static_cast<std::size_t>(stride);
+    std::uint16_t* to = &depth.codes[y * width];
+    if (depth.bits > 8)
+      std::memcpy(to, row, width * sizeof *to);
+    else
+      std::copy_n(row, width, to);
+  }
+}
+
 class Libheif : public HeicModule {
  public:
   HeicPicture header(std::span<const std::byte> file) const override { return open(file).header; }
@@ -100,6 +140,24 @@ class Libheif : public HeicModule {
     else
       picture.problem = "its pixels have another size than its header says";
     return picture;
+  }
+
+  HeicDepth depth(std::span<const std::byte> file) const override {
+    const Opened opened = open(file);
+    HeicDepth depth;
+    depth.problem = opened.header.problem;
+    if (!depth.problem.empty()) return depth;
+    const Handle handle = depth_image(opened.handle.get(), depth);
+    if (!handle) return depth;
+    heif_image* decoded = nullptr;
+    const heif_error error =
+        heif_decode_image(handle.get(), &decoded, heif_colorspace_undefined, heif_chroma_undefined, nullptr);
+    const Pixels pixels(decoded);
+    if (error.code != heif_error_Ok || !pixels)
+      depth.problem = error.code != heif_error_Ok ? error.message : "its depth image has no pixels";
+    else
+      copy_depth(pixels.get(), depth);
+    return depth;
   }
 };
 
