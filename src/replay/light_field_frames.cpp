@@ -154,10 +154,11 @@ Optics quilt_for(Display display, const LightField& field, const LightFieldHints
   return with_cone_ends(*quilt_optics(display), hints.cone_ends);
 }
 
-/// What is taken for granted of views whose cameras nobody states.
-std::string assumption_about(const fs::path& file, const Optics& optics, const LightFieldHints& hints) {
-  std::string text = fmt::format("The cameras of {} are unknown. Assumed: a display {:.4g} mm high, seen from {:.4g} mm",
-                                 file.string(), kWindowHeightMm, kDistanceMm);
+/// The assumption about views that no display can show from where they were taken.
+std::string assumption_about(const fs::path& file, bool are_turned, const Optics& optics, const LightFieldHints& hints) {
+  std::string text =
+      fmt::format("The cameras of {} are {}. Assumed: a display {:.4g} mm high, seen from {:.4g} mm", file.string(),
+                  are_turned ? "turned, each by itself" : "unknown", kWindowHeightMm, kDistanceMm);
   if (const std::string spacing = view_spacing(optics); !spacing.empty())
     text += ", and " + spacing;
   else if (!hints.view_angle_deg)
@@ -179,7 +180,7 @@ LightFieldFrames of_format(LightFieldFrames frames, const LightFieldSource& sour
     if (hints.cone_ends && field.grid.rows > 1)
       throw usage_error("cone-ends", "has no effect on a grid of cameras", "a row of views");
     frames.optics = assumed_optics(field, hints.view_angle_deg, hints.cone_ends);
-    frames.assumption = assumption_about(first, frames.optics, hints);
+    frames.assumption = assumption_about(first, field.poses.has_value(), frames.optics, hints);
   }
   return rearranged(std::move(frames), hints.from, source.options);
 }

@@ -50,7 +50,8 @@ fs::path side_file_of(const fs::path& path) {
   std::error_code ignored;
   std::vector<fs::path> candidates;
   if (fs::is_directory(path, ignored))
-    candidates = {path / "cameras.json", path / "parameters.cfg", path / "report.json", path.parent_path() / "report.json"};
+    candidates = {path / "cameras.json",     path / "parameters.cfg", path / "transforms.json",
+                  path / "poses_bounds.npy", path / "report.json",    path.parent_path() / "report.json"};
   else
     candidates = {fs::path(path) += ".json", path.parent_path() / "report.json"};
   const auto found = std::find_if(candidates.begin(), candidates.end(), is_regular_file_there);
@@ -58,6 +59,7 @@ fs::path side_file_of(const fs::path& path) {
 }
 
 std::string cameras_text(const LightField& field) {
+  if (field.poses) return "poses, each camera turned by itself";
   if (field.cameras) {
     const std::optional<double> baseline = common_baseline_mm(*field.cameras, field.grid);
     const std::string distance = fmt::format("{:.4g} mm from the display", field.cameras->distance_mm);
@@ -133,7 +135,7 @@ std::string to_text(const PictureInfo& info) {
   std::string text = fmt::format("{}: {}\n", info.first.string(), info.format.empty() ? "format unknown" : info.format);
   const auto line = [&](std::string_view key, const std::string& value) { text += fmt::format("{:<10} {}\n", key, value); };
   if (info.frames > 1) line("frames", fmt::format("{}, this is the first", info.frames));
-  line("pixels", fmt::format("{}x{}, {}", info.picture_px.x, info.picture_px.y, info.samples));
+  if (info.picture_px.x > 0) line("pixels", fmt::format("{}x{}, {}", info.picture_px.x, info.picture_px.y, info.samples));
   if (info.views)
     line("views", fmt::format("{}x{} of {}x{} pixels", info.views->columns, info.views->rows, info.view_px.x, info.view_px.y));
   if (info.format != "video") {

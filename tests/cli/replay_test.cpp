@@ -130,6 +130,10 @@ TEST(Info, says_what_pictures_and_folders_are) {
   EXPECT_EQ(info["format"], "quilt");
   EXPECT_EQ(info["side_file"], "q_qs4x2a1.png.json");
   EXPECT_EQ(info["cameras"], nullptr);
+  expect_done(dir, {"render", "teapot", "--cameras", "sphere:3", "--size", "32x24", "-q", "-o", "turned"});
+  info = report_of(dir, {"info", "turned"});
+  EXPECT_EQ(info["cameras"], "poses, each camera turned by itself");
+  EXPECT_EQ(info["side_file"], "turned/transforms.json");
   fs::copy(dir / "out/frame_0003.png", dir / "plain.png");
   info = report_of(dir, {"info", "plain.png"});
   EXPECT_EQ(info["format"], nullptr);
