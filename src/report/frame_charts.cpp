@@ -89,7 +89,7 @@ std::optional<double> sure_psnr_db(const FrameReport& frame) {
 }
 
 Chart psnr_chart(const RenderFigures& render) {
-  Chart chart{"PSNR, as told by held-out pixels", "dB"};
+  Chart chart{"PSNR, estimated from held-out pixels", "dB"};
   chart.starts_at_zero = false, chart.frames = numbers_of(render);
   chart.series.push_back(series_of(render, "estimate", 0, [](const auto& frame) { return frame.estimated_psnr_db; }));
   chart.series.push_back(
@@ -153,7 +153,7 @@ Chart ray_chart(const RenderFigures& render) {
 }
 
 Chart psnr_comparison(const std::vector<RenderFigures>& renders, const std::vector<std::string>& names) {
-  Chart chart{"PSNR at least, as told by held-out pixels", "dB"};
+  Chart chart{"Lower bound of the PSNR, from held-out pixels", "dB"};
   chart.starts_at_zero = false;
   Comparison(renders).fill(
       names, [](std::size_t, int, const FrameReport& frame) { return sure_psnr_db(frame); }, chart);

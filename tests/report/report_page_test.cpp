@@ -47,7 +47,7 @@ TEST(ReportPage, interpolated_frames_are_shown_beside_the_papers_figure_and_the_
   const test::TempDir dir;
   const std::string page = page_of({test::write_report_text(dir / "film", interpolated().dump())});
   EXPECT_THAT(page, HasSubstr("<h2>film <small>room, reuse interpolate</small></h2>"));
-  EXPECT_THAT(chart_data(page, "PSNR, as told by held-out pixels"),
+  EXPECT_THAT(chart_data(page, "PSNR, estimated from held-out pixels"),
               AllOf(HasSubstr(R"({"name":"the paper's 34.5 dB","value":34.5})"), HasSubstr(R"("name":"asked for: 35 dB")"),
                     HasSubstr(R"({"name":"estimate","color":0,"values":[null,36.0,37.0]})"),
                     HasSubstr(R"~({"name":"at least (95 % confidence)","color":1,"values":[null,35.5,36.5]})~")));
