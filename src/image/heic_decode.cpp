@@ -53,14 +53,14 @@ DecodedPicture decode_heic(FileBytes file, const std::string& where) {
 }
 
 std::optional<StoredDepth> decode_heic_depth(FileBytes file, const std::string& where) {
-  const HeicDepth depth = heic_module().depth(file);
-  if (!depth.problem.empty()) throw unreadable_picture(where, depth.problem);
-  if (depth.codes.empty()) return std::nullopt;
-  check_image_size(where, depth.width, depth.height, 1);
-  StoredDepth stored{Image(depth.width, depth.height, 1), depth.is_z};
-  const float most = static_cast<float>((1u << depth.bits) - 1);
-  std::transform(depth.codes.begin(), depth.codes.end(), stored.grey.data.begin(),
-                 [most](std::uint16_t code) { return static_cast<float>(code) / most; });
+  const auto [image, is_z] = heic_module().depth(file);
+  if (!image.problem.empty()) throw unreadable_picture(where, image.problem);
+  if (image.codes.empty()) return std::nullopt;
+  StoredDepth stored{Image(image.width, image.height, 1), is_z};
+  const float most = static_cast<float>((1u << image.bits) - 1);
+  const std::size_t channels = image.has_alpha ? 4 : 3;
+  for (std::size_t i = 0; i < stored.grey.data.size(); ++i)
+    stored.grey.data[i] = static_cast<float>(image.codes[i * channels]) / most;
   return stored;
 }
 

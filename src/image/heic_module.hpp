@@ -21,11 +21,8 @@ struct HeicPicture {
 
 /// The depth image stored beside the main picture, as portrait photos of telephones have it.
 struct HeicDepth {
-  int width = 0, height = 0;              ///< upright; 0: the file has no depth image
-  int bits = 8;                           ///< of a code, 8 to 16
-  bool is_z = false;                      ///< codes grow with z; else with 1 / z or disparity
-  std::vector<std::uint16_t> codes = {};  ///< one per pixel
-  std::string problem = {};               ///< error message; empty on success
+  HeicPicture image;  ///< grey as R, G and B; no codes if the file has no depth image
+  bool is_z = false;  ///< codes grow with z; else with 1 / z or disparity
 };
 
 class HeicModule {

@@ -1,14 +1,16 @@
 // The module's only export: pictures by libheif.
 #include <libheif/heif.h>
 
-#include <algorithm>
 #include <cstring>
 #include <memory>
+#include <utility>
 
 #include "image/heic_module.hpp"
 
 namespace lippmann {
 namespace {
+
+constexpr std::int64_t kMostDepthPixels = std::int64_t{1} << 28;  // as of pictures (image/limits.hpp)
 
 template <auto free>
 struct Deleter {
@@ -35,6 +37,17 @@ std::vector<std::byte> profile_of(const heif_image_handle* handle) {
   return profile;
 }
 
+HeicPicture header_of(const heif_image_handle* handle) {
+  HeicPicture header;
+  header.width = heif_image_handle_get_width(handle);
+  header.height = heif_image_handle_get_height(handle);
+  header.bits = heif_image_handle_get_luma_bits_per_pixel(handle);
+  header.has_alpha = heif_image_handle_has_alpha_channel(handle) != 0;
+  header.profile = profile_of(handle);
+  if (header.bits < 8 || header.bits > 16) header.problem = "its codes have a number of bits that is not read: 8 to 16 are";
+  return header;
+}
+
 Opened open(std::span<const std::byte> bytes) {
   Opened opened;
   opened.file.reset(heif_context_alloc());
@@ -47,13 +60,7 @@ Opened open(std::span<const std::byte> bytes) {
       !keep(heif_context_get_primary_image_handle(opened.file.get(), &handle)))
     return opened;
   opened.handle.reset(handle);
-  opened.header.width = heif_image_handle_get_width(handle);
-  opened.header.height = heif_image_handle_get_height(handle);
-  opened.header.bits = heif_image_handle_get_luma_bits_per_pixel(handle);
-  opened.header.has_alpha = heif_image_handle_has_alpha_channel(handle) != 0;
-  opened.header.profile = profile_of(handle);
-  if (opened.header.bits < 8 || opened.header.bits > 16)
-    opened.header.problem = "its codes have a number of bits that is not read: 8 to 16 are";
+  opened.header = header_of(handle);
   return opened;
 }
 
@@ -76,43 +83,33 @@ void copy_codes(const std::uint8_t* plane, std::size_t stride, HeicPicture& pict
   }
 }
 
-using DepthInfo = std::unique_ptr<const heif_depth_representation_info, Deleter<heif_depth_representation_info_free>>;
-
-/// The first depth image of a picture; null: there is none.
-Handle depth_image(const heif_image_handle* picture, HeicDepth& depth) {
-  heif_item_id id = 0;
-  if (heif_image_handle_get_list_of_depth_image_IDs(picture, &id, 1) != 1) return nullptr;
-  heif_image_handle* handle = nullptr;
-  const heif_error error = heif_image_handle_get_depth_image_handle(picture, id, &handle);
-  if (error.code != heif_error_Ok) depth.problem = error.message;
-  const heif_depth_representation_info* info = nullptr;
-  if (heif_image_handle_get_depth_image_representation_info(picture, id, &info) != 0 && info) {
-    const DepthInfo owner(info);
-    depth.is_z = info->depth_representation_type == heif_depth_representation_type_uniform_Z;
-  }
-  return Handle(handle);
-}
-
-/// Copies the luma of a depth image.
-void copy_depth(const heif_image* pixels, HeicDepth& depth) {
+/// Decodes an image into `picture`, whose size, bits and alpha are those of `handle`.
+void decode_into(const heif_image_handle* handle, HeicPicture& picture) {
+  heif_image* decoded = nullptr;
+  const heif_error error = heif_decode_image(handle, &decoded, heif_colorspace_RGB, chroma_of(picture), nullptr);
+  const Pixels pixels(decoded);
   int stride = 0;
-  const std::uint8_t* plane = heif_image_get_plane_readonly(pixels, heif_channel_Y, &stride);
-  depth.bits = heif_image_get_bits_per_pixel_range(pixels, heif_channel_Y);
-  if (!plane || depth.bits < 8 || depth.bits > 16) {
-    depth.problem = "its depth image has no grey of 8 to 16 bits";
+  const std::uint8_t* plane = pixels ? heif_image_get_plane_readonly(pixels.get(), heif_channel_interleaved, &stride) : nullptr;
+  if (error.code != heif_error_Ok || !plane) {
+    picture.problem = error.code != heif_error_Ok ? error.message : "its pixels are missing";
     return;
   }
-  depth.width = heif_image_get_width(pixels, heif_channel_Y), depth.height = heif_image_get_height(pixels, heif_channel_Y);
-  const std::size_t width = static_cast<std::size_t>(depth.width), height = static_cast<std::size_t>(depth.height);
-  depth.codes.resize(width * height);
-  for (std::size_t y = 0; y < height; ++y) {
-    const std::uint8_t* row = plane + y * static_cast<std::size_t>(stride);
-    std::uint16_t* to = &depth.codes[y * width];
-    if (depth.bits > 8)
-      std::memcpy(to, row, width * sizeof *to);
-    else
-      std::copy_n(row, width, to);
-  }
+  const bool has_size = heif_image_get_width(pixels.get(), heif_channel_interleaved) == picture.width &&
+                        heif_image_get_height(pixels.get(), heif_channel_interleaved) == picture.height;
+  if (has_size)
+    copy_codes(plane, static_cast<std::size_t>(stride), picture);
+  else
+    picture.problem = "its pixels have another size than its header says";
+}
+
+using DepthInfo = std::unique_ptr<const heif_depth_representation_info, Deleter<heif_depth_representation_info_free>>;
+
+/// Whether the codes of a depth image grow with z.
+bool is_depth_z(const heif_image_handle* picture, heif_item_id id) {
+  const heif_depth_representation_info* info = nullptr;
+  if (heif_image_handle_get_depth_image_representation_info(picture, id, &info) == 0 || !info) return false;
+  const DepthInfo owner(info);
+  return info->depth_representation_type == heif_depth_representation_type_uniform_Z;
 }
 
 class Libheif : public HeicModule {
@@ -120,43 +117,26 @@ class Libheif : public HeicModule {
   HeicPicture header(std::span<const std::byte> file) const override { return open(file).header; }
 
   HeicPicture decode(std::span<const std::byte> file) const override {
-    const Opened opened = open(file);
-    HeicPicture picture = opened.header;
-    if (!picture.problem.empty()) return picture;
-    heif_image* decoded = nullptr;
-    const heif_error error = heif_decode_image(opened.handle.get(), &decoded, heif_colorspace_RGB, chroma_of(picture), nullptr);
-    const Pixels pixels(decoded);
-    int stride = 0;
-    const std::uint8_t* plane =
-        pixels ? heif_image_get_plane_readonly(pixels.get(), heif_channel_interleaved, &stride) : nullptr;
-    if (error.code != heif_error_Ok || !plane) {
-      picture.problem = error.code != heif_error_Ok ? error.message : "its pixels are missing";
-      return picture;
-    }
-    const bool has_size = heif_image_get_width(pixels.get(), heif_channel_interleaved) == picture.width &&
-                          heif_image_get_height(pixels.get(), heif_channel_interleaved) == picture.height;
-    if (has_size)
-      copy_codes(plane, static_cast<std::size_t>(stride), picture);
-    else
-      picture.problem = "its pixels have another size than its header says";
-    return picture;
+    Opened opened = open(file);
+    if (opened.header.problem.empty()) decode_into(opened.handle.get(), opened.header);
+    return std::move(opened.header);
   }
 
   HeicDepth depth(std::span<const std::byte> file) const override {
     const Opened opened = open(file);
     HeicDepth depth;
-    depth.problem = opened.header.problem;
-    if (!depth.problem.empty()) return depth;
-    const Handle handle = depth_image(opened.handle.get(), depth);
-    if (!handle) return depth;
-    heif_image* decoded = nullptr;
-    const heif_error error =
-        heif_decode_image(handle.get(), &decoded, heif_colorspace_undefined, heif_chroma_undefined, nullptr);
-    const Pixels pixels(decoded);
-    if (error.code != heif_error_Ok || !pixels)
-      depth.problem = error.code != heif_error_Ok ? error.message : "its depth image has no pixels";
-    else
-      copy_depth(pixels.get(), depth);
+    depth.image.problem = opened.header.problem;
+    if (!depth.image.problem.empty()) return depth;
+    heif_item_id id = 0;
+    if (heif_image_handle_get_list_of_depth_image_IDs(opened.handle.get(), &id, 1) != 1) return depth;
+    heif_image_handle* opened_depth = nullptr;
+    const heif_error error = heif_image_handle_get_depth_image_handle(opened.handle.get(), id, &opened_depth);
+    const Handle handle(opened_depth);
+    depth.image = error.code == heif_error_Ok ? header_of(handle.get()) : HeicPicture{.problem = error.message};
+    depth.is_z = is_depth_z(opened.handle.get(), id);
+    if (static_cast<std::int64_t>(depth.image.width) * depth.image.height > kMostDepthPixels)
+      depth.image.problem = "its depth image is too large";
+    if (depth.image.problem.empty()) decode_into(handle.get(), depth.image);
     return depth;
   }
 };
