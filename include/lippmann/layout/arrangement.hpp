@@ -1,4 +1,4 @@
-// Moves the pixels of a picture from the places that one layout of its views gives them to those of another.
+// Rearranges the pixels of a picture from one layout of its views to another.
 #pragma once
 
 #include <string>
@@ -11,13 +11,14 @@ namespace lippmann {
 
 class Arrangement {
  public:
-  /// From pictures of size `picture`. Throws Error naming `where` if the views do not fill them (view_layout.hpp).
+  /// Prepares the mapping for pictures of size `picture`. Throws Error naming `where` if the views do not fill them
+  /// (view_layout.hpp).
   Arrangement(const ViewLayout& from, const ViewLayout& to, Vec2i picture, const std::string& where);
 
   Vec2i view_size() const { return view_; }
   Vec2i target_size() const { return to_size_; }
 
-  /// Takes any number of channels. Padding of a quilt stays behind.
+  /// Returns the rearranged picture, with any number of channels. Padding of a quilt is dropped.
   Image apply(const Image& picture) const;
 
  private:

@@ -1,5 +1,5 @@
-// Turns light fields of one format into another. Pixels are moved, never changed, so that ways and back are exact wherever
-// both formats hold the same samples; only pictures for a display are resampled (layout/display_picture.hpp).
+// Converts light fields between formats. Pixels are moved, not changed, so a round trip is exact if both formats hold the same
+// samples. Only pictures for a display are resampled (layout/display_picture.hpp).
 #pragma once
 
 #include <filesystem>
@@ -15,33 +15,33 @@
 namespace lippmann {
 
 struct ConvertParams {
-  std::string from, to = "views";  ///< names of formats; `from` empty: as the name of a quilt or the report beside it says
+  std::string from, to = "views";  ///< names of formats; empty `from`: derived from the quilt name or the report beside it
   FormatOptions options;
-  std::optional<Crop> crop;       ///< the part of every view that is kept; none: all of it
-  std::optional<KeptViews> keep;  ///< the views that are kept, chosen before they are cropped; none: all
-  /// Resample for options.display, whose picture `to` (integral, quilt or native) is; none: move pixels.
+  std::optional<Crop> crop;       ///< part of every view to keep; none: all of it
+  std::optional<KeptViews> keep;  ///< views to keep, chosen before cropping; none: all
+  /// Resamples for options.display; `to` must be one of its pictures (integral, quilt or native). None: moves pixels.
   std::optional<DisplayPictureParams> display_picture = {};
-  /// Reads IN in place of a format's reader: a video, which no reader of layout knows (replay/video_views.hpp).
+  /// Reads the input instead of a format's reader; used for video, which the layout part cannot read (replay/video_views.hpp).
   std::function<LightField(const std::filesystem::path&, const FormatOptions&)> read_views = {};
-  std::filesystem::path icc = {};  ///< profile of the printer, for display pictures that are prints; empty: they are sRGB
-  int threads = 0;                 ///< of display pictures; 0: one per processor
+  std::filesystem::path icc = {};  ///< printer profile for display pictures that are prints; empty: they are sRGB
+  int threads = 0;                 ///< for display pictures; 0: one per processor
 };
 
 struct Converted {
   std::vector<std::filesystem::path> written;
   ViewGrid views;
   Vec2i view_size{0, 0};
-  bool drops_positions = false;                     ///< of cameras, without a unit or distance, which the format does not hold
-  std::string fitted = {};                          ///< how views were resampled for a display; empty: they were not
-  bool lacks_cameras = false, lacks_depth = false;  ///< which a format would have taken, but nothing gave
+  bool drops_positions = false;                     ///< the format drops camera positions that have no unit or distance
+  std::string fitted = {};                          ///< how views were resampled for a display; empty: not resampled
+  bool lacks_cameras = false, lacks_depth = false;  ///< the format takes cameras or depth, but the input has none
 };
 
-/// Where a report.json of `render` lies beside a picture, it says what its views are, unless the options say it; and for
-/// formats that want them, what their cameras are, and the layer of depth comes with them.
+/// Converts `in`, a light field, or a folder of frame_* (pictures or folders of views) into pictures or folders of the same
+/// names. A report.json of `render` beside a picture supplies view counts that the options leave out and, for formats that use
+/// them, cameras and depth.
 ///
-/// `in`: a light field of that format, or a folder of frame_* (pictures or folders of views), of which each is converted, into
-/// pictures or folders of the same names. A picture without an ending gets the one that suits its samples. A quilt is written
-/// under its proper name (quilt_name.hpp). Throws Error naming the file or flag.
+/// A picture without an ending gets one that suits its samples. A quilt is written with its view layout in the name
+/// (quilt_name.hpp). Throws Error naming the file or option.
 Converted convert(const std::filesystem::path& in, const std::filesystem::path& out, const ConvertParams& params);
 
 }  // namespace lippmann

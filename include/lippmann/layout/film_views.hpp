@@ -1,5 +1,4 @@
-// The views of a film that has just been rendered, as a light field: what formats write and programs of vision research want;
-// and the picture that a panel shows of it.
+// Extracts views, as a light field, and the panel's picture from a rendered film in memory.
 #pragma once
 
 #include "lippmann/image/image.hpp"
@@ -8,20 +7,21 @@
 
 namespace lippmann {
 
-/// The views of a film as its optics lie, with their cameras where these are pinholes (not those of lenses that are seen from
-/// infinity). The stack has the film's samples: linear light, 3 channels. `depth`, where given: Aov::kDepth of the same frame.
-/// Throws Error for optics without views of whole pixels (slanted or hexagonal lenses, calibrated panels), and for images that
-/// are not of the panel's size.
+/// Returns the views of a film with the cameras of its optics (none for lenses viewed from infinity, whose views are parallel
+/// projections). The stack holds the film's samples: linear light, 3 channels. `depth`: Aov::kDepth of the same frame. Throws
+/// Error for optics without views of whole pixels (slanted or hexagonal lenses, calibrated panels), and for images whose size
+/// differs from the panel's.
 LightField light_field_of(const Image& film, const Optics& optics, const Image* depth = nullptr);
 
-/// A layer of the same frame (FrameAovs), of any number of channels, as a stack of the same views. Throws likewise.
+/// Returns the views of a layer of the same frame (FrameAovs), with any number of channels, as a stack. Throws under the same
+/// conditions.
 Image views_of_layer(const Image& layer, const Optics& optics);
 
-/// What the panel shows of a film, picture_size(optics) pixels: the film itself, or whole pixels of a slanted panel, whose film
-/// has one for each sub-pixel. Throws Error where the film is not of the panel's size.
+/// Returns the panel's picture of a film, picture_size(optics) pixels: the film itself, or for a slanted panel, whose film has
+/// one pixel per sub-pixel, the assembled whole pixels. Throws Error if the film's size differs from film_size.
 Image picture_of_film(const Image& film, const Optics& optics);
 
-/// The same of a layer: of a slanted panel's pixel, what is behind its middle sub-pixel.
+/// Returns the panel's picture of a layer. For a slanted panel each pixel takes the value at its middle sub-pixel.
 Image picture_of_layer(const Image& layer, const Optics& optics);
 
 }  // namespace lippmann

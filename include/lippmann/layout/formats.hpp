@@ -1,6 +1,6 @@
-// The formats of light fields that `convert` reads and writes: one table, of which help, messages and the conversion come.
+// The table of light field formats that `convert` reads and writes. Help, messages and the conversion use it.
 //
-// Each format is one file, NAME_format.cpp, with one reader and one writer.
+// Each format has one file, NAME_format.cpp, with one reader and one writer.
 #pragma once
 
 #include <filesystem>
@@ -19,53 +19,56 @@
 
 namespace lippmann {
 
-/// Parallel cameras in a regular grid, for files that do not state their cameras. Lengths in mm.
+/// Parallel cameras in a regular grid, for files without camera data. Lengths in mm.
 struct StatedCameras {
-  double baseline_mm = 0.0;  ///< between neighbouring cameras, before any view is left out
+  double baseline_mm = 0.0;  ///< between neighbouring cameras, before views are left out
   double focal_length_mm = 0.0;
-  double sensor_width_mm = 35.0;   ///< of all pixels of a row, before views are cropped
-  double focus_distance_mm = 0.0;  ///< from the cameras to the plane whose points do not move from view to view
+  double sensor_width_mm = 35.0;   ///< width of an uncropped view's row of pixels on the sensor
+  double focus_distance_mm = 0.0;  ///< distance from the cameras to the plane with zero disparity
 };
 
-/// What a format may need beside its name; each uses what concerns it.
+/// Options of the formats. Each format uses only those that apply to it.
 struct FormatOptions {
-  std::optional<ViewGrid> views = {};  ///< how many views across and up: needed where neither names nor side files say it
-  std::optional<ViewGrid> tiles = {};  ///< a quilt's tiles across and up; none: as its name says, or as square as can be
-  std::optional<double> aspect = {};  ///< the display's width / height, for a quilt's name; none: the source's or the picture's
-  bool with_depth = false;            ///< read it from beside a rendered picture too, where it is (layout/rendered.hpp)
-  std::optional<int> bits = {};       ///< how many a code of PPM files has, 1 ... 16; none: as many as the source's
-  bool png = false;                   ///< PNG in place of PPM files
-  std::optional<Display> display = {};    ///< whose own frame a native picture is
-  std::optional<ViewFilter> filter = {};  ///< how native frames take colours from views; none: from the nearest
+  std::optional<ViewGrid> views = {};  ///< number of views across and up; required if neither names nor side files give it
+  std::optional<ViewGrid> tiles = {};  ///< a quilt's tiles across and up; none: from its name, or as square as possible
+  std::optional<double> aspect = {};   ///< the display's width / height, for a quilt's name; none: of the source or the picture
+  bool with_depth = false;       ///< also read the depth layer beside a rendered picture, if there is one (layout/rendered.hpp)
+  std::optional<int> bits = {};  ///< bits per sample of PPM files, 1 ... 16; none: as in the source
+  bool png = false;              ///< write PNG instead of PPM files
+  std::optional<Display> display = {};    ///< display of a native picture
+  std::optional<ViewFilter> filter = {};  ///< how native frames sample the views; none: kNearest
   std::optional<double> sigma_views = {};
-  std::optional<StereoLayout> stereo = {};     ///< how two views lie in one picture; none: as its name says, or side by side
-  std::optional<DepthRange> depth_range = {};  ///< greys cover it; none: as the RGB-D picture's side file says, or all there is
-  std::optional<bool> even_in_depth = {}, near_black = {};  ///< how they are coded; none: as the side file says (DepthCoding)
-  std::optional<StatedCameras> cameras = {};                ///< of files that do not state theirs
-  std::optional<PlenopticCalibration> plenoptic = {};       ///< of raw plenoptic pictures; none: as their files state
-  /// Applied to each view as its file is read, so that large ones need not be kept. `view`: its number in the grid.
+  std::optional<StereoLayout> stereo = {};  ///< packing of two views in one picture; none: from its name, or side by side
+  std::optional<DepthRange> depth_range =
+      {};  ///< depths of the grey range; none: from the RGB-D picture's side file, or the range of the depth
+  std::optional<bool> even_in_depth = {}, near_black = {};  ///< see DepthCoding; none: from the side file
+  std::optional<StatedCameras> cameras = {};                ///< for files without camera data
+  std::optional<PlenopticCalibration> plenoptic = {};       ///< of raw plenoptic pictures; none: from their files
+  /// Applied to each view right after its file is read, so that large originals need not be kept. `view`: its number in the
+  /// grid.
   std::function<Picture(Picture, int view, ViewGrid grid)> fit_view = {};
-  std::function<void(std::string_view)> warn = {};  ///< of what pictures say and is not honoured (image/picture_file.hpp)
+  std::function<void(std::string_view)> warn =
+      {};  ///< receives warnings about unsupported metadata of pictures (image/picture_file.hpp)
 };
 
-/// Which members of FormatOptions a reader or a writer uses. `filter` includes sigma_views; `depth_coding` is depth_range,
-/// even_in_depth and near_black.
+/// The members of FormatOptions that a reader or a writer uses. `filter` includes sigma_views; `depth_coding` stands for
+/// depth_range, even_in_depth and near_black.
 struct FormatUses {
   bool views = false, tiles = false, aspect = false, bits = false, display = false, filter = false, stereo = false,
        depth_coding = false, plenoptic = false;
 };
 
-/// Paths are those of one light field, of one moment: a picture or a folder.
+/// A format. Paths refer to one light field of one moment: a picture or a folder.
 struct LightFieldFormat {
   std::string_view name;
   std::string_view is;           ///< in one line
-  bool is_folder = false;        ///< a folder with one or more files for each view; else one picture
-  bool uses_cameras = false;     ///< its writer wants cameras and depth, where they are known
-  bool keeps_positions = false;  ///< its files hold the cameras' positions, even without a unit
-  bool states_cameras = false;   ///< its files state the cameras: a report.json beside them does not count
-  /// Throws Error naming the file or the flag of an option.
+  bool is_folder = false;        ///< true: a folder with one or more files per view; false: one picture
+  bool uses_cameras = false;     ///< its writer uses cameras and depth if available
+  bool keeps_positions = false;  ///< its files hold camera positions, even without a unit
+  bool states_cameras = false;   ///< its files contain cameras; a report.json beside them is ignored
+  /// Throws Error naming the file or the option.
   LightField (*read)(const std::filesystem::path& path, const FormatOptions& options) = nullptr;
-  /// Returns what was written, pictures first. Folders are made. Throws likewise.
+  /// Returns the files written, pictures first. Creates folders. Throws Error naming the file or the option.
   std::vector<std::filesystem::path> (*write)(const LightField& field, const std::filesystem::path& path,
                                               const FormatOptions& options) = nullptr;
   FormatUses reads = {}, writes = {};
@@ -90,10 +93,10 @@ LightFieldFormat rgbd_format();
 LightFieldFormat cvkit_format();
 LightFieldFormat lytro_format();
 
-/// All of them, in the order of --help.
+/// Returns all formats in the order of --help.
 const std::vector<LightFieldFormat>& light_field_formats();
 
-/// Throws a usage Error naming `flag` and the known names.
+/// Returns the format of this name. Throws a usage Error naming `flag` and listing the known names.
 const LightFieldFormat& find_format(std::string_view name, std::string_view flag);
 
 }  // namespace lippmann

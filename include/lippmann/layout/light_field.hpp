@@ -1,5 +1,5 @@
-// A light field in memory: the views of one moment, and what is known of the cameras that saw them. Every format that
-// `convert` reads becomes one, and every format that it writes is made from one (layout/formats.hpp).
+// A light field in memory: the views of one moment, and their cameras if known. `convert` reads every format into this type and
+// writes every format from it (layout/formats.hpp).
 //
 // Views are numbered as in layout/view_layout.hpp: column 0 is seen by the leftmost eye, row 0 by the lowest.
 #pragma once
@@ -17,48 +17,48 @@
 namespace lippmann {
 
 struct LightField {
-  Picture stack;  ///< the views one below the other, view 0 on top
+  Picture stack;  ///< the views stacked vertically, view 0 on top
   ViewGrid grid;
   Vec2i view_size{0, 0};
-  double aspect = 1.0;                 ///< width / height of the display they are made for, else of the picture they came from
-  std::optional<ViewGrid> tiles = {};  ///< how the quilt that they came from lays them out
-  int bits = 0;                        ///< how many a code has in the file they came from; 0: as many as in the stack
-  std::optional<Image> depth = {};     ///< a stack likewise: z in mm, above 0 in front of z = 0; -inf: nothing there
-  std::optional<ViewCameras> cameras = {};  ///< where they are known
-  /// Position of each view's eye, right and up, in a unit and from an origin that the files do not state (Stanford).
+  double aspect = 1.0;                      ///< width / height of the display they are made for, else of the source picture
+  std::optional<ViewGrid> tiles = {};       ///< tile layout of the quilt that the views came from
+  int bits = 0;                             ///< significant bits per sample in the source; 0: all bits of the stack
+  std::optional<Image> depth = {};          ///< a stack of z in mm, above 0 in front of z = 0; -inf: no surface
+  std::optional<ViewCameras> cameras = {};  ///< none: unknown, or see `poses`
+  /// Position of each view's eye, right and up, in an unstated unit and from an unstated origin (Stanford format).
   std::optional<std::vector<Vec2d>> positions = {};
-  /// By view, of cameras that are turned or do not share a plane, instead of `cameras`. Depth is then z of each camera's own
-  /// frame, in mm: the planar depth times -1.
+  /// By view; replaces `cameras` if the cameras are rotated or do not share a plane. Depth is then z in each camera's own
+  /// frame, in mm: minus the planar depth.
   std::optional<std::vector<PosedCamera>> poses = {};
 };
 
-/// The cameras of a light field, by view; those of one plane look along -z of the display frame. Throws Error naming `where`
-/// if they are unknown.
+/// Returns the cameras by view. Cameras that share a plane look along -z of the display frame. Throws Error naming `where` if
+/// they are unknown.
 std::vector<PosedCamera> posed_cameras(const LightField& field, const std::string& where);
 
-/// The size of the stack of all views.
+/// Returns the size of the stack of all views.
 inline Vec2i stack_size(const LightField& field) { return {field.view_size.x, field.view_size.y * field.grid.count()}; }
 
 Vec2i size_of(const Picture& picture);
 
-/// A black picture of the same kind of samples.
+/// Returns a black picture with the same type of samples.
 Picture blank(const Picture& like, Vec2i size);
 
-/// to[to_pixel[i]] = from[from_pixel[i]]; an empty list counts up. Both of one kind of samples.
+/// Copies to[to_pixel[i]] = from[from_pixel[i]]; an empty list means 0, 1, 2, ... Both pictures have the same type of samples.
 void move_pixels(const Picture& from, const std::vector<std::uint32_t>& from_pixel, Picture& to,
                  const std::vector<std::uint32_t>& to_pixel);
 void move_pixels(const Image& from, const std::vector<std::uint32_t>& from_pixel, Image& to,
                  const std::vector<std::uint32_t>& to_pixel);
 
-/// One view of a stack.
+/// Returns one view of the stack.
 Picture view_of(const LightField& field, int view);
 Image depth_of(const LightField& field, int view);
 
-/// Puts a picture (or a depth image of 1 channel) in the place of a view. Both are of its size and kind.
+/// Stores a picture (or a depth image of 1 channel) as a view. Its size and type must match.
 void set_view(LightField& field, int view, const Picture& picture);
 void set_depth(LightField& field, int view, const Image& depth);
 
-/// View v of rows counted from the top: what other tools number from the top left, row by row.
+/// Returns the index of view v when rows are numbered from the top, row by row, as many other tools do.
 inline int from_top_left(const ViewGrid& grid, int v) {
   return (grid.rows - 1 - v / grid.columns) * grid.columns + v % grid.columns;
 }

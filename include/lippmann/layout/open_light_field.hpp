@@ -1,4 +1,4 @@
-// Opens light fields in files of any format that `convert` reads, without being told which.
+// Opens light fields in files of any format that `convert` reads, with automatic detection of the format.
 #pragma once
 
 #include <filesystem>
@@ -14,18 +14,18 @@
 namespace lippmann {
 
 struct OpenedLightField {
-  LightField field;                   ///< with cameras, where the format or the report beside a render's picture knows them
-  std::optional<Optics> optics = {};  ///< that it was rendered for, as the report says: it holds all views; none: no report
-  std::string_view format = {};       ///< its name in light_field_formats()
+  LightField field;                   ///< with cameras, if the format or the report beside a rendered picture has them
+  std::optional<Optics> optics = {};  ///< optics it was rendered for, covering all views; none: no report
+  std::string_view format = {};       ///< name in light_field_formats()
 };
 
-/// `path`: a picture or a folder of views, of one moment. `from`: a format's name; empty: as names and a report.json beside it
-/// say. Options that are given win over the report. Throws Error naming the file, or the option that has to say what nothing
-/// else says.
+/// Opens one light field: a picture or a folder of views. `from`: a format's name; empty: detected from file names and a
+/// report.json. `options` override the report. Throws Error naming the file, or the option that is required because no source
+/// supplies its value.
 OpenedLightField open_light_field(const std::filesystem::path& path, const std::string& from, const FormatOptions& options);
 
-/// The light fields of an animation, by frame: frame_0000.png, frame_0001.png, ... (or folders of such names) of a folder;
-/// `path` alone where it is a file or holds one light field. Throws Error where there is nothing.
+/// Returns the light fields of an animation in frame order: frame_0000.png, frame_0001.png, ... (or folders of such names) of a
+/// folder. Returns `path` alone if it is a file or holds a single light field. Throws Error if there is none.
 std::vector<std::filesystem::path> light_fields_in(const std::filesystem::path& path, const std::string& from);
 
 }  // namespace lippmann

@@ -1,8 +1,8 @@
-// What a quilt's file name says: name_qs{columns}x{rows}a{aspect}.ending, as Looking Glass's programs read and write it.
+// Reads and writes quilt file names: name_qs{columns}x{rows}a{aspect}.ending, the convention of Looking Glass's programs.
 //
-// aspect: width / height of the display, not of a tile. Other tools also add z{zoom} and f{focus}, which are ignored. Letters
-// may be capitals, and a mark of a copy may follow: "room_qs8x6a0.75 (1).png". A space, hyphen or dot may take the place of the
-// underscore, or the name may begin with qs, where the aspect is from 0.1 to 10.
+// aspect: width / height of the display, not of a tile. z{zoom} and f{focus}, which some tools add, are ignored. Upper case and
+// a copy mark are accepted: "room_qs8x6a0.75 (1).png". If the aspect is within 0.1 ... 10, a space, hyphen or dot may replace
+// the underscore, or the name may begin with qs.
 #pragma once
 
 #include <filesystem>
@@ -19,22 +19,22 @@ struct QuiltName {
   double aspect = 1.0;
 };
 
-/// The name of the quilt that a display wants.
+/// Returns the name of the quilt that a display uses.
 QuiltName quilt_name_of(const DisplayQuilt& quilt);
 
-/// None if the name says nothing. Throws Error where it says something impossible (no tiles, no aspect).
+/// Parses a path; none if the name has no quilt part. Throws Error for impossible values (zero tiles or aspect).
 std::optional<QuiltName> parse_quilt_name(const std::filesystem::path& path);
 
-/// The tiles of a name that has qs{columns}x{rows}, whether or not the rest can be read. For messages.
+/// Returns the tiles of a name that contains qs{columns}x{rows}, even if the rest cannot be parsed. For messages.
 std::optional<ViewGrid> tiles_in_name(const std::filesystem::path& path);
 
-/// What stands at the end of a name: _qs8x6a0.75.
+/// Returns the end of a file name, such as _qs8x6a0.75.
 std::string quilt_ending(const QuiltName& quilt);
 
-/// The path without that in its name; the path itself where the name says nothing. "quilt" takes the place of an empty name.
+/// Returns the path without the quilt part of its name, or unchanged if there is none. An empty name becomes "quilt".
 std::filesystem::path without_quilt_name(const std::filesystem::path& path);
 
-/// The path with that in its name, before the ending, in place of what it had before.
+/// Returns the path with this quilt part before the ending, replacing any existing one.
 std::filesystem::path with_quilt_name(const std::filesystem::path& path, const QuiltName& quilt);
 
 }  // namespace lippmann

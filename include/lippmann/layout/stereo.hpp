@@ -1,9 +1,9 @@
-// Stereo pictures: the views of a left and a right eye in one picture, as panels that track eyes, headsets and 3D players take
-// it.
+// Stereo pictures: the views of a left and a right eye in one picture, for eye-tracking panels, headsets and 3D players.
 //
-// The packings: side by side, one above the other, or row by row; `half` ones are as large as one view, and squeeze each to
-// half its width or height. A view is off-axis through the display's rectangle, never turned towards the other (no toe-in): a
-// point at depth z behind the display (d behind it: d = -z) has the disparity ipd d / (distance + d) on it, right eye minus
+// The packings are side by side, over-under, and row by row. The `half` packings squeeze each view to half its width or height,
+// so that the picture is as large as one view. Views are off-axis through the display's rectangle, without toe-in: a point at
+// distance d behind the display (z = -d) has the disparity ipd d / (distance + d) on it, right eye minus left eye. Disparity is
+// 0 in the display plane and negative in front of it.
 // left eye; 0 in its plane, negative in front.
 #pragma once
 
@@ -21,7 +21,7 @@ namespace lippmann {
 
 enum class StereoPacking { kSideBySide, kHalfSideBySide, kOverUnder, kHalfOverUnder, kRows };
 
-/// In the order of the enum.
+/// Names of the packings, in the order of the enum.
 inline constexpr std::array<std::string_view, 5> kStereoPackingNames{"sbs", "half-sbs", "over-under", "half-over-under",
                                                                      "rows"};
 
@@ -31,36 +31,36 @@ struct StereoLayout {
   bool operator==(const StereoLayout&) const = default;
 };
 
-inline constexpr double kUsualIpdMm = 63.0;  ///< between the pupils of an adult, about
+inline constexpr double kUsualIpdMm = 63.0;  ///< typical distance between an adult's pupils
 
-/// What a whole view is divided by, across and down, before it goes into the picture: (2, 1), (1, 2) or (1, 1).
+/// Returns the factor by which a packing reduces a view, across and down: (2, 1), (1, 2) or (1, 1).
 inline Vec2i stereo_squeeze(StereoPacking packing) {
   return {packing == StereoPacking::kHalfSideBySide ? 2 : 1, packing == StereoPacking::kHalfOverUnder ? 2 : 1};
 }
 
-/// The size of the picture. `stored`: that of a view as it lies in the picture, squeezed; for rows that of a whole view, of
-/// which every other row is taken.
+/// Returns the size of the picture. `stored`: the size of a view after squeezing; for rows the size of a whole view, of which
+/// every other row is used.
 Vec2i stereo_picture_size(StereoPacking packing, Vec2i stored);
 
-/// The inverse. Throws Error naming `where` for sides that cannot be halved.
+/// Returns the size of a stored view: the inverse. Throws Error naming `where` for sides that cannot be halved.
 Vec2i stored_view_size(StereoPacking packing, Vec2i picture, const std::string& where);
 
-/// Writing: entry i is the pixel of a stack of the left view and below it the right view, each of the size `stored`, that pixel
-/// i of the picture shows.
+/// Mapping for writing: entry i is the source of pixel i of the picture in a stack of the left view above the right view, each
+/// of size `stored`.
 std::vector<std::uint32_t> stereo_pixels(const StereoLayout& layout, Vec2i stored);
 
-/// Reading: entry i is the pixel of a picture of two views `stored` that pixel i of a stack of the views shows. A view that is
-/// read has the size `stored`, but for rows half its height: those rows that are there.
+/// Mapping for reading: entry i is the source of pixel i of the stack of views in a picture of two views of size `stored`.
+/// Views read have the size `stored`, or half its height for kRows.
 std::vector<std::uint32_t> pixels_of_stereo(const StereoLayout& layout, Vec2i stored);
 
-/// What stands at the end of a picture's or video's name: _2x1 and _half_2x1 (side by side, as Leia's programs name them), _ou
-/// and _half_ou (over and under, as headsets' players do), _rows; and _rl after it where the right eye is first.
+/// Returns the end of a file name: _2x1 and _half_2x1 (side by side, as Leia's programs name them), _ou and _half_ou
+/// (over-under, as headset players do), _rows; followed by _rl if the right eye is first.
 std::string stereo_ending(const StereoLayout& layout);
 
-/// The inverse, of a whole path; none if its name says nothing.
+/// Parses the layout from the name of a path; none if the name has no such part.
 std::optional<StereoLayout> parse_stereo_name(const std::filesystem::path& path);
 
-/// The path without that in its name, and with that of another layout in its place.
+/// Return the path without this part of its name, and with the part of another layout instead.
 std::filesystem::path without_stereo_name(const std::filesystem::path& path);
 std::filesystem::path with_stereo_name(const std::filesystem::path& path, const StereoLayout& layout);
 

@@ -1,4 +1,4 @@
-// Parts of a light field: the same window of every view, and some of the views.
+// Selects parts of a light field: the same window of every view, or some of the views.
 #pragma once
 
 #include <optional>
@@ -8,33 +8,35 @@
 
 namespace lippmann {
 
-/// Pixels from the top left corner of a view.
+/// A window of a view, in pixels from its top left corner.
 struct Crop {
   Vec2i size{0, 0}, offset{0, 0};
 };
 
-/// Every step-th of first ... last; last < 0: to the end.
+/// Every step-th index of first ... last; last < 0: to the end.
 struct ViewRange {
   int first = 0, last = -1, step = 1;
 };
 
-/// Which columns of views, from the left, and which rows, from the lowest.
+/// The columns of views to keep, from the left, and the rows, from the lowest.
 struct KeptViews {
   ViewRange columns, rows;
 };
 
-/// "WxH+X+Y". Throws a usage Error.
+/// Parses "WxH+X+Y". Throws a usage Error naming `flag`.
 Crop read_crop(const std::string& text, const std::string& flag);
 
-/// "COLUMNS" or "COLUMNSxROWS", each N, A-B, A-B:STEP or all: "0-47:2", "2-6x2-6", "allx4". Throws a usage Error.
+/// Parses "COLUMNS" or "COLUMNSxROWS", each N, A-B, A-B:STEP or all: "0-47:2", "2-6x2-6", "allx4". Throws a usage Error naming
+/// `flag`.
 KeptViews read_kept_views(const std::string& text, const std::string& flag);
 
-/// The grid of the views that are kept of one, and the number there of a view of that one; none: it is left out. Both throw a
-/// usage Error naming `flag` for what lies outside.
+/// Return the grid of the kept views, and the new number of a view of `grid` (none: left out). Throw a usage Error naming
+/// `flag` if the selection exceeds the grid.
 ViewGrid kept_grid(ViewGrid grid, const KeptViews& kept, const std::string& flag);
 std::optional<int> number_among_kept(int view, ViewGrid grid, const KeptViews& kept, const std::string& flag);
 
-/// Depth and cameras stay with their views. Both throw a usage Error naming `flag` for what lies outside.
+/// Crop all views, and drop views, together with their depth and cameras. Throw a usage Error naming `flag` if the selection
+/// exceeds the light field.
 void crop(LightField& field, const Crop& window, const std::string& flag);
 void keep(LightField& field, const KeptViews& kept, const std::string& flag);
 

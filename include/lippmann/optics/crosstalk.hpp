@@ -1,8 +1,8 @@
-// Crosstalk: how much of its neighbours an eye sees where one pixel below a lens, or one view of a quilt, is meant.
+// Crosstalk: how much of its neighbours an eye sees next to one pixel below a lens, or one view of a quilt.
 //
-// A lens images the panel not as points but as a Gaussian of a sigma in panel pixels (of a quilt: views), which each pixel
-// integrates over its area. The one definition for replay, which shows it, and for pictures made to undo it
-// (layout/precompensate.hpp).
+// A lens images each point of the panel as a Gaussian with a sigma given in panel pixels (for quilts: in views), integrated
+// over the area of each pixel. Both replay, which simulates crosstalk, and precompensation (layout/precompensate.hpp), which
+// counteracts it, use this definition.
 #pragma once
 
 #include <array>
@@ -15,13 +15,13 @@ namespace lippmann {
 
 inline constexpr double kMaxBlurPx = 8.0;
 
-/// Which pixel of one axis counts how much.
+/// The weight of one pixel along one axis.
 struct Tap {
   int index;
   double weight;
 };
 
-/// Uninitialised beyond `count`.
+/// A filter's taps. Elements from `count` on are uninitialised.
 struct Taps {
   std::array<Tap, 84> tap;
   int count = 0;
@@ -31,20 +31,20 @@ struct Taps {
   const Tap* end() const { return tap.data() + count; }
 };
 
-/// What is seen at a place in continuous pixel coordinates (pixel i covers i ... i + 1): a Gaussian of `sigma_px`, 0 < sigma <=
-/// kMaxBlurPx, cut off at 4 sigma and integrated over each pixel; for sigma -> 0 it is the nearest pixel. Indices may lie
-/// outside any picture: what lies beyond is left out, and the rest of the weights counts for all.
+/// Returns the weights of the pixels seen at a position in continuous pixel coordinates (pixel i covers i ... i + 1): a
+/// Gaussian of `sigma_px`, 0 < sigma <= kMaxBlurPx, cut off at 4 sigma and integrated over each pixel. As sigma approaches 0 it
+/// becomes the nearest pixel. Indices may lie outside the image; callers skip those and renormalise the other weights.
 Taps gaussian_taps(double position_px, double sigma_px);
 
-/// Sigma along x and along y in pixels of a panel picture (of quilts: columns and rows of views; of slanted panels: whole
-/// pixels, each colour for itself); 0 where lenses have no power. A slanted sheet's is measured across its lenses.
+/// Returns sigma along x and y in pixels of a panel picture (quilts: columns and rows of views; slanted panels: whole pixels,
+/// per colour), 0 along axes without lens power. For a slanted sheet, sigma_px is measured across its lenses.
 Vec2d crosstalk_sigmas(const Optics& optics, double sigma_px);
 
-/// The share of what is seen at the middle of a pixel that is each neighbour's.
+/// Returns the weight of each direct neighbour at the middle of a pixel.
 double neighbour_share(double sigma_px);
 
-/// "0.4": a sigma in pixels, 0 ... kMaxBlurPx; "10%": the one of which each neighbour has that share, 0 ... 23 %. Throws a
-/// usage Error naming `where`.
+/// Parses crosstalk: "0.4" is a sigma in pixels, 0 ... kMaxBlurPx; "10%" is the weight of each direct neighbour, 0 ... 23 %.
+/// Returns sigma. Throws a usage Error naming `where`.
 double read_crosstalk(std::string_view text, const std::string& where);
 
 }  // namespace lippmann

@@ -1,10 +1,10 @@
-// The cameras that the views of a picture are: where their eyes stand and how their pixels lie in the plane z = 0.
+// The pinhole cameras of the views of a picture: the positions of their eyes and the pixel grid they share in the plane z = 0.
 //
-// Views of a quilt are off-axis pinholes by construction (optics/multi_view.hpp). So are the views of a lens array that is seen
-// from a distance V: the pixels at offset o from the centres of their cells have rays of slope -l/V - o/g through lens l, which
-// all pass through x = -o V/g at z = V, and one sample per lens, a lens pitch p apart. Their eyes stand m V/g apart, m the
-// pixel pitch, and the distance between samples is p; down a lenticular sheet, where lenses have no power, it is m V/(V + g).
-// A parallax (with_parallax) draws all of these eyes nearer together.
+// Views of a quilt are off-axis pinholes by construction (optics/multi_view.hpp). So are the views of a lens array with a
+// finite viewing distance V. Pixels at offset o from the centres of their cells have rays of slope -l/V - o/g through lens l,
+// which all meet at x = -o V/g, z = V. Neighbouring eyes are m V/g apart, where m is the pixel pitch, and samples are one lens
+// pitch p apart. Along the lenses of a lenticular sheet, which have no power, samples are m V/(V + g) apart. A parallax below 1
+// (with_parallax) moves these eyes closer together.
 #pragma once
 
 #include <optional>
@@ -15,17 +15,17 @@
 
 namespace lippmann {
 
-/// Parallel cameras that look along -z through one plane z = 0, each off its axis: the model of render's views and of the data
-/// sets of vision research. Lengths in mm of the display frame (optics/optics.hpp).
+/// Parallel cameras that look along -z, each off-axis through the same rectangle in the plane z = 0. Computer vision data sets
+/// use the same model. Lengths in mm of the display frame (optics/optics.hpp).
 struct ViewCameras {
   double distance_mm = 0.0;         ///< from every eye to the plane z = 0, where views coincide
-  Vec2d pixel_mm{0.0};              ///< width and height that a view's pixel covers in that plane
-  Vec2d centre_px{0.0};             ///< where the middle of the plane, x = y = 0, lies in every view, from its top left corner
-  std::vector<Vec2d> eyes_mm = {};  ///< x to the right and y up, by view
+  Vec2d pixel_mm{0.0};              ///< size of a view's pixel in that plane
+  Vec2d centre_px{0.0};             ///< position of x = y = 0 in every view, from its top left corner
+  std::vector<Vec2d> eyes_mm = {};  ///< by view; x to the right and y up
 };
 
-/// The cameras of views of whole pixels. None where there are no such views, or where they are parallel projections: of lenses
-/// that are seen from infinity.
+/// Returns the cameras of views of whole pixels; none if the optics have no such views or their views are parallel projections
+/// (lenses viewed from infinity).
 std::optional<ViewCameras> view_cameras(const Optics& optics);
 
 }  // namespace lippmann

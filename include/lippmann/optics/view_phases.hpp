@@ -1,4 +1,4 @@
-// Which view every sub-pixel of a calibrated panel belongs to: what a player needs that interlaces views for it.
+// The view of every sub-pixel of a calibrated panel, for players that interlace views for it.
 #pragma once
 
 #include <optional>
@@ -7,15 +7,15 @@
 
 namespace lippmann {
 
-/// As SlantedPanel has them: a sub-pixel at (x, y), from 0 to 1 across the panel and up it, shows the view
-/// 1 - fract((x + y tilt) periods - center) of the view cone, or without the 1 - where that is not inverted.
+/// Parameters as in SlantedPanel: a sub-pixel at (x, y), from 0 to 1 across the panel and up it, shows the view 1 - fract((x +
+/// y tilt) periods - center) of the view cone, or fract(...) if not `inverted`.
 struct ViewPhases {
   double periods, tilt, center;
   bool inverted;
   SubPixelOffsets sub_pixels;
 };
 
-/// None where no calibration says it. `optics` must pass validate().
+/// Returns the phases of a calibrated slanted panel; none for other optics. `optics` must pass validate().
 std::optional<ViewPhases> view_phases(const Optics& optics);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// The six scenes after the paper's, built by code, each with a seamless animation of at least 400 frames.
+// The six built-in scenes, modelled on those of the paper. Each has a seamless animation of at least 400 frames.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@ namespace lippmann {
 
 struct BuiltinScene {
   std::string_view name;
-  std::string_view description;  ///< one line for `lippmann scenes`
+  std::string_view description;  ///< one line, printed by `lippmann scenes`
   Scene (*build)();
 };
 
-/// teapot, room, small-balls, primitives, tree, gears.
+/// Returns teapot, room, small-balls, primitives, tree and gears.
 const std::vector<BuiltinScene>& builtin_scenes();
 
 }  // namespace lippmann

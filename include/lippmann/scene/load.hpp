@@ -1,4 +1,4 @@
-// Reads a scene from a file or builds a built-in one: the one place that knows which format is whose.
+// Loads a scene from a file of any supported format, or builds a built-in one.
 #pragma once
 
 #include <cstdint>
@@ -14,22 +14,23 @@ namespace lippmann {
 struct LoadOptions {
   std::optional<std::filesystem::path> camera_path{};  ///< a Tachyon .cam file, for .dat scenes only
   double frames_per_second = 0.0;                      ///< 0: the format's default
-  std::filesystem::path asset_root{};  ///< the files that a scene names may lie below it; empty: in the scene's folder only
-  std::string animation{};             ///< name or index of the one to show, of files that hold several; empty: the first
-  /// Decoded textures of glTF, OBJ and PLY take so much at most, 4 bytes a texel: the largest are halved until they do, which
-  /// is a warning. Tables for rendering take 2.7 times as much besides.
+  std::filesystem::path
+      asset_root{};         ///< folder that may contain the files a scene refers to; empty: only the scene's own folder
+  std::string animation{};  ///< name or index of the animation to show; empty: the first
+  /// Memory limit for the decoded textures of glTF, OBJ and PLY files, at 4 bytes per texel. Larger sets are reduced with a
+  /// warning: the largest textures are halved until all fit. Lookup tables for rendering take another 2.7 times as much.
   std::uint64_t texture_bytes = std::uint64_t{1024} << 20;
   double point_size =
-      0.0;                ///< diameter of the points of a PLY file of points alone, in its units; 0: chosen from their spacing
-  std::string variant{};  ///< name or index of the set of materials, of files that hold several; empty: the file's default
+      0.0;  ///< point diameter for PLY files that contain only points, in file units; 0: derived from their spacing
+  std::string variant{};  ///< name or index of the material variant; empty: the file's default
 };
 
-/// `name` is a built-in scene (builtin.hpp) or a file: .gltf, .glb, .dat, .nff, .obj, .ply. Throws Error; what is read but not
-/// supported is a warning in `context`. The result has passed validate().
+/// Loads the built-in scene `name` (builtin.hpp) or a file: .gltf, .glb, .dat, .nff, .obj, .ply. Unsupported features become
+/// warnings in `context`. The result passes validate(). Throws Error.
 Scene load_scene(const std::string& name, const LoadOptions& options, const Context& context);
 
-/// Returns the kind of the scene with this name without loading it, from its ending and, for PLY and glTF, from the file's
-/// header or JSON. A file that cannot be read counts as physical.
+/// Returns the kind of a scene without loading it: from the file name and, for PLY and glTF, from the file's header or JSON.
+/// Returns kPhysical for unreadable files.
 SceneKind scene_kind(const std::string& name);
 
 /// Checks every index, size and number of a scene (finite vertices, triangle indices, parents before children, radii > 0).

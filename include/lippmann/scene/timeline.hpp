@@ -1,4 +1,4 @@
-// Where everything is at a given time: evaluates the node hierarchy of a Scene.
+// Evaluates the node hierarchy of a Scene at a given time.
 #pragma once
 
 #include <vector>
@@ -8,33 +8,34 @@
 
 namespace lippmann {
 
-/// The world transform and the morph weights of every node of a scene at one time; index as in Scene::nodes.
+/// The world transform and the morph weights of every node of a scene at one time, indexed as in Scene::nodes.
 struct ResolvedScene {
   std::vector<Affine3f> world_from_node;
-  std::vector<std::vector<float>> morph_weights;  ///< as many as the node has; empty: no node has any
-  /// The transform of a node; the identity for -1.
+  std::vector<std::vector<float>> morph_weights;  ///< one list per node; empty: no node has morph weights
+  /// Returns the transform of a node; the identity for -1.
   Affine3f of(int node) const { return node < 0 ? Affine3f{} : world_from_node[static_cast<std::size_t>(node)]; }
 };
 
-/// Equal times give equal bits. Throws Error where a node's parent does not come before it or an animated node does not exist;
-/// otherwise the scene must pass validate() (scene/load.hpp), as for all functions below. glTF 2.0, appendix C ("Animation
-/// sampler interpolation modes"), for the cubic spline.
+/// Evaluates all nodes at a time in seconds. Equal times give equal bits. Throws Error if a node's parent does not come before
+/// it or an animated node does not exist; apart from that, all functions in this header need a scene that passes validate()
+/// (scene/load.hpp). Cubic splines follow glTF 2.0, appendix C ("Animation sampler interpolation modes").
 ResolvedScene evaluate(const Scene& scene, double time);
 
-/// Whether each node ever moves (it or one of its ancestors is animated with more than one value).
+/// Returns for each node whether it ever moves: it or one of its ancestors is animated with more than one value.
 std::vector<bool> moving_nodes(const Scene& scene);
 
-/// Whether every key of the animation falls on a frame, to a fiftieth of one, at that many frames a second; true without keys.
+/// Returns whether every key of the animation falls on a frame at this frame rate, within a fiftieth of a frame. True if there
+/// are no keys.
 bool keys_fall_on_frames(const Timeline& timeline, double frames_per_second);
 
-/// Whether the morph weights of each node ever change.
+/// Returns for each node whether its morph weights ever change.
 std::vector<bool> morphing_nodes(const Scene& scene);
 
-/// Bounds of everything finite (planes are left out) at one time, along the axes of the world or of another frame; empty if
-/// there is nothing finite. Of splats, those that stray far from the others do not count.
+/// Returns the bounds of everything finite (planes are left out) at one time, along the axes of the world or of another frame.
+/// Empty if nothing is finite. Outlying splats are ignored.
 Bounds3f finite_bounds(const Scene& scene, const ResolvedScene& resolved, const Affine3f& frame_from_world = {});
 
-/// The same of one of the scene's instances. The bounds are exact in any affine frame, a sheared one too.
+/// Returns the bounds of one instance. They are exact in any affine frame, including sheared ones.
 Bounds3f finite_bounds(const Scene& scene, const Instance& instance, const ResolvedScene& resolved,
                        const Affine3f& frame_from_world = {});
 
