@@ -4,9 +4,9 @@
 //
 //   const FileContent content = describe_content(bytes);
 //   throw Error(where, "cannot be read as glTF: it is " + content.what,
-//               content.remedy.empty() ? "a .glb or .gltf file" : content.remedy);
+//               content.advice.empty() ? "a .glb or .gltf file" : content.advice);
 //
-// A file with a remedy is a placeholder for the intended file: an empty file, a Git LFS pointer or a web page. Text readers do
+// A file with advice is a placeholder for the intended file: an empty file, a Git LFS pointer or a web page. Text readers do
 // not accept these either, so they may call stand_in_for_file() before parsing.
 #pragma once
 
@@ -19,7 +19,7 @@ namespace lippmann {
 
 struct FileContent {
   std::string what;    ///< with its article: "a PNG picture", "text that begins 'hello'", "binary data of an unknown kind"
-  std::string remedy;  ///< how to get the intended file; empty unless the file is a placeholder
+  std::string advice;  ///< how to get the intended file; empty unless the file is a placeholder
 };
 
 /// Describes a file. `begin` is the whole file or at least its first 512 bytes; empty only for an empty file. `what` is

@@ -93,7 +93,7 @@ std::string read_text(const fs::path& path) {
 Display load_file(const fs::path& path) {
   const std::string text = read_text(path);
   if (const auto stand_in = stand_in_for_file(std::as_bytes(std::span(text))))
-    throw Error(path.string(), "is " + stand_in->what, stand_in->remedy);
+    throw Error(path.string(), "is " + stand_in->what, stand_in->advice);
   Display display =
       path.extension() == ".toml" ? display_from_toml(text, path.string()) : display_from_calibration(text, path.string());
   display.name = path.stem().string();

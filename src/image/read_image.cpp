@@ -46,9 +46,9 @@ const Format& format_of(FileBytes file, const std::string& where) {
     if (format.begins(file)) return format;
   const FileContent content = describe_content(file);
   throw Error(where, "cannot be read as a picture: it is " + content.what,
-              content.remedy.empty()
+              content.advice.empty()
                   ? "PNG, JPEG, TIFF, OpenEXR, Radiance HDR, WebP, HEIC, AVIF, BMP, GIF, PPM (P6), PGM (P5), PFM or TGA"
-                  : content.remedy);
+                  : content.advice);
 }
 
 std::vector<std::byte> bytes_in(const fs::path& path) { return read_recorded_bytes(path, kMaxImageFileBytes, "a picture"); }

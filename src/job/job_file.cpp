@@ -64,7 +64,7 @@ std::vector<std::string> value_texts(const ParamInfo& info, const toml::node& no
 toml::table parse(const fs::path& file) {
   const std::string text = read_file_text(file, kMostBytesOfJob, "a job in TOML");
   if (const auto stand_in = stand_in_for_file(std::as_bytes(std::span(text))))
-    throw Error(file.string(), "is " + stand_in->what, stand_in->remedy);
+    throw Error(file.string(), "is " + stand_in->what, stand_in->advice);
   try {
     return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {

@@ -55,7 +55,7 @@ Json read_report(const fs::path& report) {
   const std::string text =
       read_recorded_text(report, kMaxReportBytes, "the report.json that `lippmann render` writes beside its pictures");
   if (const auto stand_in = stand_in_for_file(std::as_bytes(std::span(text))))
-    throw Error(report.string(), "is " + stand_in->what, stand_in->remedy);
+    throw Error(report.string(), "is " + stand_in->what, stand_in->advice);
   Json json = json_from_text(text);
   if (!json.is_object()) throw Error(report.string(), "is not a JSON object", "the report.json that `lippmann render` writes");
   return json;

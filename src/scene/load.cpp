@@ -130,7 +130,7 @@ void require_scene_content(const fs::path& path, std::string_view own_kind) {
   if (!RegularFile(path).problem().empty()) return;  // which the format's reader reports
   const std::string begin = read_file_begin(path, kLooked);
   const FileContent content = describe_content(std::as_bytes(std::span(begin)));
-  if (!content.remedy.empty()) throw Error(path.string(), "is " + content.what, content.remedy);
+  if (!content.advice.empty()) throw Error(path.string(), "is " + content.what, content.advice);
   const bool is_text = content.what.starts_with("text"), is_unknown = content.what.starts_with("binary data");
   if (!is_text && !is_unknown && content.what != own_kind)
     throw Error(path.string(), "is " + content.what, fmt::format("a scene in the format of {}", lower_extension(path)));

@@ -72,8 +72,8 @@ std::string texture_image_problem(FileBytes encoded) {
   if (find_reader(encoded)) return {};
   if (is_ktx2(encoded)) return fmt::format("is a KTX2 file: {}", kKtx2Advice);
   const FileContent content = describe_content(encoded);
-  const std::string remedy = content.remedy.empty() ? "PNG, JPEG, WebP" : content.remedy;
-  return fmt::format("is {} (accepted: {})", content.what, remedy);
+  const std::string advice = content.advice.empty() ? "PNG, JPEG, WebP" : content.advice;
+  return fmt::format("is {} (accepted: {})", content.what, advice);
 }
 
 Vec2i texture_size(FileBytes encoded, const std::string& where) {

@@ -17,14 +17,14 @@ TEST(FileContent, stand_ins_name_the_remedy) {
       "sha256:4d7a214614ab2935c943f9e0ff69d22eadbb8f32b1258daaa5e2ca24d17e2393\n"
       "size 12345\n";
   EXPECT_EQ(content_of(pointer).what, "a Git LFS pointer, which stands for a file of 12345 bytes");
-  EXPECT_EQ(content_of(pointer).remedy, "the file itself: run `git lfs pull` in its repository");
+  EXPECT_EQ(content_of(pointer).advice, "the file itself: run `git lfs pull` in its repository");
   EXPECT_EQ(content_of("").what, "empty (0 bytes)");
   EXPECT_EQ(content_of("\xef\xbb\xbf\r\n <!DOCTYPE HTML><html>").what, "a web page (HTML)");
   EXPECT_EQ(content_of("<HTML lang=en>").what, "a web page (HTML)");
   EXPECT_EQ(content_of("\0\0\0\0"sv).what, "nothing but zero bytes");
   EXPECT_EQ(content_of(" \n\n").what, "nothing but white space");
   for (const std::string_view text : {pointer, ""sv, "<html>"sv, "\0\0"sv, " "sv}) {
-    EXPECT_FALSE(content_of(text).remedy.empty());
+    EXPECT_FALSE(content_of(text).advice.empty());
     EXPECT_TRUE(stand_in_for_file(std::as_bytes(std::span(text))));
   }
 }

@@ -130,7 +130,7 @@ Bytes fetch_buffer(Value buffer, const std::string& where, std::uint64_t& left, 
   document.loaded.push_back(fetch(uri, document.folders, left, where, document.report));
   const bool is_short = document.loaded.back().size() < buffer["byteLength"].count();
   if (const auto stand_in = stand_in_for_file(document.loaded.back()); stand_in && is_short && !uri.starts_with("data:"))
-    document.report.fail(where, fmt::format("{} is {}", shown(uri), stand_in->what), stand_in->remedy);
+    document.report.fail(where, fmt::format("{} is {}", shown(uri), stand_in->what), stand_in->advice);
   left -= std::min<std::uint64_t>(left, document.loaded.back().size());
   return document.loaded.back();
 }

@@ -67,7 +67,7 @@ std::string take_header(const std::string& name, std::string& text, LeftOut& lef
     begin = end + 1;
   }
   const FileContent content = describe_content(std::as_bytes(std::span(text)));
-  if (!content.remedy.empty()) throw Error(name, "is " + content.what, content.remedy);
+  if (!content.advice.empty()) throw Error(name, "is " + content.what, content.advice);
   throw Error(name, fmt::format("is {}, without a line that begins with TILT", content.what),
               "a photometric file after IES LM-63");
 }

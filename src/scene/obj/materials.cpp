@@ -152,7 +152,7 @@ void Materials::read_file(const std::string& name, const std::string& where) {
   if (const auto stand_in = stand_in_for_file(std::as_bytes(std::span(text)));
       stand_in && text.find_first_not_of(" \t\r\n") != text.npos)
     return context_.warning(fmt::format("{}: {} is {}; its surfaces are grey (accepted: {}).", where, shown(name),
-                                        stand_in->what, stand_in->remedy));
+                                        stand_in->what, stand_in->advice));
   Lexer lexer(file.path.string(), utf8_text(std::move(text)));
   int index = -1;
   Draft draft;

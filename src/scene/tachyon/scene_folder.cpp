@@ -29,7 +29,7 @@ std::string SceneFolder::read_text(const fs::path& file, const std::string& wher
   budget_bytes_ -= text.size();
   const auto stand_in = stand_in_for_file(std::as_bytes(std::span(text)));
   if (stand_in && text.find_first_not_of(" \t\r\n") != text.npos)
-    throw Error(where, fmt::format("{} is {}", file.string(), stand_in->what), stand_in->remedy);
+    throw Error(where, fmt::format("{} is {}", file.string(), stand_in->what), stand_in->advice);
   return utf8_text(std::move(text));
 }
 
