@@ -15,7 +15,7 @@ namespace {
 
 // ---- Layout ---------------------------------------------------------------------------------------------------------
 
-/// 0 for a type that glTF does not have.
+/// Returns 0 for a type that glTF does not define.
 std::size_t component_bytes(ComponentType type) {
   switch (type) {
     case ComponentType::kByte:
@@ -36,28 +36,29 @@ bool is_unsigned(ComponentType type) {
   return type == ComponentType::kUnsignedByte || type == ComponentType::kUnsignedShort || type == ComponentType::kUnsignedInt;
 }
 
-/// Columns of matrices begin at multiples of four bytes.
+/// Returns the size of an element. Matrix columns are aligned to four bytes.
 std::size_t element_bytes(const Accessor& a) {
   const std::size_t component = component_bytes(a.component_type), side = static_cast<std::size_t>(a.matrix_side);
   return side ? side * ((side * component + 3) / 4 * 4) : static_cast<std::size_t>(a.components) * component;
 }
 
-/// Where the elements of an accessor lie in its buffer view.
+/// The location of an accessor's elements in its buffer view.
 struct Elements {
-  Bytes bytes;  ///< from the first element on
+  Bytes bytes;  ///< starting at the first element
   std::size_t stride = 0;
   std::size_t count = 0;
   const std::byte* operator[](std::size_t i) const { return bytes.data() + i * stride; }
 };
 
-/// Checks, without overflow, that `count` elements fit: offset + (count - 1) stride + size <= bytes.
+/// Checks that `count` elements fit, in a form that cannot overflow: offset + (count - 1) stride + size <= bytes.
 Elements locate(const Document& document, int view_index, std::size_t offset, std::size_t size, std::size_t count,
                 const std::string& where) {
   const BufferView& view = document.buffer_views[static_cast<std::size_t>(view_index)];
   const std::size_t stride = view.byte_stride ? view.byte_stride : size;
   const bool fits = offset <= view.byte_length && size <= view.byte_length - offset &&
                     count - 1 <= (view.byte_length - offset - size) / stride;
-  if (stride < size) document.report.fail(where, fmt::format("elements of {} bytes stand {} bytes apart", size, stride));
+  if (stride < size)
+    document.report.fail(where, fmt::format("has elements of {} bytes with a stride of {} bytes", size, stride));
   if (!fits)
     document.report.fail(
         where, fmt::format("{} elements of {} bytes from byte {} on lie outside bufferViews[{}], which has {} bytes", count,
@@ -77,7 +78,8 @@ SparseElements sparse_elements(const Document& document, const Accessor& a, cons
   const Sparse& s = *a.sparse;
   if (!is_unsigned(s.index_type))
     document.report.fail(where + ".sparse.indices", "the component type is not an unsigned integer");
-  if (s.count > a.count) document.report.fail(where + ".sparse", fmt::format("replaces {} of {} elements", s.count, a.count));
+  if (s.count > a.count)
+    document.report.fail(where + ".sparse", fmt::format("replaces {} elements of an accessor with {}", s.count, a.count));
   return {locate(document, s.index_view, s.index_offset, component_bytes(s.index_type), s.count, where + ".sparse.indices"),
           locate(document, s.value_view, s.value_offset, element_bytes(a), s.count, where + ".sparse.values")};
 }
@@ -104,7 +106,7 @@ void with_unsigned(ComponentType type, const F& use) {
   }
 }
 
-/// The same for any component type that has passed check_accessors().
+/// Calls use(C{}) with the C++ type of any component type that has passed check_accessors().
 template <class F>
 void with_component(ComponentType type, const F& use) {
   switch (type) {
@@ -119,7 +121,7 @@ void with_component(ComponentType type, const F& use) {
   }
 }
 
-/// All numbers that are unpacked have four bytes.
+/// All unpacked number types have four bytes.
 template <class T>
 constexpr std::size_t kComponents = sizeof(T) / 4;
 

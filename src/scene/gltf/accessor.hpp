@@ -1,4 +1,4 @@
-// Unpacks accessors: arrays of numbers in a glTF file's buffers, of any component type, strided, normalised, sparse.
+// Unpacks glTF accessors: typed arrays in buffers, with any component type, strided, normalised or sparse.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,17 @@
 
 namespace lippmann::gltf {
 
-/// Checks what the schema cannot: that buffer views lie within buffers. Throws Error.
+/// Checks that all buffer views lie within their buffers, which the schema cannot check. Throws Error.
 void check_views(const Document& document);
-/// The same of accessors within buffer views, which have been checked.
+/// Checks that all accessors lie within their buffer views. Call after check_views(). Throws Error.
 void check_accessors(const Document& document);
 
-/// The accessor's elements as floats. Integers become what they stand for where the accessor is normalised, else their value.
-/// Throws Error at the accessor if its type is not T's or a number is not finite. T: float, Vec2f, Vec3f, Vec4f, glm::mat4.
+/// Returns the accessor's elements as floats; normalised integers become fractions. T: float, Vec2f, Vec3f, Vec4f, glm::mat4.
+/// Throws Error at the accessor if its type is not T's or a number is not finite.
 template <class T>
 std::vector<T> unpack(Document& document, int accessor);
 
-/// Elements of one integer each (vertex indices) or of four (joints), unsigned.
+/// Returns elements of one unsigned integer (vertex indices) or of four (joints).
 template <class T>
 std::vector<T> unpack_unsigned(Document& document, int accessor);
 

@@ -31,7 +31,7 @@ class AnimationReader {
   AnimationReader(Document& document, const NodeMap& nodes, Scene& scene)
       : document_(document), report_(document.report), nodes_(nodes), scene_(scene) {}
 
-  /// In seconds, from 0 to the last key of any channel that is read.
+  /// Time of the last key of all channels read, in seconds.
   double duration = 0.0;
 
   void read(std::size_t index) {
@@ -45,7 +45,7 @@ class AnimationReader {
  private:
   void read_channel(Value sampler, Value animated, const std::string& where) {
     const int file_node = animated["node"].index();
-    if (file_node < 0) return;  // an extension says what it animates
+    if (file_node < 0) return;  // an extension defines the target
     const int node = nodes_.scene_node[static_cast<std::size_t>(file_node)];
     if (node < 0) return;
     const std::string& path = animated["path"].text();
@@ -71,17 +71,17 @@ class AnimationReader {
     return all[found->second];
   }
 
-  /// count: how many values lie side by side in the place of one.
+  /// `count`: number of values per key.
   template <class V, class T>
   void read_values(Value sampler, const std::string& where, Channel<T>& channel, std::size_t count = 1) {
-    if (!channel.times.empty()) report_.fail(where, "animates what another channel animates already");
+    if (!channel.times.empty()) report_.fail(where, "has the same target as an earlier channel");
     channel.interpolation = interpolation_of(sampler);
     channel.times = read_times(sampler["input"].index());
     const std::vector<V> values = unpack<V>(document_, sampler["output"].index());
     const std::size_t per_key = count * (channel.interpolation == Interpolation::kCubicSpline ? 3 : 1);
     if (values.size() != per_key * channel.times.size())
       report_.fail(where, fmt::format("has {} keys, but {} values", channel.times.size(), values.size()),
-                   fmt::format("{} a key", per_key));
+                   fmt::format("{} per key", per_key));
     for (const V& value : values) channel.values.push_back(value_of(value));
     duration = std::max(duration, channel.times.back());
   }
@@ -110,7 +110,8 @@ class AnimationReader {
     if (times.front() < 0.0f) report_.fail(where, fmt::format("the first key's time is {}", times.front()), "0 or more");
     for (std::size_t i = 1; i < times.size(); ++i)
       if (!(times[i - 1] < times[i]))
-        report_.fail(where, fmt::format("key {} at {} s does not come after the one at {} s", i, times[i], times[i - 1]));
+        report_.fail(where,
+                     fmt::format("key {} at {} s is not later than the one before it at {} s", i, times[i], times[i - 1]));
     return {times.begin(), times.end()};
   }
 
@@ -121,8 +122,8 @@ class AnimationReader {
   std::map<int, std::size_t> animation_of_node_;
 };
 
-/// Exporters write a key per frame of theirs, or per several. Rates that all suit the keys show the same keys: then the usual
-/// one.
+/// Returns a frame rate at which all keys fall on frames, preferring the usual one. Exporters write a key per frame, or every
+/// few frames.
 double rate_of_keys(const Timeline& timeline) {
   for (const double rate : {kGltfFramesPerSecond, 24.0, 25.0, 60.0})
     if (keys_fall_on_frames(timeline, rate)) return rate;
@@ -146,11 +147,11 @@ void read_animation(Document& document, const NodeMap& nodes, const std::string&
   const double rate = frames_per_second > 0.0 ? frames_per_second : rate_of_keys(scene.timeline);
   scene.timeline.frames_per_second = rate;
 
-  // The frame at the animation's very end would repeat its first one when it is played in a loop, hence no "+ 1".
+  // The last frame would repeat the first one in a loop, so there is no "+ 1".
   const double frames = std::round(reader.duration * rate);
   if (frames > document.limits.frames)
     document.report.fail(element("animations", chosen),
-                         fmt::format("lasts {} s, which is {} frames at {} a second", reader.duration, frames, rate),
+                         fmt::format("lasts {} s, which is {} frames at {} per second", reader.duration, frames, rate),
                          fmt::format("at most {} frames", document.limits.frames));
   scene.timeline.frame_count = std::max(1, static_cast<int>(frames));
 }

@@ -1,4 +1,4 @@
-// Turns one of a glTF file's animations into a Timeline.
+// Reads a glTF animation into a Timeline.
 #pragma once
 
 #include "lippmann/scene/scene.hpp"
@@ -7,8 +7,9 @@
 
 namespace lippmann::gltf {
 
-/// Fills scene.timeline and scene.animation_names. wanted: the animation's name or index; empty: the first. Throws Error where
-/// there is no such animation, times do not increase or values do not match them. frames_per_second: 0: that of the keys.
+/// Fills scene.timeline and scene.animation_names. `wanted`: name or index of the animation; empty: the first.
+/// frames_per_second: 0: a rate that suits the keys. Throws Error if there is no such animation, times do not increase, or the
+/// number of values does not match the times.
 void read_animation(Document& document, const NodeMap& nodes, const std::string& wanted, double frames_per_second,
                     Scene& scene);
 

@@ -80,7 +80,8 @@ void read_tangents(Document& document, PrimitiveId id, Mesh& mesh) {
     const Vec3f t(tangent);
     const float longest = std::max({std::abs(t.x), std::abs(t.y), std::abs(t.z)});
     if (!(longest > 0.0f)) {
-      document.report.warn_at("tangents without a direction are made from the texture coordinates", element(id));
+      document.report.warn_at("meshes with zero-length tangents get tangents computed from the texture coordinates",
+                              element(id));
       return mesh.tangents.clear();
     }
     tangent = Vec4f(glm::normalize(t / longest), tangent.w < 0.0f ? -1.0f : 1.0f);

@@ -1,4 +1,4 @@
-// Reads the vertex attributes of a primitive of a glTF mesh.
+// Reads vertex attributes of glTF mesh primitives.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct PrimitiveId {
   auto operator<=>(const PrimitiveId&) const = default;
 };
 
-/// As glTF numbers them.
+/// Primitive modes with glTF's numbers.
 enum class Mode : int { kPoints = 0, kTriangles = 4, kTriangleStrip, kTriangleFan };
 Mode mode_of(Value primitive);
 
@@ -22,24 +22,25 @@ std::vector<PrimitiveId> all_primitives(const Document& document);
 Value primitive_of(const Document& document, PrimitiveId id);
 std::string element(PrimitiveId id);
 
-/// The accessor of an attribute; -1: the primitive does not have it.
+/// Returns the accessor of an attribute; -1 if the primitive lacks it.
 int attribute(Value primitive, const std::string& name);
 
-/// One value per vertex, or none where the primitive does not have the attribute. T: Vec2f, Vec3f, Vec4f.
+/// Returns one value per vertex; empty if the primitive lacks the attribute. T: Vec2f, Vec3f, Vec4f.
 template <class T>
 std::vector<T> read_attribute(Document& document, PrimitiveId id, const std::string& name, std::size_t vertices);
 
-/// The same of an accessor (`name` for messages); -1: none.
+/// Returns one value per vertex from an accessor; -1: empty. `name` is used in messages.
 template <class T>
 std::vector<T> read_per_vertex(Document& document, PrimitiveId id, int accessor, const std::string& name, std::size_t vertices);
 
-/// Warns of attributes that no mesh has a use for.
+/// Warns about attributes that the reader ignores.
 void warn_of_unread_attributes(Document& document, PrimitiveId id);
 
-/// COLOR_0, RGB or RGBA, into mesh.colors and mesh.alphas; what is white or opaque everywhere is left out.
+/// Reads COLOR_0, RGB or RGBA, into mesh.colors and mesh.alphas. Leaves colors empty if all are white, and alphas if all are
+/// opaque.
 void read_colors(Document& document, PrimitiveId id, Mesh& mesh);
 
-/// TANGENT, made unit length, +-1 in w. None, with a warning, where one has no direction.
+/// Reads TANGENT, normalised, with +-1 in w. Leaves tangents empty, with a warning, if any has zero length.
 void read_tangents(Document& document, PrimitiveId id, Mesh& mesh);
 
 }  // namespace lippmann::gltf

@@ -17,14 +17,15 @@ Camera read_perspective(Value from) {
   return camera;
 }
 
-/// How far in front of a node, in its own units, the scene's centre is; `otherwise` where it is not in front.
+/// Returns the distance from a node to the scene's centre along its -z, in the node's units; `otherwise` if the centre is not
+/// in front.
 float distance_to_centre(const Affine3f& node_from_world, const Bounds3f& bounds, float otherwise) {
   if (bounds.empty()) return otherwise;
   const float distance = -transform_point(node_from_world, bounds.center()).z;
   return distance > 0.0f && std::isfinite(distance) ? distance : otherwise;
 }
 
-/// Half the height, in a node's own units, that shows the scene from every side.
+/// Returns half the height, in the node's units, that shows the whole scene from any direction.
 float half_extent(const Affine3f& node_from_world, const Bounds3f& bounds) {
   if (bounds.empty()) return 1.0f;
   const float half = 0.5f * glm::length(transform_vector(node_from_world, bounds.upper - bounds.lower));
@@ -35,7 +36,7 @@ bool shows_nothing(Value orthographic) {
   return orthographic["xmag"].number(0.0) == 0.0 || orthographic["ymag"].number(0.0) == 0.0;
 }
 
-/// Its angle is that of a perspective camera that shows the same height at the scene's centre, for whoever wants an angle.
+/// Reads an orthographic camera. Its vertical_fov is that of a perspective camera with the same height at the scene's centre.
 Camera read_orthographic(Value from, int node, const Scene& scene) {
   const ResolvedScene rest = evaluate(scene, 0.0);
   const Bounds3f bounds = finite_bounds(scene, rest);
@@ -68,8 +69,7 @@ void read_cameras(Document& document, const NodeMap& nodes, Scene& scene) {
     const int node = static_cast<int>(i);
     const bool perspective = type == "perspective";
     if (!perspective && shows_nothing(shape))
-      document.report.warn_at("orthographic cameras whose xmag or ymag is 0 would show nothing: they show the whole scene",
-                              where);
+      document.report.warn_at("orthographic cameras with an xmag or ymag of 0 are enlarged to show the whole scene", where);
     Camera camera = perspective ? read_perspective(shape) : read_orthographic(shape, node, scene);
     camera.name = !from["name"].text().empty() ? from["name"].text() : scene.nodes[i].name;
     camera.node = node;

@@ -1,4 +1,4 @@
-// What of a file a user chooses by name or by index.
+// Selects an element of a glTF file by name or index.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace lippmann::gltf {
 
-/// The name of every element of an array.
+/// Returns the name of every element of an array.
 std::vector<std::string> names_in(Value array);
 
-/// The index of `wanted`, which is one of the names or an index; names first: something may be called "1". parameter: the one
-/// that said it. Throws a usage Error that lists the names where it is neither.
+/// Returns the index that `wanted` selects: a name or an index. Names take precedence, since an element may be called "1".
+/// `parameter`: the parameter that `wanted` came from. Throws a usage Error listing the names if there is no match.
 std::size_t choose(const char* parameter, const std::vector<std::string>& names, const std::string& wanted);
 
 }  // namespace lippmann::gltf

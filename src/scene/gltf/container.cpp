@@ -1,6 +1,6 @@
 // Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 4 "GLB File Format Specification": a header of three
-// little-endian 32-bit words (magic, version, length of the whole), then chunks of two words (length, type) and their bytes;
-// the first chunk is JSON, the second, if any, BIN; chunks of other types are skipped.
+// little-endian 32-bit words (magic, version, total length), followed by chunks of two words (length, type) and data. The first
+// chunk is JSON, an optional second one BIN; chunks of other types are skipped.
 #include "scene/gltf/container.hpp"
 #include "core/regular_file.hpp"
 
@@ -33,8 +33,8 @@ Container split_glb(Bytes contents, Report& report) {
   if (word(contents, 4) != 2) report.fail("", fmt::format("is a .glb of version {}", word(contents, 4)), "version 2");
   const std::size_t length = word(contents, 8);
   if (length > contents.size())
-    report.fail("", fmt::format("is truncated: its header promises {} bytes, {} are there", length, contents.size()));
-  if (length < contents.size()) report.warn(fmt::format("{} bytes follow the end and are ignored", contents.size() - length));
+    report.fail("", fmt::format("is truncated: its header states {} bytes, but the file has {}", length, contents.size()));
+  if (length < contents.size()) report.warn(fmt::format("{} bytes after the end are ignored", contents.size() - length));
 
   Container result;
   std::size_t offset = kHeaderBytes;
@@ -44,10 +44,10 @@ Container split_glb(Bytes contents, Report& report) {
     const std::size_t size = word(contents, offset);
     const std::uint32_t type = word(contents, offset + 4);
     offset += kChunkHeaderBytes;
-    if (size > length - offset) report.fail(where, fmt::format("promises {} bytes, {} are left", size, length - offset));
+    if (size > length - offset) report.fail(where, fmt::format("states {} bytes, but {} are left", size, length - offset));
     const Bytes payload = contents.subspan(offset, size);
     offset += size;
-    if (chunk == 0 && type != kJsonChunk) report.fail(where, "is not the JSON chunk that a .glb begins with");
+    if (chunk == 0 && type != kJsonChunk) report.fail(where, "is not JSON, as the first chunk of a .glb must be");
     if (chunk == 0) result.json = text(payload);
     if (chunk == 1 && type == kBinChunk) result.binary = payload;
   }
@@ -70,7 +70,7 @@ std::vector<std::byte> read_file(const std::filesystem::path& path, std::uint64_
   if (file.size() > limit)
     report.fail(element, fmt::format("{} has {} bytes", name, file.size()), fmt::format("at most {} bytes", limit));
   std::vector<std::byte> contents(static_cast<std::size_t>(file.size()));
-  if (file.read(contents.data(), contents.size()) < contents.size()) report.fail(element, name + " cannot be read to its end");
+  if (file.read(contents.data(), contents.size()) < contents.size()) report.fail(element, name + " cannot be read completely");
   return contents;
 }
 

@@ -1,4 +1,4 @@
-// Takes a glTF file apart into its JSON text and its binary chunk.
+// Splits a glTF file into its JSON text and its binary chunk.
 #pragma once
 
 #include <cstddef>
@@ -15,16 +15,18 @@ namespace lippmann::gltf {
 
 using Bytes = std::span<const std::byte>;
 
-/// Views into the contents that were given.
+/// Views into the contents passed to split_container().
 struct Container {
   std::string_view json;
   std::optional<Bytes> binary;  ///< the BIN chunk of a .glb
 };
 
-/// Contents that begin with "glTF" are a binary container, others are JSON. A .glb that is shorter than it says is an Error.
+/// Splits the contents. Contents that begin with "glTF" are a binary container (.glb); all others are JSON. Throws Error if a
+/// .glb is shorter than its header states.
 Container split_container(Bytes contents, Report& report);
 
-/// Reads a whole regular file of at most `limit` bytes; `element` names who wants it in messages (empty: the scene itself).
+/// Reads a whole regular file of at most `limit` bytes. `element` is the element that refers to it, for messages (empty: the
+/// scene itself).
 std::vector<std::byte> read_file(const std::filesystem::path& path, std::uint64_t limit, std::string_view element,
                                  const Report& report);
 

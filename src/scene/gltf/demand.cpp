@@ -52,7 +52,7 @@ class Demand {
 
   std::uint64_t count_of(int accessor) const { return document_.accessor(accessor).count; }
 
-  /// Elements become floats or integers of four bytes.
+  /// Elements are unpacked to floats or 4-byte integers.
   void add_floats(int index) {
     if (index < 0) return;
     const Accessor& accessor = document_.accessor(index);
@@ -60,7 +60,7 @@ class Demand {
           element("accessors", static_cast<std::size_t>(index)));
   }
 
-  /// The decoder's tables, and the elements that it writes.
+  /// Counts the decoder's tables and its output.
   void add_draco(PrimitiveId id) {
     const Value primitive = primitive_of(document_, id), packed = primitive.extension(kDraco);
     const int indices = primitive["indices"].index(), position = attribute(primitive, "POSITION");
@@ -89,7 +89,7 @@ class Demand {
     }
   }
 
-  /// How often the node shows its mesh.
+  /// Returns how often the node shows its mesh.
   std::uint64_t add_copies(Value node, int file_node) {
     const Value instancing = node.extension(kInstancing);
     if (!instancing || node["skin"]) return 1;
@@ -110,7 +110,7 @@ class Demand {
     if (is_splats(primitive)) {
       for (const auto& [name, index] : primitive["attributes"].index_map()) {
         add_floats(index);
-        if (name.find(":SH_") != std::string::npos) add_floats(index);  // once more, in Splats::harmonics
+        if (name.find(":SH_") != std::string::npos) add_floats(index);  // copied to Splats::harmonics
       }
       return;
     }
@@ -122,7 +122,7 @@ class Demand {
       for (const auto& [name, index] : targets.at(i).index_map())
         if (name == "POSITION" || (name == "NORMAL" && attribute(primitive, "NORMAL") >= 0)) add_floats(index);
     for (int set = 0; is_skinned && attribute(primitive, fmt::format("JOINTS_{}", set)) >= 0; ++set) {
-      for (int copy = 0; copy < 2; ++copy)  // the second are SkinWeights
+      for (int copy = 0; copy < 2; ++copy)  // the second copy is SkinWeights
         add(fmt::format("JOINTS_{}", set)), add(fmt::format("WEIGHTS_{}", set));
     }
     spend(count_of(indices >= 0 ? indices : attribute(primitive, "POSITION")),
@@ -138,7 +138,7 @@ class Demand {
 
 }  // namespace
 
-void refuse_excess(const Document& document, const NodeMap& nodes, const std::string& animation) {
+void check_demand(const Document& document, const NodeMap& nodes, const std::string& animation) {
   Demand demand(document, nodes);
   demand.add_packed();
   demand.add_shown();

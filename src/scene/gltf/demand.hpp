@@ -1,4 +1,4 @@
-// Adds up what a glTF file unpacks to, from the counts that it states.
+// Estimates the memory that a glTF file needs when unpacked, from the counts it states.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace lippmann::gltf {
 
-/// Throws Error at the first element beyond GltfLimits::unpacked_bytes, before anything is unpacked: packed buffer views, Draco
-/// primitives, meshes, splats and instances that are shown, the keys of an animation. The sum leaves out some small parts,
-/// which Document::unpacked counts while they are read. animation: as read_animation() has it.
-void refuse_excess(const Document& document, const NodeMap& nodes, const std::string& animation);
+/// Throws Error at the first element that exceeds GltfLimits::unpacked_bytes, before anything is unpacked. The sum covers
+/// packed buffer views, Draco primitives, visible meshes, splats and instances, and animation keys. Document::unpacked counts
+/// the remaining small parts during reading. `animation`: as in read_animation().
+void check_demand(const Document& document, const NodeMap& nodes, const std::string& animation);
 
 }  // namespace lippmann::gltf

@@ -1,7 +1,7 @@
-// From bytes to a checked document, in the order in which trust grows:
-// 1. take the container apart; 2. parse the JSON within limits; 3. check it against the schema, which also removes all that is
-// not used; 4. fetch the buffers, and read buffer views and accessors; 5. decompress, and check byte ranges, once the counts
-// are known to fit into memory (demand.hpp).
+// Turns bytes into a checked document, in this order:
+// 1. split the container; 2. parse the JSON within limits; 3. check it against the schema, which also removes unused
+// properties; 4. fetch the buffers, and read buffer views and accessors; 5. after checking that the counts fit into memory
+// (demand.hpp), decompress and check byte ranges.
 #include "scene/gltf/document.hpp"
 
 #include <fmt/format.h>
@@ -52,10 +52,10 @@ constexpr std::string_view kExtensions[] = {
     "KHR_node_visibility",
     "KHR_texture_transform",
 };
-/// What says nothing about how things look.
+/// Extensions without an effect on the picture.
 constexpr std::string_view kSilent[] = {"KHR_xmp", "KHR_xmp_json_ld"};
 
-/// What users can do about an extension that is not read.
+/// Advice to users about an extension that is not supported.
 struct Advice {
   std::string_view extension, text;
 };
@@ -64,23 +64,21 @@ constexpr Advice kAdvice[] = {
     {"EXT_texture_avif", "convert its textures first, with gltf-transform webp IN OUT (npm's @gltf-transform/cli)"},
     {"MSFT_texture_dds", "export it again with PNG or JPEG textures"},
     {"KHR_meshopt_compression", "unpack it first, with gltfpack -i IN -o OUT -noq -kn -km -ke (npm's gltfpack)"},
-    {"KHR_lights_image_based",
-     "a draft; take its name out of extensionsRequired, and give the surroundings as a panorama with `environment`"},
-    {"KHR_lights_area",
-     "a draft; take its name out of extensionsRequired, and let surfaces that emit light stand in for its lamps"},
+    {"KHR_lights_image_based", "a draft; remove it from extensionsRequired, and pass a panorama with `environment`"},
+    {"KHR_lights_area", "a draft; remove it from extensionsRequired, and replace its lamps with emissive surfaces"},
     {"KHR_animation_pointer",
-     "export it again without it, or take its name out of extensionsRequired; what pointers animate then stands still"},
-    {"MSFT_lod", "take its name out of extensionsRequired; the nodes are then shown in full detail"},
+     "export it again without it, or remove it from extensionsRequired; its animations are then ignored"},
+    {"MSFT_lod", "remove it from extensionsRequired; the nodes are then shown in full detail"},
 };
-/// What can be done about any other.
+/// Advice for all other extensions.
 constexpr std::string_view kAnyAdvice =
-    "export it again without it, or take its name out of extensionsRequired; what it adds is then left out with a warning";
+    "export it again without it, or remove it from extensionsRequired; it is then ignored with a warning";
 
 bool is_among(std::span<const std::string_view> names, const std::string& extension) {
   return std::find(names.begin(), names.end(), extension) != names.end();
 }
 
-/// Before the schema, because a file of version 1 differs from it in almost everything.
+/// Runs before the schema check because almost everything differs in version 1.
 void check_version(const Json& root, const Report& report) {
   const Json::json_pointer version("/asset/version"), min_version("/asset/minVersion");
   if (!root.contains(version) || !root.at(version).is_string()) report.fail("asset.version", "is missing", "2.0");
@@ -102,8 +100,8 @@ std::string_view advice_on(const std::string& extension) {
               accepted);
 }
 
-/// " (materials[2] 'Silk', materials[4] and 3 more)": the objects that have it, with their names; nothing where only the list
-/// of used ones names it.
+/// Returns the objects that use an extension, with their names: " (materials[2] 'Silk', materials[4] and 3 more)". Empty if it
+/// only occurs in extensionsUsed.
 std::string users_of(const ExtensionUse& use) {
   std::string text;
   for (const ExtensionUse::User& user : use.users) {
@@ -124,7 +122,7 @@ void check_extensions(const Json& root, UsedExtensions used, Report& report) {
       report.warn(fmt::format("the extension {} is not supported yet and is ignored{}", printable(name), users_of(use)));
 }
 
-/// What a buffer refers to; `left` counts down the bytes that buffers may still load.
+/// Loads the file or data of a buffer. `left` counts down the bytes that buffers may still load.
 Bytes fetch_buffer(Value buffer, const std::string& where, std::uint64_t& left, Document& document) {
   const std::string& uri = buffer["uri"].text();
   document.loaded.push_back(fetch(uri, document.folders, left, where, document.report));
@@ -150,7 +148,7 @@ void read_buffers(std::optional<Bytes> binary, Document& document) {
     const Bytes available = in_chunk ? *binary : fetch_buffer(buffer, where, left, document);
     const std::size_t declared = buffer["byteLength"].count();
     if (declared > available.size())
-      document.report.fail(where, fmt::format("promises {} bytes, {} are there", declared, available.size()));
+      document.report.fail(where, fmt::format("states {} bytes, but {} are available", declared, available.size()));
     document.buffers.push_back(available.first(declared));
   }
 }
@@ -193,7 +191,7 @@ void read_layout(Document& document) {
   for (std::size_t i = 0; i < accessors.size(); ++i) document.accessors.push_back(read_accessor(accessors.at(i)));
 }
 
-/// Checks the indices of animation samplers. The schema checks only indices into arrays of the root.
+/// Checks the indices of animation samplers; the schema check covers only indices into root arrays.
 void check_channels(const Document& document) {
   const Value animations = document.root["animations"];
   for (std::size_t i = 0; i < animations.size(); ++i) {
@@ -210,7 +208,7 @@ void check_channels(const Document& document) {
 
 void Budget::spend(std::uint64_t count, std::uint64_t size, std::string_view element, const Report& report) {
   if (count > left_ / size)
-    report.fail(element, "the scene unpacks to too much memory", fmt::format("at most {} bytes together", limit_));
+    report.fail(element, "the unpacked scene needs too much memory", fmt::format("at most {} bytes in total", limit_));
   left_ -= count * size;
 }
 

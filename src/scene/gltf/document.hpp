@@ -1,4 +1,4 @@
-// A glTF document that has passed all checks of form, with the bytes that it refers to.
+// A glTF document that has passed all structural checks, with its binary data.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,11 @@
 
 namespace lippmann::gltf {
 
-/// Counts down what a file may still make us allocate.
+/// The memory that a file may still allocate.
 class Budget {
  public:
   explicit Budget(std::uint64_t bytes) : limit_(bytes), left_(bytes) {}
-  /// Throws Error at `element` if `count` things of `size` bytes are too much.
+  /// Deducts `count` objects of `size` bytes. Throws Error at `element` if they exceed what is left.
   void spend(std::uint64_t count, std::uint64_t size, std::string_view element, const Report& report);
 
  private:
@@ -32,10 +32,10 @@ class Budget {
 struct BufferView {
   int buffer = 0;
   std::size_t byte_offset = 0, byte_length = 0;
-  std::size_t byte_stride = 0;  ///< 0: elements follow one another without gaps
+  std::size_t byte_stride = 0;  ///< 0: tightly packed
 };
 
-/// As glTF numbers them.
+/// Component types with glTF's numbers.
 enum class ComponentType : int { kByte = 5120, kUnsignedByte, kShort, kUnsignedShort, kUnsignedInt = 5125, kFloat };
 
 struct Sparse {
@@ -50,20 +50,20 @@ struct Accessor {
   std::size_t byte_offset = 0, count = 0;
   ComponentType component_type = ComponentType::kFloat;
   bool normalized = false;
-  int components = 1;   ///< of an element
-  int matrix_side = 0;  ///< rows and columns where elements are matrices, else 0
+  int components = 1;   ///< per element
+  int matrix_side = 0;  ///< rows (and columns) of matrix elements; 0: not a matrix
   std::optional<Sparse> sparse;
 };
 
-/// A buffer view that meshoptimizer has packed (meshopt.hpp).
+/// A buffer view compressed by meshoptimizer (meshopt.hpp).
 struct PackedView {
   int buffer = 0;
   std::size_t byte_offset = 0, byte_length = 0;
-  std::size_t byte_stride = 0, count = 0;  ///< size of an element that comes out, and how many come out
+  std::size_t byte_stride = 0, count = 0;  ///< size and number of the decompressed elements
   std::string mode, filter;
 };
 
-/// Holds: every index in `root` refers to something that exists, every buffer view lies within its buffer, every accessor
+/// Invariants after reading: every index in `root` is valid, every buffer view lies within its buffer, and every accessor
 /// within its buffer views.
 struct Document {
   Document(const std::filesystem::path& path, const LoadOptions& options, const Context& context, const GltfLimits& file_limits)
@@ -74,38 +74,38 @@ struct Document {
         unpacked(limits.unpacked_bytes) {}
 
   SideFolders folders;
-  std::uint64_t texture_bytes;  ///< as LoadOptions has it
+  std::uint64_t texture_bytes;  ///< as in LoadOptions
   GltfLimits limits;
   Report report;
   Budget unpacked;
   Value root;
   std::vector<Bytes> buffers;
-  std::vector<BufferView> buffer_views;                 ///< the file's, then those of what was packed
-  std::vector<std::optional<PackedView>> packed_views;  ///< by buffer view of the file
+  std::vector<BufferView> buffer_views;                 ///< the file's, followed by those of decompressed data
+  std::vector<std::optional<PackedView>> packed_views;  ///< one per buffer view of the file
   std::vector<Accessor> accessors;
 
-  /// An element of one of the root's arrays.
+  /// Returns an element of one of the root's arrays.
   Value at(std::string_view array, int index) const { return root[array].at(static_cast<std::size_t>(index)); }
   const Accessor& accessor(int index) const { return accessors[static_cast<std::size_t>(index)]; }
-  /// The bytes of a buffer view.
+  /// Returns the bytes of a buffer view.
   Bytes view(int index) const;
 
-  std::shared_ptr<const nlohmann::json> json;  ///< what `root` refers to
-  std::vector<std::byte> contents;             ///< the bytes of the scene's file
-  std::vector<std::vector<std::byte>> loaded;  ///< what `buffers` views outside of `contents`
+  std::shared_ptr<const nlohmann::json> json;  ///< owns the values of `root`
+  std::vector<std::byte> contents;             ///< the bytes of the scene file
+  std::vector<std::vector<std::byte>> loaded;  ///< buffers that are not part of `contents`
 };
 
-/// Fills a document from a file's contents, without unpacking anything: its byte ranges are not checked yet, and packed
-/// elements are not there. Warns about extensions that are not read.
+/// Reads a document from a file's contents without decompressing anything. Byte ranges are not checked yet. Warns about ignored
+/// extensions.
 void read_document(std::vector<std::byte> contents, Document& document);
 
-/// The rest: decompresses what is packed, and checks byte ranges.
+/// Decompresses packed data and checks all byte ranges.
 void unpack_document(Document& document);
 
-/// Why the file of an image cannot be used: it is missing, or not one that may be opened; empty: nothing speaks against it.
+/// Returns why the file of an image cannot be used (missing, or not permitted); empty: it can.
 std::string image_problem(const Document& document, std::size_t image);
 
-/// The encoded bytes of an image; `storage` keeps them where they are not in a buffer.
+/// Returns the encoded bytes of an image. `storage` holds them if they are not in a buffer.
 Bytes image_bytes(const Document& document, std::size_t image, std::vector<std::byte>& storage);
 
 }  // namespace lippmann::gltf

@@ -1,8 +1,8 @@
 // Based on: Khronos Group, "KHR_draco_mesh_compression", 2018; Google, "Draco Bitstream Specification" 2.2, 2019, sections
-// "DecodeSequentialConnectivityData" and "ParseEdgebreakerConnectivityData" (where the counts stand).
+// "DecodeSequentialConnectivityData" and "ParseEdgebreakerConnectivityData" (for the position of the counts).
 //
-// Draco allocates what a stream's counts ask for. They are looked at first: once before the connectivity is decoded, and again
-// before the attributes' values are.
+// Draco allocates as much memory as the stream's counts request. We check the counts before it decodes the connectivity, and
+// again before it decodes attribute values.
 #include "scene/gltf/draco.hpp"
 
 #include <draco/compression/mesh/mesh_edgebreaker_decoder.h>
@@ -23,13 +23,13 @@
 namespace lippmann::gltf {
 namespace {
 
-/// Called with what decoding is about to need; throws where that is too much.
+/// Callbacks with the resources that decoding is about to need. They throw if these exceed the limits.
 struct Allowance {
   std::function<void(std::uint64_t faces, std::uint64_t points)> connectivity;
   std::function<void(std::uint64_t bytes)> attributes;
 };
 
-/// Draco's decoder of one method, asking for allowance on its way.
+/// Draco's decoder of one method, with checks of the allowance.
 template <class Decoder>
 class CarefulDecoder final : public Decoder {
  public:
@@ -38,7 +38,7 @@ class CarefulDecoder final : public Decoder {
  protected:
   bool DecodeConnectivity() override {
     constexpr bool sequential = std::is_same_v<Decoder, draco::MeshSequentialDecoder>;
-    if (this->bitstream_version() != DRACO_BITSTREAM_VERSION(2, 2)) return false;  // what the extension asks for
+    if (this->bitstream_version() != DRACO_BITSTREAM_VERSION(2, 2)) return false;  // required by the extension
     draco::DecoderBuffer ahead = *this->buffer();
     std::uint32_t first = 0, second = 0;
     if (!draco::DecodeVarint(&first, &ahead) || !draco::DecodeVarint(&second, &ahead)) return false;
@@ -49,7 +49,7 @@ class CarefulDecoder final : public Decoder {
   bool DecodeAllAttributes() override {
     const draco::PointCloud& cloud = *this->point_cloud();
     std::uint64_t bytes_a_point = 0;
-    for (int i = 0; i < cloud.num_attributes(); ++i)  // 4 bytes a component at least: as integers, on the way
+    for (int i = 0; i < cloud.num_attributes(); ++i)  // at least 4 bytes per component for intermediate integers
       bytes_a_point += std::max<std::uint64_t>(static_cast<std::uint64_t>(cloud.attribute(i)->byte_stride()),
                                                4ull * static_cast<std::uint64_t>(cloud.attribute(i)->num_components()));
     allowance_.attributes(bytes_a_point * cloud.num_points());
@@ -79,7 +79,7 @@ draco::Status decode(Bytes packed, const Allowance& allowance, draco::Mesh& mesh
   return decode_with(decoder, stream, mesh);
 }
 
-/// One element, converted to the accessor's components.
+/// Writes the elements of an attribute, converted to the accessor's number of components.
 template <class T>
 bool write_values(const draco::PointAttribute& attribute, int components, std::vector<std::byte>& out) {
   const std::size_t size = static_cast<std::size_t>(components) * sizeof(T), count = out.size() / size;
@@ -114,7 +114,7 @@ class PrimitiveUnpacker {
     const std::string where = element(id);
     const int indices = primitive["indices"].index();
     if (mode_of(primitive) != Mode::kTriangles || indices < 0)
-      report_.fail(where, "is packed by Draco, but no indexed list of triangles");
+      report_.fail(where, "is compressed by Draco, but is not an indexed triangle list");
     const int view = extension["bufferView"].index();
     const int position = attribute(primitive, "POSITION");
     const std::uint64_t faces = accessor_at(indices).count / 3;
@@ -123,7 +123,7 @@ class PrimitiveUnpacker {
     if (begin(indices, view, -1, 3ull * mesh.num_faces(), where)) fill_indices(indices, mesh, where);
     for (const auto& [name, unique_id] : extension["attributes"].index_map()) {
       const int accessor = attribute(primitive, name);
-      if (accessor < 0) report_.fail(where, "does not have the attribute " + shown(name) + ", which Draco packs");
+      if (accessor < 0) report_.fail(where, "lacks the attribute " + shown(name) + ", which is in the Draco data");
       if (!begin(accessor, view, unique_id, mesh.num_points(), where)) continue;
       const draco::PointAttribute* from = mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(unique_id));
       if (!from) report_.fail(where, fmt::format("the Draco data has no attribute {}", unique_id));
@@ -134,17 +134,16 @@ class PrimitiveUnpacker {
  private:
   Accessor& accessor_at(int index) { return document_.accessors[static_cast<std::size_t>(index)]; }
 
-  /// Decoded when it is first asked for; at most so many faces and points.
+  /// Returns the mesh of a view, decoding it on first use. Throws Error if it has more faces or points than allowed.
   const draco::Mesh& mesh_of(int view, std::uint64_t most_faces, std::uint64_t most_points, const std::string& where) {
     std::unique_ptr<draco::Mesh>& mesh = meshes_[view];
     if (mesh) return *mesh;
     mesh = std::make_unique<draco::Mesh>();
     const Allowance allowance{[&](std::uint64_t faces, std::uint64_t points) {
                                 if (faces > most_faces || points > most_points)
-                                  report_.fail(where,
-                                               fmt::format("the Draco data has {} triangles and {} vertices, the accessors "
-                                                           "are for {} and {}",
-                                                           faces, points, most_faces, most_points));
+                                  report_.fail(where, fmt::format("the Draco data has {} triangles and {} vertices, but the "
+                                                                  "accessors have {} and {}",
+                                                                  faces, points, most_faces, most_points));
                                 document_.unpacked.spend(faces + points, kDracoTableBytes, where, report_);
                               },
                               [&](std::uint64_t bytes) { document_.unpacked.spend(bytes, 2, where, report_); }};
@@ -157,11 +156,11 @@ class PrimitiveUnpacker {
     } catch (const std::exception& error) {
       problem = error.what();
     }
-    if (!problem.empty()) report_.fail(where, "the Draco data is not readable: " + printable(problem));
+    if (!problem.empty()) report_.fail(where, "cannot decode the Draco data: " + printable(problem));
     return *mesh;
   }
 
-  /// Whether the accessor, which is to have `count` elements, is still to be filled from there.
+  /// Returns whether the accessor, which must have `count` elements, still has to be filled from this view and attribute.
   bool begin(int accessor, int view, int unique_id, std::uint64_t count, const std::string& where) {
     const auto [known, is_new] = filled_.try_emplace(accessor, std::pair(view, unique_id));
     if (!is_new && known->second == std::pair(view, unique_id)) return false;
@@ -232,7 +231,7 @@ class PrimitiveUnpacker {
   Document& document_;
   Report& report_;
   std::map<int, std::unique_ptr<draco::Mesh>> meshes_;  ///< by buffer view
-  std::map<int, std::pair<int, int>> filled_;           ///< by accessor: the view and the attribute's id, -1 for indices
+  std::map<int, std::pair<int, int>> filled_;           ///< by accessor: its view and attribute id, -1 for indices
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Decompresses primitives that Draco has packed (KHR_draco_mesh_compression).
+// Decompresses primitives compressed with Draco (KHR_draco_mesh_compression).
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,11 @@
 namespace lippmann::gltf {
 
 inline constexpr const char* kDraco = "KHR_draco_mesh_compression";
-/// Bytes of the decoder's tables for a face or a vertex, with either method.
+/// Memory of the decoder's tables per face or vertex, for either encoding method.
 inline constexpr std::uint64_t kDracoTableBytes = 100;
 
-/// Gives the accessors of every packed primitive buffer views of their own, with the decompressed elements. The file's buffer
-/// views have been checked. Throws Error at the primitive.
+/// Decompresses every packed primitive into new buffer views for its accessors. Buffer views must be checked. Throws Error at
+/// the primitive.
 void unpack_primitives(Document& document);
 
 }  // namespace lippmann::gltf

@@ -1,5 +1,5 @@
-// Based on: T. Blut, L. Kettner, P. Arden, "EXT_lights_ies": points with the intensities of a photometric file, which shine
-// along their node's -z.
+// Based on: T. Blut, L. Kettner, P. Arden, "EXT_lights_ies": point lights with the intensity distribution of a photometric
+// file, shining along their node's -z.
 #include "scene/gltf/ies_light.hpp"
 
 #include <algorithm>
@@ -14,12 +14,12 @@ namespace {
 
 constexpr const char* kExtension = "EXT_lights_ies";
 
-/// The light that every node with a profile has, but for its own colour and multiplier.
+/// Reads the light of each profile, before a node's colour and multiplier apply.
 class ProfileReader {
  public:
   ProfileReader(Document& document, Scene& scene) : document_(document), scene_(scene) {}
 
-  /// None: its file is missing.
+  /// Returns the light of a profile; none if its file is missing.
   std::optional<Light> light(int profile) {
     const auto [known, is_new] = known_.try_emplace(profile);
     if (is_new) known->second = read(profile);

@@ -1,4 +1,4 @@
-// Reads the lamps of a glTF file whose light was measured (EXT_lights_ies).
+// Reads glTF lights with measured light profiles (EXT_lights_ies).
 #pragma once
 
 #include "lippmann/scene/scene.hpp"
@@ -7,8 +7,8 @@
 
 namespace lippmann::gltf {
 
-/// Adds to scene.lights, in the order of the Scene's nodes, and their webs to scene.webs, each once. A lamp whose profile is
-/// missing is left out with a warning; a profile that is damaged is an Error.
+/// Appends to scene.lights in the order of the Scene's nodes, and adds each profile once to scene.webs. Skips lamps without a
+/// profile file, with a warning. Throws Error for a malformed profile.
 void read_ies_lights(Document& document, const NodeMap& nodes, Scene& scene);
 
 }  // namespace lippmann::gltf

@@ -1,11 +1,13 @@
-// Based on: Khronos Group, "EXT_lights_image_based", 2019: a cube map of the radiance around a scene, six images a level, in
-// the order +x, -x, +y, -y, +z, -z; a rotation and an intensity. Pictures of four channels are RGBD: colours that are divided
-// by alpha. 1. The faces of the first level, which nothing has blurred yet, become linear light; 2. each direction of a
-// panorama looks up the face that it meets.
+// Based on: Khronos Group, "EXT_lights_image_based", 2019: a cube map of the radiance around a scene, with six images per level
+// in the order +x, -x, +y, -y, +z, -z, a rotation and an intensity. Images with four channels are RGBD: colours are divided by
+// alpha.
+// 1. Decode the faces of the first level, which is not blurred, to linear light. 2. Look up the cube map for each direction of
+// a panorama.
 //
-// We deviate: the further levels, blurred for the lobes of rough surfaces, and the harmonics of the irradiance are not read,
-// since paths find both by themselves. The specification does not say so, but colours are encoded as sRGB, as its JPEG images
-// are and as Babylon.js, which wrote it, packs RGBD. Its "flipped about its vertical axis" is read as: each image shows its
+// We ignore the further levels, which are blurred for rough surfaces, and the irradiance harmonics, because path tracing
+// computes both effects. The specification does not define the colour encoding; we assume sRGB, as in its JPEG images and in
+// the RGBD of Babylon.js, whose authors wrote the extension. We read its "flipped about its vertical axis" as: each image shows
+// its face as seen from inside the cube.
 // face as one sees it who stands in the middle of the cube.
 #include "scene/gltf/image_light.hpp"
 
@@ -26,7 +28,7 @@ namespace {
 
 constexpr const char* kImageBased = "EXT_lights_image_based";
 
-/// Where a face's image has its middle and its upper edge.
+/// Directions of the middle and of the upper edge of a face's image.
 struct FaceAxes {
   Vec3f ahead, up;
 };
@@ -40,7 +42,7 @@ const std::array<FaceAxes, kFaces> kAxes{{{{1, 0, 0}, {0, 1, 0}},
 
 using CubeMap = std::array<Image, kFaces>;  ///< linear light, three channels, all of one square size
 
-/// By code of sRGB.
+/// Returns the linear value of each 8-bit sRGB code.
 std::array<float, 256> linear_codes() {
   std::array<float, 256> values{};
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -48,7 +50,7 @@ std::array<float, 256> linear_codes() {
   return values;
 }
 
-/// Linear light; an alpha of 0 divides by the smallest code, as brighter light cannot be written.
+/// Decodes a face to linear light. An alpha of 0 is treated as 1/255, the brightest value that RGBD can hold.
 Image linear_light(const Texture& picture) {
   const std::array<float, 256> linear = linear_codes();
   Image light(picture.width, picture.height, 3);
@@ -60,7 +62,7 @@ Image linear_light(const Texture& picture) {
   return light;
 }
 
-/// Bilinear; x, y in [0, 1] from the upper left. What lies beyond the edge is the edge.
+/// Bilinear lookup with clamping; x, y in [0, 1] from the upper left.
 Vec3f look_up(const Image& face, float x, float y) {
   const float last = static_cast<float>(face.width - 1);
   const float px = std::clamp(x * static_cast<float>(face.width) - 0.5f, 0.0f, last);
@@ -75,7 +77,7 @@ Vec3f look_up(const Image& face, float x, float y) {
   return glm::mix(glm::mix(texel(x0, y0), texel(x1, y0), right), glm::mix(texel(x0, y1), texel(x1, y1), right), below);
 }
 
-/// What a direction of the cube's own frame, of any length, sees.
+/// Returns the radiance in a direction of any length, in the cube's frame.
 Vec3f look_up(const CubeMap& cube, Vec3f d) {
   const Vec3f size = glm::abs(d);
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -85,19 +87,19 @@ Vec3f look_up(const CubeMap& cube, Vec3f d) {
   return look_up(cube[face], 0.5f + 0.5f * across, 0.5f - 0.5f * upwards);
 }
 
-/// The direction that a place of a panorama (x, y in [0, 1]) shows, as EnvironmentMap has it.
+/// Returns the direction at a place in a panorama (x, y in [0, 1]), as EnvironmentMap defines it.
 Vec3f direction_at(float x, float y) {
   const float azimuth = (x - 0.5f) * 2.0f * kPi, polar = y * kPi;
   return {std::sin(polar) * std::cos(azimuth), std::cos(polar), std::sin(polar) * std::sin(azimuth)};
 }
 
-/// As fine as the cube's faces are in their middles, within limits.
+/// Matches the resolution at the centres of the cube's faces, within limits.
 int width_of_panorama(int face) {
   constexpr int kNarrowest = 64, kWidest = 4096;
   return std::clamp(4 * face, kNarrowest, kWidest);
 }
 
-/// Row y of the panorama. Each texel is the mean of what several directions in it see, so that no small sun is lost.
+/// Fills row y of the panorama. Each texel averages several directions so that small suns are not missed.
 void fill_row(const CubeMap& cube, const Quatf& cube_from_world, int y, Image& panorama) {
   const int steps = std::max(2, (4 * cube[0].width + panorama.width - 1) / panorama.width);
   const auto place = [steps](int texel, int step, int count) {
@@ -130,7 +132,7 @@ class ImageLightReader {
         where_(fmt::format("{}.{}", kImageBased, element("lights", light))),
         light_(document.root.extension(kImageBased)["lights"].at(light)) {}
 
-  /// None where an image cannot be read.
+  /// Returns the environment; none if an image cannot be read.
   std::optional<EnvironmentMap> read() {
     const std::optional<CubeMap> cube = read_cube();
     if (!cube) return std::nullopt;
@@ -164,26 +166,27 @@ class ImageLightReader {
       cube[i] = decode(image);
       if (cube[i].width != cube[0].width)
         document_.report.fail(element("images", image),
-                              fmt::format("is a face of {} pixels a side in a cube of {}", cube[i].width, cube[0].width));
+                              fmt::format("is {} pixels wide in a cube map of {} pixels", cube[i].width, cube[0].width));
     }
     return cube;
   }
 
-  /// Counts what the image unpacks to, as its header says. Whether it can be read.
+  /// Deducts the unpacked size of an image from the budget, based on its header. Returns whether the image can be read.
   bool has_room(std::size_t image) {
     std::vector<std::byte> storage;
     std::string problem = image_problem(document_, image);
     const Bytes bytes = problem.empty() ? image_bytes(document_, image, storage) : Bytes{};
     if (problem.empty() && !(problem = texture_image_problem(bytes)).empty()) problem = "an image " + problem;
     if (!problem.empty()) {
-      document_.report.warn_at("surroundings whose images cannot be read are left out: " + problem, element("images", image));
+      document_.report.warn_at("environment lights whose images cannot be read are left out: " + problem,
+                               element("images", image));
       return false;
     }
     const std::string where = element("images", image);
     const Vec2i size = texture_size(bytes, document_.report.where(where));
     if (size.x != size.y || size.x > document_.limits.texture_side)
       document_.report.fail(where, fmt::format("has {} x {} pixels", size.x, size.y),
-                            fmt::format("square faces of 1 to {} a side", document_.limits.texture_side));
+                            fmt::format("square faces of 1 to {} pixels", document_.limits.texture_side));
     const auto pixels = static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
     document_.unpacked.spend(pixels, 4 + 3 * sizeof(float), where, document_.report);
     return true;

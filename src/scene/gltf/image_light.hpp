@@ -1,4 +1,4 @@
-// Reads the surroundings that a glTF scene has by EXT_lights_image_based.
+// Reads the environment light of a glTF scene (EXT_lights_image_based).
 #pragma once
 
 #include "lippmann/scene/scene.hpp"
@@ -6,9 +6,9 @@
 
 namespace lippmann::gltf {
 
-/// Gives the scene a panorama of the cube map that its scene in the file refers to, if it refers to one. Warns about images
-/// that are missing or of an unknown format, and leaves the surroundings out. Throws Error naming the image where one is
-/// damaged, is not square, or has another size than the others.
+/// Converts the scene's cube map, if any, to a panorama in scene.background. If an image is missing or of an unknown format,
+/// warns and leaves out the environment. Throws Error naming the image if it is malformed, not square, or of a different size
+/// than the others.
 void read_image_light(Document& document, Scene& scene);
 
 }  // namespace lippmann::gltf

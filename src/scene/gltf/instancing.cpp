@@ -1,5 +1,5 @@
-// Based on: Khronos Group, "EXT_mesh_gpu_instancing", 2021: every copy stands at the node's transform times the translation,
-// rotation and scale that the attributes give for it.
+// Based on: Khronos Group, "EXT_mesh_gpu_instancing", 2021: each instance has the node's transform times a translation,
+// rotation and scale from attributes.
 #include "scene/gltf/instancing.hpp"
 
 #include <fmt/format.h>
@@ -38,7 +38,8 @@ std::vector<int> read_places(Document& document, int file_node, int scene_node, 
   for (const std::size_t size : {translations.size(), rotations.size(), scales.size()})
     if (size != 0 && size != count)
       document.report.fail(where, fmt::format("has {} values of one attribute and {} of another", size, count));
-  if (count == 0) document.report.fail(where, "says of no copy where it is", "TRANSLATION, ROTATION, SCALE");
+  if (count == 0)
+    document.report.fail(where, "has none of the attributes that place its copies", "TRANSLATION, ROTATION, SCALE");
 
   document.unpacked.spend(count, sizeof(Node), where, document.report);
   std::vector<int> places;

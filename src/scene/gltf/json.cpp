@@ -21,8 +21,8 @@ std::string line_and_column(std::string_view text, std::size_t offset) {
   return fmt::format("line {}, column {}", 1 + std::count(before.begin(), before.end(), '\n'), before.size() - line_start + 1);
 }
 
-/// Builds the document while it is parsed, and stops at the first thing that is wrong. (The library's own callback parser could
-/// check limits too, but takes time quadratic in the length of an array.)
+/// Builds the document during parsing and stops at the first error. The callback parser of the JSON library could check limits
+/// too, but takes quadratic time in the length of an array.
 class LimitedBuilder : public Json::json_sax_t {
  public:
   LimitedBuilder(std::string_view text, const GltfLimits& limits, const Report& report)
@@ -36,7 +36,7 @@ class LimitedBuilder : public Json::json_sax_t {
   bool number_unsigned(number_unsigned_t value) override { return add(value); }
   bool number_float(number_float_t value, const string_t&) override { return add(value); }
   bool string(string_t& value) override { return add(std::move(value)); }
-  bool binary(binary_t&) override { return false; }  // JSON text has none
+  bool binary(binary_t&) override { return false; }  // JSON text has no binary values
   bool key(string_t& name) override {
     count_value();
     key_ = name;
@@ -79,7 +79,7 @@ class LimitedBuilder : public Json::json_sax_t {
   }
   bool enter(Json container) {
     if (open_.size() == static_cast<std::size_t>(limits_.json_depth))
-      report_.fail("", "the JSON is nested too deep", fmt::format("at most {} levels", limits_.json_depth));
+      report_.fail("", "the JSON is nested too deeply", fmt::format("at most {} levels", limits_.json_depth));
     open_.push_back(&place(std::move(container)));
     return true;
   }
@@ -92,8 +92,9 @@ class LimitedBuilder : public Json::json_sax_t {
   const GltfLimits& limits_;
   const Report& report_;
   std::uint64_t values_ = 0, objects_ = 0;
-  std::string key_;          ///< the latest
-  std::vector<Json*> open_;  ///< the containers around the next value, outermost first; none of them moves before it is closed
+  std::string key_;  ///< of the latest property
+  std::vector<Json*>
+      open_;  ///< containers around the next value, outermost first; their addresses are stable until they are closed
 };
 
 }  // namespace

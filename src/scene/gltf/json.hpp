@@ -9,7 +9,7 @@
 
 namespace lippmann::gltf {
 
-/// The document's root, an object. Malformed text is an Error with line and column.
+/// Returns the document's root object. Throws Error with line and column for malformed text.
 nlohmann::json parse_json(std::string_view text, const GltfLimits& limits, const Report& report);
 
 }  // namespace lippmann::gltf

@@ -1,5 +1,5 @@
-// Based on: Khronos Group, "KHR_lights_punctual", 2018: point and spot lights have an intensity in candela and fall off with
-// the squared distance, directional ones an illuminance in lux; all shine along their node's -z.
+// Based on: Khronos Group, "KHR_lights_punctual", 2018: point and spot lights have an intensity in candela and an
+// inverse-square falloff; directional lights have an illuminance in lux; all shine along their node's -z.
 #include "scene/gltf/light.hpp"
 
 #include <algorithm>
@@ -13,17 +13,17 @@ namespace {
 
 constexpr const char* kPunctual = "KHR_lights_punctual";
 
-/// Blender's exporter turns its watts into candela and lux by the luminous efficacy that the specification suggests (unless
-/// told otherwise), and emission not: taken as they are, its lamps would outshine everything.
+/// Blender's exporter by default converts watts to candela and lux with the luminous efficacy that the specification suggests,
+/// but does not convert emission. Without undoing this, its lamps would be 683 times too bright relative to emission.
 constexpr float kLumensPerWatt = 683.0f;
 
 using Version = std::array<int, 3>;
 
-/// The first exporter that converts units (October 2022, released with Blender 3.4). Those before wrote Blender's own numbers:
-/// watts of point and spot lamps, which shine into 4 pi steradians, and watts per square metre of suns.
+/// The first exporter that converts units (October 2022, released with Blender 3.4). Earlier ones wrote Blender's own numbers:
+/// watts, over 4 pi steradians, for point and spot lamps, and watts per square metre for suns.
 constexpr Version kFirstInLumens{3, 4, 39};
 
-/// "3.4.50" in "... v3.4.50"; numbers that are missing are 0.
+/// Parses "... v3.4.50"; missing numbers are 0.
 Version version_in(std::string_view generator) {
   Version version{};
   const std::size_t v = generator.rfind(" v");
@@ -36,38 +36,38 @@ Version version_in(std::string_view generator) {
   return version;
 }
 
-/// The exporter's name before version 1.0.0, which had no number.
-bool is_of_unnumbered_exporter(std::string_view generator) {
+/// Detects the exporter's name before version 1.0.0, which had no version number.
+bool is_unnumbered_exporter(std::string_view generator) {
   return generator.find("Khronos Blender glTF 2.0 I/O") != generator.npos;
 }
 
-bool is_of_blender(std::string_view generator) {
-  return is_of_unnumbered_exporter(generator) || generator.find("Blender I/O") != generator.npos;
+bool is_blender_exporter(std::string_view generator) {
+  return is_unnumbered_exporter(generator) || generator.find("Blender I/O") != generator.npos;
 }
 
-/// What a light's intensity is multiplied by, so that lamps are as bright beside emission as where the file was made.
+/// Returns the factor for a light's intensity that restores its brightness relative to emission.
 float scale_of(std::string_view generator, LightKind kind) {
-  if (!is_of_blender(generator)) return 1.0f;
-  if (!is_of_unnumbered_exporter(generator) && version_in(generator) >= kFirstInLumens) return 1.0f / kLumensPerWatt;
+  if (!is_blender_exporter(generator)) return 1.0f;
+  if (!is_unnumbered_exporter(generator) && version_in(generator) >= kFirstInLumens) return 1.0f / kLumensPerWatt;
   return kind == LightKind::kDirectional ? 1.0f : 1.0f / (4.0f * kPi);
 }
 
-/// Sizes have no place in the extension: custom properties of the light in Blender, and what its add-on writes
-/// (docs/reference/gltf.md).
+/// Reads a custom property. The extension has no light sizes; Blender's custom properties and our Blender add-on store them in
+/// extras (docs/reference/gltf.md).
 float extra(Value from, const char* name) { return static_cast<float>(from["extras"][name].number(0.0)); }
 
-/// Blender's soft edge in place of the inner cone: a part of the cosines from the outer cone's to 1.
+/// Applies Blender's soft edge, which covers a share of the cosine range from the outer cone to 1, in place of the inner cone.
 void blend_edge(float blend, Light& light) {
   const float cos_outer = std::cos(light.outer_cone);
   light.inner_cone = std::min(std::acos(cos_outer + (1.0f - cos_outer) * blend), light.outer_cone);
   light.smooth_edge = true;
 }
 
-/// The edge between the cones: the extension's own, or Blender's, of which its exporter writes inner = outer (1 - blend).
+/// Reads the edge between the cones. Blender's exporter writes inner = outer (1 - blend).
 void read_edge(Value from, std::string_view generator, Light& light) {
   if (from["extras"]["blend"])
     blend_edge(extra(from, "blend"), light);
-  else if (is_of_blender(generator) && light.outer_cone > 0.0f)
+  else if (is_blender_exporter(generator) && light.outer_cone > 0.0f)
     blend_edge(1.0f - light.inner_cone / light.outer_cone, light);
 }
 

@@ -7,8 +7,8 @@
 
 namespace lippmann::gltf {
 
-/// Fills scene.lights, in the order of the Scene's nodes. Candela and lux are taken as they are, but those of Blender's
-/// exporter as the watts that they came from.
+/// Fills scene.lights in the order of the Scene's nodes. Candela and lux become radiometric units unchanged, except in files
+/// from Blender's exporter, where they are converted back to watts.
 void read_lights(Document& document, const NodeMap& nodes, Scene& scene);
 
 }  // namespace lippmann::gltf

@@ -1,4 +1,4 @@
-// Puts the parts of a glTF file together into a Scene.
+// Assembles the parts of a glTF file into a Scene.
 #include "scene/gltf.hpp"
 
 #include <fmt/format.h>
@@ -30,16 +30,16 @@ namespace lippmann {
 namespace gltf {
 namespace {
 
-void refuse_infinite(const Affine3f& a, int file_node, const Report& report) {
+void check_finite(const Affine3f& a, int file_node, const Report& report) {
   const float sum = glm::dot(a.linear[0] + a.linear[1] + a.linear[2] + a.translation, Vec3f(1.0f));
   if (!std::isfinite(sum))
-    report.fail(element("nodes", static_cast<std::size_t>(file_node)), "stands or reaches infinitely far away");
+    report.fail(element("nodes", static_cast<std::size_t>(file_node)), "has a world transform that is not finite");
 }
 
-/// Makes the Scene's shapes and instances; a primitive that several nodes show is one shape.
+/// Creates the Scene's shapes and instances. Nodes that show the same primitive share a shape.
 class InstanceReader {
  public:
-  /// variant: the one that is shown; -1: the file's materials without a choice.
+  /// `variant`: the material variant to show; -1: the default materials.
   InstanceReader(Document& document, const NodeMap& nodes, int variant, Scene& scene)
       : document_(document),
         nodes_(nodes),
@@ -51,7 +51,7 @@ class InstanceReader {
   void read() {
     for (std::size_t i = 0; i < nodes_.file_node.size(); ++i)
       scene_.nodes[i].morph_weights = read_morph_weights(document_, nodes_.file_node[i]);
-    std::map<int, std::vector<int>> places;  // by node of the scene that has a mesh
+    std::map<int, std::vector<int>> places;  // by Scene node with a mesh
     bool any_hidden = false;
     for (std::size_t i = 0; i < nodes_.file_node.size(); ++i) {
       const int file_node = nodes_.file_node[i];
@@ -61,8 +61,7 @@ class InstanceReader {
       else
         places[static_cast<int>(i)] = places_of(file_node, static_cast<int>(i));
     }
-    if (places.empty() && any_hidden)
-      document_.report.warn("all nodes that have a mesh are set invisible (KHR_node_visibility)");
+    if (places.empty() && any_hidden) document_.report.warn("all nodes with a mesh are invisible (KHR_node_visibility)");
     rest_ = evaluate(scene_, 0.0);
     for (const auto& [node, copies] : places) add(nodes_.file_node[static_cast<std::size_t>(node)], copies);
   }
@@ -70,18 +69,18 @@ class InstanceReader {
  private:
   Value node_at(int file_node) const { return document_.at("nodes", file_node); }
 
-  /// The nodes that show the mesh: the file's own, or the copies that an extension adds.
+  /// Returns the nodes that show the mesh: the node itself, or its instances (EXT_mesh_gpu_instancing).
   std::vector<int> places_of(int file_node, int scene_node) {
     if (!node_at(file_node).extension(kInstancing)) return {scene_node};
     if (!node_at(file_node)["skin"]) return read_places(document_, file_node, scene_node, scene_);
-    document_.report.warn_at("copies of skinned meshes are left out: they would all stand in one place",
+    document_.report.warn_at("copies of skinned meshes are left out: they would coincide",
                              element("nodes", static_cast<std::size_t>(file_node)));
     return {scene_node};
   }
 
   void add(int file_node, const std::vector<int>& places) {
     const Value node = node_at(file_node);
-    for (const int place : places) refuse_infinite(rest_.of(place), file_node, document_.report);
+    for (const int place : places) check_finite(rest_.of(place), file_node, document_.report);
     const Value mesh = document_.at("meshes", node["mesh"].index()), primitives = mesh["primitives"];
     const std::string& name = node["name"].text().empty() ? mesh["name"].text() : node["name"].text();
     const int skin = node["skin"] ? skins_.read(node["skin"].index()) : -1;
@@ -110,17 +109,17 @@ class InstanceReader {
     }
   }
 
-  /// A posed mesh needs room for its vertices at every node that shows it.
+  /// Checks the memory and positions of a posed mesh, which needs its own vertices at every node that shows it.
   void check_pose(const Instance& instance, PrimitiveId id) {
     const std::size_t vertices = std::get<Mesh>(scene_.shapes[static_cast<std::size_t>(instance.shape)]).positions.size();
     document_.unpacked.spend(vertices, sizeof(PosedVertex), element(id), document_.report);
     const MeshPose pose(scene_, instance, rest_);
     for (std::size_t i = 0; i < vertices; ++i)
       if (const Vec3f p = glm::abs(pose.position(i)); std::max({p.x, p.y, p.z}) >= MeshPose::kReach)
-        document_.report.fail(element(id), fmt::format("vertex {} is posed infinitely far away", i));
+        document_.report.fail(element(id), fmt::format("skinning or morphing moves vertex {} too far away", i));
   }
 
-  /// -1: nothing to show.
+  /// Returns the shape; -1 if it is empty.
   int shape_of(PrimitiveId id, int skin, const MaterialNeeds& needs) {
     const auto [known, is_new] = shapes_.try_emplace({id, skin}, -1);
     if (!is_new) return known->second;
@@ -132,11 +131,11 @@ class InstanceReader {
     return known->second;
   }
 
-  /// -1: none of them can be shown.
+  /// Returns the shape; -1 if no splat is valid.
   int splats_of(PrimitiveId id, int skin) {
     const auto [known, is_new] = shapes_.try_emplace({id, -1}, -1);
     if (!is_new) return known->second;
-    if (skin >= 0) document_.report.warn_at("splats do not follow skins", element(id));
+    if (skin >= 0) document_.report.warn_at("skins of splats are ignored", element(id));
     std::optional<Splats> splats = read_splats(document_, id);
     if (!splats) return -1;
     if (material_of_splats_ < 0) {
@@ -152,18 +151,18 @@ class InstanceReader {
   Document& document_;
   const NodeMap& nodes_;
   int variant_;
-  int material_of_splats_ = -1;  ///< -1: there are none yet
+  int material_of_splats_ = -1;  ///< -1: not created yet
   Scene& scene_;
   MaterialTable materials_;
   SkinReader skins_;
-  ResolvedScene rest_;                                 ///< the timeline is still empty
+  ResolvedScene rest_;                                 ///< while the timeline is still empty
   std::map<std::pair<PrimitiveId, int>, int> shapes_;  ///< by primitive and skin
 };
 
-void refuse_infinite_transforms(const Document& document, const NodeMap& nodes, const Scene& scene) {
+void check_transforms(const Document& document, const NodeMap& nodes, const Scene& scene) {
   const ResolvedScene rest = evaluate(scene, 0.0);
   for (std::size_t i = 0; i < nodes.file_node.size(); ++i)
-    refuse_infinite(rest.world_from_node[i], nodes.file_node[i], document.report);
+    check_finite(rest.world_from_node[i], nodes.file_node[i], document.report);
 }
 
 }  // namespace
@@ -173,7 +172,7 @@ Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& p
                  const Context& context, const GltfLimits& limits) {
   if (!(options.frames_per_second >= 0.0) || !std::isfinite(options.frames_per_second))
     throw usage_error("frames per second", fmt::format("is {}", options.frames_per_second),
-                      "a number above 0, or 0: as the keys have it");
+                      "a number above 0, or 0 for the rate of the keys");
   gltf::Document document(path, options, context, limits);
   gltf::read_document(std::move(contents), document);
 
@@ -181,8 +180,8 @@ Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& p
   scene.name = path.stem().string();
   if (gltf::is_of_splats_alone(*document.json)) scene.kind = SceneKind::kSplats;
   const gltf::NodeMap nodes = gltf::read_nodes(document, scene);
-  gltf::refuse_infinite_transforms(document, nodes, scene);
-  gltf::refuse_excess(document, nodes, options.animation);
+  gltf::check_transforms(document, nodes, scene);
+  gltf::check_demand(document, nodes, options.animation);
   gltf::unpack_document(document);
   scene.variant_names = gltf::variant_names(document);
   gltf::InstanceReader(document, nodes, gltf::choose_variant(scene.variant_names, options.variant), scene).read();

@@ -15,7 +15,7 @@ namespace {
 
 float unit_factor(Value factor, double otherwise) { return static_cast<float>(std::clamp(factor.number(otherwise), 0.0, 1.0)); }
 
-/// Exporters round factors to slightly more than 1.
+/// Clamps a colour to 0 ... 1; exporters may round factors to slightly more than 1.
 template <class V>
 V unit_color(Value color, V otherwise) {
   return glm::clamp(color.vector(otherwise), V(0.0f), V(1.0f));
@@ -84,18 +84,18 @@ class MaterialReader {
     if (surface.transmission > 0.0f) surface.transmission_map = data(extension["transmissionTexture"]);
   }
 
-  /// Nothing is thinner than empty space.
+  /// Checks that the index of refraction is at least that of vacuum.
   double checked_ior(Value from, const std::string& where) {
     const double ior = from.extension("KHR_materials_ior")["ior"].number(1.5);
     if (ior == 0.0 || ior >= 1.0) return ior;
     const std::string name = from["name"].text().empty() ? where : fmt::format("{} {}", where, shown(from["name"].text()));
-    document_.report.warn_at("an ior between 0 and 1 is taken as 1, which neither bends nor mirrors light", name);
+    document_.report.warn_at("an ior between 0 and 1 is replaced by 1, without refraction or reflection", name);
     return 1.0;
   }
 
   static constexpr float kMirrorLike = 1000.0f;
 
-  /// 0 stands for "reflects everything" (KHR_materials_ior); a very dense medium comes close to that.
+  /// In KHR_materials_ior, 0 means full reflection at all angles; a very high index approximates it.
   static float ior_of(double ior) { return ior == 0.0 ? kMirrorLike : static_cast<float>(ior); }
 
   void read_specular(Value from, MetallicRoughness& surface) {
@@ -118,7 +118,7 @@ class MaterialReader {
     surface.clearcoat_normal_scale = static_cast<float>(normal["scale"].number(1.0));
   }
 
-  /// Where none of them has an effect, the surface is left without.
+  /// Reads the extensions, and leaves them out if none has an effect.
   void read_extensions(Value from, MetallicRoughness& surface) {
     SurfaceExtensions e;
     read_sheen(from.extension("KHR_materials_sheen"), e.sheen);
@@ -129,19 +129,20 @@ class MaterialReader {
     const Value volume = from.extension("KHR_materials_volume");
     if (volume && passes) e.volume = read_volume(volume);
     const bool is_thin = e.volume && !e.volume->is_solid;
-    const bool refracts = surface.transmission > 0.0f && !is_thin && surface.ior < kMirrorLike;  // that of 0 reflects all
+    const bool refracts =
+        surface.transmission > 0.0f && !is_thin && surface.ior < kMirrorLike;  // an ior of 0 reflects everything
     if (refracts) e.dispersion = static_cast<float>(from.extension("KHR_materials_dispersion")["dispersion"].number(0.0));
     if (e.sheen.color != Vec3f(0.0f) || e.anisotropy.strength > 0.0f || e.iridescence.share > 0.0f ||
         e.diffuse_transmission.share > 0.0f || e.volume || e.dispersion > 0.0f)
       surface.extensions = e;
   }
 
-  /// How thick it is, rays find out; the file only says whether it is thick at all.
+  /// Ray tracing finds the actual thickness; only whether thicknessFactor is positive matters.
   static Volume read_volume(Value extension) {
     Volume volume;
     volume.is_solid = extension["thicknessFactor"].number(0.0) > 0.0;
     volume.attenuation_color = unit_color(extension["attenuationColor"], Vec3f(1.0f));
-    // 0 means nothing that light could do; exporters write it for "none".
+    // A distance of 0 would be opaque; exporters write it for "no attenuation".
     const float distance = static_cast<float>(extension["attenuationDistance"].number(0.0));
     volume.attenuation_distance = distance > 0.0f ? distance : kInfinity;
     return volume;
@@ -180,8 +181,9 @@ class MaterialReader {
     transmission.color_map = color(extension["diffuseTransmissionColorTexture"]);
   }
 
-  /// As a dielectric that reflects everything, times the specular colour at normal incidence: the reflectance that the old
-  /// model has. It replaces the metallic-roughness description, which such files bring for readers that do not know it.
+  /// Converts to a dielectric that reflects everything, scaled by the specular colour at normal incidence, which is the
+  /// reflectance of the old model. It replaces the metallic-roughness description, which such files provide for readers without
+  /// this extension.
   void read_specular_glossiness(Value old, MetallicRoughness& surface) {
     surface.metallic = 0.0f;
     surface.ior = ior_of(0.0);

@@ -1,4 +1,4 @@
-// Turns glTF materials into MetallicRoughness surfaces.
+// Reads glTF materials as MetallicRoughness surfaces.
 #pragma once
 
 #include <array>
@@ -9,21 +9,21 @@
 
 namespace lippmann::gltf {
 
-/// Which attributes of a mesh a material looks at.
+/// The mesh attributes that a material needs.
 struct MaterialNeeds {
-  std::array<int, 2> uv_sets{0, -1};  ///< TEXCOORD_n that become Mesh::uvs and uvs_1; -1: none
+  std::array<int, 2> uv_sets{0, -1};  ///< the TEXCOORD_n for Mesh::uvs and uvs_1; -1: none
   bool tangents = false;
 };
 
 struct MaterialTable {
   std::vector<MaterialNeeds> needs;  ///< by material
-  int default_material = -1;         ///< what primitives that name none get; added to the Scene on first use
+  int default_material = -1;         ///< for primitives without a material; added to the Scene on first use
 };
 
 /// Fills scene.materials, with the file's indices, and scene.textures.
 MaterialTable read_materials(Document& document, Scene& scene);
 
-/// The Scene's material of a primitive; -1 in the file means glTF's default.
+/// Returns the Scene's material for a primitive; -1 in the file means glTF's default material.
 int material_of(int file_material, MaterialTable& table, Scene& scene);
 
 }  // namespace lippmann::gltf

@@ -1,5 +1,5 @@
-// Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 3.7.2.1 (attributes, and the order in which the corners of
-// strips and fans form triangles: strip p_i = {v_i, v_(i + 1 + i%2), v_(i + 2 - i%2)}, fan p_i = {v_(i+1), v_(i+2), v_0}).
+// Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 3.7.2.1 (attributes, and the vertex order of strips and
+// fans: strip p_i = {v_i, v_(i + 1 + i%2), v_(i + 2 - i%2)}, fan p_i = {v_(i+1), v_(i+2), v_0}).
 #include "scene/gltf/mesh.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// The corners in the order in which they form triangles: the indices, or simply 0, 1, 2, ...
+/// Returns the vertex of each triangle corner: the indices, or 0, 1, 2, ... without an index buffer.
 std::vector<std::uint32_t> read_corners(Document& document, PrimitiveId id, std::size_t vertices) {
   const int indices = primitive_of(document, id)["indices"].index();
   if (indices < 0) {
@@ -47,18 +47,18 @@ std::vector<Triangle> assemble(const std::vector<std::uint32_t>& v, Mode mode) {
   return triangles;
 }
 
-/// Makes normals unit vectors. One without a direction takes the mean of its triangles' (weighted by area).
+/// Normalises normals. Replaces zero-length ones by the area-weighted mean over their triangles.
 void normalize_normals(Mesh& mesh, const std::string& where, Report& report) {
   std::vector<std::uint32_t> missing;
   for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
     const float longest = std::max({std::abs(mesh.normals[i].x), std::abs(mesh.normals[i].y), std::abs(mesh.normals[i].z)});
     if (longest > 0.0f)
-      mesh.normals[i] = glm::normalize(mesh.normals[i] / longest);  // whose square neither over- nor underflows
+      mesh.normals[i] = glm::normalize(mesh.normals[i] / longest);  // scaled first to avoid overflow and underflow
     else
       missing.push_back(static_cast<std::uint32_t>(i));
   }
   if (missing.empty()) return;
-  report.warn_at("normals without a direction are made from the triangles", where);
+  report.warn_at("zero-length normals are replaced by those of the triangles", where);
   for (const Triangle& t : mesh.triangles)
     for (const std::uint32_t corner : t)
       if (std::binary_search(missing.begin(), missing.end(), corner))

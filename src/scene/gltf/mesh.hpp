@@ -1,4 +1,4 @@
-// Turns one primitive of a glTF mesh into a triangle mesh.
+// Reads a primitive of a glTF mesh as a triangle mesh.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace lippmann::gltf {
 
-/// Strips and fans become single triangles; without NORMAL the mesh is faceted. Nothing, with a warning, where there are no
-/// triangles (points, lines, no positions). Throws Error.
+/// Returns the mesh, with strips and fans split into triangles; without NORMAL it is faceted. Returns none, with a warning, for
+/// points, lines and primitives without positions. Throws Error.
 std::optional<Mesh> read_mesh(Document& document, PrimitiveId id, const MaterialNeeds& needs);
 
 }  // namespace lippmann::gltf

@@ -1,8 +1,7 @@
-// Based on: Khronos Group and A. Kapoulkine, "EXT_meshopt_compression", 2021; the codecs and filters are those of
-// meshoptimizer.
+// Based on: Khronos Group and A. Kapoulkine, "EXT_meshopt_compression", 2021, with the codecs and filters of meshoptimizer.
 //
-// Counts are compared with what the packed bytes can hold at most before anything is allocated: a vertex codec packs 16 bytes
-// into 2 bits at best, an index takes a byte at least, a triangle too.
+// Before allocating, we check that the packed bytes can hold the stated counts: the vertex codec packs at most 16 bytes into 2
+// bits, and each index or triangle takes at least a byte.
 #include "scene/gltf/meshopt.hpp"
 
 #include <fmt/format.h>
@@ -23,19 +22,19 @@ Bytes packed_bytes(const Document& document, const PackedView& view, const std::
   return buffer.subspan(view.byte_offset, view.byte_length);
 }
 
-/// Refuses what the codecs and filters take for granted.
+/// Checks the preconditions of the codecs and filters.
 void check_shape(const PackedView& view, const std::string& where, const Report& report) {
   const bool attributes = view.mode == "ATTRIBUTES", whole_words = view.byte_stride % 4 == 0;
   const auto fail = [&](std::string_view what, const std::string& accepted) {
-    report.fail(where, fmt::format("elements of {} bytes are not what {} packs", view.byte_stride, what), accepted);
+    report.fail(where, fmt::format("{} cannot have elements of {} bytes", what, view.byte_stride), accepted);
   };
   if (attributes && !whole_words) fail("ATTRIBUTES", "multiples of 4 up to 256");
   if (!attributes && view.byte_stride != 2 && view.byte_stride != 4) fail(view.mode, "2, 4");
-  if (!attributes && view.filter != "NONE") report.fail(where, "filters " + view.mode, "filters of ATTRIBUTES");
+  if (!attributes && view.filter != "NONE") report.fail(where, "has a filter for " + view.mode, "filters for ATTRIBUTES only");
   if (view.filter == "OCTAHEDRAL" && view.byte_stride != 4 && view.byte_stride != 8) fail(view.filter, "4, 8");
   if (view.filter == "QUATERNION" && view.byte_stride != 8) fail(view.filter, "8");
   if (view.mode == "TRIANGLES" && view.count % 3 != 0)
-    report.fail(where, fmt::format("{} indices are no triangles", view.count));
+    report.fail(where, fmt::format("has {} indices for triangles", view.count), "a multiple of 3");
 }
 
 void check_count(const PackedView& view, const std::string& where, const Report& report) {
@@ -44,7 +43,7 @@ void check_count(const PackedView& view, const std::string& where, const Report&
                              : view.mode == "TRIANGLES" ? 3 * view.byte_length
                                                         : view.byte_length;
   if (view.count > most)
-    report.fail(where, fmt::format("{} elements do not come out of {} bytes", view.count, view.byte_length),
+    report.fail(where, fmt::format("cannot hold {} elements in {} bytes", view.count, view.byte_length),
                 fmt::format("at most {}", most));
 }
 
@@ -67,7 +66,7 @@ std::vector<std::byte> unpack_view(Document& document, const PackedView& view, c
   const Bytes packed = packed_bytes(document, view, where);
   document.unpacked.spend(view.count, view.byte_stride, where, document.report);
   std::vector<std::byte> out(view.count * view.byte_stride);
-  if (!decode(view, packed, out)) document.report.fail(where, fmt::format("is not readable as packed {}", view.mode));
+  if (!decode(view, packed, out)) document.report.fail(where, fmt::format("cannot be decoded as {}", view.mode));
   unfilter(view, out);
   return out;
 }

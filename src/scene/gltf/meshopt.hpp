@@ -1,4 +1,4 @@
-// Decompresses buffer views that meshoptimizer has packed (EXT_meshopt_compression).
+// Decompresses buffer views compressed by meshoptimizer (EXT_meshopt_compression).
 #pragma once
 
 #include <optional>
@@ -7,16 +7,18 @@
 
 namespace lippmann::gltf {
 
-/// The extension of a buffer view of the file; none where it is not packed.
+/// Returns the extension's data of a buffer view; none if it is not compressed.
 std::optional<PackedView> packed_view(Value view);
 
-/// Whether a buffer is only there for readers without this extension: it need not have bytes, and they are not fetched.
+/// Returns whether a buffer is only a fallback for readers without the extension. It may lack data, and the reader does not
+/// fetch it.
 bool is_fallback(Value buffer);
 
-/// Refuses views that lie outside their buffers, or whose counts do not come out of so many bytes. Throws Error at the view.
+/// Checks that packed views lie inside their buffers and that their counts are possible for their sizes. Throws Error at the
+/// view.
 void check_packed_views(const Document& document);
 
-/// Gives every packed view a buffer of its own, with the decompressed bytes. Throws Error at the view.
+/// Decompresses every packed view into a new buffer. Throws Error at the view.
 void unpack_views(Document& document);
 
 }  // namespace lippmann::gltf

@@ -11,7 +11,7 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// Column-major, as glTF stores it. What is not affine (a projection) has no place in a node.
+/// Reads a column-major matrix as glTF stores it. Throws Error if it is not affine.
 Affine3f affine(const std::vector<double>& m, const std::string& where, const Report& report) {
   constexpr double kTolerance = 1e-5;  // exporters write float products
   if (std::abs(m[3]) + std::abs(m[7]) + std::abs(m[11]) + std::abs(m[15] - 1.0) > kTolerance)
@@ -38,7 +38,7 @@ Node read_node(Value from, const std::string& where, const Report& report) {
   return node;
 }
 
-/// In double precision, of a node that read_node() accepts.
+/// Returns the transform of a node accepted by read_node() in double precision.
 Affine3d exact_transform(Value from) {
   if (const std::vector<double> m = from["matrix"].numbers(); !m.empty())
     return {glm::dmat3(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]), Vec3d(m[12], m[13], m[14])};
@@ -52,7 +52,7 @@ Affine3d exact_transform(Value from) {
   return {{scale.x * r[0], scale.y * r[1], scale.z * r[2]}, vector(from["translation"].numbers(), 0.0)};
 }
 
-/// -1: a root. Every node is a child at most once, which leaves cycles as the only way not to be a tree.
+/// Returns each node's parent; -1: a root. Since every node has at most one parent, only cycles can violate the tree structure.
 std::vector<int> find_parents(Value nodes, const Report& report) {
   std::vector<int> parents(nodes.size(), -1);
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -65,7 +65,7 @@ std::vector<int> find_parents(Value nodes, const Report& report) {
   return parents;
 }
 
-/// The nodes without a parent.
+/// Returns the nodes without a parent.
 std::vector<int> tops_of(const std::vector<int>& parents) {
   std::vector<int> tops;
   for (std::size_t i = 0; i < parents.size(); ++i)
@@ -73,7 +73,7 @@ std::vector<int> tops_of(const std::vector<int>& parents) {
   return tops;
 }
 
-/// The nodes below `roots`, depth first. No recursion: a hierarchy may be as deep as the file is long.
+/// Returns the nodes below `roots`, depth first. Iterative because hierarchies may be arbitrarily deep.
 std::vector<int> preorder(Value nodes, const std::vector<int>& roots) {
   std::vector<int> order, stack(roots.rbegin(), roots.rend());
   while (!stack.empty()) {
@@ -86,7 +86,7 @@ std::vector<int> preorder(Value nodes, const std::vector<int>& roots) {
   return order;
 }
 
-void refuse_cycles(Value nodes, const std::vector<int>& parents, const Report& report) {
+void check_cycles(Value nodes, const std::vector<int>& parents, const Report& report) {
   std::vector<bool> reached(parents.size(), false);
   for (const int node : preorder(nodes, tops_of(parents))) reached[at(node)] = true;
   const auto unreached = std::find(reached.begin(), reached.end(), false);
@@ -95,7 +95,7 @@ void refuse_cycles(Value nodes, const std::vector<int>& parents, const Report& r
                 "is part of or below a cycle of nodes");
 }
 
-/// By node of the file: whether an ancestor of it is listed.
+/// Returns for each node of the file whether one of its ancestors is listed.
 std::vector<bool> below_listed(Value nodes, const std::vector<int>& listed, const std::vector<int>& parents) {
   std::vector<bool> in_scene(parents.size(), false), below(parents.size(), false);
   for (const int node : listed) in_scene[at(node)] = true;
@@ -104,15 +104,16 @@ std::vector<bool> below_listed(Value nodes, const std::vector<int>& listed, cons
   return below;
 }
 
-/// The roots among the nodes that a scene lists. The specification allows no others; a child whose ancestor is listed too is
-/// in the scene through that one, and a child of nodes that are not in the scene stands on its own, without their transforms.
+/// Returns the effective roots among a scene's listed nodes. The specification allows only roots in the list. A listed child
+/// with a listed ancestor is part of the scene through that ancestor; any other listed child becomes a root, without its
+/// parents' transforms.
 std::vector<int> roots_among(const std::vector<int>& listed, const std::vector<int>& parents, const std::string& where,
                              Document& document) {
   const auto child = std::find_if(listed.begin(), listed.end(), [&](int node) { return parents[at(node)] >= 0; });
   if (child == listed.end()) return listed;
   document.report.warn(
-      fmt::format("{} lists nodes[{}], which is a child of nodes[{}] and so no root: it is shown once, below "
-                  "its parent where that is in the scene",
+      fmt::format("{} lists nodes[{}], which is not a root but a child of nodes[{}]: it is shown once, "
+                  "below its parent if that is in the scene",
                   where, *child, parents[at(*child)]));
   const std::vector<bool> below = below_listed(document.root["nodes"], listed, parents);
   std::vector<int> roots;
@@ -125,11 +126,11 @@ std::vector<int> roots_of(Document& document, const std::vector<int>& parents) {
   if (scenes.size() == 0) return tops_of(parents);
   const std::size_t chosen = chosen_scene(document);
   if (scenes.size() > 1)
-    document.report.warn(fmt::format("of {} scenes only the default one, scenes[{}], is read", scenes.size(), chosen));
+    document.report.warn(fmt::format("only the default scene, scenes[{}] of {}, is read", chosen, scenes.size()));
   return roots_among(scenes.at(chosen)["nodes"].indices(), parents, element("scenes", chosen), document);
 }
 
-/// Based on: Khronos Group, "KHR_node_visibility", 2025. Its children are hidden with it.
+/// Based on: Khronos Group, "KHR_node_visibility", 2025. An invisible node also hides its descendants.
 bool hides_itself(Value node) { return !node.extension("KHR_node_visibility")["visible"].flag(true); }
 
 }  // namespace
@@ -139,7 +140,7 @@ std::size_t chosen_scene(const Document& document) { return document.root["scene
 NodeMap read_nodes(Document& document, Scene& scene) {
   const Value nodes = document.root["nodes"];
   const std::vector<int> parents = find_parents(nodes, document.report);
-  refuse_cycles(nodes, parents, document.report);
+  check_cycles(nodes, parents, document.report);
 
   NodeMap map;
   map.file_node = preorder(nodes, roots_of(document, parents));

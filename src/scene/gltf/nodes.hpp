@@ -10,19 +10,19 @@
 
 namespace lippmann::gltf {
 
-/// How the nodes of the file and those of the Scene correspond.
+/// The correspondence between nodes of the file and nodes of the Scene.
 struct NodeMap {
-  std::vector<int> file_node;              ///< by node of the Scene: parents before children, siblings in the file's order
-  std::vector<int> scene_node;             ///< by node of the file; -1: not in the default scene
-  std::vector<Affine3d> parent_from_node;  ///< by node of the Scene, as exact as the file has it
-  std::vector<bool> hidden;                ///< by node of the Scene: it or a node above it is not visible (KHR_node_visibility)
+  std::vector<int> file_node;              ///< per Scene node: parents before children, siblings in file order
+  std::vector<int> scene_node;             ///< per file node; -1: not in the default scene
+  std::vector<Affine3d> parent_from_node;  ///< per Scene node, in double precision
+  std::vector<bool> hidden;                ///< per Scene node: it or an ancestor is invisible (KHR_node_visibility)
 };
 
-/// The scene of a file that is read; the file has one or more.
+/// Returns the index of the scene to read. The file must have at least one.
 std::size_t chosen_scene(const Document& document);
 
-/// Fills scene.nodes. Warns about a scene that lists nodes which are no roots. Throws Error where a node has two parents, is
-/// its own ancestor or has no proper transform.
+/// Fills scene.nodes. Warns if the scene lists nodes that are not roots. Throws Error if a node has two parents, is its own
+/// ancestor, or has an invalid transform.
 NodeMap read_nodes(Document& document, Scene& scene);
 
 }  // namespace lippmann::gltf

@@ -20,16 +20,16 @@ void Report::fail(std::string_view element, const std::string& problem, const st
   throw Error(where(element), problem, accepted);
 }
 
-void Report::say(const std::string& topic, const std::string& text) {
+void Report::report_once(const std::string& topic, const std::string& text) {
   constexpr std::size_t kMost = 50;
-  if (said_.size() > kMost || !said_.insert(topic).second) return;
-  context_.warning(fmt::format("{}: {}", file_, said_.size() > kMost ? "further warnings are left out" : text));
+  if (reported_.size() > kMost || !reported_.insert(topic).second) return;
+  context_.warning(fmt::format("{}: {}", file_, reported_.size() > kMost ? "further warnings are left out" : text));
 }
 
-void Report::warn(const std::string& text) { say(text, text); }
+void Report::warn(const std::string& text) { report_once(text, text); }
 
 void Report::warn_at(const std::string& text, std::string_view first_element) {
-  say(text, fmt::format("{} (first at {})", text, first_element));
+  report_once(text, fmt::format("{} (first at {})", text, first_element));
 }
 
 void Report::not_supported(const std::string& feature, const std::string& instead, std::string_view first_element) {

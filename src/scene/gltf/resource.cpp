@@ -72,7 +72,7 @@ std::vector<std::byte> decode_data_uri(std::string_view uri, std::string_view el
 std::string uri_problem(std::string_view uri, const SideFolders& folders, const std::string& where) {
   if (uri.starts_with("data:")) return {};
   const std::string name = percent_decode(uri);
-  if (is_address(name)) return shown(name) + " is an address in the net";
+  if (is_address(name)) return shown(name) + " is a network address";
   return find_side_file(folders, name, where).problem;
 }
 
@@ -81,7 +81,7 @@ std::vector<std::byte> fetch(std::string_view uri, const SideFolders& folders, s
   if (uri.starts_with("data:")) return decode_data_uri(uri, element, report);
   const std::string name = percent_decode(uri);
   if (is_address(name))
-    report.fail(element, shown(name) + " is an address in the net", "a file in the scene's own folder or below it");
+    report.fail(element, shown(name) + " is a network address", "a file in the scene's own folder or below it");
   return read_file(side_file(folders, name, report.where(element)), limit, element, report);
 }
 

@@ -1,4 +1,4 @@
-// Fetches what a URI of a glTF file refers to: data within the URI, or a file that the scene may name.
+// Fetches the target of a URI in a glTF file: embedded data, or a permitted file.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,12 @@
 
 namespace lippmann::gltf {
 
-/// A data URI is decoded; anything else has to be the path of a regular file in `folders` (after symbolic links are followed)
-/// of at most `limit` bytes. Throws Error at `element` otherwise.
+/// Decodes a data URI, or reads a regular file in `folders` (after resolving symbolic links) of at most `limit` bytes. Throws
+/// Error at `element` for anything else.
 std::vector<std::byte> fetch(std::string_view uri, const SideFolders& folders, std::uint64_t limit, std::string_view element,
                              const Report& report);
 
-/// Why there is no such file to fetch; empty: there is one, or the URI holds data. `where`: for Errors about the folder itself.
+/// Returns why a URI cannot be fetched; empty: it can, or it holds data. `where` is used in Errors about the folder itself.
 std::string uri_problem(std::string_view uri, const SideFolders& folders, const std::string& where);
 
 }  // namespace lippmann::gltf

@@ -1,4 +1,4 @@
-// A checker that walks the document along the tables of schema_table.hpp.
+// Checks the document by walking it along the tables of schema_table.hpp.
 #include "scene/gltf/schema.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::json;
 using namespace schema;
 
-/// Where the checker is: a chain on its stack, spelled out only when something is wrong.
+/// The path to the current value, as a chain on the call stack that becomes text only for messages.
 struct Path {
   const Path* parent = nullptr;
   std::string_view name{};
@@ -44,7 +44,7 @@ class Checker {
     for (auto it = value.begin(); it != value.end();) {
       const Property* property = find(properties, it.key());
       if (!property) note_unknown(it.key(), path);
-      if (!property || is_of_another_kind(it.value(), *property)) {
+      if (!property || has_other_kind(it.value(), *property)) {
         it = value.erase(it);
         continue;
       }
@@ -60,8 +60,8 @@ class Checker {
     return nullptr;
   }
 
-  static bool is_of_another_kind(const Json& value, const Property& property) {
-    if (property.need != kIfOfThisKind) return false;
+  static bool has_other_kind(const Json& value, const Property& property) {
+    if (property.need != kIfKindMatches) return false;
     if (property.kind == Kind::kObject) return !value.is_object();
     return !value.is_number() && !(property.kind == Kind::kFlag && value.is_boolean());
   }
@@ -77,7 +77,8 @@ class Checker {
     for (const auto& entry : found->items()) note_use(entry.key(), value, path);
   }
 
-  /// Known glTF properties that the reader does not use get no warning, nor does anything in extras and extensions.
+  /// Records a property unknown to glTF. Skips properties that glTF defines but the reader ignores, and all of extras and
+  /// extensions.
   void note_unknown(const std::string& name, const Path& path) {
     constexpr std::string_view kUnused[] = {"name",
                                             "extras",
@@ -109,7 +110,7 @@ class Checker {
         if (!value.is_boolean()) fail(path, "is not true or false");
         return;
       case Kind::kFlag:
-        return;  // is_of_another_kind has looked
+        return;  // checked by has_other_kind
       case Kind::kString:
         return check_string(value, property, path);
       case Kind::kNumber:
@@ -171,7 +172,7 @@ class Checker {
     fail(path, fmt::format("is {}", x), open ? fmt::format("{} or more", lower) : fmt::format("{} to {}", lower, upper));
   }
 
-  /// 3.0 is an integer too, and is written as one for those who read on.
+  /// Checks an integer. Accepts 3.0 and stores it as an integer for later readers.
   void check_integer(Json& value, const Property& property, const Path& path) const {
     if (!value.is_number()) fail(path, "is not an integer");
     const double x = value.get<double>();

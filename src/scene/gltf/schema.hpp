@@ -12,26 +12,26 @@
 
 namespace lippmann::gltf {
 
-/// Where in the document an extension occurs.
+/// The places in the document where an extension occurs.
 struct ExtensionUse {
   static constexpr std::size_t kMostNamed = 4;
   struct User {
-    std::string where, name;  ///< "materials[2]"; its name in the file, which may be empty
+    std::string where, name;  ///< "materials[2]", and the object's name, which may be empty
   };
   std::size_t count = 0;
-  std::vector<User> users;  ///< the first kMostNamed
+  std::vector<User> users;  ///< the first kMostNamed users
 };
 using UsedExtensions = std::map<std::string, ExtensionUse>;
 
-/// Objects whose properties the schema does not list in full.
+/// Extensions and properties that the schema tables do not cover.
 struct SchemaFindings {
   UsedExtensions extensions;  ///< all that occur
-  LeftOut unknown;            ///< properties that glTF 2.0 does not have, outside extras and extensions
+  LeftOut unknown;            ///< properties that glTF 2.0 does not define, outside extras and extensions
 };
 
-/// After it, every property that is left has its right type, range and length, every required one is there, and every index
-/// refers to something that exists. Properties that the reader does not use (extras, foreign extensions, ...) are removed, so
-/// that they cost nothing further on. Throws Error naming the element.
+/// Checks the document: afterwards every remaining property has the right type, range and length, every required one exists,
+/// and every index is valid. Removes properties that the reader does not use (extras, unknown extensions, ...). Throws Error
+/// naming the element.
 SchemaFindings check_schema(nlohmann::json& root, const Report& report);
 
 }  // namespace lippmann::gltf

@@ -1,7 +1,7 @@
-// The glTF properties that the reader uses, their types, ranges, and what their indices refer to. Included by schema.cpp alone.
+// The glTF properties that the reader uses, with their types, ranges and index targets. Included by schema.cpp only.
 //
 // Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 5 "Properties Reference", and the specifications of the
-// extensions that gltf.hpp lists. The tables below follow its tables.
+// extensions listed in gltf.hpp.
 #pragma once
 
 #include <cfloat>
@@ -11,19 +11,19 @@
 
 namespace lippmann::gltf::schema {
 
-// ---- The form of a rule ---------------------------------------------------------------------------------------------
+// ---- Rules ---------------------------------------------------------------------------------------------
 
 enum class Kind {
   kBool,
-  kFlag,  ///< true, false, or a number in their place
+  kFlag,  ///< true, false, or a number
   kString,
   kStrings,
   kNumber,
   kNumbers,
   kInteger,
-  kIndex,       ///< into the root's array `refers_to`
-  kIndices,     ///< an array of them, without repetition
-  kIndexLists,  ///< an array of arrays of `length` of them
+  kIndex,       ///< into the array `refers_to` of the root
+  kIndices,     ///< an array of distinct indices
+  kIndexLists,  ///< an array of arrays of `length` indices
   kIndexMap,    ///< an object whose values are indices
   kIntegerMap,  ///< an object whose values are integers
   kIndexMaps,   ///< an array of such objects
@@ -34,7 +34,7 @@ enum class Kind {
 enum Need {
   kOptional,
   kRequired,
-  kIfOfThisKind,  ///< left out where it is of another kind: extras are anybody's
+  kIfKindMatches,  ///< ignored if it has another type; for extras, which any tool may write
 };
 
 struct Property {
@@ -42,22 +42,22 @@ struct Property {
   Kind kind = Kind::kObject;
   Need need = kOptional;
   double lower = -FLT_MAX, upper = FLT_MAX;  ///< the range of numbers and integers, both ends included
-  int multiple_of = 1;                       ///< integers have to be multiples of it
-  std::size_t length = 0;                    ///< exact length of an array of numbers; 0: any
+  int multiple_of = 1;                       ///< integers must be multiples of it
+  std::size_t length = 0;                    ///< exact length of a number array; 0: any
   std::string_view refers_to{};
-  std::string_view choices{};  ///< what a string may be: "|A|B|"; empty: anything
+  std::string_view choices{};  ///< accepted strings: "|A|B|"; empty: any
   std::span<const Property> object{};
 };
 
 constexpr double kMaxInt = 2147483647.0;
 constexpr double kMaxBytes = 9007199254740992.0;  // 2^53: exact in a JSON number
-constexpr double kPositive = 1e-6;                // what the specification calls > 0
-constexpr double kOne = 1.001;                    // a factor's upper end: exporters round
+constexpr double kPositive = 1e-6;                // stands for "> 0" in the specification
+constexpr double kOne = 1.001;                    // upper bound of factors; exporters round up
 constexpr double kHalfPi = 1.5707963267948966;
-constexpr double kPi = 3.1415927;  // a float's, rounded up
+constexpr double kPi = 3.1415927;  // rounded up to a float
 
 constexpr Property boolean(std::string_view name) { return {.name = name, .kind = Kind::kBool}; }
-constexpr Property flag(std::string_view name) { return {.name = name, .kind = Kind::kFlag, .need = kIfOfThisKind}; }
+constexpr Property flag(std::string_view name) { return {.name = name, .kind = Kind::kFlag, .need = kIfKindMatches}; }
 constexpr Property string(std::string_view name, Need need = kOptional, std::string_view choices = {}) {
   return {.name = name, .kind = Kind::kString, .need = need, .choices = choices};
 }
@@ -312,9 +312,9 @@ constexpr Property kCamera[] = {
 };
 
 constexpr Property kLightExtras[] = {
-    number("radius", 0.0, 1e12, kIfOfThisKind),
-    number("angle", 0.0, kPi, kIfOfThisKind),
-    number("blend", 0.0, 1.0, kIfOfThisKind),
+    number("radius", 0.0, 1e12, kIfKindMatches),
+    number("angle", 0.0, kPi, kIfKindMatches),
+    number("blend", 0.0, 1.0, kIfKindMatches),
 };
 constexpr Property kSpot[] = {number("innerConeAngle", 0.0, kHalfPi), number("outerConeAngle", 0.0, kHalfPi + 1e-6)};
 constexpr Property kLight[] = {
@@ -324,7 +324,7 @@ constexpr Property kLight[] = {
     number("intensity", 0.0, 1e12),
     number("range", kPositive, FLT_MAX),
     object("spot", kSpot),
-    object("extras", kLightExtras, kIfOfThisKind),
+    object("extras", kLightExtras, kIfKindMatches),
 };
 constexpr Property kLights[] = {objects("lights", kLight, kRequired)};
 constexpr Property kVariant[] = {string("name", kRequired)};
@@ -387,7 +387,7 @@ constexpr Property kNode[] = {
     numbers("translation", 3),
     numbers("weights", 0),
     object("extensions", kNodeExtensions),
-    object("extras", kNodeExtras, kIfOfThisKind),
+    object("extras", kNodeExtras, kIfKindMatches),
 };
 constexpr Property kSceneImageLight[] = {index("light", kImageLightsPath, kRequired)};
 constexpr Property kSceneExtensions[] = {object("EXT_lights_image_based", kSceneImageLight)};

@@ -42,7 +42,7 @@ std::vector<Influences> read_influences(Document& document, PrimitiveId id, std:
     for (std::size_t i = 0; i < vertices; ++i)
       for (int k = 0; k < 4; ++k)
         if (set.weights[i][k] != 0.0f && set.joints[i][k] >= joints)
-          document.report.fail(element(id), fmt::format("vertex {} hangs on joint {}", i, set.joints[i][k]),
+          document.report.fail(element(id), fmt::format("vertex {} refers to joint {}", i, set.joints[i][k]),
                                fmt::format("0 to {}", joints - 1));
     sets.push_back(std::move(set));
   }

@@ -1,4 +1,4 @@
-// Reads what deforms glTF meshes: skins, the vertices' weights for them, morph targets and their weights.
+// Reads the deformations of glTF meshes: skins, vertex weights, morph targets and their weights.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@ class SkinReader {
  public:
   SkinReader(Document& document, const NodeMap& nodes, Scene& scene) : document_(document), nodes_(nodes), scene_(scene) {}
 
-  /// The index in scene.skins of a skin of the file. -1: it has no joints. Throws Error.
+  /// Returns the index in scene.skins of a skin of the file; -1 if it has no joints. Throws Error.
   int read(int skin);
 
  private:
@@ -23,14 +23,14 @@ class SkinReader {
   std::map<int, int> known_;
 };
 
-/// All sets JOINTS_0 and WEIGHTS_0, JOINTS_1 ...; weights are made to sum to 1. Vertices without any hang on the first joint.
-/// joints: how many the skin has.
+/// Reads all sets JOINTS_0, WEIGHTS_0, JOINTS_1, ... Weights are normalised to a sum of 1; vertices without weights follow the
+/// first joint. `joints`: number of joints of the skin.
 void read_skin_weights(Document& document, PrimitiveId id, std::size_t joints, Mesh& mesh);
 
-/// The primitive's morph targets; of what the mesh lacks (normals, tangents) nothing is read.
+/// Reads the primitive's morph targets. Skips normals and tangents if the mesh has none.
 void read_targets(Document& document, PrimitiveId id, Mesh& mesh);
 
-/// The node's weights, or its mesh's, or zeros: as many as the mesh has targets. Throws Error where their number differs.
+/// Returns the node's weights, or its mesh's, or zeros, one per morph target of the mesh. Throws Error if their number differs.
 std::vector<float> read_morph_weights(Document& document, int file_node);
 
 }  // namespace lippmann::gltf

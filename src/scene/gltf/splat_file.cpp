@@ -1,4 +1,4 @@
-// Told by the JSON alone, before anything else of a file is read: what of it is binary may be gigabytes.
+// Detects splat files from the JSON alone, since the binary part may be gigabytes.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -18,10 +18,10 @@ using Json = nlohmann::json;
 
 constexpr std::string_view kSplatExtension = "KHR_gaussian_splatting";
 
-/// The JSON of a file: the first chunk of a .glb, or all of it. As much as there is where it ends early.
+/// Returns the JSON of a file: the first chunk of a .glb, or the whole file. Truncated files give as much as there is.
 std::string leading_json(const std::filesystem::path& path, std::uint64_t limit) {
   RegularFile file(path);
-  std::array<char, 20> start{};  // a .glb's header and that of its first chunk
+  std::array<char, 20> start{};  // the headers of a .glb and of its first chunk
   const std::size_t begun = file.read(start.data(), start.size());
   const bool binary = begun == start.size() && std::string_view(start.data(), 4) == "glTF";
   std::uint32_t chunk = 0;
@@ -35,14 +35,14 @@ std::string leading_json(const std::filesystem::path& path, std::uint64_t limit)
   return text;
 }
 
-/// An array that a document may have; empty where it has none.
+/// Returns an array property; empty if absent.
 const Json& array_of(const Json& object, const char* name) {
   static const Json kNone = Json::array();
   const auto found = object.is_object() ? object.find(name) : object.end();
   return found != object.end() && found->is_array() ? *found : kNone;
 }
 
-bool is_of_splats(const Json& primitive) {
+bool is_splat_primitive(const Json& primitive) {
   return primitive.is_object() && primitive.contains("extensions") && primitive["extensions"].is_object() &&
          primitive["extensions"].contains(kSplatExtension);
 }

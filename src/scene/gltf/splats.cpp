@@ -1,5 +1,5 @@
-// Based on: Khronos Group, "KHR_gaussian_splatting", release candidate of 2026: points with attributes of its own. Scales are
-// standard deviations there; the draft of 2025 had their logarithms, which are told by being negative as a rule.
+// Based on: Khronos Group, "KHR_gaussian_splatting", release candidate of 2026: point primitives with additional attributes.
+// Scales are standard deviations. In the draft of 2025 they were logarithms, which we recognise by mostly negative values.
 #include "scene/gltf/splats.hpp"
 
 #include <fmt/format.h>
@@ -66,7 +66,7 @@ class SplatPrimitive {
     const auto is_negative = [](Vec3f s) { return std::min({s.x, s.y, s.z}) < 0.0f; };
     const auto negative = std::count_if(scales.begin(), scales.end(), is_negative);
     if (2 * static_cast<std::size_t>(negative) <= count_) return scales;
-    document_.report.warn_at("scales of splats are taken for logarithms, as most are negative", where_);
+    document_.report.warn_at("splat scales are read as logarithms because most are negative", where_);
     for (Vec3f& scale : scales) scale = glm::exp(scale);
     return scales;
   }
@@ -100,8 +100,7 @@ bool is_splats(Value primitive) { return static_cast<bool>(primitive.extension(k
 std::optional<Splats> read_splats(Document& document, PrimitiveId id) {
   Splats splats = SplatPrimitive(document, id).read();
   if (drop_unsound(splats) > 0)
-    document.report.warn_at("splats without a size or a rotation, or with an opacity that is not 0 to 1, are left out",
-                            element(id));
+    document.report.warn_at("splats with a zero size or rotation, or an opacity outside 0 to 1, are left out", element(id));
   if (splats.centers.empty()) return std::nullopt;
   sort_by_place(splats);
   return splats;

@@ -1,4 +1,4 @@
-// Splats (3D Gaussians) of glTF files: KHR_gaussian_splatting.
+// Reads 3D Gaussian splats of glTF files (KHR_gaussian_splatting).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,14 +9,14 @@
 
 namespace lippmann::gltf {
 
-/// Whether the primitive has the extension.
+/// Returns whether the primitive has the extension.
 bool is_splats(Value primitive);
 
-/// Whether all primitives of a document, which may be malformed, are splats, and there are some.
+/// Returns whether a document has primitives and all of them are splats. The document may be malformed.
 bool is_of_splats_alone(const nlohmann::json& document);
 
-/// The splats of such a primitive. None, with a warning, where none of them can be shown. Throws Error for attributes that are
-/// missing or of the wrong type or number, and for kernels and colour spaces that are not known.
+/// Reads the splats of a primitive. Returns none, with a warning, if none of them are valid. Throws Error for missing
+/// attributes, wrong types or counts, and unknown kernels and colour spaces.
 std::optional<Splats> read_splats(Document& document, PrimitiveId id);
 
 }  // namespace lippmann::gltf

@@ -25,13 +25,13 @@ Wrap wrap_mode(Value mode, const std::string& where, const Report& report) {
   }
 }
 
-/// The image of a texture that is read; -1: it has none. WebP first: the other is for readers that do not know it.
+/// Returns the image of a texture; -1: none. WebP takes precedence because the other image is a fallback.
 int image_of(Value texture) {
   const Value webp = texture.extension("EXT_texture_webp");
   return (webp ? webp : texture)["source"].index();
 }
 
-/// The G of metallic-roughness textures, of glossiness in A.
+/// Converts glossiness in A to roughness in G, as in metallic-roughness textures.
 void make_roughness(float glossiness, Texture& texture) {
   for (std::size_t i = 0; i < texture.rgba.size(); i += 4) {
     const float rough = 255.0f - glossiness * static_cast<float>(texture.rgba[i + 3]);

@@ -1,4 +1,4 @@
-// Decodes the textures of a glTF file that materials use.
+// Decodes the textures that glTF materials use.
 #pragma once
 
 #include <map>
@@ -12,24 +12,24 @@
 
 namespace lippmann::gltf {
 
-/// Decodes each image once for each way to use it (wrap modes, sRGB or data), all together when all are known.
+/// Collects the textures in use, then decodes all at once: each image once per combination of wrap modes and encoding.
 class TextureReader {
  public:
   TextureReader(Document& document, Scene& scene)
       : document_(document), scene_(scene), pending_({document.limits.texture_side, document.texture_bytes}) {}
 
-  /// The index in scene.textures of a texture of the file, which has no texels yet. -1, with a warning, where it has no image
-  /// that is supported. srgb: its colours are encoded; false for data.
+  /// Returns the index in scene.textures of a texture of the file; its texels follow in decode(). Returns -1, with a warning,
+  /// if it has no supported image. srgb: true for colours, false for data.
   int read(int texture, bool srgb);
 
-  /// The same of a texture whose alpha is glossiness, as data whose G is the roughness 1 - factor * glossiness.
+  /// Returns a texture whose G is the roughness 1 - factor * glossiness, where glossiness is the alpha of the file's texture.
   int read_roughness(int texture, float glossiness);
 
-  /// Gives the textures that were read their texels.
+  /// Decodes the texels of all textures read so far.
   void decode();
 
  private:
-  /// Why an image of the file cannot be read; empty: nothing speaks against it.
+  /// Returns why an image cannot be read; empty: it can.
   const std::string& problem_of(int image);
 
   Document& document_;
@@ -37,7 +37,7 @@ class TextureReader {
   PendingTextures pending_;
   std::map<int, std::string> problems_;  ///< by image
   std::map<std::tuple<int, Wrap, Wrap, bool>, int> known_;
-  std::map<std::pair<int, float>, int> roughness_;  ///< by texture of the scene and factor
+  std::map<std::pair<int, float>, int> roughness_;  ///< by texture index in the Scene and factor
 };
 
 }  // namespace lippmann::gltf

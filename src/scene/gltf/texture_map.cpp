@@ -1,5 +1,5 @@
 // Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 5.29 "Texture Info"; KHR_texture_transform: uv' = T R S uv,
-// with R turning by the angle a as u' = cos a u + sin a v, v' = -sin a u + cos a v; its texCoord replaces the textureInfo's.
+// where R rotates by the angle a as u' = cos a u + sin a v, v' = -sin a u + cos a v. Its texCoord overrides the textureInfo's.
 #include "scene/gltf/texture_map.hpp"
 
 #include <cmath>
@@ -18,7 +18,7 @@ void set_transform(Value transform, TextureMap& map) {
   map.uv_set = transform["texCoord"].integer(map.uv_set);
 }
 
-/// In the order in which they choose their sets.
+/// Returns all maps, in order of priority for the two uv sets.
 std::vector<TextureMap*> maps_of(MetallicRoughness& s) {
   std::vector<TextureMap*> maps{&s.base_color_map, &s.normal_map,           &s.metallic_roughness_map, &s.emissive_map,
                                 &s.occlusion_map,  &s.transmission_map,     &s.specular_map,           &s.specular_color_map,

@@ -1,4 +1,4 @@
-// Turns the texture references of glTF materials into TextureMaps.
+// Reads the texture references of glTF materials.
 #pragma once
 
 #include <array>
@@ -8,15 +8,15 @@
 
 namespace lippmann::gltf {
 
-/// Decodes the texture of a textureInfo; no map where it is absent. The map's uv_set is still the file's n of TEXCOORD_n. srgb:
-/// its colours are encoded; false for data.
+/// Reads a textureInfo; returns an empty map if it is absent. The map's uv_set is still the n of TEXCOORD_n in the file. srgb:
+/// true for colours, false for data.
 TextureMap read_map(Value info, bool srgb, TextureReader& textures);
 
-/// The same where read(texture of the file) makes the Scene's.
+/// Does the same with a custom function that maps the file's texture index to the Scene's.
 TextureMap read_map_from(Value info, const std::function<int(int)>& read);
 
-/// Which TEXCOORD_n become Mesh::uvs and uvs_1 (-1: none) for this surface; renumbers its maps' uv_set accordingly. Beyond two
-/// sets: a warning, and the first one is used.
+/// Chooses the TEXCOORD_n for Mesh::uvs and uvs_1 (-1: none) and renumbers the uv_set of the surface's maps. Warns about more
+/// than two sets and uses the first instead.
 std::array<int, 2> choose_uv_sets(MetallicRoughness& surface, const std::string& where, Report& report);
 
 }  // namespace lippmann::gltf

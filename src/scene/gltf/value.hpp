@@ -1,4 +1,4 @@
-// Reads the elements of a parsed glTF document that has passed the schema (schema.hpp).
+// Reads the elements of a parsed glTF document that has passed the schema check (schema.hpp).
 #pragma once
 
 #include <cstddef>
@@ -10,42 +10,41 @@
 
 namespace lippmann::gltf {
 
-/// A reference to a JSON value, or to nothing where the file leaves a property out: then every property of it is absent too,
-/// and the getters return their default. The schema has checked that each value is of the kind that its getter reads, which
-/// none of them checks again. The document must outlive it.
+/// A reference to a JSON value, or to an absent property. All properties of an absent value are absent, and its getters return
+/// their defaults. The getters do not check types because the schema check has done so. The document must outlive this object.
 class Value {
  public:
   Value() = default;
   explicit Value(const nlohmann::json& json) : json_(&json) {}
 
-  /// Whether the file has it.
+  /// Returns whether the value is present.
   explicit operator bool() const { return json_ != nullptr; }
 
-  /// A property of an object.
+  /// Returns a property of an object.
   Value operator[](std::string_view property) const;
-  /// The same of its extensions.
+  /// Returns an extension of an object.
   Value extension(std::string_view name) const { return (*this)["extensions"][name]; }
-  /// An element of an array; i < size().
+  /// Returns an element of an array; i < size().
   Value at(std::size_t i) const;
-  /// The number of elements; 0 where it is absent.
+  /// Returns the number of elements; 0 if absent.
   std::size_t size() const;
 
   double number(double otherwise) const;
   int integer(int otherwise) const;
-  /// A number of bytes or elements; 0 where it is absent.
+  /// Returns a number of bytes or elements; 0 if absent.
   std::size_t count() const;
-  /// An index into one of the document's arrays; -1 where it is absent.
+  /// Returns an index into one of the document's arrays; -1 if absent.
   int index() const { return integer(-1); }
-  /// true, false, or a number that is 0 or not.
+  /// Returns a boolean or whether a number is non-zero.
   bool flag(bool otherwise) const;
-  /// Empty where it is absent.
+  /// Returns a string; empty if absent.
   const std::string& text() const;
 
-  /// A whole array, or the values of a whole object by name. Empty where it is absent.
+  /// Return a whole array, or the values of a whole object by name; empty if absent.
   std::vector<double> numbers() const;
   std::vector<int> indices() const;
   std::map<std::string, int> index_map() const;
-  /// An array of at least as many numbers as V has: Vec2f, Vec3f, Vec4f.
+  /// Returns the first elements of an array of numbers. The array must have at least as many as V: Vec2f, Vec3f, Vec4f.
   template <class V>
   V vector(V otherwise) const {
     for (int i = 0; json_ && i < V::length(); ++i)

@@ -1,4 +1,4 @@
-// Sets of materials that a glTF file has to choose from (KHR_materials_variants).
+// Reads the material variants of a glTF file (KHR_materials_variants).
 #pragma once
 
 #include <string>
@@ -10,10 +10,12 @@ namespace lippmann::gltf {
 
 std::vector<std::string> variant_names(const Document& document);
 
-/// Its index; -1: none is wanted. wanted: a name or an index. Throws a usage Error that lists the names where it is neither.
+/// Returns the index of the variant; -1 if `wanted` is empty. `wanted`: a name or an index. Throws a usage Error that lists the
+/// names if there is no match.
 int choose_variant(const std::vector<std::string>& names, const std::string& wanted);
 
-/// The file's material of a primitive in that variant (-1: in none); -1: glTF's default. where: names the primitive.
+/// Returns the file's material of a primitive for the variant (-1: no variant); -1: glTF's default. `where` names the
+/// primitive.
 int material_in(Value primitive, int variant, const std::string& where, const Report& report);
 
 }  // namespace lippmann::gltf

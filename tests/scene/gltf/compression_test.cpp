@@ -115,7 +115,7 @@ TEST(GltfMeshopt, all_views_are_counted_before_one_is_unpacked) {
   limits.unpacked_bytes = 4 * sizeof(Vec3f);
   EXPECT_THAT(error_message([&] { parse(with_fallback(b)); }), HasSubstr("bufferViews[0].extensions"));
   EXPECT_THAT(error_message([&] { parse(with_fallback(b), nullptr, limits); }),
-              HasSubstr("bufferViews[1]: the scene unpacks to too much memory"));
+              HasSubstr("bufferViews[1]: the unpacked scene needs too much memory"));
 }
 
 TEST(GltfMeshopt, sequence_of_indices_comes_out_as_it_went_in) {
@@ -188,18 +188,18 @@ TEST_P(GltfMeshoptFault, is_an_error_that_names_the_view) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, GltfMeshoptFault,
-    testing::Values(
-        MeshoptFault{"truncated", [](Json& e) { e["byteLength"] = e["byteLength"].get<int>() - 5; }, "not readable"},
-        MeshoptFault{"outside", [](Json& e) { e["byteOffset"] = 100'000; }, "lie outside buffers[0]"},
-        MeshoptFault{"no_buffer", [](Json& e) { e["buffer"] = 2; }, "refers to buffers[2]"},
-        MeshoptFault{"bomb", [](Json& e) { e["count"] = 2'000'000'000; }, "2000000000 elements do not come out of"},
-        MeshoptFault{"stride", [](Json& e) { e["byteStride"] = 6; }, "elements of 6 bytes are not what ATTRIBUTES"},
-        MeshoptFault{"wide", [](Json& e) { e["byteStride"] = 260; }, "is 260; accepted: 1 to 256"},
-        MeshoptFault{"mode", [](Json& e) { e["mode"] = "SQUARES"; }, "is 'SQUARES'"},
-        MeshoptFault{"index_stride", [](Json& e) { e["mode"] = "INDICES"; }, "not what INDICES packs; accepted: 2, 4"},
-        MeshoptFault{"filter", [](Json& e) { e["filter"] = "OCTAHEDRAL"; }, "not what OCTAHEDRAL packs"},
-        MeshoptFault{"other_codec", [](Json& e) { e["mode"] = "TRIANGLES", e["byteStride"] = 4, e["count"] = 12; },
-                     "not readable"}),
+    testing::Values(MeshoptFault{"truncated", [](Json& e) { e["byteLength"] = e["byteLength"].get<int>() - 5; },
+                                 "cannot be decoded as"},
+                    MeshoptFault{"outside", [](Json& e) { e["byteOffset"] = 100'000; }, "lie outside buffers[0]"},
+                    MeshoptFault{"no_buffer", [](Json& e) { e["buffer"] = 2; }, "refers to buffers[2]"},
+                    MeshoptFault{"bomb", [](Json& e) { e["count"] = 2'000'000'000; }, "cannot hold 2000000000 elements in"},
+                    MeshoptFault{"stride", [](Json& e) { e["byteStride"] = 6; }, "ATTRIBUTES cannot have elements of 6 bytes"},
+                    MeshoptFault{"wide", [](Json& e) { e["byteStride"] = 260; }, "is 260; accepted: 1 to 256"},
+                    MeshoptFault{"mode", [](Json& e) { e["mode"] = "SQUARES"; }, "is 'SQUARES'"},
+                    MeshoptFault{"index_stride", [](Json& e) { e["mode"] = "INDICES"; }, "INDICES cannot have elements of "},
+                    MeshoptFault{"filter", [](Json& e) { e["filter"] = "OCTAHEDRAL"; }, "OCTAHEDRAL cannot have elements of "},
+                    MeshoptFault{"other_codec", [](Json& e) { e["mode"] = "TRIANGLES", e["byteStride"] = 4, e["count"] = 12; },
+                                 "cannot be decoded as"}),
     [](const auto& fault) { return std::string(fault.param.name); });
 
 TEST(GltfMeshopt, view_of_a_fallback_that_is_not_packed_is_an_error) {
@@ -292,8 +292,8 @@ TEST(GltfDraco, what_does_not_fit_the_accessors_is_an_error) {
   EXPECT_THAT(draco_message([](GltfBuilder& b) { b.accessor(0)["count"] = 5; }),
               HasSubstr("the Draco data has 4 elements for accessors[0], which has 5"));
   EXPECT_THAT(draco_message([](GltfBuilder& b) { b.accessor(0)["count"] = 3; }),
-              HasSubstr("the Draco data has 2 triangles and 4 vertices, the accessors are for 2 and 3"));
-  EXPECT_THAT(draco_message([](GltfBuilder& b) { b.accessor(1)["count"] = 3; }), HasSubstr("the accessors are for 1 and 4"));
+              HasSubstr("the Draco data has 2 triangles and 4 vertices, but the accessors have 2 and 3"));
+  EXPECT_THAT(draco_message([](GltfBuilder& b) { b.accessor(1)["count"] = 3; }), HasSubstr("the accessors have 1 and 4"));
   EXPECT_THAT(draco_message([](GltfBuilder& b) { b.accessor(0)["type"] = "VEC2"; }), HasSubstr("does not fit accessors[0]"));
   EXPECT_THAT(draco_message([](GltfBuilder& b) { b.accessor(1)["componentType"] = test::kFloat; }),
               HasSubstr("indices do not fit their accessor"));
@@ -305,14 +305,14 @@ TEST(GltfDraco, attributes_that_are_not_there_are_an_error) {
   EXPECT_THAT(draco_message([](GltfBuilder& b) { extension_of(b)["attributes"]["POSITION"] = 7; }),
               HasSubstr("the Draco data has no attribute 7"));
   EXPECT_THAT(draco_message([](GltfBuilder& b) { extension_of(b)["attributes"]["NORMAL"] = 0; }),
-              HasSubstr("does not have the attribute 'NORMAL'"));
+              HasSubstr("lacks the attribute 'NORMAL'"));
 }
 
 TEST(GltfDraco, strips_and_unindexed_triangles_are_an_error) {
   EXPECT_THAT(draco_message([](GltfBuilder& b) { b.root["meshes"][0]["primitives"][0]["mode"] = 5; }),
-              HasSubstr("no indexed list of triangles"));
+              HasSubstr("not an indexed triangle list"));
   EXPECT_THAT(draco_message([](GltfBuilder& b) { b.root["meshes"][0]["primitives"][0].erase("indices"); }),
-              HasSubstr("no indexed list of triangles"));
+              HasSubstr("not an indexed triangle list"));
 }
 
 TEST(GltfDraco, every_proper_prefix_is_an_error) {

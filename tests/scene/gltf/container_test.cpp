@@ -68,7 +68,7 @@ TEST(GltfContainer, chunk_longer_than_the_file_is_refused) {
 TEST(GltfContainer, first_chunk_other_than_json_is_refused) {
   Contents contents = one_triangle().glb();
   set_word(contents, 16, 0x004e4942);
-  EXPECT_THAT(message_of(contents), StartsWith("a.glb: chunk[0]: is not the JSON chunk"));
+  EXPECT_THAT(message_of(contents), StartsWith("a.glb: chunk[0]: is not JSON, as the first chunk"));
 }
 
 TEST(GltfContainer, bytes_after_the_end_are_a_warning) {
@@ -76,7 +76,7 @@ TEST(GltfContainer, bytes_after_the_end_are_a_warning) {
   contents.resize(contents.size() + 3);
   std::vector<std::string> warnings;
   parse(contents, &warnings);
-  EXPECT_THAT(warnings, testing::Contains("a.glb: 3 bytes follow the end and are ignored"));
+  EXPECT_THAT(warnings, testing::Contains("a.glb: 3 bytes after the end are ignored"));
 }
 
 TEST(GltfContainer, malformed_json_is_an_error_with_line_and_column) {
@@ -98,7 +98,7 @@ TEST(GltfContainer, number_beyond_double_is_an_error) {
 
 TEST(GltfContainer, deep_nesting_is_an_error) {
   const std::string deep = "{\"extras\": " + std::string(100'000, '[') + std::string(100'000, ']') + "}";
-  EXPECT_THAT(message_of(contents_of(deep)), HasSubstr("nested too deep; accepted: at most 64 levels"));
+  EXPECT_THAT(message_of(contents_of(deep)), HasSubstr("nested too deeply; accepted: at most 64 levels"));
 }
 
 TEST(GltfContainer, more_values_than_the_limit_are_an_error) {
@@ -141,7 +141,7 @@ TEST(GltfContainer, load_scene_reads_a_glb_file_without_keys_at_30_frames_a_seco
 
 TEST(GltfContainer, frame_rate_below_zero_is_wrong_usage) {
   EXPECT_EQ(error_message([] { parse_gltf({}, "a.glb", {.frames_per_second = -1.0}, Context{}); }),
-            "frames per second: is -1; accepted: a number above 0, or 0: as the keys have it");
+            "frames per second: is -1; accepted: a number above 0, or 0 for the rate of the keys");
 }
 
 }  // namespace

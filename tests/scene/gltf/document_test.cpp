@@ -101,10 +101,10 @@ const Fault kFaults[] = {
     {"component_type", "/accessors/0/componentType", 5124, "accessors[0]: has the component type 5124"},
     {"count_beyond_view", "/accessors/0/count", 5, "accessors[0]: 5 elements of 2 bytes"},
     {"count_beyond_its_view", "/accessors/1/count", 200'000'000, "accessors[1]: 200000000 elements of 12 bytes"},
-    {"count_beyond_memory", "/accessors/1/count", 2147483647, "accessors[1]: the scene unpacks to too much memory"},
+    {"count_beyond_memory", "/accessors/1/count", 2147483647, "accessors[1]: the unpacked scene needs too much memory"},
     {"offset_beyond_view", "/accessors/0/byteOffset", 4, "accessors[0]: 3 elements of 2 bytes from byte 4 on"},
     {"offset_that_overflows", "/accessors/0/byteOffset", 9007199254740991, "accessors[0]: 3 elements of 2 bytes"},
-    {"stride_below_element", "/bufferViews/1/byteStride", 8, "accessors[1]: elements of 12 bytes stand 8 bytes apart"},
+    {"stride_below_element", "/bufferViews/1/byteStride", 8, "accessors[1]: has elements of 12 bytes with a stride of 8 bytes"},
     {"view_beyond_buffer", "/bufferViews/0/byteLength", 1000,
      "bufferViews[0]: 1000 bytes from byte 0 on lie outside buffers[0]"},
     {"view_offset_overflows", "/bufferViews/0/byteOffset", 9007199254740992, "bufferViews[0]: 8 bytes from byte"},
@@ -113,7 +113,7 @@ const Fault kFaults[] = {
     {"no_buffers", "/buffers", nullptr, "bufferViews[0].buffer: refers to buffers[0], but there are 0"},
     {"data_uri_not_base64", "/buffers/0/uri", "data:application/octet-stream,AAAA", "buffers[0]: the data URI is not base64"},
     {"data_uri_bad_digit", "/buffers/0/uri", "data:;base64,A*AA", "buffers[0]: the data URI is not valid base64"},
-    {"data_uri_too_short", "/buffers/0/uri", "data:;base64,AAAA", "buffers[0]: promises 76 bytes, 3 are there"},
+    {"data_uri_too_short", "/buffers/0/uri", "data:;base64,AAAA", "buffers[0]: states 76 bytes, but 3 are available"},
     {"index_of_wrong_type", "/meshes/0/primitives/0/indices", 3,
      "accessors[3]: has the wrong type for its use; accepted: SCALAR"},
     {"float_indices", "/meshes/0/primitives/0/indices", 2, "accessors[2]: does not hold plain unsigned integers"},
@@ -121,7 +121,7 @@ const Fault kFaults[] = {
     {"camera_type", "/cameras/0/type", "fisheye", "cameras[0].type: is 'fisheye'; accepted: perspective, orthographic"},
     {"camera_fov", "/cameras/0/perspective/yfov", 3.2, "cameras[0].perspective.yfov: is 3.2"},
     {"required_extension", "/extensionsRequired", Json::array({"MSFT_lod"}),
-     "extensionsRequired: needs MSFT_lod, which is not supported: take its name out of extensionsRequired; the nodes are then "
+     "extensionsRequired: needs MSFT_lod, which is not supported: remove it from extensionsRequired; the nodes are then "
      "shown in full detail; accepted: EXT_lights_ies, EXT_"},
     {"extension_not_a_string", "/extensionsUsed", Json::array({3}), "extensionsUsed[0]: is not a string"},
 };
@@ -180,13 +180,13 @@ TEST(GltfDocument, required_extensions_that_are_not_read_are_refused_with_what_t
   EXPECT_THAT(message_requiring("EXT_texture_avif"), HasSubstr("gltf-transform webp IN OUT"));
   EXPECT_THAT(message_requiring("KHR_meshopt_compression"), HasSubstr("gltfpack -i IN -o OUT -noq -kn -km -ke"));
   EXPECT_THAT(message_requiring("KHR_lights_image_based"), HasSubstr("a panorama with `environment`"));
-  EXPECT_THAT(message_requiring("KHR_animation_pointer"), HasSubstr("what pointers animate then stands still"));
+  EXPECT_THAT(message_requiring("KHR_animation_pointer"), HasSubstr("its animations are then ignored"));
 }
 
 TEST(GltfDocument, required_extension_that_nobody_knows_is_refused_with_what_can_be_done_about_any) {
   EXPECT_THAT(message_requiring("ACME_jelly"),
-              HasSubstr("needs ACME_jelly, which is not supported: export it again without it, or take its name out of "
-                        "extensionsRequired; what it adds is then left out with a warning; accepted: "));
+              HasSubstr("needs ACME_jelly, which is not supported: export it again without it, or remove it from "
+                        "extensionsRequired; it is then ignored with a warning; accepted: "));
 }
 
 TEST(GltfDocument, after_50_warnings_there_is_one_more) {
@@ -206,7 +206,7 @@ TEST(GltfDocument, meshes_that_unpack_to_more_than_the_limit_are_an_error) {
   GltfLimits limits;
   limits.unpacked_bytes = 30;  // below the 36 bytes of three positions
   EXPECT_THAT(error_message([&] { parse(good_document(), nullptr, limits); }),
-              HasSubstr("accessors[1]: the scene unpacks to too much memory; accepted: at most 30 bytes together"));
+              HasSubstr("accessors[1]: the unpacked scene needs too much memory; accepted: at most 30 bytes in total"));
 }
 
 /// The first mesh cannot be read: were it unpacked, the error would be another.
@@ -217,14 +217,14 @@ TEST(GltfDocument, all_meshes_are_counted_before_one_is_unpacked) {
   b.add_node({{"mesh", b.add_triangle()}});
   b.accessor(1).erase("bufferView");
   b.accessor(1)["count"] = 1'000'000'000;
-  EXPECT_THAT(error_message([&] { parse(b); }), HasSubstr("accessors[1]: the scene unpacks to too much memory"));
+  EXPECT_THAT(error_message([&] { parse(b); }), HasSubstr("accessors[1]: the unpacked scene needs too much memory"));
 }
 
 TEST(GltfDocument, keys_are_counted_before_meshes_are_unpacked) {
   GltfBuilder b = good_document();
   b.binary.at(8) = std::byte{0xff}, b.binary.at(10) = std::byte{0xff}, b.binary.at(11) = std::byte{0xff};
   for (const int accessor : {2, 3}) b.accessor(accessor).erase("bufferView"), b.accessor(accessor)["count"] = 2'000'000'000;
-  EXPECT_THAT(error_message([&] { parse(b); }), HasSubstr("the scene unpacks to too much memory"));
+  EXPECT_THAT(error_message([&] { parse(b); }), HasSubstr("the unpacked scene needs too much memory"));
 }
 
 TEST(GltfDocument, instances_beyond_the_limit_are_an_error) {
@@ -279,7 +279,7 @@ TEST_F(GltfFolder, missing_file_is_an_error) {
 
 TEST_F(GltfFolder, file_shorter_than_promised_is_an_error) {
   std::ofstream(scene_ / "short.bin") << "abc";
-  EXPECT_THAT(message_with_uri("short.bin"), HasSubstr("buffers[0]: promises 36 bytes, 3 are there"));
+  EXPECT_THAT(message_with_uri("short.bin"), HasSubstr("buffers[0]: states 36 bytes, but 3 are available"));
 }
 
 TEST_F(GltfFolder, file_above_the_scene_is_refused) {
@@ -296,7 +296,7 @@ TEST_F(GltfFolder, absolute_path_is_refused) {
 
 TEST_F(GltfFolder, web_address_is_refused) {
   EXPECT_THAT(message_with_uri("https://example.org/a.bin"),
-              HasSubstr("buffers[0]: 'https://example.org/a.bin' is an address in the net"));
+              HasSubstr("buffers[0]: 'https://example.org/a.bin' is a network address"));
 }
 
 TEST_F(GltfFolder, link_that_leads_out_is_refused) {

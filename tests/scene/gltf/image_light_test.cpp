@@ -145,7 +145,7 @@ TEST(GltfImageLight, image_that_is_missing_leaves_it_out_with_a_warning) {
   std::vector<std::string> warnings;
   EXPECT_FALSE(parse(b, &warnings).background.map);
   EXPECT_THAT(warnings,
-              Contains(HasSubstr("surroundings whose images cannot be read are left out: 'there_is_no_such_file.png'")));
+              Contains(HasSubstr("environment lights whose images cannot be read are left out: 'there_is_no_such_file.png'")));
 }
 
 std::string message_of_light(const GltfBuilder& b) {
@@ -158,7 +158,7 @@ TEST(GltfImageLight, faces_that_make_no_cube_are_errors) {
   EXPECT_EQ(message_of_light(b), "a.glb: images[6]: has 2 x 1 pixels; accepted: square faces of 1 to 16384 a side");
   b.root["extensions"]["EXT_lights_image_based"]["lights"][0]["specularImages"][0][5] =
       add_picture(b, 2, 2, {Rgba{}, Rgba{}, Rgba{}, Rgba{}});
-  EXPECT_EQ(message_of_light(b), "a.glb: images[7]: is a face of 2 pixels a side in a cube of 1");
+  EXPECT_EQ(message_of_light(b), "a.glb: images[7]: is 2 pixels wide in a cube map of 1 pixels");
 }
 
 TEST(GltfImageLight, bad_values_are_errors_that_name_them) {

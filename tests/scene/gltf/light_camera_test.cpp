@@ -262,8 +262,10 @@ TEST(GltfCamera, orthographic_of_no_size_shows_the_whole_scene_with_a_warning) {
   const Scene scene = parse(b, &warnings);
   EXPECT_FLOAT_EQ(scene.cameras.at(0).orthographic_height, std::sqrt(2.0f));
   EXPECT_EQ(scene.cameras[0].aspect, 0.0f);
-  EXPECT_THAT(warnings, Contains("a.glb: orthographic cameras whose xmag or ymag is 0 would show nothing: they show the whole "
-                                 "scene (first at cameras[0])"));
+  EXPECT_THAT(
+      warnings,
+      Contains(
+          "a.glb: orthographic cameras with an xmag or ymag of 0 are enlarged to show the whole scene (first at cameras[0])"));
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ TEST(GltfMaterial, ior_between_zero_and_one_is_taken_as_one_with_a_warning_that_
   std::vector<std::string> warnings;
   const Json material{{"name", "ball"}, {"extensions", {{"KHR_materials_ior", {{"ior", 0.5}}}}}};
   EXPECT_EQ(surface_of(material, &warnings).ior, 1.0f);
-  EXPECT_THAT(warnings, ElementsAre("a.glb: an ior between 0 and 1 is taken as 1, which neither bends nor mirrors light (first "
+  EXPECT_THAT(warnings, ElementsAre("a.glb: an ior between 0 and 1 is replaced by 1, without refraction or reflection (first "
                                     "at materials[0] 'ball')"));
 }
 

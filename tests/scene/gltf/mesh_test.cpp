@@ -196,7 +196,7 @@ TEST(GltfAccessor, more_sparse_values_than_elements_are_an_error) {
   b.accessor(0)["sparse"] = {{"count", 4},
                              {"indices", {{"bufferView", view}, {"componentType", test::kUnsignedShort}}},
                              {"values", {{"bufferView", view}}}};
-  EXPECT_EQ(error_message([&] { parse_mesh(b); }), "a.glb: accessors[0].sparse: replaces 4 of 3 elements");
+  EXPECT_EQ(error_message([&] { parse_mesh(b); }), "a.glb: accessors[0].sparse: replaces 4 elements of an accessor with 3");
 }
 
 TEST(GltfAccessor, billions_of_elements_without_data_are_an_error_not_an_allocation) {
@@ -204,7 +204,8 @@ TEST(GltfAccessor, billions_of_elements_without_data_are_an_error_not_an_allocat
   b.add_triangle();
   b.accessor(0).erase("bufferView");
   b.accessor(0)["count"] = 2'000'000'000;
-  EXPECT_THAT(error_message([&] { parse_mesh(b); }), StartsWith("a.glb: accessors[0]: the scene unpacks to too much memory"));
+  EXPECT_THAT(error_message([&] { parse_mesh(b); }),
+              StartsWith("a.glb: accessors[0]: the unpacked scene needs too much memory"));
 }
 
 TEST(GltfAccessor, position_that_is_not_finite_is_an_error) {
@@ -235,7 +236,7 @@ TEST(GltfMesh, normal_without_direction_is_made_from_its_triangles_with_a_warnin
   std::vector<std::string> warnings;
   EXPECT_THAT(parse_mesh(b, &warnings).normals, ElementsAre(Vec3f(1, 0, 0), Vec3f(0, 0, 1), Vec3f(1, 0, 0)));
   EXPECT_THAT(warnings,
-              Contains("a.glb: normals without a direction are made from the triangles (first at meshes[0].primitives[0])"));
+              Contains("a.glb: zero-length normals are replaced by those of the triangles (first at meshes[0].primitives[0])"));
 }
 
 TEST(GltfMesh, vertex_colours_of_three_floats_are_read) {

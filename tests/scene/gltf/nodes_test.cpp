@@ -92,7 +92,7 @@ TEST(GltfNodes, transforms_that_multiply_to_infinity_are_an_error) {
   GltfBuilder b;
   b.add_node({{"scale", {1e30, 1, 1}}, {"children", {1}}});
   b.add_node({{"scale", {1e30, 1, 1}}});
-  EXPECT_EQ(message_of(b), "a.glb: nodes[1]: stands or reaches infinitely far away");
+  EXPECT_EQ(message_of(b), "a.glb: nodes[1]: has a world transform that is not finite");
 }
 
 TEST(GltfNodes, node_with_two_parents_is_an_error) {
@@ -145,8 +145,8 @@ TEST(GltfNodes, child_that_a_scene_lists_without_its_parent_is_a_root) {
   EXPECT_EQ(scene.nodes[0].name, "middle");
   EXPECT_EQ(scene.nodes[0].parent, -1);
   expect_near(evaluate(scene, 0.0).of(1).translation, {0, 1, 1});
-  EXPECT_THAT(warnings, ElementsAre("a.glb: scenes[0] lists nodes[1], which is a child of nodes[0] and so no root: it is shown "
-                                    "once, below its parent where that is in the scene"));
+  EXPECT_THAT(warnings, ElementsAre("a.glb: scenes[0] lists nodes[1], which is not a root but a child of nodes[0]: it is shown "
+                                    "once, below its parent if that is in the scene"));
 }
 
 // ---- Visibility -----------------------------------------------------------------------------------------------------
@@ -176,7 +176,7 @@ TEST(GltfVisibility, a_file_of_which_nothing_is_visible_has_a_warning) {
   b.add_node({{"mesh", b.add_triangle()}, {"extensions", kInvisible}});
   std::vector<std::string> warnings;
   EXPECT_TRUE(parse(b, &warnings).instances.empty());
-  EXPECT_THAT(warnings, Contains("a.glb: all nodes that have a mesh are set invisible (KHR_node_visibility)"));
+  EXPECT_THAT(warnings, Contains("a.glb: all nodes with a mesh are invisible (KHR_node_visibility)"));
 }
 
 TEST(GltfVisibility, that_is_neither_true_nor_false_is_an_error) {
@@ -204,7 +204,7 @@ TEST(GltfNodes, only_the_default_scene_is_read_with_a_warning) {
   const Scene scene = parse(b, &warnings);
   ASSERT_EQ(scene.nodes.size(), 1u);
   EXPECT_EQ(scene.nodes[0].name, "b");
-  EXPECT_THAT(warnings, Contains("a.glb: of 2 scenes only the default one, scenes[1], is read"));
+  EXPECT_THAT(warnings, Contains("a.glb: only the default scene, scenes[1] of 2, is read"));
 }
 
 // ---- Skins ----------------------------------------------------------------------------------------------------------
@@ -289,13 +289,13 @@ TEST(GltfSkin, pose_that_is_not_finite_is_an_error) {
   b.root["nodes"][1]["translation"] = {3e38, 0, 0};
   b.root["nodes"][1]["rotation"] = {0, 0, 1, 0};
   b.root["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = b.add_accessor(std::vector<Vec3f>(3, Vec3f(-2, 0, 0)));
-  EXPECT_EQ(message_of(b), "a.glb: meshes[0].primitives[0]: vertex 0 is posed infinitely far away");
+  EXPECT_EQ(message_of(b), "a.glb: meshes[0].primitives[0]: skinning or morphing moves vertex 0 too far away");
 }
 
 TEST(GltfSkin, joint_beyond_the_skin_is_an_error) {
   GltfBuilder b = skinned_triangle({{1, 0, 0, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}});
   b.root["skins"][0]["joints"] = {1};
-  EXPECT_EQ(message_of(b), "a.glb: meshes[0].primitives[0]: vertex 1 hangs on joint 1; accepted: 0 to 0");
+  EXPECT_EQ(message_of(b), "a.glb: meshes[0].primitives[0]: vertex 1 refers to joint 1; accepted: 0 to 0");
 }
 
 TEST(GltfSkin, too_few_bind_matrices_are_an_error) {
@@ -367,7 +367,7 @@ TEST(GltfMorph, many_nodes_of_one_morphing_mesh_are_counted_before_they_are_pose
   for (int i = 0; i < 100; ++i) b.add_node({{"mesh", 0}});
   GltfLimits limits;
   limits.unpacked_bytes = 10'000;
-  EXPECT_THAT(error_message([&] { parse(b, nullptr, limits); }), HasSubstr("the scene unpacks to too much memory"));
+  EXPECT_THAT(error_message([&] { parse(b, nullptr, limits); }), HasSubstr("the unpacked scene needs too much memory"));
 }
 
 // ---- Animation ------------------------------------------------------------------------------------------------------
@@ -463,7 +463,7 @@ TEST(GltfAnimation, that_lasts_forever_is_an_error) {
 
 TEST(GltfAnimation, times_that_do_not_increase_are_an_error) {
   EXPECT_EQ(message_of(animated<Vec3f>("translation", "LINEAR", {0, 1, 1}, {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}})),
-            "a.glb: accessors[0]: key 2 at 1 s does not come after the one at 1 s");
+            "a.glb: accessors[0]: key 2 at 1 s is not later than the one before it at 1 s");
 }
 
 TEST(GltfAnimation, time_that_is_not_a_number_is_an_error) {
@@ -495,7 +495,7 @@ TEST(GltfAnimation, of_a_node_with_a_matrix_is_an_error) {
 TEST(GltfAnimation, two_channels_for_one_quantity_are_an_error) {
   GltfBuilder b = animated<Vec3f>("translation", "LINEAR", {0, 1}, {{0, 0, 0}, {1, 0, 0}});
   b.root["animations"][0]["channels"].push_back(b.root["animations"][0]["channels"][0]);
-  EXPECT_EQ(message_of(b), "a.glb: animations[0].channels[1]: animates what another channel animates already");
+  EXPECT_EQ(message_of(b), "a.glb: animations[0].channels[1]: has the same target as an earlier channel");
 }
 
 TEST(GltfAnimation, unknown_path_is_an_error) {
