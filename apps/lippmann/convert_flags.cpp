@@ -233,7 +233,7 @@ void find_source(const ConvertOptions& options, Conversion& conversion) {
   const bool from_rgbd =
       options.from == "rgbd" || (options.from.empty() && (!options.depth.map.empty() || is_rgbd(options.in)));
   conversion.is_from_video = !from_rgbd && is_video_of_views(options);
-  if (!from_rgbd && !conversion.is_from_video && options.from.empty()) refuse_what_is_no_light_field(options.in);
+  if (!from_rgbd && !conversion.is_from_video && options.from.empty()) require_light_field(options.in);
   if (from_rgbd)
     conversion.from = &find_format("rgbd", "--from");
   else

@@ -10,9 +10,9 @@ namespace lippmann {
 namespace {
 
 constexpr double kWindowRadius = 1.5;  ///< lenses to each side: a window of about 3 x 3 ... 4 x 4
-constexpr float kNoRays = 1e6f;        ///< stands for an infinite disagreement in sums
+constexpr float kNoRays = 1e6f;        ///< replaces infinite disagreement in sums
 
-/// Means over windows of 2 radius + 1 along one line of `count` samples `stride` apart; beyond the ends there is nothing.
+/// Averages windows of 2 radius + 1 samples along one line of `count` samples, `stride` apart. Windows are cut at the ends.
 void average_windows(float* line, int count, int stride, int radius, std::vector<double>& upto) {
   upto.assign(1, 0.0);
   for (int i = 0; i < count; ++i) upto.push_back(upto.back() + std::min(line[i * stride], kNoRays));
@@ -27,7 +27,8 @@ void average_windows(float* line, int count, int stride, int radius, std::vector
 
 AllInFocus::AllInFocus(const Optics& optics, Vec2i size)
     : picture_(size.x, size.y, 3), depth_(size.x, size.y, 1), least_(size.x, size.y, 1) {
-  // Square, of the larger of the two spacings: a sheet's rows tell no depth, their neighbours do not harm.
+  // The window is square, sized by the larger spacing: the rows of a sheet have no parallax, so averaging over them does no
+  // harm.
   const Vec2d spacing = sample_spacing_mm(optics), pixel = display_window(optics).size / Vec2d(size);
   const Vec2d pixels = kWindowRadius * std::max(spacing.x, spacing.y) / pixel;
   radius_ = Vec2i(glm::clamp(glm::round(pixels), Vec2d(1.0), Vec2d(size)));

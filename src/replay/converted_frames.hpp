@@ -1,4 +1,4 @@
-// Rendered pictures made into others for a panel, frame by frame: files, and the report.json that says their optics.
+// Converts rendered images to other images for a panel, frame by frame, and writes a report.json with their optics.
 #pragma once
 
 #include <filesystem>
@@ -12,14 +12,14 @@
 namespace lippmann {
 
 struct PictureConversion {
-  std::filesystem::path in, out;  ///< out: a folder, pictures of the same names
-  Optics optics;                  ///< those that the converted pictures are for
+  std::filesystem::path in, out;  ///< out: a folder for images of the same names
+  Optics optics;                  ///< optics of the converted images
   std::function<Picture(const Picture&)> convert;
-  std::function<nlohmann::ordered_json()> made;  ///< for the report, after all frames: what was done
+  std::function<nlohmann::ordered_json()> made;  ///< called after all frames; describes the conversion for the report
 };
 
-/// Codes are written as .png, floats as they come. Returns what was written, report.json last. Throws Error; an `out` that is
-/// the folder of the frames is refused. Stops between frames when context.cancelled is set.
+/// Converts the frames of `frames`. Writes integer samples as .png and floats in their own format. Returns the written files,
+/// report.json last. Throws Error, also if `out` is the folder of the frames. Stops between frames if context.cancelled is set.
 std::vector<std::filesystem::path> convert_frames(const RenderedFrames& frames, const PictureConversion& conversion,
                                                   const Context& context);
 

@@ -30,23 +30,23 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RgbdFrame {
-  fs::path name;     ///< a file's name; a video's frames are called frame_0000.png, frame_0001.png, ...
-  LightField field;  ///< one view with depth, or two views of a stereo picture
+  fs::path name;     ///< the file's name; frames of a video are called frame_0000.png, frame_0001.png, ...
+  LightField field;  ///< one view with depth, or two views of a stereo image
 };
 
-/// The frames of RGB-D pictures or of an RGB-D video, read one at a time, or a picture with a depth map.
+/// Reads frames one at a time: RGB-D images, an RGB-D video, stereo images, or an image with a depth map.
 class RgbdFrames {
  public:
-  /// `in`: a picture, a folder of RGB-D pictures, or a video, whose side file describes all of its frames. Throws Error if
-  /// there is no such file, or no frame in the folder.
+  /// params.in: an image, a folder of images, or a video whose side file describes all frames. Throws Error if there is no such
+  /// file, or no frame in the folder.
   explicit RgbdFrames(const DepthConversion& params);
 
-  /// The next frame; none after the last one. Throws Error naming the file, and of videos the frame.
+  /// Returns the next frame, or none after the last one. Throws Error naming the file and, for videos, the frame.
   std::optional<RgbdFrame> next();
 
-  /// The file whose side file says how deep the first frame is.
+  /// Returns the file whose side file describes the depth of the first frame.
   const fs::path& first() const { return files_.front(); }
-  /// Whether `in` is one picture, not a sequence of them.
+  /// Returns whether the input is one image, not a sequence.
   bool is_one_picture() const { return one_; }
 
  private:
@@ -58,7 +58,7 @@ class RgbdFrames {
   const DepthConversion& params_;
   bool one_;
   std::optional<VideoReader> video_;
-  std::size_t count_ = 0;  ///< how many have been read
+  std::size_t count_ = 0;  ///< frames read so far
 };
 
 std::vector<fs::path> files_with_depth(const DepthConversion& params) {
@@ -66,7 +66,7 @@ std::vector<fs::path> files_with_depth(const DepthConversion& params) {
   if (params.depth.empty()) return light_fields_in(params.in, "rgbd");
   std::error_code ignored;
   if (fs::is_directory(params.in, ignored) || is_video_name(params.in))
-    throw usage_error("depth", params.in.string() + " is no single picture", "a picture with its depth map");
+    throw usage_error("depth", params.in.string() + " is not a single picture", "a picture with its depth map");
   return {params.in};
 }
 
@@ -95,7 +95,7 @@ LightField RgbdFrames::read(const fs::path& file) const {
   return light_field_of_colours(std::move(colours), std::move(greys), file, options);
 }
 
-/// Two views before a screen of the size that is assumed of pictures.
+/// Reads two views with the screen size and distance that are assumed for images without a side file.
 LightField RgbdFrames::read_pair(const fs::path& file) const {
   LightField pair = stereo_format().read(file, params_.options);
   const Vec2d view(pair.view_size);
@@ -113,15 +113,15 @@ std::optional<RgbdFrame> RgbdFrames::next_of_video() {
                    light_field_of_rgbd(*std::exchange(picture, {}), first(), where, params_.options)};
 }
 
-/// A sheet of lenses, or an array of them, whose pixels have no calibration.
+/// Returns whether the display is a lens array over pixels without calibration, not a slanted panel.
 bool has_lenses(const Display& display) { return display.kind != DisplayKind::kSlantedPanel; }
 
-/// Whether what is wanted is the picture behind the display's lenses, not views.
+/// Returns whether the output is the panel image behind the display's lenses instead of views.
 bool is_behind_lenses(const DepthConversion& params) {
   return params.to == "integral" && params.options.display && has_lenses(*params.options.display);
 }
 
-/// Two eyes before the screen of the picture, or the display's.
+/// Returns the optics of two eyes in front of the display, or without one of the image's own screen.
 Optics eyes_optics(const LightField& source, const DepthConversion& params) {
   const ViewCameras& camera = *source.cameras;
   MultiView eyes{2, 1};
@@ -134,7 +134,8 @@ Optics eyes_optics(const LightField& source, const DepthConversion& params) {
   return {{2 * view.x, view.y, static_cast<float>(pixel.x)}, eyes};
 }
 
-/// The display's quilt, with other tiles where `views` says so; of lenses the views that they show.
+/// Returns the optics of the display's quilt, with the number of tiles from `views` if given. A display with lenses and no
+/// quilt has the views that its lenses show.
 Optics views_for(Display display, const std::optional<ViewGrid>& views) {
   if (has_lenses(display) && !display.quilt) return lens_views(display, views);
   if (views && display.quilt) display.quilt->columns = views->columns, display.quilt->rows = views->rows;
@@ -142,7 +143,7 @@ Optics views_for(Display display, const std::optional<ViewGrid>& views) {
   throw usage_error("display", display.name + " has no quilt", "a display with a quilt, or `views` without one");
 }
 
-/// Views of the picture's own size before its own screen.
+/// Returns views of the image's own size, in front of its own screen.
 Optics own_views(const LightField& source, const DepthConversion& params) {
   LightField wanted;
   wanted.grid = params.options.views.value_or(ViewGrid{48, 1});
@@ -167,7 +168,7 @@ Optics wanted_optics(const LightField& source, const DepthConversion& params) {
   return own_views(source, params);
 }
 
-/// Says what nothing says.
+/// Warns about the depth range assumed when there is no side file.
 void warn_of_assumptions(const fs::path& first, const DepthConversion& params, const Context& context) {
   if (read_rgbd_side_file(first)) return;
   const DepthRange range = params.options.depth_range.value_or(DepthRange{});
@@ -177,7 +178,7 @@ void warn_of_assumptions(const fs::path& first, const DepthConversion& params, c
                   first.string(), range.far_mm, range.near_mm));
 }
 
-/// The views, with samples as the picture has them; to RGB-D, the picture itself.
+/// Returns the views with the sample type of the image. For RGB-D output, returns the image itself.
 DepthViews shown_views(const RgbdFrame& frame, const DepthConversion& params, const ThreadPool& pool, const Context& context) {
   const LightField& source = frame.field;
   if (params.to == kRgbdFormat) return {source};
@@ -220,8 +221,8 @@ bool is_rgbd(const fs::path& in) {
 ConvertedDepth convert_depth_frames(const DepthConversion& params, const Context& context) {
   const LightFieldFormat& to = find_format(params.to, "to");
   if (is_video_name(params.out))
-    throw Error(params.out.string(), "is a video's name; frames are written as pictures",
-                "a folder, of which `lippmann encode` makes a video");
+    throw Error(params.out.string(), "is the name of a video, but frames are written as pictures",
+                "a folder; `lippmann encode` makes a video of its frames");
   RgbdFrames frames(params);
   const bool one = frames.is_one_picture();
   const ThreadPool pool(resolved_threads(context));

@@ -7,7 +7,7 @@
 namespace lippmann {
 namespace {
 
-/// Squared difference between a colour and a row of a picture at a place between its pixels.
+/// Returns the squared difference between a colour and an image at a fractional position in a row.
 double difference(const float* color, const Image& picture, double x, int y) {
   const int left = static_cast<int>(std::floor(x));
   const float share = static_cast<float>(x - left);
@@ -25,7 +25,7 @@ struct Sums {
   int pixels = 0;
 
   double db() const {
-    constexpr double kLeast = 1e-12;  ///< two flat pictures are equally alike on both sides
+    constexpr double kLeast = 1e-12;  ///< makes two images without texture equally similar on both sides
     return 10.0 * std::log10((wrong + kLeast) / (right + kLeast));
   }
 };

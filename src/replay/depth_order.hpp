@@ -1,9 +1,9 @@
-// Whether two eyes see depth the right way round: what is behind the display has to move with the eye, what is before it
-// against.
+// Measures whether two eye views show depth in the right order: points behind the display move with the eye, points in front
+// against it.
 //
-// From eye E to eye E + b along x a point at depth z moves by -b z / (E_z - z) over the plane z = 0, as views are laid out here
-// (replay/eye_view.hpp). Where the true depth of every pixel is known, each has its counterpart in the other eye's view at that
-// distance. In pseudoscopic pictures it lies at the same distance on the other side. Which of the two is more alike?
+// From eye E to eye E + b along x, a point at depth z moves by -b z / (E_z - z) over the plane z = 0, in the layout of
+// replay/eye_view.hpp. With known depths, the counterpart of each pixel in the other view is at this distance. In pseudoscopic
+// images it is at the same distance on the other side. The measure compares both candidates.
 #pragma once
 
 #include "lippmann/image/image.hpp"
@@ -11,13 +11,15 @@
 namespace lippmann {
 
 struct DepthOrder {
-  double behind_db = 0.0, front_db = 0.0;   ///< how much less the squared difference is on the right side than on the wrong
-                                            ///< one; above 0: the right way round
-  int behind_pixels = 0, front_pixels = 0;  ///< that tell: moved by at least a pixel, both counterparts within the picture
+  double behind_db = 0.0, front_db = 0.0;  ///< by how much the squared difference is lower on the right side than on the wrong
+                                           ///< side; above 0: the right order
+  int behind_pixels = 0,
+      front_pixels = 0;  ///< number of pixels compared: shifted by at least a pixel, with both candidates inside the image
 };
 
-/// `view` and `other` from eyes at distance eye_z_mm, the other one baseline_mm to the right; `depth`: 1 channel, mm, of what
-/// `view` should see, not finite: nothing. One size, pixel_mm wide in the plane z = 0.
+/// Compares `view` with `other`, which is seen from baseline_mm further right. All images have one size. depth: depth of what
+/// `view` should show, 1 channel, mm; not finite: nothing. eye_z_mm: distance of both eyes. pixel_mm: width of a pixel in the
+/// plane z = 0.
 DepthOrder measure_depth_order(const Image& view, const Image& other, const Image& depth, double eye_z_mm, double baseline_mm,
                                double pixel_mm);
 

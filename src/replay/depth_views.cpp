@@ -16,14 +16,14 @@ namespace lippmann {
 namespace {
 
 constexpr float kNoPoint = -std::numeric_limits<float>::infinity();  ///< less than any disparity
-constexpr double kSameSurfacePx = 1.5;  ///< neighbours that land so near to one another belong to one surface
+constexpr double kSameSurfacePx = 1.5;  ///< neighbours that land within this distance belong to one surface
 
-/// The source, scaled to the screen of the views: no more pixels than a view has.
+/// The source, scaled to the screen of the views and reduced to at most the resolution of a view.
 struct DepthPicture {
   Image colours;
-  Image disparity;     ///< q, mm of the screen
-  Vec2d slope{0.0};    ///< how far its eye is right of and above the axis, per mm before the screen
-  Vec2d size_mm{0.0};  ///< what it fills
+  Image disparity;     ///< q, mm on the screen
+  Vec2d slope{0.0};    ///< offset of its eye to the right of and above the axis, per mm of distance
+  Vec2d size_mm{0.0};  ///< the part of the window that it fills
 
   Vec2d place_mm(Vec2d pixel) const {
     return (pixel / Vec2d(colours.width, colours.height) - 0.5) * Vec2d(1.0, -1.0) * size_mm;
@@ -33,7 +33,7 @@ struct DepthPicture {
   }
 };
 
-/// Pixels of depth are taken, not averaged: a mean of two surfaces is none.
+/// Resamples depth by nearest neighbour: the mean of two surfaces would lie on neither.
 Image nearest_samples(const Image& picture, Vec2i size) {
   Image result(size.x, size.y, 1);
   for (int y = 0; y < size.y; ++y)
@@ -60,16 +60,16 @@ DepthPicture depth_picture(const LightField& source, Vec2d window_mm, Vec2i view
   return picture;
 }
 
-/// One view under way.
+/// Makes one view.
 class ViewMaker {
  public:
-  /// `slope`: how far the view's eye is from the source's, per mm of distance.
+  /// slope: offset of the view's eye from the source's, per mm of distance.
   ViewMaker(const DepthPicture& source, Vec2d slope, Vec2d window_mm, Vec2i size)
       : source_(source), slope_(slope), window_mm_(window_mm), colours_(size.x, size.y, 3), disparity_(size.x, size.y, 1) {
     std::fill(disparity_.data.begin(), disparity_.data.end(), kNoPoint);
   }
 
-  /// Shows the points of the source; pixels without one stay open.
+  /// Draws the points of the source. Pixels without a point stay open.
   void show() {
     splat();
     for (int y = 0; y < disparity_.height; ++y)
@@ -77,7 +77,7 @@ class ViewMaker {
         if (has_point(x, y)) take_colour(x, y);
   }
 
-  /// Takes the points of another source in the pixels that are open.
+  /// Fills open pixels with the points that `other` shows there.
   void complete_from(const ViewMaker& other) {
     for (int y = 0; y < disparity_.height; ++y)
       for (int x = 0; x < disparity_.width; ++x) {
@@ -87,7 +87,7 @@ class ViewMaker {
       }
   }
 
-  /// Fills open pixels.
+  /// Fills the remaining open pixels from their neighbours.
   void fill() {
     std::vector<Vec2i> holes;
     for (int y = 0; y < disparity_.height; ++y)
@@ -107,7 +107,7 @@ class ViewMaker {
   double pixel_mm() const { return window_mm_.x / colours_.width; }
   bool has_point(int x, int y) const { return disparity_.pixel(x, y)[0] != kNoPoint; }
 
-  /// Whether two disparities are seen so close together that they belong to one surface.
+  /// Returns whether two disparities land close enough to belong to one surface.
   bool same_surface(double a, double b) const { return std::abs(a - b) * glm::length(slope_) <= kSameSurfacePx * pixel_mm(); }
 
   Vec2d landing(Vec2d source_pixel, double q) const {
@@ -120,7 +120,8 @@ class ViewMaker {
                                    std::clamp(y, 0, source_.disparity.height - 1))[0];
   }
 
-  /// Between the middles of pixels, where all four around belong to the surface of the pixel itself; else that one's own.
+  /// Interpolates between pixel centres if all four neighbours belong to the surface of pixel (i, j). Otherwise returns that
+  /// pixel's own disparity.
   double disparity_at(int i, int j, Vec2d at) const {
     const double own = source_disparity(i, j);
     const Vec2d from = at - 0.5;
@@ -136,7 +137,7 @@ class ViewMaker {
     return sum;
   }
 
-  /// Twice as many points as a view has pixels, both ways.
+  /// Splats at least two points per pixel of the view along both axes.
   void splat() {
     const Vec2i samples =
         (2 * Vec2i(colours_.width, colours_.height) + Vec2i(source_.colours.width, source_.colours.height) - 1) /
@@ -154,7 +155,7 @@ class ViewMaker {
           }
   }
 
-  /// The mean of the source's pixels around the place of the pixel's point, those of other surfaces left out.
+  /// Averages the source's pixels around the place of the pixel's point, without pixels of other surfaces.
   void take_colour(int x, int y) {
     const double q = disparity_.pixel(x, y)[0];
     const Vec2d t = (Vec2d(x + 0.5, y + 0.5) / Vec2d(colours_.width, colours_.height) - 0.5) * Vec2d(1.0, -1.0) * window_mm_;
@@ -184,23 +185,23 @@ class ViewMaker {
     for (int c = 0; c < 3; ++c) pixel[c] = static_cast<float>(colour[c]);
   }
 
-  /// The nearest pixel with a point to one side of a hole, `steps` pixels away. Those farthest from the viewer fill the hole.
+  /// The nearest pixel with a point to one side of a hole, `steps` pixels away.
   struct Neighbour {
     int x, y, steps;
   };
 
-  void look(Vec2i from, Vec2i step, std::vector<Neighbour>& found) const {
+  void find_neighbour(Vec2i from, Vec2i step, std::vector<Neighbour>& found) const {
     int steps = 1;
     for (Vec2i at = from + step; at.x >= 0 && at.y >= 0 && at.x < colours_.width && at.y < colours_.height; at += step, ++steps)
       if (has_point(at.x, at.y)) return found.push_back({at.x, at.y, steps});
   }
 
-  /// Returns the disparity that the pixel has then.
+  /// Fills a hole with the colours of its farthest neighbours, and returns its new disparity.
   float fill_colour(Vec2i hole) {
     std::vector<Neighbour> found;
-    for (const int side : {-1, 1}) look(hole, {side, 0}, found);
+    for (const int side : {-1, 1}) find_neighbour(hole, {side, 0}, found);
     if (found.empty())
-      for (const int side : {-1, 1}) look(hole, {0, side}, found);
+      for (const int side : {-1, 1}) find_neighbour(hole, {0, side}, found);
     if (found.empty()) return kNoPoint;
     float farthest = std::numeric_limits<float>::infinity();
     for (const Neighbour& n : found) farthest = std::min(farthest, disparity_.pixel(n.x, n.y)[0]);
@@ -225,10 +226,10 @@ class ViewMaker {
 ViewCameras cameras_for(const Optics& optics) {
   if (const std::optional<RenderedViews> rendered = rendered_views(optics); rendered && rendered->cameras)
     return *rendered->cameras;
-  throw Error("optics", "have no views from places that are known", "a quilt's, or those of a camera grid");
+  throw Error("optics", "their views have no known cameras", "the optics of a quilt or of a camera grid");
 }
 
-/// The field that the views go into.
+/// Returns a light field with cameras and empty images for the views.
 LightField empty_views(const Optics& optics, const ViewCameras& cameras) {
   const ViewLayout film = rendered_views(optics)->film;
   LightField field;

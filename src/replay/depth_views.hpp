@@ -1,17 +1,15 @@
-// Views of a picture whose depth is known, from other places than the one it was seen from: what shows RGB-D pictures on
-// displays.
+// Makes views of images with depth from other eye positions, to show RGB-D images on displays.
 //
-// A point that the source, whose eye is at slope e = eye / D from the middle of its screen, shows at s on it with the disparity
-// q(z) = z / (1 - z / D) is seen by an eye of slope e' at
+// The eye of the source has slope e = eye / D from the middle of its screen, with D the distance of the eye. A point that the
+// source shows at s with disparity q(z) = z / (1 - z / D) appears to an eye of slope e' at
 //   t = s - (e' - e) q
-// on a screen of the same size: exactly, as both look through the same rectangle from the distance D. On a screen k times as
-// large t, s and q are k times as large; displays that are seen from elsewhere show the same disparity per slope.
+// on a screen of the same size. This is exact, since both eyes look through the same rectangle from distance D. On a screen k
+// times as large, t, s and q are k times as large. Displays with another viewing distance show the same disparity per slope.
 //
-// Each view is made in three steps. Forward: the points fall on pixels, and of those on one pixel the nearest wins (z-buffer);
-// between neighbours of one surface points are interpolated, so that it has no cracks. Missed pixels: where none falls, the
-// surface to either side, of the nearest neighbours along the row (else along the column) the one farther from the viewer
-// (reuse/missed.hpp has the same rule). Backward: a pixel that has a point takes its colour from where the source shows that
-// point, bilinear among pixels of its surface.
+// Each view is made in three steps. Forward: splat the points with a z-buffer. Points between neighbours of one surface are
+// interpolated to avoid cracks. Missed pixels: find the nearest pixels with a point along the row (if there are none, along the
+// column) and continue the surface that is farther from the viewer (the rule of reuse/missed.hpp). Backward: each pixel with a
+// point takes its colour from where the source shows that point, by bilinear interpolation among pixels of the same surface.
 #pragma once
 
 #include <span>
@@ -23,17 +21,17 @@
 namespace lippmann {
 
 struct DepthViews {
-  LightField field;           ///< the views of the optics, linear light, with cameras and depth
-  double filled_share = 0.0;  ///< the share of all pixels that no point has fallen on
+  LightField field;           ///< views of the optics, in linear light, with cameras and depth
+  double filled_share = 0.0;  ///< share of all pixels without a point
 };
 
-/// `source`: one view with depth and camera. `optics`: those of views (a quilt, a camera grid); the picture fills their window,
-/// and what has another shape is cut off. `depth_scale` times as deep as it is. The same bits for any number of threads. Throws
-/// Error for optics whose views have no cameras.
+/// Returns the views of one image. source: one view with depth and camera. optics: optics with views (a quilt, a camera grid);
+/// the image fills their window and is cropped to its shape. depth_scale multiplies all depths. The result does not depend on
+/// the number of threads. Throws Error if the views of the optics have no cameras.
 DepthViews views_from_depth(const LightField& source, const Optics& optics, double depth_scale, const ThreadPool& pool);
 
-/// The same of pictures that were seen from several places, one or more: each view takes the nearest one, and the others where
-/// that one shows nothing, before missed pixels are filled.
+/// Returns the views of one or more images with different eye positions. Each view uses the source with the nearest eye, then
+/// the other sources where that one has no point, then the fill of missed pixels.
 DepthViews views_from_depths(std::span<const LightField> sources, const Optics& optics, double depth_scale,
                              const ThreadPool& pool);
 

@@ -1,18 +1,19 @@
-// Depths as disparities: by how many pixels a point moves from one view to the next.
+// Converts between depth and disparity, the shift of a point in pixels from one view to the next.
 //
-// Parallel cameras a baseline b apart, at the distance D from the plane z = 0, in which a pixel of theirs is p wide. A point at
-// depth z moves by
+// For parallel cameras with baseline b at distance D from the plane z = 0, where their pixels are p wide, a point at depth z
+// moves by
 //   d = b z / ((D - z) p)
-// pixels, to the left as the eye moves right where it is in front of the plane. That is the disparity of
-// layout/hci_parameters.hpp, and the shift of shift-and-sum refocusing. It does not depend on what is assumed of the cameras.
+// pixels. Points in front of the plane move to the left as the eye moves right. This is the disparity of
+// layout/hci_parameters.hpp and the shift of shift-and-sum refocusing. It does not depend on assumed camera distances.
 #pragma once
 
 #include "lippmann/optics/optics.hpp"
 
 namespace lippmann {
 
-/// The depth z in mm, by the mean distance between neighbouring eyes. Throws a usage Error naming `parameter` for optics whose
-/// views are no cameras a distance apart, and for disparities that no point has: -b / p, of points at infinity, or less.
+/// Returns the depth in mm, for the mean distance between neighbouring eyes. Throws a usage Error naming `parameter` if the
+/// optics have no views with cameras, if there is only one view, or if the disparity is at most -b / p, the disparity at
+/// infinity.
 double depth_of_disparity_px(const Optics& optics, double disparity_px, const char* parameter);
 
 }  // namespace lippmann

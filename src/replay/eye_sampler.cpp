@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-constexpr double kPanelEdgePx = 1e-3;  ///< so far outside, a point is still of the panel: rounding
+constexpr double kPanelEdgePx = 1e-3;  ///< tolerance for rounding at the edges of the panel
 
 struct Quality {
   SampleFilter filter;
@@ -19,12 +19,12 @@ struct Quality {
   bool blurs() const { return crosstalk_px != Vec2d(0.0); }
 };
 
-/// Along one axis.
+/// Returns the taps along one axis, blurred if sigma_px > 0.
 Taps blurred_taps(double position_px, double sigma_px, SampleFilter filter) {
   return sigma_px > 0.0 ? gaussian_taps(position_px, sigma_px) : taps_at(position_px, filter);
 }
 
-/// Sums pixels by weight; `wanted(x, y)` says which of them count.
+/// Returns the weighted mean of the pixels for which wanted(x, y) holds.
 template <class Wanted>
 Vec3f weighted_mean(const Image& picture, const Taps& columns, const Taps& rows, const Wanted& wanted) {
   Vec3d sum(0.0);
@@ -40,7 +40,7 @@ Vec3f weighted_mean(const Image& picture, const Taps& columns, const Taps& rows,
   return weights > 0.0 ? Vec3f(sum / weights) : Vec3f(0.0f);
 }
 
-/// A sheet or a microlens array.
+/// Samples a lenticular sheet or a microlens array.
 template <class Sight>
 class LensSampler {
  public:
@@ -66,7 +66,7 @@ class LensSampler {
   }
 
   bool in_zone(const Viewer& viewer, Vec2d point_mm) const {
-    constexpr double kFarAwayPx = 1e6;  ///< whole numbers of cells beyond that need not fit into an int
+    constexpr double kFarAwayPx = 1e6;  ///< clamps cell indices to the range of int
     const PanelPoint seen = sight_.seen_from(viewer, point_mm);
     return sight_.cell(glm::clamp(seen.pixel, Vec2d(-kFarAwayPx), Vec2d(kFarAwayPx))) == seen.lens;
   }
@@ -77,7 +77,7 @@ class LensSampler {
   Quality quality_;
 };
 
-/// A quilt, or a single view.
+/// Samples a quilt or a single view.
 class QuiltSampler {
  public:
   QuiltSampler(const QuiltSight& sight, const RenderedPanel& rendered, const Quality& quality)
@@ -89,7 +89,7 @@ class QuiltSampler {
     for (int axis = 0; axis < 2; ++axis)
       if (!(seen.pixel[axis] >= -kPanelEdgePx && seen.pixel[axis] <= tile[axis] + kPanelEdgePx)) return Vec3f(0.0f);
     const Taps columns = taps_at(seen.pixel.x, quality_.filter), rows = taps_at(seen.pixel.y, quality_.filter);
-    // As pixels: view v covers v ... v + 1.
+    // Views are filtered like pixels: view v covers v ... v + 1.
     const auto views = [&](int axis) {
       return blurred_taps(seen.view[axis] + 0.5, quality_.crosstalk_px[axis], quality_.filter);
     };
@@ -126,7 +126,7 @@ class QuiltSampler {
   Quality quality_;
 };
 
-/// A slanted panel: every colour from its own place.
+/// Samples a slanted panel. Each colour channel has its own sub-pixel positions.
 class SlantedSampler {
  public:
   SlantedSampler(const SlantedSight& sight, const RenderedPanel& rendered, const Quality& quality)
@@ -150,7 +150,7 @@ class SlantedSampler {
   bool in_zone(const Viewer& viewer, Vec2d point_mm) const { return sight_.seen_from(viewer, point_mm, 0).in_zone; }
 
  private:
-  /// Between the sub-pixels of one colour below one lens; where none of these is near, the nearest.
+  /// Interpolates between the sub-pixels of one colour below one lens. If none of them is near, returns the nearest sub-pixel.
   float in_row(const SlantedPoint& seen, int row, int c, double near_column) const {
     const double column = std::clamp(sight_.column_of(seen, c, row, near_column), -1e6, 1e6);
     const bool blurred = quality_.blurs();

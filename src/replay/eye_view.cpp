@@ -12,7 +12,7 @@
 namespace lippmann {
 namespace {
 
-/// Points spread evenly over a disc of that diameter: Vogel, "A better way to construct the sunflower head", Math. Biosciences
+/// Returns points spread evenly over a disc. Based on: Vogel, "A better way to construct the sunflower head", Math. Biosciences
 /// 44, 1979.
 std::vector<Vec2d> pupil_points(double diameter_mm, int count) {
   if (diameter_mm == 0.0) return {Vec2d(0.0)};
@@ -25,7 +25,7 @@ std::vector<Vec2d> pupil_points(double diameter_mm, int count) {
   return points;
 }
 
-/// Samples across and down in each pixel of a view that is coarser than the display.
+/// Returns the number of samples across and down per pixel, for views coarser than the display.
 Vec2i samples_per_pixel(const Optics& optics, Vec2i size) {
   constexpr int kMost = 16;
   const Vec2i grid = lens_grid(optics);
@@ -60,8 +60,8 @@ Image eye_view(const RenderedPanel& rendered, const EyeView& view, const ThreadP
   const Vec2i size = view.size.x > 0 ? view.size : natural_view_size(rendered.optics);
   const Vec2i samples = samples_per_pixel(rendered.optics, size);
   const EyeSampler sampler(rendered, view.filter, view.crosstalk_px);
-  // From a point d of the pupil, what the eye's middle has at s is seen at s - d z / (E_z - z): they meet at the depth of
-  // focus.
+  // What the centre of the eye sees at s appears at s - d z / (E_z - z) from pupil point d. The pupil's views are shifted to
+  // coincide at the depth of focus.
   const double shift = -view.focus_mm / (view.eye_mm.z - view.focus_mm);
   struct PupilPoint {
     Viewer viewer;
@@ -74,7 +74,7 @@ Image eye_view(const RenderedPanel& rendered, const EyeView& view, const ThreadP
   Image picture(size.x, size.y, 3);
   pool.for_each(static_cast<std::size_t>(size.y), [&](std::size_t row) {
     const int y = static_cast<int>(row);
-    for (int x = 0; x < size.x && !context.cancelled; ++x) {  // a row may take seconds
+    for (int x = 0; x < size.x && !context.cancelled; ++x) {  // checked per pixel: a row may take seconds
       Vec3f sum(0.0f);
       for (int j = 0; j < samples.y; ++j)
         for (int i = 0; i < samples.x; ++i) {

@@ -23,15 +23,15 @@ namespace fs = std::filesystem;
 
 constexpr double kWindowHeightMm = 100.0, kDistanceMm = 300.0, kConeDeg = 40.0, kGridAngleDeg = 10.0;
 
-/// The size of a quilt of all views, each in the tile of its place in the grid.
+/// Returns the panel of a quilt of all views, in the order of their grid.
 Panel quilt_panel(const LightField& field, double pixel_mm) {
   return {field.view_size.x * field.grid.columns, field.view_size.y * field.grid.rows, static_cast<float>(pixel_mm)};
 }
 
-/// The width of a pixel of views that are stretched to the assumed display.
+/// Returns the width of a pixel of views that are stretched to the assumed display.
 double pixel_width_mm(const LightField& field) { return field.aspect * kWindowHeightMm / field.view_size.x; }
 
-/// The views of a field put where the optics have them.
+/// Moves the views of a field to their pixels on the panel.
 Picture panel_picture(const LightField& field, const ViewLayout& film) {
   const Vec2i size = picture_size(film, field.view_size);
   Picture picture = blank(field.stack, size);
@@ -39,14 +39,14 @@ Picture panel_picture(const LightField& field, const ViewLayout& film) {
   return picture;
 }
 
-/// How the views of these optics lie on their panel.
+/// Returns how the views of these optics are arranged on their panel.
 ViewLayout film_of(const Optics& optics, const std::string& where) {
   if (const std::optional<RenderedViews> rendered = rendered_views(optics)) return rendered->film;
-  throw Error(where, "its lenses have no whole number of pixels: views cannot be put back behind them",
+  throw Error(where, "its views cannot be moved behind lenses without a whole number of pixels",
               "pictures of `layout` integral or native");
 }
 
-/// Whether a picture is as the panel of these optics shows it.
+/// Returns whether the image is already arranged like the panel of these optics.
 bool is_as_shown(const fs::path& picture, const std::string& layout, const Optics& optics) {
   if (is_single_view(optics)) return true;
   const std::optional<QuiltName> name = parse_quilt_name(picture);
@@ -63,7 +63,7 @@ FormatOptions options_of(const LightFieldHints& hints) {
   return options;
 }
 
-/// Frames that have to be read as a format, and put where the panel has their pixels.
+/// Makes the frames be read in the given format and rearranged for the panel.
 LightFieldFrames rearranged(LightFieldFrames frames, const std::string& from, const FormatOptions& options) {
   const auto files = std::make_shared<std::vector<fs::path>>(frames.files);
   frames.read = [files, from, options, optics = frames.optics](std::size_t index) {
@@ -74,14 +74,14 @@ LightFieldFrames rearranged(LightFieldFrames frames, const std::string& from, co
   return frames;
 }
 
-/// Frames that are what the panel of their optics shows.
+/// Makes the frames be read unchanged, as images of the panel of their optics.
 LightFieldFrames as_shown(LightFieldFrames frames) {
   const RenderedFrames pictures{frames.optics, frames.files, frames.frames_per_second};
   frames.read = [pictures](std::size_t index) { return read_rendered_panel(pictures, index); };
   return frames;
 }
 
-/// What a render has left, in whatever layout.
+/// Completes the frames of a finished render, in any layout.
 LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, const LightFieldHints& hints) {
   const fs::path& first = frames.files.front();
   if (hints.display && !hints.is_other_display)
@@ -105,7 +105,7 @@ LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, 
   return as_shown(std::move(frames));
 }
 
-/// Pictures without a report that are what a display's panel shows.
+/// Completes frames without a report that are images of a display's panel.
 LightFieldFrames of_panel(LightFieldFrames frames, const LightFieldHints& hints) {
   for (const auto& [given, flag] :
        {std::pair(hints.view_angle_deg.has_value(), "view-angle"), std::pair(hints.views.has_value(), "views"),
@@ -117,12 +117,12 @@ LightFieldFrames of_panel(LightFieldFrames frames, const LightFieldHints& hints)
   if (size != panel)
     throw Error(
         frames.files.front().string(),
-        fmt::format("has {}x{} pixels, and the panel of {} has {}x{}", size.x, size.y, hints.display->name, panel.x, panel.y),
+        fmt::format("has {}x{} pixels, but the panel of {} has {}x{}", size.x, size.y, hints.display->name, panel.x, panel.y),
         "a frame of that panel; for other formats `from`, `views` or `quilt`");
   return as_shown(std::move(frames));
 }
 
-/// Flags that the reader of the format does not use.
+/// Throws for flags that the reader of the format does not use.
 void refuse_unused(const LightFieldHints& hints, const LightFieldFormat& format) {
   const auto refuse = [&](bool given, const char* flag, const char* accepted) {
     if (given) throw usage_error(flag, fmt::format("has no effect on the format {}", format.name), accepted);
@@ -131,7 +131,7 @@ void refuse_unused(const LightFieldHints& hints, const LightFieldFormat& format)
   refuse(hints.tiles && !format.reads.tiles, "quilt", "`from` quilt");
 }
 
-/// Flags that say something else than the files do.
+/// Throws for flags that contradict the cameras in the files.
 void refuse_stated_cameras(const LightFieldHints& hints, const fs::path& file) {
   const auto refuse = [&](bool given, const char* flag) {
     if (given)
@@ -143,7 +143,7 @@ void refuse_stated_cameras(const LightFieldHints& hints, const fs::path& file) {
   refuse(hints.display && !hints.is_other_display, "display");
 }
 
-/// The views of a field as a quilt for a display.
+/// Returns the optics of a quilt of the field's views for a display.
 Optics quilt_for(Display display, const LightField& field, const LightFieldHints& hints) {
   const ViewGrid& grid = field.grid;
   if (grid.rows > 1)
@@ -154,7 +154,7 @@ Optics quilt_for(Display display, const LightField& field, const LightFieldHints
   return with_cone_ends(*quilt_optics(display), hints.cone_ends);
 }
 
-/// The assumption about views that no display can show from where they were taken.
+/// Returns a sentence on the cameras assumed for views whose cameras are unknown or turned.
 std::string assumption_about(const fs::path& file, bool are_turned, const Optics& optics, const LightFieldHints& hints) {
   std::string text =
       fmt::format("The cameras of {} are {}. Assumed: a display {:.4g} mm high, seen from {:.4g} mm", file.string(),
@@ -167,7 +167,7 @@ std::string assumption_about(const fs::path& file, bool are_turned, const Optics
   return text + ".";
 }
 
-/// A light field beside which no render's report lies.
+/// Completes the frames of a light field without a report.
 LightFieldFrames of_format(LightFieldFrames frames, const LightFieldSource& source, const LightFieldHints& hints) {
   const fs::path& first = frames.files.front();
   const LightField field = source.format->read(first, source.options);
@@ -192,14 +192,14 @@ RenderedPanel panel_of(const LightField& field, const Optics& optics, const std:
   const Vec2i size = picture_size(film, field.view_size), panel = picture_size(optics);
   if (field.grid != film.grid)
     throw Error(where, fmt::format("has {}x{} views", field.grid.columns, field.grid.rows),
-                fmt::format("{}x{}, as its report or the first frame says", film.grid.columns, film.grid.rows));
-  const bool is_quilt = film.kind == LayoutKind::kQuilt;  // which may have padding
+                fmt::format("{}x{}, as in its report or the first frame", film.grid.columns, film.grid.rows));
+  const bool is_quilt = film.kind == LayoutKind::kQuilt;  // a quilt may have padding
   const Vec2i tiles = is_quilt ? Vec2i(film.tiles.columns, film.tiles.rows) : Vec2i(1, 1);
   if (size / tiles != panel / tiles)
-    throw Error(where, fmt::format("its views make {}x{} pixels, and the panel has {}x{}", size.x, size.y, panel.x, panel.y),
+    throw Error(where, fmt::format("its views make {}x{} pixels, but the panel has {}x{}", size.x, size.y, panel.x, panel.y),
                 "the pictures as the render wrote them");
   RenderedPanel rendered{optics, to_linear(panel_picture(field, film))};
-  rendered.optics.panel.width = size.x, rendered.optics.panel.height = size.y;  // without a quilt's padding
+  rendered.optics.panel.width = size.x, rendered.optics.panel.height = size.y;  // without the padding of a quilt
   return rendered;
 }
 
@@ -213,8 +213,8 @@ Optics optics_of_cameras(const LightField& field, const std::string& where) {
   const Vec2d off_axis_px = cameras.centre_px + middle * Vec2d(1.0, -1.0) / cameras.pixel_mm - 0.5 * Vec2d(field.view_size);
   const double tolerance_px = 0.01 * field.view_size.x;
   if (std::abs(off_axis_px.x) > tolerance_px)
-    throw Error(where, fmt::format("its cameras look past the middle of their pictures, by {:.4g} pixels", off_axis_px.x),
-                "cameras before the middle of the display, at any height");
+    throw Error(where, fmt::format("the optical axes of its cameras are {:.4g} pixels off centre", off_axis_px.x),
+                "cameras whose axes meet the middle of the display, at any height");
   const bool is_level = std::abs(off_axis_px.y) <= tolerance_px;
   const auto eye_height_mm = static_cast<float>(is_level ? 0.0 : -off_axis_px.y * cameras.pixel_mm.y);
   Optics optics;
@@ -238,7 +238,7 @@ MultiView assumed_views(const LightField& field, std::optional<double> view_angl
   const double angle = radians(view_angle_deg.value_or(is_grid ? kGridAngleDeg : kConeDeg));
   MultiView views{field.grid.columns, field.grid.rows};
   views.distance_mm = kDistanceMm;
-  // The views of a quilt and those below a lens array are stretched to the display.
+  // Views of a quilt and views behind a lens array are stretched to the display.
   views.pixel_height = static_cast<float>(kWindowHeightMm / field.view_size.y / pixel_width_mm(field));
   if (is_grid)
     views.baseline_mm = static_cast<float>(2.0 * kDistanceMm * std::tan(0.5 * angle) / std::max(field.grid.columns - 1, 1));
@@ -256,7 +256,7 @@ Optics assumed_optics(const LightField& field, std::optional<double> view_angle_
 }
 
 LightFieldFrames find_light_field_frames(const fs::path& in, const LightFieldHints& hints) {
-  if (hints.from.empty()) refuse_what_is_no_light_field(in);
+  if (hints.from.empty()) require_light_field(in);
   LightFieldFrames frames;
   frames.files = light_fields_in(in, hints.from);
   const fs::path& first = frames.files.front();

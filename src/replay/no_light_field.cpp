@@ -21,9 +21,9 @@ using Entries = std::vector<fs::directory_entry>;
 constexpr const char* kFramesOrViews =
     "frame_0000.png, frame_0001.png, ..., or a folder of views that `lippmann convert` reads";
 
-/// The name of the first entry whose name is such; empty: there is none.
-std::string first_name(const Entries& entries, bool (*is_such)(const fs::path&)) {
-  const auto found = std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return is_such(entry.path()); });
+/// Returns the name of the first entry that satisfies the predicate, or an empty string.
+std::string first_name(const Entries& entries, bool (*predicate)(const fs::path&)) {
+  const auto found = std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return predicate(entry.path()); });
   return found == entries.end() ? std::string() : found->path().filename().string();
 }
 
@@ -31,32 +31,32 @@ void refuse_folder(const fs::path& folder) {
   const Entries entries = entries_of(folder);
   if (entries.empty()) throw Error(folder.string(), "is an empty folder", kFramesOrViews);
   if (const std::string video = first_name(entries, is_video_name); !video.empty())
-    throw Error(folder.string(),
-                fmt::format("there are no frames in it, only videos ({}), and views cannot be read from a video", video),
+    throw Error(folder.string(), fmt::format("it has only videos ({}), no frames or views", video),
                 "the folder of frames that they were made of");
   if (fs::exists(folder / "job.toml"))
     throw Error(
         folder.string(), "the job in it has not been rendered",
-        fmt::format("`lippmann render {0}` first, or `lippmann view {0}`, which sets it up", (folder / "job.toml").string()));
+        fmt::format("`lippmann render {0}` first, or `lippmann view {0}` to set it up", (folder / "job.toml").string()));
   const auto is_picture = [](const fs::directory_entry& entry) { return is_picture_name(entry.path()); };
   const std::string picture = first_name(entries, is_picture_name);
   if (std::count_if(entries.begin(), entries.end(), is_picture) == 1)
     throw Error(folder.string(), fmt::format("there is only one picture in it, {}", picture),
                 "two or more pictures of one size, which are the views");
   if (!picture.empty())
-    throw Error(folder.string(), fmt::format("its pictures, such as {}, are not named as frames or views", picture),
-                fmt::format("{}; one of these pictures; or the format views, which takes all in the order of their names",
-                            kFramesOrViews));
+    throw Error(
+        folder.string(), fmt::format("its pictures, such as {}, are not named as frames or views", picture),
+        fmt::format("{}; one of these pictures; or the format views, which reads all of them in the order of their names",
+                    kFramesOrViews));
 }
 
 }  // namespace
 
-void refuse_what_is_no_light_field(const fs::path& in) {
+void require_light_field(const fs::path& in) {
   std::error_code ignored;
   if (!fs::exists(in, ignored)) throw Error(in.string(), "there is no such file or folder");
   if (!fs::is_directory(in, ignored)) {
     if (is_video_name(in))
-      throw Error(in.string(), "views are read from a video by `lippmann convert` alone",
+      throw Error(in.string(), "only `lippmann convert` reads views from a video",
                   "`lippmann convert` to views, or the folder of frames that the video was made of");
     return;
   }

@@ -1,15 +1,15 @@
-// What lies where a light field was expected, for a message that says more than that there is none.
+// Rejects inputs that are not light fields, with messages that name what was found instead.
 #pragma once
 
 #include <filesystem>
 
 namespace lippmann {
 
-/// Throws an Error naming `in` where it is a video, or a folder without frames and views that is empty or holds videos, a job
-/// that has not been rendered, or pictures of other names.
-void refuse_what_is_no_light_field(const std::filesystem::path& in);
+/// Throws an Error naming `in` if it is a video, or a folder without frames or views: empty, with videos, with a job that has
+/// not been rendered, or with images of unknown names.
+void require_light_field(const std::filesystem::path& in);
 
-/// Throws an Error naming a file whose ending is that of no picture.
+/// Throws an Error naming the file if its extension is not an image extension.
 void require_picture_name(const std::filesystem::path& file);
 
 }  // namespace lippmann

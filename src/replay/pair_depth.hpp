@@ -1,7 +1,7 @@
-// A stereo pair as two pictures with depth, from which other views are made (replay/depth_views.hpp).
+// Converts a stereo pair to two images with depth, from which other views are made (replay/depth_views.hpp).
 //
-// A pair does not say how far apart its cameras stood in millimetres. The views span the pair: the first one is the left
-// picture, the last one the right one, whatever the angle between them.
+// The baseline of a pair in millimetres is unknown. The views therefore span the pair: the first view is the left image and the
+// last one the right image, whatever the angle between them.
 #pragma once
 
 #include <string>
@@ -13,9 +13,9 @@
 
 namespace lippmann {
 
-/// `pair`: two views with cameras of one distance and pixel size, the left one first. `optics`: those of the views. The left
-/// and the right picture, each with its depth and its eye at that of the leftmost and the rightmost view. `name` is what errors
-/// name. Throws Error if the pictures share too few places, or if the views have no two eyes side by side.
+/// Returns the left and the right image with depth, with their eyes at those of the leftmost and the rightmost view of
+/// `optics`. pair: two views with cameras of one distance and pixel size, the left one first. name: the name in errors. Throws
+/// Error if the images have too few points in common, or if no two views of the optics lie side by side.
 std::vector<LightField> pictures_with_depth(const LightField& pair, const Optics& optics, const std::string& name,
                                             const Context& context);
 

@@ -37,7 +37,7 @@ PictureInfo describe_video(const fs::path& file) {
   return info;
 }
 
-/// The first picture of a folder of views, or the file itself.
+/// Returns the first image of a folder of views, or the file itself.
 fs::path picture_of(const fs::path& path) {
   std::error_code ignored;
   if (!fs::is_directory(path, ignored)) return path;
@@ -69,7 +69,7 @@ std::string cameras_text(const LightField& field) {
   return field.positions ? "positions without a unit, at an unknown distance" : std::string();
 }
 
-/// A picture of a render that is not divided into views.
+/// Describes an image of a render that is not divided into views. Returns false for other images.
 bool describe_rendered(const fs::path& file, PictureInfo& info) {
   const std::optional<Rendering> rendering = rendering_of(file);
   if (!rendering) return false;
@@ -103,7 +103,7 @@ void describe_views(const fs::path& path, PictureInfo& info) {
 PictureInfo describe_picture(const fs::path& in) {
   std::error_code ignored;
   if (is_video_name(in) && is_regular_file_there(in)) return describe_video(in);
-  refuse_what_is_no_light_field(in);
+  require_light_field(in);
   const std::vector<fs::path> frames = light_fields_in(in, "");
   PictureInfo info{.first = frames.front(), .frames = static_cast<int>(frames.size())};
   if (const fs::path file = picture_of(info.first); !file.empty()) {

@@ -1,4 +1,4 @@
-// `lippmann info PICTURE|FOLDER`: what a picture, a video or a folder of pictures is.
+// Describes an image, a video or a folder of images: `lippmann info PICTURE|FOLDER`.
 #pragma once
 
 #include <filesystem>
@@ -11,25 +11,27 @@
 namespace lippmann {
 
 struct PictureInfo {
-  std::filesystem::path first;  ///< the picture or folder that the following is about
-  int frames = 1;               ///< that a folder holds
-  std::string format = {};  ///< of `convert`; "view" and "panel": a single view, or what a panel shows; "video"; empty: unknown
-  Vec2i picture_px{0};      ///< of the picture, or of the folder's first picture
+  std::filesystem::path first;  ///< the image or folder that the other members describe
+  int frames = 1;               ///< number of frames in a folder
+  std::string format =
+      {};  ///< a format of `convert`, "view" (a single view), "panel" (a panel's image), "video", or empty if unknown
+  Vec2i picture_px{0};                 ///< size of the image, or of the first image of the folder
   std::string samples = {};            ///< "8 bits", "16 bits" or "floats"
   std::optional<ViewGrid> views = {};  ///< none: unknown
-  Vec2i view_px{0};                    ///< with views
-  std::string cameras = {};            ///< in words; empty: unknown
+  Vec2i view_px{0};                    ///< set if views is set
+  std::string cameras = {};            ///< description for people; empty: unknown
   bool has_depth = false;
-  std::filesystem::path side_file = {};  ///< that describes it: its own .json, report.json, parameters.cfg or cameras.json
-  std::string problem = {};              ///< why its views cannot be read, with what would help
+  std::filesystem::path side_file =
+      {};                    ///< the file that describes it: its own .json, report.json, parameters.cfg or cameras.json
+  std::string problem = {};  ///< why the views cannot be read, and what would help; empty: no problem
 };
 
-/// Throws Error naming the file or folder where there is no picture.
+/// Describes the input. Throws Error naming the file or folder if it has no image.
 PictureInfo describe_picture(const std::filesystem::path& in);
 
 nlohmann::ordered_json to_json(const PictureInfo& info);
 
-/// Several lines for people.
+/// Returns several lines for people.
 std::string to_text(const PictureInfo& info);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// A picture whose pixels are pixels of another one: what conversions that never change a sample are made of.
+// An image whose pixels are copies of another image's pixels, for conversions that never change a sample.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace lippmann {
 
-/// Stands for no pixel: black.
+/// Marks a pixel without source, which becomes black.
 inline constexpr std::uint32_t kNoPixel = 0xffffffffu;
 
-/// Entry i is the pixel (row-major index) of the source that pixel i shows, or kNoPixel.
+/// source[i] is the index (row-major) of the source pixel that pixel i copies, or kNoPixel.
 struct PixelMap {
   int width = 0, height = 0;
   std::vector<std::uint32_t> source;

@@ -1,4 +1,4 @@
-// `lippmann convert --precompensate`: finished pictures made such that a display's crosstalk turns them into the wanted ones.
+// Corrects finished images in advance for a display's crosstalk: `lippmann convert --precompensate`.
 #pragma once
 
 #include <filesystem>
@@ -11,19 +11,19 @@
 namespace lippmann {
 
 struct PrecompensateParams {
-  std::filesystem::path in;           ///< a picture, or a folder of frames, beside its report.json (replay/rendered_frames.hpp)
-  std::filesystem::path out;          ///< a folder: pictures of the same names, and a report.json
-  double sigma_px = 0.0;              ///< optics/crosstalk.hpp
-  std::optional<Optics> optics = {};  ///< those that the pictures are for; none: as the report.json beside them says
+  std::filesystem::path in;           ///< an image, or a folder of frames, beside its report.json (replay/rendered_frames.hpp)
+  std::filesystem::path out;          ///< a folder for images of the same names and a report.json
+  double sigma_px = 0.0;              ///< see optics/crosstalk.hpp
+  std::optional<Optics> optics = {};  ///< optics of the images; none: those of the report.json beside them
 };
 
 struct Precompensated {
   std::vector<std::filesystem::path> written;  ///< report.json last
-  Precompensation bound;                       ///< the mean share clipped, the largest residual of any
+  Precompensation bound;                       ///< mean share of clipped samples and largest residual of all frames
 };
 
-/// Codes become codes of as many bits. Throws Error naming the flag or file. Stops between frames when context.cancelled is
-/// set.
+/// Corrects all frames. Integer samples keep their number of bits. Throws Error naming the flag or file. Stops between frames
+/// if context.cancelled is set.
 Precompensated precompensate_frames(const PrecompensateParams& params, const Context& context);
 
 }  // namespace lippmann

@@ -16,11 +16,11 @@ namespace {
 
 constexpr int kBandRows = 16;
 
-/// Where the rays of all pixels arrive, in continuous pixel coordinates of the refocused picture.
+/// Positions where the rays of all pixels arrive, in continuous pixel coordinates of the refocused image.
 struct Arrivals {
   int width, height;
   std::vector<float> x, y;
-  std::vector<float> lowest_y, highest_y;  ///< by panel row
+  std::vector<float> lowest_y, highest_y;  ///< of each panel row
 
   Arrivals(int w, int h)
       : width(w),
@@ -31,7 +31,7 @@ struct Arrivals {
         highest_y(static_cast<std::size_t>(h)) {}
 };
 
-/// One row of rays at a time.
+/// Traces one row of rays at a time.
 class RayRow {
  public:
   explicit RayRow(int width) : px_(n(width)), py_(n(width)) {
@@ -75,14 +75,14 @@ Arrivals find_arrivals(const Optics& optics, double z, Vec2i size, const ThreadP
   return arrivals;
 }
 
-/// A picture that rays are summed into, each spread by a tent.
+/// The image that rays are summed into, each spread by a tent filter.
 struct TentSum {
   Image& picture;
   Vec2f half_width;     ///< of the tent, in pixels
-  Image* disagreement;  ///< the variance of what meets in a pixel; null: not wanted
+  Image* disagreement;  ///< receives the variance of the colours in each pixel; null: not wanted
 };
 
-/// Rows first ... end - 1 of the sum of all pixels.
+/// Rows first ... end - 1 of the summed image.
 class Band {
  public:
   Band(const TentSum& sum, int first, int end)
@@ -118,7 +118,7 @@ class Band {
   }
 
   void divide_by_weights() {
-    constexpr float kLeast = 1e-4f;  ///< less than that is rounding of a weight of 0
+    constexpr float kLeast = 1e-4f;  ///< smaller weights are rounding errors of 0
     float* pixel = picture_.pixel(0, first_);
     float* square = squares_ ? squares_->pixel(0, first_) : nullptr;
     for (const float weight : weights_) {
@@ -134,19 +134,20 @@ class Band {
   }
 
  private:
-  // Far outside, a float need not fit into an int.
+  // Clamped to the range of int.
   static int floor_of(float v) { return static_cast<int>(std::floor(std::clamp(v, -1e6f, 1e6f))); }
   static int ceil_of(float v) { return static_cast<int>(std::ceil(std::clamp(v, -1e6f, 1e6f))); }
 
   Image& picture_;
   int first_, end_;
   Vec2f half_;
-  Image* squares_;  ///< sums of squares, then variances; or null
+  Image* squares_;  ///< sums of squares, then variances; may be null
   std::vector<float> weights_;
 };
 
-/// Pixels first, first + step, ... of every row, to a mean colour everywhere; color(x, y) is that of one, indexable. A band
-/// takes seconds where few pixels are spread over many: within it, too, a cancelled context ends the work.
+/// Sums pixels first_x, first_x + step, ... of every row and divides by the weights. color(x, y) returns the colour of a pixel
+/// and can be indexed by channel. Few pixels spread over many can make a band take seconds, so cancelling is checked within a
+/// band.
 template <class ColorOf>
 void sum_rays(const Arrivals& arrivals, int first_x, int step, const ColorOf& color, const ThreadPool& pool,
               const Context& context, const TentSum& sum) {
@@ -176,10 +177,9 @@ void validate_depth(const Optics& optics, double z_mm, const char* flag) {
     throw usage_error(flag, "a single lens has no parallax", "pictures of several lenses, or of several views");
   if (!(std::abs(z_mm) <= 1e9)) throw usage_error(flag, fmt::format("{} mm is out of range", z_mm), "-1e9 to 1e9");
   if (!(z_mm * viewer.vergence < 0.999))
-    throw usage_error(flag,
-                      fmt::format("a plane at z = {} mm is not before the eyes of the display's viewer, at z = {:.6g} mm", z_mm,
-                                  1.0 / viewer.vergence),
-                      "a depth behind that");
+    throw usage_error(
+        flag, fmt::format("a plane at z = {} mm is not in front of the viewer, at z = {:.6g} mm", z_mm, 1.0 / viewer.vergence),
+        "a smaller depth");
 }
 
 Image refocus(const RenderedPanel& rendered, double z_mm, Vec2i size, const ThreadPool& pool, Image* disagreement,

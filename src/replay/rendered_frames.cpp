@@ -17,15 +17,15 @@ namespace lippmann {
 namespace {
 
 namespace fs = std::filesystem;
-/// Lens arrays are replayed from what lies behind them, views of them are not.
+/// Throws unless the images are the panel's own: lens arrays are not replayed from rearranged views.
 void check_layout(const Rendering& rendering, const std::string& where) {
   if (rendering.mirrored)
     throw Error(where, "the pictures are mirrored, to be printed on the back of a sheet", "a render without `mirror`");
   const std::string& layout = rendering.layout;
   const bool is_quilt = view_tiles(rendering.optics).has_value();
   if (layout == "views" || layout == "eslf" || (layout == "quilt" && !is_quilt) || (layout == "integral" && is_quilt))
-    throw Error(where, "the pictures are " + shown(layout) + ", not what the display itself shows",
-                "a render without `layout`, or the same converted to integral");
+    throw Error(where, "the pictures are " + shown(layout) + ", not the image of the panel",
+                "a render without `layout`, or the images converted to integral");
 }
 
 std::vector<fs::path> pictures_in(const fs::path& folder) {
@@ -61,8 +61,7 @@ Picture read_panel_picture(const RenderedFrames& frames, const fs::path& file) {
   const Vec2i size = std::visit([](const auto& image) { return Vec2i(image.width, image.height); }, picture);
   if (size != panel)
     throw Error(file.string(),
-                fmt::format("has {}x{} pixels, but was rendered for a panel of {}x{}, says its report", size.x, size.y, panel.x,
-                            panel.y),
+                fmt::format("has {}x{} pixels, but its report states a panel of {}x{}", size.x, size.y, panel.x, panel.y),
                 "the pictures as the render wrote them");
   return picture;
 }
@@ -72,7 +71,7 @@ RenderedPanel read_rendered_panel(const RenderedFrames& frames, std::size_t inde
 }
 
 std::string frame_label(const fs::path& file) {
-  // Without what a quilt's name says of it: pictures that are made from one are none.
+  // Leave out the quilt's name parts: images made from a quilt are not quilts.
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored) && !file.filename().string().starts_with("frame_"))
     return file.filename().string();

@@ -15,7 +15,7 @@ void validate(const RenderedPanel& rendered) {
   const Vec2i panel = picture_size(rendered.optics);
   if (rendered.picture.width != panel.x || rendered.picture.height != panel.y)
     throw Error(kField, fmt::format("has {}x{} pixels", rendered.picture.width, rendered.picture.height),
-                fmt::format("{}x{}, those of the panel", panel.x, panel.y));
+                fmt::format("{}x{}, the size of the panel", panel.x, panel.y));
 }
 
 }  // namespace lippmann

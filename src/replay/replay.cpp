@@ -34,7 +34,7 @@ Image side_by_side(const Image& left, const Image& right) {
   return pair;
 }
 
-/// The nearest depth of the stack white, the farthest black, evenly in codes.
+/// Returns a preview of depth: the nearest depth of the stack is white, the farthest black, linear in codes.
 Image depth_for_looking(const Image& depth, const std::vector<double>& depths_mm) {
   const double near = std::max(depths_mm.front(), depths_mm.back()), far = std::min(depths_mm.front(), depths_mm.back());
   Image grey(depth.width, depth.height, 3);
@@ -51,7 +51,7 @@ double depth_mm(const Optics& optics, const FocusPlane& plane, const char* param
   return z_mm;
 }
 
-/// Everything that the pictures of one replay share.
+/// State shared by the images of one replay.
 class Replay {
  public:
   Replay(const ReplayParams& params, const Context& context)
@@ -77,11 +77,11 @@ class Replay {
       if (params_.epi_row) keep(files, "epi_row_" + label(i), epipolar_row(panel(i), *params_.epi_row, view_.filter, context_));
       if (params_.epi_column)
         keep(files, "epi_column_" + label(i), epipolar_column(panel(i), *params_.epi_column, view_.filter, context_));
-      if (!asks_for_more()) keep(files, "eye_" + label(i), view_of(i, view_.eye_mm), true);
+      if (!has_other_products()) keep(files, "eye_" + label(i), view_of(i, view_.eye_mm), true);
     }
     for (int i = 0; i < params_.sweep && !context_.cancelled; ++i) make_sweep(i, files);
     if (!context_.cancelled) files.finish();
-    if (!looks_with_eyes()) return {files.written(), std::nullopt, 0.0};
+    if (!has_eye_views()) return {files.written(), std::nullopt, 0.0};
     return {files.written(), view_.eye_mm, warn_of_flips()};
   }
 
@@ -94,14 +94,14 @@ class Replay {
                         fmt::format("sides from 1 to {}, at most {} pixels", kMaxSide, kMaxPixels));
   }
 
-  /// Whether other pictures are asked for than the eye's view of every frame.
-  bool asks_for_more() const {
+  /// Returns whether other images are requested than the eye's view of every frame.
+  bool has_other_products() const {
     return params_.ipd_mm || params_.sweep > 0 || params_.refocus || params_.focal_stack || params_.epi_row ||
            params_.epi_column;
   }
 
-  /// Whether any picture shows what an eye sees.
-  bool looks_with_eyes() const { return !asks_for_more() || params_.ipd_mm || params_.sweep > 0; }
+  /// Returns whether any image shows an eye's view.
+  bool has_eye_views() const { return !has_other_products() || params_.ipd_mm || params_.sweep > 0; }
 
   void check_products() {
     if (params_.ipd_mm && !(std::abs(*params_.ipd_mm) <= 1e6))
@@ -111,8 +111,8 @@ class Replay {
       stack_mm_.push_back(depth_mm(frames_.optics, params_.focal_stack->plane(i), "focal-stack"));
     if (params_.all_in_focus && !params_.focal_stack)
       throw usage_error("all-in-focus", "needs a range of depths", "`focal-stack` Z0:Z1:N with it");
-    if (!params_.video.empty() && asks_for_more() && !params_.ipd_mm && params_.sweep == 0)
-      throw usage_error("video", "has no effect on the pictures that are asked for", "the eye's view, `ipd` or `sweep`");
+    if (!params_.video.empty() && has_other_products() && !params_.ipd_mm && params_.sweep == 0)
+      throw usage_error("video", "has no effect on the requested pictures", "the eye's view, `ipd` or `sweep`");
   }
 
   ReplayFiles::Settings file_settings() const {
@@ -122,7 +122,7 @@ class Replay {
 
   std::string label(std::size_t frame) const { return frame_label(frames_.files[frame]); }
 
-  /// The panel of a frame; the last one asked for is kept.
+  /// Returns the panel of a frame. Caches the last one.
   const RenderedPanel& panel(std::size_t frame) {
     if (!panel_ || panel_frame_ != frame) panel_ = frames_.read(frame), panel_frame_ = frame;
     return *panel_;
@@ -138,7 +138,7 @@ class Replay {
     return refocus(panel(frame), z_mm, view_.size, pool_, disagreement, context_);
   }
 
-  /// Writes a picture, unless it was left unfinished.
+  /// Writes an image, unless cancelling left it unfinished.
   void keep(ReplayFiles& files, const std::string& name, const Image& picture, bool in_video = false) const {
     if (!context_.cancelled) files.add(name, picture, in_video);
   }
@@ -146,7 +146,7 @@ class Replay {
   void make_pair(std::size_t frame, ReplayFiles& files) {
     const std::vector<Vec3d> pair = eyes();
     const Image left = view_of(frame, pair[0]), right = view_of(frame, pair[1]);
-    if (context_.cancelled) return;  // before anything large is made of nothing
+    if (context_.cancelled) return;  // before large images are made of unfinished ones
     files.add("left_" + label(frame), left);
     files.add("right_" + label(frame), right);
     files.add("pair_" + label(frame), side_by_side(left, right), !params_.sweep);
@@ -168,7 +168,8 @@ class Replay {
     files.add("depth_" + label(frame), depth_for_looking(sharpest->depth(), stack_mm_));
   }
 
-  /// The i-th of equal parts of the zone, from its middle; of many frames, the animation goes on meanwhile.
+  /// Shows the eye in the middle of the i-th of equal parts of the zone. With several frames, the animation advances during the
+  /// sweep.
   void make_sweep(int i, ReplayFiles& files) {
     const double share = (i + 0.5) / params_.sweep;
     Vec3d eye = view_.eye_mm;
@@ -177,14 +178,14 @@ class Replay {
     keep(files, fmt::format("sweep_{:04}", i), view_of(frame, eye), true);
   }
 
-  /// Of a pair both, of a sweep the one in the middle.
+  /// Returns both eyes of a pair, or the single eye; for a sweep the middle one.
   std::vector<Vec3d> eyes() const {
     if (!params_.ipd_mm) return {view_.eye_mm};
     const Vec3d half(0.5 * *params_.ipd_mm, 0.0, 0.0);
     return {view_.eye_mm - half, view_.eye_mm + half};
   }
 
-  /// The largest share of the eyes.
+  /// Warns about eyes outside the viewing zone. Returns the largest share out of the zone.
   double warn_of_flips() const {
     double most = 0.0;
     for (const Vec3d& eye : eyes()) {
@@ -192,8 +193,8 @@ class Replay {
       most = std::max(most, share);
       if (share > 0.0)
         context_.warning(
-            fmt::format("The eye at ({:.4g}, {:.4g}, {:.4g}) mm is out of the viewing zone of {:.3g} % of the "
-                        "display: there it sees {}.",
+            fmt::format("The eye at ({:.4g}, {:.4g}, {:.4g}) mm is outside the viewing zone of {:.3g} % of the "
+                        "display and sees {} there.",
                         eye.x, eye.y, eye.z, 100.0 * share, seen_out_of_zone()));
     }
     return most;

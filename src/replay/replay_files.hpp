@@ -1,4 +1,4 @@
-// Where what is computed from light fields goes: pictures of a folder, in linear light until here, and a video of them.
+// Writes the images of a replay to a folder, and optionally a video of them. Images are in linear light.
 #pragma once
 
 #include <filesystem>
@@ -17,24 +17,24 @@ class ReplayFiles {
  public:
   struct Settings {
     std::filesystem::path folder;
-    bool exr = false;  ///< linear floats instead of 8-bit sRGB codes as PNG
+    bool exr = false;  ///< write linear floats instead of 8-bit sRGB codes as PNG
     std::filesystem::path video = {};
     double frames_per_second = 25.0;
   };
 
-  /// Makes the folders and begins the video. Throws Error naming what cannot be written.
+  /// Makes the folders and begins the video. Throws Error naming a file that cannot be written.
   explicit ReplayFiles(Settings settings);
   ~ReplayFiles();
   ReplayFiles(const ReplayFiles&) = delete;
   ReplayFiles& operator=(const ReplayFiles&) = delete;
 
-  /// Writes name.png or name.exr; `in_video`: also the video's next frame, which must have the size of the others.
+  /// Writes name.png or name.exr. in_video: also add it to the video; all frames must have one size.
   void add(const std::string& name, const Image& picture, bool in_video = false);
 
-  /// Writes name.exr with the one channel Z, mm of the display frame.
+  /// Writes name.exr with one channel Z, in mm of the display frame.
   void add_depth(const std::string& name, const Image& depth);
 
-  /// Completes the video; without it, nothing remains of that.
+  /// Completes the video. Without this call the video is discarded.
   void finish();
 
   const std::vector<std::filesystem::path>& written() const { return written_; }

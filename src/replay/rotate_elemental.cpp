@@ -8,8 +8,8 @@
 namespace lippmann {
 namespace {
 
-/// The counterpart of a pixel in its block of `size` pixels.
-int turned(int pixel, int size) {
+/// Returns the mirrored position of a pixel within its block of `size` pixels.
+int mirrored_in_block(int pixel, int size) {
   const int block = pixel / size * size;
   return block + size - 1 - (pixel - block);
 }
@@ -28,7 +28,7 @@ PixelMap map_of(const Panel& panel, const auto& source_of) {
   return map;
 }
 
-/// Tile v becomes tile N - 1 - v; the padding at the right and at the top stays.
+/// Tile v becomes tile N - 1 - v. The padding on the right and at the top stays.
 PixelMap reversed_views(const Panel& panel, const ViewTiles& views) {
   const int width = panel.width / views.columns, height = panel.height / views.rows;
   const int padding = panel.height - height * views.rows;
@@ -45,9 +45,10 @@ PixelMap rotated_elemental_images(const Optics& optics, const std::string& where
   if (const std::optional<ViewTiles> views = view_tiles(optics)) return reversed_views(optics.panel, *views);
   const Vec2i pixels = whole_pixels_per_lens(optics);
   if (pixels.x < 1)
-    throw Error(where, "elemental images can only be rotated where whole pixels lie below every lens",
-                "a picture of such an array, or smart conversion (`spoc`), which needs none");
-  return map_of(optics.panel, [&](int x, int y) { return Vec2i(turned(x, pixels.x), turned(y, pixels.y)); });
+    throw Error(where, "rotating elemental images needs a whole number of pixels per lens",
+                "a picture of such an array, or `spoc`, which works with any array");
+  return map_of(optics.panel,
+                [&](int x, int y) { return Vec2i(mirrored_in_block(x, pixels.x), mirrored_in_block(y, pixels.y)); });
 }
 
 }  // namespace lippmann

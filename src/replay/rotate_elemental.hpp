@@ -1,9 +1,9 @@
-// Turns orthoscopic pictures into pseudoscopic ones and back: every elemental image is rotated by 180 degrees.
+// Converts orthoscopic images to pseudoscopic ones and back by rotating every elemental image by 180 degrees.
 //
-// Okano, Hoshino, Arai and Yuyama, "Real-time pickup method for a three-dimensional image based on integral photography", Appl.
-// Opt. 36(7), 1997. A pixel at offset o from its cell's centre has the ray x = l - o z / g; at -o it has that of -z: what stood
-// at depth z before the lenses stands at the same place at -z behind them. Twice is the identity. Below a sheet, each row of an
-// elemental image is mirrored; of a quilt, the order of the views is turned round.
+// Based on: Okano, Hoshino, Arai and Yuyama, "Real-time pickup method for a three-dimensional image based on integral
+// photography", Appl. Opt. 36(7), 1997. A pixel at offset o from the centre of its cell has the ray x = l - o z / g. At offset
+// -o it has the ray of depth -z, so that a point at depth z moves to depth -z at the same x. Applying it twice gives the
+// original. Lenticular sheets mirror each row of an elemental image; quilts reverse the order of their views.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@
 
 namespace lippmann {
 
-/// For pictures of the optics' panel. Pixels whose counterpart lies beyond the panel, below a lens that it cuts, become black.
-/// Throws Error naming `where` for lens arrays without whole pixels below a lens.
+/// Returns the pixel map for images of the optics' panel. Pixels whose counterpart lies outside the panel, below a cut lens,
+/// become black. Throws Error naming `where` if the lens array has no whole number of pixels per lens.
 PixelMap rotated_elemental_images(const Optics& optics, const std::string& where);
 
 }  // namespace lippmann

@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-/// The recorded pixel that looks at a point, through the lens nearest to where the ray meets the array.
+/// Finds the recorded pixel that looks at a point, through the lens nearest to where the ray meets the recording array.
 template <class Sight>
 class RecordedPixels {
  public:
@@ -21,7 +21,8 @@ class RecordedPixels {
   std::uint32_t looking_at(Vec2d point_mm, Vec2d ray_meets_array_mm) const {
     constexpr int kTries = 16;
     const Viewer from_point = viewer_at({point_mm, z_});
-    // The lens that sees the point in the middle of its cell lies on the way to the viewer that cells converge to.
+    // The lens that sees the point from the middle of its cell is on the line from the ray's lens to this foot point, which
+    // belongs to the viewer that the cells converge to.
     const Vec2d foot = (point_mm - design_.slope_at_centre * z_) / (1.0 - design_.vergence * z_);
     for (int i = 0; i <= kTries; ++i) {
       const Vec2d at = glm::mix(ray_meets_array_mm, foot, static_cast<double>(i) / kTries);
@@ -61,8 +62,8 @@ void check(const SpocParams& params) {
   if (!(std::abs(params.distance_mm) <= 1e6))
     throw usage_error("spoc", fmt::format("{} mm is out of range", params.distance_mm), "a distance above 0");
   if (!(params.reference_mm > 0.0 && params.reference_mm <= 1e6))
-    throw usage_error("reference-plane", fmt::format("{} mm", params.reference_mm),
-                      "a distance before the recording array, > 0");
+    throw usage_error("reference-plane", fmt::format("{} mm is out of range", params.reference_mm),
+                      "a distance in front of the recording array, > 0");
 }
 
 [[noreturn]] void refuse_without_lenses() {
@@ -84,7 +85,8 @@ Optics spoc_display(const Optics& recorded, const SpocDisplay& display) {
   const double rows = lenses->row_pitch_mm > 0.0 ? along * display.pixels : whole(window.y / pixel);
   optics.panel = {static_cast<int>(std::min(across * display.pixels, 1e9)), static_cast<int>(std::min(rows, 1e9)),
                   static_cast<float>(pixel)};
-  // Cell 0 begins at the panel's edge: of an even number of lenses a boundary lies in the middle, of an odd one a centre.
+  // Cell 0 begins at the panel's edge. With an even number of lenses a cell boundary is in the middle, with an odd number a
+  // lens centre.
   const Vec2f offset(std::fmod(across, 2.0) == 0.0 ? 0.5 * display.lens_pitch_mm : 0.0,
                      std::fmod(along, 2.0) == 0.0 ? 0.5 * display.lens_pitch_mm : 0.0);
   optics.model =
@@ -92,7 +94,7 @@ Optics spoc_display(const Optics& recorded, const SpocDisplay& display) {
   try {
     validate(optics);
   } catch (const Error& error) {
-    throw usage_error("spoc", "the display makes no rays: " + error.where() + " " + error.problem(), error.accepted());
+    throw usage_error("spoc", "the display's array is invalid: " + error.where() + " " + error.problem(), error.accepted());
   }
   return optics;
 }

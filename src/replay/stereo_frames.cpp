@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the eyes are, in the display's own frame.
+/// Eye positions in the display frame.
 struct EyePair {
   Vec3d middle_mm;
   double ipd_mm;
@@ -29,7 +29,7 @@ struct EyePair {
   Vec3d eye(int i) const { return middle_mm + Vec3d((i - 0.5) * ipd_mm, 0.0, 0.0); }
 };
 
-/// On a screen of another width than the optics', all lengths before it are scaled.
+/// Returns the eyes. If the screen has another width than the optics, the given lengths are scaled to the optics.
 EyePair eye_pair(const StereoParams& params, const Optics& optics) {
   const double width = display_window(optics).size.x, scale = params.screen_width_mm ? width / *params.screen_width_mm : 1.0;
   EyePair eyes{default_eye_mm(optics), params.ipd_mm.value_or(kUsualIpdMm) * scale};
@@ -42,7 +42,7 @@ bool is_pair(const Optics& optics) {
   return tiles && tiles->columns == 2 && tiles->rows == 1;
 }
 
-/// Two views stay as they are, whatever stands before them.
+/// Throws for eye parameters, which have no effect on light fields of two views.
 void refuse_eyes(const StereoParams& params) {
   const auto refuse = [](bool given, const char* flag) {
     if (given) throw usage_error(flag, "has no effect: two views stay as they are", "a light field of more views");
@@ -54,7 +54,7 @@ void refuse_eyes(const StereoParams& params) {
   refuse(params.field.cone_ends, "cone-ends");
 }
 
-/// The larger share of both eyes.
+/// Warns if an eye is outside the viewing zone. Returns the larger share of both eyes.
 double warn_out_of_zone(const Optics& optics, const EyePair& eyes, const Context& context) {
   const double share =
       std::max(share_out_of_zone(optics, viewer_at(eyes.eye(0))), share_out_of_zone(optics, viewer_at(eyes.eye(1))));
@@ -62,20 +62,20 @@ double warn_out_of_zone(const Optics& optics, const EyePair& eyes, const Context
   const double width = display_window(optics).size.x;
   const double zone = zone_x_mm(optics, 1.0, eyes.middle_mm.z) - zone_x_mm(optics, 0.0, eyes.middle_mm.z);
   context.warning(fmt::format(
-      "Eyes {:.4g} mm apart, {:.4g} mm before a display {:.4g} mm wide, are out of the viewing zone of {:.3g} % of it, "
-      "which is {:.4g} mm wide there: `ipd` with less, or `screen-width` with the real width of the screen.",
+      "Eyes {:.4g} mm apart and {:.4g} mm from a display {:.4g} mm wide are outside the viewing zone of {:.3g} % of it. "
+      "The zone is {:.4g} mm wide there: use a smaller `ipd`, or set `screen-width` to the real width of the screen.",
       eyes.ipd_mm, eyes.middle_mm.z, width, 100.0 * share, zone));
   return share;
 }
 
-/// Codes of 8 bits, unless floats are wanted.
+/// Converts to 8-bit codes, unless floats are wanted.
 LightField with_codes(LightField field, bool wants_floats) {
   if (!wants_floats)
     if (const Image* light = std::get_if<Image>(&field.stack)) field.stack = to_codes(*light, Encoding::kSrgb);
   return field;
 }
 
-/// Whether the picture is to hold floats: its ending says it, or else that of the source.
+/// Returns whether the output has float samples, by its extension or else by the extension of the input.
 bool wants_floats(const fs::path& out, const fs::path& in) {
   return (out.has_extension() ? out.extension() : in.extension()) == ".exr";
 }

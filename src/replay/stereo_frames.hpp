@@ -1,7 +1,7 @@
-// Light fields made into stereo pictures: what two eyes before the display see of it (replay/eye_view.hpp).
+// Converts light fields to stereo images of what two eyes in front of the display see (replay/eye_view.hpp).
 //
-// The eyes stand level with the design viewer, half the distance of the pupils to either side. Both look through the same
-// rectangle of the plane z = 0, so that their pictures are off-axis and lie on one another there.
+// The eyes are level with the design viewer, at half the interpupillary distance to either side. Both look through the same
+// rectangle of the plane z = 0. The views are therefore off-axis, and points in that plane coincide.
 #pragma once
 
 #include <filesystem>
@@ -16,27 +16,27 @@
 namespace lippmann {
 
 struct StereoParams {
-  std::filesystem::path in;   ///< as of find_light_field_frames
-  std::filesystem::path out;  ///< a picture, or for several frames a folder
+  std::filesystem::path in;   ///< as for find_light_field_frames
+  std::filesystem::path out;  ///< an image, or a folder for several frames
   LightFieldHints field = {};
   StereoLayout layout = {};
-  std::optional<double> ipd_mm = {};           ///< between the pupils; none: kUsualIpdMm
-  std::optional<double> distance_mm = {};      ///< from the eyes to the screen; none: the design viewer's
-  std::optional<double> screen_width_mm = {};  ///< on which the light field is shown; none: as wide as its optics say
+  std::optional<double> ipd_mm = {};           ///< interpupillary distance; none: kUsualIpdMm
+  std::optional<double> distance_mm = {};      ///< from the eyes to the screen; none: that of the design viewer
+  std::optional<double> screen_width_mm = {};  ///< width of the screen that shows the light field; none: as in its optics
 };
 
 struct ConvertedStereo {
   std::vector<std::filesystem::path> written;
-  Vec2i view_size{0, 0};     ///< a whole view's
-  double out_of_zone = 0.0;  ///< the larger share of the display through which an eye sees another zone (eye_sampler.hpp)
+  Vec2i view_size{0, 0};     ///< of one whole view
+  double out_of_zone = 0.0;  ///< share of the display that shows an eye another zone (eye_sampler.hpp); the larger of both eyes
 };
 
-/// The views of a light field of two views are taken as they are; then lengths and an angle are errors. Warns of eyes out of
-/// the viewing zone. Throws Error naming the file or parameter. When context.cancelled is set, it stops at once: pictures that
-/// are finished stay, the one under way leaves nothing.
+/// Converts all frames. A light field of two views keeps its views; the distances and the view angle are then errors. Warns if
+/// an eye is outside the viewing zone. Throws Error naming the file or parameter. Stops at once if context.cancelled is set:
+/// finished images remain, and the unfinished one leaves no file.
 ConvertedStereo convert_to_stereo(const StereoParams& params, const Context& context);
 
-/// What two eyes see of one panel, as a light field of 2 views; they are `ipd_mm` apart around `eye_mm`. Unfinished when
+/// Returns what two eyes see of one panel, as a light field of 2 views. The eyes are ipd_mm apart around eye_mm. Unfinished if
 /// `context` is cancelled.
 LightField stereo_views(const RenderedPanel& panel, Vec3d eye_mm, double ipd_mm, const ThreadPool& pool,
                         const Context& context = {});

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Counted by decoding: what containers say of their length is often wrong or missing.
+/// Counts by decoding, since the length stored in a container is often wrong or missing.
 int count_frames(const fs::path& video) {
   VideoReader reader(video);
   int count = 0;
@@ -48,7 +48,7 @@ LightField read_video_views(const fs::path& video, const FormatOptions& options)
   int view = 0;
   for (int frame = 0; view < views; ++frame) {
     std::optional<Image8> read = reader.next();
-    if (!read) throw Error(video.string(), "it has changed while it was read");
+    if (!read) throw Error(video.string(), "the file changed while it was read");
     // View i is the frame nearest to i (frames - 1) / (views - 1).
     if (frame != (2 * view * (frames - 1) + views - 1) / (2 * (views - 1))) continue;
     Picture picture = *std::move(read);

@@ -1,4 +1,4 @@
-// The frames of a video as the views of one moment: a camera that moves sideways past its subject, or a turntable.
+// Reads the frames of a video as views of one moment: a camera that moves sideways past its subject, or a turntable.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,9 @@
 
 namespace lippmann {
 
-/// The first frame is the view from the left. `options.views` Nx1: N frames spread evenly over the video, the first and the
-/// last included; none: every frame. `options.fit_view` applies to each. Throws Error naming the file if it cannot be read, has
-/// fewer frames than that, or fewer than two; and a usage Error for views in several rows.
+/// Reads the views; the first frame is the leftmost view. options.views Nx1: N frames, evenly spread from the first to the
+/// last; none: every frame. options.fit_view is applied to each. Throws Error naming the file if it cannot be read or has fewer
+/// than two or than N frames, and a usage Error for several rows of views.
 LightField read_video_views(const std::filesystem::path& video, const FormatOptions& options);
 
 }  // namespace lippmann

@@ -34,7 +34,7 @@ TEST(Replay, what_was_warned_of_goes_to_stderr) {
   render_for_replay(dir);
   const RunResult result = run_tool(dir, {"replay", "out", "--eye", "1000,0,300"});
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_THAT(result.err, HasSubstr("out of the viewing zone of 100 %"));
+  EXPECT_THAT(result.err, HasSubstr("outside the viewing zone of 100 %"));
 }
 
 TEST(Replay, impossible_values_are_refused_by_the_flag_s_name) {

@@ -163,7 +163,7 @@ TEST_F(ReplayedRenders, smart_conversion_makes_pictures_for_the_displays_own_len
 TEST_F(ReplayedRenders, eye_out_of_the_zone_is_warned_of_in_words_for_lenses_and_for_cameras) {
   render_teapot();
   seen({.eye_mm = Vec3d(1000.0, 0.0, 300.0)}, "out", "eye");
-  EXPECT_THAT(warnings_, HasSubstr("out of the viewing zone of 100 %"));
+  EXPECT_THAT(warnings_, HasSubstr("outside the viewing zone of 100 %"));
   render(job("teapot", "grid", kCameraGrid));
   seen({.eye_mm = Vec3d(5000.0, 0.0, 300.0)}, "grid", "eye");
   EXPECT_THAT(warnings_, HasSubstr("the outermost cameras' pictures"));

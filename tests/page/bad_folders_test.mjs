@@ -71,8 +71,8 @@ test("folders that hold no light field are refused before anything is served", a
     for (const file of files) writeFileSync(inFolder(`${name}/${file}`), "nothing");
   }
   await assert.rejects(view("nothing"), /nothing: is an empty folder/);
-  await assert.rejects(view("videos"), /only videos \(a\.mp4\), and views cannot be read from a video/);
-  await assert.rejects(view("videos/a.mp4"), /views are read from a video by `lippmann convert` alone/);
+  await assert.rejects(view("videos"), /only videos \(a\.mp4\), no frames or views/);
+  await assert.rejects(view("videos/a.mp4"), /only `lippmann convert` reads views from a video/);
   await assert.rejects(view("jobs"), /`lippmann render jobs\/job\.toml` first/);
   await assert.rejects(view("others"), /there is only one picture in it, ein Bild\.png/);
   await assert.rejects(view("others/ein Bild.png"), /the format of others\/ein Bild\.png is unknown/);

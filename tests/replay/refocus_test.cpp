@@ -124,7 +124,7 @@ TEST(Refocus, panels_without_all_of_their_samples_and_sizes_without_pixels_are_r
   EXPECT_EQ(message([](Image&) {}, {8, 8}), "(no Error)");
   EXPECT_THAT(message([](Image& p) { p.data.pop_back(); }, {8, 8}), testing::HasSubstr("samples"));
   EXPECT_THAT(message([](Image& p) { p = Image(p.width, p.height, 1); }, {8, 8}), testing::HasSubstr("1 channels"));
-  EXPECT_THAT(message([](Image& p) { p = Image(3, 3, 3); }, {8, 8}), testing::HasSubstr("those of the panel"));
+  EXPECT_THAT(message([](Image& p) { p = Image(3, 3, 3); }, {8, 8}), testing::HasSubstr("the size of the panel"));
   for (const Vec2i size : {Vec2i(-1, 4), Vec2i(8, 0)})
     EXPECT_THAT(message([](Image&) {}, size), testing::HasSubstr("numbers of pixels")) << size.x;
 }
@@ -133,7 +133,7 @@ TEST(Refocus, depths_behind_the_viewer_or_not_finite_are_refused) {
   const auto message = [](double z) {
     return test::error_message([&] { validate_depth(test::sheet(150.0f), z, "--refocus"); });
   };
-  EXPECT_THAT(message(150.0), testing::HasSubstr("not before the eyes"));
+  EXPECT_THAT(message(150.0), testing::HasSubstr("not in front of the viewer"));
   EXPECT_THAT(message(std::nan("")), testing::HasSubstr("out of range"));
   Optics one_lens = test::sheet();
   std::get<LenticularSheet>(one_lens.model).lens_pitch_mm = 40.0f;

@@ -1,11 +1,11 @@
-// How the film's linear values become the codes of a picture file.
+// Encodings of linear film values as codes of an image file.
 #pragma once
 
 namespace lippmann {
 
 enum class Encoding {
   kSrgb,             ///< sRGB transfer curve, rounded to nearest
-  kTachyonTruncate,  ///< trunc(255 value): display-referred scenes of Tachyon, compared byte for byte with its output
+  kTachyonTruncate,  ///< trunc(255 value), which reproduces Tachyon's output byte for byte
 };
 
 }  // namespace lippmann

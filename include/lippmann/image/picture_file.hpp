@@ -1,4 +1,4 @@
-// Pictures with the samples that their file stores, for programs that move pixels without touching them.
+// Reads and writes images with the sample type of their file, for programs that move pixels without changing them.
 #pragma once
 
 #include <filesystem>
@@ -10,24 +10,24 @@
 
 namespace lippmann {
 
-/// 8-bit codes, 16-bit codes, or floats of 3 channels.
+/// 8-bit codes, 16-bit codes, or floats with 3 channels.
 using Picture = std::variant<Image8, Image16, Image>;
 
-/// The colours, or grey three times. `warn`, if given, gets a sentence for each thing that the file says and that is not
-/// honoured, such as a colour profile. Throws Error naming the file if it is missing, damaged, no picture, or too large.
+/// Reads the colours of an image; grey is repeated three times. warn: if given, receives a sentence for each ignored property
+/// of the file, such as a colour profile. Throws Error naming the file if it is missing, damaged, too large, or not an image.
 Picture read_picture(const std::filesystem::path& path, const std::function<void(std::string_view)>& warn = {});
 
-/// 8- and 16-bit codes as .png, floats as .exr. dots_per_inch: written into a .png; 0: not stated. Throws Error naming the
-/// file, also where the ending does not suit.
+/// Writes 8- and 16-bit codes as .png, floats as .exr. dots_per_inch: resolution stored in a .png; 0: none. Throws Error naming
+/// the file if it cannot be written or has the wrong extension.
 void write_picture(const std::filesystem::path& path, const Picture& picture, double dots_per_inch = 0.0);
 
-/// Linear light: codes are sRGB's, floats are linear already. What is not finite becomes 0.
+/// Converts to linear light: integer samples are sRGB codes, floats are linear. Values that are not finite become 0.
 Image to_linear(Picture picture);
 
-/// The inverse: linear light (3 channels) in samples of the kind that `like` has.
+/// Converts linear light (3 channels) to the sample type of `like`; the inverse of to_linear().
 Picture with_samples_like(const Picture& like, Image linear);
 
-/// Throws Error if a picture read from `from` cannot be written to `path` without changing samples.
+/// Throws Error if the extension of `path` stands for a format that would change the samples of `picture`.
 void check_picture_ending(const std::filesystem::path& path, const Picture& picture);
 
 }  // namespace lippmann

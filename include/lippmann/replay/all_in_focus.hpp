@@ -1,12 +1,11 @@
-// Takes at every pixel the one of several refocused pictures that is in focus, and the depth at which it was: everything sharp,
-// and a depth map.
+// Combines a focal stack into an all-in-focus image and a depth map.
 //
-// In focus is where the rays of a pixel agree: where they come from one point of a surface, they have its colour from wherever
-// they are seen. The measure is the variance of their colours (replay/refocus.hpp), averaged over a square window, as the
-// correspondence cue of Tao, Hadap, Malik and Ramamoorthi, "Depth from combining defocus and correspondence using light-field
-// cameras", ICCV 2013, eq. 5. We deviate: the variance itself instead of its root, so that large differences count for more,
-// and no second cue or smoothing. On an even wall rays agree at any depth: there the picture is right and the depth means
-// little.
+// Each pixel takes the colour and the depth of the refocused image in which its rays agree best: rays from one surface point
+// have the same colour in every view. The measure is the variance of the colours (replay/refocus.hpp), averaged over a square
+// window. This is the correspondence cue of Tao, Hadap, Malik and Ramamoorthi, "Depth from combining defocus and correspondence
+// using light-field cameras", ICCV 2013, eq. 5. We deviate: the variance replaces its root, so that large differences weigh
+// more, and there is no second cue and no smoothing. On surfaces without texture the rays agree at every depth: the colour is
+// right there, but the depth is unreliable.
 #pragma once
 
 #include "lippmann/image/image.hpp"
@@ -16,18 +15,18 @@ namespace lippmann {
 
 class AllInFocus {
  public:
-  /// For pictures of `size` over the display's window.
+  /// size: pixels of the refocused images, which cover the display's window.
   AllInFocus(const Optics& optics, Vec2i size);
 
-  /// The next of the pictures, with the disagreement of its rays, focused at z. Where several agree equally well, the first
-  /// counts.
+  /// Adds a refocused image of the stack. disagreement: the variance of the rays of each pixel (1 channel, see refocus()).
+  /// z_mm: the depth of focus. If two images agree equally well, the one added first wins.
   void add(const Image& refocused, const Image& disagreement, double z_mm);
 
   const Image& picture() const { return picture_; }
-  const Image& depth() const { return depth_; }  ///< 1 channel, mm of the display frame
+  const Image& depth() const { return depth_; }  ///< 1 channel, mm in the display frame
 
  private:
-  Vec2i radius_;  ///< how far the window reaches to each side, pixels
+  Vec2i radius_;  ///< half width of the averaging window, pixels
   Image picture_, depth_, least_;
 };
 

@@ -1,9 +1,9 @@
-// Epipolar-plane images: one line of the display plane from eye after eye through the viewing zone.
+// Epipolar-plane images: one line of the display plane, seen by a row of eyes across the viewing zone.
 //
-// Bolles, Baker and Marimont, "Epipolar-plane image analysis: an approach to determining structure from motion", Int. J.
-// Computer Vision 1, 1987. A point of the scene is a straight line in it: at depth z it crosses the display plane at a place
-// that moves by -z / (1 - z / V) times what the eye's slope changes. Upright in the plane of the display, it leans one way
-// behind and the other way before it.
+// Based on: Bolles, Baker and Marimont, "Epipolar-plane image analysis: an approach to determining structure from motion", Int.
+// J. Computer Vision 1, 1987. A scene point draws a straight line in the image. At depth z, its position on the display plane
+// moves by -z / (1 - z / V) times the change of the eye's slope, with V the viewing distance. Lines of points in the display
+// plane are vertical; points in front and behind lean to opposite sides.
 #pragma once
 
 #include "lippmann/core/context.hpp"
@@ -12,14 +12,14 @@
 
 namespace lippmann {
 
-/// The image of row `row` (of the lens grid, from the top): a column for each lens of it, a row for each eye, of
-/// view_counts(optics).x equally far apart, the leftmost on top. With whole pixels below a lens these are the panel's own
-/// pixels. Throws a usage Error naming `epi` for a row that the display does not have. Returns early, unfinished, when
-/// `context` is cancelled.
+/// Returns the epipolar-plane image of a row of the lens grid, counted from the top. Each column is a lens of the row, each row
+/// an eye; the view_counts(optics).x eyes are equally spaced, the leftmost on top. With whole pixels per lens the result holds
+/// the panel's own pixels. Throws a usage Error naming `epi` if the display has no such row. Returns early, with an unfinished
+/// image, if `context` is cancelled.
 Image epipolar_row(const RenderedPanel& rendered, int row, SampleFilter filter, const Context& context = {});
 
-/// Likewise of a column: a row of the picture for each lens, a column for each eye, the lowest on the left.
-/// Throws a usage Error naming `epi-column`, also where the display has no vertical parallax.
+/// Returns the epipolar-plane image of a column of the lens grid. Each row is a lens of the column, each column an eye, the
+/// lowest on the left. Throws a usage Error naming `epi-column` if the display has no such column or no vertical parallax.
 Image epipolar_column(const RenderedPanel& rendered, int column, SampleFilter filter, const Context& context = {});
 
 }  // namespace lippmann

@@ -1,5 +1,4 @@
-// What one eye, infinitely far or not, sees at points of the display plane: what eye views and epipolar-plane images are made
-// of.
+// Samples what one eye, possibly at infinity, sees at points of the display plane. Eye views and epipolar-plane images use it.
 #pragma once
 
 #include <memory>
@@ -10,7 +9,7 @@
 
 namespace lippmann {
 
-/// `rendered` must outlive it. Filter and crosstalk as in EyeView (replay/eye_view.hpp).
+/// `rendered` must outlive this object. For filter and crosstalk see EyeView (replay/eye_view.hpp).
 class EyeSampler {
  public:
   EyeSampler(const RenderedPanel& rendered, SampleFilter filter, double crosstalk_px = 0.0);
@@ -19,7 +18,7 @@ class EyeSampler {
   EyeSampler(const EyeSampler&) = delete;
   EyeSampler& operator=(const EyeSampler&) = delete;
 
-  /// Thread-safe.
+  /// Returns the linear colour at a point of the display plane. Thread-safe.
   Vec3f color(const Viewer& viewer, Vec2d point_mm) const;
 
  private:
@@ -27,7 +26,7 @@ class EyeSampler {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The share of lenses (of a quilt: of points) through which that eye sees what was made for another zone: where it flips.
+/// Returns the share of lenses (for a quilt: of points) through which the eye sees a view of a neighbouring zone, 0 ... 1.
 double share_out_of_zone(const Optics& optics, const Viewer& viewer);
 
 }  // namespace lippmann

@@ -1,8 +1,8 @@
-// What an eye sees through a lens array that lies on a rendered picture.
+// Computes what an eye sees of a rendered panel through its lens array.
 //
-// The view is what passes through the display's window in the plane z = 0 (optics/viewing.hpp), as an eye that looks at the
-// display has it before it: pixel (i, j) is a point of that plane, wherever the eye stands, so that views from different eyes
-// lie on top of one another where the scene is in that plane. Linear light. What lies beside the panel is black.
+// The view covers the display's window in the plane z = 0 (optics/viewing.hpp), from the viewer's side. Pixel (i, j) is the
+// same point of that plane for every eye, so scene points in the plane keep their pixel when the eye moves. Colours are linear.
+// Points beside the panel are black.
 #pragma once
 
 #include "lippmann/core/parallel.hpp"
@@ -13,18 +13,19 @@ namespace lippmann {
 struct EyeView {
   Vec3d eye_mm{0.0, 0.0, 500.0};                ///< in the display frame; z > 0
   Vec2i size{0, 0};                             ///< pixels; 0: natural_view_size (optics/viewing.hpp)
-  SampleFilter filter = SampleFilter::kLinear;  ///< between panel pixels below one lens, and views of a quilt
-  double crosstalk_px = 0.0;  ///< a lens images the panel with a Gaussian of this sigma, in panel pixels (of a quilt: views);
-                              ///< it takes the place of `filter` across the lenses. 0 ... kMaxBlurPx
-  double pupil_mm = 0.0;      ///< diameter. 0: a pinhole
-  double focus_mm = 0.0;      ///< the depth that the pupil is focused on, below the eye's; 0: the display
-  int pupil_points = 64;      ///< their views are averaged; spread evenly over the pupil (a sunflower's spiral)
+  SampleFilter filter = SampleFilter::kLinear;  ///< interpolates panel pixels below one lens, and views of a quilt
+  double crosstalk_px = 0.0;  ///< sigma in panel pixels (quilt: views) of the Gaussian with which a lens blurs the panel.
+                              ///< Replaces `filter` across the lenses. 0 ... kMaxBlurPx
+  double pupil_mm = 0.0;      ///< diameter; 0: a pinhole
+  double focus_mm = 0.0;      ///< depth on which the eye focuses, less than the eye's z; 0: the display
+  int pupil_points = 64;      ///< number of points of the pupil whose views are averaged, spread evenly in a sunflower spiral
 };
 
-/// Throws Error (usage) for an eye that is not in front of the display, is not finite, or sees nothing of it.
+/// Throws a usage Error if the eye is not in front of the display or not finite, or if another value is out of range.
 void validate(const EyeView& view);
 
-/// `view` must be valid. The same bits for any number of threads. Returns early, unfinished, when `context` is cancelled.
+/// Returns the view of an eye. `view` must be valid. The result does not depend on the number of threads. Returns early, with
+/// an unfinished image, if `context` is cancelled.
 Image eye_view(const RenderedPanel& rendered, const EyeView& view, const ThreadPool& pool, const Context& context = {});
 
 }  // namespace lippmann

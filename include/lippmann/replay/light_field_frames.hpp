@@ -1,9 +1,9 @@
-// The frames that `replay` looks at: what a render has left, or a light field in any format that `convert` reads, each as a
-// panel with optics.
+// Finds the frames to replay, a finished render or a light field in any format of `convert`, and reads each as a panel with
+// optics.
 //
-// A render's report.json says the optics; pictures that show the views in another way than the panel does (--layout) are put
-// back. Without a report the cameras are those that the format states (HCI, MIV), and the panel is a quilt of the views. Where
-// nothing states them, they are assumed: see assumed_optics.
+// A render's report.json contains the optics. Views that the render stored in another arrangement (--layout) are moved back to
+// their place on the panel. Without a report, formats with cameras (HCI, MIV) define the optics and the panel is a quilt of the
+// views. Otherwise the optics are assumed, see assumed_optics().
 #pragma once
 
 #include <filesystem>
@@ -20,22 +20,22 @@
 
 namespace lippmann {
 
-/// What flags say about the light field.
+/// Light-field properties that the caller states, mostly from flags.
 struct LightFieldHints {
-  std::filesystem::path report = {};                ///< empty: report.json beside the pictures
-  std::string from = {};                            ///< a format of `convert`; empty: as names and the report say
-  std::optional<ViewGrid> views = {};               ///< how many across and up
-  std::optional<ViewGrid> tiles = {};               ///< how many tiles of a quilt across and up
-  std::optional<double> view_angle_deg = {};        ///< of the viewing zone, where nothing states the cameras
-  bool cone_ends = false;                           ///< the outermost views of a row stand at the ends of that angle
-  std::function<void(std::string_view)> warn = {};  ///< as FormatOptions::warn
-  /// Pictures whose format is native, or of which nothing states the format, are what this display's panel shows. A row of
-  /// views without cameras is a quilt for it.
+  std::filesystem::path report = {};                ///< empty: report.json beside the images
+  std::string from = {};                            ///< a format of `convert`; empty: detected from file names and the report
+  std::optional<ViewGrid> views = {};               ///< number of columns and rows of views
+  std::optional<ViewGrid> tiles = {};               ///< number of columns and rows of a quilt's tiles
+  std::optional<double> view_angle_deg = {};        ///< angle of the viewing zone, if the cameras are unknown
+  bool cone_ends = false;                           ///< the outermost views of a row are at the ends of that angle
+  std::function<void(std::string_view)> warn = {};  ///< receives warnings, as FormatOptions::warn
+  /// The display of the images. Images of native or unknown format are frames of its panel, and a row of views without cameras
+  /// becomes a quilt for it.
   std::optional<Display> display = {};
-  bool is_other_display = false;  ///< `display` need not be that of the pictures: no error where they are something else
+  bool is_other_display = false;  ///< `display` may differ from the display of the images, which is then no error
 };
 
-/// The hints with the context's warnings.
+/// Returns the hints, with warnings sent to the context.
 inline LightFieldHints with_warnings(LightFieldHints hints, const Context& context) {
   hints.warn = context.warn;
   return hints;
@@ -43,30 +43,33 @@ inline LightFieldHints with_warnings(LightFieldHints hints, const Context& conte
 
 struct LightFieldFrames {
   Optics optics;
-  std::vector<std::filesystem::path> files;  ///< ascending: pictures, or folders of views
-  std::filesystem::path folder;              ///< beside what is read: where results go
+  std::vector<std::filesystem::path> files;  ///< in ascending order: images, or folders of views
+  std::filesystem::path folder;              ///< default folder for results, beside the input
   double frames_per_second = 25.0;
-  bool is_panel = false;        ///< pictures without a report that are what the panel of `optics` shows
-  std::string assumption = {};  ///< one sentence on what was assumed of the cameras; empty: nothing
-  /// The frame of that index. Throws Error naming the file, also where its size is not that of the optics' panel.
+  bool is_panel = false;        ///< images without a report that are frames of the panel of `optics`
+  std::string assumption = {};  ///< one sentence on the assumed cameras; empty: nothing was assumed
+  /// Reads the frame with that index. Throws Error naming the file, for example if its size is not the panel's.
   std::function<RenderedPanel(std::size_t)> read;
 };
 
-/// Throws Error naming the file, the flag that has to say what nothing else says, or a flag without effect.
+/// Finds the frames of a file or folder. Throws Error naming the file, a flag that must supply missing information, or a flag
+/// without effect.
 LightFieldFrames find_light_field_frames(const std::filesystem::path& in, const LightFieldHints& hints);
 
-/// The views of a light field put behind the optics that show them, in linear light: what eyes look at. Throws Error naming
-/// `where` for optics that have no such views.
+/// Arranges the views of a light field on the panel of `optics`, in linear light. Throws Error naming `where` if the optics
+/// have no such views.
 RenderedPanel panel_of(const LightField& field, const Optics& optics, const std::string& where);
 
-/// A quilt of those views. Throws Error naming `where` for cameras that are not a regular grid around the axis.
+/// Returns the optics of a quilt of the views. Throws Error naming `where` unless the cameras form a regular grid around the
+/// axis.
 Optics optics_of_cameras(const LightField& field, const std::string& where);
 
-/// The same of views whose cameras nobody states: a display 100 mm high, seen from 300 mm away, by a row of views that spread
-/// over an angle (default: 40 degrees), with its ends or half a step inside, or by a grid of cameras (10 degrees across).
+/// Returns assumed optics for views with unknown cameras: a display 100 mm high, seen from 300 mm. A row of views spreads over
+/// view_angle_deg (default: 40 degrees), with the outermost views at its ends if `cone_ends`, half a step inside otherwise. A
+/// grid of cameras spans 10 degrees across by default.
 Optics assumed_optics(const LightField& field, std::optional<double> view_angle_deg, bool cone_ends = false);
 
-/// The model of these optics.
+/// Returns the model of assumed_optics().
 MultiView assumed_views(const LightField& field, std::optional<double> view_angle_deg, bool cone_ends = false);
 
 }  // namespace lippmann

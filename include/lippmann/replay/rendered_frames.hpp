@@ -1,4 +1,4 @@
-// Finds the pictures that a render has left, with the optics that they were rendered for, and reads them into linear light.
+// Finds the images of a finished render together with their optics, and reads them into linear light.
 #pragma once
 
 #include <filesystem>
@@ -12,27 +12,26 @@ namespace lippmann {
 
 struct RenderedFrames {
   Optics optics;
-  std::vector<std::filesystem::path> files;  ///< ascending
+  std::vector<std::filesystem::path> files;  ///< in ascending order
   double frames_per_second = 25.0;
 };
 
-/// `in`: a picture, or a folder with frame_0000.png (.exr, .tif), ...; report.json lies beside them, or is `report`.
-/// Throws Error naming the file: no pictures, no report.json, one that does not say for which optics, or pictures that are not
-/// what lies behind a lens array (views, or a quilt of them).
+/// Finds the frames of `in`: an image, or a folder with frame_0000.png (.exr, .tif), ... report: the report file; empty:
+/// report.json beside the images. Throws Error naming the file if there are no images or no report, if the report has no
+/// optics, or if the images are rearranged views instead of the panel's image.
 RenderedFrames find_rendered_frames(const std::filesystem::path& in, const std::filesystem::path& report = {});
 
-/// The files alone: a picture, or a folder's. Throws Error naming a folder without.
+/// Returns the files only: an image, or the images of a folder. Throws Error naming a folder without images.
 std::vector<std::filesystem::path> pictures_of(const std::filesystem::path& in);
 
-/// The picture of one of the files, with its samples. Throws Error naming the file, also where its size is not that of the
-/// optics' panel.
+/// Reads one of the files without conversion. Throws Error naming the file, for example if its size is not the panel's.
 Picture read_panel_picture(const RenderedFrames& frames, const std::filesystem::path& file);
 
-/// The same in linear light: integer samples are taken for sRGB codes, float samples are linear; what is not finite becomes 0.
-/// `index`: of frames.files. Throws Error as read_panel_picture does.
+/// Reads frames.files[index] into linear light: integer samples are sRGB codes, float samples are linear, and values that are
+/// not finite become 0. Throws Error as read_panel_picture().
 RenderedPanel read_rendered_panel(const RenderedFrames& frames, std::size_t index);
 
-/// What a frame is called in names of files made from it: its number, or a picture's whole name.
+/// Returns the label of a frame in names of files made from it: the frame number, or the whole name of another image.
 std::string frame_label(const std::filesystem::path& file);
 
 }  // namespace lippmann

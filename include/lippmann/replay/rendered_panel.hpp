@@ -1,4 +1,4 @@
-// A rendered light field as it lies behind its lenses: the picture on the panel, and the optics that it was rendered for.
+// A rendered light field behind its lenses: the image on the panel and the optics that it was rendered for.
 #pragma once
 
 #include "lippmann/image/image.hpp"
@@ -8,11 +8,11 @@ namespace lippmann {
 
 struct RenderedPanel {
   Optics optics;
-  Image picture;  ///< 3 channels, linear; as large as picture_size(optics) says
+  Image picture;  ///< 3 channels, linear; its size is picture_size(optics)
 };
 
-/// Throws Error where the picture is not of the panel: another size, other channels or fewer samples. All that looks at a panel
-/// calls it.
+/// Throws Error if the picture does not match the panel in size, channels or number of samples. All functions that take a
+/// RenderedPanel call it.
 void validate(const RenderedPanel& rendered);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Which pixels of one axis make a sample at a point between them, and how much each.
+// Interpolation weights along one axis of an image.
 #pragma once
 
 #include "lippmann/optics/crosstalk.hpp"
@@ -6,11 +6,11 @@
 namespace lippmann {
 
 enum class SampleFilter {
-  kNearest,  ///< the pixel that holds the point
-  kLinear,   ///< the two whose centres are nearest, by distance
+  kNearest,  ///< the pixel that contains the point
+  kLinear,   ///< the two pixels with the nearest centres, weighted by distance
 };
 
-/// Pixel i covers i ... i + 1. Indices may lie outside any picture.
+/// Returns the pixels and weights at a position. Pixel i covers i ... i + 1. Indices may lie outside the image.
 Taps taps_at(double position_px, SampleFilter filter);
 
 }  // namespace lippmann
