@@ -26,9 +26,9 @@
 namespace lippmann {
 namespace {
 
-/// While somebody waits for a picture: what making it takes counts, not what it weighs.
+/// A client waits for each image, so encoding speed matters more than size.
 constexpr int kServedEffort = 0;
-/// Of a sigma, in hundredths of a pixel.
+/// Largest sigma, in hundredths of a pixel.
 constexpr auto kMostCrosstalk = static_cast<std::size_t>(100.0 * kMaxBlurPx);
 constexpr std::string_view kCalibration = "calibration", kLive = "live", kRun = "run", kPrint = "print", kDrop = "drop";
 
@@ -42,7 +42,7 @@ PageAnswer failed(const std::string& message) {
   return answer_with(422, json_to_text({{"error", message}}), "application/json");
 }
 
-/// Compares in a time that does not say where two texts of one length begin to differ.
+/// Compares in constant time for texts of equal length, so that timing reveals nothing about a secret.
 bool equal_secrets(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   unsigned char difference = 0;
@@ -50,7 +50,7 @@ bool equal_secrets(std::string_view a, std::string_view b) {
   return difference == 0;
 }
 
-/// Cuts the part before the next slash, or all, off the front.
+/// Removes the part before the next slash, or everything, from the front and returns it.
 std::string_view cut_part(std::string_view& path) {
   const std::size_t slash = path.find('/');
   const std::string_view part = path.substr(0, slash);
@@ -58,7 +58,7 @@ std::string_view cut_part(std::string_view& path) {
   return part;
 }
 
-/// A number of digits alone.
+/// Parses a number of at most nine digits.
 std::optional<std::size_t> number_in(std::string_view text) {
   std::size_t number = 0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -66,7 +66,7 @@ std::optional<std::size_t> number_in(std::string_view text) {
   return number;
 }
 
-/// Only the page itself may be opened from elsewhere.
+/// Returns whether the request's origin is acceptable; only the page itself may be opened from elsewhere.
 bool may_come_from(const std::string& fetch_site, std::string_view path) {
   return fetch_site.empty() || fetch_site == "same-origin" || fetch_site == "none" || path.empty();
 }
@@ -119,8 +119,8 @@ PageAnswers::PageAnswers(std::unique_ptr<PageField> field, std::shared_ptr<Runni
 PageAnswers::PageAnswers(std::shared_ptr<DroppedPictures> dropped, PageAccess access)
     : dropped_(std::move(dropped)), access_(std::move(access)), cache_(0) {}
 
-/// A text is a calibration, of which nothing is kept, the settings of a print, or what is to be done with a live scene or with
-/// a render that runs.
+/// Accepted POSTs are a calibration, of which nothing is stored, print settings, pieces of dropped images, and commands for a
+/// live scene or a running render.
 bool PageAnswers::takes_text(std::string_view path) const {
   const std::string_view part = path.substr(0, path.find('/'));
   if (dropped_ && part == kDrop) return true;
@@ -133,15 +133,14 @@ std::optional<PageAnswer> PageAnswers::refusal(const PageRequest& request) const
   if (!hosts.empty() && std::find(hosts.begin(), hosts.end(), request.host) == hosts.end())
     return answer_with(403, "This server answers at the address that `lippmann view` printed, and at no other name.\n");
   if (!request.origin.empty() && request.origin != "http://" + request.host)
-    return answer_with(403, "Pages of other origins may read nothing here.\n");
+    return answer_with(403, "Pages of other origins have no access.\n");
   if (!request.path.starts_with('/')) return unknown_path();
   std::string_view path = std::string_view(request.path).substr(1);
   if (!access_.token.empty() && !equal_secrets(cut_part(path), access_.token))
     return answer_with(403, "The address lacks the token that `lippmann view` printed with it.\n");
-  if (!may_come_from(request.fetch_site, path)) return answer_with(403, "Pages of other origins may read nothing here.\n");
+  if (!may_come_from(request.fetch_site, path)) return answer_with(403, "Pages of other origins have no access.\n");
   if (request.method == "GET" || request.method == "HEAD") return std::nullopt;
-  if (request.method != "POST" || !takes_text(path))
-    return answer_with(405, "Only GET and HEAD are answered: nothing here can be changed.\n");
+  if (request.method != "POST" || !takes_text(path)) return answer_with(405, "Only GET and HEAD are supported here.\n");
   if (path != kCalibration && request.origin.empty())
     return answer_with(403, "Only the page itself may change anything here.\n");
   return std::nullopt;
@@ -155,7 +154,7 @@ PageAnswer PageAnswers::answer(const PageRequest& request) {
   return request.method == "POST" ? answer_text(request, path) : answer_path(path);
 }
 
-/// What was dropped answers itself, but does not know that more may be dropped.
+/// The answers of the dropped images handle all requests except new drops and the description.
 PageAnswer PageAnswers::answer_drop(const PageRequest& request, std::string_view path) {
   const bool is_text = request.method == "POST";
   const std::shared_ptr<PageAnswers> shown = dropped_->shown();
@@ -198,7 +197,7 @@ PageAnswer PageAnswers::answer_path(std::string_view path) {
   return picture(path);
 }
 
-/// The page as one file, to be given away.
+/// Returns the page as one file for sharing.
 PageAnswer PageAnswers::whole_page() const {
   try {
     return answer_with(200, page_as_file(fields_, {}), "text/html; charset=utf-8");
@@ -240,7 +239,7 @@ PageAnswer PageAnswers::make_print(const std::string& request) {
   }
 }
 
-/// KIND/ID
+/// path: KIND/ID
 PageAnswer PageAnswers::print_picture(std::string_view path) const {
   const std::string_view kind = cut_part(path);
   const std::optional<std::size_t> id = number_in(path);
@@ -250,7 +249,7 @@ PageAnswer PageAnswers::print_picture(std::string_view path) const {
   return {200, bytes->starts_with("RIFF") ? "image/webp" : "image/png", bytes};
 }
 
-/// state/KNOWN
+/// path: state/KNOWN
 PageAnswer PageAnswers::run_state(std::string_view path) {
   const std::string_view kind = cut_part(path);
   const std::optional<std::size_t> known = number_in(path);
@@ -272,7 +271,7 @@ PageAnswer PageAnswers::run_order(std::string_view order) {
   }
 }
 
-/// FIELD/KIND/FRAME, see page_picture(); FIELD/views/FRAME/SIGMA as eyes see them with crosstalk, in hundredths of a pixel.
+/// path: FIELD/KIND/FRAME, see page_picture(); FIELD/views/FRAME/SIGMA for eyes with crosstalk, in hundredths of a pixel.
 PageAnswer PageAnswers::picture(std::string_view path) {
   const std::optional<std::size_t> field = number_in(cut_part(path));
   const std::string_view kind = cut_part(path);

@@ -1,7 +1,7 @@
-// What a page may ask of the server, and the answer to each request: no sockets, no paths of files.
+// Answers the requests of a page, without knowledge of sockets.
 //
-// Requests name pictures by numbers; no text of a request ever becomes part of a path. They are refused that come from pages of
-// other origins, name another host (a name that somebody made to point here), lack the token, or want parts of a file.
+// Requests name images by number; text of a request never becomes part of a file path. The server refuses requests from pages
+// of other origins, requests for another host (DNS rebinding), requests without the token, and range requests.
 #pragma once
 
 #include <memory>
@@ -20,9 +20,9 @@ namespace lippmann {
 
 struct PageRequest {
   std::string method = "GET";
-  std::string path = "/";                               ///< decoded, without what follows a question mark
+  std::string path = "/";                               ///< decoded, without the query
   std::string host = {}, origin = {}, fetch_site = {};  ///< headers: Host, Origin, Sec-Fetch-Site; empty: missing
-  std::string body = {};                                ///< what a POST sends
+  std::string body = {};                                ///< content of a POST
 };
 
 struct PageAnswer {
@@ -32,18 +32,18 @@ struct PageAnswer {
 };
 
 struct PageAccess {
-  std::vector<std::string> hosts = {};  ///< that requests may name, with port; empty: any, as the token keeps strangers out
-  std::string token = {};               ///< the first part of all paths; empty: none is asked for
+  std::vector<std::string> hosts = {};  ///< accepted hosts, with port; empty: any, since the token protects the server
+  std::string token = {};               ///< required first part of all paths; empty: no token
 };
 
-/// A scene that is set up from the page (live/live_page.hpp): what lies below "live/". Thread-safe.
+/// A scene set up from the page (live/live_page.hpp). Handles paths below "live/". Thread-safe.
 class LivePage {
  public:
   virtual ~LivePage() = default;
 
-  virtual nlohmann::ordered_json field() const = 0;  ///< field_json
-  virtual nlohmann::ordered_json about() const = 0;  ///< what the page is told once
-  virtual InterlaceParams interlace() const = 0;     ///< how views are mixed on panels
+  virtual nlohmann::ordered_json field() const = 0;  ///< as field_json()
+  virtual nlohmann::ordered_json about() const = 0;  ///< facts sent to the page once
+  virtual InterlaceParams interlace() const = 0;     ///< how views are interlaced on panels
   virtual PageAnswer get(std::string_view path) = 0;
   virtual PageAnswer post(std::string_view path, const std::string& body) = 0;
 };
@@ -51,35 +51,35 @@ class LivePage {
 class DroppedPictures;  // view/dropped_pictures.hpp
 class PagePrints;       // view/page_print.hpp
 
-/// Thread-safe.
+/// Answers requests. Thread-safe.
 class PageAnswers {
  public:
   static constexpr std::size_t kDefaultCacheBytes = std::size_t{256} << 20;
 
-  /// `display`: what the first of them is played on, as require_own_frame and require_one_row allow. Of one light field with
-  /// plain views, pages may ask for prints (view/page_print.hpp):
+  /// Shows light fields. display: the panel that the first one is played on (see require_own_frame and require_one_row). For a
+  /// single light field with plain views, pages may request prints (view/page_print.hpp):
   ///   POST print                     PagePrints::make
   ///   GET  print/views/ID, print/panel/ID, print/file/ID
-  /// GET page.html answers with the page as one file (page_as_file).
+  /// GET page.html returns the page as one file (page_as_file).
   PageAnswers(std::vector<std::unique_ptr<PageField>> fields, PageAccess access, std::optional<PageDisplay> display = {},
               std::size_t cache_bytes = kDefaultCacheBytes);
 
-  /// Shows a live scene. Without the token, and from pages of no or another origin, nothing of it can be changed.
+  /// Shows a live scene. Changes need the token and a request from the page itself.
   PageAnswers(std::unique_ptr<LivePage> live, PageAccess access);
 
-  /// Shows a render that runs or was stopped, which pages may stop and resume under the same conditions: below "run/",
+  /// Shows a render that is running or stopped. Pages may stop and resume it under the same conditions, below "run/":
   ///   GET  run/state/KNOWN   RunningRender::state_after
   ///   POST run/stop, run/resume
   PageAnswers(std::unique_ptr<PageField> field, std::shared_ptr<RunningRender> render, PageAccess access);
 
-  /// Shows the pictures that pages drop, and nothing before the first. `access` has a token: nobody else may fill the disk.
+  /// Shows images dropped on the page, initially none. `access` must have a token, so that no stranger can fill the disk.
   ///   POST drop/...  DroppedPictures::post
   PageAnswers(std::shared_ptr<DroppedPictures> dropped, PageAccess access);
 
   PageAnswer answer(const PageRequest& request);
 
-  /// The answer to a request that is refused whatever its body is: it comes from elsewhere, lacks the token, or posts where no
-  /// text is taken.
+  /// Returns the answer to a request that is refused before its body is read: it has a wrong origin, host or token, or is a
+  /// POST to a path that accepts none.
   std::optional<PageAnswer> refusal(const PageRequest& request) const;
 
  private:
@@ -100,19 +100,19 @@ class PageAnswers {
   std::vector<std::unique_ptr<PageField>> fields_;
   std::unique_ptr<LivePage> live_;
   std::shared_ptr<RunningRender> render_;
-  std::shared_ptr<PagePrints> prints_;        ///< null: there are none
-  std::shared_ptr<DroppedPictures> dropped_;  ///< null: pages cannot drop any
+  std::shared_ptr<PagePrints> prints_;        ///< null: prints are not available
+  std::shared_ptr<DroppedPictures> dropped_;  ///< null: dropping is not available
   PageAccess access_;
   std::optional<PageDisplay> display_;
   ByteCache cache_;
 };
 
-/// One of the pictures of a frame: what "views", "preview", "depth", "provenance" or "panel" names, encoded for a page. Throws
-/// Error.
+/// An image of a frame, encoded for a page.
 struct PagePicture {
   std::string bytes, type;
 };
-/// effort: 0 (fast) ... 9 (small).
+/// Encodes an image as WebP, or as PNG if it is too large for WebP. effort: 0 (fast) ... 9 (small). page_picture() selects the
+/// image by kind: "views", "preview", "depth", "provenance" or "panel". Throws Error.
 PagePicture encoded_picture(const Image8& picture, int effort);
 PagePicture page_picture(const PageField& field, std::string_view kind, std::size_t frame, int effort);
 
@@ -120,8 +120,8 @@ struct PageOffers {
   bool prints = false, drops = false;
 };
 
-/// fields.json: the version, what field_json says of each, the display that they are played on, and what the server
-/// offers beside them: prints, with the displays that it knows, and to show pictures that are dropped.
+/// Returns fields.json: the version, field_json() of each light field, the display that they are played on, and the services
+/// offered: prints with the known displays, and dropping images.
 std::string fields_text(const std::vector<std::unique_ptr<PageField>>& fields, const std::optional<PageDisplay>& display = {},
                         PageOffers offers = {});
 

@@ -1,4 +1,4 @@
-// What was made on demand and may be asked for again: byte strings by key, the least recently used given up first.
+// Caches byte strings made on demand, with eviction of the least recently used.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@ namespace lippmann {
 
 using Bytes = std::shared_ptr<const std::string>;
 
-/// Thread-safe. What is missing is made by one thread at a time, which bounds the memory that making takes.
+/// Thread-safe. Only one thread at a time makes a missing entry, which bounds the memory in use.
 class ByteCache {
  public:
   explicit ByteCache(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
-  /// What `make` throws is passed on, and nothing is kept.
+  /// Returns the entry of `key`, made by `make` if it is missing. Exceptions of `make` are passed on, and nothing is cached.
   Bytes get(const std::string& key, const std::function<std::string()>& make);
 
  private:

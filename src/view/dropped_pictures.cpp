@@ -47,7 +47,7 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
     text.replace(at, from.size(), to);
 }
 
-/// The place of each name in the natural order of all.
+/// Returns the rank of each name in natural order.
 std::vector<std::size_t> ranks_of(const std::vector<std::string>& names) {
   std::vector<std::size_t> order(names.size()), ranks(names.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -61,13 +61,13 @@ std::vector<std::size_t> ranks_of(const std::vector<std::string>& names) {
 struct DroppedPictures::Received {
   ScratchFolder folder;
   std::string title;
-  std::vector<std::string> names;  ///< as the page has them
+  std::vector<std::string> names;  ///< as sent by the page
   std::vector<fs::path> files;     ///< in the same order
   std::vector<std::uintmax_t> sizes;
-  std::uintmax_t bytes = 0;  ///< of all
+  std::uintmax_t bytes = 0;  ///< of all files
 
-  /// A message in which files have the names that the page knows.
-  std::string in_words_of_page(std::string message) const {
+  /// Replaces the names of stored files in a message by the page's names.
+  std::string with_page_names(std::string message) const {
     for (std::size_t i = 0; i < files.size(); ++i) {
       replace_all(message, files[i].string(), printable(names[i]));
       replace_all(message, files[i].filename().string(), printable(names[i]));
@@ -77,7 +77,7 @@ struct DroppedPictures::Received {
   }
 };
 
-/// Keeps the folder as long as somebody asks for its pictures.
+/// Keeps the folder until nobody uses its images.
 struct DroppedPictures::Shown {
   Shown(std::shared_ptr<const Received> from, std::unique_ptr<PageField> field)
       : received(std::move(from)), answers(list_of(std::move(field)), PageAccess{}) {}
@@ -100,7 +100,7 @@ DroppedPictures::~DroppedPictures() = default;
 void DroppedPictures::post(std::string_view path, const std::string& body) {
   const std::lock_guard lock(receiving_);
   if (path == "begin") return begin(body);
-  if (!received_) throw Error("drop", "another page has dropped pictures meanwhile", "them once more");
+  if (!received_) throw Error("drop", "another page has dropped pictures in the meantime", "dropping the pictures again");
   if (path == "show") return show();
   append(path, body);
 }
@@ -108,7 +108,7 @@ void DroppedPictures::post(std::string_view path, const std::string& body) {
 void DroppedPictures::begin(const std::string& body) {
   received_.reset();
   const nlohmann::ordered_json json = json_from_text(body);
-  if (!json.is_object()) throw Error("The list of pictures", "is no JSON object");
+  if (!json.is_object()) throw Error("The list of pictures", "is not a JSON object");
   const JsonFields fields(json, {}, {});
   const std::vector<std::string> names = fields.texts_or_none("names");
   if (names.size() < 2 || names.size() > kMostPictures)
@@ -116,7 +116,7 @@ void DroppedPictures::begin(const std::string& body) {
                 fmt::format("2 to {} pictures of one scene, from left to right", kMostPictures));
   for (const std::string& name : names)
     if (!is_picture_name(name))
-      throw Error(printable(name), "is no picture that can be read", ".jpg, .png, .tif, .webp, .exr or another picture");
+      throw Error(printable(name), "is not a picture that can be read", ".jpg, .png, .tif, .webp, .exr or another picture");
   auto received = std::make_shared<Received>();
   received->title = fields.text_or("title", "Pictures");
   const std::vector<std::size_t> ranks = ranks_of(names);
@@ -134,8 +134,8 @@ void DroppedPictures::append(std::string_view path, const std::string& bytes) {
   const auto at = whole_number<std::uintmax_t>(path.substr(std::min(slash + 1, path.size())));
   if (!index || !at || *index >= received.files.size()) throw Error("drop", "there is no such picture");
   std::uintmax_t& size = received.sizes[*index];
-  if (*at + bytes.size() == size) return;  // the page has not got the answer
-  if (*at != size) throw Error(printable(received.names[*index]), "a piece of it is missing", "the pictures once more");
+  if (*at + bytes.size() == size) return;  // a repeated piece, whose answer was lost
+  if (*at != size) throw Error(printable(received.names[*index]), "a piece of it is missing", "dropping the pictures again");
   size += bytes.size();
   received.bytes += bytes.size();
   if (received.bytes > most_bytes_) {
@@ -161,8 +161,8 @@ void DroppedPictures::show() {
     const std::lock_guard lock(mutex_);
     shown_ = {shown, &shown->answers};
   } catch (const Error& error) {
-    throw Error(received->in_words_of_page(error.where()), received->in_words_of_page(error.problem()),
-                received->in_words_of_page(error.accepted()));
+    throw Error(received->with_page_names(error.where()), received->with_page_names(error.problem()),
+                received->with_page_names(error.accepted()));
   }
 }
 

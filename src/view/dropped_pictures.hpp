@@ -1,9 +1,7 @@
-// Pictures that were dropped on a page: received in pieces, kept in a temporary folder, and shown as the views of a light
-// field.
+// Receives images dropped on a page in pieces, keeps them in a temporary folder, and shows them as views of a light field.
 //
-// Names from the page decide the order of the views and stand in messages; files have names of this program's own. The folder
-// of what is shown and that of what is being received are removed when they are replaced, and when this object goes.
-// Thread-safe.
+// The page's file names set the order of the views and appear in messages; the stored files have names of our own. The folders
+// of the images shown and of those being received are removed when they are replaced, and by the destructor. Thread-safe.
 #pragma once
 
 #include <cstdint>
@@ -20,20 +18,20 @@ namespace lippmann {
 class DroppedPictures {
  public:
   static constexpr std::size_t kMostPictures = 1000;
-  static constexpr std::uintmax_t kMostBytes = std::uintmax_t{4} << 30;  ///< of all pictures together
+  static constexpr std::uintmax_t kMostBytes = std::uintmax_t{4} << 30;  ///< of all images together
 
-  /// `context` must outlive this object. most_bytes: of all pictures together.
+  /// `context` must outlive this object. most_bytes: limit for all images together.
   explicit DroppedPictures(const Context& context, std::uintmax_t most_bytes = kMostBytes);
   ~DroppedPictures();
 
-  /// Below "drop/":
-  ///   begin  {"title", "names"}  forgets what was received but not shown
-  ///   N/AT   bytes of the picture of that index in `names`, from that byte on: the next ones, or the last ones once more
-  ///   show   shows them from left to right, in the natural order of their names
+  /// Handles a POST below "drop/":
+  ///   begin  {"title", "names"}  starts a new set and discards images received but not shown
+  ///   N/AT   bytes of the image with index N in `names` from offset AT: the next piece, or the last one again
+  ///   show   shows the images as views from left to right, in the natural order of their names
   /// Throws Error.
   void post(std::string_view path, const std::string& body);
 
-  /// What is shown; null: nothing was dropped yet.
+  /// Returns the answers for the images shown; null before the first.
   std::shared_ptr<PageAnswers> shown() const;
 
  private:
@@ -47,7 +45,7 @@ class DroppedPictures {
   const std::uintmax_t most_bytes_;
   std::mutex receiving_;
   std::shared_ptr<Received> received_;
-  mutable std::mutex mutex_;  ///< of what follows
+  mutable std::mutex mutex_;  ///< guards the members below
   std::shared_ptr<PageAnswers> shown_;
 };
 

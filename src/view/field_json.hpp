@@ -1,4 +1,4 @@
-// What a page is told of a light field before it asks for frames, as JSON (docs/guide/view.md lists the keys).
+// Describes a light field for the page, as JSON. docs/guide/view.md lists the keys.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -10,7 +10,7 @@ namespace {
 
 using std::chrono::seconds;
 
-/// For the rest of a body that nobody reads.
+/// Time for discarding the rest of an unread body.
 constexpr seconds kEndPatience{1};
 constexpr std::size_t kPiece = std::size_t{16} << 10;
 
@@ -40,7 +40,7 @@ void HttpConnection::ready() {
   read_requests();
 }
 
-/// As many as are answered at once.
+/// Reads on while requests are answered immediately.
 void HttpConnection::read_requests() {
   do read_request();
   while (state_ == State::kIdle && !input_.empty());
@@ -74,7 +74,7 @@ void HttpConnection::read_request() {
 void HttpConnection::begin_body(const RequestHead& head) {
   head_ = head;
   if (const std::optional<PageAnswer> refusal = terms_.refusal(head_.page)) {
-    // The next request begins after a body that nobody reads.
+    // The body is not read, so no further request can follow.
     if (head_.body_bytes > 0 || head_.body_refusal != 0) head_.keeps_alive = false;
     begin_answer(*refusal);
     return;
@@ -85,7 +85,7 @@ void HttpConnection::begin_body(const RequestHead& head) {
   if (head_.awaits_continue && input_.size() < head_.body_bytes) socket_.send(go_on, false);
 }
 
-/// The connection cannot go on after it.
+/// Sends a refusal and closes the connection, whose input cannot be parsed further.
 void HttpConnection::refuse(const PageAnswer& refusal) {
   head_.keeps_alive = false;
   begin_answer(refusal);

@@ -1,7 +1,7 @@
-// One client's connection: reads its requests, one after the other, and sends their answers, and never waits for the client.
+// Reads requests from one client and sends the answers, without blocking.
 //
-// Who polls the socket calls ready() when something has happened. Memory is bounded by the head and the body of one request; a
-// body is read only for requests that are let in.
+// The poller of the socket calls ready() after each event. Memory is bounded by the head and the body of one request. A body is
+// read only after the request's head has been accepted.
 #pragma once
 
 #include <chrono>
@@ -22,10 +22,10 @@ class HttpConnection {
 
   struct Terms {
     std::chrono::seconds idle{15};  ///< until the first byte of a request
-    std::chrono::seconds head{3};   ///< from then until the whole head is there: one packet, and some rounds of a bad network
-    std::chrono::seconds body{10};  ///< until the whole body is there: 1 MB at 1 Mbit/s
-    std::chrono::seconds send{15};  ///< without taking any of an answer: browsers pause tabs
-    /// The answer to a request that is refused whatever its body is; called before that is read.
+    std::chrono::seconds head{3};   ///< from then until the head is complete: one packet and some round trips on a bad network
+    std::chrono::seconds body{10};  ///< until the body is complete: 1 MB at 1 Mbit/s
+    std::chrono::seconds send{15};  ///< without any progress of an answer; browsers pause tabs
+    /// Returns the answer to a request that is refused regardless of its body. Called before the body is read.
     std::function<std::optional<PageAnswer>(const PageRequest&)> refusal;
   };
 
@@ -34,32 +34,32 @@ class HttpConnection {
   HttpConnection(const HttpConnection&) = delete;
   HttpConnection& operator=(const HttpConnection&) = delete;
 
-  /// The event that ready() waits for.
+  /// Returns the event to wait for before ready().
   platform::WatchedSocket watched() const { return {socket_.handle(), event()}; }
 
-  /// The socket can be read or written, as watched() says, or has failed.
+  /// Continues after the event of watched(), or after a failure of the socket.
   void ready();
 
-  /// The request that is complete, once; answer() follows.
+  /// Returns a complete request, once. The caller must then call answer().
   std::optional<PageRequest> take_request();
   void answer(const PageAnswer& answer);
 
-  /// Whether it can be closed: by the client, by an error, or because the client has let the deadline pass.
+  /// Returns whether to close the connection: the client closed it, an error occurred, or the client missed the deadline.
   bool is_over() const { return state_ == State::kOver || (waits_for_client() && Clock::now() >= deadline_); }
 
-  /// Whether it is the client's turn, and since when.
+  /// Returns whether the connection waits for the client; since() is the start of the current state.
   bool waits_for_client() const { return state_ != State::kAnswering && state_ != State::kComplete; }
   Clock::time_point since() const { return since_; }
 
  private:
   enum class State {
-    kIdle,      ///< no byte of the next request is there
-    kHead,      ///< reads it
-    kBody,      ///< reads it
-    kComplete,  ///< the request waits to be taken
+    kIdle,      ///< no byte of the next request has arrived
+    kHead,      ///< reading the head
+    kBody,      ///< reading the body
+    kComplete,  ///< the request waits for take_request()
     kAnswering,
     kSending,
-    kEnding,  ///< all is sent; what still comes is thrown away, or the client might not get the answer
+    kEnding,  ///< all is sent; further input is discarded, since closing early could lose the answer
     kOver,
   };
 
@@ -78,11 +78,11 @@ class HttpConnection {
   const Terms& terms_;
   State state_ = State::kIdle;
   Clock::time_point since_, deadline_;
-  std::string input_;  ///< what has come and is not yet part of a request
+  std::string input_;  ///< received bytes that are not yet part of a request
   RequestHead head_;
   std::string output_;  ///< head of the answer
   Bytes body_;
-  std::size_t sent_ = 0;  ///< of both
+  std::size_t sent_ = 0;  ///< bytes sent of head and body
 };
 
 }  // namespace lippmann

@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-/// Pages get only what comes from here, and other pages get nothing of it.
+/// Pages load only content of this server, and other pages cannot embed or read it.
 constexpr std::string_view kSafeHeaders =
     "Content-Security-Policy: default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; "
     "connect-src 'self'; frame-ancestors 'self'; base-uri 'none'; form-action 'none'\r\n"
@@ -27,17 +27,17 @@ struct Reason {
 constexpr Reason kReasons[] = {
     {200, "OK", ""},
     {204, "No Content", ""},
-    {400, "Bad Request", "This is no HTTP request.\n"},
+    {400, "Bad Request", "This is not an HTTP request.\n"},
     {403, "Forbidden", ""},
     {404, "Not Found", ""},
     {405, "Method Not Allowed", ""},
-    {411, "Length Required", "Texts are taken with a Content-Length, not in chunks.\n"},
-    {413, "Content Too Large", "Texts of at most 1 MB are taken.\n"},
-    {415, "Unsupported Media Type", "Texts are taken as they are, not compressed.\n"},
+    {411, "Length Required", "A body needs a Content-Length; chunks are not supported.\n"},
+    {413, "Content Too Large", "A body may have at most 1 MB.\n"},
+    {415, "Unsupported Media Type", "Compressed bodies are not supported.\n"},
     {422, "Unprocessable Content", ""},
-    {431, "Request Header Fields Too Large", "Headers of at most 16 kB are taken.\n"},
+    {431, "Request Header Fields Too Large", "Headers may have at most 16 kB.\n"},
     {500, "Internal Server Error", "The answer could not be made.\n"},
-    {505, "HTTP Version Not Supported", "HTTP/1.1 and HTTP/1.0 are spoken here.\n"},
+    {505, "HTTP Version Not Supported", "The server supports HTTP/1.1 and HTTP/1.0.\n"},
 };
 
 Reason reason_of(int status) {
@@ -48,7 +48,7 @@ Reason reason_of(int status) {
 
 bool is_letter_or_digit(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
 
-/// RFC 9110, 5.6.2.
+/// Returns whether the text is a token (RFC 9110, 5.6.2).
 bool is_token(std::string_view text) {
   const auto allowed = [](char c) {
     return is_letter_or_digit(c) || std::string_view("!#$%&'*+-.^_`|~").find(c) != std::string_view::npos;
@@ -70,7 +70,7 @@ std::string_view trimmed(std::string_view text) {
   return from == std::string_view::npos ? std::string_view() : text.substr(from, text.find_last_not_of(" \t") - from + 1);
 }
 
-/// Cuts a line off the front.
+/// Removes a line from the front and returns it.
 std::string_view cut_line(std::string_view& text) {
   const std::size_t end = text.find("\r\n");
   const std::string_view line = text.substr(0, end);
@@ -97,7 +97,7 @@ std::optional<std::string> decoded(std::string_view path) {
 
 class Headers {
  public:
-  /// Whether all lines are well-formed.
+  /// Parses the header lines. Returns whether all are well-formed.
   bool read(std::string_view lines) {
     while (!lines.empty()) {
       const std::string_view line = cut_line(lines);
@@ -148,11 +148,11 @@ std::optional<PageAnswer> read_first_line(std::string_view line, RequestHead& he
   return std::nullopt;
 }
 
-/// Whether the length of the body is unmistakable.
+/// Reads the length of the body. Returns whether it is unambiguous.
 bool read_body_length(const Headers& headers, RequestHead& head) {
   if (headers.has("transfer-encoding")) {
     head.body_refusal = 411;
-    return !headers.has("content-length");  // both: RFC 9112, 6.1, request smuggling
+    return !headers.has("content-length");  // both headers could hide a second request: RFC 9112, 6.1
   }
   if (headers.count("content-length") > 1) return false;
   const std::string_view text = headers.value("content-length");

@@ -1,8 +1,8 @@
-// HTTP/1.1 messages as bytes: reads the head of a request, writes the head of an answer.
+// Parses the heads of HTTP/1.1 requests and formats the heads of answers.
 //
 // Based on: RFC 9110 (HTTP semantics) and RFC 9112 (HTTP/1.1), 2022.
-// We deviate: 1. bodies come with Content-Length, plain; chunked bodies are refused with 411, compressed ones with 415.
-// 2. Folded header lines (RFC 9112, 5.2) and line ends without CR (2.2) are refused with 400, as both may be.
+// We deviate: 1. Bodies need a Content-Length and no coding; chunked bodies are refused with 411, compressed ones with 415. 2.
+// Folded header lines (RFC 9112, 5.2) and line ends without CR (2.2) are refused with 400, as the RFC permits.
 #pragma once
 
 #include <cstddef>
@@ -14,27 +14,28 @@
 
 namespace lippmann {
 
-/// Servers take heads of 8 KiB (Apache's LimitRequestFieldSize) to 16 KiB (Node's --max-http-header-size); browsers send
-/// about 1.
+/// Servers limit heads to 8 KiB (Apache's LimitRequestFieldSize) or 16 KiB (Node's --max-http-header-size); browsers send about
+/// 1 KiB.
 inline constexpr std::size_t kMostHeadBytes = std::size_t{16} << 10;
-/// A calibration has some 10 kB, settings less than 1.
+/// A calibration has about 10 kB, settings less than 1 kB.
 inline constexpr std::size_t kMostBodyBytes = std::size_t{1} << 20;
 
 struct RequestHead {
   PageRequest page;            ///< without its body
-  std::size_t body_bytes = 0;  ///< that follow; at most kMostBodyBytes
-  int body_refusal = 0;        ///< status of the answer if the body cannot be taken: 411, 413 or 415; 0: it can
+  std::size_t body_bytes = 0;  ///< size of the body that follows; at most kMostBodyBytes
+  int body_refusal = 0;        ///< status of the answer if the body is refused: 411, 413 or 415; 0: accepted
   bool keeps_alive = true;
-  bool awaits_continue = false;  ///< the client sends the body once it has been told to
+  bool awaits_continue = false;  ///< the client sends the body only after "100 Continue"
 };
 
-/// The head of a request, without the empty line that ends it; an answer with status 400 or 505 for one that is malformed.
+/// Parses the head of a request, without the empty line that ends it. Returns an answer with status 400 or 505 if it is
+/// malformed.
 std::variant<RequestHead, PageAnswer> read_head(std::string_view head);
 
-/// A refusal in plain text.
+/// Returns a refusal in plain text.
 PageAnswer refusal_of(int status);
 
-/// Status line and headers, with the empty line; `keeps_alive`: the connection stays open.
+/// Returns the status line and headers, with the empty line. keeps_alive: the connection stays open.
 std::string head_of(const PageAnswer& answer, bool keeps_alive);
 
 }  // namespace lippmann

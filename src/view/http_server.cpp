@@ -22,22 +22,22 @@
 namespace lippmann {
 namespace {
 
-/// A page opens six connections (RFC 9112, 9.4, leaves it to browsers; all have settled on six).
+/// A page opens six connections: RFC 9112, 9.4, leaves the number to browsers, which all use six.
 constexpr std::size_t kMostConnections = 128;
-/// Up to eight wait for news of a scene (live/live_page.cpp).
+/// Up to eight of them wait for changes of a scene (live/live_page.cpp).
 constexpr int kAnsweringThreads = 32;
-/// Between looks at deadlines, and at whether it is over.
+/// Interval between checks of the deadlines and of `stopped`.
 constexpr std::chrono::milliseconds kTick{50};
 
-/// Threads that make answers to complete requests.
+/// Threads that answer complete requests.
 class AnswerPool {
  public:
-  /// `answers` must outlive it.
+  /// `answers` must outlive this object.
   explicit AnswerPool(PageAnswers& answers) : answers_(answers) {
     try {
       for (int i = 0; i < kAnsweringThreads; ++i) threads_.emplace_back([this] { work(); });
     } catch (const std::system_error&) {
-      if (threads_.empty()) throw;  // where the system has no more threads, those that there are have to do
+      if (threads_.empty()) throw;  // otherwise go on with the threads that could be started
     }
   }
 
@@ -58,7 +58,7 @@ class AnswerPool {
     changed_.notify_one();
   }
 
-  /// Can be read when there are answers to take.
+  /// Returns a handle that becomes readable when answers are ready.
   std::intptr_t signal() const { return done_signal_.handle(); }
 
   std::vector<std::pair<std::uint64_t, PageAnswer>> take() {
@@ -76,7 +76,7 @@ class AnswerPool {
       const auto [connection, request] = std::move(asked_.front());
       asked_.pop_front();
       lock.unlock();
-      PageAnswer answer = made(request);
+      PageAnswer answer = answer_or_error(request);
       lock.lock();
       done_.emplace_back(connection, std::move(answer));
       lock.unlock();
@@ -84,8 +84,8 @@ class AnswerPool {
     }
   }
 
-  /// A request that fails, for want of memory say, does not end the program.
-  PageAnswer made(const PageRequest& request) {
+  /// A request that fails, for example for lack of memory, does not end the program.
+  PageAnswer answer_or_error(const PageRequest& request) {
     try {
       return answers_.answer(request);
     } catch (const std::exception&) {
@@ -103,13 +103,13 @@ class AnswerPool {
   std::vector<std::thread> threads_;
 };
 
-/// All open connections, by numbers that are never used again.
+/// All open connections, by numbers that are never reused.
 class Connections {
  public:
   Connections(const platform::Socket& listener, HttpConnection::Terms terms, AnswerPool& pool)
       : listener_(listener), terms_(std::move(terms)), pool_(pool) {}
 
-  /// Waits for something to happen, and does what follows from it.
+  /// Waits for events and handles them.
   void step() {
     using platform::SocketEvent;
     std::vector<platform::WatchedSocket> watched{{listener_.handle(), SocketEvent::kReadable},
@@ -142,7 +142,7 @@ class Connections {
 
   void accept_one() {
     if (open_.size() >= kMostConnections && !close_slowest()) {
-      std::this_thread::sleep_for(kTick);  // all are being answered
+      std::this_thread::sleep_for(kTick);  // all connections wait for answers
       return;
     }
     bool is_full = false;
@@ -153,7 +153,7 @@ class Connections {
       std::this_thread::sleep_for(kTick);
   }
 
-  /// Closes the connection that has waited longest for its client. False if no connection waits for its client.
+  /// Closes the connection that has waited longest for its client. Returns false if no connection waits for its client.
   bool close_slowest() {
     auto slowest = open_.end();
     for (auto one = open_.begin(); one != open_.end(); ++one)
@@ -208,7 +208,7 @@ HttpServer::HttpServer(const std::string& host, std::optional<int> port, int idl
   if (!listener_.is_open() && !port) listener_ = platform::Socket::listen(host, 0);
   if (!listener_.is_open())
     throw Error(fmt::format("{}:{}", in_address(host), wanted),
-                "cannot be listened at: it is in use, or no address of this machine",
+                "cannot listen there: it is in use, or not an address of this machine",
                 "an address of this machine and a free `port`; 0 takes any");
 }
 

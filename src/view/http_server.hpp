@@ -1,8 +1,8 @@
-// Answers requests over HTTP: the sockets of `lippmann view`, and what bounds them.
+// The HTTP server of `lippmann view`, with its sockets and limits.
 //
-// One thread reads requests and sends answers, so that slow clients occupy no thread; others make the answers to complete
-// requests. At most 128 connections are open: a new one takes the place of the one that has kept the server waiting longest.
-// http_connection.cpp has the deadlines, http_message.hpp the sizes.
+// One thread reads requests and sends answers, so that slow clients occupy no thread; a pool makes the answers. At most 128
+// connections are open: a new one replaces the one that has waited longest for its client. http_connection.hpp has the
+// deadlines, http_message.hpp the size limits.
 #pragma once
 
 #include <atomic>
@@ -14,34 +14,34 @@
 
 namespace lippmann {
 
-/// Whether only programs of this machine reach a server there.
+/// Returns whether only programs on this machine can reach a server at `host`.
 bool is_loopback(const std::string& host);
 
-/// What a browser has to be given: "http://127.0.0.1:8488/", with the token where there is one. A host that stands for all
-/// interfaces is named by this machine's name.
+/// Returns the address for a browser, "http://127.0.0.1:8488/", with the token if there is one. The address of all interfaces
+/// is replaced by the name of this machine.
 std::string page_address(const std::string& host, int port, const std::string& token);
 
-/// The names by which requests may call a server on loopback; none for others, which a token protects.
+/// Returns the Host headers accepted by a server on loopback; none for other hosts, which the token protects.
 std::vector<std::string> page_hosts(const std::string& host, int port);
 
-/// 128 random bits, in hexadecimal digits.
+/// Returns 128 random bits as hexadecimal digits.
 std::string random_token();
 
 class HttpServer {
  public:
   static constexpr int kUsualPort = 8488;
 
-  /// On a busy machine browsers open connections seconds before they speak, and a page whose connection is closed by then may
-  /// stay empty.
+  /// On a busy machine browsers open connections seconds before they send a request. Closing such a connection can leave the
+  /// page empty.
   static constexpr int kUsualIdleSeconds = 15;
 
-  /// Takes the port: the one given (0: any that is free), or without one the usual, and any where that is taken. A connection
-  /// without a request is closed after idle_seconds. Throws Error.
+  /// Listens on `port` (0: any free port). Without a port, listens on kUsualPort, or on any free port if that is taken.
+  /// Connections without a request are closed after idle_seconds. Throws Error.
   HttpServer(const std::string& host, std::optional<int> port, int idle_seconds = kUsualIdleSeconds);
 
   int port() const;
 
-  /// Until `stopped`. Once.
+  /// Serves requests until `stopped`. May be called once.
   void run(PageAnswers& answers, const std::atomic<bool>& stopped);
 
  private:

@@ -16,7 +16,7 @@ double jump_along(const ViewAxis& axis, double pixel_mm) {
   return kVisiblePixels * pixel_mm / std::abs(axis.slope(middle + 0.5) - axis.slope(middle - 0.5));
 }
 
-/// The greatest finite one of each three in a row, `stride` apart.
+/// Returns the greatest finite value of each sample and its neighbours `stride` before and after.
 std::vector<float> greatest_of_three(const std::vector<float>& values, std::size_t count, std::size_t stride) {
   std::vector<float> greatest = values;
   for (std::size_t i = 0; i < values.size(); ++i) {

@@ -1,7 +1,7 @@
-// The panel that a page plays light fields on: what its calibration comes to, so that the page's shader makes the codes that
-// `interlace` (layout/interlace.hpp) makes.
+// The panel that a page plays light fields on, with the phases that let the page's shader reproduce `interlace`
+// (layout/interlace.hpp).
 //
-// Calibrations are read here alone: a page sends the text of a file that was dropped on it, and gets the same numbers back.
+// Only this module parses calibrations: the page sends the text of a dropped file and receives the phases.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -18,16 +18,17 @@ struct PageDisplay {
   InterlaceParams interlace = {};
 };
 
-/// Throws a usage Error naming `views` where views are more than one row, of which no panel's frame is made.
+/// Throws a usage Error naming `views` if the views have more than one row, which panels cannot interlace.
 void require_one_row(const PageFacts& facts);
 
-/// Which view each sub-pixel is of (docs/guide/view.md lists the keys).
+/// Returns which view each sub-pixel shows. docs/guide/view.md lists the keys.
 nlohmann::ordered_json phases_json(const ViewPhases& phases);
 
-/// The same of a panel, with its name and size, and how views are mixed.
+/// Returns the phases of a panel with its name, its size and the view filter.
 nlohmann::ordered_json page_display_json(const PageDisplay& shown);
 
-/// The text of a visual.json that came from the page, interlaced as `otherwise` says. Throws Error naming "the calibration".
+/// Parses the text of a visual.json sent by the page. otherwise: how views are interlaced. Throws Error naming "the
+/// calibration".
 PageDisplay dropped_calibration(std::string_view text, const InterlaceParams& otherwise);
 
 }  // namespace lippmann

@@ -11,11 +11,12 @@
 namespace lippmann {
 namespace {
 
-/// The most pixels that are made for all eyes of one frame: what takes a second or two.
+/// Limit for the pixels of all eyes of one frame, which take a second or two.
 constexpr double kMostEyePixels = 6e6;
 constexpr int kMostEyesAcross = 48, kMostEyesUp = 9;
 
-/// Not many more columns than rows, so that textures hold them: of a prime number of views the last tiles stay empty.
+/// Returns a grid that is not much wider than high, since textures have a maximum size. For a prime number of views the last
+/// tiles stay empty.
 ViewGrid tiles_for(int views) {
   const ViewGrid full = squarest_tiles(views);
   if (full.columns <= 3 * full.rows) return full;
@@ -23,7 +24,7 @@ ViewGrid tiles_for(int views) {
   return {columns, (views + columns - 1) / columns};
 }
 
-/// The views of a panel without views of whole pixels: as many eyes as there are directions, in pictures that memory holds.
+/// Sets the views of a panel without whole pixels per lens: one eye per distinguishable direction, within the pixel limit.
 void describe_eyes(const Optics& optics, PageFacts& facts) {
   const Vec2i counts = glm::min(view_counts(optics), Vec2i(kMostEyesAcross, kMostEyesUp));
   facts.grid = {counts.x, counts.y};
@@ -45,7 +46,7 @@ void describe_views(const Optics& optics, const ViewLayout& film, PageFacts& fac
   facts.lens_samples_up = lenses && lenses->row_pitch_mm > 0.0;
 }
 
-/// Whether every view has a pixel below every lens: prints may end within one.
+/// Returns whether every view has a pixel below every lens; prints may end within a lens.
 bool has_whole_lenses(const ViewLayout& film, Vec2i picture) {
   return film.kind != LayoutKind::kIntegral || (picture.x % film.grid.columns == 0 && picture.y % film.grid.rows == 0);
 }

@@ -1,8 +1,8 @@
-// What a page is told of a light field, and its views in one picture (a quilt), made of what the panel shows.
+// Describes a light field for the page, and makes its views as one image (a quilt) from the panel's image.
 //
-// Views are the panel's own pixels where it has views of whole pixels; of slanted, hexagonal and fractional lenses they are
-// what `EyeSampler` shows to eyes in as many directions as can be told apart, one sample a pixel and no more pixels than a
-// second or two make.
+// Panels with whole pixels per lens provide the views as their own pixels. For slanted, hexagonal and fractional lenses,
+// `EyeSampler` computes what eyes in all distinguishable directions see, one sample per pixel, with the resolution reduced to
+// take at most a second or two.
 #pragma once
 
 #include <optional>
@@ -18,11 +18,11 @@
 
 namespace lippmann {
 
-/// How the pixels of the panel's picture follow from those of the views.
+/// How the page derives the panel's image from the views.
 enum class PanelPicture {
-  kIntegral,  ///< cells of grid.columns x grid.rows pixels, one from each view, turned round (layout/view_layout.hpp)
-  kQuilt,     ///< the quilt of the views itself
-  kOwn,       ///< they do not: it is a picture of its own
+  kIntegral,  ///< cells of grid.columns x grid.rows pixels, one from each view, rotated (layout/view_layout.hpp)
+  kQuilt,     ///< it is the quilt of the views
+  kOwn,       ///< it cannot: the panel has an image of its own
 };
 
 struct PageFrame {
@@ -32,34 +32,34 @@ struct PageFrame {
 
 struct PageFacts {
   std::string title;
-  ViewGrid grid;          ///< how many views there are across and up
-  ViewGrid tiles;         ///< how the quilt holds them, view 0 at the bottom left
+  ViewGrid grid;          ///< number of views across and up
+  ViewGrid tiles;         ///< arrangement of the views in the quilt, view 0 at the bottom left
   Vec2i view_size{0, 0};  ///< pixels
-  Window window;          ///< that every view shows, in z = 0
+  Window window;          ///< the part of z = 0 that every view shows
   ViewAxes axes;
-  bool lens_samples_across = false, lens_samples_up = false;  ///< a pixel of a view is what a whole lens shows
+  bool lens_samples_across = false, lens_samples_up = false;  ///< one sample of a view covers a whole lens in that direction
   PanelPicture panel = PanelPicture::kOwn;
-  Vec2i panel_size{0, 0};            ///< pixels of the panel's picture
-  std::optional<ViewPhases> phases;  ///< of the panel's sub-pixels, where they have any
-  Vec3d eye_mm{0.0};                 ///< where the display is meant to be seen from
+  Vec2i panel_size{0, 0};            ///< pixels of the panel's image
+  std::optional<ViewPhases> phases;  ///< of the panel's sub-pixels; none: the panel has no calibration
+  Vec3d eye_mm{0.0};                 ///< design viewing position of the display
   double depth_budget_mm = 0.0;
   bool has_depth = false;
-  bool has_provenance = false;      ///< of every pixel of the views
-  double disparity_scale_mm = 1.0;  ///< the scale of codes (view/disparity_codes.hpp)
+  bool has_provenance = false;      ///< provenance of every pixel of the views
+  double disparity_scale_mm = 1.0;  ///< scale of the disparity codes (view/disparity_codes.hpp)
   double frames_per_second = 25.0;
   std::vector<PageFrame> frames;
-  std::string assumption;  ///< what is not known of the cameras; empty: nothing
+  std::string assumption;  ///< sentence on assumed cameras; empty: nothing was assumed
 };
 
-/// The facts of a light field behind these optics; what is not theirs (title, frames, depth, frame rate) is as by default.
+/// Returns the facts that follow from the optics; all others (title, frames, depth, frame rate) have their defaults.
 PageFacts page_facts(const Optics& optics);
 
-/// The eye that a view of the page stands for.
+/// Returns the eye of a view.
 Viewer eye_of_view(const PageFacts& facts, int view);
 
-/// sRGB codes; facts.tiles of facts.view_size. `where` is named by the Error for a picture that is not of the optics' size.
-/// crosstalk_px: a sigma as of optics/crosstalk.hpp, with which eyes look; of views of whole pixels, which no eye looks at, it
-/// is not used.
+/// Returns the quilt of the views in sRGB codes, facts.tiles of facts.view_size. crosstalk_px: sigma of the eyes' view
+/// (optics/crosstalk.hpp); ignored for views that are the panel's own pixels. Throws Error naming `where` if the image does not
+/// have the size of the optics.
 Image8 views_quilt(const RenderedPanel& rendered, const PageFacts& facts, const ThreadPool& pool, const std::string& where,
                    double crosstalk_px = 0.0);
 

@@ -48,7 +48,7 @@ FormatOptions options_with_depth(const LightFieldHints& hints) {
   return options;
 }
 
-/// A code per pixel.
+/// Converts a layer of codes to a grey image.
 Image8 grey(const Image& layer) {
   Image8 codes{layer.width, layer.height, std::vector<unsigned char>(3 * layer.data.size())};
   for (std::size_t i = 0; i < codes.rgb.size(); ++i)
@@ -77,7 +77,7 @@ PageField::PageField(fs::path in, LightFieldHints hints, const Context& context)
   try {
     find_layers();
   } catch (const Error& error) {
-    context.warning(fmt::format("Depth is left out, and other layers: {}", error.what()));
+    context.warning(fmt::format("Depth and other layers are left out: {}", error.what()));
   }
 }
 
@@ -103,7 +103,7 @@ Image8 PageField::quilt(std::size_t frame, double crosstalk_px) const {
 Image8 PageField::disparities(std::size_t frame) const {
   const Layered views = layered(frame);
   if (!views.field.depth)
-    throw Error(file_of(frame).string(), "has no depth of its views, which the first frame has", "render with `aov` depth");
+    throw Error(file_of(frame).string(), "has no depth, unlike the first frame", "render with `aov` depth");
   Image disparities = disparities_mm(*views.field.depth, facts_.axes.vergence, views.depth_scale);
   take_near_at_edges(disparities, facts_.view_size, visible_jump_mm(facts_, facts_.view_size));
   return in_quilt(disparity_codes(disparities, facts_.disparity_scale_mm));
@@ -112,8 +112,7 @@ Image8 PageField::disparities(std::size_t frame) const {
 Image8 PageField::provenance(std::size_t frame) const {
   const Layered views = layered(frame);
   if (!views.provenance)
-    throw Error(file_of(frame).string(), "does not say where its pixels came from, as the first frame does",
-                "render with `aov` provenance");
+    throw Error(file_of(frame).string(), "has no provenance, unlike the first frame", "render with `aov` provenance");
   return in_quilt(grey(*views.provenance));
 }
 
@@ -145,7 +144,7 @@ RenderedPanel PageField::read(std::size_t frame) const {
   return coming_ ? find_light_field_frames(file, hints_).read(0) : frames_.read(frame);
 }
 
-/// Views of another frame's size have no layers.
+/// Views whose grid or size differs from the first frame's have no layers.
 PageField::Layered PageField::layered(std::size_t frame) const {
   const fs::path file = file_of(frame);
   require_within(root_, file);

@@ -1,7 +1,7 @@
-// A light field in files as a page shows it: what it is in figures, and of every frame its views in one picture (a quilt), how
-// far points move from view to view where depth is known, and what the panel shows.
+// A light field in files, as a page shows it: its description and, for each frame, the quilt of its views, the disparities if
+// depth is known, and the panel's image.
 //
-// Whatever `find_light_field_frames` reads.
+// Reads everything that find_light_field_frames reads.
 #pragma once
 
 #include <filesystem>
@@ -23,52 +23,52 @@ class RunningRender;
 
 class PageField {
  public:
-  /// Throws Error naming the file, or the flag that has to say what nothing else says; depth that cannot be read is left out
-  /// with a warning. Links that lead out of the folder that
-  /// is shown are refused, those of frames when they are read.
+  /// Throws Error naming the file, or a flag that must supply missing information. Depth that cannot be read is omitted with a
+  /// warning. Links that lead out of the folder are refused; links of frames when the frame is read.
   PageField(std::filesystem::path in, LightFieldHints hints, const Context& context);
 
-  /// What a render's folder will hold: its report says the optics, and whether there is depth. Throws Error naming it. A frame
-  /// that has not come yet is an Error when it is asked for.
+  /// Shows a render in progress. Its report has the optics and the available layers. Throws Error naming the report. Reading a
+  /// frame that is not finished throws Error.
   PageField(const std::filesystem::path& folder, std::shared_ptr<const RunningRender> coming, const Context& context);
 
   const PageFacts& facts() const { return facts_; }
-  /// In place of the name of the files.
+  /// Replaces the title, which is the file name by default.
   void set_title(std::string title) { facts_.title = std::move(title); }
 
-  // These are of the frame of that index, below facts().frames.size(). All throw Error naming the file; thread-safe.
+  // Images of the frame with that index, below facts().frames.size(). Each throws Error naming the file. Thread-safe.
 
-  /// sRGB codes; facts().tiles of facts().view_size. With crosstalk (see views_quilt) as eyes see it through the panel's own.
+  /// Returns the views in sRGB codes, facts().tiles of facts().view_size. crosstalk_px: see views_quilt().
   Image8 quilt(std::size_t frame, double crosstalk_px = 0.0) const;
-  /// Likewise, codes of disparity. Needs facts().has_depth.
+  /// Returns the disparity codes of the views as a quilt. Needs facts().has_depth.
   Image8 disparities(std::size_t frame) const;
-  /// Likewise, where each pixel came from: its number in Provenance, as red, green and blue. Needs facts().has_provenance.
+  /// Returns the provenance of each pixel as a quilt, its number in Provenance in red, green and blue. Needs
+  /// facts().has_provenance.
   Image8 provenance(std::size_t frame) const;
-  /// sRGB codes of facts().panel_size.
+  /// Returns the panel's image in sRGB codes, facts().panel_size.
   Image8 panel(std::size_t frame) const;
-  /// The views as the files have them. Needs has_plain_views(). `fit`: as FormatOptions::fit_view.
+  /// Returns the views with the samples of the files. Needs has_plain_views(). fit: as FormatOptions::fit_view.
   LightField views(std::size_t frame, const std::function<Picture(const Picture&, int view, ViewGrid grid)>& fit) const;
 
-  /// Whether files hold the pixels of two views or more, and all of them are there.
+  /// Returns whether the files contain complete pixels of two or more views.
   bool has_plain_views() const;
   int threads() const { return pool_.threads(); }
 
  private:
   RenderedPanel read(std::size_t frame) const;
   std::filesystem::path file_of(std::size_t frame) const;
-  /// The views with all layers that are there.
+  /// The views with all their layers.
   struct Layered;
   Layered layered(std::size_t frame) const;
-  /// Adds to the facts which layers the first frame has.
+  /// Sets the facts about layers from the first frame.
   void find_layers();
   Image8 in_quilt(const Image8& stack) const;
 
   LightFieldHints hints_;
-  std::filesystem::path root_;  ///< before the frames: what leads out of it is not even looked at
+  std::filesystem::path root_;  ///< frames outside this folder are refused unread
   LightFieldFrames frames_;
   PageFacts facts_;
   ThreadPool pool_;
-  std::shared_ptr<const RunningRender> coming_;  ///< null: all files are there
+  std::shared_ptr<const RunningRender> coming_;  ///< null: all files exist
 };
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// The files of the page that `lippmann view` shows, as web/ builds them; cmake/embed_page.cmake makes the source.
+// The files of the page that `lippmann view` serves, built by web/ and embedded by cmake/embed_page.cmake.
 #pragma once
 
 #include <span>

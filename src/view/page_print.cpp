@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kPrintEffort = 0;  ///< of encoding what eyes see: somebody waits for it
+constexpr int kPrintEffort = 0;  ///< for the views of a print, which a client waits for
 constexpr double kMostShiftPx = 1e4;
 
 Display display_of_text(const JsonFields& file) {
@@ -65,7 +65,7 @@ struct PagePrints::Print {
 
 PrintRequest read_print_request(const std::string& text) {
   const Json json = json_from_text(text);
-  if (!json.is_object()) throw Error("The settings of the print", "are no JSON object");
+  if (!json.is_object()) throw Error("The settings of the print", "are not a JSON object");
   const JsonFields fields(json, {}, {});
   PrintRequest request;
   request.frame = static_cast<std::size_t>(fields.whole_or("frame", {0.0, 1e9}, 0));
@@ -81,12 +81,12 @@ PagePrints::PagePrints(const PageField& field) : field_(field), pool_(field.thre
 
 Json PagePrints::make(const std::string& request) {
   const std::unique_lock making(making_, std::try_to_lock);
-  if (!making) throw Error("print", "another one is being made", "this one when that is done");
+  if (!making) throw Error("print", "another print is being made", "trying again when it is finished");
   const PrintRequest wanted = read_print_request(request);
   if (wanted.frame >= field_.facts().frames.size()) throw usage_error("frame", "there is no such frame");
   {
     const std::lock_guard lock(mutex_);
-    last_.reset();  // two of them might not fit into memory
+    last_.reset();  // two prints might not fit into memory
   }
   const Display& display = wanted.display;
   const DisplayTarget target = display_target(display, own_format(display));

@@ -1,7 +1,7 @@
-// Prints that a page asks for: the picture of a display, made of the views of a frame as `lippmann convert` makes it, and what
-// eyes see of it through the display's lenses.
+// Makes prints for a page: the image for a display from the views of a frame, as `lippmann convert` makes it, and what eyes see
+// of it through the display's lenses.
 //
-// One print is made at a time, of at most kMostPrintPixels, and only the last one is kept. All functions are thread-safe.
+// One print is made at a time, with at most kMostPrintPixels. Only the last print is kept. Thread-safe.
 #pragma once
 
 #include <memory>
@@ -17,33 +17,33 @@
 
 namespace lippmann {
 
-/// An A4 page at 1000 dpi has 97 million. Each takes 15 bytes while a print is made.
+/// An A4 page at 1000 dpi has 97 million pixels. Making a print takes 15 bytes per pixel.
 inline constexpr double kMostPrintPixels = 100e6;
 
 struct PrintRequest {
   std::size_t frame = 0;
   Display display;
   std::optional<AspectFit> fit = {};  ///< none: default_fit()
-  double view_shift_px = 0.0;         ///< as ViewFitter has it
+  double view_shift_px = 0.0;         ///< as in ViewFitter
 };
 
-/// Reads {"frame", "display", "file": {"name", "text"}, "fit", "view_shift_px"}: the display is a name or a sheet in one line,
-/// or the text of a file, never a file of this machine. Throws Error naming the key.
+/// Parses {"frame", "display", "file": {"name", "text"}, "fit", "view_shift_px"}. The display is a name, a sheet in one line,
+/// or the text of a file, never the path of a file. Throws Error naming the key.
 PrintRequest read_print_request(const std::string& text);
 
 class PagePrints {
  public:
-  /// `field` must outlive this object, and have plain views.
+  /// `field` must outlive this object and must have plain views.
   explicit PagePrints(const PageField& field);
 
-  /// Makes a print, and returns its number `id`, its `description`, how its views were `fitted`, its `pixels` and `field`, the
+  /// Makes a print. Returns its number `id`, its `description`, how its views were `fitted`, its `pixels`, and `field`, the
   /// light field that eyes see of it (field_json). Throws Error.
   nlohmann::ordered_json make(const std::string& request);
 
-  /// Of the print of that number: "views", what eyes see, or "panel" or "file", the print itself. Null: there is no such
-  /// picture.
+  /// Returns an image of the print with that number: "views" (what eyes see), "panel" or "file" (the print itself). Null if
+  /// there is none.
   Bytes picture(std::string_view kind, std::size_t id) const;
-  /// Whether a newer print has taken the place of that one.
+  /// Returns whether a newer print has replaced that one.
   bool is_outdated(std::size_t id) const;
 
  private:
@@ -53,7 +53,7 @@ class PagePrints {
   const PageField& field_;
   ThreadPool pool_;
   std::mutex making_;
-  mutable std::mutex mutex_;  ///< of what follows
+  mutable std::mutex mutex_;  ///< guards the members below
   std::shared_ptr<const Print> last_;
   std::size_t made_ = 0;
 };

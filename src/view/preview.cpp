@@ -9,11 +9,11 @@
 namespace lippmann {
 namespace {
 
-/// A preview has about this many pixels; quilts of fewer than four times as many have none.
+/// Approximate pixels of a preview. Quilts with less than four times as many pixels have none.
 constexpr double kPreviewPixels = 512.0 * 512.0;
 constexpr int kPreviewQuality = 60;
 
-/// Codes of the pixels from `first` to before `last`, in each direction, of the picture.
+/// Writes the mean codes of the block from `first` to before `last`.
 void write_mean(const Image8& quilt, Vec2i first, Vec2i last, unsigned char* out) {
   unsigned sum[3]{};
   for (int y = first.y; y < last.y; ++y)
@@ -24,7 +24,7 @@ void write_mean(const Image8& quilt, Vec2i first, Vec2i last, unsigned char* out
   for (int channel = 0; channel < 3; ++channel) out[channel] = static_cast<unsigned char>((sum[channel] + count / 2) / count);
 }
 
-/// The first pixel of a view's block.
+/// Returns the first pixel of a block.
 int block_start(int block, int blocks, int pixels) { return static_cast<int>(static_cast<long long>(block) * pixels / blocks); }
 
 }  // namespace

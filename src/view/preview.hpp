@@ -1,4 +1,4 @@
-// A small quilt that a page shows until the whole one is there: the same views with fewer pixels, in some ten kilobytes.
+// Makes a small quilt of about 10 kB, which a page shows while it loads the full one.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@
 
 namespace lippmann {
 
-/// The size of a view in the preview, in pixels; none: the quilt is small enough to be waited for.
+/// Returns the size of a view in the preview, pixels. None if the quilt is small enough without a preview.
 std::optional<Vec2i> preview_view_size(const PageFacts& facts);
 
-/// The mean codes of blocks of a quilt as `facts` describes it. Needs preview_view_size(facts).
+/// Returns the block means of the quilt described by `facts`. Needs preview_view_size(facts).
 Image8 preview_of(const Image8& quilt, const PageFacts& facts);
 
-/// preview_of as a file (lossy WebP, "image/webp").
+/// Returns preview_of() encoded as lossy WebP ("image/webp").
 std::string encoded_preview(const Image8& quilt, const PageFacts& facts);
 
 }  // namespace lippmann

@@ -36,14 +36,14 @@ bool is_unfinished_render(const fs::path& folder) try {
   return false;
 }
 
-RunningRender::RunningRender(fs::path folder, ToolCommand resuming, std::chrono::milliseconds between_looks)
+RunningRender::RunningRender(fs::path folder, ToolCommand resuming, std::chrono::milliseconds poll_interval)
     : folder_(std::move(folder)),
       resuming_(std::move(resuming)),
-      between_looks_(between_looks),
+      poll_interval_(poll_interval),
       reader_(folder_),
       state_(state_in(reader_, folder_)) {
   frames_ = state_.journal.asked;
-  if (frames_.empty()) throw Error(folder_.string(), "no frames were asked for", "a render that has begun");
+  if (frames_.empty()) throw Error(folder_.string(), "no frames were requested", "a render that has begun");
   take(state_.journal);
 }
 
@@ -62,11 +62,11 @@ void RunningRender::take(const FolderJournal& journal) {
   }
 }
 
-/// Under the lock, as what follows.
-void RunningRender::look() {
+/// Called with the mutex locked, like the functions below.
+void RunningRender::update() {
   const auto now = std::chrono::steady_clock::now();
-  if (now - looked_ < between_looks_) return;
-  looked_ = now;
+  if (now - updated_ < poll_interval_) return;
+  updated_ = now;
   try {
     state_ = state_in(reader_, folder_);
     take(state_.journal);
@@ -91,7 +91,7 @@ std::string RunningRender::word() const {
 
 Json RunningRender::state_after(std::size_t known) {
   const std::lock_guard lock(mutex_);
-  look();
+  update();
   Json news = Json::array();
   for (std::size_t i = known; i < finished_.size(); ++i) news.push_back(frame_news(finished_[i].index, finished_[i].facts));
   return {{"state", word()},          {"frames", frames_.size()},
@@ -102,23 +102,25 @@ Json RunningRender::state_after(std::size_t known) {
 
 void RunningRender::stop() {
   const std::lock_guard lock(mutex_);
-  looked_ = {};
-  look();
-  bool told = false;
+  updated_ = {};
+  update();
+  bool interrupted = false;
   for (const fs::path& part : state_.running)
-    if (interrupted_.contains(part) || interrupt_writer(part)) interrupted_.insert(part), told = true;
-  if (!told && !resumed_) throw Error(folder_.string(), "no process of this machine renders into it", "a render that runs");
-  if (!told) resumed_->interrupt();  // it has not come to its journal yet
+    if (interrupted_.contains(part) || interrupt_writer(part)) interrupted_.insert(part), interrupted = true;
+  if (!interrupted && !resumed_)
+    throw Error(folder_.string(), "no process of this machine renders into it", "a render that runs");
+  if (!interrupted) resumed_->interrupt();  // the resumed process has not reached its journal yet
 }
 
 void RunningRender::resume() {
   const std::lock_guard lock(mutex_);
-  looked_ = {};
-  look();
-  if (resumed_ || !state_.running.empty()) throw Error(folder_.string(), "a render is under way", "to stop it first");
+  updated_ = {};
+  update();
+  if (resumed_ || !state_.running.empty()) throw Error(folder_.string(), "a render is running", "stopping it first");
   const fs::path job = folder_ / "job.toml";
   if (!is_as_written(state_.journal, folder_, "job.toml"))
-    throw Error(job.string(), "is not as a render has written it", "`lippmann render` with `resume` and a job that you know");
+    throw Error(job.string(), "was changed after the render wrote it",
+                "`lippmann render` with `resume` and a job that you trust");
   error_.clear();
   resumed_ = std::make_unique<ToolProcess>(resuming_);
 }

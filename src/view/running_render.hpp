@@ -1,8 +1,7 @@
-// A render whose folder is shown while it runs, or once it was stopped: which frames are finished, how long the others take,
-// and stopping or resuming it.
+// Monitors a render that is running or was stopped: which frames are finished, the time left, and stopping or resuming it.
 //
-// All is learnt from the folder's journal (folder/render_state.hpp): the render is a process of its own, and may be started
-// before or after the page, from a terminal or from here.
+// All information comes from the folder's journal (folder/render_state.hpp). The render is a separate process, started before
+// or after the page, from a terminal or from the page.
 #pragma once
 
 #include <chrono>
@@ -22,33 +21,32 @@
 
 namespace lippmann {
 
-/// Whether a folder holds a render that runs, or that lacks frames. False for what is no folder of a render, or has a damaged
-/// journal.
+/// Returns whether the folder has a render that is running or lacks frames. False if it has no render or a damaged journal.
 bool is_unfinished_render(const std::filesystem::path& folder);
 
 /// Thread-safe.
 class RunningRender {
  public:
-  /// `resuming`: goes on with the folder's render. Throws Error if the folder holds no journal, or a damaged one.
-  /// The folder is read again after `between_looks`, however many pages ask.
+  /// resuming: the command that continues the folder's render. The folder is read at most once per poll_interval, regardless of
+  /// the number of pages. Throws Error if the journal is missing or damaged.
   RunningRender(std::filesystem::path folder, ToolCommand resuming,
-                std::chrono::milliseconds between_looks = std::chrono::milliseconds(200));
+                std::chrono::milliseconds poll_interval = std::chrono::milliseconds(200));
 
-  /// All that runs have been asked for when this was made, ascending; at least one.
+  /// Returns all requested frames at the time of construction, in ascending order; at least one.
   const std::vector<int>& frames() const { return frames_; }
 
-  /// The file of the frame of that index, once it is finished.
+  /// Returns the file of the frame with that index, or none until it is finished.
   std::optional<std::filesystem::path> file(std::size_t index) const;
 
-  /// What the page is told (docs/guide/view.md lists the keys), with the frames that were found finished after the first
-  /// `known`.
+  /// Returns the state for the page, with all finished frames except the first `known` that were found. docs/guide/view.md
+  /// lists the keys.
   nlohmann::ordered_json state_after(std::size_t known);
 
-  /// Does to the processes of this machine that render into the folder what Ctrl-C does. Throws Error if there are none.
+  /// Interrupts the processes on this machine that render into the folder, like Ctrl-C. Throws Error if there are none.
   void stop();
 
-  /// Goes on with the render in a process that ends with this. Throws Error where a render is under way, or where
-  /// job.toml is not as renders have written it.
+  /// Continues the render in a child process that ends with this object. Throws Error if a render is running, or if job.toml is
+  /// not the one written by the render.
   void resume();
 
  private:
@@ -57,21 +55,21 @@ class RunningRender {
     FrameFacts facts;
   };
 
-  void look();
+  void update();
   void take(const FolderJournal& journal);
   std::string word() const;
 
   const std::filesystem::path folder_;
   const ToolCommand resuming_;
-  const std::chrono::milliseconds between_looks_;
+  const std::chrono::milliseconds poll_interval_;
   mutable std::mutex mutex_;
   RenderStateReader reader_;
   RenderState state_;
-  std::chrono::steady_clock::time_point looked_;
+  std::chrono::steady_clock::time_point updated_;
   std::vector<int> frames_;
   std::map<std::size_t, std::filesystem::path> files_;  ///< by index
   std::vector<Finished> finished_;                      ///< in the order in which they were found
-  std::set<std::filesystem::path> interrupted_;         ///< parts of the journal whose processes have been told
+  std::set<std::filesystem::path> interrupted_;         ///< journal parts of processes that were already interrupted
   std::unique_ptr<ToolProcess> resumed_;
   std::string error_;
 };

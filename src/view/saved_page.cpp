@@ -20,9 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Pictures are made once and fetched often.
+/// Images are encoded once and loaded often.
 constexpr int kSavedEffort = 2;
-/// In index.html: where its data come from.
+/// Attributes of index.html that select the source of the data.
 constexpr std::string_view kServed = "content=\"server\"", kScripts = "content=\"scripts\"", kWithin = "content=\"within\"";
 constexpr std::uintmax_t kMostFileBytes = std::uintmax_t{1} << 30;
 
@@ -37,7 +37,7 @@ class PageFolder {
     files_.push_back(folder_ / name);
   }
 
-  /// A script that gives the page what it would ask a server for.
+  /// Writes an image as a script that passes it to the page.
   void write_picture(std::string_view name, const PagePicture& picture) {
     write(fmt::format("{}.js", name),
           fmt::format("lippmann_data(\"{}\",\"{}\",\"{}\")\n", name, picture.type, base64(picture.bytes)));
@@ -54,17 +54,17 @@ class PageFolder {
   std::vector<fs::path> files_;
 };
 
-/// Somebody else's page stays.
+/// Throws unless the file to replace is a saved page.
 void require_own_page(const fs::path& file, std::string_view mark, const char* accepted) {
   if (!is_regular_file_there(file)) return;
   if (read_file_text(file, kMostFileBytes, "a page that was saved before").find(mark) == std::string::npos)
     throw Error(file.string(), "is another page, and would be replaced", accepted);
 }
 
-/// Replaces what index.html has once.
+/// Replaces text that index.html contains once.
 void replace_once(std::string& text, std::string_view from, std::string_view to) {
   const std::size_t at = text.find(from);
-  if (at == std::string::npos) throw Error("index.html", fmt::format("of this program lacks {}", from));
+  if (at == std::string::npos) throw Error("index.html", fmt::format("{} is missing in the embedded page", from));
   text.replace(at, from.size(), to);
 }
 
@@ -77,10 +77,11 @@ std::string saved_index(std::string_view source) {
 std::string_view text_of_page_file(std::string_view name) {
   for (const PageFile& file : page_files())
     if (file.name == name) return file.text;
-  throw Error(std::string(name), "is no file of this program's page");
+  throw Error(std::string(name), "is not a file of the embedded page");
 }
 
-/// A document ends its scripts where it finds an end tag, in texts too. In texts of JavaScript and JSON `<\/` means `</`.
+/// Escapes text inside a script element, which ends at any closing tag, even within a string. In JavaScript and JSON strings
+/// `<\/` means `</`.
 std::string within_script(std::string_view text) {
   std::string safe;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -90,7 +91,7 @@ std::string within_script(std::string_view text) {
   return safe;
 }
 
-/// Whether a saved page has pictures of that kind: the panel's own where it does not follow from the views.
+/// Returns whether a saved page needs images of that kind; the panel's image only if the page cannot derive it from the views.
 bool needs(const PageFacts& facts, std::string_view kind, std::size_t frame) {
   if (kind == "preview") return frame == 0 && preview_view_size(facts);
   if (kind == "depth") return facts.has_depth;
@@ -98,7 +99,7 @@ bool needs(const PageFacts& facts, std::string_view kind, std::size_t frame) {
   return kind == "views" || facts.panel == PanelPicture::kOwn;
 }
 
-/// Calls back with the name and the content of each picture. Whether all have been made.
+/// Calls write(name, image) for each image. Returns false if cancelled.
 template <class Write>
 bool make_pictures(const std::vector<std::unique_ptr<PageField>>& fields, const Context& context, const Write& write) {
   for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -130,7 +131,7 @@ SavedPage save_page(const std::vector<std::unique_ptr<PageField>>& fields, const
 std::string page_as_file(const std::vector<std::unique_ptr<PageField>>& fields, const Context& context) {
   std::string text = saved_index(kWithin);
   const std::size_t end_of_body = text.rfind("</body>");
-  if (end_of_body == std::string::npos) throw Error("index.html", "of this program has no body");
+  if (end_of_body == std::string::npos) throw Error("index.html", "has no </body> in the embedded page");
   const std::string end = text.substr(end_of_body);
   text.resize(end_of_body);
   replace_once(text, R"(<link rel="stylesheet" href="./app.css" />)",

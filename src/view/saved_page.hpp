@@ -1,7 +1,7 @@
-// The page with its light fields in a folder that any web server serves, and that opens from a disk too; or in one file.
+// Saves the page with its light fields, in a folder for any web server that can also be opened from disk, or in one file.
 //
-// Pages that are opened from a disk may not read files beside them, only run scripts: so each picture is a script that hands
-// its bytes, in base 64, to the page. That takes a third more bytes, and one way serves both (docs/lab/decisions/0024).
+// Pages opened from disk cannot read files beside them, but they can run scripts. Each image is therefore a script that passes
+// its bytes to the page in base64. This adds a third to the size and works for both uses.
 #pragma once
 
 #include <filesystem>
@@ -15,25 +15,26 @@
 namespace lippmann {
 
 struct SavedPage {
-  std::filesystem::path index;  ///< what to open
-  std::uintmax_t bytes = 0;     ///< all files together
+  std::filesystem::path index;  ///< the file to open
+  std::uintmax_t bytes = 0;     ///< total size of all files
   std::vector<std::filesystem::path> files = {};
 };
 
-/// Makes the folder; files of a page that was saved there before are replaced. Throws Error naming a file, also where the
-/// folder holds another page. Stops between frames when context.cancelled is set, and leaves no index.html then.
+/// Saves the page to a folder, which is created if necessary. Replaces the files of an earlier saved page. Throws Error naming
+/// a file, also if the folder contains another page. Stops between frames if context.cancelled is set, without writing
+/// index.html.
 SavedPage save_page(const std::vector<std::unique_ptr<PageField>>& fields, const std::filesystem::path& folder,
                     const Context& context);
 
-/// The page in one file: everything is in the document. Throws Error where it would have more than 1 GB, which browsers do not
-/// open. Stops between frames when context.cancelled is set, and is empty then.
+/// Returns the page with all data in one document. Throws Error if it exceeds 1 GB, which browsers cannot open. Stops between
+/// frames if context.cancelled is set, and returns an empty string then.
 std::string page_as_file(const std::vector<std::unique_ptr<PageField>>& fields, const Context& context);
 
-/// page_as_file, written. Throws Error naming the file, also where it exists and is no such page.
+/// Writes page_as_file() to a file. Throws Error naming the file, also if it exists and is not a saved page.
 SavedPage save_page_file(const std::vector<std::unique_ptr<PageField>>& fields, const std::filesystem::path& file,
                          const Context& context);
 
-/// The same of one light field: a finished render's folder, say.
+/// Saves the page of one light field, for example of a finished render.
 SavedPage save_page(const std::filesystem::path& in, const std::filesystem::path& folder, const Context& context);
 
 }  // namespace lippmann

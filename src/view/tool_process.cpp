@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An empty file for the messages of a child. A pipe would have to be read all the time.
+/// Makes an empty file for the child's messages. A pipe would have to be read continuously.
 fs::path file_for_messages() {
   std::error_code problem;
   fs::path file = platform::make_unique_file(fs::temp_directory_path() / "lippmann-messages-", problem);
@@ -21,7 +21,7 @@ fs::path file_for_messages() {
   return file;
 }
 
-/// Ignores failures: the file is a temporary one.
+/// Ignores failures, since the file is temporary.
 void remove_messages(const fs::path& file) {
   std::error_code ignored;
   fs::remove(file, ignored);
@@ -70,7 +70,7 @@ void ToolProcess::end(int exit_code) {
   process_.reset();
   if (is_interrupted_ || exit_code == 0) return;
   failure_ = end_of(messages_);
-  if (failure_.empty()) failure_ = "The render ended without a word.";
+  if (failure_.empty()) failure_ = "The render failed without a message.";
 }
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Another process of the tool itself, with its messages; what it prints is dropped.
+// Runs the tool as a child process. Its standard output is discarded, its messages are kept.
 #pragma once
 
 #include <filesystem>
@@ -12,26 +12,26 @@ namespace lippmann {
 
 struct ToolCommand {
   std::filesystem::path program;   ///< the tool
-  std::vector<std::string> words;  ///< what it is called with
+  std::vector<std::string> words;  ///< its arguments
 };
 
 /// Not thread-safe.
 class ToolProcess {
  public:
-  /// Throws Error if it cannot be started.
+  /// Starts the process. Throws Error if that fails.
   explicit ToolProcess(const ToolCommand& command);
-  /// Does what Ctrl-C does, and waits until it has ended.
+  /// Interrupts the process and waits until it has ended.
   ~ToolProcess();
   ToolProcess(const ToolProcess&) = delete;
   ToolProcess& operator=(const ToolProcess&) = delete;
 
-  /// Looks whether it has ended.
+  /// Returns whether the process is still running.
   bool is_running();
 
-  /// Does what Ctrl-C does, once.
+  /// Interrupts the process like Ctrl-C. Further calls have no effect.
   void interrupt();
 
-  /// Empty while it runs and where it has done its work or was interrupted; else the end of what it said on stderr.
+  /// Returns the end of the process's stderr if it failed. Empty while it runs, after success, and after interrupt().
   std::string failure();
 
  private:
@@ -39,7 +39,7 @@ class ToolProcess {
 
   std::unique_ptr<platform::ChildProcess> process_;  ///< null: it has ended
   bool is_interrupted_ = false;
-  std::filesystem::path messages_;  ///< the file that stderr goes to
+  std::filesystem::path messages_;  ///< the file that receives stderr
   std::string failure_;
 };
 

@@ -1,8 +1,7 @@
-// Which eyes the views of a page stand for, along one axis: equally far apart in slope, or in angle.
+// The eyes of a page's views along one axis, equally spaced in slope or in angle.
 //
-// An eye is its slope at the middle of the display (optics/viewer.hpp), so that eyes of displays for an infinitely far viewer
-// are described in the same way as others. View i has T(slope) = first + i step, T the identity, or the arc tangent where
-// `by_angle`.
+// An eye is given by its slope at the middle of the display (optics/viewer.hpp), which also covers viewers at infinity. View i
+// has T(slope) = first + i step, where T is the arc tangent if by_angle, otherwise the identity.
 #pragma once
 
 #include "lippmann/layout/view_layout.hpp"
@@ -11,10 +10,10 @@
 
 namespace lippmann {
 
-/// What an eye sees that is beyond the outermost views.
+/// What an eye beyond the outermost views sees.
 enum class BeyondZone {
   kRepeats,   ///< the views of the next cone
-  kNextLens,  ///< those of the neighbouring lens
+  kNextLens,  ///< the views of the neighbouring lens
   kStays,     ///< the outermost view
 };
 
@@ -29,10 +28,10 @@ struct ViewAxis {
 
 struct ViewAxes {
   ViewAxis across, up;
-  double vergence = 0.0;  ///< 1 / distance, per mm, the same for all of these eyes
+  double vergence = 0.0;  ///< 1 / distance of the eyes, per mm
 };
 
-/// The axes of the views of whole pixels that these optics have, or of eyes in as many directions as can be told apart.
+/// Returns the axes of the views of whole pixels that these optics have, or else of eyes in all distinguishable directions.
 ViewAxes view_axes(const Optics& optics, ViewGrid grid);
 
 }  // namespace lippmann

@@ -19,10 +19,10 @@ bool leads_out(const fs::path& root, const fs::path& file) {
 }
 
 [[noreturn]] void refuse(const fs::path& root, const fs::path& file) {
-  throw Error(file.string(), "is a link that leads out of " + root.string(), "files that lie in the folder that is shown");
+  throw Error(file.string(), "is a link that leads out of " + root.string(), "files inside the shown folder");
 }
 
-/// Refuses links of a folder, of those with a name that `concerns` accepts.
+/// Throws for links in a folder that lead outside and whose name `concerns` accepts.
 template <class Concerns>
 void require_links_within(const fs::path& root, const fs::path& folder, const Concerns& concerns) {
   std::error_code ignored;
@@ -31,13 +31,14 @@ void require_links_within(const fs::path& root, const fs::path& folder, const Co
       refuse(root, entry.path());
 }
 
-/// report.json, job.toml, cameras.json, parameters.cfg, side files.
+/// Returns whether the file describes images: report.json, job.toml, cameras.json, parameters.cfg, side files.
 bool is_description(const fs::path& name) {
   const std::string extension = name.extension().string();
   return extension == ".json" || extension == ".toml" || extension == ".cfg";
 }
 
-/// Side files and layers of a picture, or of a folder of views: frame_0000.png.json, aov_0000.exr.
+/// Returns whether the file is read with an image or a folder of views: a side file or a layer, such as frame_0000.png.json or
+/// aov_0000.exr.
 bool is_read_with(const fs::path& picture, const std::string& name) {
   const std::string stem = picture.stem().string();
   const std::size_t digits = std::min(stem.find_first_of("0123456789"), stem.size());
@@ -45,7 +46,8 @@ bool is_read_with(const fs::path& picture, const std::string& name) {
   return name.starts_with(stem + ".") || name.starts_with(stem + "_") || name.starts_with("aov_" + number);
 }
 
-/// Reports are looked for in two folders above, too, which may lie above the root: a link must not lead out of these.
+/// Reports are also searched in two folders above, which may be outside of the root. There a link must not lead out of the
+/// report's own folder.
 void require_reports_within(const fs::path& root, const fs::path& file) {
   const fs::path parent = file.parent_path();
   for (const fs::path& folder : {file, parent, parent.parent_path()}) {
@@ -56,7 +58,7 @@ void require_reports_within(const fs::path& root, const fs::path& file) {
   }
 }
 
-/// What is read to know what `in` is: it may be a folder of frames, of which each is checked when it is read.
+/// Checks the files that determine what `in` is. The frames of a folder are checked when they are read.
 void require_descriptions_within(const fs::path& root, const fs::path& in) {
   require_reports_within(root, in);
   std::error_code ignored;

@@ -1,16 +1,16 @@
-// Whether files lie in the folder that somebody chose to show, and are no links to elsewhere.
+// Checks that files are inside the folder chosen by the user, and not links to files elsewhere.
 #pragma once
 
 #include <filesystem>
 
 namespace lippmann {
 
-/// The folder, or that of the file, without links. Throws Error naming `in` where it does not exist, or a file that describes
-/// it (report.json, a side file) and leads out.
+/// Returns the folder, or the folder of the file, with links resolved. Throws Error naming `in` if it does not exist, or naming
+/// a file that describes it (report.json, a side file) and links outside.
 std::filesystem::path shown_root(const std::filesystem::path& in);
 
-/// Throws Error naming a file that leads out of `root`, as shown_root has it: `file` itself (a picture, or a folder with all
-/// that it holds directly), or one that is read with it: its report, side files and layers. What does not exist is within it.
+/// Throws Error naming a file outside of `root` (see shown_root): `file` itself (an image, or a folder with its direct
+/// entries), or a file read with it, such as its report, side files and layers. Files that do not exist pass.
 void require_within(const std::filesystem::path& root, const std::filesystem::path& file);
 
 }  // namespace lippmann

@@ -30,7 +30,7 @@ test("pictures that are dropped on an empty page are views in the natural order 
   assert.ok(psnr > 50, `the view from the left is p9: ${psnr} dB`);
   expectComplaints(/422/);
   await drop(page, dropped(["a.png", "b.svg"]));
-  await page.locator("#notice", { hasText: "b.svg: is no picture that can be read" }).waitFor();
+  await page.locator("#notice", { hasText: "b.svg: is not a picture that can be read" }).waitFor();
   assert.equal(await page.evaluate(() => window.lippmann.fields[0].across.views), 3);
 });
 

@@ -103,6 +103,6 @@ test("a render that was killed is shown as stopped, and what resuming lacks is s
   await page.waitForFunction(() => /Stopped: \d of 8 frames/.test(document.querySelector("#facts").textContent));
   writeFileSync(inFolder("killed/job.toml"), 'scene = "teapot"\n');
   await page.getByRole("button", { name: "Resume" }).click();
-  await page.waitForFunction(() => /job.toml: is not as a render has written it/.test(document.querySelector("#notice").textContent));
+  await page.waitForFunction(() => /job.toml: was changed after the render wrote it/.test(document.querySelector("#notice").textContent));
   assert.equal(await page.evaluate(() => window.lippmann.run.state), "stopped");
 });

@@ -101,7 +101,7 @@ TEST_F(Dropped, limits_on_count_kind_and_bytes) {
   EXPECT_THAT(message("begin", list_of({"a.png"})), HasSubstr("2 to 1000 pictures"));
   EXPECT_THAT(message("begin", list_of(std::vector<std::string>(1001, "a.png"))), HasSubstr("1001 pictures"));
   EXPECT_THAT(message("begin", list_of({"a.png", "b.mp4"})), HasSubstr("b.mp4"));
-  EXPECT_THAT(message("begin", "[]"), HasSubstr("no JSON object"));
+  EXPECT_THAT(message("begin", "[]"), HasSubstr("not a JSON object"));
   pictures_->post("begin", list_of({"a.png", "b.png"}));
   EXPECT_THAT(message("2/0", "x"), HasSubstr("no such picture"));
   EXPECT_THAT(message("0/../x", "x"), HasSubstr("no such picture"));

@@ -198,8 +198,8 @@ TEST_F(Server, many_requests_at_once_are_all_answered) {
 
 TEST(HttpServer, port_in_use_is_an_error_where_it_was_asked_for) {
   const HttpServer first("127.0.0.1", 0);
-  EXPECT_THAT(test::error_message([&] { HttpServer("127.0.0.1", first.port()); }), HasSubstr("cannot be listened at"));
-  EXPECT_THAT(test::error_message([&] { HttpServer("203.0.113.7", 0); }), HasSubstr("no address of this machine"));
+  EXPECT_THAT(test::error_message([&] { HttpServer("127.0.0.1", first.port()); }), HasSubstr("cannot listen there"));
+  EXPECT_THAT(test::error_message([&] { HttpServer("203.0.113.7", 0); }), HasSubstr("not an address of this machine"));
 }
 
 TEST(HttpServer, only_addresses_of_this_machine_go_without_a_token) {

@@ -86,7 +86,7 @@ TEST(PageField, provenance_of_views_lies_where_their_pixels_do) {
         const auto at = static_cast<std::size_t>(3 * ((tile.y + y) * quilt.width + tile.x + x));
         EXPECT_EQ(quilt.rgb[at], (y * 16 + x * 4 + 3 - view) % 8) << view << ": " << x << ", " << y;
       }
-  EXPECT_THAT(test::error_message([&] { fields[0]->provenance(1); }), HasSubstr("does not say where its pixels came from"));
+  EXPECT_THAT(test::error_message([&] { fields[0]->provenance(1); }), HasSubstr("has no provenance"));
 }
 
 // A panel whose lenses have 5.3 pixels has no views of whole pixels: eyes look at it.
@@ -179,7 +179,7 @@ TEST(PageField, depth_that_cannot_be_read_is_left_out_with_a_warning) {
   context.warn = [&](std::string_view text) { warning = text; };
   const PageField field(dir.path(), LightFieldHints{}, context);
   EXPECT_FALSE(field.facts().has_depth);
-  EXPECT_THAT(warning, testing::AllOf(HasSubstr("Depth is left out"), HasSubstr("aov_0000.exr")));
+  EXPECT_THAT(warning, testing::AllOf(HasSubstr("Depth and other layers are left out"), HasSubstr("aov_0000.exr")));
 }
 
 TEST(PageField, folder_without_pictures_is_refused_with_what_would_be_accepted) {

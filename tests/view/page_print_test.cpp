@@ -47,7 +47,7 @@ TEST(PagePrint, request_opens_no_file_of_the_machine) {
 }
 
 TEST(PagePrint, bad_requests_name_the_key) {
-  EXPECT_THAT(message_of("no json"), HasSubstr("no JSON object"));
+  EXPECT_THAT(message_of("no json"), HasSubstr("not a JSON object"));
   EXPECT_THAT(message_of(R"({})"), HasSubstr("display"));
   EXPECT_THAT(message_of(R"({"display": "go", "fit": "zoom"})"), AllOf(HasSubstr("fit"), HasSubstr("stretch")));
   EXPECT_THAT(message_of(R"({"display": "go", "shift": 1})"), HasSubstr("shift"));

@@ -111,10 +111,10 @@ TEST_F(RunningRenderTest, resumed_render_is_stopped_while_it_is_set_up) {
 
 TEST_F(RunningRenderTest, one_that_runs_is_not_started_again_and_a_changed_job_is_not_started) {
   RunningRender render(dir_.path(), {"/bin/false", {}});
-  EXPECT_THAT(test::error_message([&] { render.resume(); }), HasSubstr("a render is under way"));
+  EXPECT_THAT(test::error_message([&] { render.resume(); }), HasSubstr("a render is running"));
   folder_.reset();
   std::ofstream(dir_ / "job.toml") << "scene = \"teapot\"\n";
-  EXPECT_THAT(test::error_message([&] { render.resume(); }), HasSubstr("job.toml: is not as a render has written it"));
+  EXPECT_THAT(test::error_message([&] { render.resume(); }), HasSubstr("job.toml: was changed after the render wrote it"));
 }
 
 TEST_F(RunningRenderTest, folders_of_finished_renders_and_others_are_none) {
