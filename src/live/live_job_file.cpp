@@ -23,16 +23,16 @@ std::string text_in(const fs::path& file) {
   return read_file_begin(file, kMost);
 }
 
-/// An empty file of a name that nobody had: whoever comes later finds it taken.
+/// Creates an empty file with an unused name, which reserves the name.
 fs::path take_name(const fs::path& wanted) {
   for (int i = 1; i <= kMostNames; ++i) {
     const fs::path file =
         i == 1 ? wanted : wanted.parent_path() / fmt::format("{}-{}{}", wanted.stem().string(), i, wanted.extension().string());
     if (std::FILE* made = std::fopen(file.c_str(), "wx")) return std::fclose(made), file;
     std::error_code ignored;
-    if (!fs::exists(file, ignored)) throw Error(file.string(), "cannot be written", "a folder in which files may be made");
+    if (!fs::exists(file, ignored)) throw Error(file.string(), "cannot be written", "a folder that can be written to");
   }
-  throw Error(wanted.string(), "is taken, and so are the names after it", "another name");
+  throw Error(wanted.string(), "exists, and so do the files numbered after it", "another name");
 }
 
 }  // namespace

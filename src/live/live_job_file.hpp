@@ -1,4 +1,4 @@
-// Where the page's Save writes its job: a file that was not there before, or that it has written itself.
+// The job file that the page's Save writes: a new file, or one that it wrote itself.
 #pragma once
 
 #include <filesystem>
@@ -10,16 +10,16 @@ namespace lippmann {
 
 class LiveJobFile {
  public:
-  /// `wanted`: the file; where it is taken, stem-2.toml, stem-3.toml, ... beside it.
+  /// wanted: the file; if it exists, stem-2.toml, stem-3.toml, ... beside it.
   explicit LiveJobFile(std::filesystem::path wanted) : wanted_(std::move(wanted)) {}
 
-  /// Writes the job whole or not at all, over what it wrote last unless somebody has changed that since. Returns the file.
-  /// Throws Error naming it.
+  /// Writes the job atomically. Overwrites the file saved last, unless it was changed since. Returns the file. Throws Error
+  /// naming it.
   std::filesystem::path save(const ResolvedJob& job);
 
  private:
   std::filesystem::path wanted_, written_;
-  std::string text_;  ///< what has been written to written_
+  std::string text_;  ///< content written to written_
 };
 
 }  // namespace lippmann

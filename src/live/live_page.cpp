@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// So many of the server's threads may wait for changes: pages beyond these are answered at once.
+/// Limit for server threads that wait for changes. Further pages are answered at once.
 constexpr int kMostWaiting = 8;
 constexpr std::chrono::milliseconds kPatience{250};
 
@@ -46,7 +46,7 @@ Json choices_json() {
   return choices;
 }
 
-/// "all" or "this".
+/// Returns whether "frames" in the body is "all"; the other valid value is "this".
 bool wants_all(const std::string& body) {
   const Json json = json_from_text(body);
   const auto frames = json.is_object() ? json.value("frames", Json()) : Json();

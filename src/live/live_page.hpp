@@ -1,11 +1,11 @@
-// What a page may ask of a scene that is set up live: paths and bodies in, answers out; no sockets.
+// Handles the requests of a page for a scene that is set up live, without knowledge of sockets.
 //
-//   GET  live/state/SERIAL   LiveScene::state_after, as JSON; waits up to a second for news
-//   GET  live/views/ID, live/depth/ID, live/panel/ID   a picture; nothing (204) when it is no longer the last
+//   GET  live/state/SERIAL   LiveScene::state_after, as JSON; waits up to a second for changes
+//   GET  live/views/ID, live/depth/ID, live/panel/ID   an image; empty (204) if it is not the latest
 //   POST live/settings       LiveScene::change; {"version": N}
 //   POST live/save           {"file": NAME}
-//   POST live/render         {"frames": "all" or "this"}; live/cancel ends it
-// What is refused is answered 422 with {"error": MESSAGE}.
+//   POST live/render         {"frames": "all" or "this"}; live/cancel stops it
+// Refused requests are answered with status 422 and {"error": MESSAGE}.
 #pragma once
 
 #include <atomic>
@@ -18,7 +18,7 @@ namespace lippmann {
 
 class LiveAnswers : public LivePage {
  public:
-  /// `plays`: whether the page begins with what a panel shows.
+  /// plays: the page starts with the image of the panel.
   explicit LiveAnswers(std::unique_ptr<LiveScene> scene, bool plays = false) : scene_(std::move(scene)), plays_(plays) {}
 
   nlohmann::ordered_json field() const override;

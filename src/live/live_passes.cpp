@@ -18,19 +18,19 @@
 namespace lippmann {
 namespace {
 
-/// Traced within a fraction of a second on one core, and enough to see what is where.
+/// Takes a fraction of a second on one core, and is enough to recognise the scene.
 constexpr double kCoarsePixels = 48e3;
-/// Samples of a pixel where paths are traced: fewer pixels with less noise show more.
+/// Samples per pixel of path tracers: fewer pixels with less noise show more.
 constexpr int kCoarsePaths = 4;
 
-/// As the panel shows a film: only sub-pixels that were traced one by one are put together.
+/// Returns the picture layout of a panel's image: only sub-pixels that were traced individually need assembling.
 PictureParams layout_of_panel(const Optics& optics) {
   PictureParams as_shown;
   if (sub_pixels_per_pixel(optics) > 1) as_shown.layout = PictureLayout::kNative;
   return as_shown;
 }
 
-/// What a panel shows of a film that its optics were traced for, in codes.
+/// Returns the codes of the panel's image from a film traced for its optics.
 Image8 panel_codes(const LiveStage& live, RenderedFrame rendered) {
   const JobStage& stage = live.stage();
   const Optics& optics = stage.placed.optics;

@@ -1,4 +1,4 @@
-// A render that was started from the page: it runs beside the server, tells how far it is, and can be cancelled.
+// A render started from the page, which runs in a thread, reports its progress and can be cancelled.
 #pragma once
 
 #include <functional>
@@ -12,25 +12,25 @@
 
 namespace lippmann {
 
-/// One render at a time. Thread-safe.
+/// Runs one render at a time. Thread-safe.
 class LiveRender {
  public:
   LiveRender() = default;
-  /// Cancels it, and waits until it has ended.
+  /// Cancels the render and waits until it has ended.
   ~LiveRender();
   LiveRender(const LiveRender&) = delete;
   LiveRender& operator=(const LiveRender&) = delete;
 
-  /// What render_animation does, in a thread of its own. `ended` is called when it has. Throws an Error where one runs already.
+  /// Runs render_animation in a thread and calls `ended` afterwards. Throws an Error if a render is running.
   void start(const ResolvedJob& job, std::function<void()> ended);
 
-  /// Leaves what Ctrl-C leaves: finished frames, for `lippmann render job.toml --resume`.
+  /// Stops the render like Ctrl-C: finished frames remain, for `lippmann render job.toml --resume`.
   void cancel();
 
   bool is_running() const;
 
-  /// "state" (running, finished, stopped, failed), "frames", "done", "share" of all, "seconds_left" (null: not known yet),
-  /// "folder", "error"; null before the first.
+  /// Returns "state" (running, finished, stopped, failed), "frames", "done", "share" (of the whole render), "seconds_left"
+  /// (null: not known yet), "folder" and "error"; null before the first render.
   nlohmann::ordered_json json() const;
 
  private:
@@ -41,7 +41,7 @@ class LiveRender {
   Context context_;
   std::string state_, folder_, error_;
   int frames_ = 0, done_ = 0;
-  double share_ = 0.0;  ///< how much of the frame under way is traced
+  double share_ = 0.0;  ///< traced share of the current frame
   double started_ = 0.0;
 };
 

@@ -21,13 +21,13 @@ using Json = nlohmann::ordered_json;
 
 Bytes encoded(const Image8& picture) { return std::make_shared<const std::string>(encoded_picture(picture, 0).bytes); }
 
-/// Where the plane stands, and between what it may be moved: world units from the viewer.
+/// Describes the distance of the plane and its limits, in world units from the viewer.
 Json plane_json(double distance, double nearest, double farthest) {
   if (!std::isfinite(distance)) return nullptr;
   return {{"distance", distance}, {"nearest", nearest}, {"farthest", farthest}};
 }
 
-/// Slanted panels alone have a frame that is made of views.
+/// Describes the panel; null unless it is a slanted panel, the only kind that interlaces views.
 Json panel_json(const Display* display, const InterlaceParams& interlace) {
   if (!display || display->kind != DisplayKind::kSlantedPanel) return nullptr;
   return page_display_json({*display, interlace});
@@ -57,7 +57,7 @@ LiveScene::~LiveScene() {
   worker_.join();
 }
 
-// ---- The thread that renders --------------------------------------------------------------------------------------------
+// ---- Render thread --------------------------------------------------------------------------------------------
 
 void LiveScene::work() {
   while (const std::optional<Order> order = next_order()) {
@@ -71,7 +71,7 @@ void LiveScene::work() {
   }
 }
 
-/// Waits for settings that are not rendered yet. None: it is over.
+/// Waits for settings that are not rendered yet. Returns none at the end.
 std::optional<LiveScene::Order> LiveScene::next_order() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return ending_ || done_version_ != version_ || (!is_whole_ && !render_.is_running()); });
@@ -80,7 +80,7 @@ std::optional<LiveScene::Order> LiveScene::next_order() {
   return Order{settings_, version_};
 }
 
-/// What depends on the settings before anything is traced. The thread alone changes the stage.
+/// Publishes what depends on the settings before anything is traced. Only the render thread changes the stage.
 void LiveScene::begin(const Order& order) {
   const JobStage& stage = live_.stage();
   PageFacts facts = live_.facts();
@@ -113,7 +113,7 @@ void LiveScene::make(const Order& order) {
   live_.set(order.settings.job());
   begin(order);
   if (is_stale(order.version)) return;
-  const PageFacts facts = facts_;  // this thread alone changes it
+  const PageFacts facts = facts_;  // only this thread changes facts_
   const auto depth_of = [&](Vec2i size) {
     return facts.has_depth ? encoded(depth_picture(live_, facts, size, frame)) : Bytes();
   };
@@ -143,7 +143,7 @@ void LiveScene::publish(const Order& order, const char* pass, const LivePictures
     if (order.version != version_) return;
     picture_ = {next_id_++, order.version, order.settings.frame(), pass, made.view_size, views, depth, panel, facts_json_};
     error_.clear();
-    picture_.facts.erase("frames");  // they stay the same
+    picture_.facts.erase("frames");  // they do not change
     ++serial_;
   }
   changed_.notify_all();
@@ -161,13 +161,13 @@ void LiveScene::end(const Order& order, const std::string& error, bool is_whole)
   changed_.notify_all();
 }
 
-// ---- What pages ask for -------------------------------------------------------------------------------------------------
+// ---- Requests of pages -----------------------------------------------------------------------------------------
 
-/// z of the display as it is shown: the plane goes there, and the viewer stays.
+/// Moves the plane to z of the shown image, while the viewer stays.
 void LiveScene::set_plane(LiveSettings& settings, double z_mm) const {
   const double distance = distance_ - z_mm * world_per_shown_mm_;
   if (!std::isfinite(distance) || !(distance > 0.0))
-    throw usage_error("plane_mm", fmt::format("{:g} mm does not lie in front of the viewer", z_mm), "a depth that is seen");
+    throw usage_error("plane_mm", fmt::format("{:g} mm is not in front of the viewer", z_mm), "a depth in front of the viewer");
   const std::string text = fmt::format("{:.6g}", distance);
   settings.set("focus", &text);
 }
@@ -189,7 +189,7 @@ std::uint64_t LiveScene::change(const Json& changes) {
         settings.set(name, text.is_string() ? &said : nullptr);
       }
     } else {
-      throw usage_error(key, "is not known, or its value is of the wrong type", "settings, frame or plane_mm");
+      throw usage_error(key, "is unknown or has a value of the wrong type", "settings, frame or plane_mm");
     }
   }
   settings_ = std::move(settings);
@@ -259,14 +259,14 @@ bool LiveScene::is_outdated(std::uint64_t id) const {
   return id > 0 && id < picture_.id;
 }
 
-/// Settings that were found to make no picture make no job.
-void LiveScene::require_sound() const {
+/// Throws if the settings failed to render.
+void LiveScene::require_renderable() const {
   if (broken_version_ == version_) throw Error("settings", error_);
 }
 
 std::filesystem::path LiveScene::save() {
   const std::lock_guard lock(mutex_);
-  require_sound();
+  require_renderable();
   const std::filesystem::path file = job_file_.save(settings_.job());
   saved_ = file.string();
   ++serial_;
@@ -278,17 +278,17 @@ void LiveScene::render(bool all_frames) {
   RenderParams params;
   {
     const std::lock_guard lock(mutex_);
-    require_sound();
+    require_renderable();
     params = settings_.job().params();
     const int frame = settings_.frame();
     if (!all_frames) params.output.frames = FrameRanges{{frame, frame}};
   }
-  render_.start(ResolvedJob(params), [this] { tell(); });
-  context_.cancelled = true;  // what is finer than a coarse picture waits
-  tell();
+  render_.start(ResolvedJob(params), [this] { notify_pages(); });
+  context_.cancelled = true;  // finer images wait until the render has ended
+  notify_pages();
 }
 
-void LiveScene::tell() {
+void LiveScene::notify_pages() {
   {
     const std::lock_guard lock(mutex_);
     ++serial_;

@@ -1,8 +1,7 @@
-// A scene that is set up while it is looked at: settings come in, pictures of it come out, coarse ones at once and finer ones
-// while nothing changes.
+// Renders a scene while its settings change: coarse images at once, and finer ones until the next change.
 //
-// One thread renders. A change cancels what it does; then it begins anew. While a job is rendered (LiveRender), coarse pictures
-// alone are made, so that the job has the processor.
+// One thread renders. A change cancels its work and starts anew. While a job is rendered (LiveRender), only coarse images are
+// made, so that the job has the processor.
 #pragma once
 
 #include <atomic>
@@ -30,43 +29,43 @@ namespace lippmann {
 /// Thread-safe.
 class LiveScene {
  public:
-  /// Loads the scene, so that what cannot be shown is refused here, and begins to render. Jobs are saved to `job_file`
-  /// (LiveJobFile). `warn` hears what Context::warn does. `interlace`: how a panel that it is played on mixes views. Throws
-  /// Error.
+  /// Loads the scene and starts rendering. Saves jobs to job_file (LiveJobFile). warn: receives warnings, as Context::warn.
+  /// interlace: how a panel mixes views. Throws Error if the scene cannot be shown.
   LiveScene(const LiveSettings& settings, std::filesystem::path job_file, std::function<void(std::string_view)> warn,
             const InterlaceParams& interlace = {});
   ~LiveScene();
   LiveScene(const LiveScene&) = delete;
   LiveScene& operator=(const LiveScene&) = delete;
 
-  /// {"settings": {NAME: text or null}, "frame": N, "plane_mm": z}, all of which may be missing; `plane_mm` puts the plane
-  /// where something is shown. All of it or, where it throws a usage Error, nothing is set. Returns the version of the
-  /// settings.
+  /// Applies {"settings": {NAME: text or null}, "frame": N, "plane_mm": z}, each of them optional. plane_mm moves the display
+  /// plane to that depth in the shown image. Throws a usage Error and changes nothing if a value is invalid. Returns the
+  /// version of the settings.
   std::uint64_t change(const nlohmann::ordered_json& changes);
 
-  /// What the page is told (docs/guide/view.md lists the keys), as soon as it is not that of `serial`, or after `patience`.
+  /// Returns the state for the page as soon as it differs from that of `serial`, or after `patience`. docs/guide/view.md lists
+  /// the keys.
   nlohmann::ordered_json state_after(std::uint64_t serial, std::chrono::milliseconds patience) const;
 
-  /// The facts of the light field as the last picture has it.
+  /// Returns the facts of the light field of the latest image.
   nlohmann::ordered_json field() const;
 
-  /// The slanted panel that the settings are for, as page_display_json has it; null: they are for another display, or for none.
+  /// Returns the slanted panel of the settings, as page_display_json(). Null for other displays or none.
   nlohmann::ordered_json display() const;
   const InterlaceParams& interlace() const { return interlace_; }
 
-  /// Throws a usage Error where the views are more than one row, of which no panel's frame is made.
+  /// Throws a usage Error if the views have more than one row, which panels cannot interlace.
   void require_playable() const;
 
-  /// "views", "depth" or "panel" of the picture of that number, while it is the last; null else.
+  /// Returns "views", "depth" or "panel" of the image with that number. Null unless it is the latest.
   Bytes picture(std::string_view kind, std::uint64_t id) const;
 
-  /// Whether there was a picture of that number that another has taken the place of.
+  /// Returns whether a newer image has replaced the image with that number.
   bool is_outdated(std::uint64_t id) const;
 
-  /// Returns the file. Throws Error, also for settings that cannot be rendered.
+  /// Saves the job and returns the file. Throws Error, also if the settings cannot be rendered.
   std::filesystem::path save();
 
-  /// Starts a render of the whole job, or of the frame that is shown. Throws likewise.
+  /// Starts a render of the whole job, or of the current frame. Throws as save().
   void render(bool all_frames);
   void cancel_render() { render_.cancel(); }
 
@@ -77,9 +76,9 @@ class LiveScene {
     std::string pass;
     Vec2i view_size{0, 0};
     Bytes views, depth, panel;
-    nlohmann::ordered_json facts;  ///< field_json
+    nlohmann::ordered_json facts;  ///< as field_json()
   };
-  /// The context of the thread that renders.
+  /// The context of the render thread.
   struct WorkerContext : Context {
     explicit WorkerContext(std::function<void(std::string_view)> warner) { warn = std::move(warner); }
   };
@@ -95,29 +94,29 @@ class LiveScene {
   void publish(const Order& order, const char* pass, const LivePictures& made, const Bytes& depth);
   void end(const Order& order, const std::string& error, bool at_rest);
   nlohmann::ordered_json state() const;
-  void require_sound() const;
+  void require_renderable() const;
   bool is_stale(std::uint64_t version) const;
-  void tell();
+  void notify_pages();
   void set_plane(LiveSettings& settings, double z_mm) const;
 
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
   WorkerContext context_;  ///< cancelled by changes
-  LiveStage live_;         ///< that thread's
+  LiveStage live_;         ///< used by the render thread only
   const InterlaceParams interlace_;
   LiveSettings settings_;
   LiveJobFile job_file_;
   LiveRender render_;
-  // Facts, placement and distance are those of the version begun last.
+  // Facts, placement and distance belong to the version started last.
   PageFacts facts_;
   nlohmann::ordered_json facts_json_, placement_;
   double distance_ = 0.0, world_per_shown_mm_ = 0.0;  ///< world units; distance_: from the viewer to the plane, inf: none
   std::uint64_t serial_ = 1, version_ = 1, done_version_ = 0, broken_version_ = 0, next_id_ = 1;
-  bool is_whole_ = false, ending_ = false;  ///< whether the last version has had all its passes
+  bool is_whole_ = false, ending_ = false;  ///< is_whole_: the latest version has completed all passes
   std::string pass_, error_, saved_;
   std::atomic<double> share_{0.0};
   Picture picture_;
-  std::thread worker_;  ///< last: it uses what is above
+  std::thread worker_;  ///< last, since the thread uses the members above
 };
 
 }  // namespace lippmann

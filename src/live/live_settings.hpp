@@ -1,6 +1,6 @@
-// What a page may set of a scene that is set up live: parameters of a render by their names, and the frame that is shown.
+// The settings that a page may change in a live scene: render parameters by name, and the current frame.
 //
-// A page names no files: displays are presets and surroundings are words or colours, besides what the command line says.
+// A page names no files: displays are presets, environments are words or colours, or else those of the command line.
 #pragma once
 
 #include <map>
@@ -14,36 +14,36 @@
 
 namespace lippmann {
 
-/// The names of parameters that a page may set, in the order of `lippmann render --help`.
+/// Returns the names of parameters that a page may set, in the order of `lippmann render --help`.
 std::span<const std::string_view> live_setting_names();
 
 class LiveSettings {
  public:
-  /// `base`: as the command line has it.
+  /// base: parameters of the command line.
   LiveSettings(RenderParams base);  // NOLINT(google-explicit-constructor): parameters are settings that nobody has changed
 
-  /// The page begins with `first`, which differs from `base` in its optics alone, until it sets optics or a display.
+  /// The page starts with `first`, which differs from `base` only in its optics, until it sets optics or a display.
   LiveSettings(RenderParams base, RenderParams first);
 
-  /// Sets a parameter, or gives it back to the command line (null). Throws a usage Error naming it and what would be accepted;
-  /// nothing has changed then.
+  /// Sets a parameter, or resets it to the command line (null). Throws a usage Error naming it and what is accepted, and
+  /// changes nothing then.
   void set(const std::string& name, const std::string* value);
 
-  /// 0 ... frame_count - 1. Throws a usage Error.
+  /// Sets the frame, 0 ... frame_count - 1. Throws a usage Error outside of this range.
   void set_frame(int frame, int frame_count);
 
-  /// All of it.
+  /// Returns the job with all settings.
   ResolvedJob job() const;
   int frame() const { return frame_; }
 
-  /// By name: the text of each parameter in force, empty where it follows from others.
+  /// Returns the text of each parameter in force by name, empty if it follows from others.
   nlohmann::ordered_json values() const;
 
-  /// The names of those that differ from the command line.
+  /// Returns the names of parameters that differ from the command line.
   nlohmann::ordered_json changed() const;
 
  private:
-  /// What `changes` are made to.
+  /// Returns the parameters that `changes` apply to.
   const RenderParams& changed_params(const std::map<std::string, std::string>& changes) const;
   RenderParams applied(const std::map<std::string, std::string>& changes) const;
 

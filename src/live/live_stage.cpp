@@ -12,7 +12,7 @@
 namespace lippmann {
 namespace {
 
-/// All that a scene, its light and its tables depend on.
+/// Returns a key of the settings that require loading the scene, its light and its tables.
 std::string scene_key(const ResolvedJob& job) {
   RenderParams key;
   key.scene = job.scene();
@@ -21,7 +21,7 @@ std::string scene_key(const ResolvedJob& job) {
   return job_text(key, {});
 }
 
-/// One frame alone: pixels that could be copied from others are traced, to the same bits and without a search for them.
+/// Returns the parameters for a single frame: copying settled pixels needs a search, and tracing them gives the same bits.
 FrameParams params_of_one_frame(const ResolvedJob& job) {
   FrameParams made_as = frame_params(job);
   if (std::holds_alternative<CopySettled>(resolved_reuse(made_as))) made_as.reuse = TraceAll{};
@@ -53,7 +53,7 @@ std::optional<RenderedFrame> LiveStage::frame(int frame) {
   last_frame_ = frame;
   RenderedFrame made = maker_->make(frame);
   if (!context_.cancelled) return made;
-  maker_.reset();  // what it keeps is unfinished, too
+  maker_.reset();  // its shared data is unfinished too
   return std::nullopt;
 }
 

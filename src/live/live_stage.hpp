@@ -1,4 +1,4 @@
-// The stage of a scene whose settings change while it is looked at: only what a change concerns is made anew.
+// Keeps the stage of a scene up to date while its settings change, rebuilding only what a change affects.
 #pragma once
 
 #include <memory>
@@ -16,11 +16,11 @@ namespace lippmann {
 
 class LiveStage {
  public:
-  /// Loads the scene. `context` outlives it. Throws Error.
+  /// Loads the scene. `context` must outlive this object. Throws Error.
   LiveStage(const ResolvedJob& job, const Context& context);
 
-  /// The array is fitted anew and optics are made; the scene is loaded again where it, its light or its integrator is another.
-  /// Throws Error, and then stays as it was.
+  /// Applies settings: fits the array and makes the optics, and reloads the scene if it, its light or its integrator changed.
+  /// On failure throws Error and leaves the stage unchanged.
   void set(const ResolvedJob& job);
 
   const ResolvedJob& job() const { return job_; }
@@ -28,12 +28,11 @@ class LiveStage {
   const JobStage& stage() const { return *stage_; }
   const ThreadPool& pool() const { return pool_; }
 
-  /// A frame as `lippmann render` makes it. What frames share is kept while nothing but the frame changes, and best where they
-  /// are asked for in ascending order. None where the context was cancelled meanwhile. Throws Error for parameters that
-  /// contradict each other.
+  /// Renders a frame as `lippmann render` does. Data shared by frames is kept while only the frame number changes, which works
+  /// best in ascending order. Returns none if cancelled. Throws Error for parameters that contradict each other.
   std::optional<RenderedFrame> frame(int frame);
 
-  /// What a page needs to know of a light field behind its optics, with the scene's title, frames and depth.
+  /// Returns the facts of the light field, with the scene's title, frames and depth.
   PageFacts facts() const;
 
  private:
@@ -41,8 +40,8 @@ class LiveStage {
   ThreadPool pool_;
   ResolvedJob job_;
   std::unique_ptr<JobStage> stage_;
-  std::unique_ptr<FrameMaker> maker_;  ///< of this job; null: there is none yet
-  int last_frame_ = 0;                 ///< that it made
+  std::unique_ptr<FrameMaker> maker_;  ///< for the current job; null: not made yet
+  int last_frame_ = 0;                 ///< the frame made last by maker_
 };
 
 }  // namespace lippmann

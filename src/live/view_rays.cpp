@@ -11,8 +11,7 @@
 namespace lippmann {
 namespace {
 
-/// The ray of a pixel of a view, whatever the optics: that of its eye, whose slope counts `parallax` times as much
-/// (with_parallax).
+/// Makes the ray of a view's pixel from the view's eye. Eye slopes are multiplied by `parallax` (with_parallax).
 class EyeRays {
  public:
   EyeRays(const PlacedOptics& placed, const PageFacts& facts)
@@ -37,7 +36,7 @@ class EyeRays {
   double parallax_, z_front_;
 };
 
-/// The ray of the pixel of the film that shows the place in the view.
+/// Makes the ray of the film pixel that shows this place of the view.
 class PixelRays {
  public:
   PixelRays(const Optics& optics, const ViewLayout& film, const PageFacts& facts)
@@ -56,7 +55,7 @@ class PixelRays {
   std::vector<std::uint32_t> pixels_;
 };
 
-/// What is left of a quilt beyond its views repeats the last of them.
+/// Makes the rays of a quilt. Tiles beyond the last view repeat it.
 template <class Rays>
 RayTable quilt_of(const Rays& rays, const PageFacts& facts, const Panel& panel, Vec2i view_size) {
   const ViewGrid& tiles = facts.tiles;
