@@ -22,7 +22,7 @@ std::string value_text(const Json& value) {
   return value.is_string() ? value.get<std::string>() : json_to_text(value, -1);
 }
 
-/// Rows may lack what others have.
+/// Returns the keys of all rows, since rows may lack keys that others have.
 std::vector<std::string> keys_of(const Json& rows) {
   std::vector<std::string> keys;
   for (const Json& row : rows)
@@ -31,7 +31,7 @@ std::vector<std::string> keys_of(const Json& rows) {
   return keys;
 }
 
-/// The largest absolute value of a column, by which its bars are drawn; 0: nothing to draw.
+/// Returns the largest absolute value of a column, which scales its bars; 0: no bars.
 double largest_in(const Json& rows, const std::string& key) {
   double largest = 0.0;
   for (const Json& row : rows)
@@ -39,7 +39,7 @@ double largest_in(const Json& rows, const std::string& key) {
   return std::isfinite(largest) ? largest : 0.0;
 }
 
-/// A number with a bar below it as long as its share of the column's largest.
+/// Returns a number with a bar below it, scaled to the largest value of the column.
 std::string cell_html(const Json& row, const std::string& key, double largest) {
   if (!row.contains(key)) return {};
   const std::string text = escaped(value_text(row[key]));
@@ -72,7 +72,7 @@ std::string machine_html(const Json& result) {
 std::string details_html(const Json& result) {
   const auto details = result.find("details");
   if (details == result.end() || details->is_null()) return {};
-  return fmt::format("<details><summary>What the rows are made of</summary><pre>{}</pre></details>",
+  return fmt::format("<details><summary>Details of the rows</summary><pre>{}</pre></details>",
                      fmt::format("{}", escaped(json_to_text(*details))));
 }
 

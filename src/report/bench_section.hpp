@@ -1,4 +1,4 @@
-// What `bench NAME` has measured, as a page shows it: the machine, the rows, and one column as bars.
+// The results of `bench NAME` as a section of a page: the machine, the rows, and bars for each numeric column.
 #pragma once
 
 #include <filesystem>
@@ -7,10 +7,10 @@
 
 namespace lippmann {
 
-/// Whether a JSON object is what a benchmark prints.
+/// Returns whether a JSON object is the output of a benchmark.
 bool is_bench_result(const nlohmann::ordered_json& json);
 
-/// HTML. Throws Error naming the file where its rows are no objects.
+/// Returns HTML. Throws Error naming the file if its rows are not objects.
 std::string bench_section(const nlohmann::ordered_json& result, const std::filesystem::path& path);
 
 }  // namespace lippmann

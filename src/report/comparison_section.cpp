@@ -13,7 +13,7 @@
 namespace lippmann {
 namespace {
 
-/// What the first render's mean frame took, by what this one's took.
+/// Returns the share of CPU time saved relative to the first render.
 std::string beside_first(const RenderFigures& first, const RenderFigures& render) {
   const std::optional<double> mean = cpu_seconds_a_frame(render);
   return mean ? percent_text(saving(*mean, cpu_seconds_a_frame(first))) : kNotKnown;
@@ -25,7 +25,7 @@ std::vector<int> frame_numbers(const RenderFigures& render) {
   return numbers;
 }
 
-/// What makes a comparison less than fair.
+/// Returns sentences on what limits the comparison.
 std::vector<std::string> caveats(const std::vector<RenderFigures>& renders) {
   const RenderFigures& first = renders.front();
   const auto differs = [&](const auto& of) {
@@ -33,11 +33,11 @@ std::vector<std::string> caveats(const std::vector<RenderFigures>& renders) {
   };
   std::vector<std::string> sentences;
   if (differs([](const RenderFigures& render) { return render.scene; })) sentences.emplace_back("The scenes differ.");
-  if (differs(frame_numbers)) sentences.emplace_back("The frames are not the same: means are of what each render has.");
+  if (differs(frame_numbers)) sentences.emplace_back("The frames differ: each mean is over the frames of that render.");
   if (differs([](const RenderFigures& render) { return render.pixels; }))
     sentences.emplace_back("The pictures differ in size.");
   if (differs([](const RenderFigures& render) { return render.runs.empty() ? "" : render.runs.front().host; }))
-    sentences.emplace_back("The machines differ, or are not known: times are not of one kind.");
+    sentences.emplace_back("The machines differ or are unknown: times are not comparable.");
   return sentences;
 }
 
@@ -57,7 +57,7 @@ std::string comparison_section(const std::vector<RenderFigures>& renders, const 
     }
     table.rows.push_back(std::move(row));
   }
-  std::vector<std::string> beside{fmt::format("CPU time saved beside {}", escaped(names.front()))};
+  std::vector<std::string> beside{fmt::format("CPU time saved, compared with {}", escaped(names.front()))};
   for (std::size_t i = 0; i < renders.size(); ++i) beside.push_back(i == 0 ? "" : beside_first(renders.front(), renders[i]));
   table.rows.push_back(std::move(beside));
   return fmt::format(

@@ -1,4 +1,5 @@
-// Several renders side by side: one row a figure, one column a render, and one line a render in charts over frames.
+// Compares renders side by side: a table with one row per figure and one column per render, and charts with one line per
+// render.
 #pragma once
 
 #include <string>
@@ -8,8 +9,8 @@
 
 namespace lippmann {
 
-/// HTML. At least two renders; `names`: one each, plain text. Savings are beside the first. What makes the comparison less than
-/// fair (other scenes, frames, sizes, machines) is said.
+/// Returns HTML for at least two renders. names: one per render, plain text. Savings are relative to the first render. Lists
+/// what limits the comparison, such as different scenes, frames, sizes or machines.
 std::string comparison_section(const std::vector<RenderFigures>& renders, const std::vector<std::string>& names);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Figures as people read them: three digits, and the unit that suits. What is not known is a dash.
+// Formats figures for people, with three digits and a suitable unit. Unknown figures are a dash.
 #pragma once
 
 #include <optional>
@@ -12,6 +12,6 @@ std::string seconds_text(double seconds);                  ///< "12.3 ms", "1.50
 std::string percent_text(std::optional<double> share);     ///< 0.123 is "12.3 %"
 std::string decibel_text(std::optional<double> decibels);  ///< "34.50 dB"
 std::string count_text(double count);                      ///< "950", "12.3 k", "1.25 M"
-std::string memory_text(double bytes);                     ///< of 0, which is not recorded, a dash
+std::string memory_text(double bytes);                     ///< a dash for 0, which means not recorded
 
 }  // namespace lippmann

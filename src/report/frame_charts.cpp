@@ -39,12 +39,12 @@ bool was_interpolated(const RenderFigures& render) { return render.reuse == "int
 
 void add_psnr_levels(const RenderFigures& render, Chart& chart) {
   if (was_interpolated(render)) chart.levels.push_back({fmt::format("the paper's {:.1f} dB", kPaperPsnrDb), kPaperPsnrDb});
-  if (const auto floor = wanted_psnr_db(render)) chart.levels.push_back({fmt::format("asked for: {:.4g} dB", *floor), *floor});
+  if (const auto floor = wanted_psnr_db(render)) chart.levels.push_back({fmt::format("requested: {:.4g} dB", *floor), *floor});
 }
 
 std::optional<double> percent(std::optional<double> share) { return share ? std::optional(100.0 * *share) : std::nullopt; }
 
-/// All frames that any of the renders has, and a line for each render.
+/// All frames of any of the renders, with a line for each render.
 struct Comparison {
   std::set<int> numbers;
   std::vector<std::map<int, const FrameReport*>> by_number;
@@ -114,7 +114,7 @@ Chart origin_chart(const RenderFigures& render) {
 }
 
 Chart time_chart(const RenderFigures& render) {
-  Chart chart{"CPU time a frame", "s"};
+  Chart chart{"CPU time per frame", "s"};
   chart.is_stacked = true, chart.frames = numbers_of(render);
   const auto seconds_where = [](bool whole) {
     return [whole](const FrameReport& frame) {
@@ -139,7 +139,7 @@ Chart saving_chart(const RenderFigures& render) {
 
 Chart ray_chart(const RenderFigures& render) {
   const double pixels = render.pixels.value_or(1e6);
-  Chart chart{render.pixels ? "Rays a pixel" : "Rays a frame", render.pixels ? "rays" : "million rays"};
+  Chart chart{render.pixels ? "Rays per pixel" : "Rays per frame", render.pixels ? "rays" : "million rays"};
   chart.is_stacked = true, chart.frames = numbers_of(render);
   const auto rays_of = [&](std::uint64_t RayCounts::*kind) {
     return [pixels, kind](const FrameReport& frame) { return std::optional(static_cast<double>(frame.rays.*kind) / pixels); };
@@ -153,7 +153,7 @@ Chart ray_chart(const RenderFigures& render) {
 }
 
 Chart psnr_comparison(const std::vector<RenderFigures>& renders, const std::vector<std::string>& names) {
-  Chart chart{"Lower bound of the PSNR, from held-out pixels", "dB"};
+  Chart chart{"Lower bound of PSNR, estimated from held-out pixels", "dB"};
   chart.starts_at_zero = false;
   Comparison(renders).fill(
       names, [](std::size_t, int, const FrameReport& frame) { return sure_psnr_db(frame); }, chart);
@@ -164,7 +164,7 @@ Chart psnr_comparison(const std::vector<RenderFigures>& renders, const std::vect
 }
 
 Chart time_comparison(const std::vector<RenderFigures>& renders, const std::vector<std::string>& names) {
-  Chart chart{"CPU time a frame", "s"};
+  Chart chart{"CPU time per frame", "s"};
   Comparison(renders).fill(
       names, [](std::size_t, int, const FrameReport& frame) { return std::optional(frame.cpu_seconds); }, chart);
   return chart;

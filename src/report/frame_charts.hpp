@@ -1,4 +1,4 @@
-// Charts of renders' frames: quality, where pixels come from, time, rays.
+// Charts of the frames of renders: quality, origin of pixels, time and rays.
 #pragma once
 
 #include <string>
@@ -9,30 +9,31 @@
 
 namespace lippmann {
 
-/// dB, the mean over the frames of its teapot: Eljdid, Aggoun, Youssef, "Enhanced Techniques 3D Integral Images Video Computer
-/// Generated".
+/// PSNR in dB, the mean over the frames of the paper's teapot: Eljdid, Aggoun, Youssef, "Enhanced Techniques 3D Integral Images
+/// Video Computer Generated".
 inline constexpr double kPaperPsnrDb = 34.5;
 
-/// PSNR as told and its bound, the floor that was asked for, and the paper's figure where frames were interpolated.
+/// Returns the estimated PSNR and its bounds, the requested minimum, and the paper's figure if frames were interpolated.
 Chart psnr_chart(const RenderFigures& render);
-/// Percent of the pixels by Origin; those that no frame has are left out.
+/// Returns the share of pixels by Origin, in percent, without origins that no frame has.
 Chart origin_chart(const RenderFigures& render);
-/// CPU seconds of frames, those traced whole apart from the others.
+/// Returns the CPU seconds of the frames, with fully traced frames as a separate series.
 Chart time_chart(const RenderFigures& render);
-/// Percent of the CPU time of a frame traced whole; frames that were traced whole have none.
+/// Returns the CPU time saved, in percent of a fully traced frame, for frames that were not fully traced.
 Chart saving_chart(const RenderFigures& render);
-/// Rays a pixel by kind, or millions of them where the size of frames is not known.
+/// Returns rays per pixel by kind, or millions of rays if the frame size is unknown.
 Chart ray_chart(const RenderFigures& render);
 
-// The same of several renders, one line each, over all frames that any of them has. `names`: one a render.
+// Charts of several renders with one line each, over all frames of any render. names: one per render.
 Chart psnr_comparison(const std::vector<RenderFigures>& renders, const std::vector<std::string>& names);
 Chart time_comparison(const std::vector<RenderFigures>& renders, const std::vector<std::string>& names);
-/// Percent of the CPU time of the same frame of the first render.
+/// Returns the CPU time saved, in percent of the same frame of the first render.
 Chart saving_comparison(const std::vector<RenderFigures>& renders, const std::vector<std::string>& names);
 
-/// The floor on PSNR that the settings ask for.
+/// Returns the minimum PSNR that the settings request.
 std::optional<double> wanted_psnr_db(const RenderFigures& render);
-/// By which quality is judged: the bound, or else the estimate; none: exact, or not estimated.
+/// Returns the PSNR that quality is judged by: the lower bound, or else the estimate. None if the frame is exact or has no
+/// estimate.
 std::optional<double> sure_psnr_db(const FrameReport& frame);
 
 }  // namespace lippmann

@@ -5,10 +5,10 @@
 namespace lippmann {
 namespace {
 
-/// `exact` is what older versions call it.
+/// Older versions call this mode `exact`.
 bool is_copied(const RenderFigures& render) { return render.reuse == "copy" || render.reuse == "exact"; }
 
-/// What is neither reused nor traced was filled.
+/// Pixels that are neither reused nor traced were filled.
 OriginShares in_between_origins(const FrameReport& frame, double pixels, bool copied) {
   const double reused = std::min(static_cast<double>(frame.reused_pixels) / pixels, 1.0);
   if (copied) return {1.0 - reused, reused, 0.0, 0.0};

@@ -1,4 +1,4 @@
-// Where the pixels of a frame come from, and what that saves.
+// The origin of a frame's pixels, and the time saved by reuse.
 #pragma once
 
 #include <array>
@@ -11,24 +11,24 @@
 namespace lippmann {
 
 enum class Origin { kTraced, kCopied, kInterpolated, kFilled };
-/// By Origin.
+/// Names, indexed by Origin.
 inline constexpr std::array<std::string_view, 4> kOriginNames{"traced", "copied", "interpolated", "filled"};
 using OriginShares = std::array<double, kOriginNames.size()>;
 
-/// Shares by Origin that add up to 1. None where the size of frames is not known.
-///   traced         every ray of its own
-///   copied         the bits of a key frame, provably unchanged (reuse copy)
+/// Returns the shares by Origin, which sum to 1. None if the frame size is unknown.
+///   traced         all rays were traced for this frame
+///   copied         copied from a key frame, provably unchanged (reuse copy)
 ///   interpolated   from the points of key frames (reuse interpolate)
-///   filled         no point fell there: from its neighbours (reuse interpolate, fill interpolate)
+///   filled         no point landed there: filled from neighbours (reuse interpolate, fill interpolate)
 std::optional<OriginShares> origins_of(const FrameReport& frame, const RenderFigures& render);
 
-/// Of kind full or key.
+/// Returns whether the frame is of kind full or key.
 bool is_traced_whole(const FrameReport& frame);
 
-/// The mean CPU seconds of the frames that were traced whole (kinds full and key); none where there is none.
+/// Returns the mean CPU seconds of fully traced frames (kinds full and key); none without such frames.
 std::optional<double> traced_cpu_seconds(const RenderFigures& render);
 
-/// 1 - seconds / traced; below 0: it took longer. None unless both are above 0.
+/// Returns 1 - seconds / traced_seconds; negative if it took longer. None unless both are positive.
 std::optional<double> saving(double seconds, std::optional<double> traced_seconds);
 
 }  // namespace lippmann

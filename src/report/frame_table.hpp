@@ -1,4 +1,4 @@
-// Every figure of every frame of a render, in a table that is folded until somebody wants it.
+// A table of all figures of all frames of a render, folded by default.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace lippmann {
 
-/// HTML; empty where there are no frames.
+/// Returns HTML; empty without frames.
 std::string frame_table(const RenderFigures& render);
 
 }  // namespace lippmann

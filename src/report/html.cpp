@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// The writer of JSON replaces what is no UTF-8, and leaves all else as it is but for its own escapes, which reading undoes.
+/// The JSON writer replaces invalid UTF-8, and parsing undoes its escapes.
 std::string as_utf8(std::string_view text) {
   const std::string json = json_to_text(nlohmann::ordered_json(std::string(text)), -1);
   return json_from_text(json).get<std::string>();
@@ -57,7 +57,7 @@ std::string escaped(std::string_view text) {
 
 std::string data_html(const nlohmann::ordered_json& data) {
   std::string html = "<script type=\"application/json\">";
-  for (const char c : json_to_text(data, -1))  // JSON has these in strings only
+  for (const char c : json_to_text(data, -1))  // in JSON, `<` occurs only in strings
     if (c == '<')
       html += "\\u003c";
     else

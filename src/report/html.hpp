@@ -1,4 +1,4 @@
-// Text of pages in HTML: names of foreign origin as they are safe within it, and tables.
+// Builds HTML: escapes untrusted text and formats tables.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,23 +8,23 @@
 
 namespace lippmann {
 
-/// Fit to stand between tags and in quoted attributes; bytes that are no UTF-8 become U+FFFD, control characters spaces.
+/// Escapes text for element content and quoted attributes. Invalid UTF-8 becomes U+FFFD, control characters become spaces.
 std::string escaped(std::string_view text);
 
-/// Data for the page's script: an element that is not shown and cannot run.
+/// Returns an invisible element with data for the page's script, which cannot run.
 std::string data_html(const nlohmann::ordered_json& data);
 
-/// A cell is HTML already. Rows may be shorter than the head.
+/// Cells are HTML. Rows may be shorter than the head.
 struct HtmlTable {
   std::vector<std::string> head = {};
   std::vector<std::vector<std::string>> rows = {};
   std::string style = {};  ///< classes
 };
 
-/// Within a box that scrolls, so that a narrow window shows all of it. The first cell of a row is its heading.
+/// Returns the table in a box that scrolls in narrow windows. The first cell of a row is its heading.
 std::string table_html(const HtmlTable& table);
 
-/// A list of sentences, which are plain text; empty where there are none.
+/// Returns a list of plain-text sentences; empty without sentences.
 std::string sentences_html(const std::vector<std::string>& sentences);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// The files that the build puts into the program: src/report/page.css and the script of web/src/report.ts as built in web/dist.
+// Files embedded by the build: src/report/page.css and the script of web/src/report.ts from web/dist.
 #pragma once
 
 #include <string_view>
@@ -7,9 +7,9 @@ namespace lippmann {
 
 std::string_view page_style();
 
-/// Draws the charts of a page (report/chart.hpp).
+/// Returns the script that draws the charts of a page (report/chart.hpp).
 std::string_view page_script();
-/// The script's SHA-256 in base64, for a content security policy.
+/// Returns the script's SHA-256 in base64, for the content security policy.
 std::string_view page_script_hash();
 
 }  // namespace lippmann

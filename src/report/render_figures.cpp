@@ -21,7 +21,7 @@ std::string text_at(const Json& json, const char* key) {
   return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// 0 where there is no finite number from 0 on.
+/// Returns 0 unless the value is a finite number above 0.
 double number_at(const Json& json, const char* key) {
   const auto found = json.find(key);
   const double value = found != json.end() && found->is_number() ? found->get<double>() : 0.0;
@@ -48,7 +48,7 @@ RunFigures run_figures(const Json& run) {
   return figures;
 }
 
-/// Skips frames that cannot be understood and counts them.
+/// Skips frames that cannot be parsed and counts them.
 void read_frame_list(const Json& list, RenderFigures& figures) {
   std::size_t left_out = 0;
   for (const Json& json : list)
@@ -69,14 +69,14 @@ void read_runs(const Json& report, RenderFigures& figures) {
     for (const Json& run : *runs)
       if (run.is_object()) figures.runs.push_back(run_figures(run));
   if (figures.runs.empty())
-    figures.missing.emplace_back("No run has recorded its end: the machine, its memory and the time of set-up are not known.");
+    figures.missing.emplace_back("No run has recorded its end: the machine, its memory and the set-up time are unknown.");
 }
 
 void read_totals(const Json& report, RenderFigures& figures) {
   for (const FrameReport& frame : figures.frames) figures.cpu_seconds += frame.cpu_seconds;
   const auto totals = report.find("totals");
   if (totals == report.end() || !totals->is_object()) {
-    figures.missing.emplace_back("The totals are missing, and with them what source frames took.");
+    figures.missing.emplace_back("The totals are missing, including the time of source frames.");
     return;
   }
   figures.cpu_seconds = std::max(figures.cpu_seconds, number_at(*totals, "cpu_seconds"));
@@ -89,8 +89,9 @@ void read_optics(const Json& report, const fs::path& path, RenderFigures& figure
   try {
     const Vec2i film = film_size(optics_from_json(report.at("optics"), path.string()));
     figures.pixels = static_cast<double>(film.x) * film.y;
-  } catch (const std::exception& problem) {  // of Error or of JSON
-    figures.missing.push_back(fmt::format("Shares of pixels are not known, as the optics cannot be read: {}", problem.what()));
+  } catch (const std::exception& problem) {  // Error or JSON exception
+    figures.missing.push_back(
+        fmt::format("Shares of pixels are unknown because the optics cannot be read: {}", problem.what()));
   }
 }
 
@@ -107,11 +108,11 @@ RenderFigures render_figures(const Json& report, const fs::path& path) {
   if (const auto settings = report.find("settings"); settings != report.end() && settings->is_object())
     figures.settings = *settings;
   else
-    figures.missing.emplace_back("The settings are missing: the command is not known.");
+    figures.missing.emplace_back("The settings are missing: the command is unknown.");
   if (const double rate = number_at(report, "frames_per_second"); rate > 0.0) figures.frames_per_second = rate;
   figures.interrupted = flag_at(report, "interrupted");
   if (figures.interrupted)
-    figures.missing.emplace_back("The render was stopped before its last frame, or still runs: these are its finished frames.");
+    figures.missing.emplace_back("The render was stopped or is still running: these are its finished frames.");
   read_frame_list(*frames, figures);
   read_runs(report, figures);
   read_totals(report, figures);

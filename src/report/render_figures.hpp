@@ -1,7 +1,7 @@
-// What a render says of itself in its report.json, as a page of figures needs it, and what it does not say.
+// Reads the figures of a render from its report.json.
 //
-// The file may be of another machine and another version, and of a render that was stopped: what is missing is said in
-// sentences, and the rest is there.
+// The file may come from another machine or version, or from a stopped render. Missing figures are listed as sentences, and all
+// others are read.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace lippmann {
 
-/// One run of several that may have worked at a render.
+/// One of the runs that rendered frames.
 struct RunFigures {
   std::string host, cpu, unit, frames;  ///< empty: not recorded
   double setup_seconds = 0.0, write_seconds = 0.0;
@@ -25,21 +25,21 @@ struct RunFigures {
 
 struct RenderFigures {
   std::filesystem::path report;  ///< the file
-  std::string title;             ///< the name of the folder in which it lies
+  std::string title;             ///< name of the folder that contains it
   std::string version, scene, light, view, reuse;
   nlohmann::ordered_json settings = nlohmann::ordered_json::object();
   double frames_per_second = 25.0;
   bool interrupted = false;
-  std::vector<FrameReport> frames;  ///< ascending
+  std::vector<FrameReport> frames;  ///< in ascending order
   std::vector<RunFigures> runs;
   std::optional<double> pixels;  ///< of a frame's film; none: the optics cannot be read
-  double source_frames = 0.0;    ///< rendered only because others are made from them
+  double source_frames = 0.0;    ///< frames rendered only to make others from them
   double cpu_seconds = 0.0;      ///< of all frames and source frames
   double setup_seconds = 0.0, write_seconds = 0.0, peak_memory_bytes = 0.0;
-  std::vector<std::string> missing;  ///< sentences, for people
+  std::vector<std::string> missing;  ///< sentences for people
 };
 
-/// `report`: of `path`, as it was read. Throws Error naming the file where it lists no frames at all.
+/// Reads the figures. report: the parsed content of `path`. Throws Error naming the file if it has no list of frames.
 RenderFigures render_figures(const nlohmann::ordered_json& report, const std::filesystem::path& path);
 
 }  // namespace lippmann

@@ -21,7 +21,7 @@
 namespace lippmann {
 namespace {
 
-/// "room, reuse interpolate".
+/// Returns the scene and the reuse mode: "room, reuse interpolate".
 std::string subtitle_of(const RenderFigures& render) {
   return render.scene + (render.reuse.empty() ? "" : ", reuse " + render.reuse);
 }
@@ -40,9 +40,9 @@ std::string command_html(const RenderFigures& render) {
   if (render.settings.empty()) return {};
   const std::string again = fmt::format("lippmann render {}", shell_word((render.report.parent_path() / "job.toml").string()));
   return fmt::format(
-      "<h3>Command</h3><pre>{}</pre><p class=\"note\">All that is not as by default. The folder's <code>job.toml</code> says "
-      "the "
-      "same: <code>{}</code></p>\n",
+      "<h3>Command</h3><pre>{}</pre><p class=\"note\">Settings that differ from the defaults. The folder's "
+      "<code>job.toml</code> "
+      "has the same: <code>{}</code></p>\n",
       escaped(command_of_settings(render.scene, render.settings)), escaped(again));
 }
 
@@ -51,12 +51,12 @@ std::string about_html(const RenderFigures& render) {
   const auto add = [&](const char* name, const std::string& value) {
     if (!value.empty()) html += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", name, escaped(value));
   };
-  add("scene", render.scene), add("reuse that served", render.reuse), add("version", render.version);
+  add("scene", render.scene), add("reuse in effect", render.reuse), add("version", render.version);
   add("view", render.view), add("light", render.light);
   return "<dl class=\"about\">" + html + "</dl>\n";
 }
 
-/// Runs of the same machine in one row.
+/// Totals of the runs on one machine.
 struct MachineRow {
   std::size_t runs = 0, frames = 0;
   double setup_seconds = 0.0, write_seconds = 0.0, peak_memory_bytes = 0.0;
@@ -66,7 +66,7 @@ std::size_t frames_in(const std::string& ranges) {
   try {
     return ranges.empty() ? 0 : frames_of(read_frames(ranges, {})).size();
   } catch (const Error&) {
-    return 0;  // a report of foreign origin may say anything
+    return 0;  // untrusted reports may contain any text
   }
 }
 
@@ -88,7 +88,7 @@ std::string machines_html(const RenderFigures& render) {
   }
   if (rows.empty()) return {};
   const char* mixed =
-      rows.size() > 1 ? "<p class=\"note\">Times of several machines are not of one kind: compare frames of one machine.</p>"
+      rows.size() > 1 ? "<p class=\"note\">Times of different machines are not comparable: compare frames of one machine.</p>"
                       : "";
   return "<h3>Machine</h3>" + table_html(table) + mixed;
 }
@@ -103,8 +103,8 @@ std::string pictures_html(const Thumbnails& thumbnails) {
         picture.source, escaped(picture.label), picture.aspect, escaped(picture.label));
   if (!html.empty()) html = "<div class=\"pictures\">" + html + "</div>";
   if (!thumbnails.problem.empty())
-    html += fmt::format("<p class=\"note\">Pictures that cannot be shown: {}</p>", escaped(thumbnails.problem));
-  return html.empty() ? html : "<h3>Views in the middle</h3>" + html + '\n';
+    html += fmt::format("<p class=\"note\">Some pictures cannot be shown: {}</p>", escaped(thumbnails.problem));
+  return html.empty() ? html : "<h3>Middle views</h3>" + html + '\n';
 }
 
 std::string settings_html(const RenderFigures& render) {

@@ -1,5 +1,4 @@
-// What a page says of one render: figures in all, how it was made, pictures, charts over its frames, and every figure in
-// tables.
+// The section of a page about one render: summary, settings, images, charts over the frames, and tables of all figures.
 #pragma once
 
 #include <string>
@@ -9,7 +8,7 @@
 
 namespace lippmann {
 
-/// HTML.
+/// Returns HTML.
 std::string render_section(const RenderFigures& render, const Thumbnails& thumbnails);
 
 }  // namespace lippmann

@@ -12,7 +12,7 @@
 namespace lippmann {
 namespace {
 
-/// "1 key, 7 in-between".
+/// Returns the number of frames by kind: "1 key, 7 in-between".
 std::string kinds_text(const RenderFigures& render) {
   std::map<std::string, int> kinds;
   for (const FrameReport& frame : render.frames) ++kinds[frame.kind];
@@ -45,12 +45,12 @@ bool was_guessed(const FrameReport& frame, const RenderFigures& render) {
   return frame.kind == "in-between" && render.reuse != "copy" && render.reuse != "exact";
 }
 
-/// Why there is no estimate.
+/// Returns why there is no PSNR estimate.
 std::string unestimated(const RenderFigures& render) {
   const auto guessed = [&](const FrameReport& frame) { return was_guessed(frame, render); };
   if (std::any_of(render.frames.begin(), render.frames.end(), guessed))
     return "interpolated without min-psnr: the error was not measured";
-  return render.frames.empty() ? "" : "no pixel is guessed: all are traced or copied bits";
+  return render.frames.empty() ? "" : "all pixels are traced or exact copies";
 }
 
 SummaryFigure psnr_figure(const RenderFigures& render) {
@@ -82,7 +82,7 @@ SummaryFigure time_figure(const RenderFigures& render) {
   const std::optional<double> mean = cpu_seconds_a_frame(render);
   const std::string sources =
       render.source_frames > 0.0 ? fmt::format(", with {} source frames", count_text(render.source_frames)) : "";
-  return {"CPU time a frame", mean ? seconds_text(*mean) : kNotKnown,
+  return {"CPU time per frame", mean ? seconds_text(*mean) : kNotKnown,
           fmt::format("{} in all{}", seconds_text(render.cpu_seconds), sources)};
 }
 
@@ -109,13 +109,13 @@ std::vector<SummaryFigure> render_summary(const RenderFigures& render) {
   const double rays = static_cast<double>(all_rays(render).total());
   const double frames = std::max(1.0, static_cast<double>(render.frames.size()));
   const std::string of_a_pixel =
-      render.pixels && rays > 0.0 ? fmt::format("{:.3g} a pixel", rays / frames / *render.pixels) : std::string();
+      render.pixels && rays > 0.0 ? fmt::format("{:.3g} per pixel", rays / frames / *render.pixels) : std::string();
   return {{"frames", count_text(static_cast<double>(render.frames.size())), kinds_text(render)},
           time_figure(render),
           saving_figure(render),
           traced_figure(render),
           psnr_figure(render),
-          {"rays a frame", count_text(rays / frames), of_a_pixel},
+          {"rays per frame", count_text(rays / frames), of_a_pixel},
           {"peak memory", memory_text(render.peak_memory_bytes), "of the largest run"}};
 }
 

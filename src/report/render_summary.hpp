@@ -1,4 +1,4 @@
-// The figures of a whole render, each in one word or number, by the same names alone and in comparisons.
+// Summary figures of a whole render, with the same names in single reports and comparisons.
 #pragma once
 
 #include <optional>
@@ -10,21 +10,21 @@
 namespace lippmann {
 
 struct SummaryFigure {
-  std::string name, value;  ///< plain text; a figure that is not known is a dash
-  std::string why;          ///< one sentence; empty: nothing more to say
+  std::string name, value;  ///< plain text; a dash if unknown
+  std::string why;          ///< one sentence; may be empty
 };
 
-/// Always the same figures in the same order.
+/// Returns the same figures in the same order for every render.
 std::vector<SummaryFigure> render_summary(const RenderFigures& render);
 
-/// CPU seconds of all frames and of those that they are made from, by the number of frames; none: there is no frame.
+/// Returns the CPU seconds of all frames and source frames, divided by the number of frames; none without frames.
 std::optional<double> cpu_seconds_a_frame(const RenderFigures& render);
 
-/// What reuse saved in all beside frames traced whole, source frames included; none where none was
-/// traced whole, or all were.
+/// Returns the share of CPU time saved by reuse relative to fully traced frames, with source frames counted. None if no frame
+/// or every frame was fully traced.
 std::optional<double> total_saving(const RenderFigures& render);
 
-/// The frame whose quality is the least sure; null: none is estimated.
+/// Returns the frame with the lowest PSNR (sure_psnr_db); null if no frame has one.
 const FrameReport* worst_frame(const RenderFigures& render);
 
 }  // namespace lippmann

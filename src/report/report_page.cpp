@@ -27,9 +27,9 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kAccepted = "the folder of a render, its report.json, or what `lippmann-bench` prints as JSON";
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;  // a frame takes about 600
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;  // a frame takes about 600 bytes
 constexpr std::size_t kMostPictures = 6;
-/// By which a page that was written before is known.
+/// Identifies a report page written earlier, which may be replaced.
 constexpr std::string_view kMark = "<meta name=\"generator\" content=\"lippmann report\">";
 
 bool is_folder(const fs::path& path) {
@@ -41,12 +41,12 @@ fs::path file_of(const fs::path& input) { return is_folder(input) ? input / "rep
 
 Json read_json(const fs::path& file) {
   Json json = json_from_text(read_recorded_text(file, kMostBytes, kAccepted));
-  if (json.is_discarded()) throw Error(file.string(), "is not JSON, or ends before its end", kAccepted);
+  if (json.is_discarded()) throw Error(file.string(), "is not JSON, or is truncated", kAccepted);
   if (!json.is_object()) throw Error(file.string(), "is not a JSON object", kAccepted);
   return json;
 }
 
-/// Folders of the same name are told apart by their paths.
+/// Returns the titles of the renders, or paths for titles that occur twice.
 std::vector<std::string> names_of(const std::vector<RenderFigures>& renders) {
   std::vector<std::string> names;
   for (const RenderFigures& render : renders) {

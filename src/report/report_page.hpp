@@ -1,8 +1,7 @@
-// A page of figures of renders and benchmarks: one file of HTML that opens from a disk, loads nothing, and runs one script,
-// which draws the charts.
+// Makes a page of figures of renders and benchmarks: one HTML file that opens from disk, loads nothing, and runs one script to
+// draw the charts.
 //
-// It holds pictures of some frames and says where each figure comes from. Names of foreign origin are shown as they are, and
-// cannot become anything else.
+// The page contains images of some frames and the source of each figure. Untrusted names are escaped.
 #pragma once
 
 #include <filesystem>
@@ -15,17 +14,17 @@ namespace lippmann {
 
 struct ReportPage {
   std::string html;
-  std::vector<std::string> missing;  ///< sentences: what the page says that it lacks, beginning with whose it is
+  std::vector<std::string> missing;  ///< sentences on missing figures, each beginning with the name of its render
 };
 
-/// `inputs`: at least one; folders of renders, their report.json, or what `bench` has printed as JSON. Several renders are
-/// compared with the first. Throws Error naming the input that is none of these.
+/// inputs: one or more folders of renders, report.json files, or JSON files printed by `bench`. With several renders, each is
+/// compared with the first. Throws Error naming an input of another kind.
 ReportPage make_report_page(const std::vector<std::filesystem::path>& inputs, const Context& context);
 
-/// Where the page goes if nobody says: into the one folder, else into the working folder.
+/// Returns the default file: in the folder if there is only one input, otherwise in the working folder.
 std::filesystem::path default_report_file(const std::vector<std::filesystem::path>& inputs);
 
-/// Writes the page, and makes its folder. Throws Error naming the file, also where another file has its name.
+/// Writes the page and creates its folder. Throws Error naming the file, also if it exists and is not a report page.
 void write_report_page(const ReportPage& page, const std::filesystem::path& file);
 
 }  // namespace lippmann

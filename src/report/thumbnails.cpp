@@ -16,12 +16,12 @@
 namespace lippmann {
 namespace {
 
-/// A picture of a page has no more pixels on a side.
+/// Largest side of a thumbnail, in pixels.
 constexpr int kMostSide = 240;
 /// The page is written once and read often.
 constexpr int kThumbnailEffort = 6;
 
-/// Linear light of the view in the middle.
+/// Returns the middle view in linear light.
 Image middle_view(const Image8& quilt, const PageFacts& facts) {
   const int view = facts.grid.rows / 2 * facts.grid.columns + facts.grid.columns / 2;
   const Vec2i size = facts.view_size;
@@ -52,7 +52,7 @@ Thumbnail thumbnail_of(const PageField& field, std::size_t frame) {
 
 Thumbnails read_thumbnails(const std::filesystem::path& report, std::size_t most, const Context& context) {
   Thumbnails found;
-  Context quiet;  // warnings of a light field are none of a page of figures
+  Context quiet;  // a report page shows no warnings about the light field
   quiet.threads = context.threads;
   try {
     LightFieldHints hints;

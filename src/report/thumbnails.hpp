@@ -1,4 +1,4 @@
-// Small pictures of some frames of a render: the view in the middle of each, as an eye before the display sees it.
+// Thumbnails of some frames of a render: the middle view of each, from the position of an eye in front of the display.
 #pragma once
 
 #include <filesystem>
@@ -10,18 +10,18 @@
 namespace lippmann {
 
 struct Thumbnail {
-  std::string label;    ///< the frame's, as its file has it
-  std::string source;   ///< a data: address
-  double aspect = 1.0;  ///< width / height as it is to be shown; pixels may be oblong
+  std::string label;    ///< label of the frame, from its file name
+  std::string source;   ///< a data: URL
+  double aspect = 1.0;  ///< displayed width / height; pixels may be non-square
 };
 
 struct Thumbnails {
   std::vector<Thumbnail> pictures;
-  std::string problem;  ///< why there are none, or not all; empty: all are there
+  std::string problem;  ///< why images are missing; empty: all are present
 };
 
-/// Of the folder in which a render's report lies: at most `most` frames, spread evenly, the first and the last among them. What
-/// cannot be read is told.
+/// Returns thumbnails of at most `most` frames, evenly spaced including the first and the last, from the folder of a render's
+/// report. Sets `problem` if some cannot be read.
 Thumbnails read_thumbnails(const std::filesystem::path& report, std::size_t most, const Context& context);
 
 }  // namespace lippmann

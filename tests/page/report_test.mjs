@@ -53,7 +53,7 @@ test("pointing at a frame shows the figures that the report has, in all charts",
     const psnr = await legend(chart(page, "PSNR"), frame.frame);
     const bound = frame.psnr_at_least_db;
     assert.equal(psnr["at least (95 % confidence)"], bound === null ? "\u2013" : String(shown(bound)));
-    assert.equal((await legend(chart(page, "CPU time a frame"), frame.frame))[frame.kind === "in-between" ? "with reuse" : "traced whole"], String(shown(frame.cpu_seconds)));
+    assert.equal((await legend(chart(page, "CPU time per frame"), frame.frame))[frame.kind === "in-between" ? "with reuse" : "traced whole"], String(shown(frame.cpu_seconds)));
   }
 });
 
@@ -77,8 +77,8 @@ test("charts are described in words", async () => {
   const page = await openFile("made/report.html");
   const { frames } = report("made");
   const seconds = frames.filter((frame) => frame.kind === "in-between").map((frame) => shown(frame.cpu_seconds));
-  const spoken = await page.getByRole("img", { name: /^CPU time a frame/ }).getAttribute("aria-label");
-  assert.ok(spoken.startsWith(`CPU time a frame (s) of ${frames.length} frames; traced whole: `), spoken);
+  const spoken = await page.getByRole("img", { name: /^CPU time per frame/ }).getAttribute("aria-label");
+  assert.ok(spoken.startsWith(`CPU time per frame (s) of ${frames.length} frames; traced whole: `), spoken);
   assert.ok(spoken.endsWith(`; with reuse: ${Math.min(...seconds)} to ${Math.max(...seconds)}`), spoken);
 });
 
@@ -90,7 +90,7 @@ test("a thousand frames are drawn", async () => {
   lippmann("report", "long", "-q");
   const page = await openFile("long/report.html");
   assert.equal(await page.locator("figure.chart canvas").count(), await page.locator("figure.chart").count());
-  assert.match(await page.getByRole("img", { name: /^Rays a pixel/ }).getAttribute("aria-label"), /of 1000 frames/);
+  assert.match(await page.getByRole("img", { name: /^Rays per pixel/ }).getAttribute("aria-label"), /of 1000 frames/);
 });
 
 test("no window is too narrow, and the table scrolls in its own box", async () => {
@@ -111,5 +111,5 @@ test("two renders stand side by side", async () => {
 
 test("a truncated report is an error in one line", () => {
   writeFileSync(inFolder("cut.json"), readFileSync(inFolder("made/report.json"), "utf8").slice(0, 2000));
-  assert.throws(() => lippmann("report", "cut.json"), /cut\.json: is not JSON, or ends before its end/);
+  assert.throws(() => lippmann("report", "cut.json"), /cut\.json: is not JSON, or is truncated/);
 });

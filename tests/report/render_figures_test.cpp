@@ -36,18 +36,18 @@ TEST(RenderFigures, a_whole_report_lacks_nothing) {
 TEST(RenderFigures, a_summary_has_the_figures_of_the_whole) {
   const RenderFigures render = test::figures_of(some_report());
   EXPECT_EQ(figure(render, "frames"), "3 | 2 in-between, 1 key");
-  EXPECT_EQ(figure(render, "CPU time a frame"), "1.00 s | 3.00 s in all");
+  EXPECT_EQ(figure(render, "CPU time per frame"), "1.00 s | 3.00 s in all");
   EXPECT_EQ(figure(render, "CPU time saved"), "50.0 % | compared with frames traced in full; source frames are counted");
   EXPECT_EQ(figure(render, "pixels traced"), "46.7 % | 53.3 % copied");
-  EXPECT_EQ(figure(render, "rays a frame"), "173 | 1.73 a pixel");
-  EXPECT_EQ(figure(render, "lowest PSNR"), "– | no pixel is guessed: all are traced or copied bits");
+  EXPECT_EQ(figure(render, "rays per frame"), "173 | 1.73 per pixel");
+  EXPECT_EQ(figure(render, "lowest PSNR"), "– | all pixels are traced or exact copies");
 }
 
 TEST(RenderFigures, source_frames_count_among_what_was_taken) {
   test::OrderedJson report = some_report();
   report["totals"]["cpu_seconds"] = 5.0, report["totals"]["source_frames"] = 1;
   const RenderFigures render = test::figures_of(report);
-  EXPECT_EQ(figure(render, "CPU time a frame"), "1.67 s | 5.00 s in all, with 1 source frames");
+  EXPECT_EQ(figure(render, "CPU time per frame"), "1.67 s | 5.00 s in all, with 1 source frames");
   EXPECT_NEAR(total_saving(render).value(), 1.0 - 5.0 / 3.0 / 2.0, 1e-12);
 }
 

@@ -55,8 +55,8 @@ TEST(ReportPage, interpolated_frames_are_shown_beside_the_papers_figure_and_the_
               AllOf(HasSubstr(R"({"name":"traced","color":0,"values":[100.0,15.0,15.0]})"),
                     HasSubstr(R"({"name":"interpolated","color":2,"values":[0.0,80.0,80.0]})"),
                     HasSubstr(R"({"name":"filled","color":3,"values":[0.0,5.0,5.0]})")));
-  EXPECT_THAT(chart_data(page, "Rays a pixel"), AllOf(HasSubstr(R"({"name":"primary","color":0,"values":[1.0,0.15,0.15]})"),
-                                                      HasSubstr(R"({"name":"shadow","color":2,"values":[2.0,0.3,0.3]})")));
+  EXPECT_THAT(chart_data(page, "Rays per pixel"), AllOf(HasSubstr(R"({"name":"primary","color":0,"values":[1.0,0.15,0.15]})"),
+                                                        HasSubstr(R"({"name":"shadow","color":2,"values":[2.0,0.3,0.3]})")));
   EXPECT_THAT(chart_data(page, "CPU time saved"), HasSubstr(R"("values":[null,75.0,75.0])"));
 }
 
@@ -84,7 +84,7 @@ TEST(ReportPage, units_of_one_machine_stand_in_one_row) {
   const std::string page = page_of({test::write_report_text(dir / "film", report.dump())});
   EXPECT_THAT(page, HasSubstr("<th scope=\"row\">workbench</th><td>Example 9000</td><td>2</td><td>41</td><td>123</td>"));
   EXPECT_THAT(page, HasSubstr("<th scope=\"row\">another</th><td>–</td>"));
-  EXPECT_THAT(page, HasSubstr("Times of several machines are not of one kind"));
+  EXPECT_THAT(page, HasSubstr("Times of different machines are not comparable"));
 }
 
 TEST(ReportPage, pictures_of_frames_are_the_views_in_the_middle) {
@@ -100,7 +100,7 @@ TEST(ReportPage, pictures_of_frames_are_the_views_in_the_middle) {
 TEST(ReportPage, a_folder_without_pictures_has_its_figures_all_the_same) {
   const test::TempDir dir;
   const std::string page = page_of({test::write_report_text(dir / "film", interpolated().dump())});
-  EXPECT_THAT(page, HasSubstr("Pictures that cannot be shown: "));
+  EXPECT_THAT(page, HasSubstr("Some pictures cannot be shown: "));
   EXPECT_THAT(page, HasSubstr("there are no frames or views in it"));
   EXPECT_THAT(page, HasSubstr("Where pixels come from"));
 }
@@ -136,9 +136,9 @@ TEST(ReportPage, several_renders_stand_side_by_side) {
   const std::string page = page_of({traced, made});
   EXPECT_THAT(page, HasSubstr("<th scope=\"col\">traced</th><th scope=\"col\">made</th>"));
   EXPECT_THAT(page, HasSubstr("<th scope=\"row\">reuse</th><td>none</td><td>interpolate</td>"));
-  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">CPU time saved beside traced</th><td></td><td>50.0 %</td>"));
+  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">CPU time saved, compared with traced</th><td></td><td>50.0 %</td>"));
   EXPECT_THAT(chart_data(page, "CPU time saved"), HasSubstr(R"({"name":"made","color":1,"values":[0.0,75.0,75.0]})"));
-  EXPECT_THAT(page, Not(HasSubstr("The frames are not the same")));
+  EXPECT_THAT(page, Not(HasSubstr("The frames differ")));
 }
 
 TEST(ReportPage, what_makes_a_comparison_unfair_is_told) {
@@ -147,7 +147,7 @@ TEST(ReportPage, what_makes_a_comparison_unfair_is_told) {
   other["scene"] = "tree", other["runs"][0]["host"] = "another";
   const std::string page = page_of({test::write_report_text(dir / "a" / "film", interpolated().dump()),
                                     test::write_report_text(dir / "b" / "film", other.dump())});
-  for (const char* part : {"The scenes differ.", "The frames are not the same", "The machines differ", "b/film/report.json"})
+  for (const char* part : {"The scenes differ.", "The frames differ", "The machines differ", "b/film/report.json"})
     EXPECT_THAT(page, HasSubstr(part));
   EXPECT_THAT(page, Not(HasSubstr("differ in size")));
 }
@@ -171,7 +171,7 @@ TEST(ReportPage, what_is_no_report_is_refused_by_name) {
   const test::TempDir dir;
   EXPECT_THAT(refusal_of({dir / "nowhere"}), HasSubstr("nowhere: there is no such file"));
   EXPECT_THAT(refusal_of({test::write_report_text(dir / "cut", interpolated().dump().substr(0, 900))}),
-              HasSubstr("report.json: is not JSON, or ends before its end"));
+              HasSubstr("report.json: is not JSON, or is truncated"));
   EXPECT_THAT(refusal_of({test::write_report_text(dir / "list", "[1]")}), HasSubstr("is not a JSON object"));
   EXPECT_THAT(refusal_of({test::write_report_text(dir / "other", "{}")}), HasSubstr("lists no frames"));
 }
