@@ -18,14 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Throws if `b`, the frames of `path`, lacks one of `a`, those of `other`.
+/// Throws if `b`, the frames of `path`, lacks one of `a`, the frames of `other`.
 void check_has_all(const fs::path& path, const std::vector<std::string>& b, const fs::path& other,
                    const std::vector<std::string>& a) {
   const std::set<std::string> known(b.begin(), b.end());
   for (const std::string& name : a)
     if (!known.contains(name))
-      throw Error(path.string(), fmt::format("has no frame {}, which {} has ({} frames against {})", name, other.string(),
-                                             b.size(), a.size()));
+      throw Error(path.string(),
+                  fmt::format("has no frame {}, unlike {} ({} frames against {})", name, other.string(), b.size(), a.size()));
 }
 
 std::string describe(SourceKind kind) {
@@ -42,7 +42,7 @@ std::string describe(SourceKind kind) {
 
 void check_kinds(const fs::path& test, const FrameSource& a, const FrameSource& b) {
   if ((a.kind() == SourceKind::kPicture) == (b.kind() == SourceKind::kPicture)) return;
-  throw Error(test.string(), fmt::format("is {}, the reference {}", describe(b.kind()), describe(a.kind())),
+  throw Error(test.string(), fmt::format("is {}, but the reference is {}", describe(b.kind()), describe(a.kind())),
               "two pictures, or two of folders and videos");
 }
 
@@ -51,7 +51,7 @@ struct Pair {
   FrameSource::Item reference, test;
 };
 
-/// Takes frames from both, in step.
+/// Reads frames from both inputs in step.
 class PairSource {
  public:
   PairSource(const fs::path& reference, const fs::path& test, const std::optional<std::vector<int>>& wanted,
@@ -67,16 +67,18 @@ class PairSource {
   std::optional<Pair> next() {
     std::optional<FrameSource::Item> a = reference_->next(), b = test_->next();
     if (a.has_value() != b.has_value())
-      throw Error(a ? test_path_.string() : reference_path_.string(),
-                  fmt::format("ends after {} frames, {} has more", count_, a ? reference_path_.string() : test_path_.string()));
+      throw Error(
+          a ? test_path_.string() : reference_path_.string(),
+          fmt::format("ends after {} frames, but {} has more", count_, a ? reference_path_.string() : test_path_.string()));
     if (!a) return std::nullopt;
     ++count_;
-    const std::string name =
-        reference_->kind() == SourceKind::kVideo ? b->name : a->name;  // rather a file's than a made-up one
+    const std::string name = reference_->kind() == SourceKind::kVideo
+                                 ? b->name
+                                 : a->name;  // prefer the name of a file to the number of a video frame
     return Pair{name, std::move(*a), std::move(*b)};
   }
 
-  /// Up to `count` pairs.
+  /// Returns up to `count` pairs.
   std::vector<Pair> next_batch(int count) {
     std::vector<Pair> batch;
     while (static_cast<int>(batch.size()) < count) {
@@ -102,8 +104,8 @@ class PairSource {
 FrameComparison compare_pair(const Pair& pair, const fs::path& test, const SlowMetrics& wanted) {
   const Image8 a = pair.reference.load(), b = pair.test.load();
   if (a.width != b.width || a.height != b.height)
-    throw Error(test.string(), fmt::format("frame {} has {} x {} pixels, the reference {} x {}", pair.name, b.width, b.height,
-                                           a.width, a.height));
+    throw Error(test.string(), fmt::format("frame {} has {} x {} pixels, but the reference has {} x {}", pair.name, b.width,
+                                           b.height, a.width, a.height));
   return {pair.name, measure_difference(a, b, wanted)};
 }
 

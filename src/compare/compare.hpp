@@ -1,6 +1,6 @@
-// Compares two pictures, two folders of frames, or two videos (or a folder and a video) frame by frame.
+// Compares two images, two folders of frames, or two videos (or a folder and a video) frame by frame.
 //
-// Definitions of all figures: image/metrics.hpp and docs/reference/metrics.md.
+// image/metrics.hpp and docs/reference/metrics.md define all figures.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ struct FrameComparison {
   PictureMetrics metrics;
 };
 
-/// Values of one frame; empty if not chosen or without a value (of equal frames, of a single view, of the first frame).
+/// Values of one frame. Empty if not requested or undefined: equal frames, a single view, or the first frame.
 struct FrameConsistency {
   std::string name;
   std::optional<double> angular_psnr_db = {}, flicker = {};
@@ -30,17 +30,17 @@ struct Comparison {
   std::vector<FrameComparison> frames;
   ChannelErrors mean_mse, mean_rmse;               ///< means over all frames
   std::optional<double> mean_psnr_db;              ///< over the frames that are not identical; none if all are
-  std::optional<double> mean_ssim;                 ///< over the frames that have one
-  bool identical = true;                           ///< every code of every frame
-  std::vector<FrameConsistency> consistency = {};  ///< where the choice has angular or flicker
+  std::optional<double> mean_ssim;                 ///< over the frames that have a value
+  bool identical = true;                           ///< all codes of all frames are equal
+  std::vector<FrameConsistency> consistency = {};  ///< set if angular or flicker is requested
 };
 
 struct CompareParams {
-  /// The numbers of the frames to compare, ascending: those of files' names, of a video their order; none: all. Frames that are
-  /// not wanted may be missing; Error where a wanted one is.
+  /// Numbers of the frames to compare, in ascending order: numbers in file names, or positions in a video. none: all. Other
+  /// frames may be missing; a missing frame of the list is an Error.
   std::optional<std::vector<int>> frames = {};
   MetricChoice choice = {};
-  bool per_view = false;  ///< each view of a light field is compared by itself and is a FrameComparison
+  bool per_view = false;  ///< compare each view of a light field separately, as a FrameComparison of its own
   ViewsHints hints = {};
 
   bool compares_views() const {
@@ -48,12 +48,12 @@ struct CompareParams {
   }
 };
 
-/// Frames of folders are matched by name (the extensions may differ); those of videos by their order. Throws Error that says
-/// which frame is missing, or differs in size. Stops early, with the frames so far, when context.cancelled is set.
+/// Compares all frames. Matches frames of folders by name without extension, and frames of videos by order. Throws Error if a
+/// frame is missing or differs in size. Stops early, with the frames so far, if context.cancelled is set.
 Comparison compare(const std::filesystem::path& reference, const std::filesystem::path& test, const Context& context,
                    const CompareParams& params = {});
 
-/// The means of frames that have been compared.
+/// Returns the means of frames that were compared.
 Comparison summarise(std::vector<FrameComparison> frames);
 
 }  // namespace lippmann

@@ -28,17 +28,17 @@ std::vector<fs::path> wanted_fields(const fs::path& path, const CompareParams& p
     const std::optional<int> number = frame_number(field);
     return !number || missing.erase(*number) == 0;
   });
-  if (!missing.empty()) throw Error(path.string(), fmt::format("has no frame {}, which `frames` asks for", *missing.begin()));
+  if (!missing.empty()) throw Error(path.string(), fmt::format("has no frame {}, which `frames` requests", *missing.begin()));
   return fields;
 }
 
-/// Frames of folders are matched by number, single light fields whatever their names.
+/// Matches frames of folders by number. Single light fields may have any names.
 std::vector<std::pair<fs::path, fs::path>> pairs_of_fields(const fs::path& reference, const fs::path& test,
                                                            const CompareParams& params) {
   const std::vector<fs::path> a = wanted_fields(reference, params), b = wanted_fields(test, params);
   if (a.size() != b.size())
     throw Error(test.string(),
-                fmt::format("has {} light fields, the reference {} has {}", b.size(), reference.string(), a.size()));
+                fmt::format("has {} light fields, but the reference {} has {}", b.size(), reference.string(), a.size()));
   std::vector<std::pair<fs::path, fs::path>> pairs;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a.size() > 1 && frame_number(a[i]) != frame_number(b[i]))
@@ -53,11 +53,11 @@ std::vector<std::pair<fs::path, fs::path>> pairs_of_fields(const fs::path& refer
 void require_same_views(const FrameViews& a, const FrameViews& b, const fs::path& test) {
   if (a.grid == b.grid && a.view_size == b.view_size) return;
   throw Error(test.string(),
-              fmt::format("has {}x{} views of {}x{} pixels, the reference {}x{} of {}x{}", b.grid.columns, b.grid.rows,
+              fmt::format("has {}x{} views of {}x{} pixels, but the reference has {}x{} of {}x{}", b.grid.columns, b.grid.rows,
                           b.view_size.x, b.view_size.y, a.grid.columns, a.grid.rows, a.view_size.x, a.view_size.y));
 }
 
-/// A frame of both.
+/// One frame of both inputs.
 struct ViewsPair {
   fs::path path;  ///< of the reference
   FrameViews reference, test;
@@ -85,12 +85,12 @@ void add_rows(const ViewsPair& pair, const MetricChoice& choice, const ThreadPoo
   });
 }
 
-/// Throws where frames do not follow each other, or the layer of motion is missing.
+/// Throws if frames are not consecutive, or if the motion layer is missing.
 void require_motion(const ViewsPair& before, const ViewsPair& pair) {
   if (frame_number(before.path).value_or(0) + 1 != frame_number(pair.path))
-    throw usage_error("metrics", "flicker is of frames that follow each other", "all frames, or `frames` without gaps");
+    throw usage_error("metrics", "flicker needs consecutive frames", "all frames, or `frames` without gaps");
   if (!pair.reference.motion)
-    throw Error(pair.path.string(), "has no layer of motion beside it, which the metric flicker needs",
+    throw Error(pair.path.string(), "has no motion layer, which the metric flicker needs",
                 "a reference that was rendered with `aov` motion");
 }
 

@@ -1,4 +1,4 @@
-// Compares light fields view by view, and whether errors stay the same from view to view and frame to frame.
+// Compares light fields view by view, and the consistency of errors between views and frames.
 #pragma once
 
 #include <filesystem>

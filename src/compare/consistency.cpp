@@ -1,19 +1,19 @@
 // Based on: Lai, Huang, Wang, Shechtman, Yumer, Yang, "Learning blind video temporal consistency", ECCV 2018, equation 3 (the
 // weight of a pixel) and section 4.2 (the warping error).
 //
-// Flicker: e = test - reference. A pixel's error is compared with the error of the same surface point a frame before, which
-// the motion of the render finds: e_t(p) - e_{t-1}(p - motion(p)), bilinear. Pixels weigh exp(-50 |a_t - a_{t-1}|^2), of the
-// reference's colours a in 0 ... 1, so that points that were hidden, or whose shading changed, hardly count.
+// Flicker: the error is e = test - reference. The error of a pixel is compared with the error of the same surface point in the
+// previous frame, located by the render's motion vectors: e_t(p) - e_{t-1}(p - motion(p)), with bilinear interpolation. Pixels
+// have weight exp(-50 |a_t - a_{t-1}|^2), with the reference's colours a in 0 ... 1, so that points that were hidden or whose
+// shading changed hardly count.
 //
-// Angular consistency compares differences of neighbours, as tLP does for frames: Chu, Xie, Mayer, Leal-Taixe, Thuerey,
-// "Learning temporal coherence via self-supervision for GAN-based video generation", ACM Trans. Graphics 39(4), 2020,
-// section 5.2.
+// Angular consistency compares differences of neighbouring views, as tLP does for frames: Chu, Xie, Mayer, Leal-Taixe, Thuerey,
+// "Learning temporal coherence via self-supervision for GAN-based video generation", ACM Trans. Graphics 39(4), 2020, section
+// 5.2.
 //
 // We deviate:
-// 1. Motion is exact and known for every pixel: no optical flow is estimated, and there is no mask of occlusion besides the
-//    weights.
-// 2. The warping error is that of the difference from the reference: the reference itself scores 0.
-// 3. Views are compared by codes, not by a network's features.
+// 1. Motion is exact and known for every pixel, so there is no optical flow and no occlusion mask besides the weights.
+// 2. The warping error is computed on the difference from the reference, so the reference itself scores 0.
+// 3. Views are compared by codes, not by features of a network.
 #include "compare/consistency.hpp"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ namespace {
 
 constexpr double kVisibilityFall = 50.0;
 
-/// Adds squared differences of how two pairs of views differ.
+/// Sums the squared difference between the changes from a0 to a1 and from b0 to b1.
 double squared_changes(const Image8& a0, const Image8& a1, const Image8& b0, const Image8& b1) {
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < a0.rgb.size(); ++i) {
@@ -46,7 +46,7 @@ struct BilinearTaps {
   std::array<double, 4> weights;
 };
 
-/// Returns false outside of the picture.
+/// Returns false outside the image.
 bool find_taps(double x, double y, const Image8& image, BilinearTaps& taps) {
   if (!(x >= 0.0 && y >= 0.0 && x <= image.width - 1 && y <= image.height - 1)) return false;
   const std::size_t width = static_cast<std::size_t>(image.width), x0 = static_cast<std::size_t>(x),

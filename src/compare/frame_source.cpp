@@ -58,7 +58,7 @@ class PictureFiles : public FrameSource {
   }
 
  private:
-  /// Channels of the first picture; the other pictures of a folder have the same.
+  /// Warns about ignored channels of the first image; the other images of a folder have the same.
   void warn_of_left_out(const fs::path& file) const {
     if (!warn_) return;
     const LeftOutChannels left_out = left_out_channels(file);
@@ -98,7 +98,7 @@ class VideoFrames : public FrameSource {
       while (count_ < (*wanted_)[taken_] && reader_.next()) ++count_;
     std::optional<Image8> picture = reader_.next();
     if (!picture && wanted_)
-      throw Error(path_.string(), fmt::format("has no frame {}, which `frames` asks for", (*wanted_)[taken_]));
+      throw Error(path_.string(), fmt::format("has no frame {}, which `frames` requests", (*wanted_)[taken_]));
     if (!picture) return std::nullopt;
     ++taken_;
     return Item{fmt::format("frame_{:04}", count_++), [picture = std::move(*picture)] { return picture; }};
@@ -108,8 +108,8 @@ class VideoFrames : public FrameSource {
   fs::path path_;
   VideoReader reader_;
   std::optional<std::vector<int>> wanted_;
-  std::size_t taken_ = 0;  ///< how many of wanted_ have been returned
-  int count_ = 0;          ///< read
+  std::size_t taken_ = 0;  ///< number of wanted_ frames returned so far
+  int count_ = 0;          ///< frames read
 };
 
 void keep_wanted(const fs::path& folder, const std::vector<int>& wanted, std::vector<fs::path>& files) {
@@ -118,7 +118,7 @@ void keep_wanted(const fs::path& folder, const std::vector<int>& wanted, std::ve
     const std::optional<int> number = frame_number(file);
     return !number || !std::binary_search(wanted.begin(), wanted.end(), *number) || missing.erase(*number) == 0;
   });
-  if (!missing.empty()) throw Error(folder.string(), fmt::format("has no frame {}, which `frames` asks for", *missing.begin()));
+  if (!missing.empty()) throw Error(folder.string(), fmt::format("has no frame {}, which `frames` requests", *missing.begin()));
 }
 
 std::unique_ptr<FrameSource> open_folder(const fs::path& folder, const std::optional<std::vector<int>>& wanted,
@@ -130,7 +130,7 @@ std::unique_ptr<FrameSource> open_folder(const fs::path& folder, const std::opti
   } catch (const fs::filesystem_error& failure) {
     throw Error(folder.string(), "cannot be listed: " + failure.code().message());
   }
-  if (files.empty()) throw Error(folder.string(), "has no pictures in it");
+  if (files.empty()) throw Error(folder.string(), "has no pictures");
   const auto twice =
       std::adjacent_find(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) { return a.stem() == b.stem(); });
   if (twice != files.end())
@@ -155,7 +155,7 @@ std::unique_ptr<FrameSource> open_frames(const fs::path& path, const std::option
   if (!fs::exists(path, ignored)) throw Error(path.string(), "there is no such file or folder");
   if (fs::is_directory(path, ignored)) return open_folder(path, wanted, warn);
   if (is_video_name(path)) return std::make_unique<VideoFrames>(path, wanted);
-  if (wanted) throw usage_error("frames", path.string() + " is one picture", "a folder or a video with it");
+  if (wanted) throw usage_error("frames", path.string() + " is a single picture", "`frames` with a folder or a video");
   return std::make_unique<PictureFiles>(SourceKind::kPicture, std::vector{path}, warn);
 }
 

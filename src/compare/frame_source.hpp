@@ -1,7 +1,7 @@
-// The frames of a picture, a folder of pictures or a video, one after the other, whichever it is.
+// Reads the frames of an image, a folder of images or a video, one after the other.
 //
-// A folder's frames are its pictures called frame_*; where there are none, all its pictures. They are taken in the order of
-// their names, numbers in names compared as numbers. Hidden files are left out.
+// The frames of a folder are its images named frame_*, or all its images if none has such a name, in natural order of their
+// names. Hidden files are skipped.
 #pragma once
 
 #include <filesystem>
@@ -21,28 +21,28 @@ enum class SourceKind { kPicture, kFolder, kVideo };
 class FrameSource {
  public:
   struct Item {
-    std::string name;              ///< the file's without folder and extension; of a video frame_0000, ...
-    std::function<Image8()> load;  ///< its codes; from any thread, while the source lives; throws Error
+    std::string name;              ///< file name without folder and extension; for videos frame_0000, ...
+    std::function<Image8()> load;  ///< returns its codes; may be called from any thread while the source exists; throws Error
   };
 
   virtual ~FrameSource() = default;
   virtual SourceKind kind() const = 0;
 
-  /// None after the last one. Throws Error naming the file.
+  /// Returns the next frame, or none after the last one. Throws Error naming the file.
   virtual std::optional<Item> next() = 0;
 
-  /// The names of all frames, where they are known from the start: not of videos.
+  /// Returns the names of all frames, or nothing if they are not known in advance (videos).
   virtual std::vector<std::string> names() const { return {}; }
 };
 
-/// The number after frame_, else at the end of a file's name without its ending: 12 of frame_0012 and of a quilt's
-/// frame_0012_qs8x6a0.75. None without.
+/// Returns the number after frame_, or else at the end of a file's stem: 12 for frame_0012 and for a quilt's
+/// frame_0012_qs8x6a0.75. None without a number.
 std::optional<int> frame_number(const std::filesystem::path& file);
 
-/// wanted: the frames to take, ascending, by the number after frame_ or at the end of their file's name, of videos by their
-/// order from 0; none: all. Throws Error naming `path` if there is nothing there, or a folder without pictures, with two for
-/// one frame, or without a wanted one; so does next() of a video that ends before the last wanted frame.
-/// `warn`, if given, gets what pictures say and is not honoured, from the threads that load them.
+/// Opens a source of frames. wanted: the frames to read, in ascending order, by frame_number() or, for videos, by position from
+/// 0; none: all. Throws Error naming `path` if it does not exist, or if a folder has no images, two images for one frame, or
+/// lacks a wanted frame. next() of a video throws if it ends before the last wanted frame. warn: if given, receives ignored
+/// properties of images, from the threads that load them.
 std::unique_ptr<FrameSource> open_frames(const std::filesystem::path& path, const std::optional<std::vector<int>>& wanted = {},
                                          const std::function<void(std::string_view)>& warn = {});
 

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The exit code, 127 if there is no such program.
+/// Returns the exit code, or 127 if the program is not installed.
 int run_gnuplot(const fs::path& script) {
   std::error_code problem;
   platform::ChildProcess process({.words = {"gnuplot", script.string()}}, problem);
@@ -30,12 +30,12 @@ std::string gnuplot_quoted(const std::string& text) {
 
 void draw_with_gnuplot(const fs::path& path, const std::string& commands) {
   AtomicFile picture(path);
-  const AtomicFile script(path.string() + ".gnuplot");  // never committed: removed at the end
+  const AtomicFile script(path.string() + ".gnuplot");  // never committed, so removed at the end
   const std::string text = fmt::format("set terminal pngcairo size 960,540 noenhanced font 'sans,11'\nset output {}\n{}",
                                        gnuplot_quoted(picture.temporary_path().string()), commands);
   write_file_atomically(script.temporary_path(), std::as_bytes(std::span(text)));
   const int code = run_gnuplot(script.temporary_path());
-  if (code == 127) throw Error(path.string(), "drawing it needs the program gnuplot (Debian: apt install gnuplot-nox)");
+  if (code == 127) throw Error(path.string(), "plots need the program gnuplot (Debian: apt install gnuplot-nox)");
   if (code != 0 || !fs::exists(picture.temporary_path()))
     throw Error(path.string(), fmt::format("gnuplot failed (exit code {})", code));
   picture.commit();

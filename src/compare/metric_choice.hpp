@@ -1,4 +1,4 @@
-// The metrics that a comparison may be asked for, besides those that it always has; defined in docs/reference/metrics.md.
+// Optional metrics of a comparison; defined in docs/reference/metrics.md.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ struct MetricChoice {
   bool angular = false, flicker = false;  ///< of light fields, and of consecutive frames
 };
 
-/// Names separated by commas: psnr-y, psnr-yuv, ms-ssim, flip, angular, flicker; psnr and ssim, which there are always; all.
-/// Throws a usage Error naming `metrics`.
+/// Parses names separated by commas: psnr-y, psnr-yuv, ms-ssim, flip, angular, flicker; psnr, ssim and mse, which are always
+/// included; all. Throws a usage Error naming `metrics`.
 MetricChoice read_metrics(const std::string& text);
 
 }  // namespace lippmann

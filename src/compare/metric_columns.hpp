@@ -1,4 +1,4 @@
-// The metrics of a picture as columns of tables, CSV and JSON.
+// The metrics of an image as columns of tables, CSV and JSON.
 #pragma once
 
 #include <optional>
@@ -12,17 +12,17 @@ namespace lippmann {
 struct MetricColumn {
   std::string_view key;    ///< in JSON and CSV
   std::string_view title;  ///< in tables
-  int digits = 4;          ///< behind the point, in tables
+  int digits = 4;          ///< decimals in tables
   bool worst_is_largest = false;
-  /// Empty if the picture has no such value (not chosen, too small, or the PSNR of equal pictures).
+  /// Returns the value; empty if not requested or undefined (too small an image, or the PSNR of equal images).
   std::optional<double> (*of)(const PictureMetrics& metrics);
-  /// Whether a table has it.
+  /// Returns whether tables include the column.
   bool (*is_chosen)(const MetricChoice& choice);
 };
 
 std::span<const MetricColumn> metric_columns();
 
-/// Over the frames that have a value; none if no frame has.
+/// The mean and the worst value over the frames that have one; none if no frame has.
 std::optional<double> mean_of(const MetricColumn& column, const Comparison& comparison);
 std::optional<double> worst_of(const MetricColumn& column, const Comparison& comparison);
 

@@ -15,10 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Up to here gnuplot would put marks between frames.
+/// Up to this many frames, gnuplot would put tick marks between frame numbers.
 constexpr std::size_t kFewFrames = 20;
 
-/// The number at the end of a frame's name, if there is one: what people call the frame.
+/// Returns the number at the end of a frame's name, if there is one.
 std::optional<long> trailing_number(const std::string& name) {
   constexpr std::size_t kMostDigits = 9;
   std::size_t begin = name.size();

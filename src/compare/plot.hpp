@@ -1,4 +1,4 @@
-// Draws the PSNR of every frame as a picture, with the program gnuplot.
+// Plots the PSNR of every frame with the program gnuplot.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace lippmann {
 
-/// Writes a PNG; identical frames, which have no PSNR, leave gaps. Throws Error if gnuplot is not installed or fails, or the
+/// Writes a PNG. Identical frames have no PSNR and leave gaps. Throws Error if gnuplot is not installed or fails, or if the
 /// file cannot be written.
 void plot_psnr(const Comparison& comparison, const std::filesystem::path& path);
 

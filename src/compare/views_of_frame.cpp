@@ -28,7 +28,7 @@ Image8 codes_of(const Image16& picture) {
 
 Image8 codes_of(const Image& picture) { return to_codes(picture, Encoding::kSrgb); }
 
-/// Whether a picture is one view: the hints or the report beside it say so, and it is no folder.
+/// Returns whether a file is an image of one view, according to the hints or the report beside it.
 bool is_single_view(const fs::path& path, const ViewsHints& hints) {
   if (fs::is_directory(path) || !hints.from.empty() || hints.tiles) return false;
   if (hints.views) return hints.views->count() == 1;

@@ -1,4 +1,4 @@
-// The views of one frame as codes, of whatever format the frame is.
+// Reads the views of one frame in any format, as codes.
 #pragma once
 
 #include <filesystem>
@@ -14,9 +14,9 @@
 
 namespace lippmann {
 
-/// Describes a light field if neither its name nor a report.json does, as for `convert`.
+/// Describes a light field whose name and report.json do not, as for `convert`.
 struct ViewsHints {
-  std::string from = {};  ///< a format's name
+  std::string from = {};  ///< name of a format
   std::optional<ViewGrid> views = {}, tiles = {};
 };
 
@@ -24,15 +24,15 @@ struct FrameViews {
   ViewGrid grid;
   Vec2i view_size{0, 0};
   std::vector<Image8> views;
-  std::optional<Image> motion = {};  ///< a stack of the views; none: not wanted, or there is no such layer
-  std::string_view format = {};      ///< as in layout/formats.hpp; empty: a picture of a single view
+  std::optional<Image> motion = {};  ///< a stack of the views; none: not requested, or no such layer
+  std::string_view format = {};      ///< as in layout/formats.hpp; empty: an image of a single view
 };
 
-/// Reads a picture or a folder of views. Throws Error as open_light_field.
+/// Reads an image or a folder of views. Throws Error as open_light_field.
 FrameViews read_views_of_frame(const std::filesystem::path& path, const ViewsHints& hints, bool with_motion,
                                const std::function<void(std::string_view)>& warn);
 
-/// The same of the test of a reference: where nothing says what the test is, it is what the reference is.
+/// Reads the frame to compare with a reference. A frame without a description is read like the reference.
 FrameViews read_views_like(const FrameViews& reference, const std::filesystem::path& path, const ViewsHints& hints,
                            const std::function<void(std::string_view)>& warn);
 

@@ -54,7 +54,7 @@ TEST(CompareCommand, frames_are_those_that_are_asked_for) {
   EXPECT_EQ(json["frames"][0]["name"], "frame_0001");
   std::filesystem::remove(dir / "b/frame_0001.png");
   EXPECT_EQ(json_of(run_tool(dir, {"compare", "a", "b", "--frames", "0", "--json"}).out)["identical"], true);
-  expect_refusal(run_tool(dir, {"compare", "a", "b", "--frames", "0-1"}), 1, "b: has no frame 1, which --frames asks for");
+  expect_refusal(run_tool(dir, {"compare", "a", "b", "--frames", "0-1"}), 1, "b: has no frame 1, which --frames requests");
   expect_refusal(run_tool(dir, {"compare", "a/frame_0000.png", "b/frame_0000.png", "--frames", "0"}), 2, "--frames");
 }
 

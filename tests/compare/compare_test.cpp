@@ -145,7 +145,7 @@ TEST(Compare, wanted_frames_of_a_video_are_met_by_those_of_a_folder) {
   EXPECT_THAT(error_message([&] {
                 compare_quietly(dir / "a.mkv", dir / "a.mkv", 2, std::vector{1, 7});
               }),
-              HasSubstr("a.mkv: has no frame 7, which `frames` asks for"));
+              HasSubstr("a.mkv: has no frame 7, which `frames` requests"));
 }
 
 TEST(Compare, channels_and_samples_that_do_not_count_are_warned_of) {
@@ -171,7 +171,7 @@ TEST(Compare, frames_of_different_sizes_are_named) {
   write_png(dir / "a.png", smooth_codes(32, 24));
   write_png(dir / "b.png", smooth_codes(32, 25));
   EXPECT_THAT(error_message([&] { compare_quietly(dir / "a.png", dir / "b.png"); }),
-              AllOf(HasSubstr("b.png"), HasSubstr("32 x 25 pixels, the reference 32 x 24")));
+              AllOf(HasSubstr("b.png"), HasSubstr("32 x 25 pixels, but the reference has 32 x 24")));
 }
 
 TEST(Compare, what_cannot_be_compared_is_an_error) {
@@ -186,7 +186,7 @@ TEST(Compare, what_cannot_be_compared_is_an_error) {
               HasSubstr("none: there is no such file or folder"));
   EXPECT_THAT(error_message([&] { compare_quietly(dir / "a", dir / "empty"); }), HasSubstr("has no pictures"));
   EXPECT_THAT(error_message([&] { compare_quietly(dir / "a", dir / "a/frame_0000.png"); }),
-              HasSubstr("is a picture, the reference a folder"));
+              HasSubstr("is a picture, but the reference is a folder"));
   EXPECT_THAT(error_message([&] { compare_quietly(dir / "a", dir / "twice"); }), HasSubstr("two pictures for one frame"));
 }
 

@@ -108,9 +108,9 @@ TEST(CompareViews, missing_motion_gaps_and_other_views_are_refused) {
   const CompareParams flicker{.choice = {.flicker = true}};
   CompareParams gaps = flicker;
   gaps.frames = {0, 2};
-  EXPECT_THAT(error_message([&] { compared(dir / "a", dir / "a", gaps); }), HasSubstr("frames that follow each other"));
+  EXPECT_THAT(error_message([&] { compared(dir / "a", dir / "a", gaps); }), HasSubstr("consecutive frames"));
   fs::remove(dir / "a/frame_0001/aov_001.exr");
-  EXPECT_THAT(error_message([&] { compared(dir / "a", dir / "a", flicker); }), HasSubstr("no layer of motion"));
+  EXPECT_THAT(error_message([&] { compared(dir / "a", dir / "a", flicker); }), HasSubstr("no motion layer"));
   make_frames(dir / "two", {{0, 0}, {0, 0}});
   EXPECT_THAT(error_message([&] { compared(dir / "a", dir / "two", {.per_view = true}); }), HasSubstr("has 2 light fields"));
   fs::remove(dir / "two/frame_0000/view_001.png");
