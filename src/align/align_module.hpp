@@ -1,8 +1,8 @@
-// The interface to OpenCV: a module (liblippmann_align.so) that is loaded when it is first needed.
+// The interface to OpenCV: a module (liblippmann_align.so) that is loaded on first use.
 //
-// OpenCV is optional and maps some thirty shared libraries. The rest of the program knows this interface alone;
-// src/align/opencv implements it. Pixel origin: the corner of the top-left pixel. OpenCV runs single-threaded in it, so that
-// results do not depend on the number of threads; its functions may be called from several threads at once.
+// OpenCV is optional and loads about thirty shared libraries, so the rest of the program uses only this interface, which
+// src/align/opencv implements. Pixel origin: the corner of the top-left pixel. OpenCV runs single-threaded, so that results do
+// not depend on the number of threads. The functions are thread-safe.
 #pragma once
 
 #include <array>
@@ -15,13 +15,13 @@
 
 namespace lippmann {
 
-/// Places that can be found again in another picture of the scene, and what each looks like.
+/// Feature points of an image with their descriptors.
 struct Features {
   std::vector<Vec2f> places;
-  std::vector<std::array<float, 128>> looks;
+  std::vector<std::array<float, 128>> descriptors;
 };
 
-/// A place that two pictures show: indices of their features.
+/// A point found in two images, as indices of its features.
 struct FeatureMatch {
   std::uint32_t first = 0, second = 0;
 };
@@ -29,20 +29,22 @@ struct FeatureMatch {
 class AlignModule {
  public:
   virtual ~AlignModule() = default;
-  /// SIFT: D. Lowe, "Distinctive image features from scale-invariant keypoints", IJCV 60(2), 2004. The strongest `most`.
+  /// Returns the strongest features, at most `most`. SIFT: D. Lowe, "Distinctive image features from scale-invariant
+  /// keypoints", IJCV 60(2), 2004.
   virtual Features features(const GreyPicture& picture, int most) const = 0;
-  /// Mutual nearest neighbours that are clearly nearer than the second nearest, in the order of the first picture's features.
+  /// Returns mutual nearest neighbours that are clearly nearer than the second nearest, in the order of the first image's
+  /// features.
   virtual std::vector<FeatureMatch> matches(const Features& first, const Features& second) const = 0;
-  /// How far each pixel of `first` lies right of its place in `second`, from `least` to `most` pixels, by semiglobal matching;
-  /// -inf: unknown. One channel.
+  /// Returns, by semiglobal matching, how far each pixel of `first` is to the right of its position in `second`, from `least`
+  /// to `most` pixels; -inf: unknown. 1 channel.
   virtual Image disparity(const GreyPicture& first, const GreyPicture& second, int least, int most) const = 0;
 };
 
-/// To be raised with every change of this header: a module of another version is refused.
+/// Increase with every change of this header. A module of another version is refused.
 inline constexpr int kAlignModuleVersion = 1;
 
-/// Loads the module on the first call; any thread may call it. Throws Error that names the module and what is missing: the
-/// module itself or a library that it needs.
+/// Loads the module on the first call. Thread-safe. Throws Error naming the module and what is missing: the module itself or a
+/// library that it needs.
 const AlignModule& align_module();
 
 }  // namespace lippmann

@@ -1,9 +1,9 @@
-// Whether pictures can be aligned here.
+// Tells whether image alignment is available.
 #pragma once
 
 namespace lippmann {
 
-/// Whether the module that needs OpenCV (align/align_module.hpp) is where it would be loaded from; it is not loaded.
+/// Returns whether the OpenCV module (align/align_module.hpp) is installed, without loading it.
 bool is_align_module_installed();
 
 }  // namespace lippmann

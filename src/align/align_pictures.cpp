@@ -21,13 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostPictures = 500;  ///< their features and reduced pictures are kept in memory
-constexpr int kLeastSidePx = 16;            ///< of what all pictures show
+constexpr std::size_t kMostPictures = 500;  ///< their features and reduced images are kept in memory
+constexpr int kLeastSidePx = 16;            ///< of the common area
 
 void require_other_folder(const AlignParams& params) {
   std::error_code ignored;
   if (fs::equivalent(params.in, params.out, ignored))
-    throw usage_error(params.out.string(), "is the folder of the pictures", "another folder");
+    throw usage_error(params.out.string(), "is the input folder", "another folder");
 }
 
 Vec2d focus_of(const AlignParams& params, Vec2i size) {
@@ -38,8 +38,8 @@ Vec2d focus_of(const AlignParams& params, Vec2i size) {
   return focus;
 }
 
-/// The largest window of whole pixels that every picture covers. For small turns, as those of cameras in a row, a window
-/// between the innermost corners is the largest.
+/// Finds the largest window of whole pixels that every image covers. For the small rotations of cameras in a row, it lies
+/// between the innermost corners.
 void find_window(const std::vector<Similarity>& pictures, AlignedPictures& result) {
   const Vec2d size(result.read_size);
   Vec2d low(-1e300), high(1e300);
@@ -56,7 +56,7 @@ void find_window(const std::vector<Similarity>& pictures, AlignedPictures& resul
 void require_window(const AlignParams& params, const AlignedPictures& aligned) {
   if (std::min(aligned.size.x, aligned.size.y) >= kLeastSidePx) return;
   throw Error(params.in.string(),
-              fmt::format("the pictures have {}x{} pixels in common where the focus stands still", std::max(aligned.size.x, 0),
+              fmt::format("the aligned pictures have only {}x{} pixels in common", std::max(aligned.size.x, 0),
                           std::max(aligned.size.y, 0)),
               "pictures that show the same part of the scene, or another focus");
 }
@@ -89,8 +89,8 @@ AlignedPictures align_pictures(const AlignParams& params, const Context& context
   const FocusShifts found = focus_shifts(registered, focus);
   if (found.unseen > 0)
     context.warning(
-        fmt::format("{} pictures do not show the place at {:g},{:g} of {} clearly, so that places near it decide "
-                    "which plane stands still: `focus` with a place of more texture is more exact.",
+        fmt::format("{} pictures do not show the point {:g},{:g} of {} clearly, so the plane of focus follows from points near "
+                    "it. A `focus` with more texture is more exact.",
                     found.unseen, focus.x, focus.y, files[registered.middle].filename().string()));
   for (std::size_t i = 0; i < files.size(); ++i) registered.pictures[i].x += found.shifts[i];
   result.parallax = parallax_of(registered);

@@ -1,9 +1,9 @@
-// Pictures shot by hand or on a slider as the views of a row of cameras.
+// Aligns images shot by hand or on a slider, as the views of a row of cameras.
 //
-// A row of cameras sees every place of the scene at the same height; how far it moves sideways says how deep it lies. Each
-// picture is turned, scaled and shifted up or down as heights demand (align/similarity_fit.hpp), and all of them are turned
-// such that the line of the cameras is horizontal. Horizontal shifts are chosen such that the focus stands still: what is as
-// deep as the focus lies on the display. Pictures are cropped to what all of them show.
+// A row of cameras sees each scene point at the same height, and its horizontal motion gives its depth. Each image is rotated,
+// scaled and shifted vertically to match heights (align/similarity_fit.hpp), and all are rotated to make the line of the
+// cameras horizontal. Horizontal shifts keep the focus point still, so that points at its depth lie on the display. The images
+// are cropped to their common area.
 #pragma once
 
 #include <cstddef>
@@ -19,15 +19,15 @@
 namespace lippmann {
 
 struct AlignParams {
-  std::filesystem::path in;         ///< a folder of pictures, in the natural order of their names from left to right
+  std::filesystem::path in;         ///< a folder of images, in natural order of their names from left to right
   std::filesystem::path out;        ///< a folder: view_000.png, view_001.png, ...
-  std::optional<Vec2d> focus = {};  ///< pixels of the middle picture, from its top left; none: its centre
+  std::optional<Vec2d> focus = {};  ///< pixels of the middle image, from its top left; none: its centre
 };
 
 struct AlignedPicture {
   std::filesystem::path in, out;
-  Similarity moved;          ///< from pixels of the picture to those of the middle one, as it was read
-  double residual_px = 0.0;  ///< root mean square of the remaining vertical differences of places shared with others
+  Similarity moved;          ///< from pixels of the image to pixels of the middle image before cropping
+  double residual_px = 0.0;  ///< root mean square of the remaining vertical differences of shared points
 };
 
 struct AlignedPictures {
@@ -35,12 +35,13 @@ struct AlignedPictures {
   std::size_t middle = 0;
   Vec2i read_size{0};
   Vec2i corner{0}, size{0};  ///< the window that is kept
-  Vec2d focus{0.0};          ///< pixels of every written picture
+  Vec2d focus{0.0};          ///< in pixels of each written image
   Parallax parallax;
 };
 
-/// Reads folders as layout/picture_folder.hpp does, and writes codes as codes of as many bits. The result does not depend on
-/// the number of threads. Warns if the focus is not seen in every picture. Throws Error naming the file or parameter.
+/// Aligns the images of a folder (see layout/picture_folder.hpp). Integer samples keep their number of bits. The result does
+/// not depend on the number of threads. Warns if the focus is not visible in every image. Throws Error naming the file or
+/// parameter.
 AlignedPictures align_pictures(const AlignParams& params, const Context& context);
 
 }  // namespace lippmann

@@ -8,12 +8,12 @@ namespace lippmann {
 namespace {
 
 constexpr std::size_t kNearPlaces = 15;
-constexpr int kSearchPx = 3;  ///< of the reduced pictures, around where shared places say that it is
+constexpr int kSearchPx = 3;  ///< search radius around the predicted position, in pixels of the reduced images
 constexpr int kRefinements = 12;
-constexpr double kLeastLikeness = 0.7;  ///< correlation of two patches that show one thing
+constexpr double kLeastLikeness = 0.7;  ///< correlation of two patches that show the same point
 constexpr double kLeastContrast = 2.0;  ///< standard deviation of a patch that can be found again, codes
 
-/// Brightness around a place, less its mean and divided by its standard deviation.
+/// Brightness around a point, minus its mean and divided by its standard deviation.
 struct Patch {
   std::vector<double> values;
   double contrast = 0.0;
@@ -36,7 +36,7 @@ double code_at(const GreyPicture& grey, Vec2d place) {
          share.y * ((1.0 - share.x) * code(0, 1) + share.x * code(1, 1));
 }
 
-/// The search in one set of pictures.
+/// Searches the point in one set of images.
 class FocusSearch {
  public:
   FocusSearch(const RegisteredPictures& registered, Vec2d focus)
@@ -49,8 +49,9 @@ class FocusSearch {
 
   bool has_texture() const { return wanted_.contrast >= kLeastContrast; }
 
-  /// Returns how far the place lies in `picture` to the right of its position in the middle one, pixels. `from`: the neighbour
-  /// nearer to the middle, in which this is `known`. None: no such patch is there; `guess` then follows from shared places.
+  /// Returns how far the point in `picture` is to the right of its position in the middle image, in pixels. from: the neighbour
+  /// nearer to the middle, with the shift `known`. Returns none without a matching patch; `guess` then follows from shared
+  /// points.
   std::optional<double> find(std::size_t picture, std::size_t from, double known, double& guess) const {
     const std::vector<double> steps = near_steps(picture, from, known);
     guess = known + steps[steps.size() / 2];
@@ -66,7 +67,7 @@ class FocusSearch {
   }
 
  private:
-  /// How far shared places near the focus move from one picture to the next: the nearest ones, ascending.
+  /// Returns the motions of the shared points nearest to the focus from one image to the next, in ascending order.
   std::vector<double> near_steps(std::size_t picture, std::size_t from, double known) const {
     const auto pair = std::find_if(registered_.shared.begin(), registered_.shared.end(), [&](const SharedPlaces& shared) {
       return shared.first == std::min(picture, from) && shared.second == std::max(picture, from);
@@ -90,7 +91,7 @@ class FocusSearch {
     return moves;
   }
 
-  /// The aligned picture around the place, `offset` pixels to the right.
+  /// Returns the patch of the aligned image around the point, `offset` pixels to the right.
   Patch patch(std::size_t picture, double offset) const {
     const Similarity back = inverse(registered_.pictures[picture]);
     const GreyPicture& grey = registered_.greys[picture];
@@ -110,7 +111,7 @@ class FocusSearch {
     return patch;
   }
 
-  /// Newton's steps along the row to where the patches differ least.
+  /// Minimises the difference of the patches along the row by Gauss-Newton steps.
   double refined(std::size_t picture, double offset) const {
     const double step = 0.5 * pixels_per_grey_, begin = offset;
     for (int round = 0; round < kRefinements; ++round) {

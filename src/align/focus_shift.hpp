@@ -1,7 +1,7 @@
-// Finds the horizontal shifts of aligned pictures that make one place of the scene stand still: it then lies on the display.
+// Finds the horizontal shifts of aligned images that keep one scene point still, which then lies on the display.
 //
-// Followed from picture to picture, from the middle one outwards: places that neighbours share near it say about where it is,
-// the likeness of a patch around it to that of the middle picture says exactly where.
+// The point is tracked from the middle image outwards. Shared points near it give an approximate position, and the correlation
+// of a patch with the middle image gives the exact one.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@
 namespace lippmann {
 
 struct FocusShifts {
-  std::vector<double> shifts;  ///< of each picture, to add to its similarity's x, pixels; 0 of the middle one
-  std::size_t unseen = 0;      ///< how many pictures show no patch like it: shared places alone say where it is
+  std::vector<double> shifts;  ///< of each image, pixels, to add to its similarity's x; 0 for the middle image
+  std::size_t unseen = 0;      ///< number of images without a matching patch, which use shared points only
 };
 
-/// `focus`: pixels of the middle picture.
+/// Returns the shifts. focus: pixels of the middle image.
 FocusShifts focus_shifts(const RegisteredPictures& registered, Vec2d focus);
 
 }  // namespace lippmann

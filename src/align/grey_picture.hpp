@@ -1,4 +1,4 @@
-// The brightness of a picture, as programs that compare pictures take it: 8-bit codes, row-major from the top left.
+// Grey images for comparison: 8-bit codes, row-major from the top left.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct GreyPicture {
   std::vector<std::uint8_t> codes;
 };
 
-/// The mean of the channels' sRGB codes, reduced by area where a side is longer than `longest` pixels.
+/// Returns the mean of the channels' sRGB codes, reduced by area averaging if a side is longer than `longest` pixels.
 GreyPicture grey_of(const Picture& picture, int longest);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// How far places of aligned pictures move from the first picture to the last, and what a display resolves of that.
+// Measures how far points of aligned images move from the first image to the last, and how much of that a display resolves.
 #pragma once
 
 #include <cstddef>
@@ -9,23 +9,24 @@
 
 namespace lippmann {
 
-/// How far the nearest and the farthest places move to the left from the first picture to the last, pixels: above 0 in front of
-/// the display, below 0 behind it. 2 % of the places at either end are left out.
+/// Motion of the nearest and the farthest points to the left, from the first image to the last, in pixels: positive in front of
+/// the display, negative behind it. The outermost 2 % of the points at either end are ignored.
 struct Parallax {
   double near_px = 0.0, far_px = 0.0;
 
   double total_px() const { return near_px - far_px; }
 };
 
-/// Measured on places that pictures share with the middle one, in the outermost pictures that share some.
+/// Measures the parallax from points shared with the middle image, in the outermost images that have such points.
 Parallax parallax_of(const RegisteredPictures& registered);
 
-/// The parallax of pictures that fill a display, cropped to its shape.
+/// The parallax of images that fill a display, cropped to its shape.
 struct ShownParallax {
   double mm_per_px = 0.0;
-  double lens_mm = 0.0;          ///< the width of a lens
-  int views = 0;                 ///< what the display can tell apart, at most one per picture
-  double resolved_lenses = 0.0;  ///< of a place in front or behind: one lens from view to view; more looks torn
+  double lens_mm = 0.0;  ///< width of a lens
+  int views = 0;         ///< number of views that the display can distinguish, at most one per image
+  double resolved_lenses =
+      0.0;  ///< largest motion without visible tearing, in front or behind, in lenses: one lens per view step
 };
 
 ShownParallax shown_parallax(const Display& display, Vec2i picture_size, std::size_t count);

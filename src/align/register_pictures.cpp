@@ -16,10 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLongestPx = 1600;     ///< of the pictures that are compared: camera noise and blur hide finer detail
-constexpr int kMostFeatures = 2500;  ///< matching takes their square
-constexpr int kMostReaders = 8;      ///< each holds a whole picture
-constexpr double kTolerance = 2e-3;  ///< of a side, vertically, between neighbours; the fit then weighs by the error
+constexpr int kLongestPx = 1600;     ///< of the compared images: noise and blur hide finer detail
+constexpr int kMostFeatures = 2500;  ///< matching time is quadratic in it
+constexpr int kMostReaders = 8;      ///< each holds a whole image
+constexpr double kTolerance =
+    2e-3;  ///< vertical tolerance between neighbours, as a share of a side; the fit then weights points by their error
 constexpr std::size_t kLeastPlaces = 20;
 
 std::vector<Features> features_of(const std::vector<fs::path>& files, RegisteredPictures& result, int threads,
@@ -40,7 +41,7 @@ std::vector<Features> features_of(const std::vector<fs::path>& files, Registered
   return features;
 }
 
-/// Neighbours, and every other picture with the middle one.
+/// Returns neighbours, and every other image paired with the middle one.
 std::vector<SharedPlaces> compared_pairs(std::size_t count, std::size_t middle) {
   std::vector<SharedPlaces> pairs;
   for (std::size_t i = 0; i + 1 < count; ++i) pairs.push_back({i, i + 1, {}, {}});
@@ -60,13 +61,13 @@ void find_shared(SharedPlaces& pair, const std::vector<Features>& features, Vec2
 void require_places(const SharedPlaces& pair, const std::vector<fs::path>& files) {
   if (pair.in_first.size() >= kLeastPlaces) return;
   throw Error(files[pair.second].string(),
-              fmt::format("shares {} places with {}, which is too few to align them", pair.in_first.size(),
+              fmt::format("shares only {} points with {}, too few to align them", pair.in_first.size(),
                           files[pair.first].filename().string()),
               fmt::format("{} or more: pictures of one scene with texture, in the order of their cameras", kLeastPlaces));
 }
 
-/// Turns all pictures about the middle one's centre until the line of the cameras is horizontal, unless that moves no place
-/// visibly up or down: the middle picture then keeps its pixels.
+/// Rotates all images about the centre of the middle one until the line of the cameras is horizontal. Without a visible effect,
+/// the middle image keeps its pixels.
 void level(RegisteredPictures& registered, double slope) {
   constexpr double kVisiblePx = 0.1;
   if (std::abs(slope) * parallax_of(registered).total_px() < kVisiblePx) return;

@@ -1,4 +1,4 @@
-// Finds places that pictures of a row of cameras share, and how the pictures are turned, scaled and shifted up or down.
+// Finds points shared by images of a row of cameras, and the rotation, scale and vertical shift of each image.
 #pragma once
 
 #include <cstddef>
@@ -16,15 +16,15 @@
 namespace lippmann {
 
 struct RegisteredPictures {
-  Vec2i size{0};                     ///< pixels of each picture
-  std::size_t middle = 0;            ///< the picture that the others are registered to
-  std::vector<GreyPicture> greys;    ///< pictures of at most 1600 pixels a side
-  std::vector<SharedPlaces> shared;  ///< of neighbours (picture i and i + 1), then of pictures (first) and the middle one
-  std::vector<Similarity> pictures;  ///< aligns rows: the line of the cameras is horizontal; x is 0 at the centre
+  Vec2i size{0};                     ///< pixels of each image
+  std::size_t middle = 0;            ///< the image that the others are registered to
+  std::vector<GreyPicture> greys;    ///< images of at most 1600 pixels a side
+  std::vector<SharedPlaces> shared;  ///< of neighbours (image i and i + 1), then of images (first) and the middle one
+  std::vector<Similarity> pictures;  ///< align rows: the line of the cameras is horizontal; x is 0 at the centre
   std::vector<double> residuals;     ///< root mean square of the remaining vertical differences, pixels
 };
 
-/// `files`: two or more pictures of one size. Throws Error naming two neighbours that share too few places. The result does not
+/// Registers two or more images of one size. Throws Error naming two neighbours with too few shared points. The result does not
 /// depend on the number of threads.
 RegisteredPictures register_pictures(const std::vector<std::filesystem::path>& files, const ThreadPool& pool,
                                      const Context& context);

@@ -1,5 +1,5 @@
-// Turning, scaling and moving a picture in its plane: places in pixels, x right and y down from the corner of the top-left
-// pixel.
+// Similarity transforms of an image plane: rotation, scale and translation. Positions are in pixels, x right and y down from
+// the corner of the top-left pixel.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace lippmann {
 
-/// q -> (a q.x - b q.y + x, b q.x + a q.y + y). Turns clockwise, as one looks at the picture, by atan2(b, a).
+/// Maps q to (a q.x - b q.y + x, b q.x + a q.y + y). The rotation is clockwise in the image, by atan2(b, a).
 struct Similarity {
   double a = 1.0, b = 0.0, x = 0.0, y = 0.0;
 
@@ -20,7 +20,7 @@ struct Similarity {
   bool operator==(const Similarity&) const = default;
 };
 
-/// First `first`, then `second`.
+/// Applies `first`, then `second`.
 inline Similarity operator*(const Similarity& second, const Similarity& first) {
   const Vec2d moved = second(Vec2d(first.x, first.y));
   return {second.a * first.a - second.b * first.b, second.b * first.a + second.a * first.b, moved.x, moved.y};

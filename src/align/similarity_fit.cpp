@@ -10,12 +10,12 @@
 namespace lippmann {
 namespace {
 
-constexpr int kSamples = 500;                        ///< a share of 1/3 right matches leaves 1 chance in 10^8 to miss them
-constexpr double kMostTurn = 0.5, kMostScale = 2.0;  ///< |b| and a of any two pictures of one row
-constexpr int kRounds = 8;                           ///< weights no longer change visibly
-constexpr double kUsualSlope = 0.02;                 ///< a camera stands askew on its slider by a degree
+constexpr int kSamples = 500;                        ///< with 1/3 correct matches, the chance to miss them is 1 in 10^8
+constexpr double kMostTurn = 0.5, kMostScale = 2.0;  ///< limits of |b| and a between two images of one row
+constexpr int kRounds = 8;                           ///< enough for the weights to converge
+constexpr double kUsualSlope = 0.02;                 ///< a camera is mounted on its slider with an error of about a degree
 
-/// The height in the first picture of the place `q` of the second: turn, scale and shift.
+/// The height in the first image of point `q` in the second: rotation, scale and shift.
 struct HeightRule {
   double b = 0.0, a = 1.0, y = 0.0;
 
@@ -23,7 +23,7 @@ struct HeightRule {
   bool is_possible() const { return std::abs(b) < kMostTurn && a < kMostScale && a > 1.0 / kMostScale; }
 };
 
-/// The rule that three places follow exactly; an impossible one if they lie on a line.
+/// Returns the rule that fits three points exactly, or an impossible rule if they are collinear.
 HeightRule rule_of(const std::array<Vec2d, 3>& q, const std::array<Vec2d, 3>& p) {
   const Vec2d u = q[1] - q[0], v = q[2] - q[0];
   const double du = p[1].y - p[0].y, dv = p[2].y - p[0].y, area = u.x * v.y - u.y * v.x;
@@ -33,10 +33,10 @@ HeightRule rule_of(const std::array<Vec2d, 3>& q, const std::array<Vec2d, 3>& p)
   return rule;
 }
 
-/// A symmetric matrix whose rows begin with zeros, solved by Cholesky's method, which keeps these zeros.
+/// A symmetric matrix with leading zeros in its rows, solved by Cholesky factorisation, which preserves these zeros.
 class EnvelopeMatrix {
  public:
-  /// `begins`: the first column of each row that may not be zero, at most its own.
+  /// begins: the column of the first possible non-zero of each row, at most the diagonal.
   explicit EnvelopeMatrix(std::vector<std::size_t> begins) : begins_(std::move(begins)), rows_(begins_.size()) {
     for (std::size_t row = 0; row < rows_.size(); ++row) rows_[row].assign(row + 1 - begins_[row], 0.0);
   }
@@ -46,7 +46,7 @@ class EnvelopeMatrix {
     return rows_[row][column - begins_[row]];
   }
 
-  /// The solution for the right side `values`. Destroys the matrix, which must be positive definite.
+  /// Returns the solution for the right-hand side `values`. Overwrites the matrix, which must be positive definite.
   std::vector<double> solve(std::vector<double> values) {
     factorise();
     const std::size_t count = rows_.size();
@@ -75,13 +75,13 @@ class EnvelopeMatrix {
   std::vector<std::vector<double>> rows_;
 };
 
-/// The state of the fit: lengths in half diagonals of the pictures, from their centres.
+/// The state of the fit. Lengths are in half diagonals of the images, measured from their centres.
 class PictureFit {
  public:
   PictureFit(const std::vector<SharedPlaces>& shared, std::size_t count, std::size_t fixed, Vec2i size)
       : shared_(shared), fixed_(fixed), middle_(0.5 * Vec2d(size)), unit_px_(0.5 * glm::length(Vec2d(size))), rules_(count) {}
 
-  /// One round: weights by the last round's errors, then the equations.
+  /// Runs one round: weights from the errors of the last round, then the linear solution.
   void solve() {
     const double sigma = std::max(1.5 * median_error(), 0.01 / unit_px_);
     EnvelopeMatrix matrix(row_begins());
@@ -117,11 +117,11 @@ class PictureFit {
  private:
   std::size_t unknowns() const { return 3 * rules_.size() - 2; }
   std::size_t slope_index() const { return unknowns() - 1; }
-  /// Returns the index of the unknown b of a picture; a and y follow it. The fixed picture has no unknowns.
+  /// Returns the index of the unknown b of an image; a and y follow it. The fixed image has no unknowns.
   std::size_t index_of(std::size_t picture) const { return 3 * (picture < fixed_ ? picture : picture - 1); }
 
   std::vector<std::size_t> row_begins() const {
-    std::vector<std::size_t> begins(unknowns(), 0);  // the last row, of the slope, is full
+    std::vector<std::size_t> begins(unknowns(), 0);  // the last row, for the slope, is full
     for (std::size_t row = 0; row < slope_index(); ++row) begins[row] = row / 3 * 3;
     for (const SharedPlaces& pair : shared_) {
       if (pair.first == fixed_ || pair.second == fixed_) continue;
@@ -153,7 +153,7 @@ class PictureFit {
     return *middle;
   }
 
-  /// height(first) - height(second) - slope * (side(first) - side(second)) = 0, with the sides of the last round.
+  /// Adds height(first) - height(second) - slope * (side(first) - side(second)) = 0, with the sides of the last round.
   void add_equation(const SharedPlaces& pair, std::size_t i, double weight, EnvelopeMatrix& matrix,
                     std::vector<double>& right) const {
     std::array<std::pair<std::size_t, double>, 7> terms{};

@@ -1,11 +1,11 @@
-// Finds how pictures of a row of cameras are turned, scaled and shifted up or down, from places that they share.
+// Fits the rotation, scale and vertical shift of images of a row of cameras to their shared points.
 //
-// A place at depth z lies at the same height in all pictures of an ideal row of cameras, at a horizontal position that depends
-// on z. With q in picture i and q' in picture j, similarities S_i and S_j that align the pictures therefore satisfy
+// An ideal row of cameras sees a point at depth z at the same height in all images, at a horizontal position that depends on z.
+// With q in image i and q' in image j, similarities S_i and S_j that align the images therefore satisfy
 //   S_i(q).y = S_j(q').y + t (q.x - q'.x),
-// where t is the slope at which the line of the cameras crosses the rows of the pictures. Heights alone determine a, b and y of
-// every picture, whatever the depths; x remains free. The equations are linear. All pictures are solved together, by least
-// squares with weights that give wrong matches little influence; picture `fixed` is the identity.
+// where t is the slope of the line of the cameras relative to the rows. Heights alone determine a, b and y of every image,
+// whatever the depths; x remains free. The equations are linear and solved for all images together, by robust least squares
+// with small weights for outliers. Image `fixed` keeps the identity.
 #pragma once
 
 #include <cstddef>
@@ -15,23 +15,23 @@
 
 namespace lippmann {
 
-/// Places that two pictures share, in pixels of the pictures: the same index, the same place.
+/// Points shared by two images, in pixels. Equal indices are the same point.
 struct SharedPlaces {
-  std::size_t first = 0, second = 0;  ///< pictures
+  std::size_t first = 0, second = 0;  ///< indices of the images
   std::vector<Vec2d> in_first, in_second;
 };
 
-/// Removes places that contradict the most common turn, scale and vertical shift between the two pictures by more than
-/// `tolerance` pixels of height, found by a fixed sequence of samples of three places.
+/// Removes points whose height differs by more than `tolerance` pixels from the dominant rotation, scale and vertical shift
+/// between the two images, found by a fixed sequence of samples of three points (RANSAC).
 void keep_consistent(SharedPlaces& shared, double tolerance);
 
 struct FittedPictures {
   std::vector<Similarity> pictures;  ///< x is 0 at the centre: S(centre).x = centre.x
   double slope = 0.0;                ///< t
-  std::vector<double> residuals;     ///< root mean square of the remaining vertical differences of each picture, pixels
+  std::vector<double> residuals;     ///< root mean square of the remaining vertical differences of each image, pixels
 };
 
-/// `size`: of the pictures. Each picture must be connected with picture `fixed` through shared places.
+/// Fits `count` images of size `size`. Shared points must connect each image with image `fixed`, directly or through others.
 FittedPictures fit_pictures(const std::vector<SharedPlaces>& shared, std::size_t count, std::size_t fixed, Vec2i size);
 
 }  // namespace lippmann

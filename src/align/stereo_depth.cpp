@@ -1,10 +1,10 @@
 // Based on: H. Hirschmueller, "Stereo processing by semiglobal matching and mutual information", IEEE PAMI 30(2), 2008, as
-// OpenCV implements it: blocks in place of mutual information, five directions, fractions of 1/16 pixel.
+// implemented by OpenCV: blocks instead of mutual information, five directions, steps of 1/16 pixel.
 //
-// 1. Features that both pictures show give the range of disparities.
-// 2. The disparity of each picture is matched on its own.
-// 3. Disparities that the other picture contradicts are removed: nothing is known of places that one picture alone shows.
-// 4. They become those of the farther of the neighbours in their row.
+// 1. Features visible in both images give the range of disparities.
+// 2. The disparity of each image is matched on its own.
+// 3. Disparities that the other image contradicts are removed, since points visible in only one image have no match.
+// 4. The holes are filled with the disparity of the farther neighbour in the row.
 #include "align/stereo_depth.hpp"
 
 #include <fmt/format.h>
@@ -25,11 +25,11 @@ namespace {
 
 constexpr int kMatchedPx = 1600, kMatchedFeatures = 3000;
 constexpr std::size_t kLeastShared = 20;
-constexpr double kMostRowError = 1.0;       ///< pixels of the matched pictures
-constexpr double kMostContradiction = 1.5;  ///< pixels of the matched pictures
+constexpr double kMostRowError = 1.0;       ///< pixels of the matched images
+constexpr double kMostContradiction = 1.5;  ///< pixels of the matched images
 constexpr float kUnknown = -std::numeric_limits<float>::infinity();
 
-/// Swaps left and right.
+/// Mirrors an image horizontally.
 void mirror(Image& image) {
   for (int y = 0; y < image.height; ++y) std::reverse(image.pixel(0, y), image.pixel(0, y) + image.width);
 }
@@ -70,12 +70,12 @@ void warn_of_rows(const SharedPlaces& shared, const std::string& name, const Con
     errors.push_back(std::abs(shared.in_first[i].y - shared.in_second[i].y));
   if (const double error = value_at_share(errors, 0.5); error > kMostRowError)
     context.warning(
-        fmt::format("Rows of the two pictures of {} differ by {:.1f} pixels, so that depth is unreliable: `lippmann "
-                    "align` aligns a folder with the two pictures.",
+        fmt::format("Rows of the two pictures of {} differ by {:.1f} pixels, so that depth is unreliable. Align them with "
+                    "`lippmann align`.",
                     name, error));
 }
 
-/// Returns the range of disparities of shared places, with a margin for surfaces between them.
+/// Returns the range of disparities of shared points, with a margin for surfaces between them.
 DisparityRange range_of_pair(const SharedPlaces& shared) {
   std::vector<double> moves;
   for (std::size_t i = 0; i < shared.in_first.size(); ++i) moves.push_back(shared.in_first[i].x - shared.in_second[i].x);
@@ -84,8 +84,8 @@ DisparityRange range_of_pair(const SharedPlaces& shared) {
   return {static_cast<int>(std::floor(least - margin)), static_cast<int>(std::ceil(most + margin))};
 }
 
-/// Removes what the other picture contradicts. `sign`: 1 for the left picture, whose places lie that far to the left in the
-/// right picture; -1 for the right one.
+/// Removes disparities that the other image contradicts. sign: 1 for the left image, whose points are that far to the left in
+/// the right image; -1 for the right image.
 void remove_contradictions(Image& disparity, const Image& other, int sign) {
   for (int y = 0; y < disparity.height; ++y)
     for (int x = 0; x < disparity.width; ++x) {
@@ -123,7 +123,7 @@ StereoDisparity disparity_of_pair(const Picture& left, const Picture& right, con
   const GreyPicture left_grey = grey_of(left, kMatchedPx), right_grey = grey_of(right, kMatchedPx);
   const SharedPlaces shared = places_of_pair(left_grey, right_grey);
   if (shared.in_first.size() < kLeastShared)
-    throw Error(name, fmt::format("its two pictures share {} places, too few to find their depth", shared.in_first.size()),
+    throw Error(name, fmt::format("its two pictures share only {} points, too few to find their depth", shared.in_first.size()),
                 fmt::format("{} or more: two pictures of one scene with texture", kLeastShared));
   warn_of_rows(shared, name, context);
   const DisparityRange range = range_of_pair(shared);

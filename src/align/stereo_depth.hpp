@@ -1,6 +1,6 @@
-// How far places of a stereo pair move from the left picture to the right one: dense disparity.
+// Computes the dense disparity of a stereo pair.
 //
-// The pair must be aligned (align/align_pictures.hpp): places lie in the same row of both pictures.
+// The pair must be aligned (align/align_pictures.hpp), with each point in the same row of both images.
 #pragma once
 
 #include "lippmann/core/context.hpp"
@@ -9,15 +9,15 @@
 
 namespace lippmann {
 
-/// x in the left picture less x in the right one, in pixels of the pictures: above 0 in front of the display. Of 1 channel
-/// each, of at most 1600 pixels a side. Places that only one picture shows have the disparity of what lies behind.
+/// x in the left image minus x in the right one, in pixels of the input images: positive in front of the display. 1 channel
+/// each, at most 1600 pixels a side. Points visible in only one image have the disparity of the surface behind.
 struct StereoDisparity {
   Image of_left, of_right;
-  double least = 0.0, most = 0.0;  ///< the range that was searched
+  double least = 0.0, most = 0.0;  ///< the searched range
 };
 
-/// Pictures of one size; `name` is what errors and warnings name. Warns if rows do not agree. Throws Error if the pictures
-/// share too few places.
+/// Computes the disparities of two images of one size. name: the name in errors and warnings. Warns if the rows do not match.
+/// Throws Error if the images share too few points.
 StereoDisparity disparity_of_pair(const Picture& left, const Picture& right, const std::string& name, const Context& context);
 
 }  // namespace lippmann

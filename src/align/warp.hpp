@@ -1,4 +1,4 @@
-// A window of an aligned picture.
+// Resamples a window of an aligned image.
 #pragma once
 
 #include "align/similarity.hpp"
@@ -7,8 +7,8 @@
 
 namespace lippmann {
 
-/// Moves the picture by `aligned_from_picture` and returns the window from `corner` on, by Lanczos's filter of three lobes.
-/// Pixels that are not moved, or by whole pixels, keep their values. Beyond its edges the picture continues with its edges.
+/// Transforms the image and returns the window that starts at `corner`, using a Lanczos filter with three lobes. Pixels keep
+/// their values if the motion is a whole number of pixels. The edges of the image are extended outwards.
 Image warped(const Image& picture, const Similarity& aligned_from_picture, Vec2i corner, Vec2i size, const ThreadPool& pool);
 
 }  // namespace lippmann

@@ -167,7 +167,7 @@ TEST_F(Align, warns_of_a_focus_without_texture) {
     write_picture(path, picture);
   }
   align(Vec2d(300.0, 30.0));
-  EXPECT_THAT(warnings_, AllOf(HasSubstr("4 pictures do not show the place at 300,30 of 3.png"), HasSubstr("`focus`")));
+  EXPECT_THAT(warnings_, AllOf(HasSubstr("4 pictures do not show the point 300,30 of 3.png"), HasSubstr("`focus`")));
 }
 
 TEST_F(Align, refuses_what_cannot_be_aligned) {
@@ -176,12 +176,12 @@ TEST_F(Align, refuses_what_cannot_be_aligned) {
   Image8 plain{640, 480, {}};
   plain.rgb.assign(std::size_t{3} * 640 * 480, 128);
   write_picture(dir_ / "in/2.png", plain);
-  EXPECT_THAT(error(), AllOf(HasSubstr("2.png"), HasSubstr("shares 0 places with 1.png"), HasSubstr("texture")));
+  EXPECT_THAT(error(), AllOf(HasSubstr("2.png"), HasSubstr("shares only 0 points with 1.png"), HasSubstr("texture")));
   write_picture(dir_ / "in/2.png", Image8{2, 1, {1, 2, 3, 4, 5, 6}});
   EXPECT_THAT(error(), HasSubstr("2x1"));
   write_picture(dir_ / "in/2.png", shot(1, {}));
   EXPECT_THAT(error_message([&] { align(Vec2d(700.0, 9.0)); }), HasSubstr("focus: 700,9 lies outside the pictures"));
-  EXPECT_THAT(error_message([&] { align({}, 1, "in"); }), HasSubstr("is the folder of the pictures"));
+  EXPECT_THAT(error_message([&] { align({}, 1, "in"); }), HasSubstr("is the input folder"));
   EXPECT_FALSE(fs::exists(dir_ / "out"));
 }
 

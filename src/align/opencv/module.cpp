@@ -1,4 +1,4 @@
-// Features, their matches and dense disparity by OpenCV 4.5 or newer.
+// Implements features, matching and dense disparity with OpenCV 4.5 or newer.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -17,18 +17,19 @@ namespace {
 
 static_assert(sizeof(std::array<float, 128>) == 128 * sizeof(float));
 
-/// A view of the picture's own codes; OpenCV only reads them.
+/// Returns a view of the image's own codes. OpenCV only reads them.
 cv::Mat matrix_of(const GreyPicture& picture) {
   return {picture.height, picture.width, CV_8UC1, const_cast<std::uint8_t*>(picture.codes.data())};
 }
 
 cv::Mat matrix_of(const Features& features) {
-  return {static_cast<int>(features.looks.size()), 128, CV_32FC1, const_cast<float*>(features.looks.front().data())};
+  return {static_cast<int>(features.descriptors.size()), 128, CV_32FC1,
+          const_cast<float*>(features.descriptors.front().data())};
 }
 
-/// For each feature of `from`, that of `to` which looks most like it; -1 if another looks nearly as much like it.
+/// Returns for each feature of `from` the index of the most similar one of `to`; -1 if another is nearly as similar.
 std::vector<int> nearest_features(const Features& from, const Features& to) {
-  constexpr float kMostRatio = 0.8f;  // of the distances to the nearest and the second nearest; Lowe, section 7.1
+  constexpr float kMostRatio = 0.8f;  // of the distances to the nearest and the second nearest feature; Lowe, section 7.1
   std::vector<std::vector<cv::DMatch>> found;
   cv::BFMatcher(cv::NORM_L2).knnMatch(matrix_of(from), matrix_of(to), found, 2);
   std::vector<int> nearest(found.size(), -1);
@@ -46,18 +47,19 @@ class OpenCvModule : public AlignModule {
 
   Features features(const GreyPicture& picture, int most) const override {
     std::vector<cv::KeyPoint> points;
-    cv::Mat looks;
-    cv::SIFT::create(most)->detectAndCompute(matrix_of(picture), cv::noArray(), points, looks);
+    cv::Mat descriptors;
+    cv::SIFT::create(most)->detectAndCompute(matrix_of(picture), cv::noArray(), points, descriptors);
     Features result;
-    result.looks.resize(points.size());
-    if (!points.empty()) std::memcpy(result.looks.data(), looks.ptr(), points.size() * sizeof(result.looks[0]));
+    result.descriptors.resize(points.size());
+    if (!points.empty())
+      std::memcpy(result.descriptors.data(), descriptors.ptr(), points.size() * sizeof(result.descriptors[0]));
     for (const cv::KeyPoint& point : points) result.places.emplace_back(point.pt.x + 0.5f, point.pt.y + 0.5f);
     return result;
   }
 
   std::vector<FeatureMatch> matches(const Features& first, const Features& second) const override {
     std::vector<FeatureMatch> result;
-    if (first.looks.size() < 2 || second.looks.size() < 2) return result;
+    if (first.descriptors.size() < 2 || second.descriptors.size() < 2) return result;
     const std::vector<int> there = nearest_features(first, second), back = nearest_features(second, first);
     for (std::size_t i = 0; i < there.size(); ++i)
       if (there[i] >= 0 && back[static_cast<std::size_t>(there[i])] == static_cast<int>(i))
@@ -68,12 +70,13 @@ class OpenCvModule : public AlignModule {
   Image disparity(const GreyPicture& first, const GreyPicture& second, int least, int most) const override {
     constexpr int kBlock = 5, kSubPixels = 16;
     const int count = (most - least + 16) / 16 * 16;
-    // OpenCV gives no disparity to pixels whose range reaches beyond the other picture.
+    // OpenCV computes no disparity for pixels whose search range leaves the other image.
     const int border = std::max(std::abs(least), std::abs(least + count)) + kBlock;
     cv::Mat wide_first, wide_second, found;
     cv::copyMakeBorder(matrix_of(first), wide_first, 0, 0, border, border, cv::BORDER_REPLICATE);
     cv::copyMakeBorder(matrix_of(second), wide_second, 0, 0, border, border, cv::BORDER_REPLICATE);
-    constexpr int kSmallStep = 8 * kBlock * kBlock, kLargeStep = 32 * kBlock * kBlock;  // as OpenCV's documentation suggests
+    constexpr int kSmallStep = 8 * kBlock * kBlock,
+                  kLargeStep = 32 * kBlock * kBlock;  // as recommended by OpenCV's documentation
     cv::StereoSGBM::create(least, count, kBlock, kSmallStep, kLargeStep, -1, 31, 5, 100, 2)
         ->compute(wide_first, wide_second, found);
     Image result(first.width, first.height, 1);
