@@ -1,9 +1,9 @@
-// Based on: E. Hecht, Optics, 5th edition (2017), section 5.2.2, "Refraction at Spherical Surfaces": paraxial light in air that
-// meets a surface of the radius r of a medium of the index n focuses at the distance f = n r / (n - 1) behind it. A print at
-// f = t is sharp for r = t (n - 1) / n.
+// Based on: E. Hecht, Optics, 5th edition (2017), section 5.2.2, "Refraction at Spherical Surfaces": a surface of radius r into
+// a medium of index n focuses distant paraxial light from air at depth f = n r / (n - 1). A print at f = t is therefore sharp
+// for r = t (n - 1) / n.
 //
-// The viewing angle is that of the rays through a lens's vertex: they reach p / 2 at the depth t at the angle a with
-// tan a = p / 2 t, and leave at b with sin b = n sin a (Snell).
+// The viewing angle is that of rays through the vertex of a lens. They reach p / 2 at depth t at angle a, with tan a = p / 2 t,
+// and leave at angle b, with sin b = n sin a (Snell).
 #include "sheet/lens_heights.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@
 namespace lippmann {
 namespace {
 
-/// The height of the cap above its edges.
+/// Returns the height of the cap above its edges.
 double cap_mm(const LensShape& shape, double x_mm) {
   const double r = shape.radius_mm, half = 0.5 * shape.pitch_mm;
   return std::sqrt(std::max(0.0, r * r - x_mm * x_mm)) - std::sqrt(std::max(0.0, r * r - half * half));
@@ -34,8 +34,10 @@ double radius_of(double pitch_mm, const LensSpec& spec) {
   const double half = 0.5 * pitch_mm, n = spec.refractive_index;
   const int given = spec.radius_mm.has_value() + spec.height_mm.has_value() + spec.thickness_mm.has_value();
   if (given != 1)
-    throw usage_error("thickness-mm", given == 0 ? "is missing: the shape of the lenses is unknown" : "has one shape too many",
-                      "one of `thickness-mm`, `radius-mm` and `height-mm`");
+    throw usage_error(
+        "thickness-mm",
+        given == 0 ? "is missing: the shape of the lenses is unknown" : "conflicts with the other values for the shape",
+        "one of `thickness-mm`, `radius-mm` and `height-mm`");
   const auto refuse = [&](const char* name, double value, const std::string& accepted) {
     return usage_error(name, fmt::format("{:g} makes lenses {:.4f} mm wide more than half a cylinder", value, pitch_mm),
                        accepted);
@@ -73,7 +75,7 @@ HeightMap lens_heights(const Display& sheet, const LensShape& shape, const Threa
   const Vec2i size = sheet.pixels;
   check_image_size("paper", size.x, size.y, 1);
   const LensStrips strips = lens_strips(sheet);
-  // Lenses are narrower than strips; both agree at the centre of the print. Stretched about it, lenses lie in the strips.
+  // Lenses are narrower than strips and agree with them at the centre of the print. Stretched about it, they coincide.
   const double stretch = strips.cell_px / (shape.pitch_mm / sheet.pixel_mm());
   const Vec2d centre = 0.5 * Vec2d(size);
   const auto code_at = [&](int x, int y) {

@@ -1,8 +1,8 @@
-// The lenses of a lenticular sheet as heights, for UV printers that print the lens onto the picture.
+// Height maps of the lenses of a lenticular sheet, for UV printers that print lenses onto an image.
 //
-// Each lens is a cylindrical cap of the pitch p, the radius r and the height s = r - sqrt(r^2 - p^2 / 4); at the distance x
-// from its axis it is sqrt(r^2 - x^2) - sqrt(r^2 - p^2 / 4) high. Lens axes lie where native_optics() has them, so that the
-// heights belong to the print that `convert` makes for the same display. A height is that at a pixel's centre.
+// Each lens is a cylindrical cap with pitch p, radius r and height s = r - sqrt(r^2 - p^2 / 4). At distance x from its axis its
+// height is sqrt(r^2 - x^2) - sqrt(r^2 - p^2 / 4). Lens axes are those of native_optics(), so that the heights fit the print
+// that `convert` makes for the same display. Heights are sampled at pixel centres.
 #pragma once
 
 #include <optional>
@@ -13,24 +13,24 @@
 
 namespace lippmann {
 
-/// One of three values gives the shape.
+/// Exactly one of the three optional values defines the shape.
 struct LensSpec {
   std::optional<double> radius_mm, height_mm;
-  std::optional<double> thickness_mm;  ///< from the top of a lens to the print, on which it is to focus
-  double refractive_index = 1.5;       ///< of the lens; UV inks: about 1.5
+  std::optional<double> thickness_mm;  ///< from the top of a lens to the print, on which it focuses
+  double refractive_index = 1.5;       ///< of the lens; about 1.5 for UV inks
 };
 
 struct LensShape {
   double pitch_mm = 0.0, radius_mm = 0.0, height_mm = 0.0;
-  double thickness_mm = 0.0;    ///< at which distant light focuses on the print
-  double view_angle_deg = 0.0;  ///< full angle over which a lens shows its strip, if it is that thick
+  double thickness_mm = 0.0;    ///< the thickness at which distant light focuses on the print
+  double view_angle_deg = 0.0;  ///< full angle over which a lens of that thickness shows its strip
 };
 
-/// Throws a usage Error naming `radius-mm`, `height-mm` or `thickness-mm` for caps that would be more than half a cylinder, and
-/// `thickness-mm` unless exactly one value is given.
+/// Returns the shape of the lenses. Throws a usage Error naming `radius-mm`, `height-mm` or `thickness-mm` if the cap would
+/// exceed half a cylinder, and naming `thickness-mm` unless exactly one value is given.
 LensShape lens_shape(double pitch_mm, const LensSpec& spec);
 
-/// 0 is the height of the lens edges, 65535 that of the tops. The same for any number of threads.
+/// Returns the height map: 0 at the lens edges, 65535 at the tops. The result does not depend on the number of threads.
 HeightMap lens_heights(const Display& sheet, const LensShape& shape, const ThreadPool& pool);
 
 }  // namespace lippmann

@@ -18,14 +18,14 @@ namespace {
 constexpr double kMarginMm = 3.0, kGapMm = 1.0, kCapitalMm = 2.0;
 constexpr double kHalfBar = 0.5, kThirdBar = 1.0 / 3.0;
 
-/// Sizes of a test, in pixels. "Across" counts across the bars, "along" along them.
+/// Layout of a test, in pixels. "Across" counts across the bars, "along" along them.
 struct BlockLayout {
   bool is_vertical = true;
   int scale = 1;                            ///< of text
   Vec2i header{0, 0};                       ///< corner of the line above all blocks
   int first_across = 0, end_across = 0;     ///< of the bars
-  int first_along = 0, pitch = 0, gap = 0;  ///< of the blocks; the gap is a part of their pitch
-  int label_across = 0;                     ///< where labels begin
+  int first_along = 0, pitch = 0, gap = 0;  ///< of the blocks; pitch includes gap
+  int label_across = 0;                     ///< start of the labels
 
   PixelBox block(int number) const {
     const int from = first_along + number * pitch, to = from + pitch - gap;
@@ -44,7 +44,8 @@ Vec2i largest_units(const std::vector<std::string>& labels) {
   return largest;
 }
 
-/// Text is 2 mm high, or lower if a label would not fit beside its block or take more than a third of the picture across.
+/// Returns the layout. Text is 2 mm high, or lower if a label would not fit beside its block or would take more than a third of
+/// the image.
 BlockLayout block_layout(const Display& sheet, const std::string& header, const std::vector<std::string>& labels,
                          BarDirection bars) {
   const auto px = [&](double mm) { return static_cast<int>(std::lround(mm / sheet.pixel_mm())); };
@@ -59,7 +60,7 @@ BlockLayout block_layout(const Display& sheet, const std::string& header, const 
   const int unit_along = layout.is_vertical ? units.y : units.x,
             unit_across = layout.is_vertical ? units.x : units.y + kTextLine;
   const int header_lines = layout.is_vertical ? 1 : 0;
-  // count * (unit_along scale + gap) + header <= room along, unit_across scale <= a third of the room across.
+  // Solves count * (unit_along scale + gap) + header <= room along, unit_across scale <= a third of the room across.
   const int by_along = (room_along - count) / (count * unit_along + header_lines * kTextLine);
   layout.scale = std::min({wish, by_along, room_across / 3 / unit_across, (size.x - 2 * margin) / text_units(header).x});
   if (layout.scale < 1)
@@ -75,7 +76,7 @@ BlockLayout block_layout(const Display& sheet, const std::string& header, const 
   return layout;
 }
 
-/// A block's bars are black outside or inside a part of each strip.
+/// The part of each strip that is black or white.
 struct Bars {
   double from = 0.0, to = kHalfBar;
   bool is_black_inside = true;
@@ -98,7 +99,7 @@ void draw_bars(Picture& picture, const TestBlock& block, const LensStrips& sheet
   });
 }
 
-/// A block before it has a place.
+/// A block before its layout.
 struct PlannedBlock {
   TestBlock block;
   std::string label;
@@ -108,7 +109,7 @@ struct TestPlan {
   std::string header;
   std::vector<PlannedBlock> blocks;
   Bars bars;
-  bool starts_at_block = false;  ///< strips begin at the edge of the block, not of the picture
+  bool starts_at_block = false;  ///< strips begin at the edge of the block instead of the image
 };
 
 BlockTest drawn(const TestPlan& plan, const Display& sheet, BarDirection bars, const ThreadPool& pool) {
@@ -137,7 +138,7 @@ int room_across(const Display& sheet, BarDirection bars) {
   return bars == BarDirection::kVertical ? sheet.pixels.x : sheet.pixels.y;
 }
 
-/// Labels take one line beside vertical bars, two above horizontal ones.
+/// Labels have one line beside vertical bars, two above horizontal ones.
 const char* separator(BarDirection bars) { return bars == BarDirection::kVertical ? "  " : "\n"; }
 
 std::string header_of(const char* name, const Display& sheet) {

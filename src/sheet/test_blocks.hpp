@@ -1,13 +1,13 @@
-// Test prints of labelled blocks, which a lenticular sheet is laid on to find its pitch or its phase.
+// Test prints of labelled blocks, which find the pitch or the phase of a lenticular sheet laid on them.
 //
-// All blocks are made of bars that run along the lenses.
-//   pitch test   Bars are black in the left half of each strip, white in the right one. The pitch differs from block to block.
-//                Through the sheet a block of the right pitch has one shade from edge to edge; others show fringes, one for
-//                each lens by which they differ over their width.
-//   phase test   Bars are white in the middle third of each strip. Strips begin at another place in each block, a share of the
-//                pitch further right. From the middle of the viewing zone the block of the right phase is white.
-// Blocks lie side by side along the lenses: one below the other with vertical bars, one beside the other with horizontal ones.
-// The middle block of an odd number of blocks has the nominal pitch, and a star.
+// All blocks consist of bars along the lenses.
+//   pitch test   Bars are black in the left half of each strip and white in the right half. The pitch differs from block to
+//                block. Through the sheet, the block with the right pitch has one shade from edge to edge. Others show
+//                fringes, one per lens of difference over their width.
+//   phase test   Bars are white in the middle third of each strip. The start of the strips moves to the right from block to
+//                block by a share of the pitch. From the middle of the viewing zone, the block with the right phase is white.
+// Blocks are arranged along the lenses: one below the other for vertical bars, side by side for horizontal ones. With an odd
+// number of blocks the middle one has the nominal pitch and a star.
 #pragma once
 
 #include <string>
@@ -21,18 +21,18 @@ namespace lippmann {
 
 enum class BarDirection { kVertical, kHorizontal };
 
-/// By how much the pitch of a block differs from that of the one before.
+/// Difference of the pitch between consecutive blocks.
 struct PitchStep {
   double size = 0.1;
   enum class Unit { kPixels, kLensesPerInch } unit = Unit::kPixels;
 };
 
-/// "0.1px" or "0.05lpi". Throws a usage Error naming `step`.
+/// Parses "0.1px" or "0.05lpi". Throws a usage Error naming `step`.
 PitchStep read_pitch_step(const std::string& text);
 
 struct TestBlock {
   double pitch_px = 0.0;
-  double phase_px = 0.0;  ///< where a strip begins, from the edge of the picture across the bars
+  double phase_px = 0.0;  ///< start of a strip, from the edge of the image across the bars
   bool is_nominal = false;
   PixelBox bars = {};
 };
@@ -42,12 +42,12 @@ struct BlockTest {
   std::vector<TestBlock> blocks;
 };
 
-/// `sheet`: of the nominal pitch; its size is that of the picture. Strips of each block begin at its edge. Throws a usage Error
-/// naming `step` if a block would have fewer than 2 pixels below a lens or be narrower than one, and `blocks` if they do not
-/// fit on the paper. The result is the same for any number of threads.
+/// Returns a pitch test. sheet: a sheet with the nominal pitch and the size of the image. The strips of each block begin at its
+/// edge. Throws a usage Error naming `step` if a block would have fewer than 2 pixels per lens or be narrower than a lens, and
+/// naming `blocks` if they do not fit on the paper. The result does not depend on the number of threads.
 BlockTest pitch_test(const Display& sheet, int blocks, const PitchStep& step, BarDirection bars, const ThreadPool& pool);
 
-/// The same, naming `lpi` for the pitch.
+/// Returns a phase test. Throws as pitch_test(), but naming `lpi` for the pitch.
 BlockTest phase_test(const Display& sheet, int blocks, BarDirection bars, const ThreadPool& pool);
 
 }  // namespace lippmann

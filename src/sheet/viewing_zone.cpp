@@ -17,13 +17,13 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// Eyes spread evenly along a line that is parallel to the sheet.
+/// Returns the angle of a view's centre. Eyes are spread evenly along a line parallel to the sheet.
 double middle_angle_deg(const Display& sheet, int view, int views) {
   const double side = 2.0 * (view + 0.5) / views - 1.0;
   return std::atan(side * std::tan(0.5 * sheet.view_cone_deg * kDegree)) / kDegree;
 }
 
-/// From red (place 0) over grey (1/2) to blue (1), light enough for black text.
+/// Returns a colour from red (place 0) over grey (1/2) to blue (1), light enough for black text.
 Rgb8 tint(double place) {
   constexpr std::array<std::array<double, 3>, 3> kTints{{{255, 130, 115}, {235, 235, 235}, {120, 165, 255}}};
   const auto first = static_cast<std::size_t>(place < 0.5 ? 0 : 1);
@@ -34,7 +34,7 @@ Rgb8 tint(double place) {
   return colour;
 }
 
-/// How often the number stands side by side, and its size: three times, or fewer if letters had no room.
+/// Number of repetitions of the number, and its size. Three across, or fewer if the text would not fit.
 struct Tiling {
   Vec2i tiles;
   int scale;
@@ -53,13 +53,13 @@ Tiling tiling_for(Vec2i size, Vec2i units) {
   return tiling;
 }
 
-/// "-20 deg", "0 deg", "+20 deg".
+/// Returns "-20 deg", "0 deg", "+20 deg".
 std::string angle_text(double angle_deg) {
   const long rounded = std::lround(angle_deg);
   return rounded == 0 ? "0 deg" : fmt::format("{:+} deg", rounded);
 }
 
-/// One view, a sample for each lens and rows as far apart.
+/// Draws one view, with one sample per lens and rows at the same spacing.
 Picture numbered_view(Vec2i size, int view, int views, double angle_deg) {
   Picture picture = blank(Image8{}, size);
   fill_box(picture, {Vec2i(0), size}, tint(views > 1 ? static_cast<double>(view) / (views - 1) : 0.5));

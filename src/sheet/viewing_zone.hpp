@@ -1,7 +1,7 @@
-// A test print that shows the viewing zone of a lenticular sheet: N views, each a picture of its number and angle.
+// A test print that shows the viewing zone of a lenticular sheet: N views, each with its number and angle.
 //
-// Views are numbered 1 to N from the left of the zone to its right, and coloured from red over grey to blue. From the right
-// distance the whole print shows one number. Where it jumps from N to 1, one zone ends and the next begins.
+// Views are numbered 1 to N from left to right, and coloured from red over grey to blue. From the right distance the whole
+// print shows one number. Where it jumps from N to 1, one zone ends and the next begins.
 #pragma once
 
 #include <vector>
@@ -14,13 +14,14 @@ namespace lippmann {
 
 struct ViewingZoneTest {
   Picture picture;
-  std::vector<double> angles_deg;  ///< of the views' middles, below 0 at the left
+  std::vector<double> angles_deg;  ///< of the centres of the views, negative on the left
 };
 
-/// An odd number up to 9, so that each view has about 2 pixels below a lens; 2 for fewer than 5 pixels.
+/// Returns an odd number up to 9, with about 2 pixels per view below a lens; 2 for fewer than 5 pixels.
 int default_zone_views(const Display& sheet);
 
-/// Throws a usage Error naming `views` if more than the pixels below a lens. The same for any number of threads.
+/// Returns the test print. Throws a usage Error naming `views` if there are more views than pixels below a lens. The result
+/// does not depend on the number of threads.
 ViewingZoneTest viewing_zone_test(const Display& sheet, int views, const ThreadPool& pool);
 
 }  // namespace lippmann

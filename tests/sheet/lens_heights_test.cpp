@@ -46,7 +46,7 @@ TEST(LensShapes, more_than_half_a_cylinder_is_refused) {
   spec.radius_mm = 0.19;
   EXPECT_THAT(error_message([&] { lens_shape(0.4, spec); }), HasSubstr("at least 0.2"));
   spec.height_mm = 0.1;
-  EXPECT_THAT(error_message([&] { lens_shape(0.4, spec); }), HasSubstr("one shape too many"));
+  EXPECT_THAT(error_message([&] { lens_shape(0.4, spec); }), HasSubstr("conflicts with the other values"));
   spec = {};
   spec.height_mm = 0.21;
   EXPECT_THAT(error_message([&] { lens_shape(0.4, spec); }), HasSubstr("at most 0.2"));
