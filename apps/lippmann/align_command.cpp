@@ -1,4 +1,4 @@
-// `lippmann align PICTURES OUT`: pictures shot by hand or on a slider as views.
+// `lippmann align PICTURES OUT`: turns pictures shot by hand or on a slider into views.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ struct AlignOptions {
 Vec2d read_focus(const std::string& text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos)
-    throw usage_error("--focus", "'" + text + "' is no place", "X,Y in pixels of the middle picture, such as 2000,1500");
+    throw usage_error("--focus", "'" + text + "' is not a point", "X,Y in pixels of the middle picture, such as 2000,1500");
   return {read_number(text.substr(0, comma), 0.0, 65536.0, "--focus"),
           read_number(text.substr(comma + 1), 0.0, 65536.0, "--focus")};
 }
@@ -43,15 +43,15 @@ std::optional<Display> display_of(const AlignOptions& options) {
   return load_display(options.display);
 }
 
-/// The parallax that a display resolves is that of a place in front or behind.
+/// Warns if the farthest point in front of or behind the display has more parallax than the views resolve.
 void warn_of_parallax(const Parallax& parallax, const ShownParallax& shown, const Context& context) {
   const double most_px = std::max(std::abs(parallax.near_px), std::abs(parallax.far_px));
   const double lenses = most_px * shown.mm_per_px / shown.lens_mm;
   if (lenses <= shown.resolved_lenses) return;
   context.warning(fmt::format(
-      "Places {} the display move by {:.1f} lens widths, more than the {:.0f} that {} views resolve: they will look "
-      "torn. Take pictures that lie closer together, or `focus` on a place nearer to the middle of the depths.",
-      std::abs(parallax.near_px) == most_px ? "in front of" : "behind", lenses, shown.resolved_lenses, shown.views));
+      "Points {} the display move by {:.1f} lens widths, but {} views resolve only {:.0f}: "
+      "they will look torn. Take pictures closer together, or `focus` on a point nearer to the middle of the depths.",
+      std::abs(parallax.near_px) == most_px ? "in front of" : "behind", lenses, shown.views, shown.resolved_lenses));
 }
 
 void print_parallax(const Parallax& parallax, const std::optional<ShownParallax>& shown) {
@@ -122,17 +122,16 @@ int run(const AlignOptions& options, const Context& context) {
 void add_align_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<AlignOptions>();
   const Command command = root.add_command(
-      "align", "Align pictures of a scene that were shot from left to right, by hand or on a slider, so that they are views");
-  command.add_option("PICTURES", options->in, "A folder of pictures, from left to right in the order of their names")
-      .required();
+      "align", "Align pictures shot by hand or on a slider, from left to right, into the views of a light field");
+  command.add_option("PICTURES", options->in, "A folder of pictures whose names sort from left to right").required();
   command.add_option("-o,--output,OUT", options->out, "The folder for the views: view_000.png, ...").required();
   command
       .add_option("--focus", options->focus,
-                  "A place in the middle picture, in pixels from its top left, that stands still in all views and so lies on "
-                  "the display; default: its centre")
+                  "A point of the middle picture, in pixels from its top left, that is placed on the display: it stays still "
+                  "from view to view; default: the centre")
       .type_name("X,Y");
   command.add_option("--display", options->display,
-                     "State the parallax in millimetres and lens widths of this display: a name (see: lippmann displays), a "
+                     "Print the parallax in millimetres and lens widths of this display: a name (see: lippmann displays), a "
                      "calibration .json, or a .toml of your own");
   add_sheet_flags(command, options->sheet);
   add_result_flags(command, options->result);

@@ -1,11 +1,11 @@
-// What `lippmann --version` says of the build below the version: the commit, the compiler, the libraries, the modules.
+// The lines of `lippmann --version` below the version: commit, compiler, libraries and modules.
 #pragma once
 
 #include <string>
 
 namespace lippmann::app {
 
-/// Lines without a newline at the end. No module is loaded for it.
+/// Returns lines without a final newline. Loads no module.
 std::string build_facts();
 
 }  // namespace lippmann::app

@@ -30,15 +30,15 @@ std::optional<StatedCameras> CameraFlags::read() const {
 }
 
 void add_camera_flags(const Command& command, CameraFlags& flags) {
-  const Command group = command.add_group("Cameras of views whose files do not state them");
+  const Command group = command.add_group("Cameras, for views whose files do not state them");
   group.add_option("--baseline", flags.baseline_mm, "Distance between neighbouring cameras").type_name("MM").positive();
   group.add_option("--focal-length", flags.focal_length_mm, "Focal length of the cameras").type_name("MM").positive();
-  group.add_option("--sensor-width", flags.sensor_width_mm, "Width of the sensor, that is of a view; default: 35")
+  group.add_option("--sensor-width", flags.sensor_width_mm, "Width of the camera's sensor, which a view covers; default: 35")
       .type_name("MM")
       .positive();
   group
       .add_option("--focus-distance", flags.focus_distance_mm,
-                  "Distance from the cameras to the plane whose points do not move from view to view")
+                  "Distance from the cameras to the zero plane, whose points do not move from view to view")
       .type_name("MM")
       .positive();
 }

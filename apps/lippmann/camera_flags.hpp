@@ -12,7 +12,7 @@ class Command;  // command_line.hpp
 struct CameraFlags {
   std::optional<double> baseline_mm, focal_length_mm, sensor_width_mm, focus_distance_mm;
 
-  /// The name of the first flag that is given; null: none is.
+  /// Returns the name of the first flag that is given, or null.
   const char* first_given() const;
   /// Returns nothing if no flag is given. Throws a usage Error naming a flag that is missing.
   std::optional<StatedCameras> read() const;

@@ -1,4 +1,4 @@
-// `lippmann check DIR`: whether a rendered folder's files are still those that were written.
+// `lippmann check DIR`: compares the files of a rendered folder with their recorded checksums.
 #include <fmt/core.h>
 
 #include <map>
@@ -25,7 +25,7 @@ struct Options {
   ResultFlags result;
 };
 
-/// Prints a line per file of each kind, then all in one.
+/// Prints one line per damaged, missing or foreign file, then what is not rendered yet, then a summary.
 void print_text(const std::string& folder, const FolderCheck& check) {
   for (const auto& [kind, names] :
        {std::pair("damaged", check.damaged), std::pair("missing", check.missing), std::pair("foreign", check.foreign)})
@@ -43,7 +43,7 @@ void print_text(const std::string& folder, const FolderCheck& check) {
              check.frames, check.frames == 1 ? "" : "s", check.damaged.size(), check.missing.size(), check.foreign.size());
 }
 
-/// By frame or by folder: {"0": "2,5-7"}.
+/// Returns lists of numbers, keyed by frame or folder: {"0": "2,5-7"}.
 template <class Key>
 nlohmann::ordered_json numbers_json(const std::map<Key, std::vector<int>>& numbers) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
@@ -75,14 +75,14 @@ void add_check_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<Options>();
   const Command command = root.add_command("check", "Find files of a rendered folder that are damaged, missing or foreign");
   command.add_option("DIR", options->folder, "The folder that a render wrote to").required();
-  add_result_flags(command, options->result, "Print nothing: the exit code says whether all is well");
+  add_result_flags(command, options->result, "Print nothing: exit code 0 means that all files are intact");
   command.footer(
-      "A render records size and checksum of every picture, layer, side file and video, of job.toml and report.json, and of\n"
-      "the page and the single view beside them (--page, --also).\n"
-      "  damaged   has other bytes now\n"
-      "  missing   is not there\n"
-      "  foreign   is named as files of frames are, and belongs to no frame of this render\n"
-      "Exit code 1 where there is any, or where frames that were asked for are not rendered yet; else 0.\n"
+      "A render records the size and checksum of every picture, layer, side file and video, of job.toml and report.json, and\n"
+      "of the page and the single view beside them (--page, --also).\n"
+      "  damaged   its bytes have changed\n"
+      "  missing   it does not exist\n"
+      "  foreign   it is named like the file of a frame, but belongs to no frame of this render\n"
+      "The exit code is 1 if there is such a file or if frames of the job are not rendered yet, else 0.\n"
       "'lippmann render DIR/job.toml --resume' renders again what is damaged, missing or not rendered yet.\n");
   command.when_named([options, &chosen] { chosen = [options](Context&) { return run(*options); }; });
 }

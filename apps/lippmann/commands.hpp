@@ -1,8 +1,8 @@
-// The commands of the tool, one file each: it declares the command's flags, and what runs once they are parsed. No logic here.
+// The commands of the tool, one file each. A file declares the command's flags and what runs after parsing; it has no logic.
 //
-// To add a command: write `add_NAME_command` in NAME_command.cpp, declare it below, call it in main.cpp. Inside, make a
-// struct of options on the heap (the command line keeps references to it), declare flags that write to it, and hand what is
-// to run to `chosen`:
+// To add a command: write `add_NAME_command` in NAME_command.cpp, declare it below, and call it in main.cpp. Allocate the
+// options on the heap, because the command line keeps references to them; declare flags that write to them; assign the work to
+// `chosen`:
 //
 //   struct Options { std::string scene; bool json = false; };
 //   auto options = std::make_shared<Options>();
@@ -10,8 +10,8 @@
 //   command.add_option("SCENE", options->scene, "...").required();
 //   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 //
-// What runs returns the exit code (0), or throws Error: only main() catches. Results and --json go to stdout, and nothing else
-// does; messages and progress go to stderr.
+// The work returns the exit code (0) or throws Error, which only main() catches. Only results and --json go to stdout; messages
+// and progress go to stderr.
 #pragma once
 
 #include <functional>
@@ -22,12 +22,12 @@
 namespace lippmann::app {
 
 class Command;      // command_line.hpp
-class CommandLine;  // likewise
+class CommandLine;  // command_line.hpp
 
-/// What the command line asked for: runs it and returns the exit code of the process.
+/// The work that the command line asked for. Returns the exit code of the process.
 using Action = std::function<int(Context& context)>;
 
-/// `program`: how the tool was called, for the commands that the summary suggests.
+/// program: the name that the tool was called by, for commands printed in the summary.
 void add_render_command(const Command& root, Action& chosen, const std::string& program);
 void add_plan_command(const Command& root, Action& chosen);
 void add_submit_command(const Command& root, Action& chosen, const std::string& program);
@@ -46,7 +46,7 @@ void add_displays_command(const Command& root, Action& chosen);
 void add_sheet_command(const Command& root, Action& chosen);
 void add_view_command(const Command& root, Action& chosen);
 void add_play_command(const Command& root, Action& chosen);
-/// `command_line` is what these tell about.
+/// command_line: the commands to complete or to document.
 void add_complete_command(const Command& root, Action& chosen, const CommandLine& command_line);
 void add_manual_command(const Command& root, Action& chosen, const CommandLine& command_line);
 

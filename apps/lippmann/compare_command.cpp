@@ -1,4 +1,4 @@
-// `lippmann compare REFERENCE TEST`: prints by how much pictures, folders of frames or videos differ.
+// `lippmann compare REFERENCE TEST`: prints the differences between pictures, folders of frames or videos.
 #include <fmt/core.h>
 
 #include <memory>
@@ -45,7 +45,7 @@ int run(const CompareOptions& options, Context& context) {
   const NewFolder csv_folder(std::filesystem::path(options.csv).parent_path());
   const NewFolder plot_folder(std::filesystem::path(options.plot).parent_path());
   for (const std::string& path : {options.csv, options.plot})
-    if (!path.empty()) AtomicFile{path};  // refuses now, not after long work, what cannot be written
+    if (!path.empty()) AtomicFile{path};  // fails early if the file cannot be written
   context.threads = options.threads;
   const CompareParams params = compare_params(options);
   for (const std::string& in : {options.reference, options.test}) warn_of_unchecked(in, context);
@@ -67,7 +67,7 @@ void add_compare_command(const Command& root, Action& chosen) {
   command.add_option("TEST", options->test, "The picture, folder or video to compare with it").required();
   command
       .add_option("--frames", options->frames,
-                  "Compare frames A to B only, both included; lists and steps: 0,2,4 or 0-10:2; others may be missing")
+                  "Compare only frames A to B, both included; lists and steps: 0,2,4 or 0-10:2; other frames may be missing")
       .type_name("A-B");
   command
       .add_option(
@@ -75,10 +75,10 @@ void add_compare_command(const Command& root, Action& chosen) {
           "Also psnr-y, psnr-yuv, ms-ssim, flip, angular (between neighbouring views) or flicker (along the layer motion "
           "of REFERENCE), separated by commas; or all")
       .type_name("LIST");
-  command.add_flag("--per-view", options->per_view, "Compare each view of light fields by itself");
-  command.add_option("--from", options->from, "The format of light fields that no report.json describes, as in convert")
+  command.add_flag("--per-view", options->per_view, "Compare each view of a light field separately");
+  command.add_option("--from", options->from, "Format of light fields without a report.json, as in convert")
       .type_name("FORMAT");
-  command.add_option("--views", options->views, "Their number of views across and up").type_name("CxR");
+  command.add_option("--views", options->views, "Number of views across and up").type_name("CxR");
   command.add_option("--quilt", options->quilt, "Number of tiles of a quilt").type_name("CxR");
   command.add_flag("--json", options->json, "Print the result as JSON");
   command.add_option("--csv", options->csv, "Also write one line per frame to this file");

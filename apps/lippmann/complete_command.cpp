@@ -1,4 +1,5 @@
-// `lippmann complete -- WORD...`: what the last word may become. Shells call it (data/completions); --help does not list it.
+// `lippmann complete -- WORD...`: prints completions of the last word. Shells call it (data/completions); --help does not list
+// it.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -34,7 +35,7 @@ std::vector<std::string> display_names() {
   return names;
 }
 
-/// What flags, without dashes, and arguments take that their declaration does not say.
+/// Returns the values of flags (without dashes) and arguments that their declarations do not list.
 std::vector<std::string> values_of(const std::string& name) {
   if (name == "KIND") return {"pitch", "phase", "viewing-zone", "lens"};
   if (name == "SCENE") return scene_names();
@@ -53,7 +54,7 @@ int run(const CommandLine& command_line, const std::vector<std::string>& words) 
 
 void add_complete_command(const Command& root, Action& chosen, const CommandLine& command_line) {
   auto words = std::make_shared<std::vector<std::string>>();
-  const Command command = root.add_command("complete", "What the last of these words may become, for shells");
+  const Command command = root.add_command("complete", "Print completions of the last word, for shells");
   command.hide();
   command.add_option("WORD", *words, "The words after `lippmann`; the last may be empty");
   command.when_named(

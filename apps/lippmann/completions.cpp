@@ -1,4 +1,4 @@
-// What words of a command line may become, from what its commands declare.
+// Completes words of a command line from the declarations of its commands.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <set>
@@ -10,7 +10,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// Those that begin so.
 Names beginning_with(const std::string& start, const Names& names) {
   Names found;
   std::copy_if(names.begin(), names.end(), std::back_inserter(found),
@@ -18,7 +17,7 @@ Names beginning_with(const std::string& start, const Names& names) {
   return found;
 }
 
-/// Groups of flags are commands without a name.
+/// Excludes groups of flags, which are commands without a name.
 bool is_listed(const CLI::App& command) { return !command.get_name().empty() && !command.get_group().empty(); }
 
 Names commands_of(const CLI::App& root) {
@@ -34,7 +33,7 @@ const CLI::App* find_command(const CLI::App& root, const std::string& name) {
   return nullptr;
 }
 
-/// Those of a command and of the groups of flags in it.
+/// Returns the options of a command and of its groups of flags.
 std::vector<const CLI::Option*> options_of(const CLI::App& command) {
   std::vector<const CLI::Option*> options = command.get_options();
   for (const CLI::App* group : command.get_subcommands([](const CLI::App* app) { return app->get_name().empty(); }))
@@ -49,14 +48,14 @@ Names flags_of(const CLI::App& command) {
   return {flags.begin(), flags.end()};
 }
 
-/// The flag that `word` names, if a value follows it.
+/// Returns the flag that `word` names if a value follows it, or null.
 const CLI::Option* flag_before(const CLI::App& command, const std::string& word) {
   for (const CLI::Option* option : options_of(command))
     if (word.starts_with("-") && option->check_name(word)) return option->get_items_expected_max() > 0 ? option : nullptr;
   return nullptr;
 }
 
-/// The words of a type such as {a,b} or NAME:{a,b}.
+/// Returns the words of a type such as {a,b} or NAME:{a,b}.
 Names words_in_braces(const std::string& type) {
   const std::size_t open = type.find('{'), close = type.find('}');
   Names words;

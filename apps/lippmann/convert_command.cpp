@@ -1,4 +1,4 @@
-// `lippmann convert IN OUT`: light fields of one format into another.
+// `lippmann convert IN OUT`: converts light fields between formats.
 #include <fmt/core.h>
 
 #include <memory>
@@ -61,7 +61,7 @@ DepthConversion depth_frames_of(const ConvertOptions& options, std::string_view 
   return params;
 }
 
-/// A side file's document, and how well it fits.
+/// Returns the content of a side file and the residual of the fit.
 nlohmann::ordered_json lens_grid_result(const LensGridFit& fit) {
   return {{"plenoptic", lens_grid_json(fit.grid)}, {"lenses", fit.lenses}, {"residual_px", fit.residual_px}};
 }
@@ -97,14 +97,14 @@ int run(const ConvertOptions& options, const Context& context) {
   const Converted converted = convert(options.in, options.out, params);
   if (options.to == "rgbd" && converted.written.size() > 2 && options.depth.range.empty() && conversion.from->name != "rgbd")
     context.warning(
-        "each frame has its own range of depths, so that the same grey means different depths: --depth-range gives all of them "
+        "each frame has its own depth range, so equal greys mean different depths: --depth-range gives all of them "
         "one");
   if (converted.drops_positions && converted.lacks_cameras)
     context.warning(
-        "camera positions are left out: the distance of the plane is not known, so that no parameters, depth or disparity are "
+        "camera positions are left out: the distance of the zero plane is unknown, so no parameters, depth or disparity are "
         "written");
   else if (converted.drops_positions)
-    context.warning(fmt::format("camera positions are left out: {} has no place for them", options.to));
+    context.warning(fmt::format("camera positions are left out: {} cannot store them", options.to));
   else if (converted.lacks_cameras)
     context.warning(
         "the cameras of these views are unknown: no parameters, depth or disparity are written (render writes report.json)");
@@ -147,12 +147,14 @@ void add_convert_command(const Command& root, Action& chosen) {
   command
       .add_option(
           "IN", options->in,
-          "A picture or folder in the input format, a folder of pictures that are the views (1.jpg ... 10.jpg), or a folder "
-          "of several: frame_0000, ...; a video whose frames are the views (--views Nx1: N of them), or of RGB-D")
+          "A picture or folder in the input format, a folder of views (1.jpg ... 10.jpg), a folder of several light fields "
+          "(frame_0000, ...), a video whose frames are the views (--views Nx1 for N views), or an RGB-D video")
       .required();
-  command.add_option("OUT", options->out, "A picture (.png; .exr for float samples), or a folder; a quilt's name is completed")
+  command
+      .add_option("OUT", options->out,
+                  "A picture (.png; .exr for float samples), or a folder; the name of a quilt gets its tiles and aspect")
       .required();
-  command.add_option("--from", options->from, "Format of IN (see below); default: taken from its name or from report.json")
+  command.add_option("--from", options->from, "Format of IN (see below); default: from its name or report.json")
       .type_name("FORMAT");
   command
       .add_option("--to", options->to,
@@ -162,27 +164,27 @@ void add_convert_command(const Command& root, Action& chosen) {
   command
       .add_option(
           "--views", options->views,
-          "Number of views across and up; for an integral image, the pixels below each lens; of a stereo picture, computes so "
-          "many views between the two")
+          "Number of views across and up; for an integral image, the pixels below each lens; from a stereo picture, the "
+          "number of views to compute between the two")
       .type_name("CxR");
   command
       .add_option("--quilt", options->quilt,
-                  "Tiles of the quilt, across and down; default: taken from its name, or as square as possible")
+                  "Tiles of the quilt across and down; default: from its name, or as square as possible")
       .type_name("CxR");
   command.add_option("--aspect", options->aspect, "Width / height of the display, for the name of a quilt").positive();
   command
       .add_option("--keep", options->keep,
-                  "Only these columns (from the left) and rows (from the lowest) of views, each N, A-B, A-B:STEP or all: "
+                  "Keep only these columns (from the left) and rows (from the bottom) of views, each N, A-B, A-B:STEP or all: "
                   "0-47:2, 2-6x2-6, allx4")
       .type_name("COLUMNS[xROWS]");
   command.add_option("--crop", options->crop, "Keep only this window of every view; X and Y count from the top left")
       .type_name("WxH+X+Y");
   command.add_option("--bits", options->bits, "Bits per sample of PPM files; default: as read").range(8, 16);
-  command.add_flag("--png", options->png, "Write PNG in place of PPM files, --to jpeg-pleno");
+  command.add_flag("--png", options->png, "With --to jpeg-pleno: write PNG in place of PPM files");
   command.add_option(
       "--display", options->display,
-      "The display whose picture is made (integral, quilt or native), that IN belongs to (--from native), or that "
-      "RGB-D pictures are shown on: a name (see: lippmann displays), a calibration .json, or a .toml of your own");
+      "The display to make a picture for (integral, quilt or native), to show RGB-D pictures on, or that IN belongs to "
+      "(--from native): a name (see: lippmann displays), a calibration .json, or a .toml of your own");
   add_view_filter_flags(command, options->filter, " for --display, --to native");
   add_display_picture_flags(command, options->picture);
   add_sheet_flags(command, options->sheet);

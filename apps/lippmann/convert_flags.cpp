@@ -28,7 +28,7 @@ struct IdleRule {
   const char* accepted;
 };
 
-/// Whether the reader, or the writer, of the conversion's formats uses an option.
+/// Returns whether the reader or the writer of the conversion's formats uses an option.
 template <bool FormatUses::*use>
 bool is_read(const Conversion& c) {
   return c.from && c.from->reads.*use;
@@ -38,7 +38,7 @@ bool is_written(const Conversion& c) {
   return c.to && c.to->writes.*use;
 }
 
-/// Raw plenoptic pictures are read for every kind of conversion but that of two eyes, which reads its light field itself.
+/// Every kind of conversion reads raw plenoptic pictures through --from, except stereo, which reads its light field itself.
 bool reads_plenoptic(const ConvertOptions&, const Conversion& c) {
   return is_read<&FormatUses::plenoptic>(c) && c.kind != ConvertKind::kStereo;
 }
@@ -48,7 +48,7 @@ bool is_for_display(const ConvertOptions&, const Conversion& c) { return c.kind 
 bool is_rearranged(const ConvertOptions& o, const Conversion& c) {
   return c.kind == ConvertKind::kRearrange || is_for_display(o, c);
 }
-/// A print: a picture that somebody turns or lays below a sheet.
+/// A print is a picture that is turned or laid below a lens sheet.
 bool is_print(const ConvertOptions& o, const Conversion& c) { return is_for_display(o, c) && c.to->name == "integral"; }
 bool is_flip(const ConvertOptions& o, const Conversion& c) { return is_print(o, c) && o.picture.flip; }
 bool is_spoc(const ConvertOptions&, const Conversion& c) { return c.kind == ConvertKind::kSpoc; }
@@ -61,7 +61,7 @@ bool keeps_cameras(const ConvertOptions&, const Conversion& c) {
   return c.kind == ConvertKind::kRearrange && (c.to->uses_cameras || c.to->keeps_positions);
 }
 
-/// Whether the writer numbers views as the reader does, so that it does not matter how they lie in a grid.
+/// Returns whether reader and writer number views alike, so that the shape of the grid does not matter.
 bool keeps_order(const Conversion& c) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kPairs{
       {{"views", "views"}, {"quilt", "quilt"}, {"quilt", "views"}, {"hci", "hci"}}};
@@ -74,12 +74,12 @@ bool uses_views(const ConvertOptions& options, const Conversion& c) {
   return is_read<&FormatUses::views>(c) && (!options.keep.empty() || !keeps_order(c));
 }
 
-/// Stereo output has two views, whatever tiles the source has.
+/// Stereo output has two views, whatever the tiles of the source.
 bool uses_tiles(const ConvertOptions& o, const Conversion& c) {
   return is_read<&FormatUses::tiles>(c) || (is_written<&FormatUses::tiles>(c) && !is_for_display(o, c));
 }
 
-/// Between views; frames of a flip print have transitions of their own.
+/// The filter interpolates between views; frames of a flip print have their own transitions.
 bool uses_filter(const ConvertOptions& o, const Conversion& c) {
   return is_written<&FormatUses::filter>(c) || (is_for_display(o, c) && !o.picture.flip);
 }
@@ -211,24 +211,25 @@ constexpr std::array kIdleRules{
              "RGB-D or stereo pictures converted to views, without --keep and --crop"},
 };
 
-/// A display that IN is the native frame of is that of the reader.
+/// A --display with --from native describes IN, not the output.
 bool makes_display_picture(const ConvertOptions& options, const Conversion& c) {
   const std::string_view to = c.to->name;
   return options.has_display() && c.from->name != "native" && (to == "integral" || to == "quilt" || to == "native");
 }
 
-/// A video whose frames are views. Those of a render or of a quilt's name hold all views in each frame.
+/// Returns whether the frames of a video are views. In videos of a render or with a quilt's name, each frame holds all views.
 bool is_video_of_views(const ConvertOptions& options) {
   if (!is_video_name(options.in) || !(options.from.empty() || options.from == "views")) return false;
   if (options.from.empty() && (parse_quilt_name(options.in) || rendering_of(options.in)))
-    throw Error(options.in, "each frame of this video holds several views, and frames are read as pictures",
-                "the folder of frames that it was made of, or --from views, where each frame is a view");
+    throw Error(options.in, "each frame of this video holds several views",
+                "the folder of frames that it was made from, or --from views to read each frame as one view");
   if (options.to == "stereo")
-    throw usage_error("--to", "the frames of a video become views first", "views, then a conversion of these to stereo");
+    throw usage_error("--to", "cannot be stereo for the frames of a video",
+                      "views, then a second conversion of these to stereo");
   return true;
 }
 
-/// The format of IN. A picture with a depth map becomes RGB-D.
+/// Sets the format of IN. A picture with a depth map becomes RGB-D.
 void find_source(const ConvertOptions& options, Conversion& conversion) {
   const bool from_rgbd =
       options.from == "rgbd" || (options.from.empty() && (!options.depth.map.empty() || is_rgbd(options.in)));
@@ -245,7 +246,7 @@ bool makes_views_of_depth(const ConvertOptions& options, const Conversion& c) {
   return c.from->name == "rgbd" && (!options.depth.map.empty() || c.to->name != "rgbd");
 }
 
-/// Two views have no other grid of views, so that `--views` asks for more of them.
+/// A stereo picture has only two views, so `--views` asks for computed ones.
 bool makes_views_of_pair(const ConvertOptions& options, const Conversion& c) {
   return c.from->name == "stereo" && c.to->name != "stereo" && c.to->name != "rgbd" && !options.views.empty();
 }
@@ -280,18 +281,18 @@ Conversion conversion_of(const ConvertOptions& options) {
   if (orthoscopic.are_given()) return {orthoscopic.spoc_mm ? ConvertKind::kSpoc : ConvertKind::kRotate};
   if (options.crosstalk.precompensate) return {ConvertKind::kPrecompensate};
   if (options.to.empty() && !options.crosstalk.crosstalk.empty())
-    throw usage_error("--crosstalk", "has no effect without --precompensate", "--precompensate with it");
+    throw usage_error("--crosstalk", "has no effect without --precompensate", "--precompensate --crosstalk");
   if (options.to.empty() && !options.has_display())
-    throw usage_error("--to", "is required",
-                      "a format, see --help; --display; or --rotate-elemental, --spoc or --precompensate");
+    throw usage_error("--to", "is required", "a format (see --help), --display, --rotate-elemental, --spoc or --precompensate");
   Conversion conversion;
   conversion.to =
       options.to.empty() ? &find_format(own_format(options.read_display()), "--to") : &find_format(options.to, "--to");
   if (!options.depth.map.empty() && (!options.from.empty() || has_rgbd_name(options.in)))
     throw usage_error("--depth",
-                      options.from.empty() ? "its name says that " + options.in + " has its depth beside the colours"
-                                           : "cannot be combined with --from",
-                      "a picture whose depth is in another file");
+                      options.from.empty()
+                          ? "cannot be combined with " + options.in + ", whose name says that it contains its depth"
+                          : "cannot be combined with --from",
+                      "a picture whose depth is in a separate file");
   find_source(options, conversion);
   const bool is_whole = options.keep.empty() && options.crop.empty();
   if (is_whole && (makes_views_of_depth(options, conversion) || makes_views_of_pair(options, conversion)))

@@ -1,4 +1,4 @@
-// The flags of `lippmann convert`, and which of them have an effect between which formats.
+// The flags of `lippmann convert`, and the formats for which each has an effect.
 #pragma once
 
 #include <string>
@@ -34,7 +34,7 @@ struct ConvertOptions {
   PlenopticFlags plenoptic;
 
   bool has_display() const { return !display.empty() || sheet.are_given(); }
-  /// Throws a usage Error naming the flag. has_display() is true.
+  /// Throws a usage Error naming the flag. Requires has_display().
   Display read_display() const;
 };
 
@@ -52,13 +52,13 @@ enum class ConvertKind {
 struct Conversion {
   ConvertKind kind = ConvertKind::kRearrange;
   const LightFieldFormat *from = nullptr, *to = nullptr;  ///< null for the last three kinds
-  bool is_from_video = false;                             ///< its frames are the views
+  bool is_from_video = false;                             ///< the views are the frames of a video
 };
 
 /// Throws a usage Error for a missing --to, for flags that exclude each other, and for an unknown format.
 Conversion conversion_of(const ConvertOptions& options);
 
-/// Throws a usage Error naming a flag that has no effect on this conversion, and where it has one.
+/// Throws a usage Error naming a flag without effect on this conversion and the conversions that use it.
 void refuse_idle_flags(const ConvertOptions& options, const Conversion& conversion);
 
 }  // namespace lippmann::app

@@ -18,14 +18,13 @@ namespace lippmann::app {
 
 void add_crosstalk_flags(const Command& command, CrosstalkFlags& flags) {
   const Command group =
-      command.add_group("Crosstalk", "Of pictures beside their report.json, or of native frames of --display; OUT is a folder");
-  group.add_flag(
-      "--precompensate", flags.precompensate,
-      "Pictures that crosstalk turns into those of IN, as far as light can be neither negative nor brighter than white");
+      command.add_group("Crosstalk", "For pictures beside their report.json, or native frames of --display; OUT is a folder");
+  group.add_flag("--precompensate", flags.precompensate,
+                 "Make pictures that crosstalk turns into those of IN, as far as values between black and white allow");
   group
       .add_option(
           "--crosstalk", flags.crosstalk,
-          "Of --precompensate: a Gaussian of this sigma in pixels (quilts: views), or this share of each neighbour: 0.4 "
+          "With --precompensate: sigma of a Gaussian in pixels (quilts: in views), or the share of each neighbour, such as 0.4 "
           "or 10%; default: the display's")
       .type_name("PIXELS|C%");
 }
@@ -41,8 +40,8 @@ int run_precompensate(const CrosstalkFlags& flags, const std::string& display, c
   }
   if (!flags.crosstalk.empty()) sigma_px = read_crosstalk(flags.crosstalk, "--crosstalk");
   if (!sigma_px)
-    throw usage_error("--precompensate", "the crosstalk of the display is not known",
-                      "--crosstalk, or a --display file with it");
+    throw usage_error("--precompensate", "the crosstalk of the display is unknown",
+                      "--crosstalk, or a --display file that states it");
   params.sigma_px = *sigma_px;
   const Precompensated made = precompensate_frames(params, context);
   const Precompensation& bound = made.bound;
@@ -60,10 +59,8 @@ int run_precompensate(const CrosstalkFlags& flags, const std::string& display, c
 }
 
 std::string describe_bound(double clipped_share, double largest_residual) {
-  return fmt::format(
-      "{:.2f} % of samples would be darker than black or brighter than white, the worst is seen {:.2f} % of "
-      "white off",
-      100.0 * clipped_share, 100.0 * largest_residual);
+  return fmt::format("{:.2f} % of samples are clipped at black or white; the largest remaining error is {:.2f} % of white",
+                     100.0 * clipped_share, 100.0 * largest_residual);
 }
 
 }  // namespace lippmann::app

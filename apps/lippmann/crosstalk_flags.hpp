@@ -1,4 +1,4 @@
-// Flags of `convert` for pictures that undo a display's crosstalk.
+// Flags of `convert` for pictures that compensate a display's crosstalk.
 #pragma once
 
 #include <string>
@@ -17,12 +17,12 @@ struct CrosstalkFlags {
 
 void add_crosstalk_flags(const Command& command, CrosstalkFlags& flags);
 
-/// `convert --precompensate`: converts, and prints the bound. `display`: whose own frames the pictures are; empty: as the
-/// report.json beside them says.
+/// Runs `convert --precompensate` and prints the remaining error. display: the display whose native frames the pictures are;
+/// empty: the report.json beside them describes it.
 int run_precompensate(const CrosstalkFlags& flags, const std::string& display, const std::string& in, const std::string& out,
                       const ResultFlags& result, const Context& context);
 
-/// How near to the wanted pictures an eye sees them.
+/// Describes the share of clipped samples and the largest remaining error.
 std::string describe_bound(double clipped_share, double largest_residual);
 
 }  // namespace lippmann::app

@@ -1,4 +1,4 @@
-// `lippmann dataset SCENES... -o DIR`: light fields of random scenes, for training.
+// `lippmann dataset SCENES... -o DIR`: renders light fields of random scenes, for training.
 #include <fmt/format.h>
 
 #include <memory>
@@ -81,16 +81,16 @@ void add_dataset_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<DatasetOptions>();
   const Command command = root.add_command(
       "dataset", "Make light fields of random scenes with depth, disparity, normals, motion and ids, for training");
-  command.add_option("SCENES", options->scenes, "Scenes whose meshes are the objects, beside spheres and boxes").required();
-  command.add_option("-o,--output", options->folder, "The folder; samples that are complete there are kept")
+  command.add_option("SCENES", options->scenes, "Scenes whose meshes become objects, beside spheres and boxes").required();
+  command.add_option("-o,--output", options->folder, "The folder of the samples; complete samples in it are kept")
       .type_name("DIR")
       .required();
   command.add_option("--count", options->count, "Number of samples").type_name("N").required();
-  command.add_option("--seed", options->seed, "Another seed gives other samples").range(0, 1 << 30);
+  command.add_option("--seed", options->seed, "Seed of the random scenes; default: 0").range(0, 1 << 30);
   command.add_option("--views", options->views, "Cameras across and up; default: 9x9").type_name("CxR");
-  command.add_option("--size", options->size, "Pixels of a view, across and down; default: 128").range(8, 4096);
+  command.add_option("--size", options->size, "Width and height of a view in pixels; default: 128").range(8, 4096);
   command.add_option("--spp", options->spp, "Samples per pixel; default: 16").range(1, 4096);
-  command.add_option("--unit", options->unit, "Make the I-th of N parts only; other runs make the others").type_name("I/N");
+  command.add_option("--unit", options->unit, "Make only the I-th of N parts; other runs make the rest").type_name("I/N");
   command.add_flag("--json", options->json, "Print figures as JSON");
   command.add_flag("-q,--quiet", options->quiet, "No progress");
   command.add_option("--threads", options->threads, "Worker threads; 0: one per processor").range(0, 4096);

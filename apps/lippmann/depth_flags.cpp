@@ -21,25 +21,23 @@ void DepthFlags::add_to(FormatOptions& options) const {
 
 void add_depth_flags(const Command& command, DepthFlags& flags) {
   const Command group =
-      command.add_group("RGB-D pictures", "With --from rgbd, as views for --display or of --views; or with --to rgbd");
+      command.add_group("RGB-D pictures", "Convert --from rgbd to the views of --display or --views, or --to rgbd");
   group
       .add_option(
           "--depth", flags.map,
-          "The depth of the picture IN, in a file of its own: grey of 8 or 16 bits, in any size, or an EXR file with the "
-          "channel Z; or a HEIC photo that stores its depth, such as IN itself")
+          "A depth map for the picture IN: grey of 8 or 16 bits, of any size, an EXR file with the channel Z, or a HEIC "
+          "photo that stores depth, such as IN itself")
       .type_name("FILE");
   group
       .add_option(
           "--depth-range", flags.range,
-          "Depths of the nearest and the farthest grey in mm, above 0 in front of the screen; default: as the side file says "
-          "(without one 10:-30), or all that is there")
+          "Depths of the nearest and the farthest grey in mm, positive in front of the screen; default with --from rgbd: from "
+          "the side file, else 10:-30; default with --to rgbd: the depths of the light field")
       .type_name("NEAR:FAR");
-  group.add_option("--depth-coding", flags.coding, "What grey is linear in: disparity (default) or depth")
+  group.add_option("--depth-coding", flags.coding, "Quantity that is linear in the grey values: disparity (default) or depth")
       .one_of({"disparity", "depth"});
-  group.add_flag("--near-black", flags.near_black, "Black is near; default: white is");
-  group.add_option("--depth-scale", flags.scale, "Show the picture this many times as deep; default 1")
-      .type_name("X")
-      .range(0.0, 100.0);
+  group.add_flag("--near-black", flags.near_black, "Black is near; default: white is near");
+  group.add_option("--depth-scale", flags.scale, "Factor for all depths; default: 1").type_name("X").range(0.0, 100.0);
 }
 
 int run_depth_views(const DepthConversion& params, const ResultFlags& result, const Context& context) {

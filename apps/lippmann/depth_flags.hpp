@@ -18,13 +18,13 @@ struct DepthFlags {
   bool near_black = false;
   std::optional<double> scale;
 
-  /// Puts what is said of the coding into the options. Throws a usage Error.
+  /// Copies the stated coding into the options. Throws a usage Error.
   void add_to(FormatOptions& options) const;
 };
 
 void add_depth_flags(const Command& command, DepthFlags& flags);
 
-/// `convert` of RGB-D pictures to views; prints what share of them was filled.
+/// Runs `convert` of RGB-D pictures to views, and prints the share of pixels that were filled.
 int run_depth_views(const DepthConversion& params, const ResultFlags& result, const Context& context);
 
 }  // namespace lippmann::app

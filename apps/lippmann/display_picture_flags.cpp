@@ -33,7 +33,7 @@ DisplayPictureParams DisplayPictureFlags::read(const InterlaceParams& interlace)
   params.mirror = mirror;
   params.view_shift_px = view_shift_px.value_or(0.0);
   params.turn_deg = turn_deg.value_or(0);
-  if (params.turn_deg % 90 != 0) throw usage_error("--rotate", "is no quarter turn", "90, 180 or 270");
+  if (params.turn_deg % 90 != 0) throw usage_error("--rotate", "is not a multiple of 90 degrees", "90, 180 or 270");
   return params;
 }
 
@@ -42,20 +42,21 @@ void add_display_picture_flags(const Command& command, DisplayPictureFlags& flag
   group
       .add_option(
           "--fit", flags.fit,
-          "Views of another shape than the display: crop, pad or stretch; default: stretch for native frames, else crop")
+          "How to fit views to a display of another shape: crop, pad or stretch; default: stretch for native frames, else crop")
       .one_of({"crop", "pad", "stretch"});
   group
       .add_option("--view-shift", flags.view_shift_px,
-                  "Moves the zero plane: the part that is shown lies so many pixels further right in each next view. Above 0 "
-                  "the scene comes forward, below 0 it goes back")
+                  "Shift the shown part of each view by this many pixels to the right per view, which moves the zero plane: "
+                  "positive values bring the scene forward")
       .type_name("PX")
       .range(-1e4, 1e4);
-  group.add_flag("--flip", flags.flip, "Flip print: the pictures of IN are frames, the first at the left below each lens");
-  group.add_option("--shares", flags.shares, "With --flip: the share of each frame, such as 2,1,1; default: equal")
+  group.add_flag("--flip", flags.flip,
+                 "Make a flip print: the pictures of IN are frames, of which the first lies leftmost below each lens");
+  group.add_option("--shares", flags.shares, "With --flip: the relative width of each frame, such as 2,1,1; default: equal")
       .type_name("N,N,...");
   group
       .add_option("--blend", flags.blend,
-                  "With --flip: soft transitions, as a share of the smaller frame, up to 1 (morph); default 0: hard")
+                  "With --flip: width of soft transitions, relative to the narrower frame, up to 1 (morph); default: 0 (hard)")
       .range(0.0, 1.0);
   group.add_flag("--mirror", flags.mirror, "Mirror the print left to right, for the back of a sheet");
   group.add_option("--rotate", flags.turn_deg, "Turn the print clockwise by 90, 180 or 270 degrees")
@@ -63,15 +64,17 @@ void add_display_picture_flags(const Command& command, DisplayPictureFlags& flag
       .range(90, 270);
   group
       .add_option("--icc", flags.icc,
-                  "ICC profile of the printer, RGB or CMYK: colours are turned to it (relative colorimetric, with black point "
-                  "compensation); CMYK needs OUT to be .tiff; default: sRGB")
+                  "Convert colours to this ICC profile of the printer, RGB or CMYK (relative colorimetric, with black point "
+                  "compensation); CMYK needs a .tiff as OUT; default: sRGB")
       .type_name("FILE");
-  group.add_option("--bleed-mm", flags.bleed_mm, "How far the picture of a print goes on beyond each edge at which it is cut")
+  group
+      .add_option("--bleed-mm", flags.bleed_mm,
+                  "Width by which the picture extends beyond each cut edge of a print; default: 0")
       .type_name("MM")
       .range(0.01, 100.0);
   group.add_flag("--marks", flags.marks,
-                 "Around a print: crop and registration marks, and bands that are black once a sheet lies straight");
-  group.add_flag("--proof", flags.proof, "Only the middle square inch of a print, pixel by pixel the same");
+                 "Add crop marks, registration marks, and bands that turn black when the sheet is aligned");
+  group.add_flag("--proof", flags.proof, "Write only the middle square inch of a print, with unchanged pixels");
 }
 
 }  // namespace lippmann::app

@@ -1,4 +1,4 @@
-// Flags of `lippmann convert` for pictures of a display.
+// Flags of `lippmann convert` for the picture of a display.
 #pragma once
 
 #include <optional>

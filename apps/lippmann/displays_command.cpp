@@ -1,4 +1,4 @@
-// `lippmann displays`: the displays that the tool knows, or describes one of them.
+// `lippmann displays`: lists the known displays, or describes one of them.
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
@@ -69,7 +69,7 @@ void print_details(const Display& d) {
                d.video.quilts ? "" : "; quilts as pictures only");
 }
 
-/// A calibration that lies on a device, or what is wrong with it.
+/// Returns a calibration found on a device, or the error that it has.
 nlohmann::ordered_json found_json(const std::string& file) try {
   nlohmann::ordered_json json{{"file", file}};
   json.update(display_json(load_display(file)));
@@ -87,7 +87,7 @@ void print_found(const std::string& file) try {
   fmt::print("{}\n", with_flags(error.what()));
 }
 
-/// Exit code 1 where no device is found.
+/// Returns exit code 1 if no device is found.
 int find_devices(const DisplaysOptions& options) {
   if (!options.display.empty()) throw usage_error("--find", "cannot be combined with the name of a display", "one of the two");
   const std::vector<std::filesystem::path> mounts =
@@ -104,7 +104,7 @@ int find_devices(const DisplaysOptions& options) {
     std::vector<std::string> looked;
     for (const auto& mount : mounts) looked.push_back(mount.string());
     throw Error("displays", fmt::format("there is no LKG_calibration/visual.json below {}", fmt::join(looked, ", ")),
-                "a display whose drive is mounted, or --mounts with where it is");
+                "a display whose drive is mounted, or --mounts with its folder");
   }
   for (const auto& file : found) print_found(file.string());
   return 0;
@@ -136,7 +136,7 @@ void add_displays_command(const Command& root, Action& chosen) {
   command.add_flag("--find", options->find, "Look for the calibrations of displays that are plugged in");
   command
       .add_option("--mounts", options->mounts,
-                  "Where --find looks for their drives; default: /media, /run/media, /mnt and /Volumes")
+                  "Folders in which --find looks for drives; default: /media, /run/media, /mnt and /Volumes")
       .type_name("DIR");
   command.add_flag("--json", options->json, "Print JSON on stdout");
   command.when_named([options, &chosen] { chosen = [options](Context&) { return run(*options); }; });

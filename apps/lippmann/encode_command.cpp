@@ -1,4 +1,4 @@
-// `lippmann encode FROM OUT`: a video of finished frames.
+// `lippmann encode FROM OUT`: makes a video of finished frames.
 #include <fmt/core.h>
 
 #include <filesystem>
@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Fixed: the bytes of some codecs depend on it.
+/// The output bytes of some codecs depend on the number of threads, so it is fixed.
 constexpr int kEncoderThreads = 4;
 constexpr double kUsualRate = 25.0;
 
@@ -38,23 +38,23 @@ struct EncodeOptions {
   ResultFlags result;
 };
 
-/// As given, or as the report beside the frames says.
+/// Returns the rate that is given, or the one in the report beside the frames.
 double rate_of(const EncodeOptions& options, const std::vector<NumberedFrame>& frames) {
   if (options.fps) return *options.fps;
   const std::optional<Rendering> rendering = rendering_of(frames.front().path);
   return rendering ? rendering->frames_per_second.value_or(kUsualRate) : kUsualRate;
 }
 
-/// All of the folder's, or those that are given; none of them may be missing.
+/// Returns all frames of the folder, or the given ones. Throws Error if one is missing.
 std::vector<NumberedFrame> wanted_frames(const EncodeOptions& options) {
   if (options.frames.empty()) return find_frames(options.from);
   return find_frames(options.from, frames_of(read_frames(options.frames, "--frames")));
 }
 
-/// A player finds the views of a quilt or of two eyes where the name of the video states them.
+/// Returns the rotation. Frames with several views cannot be rotated: players find the views by the name of the video.
 int turn_of(const EncodeOptions& options, const std::vector<NumberedFrame>& frames) {
   const int turn_deg = options.turn_deg.value_or(0);
-  if (turn_deg % 90 != 0) throw usage_error("--rotate", "is no quarter turn", "90, 180 or 270");
+  if (turn_deg % 90 != 0) throw usage_error("--rotate", "is not a multiple of 90 degrees", "90, 180 or 270");
   if (const fs::path plain("clip.mp4"); turn_deg != 0 && video_path(plain, frames) != plain)
     throw usage_error("--rotate", "cannot be combined with frames that hold several views", "frames of one view");
   return turn_deg;
@@ -102,14 +102,16 @@ void add_encode_command(const Command& root, Action& chosen) {
   command
       .add_option(
           "OUT", options->out,
-          "The video: .mp4 (H.264; HEVC above 4096 pixels a side), .mov, .webm (VP9), .mkv (FFV1, lossless); frames that are "
-          "quilts, stereo or RGB-D pictures give it the end of their name")
+          "The video: .mp4 (H.264; HEVC above 4096 pixels a side), .mov, .webm (VP9), .mkv (FFV1, lossless); the name gets the "
+          "suffix of frames that are quilts, stereo or RGB-D pictures")
       .required();
-  command.add_option("--codec", options->codec, "h264, hevc, vp9, av1 or ffv1; default: by OUT's ending and size")
+  command.add_option("--codec", options->codec, "h264, hevc, vp9, av1 or ffv1; default: chosen by OUT's extension and size")
       .type_name("NAME");
-  command.add_option("--crf", options->crf, "Quality, 0 (best) to 51 (h264, hevc) or 63 (vp9, av1); default 18, 20, 24, 24")
+  command
+      .add_option("--crf", options->crf,
+                  "Quality from 0 (best) to 51 (h264, hevc) or 63 (vp9, av1); default: 18 (h264), 20 (hevc), 24 (vp9, av1)")
       .type_name("N");
-  command.add_option("--fps", options->fps, "Frames per second; default: as the report.json beside the frames says, else 25")
+  command.add_option("--fps", options->fps, "Frames per second; default: from the report.json beside the frames, else 25")
       .range(0.001, 1000.0)
       .type_name("N");
   command

@@ -1,4 +1,4 @@
-// `lippmann finish DIR`: whether a job that was rendered in parts is complete, and its videos and report.
+// `lippmann finish DIR`: checks whether a job rendered in parts is complete, and writes its videos and report.
 #include <fmt/core.h>
 
 #include <filesystem>
@@ -31,7 +31,7 @@ std::string numbers(const std::vector<int>& frames) { return write_frames(ranges
 
 void print_problems(const FinishedAnimation& finished) {
   for (const std::string& file : finished.joined.not_as_written)
-    fmt::print("not taken over  {}: other bytes than were written\n", printable_line(file));
+    fmt::print("not taken over  {}: its bytes have changed since they were written\n", printable_line(file));
   for (const std::string& name : finished.check.damaged) fmt::print("damaged  {}\n", printable_line(name));
   for (const std::string& name : finished.check.missing) fmt::print("missing  {}\n", printable_line(name));
   for (const auto& [frame, strips] : finished.check.strips_left)
@@ -43,18 +43,18 @@ void print_result(const FinishOptions& options, const FinishedAnimation& finishe
   const std::string job = printable_line(shell_word((fs::path(options.folder) / "job.toml").string()));
   if (!finished.report) {
     print_problems(finished);
-    fmt::print("{} of {} frames are to be rendered: {}\n  {} render {} --resume\n", finished.to_render.size(),
+    fmt::print("{} of {} frames have yet to be rendered: {}\n  {} render {} --resume\n", finished.to_render.size(),
                static_cast<std::size_t>(finished.check.frames) + finished.check.unfinished.size(), numbers(finished.to_render),
                options.program, job);
     return;
   }
   const RenderReport& report = *finished.report;
   if (!finished.has_single)
-    return fmt::print("{}: all frames are there; {} of it has yet to be rendered\n  {} render {} --resume\n",
+    return fmt::print("{}: all frames are rendered; {} has yet to be rendered\n  {} render {} --resume\n",
                       printable_line(options.folder), kSingleFolder, options.program, job);
   for (const std::string& video : report.videos) fmt::print("  {:<9} {}\n", "video", printable_line(video));
   fmt::print("  {:<9} {}\n", "figures", printable_line((fs::path(options.folder) / "report.json").string()));
-  fmt::print("{}: all {} frames are there, as they were written\n", printable_line(options.folder), report.frames.size());
+  fmt::print("{}: all {} frames are intact\n", printable_line(options.folder), report.frames.size());
 }
 
 bool is_complete(const FinishedAnimation& finished) { return finished.report && finished.has_single; }
@@ -90,13 +90,12 @@ void add_finish_command(const Command& root, Action& chosen, const std::string& 
       root.add_command("finish", "Complete a job that was rendered in parts: check all frames, write videos, page and report");
   command.add_option("DIR", options->folder, "The folder that the parts were rendered into").required();
   command
-      .add_option("--join", options->join,
-                  "Folders of parts that were rendered apart: their frames are taken over into DIR first")
+      .add_option("--join", options->join, "Folders of separately rendered parts, whose frames are first taken over into DIR")
       .type_name("DIR...");
-  add_result_flags(command, options->result, "Print nothing: the exit code says whether the job is complete");
+  add_result_flags(command, options->result, "Print nothing: exit code 0 means that the job is complete");
   command.footer(
-      "Every file is read and compared with its checksum. Exit code 1 where frames are missing or damaged: then nothing is\n"
-      "finished, and the command that renders them is printed.\n"
+      "Every file is compared with its checksum. If frames are missing or damaged, the exit code is 1, nothing is finished,\n"
+      "and the command that renders them is printed.\n"
       "Examples:\n"
       "  lippmann finish out/film                          after: lippmann render film.toml --unit 1/8, --unit 2/8, ...\n"
       "  lippmann finish film --join part-1 part-2         parts that were rendered into folders of their own\n");

@@ -1,4 +1,4 @@
-// `lippmann info IN`: what is in a scene and how the array was fitted to it, or what a picture is.
+// `lippmann info IN`: describes a scene and how the lens array is fitted to it, or a picture.
 #include <fmt/core.h>
 
 #include <filesystem>
@@ -25,7 +25,7 @@ struct InfoOptions {
   bool json = false;
 };
 
-/// A built-in scene wins over a folder of its name.
+/// A built-in scene takes precedence over a folder of the same name.
 bool is_picture(const std::string& in) {
   std::error_code ignored;
   return !is_builtin_scene(in) && (is_picture_name(in) || is_video_name(in) || fs::is_directory(in, ignored));
@@ -68,7 +68,9 @@ void add_info_command(const Command& root, Action& chosen) {
                   {"camera-path", "animation", "variant", "asset-root", "texture-memory", "points", "camera", "up", "focus",
                    "fit-to", "zoom", "orbit", "fps", "integrator", "environment", "layout", "Optics"});
   command.add_flag("--json", options->json, "Print JSON on stdout");
-  command.footer("SCENE may be a picture, a video, or a folder of views or frames: format, size, views, cameras, depth.");
+  command.footer(
+      "SCENE may also be a picture, a video, or a folder of views or frames; info then prints format, size, views, cameras and "
+      "depth.");
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 

@@ -5,7 +5,7 @@
 namespace lippmann::app {
 namespace {
 
-// A signal handler has no argument to carry state: these two are the only way to it.
+// A signal handler takes no argument that could carry state, so these two are global.
 std::atomic<std::atomic<bool>*> g_cancelled{nullptr};
 std::atomic<int> g_signal{0};
 

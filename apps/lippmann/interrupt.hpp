@@ -1,11 +1,11 @@
-// Turns Ctrl-C and `kill` into the context's `cancelled`, so that work stops between frames and leaves only whole files.
+// Turns Ctrl-C and `kill` into the context's `cancelled`, so that work stops between frames and leaves only complete files.
 #pragma once
 
 #include <atomic>
 
 namespace lippmann::app {
 
-/// While it lives, the first SIGINT or SIGTERM sets `cancelled`; a second one ends the process at once. At most one at a time.
+/// While this exists, the first SIGINT or SIGTERM sets `cancelled`; a second one ends the process at once. Only one may exist.
 class InterruptGuard {
  public:
   explicit InterruptGuard(std::atomic<bool>& cancelled);
@@ -13,7 +13,7 @@ class InterruptGuard {
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
-  /// 128 + the signal's number, as shells report it, once one has arrived; else 0.
+  /// Returns 128 + the signal's number, as shells report it, or 0 if no signal has arrived.
   static int exit_code();
 };
 

@@ -23,28 +23,27 @@ void add_report_flags(const Command& command, LightFieldFlags& flags, const std:
   command.add_option("--report", flags.report, "Path of report.json, if it is not beside the pictures").type_name("FILE");
   command
       .add_option("--display", flags.display,
-                  "The display whose native frame IN is, or that a quilt or a row of views is for: a name (see: lippmann "
-                  "displays), a calibration .json, or a .toml of "
-                  "your own" +
+                  "The display of IN, which is a native frame, a quilt or a row of views: a name (see: lippmann displays), a "
+                  "calibration .json, or a .toml of your own" +
                       more)
       .type_name("NAME|FILE");
   add_sheet_flags(command, flags.sheet);
 }
 
 void add_light_field_flags(const Command& command, LightFieldFlags& flags) {
-  const Command group = command.add_group("Light fields that no report.json describes");
-  group.add_option("--from", flags.from, "The format of IN, as `lippmann convert --help` lists them; default: by its name")
+  const Command group = command.add_group("Light fields without a report.json");
+  group.add_option("--from", flags.from, "Format of IN, from the list in `lippmann convert --help`; default: from its name")
       .type_name("FORMAT");
   group.add_option("--views", flags.views, "Number of views across and up").type_name("CxR");
   group.add_option("--quilt", flags.quilt, "Number of tiles of a quilt").type_name("CxR");
   group
-      .add_option(
-          "--view-angle", flags.view_angle_deg,
-          "Angle over which the views spread; default: that of --display, 40 for a row of views, 10 for a grid of cameras")
+      .add_option("--view-angle", flags.view_angle_deg,
+                  "Angle over which the views spread; default: the angle of --display, else 40 for a row of views, 10 for a "
+                  "grid of cameras")
       .type_name("DEG")
       .range(0.001, 179.0);
   group.add_flag("--cone-ends", flags.cone_ends,
-                 "The outermost views of a row are seen from the ends of that angle; default: from half a step inside");
+                 "The outermost views of a row lie at the ends of that angle; default: half a step inside");
 }
 
 }  // namespace lippmann::app

@@ -1,4 +1,4 @@
-// Flags that say what a light field is where no report.json describes it.
+// Flags that describe a light field without a report.json.
 #pragma once
 
 #include <optional>
@@ -23,10 +23,10 @@ struct LightFieldFlags {
   LightFieldHints read() const;
 };
 
-/// All but --report, --display and the sheet flags, in a group of their own.
+/// Declares all but --report, --display and the sheet flags, in a group.
 void add_light_field_flags(const Command& command, LightFieldFlags& flags);
 
-/// --report, --display and the sheet flags. `more` ends the help of --display.
+/// Declares --report, --display and the sheet flags. more: end of the help of --display.
 void add_report_flags(const Command& command, LightFieldFlags& flags, const std::string& more);
 
 }  // namespace lippmann::app

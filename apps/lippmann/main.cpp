@@ -1,5 +1,5 @@
-// Parses the command line, runs the one command that it names, and turns every failure into one message and an exit code:
-// 0 done, 1 the work failed (bad input, I/O), 2 wrong usage, 128 + n stopped by signal n.
+// Parses the command line, runs the command that it names, and turns every failure into one message and an exit code: 0 done, 1
+// the work failed (bad input, I/O), 2 wrong usage, 128 + n stopped by signal n.
 #include <fmt/core.h>
 
 #include <cstdint>
@@ -28,13 +28,13 @@ namespace {
 
 constexpr int kFailed = 1, kRemoved = 2;  ///< exit codes
 
-/// How the tool was called: its path where there is one, so that what is suggested runs as it is printed.
-std::string called_as(int argc, char** argv) {
+/// Returns the path that the tool was called by, if there is one, so that the commands it prints can be run.
+std::string program_name(int argc, char** argv) {
   const std::string_view word = argc > 0 ? argv[0] : "";
   return word.find('/') == std::string_view::npos ? "lippmann" : shell_word(word);
 }
 
-/// Threads take their stacks from this limit too, and one that is too small ends the process without a word.
+/// The stack limit also applies to threads; a thread whose stack is too small ends the process without a message.
 void check_stack_limit() {
   constexpr std::uint64_t kLeastBytes = std::uint64_t{512} << 10;  // renders crash below 256 KB
   if (const std::optional<std::uint64_t> bytes = platform::stack_limit_bytes(); bytes && *bytes < kLeastBytes)
@@ -42,7 +42,7 @@ void check_stack_limit() {
                 fmt::format("at least {} KB", kLeastBytes >> 10));
 }
 
-/// The code, or that of a failure where standard output did not take all that was printed: a pipe that nobody reads any more.
+/// Returns the code, or failure if standard output did not accept all that was printed, as when the reader of a pipe has gone.
 int code_after_flush(int code) {
   const bool is_written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (is_written || code != 0) return code;
@@ -50,20 +50,20 @@ int code_after_flush(int code) {
   return kFailed;
 }
 
-/// Prints each warning once: a file that is read twice has one.
-class SaidWarnings {
+/// Prints each warning once, although a file may be read twice.
+class WarningPrinter {
  public:
   void print(const std::string& text) {
     const std::lock_guard lock(mutex_);
-    if (said_.insert(text).second) print_error("warning: {}\n", printable_line(text));
+    if (printed_.insert(text).second) print_error("warning: {}\n", printable_line(text));
   }
 
  private:
   std::mutex mutex_;
-  std::set<std::string> said_;
+  std::set<std::string> printed_;
 };
 
-/// Its exit code; Errors are told in the words of the command line.
+/// Returns the exit code. Prints Errors with flags in place of parameter names.
 int run_command(const CommandLine& command_line, const Action& chosen, Context& context) {
   try {
     return chosen(context);
@@ -73,7 +73,7 @@ int run_command(const CommandLine& command_line, const Action& chosen, Context& 
   }
 }
 
-/// Whether the command line is "bench ..." or "help bench".
+/// Returns whether the command line is "bench ..." or "help bench".
 bool names_bench(int argc, char** argv) {
   const int command = argc > 1 && std::string_view(argv[1]) == "help" ? 2 : 1;
   return command < argc && std::string_view(argv[command]) == "bench";
@@ -91,11 +91,11 @@ int run(int argc, char** argv) {
                            fmt::format("lippmann {}\n{}", version(), build_facts()));
   const Command root = command_line.root();
   Action chosen;
-  add_render_command(root, chosen, called_as(argc, argv));
+  add_render_command(root, chosen, program_name(argc, argv));
   add_plan_command(root, chosen);
   add_dataset_command(root, chosen);
-  add_submit_command(root, chosen, called_as(argc, argv));
-  add_finish_command(root, chosen, called_as(argc, argv));
+  add_submit_command(root, chosen, program_name(argc, argv));
+  add_finish_command(root, chosen, program_name(argc, argv));
   add_check_command(root, chosen);
   add_compare_command(root, chosen);
   add_convert_command(root, chosen);
@@ -113,7 +113,7 @@ int run(int argc, char** argv) {
   add_manual_command(root, chosen, command_line);
   if (const std::optional<int> done = command_line.parse(argc, argv)) return *done;
   Context context;
-  context.warn = [said = std::make_shared<SaidWarnings>()](std::string_view text) { said->print(with_flags(text)); };
+  context.warn = [said = std::make_shared<WarningPrinter>()](std::string_view text) { said->print(with_flags(text)); };
   const InterruptGuard interrupt(context.cancelled);
   const int code = run_command(command_line, chosen, context);
   const int interrupted = InterruptGuard::exit_code();

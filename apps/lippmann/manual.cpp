@@ -1,4 +1,4 @@
-// The manual page in man(7)'s macros, made of what the commands declare.
+// Writes the manual page in the macros of man(7), from the declarations of the commands.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -9,7 +9,7 @@
 namespace lippmann::app {
 namespace {
 
-/// Text that roff prints as it is: dashes that can be copied, and no line that begins like one of its requests.
+/// Escapes text for roff: dashes stay copyable, and no line begins like a request.
 std::string plain(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
@@ -25,7 +25,7 @@ std::string plain(const std::string& text) {
   return escaped;
 }
 
-/// Flags that CLI11 declares itself are in every command, and are explained once.
+/// CLI11 adds help and version to every command; the page explains them once.
 bool is_own(const CLI::Option& option) {
   return !option.check_lname("help") && !option.check_lname("help-all") && !option.check_lname("version");
 }
@@ -38,7 +38,7 @@ std::string entry(const CLI::Option& option) {
   return fmt::format(".TP\n\\fB{}\\fR{}\n{}\n", plain(names), type, plain(option.get_description()));
 }
 
-/// A command's flags and arguments, groups of flags below their headings.
+/// Returns the entries of a command's flags and arguments, with groups of flags below their headings.
 std::string entries(const CLI::App& command) {
   std::string text;
   std::string heading = "Options";
@@ -67,8 +67,8 @@ std::string CommandLine::manual() const {
       ".SH SYNOPSIS\n.B lippmann\n.I COMMAND\n[\\fIargument\\fR | \\fIflag\\fR]...\n"
       ".PP\n.B lippmann help\n[\\fICOMMAND\\fR]\n"
       ".SH DESCRIPTION\n"
-      "An integral image is what lies behind an array of lenses: each lens shows, at every angle, another pixel, so that it is "
-      "seen in depth without glasses. Every flag of \\fBlippmann render\\fR is a key of the same name in a job file.\n"
+      "An integral image lies behind an array of lenses. Each lens shows a different pixel at every angle, so the image has "
+      "depth without glasses. Every flag of \\fBlippmann render\\fR is a key of the same name in a job file.\n"
       ".SH OPTIONS\n",
       plain(version()), plain(app_->get_description()));
   for (const CLI::Option* option : app_->get_options()) text += entry(*option);

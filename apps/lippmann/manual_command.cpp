@@ -1,4 +1,4 @@
-// `lippmann manual`: the manual page, as man(1) reads it. The build writes it into a file; --help does not list it.
+// `lippmann manual`: prints the manual page in the format of man(1). The build writes it to a file; --help does not list it.
 #include <fmt/core.h>
 
 #include "apps/lippmann/command_line.hpp"

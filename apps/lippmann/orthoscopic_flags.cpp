@@ -14,17 +14,16 @@
 namespace lippmann::app {
 
 void add_orthoscopic_flags(const Command& command, OrthoscopicFlags& flags) {
-  const Command group = command.add_group("Depth turned round", "Of pictures beside their report.json; OUT is a folder");
+  const Command group = command.add_group("Inverted depth", "For pictures beside their report.json; OUT is a folder");
   group.add_flag("--rotate-elemental", flags.rotate_elemental,
-                 "Rotate every elemental image by 180 degrees: depth z becomes -z");
+                 "Rotate every elemental image by 180 degrees, which turns depth z into -z");
   group
-      .add_option(
-          "--spoc", flags.spoc_mm,
-          "Smart conversion to orthoscopic: what stood this far before the recording array comes into the display's plane")
+      .add_option("--spoc", flags.spoc_mm,
+                  "Smart pseudoscopic-to-orthoscopic conversion: distance in front of the recording array that becomes depth 0")
       .type_name("MM");
   group
       .add_option("--reference-plane", flags.reference_mm,
-                  "With --spoc: the depth that stays sharpest; default: the same distance")
+                  "With --spoc: the distance that stays sharpest; default: the same distance")
       .type_name("MM");
   group.add_option("--lens-pitch", flags.lens_pitch_mm, "With --spoc: lens pitch of the display; default: as recorded")
       .type_name("MM");

@@ -1,4 +1,4 @@
-// The flags of `lippmann convert` that turn depth round, and what they run.
+// The flags of `lippmann convert` that invert depth, and the conversion that they run.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ struct OrthoscopicFlags {
 
 void add_orthoscopic_flags(const Command& command, OrthoscopicFlags& flags);
 
-/// Where flags are given: converts, and prints what was written.
+/// Runs the conversion that the flags ask for, and prints the written files. At least one flag must be given.
 int run_orthoscopic(const OrthoscopicFlags& flags, const std::string& in, const std::string& out, const ResultFlags& result,
                     const Context& context);
 

@@ -27,12 +27,13 @@ int serve(HttpServer& server, PageAnswers& answers, const std::string& token, co
 }  // namespace
 
 void add_page_server_flags(const Command& command, PageServerFlags& flags) {
-  command.add_option("--port", flags.port, "Port of the server; 0: any that is free; default: 8488, or any where it is taken")
+  command
+      .add_option("--port", flags.port, "Port of the server; 0: any free port; default: 8488, or any free port if it is taken")
       .type_name("N")
       .range(0, 65535);
   command
       .add_option("--host", flags.host,
-                  "Address to listen at; beyond this machine, the address that is printed has a secret token")
+                  "Address to listen at; if other machines can reach it, the printed address contains a secret token")
       .type_name("ADDRESS")
       .show_default();
   command.add_flag("--open", flags.open, "Open the page in the browser");

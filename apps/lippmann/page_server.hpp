@@ -1,4 +1,4 @@
-// Commands that show a page in the browser: the flags of their server, and what runs it.
+// The flags and the server of commands that show a page in the browser.
 #pragma once
 
 #include <memory>
@@ -22,14 +22,14 @@ struct PageServerFlags {
 
 void add_page_server_flags(const Command& command, PageServerFlags& flags);
 
-/// Prints the page's address, and answers until it is interrupted. `display`: what the first light field is played on. A live
-/// scene has a token in its address on this machine, too: nobody else who works on it can change anything.
+/// Prints the page's address and serves it until interrupted. display: the display that the first light field is played on. The
+/// address of a live scene contains a token even on this machine, so that its other users cannot change the scene.
 int serve_page(std::unique_ptr<LivePage> live, const PageServerFlags& flags, const Context& context);
 int serve_page(std::vector<std::unique_ptr<PageField>> fields, std::optional<PageDisplay> display, const PageServerFlags& flags,
                const Context& context);
-/// A page on which pictures are dropped: its address has a token, too.
+/// Serves a page on which pictures are dropped. Its address contains a token, too.
 int serve_page(std::shared_ptr<DroppedPictures> dropped, const PageServerFlags& flags, const Context& context);
-/// A render that may be stopped and resumed from the page: its address has a token, too.
+/// Serves a page that can stop and resume a render. Its address contains a token, too.
 int serve_page(std::unique_ptr<PageField> field, std::shared_ptr<RunningRender> render, const PageServerFlags& flags,
                const Context& context);
 

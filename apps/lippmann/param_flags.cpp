@@ -39,7 +39,7 @@ void add_param(const Command& command, const ParamInfo& info, std::vector<std::s
   option.one_word_each();
 }
 
-/// The names of the parameters that flags set.
+/// Returns the names of the parameters that flags set.
 std::vector<std::string_view> given(const ParamFlags& flags) {
   std::vector<std::string_view> names;
   for (const auto& [name, texts] : flags.values)
@@ -47,7 +47,7 @@ std::vector<std::string_view> given(const ParamFlags& flags) {
   return names;
 }
 
-/// The sheet of the flags as a display in one line. Its pitch depends on the angle and the distance.
+/// Writes the sheet of the flags as a display in one line. Its pitch depends on the angle and the distance.
 void set_sheet(const ParamFlags& flags, RenderParams& params) {
   const auto text_of = [&](std::string_view name) {
     const auto found = flags.values.find(name);
@@ -60,7 +60,8 @@ void set_sheet(const ParamFlags& flags, RenderParams& params) {
 RenderParams asked(const ParamFlags& flags) {
   RenderParams params;
   const bool scene_is_job = std::filesystem::path(flags.scene).extension() == ".toml";
-  if (scene_is_job && !flags.job.empty()) throw usage_error("--job", "cannot be combined with a job as SCENE", "one job file");
+  if (scene_is_job && !flags.job.empty())
+    throw usage_error("--job", "cannot be combined with a job as SCENE", "one of the two");
   if (scene_is_job || !flags.job.empty()) read_job(scene_is_job ? flags.scene : flags.job, params);
   if (!flags.scene.empty() && !scene_is_job) params.scene.name = flags.scene;
   for (const std::string_view name : given(flags)) {
@@ -106,7 +107,7 @@ void add_param_flags(const Command& command, ParamFlags& flags, std::initializer
     if ((listed || wanted.size() == 0) && info.name != "scene") add_param(command, info, flags.values[info.name]);
   }
   add_sheet_flags(command, flags.sheet);
-  command.add_option("--job", flags.job, "A job file (.toml); flags override what it says").type_name("FILE").group("Scene");
+  command.add_option("--job", flags.job, "A job file (.toml); flags override its values").type_name("FILE").group("Scene");
 }
 
 }  // namespace lippmann::app

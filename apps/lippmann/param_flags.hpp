@@ -1,4 +1,4 @@
-// Flags of a command that are parameters of a render: declared from the table, read over a job file.
+// Flags of a command that set parameters of a render. They are declared from the table and override the job file.
 #pragma once
 
 #include <initializer_list>
@@ -14,24 +14,24 @@ namespace lippmann::app {
 
 class Command;  // command_line.hpp
 
-/// Filled while the command line is parsed; lives as long as the command.
+/// The values are written while the command line is parsed. Must live as long as the command.
 struct ParamFlags {
   std::string scene;  ///< positional: a built-in name, a file, or a job
   std::string job;
-  SheetFlags sheet;                                             ///< in place of `display`
-  std::map<std::string_view, std::vector<std::string>> values;  ///< by parameter, as given
+  SheetFlags sheet;                                             ///< replaces `display`
+  std::map<std::string_view, std::vector<std::string>> values;  ///< values as given, by parameter
 
-  /// The job file, if there is one, and what the flags say over it. Throws Error, also for a flag that has no effect.
+  /// Returns the job file's parameters, if there is one, overridden by the flags. Throws Error, also for a flag without effect.
   RenderParams read() const;
-  /// The same, with all defaults filled in.
+  /// Returns the same with all defaults filled in.
   ResolvedJob resolve() const;
 };
 
-/// Declares all parameters but the scene and those that are named: commands whose first argument may be something else than a
-/// scene have flags of their own for these.
+/// Declares all parameters but the scene and `unwanted`: a command whose first argument may be something other than a scene
+/// declares these itself.
 void add_param_flags_beside(const Command& command, ParamFlags& flags, std::initializer_list<std::string_view> unwanted);
 
-/// Declares SCENE, --job, and the parameters that are listed by name or by group (all if none is).
+/// Declares SCENE, --job, and the parameters whose names or groups are in `wanted` (empty: all).
 void add_param_flags(const Command& command, ParamFlags& flags, std::initializer_list<std::string_view> wanted = {});
 
 }  // namespace lippmann::app

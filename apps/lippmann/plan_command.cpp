@@ -1,4 +1,4 @@
-// `lippmann plan SCENE --units N`: how a job falls into parts, and about what each of them takes.
+// `lippmann plan SCENE --units N`: cuts a job into units and estimates their cost.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -31,12 +31,13 @@ std::string seconds_text(double seconds) {
 }
 
 std::string most_units_text(const UnitPlan& plan) {
-  if (plan.units.size() > 1) return fmt::format("The job falls into {} units at most.", plan.units.size());
-  if (plan.units.front().frames.size() == 1) return "One frame is one unit, unless it is rendered in strips (--strips).";
-  return "All frames are made together: the job is one unit.";
+  if (plan.units.size() > 1) return fmt::format("The job can be cut into at most {} units.", plan.units.size());
+  if (plan.units.front().frames.size() == 1)
+    return "A job of one frame is one unit unless it is rendered in strips (--strips).";
+  return "All frames must be rendered together, so the job is one unit.";
 }
 
-/// "frames 0-3", "strips 0-1 of frame 0, 0-7 of frame 1".
+/// Returns "frames 0-3" or "strips 0-1 of frame 0, 0-7 of frame 1".
 std::string parts_text(const PlannedUnit& unit) {
   if (unit.strips.empty()) return "frames " + write_frames(ranges_of(unit.frames));
   std::string text;
@@ -52,7 +53,8 @@ void print_text(const PlanOptions& options, const UnitPlan& plan) {
     fmt::print("{:>9}  {}{}\n", write_units({{i + 1}, count}), parts_text(unit),
                unit.cpu_seconds ? fmt::format(", about {} of CPU time", seconds_text(*unit.cpu_seconds)) : "");
   }
-  if (plan.segment > 1) fmt::print("Units begin at multiples of {} frames, which are made together.\n", plan.segment);
+  if (plan.segment > 1)
+    fmt::print("Units begin at multiples of {} frames, because that many frames are rendered together.\n", plan.segment);
   if (count < options.units) fmt::print("{}\n", most_units_text(plan));
   if (!plan.costs) return;
   double all = 0.0;
@@ -60,7 +62,8 @@ void print_text(const PlanOptions& options, const UnitPlan& plan) {
   fmt::print("About {} of CPU time in all and {} of memory each, measured on this machine with {}frames {}.\n",
              seconds_text(all), bytes_text(static_cast<double>(plan.costs->peak_memory_bytes)),
              plan.units.front().strips.empty() ? "" : "strips of ", write_frames(ranges_of(plan.costs->frames)));
-  if (plan.join_bytes) fmt::print("To finish, which joins strips, takes about {} of memory.\n", bytes_text(*plan.join_bytes));
+  if (plan.join_bytes)
+    fmt::print("'lippmann finish', which joins the strips, takes about {} of memory.\n", bytes_text(*plan.join_bytes));
 }
 
 nlohmann::ordered_json plan_json(const UnitPlan& plan) {
@@ -105,7 +108,7 @@ void add_plan_command(const Command& root, Action& chosen) {
   command.add_flag("--json", options->json, "Print the plan as JSON").group("Plan");
   command.short_help({"--units", "--only-list", "--json", "--frames", "--spp", "--size"},
                      "Examples:\n"
-                     "  lippmann plan film.toml --units 8                   which frames, about what CPU time and memory\n"
+                     "  lippmann plan film.toml --units 8                   frames, CPU time and memory of 8 units\n"
                      "  lippmann render film.toml -o film --unit 1/8        the first of them, into the common folder\n"
                      "  lippmann finish film                                when all have been rendered\n");
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });

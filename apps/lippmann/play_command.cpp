@@ -1,5 +1,5 @@
-// `lippmann play IN --display CAL`: a light field on a calibrated panel, interlaced by the page in the browser; or a scene,
-// which is set up while the panel shows it.
+// `lippmann play IN --display CAL`: plays a light field on a calibrated panel, interlaced by the page in the browser, or sets
+// up a scene on it.
 #include <fmt/core.h>
 
 #include <memory>
@@ -30,7 +30,7 @@ struct PlayOptions {
   int threads = 0;
 };
 
-/// The panel, which has to have a frame that is made of views.
+/// Returns the panel. Throws Error unless its frame is made of views.
 PageDisplay panel_to_play_on(const std::string& display, const ViewFilterFlags& filter) {
   if (display.empty())
     throw usage_error("--display", "is required",
@@ -40,7 +40,7 @@ PageDisplay panel_to_play_on(const std::string& display, const ViewFilterFlags& 
   return panel;
 }
 
-/// The panel is the display that the scene is rendered for: of the flag, or of the job.
+/// Sets up a scene on the panel, which is the display of the flag or of the job.
 int play_scene(const PlayOptions& options, const Context& context) {
   SceneToSetUpFlags flags = options.scene;
   if (!options.display.empty()) flags.params.values["display"] = {options.display};
@@ -84,8 +84,8 @@ void add_play_command(const Command& root, Action& chosen) {
   command
       .add_option(
           "--display", options->display,
-          "The panel: its calibration .json (visual.json), a name (see: lippmann displays), or a .toml of your own; a job "
-          "may name it, too")
+          "The panel: its calibration .json (visual.json), a name (see: lippmann displays), or a .toml of your own; default: "
+          "the display of the job")
       .type_name("NAME|FILE");
   add_view_filter_flags(command, options->filter, "");
   add_page_server_flags(command, options->server);

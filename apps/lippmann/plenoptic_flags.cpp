@@ -16,12 +16,12 @@ constexpr double kLeastPitchPx = 2.0, kMostPitchPx = 4096.0;
 
 Vec2d read_offset(const std::string& text) {
   const std::size_t comma = text.find(',');
-  if (comma == std::string::npos) throw usage_error("--lens-offset", "'" + text + "' is not a place", "X,Y in pixels");
+  if (comma == std::string::npos) throw usage_error("--lens-offset", "'" + text + "' is not a point", "X,Y in pixels");
   return {read_number(text.substr(0, comma), -1e6, 1e6, "--lens-offset"),
           read_number(text.substr(comma + 1), -1e6, 1e6, "--lens-offset")};
 }
 
-/// The grid of the numbers; its first lens lies in the corner at the top left unless an offset is given.
+/// Returns the grid that the flags state. Without an offset, its first lens lies in the top left corner.
 LensGrid read_grid_flags(const PlenopticFlags& flags) {
   const LensArrangement arrangement = read_arrangement(flags.arrangement).value_or(LensArrangement::kSquare);
   const double turn = flags.rotation_deg.value_or(0.0) * std::numbers::pi / 180.0, half = 0.5 * *flags.pitch_px;
@@ -33,7 +33,7 @@ LensGrid read_grid_flags(const PlenopticFlags& flags) {
 
 void require_pitch(const PlenopticFlags& flags) {
   const auto require = [](bool given, const char* flag) {
-    if (given) throw usage_error(flag, "has no effect without --lens-pitch-px", "--lens-pitch-px with it, or --white alone");
+    if (given) throw usage_error(flag, "has no effect without --lens-pitch-px", "--lens-pitch-px, or --white alone");
   };
   require(flags.row_pitch_px.has_value(), "--lens-row-pitch-px");
   require(flags.rotation_deg.has_value(), "--lens-rotation");
@@ -45,33 +45,35 @@ void require_pitch(const PlenopticFlags& flags) {
 
 void add_plenoptic_flags(const Command& command, PlenopticFlags& flags) {
   const Command group = command.add_group(
-      "Raw plenoptic pictures", "With --from plenoptic; the lens grid is given by --lens-pitch-px, or found in --white");
+      "Raw plenoptic pictures", "With --from plenoptic; state the lens grid by --lens-pitch-px, or let it be found in --white");
   group
-      .add_option("--white", flags.white,
-                  "A picture of flat white light by the same camera: the vignetting of each lens is divided out, and the lens "
-                  "grid is found in it")
+      .add_option(
+          "--white", flags.white,
+          "A picture of uniform white light by the same camera; divides out the vignetting of each lens and gives the lens "
+          "grid unless --lens-pitch-px does")
       .type_name("FILE");
-  group.add_option("--lens-pitch-px", flags.pitch_px, "From lens to lens in a row, in pixels, such as 10.135")
+  group.add_option("--lens-pitch-px", flags.pitch_px, "Distance between lenses in a row, in pixels, such as 10.135")
       .type_name("PX")
       .range(kLeastPitchPx, kMostPitchPx);
   group
       .add_option("--lens-row-pitch-px", flags.row_pitch_px,
-                  "From row to row; default: as the pitch, of hexagonal lenses 0.866 times the pitch")
+                  "Distance between rows, in pixels; default: the pitch, or 0.866 times the pitch for hexagonal lenses")
       .type_name("PX")
       .range(kLeastPitchPx, kMostPitchPx);
-  group.add_option("--lens-rotation", flags.rotation_deg, "Clockwise turn of the rows; default 0")
+  group.add_option("--lens-rotation", flags.rotation_deg, "Clockwise rotation of the rows; default: 0")
       .type_name("DEG")
       .range(-180.0, 180.0);
   group
       .add_option("--lens-offset", flags.offset,
                   "The centre of any lens, from the top left of the picture; default: half a pitch from both edges")
       .type_name("X,Y");
-  group.add_option("--lens-arrangement", flags.arrangement, "Default: square. hexagonal: rows are shifted by half a pitch")
+  group
+      .add_option("--lens-arrangement", flags.arrangement,
+                  "square (default) or hexagonal (every second row is shifted by half a pitch)")
       .one_of({"square", "hexagonal", "hexagonal-columns"});
-  group.add_option("--sampling", flags.sampling, "How samples between pixels are interpolated; default: linear")
-      .one_of({"linear", "lanczos"});
+  group.add_option("--sampling", flags.sampling, "Interpolation between pixels; default: linear").one_of({"linear", "lanczos"});
   group.add_flag("--inverted", flags.inverted,
-                 "The pixels below each lens are turned round, as behind a lens array without a main lens (integral)");
+                 "Rotate the pixels below each lens by 180 degrees, for lens arrays without a main lens (integral)");
 }
 
 ReadPlenopticFlags read_plenoptic_flags(const PlenopticFlags& flags) {

@@ -18,13 +18,13 @@ struct PlenopticFlags {
 };
 
 struct ReadPlenopticFlags {
-  std::optional<PlenopticCalibration> calibration = {};  ///< none: no flag is given
-  std::optional<LensGridFit> fit = {};                   ///< of the white picture, where no number states the grid
+  std::optional<PlenopticCalibration> calibration = {};  ///< no value if no flag is given
+  std::optional<LensGridFit> fit = {};                   ///< grid found in the white picture, if no flag states it
 };
 
 void add_plenoptic_flags(const Command& command, PlenopticFlags& flags);
 
-/// Reads the white picture, and estimates the grid unless it is given. Throws Error naming the flag or the file.
+/// Reads the white picture and estimates the grid unless flags state it. Throws Error naming the flag or the file.
 ReadPlenopticFlags read_plenoptic_flags(const PlenopticFlags& flags);
 
 }  // namespace lippmann::app

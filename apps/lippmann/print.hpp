@@ -1,5 +1,5 @@
-// Prints text without an exception where nobody reads it any more: the work goes on, and main() says at the end what standard
-// output could not take.
+// Prints text without throwing if the reader has gone, so that work continues; main() reports at the end that standard output
+// did not accept everything.
 #pragma once
 
 #include <fmt/core.h>
@@ -11,16 +11,16 @@
 namespace lippmann::app {
 
 inline void print_text(std::FILE* stream, const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), stream);  // a failure stays in ferror()
+  std::fwrite(text.data(), 1, text.size(), stream);  // ferror() keeps a failure
 }
 
-/// On standard output.
+/// Prints to standard output.
 template <class... Values>
 void print_out(fmt::format_string<Values...> format, Values&&... values) {
   print_text(stdout, fmt::format(format, std::forward<Values>(values)...));
 }
 
-/// On standard error, where a failure is of no account.
+/// Prints to standard error and ignores failures.
 template <class... Values>
 void print_error(fmt::format_string<Values...> format, Values&&... values) {
   print_text(stderr, fmt::format(format, std::forward<Values>(values)...));

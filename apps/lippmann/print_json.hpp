@@ -1,11 +1,11 @@
-// Prints what --json asks for on stdout.
+// Prints the JSON of --json to stdout.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace lippmann::app {
 
-/// Indented by two spaces, and a line's end.
+/// Prints with an indent of two spaces and a final newline.
 void print_json(const nlohmann::ordered_json& json);
 
 }  // namespace lippmann::app

@@ -1,5 +1,4 @@
-// Shows on stderr how far long work is: a bar with the time left on a terminal, elsewhere a line now and then, or what is asked
-// for.
+// Shows the progress of long work on stderr: on a terminal a bar with the time left, elsewhere a line from time to time.
 #pragma once
 
 #include <chrono>
@@ -12,67 +11,66 @@
 namespace lippmann::app {
 
 enum class ProgressStyle {
-  kBar,       ///< one line that is drawn again and again
-  kLines,     ///< a line after the first, the last and, ever less often, some in between, and within what takes long
-  kEveryLine  ///< a line each, and within what takes long
+  kBar,       ///< redraws one line
+  kLines,     ///< prints a line after the first and the last step, and ever more rarely after or within the steps between
+  kEveryLine  ///< prints a line after every step, and within long ones
 };
 
-/// Which of the things that are done get a line, so that a log of hours stays short: the first, the last, and one whenever 30 s
-/// and a tenth of the time so far have passed since the line before.
+/// Chooses the steps that print a line, so that logs of long work stay short: the first, the last, and one whenever 30 s and a
+/// tenth of the elapsed time have passed since the last line.
 class LineSchedule {
  public:
-  /// done: that one included. Notes that a line is printed where it is due.
+  /// Returns whether the line for step `done`, counted from 1, is due, and then counts it as printed.
   bool is_due(int done, int total, double elapsed_s);
-  /// The same of what is under way: nobody should wait an hour for the first line.
+  /// Returns the same for a step in progress, so that no one waits an hour for the first line.
   bool is_due_within(double elapsed_s);
 
  private:
   double last_s_ = 0.0;
 };
 
-/// How long all of it takes from here, if the rest goes as what is done has. done > 0.
+/// Returns the remaining time, assuming a constant rate. Requires done > 0.
 inline double seconds_left(double elapsed_s, double done, double total) { return elapsed_s / done * total - elapsed_s; }
 
 class Progress {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// now: tests have a clock of their own.
+  /// now: the clock, which tests replace.
   Progress(int total, ProgressStyle style, std::function<Clock::time_point()> now = Clock::now);
-  /// Leaves the line that the bar stands in.
+  /// Ends the line of the bar.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// One more is done; `line` says what, where there is no bar.
+  /// Counts one step as done. Without a bar, prints `line`.
   void step(const std::string& line);
 
-  /// Printed once, after the first step, if more than an hour is left then: how to ask for less work.
+  /// Sets advice on how to reduce the work, printed after the first step if more than an hour is left.
   void set_advice(const std::string& advice);
 
-  /// What else is known of the whole from now on, such as its size; stands behind the time left.
+  /// Sets a note that follows the time left, such as the total size.
   void set_note(const std::string& note);
 
-  /// The one under way is done up to `share`, 0 to 1: moves the bar. Any thread.
+  /// Reports that the step in progress is done up to `share`, 0 to 1. Thread-safe.
   void within(double share);
 
-  /// Time has gone by: a line about the one under way, where it takes long. Not all that takes long knows its share.
+  /// Redraws the bar, or prints a line if the step in progress takes long; for steps that do not report their share.
   void tick();
 
-  /// Whether stderr is a terminal.
   static bool stderr_is_terminal();
 
  private:
   double elapsed_s() const { return std::chrono::duration<double>(now_() - start_).count(); }
   double share_done() const;
-  /// "3:00 left", or "0:30 so far" where nothing is known yet.
+  /// Returns "3:00 left", or "0:30 so far" while the share is unknown.
   std::string left_text(double elapsed_s) const;
-  /// ", files: about 12 MB".
+  /// Returns ", files: about 12 MB" or nothing.
   std::string note() const { return note_.empty() ? note_ : ", " + note_; }
   void draw();
   void advise();
 
-  std::mutex mutex_;  ///< what follows
+  std::mutex mutex_;  ///< guards all below
   int total_, done_ = 0;
   double within_ = 0.0;
   std::string note_, advice_;
@@ -82,10 +80,10 @@ class Progress {
   Clock::time_point start_, drawn_;
 };
 
-/// "0:07", "12:34", "3:00:05".
+/// Formats a duration: "0:07", "12:34", "3:00:05".
 std::string clock_text(double seconds);
 
-/// Calls `beat` every second, in a thread of its own, until it is destroyed.
+/// Calls `beat` every second on a separate thread until destroyed.
 class Heartbeat {
  public:
   explicit Heartbeat(std::function<void()> beat);
@@ -93,7 +91,7 @@ class Heartbeat {
  private:
   std::mutex mutex_;
   std::condition_variable_any stopped_;
-  std::jthread thread_;  ///< last: stops before what it uses goes
+  std::jthread thread_;  ///< declared last: stops before the members that it uses are destroyed
 };
 
 }  // namespace lippmann::app

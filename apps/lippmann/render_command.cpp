@@ -1,4 +1,5 @@
-// `lippmann render SCENE`: flags and job file into a ResolvedJob, then render_animation; progress, and what was made.
+// `lippmann render SCENE`: reads flags and job file into a ResolvedJob, calls render_animation, and prints progress and a
+// summary.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -43,16 +44,16 @@ struct RenderOptions {
   bool force = false;
   bool json = false, quiet = false, verbose = false, dry_run = false;
 
-  /// Whether other runs render the rest of the job.
+  /// Returns whether other runs render the rest of the job.
   bool is_part() const { return !unit.empty() || !only_frames.empty(); }
 };
 
-/// The flag that says so.
+/// Returns the flag that selects the part.
 std::string part_flag(const RenderOptions& options) {
   return options.unit.empty() ? " --only-frames " + options.only_frames : " --unit " + options.unit;
 }
 
-/// What `planned` says that the summary needs, once the plan is gone.
+/// The parts of the plan that the summary needs after the plan is gone.
 struct Planned {
   fs::path folder;
   FrameNames names;
@@ -61,18 +62,18 @@ struct Planned {
   int kept = 0;
 };
 
-/// "512x512 pixels", "48 views of 420x560 pixels".
+/// Returns "512x512 pixels" or "48 views of 420x560 pixels".
 std::string describe_pictures(const Planned& plan) {
   return fmt::format("{}{}x{} pixels", plan.pictures_per_frame > 1 ? fmt::format("{} views of ", plan.pictures_per_frame) : "",
                      plan.picture_size.x, plan.picture_size.y);
 }
 
-/// Whether `replay` shows what an eye sees of the pictures that it is not looking at already.
+/// Returns whether `replay` can show the pictures as an eye sees them: single views are such pictures already.
 bool can_be_replayed(const RenderReport& report) {
   return !is_single_view(report.optics) && !report.params.output.pictures.mirror;
 }
 
-/// How the pictures were made, and what makes better ones.
+/// Returns how the pictures were made and a flag that reduces the noise.
 std::string describe_paths(const Sampling& sampling) {
   const int samples = samples_per_pixel(sampling);
   const bool denoised = is_denoised(sampling);
@@ -87,7 +88,7 @@ std::string describe_depth(const ShownDepth& shown, const Optics& optics, float 
 
 void print_line(std::string_view name, const std::string& value) { print_out("  {:<9} {}\n", name, printable_line(value)); }
 
-/// What was chosen where the command line says nothing: a render that is only planned should be judged by it, too.
+/// Prints the defaults that were chosen, for renders and dry runs.
 void print_choices(const Sampling& sampling, const Optics& optics, const std::string& light, const std::string& view) {
   if (const std::string spacing = view_spacing(optics); !spacing.empty()) print_line("eyes", spacing);
   if (facts_of(sampling).is_stochastic) print_line("shading", describe_paths(sampling));
@@ -95,17 +96,17 @@ void print_choices(const Sampling& sampling, const Optics& optics, const std::st
   if (!view.empty()) print_line("view", view);
 }
 
-/// "frame_0000.png ... frame_0479.png", or the one.
+/// Returns "frame_0000.png ... frame_0479.png", or the one name.
 std::string first_and_last(const std::string& first, const std::string& last) {
   return first == last ? first : first + " ... " + last;
 }
 
-/// "12 frames", "3 strips".
+/// Returns "12 frames" or "3 strips".
 std::string count_of(std::size_t number, const char* thing) {
   return fmt::format("{} {}{}", number, thing, number == 1 ? "" : "s");
 }
 
-/// What was made, where it is, and how to look at it: every command stands alone in its line and runs as it is printed.
+/// Prints the results, where they are, and how to look at them. Each command stands on its own line and can be run as it is.
 void print_summary(const RenderReport& report, const Planned& plan, const RenderOptions& options) {
   const std::string& program = options.program;
   const auto& [folder, names, picture_size, pictures_per_frame, kept] = plan;
@@ -151,13 +152,13 @@ void print_summary(const RenderReport& report, const Planned& plan, const Render
     print_line("then", fmt::format("{} finish {}   (when all frames are there)", program, shell_word(folder.string())));
 }
 
-/// "3 frames (0 to 8)".
+/// Returns "3 frames (0 to 8)".
 std::string describe_frames(const std::vector<int>& frames) {
   if (frames.size() == 1) return fmt::format("1 frame ({})", frames.front());
   return fmt::format("{} frames ({} to {})", frames.size(), frames.front(), frames.back());
 }
 
-/// ", of which layers 1.2 GB, videos 30 MB".
+/// Returns ", of which layers 1.2 GB, videos 30 MB", or nothing.
 std::string describe_parts(const FileSizes& sizes) {
   std::string parts;
   if (sizes.layers > 0.0) parts += ", layers " + bytes_text(sizes.layers);
@@ -210,7 +211,7 @@ RunParams run_params(const RenderOptions& options, Ranks* ranks) {
   return run;
 }
 
-/// Says what a render would make, and makes nothing.
+/// Prints what a render would make, and renders nothing.
 void plan_only(const ResolvedJob& job, const RenderOptions& options, const Context& context) {
   const RenderSetup setup(job, run_params(options, nullptr), context);
   print_plan(setup.plan(0), job.params(), options.json);
@@ -224,7 +225,7 @@ RenderProgressKind progress_kind(const RenderOptions& options, const Ranks* rank
   return options.progress == "json" ? RenderProgressKind::kJson : RenderProgressKind::kAuto;
 }
 
-/// Renders, with progress on stderr, and says what was made; quiet: neither.
+/// Renders, with progress on stderr and a summary unless the options are quiet.
 RenderReport render(const ResolvedJob& job, const RenderOptions& options, Ranks* ranks, Context& context) {
   std::optional<RenderProgress> progress;
   Planned planned;
@@ -248,16 +249,17 @@ RenderReport render(const ResolvedJob& job, const RenderOptions& options, Ranks*
   return report;
 }
 
-/// One of several processes: the first speaks for all of them.
+/// Prepares one of several processes. Only the first prints.
 void join_in(const RenderOptions& options, const OutputParams& output, const Ranks& ranks, Context& context) {
   if (!options.unit.empty() || output.also)
-    throw usage_error(options.unit.empty() ? "also" : "unit", "cannot be combined with mpirun", "one of both");
+    throw usage_error(options.unit.empty() ? "also" : "unit", "cannot be combined with mpirun", "one of the two");
   context.threads = threads_of_rank(resolved_threads(context), platform::online_cpus(), local_rank_count());
   if (ranks.rank() > 0) context.warn = {};
 }
 
-/// A rank that fails where all do leaves it to the first to say so, and is stopped soon; where it fails alone, it speaks up.
-bool is_for_the_first_to_say(const Ranks* ranks, const Context& context) {
+/// Returns whether the first rank reports the error. An error that all ranks have stops this rank soon; otherwise it reports
+/// its own.
+bool is_reported_by_first_rank(const Ranks* ranks, const Context& context) {
   if (is_first(ranks) || ranks->has_begun()) return false;
   constexpr int kTenths = 50;
   for (int i = 0; i < kTenths && !context.cancelled; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -271,8 +273,7 @@ int run(const RenderOptions& options, Context& context) {
     throw usage_error("--verbose", "cannot be combined with --progress", "one of them");
   const ResolvedJob job = options.flags.resolve();
   const OutputParams& output = job.output();
-  if (output.page && output.pictures.mirror)
-    throw usage_error("--page", "cannot be combined with --mirror", "no --mirror with it");
+  if (output.page && output.pictures.mirror) throw usage_error("--page", "cannot be combined with --mirror", "one of the two");
   if (!options.dump_job.empty()) {
     make_folder(fs::path(options.dump_job).parent_path());
     write_job(options.dump_job, job.params());
@@ -286,7 +287,7 @@ int run(const RenderOptions& options, Context& context) {
     if (output.also == Companion::kSingle && !report.interrupted)
       render(ResolvedJob(single_clip(report.params, report.optics)), options, nullptr, context);
   } catch (const Error& error) {
-    if (is_for_the_first_to_say(ranks.get(), context)) return error.exit_code();
+    if (is_reported_by_first_rank(ranks.get(), context)) return error.exit_code();
     throw;
   }
   return 0;
@@ -305,32 +306,31 @@ void add_render_command(const Command& root, Action& chosen, const std::string& 
   command
       .add_option(
           "--unit", options->unit,
-          "Render the I-th of N parts of the job (or several: 1-3,5/N) into the common folder; any number of them at a time, "
-          "on any machines; then: lippmann finish DIR")
+          "Render the I-th of N parts of the job (or several: 1-3,5/N) into the common folder, on any machine and beside other "
+          "parts; then run: lippmann finish DIR")
       .type_name("I/N")
       .group("Running");
   command
       .add_option("--only-frames", options->only_frames,
-                  "Of the job's frames, or the unit's, render these alone: 3, 0-9, 1-3,5,7-10:2; then: lippmann finish DIR")
+                  "Render only these frames of the job or the unit: 3, 0-9, 1-3,5,7-10:2; then run: lippmann finish DIR")
       .type_name("RANGES")
       .group("Running");
-  command
-      .add_flag("--force", options->force,
-                "Replace another render in the folder, whose files are removed, and videos that are there")
+  command.add_flag("--force", options->force, "Remove the files of another render in the folder, and replace existing videos")
       .group("Running");
   command.add_flag("--json", options->json, "Print the report as JSON on stdout").group("Running");
   command.add_flag("-q,--quiet", options->quiet, "Print neither progress nor a summary; warnings and errors remain")
       .group("Running");
   command.add_flag("-v,--verbose", options->verbose, "Print a line for every frame").group("Running");
   command
-      .add_option("--progress", options->progress,
-                  "json: on stderr one object a line, before the first frame and after every frame (docs/reference/formats.md)")
+      .add_option(
+          "--progress", options->progress,
+          "json: print one object per line on stderr, before the first frame and after every frame (docs/reference/formats.md)")
       .one_of({"json"})
       .type_name("FORMAT")
       .group("Running");
   command
       .add_flag("-n,--dry-run", options->dry_run,
-                "Check the scene and the settings, say what would be made and how large it is, and make nothing")
+                "Check the scene and the settings, print the files that would be made and their size, and render nothing")
       .group("Running");
   command.short_help(
       {"--output", "--frames",     "--camera", "--display",    "--optics",  "--lenses",      "--lens-pixels", "--size",
@@ -341,7 +341,7 @@ void add_render_command(const Command& root, Action& chosen, const std::string& 
       "  lippmann render examples/desk.glb --frames 0              one frame, path traced\n"
       "  lippmann render room --optics microlens --frames 0        an array of lenslets\n"
       "  lippmann render tree --display portrait --frames 0        for a display (see: lippmann displays)\n"
-      "  lippmann render out/teapot/job.toml --resume              go on where a render was stopped\n");
+      "  lippmann render out/teapot/job.toml --resume              resume a stopped render\n");
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }
 

@@ -32,11 +32,11 @@ std::string frame_line(const FrameReport& frame, bool interpolates) {
 
 std::string count_of(int number, const char* thing) { return fmt::format("{} {}{}", number, thing, number == 1 ? "" : "s"); }
 
-/// "480 frames of 3360x3360 pixels to out/teapot; all files: about 4.1 GB (an estimate)".
+/// Returns "480 frames of 3360x3360 pixels to out/teapot; all files: about 4.1 GB (an estimate)".
 std::string describe(const RenderPlan& plan, int wanted, double bytes) {
   const std::string size = fmt::format("{}x{} pixels", plan.picture_size.x, plan.picture_size.y);
   const std::string each = plan.pictures_per_frame > 1 ? count_of(plan.pictures_per_frame, "picture") + ", each of " : "";
-  const std::string kept = plan.kept > 0 ? fmt::format(" ({} more are there already)", plan.kept) : "";
+  const std::string kept = plan.kept > 0 ? fmt::format(" ({} more are rendered already)", plan.kept) : "";
   const std::string folder = plan.folder.empty() ? "." : plan.folder.string();
   const std::string what = plan.strips > 0 ? fmt::format("{}{} of {}", count_of(wanted, "strip"), kept,
                                                          count_of(static_cast<int>(plan.frames.size()), "frame"))
@@ -44,8 +44,8 @@ std::string describe(const RenderPlan& plan, int wanted, double bytes) {
   return fmt::format("{} of {}{} to {}; all files: about {} (an estimate)", what, each, size, folder, bytes_text(bytes));
 }
 
-/// Where a default decides what is seen of the scene, it is printed before hours are spent on it.
-void say_fitted_depth(const RenderPlan& plan, const RenderParams& params) {
+/// Prints the depth of the scene before hours are spent on it, if a default decides it.
+void print_fitted_depth(const RenderPlan& plan, const RenderParams& params) {
   const PlacedOptics& placed = plan.stage.placed;
   if (placed.depth_scale >= 1.0f) return;
   const ShownDepth shown = shown_depth(plan.stage.array, placed.units_per_mm, placed.depth_scale, placed.optics);
@@ -53,8 +53,8 @@ void say_fitted_depth(const RenderPlan& plan, const RenderParams& params) {
               params.optics.fit_depth ? "" : " --full-depth shows its full depth.");
 }
 
-/// Flags that make a long render shorter. Ctrl-C loses no finished frame.
-std::string ways_to_less_work(const RenderPlan& plan) {
+/// Returns the flags that make a long render shorter. Ctrl-C loses no finished frame.
+std::string advice_for_less_work(const RenderPlan& plan) {
   const int first = plan.frames.front(), last = plan.frames.back();
   const std::string fewer =
       plan.frames.size() > 1 ? fmt::format("--frames {} or {}-{}:10 (every 10th) for fewer frames, ", first, first, last) : "";
@@ -78,9 +78,9 @@ RenderProgress::RenderProgress(const RenderPlan& plan, const RenderParams& param
   }
   if (wanted_ == 0) return;
   print_error("{}\n", describe(plan, wanted_, sizes.all()));
-  say_fitted_depth(plan, params);
+  print_fitted_depth(plan, params);
   progress_ = std::make_unique<Progress>(wanted_, style_of(kind));
-  progress_->set_advice(ways_to_less_work(plan));
+  progress_->set_advice(advice_for_less_work(plan));
   heartbeat_.emplace([this] { tick(); });
 }
 
@@ -125,7 +125,7 @@ void RenderProgress::tick() {
   if (written_ < wanted_ && schedule_.is_due_within(seconds())) print_object(-1);
 }
 
-/// What all frames take if they are as large as those that are there.
+/// Extrapolates the size of the finished frames to all frames.
 double RenderProgress::estimated_bytes() const {
   return written_ == 0 ? estimated_at_first_ : bytes_ / written_ * frames_ + video_bytes_;
 }

@@ -1,4 +1,4 @@
-// What `lippmann render` says on stderr while it renders: before the first frame what is going to be made, then how far it is.
+// Prints the progress of `lippmann render` on stderr: first the plan, then the frames done.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +14,16 @@
 namespace lippmann::app {
 
 enum class RenderProgressKind {
-  kAuto,     ///< a bar on a terminal, elsewhere a line now and then
+  kAuto,     ///< a bar on a terminal, elsewhere a line from time to time
   kVerbose,  ///< a line per frame
-  kJson,     ///< an object per frame, and within long ones: docs/reference/formats.md has its keys
+  kJson,     ///< an object per frame, and within long frames; docs/reference/formats.md lists its keys
   kNone
 };
 
-/// Hears of one render. traced() and written() run in different threads.
+/// Receives the progress of one render. traced() and written() run in different threads.
 class RenderProgress {
  public:
-  /// Says what is going to be made.
+  /// Prints the plan.
   RenderProgress(const RenderPlan& plan, const RenderParams& params, RenderProgressKind kind);
   ~RenderProgress();
   RenderProgress(const RenderProgress&) = delete;
@@ -31,7 +31,7 @@ class RenderProgress {
 
   void traced(const FrameReport& frame);
   void written(int frame, std::uintmax_t bytes);
-  /// The frame under way is traced up to `share`, 0 to 1. Any thread.
+  /// Reports that the frame in progress is traced up to `share`, 0 to 1. Thread-safe.
   void within(double share);
 
  private:
@@ -43,16 +43,16 @@ class RenderProgress {
 
   RenderProgressKind kind_;
   bool interpolates_;
-  int frames_ = 0, wanted_ = 0, written_ = 0;  ///< or strips: in the plan; to be rendered now; on disk of those
-  double bytes_ = 0.0;                         ///< what written_ frames take
+  int frames_ = 0, wanted_ = 0, written_ = 0;  ///< frames or strips: in the plan; to render now; of these, on disk
+  double bytes_ = 0.0;                         ///< size of the written_ frames
   double estimated_at_first_ = 0.0, video_bytes_ = 0.0;
   Clock::time_point start_ = Clock::now();
-  LineSchedule schedule_;             ///< when objects within frames are due
-  double within_ = 0.0;               ///< how much of the frame under way is traced, for objects
-  std::mutex mutex_;                  ///< all that changes
-  std::map<int, std::string> lines_;  ///< for frames that are traced and not yet written
+  LineSchedule schedule_;             ///< schedule of the objects within frames
+  double within_ = 0.0;               ///< traced share of the frame in progress, for objects
+  std::mutex mutex_;                  ///< guards all that changes
+  std::map<int, std::string> lines_;  ///< lines of frames that are traced and not yet written
   std::unique_ptr<Progress> progress_;
-  std::optional<Heartbeat> heartbeat_;  ///< last: beats while the others are there
+  std::optional<Heartbeat> heartbeat_;  ///< declared last: stops before the others are destroyed
 };
 
 }  // namespace lippmann::app

@@ -1,4 +1,4 @@
-// `lippmann replay IN`: what eyes see of a rendered light field through its lenses.
+// `lippmann replay IN`: shows what eyes see of a rendered light field through its lenses.
 #include <fmt/core.h>
 
 #include <charconv>
@@ -31,7 +31,7 @@ struct ReplayOptions {
   ResultFlags result;
 };
 
-/// WxH, or "lenses".
+/// Reads WxH or "lenses".
 void read_size(const std::string& text, ReplayParams& params) {
   if (text.empty()) return;
   params.one_per_lens = text == "lenses";
@@ -43,7 +43,7 @@ void read_size(const std::string& text, ReplayParams& params) {
     throw usage_error("--size", "'" + text + "' is not a size", "WxH in pixels, or lenses");
 }
 
-/// A depth in mm, or a disparity with the unit px; none if `text` is neither.
+/// Returns a depth in mm, a disparity with the unit px, or nothing if `text` is neither.
 std::optional<FocusPlane> parse_focus_plane(const std::string& text) {
   FocusPlane plane;
   const char* end = text.data() + text.size();
@@ -62,7 +62,7 @@ std::optional<FocusPlane> read_refocus(const std::string& text) {
   return plane;
 }
 
-/// Z0:Z1:N
+/// Reads Z0:Z1:N.
 std::optional<FocalStack> read_focal_stack(const std::string& text) {
   if (text.empty()) return std::nullopt;
   FocalStack stack;
@@ -82,7 +82,7 @@ std::optional<FocalStack> read_focal_stack(const std::string& text) {
                     "Z0:Z1:N, two depths in mm or two disparities such as -2px:2px:9, and 2 to 1000 pictures");
 }
 
-/// Throws a usage Error naming a flag that has no effect on the pictures that are asked for.
+/// Throws a usage Error naming a flag without effect on the requested pictures.
 void refuse_idle_flags(const ReplayOptions& options) {
   const ReplayParams& params = options.params;
   const bool refocuses = !options.refocus.empty() || !options.focal_stack.empty(),
@@ -102,7 +102,7 @@ void refuse_idle_flags(const ReplayOptions& options) {
       {"--fps", params.frames_per_second.has_value(), !options.video.empty(), "--video"}};
   for (const auto& rule : rules)
     if (rule.is_given && !rule.has_effect)
-      throw usage_error(rule.flag, "has no effect on the pictures that are asked for", rule.accepted);
+      throw usage_error(rule.flag, "has no effect on the requested pictures", rule.accepted);
 }
 
 ReplayParams params_of(const ReplayOptions& options) {
@@ -156,7 +156,7 @@ void add_eye_flags(const Command& command, ReplayOptions& options) {
       .type_name("MM");
   group
       .add_option("--crosstalk", options.crosstalk,
-                  "Lenses image the panel with a Gaussian of this sigma in pixels (quilts: views), or with this share of each "
+                  "Blur of the lenses: sigma of a Gaussian in pixels (quilts: in views), or the share of each "
                   "neighbour: 0.4 or 10%")
       .type_name("PIXELS|C%");
   group
@@ -172,15 +172,15 @@ void add_refocus_flags(const Command& command, ReplayOptions& options) {
   group
       .add_option(
           "--refocus", options.refocus,
-          "Refocus at this depth, or where points move by this many pixels from view to view (1.5px); positive: in front "
-          "of the lenses")
+          "Refocus at this depth (positive in front of the lenses), or where points move by this many pixels from view to "
+          "view (1.5px)")
       .type_name("MM|PXpx");
   group
       .add_option("--focal-stack", options.focal_stack,
                   "Write N pictures focused at depths from Z0 to Z1, or at disparities (-2px:2px:9)")
       .type_name("Z0:Z1:N");
   group.add_flag("--all-in-focus", options.params.all_in_focus,
-                 "From a focal stack, take every pixel where it is sharpest, and write its depth");
+                 "Take every pixel from the sharpest picture of a focal stack, and write its depth");
   group.add_option("--epi", options.params.epi_row, "The epipolar-plane image of a row, from the top of the picture")
       .type_name("ROW");
   group
@@ -201,7 +201,7 @@ void add_replay_command(const Command& root, Action& chosen) {
   command.add_option("-o,--output", options->folder, "Folder for the results; default: a folder 'replay' beside the pictures")
       .type_name("DIR");
   add_eye_flags(command, *options);
-  command.add_option("--ipd", options->params.ipd_mm, "Render two eyes this far apart: left, right, and both side by side")
+  command.add_option("--ipd", options->params.ipd_mm, "Render two eyes at this distance: left, right, and both side by side")
       .type_name("MM");
   command.add_option("--sweep", options->params.sweep, "Render N eyes from one end of the viewing zone to the other")
       .type_name("N")

@@ -1,4 +1,4 @@
-// `lippmann report IN...`: the figures of renders and benchmarks as one page of HTML.
+// `lippmann report IN...`: writes the figures of renders and benchmarks as one HTML page.
 #include <fmt/core.h>
 
 #include <filesystem>
@@ -47,15 +47,15 @@ int run(const ReportOptions& options, const Context& context) {
 
 void add_report_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<ReportOptions>();
-  const Command command =
-      root.add_command("report", "Write a page of a render's figures, or of several side by side, which opens from a disk");
+  const Command command = root.add_command(
+      "report", "Write an HTML page of a render's figures, or of several renders side by side, that opens without a server");
   command
       .add_option("IN", options->in,
-                  "The folder of a render, its report.json, or what `lippmann-bench` prints with --json; several are compared")
+                  "The folder of a render, its report.json, or the output of `lippmann-bench --json`; several are compared")
       .required();
   command
       .add_option("-o,--output", options->output,
-                  "The page; default: report.html in the one folder, or in the working folder where there are several")
+                  "The page; default: report.html in the folder of a single render, else in the working folder")
       .type_name("FILE.html");
   add_result_flags(command, options->result);
   command.footer(

@@ -1,4 +1,4 @@
-// What of its result a command prints: the flags that all commands share whose results are files or an exit code.
+// The output flags shared by all commands whose results are files or an exit code.
 #pragma once
 
 #include "apps/lippmann/command_line.hpp"
@@ -7,11 +7,10 @@ namespace lippmann::app {
 
 struct ResultFlags {
   bool json = false, quiet = false;
-  /// Neither JSON nor nothing.
   bool wants_text() const { return !json && !quiet; }
 };
 
-/// --json and --quiet; `quiet` is what the latter does.
+/// Declares --json and --quiet. quiet: help of the latter.
 inline void add_result_flags(const Command& command, ResultFlags& flags,
                              const char* quiet = "Print neither progress nor the result; warnings and errors remain") {
   command.add_flag("--json", flags.json, "Print the result as JSON on stdout");

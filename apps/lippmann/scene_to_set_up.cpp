@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As many views as lie below a lens by default, and large enough that each is a picture; 4 times the pixels of the default.
+/// The default number of views per lens, in a size that suits single pictures: 4 times the pixels of the default.
 constexpr int kFirstViews = 8, kFirstViewSide = 360;
 
 void refuse_light_field_flags(const LightFieldFlags& field) {
@@ -29,7 +29,7 @@ void add_scene_to_set_up_flags(const Command& command, SceneToSetUpFlags& flags,
                                std::initializer_list<std::string_view> unwanted) {
   command
       .add_option("--save-job", flags.job_file,
-                  "Of a scene: the job that Save on the page writes; default: SCENE.toml, or SCENE-2.toml where that is taken")
+                  "For a scene: the job that Save on the page writes; default: SCENE.toml, or SCENE-2.toml if that exists")
       .type_name("FILE");
   add_param_flags_beside(command, flags.params, unwanted);
 }

@@ -1,5 +1,5 @@
-// A scene that is set up in the browser, where a command takes scenes beside light fields: which arguments are scenes, and the
-// flags that say how it is rendered.
+// Scenes that are set up in the browser, for commands that take scenes beside light fields: tells the two apart, and reads the
+// flags of the render.
 #pragma once
 
 #include <filesystem>
@@ -20,25 +20,26 @@ struct SceneToSetUpFlags {
   std::string job_file;
 };
 
-/// Declares all parameters of renders but `unwanted`, which the command declares itself, and the job that the page writes.
+/// Declares all parameters of renders except `unwanted`, which the command declares itself, and the flag of the job that the
+/// page writes.
 void add_scene_to_set_up_flags(const Command& command, SceneToSetUpFlags& flags,
                                std::initializer_list<std::string_view> unwanted);
 
-/// What exists as a folder is a light field, whatever a built-in scene is called.
+/// Returns whether `in` is a scene. An existing folder is a light field even if a built-in scene has its name.
 bool is_scene_to_set_up(const std::string& in);
 
-/// Throws a usage Error naming a flag that says how a scene is rendered, and so says nothing of the light field `in`.
+/// Throws a usage Error naming a flag of scenes, which has no effect on the light field `in`.
 void refuse_scene_flags(const std::string& in, const SceneToSetUpFlags& flags);
 
-/// The render of the scene `in`. `field` has those of its flags that light fields have, too; others of them are refused.
-/// threads: 0 is as the job has it. Throws Error.
+/// Returns the render of the scene `in`. field: flags that scenes share with light fields; throws Error for those that scenes
+/// lack. threads: 0 takes the job's number.
 RenderParams scene_params(const std::string& in, const SceneToSetUpFlags& flags, const LightFieldFlags& field, int threads);
 
-/// The settings that a page begins with. Where nothing says what shows the scene, that is a row of views, which look good on a
-/// screen at once; a job is shown as it is.
+/// Returns the initial settings of the page. A scene without a display is shown as a row of views, which looks good on a screen
+/// at once; a job is shown as it is.
 LiveSettings first_settings(const RenderParams& params, const std::string& in);
 
-/// What Save on the page writes: SCENE.toml in the working folder, unless a flag says otherwise.
+/// Returns the file that Save on the page writes: SCENE.toml in the working folder unless a flag names another.
 std::filesystem::path job_file_for(const SceneToSetUpFlags& flags, const RenderParams& params);
 
 }  // namespace lippmann::app

@@ -1,4 +1,4 @@
-// `lippmann scenes`: the built-in scenes.
+// `lippmann scenes`: lists the built-in scenes.
 #include <fmt/core.h>
 
 #include <memory>

@@ -1,4 +1,4 @@
-// `lippmann sheet KIND -o FILE`: prints to measure a lenticular sheet with, and the lenses themselves as heights.
+// `lippmann sheet KIND -o FILE`: makes test prints for measuring a lenticular sheet, or the heights of its lenses.
 #include <fmt/core.h>
 
 #include <memory>
@@ -25,7 +25,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kInchMm = 25.4;
 
-/// The result of a command, as text for people and as JSON for programs.
+/// The result of a command as text and as JSON.
 struct SheetResult {
   std::string text;
   Json json = Json::object();
@@ -92,17 +92,17 @@ int run(const SheetOptions& options, const Context& context) {
   if (!out.has_extension()) out.replace_extension(".png");
   require_no_render(out);
   if (options.kind() == SheetKind::kLens && out.extension() != ".png")
-    throw usage_error("--output", out.string() + ": heights of 16 bits are written as PNG", "a name that ends in .png");
+    throw usage_error("--output", out.string() + ": 16-bit heights are written only as PNG", "a name that ends in .png);
   const ThreadPool pool(resolved_threads(context));
   const NewFolder folder(out.parent_path());
   SheetResult result = write_sheet(options, sheet, out, pool);
   if (options.result.json) {
-    Json json{{"file", out.string()}, {"size", {sheet.pixels.x, sheet.pixels.y}}, {"dpi", sheet.dpi}};
-    json.update(result.json);
-    print_json(json);
+      Json json{{"file", out.string()}, {"size", {sheet.pixels.x, sheet.pixels.y}}, {"dpi", sheet.dpi}};
+      json.update(result.json);
+      print_json(json);
   } else if (options.result.wants_text()) {
-    if (options.sheet.are_given()) fmt::print("{}\n", sheet.description);
-    fmt::print("{}: {}\n", result.text, printable_line(out.string()));
+      if (options.sheet.are_given()) fmt::print("{}\n", sheet.description);
+      fmt::print("{}: {}\n", result.text, printable_line(out.string()));
   }
   return 0;
 }
@@ -112,7 +112,7 @@ int run(const SheetOptions& options, const Context& context) {
 void add_sheet_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<SheetOptions>();
   const Command command =
-      root.add_command("sheet", "Make test prints that a lenticular sheet is measured with, or its lenses as heights to print");
+      root.add_command("sheet", "Make test prints for measuring a lenticular sheet, or a height map for printing its lenses");
   add_sheet_options(command, *options);
   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 }

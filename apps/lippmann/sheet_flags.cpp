@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kWholeSheet = "--lpi (or --lenses-per-mm, --pitch-mm, --visual-lpi), --dpi and --paper";
 
-/// Keys of the line and the values of their flags.
+/// Returns the keys of the display line with the values of their flags.
 std::array<std::pair<const char*, std::string>, 8> sheet_values(const SheetFlags& flags) {
   return {{{"lpi", flags.lpi},
            {"lenses-per-mm", flags.lenses_per_mm},
@@ -53,22 +53,25 @@ std::string SheetFlags::line(const Others& others) const {
 }
 
 void add_sheet_flags(const Command& command, SheetFlags& flags) {
-  const Command group = command.add_group("A lenticular sheet without a file", "In place of --display");
+  const Command group = command.add_group("A lenticular sheet without a file", "Replaces --display");
   group.add_option("--lpi", flags.lpi, "Lenses per inch; without --viewing-distance also the pitch of the print")
       .type_name("N");
   group.add_option("--lenses-per-mm", flags.lenses_per_mm, "In place of --lpi: lenses per millimetre").type_name("N");
   group.add_option("--pitch-mm", flags.pitch_mm, "In place of --lpi: the pitch of the lenses").type_name("MM");
   group
       .add_option("--visual-lpi", flags.visual_lpi,
-                  "In place of --lpi: the pitch of the print that a pitch test gave at --viewing-distance")
+                  "In place of --lpi: the pitch of the print, measured with a pitch test from --viewing-distance")
       .type_name("N");
   group.add_option("--dpi", flags.dpi, "Resolution of the print").type_name("N");
   group
       .add_option("--paper", flags.paper,
                   "Size of the print: A0 to A8, letter, legal, tabloid, 148x210mm, 5x7in or 3593x2783px")
       .type_name("SIZE");
-  group.add_flag("--landscape", flags.landscape, "Turn the paper: wider than high");
-  group.add_option("--phase", flags.phase, "Where a lens begins, in pixels from the left edge; default 0").type_name("PX");
+  group.add_flag("--landscape", flags.landscape, "Turn the paper so that it is wider than high");
+  group
+      .add_option("--phase", flags.phase,
+                  "Position of a lens's left edge, in pixels from the left edge of the print; default: 0")
+      .type_name("PX");
 }
 
 }  // namespace lippmann::app

@@ -1,4 +1,4 @@
-// Flags that describe a lenticular sheet on a print, without a file: --lpi 60.12 --dpi 600 --paper A5.
+// Flags that describe a lenticular sheet on a print without a file: --lpi 60.12 --dpi 600 --paper A5.
 #pragma once
 
 #include <string>
@@ -11,19 +11,19 @@ struct SheetFlags {
   std::string lpi, lenses_per_mm, pitch_mm, visual_lpi, dpi, paper, phase;
   bool landscape = false;
 
-  /// Flags of the command that belong to the sheet, too; empty: not given.
+  /// Flags of the command that also describe the sheet; empty: not given.
   struct Others {
     std::string display, viewing_distance_mm, view_angle_deg;
   };
 
-  /// --lpi or another; empty: none is given.
+  /// Returns the first flag that is given, or an empty string.
   std::string first_given() const;
-  /// Whether the pitch of the print depends on --view-angle: it then follows from that of the lenses.
+  /// Returns whether the pitch of the print follows from the pitch of the lenses, and so depends on --view-angle.
   bool pitch_depends_on_angle(bool has_viewing_distance) const {
     return are_given() && visual_lpi.empty() && has_viewing_distance;
   }
   bool are_given() const { return !first_given().empty(); }
-  /// The display in one line, for load_display. Throws a usage Error for a --display beside it, and if a part is missing.
+  /// Returns the display in one line, for load_display. Throws a usage Error if --display is given too or a part is missing.
   std::string line(const Others& others) const;
 };
 

@@ -25,7 +25,7 @@ bool uses_angle(const SheetOptions& o) {
   return o.sheet.are_given() && (!has_blocks(o) || o.sheet.pitch_depends_on_angle(o.viewing_distance_mm.has_value()));
 }
 
-/// Rules for all flags but --display, --to, those of the sheet without --phase, and --output, --json and --quiet.
+/// Rules for all flags except --display, --to, --output, --json, --quiet and the flags of the sheet other than --phase.
 constexpr std::array kIdleSheetRules{
     IdleSheetRule{"--blocks", [](const SheetOptions& o) { return o.blocks.has_value(); }, has_blocks, "pitch or phase"},
     IdleSheetRule{"--step", [](const SheetOptions& o) { return !o.step.empty(); },
@@ -73,12 +73,12 @@ Display SheetOptions::read_sheet() const {
   if (!display.empty() && !sheet.are_given()) {
     const Display loaded = load_display(display);
     if (loaded.kind != DisplayKind::kLenticularSheet)
-      throw usage_error("--display", loaded.name + " is no lenticular sheet", "a sheet's .toml, or --lpi, --dpi and --paper");
+      throw usage_error("--display", loaded.name + " is not a lenticular sheet",
+                        "a sheet's .toml, or --lpi, --dpi and --paper");
     return loaded;
   }
   SheetFlags flags = sheet;
-  if (!flags.are_given())
-    throw usage_error("--lpi", "is missing: the pitch of the lenses is unknown", "--lpi and --dpi, or --display");
+  if (!flags.are_given()) throw usage_error("--lpi", "is missing", "--lpi and --dpi, or --display");
   if (flags.paper.empty() && !is_lens(*this)) flags.paper = "A4";
   return load_display(flags.line({display, number_text(viewing_distance_mm), number_text(view_angle_deg)}));
 }
@@ -102,36 +102,38 @@ void add_sheet_options(const Command& command, SheetOptions& options) {
   add_sheet_flags(command, options.sheet);
   command
       .add_option("--viewing-distance", options.viewing_distance_mm,
-                  "With --lpi: from the eye to the lenses, whose pitch --lpi then is")
+                  "With --lpi: distance from the eye to the lenses; --lpi is then the pitch of the lenses, not of the print")
       .type_name("MM")
       .range(1.0, 1e7);
-  command.add_option("--view-angle", options.view_angle_deg, "With --lpi: full angle of the viewing zone; default 50")
+  command.add_option("--view-angle", options.view_angle_deg, "With --lpi: full angle of the viewing zone; default: 50")
       .type_name("DEG")
       .range(1.0, 150.0);
-  const Command tests = command.add_group("Test prints", "Without --paper: A4");
-  tests.add_option("--blocks", options.blocks, "Blocks of pitch (default 21) or phase (default 12)")
+  const Command tests = command.add_group("Test prints", "Default of --paper: A4");
+  tests.add_option("--blocks", options.blocks, "Number of blocks for pitch (default: 21) or phase (default: 12)")
       .type_name("N")
       .range(2, 200);
   tests
       .add_option("--step", options.step,
-                  "From block to block of pitch, around the nominal pitch in the middle, such as 0.05lpi; default 0.1px")
+                  "For pitch: step from block to block around the nominal pitch in the middle, such as 0.05lpi; default: 0.1px")
       .type_name("N(px|lpi)");
-  tests.add_option("--bars", options.bars, "Of pitch and phase: the direction of the lenses; default vertical")
+  tests.add_option("--bars", options.bars, "For pitch and phase: direction of the lenses; default: vertical")
       .one_of({"vertical", "horizontal"});
-  tests.add_option("--views", options.views, "Of viewing-zone; default: up to 9, of about 2 pixels below a lens each")
+  tests
+      .add_option("--views", options.views,
+                  "For viewing-zone: number of views; default: one per 2 pixels below a lens, at most 9")
       .type_name("N")
       .range(2, 99);
-  const Command lens = command.add_group("Lenses", "Of lens: one of the first three");
+  const Command lens = command.add_group("Lenses", "For lens: one of the first three");
   lens.add_option("--thickness-mm", options.lens.thickness_mm,
-                  "From the top of a lens to the print, on which it is in focus with the radius t (n - 1) / n")
+                  "Distance from the top of a lens to the print; sets the radius t (n - 1) / n that focuses on the print")
       .type_name("T")
       .positive();
   lens.add_option("--radius-mm", options.lens.radius_mm, "Radius of the cylindrical caps").type_name("R").positive();
   lens.add_option("--height-mm", options.lens.height_mm, "Height of the caps").type_name("H").positive();
-  lens.add_option("--refractive-index", options.refractive_index, "n of the ink or varnish; default 1.5")
+  lens.add_option("--refractive-index", options.refractive_index, "Refractive index of the ink or varnish; default: 1.5")
       .type_name("N")
       .range(1.01, 4.0);
-  lens.add_option("--to", options.to, "height: a grey PNG of 16 bits, white at the top of a lens (default)").one_of({"height"});
+  lens.add_option("--to", options.to, "height (default): a grey PNG of 16 bits, white at the top of a lens").one_of({"height"});
   add_result_flags(command, options.result);
 }
 

@@ -1,4 +1,4 @@
-// The flags of `lippmann sheet`, and which of them have an effect on which kind.
+// The flags of `lippmann sheet`, and the kinds for which each has an effect.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ struct SheetOptions {
   std::optional<int> blocks, views;
   std::optional<double> viewing_distance_mm, view_angle_deg, refractive_index;
   SheetFlags sheet;
-  LensSpec lens;  ///< without refractive_index: see lens_spec()
+  LensSpec lens;  ///< without refractive_index; see lens_spec()
   ResultFlags result;
 
   SheetKind kind() const;
@@ -27,13 +27,13 @@ struct SheetOptions {
   PitchStep pitch_step() const;
   BarDirection bar_direction() const;
   LensSpec lens_spec() const;
-  /// Throws a usage Error naming the flag. Test prints are A4 unless the flags say otherwise.
+  /// Throws a usage Error naming the flag. Test prints default to A4.
   Display read_sheet() const;
 };
 
 void add_sheet_options(const Command& command, SheetOptions& options);
 
-/// Throws a usage Error naming a flag that has no effect on this kind, and where it has one.
+/// Throws a usage Error naming a flag without effect on this kind and the kinds that use it.
 void refuse_idle_flags(const SheetOptions& options);
 
 }  // namespace lippmann::app

@@ -22,29 +22,32 @@ std::optional<StereoLayout> StereoFlags::layout() const {
 }
 
 void add_stereo_flags(const Command& command, StereoFlags& flags) {
-  const Command group = command.add_group("Stereo pictures", "With --to stereo; two views stay as they are");
+  const Command group =
+      command.add_group("Stereo pictures", "With --to stereo; a light field of two views keeps them unchanged");
   group
       .add_option("--stereo", flags.packing,
-                  "How the two views lie: sbs (side by side, default), half-sbs, over-under, half-over-under or rows; with "
-                  "--from stereo alone, in IN")
+                  "Arrangement of the two views: sbs (side by side, default), half-sbs, over-under, half-over-under or rows; "
+                  "describes OUT with --to stereo, else IN")
       .type_name("PACKING");
-  group.add_flag("--right-first", flags.right_first, "The right eye's view is at the left, on top, or in the first row");
-  group.add_option("--ipd", flags.ipd_mm, "Distance between the pupils of the eyes; default 63")
+  group.add_flag("--right-first", flags.right_first,
+                 "The right eye's view comes first: at the left, on top, or in the first row");
+  group.add_option("--ipd", flags.ipd_mm, "Distance between the pupils of the eyes; default: 63")
       .type_name("MM")
       .range(0.1, 1000.0);
   group
       .add_option("--viewing-distance", flags.viewing_distance_mm,
-                  "Distance of the eyes from the screen; default: what the light field was made for")
+                  "Distance of the eyes from the screen; default: the distance that the light field was made for")
       .type_name("MM")
       .range(1.0, 1e6);
   group
       .add_option("--screen-width", flags.screen_width_mm,
-                  "How wide the screen is that the light field fills; default: as wide as the light field says it is")
+                  "Width of the screen that the light field fills; default: the width that the light field states")
       .type_name("MM")
       .range(1.0, 1e6);
   group
       .add_option("--view-angle", flags.view_angle_deg,
-                  "Angle between the outermost views where nothing says where their cameras stood; default 40 (a grid: 10)")
+                  "Angle between the outermost views if the positions of their cameras are unknown; default: 40, or 10 for a "
+                  "grid of views")
       .type_name("DEG")
       .range(0.001, 179.0);
 }

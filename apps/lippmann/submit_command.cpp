@@ -1,4 +1,4 @@
-// `lippmann submit JOB`: a job cut into units, written as what Slurm, a render farm or a shell takes.
+// `lippmann submit JOB`: cuts a job into units and writes them for Slurm, a render farm or a shell.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ struct SubmitOptions {
   ResultFlags result;
 };
 
-/// Where tasks find the tool, whatever their working folder: where this one lies, if it was called by its path.
+/// Returns the tool for the tasks, whatever their working folder: the absolute path if this one was called by its path.
 fs::path program_of_tasks(const std::string& called_as) {
   if (called_as == "lippmann") return called_as;
   const fs::path self = platform::program_file();
@@ -80,7 +80,7 @@ Submission submission_of(const SubmitOptions& options, const Context& context) {
 
 int run(const SubmitOptions& options, const Context& context) {
   if (options.slurm.empty() && options.openjd.empty() && options.shell.empty())
-    throw usage_error("submit", "no output is named", "--slurm FILE, --openjd FILE or --shell FILE");
+    throw usage_error("submit", "no output is given", "--slurm FILE, --openjd FILE or --shell FILE");
   if (options.job.empty()) throw usage_error("JOB", "no job file is given", "a job file (.toml)");
   const Submission submission = submission_of(options, context);
   if (context.cancelled) return 1;
@@ -106,19 +106,20 @@ int run(const SubmitOptions& options, const Context& context) {
 void add_submit_command(const Command& root, Action& chosen, const std::string& program) {
   auto options = std::make_shared<SubmitOptions>();
   options->program = program;
-  const Command command =
-      root.add_command("submit", "Write a job, cut into units, as what Slurm, a render farm or a shell takes");
+  const Command command = root.add_command("submit", "Cut a job into units and write them for Slurm, a render farm or a shell");
   command.add_option("JOB", options->job, "A job file (.toml)");
   command.add_option("--units", options->units, "Number of units to cut the job into; a job of fewer parts has fewer")
       .required()
       .type_name("N")
       .range(1, 1'000'000);
-  command.add_option("--slurm", options->slurm, "A script that submits an array job and one that finishes it")
+  command.add_option("--slurm", options->slurm, "A script that submits an array job and a second job that finishes it")
       .type_name("FILE");
   command.add_option("--openjd", options->openjd, "An Open Job Description template (JSON), for render farms")
       .type_name("FILE");
-  command.add_option("--shell", options->shell, "A command a line, for any other farm").type_name("FILE");
-  command.add_option("--chunk", options->chunk, "Open Job Description: number of units that a task renders one after the other")
+  command.add_option("--shell", options->shell, "A file with one command per line, for any other farm").type_name("FILE");
+  command
+      .add_option("--chunk", options->chunk,
+                  "With --openjd: number of units that a task renders one after the other; default: 1")
       .type_name("N")
       .range(1, 1'000'000);
   command
@@ -133,7 +134,7 @@ void add_submit_command(const Command& root, Action& chosen, const std::string& 
   command.add_option("--memory", options->memory_mb, "Memory limit of each task; default: from measured frames")
       .type_name("MB")
       .range(1, 100'000'000);
-  command.add_flag("--only-list", options->only_list, "Measure no frames: only the limits that are given are set");
+  command.add_flag("--only-list", options->only_list, "Measure no frames: set only the limits that are given");
   add_result_flags(command, options->result, "Print nothing");
   command.footer(
       "Examples:\n"

@@ -1,5 +1,5 @@
-// `lippmann view [IN [OTHER]]`: a light field, or two beside each other, in the browser; a scene, which is set up there; or
-// pictures that are dropped on the page.
+// `lippmann view [IN [OTHER]]`: shows one light field or compares two in the browser, sets up a scene there, or opens a page on
+// which pictures are dropped.
 #include <fmt/core.h>
 
 #include <filesystem>
@@ -68,7 +68,8 @@ int save(const ViewOptions& options, const Context& context) {
   return 0;
 }
 
-/// A folder alone, with the report that a render begins with: whatever else is said of it is said of a finished light field.
+/// Returns whether IN is the folder of a render in progress, which has a first report. Any other flag describes a finished
+/// light field.
 bool is_render_to_watch(const ViewOptions& options) {
   const LightFieldFlags& field = options.field;
   const bool is_alone = options.other.empty() && field.from.empty() && field.report.empty() && field.views.empty() &&
@@ -98,7 +99,7 @@ int set_up(const ViewOptions& options, const Context& context) {
 
 // ---- Nothing yet --------------------------------------------------------------------------------------------------------
 
-/// Throws a usage Error for flags that say something of IN.
+/// Throws a usage Error for flags that describe IN.
 void refuse_flags_without_in(const ViewOptions& options) {
   const LightFieldFlags& field = options.field;
   const auto refuse = [](bool given, const std::string& flag) {
@@ -138,20 +139,22 @@ void add_view_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<ViewOptions>();
   const Command command =
       root.add_command("view", "Show a light field in the browser, or set up a scene there: eyes, time, focus, comparison");
-  command.footer("Nothing outside IN and OTHER is readable through the server; see docs/guide/view.md.");
+  command.footer("The server gives access to no file outside IN and OTHER; see docs/guide/view.md.");
   command.add_option(
       "IN", options->in,
       "A rendered picture, a folder of frames, or any light field that `lippmann convert` reads; or a scene or a job, "
-      "as `lippmann render` takes them. Without it, pictures can be dropped on the page");
-  command.add_option("OTHER", options->other, "Another one, compared with it: wiped, side by side, or as a difference");
+      "as for `lippmann render`. Default: an empty page, on which pictures are dropped");
+  command.add_option("OTHER", options->other,
+                     "A light field to compare with IN: with a wipe, side by side, or as a difference");
   add_page_server_flags(command, options->server);
   command
-      .add_option("--save", options->save,
-                  "Instead, write the page with all its data into a folder that any web server serves, or a disk; a name that "
-                  "ends in .html: into one file")
+      .add_option(
+          "--save", options->save,
+          "Write the page and its data to a folder for a disk or any web server instead of serving it; to a single file if "
+          "the name ends in .html")
       .type_name("FOLDER|FILE.html");
   add_light_field_flags(command, options->field);
-  add_report_flags(command, options->field, "; of a scene the display that it is rendered for");
+  add_report_flags(command, options->field, "; for a scene: the display to render for");
   command.add_option("--threads", options->threads, "Worker threads; 0: one per processor").range(0, 4096);
   add_scene_to_set_up_flags(command, options->scene,
                             {"display", "views", "quilt", "view-angle", "cone-ends", "threads", "resume", "also", "page"});

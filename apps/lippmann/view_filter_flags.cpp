@@ -24,7 +24,7 @@ InterlaceParams ViewFilterFlags::read() const {
 void add_view_filter_flags(const Command& command, ViewFilterFlags& flags, const std::string& of) {
   command.add_option("--filter", flags.filter, "Filter between views" + of + ": nearest (default), linear or gaussian")
       .one_of({"nearest", "linear", "gaussian"});
-  command.add_option("--sigma", flags.sigma, "Width of --filter gaussian, in views; default 0.5").range(0.1, 10.0);
+  command.add_option("--sigma", flags.sigma, "Width of --filter gaussian, in views; default: 0.5").range(0.1, 10.0);
 }
 
 }  // namespace lippmann::app

@@ -1,4 +1,4 @@
-// Flags that say how views are mixed where a slanted panel's frame is made of them.
+// Flags that choose the filter between views in the frame of a slanted panel.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct ViewFilterFlags {
   InterlaceParams read() const;
 };
 
-/// `of`: what they are for, to end the help of --filter with.
+/// of: end of the help of --filter, naming its use.
 void add_view_filter_flags(const Command& command, ViewFilterFlags& flags, const std::string& of);
 
 }  // namespace lippmann::app

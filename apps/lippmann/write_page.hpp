@@ -1,4 +1,5 @@
-// The page beside the frames of a render (`render --page`), which belongs to the render: its journal names the page's files.
+// Writes the page beside the frames of a render (`render --page`). The page belongs to the render, whose journal lists its
+// files.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +9,7 @@
 
 namespace lippmann::app {
 
-/// Writes the page of a folder whose frames are all finished, and records it. As save_page.
+/// Writes and records the page of a folder whose frames are all finished. Fails like save_page.
 SavedPage write_page(const std::filesystem::path& folder, const Context& context);
 
 }  // namespace lippmann::app

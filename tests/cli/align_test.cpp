@@ -57,7 +57,7 @@ TEST_F(AlignTool, states_the_parallax_on_the_sheet) {
 
 TEST_F(AlignTool, warns_of_more_parallax_than_the_sheet_resolves) {
   EXPECT_THAT(run_tool(dir_, {"align", "in", "out", "--lpi", "100", "--dpi", "400", "--paper", "A4"}).err,
-              HasSubstr("lens widths, more than the 3 that 4 views resolve"));
+              HasSubstr("lens widths, but 4 views resolve only 3"));
   EXPECT_EQ(run_tool(dir_, {"align", "in", "out", "--lpi", "4", "--dpi", "400", "--paper", "A7"}).err, "");
 }
 
@@ -80,7 +80,7 @@ TEST_F(AlignTool, refuses_bad_places_and_pairs) {
     expect_refusal(run_tool(dir_, words), code, message);
     EXPECT_FALSE(fs::exists(dir_ / "out"));
   };
-  refuse({"align", "in", "out", "--focus", "3"}, 2, "--focus: '3' is no place");
+  refuse({"align", "in", "out", "--focus", "3"}, 2, "--focus: '3' is not a point");
   refuse({"align", "in", "out", "--focus", "3,999"}, 2,
          "--focus: 3,999 lies outside the pictures; accepted: a place in 400x300");
   refuse({"align", "in", "out", "--display", "portrait", "--dpi", "300"}, 2, "--dpi: cannot be combined with --display");

@@ -74,8 +74,8 @@ TEST(Convert, dropped_camera_positions_are_reported) {
   const auto warning = [&](const std::string& to) {
     return run_tool(dir, {"convert", "s", to == "eslf" ? "e.png" : "h", "--to", to}).err;
   };
-  EXPECT_THAT(warning("hci"), HasSubstr("camera positions are left out: the distance of the plane is not known"));
-  EXPECT_THAT(warning("jpeg-pleno"), HasSubstr("camera positions are left out: jpeg-pleno has no place for them"));
+  EXPECT_THAT(warning("hci"), HasSubstr("camera positions are left out: the distance of the zero plane is unknown"));
+  EXPECT_THAT(warning("jpeg-pleno"), HasSubstr("camera positions are left out: jpeg-pleno cannot store them"));
   EXPECT_EQ(warning("eslf"), "");
 }
 

@@ -30,7 +30,7 @@ TEST(Units, finish_names_what_is_missing_and_the_command_that_it_prints_renders_
   fs::resize_file(dir / "a/frame_0005.png", 10);
   const RunResult finish = run_tool(dir, {"finish", "a"});
   EXPECT_EQ(finish.exit_code, 1);
-  EXPECT_THAT(finish.out, AllOf(HasSubstr("damaged  frame_0005.png"), HasSubstr("3 of 6 frames are to be rendered: 2-3,5"),
+  EXPECT_THAT(finish.out, AllOf(HasSubstr("damaged  frame_0005.png"), HasSubstr("3 of 6 frames have yet to be rendered: 2-3,5"),
                                 HasSubstr("render a/job.toml --resume")));
   const Json report = json_of(run_tool(dir, {"finish", "a", "--json"}).out);
   EXPECT_EQ(report["to_render"], Json::array({2, 3, 5}));
@@ -44,10 +44,10 @@ TEST(Units, plan_says_why_a_job_is_one_unit) {
   const TempDir dir;
   const Words plan{"plan", "teapot", "--size", "64x16", "--lenses", "8x2", "--units", "4", "--only-list"};
   EXPECT_THAT(run_tool(dir, plan + Words{"--frames", "3"}).out,
-              HasSubstr("One frame is one unit, unless it is rendered in strips (--strips).\n"));
+              HasSubstr("A job of one frame is one unit unless it is rendered in strips (--strips).\n"));
   EXPECT_THAT(run_tool(dir, plan + Words{"--frames", "0-3", "--reuse", "interpolate", "--keyframes", "8"}).out,
-              HasSubstr("All frames are made together: the job is one unit.\n"));
-  EXPECT_THAT(run_tool(dir, plan + Words{"--frames", "0-1"}).out, HasSubstr("The job falls into 2 units at most.\n"));
+              HasSubstr("All frames must be rendered together, so the job is one unit.\n"));
+  EXPECT_THAT(run_tool(dir, plan + Words{"--frames", "0-1"}).out, HasSubstr("The job can be cut into at most 2 units.\n"));
 }
 
 TEST(Units, of_strips_are_planned_rendered_named_where_they_are_missing_and_joined) {
@@ -56,8 +56,8 @@ TEST(Units, of_strips_are_planned_rendered_named_where_they_are_missing_and_join
   expect_done(dir, Words{"render"} + still + Words{"-o", "whole"});
   const Words strips = still + Words{"--strips", "4", "-o", "a"};
   const RunResult plan = run_tool(dir, Words{"plan"} + strips + Words{"--units", "8"});
-  EXPECT_THAT(plan.out, AllOf(HasSubstr("2/4  strips 1 of frame 3, about"), HasSubstr("falls into 4 units at most"),
-                              HasSubstr("To finish, which joins strips, takes about")));
+  EXPECT_THAT(plan.out, AllOf(HasSubstr("2/4  strips 1 of frame 3, about"), HasSubstr("can be cut into at most 4 units"),
+                              HasSubstr("'lippmann finish', which joins the strips, takes about")));
   const Json planned = json_of(run_tool(dir, Words{"plan"} + strips + Words{"--units", "2", "--json"}).out);
   EXPECT_EQ(planned["units"][1]["strips"], (Json{{"3", "2-3"}}));
   const RunResult unit = run_tool(dir, Words{"render"} + strips + Words{"--unit", "1/2"});
