@@ -24,7 +24,7 @@ test("damaged descriptions are refused in words", async () => {
   assert.match(await failureOf("no-fields", () => rmSync(inFolder("no-fields/fields.js"))), /fields\.js is missing/);
   assert.match(await failureOf("no-script", (write) => write("fields.js", "no script")), /fields\.js is damaged/);
   assert.match(await failureOf("empty", (write) => write("fields.js", 'lippmann_fields({"fields":[]})')), /lists no light field/);
-  assert.match(await failureOf("numbers", (write) => write("fields.js", 'lippmann_fields({"fields":[{"view_size":[1,-1]}]})')), /how large views are/);
+  assert.match(await failureOf("numbers", (write) => write("fields.js", 'lippmann_fields({"fields":[{"view_size":[1,-1]}]})')), /it has no size of views/);
   assert.match(await failureOf("null", (write) => write("fields.js", "lippmann_fields(null)")), /lists no light field/);
 });
 
@@ -59,7 +59,7 @@ test("pictures of another size than the description says are refused", async () 
   const fields = readFileSync(inFolder("other-size/fields.js"), "utf8");
   writeFileSync(inFolder("other-size/fields.js"), fields.replace('"view_size":[32,256]', '"view_size":[32,128]'));
   const page = await open(pathToFileURL(inFolder("other-size/index.html")).href, { ready: false });
-  await page.waitForFunction(() => /has \d+x\d+ pixels, and the description says/.test(document.querySelector("#notice").textContent));
+  await page.waitForFunction(() => /has \d+x\d+ pixels in place of \d+x\d+/.test(document.querySelector("#notice").textContent));
 });
 
 test("folders that hold no light field are refused before anything is served", async () => {

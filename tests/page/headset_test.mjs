@@ -145,7 +145,7 @@ for (const [refusal, reason] of [["session", "the viewer has said no"], ["space"
     const page = await open(address, { script: script(refusal) });
     await button(page).click();
     await page.waitForFunction(() => document.querySelector("#notice").textContent !== "");
-    assert.match(await page.textContent("#notice"), new RegExp(`The headset cannot be entered: ${reason}`));
+    assert.match(await page.textContent("#notice"), new RegExp(`Cannot enter the headset: ${reason}`));
     assert.equal(await page.getAttribute("#stage", "data-headset"), "false");
     await set(page, { frame: 1 });
     assert.equal(await page.getAttribute("#stage", "data-frame"), "1");

@@ -63,5 +63,5 @@ test("a panel plays a quilt in layers code by code", async () => {
 
 test("views that are too large alone are made smaller, and the page says so", async () => {
   const page = await open(await view("quilt"), { script: limitedTo(100) });
-  assert.match(await page.textContent("#notice"), /Shown at 1\/2 of its size: this device's GPU takes 100 pixels a side/);
+  assert.match(await page.textContent("#notice"), /Shown at 1\/2 of its size: this device's GPU supports at most 100 pixels a side/);
 });

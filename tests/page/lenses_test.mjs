@@ -62,7 +62,7 @@ test("an eye that leaves the zone is warned of, with the share that replay says"
     const share = await page.evaluate(() => window.lippmann.outOfZone);
     console.log(`from ${eye}: ${share}, replay says ${said}`);
     assert.ok(Math.abs(share - said) < 0.03, `from ${eye}: ${share}, replay says ${said}`);
-    if (said > 0) assert.match(await notice(), /out of the viewing zone of \d+.% of the display: there it sees the pictures of neighbouring lenses/);
+    if (said > 0) assert.match(await notice(), /outside the viewing zone of \d+.% of the display: there it sees the pictures of neighbouring lenses/);
   }
   await set(page, { show: "panel" });
   assert.equal(await notice(), "");

@@ -82,13 +82,13 @@ test("a picture of other settings is marked until the next one is there", async 
   await page.evaluate(() => window.lippmann.setUp({ zoom: "0.1" }));
   await page.waitForSelector('#stage[data-outdated="true"]');
   await page.waitForFunction(() => window.lippmann.scene.settings.zoom === "0.1");
-  assert.match(await facts(), /with the settings before/);
+  assert.match(await facts(), /with the previous settings/);
   assert.equal(await outdated(), "true");
   release();
   await page.waitForSelector('#stage[data-outdated="false"]');
   await page.evaluate(() => window.lippmann.setUp({ zoom: null }));
   await atRest();
-  assert.doesNotMatch(await facts(), /with the settings before/);
+  assert.doesNotMatch(await facts(), /with the previous settings/);
 });
 
 test("settings that cannot be are said in words, and the page goes on", async () => {

@@ -134,7 +134,7 @@ test("F fills the screen pixel for pixel, and the page says where that is anothe
   await page.locator("#canvas").focus();
   await page.keyboard.press("f");
   await page.waitForFunction(() => document.fullscreenElement !== null);
-  await page.waitForFunction(() => /This screen has \d+×\d+ pixels, and the panel 203×151/.test(document.querySelector("#notice").textContent));
+  await page.waitForFunction(() => /This screen has \d+×\d+ pixels, but the panel 203×151/.test(document.querySelector("#notice").textContent));
   const box = await page.locator("#canvas").boundingBox();
   assert.deepEqual([box.x, box.y, box.width, box.height], [0, 0, 203, 151]);
   await page.keyboard.press("f");

@@ -77,10 +77,10 @@ for (const [answer, isOn] of [["granted", "true"], ["denied", "false"]])
   test(`where the browser asks, ${answer} decides`, async () => {
     const page = await open(address, { hasTouch: true, script: `DeviceOrientationEvent.requestPermission = async () => "${answer}"` });
     await button(page).click();
-    if (answer === "denied") await page.waitForFunction(() => /does not let this page read how the device is held/.test(document.querySelector("#notice").textContent));
+    if (answer === "denied") await page.waitForFunction(() => /does not let this page read the device's orientation/.test(document.querySelector("#notice").textContent));
     else await page.waitForSelector(`button[aria-pressed="true"]:not(.icon)`);
     assert.equal(await button(page).getAttribute("aria-pressed"), isOn);
     // It was granted, and no sensor says anything.
-    if (answer === "granted") await page.waitForFunction(() => /does not tell how it is held/.test(document.querySelector("#notice").textContent));
+    if (answer === "granted") await page.waitForFunction(() => /does not report its orientation/.test(document.querySelector("#notice").textContent));
     if (answer === "granted") assert.equal(await button(page).isVisible(), false);
   });

@@ -1,4 +1,4 @@
-// The page of a light field: draws what the state says whenever it changes.
+// The page of a light field: redraws whenever the state changes.
 import { makeControls } from "./controls";
 import type { PanelDisplay } from "./display";
 import { depthOfDisparity, naturalSize, Refusal, shareOfZone, shareOutOfZone, slopeInZone, type Field } from "./field";
@@ -25,7 +25,7 @@ import { Headset, type HeadsetView } from "./xr";
 
 const byId = <Kind extends HTMLElement = HTMLElement>(id: string): Kind => document.getElementById(id) as Kind;
 
-/** Bytes of frames on the GPU: less where a phone or a small machine shares its memory with it. */
+/** Returns the bytes of frames to keep on the GPU: fewer on phones and small machines, whose GPU shares the main memory. */
 function frameBudget(): number {
   const gigabytes = (navigator as { deviceMemory?: number }).deviceMemory ?? 4;
   return Math.min(Math.max(gigabytes * 64, 128), 512) * 1024 * 1024;
@@ -80,18 +80,18 @@ export class App {
     run: RunState | null,
     { prints, drops }: { prints: PrintChoices | null; drops: boolean },
   ) {
-    this.run = run && new Run(run, fields[0], () => this.hearOfRun(), (topic, text) => this.notify(topic, text));
+    this.run = run && new Run(run, fields[0], () => this.runChanged(), (topic, text) => this.notify(topic, text));
     this.store = new Store(fields, display !== null, display !== null && (about?.plays ?? true), about !== null);
     const gl = openGl(this.canvas);
     this.frames = new Frames(gl, fields, frameBudget(), () => this.redraw(), (text) => this.notify("size", text), () => this.redraw());
     this.renderer = new Renderer(gl, fields, this.frames);
     this.timeline = new Timeline(byId("time"), this.store, (frame) => this.isThere(frame));
-    this.live = about && new Live(about, fields[0], this.frames, (picture) => this.hearOfScene(picture), (topic, text) => this.notify(topic, text));
-    this.print = prints && new Print(prints, fields[0], this.frames, () => this.store.state, (facts) => this.takeFacts(facts), (picture) => this.hearOfPrint(picture), (topic, text) => this.notify(topic, text));
+    this.live = about && new Live(about, fields[0], this.frames, (picture) => this.sceneChanged(picture), (topic, text) => this.notify(topic, text));
+    this.print = prints && new Print(prints, fields[0], this.frames, () => this.store.state, (facts) => this.takeFacts(facts), (picture) => this.printChanged(picture), (topic, text) => this.notify(topic, text));
     this.player = new Player(gl, this.store, this.frames, byId("stage"), (about, text) => this.notify(about, text), (dropped) => void this.takePictures(dropped, drops));
     if (display) this.beginPlaying(display);
-    this.motion = new Motion(() => this.shares(), () => this.hearOfMotion());
-    // An address that says where the eye is shows just that.
+    this.motion = new Motion(() => this.shares(), () => this.motionChanged());
+    // An address that states the eye's position is shown from exactly there.
     if (/[#&](eye|frame|line|aperture)=/.test(location.hash)) this.motion.end();
     this.tilt = new Tilt(
       () => [0, 1].map((axis) => this.store.state.eye[axis] / this.store.state.eye[2]) as [number, number],
@@ -103,7 +103,7 @@ export class App {
       gl,
       fields[0],
       (now, framebuffer, views) => this.drawHeadset(now, framebuffer, views),
-      () => this.hearOfHeadset(),
+      () => this.headsetChanged(),
       (text) => this.notify("headset", text),
     );
     this.updateControls = makeControls(byId("controls"), this.store, {
@@ -130,13 +130,13 @@ export class App {
     this.hands = new Hands(this);
     this.listen();
     this.head();
-    this.hearOfMotion();
+    this.motionChanged();
     if (this.run) this.beginRun();
     if (this.player.isPlaying && !this.live) this.timeline.toggle();
     requestAnimationFrame((now) => this.tick(now));
   }
 
-  /** Pictures that were dropped on the page take the place of what it shows. */
+  /** Replaces the light field by pictures that were dropped on the page. */
   private async takePictures(dropped: ReturnType<typeof pictures>, isAllowed: boolean): Promise<void> {
     try {
       const found = await dropped;
@@ -147,7 +147,7 @@ export class App {
     }
   }
 
-  /** The panel of a scene that is set up may change with it. */
+  /** Starts playing on a panel. The panel may change with the scene. */
   private beginPlaying(display: PanelDisplay): void {
     if (this.live) this.player.follow(display);
     else this.player.playOn(display);
@@ -157,14 +157,14 @@ export class App {
     this.wanted = true;
   }
 
-  /** The picture is no longer that of the state: data-drawn says so at once. */
+  /** Marks the picture as outdated in data-drawn at once, and redraws it. */
   private outdate(): void {
     byId("stage").dataset.drawn = "false";
     this.redraw();
   }
 
-  /** Of a scene that is set up: settings, pictures or a render are further than they were. */
-  private hearOfScene(picture: boolean): void {
+  /** Updates the page after a change of the scene's settings, picture or render. */
+  private sceneChanged(picture: boolean): void {
     const [field] = this.fields;
     this.followOthers();
     if (this.eyeHome !== field.eye_mm.join()) {
@@ -180,8 +180,8 @@ export class App {
     this.updateControls();
   }
 
-  /** A panel's page shows what is set up in another one beside it: the frame, too. The program says with which frame a page
-   *  begins, unless its address does. */
+  /** Follows the settings and the frame of another page on the same scene. The server chooses the initial frame unless the address
+   *  states one. */
   private followOthers(): void {
     const frame = this.live?.othersFrame ?? null;
     if (this.live?.isNew && this.store.state.frame > 0) this.live.setFrame(this.store.state.frame);
@@ -189,15 +189,15 @@ export class App {
     if (this.live?.state) this.player.follow(this.live.state.display);
   }
 
-  /** The first picture is one that is there. */
+  /** Starts with a frame that is finished. */
   private beginRun(): void {
     const { frames } = this.fields[0];
     if (frames[this.store.state.frame].pending) this.store.set({ frame: Math.max(frames.findIndex((frame) => !frame.pending), 0) });
-    this.hearOfRun();
+    this.runChanged();
   }
 
-  /** Of a render that runs: frames are finished, or it has been stopped or resumed. */
-  private hearOfRun(): void {
+  /** Updates the page after frames were finished, or the render was stopped or resumed. */
+  private runChanged(): void {
     const isOver = this.run?.state.state === "finished";
     byId("facts").textContent = isOver ? describe(this.fields[0]) : (this.run?.describe() ?? "");
     this.notify("run", this.run?.state.error ?? "");
@@ -206,7 +206,7 @@ export class App {
     this.redraw();
   }
 
-  /** What is seen is something else from now on; the eye stays where it was in the viewing zone. */
+  /** Replaces facts of the light field. The eye keeps its share of the viewing zone. */
   private takeFacts(facts: Partial<Field>): void {
     const [field] = this.fields;
     const [across, up] = this.shares();
@@ -215,8 +215,8 @@ export class App {
     this.store.set({ eye: [slopeInZone(field.across, across) * z, field.up.views > 1 ? slopeInZone(field.up, up) * z : y, z] });
   }
 
-  /** Of the print: it is being made, or is shown in place of the views. */
-  private hearOfPrint(picture: boolean): void {
+  /** Updates the page while a print is made, and when the print replaces the views. */
+  private printChanged(picture: boolean): void {
     const stage = byId("stage");
     stage.dataset.print = this.print?.isBusy ? "making" : this.print?.isSeen ? "shown" : "";
     this.canvas.style.cursor = this.print?.awaitsClick ? "crosshair" : "";
@@ -231,15 +231,15 @@ export class App {
 
   private settingsBefore(): string {
     if (this.live?.isAtRest) return ", as rendered";
-    return this.live?.isOutdated ? ", with the settings before" : "";
+    return this.live?.isOutdated ? ", with the previous settings" : "";
   }
 
-  /** How far the picture of a scene that is set up is. */
+  /** Returns the progress of the scene's picture, or null. */
   private workOnScene(): Work | null {
     const state = this.live?.state;
     if (!state || this.live?.isAtRest || state.error) return null;
     if (state.render?.state === "running") return { what: "Coarse pictures while the job is rendered" };
-    if (state.pass === "") return { what: "Setting the scene up" };
+    if (state.pass === "") return { what: "Setting up the scene" };
     return { what: state.pass === "final" ? "Rendering" : "Rendering a first look", share: state.share };
   }
 
@@ -252,13 +252,13 @@ export class App {
     this.noticeOfAssumption();
   }
 
-  /** A print's lenses are known. */
+  /** Prints have known lenses, so nothing is assumed. */
   private noticeOfAssumption(): void {
     const isAssumed = this.fields.some((field) => field.assumption) && !this.print?.isSeen;
-    this.notify("assumption", isAssumed ? "Nothing says where the cameras stood: angles and depths are assumed." : "");
+    this.notify("assumption", isAssumed ? "The positions of the cameras are unknown: angles and depths are assumed." : "");
   }
 
-  /** Two light fields are laid over each other by their displays' windows, whatever the size of these. */
+  /** Two light fields are aligned by the windows of their displays, even if these differ in size. */
   private noticeOfShapes(): void {
     const [first, second] = this.fields.map((field) => field.window_mm.size[0] / field.window_mm.size[1]);
     if (second !== undefined && Math.abs(first / second - 1) > 0.02)
@@ -300,14 +300,14 @@ export class App {
     this.draw(this.store.state.show === "eye" ? divisor : 1);
   }
 
-  /** Where there is something to see from elsewhere, and nothing else moves. */
+  /** Returns whether the eye may sway: there is parallax, and nothing else moves. */
   private maySway(): boolean {
     const [field] = this.fields;
     const isThere = byId("stage").dataset.drawn === "true" && (!this.live || this.live.isAtRest);
     return isThere && field.across.views * field.up.views > 1 && this.store.state.show === "eye" && !this.timeline.playing && !this.tilt.isOn && !this.print?.isWanted;
   }
 
-  private hearOfMotion(): void {
+  private motionChanged(): void {
     const [field] = this.fields;
     const hint = byId("hint");
     const isFirstLook = !this.motion.isOver && !this.player.isPlaying && field.across.views * field.up.views > 1;
@@ -316,7 +316,7 @@ export class App {
     this.redraw();
   }
 
-  /** A headset has a clock and a picture of its own; the page waits meanwhile. */
+  /** Draws for a headset, which has its own clock and picture. The page does not draw meanwhile. */
   private drawHeadset(now: number, framebuffer: WebGLFramebuffer | null, views: HeadsetView[]): void {
     this.timeline.tick(now);
     const { state } = this.store;
@@ -325,10 +325,10 @@ export class App {
     void this.prefetch();
   }
 
-  private hearOfHeadset(): void {
+  private headsetChanged(): void {
     const isOn = this.headset?.isOn ?? false;
     byId("stage").dataset.headset = String(isOn);
-    this.notify("in headset", isOn ? "The headset shows the light field, and this page waits. Leave VR comes back to it." : "");
+    this.notify("in headset", isOn ? "The headset shows the light field. Leave VR returns to this page." : "");
     this.updateControls();
     this.redraw();
   }
@@ -354,7 +354,7 @@ export class App {
     return before !== width || above !== height;
   }
 
-  /** With so many times fewer pixels than the screen has in a row, and in a column. */
+  /** Draws with 1 / `divisor` of the screen's pixels in each row and column. */
   private draw(divisor = 1): void {
     const state = this.seen;
     document.documentElement.dataset.theme = state.theme;
@@ -390,7 +390,7 @@ export class App {
     if (isWhole) void this.prefetch();
   }
 
-  /** Whether a small picture stands for one that is on its way. */
+  /** Returns whether a small preview is shown while the picture loads. */
   private isPreview(): boolean {
     const { state } = this.store;
     const isThere = (field: number): boolean => {
@@ -400,7 +400,7 @@ export class App {
     return !this.shown().every(isThere);
   }
 
-  /** One line for all that takes a while; the first that was begun is told of. */
+  /** Shows one line for all long work: the work that began first. */
   private showProgress(about: string, now: Work | null): void {
     this.progressLine.show(about, now);
   }
@@ -417,7 +417,7 @@ export class App {
     return `${state.show === "panel" ? "what the panel shows" : `seen from ${eye} millimetres`}. Arrow keys move the eye, space plays.`;
   }
 
-  /** Loads what comes next, one frame at a time, as many as there is room for. */
+  /** Loads the next frames, one at a time, while there is room for them. */
   private async prefetch(): Promise<void> {
     if (this.prefetching || this.live) return;
     this.prefetching = true;
@@ -432,7 +432,7 @@ export class App {
     if (state.frame !== from) this.redraw();
   }
 
-  /** Marks the line of which the epipolar-plane image is. */
+  /** Marks the line that the epipolar-plane image shows. */
   private showLine(): void {
     const { state } = this.store;
     const line = byId("line");
@@ -445,13 +445,13 @@ export class App {
     line.style.width = `${width * ratio}px`;
   }
 
-  /** Warns of flips, as `replay` does. */
+  /** Warns of flips, as `lippmann replay` does. */
   private showZone(): void {
     const state = this.seen;
     const field = this.fields[this.shown()[0]];
     const share = state.show === "eye" ? shareOutOfZone(field, state.eye) : 0;
     const beyond = { stays: "the outermost views", repeats: "the views of the next cone", "next lens": "the pictures of neighbouring lenses" }[field.across.beyond];
-    this.notify("zone", share > 0 ? `This eye is out of the viewing zone of ${Math.max(1, Math.round(100 * share))}\u2009% of the display: there it sees ${beyond}.` : "");
+    this.notify("zone", share > 0 ? `This eye is outside the viewing zone of ${Math.max(1, Math.round(100 * share))}\u2009% of the display: there it sees ${beyond}.` : "");
   }
 
   private showScale(): void {
@@ -479,7 +479,7 @@ export class App {
     showLegend(byId("legend"), this.fields[this.shown()[0]], overlay, overlay === "none" ? null : this.renderer.originShares(state));
   }
 
-  /** PSNR of the second picture as it is seen, in codes. */
+  /** Returns the PSNR of the second picture as displayed, computed on 8-bit codes. */
   private difference(): number {
     const [first, second] = [0, 1].map((field) => this.renderer.picture({ ...this.store.state, overlay: "none" }, field, naturalSize(this.fields[0])));
     if (!first || !second) return NaN;
@@ -526,16 +526,16 @@ export class App {
     return [Math.min(least, state.focus), Math.max(most, state.focus, least + 1)];
   }
 
-  // ---- What hands ask for (hands.ts) -------------------------------------------------------------------------------------
+  // ---- Actions of the mouse and the keyboard (hands.ts) -----------------------------------------------------------------
 
-  /** Where the eye stands in its zone. */
+  /** Returns the eye's position as shares of the viewing zone. */
   shares(): [number, number] {
     const { eye } = this.store.state;
     const field = this.fields[0];
     return [shareOfZone(field.across, eye[0] / eye[2]), shareOfZone(field.up, eye[1] / eye[2])];
   }
 
-  /** The eye at a share of its zone, within the zone. */
+  /** Returns the eye at these shares of the viewing zone, limited to the zone. */
   private eyeAt(across: number, up: number): State["eye"] {
     const { eye } = this.store.state;
     const field = this.fields[0];
@@ -549,38 +549,38 @@ export class App {
     this.store.set({ eye: this.eyeAt(across, up) });
   }
 
-  /** The state as it is seen: the eye may sway, or follow the mouse. */
+  /** Returns the state with the eye that is drawn, which may sway or follow the mouse. */
   get seen(): State {
     const state = { ...this.store.state, ...this.print?.preview };
     return this.motion.isAway ? { ...state, eye: this.eyeAt(...this.motion.shares()) } : state;
   }
 
-  /** Somebody has taken over. The eye stays where it was seen from, or goes back to where it stands. */
+  /** Ends the automatic motion. The eye stays where it was drawn, or returns to the state's position. */
   touched(stays: boolean): void {
     if (stays && this.motion.isAway) this.moveEye(...this.motion.settle());
     this.motion.end();
   }
 
-  /** From a distance, by a share of where it may be moved; upwards is away from the viewer. */
+  /** Moves the display plane from distance `from` by a share of its range; positive shares move it away from the viewer. */
   movePlane(from: number, share: number): void {
     if (!this.live?.state?.plane) return;
     const [nearest, farthest] = planeRange(this.live);
     setPlaneDistance(this.live, Math.min(Math.max(from + share * (farthest - nearest), nearest), farthest));
   }
 
-  /** What is seen there shall lie in the display's plane. */
+  /** Moves the display's plane to the point at this share of the picture. */
   putPlaneAt(share: [number, number]): void {
     const depth = this.renderer.depthAt(this.seen, share);
     if (depth !== null && Number.isFinite(depth)) this.live?.setPlane(depth);
   }
 
-  /** What is seen there shall lie in the zero plane of the print. */
+  /** Moves the zero plane of the print to the point at this share of the picture. */
   putZeroPlaneAt(share: [number, number]): void {
     const depth = this.renderer.depthAt(this.seen, share);
     if (depth !== null && Number.isFinite(depth)) this.print?.setPlane(depth);
   }
 
-  /** Focuses on what is seen there; a closed aperture opens. */
+  /** Focuses on the point at this share of the picture. Opens the aperture if it is closed. */
   focusAt(share: [number, number]): void {
     const { state } = this.store;
     const depth = this.renderer.depthAt(this.seen, share);
@@ -591,7 +591,7 @@ export class App {
   private listen(): void {
     this.canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault();
-      fail(new Refusal("The browser has taken the graphics away, for want of memory perhaps. Reload the page."));
+      fail(new Refusal("The browser has stopped the graphics, perhaps for lack of memory. Reload the page."));
     });
     window.addEventListener("hashchange", () => this.store.readAddress());
     byId("toggle").addEventListener("click", () => this.toggleControls());
@@ -605,19 +605,19 @@ export class App {
     byId("toggle").setAttribute("aria-expanded", String(open));
   }
 
-  // ---- What leaves the page ----------------------------------------------------------------------------------------------
+  // ---- Saving and sharing -----------------------------------------------------------------------------------------------
 
-  /** Codes (RGBA, from the top) of what the eye sees of a light field in a picture of that size. */
+  /** Returns the codes (RGBA, rows from the top) of the eye's view of a light field, at this size. */
   async picture(size: [number, number], field = 0): Promise<Uint8ClampedArray> {
     const { state } = this.store;
     const frame = await this.frames.load(field, this.renderer.frameOf(field, state.frame), useOf({ ...state, show: "eye" }));
     await frame?.whole;
     const codes = this.renderer.picture(state, field, size);
-    if (!codes) throw new Refusal("The frame is not there yet.");
+    if (!codes) throw new Refusal("The frame is not loaded yet.");
     return codes;
   }
 
-  /** Codes (RGBA, from the top) of what the panel is to show; of the canvas, whose pixels are the panel's. */
+  /** Returns the codes (RGBA, rows from the top) that the panel shows, from the canvas, which has the panel's pixels. */
   panelCodes(): Uint8ClampedArray {
     this.fitCanvas();
     this.draw();
@@ -632,7 +632,7 @@ export class App {
     });
   }
 
-  /** One file with all pictures, which the program makes. */
+  /** Saves one file with all pictures, made by the server. */
   private async savePage(): Promise<void> {
     this.notify("page", "");
     try {
@@ -653,7 +653,7 @@ export class App {
       this.notify("link", isLocal ? "The link is in the clipboard. It works on this machine; for others, save the page." : "The link is in the clipboard.");
     } catch {
       location.hash = this.store.address();
-      this.notify("link", "The link stands in the address bar.");
+      this.notify("link", "The link is in the address bar.");
     }
     window.setTimeout(() => this.notify("link", ""), 5000);
   }

@@ -1,4 +1,4 @@
-// The controls beside the picture: native elements, so that keyboards and screen readers know them.
+// The controls beside the picture: native elements, which keyboards and screen readers support.
 import { asksForCrosstalk } from "./data";
 import { button, check, chooser, element, folded, group, rounded, slider, tip, type Shown } from "./elements";
 import { hasCrosstalk, neighbourShare, shareOfZone, slopeInZone, type Field } from "./field";
@@ -23,7 +23,7 @@ function choice<Key extends keyof State>(label: string, key: Key, options: [stri
 export interface Actions {
   savePicture: () => void;
   copyLink: () => void;
-  /** Makes one file of the page; null: this page is such a file, or cannot be one. */
+  /** Saves the page as one file; null: this page is such a file, or cannot be saved. */
   savePage: (() => void) | null;
   focusRange: () => [number, number];
   zoom: { fit: () => void; trueSize: () => void };
@@ -37,7 +37,7 @@ export interface Actions {
   savePrint: () => void;
 }
 
-/** Fills `parent`; what is returned brings all controls up to the state. */
+/** Fills `parent`. Returns a function that updates all controls to the state. */
 export function makeControls(parent: HTMLElement, store: Store, actions: Actions): () => void {
   const shown: Shown[] = [];
   const { fields } = store;
@@ -70,7 +70,7 @@ export function makeControls(parent: HTMLElement, store: Store, actions: Actions
   return update;
 }
 
-/** What everybody wants to set. */
+/** Controls that most users need. */
 function lookGroup(store: Store, field: Field, actions: Actions, hasEyes: () => boolean, shown: Shown[]): HTMLElement {
   const { state } = store;
   const showsOne = () => store.fields.length < 2 || state.compare === "first" || state.compare === "second";
@@ -79,17 +79,17 @@ function lookGroup(store: Store, field: Field, actions: Actions, hasEyes: () => 
   return group(
     "Look",
     showChoice(store, () => field.across.views * field.up.views > 1, shown),
-    tip("Where the eye stands in the viewing zone. Drag the picture, or use the arrow keys", across),
+    tip("Position of the eye in the viewing zone. Drag the picture, or use the arrow keys", across),
     up,
-    tip("Opens the aperture: what is off the focus blurs. Double click what shall be sharp", slider({ label: "Background blur", applies: hasEyes, range: () => [0, 1], value: () => state.aperture, text: (value) => (value === 0 ? "all sharp" : `${rounded(100 * value, 0)}\u2009%`), set: (aperture) => store.set({ aperture }) }, shown)),
-    tip("Depth before the display's plane", slider({ label: "Sharp at", unit: "mm", applies: () => hasEyes() && state.aperture > 0, range: actions.focusRange, value: () => state.focus, set: (focus) => store.set({ focus }) }, shown)),
-    tip("Two eyes' pictures at once", choice("3D glasses", "stereo", [["off", "None"], ["anaglyph", "Red and cyan"], ["side-by-side", "Side by side"], ["top-bottom", "Top and bottom"]], store, shown, () => hasEyes() && showsOne())),
-    tip("Of the page alone, in stops. Files keep theirs", slider({ label: "Brightness", applies: () => state.show !== "display", range: () => [-4, 4], steps: 80, value: () => state.exposure, text: (value) => `${value > 0 ? "+" : ""}${rounded(value, 1)}\u2009EV`, set: (exposure) => store.set({ exposure }), reset: () => store.set({ exposure: 0 }) }, shown)),
-    onlyIf(() => state.show !== "display", element("div", { className: "buttons" }, tip("The whole picture (0)", button("Fit", actions.zoom.fit)), tip("A pixel of the views on each pixel of the screen (1)", button("1:1", actions.zoom.trueSize)), tip("All of this as it was", button("Reset", () => store.reset()))), shown),
+    tip("Opens the aperture, which blurs all that is out of focus. Double-click to focus", slider({ label: "Background blur", applies: hasEyes, range: () => [0, 1], value: () => state.aperture, text: (value) => (value === 0 ? "all sharp" : `${rounded(100 * value, 0)}\u2009%`), set: (aperture) => store.set({ aperture }) }, shown)),
+    tip("Depth in front of the display's plane", slider({ label: "Sharp at", unit: "mm", applies: () => hasEyes() && state.aperture > 0, range: actions.focusRange, value: () => state.focus, set: (focus) => store.set({ focus }) }, shown)),
+    tip("Shows the pictures of two eyes at once", choice("3D glasses", "stereo", [["off", "None"], ["anaglyph", "Red and cyan"], ["side-by-side", "Side by side"], ["top-bottom", "Top and bottom"]], store, shown, () => hasEyes() && showsOne())),
+    tip("Brightness on this page, in stops. Does not change the files", slider({ label: "Brightness", applies: () => state.show !== "display", range: () => [-4, 4], steps: 80, value: () => state.exposure, text: (value) => `${value > 0 ? "+" : ""}${rounded(value, 1)}\u2009EV`, set: (exposure) => store.set({ exposure }), reset: () => store.set({ exposure: 0 }) }, shown)),
+    onlyIf(() => state.show !== "display", element("div", { className: "buttons" }, tip("The whole picture (0)", button("Fit", actions.zoom.fit)), tip("One pixel of the views per pixel of the screen (1)", button("1:1", actions.zoom.trueSize)), tip("Restores all settings", button("Reset", () => store.reset()))), shown),
   );
 }
 
-/** What leaves the page. */
+/** Controls that save or share what is shown. */
 function shareGroup(actions: Actions): HTMLElement {
   return group(
     "Share",
@@ -98,12 +98,12 @@ function shareGroup(actions: Actions): HTMLElement {
       { className: "buttons" },
       ...(actions.savePage ? [actions.savePage] : []).map((save) => tip("One .html file with all pictures in it: it opens anywhere, without this program", button("Save page", save))),
       tip("What is seen now, as a PNG", button("Save picture", actions.savePicture)),
-      tip("An address that shows just this. It works where this page can be reached", button("Copy link", actions.copyLink)),
+      tip("An address that shows exactly this. It works wherever this page can be reached", button("Copy link", actions.copyLink)),
     ),
   );
 }
 
-/** A button only where the device has the sensor. */
+/** Makes a button that is shown only if the device has the sensor. */
 function tiltButton(tilt: Tilt, shown: Shown[]): HTMLElement {
   const made = button("Tilt moves the eye", () => void tilt.toggle());
   const row = element("div", { className: "row" }, made);
@@ -116,7 +116,7 @@ function tiltButton(tilt: Tilt, shown: Shown[]): HTMLElement {
   return row;
 }
 
-/** A button only where there is a headset. */
+/** Makes a button that is shown only if there is a headset. */
 function headsetButton(headset: Headset, shown: Shown[]): HTMLElement {
   const made = button("Enter VR", () => void headset.toggle());
   const row = element("div", { className: "row" }, made);
@@ -175,8 +175,8 @@ function eyeGroup(store: Store, field: Field, actions: Actions, shown: Shown[]):
         shown,
       ),
     ),
-    tip("How far apart the two eyes of 3D glasses are, before the display", slider({ label: "Eye separation", unit: "mm", applies: () => showsOne() && state.stereo !== "off", range: () => [0, Math.max(80, state.separation)], value: () => state.separation, set: (separation) => store.set({ separation }) }, shown)),
-    tip("It sways, and follows the mouse, until the picture is touched", check("Sways by itself", () => motion.isOn, (on) => (on ? motion.restart() : motion.end()), shown, () => motion.canMove)),
+    tip("Distance between the two eyes of 3D glasses, in front of the display", slider({ label: "Eye separation", unit: "mm", applies: () => showsOne() && state.stereo !== "off", range: () => [0, Math.max(80, state.separation)], value: () => state.separation, set: (separation) => store.set({ separation }) }, shown)),
+    tip("The eye sways and follows the mouse until you touch the picture", check("Sways by itself", () => motion.isOn, (on) => (on ? motion.restart() : motion.end()), shown, () => motion.canMove)),
     tiltButton(actions.tilt, shown),
     headsetButton(actions.headset, shown),
   );
@@ -186,23 +186,23 @@ function pictureGroup(store: Store, field: Field, actions: Actions, shown: Shown
   const { state } = store;
   return group(
     "Picture",
-    tip("What is shown to an eye between two views", choice("Between views", "between", [["depth", "Moved by their depth"], ["blend", "Blended"]], store, shown, () => field.depth)),
+    tip("What an eye between two views sees", choice("Between views", "between", [["depth", "Moved by their depth"], ["blend", "Blended"]], store, shown, () => field.depth)),
     tip("Each lens with one colour, as an eye far away sees it", check("Show single lenses", () => state.lenses, (lenses) => store.set({ lenses }), shown, () => field.lens_samples.some(Boolean))),
-    tip("How far the lenses blur neighbouring views: a sigma in pixels below a lens, and the share of each neighbour", slider({ label: "Crosstalk", late: () => asksForCrosstalk(field), applies: () => (hasCrosstalk(field) || (asksForCrosstalk(field) && actions.live === null && !actions.print?.isSeen)) && state.show === "eye" && state.aperture === 0, range: () => [0, Math.max(2, state.crosstalk)], value: () => state.crosstalk, text: (value) => (value === 0 ? "none" : `${rounded(value, 2)}\u2009px, ${rounded(100 * neighbourShare(value), 1)}\u2009%`), set: (crosstalk) => store.set({ crosstalk: Math.round(100 * crosstalk) / 100 }), reset: () => store.set({ crosstalk: 0 }) }, shown)),
+    tip("Blur of the lenses between views: sigma in pixels below a lens, and the share of each neighbour", slider({ label: "Crosstalk", late: () => asksForCrosstalk(field), applies: () => (hasCrosstalk(field) || (asksForCrosstalk(field) && actions.live === null && !actions.print?.isSeen)) && state.show === "eye" && state.aperture === 0, range: () => [0, Math.max(2, state.crosstalk)], value: () => state.crosstalk, text: (value) => (value === 0 ? "none" : `${rounded(value, 2)}\u2009px, ${rounded(100 * neighbourShare(value), 1)}\u2009%`), set: (crosstalk) => store.set({ crosstalk: Math.round(100 * crosstalk) / 100 }), reset: () => store.set({ crosstalk: 0 }) }, shown)),
     tip("Tints pixels by how the render made them", choice("Overlay", "overlay", [["none", "None"], ["provenance", "Where pixels came from"], ["missed", "Missed pixels"]], store, shown, () => field.provenance !== null && state.show !== "display")),
-    tip("One line of the picture from eye after eye, the leftmost on top", check("Epipolar-plane image", () => state.line >= 0, (on) => store.set({ line: on ? 0.5 : -1 }), shown, () => field.across.views > 1)),
+    tip("One line of the picture for all eyes from left (top) to right (bottom)", check("Epipolar-plane image", () => state.line >= 0, (on) => store.set({ line: on ? 0.5 : -1 }), shown, () => field.across.views > 1)),
     slider({ label: "Line, from the top", applies: () => state.line >= 0, range: () => [0, 1], value: () => state.line, text: (value) => `${rounded(100 * value, 0)}\u2009%`, set: (line) => store.set({ line }) }, shown),
     check("Light background", () => state.theme === "light", (on) => store.set({ theme: on ? "light" : "dark" }), shown),
   );
 }
 
-/** Eyes are for light fields, and not for a panel, which shows what it is given wherever they are. */
+/** Shows a row only if it applies: controls of the eye have no effect on a panel, which shows the same picture to all eyes. */
 function onlyIf(applies: () => boolean, made: HTMLElement, shown: Shown[]): HTMLElement {
   shown.push({ update: () => (made.hidden = !applies()) });
   return made;
 }
 
-/** A panel to play on may be dropped on the page. */
+/** Makes the choice of what to show. It appears once a panel was dropped on the page, or if there are views. */
 function showChoice(store: Store, hasViews: () => boolean, shown: Shown[]): HTMLElement {
   const row = choice("Show", "show", [["eye", "What an eye sees"], ["panel", "The panel, without its lenses"], ["display", "Played on a calibrated panel"]], store, shown, () => hasViews() || store.plays);
   const played = row.querySelector<HTMLOptionElement>('option[value="display"]') as HTMLOptionElement;
@@ -222,7 +222,7 @@ function playGroup(player: Player, isLive: boolean, shown: Shown[]): HTMLElement
     },
   });
   const calibration = button("Calibration\u2026", () => player.choose());
-  calibration.title = "visual.json of the panel; it may be dropped on the page, too";
+  calibration.title = "The panel's visual.json, which can also be dropped on the page";
   return group("Calibrated panel", element("div", { className: "row panel" }, value), element("div", { className: "buttons" }, fill, second, calibration));
 }
 

@@ -1,4 +1,5 @@
-// Where the page's data come from: a server, or scripts beside the page (pages that are opened from a disk may run those only).
+// Reads the page's data from a server, from scripts beside the page (which pages opened from a disk can load), or from the page
+// itself.
 import { Refusal, type Field } from "./field";
 
 interface Waiting {
@@ -15,14 +16,14 @@ declare global {
 
 type Source = "server" | "scripts" | "within";
 
-/** A program that answers, scripts beside the page, or the page itself. */
+/** Returns where the data are: on a server, in scripts beside the page, or in the page. */
 const source = (): Source => (document.querySelector('meta[name="lippmann-data"]')?.getAttribute("content") ?? "server") as Source;
 const isSaved = (): boolean => source() !== "server";
 
-/** Whether the program is there to make one file of the page. */
+/** Returns whether there is a server, which makes one file of the page. */
 export const canSavePage = (): boolean => !isSaved();
 
-/** How far something is that is being loaded; `of`: null where nobody says how much it is. */
+/** Progress of a download; `of` is null if its size is unknown. */
 export interface Progress {
   bytes: number;
   of: number | null;
@@ -38,7 +39,7 @@ function runScript(path: string): Promise<void> {
   });
 }
 
-/** A connection that the program has just closed, as nobody spoke, fails: once more, then. But a render is started once. */
+/** Fetches, and retries once, because a request on a connection that the server has just closed fails. A render must not start twice. */
 async function fetched(path: string, settings: RequestInit): Promise<Response> {
   try {
     return await fetch(path, settings);
@@ -53,7 +54,7 @@ async function answerOf(path: string, settings: RequestInit = {}): Promise<Respo
   try {
     response = await fetched(path, settings);
   } catch {
-    throw new Refusal("The server does not answer: has the program been ended?");
+    throw new Refusal("The server does not answer; it may have been stopped.");
   }
   if (response.ok) return response;
   const text = await response.text();
@@ -61,7 +62,7 @@ async function answerOf(path: string, settings: RequestInit = {}): Promise<Respo
   try {
     reason = (JSON.parse(text) as { error: string }).error;
   } catch {
-    // It is plain text.
+    // The error is plain text.
   }
   throw new Refusal(reason || `${path}: the server answers ${response.status}.`);
 }
@@ -71,17 +72,17 @@ export async function postBytes(path: string, body: Blob): Promise<void> {
   await answerOf(path, { method: "POST", body, headers: { "Content-Type": "application/octet-stream" } });
 }
 
-/** The program's answer to a text. */
+/** Sends a text and returns the server's answer. */
 export async function postText(path: string, body: string): Promise<string> {
-  if (isSaved()) throw new Refusal("A saved page cannot read calibrations: `lippmann play` does.");
+  if (isSaved()) throw new Refusal("A saved page cannot read calibrations. Use `lippmann play`.");
   return (await answerOf(path, { method: "POST", body, headers: { "Content-Type": "text/plain" } })).text();
 }
 
-/** Whether the program computes what eyes see through crosstalk: where views of theirs are not the panel's pixels, and the
- *  program is there. */
+/** Returns whether the server computes what eyes see through crosstalk: there is a server, and the eyes' views are not pixels of the
+ *  panel. */
 export const asksForCrosstalk = (field: Field): boolean => !isSaved() && field.panel.is === "own" && field.across.views * field.up.views > 1;
 
-/** What the program says of a scene that is set up. */
+/** Returns the server's state of a scene that is set up, or of a render. */
 export const readState = async (path: string): Promise<unknown> => (await answerOf(path)).json();
 
 export async function loadFields(): Promise<unknown> {
@@ -90,14 +91,14 @@ export async function loadFields(): Promise<unknown> {
     try {
       return JSON.parse(text);
     } catch {
-      throw new Refusal("The description of the light field is damaged: it is no JSON.");
+      throw new Refusal("The description of the light field is damaged: it is not JSON.");
     }
   }
   if (source() === "within") return JSON.parse(textWithin("fields"));
   let found: unknown;
   window.lippmann_fields = (json) => (found = json);
   await runScript("fields.js");
-  if (found === undefined) throw new Refusal("fields.js is damaged: it describes no light field.");
+  if (found === undefined) throw new Refusal("fields.js is damaged: it has no description of this light field.");
   return found;
 }
 
@@ -125,12 +126,12 @@ function fromScript(name: string): Promise<Blob> {
   return new Promise((resolve, reject) => {
     waiting.set(name, { resolve, reject });
     runScript(`${name}.js`).then(() => {
-      if (waiting.delete(name)) reject(new Refusal(`${name}.js is damaged: it holds no picture.`));
+      if (waiting.delete(name)) reject(new Refusal(`${name}.js is damaged: it contains no picture.`));
     }, reject);
   });
 }
 
-/** What stands in the document itself under a name. */
+/** Returns the text stored in the document under a name. */
 function textWithin(name: string): string {
   const text = document.getElementById(`data:${name}`)?.textContent;
   if (!text) throw new Refusal(`The page is damaged: it lacks ${name}.`);
@@ -146,11 +147,11 @@ function pictureWithin(name: string): Blob {
   }
 }
 
-/** What the server answers, with a word about every piece that comes. */
+/** Returns the body of an answer, reporting each piece that arrives. */
 export async function loadBytes(path: string, progress: (now: Progress) => void): Promise<Blob> {
   progress({ bytes: 0, of: null });
   const response = await answerOf(path);
-  const said = Number(response.headers.get("Content-Length"));
+  const stated = Number(response.headers.get("Content-Length"));
   const reader = response.body?.getReader();
   if (!reader) return response.blob();
   const pieces: Uint8Array<ArrayBuffer>[] = [];
@@ -158,18 +159,18 @@ export async function loadBytes(path: string, progress: (now: Progress) => void)
   for (let next = await reader.read(); !next.done; next = await reader.read()) {
     pieces.push(next.value as Uint8Array<ArrayBuffer>);
     bytes += next.value.length;
-    progress({ bytes, of: said > 0 ? said : null });
+    progress({ bytes, of: stated > 0 ? stated : null });
   }
   return new Blob(pieces, { type: response.headers.get("Content-Type") ?? "" });
 }
 
-/** One picture: FIELD/views/FRAME, FIELD/preview/FRAME, FIELD/depth/FRAME or FIELD/panel/FRAME. */
+/** Loads one picture: FIELD/views/FRAME, FIELD/preview/FRAME, FIELD/depth/FRAME or FIELD/panel/FRAME. */
 export async function loadPicture(name: string, progress: (now: Progress) => void = () => {}): Promise<Blob> {
   if (source() === "within") return pictureWithin(name);
   return isSaved() ? fromScript(name) : loadBytes(name, progress);
 }
 
-/** Hands a file to the browser's downloads. */
+/** Saves a file through the browser's downloads. */
 export function download(blob: Blob, name: string): void {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(blob);

@@ -1,5 +1,5 @@
-// The panel that light fields are played on: the numbers that the program has read from its calibration (docs/guide/view.md lists the
-// keys), checked before they are used. Nothing here reads a calibration: the text of a dropped file is sent to the program.
+// The panel that light fields are played on. Checks the numbers that the server has read from its calibration
+// (docs/guide/view.md lists the keys). The server also reads dropped calibration files.
 import { postText } from "./data";
 import { Refusal, type SlantedPanel } from "./field";
 
@@ -24,17 +24,17 @@ const isRow = (value: unknown): boolean => isListOf(value, 2, isPixel);
 
 export function readDisplay(json: unknown): PanelDisplay {
   const display = json as PanelDisplay;
-  require(typeof display === "object" && display !== null, "it is no object");
+  require(typeof display === "object" && display !== null, "it is not an object");
   require(isListOf(display.pixels, 2, (side) => Number.isInteger(side) && (side as number) >= 1 && (side as number) <= 65536), "it has no size");
   const panel = display.panel;
-  require(isFinite(panel?.periods) && isFinite(panel.tilt) && isFinite(panel.center), "it does not say where its lenses are");
-  require(isListOf(panel.sub_pixels, 4, isRow), "it does not say where its sub-pixels are");
-  require(["nearest", "linear", "gaussian"].includes(display.filter) && isFinite(display.sigma_views), "it does not say how views are mixed");
+  require(isFinite(panel?.periods) && isFinite(panel.tilt) && isFinite(panel.center), "the positions of its lenses are missing");
+  require(isListOf(panel.sub_pixels, 4, isRow), "the positions of its sub-pixels are missing");
+  require(["nearest", "linear", "gaussian"].includes(display.filter) && isFinite(display.sigma_views), "its filter is missing");
   return display;
 }
 
-/** Whether frames that one panel shows are those of the other: then they need no interlacing. */
+/** Returns whether two panels show the same frames, so that no interlacing is needed. */
 export const samePanel = (a: SlantedPanel | undefined, b: SlantedPanel): boolean => JSON.stringify(a) === JSON.stringify(b);
 
-/** Of the text of a visual.json. Throws a Refusal that says what is wrong with it. */
+/** Reads the text of a visual.json. Throws a Refusal that describes the error. */
 export const readCalibration = async (text: string): Promise<PanelDisplay> => readDisplay(JSON.parse(await postText("calibration", text)));

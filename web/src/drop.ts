@@ -1,10 +1,10 @@
-// Pictures that are dropped on the page, or chosen: they are sent to the program in pieces, and shown as the views of a light
-// field. The program knows the natural order of their names.
+// Takes pictures that are dropped on the page or chosen, sends them to the server in pieces, and shows them as the views of a
+// light field. The server sorts them by name in natural order.
 import { postBytes, postText } from "./data";
 import { element, button } from "./elements";
 import { Refusal } from "./field";
 
-/** The program takes texts of a megabyte. */
+/** The server accepts bodies up to 1 MB. */
 const kPiece = 1 << 20;
 
 interface Dropped {
@@ -28,29 +28,29 @@ function entriesOf(folder: FileSystemDirectoryEntry): Promise<FileSystemEntry[]>
 
 const fileOf = (entry: FileSystemFileEntry): Promise<File> => new Promise((resolve, reject) => entry.file(resolve, reject));
 
-/** Hidden files, and what file managers leave. */
+/** Returns whether a file is hidden, or left behind by file managers and cameras. */
 const isLeft = (name: string): boolean => name.startsWith(".") || /^(thumbs\.db|desktop\.ini)$/i.test(name) || /\.(txt|md|pdf|xmp)$/i.test(name);
 
 const inFolder = (files: File[]): File[] => files.filter((file) => !isLeft(file.name));
 
-/** Whether a drop is of pictures: several files, a folder, or one picture. Else it may be a calibration. */
+/** Returns whether a drop holds pictures: several files, a folder, or one picture. Otherwise it may be a calibration. */
 export function isOfPictures(data: DataTransfer): boolean {
   const entries = [...data.items].map((item) => item.webkitGetAsEntry());
   return entries.length > 1 || entries.some((entry) => entry?.isDirectory) || [...data.files].some((file) => file.type.startsWith("image/"));
 }
 
-/** What is dropped: files, or those of one folder. To be called while the event is handled. */
+/** Returns the dropped files, or those of one folder. Call it while the event is handled. */
 export async function pictures(data: DataTransfer): Promise<Dropped> {
   const entries = [...data.items].map((item) => item.webkitGetAsEntry());
   const files = [...data.files];
   const folder = entries.find((entry) => entry?.isDirectory) as FileSystemDirectoryEntry | undefined;
   if (!folder) return { title: "Pictures", files };
-  if (entries.length > 1) throw new Refusal("Drop one folder, or pictures alone.");
+  if (entries.length > 1) throw new Refusal("Drop one folder, or only pictures.");
   const inside = await Promise.all((await entriesOf(folder)).filter((entry) => entry.isFile).map((entry) => fileOf(entry as FileSystemFileEntry)));
   return { title: folder.name, files: inFolder(inside) };
 }
 
-/** Sends pictures, one piece after the other, and shows them. */
+/** Sends pictures one piece at a time, and shows them. */
 export async function send({ title, files }: Dropped, progress: (share: number) => void): Promise<void> {
   await postText("drop/begin", JSON.stringify({ title, names: files.map((file) => file.name) }));
   const all = files.reduce((sum, file) => sum + file.size, 0);
@@ -69,7 +69,7 @@ export async function send({ title, files }: Dropped, progress: (share: number) 
 
 /** The page before anything is shown. */
 export class DropPage {
-  private readonly said = element("p", { role: "status" });
+  private readonly status = element("p", { role: "status" });
   private isBusy = false;
 
   constructor(parent: HTMLElement) {
@@ -79,7 +79,7 @@ export class DropPage {
       input.addEventListener("change", () => {
         const files = [...(input.files ?? [])];
         const title = folder ? (files[0]?.webkitRelativePath.split("/")[0] ?? "Pictures") : "Pictures";
-        // Files of folders inside have longer paths.
+        // Excludes files of subfolders, whose paths are longer.
         const own = folder ? inFolder(files.filter((file) => file.webkitRelativePath.split("/").length === 2)) : files;
         void this.take(Promise.resolve({ title, files: own }));
       });
@@ -87,9 +87,9 @@ export class DropPage {
     };
     parent.replaceChildren(
       element("h2", {}, "Drop pictures here"),
-      element("p", {}, "Two or more pictures of one scene, or a folder of them: the first in the order of their names is the view from the left."),
+      element("p", {}, "Two or more pictures of one scene, or a folder of them, sorted by name from the left view to the right."),
       element("div", { className: "buttons" }, button("Choose pictures\u2026", () => several(false)), button("Choose a folder\u2026", () => several(true))),
-      this.said,
+      this.status,
     );
     parent.hidden = false;
     takeDrops((dropped) => void this.take(dropped));
@@ -99,9 +99,9 @@ export class DropPage {
     if (this.isBusy) return;
     this.isBusy = true;
     try {
-      await send(await dropped, (share) => (this.said.textContent = `${Math.round(100 * share)}\u2009%`));
+      await send(await dropped, (share) => (this.status.textContent = `${Math.round(100 * share)}\u2009%`));
     } catch (error) {
-      this.said.textContent = error instanceof Refusal ? error.message : String(error);
+      this.status.textContent = error instanceof Refusal ? error.message : String(error);
     }
     this.isBusy = false;
   }

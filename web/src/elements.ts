@@ -1,4 +1,4 @@
-// What controls are made of: rows of a label and a native element, groups of them, and buttons.
+// The parts of controls: rows of a label and a native element, groups of rows, and buttons.
 
 export interface Shown {
   update: () => void;
@@ -23,7 +23,7 @@ interface SliderSettings {
   text?: (value: number) => string;
   set: (value: number) => void;
   reset?: () => void;
-  /** Set when it is let go of: the program has to compute what it asks for. */
+  /** Sets the value only on release, because the server must compute the result. */
   late?: () => boolean;
   applies?: () => boolean;
 }
@@ -54,7 +54,7 @@ export function slider(settings: SliderSettings, shown: Shown[]): HTMLElement {
   return row;
 }
 
-/** One of several words. */
+/** A choice of one of several words. */
 export function chooser(label: string, options: () => [string, string][], value: () => string, set: (value: string) => void, shown: Shown[], applies = () => true): HTMLElement {
   const id = `control-${nextId++}`;
   const select = element("select", { id });
@@ -79,11 +79,11 @@ interface EntrySettings {
   set: (value: string) => void;
   applies: () => boolean;
   numeric?: boolean;
-  /** Offered while it is typed. */
+  /** Suggestions while typing. */
   choices?: string[];
 }
 
-/** A short text, taken when it is done. */
+/** A short text, read when editing ends. */
 export function entry(settings: EntrySettings, shown: Shown[]): HTMLElement {
   const id = `control-${nextId++}`;
   const input = element("input", { type: "text", id, inputMode: settings.numeric ? "decimal" : "text", autocomplete: "off", spellcheck: false });
@@ -124,13 +124,13 @@ export function group(title: string, ...rows: (HTMLElement | null)[]): HTMLEleme
   return section;
 }
 
-/** A row that says what it does to who waits above it. */
+/** Adds a tooltip to a row. */
 export function tip<Row extends HTMLElement | null>(text: string, row: Row): Row {
   if (row) row.title = text;
   return row;
 }
 
-/** Groups that are out of the way until somebody opens them. */
+/** Makes groups that stay closed until the user opens them. */
 export function folded(title: string, ...groups: (HTMLElement | null)[]): HTMLElement {
   return element("details", {}, element("summary", {}, title), ...groups.filter((one): one is HTMLElement => one !== null));
 }

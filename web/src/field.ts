@@ -1,4 +1,4 @@
-// What the page is told of a light field (docs/guide/view.md lists the keys), checked before it is used.
+// The description of a light field (docs/guide/view.md lists the keys), checked before use.
 
 export interface Axis {
   views: number;
@@ -12,17 +12,17 @@ export interface Frame {
   label: string;
   kind?: string;
   psnr_db?: number;
-  /** Of a render that runs: it is not finished. */
+  /** The frame is not finished, because the render is still running. */
   pending?: boolean;
 }
 
-/** Where pixels may come from; their codes count these from 0. */
+/** An origin of pixels. The codes of provenance index the list of origins. */
 export interface Origin {
   name: string;
   missed: boolean;
 }
 
-/** Which view each sub-pixel is of; src/view/page_display.hpp. */
+/** The view of each sub-pixel; see src/view/page_display.hpp. */
 export interface SlantedPanel {
   periods: number;
   tilt: number;
@@ -45,17 +45,17 @@ export interface Field {
   eye_mm: [number, number, number];
   depth_budget_mm: number | null;
   depth: boolean;
-  /** Null: nothing says where pixels came from. */
+  /** Null: the origins of pixels are unknown. */
   provenance: Origin[] | null;
   disparity_scale_mm: number;
-  /** The size of views in the first, small picture; null: there is none. */
+  /** The size of views in the small preview; null: there is no preview. */
   preview: [number, number] | null;
   frames_per_second: number;
   assumption: string;
   frames: Frame[];
 }
 
-/** An error that is shown to the user as it stands. */
+/** An error whose message is shown to the user. */
 export class Refusal extends Error {}
 
 function require(holds: boolean, what: string): asserts holds {
@@ -74,23 +74,23 @@ const areOrigins = (value: unknown): boolean =>
 function checkAxis(axis: Axis, name: string): void {
   require(typeof axis === "object" && axis !== null, `it has no "${name}"`);
   require(Number.isInteger(axis.views) && axis.views >= 1 && axis.views <= 65536, `"${name}" has no number of views`);
-  require(isNumber(axis.first) && isNumber(axis.step), `"${name}" does not say where the views are`);
+  require(isNumber(axis.first) && isNumber(axis.step), `"${name}" has no positions of views`);
 }
 
 function checkField(field: Field): void {
-  require(typeof field === "object" && field !== null, "it is no object");
-  require(areSizes(field.view_size) && areSizes(field.tiles), "it does not say how large views are");
+  require(typeof field === "object" && field !== null, "it is not an object");
+  require(areSizes(field.view_size) && areSizes(field.tiles), "it has no size of views");
   checkAxis(field.across, "across");
   checkAxis(field.up, "up");
   require(field.tiles[0] * field.tiles[1] >= field.across.views * field.up.views, "it has fewer tiles than views");
-  require(isNumber(field.vergence_per_mm) && isNumber(field.disparity_scale_mm), "it does not say the viewing distance");
+  require(isNumber(field.vergence_per_mm) && isNumber(field.disparity_scale_mm), "it has no viewing distance");
   require(areNumbers(field.window_mm?.centre, 2) && areNumbers(field.window_mm?.size, 2), "it has no window");
   require(areNumbers(field.eye_mm, 3) && field.eye_mm[2] > 0, "it has no eye");
-  require(Array.isArray(field.lens_samples) && areSizes(field.panel?.size), "it does not say what the panel shows");
+  require(Array.isArray(field.lens_samples) && areSizes(field.panel?.size), "it has no panel");
   field.provenance ??= null;
-  require(field.provenance === null || areOrigins(field.provenance), "it does not say what the codes of provenance are");
+  require(field.provenance === null || areOrigins(field.provenance), "its origins of pixels are damaged");
   field.preview ??= null;
-  require(field.preview === null || areSizes(field.preview), "it does not say how large its preview is");
+  require(field.preview === null || areSizes(field.preview), "its preview has no size");
   require(isNumber(field.frames_per_second) && field.frames_per_second > 0, "it has no frame rate");
   require(Array.isArray(field.frames) && field.frames.length > 0, "it has no frames");
   require(field.frames.every((frame) => typeof frame?.label === "string"), "a frame has no label");
@@ -103,36 +103,36 @@ export function readFields(json: unknown): Field[] {
   return fields;
 }
 
-/** The axis on which views are equally far apart, of a slope at the middle of the display. */
+/** Returns the position of a slope (at the middle of the display) on the axis along which views are evenly spaced. */
 const placed = (axis: Axis, slope: number): number => (axis.by === "angle" ? Math.atan(slope) : slope);
 const slopeOf = (axis: Axis, place: number): number => (axis.by === "angle" ? Math.tan(place) : place);
 
-/** The slope of the eye that far through the zone: 0 its left (lower) end, 1 its right (upper). */
+/** Returns the slope of the eye at this share of the zone: 0 is its left (lower) end, 1 its right (upper) end. */
 export const slopeInZone = (axis: Axis, share: number): number =>
   slopeOf(axis, axis.first + axis.step * (share * axis.views - 0.5));
 
 export const shareOfZone = (axis: Axis, slope: number): number =>
   axis.step === 0 ? 0.5 : ((placed(axis, slope) - axis.first) / axis.step + 0.5) / axis.views;
 
-/** How far points at a depth move in the display's plane, mm per unit of slope between two eyes. */
+/** Returns the disparity of a depth: mm in the display's plane per unit of slope between two eyes. */
 export const disparityOfDepth = (field: Field, depth: number): number => depth / (1 - depth * field.vergence_per_mm);
 export const depthOfDisparity = (field: Field, disparity: number): number =>
   disparity / (1 + disparity * field.vergence_per_mm);
 
-/** Whether neighbouring views are neighbouring pixels, or the views of a quilt: then lenses mix them as `replay --crosstalk`. */
+/** Returns whether neighbouring views are neighbouring pixels, or the views of a quilt; lenses then mix them as in `replay --crosstalk`. */
 export const hasCrosstalk = (field: Field): boolean => field.panel.is !== "own" && field.across.views * field.up.views > 1;
 
-/** Abramowitz and Stegun 7.1.26, to 1.5e-7; x >= 0. */
+/** Abramowitz and Stegun, 7.1.26; error below 1.5e-7, for x >= 0. */
 function erf(x: number): number {
   const t = 1 / (1 + 0.3275911 * x);
   return 1 - t * (0.254829592 + t * (-0.284496736 + t * (1.421413741 + t * (-1.453152027 + t * 1.061405429)))) * Math.exp(-x * x);
 }
 
-/** The share of what is seen at the middle of a pixel that is each neighbour's. */
+/** Returns the share of each neighbour in the light seen at the middle of a pixel. */
 export const neighbourShare = (sigma: number): number =>
   sigma > 0 ? 0.5 * (erf(1.5 / (Math.SQRT2 * sigma)) - erf(0.5 / (Math.SQRT2 * sigma))) : 0;
 
-/** The share of the display of which an eye sees what is meant for another zone: where it flips. */
+/** Returns the share of the display at which an eye sees views meant for another zone, that is, where it flips. */
 export function shareOutOfZone(field: Field, eye: readonly number[]): number {
   const steps = 128;
   const outside = (axis: Axis, i: 0 | 1, step: number): boolean => {
@@ -147,7 +147,7 @@ export function shareOutOfZone(field: Field, eye: readonly number[]): number {
   return 1 - (1 - across) * (1 - up);
 }
 
-/** A picture of square pixels with at least the samples of a view. */
+/** Returns the size of a picture with square pixels and at least the samples of a view. */
 export function naturalSize(field: Field): [number, number] {
   const [width, height] = field.window_mm.size;
   const pixel = Math.min(width / field.view_size[0], height / field.view_size[1]);

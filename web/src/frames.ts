@@ -1,4 +1,4 @@
-// Frames on the GPU: loaded when they are asked for or soon will be, the least recently used given up beyond a bound.
+// Keeps frames on the GPU. Loads them when they are needed or soon will be, and frees the least recently used beyond a bound.
 import { asksForCrosstalk, canSavePage, loadPicture, type Progress } from "./data";
 import { Refusal, type Field } from "./field";
 import { samePanel } from "./display";
@@ -7,27 +7,27 @@ import type { Interlacer } from "./interlace";
 import { sharesOf, type Provenance } from "./provenance";
 import { layerTiles, quiltTexture, type LayerTiles } from "./quilt";
 
-/** What a frame is loaded for: eyes need its views, the panel's picture may be one of its own, a display plays one of codes.
- *  Eyes may look through crosstalk that the program computes, a sigma in hundredths of a pixel. */
+/** The use of a frame: "eye" needs its views, "panel" also its panel's picture, "display" an interlaced picture. "eye/N" has crosstalk
+ *  computed by the server, with a sigma of N / 100 pixels. */
 export type Use = "eye" | "panel" | "display" | `eye/${number}`;
 
 export interface LoadedFrame {
-  /** How views, depth and provenance lie in their textures. */
+  /** The layout of views, depth and provenance in their textures. */
   layer: LayerTiles;
   views: WebGLTexture;
   depth: WebGLTexture | null;
   panel: WebGLTexture | null;
-  /** Undefined: nobody has asked; null: it is on its way, or cannot be had. */
+  /** Undefined: not requested; null: loading, or not available. */
   provenance?: Provenance | null;
   viewSize: [number, number];
   disparities: [number, number];
   bytes: number;
-  /** Until depth is there too. */
+  /** Resolves when the depth has been loaded, too. */
   whole: Promise<void>;
   givenUp?: boolean;
 }
 
-/** Disparities of codes as src/view/disparity_codes.hpp has them. */
+/** Returns the range of disparities of codes, which src/view/disparity_codes.hpp defines. */
 function disparityRange(pixels: Uint8ClampedArray, scale: number): [number, number] {
   let least = Infinity;
   let greatest = -Infinity;
@@ -57,20 +57,20 @@ async function rangeOf(codes: ImageBitmap, scale: number): Promise<[number, numb
   return [least - margin, greatest + margin];
 }
 
-/** What the program sends of a scene that is set up. */
+/** Pictures of a scene that is set up, from the server. */
 interface LivePictures {
   views: Blob;
   depth: Blob | null;
   panel: Blob | null;
 }
 
-/** The end of the name of views. */
+/** Returns the suffix of the views' name. */
 const crosstalkOf = (use: Use): string => (use.startsWith("eye/") ? use.slice(3) : "");
 
-/** Pictures that are one tile. */
+/** Tiles of a single picture. */
 const kWhole: [number, number] = [1, 1];
 
-/** What failed is asked for again after a while: it may have been rendered meanwhile. */
+/** A failed request is repeated after this time, because the frame may have been rendered meanwhile. */
 const kRetryMs = 3000;
 
 export class Frames {
@@ -81,15 +81,15 @@ export class Frames {
   private asked = 0;
   private pinned: string[] = [];
   private interlacer: Interlacer | null = null;
-  /** Of a scene that is set up: the newest picture is shown, whatever frame is asked for. */
+  /** Set for a scene that is set up: the newest picture is shown for every frame. */
   isLive = false;
   private live: LoadedFrame | null = null;
-  /** The same as a panel plays it, made while the panel is what is shown; null: it is not made. */
+  /** The newest picture, interlaced for the panel that is played on; null while another view is shown. */
   private livePlayed: LoadedFrame | null = null;
   private livePictures: { facts: Field; pictures: LivePictures } | null = null;
   private isPlayed = false;
   private isRemaking = false;
-  /** The first picture of each field, small, until the whole one is there. */
+  /** Small previews of the first frame shown of each field, until the full picture has loaded. */
   private readonly previews = new Map<number, { frame: number; made: LoadedFrame }>();
   private readonly progresses = new Map<string, Progress>();
 
@@ -106,12 +106,12 @@ export class Frames {
     return `${field}/${frame}/${this.useFor(field, use)}`;
   }
 
-  /** Only panels of their own need the program's help with crosstalk. */
+  /** Returns the use without crosstalk unless the field has its own kind of panel, for which the server computes it. */
   private useFor(field: number, use: Use): Use {
     return use.startsWith("eye/") && !asksForCrosstalk(this.fields[field]) ? "eye" : use;
   }
 
-  /** The frame, where it is there; else it is on its way, and `changed` is called when it is. Throws what loading it threw. */
+  /** Returns the frame, or null after starting to load it; `changed` is called when it has loaded. Throws the error of a failed load. */
   get(field: number, frame: number, use: Use): LoadedFrame | null {
     if (this.isLive) return this.getLive(use);
     const { label, pending } = this.fields[field].frames[frame];
@@ -129,13 +129,13 @@ export class Frames {
     return null;
   }
 
-  /** A small picture of the frame, until the frame is there; null: there is none. */
+  /** Returns a small preview of the frame, or null if there is none. */
   getPreview(field: number, frame: number, use: Use): LoadedFrame | null {
     const preview = this.previews.get(field);
     return !this.isLive && use !== "display" && use !== "panel" && preview?.frame === frame ? preview.made : null;
   }
 
-  /** How far all is that is being loaded; null: nothing is, or nobody knows. */
+  /** Returns the progress of all downloads, or null if there are none. */
   get progress(): Progress | null {
     const all = [...this.progresses.values()];
     if (all.length === 0) return null;
@@ -153,7 +153,7 @@ export class Frames {
       this.previews.set(field, { frame, made });
       this.changed();
     } catch {
-      // The whole picture follows, or says what is wrong.
+      // Errors are reported when the full picture loads.
     }
   }
 
@@ -163,13 +163,13 @@ export class Frames {
     if (preview) this.deleteTextures(preview.made);
   }
 
-  /** Only before the first picture: later ones come while another is seen. Saved pages have one of their first frame. */
+  /** Returns whether to load a preview: only before the first picture, and in saved pages only for the first frame, which alone has one. */
   private wantsPreview(field: number, frame: number, use: Use): boolean {
     const isFirst = ![...this.loaded.keys()].some((key) => key.startsWith(`${field}/`)) && !this.previews.has(field);
     return isFirst && use === "eye" && this.fields[field].preview !== null && (frame === 0 || canSavePage());
   }
 
-  /** What loading it threw lately. */
+  /** Returns the error of a recent failed load, or null. */
   private failureOf(key: string): Error | null {
     const failure = this.failures.get(key);
     return failure && performance.now() - failure.at < kRetryMs ? failure.error : null;
@@ -179,12 +179,12 @@ export class Frames {
     this.isPlayed = use === "display";
     if (!this.isPlayed) return this.live;
     const facts = this.livePictures?.facts;
-    if (facts && facts.up.views > 1) throw new Refusal(`The scene is set up for ${facts.up.views} rows of views, and a panel shows one.`);
+    if (facts && facts.up.views > 1) throw new Refusal(`The scene has ${facts.up.views} rows of views, but a panel shows only one.`);
     if (!this.livePlayed) void this.remakeLive();
     return this.livePlayed;
   }
 
-  /** The newest pictures once more, for a panel that has just been asked for. */
+  /** Processes the newest pictures again after a switch to the panel. */
   private async remakeLive(): Promise<void> {
     if (this.isRemaking || !this.livePictures) return;
     this.isRemaking = true;
@@ -193,13 +193,13 @@ export class Frames {
     this.changed();
   }
 
-  /** Interlaced from views of any pass, or the panel's own picture, which is there when the frame is as rendered. */
+  /** Returns the panel's frame: interlaced from views, or the panel's own picture once the frame is fully rendered. */
   private playedLive(facts: Field, views: ImageBitmap, panel: ImageBitmap | null): LoadedFrame | null {
     if (!this.isPlayed || !this.interlacer || facts.up.views > 1) return null;
     return this.played(facts, panel && this.isOwnPicture(facts) ? null : views, panel);
   }
 
-  /** Shows pictures of a scene that is set up in place of those before. */
+  /** Replaces the pictures of a scene that is set up. */
   async showLive(facts: Field, pictures: LivePictures): Promise<void> {
     const shown = (this.livePictures = { facts, pictures });
     const options: ImageBitmapOptions = { premultiplyAlpha: "none", colorSpaceConversion: "none" };
@@ -224,14 +224,14 @@ export class Frames {
     before.forEach((one) => one && this.deleteTextures(one));
   }
 
-  /** Shows the frames of files again. */
+  /** Returns to the frames of files. */
   endLive(): void {
     this.isLive = false;
     for (const one of [this.live, this.livePlayed]) if (one) this.deleteTextures(one);
     this.live = this.livePlayed = this.livePictures = null;
   }
 
-  /** These are not given up, whatever the bound says. */
+  /** Protects these frames from being freed, whatever the bound. */
   pin(fields: number[], frame: number): void {
     this.pinned = fields.map((field) => `${field}/${frame}/`);
   }
@@ -240,17 +240,17 @@ export class Frames {
     return this.loading.size > 0;
   }
 
-  /** Whether what is laid over a picture is on its way. */
+  /** Returns whether data of an overlay are loading. */
   get isAsking(): boolean {
     return this.asked > 0;
   }
 
-  /** The frame where it is there; nothing is loaded. */
+  /** Returns the frame if it is loaded. Loads nothing. */
   peek(field: number, frame: number, use: Use): LoadedFrame | null {
     return this.isLive ? this.live : (this.loaded.get(this.key(field, frame, use)) ?? null);
   }
 
-  /** What a display plays is made by this from now on. */
+  /** Sets the interlacer for frames that a display plays. */
   playOn(interlacer: Interlacer, budget: number): void {
     this.budget = budget;
     for (const [key, frame] of [...this.loaded]) if (key.endsWith("/display")) this.giveUp(key, frame);
@@ -261,7 +261,7 @@ export class Frames {
     this.livePlayed = null;
   }
 
-  /** How many frames of a field fit. */
+  /** Returns how many frames of a field fit into the budget. */
   roomFor(field: number, use: Use): number {
     const some = [...this.loaded].find(([key]) => key.startsWith(`${field}/`) && key.endsWith(`/${use}`));
     return some ? Math.max(1, Math.floor(this.budget / some[1].bytes)) : 1;
@@ -312,13 +312,13 @@ export class Frames {
     for (const texture of new Set([frame.views, frame.depth, frame.panel, frame.provenance?.texture ?? null])) if (texture) this.gl.deleteTexture(texture);
   }
 
-  /** Whether what the light field's panel shows is what the panel that is played on shows. */
+  /** Returns whether the panel that is played on is the panel of the light field. */
   private isOwnPicture(facts: Field): boolean {
     const display = this.interlacer?.display;
     return !!display && samePanel(facts.panel.panel, display.panel) && facts.panel.size.join() === display.pixels.join();
   }
 
-  /** Interlaced as soon as it is there: that takes less memory than its views, and playing it no time. */
+  /** Interlaces a frame as soon as it has loaded: it then takes less memory than its views, and no time to play. */
   private async makePlayed(field: number, frame: number): Promise<LoadedFrame> {
     const facts = this.fields[field];
     const label = facts.frames[frame].label;
@@ -331,7 +331,7 @@ export class Frames {
     return made;
   }
 
-  /** The frame of the panel that is played on: of views, or where there are none, its own picture. */
+  /** Returns a frame for the panel that is played on: interlaced from views, or its own picture if there are no views. */
   private played(facts: Field, views: ImageBitmap | null, own: ImageBitmap | null): LoadedFrame {
     const interlacer = this.interlacer as Interlacer;
     const picture = (views ?? own) as ImageBitmap;
@@ -361,7 +361,7 @@ export class Frames {
       panel: panel ? pictureTexture(this.gl, panel, "srgb") : null,
       viewSize: [views.width / facts.tiles[0], views.height / facts.tiles[1]],
       disparities: this.guessedRange(facts),
-      // Depth, which follows, and provenance, which may, count from the beginning.
+      // Includes the depth and provenance that load later.
       bytes: (facts.provenance ? views.width * views.height : 0) + 4 * (views.width * views.height * (facts.depth ? 2 : 1) + (panel ? panel.width * panel.height : 0)),
       whole: Promise.resolve(),
     };
@@ -371,7 +371,7 @@ export class Frames {
     return made;
   }
 
-  /** Views are shown blended until their depth is there. */
+  /** Loads the depth. Views are blended until then. */
   private async addDepth(made: LoadedFrame, field: number, frame: number): Promise<void> {
     const facts = this.fields[field];
     try {
@@ -386,7 +386,7 @@ export class Frames {
     }
   }
 
-  /** Asks for where the frame's pixels came from, unless that has been done. */
+  /** Requests the provenance of the frame's pixels once. */
   wantProvenance(made: LoadedFrame, field: number, frame: number): void {
     if (made.provenance !== undefined) return;
     made.provenance = null;
@@ -401,13 +401,13 @@ export class Frames {
       if (!made.givenUp) made.provenance = { texture: quiltTexture(this.gl, codes, facts.tiles, "indices"), shares: sharesOf(codes, facts.provenance?.length ?? 0) };
       codes.close();
     } catch (error) {
-      this.notice(error instanceof Refusal ? error.message : `Frame ${facts.frames[frame].label}: where its pixels came from is damaged.`);
+      this.notice(error instanceof Refusal ? error.message : `Frame ${facts.frames[frame].label}: its provenance is damaged.`);
     }
     this.asked--;
     this.changed();
   }
 
-  /** Without depth: twice the depth budget on either side. */
+  /** Returns a range of disparities for views without depth: twice the depth budget on either side. */
   private guessedRange(facts: Field): [number, number] {
     const budget = facts.depth_budget_mm ?? 0.2 * facts.window_mm.size[1];
     return [-2 * budget, 2 * budget].map((z) => z / Math.max(1 - z * facts.vergence_per_mm, 0.2)) as [number, number];
@@ -430,17 +430,17 @@ export class Frames {
       throw new Refusal(`Frame ${label}: its picture is damaged and cannot be decoded.`);
     }
     if (picture.width !== size[0] || picture.height !== size[1])
-      throw new Refusal(`Frame ${label}: its picture has ${picture.width}x${picture.height} pixels, and the description says ${size[0]}x${size[1]}.`);
+      throw new Refusal(`Frame ${label}: its picture has ${picture.width}x${picture.height} pixels in place of ${size[0]}x${size[1]}.`);
     return this.fitted(picture, options, tiles);
   }
 
-  /** Views (and panels) larger than the GPU takes are made smaller by a whole factor; quilts of several may be larger. */
+  /** Scales views and panels that exceed the GPU's texture size down by an integer factor. Quilts of several views may exceed it. */
   private async fitted(picture: ImageBitmap, options: ImageBitmapOptions, tiles: readonly [number, number]): Promise<ImageBitmap> {
     const most = this.gl.getParameter(this.gl.MAX_TEXTURE_SIZE) as number;
     const views = [picture.width / tiles[0], picture.height / tiles[1]];
     const by = Math.ceil(Math.max(...views) / most);
     if (by <= 1) return picture;
-    this.notice(`Shown at 1/${by} of its size: this device's GPU takes ${most} pixels a side.`);
+    this.notice(`Shown at 1/${by} of its size: this device's GPU supports at most ${most} pixels a side.`);
     const [resizeWidth, resizeHeight] = views.map((side, i) => tiles[i] * Math.floor(side / by));
     const small = await createImageBitmap(picture, { ...options, resizeWidth, resizeHeight, resizeQuality: "pixelated" });
     picture.close();

@@ -1,11 +1,11 @@
-// Small helpers over WebGL 2: programs, textures, pictures to draw into.
+// Small helpers for WebGL 2: programs, textures and render targets.
 import { Refusal } from "./field";
 
 export type Gl = WebGL2RenderingContext;
 
 export function openGl(canvas: HTMLCanvasElement): Gl {
   const gl = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false, preserveDrawingBuffer: true });
-  if (!gl) throw new Refusal("This browser has no WebGL 2, which the page draws with. Any current browser with graphics enabled has it.");
+  if (!gl) throw new Refusal("This browser has no WebGL 2, which this page needs. Any current browser with graphics enabled has it.");
   gl.getExtension("EXT_color_buffer_float");
   gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
   gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
@@ -24,14 +24,14 @@ function compile(gl: Gl, kind: number, source: string): WebGLShader {
 
 export type Uniform = number | boolean | readonly number[] | { integers: readonly number[] } | { unit: number };
 
-/** All of what is drawn to. */
+/** A vertex shader that covers the whole target. */
 const kCovering = `#version 300 es
   void main() {
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0;
     gl_Position = vec4(corner, 0.0, 1.0);
   }`;
 
-/** A fragment shader that is run for every pixel of a rectangle, or of what a vertex shader makes of 3 or more corners. */
+/** A program that runs a fragment shader for every pixel of a rectangle, or of the corners (3 or more) of a vertex shader. */
 export class Program {
   private readonly program: WebGLProgram;
   private readonly places = new Map<string, WebGLUniformLocation | null>();
@@ -85,7 +85,7 @@ export function setFilter(gl: Gl, filter: number, target: number = gl.TEXTURE_2D
   for (const key of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(target, key, gl.CLAMP_TO_EDGE);
 }
 
-/** Its first row is the top one. Codes of sRGB become linear light where they are sampled; other codes stay what they are. */
+/** Makes a texture whose first row is the top row. sRGB codes are sampled as linear light, other codes unchanged. */
 export function pictureTexture(gl: Gl, picture: ImageBitmap, holds: "srgb" | "codes"): WebGLTexture {
   const texture = gl.createTexture() as WebGLTexture;
   bind(gl, 0, texture);
@@ -95,7 +95,7 @@ export function pictureTexture(gl: Gl, picture: ImageBitmap, holds: "srgb" | "co
   return texture;
 }
 
-/** Two words of 32 bits in every texel. */
+/** Makes a texture of two 32-bit words per texel. */
 export function wordTexture(gl: Gl, width: number, height: number, words: Uint32Array): WebGLTexture {
   const texture = gl.createTexture() as WebGLTexture;
   bind(gl, 0, texture);
@@ -104,12 +104,12 @@ export function wordTexture(gl: Gl, width: number, height: number, words: Uint32
   return texture;
 }
 
-/** Codes that are drawn off the screen, and stay as a texture: its first row is the bottom one. */
+/** A render target of codes; its first row is the bottom row. */
 export class CodeTarget {
   private readonly texture: WebGLTexture;
   private readonly framebuffer: WebGLFramebuffer;
 
-  /** Makes it the target of what is drawn next. */
+  /** Creates the target and binds it for the next draw. */
   constructor(
     private readonly gl: Gl,
     width: number,
@@ -132,7 +132,7 @@ export class CodeTarget {
   }
 }
 
-/** What is drawn off the screen, in linear light, where the device can: its first row is the bottom one. */
+/** A render target in linear light, if the device supports it; its first row is the bottom row. */
 export class Target {
   readonly texture: WebGLTexture;
   readonly framebuffer: WebGLFramebuffer;
@@ -150,7 +150,7 @@ export class Target {
     return this.size[1];
   }
 
-  /** Makes it the target of what is drawn next, all of it. */
+  /** Binds the whole target for the next draw. */
   begin(width: number, height: number): void {
     const gl = this.gl;
     if (this.size[0] !== width || this.size[1] !== height) {
@@ -167,7 +167,7 @@ export class Target {
     gl.viewport(0, 0, width, height);
   }
 
-  /** Linear light, RGBA, rows from the bottom. */
+  /** Returns linear RGBA, rows from the bottom. */
   read(x: number, y: number, width: number, height: number): Float32Array {
     const gl = this.gl;
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);

@@ -1,7 +1,7 @@
-// What hands do: a mouse and fingers on the picture, and the keyboard.
+// Handles the mouse, touches on the picture, and the keyboard.
 //
-// A drag looks around (or, of a scene that is set up, does what is chosen there), the wheel and two fingers zoom, the right button
-// pans, a double click focuses. Keys are heard wherever the focus is, but where a control needs them itself.
+// A drag moves the eye (or, for a scene that is set up, what the user has chosen), the wheel and two fingers zoom, the right
+// button pans, and a double click focuses. Keys work wherever the focus is, except keys that the focused control uses.
 import { toggleKeyList } from "./keys";
 import type { Live } from "./live";
 import { orbitOf, planeDistance, setOrbit, setZoom } from "./live_controls";
@@ -12,7 +12,7 @@ import type { Renderer } from "./renderer";
 import type { Store } from "./state";
 import type { Timeline } from "./timeline";
 
-/** What hands move. */
+/** The actions on the page. */
 interface Page {
   readonly canvas: HTMLCanvasElement;
   readonly renderer: Renderer;
@@ -22,12 +22,12 @@ interface Page {
   readonly motion: Motion;
   readonly live: Live | null;
   readonly print: Print | null;
-  /** Which light fields are shown. */
+  /** Returns the indices of the light fields shown. */
   shown(): number[];
   redraw(): void;
-  /** Somebody has taken over; whether the eye stays where it was seen from. */
+  /** Ends the automatic motion; `stays`: the eye stays where it was drawn. */
   touched(stays: boolean): void;
-  /** Where the eye stands in its zone. */
+  /** Returns the eye's position as shares of its zone. */
   shares(): [number, number];
   moveEye(across: number, up: number): void;
   focusAt(share: [number, number]): void;
@@ -41,7 +41,7 @@ export interface Place {
   y: number;
 }
 
-/** What a pointer has grasped, and how everything was then. */
+/** A drag: its kind, and the state at its start. */
 interface Drag extends Place {
   finger: number;
   moved: boolean;
@@ -53,7 +53,7 @@ interface Drag extends Place {
   shift: number;
 }
 
-/** Two fingers, and what they held. */
+/** Two fingers, and the state at their start. */
 interface Pinch {
   apart: number;
   middle: Place;
@@ -62,7 +62,7 @@ interface Pinch {
 const kDoubleClickMs = 400;
 const kDoubleClickPx = 24;
 
-/** Whether the control that has the focus does something with the key itself. */
+/** Returns whether the focused control uses the key. */
 function isOfControl({ target, key }: KeyboardEvent): boolean {
   if (target instanceof HTMLButtonElement || (target instanceof Element && target.closest("summary"))) return key === " ";
   if (target instanceof HTMLInputElement && target.type === "checkbox") return key === " ";
@@ -71,7 +71,7 @@ function isOfControl({ target, key }: KeyboardEvent): boolean {
 }
 
 export class Hands {
-  /** Where a mouse or a finger is, or the loupe that arrow keys move. */
+  /** Position of the mouse or finger, or of the loupe that arrow keys move. */
   pointer: Place | null = null;
   private drag: Drag | null = null;
   private readonly fingers = new Map<number, Place>();
@@ -92,9 +92,9 @@ export class Hands {
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
     canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     window.addEventListener("keydown", (event) => this.key(event));
-    // A touch of any control, too, ends what moves by itself.
+    // Touching any control also ends the automatic motion.
     window.addEventListener("pointerdown", (event) => event.target !== canvas && this.app.touched(true), { capture: true });
-    // Who clicks a button with a pointer means the picture by the keys that follow.
+    // After a click with a pointer, keys apply to the picture instead of the clicked button.
     window.addEventListener("click", (event) => {
       if (event.detail > 0 && event.target instanceof Element && event.target.closest("button") && !event.target.closest("dialog")) canvas.focus({ preventScroll: true });
     });
@@ -165,7 +165,7 @@ export class Hands {
     this.app.motion.hover([within((at.x - left) / width), within(1 - (at.y - top) / height)]);
   }
 
-  /** What the first finger has moved until the second came goes back. */
+  /** Undoes what the first finger moved before the second finger touched. */
   private giveUpDrag(): void {
     if (this.drag?.moved) this.dragTo(this.drag, this.drag);
     this.drag = null;
@@ -230,7 +230,7 @@ export class Hands {
 
   // ---- Zoom --------------------------------------------------------------------------------------------------------------
 
-  /** Towards a place on the canvas, which stays where it is. */
+  /** Zooms about a point of the canvas, which stays in place. */
   zoomAt(factor: number, at: Place): void {
     const { state } = this.app.store;
     const { fitted, mostMagnified } = this.app.renderer;
@@ -249,7 +249,7 @@ export class Hands {
     this.app.store.set({ magnify: 1, pan: [0, 0] });
   }
 
-  /** A pixel of the views (or of the panel) on each pixel of the screen. */
+  /** Shows one pixel of the views (or of the panel) per pixel of the screen. */
   showTrueSize(): void {
     this.app.store.set({ magnify: this.app.renderer.magnifiedForTrueSize(this.app.store.state), pan: [0, 0] });
   }
@@ -260,13 +260,13 @@ export class Hands {
     this.panTo(pan[0] + x / fitted.width, pan[1] + y / fitted.height);
   }
 
-  /** The middle of the screen stays on the picture. */
+  /** Pans, and keeps the middle of the screen on the picture. */
   private panTo(x: number, y: number): void {
     const most = this.app.store.state.magnify / 2;
     this.app.store.set({ pan: [x, y].map((share) => Math.min(Math.max(share, -most), most)) });
   }
 
-  /** Touchpads send pinches as turns of the wheel with Ctrl. */
+  /** Touchpads send pinches as wheel events with Ctrl. */
   private wheel(event: WheelEvent): void {
     const { app } = this;
     event.preventDefault();
@@ -317,7 +317,7 @@ export class Hands {
     return actions[key.length === 1 ? key.toLowerCase() : key];
   }
 
-  /** Moves the eye, or before the panel's picture the loupe; of a scene that is set up, what dragging moves. */
+  /** Moves the eye or, over the panel's picture, the loupe; in a scene that is set up, moves what dragging moves. */
   private arrow(x: number, y: number, by: number): void {
     const { app } = this;
     const { live } = app;

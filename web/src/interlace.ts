@@ -1,9 +1,9 @@
-// Interlacing, as `lippmann convert --to native` does it: each sub-pixel of the panel takes its colour from the view that its
-// place below the lenses is of. Codes are taken, and mixed, as they are (src/layout/interlace.cpp).
+// Interlaces views for a panel, as `lippmann convert --to native` does: each sub-pixel takes its colour from the view at its
+// place below the lens. Codes are mixed without conversion to linear light (src/layout/interlace.cpp).
 //
-// The phase of a sub-pixel is a sum of what its row and its column give. Only its fraction counts, and has to tell views apart
-// below the last of hundreds of lenses as below the first, for which floats are too coarse: both are tables of fractions of 64
-// bits, in which sums wrap round as fractions do.
+// The phase of a sub-pixel is the sum of one term for its row and one for its column, of which only the fraction counts. Floats
+// are too coarse to tell views apart below the last of hundreds of lenses, so both terms are tables of 64-bit fractions, whose
+// sums wrap around.
 import type { PanelDisplay } from "./display";
 import { Refusal, type Field } from "./field";
 import { bind, CodeTarget, Program, wordTexture, type Gl, type Uniform } from "./gl";
@@ -21,7 +21,8 @@ precision highp sampler2D;
 precision highp usampler2D;
 ${kQuiltPlaces}
 uniform QUILT u_views;            // codes: the quilt, or the panel's own picture
-uniform usampler2D u_rows;        // red, green, blue of even pixels, of odd ones: upper and lower words; rows from the bottom
+uniform usampler2D u_rows;        // red, green, blue of even pixels, then of odd pixels: upper and lower words; rows from the
+                                  // bottom
 uniform usampler2D u_columns;
 uniform ivec2 u_view_size, u_tiles, u_panel_size;
 uniform int u_count;
@@ -29,7 +30,7 @@ uniform bool u_inverted;
 uniform float u_sigma;
 out vec4 color;
 
-// The fraction times the number of views, above and below the point.
+// Returns the fraction times the number of views: the integer part and the 32-bit fraction.
 uvec2 view_place(uvec2 fraction) {
   uint count = uint(u_count);
   uint lower = ((fraction.y >> 16u) * count + (((fraction.y & 0xffffu) * count) >> 16u)) >> 16u;
@@ -38,7 +39,7 @@ uvec2 view_place(uvec2 fraction) {
   return uvec2(upper >> 16u, (upper << 16u) | (middle & 0xffffu));
 }
 
-// v = fract(z) or 1 - fract(z), where 1 is of the last view.
+// Returns v = fract(z) or 1 - fract(z) times the number of views, where 1 belongs to the last view.
 uvec2 view_of(ivec2 pixel, int channel) {
   uvec2 row = texelFetch(u_rows, ivec2(3 * (pixel.x & 1) + channel, pixel.y), 0).xy;
   uvec2 column = texelFetch(u_columns, ivec2(pixel.x, 0), 0).xy;
@@ -71,7 +72,7 @@ float bilinear(int view, ivec2 pixel, int channel) {
 }
 
 float between(uvec2 place, ivec2 pixel, int channel) {
-  // View n is what (n + 1/2) / N sees.
+  // View n covers v = n / N to (n + 1) / N, with its centre at (n + 1/2) / N.
   int view = int(place.x) - (place.y < 0x80000000u ? 1 : 0);
   float share = float(place.y ^ 0x80000000u) / 4294967296.0;
   if (view < 0) view = 0, share = 0.0;
@@ -109,7 +110,7 @@ void main() {
 }
 `;
 
-/** Upper and lower words of fractions. */
+/** Splits fractions into upper and lower words. */
 function fractionsOf(values: number[]): Uint32Array {
   const words = new Uint32Array(2 * values.length);
   values.forEach((value, i) => {
@@ -120,7 +121,7 @@ function fractionsOf(values: number[]): Uint32Array {
   return words;
 }
 
-/** Phases at the left end of every row, from the lowest; as src/layout/sub_pixel_views.hpp. */
+/** Returns the phase at the left end of every row, from the bottom, as in src/layout/sub_pixel_views.hpp. */
 export function rowPhases({ pixels, panel }: PanelDisplay): number[] {
   const phases: number[] = [];
   for (let up = 0; up < pixels[1]; up++)
@@ -133,7 +134,7 @@ export function rowPhases({ pixels, panel }: PanelDisplay): number[] {
   return phases;
 }
 
-/** Makes frames of one panel. */
+/** Makes the frames of one panel. */
 export class Interlacer {
   private readonly programs = new Map<string, Program>();
   private readonly rows: WebGLTexture;
@@ -146,13 +147,13 @@ export class Interlacer {
     const { pixels, panel } = display;
     const most = gl.getParameter(gl.MAX_TEXTURE_SIZE) as number;
     if (Math.max(...pixels) > most)
-      throw new Refusal(`The panel has ${pixels[0]}\u00d7${pixels[1]} pixels, and this device's GPU takes ${most} a side.`);
+      throw new Refusal(`The panel has ${pixels[0]}\u00d7${pixels[1]} pixels, but this device's GPU supports at most ${most} a side.`);
     this.rows = wordTexture(gl, 6, pixels[1], fractionsOf(rowPhases(display)));
     const perPixel = panel.periods / pixels[0];
     this.columns = wordTexture(gl, pixels[0], 1, fractionsOf([...Array(pixels[0]).keys()].map((i) => i * perPixel)));
   }
 
-  /** The frame of a light field's views: codes, its first row the bottom one. */
+  /** Returns the frame of a light field's views: codes, whose first row is the bottom row. */
   fromViews(field: Field, views: WebGLTexture, viewSize: [number, number], layer: LayerTiles): WebGLTexture {
     return this.draw(this.display.filter, views, layer, {
       u_layer_tiles: { integers: layer ?? field.tiles },
@@ -164,7 +165,7 @@ export class Interlacer {
     });
   }
 
-  /** Of a picture that is the panel's already. */
+  /** Returns the frame of a picture made for this panel. */
   fromOwn(picture: WebGLTexture): WebGLTexture {
     return this.draw("as they are", picture, null, {});
   }

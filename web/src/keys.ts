@@ -1,17 +1,17 @@
-// The list of keys and of what the mouse does.
+// The list of keys and mouse actions.
 import { button, element } from "./elements";
 
 const kRows = (isLive: boolean): [string, string][] => [
-  ["Drag", isLive ? "turn the scene, or what Set-up says" : "look around"],
-  ["Wheel, pinch", isLive ? "zoom (the pinch: the picture)" : "zoom the picture"],
+  ["Drag", isLive ? "turn the scene, or do what Set-up has selected" : "look around"],
+  ["Wheel, pinch", isLive ? "zoom (a pinch zooms the picture)" : "zoom the picture"],
   ["Right drag", "pan the picture"],
   ["Double click", "focus there"],
-  ["\u2190 \u2192 \u2191 \u2193", isLive ? "as dragging, in steps" : "move the eye; with Shift in small steps"],
-  ["Home", "eye to the middle, whole picture"],
+  ["\u2190 \u2192 \u2191 \u2193", isLive ? "move as dragging does, in steps" : "move the eye; hold Shift for small steps"],
+  ["Home", "centre the eye, show the whole picture"],
   ["+ \u2212 0 1", "zoom in, zoom out, fit, true size (1:1)"],
-  ["Space , .", "start and stop, frame back, frame on"],
+  ["Space , .", "start and stop, previous frame, next frame"],
   ["A, C", "open or close the aperture; focus on the middle"],
-  ["P", "what the panel behind the lenses shows"],
+  ["P", "show the panel behind the lenses"],
   ["F", "full screen"],
   ["?", "this list"],
 ];

@@ -1,5 +1,5 @@
-// A scene that is set up live: what the program says of it, its newest pictures, and what is asked of it (docs/guide/view.md lists the
-// keys). Settings are texts by the names of `lippmann render`'s flags.
+// A scene that is set up live: the server's state of it, its newest pictures, and requests to change it (docs/guide/view.md
+// lists the keys). Settings are texts by the names of `lippmann render`'s flags.
 import { loadPicture, postText, readState } from "./data";
 import type { PanelDisplay } from "./display";
 import { Refusal, type Field } from "./field";
@@ -29,7 +29,7 @@ export interface LiveState {
   depth: { budget_mm: number | null; summary: string };
   view: string;
   light: string;
-  /** The calibrated panel that the settings are for; null: they are for no such panel. */
+  /** The calibrated panel that the settings are for, or null. */
   display: PanelDisplay | null;
   picture: { id: number; version: number; frame: number; pass: string; view_size: [number, number]; depth: boolean; panel: boolean; field: Omit<Field, "frames"> } | null;
   saved: string;
@@ -39,7 +39,7 @@ export interface LiveState {
 export interface Choices {
   choices: Record<string, string[]>;
   display: PanelDisplay | null;
-  /** Whether the page begins with what that panel shows. */
+  /** Whether the page begins by playing on that panel. */
   plays: boolean;
 }
 
@@ -51,7 +51,7 @@ interface Changes {
 
 export class Live {
   state: LiveState | null = null;
-  /** What was asked for and is not confirmed yet: controls show it at once. */
+  /** Changes requested but not yet confirmed; controls show them at once. */
   private wanted: Record<string, string> = {};
   private waiting: Changes | null = null;
   private confirmed = 0;
@@ -71,12 +71,12 @@ export class Live {
     void this.listen();
   }
 
-  /** The text of a setting as it is or soon will be. */
+  /** Returns the text of a setting, including unconfirmed changes. */
   value(name: string): string {
     return this.wanted[name] ?? this.state?.settings[name] ?? "";
   }
 
-  /** Of what is not confirmed yet. */
+  /** Returns an unconfirmed number, or undefined. */
   pendingNumber(name: string): number | undefined {
     return name in this.wanted ? Number(this.wanted[name]) : undefined;
   }
@@ -87,29 +87,29 @@ export class Live {
     return text === "" || !Number.isFinite(number) ? otherwise : number;
   }
 
-  /** The frame of the picture that is shown; -1: none yet. */
+  /** The frame of the picture that is shown; -1: there is no picture yet. */
   get shownFrame(): number {
     return this.shownId > 0 ? (this.state?.picture?.frame ?? -1) : -1;
   }
 
-  /** Whether what is shown is the render of the settings in force. */
+  /** Whether the final render of the present settings is shown. */
   get isAtRest(): boolean {
     const { state } = this;
     const picture = state?.picture;
     return !!state && !!picture && !this.isOutdated && picture.id === this.shownId && picture.version === state.version && picture.pass === "final";
   }
 
-  /** Whether settings have changed since those of the picture that is shown. */
+  /** Whether settings have changed since the picture that is shown. */
   get isOutdated(): boolean {
     return this.shownId > 0 && (this.sending || this.waiting !== null || this.shownVersion < Math.max(this.state?.version ?? 0, this.confirmed));
   }
 
-  /** Whether what has come is the first that the program says. */
+  /** Whether this is the first state from the server. */
   get isNew(): boolean {
     return this.states <= 1;
   }
 
-  /** The frame that another page has chosen, where this one asks for none; null: there is nothing to follow. */
+  /** The frame that another page has chosen, unless this page requests one; null: none. */
   get othersFrame(): number | null {
     const { state } = this;
     return !state || this.sending || this.waiting || state.version < this.confirmed ? null : state.frame;
@@ -129,13 +129,13 @@ export class Live {
     void this.send();
   }
 
-  /** The plane goes where something is seen at that depth. */
+  /** Moves the display's plane to this depth. */
   setPlane(plane_mm: number): void {
     this.waiting = { ...this.waiting, plane_mm };
     void this.send();
   }
 
-  /** One request at a time: what is dragged meanwhile goes with the next. */
+  /** Sends one request at a time. Later changes are sent together with the next. */
   private async send(): Promise<void> {
     if (this.sending || !this.waiting) return;
     this.sending = true;
@@ -213,7 +213,7 @@ export class Live {
       picture.depth ? loadPicture(`live/depth/${id}`) : null,
       picture.panel && field.panel.is === "own" ? loadPicture(`live/panel/${id}`) : null,
     ]);
-    // Empty: a newer one has taken its place meanwhile, and is asked for next.
+    // An empty file was replaced by a newer one, which is requested next.
     if ([views, depth, panel].some((one) => one?.size === 0)) return;
     await this.frames.showLive({ ...this.field, ...field }, { views, depth, panel });
     Object.assign(this.field, field);

@@ -1,4 +1,4 @@
-// The controls of a scene that is set up: where it is seen from, what shows it, its light, and what becomes of it.
+// The controls of a scene that is set up: camera, display, light and render.
 import { button, check, chooser, element, group, rounded, slider, tip, type Shown } from "./elements";
 import type { Field } from "./field";
 import type { Live, Rendered } from "./live";
@@ -19,7 +19,7 @@ const kNames: Record<string, string> = {
 const named = (word: string): [string, string] => [word, kNames[word] ?? word];
 const digits = (value: number, count = 3): string => String(Number(value.toPrecision(count)));
 
-/** Yaw and pitch in degrees. */
+/** Returns yaw and pitch in degrees. */
 export function orbitOf(live: Live): [number, number] {
   const [yaw, pitch] = live.value("orbit").split(",").map(Number);
   return [Number.isFinite(yaw) ? yaw : 0, Number.isFinite(pitch) ? pitch : 0];
@@ -34,7 +34,7 @@ export function setZoom(live: Live, zoom: number): void {
   live.set({ zoom: digits(Math.min(Math.max(zoom, 0.1), 20)) });
 }
 
-/** Where the plane may be moved: through the subject, and a little before and behind it. */
+/** Returns the range of the plane: through the subject, and slightly in front of and behind it. */
 export function planeRange(live: Live): [number, number] {
   const plane = live.state?.plane;
   if (!plane) return [0, 1];
@@ -43,14 +43,14 @@ export function planeRange(live: Live): [number, number] {
   return [Math.min(Math.max(plane.nearest - 0.25 * deep, 0.05 * plane.distance), now), Math.max(plane.farthest + 0.25 * deep, now)];
 }
 
-/** As asked for, or where it stands. */
+/** Returns the requested distance of the plane, or the present one. */
 export const planeDistance = (live: Live): number => live.pendingNumber("focus") ?? live.state?.plane?.distance ?? 1;
 
 export function setPlaneDistance(live: Live, distance: number): void {
   live.set({ focus: digits(distance, 5) });
 }
 
-/** The zone of the optics in degrees. */
+/** Returns the zone of the optics in degrees. */
 function coneOf(field: Field): number {
   const { across } = field;
   const last = across.first + across.step * (across.views - 0.5);
@@ -79,7 +79,7 @@ function viewGroup(store: Store, live: Live, shown: Shown[]): HTMLElement {
   );
 }
 
-/** As src/job/params.cpp has it. */
+/** Same default as in src/job/params.cpp. */
 const fitsByDefault = (live: Live): boolean => live.value("display") !== "" || live.value("optics") !== "multiview";
 
 function displayGroup(field: Field, live: Live, shown: Shown[]): HTMLElement {
@@ -113,7 +113,7 @@ function lightGroup(live: Live, shown: Shown[]): HTMLElement {
   );
 }
 
-/** What few need to set. */
+/** Controls that few users need. */
 export function lightDetails(live: Live, shown: Shown[]): HTMLElement {
   const paths = () => live.value("integrator") === "path";
   return group(
@@ -133,15 +133,15 @@ function samplesOf(live: Live): number {
 export function renderText(render: Rendered | null): string {
   if (!render) return "";
   const frames = `${render.done} of ${render.frames} frame${render.frames === 1 ? "" : "s"}`;
-  if (render.state === "running") return render.frames === 0 ? "Being set up" : `${frames}${render.seconds_left === null ? "" : `, about ${minutes(render.seconds_left)} left`}`;
+  if (render.state === "running") return render.frames === 0 ? "Setting up" : `${frames}${render.seconds_left === null ? "" : `, about ${minutes(render.seconds_left)} left`}`;
   if (render.state === "finished") return `Finished: ${render.folder}`;
   if (render.state === "stopped") return `Stopped after ${frames}: ${render.folder}`;
   return render.error;
 }
 
-/** Stays in sight while other controls are scrolled. */
+/** Controls that stay visible while others scroll. */
 export function jobGroup(live: Live, shown: Shown[]): HTMLElement {
-  const said = element("output", { className: "value job" });
+  const status = element("output", { className: "value job" });
   const bar = element("progress", { max: 1 });
   bar.setAttribute("aria-label", "Render");
   const cancel = button("Cancel", () => live.cancel());
@@ -151,13 +151,13 @@ export function jobGroup(live: Live, shown: Shown[]): HTMLElement {
     update: () => {
       const { state } = live;
       const saved = state?.saved ? `Saved: ${state.saved}` : "";
-      said.value = [saved, renderText(state?.render ?? null)].filter(Boolean).join("\n");
+      status.value = [saved, renderText(state?.render ?? null)].filter(Boolean).join("\n");
       bar.hidden = cancel.hidden = !isRunning();
       renders.forEach((one) => (one.hidden = isRunning()));
       bar.value = state?.render?.share ?? 0;
     },
   });
-  const made = group("Render", element("div", { className: "buttons" }, ...renders, cancel, tip("A .toml that `lippmann render` takes", button("Save job", () => void live.save()))), bar, element("div", { className: "row panel" }, said));
+  const made = group("Render", element("div", { className: "buttons" }, ...renders, cancel, tip("A .toml that `lippmann render` takes", button("Save job", () => void live.save()))), bar, element("div", { className: "row panel" }, status));
   made.classList.add("job");
   return made;
 }

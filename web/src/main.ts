@@ -1,4 +1,4 @@
-// Loads the description, and begins the page.
+// Loads the description and starts the page.
 import { App, fail } from "./app";
 import { loadFields } from "./data";
 import { readDisplay } from "./display";

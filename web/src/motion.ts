@@ -1,15 +1,15 @@
-// How the eye moves before anybody has touched the page, so that a light field looks like one: it sways slowly, and follows a
-// mouse above the picture. Who prefers reduced motion sees neither.
+// Moves the eye until the user touches the page, so that a light field looks three-dimensional at once: the eye sways slowly
+// and follows the mouse over the picture. Users who prefer reduced motion see neither.
 
 /** Shares of the viewing zone: across, up. */
 type Shares = [number, number];
 
 const kSwing: Shares = [0.34, 0.22];
 const kPeriodsMs: Shares = [7000, 9500];
-/** The first picture stays still for a moment, and the sway begins softly. */
+/** The picture stays still for a moment before the sway begins softly. */
 const kWaitMs = 900;
 const kRampMs = 1500;
-/** How soon the eye is where it goes to. */
+/** Time constant of the eye's motion towards its target. */
 const kEaseMs = 140;
 const kMargin = 0.03;
 
@@ -21,13 +21,13 @@ export class Motion {
   private last = 0;
   private offset: Shares = [0, 0];
 
-  /** home: where the eye stands in the zone without it. */
+  /** home: returns the eye's position in the zone without the sway. */
   constructor(
     private readonly home: () => Shares,
     private readonly changed: () => void,
   ) {}
 
-  /** Whether it moves, or waits to. */
+  /** Whether the eye moves or is about to. */
   get isOn(): boolean {
     return !this.isTouched && !this.isReduced;
   }
@@ -36,12 +36,12 @@ export class Motion {
     return !this.isReduced;
   }
 
-  /** Whether somebody has touched the page. */
+  /** Whether the user has touched the page. */
   get isOver(): boolean {
     return this.isTouched;
   }
 
-  /** From now on the eye stays where it is put. */
+  /** Ends the motion. */
   end(): void {
     if (this.isTouched) return;
     this.isTouched = true;
@@ -54,20 +54,20 @@ export class Motion {
     this.changed();
   }
 
-  /** A mouse is above that share of the picture, from its bottom left; null: above none. */
+  /** Sets the share of the picture, from its bottom left, that the mouse is over; null: it is not over the picture. */
   hover(at: Shares | null): void {
     if (this.pointer && !at) this.began = 0;
     this.pointer = at;
   }
 
-  /** Where the eye is seen from is where it stands from now on. */
+  /** Makes the present position the new home and returns it. */
   settle(): Shares {
     const shares = this.shares();
     this.offset = [0, 0];
     return shares;
   }
 
-  /** Shares of the zone in which the eye is now. */
+  /** Returns the eye's present position as shares of the zone. */
   shares(): Shares {
     const home = this.home();
     return [0, 1].map((i) => Math.min(Math.max(home[i] + this.offset[i], Math.min(home[i], kMargin)), Math.max(home[i], 1 - kMargin))) as Shares;
@@ -77,7 +77,7 @@ export class Motion {
     return this.offset[0] !== 0 || this.offset[1] !== 0;
   }
 
-  /** A frame of the screen. Whether the eye has moved; may: whether what is shown can be seen from elsewhere. */
+  /** Advances by one frame of the screen and returns whether the eye has moved. may: whether the picture has parallax to show. */
   step(now: number, may: boolean): boolean {
     const past = Math.min(now - this.last, 100);
     this.last = now;

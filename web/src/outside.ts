@@ -1,4 +1,5 @@
-// How other programs steer the page: `window.lippmann` in scripts of the page's own origin, messages from a page around it.
+// Lets other programs control the page: `window.lippmann` in scripts of the page's own origin, or messages from an embedding
+// page.
 //   parent to page: frame.contentWindow.postMessage({ lippmann: { eye: [20, 0, 500], frame: 12, focus: -10, aperture: 1 } }, "*")
 //   page to parent: { lippmann: { state: {...} } } after every change; no pictures.
 import { shareOutOfZone } from "./field";
@@ -14,18 +15,18 @@ interface Handle {
   set(changes: Record<string, unknown>): void;
   focusAt(x: number, y: number): void;
   picture(width: number, height: number, field?: number): Promise<Uint8ClampedArray>;
-  /** The share of the display of which the eye sees what is meant for another zone. */
+  /** Share of the display at which the eye sees views meant for another zone. */
   readonly outOfZone: number;
   readonly isPlaying: boolean;
   pause(): void;
   panel(): Uint8ClampedArray;
   valueAt(x: number, y: number): number[];
-  /** Of a scene that is set up: what the program says of it, and settings by the names of flags. */
+  /** The server's state of a scene that is set up, with settings by the names of flags. */
   readonly scene: LiveState | null;
   setUp(settings: Record<string, string | null>): void;
-  /** Of a print: the field that the program described last, as it was answered; null: none is made. */
+  /** The server's latest description of the print; null: there is no print. */
   readonly print: Print["made"];
-  /** Of a render that runs or was stopped: what the program says of it. */
+  /** The server's state of a render that is running or was stopped. */
   readonly run: RunState | null;
 }
 

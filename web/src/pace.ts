@@ -1,35 +1,34 @@
-// How finely pictures are drawn. Graphics that run on the processor take a tenth of a second for an eye that sees by depth: while
-// what is shown moves, its pictures are then coarser, so that it moves smoothly, and fine again once it rests.
+// Chooses the resolution of pictures. Software graphics take a tenth of a second to draw an eye's view with depth, so pictures
+// are coarser while the view moves, and fine again once it rests.
 
-/** Milliseconds between pictures that are drawn in every frame of the screen: what is aimed at, what is too slow (more than on a
- *  screen of 24 pictures a second), and what leaves time for finer ones. */
+/** Milliseconds between pictures: the goal, too slow (below 24 pictures a second), and fast enough to try a finer resolution. */
 const kGoal = 33;
 const kSlow = 45;
 const kFast = 20;
 const kCoarsest = 4;
-/** Frames of the screen in which nothing has moved, until it rests. A video has some between its own. */
+/** Frames of the screen without motion after which the view rests. A video has a few between its own frames. */
 const kRest = 8;
-/** As many pictures that came fast say that finer ones may be tried. */
+/** Number of fast pictures after which a finer resolution is tried. */
 const kProof = 20;
 
 export class Pace {
-  /** What the sides of the picture drawn last were divided by. */
+  /** Divisor of the width and height of the last picture. */
   divisor = 1;
   private needed = 1;
-  /** The finest that is known to be too slow, in this movement. */
+  /** The smallest divisor known to be too slow in this movement. */
   private tooFine = 0;
   private quiet = kRest;
   private at = 0;
   private intervals: number[] = [];
 
-  /** A frame of the screen in which nothing is drawn. Whether a coarse picture has rested, and is to be drawn again. */
+  /** Counts a frame of the screen without a picture. Returns whether the view has rested and a coarse picture must be redrawn. */
   rests(): boolean {
     this.quiet = Math.min(this.quiet + 1, kRest);
     return this.quiet === kRest && this.divisor > 1;
   }
 
-  /** A picture is drawn at a time in ms, because what is shown moves or for another reason; what its sides are to be divided by.
-   *  The first of a movement is as fine as one at rest. */
+  /** Returns the divisor for a picture drawn at `now` (ms); `moves`: the view is moving. The first picture of a movement has full
+   *  resolution. */
   draws(now: number, moves: boolean): number {
     const isFirst = this.quiet === kRest;
     if (!moves) {
@@ -52,7 +51,7 @@ export class Pace {
     else if (this.intervals.length >= kProof) this.finer();
   }
 
-  /** The time is taken to go with the picture's area. */
+  /** Chooses a coarser divisor, assuming that time is proportional to the picture's area. */
   private coarser(interval: number): void {
     this.tooFine = Math.max(this.tooFine, this.needed);
     this.needed = Math.min(Math.ceil(this.needed * Math.sqrt(interval / kGoal)), kCoarsest);

@@ -1,4 +1,4 @@
-// Playing on a panel: which one, full screen, and its pixels one by one on the pixels of the screen.
+// Plays on a panel: which panel, full screen, and one pixel of the panel per pixel of the screen.
 import { readCalibration, readDisplay, type PanelDisplay } from "./display";
 import { isOfPictures, pictures } from "./drop";
 import { Refusal } from "./field";
@@ -7,20 +7,20 @@ import type { Gl } from "./gl";
 import { Interlacer } from "./interlace";
 import type { Store } from "./state";
 
-/** Frames of a panel: what a device that is made to play them has. */
+/** Returns the bytes for frames of a panel, on devices built to play them. */
 function playedBudget(): number {
   const gigabytes = (navigator as { deviceMemory?: number }).deviceMemory ?? 4;
   return Math.min(Math.max(gigabytes * 256, 512), 2048) * 1024 * 1024;
 }
 
-/** What a saved page or a program knows as the text of a calibration is small. */
+/** Calibration files are small. */
 const kMostCalibrationBytes = 1 << 20;
 
 const sizeText = ([width, height]: readonly number[]): string => `${width}\u00d7${height}`;
 
 export class Player {
   display: PanelDisplay | null = null;
-  /** The panel that the program has named last, as text. */
+  /** The panel that the server named last, as JSON. */
   private named = "";
   private isDropped = false;
 
@@ -42,10 +42,10 @@ export class Player {
     });
   }
 
-  /** Throws a Refusal for a panel that this device cannot draw, or views that no panel's frame is made of. */
+  /** Throws a Refusal if this device cannot draw the panel, or if a panel cannot show these views. */
   playOn(display: PanelDisplay): void {
     const { up, title } = this.store.fields[0];
-    if (up.views > 1 && !this.frames.isLive) throw new Refusal(`${title} has ${up.views} rows of views, and a panel shows one: \`lippmann convert --keep\` takes one of several.`);
+    if (up.views > 1 && !this.frames.isLive) throw new Refusal(`${title} has ${up.views} rows of views, but a panel shows only one: \`lippmann convert --keep\` selects one row.`);
     this.takeDisplay(display);
     this.store.set({ show: "display" });
     this.store.touch();
@@ -57,8 +57,7 @@ export class Player {
     this.store.plays = true;
   }
 
-  /** Of a scene that is set up, the panel that it is set up for, which may be played on; null: it is none. A calibration that
-   *  was dropped on the page stays. */
+  /** Plays on the panel of a scene that is set up; null: there is none. A calibration dropped on the page takes precedence. */
   follow(display: PanelDisplay | null): void {
     const named = JSON.stringify(display);
     if (named === this.named || this.isDropped) return;
@@ -74,11 +73,11 @@ export class Player {
     this.store.plays = false;
   }
 
-  /** A file that was dropped on the page or chosen: a calibration. */
+  /** Reads a calibration file that was dropped on the page or chosen. */
   async take(file: File): Promise<void> {
     this.notify("calibration", "");
     try {
-      if (file.size > kMostCalibrationBytes) throw new Refusal("It is larger than 1 MB, and no calibration.");
+      if (file.size > kMostCalibrationBytes) throw new Refusal("It is larger than 1 MB, so it is not a calibration.");
       this.playOn(await readCalibration(await file.text()));
       this.isDropped = true;
     } catch (error) {
@@ -110,7 +109,7 @@ export class Player {
     }
   }
 
-  /** The same scene once more, as eyes see it: this page stays on the panel. */
+  /** Opens the scene in a second window as eyes see it, while this page stays on the panel. */
   openSetUp(): void {
     window.open(`${location.href.split("#")[0]}#show=eye`, "_blank", "popup,width=1200,height=800");
   }
@@ -119,7 +118,7 @@ export class Player {
     return this.display ? `${this.display.name}, ${sizeText(this.display.pixels)}` : "none";
   }
 
-  /** The canvas has the panel's pixels; in full screen each is one of the screen's. Whether that changed its size. */
+  /** Gives the canvas the panel's pixels; in full screen, each is one pixel of the screen. Returns whether its size changed. */
   fit(canvas: HTMLCanvasElement): boolean {
     const [width, height] = (this.display as PanelDisplay).pixels;
     const changed = canvas.width !== width || canvas.height !== height;
@@ -132,15 +131,15 @@ export class Player {
     return changed;
   }
 
-  /** A screen of another size than the panel's is not the panel. */
+  /** Returns a notice if the screen does not have the panel's pixels. */
   private screenNotice(fills: boolean, ratio: number): string {
     const { pixels } = this.display as PanelDisplay;
     const { gl } = this;
     if (gl.drawingBufferWidth !== gl.canvas.width || gl.drawingBufferHeight !== gl.canvas.height)
-      return `This device draws ${sizeText([gl.drawingBufferWidth, gl.drawingBufferHeight])} pixels at most, and the panel has ${sizeText(pixels)}.`;
+      return `This device draws at most ${sizeText([gl.drawingBufferWidth, gl.drawingBufferHeight])} pixels, but the panel has ${sizeText(pixels)}.`;
     if (!fills) return this.canFillScreen ? "Shown as a picture. On the panel's screen, \u201cFull screen\u201d or F plays it pixel for pixel." : "Shown as a picture: this browser cannot fill the screen.";
     const screen = [Math.round(window.innerWidth * ratio), Math.round(window.innerHeight * ratio)];
     const fits = screen.every((side, i) => Math.abs(side - pixels[i]) <= ratio);
-    return fits ? "" : `This screen has ${sizeText(screen)} pixels, and the panel ${sizeText(pixels)}: move the window to the panel's screen.`;
+    return fits ? "" : `This screen has ${sizeText(screen)} pixels, but the panel ${sizeText(pixels)}: move the window to the panel's screen.`;
   }
 }

@@ -1,5 +1,5 @@
-// The print of the light field: what the program is asked for, and the page as it shows what eyes see of it through the lenses
-// (docs/guide/view.md lists the keys). Requests follow one another.
+// The print of the light field: sends requests to the server, one at a time, and shows what eyes see through the lenses of the
+// result (docs/guide/view.md lists the keys).
 import { download, loadPicture, postText } from "./data";
 import { depthOfDisparity, disparityOfDepth, Refusal, slopeInZone, type Field } from "./field";
 import type { Frames } from "./frames";
@@ -16,9 +16,9 @@ interface Made {
   field: Field;
 }
 
-/** A sheet of lenses on paper, as the page lets it be set. */
+/** A lens sheet on paper, whose values the page can set. */
 export const kSheet = "sheet";
-/** A display whose file was chosen. */
+/** A display from a chosen file. */
 export const kFile = "file";
 
 export interface PrintSettings {
@@ -37,12 +37,12 @@ export class Print {
   readonly settings: PrintSettings;
   file: { name: string; text: string } | null = null;
   made: Made | null = null;
-  /** Whether the sheet is to be seen, and whether it is. */
+  /** Whether the user wants to see through the sheet. */
   isWanted = false;
   isSeen = false;
   /** Whether the next click on the picture sets the zero plane. */
   awaitsClick = false;
-  /** While the zero plane is dragged: how the views are seen. */
+  /** How views are shown while the zero plane is dragged. */
   preview: { aperture: number; focus: number } | null = null;
   private madeOf = "";
   private shownId = 0;
@@ -69,7 +69,7 @@ export class Print {
     return this.pending > 0;
   }
 
-  /** How far views may be shifted, each from the one before: the outermost by a seventh of their width. */
+  /** Returns the range of the shift per view, which moves the outermost views by a seventh of their width. */
   get shiftRange(): [number, number] {
     const { across, view_size: size } = this.own;
     const most = (0.3 * size[0]) / Math.max(across.views - 1, 1);
@@ -83,13 +83,13 @@ export class Print {
     this.changed(false);
   }
 
-  /** The sheet shows it at once: eyes see nothing else of the zero plane. */
+  /** Sets the shift and shows the sheet, since the zero plane is visible only through it. */
   setShift(shift: number): void {
     this.isWanted = true;
     this.set({ shift });
   }
 
-  /** Pixels of the first view by which a point moves from view to view, per mm of its disparity. */
+  /** Motion of a point from view to view in pixels of the first view, per mm of its disparity. */
   private get pixelsPerDisparity(): number {
     const { across, view_size: size, window_mm: window } = this.own;
     const last = slopeInZone(across, 1 - 0.5 / across.views);
@@ -102,13 +102,13 @@ export class Print {
     return Math.min(Math.max(shift, least), most);
   }
 
-  /** What is seen at that depth of the views is to lie in the zero plane. */
+  /** Moves the zero plane to this depth. */
   setPlane(depth: number): void {
     this.awaitsClick = false;
     this.setShift(this.within(-disparityOfDepth(this.own, depth) * this.pixelsPerDisparity));
   }
 
-  /** The zero plane is dragged, by a share of the picture to the right. Meanwhile what lies in it is what is sharp. */
+  /** Drags the zero plane from shift `from` by a share of the picture to the right, and previews it by focusing on it. */
   dragPlane(from: number, across: number): void {
     const [least, most] = this.shiftRange;
     this.settings.shift = this.within(from + across * (most - least));
@@ -116,7 +116,7 @@ export class Print {
     this.changed(false);
   }
 
-  /** The zero plane that was dragged is taken. */
+  /** Accepts the dragged zero plane. */
   dropPlane(): void {
     this.preview = null;
     this.awaitsClick = false;
@@ -130,7 +130,7 @@ export class Print {
     this.enqueue(() => this.show());
   }
 
-  /** What is clicked is looked for in the views, without the sheet. */
+  /** Waits for a click, and shows the views without the sheet meanwhile. */
   awaitClick(on: boolean): void {
     this.see(false);
     this.awaitsClick = on;
@@ -138,19 +138,19 @@ export class Print {
   }
 
   async chooseFile(file: File): Promise<void> {
-    if (file.size > 1 << 19) return this.notify("print", `${file.name} is larger than 512 kB, and no display.`);
+    if (file.size > 1 << 19) return this.notify("print", `${file.name} is larger than 512 kB, so it is not a display.`);
     this.file = { name: file.name, text: await file.text() };
     this.set({ display: kFile });
   }
 
-  /** The page's frame, or what it shows, may have changed. */
+  /** Makes the print again if the page's frame or the choice of what to show has changed. */
   follow(): void {
     if (!this.isWanted || this.isBusy) return;
     if (this.state().show === "display") this.see(false);
     else if (!this.isCurrent()) this.enqueue(() => this.show());
   }
 
-  /** Whether the print of these settings is seen, and the panel's picture is there if it is shown. */
+  /** Returns whether the print of the present settings is shown, with the panel's picture if that is selected. */
   private isCurrent(): boolean {
     const isThere = this.isSeen && this.shownId === this.made?.id && this.madeOf === this.request();
     return isThere && (this.hasPanel || !this.needsPanel(this.made as Made));

@@ -1,4 +1,4 @@
-// The controls of a print: the display, the zero plane, and what becomes of it.
+// The controls of a print: the display, the zero plane, and saving.
 import { button, check, chooser, element, entry, group, rounded, slider, type Shown } from "./elements";
 import { kFile, kSheet, type Print } from "./print";
 
@@ -13,14 +13,14 @@ export function printGroup(print: Print, save: () => void, shown: Shown[]): HTML
   ];
   const isSheet = () => settings.display === kSheet;
   const click = button("Zero plane on the picture", () => print.awaitClick(!print.awaitsClick));
-  click.title = "Drag the picture left or right, or click on what shall lie in the paper";
+  click.title = "Drag the picture left or right, or click on the point that should lie in the plane of the paper";
   const saving = button("Save the print", save);
-  const said = element("output", { className: "job value" });
+  const status = element("output", { className: "job value" });
   shown.push({
     update: () => {
       click.setAttribute("aria-pressed", String(print.awaitsClick));
       saving.disabled = print.isBusy;
-      said.value = print.isBusy ? "The print is being made\u2026" : print.isSeen && print.made ? [print.made.description, print.made.fitted].filter(Boolean).join("\n") : "";
+      status.value = print.isBusy ? "The print is being made\u2026" : print.isSeen && print.made ? [print.made.description, print.made.fitted].filter(Boolean).join("\n") : "";
     },
   });
   const made = group(
@@ -39,7 +39,7 @@ export function printGroup(print: Print, save: () => void, shown: Shown[]): HTML
     ),
     check("See through the sheet", () => print.isWanted, (on) => print.see(on), shown),
     slider({ label: "Zero plane", late: () => true, range: () => print.shiftRange, steps: 600, value: () => settings.shift, text: (shift) => `${shift > 0 ? "+" : ""}${rounded(shift, 2)}\u2009px a view`, set: (shift) => print.setShift(shift), reset: () => print.setShift(0) }, shown),
-    said,
+    status,
     element("div", { className: "buttons" }, saving, click, button("From a file\u2026", () => choose(print))),
   );
   made.classList.add("is-named-above");

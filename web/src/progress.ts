@@ -1,35 +1,35 @@
-// The line that says what is being waited for: what it is, how far it is, and how long it takes still.
+// The line that shows long work: what it is, how much is done, and the time left.
 import { element } from "./elements";
 import { minutes } from "./run";
 
 export interface Work {
   what: string;
-  /** Of a download; `of`: null where nobody knows. */
+  /** Downloaded bytes; `of` is null if the size is unknown. */
   bytes?: number;
   of?: number | null;
-  /** 0 ... 1, where no bytes count. */
+  /** Share of the work, 0 to 1, if bytes are not counted. */
   share?: number;
 }
 
-/** What is shorter than this is not worth a word. */
+/** Work shorter than this is not shown. */
 const kPatienceMs = 250;
-/** From when on the time left is guessed. */
+/** The time left is estimated after this time. */
 const kGuessMs = 800;
 
 const megabytes = (bytes: number): string => (bytes < 1e6 ? `${Math.max(1, Math.round(bytes / 1e3))}\u2009kB` : `${(bytes / 1e6).toFixed(bytes < 1e7 ? 1 : 0)}\u2009MB`);
 
 export class ProgressLine {
   private readonly works = new Map<string, Work & { since: number; from: number }>();
-  private readonly said = element("span");
+  private readonly status = element("span");
   private readonly bar = element("progress", { max: 1 });
   private timer = 0;
 
   constructor(private readonly parent: HTMLElement) {
     this.bar.setAttribute("aria-label", "Progress");
-    parent.append(this.said, this.bar);
+    parent.append(this.status, this.bar);
   }
 
-  /** null: it is done. */
+  /** work: null when it is done. */
   show(about: string, work: Work | null): void {
     const before = this.works.get(about);
     if (!work && !before) return;
@@ -59,7 +59,7 @@ export class ProgressLine {
     if (share !== null) parts.push(`${Math.round(100 * share)}\u2009%`);
     const done = (share ?? 0) - work.from;
     if (share !== null && waited > kGuessMs && done > 0.02 && share < 1) parts.push(`${minutes(((1 - share) * waited) / 1000 / done)} left`);
-    this.said.textContent = parts.join(" \u00b7 ");
+    this.status.textContent = parts.join(" \u00b7 ");
     if (share === null) this.bar.removeAttribute("value");
     else this.bar.value = share;
   }

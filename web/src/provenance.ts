@@ -1,28 +1,28 @@
-// Where the pixels of a frame came from: colours and shares of each origin, and the legend that names them.
+// Origins of a frame's pixels: colour and share of each origin, and the legend.
 import type { Field, Origin } from "./field";
 import { linearFromCode } from "./gl";
 import type { State } from "./state";
 
 export interface Provenance {
   texture: WebGLTexture;
-  /** Of the pixels of all views, by origin; they add up to 1. */
+  /** Share of each origin in the pixels of all views; the shares add up to 1. */
   shares: number[];
 }
 
-/** By code; told apart by those who see no red or no green, too (Okabe and Ito, Color Universal Design). */
+/** Colours by code, distinguishable without red or green vision (Okabe and Ito, Color Universal Design). */
 const kColours = ["#d55e00", "#0072b2", "#009e73", "#f0e442", "#cc79a7", "#ffffff", "#56b4e9", "#4a3aa8"];
-/** Of all origins at once; of the missed pixels alone, which are few and small. */
+/** Strength of the tint of all origins, and of missed pixels alone, which are few and small. */
 const kStrength = { provenance: 0.65, missed: 0.95, none: 0 };
 
 const linearColour = (colour: string): number[] => [1, 3, 5].map((at) => linearFromCode(parseInt(colour.slice(at, at + 2), 16)));
 
 const isShown = (origin: Origin | undefined, overlay: State["overlay"]): boolean => origin !== undefined && (overlay === "provenance" || origin.missed);
 
-/** Red, green, blue and strength of each of 8 codes. */
+/** Returns red, green, blue and strength for each of 8 codes. */
 export const tints = (field: Field, overlay: State["overlay"]): number[] =>
   kColours.flatMap((colour, code) => [...linearColour(colour), isShown(field.provenance?.[code], overlay) ? kStrength[overlay] : 0]);
 
-/** How many of the pixels have each code, as shares. A few rows at a time: quilts are large. */
+/** Returns the share of pixels with each code. Reads a few rows at a time, because quilts are large. */
 export function sharesOf(picture: ImageBitmap, origins: number): number[] {
   const rows = Math.max(1, Math.min(picture.height, Math.floor((1 << 20) / picture.width)));
   const context = new OffscreenCanvas(picture.width, rows).getContext("2d", { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D;
@@ -36,7 +36,7 @@ export function sharesOf(picture: ImageBitmap, origins: number): number[] {
   return counts.map((count) => count / (picture.width * picture.height));
 }
 
-/** What there is a little of is not left out, and what is not all is not called all. */
+/** Formats a share. Shares near 0 % or 100 % are not rounded to 0 or 100. */
 function percent(share: number): string {
   if (share > 0 && share < 0.001) return "< 0.1\u2009%";
   const shown = share < 1 ? Math.min(share, 0.999) : share;
@@ -53,7 +53,7 @@ function entry(colour: string, name: string, share: number): HTMLElement {
   return item;
 }
 
-/** Fills the legend with what there is in the frame. */
+/** Fills the legend with the origins present in the frame. */
 export function showLegend(list: HTMLElement, field: Field, overlay: State["overlay"], shares: number[] | null): void {
   const origins = field.provenance ?? [];
   list.hidden = overlay === "none" || shares === null;

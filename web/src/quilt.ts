@@ -1,4 +1,4 @@
-// Quilts on the GPU: one texture, or where they are larger than the GPU takes, layers that hold whole tiles.
+// Quilts on the GPU: one texture, or layers of whole tiles if the quilt exceeds the GPU's texture size.
 import { bind, setFilter, type Gl } from "./gl";
 
 /** Tiles of a layer, across and down; null: the quilt is one texture. */
@@ -17,7 +17,7 @@ interface Size {
   height: number;
 }
 
-/** Views fit into a texture each; see Frames.fitted. */
+/** A single view always fits into a texture; see Frames.fitted. */
 export function layerTiles(gl: Gl, { width, height }: Size, tiles: readonly [number, number]): LayerTiles {
   const most = gl.getParameter(gl.MAX_TEXTURE_SIZE) as number;
   if (Math.max(width, height) <= most) return null;
@@ -25,7 +25,7 @@ export function layerTiles(gl: Gl, { width, height }: Size, tiles: readonly [num
   return [fitting(width, tiles[0]), fitting(height, tiles[1])];
 }
 
-/** Its first row is the top one. Codes of sRGB become linear light where they are sampled; other numbers stay what they are. */
+/** Makes a texture whose first row is the top row. sRGB codes are sampled as linear light, other numbers unchanged. */
 export function quiltTexture(gl: Gl, picture: ImageBitmap, tiles: readonly [number, number], holds: Holds): WebGLTexture {
   const [stored, sent] = kFormats[holds](gl);
   const layer = layerTiles(gl, picture, tiles);
@@ -37,7 +37,7 @@ export function quiltTexture(gl: Gl, picture: ImageBitmap, tiles: readonly [numb
   return texture;
 }
 
-/** Row by row from the top left; the outermost may be filled in part. */
+/** Uploads layers row by row from the top left. The last ones of a row or column may be partly filled. */
 function sendLayers(gl: Gl, picture: ImageBitmap, tiles: readonly [number, number], layer: [number, number], [stored, sent]: number[]): void {
   const view = [picture.width / tiles[0], picture.height / tiles[1]];
   const [width, height] = [view[0] * layer[0], view[1] * layer[1]];
@@ -60,7 +60,7 @@ export function bindQuilt(gl: Gl, unit: number, texture: WebGLTexture | null, la
   return { unit };
 }
 
-/** In shaders, after u_tiles and u_view_size (both as floats): where tiles lie. With LAYERED, u_layer_tiles says how many a layer has. */
+/** GLSL that locates tiles. Insert it after u_tiles and u_view_size (floats). With LAYERED, u_layer_tiles holds the tiles of a layer. */
 export const kQuiltPlaces = `
 #if LAYERED
 #define QUILT sampler2DArray
@@ -69,7 +69,8 @@ uniform ivec2 u_layer_tiles;
 #else
 #define QUILT sampler2D
 #endif
-// Of a tile, counted from the top left: its place in pixels, and its layer. In floats: software graphics divide integers one by one.
+// Returns the position in pixels and the layer of a tile, counted from the top left. Uses floats because software graphics are
+// slow at integer division.
 vec3 place_of_tile(vec2 tile, vec2 view_size, vec2 tiles) {
 #if LAYERED
   vec2 size = vec2(u_layer_tiles), layer = floor((tile + 0.5) / size);

@@ -1,4 +1,4 @@
-// Draws the state: each eye's picture off the screen in linear light, then all of it on the canvas.
+// Draws the state: renders each eye's picture to a target in linear light, then composes the canvas.
 import { disparityOfDepth, hasCrosstalk, naturalSize, type Axis, type Field } from "./field";
 import type { Frames, LoadedFrame, Use } from "./frames";
 import { bind, codeFromLinear, Program, Target, type Gl, type Uniform } from "./gl";
@@ -27,24 +27,24 @@ const kPanelKinds = { integral: 0, quilt: 1, own: 2 };
 const kStereoModes = { off: "first", anaglyph: "anaglyph", "side-by-side": "beside", "top-bottom": "above" } as const;
 const kCompareModes = { first: "first", second: "first", wipe: "wipe", difference: "difference", "side-by-side": "beside" } as const;
 const kLoupeRadius = 92;
-/** Beyond the views' own samples a picture has nothing to show, but edges of lenses and of depth should not look coarse. */
+/** Minimum resolution: views with fewer samples are upsampled, so that edges of lenses and of depth look smooth. */
 const kLeastLongSide = 800;
-/** The longer side of a magnified picture, in pixels. */
+/** Upper bound of the longer side of a magnified picture, in pixels. */
 const kMostPlace = 8192;
 
-/** Crosstalk is computed where nothing else is asked for. */
+/** Crosstalk applies only to the view of an eye with a closed aperture. */
 export const useOf = (state: State): Use => (state.show === "eye" && state.crosstalk > 0 && state.aperture === 0 ? `eye/${Math.round(100 * state.crosstalk)}` : state.show);
 
 const axisOf = (axis: Axis): number[] => [axis.first, axis.step, axis.by === "angle" ? 1 : 0, kBeyond[axis.beyond]];
 
 export class Renderer {
-  /** The canvas' size, in pixels, when it is as fine as the screen. */
+  /** Size of the canvas in pixels at full resolution. */
   screen: [number, number] = [1, 1];
-  /** Where the picture would be if it were not magnified: its size and its middle. */
+  /** Size and centre of the picture without magnification. */
   fitted = { width: 1, height: 1, centre: [0, 0] as [number, number] };
-  /** Where the picture is on it, from the top left; magnified, it may be larger. */
+  /** Rectangle of the picture on the canvas, from the top left; may exceed the canvas if magnified. */
   place: Rectangle = { left: 0, top: 0, width: 1, height: 1 };
-  /** Likewise, on the canvas as it is now. */
+  /** The same rectangle at the present resolution of the canvas. */
   private drawn: Rectangle = this.place;
   loupe: Loupe | null = null;
   private readonly eyePrograms = new Map<string, Program>();
@@ -52,9 +52,9 @@ export class Renderer {
   private frameProgram: Program | null = null;
   private windowProgram: Program | null = null;
   private readonly screenPrograms = new Map<ScreenMode, Program>();
-  /** One picture that needs no second pass goes straight to the canvas, which takes software graphics half the time. */
+  /** Draws straight to the canvas if one picture needs no second pass; halves the time of software graphics. */
   private direct = false;
-  /** What the picture of the panel that was drawn last is of. */
+  /** Rectangle of the panel shown in the last picture. */
   private panelPart: Rectangle = this.place;
   private last: { state: State; field: Field; frame: LoadedFrame } | null = null;
   private readonly targets: [Target, Target, Target, Target];
@@ -67,7 +67,8 @@ export class Renderer {
     this.targets = [new Target(gl), new Target(gl), new Target(gl), new Target(gl)];
   }
 
-  /** The frame of another light field that is shown with frame `frame` of the first: the one of its label, else of its place. */
+  /** Returns the frame of another light field to show with frame `frame` of the first: the one with the same label, or else the same
+   *  index. */
   frameOf(field: number, frame: number): number {
     if (field === 0) return frame;
     const frames = this.fields[field].frames;
@@ -75,14 +76,14 @@ export class Renderer {
     return same >= 0 ? same : Math.min(frame, frames.length - 1);
   }
 
-  /** Which light fields the state shows. */
+  /** Returns the light fields that the state shows. */
   shownFields(state: State): number[] {
     if (this.fields.length < 2 || state.compare === "first" || state.show === "display") return [0];
     return state.compare === "second" ? [1] : [0, 1];
   }
 
-  /** Whether all that the state wants was there, small pictures counted; the canvas is left as it was where not. For speed the canvas may
-   *  have fewer pixels than the screen: so many times fewer in a row, and in a column. */
+  /** Draws, and returns whether all pictures (or previews) were loaded; otherwise leaves the canvas unchanged. The canvas has 1 /
+   *  `divisor` of the screen's pixels in each row and column. */
   draw(state: State, ground: number[], divisor = 1): boolean {
     const shown = this.shownFields(state);
     const loaded = shown.map((field) => this.loaded(field, state) ?? this.frames.getPreview(field, this.frameOf(field, state.frame), useOf(state)));
@@ -114,7 +115,7 @@ export class Renderer {
     return true;
   }
 
-  /** Whether pictures of it are tinted by where pixels came from; what that takes is asked for. */
+  /** Returns whether pixels are tinted by their origin, and requests the data. */
   private wantOverlay(field: number, frame: LoadedFrame, state: State): void {
     if (state.overlay !== "none" && state.show !== "display" && this.fields[field].provenance) this.frames.wantProvenance(frame, field, this.frameOf(field, state.frame));
   }
@@ -127,7 +128,7 @@ export class Renderer {
     return state.overlay !== "none" && !this.showsDifference(state) && !!frame.provenance;
   }
 
-  /** Of the first light field that is shown, the shares of origins in its frame; null: they are not there. */
+  /** Returns the shares of origins in the first light field shown, or null if they are not loaded. */
   originShares(state: State): number[] | null {
     const field = this.shownFields(state)[0];
     return this.frames.peek(field, this.frameOf(field, state.frame), useOf(state))?.provenance?.shares ?? null;
@@ -141,7 +142,7 @@ export class Renderer {
     return this.frames.get(field, this.frameOf(field, state.frame), useOf(state));
   }
 
-  /** The display's own frame, pixel for pixel: the canvas has its size. */
+  /** Draws the display's own frame pixel for pixel. The canvas has the frame's size. */
   private drawFrame(frame: LoadedFrame): true {
     const gl = this.gl;
     const { width, height } = gl.canvas;
@@ -154,7 +155,7 @@ export class Renderer {
     return true;
   }
 
-  /** What the eyes of a headset see; the ground alone from behind the display, and where the frame is not there yet. */
+  /** Draws the eyes of a headset. Only the background appears from behind the display, and before the frame has loaded. */
   drawHeadset(state: State, framebuffer: WebGLFramebuffer | null, views: HeadsetView[], ground: number[]): void {
     const gl = this.gl;
     gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
@@ -178,14 +179,14 @@ export class Renderer {
     this.windowProgram.draw({ ...uniforms, u_first: bind(gl, 0, target.texture), u_exposure: 2 ** state.exposure }, 4);
   }
 
-  /** As fine as the views, or as the headset can show. */
+  /** Returns the resolution of the views, limited to what the headset can show. */
   private windowSize(field: Field, shown: number): [number, number] {
     const [width, height] = field.window_mm.size;
     const scale = Math.min(shown, Math.max(...naturalSize(field), kLeastLongSide)) / Math.max(width, height);
     return [Math.max(1, Math.round(width * scale)), Math.max(1, Math.round(height * scale))];
   }
 
-  /** Codes (RGBA, from the top) of the canvas. */
+  /** Returns the codes (RGBA, rows from the top) of the canvas. */
   canvasCodes(): Uint8ClampedArray {
     const gl = this.gl;
     const { width, height } = gl.canvas;
@@ -207,7 +208,7 @@ export class Renderer {
     });
   }
 
-  /** Of the canvas; the page stretches it over the same place. */
+  /** Resizes the canvas, which the page stretches over the same rectangle. */
   private resize(divisor: number): void {
     const { canvas } = this.gl, scaled = (length: number) => Math.round(length / divisor);
     const [width, height] = this.screen.map((side) => Math.max(1, scaled(side)));
@@ -216,7 +217,7 @@ export class Renderer {
     this.drawn = { left: scaled(left), top: scaled(top), width: Math.max(1, scaled(this.place.width)), height: Math.max(1, scaled(this.place.height)) };
   }
 
-  /** Fits the picture, or both, onto the screen; an epipolar-plane image goes below it. */
+  /** Fits one or two pictures onto the screen, with the epipolar-plane image below. */
   private layOut(field: Field, state: State, stereo: boolean, compared: boolean): void {
     const [width, height] = this.screen;
     const room = height * (state.line >= 0 && state.show === "eye" ? 0.8 : 1);
@@ -226,7 +227,7 @@ export class Renderer {
     const aspect = ((w / h) * (wide ? 2 : 1)) / (high ? 2 : 1);
     const fitted = Math.min(width / aspect, room);
     this.fitted = { width: fitted * aspect, height: fitted, centre: [width / 2, room / 2] };
-    // The epipolar-plane image goes below the whole picture.
+    // The epipolar-plane image lies below the unmagnified picture.
     const by = state.line >= 0 && state.show === "eye" ? 1 : Math.min(state.magnify, this.mostMagnified);
     const pan = by === state.magnify ? state.pan : [0, 0];
     const place = { width: Math.max(1, Math.round(this.fitted.width * by)), height: Math.max(1, Math.round(this.fitted.height * by)) };
@@ -234,12 +235,12 @@ export class Renderer {
     this.place = { left: Math.round(x - place.width / 2), top: Math.round(y - place.height / 2), ...place };
   }
 
-  /** What the GPU draws at once. */
+  /** Magnification at which a picture reaches the GPU's size limit. */
   get mostMagnified(): number {
     return Math.max(1, kMostPlace / Math.max(this.fitted.width, this.fitted.height));
   }
 
-  /** A pixel of the views (or of the panel) is one of the screen. */
+  /** Returns the magnification at which one pixel of the views (or the panel) covers one pixel of the screen. */
   magnifiedForTrueSize(state: State): number {
     const field = this.fields[this.shownFields(state)[0]];
     const size = state.show === "panel" ? field.panel.size : naturalSize(field);
@@ -276,7 +277,7 @@ export class Renderer {
     };
   }
 
-  /** Made when it is first needed. */
+  /** Returns the program, compiled on first use. */
   private eyeProgram(field: Field, frame: LoadedFrame, task: Variant["task"], through: Partial<Variant> = {}): Program {
     const byAngle = field.across.by === "angle" || field.up.by === "angle";
     const variant: Variant = { byAngle, rows: field.up.views > 1, depth: false, task, layered: frame.layer !== null, screen: false, snap: false, crosstalk: false, budget: false, overlay: false, ...through };
@@ -343,7 +344,7 @@ export class Renderer {
     return made;
   }
 
-  /** Only what is on the screen, so that a magnified panel takes no larger picture. */
+  /** Draws only the visible part, so that a magnified panel needs no larger target. */
   private drawPanel(target: Target, field: Field, frame: LoadedFrame, state: State): void {
     const { place } = this;
     const ratio = this.gl.canvas.width / (this.gl.canvas as HTMLCanvasElement).clientWidth;
@@ -368,7 +369,7 @@ export class Renderer {
     });
   }
 
-  /** The part of the place that is on the screen. */
+  /** Returns the visible part of the picture's rectangle. */
   private onScreen(): Rectangle {
     const { left, top, width, height } = this.place;
     const [right, bottom] = [Math.min(left + width, this.screen[0]), Math.min(top + height, this.screen[1])];
@@ -408,7 +409,7 @@ export class Renderer {
     });
   }
 
-  /** The epipolar-plane image of the line, below the picture. */
+  /** Draws the epipolar-plane image of the line below the picture. */
   private drawLine(field: Field, frame: LoadedFrame, state: State): void {
     const gl = this.gl;
     const { width, height } = gl.canvas;
@@ -427,7 +428,7 @@ export class Renderer {
     gl.viewport(0, 0, width, height);
   }
 
-  /** Shares of the display (from its top left) of a place on the canvas; null beside the picture. */
+  /** Returns the share of the display, from its top left, of a point on the canvas, or null beside the picture. */
   shareAt(state: State, x: number, y: number): [number, number] | null {
     let share: [number, number] = [(x - this.place.left) / this.place.width, (y - this.place.top) / this.place.height];
     if (share.some((s) => s < 0 || s > 1)) return null;
@@ -438,7 +439,7 @@ export class Renderer {
     return share;
   }
 
-  /** Linear light of what was drawn last, of one light field (or eye). */
+  /** Returns the linear light of the last picture of one light field or eye. */
   valueAt(which: 0 | 1, share: [number, number]): number[] {
     if (this.last && (this.direct || (this.overlays(this.last.frame, this.last.state) && this.last.state.show === "eye"))) return this.valueOfEye(share);
     const target = this.targets[which];
@@ -467,7 +468,7 @@ export class Renderer {
     return [...target.read(0, 0, 1, 1)].slice(0, 3);
   }
 
-  /** The depth of what is seen at a share of the display: the depth that is known there, or at which the views agree best. */
+  /** Returns the depth at a share of the display: the known depth, or the depth at which the views agree best. */
   depthAt(state: State, share: [number, number]): number | null {
     const field = this.fields[this.shownFields(state)[0]];
     const frame = this.loaded(this.shownFields(state)[0], state);
@@ -490,7 +491,7 @@ export class Renderer {
     return disparity / (1 + disparity * field.vergence_per_mm);
   }
 
-  /** Codes (RGBA, from the top) of what the eye sees of a light field; null while it is loaded. */
+  /** Returns the codes (RGBA, rows from the top) of the eye's view of a light field, or null while it loads. */
   picture(state: State, field: number, size: [number, number]): Uint8ClampedArray | null {
     const frame = this.loaded(field, { ...state, show: "eye" });
     if (!frame) return null;

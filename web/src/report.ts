@@ -1,7 +1,7 @@
-// Draws the charts of `lippmann report`: lines, or bars stacked on each other, over the frame numbers.
+// Draws the charts of `lippmann report`: lines or stacked bars over the frame numbers.
 //
-// Each `figure.chart` of the page holds its data as JSON (src/report/chart.hpp). uPlot draws on a canvas, so the charts are redrawn
-// when the page changes its width or its colours, and before it is printed.
+// Each `figure.chart` of the page holds its data as JSON (src/report/chart.hpp). uPlot draws on a canvas, so the charts are
+// redrawn when the page's width or colours change, and before printing.
 /// <reference types="vite/client" />
 import uPlot from "uplot";
 import uplotStyle from "uplot/dist/uPlot.min.css?inline";
@@ -27,21 +27,21 @@ interface Chart {
 
 const kHeight = 230;
 const kFont = '12px system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif';
-/** What neighbouring labels of an axis differ by. */
+/** Candidate steps between labels of an axis. */
 const kSteps = [...Array(19).keys()].flatMap((power) => [1, 2, 5].map((factor) => Number(`${factor}e${power - 9}`)));
 
-/** The present value of a colour of the page's style. */
+/** Returns a colour of the page's style. */
 const color = (name: string) => () => getComputedStyle(document.documentElement).getPropertyValue(name);
 
 const numberText = (value: number | null | undefined) => (value == null ? "–" : String(Number(value.toPrecision(4))));
 
-/** The tops of the bars of each series when every series stands on those before it. */
+/** Returns the tops of stacked bars for each series. */
 function stackedTops(series: Series[]): Values[] {
   const sums: number[] = [];
   return series.map(({ values }) => values.map((value, i) => (sums[i] = (sums[i] ?? 0) + Math.max(value ?? 0, 0))));
 }
 
-/** Values without neighbours: a line would not show them. */
+/** Returns the values without neighbours, which a line would not show. */
 function lonePoints(u: uPlot, index: number): number[] {
   const values = u.data[index];
   return [...values.keys()].filter((i) => values[i] != null && values[i - 1] == null && values[i + 1] == null);
@@ -54,7 +54,7 @@ function seriesOptions(chart: Chart, { name, color: index, values }: Series): uP
   return { ...common, fill: stroke, width: 0, paths: uPlot.paths.bars!({ size: [chart.frames.length > 120 ? 1 : 0.8, Infinity, 1] }), points: { show: false } };
 }
 
-/** All frames have room for their bars; what is zoomed to stays as it is. */
+/** Extends the range so that the bars of all frames fit; leaves a zoomed range unchanged. */
 function frameRange({ frames }: Chart): uPlot.Range.Function {
   return (_, low, high) => (low === frames[0] && high === frames[frames.length - 1] ? [low - 0.5, high + 0.5] : [low, high]);
 }
@@ -88,13 +88,13 @@ function markerColor(chart: Chart, index: number): string {
   return `var(--c${chart.series[chart.stacked ? count - index : index - 1].color})`;
 }
 
-/** Bars are painted over each other from the highest sums down, so that each shows what it adds. */
+/** Paints bars from the highest sum down, so that each series shows only its own part. */
 function dataOf(chart: Chart): uPlot.AlignedData {
   const values = chart.stacked ? stackedTops(chart.series).reverse() : chart.series.map((series) => series.values);
   return [chart.frames, ...values, ...chart.levels.map(({ value }) => chart.frames.map(() => value))];
 }
 
-/** The chart for those who cannot see it. */
+/** Returns a description of the chart for screen readers. */
 function spoken(chart: Chart): string {
   const parts = chart.series.map(({ name, values }) => {
     const known = values.filter((value): value is number => value !== null);

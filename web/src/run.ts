@@ -1,5 +1,6 @@
-// A render whose folder is shown while it runs, or once it was stopped: what the program says of it (docs/guide/view.md lists the keys),
-// and stopping and resuming it. Its frames are on the time line from the beginning, and `pending` until they are finished.
+// A render whose folder is shown while it runs or after it was stopped: reads the server's state of it (docs/guide/view.md
+// lists the keys), stops it and resumes it. Its frames are on the time line from the start, and `pending` until they are
+// finished.
 import { postText, readState } from "./data";
 import type { Field } from "./field";
 import { pause } from "./pause";
@@ -47,13 +48,13 @@ export class Run {
     const { state, done, frames, seconds_left: left, host } = this.state;
     const count = `${done} of ${frames} frame${frames === 1 ? "" : "s"}`;
     if (state === "running") return `Rendering: ${count}${left === null ? "" : `, about ${minutes(left)} left`}`;
-    if (state === "starting") return `Being set up: ${count}`;
+    if (state === "starting") return `Setting up: ${count}`;
     if (state === "stopping") return `Stopping: ${count}`;
     if (state === "elsewhere") return `${count}. ${host} renders the others, or was stopped.`;
     return state === "stopped" ? `Stopped: ${count}` : `Finished: ${frames} frame${frames === 1 ? "" : "s"}`;
   }
 
-  /** Stops what is under way, or resumes what was stopped. */
+  /** Stops a running render, or resumes a stopped one. */
   async toggle(): Promise<void> {
     const order = this.isUnderWay ? "stop" : this.canResume ? "resume" : "";
     if (!order) return;
@@ -72,7 +73,7 @@ export class Run {
     for (const { index, kind, psnr_db } of finished) Object.assign(this.field.frames[index], { pending: false, kind, psnr_db });
   }
 
-  /** One at a time: what is news is news to one answer. */
+  /** Sends one request at a time, so that each change is reported once. */
   private ask(): Promise<void> {
     this.asking ??= this.answer().finally(() => (this.asking = null));
     return this.asking;

@@ -1,13 +1,13 @@
-// The controls of a render that runs or was stopped: how far it is, and one button that stops or resumes it.
+// The controls of a render that is running or was stopped: its progress, and one button that stops or resumes it.
 import { button, element, group, type Shown } from "./elements";
 import type { Run } from "./run";
 
 const kOrders: Record<string, string> = { running: "Stop", starting: "Stop", stopping: "Stopping\u2026", stopped: "Resume" };
 
-/** One button with two words, so that the keyboard stays on it. */
+/** One button with two labels keeps the keyboard focus. */
 export function runGroup(run: Run, shown: Shown[]): HTMLElement {
-  const said = element("output", { className: "value job" });
-  said.setAttribute("aria-live", "off");  // it counts seconds
+  const status = element("output", { className: "value job" });
+  status.setAttribute("aria-live", "off");  // it counts seconds
   const bar = element("progress", {});
   bar.setAttribute("aria-label", "Render");
   const order = button("", () => void run.toggle());
@@ -15,7 +15,7 @@ export function runGroup(run: Run, shown: Shown[]): HTMLElement {
   shown.push({
     update: () => {
       const { done, frames, state, folder } = run.state;
-      said.value = `${run.describe()}\n${folder}`;
+      status.value = `${run.describe()}\n${folder}`;
       bar.max = frames;
       bar.value = done;
       bar.hidden = state === "finished";
@@ -24,5 +24,5 @@ export function runGroup(run: Run, shown: Shown[]): HTMLElement {
       buttons.hidden = !(state in kOrders);
     },
   });
-  return group("Render", element("div", { className: "row panel" }, said), bar, buttons);
+  return group("Render", element("div", { className: "row panel" }, status), bar, buttons);
 }

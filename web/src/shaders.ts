@@ -1,9 +1,9 @@
-// What is computed for every pixel.
+// The shaders.
 //
 // Eyes are slopes at the middle of the display. An eye E sees a point s of the display's plane under the slope
 //   S(s) = E.xy / E.z - s (1 / E.z - vergence)
-// in the views' own frame, in which view v has one slope S_v for all points. What lies at disparity w (a length; see
-// src/view/disparity_codes.hpp) on that line is seen by view v at s + (S - S_v) w. That holds for eyes at any distance.
+// in the views' own frame, in which view v has one slope S_v for all points. View v sees a point on that line of disparity w (a
+// length; see src/view/disparity_codes.hpp) at s + (S - S_v) w. This holds for eyes at any distance.
 
 import { kQuiltPlaces } from "./quilt";
 
@@ -14,21 +14,21 @@ precision highp sampler2D;
 
 ${kQuiltPlaces}
 uniform QUILT u_views;        // linear light
-uniform QUILT u_depth;        // codes of disparity, as the quilt lies
+uniform QUILT u_depth;        // codes of disparity, laid out like the quilt
 uniform vec2 u_view_size;     // pixels
 uniform ivec2 u_tiles, u_grid;
 uniform vec2 u_window_centre, u_window_size;  // mm
-uniform vec4 u_across, u_up;  // first, step, 1: by angle, 0 stays / 1 repeats / 2 next lens
+uniform vec4 u_across, u_up;  // first, step, 1: by angle, beyond the zone: 0 stays / 1 repeats / 2 next lens
 uniform float u_vergence, u_disparity_scale;
 uniform vec3 u_eye;           // mm
 #if OVERLAY
-uniform QUILT u_provenance;      // codes, as the quilt lies
-uniform vec4 u_tints[8];         // by code: a colour and how strong it is
+uniform QUILT u_provenance;      // codes, laid out like the quilt
+uniform vec4 u_tints[8];         // by code: a colour and its strength
 #endif
 
 vec2 slope_at(vec2 s) { return u_eye.xy / u_eye.z - s * (1.0 / u_eye.z - u_vergence); }
 
-// Only rows of views are equally far apart in angle.
+// Only rows of views are evenly spaced in angle.
 float view_place(vec4 axis, float slope) {
 #if BY_ANGLE
   if (axis.z > 0.5) slope = atan(slope);
@@ -46,7 +46,7 @@ float view_slope(vec4 axis, float view) {
 }
 vec2 view_slopes(ivec2 view) { return vec2(view_slope(u_across, float(view.x)), view_slope(u_up, float(view.y))); }
 
-// In pixels of a view, from its top left corner.
+// Returns a position in pixels of a view, from its top left corner.
 vec2 pixel_of(vec2 s) {
   vec2 share = (s - u_window_centre) / u_window_size;
   return vec2(share.x + 0.5, 0.5 - share.y) * u_view_size;
@@ -61,7 +61,7 @@ vec3 tile_of(ivec2 view) {
   return place_of_tile(vec2(index - row * columns, float(u_tiles.y) - 1.0 - row), u_view_size, vec2(u_tiles));
 }
 #if OVERLAY
-// The brightness of what is seen stays readable below its tint.
+// Tints a colour by the pixel's origin and keeps its brightness readable.
 vec3 with_origin(vec3 seen, vec3 tile, vec2 pixel) {
   vec4 tint = u_tints[int(texel_of(u_provenance, tile, pixel).r * 255.0 + 0.5) & 7];
   return mix(seen, tint.rgb * (0.2 + 0.8 * dot(seen, vec3(0.2126, 0.7152, 0.0722))), tint.a);
@@ -80,7 +80,7 @@ vec3 in_view(ivec2 view, vec2 pixel) {
 #endif
   return seen;
 }
-// -1e30: nothing is there.
+// Returns -1e30 where there is no surface.
 float disparity_in_tile(vec3 tile, vec2 pixel) {
   vec2 at = clamp(floor(pixel), vec2(0.0), u_view_size - 1.0);
   vec2 bytes = floor(texel_of(u_depth, tile, at).rg * 255.0 + 0.5);
@@ -92,23 +92,23 @@ float disparity_in_tile(vec3 tile, vec2 pixel) {
 float disparity_in_view(ivec2 view, vec2 pixel) { return disparity_in_tile(tile_of(view), pixel); }
 `;
 
-/** What is compiled into a program, so that it does no work that it does not need: software graphics run every branch. */
+/** Features compiled into a program, so that it does no unneeded work: software graphics run every branch. */
 export interface Variant {
   byAngle: boolean;
   rows: boolean;
   depth: boolean;
   task: "eye" | "refocus" | "line" | "find";
-  /** Codes with the exposure, straight to the screen; else linear light. */
+  /** Writes codes with the exposure straight to the screen; otherwise linear light. */
   screen: boolean;
-  /** To the middles of lenses. */
+  /** Snaps positions to the centres of lenses. */
   snap: boolean;
-  /** Lenses image neighbouring pixels too. */
+  /** Lenses also image neighbouring pixels. */
   crosstalk: boolean;
-  /** What the display shows sharply is tinted green, what it blurs red. */
+  /** Tints depths that the display shows sharply green, and depths that it blurs red. */
   budget: boolean;
-  /** Tinted by where pixels came from. */
+  /** Tints pixels by their origin. */
   overlay: boolean;
-  /** Quilts in layers. */
+  /** Quilts are stored in layers. */
   layered: boolean;
 }
 
@@ -134,23 +134,23 @@ vec3 srgb(vec3 linear) {
 }
 `;
 
-/** What an eye sees. */
+/** Renders what an eye sees. */
 export const eyeShader = (variant: Variant): string => `${preamble(variant)}${kCommon}${kSrgb}
-uniform vec2 u_output_size, u_offset;  // the picture's size, and its place on what is drawn to, pixels
+uniform vec2 u_output_size, u_offset;  // the picture's size, and its offset in the target, pixels
 uniform float u_exposure;
-uniform bvec2 u_snap;           // to the middles of lenses
-uniform vec2 u_disparities;     // the least and the greatest
+uniform bvec2 u_snap;           // snap to the centres of lenses
+uniform vec2 u_disparities;     // lowest and highest
 uniform float u_aperture, u_focus;  // share of the zone; disparity
-uniform float u_line;           // 0 ... 1: an epipolar-plane image of the line so far down, eyes from the top
-uniform vec2 u_point;           // where the focus finder looks, mm
-uniform float u_sigma;          // how far crosstalk spreads, views
-uniform float u_budget;         // mm on either side of the plane
+uniform float u_line;           // 0 ... 1 from the top: line of an epipolar-plane image, whose rows are eyes
+uniform vec2 u_point;           // point that the focus finder examines, mm
+uniform float u_sigma;          // sigma of the crosstalk, views
+uniform float u_budget;         // depth budget on either side of the plane, mm
 out vec4 color;
 
-// Along the line of sight, front to back, the first disparity at which the view has a surface; .y: whether it is seen there.
-// Behind what the view sees nearer it goes on: the line may come out on the other side. Where it does not, what is hidden looks
-// as what is seen just before it goes behind. What all steps have in common is computed
-// before them: they are most of the time that an eye takes.
+// Returns the first disparity, front to back along the line of sight, at which the view has a surface; .y: whether the view
+// sees it. A line that passes behind nearer surfaces of the view may come out on the other side; if not, the hidden point takes
+// the disparity just before it went behind. All that does not depend on the step is computed before the loop, which takes most
+// of the time.
 vec2 meet(ivec2 view, vec2 s, vec2 apart) {
   vec3 tile = tile_of(view);
   vec2 start = pixel_of(s), per_disparity = apart * vec2(1.0, -1.0) * u_view_size / u_window_size;
@@ -168,7 +168,7 @@ vec2 meet(ivec2 view, vec2 s, vec2 apart) {
       w -= step_w;
     }
     if (i > steps) break;
-    // It came to be behind: at a surface, or beside the edge of one.
+    // The line has passed behind a surface: bisect between the last two steps.
     float near = i == 0 ? w : w + step_w, far = w;
     for (int j = 0; j < 3; ++j) {
       float middle = 0.5 * (near + far);
@@ -186,8 +186,8 @@ vec2 meet(ivec2 view, vec2 s, vec2 apart) {
 }
 
 #if BUDGET
-// Green up to half the budget, yellow at its end, red at twice as much: there a display shows half the detail. What is nowhere
-// has no depth.
+// Green up to half the budget, yellow at its end, red at twice the budget, where a display shows half the detail. Pixels
+// without a surface have no depth and stay untinted.
 vec3 tinted(ivec2 view, vec2 pixel, float disparity) {
   vec3 seen = in_view(view, pixel);
   if (disparity_in_view(view, pixel) < -1e29) return seen;
@@ -199,8 +199,8 @@ vec3 tinted(ivec2 view, vec2 pixel, float disparity) {
 #endif
 
 #if DEPTH
-// As in_view, but without neighbouring texels of what is nearer, as these move away from it: wholly where they move by three
-// quarters of a pixel.
+// As in_view, but fades out neighbouring texels that are nearer and move away from the sample: completely once they move by
+// three quarters of a pixel.
 vec3 in_view_behind(ivec2 view, vec2 pixel, vec2 per_disparity) {
   vec3 tile = tile_of(view);
   vec2 last = u_view_size - 1.0, at = clamp(pixel, vec2(0.5), u_view_size - 0.5) - 0.5, first = floor(at), share = at - first;
@@ -208,7 +208,8 @@ vec3 in_view_behind(ivec2 view, vec2 pixel, vec2 per_disparity) {
   vec4 disparities = vec4(disparity_in_tile(tile, first), disparity_in_tile(tile, vec2(next.x, first.y)), disparity_in_tile(tile, vec2(first.x, next.y)), disparity_in_tile(tile, next));
   vec2 row = share.y < 0.5 ? disparities.xy : disparities.zw;
   float own = share.x < 0.5 ? row.x : row.y;
-  vec4 moved = max(abs(per_disparity.x), abs(per_disparity.y)) * (disparities - own);  // infinite beside what is nowhere
+  vec4 moved = max(abs(per_disparity.x), abs(per_disparity.y)) * (disparities - own);  // infinite beside pixels without a
+                                                                                       // surface
   if (all(lessThan(moved, vec4(0.25)))) return in_view(view, pixel);
   vec2 rest = 1.0 - share;
   vec4 weights = vec4(rest.x * rest.y, share.x * rest.y, rest.x * share.y, share.x * share.y) * (1.0 - smoothstep(0.25, 0.75, moved));
@@ -257,25 +258,25 @@ vec3 between_views(vec2 s, vec2 slope, vec2 place) {
 #endif
 }
 
-// Beyond the zone: which cone (lens) it is that is seen instead, and the place there.
+// Wraps a place beyond the zone into the cone (or lens) that is seen instead. turns: number of cones away.
 float wrapped(float place, float count, float beyond, out float turns) {
   turns = beyond > 0.5 ? floor((place + 0.5) / count) : 0.0;
   return place - turns * count;
 }
 
 #if CROSSTALK
-// Abramowitz and Stegun 7.1.26, to 1.5e-7.
+// Abramowitz and Stegun, 7.1.26; error below 1.5e-7.
 float erf(float x) {
   float t = 1.0 / (1.0 + 0.3275911 * abs(x));
   float series = t * (0.254829592 + t * (-0.284496736 + t * (1.421413741 + t * (-1.453152027 + t * 1.061405429))));
   return sign(x) * (1.0 - series * exp(-x * x));
 }
-// What view i has of a Gaussian at a place: as src/optics/crosstalk.cpp, where pixel i covers i ... i + 1.
+// Share of view i in a Gaussian at a place, as in src/optics/crosstalk.cpp; pixel i covers i ... i + 1.
 float share_of(float i, float place) {
   float scale = 0.70710678 / u_sigma;
   return 0.5 * (erf((i + 1.0 - place) * scale) - erf((i - place) * scale));
 }
-// A lens images the pixels around the one that is meant, beyond the edge of its cell those of its neighbour.
+// A lens blurs the pixels around the intended one; beyond the edge of its cell these belong to the neighbouring lens.
 vec3 through_lens(vec2 s, vec2 place) {
   vec2 count = vec2(u_grid), pitch = u_window_size / u_view_size, reach = vec2(4.0 * u_sigma);
 #if !ROWS
@@ -312,7 +313,7 @@ vec3 seen(vec2 s) {
 #endif
   vec2 slope = slope_at(s), place = view_places(slope), turns;
   place = vec2(wrapped(place.x, float(u_grid.x), u_across.w, turns.x), wrapped(place.y, float(u_grid.y), u_up.w, turns.y));
-  // Right of its zone a lens shows what belongs to its left neighbour.
+  // Right of its zone, a lens shows the pixels of its left neighbour.
   vec2 pitch = u_window_size / u_view_size;
   s -= pitch * vec2(u_across.w > 1.5 ? turns.x : 0.0, u_up.w > 1.5 ? turns.y : 0.0);
   if (!inside(pixel_of(s))) return vec3(0.0);
@@ -326,7 +327,8 @@ vec3 seen(vec2 s) {
   return between_views(s, slope, place);
 }
 
-// A lens as wide as a share of the zone around the eye, focused at a disparity: the mean of shifted views.
+// Averages shifted views over an aperture around the eye, focused at one disparity. The aperture's width is a share of the
+// zone.
 vec3 refocused(vec2 s) {
   vec2 slope = slope_at(s), place = view_places(slope), half_width = 0.5 * u_aperture * vec2(u_grid);
   vec3 sum = vec3(0.0);
@@ -345,7 +347,7 @@ vec3 refocused(vec2 s) {
   return weights > 0.0 ? sum / weights : vec3(0.0);
 }
 
-// How much the views differ around u_point if the surface there were at the disparity of this pixel (0 ... 1 across).
+// Returns how much the views differ at u_point if its surface had the disparity of this pixel (0 ... 1 across).
 float disagreement(float share) {
   float w = mix(u_disparities.x, u_disparities.y, share);
   float sum = 0.0;
@@ -375,7 +377,7 @@ void main() {
 #elif TASK == 1
   color = vec4(refocused(s), 1.0);
 #elif TASK == 2
-  // Rows are eyes through the zone, the leftmost on top; the views themselves where there are as many rows.
+  // Rows are eyes across the zone, leftmost on top. If there are as many rows as views, they are the views themselves.
   s.y = u_window_centre.y + (0.5 - u_line) * u_window_size.y;
   float place = clamp((1.0 - share.y) * float(u_grid.x) - 0.5, 0.0, float(u_grid.x - 1));
   float up = clamp(view_places(slope_at(s)).y, 0.0, float(u_grid.y - 1));
@@ -393,25 +395,25 @@ void main() {
 }
 `;
 
-/** What the panel behind the lenses shows, into linear light. */
+/** Renders what the panel behind the lenses shows, in linear light. */
 export const panelShader = ({ overlay, layered }: Pick<Variant, "overlay" | "layered">): string => `#version 300 es
 #define BY_ANGLE 0
 #define OVERLAY ${Number(overlay)}
 #define LAYERED ${Number(layered)}
 ${kCommon}
-uniform sampler2D u_panel;  // a picture of its own
+uniform sampler2D u_panel;  // the panel's own picture
 uniform vec2 u_output_size, u_panel_size;
 uniform int u_kind;         // 0 integral, 1 quilt, 2 own
-uniform vec4 u_part;        // what is shown of the panel: left, top, width, height, in pixels
-uniform vec4 u_loupe;       // x, y, radius in pixels of the output from its top left; pixels of the output per panel pixel
-uniform vec2 u_loupe_at;    // the panel pixel in its middle
+uniform vec4 u_part;        // shown part of the panel: left, top, width, height, in pixels
+uniform vec4 u_loupe;       // x, y, radius in pixels of the output from its top left; magnification
+uniform vec2 u_loupe_at;    // the panel pixel in the middle of the loupe
 out vec4 color;
 
 vec3 panel_pixel(ivec2 p) {
   if (any(lessThan(p, ivec2(0))) || any(greaterThanEqual(p, ivec2(u_panel_size)))) return vec3(0.0);
   if (u_kind == 2) return texelFetch(u_panel, p, 0).rgb;
   if (u_kind == 1) {
-    // A quilt's padding at the top and right is not sent.
+    // The padding of a quilt at the top and right is not sent.
     ivec2 q = p - ivec2(0, int(u_panel_size.y) - u_tiles.y * int(u_view_size.y));
     if (q.y < 0 || q.x >= u_tiles.x * int(u_view_size.x)) return vec3(0.0);
     vec2 column_row = floor((vec2(q) + 0.5) / u_view_size), pixel = vec2(q) - column_row * u_view_size;
@@ -421,7 +423,7 @@ vec3 panel_pixel(ivec2 p) {
 #endif
     return seen;
   }
-  // Lenses turn their pixels round: the rightmost is seen from the left, the topmost from below.
+  // Lenses rotate their pixels by 180 degrees: the rightmost is seen from the left, the topmost from below.
   ivec2 cell = p / u_grid, in_cell = p - cell * u_grid;
   ivec2 view = ivec2(u_grid.x - 1 - in_cell.x, in_cell.y);
   if (u_grid.y == 1) view.y = 0;
@@ -446,7 +448,7 @@ void main() {
     color = vec4(reach > u_loupe.z - 1.5 ? vec3(0.6) : c, 1.0);
     return;
   }
-  // A panel that is shown smaller than it is: the mean of its pixels, a few of each.
+  // A panel shown at reduced size averages a few samples per output pixel.
   vec2 size = u_part.zw / u_output_size;
   vec3 sum = vec3(0.0);
   int n = clamp(int(ceil(max(size.x, size.y))), 1, 4);
@@ -457,7 +459,7 @@ void main() {
 }
 `;
 
-/** A display's own frame, codes as they are. */
+/** Copies the codes of a display's own frame. */
 export const kFrameShader = `#version 300 es
 precision highp float;
 precision highp sampler2D;
@@ -466,7 +468,7 @@ out vec4 color;
 void main() { color = texelFetch(u_frame, ivec2(gl_FragCoord.xy), 0); }
 `;
 
-/** The display's window in a headset's picture: its corners, left and right, below and above. */
+/** The corners of the display's window in a headset's picture: left, right, bottom, top. */
 export const kWindowVertices = `#version 300 es
 uniform mat4 u_clip_from_display;
 uniform vec2 u_window_centre, u_window_size;  // mm
@@ -476,7 +478,7 @@ void main() {
   gl_Position = u_clip_from_display * vec4(u_window_centre + (share - 0.5) * u_window_size, 0.0, 1.0);
 }
 `;
-/** What an eye sees in it. */
+/** Renders what an eye sees in the window. */
 export const kWindowShader = `#version 300 es
 precision highp float;
 precision highp sampler2D;
@@ -488,7 +490,7 @@ ${kSrgb}
 void main() { color = vec4(srgb(u_exposure * texture(u_first, share).rgb), 1.0); }
 `;
 
-/** From linear light to the screen: exposure, two eyes, two light fields, the epipolar-plane image. */
+/** Converts linear light to the screen: exposure, two eyes, two light fields, the epipolar-plane image. */
 export const kScreenModes = ["first", "anaglyph", "wipe", "difference", "beside", "above"] as const;
 export type ScreenMode = (typeof kScreenModes)[number];
 
@@ -498,7 +500,7 @@ precision highp float;
 precision highp int;
 precision highp sampler2D;
 uniform sampler2D u_first, u_second;
-uniform vec4 u_place;    // where the picture lies on the canvas: left, bottom, width, height, pixels
+uniform vec4 u_place;    // rectangle of the picture on the canvas: left, bottom, width, height, pixels
 uniform float u_wipe, u_exposure, u_scale;
 uniform vec3 u_ground;
 out vec4 color;
@@ -508,7 +510,7 @@ vec3 first(vec2 at) { return srgb(u_exposure * texture(u_first, at).rgb); }
 vec3 second(vec2 at) { return srgb(u_exposure * texture(u_second, at).rgb); }
 
 #if MODE == 3
-// From black through blue, red and yellow to white; even in lightness.
+// From black through blue, red and yellow to white, with linear lightness.
 vec3 heat(float t) {
   vec3 c = mix(vec3(0.01, 0.01, 0.06), vec3(0.16, 0.12, 0.55), smoothstep(0.0, 0.25, t));
   c = mix(c, vec3(0.72, 0.15, 0.42), smoothstep(0.2, 0.5, t));
@@ -525,7 +527,7 @@ void main() {
   }
   vec3 c;
 #if MODE == 1
-    // Red from the left eye's brightness, which strains the eyes less than its red alone.
+    // Red is taken from the left eye's luminance, which strains the eyes less than its red channel.
     c = vec3(dot(first(at), vec3(0.299, 0.587, 0.114)), second(at).gb);
 #elif MODE == 2
     c = at.x < u_wipe ? first(at) : second(at);

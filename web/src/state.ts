@@ -1,4 +1,4 @@
-// What the user has chosen. It stands in the address, and may be set from a script or from a page around this one.
+// The choices of the user. They are stored in the address, and can be set by a script or by an embedding page.
 import type { Field } from "./field";
 
 export interface State {
@@ -14,17 +14,17 @@ export interface State {
   crosstalk: number;
   exposure: number;
   line: number;
-  /** How much larger than it fits the picture is, and by how much of that size its middle is off the middle. */
+  /** Magnification relative to the fitted picture, and the offset of its centre as a share of the magnified size. */
   magnify: number;
   pan: [number, number];
-  /** What is laid over the picture: where its pixels came from, or those alone which were missed. */
+  /** Overlay: the origins of pixels, or only the missed pixels. */
   overlay: "none" | "provenance" | "missed";
   compare: "first" | "second" | "wipe" | "side-by-side" | "difference";
   wipe: number;
   scale: number;
   speed: number;
   loop: boolean;
-  /** Of a scene that is set up: what dragging the picture does, and whether the depth budget is drawn over it. */
+  /** For a scene that is set up: what dragging moves, and whether the depth budget is drawn. */
   drag: "eye" | "turn" | "plane";
   budget: boolean;
   theme: "dark" | "light";
@@ -81,7 +81,7 @@ export function defaultState(fields: Field[], plays: boolean, isSetUp = false): 
   };
 }
 
-/** Eyes of a person, or an eighth of the zone where that is narrower: pairs that are easy to look at. */
+/** Returns the distance of a person's eyes, or an eighth of the zone if that is smaller, which is comfortable to look at. */
 function defaultSeparation(field: Field): number {
   const zone = Math.abs(field.across.step) * field.across.views * field.eye_mm[2];
   return Math.min(63, Math.round(zone * 1.25) / 10);
@@ -107,14 +107,15 @@ function readValue(key: keyof State, value: unknown, fields: Field[], current: u
   return range ? Math.min(Math.max(number, range[0]), range[1]) : number;
 }
 
-/** Keeps one state, tells who listens of changes, and writes it into the address. */
+/** Keeps the state, notifies listeners of changes, and writes it to the address. */
 export class Store {
   readonly state: State;
   private readonly defaults: State;
   private readonly listeners: (() => void)[] = [];
   private addressTimer = 0;
 
-  /** plays: whether there is a display to play on; beginsPlaying: whether it is what the page begins with; isSetUp: of a scene. */
+  /** plays: there is a display to play on; beginsPlaying: the page begins by playing on it; isSetUp: the page shows a scene that is set
+   *  up. */
   constructor(
     readonly fields: Field[],
     public plays = false,
@@ -130,12 +131,12 @@ export class Store {
     this.listeners.push(listener);
   }
 
-  /** Tells listeners of what is no part of the state. */
+  /** Notifies listeners of changes outside the state. */
   touch(): void {
     this.listeners.forEach((listener) => listener());
   }
 
-  /** What is unknown or no sensible value is left out. */
+  /** Applies changes; ignores unknown names and invalid values. */
   set(changes: Record<string, unknown>): void {
     let changed = false;
     for (const [name, value] of Object.entries(changes)) {
@@ -160,23 +161,23 @@ export class Store {
     this.set(Object.fromEntries(new URLSearchParams(location.hash.slice(1))));
   }
 
-  /** What differs from how the page begins. */
+  /** Returns the address part with all values that differ from the defaults. */
   address(): string {
-    const said = new URLSearchParams();
+    const parameters = new URLSearchParams();
     for (const key of Object.keys(this.state) as (keyof State)[]) {
       const value = this.state[key];
       if (JSON.stringify(value) === JSON.stringify(this.defaults[key])) continue;
       const text = (number: number) => String(Math.round(number * 1e4) / 1e4);
-      said.set(key, Array.isArray(value) ? value.map(text).join(",") : typeof value === "boolean" ? (value ? "1" : "0") : typeof value === "number" ? text(value) : value);
+      parameters.set(key, Array.isArray(value) ? value.map(text).join(",") : typeof value === "boolean" ? (value ? "1" : "0") : typeof value === "number" ? text(value) : value);
     }
-    return `#${said.toString().replace(/%2C/g, ",")}`;
+    return `#${parameters.toString().replace(/%2C/g, ",")}`;
   }
 
   private writeAddress(): void {
     try {
       history.replaceState(null, "", this.address());
     } catch {
-      // Some browsers forbid it to pages that were opened from a disk.
+      // Some browsers forbid this for pages opened from a disk.
     }
   }
 }

@@ -1,8 +1,8 @@
-// A device that is tilted shows what an eye sees that stays where it was: the eye moves in the display's own frame.
+// Moves the eye when the device is tilted, as if the eye stayed in place while the display turned.
 //
-// The sensor tells turns about z, then the turned x, then the turned y: R = Rz(alpha) Rx(beta) Ry(gamma), from the device's
-// frame (x right, y up, z out of its screen) into the world's. What stays in the world in a direction e of the frame at the
-// beginning is later in R^T R_0 e.
+// The sensor reports rotations about z, then about the rotated x, then about the rotated y: R = Rz(alpha) Rx(beta) Ry(gamma),
+// from the device's frame (x right, y up, z out of its screen) to the world's. A direction fixed in the world that was e in the
+// initial frame is later R^T R_0 e.
 
 type Vector = [number, number, number];
 type Matrix = [Vector, Vector, Vector];
@@ -13,7 +13,7 @@ export interface Turn {
   gamma: number;
 }
 
-/** For the first word of a sensor. */
+/** Time to wait for the sensor's first event. */
 const kWaitMs = 2000;
 const kDegree = Math.PI / 180;
 
@@ -30,13 +30,14 @@ function rotation({ alpha, beta, gamma }: Turn): Matrix {
 const times = (m: Matrix, v: Vector): Vector => m.map((row) => row[0] * v[0] + row[1] * v[1] + row[2] * v[2]) as Vector;
 const timesTransposed = (m: Matrix, v: Vector): Vector => [0, 1, 2].map((i) => m[0][i] * v[0] + m[1][i] * v[1] + m[2][i] * v[2]) as Vector;
 
-/** The screen is turned by so many degrees against the device. Where the device's right is on the screen, and back. */
+/** Rotates a vector from the device's frame to the screen's, which is rotated by this angle. */
 function turned([x, y, z]: Vector, degrees: number): Vector {
   const [c, s] = [Math.cos(degrees * kDegree), Math.sin(degrees * kDegree)];
   return [x * c - y * s, x * s + y * c, z];
 }
 
-/** Slopes of the eye at the middle of the screen, which were `slopes` at the turn `from`; null: it is behind the screen. */
+/** Returns the slopes of the eye at the middle of the screen that were `slopes` at the rotation `from`; null: the eye is behind the
+ *  screen. */
 export function slopesAfter(from: Turn, to: Turn, slopes: [number, number], screenDegrees = 0): [number, number] | null {
   const inDevice = turned([slopes[0], slopes[1], 1], -screenDegrees);
   const [x, y, z] = turned(timesTransposed(rotation(to), times(rotation(from), inDevice)), screenDegrees);
@@ -45,7 +46,7 @@ export function slopesAfter(from: Turn, to: Turn, slopes: [number, number], scre
 
 type WithPermission = { requestPermission?: () => Promise<"granted" | "denied"> };
 
-/** Moves the eye while it is on. `isThere` becomes true where a sensor is known to be, or may be asked for. */
+/** Moves the eye while it is on. `isThere` becomes true if there is a sensor, or if one may be requested. */
 export class Tilt {
   isThere = false;
   isOn = false;
@@ -57,14 +58,14 @@ export class Tilt {
     private readonly changed: () => void,
     private readonly notify: (text: string) => void,
   ) {
-    // Devices without the sensor send one event that says nothing.
+    // Devices without the sensor send one event without values.
     window.addEventListener("deviceorientation", (event) => this.take(event));
-    // Where the browser asks first, nothing tells whether there is a sensor; devices that are held have one as a rule.
+    // Browsers that ask for permission first do not reveal whether there is a sensor; most touch devices have one.
     if (typeof DeviceOrientationEvent !== "undefined") this.isThere = "requestPermission" in DeviceOrientationEvent && navigator.maxTouchPoints > 0;
   }
 
   async toggle(): Promise<void> {
-    if (!this.isOn && !(await this.mayRead())) return this.notify("The browser does not let this page read how the device is held.");
+    if (!this.isOn && !(await this.mayRead())) return this.notify("The browser does not let this page read the device's orientation.");
     this.notify("");
     this.isOn = !this.isOn;
     this.from = null;
@@ -75,7 +76,7 @@ export class Tilt {
   private giveUpWithoutSensor(): void {
     if (!this.isOn || this.from) return;
     this.isOn = this.isThere = false;
-    this.notify("This device does not tell how it is held.");
+    this.notify("This device does not report its orientation.");
     this.changed();
   }
 

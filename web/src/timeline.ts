@@ -1,4 +1,4 @@
-// Time: play, pause, step, scrub; where key frames are, and how near each frame came (PSNR), as a curve to click.
+// The time line: start, pause, step and scrub; marks key frames, and plots the PSNR of each frame as a curve to click on.
 import type { Frame } from "./field";
 import type { Store } from "./state";
 
@@ -36,7 +36,7 @@ function setIcon(button: HTMLButtonElement, label: string, icon: keyof typeof kI
   button.replaceChildren(picture);
 }
 
-/** The first and the last of each row of frames that are not finished. */
+/** Returns the first and last frame of each run of unfinished frames. */
 function pendingRanges(frames: Frame[]): [number, number][] {
   const ranges: [number, number][] = [];
   frames.forEach((frame, i) => {
@@ -49,7 +49,7 @@ function pendingRanges(frames: Frame[]): [number, number][] {
 
 export class Timeline {
   playing = false;
-  /** PSNR by frame, dB, where one is known. */
+  /** PSNR of each frame in dB, if known. */
   readonly psnr: (number | undefined)[];
   private readonly play: HTMLButtonElement;
   private readonly loop: HTMLButtonElement;
@@ -120,7 +120,7 @@ export class Timeline {
     this.update();
   }
 
-  /** That frame or, where it is not finished, the next one in a direction that is; itself where none is. */
+  /** Returns the frame if it is finished, else the next finished one in this direction, else the frame itself. */
   private finishedFrom(frame: number, by: number): number {
     const { frames } = this.store.fields[0];
     const at = (steps: number) => (((frame + steps * by) % frames.length) + frames.length) % frames.length;
@@ -128,7 +128,7 @@ export class Timeline {
     return found < 0 ? frame : at(found);
   }
 
-  /** Frames have been finished, or others are known to be missing. */
+  /** Updates the time line when frames have been finished or found missing. */
   takeFrames(): void {
     this.store.fields[0].frames.forEach((frame, i) => (this.psnr[i] = frame.psnr_db));
     if (this.psnr.length > 1) this.update();
@@ -144,8 +144,8 @@ export class Timeline {
     this.startFrame = this.store.state.frame;
   }
 
-  /** Goes on to the frame of this moment, and waits for one that is not there yet. `now` is when the screen's frame began, which
-   *  may be before the button was pressed. */
+  /** Advances to the frame of this moment, waiting for frames that are not loaded. `now`: start of the screen's frame, which may be
+   *  before the button was pressed. */
   tick(now: number): void {
     if (!this.playing) return;
     const { state, fields } = this.store;

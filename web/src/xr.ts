@@ -1,13 +1,12 @@
-// The light field in a headset (WebXR): the display stands before the viewer as it would on a desk, and each eye has its own view
-// of it.
+// Shows the light field in a headset (WebXR): the display stands before the viewer as on a desk, and each eye has its own view.
 //
-// The headset's space begins where the viewer's head is; the display is placed so that the head is where the display is meant to
-// be seen from. Displays that are meant to be seen from nearer than kLeastDistanceMm are enlarged, with their distance, until they
-// are not: eyes do not like to look at what is so near, and the slopes that eyes see them under stay in the zone.
+// The origin of the headset's space is the viewer's head; the display is placed so that the head is at its intended viewing
+// position. Displays intended for a distance below kLeastDistanceMm are enlarged, together with the distance, because such near
+// objects strain the eyes; the slopes under which eyes see them stay in the zone.
 import { Refusal, type Field } from "./field";
 import type { Gl } from "./gl";
 
-// The part of WebXR that is used, which TypeScript's own library does not declare.
+// The used part of WebXR, which TypeScript's library does not declare.
 interface XrTransform {
   position: { x: number; y: number; z: number };
   inverse: { matrix: Float32Array };
@@ -44,22 +43,22 @@ type LayerMaker = new (session: XrSession, gl: Gl) => XrLayer;
 const systemOf = (): XrSystem | undefined => (navigator as { xr?: XrSystem }).xr;
 const layerMaker = (): LayerMaker | undefined => (window as { XRWebGLLayer?: LayerMaker }).XRWebGLLayer;
 
-/** What one eye of a headset is to be shown. */
+/** The view of one eye of a headset. */
 export interface HeadsetView {
   framebuffer: WebGLFramebuffer | null;
   viewport: XrViewport;
-  /** In mm of the display. */
+  /** Position of the eye in mm of the display. */
   eye: [number, number, number];
-  /** From mm in the display's plane (and before it) to what the eye's picture shows; by columns. */
+  /** Matrix, by columns, from mm of the display to clip space of the eye's picture. */
   clipFromDisplay: number[];
 }
 
 const kLeastDistanceMm = 600;
 
-/** By how much a display is enlarged. */
+/** Returns the factor by which a display is enlarged. */
 export const enlargement = (field: Field): number => Math.max(1, kLeastDistanceMm / field.eye_mm[2]);
 
-/** a b of matrices by columns. */
+/** Returns the product a b of matrices stored by columns. */
 function product(a: ArrayLike<number>, b: ArrayLike<number>): number[] {
   const entry = (row: number, column: number) => [0, 1, 2, 3].reduce((sum, k) => sum + a[4 * k + row] * b[4 * column + k], 0);
   return [...Array(16).keys()].map((i) => entry(i % 4, i >> 2));
@@ -73,7 +72,7 @@ export class Headset {
     private readonly gl: Gl,
     private readonly field: Field,
     private readonly drawViews: (now: number, framebuffer: WebGLFramebuffer | null, views: HeadsetView[]) => void,
-    /** A headset was found or lost, entered or left. */
+    /** Called when a headset is found or lost, entered or left. */
     private readonly changed: () => void,
     private readonly notify: (text: string) => void,
   ) {
@@ -92,7 +91,7 @@ export class Headset {
       if (this.session) await this.session.end();
       else await this.enter();
     } catch (error) {
-      this.notify(`The headset cannot be entered: ${error instanceof Error ? error.message : String(error)}`);
+      this.notify(`Cannot enter the headset: ${error instanceof Error ? error.message : String(error)}`);
     }
   }
 
@@ -145,7 +144,7 @@ export class Headset {
     this.drawViews(now, layer.framebuffer, shown);
   }
 
-  /** The headset's space is in metres, and its origin is where the display is meant to be seen from. */
+  /** Returns the eye's position. The headset's space is in metres, with its origin at the intended viewing position. */
   private eyeOf(view: XrView): [number, number, number] {
     const mm = 1000 / enlargement(this.field);
     const { x, y, z } = view.transform.position;
