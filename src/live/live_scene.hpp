@@ -42,7 +42,7 @@ class LiveScene {
   /// version of the settings.
   std::uint64_t change(const nlohmann::ordered_json& changes);
 
-  /// Returns the state for the page as soon as it differs from that of `serial`, or after `patience`. docs/guide/view.md lists
+  /// Returns the state for the page as soon as it differs from that of `serial`, or after `patience`. web/README.md lists
   /// the keys.
   nlohmann::ordered_json state_after(std::uint64_t serial, std::chrono::milliseconds patience) const;
 

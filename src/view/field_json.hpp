@@ -1,4 +1,4 @@
-// Describes a light field for the page, as JSON. docs/guide/view.md lists the keys.
+// Describes a light field for the page, as JSON. web/README.md lists the keys.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -21,7 +21,7 @@ struct PageDisplay {
 /// Throws a usage Error naming `views` if the views have more than one row, which panels cannot interlace.
 void require_one_row(const PageFacts& facts);
 
-/// Returns which view each sub-pixel shows. docs/guide/view.md lists the keys.
+/// Returns which view each sub-pixel shows. web/README.md lists the keys.
 nlohmann::ordered_json phases_json(const ViewPhases& phases);
 
 /// Returns the phases of a panel with its name, its size and the view filter.

@@ -38,7 +38,7 @@ class RunningRender {
   /// Returns the file of the frame with that index, or none until it is finished.
   std::optional<std::filesystem::path> file(std::size_t index) const;
 
-  /// Returns the state for the page, with all finished frames except the first `known` that were found. docs/guide/view.md
+  /// Returns the state for the page, with all finished frames except the first `known` that were found. web/README.md
   /// lists the keys.
   nlohmann::ordered_json state_after(std::size_t known);
 
