@@ -78,11 +78,11 @@ TEST(PlyPoints, without_colours_are_spheres) {
 }
 
 TEST(PlyPoints, spacing_decides_the_size) {
-  EXPECT_NEAR(point_spheres(points_scene(points_text(point_grid(20)))).at(0).radius, 0.5f * 1.2f * 0.5f, 1e-6f);
+  EXPECT_NEAR(point_spheres(points_scene(points_text(point_grid(20)))).at(0).radius, 0.5f * 2.0f * 0.5f, 1e-6f);
   std::vector<std::string> twice = point_grid(20);
   twice.insert(twice.end(), twice.begin(), twice.begin() + 100);
   twice.push_back("10000 0 0");
-  EXPECT_NEAR(point_spheres(points_scene(points_text(twice))).at(0).radius, 0.5f * 1.2f * 0.5f, 1e-6f);
+  EXPECT_NEAR(point_spheres(points_scene(points_text(twice))).at(0).radius, 0.5f * 2.0f * 0.5f, 1e-6f);
   EXPECT_EQ(point_spheres(points_scene(points_text({"1 2 3", "1 2 3"}))).at(0).radius, 0.5f);
 }
 
