@@ -84,6 +84,9 @@ TEST(PlyPoints, spacing_decides_the_size) {
   twice.push_back("10000 0 0");
   EXPECT_NEAR(point_spheres(points_scene(points_text(twice))).at(0).radius, 0.5f * 2.0f * 0.5f, 1e-6f);
   EXPECT_EQ(point_spheres(points_scene(points_text({"1 2 3", "1 2 3"}))).at(0).radius, 0.5f);
+  std::vector<std::string> colored = point_grid(20);
+  for (std::string& row : colored) row += " 9 9 9";
+  EXPECT_NEAR(point_splats(points_scene(points_text(colored, kBytes))).deviations.at(0).x, 1.6f * 0.5f / 2.35482f, 1e-6f);
 }
 
 TEST(PlyPoints, elements_of_no_rows_are_no_faces) {
