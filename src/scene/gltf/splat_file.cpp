@@ -53,7 +53,7 @@ bool gltf::is_of_splats_alone(const Json& document) {
   bool any = false;
   for (const Json& mesh : array_of(document, "meshes"))
     for (const Json& primitive : array_of(mesh, "primitives")) {
-      if (!is_of_splats(primitive)) return false;
+      if (!is_splat_primitive(primitive)) return false;
       any = true;
     }
   return any;
