@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """How a film renders on many nodes: a model of units, their start-up, stragglers, key frames and disks, with measured constants.
 
-python3 bench/scaling.py prints the table of docs/reference/scaling.md; --help says what can be told of another film and other machines.
+python3 bench/scaling.py prints the table of docs/lab/scaling.md; --help says what can be told of another film and other machines.
 
 All times are wall times in seconds, on nodes that are alike. A node is what runs one unit at a time.
 """
@@ -18,7 +18,7 @@ UNITS_PER_NODE = 8  # as ranks of MPI have
 
 @dataclasses.dataclass(frozen=True)
 class Film:
-    """A job and the machines that render it; docs/reference/scaling.md says where the default values come from."""
+    """A job and the machines that render it; docs/lab/scaling.md says where the default values come from."""
 
     frames: int = 10_000
     segment: int = 1  # frames that are made together: a key frame interval where frames are reused

@@ -1,4 +1,4 @@
-"""The model of docs/reference/scaling.md against a simulation of nodes that take units."""
+"""The model of docs/lab/scaling.md against a simulation of nodes that take units."""
 
 import random
 import sys
@@ -66,7 +66,7 @@ class Scaling(unittest.TestCase):
         self.assertEqual(scaling.disk_seconds(film), 30.0)
 
     def test_the_table_of_the_document_is_what_the_command_prints(self):
-        text = (Path(__file__).parents[2] / "docs" / "reference" / "scaling.md").read_text(encoding="utf-8")
+        text = (Path(__file__).parents[2] / "docs" / "lab" / "scaling.md").read_text(encoding="utf-8")
         for line in scaling.table(scaling.Film(), scaling.NODES, scaling.UNITS_PER_NODE):
             self.assertIn(line, text)
 
