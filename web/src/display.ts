@@ -1,5 +1,5 @@
 // The panel that light fields are played on. Checks the numbers that the server has read from its calibration
-// (docs/guide/view.md lists the keys). The server also reads dropped calibration files.
+// (web/README.md lists the keys). The server also reads dropped calibration files.
 import { postText } from "./data";
 import { Refusal, type SlantedPanel } from "./field";
 

@@ -1,4 +1,4 @@
-// The description of a light field (docs/guide/view.md lists the keys), checked before use.
+// The description of a light field (web/README.md lists the keys), checked before use.
 
 export interface Axis {
   views: number;

@@ -1,4 +1,4 @@
-// A scene that is set up live: the server's state of it, its newest pictures, and requests to change it (docs/guide/view.md
+// A scene that is set up live: the server's state of it, its newest pictures, and requests to change it (web/README.md
 // lists the keys). Settings are texts by the names of `lippmann render`'s flags.
 import { loadPicture, postText, readState } from "./data";
 import type { PanelDisplay } from "./display";

@@ -1,5 +1,5 @@
 // The print of the light field: sends requests to the server, one at a time, and shows what eyes see through the lenses of the
-// result (docs/guide/view.md lists the keys).
+// result (web/README.md lists the keys).
 import { download, loadPicture, postText } from "./data";
 import { depthOfDisparity, disparityOfDepth, Refusal, slopeInZone, type Field } from "./field";
 import type { Frames } from "./frames";

@@ -1,4 +1,4 @@
-// A render whose folder is shown while it runs or after it was stopped: reads the server's state of it (docs/guide/view.md
+// A render whose folder is shown while it runs or after it was stopped: reads the server's state of it (web/README.md
 // lists the keys), stops it and resumes it. Its frames are on the time line from the start, and `pending` until they are
 // finished.
 import { postText, readState } from "./data";
