@@ -1,7 +1,7 @@
-"""Builds the wheel for `pip install .` (PEP 517), without packages from a network.
+"""Builds the wheel for `pip install .` (PEP 517) without packages from a network.
 
 CMake and Ninja build the module in build/pip, linked with the system's libraries; scripts/wheel makes wheels for other machines.
-LIPPMANN_BUILD in the environment names a finished build to take in place of that.
+Set LIPPMANN_BUILD in the environment to use a finished build instead.
 """
 
 import base64
@@ -42,7 +42,8 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
 def _built():
     """Builds the module for this Python, and returns the build folder."""
     build = SOURCE / "build/pip"
-    environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}  # pip hides NumPy by them
+    environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}  # pip sets variables
+                                                                                                        # that hide NumPy
     options = ["-DLIPPMANN_TESTS=OFF", "-DLIPPMANN_UNITY=ON", f"-DLIPPMANN_PYTHON={sys.executable}"]
     configure = ["cmake", "--preset", "release", "-B", build, *options]
     for command in (configure, ["cmake", "--build", build, "--target", "lippmann_python"]):
@@ -56,7 +57,7 @@ def _built():
 
 
 def _package_files(build, prefix):
-    """Yields names and contents of the installed package; the module is stripped."""
+    """Yields names and contents of the installed package. The module is stripped."""
     install = ["cmake", "--install", build, "--component", "python3", "--strip", "--prefix", prefix]
     subprocess.run(install, check=True, stdout=subprocess.DEVNULL)
     packages = list(prefix.rglob("lippmann/__init__.py"))

@@ -1,4 +1,4 @@
-"""Checks of arguments: what comes out suits the library, and an Error names the argument that does not."""
+"""Checks and converts arguments. An Error names the invalid argument."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ._errors import Error, MissingFileError
 
 
 def number(value: Any, name: str, lowest: float = -math.inf, highest: float = math.inf, finite: bool = True) -> float:
-    """A number within limits, both included."""
+    """Returns a number within limits, both included."""
     wanted = "a number" + ("" if lowest == -math.inf and highest == math.inf else f" from {lowest:g} to {highest:g}")
     if isinstance(value, (bool, str, bytes)):
         raise Error(name, f"is {value!r}", wanted)
@@ -33,7 +33,7 @@ def positive(value: Any, name: str, highest: float = 1e6) -> float:
 
 
 def integer(value: Any, name: str, lowest: int, highest: int) -> int:
-    """A whole number within limits, both included; whole floats serve."""
+    """Returns a whole number within limits, both included. Accepts floats with a whole value."""
     result = number(value, name, lowest, highest)
     if result != int(result):
         raise Error(name, f"is {result:g}", f"a whole number from {lowest} to {highest}")
@@ -47,7 +47,7 @@ def choice(value: Any, name: str, accepted: Sequence[str]) -> str:
 
 
 def path(value: Any, name: str) -> str:
-    """A path that the system accepts."""
+    """Returns a path that the system accepts."""
     try:
         result = os.fspath(value)
     except TypeError:
@@ -60,7 +60,7 @@ def path(value: Any, name: str) -> str:
 
 
 def path_bytes(value: Any, name: str) -> bytes:
-    """The same as the system has it: names of files need not be UTF-8."""
+    """Returns a path as bytes of the system: file names need not be UTF-8."""
     return os.fsencode(path(value, name))
 
 
@@ -75,7 +75,7 @@ def text(value: Any, name: str) -> str:
 
 
 def file_path(value: Any, name: str) -> bytes:
-    """The same of a file that is read."""
+    """Returns the path of an existing file as bytes."""
     where = path_bytes(value, name)
     if not os.path.isfile(where):
         raise MissingFileError(name, f"there is no file {os.fsdecode(where)!r}", "a file", os.fsdecode(where))
@@ -85,12 +85,12 @@ def file_path(value: Any, name: str) -> bytes:
 def array(
     value: Any, name: str, shape: Tuple[Optional[int], ...], finite: bool = True, dtype: Any = np.float32
 ) -> np.ndarray:
-    """Of that type, C order and shape (None: any length above 0), without NaN, and without infinities where `finite`."""
+    """Returns a C-contiguous array of this type and shape (None: any length above 0), without NaN and, if `finite`, infinities."""
     wanted = "numbers of the shape (" + ", ".join("n" if n is None else str(n) for n in shape) + ")"
     try:
         given = np.asarray(value)
     except (TypeError, ValueError):
-        raise Error(name, "is no array", wanted) from None
+        raise Error(name, "is not an array", wanted) from None
     if given.dtype.kind not in "fiu":
         raise Error(name, f"has the type {given.dtype}", wanted)
     if given.ndim != len(shape) or any(n is not None and n != m for n, m in zip(shape, given.shape)):
@@ -107,12 +107,12 @@ def array(
 
 
 def indices(value: Any, name: str, columns: int, count: int) -> np.ndarray:
-    """uint32 (n, columns), each below `count`."""
+    """Returns indices, uint32 (n, columns), each below `count`."""
     wanted = f"integers of the shape (n, {columns}), from 0 to {count - 1}"
     try:
         given = np.asarray(value)
     except (TypeError, ValueError):
-        raise Error(name, "is no array", wanted) from None
+        raise Error(name, "is not an array", wanted) from None
     if given.dtype.kind not in "iu":
         raise Error(name, f"has the type {given.dtype}", wanted)
     if given.ndim != 2 or given.shape[1] != columns or given.size == 0:
@@ -129,7 +129,7 @@ def vector(value: Any, name: str, length: int = 3) -> Tuple[float, ...]:
 
 
 def pair(value: Any, name: str, lowest: int, highest: int) -> Tuple[int, int]:
-    """(rows, columns) or (height, width)."""
+    """Returns (rows, columns) or (height, width)."""
     if isinstance(value, (str, bytes)) or not isinstance(value, Iterable):
         raise Error(name, f"is {value!r}", "two whole numbers: (height, width)")
     both = tuple(value)

@@ -1,4 +1,4 @@
-"""Types of the C++ module. It is not meant to be called directly; the classes Optics and Display are public in lippmann."""
+"""Types of the C++ module. Do not call it directly; the classes Optics and Display are public in lippmann."""
 
 from os import PathLike
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
@@ -85,7 +85,7 @@ class Surface:
     unlit: bool
 
 class Light:
-    """Cones and angular_diameter in radians, range and radius in units of the scene."""
+    """Cones and angular_diameter in radians, range and radius in scene units."""
 
     def __init__(self, name: str, kind: str, node: int, color: _Three) -> None: ...
     range: float
@@ -95,7 +95,7 @@ class Light:
     angular_diameter: float
 
 class Display:
-    """A display as data: a preset, a file of one's own, a device's calibration."""
+    """A display as data: a preset, a file of your own, or a device's calibration."""
 
     @property
     def name(self) -> str: ...
@@ -122,10 +122,10 @@ class Display:
     def aspect(self) -> float: ...
     @property
     def crosstalk_px(self) -> Optional[float]:
-        """The blur of its lenses, a sigma in pixels of the panel; None: not known."""
+        """Blur of its lenses: sigma in pixels of the panel; None: unknown."""
 
 class Optics:
-    """Which ray every pixel of a panel shows, in mm of the display."""
+    """The ray of every pixel of a panel, in mm of the display."""
 
     @property
     def size(self) -> List[int]:
@@ -134,15 +134,15 @@ class Optics:
     def is_views(self) -> bool: ...
     @property
     def window_mm(self) -> List[float]:
-        """[height, width] of what is seen of the display's plane."""
+        """[height, width] of the visible part of the display's plane."""
     @property
     def default_eye_mm(self) -> List[float]:
-        """Where it is meant to be seen from."""
+        """The intended viewing position."""
     @property
     def depth_budget_mm(self) -> float:
-        """How far in front of the plane and behind it is sharp."""
+        """Depth in front of and behind the plane that is shown sharply."""
     def rays(self, pixels: _Floats) -> Tuple[_Floats, _Floats]:
-        """Origins (n, 3), mm, and directions (n, 3) of the rays of points (n, 2) of the panel: x, y in pixels from its top left
+        """Returns origins (n, 3), mm, and directions (n, 3) of the rays of points (n, 2) of the panel: x, y in pixels from its top left
         corner, centres at + 0.5.
         """
 

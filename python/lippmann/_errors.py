@@ -1,7 +1,7 @@
-"""The exception for bad input, the category of warnings, and the library's words in those of Python.
+"""The exception for bad input, the category of warnings, and the translation of the library's names to Python's.
 
-The library names what it refuses as the tool does: by flags, without their hyphens in front, and by fields of optics. Calls of it
-that take arguments stand in a `Naming`, which puts Python's names in their place.
+The library names invalid input as the tool does: by flags without leading hyphens, and by fields of optics. Calls of the library
+that take arguments run in a `Naming`, which replaces these names by Python's.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from . import _core
 
 _Value = TypeVar("_Value")
 
-# The library's names of arguments that Python calls otherwise, wherever they occur.
+# Arguments whose names in Python differ from the library's.
 _ARGUMENTS = {
     "aov": "layers",
     "aperture": "aperture_mm",
@@ -35,7 +35,7 @@ _ARGUMENTS = {
     "to": "format",
 }
 
-# What the tool says with flags that Python does not have. The longest come first.
+# Phrases that contain flags, and their replacements; the longest first.
 _PHRASES = (
     ("`optics` single or multiview", "single_view(), camera_grid() or quilt() as `display`"),
     ("`optics` lenticular or microlens", "lenticular_sheet() or microlens_array()"),
@@ -51,14 +51,14 @@ _QUOTED = re.compile("`([a-z]+(?:-[a-z]+)*)`")
 _FIELD = re.compile(rf"(?:panel|singleview|{'|'.join(_core.optics_kinds())})\.(\w+)(?:\.[xy])?")
 _WANTED_GRID = re.compile(r"\bCxR, such as (\d+)x(\d+)")
 _WANTED_ROW = re.compile(r"(?<![\w./\\-])Nx1(?![\w./\\-])")
-_GRID = re.compile(r"(?<![\w./\\-])(\d+)x(\d+)(?![\w./\\-])")  # columns by rows, not in a file's name
+_GRID = re.compile(r"(?<![\w./\\-])(\d+)x(\d+)(?![\w./\\-])")  # columns x rows, except in file names
 
 
 class Error(ValueError):
     """Bad input: an argument, a file, a size.
 
-    where: the argument, the file, or what is not known of a light field. problem: what is wrong with it. accepted: what would be
-    accepted; empty where that is plain.
+    where: the argument, the file, or the unknown attribute of a light field. problem: what is wrong with it. accepted: what would be
+    accepted; empty if obvious.
     """
 
     def __init__(self, where: str, problem: str, accepted: str = "") -> None:
@@ -72,7 +72,7 @@ class Error(ValueError):
 
 
 class UnknownError(Error, AttributeError):
-    """An attribute that an object of its kind may have, and this one does not: hasattr() is False, getattr() gives its default."""
+    """An attribute that this object lacks although its type may have it. hasattr() returns False; getattr() returns its default."""
 
 
 class MissingFileError(Error, FileNotFoundError):
@@ -87,7 +87,7 @@ class MissingFileError(Error, FileNotFoundError):
 
 
 def known(get: Callable[[Any], _Value]) -> Callable[[Any], _Value]:
-    """Decorates the getter of a property that some objects lack: an Error of it becomes an UnknownError."""
+    """Decorates the getter of a property that some objects lack: turns its Errors into UnknownErrors."""
 
     @functools.wraps(get)
     def getter(self: Any) -> _Value:
@@ -102,7 +102,7 @@ def known(get: Callable[[Any], _Value]) -> Callable[[Any], _Value]:
 
 
 def _argument(where: str, names: Mapping[str, str]) -> str:
-    """Python's name of what the library calls `where`: a name, which a colon and a place in it may follow."""
+    """Returns Python's name of `where`: a name, optionally followed by a colon and a place in it."""
     name, colon, place = where.partition(":")
     field = _FIELD.fullmatch(name)
     name = field[1] if field else name
@@ -110,8 +110,8 @@ def _argument(where: str, names: Mapping[str, str]) -> str:
 
 
 def _sentence(text: str, names: Mapping[str, str], has_grids: bool = False, file: str = "") -> str:
-    """The same with Python's names. has_grids: sizes are (rows, columns), as Python's are; else pixels, which are W x H. file: a
-    name that may stand in the text.
+    """Replaces the library's names in a text by Python's. has_grids: the text has sizes as rows and columns, which are swapped;
+    otherwise sizes are W x H pixels. file: a name in the text that stays unchanged.
     """
     for flags, words in _PHRASES:
         text = text.replace(flags, words)
@@ -125,8 +125,8 @@ def _sentence(text: str, names: Mapping[str, str], has_grids: bool = False, file
 
 
 class Naming:
-    """A context in which errors of the library name Python's arguments. file: one that keeps its name, whatever it is called.
-    names: what the library calls something, and what this function calls it.
+    """A context in which errors of the library name Python's arguments. file: a path that stays unchanged. names: Python's name for
+    each name of the library.
     """
 
     def __init__(self, file: str = "", **names: str) -> None:
@@ -147,7 +147,7 @@ class Naming:
 
 
 class Reading(Naming):
-    """A Naming of calls that read `file`: their errors become MissingFileErrors where there is no such file or folder."""
+    """A Naming for calls that read `file`: raises a MissingFileError if there is no such file or folder."""
 
     def __init__(self, file: str, **names: str) -> None:
         super().__init__(file, **names)
@@ -160,18 +160,18 @@ class Reading(Naming):
 
 
 class LippmannWarning(UserWarning):
-    """What is read but not supported, or chosen where nothing is said, or ignored beside other arguments."""
+    """Input that is read but not supported, a value chosen by default, or an argument without effect."""
 
 
 def warn(text: Union[str, bytes]) -> None:
-    """A warning for whoever called the package, through however many functions of it. bytes: a sentence of the library."""
-    said = text if isinstance(text, str) else _sentence(text.decode("utf-8", "replace"), {})
+    """Warns the caller of the package, however deep the call is inside it. bytes: a sentence of the library."""
+    message = text if isinstance(text, str) else _sentence(text.decode("utf-8", "replace"), {})
     level, caller = 1, sys._getframe()
     while caller.f_back is not None and caller.f_globals.get("__package__") == __package__:
         level, caller = level + 1, caller.f_back
-    warnings.warn(said, LippmannWarning, stacklevel=level)
+    warnings.warn(message, LippmannWarning, stacklevel=level)
 
 
 def warn_of_ignored(argument: str, why: str) -> None:
-    """An argument that changes nothing beside the others."""
+    """Warns of an argument that has no effect beside the others."""
     warn(f"`{argument}` is ignored: {why}.")

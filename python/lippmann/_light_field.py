@@ -14,17 +14,17 @@ from ._errors import Error, Naming, Reading, known, warn_of_ignored
 from ._optics import Display, Optics, display_of
 
 _SIZE = 1 << 15
-_FAR_MM = 1e9  # how far away eyes are at most
+_FAR_MM = 1e9  # greatest distance of an eye
 _RENDERED_WITH = "a frame of lippmann.render with its name among `layers`"
 
 
 def formats() -> Dict[str, str]:
-    """The formats of light fields that `open` reads and `LightField.save` writes: name and one line on what it is."""
+    """Returns the formats that `open` reads and `LightField.save` writes: names, each with a one-line description."""
     return dict(_core.formats())
 
 
 def to_codes(picture: Any) -> np.ndarray:
-    """sRGB codes, uint8, of linear light of the shape (..., 3)."""
+    """Returns sRGB codes, uint8, of linear light of the shape (..., 3)."""
     given = np.asarray(picture)
     if given.dtype.kind not in "fiu" or given.ndim < 2 or given.shape[-1] != 3 or given.size == 0:
         raise Error("picture", f"has the type {given.dtype} and the shape {given.shape}", "linear light of the shape (..., 3)")
@@ -33,8 +33,8 @@ def to_codes(picture: Any) -> np.ndarray:
 
 
 def show(picture: Any, *, enlarge: int = 1) -> _notebook.Shown:
-    """A picture for the end of a notebook's cell. picture: (y, x, 3), uint8 codes or linear light, or (y, x) for grey: finite
-    values from the lowest, black, to the highest, white. enlarge: pixels a side for each of its own.
+    """Returns a picture for the last line of a notebook's cell. picture: (y, x, 3), uint8 codes or linear light, or (y, x) as grey:
+    finite values from the lowest (black) to the highest (white). enlarge: integer factor for both sides.
     """
     given = np.asarray(picture)
     if given.ndim == 2 and given.size and given.dtype.kind in "fiu":
@@ -55,14 +55,14 @@ class LightField:
     Rendered by lippmann.render and lippmann.frames, opened by lippmann.open, or made of arrays:
 
     views: (rows, columns, y, x, 3): uint8 or uint16 (sRGB codes) or float32 (linear light).
-    depth: (rows, columns, y, x), mm in front of the plane in which views coincide, -inf where nothing is.
-    distance_mm, baseline_mm, pixel_mm: of the cameras, as of lippmann.camera_grid; all of them or none.
+    depth: (rows, columns, y, x), mm in front of the plane in which views coincide, -inf where there is no surface.
+    distance_mm, baseline_mm, pixel_mm: the cameras, as in lippmann.camera_grid; all three or none.
 
-    `field[r, c]` is a view (y, x, 3), `field[r]` a row of views, `len(field)` the number of rows, and np.asarray(field) gives
-    `views`. Attributes that are not known of a light field, such as the depth of one without depth, raise an Error that is an
-    AttributeError too: hasattr(field, "depth") tells. Light fields can be pickled and copied deeply.
+    `field[r, c]` is a view (y, x, 3), `field[r]` a row of views, `len(field)` the number of rows, and np.asarray(field) is
+    `views`. Unknown attributes, such as the depth of a light field without depth, raise an Error that is also an AttributeError:
+    use hasattr(field, "depth"). Light fields can be pickled and deeply copied.
 
-    Arrays that it gives cannot be written where they are its own memory: copy them, or make another light field of others.
+    Arrays that share the light field's memory are read-only: copy them to change them.
     """
 
     def __init__(
@@ -84,13 +84,13 @@ class LightField:
             raise Error("views", f"has the shape {samples.shape}", "at most 65536 views of at most 32768 pixels a side")
         z = None if depth is None else array(depth, "depth", samples.shape[:4], finite=False)
         self._start(views=_core.Views(np.ascontiguousarray(samples), z))
-        said = {"distance_mm": distance_mm, "baseline_mm": baseline_mm, "pixel_mm": pixel_mm}
-        missing = [name for name, value in said.items() if value is None]
+        cameras = {"distance_mm": distance_mm, "baseline_mm": baseline_mm, "pixel_mm": pixel_mm}
+        missing = [name for name, value in cameras.items() if value is None]
         if len(missing) == 3:
             return
         if missing:
             raise Error(missing[0], "is missing", "distance_mm, baseline_mm and pixel_mm, or none of them")
-        distance, baseline, pixel = (positive(value, name) for name, value in said.items())
+        distance, baseline, pixel = (positive(value, name) for name, value in cameras.items())
         self._own.set_cameras(distance, (baseline, baseline), pixel)
 
     def _start(
@@ -104,7 +104,7 @@ class LightField:
         self._own, self._film, self._placement, self._optics, self._display = views, film, placement, optics, display
         self._shown: Any = None
         self._layers: Dict[str, np.ndarray] = {}
-        self.path: Optional[str] = None  # where it was opened from
+        self.path: Optional[str] = None  # path that it was opened from
 
     @classmethod
     def _of_film(cls, film: Any, placement: Any, display: Optional[Display]) -> "LightField":
@@ -120,7 +120,7 @@ class LightField:
         return field
 
     def __getstate__(self) -> Dict[str, Any]:
-        return {**self.__dict__, "_shown": None, "_layers": {}}  # which are computed again when they are needed
+        return {**self.__dict__, "_shown": None, "_layers": {}}  # recomputed when needed
 
     # ---- Arrays --------------------------------------------------------------------------------------------------------
 
@@ -133,7 +133,7 @@ class LightField:
     @property
     @known
     def views(self) -> np.ndarray:
-        """(rows, columns, y, x, 3). float32 linear light where it was rendered, else what the file stores; no copy."""
+        """(rows, columns, y, x, 3). float32 linear light if rendered, else as stored in the file; no copy."""
         return self._views.views
 
     @property
@@ -143,7 +143,7 @@ class LightField:
         return self.views.shape
 
     def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> np.ndarray:
-        """Returns `views`, for np.asarray(field). `copy` is that of NumPy 2."""
+        """Returns `views`, for np.asarray(field). `copy` as in NumPy 2."""
         views = self.views
         if dtype is not None and views.dtype != dtype:
             if copy is False:
@@ -160,7 +160,7 @@ class LightField:
     @property
     @known
     def depth(self) -> np.ndarray:
-        """(rows, columns, y, x), float32: mm in front of the display's plane (behind it below 0), -inf where nothing is."""
+        """(rows, columns, y, x), float32: mm in front of the display's plane (negative behind it), -inf where there is no surface."""
         depth = self._views.depth
         if depth is None:
             raise Error("depth", "is not known", 'layers=["depth"] when rendering, or a file that has it')
@@ -169,15 +169,15 @@ class LightField:
     @property
     @known
     def disparity(self) -> np.ndarray:
-        """(rows, columns, y, x), float32: pixels by which a point lies farther left in the next view to the right (of the last
-        column: than in the one before); above 0 in front of the display, as in the HCI benchmark. Of one column: farther down
-        in the next view upwards. -inf where nothing is, as in `depth`; the disparity of a point that is ever farther away
-        approaches -step / pixel_mm instead, `step` from eye to eye.
+        """(rows, columns, y, x), float32: pixels by which a point lies farther left in the next view to the right (in the last column:
+        relative to the previous view); positive in front of the display, as in the HCI benchmark. For a single column: farther
+        down in the next higher view. -inf where there is no surface, as in `depth`; the disparity of a receding point approaches
+        -step / pixel_mm instead, where `step` is the distance between eyes.
         """
         distance, pixel, eyes = self._cameras()
         rows, columns = eyes.shape[:2]
         if rows * columns < 2:
-            raise Error("disparity", "is between two views, and there is one", "several views")
+            raise Error("disparity", "needs two views, but there is only one", "several views")
         across = columns > 1
         places = eyes[..., 0] if across else eyes[..., 1].T
         steps = np.diff(places, axis=1)
@@ -191,18 +191,18 @@ class LightField:
     @property
     @known
     def normals(self) -> np.ndarray:
-        """(rows, columns, y, x, 3), float32: unit vectors in the scene's world, towards the viewer; 0 where nothing is."""
+        """(rows, columns, y, x, 3), float32: unit vectors in world space, towards the viewer; 0 where there is no surface."""
         return self.layer("normal")
 
     @property
     @known
     def motion(self) -> np.ndarray:
-        """(rows, columns, y, x, 2), float32: pixels to the right and down since the frame before, within the same view."""
+        """(rows, columns, y, x, 2), float32: pixels to the right and down since the previous frame, within the same view."""
         return self.layer("motion")
 
     def layer(self, name: str) -> np.ndarray:
-        """(rows, columns, y, x, channels), float32: a layer that was asked for when it was rendered (lippmann.frames). Of one that
-        was not rendered, depth, where it is known.
+        """(rows, columns, y, x, channels), float32: a layer requested in lippmann.frames or lippmann.render. Light fields that were not
+        rendered have only the layer depth, if their depth is known.
         """
         name = choice(name, "name", _core.layer_names)
         if self._film is None:
@@ -218,21 +218,21 @@ class LightField:
     @property
     @known
     def picture(self) -> np.ndarray:
-        """(y, x, 3), float32, linear: what the panel shows, as its optics lie: a quilt, an integral image, native pixels."""
+        """(y, x, 3), float32, linear: the panel's picture: a quilt, an integral image or native pixels, depending on the optics."""
         return self._panel().picture if self._film is None else self._film.picture
 
     @property
     @known
     def codes(self) -> np.ndarray:
-        """(y, x, 3), uint8: the picture as `lippmann render` writes it; of transparent frames (y, x, 4)."""
+        """(y, x, 3), uint8: the picture as `lippmann render` writes it; (y, x, 4) for transparent frames."""
         return to_codes(self.picture) if self._film is None else self._film.codes
 
     @property
     @known
     def alpha(self) -> np.ndarray:
-        """(rows, columns, y, x), float32, 0 to 1: the share of each pixel that something covers; of transparent frames.
+        """(rows, columns, y, x), float32, 0 to 1: the covered share of each pixel, for transparent frames.
 
-        Their views have only the light of what covers: before a background of linear light they look like
+        Their views hold only the light of the covered share. Over a background of linear light they become
         views + (1 - alpha[..., None]) * background.
         """
         self._require_alpha()
@@ -241,8 +241,7 @@ class LightField:
     @property
     @known
     def rgba(self) -> np.ndarray:
-        """(rows, columns, y, x, 4), uint8: sRGB codes of transparent views, whose colours are not multiplied by alpha, as files of
-        pictures have them.
+        """(rows, columns, y, x, 4), uint8: sRGB codes of transparent views with straight alpha, as picture files store them.
         """
         alpha = self.alpha[..., None]
         shown = alpha > 0
@@ -258,36 +257,36 @@ class LightField:
         return self._film is not None and self._film.is_transparent
 
     def panel_layer(self, name: str) -> np.ndarray:
-        """(y, x, channels), float32: a layer as it lies in the picture; of native pixels, too."""
+        """(y, x, channels), float32: a layer in the layout of `picture`, including native pixels."""
         name = choice(name, "name", _core.layer_names)
         if self._film is None:
             raise Error("layer", f"{name!r} is not known of a light field that was not rendered", _RENDERED_WITH)
         return self._film.layer(name)
 
-    # ---- What is known of it -------------------------------------------------------------------------------------------
+    # ---- Metadata ------------------------------------------------------------------------------------------------------
 
     @property
     def optics(self) -> Optional[Optics]:
-        """The optics that it was rendered for; None where nothing says so."""
+        """The optics that it was rendered for; None if unknown."""
         return self._optics
 
     @property
     def report(self) -> Dict[str, Any]:
-        """What rendering it took: frame, kind, seconds, cpu_seconds, rays, ...; and its error: estimated_psnr_db, with the limits
-        psnr_at_least_db and psnr_at_most_db, None where it is not estimated. Empty where it was not rendered.
+        """Figures of the rendering: frame, kind, seconds, cpu_seconds, rays, ...; and its error: estimated_psnr_db, with the limits
+        psnr_at_least_db and psnr_at_most_db, None if not estimated. Empty if it was not rendered.
         """
         return {} if self._film is None else self._film.report
 
     @property
     @known
     def eyes_mm(self) -> np.ndarray:
-        """(rows, columns, 2), float64: x and y of the eye of every view, in the plane z = distance_mm."""
+        """(rows, columns, 2), float64: x and y of each view's eye, in the plane z = distance_mm."""
         return self._cameras()[2]
 
     @property
     @known
     def distance_mm(self) -> float:
-        """From the eyes to the plane in which views coincide."""
+        """Distance from the eyes to the plane in which views coincide."""
         return self._cameras()[0]
 
     @property
@@ -311,13 +310,13 @@ class LightField:
     @property
     @known
     def units_per_mm(self) -> float:
-        """Scene units for a mm of the display."""
+        """Scene units per mm of the display."""
         return self._placed().units_per_mm
 
     @property
     @known
     def world_from_display(self) -> np.ndarray:
-        """(4, 4), float64: from mm of the display to the scene's world, at this frame."""
+        """(4, 4), float64: transform from mm of the display to world space, at this frame."""
         self._placed()
         return self._film.world_from_display
 
@@ -346,10 +345,10 @@ class LightField:
         return self._shown
 
     def refocus(self, z_mm: float = 0.0, size: Optional[Tuple[int, int]] = None) -> np.ndarray:
-        """(y, x, 3), float32, linear: focused at z_mm, above 0 in front of the display.
+        """(y, x, 3), float32, linear: focused at z_mm, positive in front of the display.
 
-        size: (height, width); None: the display's own samples. Where nothing says where its cameras stood, they are assumed, as
-        `lippmann replay` does.
+        size: (height, width); None: the display's own samples. If the positions of the cameras are unknown, they are assumed as in
+        `lippmann replay`.
         """
         depth, shape = number(z_mm, "z_mm"), self._size(size)
         with Naming():
@@ -367,32 +366,32 @@ class LightField:
         nearest: bool = False,
         crosstalk: Union[float, str] = 0.0,
     ) -> np.ndarray:
-        """(y, x, 3), float32, linear: what an eye at x, y, z mm sees through the display; None: where it is meant to be.
+        """(y, x, 3), float32, linear: what an eye at (x, y, z) mm sees through the display; None: the intended viewing position.
 
-        pupil_mm: its diameter, focused at focus_mm; 0: a pinhole, for which focus_mm is ignored, with a LippmannWarning. nearest: no
-        interpolation between pixels below a lens.
-        crosstalk: what each lens mixes: the sigma of its blur in panel pixels (of a quilt: in views), 0 to 8, or the share that
-        each neighbour has, "10%", as `lippmann replay --crosstalk` takes it; of a native frame display.crosstalk_px.
+        pupil_mm: diameter of the pupil, focused at focus_mm; 0: a pinhole, which ignores focus_mm with a LippmannWarning. nearest:
+        no interpolation between the pixels below a lens.
+        crosstalk: blur of each lens: a sigma in panel pixels (quilts: in views), 0 to 8, or the share of each neighbour, "10%", as
+        in `lippmann replay --crosstalk`; for a native frame, display.crosstalk_px.
         """
         panel = self._panel()
         eye = tuple(
-            float(at) if said is None else number(said, name, -_FAR_MM, _FAR_MM)
-            for said, at, name in zip((x, y, z), panel.optics.default_eye_mm, "xyz")
+            float(at) if given is None else number(given, name, -_FAR_MM, _FAR_MM)
+            for given, at, name in zip((x, y, z), panel.optics.default_eye_mm, "xyz")
         )
         pupil = number(pupil_mm, "pupil_mm", 0.0, 1e6)
         focus, blur = number(focus_mm, "focus_mm"), _crosstalk(crosstalk)
         if focus != 0.0 and pupil == 0.0:
-            warn_of_ignored("focus_mm", "to a pinhole all is sharp, and no pupil_mm is given")
+            warn_of_ignored("focus_mm", "a pinhole has no focus, and pupil_mm is 0")
         shape = self._size(size)
         with Naming(eye="z", pupil="pupil_mm", focus="focus_mm"):
             return panel.eye(eye, shape, pupil, focus, bool(nearest), blur)
 
     def epi(self, row: Optional[int] = None, column: Optional[int] = None) -> np.ndarray:
-        """An epipolar-plane image, float32, linear: of a row of pixels (counted from the top) (eyes, x, 3), the leftmost eye
-        first; or of a column (y, eyes, 3), the lowest eye first.
+        """An epipolar-plane image, float32, linear: (eyes, x, 3) of a row of pixels (counted from the top), leftmost eye first; or
+        (y, eyes, 3) of a column, lowest eye first.
         """
         if (row is None) == (column is None):
-            raise Error("row", "and column are both given, or neither", "one of both")
+            raise Error("row", "and column are both given, or neither", "one of the two")
         panel = self._panel()
         of_row = row is not None
         line = integer(row, "row", 0, _SIZE) if of_row else integer(column, "column", 0, _SIZE)
@@ -403,7 +402,7 @@ class LightField:
     def _size(size: Optional[Tuple[int, int]]) -> Optional[Tuple[int, int]]:
         return None if size is None else pair(size, "size", 1, _SIZE)
 
-    # ---- Files and others ----------------------------------------------------------------------------------------------
+    # ---- Files and exports ---------------------------------------------------------------------------------------------
 
     def save(
         self,
@@ -414,21 +413,21 @@ class LightField:
         tiles: Optional[Tuple[int, int]] = None,
         display: Any = None,
     ) -> List[str]:
-        """Writes it, and returns the files. A missing folder is made.
+        """Writes the light field and returns the files. Creates a missing folder.
 
-        format: one of lippmann.formats(), as `lippmann convert` writes it. None: the panel's picture, .png or .exr; of transparent
-        frames a .png with alpha, which light fields' formats do not hold. bits: 8, 16 or 32 (linear floats, .exr) where the samples
-        are floats; None: 32 for .exr, else 8. tiles: (rows, columns) of a quilt. display: of "native", a name or file. Of other
-        formats both are ignored, and so are bits without format, with a LippmannWarning.
+        format: one of lippmann.formats(), as in `lippmann convert`. None: the panel's picture, .png or .exr; for transparent frames
+        a .png with alpha, which formats of light fields do not support. bits: 8, 16 or 32 (linear floats, .exr) for float samples;
+        None: 32 for .exr, else 8. tiles: (rows, columns) of a quilt. display: a name or file, for the format "native". Arguments
+        that the format does not use are ignored with a LippmannWarning.
         """
         where = _path(path, "path")
         if self._is_transparent and (format is not None or not where.endswith(".png")):
-            raise Error("path" if format is None else "format", "holds no alpha here", "a .png without `format`, or arrays")
+            raise Error("path" if format is None else "format", "cannot store alpha", "a .png without `format`, or arrays")
         tiling = None if tiles is None else pair(tiles, "tiles", 1, 256)
         panel = None if display is None else display_of(display, "display")
         if format is None:
             if bits is not None:
-                warn_of_ignored("bits", "without `format` the name's ending decides")
+                warn_of_ignored("bits", "without `format` the file extension decides")
             _warn_of_strays(tiling, panel, "")
             with _folder_of(where):
                 self._write_picture(where)
@@ -440,7 +439,7 @@ class LightField:
                 raise Error("bits", f"is {wanted}", "8, 16 or 32")
             views = views if wanted == 32 else views.with_codes(wanted)
         elif bits is not None:
-            raise Error("bits", "are the file's own, whose samples are codes", "no bits")
+            raise Error("bits", "cannot be chosen for sRGB codes", "no bits")
         name = choice(format, "format", list(formats()))
         _warn_of_strays(tiling, panel, name)
         with _folder_of(where), Naming(where, views="format"):
@@ -452,9 +451,9 @@ class LightField:
         _core.write_picture(self._panel().picture, where)
 
     def to_xarray(self) -> Any:
-        """An xarray.Dataset: views, and depth and alpha where they are known, with the axes row, column, y, x, channel and the eyes' places.
-        Lengths have the attribute units, "mm"; the views say whether they are linear radiance (float32) or sRGB codes.
-        Throws ImportError where xarray (python3-xarray) is not installed.
+        """Returns an xarray.Dataset: the views, depth and alpha if known, with the axes row, column, y, x, channel and the eyes' positions.
+        Lengths have the attribute units, "mm"; the views state whether they are linear radiance (float32) or sRGB codes.
+        Raises ImportError if xarray (python3-xarray) is not installed.
         """
         try:
             import xarray  # type: ignore[import]
@@ -479,7 +478,7 @@ class LightField:
     def __repr__(self) -> str:
         try:
             shape, dtype = self.shape, self.views.dtype
-        except Error:  # optics without views: the panel's picture is all there is
+        except Error:  # optics without views have only the panel's picture
             return f"<lippmann.LightField: a panel of {self.picture.shape[1]}x{self.picture.shape[0]} pixels>"
         rows, columns, height, width = shape[:4]
         return f"<lippmann.LightField: {rows} x {columns} views (rows x columns), {width}x{height} pixels, {dtype}>"
@@ -487,7 +486,7 @@ class LightField:
 
 @contextlib.contextmanager
 def _folder_of(path: str) -> Iterator[None]:
-    """The folder that `path` is to lie in, made where it is missing. A failure removes what was made and holds nothing."""
+    """Creates the folder of `path`. A failure removes the folders that were created."""
     folder = os.path.dirname(path)
     missing = []
     while folder and not os.path.isdir(folder):
@@ -506,16 +505,16 @@ def _folder_of(path: str) -> Iterator[None]:
 
 def _make(folder: str) -> None:
     try:
-        os.makedirs(folder, exist_ok=True)  # which another process may have made meanwhile
+        os.makedirs(folder, exist_ok=True)  # another process may have created it meanwhile
     except OSError as error:
-        raise Error(folder, f"cannot be made: {error.strerror}", "a folder that can be written to") from None
+        raise Error(folder, f"cannot be created: {error.strerror}", "a folder that can be written to") from None
 
 
 def _warn_of_strays(tiles: Any, display: Any, format: str) -> None:
-    """Of arguments that other formats than this one have."""
+    """Warns of arguments that this format does not use."""
     for argument, value, of in (("tiles", tiles, "quilt"), ("display", display, "native")):
         if value is not None and format != of:
-            warn_of_ignored(argument, f"it is of the format {of!r}")
+            warn_of_ignored(argument, f"only the format {of!r} uses it")
 
 
 def _crosstalk(value: Union[float, str]) -> float:
@@ -531,12 +530,12 @@ def open(
     tiles: Optional[Tuple[int, int]] = None,
     display: Any = None,
 ) -> LightField:
-    """A light field from a file or folder of any format that `lippmann convert` reads (lippmann.formats()), with depth and cameras
-    where the files know them.
+    """Opens a light field from a file or folder of any format that `lippmann convert` reads (lippmann.formats()), with depth and
+    cameras if the files state them.
 
-    format: None: as names and a report.json beside it say. frame: of a folder of frames, which. views: (rows, columns), where
-    nothing says it. tiles: (rows, columns) of a quilt. display: of "native", a name or file. Of other formats both are ignored,
-    with a LippmannWarning.
+    format: None: chosen by the name and a report.json beside it. frame: index in a folder of frames. views: (rows, columns) if the
+    files do not state it. tiles: (rows, columns) of a quilt. display: a name or file, for the format "native". tiles and display
+    are ignored for other formats, with a LippmannWarning.
     """
     name = "" if format is None else choice(format, "format", list(formats()))
     where = _path(path, "path")

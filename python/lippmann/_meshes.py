@@ -1,4 +1,4 @@
-"""Meshes of other packages, by the names of their attributes: trimesh.Trimesh and open3d.geometry.TriangleMesh."""
+"""Reads meshes of other packages by the names of their attributes: trimesh.Trimesh and open3d.geometry.TriangleMesh."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from ._errors import Error
 
 
 def arrays_of(mesh: Any) -> Dict[str, Any]:
-    """Returns the arguments of Scene.add_mesh that a mesh holds: positions, triangles, and uvs, colors and normals where they are
-    stored. Throws Error for what is no mesh.
+    """Returns the arguments of Scene.add_mesh that a mesh holds: positions, triangles, and uvs, colors and normals if stored. Raises
+    Error if it is not a mesh.
 
-    trimesh computes vertex normals of every mesh; they are left out, so that boxes have edges.
+    trimesh computes vertex normals for every mesh; they are left out, so that boxes keep their edges.
     """
     faces = getattr(mesh, "faces", None) if hasattr(mesh, "faces") else getattr(mesh, "triangles", None)
     if not hasattr(mesh, "vertices") or faces is None:
@@ -34,19 +34,19 @@ def arrays_of(mesh: Any) -> Dict[str, Any]:
 
 
 def texture_of(mesh: Any) -> Optional[np.ndarray]:
-    """Returns the colour texture (y, x, 4), uint8, of a mesh of trimesh; None without one."""
+    """Returns the colour texture (y, x, 4), uint8, of a mesh of trimesh, or None."""
     surface = getattr(getattr(mesh, "visual", None), "material", None)
     image = getattr(surface, "baseColorTexture", None) or getattr(surface, "image", None)
     return None if image is None else np.asarray(image.convert("RGBA"))
 
 
 def linear_light(srgb: np.ndarray) -> np.ndarray:
-    """Returns the linear light of sRGB values from 0 to 1: IEC 61966-2-1."""
+    """Returns the linear light of sRGB values from 0 to 1 (IEC 61966-2-1)."""
     values = srgb.astype(np.float64)
     return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4).astype(np.float32)
 
 
 def _has(mesh: Any, what: str) -> bool:
-    """Whether a mesh of Open3D stores that."""
+    """Returns whether a mesh of Open3D stores this attribute."""
     question = getattr(mesh, f"has_{what}", None)
     return callable(question) and bool(question())

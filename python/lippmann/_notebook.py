@@ -1,4 +1,4 @@
-"""How a light field shows itself in a notebook: its views behind each other, and sliders to go through them."""
+"""Shows a light field in a notebook: one view at a time, selected with sliders."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ import numpy as np
 from . import _core
 from ._errors import Error
 
-_SIDE, _VIEWS = 320, 81  # longest side of a picture, and how many at most
+_SIDE, _VIEWS = 320, 81  # longest side of a picture in pixels; most pictures
 
 
 def png(codes: np.ndarray) -> bytes:
-    """A PNG file of codes (y, x, 3), uint8."""
+    """Returns a PNG file of codes (y, x, 3), uint8."""
 
     def chunk(name: bytes, data: bytes) -> bytes:
         return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
@@ -46,7 +46,7 @@ class Shown:
 
 
 def _small(view: np.ndarray) -> np.ndarray:
-    """uint8 codes, no side above _SIDE: means over whole blocks of pixels."""
+    """Returns uint8 codes with no side above _SIDE, averaged over blocks of pixels."""
     step = max(1, -(-max(view.shape[:2]) // _SIDE))
     height, width = view.shape[0] // step * step, view.shape[1] // step * step
     if step > 1 and height and width:
@@ -73,19 +73,19 @@ def _picture(codes: np.ndarray) -> str:
 
 
 def _chosen(count: int, most: int) -> List[int]:
-    """At most `most` of them, the ends among them."""
+    """Returns at most `most` of `count` indices, including both ends."""
     return sorted({round(i) for i in np.linspace(0, count - 1, min(count, max(most, 1)))})
 
 
 def _shown_size(views: np.ndarray) -> str:
-    """The CSS size of a view: its longest side is _SIDE pixels, so that small views are seen, too."""
+    """Returns the CSS size of a view: its longest side is _SIDE pixels, so that small views are enlarged."""
     height, width = views.shape[2:4]
     scale = _SIDE / max(height, width)
     return f"width:{round(width * scale)}px;height:{round(height * scale)}px;image-rendering:{'pixelated' if scale > 2 else 'auto'}"
 
 
 def html_of(field: Any) -> str:
-    """A page's part that needs nothing from elsewhere: pictures and two sliders."""
+    """Returns self-contained HTML: pictures and two sliders."""
     try:
         views = field.views
     except Error:

@@ -1,6 +1,6 @@
-"""Displays by name and file, and optics of one's own: which ray every pixel shows.
+"""Displays by name or file, and custom optics, which map every pixel to a ray.
 
-Sizes are (height, width) in pixels, as the shapes of arrays are. Lengths are mm, angles degrees.
+Sizes are (height, width) in pixels, like the shapes of arrays. Lengths are mm, angles degrees.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ from ._errors import Error, Naming, Reading
 Display = _core.Display
 Optics = _core.Optics
 
-_MOST = 32768  # pixels of a side
-_FIELDS = {  # of the library's optics
+_MOST = 32768  # pixels per side
+_FIELDS = {  # names in the library's optics
     "panel": "size",
     "width": "size",
     "height": "size",
@@ -32,17 +32,17 @@ _RAYS = "a function of points (n, 2) that returns origins (n, 3) and directions 
 
 
 def displays() -> List[Display]:
-    """The displays that are known by name, as `lippmann displays` lists them."""
+    """Returns the displays known by name, as listed by `lippmann displays`."""
     return list(_core.display_presets())
 
 
 def display(name: Any) -> Display:
-    """A display by the name of a preset, or from a file: .toml, a display of one's own; .json, a calibration (visual.json)."""
+    """Returns a display: a preset by name, or a file (.toml, a display of your own; .json, a calibration such as visual.json)."""
     return display_of(name, "name")
 
 
 def display_of(display: Any, argument: str) -> Display:
-    """The display that an argument of that name says."""
+    """Returns the display of an argument with this name."""
     if isinstance(display, Display):
         return display
     where = path_bytes(display, argument)
@@ -51,7 +51,7 @@ def display_of(display: Any, argument: str) -> Display:
 
 
 def display_from_toml(toml: str) -> Display:
-    """The display that a text says, which is what a .toml file would hold (docs/reference/displays.md)."""
+    """Returns the display that a text in the format of a .toml file describes (docs/reference/displays.md)."""
     with Naming(text="toml"):
         return _core.display_from_toml(text(toml, "toml"))
 
@@ -78,11 +78,11 @@ def camera_grid(
     distance_mm: float = 500.0,
     pixel_mm: Optional[float] = None,
 ) -> Optics:
-    """Parallel cameras in a grid, as data sets of light fields have them.
+    """Parallel cameras in a grid, as in data sets of light fields.
 
-    rows, columns: how many. size: (height, width) of each view in pixels. baseline_mm: between neighbours, across and up.
-    distance_mm: from the cameras to the plane in which all views coincide (disparity 0). pixel_mm: of a view in that plane;
-    None: such that views are 100 mm high.
+    rows, columns: size of the grid. size: (height, width) of each view in pixels. baseline_mm: distance between neighbours, across
+    and up. distance_mm: from the cameras to the plane in which all views coincide (disparity 0). pixel_mm: size of a view's pixel in
+    that plane; None: views are 100 mm high.
     """
     return _views(rows, columns, size, pixel_mm, 0.1, distance_mm, positive(baseline_mm, "baseline_mm"))
 
@@ -98,7 +98,7 @@ def quilt(
 ) -> Optics:
     """Views from left to right at equal angles, in tiles of a picture: rows x columns tiles of `size` = (height, width) pixels.
 
-    view_cone_deg: the full angle that they spread over. The arrays have one row of rows x columns views.
+    view_cone_deg: full angle of all views. The arrays have one row of rows x columns views.
     """
     cone = number(view_cone_deg, "view_cone_deg", 0.01, 179.0)
     return _views(rows, columns, size, pixel_mm, cone, distance_mm, 0.0)
@@ -119,10 +119,10 @@ def lenticular_sheet(
     offset_mm: Optional[float] = None,
     viewing_distance_mm: float = math.inf,
 ) -> Optics:
-    """Cylindrical lenses on a panel of `size` = (height, width) pixels; parallax from left to right.
+    """Cylindrical lenses on a panel of `size` = (height, width) pixels, with parallax from left to right.
 
-    slant_deg: of the lenses from the vertical. gap_mm: from the panel to the lenses. offset_mm: the centre of a lens; None: half
-    a pitch, so that a boundary lies in the middle.
+    slant_deg: angle of the lenses from the vertical. gap_mm: from the panel to the lenses. offset_mm: position of a lens's centre;
+    None: half a pitch, which puts a boundary in the middle.
     """
     panel, pixel, distance = _lenses(size, pixel_mm, viewing_distance_mm)
     pitch = positive(lens_pitch_mm, "lens_pitch_mm")
@@ -143,7 +143,7 @@ def microlens_array(
     offset_mm: Optional[float] = None,
     viewing_distance_mm: float = math.inf,
 ) -> Optics:
-    """Spherical lenses on a panel of `size` = (height, width) pixels, in squares or hexagons; parallax in all directions."""
+    """Spherical lenses on a panel of `size` = (height, width) pixels, in squares or hexagons, with parallax in all directions."""
     panel, pixel, distance = _lenses(size, pixel_mm, viewing_distance_mm)
     pitch = positive(lens_pitch_mm, "lens_pitch_mm")
     offset = pitch / 2 if offset_mm is None else number(offset_mm, "offset_mm", -1e6, 1e6)
@@ -153,7 +153,7 @@ def microlens_array(
 
 
 def _for_json(value: Any, name: str) -> Any:
-    """The same of lists and numbers that JSON has; None for infinity."""
+    """Returns a value as JSON types; infinity becomes None."""
     if isinstance(value, (np.ndarray, np.generic)):
         value = value.tolist()
     if isinstance(value, (list, tuple)):
@@ -166,10 +166,10 @@ def _for_json(value: Any, name: str) -> Any:
 
 
 def optics(kind: str, size: Tuple[int, int] = (512, 512), *, pixel_mm: float = 0.125, **values: Any) -> Optics:
-    """Optics of any kind that the library has, by the names of report.json: `optics("single", (40, 56), distance_mm=500)`.
+    """Optics of any kind, by the names of report.json: `optics("single", (40, 56), distance_mm=500)`.
 
-    kind: "optics": {"kind": ...} of a report. size: (height, width) of the panel in pixels of pixel_mm. values: what the report
-    says of this kind, such as lens_pitch_mm and gap_mm; lengths are mm, angles degrees, math.inf is infinity.
+    kind: "kind" of a report's "optics". size: (height, width) of the panel in pixels of pixel_mm. values: the report's fields of
+    this kind, such as lens_pitch_mm and gap_mm; lengths are mm, angles degrees; math.inf is accepted.
     """
     panel, pixel = pair(size, "size", 1, _MOST), positive(pixel_mm, "pixel_mm")
     members = json.dumps({name: _for_json(value, name) for name, value in values.items()})
@@ -178,7 +178,7 @@ def optics(kind: str, size: Tuple[int, int] = (512, 512), *, pixel_mm: float = 0
 
 
 def single_view(size: Tuple[int, int] = (512, 512), *, pixel_mm: float = 0.125, distance_mm: float = 500.0) -> Optics:
-    """What one eye sees `distance_mm` before the middle of the display: a pinhole camera of (height, width) pixels."""
+    """A pinhole camera of (height, width) pixels: what one eye sees from `distance_mm` in front of the display's centre."""
     panel = pair(size, "size", 1, _MOST)
     pixel, distance = positive(pixel_mm, "pixel_mm"), positive(distance_mm, "distance_mm")
     with Naming(**_FIELDS):
@@ -186,30 +186,30 @@ def single_view(size: Tuple[int, int] = (512, 512), *, pixel_mm: float = 0.125, 
 
 
 def _middles(size: Tuple[int, int], samples_per_side: int) -> np.ndarray:
-    """(n, 2): x, y of the middle of every part of every pixel, row by row from the top left, in pixels."""
+    """Returns (n, 2): x, y of the centre of every part of every pixel, row by row from the top left, in pixels."""
     y, x = np.mgrid[0 : size[0] * samples_per_side, 0 : size[1] * samples_per_side].astype(np.float32)
     return np.stack([x.ravel() + 0.5, y.ravel() + 0.5], axis=1) / samples_per_side
 
 
 def _unit_directions(directions: np.ndarray) -> np.ndarray:
-    """float32, of unit length, of float64 of any length: squares of the shortest and the longest would not be numbers."""
+    """Returns float32 unit vectors. Scales before squaring, because squares of very short or long vectors would over- or underflow."""
     largest = np.abs(directions).max(axis=1, keepdims=True)
     unit = directions / np.where(largest > 0, largest, 1.0)
     unit = (unit / np.maximum(np.linalg.norm(unit, axis=1, keepdims=True), 1.0)).astype(np.float32)
     if not (unit[:, 2] < 0).all():
-        raise Error("rays: directions", "do not all have z below 0", "rays that run away from the viewer")
+        raise Error("rays: directions", "do not all have z below 0", "rays that point away from the viewer")
     return unit
 
 
 def _spread(directions: np.ndarray, rows: int) -> float:
-    """mm per mm of depth by which the rays of most neighbours in a row part."""
+    """Returns the typical spread of neighbouring rays in a row, in mm per mm of depth."""
     slopes = (directions[:, :2].astype(np.float64) / -directions[:, 2:]).reshape(rows, -1, 2)
     steps = np.linalg.norm(np.diff(slopes, axis=1), axis=2)
     return float(np.median(steps)) if steps.size else 0.0
 
 
 def _pair_of(returned: Any) -> Sequence[Any]:
-    """The two arrays that `rays` has returned. It may be a generator: what that raises comes out as it is."""
+    """Returns the two arrays that `rays` has returned, possibly as a generator, whose exceptions are passed on."""
     try:
         parts = iter(returned)
     except TypeError:
@@ -227,15 +227,15 @@ def own_optics(
     pixel_mm: float = 0.1,
     samples_per_side: int = 1,
 ) -> Optics:
-    """Optics that are a function from pixel to ray: of a simulated lens, a measured display, anything.
+    """Optics given by a function from pixel to ray, such as a simulated lens or a measured display.
 
-    rays: called once with the points (n, 2) of the panel that are traced, x from the left and y from the top in pixels, the
-    middle of a pixel at + 0.5; returns origins (n, 3) in mm and directions (n, 3) of any length. The display's frame has x to
-    the right, y up and z towards the viewer, its middle at (0, 0, 0); rays run away from the viewer (z below 0) and show what
-    comes after their origins. What it raises is passed on. size: (height, width) of the panel in pixels of pixel_mm.
-    samples_per_side: 4 gives every pixel 16 rays, among which its samples (spp) choose.
+    rays: called once with all traced points (n, 2) of the panel, x from the left and y from the top in pixels, the centre of a
+    pixel at + 0.5; returns origins (n, 3) in mm and directions (n, 3) of any length. The display's frame has x to the right, y up
+    and z towards the viewer, its centre at (0, 0, 0). Rays point away from the viewer (z below 0) and show what lies beyond their
+    origins. Exceptions are passed on. size: (height, width) of the panel in pixels of pixel_mm. samples_per_side: 4 gives every
+    pixel 16 rays, from which its samples (spp) choose.
 
-    Such pictures are traced, and that is all: they have no views, and cannot be interpolated, denoised or replayed.
+    Such pictures have no views, and cannot be interpolated, denoised or replayed.
     """
     if not callable(rays):
         raise Error("rays", f"is {rays!r}", _RAYS)

@@ -1,4 +1,4 @@
-"""Frames of a scene through a display or optics, as light fields in memory: no files."""
+"""Renders frames of a scene through a display or optics as light fields in memory."""
 
 from __future__ import annotations
 
@@ -15,16 +15,15 @@ from ._scene import Scene, choose_camera, load, strength_and_turn, surround
 
 
 class Animation:
-    """Frames of one scene through one set of optics, rendered when they are asked for. Frames that reuse others are quickest in
-    ascending order. `for field in animation`, `animation[3]`, `len(animation)`; `animation[2:5]` is an
-    Animation of those frames, which are rendered when they are asked for as well. A pickle or a copy has the scene and its
-    settings, and renders by itself.
+    """Frames of one scene through one set of optics, rendered on access. Frames that reuse others are quickest in ascending order.
+    Use `for field in animation`, `animation[3]`, `len(animation)`; `animation[2:5]` is an Animation of those frames, also rendered
+    on access. A pickle or a copy holds the scene and its settings, and renders independently.
     """
 
     def __init__(
         self, core: Any, settings: Any, frames: Sequence[int], display: Optional[Display], progress: Optional[Progress]
     ) -> None:
-        """settings: what _core.Frames was made of besides its scene and placement: sampling, reuse, threads."""
+        """settings: the remaining arguments of _core.Frames: sampling, reuse, threads."""
         self._core, self._settings, self._frames, self._display, self._progress = core, settings, frames, display, progress
 
     def __len__(self) -> int:
@@ -63,7 +62,7 @@ class Animation:
 
 
 def _remade(made_of: Any, *rest: Any) -> Animation:
-    """An Animation of a pickle."""
+    """Returns the Animation of a pickle."""
     return Animation(_core.Frames(*made_of), *rest)
 
 
@@ -102,44 +101,44 @@ def frames(
     threads: int = 0,
     progress: Optional[Progress] = None,
 ) -> Animation:
-    """The frames of a scene as light fields, one after the other, without files. Ctrl-C stops (KeyboardInterrupt).
+    """Renders the frames of a scene as light fields, one at a time. Ctrl-C stops (KeyboardInterrupt).
 
-    scene: a lippmann.Scene, the name of a built-in one, or a file.
+    scene: a lippmann.Scene, the name of a built-in scene, or a file.
     display: a preset's name, a file (.toml, a calibration .json), a lippmann.Display, or optics (lippmann.camera_grid, ...).
         None: lippmann.camera_grid().
-    frames: which, counted from 0; None: all.
-    layout: "views": of a slanted panel its quilt, else what lies behind its lenses; "native": the panel's own pixels.
-    layers: of depth (mm, above 0 in front of the display), ray-depth, normal, position (both in the world), id, albedo, motion
-        (pixels since the frame before), provenance (a code, docs/guide/reuse.md), direct, indirect. "disparity" asks for depth.
-    integrator: "path" (all light, by random paths) or "whitted" (quick: direct light, sharp shadows, mirrors). None: path, but
-        whitted for scenes of formats that describe Whitted's shading, the built-in ones among them, and for files of splats
-        alone.
-    spp: samples per pixel; None: 16 of paths, 4 of files of splats alone, else 1. max_depth: path vertices; 0: the scene's.
-        seed: of the random paths. clamp_indirect: limits the indirect light of a path, which removes bright specks but loses
-        light; 0: no limit.
+    frames: frame numbers, counted from 0; None: all.
+    layout: "views": the views, for a slanted panel its quilt; "native": the panel's own pixels.
+    layers: depth (mm, positive in front of the display), ray-depth, normal, position (both in world space), id, albedo, motion
+        (pixels since the previous frame), provenance (a code, docs/guide/reuse.md), direct, indirect. "disparity" asks for depth.
+    integrator: "path" (all light, by random paths) or "whitted" (fast: direct light, sharp shadows, mirrors). None: path, but
+        whitted for scenes of formats that describe Whitted's shading, including the built-in ones, and for files that contain only
+        splats.
+    spp: samples per pixel; None: 16 (path), 4 (files that contain only splats), else 1. max_depth: path vertices; 0: the scene's
+        value. seed: of the random paths. clamp_indirect: upper bound of a path's indirect light, which removes fireflies but loses
+        light; 0: no bound.
     denoise: "auto" (or True) removes the noise of path-traced frames of 2 or more spp; "none" (or False) leaves frames as traced.
-    angular_filter: of views: "none" sees each from one eye, "box" from the whole range between its neighbours, so that depth
-        beyond the budget blurs. None: "box" for quilts of a display, else "none".
-    aperture_mm, or f_number (of a camera with a sensor 36 mm wide, in scenes in metres): depth of field for views: the diameter
-        of the lens that each is seen through. focal_plane_mm: what is sharp, in front of the display's plane. 2 or more spp.
-    shutter: motion blur, over this share of the time from frame to frame (0 to 1). 2 or more spp.
-    reuse: auto, none, copy, interpolate (docs/guide/reuse.md); the last two need integrator="whitted". keyframes: for copy and
-        interpolate, the largest distance between key frames. min_psnr: for interpolate, the lowest PSNR of a frame in dB. A reuse
-        that has no use for one of them refuses it; "auto" ignores unsuitable keyframes, with a LippmannWarning.
-    fit_depth: scenes that are deeper than the display resolves are shown less deep. None: as `lippmann render`: not for views of
-        one's own.
+    angular_filter: "none" renders each view from one eye, "box" averages it over the range between its neighbours, which blurs
+        depth beyond the budget. None: "box" for quilts of a display, else "none".
+    aperture_mm, or f_number (of a camera with a sensor 36 mm wide, for scenes in metres): depth of field for views: diameter of the
+        lens of each view. focal_plane_mm: depth in focus, in front of the display's plane. Needs 2 or more spp.
+    shutter: motion blur, over this share of the time between frames (0 to 1). Needs 2 or more spp.
+    reuse: auto, none, copy, interpolate (docs/guide/reuse.md); copy and interpolate need integrator="whitted". keyframes: for copy
+        and interpolate, the largest distance between key frames. min_psnr: for interpolate, the lowest PSNR of a frame in dB. Other
+        values of reuse refuse them; "auto" ignores unsuitable keyframes, with a LippmannWarning.
+    fit_depth: reduces the depth of scenes that exceed the display's depth budget. None: as in `lippmann render`; False for optics
+        of your own.
     focus: what lies in the display's plane: a node's name, "x,y,z" or a distance. fit_to: a node that fills the picture, or "all".
-        zoom: above 1: nearer. orbit: degrees to the right and up.
-    light: "auto" adds light where the scene has none, as `lippmann render` does; "none" adds nothing.
-    environment: surrounds and lights the scene in place of what it has: "studio", the built-in one; a panorama, equirectangular
-        with the zenith on top, as a file (.hdr, .exr, .pfm, .tif) or an array (y, x, 3) of linear light; or a colour (3). "none"
-        keeps the scene's own light, as light="none" does. environment_strength: a factor on it.
+        zoom: above 1 is nearer. orbit: degrees to the right and up.
+    light: "auto" adds light to scenes without any, as `lippmann render` does; "none" adds nothing.
+    environment: surrounds and lights the scene in place of its own environment: "studio", the built-in one; a panorama,
+        equirectangular with the zenith on top, as a file (.hdr, .exr, .pfm, .tif) or an array (y, x, 3) of linear light; or a colour
+        (3). "none" keeps the scene's own light, as light="none" does. environment_strength: a factor for its light.
         environment_rotation_deg: about +y. Without `environment` both are ignored, with a LippmannWarning.
-    camera: of a scene's cameras the one that decides the view, by name or index (Scene.cameras); None: the first.
-    transparent: the surroundings light the scene and are not seen: LightField.alpha.
-    threads: 0: one per processor. The same bits for any number.
-    progress: called as progress(frame, share) about every 50 ms, in this thread; what it raises stops the render. The share
-        begins anew for every frame that the one that is asked for needs.
+    camera: the camera of the scene that sets the view, by name or index (Scene.cameras); None: the first.
+    transparent: the environment lights the scene but is not visible: LightField.alpha.
+    threads: 0: one per processor. The result has the same bits for any number.
+    progress: called as progress(frame, share) about every 50 ms, in this thread; an exception stops the render. The share starts
+        again at 0 for every frame that the requested frame depends on.
     """
     if isinstance(scene, Scene):
         core = scene._core.copy()
@@ -157,7 +156,7 @@ def frames(
         raise Error("progress", f"is {progress!r}", "a function of frame and share")
     denoised = denoise if isinstance(denoise, bool) else choice(denoise, "denoise", ("auto", "none")) == "auto"
     if denoise is True and not sampling.is_stochastic:
-        raise Error("denoise", "needs path tracing", "denoise='auto', or integrator='path' with it")
+        raise Error("denoise", "needs path tracing", "denoise='auto' or integrator='path'")
     samples = sampling.spp if spp is None else integer(spp, "spp", 1, 1 << 20)
     depth_limit = integer(max_depth, "max_depth", 0, 1 << 16)
     key = integer(seed, "seed", 0, (1 << 32) - 1)
@@ -178,14 +177,14 @@ def frames(
     if environment is not None:
         surround(core, environment, factor, turn, "environment")
     else:
-        for argument, is_said in (("environment_strength", factor != 1.0), ("environment_rotation_deg", turn != 0.0)):
-            if is_said:
-                warn_of_ignored(argument, "it is of `environment`, and none is given")
+        for argument, is_given in (("environment_strength", factor != 1.0), ("environment_rotation_deg", turn != 0.0)):
+            if is_given:
+                warn_of_ignored(argument, "`environment` is not given")
     if environment is None and light == "auto" and not (sampling.is_stochastic and core.kind == "whitted"):
         core.add_missing_light(sampling)
     native = choice(layout, "layout", ("views", "native")) == "native"
     if native and transparent:
-        raise Error("transparent", "what a panel shows lies before nothing", "layout='views' with it")
+        raise Error("transparent", "cannot be combined with layout='native'", "layout='views'")
     placement, shown = _place(core, display, native, fit_depth, focus, fit_to, zoom, orbit)
     sampling.spp, sampling.max_depth, sampling.seed = samples, depth_limit, key
     sampling.denoise, sampling.transparent = denoised, bool(transparent)
@@ -236,14 +235,14 @@ def render(
     threads: int = 0,
     progress: Optional[Progress] = None,
 ) -> LightField:
-    """One frame as a light field. Arguments are those of lippmann.frames, but for `frame`."""
+    """Renders one frame as a light field. Arguments are those of lippmann.frames, except `frame`."""
     options: Dict[str, Any] = dict(locals())
     options["frames"] = _Frame([options.pop("frame")])
     return frames(**options)[0]
 
 
 class _Frame(List[int]):
-    """The one frame that lippmann.render is asked for: errors name its argument."""
+    """The frame that lippmann.render is asked for. Errors name its argument."""
 
 
 def _which(frames: Optional[Iterable[int]], count: int) -> Sequence[int]:
@@ -260,8 +259,8 @@ def _which(frames: Optional[Iterable[int]], count: int) -> Sequence[int]:
 def _reuse(
     name: str, keyframes: Optional[int], min_psnr: Optional[float], layers: Set[str], sampling: Any
 ) -> Any:
-    """The reuse of that name, with keyframes and min_psnr. "auto" with keyframes becomes "copy" where pixels can be copied.
-    min_psnr holds without more where pixels of Whitted's shading are copied or traced.
+    """Returns the reuse of this name, with keyframes and min_psnr. "auto" with keyframes becomes "copy" where pixels can be copied.
+    Frames that copy or trace pixels with Whitted's shading satisfy any min_psnr.
     """
     if min_psnr is not None and sampling.is_stochastic:
         accepted = "spp for path tracing; min_psnr with reuse='interpolate'"
@@ -271,12 +270,12 @@ def _reuse(
         if sampling.can_share_pixels and keyframes is not None and not (is_blurred or sampling.transparent or layers - {"provenance"}):
             name = "copy"
         if keyframes is not None and name != "copy":
-            warn_of_ignored("keyframes", "reuse='auto' chooses a way without them here")
+            warn_of_ignored("keyframes", "reuse='auto' needs no key frames here")
             keyframes = None
     if keyframes is not None and name == "none":
-        raise Error("keyframes", "has no effect where every frame is traced", "reuse='copy' or 'interpolate' with it")
+        raise Error("keyframes", "has no effect where every frame is traced", "reuse='copy' or 'interpolate'")
     if min_psnr is not None and name == "none":
-        raise Error("min_psnr", "has no effect where every frame is traced", "reuse='interpolate' with it")
+        raise Error("min_psnr", "has no effect where every frame is traced", "reuse='interpolate'")
     return _core.Reuse(name, keyframes, min_psnr)
 
 
@@ -300,7 +299,7 @@ def _place(
     zoom: float,
     orbit: Tuple[float, float],
 ) -> Tuple[Any, Optional[Display]]:
-    """Where the display stands in the scene, and the display if it is one."""
+    """Returns the placement of the display in the scene, and the display if it is one."""
     try:
         yaw, pitch = orbit
     except (TypeError, ValueError):
@@ -315,7 +314,7 @@ def _place(
     fit = None if fit_depth is None else bool(fit_depth)
     if isinstance(optics, Optics):
         if native:
-            raise Error("layout", "native is a display's own, and optics are given", "views, or a display")
+            raise Error("layout", "'native' needs a display, but optics are given", "layout='views', or a display")
         with Naming(optics="display"):
             return _core.place(core, optics, fit, wish), None
     if not isinstance(optics, (Display, str, os.PathLike)):

@@ -1,6 +1,6 @@
-"""Scenes: built-in ones, files, and those made of arrays.
+"""Scenes: built-in ones, files, and scenes made of arrays.
 
-World: right-handed, any unit; +y up, as glTF. A scene's objects are placed, moved and animated by their handles (Object).
+World space is right-handed, in any unit, with +y up as in glTF. Handles (Object) place, move and animate a scene's objects.
 """
 
 from __future__ import annotations
@@ -24,19 +24,19 @@ _UP_AXES = ("y", "x", "z", "-x", "-y", "-z")  # in the library's order
 
 
 def scenes() -> Dict[str, str]:
-    """The built-in scenes: name and one line on what it shows."""
+    """Returns the built-in scenes: names, each with a one-line description."""
     return dict(_core.builtin_scenes())
 
 
 @dataclass
 class Material:
-    """A surface after glTF's metallic-roughness model.
+    """A surface of glTF's metallic-roughness model.
 
-    color: linear red, green, blue from 0 to 1. roughness: 0 (mirror) to 1 (chalk). metallic: 0 or 1. emission: linear light that
-    the surface gives off; not limited. transmission: the share of light that passes, as through glass, bent by ior. alpha: below
-    1 the surface covers that share. texture: (y, x, 3 or 4) uint8, sRGB, times color, by the mesh's uvs; without these, and on
-    other shapes, it is not shown, which is a LippmannWarning. What is added to a scene has the material as it is then: later
-    changes, of the texture's pixels too, are those of what is added after them.
+    color: linear red, green, blue from 0 to 1. roughness: 0 (mirror) to 1 (chalk). metallic: 0 or 1. emission: emitted linear light,
+    unlimited. transmission: share of light that passes, as through glass, refracted by ior. alpha: share of the surface's coverage.
+    texture: (y, x, 3 or 4) uint8, sRGB, multiplied by color, at the mesh's uvs; other shapes and meshes without uvs ignore it with a
+    LippmannWarning. An object keeps the material as it was when the object was added; later changes, including those of the
+    texture's pixels, apply to objects added afterwards.
     """
 
     color: Sequence[float] = (0.8, 0.8, 0.8)
@@ -54,10 +54,10 @@ class Material:
 
 @dataclass
 class Skin:
-    """Joints that carry a mesh (Scene.add_mesh), which keeps the place that it and they have when it is added.
+    """Joints that deform a mesh (Scene.add_mesh). The mesh keeps its rest pose at the time when it is added.
 
-    joints: handles of Scene.add_joint. indices: (vertices, n), into joints: which of them carry a vertex. weights: (vertices, n), 0
-    or more: how much each carries, in shares of their sum.
+    joints: handles of Scene.add_joint. indices: (vertices, n), into joints: the joints of each vertex. weights: (vertices, n), 0 or
+    more: influence of each joint, normalised to sum 1.
     """
 
     joints: Sequence["Object"]
@@ -66,7 +66,7 @@ class Skin:
 
 
 class Object:
-    """Something that stands in a scene: a mesh, a shape, a lamp, a camera. Made by the scene's add_ functions."""
+    """An object in a scene: a mesh, a shape, a lamp, a camera. Created by the scene's add_ functions."""
 
     def __init__(self, scene: "Scene", node: int, name: str) -> None:
         self._scene, self._node = scene, node
@@ -82,24 +82,25 @@ class Object:
         scale: Any = None,
         weights: Any = None,
     ) -> "Object":
-        """Moves the object: one value for each frame of the scene, in place of where it was added.
+        """Animates the object with one value per frame of the scene, which replaces its initial placement.
 
-        matrices: (frames, 4, 4), columns x, y, z, origin; each a scale, then a rotation, then a move, nothing sheared. Or parts
-        of it: translation (frames, 3), rotation (frames, 4) as quaternions x, y, z, w, scale (frames, 3). weights: (frames, targets), of a
-        mesh with morph targets. What has a parent moves with it. A mesh with a skin is moved by its joints. Returns the object.
+        matrices: (frames, 4, 4), columns x, y, z, origin; each a scale, then a rotation, then a translation, without shear. Or
+        parts of it: translation (frames, 3), rotation (frames, 4) as quaternions x, y, z, w, scale (frames, 3). weights: (frames,
+        targets), of a mesh with morph targets. Children move with their parents. A mesh with a skin is moved by its joints.
+        Returns the object.
         """
         count = self._scene.frame_count
         moves = {"matrices": matrices, "translation": translation, "rotation": rotation, "scale": scale}
         for argument, value in moves.items():
             if self._has_skin and value is not None:
-                raise Error(argument, "moves nothing of a mesh with a skin", "weights, or animate() of its joints")
+                raise Error(argument, "has no effect on a mesh with a skin", "weights, or animate() of its joints")
         if weights is not None:
             if not self._targets:
-                raise Error("weights", "are those of morph targets, and there are none", "a mesh that was added with targets")
+                raise Error("weights", "need morph targets, but the mesh has none", "a mesh that was added with targets")
             weights = array(weights, "weights", (count, self._targets))
         if matrices is not None:
             if translation is not None or rotation is not None or scale is not None:
-                raise Error("matrices", "is given, and so are parts of it", "one of both")
+                raise Error("matrices", "is given, and so are parts of it", "one of the two")
             translation, rotation, scale = _parts_of(array(matrices, "matrices", (count, 4, 4)))
         if translation is not None:
             translation = array(translation, "translation", (count, 3))
@@ -115,9 +116,9 @@ class Object:
 
 
 class Scene:
-    """A scene made in memory. Things are added to it; `lippmann.render` and `lippmann.frames` show it.
+    """A scene made in memory. Add objects to it, and render it with `lippmann.render` or `lippmann.frames`.
 
-    name: for reports. frames: how many the animation has. frames_per_second: at which speed.
+    name: used in reports. frames: number of frames of the animation. frames_per_second: its rate.
     """
 
     def __init__(self, name: str = "scene", *, frames: int = 1, frames_per_second: float = 25.0) -> None:
@@ -128,49 +129,49 @@ class Scene:
 
     @classmethod
     def _of(cls, core: Any, is_file: bool) -> "Scene":
-        """is_file: that it was read, not made."""
+        """is_file: the scene was read from a file."""
         scene = cls.__new__(cls)
         scene._core, scene._is_file = core, is_file
         scene._start()
         return scene
 
     def _start(self) -> None:
-        self._materials: Dict[Any, int] = {}  # indices by all that a material says
-        self._textures: Dict[Any, int] = {}  # indices by what the pixels are
+        self._materials: Dict[Any, int] = {}  # indices by all values of a material
+        self._textures: Dict[Any, int] = {}  # indices by the hash of the pixels
 
-    # ---- What it is ----------------------------------------------------------------------------------------------------
+    # ---- Properties ----------------------------------------------------------------------------------------------------
 
     @property
     def name(self) -> str:
-        """What it is called in reports."""
+        """The name in reports."""
         return self._core.name
 
     @property
     def frame_count(self) -> int:
-        """How many frames its animation has; frames are counted from 0."""
+        """The number of frames of the animation; frames are counted from 0."""
         return self._core.frame_count
 
     @property
     def frames_per_second(self) -> float:
-        """Frame f shows the second f / frames_per_second."""
+        """The frame rate: frame f shows the second f / frames_per_second."""
         return self._core.frames_per_second
 
     @property
     def objects(self) -> Tuple[str, ...]:
-        """Names by object id, which is what the layer "id" holds."""
+        """Names by object id, the value of the layer "id"."""
         return tuple(self._core.instance_names)
 
     @property
     def cameras(self) -> Tuple[str, ...]:
-        """The names of its cameras, by index; the first one decides the view where nothing else is said."""
+        """The names of the cameras, by index. The first one sets the view by default."""
         return tuple(self._core.camera_names)
 
     def bounds(self, frame: int = 0) -> Optional[np.ndarray]:
-        """(2, 3): the lowest and the highest coordinates of all that is finite; None where there is nothing."""
+        """(2, 3): the lowest and the highest coordinates of all finite shapes; None if there are none."""
         return self._core.bounds(integer(frame, "frame", 0, self.frame_count - 1))
 
     def copy(self) -> "Scene":
-        """A scene of its own with the same contents. Handles of objects stay with the one that made them."""
+        """Returns an independent scene with the same contents. Handles of objects stay with the original."""
         return Scene._of(self._core.copy(), self._is_file)
 
     __copy__ = copy  # copy.copy(); copy.deepcopy() and pickle keep handles and their scene together
@@ -199,15 +200,15 @@ class Scene:
         rotation: Any = (0, 0, 0, 1),
         scale: Any = (1, 1, 1),
     ) -> Object:
-        """A mesh. positions: (vertices, 3). triangles: (triangles, 3), indices, counter-clockwise seen from the front. Per vertex
-        normals (vertices, 3), uvs (vertices, 2) with v downwards, colors (vertices, 3), linear, times the material's. Without
-        normals it is faceted. translation, rotation (quaternion x, y, z, w) and scale place it.
+        """Adds a mesh. positions: (vertices, 3). triangles: (triangles, 3), indices, counter-clockwise seen from the front. Per vertex:
+        normals (vertices, 3), uvs (vertices, 2) with v downwards, colors (vertices, 3), linear, multiplied by the material's.
+        Without normals the mesh is faceted. translation, rotation (quaternion x, y, z, w) and scale place it.
 
-        A mesh of trimesh or Open3D goes in the place of both: `add_mesh(mesh)`. Its uvs, vertex colours (as linear light), stored
-        normals and, without a material, its texture are taken where the arguments give none.
+        A mesh of trimesh or Open3D replaces both arrays: `add_mesh(mesh)`. Its uvs, vertex colours (as linear light), stored
+        normals and, without a material, its texture are used unless the arguments give others.
 
-        targets: morph targets (targets, vertices, 3), in units of the mesh: what is added to positions, times weights (targets),
-        0 where nothing is said; target_normals: of the same shape, added to the normals. skin: joints that carry it.
+        targets: morph targets (targets, vertices, 3), in units of the mesh: offsets of positions, multiplied by weights (targets),
+        default 0; target_normals: offsets of normals, of the same shape. skin: joints that deform it.
         """
         if triangles is None:
             held = arrays_of(positions)
@@ -249,8 +250,8 @@ class Scene:
         parent: Optional[Object] = None,
         name: str = "",
     ) -> Object:
-        """A joint of a skeleton, at a place below its parent's (None: the world). It shows nothing: meshes are carried by it
-        (Skin), and animate() moves it, with all below it.
+        """Adds a joint of a skeleton, placed relative to its parent (None: the world). Joints are invisible: they deform meshes (Skin),
+        and animate() moves them with all their children.
         """
         if parent is not None and (not isinstance(parent, Object) or parent._scene is not self):
             raise Error("parent", f"is {parent!r}", "a handle of this scene's")
@@ -266,7 +267,7 @@ class Scene:
     def add_sphere(
         self, center: Any = (0, 0, 0), radius: float = 1.0, *, material: Optional[Material] = None, name: str = ""
     ) -> Object:
-        """A sphere, exact. Its handle's origin is its centre."""
+        """Adds an exact sphere. Its handle's origin is its centre."""
         at, size, surface = vector(center, "center"), positive(radius, "radius"), self._material(material)
         return self._instance(self._core.add_sphere((0.0, 0.0, 0.0), size), surface, name or "sphere", at)
 
@@ -279,7 +280,7 @@ class Scene:
         name: str = "",
         rotation: Any = (0, 0, 0, 1),
     ) -> Object:
-        """A box between two corners. Its handle's origin is its middle, about which `rotation` turns it."""
+        """Adds a box between two corners. Its handle's origin is its centre, about which `rotation` turns it."""
         low, high = np.array(vector(lower, "lower")), np.array(vector(upper, "upper"))
         if not (low < high).all():
             raise Error("upper", f"{tuple(high)} is not above lower, {tuple(low)}", "larger coordinates on every axis")
@@ -290,7 +291,7 @@ class Scene:
     def add_cylinder(
         self, base: Any, apex: Any, radius: float, *, material: Optional[Material] = None, name: str = ""
     ) -> Object:
-        """The open side of a cylinder from base to apex. Its handle's origin is the world's."""
+        """Adds the side of a cylinder, without caps, from base to apex. Its handle's origin is the world's."""
         ends = vector(base, "base"), vector(apex, "apex")
         if ends[0] == ends[1]:
             raise Error("apex", "is the base", "another point")
@@ -300,7 +301,7 @@ class Scene:
     def add_plane(
         self, point: Any = (0, 0, 0), normal: Any = (0, 1, 0), *, material: Optional[Material] = None, name: str = ""
     ) -> Object:
-        """A plane without end, seen from both sides."""
+        """Adds an infinite plane, visible from both sides."""
         at, direction = vector(point, "point"), _direction(normal, "normal")
         surface = self._material(material)
         return self._instance(self._core.add_plane(at, tuple(direction)), surface, name or "plane")
@@ -323,13 +324,13 @@ class Scene:
         angular_diameter_deg: float = 0.0,
         name: str = "",
     ) -> Object:
-        """A lamp. kind: "point", "spot" (both fade with the squared distance) or "directional".
+        """Adds a lamp. kind: "point", "spot" (both fall off with the squared distance) or "directional".
 
-        Spots and directional lamps shine towards `target` (a point) or along `direction`; by default downwards. color, linear,
-        times intensity: what lights a white surface that faces the lamp at distance 1, times pi. Cones: half angles of a spot.
-        Points and spots may be spheres of a radius, directional lamps discs of an angular diameter (the sun: 0.53), as bright
-        in all: their shadows are soft in path-traced pictures. What a kind does not have is ignored, with a LippmannWarning:
-        where a point shines to, the cones of all but spots, the range of a directional lamp.
+        Spot and directional lamps shine towards `target` (a point) or along `direction`; by default downwards. color, linear, times
+        intensity is the light reflected by a white surface that faces the lamp at distance 1, times pi. Cones are half angles of a
+        spot. Point and spot lamps can be spheres of a radius, directional lamps discs of an angular diameter (the sun: 0.53), of the
+        same total brightness; their shadows are soft in path-traced pictures. Arguments that a kind does not use are ignored with a
+        LippmannWarning: the direction of a point lamp, the cones of all but spots, the range of a directional lamp.
         """
         if kind not in ("point", "directional", "spot"):
             raise Error("kind", f"is {kind!r}", "point, directional, spot")
@@ -344,11 +345,11 @@ class Scene:
         is_sun = kind == "directional"
         ball = number(radius, "radius", 0.0, 0.0 if is_sun else 1e9)
         disc = math.radians(number(angular_diameter_deg, "angular_diameter_deg", 0.0, 180.0 if is_sun else 0.0))
-        for argument, is_said in (("target", target is not None), ("direction", direction is not None)):
-            if is_said and kind == "point":
-                warn_of_ignored(argument, "a point shines to all sides")
-        for argument, is_said in (("inner_cone_deg", inner != 0.0), ("outer_cone_deg", outer != 45.0)):
-            if is_said and kind != "spot":
+        for argument, is_given in (("target", target is not None), ("direction", direction is not None)):
+            if is_given and kind == "point":
+                warn_of_ignored(argument, "a point lamp shines in all directions")
+        for argument, is_given in (("inner_cone_deg", inner != 0.0), ("outer_cone_deg", outer != 45.0)):
+            if is_given and kind != "spot":
                 warn_of_ignored(argument, "only spots have cones")
         if is_sun and reach != math.inf:
             warn_of_ignored("range", "a directional lamp does not fade")
@@ -360,24 +361,24 @@ class Scene:
         return Object(self, node, name or kind)
 
     def set_background(self, horizon: Any = (0, 0, 0), zenith: Any = None) -> None:
-        """What surrounds the scene, and lights it: linear colours, 0 or more, at the horizon and straight above (None: the same)."""
+        """Sets the background, which also lights the scene: linear colours, 0 or more, at the horizon and the zenith (None: equal)."""
         low = _light(horizon, "horizon")
         self._core.set_background(low, low if zenith is None else _light(zenith, "zenith"))
 
     def set_environment(self, radiance: Any, *, strength: float = 1.0, rotation_deg: float = 0.0) -> None:
-        """A panorama that surrounds the scene, and lights it. radiance: (y, x, 3), linear, 0 or more, equirectangular, the zenith
-        on top; or a file of it, .hdr, .exr, .pfm or .tif; or one colour (3); or "studio", the built-in one, which faces the first
-        camera that the scene has by then. rotation_deg: about +y.
+        """Sets a panorama that surrounds and lights the scene. radiance: (y, x, 3), linear, 0 or more, equirectangular, the zenith on
+        top; a file (.hdr, .exr, .pfm or .tif); one colour (3); or "studio", the built-in one, which faces the first camera that the
+        scene then has. rotation_deg: about +y.
         """
         surround(self._core, radiance, *strength_and_turn(strength, rotation_deg), "radiance")
 
     def choose_camera(self, camera: Union[str, int]) -> None:
-        """The camera of that name or index (see `cameras`) decides the view: it becomes the first one, and a place that the scene
-        gives its display is forgotten.
+        """Makes the camera of this name or index (see `cameras`) set the view. It becomes the first camera, and replaces a display's
+        placement stored in the scene.
         """
         choose_camera(self._core, camera)
 
-    # ---- Where it is seen from -----------------------------------------------------------------------------------------
+    # ---- Cameras and displays ------------------------------------------------------------------------------------------
 
     def add_camera(
         self,
@@ -388,8 +389,8 @@ class Scene:
         focus_distance: Optional[float] = None,
         name: str = "",
     ) -> Object:
-        """A camera that looks from `position` at `target`, in scene units. The first one decides how a display lies in the scene:
-        square to the camera, at its focus distance (None: at the target), as high as what the camera sees there.
+        """Adds a camera at `position` that looks at `target`, in scene units. The first camera places the display in the scene:
+        perpendicular to the camera's axis, at its focus distance (None: at the target), as high as its view there.
         """
         at, to = vector(position, "position"), vector(target, "target")
         along = _along(at, to, None, (0.0, 0.0, -1.0))
@@ -403,8 +404,8 @@ class Scene:
     def place_display(
         self, center: Any = (0, 0, 0), *, facing: Any = (0, 0, 1), height: float = 1.0, viewing_distance: float = math.inf
     ) -> Object:
-        """Puts the display's plane into the scene: its centre, where its viewer is, its height and how far the viewer stands, in
-        scene units. It goes before cameras.
+        """Places the display in the scene: the centre of its plane, the direction to the viewer, its height and the viewer's distance,
+        in scene units. Takes precedence over cameras.
         """
         at, towards = vector(center, "center"), _direction(facing, "facing")
         size = positive(height, "height", 1e9)
@@ -413,10 +414,10 @@ class Scene:
         self._core.set_display(node, size, distance)
         return Object(self, node, "display")
 
-    # ---- Inside --------------------------------------------------------------------------------------------------------
+    # ---- Helpers -------------------------------------------------------------------------------------------------------
 
     def _material(self, material: Optional[Material], has_uvs: bool = False) -> int:
-        """The index of a material, as it is now; equal ones are one."""
+        """Returns the index of a material in its present state. Equal materials share an index."""
         if material is None:
             material = Material()
         if not isinstance(material, Material):
@@ -440,7 +441,7 @@ class Scene:
         }
         flags = bool(material.double_sided), bool(material.unlit)
         if material.texture is not None and not has_uvs:
-            warn("The texture of a material is not shown: only meshes with uvs have places for it.")
+            warn("The texture of a material is not shown: only meshes with uvs can have textures.")
         texture = -1 if material.texture is None else self._texture(_rgba(material.texture))
         key = (color, emission, tuple(parts.values()), flags, texture)
         if key in self._materials:
@@ -454,14 +455,14 @@ class Scene:
         return self._materials.setdefault(key, self._core.add_material(surface))
 
     def _texture(self, rgba: np.ndarray) -> int:
-        """The index of a texture (y, x, 4). Equal ones are one. The pixels decide, as an array may have changed meanwhile."""
+        """Returns the index of a texture (y, x, 4). Textures of equal pixels share an index; an array may have changed in between."""
         key = rgba.shape, hashlib.blake2b(rgba.data, digest_size=32).digest()
         if key not in self._textures:
             self._textures[key] = self._core.add_texture(rgba, True)
         return self._textures[key]
 
     def _carried(self, skin: Skin, vertices: int) -> Tuple[Sequence[int], np.ndarray, np.ndarray]:
-        """Nodes of joints, indices and weights, checked; weights sum to 1."""
+        """Returns nodes of joints, indices and weights, checked and normalised to sum 1."""
         if not isinstance(skin, Skin):
             raise Error("skin", f"is {skin!r}", "a lippmann.Skin")
         joints = list(skin.joints) if isinstance(skin.joints, (list, tuple)) else []
@@ -504,14 +505,14 @@ def load(
     up: UpAxis = "y",
     light_scale: float = 1.0,
 ) -> Scene:
-    """A built-in scene by name, or a file: .gltf, .glb, .dat, .nff, .obj, .ply. A missing file raises an Error that is a
-    FileNotFoundError too.
+    """Opens a built-in scene by name, or a file: .gltf, .glb, .dat, .nff, .obj, .ply. A missing file raises an Error that is also a
+    FileNotFoundError.
 
-    frames_per_second: 0: the format's default. animation: by name or index, of files with several. camera_path: a Tachyon .cam
-    file. asset_root: a folder below which files may lie that the scene names; None: the scene's own. variant: the materials'
-    variant of a glTF file, by name or index. up: the axis of the file that points up. light_scale: a factor on all lamps.
-    texture_memory_mb: decoded textures of glTF and OBJ files take so much at most: the largest are halved until they do, which is
-    a LippmannWarning. One that is larger than that by itself is an Error.
+    frames_per_second: 0: the format's default. animation: by name or index, for files with several. camera_path: a Tachyon .cam
+    file. asset_root: a folder in which the files named by the scene may lie; None: the scene's own folder. variant: the materials'
+    variant of a glTF file, by name or index. up: the axis of the file that points up. light_scale: a factor for all lamps.
+    texture_memory_mb: upper bound for decoded textures of glTF and OBJ files: the largest are halved until they fit, with a
+    LippmannWarning. A single texture that exceeds it is an Error.
     """
     where = path_bytes(name, "name")
     options: Tuple[Union[str, bytes], float, Union[str, bytes], str, str, int] = (
@@ -531,11 +532,11 @@ def load(
     return Scene._of(core, True)
 
 
-# ---- Cameras and surroundings --------------------------------------------------------------------------------------------
+# ---- Cameras and environment ---------------------------------------------------------------------------------------------
 
 
 def choose_camera(core: Any, camera: Union[str, int, None]) -> None:
-    """The camera of that name or index decides the view; None changes nothing."""
+    """Makes the camera of this name or index set the view; None changes nothing."""
     if isinstance(camera, str):
         core.choose_camera(text(camera, "camera"))
     elif camera is not None:
@@ -546,12 +547,12 @@ def choose_camera(core: Any, camera: Union[str, int, None]) -> None:
 
 
 def strength_and_turn(strength: Any, rotation_deg: Any, prefix: str = "") -> Tuple[float, float]:
-    """Those of surroundings, checked. prefix: of the arguments' names."""
+    """Returns the checked strength and rotation of an environment. prefix: of the arguments' names."""
     return number(strength, prefix + "strength", 0.0, 1e6), number(rotation_deg, prefix + "rotation_deg", -1e6, 1e6)
 
 
 def surround(core: Any, light: Any, factor: float, turn: float, name: str) -> None:
-    """Light from all around: "studio", a panorama as a file or an array (y, x, 3), or one colour (3). name: of the argument."""
+    """Sets an environment: "studio", a panorama as a file or an array (y, x, 3), or one colour (3). name: of the argument."""
     if isinstance(light, str) and light == "studio":
         return core.surround_with_studio(factor, turn)
     if isinstance(light, (str, bytes, os.PathLike)):
@@ -568,7 +569,7 @@ def surround(core: Any, light: Any, factor: float, turn: float, name: str) -> No
 def _is_color(light: Any) -> bool:
     try:
         return np.asarray(light).shape == (3,)
-    except (TypeError, ValueError):  # rows of unequal lengths, which array() has a word for
+    except (TypeError, ValueError):  # rows of unequal lengths; array() reports them
         return False
 
 
@@ -576,16 +577,16 @@ def _is_color(light: Any) -> bool:
 
 
 def _morphs(targets: Any, normals: Any, weights: Any, vertices: int, has_normals: bool) -> Any:
-    """Targets (n, vertices, 3), their normals and weights, checked; None where there are none."""
+    """Returns checked targets (n, vertices, 3), their normals and weights; None without targets."""
     if targets is None:
         for value, name in ((normals, "target_normals"), (weights, "weights")):
             if value is not None:
-                raise Error(name, "is given, and targets are not", "targets with it")
+                raise Error(name, "is given without targets", "targets")
         return None
     offsets = array(targets, "targets", (None, vertices, 3))
     if normals is not None:
         if not has_normals:
-            raise Error("target_normals", "are added to normals, and there are none", "normals with it")
+            raise Error("target_normals", "need normals, but none are given", "normals")
         normals = array(normals, "target_normals", offsets.shape)
     rest = np.zeros(len(offsets)) if weights is None else array(weights, "weights", (len(offsets),))
     return offsets, normals, [float(weight) for weight in rest]
@@ -611,7 +612,7 @@ def _direction(value: Any, name: str) -> np.ndarray:
 
 def _along(position: Sequence[float], target: Any, direction: Any, default: Sequence[float]) -> np.ndarray:
     if target is not None and direction is not None:
-        raise Error("direction", "is given, and so is target", "one of both")
+        raise Error("direction", "is given, and so is target", "one of the two")
     if target is None:
         return _direction(default if direction is None else direction, "direction")
     along = np.subtract(vector(target, "target"), position)
@@ -622,7 +623,7 @@ def _along(position: Sequence[float], target: Any, direction: Any, default: Sequ
 
 
 def _rotation_towards(along: np.ndarray) -> Tuple[float, float, float, float]:
-    """The quaternion x, y, z, w that turns -z to `along` and leaves +y upwards."""
+    """Returns the quaternion x, y, z, w that rotates -z to `along` and keeps +y upwards."""
     back = -along
     right = np.cross(_UP, back)
     if np.linalg.norm(right) < 1e-6:
@@ -639,7 +640,7 @@ def _unit(vectors: np.ndarray, name: str) -> np.ndarray:
 
 
 def _quaternions(rotations: np.ndarray) -> np.ndarray:
-    """x, y, z, w of rotations (n, 3, 3): the largest of the four first, after Shepperd, "Quaternion from rotation matrix", 1978."""
+    """Returns x, y, z, w of rotations (n, 3, 3), from the largest component (Shepperd, "Quaternion from rotation matrix", 1978)."""
     result = np.empty((len(rotations), 4))
     for q, m in zip(result, rotations):
         trace = np.trace(m)
@@ -656,8 +657,8 @@ def _quaternions(rotations: np.ndarray) -> np.ndarray:
 
 
 def _parts_of(matrices: np.ndarray) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Translations, quaternions and scales of matrices (n, 4, 4)."""
-    wanted = "scale, then rotation, then move"
+    """Returns translations, quaternions and scales of matrices (n, 4, 4)."""
+    wanted = "a scale, then a rotation, then a translation"
     if np.abs(matrices[:, 3] - (0, 0, 0, 1)).max() > 1e-6:
         raise Error("matrices", "have a last row that is not 0, 0, 0, 1", wanted)
     axes = matrices[:, :3, :3].astype(np.float64)

@@ -1,8 +1,8 @@
-// Values as bytes, for pickling and deep copies: every plain struct of the library, its members in their order.
+// Serialises values for pickling and deep copies: every plain struct of the library, member by member.
 //
-// Members are found by the compiler: the number of fields of an aggregate is the largest number of initialisers that it takes,
-// and structured bindings name them. A member that is added to a struct is stored without a change here. Bytes are those of
-// this machine and of this build: the head of an archive holds the version and the size of the struct, and others are refused.
+// The compiler finds the members: the number of fields of an aggregate is the largest number of initialisers that it takes, and
+// structured bindings name them. A member added to a struct is stored without a change here. The bytes depend on this machine
+// and this build: the head of an archive holds the version and the size of the struct, and reading refuses others.
 #pragma once
 
 #include <array>
@@ -46,7 +46,7 @@ constexpr std::size_t field_count() {
     return field_count<T, N - 1>();
 }
 
-/// Calls fn for every field of a struct of up to 32, in their order.
+/// Calls fn for every field of a struct with up to 32 fields, in order.
 template <class T, class Fn>
 void for_each_field(T& value, const Fn& fn) {
   constexpr std::size_t kFields = field_count<std::remove_const_t<T>>();
@@ -108,7 +108,7 @@ inline constexpr bool kIsNumber<glm::qua<T>> = true;
 template <class T, std::size_t N>
 inline constexpr bool kIsNumber<std::array<T, N>> = kIsNumber<T>;
 
-/// Calls an archive's raw(pointer, bytes) for numbers, and its own functions for what has a length or may be absent.
+/// Calls an archive's raw(pointer, bytes) for numbers, and its other functions for values with a length or that may be absent.
 template <class Archive>
 class Walk {
  public:
@@ -237,7 +237,7 @@ class ArchiveWriter {
   }
 };
 
-/// Throws Error for bytes that end early.
+/// Throws Error if the bytes end early.
 class ArchiveReader {
  public:
   explicit ArchiveReader(std::string_view bytes) : left_(bytes) {}
@@ -250,7 +250,7 @@ class ArchiveReader {
   void length(auto& values) {
     std::size_t size = 0;
     raw(&size, sizeof size);
-    require(size);  // an element takes a byte at least
+    require(size);  // an element takes at least one byte
     values.resize(size);
   }
   template <class T>
@@ -280,7 +280,7 @@ class ArchiveReader {
   }
 
   [[noreturn]] static void refuse() {
-    throw Error("pickle", "is damaged or was written by another version", std::string("one of lippmann ") + version());
+    throw Error("pickle", "is damaged or was written by another version", std::string("a pickle of lippmann ") + version());
   }
 
  private:
@@ -296,7 +296,7 @@ class ArchiveReader {
   std::string_view left_;
 };
 
-// ---- What they are for ------------------------------------------------------------------------------------------------
+// ---- Entry points -----------------------------------------------------------------------------------------------------
 
 template <class T>
 std::string archived(const T& value) {
@@ -309,7 +309,7 @@ std::string archived(const T& value) {
   return std::move(writer.bytes);
 }
 
-/// Throws Error for what archived() has not made of the same type in the same version.
+/// Throws Error unless archived() made the bytes from the same type in the same version.
 template <class T>
 T unarchived(std::string_view bytes) {
   ArchiveReader reader(bytes);
@@ -324,7 +324,7 @@ T unarchived(std::string_view bytes) {
   return value;
 }
 
-/// Lets objects of a class be pickled and copied deeply: class_.def(pickled<T>()).
+/// Supports pickling and deep copies of a class: class_.def(pickled<T>()).
 template <class T>
 auto pickled() {
   return py::pickle([](const T& value) { return py::bytes(archived(value)); },

@@ -1,4 +1,4 @@
-// Arrays of NumPy: views of what the library holds, without copies, and checked copies of what Python gives.
+// NumPy arrays: read-only arrays that share the library's memory, and checked copies of arrays from Python.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -15,7 +15,7 @@ namespace lippmann::python {
 template <class T>
 using Array = py::array_t<T, py::array::c_style | py::array::forcecast>;
 
-/// An array that cannot be written, of memory that `owner` keeps.
+/// Returns a read-only array of memory that `owner` keeps alive.
 template <class T, class Owner>
 py::array view_of(const T* data, std::vector<py::ssize_t> shape, std::shared_ptr<Owner> owner) {
   auto* kept = new std::shared_ptr<Owner>(std::move(owner));
@@ -25,7 +25,7 @@ py::array view_of(const T* data, std::vector<py::ssize_t> shape, std::shared_ptr
   return array;
 }
 
-/// The same of memory that is moved into the array.
+/// Returns an array that owns the moved memory.
 template <class T>
 py::array moved(std::vector<T> data, std::vector<py::ssize_t> shape) {
   auto* kept = new std::vector<T>(std::move(data));
@@ -33,16 +33,16 @@ py::array moved(std::vector<T> data, std::vector<py::ssize_t> shape) {
   return py::array_t<T>(std::move(shape), kept->data(), base);
 }
 
-/// (y, x, channel).
+/// Shape (y, x, channel).
 inline py::array moved(Image image) {
   const std::vector<py::ssize_t> shape{image.height, image.width, image.channels};
   return moved(std::move(image.data), shape);
 }
 
-/// Throws Error naming `name` for another shape; -1: any length.
+/// Throws Error naming `name` unless the array has this shape; -1: any length.
 void require_shape(const py::array& array, std::initializer_list<py::ssize_t> shape, const char* name);
 
-/// Rows of an array (n, 2), (n, 3) or (n, 4). Throws Error naming `name`.
+/// Returns the rows of an array (n, 2), (n, 3) or (n, 4). Throws Error naming `name`.
 template <class Vec>
 std::vector<Vec> vectors_of(const Array<float>& array, const char* name) {
   require_shape(array, {-1, Vec::length()}, name);
@@ -53,10 +53,10 @@ std::vector<Vec> vectors_of(const Array<float>& array, const char* name) {
   return vectors;
 }
 
-/// (y, x, channel) with `channels` of them.
+/// Reads an array (y, x, channels).
 Image image_of(const Array<float>& array, int channels, const char* name);
 
-/// (4, 4), for column vectors.
+/// Returns a (4, 4) matrix for column vectors.
 py::array matrix_of(const Affine3f& transform, const Vec3d& origin);
 
 }  // namespace lippmann::python

@@ -1,7 +1,7 @@
-// What the files of the Python module share: each binds one part of the library's public headers.
+// Shared declarations of the Python module. Each file binds one part of the library's public headers.
 //
-// The module, lippmann._core, is thin: values in, objects and arrays out. Names of arguments, their checks and all that is
-// convenient stand in python/lippmann/*.py.
+// The module, lippmann._core, is thin: values in, objects and arrays out. python/lippmann/*.py adds argument names, checks and
+// convenience.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -14,7 +14,7 @@ namespace lippmann::python {
 
 namespace py = pybind11;
 
-/// Text from outside (names in files), which need not be UTF-8: what is not becomes the replacement character.
+/// Decodes text from files, which need not be UTF-8; invalid bytes become the replacement character.
 py::str decoded(const std::string& bytes);
 
 void bind_errors(py::module_& module);

@@ -1,6 +1,6 @@
-// Meshes that change their shape: morph targets, which are added by weights, and skins, which joints carry.
+// Deforming meshes: morph targets, which are blended by weights, and skins, which joints move.
 //
-// A mesh of lippmann.Scene has a shape, an instance and a node of its own, so that these are found by the shape.
+// A mesh of lippmann.Scene has its own shape, instance and node, so these are found by the shape.
 #include <algorithm>
 #include <utility>
 
@@ -18,7 +18,7 @@ Instance& instance_of(Scene& scene, int shape) {
   return *std::find_if(scene.instances.begin(), scene.instances.end(), [&](const Instance& i) { return i.shape == shape; });
 }
 
-/// Element `index` of an array (n, vertices, 3).
+/// Returns element `index` of an array (n, vertices, 3).
 std::vector<Vec3f> offsets_of(const Array<float>& array, py::ssize_t index) {
   std::vector<Vec3f> offsets;
   const float* data = array.data(index);
@@ -26,7 +26,7 @@ std::vector<Vec3f> offsets_of(const Array<float>& array, py::ssize_t index) {
   return offsets;
 }
 
-/// Targets and their normals (n, vertices, 3), and weights (n) that hold where they are not animated.
+/// Sets targets and their normals (n, vertices, 3), and weights (n) for frames without animation.
 void set_targets(Scene& scene, int shape, const Array<float>& positions, const std::optional<Array<float>>& normals,
                  std::vector<float> weights) {
   Mesh& mesh = mesh_of(scene, shape);
@@ -41,14 +41,14 @@ void set_targets(Scene& scene, int shape, const Array<float>& positions, const s
   scene.nodes[static_cast<std::size_t>(instance_of(scene, shape).node)].morph_weights = std::move(weights);
 }
 
-/// Where nodes are before anything moves.
+/// Returns the transforms before any animation.
 ResolvedScene at_rest(const Scene& scene) {
   Scene skeleton;
   skeleton.nodes = scene.nodes;
   return evaluate(skeleton, 0.0);
 }
 
-/// The mesh keeps the place that it and its joints have at rest. Indices into `joints` (nodes) and weights: (vertices, n).
+/// The mesh keeps its placement and that of its joints at rest. Indices into `joints` (nodes) and weights: (vertices, n).
 void set_skin(Scene& scene, int shape, const std::vector<int>& joints, const Array<std::uint32_t>& indices,
               const Array<float>& weights) {
   Mesh& mesh = mesh_of(scene, shape);

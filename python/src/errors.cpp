@@ -1,4 +1,4 @@
-// lippmann::Error becomes lippmann.Error, with the same parts: where, problem, accepted.
+// Translates lippmann::Error to lippmann.Error with the same parts: where, problem, accepted.
 #include "bindings.hpp"
 #include "lippmann/core/error.hpp"
 

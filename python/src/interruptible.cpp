@@ -13,12 +13,12 @@ namespace {
 
 constexpr auto kPeriod = std::chrono::milliseconds(50);
 
-/// Set for the life of the object.
+/// Marks an animation as busy during its life.
 class Busy {
  public:
   explicit Busy(std::atomic<bool>& flag) : flag_(flag) {
     if (flag_.exchange(true))
-      throw Error("thread", "another thread waits for a frame of the same animation",
+      throw Error("thread", "another thread is rendering a frame of the same animation",
                   "one thread at a time, or an animation for each");
   }
   ~Busy() { flag_ = false; }
@@ -29,7 +29,7 @@ class Busy {
   std::atomic<bool>& flag_;
 };
 
-/// A thread with one task, which says when it has ended.
+/// A thread with one task, which signals its end.
 class Task {
  public:
   explicit Task(std::function<void()> work) : thread_([this, work = std::move(work)] { run(work); }) {}
@@ -39,13 +39,13 @@ class Task {
   Task(const Task&) = delete;
   Task& operator=(const Task&) = delete;
 
-  /// Waits for kPeriod at most.
+  /// Waits up to kPeriod for the task to end.
   bool has_ended() {
     std::unique_lock lock(mutex_);
     return changed_.wait_for(lock, kPeriod, [this] { return ended_; });
   }
 
-  /// After it has ended.
+  /// Rethrows the task's exception. Call it after the task has ended.
   void rethrow() {
     thread_.join();
     if (failure_) std::rethrow_exception(failure_);
@@ -67,7 +67,7 @@ class Task {
   std::condition_variable changed_;
   bool ended_ = false;
   std::exception_ptr failure_;
-  std::thread thread_;  ///< last: it uses the others
+  std::thread thread_;  ///< declared last: it uses the other members
 };
 
 }  // namespace

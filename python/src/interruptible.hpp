@@ -1,9 +1,9 @@
-// Runs long work of the library such that Python stays alive meanwhile: its other threads run, Ctrl-C stops the work, and
-// callbacks are called in the thread that asked for it.
+// Runs long work of the library while Python stays responsive: its other threads run, Ctrl-C stops the work, and callbacks are
+// called in the calling thread.
 //
-// The work runs in a thread of its own, without the interpreter's lock. The thread that called waits, and takes the lock every
-// 50 ms to hand on what the work has reported and to look for signals. Where a callback throws, or a signal does
-// (KeyboardInterrupt), Context::cancelled is set; the exception is raised once the work has stopped.
+// The work runs in a separate thread without the interpreter's lock. The calling thread waits, and takes the lock every 50 ms
+// to pass on reports and to check for signals. If a callback or a signal handler raises an exception (KeyboardInterrupt),
+// Context::cancelled is set, and the exception is raised once the work has stopped.
 #pragma once
 
 #include <atomic>
@@ -19,11 +19,11 @@ namespace lippmann::python {
 
 class Interruptible {
  public:
-  /// threads: 0: one per processor.
+  /// threads: 0 is one per processor.
   explicit Interruptible(int threads);
 
-  /// Calls work(context()) and raises what it throws. `progress`: None, or called with the share of a frame that is done.
-  /// Throws Error where another thread's work is under way. The lock is held by the caller.
+  /// Calls work(context()) and raises what it throws. progress: None, or called with the share of a frame that is done. Throws
+  /// Error if another thread's work is in progress. The caller must hold the lock.
   void run(const py::object& progress, const std::function<void(const Context&)>& work);
 
   const Context& context() const { return context_; }
@@ -34,7 +34,7 @@ class Interruptible {
 
   Context context_;
   std::atomic<double> share_{0.0};
-  std::mutex mutex_;  ///< of warnings_
+  std::mutex mutex_;  ///< guards warnings_
   std::vector<std::string> warnings_;
   std::atomic<bool> busy_{false};
 };

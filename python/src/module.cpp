@@ -4,7 +4,7 @@
 
 PYBIND11_MODULE(_core, module) {
   using namespace lippmann::python;
-  module.doc() = "The C++ library behind the package lippmann; nothing of it is meant to be called directly.";
+  module.doc() = "The C++ library behind the package lippmann. Do not call it directly.";
   module.attr("version") = lippmann::version();
   bind_errors(module);
   bind_scene(module);

@@ -1,4 +1,4 @@
-// Optics and displays, and where they stand in a scene.
+// Binds optics and displays, and their placement in a scene.
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -26,7 +26,7 @@ Optics checked(Panel panel, OpticsModel model) {
   return optics;
 }
 
-/// Views with the eyes of a grid (baseline > 0) or of a cone.
+/// Makes views with the eyes of a grid (baseline > 0) or of a cone.
 Optics views(Vec2i grid, Vec2i view, float pixel_mm, float cone_deg, float distance_mm, float baseline_mm) {
   MultiView model;
   model.columns = grid.x, model.rows = grid.y;
@@ -58,20 +58,20 @@ Optics single_view(Vec2i size, float pixel_mm, float distance_mm) {
   return checked({size.x, size.y, pixel_mm}, SingleView{distance_mm, {}});
 }
 
-/// samples_per_side squared rays a pixel; origins in mm.
+/// Makes optics of a table with samples_per_side squared rays per pixel; origins in mm.
 Optics ray_table(Vec2i size, float pixel_mm, int samples_per_side, float spread, const Array<float>& origins,
                  const Array<float>& directions) {
   const std::vector<Vec3f> from = vectors_of<Vec3f>(origins, "origins"), to = vectors_of<Vec3f>(directions, "directions");
-  if (from.size() != to.size()) throw Error("directions", "are not as many as origins", "as many as origins");
+  if (from.size() != to.size()) throw Error("directions", "differ in number from the origins", "as many as origins");
   auto rays = std::make_shared<std::vector<Ray>>(from.size());
   for (std::size_t i = 0; i < from.size(); ++i) (*rays)[i] = {from[i], to[i]};
   return checked({size.x, size.y, pixel_mm}, RayTable{std::move(rays), samples_per_side, spread});
 }
 
-using Pair = std::array<int, 2>;  ///< (rows, columns) or (height, width), as shapes of arrays are
+using Pair = std::array<int, 2>;  ///< (rows, columns) or (height, width), like shapes of arrays
 Vec2i xy(const Pair& pair) { return {pair[1], pair[0]}; }
 
-/// Origins (mm) and directions of the rays of points of the panel.
+/// Returns origins (mm) and directions of the rays of points of the panel.
 py::tuple rays_of(const Optics& optics, const Array<float>& pixels) {
   const std::vector<Vec2f> points = vectors_of<Vec2f>(pixels, "pixels");
   std::vector<float> origins, directions;
@@ -121,7 +121,7 @@ std::string views_text(const ViewTiles& tiles) {
 std::string lenses_text(const Optics& optics) {
   if (sub_pixels_per_pixel(optics) > 1) return "a slanted panel";
   const std::optional<LensArray> lenses = lens_array(optics);
-  if (!lenses) return kind_name(optics) == "rays" ? "rays of one's own" : std::string(kind_name(optics));
+  if (!lenses) return kind_name(optics) == "rays" ? "custom rays" : std::string(kind_name(optics));
   return lenses->row_pitch_mm > 0.0 ? "a microlens array" : "a lenticular sheet";
 }
 
@@ -132,25 +132,25 @@ std::string optics_text(const Optics& optics) {
 }
 
 void bind_display(py::module_& module) {
-  py::class_<Display>(module, "Display", "A display: a preset, a file of one's own, a device's calibration (lippmann.display).")
+  py::class_<Display>(module, "Display",
+                      "A display: a preset, a file of your own, or a device's calibration (lippmann.display).")
       .def("__repr__", &display_text)
       .def(pickled<Display>())
       .def_property_readonly(
-          "name", [](const Display& d) { return decoded(d.name); }, "Of the preset, or the file's without its ending.")
+          "name", [](const Display& d) { return decoded(d.name); }, "Name of the preset, or of the file without its extension.")
       .def_property_readonly(
-          "description", [](const Display& d) { return decoded(d.description); }, "One line.")
+          "description", [](const Display& d) { return decoded(d.description); }, "One-line description.")
       .def_property_readonly(
           "kind", [](const Display& d) { return to_string(d.kind); }, "slanted-panel, lenticular-sheet or microlens-array.")
       .def_property_readonly("size", &panel_size, "[height, width] of the panel in pixels.")
       .def_readonly("dpi", &Display::dpi, "Pixels per inch.")
-      .def_readonly("view_cone_deg", &Display::view_cone_deg, "The full angle that its views spread over, degrees.")
+      .def_readonly("view_cone_deg", &Display::view_cone_deg, "Full angle of all views, in degrees.")
       .def_property_readonly(
-          "viewing_distance_mm", [](const Display& d) { return viewing_distance_mm(d); }, "How far its viewer stands.")
-      .def_property_readonly("view_count", &views_of, "How many views it shows.")
+          "viewing_distance_mm", [](const Display& d) { return viewing_distance_mm(d); }, "Distance of the viewer.")
+      .def_property_readonly("view_count", &views_of, "Number of views.")
       .def_property_readonly("tiles", &tiles_of, "[rows, columns] of its quilt; None: it has none.")
       .def_property_readonly("aspect", &aspect_of, "Width / height.")
-      .def_readonly("crosstalk_px", &Display::crosstalk_px,
-                    "The blur of its lenses, a sigma in pixels of the panel; None: not known.");
+      .def_readonly("crosstalk_px", &Display::crosstalk_px, "Blur of its lenses: sigma in pixels of the panel; None: unknown.");
   module.def("load_display", &load_display);
   module.def("display_from_toml", [](const std::string& text) { return display_from_toml(text, "text"); });
   module.def("display_presets", &display_presets);
@@ -160,17 +160,20 @@ void bind_display(py::module_& module) {
 
 void bind_optics(py::module_& module) {
   bind_display(module);
-  py::class_<Optics>(module, "Optics", "Which ray every pixel of a panel shows (lippmann.camera_grid, lippmann.quilt, ...).")
+  py::class_<Optics>(module, "Optics", "The ray of every pixel of a panel (lippmann.camera_grid, lippmann.quilt, ...).")
       .def("__repr__", &optics_text)
       .def(pickled<Optics>())
       .def_property_readonly("size", &picture_shape, "[height, width] of the panel's picture in pixels.")
       .def_property_readonly(
-          "is_views", [](const Optics& o) { return view_tiles(o).has_value(); }, "Whether it is views side by side.")
-      .def_property_readonly("window_mm", &window_of, "[height, width] of what is seen of the display's plane.")
-      .def_property_readonly("default_eye_mm", &eye_of, "[x, y, z]: where it is meant to be seen from.")
-      .def_property_readonly("depth_budget_mm", &depth_budget_mm, "How far before its plane and behind it is sharp.")
+          "is_views", [](const Optics& o) { return view_tiles(o).has_value(); },
+          "Whether the picture consists of views side by side.")
+      .def_property_readonly("window_mm", &window_of, "[height, width] of the visible part of the display's plane.")
+      .def_property_readonly("default_eye_mm", &eye_of, "[x, y, z]: the intended viewing position.")
+      .def_property_readonly("depth_budget_mm", &depth_budget_mm,
+                             "Depth in front of and behind its plane that is shown sharply.")
       .def("rays", &rays_of,
-           "Origins (n, 3), mm, and unit directions (n, 3) of the rays of points (n, 2) of the panel: x, y in pixels from its "
+           "Returns origins (n, 3), mm, and unit directions (n, 3) of the rays of points (n, 2) of the panel: x, y in pixels "
+           "from its "
            "top left corner, centres at + 0.5.");
   module.def("optics_kinds", &optics_kind_names);
   module.def("optics", [](const std::string& kind, const Pair& size, float pixel_mm, const std::string& members) {

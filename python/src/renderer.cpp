@@ -1,4 +1,4 @@
-// Frames of a scene, one after the other, as films whose arrays need no copies.
+// Binds rendering: frames of a scene, one at a time, as films whose arrays need no copies.
 #include "lippmann/frames/renderer.hpp"
 
 #include <algorithm>
@@ -20,13 +20,13 @@
 namespace lippmann::python {
 namespace {
 
-/// A frame, and the optics that it is of.
+/// A frame and its optics.
 struct Film {
   RenderedFrame frame;
   Optics optics;
   Encoding encoding = Encoding::kSrgb;
   Affine3f world_from_display;
-  Vec3d origin{0.0};  ///< of the world, in the file's coordinates
+  Vec3d origin{0.0};  ///< origin of the world in the file's coordinates
 };
 using SharedFilm = std::shared_ptr<Film>;
 
@@ -35,14 +35,14 @@ std::optional<Aov> layer_named(const std::string& name) {
   return found == kAovNames.end() ? std::nullopt : std::optional(static_cast<Aov>(found - kAovNames.begin()));
 }
 
-/// (y, x, 3): without a copy, but for slanted panels, whose pixels are gathered.
+/// Returns (y, x, 3) without a copy, except for slanted panels, whose pixels are gathered.
 py::array picture_of(const SharedFilm& film) {
   const Image& image = film->frame.pictures.film;
   if (sub_pixels_per_pixel(film->optics) > 1) return moved(picture_of_film(image, film->optics));
   return view_of(image.data.data(), {image.height, image.width, image.channels}, film);
 }
 
-/// What the panel shows, without a copy where that is the film itself.
+/// Calls `use` with the panel's picture, without a copy if that is the film itself.
 template <class Use>
 auto with_picture(const Film& film, Use use) {
   const Image& image = film.frame.pictures.film;
@@ -51,7 +51,7 @@ auto with_picture(const Film& film, Use use) {
 
 bool is_transparent(const Film& film) { return film.frame.pictures.aovs.wants(Aov::kAlpha); }
 
-/// Colours that are not multiplied by alpha, and alpha: as `render` writes them.
+/// Returns straight colours (not multiplied by alpha) and alpha, as `render` writes them.
 Image8 transparent_codes(const Film& film) {
   Image picture = picture_of_film(film.frame.pictures.film, film.optics);
   const Image alpha = picture_of_layer(film.frame.pictures.aovs[Aov::kAlpha], film.optics);
@@ -84,7 +84,7 @@ py::array codes_of_film(const Film& film) {
   return moved(std::move(codes.rgb), {codes.height, codes.width, 3});
 }
 
-/// What `render` writes: codes as .png, floats as .exr.
+/// Writes the picture as `render` does: codes as .png, floats as .exr.
 void write(const Film& film, const std::filesystem::path& path) {
   const py::gil_scoped_release release;
   if (path.extension() != ".exr") return write_picture(path, film_codes(film));
@@ -97,14 +97,14 @@ const Image& required_layer(const Film& film, const std::string& name) {
   throw Error("layers", "'" + name + "' was not rendered", "its name among `layers` when the frame is rendered");
 }
 
-/// (y, x, channel) as on the panel.
+/// Returns (y, x, channel) in the layout of the panel.
 py::array layer_on_panel(const SharedFilm& film, const std::string& name) {
   const Image& image = required_layer(*film, name);
   if (sub_pixels_per_pixel(film->optics) > 1) return moved(picture_of_layer(image, film->optics));
   return view_of(image.data.data(), {image.height, image.width, image.channels}, film);
 }
 
-/// (views, y, x, channel), view 0 first.
+/// Returns (views, y, x, channel), view 0 first.
 py::array layer_of_views(const Film& film, const std::string& name, int views) {
   const Image& layer = required_layer(film, name);
   Image stack;
@@ -122,7 +122,7 @@ std::shared_ptr<LightField> views_of_film(const Film& film) {
   return std::make_shared<LightField>(light_field_of(pictures.film, film.optics, depth.width > 0 ? &depth : nullptr));
 }
 
-/// What eyes look at: the display as it is, whatever part of the depth its views were drawn with.
+/// Returns the display for the eyes, whatever part of the depth its views were rendered with.
 std::shared_ptr<RenderedPanel> panel_of_film(const Film& film) {
   const py::gil_scoped_release release;
   return std::make_shared<RenderedPanel>(
@@ -150,7 +150,7 @@ Reuse reuse_named(const std::string& name, const std::optional<int>& keyframes, 
   return AutoReuse{};
 }
 
-/// integrator: a name of integrators(), or empty for the scene's default.
+/// integrator: a name of integrators(); empty: the scene's default.
 Sampling sampling_of(const Scene& scene, const std::string& integrator, bool interpolates) {
   Sampling sampling;
   for (const Integrator known : integrators())
@@ -173,7 +173,7 @@ void want_layers(Sampling& sampling, const std::vector<std::string>& names) {
     if (const std::optional<Aov> aov = layer_named(name)) sampling.aov.push_back(*aov);
 }
 
-/// The frames of one animation. What the renderer needs outlives it: the context first.
+/// The frames of one animation. Members that the renderer uses are declared before it, the context first.
 class Frames {
  public:
   Frames(Scene& scene, Placement placement, const FrameParams& params, int threads) : work_(threads), placement_(placement) {
@@ -187,7 +187,7 @@ class Frames {
     try {
       work_.run(progress, [&](const Context&) { made = renderer_->frame(index); });
     } catch (...) {
-      if (work_.context().cancelled) renderer_.reset();  // frames that share with others may have stopped half way
+      if (work_.context().cancelled) renderer_.reset();  // frames that share work may have stopped half way
       throw;
     }
     if (!made) throw_stopped();
@@ -214,12 +214,12 @@ class Frames {
   std::optional<Renderer> renderer_;
 };
 
-/// How frames share work; a class of its own, as Python sees alternatives of a variant as unrelated types.
+/// How frames share work. A class of its own, because Python sees the alternatives of a variant as unrelated types.
 struct ChosenReuse {
   Reuse reuse;
 };
 
-/// The scene moves into it: what is left is empty.
+/// Moves the scene into the result and leaves it empty.
 std::shared_ptr<Frames> frames_of(Scene& scene, const Placement& placement, const Sampling& sampling, const ChosenReuse& reuse,
                                   int threads) {
   return std::make_shared<Frames>(scene, placement, FrameParams{sampling, reuse.reuse}, threads);

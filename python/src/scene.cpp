@@ -1,4 +1,4 @@
-// Scenes: from files, and built element by element. Elements are called by their indices here; lippmann.Scene has the names.
+// Binds scenes: read from files, or built element by element. Elements are addressed by indices; lippmann.Scene adds names.
 #include <algorithm>
 #include <utility>
 #include <variant>
@@ -116,7 +116,7 @@ Light light_of(std::string name, const std::string& kind, int node, const Three&
   return light;
 }
 
-/// Angles in radians, lengths in units of the scene.
+/// Angles in radians, lengths in scene units.
 void bind_light(py::module_& module) {
   py::class_<Light>(module, "Light")
       .def(py::init(&light_of))
@@ -136,7 +136,7 @@ int add_camera(Scene& scene, std::string name, int node, float vertical_fov, flo
   return add(scene.cameras, std::move(camera));
 }
 
-/// The animation of a node, which it has at most one of.
+/// Returns the animation of a node, which has at most one.
 NodeAnimation& animation_of(Scene& scene, int node) {
   for (NodeAnimation& animation : scene.timeline.animations)
     if (animation.node == node) return animation;
@@ -152,7 +152,7 @@ Channel<T> channel_of(const Timeline& timeline, std::vector<T> values) {
   return channel;
 }
 
-/// A key for every frame.
+/// Sets one key per frame.
 void animate(Scene& scene, int node, const std::optional<Array<float>>& translation,
              const std::optional<Array<float>>& rotation, const std::optional<Array<float>>& scale,
              const std::optional<Array<float>>& weights) {
@@ -186,7 +186,7 @@ void surround_with_file(Scene& scene, const std::filesystem::path& path, float s
   });
 }
 
-/// (2, 3): lowest and highest coordinates of everything finite; none where there is nothing.
+/// Returns (2, 3): lowest and highest coordinates of all finite shapes; None if there are none.
 py::object bounds_of(const Scene& scene, int frame) {
   const Bounds3f bounds = finite_bounds(scene, evaluate(scene, scene.timeline.time(frame)));
   if (bounds.empty()) return py::none();

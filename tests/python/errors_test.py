@@ -425,7 +425,7 @@ class Errors(Case):
             (lippmann.microlens_array((24, 32)), "a microlens array, 32x24 pixels"),
             (lippmann.single_view((24, 32)), "a single view, 32x24 pixels"),
             (lippmann.quilt(2, 3, (24, 32)), "6 views, 96x48 pixels"),
-            (lippmann.own_optics(lippmann.single_view((24, 32)).rays, (24, 32)), "rays of one's own, 32x24 pixels"),
+            (lippmann.own_optics(lippmann.single_view((24, 32)).rays, (24, 32)), "custom rays, 32x24 pixels"),
         ):
             self.assertEqual(repr(optics), f"<lippmann.Optics: {words}>")
         self.assertEqual(repr(lippmann.frames("room", small_grid(), frames=range(3))), "<lippmann.Animation: 3 frames>")

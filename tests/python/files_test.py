@@ -125,7 +125,7 @@ class Files(Case):
         self.assertFalse((self.folder / "gone").exists())
         (self.folder / "file").touch()
         wrong = self.assertWrong(str(self.folder / "file"), field.save, self.folder / "file/deep/a.png", "quilt")
-        self.assertIn("cannot be made", wrong.problem)
+        self.assertIn("cannot be created", wrong.problem)
 
     def test_pictures_of_arrays_are_written_as_quilts_of_their_views(self):
         views = np.random.default_rng(1).integers(0, 256, (1, 3, 8, 8, 3), dtype=np.uint8)
