@@ -1,4 +1,4 @@
-# Toolchain for ARM64 on an x86-64 Debian: g++-aarch64-linux-gnu, libraries of architecture arm64, tests under qemu-user.
+# Toolchain for ARM64 on an x86-64 Debian: g++-aarch64-linux-gnu, libraries of the architecture arm64, tests under qemu-user.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)

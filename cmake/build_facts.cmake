@@ -1,10 +1,10 @@
-# LIPPMANN_BUILD_FACTS: what `lippmann --version` says of the build, as definitions for one source file, so that a new commit
-# compiles that file and links the tool, and nothing else. No time and no path: the same sources give the same bytes.
+# LIPPMANN_BUILD_FACTS: the lines of `lippmann --version`, as definitions for one source file, so that a new commit recompiles
+# only that file and relinks the tool. Contains no time and no path: the same sources give the same bytes.
 
-# A tarball has no repository: its packager says -DLIPPMANN_COMMIT=..., or the commit is not known.
-set(LIPPMANN_COMMIT "" CACHE STRING "The commit that lippmann --version names; empty: that of the repository, if there is one")
+# A tarball has no repository: its packager can set -DLIPPMANN_COMMIT=...
+set(LIPPMANN_COMMIT "" CACHE STRING "The commit that lippmann --version prints; default: the repository's, if there is one")
 
-# Sets OUT to the commit that is checked out, and has CMake run again when that becomes another.
+# Sets OUT to the checked-out commit, and makes CMake run again when it changes.
 function(lippmann_find_commit out)
   set(${out} "not known" PARENT_SCOPE)
   find_program(GIT_EXECUTABLE git)

@@ -1,4 +1,4 @@
-# Everything comes from packages of Debian 12 or newer; scripts/bootstrap installs them.
+# All dependencies are packages of Debian 12 or newer; scripts/bootstrap installs them.
 
 find_package(PkgConfig REQUIRED)
 find_package(TBB REQUIRED)
@@ -29,8 +29,8 @@ pkg_check_modules(LIBHEIF IMPORTED_TARGET libheif>=1.12)  # optional: HEIC and A
 pkg_check_modules(FFmpeg REQUIRED IMPORTED_TARGET libavcodec libavformat libavutil libswscale)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 
-# The archive where there is one: Debian's shared libdraco brings image and glTF readers along, whose symbols other libraries
-# have too. Fedora and Arch package no archive.
+# Prefers the archive: Debian's shared libdraco brings in image and glTF readers, whose symbols clash with other libraries.
+# Fedora and Arch package no archive.
 find_library(DRACO_LIBRARY NAMES libdraco.a draco REQUIRED)
 find_path(DRACO_INCLUDE_DIR draco/draco_features.h REQUIRED)
 add_library(draco::library UNKNOWN IMPORTED)
@@ -38,7 +38,7 @@ set_target_properties(draco::library PROPERTIES
   IMPORTED_LOCATION ${DRACO_LIBRARY}
   INTERFACE_INCLUDE_DIRECTORIES ${DRACO_INCLUDE_DIR})
 
-# Optional: aligning pictures. Debian's small packages of OpenCV have no CMake files; libopencv-dev has, and brings VTK along.
+# Optional: aligning pictures. Debian's small packages of OpenCV have no CMake files; libopencv-dev has them, but brings in VTK.
 find_path(OPENCV_INCLUDE_DIR opencv2/calib3d.hpp PATH_SUFFIXES opencv4)
 set(OPENCV_LIBRARIES "")
 foreach(component core features2d calib3d)

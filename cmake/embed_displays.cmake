@@ -1,4 +1,5 @@
-# Writes OUTPUT, the C++ source of preset_files() (src/display/presets.hpp), from the files FOLDER/*.toml; an OUTPUT that says the same stays as it is.
+# Writes OUTPUT, the C++ source of preset_files() (src/display/presets.hpp), from the files FOLDER/*.toml, unless it is up to
+# date.
 file(GLOB files ${FOLDER}/*.toml)
 list(SORT files)
 set(entries "")

@@ -1,11 +1,11 @@
-# The library for other programs: all parts in one shared object, the headers of include/lippmann, and what finds them.
-#   find_package(lippmann)            target lippmann::lippmann, of an installed one
-#   add_subdirectory(lippmann)        the same target, built along with the program
+# The library for other programs: all parts in one shared object, the headers of include/lippmann, and the files that find them:
+#   find_package(lippmann)            target lippmann::lippmann of an installed library
+#   add_subdirectory(lippmann)        the same target, built with the program
 #   pkg-config --cflags --libs lippmann
 
 get_property(parts GLOBAL PROPERTY LIPPMANN_PARTS)
 set(source ${PROJECT_BINARY_DIR}/lippmann_library.cpp)
-file(CONFIGURE OUTPUT ${source} CONTENT "// The library is made of the objects of its parts.\n")
+file(CONFIGURE OUTPUT ${source} CONTENT "// The library consists of the objects of its parts.\n")
 add_library(lippmann_library SHARED ${source})
 add_library(lippmann::lippmann ALIAS lippmann_library)
 set_target_properties(lippmann_library PROPERTIES
@@ -22,10 +22,10 @@ foreach(part ${parts})
   target_sources(lippmann_library PRIVATE $<TARGET_OBJECTS:lippmann_${part}>)
   target_link_libraries(lippmann_library PRIVATE lippmann_${part})
 endforeach()
-# What belongs to others (stb, Draco) stays inside: programs may have their own.
+# Hides the symbols of other projects (stb, Draco), since programs may have their own copies.
 set(complete COMPLETE)
 if(LIPPMANN_SANITIZE)
-  set(complete "")  # the program brings a sanitizer's run-time
+  set(complete "")  # the program provides the sanitizer's run-time
 endif()
 lippmann_link(lippmann_library EXPORTS ${PROJECT_SOURCE_DIR}/cmake/exported_symbols.map ${complete})
 

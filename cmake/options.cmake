@@ -1,28 +1,28 @@
-# Compile options that every target shares (INTERFACE target lippmann_options), and helpers to declare parts.
+# Compile options of all targets (INTERFACE target lippmann_options), and functions that declare parts and tests.
 
 add_library(lippmann_options INTERFACE)
 target_include_directories(lippmann_options INTERFACE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
 target_compile_options(lippmann_options INTERFACE -Wall -Wextra -Wshadow -Wno-unknown-pragmas)
-# Designated initialisers leave the other members at their defaults on purpose.
+# Designated initialisers leave other members at their defaults on purpose.
 target_compile_options(lippmann_options INTERFACE -Wno-missing-field-initializers)
-# Packets by value have another ABI for each instruction set, and since GCC 4.6. No packet crosses the library's boundary.
+# Packets passed by value have a different ABI for each instruction set. No packet crosses the library's boundary.
 target_compile_options(lippmann_options INTERFACE -Wno-psabi)
-# GCC 13 takes any reference that a function returns for one to its argument, if that is a temporary.
+# GCC 13 assumes that a returned reference refers to a temporary argument.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13 AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 14)
   target_compile_options(lippmann_options INTERFACE -Wno-dangling-reference)
 endif()
-# Loops over lanes join comparisons with & and |, which vectorise, where && and || would branch.
+# Loops over lanes combine comparisons with & and |, which vectorise; && and || would branch.
 target_compile_options(lippmann_options INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
 
-# Clang 19 and later leave out constructors that only versions of a function (core/multiversion.hpp) call, unless told so.
+# Clang 19 and later omit constructors that only function versions (core/multiversion.hpp) call, unless this is set.
 target_compile_options(lippmann_options INTERFACE
   $<$<AND:$<COMPILE_LANG_AND_ID:CXX,Clang>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,19>>:SHELL:-Xclang -mno-constructor-aliases>)
 
-# Floating point: contraction to FMA is off, so that every instruction-set clone of a kernel (core/multiversion.hpp) gives the
-# same bits; errno and traps are not used, which lets the compiler vectorise floor, sqrt and selects.
+# FMA contraction is off, so that all versions of a kernel (core/multiversion.hpp) give the same bits. Code uses neither errno
+# nor traps, which lets the compiler vectorise floor, sqrt and selects.
 target_compile_options(lippmann_options INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
 
-# Parts are joined in a shared library, too (library.cmake), within which functions call each other directly all the same.
+# Parts are also joined in a shared library (library.cmake), within which functions still call each other directly.
 target_compile_options(lippmann_options INTERFACE -fPIC $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
 
 if(LIPPMANN_WERROR)
@@ -34,23 +34,24 @@ endif()
 if(LIPPMANN_SANITIZE)
   target_compile_options(lippmann_options INTERFACE -fsanitize=${LIPPMANN_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(lippmann_options INTERFACE -fsanitize=${LIPPMANN_SANITIZE})
-  # Resolvers of function clones run before a sanitizer's run-time is up.
+  # Resolvers of function versions run before a sanitizer's run-time has started.
   target_compile_definitions(lippmann_options INTERFACE LIPPMANN_NO_MULTIVERSION)
 endif()
 
-# lippmann_may_join(TARGET): with LIPPMANN_UNITY, the sources of TARGET are compiled twelve at a time, which reads each header once
-# for all of them. A file of twelve is not so long that the last one to compile holds up the others.
+# lippmann_may_join(TARGET): with LIPPMANN_UNITY, compiles the sources of TARGET twelve at a time, so that each header is read
+# once for all twelve. Larger groups would let the last file hold up the others.
 function(lippmann_may_join target)
   if(LIPPMANN_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-      # GCC takes the joined files for headers, in which members of types of unnamed namespaces would be a mistake.
+      # GCC treats joined files as headers, in which members with types of unnamed namespaces would be an error.
       target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
     endif()
   endif()
 endfunction()
 
-# lippmann_part(NAME SOURCES ... DEPENDS ... PRIVATE_DEPENDS ...): the static library lippmann_NAME, alias lippmann::NAME.
+# lippmann_part(NAME SOURCES ... DEPENDS ... PRIVATE_DEPENDS ...): declares the static library lippmann_NAME, alias
+# lippmann::NAME.
 function(lippmann_part name)
   cmake_parse_arguments(PART "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   add_library(lippmann_${name} STATIC ${PART_SOURCES})
@@ -58,8 +59,8 @@ function(lippmann_part name)
   set_property(GLOBAL APPEND PROPERTY LIPPMANN_PARTS ${name})
   target_link_libraries(lippmann_${name} PUBLIC lippmann_options ${PART_DEPENDS} PRIVATE ${PART_PRIVATE_DEPENDS})
   lippmann_use_precompiled(lippmann_${name} lippmann_common_headers)
-  # Clang refuses to make versions of a function (core/multiversion.hpp) that an earlier source of the joined file calls.
-  # Sanitizers and Clang before 19 build no versions.
+  # Clang cannot make versions of a function (core/multiversion.hpp) that an earlier source of the joined file calls. Builds
+  # with sanitizers or with Clang before 19 have no versions.
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang" OR CMAKE_CXX_COMPILER_VERSION VERSION_LESS 19 OR LIPPMANN_SANITIZE)
     lippmann_may_join(lippmann_${name})
   endif()
@@ -70,18 +71,18 @@ if(LIPPMANN_SANITIZE)
   set(LIPPMANN_TEST_TIMEOUT 3000)
 endif()
 
-# lippmann_optimise_tests(TARGET [COMPUTES]): much of a test's code runs once, so that what counts is how long it takes to compile;
-# some of it computes a little. What is tested is compiled as ever.
+# lippmann_optimise_tests(TARGET [COMPUTES]): compiles tests with little optimisation, because most of their code runs once and
+# compile time dominates. COMPUTES: the test's own code is slow. The tested code is compiled as usual.
 function(lippmann_optimise_tests target)
   cmake_parse_arguments(TEST "COMPUTES" "" "" ${ARGN})
   target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:$<IF:$<BOOL:${TEST_COMPUTES}>,-O1,-O0>>)
 endfunction()
 
-# lippmann_test(NAME [QUICK] [COMPUTES] [SOURCES ...] DEPENDS ...): one GoogleTest program, of all *_test.cpp of the folder unless
-# SOURCES are given.
-# QUICK: all its tests together take seconds at most. ctest runs the program once, under its name and the label quick; of other
-# programs, ctest knows each test under its own name.
-# COMPUTES: its own code takes time, to look at many pixels, say.
+# lippmann_test(NAME [QUICK] [COMPUTES] [SOURCES ...] DEPENDS ...): declares a GoogleTest program of all *_test.cpp in the folder, or of
+# SOURCES.
+# QUICK: all its tests together take a few seconds. ctest runs the program once, under its name and the label quick; for other
+# programs, ctest runs each test under its own name.
+# COMPUTES: its own code takes time, such as comparing many pixels.
 function(lippmann_test name)
   cmake_parse_arguments(TEST "QUICK;COMPUTES" "" "SOURCES;DEPENDS" ${ARGN})
   if(NOT TEST_SOURCES)
@@ -101,8 +102,8 @@ function(lippmann_test name)
     add_test(NAME ${name} COMMAND ${name})
     set_tests_properties(${name} PROPERTIES LABELS quick TIMEOUT ${LIPPMANN_TEST_TIMEOUT})
   else()
-    # A loaded machine may take far longer than the 5 s that CMake gives a program to list its tests.
-    # Values of parameters do not become parts of names: structs are printed as bytes, pointers among them.
+    # A loaded machine may need far longer than CMake's default of 5 s to list the tests of a program. Parameter values stay out
+    # of the names: structs would be printed as bytes, including pointers.
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 NO_PRETTY_VALUES
       PROPERTIES TIMEOUT ${LIPPMANN_TEST_TIMEOUT})
   endif()

@@ -1,7 +1,7 @@
-# Debian packages, by `cpack -G DEB` in the build folder: the tool; the modules for videos, HEIC pictures and alignment; the library
-# for other programs; the Python package, which contains what it needs of the library.
+# Debian packages, made by `cpack -G DEB` in the build folder: the tool; the modules for videos, HEIC pictures and alignment;
+# the library for other programs; the Python package, which contains the parts of the library that it uses.
 
-set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # tests and benchmarks need not be built for a package
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # packages do not need tests and benchmarks
 set(CPACK_PACKAGE_NAME lippmann)
 set(CPACK_PACKAGE_CONTACT "The authors of Lippmann <lippmann@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
@@ -19,7 +19,7 @@ endif()
 if(TARGET lippmann_mpi_module)
   list(APPEND CPACK_COMPONENTS_ALL mpi)
 endif()
-# Nothing depends on the Python module: scripts/demo, for one, leaves it unbuilt, and then cpack leaves its package out.
+# The Python module is optional: if it was not built, as by scripts/demo, cpack leaves its package out.
 if(TARGET lippmann_python)
   list(APPEND CPACK_COMPONENTS_ALL python3)
   set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_BINARY_DIR}/built_components.cmake)
@@ -47,7 +47,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS lippmann-video)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Lippmann as a library: headers, shared object, CMake and pkg-config files")
 set(CPACK_DEBIAN_PYTHON3_PACKAGE_NAME python3-lippmann)
 set(CPACK_DEBIAN_PYTHON3_PACKAGE_SECTION python)
-# The module is for one minor version of Python; NumPy is loaded by name, which shlibdeps does not see.
+# The module is for one minor version of Python. NumPy is imported by name, which shlibdeps does not detect.
 set(CPACK_DEBIAN_PYTHON3_PACKAGE_DEPENDS
   "python3 (>= ${LIPPMANN_PYTHON_VERSION}), python3 (<< ${LIPPMANN_PYTHON_NEXT_VERSION}), python3-numpy")
 set(CPACK_DEBIAN_PYTHON3_PACKAGE_SUGGESTS python3-xarray)

@@ -1,17 +1,16 @@
-# Linker flags, which differ among systems. ELF linkers (GNU ld, gold, lld, mold) get the flags below; others get none, and their
-# modules export and link more than they need.
+# Linker flags of each system. ELF linkers (GNU ld, gold, lld, mold) get the flags below; others get none, so their modules
+# export and link more than necessary.
 
 set(LIPPMANN_ELF_LINKER OFF)
 if(UNIX AND NOT APPLE)
   set(LIPPMANN_ELF_LINKER ON)
 endif()
 
-# lippmann_link(TARGET [EXPORTS FILE] [HIDE_ARCHIVES] [COMPLETE] [SMALL]): links the libraries that TARGET uses, and no others that
-# it names.
-# EXPORTS: a version script; other symbols stay inside.
-# HIDE_ARCHIVES: symbols of static libraries stay inside.
-# COMPLETE: a symbol that no library has is an error of linking, not of loading.
-# SMALL: code that nothing calls is dropped.
+# lippmann_link(TARGET [EXPORTS FILE] [HIDE_ARCHIVES] [COMPLETE] [SMALL]): links only those libraries that TARGET uses.
+# EXPORTS: a version script of the exported symbols.
+# HIDE_ARCHIVES: hides symbols of static libraries.
+# COMPLETE: reports undefined symbols when linking instead of when loading.
+# SMALL: removes code that is never called.
 function(lippmann_link target)
   cmake_parse_arguments(LINK "HIDE_ARCHIVES;COMPLETE;SMALL" "EXPORTS" "" ${ARGN})
   if(NOT LIPPMANN_ELF_LINKER)

@@ -1,28 +1,29 @@
-# Precompiled headers: those of standard and third-party libraries that many files include. They spare a first build a quarter of
-# its time and cost a compiler cache its hits (each object depends on all of them), so they are on where no compiler launcher is
-# set. Every file still includes all that it uses, and compiles without them.
+# Precompiles headers of standard and third-party libraries that many files include. This saves a quarter of a first build, but
+# defeats a compiler cache, because each object depends on all of them; the default is ON only without a compiler launcher.
+# Every file still includes all that it uses, and compiles without precompiled headers.
 
 set(precompile ON)
 if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR CMAKE_CXX_COMPILER_LAUNCHER OR LIPPMANN_SANITIZE)
   set(precompile OFF)
 endif()
-option(LIPPMANN_PCH "Precompile headers; by default only where no compiler launcher is set" ${precompile})
+option(LIPPMANN_PCH "Precompile headers; default: only without a compiler launcher" ${precompile})
 
-# lippmann_precompiled_headers(NAME HEADERS ... DEPENDS ...): for targets whose compile options are those of DEPENDS.
+# lippmann_precompiled_headers(NAME HEADERS ... DEPENDS ...): precompiles headers for targets with the compile options of
+# DEPENDS.
 function(lippmann_precompiled_headers name)
   cmake_parse_arguments(PCH "" "" "HEADERS;DEPENDS" ${ARGN})
   if(NOT LIPPMANN_PCH)
     return()
   endif()
   set(source ${PROJECT_BINARY_DIR}/${name}.cpp)
-  file(CONFIGURE OUTPUT ${source} CONTENT "// Its target is there for its precompiled headers.\n")
+  file(CONFIGURE OUTPUT ${source} CONTENT "// The target of this source provides precompiled headers.\n")
   add_library(${name} OBJECT ${source})
   target_link_libraries(${name} PRIVATE lippmann_options ${PCH_DEPENDS})
   list(TRANSFORM PCH_HEADERS REPLACE "(.+)" "<\\1>")
   target_precompile_headers(${name} PRIVATE ${PCH_HEADERS})
 endfunction()
 
-# lippmann_use_precompiled(TARGET NAME): compiles TARGET with them, where they are on.
+# lippmann_use_precompiled(TARGET NAME): compiles TARGET with the precompiled headers, if they are on.
 function(lippmann_use_precompiled target name)
   if(LIPPMANN_PCH)
     target_precompile_headers(${target} REUSE_FROM ${name})

@@ -1,6 +1,7 @@
-# Debian and Ubuntu systems in folders, for scripts/try_on and scripts/package_test, which source this file. Needs root and debootstrap.
+# Functions for Debian and Ubuntu systems in folders. scripts/try_on and scripts/package_test source this file. Needs root and
+# debootstrap.
 
-# Prints where this machine takes Debian's packages from; $MIRROR overrides it.
+# Prints this machine's mirror of Debian; $MIRROR overrides it.
 debian_mirror() {
   local found
   found=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/*.{list,sources} 2>/dev/null |
@@ -14,11 +15,11 @@ require_debian_root() {
 }
 
 # Installs the minimal system of a suite (bookworm, trixie, sid; Ubuntu: noble) into a folder: make_debian_root SUITE FOLDER.
-# The name server, settings of apt and certificate authorities of this machine come along.
+# Copies this machine's name server, apt settings and certificate authorities.
 make_debian_root() {
   local suite=$1 root=$2
   case $suite in
-    # Debian 12's debootstrap does not know noble, but all of Ubuntu's suites are installed as gutsy was.
+    # Debian 12's debootstrap has no script for noble; the script of gutsy fits all of Ubuntu's suites.
     noble) debootstrap --variant=minbase --components=main,universe noble "$root" "${UBUNTU_MIRROR:-http://archive.ubuntu.com/ubuntu}" gutsy ;;
     *) debootstrap --variant=minbase "$suite" "$root" "$(debian_mirror)" ;;
   esac || return
@@ -29,7 +30,7 @@ make_debian_root() {
   in_debian_root "$root" apt-get update -qq
 }
 
-# Runs a command in the system: in_debian_root FOLDER COMMAND... Its mounts end with the command.
+# Runs a command in the system: in_debian_root FOLDER COMMAND... Unmounts everything when the command ends.
 in_debian_root() {
   local root=$1
   shift

@@ -1,25 +1,26 @@
-# Copies programs and libraries of a build together with what they need, for scripts/bundle and scripts/wheel, which source this file.
+# Functions that copy programs and libraries of a build with their dependencies. scripts/bundle and scripts/wheel source this
+# file.
 # shellcheck shell=bash
 
 # Prints the comment at the top of a script.
 print_help() { sed -n '2,/^set /{/^#/s/^# \{0,1\}//p}' "$1"; }
 
-# Ends the script with one error that names all missing programs: require_programs PROGRAM:PACKAGE ...
+# Ends the script with one error naming all missing programs: require_programs PROGRAM:PACKAGE ...
 require_programs() {
   local entry missing=()
   for entry in "$@"; do command -v "${entry%%:*}" >/dev/null || missing+=("${entry##*:}"); done
   [[ ${#missing[@]} -eq 0 ]] || { echo "$0: missing packages: apt-get install ${missing[*]}" >&2; exit 2; }
 }
 
-# The Debian package that installed a file. Debian lists some files below /lib and others below /usr/lib.
+# Prints the Debian package that installed a file. Debian lists some files below /lib and others below /usr/lib.
 package_of() {
   local file
   file=$(readlink -f "$1")
   { dpkg-query -S "${file#/usr}" 2>/dev/null || dpkg-query -S "/usr${file#/usr}" 2>/dev/null || echo "no package:"; } | sed 's/:.*//; q'
 }
 
-# Prints "package path" of each library that the given files load, directly or not. glibc is left out: it must fit the kernel and
-# the dynamic linker of the target.
+# Prints "package path" of each library that the given files load, directly or indirectly, except glibc, which must match the
+# kernel and the dynamic linker of the target.
 libraries_of() {
   local loaded path
   loaded=$(for file in "$@"; do ldd "$file"; done)
@@ -39,7 +40,8 @@ allocator_of_tbb() {
   [[ -e $path ]] && echo "$(package_of "$path") $path"
 }
 
-# Copies the licences of the packages read from standard input, one a line, and lists their versions: copy_licences FOLDER LIST
+# Copies the licences of the packages read from standard input, one per line, and lists their versions: copy_licences FOLDER
+# LIST
 copy_licences() {
   local package
   while read -r package; do
@@ -48,12 +50,12 @@ copy_licences() {
   done >"$2"
 }
 
-# Packages whose code is compiled into the program: archives and headers.
+# Packages of archives and headers that are compiled into the program.
 # shellcheck disable=SC2034
 compiled_in=(libcli11-dev libdraco-dev libfmt-dev libglm-dev libmeshoptimizer-dev libstb-dev libtomlplusplus-dev libxxhash-dev
   nlohmann-json3-dev)
 
-# What the licences of others ask for: licence_notes NAME WITH_VIDEO
+# Prints notes required by the licences of other projects: licence_notes NAME WITH_VIDEO
 licence_notes() {
   cat <<NOTES
 Lippmann is under the Apache License 2.0 (LICENSE). The libraries of others in this $1 come unchanged from the Debian packages that
@@ -72,6 +74,6 @@ The source of each package: apt-get source NAME=VERSION on the Debian release, o
 NOTES
 }
 
-# The time that all files get, so that the same inputs give the same bytes: of the last commit, or $SOURCE_DATE_EPOCH.
+# Time stamp of all files, so that the same inputs give the same bytes: that of the last commit, or $SOURCE_DATE_EPOCH.
 SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || echo 1000000000)}
 export SOURCE_DATE_EPOCH

@@ -1,4 +1,4 @@
-"""The sources that checks compile by themselves: how CMake would compile each, and which changed lately."""
+"""Finds the sources that checks compile alone: the compile command of each, and which of them changed recently."""
 
 import json
 import os
@@ -16,8 +16,8 @@ def output(*command):
 
 
 def compile_commands(build, joined):
-    """The entry of the compilation database for each source, or for each file that joins sources of a part, by path from here.
-    `build` is the folder of this database."""
+    """Returns the entry of the compilation database for each source, or for each file that joins sources of a part, by relative path.
+    `build` is the folder of the database."""
     configure = ["cmake", "-S", ".", "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", f"-DLIPPMANN_UNITY={joined}"]
     configure += ["-DLIPPMANN_PCH=OFF", "-DLIPPMANN_TESTS=OFF", "-DLIPPMANN_BENCH=ON", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"]
     subprocess.run(configure, check=True, stdout=subprocess.DEVNULL)
@@ -30,26 +30,26 @@ def of_checked_folders(commands):
 
 
 def default_start():
-    """The last commit that is six hours older than HEAD; the empty tree in a shallow clone with less history."""
+    """Returns the last commit at least six hours older than HEAD, or the empty tree in a shallow clone with less history."""
     since = int(output("git", "log", "-1", "--format=%ct")) - SIX_HOURS_S
     base = output("git", "rev-list", "-1", f"--before={since}", "HEAD").strip()
     return base or output("git", "hash-object", "-t", "tree", "/dev/null").strip()
 
 
 def changed_files(base):
-    """Files that changed since the commit `base`; since six hours before HEAD if it is None."""
+    """Returns the files that changed since the commit `base`, or since six hours before HEAD if it is None."""
     base = base or default_start()
     return set(output("git", "diff", "--name-only", "--diff-filter=d", base).split())
 
 
 def by_last_change():
-    """The place of each file in the order of changes: 0 for the one that changed last."""
+    """Returns each file's rank by last change: 0 for the most recent."""
     names = output("git", "log", "--format=", "--name-only").splitlines()
     return {name: place for place, name in reversed(list(enumerate(filter(None, names))))}
 
 
 def includes(path):
-    """The project's headers that the file names itself."""
+    """Returns the project's headers that a file includes directly."""
     found = set()
     for name in INCLUDE.findall(pathlib.Path(path).read_text()):
         found.update(root + name for root in ("include/", "src/", "") if os.path.exists(root + name))
@@ -57,5 +57,5 @@ def includes(path):
 
 
 def affected(commands, changed):
-    """The sources that changed, or that include a changed header."""
+    """Returns the sources that changed or that include a changed header."""
     return {path for path in commands if path in changed or includes(path) & changed}
