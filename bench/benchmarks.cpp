@@ -78,7 +78,7 @@ void add_pictures(CLI::App& command, Request& request) {
 
 }  // namespace
 
-Error interrupted() { return {"interrupted", "the benchmark did not reach its end"}; }
+Error interrupted() { return {"interrupted", "the benchmark was stopped before its end"}; }
 
 void begin_step(const Request& request, const Context& context, std::string_view what) {
   if (context.cancelled) throw interrupted();
@@ -93,7 +93,7 @@ const std::vector<Benchmark>& benchmarks() {
          add_quick(command, request);
          add_references(command, request);
        }},
-      {"estimates", "How often the PSNR interval that path-traced frames report contains the true PSNR", measure_estimates,
+      {"estimates", "How often the PSNR interval reported by path-traced frames contains the true PSNR", measure_estimates,
        [](CLI::App& command, Request& request) {
          add_scenes(command, request, kLightRows);
          add_frames(command, request, "4");
@@ -106,20 +106,21 @@ const std::vector<Benchmark>& benchmarks() {
          add_quick(command, request);
          add_reference_spp(command, request);
        }},
-      {"light", "Denoised frames of 16 samples per pixel beside plain ones of 64: CPU time, error, mean light, flicker",
+      {"light", "Denoised frames of 16 samples per pixel compared with plain ones of 64: CPU time, error, mean light, flicker",
        measure_light,
        [](CLI::App& command, Request& request) {
          add_scenes(command, request, kLightRows);
          command.add_flag("--list", request.list, "List the rows and measure nothing");
-         add_frames(command, request, "3, of quilts 1");
+         add_frames(command, request, "3, or 1 for quilts");
          add_views(command, request);
          add_quick(command, request);
          add_pictures(command, request);
          add_references(command, request);
        }},
-      {"native", "The native frame of a slanted panel beside one interlaced from 48 views: PSNR and CPU time", measure_native,
-       [](CLI::App& command, Request& request) { add_scenes_with_default(command, request, "teapot, room"); }},
-      {"paper", "The tables of the paper: interpolated animations beside traced ones, and pixel-tracing styles", measure_paper,
+      {"native", "The native frame of a slanted panel compared with one interlaced from 48 views: PSNR and CPU time",
+       measure_native, [](CLI::App& command, Request& request) { add_scenes_with_default(command, request, "teapot, room"); }},
+      {"paper", "The tables of the paper: interpolated animations compared with traced ones, and pixel-tracing styles",
+       measure_paper,
        [](CLI::App& command, Request& request) {
          add_scenes(command, request, kAnimations);
          add_tachyon_scenes(command, request);
@@ -129,26 +130,26 @@ const std::vector<Benchmark>& benchmarks() {
          command.add_option("--csv", request.csv, "Also write the summary, one row per scene, as CSV")->type_name("FILE");
        }},
       {"png", "CPU time and size of a PNG file by strategy, filter and level", measure_png, [](CLI::App&, Request&) {}},
-      {"rays", "Rays per second of our passes beside bare Embree, by scene and ray order", measure_rays,
+      {"rays", "Rays per second of our passes compared with bare Embree, by scene and ray order", measure_rays,
        [](CLI::App& command, Request& request) { add_scenes_with_default(command, request, "all built-in scenes"); }},
-      {"replay", "Eye views through the arrays beside direct views, by depth, and whether depth is inverted", measure_replay,
-       [](CLI::App& command, Request& request) { add_scenes_with_default(command, request, "room"); }},
-      {"reuse", "What reuse between frames saves of full tracing, and how close the pictures are", measure_reuse,
+      {"replay", "Eye views through the arrays compared with direct views, by depth, and whether depth is inverted",
+       measure_replay, [](CLI::App& command, Request& request) { add_scenes_with_default(command, request, "room"); }},
+      {"reuse", "CPU time saved by reuse between frames, and the PSNR of its frames", measure_reuse,
        [](CLI::App& command, Request& request) {
          add_scenes(command, request, kAnimations);
          add_tachyon_scenes(command, request);
          add_frames(command, request, "48, of Tachyon's 24");
          add_large(command, request);
        }},
-      {"spheres", "Rays per second against our spheres beside Embree's sphere points", measure_spheres,
+      {"spheres", "Rays per second for our spheres compared with Embree's sphere points", measure_spheres,
        [](CLI::App& command, Request& request) { add_scenes_with_default(command, request, "small-balls"); }},
-      {"splats", "A quilt of 48 views of 100,000 and of a million splats: CPU time, also relative to tracing triangles",
+      {"splats", "A quilt of 48 views with 100,000 and a million splats: CPU time, also relative to tracing triangles",
        measure_splats,
        [](CLI::App& command, Request& request) {
          add_view_pixels(command, request, "420 and 560");
          add_quick(command, request);
        }},
-      {"tachyon", "CPU time per pixel beside the program tachyon, on its own scenes", measure_tachyon,
+      {"tachyon", "CPU time per pixel compared with the program tachyon, on its own scenes", measure_tachyon,
        [](CLI::App& command, Request& request) {
          add_scenes(command, request, "Scenes to measure: teapot, room or smallballs; default: all three");
          add_tachyon_scenes(command, request);

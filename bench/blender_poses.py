@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""Posed vertices beside Blender's: skinned and morphing meshes of glTF files, at several times of each of their animations.
+"""Compares posed vertices with Blender's: skinned and morphing meshes of glTF files, at several times of each animation.
 
   bench/blender_poses.py FILE.glb ... [--times N] [--bar FRACTION] [--tool PATH] [--json]
 
-The error is the largest distance from a vertex of either program to the nearest of the other, as a fraction of the diagonal of the
-bounds; what is made equal first, and what is left out, is told in bench/cycles/poses_inside_blender.py. Exits with 1 where an error
-is above the bar. Needs Debian's blender and python3-numpy, and the target dump_pose.
+The error is the largest distance from a vertex of either program to the nearest vertex of the other, as a fraction of the diagonal
+of the bounds. bench/cycles/poses_inside_blender.py states which differences are removed first and what is left out. The exit code
+is 1 if an error is above the bar. Needs Debian's blender and python3-numpy, and the target dump_pose.
 """
 
 import argparse
@@ -22,7 +22,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 def compare(file, tool, times):
     command = ["blender", "-b", "--python-exit-code", "1", "-P", HERE / "cycles" / "poses_inside_blender.py", "--", file, tool, times]
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True,
-                          env={**os.environ, "PATH": "/usr/bin:/bin"})  # its Python is Debian's, whatever else there is
+                          env={**os.environ, "PATH": "/usr/bin:/bin"})  # Blender needs Debian's Python
     rows = [json.loads(line.removeprefix("POSES ")) for line in done.stdout.splitlines() if line.startswith("POSES ")]
     if done.returncode or not rows:
         raise SystemExit(f"Blender could not compare {file}:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")

@@ -1,10 +1,11 @@
 #!/usr/bin/python3
-"""What .blend files show the display's viewer, by Blender's Cycles and by the add-on: PSNR of 8-bit codes, FLIP, and what the add-on says is lost on the way.
+"""Renders .blend files with Blender's Cycles and with the add-on: PSNR of 8-bit codes, FLIP, and the add-on's warnings.
 
   bench/blender_scenes.py FILE_OR_FOLDER ... [--out DIR] [--size N] [--samples N] [--tool FILE] [--json]
 
-Both get the same file, frame, eye, samples and view transform (bench/cycles/blend_inside_blender.py). Materials that the exporter does not know, world and lamps come as
-docs/guide/blender.md says: a low figure beside a warning tells what that warning costs. Writes DIR/scenes.html with pictures side by side. Needs python3-numpy and Blender (BLENDER names another).
+Both get the same file, frame, eye, samples and view transform (bench/cycles/blend_inside_blender.py). Materials that the exporter
+does not support, world and lamps are converted as in docs/guide/blender.md; the figures show the cost of each warning. Writes
+DIR/scenes.html with pictures side by side. Needs python3-numpy and Blender (BLENDER names another version).
 """
 
 import argparse
@@ -31,7 +32,7 @@ def files_of(paths):
 
 
 def rendered(file, options):
-    """{"scene", "said", "refused"} and, where there are pictures, {"cycles", "lippmann"}."""
+    """Returns {"scene", "said", "refused"} and, if there are pictures, {"cycles", "lippmann"}."""
     folder = (options.out / file.stem).resolve()
     folder.mkdir(parents=True, exist_ok=True)
     for name in ("cycles.png", "ours.png", "told.json"):
@@ -49,7 +50,7 @@ def rendered(file, options):
 
 
 def judged(row):
-    """With the figures of ours beside Cycles'."""
+    """Adds our figures relative to Cycles."""
     if "cycles" not in row:
         return row
     ours = judge.judged({"cycles": row["cycles"], "lippmann": row["lippmann"]})["lippmann"]
@@ -77,8 +78,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("files", nargs="+", type=pathlib.Path)
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("blender-scenes"))
-    parser.add_argument("--size", type=int, default=192, help="pixels of the longer side")
-    parser.add_argument("--samples", type=int, default=256, help="paths a pixel, of both")
+    parser.add_argument("--size", type=int, default=192, help="longer side in pixels")
+    parser.add_argument("--samples", type=int, default=256, help="paths per pixel, for both")
     parser.add_argument("--tool", type=pathlib.Path, default=HERE.parent / "build/release/lippmann")
     parser.add_argument("--json", action="store_true")
     options = parser.parse_args()

@@ -1,17 +1,17 @@
 #!/usr/bin/python3
-"""A light-field animation beside Blender's Cycles: ours renders all views at once and denoises them together, Cycles renders view by view.
+"""Compares light-field animations with Blender's Cycles: ours renders all views at once and denoises them together, Cycles view by view.
 
   bench/cycles_light_field.py [--asset FILE.glb] [--panorama FILE.hdr] [--view YAW PITCH] [--frames N] [--size N] [--spp N]
                               [--reference-spp N] [--levels N N N] [--output DIR] [--tool PATH] [--threads N] [--json]
 
-Frames of 48 views, from the same eyes; without --asset of a room of bench/cycles/fixtures.py. First both programs' converged views
-must agree (30 dB). Then the PSNR of each is taken against its own converged views, and asked is the CPU time that Cycles takes for
-the PSNR that ours has: between measured numbers of samples, logarithm of time in proportion to dB.
+Frames of 48 views from the same eyes; without --asset, of a room of bench/cycles/fixtures.py. First the converged views of both
+programs must agree (30 dB). Then the PSNR of each is measured against its own converged views, and the CPU time that Cycles needs
+for our PSNR is interpolated between measured numbers of samples: logarithm of time over dB.
 
-Ours counts whole: process, set-up, denoising, files. Of Cycles only rendering counts, its scene
-kept loaded. As its views cost what they cost one by one, a few of them in the first and the last frame are measured, and what starts
-a frame once a frame. PSNR is of 8-bit sRGB codes of the same views. Needs Debian's blender and python3-numpy; files without a camera get one that
-looks at their middle from YAW and PITCH degrees, and must be .glb.
+Our time includes process, set-up, denoising and files. For Cycles only rendering counts, with its scene kept loaded. Each of its
+views costs the same, so only a few views of the first and the last frame are measured, and the cost of starting a frame is counted
+once per frame. PSNR is of 8-bit sRGB codes of the same views. Needs Debian's blender and python3-numpy. Files without a camera get
+one that looks at their centre from YAW and PITCH degrees, and must be .glb.
 """
 
 import argparse
@@ -28,16 +28,16 @@ import fixtures  # noqa: E402
 import peers  # noqa: E402
 
 HERE = pathlib.Path(__file__).parent
-VERTICES = 8  # of a path, both sides
+VERTICES = 8  # of a path, for both
 COLUMNS, ROWS, CONE_DEG = 8, 6, 40.0
 VIEWS = COLUMNS * ROWS
-FAN = VIEWS // 3  # a row of so many views has the eyes of every third one: converged views of ours come from such rows
+FAN = VIEWS // 3  # a row of this many views has the eyes of every third view; our converged views come from such rows
 LIKENESS_DB = 30.0
 BAR = 20.0
 
 
 class LightField:
-    """The scene, how it is shown, and the views that are compared."""
+    """The scene, its display, and the compared views."""
 
     def __init__(self, options, work):
         self.options, self.work = options, work
@@ -60,7 +60,7 @@ class LightField:
                 "--size", f"{columns * self.options.size}x{rows * self.options.size}"]
 
     def eyes(self):
-        """To the right of the camera, from the leftmost view on."""
+        """Offsets to the right of the camera, leftmost view first."""
         return [self.array["viewing_distance"] * math.tan(math.radians(CONE_DEG) * ((v + 0.5) / VIEWS - 0.5)) for v in range(VIEWS)]
 
     def compared(self):
@@ -68,7 +68,7 @@ class LightField:
 
 
 def ours(field, optics, folder, frames, spp, *more):
-    """CPU seconds of the process."""
+    """Returns the CPU seconds of the process."""
     options = field.options
     command = [options.tool, "render", field.scene, *optics, "--integrator", "path", "--spp", spp, "--frames", frames, "--layout", "views",
                "--max-depth", VERTICES, "--format", "exr", "--exr-pixels", "float", "--threads", options.threads, "-o", folder, *more]
@@ -91,7 +91,7 @@ def their_view(folder, samples, frame, view):
 
 
 def cycles(field, folder, levels, reference_spp):
-    """CPU seconds of one render at each number of samples, of those that start a frame and of the others."""
+    """Returns the CPU seconds per render at each number of samples, for renders that start a frame and for the others."""
     options = field.options
     renders = [{"frame": f, "view": v, "samples": s, "seed": 99 if s == reference_spp else 7, "out": str(their_view(folder, s, f, v))}
                for s in (*levels, reference_spp) for f, v in field.compared()]
@@ -115,7 +115,7 @@ def mean_psnr(field, reference_of, test_of):
 
 
 def seconds_at(psnr, levels):
-    """levels: (dB, seconds), ascending. Beyond the measured ones along the nearest two."""
+    """levels: (dB, seconds), ascending. Extrapolates from the nearest two."""
     after = next((i for i in range(1, len(levels) - 1) if levels[i][0] >= psnr), len(levels) - 1)
     (a, start), (b, end) = levels[after - 1], levels[after]
     return start * (end / start) ** ((psnr - a) / (b - a))
@@ -134,7 +134,7 @@ def measure(field):
     their_converged = lambda f, v: their_view(theirs, options.reference_spp, f, v)
     likeness = mean_psnr(field, their_converged, converged)
     if likeness < LIKENESS_DB:
-        raise SystemExit(f"the converged views of both are only {likeness:.2f} dB alike: nothing to compare")
+        raise SystemExit(f"the converged views of both agree only at {likeness:.2f} dB, too little to compare")
     psnr = mean_psnr(field, converged, lambda f, v: our_view(mine, f, v))
     levels = []
     for spp in options.levels:
@@ -153,7 +153,7 @@ def show(row):
     for level in row["cycles"]:
         print("  Cycles {spp:5} samples {psnr_db:6.2f} dB {cpu_seconds:9.1f} CPU s".format(**level))
     print("  ours   {spp:5} samples {psnr_db:6.2f} dB {cpu_seconds:9.1f} CPU s".format(**row))
-    beyond = ", beyond what was measured" if row["extrapolated"] else ""
+    beyond = ", extrapolated" if row["extrapolated"] else ""
     print(f"  Cycles at our PSNR: {row['cycles_cpu_seconds']:.1f} CPU s{beyond} = {row['ratio']:.2f} x (bar {BAR:.0f} x)")
 
 
@@ -163,10 +163,10 @@ def parse():
     parser.add_argument("--panorama", type=pathlib.Path)
     parser.add_argument("--view", type=float, nargs=2, default=(25.0, 15.0), metavar=("YAW", "PITCH"))
     parser.add_argument("--frames", type=int, default=4)
-    parser.add_argument("--size", type=int, default=96, help="of a view, pixels")
+    parser.add_argument("--size", type=int, default=96, help="pixels per side of a view")
     parser.add_argument("--spp", type=int, default=16)
     parser.add_argument("--reference-spp", type=int, default=1024)
-    parser.add_argument("--levels", type=int, nargs="+", default=[32, 128, 512], help="samples of Cycles")
+    parser.add_argument("--levels", type=int, nargs="+", default=[32, 128, 512], help="numbers of samples for Cycles")
     parser.add_argument("--compared-views", type=int, default=4)
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--output", type=pathlib.Path)
@@ -175,7 +175,7 @@ def parse():
     options = parser.parse_args()
     options.levels.sort()
     if len(set(options.levels)) < 2 or options.levels[0] < 1 or options.reference_spp in options.levels:
-        parser.error("--levels must be at least two numbers of samples, none of them that of --reference-spp")
+        parser.error("--levels needs at least two numbers of samples other than --reference-spp")
     if not 2 <= options.compared_views <= FAN or options.frames < 1:
         parser.error(f"--compared-views must be 2 to {FAN}, --frames at least 1")
     return options

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""Path tracing beside Blender's Cycles: the same scenes, cameras and lights, PSNR between both and samples per CPU second of each.
+"""Compares path tracing with Blender's Cycles: PSNR between both and samples per CPU second of each, for the same scenes.
 
   bench/cycles_peers.py [NAME ...] [--size N] [--spp N] [--output DIR] [--tool PATH] [--threads N] [--json]
 
-Scenes: those of bench/cycles/fixtures.py (for files of the user's own: bench/gltf_fidelity.py). Blender builds their materials from the file as glTF 2.0's
-appendix B has them (bench/cycles/gltf_in_blender.py). PSNR is of 8-bit sRGB codes (lippmann compare). Speed: the CPU seconds of
-`spp` samples less those of an eighth of them, so that neither side's set-up counts. Needs Debian's blender and python3-numpy.
+Scenes: bench/cycles/fixtures.py (for your own files: bench/gltf_fidelity.py). Blender builds their materials from the file as in
+glTF 2.0's appendix B (bench/cycles/gltf_in_blender.py). PSNR is of 8-bit sRGB codes (lippmann compare). Speed: the CPU seconds of
+`spp` samples minus those of an eighth of them, which excludes set-up. Needs Debian's blender and python3-numpy.
 """
 
 import argparse
@@ -20,7 +20,7 @@ import fixtures  # noqa: E402
 import peers  # noqa: E402
 
 HERE = pathlib.Path(__file__).parent
-VERTICES = 8  # of a path, both sides
+VERTICES = 8  # of a path, for both
 
 
 def ours(tool, scene, panorama, size, spp, folder, threads):

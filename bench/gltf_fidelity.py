@@ -1,15 +1,19 @@
 #!/usr/bin/python3
-"""What glTF files look like here and in other renderers: each against the median of the others.
+"""Compares our pictures of glTF files with those of other renderers: each against the median of the others.
 
   bench/gltf_fidelity.py FOLDER_OR_CONFIG [--out DIR] [--cycles] [--importer] [--three] [--only NAME ...] [--size N] [--spp N] [--tone CURVE] [--json] ...
 
-Scenarios are those of a configuration in the form of glTF Render Fidelity's, or a folder's glTF files (bench/fidelity/scenarios.py). Each is rendered as one
-pinhole view and held against the reference pictures beside the configuration, and with --cycles against Cycles, which gets the same file, camera, light and number
-of samples, and the view transform "Standard" (bench/cycles/gltf_in_blender.py says what its surfaces are). --importer adds Blender's own import of
-the file, --three the path tracer three-gpu-pathtracer (npm ci in bench/fidelity/three; Chromium). Prints PSNR and FLIP of each renderer against the median of the others and million samples per CPU second of both programs (of `spp` samples
-less those of an eighth of them, so that set-up does not count), how alike both programs' pictures could be at most for their noise, and writes DIR/fidelity.html with pictures side by side. What others have rendered is kept in DIR, and
-used again until the file, the light or the numbers change. A renderer that cannot show a file is named in its row, and so is what Blender's importer does not read of it. With two others or more it says how near these are to one another, and in how many scenarios ours is nearer to their
-median. Needs python3-numpy; for --cycles and --importer, Debian's blender.
+Scenarios come from a configuration in the form of glTF Render Fidelity's, or from a folder's glTF files (bench/fidelity/scenarios.py).
+Each is rendered as one pinhole view and compared with the reference pictures beside the configuration. --cycles adds Cycles, with the
+same file, camera, light, number of samples and view transform "Standard" (bench/cycles/gltf_in_blender.py describes its surfaces);
+--importer adds Blender's own import of the file, --three the path tracer three-gpu-pathtracer (npm ci in bench/fidelity/three;
+Chromium).
+
+Prints PSNR and FLIP of each renderer against the median of the others, million samples per CPU second (of `spp` samples minus those
+of an eighth of them, which excludes set-up), and the PSNR that noise alone allows. Writes DIR/fidelity.html with pictures side by
+side. Pictures of other renderers are kept in DIR until the file, the light or the numbers change. A row names renderers that cannot
+show a file, and features that Blender's importer does not read. With two or more others, prints how near these are to one another,
+and in how many scenarios ours is nearer to their median. Needs python3-numpy; for --cycles and --importer, Debian's blender.
 """
 
 import argparse
@@ -33,7 +37,7 @@ import peers  # noqa: E402
 import pictures  # noqa: E402
 import scenarios  # noqa: E402
 
-VIEW = (25.0, 15.0)  # yaw and pitch of files that bring no camera
+VIEW = (25.0, 15.0)  # yaw and pitch for files without a camera
 
 
 @dataclasses.dataclass
@@ -54,7 +58,7 @@ def has_lamps(doc):
 
 
 def place_camera(copy, scenario, options):
-    """The scenario's camera, the file's own, or one that sees what the tool would show by default."""
+    """Adds the scenario's camera, the file's own, or one with the tool's default view."""
     if not scenario.orbit and copy.name_own_camera(scenario.width / scenario.height):
         return
     if scenario.orbit:
@@ -70,7 +74,7 @@ def place_camera(copy, scenario, options):
 def one_copy(model):
     try:
         return one_file.OneFile(model)
-    except (OSError, ValueError, KeyError, struct.error) as error:  # of a damaged file, or one whose parts are missing
+    except (OSError, ValueError, KeyError, struct.error) as error:  # a damaged file, or one with missing parts
         raise peers.Failed(f"{model.name}: {error!r}") from error
 
 
@@ -87,7 +91,7 @@ def set_up(scenario, options):
 
 
 def ours(shot, spp, options):
-    """The picture's file, and CPU seconds."""
+    """Returns the picture's file, and CPU seconds."""
     out = shot.folder / f"lippmann-{spp}"
     command = [options.tool, "render", shot.file, "--camera", shot.camera, "--optics", "single", "--size", f"{shot.width}x{shot.height}", "--integrator", "path",
                "--denoise", "none", "--spp", spp, "--seed", spp, "--max-depth", options.vertices, "--threads", options.threads, "--frames", "0-0", "--environment",
@@ -105,14 +109,14 @@ def million_samples_per_second(shot, spp, seconds, few_seconds):
 
 
 def few_and_all(shot, name, options):
-    """Files and CPU seconds of a picture of few samples and of one of all; no seconds where they say nothing of the renderer."""
+    """Returns files and CPU seconds of a picture with few samples and of one with all; seconds are None if they do not measure the renderer."""
     if name != "lippmann":
         return [(pathlib.Path(r["out"]), r["cpu_seconds"]) for r in others.RENDERERS[name](shot, options)]
     return [ours(shot, spp, options) for spp in (others.few(options.spp), options.spp)]
 
 
 def pictures_of(shot, name, options, facts):
-    """The picture of one renderer; its speed, its noise and what of the file it does not read go to `facts`."""
+    """Returns the picture of one renderer, and stores its speed, its noise and the features that it does not read in `facts`."""
     (less, few_seconds), (more, seconds) = few_and_all(shot, name, options)
     picture = pictures.read(more)
     if seconds is not None:
@@ -122,7 +126,7 @@ def pictures_of(shot, name, options, facts):
 
 
 def rendered(shot, options):
-    """{renderer: RGBA picture}, speeds and noise, what is to be said of them, and {renderer: why it has no picture}."""
+    """Returns {renderer: RGBA picture}, speeds and noise, notes, and {renderer: reason of a missing picture}."""
     named, notes, facts, failed = {}, [], {}, {}
     for name in ["lippmann", *options.peers]:
         try:
@@ -132,25 +136,25 @@ def rendered(shot, options):
     for name, file in shot.scenario.references.items():
         reference = pictures.shrunk(pictures.read(file), shot.width, shot.height)
         if reference is None:
-            notes.append(f"{name} is left out: {file.name} is no whole number of times {shot.width} x {shot.height} pixels")
+            notes.append(f"{name} is left out: the size of {file.name} is not a multiple of {shot.width} x {shot.height} pixels")
         else:
             named[name] = reference
     return named, facts, notes, failed
 
 
 def row_of(scenario, named=None, facts=None, notes=(), failed=None, unread=None):
-    """What the table says of a scenario; without figures where fewer than two renderers have a picture of it."""
+    """Returns a scenario's row of the table, without figures if fewer than two renderers have a picture."""
     named, facts, failed, unread = named or {}, facts or {}, failed or {}, unread or {}
     judged = judge.judged(named) if len(named) > 1 else {}
     notes = [*notes, *(f"{name} has no picture: {why}" for name, why in failed.items()),
-             *(f"{name} does not show what the file has by {', '.join(what)}" for name, what in unread.items() if what)]
+             *(f"{name} does not show {', '.join(what)}, which the file uses" for name, what in unread.items() if what)]
     among = judge.among_others(named, "lippmann") if judged else None
     return {"scenario": scenario.name, "notes": notes, "failed": failed, "unread": unread, "noise_db": judge.noise_together(facts), "among_others_db": among, **facts,
             "renderers": {name: {k: j[k] for k in ("psnr_db", "flip")} for name, j in judged.items()}}, judged
 
 
 def measure(scenario, options, out):
-    """A row of the table, which the page gets too; none where there is nothing to compare with."""
+    """Returns a row of the table and adds it to the page; None if there is nothing to compare with."""
     try:
         shot = set_up(scenario, options)
     except peers.Failed as failure:
@@ -159,7 +163,7 @@ def measure(scenario, options, out):
         return row
     named, facts, notes, failed = rendered(shot, options)
     if len(named) < 2 and not failed:
-        print(f"{scenario.name}: no other renderer's picture; add goldens/{scenario.name}/RENDERER{scenarios.GOLDEN} or say --cycles", file=sys.stderr)
+        print(f"{scenario.name}: no picture of another renderer; add goldens/{scenario.name}/RENDERER{scenarios.GOLDEN} or --cycles", file=sys.stderr)
         return None
     row, judged = row_of(scenario, named, facts, notes, failed, {name: others.unread(shot, name) for name in options.peers if name in named})
     out.add(row, judged, named)
@@ -175,14 +179,14 @@ def line(row):
 
 
 def sentence(rows):
-    """In how many scenarios ours is as near to the median of the others as these are to one another; empty where none has two others."""
-    told = [row for row in rows if row["among_others_db"] is not None and "lippmann" in row["renderers"]]
-    near = sum(row["renderers"]["lippmann"]["psnr_db"] >= row["among_others_db"] for row in told)
-    return f"lippmann is as near to the median of the others as they are to one another in {near} of {len(told)} scenarios" if told else ""
+    """Returns in how many scenarios ours is as near to the median of the others as they are to one another; empty without two others."""
+    compared = [row for row in rows if row["among_others_db"] is not None and "lippmann" in row["renderers"]]
+    near = sum(row["renderers"]["lippmann"]["psnr_db"] >= row["among_others_db"] for row in compared)
+    return f"lippmann is as near to the median of the others as they are to one another in {near} of {len(compared)} scenarios" if compared else ""
 
 
 def reservations(rows):
-    """What the figures are not about."""
+    """Returns what the figures do not cover."""
     failed = [row["scenario"] for row in rows if row["failed"]]
     unread = [row["scenario"] for row in rows if any(row["unread"].values())]
     return [f"{len(names)} of {len(rows)} scenarios {what}: {', '.join(names)}"
@@ -190,7 +194,7 @@ def reservations(rows):
 
 
 def without_infinity(value):
-    """For JSON, which knows none: the PSNR of pictures that are the same is null."""
+    """Returns a value for JSON, which has no infinity: the PSNR of equal pictures is null."""
     if isinstance(value, dict):
         return {key: without_infinity(item) for key, item in value.items()}
     if isinstance(value, list):
@@ -202,16 +206,16 @@ def parse():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scenarios", type=pathlib.Path, metavar="FOLDER_OR_CONFIG")
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("fidelity"), help="folder for pictures and the page")
-    parser.add_argument("--only", nargs="+", metavar="NAME", help="these scenarios")
+    parser.add_argument("--only", nargs="+", metavar="NAME", help="only these scenarios")
     parser.add_argument("--cycles", action="store_true")
     parser.add_argument("--importer", action="store_true")
     parser.add_argument("--three", action="store_true")
-    parser.add_argument("--environment", type=pathlib.Path, dest="panorama", help="of scenarios without lighting; default: a soft sky with a warm sun")
-    parser.add_argument("--dark", action="store_true", help="files that have lamps get no panorama but a scenario's own")
-    parser.add_argument("--size", type=int, default=256, help="the longer side of pictures is at most this")
+    parser.add_argument("--environment", type=pathlib.Path, dest="panorama", help="panorama for scenarios without lighting; default: a soft sky with a warm sun")
+    parser.add_argument("--dark", action="store_true", help="use only a scenario's own panorama for files with lamps")
+    parser.add_argument("--size", type=int, default=256, help="largest width or height of pictures, in pixels")
     parser.add_argument("--spp", type=int, default=256)
-    parser.add_argument("--vertices", type=int, default=12, help="of a path, at most")
-    parser.add_argument("--tone", default="none", help="view transform of ours, as that of the reference pictures: none, neutral or agx")
+    parser.add_argument("--vertices", type=int, default=12, help="largest number of vertices of a path")
+    parser.add_argument("--tone", default="none", help="our view transform, which must match the reference pictures: none, neutral or agx")
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--tool", type=pathlib.Path, default=HERE.parent / "build" / "release" / "lippmann")
     parser.add_argument("--json", action="store_true")
@@ -219,7 +223,7 @@ def parse():
     options.out = options.out.resolve()
     options.peers = [name for name in others.RENDERERS if getattr(options, name)]
     if options.peers and options.tone != "none":
-        parser.error("--tone: beside renderers whose pictures are plain sRGB, only none compares")
+        parser.error("--tone: must be none beside renderers with plain sRGB pictures")
     return options
 
 

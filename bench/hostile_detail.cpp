@@ -1,4 +1,4 @@
-// Detail as fine as pixels, of shape and of colour: neighbouring pixels are not of the same surface, or not of one colour.
+// Geometry and texture as fine as pixels: neighbouring pixels show different surfaces or colours.
 #include <cmath>
 #include <vector>
 
@@ -86,7 +86,7 @@ Scene textured_room() {
   room.floor = add_textured(scene, matte(Vec3f(1.0f)), checker(Vec3f(0.75f), {0.15f, 0.2f, 0.3f}));
   room.rear = room.left = add_textured(scene, matte(Vec3f(1.0f)), checker({0.75f, 0.6f, 0.4f}, {0.3f, 0.1f, 0.08f}));
   MetallicRoughness plaster = matte(Vec3f(1.0f));
-  plaster.base_color_map.matrix = glm::mat2(1.0f / 16.0f);  // once in 64 pixels
+  plaster.base_color_map.matrix = glm::mat2(1.0f / 16.0f);  // repeats every 64 pixels
   room.right = room.ceiling = room.viewer_end = add_textured(scene, plaster, grain({0.5f, 0.5f, 0.45f}, 1));
   room.tile = kSquares;
   add_room(scene, room);

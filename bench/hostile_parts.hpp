@@ -1,4 +1,4 @@
-// What the hostile scenes are put together from: nodes, materials, rooms, lamps, motions from frame to frame, and the view.
+// Building blocks of the hostile scenes: nodes, materials, rooms, lamps, motions between frames, and the view.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ inline constexpr int kHostileFrames = 16;
 inline constexpr double kHostileFramesPerSecond = 25.0;
 inline constexpr Vec3f kUp(0.0f, 1.0f, 0.0f);
 
-/// Without anything in it.
+/// Returns an empty scene.
 Scene empty_scene(const std::string& name);
 
 // ---- Materials. Each returns its index. ---------------------------------------------------------------------------------
@@ -29,7 +29,7 @@ int add_textured(Scene& scene, MetallicRoughness surface, Texture texture);
 
 /// A checkerboard of two by two squares.
 Texture checker(Vec3f light, Vec3f dark);
-/// Grain of every size down to a texel.
+/// Noise with detail of every size down to a texel.
 Texture grain(Vec3f color, std::uint32_t seed);
 
 // ---- Shapes -------------------------------------------------------------------------------------------------------------
@@ -39,40 +39,40 @@ Mesh box_mesh(Vec3f center, Vec3f size);
 int add_node(Scene& scene, int parent, Vec3f place = Vec3f(0.0f));
 void show(Scene& scene, Shape shape, int material, int node = -1);
 
-/// A floor in y = 0 around the origin; its texture repeats every `tile`.
+/// Adds a floor in y = 0 around the origin; its texture repeats every `tile` metres.
 void add_floor(Scene& scene, float half_size, int material, float tile = 1.0f);
 
-/// Six walls seen from inside: floor y = 0, ceiling y = height, the viewer's end at z = front. Materials: of which -1 leaves
-/// the wall out.
+/// Six walls seen from inside: floor y = 0, ceiling y = height, the viewer's end at z = front. A material of -1 leaves the wall
+/// out.
 struct Room {
   float half_width = 1.6f, height = 2.0f, back = -1.5f, front = 4.0f;
   int floor = -1, ceiling = -1, left = -1, right = -1, rear = -1, viewer_end = -1;
-  float tile = 1.0f;  ///< textures repeat every so many metres
+  float tile = 1.0f;  ///< period of the textures, in metres
 };
 void add_room(Scene& scene, const Room& room);
-/// All walls light but for a red one on the left and a green one on the right.
+/// Returns a room with light walls, except a red one on the left and a green one on the right.
 Room painted_room(Scene& scene);
 
-/// A square of that half size that shines downwards: its back, as faces shine on both sides, is covered.
+/// Adds a square lamp that shines downwards. Its back is covered, because faces emit from both sides.
 void add_lamp(Scene& scene, Vec3f center, float half_size, Vec3f radiance, int node = -1);
-/// A ball that shines.
+/// Adds a glowing ball.
 void add_ball_lamp(Scene& scene, float radius, Vec3f radiance, int node);
-/// Falls off with the square of distance; shines from the node.
+/// Adds a point light at the node; falls off with the squared distance.
 void add_point_light(Scene& scene, Vec3f color, int node);
 
-// ---- Motion. `of_frame` gives the value at frames 0 to kHostileFrames - 1. -------------------------------------------------
+// ---- Motion. `of_frame` returns the value at frames 0 to kHostileFrames - 1. -----------------------------------------------
 
 void move(Scene& scene, int node, const std::function<Vec3f(float frame)>& of_frame,
           Interpolation interpolation = Interpolation::kLinear);
-/// Radians about a unit axis, less than half a turn from frame to frame.
+/// Rotates about a unit axis, in radians, by less than half a turn per frame.
 void turn(Scene& scene, int node, Vec3f axis, const std::function<float(float frame)>& of_frame);
 
 // ---- The view -----------------------------------------------------------------------------------------------------------
 
-/// An array of that height around `center`, seen from `yaw` to the right and `pitch` from above. Returns its node.
+/// Adds an array of this height around `center`, seen from `yaw` to the right and `pitch` above. Returns its node.
 int look_at(Scene& scene, Vec3f center, float yaw, float pitch, float height, float distance);
 
-/// All lengths times `factor`, of scenes without lights that fall off with distance: the picture stays the same.
+/// Scales all lengths by `factor`. The picture of scenes without lights that fall off with distance stays the same.
 Scene scaled(Scene scene, float factor);
 
 }  // namespace lippmann::bench

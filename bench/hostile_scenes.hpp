@@ -1,7 +1,7 @@
-// Scenes whose light is hard to denoise, built in code; each has one difficulty.
+// Scenes that are hard to denoise, built in code; each has one difficulty.
 //
-// Lengths are metres, +y is up, materials are glTF's. Each is an animation of 16 frames, 25 a second, in which things move by
-// several pixels a frame.
+// Lengths are metres, +y is up, materials are glTF's. Each is an animation of 16 frames, 25 per second, in which objects move
+// by several pixels per frame.
 #pragma once
 
 #include <functional>
@@ -15,13 +15,13 @@ namespace lippmann::bench {
 
 struct HostileScene {
   std::string name;
-  std::string difficulty;        ///< what is hard about it, one line
+  std::string difficulty;        ///< one line on the difficulty
   std::function<Scene()> build;  ///< passes validate()
   RenderParams params;           ///< optics, size and samples of path tracing
   int frames = 16;
 };
 
-/// In the order in which they are listed and run.
+/// Returns the scenes in the order of lists and runs.
 const std::vector<HostileScene>& hostile_scenes();
 
 }  // namespace lippmann::bench

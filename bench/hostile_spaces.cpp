@@ -1,4 +1,4 @@
-// Spaces that are seen on the move or lit by what comes back from other surfaces, and a skinned thing that walks.
+// Interiors seen from a moving camera or lit indirectly, and a walking skinned mesh.
 #include <cmath>
 
 #include "bench/hostile_builders.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr Vec3f kRight(1.0f, 0.0f, 0.0f);
 
-/// A box along y from 0 to `height`, in many segments.
+/// Returns a box along y from 0 to `height`, in many segments.
 Mesh segmented_box(float width, float height, int segments) {
   Mesh mesh;
   const float w = 0.5f * width, h = 0.5f * height / static_cast<float>(segments);
@@ -25,7 +25,7 @@ Mesh segmented_box(float width, float height, int segments) {
   return mesh;
 }
 
-/// Every vertex hangs on the two joints that it stands between, of `joints` at equal heights.
+/// Binds every vertex to the two nearest of `joints` equally spaced joints.
 void bind_to_joints(Mesh& mesh, float height, int joints) {
   mesh.skin.per_vertex = 2;
   for (const Vec3f& p : mesh.positions) {
@@ -37,7 +37,7 @@ void bind_to_joints(Mesh& mesh, float height, int joints) {
   }
 }
 
-/// Chairs, shelves and a table, of boxes.
+/// Adds chairs, shelves and a table, made of boxes.
 void add_furniture(Scene& scene, int wood, int cloth) {
   show(scene, box_mesh({-0.7f, 0.42f, -0.5f}, {0.9f, 0.06f, 0.6f}), wood);
   for (const float x : {-1.1f, -0.3f})
@@ -47,7 +47,7 @@ void add_furniture(Scene& scene, int wood, int cloth) {
   for (const float y : {0.9f, 1.2f, 1.5f}) show(scene, box_mesh({-0.9f, y, -1.38f}, {0.9f, 0.04f, 0.24f}), wood);
 }
 
-/// A light that shines along the node's -z, from a place towards another.
+/// Adds a light that shines along the node's -z, from one point to another.
 void add_aimed_light(Scene& scene, LightKind kind, Vec3f from, Vec3f to, Vec3f color) {
   Light light;
   light.kind = kind;
@@ -110,7 +110,7 @@ Scene furnished_room() {
   Scene scene = empty_scene("furnished");
   Room room = painted_room(scene);
   room.left = room.ceiling;
-  room.right = -1;  // where the sun comes in
+  room.right = -1;  // opening for the sun
   room.floor = add_material(scene, matte({0.5f, 0.35f, 0.2f}));
   add_room(scene, room);
   const int wood = add_material(scene, glossy({0.4f, 0.22f, 0.1f}, 0.5f)),

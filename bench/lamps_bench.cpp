@@ -1,8 +1,8 @@
-// What many lamps cost: path-traced frames of one room below 10, 100, 1,000 and 10,000 lamps of the same power in sum, and the
-// CPU time that each takes to be as near to the truth as the frame of ten lamps.
+// Measures the cost of many lamps: path-traced frames of one room below 10, 100, 1,000 and 10,000 lamps of the same total
+// power, and the CPU time that each needs for the error of the frame with ten lamps.
 //
-// Noise falls as samples grow: a frame's squared error times its CPU time is what it is worth. Both are of the same run, the
-// time is the least of several; references have another seed.
+// The squared error is inversely proportional to the number of samples, so the product of squared error and CPU time measures
+// efficiency. Both come from the same run; the time is the minimum of several runs. References use another seed.
 #include <fmt/core.h>
 
 #include <random>
@@ -22,8 +22,8 @@ constexpr int kLampsSamples = 64, kLampsReferenceSamples = 1024, kQuickLampsRefe
 constexpr std::uint32_t kLampsReferenceSeed = 77;
 constexpr float kLampsPower = 12.0f;  ///< radiant intensity of all lamps of a room
 
-// The eye looks down a little at the middle of the picture, which is so high there, from five times that height away. What is
-// more than kLampsFront before the middle, as the wall behind the viewer, is not seen.
+// The eye looks slightly down at the middle of the picture from five times the picture's height away. Anything more than
+// kLampsFront in front of the middle, such as the wall behind the viewer, is invisible.
 constexpr Vec3f kLampsMiddle{0.0f, 0.95f, -0.2f};
 constexpr float kLampsPitch = radians(8.0f), kLampsPictureHeight = 2.1f, kLampsPanelMm = 100.0f, kLampsEyeMm = 500.0f,
                 kLampsFront = 3.6f;
@@ -53,7 +53,7 @@ class LampPlaces {
   std::mt19937 random_{5};
 };
 
-/// A rotation that takes -z to a direction.
+/// Returns a rotation that takes -z to a direction.
 Quatf turned_to(Vec3f direction) {
   const Vec3f axis = glm::cross(Vec3f(0.0f, 0.0f, -1.0f), direction);
   return glm::normalize(Quatf(1.0f - direction.z, axis.x, axis.y, axis.z));
@@ -77,9 +77,9 @@ Vec3f lamps_eye() {
          kLampsPictureHeight * kLampsEyeMm / kLampsPanelMm * Vec3f(0.0f, std::sin(kLampsPitch), std::cos(kLampsPitch));
 }
 
-/// Squares of the area that gives them that power together, in one mesh for each hue. The eye is in the plane of each and so
-/// sees none: seen, they are far smaller than pixels and far brighter than white, and the noise of their edges, which no choice
-/// of lights changes, would hide what is measured.
+/// Adds squares with this total area, in one mesh per hue. The eye lies in the plane of each and so sees none: visible lamps
+/// are far smaller than pixels and far brighter than white, and the noise of their edges, which does not depend on the choice
+/// of lights, would hide the result.
 void add_square_lamps(Scene& scene, int count, LampPlaces& places) {
   Mesh meshes[4];
   const float half = std::min(0.05f, 0.4f / std::sqrt(static_cast<float>(count)));

@@ -18,7 +18,7 @@ namespace lippmann::bench {
 inline constexpr int kBlockSide = 8;
 inline constexpr int kEdgeCodes = 16;  ///< minimum difference, in any channel, between neighbouring pixels across an edge
 
-/// The shape of a stack of views.
+/// Shape of a stack of views.
 struct ViewStack {
   ViewGrid grid;
   Vec2i view_size{0, 0};
@@ -31,28 +31,28 @@ using Frames = std::vector<Image8>;
 using Reference = std::array<Image8, 2>;
 using References = std::vector<Reference>;
 
-/// The mean of both halves.
+/// Returns the mean of both halves.
 Image8 mean_of(const Reference& reference);
 
-/// Mean squared error over all frames, pixels and channels, in squared codes, at least 0. Both arguments need the same number
-/// of frames, of the same size.
+/// Returns the mean squared error over all frames, pixels and channels, in squared codes, at least 0. Both arguments need the
+/// same number of frames, of the same size.
 double mean_squared_error(const References& references, const Frames& test);
 
 /// Returns the mean code of every block, for three channels each.
 std::vector<double> block_means(const Image8& stack, Vec2i view_size);
 
-/// Mean squared error of the block means. NaN without blocks.
+/// Returns the mean squared error of the block means. NaN without blocks.
 double block_squared_error(const References& references, const Frames& test, Vec2i view_size);
 
-/// Mean squared error of the pixels on both sides of an edge in the reference. NaN without edges.
+/// Returns the mean squared error of the pixels on both sides of an edge in the reference. NaN without edges.
 double edge_squared_error(const References& references, const Frames& test, Vec2i view_size);
 
-/// Linear light of the test divided by that of the references, each summed over all frames, pixels and channels. Light above
-/// the brightest code is clipped. NaN if the references are black.
+/// Returns the linear light of the test divided by that of the references, each summed over all frames, pixels and channels.
+/// Light above the brightest code is clipped. NaN if the references are black.
 double mean_light_ratio(const References& references, const Frames& test);
 
-/// Mean of |a - 2 b + c| in codes, over three neighbouring views in a row of the grid, or over three consecutive frames. NaN
-/// with fewer than three.
+/// Returns the mean of |a - 2 b + c| in codes, over three neighbouring views in a row of the grid, or over three consecutive
+/// frames. NaN with fewer than three.
 double view_flicker(const Frames& frames, const ViewStack& views);
 double frame_flicker(const Frames& frames);
 

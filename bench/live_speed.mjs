@@ -1,6 +1,7 @@
-// How soon `lippmann view room` shows a change: the first coarse light field, the draft, and how near the draft is to the render.
+// Measures how soon `lippmann view room` shows a change: the first coarse light field, the draft, and the PSNR of the draft
+// against the render.
 //   node bench/live_speed.mjs [LIPPMANN]
-// Times are those of a clock, and the processor's, of all threads of the server: half of that on two free cores.
+// Prints wall-clock seconds and CPU seconds of all server threads; on two free cores, half of the latter is the ideal time.
 import { execFileSync, spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -13,7 +14,7 @@ const server = spawn(tool, ["view", "room", "--integrator", "path", "--spp", "64
 const address = await new Promise((resolve) => server.stdout.once("data", (text) => resolve(String(text).trim())));
 const origin = new URL(address).origin;
 
-/** Seconds of the clock, and of the processor. */
+/** Returns seconds of the clock and of the processor. */
 function now() {
   const fields = readFileSync(`/proc/${server.pid}/stat`, "utf8").split(") ")[1].split(" ");
   return { clock: performance.now() / 1000, cpu: (Number(fields[11]) + Number(fields[12])) / 100 };
@@ -56,7 +57,7 @@ const final = await until(version, ["final"]);
 writeFileSync(join(folder, "final.webp"), await picture(final.id));
 const finished = since(start);
 const compared = JSON.parse(execFileSync(tool, ["compare", "draft.webp", "final.webp", "--json"], { cwd: folder, encoding: "utf8" }));
-console.log("48 views of 128x128 of the room, paths, after a turn of the camera; what was under way is cancelled:");
+console.log("48 views of 128x128 of the room, path traced, after a turn of the camera that cancels work in progress:");
 console.log(`  first coarse light field   ${text({ clock: median(firsts, "clock"), cpu: median(firsts, "cpu") })} (medians of ${firsts.length})`);
 console.log(`  draft                      ${text(drafted)}`);
 console.log(`  as rendered                ${text(finished)}`);

@@ -63,7 +63,7 @@ Error foreign_option(const std::string& option, const CLI::App& command) {
   return usage_error(option, "is not an option of " + command.get_name(), fmt::format("{}", fmt::join(accepted, ", ")));
 }
 
-/// Describes what CLI11 refused in terms of benchmarks.
+/// Translates CLI11's errors into terms of benchmarks.
 Error wrong_usage(const CLI::App& root, const CLI::ParseError& refusal) {
   const std::vector<std::string> words = root.remaining(), all_words = root.remaining(true);
   const std::vector<const CLI::App*> commands = root.get_subcommands([](const CLI::App* app) { return app->parsed(); });
@@ -73,7 +73,7 @@ Error wrong_usage(const CLI::App& root, const CLI::ParseError& refusal) {
   return usage_error(commands.front()->get_name(), refusal.what());
 }
 
-/// Results and complaints about frames that were stopped half-way are wrong, so a cancelled run ends with `interrupted()`.
+/// Results and errors of frames that were stopped half-way are wrong, so a cancelled run ends with `interrupted()`.
 Report run_to_the_end(const Benchmark& benchmark, const Request& request, const Context& context) {
   try {
     Report report = benchmark.run(request, context);
@@ -115,7 +115,7 @@ int run(int argc, char** argv) {
   Context context;
   context.threads = options.threads;
   std::mutex warning_mutex;
-  std::set<std::string> warnings;  // a scene that is loaded several times warns as often
+  std::set<std::string> warnings;  // loading a scene several times repeats its warnings
   context.warn = [&](std::string_view text) {
     const std::lock_guard lock(warning_mutex);
     if (warnings.emplace(text).second) print_error("warning: {}\n", printable_line(text));

@@ -1,9 +1,9 @@
-// The own frame of a calibrated slanted panel, every sub-pixel with its ray, beside the frame that is interlaced from a
-// quilt of 48 views, as such displays usually get it: both against one interlaced from 512 views with as many pixels as the
-// panel.
+// Compares the native frame of a calibrated slanted panel, in which every sub-pixel has its own ray, with a frame interlaced
+// from a quilt of 48 views, the usual input of such displays. The reference is interlaced from 512 views with as many pixels as
+// the panel.
 //
-// The panel is an eighth of a Looking Glass Portrait each way, with its pixels, lenses and the share of pixels that its quilt's
-// tiles have. PSNR of 8-bit codes; CPU time of rendering alone, interlacing comes on top of the quilt's.
+// The panel is an eighth of a Looking Glass Portrait in width and height, with its pixels and lenses and the same ratio of tile
+// pixels to panel pixels. PSNR is of 8-bit codes. CPU time is of rendering alone; the quilt also needs interlacing.
 #include <fmt/core.h>
 
 #include "bench/benchmarks.hpp"
@@ -32,7 +32,7 @@ Display small_portrait() {
   return display;
 }
 
-/// 512 views, each with the panel's pixels.
+/// Returns the display with 512 views, each with the panel's pixels.
 Display with_many_views(Display display) {
   display.quilt->columns = 32, display.quilt->rows = 16;
   display.quilt->width = 32 * display.pixels.x, display.quilt->height = 16 * display.pixels.y;
@@ -44,7 +44,7 @@ class NativeBench {
   NativeBench(const BenchScene& scene, const ThreadPool& pool, const Context& context)
       : scene_(scene), pool_(pool), context_(context), stage_(ResolvedJob(scene.params), pool, context) {}
 
-  /// A frame on those optics; adds the CPU seconds to `seconds`.
+  /// Renders a frame with these optics and adds its CPU seconds to `seconds`.
   Image render(const Optics& optics, double& seconds) {
     stage_.placed.optics = optics;
     stage_.placed.units_per_mm = scene_units_per_mm(stage_.array, window_size_mm(optics).y);
@@ -95,7 +95,7 @@ Report measure_native(const Request& request, const Context& context) {
         measure_difference(reference, bench.interlaced(display, ViewFilter::kNearest, quilt_seconds)).psnr_db;
     const double linear = measure_difference(reference, bench.interlaced(display, ViewFilter::kLinear, ignored)).psnr_db;
     const double gain = native - std::max(nearest, linear);
-    if (gain < kLeastGain) throw Error("native", scene.name + ": the own frame is not sharper than the interlaced one");
+    if (gain < kLeastGain) throw Error("native", scene.name + ": the native frame is not sharper than the interlaced one");
     ++report.passed_checks;
     report.rows.push_back({{"scene", scene.name},
                            {"native_psnr_db", rounded(native)},

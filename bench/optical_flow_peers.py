@@ -1,13 +1,13 @@
 #!/usr/bin/python3
-"""In-between frames by optical flow beside ours, on the same integral images, every 2nd frame given.
+"""Compares in-between frames with optical flow, on the same integral images, given every 2nd frame.
 
   bench/optical_flow_peers.py [SCENE ...] [--frames N] [--first F] [--output DIR] [--tool PATH]
 
-Optical flow guesses motion from the key frames' pictures; Lippmann knows it. Peers: ffmpeg's minterpolate (motion-compensated, on
-the integral image as it is), and DIS flow in every directional view (T. Kroeger, R. Timofte, D. Dai, L. Van Gool, "Fast optical
-flow using dense inverse search", ECCV 2016), both ways, warped to the middle and averaged, as OpenCV has it.
-Prints mean PSNR over the in-between frames, of all pixels and of those that change between the two key frames, and leaves a
-picture per scene with traced, ours and the peers side by side. Needs Debian's python3-opencv and ffmpeg.
+Optical flow estimates motion from the key frames' pictures; Lippmann uses the scene's. Peers: ffmpeg's minterpolate
+(motion-compensated, on the integral image), and DIS flow in every directional view (T. Kroeger, R. Timofte, D. Dai, L. Van Gool, "Fast
+optical flow using dense inverse search", ECCV 2016), in both directions, warped to the middle and averaged, with OpenCV. Prints mean
+PSNR over the in-between frames, for all pixels and for those that change between the two key frames, and writes a picture per scene
+with traced, ours and the peers side by side. Needs Debian's python3-opencv and ffmpeg.
 """
 
 import argparse
@@ -20,7 +20,7 @@ import cv2
 import numpy as np
 
 LENS_PIXELS = 8  # the default array of `lippmann render`
-BEYOND = 4  # keys more than needed: minterpolate looks ahead and ends early
+BEYOND = 4  # extra keys: minterpolate looks ahead and ends early
 
 
 def run(*command, cwd=None):
@@ -28,7 +28,7 @@ def run(*command, cwd=None):
 
 
 def render(tool, scene, first, last, folder, *options):
-    """Frames first ... last as arrays of 8-bit codes, with all of the scene's depth, as the paper's."""
+    """Renders frames first ... last as arrays of 8-bit codes, with the scene's full depth as in the paper."""
     run(tool, "render", *scene.split(), "--full-depth", "--frames", f"{first}-{last}", "--output", folder, *options)
     return [cv2.imread(str(path)) for path in sorted(folder.glob("frame_*.png"))]
 
@@ -45,7 +45,7 @@ def minterpolate(keys, work):
 
 
 def warped_half_way(image, flow):
-    """The image half a flow further on. Flow is taken at the place looked up, which for small motion is near enough."""
+    """Returns the image warped by half the flow. Flow is read at the target position, which is accurate enough for small motion."""
     height, width = flow.shape[:2]
     x, y = np.meshgrid(np.arange(width, dtype=np.float32), np.arange(height, dtype=np.float32))
     return cv2.remap(image, x - 0.5 * flow[..., 0], y - 0.5 * flow[..., 1], cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
@@ -57,7 +57,7 @@ def dis_flow(keys):
     for before, after in zip(keys, keys[1:]):
         between = np.empty_like(before)
         for view in range(LENS_PIXELS):
-            # A view has one column per lens: wide pixels, made square for the search.
+            # A view has one column per lens: wide pixels, scaled to squares for the search.
             a, b = (cv2.resize(key[:, view::LENS_PIXELS], (before.shape[1], before.shape[0])) for key in (before, after))
             gray_a, gray_b = (cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY) for picture in (a, b))
             forth, back = dis.calc(gray_a, gray_b, None), dis.calc(gray_b, gray_a, None)
@@ -77,7 +77,7 @@ def psnr(truth, made, where=None):
 
 
 def figures(traced, made):
-    """Mean PSNR of in-between frames: of all pixels, of those that differ between the keys. Frames without any error do not count."""
+    """Returns the mean PSNR of in-between frames: of all pixels, and of those that differ between the keys. Skips frames without error."""
     every, moving = [], []
     for i, picture in enumerate(made):
         before, truth, after = traced[2 * i], traced[2 * i + 1], traced[2 * i + 2]
@@ -113,7 +113,7 @@ def compare(scene, options):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("scenes", nargs="*", metavar="SCENE", help="as for lippmann render, with its options in one word")
-    parser.add_argument("--frames", type=int, default=16, help="of each animation")
+    parser.add_argument("--frames", type=int, default=16, help="frames of each animation")
     parser.add_argument("--first", type=int, default=100)
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("out/optical-flow"))
     parser.add_argument("--tool", default=pathlib.Path(__file__).parent.parent / "build/release/lippmann")

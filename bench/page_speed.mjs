@@ -1,5 +1,5 @@
-// How fast the page of `lippmann view` is in headless Chromium with software graphics: the first picture of 48 frames, eyes a
-// second, bytes.
+// Measures the page of `lippmann view` in headless Chromium with software graphics: the time to the first picture of 48 frames,
+// eyes per second, bytes.
 //   node bench/page_speed.mjs [LIPPMANN]     (needs chromium, and npm ci in tests/page)
 import { readdirSync, statSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
@@ -20,7 +20,7 @@ async function firstPicture(address) {
   return milliseconds;
 }
 
-/** The eye moves in every frame of the screen; each is drawn to its end before the next. Says how finely, where not as at rest. */
+/** Moves the eye in every frame of the screen and waits until each is drawn. Prints the divisor if pictures are coarser than at rest. */
 async function eyesASecond(page, seconds) {
   const [rate, divisor] = await page.evaluate(async (seconds) => {
     const [x, y, z] = window.lippmann.fields[0].eye_mm;
@@ -45,7 +45,7 @@ rows.push(["first picture, 48 frames of 512x512", `${(median(firsts) / 1000).toF
 const animation = await open(await view("animation"), { width: 850, height: 680 });
 await animation.waitForTimeout(3000);
 rows.push(["eyes a second, 512x512, 8 views", await eyesASecond(animation, 3)]);
-// To the page every frame of the screen seems to take no time.
+// Makes every frame of the screen appear to take no time.
 const script = "const inTime = window.requestAnimationFrame.bind(window); window.requestAnimationFrame = (then) => inTime((now) => then(1e-3 * now));";
 const fine = await open(await view("animation"), { width: 850, height: 680, script });
 await fine.waitForTimeout(3000);

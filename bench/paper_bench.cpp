@@ -1,4 +1,4 @@
-// The tables of the paper that this project starts from, on the built-in scenes and on Tachyon's own.
+// The tables of the paper that this project is based on, for the built-in scenes and Tachyon's own.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ std::vector<ReuseMethod> forward_methods(RenderParams params) {
   std::vector<ReuseMethod> methods;
   for (const bool halving : {false, true})
     for (const int interval : {2, 4, 8}) {
-      if (halving && interval == 2) continue;  // the same
+      if (halving && interval == 2) continue;  // same as without halving
       params.reuse.halving = halving;
       params.reuse.keyframes = interval;
       methods.push_back({halving ? "forward, halving" : "forward", params});
@@ -75,7 +75,7 @@ Json frames_of(const ReuseRun& run) {
   return frames;
 }
 
-/// Times one frame of a scene, its first lens and all of it, in one style.
+/// Times one frame of a scene, its first lens and the whole frame, in one style.
 class StyleTimer {
  public:
   StyleTimer(const BenchScene& scene, const ThreadPool& pool, const Context& context)
@@ -128,7 +128,7 @@ class StyleTimer {
   Image film_;
 };
 
-/// On one thread, which is what CPU time is taken of.
+/// Measures on one thread, whose CPU time is the wall time.
 std::vector<StyleRow> measure_styles(const Request& request, const Context& context) {
   const ThreadPool pool(1);
   std::vector<StyleRow> rows;
@@ -174,7 +174,7 @@ Json styles_json(const std::vector<StyleRow>& rows) {
 
 Report measure_paper(const Request& request, const Context& context) {
   const NewFolder csv_folder(std::filesystem::path(request.csv).parent_path()), plot_folder(request.plot);
-  if (!request.csv.empty()) AtomicFile{request.csv};  // refuses now, not after long work, what cannot be written
+  if (!request.csv.empty()) AtomicFile{request.csv};  // fails early if the file cannot be written
   std::vector<ReuseRun> runs;
   Report report;
   report.details = {{"frames", Json::array()}};

@@ -1,4 +1,4 @@
-// Plots of interpolated animations: PSNR per frame, and savings.
+// Plots interpolated animations: PSNR per frame, and savings.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace lippmann::bench {
 
-/// Makes the folder and writes psnr_<scene>.png for every scene, and saving.png. Throws Error.
+/// Creates the folder and writes psnr_<scene>.png for every scene, and saving.png. Throws Error.
 void plot_reuse(const std::vector<ReuseRun>& runs, const std::filesystem::path& folder);
 
 }  // namespace lippmann::bench

@@ -35,7 +35,7 @@ struct PaperStyles {
 constexpr PaperStyles kTable3[] = {{"teapot", 0.046, 0.046},     {"room", 0.016, 0.016}, {"small-balls", 0.016, 0.016},
                                    {"primitives", 0.015, 0.016}, {"tree", 0.156, 0.230}, {"gears", 0.062, 0.078}};
 
-/// The paper's name of one of our scenes.
+/// Returns the paper's name of one of our scenes.
 std::string papers_name(const std::string& scene) {
   constexpr std::string_view kTachyon = "tachyon ";
   const std::string name = scene.starts_with(kTachyon) ? scene.substr(kTachyon.size()) : scene;
@@ -69,7 +69,7 @@ std::string line_of(const ReuseFrame& frame, int keyframes) {
   return line + '\n';
 }
 
-/// The paper's table is of its teapot: Tachyon's stands for it, else our own, else whatever comes first.
+/// The paper's table is of its teapot: uses Tachyon's, else our own, else the first scene.
 std::string scene_of_table_1(const std::vector<ReuseRun>& runs) {
   for (const std::string_view name : {"tachyon teapot", "teapot"})
     for (const ReuseRun& run : runs)
@@ -77,7 +77,7 @@ std::string scene_of_table_1(const std::vector<ReuseRun>& runs) {
   return runs.front().scene;
 }
 
-/// Frames of the paper's table where there are any, else the first few.
+/// Selects the frames of the paper's table if there are any, else the first few.
 bool is_listed(const ReuseRun& run, const ReuseFrame& frame) {
   const int from = std::begin(kTable1)->frame, to = std::prev(std::end(kTable1))->frame;
   const bool has_them = run.frames.front().frame <= from && run.frames.back().frame >= to;

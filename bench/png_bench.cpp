@@ -1,4 +1,5 @@
-// CPU time and size of one 512 x 512 PNG for each way to compress it: the table of docs/lab/decisions/0002-png-compression.md.
+// Measures CPU time and size of one 512 x 512 PNG for each compression: the table of
+// docs/lab/decisions/0002-png-compression.md.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +24,7 @@ namespace {
 constexpr int kPngSize = 512, kLensPixels = 8;
 
 struct Ball {
-  Vec3f center;  // pixels; z: how far a view moves it
+  Vec3f center;  // pixels; z: shift per view
   float radius;
   Vec3f color;
 };
@@ -57,7 +58,7 @@ Vec3f shade(float x, float y, float view) {
 
 enum class Kind { kView, kIntegral, kNoisyIntegral };
 
-/// One directional view, or 64 lenses of 8 pixels, or these with the noise of few path-traced samples.
+/// One directional view, 64 lenses of 8 pixels, or these with the noise of few path-traced samples.
 Image8 make_picture(Kind kind) {
   Image film(kPngSize, kPngSize, 3);
   for (int y = 0; y < kPngSize; ++y)
@@ -125,7 +126,7 @@ Report measure_png(const Request& request, const Context& context) {
     const Image8 image = make_picture(kind);
     for (const Setting& setting : settings()) {
       if (context.cancelled) throw interrupted();
-      if (!comes_back(image, setting.options)) throw Error("png", "a picture does not come back from its PNG");
+      if (!comes_back(image, setting.options)) throw Error("png", "a decoded PNG differs from its picture");
       ++report.passed_checks;
       report.rows.push_back(measure(name, image, setting));
     }

@@ -1,4 +1,4 @@
-// Runs another program and says what CPU time it took.
+// Runs another program and measures its CPU time.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 
 namespace lippmann::bench {
 
-/// User and system CPU seconds of a program from start to end, its output thrown away. `program` and its arguments are looked
-/// for and passed on as a shell would; it runs in `folder`. Throws Error where it cannot be started or fails.
+/// Returns user and system CPU seconds of a program, whose output is discarded. Finds `program` and passes its arguments as a
+/// shell would; runs it in `folder`. Throws Error if it cannot be started or fails.
 double cpu_seconds_of(const std::vector<std::string>& program, const std::filesystem::path& folder);
 
 }  // namespace lippmann::bench

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""CPU time of a render by the Python package beside the tool's: the same frame, the same file, in turns.
+"""Compares the CPU time of a render by the Python package with the tool's: the same frame, the same file, in turns.
 
   PYTHONPATH=build/release/python bench/python_binding.py build/release/lippmann [RUNS]
 
-Prints medians of user CPU seconds of whole processes, starting included, of rendering alone, and their ratios; and the largest
-memory of both. The pictures have to be the same bytes.
+Prints medians of user CPU seconds of whole processes, including their start, and of rendering alone, with their ratios, and the peak
+memory of both. The pictures must have the same bytes.
 """
 
 import json
@@ -25,7 +25,7 @@ print(json.dumps(field.report["cpu_seconds"]))
 
 
 def measured(command):
-    """User CPU seconds, largest memory in MB, and what was printed."""
+    """Returns user CPU seconds, peak memory in MB, and the output."""
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
     said = process.stdout.read()
     _, status, usage = os.wait4(process.pid, 0)
@@ -52,7 +52,7 @@ def main():
             sys.exit("the pictures differ")
     figures["python"] = [(user, cpu, memory) for user, memory, cpu in figures["python"]]
     median = {who: [statistics.median(run[i] for run in rows) for i in range(3)] for who, rows in figures.items()}
-    print(f"{SCENE} on {DISPLAY}, {SPP} samples a pixel, one thread, medians of {runs} runs in turns")
+    print(f"{SCENE} on {DISPLAY}, {SPP} samples per pixel, one thread, medians of {runs} runs in turns")
     print(f"{'':28}{'tool':>9}{'python':>9}{'ratio':>8}")
     for i, name in enumerate(("process, user CPU s", "rendering alone, CPU s", "largest memory, MB")):
         one, other = median["tool"][i], median["python"][i]

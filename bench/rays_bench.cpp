@@ -1,9 +1,9 @@
-// Rays per second of our primary pass and of whole Whitted frames, beside a bare Embree loop over the very same rays.
+// Measures rays per second of our primary pass and of whole Whitted frames, compared with a bare Embree loop over the same
+// rays.
 //
-// The bare loop is handed ready packets: it copies a packet's rays, traces it and keeps the hit in registers; no ray
-// generation, no shading, no picture. Its time is taken strip by strip with the strip's packets fresh in cache, so that it does
-// not wait for memory that our side never touches. One thread. Each row is the median over repetitions of ratios taken within
-// one repetition.
+// The bare loop gets prepared packets: it copies a packet's rays, traces it and keeps the hit in registers, without ray
+// generation, shading or picture. It is timed strip by strip with the strip's packets in cache, so that it does not wait for
+// memory that our side never touches. One thread. Each row is the median over repetitions of ratios within one repetition.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ namespace {
 
 constexpr int kRaysRepetitions = 7;
 
-/// The packets of a strip, each kept in `log` where there is one.
+/// The packets of a strip, also kept in `log` if there is one.
 struct LoggedStrip {
   StripPackets packets;
   RayLog* log = nullptr;
@@ -54,7 +54,7 @@ LIPPMANN_MULTIVERSION void store_hits(const RayHitPacket& packet, float* t, floa
   }
 }
 
-/// The primary pass: stores what camera rays hit, packet by packet; of lanes that hit nothing, t is where the ray ends.
+/// The primary pass: stores the hits of camera rays, packet by packet; for lanes without a hit, t is the end of the ray.
 class StoredHits {
  public:
   explicit StoredHits(const PacketSource& source) {
@@ -69,7 +69,7 @@ class StoredHits {
   }
   void finish() {}
 
-  std::vector<float> t;  ///< along the ray from its start
+  std::vector<float> t;  ///< along the ray from its origin
 
  private:
   std::size_t at_ = 0;
@@ -77,7 +77,7 @@ class StoredHits {
   std::vector<std::uint32_t> geometry_, primitive_;
 };
 
-/// Traces ready packets; returns a sum over the results so that nothing is optimised away.
+/// Traces prepared packets. Returns a sum of the results, so that nothing is optimised away.
 double trace_bare(const RayScene& rays, const RayLog& log) {
   const RayScene::Embree& scene = rays.embree();
   RayHitPacket packet;
@@ -146,7 +146,7 @@ class RayBench {
     return result;
   }
 
-  /// The hits that the primary pass stores must be those of the bare loop, ray by ray.
+  /// Checks that the primary pass and the bare loop have the same hits, ray by ray.
   void check() {
     const int strip = source_.strips() / 2;
     log_.clear(), hits_.clear();
@@ -173,7 +173,7 @@ class RayBench {
     primaries_.clear();
     for (const LoggedPacket& packet : log_)
       if (!packet.shadow && packet.coherence == Coherence::kCoherent) primaries_.push_back(packet);
-    // Each side runs twice and the second run counts: both find caches and branch predictors alike.
+    // Each side runs twice and the second run counts, so that caches and branch predictors are in the same state.
     WhittedTracer timed(scene_, beam_, {max_depth_}, {.all = film_.data.data()});
     times.whitted += second_run([&] { trace_strip(scene_, packets, timed); });
     times.bare_all += second_run([&] { sink_ = sink_ + trace_bare(scene_, log_); });

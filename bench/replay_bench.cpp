@@ -1,10 +1,9 @@
-// Eye views through the arrays of the built-in room from 25 eyes inside the viewing zone, beside direct pinhole views from
-// there.
+// Compares eye views through the arrays of the built-in room, from 25 eyes inside the viewing zone, with direct pinhole views.
 //
-// Both have one sample per lens (of a sheet: per lens and panel row), at the lens's centre. PSNR of 8-bit codes, of all pixels
-// and by the depth of what the direct view sees, in parts of the depth budget N g: to a quarter of it, to a half, to all of it,
-// and beyond, where a pixel is wider than a lens. Each view is also held against that of an eye a fifth of the zone away:
-// depth must be the right way round, behind the display and before it; and in the same picture made pseudoscopic, the wrong.
+// Both have one sample per lens (for a sheet: per lens and panel row), at the lens's centre. PSNR is of 8-bit codes, for all
+// pixels and by the depth in the direct view, relative to the depth budget N g: up to a quarter, up to a half, up to all of it,
+// and beyond, where a pixel is wider than a lens. Each view is also compared with that of an eye a fifth of the zone away:
+// depth must be orthoscopic both behind and in front of the display, and pseudoscopic after conversion.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -30,13 +29,13 @@
 namespace lippmann::bench {
 namespace {
 
-constexpr int kEyes = 5;               ///< in each direction, or squared in one
-constexpr double kBaseline = 1.0 / 5;  ///< how far apart two eyes are, as a share of the zone
+constexpr int kEyes = 5;               ///< per axis of the zone; squared for parallax in one direction
+constexpr double kBaseline = 1.0 / 5;  ///< distance of two eyes, as a share of the zone
 
 using Layers = std::array<double, 4>;  ///< up to 1/4, 1/2, 1 of the depth budget; beyond
 constexpr Layers kLayerEnds{0.25, 0.5, 1.0, kInfinity};
 
-/// What an eye should see: colours and depths, of every n-th column where a lens has n.
+/// The expected view of an eye: colours and depths, of every n-th column if a lens has n columns.
 struct DirectView {
   Image film, depth;
 };
@@ -62,7 +61,7 @@ class ReplayBench {
 
   const Optics& optics() const { return recorded_.optics; }
 
-  /// Shares of the zone, from its left and lower end.
+  /// Returns the eye at these shares of the zone, from its left and lower end.
   Vec3d eye_at(double across, double along) const {
     const double up = parallax_of(optics()).along ? zone_x_mm(optics(), along, eye_z_mm_) : 0.0;
     return {zone_x_mm(optics(), across, eye_z_mm_), up, eye_z_mm_};
@@ -74,7 +73,7 @@ class ReplayBench {
     return eye_view(panel, view, pool_);
   }
 
-  /// Traced in square pixels; where a lens has an even number of them, its centre lies between two: samples are moved there.
+  /// Traced in square pixels. If a lens has an even number of them, its centre lies between two, and samples are moved there.
   DirectView direct(Vec3d eye_mm) const {
     const int per_lens =
         std::max(1, static_cast<int>(std::lround(static_cast<double>(grid_.y) / grid_.x * display_window(optics()).size.x /
@@ -95,7 +94,7 @@ class ReplayBench {
 
   DepthOrder depth_order(const RenderedPanel& panel, const DirectView& truth, Vec3d eye_mm) const {
     const double step = zone_x_mm(optics(), 0.5 + kBaseline, eye_z_mm_);
-    const double baseline = eye_mm.x > 0.0 ? -step : step;  // towards the middle: inside the zone
+    const double baseline = eye_mm.x > 0.0 ? -step : step;  // towards the middle, which is inside the zone
     const Image view = replayed(panel, eye_mm), other = replayed(panel, eye_mm + Vec3d(baseline, 0.0, 0.0));
     return measure_depth_order(view, other, truth.depth, eye_z_mm_, baseline, display_window(optics()).size.x / grid_.x);
   }
@@ -117,7 +116,7 @@ class ReplayBench {
   double eye_z_mm_ = 0.0;
 };
 
-/// PSNR of codes over the pixels for which `wanted`; infinite for none.
+/// Returns the PSNR of codes over the pixels selected by `wanted`; infinite if there are none.
 template <class Wanted>
 double psnr_where(const Image8& a, const Image8& b, const Wanted& wanted) {
   double sum = 0.0;
@@ -168,8 +167,8 @@ void measure(const std::string& name, const ReplayBench& bench, Report& report) 
     const DepthOrder order = bench.depth_order(bench.recorded(), truth, eye);
     check(order.behind_db > 0.0 && order.front_db > 0.0, name + ": depth is inverted", eye, report);
     const DepthOrder inverted = bench.depth_order(pseudoscopic, truth, eye);
-    check(inverted.behind_db < 0.0 && inverted.front_db < 0.0, name + ": the measure does not tell pseudoscopic pictures", eye,
-          report);
+    check(inverted.behind_db < 0.0 && inverted.front_db < 0.0, name + ": the measure does not detect pseudoscopic pictures",
+          eye, report);
     report.rows.push_back(row_of(name, bench, eye, truth, order));
   }
 }

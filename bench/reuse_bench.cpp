@@ -1,5 +1,5 @@
-// What reuse between frames saves of our own full tracing, and how near to it the pictures are: whole animations, key frames
-// counted.
+// Measures the savings of reuse between frames relative to full tracing, and the PSNR of its frames, for whole animations
+// including key frames.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr double kFloor = 50.0;  // dB
 constexpr int kRounds = 3;
 
-/// Plain interpolation, whose errors have no bound, is in `lippmann-bench paper`.
+/// Plain interpolation, whose error has no bound, is measured by `lippmann-bench paper`.
 std::vector<ReuseMethod> reuse_methods(RenderParams params) {
   params.reuse.choice = ReuseChoice::kCopy;
   const ReuseMethod exact{"exact", params};
@@ -28,8 +28,8 @@ std::vector<ReuseMethod> reuse_methods(RenderParams params) {
   return {exact, {fmt::format("forward, {:.0f} dB", kFloor), params}};
 }
 
-/// psnr_db: of the frames that differ from the traced ones, null where none does. tachyon_ratio: how many times as long the
-/// program tachyon takes for as many pixels.
+/// psnr_db: of the frames that differ from the traced ones, null if none differs. tachyon_ratio: time of the program tachyon
+/// for the same number of pixels, relative to ours.
 Json row_of(const ReuseRun& run, std::optional<double> tachyon_seconds) {
   const double frames = static_cast<double>(run.frames.size());
   const Json ratio = tachyon_seconds ? Json(rounded(*tachyon_seconds * frames / run.seconds())) : Json(nullptr);

@@ -1,4 +1,4 @@
-// Figures in the reports of benchmarks.
+// Numbers in the reports of benchmarks.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace lippmann::bench {
 
-/// To three decimals; null where there is none, or where it is not finite: JSON has no infinity.
+/// Rounds to three decimals. Returns null for a missing or non-finite value, since JSON has no infinity.
 inline nlohmann::ordered_json rounded_or_null(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? nlohmann::ordered_json(rounded(*value)) : nlohmann::ordered_json(nullptr);
 }

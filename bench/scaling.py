@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""How a film renders on many nodes: a model of units, their start-up, stragglers, key frames and disks, with measured constants.
+"""Models the rendering of a film on many nodes: units, their start-up, stragglers, key frames and disks, with measured constants.
 
-python3 bench/scaling.py prints the table of docs/lab/scaling.md; --help says what can be told of another film and other machines.
+python3 bench/scaling.py prints the table of docs/lab/scaling.md; --help lists the parameters for other films and machines.
 
-All times are wall times in seconds, on nodes that are alike. A node is what runs one unit at a time.
+All times are wall times in seconds, on equal nodes. A node renders one unit at a time.
 """
 
 import argparse
@@ -13,23 +13,23 @@ import math
 import random
 
 NODES = [1, 10, 100, 300, 1000, 3000, 10000]
-UNITS_PER_NODE = 8  # as ranks of MPI have
+UNITS_PER_NODE = 8  # as MPI ranks have
 
 
 @dataclasses.dataclass(frozen=True)
 class Film:
-    """A job and the machines that render it; docs/lab/scaling.md says where the default values come from."""
+    """A job and the machines that render it; docs/lab/scaling.md gives the sources of the default values."""
 
     frames: int = 10_000
-    segment: int = 1  # frames that are made together: a key frame interval where frames are reused
-    frame_s: float = 60.0  # to render a frame, on one node
-    first_s: float = 0.0  # what the first frame of a segment takes more
-    startup_s: float = 25.0  # to start a process and load the scene, which every unit pays
-    spread: float = 0.1  # standard deviation of what a unit takes, as a share of it
-    frame_bytes: float = 30e6  # of a frame's files
-    disk_bytes_s: float = 1e9  # that the common folder takes of all nodes together
-    syncs: int = 3  # waits for the disk a frame
-    disk_syncs_s: float = 250.0  # that the common folder does for all nodes together
+    segment: int = 1  # frames rendered together: the key frame interval if frames are reused
+    frame_s: float = 60.0  # time to render a frame on one node
+    first_s: float = 0.0  # extra time of the first frame of a segment
+    startup_s: float = 25.0  # time to start a process and load the scene, for every unit
+    spread: float = 0.1  # standard deviation of a unit's time, relative to its mean
+    frame_bytes: float = 30e6  # size of a frame's files
+    disk_bytes_s: float = 1e9  # write rate of the shared folder for all nodes together
+    syncs: int = 3  # waits for the disk per frame
+    disk_syncs_s: float = 250.0  # syncs per second of the shared folder for all nodes together
 
 
 def segments_of(film):
@@ -37,7 +37,7 @@ def segments_of(film):
 
 
 def unit_sizes(film, units):
-    """Frames of every unit: as src/distribute/units.cpp cuts them, in whole segments."""
+    """Returns the frames of every unit, in whole segments, as src/distribute/units.cpp cuts them."""
     segments = segments_of(film)
     parts = min(units, segments)
     sizes = [0] * parts
@@ -51,25 +51,25 @@ def unit_seconds(film, frames):
 
 
 def whole_seconds(film):
-    """On one node, in one process."""
+    """Returns the time on one node, in one process."""
     return unit_seconds(film, film.frames)
 
 
 def disk_seconds(film):
-    """Below which no number of nodes comes: the folder's bandwidth and its syncs."""
+    """Returns the lower bound for any number of nodes: the folder's bandwidth and its syncs."""
     return film.frames * max(film.frame_bytes / film.disk_bytes_s, film.syncs / film.disk_syncs_s)
 
 
 def longest_seconds(film, units):
-    """The longest of so many units: of a normal spread, about sqrt(2 ln n) deviations above the mean."""
+    """Returns the longest of `units` units: for a normal distribution, about sqrt(2 ln n) deviations above the mean."""
     sizes = unit_sizes(film, units)
     rendering = unit_seconds(film, max(sizes)) - film.startup_s
     return film.startup_s + rendering * (1.0 + film.spread * math.sqrt(2.0 * math.log(len(sizes))))
 
 
 def bounds_seconds(film, nodes, units):
-    """(least, most). Nodes take the next unit as they are done with the last, so that none waits while there are units: all end
-    within the longest unit of each other (Graham, Bounds on multiprocessing timing anomalies, 1969, theorem 1).
+    """Returns (least, most). A node takes the next unit as soon as it is free, so none waits while there are units: all end within the
+    longest unit of each other (Graham, Bounds on multiprocessing timing anomalies, 1969, theorem 1).
 
     least = max(work / nodes, disk), most = max(work / nodes + (1 - 1 / nodes) longest, disk).
     """
@@ -80,7 +80,7 @@ def bounds_seconds(film, nodes, units):
 
 
 def drawn_seconds(film, units, draw):
-    """What each unit takes, log-normal: none takes less than nothing, and a few take much longer."""
+    """Returns random log-normal times of the units: all positive, a few much longer than the mean."""
     sigma = math.sqrt(math.log(1.0 + film.spread**2))
     return [
         film.startup_s + (unit_seconds(film, size) - film.startup_s) * math.exp(draw.gauss(-0.5 * sigma**2, sigma))
@@ -89,7 +89,7 @@ def drawn_seconds(film, units, draw):
 
 
 def scheduled_seconds(durations, nodes):
-    """When the last unit ends, where each node takes the next as it is done."""
+    """Returns the end of the last unit if each node takes the next unit as soon as it is free."""
     ends = [0.0] * nodes
     for duration in durations:
         heapq.heappush(ends, heapq.heappop(ends) + duration)
@@ -105,7 +105,7 @@ def median_seconds(film, nodes, units, seeds=9):
 
 
 def table(film, nodes_list, units_per_node):
-    """Lines of the table: for each number of nodes its units, hours, and shares of what all nodes could do."""
+    """Yields the lines of the table: for each number of nodes its units, hours, and efficiency."""
     yield "| nodes | units | hours, simulated | efficiency, simulated | efficiency at least | disk busy |"
     yield "|---|---|---|---|---|---|"
     for nodes in nodes_list:

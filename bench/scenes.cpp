@@ -24,7 +24,7 @@ bool is_tachyons(const std::string& name) {
   return std::find(std::begin(kTachyonNames), std::end(kTachyonNames), name) != std::end(kTachyonNames);
 }
 
-/// Files of Tachyon's scenes, of those that the request names, that its folder does not hold.
+/// Returns the files of the requested Tachyon scenes that are missing from its folder.
 std::vector<std::string> missing_tachyon_files(const Request& request) {
   std::vector<std::string> missing;
   for (const std::string name : kTachyonNames)
@@ -38,7 +38,7 @@ Error no_tachyon_scenes(const Request& request) {
           "a folder with Tachyon's scenes (--tachyon-scenes DIR); Debian has them in the package tachyon-doc"};
 }
 
-/// Throws Error for a name that no animation has, and for one of Tachyon's alone whose files are not there.
+/// Throws Error for an unknown animation, and for one that only Tachyon has if its files are missing.
 void require_animations(const Request& request) {
   std::string known;
   for (const BuiltinScene& builtin : builtin_scenes()) known += std::string(builtin.name) + ", ";
@@ -53,13 +53,13 @@ void require_animations(const Request& request) {
   }
 }
 
-/// Measuring goes on without: the built-in teapot and room have the same names as two of Tachyon's scenes.
+/// Measuring continues without Tachyon's files, because the built-in teapot and room have the names of two of its scenes.
 void warn_of_missing_tachyon_files(const Request& request, const Context& context) {
   const std::vector<std::string> missing = missing_tachyon_files(request);
   if (missing.empty()) return;
   context.warning(
-      fmt::format("Tachyon's scenes are left out, and with them columns that compare with the paper: {} has no {}. "
-                  "Debian's package tachyon-doc has them; --tachyon-scenes names another folder.",
+      fmt::format("Tachyon's scenes and the columns that compare with the paper are left out: {} has no {}. "
+                  "Install Debian's package tachyon-doc, or name another folder with --tachyon-scenes.",
                   request.tachyon_scenes, fmt::join(missing, ", ")));
 }
 

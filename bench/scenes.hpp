@@ -1,4 +1,4 @@
-// The scenes that benchmarks run on: every built-in one behind the default lens array, at a moment when everything has moved.
+// The scenes of benchmarks: every built-in scene behind the default lens array, at a moment when all objects have moved.
 #pragma once
 
 #include <string>
@@ -9,8 +9,7 @@
 
 namespace lippmann::bench {
 
-/// What every benchmark starts from: whatever a display could resolve, all of a scene's depth is rendered, as in the paper and
-/// in all figures of before depth was fitted by default.
+/// Returns the parameters that benchmarks start from: a scene's full depth, whatever a display can resolve, as in the paper.
 RenderParams params_of(const std::string& scene);
 
 struct BenchScene {
@@ -19,22 +18,21 @@ struct BenchScene {
   int frame = 0;
 };
 
-/// Those that the request names, built-in ones or files; all built-in ones where it names none. Throws Error.
+/// Returns the requested scenes, built-in ones or files; all built-in ones by default. Throws Error.
 std::vector<BenchScene> bench_scenes(const Request& request, const Context& context);
 
-/// The frames that an animation with reuse is measured on: from a key frame of every interval up to 8.
+/// The frames of an animation for measuring reuse, which start at a key frame of every interval up to 8.
 struct BenchAnimation {
-  std::string name;      ///< Tachyon's own are called "tachyon teapot" and so on
+  std::string name;      ///< Tachyon's own are named "tachyon teapot" and so on
   RenderParams params;   ///< as in BenchScene
   int first = 0, count;  ///< frames; `first` is a multiple of 8
 };
 
-/// All built-in scenes, and Tachyon's own three with their camera paths where they are found: those that the request names; and
-/// the large teapot, 384 lenses of 10 pixels, where it asks for that.
-/// Throws Error.
+/// Returns the requested ones of all built-in scenes and of Tachyon's own three with their camera paths, if its files are
+/// found; with --large also the large teapot, 384 lenses of 10 pixels. Throws Error.
 std::vector<BenchAnimation> bench_animations(const Request& request, const Context& context);
 
-/// Which of Tachyon's own teapot, room and smallballs (.dat) are in a folder; those of them that the request names.
+/// Returns the requested ones of Tachyon's teapot, room and smallballs (.dat) that the folder contains.
 std::vector<BenchScene> tachyon_scenes(const Request& request);
 
 }  // namespace lippmann::bench

@@ -5,7 +5,7 @@
 
 namespace lippmann::bench {
 
-/// Hits among the trials of one group, whose trials depend on each other.
+/// Hits among the trials of one group. Trials within a group may be correlated.
 struct Share {
   int hits = 0, trials = 0;
 };
@@ -13,7 +13,7 @@ struct Share {
 struct ShareEstimate {
   int hits = 0, trials = 0;
   double share = 0.0;           ///< NaN without trials
-  double standard_error = 0.0;  ///< of independent groups; of one group that of independent trials
+  double standard_error = 0.0;  ///< for independent groups; for a single group, of independent trials
 };
 
 /// All hits over all trials. The error is that of a ratio of sums over n groups (Cochran, Sampling Techniques, 1977, eq. 6.13

@@ -1,5 +1,5 @@
-// Spheres as our user geometry, tested against whole packets, beside RTC_GEOMETRY_TYPE_SPHERE_POINT: the same spheres, the same
-// primary packets, one thread, and nothing but the two Embree calls timed.
+// Compares spheres as our user geometry, tested against whole packets, with RTC_GEOMETRY_TYPE_SPHERE_POINT: the same spheres
+// and primary packets, one thread, timing only the two Embree calls.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -66,8 +66,8 @@ std::vector<float> distances(const EmbreeScene& scene, int native_width, const P
   return result;
 }
 
-/// CPU seconds of Embree's calls alone: packets are made ready a strip at a time, so that they are in cache, before the clock
-/// runs.
+/// Returns the CPU seconds of Embree's calls alone. Packets are prepared a strip at a time before the clock runs, so that they
+/// are in cache.
 double seconds_to_trace(const EmbreeScene& scene, int native_width, const Packets& packets) {
   constexpr std::size_t kStrip = 256;
   std::vector<RayHitPacket> ready(kStrip);
@@ -86,7 +86,7 @@ double seconds_to_trace(const EmbreeScene& scene, int native_width, const Packet
   return total;
 }
 
-/// Both sides must meet the same spheres at the same places, but for rays that graze one.
+/// Checks that both sides hit the same spheres at the same places, except for grazing rays.
 void check(const std::vector<float>& ours, const std::vector<float>& theirs) {
   std::size_t different = 0;
   for (std::size_t i = 0; i < ours.size(); ++i)

@@ -1,7 +1,8 @@
-// What splats cost: a synthetic capture, splats on the surfaces of a few shapes in typical sizes, in a quilt of 48 views.
+// Measures the cost of splats: a synthetic capture, with splats of typical sizes on the surfaces of a few shapes, in a quilt of
+// 48 views.
 //
-// The CPU time is that of a whole frame, beside the nearest hits of the same camera rays with two triangles in place of each
-// splat: what opaque pieces of surface cost that Embree alone meets. Both on one thread, the least of several runs.
+// The CPU time of a whole frame is compared with finding the nearest hits of the same camera rays when each splat is replaced
+// by two triangles, the cost of opaque surfaces in Embree alone. Both run on one thread; the minimum of several runs counts.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -25,7 +26,7 @@ namespace {
 
 constexpr int kSplatViewsAcross = 8, kSplatViewsDown = 6, kSplatRepetitions = 3;
 
-/// A place on a surface, its normal, and the colour there.
+/// A point on a surface with its normal and colour.
 struct SurfacePlace {
   Vec3f position, normal, color;
 };
@@ -43,11 +44,11 @@ class Capture {
   }
 
  private:
-  static constexpr float kArea = 40.0f;  ///< of all surfaces, about
+  static constexpr float kArea = 40.0f;  ///< approximate area of all surfaces
 
   float number(float from, float to) { return from + (to - from) * static_cast<float>(random_() & 0xffffffu) * 0x1p-24f; }
 
-  /// A ball, a ring and a wavy floor.
+  /// Places a point on a ball, a ring or a wavy floor.
   SurfacePlace place(int shape) {
     const float u = number(0.0f, 2.0f * kPi), v = number(0.0f, 2.0f * kPi);
     if (shape < 2) {
@@ -65,7 +66,8 @@ class Capture {
     return {{x, y, z}, {0.0f, 1.0f, 0.0f}, dark ? Vec3f(0.25f, 0.3f, 0.35f) : Vec3f(0.7f, 0.7f, 0.65f)};
   }
 
-  /// Flat along the normal, about as wide as the distance to the next, a few far larger; most of them dense.
+  /// Adds a splat that is flat along the normal and about as wide as the distance to the next; a few are far larger, most are
+  /// dense.
   void add(const SurfacePlace& at) {
     const float size = spacing_ * std::exp(number(-0.7f, 0.7f)) * (number(0.0f, 1.0f) < 0.01f ? 4.0f : 1.0f);
     splats_.centers.push_back(at.position + 0.1f * size * number(-1.0f, 1.0f) * at.normal);
@@ -96,7 +98,7 @@ Scene scene_of(Shape shape) {
   return scene;
 }
 
-/// Two triangles across each splat, to one standard deviation.
+/// Returns two triangles per splat, out to one standard deviation.
 Mesh squares_of(const Splats& splats) {
   Mesh mesh;
   for (std::size_t i = 0; i < splats.centers.size(); ++i) {
@@ -117,7 +119,7 @@ Optics quilt_of_splats(Vec2i view) {
   return optics;
 }
 
-/// What one ray sees, of every splat that there is, in the right order: the splats as they lie in memory, one by one.
+/// Returns the light that passes all splats along a ray, computed splat by splat.
 float passed_by_all(const ShadedScene& scene, const LaneRay& ray) {
   std::vector<std::pair<float, float>> met;
   for (const WorldSplat& splat : scene.splats.splats)
@@ -143,7 +145,7 @@ CameraPackets packets_of_strip(const PacketSource& source, int strip) {
   return packets;
 }
 
-/// A few rays let pass what all splats together let pass.
+/// Checks that a few rays pass the same light as computed from all splats.
 void check_rays(const ShadedScene& scene, const PacketSource& source) {
   const CameraPackets packets = packets_of_strip(source, source.strips() / 2);
   SplatHits hits;
@@ -154,11 +156,11 @@ void check_rays(const ShadedScene& scene, const PacketSource& source) {
     const float passed =
         passed_by_all(scene, {r.org_x[0], r.org_y[0], r.org_z[0], r.dir_x[0], r.dir_y[0], r.dir_z[0], r.tnear[0], r.tfar[0]});
     if (packets[p].active.lane[0] && !(std::abs(passed - light.passed[0]) < 2e-3f))
-      throw Error("splats", fmt::format("a ray lets {} pass, all splats {}", light.passed[0], passed));
+      throw Error("splats", fmt::format("a ray passes {} of the light, all splats pass {}", light.passed[0], passed));
   }
 }
 
-/// CPU seconds of the nearest hits of the camera rays. A strip at a time is made ready before the clock runs.
+/// Returns the CPU seconds for the nearest hits of the camera rays. Strips are prepared before the clock runs.
 double seconds_of_hits(const ShadedScene& scene, const PacketSource& source) {
   double total = 0.0;
   for (int strip = 0; strip < source.strips(); ++strip) {

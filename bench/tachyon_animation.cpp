@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kTinySize = 8;
 
-/// A camera path of its own with the animation's frames, one a line, for as long as it is needed.
+/// A temporary camera path with the animation's frames, one per line.
 class CameraFile {
  public:
   explicit CameraFile(const BenchAnimation& animation)

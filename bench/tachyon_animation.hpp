@@ -1,4 +1,4 @@
-// What the program tachyon takes for frames of an animation of its own: the paper's comparison, whose baseline it was.
+// Measures the program tachyon on frames of its own animations, as in the paper, whose baseline it was.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,9 @@
 
 namespace lippmann::bench {
 
-/// CPU seconds per frame of so many pixels, without antialiasing, one thread, from the animation's own camera path; reading the
-/// scene does not count. None where the animation is not one of Tachyon's, or the program is not there.
+/// Returns the CPU seconds per frame of this many pixels, without antialiasing, on one thread, along the animation's camera
+/// path, not counting the time to read the scene. Returns no value if the animation is not Tachyon's or the program is not
+/// installed.
 std::optional<double> tachyon_seconds_per_frame(const BenchAnimation& animation, double pixels);
 
 }  // namespace lippmann::bench

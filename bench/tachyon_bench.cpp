@@ -1,8 +1,9 @@
-// CPU time per pixel of a Whitted frame of ours beside the program tachyon, on its own scenes and cameras, one thread each.
+// Compares the CPU time per pixel of our Whitted frames with the program tachyon, on its own scenes and cameras, one thread
+// each.
 //
-// tachyon's time is the difference between a large and a tiny picture, so that reading the scene and building its structures
-// do not count; nor do ours. Two frames of ours: the same single view of the same size, and the integral image that our default
-// array around the same camera makes (the same pixels of scene, seen from 8 directions each).
+// tachyon's time is the difference between a large and a tiny picture, which excludes reading the scene and building its
+// structures, as ours does. Two frames of ours: the same single view of the same size, and the integral image of our default
+// array around the same camera (the same pixels of the scene, seen from 8 directions each).
 #include <fmt/core.h>
 
 #include <filesystem>
@@ -82,7 +83,7 @@ nlohmann::ordered_json measure_scene(const BenchScene& setup, const ThreadPool& 
 Report measure_tachyon(const Request& request, const Context& context) {
   const std::vector<BenchScene> scenes = tachyon_scenes(request);
   if (scenes.empty())
-    throw Error(request.tachyon_scenes, "none of teapot.dat, room.dat and smallballs.dat is there",
+    throw Error(request.tachyon_scenes, "contains none of teapot.dat, room.dat and smallballs.dat",
                 "a folder with Tachyon's scenes (--tachyon-scenes DIR); Debian has them in the package tachyon-doc");
   Report report;
   const ThreadPool pool(1);

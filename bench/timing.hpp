@@ -1,4 +1,4 @@
-// CPU time, and figures made of it.
+// Measures CPU time.
 #pragma once
 
 #include <functional>
@@ -6,15 +6,15 @@
 
 namespace lippmann::bench {
 
-/// CPU seconds that this thread spends in `work`: what other processes take does not count.
+/// Returns the CPU seconds that this thread spends in `work`, unaffected by other processes.
 double seconds(const std::function<void()>& work);
 
-/// The CPU seconds of the second of two runs: caches and branch predictors have seen the work before.
+/// Returns the CPU seconds of the second of two runs, when caches and branch predictors are warm.
 double second_run(const std::function<void()>& work);
 
 double median(std::vector<double> values);
 
-/// To three decimals, for reports.
+/// Rounds to three decimals, for reports.
 double rounded(double value);
 
 }  // namespace lippmann::bench

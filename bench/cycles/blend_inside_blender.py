@@ -1,9 +1,10 @@
-"""Inside Blender: what the display of an opened file shows its viewer, by Cycles and by the add-on's preview, for bench/blender_scenes.py.
+"""Runs inside Blender: renders what a display shows its viewer, by Cycles and by the add-on's preview. See bench/blender_scenes.py.
 
   blender -b FILE.blend --python blend_inside_blender.py -- JOB.json
 
-JOB.json: {"folder": where pictures go, "size": longer side in pixels, "samples": of both, "addon": the folder that the add-on's lies in}. Writes cycles.png and
-ours.png, both through the view transform "Standard", and told.json: {"said": the add-on's warnings, "refused": why there is no picture, or ""}.
+JOB.json: {"folder": for pictures, "size": longer side in pixels, "samples": of both, "addon": the folder that contains the add-on's}.
+Writes cycles.png and ours.png, both with the view transform "Standard", and told.json: {"said": the add-on's warnings, "refused":
+the reason for a missing picture, or ""}.
 """
 
 import json
@@ -30,7 +31,7 @@ def first_camera():
 
 def prepare():
     render = scene.render
-    scene.lippmann.output = "single"  # first: it changes the resolution
+    scene.lippmann.output = "single"  # first, because it changes the resolution
     scene.camera = first_camera()
     shrink = job["size"] / max(render.resolution_x, render.resolution_y)
     render.resolution_x, render.resolution_y = (max(8, round(n * shrink)) for n in (render.resolution_x, render.resolution_y))
@@ -49,8 +50,8 @@ def render_as(name, program):
     bpy.ops.render.render(write_still=True)
 
 
-def display_s_eye():
-    """A camera where the display's viewer stands, that sees what the display shows."""
+def add_viewer_camera():
+    """Returns a camera at the display's viewer that sees what the display shows."""
     zone = frame.zone(scene)
     camera = bpy.data.cameras.new("eye")
     camera.sensor_fit, camera.lens = "VERTICAL", camera.sensor_height * zone.distance / zone.height
@@ -70,7 +71,7 @@ def by_cycles():
     cycles.blur_glossy = 0.0
     cycles.pixel_filter_type = "BOX"
     cycles.filter_width = 1.0
-    own, scene.camera = scene.camera, display_s_eye()
+    own, scene.camera = scene.camera, add_viewer_camera()
     render_as("cycles.png", "CYCLES")
     scene.camera = own
 
@@ -81,7 +82,7 @@ def by_lippmann():
     render_as("ours.png", "LIPPMANN")
 
 
-refused = "" if first_camera() else "there is no camera"
+refused = "" if first_camera() else "the scene has no camera"
 if not refused:
     prepare()
     by_cycles()

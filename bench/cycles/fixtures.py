@@ -1,4 +1,4 @@
-"""glTF scenes of the kinds that the Khronos samples show, each written as one .gltf file: what paths are compared on."""
+"""glTF scenes like the Khronos samples, each written as one .gltf file, for comparisons of path tracers."""
 
 import base64
 import json
@@ -12,7 +12,7 @@ def turned_down(angle):
 
 
 class Gltf:
-    """Grows a glTF document one mesh, material, texture or node at a time; all data in one buffer."""
+    """Builds a glTF document one mesh, material, texture or node at a time; all data in one buffer."""
 
     def __init__(self):
         self.blob = b""
@@ -36,7 +36,7 @@ class Gltf:
         return len(self.doc["accessors"]) - 1
 
     def texture(self, size, color):
-        """An RGBA picture of `size` pixels a side; color(x, y) gives four bytes."""
+        """Adds an RGBA picture of `size` pixels per side; color(x, y) returns four bytes."""
         rows = b"".join(b"\0" + bytes(v for x in range(size) for v in color(x, y)) for y in range(size))
         chunk = lambda name, data: struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
         png = (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", size, size, 8, 6, 0, 0, 0)) +
@@ -58,7 +58,7 @@ class Gltf:
         self.doc["scenes"][0]["nodes"].append(len(self.doc["nodes"]) - 1)
 
     def move(self, seconds, places):
-        """The node added last goes from place to place in straight lines."""
+        """Animates the last node from place to place in straight lines."""
         sampler = {"input": self._accessor(seconds, "SCALAR"), "output": self._accessor(places, "VEC3"), "interpolation": "LINEAR"}
         self.doc["accessors"][sampler["input"]].update(min=[seconds[0]], max=[seconds[-1]])
         animations = self.doc.setdefault("animations", [{"samplers": [], "channels": []}])
@@ -74,7 +74,7 @@ class Gltf:
         self.node(mesh=len(self.doc["meshes"]) - 1, translation=list(at))
 
     def quad(self, material, center, half_u, half_v, repeat=1.0):
-        """A rectangle; its normal is half_u x half_v."""
+        """Adds a rectangle whose normal is half_u x half_v."""
         c, u, v = center, half_u, half_v
         n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
         length = math.sqrt(sum(x * x for x in n))
@@ -112,7 +112,7 @@ class Gltf:
         self.light(at, type="point", intensity=candela, color=list(color))
 
     def light(self, at, down=0.0, **light):
-        """Any light, which shines along -z, turned down by so many radians."""
+        """Adds a light that shines along -z, tilted down by `down` radians."""
         lights = self.doc.setdefault("extensions", {}).setdefault("KHR_lights_punctual", {"lights": []})["lights"]
         lights.append(light)
         self.node(translation=list(at), rotation=turned_down(down), extensions={"KHR_lights_punctual": {"light": len(lights) - 1}})
@@ -165,7 +165,7 @@ def diffuse_box():
 
 
 def textured_point_lights():
-    """Base colour and normal maps under two point lights. Gentle bumps: seen edge-on, Cycles turns steep ones to the viewer."""
+    """Base colour and normal maps under two point lights. Bumps are gentle: Cycles turns steep ones at grazing angles to the viewer."""
     g = Gltf()
     waves = lambda x, y: (int(127.5 + 35 * math.sin(2 * math.pi * x / 16)), int(127.5 + 35 * math.sin(2 * math.pi * y / 16)), 245, 255)
     bumps = g.texture(64, waves)
@@ -199,7 +199,7 @@ def metals():
 
 
 def glass():
-    """A smooth glass ball before tiles under a panorama."""
+    """A smooth glass ball in front of tiles, under a panorama."""
     g = Gltf()
     tiles = g.texture(64, checker((220, 220, 220), (40, 60, 110)))
     g.quad(g.material((1, 1, 1), baseColorTexture=tiles, **MATTE), (0, -0.5, 0), (3, 0, 0), (0, 0, -3), 3.0)
@@ -210,7 +210,7 @@ def glass():
 
 
 def rough_glass():
-    """Glass of three roughnesses before tiles under a panorama."""
+    """Glass of three roughnesses in front of tiles, under a panorama."""
     g = Gltf()
     tiles = g.texture(64, checker((220, 220, 220), (40, 60, 110)))
     g.quad(g.material((1, 1, 1), baseColorTexture=tiles, **MATTE), (0, -0.5, 0), (3, 0, 0), (0, 0, -3), 3.0)
@@ -237,7 +237,7 @@ def leaves():
 
 
 def post(at, down, **light):
-    """A post and a glossy ball on a floor, lit by one lamp that has a size: half shadows, highlights."""
+    """A post and a glossy ball on a floor, lit by one area lamp: soft shadows, highlights."""
     g = Gltf()
     g.quad(g.material((0.6, 0.6, 0.6), **MATTE), (0, 0, 0), (4, 0, 0), (0, 0, -4))
     g.box(g.material((0.7, 0.4, 0.2), **MATTE), (-0.3, 0.6, 0), (0.12, 0.6, 0.12))
@@ -261,7 +261,7 @@ def sun_disc():
 
 
 def moving_room():
-    """An animation: tiled walls, a plastic and a matte ball under a square lamp; the matte one rolls along, 2 seconds."""
+    """An animation: tiled walls, a plastic and a matte ball under a square lamp; the matte ball rolls for 2 seconds."""
     g = Gltf()
     tiles = g.texture(64, checker((200, 160, 90), (60, 80, 120)))
     wall = g.material((1, 1, 1), baseColorTexture=tiles, **MATTE)
@@ -273,7 +273,7 @@ def moving_room():
     return g
 
 
-# name: maker, lit by the panorama, the likeness that is asked for
+# name: maker, lit by the panorama, required PSNR in dB
 FIXTURES = {"diffuse-box": (diffuse_box, False, 35.0), "textured": (textured_point_lights, False, 35.0),
             "leaves": (leaves, True, 35.0), "plastic": (dielectrics, True, 30.0), "metal": (metals, True, 30.0),
             "glass": (glass, True, 30.0), "rough-glass": (rough_glass, True, 30.0), "ball-lamp": (ball_lamp, False, 38.0),
@@ -281,7 +281,7 @@ FIXTURES = {"diffuse-box": (diffuse_box, False, 35.0), "textured": (textured_poi
 
 
 def write_panorama(path, width=256):
-    """A soft sky with a warm spot, as Radiance .hdr without compression."""
+    """Writes a soft sky with a warm spot, as Radiance .hdr without compression."""
     def texel(x, y):
         u, v = (x + 0.5) / width, (y + 0.5) / (width // 2)
         sky = 0.9 - 0.7 * v

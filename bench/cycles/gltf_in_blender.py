@@ -1,8 +1,8 @@
-"""For scripts that Blender runs: a glTF file as a scene of Cycles, surfaces as glTF 2.0's appendix B has them.
+"""For scripts inside Blender: loads a glTF file as a scene of Cycles, with surfaces as in glTF 2.0's appendix B.
 
-Blender's own importer makes the textures, their transforms and vertex colours. What replaces its Principled surface is built anew: that of
-Blender 3.4 has Disney's diffuse part, which is not glTF's. Where a material has layers that this file does not build (LAYERS, GLOSS), the importer's
-own surface stays.
+Blender's own importer makes the textures, their transforms and vertex colours. This file replaces its Principled surface, whose
+diffuse part in Blender 3.4 is Disney's instead of glTF's. Materials with layers that this file does not build (LAYERS, GLOSS) keep
+the importer's surface.
 """
 
 import math
@@ -20,29 +20,29 @@ import one_file  # noqa: E402
 import reads  # noqa: E402
 
 if not hasattr(np, "bool"):
-    np.bool = bool  # the importer of Blender 3.4 asks for a name that numpy had dropped for a while
+    np.bool = bool  # the importer of Blender 3.4 uses a name that numpy had dropped for a while
 
 LAYERS = {"KHR_materials_sheen", "KHR_materials_anisotropy", "KHR_materials_iridescence", "KHR_materials_diffuse_transmission",
           "KHR_materials_dispersion", "KHR_materials_pbrSpecularGlossiness", "KHR_materials_unlit"}
 GLOSS = {"specularTexture", "specularColorFactor", "specularColorTexture"}  # of KHR_materials_specular
-ROUGHNESSES = (0.0, 0.25, 0.5, 0.75, 1.0)  # at which the light below a gloss is tabulated where a texture says the roughness
+ROUGHNESSES = (0.0, 0.25, 0.5, 0.75, 1.0)  # tabulated values for the light below a gloss whose roughness is textured
 COAT_IOR = 1.5
 LATER = {"Specular": "Specular IOR Level", "Transmission": "Transmission Weight", "Clearcoat": "Coat Weight", "Clearcoat Roughness": "Coat Roughness",
-         "Clearcoat Normal": "Coat Normal"}  # sockets of the Principled surface from Blender 4.0 on
+         "Clearcoat Normal": "Coat Normal"}  # sockets of the Principled surface since Blender 4.0
 
 
 def socket(node, key):
-    """An input by its number or name; by its later name where it has that."""
+    """Returns an input by its number or name, or by its later name if it exists."""
     later = LATER.get(key)
     return node.inputs[later if later and later in node.inputs else key]
 
 
 def below_gloss(roughness, f0, stops=24):
-    """What a white GGX gloss does not reflect, at 1 - cosine of the view: [(place, share)]."""
+    """Returns the light that a white GGX gloss does not reflect, by 1 - cosine of the view: [(place, share)]."""
     alpha2 = max(roughness, 0.03)**4
     u = (np.arange(4096) + 0.5) / 4096
     turn = 2 * np.pi * ((np.arange(4096) * 0.6180339887) % 1.0)
-    cosine_h = np.sqrt((1 - u) / (1 + (alpha2 - 1) * u))  # facets by their distribution
+    cosine_h = np.sqrt((1 - u) / (1 + (alpha2 - 1) * u))  # facets sampled by their distribution
     sine_h = np.sqrt(1 - cosine_h**2)
     shares = []
     for place in np.linspace(0, 1, stops):
@@ -59,7 +59,7 @@ def below_gloss(roughness, f0, stops=24):
 
 
 class Surface:
-    """One glTF material as nodes of Cycles, in place of the Principled surface that the importer has made of it."""
+    """A glTF material as nodes of Cycles, which replaces the importer's Principled surface."""
 
     def __init__(self, material, source):
         self.tree = material.node_tree
@@ -77,7 +77,7 @@ class Surface:
         self.absorb(extensions.get("KHR_materials_volume", {}))
 
     def input(self, name):
-        """Of the importer's surface: what is linked to it, else its value."""
+        """Returns the link of an input of the importer's surface, or else its value."""
         given = socket(self.principled, name)
         if given.is_linked:
             return given.links[0].from_socket
@@ -108,7 +108,7 @@ class Surface:
         return self.node("ShaderNodeMixRGB", {0: 1.0, 1: color, 2: factor}, blend_type="MULTIPLY")
 
     def mixed(self, shader, make_other, share):
-        """Both by their shares; the other is made only where it has one."""
+        """Mixes two shaders by a share. The other is made only if the share is above 0."""
         if share == 0.0:
             return shader
         other = make_other()
@@ -127,20 +127,21 @@ class Surface:
                          distribution="MULTI_GGX")
 
     def plastic(self):
-        """Fresnel's share is of facets: the gloss of a black Principled surface, and below it what that leaves."""
+        """Plastic. Fresnel's term applies to facets: the gloss of a black Principled surface, and the remaining light below it."""
         f0 = self.specular * ((self.ior - 1) / (self.ior + 1))**2
-        of_ior = LATER["Specular"] in self.principled.inputs  # a share of twice what the index of refraction reflects, not of 0.08
+        of_ior = LATER["Specular"] in self.principled.inputs  # relative to twice the reflection of the index of refraction, not
+                                                              # to 0.08
         gloss = self.gloss(Base_Color=[0, 0, 0], Specular=0.5 * self.specular if of_ior else f0 / 0.08)
         return self.node("ShaderNodeAddShader", {0: gloss, 1: self.diffuse(self.times(self.input("Base Color"), self.left(f0)))})
 
     def left(self, f0):
-        """The share of light that gets below the gloss."""
+        """Returns the share of light that passes the gloss."""
         facing = self.node("ShaderNodeLayerWeight", {"Blend": 0.5, "Normal": self.normal()}, output=1)  # 1 - cosine
         roughness = self.input("Roughness")
         if isinstance(roughness, float):
             return self.ramp(facing, below_gloss(roughness, f0))
         total = 0.0
-        for level in ROUGHNESSES:  # hats, which sum to 1
+        for level in ROUGHNESSES:  # hat functions, which sum to 1
             away = self.math("MULTIPLY", self.math("ABSOLUTE", self.math("SUBTRACT", roughness, level), 0.0), len(ROUGHNESSES) - 1.0)
             weight = self.math("MAXIMUM", self.math("SUBTRACT", 1.0, away), 0.0)
             total = self.math("ADD", total, self.math("MULTIPLY", weight, self.ramp(facing, below_gloss(level, f0))))
@@ -161,7 +162,7 @@ class Surface:
         return self.gloss(Base_Color=self.input("Base Color"), Metallic=1.0)
 
     def coated(self, shader):
-        """KHR_materials_clearcoat: a white gloss over it, by Fresnel's share at the coat's normal."""
+        """KHR_materials_clearcoat: adds a white gloss, weighted by Fresnel's term at the coat's normal."""
         amount = self.input("Clearcoat")
         if amount == 0.0:
             return shader
@@ -172,7 +173,7 @@ class Surface:
         return self.node("ShaderNodeMixShader", {0: share, 1: shader, 2: coat})
 
     def glowing(self, shader, source):
-        """Factor, strength and texture from the file: the importer loses the texture where the factor is a colour."""
+        """Adds emission with the file's factor, strength and texture: the importer loses the texture if the factor is a colour."""
         factor = source.get("emissiveFactor", [0.0, 0.0, 0.0])
         if not any(factor):
             return shader
@@ -191,7 +192,7 @@ class Surface:
         return self.node("ShaderNodeMixShader", {0: coverage, 1: self.node("ShaderNodeBsdfTransparent", {}), 2: shader})
 
     def absorb(self, volume):
-        """Beer's law as KHR_materials_volume has it, where the importer takes 1 - colour for its logarithm. Cycles absorbs density (1 - colour)."""
+        """Sets absorption by Beer's law as in KHR_materials_volume: the importer uses 1 - colour for its logarithm. Cycles absorbs density (1 - colour)."""
         node = next((n for n in self.tree.nodes if n.type == "VOLUME_ABSORPTION"), None)
         distance = volume.get("attenuationDistance", math.inf)
         if node is None:
@@ -207,7 +208,7 @@ class Surface:
 
 
 def numbered(file, folder):
-    """A copy in which materials and lights are told apart by their place in the file, and no primitive is without a material."""
+    """Returns a copy whose materials and lights are named by their index, and in which every primitive has a material."""
     copy = one_file.OneFile(pathlib.Path(file))
     doc = copy.doc
     bare = [p for mesh in doc.get("meshes", []) for p in mesh["primitives"] if "material" not in p]
@@ -224,12 +225,12 @@ def numbered(file, folder):
 
 
 def number_of(thing):
-    """Of "material-3" and its copies "material-3.001", which have vertex colours."""
+    """Returns the number of "material-3" and of its copies "material-3.001", which have vertex colours."""
     return int(thing.name.split("-")[1].split(".")[0])
 
 
 def load(file, own_surfaces=False):
-    """An empty Blender with the file in it, at the animation's start. own_surfaces: the importer's surfaces stay."""
+    """Loads the file into an empty Blender, at the animation's start. own_surfaces: keeps the importer's surfaces."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     with tempfile.TemporaryDirectory() as folder:
         source, lights = numbered(file, pathlib.Path(folder))
@@ -243,19 +244,19 @@ def load(file, own_surfaces=False):
 
 
 def importers_extensions():
-    """What this Blender's importer reads; of 3.4's list volumes are missing, which it reads all the same."""
+    """Returns the extensions that this Blender's importer reads; the list of 3.4 lacks volumes, which it does read."""
     from io_scene_gltf2.io.imp.gltf2_io_gltf import glTFImporter
     return set(glTFImporter("", {"import_user_extensions": []}).extensions_managed) | {"KHR_materials_volume"}
 
 
 def unread(file):
-    """What a file has and is not shown here, by Blender's version: extensions that the importer does not read, and what it reads and the Principled surface of its time lacks."""
+    """Returns the features of a file that are not shown in this Blender: extensions that the importer does not read, or that its Principled surface lacks."""
     names = reads.extensions_of(one_file.OneFile(pathlib.Path(file)).doc)
     return reads.unread(names, importers_extensions(), bpy.app.version)
 
 
 def light_up(lamp, light, generator):
-    """As bright as here (lamps.py), and of the size that is said."""
+    """Sets a lamp to the brightness that Lippmann uses (lamps.py), and to its stated size."""
     point = light["type"] != "directional"
     lamp.energy = light.get("intensity", 1.0) * lamps.scale(generator, light["type"]) * (4.0 * math.pi if point else 1.0)
     lamp.color = light.get("color", [1, 1, 1])
@@ -269,7 +270,7 @@ def light_up(lamp, light, generator):
 
 
 def surround(scene, panorama):
-    """Black, or a panorama's light. panorama: a file, or nothing."""
+    """Sets a black world, or the light of a panorama file."""
     scene.world = bpy.data.worlds.new("world")
     scene.world.use_nodes = True
     nodes, links = scene.world.node_tree.nodes, scene.world.node_tree.links
@@ -282,7 +283,7 @@ def surround(scene, panorama):
 
 
 def set_up(scene, width, height, vertices, threads):
-    """Plain path tracing of as many surfaces as ours, light kept linear."""
+    """Sets up plain path tracing with the same number of vertices as ours, in linear light."""
     scene.render.engine = "CYCLES"
     scene.cycles.device = "CPU"
     scene.cycles.use_adaptive_sampling = False
@@ -311,7 +312,7 @@ def render(scene, samples, seed, out):
 
 
 def cpu_seconds():
-    """Of all threads of this process."""
+    """Returns the CPU seconds of all threads of this process."""
     usage = resource.getrusage(resource.RUSAGE_SELF)
     return usage.ru_utime + usage.ru_stime
 

@@ -1,4 +1,4 @@
-"""Run by Blender: renders one glTF file with Cycles and prints the CPU seconds that it took.
+"""Runs inside Blender: renders one glTF file with Cycles and prints the CPU seconds.
 
   blender -b -P inside_blender.py -- FILE.gltf OUT.exr WIDTH HEIGHT SAMPLES VERTICES THREADS SEED [PANORAMA]
 """

@@ -1,4 +1,4 @@
-"""What the intensity of a glTF file's lamp is multiplied by, as src/scene/gltf/light.cpp has it: Blender's exporter has units of its own."""
+"""Scales the intensities of a glTF file's lamps as src/scene/gltf/light.cpp does: Blender's exporter has its own units."""
 
 import math
 import re
@@ -8,7 +8,7 @@ FIRST_IN_LUMENS = (3, 4, 39)
 
 
 def version(generator):
-    """The numbers behind the last " v"; those that are missing are 0."""
+    """Returns the numbers after the last " v"; missing ones are 0."""
     found = re.match(r"(\d+)(?:\.(\d+))?(?:\.(\d+))?", generator.rpartition(" v")[2])
     return tuple(int(n or 0) for n in found.groups()) if found else (0, 0, 0)
 

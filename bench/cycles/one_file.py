@@ -1,4 +1,4 @@
-"""A glTF file as one .glb that holds its buffers and images, and a camera: what two programs open as the same scene."""
+"""Writes a glTF file as one .glb with its buffers, its images and a camera, so that two programs open the same scene."""
 
 import base64
 import json
@@ -10,20 +10,20 @@ CAMERA = "fidelity"
 
 
 def split_glb(data):
-    """The document and the bytes of the first binary chunk."""
+    """Returns the document and the bytes of the first binary chunk."""
     length = struct.unpack("<I", data[12:16])[0]
     return json.loads(data[20:20 + length]), data[28 + length:]
 
 
 def bytes_of(uri, folder):
-    """Of a data URI, or of a file in the folder."""
+    """Returns the bytes of a data URI, or of a file in the folder."""
     if uri.startswith("data:"):
         return base64.b64decode(uri.split(",", 1)[1])
     return (folder / urllib.parse.unquote(uri)).read_bytes()
 
 
 class OneFile:
-    """A document whose buffers are one."""
+    """A document with a single buffer."""
 
     def __init__(self, path):
         data = path.read_bytes()
@@ -33,7 +33,7 @@ class OneFile:
         self.take_images_in()
 
     def append(self, data):
-        """Where in the one buffer the bytes begin."""
+        """Returns the position of the bytes in the buffer."""
         self.blob += b"\0" * (-len(self.blob) % 16)
         self.blob += data
         return len(self.blob) - len(data)
@@ -60,7 +60,7 @@ class OneFile:
             image.update(bufferView=len(self.doc["bufferViews"]) - 1, mimeType=kind)
 
     def add_camera(self, place, turn, vertical_fov, aspect, reach):
-        """vertical_fov: radians. reach: a length of the scene's order, for the planes that clip."""
+        """vertical_fov: radians. reach: a length of the scene's order of magnitude, for the clipping planes."""
         doc = self.doc
         doc.setdefault("cameras", []).append({"type": "perspective", "perspective": {
             "yfov": vertical_fov, "aspectRatio": aspect, "znear": 1e-3 * reach, "zfar": 1e4 * reach}})
@@ -70,7 +70,7 @@ class OneFile:
         scene.setdefault("nodes", []).append(len(doc["nodes"]) - 1)
 
     def name_own_camera(self, aspect):
-        """The first perspective camera of the nodes gets the name and the aspect ratio of one that is added; False where there is none."""
+        """Gives the first perspective camera of the nodes the name and the aspect ratio of an added one; returns False if there is none."""
         cameras = self.doc.get("cameras", [])
         node = next((n for n in self.doc.get("nodes", []) if "camera" in n and cameras[n["camera"]]["type"] == "perspective"), None)
         if node is None:
@@ -97,7 +97,7 @@ def glb(doc, blob):
 
 
 def fitted(array, yaw_deg, pitch_deg):
-    """Place, turn and vertical angle of a camera that sees the rectangle of `lippmann info`'s array from yaw and pitch."""
+    """Returns position, rotation and vertical angle of a camera that sees the rectangle of `lippmann info`'s array from yaw and pitch."""
     y, p = math.radians(yaw_deg), math.radians(pitch_deg)
     away = (math.sin(y) * math.cos(p), math.sin(p), math.cos(y) * math.cos(p))
     place = [c + array["viewing_distance"] * a for c, a in zip(array["center"], away)]

@@ -1,4 +1,4 @@
-"""What scripts that hold this program beside Blender share: running both, and comparing their pictures."""
+"""Shared functions of scripts that compare this program with Blender: run both, and compare their pictures."""
 
 import json
 import math
@@ -12,23 +12,23 @@ import sys
 import one_file
 
 HERE = pathlib.Path(__file__).resolve().parent
-PATH = "/usr/bin:/bin"  # Blender's Python is Debian's, whatever else there is
-BLENDER = os.environ.get("BLENDER", "blender")  # of another version, say
+PATH = "/usr/bin:/bin"  # Blender needs Debian's Python
+BLENDER = os.environ.get("BLENDER", "blender")  # may name another version
 
 
 class Failed(SystemExit):
-    """A program could not do what it was asked for. Ends a script that does not catch it, with its message."""
+    """A program failed. Ends a script that does not catch it, with its message."""
 
 
 def reason(text):
-    """Of what a program printed before it gave up, the line that says why, else the last one."""
+    """Returns the line of a program's output that states the error, or else the last line."""
     lines = [line.strip() for line in text.splitlines() if line.strip()]
-    told = [line for line in lines if re.match(r"(\w+\.)*\w*(Error|Exception)\b.*:", line) and not line.startswith(("Error: Python:", "Error: script failed"))]
-    return (told or lines or ["it says nothing of why"])[-1]
+    errors = [line for line in lines if re.match(r"(\w+\.)*\w*(Error|Exception)\b.*:", line) and not line.startswith(("Error: Python:", "Error: script failed"))]
+    return (errors or lines or ["no message"])[-1]
 
 
 def has_blender():
-    """Says so where there is none."""
+    """Returns whether Blender is installed, and prints a message if not."""
     if shutil.which(BLENDER, path=PATH):
         return True
     print("skipped: Blender is not installed (apt-get install blender)", file=sys.stderr)
@@ -36,7 +36,7 @@ def has_blender():
 
 
 def blender(script, words, mark):
-    """Runs a script of this folder inside Blender; what follows `mark` on the lines of its output that begin with that."""
+    """Runs a script of this folder inside Blender. Returns the rest of each output line that begins with `mark`."""
     command = [BLENDER, "-b", "--python-exit-code", "1", "-P", HERE / script, "--", *words]
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True, env={**os.environ, "PATH": PATH})
     found = [line.removeprefix(mark).strip() for line in done.stdout.splitlines() if line.startswith(mark)]
@@ -46,7 +46,7 @@ def blender(script, words, mark):
 
 
 def info(tool, scene, *flags):
-    """What `lippmann info` says."""
+    """Returns the JSON of `lippmann info`."""
     done = subprocess.run([str(word) for word in (tool, "info", scene, *flags, "--json")], capture_output=True, text=True)
     if done.returncode:
         raise Failed(done.stderr.strip())
@@ -54,7 +54,7 @@ def info(tool, scene, *flags):
 
 
 def with_camera(tool, asset, view, work):
-    """The file, or a copy in the folder `work` that has a camera. view: yaw and pitch in degrees from which it looks at the file's middle."""
+    """Returns the file, or a copy with a camera in the folder `work`. view: yaw and pitch in degrees from which it looks at the file's centre."""
     found = info(tool, asset)
     if found["cameras"]:
         return asset
@@ -65,7 +65,7 @@ def with_camera(tool, asset, view, work):
 
 
 def mse(tool, reference, test):
-    """Of the 8-bit sRGB codes of two pictures."""
+    """Returns the mean squared error of the 8-bit sRGB codes of two pictures."""
     done = subprocess.run([str(tool), "compare", str(reference), str(test), "--json"], capture_output=True, text=True)
     if done.returncode:
         raise SystemExit(done.stderr)

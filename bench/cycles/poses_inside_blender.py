@@ -1,13 +1,13 @@
-"""Run by Blender: how far the vertices of skinned and morphing meshes that Blender poses are from those of dump_pose.
+"""Runs inside Blender: measures how far vertices of skinned and morphing meshes posed by Blender are from those of dump_pose.
 
   blender -b --python-exit-code 1 -P poses_inside_blender.py -- FILE DUMP_POSE TIMES
 
-The importer may split and drop vertices, so two poses are compared as sets of points: the largest distance from any point of either to
-the nearest of the other, as a fraction of the diagonal of the bounds of all poses. Prints a line "POSES {json}" per animation.
+The importer may split and drop vertices, so two poses are compared as sets of points: the largest distance from any point of either
+to the nearest of the other, as a fraction of the diagonal of the bounds of all poses. Prints a line "POSES {json}" per animation.
 
-Blender differs from glTF 2.0 in two things that are not about poses. Between keys it interpolates the numbers of a rotation one by one,
-not along the arc: the rotations at the times to compare are made keys, as Blender's own slerp has them; the error without that is
-printed too. Of cubic splines its importer drops the tangents: animations with some are left out.
+Blender deviates from glTF 2.0 in two ways that do not concern poses. Between keys it interpolates the components of a rotation
+separately instead of along the arc: the rotations at the compared times are made keys with Blender's slerp, and the error without
+that is printed too. Its importer drops the tangents of cubic splines: animations with cubic splines are left out.
 """
 
 import json
@@ -19,18 +19,18 @@ import mathutils
 import numpy as np
 from io_scene_gltf2.blender.imp.gltf2_blender_animation import BlenderAnimation
 
-np.bool = bool  # the importer of Blender 3.4 asks for a name that newer numpy has dropped
+np.bool = bool  # the importer of Blender 3.4 uses a name that newer numpy has dropped
 
 file, dump_pose, count = sys.argv[sys.argv.index("--") + 1:]
 
 
 def load(index):
-    """A new scene that plays one animation; name, seconds and interpolations of all, in the file's order."""
+    """Loads a new scene that plays one animation. Returns name, seconds and interpolations of all animations, in the file's order."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     animations = []
     restore = BlenderAnimation.restore_animation
 
-    def restore_ours(gltf, _):  # in place of the first one, before that one has changed what ours does not animate
+    def restore_ours(gltf, _):  # replaces the first scene before it changes values that ours does not animate
         for animation in gltf.data.animations:
             ends = [gltf.data.accessors[animation.samplers[channel.sampler].input].max[0] for channel in animation.channels]
             animations.append((animation.track_name, max(ends), {sampler.interpolation for sampler in animation.samplers}))
@@ -42,17 +42,17 @@ def load(index):
     finally:
         BlenderAnimation.restore_animation = restore
     for keys in bpy.data.shape_keys:
-        for block in keys.key_blocks:  # Blender holds weights within its sliders; glTF knows no such thing
+        for block in keys.key_blocks:  # Blender limits weights to the range of their sliders; glTF has no limits
             block.slider_min, block.slider_max = -10.0, 10.0
     return animations
 
 
 def frame_of(seconds):
-    return seconds * bpy.context.scene.render.fps  # as the importer has it
+    return seconds * bpy.context.scene.render.fps  # the importer's unit of time
 
 
 def slerp_rotations(times):
-    """Keys at `times` in all linear rotations of the animation that plays."""
+    """Adds keys at `times` to all linear rotations of the animation that plays."""
     for action in {thing.animation_data.action for thing in bpy.data.objects if thing.animation_data} - {None}:
         for path in {curve.data_path for curve in action.fcurves if curve.data_path.endswith("rotation_quaternion")}:
             curves = [action.fcurves.find(path, index=i) for i in range(4)]
@@ -64,7 +64,7 @@ def slerp_rotation(curves, frames):
     keys = np.array([[key.co for key in curve.keyframe_points] for curve in curves])  # curve, key, (frame, value)
     for frame in frames:
         after = int(np.searchsorted(keys[0, :, 0], frame))
-        if after in (0, keys.shape[1]) or np.abs(keys[0, :, 0] - frame).min() < 0.02:  # Blender takes nearer ones for the same
+        if after in (0, keys.shape[1]) or np.abs(keys[0, :, 0] - frame).min() < 0.02:  # Blender merges nearer keys
             continue
         start, end = keys[0, after - 1:after + 1, 0]
         turns = [mathutils.Quaternion(keys[:, k, 1]) for k in (after - 1, after)]
@@ -73,7 +73,7 @@ def slerp_rotation(curves, frames):
 
 
 def pose_by_blender(seconds):
-    """Vertices in world space, y up as in glTF."""
+    """Returns vertices in world space, y up as in glTF."""
     scene = bpy.context.scene
     frame = frame_of(seconds)
     scene.frame_set(int(frame), subframe=frame - int(frame))
@@ -102,7 +102,7 @@ def poses_by_lippmann(index, times):
 
 
 def reach(points, others):
-    """The largest distance from any of `points` to the nearest of `others`."""
+    """Returns the largest distance from any of `points` to the nearest of `others`."""
     tree = mathutils.kdtree.KDTree(len(others))
     for i, point in enumerate(others):
         tree.insert(point, i)
@@ -115,7 +115,7 @@ def errors(ours, theirs, diagonal):
 
 
 def measure(index, name, end):
-    # At no key, where a step would be on either side by rounding.
+    # Avoids keys, at which a step would fall on either side by rounding.
     times = [end * (k + 0.618034) / int(count) for k in range(int(count))]
     unchanged = [pose_by_blender(t) for t in times]
     slerp_rotations(times)

@@ -1,8 +1,8 @@
-"""What a glTF file has that a renderer of it does not read."""
+"""Finds the features of a glTF file that a renderer does not read."""
 
-SILENT = {"KHR_xmp", "KHR_xmp_json_ld"}  # nothing that could be seen
+SILENT = {"KHR_xmp", "KHR_xmp_json_ld"}  # invisible extensions
 COLOURED_GLOSS = "KHR_materials_specular's colour"
-FIRST_WITH_COLOURED_GLOSS = (4, 0, 0)  # Blender, whose Principled surface had a tint by one number before
+FIRST_WITH_COLOURED_GLOSS = (4, 0, 0)  # earlier Principled surfaces of Blender had only a scalar tint
 
 
 def has_colour(gloss):
@@ -10,7 +10,7 @@ def has_colour(gloss):
 
 
 def extensions_of(value):
-    """The extensions that anything in a glTF document has, as objects that hold them; the gloss's colour too, by a name of its own."""
+    """Returns the extensions used anywhere in a glTF document; a coloured gloss counts as an extension of its own."""
     if isinstance(value, list):
         return set().union(*map(extensions_of, value))
     if not isinstance(value, dict):
@@ -23,6 +23,6 @@ def extensions_of(value):
 
 
 def unread(names, known, version):
-    """Those of extensions_of(a document) that a Blender of a version, (4, 3, 0), does not show, whose importer knows some. Sorted."""
+    """Returns the extensions of a document that a Blender of this version, such as (4, 3, 0), does not show, sorted. known: those that its importer reads."""
     shown = known | SILENT | ({COLOURED_GLOSS} if version >= FIRST_WITH_COLOURED_GLOSS else set())
     return sorted(names - shown)

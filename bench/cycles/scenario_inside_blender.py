@@ -1,10 +1,10 @@
-"""Run by Blender: renders one view of a glTF file with Cycles, as PNG with the view transform "Standard", and prints its CPU seconds.
+"""Runs inside Blender: renders one view of a glTF file with Cycles, as PNG with the view transform "Standard", and prints the CPU seconds.
 
   blender -b -P scenario_inside_blender.py -- JOB.json
 
-The job: file, panorama (or null), width, height, vertices, threads, skybox (whether the panorama is seen), own_surfaces (Blender's own
-import stays as it is), camera (its name in the file), renders: a list of samples, seed and out. Prints a line "RENDER {json}" for each, which says
-too what of the file is not shown ("unread").
+The job: file, panorama (or null), width, height, vertices, threads, skybox (whether the panorama is visible), own_surfaces (keeps
+Blender's own import), camera (its name in the file), renders: a list of samples, seed and out. Prints a line "RENDER {json}" for
+each, including the features of the file that are not shown ("unread").
 """
 
 import json
@@ -36,7 +36,7 @@ def main():
     job = json.loads(pathlib.Path(sys.argv[sys.argv.index("--") + 1]).read_text())
     scene = show(job)
     unread = gltf.unread(job["file"])
-    scene.render.use_persistent_data = True  # what is rendered first pays for the set-up of all
+    scene.render.use_persistent_data = True  # the first render includes the set-up of all
     gltf.render(scene, 1, 0, job["renders"][0]["out"])
     for item in job["renders"]:
         before = gltf.cpu_seconds()

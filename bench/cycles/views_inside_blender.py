@@ -1,9 +1,9 @@
-"""Run by Blender: renders views of a glTF animation with Cycles, one at a time, and prints the CPU seconds that each took.
+"""Runs inside Blender: renders views of a glTF animation with Cycles, one at a time, and prints the CPU seconds of each.
 
   blender -b -P views_inside_blender.py -- JOB.json
 
-The job: file, panorama (or null), width, height, vertices, threads, frames_per_second; distance and window_height, in
-units of the camera, of the rectangle that all views look through; eyes, by view: how far it stands to the right of the camera; renders: a list of frame,
+The job: file, panorama (or null), width, height, vertices, threads, frames_per_second; distance and window_height, in units of the
+camera, of the rectangle that all views look through; eyes: offset of each view to the right of the camera; renders: a list of frame,
 view, samples, seed and out. Prints a line "VIEW {json}" for each. The scene stays loaded between renders, as Cycles allows.
 """
 
@@ -20,7 +20,7 @@ import gltf_in_blender as gltf  # noqa: E402
 
 
 class Views:
-    """Off-axis cameras before one rectangle, beside the file's camera wherever that is."""
+    """Off-axis cameras in front of one rectangle, beside the file's camera, which may move."""
 
     def __init__(self, job):
         self.job = job
@@ -35,7 +35,7 @@ class Views:
         self.scene.collection.objects.link(self.camera)
         self.scene.camera = self.camera
         self.window = job["window_height"] * max(1.0, job["width"] / job["height"])  # its longer side
-        self.frames_per_frame = self.scene.render.fps / job["frames_per_second"]  # as the importer has time
+        self.frames_per_frame = self.scene.render.fps / job["frames_per_second"]  # the importer's unit of time
 
     def show(self, frame, view):
         at = frame * self.frames_per_frame

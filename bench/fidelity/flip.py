@@ -1,8 +1,9 @@
-"""How different two pictures look when one is flipped to the other, 0 to 1 per pixel.
+"""FLIP: how different two pictures look when one alternates with the other, 0 to 1 per pixel.
 
-Based on: Andersson, Nilsson, Akenine-Moller, Oskarsson, Astrom and Fairchild, "FLIP: A Difference Evaluator for Alternating Images", 2020. Both
-pictures are blurred as an eye at a distance does (contrast sensitivity, section 4.1.1), compared in a colour space that is even to the eye (HyAB of Hunt-adjusted
-L*a*b*, 4.1.2 and 4.1.3), and where edges or points differ (4.2) colour counts more (4.3).
+Based on: Andersson, Nilsson, Akenine-Moller, Oskarsson, Astrom and Fairchild, "FLIP: A Difference Evaluator for Alternating
+Images", 2020. Both pictures are blurred by the eye's contrast sensitivity at a distance (section 4.1.1) and compared in a
+perceptually uniform colour space (HyAB of Hunt-adjusted L*a*b*, 4.1.2 and 4.1.3); differences of edges or points (4.2) increase the
+weight of colour (4.3).
 """
 
 import numpy as np
@@ -14,18 +15,18 @@ RGB_TO_XYZ = np.array([[10135552 / 24577794, 8788810 / 24577794, 4435075 / 24577
 WHITE = RGB_TO_XYZ.sum(axis=1)
 COLOR_POWER, COLOR_SPLIT, COLOR_SHARE, FEATURE_POWER = 0.7, 0.4, 0.95, 0.5
 FEATURE_WIDTH_DEG = 0.082
-# Gaussians (a, b) of the contrast sensitivity: of lightness, red-green, blue-yellow.
+# Gaussians (a, b) of the contrast sensitivity: lightness, red-green, blue-yellow.
 SENSITIVITY = (((1.0, 0.0047),), ((1.0, 0.0053),), ((34.1, 0.04), (13.5, 0.025)))
 WIDEST = 0.04
 
 
 def linear(codes):
-    """Of sRGB values 0 to 1."""
+    """Returns the linear light of sRGB values from 0 to 1."""
     return np.where(codes <= 0.04045, codes / 12.92, ((codes + 0.055) / 1.055)**2.4)
 
 
 def opponent(rgb):
-    """YCxCz of linear RGB, (h, w, 3)."""
+    """Returns YCxCz of linear RGB, (h, w, 3)."""
     x, y, z = np.moveaxis(rgb @ RGB_TO_XYZ.T / WHITE, -1, 0)
     return np.stack([116 * y - 16, 500 * (x - y), 200 * (y - z)], axis=-1)
 
@@ -37,7 +38,7 @@ def from_opponent(ycc):
 
 
 def hunt_lab(rgb):
-    """L*, a* and b* of linear RGB, the latter two less where it is dark."""
+    """Returns L*, a* and b* of linear RGB, with a* and b* scaled by lightness (Hunt effect)."""
     part = rgb @ RGB_TO_XYZ.T / WHITE
     edge = 6 / 29
     root = np.where(part > edge**3, np.cbrt(part), part / (3 * edge**2) + 4 / 29)
@@ -52,7 +53,7 @@ def hyab(a, b):
 
 
 def along(picture, kernel, axis):
-    """Convolution along an axis; beyond the border its pixels go on."""
+    """Convolves along an axis. Pixels at the border are repeated."""
     radius = len(kernel) // 2
     pad = [(radius, radius) if i == axis else (0, 0) for i in range(picture.ndim)]
     wide, size = np.pad(picture, pad, mode="edge"), picture.shape[axis]
@@ -71,7 +72,7 @@ def as_seen(channel, gaussians):
 
 
 def color_difference(a, b):
-    """0 to 1; a, b: YCxCz."""
+    """Returns differences from 0 to 1; a, b: YCxCz."""
     seen = [np.stack([as_seen(p[..., i], SENSITIVITY[i]) for i in range(3)], axis=-1) for p in (a, b)]
     labs = [hunt_lab(np.clip(from_opponent(p), 0, 1)) for p in seen]
     most = hyab(*hunt_lab(np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])))**COLOR_POWER
@@ -80,7 +81,7 @@ def color_difference(a, b):
 
 
 def features(lightness):
-    """How much of an edge and of a point every pixel is."""
+    """Returns the strength of edges and of points at every pixel."""
     deviation = 0.5 * FEATURE_WIDTH_DEG * PIXELS_PER_DEGREE
     x = np.arange(-int(np.ceil(3 * deviation)), int(np.ceil(3 * deviation)) + 1)
     bell = np.exp(-x**2 / (2 * deviation**2))
@@ -93,7 +94,7 @@ def features(lightness):
 
 
 def difference(a, b):
-    """Maps (h, w) of FLIP. a, b: 8-bit sRGB codes, (h, w, 3)."""
+    """Returns the map (h, w) of FLIP. a, b: 8-bit sRGB codes, (h, w, 3)."""
     pictures = [opponent(linear(p.astype(float) / 255)) for p in (a, b)]
     (edge_a, point_a), (edge_b, point_b) = [features((p[..., 0] + 16) / 116) for p in pictures]
     feature = (np.maximum(np.abs(edge_a - edge_b), np.abs(point_a - point_b)) / np.sqrt(2))**FEATURE_POWER

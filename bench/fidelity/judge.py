@@ -1,6 +1,7 @@
-"""Each renderer's picture of a scenario against the median of the others'.
+"""Compares each renderer's picture of a scenario with the median of the others'.
 
-Pixels count that any of the pictures covers: an empty background says nothing of a renderer. Pictures are RGBA codes (pictures.py), compared before a plain grey.
+Only pixels that some picture covers count: an empty background says nothing about a renderer. Pictures are RGBA codes (pictures.py),
+compared over plain grey.
 """
 
 import math
@@ -15,38 +16,38 @@ def decibels(mean_square):
 
 
 def psnr(a, b, counted):
-    """Of RGB codes, over the pixels that count."""
+    """Returns the PSNR of RGB codes over the counted pixels."""
     return decibels(np.mean((a[counted].astype(float) - b[counted])**2))
 
 
 def noise(few, many, times):
-    """The mean square that noise has in the picture of `times` as many samples, from its difference to one of other noise. An upper bound where
-    samples are spread so well that noise falls faster than by their number."""
+    """Returns the mean square of the noise in the picture of `times` as many samples, from its difference to one with independent noise. An
+    upper bound if samples are stratified, since noise then falls faster than with their number."""
     counted = (few[..., 3] > 0) | (many[..., 3] > 0)
     a, b = pictures.before_grey(few).astype(float), pictures.before_grey(many)
     return float(np.mean((a[counted] - b[counted])**2) / (times + 1)) if counted.any() else 0.0
 
 
 def noise_together(facts):
-    """The PSNR that two pictures would have which differ by the noise of both alone."""
+    """Returns the PSNR of two pictures that differ only by the noise of both."""
     return decibels(sum(value for name, value in facts.items() if name in ("lippmann_noise", "cycles_noise")))
 
 
 def median_of(others):
-    """Per pixel and channel; of two pictures, the mean."""
+    """Returns the median per pixel and channel; the mean for two pictures."""
     return np.round(np.median(np.stack(others), axis=0)).astype(np.uint8)
 
 
 def counted_pixels(named):
-    """Those that any of the pictures covers."""
+    """Returns the pixels that any of the pictures covers."""
     counted = np.any([p[..., 3] > 0 for p in named.values()], axis=0)
     if not counted.any():
-        raise SystemExit("no renderer's picture shows anything but the background: does the camera see the model?")
+        raise SystemExit("all pictures show only the background; check that the camera sees the model")
     return counted
 
 
 def among_others(named, own):
-    """The PSNR that the others have against one another: of the mean square of each against the median of the rest of them. None of fewer than two."""
+    """Returns the PSNR of the others among each other: the mean square of each against the median of the rest. None for fewer than two."""
     counted = counted_pixels(named)
     flat = [pictures.before_grey(p) for name, p in named.items() if name != own]
     if len(flat) < 2:
@@ -56,9 +57,9 @@ def among_others(named, own):
 
 
 def judged(named):
-    """{renderer: {"psnr_db", "flip", "map", "median"}} of {renderer: RGBA picture}, all of one size; needs two pictures or more.
+    """Returns {renderer: {"psnr_db", "flip", "map", "median"}} for {renderer: RGBA picture}; needs two or more pictures of one size.
 
-    flip: the mean over what counts of the map (h, w) of differences, 0 to 1.
+    flip: the mean over the counted pixels of the map (h, w) of differences, 0 to 1.
     """
     counted = counted_pixels(named)
     flat = {name: pictures.before_grey(p) for name, p in named.items()}

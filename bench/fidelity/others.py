@@ -1,8 +1,8 @@
-"""Pictures of a shot by other path tracers: Cycles in Blender, and three-gpu-pathtracer in a browser.
+"""Renders a shot with other path tracers: Cycles in Blender, and three-gpu-pathtracer in a browser.
 
-A shot has `file` (a glTF file), `camera` (a name in it), `panorama` (a file or None), `width`, `height`, `folder`, and `scenario.skybox`. Each function
-gives [{"out", "cpu_seconds"}] of an eighth of the samples and of all, PNG files; cpu_seconds is None where it says nothing of the renderer. They
-are kept in the shot's folder and used again until what they follow from changes.
+A shot has `file` (a glTF file), `camera` (a name in it), `panorama` (a file or None), `width`, `height`, `folder`, and
+`scenario.skybox`. Each function returns [{"out", "cpu_seconds"}] of an eighth of the samples and of all, as PNG files; cpu_seconds is
+None if it does not measure the renderer. Pictures are kept in the shot's folder until their inputs change.
 """
 
 import hashlib
@@ -25,20 +25,20 @@ def few(spp):
 
 
 def job_of(shot, options):
-    """What every renderer is asked for."""
+    """Returns the job that every renderer gets."""
     return {"file": str(shot.file), "panorama": shot.panorama and str(shot.panorama), "width": shot.width, "height": shot.height, "vertices": options.vertices,
             "threads": options.threads, "skybox": shot.scenario.skybox, "camera": shot.camera}
 
 
 def key_of(job, shot, programs):
-    """Of all that a picture follows from."""
+    """Returns a hash of all inputs of a picture."""
     parts = [json.dumps(job, sort_keys=True).encode(), shot.file.read_bytes(), shot.panorama.read_bytes() if shot.panorama else b""]
     parts += [file.read_bytes() for file in programs]
     return hashlib.sha256(b"".join(hashlib.sha256(part).digest() for part in parts)).hexdigest()
 
 
 def kept(shot, name, job, programs, render):
-    """What an earlier run of the same has left, or what render(the job's file) gives."""
+    """Returns the kept result of an earlier run with the same inputs, or else that of render(the job's file)."""
     file, key = shot.folder / f"{name}.json", key_of(job, shot, programs)
     if file.exists() and json.loads(file.read_text())["key"] == key:
         return json.loads(file.read_text())["renders"]
@@ -50,7 +50,7 @@ def kept(shot, name, job, programs, render):
 
 
 def in_blender(name):
-    """Cycles with surfaces as the specification has them, or, called importer, with those of Blender's own import."""
+    """Returns Cycles with the surfaces of the specification or, for the name importer, with those of Blender's own import."""
 
     def pictures_of(shot, options):
         renders = [{"samples": n, "seed": n, "out": str(shot.folder / f"{name}-{n}.png")} for n in (few(options.spp), options.spp)]
@@ -64,22 +64,22 @@ def in_blender(name):
 
 
 def unread(shot, name):
-    """What the file has and the renderer does not show, as far as that is known: of Blender, by its importer (gltf_in_blender.py)."""
+    """Returns the known features of the file that the renderer does not show; for Blender, from its importer (gltf_in_blender.py)."""
     file = shot.folder / f"{name}.json"
     renders = json.loads(file.read_text())["renders"] if file.exists() else []
     return renders[-1].get("unread", []) if renders else []
 
 
 def has_three():
-    """Says so where it is not there."""
+    """Returns whether three-gpu-pathtracer is installed, and prints a message if not."""
     if shutil.which("node") and (THREE / "node_modules").is_dir():
         return True
-    print("skipped: three-gpu-pathtracer is not there (apt-get install nodejs npm chromium; npm ci in bench/fidelity/three)", file=sys.stderr)
+    print("skipped: three-gpu-pathtracer is not installed (apt-get install nodejs npm chromium; npm ci in bench/fidelity/three)", file=sys.stderr)
     return False
 
 
 def as_picture(file, width, height):
-    """What trace.mjs has written (RGBA of linear light as 32-bit floats, the lowest row first) as a PNG file beside it."""
+    """Writes the output of trace.mjs (RGBA of linear light as 32-bit floats, lowest row first) as a PNG file beside it."""
     light = np.frombuffer(file.read_bytes(), "<f4").reshape(height, width, 4)[::-1].astype(float)
     cover = np.clip(light[..., 3:], 0, 1)
     codes = np.concatenate([pictures.encode(light[..., :3] / np.maximum(cover, 1e-9)), np.round(255 * cover).astype(np.uint8)], axis=-1)

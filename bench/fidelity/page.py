@@ -1,4 +1,4 @@
-"""One HTML page, pictures inside: of every scenario what each renderer shows, and where that differs from the median of the others."""
+"""Writes one HTML page with embedded pictures: each renderer's picture of every scenario, and its difference from the median of the others."""
 
 import base64
 import html
@@ -12,11 +12,11 @@ table { border-collapse: collapse } td, th { padding: .2em .8em; text-align: rig
 tr:nth-child(even) { background: #f2f2f2 } .row { display: flex; flex-wrap: wrap; gap: 12px } figure { margin: 0 }
 figcaption { max-width: 20em; margin-bottom: .3em } img { image-rendering: pixelated; width: 256px; display: block; margin-bottom: 4px }
 </style><h1>glTF fidelity</h1>
-<p>Each renderer against the median of the others: PSNR of 8-bit codes and the mean of FLIP (0: alike), over the pixels that any picture covers. Below each
-picture: FLIP per pixel, black where both look alike, white at 0.5 and above. Not read: what a file has and Blender's importer, or the surfaces that stand for its own, leave
-out; such rows say little of the others.</p>
+<p>Each renderer against the median of the others: PSNR of 8-bit codes and the mean of FLIP (0: equal), over the pixels that any picture
+covers. Below each picture: FLIP per pixel, black where both look equal, white at 0.5 and above. Not read: features of a file that
+Blender's importer, or the surfaces that replace its own, leave out; such rows are no measure of the others.</p>
 """
-STEEPNESS = 2.0  # of the maps, as the text above says
+STEEPNESS = 2.0  # of the maps, as stated above
 
 
 def shown(codes):
@@ -58,7 +58,7 @@ def table(rows):
 
 
 def figure(name, judged, picture):
-    """judged: none where there is nothing to hold the picture against."""
+    """judged: None if there is nothing to compare the picture with."""
     if judged is None:
         return f"<figure><figcaption><b>{html.escape(name)}</b></figcaption>{shown(pictures.before_grey(picture))}</figure>"
     return (f"<figure><figcaption><b>{html.escape(name)}</b> {decibels(judged['psnr_db'])} dB, FLIP {judged['flip']:.4f}</figcaption>" +
@@ -66,13 +66,13 @@ def figure(name, judged, picture):
 
 
 class Page:
-    """Grows by scenarios, so that their pictures need not be kept."""
+    """Collects scenarios one at a time, so that their pictures need not be kept."""
 
     def __init__(self):
         self.rows, self.sections = [], []
 
     def add(self, row, judged, named):
-        """row: of the table; judged: as judge.judged says; named: RGBA pictures."""
+        """row: of the table; judged: the result of judge.judged; named: RGBA pictures."""
         self.rows.append(row)
         notes = "".join(f"<p>{html.escape(note)}</p>" for note in row["notes"])
         figures = "".join(figure(name, judged.get(name), named[name]) for name in named)

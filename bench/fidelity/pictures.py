@@ -1,4 +1,4 @@
-"""PNG files as arrays: the tool compares pictures itself, but medians and coverage need their pixels.
+"""Reads and writes PNG files as arrays, for medians and coverage. (The tool compares pictures itself.)
 
 Pictures are (h, w, 4) arrays of 8-bit codes: red, green, blue and alpha, row 0 on top.
 """
@@ -12,14 +12,14 @@ CHANNELS = {0: 1, 2: 3, 4: 2, 6: 4}
 
 
 def paeth(left, up, corner):
-    """The neighbour nearest to left + up - corner, as PNG's specification breaks ties."""
+    """Returns the neighbour nearest to left + up - corner, with ties broken as in PNG's specification."""
     estimate = left + up - corner
     a, b, c = abs(estimate - left), abs(estimate - up), abs(estimate - corner)
     return left if a <= b and a <= c else up if b <= c else corner
 
 
 def unfilter_one_by_one(kind, row, above, step):
-    """Rows whose filter looks at what it has just made: average (3) and Paeth (4)."""
+    """Decodes rows whose filter depends on the pixel just decoded: average (3) and Paeth (4)."""
     row, above = [0] * step + row.tolist(), [0] * step + above.tolist()
     for i in range(step, len(row)):
         left, up = row[i - step], above[i]
@@ -46,14 +46,14 @@ def chunks(data):
 
 
 def read(path):
-    """Raises SystemExit for what is no PNG of 8 or 16 bits a channel without palette and interlacing."""
+    """Reads a PNG file. Raises SystemExit unless it has 8 or 16 bits per channel, no palette and no interlacing."""
     data = path.read_bytes()
     found = list(chunks(data)) if data[:8] == b"\x89PNG\r\n\x1a\n" else []
     if not found or found[0][0] != b"IHDR":
         raise SystemExit(f"{path}: not a PNG picture")
     width, height, bits, color, _, _, interlaced = struct.unpack(">IIBBBBB", found[0][1])
     if bits not in (8, 16) or color not in CHANNELS or interlaced:
-        raise SystemExit(f"{path}: a PNG with a palette, interlaced or of {bits} bits; accepted: 8 or 16 bits a channel, as rows")
+        raise SystemExit(f"{path}: a PNG with a palette, interlacing or {bits} bits; accepted: 8 or 16 bits per channel, not interlaced")
     step = CHANNELS[color] * bits // 8
     raw = np.frombuffer(zlib.decompress(b"".join(d for name, d in found if name == b"IDAT")), np.uint8).reshape(height, 1 + width * step)
     rows, above = [], np.zeros(width * step, np.uint8)
@@ -64,7 +64,7 @@ def read(path):
 
 
 def with_alpha(codes):
-    """RGBA of grey, grey and alpha, RGB or RGBA."""
+    """Returns RGBA for grey, grey and alpha, RGB or RGBA."""
     count = codes.shape[-1]
     alpha = codes[..., -1:] if count in (2, 4) else np.full_like(codes[..., :1], 255)
     color = codes[..., :3] if count >= 3 else np.repeat(codes[..., :1], 3, axis=-1)
@@ -72,7 +72,7 @@ def with_alpha(codes):
 
 
 def png(codes):
-    """The bytes of a PNG file of an (h, w, 3) or (h, w, 4) array."""
+    """Returns the bytes of a PNG file for an (h, w, 3) or (h, w, 4) array."""
     height, width, count = codes.shape
     chunk = lambda name, body: struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body))
     rows = np.concatenate([np.zeros((height, 1), np.uint8), codes.reshape(height, -1)], axis=1)
@@ -81,7 +81,7 @@ def png(codes):
 
 
 def encode(light):
-    """8-bit sRGB codes of linear light."""
+    """Returns 8-bit sRGB codes of linear light."""
     light = np.clip(light, 0, 1)
     return np.round(255 * np.where(light <= 0.0031308, 12.92 * light, 1.055 * light**(1 / 2.4) - 0.055)).astype(np.uint8)
 
@@ -92,7 +92,7 @@ def decode(codes):
 
 
 def shrunk(picture, width, height):
-    """The picture at that size, a whole number of times smaller: means of light, weighted by coverage. None where it is no such number."""
+    """Returns the picture reduced by an integer factor to this size: means of light, weighted by coverage. None if the factor is not an integer."""
     times = picture.shape[0] // height
     if picture.shape[:2] != (height * times, width * times) or times == 0:
         return None
@@ -106,6 +106,6 @@ def shrunk(picture, width, height):
 
 
 def before_grey(picture, light=0.18):
-    """RGB codes of the picture before a plain grey, on which what is black and what is white are both seen."""
+    """Returns RGB codes of the picture over plain grey, which shows both black and white."""
     alpha = picture[..., 3:] / 255.0
     return encode(decode(picture[..., :3]) * alpha + light * (1 - alpha))

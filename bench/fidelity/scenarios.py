@@ -1,9 +1,10 @@
-"""Scenarios in the form of glTF Render Fidelity's configuration: a model, a camera that orbits a target, surroundings and a size.
+"""Reads scenarios in the form of glTF Render Fidelity's configuration: a model, a camera that orbits a target, an environment, a size.
 
-A configuration is a JSON file with "scenarios": each has a "name" and a "model" (a path beside the configuration), and may have "lighting" (a
-panorama), "dimensions", "target", "orbit" (theta and phi in degrees, radius), "verticalFoV" (degrees), "renderSkybox" and "exclude" (renderers whose
-pictures do not count). What it does not say is as that project has it. Reference pictures are goldens/NAME/RENDERER-golden.png beside it.
-A folder without a configuration is one scenario for every glTF file below it, seen by its own camera or by the tool's default view.
+A configuration is a JSON file with "scenarios": each has a "name" and a "model" (a path relative to the configuration), and may have
+"lighting" (a panorama), "dimensions", "target", "orbit" (theta and phi in degrees, radius), "verticalFoV" (degrees), "renderSkybox" and
+"exclude" (renderers whose pictures do not count). Defaults are those of that project. Reference pictures are
+goldens/NAME/RENDERER-golden.png beside it. A folder without a configuration is one scenario per glTF file below it, seen by its own
+camera or by the tool's default view.
 """
 
 import dataclasses
@@ -17,7 +18,7 @@ DEFAULT_SIZE = 768
 
 @dataclasses.dataclass
 class Orbit:
-    """theta turns the camera about the vertical from the front, phi is its angle from straight above; degrees. radius: in units of the scene."""
+    """theta rotates the camera about the vertical from the front, phi is its angle from the zenith; degrees. radius: in scene units."""
 
     theta: float = 0.0
     phi: float = 90.0
@@ -28,23 +29,23 @@ class Orbit:
 class Scenario:
     name: str
     model: pathlib.Path
-    lighting: pathlib.Path = None  # none: the panorama of the bench
+    lighting: pathlib.Path = None  # None: the panorama of the bench
     width: int = DEFAULT_SIZE
     height: int = DEFAULT_SIZE
-    orbit: Orbit = None  # none: the file's camera, or the tool's default view
+    orbit: Orbit = None  # None: the file's camera, or the tool's default view
     target: tuple = (0.0, 0.0, 0.0)
     vertical_fov_deg: float = 45.0
     skybox: bool = False
-    references: dict = dataclasses.field(default_factory=dict)  # renderer: picture
+    references: dict = dataclasses.field(default_factory=dict)  # picture of each renderer
 
     def size(self, longest):
-        """Width and height in pixels, scaled so that the longer is at most `longest`."""
+        """Returns width and height in pixels, scaled so that the longer is at most `longest`."""
         scale = min(1.0, longest / max(self.width, self.height))
         return max(1, round(self.width * scale)), max(1, round(self.height * scale))
 
 
 def camera_place(orbit, target):
-    """Where an orbit's camera stands, and its turn as a quaternion (x, y, z, w) from looking along -z."""
+    """Returns the position of an orbit's camera, and its rotation from -z as a quaternion (x, y, z, w)."""
     theta, phi = math.radians(orbit.theta), math.radians(orbit.phi)
     away = (math.sin(phi) * math.sin(theta), math.cos(phi), math.sin(phi) * math.cos(theta))
     yaw, pitch = theta / 2, (phi - math.pi / 2) / 2
@@ -59,7 +60,7 @@ def references_of(folder, name, excluded):
 
 
 def scenario_of(entry, folder):
-    """One entry of "scenarios"; raises SystemExit where it lacks what it must have."""
+    """Reads one entry of "scenarios". Raises SystemExit if a required key is missing."""
     missing = [key for key in ("name", "model") if not isinstance(entry.get(key), str)]
     if missing:
         raise SystemExit(f"{folder}: a scenario has no {missing[0]}: {json.dumps(entry)[:120]}")
@@ -77,7 +78,7 @@ def files_below(folder):
 
 
 def read(path):
-    """The scenarios of a configuration, or of a folder: its config.json, else one of each glTF file in it."""
+    """Returns the scenarios of a configuration, or of a folder: its config.json, or else one per glTF file in it."""
     config = path / "config.json" if path.is_dir() else path
     if path.is_dir() and not config.exists():
         found = files_below(path)
@@ -87,5 +88,5 @@ def read(path):
         except (OSError, ValueError, KeyError, TypeError) as error:
             raise SystemExit(f"{config}: not a configuration of scenarios: {error!r}")
     if not found:
-        raise SystemExit(f"{path}: there are neither scenarios nor glTF files")
+        raise SystemExit(f"{path}: contains neither scenarios nor glTF files")
     return found

@@ -1,4 +1,4 @@
-// The page's side: a scenario set up in three.js, its samples, and their mean as linear light.
+// Sets up a scenario in three.js, adds samples, and returns their mean as linear light.
 import * as THREE from "three";
 import { DRACOLoader } from "three/addons/loaders/DRACOLoader.js";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
@@ -16,7 +16,7 @@ function load(file) {
   return loader.loadAsync(file);
 }
 
-/** As the first animation has it at time 0, which is frame 0 of the others. */
+/** Applies the first animation at time 0, which is frame 0 of the other renderers. */
 function pose(gltf) {
   if (gltf.animations.length === 0) return;
   const mixer = new THREE.AnimationMixer(gltf.scene);
@@ -40,7 +40,7 @@ function cameraOf(gltf, job) {
   return camera;
 }
 
-/** Every path and every pixel is treated alike: neither a coarse first picture, nor rougher materials after a bounce. */
+/** Treats all paths and pixels alike: no coarse first picture, and no rougher materials after a bounce. */
 function measureAlike(vertices) {
   Object.assign(tracer, { renderToCanvas: false, rasterizeScene: false, dynamicLowRes: false, minSamples: 0, renderDelay: 0, fadeDuration: 0 });
   Object.assign(tracer, { bounces: vertices, transmissiveBounces: vertices, filterGlossyFactor: 0, multipleImportanceSampling: true });
@@ -59,7 +59,7 @@ window.setUp = async (job) => {
   tracer.setScene(scene, cameraOf(gltf, job));
 };
 
-/** Adds samples, at most 8 and so that the picture has `wanted`; how many it has then. Waits until they are drawn. */
+/** Adds up to 8 samples, but at most `wanted` in total, waits until they are drawn, and returns the total. */
 window.sample = async (wanted) => {
   for (let i = 0; i < 8 && tracer.samples < wanted; ++i) tracer.renderSample();
   if (tracer.isCompiling) await new Promise((done) => setTimeout(done, 100));
@@ -67,10 +67,10 @@ window.sample = async (wanted) => {
   return tracer.samples;
 };
 
-/** Further samples are another picture's, with other noise. */
+/** Starts another picture with independent noise. */
 window.begin = () => tracer.reset();
 
-/** RGBA of the mean as 32-bit floats, the lowest row first, in base64. */
+/** Returns RGBA of the mean as 32-bit floats, lowest row first, in base64. */
 window.picture = () => {
   const { width, height } = tracer.target, values = new Float32Array(4 * width * height);
   renderer.readRenderTargetPixels(tracer.target, 0, 0, width, height, values);

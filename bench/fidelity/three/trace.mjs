@@ -1,6 +1,6 @@
-// Renders a scenario with three-gpu-pathtracer in headless Chromium: node trace.mjs JOB.json, where the job has file, panorama (or
-// null), skybox, width, height, vertices, camera, and renders: [{samples, out}, ...]. Each `out` gets RGBA as 32-bit floats, the
-// lowest row first. Prints a line of JSON a picture. `npm ci` in this folder first.
+// Renders a scenario with three-gpu-pathtracer in headless Chromium: node trace.mjs JOB.json. The job has file, panorama (or
+// null), skybox, width, height, vertices, camera, and renders: [{samples, out}, ...]. Writes RGBA as 32-bit floats, lowest row
+// first, to each `out`, and prints one line of JSON per picture. Run `npm ci` in this folder first.
 import fs from "node:fs";
 import http from "node:http";
 import path from "node:path";
@@ -18,7 +18,7 @@ function answer(request, response) {
   fs.createReadStream(file).pipe(response);
 }
 
-/** Draws on the processor, or, with LIPPMANN_ANGLE=vulkan or gl-egl, on a graphics card. */
+/** Draws on the processor or, with LIPPMANN_ANGLE=vulkan or gl-egl, on a graphics card. */
 function launch() {
   const graphics = ["--use-gl=angle", `--use-angle=${process.env.LIPPMANN_ANGLE ?? "swiftshader"}`, "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
   return chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", ...graphics] });
