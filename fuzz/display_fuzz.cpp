@@ -1,5 +1,5 @@
-// Feeds bytes to the readers of displays: a text that begins with '{' is a calibration's JSON, any other a display's TOML.
-// Whatever they are, they either throw Error or give a display whose rays validate() accepts and that can be written as JSON.
+// Feeds bytes to the readers of displays: text that begins with '{' is a calibration's JSON, other text a display's TOML. The
+// readers must throw Error or return a display whose rays pass validate() and that can be written as JSON.
 //
 // fuzz/display_seeds SEEDS && fuzz_display -dict=fuzz/display.dict CORPUS SEEDS; or scripts/fuzz display.
 #include <cstdlib>
@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   try {
     validate(native_optics(display));
   } catch (const Error& error) {
-    std::cerr << "a display that was accepted has no rays: " << error.what() << '\n';
+    std::cerr << "an accepted display has invalid rays: " << error.what() << '\n';
     std::abort();
   }
   if (views_of(display) < 0 || display_json(display).dump().empty()) std::abort();

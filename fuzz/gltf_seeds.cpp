@@ -122,7 +122,7 @@ GltfBuilder lights_and_cameras() {
   return b;
 }
 
-/// A triangle whose positions meshoptimizer has packed, shown twice.
+/// Returns a triangle compressed with meshoptimizer, used by two nodes.
 GltfBuilder packed_by_meshopt() {
   GltfBuilder b;
   const std::vector<Vec3f> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -142,7 +142,7 @@ GltfBuilder packed_by_meshopt() {
   return b;
 }
 
-/// A triangle that Draco has packed.
+/// Returns a triangle compressed with Draco.
 GltfBuilder packed_by_draco(int method) {
   draco::TriangleSoupMeshBuilder builder;
   builder.Start(1);
@@ -182,7 +182,7 @@ GltfBuilder splats() {
   return b;
 }
 
-/// A JSON file whose buffer is in a data URI: the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0).
+/// Returns a JSON file whose buffer is a data URI: the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0).
 std::string data_uri() {
   GltfBuilder b;
   b.add_node({{"mesh", b.add_triangle()}});

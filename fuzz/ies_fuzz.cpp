@@ -1,5 +1,5 @@
-// Feeds bytes to the reader of photometric files. Whatever they are, it either throws Error or gives a web whose light is a
-// number >= 0 in every direction.
+// Feeds bytes to the reader of photometric files. It must throw Error or return a web whose light is a finite number >= 0 in
+// every direction.
 //
 // fuzz/ies_seeds SEEDS && fuzz_ies -dict=fuzz/ies.dict CORPUS SEEDS; or scripts/fuzz ies.
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 
 void require(bool holds, const char* what) {
   if (holds) return;
-  std::cerr << "the reader made a web " << what << '\n';
+  std::cerr << "the reader returned a web " << what << '\n';
   std::abort();
 }
 
@@ -40,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   for (float x = -1.0f; x <= 1.0f; x += 0.25f)
     for (float y = -1.0f; y <= 1.0f; y += 0.25f) {
       const float light = profile.mean_candela * intensity(profile.web, glm::normalize(Vec3f(x, y, x + y + 0.1f)));
-      require(std::isfinite(light) && light >= 0.0f, "that shines by no number");
+      require(std::isfinite(light) && light >= 0.0f, "with light that is negative or not finite");
     }
   return 0;
 }

@@ -1,5 +1,5 @@
-// Feeds bytes to the reader of job files. Whatever they are, they either throw Error or give parameters that, written as a job
-// and read again, are the same.
+// Feeds bytes to the reader of job files. It must throw Error or return parameters that stay the same when written as a job and
+// read again.
 //
 // fuzz/job_seeds SEEDS && fuzz_job -dict=fuzz/job.dict CORPUS SEEDS; or scripts/fuzz job.
 #include <cstdlib>
@@ -13,7 +13,7 @@ using namespace lippmann;
 
 namespace {
 
-/// As a job in the folder that the file of all inputs lies in. Throws Error.
+/// Reads a job, relative to the folder of the input file. Throws Error.
 std::string read(const std::filesystem::path& file) {
   RenderParams params;
   read_job(file, params);
@@ -33,9 +33,9 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   try {
     const std::string again = read(file.with(reinterpret_cast<const unsigned char*>(text.data()), text.size()));
     if (again == text) return 0;
-    std::cerr << "a job that was accepted:\n" << text << "is another one when it is read again:\n" << again;
+    std::cerr << "an accepted job:\n" << text << "changes when it is written and read again:\n" << again;
   } catch (const Error& error) {
-    std::cerr << "a job that was written is not read: " << error.what() << '\n' << text;
+    std::cerr << "a written job cannot be read: " << error.what() << '\n' << text;
   }
   std::abort();
 }

@@ -1,5 +1,5 @@
-// Feeds bytes to the reader of what a run has written into its journal. Whatever they are, no file that the journal names lies
-// outside its folder, numbers are within reason, and what was read can be written.
+// Feeds bytes to the reader of journals. No file in the result may lie outside the journal's folder, numbers must be in range,
+// and the result must be writable.
 //
 // fuzz/journal_seeds SEEDS && fuzz_journal -dict=fuzz/journal.dict CORPUS SEEDS; or scripts/fuzz journal.
 #include <cstdlib>
@@ -22,13 +22,13 @@ void require(bool holds, const std::string& what) {
 void check_names(const FileRecords& files) {
   for (const auto& [name, sum] : files) {
     const std::filesystem::path path(name);
-    require(path.is_relative() && !path.empty(), "a file of a frame is nowhere in the folder: " + name);
+    require(path.is_relative() && !path.empty(), "a frame's file has no relative path:  " + name);
     for (const auto& part : path) require(part != "..", "a file of a frame is outside the folder: " + name);
   }
 }
 
 void check_frame(int frame, const JournalEntry& finished) {
-  require(frame >= 0 && finished.report.frame == frame, "a frame is not what it is called");
+  require(frame >= 0 && finished.report.frame == frame, "a frame has another frame's report");
   check_names(finished.files);
   require(!frame_line(finished.report, finished.files).empty(), "a frame cannot be written");
 }
@@ -38,11 +38,11 @@ void check_frame(int frame, const JournalEntry& finished) {
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   static const FileInMemory file;
   const FolderJournal journal = read_journal_part(file.with(data, size));
-  for (const int frame : journal.asked) require(frame >= 0, "a frame below 0 was asked for");
+  for (const int frame : journal.asked) require(frame >= 0, "a requested frame is negative");
   for (const auto& [frame, finished] : journal.frames) check_frame(frame, finished);
   for (const auto& [frame, strips] : journal.strips)
     for (const auto& [strip, finished] : strips.finished) {
-      require(strip >= 0 && strip < strips.count, "a strip that the frame does not have");
+      require(strip >= 0 && strip < strips.count, "a strip's index is out of range");
       check_frame(frame, finished);
     }
   for (const RunReport& run : journal.runs) require(!to_json(run).dump().empty(), "a run cannot be written");

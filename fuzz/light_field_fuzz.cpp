@@ -1,8 +1,9 @@
-// Feeds bytes to the readers of light fields' side files and pictures that are our own. The first byte says which: 'h' HCI's
-// parameters.cfg, 'v' cvkit's NAME_param.txt, 'e' ESLF's side file, 'm' MIV's cameras.json, 't' NeRF's transforms.json, 'a' and
-// 'i' COLMAP's cameras and images as text, 'A' and 'I' as binary, 'l' LLFF's poses_bounds.npy, 'q' a quilt's side file, 'p'
-// PPM, 'f' PFM, 'k' --keep, 'c' --crop, 'w' the side file of a raw plenoptic picture, 'L' a Lytro container, 'r' Lytro metadata
-// of 16x16 packed codes. Whatever follows, it either throws Error or gives what is written and read again to the same.
+// Feeds bytes to the project's own readers of light fields' side files and pictures. The first byte selects the reader: 'h'
+// HCI's parameters.cfg, 'v' cvkit's NAME_param.txt, 'e' ESLF's side file, 'm' MIV's cameras.json, 't' NeRF's transforms.json,
+// 'a' and 'i' COLMAP's cameras and images as text, 'A' and 'I' as binary, 'l' LLFF's poses_bounds.npy, 'q' a quilt's side file,
+// 'p' PPM, 'f' PFM, 'k' --keep, 'c' --crop, 'w' the side file of a raw plenoptic picture, 'L' a Lytro container, 'r' Lytro
+// metadata of 16x16 packed codes. The reader must throw Error or return a result that stays the same when written and read
+// again.
 //
 // fuzz/light_field_seeds SEEDS && fuzz_light_field -dict=fuzz/light_field.dict CORPUS SEEDS; or scripts/fuzz light_field.
 #include <array>

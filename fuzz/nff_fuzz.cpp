@@ -1,4 +1,4 @@
-// Feeds bytes to the NFF reader. Whatever they are, it either throws Error or gives a scene that validate() accepts.
+// Feeds bytes to the NFF reader. It must throw Error or return a scene that passes validate().
 //
 // fuzz/nff_seeds SEEDS && fuzz_nff -dict=fuzz/nff.dict CORPUS SEEDS; or scripts/fuzz nff.
 #include <cstdlib>
@@ -20,7 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   try {
     validate(scene, "scene.nff");
   } catch (const Error& error) {
-    std::cerr << "the reader made a scene that is not valid: " << error.what() << '\n';
+    std::cerr << "the reader returned an invalid scene: " << error.what() << '\n';
     std::abort();
   }
   return 0;

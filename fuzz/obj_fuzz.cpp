@@ -1,7 +1,7 @@
-// Feeds bytes to the OBJ reader. Whatever they are, it either throws Error or gives a scene that validate() accepts.
+// Feeds bytes to the OBJ reader. It must throw Error or return a scene that passes validate().
 //
 // fuzz/obj_seeds SEEDS && fuzz_obj -dict=fuzz/obj.dict CORPUS SEEDS; or scripts/fuzz obj.
-// An input is a scene; what follows the first NUL byte, if there is one, is its materials, a.mtl. A texture, a.ppm, lies beside
+// An input is a scene; bytes after the first NUL byte, if there is one, are its materials, a.mtl. A texture, a.ppm, lies beside
 // them.
 #include <unistd.h>
 
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 void write(const fs::path& file, const std::string& contents) { std::ofstream(file, std::ios::binary) << contents; }
 
-/// Made once per process; removed when it exits.
+/// A temporary folder per process.
 class Folder {
  public:
   Folder() : folder_((fs::temp_directory_path() / "lippmann-fuzz-XXXXXX").string()) {
@@ -55,7 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   try {
     validate(scene, "a.obj");
   } catch (const Error& error) {
-    std::cerr << "the reader made a scene that is not valid: " << error.what() << '\n';
+    std::cerr << "the reader returned an invalid scene: " << error.what() << '\n';
     std::abort();
   }
   return 0;

@@ -1,5 +1,5 @@
-// Feeds bytes to the reader of optics in report.json. Whatever they are, they either throw Error or give optics whose panel can
-// be looked at from anywhere: its zone, eye views, refocusing and conversions, on a panel of a few pixels.
+// Feeds bytes to the reader of optics in report.json. It must throw Error or return optics whose panel of a few pixels can be
+// viewed from anywhere: viewing zone, eye views, refocusing and conversions.
 //
 // fuzz/replay_seeds SEEDS && fuzz_replay -dict=fuzz/replay.dict CORPUS SEEDS; or scripts/fuzz replay.
 #include <cmath>
@@ -38,7 +38,7 @@ void look(const RenderedPanel& rendered) {
     const double share = share_out_of_zone(rendered.optics, viewer_at(at));
     if (!(share >= 0.0 && share <= 1.0)) std::abort();
   }
-  if (sub_pixels_per_pixel(rendered.optics) > 1) return;  // nothing refocuses films of sub-pixels
+  if (sub_pixels_per_pixel(rendered.optics) > 1) return;  // films of sub-pixels cannot be refocused
   for (const double z : {-1e3, 0.0, 7.0}) {
     try {
       validate_depth(rendered.optics, z, "--refocus");
@@ -64,7 +64,7 @@ void convert(const RenderedPanel& rendered) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
-  constexpr double kMostPixels = 4096;  ///< more are slow
+  constexpr double kMostPixels = 4096;  ///< larger panels are slow
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   Optics optics;
   try {

@@ -1,5 +1,5 @@
-// Feeds bytes to the page of figures, as a report.json or a benchmark's result. Whatever they are, they either throw Error or
-// give a page in which no name has become a script, a picture or a link. The page has one script of its own, and data for it.
+// Feeds bytes, as a report.json or a benchmark's result, to the page of figures. It must throw Error or return a page in which
+// no name has become a script, a picture or a link. The page has one script of its own, and data for it.
 //
 // fuzz/report_seeds SEEDS && fuzz_report -dict=fuzz/report.dict CORPUS SEEDS; or scripts/fuzz report.
 #include <cstdlib>

@@ -1,8 +1,8 @@
-// Feeds bytes to the Tachyon importer. Whatever they are, it either throws Error or gives a scene that validate() accepts.
+// Feeds bytes to the Tachyon importer. It must throw Error or return a scene that passes validate().
 //
 // fuzz/tachyon_seeds SEEDS && fuzz_tachyon -dict=fuzz/tachyon.dict CORPUS SEEDS; or scripts/fuzz tachyon.
-// An input is a scene; what follows the first NUL byte, if there is one, is its camera path. Side files of every kind that a
-// scene can name lie in its folder.
+// An input is a scene; bytes after the first NUL byte, if there is one, are its camera path. The folder contains side files of
+// every kind that a scene can name.
 #include <unistd.h>
 
 #include <cstdlib>
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 void write(const fs::path& file, const std::string& contents) { std::ofstream(file, std::ios::binary) << contents; }
 
-/// Made once per process; removed when it exits.
+/// A temporary folder per process.
 class SideFiles {
  public:
   SideFiles() : folder_((fs::temp_directory_path() / "lippmann-fuzz-XXXXXX").string()) {
@@ -67,7 +67,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   try {
     validate(scene, "scene.dat");
   } catch (const Error& error) {
-    std::cerr << "the importer made a scene that is not valid: " << error.what() << '\n';
+    std::cerr << "the importer returned an invalid scene: " << error.what() << '\n';
     std::abort();
   }
   return 0;
