@@ -14,7 +14,7 @@ FOLDER = pathlib.Path(__file__).resolve().parent
 
 
 def png(width, height, rgb):
-    """An 8-bit PNG of a function from a pixel to its colour."""
+    """Returns an 8-bit PNG; rgb(x, y) returns the colour of a pixel."""
     rows = b"".join(b"\0" + bytes(c for x in range(width) for c in rgb(x, y)) for y in range(height))
 
     def chunk(kind, data):
@@ -25,7 +25,7 @@ def png(width, height, rgb):
 
 
 def cube():
-    """Positions, normals, texture coordinates and triangles of a cube of side 2."""
+    """Returns positions, normals, texture coordinates and triangles of a cube of side 2."""
     positions, normals, uvs, triangles = [], [], [], []
     for axis in range(3):
         for sign in (-1, 1):
@@ -41,7 +41,7 @@ def cube():
 
 
 def ball(around=24, down=12):
-    """The same of a ball of radius 1."""
+    """Returns the same for a ball of radius 1."""
     positions, uvs, triangles = [], [], []
     for j in range(down + 1):
         for i in range(around + 1):
@@ -60,7 +60,7 @@ def ball(around=24, down=12):
 
 
 class Glb:
-    """A glTF document whose data is appended piece by piece."""
+    """A glTF document with its binary data, appended piece by piece."""
 
     def __init__(self):
         self.binary = b""
@@ -79,7 +79,7 @@ class Glb:
                     "count": len(rows), "type": kind}
         accessor["min"] = [min(flat[i::size]) for i in range(size)]
         accessor["max"] = [max(flat[i::size]) for i in range(size)]
-        # As single-precision numbers are: the format wants them equal to what is stored.
+        # Rounds to single precision, because min and max must equal the stored values.
         for end in ("min", "max"):
             accessor[end] = [struct.unpack("<f", struct.pack("<f", value))[0] for value in accessor[end]]
         self.json["accessors"].append(accessor)
@@ -117,7 +117,7 @@ def around_y(degrees):
 
 
 def times(a, b):
-    """The product of two quaternions x, y, z, w."""
+    """Returns the product of two quaternions x, y, z, w."""
     ax, ay, az, aw = a
     bx, by, bz, bw = b
     return [aw * bx + ax * bw + ay * bz - az * by, aw * by - ax * bz + ay * bw + az * bx,
@@ -173,7 +173,7 @@ def desk():
 
 
 def vase(around=32, up=24):
-    """Text PLY of a surface of revolution about z."""
+    """Returns a text PLY file of a surface of revolution about z."""
     lines = ["ply", "format ascii 1.0", "comment CC0 1.0", f"element vertex {around * (up + 1)}", "property float x",
              "property float y", "property float z", f"element face {around * up}",
              "property list uchar int vertex_indices", "end_header"]

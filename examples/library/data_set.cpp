@@ -1,5 +1,5 @@
-// A light field for research: a built-in scene seen by a grid of 3 x 3 parallel cameras, with depth and disparity, as a folder
-// of the HCI benchmark's format.
+// Renders a light field for research: a built-in scene seen by a grid of 3 x 3 parallel cameras, with depth and disparity, as a
+// folder in the HCI benchmark's format.
 //   data_set FOLDER
 #include <iostream>
 #include <lippmann/lippmann.hpp>

@@ -1,5 +1,5 @@
-// Looks at a light field that lies in files, of any format that `lippmann convert` reads: what an eye sees, a step to the left
-// and to the right of the middle, and the picture focused in the plane of the display.
+// Views a light field of any format that `lippmann convert` reads: the views of an eye a step to the left and to the right of
+// the middle, and the picture focused on the plane of the display.
 //   look FILE|FOLDER FOLDER
 #include <filesystem>
 #include <iostream>

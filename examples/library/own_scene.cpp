@@ -1,5 +1,5 @@
-// A scene that is made in memory: a red ball bounces before a wall, seen through a lenticular sheet. Every frame is written as
-// the panel behind the sheet shows it, with the depth behind every pixel, and how the frame was made is printed.
+// Builds a scene in memory: a red ball bounces in front of a wall, seen through a lenticular sheet. Writes the panel's picture
+// and the depth of its pixels for every frame, and prints how the frame was rendered.
 //   own_scene FOLDER
 #include <cstdio>
 #include <filesystem>
@@ -18,7 +18,7 @@ Material surface(Vec3f color, float roughness) {
   return {"", material};
 }
 
-/// Metres; the ball's node moves up and down, the wall and the floor have none.
+/// Lengths are metres. The ball's node moves up and down; the wall and the floor have no node.
 Scene bouncing_ball() {
   Scene scene;
   scene.nodes = {{.name = "ball"}};

@@ -1,4 +1,4 @@
-"""A light field from files of any format: refocused, seen by an eye, a line from all views, and written in another format."""
+"""Opens a light field of any format, refocuses it, shows what an eye sees and an epipolar-plane image, and converts it."""
 import sys
 
 import lippmann

@@ -1,4 +1,4 @@
-"""The frame of a calibrated panel, each sub-pixel with its own ray: what a device with this visual.json shows."""
+"""Renders the frame of a calibrated panel, in which each sub-pixel has its own ray: what a device with this visual.json shows."""
 import sys
 
 import lippmann

@@ -1,4 +1,4 @@
-"""Optics that are a function: a pinhole whose picture is bent like that of a wide lens."""
+"""Optics given by a function: a pinhole with the distortion of a wide lens."""
 
 import numpy as np
 

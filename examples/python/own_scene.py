@@ -1,4 +1,4 @@
-"""A scene made of arrays: a pyramid that turns above a floor, as an animation in memory."""
+"""Builds a scene of arrays, a pyramid that rotates above a floor, and renders it as an animation in memory."""
 import numpy as np
 
 import lippmann

@@ -1,4 +1,4 @@
-"""A light field of a scene, with depth, disparity, normals and motion, as arrays."""
+"""Renders a light field of a scene with depth, disparity, normals and motion as arrays."""
 import sys
 
 import lippmann

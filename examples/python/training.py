@@ -1,4 +1,4 @@
-"""Training data without end: random scenes by random cameras, the same for the same seed."""
+"""Yields endless training data: random scenes seen by random cameras, reproducible by seed."""
 import numpy as np
 
 import lippmann
