@@ -113,7 +113,7 @@ TEST(BenchProgram, interruption_is_one_line_and_an_exit_code) {
   stopped.signal(SIGINT);
   std::vector<std::string> rest;
   while (std::getline(log, line)) rest.push_back(line);
-  EXPECT_THAT(rest, testing::ElementsAre("lippmann-bench: interrupted: the benchmark did not reach its end"));
+  EXPECT_THAT(rest, testing::ElementsAre("lippmann-bench: interrupted: the benchmark was stopped before its end"));
   EXPECT_EQ(stopped.wait().exit_code, 128 + SIGINT);
 }
 
