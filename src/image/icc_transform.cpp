@@ -28,7 +28,7 @@ using IccContext = std::unique_ptr<std::remove_pointer_t<cmsContext>, ContextDel
 using OpenProfile = std::unique_ptr<void, ProfileDeleter>;
 using OpenTransform = std::unique_ptr<void, TransformDeleter>;
 
-/// sRGB, or grey with its curve and white.
+/// Returns the profile of sRGB, or of grey with the curve and white of sRGB.
 OpenProfile output_profile(cmsContext context, cmsColorSpaceSignature space) {
   OpenProfile srgb(cmsCreate_sRGBProfileTHR(context));
   if (!srgb || space != cmsSigGrayData) return srgb;
@@ -41,7 +41,8 @@ OpenProfile open_profile(cmsContext context, FileBytes icc) {
   return OpenProfile(cmsOpenProfileFromMemTHR(context, icc.data(), static_cast<cmsUInt32Number>(icc.size())));
 }
 
-/// Null if the profile cannot be used for samples of this color space. `extra`: channels behind the colours, which are copied.
+/// Returns a transform to sRGB, or null if the profile does not fit samples of this colour space. extra: number of channels
+/// after the colours, which are copied.
 OpenTransform transform_of(cmsContext context, FileBytes icc, cmsColorSpaceSignature space, unsigned extra, unsigned bytes) {
   const OpenProfile from = open_profile(context, icc);
   if (!from || cmsGetColorSpace(from.get()) != space) return nullptr;
@@ -61,8 +62,8 @@ OpenTransform transform_of(cmsContext context, FileBytes icc, cmsColorSpaceSigna
 constexpr std::size_t kPixelsAtOnce = std::size_t{1} << 20;
 
 template <class Code>
-void transform(void* with, const std::vector<Code>& from, std::size_t from_channels, std::vector<Code>& to,
-               std::size_t to_channels) {
+void apply_transform(void* with, const std::vector<Code>& from, std::size_t from_channels, std::vector<Code>& to,
+                     std::size_t to_channels) {
   const std::size_t pixels = from.size() / from_channels;
   for (std::size_t at = 0; at < pixels; at += kPixelsAtOnce)
     cmsDoTransform(with, from.data() + at * from_channels, to.data() + at * to_channels,
@@ -71,7 +72,7 @@ void transform(void* with, const std::vector<Code>& from, std::size_t from_chann
 
 bool has_inks(cmsHPROFILE profile) { return cmsGetColorSpace(profile) == cmsSigCmykData; }
 
-/// From sRGB to a profile of RGB codes or inks. Null if it cannot be used.
+/// Returns a transform from sRGB to a profile of RGB codes or inks, or null if the profile cannot be used.
 OpenTransform output_transform(cmsContext context, cmsHPROFILE to, std::size_t bytes) {
   if (!has_inks(to) && cmsGetColorSpace(to) != cmsSigRgbData) return nullptr;
   const OpenProfile from(cmsCreate_sRGBProfileTHR(context));
@@ -109,7 +110,7 @@ std::optional<Samples> output_codes(FileBytes icc, const Samples& rgb) {
 }
 
 bool apply_color_profile(FileBytes icc, const PictureHeader& header, Samples& samples) {
-  constexpr std::size_t kMostExtraChannels = 7;  // of Little CMS's formats
+  constexpr std::size_t kMostExtraChannels = 7;  // limit of Little CMS's sample formats
   const std::size_t channels = header.channels.size(), colors = static_cast<std::size_t>(header.colors);
   if ((colors != 1 && colors != 3) || channels - colors > kMostExtraChannels) return false;
   const IccContext context(cmsCreateContext(nullptr, nullptr));
@@ -120,7 +121,7 @@ bool apply_color_profile(FileBytes icc, const PictureHeader& header, Samples& sa
         const OpenTransform with = transform_of(context.get(), icc, colors == 1 ? cmsSigGrayData : cmsSigRgbData,
                                                 static_cast<unsigned>(channels - colors), sizeof(Code));
         if (!with) return false;
-        transform(with.get(), codes, channels, codes, channels);
+        apply_transform(with.get(), codes, channels, codes, channels);
         return true;
       },
       samples);

@@ -1,9 +1,9 @@
-// JPEG, by libjpeg. Its errors jump: what lies between setjmp() and them has no destructors.
+// Decodes JPEG with libjpeg, whose errors use longjmp: no object with a destructor may live between setjmp() and an error.
 //
-// A truncated or damaged scan is a warning to libjpeg, which fills the rest with grey; here it is an error. So is a
-// progressive file of more scans than any encoder makes: each costs a pass over the whole picture.
+// libjpeg only warns about a truncated or damaged scan and fills the rest with grey; here it is an error. A progressive file
+// with more scans than any encoder makes is also an error, since each scan is a pass over the whole image.
 #include <cstdio>
-// jpeglib.h needs FILE, and the codes of errors depend on the version that it defines.
+// jpeglib.h needs FILE, and the error codes depend on the version that it defines.
 // clang-format off
 #include <jpeglib.h>
 #include <jerror.h>
@@ -59,7 +59,7 @@ class JpegDecoder {
     return header;
   }
 
-  /// Takes the profile of inks from the header, or leaves a notice there.
+  /// Decodes the samples. Removes the profile of inks from the header, or adds a notice.
   Samples samples(PictureHeader& header) {
     const std::size_t pixels = static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
     const bool cmyk = jpeg_.out_color_space == JCS_CMYK;
@@ -91,7 +91,7 @@ class JpegDecoder {
     if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number > kMostScans) fail(jpeg, "it has too many scans");
   }
 
-  /// Orientation, colour profile (in pieces, each with its number) and the pixels' shape.
+  /// Reads orientation, colour profile (in numbered pieces) and pixel aspect.
   void read_markers(PictureHeader& header) const {
     constexpr std::string_view kExif("Exif\0\0", 6), kIcc("ICC_PROFILE\0", 12);
     std::map<int, FileBytes> profile;
@@ -109,7 +109,8 @@ class JpegDecoder {
     header.profile = profile_to_apply(icc);
     if (jpeg_.saw_JFIF_marker && jpeg_.X_density > 0 && jpeg_.Y_density > 0) {
       const double ratio = static_cast<double>(jpeg_.X_density) / jpeg_.Y_density;
-      add_aspect_notice(header, jpeg_.density_unit == 0 ? ratio : 1.0 / ratio);  // without a unit they are the pixels' sides
+      add_aspect_notice(
+          header, jpeg_.density_unit == 0 ? ratio : 1.0 / ratio);  // without a unit, the densities give the shape of a pixel
     }
   }
 
@@ -136,8 +137,8 @@ class JpegDecoder {
     return true;
   }
 
-  /// By the profile, else by what a filter of each ink lets through. Adobe's files, which are nearly all that exist, store the
-  /// inverse of each ink.
+  /// Converts inks by the profile, or else by multiplying the light that each ink transmits. Adobe's files, nearly the only
+  /// ones that exist, store inverted inks.
   static Samples rgb_of(std::vector<std::uint8_t> codes, PictureHeader& header) {
     if (!header.profile.empty()) {
       std::vector<std::uint8_t> inks(codes.size());

@@ -1,4 +1,4 @@
-// How large the pictures may be that are read and written: what a hostile header may make us allocate is bounded.
+// Limits for the size of images that are read and written. They bound the memory that a malicious header can make us allocate.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@ inline constexpr std::int64_t kMaxImagePixels = std::int64_t{1} << 28;
 inline constexpr std::int64_t kMaxImageSamples = std::int64_t{1} << 30;
 inline constexpr std::uintmax_t kMaxImageFileBytes = std::uintmax_t{4} << 30;
 
-/// Throws Error naming `where` unless the size is within those limits.
+/// Throws Error naming `where` if the size exceeds these limits.
 void check_image_size(const std::string& where, std::int64_t width, std::int64_t height, std::int64_t channels);
 
-/// Throws Error if a file of `file_bytes` bytes cannot hold `picture_bytes` of samples, compressed by `ratio` at best: it is
-/// truncated, or its header lies. To be called before anything of the picture's size is allocated.
+/// Throws Error if a file of `file_bytes` bytes is too small for `picture_bytes` of samples with compression by at most
+/// `ratio`: it is truncated or its header is wrong. Call it before allocating memory for the image.
 void check_file_holds(const std::string& where, std::uint64_t file_bytes, std::uint64_t picture_bytes, std::uint64_t ratio);
 
-/// What deflate makes of 258 equal bytes: 2 bits.
+/// The maximum compression of deflate: 258 equal bytes in 2 bits.
 inline constexpr std::uint64_t kDeflateRatio = 1032;
 
 }  // namespace lippmann

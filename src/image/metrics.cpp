@@ -14,7 +14,7 @@
 namespace lippmann {
 namespace {
 
-/// Exact: whole numbers, at most 255^2 2^28.
+/// Exact, since the sums are integers of at most 255^2 2^28.
 std::array<std::uint64_t, 3> squared_differences(const Image8& a, const Image8& b) {
   std::array<std::uint64_t, 3> sums{};
   for (std::size_t i = 0; i < a.rgb.size(); i += 3)
@@ -36,7 +36,7 @@ PictureMetrics measure_difference(const Image8& reference, const Image8& test, c
   require_samples(test, "test");
   if (reference.width != test.width || reference.height != test.height)
     throw Error("test", fmt::format("has {}x{} pixels", test.width, test.height),
-                fmt::format("{}x{}, those of the reference", reference.width, reference.height));
+                fmt::format("{}x{}, the size of the reference", reference.width, reference.height));
   const double pixels = static_cast<double>(reference.rgb.size() / 3);
   const std::array<std::uint64_t, 3> sums = squared_differences(reference, test);
   PictureMetrics m;

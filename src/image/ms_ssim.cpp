@@ -1,8 +1,8 @@
 // Based on: Wang, Simoncelli, Bovik, "Multi-scale structural similarity for image quality assessment", Asilomar Conference on
 // Signals, Systems and Computers, 2003, equation 7 and the weights of section 3.2.
 //
-// Each scale is the mean of 2 x 2 pixels of the scale before. MS-SSIM is the product over the scales of the mean contrast and
-// structure term, each to the power of its scale's weight; of the coarsest scale, the mean SSIM takes the place of that term.
+// Each scale is the mean of 2 x 2 pixels of the previous scale. MS-SSIM is the product over the scales of the mean contrast and
+// structure term, each to the power of its scale's weight. The coarsest scale uses the mean SSIM instead of that term.
 //
 // We deviate:
 // 1. A negative mean counts as 0, since its power is not real.
@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::array<double, 5> kScaleWeights{0.0448, 0.2856, 0.3001, 0.2363, 0.1333};
 
-/// The mean of each 2 x 2 pixels; an odd last row or column is repeated.
+/// Averages 2 x 2 pixels. An odd last row or column is repeated.
 SamplePlane half_size(const SamplePlane& plane) {
   SamplePlane half{(plane.width + 1) / 2, (plane.height + 1) / 2, {}};
   half.samples.reserve(static_cast<std::size_t>(half.width) * half.height);

@@ -5,7 +5,8 @@
 
 namespace lippmann {
 
-/// The pictures must have one size. NaN if a side is below 161 pixels: the window does not fit into the fifth scale.
+/// Returns the MS-SSIM of two images of one size. NaN if a side is below 161 pixels, since the window does not fit into the
+/// fifth scale.
 double ms_ssim(const Image8& reference, const Image8& test);
 
 }  // namespace lippmann

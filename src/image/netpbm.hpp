@@ -1,11 +1,10 @@
 // Reads and writes PPM with codes of 8, 10, 12, 16 or any other number of bits, and PFM (floats).
 //
-//   PPM  "P6\n<width> <height>\n<highest code>\n", then 3 codes per pixel, rows from the top; 2 bytes each, high byte first,
-//   where
-//        the highest code is above 255.  P5 (grey) is read as three equal codes.
-//   PFM  "Pf\n<width> <height>\n<scale>\n" (PF: 3 channels), then floats, rows from the BOTTOM; little-endian where scale < 0.
+//   PPM  "P6\n<width> <height>\n<highest code>\n", then 3 codes per pixel, rows from the top; each code has 2 bytes, high
+//        byte first, if the highest code is above 255. P5 (grey) is read as three equal codes.
+//   PFM  "Pf\n<width> <height>\n<scale>\n" (PF: 3 channels), then floats, rows from the BOTTOM; little-endian if scale < 0.
 //        Values are multiplied by |scale| when read; written with scale -1.
-// Both bound what a header may claim by what the file holds. All throw Error naming `where`.
+// Both check the header against the size of the file. All functions throw Error naming `where`.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +28,7 @@ Image parse_pfm(std::span<const std::byte> file, const std::string& where);
 PpmCodes read_ppm(const std::filesystem::path& path);
 Image read_pfm(const std::filesystem::path& path);
 
-/// The bytes of the file. Of PFM: 1 or 3 channels.
+/// Returns the bytes of the file. PFM images have 1 or 3 channels.
 std::vector<std::byte> encode_ppm(const PpmCodes& picture);
 std::vector<std::byte> encode_pfm(const Image& image);
 

@@ -27,7 +27,7 @@ struct NpyHeader {
   bool is_big_endian = false, is_fortran = false;
   std::size_t item = 8;
   std::vector<std::size_t> shape;
-  std::size_t data = 0;  ///< where the numbers begin
+  std::size_t data = 0;  ///< offset of the numbers
 };
 
 std::size_t little_endian(std::span<const std::byte> bytes) {
@@ -44,7 +44,7 @@ std::optional<std::string> npy_value(const std::string& text, const TextPattern&
 NpyHeader npy_header(std::span<const std::byte> file, const std::string& where) {
   constexpr std::size_t kLongest = 4096;
   const std::string_view begin(reinterpret_cast<const char*>(file.data()), std::min<std::size_t>(file.size(), 8));
-  if (!begin.starts_with(kNpyMagic) || file.size() < 12) throw Error(where, "is no .npy file", kNpyAccepted);
+  if (!begin.starts_with(kNpyMagic) || file.size() < 12) throw Error(where, "is not a .npy file", kNpyAccepted);
   const std::size_t size_bytes = begin[6] == 1 ? 2 : 4;
   const std::size_t length = little_endian(file.subspan(8, size_bytes));
   NpyHeader header;
@@ -110,7 +110,7 @@ NpyArray parse_npy(std::span<const std::byte> file, const std::string& where) {
   }
   if (file.size() - header.data != count * header.item)
     throw Error(
-        where, fmt::format("has {} bytes of numbers, and its header states {}", file.size() - header.data, count * header.item),
+        where, fmt::format("has {} bytes of numbers, but its header states {}", file.size() - header.data, count * header.item),
         kNpyAccepted);
   NpyArray array{header.shape, std::vector<double>(count)};
   const std::size_t rows = header.shape.empty() ? 1 : header.shape[0], columns = rows == 0 ? 0 : count / rows;

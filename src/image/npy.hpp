@@ -1,4 +1,4 @@
-// NumPy's files of one array (.npy, versions 1 to 3): numbers of 4 or 8 bytes, in C or Fortran order.
+// NumPy files with one array (.npy, versions 1 to 3), of numbers with 4 or 8 bytes, in C or Fortran order.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,14 @@ namespace lippmann {
 
 struct NpyArray {
   std::vector<std::size_t> shape;
-  std::vector<double> values;  ///< the last index runs fastest
+  std::vector<double> values;  ///< in C order: the last index runs fastest
 };
 
-/// Reads floats ('f4', 'f8') of either byte order. Throws Error naming `where` for anything else, for more than two
-/// dimensions, and where the file does not have as many numbers as its header states.
+/// Reads floats ('f4', 'f8') of either byte order. Throws Error naming `where` for other types, for more than two dimensions,
+/// and if the number of values differs from the header.
 NpyArray parse_npy(std::span<const std::byte> file, const std::string& where);
 
-/// Little-endian, in C order. The product of `shape` is the number of values.
+/// Encodes an array as little-endian in C order. The product of `shape` must be the number of values.
 std::vector<std::byte> encode_npy(std::span<const double> values, const std::vector<std::size_t>& shape);
 std::vector<std::byte> encode_npy(std::span<const float> values, const std::vector<std::size_t>& shape);
 

@@ -1,5 +1,5 @@
-// Based on: "TIFF Revision 6.0", 1992, section 8, field Orientation: the sides of the picture that the first row and the first
-// column of samples are. Values 5 to 8 store columns as rows.
+// Based on: "TIFF Revision 6.0", 1992, section 8, field Orientation, which names the sides of the image that the first row and
+// the first column of samples are. Values 5 to 8 store columns as rows.
 #include "image/orientation.hpp"
 
 #include <algorithm>
@@ -10,9 +10,9 @@ namespace {
 
 bool are_rows_columns(Orientation orientation) { return orientation >= Orientation::kTransposed; }
 
-/// Which stored column and row a pixel of the upright picture comes from.
+/// Returns the stored column and row of a pixel of the upright image.
 std::pair<int, int> stored_place(Orientation orientation, int x, int y, int width, int height) {
-  const int last_x = width - 1, last_y = height - 1;  // of the stored picture
+  const int last_x = width - 1, last_y = height - 1;  // of the stored image
   switch (orientation) {
     case Orientation::kUpright:
       return {x, y};
@@ -35,7 +35,8 @@ std::pair<int, int> stored_place(Orientation orientation, int x, int y, int widt
 }
 
 template <class Sample>
-std::vector<Sample> turned(const std::vector<Sample>& samples, const PictureHeader& stored, const PictureHeader& header) {
+std::vector<Sample> upright_samples(const std::vector<Sample>& samples, const PictureHeader& stored,
+                                    const PictureHeader& header) {
   const std::size_t channels = stored.channels.size();
   std::vector<Sample> result(samples.size());
   auto to = result.begin();
@@ -65,7 +66,7 @@ DecodedPicture upright(DecodedPicture picture) {
   if (picture.header.orientation == Orientation::kUpright) return picture;
   PictureHeader header = upright(picture.header);
   Samples samples =
-      std::visit([&](const auto& stored) { return Samples(turned(stored, picture.header, header)); }, picture.samples);
+      std::visit([&](const auto& stored) { return Samples(upright_samples(stored, picture.header, header)); }, picture.samples);
   return {std::move(header), std::move(samples)};
 }
 

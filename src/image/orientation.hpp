@@ -1,14 +1,14 @@
-// Turns pictures upright that a camera or a scanner has stored turned or mirrored. Private to src/image.
+// Turns images upright that a camera or a scanner stored rotated or mirrored. Private to src/image.
 #pragma once
 
 #include "image/decode.hpp"
 
 namespace lippmann {
 
-/// EXIF's and TIFF's number; what is not 1 to 8 is upright.
+/// Returns the orientation of an EXIF or TIFF number. Numbers outside 1 to 8 are upright.
 Orientation orientation_of(unsigned number);
 
-/// The header of the upright picture: width and height change places if rows become columns.
+/// Returns the upright image or its header. Width and height are swapped if rows become columns.
 PictureHeader upright(PictureHeader header);
 DecodedPicture upright(DecodedPicture picture);
 

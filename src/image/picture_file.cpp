@@ -50,7 +50,7 @@ Picture read_picture(const std::filesystem::path& path, const std::function<void
 void check_picture_ending(const std::filesystem::path& path, const Picture& picture) {
   const char* ending = std::holds_alternative<Image>(picture) ? ".exr" : ".png";
   if (path.extension() != ending)
-    throw Error(path.string(), "its ending does not suit samples that are to stay as they are",
+    throw Error(path.string(), "this format cannot store the samples unchanged",
                 std::string(ending) + (std::holds_alternative<Image>(picture) ? " for float samples" : " for 8 or 16 bits"));
 }
 

@@ -58,7 +58,7 @@ struct PngFormat {
   }
 };
 
-/// libpng's errors jump: what lies between setjmp() and them has no destructors.
+/// libpng's errors use longjmp: no object with a destructor may live between setjmp() and an error.
 class Encoder {
  public:
   explicit Encoder(const std::string& where) : where_(where) {

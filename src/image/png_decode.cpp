@@ -1,5 +1,5 @@
-// PNG, by libpng. Its errors jump: what lies between setjmp() and them has no destructors, and everything that owns memory
-// lives in the PngDecoder around it.
+// Decodes PNG with libpng, whose errors use longjmp: no object with a destructor may live between setjmp() and an error. The
+// PngDecoder around them owns all memory.
 #include <fmt/format.h>
 #include <png.h>
 
@@ -22,7 +22,7 @@ namespace {
 
 constexpr unsigned char kPngMagic[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
-/// Code points of sRGB in a cICP chunk (ITU-T H.273).
+/// The code points of sRGB in a cICP chunk (ITU-T H.273).
 constexpr std::array<std::uint8_t, 4> kSrgbCodingPoints{1, 13, 0, 1};
 
 class PngDecoder {
@@ -102,7 +102,7 @@ class PngDecoder {
     return profile_to_apply(std::as_bytes(std::span(profile, size)));
   }
 
-  /// In the order in which one chunk overrules another.
+  /// Returns notices on ignored colour chunks, in the order in which chunks override each other.
   std::vector<std::string> color_notices() const {
     constexpr std::string_view kReadAsSrgb = "are not applied: its codes are read as sRGB's";
     if (coding_points_ && *coding_points_ != kSrgbCodingPoints) return {fmt::format("its colours (cICP) {}", kReadAsSrgb)};
@@ -131,7 +131,7 @@ class PngDecoder {
       header.notices.push_back(fmt::format("its offset (oFFs) of {}, {} is ignored", x, y));
   }
 
-  /// Chunks that older versions of libpng do not know.
+  /// Reads chunks that older versions of libpng do not support.
   void read_unknown_chunks(FileBytes file) {
     for (std::size_t at = sizeof kPngMagic; at + 12 <= file.size();) {
       std::uint32_t size = 0;
@@ -152,7 +152,7 @@ class PngDecoder {
     if (png_get_color_type(png_, info_) == PNG_COLOR_TYPE_GRAY && png_get_bit_depth(png_, info_) < 8)
       png_set_expand_gray_1_2_4_to_8(png_);
     if (png_get_valid(png_, info_, PNG_INFO_tRNS)) png_set_tRNS_to_alpha(png_);
-    if (png_get_bit_depth(png_, info_) == 16) png_set_swap(png_);  // this machine's low byte comes first
+    if (png_get_bit_depth(png_, info_) == 16) png_set_swap(png_);  // swap to little-endian
     png_set_interlace_handling(png_);
     png_read_update_info(png_, info_);
     return true;
@@ -170,9 +170,9 @@ class PngDecoder {
   const std::string& where_;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
-  std::optional<std::array<std::uint8_t, 4>> coding_points_;  // cICP: primaries, transfer curve, matrix, whole range
+  std::optional<std::array<std::uint8_t, 4>> coding_points_;  // cICP: primaries, transfer curve, matrix, full range
   bool is_animated_ = false;
-  std::uint64_t packed_bytes_ = 0;  // what all rows take, as the file has them
+  std::uint64_t packed_bytes_ = 0;  // size of all rows as stored
   char reason_[200] = {};
   std::jmp_buf back_;
 };

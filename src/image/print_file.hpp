@@ -1,4 +1,4 @@
-// Pictures to be printed: PNG or TIFF files with a resolution, in sRGB's codes or those of a printer's ICC profile.
+// Image files for printing: PNG or TIFF with a resolution, in sRGB codes or codes of a printer's ICC profile.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace lippmann {
 
-/// The profile of a printer, of RGB codes or of inks (cyan, magenta, yellow, black).
+/// The profile of a printer, for RGB codes or inks (cyan, magenta, yellow, black).
 class OutputProfile {
  public:
   /// Throws Error naming the file if it is missing, damaged or of another kind, or if the program is built without Little CMS.
@@ -26,9 +26,9 @@ class OutputProfile {
   bool has_inks_ = false;
 };
 
-/// 8- and 16-bit codes as .png or .tiff, floats as .exr, in a file that appears only when complete. With a profile the colours
-/// are turned to it (relative colorimetric, black point compensation) and it is embedded; inks need .tiff. Throws Error naming
-/// the file, the ending that suits, or the profile.
+/// Writes 8- and 16-bit codes as .png or .tiff, floats as .exr, atomically. With a profile, converts the colours to it
+/// (relative colorimetric, black point compensation) and embeds it; inks need .tiff. Throws Error naming the file, its
+/// extension or the profile.
 void write_print(const std::filesystem::path& path, const Picture& picture, double dots_per_inch,
                  const OutputProfile* profile = nullptr);
 

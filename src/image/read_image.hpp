@@ -1,12 +1,12 @@
-// Reads pictures: PNG, OpenEXR, TIFF, JPEG, Radiance HDR, WebP, BMP, GIF, PPM, PGM, PFM and TGA, told apart by their
+// Reads images: PNG, OpenEXR, TIFF, JPEG, Radiance HDR, WebP, HEIC, AVIF, BMP, GIF, PPM, PGM, PFM and TGA, recognised by their
 // first bytes.
 //
-// Only the first picture of a file is read, at most 65536 pixels a side and 2^28 pixels in all; transparency is not applied.
-// Pictures are turned upright as EXIF, TIFF, HDR and TGA files say. Of EXR files the display window is read (exr_decode.cpp).
-// EXR and HDR colours become linear Rec. 709, HDR light what was measured. Codes become sRGB's by the ICC profile of the
-// file (icc_transform.hpp). What a file says and is not honoured (gamma, pixels that are not square, further parts and layers)
-// is warned about, if it does not come to the same. All throw Error naming the file if it is missing, truncated, not a picture,
-// or too large.
+// Only the first image of a file is read, with at most 65536 pixels a side and 2^28 pixels in total. Transparency is not
+// applied. Images are turned upright according to EXIF, TIFF, HDR and TGA metadata. EXR files are read by display window
+// (exr_decode.cpp). EXR and HDR colours are converted to linear Rec. 709, and HDR light to its measured scale. Codes are
+// converted to sRGB by the ICC profile of the file (icc_transform.hpp). Ignored properties with an effect, such as gamma,
+// non-square pixels, further parts and layers, give a warning. All functions throw Error naming the file if it is missing,
+// truncated, too large, or not an image.
 #pragma once
 
 #include <filesystem>
@@ -21,17 +21,18 @@
 
 namespace lippmann {
 
-/// Gets one complete sentence per call, which names the file; empty: nobody wants them.
+/// Receives one complete sentence per call, which names the file. May be empty.
 using PictureWarning = std::function<void(std::string_view)>;
 
-/// All channels, in the file's order (EXR: R, G, B, A, Z first). Integer samples become value / maximum, still encoded as the
-/// file has them (sRGB, as a rule); float samples stay as they are (linear, as a rule).
+/// Reads all channels in the file's order (EXR: R, G, B, A, Z first). Integer samples become value / maximum in the file's
+/// encoding, usually sRGB. Float samples do not change; they are usually linear.
 Image read_image(const std::filesystem::path& path, const PictureWarning& warn = {});
 
-/// The same, but three channels: the colours, or grey three times. Throws Error for an EXR file without colours.
+/// Reads three channels: the colours, or grey three times. Throws Error for an EXR file without colours.
 Image read_rgb(const std::filesystem::path& path, const PictureWarning& warn = {});
 
-/// The named channels of an EXR file, in this order ("R", "Z", "N.X", ...). An unknown name throws Error listing the file's.
+/// Reads the named channels of an EXR file, in this order ("R", "Z", "N.X", ...). Throws Error listing the file's channels if a
+/// name is unknown.
 Image read_channels(const std::filesystem::path& path, std::span<const std::string> names);
 
 /// A depth image that a file stores beside its main picture.
@@ -44,34 +45,34 @@ struct StoredDepth {
 /// other formats.
 std::optional<StoredDepth> read_stored_depth(const std::filesystem::path& path);
 
-/// The channels' names in the order of read_image.
+/// Returns the names of the channels in the order of read_image.
 std::vector<std::string> channel_names(const std::filesystem::path& path);
 
-/// The channels that read_rgb and read_image8 leave out; none of a file without colours, which they refuse.
+/// The channels that read_rgb and read_image8 skip. Empty for a file without colours, for which they throw.
 struct LeftOutChannels {
   bool alpha = false;
   std::vector<std::string> others;
 };
 LeftOutChannels left_out_channels(const std::filesystem::path& path);
 
-/// What a file's samples are: 8 bits, 16 bits, anything else.
+/// The samples of a file: 8 bits, 16 bits, or anything else.
 enum class SampleKind { kByte, kWord, kFloat };
 SampleKind sample_kind(const std::filesystem::path& path);
 
-/// Size and samples of a picture; width and height are those of the upright picture.
+/// Size and samples of an image. Width and height are those of the upright image.
 struct PictureShape {
   int width = 0, height = 0;
   SampleKind kind = SampleKind::kByte;
 };
 
-/// Reads only the beginning of PNG and JPEG files where their headers fit into it.
+/// Reads the shape of an image, from the first bytes of PNG and JPEG files if their header fits into them.
 PictureShape picture_shape(const std::filesystem::path& path);
 
-/// The 8-bit codes: as stored; of 16-bit files round(255 code / 65535); of float files sRGB-encoded (image/encode.hpp).
-/// Has 3 channels, as read_rgb() does.
+/// Reads 8-bit codes with 3 channels, as read_rgb(). 16-bit codes become round(255 code / 65535), floats are encoded as sRGB
+/// (image/encode.hpp).
 Image8 read_image8(const std::filesystem::path& path, const PictureWarning& warn = {});
 
-/// The same of a file that was written just now, which no journal has yet.
+/// As read_image8(), for a file written just now that is not in a journal yet.
 Image8 read_new_image8(const std::filesystem::path& path);
 
 }  // namespace lippmann

@@ -1,4 +1,5 @@
-// Pictures that come from outside the library hold as many samples as their size says: what moves samples does not check again.
+// Checks that images from outside the library have as many samples as their size requires. Functions that move samples rely on
+// it.
 #pragma once
 
 #include <fmt/format.h>
@@ -20,12 +21,12 @@ inline void require_samples(std::size_t samples, int width, int height, int chan
               has_size ? fmt::format("{}", wanted) : "a picture of at least one pixel");
 }
 
-/// Throws Error that names `what`.
+/// Throws Error naming `what` if the number of samples is wrong.
 inline void require_samples(const Image& image, const std::string& what) {
   require_samples(image.data.size(), image.width, image.height, image.channels, what);
 }
 
-/// Of Image8 and Image16; alpha may be empty.
+/// For Image8 and Image16. Alpha may be empty.
 template <class Codes>
 void require_samples(const Codes& codes, const std::string& what) {
   require_samples(codes.rgb.size(), codes.width, codes.height, 3, what);

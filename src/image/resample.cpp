@@ -7,7 +7,7 @@
 namespace lippmann {
 namespace {
 
-/// The old samples that a new one covers: `weights` of first, first + 1, ..., which add up to 1.
+/// The input samples that an output sample covers: first, first + 1, ... with `weights`, which sum to 1.
 struct Cover {
   int first = 0;
   std::vector<double> weights;
@@ -26,7 +26,7 @@ std::vector<Cover> covers_of_axis(int from, int to) {
   return covers;
 }
 
-/// Along rows.
+/// Resamples along rows.
 Image resampled_across(const Image& picture, int width) {
   const std::vector<Cover> covers = covers_of_axis(picture.width, width);
   Image result(width, picture.height, picture.channels);

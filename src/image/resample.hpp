@@ -1,4 +1,4 @@
-// Pictures in another size: every new pixel is the mean of what it covers of the old ones, by area.
+// Resizes images by area: each output pixel is the mean of the input area that it covers.
 #pragma once
 
 #include "lippmann/core/math.hpp"
@@ -6,7 +6,8 @@
 
 namespace lippmann {
 
-/// Any number of channels; sides above 0. The same size gives the same picture, half the size the mean of two pixels.
+/// Returns the image with the given size, > 0. Any number of channels. An equal size copies the image; half the size averages
+/// two pixels.
 Image resampled(const Image& picture, Vec2i size);
 
 }  // namespace lippmann

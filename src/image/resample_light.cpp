@@ -1,8 +1,8 @@
-// Based on: K. Turkowski, Filters for Common Resampling Tasks, Graphics Gems I, 1990: the Lanczos filter, a sinc in a window
-// that is the middle lobe of a sinc 3 times as wide.
+// Based on: K. Turkowski, Filters for Common Resampling Tasks, Graphics Gems I, 1990: the Lanczos filter, a sinc windowed by
+// the main lobe of a sinc 3 times as wide.
 //
-// Two passes, across and then down. We deviate: where samples get larger the filter is a box, because wider Lanczos filters
-// make halos beside edges that a lens array shows as depth.
+// Two passes resample across and then down. We deviate: for downsampling the filter is a box, because wide Lanczos filters
+// cause halos beside edges that a lens array shows as depth.
 #include "image/resample_light.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kLobes = 3.0;
 
-/// The weights, which add up to 1, of the old samples first, first + 1, ...; none: black.
+/// Weights of the input samples first, first + 1, ..., which sum to 1; none: black.
 struct TapWeights {
   int first = 0;
   std::vector<float> weights;
@@ -32,7 +32,7 @@ double sinc(double x) {
 
 double lanczos(double x) { return std::abs(x) < kLobes ? sinc(x) * sinc(x / kLobes) : 0.0; }
 
-/// Moves weights of samples outside 0 ... size - 1 to the edge.
+/// Moves the weights of samples outside 0 ... size - 1 to the edge.
 TapWeights within(int first, const std::vector<double>& weights, int size) {
   double sum = 0.0;
   for (const double weight : weights) sum += weight;
@@ -54,7 +54,7 @@ TapWeights taps_of(const AxisSamples& axis, int i, int size) {
     for (int k = first; k + 0.5 < centre + kLobes; ++k) weights.push_back(lanczos(k + 0.5 - centre));
     return within(first, weights, size);
   }
-  // An edge that should lie between two samples must not take a trace of the next one.
+  // An edge exactly between two samples must not include a trace of the next one.
   constexpr double kRounding = 1e-9;
   const int first = static_cast<int>(std::floor(begin + kRounding));
   for (int k = first; k < end - kRounding; ++k) weights.push_back(std::min(k + 1.0, end) - std::max<double>(k, begin));
@@ -67,7 +67,7 @@ std::vector<TapWeights> taps_of_axis(const AxisSamples& axis, int size) {
   return all;
 }
 
-/// The linear light of a picture, row by row.
+/// Decodes an image to linear light, row by row.
 class LightRows {
  public:
   explicit LightRows(const Picture& picture) : picture_(picture) {
@@ -95,7 +95,7 @@ class LightRows {
   }
 
   const Picture& picture_;
-  std::vector<float> light_;  ///< by code
+  std::vector<float> light_;  ///< indexed by code
 };
 
 void weigh_row(const std::vector<float>& row, const std::vector<TapWeights>& taps, float* out) {

@@ -1,5 +1,4 @@
-// Parts of pictures in another size, in linear light: by area where samples get larger, by Lanczos (3 lobes) where they get
-// smaller.
+// Resizes parts of images in linear light: by area for downsampling, by a Lanczos filter with 3 lobes for upsampling.
 #pragma once
 
 #include "lippmann/core/parallel.hpp"
@@ -7,16 +6,16 @@
 
 namespace lippmann {
 
-/// New samples along one axis: sample i covers first + i step ... first + (i + 1) step of the old ones, which cover i ... i
+/// Output samples along one axis: sample i covers first + i step ... first + (i + 1) step, where input sample k covers k ... k
 /// + 1.
 struct AxisSamples {
   double first = 0.0, step = 1.0;
   int count = 1;
-  bool black_outside = false;  ///< samples whose centre lies outside are black; else the edge continues
+  bool black_outside = false;  ///< samples centred outside the input are black instead of repeating the edge
 };
 
-/// Linear light of 3 channels, across.count x down.count. Old samples that are met exactly keep their value. The same for any
-/// number of threads.
+/// Returns the resampled image: linear light, 3 channels, across.count x down.count. Output samples that coincide with input
+/// samples keep their value. The result does not depend on the number of threads.
 Image resampled_light(const Picture& picture, const AxisSamples& across, const AxisSamples& down, const ThreadPool& pool);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Colours and alpha of integer pictures, pixel by pixel, as files have them. Private to src/image.
+// Interleaves the colours and alpha of integer images, as files store them. Private to src/image.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace lippmann {
 
-/// R, G, B, A of every pixel.
+/// Returns R, G, B, A of every pixel.
 template <class Code>
 std::vector<Code> interleaved(const std::vector<Code>& rgb, const std::vector<Code>& alpha) {
   std::vector<Code> rgba(4 * alpha.size());

@@ -1,4 +1,4 @@
-// A picture of one channel in double precision, for metrics.
+// An image of one channel in double precision, for metrics.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Pictures whose memory is used again: fresh memory costs a page fault every 4 KiB, and zeros that are written over.
+// Keeps images for reuse of their memory: new memory costs a page fault per 4 KiB and is zeroed needlessly.
 #pragma once
 
 #include <mutex>
@@ -12,7 +12,7 @@ namespace lippmann {
 /// Thread-safe.
 class SpareImages {
  public:
-  /// One that was given, with what it held; an empty one where there is none.
+  /// Returns a kept image with its old content, or an empty image.
   Image take() {
     const std::lock_guard lock(mutex_);
     if (images_.empty()) return {};

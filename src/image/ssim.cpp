@@ -1,10 +1,10 @@
-// Based on: Wang, Bovik, Sheikh, Simoncelli, "Image quality assessment: from error visibility to structural similarity",
-// IEEE Transactions on Image Processing 13(4), 2004, equations 13 to 16.
+// Based on: Wang, Bovik, Sheikh, Simoncelli, "Image quality assessment: from error visibility to structural similarity", IEEE
+// Transactions on Image Processing 13(4), 2004, equations 13 to 16.
 //
 // With local means mu and (co)variances s^2 under the window,
 //   SSIM = (2 mu_a mu_b + C1) (2 s_ab + C2) / ((mu_a^2 + mu_b^2 + C1) (s_a^2 + s_b^2 + C2)).
-// The variances enter only as their sum, so four window sums are enough: of a, b, a^2 + b^2 and a b. The window is separable:
-// for each row of the result the 11 rows above each other are summed first, then that row's 11 neighbours.
+// Only the sum of the variances occurs, so four window sums are enough: of a, b, a^2 + b^2 and a b. The window is separable:
+// for each row of the result, 11 rows are summed first, then 11 neighbours within the row.
 #include "image/ssim.hpp"
 
 #include <array>
@@ -73,7 +73,7 @@ LIPPMANN_MULTIVERSION void similarity_of_row(const Sums& sums, int width, const 
   }
 }
 
-/// The second factor of SSIM alone.
+/// Computes only the second factor of SSIM.
 LIPPMANN_MULTIVERSION void contrast_structure_of_row(const Sums& sums, int width, const Window& window,
                                                      double* __restrict result) {
   const double *a = sums.a.data(), *b = sums.b.data(), *ss = sums.squares.data(), *sp = sums.product.data();
@@ -92,7 +92,7 @@ LIPPMANN_MULTIVERSION void contrast_structure_of_row(const Sums& sums, int width
 
 using RowFunction = void (*)(const Sums& sums, int width, const Window& window, double* result);
 
-/// The mean over all places of the window of what `of_row` computes.
+/// Returns the mean of `of_row` over all positions of the window.
 double mean_over_places(const SamplePlane& a, const SamplePlane& b, RowFunction of_row) {
   assert(a.width == b.width && a.height == b.height);
   const int columns = a.width - kTaps + 1, rows = a.height - kTaps + 1;

@@ -1,6 +1,6 @@
-// Structural similarity of two pictures; defined in image/metrics.hpp.
+// Structural similarity of two images; defined in image/metrics.hpp.
 //
-// Pictures must have one size. Every function returns NaN if a side is below 11 pixels.
+// Images must have one size. All functions return NaN if a side is below 11 pixels.
 #pragma once
 
 #include "image/sample_plane.hpp"
@@ -8,13 +8,13 @@
 
 namespace lippmann {
 
-/// 0.299 R + 0.587 G + 0.114 B of codes (BT.601), not rounded.
+/// Returns 0.299 R + 0.587 G + 0.114 B of codes (BT.601), not rounded.
 SamplePlane luma_601(const Image8& image);
 
 double ssim(const Image8& reference, const Image8& test);
 double ssim(const SamplePlane& reference, const SamplePlane& test);
 
-/// The mean of SSIM without its luminance term: (2 s_ab + C2) / (s_a^2 + s_b^2 + C2).
+/// Returns the mean of SSIM without its luminance term: (2 s_ab + C2) / (s_a^2 + s_b^2 + C2).
 double contrast_structure(const SamplePlane& reference, const SamplePlane& test);
 
 }  // namespace lippmann

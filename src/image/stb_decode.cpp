@@ -1,7 +1,6 @@
-// BMP, GIF and TGA, by stb_image, whose other formats are left out. Tachyon's scenes use TGA for image maps.
+// Decodes BMP, GIF and TGA with stb_image, without its other formats. Tachyon scenes use TGA for image maps.
 //
-// stb_image takes what lies behind a file's end for zeros. Here it gets ones instead, and whoever asks for them has a truncated
-// file.
+// stb_image reads zeros beyond the end of a file. Here it gets ones, and any such read marks the file as truncated.
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -26,7 +25,7 @@ namespace {
 
 static_assert(STBI_MAX_DIMENSIONS == kMaxImageSide);
 
-/// A header is looked for in so many bytes.
+/// A header is searched in this many bytes.
 constexpr std::size_t kLongestHeader = 1 << 20;
 
 struct Freed {
@@ -42,7 +41,8 @@ class StbInput {
     const auto wanted = static_cast<std::size_t>(std::max(size, 0)), there = std::min(wanted, input.rest_.size());
     std::memcpy(to, input.rest_.data(), there);
     input.rest_ = input.rest_.subspan(there);
-    constexpr std::size_t kBuffer = sizeof(stbi__context::buffer_start);  // what it fills as far as there is something
+    constexpr std::size_t kBuffer =
+        sizeof(stbi__context::buffer_start);  // stb_image fills this buffer as far as the file has data
     if (there == wanted || (there > 0 && wanted == kBuffer)) return static_cast<int>(there);
     input.truncated_ = true;
     std::memset(to + there, 1, wanted - there);
@@ -77,7 +77,7 @@ Shape shape_of(FileBytes file, const std::string& where) {
   Shape shape;
   if (!read_shape(file, shape)) throw unreadable_picture(where, "its header is truncated, damaged or of an unknown kind");
   check_image_size(where, shape.width, std::abs(std::int64_t{shape.height}), shape.channels);
-  shape.height = std::abs(shape.height);  // below 0 in BMP files whose rows run from the top
+  shape.height = std::abs(shape.height);  // negative in BMP files with rows from the top
   return shape;
 }
 
@@ -85,7 +85,7 @@ std::uint64_t pixels_of(const Shape& shape) {
   return static_cast<std::uint64_t>(shape.width) * static_cast<std::uint64_t>(shape.height);
 }
 
-/// `load` is one of stb_image's functions that read through callbacks.
+/// Decodes with `load`, a function of stb_image that reads through callbacks.
 template <class Sample, class Load>
 DecodedPicture decode(FileBytes file, const std::string& where, PictureHeader header, const Load& load) {
   constexpr stbi_io_callbacks kCallbacks{&StbInput::read, &StbInput::skip, &StbInput::at_end};
@@ -103,7 +103,7 @@ DecodedPicture decode(FileBytes file, const std::string& where, PictureHeader he
 
 std::uint64_t byte_at(FileBytes file, std::size_t at) { return std::to_integer<std::uint64_t>(file[at]); }
 
-/// Low byte first.
+/// Reads a little-endian integer.
 std::int64_t long_at(FileBytes file, std::size_t at) {
   std::int32_t value;
   std::memcpy(&value, file.data() + at, sizeof value);
@@ -121,7 +121,7 @@ bool is_bmp(FileBytes file) {
 
 PictureHeader bmp_header(FileBytes file, const std::string& where) {
   const Shape shape = shape_of(file, where);
-  const bool old = long_at(file, 14) == 12;  // of OS/2
+  const bool old = long_at(file, 14) == 12;  // the OS/2 format
   if (file.size() < (old ? kOldBmpHeaderBytes : kBmpHeaderBytes)) throw unreadable_picture(where, "the file is truncated");
   const std::uint64_t bits = byte_at(file, old ? 24 : 28);
   check_file_holds(where, file.size(), pixels_of(shape) * bits / 8, 1);
@@ -137,15 +137,16 @@ DecodedPicture decode_bmp(FileBytes file, const std::string& where) {
 
 namespace {
 
-/// Properties of a GIF file's pictures that its blocks state, read without decoding.
+/// Properties of a GIF file's images from its blocks, read without decoding.
 struct GifContent {
   int pictures = 0;        ///< 2: two or more
-  bool is_whole = false;   ///< the last block that was looked at is the trailer or a second picture
-  bool is_opaque = false;  ///< the first one, which covers all of the canvas and has no transparent colour
+  bool is_whole = false;   ///< the file has a trailer or a second image
+  bool is_opaque = false;  ///< the first image covers the whole canvas and has no transparent colour
 };
 
-/// Based on: CompuServe, "Graphics Interchange Format, Version 89a", 1990: a header of 13 bytes and a table of colours, then
-/// blocks: extensions (0x21) and pictures (0x2c), which end in sub-blocks of a size and as many bytes, the last of size 0.
+/// Based on: CompuServe, "Graphics Interchange Format, Version 89a", 1990. A file is a header of 13 bytes and a colour table,
+/// followed by blocks: extensions (0x21) and images (0x2c). Blocks end in sub-blocks of a size and that many bytes, the last of
+/// size 0.
 class GifBlocks {
  public:
   explicit GifBlocks(FileBytes file) : file_(file) {}
@@ -182,7 +183,7 @@ class GifBlocks {
     return flags & 0x80 ? std::size_t{6} << (flags & 7) : 0;
   }
 
-  /// Whether the picture at the current place begins at 0, 0 and has the size of the canvas.
+  /// Returns whether the image at the current position begins at 0, 0 and has the size of the canvas.
   bool covers_canvas() const {
     for (std::size_t i = 0; i < 4; ++i)
       if (byte(at_ + 1 + i) != 0 || byte(at_ + 5 + i) != byte(6 + i)) return false;
@@ -208,7 +209,7 @@ PictureHeader gif_header(FileBytes file, const std::string& where) {
   constexpr std::size_t kGifHeaderBytes = 13;
   if (file.size() < kGifHeaderBytes) throw unreadable_picture(where, "the file is truncated");
   const Shape shape = shape_of(file, where);
-  constexpr std::uint64_t kMostGifPixelsPerByte = 4096;  // a code of 12 bits stands for as many at most, and a code before it
+  constexpr std::uint64_t kMostGifPixelsPerByte = 4096;  // limit of a 12-bit code, including the code before it
   check_file_holds(where, file.size(), pixels_of(shape), kMostGifPixelsPerByte);
   const GifContent content = GifBlocks(file).content();
   if (!content.is_whole) throw unreadable_picture(where, "the file is truncated or damaged");
@@ -223,7 +224,7 @@ DecodedPicture decode_gif(FileBytes file, const std::string& where) {
   const int channels = static_cast<int>(header.channels.size());
   const auto load = [&](const stbi_io_callbacks* calls, void* user, int* width, int* height, int* read, int) {
     stbi_uc* samples = stbi_load_from_callbacks(calls, user, width, height, read, channels);
-    *read = channels;  // it states 4 always
+    *read = channels;  // stb_image always reports 4
     return samples;
   };
   return decode<std::uint8_t>(file, where, header, load);
@@ -238,13 +239,13 @@ bool is_tga(FileBytes file) {
 PictureHeader tga_header(FileBytes file, const std::string& where) {
   const Shape shape = shape_of(file, where);
   const bool runs = std::to_integer<int>(file[2]) >= 8;
-  const std::uint64_t bits_per_pixel = byte_at(file, 16);  // 15 take two bytes
+  const std::uint64_t bits_per_pixel = byte_at(file, 16);  // 15 bits take two bytes
   const std::uint64_t begin = 18u + byte_at(file, 0);
   constexpr std::uint64_t kMostPixelsPerByte = 128;
   check_file_holds(where, file.size() - std::min<std::uint64_t>(begin, file.size()),
                    pixels_of(shape) * ((bits_per_pixel + 7) / 8), runs ? kMostPixelsPerByte : 1);
   PictureHeader header = plain_header(shape.width, shape.height, shape.channels, SampleKind::kByte);
-  constexpr std::uint64_t kFromTheRight = 0x10;  // stb_image turns rows that go up, but no columns
+  constexpr std::uint64_t kFromTheRight = 0x10;  // stb_image flips rows, but not columns
   if (byte_at(file, 17) & kFromTheRight) header.orientation = Orientation::kMirrored;
   return header;
 }

@@ -23,8 +23,8 @@ constexpr double kMmPerInch = 25.4;
 
 constexpr std::size_t kMaxClassicSamples = (std::size_t{7} << 32) / 8;
 
-/// Writes to an open file and remembers whether anything failed: libtiff does not report a failure of the last bytes, the
-/// directory without which nothing can be opened.
+/// Writes to an open file and records the first failure: libtiff does not report failures of the last bytes, which hold the
+/// directory.
 class Output {
  public:
   Output(const std::filesystem::path& temporary, const std::filesystem::path& path, bool big)
@@ -46,7 +46,7 @@ class Output {
 
   TIFF* tiff() { return tiff_; }
 
-  /// Throws if anything could not be written.
+  /// Throws Error if anything could not be written.
   void finish() {
     if (!TIFFWriteDirectory(tiff_)) throw failure();
     TIFFClose(std::exchange(tiff_, nullptr));
@@ -55,7 +55,7 @@ class Output {
   }
 
   Error failure() const {
-    return Error(path_.string(), "cannot be written as TIFF: " + (problem_ ? problem_.message() : "libtiff refuses it"));
+    return Error(path_.string(), "cannot be written as TIFF: " + (problem_ ? problem_.message() : "libtiff failed"));
   }
 
  private:
@@ -98,20 +98,20 @@ class Output {
   TIFF* tiff_ = nullptr;
 };
 
-/// Writes Exif's word for sRGB, and returns where it stands; the picture's own directory comes after it.
+/// Writes the Exif directory with the sRGB colour space and returns its offset. The image's own directory follows it.
 std::uint64_t write_colour_space(TIFF* tiff) {
   constexpr std::uint16_t kSrgb = 1;
   std::uint64_t place = 0;
   const bool written = TIFFCreateEXIFDirectory(tiff) == 0 && TIFFSetField(tiff, EXIFTAG_COLORSPACE, kSrgb) &&
                        TIFFWriteCustomDirectory(tiff, &place);
-  TIFFFreeDirectory(tiff);  // beginning the next one forgets what this one has allocated
+  TIFFFreeDirectory(tiff);  // the next directory would leak this one's memory
   if (TIFFCreateDirectory(tiff) != 0) return 0;
   return written ? place : 0;
 }
 
 constexpr std::uint32_t kRowsPerStrip = 32;
 
-/// A picture to be written: RGB codes or inks, of 8 or 16 bits.
+/// An image to write: RGB codes or inks, with 8 or 16 bits.
 template <class Code>
 struct Raster {
   int width, height;
@@ -138,7 +138,7 @@ void set_fields(TIFF* tiff, const Raster<Code>& image, const TiffOptions& option
   TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_ADOBE_DEFLATE);
   TIFFSetField(tiff, TIFFTAG_PREDICTOR, PREDICTOR_HORIZONTAL);
   TIFFSetField(tiff, TIFFTAG_ZIPQUALITY, 1);
-  TIFFSetField(tiff, TIFFTAG_DATETIME, "1970:01:01 00:00:00");  // equal pictures give equal bytes
+  TIFFSetField(tiff, TIFFTAG_DATETIME, "1970:01:01 00:00:00");  // a fixed date, so that equal images give equal bytes
   if (alpha) {
     const std::uint16_t unassociated = EXTRASAMPLE_UNASSALPHA;
     TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, 1, &unassociated);
@@ -150,7 +150,7 @@ void set_fields(TIFF* tiff, const Raster<Code>& image, const TiffOptions& option
   }
 }
 
-/// A strip's samples, alpha beside the colours. libtiff may change them.
+/// Returns a strip's samples with interleaved alpha. A copy, since libtiff may change them.
 template <class Code>
 std::vector<Code> strip_of(const Raster<Code>& image, std::size_t first_row, std::size_t rows) {
   const std::size_t width = static_cast<std::size_t>(image.width), begin = first_row * width, end = begin + rows * width;

@@ -1,8 +1,8 @@
-// TIFF, by libtiff, from memory.
+// Decodes TIFF from memory with libtiff.
 //
-// Grey and RGB samples of 8 or 16 bits, halves, floats and doubles are read as they are, strips or tiles, interleaved or in
-// planes, with whatever further channels there are. All else (palettes, 1 to 4 bits, CMYK, YCbCr, fax) goes through libtiff's
-// own conversion to 8-bit RGB.
+// Grey and RGB samples of 8 or 16 bits, halves, floats and doubles are read directly from strips or tiles, interleaved or
+// planar, with any extra channels. All other kinds (palettes, 1 to 4 bits, CMYK, YCbCr, fax) use libtiff's conversion to 8-bit
+// RGB.
 #include <Imath/half.h>
 #include <fmt/format.h>
 #include <tiffio.h>
@@ -34,11 +34,11 @@ struct OptionsDeleter {
   void operator()(TIFFOpenOptions* p) const { TIFFOpenOptionsFree(p); }
 };
 
-/// The samples of a picture that is read as it is.
+/// The sample layout of the file.
 struct Layout {
   std::uint16_t channels = 1, bits = 8, format = SAMPLEFORMAT_UINT, planes = PLANARCONFIG_CONTIG, photometric = 0;
   std::uint32_t width = 0, height = 0;
-  std::uint32_t block_width = 0, block_height = 0;  // the size of a strip or a tile
+  std::uint32_t block_width = 0, block_height = 0;  // size of a strip or a tile
   bool direct = false, tiled = false;
   bool inks = false;  // cyan, magenta, yellow and black, of 8 or 16 bits
 
@@ -59,7 +59,7 @@ class TiffDecoder {
                                   options.get()));
     if (!tiff_) throw failure();
     read_layout();
-    // libtiff does without tags that it cannot read, a palette for one, and makes another picture of the rest.
+    // libtiff skips tags that it cannot read, such as a palette, which would change the image.
     if (cut_off_) throw unreadable_picture(where_, "the file is truncated");
   }
 
@@ -72,7 +72,7 @@ class TiffDecoder {
     return header;
   }
 
-  /// Takes the profile of inks from the header, or leaves a notice there.
+  /// Decodes the samples. Removes the profile of inks from the header, or adds a notice.
   Samples samples(PictureHeader& header) {
     if (layout_.direct) return direct_samples();
     if (layout_.inks && !header.profile.empty()) {
@@ -107,7 +107,7 @@ class TiffDecoder {
     if (decoder.reason_[0] == 0) std::vsnprintf(decoder.reason_.data(), decoder.reason_.size(), format, arguments);
     return 1;
   }
-  /// libtiff 4.5.1 looks at the size of the file before it reads a tag, and warns that it does without the tag.
+  /// libtiff 4.5.1 checks the size of the file before reading a tag, and only warns if it skips the tag.
   static int on_warning(TIFF*, void* user, const char*, const char* format, va_list) {
     const std::string_view text(format);
     if (text.starts_with("IO error during reading of") || text.starts_with("Requested memory size for tag"))
@@ -142,7 +142,7 @@ class TiffDecoder {
     return TIFFGetFieldDefaulted(tiff_.get(), tag, &value) ? value : standard;
   }
 
-  /// Points into libtiff's memory; null where there is none.
+  /// Returns a pointer into libtiff's memory, or null without the tag.
   template <class T>
   const T* array_field(std::uint32_t tag) const {
     const T* values = nullptr;
@@ -174,7 +174,7 @@ class TiffDecoder {
     TIFFGetField(tiff_.get(), TIFFTAG_PIXAR_IMAGEFULLLENGTH, &whole_height);
     if (whole_width != layout_.width || whole_height != layout_.height)
       header.notices.push_back(
-          fmt::format("it is a part of a picture of {} x {} pixels and is read by itself", whole_width, whole_height));
+          fmt::format("it is a part of a picture of {} x {} pixels and is read on its own", whole_width, whole_height));
   }
 
   SampleKind kind() const {
@@ -182,7 +182,7 @@ class TiffDecoder {
     return layout_.format == SAMPLEFORMAT_IEEEFP ? SampleKind::kFloat : SampleKind::kWord;
   }
 
-  /// How many bytes of samples one byte of the file can stand for.
+  /// Returns how many bytes of samples one byte of the file can hold at most.
   std::uint64_t ratio() const {
     switch (field<std::uint16_t>(TIFFTAG_COMPRESSION, COMPRESSION_NONE)) {
       case COMPRESSION_NONE:
@@ -223,10 +223,10 @@ class TiffDecoder {
     check_file_holds(where_, file_.size(), l.direct ? pixels * (bits / 8) : pixels * bits / 8, ratio());
     const std::uint64_t block = std::uint64_t{l.block_width} * l.block_height * (bits / 8 + 1);
     const std::uint64_t largest = std::max<std::uint64_t>(std::uint64_t{1} << 24, 4 * pixels * (bits / 8 + 1));
-    if (block == 0 || block > largest) throw unreadable_picture(where_, "its tiles have no sensible size");
+    if (block == 0 || block > largest) throw unreadable_picture(where_, "its tile size is invalid");
   }
 
-  /// One strip or tile after the other, each decoded into `block` and copied to its place.
+  /// Decodes each strip or tile into `block` and copies it to its place.
   template <class Stored, class Sample>
   std::vector<Sample> blocks() {
     const Layout& l = layout_;
@@ -269,7 +269,7 @@ class TiffDecoder {
     std::array<char, 1024> reason{};
     if (!TIFFRGBAImageOK(tiff_.get(), reason.data()) || !TIFFRGBAImageBegin(&conversion, tiff_.get(), 1, reason.data()))
       throw unreadable_picture(where_, reason.data());
-    conversion.req_orientation = conversion.orientation;  // as the rows lie
+    conversion.req_orientation = conversion.orientation;  // keeps the stored orientation
     const bool converted = TIFFRGBAImageGet(&conversion, packed.data(), layout_.width, layout_.height);
     TIFFRGBAImageEnd(&conversion);
     if (!converted) throw failure();
@@ -282,9 +282,9 @@ class TiffDecoder {
 
   FileBytes file_;
   std::uint64_t at_ = 0;
-  bool cut_off_ = false;  // more was asked for than there is
+  bool cut_off_ = false;  // a read went beyond the end of the file
   const std::string& where_;
-  std::array<char, 256> reason_{};  // what the first error said
+  std::array<char, 256> reason_{};  // message of the first error
   std::unique_ptr<TIFF, TiffDeleter> tiff_;
   Layout layout_;
 };

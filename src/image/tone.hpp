@@ -1,7 +1,7 @@
-// From the light of a scene to the light of a display: exposure, and a curve that brings what is brighter than white into it.
+// Tone mapping from scene light to display light: exposure, and a curve for highlights brighter than white.
 //
-// Based on: Khronos Group, "Khronos PBR Neutral Tone Mapper", 2024 (specification); AgX by T. Sobotka, in the polynomial
-// form of B. Wrensch, "Minimal AgX Implementation", 2023.
+// Based on: Khronos Group, "Khronos PBR Neutral Tone Mapper", 2024 (specification); AgX by T. Sobotka, in the polynomial form
+// of B. Wrensch, "Minimal AgX Implementation", 2023.
 #pragma once
 
 #include "lippmann/core/math.hpp"
@@ -10,21 +10,21 @@
 namespace lippmann {
 
 enum class ToneCurve {
-  kNone,     ///< what is brighter than white is white
-  kNeutral,  ///< colours up to 0.8 as they are, above it compressed: for products
-  kAgx,      ///< all of 16.5 stops, bright colours fade to white: for photographs
+  kNone,     ///< clips highlights to white
+  kNeutral,  ///< keeps colours up to 0.8 and compresses highlights; for products
+  kAgx,      ///< maps 16.5 stops and fades highlights to white; for photographs
 };
 
 struct Tone {
-  float exposure_ev = 0.0f;  ///< light is multiplied by 2 to this
+  float exposure_ev = 0.0f;  ///< stops: light is multiplied by 2^exposure_ev
   ToneCurve curve = ToneCurve::kNone;
   bool is_identity() const { return exposure_ev == 0.0f && curve == ToneCurve::kNone; }
 };
 
-/// Display light, linear, of scene light, linear; curves give [0, 1] (of finite colours).
+/// Maps linear scene light to linear display light. Curves return values in [0, 1] for finite colours.
 Vec3f apply_tone(const Tone& tone, Vec3f color);
 
-/// Applies to every pixel of a film of 3 channels.
+/// Applies to every pixel of a film with 3 channels.
 void apply_tone(const Tone& tone, Image& film);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// WebP, by libwebp: still pictures.
+// Decodes still WebP images with libwebp.
 #include <webp/decode.h>
 
 #include <cstring>
@@ -12,12 +12,13 @@
 namespace lippmann {
 namespace {
 
-/// A lossless picture of one colour has some thirty bytes, whatever its size; this is what small files may still be.
+/// A lossless image of one colour has about thirty bytes at any size, so small files may have up to kFreePixels.
 constexpr std::uint64_t kFreePixels = std::uint64_t{1} << 22, kMostPixelsPerByte = std::uint64_t{1} << 14;
 
 const std::uint8_t* bytes_of(FileBytes file) { return reinterpret_cast<const std::uint8_t*>(file.data()); }
 
-/// Empty where there is none. Chunks are a name, a size (low byte first) and an even number of bytes.
+/// Returns the content of a chunk; empty if it is missing. A chunk has a name, a size (little-endian) and data padded to an
+/// even size.
 FileBytes webp_chunk(FileBytes file, std::string_view name) {
   constexpr std::size_t kFirst = 12, kChunkHeader = 8;
   for (std::size_t at = kFirst; at + kChunkHeader <= file.size();) {

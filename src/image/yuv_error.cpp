@@ -1,8 +1,8 @@
-// Based on: Recommendation ITU-R BT.709-6, item 3.2 to 3.4 (luma and colour differences), in the full range 0 ... 255; weights
+// Based on: Recommendation ITU-R BT.709-6, items 3.2 to 3.4 (luma and colour differences), in the full range 0 ... 255; weights
 // 6:1:1 of Ohm, Sullivan, Schwarz, Tan, Wiegand, "Comparison of the coding efficiency of video coding standards", IEEE Trans.
-// Circuits and Systems for Video Technology 22(12), 2012, which JPEG Pleno's common test conditions use as well.
+// Circuits and Systems for Video Technology 22(12), 2012, which JPEG Pleno's common test conditions also use.
 //
-// The conversion is linear, so that it is applied to the differences of the codes.
+// The conversion is linear, so it is applied to the differences of the codes.
 #include "image/yuv_error.hpp"
 
 #include <cassert>
@@ -19,7 +19,7 @@ YuvPsnr yuv_psnr(const Image8& reference, const Image8& test) {
     const double r = reference.rgb[i] - test.rgb[i], g = reference.rgb[i + 1] - test.rgb[i + 1],
                  b = reference.rgb[i + 2] - test.rgb[i + 2];
     const double y = 0.2126 * r + 0.7152 * g + 0.0722 * b;
-    // B - Y and R - Y, written so that they are exactly 0 for greys.
+    // B - Y and R - Y, written so that they are exactly 0 for grey.
     const double u = (0.2126 * (b - r) + 0.7152 * (b - g)) / 1.8556, v = (0.7152 * (r - g) + 0.0722 * (r - b)) / 1.5748;
     y2 += y * y, u2 += u * u, v2 += v * v;
   }

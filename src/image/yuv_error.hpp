@@ -6,10 +6,10 @@
 namespace lippmann {
 
 struct YuvPsnr {
-  double y_db = 0.0, yuv_db = 0.0;  ///< infinite where the pictures are equal
+  double y_db = 0.0, yuv_db = 0.0;  ///< infinite for equal images
 };
 
-/// The pictures must have one size.
+/// Returns the PSNR of two images of one size.
 YuvPsnr yuv_psnr(const Image8& reference, const Image8& test);
 
 }  // namespace lippmann

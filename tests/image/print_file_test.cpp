@@ -77,14 +77,13 @@ TEST_F(PrintFile, inks_of_a_press) {
 TEST_F(PrintFile, refusals_leave_nothing_behind) {
   const OutputProfile press(file_with("press.icc", test::press_profile()));
   EXPECT_THAT(error_message([&] { write_print(dir_ / "a.png", kCodes, 300.0, &press); }),
-              HasSubstr("only TIFF files hold the inks"));
+              HasSubstr("only TIFF files can store the inks"));
   EXPECT_FALSE(fs::exists(dir_ / "a.png"));
   EXPECT_THAT(error_message([&] { OutputProfile(dir_ / "none.icc"); }), HasSubstr("none.icc"));
   const std::string whole = test::press_profile();
   for (const std::size_t size : {std::size_t{0}, std::size_t{127}, std::size_t{140}}) {
     const fs::path cut = file_with("cut.icc", whole.substr(0, size));
-    EXPECT_THAT(error_message([&] { OutputProfile{cut}; }), HasSubstr("is no ICC profile that colours can be turned to"))
-        << size;
+    EXPECT_THAT(error_message([&] { OutputProfile{cut}; }), HasSubstr("is not an ICC output profile")) << size;
   }
 }
 

@@ -1,4 +1,4 @@
-// The module's only export: pictures by libheif.
+// The module's only export: decodes images with libheif.
 #include <libheif/heif.h>
 
 #include <cstring>
@@ -23,7 +23,7 @@ using File = std::unique_ptr<heif_context, Deleter<heif_context_free>>;
 using Handle = std::unique_ptr<heif_image_handle, Deleter<heif_image_handle_release>>;
 using Pixels = std::unique_ptr<heif_image, Deleter<heif_image_release>>;
 
-/// The main picture of a file.
+/// The main image of a file.
 struct Opened {
   File file;
   Handle handle;
@@ -44,7 +44,7 @@ HeicPicture header_of(const heif_image_handle* handle) {
   header.bits = heif_image_handle_get_luma_bits_per_pixel(handle);
   header.has_alpha = heif_image_handle_has_alpha_channel(handle) != 0;
   header.profile = profile_of(handle);
-  if (header.bits < 8 || header.bits > 16) header.problem = "its codes have a number of bits that is not read: 8 to 16 are";
+  if (header.bits < 8 || header.bits > 16) header.problem = "its number of bits per sample is not supported: 8 to 16 are";
   return header;
 }
 
@@ -69,7 +69,7 @@ heif_chroma chroma_of(const HeicPicture& picture) {
   return picture.has_alpha ? heif_chroma_interleaved_RGBA : heif_chroma_interleaved_RGB;
 }
 
-/// Copies rows, which libheif pads.
+/// Copies rows without libheif's padding.
 void copy_codes(const std::uint8_t* plane, std::size_t stride, HeicPicture& picture) {
   const std::size_t row = static_cast<std::size_t>(picture.width) * (picture.has_alpha ? 4 : 3);
   const std::size_t height = static_cast<std::size_t>(picture.height);
@@ -99,7 +99,7 @@ void decode_into(const heif_image_handle* handle, HeicPicture& picture) {
   if (has_size)
     copy_codes(plane, static_cast<std::size_t>(stride), picture);
   else
-    picture.problem = "its pixels have another size than its header says";
+    picture.problem = "the size of its pixels differs from its header";
 }
 
 using DepthInfo = std::unique_ptr<const heif_depth_representation_info, Deleter<heif_depth_representation_info_free>>;
