@@ -41,17 +41,17 @@ constexpr std::array<std::string_view, 7> kLayoutNames{"integral", "quilt", "vie
 constexpr std::array<std::string_view, 1> kCompanionNames{"single"};
 constexpr std::array<std::string_view, 2> kExrPixelNames{"half", "float"};
 constexpr std::array<std::string_view, 2> kDepthScaleNames{"disparity", "depth"};
-/// The layers that `aov` takes; alpha comes with `transparent`.
+/// The layers accepted by `aov`. Alpha is selected by `transparent`.
 const std::span<const std::string_view> kWantedAovNames(kAovNames.data(), kAovs - 1);
 
-constexpr int kMaxCount = 1 << 20;  ///< pixels or lenses along one side; the panel as a whole is bounded in panel_size()
+constexpr int kMaxCount = 1 << 20;  ///< pixels or lenses along one side; panel_size() limits the whole panel
 
-/// How each type of member is read and written. One pair of functions makes a row's `set` and `get`.
+/// Reads and writes values of one type. Each row makes its `set` and `get` from a codec.
 template <class T>
 struct Codec {
   std::function<T(std::string_view, const std::string& where)> read;
   std::function<std::string(const T&)> write;
-  std::vector<std::string_view> choices = {};  ///< the words that `read` takes, where it takes no others
+  std::vector<std::string_view> choices = {};  ///< the words that `read` accepts; empty: other values
 };
 
 Codec<std::string> text() {
@@ -85,7 +85,7 @@ Codec<Extent<T>> extent(T lowest, T highest) {
           [](const Extent<T>& value) { return value.x == T{0} ? std::string() : write_extent(value); }};
 }
 
-/// Both numbers must be given: WxH.
+/// Reads WxH; a single number sets both.
 Codec<Extent<int>> full_extent(int highest) {
   Codec<Extent<int>> codec = extent(1, highest);
   codec.read = [highest](std::string_view value, const std::string& where) {
@@ -104,7 +104,7 @@ Codec<E> choice(const std::array<std::string_view, N>& names) {
       {names.begin(), names.end()}};
 }
 
-/// Job files of earlier versions have other names.
+/// Accepts names used by job files of earlier versions.
 Codec<ReuseChoice> reuse_choice() {
   Codec<ReuseChoice> codec = choice<ReuseChoice>(kReuseNames);
   codec.read = [by_name = codec.read](std::string_view value, const std::string& where) {
@@ -114,7 +114,7 @@ Codec<ReuseChoice> reuse_choice() {
   return codec;
 }
 
-/// Job files of earlier versions have true or false.
+/// Accepts true and false, used by job files of earlier versions.
 Codec<Denoise> denoise_choice() {
   Codec<Denoise> codec = choice<Denoise>(kDenoiseNames);
   codec.read = [by_name = codec.read](std::string_view value, const std::string& where) {
@@ -138,7 +138,7 @@ Codec<std::optional<T>> optional_number(double lowest, double highest) {
           [codec](const std::optional<T>& value) { return value ? codec.write(*value) : std::string(); }};
 }
 
-/// A choice that need not be made.
+/// An optional choice.
 template <class E, std::size_t N>
 Codec<std::optional<E>> optional_choice(const std::array<std::string_view, N>& names) {
   const Codec<E> made = choice<E>(names);
@@ -178,7 +178,7 @@ Codec<std::optional<CameraSet>> camera_set() {
           [](const std::optional<CameraSet>& value) { return value ? write_camera_set(*value) : std::string(); }};
 }
 
-/// The name of a format of light fields.
+/// The name of a light field format.
 Codec<std::string> light_field_name() {
   return {[](std::string_view value, const std::string& where) { return std::string(find_format(value, where).name); },
           [](const std::string& value) { return value; }};
@@ -188,7 +188,7 @@ struct Documentation {
   std::string_view name, group, type, doc;
 };
 
-/// The member at the end of a way of members.
+/// Returns the member at the end of a path of member pointers.
 template <class T>
 T& member_of(T& value) {
   return value;
@@ -198,17 +198,17 @@ auto& member_of(T& value, M Group::*member, Rest... rest) {
   return member_of(value.*member, rest...);
 }
 
-/// A row for the value at the end of a way of members. An empty text from the codec's `write` means "not given".
+/// Makes a row for the value at the end of a path of member pointers. An empty text from the codec's `write` means "not given".
 template <class T, class... Members>
-ParamInfo row_of(ParamKind kind, Codec<T> codec, Documentation words, Members... way) {
+ParamInfo row_of(ParamKind kind, Codec<T> codec, Documentation words, Members... members) {
   ParamInfo info{words.name, words.group, words.type, words.doc, kind, true, false, {}, {}};
   info.set = [=, read = codec.read](RenderParams& params, const Values& values, const std::string& where) {
     const std::string_view value = values.empty() ? std::string_view() : std::string_view(values.back());
     if (const auto removed = removal_of(words.name, value, where)) throw *removed;
-    member_of(params, way...) = read(value, where);
+    member_of(params, members...) = read(value, where);
   };
   info.get = [=, write = codec.write](const RenderParams& params) {
-    std::string value = write(member_of(params, way...));
+    std::string value = write(member_of(params, members...));
     return value.empty() ? Values{} : Values{std::move(value)};
   };
   info.choices = std::move(codec.choices);
@@ -311,12 +311,11 @@ ParamInfo video_row() {
 }
 
 ParamInfo stereo_row() {
-  return row_of(
-      ParamKind::kText, choice<StereoPacking>(kStereoPackingNames),
-      {"stereo", "Files", "PACKING",
-       "With --layout stereo: side by side (sbs), one above the other (over-under), the same squeezed to half (half-sbs, "
-       "half-over-under), or alternating rows (rows)"},
-      &RenderParams::output, &OutputParams::pictures, &PictureParams::stereo, &StereoLayout::packing);
+  return row_of(ParamKind::kText, choice<StereoPacking>(kStereoPackingNames),
+                {"stereo", "Files", "PACKING",
+                 "With --layout stereo: side by side (sbs), one above the other (over-under), the same squeezed to half "
+                 "(half-sbs, half-over-under), or alternating rows (rows)"},
+                &RenderParams::output, &OutputParams::pictures, &PictureParams::stereo, &StereoLayout::packing);
 }
 
 ParamInfo right_first_row() {
@@ -332,12 +331,11 @@ ParamInfo depth_range_row() {
       [](const std::optional<DepthRange>& value) {
         return value ? fmt::format("{}:{}", value->near_mm, value->far_mm) : std::string();
       }};
-  return row_of(
-      ParamKind::kText, range,
-      {"depth-range", "Files", "NEAR:FAR",
-       "With --layout rgbd: depths of the nearest and the farthest grey in mm, positive in front of the screen; default: "
-       "the depth range of the scene over its whole animation"},
-      &RenderParams::output, &OutputParams::pictures, &PictureParams::depth, &DepthParams::range);
+  return row_of(ParamKind::kText, range,
+                {"depth-range", "Files", "NEAR:FAR",
+                 "With --layout rgbd: depths of the nearest and the farthest grey in mm, positive in front of the screen; "
+                 "default: the depth range of the scene over its whole animation"},
+                &RenderParams::output, &OutputParams::pictures, &PictureParams::depth, &DepthParams::range);
 }
 
 ParamInfo depth_coding_row() {
@@ -379,10 +377,10 @@ std::vector<ParamInfo> scene_rows() {
                "Folder below which the scene may read textures and other files; default: the folder of the scene file"}))),
       runs_only(row(ParamKind::kNumber, &P::scene, &SceneParams::texture_memory, integer<int>(1, 1 << 20),
                     {"texture-memory", "Scene", "MB",
-                     "Memory for decoded textures, 4 bytes a texel; the largest textures are halved until all fit"})),
+                     "Memory for decoded textures, 4 bytes per texel; the largest textures are halved until all fit"})),
       runs_only(row(ParamKind::kText, &P::scene, &SceneParams::point_size, point_size,
                     {"points", "Scene", "SIZE|auto",
-                     "Diameter of the points of a PLY file of points alone, in its units; auto: chosen from their spacing"})),
+                     "Diameter of points in a PLY point cloud, in its units; auto: chosen from their spacing"})),
       runs_only(row(ParamKind::kText, &P::scene, &SceneParams::camera, text(),
                     {"camera", "Scene", "NAME|INDEX",
                      "Camera of the file to render from; default: the first ('lippmann info' lists them)"})),
@@ -390,21 +388,20 @@ std::vector<ParamInfo> scene_rows() {
                     {"up", "Scene", "AXIS", "Axis of the file that points up: x, y, z, -x, -y or -z"})),
       row(ParamKind::kText, &P::scene, &SceneParams::cameras, camera_set(),
           {"cameras", "Scene", "PATH:N",
-           "Render a data set of N cameras around the scene, which is held still: sphere, hemisphere or circle; one camera a "
-           "frame, with --to nerf (default), colmap or llff. An eighth of the cameras, chosen by --seed, is for testing"}),
+           "Render a data set of the still scene with N cameras around it: sphere, hemisphere or circle; one camera per frame, "
+           "with --to nerf (default), colmap or llff. An eighth of the cameras, chosen by --seed, is for testing"}),
       row(ParamKind::kText, &P::scene, &SceneParams::view, &ViewWish::focus, text(),
           {"focus", "Scene", "NODE|X,Y,Z|DISTANCE",
            "Place the display plane at a node, at a point, or at a distance from the viewer (scene units)"}),
       row(ParamKind::kText, &P::scene, &SceneParams::view, &ViewWish::fit_to, text(),
           {"fit-to", "Scene", "NODE|all",
            "Fit the view to this node and its children, or to the whole scene (all), seen from the camera's direction; "
-           "default: "
-           "the camera's own view, or the scene without its ground, walls and sky"}),
+           "default: the camera's own view, or the scene without its ground, walls and sky"}),
       row(ParamKind::kNumber, &P::scene, &SceneParams::view, &ViewWish::zoom, number<float>(1e-3, 1e3),
           {"zoom", "Scene", "FACTOR", "Enlarge the middle of the view by this factor"}),
       row(ParamKind::kText, &P::scene, &SceneParams::view, &ViewWish::orbit, orbit,
           {"orbit", "Scene", "YAW[,PITCH]",
-           "Turn the view around its subject, in degrees: positive values move the viewer right and up"}),
+           "Rotate the view around its subject, in degrees: positive values move the viewer right and up"}),
       frames_row(),
       row(ParamKind::kNumber, &P::scene, &SceneParams::fps, number<double>(0.0, 1000.0),
           {"fps", "Scene", "N", "Frames per second of the animation and of videos; 0: as in the scene"}),
@@ -446,8 +443,7 @@ std::vector<ParamInfo> optics_rows() {
       row(ParamKind::kFlag, &P::optics, &OpticsParams::cone_ends, flag(),
           {"cone-ends", "Optics", "",
            "With --optics multiview: the outermost views are seen from the ends of the viewing zone, N - 1 steps apart; "
-           "default: "
-           "half a step inside"}),
+           "default: half a step inside"}),
       row(ParamKind::kNumber, &P::optics, &OpticsParams::view_angle_deg, optional_number<float>(0.1, 170.0),
           {"view-angle", "Optics", "DEG",
            "Full angle of the viewing zone; sets the gap between lenses and panel; default: that of --display, else 28"}),
@@ -471,14 +467,12 @@ std::vector<ParamInfo> optics_rows() {
            "each neighbour, such as 0.4 or 10%; default: that of --display"}),
       row(ParamKind::kFlag, &P::optics, &OpticsParams::precompensate, flag(),
           {"precompensate", "Optics", "",
-           "Sharpen pictures so that crosstalk turns them into the wanted ones, as far as pixel values between black and white "
-           "allow"}),
-      with_opposite(
-          row(ParamKind::kFlag, &P::optics, &OpticsParams::fit_depth, optional_flag(),
-              {"fit-depth", "Optics", "",
-               "Scale the scene's depth down to what the display can resolve; the default for lens arrays and for every "
-               "--display"}),
-          "full-depth", "Keep the scene's full depth, blurred or stepped where the display cannot resolve it"),
+           "Sharpen pictures in advance to cancel the crosstalk of the lenses, within the range of pixel values"}),
+      with_opposite(row(ParamKind::kFlag, &P::optics, &OpticsParams::fit_depth, optional_flag(),
+                        {"fit-depth", "Optics", "",
+                         "Scale the scene's depth down to what the display can resolve; the default for lens arrays and for "
+                         "every --display"}),
+                    "full-depth", "Keep the scene's full depth, blurred or stepped where the display cannot resolve it"),
   };
 }
 
@@ -489,15 +483,13 @@ std::vector<ParamInfo> rendering_rows() {
       row(ParamKind::kText, &P::sampling, &Sampling::integrator, integrator_name(),
           {"integrator", "Rendering", "NAME",
            "whitted (sharp shadows, mirrors, refraction) or path (path tracing: all light); default: path for glTF, OBJ and "
-           "PLY "
-           "files, else whitted"}),
+           "PLY files, else whitted"}),
       row(ParamKind::kNumber, &P::sampling, &Sampling::spp, integer<int>(0, 1 << 16),
           {"spp", "Rendering", "N", "Samples per pixel; 0: 1 (whitted) or 16 (path)"}),
       row(ParamKind::kText, &P::sampling, &Sampling::angular_filter, optional_choice<AngularFilter>(kAngularNames),
           {"angular-filter", "Rendering", "NAME",
            "With --optics multiview: a view is seen from one eye (none) or from the whole range between its neighbours (box), "
-           "so "
-           "that depth beyond the budget blurs instead of doubling; default: box for quilts of a --display"}),
+           "so that depth beyond the budget blurs instead of doubling; default: box for quilts of a --display"}),
       row(ParamKind::kNumber, &P::sampling, &Sampling::lens, &ViewLens::aperture_mm, number<float>(0.0, 1e6),
           {"aperture", "Rendering", "MM",
            "Depth of field for single views and quilts: diameter of each view's lens, in millimetres of the display; 0: a "
@@ -522,23 +514,20 @@ std::vector<ParamInfo> rendering_rows() {
           {"clamp-indirect", "Rendering", "X",
            "With --integrator path: limit the indirect light of a sample to X, which removes bright specks but loses light; 0: "
            "off"}),
-      with_bare_value(
-          row(ParamKind::kText, &P::sampling, &Sampling::denoise, denoise_choice(),
-              {"denoise", "Rendering", "auto|none",
-               "Remove the noise of path tracing by averaging over pixels and views that show the same surface: auto "
-               "(with 2 or more samples per pixel) or none"}),
-          "auto"),
-      path(row(
-          ParamKind::kText, &P::scene, &SceneParams::environment, environment,
-          {"environment", "Rendering", "none|studio|COLOUR|FILE",
-           "Surroundings that light the scene: none, the built-in studio, a colour (#rrggbb, or R,G,B in linear light) or a "
-           "panorama (.hdr, .exr, .pfm, .tif); default: the scene's own; for path-traced glTF, OBJ and PLY files without one, "
-           "the studio "
-           "(dimmed if the file has lamps)"})),
+      with_bare_value(row(ParamKind::kText, &P::sampling, &Sampling::denoise, denoise_choice(),
+                          {"denoise", "Rendering", "auto|none",
+                           "Remove the noise of path tracing by averaging over pixels and views that show the same surface: "
+                           "auto (with 2 or more samples per pixel) or none"}),
+                      "auto"),
+      path(row(ParamKind::kText, &P::scene, &SceneParams::environment, environment,
+               {"environment", "Rendering", "none|studio|COLOUR|FILE",
+                "Surroundings that light the scene: none, the built-in studio, a colour (#rrggbb, or R,G,B in linear light) or "
+                "a panorama (.hdr, .exr, .pfm, .tif); default: the scene's own; for path-traced glTF, OBJ and PLY files "
+                "without one, the studio (dimmed if the file has lamps)"})),
       row(ParamKind::kNumber, &P::scene, &SceneParams::environment_strength, number<float>(0.0, 1e6),
           {"environment-strength", "Rendering", "X", "Multiply the light of the surroundings"}),
       row(ParamKind::kNumber, &P::scene, &SceneParams::environment_rotation_deg, number<float>(-360.0, 360.0),
-          {"environment-rotation", "Rendering", "DEG", "Turn the surroundings about the vertical axis"}),
+          {"environment-rotation", "Rendering", "DEG", "Rotate the surroundings about the vertical axis"}),
       row(ParamKind::kFlag, &P::sampling, &Sampling::transparent, flag(),
           {"transparent", "Rendering", "", "Write pictures with alpha: the surroundings light the scene but are not visible"}),
       row(ParamKind::kNumber, &P::output, &OutputParams::pictures, &PictureParams::exposure_ev, number<float>(-64.0, 64.0),
@@ -546,8 +535,7 @@ std::vector<ParamInfo> rendering_rows() {
       row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::tone, choice<ToneCurve>(kToneNames),
           {"tone", "Rendering", "CURVE",
            "Tone curve for light brighter than white, except in EXR files: none (clipped), neutral (keeps hues) or agx (as "
-           "film "
-           "does)"}),
+           "film does)"}),
       runs_only(row(ParamKind::kText, &P::sampling, &Sampling::order, choice<RayOrder>(kOrderNames),
                     {"order", "Rendering", "ORDER",
                      "Order in which pixels are traced; changes speed only: rows, columns (below a lens) or view-tiles"})),
@@ -588,8 +576,8 @@ std::vector<ParamInfo> reuse_rows() {
            "With --reuse interpolate: make the middle frame first, then use it for the others (the paper's recursion)"}),
       row(ParamKind::kFlag, &P::reuse, &ReuseParams::no_z_buffer, flag(),
           {"no-z-buffer", "Reuse", "",
-           "With --reuse interpolate: let points overwrite each other in pixel order, without a depth test (wrong, for "
-           "study)"}),
+           "With --reuse interpolate: let points overwrite each other in pixel order, without a depth test (wrong; for "
+           "experiments)"}),
       row(ParamKind::kText, &P::reuse, &ReuseParams::debug, choice<DebugPicture>(kDebugNames),
           {"debug", "Reuse", "PICTURE", "With --reuse interpolate: missed leaves missed pixels black"}),
   };
@@ -618,15 +606,14 @@ std::vector<ParamInfo> file_rows() {
           {"layout", "Files", "LAYOUT",
            "Layout of each frame's picture: integral (behind the lenses), quilt (views side by side), views (a folder of "
            "views), native (the display's own frame), print (TIFF at the display's resolution), stereo (a view for each eye) "
-           "or "
-           "rgbd (a view and its depth); default: the native layout of the optics"}),
+           "or rgbd (a view and its depth); default: the native layout of the optics"}),
       row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::to, light_field_name(),
           {"to", "Files", "FORMAT",
            "Write each frame as a light field: hci, stanford, jpeg-pleno, miv, nerf, colmap, llff or eslf, with cameras and "
            "depth where the format has them"}),
       row(ParamKind::kFlag, &P::output, &OutputParams::pictures, &PictureParams::pseudoscopic, flag(),
           {"pseudoscopic", "Files", "",
-           "With --layout integral: turn every elemental image by 180 degrees, as a real lens array records it; inverts "
+           "With --layout integral: rotate every elemental image by 180 degrees, as a real lens array records it; inverts "
            "depth"}),
       row(ParamKind::kFlag, &P::output, &OutputParams::pictures, &PictureParams::mirror, flag(),
           {"mirror", "Files", "", "With --layout print: mirror the picture, for printing on the back of the sheet"}),
@@ -645,16 +632,15 @@ std::vector<ParamInfo> file_rows() {
           {"exr-pixels", "Files", "TYPE", "Number type of EXR colours: half or float"}),
       aov_row(),
       video_row(),
-      runs_only(
-          row(ParamKind::kText, &P::output, &OutputParams::video_codec, video_codec,
-              {"video-codec", "Files", "NAME",
-               "Codec of videos: h264, hevc, vp9, av1 or ffv1; default: .mp4 h264 (hevc above 4096 pixels a side), .webm vp9, "
-               ".mkv ffv1"})),
+      runs_only(row(ParamKind::kText, &P::output, &OutputParams::video_codec, video_codec,
+                    {"video-codec", "Files", "NAME",
+                     "Codec of videos: h264, hevc, vp9, av1 or ffv1; default: .mp4 h264 (hevc above 4096 pixels a side), .webm "
+                     "vp9, .mkv ffv1"})),
       runs_only(
           row(ParamKind::kText, &P::output, &OutputParams::crf, crf,
               {"crf", "Files", "N", "Quality of videos, 0 (best) to 51 (h264, hevc) or 63; default 18, hevc 20, else 24"})),
       runs_only(row(ParamKind::kText, &P::output, &OutputParams::also, optional_choice<Companion>(kCompanionNames),
-                    {"also", "Files", "WHAT", "single: then the same frames as one eye sees them, into DIR/single"})),
+                    {"also", "Files", "WHAT", "single: also render the frames as one eye sees them, into DIR/single"})),
       runs_only(row(
           ParamKind::kFlag, &P::output, &OutputParams::page, flag(),
           {"page", "Files", "", "Also write DIR/page, a page that shows the light field in any browser (docs/guide/view.md)"})),

@@ -13,7 +13,7 @@
 namespace lippmann {
 
 struct PlacedJob {
-  std::unique_ptr<const Display> display;  ///< null: the job names none
+  std::unique_ptr<const Display> display;  ///< null: the job has no display
   FittedArray array;
   PlacedOptics placed;
 };
@@ -21,8 +21,8 @@ struct PlacedJob {
 /// Returns the screen of a job. The arguments must outlive it. Throws a usage Error if parameters contradict each other.
 Screen screen_of(const ResolvedJob& job, const Scene& scene, const Display* display);
 
-/// Loads the job's display, fits the array to the scene, and makes the optics. Rays start where the fitted viewer stands, so
-/// that a camera inside a room sees the room. `scene` passes validate(). Throws Error for a display that cannot be read, and a
+/// Loads the job's display, fits the array to the scene, and makes the optics. Rays start at the fitted viewer, so that a
+/// camera inside a room shows the room. `scene` must pass validate(). Throws Error for a display that cannot be read, and a
 /// usage Error for parameters that contradict each other or make no rays.
 PlacedJob place(const ResolvedJob& job, const Scene& scene);
 

@@ -20,22 +20,22 @@ struct RenderReport {
   std::string scene;
   Optics optics;
   RenderParams params;
-  Reuse reuse;        ///< that served
-  std::string light;  ///< one sentence: which light was taken, and why
+  Reuse reuse;        ///< the kind in effect
+  std::string light;  ///< one sentence on the light used, and why
   std::string view;   ///< FittedArray::how
   ShownDepth depth;
   float depth_scale = 1.0f;            ///< shown depth / true depth
-  std::optional<double> crosstalk_px;  ///< undone: a sigma in the optics' pixels or views
+  std::optional<double> crosstalk_px;  ///< corrected crosstalk: a sigma in the optics' pixels or views
   double frames_per_second = 25.0;
-  std::vector<FrameReport> frames;  ///< in ascending order; frames kept from before with the figures of then
-  std::vector<FrameReport> strips;  ///< what those took that belong to none of these frames
-  RunReport run;                    ///< what it took beside its frames, or what all runs took
-  std::vector<RunReport> runs;      ///< every run that has rendered into the folder; empty: `run` alone
-  std::vector<std::string> videos;  ///< files, as they are named on disk
-  bool interrupted = false;         ///< stopped before the last frame; what is listed is whole
+  std::vector<FrameReport> frames;  ///< in ascending order; kept frames have the figures of their own run
+  std::vector<FrameReport> strips;  ///< strips rendered for frames that are not in `frames`
+  RunReport run;                    ///< figures of this run beside its frames, or the totals of all runs
+  std::vector<RunReport> runs;      ///< all runs that rendered into the folder; empty: only `run`
+  std::vector<std::string> videos;  ///< names of the files
+  bool interrupted = false;         ///< stopped before the last frame; the listed frames are complete
 };
 
-/// Over all frames: the mean share clipped, the largest residual of any. None where no crosstalk was undone.
+/// Returns the mean clipped share and the largest residual over all frames. None without crosstalk correction.
 std::optional<Precompensation> precompensation_of(const RenderReport& report);
 
 nlohmann::ordered_json to_json(const RenderReport& report);

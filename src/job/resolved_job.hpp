@@ -1,4 +1,4 @@
-// A job with every default filled in: the one value that scenes, optics and frames are made from.
+// A job with all defaults filled in, from which scenes, optics and frames are made.
 #pragma once
 
 #include <filesystem>
@@ -26,19 +26,19 @@ class ResolvedJob {
   const OutputParams& output() const { return params_.output; }
   const Sampling& sampling() const { return params_.sampling; }
 
-  /// Whether there is no scene, but a picture that shows if a display and its calibration belong together.
+  /// Returns whether the job renders the test pattern of a display instead of a scene.
   bool is_test_pattern() const;
 
   /// Whether each frame is rendered in strips of rows.
   bool is_in_strips() const { return params_.strips > 1; }
 
-  /// Returns the number of rendering threads: the one asked for, or that of `context`.
+  /// Returns the number of rendering threads: the requested one, or that of `context`.
   int threads(const Context& context) const;
 
-  /// Returns the frame rate of the animation and of videos: the one asked for, or the scene's own.
+  /// Returns the frame rate of the animation and of videos: the requested one, or the scene's own.
   double frames_per_second(const Timeline& timeline) const;
 
-  /// The same job, with its files in another folder.
+  /// Returns the same job with its files in another folder.
   ResolvedJob in_folder(const std::filesystem::path& folder) const;
 
  private:

@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-/// The first flag that only interpolation knows and that is not as it is by default; empty if there is none.
+/// Returns the first flag of interpolation that differs from its default; empty if there is none.
 std::string interpolation_flag(const ReuseParams& params) {
   const ReuseParams defaults;
   if (params.splat != defaults.splat) return "--splat";
@@ -48,8 +48,8 @@ Interpolate interpolate(const ReuseParams& params) {
           params.halving,   params.no_z_buffer};
 }
 
-/// Key frames and floors may be given for any scene, as in jobs for many scenes: path-traced frames have no key frames, and
-/// pixels that are copied or traced keep to any floor, if they have no noise.
+/// Key frames and a minimum PSNR may be given for any scene, as in jobs for many scenes. Path-traced frames have no key frames,
+/// and copied or traced pixels without noise satisfy any minimum.
 Reuse reuse_by_sampling(ReuseParams params, const Sampling& sampling) {
   if (can_copy_settled(sampling)) return copy_settled(params);
   params.keyframes.reset();

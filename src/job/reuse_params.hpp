@@ -1,4 +1,4 @@
-// From the parameters of reuse to the kind of reuse with its own parameters (frames/reuse.hpp).
+// Converts the parameters of reuse to a kind of reuse with its own parameters (frames/reuse.hpp).
 #pragma once
 
 #include "job/resolved_job.hpp"
@@ -6,13 +6,13 @@
 namespace lippmann {
 
 inline constexpr int kMaxKeyframes = 4096;
-inline constexpr double kLeastPsnr = 20.0, kMostPsnr = 90.0;  ///< floors that can be asked for
+inline constexpr double kLeastPsnr = 20.0, kMostPsnr = 90.0;  ///< range of --min-psnr
 
-/// How the frames of a job are made: kAuto becomes what its sampling allows.
-/// Throws a usage Error for parameters of reuse that mean nothing to the kind that serves, and for all that check() refuses.
+/// Returns how the frames of a job are made, with kAuto resolved by its sampling. Throws a usage Error for parameters without
+/// effect on the resulting kind of reuse, and for everything that check() rejects.
 FrameParams frame_params(const ResolvedJob& job);
 
-/// Throws a usage Error for a floor that is asked of pictures of another tone.
+/// Throws a usage Error if a minimum PSNR is combined with exposure or tone mapping.
 void check_floor(const RenderParams& params);
 
 }  // namespace lippmann

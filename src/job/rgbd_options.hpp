@@ -1,4 +1,5 @@
-// How the frames of an RGB-D render code depth: alike in all of them, so that grey means the same depth throughout a video.
+// Chooses the depth coding of an RGB-D render. All frames share it, so that a grey level means the same depth throughout a
+// video.
 #pragma once
 
 #include "folder/picture_params.hpp"
@@ -9,8 +10,8 @@ namespace lippmann {
 
 struct Stage;
 
-/// The range that is asked for, else what the scene shows of itself over its whole animation, whichever frames, strips or parts
-/// of it are rendered. Throws a usage Error for a range that is not before the eye.
+/// Returns the options with the requested range, or else the depth range visible in the whole animation, independent of the
+/// frames, strips or parts to render. Throws a usage Error for a range that is not in front of the eye.
 FormatOptions rgbd_options(const DepthParams& wanted, const Stage& stage, const ThreadPool& pool);
 
 }  // namespace lippmann

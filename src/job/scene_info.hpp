@@ -1,4 +1,4 @@
-// What is in a scene, how long its animation is, how the array was fitted, and whether the array can show its depth.
+// Describes a scene: its content, its animation, the fitted array, and the depth that the array can show.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -25,19 +25,19 @@ struct SceneInfo {
   int frames = 1;
   double frames_per_second = 25.0;
   bool keys_on_frames = true;           ///< every key of the animation falls on a frame
-  std::size_t moving_instances = 0;     ///< that move or change their shape
-  std::vector<std::string> animations;  ///< names of all that the file has
-  int animation = -1;                   ///< which of them is shown
-  std::vector<std::string> variants;    ///< names of the sets of materials that --variant chooses from
+  std::size_t moving_instances = 0;     ///< instances that move or change their shape
+  std::vector<std::string> animations;  ///< names of all animations in the file
+  int animation = -1;                   ///< index of the animation shown
+  std::vector<std::string> variants;    ///< names of the material variants, for --variant
 
-  Vec3d origin{0.0};  ///< of the coordinates below, in the file's
-  Bounds3f bounds;    ///< world, of everything finite, over the animation (sampled at up to 32 frames)
+  Vec3d origin{0.0};  ///< origin of the coordinates below, in the file's coordinates
+  Bounds3f bounds;    ///< of all finite shapes, in world coordinates, over the animation (sampled at up to 32 frames)
 
   FittedArray array;
   Optics optics;
-  float units_per_mm = 1.0f, depth_scale = 1.0f;  ///< as PlacedOptics has them
-  Vec3f array_center{0.0f};                       ///< world, at the first frame
-  std::vector<std::string> warnings;              ///< complete sentences: what the importer did not take over
+  float units_per_mm = 1.0f, depth_scale = 1.0f;  ///< as in PlacedOptics
+  Vec3f array_center{0.0f};                       ///< in world coordinates, at the first frame
+  std::vector<std::string> warnings;              ///< sentences on what the importer left out
 };
 
 /// Loads the scene and places the optics as a render would. Throws Error.

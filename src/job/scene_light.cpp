@@ -24,7 +24,7 @@ constexpr std::string_view kNone = "none", kStudio = "studio";
 constexpr const char* kAccepted =
     "none, studio, a colour as #rrggbb or R,G,B (linear light), or a panorama, .hdr, .exr, .pfm or .tif";
 
-/// "#ffcc00", codes of sRGB.
+/// Parses "#ffcc00", in sRGB codes.
 std::optional<Vec3f> parse_hexadecimal(std::string_view text) {
   unsigned codes = 0;
   const char* const end = text.data() + text.size();
@@ -35,7 +35,7 @@ std::optional<Vec3f> parse_hexadecimal(std::string_view text) {
   return Vec3f(channel(16), channel(8), channel(0));
 }
 
-/// "1,0.8,0.2", linear light.
+/// Parses "1,0.8,0.2", in linear light.
 Vec3f read_linear(std::string_view text, const std::string& where) {
   constexpr double kMost = 1e6;
   Vec3f color{0.0f};
@@ -48,7 +48,7 @@ Vec3f read_linear(std::string_view text, const std::string& where) {
   return color;
 }
 
-/// None where the value is no colour; throws where it looks like one and is none.
+/// Parses a colour. Returns none if the value does not look like a colour, and throws for an invalid one.
 std::optional<Vec3f> read_color(std::string_view value, const std::string& where) {
   if (value.starts_with('#')) {
     const std::optional<Vec3f> color = parse_hexadecimal(value);
@@ -61,7 +61,7 @@ std::optional<Vec3f> read_color(std::string_view value, const std::string& where
 
 Surrounding surrounding_of(const SceneParams& params) { return {params.environment_strength, params.environment_rotation_deg}; }
 
-/// A name with an ending is that of a file that is missing; a word may be a misspelt one.
+/// Returns the error for a name with an extension, which is a missing file, or for a word, which may be misspelt.
 Error no_such_environment(const std::string& value) {
   const std::filesystem::path path(value);
   if (path.has_extension()) return Error(value, "there is no such file", kAccepted);
@@ -71,21 +71,21 @@ Error no_such_environment(const std::string& value) {
                      kAccepted);
 }
 
-/// What --environment asks for.
+/// Applies the light that --environment requests.
 std::string light_as_asked(Scene& scene, const SceneParams& params, const Context& context) {
   const std::string& value = params.environment;
-  if (value == kNone) return "The scene has its own light alone, as --environment none asks for.";
+  if (value == kNone) return "The scene has only its own light, as requested by --environment none.";
   if (value == kStudio) {
     surround_with_studio(scene, params.environment_strength, params.environment_rotation_deg);
-    return "The built-in studio lights the scene, as --environment asks for.";
+    return "The built-in studio lights the scene, as requested by --environment.";
   }
   if (const std::optional<Vec3f> color = read_color(value, "--environment")) {
     surround_with(scene, params.environment_strength * *color);
-    return fmt::format("The colour {} surrounds the scene, as --environment asks for.", value);
+    return fmt::format("The colour {} surrounds the scene, as requested by --environment.", value);
   }
   if (!std::filesystem::exists(value)) throw no_such_environment(value);
   scene.background.map = read_environment(value, params.environment_strength, params.environment_rotation_deg, context);
-  return fmt::format("The panorama {} lights the scene, as --environment asks for.", value);
+  return fmt::format("The panorama {} lights the scene, as requested by --environment.", value);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-constexpr Vec2i kUsualViewPx{960, 540};  ///< a whole view's size, where nobody says
+constexpr Vec2i kUsualViewPx{960, 540};  ///< default size of a whole view
 
 void refuse_in_stereo(bool given, std::string_view parameter) {
   if (given) throw usage_error(std::string(parameter), "has no effect on a stereo picture", "`layout` stereo without it");
@@ -25,7 +25,7 @@ void refuse_other_optics(const OpticsParams& optics) {
 
 StereoPacking packing_of(const RenderParams& params) { return params.output.pictures.stereo.packing; }
 
-/// A view as it lies in the picture.
+/// Returns the size of a view as stored in the picture.
 Vec2i stored_view(const RenderParams& params, const Display* display) {
   const StereoPacking packing = packing_of(params);
   const Extent<int> size = params.optics.size;
@@ -47,7 +47,7 @@ double eyes_distance_mm(const RenderParams& params, const FittedArray& array, co
   const double distance = params.optics.viewing_distance_mm.value_or(
       display ? static_cast<float>(viewing_distance_mm(*display))
               : array.viewing_distance / scene_units_per_mm(array, static_cast<float>(height_mm)));
-  if (!params.optics.viewing_distance_mm && !std::isfinite(distance)) return 3.0 * height_mm;  // an orthographic camera
+  if (!params.optics.viewing_distance_mm && !std::isfinite(distance)) return 3.0 * height_mm;  // for an orthographic camera
   if (!std::isfinite(distance))
     throw usage_error("viewing-distance", "cannot be infinite for two eyes", "millimetres above 0, or auto");
   return distance;

@@ -26,7 +26,7 @@ void refuse_what_the_display_decides(const RenderParams& params) {
          "one of the two");
 }
 
-/// The display with the viewing angle, the viewing distance and, except for quilts, the size of the parameters.
+/// Returns the display with the viewing angle, the viewing distance and, except for quilts, the size of the parameters.
 Display with_params(const RenderParams& params, Display display, bool is_quilt) {
   if (params.optics.view_angle_deg) display.view_cone_deg = *params.optics.view_angle_deg;
   if (params.optics.viewing_distance_mm) display.viewing_distance_mm = *params.optics.viewing_distance_mm;
@@ -38,7 +38,7 @@ Display with_params(const RenderParams& params, Display display, bool is_quilt) 
   return display;
 }
 
-/// The display's quilt, or the one of the parameters.
+/// Returns the quilt of the parameters, or else the display's.
 Optics wanted_quilt(const RenderParams& params, Display display) {
   refuse(!display.quilt && params.optics.views.x == 0, "--optics multiview", "the display has no quilt",
          "--views CxR and --size WxH");
@@ -69,7 +69,7 @@ void require_size(Vec2i film) {
   const std::int64_t pixels = std::int64_t{film.x} * film.y;
   if (pixels > kMaxPixels || std::max(film.x, film.y) > kMaxSide)
     throw usage_error("--display", fmt::format("a frame of {}x{} pixels", film.x, film.y),
-                      fmt::format("1 to {} pixels, at most {} a side: --size says a smaller one", kMaxPixels, kMaxSide));
+                      fmt::format("1 to {} pixels, at most {} a side; --size sets a smaller one", kMaxPixels, kMaxSide));
 }
 
 Optics display_optics(const RenderParams& params, const Display& display) {

@@ -1,8 +1,8 @@
-// The screen of a display that was chosen by name, in its own millimetres, with what the parameters say besides.
+// The screen of a display chosen by name, in its own millimetres, modified by the parameters.
 //
-// Slanted panels are shown a quilt unless --layout native asks for their own sub-pixels. Sheets and microlens arrays show what
-// lies behind their lenses. The viewer stands where the display wants one, not where the scene's camera is: cells converge to
-// where eyes will be. --optics single: what one eye in the middle sees of the display.
+// Slanted panels show a quilt, or their own sub-pixels with --layout native. Sheets and microlens arrays show the image behind
+// their lenses. The viewer is at the display's viewing distance instead of the scene's camera, so that cells converge at the
+// viewer's eyes. --optics single renders what one eye in the middle sees of the display.
 #pragma once
 
 #include "job/params.hpp"
@@ -11,7 +11,7 @@
 
 namespace lippmann {
 
-/// Throws a usage Error for what the display does not have, or decides itself (lenses).
+/// Returns the screen. Throws a usage Error for parameters that the display does not support or defines itself, such as lenses.
 Screen screen_of_display(const RenderParams& params, const Display& display);
 
 }  // namespace lippmann

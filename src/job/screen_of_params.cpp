@@ -13,9 +13,9 @@
 namespace lippmann {
 namespace {
 
-constexpr float kLensWidthMm = 1.0f;     ///< how wide a cell is on the panel
-constexpr float kSingleWidthMm = 64.0f;  ///< how wide a view without lenses is: as wide as 64 lenses
-constexpr float kViewerHeights = 3.0f;   ///< where nobody says how far the viewer stands: as one does before a picture
+constexpr float kLensWidthMm = 1.0f;     ///< width of a cell on the panel
+constexpr float kSingleWidthMm = 64.0f;  ///< width of a view without lenses: as wide as 64 lenses
+constexpr float kViewerHeights = 3.0f;   ///< default viewing distance in window heights, as for a picture on a wall
 
 bool has_lenses(const PanelSize& size) { return size.lens_pixels > 0.0f; }
 
@@ -24,7 +24,7 @@ Panel make_panel(const PanelSize& size) {
   return {size.width, size.height, has_lenses(size) ? kLensWidthMm / size.lens_pixels : kSingleWidthMm / view_width};
 }
 
-/// Where the cells converge (lens arrays) or the eyes stand (the others, which need one at a finite distance).
+/// Returns the distance at which cells converge (lens arrays) or of the eyes (other optics, which need a finite one).
 float viewing_distance_mm(const OpticsParams& params, const PanelSize& size, float fitted_mm, float window_height_mm) {
   const float distance = params.viewing_distance_mm.value_or(fitted_mm);
   if (has_lenses(size) || std::isfinite(distance)) return distance;
@@ -33,15 +33,13 @@ float viewing_distance_mm(const OpticsParams& params, const PanelSize& size, flo
   return kViewerHeights * window_height_mm;
 }
 
-/// From close to, lenses must lie closer than the cells behind them: below a pixel's width they hold no picture.
+/// Throws if a near viewer would need lenses narrower than a pixel, which could show no picture.
 void require_lenses_of_a_pixel(float lens_pitch_mm, float gap_mm, float viewing_distance_mm, const Panel& panel) {
-  if (!(lens_pitch_mm < 0.999f * panel.pixel_pitch_mm)) return;  // 0.999: rounding, as in validate
-  throw usage_error(
-      "--viewing-distance",
-      fmt::format("a viewer {:.4g} mm before lenses {:.4g} mm before the pixels: the lenses would lie closer than "
-                  "pixels",
-                  viewing_distance_mm, gap_mm),
-      "a longer distance, a wider --view-angle or more --lens-pixels");
+  if (!(lens_pitch_mm < 0.999f * panel.pixel_pitch_mm)) return;  // 0.999 allows for rounding, as in validate()
+  throw usage_error("--viewing-distance",
+                    fmt::format("a viewer {:.4g} mm from lenses with a gap of {:.4g} mm needs lenses narrower than a pixel",
+                                viewing_distance_mm, gap_mm),
+                    "a longer distance, a wider --view-angle or more --lens-pixels");
 }
 
 void check_lens(const Optics& optics) {

@@ -7,7 +7,7 @@
 
 namespace lippmann {
 
-/// Every parameter but the scene by its name, in the order of --help; null: it is not given and follows from others.
+/// Returns every parameter except the scene by name, in the order of --help; null: not given, follows from others.
 nlohmann::ordered_json settings_json(const RenderParams& params);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// The plain picture beside a light field: the same frames as one eye in the middle sees them, for screens without lenses.
+// The plain picture beside a light field: the same frames seen by one eye in the middle, for screens without lenses.
 #pragma once
 
 #include "job/params.hpp"
@@ -6,8 +6,9 @@
 
 namespace lippmann {
 
-/// What renders it, into the folder kSingleFolder beside the pictures, videos as NAME_single.mp4 and the like. `optics`: those
-/// that the params made. As wide as the panel, or as one view of a quilt; on a display, as its panel.
+/// Returns the parameters that render it, into the folder kSingleFolder beside the pictures, with videos named NAME_single.mp4
+/// etc. optics: the optics of `params`. The picture is as wide as the panel, or as one view of a quilt; for a display, it has
+/// the panel's size.
 RenderParams single_clip(const RenderParams& params, const Optics& optics);
 
 }  // namespace lippmann

@@ -1,7 +1,7 @@
-// How large the files of a render are likely to be, before anything is rendered: from what such files have taken per pixel.
+// Estimates the size of a render's files before rendering, from measured bytes per pixel.
 //
-// An estimate, within a factor of about two for scenes that fill the picture; a small thing before plain surroundings takes a
-// fifth. Once a frame is written, its files say more.
+// The estimate is accurate to a factor of about two for scenes that fill the picture. A small object in front of a plain
+// background takes a fifth. Once a frame is written, its files give a better estimate.
 #pragma once
 
 #include <string>
@@ -17,10 +17,10 @@ struct FileSizes {
   double all() const { return pictures + layers + videos; }
 };
 
-/// The sizes of the frames of a plan, kept ones included.
+/// Returns the sizes of all frames of a plan, including kept ones.
 FileSizes estimated_file_sizes(const RenderPlan& plan, const RenderParams& params);
 
-/// "0.35 MB", "12 MB", "4.1 GB": two digits that count.
+/// Returns "0.35 MB", "12 MB", "4.1 GB": two significant digits.
 std::string bytes_text(double bytes);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Frames that are rendered strip by strip: each strip goes into a file of the folder, and frames are joined from these files.
+// Renders frames in strips: each strip goes into a file of the folder, and frames are joined from these files.
 #pragma once
 
 #include <vector>
@@ -15,9 +15,9 @@ class StrippedFrames final : public FrameMaker {
  public:
   struct Settings {
     FrameAovs wanted;             ///< layers
-    Vec2i film{0, 0};             ///< of a whole frame
-    bool keeps_finished = false;  ///< strips that are there as they were recorded are not made again
-    bool only_joins = false;      ///< no strip is made: one that is not there is an Error
+    Vec2i film{0, 0};             ///< size of a whole frame
+    bool keeps_finished = false;  ///< keep strips that are recorded and unchanged
+    bool only_joins = false;      ///< render no strip; a missing one is an Error
   };
 
   /// A strip that was rendered and recorded.
@@ -26,17 +26,18 @@ class StrippedFrames final : public FrameMaker {
     FrameReport report;
   };
 
-  /// `folder`, `progress` and `context` outlive this; nothing else records in the folder while a strip or a frame is made.
+  /// `folder`, `progress` and `context` must outlive this object. Nothing else may record in the folder while a strip or a
+  /// frame is made.
   StrippedFrames(const StripMaker& strips, RenderFolder& folder, const Settings& settings, RunProgress& progress,
                  const Context& context);
 
-  /// Renders those of the parts (parts_of) that are not there. Fewer where the context was cancelled meanwhile.
+  /// Renders the missing strips among the parts (parts_of). Stops early if the context is cancelled.
   void make_strips(const std::vector<int>& parts);
 
-  /// Renders the strips that are not there, and joins all of them. Throws Error where one is not there.
+  /// Renders the missing strips of a frame and joins all of them. Throws Error if one is missing afterwards.
   RenderedFrame make(int frame) override;
 
-  /// What was rendered so far, in order.
+  /// Returns the strips rendered so far, in order.
   const std::vector<MadeStrip>& made() const { return made_; }
 
  private:

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// `unit`: what stands for its number, as a shell reads it.
+/// unit: shell text for the number of the unit.
 std::string render_command(const Submission& submission, const std::string& unit) {
   return fmt::format("{} render {} --unit {}/{} --threads {} --resume --quiet", shell_word(submission.program.string()),
                      shell_word(submission.job.string()), unit, submission.units, submission.threads);
@@ -101,7 +101,8 @@ std::string openjd_template(const Submission& submission) {
 }
 
 std::string shell_commands(const Submission& submission) {
-  std::string text = "# A unit a line, in any order, on any machines that share the folder. The last line when all are done.\n";
+  std::string text =
+      "# One unit per line, in any order, on any machines that share the folder. Run the last line after all units.\n";
   for (int unit = 1; unit <= submission.units; ++unit) text += render_command(submission, std::to_string(unit)) + '\n';
   return text + finish_command(submission) + '\n';
 }

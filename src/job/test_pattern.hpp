@@ -1,13 +1,13 @@
-// A picture that shows at a glance whether a display and its calibration belong together. It is made of rays alone: what a
-// pixel shows depends on where its ray crosses the plane of the display, and on where in the viewing zone it arrives.
+// A test pattern that shows at a glance whether a display and its calibration match. It is computed from rays alone: the colour
+// of a pixel depends on where its ray crosses the display plane, and on where it arrives in the viewing zone.
 //
-// In the plane of the display: a white frame, a grid, a circle. By direction, from the left of the zone to its right: red,
-// orange, grey, cyan, blue, red and orange with an arrow to the left, cyan and blue with one to the right. An eye in the
-// middle of the zone then sees one grey display. What it sees instead tells the error:
-//   stripes of colours across the display     the pitch is wrong (upright stripes), or the slope (leaning ones)
-//   one colour, but not grey                  the centre is wrong
-//   arrows that point away from the eye       the order of views is reversed
-//   an oval                                   the aspect is wrong
+// In the display plane: a white frame, a grid, a circle. By direction, from left to right in the zone: red, orange, grey, cyan,
+// blue. Red and orange have an arrow to the left, cyan and blue one to the right. An eye in the middle of the zone should see a
+// grey display. Other images indicate the error:
+//   coloured stripes across the display     wrong pitch (upright stripes) or slope (leaning stripes)
+//   one colour, but not grey                wrong centre
+//   arrows that point away from the eye     reversed order of views
+//   an oval                                 wrong aspect
 #pragma once
 
 #include <memory>
@@ -21,20 +21,20 @@
 
 namespace lippmann {
 
-/// The name under which `render` makes it, in place of a scene's.
+/// The name of the pattern for `render`, in place of a scene.
 inline constexpr std::string_view kTestPattern = "test-pattern";
 
-/// A scene of nothing, on whose array the pattern is shown: one frame.
+/// Returns an empty scene with one frame. The pattern is shown on its array.
 Scene test_pattern_scene();
 
-/// Linear RGB where a ray crosses the display at `place`, in half heights from its middle (x right, y up), of a display of that
-/// aspect, and comes from `zone`, 0 (leftmost) to 1.
+/// Returns the linear RGB of a ray that crosses the display at `place`, in half heights from its middle (x right, y up), and
+/// arrives at `zone`, 0 (leftmost) to 1. aspect: of the display.
 Vec3f test_pattern(Vec2f place, float aspect, float zone);
 
-/// Its frames, for which no ray has to be traced. All arguments outlive the result.
+/// Returns a maker of the pattern's frames, which need no traced rays. The arguments must outlive it.
 std::unique_ptr<FrameMaker> make_pattern_frames(const Stage& stage, const ThreadPool& pool);
 
-/// The whole film.
+/// Returns the pattern as a whole film.
 Image test_pattern_film(const Optics& optics, const ThreadPool& pool);
 
 }  // namespace lippmann

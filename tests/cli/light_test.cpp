@@ -67,7 +67,7 @@ TEST(Light, summary_report_and_info_say_which_light_was_taken) {
   EXPECT_EQ(json_of(bytes_of(dir / "out/report.json"))["light"], expected);
   EXPECT_EQ(json_of(run_tool(dir, {"info", "plain.obj", "--integrator", "path", "--json"}).out)["light"], expected);
   EXPECT_THAT(run_tool(dir, {"info", "plain.obj", "--integrator", "path", "--environment", "none"}).out,
-              HasSubstr("The scene has its own light alone, as --environment none asks for."));
+              HasSubstr("The scene has only its own light, as requested by --environment none."));
 }
 
 TEST(Light, the_summary_says_how_many_samples_were_taken_and_what_makes_less_noise) {

@@ -116,7 +116,7 @@ TEST_F(SceneLight, is_what_environment_asks_for) {
   params.scene.name = "teapot";
   const JobScene in_studio = load_scene_of(ResolvedJob(params), {});
   EXPECT_TRUE(in_studio.scene.background.map);
-  EXPECT_EQ(in_studio.notes.light, "The built-in studio lights the scene, as --environment asks for.");
+  EXPECT_EQ(in_studio.notes.light, "The built-in studio lights the scene, as requested by --environment.");
 
   params.scene.environment_strength = 2.0f;
   params.scene.environment = "0.5,0.25,1";
