@@ -8,7 +8,7 @@
 namespace lippmann {
 namespace {
 
-/// The right half of the scene is at z = 6, in front of the rest at z = -8.
+/// Returns a scene whose right half is at z = 6, in front of the rest at z = -8.
 RenderedPanel two_depths(const Optics& optics) {
   RenderedPanel panel = test::record(optics, -8.0, test::waves);
   for (int y = 0; y < panel.picture.height; ++y)
@@ -21,7 +21,7 @@ RenderedPanel two_depths(const Optics& optics) {
   return panel;
 }
 
-TEST(AllInFocus, each_half_is_taken_at_its_own_depth) {
+TEST(AllInFocus, halves_take_their_own_depths) {
   for (const Optics& optics : {test::sheet(150.0f), test::lenslets(150.0f)}) {
     const RenderedPanel panel = two_depths(optics);
     const ThreadPool pool(1);
@@ -32,7 +32,7 @@ TEST(AllInFocus, each_half_is_taken_at_its_own_depth) {
       const Image picture = refocus(panel, z, size, pool, &disagreement);
       sharpest.add(picture, disagreement, z);
     }
-    // 4 lenses away from the rim and from where one half hides the other; a step of 2 mm either way.
+    // Leaves out 4 lenses at the edge and at the occlusion boundary. The tolerance is one step of 2 mm.
     int right = 0, count = 0;
     for (int y = 4; y < size.y - 4; ++y)
       for (int x = 4; x < size.x - 4; ++x) {
@@ -46,7 +46,7 @@ TEST(AllInFocus, each_half_is_taken_at_its_own_depth) {
   }
 }
 
-TEST(Refocus, rays_of_a_plane_agree_at_its_own_depth) {
+TEST(Refocus, rays_agree_at_their_planes_depth) {
   const Optics optics = test::lenslets(150.0f);
   const RenderedPanel panel = test::record(optics, -7.0, test::waves);
   const ThreadPool pool(1);

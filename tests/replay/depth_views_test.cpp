@@ -1,4 +1,4 @@
-// Views of pictures with depth: shifts worked out by hand, what is hidden and what comes into view.
+// Tests views of images with depth: shifts worked out by hand, occlusion and disocclusion.
 #include "replay/depth_views.hpp"
 
 #include <gmock/gmock.h>
@@ -8,10 +8,10 @@
 namespace lippmann {
 namespace {
 
-/// All four pixels around a place have a weight of at least 1e-6.
+/// All four pixels around a position have a weight of at least 1e-6.
 constexpr double kWeights = 1e-5;
 
-/// A screen of 40 x 4 pixels of 1 mm, seen from 100 mm, with a column of light at x = `lit`, all at one depth.
+/// Returns a screen of 40 x 4 pixels of 1 mm, seen from 100 mm, at one depth, with a bright column at x = `lit`.
 LightField plane(int lit, float z) {
   LightField field;
   field.grid = {1, 1}, field.view_size = {40, 4}, field.aspect = 10.0;
@@ -24,7 +24,7 @@ LightField plane(int lit, float z) {
   return field;
 }
 
-/// 3 eyes, 20 mm apart: slopes -0.2, 0, 0.2.
+/// Returns 3 eyes, 20 mm apart: slopes -0.2, 0, 0.2.
 Optics three_eyes() {
   MultiView eyes{3, 1};
   eyes.baseline_mm = 20.0f, eyes.distance_mm = 100.0f;
@@ -36,7 +36,7 @@ DepthViews shown(const LightField& source, const Optics& optics = three_eyes(), 
   return views_from_depth(source, optics, scale, pool);
 }
 
-/// Where a row of a view is lit: the mean, in pixels.
+/// Returns the mean position of the light in a row of a view, in pixels.
 double lit_at(const DepthViews& made, int view) {
   const Image image = std::get<Image>(view_of(made.field, view));
   double sum = 0.0, weight = 0.0;
@@ -45,18 +45,18 @@ double lit_at(const DepthViews& made, int view) {
 }
 
 TEST(DepthViews, plane_shifts_by_its_disparity) {
-  // q = -25 / (1 + 1/4) = -20 mm: the eye at slope 0.2 sees it 0.2 20 = 4 mm to the right, that at -0.2 to the left.
+  // q = -25 / (1 + 1/4) = -20 mm: the eye at slope 0.2 sees it 0.2 20 = 4 mm to the right, the eye at -0.2 to the left.
   const DepthViews behind = shown(plane(20, -25.0f));
   EXPECT_NEAR(lit_at(behind, 0), 16.0, kWeights);
   EXPECT_NEAR(lit_at(behind, 1), 20.0, kWeights);
   EXPECT_NEAR(lit_at(behind, 2), 24.0, kWeights);
-  // q = 20 / (1 - 1/5) = 25 mm: 5 mm, the other way round.
+  // q = 20 / (1 - 1/5) = 25 mm: 5 mm, in the opposite direction.
   const DepthViews before = shown(plane(20, 20.0f));
   EXPECT_NEAR(lit_at(before, 0), 25.0, kWeights);
   EXPECT_NEAR(lit_at(before, 2), 15.0, kWeights);
 }
 
-TEST(DepthViews, plane_of_the_screen_stays_and_nothing_is_filled) {
+TEST(DepthViews, screen_plane_stays_without_filled_pixels) {
   const DepthViews made = shown(plane(20, 0.0f));
   for (int view = 0; view < 3; ++view) EXPECT_NEAR(lit_at(made, view), 20.0, kWeights);
   EXPECT_EQ(made.filled_share, 0.0);
@@ -74,11 +74,11 @@ TEST(DepthViews, middle_view_is_the_picture) {
 }
 
 TEST(DepthViews, shifts_of_a_fraction_are_interpolated) {
-  // q = -12.5 / 1.125 = -11.1 mm, a shift of 2.22 pixels: the column of light lies between two.
+  // q = -12.5 / 1.125 = -11.1 mm, a shift of 2.22 pixels: the column lies between two pixels.
   EXPECT_NEAR(lit_at(shown(plane(20, -12.5f)), 2), 20.0 + 0.2 * 12.5 / 1.125, 1e-5);
 }
 
-TEST(DepthViews, larger_screen_and_other_distance_keep_the_disparity_per_slope) {
+TEST(DepthViews, disparity_per_slope_is_independent_of_screen) {
   Optics large = three_eyes();
   large.panel.pixel_pitch_mm = 2.0f;
   auto& eyes = std::get<MultiView>(large.model);
@@ -90,7 +90,7 @@ TEST(DepthViews, depth_scale_scales_shifts) {
   EXPECT_NEAR(lit_at(shown(plane(20, -25.0f), three_eyes(), 0.5), 2), 22.0, kWeights);
 }
 
-/// A wall 25 mm behind the screen (blue), and a board of columns 15 ... 24 in its plane (red).
+/// Returns a wall 25 mm behind the screen (blue), and a board in columns 15 ... 24 of the screen plane (red).
 LightField board() {
   LightField field = plane(0, -25.0f);
   Image& colours = std::get<Image>(field.stack);
@@ -104,7 +104,7 @@ LightField board() {
   return field;
 }
 
-TEST(DepthViews, nearer_surfaces_hide_and_what_comes_into_view_is_filled_from_behind) {
+TEST(DepthViews, disoccluded_pixels_are_filled_from_behind) {
   const DepthViews made = shown(board());
   const Image right = std::get<Image>(view_of(made.field, 2));
   for (int x = 0; x < 40; ++x) {
@@ -112,12 +112,12 @@ TEST(DepthViews, nearer_surfaces_hide_and_what_comes_into_view_is_filled_from_be
     EXPECT_EQ(right.pixel(x, 2)[0], front ? 1.0f : 0.0f) << x;
     EXPECT_EQ(right.pixel(x, 2)[2], front ? 0.0f : 1.0f) << x << ": the wall, also where it was hidden";
   }
-  // To the right of the board 4 columns of the wall come into view in the view on the right... and 4 at the picture's edge are
-  // not in it; likewise on the left: 8 of 40 pixels of two views of three.
+  // In the right view, 4 columns of the wall are disoccluded to the right of the board, and 4 at the edge are outside the
+  // image. The left view is symmetric: 8 of 40 pixels in two of three views.
   EXPECT_NEAR(made.filled_share, 16.0 / 120.0, 1e-9);
 }
 
-TEST(DepthViews, another_picture_shows_what_the_nearest_one_hides) {
+TEST(DepthViews, other_pictures_fill_hidden_parts) {
   LightField left = board(), right = board();
   left.cameras->eyes_mm = {{-20, 0}}, right.cameras->eyes_mm = {{20, 0}};
   Image colours = std::get<Image>(right.stack);
@@ -127,7 +127,7 @@ TEST(DepthViews, another_picture_shows_what_the_nearest_one_hides) {
   const DepthViews made = views_from_depths(std::vector{left, right}, three_eyes(), 1.0, pool);
   EXPECT_EQ(made.filled_share, 0.0);
   const Image middle = std::get<Image>(view_of(made.field, 1));
-  // The wall moves by 4 pixels from the left picture to the middle view: 4 columns at the edge and 4 beside the board are new.
+  // The wall moves by 4 pixels from the left image to the middle view: 4 columns at the edge and 4 beside the board are new.
   for (int x = 0; x < 40; ++x) EXPECT_EQ(middle.pixel(x, 2)[1], x < 4 || (x >= 25 && x < 29) ? 1.0f : 0.0f) << x;
   EXPECT_EQ(std::get<Image>(view_of(made.field, 0)).pixel(26, 2)[1], 0.0f);
   EXPECT_EQ(std::get<Image>(view_of(made.field, 2)).pixel(26, 2)[1], 1.0f);
@@ -140,7 +140,7 @@ TEST(DepthViews, depth_goes_with_the_views) {
   EXPECT_NEAR(depth.pixel(35, 1)[0], -25.0, 1e-4);
 }
 
-TEST(DepthViews, threads_do_not_change_them) {
+TEST(DepthViews, threads_do_not_change_the_views) {
   const ThreadPool one(1), four(4);
   const LightField source = board();
   EXPECT_EQ(std::get<Image>(views_from_depth(source, three_eyes(), 1.0, one).field.stack).data,

@@ -1,4 +1,4 @@
-// Refocusing on planes that are given as disparities.
+// Tests refocusing on planes given by their disparity.
 #include "replay/disparity.hpp"
 
 #include <gmock/gmock.h>
@@ -19,13 +19,13 @@ using testing::HasSubstr;
 
 constexpr Vec2i kViewSize{480, 360};
 
-/// The texture of a plane, by pixels of the middle view: waves of at least 24 pixels.
+/// Returns the texture of a plane, in pixels of the middle view: waves of at least 24 pixels.
 double wave_at(double x, double y) {
   return 0.5 + 0.2 * std::sin(2.0 * M_PI * x / 29.0) * std::sin(2.0 * M_PI * y / 37.0) +
          0.15 * std::sin(2.0 * M_PI * (x + y) / 51.0);
 }
 
-/// 5x5 parallel cameras that see a plane move by so many pixels from view to view. Grey floats.
+/// Returns grey floats of 5x5 parallel cameras that see a plane with that disparity between neighbouring views.
 LightField plane_seen(double disparity_px) {
   LightField field;
   field.grid = {5, 5}, field.view_size = kViewSize;
@@ -44,7 +44,7 @@ LightField plane_seen(double disparity_px) {
   return field;
 }
 
-/// PSNR of a picture of the size of a view against the plane.
+/// Returns the PSNR of an image of the view size against the plane.
 double psnr_of_plane(const Image& picture) {
   double squares = 0.0;
   for (int y = 0; y < picture.height; ++y)
@@ -52,7 +52,7 @@ double psnr_of_plane(const Image& picture) {
   return -10.0 * std::log10(squares / (picture.width * picture.height));
 }
 
-// 6.25 mm between cameras of 8 mm focal length and 2.4 um pixels: a plane at 130 mm moves by 8 / 0.0024 * 6.25 / 130 pixels.
+// Cameras 6.25 mm apart with 8 mm focal length and 2.4 um pixels: a plane at 130 mm moves by 8 / 0.0024 * 6.25 / 130 pixels.
 constexpr double kTrialPx = 8.0 / 0.0024 * 6.25 / 130.0;
 
 TEST(Disparity, near_plane_is_refocused) {

@@ -16,7 +16,7 @@ RenderedPanel noise(const Optics& optics) {
   return panel;
 }
 
-TEST(EpipolarImage, row_of_whole_pixels_is_the_panels_own_pixels) {
+TEST(EpipolarImage, row_of_whole_pixels_is_exact) {
   const RenderedPanel panel = noise(test::lenslets(100.0f));
   const Image epi = epipolar_row(panel, 4, SampleFilter::kNearest);
   ASSERT_EQ(Vec2i(epi.width, epi.height), Vec2i(30, 7));
@@ -25,7 +25,7 @@ TEST(EpipolarImage, row_of_whole_pixels_is_the_panels_own_pixels) {
       ASSERT_EQ(epi.pixel(lens, eye)[1], panel.picture.pixel(7 * lens + 6 - eye, 7 * 4 + 3)[1]) << lens << " " << eye;
 }
 
-TEST(EpipolarImage, column_of_whole_pixels_is_the_panels_own_pixels) {
+TEST(EpipolarImage, column_of_whole_pixels_is_exact) {
   const RenderedPanel panel = noise(test::lenslets(100.0f));
   const Image epi = epipolar_column(panel, 11, SampleFilter::kNearest);
   ASSERT_EQ(Vec2i(epi.width, epi.height), Vec2i(7, 30));
@@ -34,9 +34,8 @@ TEST(EpipolarImage, column_of_whole_pixels_is_the_panels_own_pixels) {
       ASSERT_EQ(epi.pixel(eye, lens)[1], panel.picture.pixel(7 * 11 + 3, 7 * lens + eye)[1]) << lens << " " << eye;
 }
 
-// With V = inf a point at depth z is seen at x - z t by an eye of slope t; slopes are 2/9 ... of 1 mm / 2 mm: (m / g) = 1/18
-// each.
-TEST(EpipolarImage, line_leans_by_depth_and_direction_tells_front_from_behind) {
+// With V = inf, an eye of slope t sees a point at depth z at x - z t. Slopes differ by m / g = (1/9 mm) / 2 mm = 1/18.
+TEST(EpipolarImage, slope_of_lines_follows_depth) {
   for (const double z : {-9.0, -4.0, 4.0, 9.0}) {
     const RenderedPanel panel = test::record(test::sheet(), z, [](Vec2d p) { return Vec3f(std::exp(-p.x * p.x / 2.0)); });
     const Image epi = epipolar_row(panel, 60, SampleFilter::kLinear);
@@ -49,7 +48,7 @@ TEST(EpipolarImage, line_leans_by_depth_and_direction_tells_front_from_behind) {
   }
 }
 
-TEST(EpipolarImage, a_cancelled_context_ends_it_before_the_next_eye) {
+TEST(EpipolarImage, cancelling_stops_before_the_next_eye) {
   const RenderedPanel panel = noise(test::lenslets(100.0f));
   Context context;
   context.cancelled = true;
@@ -60,7 +59,7 @@ TEST(EpipolarImage, a_cancelled_context_ends_it_before_the_next_eye) {
   }
 }
 
-TEST(EpipolarImage, lines_that_are_not_there_are_refused) {
+TEST(EpipolarImage, missing_lines_are_refused) {
   const RenderedPanel panel = noise(test::sheet());
   const auto of_row = [&](int row) { return test::error_message([&] { epipolar_row(panel, row, SampleFilter::kLinear); }); };
   EXPECT_THAT(of_row(-1), testing::HasSubstr("no row -1"));

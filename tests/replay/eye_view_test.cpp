@@ -20,17 +20,17 @@ Image view_from(const RenderedPanel& panel, Vec3d eye_mm, Vec2i size, SampleFilt
   return eye_view(panel, view, pool);
 }
 
-/// At lens resolution; the rim is left out, where an eye from the side sees past the panel's edge.
+/// Compares at lens resolution, without the edge, where an eye from the side sees past the panel.
 double psnr_of_plane(const Optics& optics, Vec3d eye_mm, double z) {
   const RenderedPanel panel = record(optics, z, waves);
   const Vec2i size = lens_grid(optics);
   return linear_psnr(view_from(panel, eye_mm, size), seen_directly(optics, size, eye_mm, z, waves), 3);
 }
 
-// In the plane z = 0 all pixels below a lens show the same point: what is left is float rounding, and between rows of a sheet
-// linear interpolation of a wave of 0.7 rad/mm at 9 rows per mm, (0.7/9)^2/8 = 8e-4 at most, 62 dB.
-TEST(EyeView, plane_of_lenses_equals_direct_view_from_any_eye_in_the_zone) {
-  // A sheet shows rows as they are, for eyes at one height and distance: elsewhere they lie a little higher or lower.
+// In the plane z = 0 all pixels below a lens show the same point. What remains is float rounding and, between rows of a sheet,
+// linear interpolation of a wave of 0.7 rad/mm at 9 rows per mm: at most (0.7/9)^2/8 = 8e-4, 62 dB.
+TEST(EyeView, plane_of_lenses_equals_direct_view) {
+  // A sheet shows rows unshifted only to eyes at one height and distance; for others they move up or down.
   for (const Vec3d eye : {Vec3d(0, 0, 100), Vec3d(15, 0, 100), Vec3d(-17, 0, 100)})
     EXPECT_GE(psnr_of_plane(test::sheet(100.0f), eye, 0.0), 60.0) << eye.x;
   for (const Vec3d eye : {Vec3d(0, 0, 100), Vec3d(15, 4, 100), Vec3d(-17, -8, 100), Vec3d(3, 2, 140)}) {
@@ -43,14 +43,14 @@ TEST(EyeView, plane_of_lenses_equals_direct_view_from_any_eye_in_the_zone) {
   }
 }
 
-TEST(EyeView, plane_of_slanted_and_hexagonal_lenses_equals_direct_view_at_lens_centres) {
+TEST(EyeView, slanted_and_hexagonal_lenses_equal_direct_view) {
   const Vec3d eye(9, 0, 100);
   for (const Optics& optics : {test::sheet(100.0f, 0.3f), test::lenslets(100.0f, LensPacking::kHexagonal)}) {
     const RenderedPanel panel = record(optics, 0.0, waves);
     const ThreadPool pool(1);
     const EyeSampler sampler(panel, SampleFilter::kLinear);
     for (int k = -8; k <= 8; ++k) {
-      // Lens centres: of the sheet where xi = (k + 1/2) pitch, on a line y = 1.3; of the hexagons in the row of lens (0, 0).
+      // Lens centres: of the sheet at xi = (k + 1/2) pitch, on the line y = 1.3; of the hexagons in the row of lens (0, 0).
       const auto* s = std::get_if<LenticularSheet>(&optics.model);
       const float pitch = s ? s->lens_pitch_mm : std::get<MicrolensArray>(optics.model).lens_pitch_mm;
       const Vec2d at =
@@ -62,8 +62,8 @@ TEST(EyeView, plane_of_slanted_and_hexagonal_lenses_equals_direct_view_at_lens_c
   }
 }
 
-// Off the plane, a lens's pixel spreads over |z| m / g; waves of 1 rad/mm blur by about that, squared, over 8.
-TEST(EyeView, error_grows_with_depth_and_stays_within_the_magnified_pixel) {
+// Off the plane, a lens's pixel spreads over |z| m / g. Waves of 1 rad/mm lose about the square of that over 8.
+TEST(EyeView, error_grows_with_depth_within_magnified_pixel) {
   const Vec3d eye(6, 0, 100);
   for (const Optics& optics : {test::sheet(100.0f), test::lenslets(100.0f)}) {
     const double near = psnr_of_plane(optics, eye, -2.0), mid = psnr_of_plane(optics, eye, -6.0),
@@ -75,14 +75,14 @@ TEST(EyeView, error_grows_with_depth_and_stays_within_the_magnified_pixel) {
   }
 }
 
-/// Every pixel below lens k has the colour k + 1; between -20 and 20 lenses.
+/// Returns a panel whose pixels below lens k all have the colour k + 0.5, for lenses -20 to 20.
 RenderedPanel numbered_lenses(const Optics& optics) {
   return record(optics, 0.0, [](Vec2d p) { return Vec3f(std::floor(p.x) + 0.5); });
 }
 
-TEST(EyeView, beyond_the_zone_the_neighbour_lens_pixels_are_seen) {
-  // g = 2, lens 1 mm: an eye infinitely far in the direction (0.2, 0) sees below lens l the point l - 0.4: its own cell; in
-  // (0.3, 0) the point l - 0.6: in the cell of lens l - 1, and 0.4 right of that cell's centre.
+TEST(EyeView, neighbour_pixels_are_seen_beyond_the_zone) {
+  // g = 2, lens 1 mm: an eye at infinity in direction (0.2, 0) sees point l - 0.4 below lens l, in its own cell. In direction
+  // (0.3, 0) it sees l - 0.6, in the cell of lens l - 1 and 0.4 right of that cell's centre.
   const RenderedPanel panel = numbered_lenses(test::sheet());
   const EyeSampler sampler(panel, SampleFilter::kLinear);
   const Vec2d at(3.5, 0.0);
@@ -93,7 +93,7 @@ TEST(EyeView, beyond_the_zone_the_neighbour_lens_pixels_are_seen) {
   EXPECT_EQ(share_out_of_zone(panel.optics, {{0.3, 0.0}, 0.0}), 1.0);
 }
 
-TEST(EyeView, design_viewer_and_all_of_the_zone_see_no_lens_flipped) {
+TEST(EyeView, zone_has_no_flipped_lens) {
   for (const Optics& optics : {test::sheet(100.0f), test::lenslets(100.0f), test::quilt(), test::sheet(100.0f, 0.3f)}) {
     for (const double share : {0.01, 0.3, 0.5, 0.99})
       EXPECT_EQ(share_out_of_zone(optics, viewer_in_zone(optics, share)), 0.0) << share;
@@ -102,8 +102,8 @@ TEST(EyeView, design_viewer_and_all_of_the_zone_see_no_lens_flipped) {
   }
 }
 
-TEST(EyeView, ith_eye_of_the_zone_sees_exactly_the_ith_pixels_from_the_right) {
-  // Nine pixels below every lens, each column its own colour.
+TEST(EyeView, eyes_see_their_pixel_columns_from_right) {
+  // Nine pixels below every lens, each column with its own colour.
   Optics optics = test::sheet(100.0f);
   RenderedPanel panel{optics, Image(360, 120, 3)};
   for (int y = 0; y < 120; ++y)
@@ -116,18 +116,19 @@ TEST(EyeView, ith_eye_of_the_zone_sees_exactly_the_ith_pixels_from_the_right) {
 }
 
 TEST(EyeView, linear_filter_never_mixes_two_lenses) {
-  // At the very edge of a cell, half a pixel from its neighbour: the colour is the cell's own.
+  // At the edge of a cell, half a pixel from its neighbour, the colour is the cell's own.
   const RenderedPanel panel = numbered_lenses(test::sheet());
   const EyeSampler sampler(panel, SampleFilter::kLinear);
   EXPECT_EQ(sampler.color({{0.2499, 0.0}, 0.0}, {3.5, 0.0}).x, 3.5f);
   EXPECT_EQ(sampler.color({{-0.2499, 0.0}, 0.0}, {3.5, 0.0}).x, 3.5f);
 }
 
-TEST(EyeView, eye_between_two_views_of_a_quilt_sees_the_nearer_or_both) {
+TEST(EyeView, quilt_interpolates_between_two_views) {
   const Optics optics = test::quilt();
   RenderedPanel panel{optics, Image(180, 120, 3)};
   for (int y = 0; y < 120; ++y)
-    for (int x = 0; x < 180; ++x) panel.picture.pixel(x, y)[0] = static_cast<float>((2 - y / 40) * 3 + x / 60);  // the view
+    for (int x = 0; x < 180; ++x)
+      panel.picture.pixel(x, y)[0] = static_cast<float>((2 - y / 40) * 3 + x / 60);  // the view's number
   const Viewer eye = viewer_in_zone(optics, (4.3 + 0.5) / 9);
   EXPECT_NEAR(EyeSampler(panel, SampleFilter::kNearest).color(eye, {0, 0}).x, 4.0f, 1e-5);
   EXPECT_NEAR(EyeSampler(panel, SampleFilter::kLinear).color(eye, {0, 0}).x, 4.3f, 1e-3);
@@ -135,8 +136,8 @@ TEST(EyeView, eye_between_two_views_of_a_quilt_sees_the_nearer_or_both) {
   EXPECT_NEAR(EyeSampler(panel, SampleFilter::kNearest).color(beyond, {0, 0}).x, 0.0f, 1e-5);
 }
 
-TEST(EyeView, eye_before_a_camera_grid_sees_the_views_around_it_across_and_up) {
-  // 3 x 3 eyes, 8 mm apart, at 100 mm; every tile holds column + 10 row of its view.
+TEST(EyeView, camera_grid_interpolates_across_and_up) {
+  // 3 x 3 eyes, 8 mm apart, at 100 mm; every tile has the value column + 10 row of its view.
   Optics optics = test::quilt();
   std::get<MultiView>(optics.model).baseline_mm = 8.0f;
   RenderedPanel panel{optics, Image(180, 120, 3)};
@@ -146,14 +147,14 @@ TEST(EyeView, eye_before_a_camera_grid_sees_the_views_around_it_across_and_up) {
   EXPECT_NEAR(linear.color(viewer_at({8, -8, 100}), {0, 0}).x, 2.0f, 1e-4);
   EXPECT_NEAR(linear.color(viewer_at({4, 2, 100}), {3, 1}).x, 1.5f + 10 * 1.25f, 1e-4);
   EXPECT_NEAR(nearest.color(viewer_at({5, 5, 100}), {0, 0}).x, 2.0f + 20.0f, 1e-4);
-  EXPECT_NEAR(linear.color(viewer_at({500, 0, 100}), {0, 0}).x, 2.0f + 10.0f, 1e-4);  // beyond: the last view
+  EXPECT_NEAR(linear.color(viewer_at({500, 0, 100}), {0, 0}).x, 2.0f + 10.0f, 1e-4);  // the last view, beyond the grid
   EXPECT_EQ(share_out_of_zone(optics, viewer_at({11, -11, 100})), 0.0);
   EXPECT_EQ(share_out_of_zone(optics, viewer_at({13, 0, 100})), 1.0);
   EXPECT_EQ(view_counts(optics), Vec2i(3, 3));
   EXPECT_NEAR(viewer_in_zone_vertically(optics, 2.5 / 3).slope_at_centre.y, 0.08, 1e-9);
 }
 
-TEST(EyeView, single_view_is_flat_and_the_same_from_everywhere) {
+TEST(EyeView, single_view_is_the_same_from_everywhere) {
   Optics optics;
   optics.panel = {30, 20, 0.5f};
   optics.model = SingleView{80.0f, {0.25f, -0.5f}};
@@ -162,9 +163,9 @@ TEST(EyeView, single_view_is_flat_and_the_same_from_everywhere) {
     EXPECT_GE(linear_psnr(view_from(panel, eye, {30, 20}), panel.picture), 120.0);
 }
 
-TEST(EyeView, crosstalk_is_a_gaussian_over_pixels_below_the_lens) {
-  // One bright column below every lens: nine eyes see exp-like weights that sum to 1 and whose second moment is the Gaussian's
-  // plus that of the pixel itself, 1/12.
+TEST(EyeView, crosstalk_is_a_gaussian_below_the_lens) {
+  // One bright column below every lens: nine eyes see Gaussian weights that sum to 1. Their second moment is the Gaussian's
+  // plus that of the pixel, 1/12.
   const Optics optics = test::sheet(100.0f);
   RenderedPanel panel{optics, Image(360, 120, 3)};
   for (int y = 0; y < 120; ++y) panel.picture.pixel(9 * 20 + 4, y)[0] = 1.0f;
@@ -180,8 +181,7 @@ TEST(EyeView, crosstalk_is_a_gaussian_over_pixels_below_the_lens) {
 }
 
 TEST(EyeView, pupil_averages_the_eyes_within_it) {
-  // A plane behind: a pupil of 30 mm at 100 mm sees 2.5 mm behind the display a blur of 0.75 mm, which smooths; the mean of a
-  // picture stays.
+  // A pupil of 30 mm at 100 mm blurs a plane 2.5 mm behind the display by 0.75 mm. The mean of the image does not change.
   const RenderedPanel panel = record(test::sheet(100.0f), -2.5, waves);
   const ThreadPool pool(1);
   EyeView view;
@@ -200,9 +200,9 @@ TEST(EyeView, pupil_averages_the_eyes_within_it) {
   EXPECT_NEAR(blurred_contrast / sharp_contrast, 0.984, 0.01);
 }
 
-TEST(EyeView, pupil_is_focused_on_the_depth_that_it_is_told) {
+TEST(EyeView, pupil_focuses_at_the_given_depth) {
   // A plane 12 mm behind, seen by a pupil of 40 mm: focused on the display it is blurred over 40 x 12 / 100 = 4.8 mm; focused
-  // on the plane, by no more than a lens, 1 mm.
+  // on the plane, by at most a lens, 1 mm.
   const RenderedPanel panel = record(test::lenslets(100.0f), -12.0, waves);
   const ThreadPool pool(1);
   EyeView view;
@@ -227,7 +227,7 @@ TEST(EyeView, threads_do_not_change_a_bit) {
   EXPECT_EQ(eye_view(panel, view, one).data, eye_view(panel, view, three).data);
 }
 
-TEST(EyeView, a_cancelled_context_ends_it_before_the_next_pixel) {
+TEST(EyeView, cancelling_stops_before_the_next_pixel) {
   const RenderedPanel panel = record(test::lenslets(100.0f), 3.0, waves);
   const ThreadPool pool(2);
   const Image whole = eye_view(panel, {}, pool);
@@ -240,7 +240,7 @@ TEST(EyeView, a_cancelled_context_ends_it_before_the_next_pixel) {
 
 TEST(EyeView, coarse_pictures_average_all_lenses) {
   const RenderedPanel panel = numbered_lenses(test::sheet());
-  EXPECT_NEAR(view_from(panel, {0, 0, 4000}, {2, 1}).pixel(1, 0)[0], 10.0, 0.01);  // lenses 0.5 ... 19.5
+  EXPECT_NEAR(view_from(panel, {0, 0, 4000}, {2, 1}).pixel(1, 0)[0], 10.0, 0.01);  // mean of lenses 0.5 ... 19.5
 }
 
 TEST(EyeView, eyes_that_see_nothing_are_refused) {

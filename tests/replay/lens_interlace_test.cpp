@@ -1,4 +1,4 @@
-// What lies behind lenses of views: which view a pixel shows, and which place of it, worked out by hand.
+// Tests the panel image behind lenses: which view and which position each pixel shows, worked out by hand.
 #include "layout/lens_interlace.hpp"
 
 #include <gmock/gmock.h>
@@ -28,13 +28,13 @@ Display sheet_of_ten() {
   return sheet;
 }
 
-/// How far that sheet is before its pixels, g: a cell of 8 (1 + g / V) mm is seen under 30 degrees, 2 g tan 15.
+/// Returns the gap g between lenses and pixels: a cell of 8 (1 + g / V) mm spans 30 degrees, 2 g tan 15.
 double gap_mm() { return 8.0 / (2.0 * std::tan(15.0 * std::numbers::pi / 180.0) - 8.0 / 1000.0); }
 
-/// Its cells converge to the viewer: 8 (1 + g / V) mm wide.
+/// Cells converge to the viewer: 8 (1 + g / V) mm wide.
 double cell_mm() { return 8.0 * (1.0 + gap_mm() / 1000.0); }
 
-/// Views for a display, each sample with the code that the function gives for its view, column and row.
+/// Returns views for a display, with code(view, column, row) at each sample.
 LightField coded(const Display& display, const std::function<int(int view, int x, int y)>& code) {
   const Optics optics = lens_views(display, {});
   const RenderedViews rendered = *rendered_views(optics);
@@ -57,7 +57,7 @@ Image16 behind_lenses(const LightField& field, const Display& display, int threa
 
 int code_at(const Image16& picture, int x, int y) { return picture.rgb[3 * static_cast<std::size_t>(y * picture.width + x)]; }
 
-TEST(LensInterlace, there_are_as_many_views_as_pixels_below_a_lens_with_a_sample_for_each_lens) {
+TEST(LensInterlace, one_view_per_pixel_below_a_lens) {
   const Optics optics = lens_views(sheet_of_ten(), {});
   EXPECT_EQ(view_tiles(optics)->columns, 9) << "8.12 pixels to a cell";
   EXPECT_EQ(view_tiles(optics)->rows, 1);
@@ -66,12 +66,12 @@ TEST(LensInterlace, there_are_as_many_views_as_pixels_below_a_lens_with_a_sample
   EXPECT_THAT(test::error_message([] { lens_views(sheet_of_ten(), ViewGrid{81, 1}); }), testing::HasSubstr("fewer views"));
 }
 
-TEST(LensInterlace, pixel_below_a_lens_shows_the_view_on_the_other_side_of_it) {
+TEST(LensInterlace, pixel_shows_the_view_opposite_to_it) {
   const Image16 picture = behind_lenses(coded(sheet_of_ten(), [](int view, int, int) { return view; }), sheet_of_ten());
   const double cell = cell_mm();
   int compared = 0;
   for (int i = 0; i < 80; ++i) {
-    // Cells meet at the middle of the panel, x = 0; a pixel at the right end of its cell is seen from the left.
+    // Cells meet at the middle of the panel, x = 0. A pixel at the right end of its cell is seen from the left.
     const double x = i + 0.5 - 40.0, share = 1.0 - (x / cell - std::floor(x / cell)), view = 9.0 * share;
     if (std::abs(view - std::round(view)) < 1e-3) continue;  // between two views
     EXPECT_EQ(code_at(picture, i, 3), static_cast<int>(view)) << i;
@@ -80,7 +80,7 @@ TEST(LensInterlace, pixel_below_a_lens_shows_the_view_on_the_other_side_of_it) {
   EXPECT_GE(compared, 75);
 }
 
-TEST(LensInterlace, pixel_shows_the_sample_at_its_lens_and_its_row) {
+TEST(LensInterlace, pixel_shows_the_sample_at_its_lens) {
   const Image16 picture =
       behind_lenses(coded(sheet_of_ten(), [](int, int x, int y) { return 1000 * x + 10 * y; }), sheet_of_ten());
   const double cell = cell_mm();
@@ -89,12 +89,12 @@ TEST(LensInterlace, pixel_shows_the_sample_at_its_lens_and_its_row) {
   for (int i = 0; i < 80; ++i) {
     const double lens = 8.0 * (std::floor((i + 0.5 - 40.0) / cell) + 0.5);
     const double column = std::clamp((lens / window + 0.5) * 10.0 - 0.5, 0.0, 9.0);
-    // Down the sheet, where lenses have no power, a pixel shows its own row.
+    // Along the lenses, a pixel shows its own row.
     for (int y = 0; y < 6; ++y) EXPECT_NEAR(code_at(picture, i, y), 1000.0 * column + 10.0 * y, 1.0) << i << " " << y;
   }
 }
 
-TEST(LensInterlace, lenses_that_hold_no_whole_pixels_slanted_and_hexagonal_ones_are_filled) {
+TEST(LensInterlace, fractional_slanted_and_hexagonal_lenses_are_filled) {
   Display display = sheet_of_ten();
   const auto brightness = [](int, int, int) { return 4000; };
   display.lenses.slant_deg = 9.46, display.lenses.pitch_mm = 7.3;
@@ -109,7 +109,7 @@ TEST(LensInterlace, lenses_that_hold_no_whole_pixels_slanted_and_hexagonal_ones_
   EXPECT_EQ(picture.rgb, behind_lenses(field, display, 3).rgb) << "for any number of threads";
 }
 
-TEST(LensInterlace, picture_in_the_plane_of_the_sheet_is_the_same_from_everywhere) {
+TEST(LensInterlace, screen_plane_looks_the_same_from_everywhere) {
   LightField source;
   source.grid = {1, 1}, source.view_size = {80, 6}, source.aspect = 80.0 / 6.0;
   Image16 colours{80, 6, {}};
@@ -121,7 +121,7 @@ TEST(LensInterlace, picture_in_the_plane_of_the_sheet_is_the_same_from_everywher
   DepthViews views = views_from_depth(source, lens_views(sheet_of_ten(), {}), 1.0, pool);
   const Picture picture = interlace_behind_lenses(views.field, sheet_of_ten(), pool);
   const auto& film = std::get<Image>(picture);
-  for (const int i : {0, 7, 15, 20, 60, 65, 72, 79})  // away from the edge, which views of ten samples have soft
+  for (const int i : {0, 7, 15, 20, 60, 65, 72, 79})  // away from the edge, which is blurred in views of ten samples
     EXPECT_NEAR(film.pixel(i, 2)[0], i < 40 ? 0.0 : 1.0, 1e-3) << i;
 }
 

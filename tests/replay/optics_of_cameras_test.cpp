@@ -1,4 +1,4 @@
-// Optics of views that state their cameras.
+// Tests the optics of views with known cameras.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Nothing but the cameras of 3x1 views of 40x30 pixels, each 0.5 mm wide, seen from 300 mm.
+/// Returns only the cameras of 3x1 views of 40x30 pixels, each 0.5 mm wide, seen from 300 mm.
 LightField field_of_grid(float eye_height_mm) {
   MultiView views{.columns = 3, .rows = 1, .distance_mm = 300.0f};
   views.baseline_mm = 12.0f, views.eye_height_mm = eye_height_mm;
@@ -31,7 +31,7 @@ TEST(OpticsOfCameras, height_of_the_cameras_is_kept) {
   }
 }
 
-TEST(OpticsOfCameras, cameras_beside_the_middle_are_refused) {
+TEST(OpticsOfCameras, off_centre_cameras_are_refused) {
   LightField field = field_of_grid(0.0f);
   for (Vec2d& eye : field.cameras->eyes_mm) eye.x += 30.0;
   EXPECT_THAT(test::error_message([&] { optics_of_cameras(field, "cameras.json"); }), HasSubstr("by 60 pixels"));

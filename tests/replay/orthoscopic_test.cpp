@@ -1,4 +1,4 @@
-// Pseudoscopic pictures made orthoscopic: rotated elemental images, smart conversion, and the order of depth that eyes see.
+// Tests the conversion of pseudoscopic images: rotated elemental images, smart conversion, and the depth order seen by eyes.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -27,7 +27,7 @@ RenderedPanel rotated(const RenderedPanel& panel) {
   return with(panel.optics, rotated_elemental_images(panel.optics, "test"), panel);
 }
 
-/// A spot that lenses and pixels sample: conversions take nearest pixels, and of a point smaller than these may take none.
+/// Records a spot large enough for lenses and pixels to sample: conversions copy nearest pixels and could miss a point.
 RenderedPanel record_spot(const Optics& optics, Vec3d point_mm) {
   return record(optics, point_mm.z, [&](Vec2d p) {
     const Vec2d from = p - Vec2d(point_mm);
@@ -78,30 +78,30 @@ TEST(RotateElemental, twice_is_the_identity) {
   }
 }
 
-TEST(RotateElemental, pixels_are_turned_about_the_middle_of_their_lens) {
+TEST(RotateElemental, pixels_are_rotated_about_their_lens_centre) {
   const PixelMap map = rotated_elemental_images(test::lenslets(), "test");
   EXPECT_EQ(map.source[0], 6u * 210u + 6u);               // pixel (0, 0) of lens (0, 0): its pixel (6, 6)
   EXPECT_EQ(map.source[3 * 210 + 3], 3u * 210u + 3u);     // the middle stays
   EXPECT_EQ(map.source[8 * 210 + 16], 12u * 210u + 18u);  // (2, 1) of lens (2, 1): (4, 5)
 }
 
-TEST(RotateElemental, fractional_lenses_are_refused_in_words) {
+TEST(RotateElemental, fractional_lenses_are_refused) {
   EXPECT_THAT(test::error_message([] { rotated_elemental_images(test::sheet(kInfinity, 0.3f), "a.png"); }),
               HasSubstr("whole pixels"));
 }
 
-TEST(Spoc, of_equal_arrays_at_distance_0_is_rotated_elemental_images) {
+TEST(Spoc, equal_arrays_at_0_rotate_elemental_images) {
   for (const Optics& optics : {test::sheet(), test::lenslets()}) {
     const PixelMap smart = spoc(optics, optics, {0.0, 37.0}), turned = rotated_elemental_images(optics, "test");
     EXPECT_EQ(smart.source, turned.source);
   }
 }
 
-TEST(Spoc, point_recorded_at_z_comes_back_at_distance_minus_z) {
+TEST(Spoc, depth_z_becomes_distance_minus_z) {
   const Optics recorded = test::sheet();
   for (const double distance : {10.0, 20.0})
     for (const double z : {8.0, 14.0, 20.0, 26.0}) {
-      if (std::abs(distance - z) < 2 * kDepthStep) continue;  // nearer, one lens alone sees it
+      if (std::abs(distance - z) < 2 * kDepthStep) continue;  // closer points are seen by one lens only
       const PixelMap map = spoc(recorded, recorded, {distance, z});
       const Peak peak = peak_of(with(recorded, map, record_spot(recorded, {1.37, 0.61, z})), kDepthStep, 11);
       EXPECT_NEAR(peak.depth, distance - z, kDepthStep) << distance << " " << z;
@@ -109,7 +109,7 @@ TEST(Spoc, point_recorded_at_z_comes_back_at_distance_minus_z) {
     }
 }
 
-TEST(Spoc, display_with_other_lenses_shows_the_point_where_it_should_be) {
+TEST(Spoc, other_lenses_keep_the_point_in_place) {
   const Optics recorded = test::lenslets();
   const Optics display = spoc_display(recorded, {1.5, 3.3, 11});
   EXPECT_EQ(Vec2i(display.panel.width, display.panel.height), Vec2i(220, 220));  // 30 mm: 20 lenses of 11 pixels
@@ -122,10 +122,10 @@ TEST(Spoc, display_with_other_lenses_shows_the_point_where_it_should_be) {
 }
 
 TEST(Spoc, index_worked_out_by_hand) {
-  // Sheet of 40 lenses, 1 mm, 9 pixels of 1/9 mm, gap 2; lens 20 has its centre at x = 0.5. Its pixel 184 (offset 4 - 4 = 0,
-  // the middle is pixel 184) has the ray x = 0.5: recorded lens 20, reference point x = 0.5, offset 0: itself. Pixel 187,
-  // offset 3/9 mm: slope -1/6. D = 12: x_R = 0.5 - 2 = -1.5: recorded lens 18. z_ref = 6, Z = 6: x_ref = -0.5. o' = -(-0.5
-  // + 1.5) 2 / 6 = -1/3 mm = -3 pixels: pixel 18 x 9 + 4 - 3 = 163.
+  // Sheet of 40 lenses of 1 mm with 9 pixels of 1/9 mm, gap 2; lens 20 has its centre at x = 0.5. Its middle pixel 184 (offset
+  // 0) has the ray x = 0.5: recorded lens 20, reference point x = 0.5, offset 0, which is itself. Pixel 187, offset 3/9 mm:
+  // slope -1/6. D = 12: x_R = 0.5 - 2 = -1.5: recorded lens 18. z_ref = 6, Z = 6: x_ref = -0.5. o' = -(-0.5 + 1.5) 2 / 6 = -1/3
+  // mm = -3 pixels: pixel 18 x 9 + 4 - 3 = 163.
   const PixelMap map = spoc(test::sheet(), test::sheet(), {12.0, 6.0});
   EXPECT_EQ(map.source[50 * 360 + 184], 50u * 360u + 184u);
   EXPECT_EQ(map.source[50 * 360 + 187], 50u * 360u + 163u);
@@ -143,8 +143,7 @@ TEST(Spoc, impossible_planes_are_refused) {
 
 // ---- Two tiers: an array records a scene from behind, the display shows it from the front --------------------------------
 
-/// Before the recording array: a bar at z = 8, and a wall of waves at z = 16. `nearest_to_array`: as that array records it, the
-/// bar hides the wall; else as its own display would need it for a viewer behind the wall.
+/// Returns a bar at bar_z in front of a wall of waves at wall_z: the bar occludes the wall in every ray.
 RenderedPanel bar_before_wall(const Optics& optics, double bar_z, double wall_z) {
   RenderedPanel panel = record(optics, wall_z, waves);
   for (int y = 0; y < panel.picture.height; ++y)
@@ -153,11 +152,11 @@ RenderedPanel bar_before_wall(const Optics& optics, double bar_z, double wall_z)
   return panel;
 }
 
-TEST(Spoc, two_tiers_show_the_scene_as_it_is_and_one_tier_does_not) {
+TEST(Spoc, two_tiers_show_correct_depth) {
   const Optics optics = test::sheet();
   const double distance = 12.0;
-  const RenderedPanel recorded = bar_before_wall(optics, 8.0, 16.0);  // the array sees the bar before the wall
-  const RenderedPanel truth = bar_before_wall(optics, distance - 8.0, distance - 16.0);  // and so must the viewer
+  const RenderedPanel recorded = bar_before_wall(optics, 8.0, 16.0);  // the array sees the bar in front of the wall
+  const RenderedPanel truth = bar_before_wall(optics, distance - 8.0, distance - 16.0);  // the viewer must see the same
   const RenderedPanel converted = with(optics, spoc(optics, optics, {distance, 12.0}), recorded);
   const Vec2i size = lens_grid(optics);
   const ThreadPool pool(1);
@@ -166,7 +165,8 @@ TEST(Spoc, two_tiers_show_the_scene_as_it_is_and_one_tier_does_not) {
     view.eye_mm = {zone_x_mm(optics, across, 2000.0), 0.0, 2000.0}, view.size = size;
     const Image seen = eye_view(converted, view, pool), should = eye_view(truth, view, pool);
     const Image one_tier = eye_view(recorded, view, pool);
-    // A wave of 0.95 rad/mm is sampled to a lens and a pixel at z = 16 (0.9 mm), half of each off: some 0.4 x 0.4.
+    // A wave of 0.95 rad/mm is sampled to a lens and a pixel at z = 16 (0.9 mm), with an error of half of each: about 0.4 x
+    // 0.4.
     EXPECT_GE(test::linear_psnr(seen, should, 5), 17.0) << across;
     EXPECT_LT(test::linear_psnr(one_tier, should, 5), 14.0) << across;
   }
@@ -174,7 +174,7 @@ TEST(Spoc, two_tiers_show_the_scene_as_it_is_and_one_tier_does_not) {
 
 // ---- The order of depth -----------------------------------------------------------------------------------------------
 
-TEST(DepthOrder, is_right_for_a_recorded_plane_and_wrong_once_it_is_rotated) {
+TEST(DepthOrder, rotation_inverts_a_recorded_plane) {
   const Optics optics = test::lenslets(150.0f);
   const ThreadPool pool(1);
   for (const double z : {-9.0, 9.0}) {

@@ -1,4 +1,4 @@
-// What replay shows through lenses with crosstalk is what precompensated pictures were made for.
+// Tests that precompensated images, replayed with crosstalk, show the original images.
 #include "layout/precompensate.hpp"
 
 #include <gtest/gtest.h>
@@ -9,10 +9,10 @@
 namespace lippmann {
 namespace {
 
-/// Far from black and white, so that nothing has to be clipped.
+/// Far from black and white, so that no sample is clipped.
 Vec3f soft_waves(Vec2d p) { return 0.6f * test::waves(6.0 * p) + 0.2f; }
 
-/// From the middle of every view across, and of the lenses.
+/// Returns the largest difference at the centres of all views and lenses.
 double worst_difference(const RenderedPanel& a, double crosstalk_a, const RenderedPanel& b, double crosstalk_b) {
   const EyeSampler sampler_a(a, SampleFilter::kNearest, crosstalk_a), sampler_b(b, SampleFilter::kNearest, crosstalk_b);
   const Window window = display_window(a.optics);
@@ -36,13 +36,13 @@ TEST(Precompensate, replayed_with_crosstalk_is_the_original_without) {
     RenderedPanel shown = wanted;
     const Precompensation done = precompensate(optics, 0.4, "test", shown.picture);
     EXPECT_EQ(done.clipped_share, 0.0);
-    // Views' middles are pixels' middles to float rounding of the optics: 1e-4 of a pixel.
+    // View centres agree with pixel centres up to float rounding of the optics: 1e-4 of a pixel.
     EXPECT_LE(worst_difference(shown, 0.4, wanted, 0.0), 1e-3);
-    EXPECT_GE(worst_difference(wanted, 0.4, wanted, 0.0), 0.02);  // which it undid
+    EXPECT_GE(worst_difference(wanted, 0.4, wanted, 0.0), 0.02);  // the crosstalk that was corrected
   }
 }
 
-TEST(Precompensate, no_eye_sees_more_than_the_residual_that_it_said) {
+TEST(Precompensate, residual_bounds_what_eyes_see) {
   const Optics optics = test::sheet(100.0f);
   const RenderedPanel wanted =
       test::record(optics, -3.0, [](Vec2d p) { return Vec3f(std::sin(2.0 * p.x) > 0.0 ? 1.0f : 0.0f); });

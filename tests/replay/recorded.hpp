@@ -1,4 +1,4 @@
-// Panels that hold what their own rays see of a plane with a known colour at every point: no renderer, no sampling of shapes.
+// Records panels analytically: each ray samples a plane with a known colour at every point, without a renderer.
 #pragma once
 
 #include <cmath>
@@ -9,18 +9,18 @@
 
 namespace lippmann::test {
 
-/// Colour 0 ... 1 of a point of a plane, mm.
+/// Returns the colour 0 ... 1 of a point of a plane, mm.
 inline Vec3f waves(Vec2d p) {
   return {0.5 + 0.4 * std::sin(0.9 * p.x + 0.3 * p.y), 0.5 + 0.4 * std::cos(0.7 * p.y), 0.5 + 0.3 * std::sin(0.5 * p.x - p.y)};
 }
 
-/// Where the ray of a pixel's centre meets the plane z.
+/// Returns where the ray of a pixel's centre meets the plane z.
 inline Vec2d meets(const Optics& optics, int x, int y, double z) {
   const Ray ray = ray_of_pixel(optics, Vec2f(x, y) + 0.5f);
   return Vec2d(ray.origin) + Vec2d(ray.direction) * ((z - ray.origin.z) / ray.direction.z);
 }
 
-/// color(point) of the plane z behind or in front of the display, as every pixel sees it.
+/// Records color(point) of the plane z, behind or in front of the display.
 template <class Color>
 RenderedPanel record(const Optics& optics, double z, const Color& color) {
   RenderedPanel panel{optics, Image(film_size(optics).x, film_size(optics).y, 3)};
@@ -32,7 +32,7 @@ RenderedPanel record(const Optics& optics, double z, const Color& color) {
   return panel;
 }
 
-/// A point of light, and darkness elsewhere.
+/// Records a point of light in darkness.
 inline RenderedPanel record_point(const Optics& optics, Vec3f point_mm) {
   RenderedPanel panel{optics, Image(optics.panel.width, optics.panel.height, 3)};
   std::vector<Vec2f> pixels;
@@ -41,7 +41,7 @@ inline RenderedPanel record_point(const Optics& optics, Vec3f point_mm) {
   return panel;
 }
 
-/// The same plane as an eye sees it through the display's window, without lenses.
+/// Returns the same plane as seen by an eye through the display's window, without lenses.
 template <class Color>
 Image seen_directly(const Optics& optics, Vec2i size, Vec3d eye_mm, double z, const Color& color) {
   const Window window = display_window(optics);
@@ -55,7 +55,7 @@ Image seen_directly(const Optics& optics, Vec2i size, Vec3d eye_mm, double z, co
   return picture;
 }
 
-/// PSNR of linear values with peak 1, leaving out `border` pixels at each side.
+/// Returns the PSNR of linear values with peak 1, without `border` pixels at each side.
 inline double linear_psnr(const Image& a, const Image& b, int border = 0) {
   double sum = 0.0;
   std::size_t count = 0;
@@ -80,7 +80,7 @@ inline Optics sheet(float viewing_distance_mm = kInfinity, float slant = 0.0f) {
   return optics;
 }
 
-/// 30 x 30 lenses of 7 x 7 pixels, or hexagonal ones of 7 pixels.
+/// 30 x 30 lenses of 7 x 7 pixels, or hexagonal lenses of 7 pixels.
 inline Optics lenslets(float viewing_distance_mm = kInfinity, LensPacking packing = LensPacking::kSquare) {
   Optics optics;
   const float gap = 2.0f, spread = 1.0f + gap / viewing_distance_mm;

@@ -15,7 +15,7 @@ using test::linear_psnr, test::record, test::seen_directly, test::waves;
 
 float brightest(const Image& picture) { return *std::max_element(picture.data.begin(), picture.data.end()); }
 
-/// The depth i step, -count <= i <= count, at which the refocused picture has the highest peak.
+/// Returns the depth i step, -count <= i <= count, at which the refocused image has the highest peak.
 double depth_of_peak(const RenderedPanel& panel, double step, int count) {
   const ThreadPool pool(1);
   double best = 0.0, depth = 0.0;
@@ -26,11 +26,10 @@ double depth_of_peak(const RenderedPanel& panel, double step, int count) {
   return depth;
 }
 
-// A depth step is that by which the outermost views shift by half a lens more: with N m = p, (N m / 2) dz / g = p / 2 gives
-// dz = g = 2 mm.
+// One depth step shifts the outermost views by another half lens: with N m = p, (N m / 2) dz / g = p / 2 gives dz = g = 2 mm.
 constexpr double kStep = 2.0;
 
-/// 10 depths behind and 10 in front, from 2 g on: nearer, a single lens sees the point, and one ray has no depth.
+/// Tests 10 depths behind and 10 in front, from 2 g on: a single lens sees nearer points, and one ray has no depth.
 void expect_peaks_at(const std::function<RenderedPanel(Vec3f)>& recorded) {
   for (int i = -11; i <= 11; ++i) {
     if (std::abs(i) < 2) continue;
@@ -39,25 +38,25 @@ void expect_peaks_at(const std::function<RenderedPanel(Vec3f)>& recorded) {
   }
 }
 
-TEST(Refocus, point_at_each_of_20_depths_peaks_at_its_own_through_lenticules) {
+TEST(Refocus, point_peaks_at_its_depth_through_lenticules) {
   const Optics optics = test::sheet();
   expect_peaks_at([&](Vec3f p) { return test::record_point(optics, p); });
 }
 
-TEST(Refocus, point_at_each_of_20_depths_peaks_at_its_own_through_lenslets) {
+TEST(Refocus, point_peaks_at_its_depth_through_lenslets) {
   Optics optics = test::lenslets();
   optics.panel.height = 70;
   expect_peaks_at([&](Vec3f p) { return test::record_point(optics, p); });
 }
 
-TEST(Refocus, point_peaks_at_its_depth_for_converging_hexagonal_slanted_and_quilt) {
+TEST(Refocus, point_peaks_at_its_depth_elsewhere) {
   for (const Optics& optics :
        {test::sheet(150.0f), test::lenslets(150.0f, LensPacking::kHexagonal), test::sheet(150.0f, 0.25f), test::quilt()})
     for (const float z : {-12.0f, -6.0f, 6.0f, 12.0f})
       EXPECT_NEAR(depth_of_peak(test::record_point(optics, {0.37f, 0.61f, z}), kStep, 9), z, kStep) << optics.model.index();
 }
 
-TEST(Refocus, blob_comes_back_at_its_place_as_the_design_viewer_sees_it) {
+TEST(Refocus, blob_keeps_the_design_viewers_position) {
   const Optics optics = test::lenslets(150.0f);
   const ThreadPool pool(1);
   const Vec2i size = lens_grid(optics);
@@ -76,13 +75,13 @@ TEST(Refocus, blob_comes_back_at_its_place_as_the_design_viewer_sees_it) {
       sum += w * Vec2d(x + 0.5, y + 0.5), weight += w;
     }
   // On the line to the viewer at 150 mm: (3.2, -4.1) / (1 + 11 / 150). Lenses and pixels of 0.8 mm sample a blob of sigma 1 mm
-  // well: its centre is good to a tenth of that.
+  // well: its centre is accurate to a tenth of that.
   const Vec2d at = display_window(optics).point_at(sum / weight, size);
   EXPECT_NEAR(at.x, 3.2 * 150 / 161, 0.1);
   EXPECT_NEAR(at.y, -4.1 * 150 / 161, 0.1);
 }
 
-TEST(Refocus, plane_is_sharp_at_its_own_depth_and_at_no_other) {
+TEST(Refocus, plane_is_sharp_only_at_its_depth) {
   const Vec3d viewer(0, 0, 150);
   for (const Optics& optics : {test::sheet(150.0f), test::lenslets(150.0f), test::quilt()}) {
     const Vec3d eye = std::holds_alternative<MultiView>(optics.model) ? Vec3d(0, 0, 100) : viewer;
@@ -103,7 +102,7 @@ TEST(Refocus, threads_do_not_change_a_bit) {
   EXPECT_EQ(refocus(panel, 7.0, {64, 80}, one).data, refocus(panel, 7.0, {64, 80}, three).data);
 }
 
-TEST(Refocus, a_cancelled_context_ends_it_before_the_next_row_of_rays) {
+TEST(Refocus, cancelling_stops_before_the_next_row) {
   const RenderedPanel panel = record(test::lenslets(100.0f), 3.0, waves);
   const ThreadPool pool(2);
   const Image black(64, 80, 3);
@@ -113,7 +112,7 @@ TEST(Refocus, a_cancelled_context_ends_it_before_the_next_row_of_rays) {
   EXPECT_EQ(refocus(panel, 7.0, {64, 80}, pool, nullptr, context).data, black.data);
 }
 
-TEST(Refocus, panels_without_all_of_their_samples_and_sizes_without_pixels_are_refused) {
+TEST(Refocus, invalid_panels_and_sizes_are_refused) {
   const ThreadPool pool(1);
   const RenderedPanel good = test::record_point(test::sheet(), {0.37f, 0.61f, 4.0f});
   const auto message = [&](const auto& spoil, Vec2i size) {
@@ -129,7 +128,7 @@ TEST(Refocus, panels_without_all_of_their_samples_and_sizes_without_pixels_are_r
     EXPECT_THAT(message([](Image&) {}, size), testing::HasSubstr("numbers of pixels")) << size.x;
 }
 
-TEST(Refocus, depths_behind_the_viewer_or_not_finite_are_refused) {
+TEST(Refocus, invalid_depths_are_refused) {
   const auto message = [](double z) {
     return test::error_message([&] { validate_depth(test::sheet(150.0f), z, "--refocus"); });
   };

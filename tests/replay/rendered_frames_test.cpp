@@ -35,7 +35,7 @@ auto codes(int width, int height, Code value) {
   return std::vector<Code>(static_cast<std::size_t>(3 * width * height), value);
 }
 
-TEST(RenderedFrames, codes_of_8_and_16_bits_are_decoded_from_srgb_and_floats_are_linear_already) {
+TEST(RenderedFrames, codes_are_srgb_and_floats_linear) {
   const TempDir dir;
   write_report(dir, small_sheet());
   write_png(dir / "frame_0000.png", Image8{16, 4, codes<unsigned char>(16, 4, 188)});
@@ -54,7 +54,7 @@ TEST(RenderedFrames, codes_of_8_and_16_bits_are_decoded_from_srgb_and_floats_are
   EXPECT_EQ(std::vector<float>(exr.data.begin(), exr.data.begin() + 4), (std::vector<float>{2.5f, 0.0f, 0.0f, 2.5f}));
 }
 
-TEST(RenderedFrames, frames_come_in_the_order_of_their_numbers_and_nothing_else_does) {
+TEST(RenderedFrames, only_frames_in_order_of_their_numbers) {
   const TempDir dir;
   write_report(dir, small_sheet());
   for (const char* name : {"frame_9999.png", "frame_10000.png", "frame_0003.png", "aov_0003.png", "eye_0003.png"})
@@ -73,7 +73,7 @@ TEST(RenderedFrames, pictures_mirrored_for_print_are_refused) {
   EXPECT_THAT(test::error_message([&] { find_rendered_frames(dir.path()); }), HasSubstr("mirrored"));
 }
 
-TEST(RenderedFrames, frames_of_a_slanted_panel_have_a_pixel_for_three_of_its_sub_pixels) {
+TEST(RenderedFrames, slanted_frames_have_three_sub_pixels_each) {
   const TempDir dir;
   Optics optics;
   optics.panel = {16, 5, 0.09f};

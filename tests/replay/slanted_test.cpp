@@ -1,4 +1,4 @@
-// Slanted panels, each of whose sub-pixels has a direction of its own: film pixel 3 i + c is colour c of the panel's pixel i.
+// Tests slanted panels, whose sub-pixels have a direction each: film pixel 3 i + c is colour c of the panel's pixel i.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-/// 240 x 160 pixels of 0.2 mm, 30.3 lenses across, from left to right lower by three lenses.
+/// Returns 240 x 160 pixels of 0.2 mm with 30.3 lenses across and a tilt of three lenses.
 Optics slanted_panel() {
   Optics optics;
   optics.panel = {240, 160, 0.2f};
@@ -33,7 +33,7 @@ RenderedPanel record_sub_pixels(const Optics& optics, double z, const Color& col
   return panel;
 }
 
-/// Waves 19 times as long as a lens is wide.
+/// Waves 19 lenses long.
 Vec3f long_waves(Vec2d p) { return test::waves(0.22 * p); }
 
 Image view_from(const RenderedPanel& panel, Vec3d eye_mm) {
@@ -43,9 +43,9 @@ Image view_from(const RenderedPanel& panel, Vec3d eye_mm) {
   return eye_view(panel, view, pool);
 }
 
-// A lens shows one place below it all over: up to a lens, 1.6 mm, to the side of the point. 0.4 x 0.2 x 0.8 = 0.06 of 1 at
-// worst, 24 dB; half of that in the mean.
-TEST(SlantedSight, scenes_are_seen_as_directly_to_within_a_lens) {
+// A lens shows one position along all of its pixels, up to a lens, 1.6 mm, to the side of the point. The error is at most 0.4 x
+// 0.2 x 0.8 = 0.06, 24 dB; half of that on average.
+TEST(SlantedSight, scenes_equal_direct_views_within_a_lens) {
   const Optics optics = slanted_panel();
   for (const double z : {-8.0, 0.0, 8.0}) {
     const RenderedPanel panel = record_sub_pixels(optics, z, long_waves);
@@ -56,8 +56,8 @@ TEST(SlantedSight, scenes_are_seen_as_directly_to_within_a_lens) {
   }
 }
 
-TEST(SlantedSight, eye_sees_the_direction_that_is_its_own) {
-  // Colours say for which place in the cone a sub-pixel is: 0 ... 1 from the left.
+TEST(SlantedSight, eye_sees_its_own_direction) {
+  // Colours encode the position in the cone that a sub-pixel is for: 0 ... 1 from the left.
   const Optics optics = slanted_panel();
   const Vec2i size = picture_size(optics);
   RenderedPanel panel{optics, Image(size.x, size.y, 3)};
@@ -73,7 +73,7 @@ TEST(SlantedSight, eye_sees_the_direction_that_is_its_own) {
     const Viewer eye = viewer_in_zone(optics, share);
     for (int i = -10; i <= 10; ++i) {
       const Vec3f seen = sampler.color(eye, {1.37 * i, 0.9 * i});
-      // The nearest sub-pixel of its colour lies up to half a pixel away: 0.5 x 30.3 / 240 of the cone.
+      // The nearest sub-pixel of its colour is up to half a pixel away: 0.5 x 30.3 / 240 of the cone.
       for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], share, 0.064) << share << " " << i << " " << c;
     }
   }
@@ -81,9 +81,9 @@ TEST(SlantedSight, eye_sees_the_direction_that_is_its_own) {
   EXPECT_EQ(share_out_of_zone(optics, viewer_in_zone(optics, 1.1)), 1.0);
 }
 
-// Waves 19 lenses long through 7.9 pixels below a lens: sharp where they are, washed out at depths where the ends of the zone,
-// 2 tan 20 degrees apart per mm, are about half a wave apart.
-TEST(SlantedSight, refocused_panel_is_sharp_at_the_depth_of_the_scene_in_every_color) {
+// Waves 19 lenses long through 7.9 pixels below a lens: sharp at their depth, and washed out at depths where the ends of the
+// zone, 2 tan 20 degrees apart per mm, differ by about half a wave.
+TEST(SlantedSight, refocused_colours_are_sharp_at_their_depth) {
   const Optics optics = slanted_panel();
   const ThreadPool pool(1);
   for (const double z : {-20.0, 20.0}) {
@@ -98,7 +98,7 @@ TEST(SlantedSight, refocused_panel_is_sharp_at_the_depth_of_the_scene_in_every_c
       };
       const double sharp = test::linear_psnr(only(refocus(panel, z, size, pool)), only(truth), 16);
       EXPECT_GE(sharp, 35.0) << z << " " << c;
-      if (c == 1) continue;  // green waves lie along the rows: no parallax
+      if (c == 1) continue;  // green waves run along the rows and have no parallax
       EXPECT_LE(test::linear_psnr(only(refocus(panel, -z, size, pool)), only(truth), 16), sharp - 10.0) << z << " " << c;
     }
   }

@@ -1,4 +1,4 @@
-// Through the renderer itself: what an eye sees of a traced panel, beside what is traced from that eye.
+// Compares what an eye sees of a traced panel with an image traced from that eye.
 #include <gtest/gtest.h>
 
 #include "lippmann/replay/eye_view.hpp"
@@ -8,7 +8,7 @@
 namespace lippmann {
 namespace {
 
-/// Squares of several colours in the plane z = 0.
+/// Returns squares of several colours in the plane z = 0.
 Scene tiles() {
   test::SmallScene s;
   for (int j = 0; j < 5; ++j)
@@ -21,7 +21,7 @@ Scene tiles() {
   return s.scene;
 }
 
-/// The middle column below every lens.
+/// Returns the middle column below every lens.
 Image at_lens_centres(const Image& picture, int pixels) {
   Image columns(picture.width / pixels, picture.height, 3);
   for (int y = 0; y < columns.height; ++y)
@@ -29,7 +29,7 @@ Image at_lens_centres(const Image& picture, int pixels) {
   return columns;
 }
 
-TEST(EyeViewTraced, scene_in_the_plane_of_the_lenses_equals_the_pinhole_render_at_lens_resolution) {
+TEST(EyeViewTraced, scene_in_lens_plane_equals_pinhole_render) {
   const Scene scene = tiles();
   const Optics optics = test::sheet(100.0f);
   const RenderedPanel panel{optics, test::trace(scene, optics).film};
