@@ -103,7 +103,7 @@ std::optional<Samples> output_codes(FileBytes icc, const Samples& rgb) {
         const OpenTransform with = output_transform(context.get(), to.get(), sizeof(Code));
         if (!with) return std::nullopt;
         std::vector<Code> printed(codes.size() / 3 * channels);
-        transform(with.get(), codes, 3, printed, channels);
+        apply_transform(with.get(), codes, 3, printed, channels);
         return Samples(std::move(printed));
       },
       rgb);
@@ -137,7 +137,7 @@ std::optional<Samples> rgb_of_inks(FileBytes icc, const Samples& inks) {
         const OpenTransform with = transform_of(context.get(), icc, cmsSigCmykData, 0, sizeof(Code));
         if (!with) return std::nullopt;
         std::vector<Code> rgb(codes.size() / kInks * 3);
-        transform(with.get(), codes, kInks, rgb, 3);
+        apply_transform(with.get(), codes, kInks, rgb, 3);
         return Samples(std::move(rgb));
       },
       inks);
