@@ -45,15 +45,15 @@ TEST_F(Answers, page_and_description_are_there) {
   EXPECT_EQ(nlohmann::json::parse(*fields.body)["fields"][0]["frames"].size(), 3u);
 }
 
-TEST_F(Answers, picture_of_a_frame_decodes_to_the_codes_that_were_rendered) {
+TEST_F(Answers, picture_decodes_to_the_rendered_codes) {
   const PageAnswer panel = get("/0/panel/2");
   EXPECT_EQ(panel.type, "image/webp");
   const DecodedPicture decoded = decode_picture(std::as_bytes(std::span(*panel.body)), "panel");
   EXPECT_EQ(std::get<std::vector<std::uint8_t>>(decoded.samples), pictures_[2].rgb);
 }
 
-// No text of a request becomes part of a path: none of these is anything.
-TEST_F(Answers, paths_that_lead_elsewhere_lead_nowhere) {
+// Text of a request never becomes part of a file path, so none of these exists.
+TEST_F(Answers, foreign_paths_are_unknown) {
   for (const char* path : {"/../report.json",
                            "/report.json",
                            "/frame_0000.png",
@@ -87,7 +87,7 @@ TEST_F(Answers, paths_that_lead_elsewhere_lead_nowhere) {
   EXPECT_EQ(get(std::string("/app.js\0", 8)).status, 404);
 }
 
-TEST_F(Answers, requests_that_come_from_other_origins_are_refused) {
+TEST_F(Answers, requests_from_other_origins_are_refused) {
   PageRequest request = request_of("/fields.json");
   request.origin = "http://127.0.0.1:8488";
   EXPECT_EQ(answers_.answer(request).status, 200);
@@ -97,7 +97,7 @@ TEST_F(Answers, requests_that_come_from_other_origins_are_refused) {
   }
 }
 
-// A name that somebody else has made to point here arrives as the Host of the request.
+// DNS rebinding: a foreign name that resolves to this server appears as the Host of the request.
 TEST_F(Answers, requests_for_other_hosts_are_refused) {
   for (const char* host : {"evil.example", "evil.example:8488", "127.0.0.1", "127.0.0.1:80", ""}) {
     PageRequest request = request_of("/fields.json");
@@ -106,7 +106,7 @@ TEST_F(Answers, requests_for_other_hosts_are_refused) {
   }
 }
 
-TEST_F(Answers, other_sites_may_link_to_the_page_and_load_nothing_from_it) {
+TEST_F(Answers, other_sites_may_only_link_the_page) {
   for (const char* site : {"cross-site", "same-site"}) {
     PageRequest request = request_of("/0/views/0");
     request.fetch_site = site;
@@ -124,7 +124,7 @@ TEST_F(Answers, nothing_can_be_changed) {
   }
 }
 
-TEST_F(Answers, text_of_a_calibration_is_answered_with_its_numbers_and_nothing_is_kept) {
+TEST_F(Answers, calibration_is_answered_and_not_kept) {
   PageRequest request = request_of("/calibration");
   request.method = "POST", request.origin = "http://127.0.0.1:8488";
   request.body = R"({"pitch":50,"slope":-7,"center":0.5,"DPI":324,"screenW":120,"screenH":90})";
@@ -142,7 +142,7 @@ TEST_F(Answers, text_of_a_calibration_is_answered_with_its_numbers_and_nothing_i
   EXPECT_EQ(get("/calibration").status, 404);
 }
 
-TEST_F(Answers, display_that_is_played_on_is_described) {
+TEST_F(Answers, playing_display_is_described) {
   Display display;
   display.name = "own";
   PageAnswers playing(test::fields_of(dir_.path()), kLoopback, PageDisplay{display, {}});
@@ -151,7 +151,7 @@ TEST_F(Answers, display_that_is_played_on_is_described) {
   EXPECT_EQ(fields["display"]["filter"], "nearest");
 }
 
-TEST_F(Answers, damaged_frame_is_said_and_others_are_still_sent) {
+TEST_F(Answers, damaged_frame_leaves_other_frames_readable) {
   std::ofstream(dir_ / "frame_0001.png") << "no picture";
   const PageAnswer answer = get("/0/views/1");
   EXPECT_EQ(answer.status, 422);
@@ -173,7 +173,7 @@ TEST_F(Answers, without_the_token_nothing_is_sent) {
     EXPECT_EQ(status(path), 403) << path;
 }
 
-TEST(ByteCache, keeps_what_was_used_last_within_its_bound) {
+TEST(ByteCache, most_recent_entries_stay_within_the_limit) {
   ByteCache cache(100);
   int made = 0;
   const auto get = [&](const std::string& key) {
@@ -183,10 +183,10 @@ TEST(ByteCache, keeps_what_was_used_last_within_its_bound) {
   EXPECT_EQ(get("b"), 'b');
   EXPECT_EQ(get("a"), 'a');
   EXPECT_EQ(made, 2);
-  EXPECT_EQ(get("c"), 'c');  // b goes
+  EXPECT_EQ(get("c"), 'c');  // evicts b
   EXPECT_EQ(get("a"), 'a');
   EXPECT_EQ(made, 3);
-  EXPECT_EQ(get("b"), 'b');  // c goes
+  EXPECT_EQ(get("b"), 'b');  // evicts c
   EXPECT_EQ(made, 4);
   const auto make_large = [&] { return ++made, std::string(101, 'l'); };
   EXPECT_EQ(cache.get("large", make_large)->size(), 101u);

@@ -9,9 +9,9 @@
 namespace lippmann {
 namespace {
 
-// Two eyes 10 mm apart at V = 500 mm see a point at z = 100 mm pass z = 0 at places 10 z / (V - z) = 2.5 mm apart: w = 125 mm,
-// and their slopes differ by 10 / 500.
-TEST(DisparityCodes, disparity_is_what_points_move_by_per_slope) {
+// Two eyes 10 mm apart at V = 500 mm see a point at z = 100 mm cross z = 0 at positions 10 z / (V - z) = 2.5 mm apart: w = 125
+// mm. Their slopes differ by 10 / 500.
+TEST(DisparityCodes, disparity_is_motion_per_slope) {
   EXPECT_NEAR(disparity_mm(100.0, 1.0 / 500.0, 1.0), 125.0, 1e-9);
   EXPECT_NEAR(disparity_mm(100.0, 1.0 / 500.0, 1.0) * 10.0 / 500.0, 2.5, 1e-9);
   EXPECT_EQ(disparity_mm(-40.0, 0.0, 0.5), -20.0);
@@ -34,7 +34,7 @@ TEST(DisparityCodes, codes_follow_the_formula) {
   EXPECT_EQ(code(0.37f), 32969);
 }
 
-TEST(DisparityCodes, nothing_and_what_is_no_depth_give_code_0) {
+TEST(DisparityCodes, nothing_and_invalid_depths_give_code_0) {
   for (const float z : {-kInfinity, std::nanf(""), kInfinity}) {
     Image depth(1, 1, 1);
     depth.data[0] = z;

@@ -21,7 +21,7 @@ using testing::Not;
 
 const PageAccess kToken{{"127.0.0.1:8488"}, "secret"};
 
-/// The file of a picture of one colour.
+/// Returns a file with an image of one colour.
 std::string picture_file(int width, unsigned char red) {
   Image8 picture{width, 6, std::vector<unsigned char>(static_cast<std::size_t>(18 * width), 40)};
   for (std::size_t i = 0; i < picture.rgb.size(); i += 3) picture.rgb[i] = red;
@@ -35,7 +35,7 @@ std::string list_of(const std::vector<std::string>& names) {
 
 class Dropped : public testing::Test {
  protected:
-  /// Sends pictures whose red says where they stand in the list.
+  /// Sends images whose red encodes their position in the list.
   void send(const std::vector<std::string>& names, const std::vector<int>& widths = {}) {
     pictures_->post("begin", list_of(names));
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -60,7 +60,7 @@ class Dropped : public testing::Test {
   PageAnswers answers_{pictures_, kToken};
 };
 
-TEST_F(Dropped, pictures_are_views_in_the_natural_order_of_names) {
+TEST_F(Dropped, pictures_are_views_in_natural_order) {
   EXPECT_EQ(fields()["fields"].size(), 0u);
   send({"p10.PNG", "p2.png", "p1.png"});
   pictures_->post("show", "{}");
@@ -77,7 +77,7 @@ TEST_F(Dropped, pictures_are_views_in_the_natural_order_of_names) {
   EXPECT_EQ(ask("/secret/print", print.dump()).status, 200);
 }
 
-TEST_F(Dropped, a_piece_that_is_sent_twice_counts_once) {
+TEST_F(Dropped, repeated_piece_counts_once) {
   const std::string bytes = picture_file(8, 10);
   pictures_->post("begin", list_of({"a.png", "b.png"}));
   for (const char* path : {"0/0", "0/0", "1/0", "1/0"}) pictures_->post(path, bytes);
@@ -110,7 +110,7 @@ TEST_F(Dropped, limits_on_count_kind_and_bytes) {
   EXPECT_THAT(message("1/0", "x"), HasSubstr("once more"));
 }
 
-TEST_F(Dropped, what_is_shown_stays_until_the_next_is_there) {
+TEST_F(Dropped, shown_pictures_stay_until_replaced) {
   send({"a.png", "b.png"});
   pictures_->post("show", "{}");
   send({"a.png", "b.png", "c.png"}, {8, 8, 5});
@@ -119,7 +119,7 @@ TEST_F(Dropped, what_is_shown_stays_until_the_next_is_there) {
   EXPECT_EQ(ask("/secret/0/views/0").status, 200);
 }
 
-TEST_F(Dropped, only_pages_of_the_server_with_the_token_drop) {
+TEST_F(Dropped, only_the_own_page_may_drop) {
   EXPECT_EQ(ask("/drop/begin", list_of({"a.png", "b.png"})).status, 403);
   PageRequest request;
   request.method = "POST", request.path = "/secret/drop/begin", request.host = "127.0.0.1:8488";

@@ -1,4 +1,4 @@
-// One connection over a pair of sockets: its deadlines, and what it takes for a request.
+// Tests one connection over a pair of sockets: its deadlines, and what it accepts as a request.
 #include "view/http_connection.hpp"
 
 #include <fcntl.h>
@@ -22,7 +22,7 @@ class Connection : public testing::Test {
   }
   ~Connection() override { close(ends_[0]); }
 
-  /// Whoever made the connection closes the other end.
+  /// The caller closes the other end.
   platform::Socket server_end() const { return platform::Socket(ends_[1]); }
 
   void say(HttpConnection& connection, const std::string& bytes) {
@@ -40,7 +40,7 @@ class Connection : public testing::Test {
   HttpConnection::Terms terms_;
 };
 
-TEST_F(Connection, head_has_one_deadline_however_slowly_it_comes) {
+TEST_F(Connection, slow_head_misses_its_deadline) {
   terms_.head = std::chrono::seconds(0);
   HttpConnection connection(server_end(), terms_);
   EXPECT_FALSE(connection.is_over());
@@ -53,7 +53,7 @@ TEST_F(Connection, head_has_one_deadline_however_slowly_it_comes) {
   EXPECT_TRUE(connection.is_over());
 }
 
-TEST_F(Connection, body_has_one_deadline_however_slowly_it_comes) {
+TEST_F(Connection, slow_body_misses_its_deadline) {
   terms_.body = std::chrono::seconds(0);
   HttpConnection connection(server_end(), terms_);
   say(connection, "POST / HTTP/1.1\r\nContent-Length: 9\r\n\r\n");
@@ -83,7 +83,7 @@ TEST_F(Connection, request_is_complete_with_its_last_byte) {
   EXPECT_FALSE(connection.is_over());
 }
 
-TEST_F(Connection, client_that_asks_before_it_sends_is_told_to_go_on) {
+TEST_F(Connection, expecting_client_gets_100_continue) {
   HttpConnection connection(server_end(), terms_);
   say(connection, "POST / HTTP/1.1\r\nContent-Length: 3\r\nExpect: 100-continue\r\n\r\n");
   EXPECT_EQ(heard(), "HTTP/1.1 100 Continue\r\n\r\n");

@@ -1,4 +1,4 @@
-// The server over its sockets: what strangers send must neither be answered with files nor end it.
+// Tests the server over its sockets: hostile requests must neither get files nor end it.
 #include "view/http_server.hpp"
 
 #include <gmock/gmock.h>
@@ -47,7 +47,7 @@ class Server : public testing::Test {
   std::thread serving_;
 };
 
-TEST_F(Server, sends_the_page_with_headers_that_keep_others_out) {
+TEST_F(Server, page_has_protective_headers) {
   const std::string answer = http_get(port(), "/");
   EXPECT_EQ(status_of(answer), 200);
   EXPECT_THAT(answer, HasSubstr("<canvas"));
@@ -58,7 +58,7 @@ TEST_F(Server, sends_the_page_with_headers_that_keep_others_out) {
   EXPECT_EQ(status("/0/views/1"), 200);
 }
 
-TEST_F(Server, encoded_and_plain_ways_out_of_the_folder_lead_nowhere) {
+TEST_F(Server, paths_out_of_the_folder_are_unknown) {
   for (const char* target :
        {"/../../../../etc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "/..%2f..%2fetc%2fpasswd", "/%2fetc%2fpasswd", "//etc/passwd",
         "/0/views/..%2f..%2freport.json", "/0/views/%2e%2e", "/report.json", "/frame_0000.png", "/0/views/0%00.png", "/%00",
@@ -78,7 +78,7 @@ TEST_F(Server, foreign_hosts_and_origins_are_refused) {
   EXPECT_EQ(status("/fields.json"), 200);
 }
 
-/// The head of a POST.
+/// Returns the head of a POST.
 std::string post_head(const std::string& target, int port, const std::string& headers) {
   return "POST " + target + " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port) +
          "\r\nConnection: close\r\nContent-Type: text/plain\r\n" + headers + "\r\n";
@@ -88,7 +88,7 @@ std::string length_of(std::size_t bytes) { return "Content-Length: " + std::to_s
 
 const char* const kSmallCalibration = R"({"pitch":50,"slope":-7,"center":0.5,"DPI":324,"screenW":120,"screenH":90})";
 
-TEST_F(Server, takes_the_text_of_a_calibration_and_no_other_text) {
+TEST_F(Server, only_calibrations_are_accepted_as_text) {
   const auto answer = [&](const std::string& target, const std::string& body) {
     RawConnection connection(port());
     connection.send(post_head(target, port(), length_of(body.size())) + body);
@@ -102,8 +102,8 @@ TEST_F(Server, takes_the_text_of_a_calibration_and_no_other_text) {
   EXPECT_EQ(status("/fields.json"), 200);
 }
 
-// The bodies never come: who waited for them would not answer.
-TEST_F(Server, bodies_that_are_not_taken_are_refused_before_they_come) {
+// The bodies never arrive, so a server that waits for them would not answer.
+TEST_F(Server, refused_bodies_are_not_awaited) {
   const auto refusal = [&](const std::string& head) {
     RawConnection connection(port());
     connection.send(head);
@@ -119,7 +119,7 @@ TEST_F(Server, bodies_that_are_not_taken_are_refused_before_they_come) {
   EXPECT_EQ(refusal("GET / HTTP/1.1\r\nX: " + std::string(100000, 'b')), 431);
 }
 
-TEST_F(Server, requests_that_come_together_are_answered_one_by_one) {
+TEST_F(Server, pipelined_requests_are_answered_in_order) {
   const std::string host = " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port()) + "\r\n";
   RawConnection connection(port());
   std::string requests = "GET /nothing" + host + "\r\n";
@@ -129,11 +129,11 @@ TEST_F(Server, requests_that_come_together_are_answered_one_by_one) {
   EXPECT_EQ(status_of(answers), 404);
   EXPECT_THAT(answers, HasSubstr("405 Method Not Allowed"));
   EXPECT_THAT(answers, HasSubstr("application/json"));
-  EXPECT_THAT(answers, Not(HasSubstr("\"fields\"")));  // a head alone was asked for
+  EXPECT_THAT(answers, Not(HasSubstr("\"fields\"")));  // the request was a HEAD
   EXPECT_THAT(answers, HasSubstr("#canvas"));
 }
 
-TEST_F(Server, ranges_are_ignored_and_huge_headers_of_them_refused) {
+TEST_F(Server, ranges_are_ignored_huge_headers_refused) {
   EXPECT_EQ(status("/fields.json", "Range: bytes=0-9\r\n"), 200);
   std::string many = "Range: bytes=0-0";
   for (int i = 0; i < 1500; ++i) many += ",0-0";
@@ -145,7 +145,7 @@ TEST_F(Server, ranges_are_ignored_and_huge_headers_of_them_refused) {
   EXPECT_EQ(status("/fields.json"), 200);
 }
 
-TEST_F(Server, garbage_is_no_end_of_it) {
+TEST_F(Server, garbage_does_not_end_the_server) {
   std::string bytes;
   for (int i = 0; i < 4096; ++i) bytes += static_cast<char>(i * 131 + i / 7);
   for (const std::string& sent :
@@ -167,8 +167,8 @@ class ServerThatWaitsForAnHour : public Server {
   ServerThatWaitsForAnHour() : Server(3600) {}
 };
 
-// More than it holds open.
-TEST_F(ServerThatWaitsForAnHour, silent_and_slow_connections_keep_nobody_out) {
+// More connections than the server keeps open.
+TEST_F(ServerThatWaitsForAnHour, slow_connections_do_not_block_others) {
   std::list<RawConnection> others;
   for (int i = 0; i < 200; ++i) {
     others.emplace_back(port());
@@ -177,8 +177,8 @@ TEST_F(ServerThatWaitsForAnHour, silent_and_slow_connections_keep_nobody_out) {
   EXPECT_EQ(status("/fields.json"), 200);
 }
 
-// A test that would not end if the server waited for those who say nothing, before a request and after one.
-TEST_F(ServerThatWaitsForAnHour, ends_at_once_though_connections_are_open) {
+// The test would not end if the server waited for silent clients, before or after a request.
+TEST_F(ServerThatWaitsForAnHour, stops_despite_open_connections) {
   RawConnection silent(port()), spoken(port());
   spoken.send("GET /fields.json HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port()) + "\r\n\r\n");
   EXPECT_THAT(spoken.receive(0.5), HasSubstr("200 OK"));
@@ -196,13 +196,13 @@ TEST_F(Server, many_requests_at_once_are_all_answered) {
   EXPECT_EQ(answered, 16 * 20);
 }
 
-TEST(HttpServer, port_in_use_is_an_error_where_it_was_asked_for) {
+TEST(HttpServer, port_in_use_is_an_error) {
   const HttpServer first("127.0.0.1", 0);
   EXPECT_THAT(test::error_message([&] { HttpServer("127.0.0.1", first.port()); }), HasSubstr("cannot listen there"));
   EXPECT_THAT(test::error_message([&] { HttpServer("203.0.113.7", 0); }), HasSubstr("not an address of this machine"));
 }
 
-TEST(HttpServer, only_addresses_of_this_machine_go_without_a_token) {
+TEST(HttpServer, only_loopback_needs_no_token) {
   for (const char* host : {"127.0.0.1", "localhost", "::1", "127.1.2.3"}) EXPECT_TRUE(is_loopback(host)) << host;
   for (const char* host : {"0.0.0.0", "::", "192.168.1.5", "localhost.example"}) EXPECT_FALSE(is_loopback(host)) << host;
   EXPECT_EQ(page_address("127.0.0.1", 8488, ""), "http://127.0.0.1:8488/");

@@ -23,7 +23,7 @@ TEST(NearEdges, pixel_beside_something_near_moves_with_it) {
   EXPECT_THAT(row.data, ElementsAre(-500, -500, 10, 10, 11, 11));
 }
 
-TEST(NearEdges, what_is_infinitely_far_moves_with_what_is_near_beside_it) {
+TEST(NearEdges, background_moves_with_near_neighbours) {
   Image row = row_of({-kInfinity, -kInfinity, 10, kInfinity, -kInfinity});
   take_near_at_edges(row, {5, 1}, 5.0);
   EXPECT_THAT(row.data, ElementsAre(-kInfinity, 10, 10, kInfinity, -kInfinity));

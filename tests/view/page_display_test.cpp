@@ -1,4 +1,4 @@
-// What a page is told of the panel that it plays on.
+// Tests the description of a panel for the page.
 #include "view/page_display.hpp"
 
 #include <gmock/gmock.h>
@@ -21,8 +21,8 @@ Display small_panel() {
   return display;
 }
 
-// P = 10 * 300 / 100 cos(atan(1/2)), T = 200 / (300 * -2); stripes: the phase where a sub-pixel itself lies is P / 3W lower.
-TEST(PageDisplay, numbers_are_those_of_the_calibration) {
+// P = 10 * 300 / 100 cos(atan(1/2)), T = 200 / (300 * -2); stripes: the phase at the position of a sub-pixel is P / 3W lower.
+TEST(PageDisplay, phases_follow_the_calibration) {
   const nlohmann::ordered_json json = page_display_json({small_panel(), {ViewFilter::kGaussian, 0.75}});
   const double periods = 30.0 * 2.0 / std::sqrt(5.0);
   EXPECT_EQ(json["name"], "small");
@@ -35,7 +35,7 @@ TEST(PageDisplay, numbers_are_those_of_the_calibration) {
   EXPECT_EQ(json["sigma_views"], 0.75);
 }
 
-TEST(PageDisplay, cells_are_told_by_row_column_and_colour) {
+TEST(PageDisplay, cells_are_listed_by_row_and_column) {
   Display display = small_panel();
   display.calibration.cells = {SubPixelCell{Vec2f(0.5f, 0.25f), Vec2f(0.0f), Vec2f(-0.5f, 0.0f)}, SubPixelCell{}};
   display.calibration.cell_pattern = 1;  // a checkerboard
@@ -47,7 +47,7 @@ TEST(PageDisplay, cells_are_told_by_row_column_and_colour) {
   EXPECT_EQ(cells[1][1][0], (nlohmann::ordered_json{0.5, 0.25}));
 }
 
-TEST(PageDisplay, views_that_are_not_side_by_side_are_refused) {
+TEST(PageDisplay, several_rows_of_views_are_refused) {
   PageFacts facts;
   facts.title = "grid", facts.grid = {5, 1};
   require_one_row(facts);
@@ -56,7 +56,7 @@ TEST(PageDisplay, views_that_are_not_side_by_side_are_refused) {
               AllOf(HasSubstr("grid has 5x3 views"), HasSubstr("one row")));
 }
 
-TEST(PageDisplay, dropped_calibration_is_read_as_the_tool_reads_one) {
+TEST(PageDisplay, dropped_calibration_equals_the_tools) {
   const PageDisplay dropped = dropped_calibration(
       R"({"serial":"LKG-P1","pitch":{"value":52.5},"slope":-7,"center":0.5,"screenW":120,"screenH":90,"DPI":324})",
       {ViewFilter::kLinear, 0.5});

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using test::TempDir;
 using testing::HasSubstr;
 
-TEST(PageField, quilt_of_an_integral_image_is_what_convert_makes_of_it) {
+TEST(PageField, quilt_of_an_integral_image_equals_convert) {
   const TempDir dir;
   test::write_sheet_frames(dir.path(), 2);
   const auto fields = test::fields_of(dir.path());
@@ -38,13 +38,13 @@ TEST(PageField, quilt_of_an_integral_image_is_what_convert_makes_of_it) {
   EXPECT_EQ(fields[0]->quilt(1).rgb, std::get<Image8>(read_picture(converted.written.front())).rgb);
 }
 
-TEST(PageField, panel_is_the_picture_that_was_rendered) {
+TEST(PageField, panel_is_the_rendered_picture) {
   const TempDir dir;
   const std::vector<Image8> pictures = test::write_sheet_frames(dir.path(), 1);
   EXPECT_EQ(test::fields_of(dir.path())[0]->panel(0).rgb, pictures[0].rgb);
 }
 
-TEST(PageField, frames_have_what_the_report_says_of_them) {
+TEST(PageField, frame_facts_come_from_the_report) {
   const TempDir dir;
   test::write_sheet_frames(dir.path(), 3);
   const auto fields = test::fields_of(dir.path());
@@ -62,8 +62,8 @@ TEST(PageField, frames_have_what_the_report_says_of_them) {
   EXPECT_EQ(json["depth"], false);
 }
 
-// Pixel (x, y) of view v lies below lens x, the views from right to left.
-TEST(PageField, provenance_of_views_lies_where_their_pixels_do) {
+// Pixel (x, y) of view v is below lens x, with the views from right to left.
+TEST(PageField, provenance_is_arranged_like_the_views) {
   const TempDir dir;
   test::write_sheet_frames(dir.path(), 2);
   nlohmann::ordered_json report = nlohmann::ordered_json::parse(std::ifstream(dir / "report.json"));
@@ -89,8 +89,8 @@ TEST(PageField, provenance_of_views_lies_where_their_pixels_do) {
   EXPECT_THAT(test::error_message([&] { fields[0]->provenance(1); }), HasSubstr("has no provenance"));
 }
 
-// A panel whose lenses have 5.3 pixels has no views of whole pixels: eyes look at it.
-TEST(PageField, fractional_lenses_are_seen_by_as_many_eyes_as_there_are_directions) {
+// A panel with 5.3 pixels per lens has no views of whole pixels, so eyes sample it.
+TEST(PageField, fractional_lenses_have_one_eye_per_direction) {
   const TempDir dir;
   Optics optics;
   optics.panel = {53, 20, 0.125f};
@@ -108,7 +108,7 @@ TEST(PageField, fractional_lenses_are_seen_by_as_many_eyes_as_there_are_directio
   EXPECT_EQ(Vec2i(quilt.width, quilt.height), facts.view_size * Vec2i(facts.tiles.columns, facts.tiles.rows));
 }
 
-TEST(PageField, link_out_of_the_folder_is_refused_and_others_stay_readable) {
+TEST(PageField, link_out_of_the_folder_is_refused) {
   const TempDir dir, elsewhere;
   test::write_sheet_frames(dir.path(), 3);
   write_png(elsewhere / "secret.png", test::noise_codes(16, 6, 9));
@@ -122,7 +122,7 @@ TEST(PageField, link_out_of_the_folder_is_refused_and_others_stay_readable) {
   EXPECT_EQ(fields[0]->quilt(2).rgb, fields[0]->quilt(0).rgb);
 }
 
-TEST(PageField, report_that_is_a_link_out_of_the_folder_is_refused) {
+TEST(PageField, linked_report_is_refused) {
   const TempDir dir, elsewhere;
   test::write_sheet_frames(dir.path(), 1);
   fs::rename(dir / "report.json", elsewhere / "report.json");
@@ -140,7 +140,7 @@ TEST(PageField, report_that_is_a_link_out_of_the_folder_is_refused) {
   EXPECT_EQ(test::fields_of(dir.path())[0]->facts().frames.size(), 1u);
 }
 
-TEST(PageField, side_files_and_layers_that_lead_out_are_refused_with_their_picture) {
+TEST(PageField, linked_side_files_and_layers_are_refused) {
   const TempDir dir, elsewhere;
   test::write_sheet_frames(dir.path(), 2);
   const auto fields = test::fields_of(dir.path());
@@ -157,7 +157,7 @@ TEST(PageField, side_files_and_layers_that_lead_out_are_refused_with_their_pictu
   EXPECT_THAT(test::error_message([&] { test::fields_of(dir.path()); }), HasSubstr("frame_0000.png.json"));
 }
 
-TEST(PageField, single_view_is_a_light_field_of_one_view) {
+TEST(PageField, single_view_is_one_view) {
   const TempDir dir;
   Optics optics;
   optics.panel = {8, 6, 0.25f};
@@ -170,7 +170,7 @@ TEST(PageField, single_view_is_a_light_field_of_one_view) {
   EXPECT_EQ(fields[0]->quilt(0).rgb, picture.rgb);
 }
 
-TEST(PageField, depth_that_cannot_be_read_is_left_out_with_a_warning) {
+TEST(PageField, unreadable_depth_is_left_out_with_warning) {
   const TempDir dir;
   test::write_sheet_frames(dir.path(), 1);
   std::ofstream(dir / "aov_0000.exr") << "no picture";
@@ -182,7 +182,7 @@ TEST(PageField, depth_that_cannot_be_read_is_left_out_with_a_warning) {
   EXPECT_THAT(warning, testing::AllOf(HasSubstr("Depth and other layers are left out"), HasSubstr("aov_0000.exr")));
 }
 
-TEST(PageField, folder_without_pictures_is_refused_with_what_would_be_accepted) {
+TEST(PageField, folder_without_pictures_is_refused) {
   const TempDir dir;
   EXPECT_THAT(test::error_message([&] { test::fields_of(dir.path()); }), HasSubstr("is an empty folder"));
 }

@@ -1,4 +1,4 @@
-// The page in the program is the one that web/ builds, and small.
+// Checks that the embedded page is the one built by web/, and small.
 #include "view/page_files.hpp"
 
 #include <gmock/gmock.h>
@@ -12,7 +12,7 @@
 namespace lippmann {
 namespace {
 
-TEST(PageFiles, are_those_of_the_repository_and_below_1_MB) {
+TEST(PageFiles, equal_the_repositorys_and_are_small) {
   ASSERT_EQ(page_files().size(), 3u);
   EXPECT_EQ(page_files().front().name, "index.html");
   std::size_t bytes = 0;

@@ -26,7 +26,7 @@ std::string message_of(const std::string& request) {
   return test::error_message([&] { read_print_request(request); });
 }
 
-TEST(PagePrint, request_names_a_sheet_a_preset_or_the_text_of_a_file) {
+TEST(PagePrint, request_names_sheet_preset_or_text) {
   const PrintRequest sheet =
       read_print_request(R"({"frame": 2, "display": "lpi=20 dpi=96 paper=80x60px", "fit": "pad", "view_shift_px": -1.5})");
   EXPECT_EQ(sheet.display.pixels, Vec2i(80, 60));
@@ -64,7 +64,7 @@ PageRequest print_request(const std::string& path, const std::string& body = {})
   return request;
 }
 
-/// A folder of five pictures on a server on loopback.
+/// A folder of five images on a server on loopback.
 class Prints : public testing::Test {
  protected:
   Prints() {
@@ -103,7 +103,7 @@ TEST_F(Prints, file_is_what_convert_writes) {
   EXPECT_EQ(get("/print/views/1").status, 200);
 }
 
-TEST_F(Prints, newer_print_takes_the_place_of_the_last) {
+TEST_F(Prints, newer_print_replaces_the_last) {
   print(0.0), print(1.0);
   EXPECT_EQ(get("/print/file/1").status, 204);
   EXPECT_EQ(get("/print/file/2").status, 200);
@@ -120,7 +120,7 @@ TEST_F(Prints, sheet_may_end_within_a_lens) {
   EXPECT_EQ(nlohmann::json::parse(*made.body)["field"]["panel"]["is"], "own");
 }
 
-TEST_F(Prints, only_the_page_itself_may_ask) {
+TEST_F(Prints, only_the_page_itself_may_print) {
   PageRequest request = print_request("/print", R"({"display": "go"})");
   request.origin.clear();
   EXPECT_EQ(answers_->answer(request).status, 403);

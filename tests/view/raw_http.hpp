@@ -1,11 +1,11 @@
-// Bytes to a server on loopback and back, as no well-behaved client would send them.
+// Sends raw bytes to a server on loopback, including requests that no well-behaved client makes.
 #pragma once
 
 #include <string>
 
 namespace lippmann::test {
 
-/// A connection; closed at the end of its life.
+/// A connection, closed by the destructor.
 class RawConnection {
  public:
   explicit RawConnection(int port);
@@ -15,17 +15,17 @@ class RawConnection {
 
   bool is_open() const { return socket_ >= 0; }
   void send(const std::string& bytes);
-  /// Until the server closes the connection or says nothing for `seconds`.
+  /// Returns what arrives until the server closes the connection or sends nothing for `seconds`.
   std::string receive(double seconds = 5.0);
 
  private:
   int socket_ = -1;
 };
 
-/// GET with Connection: close, and further header lines ("Name: value\r\n"). The whole answer.
+/// Sends GET with Connection: close and further header lines ("Name: value\r\n"), and returns the whole answer.
 std::string http_get(int port, const std::string& target, const std::string& headers = {});
 
-/// 0 where there was no answer.
+/// Returns 0 without an answer.
 int status_of(const std::string& answer);
 
 }  // namespace lippmann::test

@@ -1,4 +1,4 @@
-// A render whose folder is shown while it runs: what the page is told, and what it may do.
+// Tests a render whose folder is shown while it runs: what the page receives and what it may do.
 #include "view/running_render.hpp"
 
 #include <gmock/gmock.h>
@@ -22,10 +22,10 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// The folder is read whenever somebody asks.
+/// The folder is read on every request.
 constexpr std::chrono::milliseconds kAlways{0};
 
-/// A folder of three frames that this process renders, as far as journals tell; pictures of two are there.
+/// A folder of three frames that this process is rendering, according to the journal; two images exist.
 class RunningRenderTest : public testing::Test {
  protected:
   RunningRenderTest() : pictures_(test::write_sheet_frames(dir_.path(), 2)), folder_(std::in_place, dir_.path(), "job") {
@@ -40,14 +40,14 @@ class RunningRenderTest : public testing::Test {
     const std::string name = "frame_000" + std::to_string(frame) + ".png";
     folder_->add(report, {{name, file_checksum(dir_ / name).value_or(FileChecksum{1, "0123456789abcdef"})}});
   }
-  /// A script in place of the tool: what it is called with goes to `words`.
+  /// Returns a script that replaces the tool and writes its arguments to `words`.
   fs::path tool_that(const std::string& does) {
     const fs::path path = dir_ / "tool.sh";
     std::ofstream(path) << "#!/bin/sh\necho \"$@\" > '" << (dir_ / "words").string() << "'\n" << does << "\n";
     fs::permissions(path, fs::perms::owner_all);
     return path;
   }
-  /// Asks until the process that was started has come so far.
+  /// Polls until the started process has reached a state.
   static nlohmann::ordered_json state_once(RunningRender& render, const std::string& word) {
     for (int i = 0; i < 500; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(20)))
       if (auto state = render.state_after(0); state["state"] == word) return state;
@@ -59,7 +59,7 @@ class RunningRenderTest : public testing::Test {
   std::optional<RenderFolder> folder_;
 };
 
-TEST_F(RunningRenderTest, frames_that_are_finished_are_told_once) {
+TEST_F(RunningRenderTest, finished_frames_are_reported_once) {
   RunningRender render(dir_.path(), {"/bin/false", {}}, kAlways);
   nlohmann::ordered_json state = render.state_after(0);
   EXPECT_EQ(state["state"], "running");
@@ -73,7 +73,7 @@ TEST_F(RunningRenderTest, frames_that_are_finished_are_told_once) {
   EXPECT_EQ(state["done"], 2);
 }
 
-TEST_F(RunningRenderTest, picture_of_a_frame_is_there_when_the_frame_is) {
+TEST_F(RunningRenderTest, picture_exists_once_its_frame_is_finished) {
   auto render = std::make_shared<RunningRender>(dir_.path(), ToolCommand{"/bin/false", {}}, kAlways);
   const PageField field(dir_.path(), render, Context());
   ASSERT_EQ(field.facts().frames.size(), 3u);
@@ -85,7 +85,7 @@ TEST_F(RunningRenderTest, picture_of_a_frame_is_there_when_the_frame_is) {
   EXPECT_EQ(field.panel(1).rgb, pictures_[1].rgb);
 }
 
-TEST_F(RunningRenderTest, render_that_was_stopped_is_resumed_by_the_command_that_was_given) {
+TEST_F(RunningRenderTest, stopped_render_is_resumed_by_the_command) {
   folder_.reset();
   RunningRender render(dir_.path(), {tool_that("echo 'no such scene' >&2; exit 1"), {"render", "a b/job.toml", "--resume"}},
                        kAlways);
@@ -99,7 +99,7 @@ TEST_F(RunningRenderTest, render_that_was_stopped_is_resumed_by_the_command_that
   EXPECT_EQ(line, "render a b/job.toml --resume");
 }
 
-TEST_F(RunningRenderTest, resumed_render_is_stopped_while_it_is_set_up) {
+TEST_F(RunningRenderTest, resumed_render_can_be_stopped_early) {
   folder_.reset();
   RunningRender render(dir_.path(), {tool_that("exec sleep 60"), {}}, kAlways);
   render.resume();
@@ -109,7 +109,7 @@ TEST_F(RunningRenderTest, resumed_render_is_stopped_while_it_is_set_up) {
   EXPECT_EQ(state_once(render, "stopped")["error"], "");
 }
 
-TEST_F(RunningRenderTest, one_that_runs_is_not_started_again_and_a_changed_job_is_not_started) {
+TEST_F(RunningRenderTest, running_render_or_changed_job_is_refused) {
   RunningRender render(dir_.path(), {"/bin/false", {}});
   EXPECT_THAT(test::error_message([&] { render.resume(); }), HasSubstr("a render is running"));
   folder_.reset();
@@ -117,21 +117,21 @@ TEST_F(RunningRenderTest, one_that_runs_is_not_started_again_and_a_changed_job_i
   EXPECT_THAT(test::error_message([&] { render.resume(); }), HasSubstr("job.toml: was changed after the render wrote it"));
 }
 
-TEST_F(RunningRenderTest, folders_of_finished_renders_and_others_are_none) {
+TEST_F(RunningRenderTest, only_unfinished_renders_are_reported) {
   EXPECT_TRUE(is_unfinished_render(dir_.path()));
   for (const int frame : {1, 2}) add(frame);
-  EXPECT_TRUE(is_unfinished_render(dir_.path()));  // its process goes on
+  EXPECT_TRUE(is_unfinished_render(dir_.path()));  // its process is still running
   folder_.reset();
   EXPECT_FALSE(is_unfinished_render(dir_.path()));
   EXPECT_FALSE(is_unfinished_render(dir_ / "missing"));
 }
 
-TEST_F(RunningRenderTest, only_the_page_itself_with_its_token_gives_orders) {
+TEST_F(RunningRenderTest, orders_need_the_page_and_token) {
   auto render = std::make_shared<RunningRender>(dir_.path(), ToolCommand{"/bin/false", {}});
   folder_.reset();
   PageAnswers answers(std::make_unique<PageField>(dir_.path(), render, Context()), render, {{"127.0.0.1:1"}, "secret"});
   PageRequest request{.method = "POST", .path = "/secret/run/stop", .host = "127.0.0.1:1", .origin = "http://127.0.0.1:1"};
-  EXPECT_EQ(answers.answer(request).status, 422);  // there is nothing to be stopped
+  EXPECT_EQ(answers.answer(request).status, 422);  // there is nothing to stop
   request.origin = "";
   EXPECT_EQ(answers.answer(request).status, 403);
   request.origin = "http://evil.example";

@@ -21,21 +21,21 @@ std::string text_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-TEST(SavedPage, folder_holds_the_page_and_a_script_for_each_picture) {
+TEST(SavedPage, folder_has_a_script_per_picture) {
   const TempDir dir;
   test::write_sheet_frames(dir.path(), 2);
   const SavedPage saved = save_page(dir.path(), dir / "page", Context());
   EXPECT_EQ(saved.index, dir / "page" / "index.html");
   EXPECT_THAT(text_of(saved.index), HasSubstr("name=\"lippmann-data\" content=\"scripts\""));
   EXPECT_THAT(text_of(dir / "page/fields.js"), testing::StartsWith("lippmann_fields({\"lippmann\":"));
-  // The first bytes of a WebP file, "RIFF", in base 64.
+  // "RIFF", the first bytes of a WebP file, in base64.
   EXPECT_THAT(text_of(dir / "page/0/views/1.js"), testing::StartsWith("lippmann_data(\"0/views/1\",\"image/webp\",\"UklGR"));
   EXPECT_FALSE(fs::exists(dir / "page/0/depth"));
   EXPECT_FALSE(fs::exists(dir / "page/0/panel")) << "an integral image follows from its views";
   for (const char* name : {"app.js", "app.css"}) EXPECT_TRUE(fs::exists(dir / "page" / name)) << name;
 }
 
-TEST(SavedPage, cancelled_leaves_no_page_that_would_lack_frames) {
+TEST(SavedPage, cancelling_leaves_no_page) {
   const TempDir dir;
   test::write_sheet_frames(dir.path(), 2);
   Context context;
@@ -44,7 +44,7 @@ TEST(SavedPage, cancelled_leaves_no_page_that_would_lack_frames) {
   EXPECT_FALSE(fs::exists(dir / "page/index.html"));
 }
 
-TEST(SavedPage, page_of_somebody_else_is_not_replaced_and_one_of_ours_is) {
+TEST(SavedPage, only_own_pages_are_replaced) {
   const TempDir dir;
   test::write_sheet_frames(dir.path(), 1);
   fs::create_directory(dir / "site");
@@ -66,7 +66,7 @@ TEST(SavedPage, one_file_holds_pictures_script_and_style) {
   EXPECT_THAT(page, testing::Not(HasSubstr("src=\"./app.js\"")));
 }
 
-TEST(SavedPage, file_of_somebody_else_is_not_replaced) {
+TEST(SavedPage, foreign_file_is_not_replaced) {
   const TempDir dir;
   test::write_sheet_frames(dir.path(), 1);
   std::ofstream(dir / "home.html") << "<h1>Home</h1>";

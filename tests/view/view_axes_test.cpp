@@ -10,8 +10,9 @@
 namespace lippmann {
 namespace {
 
-// Contract 1: pixel i below a lens is seen by an eye at -o V / g, o its offset from the cell's centre; the rightmost is view 0.
-TEST(ViewAxes, pixels_below_lenses_have_the_slopes_of_their_rays) {
+// Contract 1: an eye at -o V / g sees pixel i below a lens, with o its offset from the cell's centre. The rightmost pixel is
+// view 0.
+TEST(ViewAxes, slopes_are_those_of_lens_rays) {
   const ViewAxes axes = view_axes(test::small_sheet(), {4, 1});
   EXPECT_EQ(axes.across.count, 4);
   EXPECT_NEAR(axes.across.slope(0), -1.5 * 0.25 / 2.0, 1e-6);
@@ -23,7 +24,7 @@ TEST(ViewAxes, pixels_below_lenses_have_the_slopes_of_their_rays) {
   EXPECT_NEAR(slope, axes.across.slope(0) - x * axes.vergence, 1e-6);
 }
 
-TEST(ViewAxes, views_of_a_quilt_are_equally_far_apart_in_angle) {
+TEST(ViewAxes, quilt_views_are_equally_spaced_in_angle) {
   Optics optics;
   optics.panel = {64, 48, 0.125f};
   optics.model = MultiView{};
@@ -32,7 +33,7 @@ TEST(ViewAxes, views_of_a_quilt_are_equally_far_apart_in_angle) {
   EXPECT_NEAR(std::atan(axes.across.slope(10)), radians(40.0f) * (10.5 / 48.0 - 0.5), 1e-6);
 }
 
-TEST(ViewAxes, cameras_of_a_grid_stand_a_baseline_apart_across_and_up) {
+TEST(ViewAxes, grid_cameras_are_a_baseline_apart) {
   Optics optics;
   optics.panel = {90, 70, 0.125f};
   MultiView views{9, 7};
