@@ -29,7 +29,7 @@ using test::TempDir;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-/// A folder of `count` frames; `phase` makes them differ from another folder's.
+/// Makes a folder of `count` frames; `phase` makes them differ from another folder's.
 fs::path make_folder(const fs::path& folder, int count, double phase = 0.0) {
   fs::create_directories(folder);
   for (int i = 0; i < count; ++i)
@@ -44,7 +44,7 @@ Comparison compare_quietly(const fs::path& reference, const fs::path& test, int 
   return compare(reference, test, context, {.frames = wanted});
 }
 
-TEST(Compare, two_pictures_give_one_frame_with_their_metrics) {
+TEST(Compare, two_pictures_give_one_frame) {
   const TempDir dir;
   write_png(dir / "a.png", smooth_codes(32, 24));
   write_png(dir / "b.png", smooth_codes(32, 24, 0.1));
@@ -58,7 +58,7 @@ TEST(Compare, two_pictures_give_one_frame_with_their_metrics) {
   EXPECT_FALSE(result.identical);
 }
 
-TEST(Compare, folders_are_matched_by_name_in_any_thread_count) {
+TEST(Compare, folders_are_matched_by_name) {
   const TempDir dir;
   make_folder(dir / "a", 7);
   make_folder(dir / "b", 7, 0.05);
@@ -97,11 +97,11 @@ TEST(Compare, frames_of_other_extension_match_by_name) {
   EXPECT_EQ(compare_quietly(dir / "a", dir / "b").frames.size(), 1u);
 }
 
-TEST(Compare, folder_against_its_lossless_video_is_identical_and_numbers_are_ordered_as_numbers) {
+TEST(Compare, folder_equals_its_lossless_video) {
   const TempDir dir;
   fs::create_directories(dir / "a");
   VideoWriter video(dir / "a.mkv");
-  for (int i = 0; i < 12; ++i) {  // picture_9 comes before picture_10
+  for (int i = 0; i < 12; ++i) {  // natural order: picture_9 comes before picture_10
     write_png(dir / "a" / ("picture_" + std::to_string(i) + ".png"), smooth_codes(32, 24, 0.2 * i));
     video.add_frame(smooth_codes(32, 24, 0.2 * i));
   }
@@ -113,7 +113,7 @@ TEST(Compare, folder_against_its_lossless_video_is_identical_and_numbers_are_ord
   EXPECT_FALSE(result.mean_psnr_db.has_value());
 }
 
-TEST(Compare, missing_frame_is_named_whichever_side_lacks_it) {
+TEST(Compare, missing_frame_is_named) {
   const TempDir dir;
   make_folder(dir / "four", 4);
   make_folder(dir / "three", 3);
@@ -132,7 +132,7 @@ TEST(Compare, video_with_fewer_frames_is_named) {
   EXPECT_THAT(error_message([&] { compare_quietly(dir / "a", dir / "a.mkv"); }), HasSubstr("a.mkv: ends after 3 frames"));
 }
 
-TEST(Compare, wanted_frames_of_a_video_are_met_by_those_of_a_folder) {
+TEST(Compare, video_frames_match_numbered_files) {
   const TempDir dir;
   fs::create_directories(dir / "a");
   VideoWriter video(dir / "a.mkv");
@@ -148,7 +148,7 @@ TEST(Compare, wanted_frames_of_a_video_are_met_by_those_of_a_folder) {
               HasSubstr("a.mkv: has no frame 7, which `frames` requests"));
 }
 
-TEST(Compare, channels_and_samples_that_do_not_count_are_warned_of) {
+TEST(Compare, ignored_channels_and_samples_give_warnings) {
   const TempDir dir;
   Image film(2, 2, 3);
   film.data[1] = std::numeric_limits<float>::quiet_NaN();
@@ -174,7 +174,7 @@ TEST(Compare, frames_of_different_sizes_are_named) {
               AllOf(HasSubstr("b.png"), HasSubstr("32 x 25 pixels, but the reference has 32 x 24")));
 }
 
-TEST(Compare, what_cannot_be_compared_is_an_error) {
+TEST(Compare, incomparable_inputs_are_errors) {
   const TempDir dir;
   make_folder(dir / "a", 1);
   fs::create_directories(dir / "empty");
@@ -198,7 +198,7 @@ TEST(Compare, cancelled_stops) {
   EXPECT_TRUE(compare(dir / "a", dir / "a", context).frames.empty());
 }
 
-TEST(Summarise, mean_psnr_leaves_identical_frames_out) {
+TEST(Summarise, mean_psnr_ignores_identical_frames) {
   PictureMetrics same, thirty, forty;
   same.psnr_db = std::numeric_limits<double>::infinity();
   thirty.psnr_db = 30.0, thirty.identical = false, thirty.ssim = 0.8, thirty.mse.mean = 6.0;
@@ -220,7 +220,7 @@ TEST(PlotPsnr, draws_a_picture) {
   EXPECT_EQ(std::distance(fs::directory_iterator(dir.path()), {}), 3) << "two folders and the plot";
 }
 
-TEST(PlotPsnr, without_gnuplot_says_what_to_install) {
+TEST(PlotPsnr, missing_gnuplot_is_an_error) {
   const TempDir dir;
   make_folder(dir / "a", 1);
   make_folder(dir / "b", 1, 0.05);
@@ -233,7 +233,7 @@ TEST(PlotPsnr, without_gnuplot_says_what_to_install) {
   EXPECT_FALSE(fs::exists(dir / "plot.png"));
 }
 
-TEST(PlotPsnr, identical_frames_are_nothing_to_plot) {
+TEST(PlotPsnr, identical_frames_have_no_plot) {
   const TempDir dir;
   make_folder(dir / "a", 2);
   EXPECT_THAT(error_message([&] { plot_psnr(compare_quietly(dir / "a", dir / "a"), dir / "plot.png"); }),

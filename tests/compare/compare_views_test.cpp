@@ -34,7 +34,7 @@ void write_motion(const fs::path& path) {
   write_exr(path, std::array{ExrLayer{"motion", &motion, {"X", "Y"}, ExrSample::kFloat}});
 }
 
-/// Frames of two views each, still, with layers of motion; view v of frame f is brighter by errors[f][v].
+/// Makes still frames of two views each, with motion layers; view v of frame f is brighter by errors[f][v].
 fs::path make_frames(const fs::path& folder, const std::vector<std::array<int, 2>>& errors) {
   for (std::size_t f = 0; f < errors.size(); ++f) {
     const fs::path frame = folder / fmt::format("frame_{:04}", f);
@@ -53,7 +53,7 @@ Comparison compared(const fs::path& reference, const fs::path& test, const Compa
   return compare(reference, test, context, params);
 }
 
-TEST(CompareViews, every_view_is_a_row_of_its_own) {
+TEST(CompareViews, every_view_is_a_row) {
   const TempDir dir;
   make_frames(dir / "a", {{0, 0}, {0, 0}});
   make_frames(dir / "b", {{1, 2}, {3, 4}});
@@ -75,7 +75,7 @@ TEST(CompareViews, consistency_has_views_and_frames) {
   EXPECT_NEAR(*result.consistency[1].flicker, 3.0, 1e-12);
 }
 
-TEST(CompareViews, quilt_is_compared_with_a_folder_of_its_views) {
+TEST(CompareViews, quilt_equals_a_folder_of_its_views) {
   const TempDir dir;
   make_frames(dir / "a", {{0, 7}});
   const Image8 left = smooth_codes(kWidth, kHeight), right = brighter(left, 9);
@@ -102,7 +102,7 @@ TEST(CompareViews, single_pictures_flicker_too) {
   EXPECT_NEAR(*compared(dir / "a", dir / "b", params).consistency.at(1).flicker, 2.0, 1e-12);
 }
 
-TEST(CompareViews, missing_motion_gaps_and_other_views_are_refused) {
+TEST(CompareViews, missing_motion_and_gaps_are_refused) {
   const TempDir dir;
   make_frames(dir / "a", {{0, 0}, {0, 0}, {0, 0}});
   const CompareParams flicker{.choice = {.flicker = true}};

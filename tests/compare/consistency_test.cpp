@@ -15,14 +15,14 @@ Image8 grey(int width, int height, unsigned char code) {
   return {width, height, std::vector<unsigned char>(std::size_t{3} * width * height, code)};
 }
 
-/// One row of grey codes.
+/// Returns one row of grey codes.
 Image8 row(const std::vector<unsigned char>& codes) {
   Image8 image{static_cast<int>(codes.size()), 1, {}};
   for (const unsigned char code : codes) image.rgb.insert(image.rgb.end(), 3, code);
   return image;
 }
 
-TEST(AngularPsnr, error_that_all_views_share_does_not_count) {
+TEST(AngularPsnr, error_shared_by_all_views_is_ignored) {
   const std::vector<Image8> a{grey(4, 4, 10), grey(4, 4, 50)}, b{grey(4, 4, 13), grey(4, 4, 53)};
   EXPECT_TRUE(std::isinf(angular_psnr_db(a, b, {2, 1})));
 }
@@ -39,7 +39,7 @@ TEST(AngularPsnr, grid_compares_across_and_up) {
 
 TEST(AngularPsnr, single_view_has_none) { EXPECT_TRUE(std::isnan(angular_psnr_db({grey(4, 4, 1)}, {grey(4, 4, 2)}, {1, 1}))); }
 
-TEST(Flicker, still_error_is_none_and_changing_error_is_its_change) {
+TEST(Flicker, only_the_change_of_error_flickers) {
   const Image8 a = smooth_codes(16, 12);
   Image8 b = a, c = a;
   for (unsigned char& code : b.rgb) code = static_cast<unsigned char>(code < 128 ? code + 6 : code - 6);
@@ -48,7 +48,7 @@ TEST(Flicker, still_error_is_none_and_changing_error_is_its_change) {
   EXPECT_NEAR(flicker_of(flicker_of_view({a, c, a, b, motion.data()})), 6.0, 1e-12);
 }
 
-TEST(Flicker, error_that_moves_with_its_surface_is_none) {
+TEST(Flicker, error_moving_with_its_surface_is_none) {
   const Image8 before = row({10, 20, 30, 40, 50}), after = row({0, 10, 20, 30, 40});
   const Image8 test_before = row({10, 24, 30, 45, 50}), test_after = row({0, 10, 24, 30, 45});
   const std::vector<float> moved{1, 0, 1, 0, 1, 0, 1, 0, 1, 0}, still(10, 0.0f);
@@ -61,7 +61,7 @@ TEST(Flicker, error_that_moves_with_its_surface_is_none) {
 TEST(Flicker, half_pixel_of_motion_mixes_two_pixels) {
   const Image8 flat = grey(3, 1, 100), error = row({100, 100, 108});
   const std::vector<float> motion{0, 0, -0.5f, 0, 0, 0};
-  // Errors of the frame before at the sources: 0, 4, 8; of this frame: 0.
+  // Errors of the previous frame at the sources: 0, 4, 8; of this frame: 0.
   const FlickerSums sums = flicker_of_view({flat, error, flat, flat, motion.data()});
   EXPECT_NEAR(sums.squares, 3.0 * (16.0 + 64.0), 1e-9);
   EXPECT_EQ(sums.weights, 9.0);

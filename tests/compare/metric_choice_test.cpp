@@ -17,7 +17,7 @@ TEST(ReadMetrics, names_are_chosen_alone) {
   EXPECT_FALSE(choice.psnr_y || choice.psnr_yuv || choice.slow.flip || choice.flicker);
 }
 
-TEST(ReadMetrics, all_is_every_one) {
+TEST(ReadMetrics, all_selects_every_metric) {
   const MetricChoice choice = read_metrics("all");
   EXPECT_TRUE(choice.psnr_y && choice.psnr_yuv && choice.slow.ms_ssim && choice.slow.flip && choice.angular && choice.flicker);
 }
