@@ -1,4 +1,5 @@
-// Every format that is read: what its samples become, that it is known by its bytes and not by its name, and that damaged files
+// Tests every readable format: its decoded samples, recognition by content instead of name, and damaged files, which must give
+// an image or one error.
 // end in a picture or in one error.
 #include "image/decode.hpp"
 
@@ -71,7 +72,7 @@ Bytes own_tiff_file() {
   return bytes_of_file(dir / "a.tif");
 }
 
-/// What libtiff writes where `write` sets fields and samples.
+/// Returns the file that libtiff writes when `write` sets fields and samples.
 Bytes tiff_file(const std::function<void(TIFF*)>& write) {
   const TempDir dir;
   TIFF* tiff = TIFFOpen((dir / "a.tif").c_str(), "w");
@@ -140,7 +141,7 @@ Bytes webp_file(bool alpha) {
   return file;
 }
 
-/// 8 x 2: a row by runs and dumps, and another one.
+/// 8 x 2 pixels: two equal rows of runs and literals.
 Bytes hdr_file() {
   std::string text = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 8\n";
   const char row[] = {2, 2, 0, 8, '\x88', '\x40', 3, 1, 2, 3, '\x85', 9, '\x88', 0, '\x84', '\x81', '\x84', '\x80'};
@@ -160,7 +161,7 @@ Bytes tga_run_file() {
   return bytes_of(std::string(file, sizeof file));
 }
 
-/// 3 x 2 pixels of 24 bits, rows from the bottom, which zeros fill up to 12 bytes.
+/// 3 x 2 pixels of 24 bits, rows from the bottom, padded with zeros to 12 bytes.
 Bytes bmp_file() {
   const char header[] = {'B', 'M', 78, 0, 0, 0, 0, 0, 0, 0, 54, 0, 0, 0, 40, 0, 0, 0, 3, 0, 0, 0, 2, 0, 0, 0, 1, 0, 24, 0};
   const std::string rows = std::string("abcdefghi\0\0\0jklmnopqr\0\0\0", 24);
@@ -180,7 +181,7 @@ Bytes exr_parts_file() {
   return test::exr_file(std::vector{part, other});
 }
 
-/// Pixels as they are, and a run of the older kind; columns first.
+/// Uncompressed pixels and a run of the old kind; columns first.
 Bytes hdr_plain_file() {
   using namespace std::literals;
   return bytes_of(
@@ -189,7 +190,7 @@ Bytes hdr_plain_file() {
       "abc\x80"s);
 }
 
-/// Four colours, one of them in each pixel: the codes 4 (clear), 0, 1, 2 of 3 bits, then 3 and 5 (end) of 4.
+/// Four colours, one in each pixel: the codes 4 (clear), 0, 1, 2 of 3 bits, then 3 and 5 (end) of 4.
 Bytes gif_file() {
   using namespace std::literals;
   return bytes_of(
@@ -214,7 +215,7 @@ struct Case {
 
 const std::vector<std::string> kGrey{"Y"}, kRgb{"R", "G", "B"}, kRgba{"R", "G", "B", "A"};
 
-/// Samples that deflate and the like find something in.
+/// Compressible samples.
 std::vector<std::uint8_t> slopes(int channels) {
   std::vector<std::uint8_t> samples;
   for (int i = 0; i < kWidth * kHeight * channels; ++i) samples.push_back(static_cast<std::uint8_t>(i / channels * 2));
@@ -264,7 +265,7 @@ std::size_t samples_in(const DecodedPicture& picture) {
   return std::visit([](const auto& samples) { return samples.size(); }, picture.samples);
 }
 
-TEST_P(EveryFormat, is_known_by_its_bytes_and_has_the_size_that_its_header_says) {
+TEST_P(EveryFormat, is_recognised_by_its_first_bytes) {
   const Case& expected = GetParam();
   const TempDir dir;
   write_bytes(dir / "a.txt", expected.file());
@@ -278,7 +279,7 @@ TEST_P(EveryFormat, is_known_by_its_bytes_and_has_the_size_that_its_header_says)
   EXPECT_EQ(read.data.size(), static_cast<std::size_t>(read.width) * read.height * expected.channels.size());
 }
 
-/// The picture is whole, or the error names the file; no other exception, no crash. True for a picture.
+/// Expects a complete image, or an Error naming the file; no other exception, no crash. Returns true for an image.
 bool decodes_or_says_why(const Bytes& file) {
   try {
     const DecodedPicture picture = decode_picture(file, "the file");
@@ -298,7 +299,7 @@ TEST_P(EveryFormat, every_proper_prefix_is_an_error) {
     EXPECT_FALSE(decodes_or_says_why(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)))) << size;
 }
 
-TEST_P(EveryFormat, one_changed_byte_gives_a_picture_or_an_error) {
+TEST_P(EveryFormat, one_changed_byte_gives_picture_or_error) {
   const Bytes whole = GetParam().file();
   for (std::size_t at = 0; at < whole.size(); ++at)
     for (const unsigned mask : {0x01u, 0x10u, 0x80u, 0xffu}) {
@@ -308,7 +309,7 @@ TEST_P(EveryFormat, one_changed_byte_gives_a_picture_or_an_error) {
     }
 }
 
-TEST_P(EveryFormat, four_bytes_of_ones_or_zeros_give_a_picture_or_an_error) {
+TEST_P(EveryFormat, four_changed_bytes_give_picture_or_error) {
   const Bytes whole = GetParam().file();
   for (std::size_t at = 0; at + 4 <= whole.size(); ++at)
     for (const unsigned value : {0x00u, 0x7fu, 0xffu}) {
@@ -357,27 +358,27 @@ TEST(DecodeGif, colours_of_the_table) {
 
 TEST(DecodeTga, runs) { EXPECT_THAT(samples_of<std::uint8_t>(tga_run_file()), ElementsAre(50, 50, 50, 60)); }
 
-// Adobe's inks are stored inverted: 255 of each is none, white.
+// Adobe stores inverted inks: 255 of each is no ink, white.
 TEST(DecodeJpeg, cmyk_without_ink_is_white) {
   EXPECT_THAT(samples_of<std::uint8_t>(bytes_of(encode_jpeg(8, 8, 4, std::vector<std::uint8_t>(256, 255)))), Each(255));
 }
 
-TEST(DecodePicture, formats_that_are_not_read_are_refused_with_those_that_are) {
+TEST(DecodePicture, unsupported_formats_list_the_supported_ones) {
   for (const char* file :
        {"qoif....................", "BM......................", "FORM....ILBMBMHD........", "8BPS...................."})
     EXPECT_THAT(error_message([&] { decode_picture(bytes_of(std::string_view(file)), "a.png"); }),
                 AllOf(HasSubstr("a.png: cannot be read as a picture"), HasSubstr("PNG, JPEG, TIFF, OpenEXR")));
 }
 
-/// Where the value of an attribute stands in an EXR file.
+/// Returns the offset of an attribute's value in an EXR file.
 std::size_t value_of_attribute(const Bytes& file, std::string_view name_and_type) {
   const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
   return text.find(name_and_type) + name_and_type.size() + 4;
 }
 
-// A header that claims 60000 x 60000 pixels in a file of some hundred bytes is refused before anything of that size is
-// allocated; a library that trusts it takes seconds and gigabytes.
-TEST(DecodeExr, small_file_that_claims_a_huge_picture_is_refused) {
+// A header of 60000 x 60000 pixels in a file of a few hundred bytes must be refused before memory of that size is allocated. A
+// library that trusts it takes seconds and gigabytes.
+TEST(DecodeExr, small_file_with_huge_size_is_refused) {
   using namespace std::literals;
   Bytes file = exr_file(ExrCompression::kZip);
   const std::int32_t size[] = {0, 0, 59999, 59999};
@@ -389,7 +390,7 @@ TEST(DecodeExr, small_file_that_claims_a_huge_picture_is_refused) {
 }
 
 // Each tile has an entry of 8 bytes in a table; 10000 x 10000 of them do not fit into the file.
-TEST(DecodeExr, small_file_that_claims_very_many_tiles_is_refused) {
+TEST(DecodeExr, small_file_with_many_tiles_is_refused) {
   using namespace std::literals;
   const std::string_view tiles = "tiles\0tiledesc\0\x09\0\0\0\x01\0\0\0\x01\0\0\0\0"sv;
   Bytes file = exr_file(ExrCompression::kZip);
@@ -409,8 +410,8 @@ TEST(DecodeExr, attribute_longer_than_the_file_is_truncated) {
   EXPECT_THAT(error_message([&] { decode_picture(file, "a.exr"); }), HasSubstr("truncated in its header"));
 }
 
-// OpenEXR reads 4 bytes of a float and takes the next ones for the next attribute.
-TEST(DecodeExr, attribute_whose_size_does_not_fit_its_type_is_an_error) {
+// OpenEXR reads the 4 bytes of the float and takes the following bytes for the next attribute.
+TEST(DecodeExr, attribute_of_wrong_size_is_an_error) {
   using namespace std::literals;
   Bytes file = exr_file(ExrCompression::kZip);
   const std::size_t value = value_of_attribute(file, "pixelAspectRatio\0float\0"sv);

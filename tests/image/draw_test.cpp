@@ -16,7 +16,7 @@ Picture white_picture(int width, int height) {
   return picture;
 }
 
-/// Rows of '#' and '.'.
+/// Returns rows of '#' and '.'.
 std::string drawing_of(const Picture& picture) {
   const auto& image = std::get<Image8>(picture);
   std::string text;

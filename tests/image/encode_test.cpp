@@ -20,7 +20,7 @@ Image one_row(std::vector<float> values, int channels) {
   return image;
 }
 
-/// The formula of the header, once more, in double.
+/// Computes the formula of the header in double precision.
 int srgb_reference(float value, int max_code) {
   const double v = std::clamp<double>(value, 0.0, 1.0);
   const double s = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;
@@ -39,7 +39,7 @@ TEST(SrgbCurve, inverse_undoes_it) {
   for (int i = 0; i <= 1000; ++i) EXPECT_NEAR(srgb_from_linear(linear_from_srgb(i / 1000.0)), i / 1000.0, 1e-7);
 }
 
-TEST(ToCodes, srgb_codes_equal_the_formula_around_every_step) {
+TEST(ToCodes, srgb_codes_are_exact_at_every_step) {
   std::vector<float> values;
   for (int code = 1; code < 256; ++code) {
     const auto step = std::bit_cast<std::uint32_t>(static_cast<float>(linear_from_srgb((code - 0.5) / 255.0)));
@@ -49,7 +49,7 @@ TEST(ToCodes, srgb_codes_equal_the_formula_around_every_step) {
   for (std::size_t i = 0; i < values.size(); ++i) ASSERT_EQ(codes.rgb[i], srgb_reference(values[i], 255)) << values[i];
 }
 
-TEST(ToCodes, srgb_codes_equal_the_formula_for_random_floats_of_any_magnitude) {
+TEST(ToCodes, srgb_codes_are_exact_for_random_floats) {
   std::vector<float> values;
   for (std::uint32_t i = 0; values.size() < 300000; ++i) {
     const float value = std::bit_cast<float>(hash(i));
@@ -59,7 +59,7 @@ TEST(ToCodes, srgb_codes_equal_the_formula_for_random_floats_of_any_magnitude) {
   for (std::size_t i = 0; i < values.size(); ++i) ASSERT_EQ(codes.rgb[i], srgb_reference(values[i], 255)) << values[i];
 }
 
-TEST(ToCodes, every_code_comes_back_from_its_own_value) {
+TEST(ToCodes, every_code_survives_a_round_trip) {
   std::vector<float> values;
   for (int code = 0; code < 256; ++code)
     for (int c = 0; c < 3; ++c) values.push_back(static_cast<float>(linear_from_srgb(code / 255.0)));
@@ -72,7 +72,7 @@ TEST(ToCodes, truncate_drops_the_fraction) {
   EXPECT_THAT(to_codes(film, Encoding::kTachyonTruncate).rgb, ElementsAre(0, 127, 255, 0, 1, 254));
 }
 
-TEST(ToCodes, values_outside_are_clamped_and_nan_is_zero_and_counted) {
+TEST(ToCodes, values_are_clamped_and_nan_is_counted) {
   const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
   const Image film = one_row({-1.0f, 2.0f, nan, -inf, inf, -nan}, 3);
   for (const Encoding encoding : {Encoding::kSrgb, Encoding::kTachyonTruncate}) {
@@ -84,7 +84,7 @@ TEST(ToCodes, values_outside_are_clamped_and_nan_is_zero_and_counted) {
   }
 }
 
-TEST(ToCodes, grey_is_repeated_and_channels_beyond_three_are_dropped) {
+TEST(ToCodes, grey_is_repeated_extra_channels_are_dropped) {
   EXPECT_THAT(to_codes(one_row({0.0f, 1.0f}, 1), Encoding::kSrgb).rgb, ElementsAre(0, 0, 0, 255, 255, 255));
   EXPECT_THAT(to_codes(one_row({1.0f, 0.0f}, 2), Encoding::kSrgb).rgb, ElementsAre(255, 255, 255));
   EXPECT_THAT(to_codes(one_row({1.0f, 0.0f, 0.5f, 0.25f}, 4), Encoding::kSrgb).rgb, ElementsAre(255, 0, 188));

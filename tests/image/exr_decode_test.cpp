@@ -1,4 +1,4 @@
-// What an EXR file's header says beside its samples: windows, the channels' names, chromaticities, parts.
+// Tests the metadata of EXR files: windows, channel names, chromaticities, parts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -31,14 +31,14 @@ std::vector<float> exr_samples(const std::vector<std::byte>& file) {
 Names exr_channels(const ExrPart& part) { return picture_header(exr_file(part), "a.exr").channels; }
 Names exr_notices(const std::vector<std::byte>& file) { return picture_header(file, "a.exr").notices; }
 
-/// One pixel whose channels have the values 1, 2, 3, ... in the order of the names.
+/// Returns one pixel whose channels have the values 1, 2, 3, ... in the order of the names.
 ExrPart one_pixel(const Names& names) {
   ExrPart part;
   for (const std::string& name : names) part.channels.push_back({name, {1.0f + static_cast<float>(part.channels.size())}});
   return part;
 }
 
-TEST(ExrWindows, smaller_data_window_is_placed_in_the_display_window) {
+TEST(ExrWindows, smaller_data_window_is_placed_correctly) {
   const ExrPart part{{1, 1, 2, 1}, {0, 0, 3, 2}, {{"A", {1, 1}}, {"Y", {5, 6}}}};
   const PictureHeader header = picture_header(exr_file(part), "a.exr");
   EXPECT_EQ(header.width, 4);
@@ -58,7 +58,7 @@ TEST(ExrWindows, windows_that_cross_share_their_common_pixels) {
   EXPECT_THAT(exr_samples(exr_file(part)), ElementsAre(4, 0, 0, 0));
 }
 
-TEST(ExrWindows, windows_apart_give_an_empty_picture_with_a_notice) {
+TEST(ExrWindows, disjoint_windows_give_black_and_a_notice) {
   const ExrPart part{{5, 5, 5, 5}, {0, 0, 0, 1}, {{"Y", {1}}}};
   EXPECT_THAT(exr_samples(exr_file(part)), ElementsAre(0, 0));
   EXPECT_THAT(exr_notices(exr_file(part)), ElementsAre(HasSubstr("the picture is empty")));
@@ -73,7 +73,7 @@ TEST(ExrWindows, absurd_display_windows_are_refused) {
                 AllOf(HasSubstr("a.exr: "), HasSubstr(" display window "), Not(HasSubstr("memory"))));
 }
 
-TEST(ExrWindows, data_windows_without_pixels_or_far_away_are_refused) {
+TEST(ExrWindows, empty_and_distant_data_windows_are_refused) {
   for (const test::ExrWindow data :
        {test::ExrWindow{0, 0, -1, 0}, test::ExrWindow{0, 0, 70000, 0}, test::ExrWindow{2147483000, 0, 2147483000, 0}}) {
     std::vector<std::byte> file = exr_file(ExrPart{{}, {}, {{"Y", {1}}}});
@@ -91,7 +91,7 @@ TEST(ExrWindows, pixels_without_a_width_are_refused) {
   EXPECT_THAT(error_message([&] { decode_picture(exr_file(part), "a.exr"); }), HasSubstr("its pixels are 0 times as wide"));
 }
 
-TEST(ExrChannels, colours_are_known_in_any_letters_and_layers) {
+TEST(ExrChannels, colour_names_ignore_case_and_layers) {
   EXPECT_THAT(exr_channels(one_pixel({"b", "g", "r"})), ElementsAre("r", "g", "b"));
   EXPECT_THAT(exr_samples(exr_file(one_pixel({"b", "g", "r"}))), ElementsAre(3, 2, 1));
   EXPECT_THAT(exr_channels(one_pixel({"Alpha", "Blue", "Green", "Red"})), ElementsAre("Red", "Green", "Blue", "Alpha"));
@@ -101,7 +101,7 @@ TEST(ExrChannels, colours_are_known_in_any_letters_and_layers) {
   EXPECT_THAT(exr_channels(one_pixel({"A", "Y"})), ElementsAre("Y", "A"));
 }
 
-TEST(ExrChannels, main_layer_comes_first_else_the_first_one_with_a_notice) {
+TEST(ExrChannels, main_layer_comes_first) {
   ExrPart part = one_pixel({"diffuse.B", "diffuse.G", "diffuse.R", "rgba.B", "rgba.G", "rgba.R"});
   EXPECT_EQ(exr_channels(part).front(), "rgba.R");
   EXPECT_THAT(exr_notices(exr_file(part)), IsEmpty());
@@ -121,12 +121,11 @@ TEST(ExrChannels, colours_are_counted_without_other_channels) {
   EXPECT_EQ(colors({"gray"}), 1);
   EXPECT_EQ(colors({"R"}), 1);
   for (const char* data : {"Z", "A", "VL.Depth.Z", "Depth.V", "depth", "RY"}) EXPECT_EQ(colors({data}), 0) << data;
-  EXPECT_EQ(colors({"X", "Y", "Z"}), 0);  // a place
+  EXPECT_EQ(colors({"X", "Y", "Z"}), 0);  // a position
   EXPECT_EQ(colors({"u", "v"}), 0);
 }
 
-// Red is (RY + 1) Y = 0.75, blue (BY + 1) Y = 0.25; green is what is left of Y = 0.5: (0.5 - 0.2126 0.75 - 0.0722 0.25) /
-// 0.7152.
+// Red is (RY + 1) Y = 0.75, blue (BY + 1) Y = 0.25; green is the rest of Y = 0.5: (0.5 - 0.2126 0.75 - 0.0722 0.25) / 0.7152.
 TEST(ExrChannels, luminance_and_chroma_become_colours) {
   ExrPart part{{0, 0, 1, 1},
                {0, 0, 1, 1},
@@ -144,7 +143,7 @@ TEST(ExrChannels, luminance_and_chroma_become_colours) {
   }
 }
 
-// Red and green exchanged: a permutation, whatever the white.
+// Red and green exchanged: a permutation for any white.
 TEST(ExrChromaticities, exchanged_primaries_exchange_colours) {
   ExrPart part = one_pixel({"B", "G", "R"});
   part.attributes = exr_chromaticities({0.30f, 0.60f, 0.64f, 0.33f, 0.15f, 0.06f, 0.3127f, 0.3290f});
@@ -166,13 +165,13 @@ TEST(ExrChromaticities, nonsense_is_a_notice) {
   EXPECT_THAT(exr_notices(exr_file(part)), ElementsAre(HasSubstr("chromaticities")));
 }
 
-TEST(ExrNotices, pixels_that_are_not_square_are_said) {
+TEST(ExrNotices, non_square_pixels_give_a_notice) {
   ExrPart part = one_pixel({"Y"});
   part.pixel_aspect = 2.0f;
   EXPECT_THAT(exr_notices(exr_file(part)), ElementsAre("its pixels are 2 times as wide as high, and are read as square"));
 }
 
-TEST(ExrParts, first_part_with_colours_is_read_and_named) {
+TEST(ExrParts, first_part_with_colours_is_read) {
   ExrPart depth = one_pixel({"U", "V"}), color = one_pixel({"B", "G", "R"});
   depth.name = "depth", color.name = "color";
   const std::vector<std::byte> file = exr_file(std::vector{depth, color});
@@ -184,7 +183,7 @@ TEST(ExrParts, first_part_with_colours_is_read_and_named) {
               ElementsAre("only 'color' of its 2 parts is read, not 'other'"));
 }
 
-TEST(ExrParts, part_of_one_channel_in_front_is_left_out) {
+TEST(ExrParts, leading_part_of_one_channel_is_skipped) {
   for (const char* name : {"Z", "Depth.V", "mask"}) {
     ExrPart first = one_pixel({name}), color = one_pixel({"B", "G", "R"});
     first.name = "first", color.name = "color";
@@ -194,7 +193,7 @@ TEST(ExrParts, part_of_one_channel_in_front_is_left_out) {
   }
 }
 
-// OpenEXR 3.4 reads zeros behind the end of an uncompressed file; the check does not leave it to the library.
+// OpenEXR 3.4 reads zeros beyond the end of an uncompressed file, so our own check must find the cut.
 TEST(ExrFile, every_cut_is_found_by_the_chunks) {
   const ExrPart part{{0, 0, 3, 2}, {0, 0, 3, 2}, {{"Y", {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}}}};
   ExrPart named = part, second = part;
@@ -207,14 +206,14 @@ TEST(ExrFile, every_cut_is_found_by_the_chunks) {
   }
 }
 
-// A chunk in the middle whose size reaches beyond the file, though nothing is cut off.
-TEST(ExrFile, chunk_that_reaches_beyond_the_file_is_an_error) {
+// A chunk in the middle of a complete file whose size reaches beyond the end.
+TEST(ExrFile, chunk_beyond_the_file_is_an_error) {
   std::vector<std::byte> file = exr_file(ExrPart{{0, 0, 0, 1}, {0, 0, 0, 1}, {{"Y", {1, 2}}}});
-  file[file.size() - 2 * 12 + 5] = std::byte{1};  // of the first chunk's size: 4 + 256
+  file[file.size() - 2 * 12 + 5] = std::byte{1};  // changes the first chunk's size to 4 + 256
   EXPECT_THAT(error_message([&] { decode_picture(file, "a.exr"); }), HasSubstr("the file is truncated"));
 }
 
-// 2 x 2 pixels and their mean: two levels of one tile each, of which the finer is the picture.
+// 2 x 2 pixels and their mean: two levels of one tile each; the image is the finer level.
 TEST(ExrFile, tiles_of_smaller_levels_are_counted) {
   using test::bytes_of_value;
   const std::vector<std::byte> scan_lines =

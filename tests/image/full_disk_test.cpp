@@ -1,4 +1,4 @@
-// Files that cannot be written to their end, wherever that is: an Error, and nothing under their name.
+// Tests files that cannot be written completely, wherever writing fails: an Error, and no file.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -20,7 +20,7 @@ namespace {
 
 using Write = std::function<void(const std::filesystem::path&)>;
 
-/// For its life no file can grow beyond `bytes`: writing fails as on a full disk.
+/// Limits the size of files while it exists: writing beyond `bytes` fails as on a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -70,16 +70,16 @@ Image8 noise() {
   return image;
 }
 
-TEST(FullDisk, png_that_does_not_fit_is_an_error_and_no_file) {
+TEST(FullDisk, png_fails_without_leaving_a_file) {
   expect_error_and_no_file_for_every_limit([](const auto& path) { write_png(path, noise()); });
 }
 
-TEST(FullDisk, tiff_that_does_not_fit_is_an_error_and_no_file) {
+TEST(FullDisk, tiff_fails_without_leaving_a_file) {
   for (const TiffKind kind : {TiffKind::kAuto, TiffKind::kBig})
     expect_error_and_no_file_for_every_limit([&](const auto& path) { write_tiff(path, noise(), {10.0, kind}); });
 }
 
-TEST(FullDisk, exr_that_does_not_fit_is_an_error_and_no_file) {
+TEST(FullDisk, exr_fails_without_leaving_a_file) {
   Image film(40, 70, 3);
   const Image8 codes = noise();
   std::copy(codes.rgb.begin(), codes.rgb.end(), film.data.begin());

@@ -1,4 +1,5 @@
-// HEIC and AVIF pictures. Those of tests/image/pictures have four quarters of one colour each, encoded by heif-enc and ffmpeg.
+// Tests HEIC and AVIF images. The files in tests/image/pictures have four quarters of one colour each, encoded by heif-enc and
+// ffmpeg.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +27,7 @@ constexpr std::array<std::array<int, 3>, 4> kQuarters{{{200, 60, 40}, {40, 180, 
 
 fs::path picture(const char* name) { return fs::path(LIPPMANN_SOURCE) / "tests/image/pictures" / name; }
 
-/// Compares the middle of each quarter with its colour in codes of 8 bits.
+/// Compares the middle of each quarter with its colour in 8-bit codes.
 template <class AnyImage>
 void expect_quarters(const AnyImage& image, double code, double tolerance) {
   ASSERT_EQ(image.width, kWidth);
@@ -68,7 +69,7 @@ TEST(Heic, damage_is_an_error) {
     EXPECT_THAT(error_message([&] { decode_picture(std::span(whole).first(size), "cut.heic"); }), HasSubstr("cut.heic"))
         << size;
   std::vector<std::byte> large = whole;
-  const std::string ispe = "ispe";  // the box of the picture's size
+  const std::string ispe = "ispe";  // the box with the size of the image
   const auto at = std::search(large.begin(), large.end(), ispe.begin(), ispe.end(),
                               [](std::byte a, char b) { return a == static_cast<std::byte>(b); });
   ASSERT_NE(at, large.end());

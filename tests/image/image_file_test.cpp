@@ -1,4 +1,4 @@
-// PNG and EXR files: what is written comes back, and what cannot be read or written says so.
+// Tests PNG, TIFF and EXR files: round trips, and errors for files that cannot be read or written.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ std::string file_bytes(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Writes the first part of a file's bytes to another.
+/// Copies the first part of a file to another file.
 fs::path truncated(const fs::path& whole, double share) {
   const std::string bytes = file_bytes(whole);
   const fs::path path = whole.parent_path() / ("truncated" + whole.extension().string());
@@ -43,7 +43,7 @@ fs::path truncated(const fs::path& whole, double share) {
   return path;
 }
 
-TEST(Png, eight_bit_codes_come_back_with_any_option) {
+TEST(Png, eight_bit_codes_survive_any_option) {
   const TempDir dir;
   const Image8 image = noise_codes(37, 21);
   for (const PngStrategy strategy :
@@ -69,13 +69,13 @@ TEST(Png, sixteen_bit_codes_come_back) {
 
 TEST(Png, equal_pictures_give_equal_bytes) { EXPECT_EQ(encode_png(noise_codes(16, 16)), encode_png(noise_codes(16, 16))); }
 
-TEST(Png, missing_folder_is_an_error_that_names_the_file) {
+TEST(Png, missing_folder_is_an_error) {
   const TempDir dir;
   const std::string message = error_message([&] { write_png(dir / "none/a.png", noise_codes(4, 4)); });
   EXPECT_THAT(message, AllOf(HasSubstr("none/a.png"), HasSubstr("there is no folder")));
 }
 
-TEST(Png, disk_full_names_the_file_and_leaves_nothing) {
+TEST(Png, full_disk_leaves_no_file) {
   const TempDir dir;
   {
     const test::FileSizeLimit full(4096);
@@ -92,8 +92,8 @@ TEST(Png, size_outside_the_limits_is_an_error) {
               HasSubstr("65537 x 1"));
 }
 
-// "II", 42 of a classic file and 43 of one with offsets of 8 bytes.
-TEST(Tiff, big_files_are_big_tiff_and_hold_the_same_codes) {
+// "II", then 42 for a classic file, 43 for a file with offsets of 8 bytes.
+TEST(Tiff, big_tiff_has_the_same_codes) {
   const test::TempDir dir;
   const Image8 codes = noise_codes(33, 17);
   const auto version = [](const std::filesystem::path& path) {
@@ -110,7 +110,7 @@ TEST(Tiff, big_files_are_big_tiff_and_hold_the_same_codes) {
   EXPECT_EQ(read_image8(dir / "big.tif").rgb, codes.rgb);
 }
 
-TEST(Alpha, is_kept_beside_colours_that_it_does_not_multiply) {
+TEST(Alpha, is_stored_unassociated) {
   const TempDir dir;
   Image8 codes = noise_codes(5, 3);
   Image16 wide = to_codes16(noise_image(5, 3, 3), Encoding::kSrgb);
@@ -133,7 +133,7 @@ TEST(Alpha, is_kept_beside_colours_that_it_does_not_multiply) {
   }
 }
 
-TEST(Alpha, divides_light_that_it_has_multiplied) {
+TEST(Alpha, divides_premultiplied_light) {
   Image film(3, 1, 3), alpha(3, 1, 1);
   film.data = {0.25f, 0.5f, 0.0f, 0.5f, 0.25f, 1.0f, 0.0f, 0.0f, 0.0f};
   alpha.data = {0.5f, 1.0f, 0.0f};
@@ -145,7 +145,7 @@ TEST(Alpha, divides_light_that_it_has_multiplied) {
 
 ExrLayer ids_layer(const Image& ids) { return {"", &ids, {"id"}, ExrSample::kFloat}; }
 
-TEST(Exr, float_layers_come_back_bit_by_bit_under_their_names) {
+TEST(Exr, float_layers_survive_bit_by_bit) {
   const TempDir dir;
   const Image film = noise_image(13, 9, 3, 1), depth = noise_image(13, 9, 1, 2), normal = noise_image(13, 9, 3, 3),
               id = noise_image(13, 9, 1, 4), position = noise_image(13, 9, 3, 5);
@@ -164,7 +164,7 @@ TEST(Exr, float_layers_come_back_bit_by_bit_under_their_names) {
     EXPECT_NEAR(n.data[i], normal.data[i], 0x1p-12) << "half has 11 bits of precision: half a unit of 2^-11 below 1";
 }
 
-TEST(Exr, film_comes_first_and_equals_the_half_precision_film) {
+TEST(Exr, half_precision_film_comes_first) {
   const TempDir dir;
   const Image film = noise_image(8, 8, 3), depth = noise_image(8, 8, 1);
   const ExrLayer layers[] = {depth_layer(depth), film_layer(film)};
@@ -187,7 +187,7 @@ TEST(Exr, infinite_depth_and_negative_ids_are_kept) {
   }
 }
 
-TEST(Exr, equal_pictures_give_equal_bytes_and_no_date) {
+TEST(Exr, equal_pictures_give_equal_bytes) {
   const TempDir dir;
   const Image film = noise_image(8, 8, 3);
   const ExrLayer layers[] = {film_layer(film)};
@@ -196,7 +196,7 @@ TEST(Exr, equal_pictures_give_equal_bytes_and_no_date) {
   EXPECT_THAT(file_bytes(dir / "a.exr"), ::testing::Not(HasSubstr(":20")));
 }
 
-TEST(Exr, layers_that_do_not_fit_together_are_errors) {
+TEST(Exr, incompatible_layers_are_errors) {
   const TempDir dir;
   const Image small = noise_image(4, 4, 1), large = noise_image(8, 4, 1);
   const ExrLayer sizes[] = {depth_layer(small), ids_layer(large)};
@@ -206,7 +206,7 @@ TEST(Exr, layers_that_do_not_fit_together_are_errors) {
   EXPECT_THAT(error_message([&] { write_exr(dir / "a.exr", {}); }), HasSubstr("without layers"));
 }
 
-TEST(Exr, disk_full_names_the_file_and_leaves_nothing) {
+TEST(Exr, full_disk_leaves_no_file) {
   const TempDir dir;
   const Image film = noise_image(64, 64, 3);
   const ExrLayer layers[] = {film_layer(film)};
@@ -226,7 +226,7 @@ TEST(ReadImage, eight_bit_codes_are_code_over_255) {
 
 TEST(ReadImage8, sixteen_bit_codes_are_rounded_to_eight) {
   const TempDir dir;
-  write_png(dir / "a.png", Image16{2, 1, {0, 128, 129, 65535, 65407, 65406}});  // steps lie at 257 k + 128.5
+  write_png(dir / "a.png", Image16{2, 1, {0, 128, 129, 65535, 65407, 65406}});  // rounding changes at 257 k + 128.5
   EXPECT_THAT(read_image8(dir / "a.png").rgb, ElementsAre(0, 0, 1, 255, 255, 254));
 }
 
@@ -245,7 +245,7 @@ TEST(ReadImage8, grey_picture_is_repeated) {
   EXPECT_THAT(read_image8(dir / "a.pgm").rgb, ElementsAre(7, 7, 7, 100, 100, 100));
 }
 
-TEST(ReadImage, missing_file_folder_and_empty_file_are_errors) {
+TEST(ReadImage, missing_and_empty_files_are_errors) {
   const TempDir dir;
   std::ofstream(dir / "empty.png").flush();
   EXPECT_THAT(error_message([&] { read_image(dir / "none.png"); }), HasSubstr("none.png: there is no such file"));
@@ -254,7 +254,7 @@ TEST(ReadImage, missing_file_folder_and_empty_file_are_errors) {
               HasSubstr("empty.png: cannot be read as a picture: it is empty (0 bytes)"));
 }
 
-TEST(ReadImage, text_named_as_a_picture_is_an_error) {
+TEST(ReadImage, text_file_is_an_error) {
   const TempDir dir;
   for (const char* name : {"a.png", "a.exr", "a.tif", "a.jpg", "a.txt"}) {
     std::ofstream(dir / name) << "this is not a picture";
@@ -271,16 +271,16 @@ TEST(ReadImage, truncated_png_and_exr_are_errors) {
   for (const double share : {0.02, 0.2, 0.5, 0.9, 0.98})
     for (const char* name : {"a.png", "a.exr"})
       EXPECT_THAT(error_message([&] { read_image(truncated(dir / name, share)); }), HasSubstr("truncated"))
-          << name << share;  // the file's name
+          << name << share;  // the name of the file
 }
 
-TEST(ReadImage, jpeg_cut_off_in_its_scan_is_an_error) {
+TEST(ReadImage, truncated_jpeg_scan_is_an_error) {
   const TempDir dir;
   std::ofstream(dir / "a.jpg", std::ios::binary) << "\xff\xd8\xff\xe0" << std::string(5000, 'x');
   EXPECT_THAT(error_message([&] { read_image(dir / "a.jpg"); }), HasSubstr("the file is truncated"));
 }
 
-TEST(ReadImage, header_that_claims_a_huge_picture_is_an_error) {
+TEST(ReadImage, header_of_a_huge_picture_is_refused) {
   const TempDir dir;
   std::ofstream(dir / "a.ppm", std::ios::binary) << "P6\n60000 60000\n255\nabc";
   EXPECT_THAT(error_message([&] { read_image(dir / "a.ppm"); }), HasSubstr("60000 x 60000"));

@@ -25,7 +25,7 @@ TEST(ImagesMatch, each_threshold_decides) {
   std::filesystem::remove_all(test::detail::evidence_folder());
 }
 
-TEST(ImagesMatch, failure_names_the_pixel_and_leaves_three_pictures) {
+TEST(ImagesMatch, failure_names_the_pixel_and_writes_pictures) {
   const Image8 reference = noise_codes(10, 10);
   Image8 image = reference;
   image.rgb[33] = static_cast<unsigned char>(reference.rgb[33] ^ 0x10);

@@ -25,7 +25,7 @@ Image8 flat(int width, int height, unsigned char code) {
   return {width, height, std::vector<unsigned char>(std::size_t{3} * width * height, code)};
 }
 
-/// SSIM straight from its definition: a 2D window, variances about the local mean.
+/// Computes SSIM directly from its definition: a 2D window, variances about the local mean.
 double ssim_by_definition(const Image8& a, const Image8& b) {
   const auto luma = [](const Image8& image, int x, int y) {
     const unsigned char* p = &image.rgb[3 * (std::size_t(y) * image.width + x)];
@@ -54,7 +54,7 @@ double ssim_by_definition(const Image8& a, const Image8& b) {
   return total / places;
 }
 
-TEST(Metrics, known_differences_give_the_errors_worked_out_by_hand) {
+TEST(Metrics, errors_are_worked_out_by_hand) {
   const Image8 reference{2, 1, {10, 20, 30, 40, 50, 60}}, test{2, 1, {13, 20, 26, 36, 50, 68}};
   const PictureMetrics m = measure_difference(reference, test);
   EXPECT_DOUBLE_EQ(m.mse.r, (9.0 + 16.0) / 2.0);
@@ -67,9 +67,9 @@ TEST(Metrics, known_differences_give_the_errors_worked_out_by_hand) {
   EXPECT_FALSE(m.identical);
 }
 
-TEST(Metrics, psnr_of_the_first_row_of_the_papers_table_1) { EXPECT_NEAR(psnr_db(21.4394), 34.8187, 5e-5); }
+TEST(Metrics, psnr_matches_the_papers_table_1) { EXPECT_NEAR(psnr_db(21.4394), 34.8187, 5e-5); }
 
-TEST(Metrics, pictures_of_two_sizes_or_without_all_of_their_samples_are_refused) {
+TEST(Metrics, invalid_pairs_of_pictures_are_refused) {
   Image8 short_of_samples = flat(16, 16, 0);
   short_of_samples.rgb.resize(30);
   EXPECT_THROW(measure_difference(flat(16, 16, 0), flat(16, 8, 0)), Error);
@@ -87,7 +87,7 @@ TEST(Metrics, equal_pictures_are_identical) {
   EXPECT_DOUBLE_EQ(m.ssim, 1.0);
 }
 
-TEST(Metrics, rmse_of_every_channel_is_what_ffmpegs_psnr_filter_finds) {
+TEST(Metrics, rmse_equals_ffmpegs_psnr_filter) {
   if (!test::program_exists("ffmpeg")) GTEST_SKIP() << "ffmpeg is not installed";
   const test::TempDir dir;
   const Image8 a = smooth_codes(64, 48), b = smooth_codes(64, 48, 0.1);
@@ -103,7 +103,7 @@ TEST(Metrics, rmse_of_every_channel_is_what_ffmpegs_psnr_filter_finds) {
   }
 }
 
-TEST(Metrics, luma_and_chroma_errors_are_worked_out_by_hand) {
+TEST(Metrics, luma_and_chroma_match_hand_results) {
   const PictureMetrics m = measure_difference(flat(4, 4, 100), flat(4, 4, 110));
   EXPECT_NEAR(m.psnr_y_db, 10.0 * std::log10(65025.0 / 100.0), 1e-12) << "grey differs in luma alone";
   EXPECT_EQ(m.psnr_yuv_db, std::numeric_limits<double>::infinity());
@@ -113,7 +113,7 @@ TEST(Metrics, luma_and_chroma_errors_are_worked_out_by_hand) {
   EXPECT_NEAR(red.psnr_yuv_db, (6.0 * psnr_db(y * y) + psnr_db(u * u) + psnr_db(v * v)) / 8.0, 1e-12);
 }
 
-TEST(Metrics, luma_psnr_is_what_ffmpegs_psnr_filter_finds) {
+TEST(Metrics, luma_psnr_equals_ffmpegs_psnr_filter) {
   if (!test::program_exists("ffmpeg")) GTEST_SKIP() << "ffmpeg is not installed";
   const test::TempDir dir;
   const Image8 a = smooth_codes(64, 48), b = smooth_codes(64, 48, 0.1);
@@ -127,13 +127,13 @@ TEST(Metrics, luma_psnr_is_what_ffmpegs_psnr_filter_finds) {
   const PictureMetrics m = measure_difference(a, b);
   const double y = test::number_after(output, "PSNR y:"), u = test::number_after(output, " u:"),
                v = test::number_after(output, " v:");
-  // ffmpeg makes 256 c of a code c, and takes 65535 for the peak. Its conversion has 15 bits.
+  // ffmpeg converts code c to 256 c and uses the peak 65535. Its conversion has 15 bits.
   const double peak_db = 20.0 * std::log10(65535.0 / (256.0 * 255.0));
   EXPECT_NEAR(m.psnr_y_db + peak_db, y, 0.005);
   EXPECT_NEAR(m.psnr_yuv_db + peak_db, (6.0 * y + u + v) / 8.0, 0.005);
 }
 
-TEST(Metrics, slow_metrics_are_computed_where_chosen) {
+TEST(Metrics, slow_metrics_are_computed_on_request) {
   const Image8 a = smooth_codes(170, 165), b = smooth_codes(170, 165, 0.3);
   EXPECT_FALSE(measure_difference(a, b).flip || measure_difference(a, b).ms_ssim);
   const PictureMetrics m = measure_difference(a, b, {.ms_ssim = true, .flip = true});
@@ -141,7 +141,7 @@ TEST(Metrics, slow_metrics_are_computed_where_chosen) {
   EXPECT_EQ(m.ms_ssim, ms_ssim(a, b));
 }
 
-TEST(Flip, equal_pictures_have_none_and_primaries_the_most) {
+TEST(Flip, is_largest_for_primaries) {
   const Image8 a = noise_codes(30, 20);
   EXPECT_EQ(flip(a, a), 0.0);
   Image8 green = flat(40, 40, 0), blue = green;
@@ -154,12 +154,12 @@ TEST(MsSsim, needs_a_window_at_the_fifth_scale) {
   EXPECT_DOUBLE_EQ(ms_ssim(noise_codes(161, 161), noise_codes(161, 161)), 1.0);
 }
 
-TEST(MsSsim, flat_pictures_leave_the_luminance_term_of_the_last_scale) {
+TEST(MsSsim, flat_pictures_keep_the_coarsest_luminance_term) {
   const double luminance = (2.0 * 100 * 120 + 6.5025) / (100.0 * 100 + 120.0 * 120 + 6.5025);
   EXPECT_NEAR(ms_ssim(flat(170, 170, 100), flat(170, 170, 120)), std::pow(luminance, 0.1333), 1e-9);
 }
 
-TEST(Ssim, flat_pictures_leave_the_luminance_term_only) {
+TEST(Ssim, flat_pictures_keep_only_the_luminance_term) {
   const double expected = (2.0 * 100 * 120 + 6.5025) / (100.0 * 100 + 120.0 * 120 + 6.5025);
   EXPECT_NEAR(ssim(flat(30, 20, 100), flat(30, 20, 120)), expected, 1e-9);
 }
@@ -170,7 +170,7 @@ TEST(Ssim, equals_the_two_dimensional_definition) {
   EXPECT_NEAR(ssim(a, c), ssim_by_definition(a, c), 1e-9);
 }
 
-TEST(Ssim, does_not_depend_on_which_is_the_reference) {
+TEST(Ssim, is_symmetric) {
   const Image8 a = smooth_codes(40, 30), b = noise_codes(40, 30);
   EXPECT_DOUBLE_EQ(ssim(a, b), ssim(b, a));
 }

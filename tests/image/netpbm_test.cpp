@@ -1,4 +1,4 @@
-// PPM and PFM to the byte, and what hostile files of both kinds meet.
+// Tests PPM and PFM byte by byte, and hostile files of both kinds.
 #include "image/netpbm.hpp"
 
 #include <gmock/gmock.h>
@@ -27,14 +27,14 @@ const std::string kPfm(
     "\x00\x00\x80\x3f\x00\x00\x00\x40",
     26);
 
-TEST(Pfm, bottom_row_is_first_and_floats_are_little_endian) {
+TEST(Pfm, bottom_row_is_first_and_little_endian) {
   Image image(2, 2, 1);
   image.data = {1.0f, 2.0f, 3.0f, 4.0f};
   EXPECT_EQ(encode_pfm(image), bytes(kPfm));
   EXPECT_EQ(parse_pfm(bytes(kPfm), "a").data, image.data);
 }
 
-TEST(Pfm, positive_scale_is_big_endian_and_its_size_multiplies) {
+TEST(Pfm, positive_scale_is_big_endian_and_multiplies) {
   const Image image = parse_pfm(bytes(std::string("Pf 1 1 2.0\n\x3f\x80\x00\x00", 15)), "a");
   EXPECT_EQ(image.data, std::vector<float>{2.0f});
 }
@@ -48,7 +48,7 @@ TEST(Pfm, three_channels_infinities_and_nan_come_back) {
   EXPECT_TRUE(std::isnan(back.data[5]));
 }
 
-TEST(Ppm, codes_above_255_take_two_bytes_high_byte_first) {
+TEST(Ppm, codes_above_255_have_two_bytes) {
   const PpmCodes ppm{{1, 1, {1, 256, 1023}}, 1023};
   EXPECT_EQ(encode_ppm(ppm), bytes(std::string("P6\n1 1\n1023\n\x00\x01\x01\x00\x03\xff", 18)));
   EXPECT_EQ(parse_ppm(encode_ppm(ppm), "a").codes.rgb, ppm.codes.rgb);
@@ -59,7 +59,7 @@ TEST(Ppm, eight_bits_comments_and_grey_are_read) {
   EXPECT_EQ(parse_ppm(bytes("P5 2 1 255\nab"), "a").codes.rgb, (std::vector<std::uint16_t>{97, 97, 97, 98, 98, 98}));
 }
 
-TEST(Netpbm, what_headers_claim_is_not_believed) {
+TEST(Netpbm, wrong_headers_are_refused) {
   const auto ppm = [](const std::string& text) { return error_message([&] { parse_ppm(bytes(text), "a.ppm"); }); };
   const auto pfm = [](const std::string& text) { return error_message([&] { parse_pfm(bytes(text), "a.pfm"); }); };
   for (const char* text : {"", "P3 1 1 255 1 1 1", "PNG"}) EXPECT_THAT(ppm(text), HasSubstr("is not a PPM"));

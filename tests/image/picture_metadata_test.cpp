@@ -1,4 +1,4 @@
-// What pictures say beside their samples: which way is up, exposure, gamma, colours, the pixels' shape.
+// Tests image metadata: orientation, exposure, gamma, colours, pixel aspect.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tiffio.h>
@@ -49,7 +49,7 @@ Bytes to_bytes(const Range& range) {
   return {bytes.begin(), bytes.end()};
 }
 
-/// EXIF data with one entry.
+/// Returns EXIF data with one entry.
 std::string exif_with(char orientation) {
   return std::string("MM\0\x2a\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0"sv) + orientation + std::string(6, '\0');
 }
@@ -61,11 +61,11 @@ std::vector<Sample> decoded_as(const Bytes& file) {
   return std::get<std::vector<Sample>>(decode_picture(file, "the file").samples);
 }
 
-// ---- Which way is up ----------------------------------------------------------------------------------------------------
+// ---- Orientation --------------------------------------------------------------------------------------------------------
 
 // Stored: 1 2 3
 //         4 5 6
-TEST(Orientation, all_eight_turn_as_tiff_says) {
+TEST(Orientation, all_eight_are_as_in_tiff) {
   const std::vector<std::vector<std::uint8_t>> expected{{1, 2, 3, 4, 5, 6}, {3, 2, 1, 6, 5, 4}, {6, 5, 4, 3, 2, 1},
                                                         {4, 5, 6, 1, 2, 3}, {1, 4, 2, 5, 3, 6}, {4, 1, 5, 2, 6, 3},
                                                         {6, 3, 5, 2, 4, 1}, {3, 6, 2, 5, 1, 4}};
@@ -81,7 +81,7 @@ TEST(Orientation, all_eight_turn_as_tiff_says) {
   EXPECT_EQ(orientation_of(9), Orientation::kUpright);
 }
 
-TEST(Exif, orientation_is_read_in_both_byte_orders_and_damage_is_upright) {
+TEST(Exif, both_byte_orders_are_read) {
   EXPECT_EQ(exif_orientation(to_bytes(exif_with(6))), Orientation::kRightSide);
   EXPECT_EQ(exif_orientation(to_bytes("Exif\0\0"s + exif_with(3))), Orientation::kUpsideDown);
   EXPECT_EQ(exif_orientation(to_bytes("II\x2a\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x08\0\0\0\0\0\0\0"sv)),
@@ -91,7 +91,7 @@ TEST(Exif, orientation_is_read_in_both_byte_orders_and_damage_is_upright) {
     EXPECT_EQ(exif_orientation(to_bytes(whole.substr(0, size))), Orientation::kUpright) << size;
 }
 
-TEST(Exif, turns_jpeg_png_and_webp_but_not_their_stored_samples) {
+TEST(Exif, turns_jpeg_png_and_webp) {
   const std::vector<std::uint8_t> grey(16 * 8, 90);
   const std::string exif = "Exif\0\0"s + exif_with(6);
   std::string jpeg;
@@ -113,7 +113,7 @@ TEST(Exif, turns_jpeg_png_and_webp_but_not_their_stored_samples) {
 
 // ---- PNG ----------------------------------------------------------------------------------------------------------------
 
-/// CRC-32 bit by bit.
+/// Computes CRC-32 bit by bit.
 std::uint32_t png_checksum(std::string_view bytes) {
   std::uint32_t sum = 0xffffffff;
   for (const char c : bytes) {
@@ -123,7 +123,7 @@ std::uint32_t png_checksum(std::string_view bytes) {
   return ~sum;
 }
 
-/// A grey PNG with chunks behind its header.
+/// Returns a grey PNG with chunks after its header.
 Bytes png_with(const std::vector<std::pair<std::string, std::string>>& chunks) {
   std::string file;
   for (const unsigned char c : test::encode_png(4, 2, 3, std::vector<std::uint8_t>(24, 100))) file += static_cast<char>(c);
@@ -155,7 +155,7 @@ TEST(PngNotices, ordinary_pictures_have_none) {
   EXPECT_THAT(header_in(png_with({{"cICP", std::string("\x01\x0d\0\x01", 4)}})).notices, IsEmpty());
 }
 
-TEST(PngNotices, what_is_not_honoured_is_said) {
+TEST(PngNotices, ignored_properties_are_reported) {
   const std::string p3 = chrm({31270, 32900, 68000, 32000, 26500, 69000, 15000, 6000});
   EXPECT_THAT(header_in(png_with({{"gAMA", big_endian(100000)}})).notices, ElementsAre(HasSubstr("gAMA 1)")));
   EXPECT_THAT(header_in(png_with({{"cHRM", p3}})).notices, ElementsAre(HasSubstr("cHRM")));
@@ -186,8 +186,8 @@ TEST(ColorProfile, srgb_is_silent_and_others_are_named) {
   EXPECT_THAT(color_profile_notice(to_bytes(profile_with(kSrgbPrimaries, 1.8))), HasSubstr("'Mine'"));
 }
 
-TEST(ColorProfile, damaged_ones_are_not_taken_for_srgb) {
-  constexpr std::size_t kHeader = 132;  // with the number of tags
+TEST(ColorProfile, damaged_profiles_are_not_srgb) {
+  constexpr std::size_t kHeader = 132;  // including the number of tags
   const std::string whole = profile_with(kP3Primaries, 2.2);
   for (std::size_t size = 0; size < kHeader; ++size) EXPECT_EQ(color_profile_notice(to_bytes(whole.substr(0, size))), "");
   for (std::size_t size = kHeader; size < whole.size(); ++size)
@@ -218,8 +218,8 @@ std::vector<Code> by_profile(const std::string& profile, int channels, std::vect
   return std::get<std::vector<Code>>(samples);
 }
 
-// Worked out from the primaries' XYZ under D50: (100, 150, 120) of P3 is (82.9, 153.1, 118.3) of sRGB, and a code c of
-// gamma 1.8 encodes (c / maximum)^1.8.
+// Computed from the primaries' XYZ under D50: (100, 150, 120) in P3 is (82.9, 153.1, 118.3) in sRGB, and a code c with gamma
+// 1.8 encodes (c / maximum)^1.8.
 TEST(ApplyColorProfile, codes_become_those_of_srgb) {
   using testing::AllOf, testing::Ge, testing::Le;
   const auto near = [](int value, int error) { return AllOf(Ge(value - error), Le(value + error)); };
@@ -235,7 +235,7 @@ TEST(ApplyColorProfile, codes_become_those_of_srgb) {
   EXPECT_THAT(by_profile<std::uint8_t>(grey, 2, {128, 5}), ElementsAre(near(146, 1), 5));
 }
 
-TEST(ApplyColorProfile, damaged_profiles_leave_codes_as_they_are) {
+TEST(ApplyColorProfile, damaged_profiles_do_not_change_codes) {
   const std::string whole = profile_with(kP3Primaries, 2.2);
   for (std::size_t size = 0; size < whole.size(); ++size) {
     Samples samples(std::vector<std::uint8_t>{100, 150, 120});
@@ -245,7 +245,7 @@ TEST(ApplyColorProfile, damaged_profiles_leave_codes_as_they_are) {
   }
 }
 
-TEST(ApplyColorProfile, files_are_read_as_srgb_without_a_notice) {
+TEST(ApplyColorProfile, files_are_read_as_srgb_without_notice) {
   std::vector<std::uint8_t> codes;
   for (int i = 0; i < 64; ++i) codes.insert(codes.end(), {100, 150, 120});
   const std::string segment = "ICC_PROFILE\0\x01\x01"s + profile_with(kP3Primaries, 2.2);
@@ -258,7 +258,7 @@ TEST(ApplyColorProfile, files_are_read_as_srgb_without_a_notice) {
   EXPECT_NEAR(std::get<std::vector<std::uint8_t>>(picture.samples)[0], 83, 3) << "JPEG changes codes by one or two";
 }
 
-/// Magenta at half and full strength, and none.
+/// Magenta at half and full strength, and no ink.
 TEST(RgbOfInks, by_the_profile_of_a_press) {
   const std::vector<std::uint8_t> inks{0, 128, 0, 0, 0, 255, 0, 0, 0, 0, 0, 0};
   const std::optional<Samples> samples = rgb_of_inks(to_bytes(press_profile()), inks);
@@ -310,7 +310,7 @@ TEST(RgbOfInks, tiff_by_its_profile_or_an_estimate) {
 
 // ---- Chromaticities -----------------------------------------------------------------------------------------------------
 
-// X alone, under D65: 0.9505 of it belong to white, and the first column of the usual matrix from XYZ is (3.2406, -0.9689,
+// X alone, under D65: white has 0.9505 of it, and the first column of the standard matrix from XYZ is (3.2406, -0.9689,
 // 0.0557). Y alone: (-1.5372, 1.8758, -0.2040).
 TEST(Chromaticities, xyz_under_d65_gives_the_usual_matrix) {
   Chromaticities xyz = kXyz;
@@ -324,18 +324,18 @@ TEST(Chromaticities, xyz_under_d65_gives_the_usual_matrix) {
   EXPECT_NEAR((*matrix)[1][1], 1.8758, 2e-3);
 }
 
-// White stays white, whatever its colour: rows add up to 1.
+// White maps to white, whatever its chromaticity: rows sum to 1.
 TEST(Chromaticities, white_of_another_colour_stays_white) {
   const auto matrix = rec709_from({{0.713, 0.293, 0.165, 0.830, 0.128, 0.044, 0.32168, 0.33767}});  // ACEScg
   ASSERT_TRUE(matrix);
   for (int row = 0; row < 3; ++row) EXPECT_NEAR((*matrix)[0][row] + (*matrix)[1][row] + (*matrix)[2][row], 1.0, 1e-9);
-  EXPECT_NEAR((*matrix)[0][0], 1.7051, 2e-3);  // as published for AP1 to Rec. 709 with Bradford's adaptation
+  EXPECT_NEAR((*matrix)[0][0], 1.7051, 2e-3);  // as published for AP1 to Rec. 709 with Bradford adaptation
   EXPECT_NEAR((*matrix)[1][0], -0.6218, 2e-3);
 }
 
 // ---- Radiance HDR -------------------------------------------------------------------------------------------------------
 
-/// Pixels are grey, of an exponent that makes a mantissa of 128 one.
+/// Returns grey pixels, with an exponent that maps a mantissa of 128 to 1.
 Bytes grey_hdr(const std::string& variables, const std::string& resolution, const std::vector<std::uint8_t>& mantissas) {
   std::string text = "#?RADIANCE\n" + variables + "\n" + resolution + "\n";
   for (const std::uint8_t mantissa : mantissas) text += std::string(3, static_cast<char>(mantissa)) + '\x81';
@@ -356,7 +356,7 @@ TEST(DecodeHdr, exposures_and_colour_corrections_are_undone) {
               ElementsAre(0.5f, 0.5f, 0.5f));
   EXPECT_THAT(decoded_as<float>(grey_hdr(format + "COLORCORR= 1 2 4\n", "-Y 1 +X 1", {128})), ElementsAre(1, 0.5f, 0.25f));
   EXPECT_THAT(decoded_as<float>(grey_hdr("\tEXPOSURE=2\n# EXPOSURE=3\n" + format, "-Y 1 +X 1", {128})),
-              ElementsAre(1, 1, 1));  // those of the picture's sources, and a comment
+              ElementsAre(1, 1, 1));  // exposure of the image's sources, and a comment
   for (const char* exposure : {"0", "-1", "nan", "many", "1e-40"})
     EXPECT_THAT(
         error_message([&] { decode_picture(grey_hdr(format + "EXPOSURE=" + exposure + "\n", "-Y 1 +X 1", {128}), "a.hdr"); }),
@@ -365,7 +365,7 @@ TEST(DecodeHdr, exposures_and_colour_corrections_are_undone) {
 }
 
 // Stored: 64 128 192 in one line, 32 96 160 in the next.
-TEST(DecodeHdr, rows_and_columns_go_as_the_resolution_says) {
+TEST(DecodeHdr, resolution_sets_the_order_of_pixels) {
   const auto greys = [](const char* resolution) {
     const Bytes file = grey_hdr("FORMAT=32-bit_rle_rgbe\n", resolution, {64, 128, 192, 32, 96, 160});
     return greys_of(file);
@@ -382,9 +382,10 @@ TEST(DecodeHdr, rows_and_columns_go_as_the_resolution_says) {
     EXPECT_THAT(error_message([&] { greys(wrong); }), HasSubstr("the file: ")) << wrong;
 }
 
-TEST(DecodeHdr, runs_of_the_older_kind_repeat_a_pixel) {
+TEST(DecodeHdr, old_runs_repeat_a_pixel) {
   std::string text = "#?RGBE\n\n-Y 1 +X 300\n";
-  text += "\x80\x80\x80\x81\x01\x01\x01\x2a\x01\x01\x01\x01\x40\x40\x40\x81"s;  // 1, 42 times it, 256 times it, 0.5
+  text += "\x80\x80\x80\x81\x01\x01\x01\x2a\x01\x01\x01\x01\x40\x40\x40\x81"s;  // 1, then 42 times the same, then 256 times the
+                                                                                // same, then 0.5
   const std::vector<float> greys = greys_of(to_bytes(text));
   ASSERT_EQ(greys.size(), 300u);
   EXPECT_EQ(greys[298], 1.0f);
@@ -396,7 +397,7 @@ TEST(DecodeHdr, xyz_becomes_rgb_and_white_stays) {
               ElementsAre(FloatNear(1, 1e-5f), FloatNear(1, 1e-5f), FloatNear(1, 1e-5f)));
 }
 
-TEST(DecodeHdr, what_is_not_honoured_is_said) {
+TEST(DecodeHdr, ignored_properties_are_reported) {
   const auto notices = [](const std::string& variables) { return header_in(grey_hdr(variables, "-Y 1 +X 1", {128})).notices; };
   EXPECT_THAT(notices("PIXASPECT=0.5\n"), ElementsAre("its pixels are 2 times as wide as high, and are read as square"));
   EXPECT_THAT(notices("GAMMA=2.2\n"), ElementsAre(HasSubstr("GAMMA")));
@@ -417,12 +418,12 @@ TEST(DecodeBmp, rows_from_the_bottom_or_the_top) {
     for (int i = 0; i < 4; ++i) file += static_cast<char>(static_cast<std::uint32_t>(height) >> 8 * i & 0xff);
     return to_bytes(file + "\x01\0\x18\0"s + std::string(24, '\0') + std::string(rows));
   };
-  const auto rows = "\x01\x02\x03\0\x04\x05\x06\0"sv;  // blue, green, red, and one that fills up to four
+  const auto rows = "\x01\x02\x03\0\x04\x05\x06\0"sv;  // blue, green, red, and one byte of padding
   EXPECT_THAT(decoded_as<std::uint8_t>(bmp(2, rows)), ElementsAre(6, 5, 4, 3, 2, 1));
   EXPECT_THAT(decoded_as<std::uint8_t>(bmp(-2, rows)), ElementsAre(3, 2, 1, 6, 5, 4));
   EXPECT_THAT(error_message([&] { decode_picture(bmp(2, rows.substr(0, 5)), "a.bmp"); }), HasSubstr("truncated"));
   const std::string old =
-      "BM"s + std::string(12, '\0') + "\x0c\0\0\0\x01\0\x01\0\x01"s;  // OS/2's header, without its last 3 bytes
+      "BM"s + std::string(12, '\0') + "\x0c\0\0\0\x01\0\x01\0\x01"s;  // an OS/2 header without its last 3 bytes
   EXPECT_THAT(error_message([&] { decode_picture(to_bytes(old), "a.bmp"); }), HasSubstr("truncated"));
 }
 
@@ -430,7 +431,7 @@ TEST(DecodeBmp, rows_from_the_bottom_or_the_top) {
 
 const std::string kGifHeader = "GIF89a\2\0\1\0\x80\0\0\x0a\x0b\x0c\x14\x15\x16"s;
 
-/// A row of `width` pixels at x, of the second colour each: the codes 4 (clear), 1, 1 and 5 (end) of 3 bits.
+/// Returns a row of `width` pixels at x with the second colour: the codes 4 (clear), 1, 1 and 5 (end) of 3 bits.
 std::string gif_picture(char x, char width) {
   return "\x2c"s + x + "\0\0\0"s + width + "\0\1\0\0\2\2"s + (width == 2 ? "\x4c\x0a"s : "\x4c\x01"s) + '\0';
 }
@@ -443,13 +444,13 @@ TEST(DecodeGif, transparent_and_uncovered_pixels_have_an_alpha) {
   EXPECT_THAT(decoded_as<std::uint8_t>(of(comment + transparent + gif_picture(0, 2))), testing::SizeIs(8));
 }
 
-TEST(DecodeGif, the_first_picture_of_an_animation_is_read) {
+TEST(DecodeGif, first_picture_of_an_animation_is_read) {
   const std::string first = gif_picture(0, 2);
   EXPECT_THAT(header_in(to_bytes(kGifHeader + first + ";")).notices, IsEmpty());
   EXPECT_THAT(header_in(to_bytes(kGifHeader + first + first + ";")).notices, ElementsAre(HasSubstr("it is animated")));
 }
 
-TEST(DecodeGif, without_a_picture_or_too_large_is_refused) {
+TEST(DecodeGif, missing_or_too_large_picture_is_refused) {
   const auto message = [](const std::string& text) { return error_message([&] { decode_picture(to_bytes(text), "a.gif"); }); };
   EXPECT_THAT(message(kGifHeader + ";"), HasSubstr("a.gif: cannot be read as a picture: there is no picture in it"));
   EXPECT_THAT(message("GIF89a\0\0\1\0\0\0\0;"s), HasSubstr("0 x 1 pixels"));
@@ -457,7 +458,7 @@ TEST(DecodeGif, without_a_picture_or_too_large_is_refused) {
   EXPECT_THAT(message("GIF89a\xff\x3f\xff\x3f\0\0\0;"s), HasSubstr("cannot hold"));
 }
 
-// ---- What is no picture -------------------------------------------------------------------------------------------------
+// ---- Files that are not images ------------------------------------------------------------------------------------------
 
 TEST(Resolution, of_tiff_is_in_dots_per_inch) {
   const TempDir dir;
@@ -474,7 +475,7 @@ TEST(Resolution, of_tiff_is_in_dots_per_inch) {
   EXPECT_EQ(unit, RESUNIT_INCH);
 }
 
-TEST(Resolution, of_heights_stands_in_a_grey_png_without_a_colour_space) {
+TEST(Resolution, of_heights_is_stored_in_grey_png) {
   const TempDir dir;
   PngOptions options;
   options.dots_per_inch = 1440.0;

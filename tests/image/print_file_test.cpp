@@ -1,4 +1,4 @@
-// Pictures to be printed: their resolution, their bits, and the colours of a printer's profile.
+// Tests image files for printing: their resolution, their bits, and colours in a printer's profile.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tiffio.h>
@@ -37,18 +37,18 @@ TEST_F(PrintFile, tiff_keeps_16_bits) {
   EXPECT_EQ(std::get<Image16>(read_picture(dir_ / "a.tiff")).rgb, words.rgb);
 }
 
-TEST_F(PrintFile, light_without_codes_is_no_tiff) {
+TEST_F(PrintFile, floats_cannot_be_written_as_tiff) {
   EXPECT_THAT(error_message([&] { write_print(dir_ / "a.tiff", Image(1, 1, 3), 300.0); }), HasSubstr("a.tiff"));
   EXPECT_FALSE(fs::exists(dir_ / "a.tiff"));
 }
 
 #ifdef LIPPMANN_HAS_LCMS
 
-TEST_F(PrintFile, colours_are_turned_to_the_profile_and_back) {
+TEST_F(PrintFile, colours_are_converted_to_the_profile) {
   const OutputProfile p3(file_with("p3.icc", test::profile_with(test::kP3Primaries, 2.2)));
   for (const char* name : {"a.png", "a.tiff"}) {
     write_print(dir_ / name, kCodes, 300.0, &p3);
-    const auto read = std::get<Image8>(read_picture(dir_ / name));  // through the embedded profile
+    const auto read = std::get<Image8>(read_picture(dir_ / name));  // converted back by the embedded profile
     for (std::size_t i = 0; i < kCodes.rgb.size(); ++i) EXPECT_NEAR(read.rgb[i], kCodes.rgb[i], 1) << name << " " << i;
     std::vector<std::string> notices;
     read_picture(dir_ / name, [&](std::string_view text) { notices.emplace_back(text); });

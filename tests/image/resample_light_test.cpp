@@ -23,7 +23,7 @@ std::vector<float> resampled_row(const std::vector<float>& values, const AxisSam
   return row;
 }
 
-TEST(ResampledLight, keeps_samples_that_are_met_exactly) {
+TEST(ResampledLight, keeps_coinciding_samples) {
   EXPECT_EQ(resampled_row({1, 5, 2, 7}, {1.0, 1.0, 3}), (std::vector<float>{5, 2, 7}));
 }
 
@@ -34,14 +34,14 @@ TEST(ResampledLight, reduces_by_area) {
   EXPECT_FLOAT_EQ(row[1], (2 + 0.5f * 7) / 1.5f);
 }
 
-// By hand, half-way between samples: sinc(1/2) sinc(1/6), sinc(3/2) sinc(1/2) and sinc(5/2) sinc(5/6), on both sides.
+// By hand, halfway between samples: sinc(1/2) sinc(1/6), sinc(3/2) sinc(1/2) and sinc(5/2) sinc(5/6), on both sides.
 TEST(ResampledLight, enlarges_by_lanczos) {
   const auto lobe = [](double x) {
     const double a = std::numbers::pi * x;
     return std::sin(a) / a * std::sin(a / 3.0) / (a / 3.0);
   };
   const double sum = 2.0 * (lobe(0.5) + lobe(1.5) + lobe(2.5));
-  const std::vector<float> row = resampled_row({0, 0, 0, 0, 1, 0, 0, 0, 0}, {4.75, 0.5, 1});  // the centre lies at 5.0
+  const std::vector<float> row = resampled_row({0, 0, 0, 0, 1, 0, 0, 0, 0}, {4.75, 0.5, 1});  // the centre is at 5.0
   EXPECT_NEAR(row[0], lobe(0.5) / sum, 1e-6);
 }
 

@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-TEST(SpareImages, what_was_given_is_taken_once) {
+TEST(SpareImages, kept_image_is_taken_once) {
   SpareImages spare;
   Image image(4, 2, 3);
   const float* memory = image.data.data();
@@ -14,7 +14,7 @@ TEST(SpareImages, what_was_given_is_taken_once) {
   EXPECT_TRUE(spare.take().data.empty());
 }
 
-TEST(SpareImages, more_than_are_of_use_are_dropped) {
+TEST(SpareImages, surplus_images_are_dropped) {
   SpareImages spare;
   for (int i = 0; i < 10; ++i) spare.give(Image(1, 1, 1));
   int kept = 0;

@@ -11,21 +11,21 @@ TEST(Tone, exposure_doubles_light_by_the_stop) {
   EXPECT_FLOAT_EQ(color.z, 4.0f);
 }
 
-// By hand: least 0.2 >= 0.08, so 0.04 is taken off; 0.46 < 0.76 stays.
-TEST(Tone, neutral_leaves_moderate_colours_but_for_fresnels_share) {
+// By hand: the minimum 0.2 >= 0.08, so 0.04 is subtracted; 0.46 < 0.76 is not compressed.
+TEST(Tone, neutral_subtracts_only_fresnel_reflection) {
   const Vec3f color = apply_tone({0.0f, ToneCurve::kNeutral}, {0.5f, 0.2f, 0.3f});
   EXPECT_NEAR(color.x, 0.46f, 1e-6f);
   EXPECT_NEAR(color.y, 0.16f, 1e-6f);
   EXPECT_NEAR(color.z, 0.26f, 1e-6f);
 }
 
-// By hand: grey 2 less 0.04 is 1.96; new peak 1 - 0.24^2 / (1.96 + 0.24 - 0.76) = 1 - 0.0576 / 1.44 = 0.96; grey stays grey.
+// By hand: grey 2 minus 0.04 is 1.96; new peak 1 - 0.24^2 / (1.96 + 0.24 - 0.76) = 1 - 0.0576 / 1.44 = 0.96; grey stays grey.
 TEST(Tone, neutral_brings_bright_grey_below_white) {
   const Vec3f color = apply_tone({0.0f, ToneCurve::kNeutral}, Vec3f(2.0f));
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(color[c], 0.96f, 1e-5f);
 }
 
-TEST(Tone, curves_rise_from_black_to_at_most_white) {
+TEST(Tone, curves_are_monotonic_up_to_white) {
   for (const ToneCurve curve : {ToneCurve::kNeutral, ToneCurve::kAgx}) {
     float last = -1.0f;
     for (float light = 1e-4f; light < 1e6f; light *= 1.5f) {
@@ -40,7 +40,7 @@ TEST(Tone, curves_rise_from_black_to_at_most_white) {
 }
 
 // Middle grey stays in the middle: 0.18 of linear light is the code 118 of 255.
-TEST(Tone, agx_keeps_middle_grey_in_the_middle_and_greys_grey) {
+TEST(Tone, agx_keeps_middle_grey) {
   const Vec3f grey = apply_tone({0.0f, ToneCurve::kAgx}, Vec3f(0.18f));
   EXPECT_NEAR(grey.x, 0.18f, 0.04f);
   EXPECT_NEAR(grey.x, grey.y, 1e-3f);
