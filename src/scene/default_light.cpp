@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-/// The rotation that turns -z and y where a node's transform turns them; none where it leaves them no direction.
+/// Returns the rotation part of a node's transform, for -z and y; the identity if it is degenerate.
 Quatf orientation(const Affine3f& world_from_node) {
   const Vec3f z = world_from_node.linear[2], x = glm::cross(world_from_node.linear[1], z);
   const float z_length = glm::length(z), x_length = glm::length(x);
@@ -29,19 +29,19 @@ const MetallicRoughness* physical_surface(const Scene& scene, const Instance& in
   return std::get_if<MetallicRoughness>(&material_of(scene, instance).surface);
 }
 
-/// What a lamp would make brighter.
+/// Returns whether lamps affect the material.
 bool is_lit_by_lamps(const Material& material) {
   if (const auto* phong = std::get_if<PhongSurface>(&material.surface)) return phong->diffuse > 0.0f;
   return !std::get<MetallicRoughness>(material.surface).unlit;
 }
 
-/// Whether it is seen in Whitted's shading without any lamp, for that is how its author lit it.
-bool shines_by_itself(const Material& material) {
+/// Returns whether Whitted shading shows the material without lamps, as its author intended.
+bool is_self_lit(const Material& material) {
   const auto* phong = std::get_if<PhongSurface>(&material.surface);
   return phong && (phong->ambient > 0.0f || phong->emission != Vec3f(0.0f));
 }
 
-/// Whether paths take it for a lamp: it emits, or shines without answering any light, as backdrops do.
+/// Returns whether path tracing treats the material as a lamp: it emits, or has constant ambient light like a backdrop.
 bool is_phong_lamp(const Material& material) {
   const auto* phong = std::get_if<PhongSurface>(&material.surface);
   return phong && (phong->emission != Vec3f(0.0f) || (phong->diffuse == 0.0f && phong->ambient > 0.0f));
@@ -49,13 +49,13 @@ bool is_phong_lamp(const Material& material) {
 
 float brightest(Vec3f color) { return std::max({color.x, color.y, color.z}); }
 
-/// A black lamp lights nothing, nor does one whose light the renderer rounds to 0.
+/// Returns whether the scene has lamps other than black ones and those whose light the renderer rounds to 0.
 bool has_lamps(const Scene& scene) {
   return std::any_of(scene.lights.begin(), scene.lights.end(),
                      [](const Light& light) { return brightest(light.color) >= std::numeric_limits<float>::min(); });
 }
 
-/// World units; a mesh as its node shows it, skins and morph targets at rest.
+/// Returns the area in world units with the node's transform, ignoring skins and morph targets.
 double area_of(const Mesh& mesh, const Affine3f& world_from_mesh) {
   double twice = 0.0;
   for (const auto& triangle : mesh.triangles) {
@@ -90,7 +90,7 @@ bool lacks_lamps(const Scene& scene) {
     return std::any_of(scene.instances.begin(), scene.instances.end(),
                        [&](const Instance& instance) { return is(material_of(scene, instance)); });
   };
-  return !has_lamps(scene) && any(is_lit_by_lamps) && !any(shines_by_itself);
+  return !has_lamps(scene) && any(is_lit_by_lamps) && !any(is_self_lit);
 }
 
 OwnLight own_light(const Scene& scene) {
@@ -107,8 +107,8 @@ Quatf viewer_orientation(const Scene& scene) {
 }
 
 void add_default_light(Scene& scene) {
-  // A white diffuse surface that faces the key light shows 0.8 of display white and the background's mean, 0.2, on top; one in
-  // shadow shows the mean alone. The background is a gradient so that such a surface does not vanish in front of it.
+  // A white diffuse surface facing the key light gets 0.8 of display white, plus the background's mean of 0.2. A surface in
+  // shadow gets the mean only. The background is a gradient so that such surfaces stand out from it.
   constexpr float kKey = 0.8f * kPi, kHorizon = 0.08f, kZenith = 0.32f;
   constexpr float kUp = radians(30.0f), kLeft = radians(15.0f);
   const Quatf viewer = viewer_orientation(scene);

@@ -1,33 +1,34 @@
-// Light for scenes whose file brings none.
+// Default light for scenes whose file has no lights.
 #pragma once
 
 #include "lippmann/scene/scene.hpp"
 
 namespace lippmann {
 
-/// Whether light would change what the scene shows, but no lamp is there to give it, or black ones alone. Emission of glTF's
-/// surfaces counts for nothing: Whitted's shading carries it nowhere. A Phong surface with ambient light is as dark as its
-/// author made it.
+/// Returns whether some surface needs light and the scene has no lamps, or only black ones. Emissive glTF surfaces do not count
+/// because Whitted shading ignores their light. Phong surfaces with ambient light do not need lamps, however dark they are.
 bool lacks_lamps(const Scene& scene);
 
-/// A key light from above left of the viewer and, where all is dark, a dim background. The viewer is the first camera, or has
-/// the default view.
+/// Adds a key light from above left of the viewer and, if the background is black, a dim background. The viewer is the first
+/// camera or the default view.
 void add_default_light(Scene& scene);
 
-/// How the viewer is turned: -z and y go where the first camera looks and has its top, or as in the default view.
+/// Returns the orientation of the first camera, or of the default view: the rotation of -z and y to its view direction and its
+/// top.
 Quatf viewer_orientation(const Scene& scene);
 
-/// What paths find that gives light in a scene.
+/// The light sources that path tracing finds in a scene.
 enum class OwnLight {
-  kNone,          ///< nothing, but surfaces wait for it
-  kLamps,         ///< lamps, or surfaces that shine as lamps do; what misses all surfaces finds darkness
+  kNone,          ///< none, but some surface needs light
+  kLamps,         ///< lamps, or emissive surfaces large enough to act as lamps, in front of a black background
   kSurroundings,  ///< a panorama or a sky, with or without lamps
-  kNotNeeded,     ///< no surface would look different
+  kNotNeeded,     ///< none, and light would not change any surface
 };
 
-/// Surfaces shine as lamps do where they matter: what those of one colour emit, on average over the area of all surfaces, is at
-/// least 0.02. Weaker glow (the tail lights of a car) lights nothing, and pictures that shine are taken for decoration. Phong
-/// surfaces that emit, or shine as backdrops do, are lamps whatever their size: their authors have lit the scene.
+/// Returns the kind of light in a scene. Emissive glTF surfaces act as lamps if the emission of uniformly coloured ones,
+/// averaged over the area of all surfaces, is at least 0.02. Weaker emission (a car's tail lights) does not illuminate the
+/// scene, and emissive textures are treated as decoration. Emissive Phong surfaces and backdrops are lamps of any size because
+/// their authors have lit the scene.
 OwnLight own_light(const Scene& scene);
 
 }  // namespace lippmann

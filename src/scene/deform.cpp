@@ -1,9 +1,9 @@
 // Based on: Khronos Group, "glTF 2.0 Specification", 2021, sections 3.7.2.2 "Morph Targets" (base + sum of weight * target,
-// before the skin) and 3.7.3 "Skins" (sum_i w_i J_i B_i v, with J the joint's world transform and B its inverse bind matrix;
-// the transform of the node that shows the mesh does not take part).
+// before the skin) and 3.7.3 "Skins" (sum_i w_i J_i B_i v, where J is the joint's world transform and B its inverse bind
+// matrix; the transform of the mesh's node is ignored).
 //
-// Normals are turned by the cofactor matrix of the blended transform: up to its length the inverse transpose, but defined for
-// singular ones too, and so that they stay on the side from which a triangle's corners are counter-clockwise.
+// Normals are transformed by the cofactor matrix of the blended transform. It equals the inverse transpose up to scale, but
+// also exists for singular matrices, and keeps normals on the side from which triangles are counter-clockwise.
 #include "scene/deform.hpp"
 
 #include <algorithm>

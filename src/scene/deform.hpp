@@ -1,6 +1,6 @@
-// Where the vertices of meshes that change their shape are at a given time: morph targets, then skins.
+// Vertex positions of deforming meshes at a given time: morph targets, then skins.
 //
-// Such a mesh is not placed by its node's transform but posed vertex by vertex, in world space.
+// The vertices are posed in world space; the node's transform is not applied afterwards.
 #pragma once
 
 #include <utility>
@@ -11,33 +11,35 @@
 
 namespace lippmann {
 
-/// Whether the instance's mesh is posed: has a skin, or morph targets.
+/// Returns whether the instance's mesh is posed: whether it has a skin or morph targets.
 bool is_posed(const Scene& scene, const Instance& instance);
 
-/// Whether what each instance shows ever moves or changes its shape.
+/// Returns for each instance whether it ever moves or deforms.
 std::vector<bool> moving_instances(const Scene& scene);
 
 struct PosedVertex {
   Vec3f position{0.0f};
-  Vec3f normal{0.0f};   ///< unit length; 0 where the mesh has none
-  Vec4f tangent{0.0f};  ///< as Mesh::tangents; 0 where the mesh has none
+  Vec3f normal{0.0f};   ///< unit length; 0 if the mesh has none
+  Vec4f tangent{0.0f};  ///< as in Mesh::tangents; 0 if the mesh has none
   bool operator==(const PosedVertex&) const = default;
 };
 
-/// The pose of one instance for which is_posed, at one time. Vertices may be asked for from several threads at once.
+/// The pose of one instance, for which is_posed() is true, at one time. Thread-safe.
 class MeshPose {
  public:
-  /// Coordinates beyond it, and those that are not numbers, are given as this.
+  /// Limit of coordinates. Larger ones and NaN are clamped to it.
   static constexpr float kReach = 1e18f;
 
-  /// `scene` must have passed validate() and must outlive this, as must `resolved`.
+  /// `scene` must have passed validate(). `scene` and `resolved` must outlive this object.
   MeshPose(const Scene& scene, const Instance& instance, const ResolvedScene& resolved);
 
   Vec3f position(std::size_t vertex) const;
-  /// The normal lies on the side from which the triangles' corners, as they are in the mesh, are counter-clockwise.
+  /// Returns a posed vertex. Its normal lies on the side from which the triangles, in the mesh's own winding, are
+  /// counter-clockwise.
   PosedVertex vertex(std::size_t vertex) const;
 
-  /// Whether the pose mirrors the mesh, judged by its first joint or its node: then counter-clockwise is the inner side.
+  /// Returns whether the pose mirrors the mesh, judged by its first joint or its node. Counter-clockwise triangles then face
+  /// inwards.
   bool mirrors() const;
 
  private:
@@ -50,9 +52,9 @@ class MeshPose {
   Vec3f morphed_position(std::size_t vertex) const;
 
   const Mesh& mesh_;
-  std::vector<Weighted> targets_;  ///< those with a weight
+  std::vector<Weighted> targets_;  ///< targets with a non-zero weight
   bool has_skin_;
-  std::vector<Affine3f> world_from_mesh_;  ///< by joint, or the node's alone
+  std::vector<Affine3f> world_from_mesh_;  ///< one per joint, or the node's only
 };
 
 }  // namespace lippmann

@@ -2,13 +2,12 @@
 
 #include "core/fingerprint.hpp"
 
-// Every struct is taken apart by structured bindings: a member that is added to it stops this file from compiling until it is
-// added here too.
+// Structured bindings list the members of every struct, so that this file does not compile until new members are added here.
 
 namespace lippmann {
 namespace {
 
-/// Elements that consist of 4-byte or 8-byte numbers alone, and so have no padding.
+/// Types that consist of 4-byte or 8-byte numbers only and so have no padding.
 template <class T>
 concept Packed = std::is_trivially_copyable_v<T> &&(alignof(T) == 4 || alignof(T) == 8 || sizeof(T) == 1) &&
                  sizeof(T) % alignof(T) == 0;
@@ -20,7 +19,7 @@ class SceneFingerprint {
   void add(const Scene& scene) {
     const auto& [name, nodes, shapes, textures, materials, instances, skins, lights, webs, cameras, display, background,
                  timeline, animation_names, animation, variant_names, origin, encoding, max_depth, resolution, kind] = scene;
-    static_cast<void>(kind);  // decides defaults alone
+    static_cast<void>(kind);  // only affects defaults
     add_each(nodes);
     add_each(shapes);
     add_each(textures);
@@ -28,13 +27,13 @@ class SceneFingerprint {
     add_each(instances);
     add_each(skins);
     add_each(lights);
-    if (!webs.empty()) add_each(webs);  // else nothing, so that scenes without keep their fingerprints
+    if (!webs.empty()) add_each(webs);  // skipped if empty, to keep the fingerprints of such scenes
     add_each(cameras);
     add_optional(display);
     add(background);
     add(timeline);
     add_all(encoding, max_depth, resolution);
-    if (origin != Vec3d(0.0)) add(origin);  // else nothing, so that scenes without keep their fingerprints
+    if (origin != Vec3d(0.0)) add(origin);  // skipped if zero, to keep the fingerprints of such scenes
   }
 
  private:
@@ -141,7 +140,7 @@ class SceneFingerprint {
             occlusion_strength, emissive, emissive_map, ior, transmission, transmission_map, specular, specular_map,
             specular_color, specular_color_map, clearcoat, clearcoat_roughness, clearcoat_map, clearcoat_roughness_map,
             clearcoat_normal_map, clearcoat_normal_scale, alpha_cutoff, blend, double_sided, unlit);
-    if (extensions) add(*extensions);  // else nothing, so that surfaces without them keep their fingerprints
+    if (extensions) add(*extensions);  // skipped if absent, to keep the fingerprints of such surfaces
   }
   void add(const SurfaceExtensions& extensions) {
     const auto& [sheen, anisotropy, iridescence, diffuse_transmission, volume, dispersion] = extensions;
@@ -178,8 +177,7 @@ class SceneFingerprint {
     const auto& [name, kind, node, color, attenuation, inverse_square, range, inner_cone, outer_cone, visible_radius, radius,
                  angular_diameter, smooth_edge, web] = light;
     add_all(kind, node, color, attenuation, inverse_square, range, inner_cone, outer_cone, visible_radius);
-    if (radius > 0.0f || angular_diameter > 0.0f ||
-        smooth_edge)  // else nothing, so that lights without keep their fingerprints
+    if (radius > 0.0f || angular_diameter > 0.0f || smooth_edge)  // skipped if unset, to keep the fingerprints of such lights
       add_all(radius, angular_diameter, smooth_edge);
     if (web >= 0) add_all(web);
   }

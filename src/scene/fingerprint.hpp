@@ -1,4 +1,4 @@
-// A number that tells scenes apart by everything that pictures of them depend on; names do not count.
+// A hash of everything in a scene that affects its pictures; names do not.
 #pragma once
 
 #include <cstdint>

@@ -9,15 +9,15 @@
 namespace lippmann {
 
 struct IesProfile {
-  PhotometricWeb web;         ///< nothing in it is above 0 where the lamp sends no light
-  float mean_candela = 0.0f;  ///< over the whole sphere: what the web's intensities are multiplied by; lumens over 4 pi
-  LeftOut left_out;           ///< keywords that LM-63 does not have, tilt, and what follows the last candela value
+  PhotometricWeb web;         ///< all zero if the lamp emits nothing
+  float mean_candela = 0.0f;  ///< mean over the sphere (lumens / 4 pi); scales the relative intensities of the web
+  LeftOut left_out;           ///< unknown keywords, the tilt, and data after the last candela value
 };
 
-/// The zero of both angles is the light's -z. Type C: polar angles from there, azimuths from +x towards +y. Types A and B:
-/// horizontal angles towards +x, vertical ones towards +y. Symmetric halves and quarters are made whole. Tilt, the size of the
-/// luminaire and its lamps' lumens change nothing; the multipliers of candelas do.
-/// Throws Error, naming `name` and the line, for what is no such file, and for angles and candelas that make no web.
+/// Parses a file; `name` names it in messages. The zero direction of both angles is the light's -z. Type C: polar angles from
+/// there, azimuths from +x towards +y. Types A and B: horizontal angles towards +x, vertical ones towards +y. Symmetric halves
+/// and quarters are completed. Candela multipliers are applied; tilt, luminaire size and lamp lumens are ignored.
+/// Throws Error naming `name` and the line if the text is not such a file or its angles and candelas are invalid.
 IesProfile parse_ies(const std::string& name, std::string text);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Collects the names of what an importer does not read, for one warning that lists them.
+// Collects the names of elements that an importer skips, for a single warning.
 #pragma once
 
 #include <span>
@@ -12,13 +12,13 @@ namespace lippmann {
 
 class LeftOut {
  public:
-  /// Adds a name of foreign origin that stands at `where`. Names that were added before only count.
+  /// Adds an untrusted name found at `where`. Repeated names are only counted.
   void add(std::string_view name, const std::string& where);
 
-  /// Whether nothing was added: the place of later ones is not used.
+  /// Returns whether nothing has been added. Only the first element needs a `where`.
   bool empty() const { return count_ == 0; }
 
-  /// Warns at the first place, if there is one: "a.obj:3: the statements 'curv' and 'surf' are left out."
+  /// Warns, at the place of the first element: "a.obj:3: the statements 'curv' and 'surf' are left out."
   void warn(const Context& context, std::string_view singular, std::string_view plural) const;
 
  private:
@@ -27,7 +27,7 @@ class LeftOut {
   std::size_t count_ = 0;
 };
 
-/// "'a', 'b' and 'c'": names of foreign origin, the first ten of them.
+/// Lists the first ten of some untrusted names: "'a', 'b' and 'c'".
 std::string listed(std::span<const std::string> names);
 
 }  // namespace lippmann

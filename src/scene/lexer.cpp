@@ -14,20 +14,20 @@ bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
-/// from_chars knows no leading plus, which files may have.
+/// Removes a leading plus, which std::from_chars does not accept.
 std::string_view without_plus(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   return word;
 }
 
-/// What other programs read over behind a number: a C suffix, or an exponent whose sign stands before its e.
+/// Returns whether other programs ignore this text after a number: a C suffix, or an exponent whose sign precedes its e.
 bool is_harmless_rest(std::string_view rest) {
   if (rest == "f" || rest == "F") return true;
   if (rest.size() < 3 || (rest[0] != '+' && rest[0] != '-') || upper(rest[1]) != 'E') return false;
   return rest.find_first_not_of("0123456789", 2) == std::string_view::npos;
 }
 
-/// The finite number that a word begins with, where nothing but what is harmless follows; too small for a T: zero.
+/// Parses a finite number, ignoring a harmless suffix. Numbers too small for T become zero.
 template <class T>
 std::optional<T> parse_number(std::string_view word) {
   word = without_plus(word);
@@ -90,7 +90,7 @@ std::string_view Lexer::peek() {
 std::string_view Lexer::word(std::string_view wanted) {
   skip_blanks();
   word_line_ = line_;
-  if (position_ == text_.size()) throw error(fmt::format("the file ends where {} should stand", wanted));
+  if (position_ == text_.size()) throw error(fmt::format("the file ends, expected {}", wanted));
   const std::string_view result = word_here();
   position_ += result.size();
   return result;
@@ -98,7 +98,7 @@ std::string_view Lexer::word(std::string_view wanted) {
 
 void Lexer::expect(std::string_view keyword) {
   const std::string_view found = word(keyword);
-  if (!is_keyword(found, keyword)) throw error(fmt::format("{} stands where {} is expected", shown(found), keyword));
+  if (!is_keyword(found, keyword)) throw error(fmt::format("expected {}, found {}", keyword, shown(found)));
 }
 
 std::string_view Lexer::rest_of_line() {
@@ -142,7 +142,7 @@ Vec3f Lexer::vector(std::string_view wanted, float largest) {
 }
 
 float Lexer::coordinate(int axis, std::string_view wanted, float largest) {
-  if (origin_ == Vec3d(0.0)) return number(wanted, largest);  // rounded once, to a float
+  if (origin_ == Vec3d(0.0)) return number(wanted, largest);  // one rounding, to a float
   return static_cast<float>(number_of_type<double>(wanted, largest) - origin_[axis]);
 }
 

@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Sets the frame rate of a scene in which nothing moves.
+/// Sets the frame rate of a static scene.
 Scene at_rate(Scene scene, const LoadOptions& options) {
   if (options.frames_per_second > 0.0) scene.timeline.frames_per_second = options.frames_per_second;
   return scene;
@@ -39,7 +39,7 @@ Scene load_dat(const fs::path& path, const LoadOptions& options, const Context& 
   return load_tachyon(path, options.camera_path, context, fps, options.asset_root, origin);
 }
 
-/// It has taken its own origin.
+/// Ignores the origin because load_gltf() moves the scene itself.
 Scene load_gltf_file(const fs::path& path, const LoadOptions& options, const Context& context, const Vec3d&) {
   return load_gltf(path, options, context);
 }
@@ -57,28 +57,28 @@ Scene load_ply_file(const fs::path& path, const LoadOptions& options, const Cont
                  options);
 }
 
-bool never_of_splats(const fs::path&) { return false; }
+bool has_no_splats(const fs::path&) { return false; }
 
-/// One row per file format. Rows that share a loader stand together.
+/// A file format. Rows with the same loader are adjacent.
 struct Format {
-  std::string_view extension;  ///< lower case, with its dot
+  std::string_view extension;  ///< lower case, with the dot
   bool takes_camera_path;
-  bool has_animations;    ///< to choose from, and sets of materials
-  bool may_be_empty;      ///< a background alone is a scene
-  bool is_physical;       ///< describes surfaces and light physically, not Whitted's shading
-  bool may_be_points;     ///< points alone are shown
-  std::string_view kind;  ///< what describe_content() calls such files, where it is not text
+  bool has_animations;    ///< may have several animations and material variants
+  bool may_be_empty;      ///< a background alone is a valid scene
+  bool is_physical;       ///< surfaces and lights are physically based, not for Whitted shading
+  bool may_be_points;     ///< point clouds are supported
+  std::string_view kind;  ///< name of binary files in describe_content()
   bool (*is_of_splats)(const fs::path&);
   Scene (*load)(const fs::path&, const LoadOptions&, const Context&, const Vec3d& origin);
 };
 
 constexpr std::string_view kGlb = "a binary glTF scene (.glb)";
 constexpr Format kFormats[] = {
-    {".dat", true, false, true, false, false, {}, never_of_splats, load_dat},
+    {".dat", true, false, true, false, false, {}, has_no_splats, load_dat},
     {".glb", false, true, false, true, false, kGlb, is_gltf_of_splats, load_gltf_file},
     {".gltf", false, true, false, true, false, kGlb, is_gltf_of_splats, load_gltf_file},
-    {".nff", false, false, false, false, false, {}, never_of_splats, load_nff_file},
-    {".obj", false, false, false, true, false, {}, never_of_splats, load_obj_file},
+    {".nff", false, false, false, false, false, {}, has_no_splats, load_nff_file},
+    {".obj", false, false, false, true, false, {}, has_no_splats, load_obj_file},
     {".ply", false, false, false, true, true, "a PLY file", is_ply_of_splats, load_ply_file},
 };
 
@@ -96,38 +96,38 @@ std::string accepted_names() {
   return names;
 }
 
-/// A misspelt name of a built-in scene has neither folder nor ending.
-std::string meant_builtin(const fs::path& path) {
+/// Suggests a built-in scene for a misspelt name, which has neither folder nor ending.
+std::string suggested_builtin(const fs::path& path) {
   if (path.has_parent_path() || path.has_extension()) return {};
   std::vector<std::string_view> names;
   for (const BuiltinScene& scene : builtin_scenes()) names.push_back(scene.name);
   return did_you_mean(path.string(), names);
 }
 
-/// What Blender reads is named, with how it gets here.
+/// Throws Error. For formats that Blender reads, the message explains how to convert them.
 [[noreturn]] void refuse_format(const fs::path& path) {
-  constexpr std::string_view kOfBlender[] = {".usd", ".usda", ".usdc", ".usdz", ".abc", ".fbx", ".dae", ".stl"};
+  constexpr std::string_view kBlenderFormats[] = {".usd", ".usda", ".usdc", ".usdz", ".abc", ".fbx", ".dae", ".stl"};
   const std::string extension = lower_extension(path);
   if (extension == ".blend")
-    throw Error(path.string(), "is a file of Blender",
-                "a render by its add-on (docs/guide/blender.md), or a .glb that it exports");
-  if (std::find(std::begin(kOfBlender), std::end(kOfBlender), extension) != std::end(kOfBlender))
+    throw Error(path.string(), "is a Blender file",
+                "a render with the Blender add-on (docs/guide/blender.md), or a .glb that it exports");
+  if (std::find(std::begin(kBlenderFormats), std::end(kBlenderFormats), extension) != std::end(kBlenderFormats))
     throw Error(path.string(), "is a scene format that Blender reads",
-                "a .glb of it, which Blender makes by to_glb.py (docs/guide/scenes.md, \"Other formats\")");
+                "a .glb converted with Blender and to_glb.py (docs/guide/scenes.md, \"Other formats\")");
   throw Error(path.string(), "is not a known scene format", accepted_names());
 }
 
 void require_readable_file(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) throw Error(path.string(), "there is no such file" + meant_builtin(path), accepted_names());
+  if (!fs::exists(status)) throw Error(path.string(), "there is no such file" + suggested_builtin(path), accepted_names());
   if (fs::is_directory(status)) throw Error(path.string(), "is a folder", accepted_names());
 }
 
-/// A file that is not what its name says is named for what it is.
+/// Throws Error describing the actual content if a file does not match its extension.
 void require_scene_content(const fs::path& path, std::string_view own_kind) {
   constexpr std::size_t kLooked = 512;
-  if (!RegularFile(path).problem().empty()) return;  // which the format's reader reports
+  if (!RegularFile(path).problem().empty()) return;  // the format's reader reports it
   const std::string begin = read_file_begin(path, kLooked);
   const FileContent content = describe_content(std::as_bytes(std::span(begin)));
   if (!content.advice.empty()) throw Error(path.string(), "is " + content.what, content.advice);
@@ -142,7 +142,7 @@ void require_folder(const fs::path& asset_root) {
     throw usage_error("asset-root", fmt::format("{} is not a folder", asset_root.string()), "the folder of a scene's textures");
 }
 
-/// Lamps that are seen are something to see, too.
+/// Throws Error for an empty scene. Visible lamps count as contents.
 void require_surfaces(const Scene& scene, const fs::path& path) {
   const auto has_faces = [&](const Instance& instance) {
     const Mesh* mesh = std::get_if<Mesh>(&scene.shapes[static_cast<std::size_t>(instance.shape)]);
@@ -154,12 +154,13 @@ void require_surfaces(const Scene& scene, const fs::path& path) {
   throw Error(path.string(), "has no surfaces to show", "a scene with faces or solid shapes; points and lines are not shown");
 }
 
-/// A scene far from the origin is read again, with positions relative to its middle before they become floats.
+/// Loads a scene. If it is far from the origin, loads it again and subtracts the new origin before rounding positions to
+/// floats.
 Scene load_near_origin(const Format& format, const fs::path& path, const LoadOptions& options, const Context& context) {
   Scene scene = format.load(path, options, context, Vec3d(0.0));
   const std::optional<Vec3d> origin = distant_origin(scene);
   if (!origin) return scene;
-  Context without_warnings;  // they have been given
+  Context without_warnings;  // already reported
   without_warnings.threads = context.threads;
   scene = {};
   scene = format.load(path, options, without_warnings, *origin);
@@ -180,13 +181,13 @@ Scene load_file(const fs::path& path, const LoadOptions& options, const Context&
   require_folder(options.asset_root);
   if (!format) refuse_format(path);
   if (options.camera_path && !format->takes_camera_path)
-    throw usage_error("camera-path", fmt::format("{} brings its own cameras", path.string()), "a Tachyon .dat scene");
+    throw usage_error("camera-path", fmt::format("{} has its own cameras", path.string()), "a Tachyon .dat scene");
   if (!options.animation.empty() && !format->has_animations)
     throw usage_error("animation", fmt::format("{} has no animations to choose from", path.string()), "a glTF scene");
   if (!options.variant.empty() && !format->has_animations)
-    throw usage_error("variant", fmt::format("{} has no sets of materials to choose from", path.string()), "a glTF scene");
+    throw usage_error("variant", fmt::format("{} has no material variants", path.string()), "a glTF scene");
   if (options.point_size > 0.0 && !format->may_be_points)
-    throw usage_error("points", fmt::format("{} is not a file of points alone", path.string()), "a PLY file without faces");
+    throw usage_error("points", fmt::format("{} is not a point cloud", path.string()), "a PLY file without faces");
   require_scene_content(path, format->kind);
   Scene scene = load_near_origin(*format, path, options, context);
   if (!format->is_physical) scene.kind = SceneKind::kWhitted;
@@ -200,14 +201,14 @@ const BuiltinScene* find_builtin(const std::string& name) {
   return nullptr;
 }
 
-/// Another frame rate shows the same motion in the same time.
+/// Builds a scene. Another frame rate shows the same motion at the same speed.
 Scene build(const BuiltinScene& builtin, const LoadOptions& options) {
   if (options.camera_path)
-    throw usage_error("camera-path", fmt::format("{} brings its own cameras", builtin.name), "a Tachyon .dat scene");
+    throw usage_error("camera-path", fmt::format("{} has its own cameras", builtin.name), "a Tachyon .dat scene");
   if (!options.animation.empty())
     throw usage_error("animation", fmt::format("{} has no animations to choose from", builtin.name), "a glTF scene");
   if (!options.variant.empty())
-    throw usage_error("variant", fmt::format("{} has no sets of materials to choose from", builtin.name), "a glTF scene");
+    throw usage_error("variant", fmt::format("{} has no material variants", builtin.name), "a glTF scene");
   Scene scene = builtin.build();
   scene.kind = SceneKind::kWhitted;
   Timeline& timeline = scene.timeline;

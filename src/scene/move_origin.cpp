@@ -1,7 +1,7 @@
-// Every node may have an anchor: a point of its own coordinates that becomes their new origin. With anchors a_n of a node and
-// a_p of its parent (of the world: the new origin), its transform becomes T(-a_p) L T(a_n), where T(v) moves by v, and what is
-// given in its coordinates moves by -a_n. Nodes near the new origin keep their coordinates, a_n = 0. The others, such as roots
-// that stand at the old origin, take the new origin as their anchor, so that no transform holds a large distance.
+// Every node may have an anchor: a point in its coordinates that becomes their new origin. Let a_n be the anchor of a node and
+// a_p that of its parent (for the world: the new origin). The node's transform L becomes T(-a_p) L T(a_n), where T(v)
+// translates by v, and data in the node's coordinates moves by -a_n. Nodes near the new origin keep their coordinates: a_n = 0.
+// Others, such as roots at the old origin, use the new origin as their anchor, so that no transform contains a large distance.
 #include "scene/move_origin.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace lippmann {
 namespace {
 
-constexpr double kFarthest = 64.0;  // diagonals, as origin.hpp derives it
+constexpr double kFarthest = 64.0;  // in diagonals; see origin.hpp
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -73,21 +73,22 @@ class OriginMover {
   OriginMover(Scene& scene, Vec3d origin, const std::vector<Affine3d>& parent_from_node)
       : scene_(scene), origin_(origin), local_(parent_from_node) {
     for (std::size_t i = local_.size(); i < scene.nodes.size(); ++i) local_.push_back(affine_of(scene.nodes[i]));
-    reach_ = 2.0 * glm::length(origin) / kFarthest;  // what moves there is at most half as large
+    reach_ = 2.0 * glm::length(origin) / kFarthest;  // animated motion reaches at most half as far
   }
 
   void run() {
     find_anchors();
     move_instances();
     move_nodes();
-    stand_at_old_origin();
+    attach_to_old_origin();
     scene_.origin += origin_;
   }
 
  private:
   Vec3d anchor(int node) const { return node < 0 ? origin_ : anchors_[at(node)]; }
 
-  /// Nodes that turn or grow cannot have one, nor those whose place shows: of a camera, a light or the display.
+  /// Returns nodes that cannot have an anchor: those with animated rotation or scale, and those whose position matters (of a
+  /// camera, a light or the display).
   std::vector<bool> nodes_without_anchor() const {
     std::vector<bool> without(scene_.nodes.size(), false);
     const auto exclude = [&](int node) {
@@ -101,7 +102,7 @@ class OriginMover {
     return without;
   }
 
-  /// The transforms of all nodes at the start of the animation.
+  /// Returns the transforms of all nodes at the start of the animation.
   std::vector<Affine3d> world_from_nodes() const {
     std::vector<Affine3d> world = local_;
     for (const NodeAnimation& a : scene_.timeline.animations) {
@@ -143,10 +144,10 @@ class OriginMover {
     }
   }
 
-  /// By how much each instance's shape moves. A shape that moves by different distances is copied.
+  /// Moves each instance's shape. Copies shapes that move by different distances.
   void move_instances() {
     std::map<int, Vec3d> of_skin;
-    std::map<std::pair<int, std::array<double, 3>>, int> moved;  // shape and distance to the shape that takes its place
+    std::map<std::pair<int, std::array<double, 3>>, int> moved;  // shape and distance to the new shape
     std::map<int, int> users;
     std::vector<std::pair<int, Vec3d>> moves;
     for (Instance& instance : scene_.instances) {
@@ -164,7 +165,7 @@ class OriginMover {
     for (std::size_t s = 0; s < scene_.skins.size(); ++s) move_skin(scene_.skins[s], of_skin[static_cast<int>(s)]);
   }
 
-  /// Where the meshes of a skin have their new origin: their own, unless they stand far away from it.
+  /// Returns the new origin of a skin's meshes: zero, unless they are far away from it.
   Vec3d middle_of_skinned(const Instance& instance, std::map<int, Vec3d>& of_skin) const {
     const auto [known, is_new] = of_skin.try_emplace(instance.skin, Vec3d(0.0));
     if (!is_new) return known->second;
@@ -183,8 +184,8 @@ class OriginMover {
     }
   }
 
-  /// Gives what stood at the old origin without a node a node there.
-  void stand_at_old_origin() {
+  /// Gives elements without a node (at the old origin) a new node there.
+  void attach_to_old_origin() {
     int node = -1;
     const auto place = [&](int& of) {
       if (of >= 0) return;
@@ -203,8 +204,8 @@ class OriginMover {
 
   Scene& scene_;
   Vec3d origin_;
-  std::vector<Affine3d> local_;  ///< by node: its parent from it
-  double reach_;                 ///< farther than this from the new origin, a node needs an anchor
+  std::vector<Affine3d> local_;  ///< parent_from_node, by node
+  double reach_;                 ///< distance from the new origin beyond which a node needs an anchor
   std::vector<Vec3d> anchors_;   ///< by node
 };
 
@@ -224,7 +225,8 @@ bool is_distant(const Bounds3f& bounds) {
   return std::isfinite(away) && std::isfinite(size) && away > kFarthest * size;
 }
 
-/// To the size of the bounds, or to what floats can say there: differences to it are exact.
+/// Returns the middle, rounded to the size of the bounds or to float precision at that distance, so that differences to it are
+/// exact.
 Vec3d rounded_middle(const Bounds3f& bounds) {
   const Vec3d middle = middle_of(bounds);
   const double step = std::exp2(std::floor(std::log2(std::max(size_of(bounds), glm::length(middle) * 0x1p-22))));

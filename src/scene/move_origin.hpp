@@ -1,4 +1,4 @@
-// Gives a scene another origin, in double precision.
+// Moves a scene to another origin, in double precision.
 #pragma once
 
 #include <vector>
@@ -8,15 +8,14 @@
 
 namespace lippmann {
 
-/// p -> linear * p + translation.
+/// The map p -> linear * p + translation.
 struct Affine3d {
   glm::dmat3 linear{1.0};
   Vec3d translation{0.0};
 };
 
-/// What move_near_origin() does for a given origin (in the scene's present coordinates). parent_from_node: the transforms of
-/// the scene's first nodes more exactly than its floats have them, where they are known; not looked at for animated
-/// translations.
+/// Moves the scene to a given origin (in its present coordinates), as move_near_origin() does. parent_from_node: more exact
+/// transforms of the scene's first nodes, where known; ignored for animated translations.
 void move_origin(Scene& scene, Vec3d origin, const std::vector<Affine3d>& parent_from_node = {});
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Reads Eric Haines' Neutral File Format (.nff): what docs/guide/scenes.md says it means, as a Scene.
+// Reads Eric Haines' Neutral File Format (.nff) as a Scene; docs/guide/scenes.md describes the interpretation.
 #pragma once
 
 #include <filesystem>
@@ -9,11 +9,11 @@
 
 namespace lippmann {
 
-/// Throws Error, naming file and line, for what cannot be read. The scene has one frame; without a view it has no camera.
-/// origin: Scene::origin.
+/// Loads a file. The scene has one frame, and no camera if the file has no view. origin: see Scene::origin. Throws Error naming
+/// file and line.
 Scene load_nff(const std::filesystem::path& path, const Context& context, const Vec3d& origin = Vec3d(0.0));
 
-/// The same of a text; `name` is what errors call it.
+/// Parses text; `name` names it in messages.
 Scene parse_nff(const std::string& name, std::string text, const Context& context, const Vec3d& origin = Vec3d(0.0));
 
 }  // namespace lippmann

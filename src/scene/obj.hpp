@@ -1,5 +1,5 @@
-// Reads Wavefront OBJ files (.obj) and their materials (.mtl): what docs/guide/scenes.md says they mean, as a Scene without
-// camera.
+// Reads Wavefront OBJ files (.obj) and their materials (.mtl) as a Scene without cameras; docs/guide/scenes.md describes the
+// interpretation.
 #pragma once
 
 #include <filesystem>
@@ -9,9 +9,9 @@
 
 namespace lippmann {
 
-/// Materials and textures are looked for in the file's folder and, where it is given, below asset_root; the context is warned
-/// of those that are missing or lie elsewhere, and of those that are halved (LoadOptions::texture_bytes). origin:
-/// Scene::origin. Throws Error, naming file and line, for what cannot be read.
+/// Loads a file. Searches materials and textures in its folder and below asset_root, if given. Warns about missing or forbidden
+/// ones, and about textures reduced to fit texture_bytes (LoadOptions::texture_bytes). origin: see Scene::origin. Throws Error
+/// naming file and line.
 Scene load_obj(const std::filesystem::path& path, const Context& context, const std::filesystem::path& asset_root = {},
                std::uint64_t texture_bytes = LoadOptions{}.texture_bytes, const Vec3d& origin = Vec3d(0.0));
 

@@ -11,16 +11,16 @@
 namespace lippmann {
 namespace {
 
-/// Empty: none is.
+/// Describes the reduction; empty if there is none.
 std::string describe_halved(const std::vector<int>& halvings, std::uint64_t bytes) {
   const auto count = std::count_if(halvings.begin(), halvings.end(), [](int n) { return n > 0; });
   if (count == 0) return {};
   const int most = *std::max_element(halvings.begin(), halvings.end());
-  return fmt::format("{} of {} textures are shown at {} of their resolution, as all together may take {} MB (texture-memory)",
-                     count, halvings.size(), most == 1 ? "half" : fmt::format("1/2 to 1/{}", 1 << most), bytes >> 20);
+  return fmt::format("{} of {} textures are reduced to {} of their resolution to fit into {} MB (texture-memory)", count,
+                     halvings.size(), most == 1 ? "half" : fmt::format("1/2 to 1/{}", 1 << most), bytes >> 20);
 }
 
-/// How many pictures are decoded at a time. Each has its full size until it is halved, so together they keep to the budget.
+/// Returns how many images to decode at a time. Each has its full size before reduction, and together they must fit the budget.
 int decoded_at_once(const std::vector<TextureExtent>& extents, std::uint64_t bytes) {
   constexpr std::uint64_t kMost = 4;
   std::uint64_t largest = 1;
@@ -35,10 +35,11 @@ int PendingTextures::add(Texture described, std::string where, Picture picture, 
   std::vector<std::byte> storage;
   const Vec2i size = texture_size(picture(storage), where);
   if (std::max(size.x, size.y) > limits_.longest_side)
-    throw Error(where, fmt::format("has {} x {} pixels", size.x, size.y), fmt::format("1 to {} a side", limits_.longest_side));
+    throw Error(where, fmt::format("has {} x {} pixels", size.x, size.y),
+                fmt::format("1 to {} pixels per side", limits_.longest_side));
   if (4 * static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y) > limits_.bytes)
     throw Error(where, fmt::format("has {} x {} pixels, which take too much memory", size.x, size.y),
-                fmt::format("at most {} MB at 4 bytes a pixel (texture-memory)", limits_.bytes >> 20));
+                fmt::format("at most {} MB at 4 bytes per pixel (texture-memory)", limits_.bytes >> 20));
   described.width = size.x, described.height = size.y;
   entries_.push_back({textures.size(), std::move(where), std::move(picture), std::move(change)});
   textures.push_back(std::move(described));

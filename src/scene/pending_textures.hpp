@@ -1,5 +1,5 @@
-// The textures of a scene file that is being read: remembered with the sizes of their pictures, and decoded together once all
-// are known, so that they fit into memory (texture_budget.hpp).
+// Collects the textures of a scene file with the sizes of their images, and decodes all of them at the end, reduced to fit into
+// memory (texture_budget.hpp).
 #pragma once
 
 #include <cstdint>
@@ -13,31 +13,31 @@
 
 namespace lippmann {
 
-/// What textures may be.
+/// Limits for textures.
 struct TextureLimits {
-  int longest_side = 16384;                           ///< texels of a picture
-  std::uint64_t bytes = LoadOptions{}.texture_bytes;  ///< limit for all textures together, and for one unhalved picture
+  int longest_side = 16384;                           ///< of one image, in texels
+  std::uint64_t bytes = LoadOptions{}.texture_bytes;  ///< for all textures together, and for a single unreduced image
 };
 
 class PendingTextures {
  public:
-  /// The bytes of a picture's file, which may be put into `storage`. Called twice, from any thread; lives until decode().
+  /// Returns the encoded bytes of an image, which may be stored in `storage`. Called twice, from any thread, until decode()
+  /// returns.
   using Picture = std::function<FileBytes(std::vector<std::byte>& storage)>;
-  /// What is made of the decoded texture.
+  /// Modifies a decoded texture.
   using Change = std::function<void(Texture&)>;
 
   explicit PendingTextures(const TextureLimits& limits) : limits_(limits) {}
 
-  /// Appends a texture with the width and height of its picture and without texels, and returns its index in `textures`. Throws
-  /// Error at `where` for what is no such picture or is too large.
+  /// Appends a texture with the width and height of its image but no texels, and returns its index in `textures`. Throws Error
+  /// at `where` for unsupported or too large images.
   int add(Texture described, std::string where, Picture picture, std::vector<Texture>& textures, Change change = {});
 
-  /// Another of a texture that was added, changed.
+  /// Adds a modified copy of a texture added before.
   int add_changed(int of, Change change, std::vector<Texture>& textures);
 
-  /// Gives all of them their texels, on a few of the context's threads: a picture takes several times its texels while it is
-  /// decoded. Where they are too many the largest textures are halved, and `warn` is told so. Throws Error for damaged
-  /// pictures.
+  /// Decodes all textures. Uses few of the context's threads, because decoding takes several times the memory of the texels. If
+  /// the textures exceed the limit, halves the largest ones and calls `warn`. Throws Error for corrupt images.
   void decode(std::vector<Texture>& textures, const Context& context, const std::function<void(const std::string&)>& warn);
 
  private:

@@ -7,10 +7,10 @@
 namespace lippmann {
 namespace {
 
-/// Rounding of angles must not take away what shines at the ends.
+/// Tolerance, so that rounding of angles does not drop light at the ends of the range.
 constexpr float kAngleMargin = 1e-5f;
 
-/// Between which two of increasing numbers x lies, and how far it is on the way to the second.
+/// A position between two consecutive grid angles: the index of the first, and the fraction of the way to the second.
 struct WebPlace {
   std::size_t first;
   float share;
@@ -28,7 +28,7 @@ float along_polar(const PhotometricWeb& web, std::size_t azimuth, const WebPlace
   return row[0] + at.share * (row[1] - row[0]);
 }
 
-/// Integrals over a stretch of polar angles of sin, weighted by what falls from 1 to 0 along it, and by what rises.
+/// Integrals over a range of polar angles of sin, weighted by a linear ramp from 1 to 0 and one from 0 to 1.
 struct PolarWeights {
   double falling, rising;
 };
@@ -39,7 +39,7 @@ PolarWeights polar_weights(double from, double to) {
   return {whole - rising, rising};
 }
 
-/// Of one azimuth: the integral over polar angles.
+/// Returns the integral over polar angles at one azimuth.
 double polar_integral(const PhotometricWeb& web, std::size_t azimuth) {
   const float* row = web.intensity.data() + azimuth * web.polar.size();
   double sum = 0.0;

@@ -1,4 +1,4 @@
-// Light of a lamp by direction, as a photometric web holds it (PhotometricWeb), and its sums over directions.
+// Evaluates the angular distribution of a lamp (PhotometricWeb).
 #pragma once
 
 #include "lippmann/core/math.hpp"
@@ -6,11 +6,11 @@
 
 namespace lippmann {
 
-/// Relative intensity in a unit direction of light's way, in the light's space: linear in polar angle and azimuth between what
-/// was measured; 0 beyond, and where the direction is not finite.
+/// Returns the relative intensity in a unit direction of light propagation in light space, interpolated linearly in polar angle
+/// and azimuth. 0 outside the measured range and for directions that are not finite.
 float intensity(const PhotometricWeb& web, Vec3f direction);
 
-/// Its mean over all directions, exact for what is linear in both angles.
+/// Returns the mean over all directions, exact for the interpolated distribution.
 double mean_intensity(const PhotometricWeb& web);
 
 }  // namespace lippmann

@@ -1,5 +1,5 @@
-// Reads PLY files (.ply), Stanford's polygon format, text and binary: what docs/guide/scenes.md says they mean, as a Scene
-// without camera.
+// Reads PLY files (.ply), Stanford's polygon format, text and binary, as a Scene without cameras; docs/guide/scenes.md
+// describes the interpretation.
 #pragma once
 
 #include <cstdint>
@@ -13,20 +13,20 @@
 namespace lippmann {
 
 struct PlyOptions {
-  SideFolders folders{};                                      ///< where its pictures may lie
-  std::uint64_t texture_bytes = LoadOptions{}.texture_bytes;  ///< as LoadOptions has it
-  Vec3d origin{0.0};                                          ///< Scene::origin
-  double point_size = 0.0;                                    ///< as LoadOptions has it
+  SideFolders folders{};                                      ///< that may contain its textures
+  std::uint64_t texture_bytes = LoadOptions{}.texture_bytes;  ///< as in LoadOptions
+  Vec3d origin{0.0};                                          ///< see Scene::origin
+  double point_size = 0.0;                                    ///< as in LoadOptions
 };
 
-/// Throws Error, naming the file and the header's line or the element, for what cannot be read. What is not read is a warning
-/// that names it. The folder of `options.folders` is that of the file.
+/// Loads a file. Sets options.folders.folder to the file's folder. Unsupported elements become warnings. Throws Error naming
+/// the file and the header's line or the element.
 Scene load_ply(const std::filesystem::path& path, const Context& context, PlyOptions options = {});
 
-/// The same of a file's contents; `name` is what errors call it.
+/// Parses a file's contents; `name` names them in messages.
 Scene parse_ply(const std::string& name, const std::string& contents, const Context& context, const PlyOptions& options = {});
 
-/// Whether a file is shown as splats, by its header: splats, or points with colours. A file that cannot be read is not.
+/// Returns whether a file is shown as splats, judged by its header: splats, or coloured points. False for unreadable files.
 bool is_ply_of_splats(const std::filesystem::path& path);
 
 }  // namespace lippmann

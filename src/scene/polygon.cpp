@@ -1,9 +1,9 @@
-// Based on: D. Eberly, "Triangulation by Ear Clipping", 2002: an ear is a corner that turns left and in whose triangle no
-// corner lies that turns right; cutting it off changes only whether its two neighbours are ears. I. Sutherland et al., "A
-// Characterization of Ten Hidden-Surface Algorithms", 1974 (Newell's normal).
-// We deviate: 1. Corners in the same place as one of an ear's own do not count as in its way, so that polygons with holes may
-// be joined by a pair of opposite edges. 2. Where no ear is left, which happens only to polygons that cross themselves, the
-// rest becomes a fan.
+// Based on: D. Eberly, "Triangulation by Ear Clipping", 2002: an ear is a convex corner whose triangle contains no reflex
+// corner; cutting it off only affects whether its two neighbours are ears. I. Sutherland et al., "A Characterization of Ten
+// Hidden-Surface Algorithms", 1974 (Newell's normal).
+// Unlike Eberly: 1. Corners at the same position as one of the ear's own do not block it, so that polygons with holes may be
+// connected by a pair of coincident edges. 2. If no ear is left, which only happens for self-intersecting polygons, the rest
+// becomes a fan.
 #include "scene/polygon.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace lippmann {
 namespace {
 
-/// Its length is twice the area; it points to where the polygon winds counter-clockwise.
+/// Returns the normal, pointing to the side where the polygon is counter-clockwise; its length is twice the area.
 Vec3d newell_normal(std::span<const Vec3f> corners) {
   Vec3d normal(0.0);
   const Vec3d origin(corners[0]);
@@ -21,7 +21,7 @@ Vec3d newell_normal(std::span<const Vec3f> corners) {
   return normal;
 }
 
-/// The polygon without the coordinate in which its normal is longest, counter-clockwise. Empty: no area.
+/// Projects the polygon along the largest axis of its normal, counter-clockwise. Returns none if it has no area.
 std::vector<Vec2d> flattened(std::span<const Vec3f> corners) {
   const Vec3d normal = newell_normal(corners), size = glm::abs(normal);
   if (normal == Vec3d(0.0)) return {};
@@ -34,7 +34,7 @@ std::vector<Vec2d> flattened(std::span<const Vec3f> corners) {
   return flat;
 }
 
-/// Twice the area of a triangle, above 0 where it is counter-clockwise.
+/// Returns twice the signed area of a triangle, positive if counter-clockwise.
 double turn(Vec2d a, Vec2d b, Vec2d c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
 bool all_turn_left(const std::vector<Vec2d>& flat) {
@@ -59,7 +59,7 @@ class EarClipper {
       cut(at);
       at = next_[at];
     }
-    for (; left_ >= 3; --left_) {  // a triangle, or the fan
+    for (; left_ >= 3; --left_) {  // the last triangle, or a fan
       triangles_.push_back({previous_[at], at, next_[at]});
       const std::uint32_t after = next_[at];
       next_[previous_[at]] = after, previous_[after] = previous_[at];

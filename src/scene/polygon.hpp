@@ -1,4 +1,4 @@
-// Cuts flat polygons, convex or not, into triangles.
+// Triangulates flat polygons, convex or concave.
 #pragma once
 
 #include <array>
@@ -12,14 +12,15 @@ namespace lippmann {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Concave polygons take a time that grows with the square of their corners.
+/// Limit for concave polygons, which take quadratic time.
 inline constexpr std::size_t kMostConcaveCorners = 10'000;
 
-/// Corner indices of triangles that wind as the polygon does. A polygon that crosses itself or is not flat still gives at most
-/// corners - 2 triangles. Empty: no area, or not 3 corners. At most kMostConcaveCorners corners, unless all turn the same way.
+/// Returns triangles of corner indices with the winding of the polygon. Self-intersecting or non-planar polygons also give at
+/// most corners - 2 triangles. Returns none for polygons without area or with fewer than 3 corners. Concave polygons may have
+/// at most kMostConcaveCorners corners.
 std::vector<Triangle> triangulate(std::span<const Vec3f> corners);
 
-/// Whether all corners turn the same way, or not at all.
+/// Returns whether no two corners turn in opposite directions.
 bool turns_one_way(std::span<const Vec3f> corners);
 
 }  // namespace lippmann

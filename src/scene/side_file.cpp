@@ -14,12 +14,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Whether `path` is `folder` or lies below it; both without links and dots.
+/// Returns whether `path` is `folder` or lies below it; both must be free of links and dots.
 bool lies_in(const fs::path& path, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }
 
-/// `folder` without links; empty stays empty.
+/// Resolves links in `folder`; empty stays empty.
 fs::path canonical_folder(const fs::path& folder, const std::string& where) {
   if (folder.empty()) return {};
   std::error_code failure;
@@ -30,7 +30,7 @@ fs::path canonical_folder(const fs::path& folder, const std::string& where) {
 
 fs::path folder_of(const SideFolders& folders) { return folders.folder.empty() ? fs::path(".") : folders.folder; }
 
-/// Whether `name` lies where a scene's files may lie.
+/// Returns whether the scene may refer to `name`.
 bool is_allowed(const SideFolders& folders, std::string_view name, const std::string& where) {
   if (name.empty() || name.find('\0') != name.npos) return false;
   const fs::path home = canonical_folder(folder_of(folders), where), root = canonical_folder(folders.asset_root, where);
@@ -45,14 +45,14 @@ bool is_allowed(const SideFolders& folders, std::string_view name, const std::st
 
 fs::path side_file(const SideFolders& folders, std::string_view name, const std::string& where) {
   if (!is_allowed(folders, name, where))
-    throw Error(where, fmt::format("{} is not a file of this scene's folder", shown(name)),
-                "a file in the scene's own folder or below it; `asset-root` DIR also allows files below DIR");
+    throw Error(where, fmt::format("{} is outside the scene's folder", shown(name)),
+                "a file in or below the scene's folder; `asset-root` DIR also allows files below DIR");
   return folder_of(folders) / name;
 }
 
 SideFile find_side_file(const SideFolders& folders, std::string_view name, const std::string& where) {
   if (!is_allowed(folders, name, where))
-    return {{}, fmt::format("{} is not a file of this scene's folder (`asset-root` DIR allows files below DIR)", shown(name))};
+    return {{}, fmt::format("{} is outside the scene's folder (`asset-root` DIR allows files below DIR)", shown(name))};
   const fs::path path = folder_of(folders) / name;
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return {{}, fmt::format("{} does not exist", shown(name))};

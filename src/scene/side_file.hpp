@@ -1,7 +1,7 @@
-// Finds the files beside a scene file that it refers to: in the scene's own folder, below an asset root, and nowhere else.
+// Finds the files that a scene file refers to, in the scene's folder or below an asset root only.
 //
-// Names are relative to the scene's folder. They are judged before links are followed, so that what is refused does not depend
-// on the disk, and again after, so that no link leads out.
+// Names are relative to the scene's folder. They are checked twice: before resolving links, so that rejection does not depend
+// on the disk, and after, so that no link leads outside.
 #pragma once
 
 #include <filesystem>
@@ -11,20 +11,22 @@
 namespace lippmann {
 
 struct SideFolders {
-  std::filesystem::path folder{};      ///< the folder of the scene's file; empty: the current one
-  std::filesystem::path asset_root{};  ///< files may lie below it as well; empty: none
+  std::filesystem::path folder{};      ///< folder of the scene file; empty: the current folder
+  std::filesystem::path asset_root{};  ///< another folder that may contain files; empty: none
 };
 
-/// A file that a scene names.
+/// A file that a scene refers to.
 struct SideFile {
-  std::filesystem::path path{};  ///< where it is, if it may be opened
-  std::string problem{};         ///< why it may not: lies elsewhere or does not exist; empty: it may
+  std::filesystem::path path{};  ///< location, if it may be opened
+  std::string problem{};         ///< why it may not be opened: outside the folders, or missing; empty: it may
 };
 
-/// Looks for a regular file that a scene calls `name`. Throws Error at `where` only where the scene's folder cannot be read.
+/// Looks for a regular file that a scene refers to as `name`. Throws Error at `where` only if the scene's folder cannot be
+/// read.
 SideFile find_side_file(const SideFolders& folders, std::string_view name, const std::string& where);
 
-/// Where a file is that a scene calls `name`; it need not exist. Throws Error at `where` for one that lies elsewhere.
+/// Returns the location of a file that a scene refers to as `name`; it need not exist. Throws Error at `where` if it is outside
+/// the folders.
 std::filesystem::path side_file(const SideFolders& folders, std::string_view name, const std::string& where);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// The textures of scene files that name pictures beside them (OBJ's materials, PLY): found, checked, and decoded together.
+// Loads the textures of scene files that refer to image files (OBJ materials, PLY).
 #pragma once
 
 #include <cstdint>
@@ -14,21 +14,22 @@ namespace lippmann {
 
 class SideTextures {
  public:
-  /// folders: where pictures may lie. texture_bytes: as LoadOptions has it. Textures go to the scene. `scene` and `context`
-  /// must outlive this object.
+  /// folders: may contain the images. texture_bytes: as in LoadOptions. Adds textures to the scene. `scene` and `context` must
+  /// outlive this object.
   SideTextures(SideFolders folders, std::uint64_t texture_bytes, Scene& scene, const Context& context);
 
-  /// The index of the texture that a statement at `where` calls `name`; -1, with a warning, if the picture cannot be used.
+  /// Returns the index of the texture that a statement at `where` refers to as `name`; -1, with a warning, if the image cannot
+  /// be used.
   int add(const std::string& name, const std::string& where);
 
-  /// Gives all textures their texels.
+  /// Decodes the texels of all textures.
   void decode();
 
  private:
   SideFolders folders_;
   Scene& scene_;
   const Context& context_;
-  std::map<std::string, int, std::less<>> known_;  ///< by name; -1: cannot be shown
+  std::map<std::string, int, std::less<>> known_;  ///< by name; -1: unusable
   PendingTextures pending_;
 };
 

@@ -12,9 +12,9 @@
 namespace lippmann {
 namespace {
 
-/// Squares and products of two such numbers stay finite in floats.
+/// Limits that keep squares and products of two such numbers finite in floats.
 constexpr float kLargestSplatNumber = 1e18f, kLeastDeviation = 1e-15f;
-/// Flatter ones are this flat: what is seen of them is the same, and they can be computed with.
+/// Smallest ratio of deviations; flatter splats are thickened, which is invisible but numerically safe.
 constexpr float kFlattest = 1e-4f;
 
 bool is_bounded(float x) { return std::abs(x) <= kLargestSplatNumber; }
@@ -27,7 +27,7 @@ void make_unit(Quatf& rotation) {
   if (length > 1e-12f && is_bounded(length)) rotation = rotation * (1.0f / length);
 }
 
-/// Splats without a size along one or two axes are discs and needles.
+/// Thickens splats that have zero size along one or two axes.
 void thicken(Vec3f& deviations) {
   const float largest = std::max({deviations.x, deviations.y, deviations.z});
   if (std::min({deviations.x, deviations.y, deviations.z}) >= 0.0f)
@@ -42,14 +42,14 @@ void keep(std::vector<T>& values, const std::vector<std::size_t>& kept, std::siz
   values.resize(to);
 }
 
-/// Bits of a number, two others between each and the next.
+/// Inserts two zero bits between consecutive bits.
 std::uint64_t spread_bits(std::uint32_t x) {
   std::uint64_t bits = 0;
   for (int b = 0; b < 21; ++b) bits |= static_cast<std::uint64_t>((x >> b) & 1u) << (3 * b);
   return bits;
 }
 
-/// Along the curve of G. M. Morton (1966), which fills the box.
+/// Returns the position along the Morton curve (G. M. Morton, 1966) that fills the box.
 std::uint64_t place_on_curve(Vec3f center, const Bounds3f& box) {
   constexpr float kCells = 2097151.0f;
   const Vec3f share = (center - box.lower) / glm::max(box.size(), Vec3f(1e-30f));
@@ -70,7 +70,7 @@ struct WeightedPlace {
   float place, weight;
 };
 
-/// The place below which the share of all weight lies. `places` are sorted.
+/// Returns the weighted quantile for `share`. `places` must be sorted.
 float weighted_quantile(const std::vector<WeightedPlace>& places, double share) {
   double total = 0.0, below = 0.0;
   for (const WeightedPlace& p : places) total += static_cast<double>(p.weight);
@@ -79,7 +79,7 @@ float weighted_quantile(const std::vector<WeightedPlace>& places, double share) 
   return places.back().place;
 }
 
-/// Some of the splats stand for all: every n-th.
+/// Returns every n-th splat as a sample.
 std::vector<std::size_t> sampled_splats(const Splats& splats) {
   constexpr std::size_t kMostSampled = 1 << 16;
   const std::size_t count = splats.centers.size(), step = count / kMostSampled + 1;
@@ -88,7 +88,7 @@ std::vector<std::size_t> sampled_splats(const Splats& splats) {
   return sampled;
 }
 
-/// Within this box centres do not stray.
+/// Returns the box beyond which centres are outliers.
 Bounds3f fence(const Splats& splats, const Affine3f& a) {
   constexpr double kTail = 0.02;
   constexpr float kMargin = 0.25f;
@@ -108,7 +108,7 @@ bool is_within(const Bounds3f& box, Vec3f p) {
   return glm::all(glm::lessThanEqual(box.lower, p)) && glm::all(glm::lessThanEqual(p, box.upper));
 }
 
-/// How far a splat is seen from its centre along the axes of the world, in so many standard deviations.
+/// Returns the extent of a splat along the world axes at this many standard deviations.
 Vec3f reach_along_axes(const Splats& splats, std::size_t i, const Affine3f& a, float deviations) {
   const glm::dmat3 rows = glm::transpose(axes_of_splat(splats, i, a));
   return deviations * Vec3f(glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2]));

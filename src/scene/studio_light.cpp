@@ -1,5 +1,5 @@
-// The studio is a sum: a smooth wall and floor, and soft boxes, which are rectangles in the tangent plane around their centre.
-// It is made of radiance in linear light, equal in all three channels, so that it adds no colour of its own.
+// The studio is the sum of a smooth wall and floor, and soft boxes, which are rectangles in the tangent plane around their
+// centre. The radiance is linear and equal in all three channels, so that it adds no tint.
 
 #include "scene/studio_light.hpp"
 
@@ -12,7 +12,8 @@ namespace {
 
 constexpr int kWidth = 512, kHeight = 256;
 
-/// A lamp behind cloth. Angles in degrees: to the right of where the viewer looks, above the horizon, half width and height.
+/// A soft box. Angles in degrees: azimuth to the right of the view direction, elevation above the horizon, half width and
+/// height.
 struct SoftBox {
   float azimuth, elevation, half_width, half_height;
   float radiance;
@@ -21,7 +22,7 @@ struct SoftBox {
 constexpr SoftBox kBoxes[] = {
     {-140.0f, 45.0f, 22.0f, 18.0f, 5.4f},  // key
     {120.0f, 25.0f, 14.0f, 24.0f, 1.5f},   // fill
-    {15.0f, 65.0f, 26.0f, 11.0f, 1.8f},    // above and behind what is shown: edges stand out from the wall
+    {15.0f, 65.0f, 26.0f, 11.0f, 1.8f},    // above and behind the subject: separates edges from the wall
 };
 constexpr float kHorizon = 0.32f, kZenith = 0.16f, kFloor = 0.12f;
 
@@ -35,9 +36,9 @@ float wall(Vec3f d) {
   return glm::mix(kFloor, above, smooth_step(-0.35f, 0.05f, d.y));
 }
 
-/// 1 within a box, 0 outside, and a smooth edge between.
+/// Returns 1 within a box, 0 outside, with a smooth edge.
 float share_of(const SoftBox& box, Vec3f d) {
-  constexpr float kEdge = 0.2f;  // share of the half width
+  constexpr float kEdge = 0.2f;  // relative to the half width
   const float azimuth = radians(box.azimuth), elevation = radians(box.elevation);
   const Vec3f right(std::cos(azimuth), 0.0f, std::sin(azimuth));
   const Vec3f centre(std::sin(azimuth) * std::cos(elevation), std::sin(elevation), -std::cos(azimuth) * std::cos(elevation));
@@ -54,7 +55,8 @@ float radiance(Vec3f d) {
   return sum;
 }
 
-/// Where a viewer looks, or where the top of the picture points for one who looks straight up or down: radians from +x to +z.
+/// Returns the azimuth of the view direction, in radians from +x to +z. For views straight up or down, uses the direction of
+/// the picture's top.
 float heading(const Quatf& viewer) {
   Vec3f ahead = viewer * Vec3f(0.0f, 0.0f, -1.0f);
   if (std::hypot(ahead.x, ahead.z) < 1e-3f) ahead = viewer * Vec3f(0.0f, ahead.y < 0.0f ? 1.0f : -1.0f, 0.0f);

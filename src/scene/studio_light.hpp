@@ -1,16 +1,17 @@
-// The built-in studio: a neutral panorama of soft boxes, for scenes whose file brings no light or no surroundings.
+// The built-in studio: a neutral panorama of soft boxes, for scenes whose file has no lights or no environment.
 #pragma once
 
 #include "lippmann/scene/scene.hpp"
 
 namespace lippmann {
 
-/// Share of the studio's light that surrounds files with lamps of their own: mirrors have something to show, shadows stay dark.
+/// Studio strength for files that have lamps: enough for reflections, with dark shadows.
 inline constexpr float kDimStudio = 0.08f;
 
-/// A grey panorama for a viewer who looks along -z: a key light behind the viewer's left shoulder, a weaker fill light on the
-/// right, a soft box above and behind what is shown, grey walls and a darker floor. A white diffuse surface shows at most
-/// display white, wherever it faces. `viewer` turns -z and y where the viewer looks; the studio turns about y with it.
+/// Returns a grey panorama for a viewer who looks along -z: a key light behind the viewer's left shoulder, a weaker fill light
+/// on the right, a soft box above and behind the subject, grey walls and a darker floor. White diffuse surfaces of any
+/// orientation stay within display white. `viewer` rotates -z and y to the view direction and top; the studio turns about y
+/// with it.
 EnvironmentMap studio_environment(const Quatf& viewer);
 
 }  // namespace lippmann

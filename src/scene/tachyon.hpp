@@ -1,7 +1,7 @@
-// Reads Tachyon scene files (.dat) and camera paths (.cam): what docs/reference/tachyon.md says they mean, as a Scene.
+// Reads Tachyon scene files (.dat) and camera paths (.cam) as a Scene; docs/reference/tachyon.md describes the interpretation.
 //
-// Tachyon's world is left-handed (right = up x view), ours is right-handed: every point, direction and axis is mirrored in the
-// plane z = 0 on import, and nothing else knows of it.
+// Tachyon's world is left-handed (right = up x view), ours is right-handed. The importer mirrors every point, direction and
+// axis in the plane z = 0.
 #pragma once
 
 #include <filesystem>
@@ -12,13 +12,12 @@
 
 namespace lippmann {
 
-/// Frames per second of a camera path, which does not say; Tachyon itself only writes numbered pictures.
+/// Frame rate of camera paths, which do not state one; Tachyon itself only writes numbered images.
 inline constexpr double kTachyonFramesPerSecond = 25.0;
 
-/// Side files (INCLUDE, TPOLYFILE, image maps) are looked for in the .dat file's folder and, where it is given, below
-/// asset_root. A camera path of N lines gives N + 1 frames, the last line twice, so that frame numbers agree with Tachyon's own
-/// pictures. origin: Scene::origin. Throws Error, naming file, line and keyword, for what cannot be read and for what a Scene
-/// cannot express.
+/// Loads a file. Searches side files (INCLUDE, TPOLYFILE, image maps) in the .dat file's folder and below asset_root, if given.
+/// A camera path of N lines gives N + 1 frames, with the last line repeated, so that frame numbers match Tachyon's own images.
+/// origin: see Scene::origin. Throws Error naming file, line and keyword, also for features that a Scene cannot express.
 Scene load_tachyon(const std::filesystem::path& path, const std::optional<std::filesystem::path>& camera_path,
                    const Context& context, double frames_per_second = kTachyonFramesPerSecond,
                    const std::filesystem::path& asset_root = {}, const Vec3d& origin = Vec3d(0.0));

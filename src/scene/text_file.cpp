@@ -24,7 +24,7 @@ void append_utf8(std::string& text, char32_t c) {
     add(0xf0 | c >> 18), tail(12), tail(6), tail(0);
 }
 
-/// low: which byte of a pair is the lower half.
+/// `low`: index of the low byte in a pair.
 std::string from_utf16(std::string_view bytes, std::size_t low) {
   constexpr char32_t kReplacement = 0xfffd;
   const auto unit = [&](std::size_t i) {
@@ -59,11 +59,11 @@ std::string utf8_text(std::string text) {
 std::string read_text_file(const fs::path& file, const std::string& where, std::size_t limit_bytes,
                            const std::string& accepted) {
   RegularFile opened(file);
-  const std::string named = where == file.string() ? "" : file.string() + " ";  // not twice
+  const std::string named = where == file.string() ? "" : file.string() + " ";  // avoids naming the file twice
   if (!opened.problem().empty()) throw Error(where, named + opened.problem());
   if (opened.size() > limit_bytes) throw Error(where, "the scene's files are too large", accepted);
   std::string text(static_cast<std::size_t>(opened.size()), '\0');
-  if (opened.read(text.data(), text.size()) < text.size()) throw Error(where, named + "cannot be read to its end");
+  if (opened.read(text.data(), text.size()) < text.size()) throw Error(where, named + "cannot be read completely");
   return text;
 }
 

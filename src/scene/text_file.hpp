@@ -1,4 +1,4 @@
-// Reads text files whole, within a limit, and in any of the encodings that they come in.
+// Reads whole text files of limited size in common encodings.
 #pragma once
 
 #include <cstddef>
@@ -7,13 +7,13 @@
 
 namespace lippmann {
 
-/// The contents of a regular file. Throws Error at `where` if it cannot be read or is larger than `limit_bytes`; `accepted`
-/// says what is not too large.
+/// Returns the contents of a regular file. Throws Error at `where` if it cannot be read or is larger than `limit_bytes`;
+/// `accepted` describes the limit in the message.
 std::string read_text_file(const std::filesystem::path& file, const std::string& where, std::size_t limit_bytes,
                            const std::string& accepted);
 
-/// The text as UTF-8 without a byte order mark. UTF-16 is known by its mark, or where there is none by the zero half of an
-/// ASCII character at its beginning; anything else is returned as it is. Halves that are no characters become U+FFFD.
+/// Converts text to UTF-8 without a byte order mark. UTF-16 is detected by its mark, or by the zero byte of an ASCII character
+/// at the beginning. Other text is returned unchanged. Unpaired surrogates become U+FFFD.
 std::string utf8_text(std::string text);
 
 }  // namespace lippmann

@@ -11,7 +11,7 @@ namespace {
 
 std::uint64_t texels(Vec2i size) { return static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y); }
 
-/// Between codes of 8 bits and linear light of 16.
+/// Converts between 8-bit codes and 16-bit linear light.
 class Curve {
  public:
   explicit Curve(bool srgb) : codes_(65536) {
@@ -35,7 +35,7 @@ class Curve {
   std::vector<std::uint8_t> codes_;
 };
 
-/// What a texel of the coarse texture covers of a side: two of the fine one, or three at the end of an odd number.
+/// The fine texels that a coarse texel covers along one axis: two, or three at the end of an odd size.
 struct Covered {
   int begin, end;
 };
@@ -44,7 +44,7 @@ Covered covered(int coarse_texel, int coarse, int fine) {
   return {begin, coarse_texel + 1 < coarse ? begin + 2 : fine};
 }
 
-/// Adds up a row of texels in linear light, by texel of the coarse one.
+/// Adds a row of texels in linear light to the sums of the coarse texels.
 void add_row(const Texture& fine, int row, int coarse, const Curve& color, const Curve& alpha,
              std::vector<std::uint32_t>& sums) {
   const std::size_t width = static_cast<std::size_t>(fine.width);

@@ -1,7 +1,6 @@
-// How textures are made to fit into a budget of memory: the largest are halved until all together do.
+// Fits textures into a memory budget by halving the largest ones.
 //
-// What a display shows of a texture is seldom finer than a few thousand texels across, so half the resolution is what is missed
-// least; a scene that is refused shows nothing.
+// A display rarely shows more than a few thousand texels across, so reduced resolution is better than refusing the scene.
 #pragma once
 
 #include <cstdint>
@@ -13,21 +12,22 @@
 
 namespace lippmann {
 
-/// A texture as its picture has it.
+/// The size of a texture before reduction.
 struct TextureExtent {
-  Vec2i size{1};        ///< texels
-  bool is_data = true;  ///< no colours: of two textures of one size it is halved first
+  Vec2i size{1};        ///< in texels
+  bool is_data = true;  ///< data instead of colours; halved first among textures of equal size
 };
 
-/// Half as wide and half as high, rounded down, at least 1.
+/// Returns half the width and height, rounded down, at least 1.
 Vec2i halved(Vec2i size);
 
-/// How often each texture is halved, so that together they have no more than `bytes`, at 4 a texel: the largest first, of equal
-/// ones data before colours and the last before the first. Where even single texels are too many, all are single texels.
+/// Returns how often to halve each texture so that all together take at most `bytes` at 4 bytes per texel. Halves the largest
+/// first; among equal ones, data before colours and later ones before earlier ones. If single texels exceed the budget, all
+/// become single texels.
 std::vector<int> halvings_within(std::uint64_t bytes, std::span<const TextureExtent> textures);
 
-/// Each texel is the mean of the 2 x 2 that it covers, in linear light, and its alpha that of theirs; the last column or row of
-/// an odd number also covers the one left over. As levels of a mip pyramid are (shading/texture.hpp), but rounded to bytes.
+/// Halves a texture by averaging 2 x 2 texels, colours in linear light. With odd sizes the last column or row also covers the
+/// remaining one. Equal to a level of a mip pyramid (shading/texture.hpp), but rounded to bytes.
 void halve(Texture& texture);
 
 }  // namespace lippmann

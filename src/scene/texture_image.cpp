@@ -1,5 +1,5 @@
 // Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 3.8 "Texture Data": the first texel is the top left one;
-// colour profiles and orientation tags in the image are to be ignored. The other formats say nothing else.
+// readers ignore colour profiles and orientation tags. The other scene formats do not specify this.
 #include "scene/texture_image.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ std::vector<std::uint8_t> to_bytes(Samples samples) {
   return bytes;
 }
 
-/// Grey, grey and alpha, RGB or RGBA as RGBA.
+/// Expands grey, grey and alpha, RGB or RGBA to RGBA.
 std::vector<std::uint8_t> expanded_to_rgba(std::vector<std::uint8_t> codes, std::size_t channels) {
   if (channels == 4) return codes;
   std::vector<std::uint8_t> rgba;
@@ -48,7 +48,7 @@ struct Reader {
 constexpr Reader kReaders[] = {
     {is_png, png_header, decode_png}, {is_jpeg, jpeg_header, decode_jpeg}, {is_webp, webp_header, decode_webp}};
 
-/// Null: none knows it.
+/// Returns null for unknown formats.
 const Reader* find_reader(FileBytes encoded) {
   for (const Reader& reader : kReaders)
     if (reader.recognises(encoded)) return &reader;

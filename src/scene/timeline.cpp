@@ -1,9 +1,9 @@
 // Based on: Khronos Group, "glTF 2.0 Specification", 2021, appendix C "Animation sampler interpolation modes": step, linear
-// (quaternions: spherical along the shorter arc) and cubic Hermite spline, whose tangents are per second and are therefore
-// multiplied by the length of the interval. Cubic quaternions are normalised after interpolation.
+// (quaternions: spherical along the shorter arc) and cubic Hermite spline. Spline tangents are per second and are multiplied by
+// the length of the interval. Cubic quaternions are normalised after interpolation.
 //
-// Bounds are exact for every affine map: with L the linear part and l its i-th row, a ball of radius r reaches r |l| to either
-// side of its centre along world axis i, and a disc with unit normal n reaches r |l - (l . n) n|.
+// Bounds are exact for every affine map. With linear part L and its i-th row l, a ball of radius r extends r |l| from its
+// centre along world axis i, and a disc with unit normal n extends r |l - (l . n) n|.
 #include "lippmann/scene/timeline.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ Vec3f interpolate(Vec3f a, Vec3f b, float u) { return (1.0f - u) * a + u * b; }
 Quatf interpolate(Quatf a, Quatf b, float u) {
   float cosine = glm::dot(a, b);
   if (cosine < 0.0f) b = -b, cosine = -cosine;
-  // Below 0.03 degrees the chord and the arc agree to the last bits, while the sine in the formula loses them.
+  // Below 0.03 degrees the chord and the arc agree to the last bits, while the sine in the formula loses precision.
   if (cosine > 1.0f - 1e-7f) return glm::normalize((1.0f - u) * a + u * b);
   const float angle = std::acos(cosine);
   return glm::normalize((std::sin((1.0f - u) * angle) * a + std::sin(u * angle) * b) / std::sin(angle));
@@ -38,7 +38,7 @@ float unit_if_rotation(float x) { return x; }
 Vec3f unit_if_rotation(Vec3f v) { return v; }
 Quatf unit_if_rotation(Quatf q) { return glm::normalize(q); }
 
-/// Which of the values that stand side by side in a channel is meant: morph weights have several in the place of each.
+/// Selects one of the values stored per key; morph weights have several.
 struct Component {
   std::size_t index = 0, count = 1;
 };
@@ -105,7 +105,7 @@ void add_around(Bounds3f& bounds, Vec3f center, Vec3f reach) {
   bounds.add(center + reach);
 }
 
-/// How far a disc reaches from its centre along each axis of the frame.
+/// Returns the extent of a disc from its centre along each axis of the frame.
 Vec3f disc_reach(const Affine3f& frame_from_node, Vec3f normal, float radius) {
   const Mat3f rows = glm::transpose(frame_from_node.linear);
   Vec3f reach;
@@ -113,7 +113,7 @@ Vec3f disc_reach(const Affine3f& frame_from_node, Vec3f normal, float radius) {
   return reach;
 }
 
-/// Calls visit(vertex) once for each vertex that a triangle uses: files may hold others, far away.
+/// Calls visit(vertex) once for each vertex used by a triangle. Files may contain unused vertices far away.
 template <class Visit>
 void visit_used_vertices(const Mesh& mesh, const Visit& visit) {
   std::vector<bool> is_used(mesh.positions.size(), false);
@@ -160,12 +160,12 @@ void add_shape(Bounds3f& bounds, const Affine3f& a, const Boxes& boxes) {
 
 void add_shape(Bounds3f& bounds, const Affine3f& a, const Splats& splats) { bounds.add(bulk_bounds(splats, a)); }
 
-/// Refuses a hierarchy that cannot be evaluated.
+/// Throws Error if the hierarchy is invalid.
 void require_nodes(const Scene& scene) {
   const int count = static_cast<int>(scene.nodes.size());
   for (int i = 0; i < count; ++i)
     if (const int parent = scene.nodes[static_cast<std::size_t>(i)].parent; parent < -1 || parent >= i)
-      throw Error("scene", fmt::format("node {} has the parent {}", i, parent), "-1, or a node before it");
+      throw Error("scene", fmt::format("node {} has the parent {}", i, parent), "-1 or an earlier node");
   for (const NodeAnimation& a : scene.timeline.animations)
     if (a.node < 0 || a.node >= count)
       throw Error("scene", fmt::format("an animation moves node {} of {}", a.node, count), "a node of the scene");
@@ -209,7 +209,7 @@ ResolvedScene evaluate(const Scene& scene, double time) {
 }
 
 bool keys_fall_on_frames(const Timeline& timeline, double frames_per_second) {
-  constexpr double kNearFrame = 0.02;  // frames: times written with four decimals at 60 a second are within 0.003
+  constexpr double kNearFrame = 0.02;  // in frames; times written with four decimals at 60 frames per second are within 0.003
   const auto on_frames = [&](const std::vector<double>& times) {
     return std::all_of(times.begin(), times.end(), [&](double time) {
       const double frame = time * frames_per_second;

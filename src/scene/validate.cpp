@@ -1,4 +1,4 @@
-// Checks a whole Scene once, after loading, so that nothing behind it has to check again.
+// Validates a whole Scene after loading, so that later code can rely on it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ bool finite(const Affine3f& a) {
   return finite(a.linear[0]) && finite(a.linear[1]) && finite(a.linear[2]) && finite(a.translation);
 }
 
-/// Formats that quantise normals (8 bits a component) stay within 1 %.
+/// Tolerance of 1 %, which covers quantised normals (8 bits per component).
 template <class V>
 bool unit(const V& v) {
   return std::abs(glm::dot(v, v) - 1.0f) < 0.02f;
@@ -37,7 +37,7 @@ bool uniform(Vec3f scale) {
   return std::max({s.x, s.y, s.z}) <= 1.001f * std::min({s.x, s.y, s.z});
 }
 
-/// Whether the columns have equal lengths and stand at right angles, to a relative 1e-3.
+/// Returns whether the columns have equal lengths and are orthogonal, within a relative 1e-3.
 bool similarity(const Mat3f& m) {
   const Vec3f square(glm::dot(m[0], m[0]), glm::dot(m[1], m[1]), glm::dot(m[2], m[2]));
   const float tolerance = 1e-3f * square.x;
@@ -57,7 +57,7 @@ class Validator {
     for (std::size_t i = 0; i < scene_.materials.size(); ++i)
       std::visit([&](const auto& s) { check_surface(s, label("material", i, scene_.materials[i].name)); },
                  scene_.materials[i].surface);
-    check_timeline();  // before instances, which look into the animations
+    check_timeline();  // before instances, which use the animations
     for (std::size_t i = 0; i < scene_.skins.size(); ++i) check_skin(scene_.skins[i], i);
     for (std::size_t i = 0; i < scene_.instances.size(); ++i) check_instance(scene_.instances[i], i);
     for (std::size_t i = 0; i < scene_.webs.size(); ++i) check_web(scene_.webs[i], i);
@@ -77,8 +77,8 @@ class Validator {
 
   void require_index(int index, std::size_t count, int lowest, std::string_view element, std::string_view of) const {
     if (index < lowest || index >= static_cast<std::ptrdiff_t>(count))
-      throw Error(where_, fmt::format("{}: {} {} does not exist", element, of, index),
-                  count ? fmt::format("{} to {}", lowest, count - 1) : std::string("none, for there are none"));
+      throw Error(where_, fmt::format("{}: {} {} is out of range", element, of, index),
+                  count ? fmt::format("{} to {}", lowest, count - 1) : std::string("none, the scene has none"));
   }
   void require_node(int node, std::string_view element) const { require_index(node, scene_.nodes.size(), -1, element, "node"); }
 
@@ -97,7 +97,7 @@ class Validator {
       if (!unit(mesh.normals[i])) require(false, element, fmt::format("the normal of vertex {} is not a unit vector", i));
     for (std::size_t i = 0; i < mesh.tangents.size(); ++i)
       if (!unit(Vec3f(mesh.tangents[i])) || std::abs(mesh.tangents[i].w) != 1.0f)
-        require(false, element, fmt::format("the tangent of vertex {} is not a unit vector and 1 or -1", i));
+        require(false, element, fmt::format("the tangent of vertex {} is not a unit vector with w = 1 or -1", i));
     for (const MorphTarget& target : mesh.targets) {
       check_attribute(target.positions, vertices, element, "morphed position");
       check_attribute(target.normals, vertices, element, "morphed normal");
@@ -107,13 +107,13 @@ class Validator {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
       for (const std::uint32_t index : mesh.triangles[i])
         if (index >= vertices)
-          require(false, element, fmt::format("triangle {} names vertex {} of {} vertices", i, index, vertices));
+          require(false, element, fmt::format("triangle {} refers to vertex {} of {}", i, index, vertices));
   }
 
-  /// Also accepts none, but of positions.
+  /// Checks a vertex attribute. An empty one is valid.
   template <class T>
   void check_attribute(const std::vector<T>& values, std::size_t vertices, const std::string& element, const char* what) const {
-    require(values.empty() || values.size() == vertices, element, fmt::format("not one {} per vertex", what));
+    require(values.empty() || values.size() == vertices, element, fmt::format("needs one {} per vertex", what));
     for (std::size_t i = 0; i < values.size(); ++i)
       if (!finite(values[i])) require(false, element, fmt::format("the {} of vertex {} is not finite", what, i));
   }
@@ -121,9 +121,9 @@ class Validator {
   void check_skin_weights(const SkinWeights& skin, std::size_t vertices, const std::string& element) const {
     const std::size_t count = static_cast<std::size_t>(std::max(skin.per_vertex, 0)) * vertices;
     require(skin.per_vertex >= 0 && skin.joints.size() == count && skin.weights.size() == count, element,
-            "not as many joints and weights for each vertex");
+            "the number of joints or weights does not match the vertices");
     for (const float weight : skin.weights) require(finite(weight) && weight >= 0.0f, element, "a weight is not a number >= 0");
-    constexpr float kRounding = 0.01f;  // of weights in 8 bits, too
+    constexpr float kRounding = 0.01f;  // covers weights in 8 bits
     const auto per_vertex = static_cast<std::size_t>(skin.per_vertex);
     for (std::size_t v = 0; per_vertex > 0 && v < vertices; ++v) {
       const float sum = std::accumulate(skin.weights.begin() + static_cast<std::ptrdiff_t>(v * per_vertex),
@@ -138,9 +138,9 @@ class Validator {
     require(0 <= splats.degree && splats.degree <= 3, element, "the degree of its spherical harmonics is not 0 to 3");
     require(splats.rotations.size() == count && splats.deviations.size() == count && splats.opacities.size() == count &&
                 splats.harmonics.size() == count * harmonics_of(splats.degree),
-            element, "not one of everything for each splat");
+            element, "the arrays do not match the number of splats");
     for (std::size_t i = 0; i < count; ++i)
-      if (!is_sound(splats, i)) require(false, element, fmt::format("splat {} is not finite, or has no size", i));
+      if (!is_sound(splats, i)) require(false, element, fmt::format("splat {} is not finite or has zero size", i));
   }
 
   template <class T>
@@ -179,7 +179,7 @@ class Validator {
     const std::string element = label("texture", index, texture.name);
     require(texture.width > 0 && texture.height > 0, element, "has no pixels");
     const std::size_t bytes = 4 * static_cast<std::size_t>(texture.width) * static_cast<std::size_t>(texture.height);
-    require(texture.rgba.size() == bytes, element, "does not hold four bytes a pixel");
+    require(texture.rgba.size() == bytes, element, "does not hold four bytes per pixel");
   }
 
   void require_texture(int texture, std::string_view element) const {
@@ -203,7 +203,7 @@ class Validator {
 
   void check_map(const TextureMap& map, const std::string& element) const {
     require_texture(map.texture, element);
-    require(map.uv_set == 0 || map.uv_set == 1, element, "a map uses neither the first nor the second set of uvs");
+    require(map.uv_set == 0 || map.uv_set == 1, element, "a map's uv set is not 0 or 1");
     require(finite(map.matrix[0]) && finite(map.matrix[1]) && finite(map.offset), element, "a map's transform is not finite");
   }
 
@@ -241,13 +241,13 @@ class Validator {
     require(s.volume->attenuation_distance > 0.0f, element, "the attenuation distance is not above 0");  // may be infinite
   }
 
-  // ---- What stands in the scene ----
+  // ---- Nodes, instances, lights and cameras ----
 
   void check_nodes() const {
     for (std::size_t i = 0; i < scene_.nodes.size(); ++i) {
       const Node& node = scene_.nodes[i];
       const std::string element = label("node", i, node.name);
-      require_index(node.parent, i, -1, element, "a parent before it,");
+      require_index(node.parent, i, -1, element, "parent");
       if (node.matrix) require(finite(*node.matrix), element, "the matrix is not finite");
       const Transform& t = node.local;
       require(finite(t.translation) && finite(t.scale), element, "the transform is not finite");
@@ -259,7 +259,7 @@ class Validator {
 
   void check_skin(const Skin& skin, std::size_t index) const {
     const std::string element = label("skin", index, skin.name);
-    require(skin.joints.size() == skin.joint_from_mesh.size(), element, "not one matrix per joint");
+    require(skin.joints.size() == skin.joint_from_mesh.size(), element, "needs one matrix per joint");
     for (const int joint : skin.joints) require_index(joint, scene_.nodes.size(), 0, element, "node");
     for (const Affine3f& matrix : skin.joint_from_mesh) require(finite(matrix), element, "a matrix is not finite");
   }
@@ -268,16 +268,16 @@ class Validator {
     require_index(instance.skin, scene_.skins.size(), -1, element, "skin");
     const Mesh* mesh = std::get_if<Mesh>(&scene_.shapes[static_cast<std::size_t>(instance.shape)]);
     if (instance.skin >= 0) {
-      require(mesh && mesh->skin.per_vertex > 0, element, "has a skin, but no mesh with weights");
+      require(mesh && mesh->skin.per_vertex > 0, element, "has a skin, but its mesh has no weights");
       const std::size_t joints = scene_.skins[static_cast<std::size_t>(instance.skin)].joints.size();
       for (const std::uint32_t joint : mesh->skin.joints)
-        if (joint >= joints) require(false, element, fmt::format("a vertex names joint {} of {} joints", joint, joints));
+        if (joint >= joints) require(false, element, fmt::format("a vertex refers to joint {} of {}", joint, joints));
     }
     if (!mesh || mesh->targets.empty()) return;
     const std::size_t weights =
         instance.node < 0 ? 0 : scene_.nodes[static_cast<std::size_t>(instance.node)].morph_weights.size();
     require(weights == mesh->targets.size(), element,
-            fmt::format("{} morph targets, but {} weights at the node", mesh->targets.size(), weights));
+            fmt::format("has {} morph targets, but its node has {} weights", mesh->targets.size(), weights));
   }
 
   void check_instance(const Instance& instance, std::size_t index) const {
@@ -289,7 +289,7 @@ class Validator {
     const Shape& shape = scene_.shapes[static_cast<std::size_t>(instance.shape)];
     if (std::holds_alternative<Mesh>(shape) || std::holds_alternative<Splats>(shape)) return;
     for (int node = instance.node; node >= 0; node = scene_.nodes[static_cast<std::size_t>(node)].parent)
-      require(keeps_proportions(node), element, fmt::format("node {} scales an analytic shape unevenly", node));
+      require(keeps_proportions(node), element, fmt::format("node {} scales an analytic shape non-uniformly", node));
   }
 
   bool keeps_proportions(int index) const {
@@ -310,14 +310,14 @@ class Validator {
     require(light.range > 0.0f, element, "the range is not positive");
     const Vec3f a = light.attenuation;
     require(finite(a) && std::min({a.x, a.y, a.z}) >= 0.0f && a.x + a.y + a.z > 0.0f, element,
-            "the attenuation is not three numbers >= 0, one of them above");
+            "the attenuation is not three numbers >= 0, at least one of them > 0");
     require(0.0f <= light.inner_cone && light.inner_cone <= light.outer_cone && light.outer_cone <= kPi, element,
             "the cone angles are not 0 <= inner <= outer <= pi");
     require(finite(light.visible_radius) && light.visible_radius >= 0.0f, element, "the visible radius is not a number >= 0");
     check_light_size(light, element);
-    require(light.web >= -1 && light.web < static_cast<int>(scene_.webs.size()), element, "its photometric web is not there");
+    require(light.web >= -1 && light.web < static_cast<int>(scene_.webs.size()), element, "the photometric web does not exist");
     require(light.web < 0 || (light.kind == LightKind::kPoint && light.inverse_square), element,
-            "has a photometric web, but only point lights that fall off with the squared distance may have one");
+            "has a photometric web, which requires a point light with inverse-square falloff");
   }
 
   void check_web(const PhotometricWeb& web, std::size_t index) const {
@@ -327,23 +327,23 @@ class Validator {
              angles.front() >= lower && angles.back() <= upper;
     };
     require(web.polar.size() >= 2 && increase(web.polar, 0.0f, kPi), element,
-            "the polar angles are not two or more that increase from 0 to pi");
+            "the polar angles are not at least two, increasing within 0 to pi");
     require(!web.azimuth.empty() && increase(web.azimuth, -kPi, 2.0f * kPi), element,
-            "the azimuths are not one or more that increase from -pi to 2 pi");
+            "the azimuths are not at least one, increasing within -pi to 2 pi");
     require(web.intensity.size() == web.polar.size() * web.azimuth.size() &&
                 std::all_of(web.intensity.begin(), web.intensity.end(), [](float i) { return finite(i) && i >= 0.0f; }),
-            element, "has not one intensity, which is a number >= 0, for each pair of its angles");
+            element, "needs one intensity >= 0 for each pair of angles");
   }
 
   void check_light_size(const Light& light, const std::string& element) const {
     const bool is_sun = light.kind == LightKind::kDirectional;
     require(finite(light.radius) && light.radius >= 0.0f, element, "the radius is not a number >= 0");
     require(light.radius == 0.0f || (!is_sun && light.inverse_square && light.attenuation == Vec3f(1.0f, 0.0f, 0.0f)), element,
-            "has a radius, but only point and spot lights that fall off with the squared distance alone may have one");
+            "has a radius, which requires a point or spot light with pure inverse-square falloff");
     require(0.0f <= light.angular_diameter && light.angular_diameter <= kPi, element,
             "the angular diameter is not between 0 and pi");
     require(light.angular_diameter == 0.0f || is_sun, element,
-            "has an angular diameter, but only directional lights may have one");
+            "has an angular diameter, which only directional lights may have");
   }
 
   void check_camera(const Camera& camera, std::size_t index) const {
@@ -369,7 +369,7 @@ class Validator {
     require(finite(b.horizon) && finite(b.zenith), "background", "a colour is not finite");
     require(unit(b.up), "background", "up is not a unit vector");
     require(finite(b.horizon_at) && finite(b.zenith_at) && b.horizon_at != b.zenith_at, "background",
-            "horizon and zenith are not at two different heights");
+            "the heights of horizon and zenith are equal or not finite");
     if (b.map) check_environment(*b.map);
     require_index(scene_.animation, scene_.animation_names.size(), -1, "animation", "animation");
     require(std::isfinite(scene_.origin.x + scene_.origin.y + scene_.origin.z), "origin", "is not finite");
@@ -387,7 +387,7 @@ class Validator {
     require(std::all_of(panorama.data.begin(), panorama.data.end(), [](float v) { return v >= 0.0f && std::isfinite(v); }),
             "environment", "a sample is negative or not finite");
     require(finite(map.strength) && map.strength >= 0.0f && finite(map.rotation), "environment",
-            "its strength or rotation is not a number, or its strength is negative");
+            "the strength is not a number >= 0, or the rotation is not finite");
   }
 
   // ---- Time ----
@@ -406,7 +406,7 @@ class Validator {
       const Node& node = scene_.nodes[static_cast<std::size_t>(animation.node)];
       const bool moves =
           !animation.translation.times.empty() || !animation.rotation.times.empty() || !animation.scale.times.empty();
-      require(!node.matrix || !moves, element, "animates a node that is a matrix");
+      require(!node.matrix || !moves, element, "animates a node with a matrix");
       check_channel(animation.morph_weights, element + ", morph weights", node.morph_weights.size());
       check_channel(animation.translation, element + ", translation");
       check_channel(animation.rotation, element + ", rotation");
@@ -417,7 +417,8 @@ class Validator {
   template <class T>
   void check_channel(const Channel<T>& channel, const std::string& element, std::size_t count = 1) const {
     const std::size_t per_key = count * (channel.interpolation == Interpolation::kCubicSpline ? 3 : 1);
-    require(channel.values.size() == per_key * channel.times.size(), element, fmt::format("not {} values a key", per_key));
+    require(channel.values.size() == per_key * channel.times.size(), element,
+            fmt::format("needs {} values per key", per_key));
     for (std::size_t i = 0; i < channel.times.size(); ++i) {
       require(std::isfinite(channel.times[i]), element, "a time is not finite");
       require(i == 0 || channel.times[i - 1] < channel.times[i], element, "times do not increase");

@@ -1,12 +1,12 @@
-// Makes the winding of triangles agree with their vertices' normals, for formats whose files say by normals where outside is.
+// Aligns the winding of triangles with their vertex normals, for formats that define the outside by normals.
 #pragma once
 
 #include "lippmann/scene/scene.hpp"
 
 namespace lippmann {
 
-/// Turns over each triangle that faces away from the mean of its three normals; does nothing to meshes without normals.
-/// Shading takes the side of the facet that is seen, so a triangle wound against its normals would get no direct light.
+/// Flips each triangle that faces away from the mean of its three normals. Meshes without normals stay unchanged. Shading uses
+/// the visible side of the facet, so triangles wound against their normals would get no direct light.
 void wind_by_normals(Mesh& mesh);
 
 }  // namespace lippmann

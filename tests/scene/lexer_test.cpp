@@ -61,7 +61,7 @@ TEST(Lexer, expect_of_another_word_names_both) {
     lexer.expect("CENTER");
     FAIL();
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "a.dat:2: 'CENTRE' stands where CENTER is expected");
+    EXPECT_STREQ(error.what(), "a.dat:2: expected CENTER, found 'CENTRE'");
   }
 }
 
@@ -72,7 +72,7 @@ TEST(Lexer, end_of_file_names_what_was_wanted) {
     lexer.word("RAD");
     FAIL();
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "a.dat:3: the file ends where RAD should stand");
+    EXPECT_STREQ(error.what(), "a.dat:3: the file ends, expected RAD");
   }
 }
 

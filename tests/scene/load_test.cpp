@@ -34,7 +34,7 @@ TEST(LoadScene, formats_that_blender_reads_are_refused_with_the_way_here) {
               HasSubstr("is a scene format that Blender reads; accepted: a .glb of it"));
   EXPECT_THAT(error_of_loading((dir / "b.FBX").string()), HasSubstr("to_glb.py"));
   EXPECT_THAT(error_of_loading((dir / "c.blend").string()),
-              HasSubstr("is a file of Blender; accepted: a render by its add-on"));
+              HasSubstr("is a Blender file; accepted: a render with the Blender add-on"));
   EXPECT_THAT(error_of_loading((dir / "d.xyz").string()), HasSubstr("is not a known scene format"));
 }
 

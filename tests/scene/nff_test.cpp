@@ -143,9 +143,9 @@ TEST(Nff, errors_name_file_line_and_what_is_accepted) {
   EXPECT_THAT(nff_error("s 0 0 0 1\nt 1 2 3"), AllOf(HasSubstr("a.nff:2: 't'"), HasSubstr("pp (patch)")));
   EXPECT_THAT(nff_error("s 0 0 nan 1"), HasSubstr("a.nff:1: expected a number for s, found 'nan'"));
   EXPECT_THAT(nff_error("s 0 0 1e30 1"), HasSubstr("a.nff:1:"));
-  EXPECT_THAT(nff_error("s 0 0\n"), HasSubstr("the file ends where"));
+  EXPECT_THAT(nff_error("s 0 0\n"), HasSubstr("the file ends, expected"));
   EXPECT_THAT(nff_error("\np 2\n0 0 0\n1 1 1"), HasSubstr("a.nff:2: 2 is out of range for p"));
-  EXPECT_THAT(nff_error("p 1000000000\n0 0 0\n1 1 1"), HasSubstr("the file ends where"));
+  EXPECT_THAT(nff_error("p 1000000000\n0 0 0\n1 1 1"), HasSubstr("the file ends, expected"));
   EXPECT_THAT(nff_error("f 1 1 1 1 0 1 1.5 1"), HasSubstr("f's T is 1.5"));
   EXPECT_THAT(nff_error("c 0 0 0 1 0 0 1 -1"), HasSubstr("differ in sign"));
 }

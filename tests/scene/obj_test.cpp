@@ -172,7 +172,7 @@ TEST_F(Obj, missing_files_and_materials_are_warnings) {
 
 TEST_F(Obj, files_outside_the_folder_are_not_opened_and_warnings_name_the_flag) {
   const auto refused = [](const std::string& name) {
-    return testing::AllOf(HasSubstr("'" + name + "' is not a file of this scene's folder"), HasSubstr("`asset-root` DIR"));
+    return testing::AllOf(HasSubstr("'" + name + "' is outside the scene's folder"), HasSubstr("`asset-root` DIR"));
   };
   load("mtllib ../a.mtl\n" + kTriangle + "f 1 2 3\n");
   EXPECT_THAT(warnings, ElementsAre(refused("../a.mtl")));

@@ -133,7 +133,7 @@ TEST(PlyPoints, a_size_is_refused_where_there_are_faces) {
   options.point_size = 1.0;
   for (const char* name : {"mesh.ply", "scene.obj"})
     EXPECT_THAT(test::error_message([&] { load_scene((dir / name).string(), options, Context{}); }),
-                HasSubstr("is not a file of points alone; accepted: a PLY file without faces"));
+                HasSubstr("is not a point cloud; accepted: a PLY file without faces"));
 }
 
 }  // namespace

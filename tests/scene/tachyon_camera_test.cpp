@@ -325,15 +325,15 @@ TEST_P(TachyonBadPath, text_is_an_error_with_its_line) {
   EXPECT_THAT(files.error_of(TachyonFiles::kPrelude + "END_SCENE"), testing::StartsWith(GetParam().message));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, TachyonBadPath,
-                         testing::Values(BadPath{"", "scene.cam:1: the file ends where a view direction should stand"},
-                                         BadPath{"\n\n", "scene.cam:3: the file ends where a view direction"},
-                                         BadPath{"0 0 1 0 1 0 0 0", "scene.cam:1: the file ends where a camera's centre"},
-                                         BadPath{"0 0 1 0 1 0 0 0 0\n1", "scene.cam:2: the file ends where a view direction"},
-                                         BadPath{"0 0 1 0 1 0 0 0 nan", "scene.cam:1: expected a number for"},
-                                         BadPath{"0 0 1 0 1 0 0 0 0\n0 0 0 0 1 0 0 0 0",
-                                                 "scene.cam:2: the camera's view and up"},
-                                         BadPath{"0 0 1 0 0 2 0 0 0", "scene.cam:1: the camera's view and up"}));
+INSTANTIATE_TEST_SUITE_P(
+    All, TachyonBadPath,
+    testing::Values(BadPath{"", "scene.cam:1: the file ends, expected a view direction"},
+                    BadPath{"\n\n", "scene.cam:3: the file ends, expected a view direction"},
+                    BadPath{"0 0 1 0 1 0 0 0", "scene.cam:1: the file ends, expected a camera's centre"},
+                    BadPath{"0 0 1 0 1 0 0 0 0\n1", "scene.cam:2: the file ends, expected a view direction"},
+                    BadPath{"0 0 1 0 1 0 0 0 nan", "scene.cam:1: expected a number for"},
+                    BadPath{"0 0 1 0 1 0 0 0 0\n0 0 0 0 1 0 0 0 0", "scene.cam:2: the camera's view and up"},
+                    BadPath{"0 0 1 0 0 2 0 0 0", "scene.cam:1: the camera's view and up"}));
 
 TEST_F(Tachyon, missing_path_is_an_error) {
   files.camera_path = files.path("no.cam");

@@ -38,7 +38,7 @@ const BadStatement kBad[] = {
     {"fog", "FOG SMOKE", "4: FOG 'SMOKE' is not known", "LINEAR, EXP, EXP2, OFF"},
     {"mgf", "MGFFILE a.mgf", "4: MGFFILE is not supported", "INCLUDE"},
     {"volume", "ScalarVol MIN 0 0 0", "4: SCALARVOL is not supported", "BOX"},
-    {"sky", "SKY_LIGHT SAMPLES 1", "4: 'SAMPLES' stands where NUMSAMPLES is expected", ""},
+    {"sky", "SKY_LIGHT SAMPLES 1", "4: expected NUMSAMPLES, found 'SAMPLES'", ""},
     {"texfunc_1", TEXTURE_UP_TO_OPACITY "COLOR 1 1 1 TEXFUNC 1", "6: TEXFUNC 1 is not supported",
      "9 (cylindrical, spherical and planar image map)"},
     {"gradient_kind", "BACKGROUND_GRADIENT SKY_BOX", "4: BACKGROUND_GRADIENT 'SKY_BOX' is not known",
@@ -46,7 +46,7 @@ const BadStatement kBad[] = {
     {"texfunc_10", TEXTURE_UP_TO_OPACITY "COLOR 1 1 1 TEXFUNC 10", "6: TEXFUNC 10 is not supported", "TEXFUNC 0"},
     {"texfunc_11", TEXTURE_UP_TO_OPACITY "COLOR 1 1 1 TEXFUNC 11", "6: TEXFUNC 11 is not known", "TEXFUNC 0"},
     {"fisheye", "CAMERA PROJECTION FISHEYE", "4: the projection 'FISHEYE' is not supported", "PERSPECTIVE"},
-    {"dof", "CAMERA PROJECTION perspective_dof ZOOM", "4: 'ZOOM' stands where FOCALDIST is expected", "FOCALLENGTH"},
+    {"dof", "CAMERA PROJECTION perspective_dof ZOOM", "4: expected FOCALDIST, found 'ZOOM'", "FOCALLENGTH"},
     {"frustum",
      "CAMERA ZOOM 1 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 1 CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 0 FRUSTUM -1 2 -1 1 "
      "END_CAMERA",
@@ -59,14 +59,14 @@ const BadStatement kBad[] = {
     {"unknown", "FROG", "4: 'FROG' is not a statement of a scene", "SPHERE"},
     {"misspelt", "SPEHRE CENTER", "4: 'SPEHRE' is not a statement of a scene (did you mean SPHERE?)", "TEXDEF"},
     {"binary", "\x01\xff\x02", "4: '?\?\?' is not a statement", "BOX"},
-    {"word_missing", "SPHERE CENTER 0 0 0\n1", "5: '1' stands where RAD is expected", ""},
-    {"texture_word_missing", TEXTURE_UP_TO_OPACITY "TEXFUNC 0", "6: 'TEXFUNC' stands where COLOR is expected", "PHONG"},
+    {"word_missing", "SPHERE CENTER 0 0 0\n1", "5: expected RAD, found '1'", ""},
+    {"texture_word_missing", TEXTURE_UP_TO_OPACITY "TEXFUNC 0", "6: expected COLOR, found 'TEXFUNC'", "PHONG"},
     {"phong_kind", TEXTURE_UP_TO_OPACITY "PHONG WOOD 0.5", "6: PHONG 'WOOD' is not known", "PLASTIC, METAL"},
     {"end_camera", "CAMERA ZOOM 1 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 1 CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 0 SPHERE",
-     "4: 'SPHERE' stands where END_CAMERA is expected", "FRUSTUM"},
-    {"light_color", "LIGHT CENTER 0 0 0 RAD 1 COLOUR 1 1 1", "4: 'COLOUR' stands where COLOR is expected", "ATTENUATION"},
+     "4: expected END_CAMERA, found 'SPHERE'", "FRUSTUM"},
+    {"light_color", "LIGHT CENTER 0 0 0 RAD 1 COLOUR 1 1 1", "4: expected COLOR, found 'COLOUR'", "ATTENUATION"},
     {"array_block", "VERTEXARRAY NUMVERTS 1 COORDS 0 0 0 NORMALS 0 0 1 QUADS", "4: 'QUADS' is not a block", "TRISTRIP"},
-    {"imagedef_format", "IMAGEDEF a FORMAT RGB48", "4: 'RGB48' stands where RGB24 is expected", ""},
+    {"imagedef_format", "IMAGEDEF a FORMAT RGB48", "4: expected RGB24, found 'RGB48'", ""},
     {"imagedef_digits", "IMAGEDEF a FORMAT RGB24 RESOLUTION 1 1 1 ENCODING HEX 12", "4: '12' is not a colour", "3, 6, 9 or 12"},
     {"imagedef_letters", "IMAGEDEF a FORMAT RGB24 RESOLUTION 1 1 1 ENCODING HEX xyz", "4: 'xyz' is not a colour",
      "hexadecimal"},
@@ -99,7 +99,7 @@ const BadStatement kBad[] = {
     {"vcstri_color",
      "VCSTRI V0 0 0 0 V1 1 0 0 V2 0 1 0 N0 0 0 1 N1 0 0 1 N2 0 0 1 C0 1 1 1 C1 1 1 1 C2 1 1 1 AMBIENT 0 DIFFUSE 1 SPECULAR 0 "
      "OPACITY 1 COLOR",
-     "4: 'COLOR' stands where VCST is expected", "PHONG, VCST"},
+     "4: expected VCST, found 'COLOR'", "PHONG, VCST"},
     {"falloff", "SPOTLIGHT CENTER 0 0 0 RAD 0 DIRECTION 0 0 1 FALLOFF_START 50 FALLOFF_END 40",
      "4: the falloff runs from 50 to 40", "FALLOFF_START <= FALLOFF_END"},
     {"negative_opacity", "TEXDEF a AMBIENT 0 DIFFUSE 1 SPECULAR 0 OPACITY -1", "4: OPACITY is -1", "not negative"},
@@ -132,22 +132,20 @@ const BadStatement kBad[] = {
 
     // Side files.
     {"include_missing", "INCLUDE no.inc", "4: no.inc does not exist", ""},
-    {"include_outside", "INCLUDE ../a.dat", "4: '../a.dat' is not a file of this scene's folder", "`asset-root` DIR"},
+    {"include_outside", "INCLUDE ../a.dat", "4: '../a.dat' is outside the scene's folder", "`asset-root` DIR"},
     {"include_folder", "INCLUDE .", "4: . is not a regular file", ""},
     {"tpoly_outside", "TPOLYFILE SCALE 1 1 1 ROT 0 0 0 CENTER 0 0 0\nFILE /etc/passwd a",
-     "5: '/etc/passwd' is not a file of this scene's folder", "`asset-root` DIR"},
+     "5: '/etc/passwd' is outside the scene's folder", "`asset-root` DIR"},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, TachyonBadStatement, testing::ValuesIn(kBad),
                          [](const auto& bad) { return std::string(bad.param.name); });
 
 TEST_F(Tachyon, file_without_begin_scene_is_an_error) {
-  EXPECT_EQ(files.error_of("# comment\nCAMERA"), "scene.dat:2: 'CAMERA' stands where BEGIN_SCENE is expected");
+  EXPECT_EQ(files.error_of("# comment\nCAMERA"), "scene.dat:2: expected BEGIN_SCENE, found 'CAMERA'");
 }
 
-TEST_F(Tachyon, empty_file_is_an_error) {
-  EXPECT_EQ(files.error_of(""), "scene.dat:1: the file ends where BEGIN_SCENE should stand");
-}
+TEST_F(Tachyon, empty_file_is_an_error) { EXPECT_EQ(files.error_of(""), "scene.dat:1: the file ends, expected BEGIN_SCENE"); }
 
 TEST_F(Tachyon, resolution_must_follow_and_be_sane) {
   EXPECT_THAT(files.error_of("BEGIN_SCENE\nRESOLUTION 0 4"), StartsWith("scene.dat:2: 0 is out of range for RESOLUTION"));
@@ -156,7 +154,7 @@ TEST_F(Tachyon, resolution_must_follow_and_be_sane) {
 }
 
 TEST_F(Tachyon, file_without_end_scene_is_an_error) {
-  EXPECT_EQ(files.error_of(TachyonFiles::kPrelude), "scene.dat:4: the file ends where END_SCENE should stand");
+  EXPECT_EQ(files.error_of(TachyonFiles::kPrelude), "scene.dat:4: the file ends, expected END_SCENE");
 }
 
 TEST_F(Tachyon, what_follows_end_scene_is_ignored) {

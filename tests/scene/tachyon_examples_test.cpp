@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Example{"sc98", "36: TEXFUNC 4 is not supported"}, Example{"sc98ao", "43: TEXFUNC 4 is not supported"},
                     Example{"skull", "19: SCALARVOL is not supported"}, Example{"smallballs", ""}, Example{"space", ""},
                     Example{"spotlight", ""}, Example{"teapot", ""}, Example{"tetra", ""}, Example{"texfree", ""},
-                    Example{"texture", "39: 'NORMAL' stands where ROTATE is expected"}, Example{"tpolytest", ""},
+                    Example{"texture", "39: expected ROTATE, found 'NORMAL'"}, Example{"tpolytest", ""},
                     Example{"transtest", ""}, Example{"trypsin4pti", ""}, Example{"umr", ""}, Example{"umrfrustum", ""},
                     Example{"voltest", "19: SCALARVOL is not supported"}),
     [](const auto& example) {

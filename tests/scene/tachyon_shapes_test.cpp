@@ -262,7 +262,7 @@ TEST_F(Tachyon, tpolyfile_with_a_polygon_of_four_corners_is_an_error_in_that_fil
 TEST_F(Tachyon, tpolyfile_that_is_truncated_is_an_error_in_that_file) {
   files.write("a.tpoly", "3 0 0 0 1 0 0\n0 1");
   EXPECT_EQ(files.error_of_statements("TPOLYFILE SCALE 1 1 1 ROT 0 0 0 CENTER 0 0 0 FILE a.tpoly" + white),
-            "a.tpoly:2: the file ends where a polygon's corners should stand");
+            "a.tpoly:2: the file ends, expected a polygon's corners");
 }
 
 TEST_F(Tachyon, tpolyfile_scaled_out_of_range_is_an_error) {

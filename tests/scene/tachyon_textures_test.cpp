@@ -184,7 +184,7 @@ TEST_F(Tachyon, picture_outside_the_folder_is_not_opened_and_white) {
   for (const std::string name : {"/etc/passwd.ppm", "../a.ppm", "below/../../a.ppm", "link/etc/passwd.ppm", ".."}) {
     files.warnings.clear();
     const Scene scene = files.load_statements(planar(name));
-    EXPECT_THAT(files.warnings, ElementsAre(testing::AllOf(HasSubstr("'" + name + "' is not a file of this scene's folder"),
+    EXPECT_THAT(files.warnings, ElementsAre(testing::AllOf(HasSubstr("'" + name + "' is outside the scene's folder"),
                                                            HasSubstr("`asset-root` DIR"))));
     EXPECT_EQ(scene.textures.at(0).rgba.at(0), 255);
   }

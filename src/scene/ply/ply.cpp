@@ -26,7 +26,7 @@ Scene parse_ply(const std::string& name, const std::string& contents, const Cont
   if (!has_splats && ply::has_points(header))
     return ply::read_points(name, header, body, options.point_size, options.origin, context);
   if (options.point_size > 0.0)
-    throw usage_error("points", fmt::format("{} is not a file of points alone", name), "a PLY file without faces");
+    throw usage_error("points", fmt::format("{} is not a point cloud", name), "a PLY file without faces");
   if (has_splats) return ply::read_splats(name, header, body, options.origin, context);
   Scene scene;
   scene.origin = options.origin;

@@ -26,7 +26,7 @@ void parse_projection(Lexer& lexer, CameraRecord& record, const Context& context
   if (word == "PERSPECTIVE_DOF") {
     const std::string where = lexer.where();
     if (const std::string distance = upper(lexer.word("FOCALDIST")); distance != "FOCALDIST" && distance != "FOCALLENGTH")
-      throw lexer.error(fmt::format("{} stands where FOCALDIST is expected", shown(distance)), "FOCALDIST, FOCALLENGTH");
+      throw lexer.error(fmt::format("expected FOCALDIST, found {}", shown(distance)), "FOCALDIST, FOCALLENGTH");
     positive_number(lexer, "FOCALDIST");
     lexer.expect("APERTURE");
     positive_number(lexer, "APERTURE");
@@ -75,7 +75,7 @@ CameraRecord parse_camera(Lexer& lexer, const Context& context) {
     record.half_extent = parse_frustum(lexer);
     lexer.expect("END_CAMERA");
   } else if (!is_keyword(word, "END_CAMERA")) {
-    throw lexer.error(fmt::format("{} stands where END_CAMERA is expected", shown(word)), "FRUSTUM, END_CAMERA");
+    throw lexer.error(fmt::format("expected END_CAMERA, found {}", shown(word)), "FRUSTUM, END_CAMERA");
   }
   return record;
 }

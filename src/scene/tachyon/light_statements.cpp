@@ -23,7 +23,7 @@ void parse_attenuated_color(Lexer& lexer, Light& light) {
     return;
   }
   if (!is_keyword(word, "ATTENUATION"))
-    throw lexer.error(fmt::format("{} stands where COLOR is expected", shown(word)), "ATTENUATION, COLOR");
+    throw lexer.error(fmt::format("expected COLOR, found {}", shown(word)), "ATTENUATION, COLOR");
   light.attenuation.x = lexer.number_after("CONSTANT");
   light.attenuation.y = lexer.number_after("LINEAR");
   light.attenuation.z = lexer.number_after("QUADRATIC");

@@ -45,7 +45,7 @@ void parse_coefficients(Lexer& lexer, ParserState& state, PhongSurface& surface,
     word = lexer.word(last);
   }
   if (!is_keyword(word, last))
-    throw lexer.error(fmt::format("{} stands where {} is expected", shown(word), last),
+    throw lexer.error(fmt::format("expected {}, found {}", last, shown(word)),
                       fmt::format("TRANSMODE, OUTLINE, PHONG, {}", last));
 }
 

@@ -283,15 +283,15 @@ TEST_F(GltfFolder, file_shorter_than_promised_is_an_error) {
 }
 
 TEST_F(GltfFolder, file_above_the_scene_is_refused) {
-  EXPECT_THAT(message_with_uri("../secret.bin"), HasSubstr("buffers[0]: '../secret.bin' is not a file of this scene's folder"));
+  EXPECT_THAT(message_with_uri("../secret.bin"), HasSubstr("buffers[0]: '../secret.bin' is outside the scene's folder"));
 }
 
 TEST_F(GltfFolder, encoded_dots_are_refused) {
-  EXPECT_THAT(message_with_uri("data/%2e%2e/../%2E./secret.bin"), HasSubstr("is not a file of this scene's folder"));
+  EXPECT_THAT(message_with_uri("data/%2e%2e/../%2E./secret.bin"), HasSubstr("is outside the scene's folder"));
 }
 
 TEST_F(GltfFolder, absolute_path_is_refused) {
-  EXPECT_THAT(message_with_uri((root_ / "secret.bin").string()), HasSubstr("secret.bin' is not a file of this scene's folder"));
+  EXPECT_THAT(message_with_uri((root_ / "secret.bin").string()), HasSubstr("secret.bin' is outside the scene's folder"));
 }
 
 TEST_F(GltfFolder, web_address_is_refused) {
@@ -301,12 +301,12 @@ TEST_F(GltfFolder, web_address_is_refused) {
 
 TEST_F(GltfFolder, link_that_leads_out_is_refused) {
   std::filesystem::create_symlink(root_ / "secret.bin", scene_ / "link.bin");
-  EXPECT_THAT(message_with_uri("link.bin"), HasSubstr("buffers[0]: 'link.bin' is not a file of this scene's folder"));
+  EXPECT_THAT(message_with_uri("link.bin"), HasSubstr("buffers[0]: 'link.bin' is outside the scene's folder"));
 }
 
 TEST_F(GltfFolder, linked_folder_that_leads_out_is_refused) {
   std::filesystem::create_directory_symlink(root_.path(), scene_ / "up");
-  EXPECT_THAT(message_with_uri("up/secret.bin"), HasSubstr("buffers[0]: 'up/secret.bin' is not a file of this scene's folder"));
+  EXPECT_THAT(message_with_uri("up/secret.bin"), HasSubstr("buffers[0]: 'up/secret.bin' is outside the scene's folder"));
 }
 
 TEST_F(GltfFolder, link_that_stays_inside_is_followed) {
@@ -319,7 +319,7 @@ TEST_F(GltfFolder, folder_in_place_of_a_file_is_refused) {
 }
 
 TEST_F(GltfFolder, name_with_a_zero_byte_is_refused) {
-  EXPECT_THAT(message_with_uri("data/my%20bytes.bin%00.png"), HasSubstr("is not a file of this scene's folder"));
+  EXPECT_THAT(message_with_uri("data/my%20bytes.bin%00.png"), HasSubstr("is outside the scene's folder"));
 }
 
 }  // namespace

@@ -155,7 +155,7 @@ std::string message_of_light(const GltfBuilder& b) {
 TEST(GltfImageLight, faces_that_make_no_cube_are_errors) {
   GltfBuilder b = coloured_cube();
   b.root["extensions"]["EXT_lights_image_based"]["lights"][0]["specularImages"][0][5] = add_picture(b, 2, 1, {Rgba{}, Rgba{}});
-  EXPECT_EQ(message_of_light(b), "a.glb: images[6]: has 2 x 1 pixels; accepted: square faces of 1 to 16384 a side");
+  EXPECT_EQ(message_of_light(b), "a.glb: images[6]: has 2 x 1 pixels; accepted: square faces of 1 to 16384 pixels");
   b.root["extensions"]["EXT_lights_image_based"]["lights"][0]["specularImages"][0][5] =
       add_picture(b, 2, 2, {Rgba{}, Rgba{}, Rgba{}, Rgba{}});
   EXPECT_EQ(message_of_light(b), "a.glb: images[7]: is 2 pixels wide in a cube map of 1 pixels");

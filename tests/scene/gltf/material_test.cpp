@@ -418,7 +418,7 @@ TEST(GltfTexture, image_larger_than_the_limit_is_refused_before_it_is_decoded) {
   GltfLimits limits;
   limits.texture_side = 1;
   EXPECT_EQ(error_message([&] { parse(textured(four_colours()), nullptr, limits); }),
-            "a.glb: images[0]: has 2 x 2 pixels; accepted: 1 to 1 a side");
+            "a.glb: images[0]: has 2 x 2 pixels; accepted: 1 to 1 pixels per side");
 }
 
 TEST(GltfTexture, images_that_decode_to_more_than_the_limit_together_are_halved) {
@@ -431,7 +431,7 @@ TEST(GltfTexture, images_that_decode_to_more_than_the_limit_together_are_halved)
   ASSERT_EQ(scene.textures.size(), 2u);
   EXPECT_EQ(scene.textures[0].rgba.size(), 16u);
   EXPECT_EQ(scene.textures[1].rgba.size(), 4u);
-  EXPECT_THAT(warnings, testing::ElementsAre(HasSubstr("1 of 2 textures are shown at half of their resolution")));
+  EXPECT_THAT(warnings, testing::ElementsAre(HasSubstr("1 of 2 textures are reduced to half of their resolution")));
 }
 
 TEST(GltfTexture, image_that_alone_is_beyond_the_limit_is_refused_before_it_is_decoded) {
