@@ -121,8 +121,7 @@ std::string problem(const std::string& text) {
 }
 
 TEST(Ies, what_is_no_such_file_is_refused_at_its_line) {
-  EXPECT_THAT(problem("IESNA:LM-63-2002\n"),
-              HasSubstr("a.ies: is text that begins 'IESNA:LM-63-2002', without a line that begins with TILT"));
+  EXPECT_THAT(problem("IESNA:LM-63-2002\n"), HasSubstr("a.ies: is text that begins 'IESNA:LM-63-2002' without a TILT line"));
   EXPECT_THAT(problem("TILT=NONE\n1 1000 1 2"), HasSubstr("a.ies:2"));
   EXPECT_THAT(problem(ies(4, "2 1", "0 180\n0\n50 50")), HasSubstr("a.ies:4"));
   EXPECT_THAT(problem(ies(1, "1 1", "0\n0\n50")), HasSubstr("the number of vertical angles"));

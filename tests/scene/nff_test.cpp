@@ -147,7 +147,7 @@ TEST(Nff, errors_name_file_line_and_what_is_accepted) {
   EXPECT_THAT(nff_error("\np 2\n0 0 0\n1 1 1"), HasSubstr("a.nff:2: 2 is out of range for p"));
   EXPECT_THAT(nff_error("p 1000000000\n0 0 0\n1 1 1"), HasSubstr("the file ends, expected"));
   EXPECT_THAT(nff_error("f 1 1 1 1 0 1 1.5 1"), HasSubstr("f's T is 1.5"));
-  EXPECT_THAT(nff_error("c 0 0 0 1 0 0 1 -1"), HasSubstr("differ in sign"));
+  EXPECT_THAT(nff_error("c 0 0 0 1 0 0 1 -1"), HasSubstr("have different signs"));
 }
 
 TEST(Nff, view_must_be_complete_and_look_somewhere) {

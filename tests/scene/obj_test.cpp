@@ -190,8 +190,8 @@ TEST_F(Obj, files_below_the_asset_root_are_opened) {
 }
 
 TEST_F(Obj, errors_name_the_line) {
-  EXPECT_THAT(error_of(kTriangle + "f 1 2 4\n"), HasSubstr("a.obj:4: '4' names a vertex that does not exist"));
-  EXPECT_THAT(error_of(kTriangle + "f 1/1 2/1 3/1\n"), HasSubstr("'1/1' names a texture coordinate that does not exist"));
+  EXPECT_THAT(error_of(kTriangle + "f 1 2 4\n"), HasSubstr("a.obj:4: '4' refers to a vertex that does not exist"));
+  EXPECT_THAT(error_of(kTriangle + "f 1/1 2/1 3/1\n"), HasSubstr("'1/1' refers to a texture coordinate that does not exist"));
   EXPECT_THAT(error_of(kTriangle + "f 1//1 2//1 3//1\n"), HasSubstr("accepted: a normal before the face"));
   EXPECT_THAT(error_of(kTriangle + "f 1 2 0\n"), HasSubstr("a.obj:4: '0' names"));
   EXPECT_THAT(error_of(kTriangle + "f 1/1 2/1 3/1\n"), HasSubstr("a.obj:4: '1/1' names"));

@@ -52,11 +52,10 @@ std::string binary_triangle(bool big_endian) {
 }
 
 TEST(Ply, packed_splats_are_refused_by_name_with_what_to_do) {
-  EXPECT_EQ(
-      ply_error("ply\nformat ascii 1.0\nelement vertex 1\nproperty uint packed_position\nproperty uint packed_color\n"
-                "end_header\n0 0\n"),
-      "a.ply: its splats are packed, as PlayCanvas and SuperSplat write .compressed.ply; accepted: a .ply of plain splats, "
-      "which splat-transform IN OUT.ply makes of it (npm's @playcanvas/splat-transform)");
+  EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nelement vertex 1\nproperty uint packed_position\nproperty uint packed_color\n"
+                      "end_header\n0 0\n"),
+            "a.ply: has compressed splats (a .compressed.ply of PlayCanvas or SuperSplat); accepted: an uncompressed .ply, "
+            "which splat-transform IN OUT.ply writes (npm's @playcanvas/splat-transform)");
 }
 
 TEST(Ply, text_and_both_binary_formats_give_the_same_mesh) {
@@ -254,13 +253,13 @@ TEST_F(PlyTextures, picture_takes_the_place_of_colours) {
                 .face_properties = "property list uchar float texcoord\n" + kRgbProperties,
                 .face_values = {"6 0 0 1 0 1 1 9 9 9", "6 0 0 1 1 0 1 9 9 9"}};
   EXPECT_TRUE(mesh(square.load(here())).colors.empty());
-  EXPECT_THAT(square.warnings, testing::ElementsAre(HasSubstr("red, green and blue are left out: a picture is shown instead")));
+  EXPECT_THAT(square.warnings, testing::ElementsAre(HasSubstr("red, green and blue are left out: the texture replaces them")));
 }
 
 TEST(Ply, coordinates_and_pictures_without_each_other_are_named) {
   Square no_picture{.vertex_properties = "property float s\nproperty float t\n", .vertex_values = {"0 0", "0 0", "0 0", "0 0"}};
   no_picture.load();
-  EXPECT_THAT(no_picture.warnings, testing::ElementsAre(HasSubstr("names no picture; \"comment TextureFile NAME\"")));
+  EXPECT_THAT(no_picture.warnings, testing::ElementsAre(HasSubstr("no texture; add \"comment TextureFile NAME\"")));
   Square no_coordinates{.comments = "comment TextureFile foo.png\n"};
   no_coordinates.load();
   EXPECT_THAT(no_coordinates.warnings, testing::ElementsAre(HasSubstr("so its picture 'foo.png' is left out")));
@@ -276,7 +275,7 @@ TEST(Ply, colours_beyond_their_range_are_cut_and_counted) {
   Square square{.face_properties = "property float red\nproperty float green\nproperty float blue\n",
                 .face_values = {"255 0.5 0", "0 0 1"}};
   square.load();
-  EXPECT_THAT(square.warnings, testing::ElementsAre("a.ply: colours are cut to 0 to 1: values beyond it: 1."));
+  EXPECT_THAT(square.warnings, testing::ElementsAre("a.ply: 1 colour values are clamped to 0 to 1."));
 }
 
 TEST(Ply, lists_in_place_of_coordinates_are_no_coordinates) {
@@ -290,7 +289,7 @@ TEST(Ply, damaged_headers_name_their_line) {
   EXPECT_THAT(ply_error("ply\nformat ascii 1.0\n"), HasSubstr("the file ends within its header"));
   EXPECT_THAT(ply_error("ply\nformat ebcdic 1.0\n"), HasSubstr("a.ply:2: 'ebcdic'"));
   EXPECT_THAT(ply_error("ply\nelement vertex -1\n"), HasSubstr("a.ply:2: '-1'"));
-  EXPECT_THAT(ply_error("ply\nproperty float x\n"), HasSubstr("a.ply:2: a property stands before"));
+  EXPECT_THAT(ply_error("ply\nproperty float x\n"), HasSubstr("a.ply:2: a property precedes"));
   EXPECT_THAT(ply_error("ply\nelement f 1\nproperty list float int x\n"), HasSubstr("a.ply:3: the length"));
 }
 
@@ -306,7 +305,8 @@ TEST(Ply, damaged_bodies_name_the_element) {
 }
 
 TEST(Ply, faces_without_an_area_are_not_called_missing) {
-  EXPECT_THAT(ply_error(header("ascii") + "0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n"), HasSubstr("a.ply: none of its faces has an area"));
+  EXPECT_THAT(ply_error(header("ascii") + "0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n"),
+              HasSubstr("a.ply: all of its faces have zero area"));
   EXPECT_THAT(ply_error(header("ascii") + "0 0 0\n1 0 0\n0 1 0\n2 0 1\n"), HasSubstr("faces of at least three corners"));
 }
 

@@ -71,7 +71,7 @@ TEST_F(Tachyon, first_definition_of_a_texture_stays_with_a_warning) {
   const Scene scene = files.load_statements("TEXDEF a " + kPlain + "COLOR 1 0 0 TEXFUNC 0\nTEXDEF a " + kPlain +
                                             "COLOR 0 1 0 TEXFUNC 0\nSPHERE CENTER 0 0 0 RAD 1 a");
   EXPECT_EQ(scene.instances[0].material, 0);
-  EXPECT_THAT(files.warnings, ElementsAre(HasSubstr("scene.dat:5: 'a' (and perhaps more) is defined again")));
+  EXPECT_THAT(files.warnings, ElementsAre(HasSubstr("scene.dat:5: 'a' (and possibly others) is redefined")));
 }
 
 TEST_F(Tachyon, undefined_texture_is_matt_white_with_a_warning) {
@@ -79,7 +79,8 @@ TEST_F(Tachyon, undefined_texture_is_matt_white_with_a_warning) {
   EXPECT_EQ(xyz(phong(scene.materials[0]).color), (std::array{1.0f, 1.0f, 1.0f}));
   EXPECT_EQ(phong(scene.materials[0]).ambient, 0.1f);
   EXPECT_EQ(phong(scene.materials[0]).diffuse, 0.9f);
-  EXPECT_THAT(files.warnings, ElementsAre(HasSubstr("scene.dat:4: the texture 'nowhere' (and perhaps more) is not defined")));
+  EXPECT_THAT(files.warnings,
+              ElementsAre(HasSubstr("scene.dat:4: the texture 'nowhere' (and possibly others) is not defined")));
 }
 
 // ---- Image maps ----
@@ -175,7 +176,7 @@ TEST_F(Tachyon, broken_image_is_an_error_with_the_line) {
 TEST_F(Tachyon, image_of_another_kind_is_an_error) {
   files.write("a.txt", "text");
   EXPECT_THAT(files.error_of_statements(planar("a.txt")),
-              HasSubstr("scene.dat:4: 'a.txt' is not an image map of a known kind"));
+              HasSubstr("scene.dat:4: 'a.txt' has an unsupported image map format"));
 }
 
 TEST_F(Tachyon, picture_outside_the_folder_is_not_opened_and_white) {

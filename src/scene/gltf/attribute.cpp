@@ -46,7 +46,7 @@ std::vector<T> read_attribute(Document& document, PrimitiveId id, const std::str
   return read_per_vertex<T>(document, id, attribute(primitive_of(document, id), name), name, vertices);
 }
 
-void warn_of_unread_attributes(Document& document, PrimitiveId id) {
+void warn_about_unread_attributes(Document& document, PrimitiveId id) {
   constexpr std::string_view kRead[] = {"POSITION", "NORMAL", "TANGENT", "COLOR_0"};
   constexpr std::string_view kSets[] = {"TEXCOORD_", "JOINTS_", "WEIGHTS_"};
   for (const auto& [name, accessor] : primitive_of(document, id)["attributes"].index_map()) {

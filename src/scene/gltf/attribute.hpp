@@ -34,7 +34,7 @@ template <class T>
 std::vector<T> read_per_vertex(Document& document, PrimitiveId id, int accessor, const std::string& name, std::size_t vertices);
 
 /// Warns about attributes that the reader ignores.
-void warn_of_unread_attributes(Document& document, PrimitiveId id);
+void warn_about_unread_attributes(Document& document, PrimitiveId id);
 
 /// Reads COLOR_0, RGB or RGBA, into mesh.colors and mesh.alphas. Leaves colors empty if all are white, and alphas if all are
 /// opaque.

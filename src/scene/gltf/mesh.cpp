@@ -83,7 +83,7 @@ std::optional<Mesh> read_mesh(Document& document, PrimitiveId id, const Material
     return std::nullopt;
   }
 
-  warn_of_unread_attributes(document, id);
+  warn_about_unread_attributes(document, id);
   Mesh mesh;
   mesh.positions = unpack<Vec3f>(document, attribute(primitive, "POSITION"));
   const std::size_t vertices = mesh.positions.size();

@@ -1,9 +1,10 @@
 // Based on: Illuminating Engineering Society, "ANSI/IES LM-63-19: IES Standard File Format for the Electronic Transfer of
-// Photometric Data", 2019, and its forerunners of 1986, 1991, 1995 and 2002, which differ in what stands before TILT.
-// 1. Lines up to TILT= are keywords. 2. Numbers follow, wherever lines break: the lamp, how many angles there are, the type of
-// photometry, the luminaire's size, ballast; vertical angles; horizontal angles; for each of these, candelas by vertical angle.
-// 3. Angles that cover a half or a quarter of what there is stand for the rest by symmetry.
-// We deviate: 1. Commas between numbers are blanks, as several programs write them. 2. Horizontal angles of type C that end
+// Photometric Data", 2019, and its predecessors of 1986, 1991, 1995 and 2002, which differ in the part before TILT.
+// 1. Lines up to TILT= are keywords. 2. Numbers follow, with arbitrary line breaks: the lamp, the numbers of angles, the type
+// of photometry, the luminaire's size, ballast; vertical angles; horizontal angles; for each of these, candelas by vertical
+// angle. 3. Angles that cover a half or a quarter of the full range are completed by symmetry.
+// Beyond the standard: 1. Commas between numbers count as blanks because several programs write them. 2. Horizontal angles of
+// type C that end between 180 and 360 degrees close the circle.
 // before 360 but beyond 180 degrees close the circle.
 #include "scene/ies.hpp"
 
@@ -27,14 +28,14 @@ constexpr float kLeastStep = 1e-3f;  ///< between angles, in degrees
 
 enum class Photometry { kC = 1, kB = 2, kA = 3 };
 
-/// What a file says: candelas[h][v] of horizontal and vertical angles in degrees.
+/// The contents of a file: candelas[h][v] for horizontal and vertical angles in degrees.
 struct MeasuredWeb {
   Photometry type = Photometry::kC;
   std::vector<float> vertical, horizontal;
   std::vector<std::vector<float>> candelas;
 };
 
-/// Keywords that say nothing about the light: makers and catalogues, dates, what users add as [_NAME].
+/// Returns whether a keyword is known to be unrelated to the light: makers, catalogues, dates, and user keywords [_NAME].
 bool is_known_keyword(std::string_view keyword) {
   constexpr std::string_view kKnown[] = {"TEST",      "TESTLAB",       "TESTMETHOD",   "TESTDATE",  "ISSUEDATE",
                                          "DATE",      "MANUFAC",       "LUMCAT",       "LUMINAIRE", "LAMPCAT",
@@ -50,7 +51,7 @@ void note_keyword(std::string_view line, const std::string& where, LeftOut& left
   if (!is_known_keyword(line.substr(begin + 1, end - begin - 1))) left_out.add(line.substr(begin, end + 1 - begin), where);
 }
 
-/// Replaces all up to the line of TILT= by empty lines, so that line numbers stay; returns what stands behind it.
+/// Replaces everything up to the TILT= line by empty lines, to keep line numbers. Returns the value of TILT.
 std::string take_header(const std::string& name, std::string& text, LeftOut& left_out) {
   int line_number = 1;
   for (std::size_t begin = 0; begin < text.size(); ++line_number) {
@@ -68,8 +69,7 @@ std::string take_header(const std::string& name, std::string& text, LeftOut& lef
   }
   const FileContent content = describe_content(std::as_bytes(std::span(text)));
   if (!content.advice.empty()) throw Error(name, "is " + content.what, content.advice);
-  throw Error(name, fmt::format("is {}, without a line that begins with TILT", content.what),
-              "a photometric file after IES LM-63");
+  throw Error(name, fmt::format("is {} without a TILT line", content.what), "an IES LM-63 photometric file");
 }
 
 class IesReader {
@@ -138,13 +138,13 @@ class IesReader {
   MeasuredWeb web_;
 };
 
-/// Goes on beyond the last element as before it, in the reverse order; numbers as in a mirror.
+/// Extends the angles beyond the last one by mirroring.
 void mirror_back(std::vector<float>& angles) {
   const float last = angles.back();
   for (std::size_t i = angles.size() - 1; i-- > 0;) angles.push_back(2.0f * last - angles[i]);
 }
 
-/// The same before the first.
+/// Extends the angles before the first one by mirroring.
 void mirror_front(std::vector<float>& angles) {
   const float first = angles.front();
   std::vector<float> before;
@@ -165,12 +165,13 @@ void repeat_front(std::vector<T>& of_angle) {
 
 bool go_from(const std::vector<float>& angles, float from, float to) { return angles.front() == from && angles.back() == to; }
 
-[[noreturn]] void refuse_range(const Lexer& lexer, const char* what, const std::vector<float>& angles, const char* accepted) {
+[[noreturn]] void throw_range_error(const Lexer& lexer, const char* what, const std::vector<float>& angles,
+                                    const char* accepted) {
   throw Error(lexer.name(), fmt::format("the {} angles go from {} to {} degrees", what, angles.front(), angles.back()),
               accepted);
 }
 
-/// Horizontal angles of type C, until they go all around.
+/// Completes the horizontal angles of type C to a full circle.
 void complete_circle(const Lexer& lexer, MeasuredWeb& web) {
   std::vector<float>& angles = web.horizontal;
   if (angles.size() == 1) return;
@@ -180,21 +181,21 @@ void complete_circle(const Lexer& lexer, MeasuredWeb& web) {
   if (angles.front() == 0.0f && angles.back() > 180.0f && angles.back() < 360.0f)
     angles.push_back(360.0f), web.candelas.push_back(std::vector<float>(web.candelas.front()));
   if (angles.back() - angles.front() != 360.0f || angles.front() < -180.0f)
-    refuse_range(lexer, "horizontal", angles, "0 to 90, 0 to 180, 0 to 360, or 90 to 270 degrees");
+    throw_range_error(lexer, "horizontal", angles, "0 to 90, 0 to 180, 0 to 360, or 90 to 270 degrees");
 }
 
-/// Angles of types A and B, until they cover both sides.
+/// Completes the angles of types A and B to both sides.
 void complete_sides(const Lexer& lexer, MeasuredWeb& web) {
-  const auto refuse = [&](const char* what, const std::vector<float>& angles) {
-    if (!go_from(angles, -90.0f, 90.0f)) refuse_range(lexer, what, angles, "0 to 90, or -90 to 90 degrees");
+  const auto require_full_range = [&](const char* what, const std::vector<float>& angles) {
+    if (!go_from(angles, -90.0f, 90.0f)) throw_range_error(lexer, what, angles, "0 to 90, or -90 to 90 degrees");
   };
   if (go_from(web.horizontal, 0.0f, 90.0f)) mirror_front(web.horizontal), repeat_front(web.candelas);
   if (go_from(web.vertical, 0.0f, 90.0f)) {
     mirror_front(web.vertical);
     for (std::vector<float>& row : web.candelas) repeat_front(row);
   }
-  refuse("horizontal", web.horizontal);
-  refuse("vertical", web.vertical);
+  require_full_range("horizontal", web.horizontal);
+  require_full_range("vertical", web.vertical);
 }
 
 std::vector<float> in_radians(const std::vector<float>& degrees, float offset) {
@@ -211,7 +212,7 @@ PhotometricWeb web_of_type_c(const MeasuredWeb& measured) {
   return web;
 }
 
-/// The axis points down, along -y; horizontal angles go around it.
+/// Converts type A: the axis points down, along -y; horizontal angles are azimuths around it.
 PhotometricWeb web_of_type_a(const MeasuredWeb& measured) {
   PhotometricWeb web;
   web.polar = in_radians(measured.vertical, 90.0f), web.azimuth = in_radians(measured.horizontal, 0.0f);
@@ -220,7 +221,7 @@ PhotometricWeb web_of_type_a(const MeasuredWeb& measured) {
   return web;
 }
 
-/// The axis points to the left, along -x; vertical angles go around it.
+/// Converts type B: the axis points to the left, along -x; vertical angles are azimuths around it.
 PhotometricWeb web_of_type_b(const MeasuredWeb& measured) {
   PhotometricWeb web;
   web.polar = in_radians(measured.horizontal, 90.0f), web.azimuth = in_radians(measured.vertical, 0.0f);
@@ -233,7 +234,7 @@ PhotometricWeb web_of_type_b(const MeasuredWeb& measured) {
 PhotometricWeb web_of(const Lexer& lexer, MeasuredWeb& measured) {
   if (measured.type == Photometry::kC) {
     if (measured.vertical.front() < 0.0f || measured.vertical.back() > 180.0f)
-      refuse_range(lexer, "vertical", measured.vertical, "0 to 90, 90 to 180, or 0 to 180 degrees");
+      throw_range_error(lexer, "vertical", measured.vertical, "0 to 90, 90 to 180, or 0 to 180 degrees");
     complete_circle(lexer, measured);
     return web_of_type_c(measured);
   }

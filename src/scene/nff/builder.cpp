@@ -1,7 +1,7 @@
-// Based on: E. Haines, "Neutral File Format", version 3.9, 1996: a surface is Kd and Ks of its colour, with Phong's highlight
-// (R.V)^shine and a mirrored ray, both times Ks, and T of what comes through.
-// We deviate: the highlight is a power of N.H, of four times the exponent, which has the same shape near its middle: the angle
-// between N and H is half the one between R and V.
+// Based on: E. Haines, "Neutral File Format", version 3.9, 1996: a surface has Kd and Ks of its colour, Phong's highlight
+// (R.V)^shine and a mirrored ray, both scaled by Ks, and transmits T.
+// Unlike NFF, the highlight is a power of N.H with four times the exponent. It has the same shape near its centre because the
+// angle between N and H is half the angle between R and V.
 #include "scene/nff/builder.hpp"
 
 #include <fmt/format.h>
@@ -43,7 +43,7 @@ bool has_area(Vec3f a, Vec3f b, Vec3f c) {
   return glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a)) != glm::dvec3(0.0);
 }
 
-/// The polygon's normal, for corners that have none of their own.
+/// Returns the polygon's normal, for corners without normals.
 Vec3f facet_normal(std::span<const Vec3f> corners, const Triangle& triangle) {
   const glm::dvec3 a(corners[triangle[0]]), b(corners[triangle[1]]), c(corners[triangle[2]]);
   return Vec3f(glm::normalize(glm::cross(b - a, c - a)));

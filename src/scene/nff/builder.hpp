@@ -1,5 +1,5 @@
-// Collects the shapes of an NFF file into a Scene: one instance per surface and kind of shape, so that thousands of spheres are
-// one shape. What has no extent is left out and counted.
+// Collects the shapes of an NFF file into a Scene, with one instance per surface and kind of shape, so that thousands of
+// spheres form one shape. Shapes without extent are dropped and counted.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace lippmann::nff {
 
-/// The numbers of "f".
+/// The parameters of the statement "f".
 struct Fill {
   Vec3f color{1.0f};
   float diffuse = 1.0f, specular = 0.0f, shine = 1.0f;
@@ -21,7 +21,7 @@ struct Fill {
 
 class Builder {
  public:
-  /// Shapes that are added from now on have this fill. Before the first call: white.
+  /// Sets the fill of shapes added later. The default is white.
   void set_fill(const Fill& fill);
 
   void add_sphere(Vec3f center, float radius);                                            // radius >= 0
@@ -31,7 +31,7 @@ class Builder {
   int left_out() const { return left_out_; }
   int cones() const { return cones_; }
 
-  /// Moves what was collected to the scene.
+  /// Moves the collected shapes to the scene.
   void finish(Scene& scene);
 
  private:
@@ -42,7 +42,7 @@ class Builder {
   };
   Group& group();
 
-  std::map<std::array<float, 8>, std::size_t> known_;  ///< by the numbers of Fill
+  std::map<std::array<float, 8>, std::size_t> known_;  ///< fill indices by the parameters of Fill
   std::vector<Fill> fills_;
   std::vector<Group> groups_;  ///< one per fill
   std::size_t current_ = 0;

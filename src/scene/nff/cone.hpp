@@ -1,14 +1,14 @@
-// The side of a cone or of a part of one, as a mesh.
+// Makes the side of a cone or a truncated cone as a mesh.
 #pragma once
 
 #include "lippmann/scene/scene.hpp"
 
 namespace lippmann::nff {
 
-/// At 64 sides the outline stays within r (1 - cos(pi / 64)) = 0.12 % of the radius.
+/// Sides of the polygonal outline, which deviates from the circle by r (1 - cos(pi / 64)) = 0.12 % of the radius.
 inline constexpr int kConeSides = 64;
 
-/// Adds triangles with smooth normals that face outwards. base != apex; radii >= 0, not both 0. The mesh has normals.
+/// Adds triangles with smooth normals that face outwards. base != apex; radii >= 0, not both 0. The mesh must have normals.
 void add_cone(Mesh& mesh, Vec3f base, float base_radius, Vec3f apex, float apex_radius);
 
 }  // namespace lippmann::nff

@@ -1,5 +1,5 @@
-// Based on: E. Haines, "Neutral File Format", version 3.9, 1996. A file is words separated by white space, a statement is a
-// keyword and the words that it wants; only of "l" the line says where it ends.
+// Based on: E. Haines, "Neutral File Format", version 3.9, 1996. A file consists of words separated by white space. A statement
+// is a keyword and its parameters; only "l" ends at the end of the line.
 #include "scene/nff.hpp"
 
 #include <fmt/format.h>
@@ -20,8 +20,8 @@ namespace nff {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{256} << 20;
-constexpr float kLargestNumber = 1e18f;  // squares and products of two of them stay finite
-constexpr int kMostCones = 100'000;      // each becomes some 5 KB
+constexpr float kLargestNumber = 1e18f;  // keeps squares and products of two such numbers finite
+constexpr int kMostCones = 100'000;      // about 5 KB each
 constexpr int kMostCorners = 1 << 30, kLargestResolution = 65536;
 
 struct View {
@@ -58,13 +58,14 @@ void parse_background(Lexer& lexer, State& state) { state.background = vector(le
 
 void require_view(const View& view, const Lexer& lexer) {
   if (!view.from || !view.at || !view.up || !view.angle)
-    throw lexer.error("the view \"v\" is not complete", "from, at, up and angle; hither and resolution if wanted");
+    throw lexer.error("the view \"v\" is not complete", "from, at, up and angle; hither and resolution are optional");
   if (!(*view.angle > 0.0f && *view.angle < 180.0f))
     throw lexer.error(fmt::format("the view's angle is {}", *view.angle), "degrees above 0 and below 180");
   const glm::dvec3 along = glm::dvec3(*view.at) - glm::dvec3(*view.from), up(*view.up);
-  constexpr double kSine = 1e-6;  // below this the rounding of the file's own digits decides where right is
+  constexpr double kSine = 1e-6;  // below this, rounding of the file's digits would determine the direction
   if (!(glm::length(glm::cross(along, up)) > kSine * glm::length(along) * glm::length(up)))
-    throw lexer.error("the view's from, at and up do not span a plane", "at other than from, up across the view");
+    throw lexer.error("the view's from, at and up do not span a plane",
+                      "different points from and at, and up not parallel to the view");
 }
 
 void parse_view(Lexer& lexer, State& state) {
@@ -113,17 +114,18 @@ void parse_fill(Lexer& lexer, State& state) {
   state.builder.set_fill(fill);
 }
 
-/// Negative radii mean surfaces that are seen from inside; ours are seen from both sides.
+/// Parses a cone. Negative radii mean surfaces seen from inside; we render both sides.
 void parse_cone(Lexer& lexer, State& state) {
   const Vec3f base = point(lexer, "c's base");
   const float base_radius = number(lexer, "c's base radius");
   const Vec3f apex = point(lexer, "c's apex");
   const float apex_radius = number(lexer, "c's apex radius");
   if (std::min(base_radius, apex_radius) < 0.0f && std::max(base_radius, apex_radius) > 0.0f)
-    throw lexer.error("the radii of a cone differ in sign", "both >= 0, or both <= 0");
+    throw lexer.error("the radii of a cone have different signs", "both >= 0, or both <= 0");
   state.builder.add_cone(base, std::abs(base_radius), apex, std::abs(apex_radius));
   if (state.builder.cones() > kMostCones)
-    throw lexer.error("there are too many cones", fmt::format("at most {} of two radii; cylinders without limit", kMostCones));
+    throw lexer.error("there are too many cones",
+                      fmt::format("at most {} with two radii; cylinders are unlimited", kMostCones));
 }
 
 void parse_sphere(Lexer& lexer, State& state) {
@@ -140,8 +142,7 @@ void parse_corners(Lexer& lexer, State& state, std::string_view keyword, bool ha
     if (has_normals) normals.push_back(vector(lexer, keyword));
   }
   if (corners.size() > kMostConcaveCorners && !turns_one_way(corners))
-    throw Error(where, fmt::format("a polygon that is not convex has {} corners", count),
-                fmt::format("at most {}", kMostConcaveCorners));
+    throw Error(where, fmt::format("a concave polygon has {} corners", count), fmt::format("at most {}", kMostConcaveCorners));
   state.builder.add_polygon(corners, normals);
 }
 
@@ -184,7 +185,7 @@ void add_camera(Scene& scene, const View& view) {
 }
 
 void add_lights(Scene& scene, const std::vector<PointLight>& lights) {
-  const float intensity = 1.0f / std::sqrt(static_cast<float>(lights.size()));  // for lights without a colour
+  const float intensity = 1.0f / std::sqrt(static_cast<float>(lights.size()));  // of lights without a colour
   for (const PointLight& point : lights) {
     Node node;
     node.name = fmt::format("light {}", scene.lights.size());

@@ -1,5 +1,5 @@
 // Based on: Alias/Wavefront, "MTL material format", version 4.2, 1995, and its extension for physically based rendering (Pr,
-// Pm). We deviate: a Phong exponent Ns becomes the roughness of a microfacet lobe of the same width, alpha^2 = 2 / (Ns + 2),
+// Pm). Unlike MTL, a Phong exponent Ns becomes the roughness of a microfacet lobe of the same width, alpha^2 = 2 / (Ns + 2),
 // after B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007, section 5; roughness is sqrt(alpha).
 #include "scene/obj/materials.hpp"
 
@@ -46,8 +46,8 @@ bool is_number(std::string_view word) {
   return !word.empty() && word.find_first_not_of("0123456789+-.eE") == std::string_view::npos;
 }
 
-/// The file's name behind the options of a map statement: "-s 1 1 1 -clamp on name". Folders are separated by '/'. The options
-/// are left out.
+/// Returns the file name after the options of a map statement such as "-s 1 1 1 -clamp on name", with '/' as folder separator.
+/// Options are ignored and added to `left_out`.
 std::string map_file(std::string_view statement, const std::string& where, LeftOut& left_out) {
   std::string_view rest = statement;
   for (;;) {
@@ -69,10 +69,10 @@ std::string map_file(std::string_view statement, const std::string& where, LeftO
   return name;
 }
 
-/// One material while its statements are read.
+/// A material whose statements are being read.
 struct Draft {
   MetallicRoughness surface = matt_grey();
-  float roughness = -1.0f;  ///< below 0: not given
+  float roughness = -1.0f;  ///< below 0: not set
   float exponent = 0.0f;
   bool dull = false;  ///< Ks is black
 
@@ -91,7 +91,7 @@ float number(Lexer& lexer, std::string_view wanted) {
 }
 float share(Lexer& lexer, std::string_view wanted) { return std::min(1.0f, number(lexer, wanted)); }
 
-/// R, or R G B.
+/// Reads R, or R G B.
 Vec3f color(Lexer& lexer, std::string_view wanted) {
   const float red = number(lexer, wanted);
   if (lexer.at_line_end()) return Vec3f(red);
@@ -99,7 +99,7 @@ Vec3f color(Lexer& lexer, std::string_view wanted) {
   return {red, green, blue};
 }
 
-/// Statements of one value; false: another one.
+/// Parses a statement with a single value. Returns false for other statements.
 bool parse_value(std::string_view keyword, Lexer& lexer, Draft& draft) {
   MetallicRoughness& s = draft.surface;
   if (keyword == "Kd")
@@ -121,7 +121,7 @@ bool parse_value(std::string_view keyword, Lexer& lexer, Draft& draft) {
   else if (keyword == "Pm")
     s.metallic = share(lexer, "Pm");
   else
-    return keyword == "Ka" || keyword == "illum";  // light and shading are computed otherwise here
+    return keyword == "Ka" || keyword == "illum";  // ambient light and illumination models are ignored
   return true;
 }
 

@@ -1,4 +1,4 @@
-// The materials of an OBJ file, from its .mtl files.
+// Reads the materials of an OBJ file from its .mtl files.
 #pragma once
 
 #include <map>
@@ -15,16 +15,16 @@ namespace lippmann::obj {
 
 class Materials {
  public:
-  /// folders: where files may lie. texture_bytes: as LoadOptions has it. Materials and textures go to the scene.
+  /// `folders` may contain the files. texture_bytes: as in LoadOptions. Adds materials and textures to the scene.
   Materials(SideFolders folders, std::uint64_t texture_bytes, Scene& scene, const Context& context);
 
-  /// Reads what an mtllib statement at `where` names: a file, or several. Files that cannot be used are a warning.
+  /// Reads the one or more files of an mtllib statement at `where`. Warns about files that cannot be used.
   void read_library(std::string_view names, const std::string& where);
 
-  /// The index of a material; of one that no library has, with a warning, a grey one. Empty: grey.
+  /// Returns the index of a material. Unknown materials are grey, with a warning; an empty name means grey.
   int find(std::string_view name, const std::string& where);
 
-  /// Gives the textures of all libraries their texels.
+  /// Decodes the textures of all libraries.
   void decode_textures() { textures_.decode(); }
 
  private:
@@ -35,9 +35,9 @@ class Materials {
   SideTextures textures_;
   Scene& scene_;
   const Context& context_;
-  std::map<std::string, int, std::less<>> known_;  ///< materials by name
-  std::set<std::string> read_;                     ///< libraries
-  std::size_t text_left_;                          ///< bytes of libraries
+  std::map<std::string, int, std::less<>> known_;  ///< material indices by name
+  std::set<std::string> read_;                     ///< names of libraries read so far
+  std::size_t text_left_;                          ///< bytes that libraries may still have
 };
 
 }  // namespace lippmann::obj

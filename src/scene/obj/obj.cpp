@@ -1,4 +1,4 @@
-// Based on: Alias/Wavefront, "Object files (.obj)", version 3.0, 1991: polygons only.
+// Based on: Alias/Wavefront, "Object files (.obj)", version 3.0, 1991; only polygons are read.
 #include "scene/obj.hpp"
 
 #include <fmt/format.h>
@@ -27,9 +27,9 @@ namespace obj {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;
-constexpr float kLargestCoordinate = 1e18f;  // squares and products of two of them stay finite
+constexpr float kLargestCoordinate = 1e18f;  // keeps squares and products of two such numbers finite
 
-/// Indices of a face's corner; -1: none.
+/// Indices of a face corner; -1: none.
 struct Corner {
   int position = -1, uv = -1, normal = -1;
   bool operator==(const Corner&) const = default;
@@ -43,10 +43,10 @@ struct CornerHash {
   }
 };
 
-/// The faces of one object and material that bring the same attributes.
+/// The faces of one object and material that have the same attributes.
 struct Part {
   Mesh mesh;
-  std::unordered_map<Corner, std::uint32_t, CornerHash> placed;  ///< vertices of the mesh
+  std::unordered_map<Corner, std::uint32_t, CornerHash> placed;  ///< corners to vertex indices
 };
 
 Vec3f linear(Vec3f srgb) {
@@ -99,14 +99,14 @@ class Reader {
     is_smoothed_ = group != "off" && group != "0" && !group.empty();
   }
 
-  /// Smoothing groups ask for normals that the file does not bring.
-  void warn_of_smoothing() {
-    if (!is_smoothed_ || warned_of_smoothing_) return;
-    warned_of_smoothing_ = true;
+  /// Warns that smoothing groups need normals, which the file does not contain.
+  void warn_about_smoothing() {
+    if (!is_smoothed_ || warned_about_smoothing_) return;
+    warned_about_smoothing_ = true;
     context_.warning(fmt::format("{}: faces of smoothing groups (s) without normals (vn) are faceted.", lexer_.where()));
   }
 
-  /// x y z, perhaps w, perhaps r g b.
+  /// Parses x y z, optionally w, optionally r g b.
   void parse_position() {
     positions_.push_back(three("v", [&](int axis) { return lexer_.coordinate(axis, "v", kLargestCoordinate); }));
     std::array<float, 4> more{};
@@ -117,7 +117,7 @@ class Reader {
     colors_.back() = linear({more[count - 3], more[count - 2], more[count - 1]});
   }
 
-  /// Three numbers of one line; `read(axis)` takes the next one.
+  /// Reads three numbers on one line; `read(axis)` reads the next one.
   template <class Read>
   Vec3f three(std::string_view keyword, const Read& read) {
     Vec3f result;
@@ -140,19 +140,19 @@ class Reader {
     lexer_.rest_of_line();
   }
 
-  /// A whole number, which counts from 1 or backwards from -1, as an index.
+  /// Returns an index from a number that counts from 1, or backwards from -1.
   int index(std::string_view digits, std::size_t size, std::string_view word, const char* what) const {
     std::int64_t value = 0;
     const auto [rest, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     const auto count = static_cast<std::int64_t>(size);
     if (failure != std::errc{} || rest != digits.data() + digits.size() || value == 0 || value > count || value < -count)
       throw lexer_.error(
-          fmt::format("{} names a {} that does not exist", shown(word), what),
+          fmt::format("{} refers to a {} that does not exist", shown(word), what),
           count > 0 ? fmt::format("1 to {}, or -{} to -1", count, count) : fmt::format("a {} before the face", what));
     return static_cast<int>(value > 0 ? value - 1 : count + value);
   }
 
-  /// position, position/uv, position//normal, position/uv/normal.
+  /// Parses position, position/uv, position//normal or position/uv/normal.
   Corner parse_corner(std::string_view word) const {
     const std::size_t first = std::min(word.find('/'), word.size());
     const std::size_t second = first == word.size() ? first : std::min(word.find('/', first + 1), word.size());
@@ -172,13 +172,13 @@ class Reader {
     }
     if (corners_.size() < 3) throw lexer_.error(fmt::format("a face has {} corners", corners_.size()), "3 or more");
     if (corners_.size() > kMostConcaveCorners && !turns_one_way(outline_))
-      throw lexer_.error(fmt::format("a face that is not convex has {} corners", corners_.size()),
+      throw lexer_.error(fmt::format("a concave face has {} corners", corners_.size()),
                          fmt::format("at most {}", kMostConcaveCorners));
     const bool has_uv = std::all_of(corners_.begin(), corners_.end(), [](const Corner& c) { return c.uv >= 0; });
     const bool has_normal = std::all_of(corners_.begin(), corners_.end(), [&](const Corner& c) {
       return c.normal >= 0 && normals_[static_cast<std::size_t>(c.normal)] != Vec3f(0.0f);
     });
-    if (!has_normal) warn_of_smoothing();
+    if (!has_normal) warn_about_smoothing();
     Part& part = part_for(has_uv, has_normal);
     for (const Triangle& triangle : triangulate(outline_)) {
       std::array<std::uint32_t, 3> vertices{};
@@ -205,7 +205,7 @@ class Reader {
     if (has_uv) part.mesh.uvs.push_back(uvs_[static_cast<std::size_t>(corner.uv)]);
     if (has_normal) part.mesh.normals.push_back(direction_of(normals_[static_cast<std::size_t>(corner.normal)]));
     if (!colors_.empty()) {
-      part.mesh.colors.resize(part.mesh.positions.size() - 1, Vec3f(1.0f));  // earlier vertices without a colour are white
+      part.mesh.colors.resize(part.mesh.positions.size() - 1, Vec3f(1.0f));  // earlier vertices are white
       part.mesh.colors.push_back(position < colors_.size() ? colors_[position] : Vec3f(1.0f));
     }
     return known->second;
@@ -230,19 +230,19 @@ class Reader {
   Scene& scene_;
   const Context& context_;
   Materials materials_;
-  std::vector<Vec3f> positions_, normals_, colors_;  ///< colours of the first positions; white beyond
+  std::vector<Vec3f> positions_, normals_, colors_;  ///< colors_: for the first positions; the others are white
   std::vector<Vec2f> uvs_;
-  std::vector<Corner> corners_;  ///< the corners of the face that is being read
+  std::vector<Corner> corners_;  ///< of the current face
   std::vector<Vec3f> outline_;
   std::string object_, material_;
-  std::map<std::tuple<std::string, int, bool, bool>, Part> parts_;  ///< by object, material, and what attributes there are
-  Part* part_ = nullptr;  ///< the part that the last face belongs to; null: to be found
+  std::map<std::tuple<std::string, int, bool, bool>, Part> parts_;  ///< by object, material, and the attributes present
+  Part* part_ = nullptr;                                            ///< part of the last face; null: unknown
   bool part_uv_ = false, part_normal_ = false;
-  bool is_smoothed_ = false, warned_of_smoothing_ = false;
-  LeftOut left_out_;  ///< statements
+  bool is_smoothed_ = false, warned_about_smoothing_ = false;
+  LeftOut left_out_;  ///< unsupported statements
 };
 
-/// A backslash at a line's end joins it with the next one; not in comments, which may end with a folder's name.
+/// Joins lines that end with a backslash to the next one, except comments, which may end with a folder name.
 void join_lines(std::string& text) {
   for (std::size_t at = text.find('\\'); at != std::string::npos; at = text.find('\\', at + 1)) {
     const std::size_t end = at + 1 < text.size() && text[at + 1] == '\r' ? at + 2 : at + 1;

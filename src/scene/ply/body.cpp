@@ -13,7 +13,7 @@
 namespace lippmann::ply {
 namespace {
 
-constexpr double kLargestNumber = 1e18;  // squares and products of two of them stay finite in floats
+constexpr double kLargestNumber = 1e18;  // keeps squares and products of two such numbers finite in floats
 
 template <class T>
 double as(const unsigned char* raw) {
@@ -77,16 +77,16 @@ void Body::floats(std::span<float> row) {
 
 std::uint32_t Body::length(const Property& list, double most) { return index(*list.count_type, most, "the length of a list"); }
 
-void Body::pass_over(const Property& property) {
+void Body::skip(const Property& property) {
   const std::uint32_t count = property.count_type ? length(property) : 1;
   for (std::uint32_t i = 0; i < count; ++i) value(property.type);
 }
 
-void Body::pass_over(const Element& element) {
+void Body::skip(const Element& element) {
   if (element.properties.empty()) return;
   for (std::int64_t row = 0; row < element.count; ++row) {
     set_place(element.name, row);
-    for (const Property& property : element.properties) pass_over(property);
+    for (const Property& property : element.properties) skip(property);
   }
 }
 

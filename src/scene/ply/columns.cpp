@@ -16,7 +16,7 @@ int Columns::alpha() {
   return -1;
 }
 
-void Columns::warn_of_unread(const std::string& file, const Context& context) const {
+void Columns::warn_about_unread(const std::string& file, const Context& context) const {
   LeftOut unread;
   for (std::size_t i = 0; i < read_.size(); ++i)
     if (!read_[i]) unread.add(element_.properties[i].name, fmt::format("{}: element {}", file, shown(element_.name)));

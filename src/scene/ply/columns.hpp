@@ -1,4 +1,4 @@
-// Finds the properties of a PLY element that a reader uses, and names the others.
+// Finds the properties of a PLY element that a reader uses, and reports the others.
 #pragma once
 
 #include <array>
@@ -12,17 +12,17 @@
 
 namespace lippmann::ply {
 
-/// Columns are indices into Element::properties; -1: there is none. What is found counts as read.
+/// Columns are indices into Element::properties; -1: absent. Properties found are marked as read.
 class Columns {
  public:
   /// `element` must outlive this object.
   explicit Columns(const Element& element) : element_(element), read_(element.properties.size(), false) {}
 
-  /// The first property of this name that is a single value; of a list that is one.
+  /// Return the first property of this name that is a single value, or a list.
   int value(std::string_view name) { return mark(find(name, false)); }
   int list(std::string_view name) { return mark(find(name, true)); }
 
-  /// The first of these sets of single values of which all are there.
+  /// Returns the first of these sets whose properties all exist as single values.
   template <std::size_t N>
   std::optional<std::array<int, N>> values(std::initializer_list<std::array<std::string_view, N>> sets) {
     for (const std::array<std::string_view, N>& names : sets) {
@@ -36,12 +36,12 @@ class Columns {
     return std::nullopt;
   }
 
-  /// Red, green and blue; the names of alpha that go with them are those of alpha().
+  /// Return red, green and blue, and alpha.
   std::optional<std::array<int, 3>> color();
   int alpha();
 
-  /// Warns of the properties that are not read, by name.
-  void warn_of_unread(const std::string& file, const Context& context) const;
+  /// Warns about unread properties by name.
+  void warn_about_unread(const std::string& file, const Context& context) const;
 
  private:
   int find(std::string_view name, bool is_list) const;

@@ -20,14 +20,14 @@ int corners_column(Columns& columns, const std::string& name, std::string_view p
 
 double last_vertex(const Mesh& mesh) { return static_cast<double>(mesh.positions.size()) - 1.0; }
 
-/// Columns of the values of a face; -1: none.
+/// The columns of a face's values; -1: absent.
 struct FaceColumns {
   int corners = -1, uvs = -1, picture = -1, alpha = -1;
   std::optional<std::array<int, 3>> color;
-  bool has_look() const { return uvs >= 0 || picture >= 0 || alpha >= 0 || color; }
+  bool has_appearance() const { return uvs >= 0 || picture >= 0 || alpha >= 0 || color; }
 };
 
-/// Colours of vertices and texture coordinates of corners come first.
+/// Finds the columns. Vertex colours take precedence over face colours, corner texture coordinates over those of vertices.
 FaceColumns find_face_columns(const std::string& name, const Element& element, const Mesh& mesh, const Context& context) {
   Columns columns(element);
   FaceColumns found;
@@ -38,7 +38,7 @@ FaceColumns find_face_columns(const std::string& name, const Element& element, c
   found.picture = columns.value("texnumber");
   if (mesh.colors.empty()) found.color = columns.color();
   if (mesh.alphas.empty()) found.alpha = columns.alpha();
-  columns.warn_of_unread(name, context);
+  columns.warn_about_unread(name, context);
   return found;
 }
 
@@ -67,7 +67,7 @@ class FaceReader {
       const std::uint32_t count = body_.length(property);
       for (std::uint32_t k = 0; k < count; ++k) uvs_.push_back(static_cast<float>(body_.bounded(property.type)));
     } else if (property.count_type) {
-      body_.pass_over(property);
+      body_.skip(property);
     } else {
       row_.set(column, body_.value(property.type));
     }
@@ -76,28 +76,28 @@ class FaceReader {
   void add_face() {
     for (const std::uint32_t corner : corners_) outline_.push_back(ply_.mesh.positions[corner]);
     if (corners_.size() > kMostConcaveCorners && !turns_one_way(outline_))
-      throw body_.error(fmt::format("is not convex and has {} corners", corners_.size()),
+      throw body_.error(fmt::format("is concave and has {} corners", corners_.size()),
                         fmt::format("at most {}", kMostConcaveCorners));
     if (!uvs_.empty() && uvs_.size() != 2 * corners_.size())
       throw body_.error(fmt::format("has {} corners and {} values texcoord", corners_.size(), uvs_.size()),
                         "two values for each corner, or none");
-    const FaceLook look = columns_.has_look() ? face_look() : FaceLook{};
+    const FaceAppearance appearance = columns_.has_appearance() ? face_appearance() : FaceAppearance{};
     for (const Triangle& t : triangulate(outline_)) {
       ply_.mesh.triangles.push_back({corners_[t[0]], corners_[t[1]], corners_[t[2]]});
-      if (!columns_.has_look()) continue;
-      ply_.looks.push_back(look);
+      if (!columns_.has_appearance()) continue;
+      ply_.appearances.push_back(appearance);
       for (std::size_t k = 0; k < 3 && !uvs_.empty(); ++k)
-        ply_.looks.back().uvs[k] = {uvs_[2 * t[k]], 1.0f - uvs_[2 * t[k] + 1]};
+        ply_.appearances.back().uvs[k] = {uvs_[2 * t[k]], 1.0f - uvs_[2 * t[k] + 1]};
     }
   }
 
-  FaceLook face_look() {
-    FaceLook look;
-    if (columns_.color) look.color = row_.color(*columns_.color);
-    if (columns_.alpha >= 0) look.alpha = static_cast<float>(row_.share(columns_.alpha));
+  FaceAppearance face_appearance() {
+    FaceAppearance appearance;
+    if (columns_.color) appearance.color = row_.color(*columns_.color);
+    if (columns_.alpha >= 0) appearance.alpha = static_cast<float>(row_.share(columns_.alpha));
     const bool has_uvs = columns_.uvs < 0 || !uvs_.empty();
-    look.picture = !has_uvs ? -1 : columns_.picture >= 0 ? row_.picture(columns_.picture) : 0;
-    return look;
+    appearance.picture = !has_uvs ? -1 : columns_.picture >= 0 ? row_.picture(columns_.picture) : 0;
+    return appearance;
   }
 
   const Element& element_;
@@ -105,12 +105,12 @@ class FaceReader {
   Body& body_;
   PlyMesh& ply_;
   Row row_;
-  std::vector<std::uint32_t> corners_;  ///< of the face that is being read
+  std::vector<std::uint32_t> corners_;  ///< of the current face
   std::vector<Vec3f> outline_;
   std::vector<float> uvs_;
 };
 
-/// Strips of triangles, as Stanford's scans have them: a list of vertices in which -1 ends a strip.
+/// Reads triangle strips, as in Stanford's scans: a list of vertices where -1 ends a strip.
 class StripReader {
  public:
   StripReader(Body& body, Mesh& mesh) : body_(body), mesh_(mesh) {}
@@ -128,10 +128,10 @@ class StripReader {
   }
 
  private:
-  /// A value that ends one strip and begins the next: -1, in whatever type.
+  /// Returns whether a value ends a strip: -1 in any type.
   static bool ends_strip(double value) { return value == -1.0 || value == 4294967295.0; }
 
-  /// Every second triangle of a strip winds the other way. Two equal corners are how strips are joined.
+  /// Adds a corner. Every second triangle of a strip has the opposite winding. Repeated corners connect strips.
   void extend(std::uint32_t corner) {
     corners_.push_back(corner);
     const std::size_t n = corners_.size();
@@ -143,7 +143,7 @@ class StripReader {
 
   Body& body_;
   Mesh& mesh_;
-  std::vector<std::uint32_t> corners_;  ///< of the strip that is being read
+  std::vector<std::uint32_t> corners_;  ///< of the current strip
 };
 
 }  // namespace
@@ -151,16 +151,16 @@ class StripReader {
 void read_faces(const std::string& name, const Element& element, Body& body, const Context& context, PlyMesh& ply) {
   const FaceColumns columns = find_face_columns(name, element, ply.mesh, context);
   ply.own = {columns.uvs >= 0, columns.color.has_value(), columns.alpha >= 0};
-  if (columns.has_look()) ply.looks.resize(ply.mesh.triangles.size());
+  if (columns.has_appearance()) ply.appearances.resize(ply.mesh.triangles.size());
   FaceReader reader(element, columns, body, ply);
   for (std::int64_t row = 0; row < element.count; ++row) reader.read(row);
-  reader.row().warn_of_cut_colors(name, context);
+  reader.row().warn_about_clamped_colors(name, context);
 }
 
 void read_strips(const std::string& name, const Element& element, Body& body, const Context& context, PlyMesh& ply) {
   Columns columns(element);
   const int list = corners_column(columns, name, "strips");
-  columns.warn_of_unread(name, context);
+  columns.warn_about_unread(name, context);
   StripReader reader(body, ply.mesh);
   for (std::int64_t row = 0; row < element.count; ++row) {
     body.set_place(element.name, row);
@@ -168,7 +168,7 @@ void read_strips(const std::string& name, const Element& element, Body& body, co
       if (static_cast<int>(i) == list)
         reader.read(element.properties[i]);
       else
-        body.pass_over(element.properties[i]);
+        body.skip(element.properties[i]);
     }
   }
 }

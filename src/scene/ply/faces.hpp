@@ -1,4 +1,4 @@
-// Reads the elements of a PLY file that make triangles: faces and strips.
+// Reads the faces and triangle strips of a PLY file.
 #pragma once
 
 #include <string>
@@ -11,17 +11,16 @@
 
 namespace lippmann::ply {
 
-/// A mesh as the file has it: attributes of vertices, and of triangles where faces have some.
+/// A mesh as stored in the file: attributes per vertex, and per triangle if faces have attributes.
 struct PlyMesh {
   Mesh mesh;
-  std::vector<FaceLook> looks;      ///< by triangle; empty: faces have no attributes
-  std::vector<int> vertex_picture;  ///< by vertex; empty: not given
+  std::vector<FaceAppearance> appearances;  ///< by triangle; empty: faces have no attributes
+  std::vector<int> vertex_picture;          ///< texture number by vertex; empty: none
   FaceAttributes own;
   Vec3d origin{0.0};  ///< subtracted from positions
 };
 
-/// Both append to ply.mesh.triangles. They throw Error, and warn, by name, of properties that are not read. `name` is what
-/// errors call the file.
+/// Append to ply.mesh.triangles. Warn about unread properties by name. `name` names the file in messages. Throw Error.
 void read_faces(const std::string& name, const Element& element, Body& body, const Context& context, PlyMesh& ply);
 void read_strips(const std::string& name, const Element& element, Body& body, const Context& context, PlyMesh& ply);
 

@@ -56,7 +56,7 @@ class HeaderReader {
       else
         parse(words);
     }
-    if (!has_format_) throw error("the header names no format");
+    if (!has_format_) throw error("the header has no format statement");
     header_.size = position_;
     return std::move(header_);
   }
@@ -76,7 +76,7 @@ class HeaderReader {
     return error(fmt::format("is not a PLY file but {}", what), "a first line \"ply\"");
   }
 
-  /// Comments in which programs say what the format has no words for.
+  /// Reads comments that hold information the format has no statements for.
   void parse_comment(const std::vector<std::string_view>& words, std::string_view line) {
     if (words.size() > 2 && is_keyword(words[1], "TEXTUREFILE")) {
       const auto begin = static_cast<std::size_t>(words[2].data() - line.data());
@@ -96,15 +96,16 @@ class HeaderReader {
       add_property({std::string(words[2]), type(words[1]), {}});
     else if (words[0] == "property" && words.size() == 5 && words[1] == "list")
       add_property({std::string(words[4]), type(words[3]), type(words[2])});
-    else if (is_meant_as_statement(words[0]))
+    else if (resembles_statement(words[0]))
       throw error(fmt::format("{} is not a statement of the header", shown(words[0])),
                   "format NAME 1.0, element NAME COUNT, property TYPE NAME, property list TYPE TYPE NAME, comment, end_header");
     else
       header_.foreign_lines.add(words[0], fmt::format("{}:{}", name_, line_));
   }
 
-  /// Whether a line is a statement that is damaged or misspelt; else it is a comment without the word, as some programs write.
-  static bool is_meant_as_statement(std::string_view word) {
+  /// Returns whether a line is a damaged or misspelt statement. Other unknown lines are comments without the keyword, as some
+  /// programs write them.
+  static bool resembles_statement(std::string_view word) {
     constexpr std::string_view kStatements[] = {"format", "element", "property", "end_header"};
     constexpr int kMisspelt = 2;
     return std::any_of(std::begin(kStatements), std::end(kStatements),
@@ -134,7 +135,7 @@ class HeaderReader {
   }
 
   void add_property(Property property) {
-    if (header_.elements.empty()) throw error("a property stands before the first element");
+    if (header_.elements.empty()) throw error("a property precedes the first element");
     std::vector<Property>& properties = header_.elements.back().properties;
     if (properties.size() == kMostProperties) throw error("there are too many properties", fmt::format("{}", kMostProperties));
     if (property.count_type && *property.count_type >= Type::kFloat) throw error("the length of a list is not a whole number");

@@ -1,4 +1,4 @@
-// The header of a PLY file: what elements follow, and what each of them has.
+// The header of a PLY file: its elements and their properties.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ int bytes_of(Type type);
 struct Property {
   std::string name;
   Type type = Type::kFloat;
-  std::optional<Type> count_type;  ///< the type of a list's length, which stands before its values; none: a single value
+  std::optional<Type> count_type;  ///< type of a list's length, which precedes its values; none: a single value
 };
 
 struct Element {
@@ -33,12 +33,12 @@ struct Header {
   Format format = Format::kText;
   std::vector<Element> elements;
   std::size_t size = 0;                    ///< bytes up to the body
-  std::vector<std::string> texture_files;  ///< pictures that comments "TextureFile NAME" name, in their order
-  bool is_z_up = false;                    ///< a comment "Vertical Axis: z", as nerfstudio writes
-  LeftOut foreign_lines;                   ///< first words of lines that are no statements
+  std::vector<std::string> texture_files;  ///< from comments "TextureFile NAME", in order
+  bool is_z_up = false;                    ///< from a comment "Vertical Axis: z", as nerfstudio writes
+  LeftOut foreign_lines;                   ///< first words of lines that are not statements
 };
 
-/// Throws Error that names file and line.
+/// Parses a header. Throws Error naming file and line.
 Header parse_header(const std::string& name, std::string_view contents);
 
 }  // namespace lippmann::ply

@@ -20,11 +20,11 @@
 namespace lippmann::ply {
 namespace {
 
-constexpr const char* kArePacked = "its splats are packed, as PlayCanvas and SuperSplat write .compressed.ply";
-constexpr const char* kUnpacked =
-    "a .ply of plain splats, which splat-transform IN OUT.ply makes of it (npm's @playcanvas/splat-transform)";
+constexpr const char* kCompressedSplats = "has compressed splats (a .compressed.ply of PlayCanvas or SuperSplat)";
+constexpr const char* kCompressedAdvice =
+    "an uncompressed .ply, which splat-transform IN OUT.ply writes (npm's @playcanvas/splat-transform)";
 
-/// The properties of an attribute of vertices that is left out if one of its values cannot be used.
+/// The properties of a vertex attribute, which is left out if one of its values is unusable.
 struct VertexAttribute {
   VertexAttribute() = default;
   template <std::size_t N>
@@ -32,7 +32,7 @@ struct VertexAttribute {
     if (found) columns.assign(found->begin(), found->end());
   }
 
-  /// Whether there are values, and all so far can be used.
+  /// Returns whether the attribute exists and all its values so far are usable.
   bool check(const Row& row) {
     for (const int column : columns)
       if (unusable < 0 && !is_usable(row.exact(column))) unusable = column;
@@ -40,7 +40,7 @@ struct VertexAttribute {
   }
 
   std::vector<int> columns;
-  int unusable = -1;  ///< the first column with such a value; -1: none
+  int unusable = -1;  ///< first column with an unusable value; -1: none
 };
 
 void read_vertices(const std::string& name, const Element& element, Body& body, const Context& context, PlyMesh& ply) {
@@ -48,13 +48,13 @@ void read_vertices(const std::string& name, const Element& element, Body& body, 
   if (!mesh.positions.empty()) throw Error(name, "has two lists of vertices", "one element \"vertex\"");
   Columns columns(element);
   const auto xyz = columns.values<3>({{"x", "y", "z"}});
-  if (columns.value("packed_position") >= 0) throw Error(name, kArePacked, kUnpacked);
+  if (columns.value("packed_position") >= 0) throw Error(name, kCompressedSplats, kCompressedAdvice);
   if (!xyz) throw Error(name, "its vertices have no position", "properties x, y and z");
   const auto normal = columns.values<3>({{"nx", "ny", "nz"}});
   const auto uv = columns.values<2>({{"u", "v"}, {"s", "t"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}});
   const auto rgb = columns.color();
   const int alpha = columns.alpha(), picture = columns.value("texnumber");
-  columns.warn_of_unread(name, context);
+  columns.warn_about_unread(name, context);
   VertexAttribute normals(normal), uvs(uv), colors(rgb), alphas;
   if (alpha >= 0) alphas.columns = {alpha};
   Row row(element);
@@ -70,7 +70,7 @@ void read_vertices(const std::string& name, const Element& element, Body& body, 
     if (alphas.check(row)) mesh.alphas.push_back(static_cast<float>(row.share(alpha)));
     if (picture >= 0) ply.vertex_picture.push_back(row.picture(picture));
   }
-  row.warn_of_cut_colors(name, context);
+  row.warn_about_clamped_colors(name, context);
   const auto drop_unusable = [&](const VertexAttribute& attribute, std::string_view plural, auto& values) {
     if (attribute.unusable < 0) return;
     values.clear();
@@ -87,10 +87,10 @@ void skip(const std::string& name, const Element& element, Body& body, const Con
   LeftOut left_out;
   left_out.add(element.name, name);
   if (element.count > 0) left_out.warn(context, "element", "elements");
-  body.pass_over(element);
+  body.skip(element);
 }
 
-/// Normals are unit vectors, or there are none.
+/// Normalises normals, or removes all if one is zero.
 void tidy_normals(Mesh& mesh) {
   const auto is_zero = [](Vec3f n) { return n == Vec3f(0.0f); };
   if (std::any_of(mesh.normals.begin(), mesh.normals.end(), is_zero)) mesh.normals.clear();
@@ -99,7 +99,7 @@ void tidy_normals(Mesh& mesh) {
 
 Error no_triangles(const std::string& name, bool has_vertices, bool has_faces) {
   if (has_vertices && has_faces)
-    return Error(name, "none of its faces has an area", "faces of at least three corners that do not lie on one line");
+    return Error(name, "all of its faces have zero area", "faces of at least three corners that do not lie on one line");
   const char* problem = has_vertices ? "has vertices and no faces"
                         : has_faces  ? "has faces and no vertices"
                                      : "has neither vertices nor faces";
@@ -115,13 +115,13 @@ PlyMesh read_elements(const std::string& name, const Header& header, Body& body,
     (element.name == "face" ? read_faces : read_strips)(name, element, rows, context, ply);
   };
   for (const Element& element : header.elements) {
-    if (element.properties.empty()) continue;  // rows of nothing
+    if (element.properties.empty()) continue;  // empty rows
     const bool has_triangles = element.name == "face" || element.name == "tristrips";
     if (has_triangles) faces += element.count;
     if (element.name == "vertex")
       read_vertices(name, element, body, context, ply);
     else if (has_triangles && ply.mesh.positions.empty())
-      before_vertices.emplace_back(&element, body), body.pass_over(element);
+      before_vertices.emplace_back(&element, body), body.skip(element);
     else if (has_triangles)
       read_triangles(element, body);
     else
@@ -131,20 +131,20 @@ PlyMesh read_elements(const std::string& name, const Header& header, Body& body,
     for (auto& [element, rows] : before_vertices) read_triangles(*element, rows);
   if (ply.mesh.triangles.empty()) throw no_triangles(name, !ply.mesh.positions.empty(), faces > 0);
   tidy_normals(ply.mesh);
-  if (!ply.looks.empty()) ply.looks.resize(ply.mesh.triangles.size());  // strips have no look
+  if (!ply.appearances.empty()) ply.appearances.resize(ply.mesh.triangles.size());  // strips have no face attributes
   return ply;
 }
 
-/// If only vertices name their picture, a triangle uses the picture of its first corner.
-void spread_vertex_pictures(PlyMesh& ply, const Header& header) {
-  const bool asks_vertices = !ply.vertex_picture.empty() && header.texture_files.size() > 1 && ply.looks.empty();
-  if (!asks_vertices) return;
-  for (const auto& triangle : ply.mesh.triangles) ply.looks.push_back({.picture = ply.vertex_picture[triangle[0]]});
+/// Assigns vertex textures to triangles if faces have none: a triangle uses the texture of its first corner.
+void assign_vertex_textures(PlyMesh& ply, const Header& header) {
+  const bool uses_vertices = !ply.vertex_picture.empty() && header.texture_files.size() > 1 && ply.appearances.empty();
+  if (!uses_vertices) return;
+  for (const auto& triangle : ply.mesh.triangles) ply.appearances.push_back({.picture = ply.vertex_picture[triangle[0]]});
 }
 
 std::map<int, Mesh> parts_of(PlyMesh& ply, const Header& header) {
-  spread_vertex_pictures(ply, header);
-  if (!ply.looks.empty()) return split_faces(ply.mesh, ply.looks, ply.own);
+  assign_vertex_textures(ply, header);
+  if (!ply.appearances.empty()) return split_faces(ply.mesh, ply.appearances, ply.own);
   std::map<int, Mesh> parts;
   parts.emplace(0, std::move(ply.mesh));
   return parts;
@@ -169,7 +169,7 @@ void add_instance(Mesh mesh, int texture, Scene& scene) {
   scene.instances.push_back(std::move(instance));
 }
 
-/// Indices of the file's pictures among the scene's textures; -1: cannot be shown.
+/// Returns the scene textures of the file's texture numbers; -1: unusable.
 std::vector<int> find_textures(const std::string& name, const Header& header, bool has_uvs, SideTextures& textures,
                                const Context& context) {
   std::vector<int> found;
@@ -177,11 +177,11 @@ std::vector<int> find_textures(const std::string& name, const Header& header, bo
     for (const std::string& file : header.texture_files) found.push_back(textures.add(file, name));
     if (header.texture_files.empty())
       context.warning(
-          fmt::format("{}: has texture coordinates and names no picture; \"comment TextureFile NAME\" in its "
-                      "header names one.",
+          fmt::format("{}: has texture coordinates but no texture; add \"comment TextureFile NAME\" to its "
+                      "header.",
                       name));
   } else if (!header.texture_files.empty()) {
-    context.warning(fmt::format("{}: has no texture coordinates, so its picture {} is left out.", name,
+    context.warning(fmt::format("{}: has no texture coordinates, so its texture {} is left out.", name,
                                 shown(header.texture_files.front())));
   }
   return found;
@@ -202,7 +202,7 @@ void read_mesh(const std::string& name, const Header& header, Body& body, SideTe
     add_instance(std::move(mesh), texture, scene);
   }
   if (replaced)
-    context.warning(fmt::format("{}: the properties red, green and blue are left out: a picture is shown instead.", name));
+    context.warning(fmt::format("{}: the properties red, green and blue are left out: the texture replaces them.", name));
 }
 
 }  // namespace lippmann::ply

@@ -1,4 +1,4 @@
-// Reads the mesh of a PLY file: vertices, faces and strips, with the pictures that its comments name.
+// Reads the mesh of a PLY file: vertices, faces, strips and textures.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace lippmann::ply {
 
-/// One instance for each picture. Throws Error; properties, elements and pictures that are not used are warnings. `name` is
-/// what errors call the file. `textures` belong to `scene`, whose origin is subtracted from positions.
+/// Adds one instance per texture to the scene and subtracts scene.origin from positions. Warns about unused properties,
+/// elements and textures. `name` names the file in messages. `textures` must belong to `scene`. Throws Error.
 void read_mesh(const std::string& name, const Header& header, Body& body, SideTextures& textures, const Context& context,
                Scene& scene);
 

@@ -1,5 +1,5 @@
-// Coloured points are already lit, so they become splats, which nothing lights: round Gaussians whose full width at half
-// maximum is the point's diameter. Points without colours become spheres, whose shading shows their shape.
+// Coloured points include their lighting, so they become unlit splats: round Gaussians whose full width at half maximum is the
+// point's diameter. Points without colours become spheres, whose shading shows the shape of the cloud.
 #include "scene/ply/points.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +33,7 @@ Splats read_rows(const std::string& name, const Element& element, Body& body, co
   const auto rgb = columns.color();
   const int alpha = columns.alpha();
   columns.values<3>({{"nx", "ny", "nz"}});
-  columns.warn_of_unread(name, context);
+  columns.warn_about_unread(name, context);
   Row row(element);
   Splats points;
   for (std::int64_t i = 0; i < element.count; ++i) {
@@ -48,12 +48,12 @@ Splats read_rows(const std::string& name, const Element& element, Body& body, co
     for (int c = 0; rgb && c < 3; ++c) color[c] = static_cast<float>(row.share((*rgb)[static_cast<std::size_t>(c)]));
     points.harmonics.push_back(first_harmonic_of(color));
   }
-  row.warn_of_cut_colors(name, context);
+  row.warn_about_clamped_colors(name, context);
   return points;
 }
 
-/// Returns the distance of point i to its third nearest neighbour among those beside it in their order; 0: has none.
-/// Points at the same place count once.
+/// Returns the distance of point i to its third nearest neighbour among those next to it in the sorted order; 0 if there is
+/// none. Coincident points count once.
 float third_distance(const std::vector<Vec3f>& centers, std::size_t i) {
   constexpr std::size_t kBeside = 32;
   const std::size_t begin = i - std::min(i, kBeside), end = std::min(centers.size(), i + kBeside + 1);
@@ -82,7 +82,7 @@ float spacing(const std::vector<Vec3f>& centers) {
 float diameter(const std::vector<Vec3f>& centers, double wanted, float overlap) {
   if (wanted > 0.0) return static_cast<float>(wanted);
   const float step = spacing(centers);
-  return step > 0.0f ? overlap * step : 1.0f;  // all points at one place
+  return step > 0.0f ? overlap * step : 1.0f;  // all points coincide
 }
 
 Spheres spheres_of(const Splats& points, float size) {
@@ -115,7 +115,7 @@ bool has_point_colors(const Header& header) {
 
 Scene read_points(const std::string& name, const Header& header, Body& body, double size, const Vec3d& origin,
                   const Context& context) {
-  pass_over_others(name, header, body, context);
+  skip_others(name, header, body, context);
   const Vec3d in_file = header.is_z_up ? Vec3d(origin.x, -origin.z, origin.y) : origin;
   Splats points = read_rows(name, *vertices_of(header), body, in_file, context);
   if (const std::size_t dropped = drop_unsound(points); dropped > 0)

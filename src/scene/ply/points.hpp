@@ -1,4 +1,4 @@
-// Reads PLY files that hold points and no faces, as scanners and COLMAP write them.
+// Reads PLY point clouds, such as those from scanners and COLMAP.
 #pragma once
 
 #include <string>
@@ -10,15 +10,15 @@
 
 namespace lippmann::ply {
 
-/// Whether a file's header describes points: vertices with a position, and neither faces nor strips.
+/// Returns whether a header describes a point cloud: vertices with positions, without faces or strips.
 bool has_points(const Header& header);
 
-/// Whether these points are shown as splats in their own colours; points without colours are shown as spheres, lit.
+/// Returns whether the points have colours. Such points are shown as unlit splats; points without colours as lit spheres.
 bool has_point_colors(const Header& header);
 
-/// Returns one instance of all points. `size`: their diameter in the file's units; 0: 1.2 times the median distance to the
-/// third neighbour. `origin` (Scene::origin) is subtracted. Throws Error. Points that are not finite, and properties and
-/// elements that are not read, are left out with a warning.
+/// Returns a scene with one instance of all points. `size`: their diameter in the file's units; 0: 1.2 times the median
+/// distance to the third neighbour. Subtracts `origin` (Scene::origin). Leaves out points that are not finite and unread
+/// properties and elements, with warnings. Throws Error.
 Scene read_points(const std::string& name, const Header& header, Body& body, double size, const Vec3d& origin,
                   const Context& context);
 

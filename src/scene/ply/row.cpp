@@ -14,7 +14,7 @@ void Row::read(Body& body) {
   for (std::size_t i = 0; i < values_.size(); ++i) {
     const Property& property = element_.properties[i];
     if (property.count_type)
-      body.pass_over(property);
+      body.skip(property);
     else
       values_[i] = body.value(property.type);
   }
@@ -33,7 +33,7 @@ double Row::share(int column) {
   const auto i = static_cast<std::size_t>(column);
   const double scale = full_scale(element_.properties[i].type), value = values_[i] / scale;
   if (!(0.0 <= value && value <= 1.0)) ++cut_, cut_scale_ = scale;
-  return value >= 0.0 ? std::min(value, 1.0) : 0.0;  // no number is 0
+  return value >= 0.0 ? std::min(value, 1.0) : 0.0;  // NaN becomes 0
 }
 
 Vec3f Row::color(const std::array<int, 3>& columns) {
@@ -47,8 +47,8 @@ int Row::picture(int column) const {
   return number >= 0.0 && number < 1e6 && number == std::floor(number) ? static_cast<int>(number) : -1;
 }
 
-void Row::warn_of_cut_colors(const std::string& file, const Context& context) const {
-  if (cut_ > 0) context.warning(fmt::format("{}: colours are cut to 0 to {}: values beyond it: {}.", file, cut_scale_, cut_));
+void Row::warn_about_clamped_colors(const std::string& file, const Context& context) const {
+  if (cut_ > 0) context.warning(fmt::format("{}: {} colour values are clamped to 0 to {}.", file, cut_, cut_scale_));
 }
 
 }  // namespace lippmann::ply

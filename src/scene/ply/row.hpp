@@ -1,4 +1,4 @@
-// The single values of one row of a PLY element, as coordinates, colours and numbers of pictures.
+// One row of a PLY element, with conversion to coordinates, colours and texture numbers.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace lippmann::ply {
 
-/// Columns are indices into Element::properties, of single values.
+/// Columns are indices of single values in Element::properties.
 class Row {
  public:
   /// `element` must outlive this object.
@@ -19,32 +19,32 @@ class Row {
 
   void set(std::size_t column, double value) { values_[column] = value; }
 
-  /// Takes all single values from the body and passes over lists.
+  /// Reads all single values from the body and skips lists.
   void read(Body& body);
 
-  /// A value that can be computed with; throws Error that names its property where it is not.
+  /// Returns a value that is safe for computation. Throws Error naming its property otherwise.
   double position(int column, const Body& body) const;
 
   double exact(int column) const { return values_[static_cast<std::size_t>(column)]; }
   float at(int column) const { return static_cast<float>(exact(column)); }
 
-  /// A colour's share, 0 to 1, encoded as the file has it. Counts values beyond.
+  /// Returns a colour component clamped to 0 ... 1, in the file's encoding. Counts clamped values.
   double share(int column);
 
-  /// Red, green and blue, linear.
+  /// Returns red, green and blue in linear light.
   Vec3f color(const std::array<int, 3>& columns);
 
-  /// -1 for what is no number of a picture.
+  /// Returns a texture number; -1 if the value is not a valid one.
   int picture(int column) const;
 
-  /// Warns of shares that were cut.
-  void warn_of_cut_colors(const std::string& file, const Context& context) const;
+  /// Warns about clamped components.
+  void warn_about_clamped_colors(const std::string& file, const Context& context) const;
 
  private:
   const Element& element_;
   std::vector<double> values_;
   std::size_t cut_ = 0;
-  double cut_scale_ = 1.0;  ///< what counts as 1 where a share was cut
+  double cut_scale_ = 1.0;  ///< full scale of a clamped component
 };
 
 }  // namespace lippmann::ply

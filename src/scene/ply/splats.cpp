@@ -1,9 +1,9 @@
-// Based on: B. Kerbl and others, "3D Gaussian Splatting for Real-Time Radiance Field Rendering", 2023: the files that its
-// program writes: x, y, z; f_dc_0 to 2 and f_rest_*, the spherical harmonics of degree 0 and of the others, these channel by
-// channel; opacity before the logistic function; scale_0 to 2, logarithms of standard deviations; rot_0 to 3, a quaternion
-// (w, x, y, z) of any length. Normals are there and mean nothing.
-// Other programs write red, green and blue in place of f_dc (nerfstudio), scale_0 and 1 alone for discs (B. Huang and others,
-// "2D Gaussian Splatting", 2024), or scale_0 alone for round splats.
+// Based on: B. Kerbl and others, "3D Gaussian Splatting for Real-Time Radiance Field Rendering", 2023, and the files of its
+// program. Properties: x, y, z; f_dc_0 to 2 and f_rest_*, the spherical harmonics of degree 0 and of higher degrees, the latter
+// grouped by channel; opacity as a logit; scale_0 to 2, logarithms of standard deviations; rot_0 to 3, a quaternion (w, x, y,
+// z) of any length. Normals are present but unused.
+// Other programs write red, green and blue instead of f_dc (nerfstudio), only scale_0 and scale_1 for discs (B. Huang and
+// others, "2D Gaussian Splatting", 2024), or only scale_0 for round splats.
 #include "scene/ply/splats.hpp"
 
 #include <fmt/format.h>
@@ -28,19 +28,19 @@ bool has_property(const Element& element, std::string_view name) {
                      [&](const Property& property) { return property.name == name && !property.count_type; });
 }
 
-/// Where the values of a splat stand in its row.
+/// The columns of a splat's values.
 struct SplatColumns {
   std::array<int, 3> center{}, color{};
-  std::vector<int> scale;                      ///< one: round; two: a disc; three
+  std::vector<int> scale;                      ///< one value: round; two: a disc; three: an ellipsoid
   std::optional<std::array<int, 4>> rotation;  ///< none: round
   int opacity = -1;
-  bool has_harmonics = true;  ///< color are harmonics; false: a colour itself
-  std::vector<int> rest;      ///< channel by channel
+  bool has_harmonics = true;  ///< `color` holds harmonics; false: a plain colour
+  std::vector<int> rest;      ///< grouped by channel
 };
 
 class SplatReader {
  public:
-  /// origin: in the file's coordinates; it is subtracted from centres.
+  /// Subtracts `origin`, in the file's coordinates, from centres.
   SplatReader(const std::string& name, const Header& header, Body& body, const Vec3d& origin, const Context& context)
       : name_(name),
         element_(*vertices_of(header)),
@@ -86,7 +86,7 @@ class SplatReader {
     columns_.opacity = required(columns, "opacity");
     find_colors(columns);
     columns.values<3>({{"nx", "ny", "nz"}});
-    columns.warn_of_unread(name_, context);
+    columns.warn_about_unread(name_, context);
   }
 
   void find_colors(Columns& columns) {
@@ -114,7 +114,7 @@ class SplatReader {
     for (std::size_t i = 0; i < row_.size(); ++i) {
       const Property& property = element_.properties[i];
       if (property.count_type)
-        body_.pass_over(property);
+        body_.skip(property);
       else
         row_[i] = body_.value(property.type);
     }
@@ -131,7 +131,7 @@ class SplatReader {
     return {x, std::exp(at(scale[1])), scale.size() == 3 ? std::exp(at(scale[2])) : 0.0f};
   }
 
-  /// The first harmonic, or that of the colour which stands in its place.
+  /// Returns the harmonic of degree 0, converted from a plain colour if necessary.
   Vec3f first_harmonic() const {
     const Vec3f value = at(columns_.color);
     if (columns_.has_harmonics) return value;
@@ -157,13 +157,13 @@ class SplatReader {
   Body& body_;
   Vec3d origin_;
   SplatColumns columns_;
-  bool is_floats_;  ///< a row is floats as this machine has them
+  bool is_floats_;  ///< all values are floats in native byte order
   int degree_ = 0;
   std::vector<float> floats_;
   std::vector<double> row_;
 };
 
-/// Captures have the axes of their photographs: y downwards. Files that say so have z upwards.
+/// Captures use the axes of photographs, with y down. Some files state that z points up.
 Node upright_node(bool is_z_up) {
   Node node;
   node.name = "splats";
@@ -180,7 +180,7 @@ bool has_splats(const Header& header) {
 }
 
 Scene read_splats(const std::string& name, const Header& header, Body& body, const Vec3d& origin, const Context& context) {
-  pass_over_others(name, header, body, context);
+  skip_others(name, header, body, context);
   const Vec3d in_file = header.is_z_up ? Vec3d(origin.x, -origin.z, origin.y) : Vec3d(origin.x, -origin.y, -origin.z);
   Splats splats = SplatReader(name, header, body, in_file, context).read();
   if (const std::size_t dropped = drop_unsound(splats); dropped > 0)

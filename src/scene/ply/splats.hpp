@@ -1,4 +1,4 @@
-// Reads splats (3D Gaussians) from PLY files of the layout that their training writes.
+// Reads splats (3D Gaussians) from PLY files in the layout of the reference implementation.
 #pragma once
 
 #include <string>
@@ -11,12 +11,12 @@
 
 namespace lippmann::ply {
 
-/// Whether a file's header describes splats: vertices that have a scale, and a rotation or an opacity.
+/// Returns whether a header describes splats: vertices with a scale, and a rotation or an opacity.
 bool has_splats(const Header& header);
 
-/// The splats of the file, one instance of them, y downwards in the file and upwards in the scene; or z upwards, where the
-/// file says so. `origin` (Scene::origin) is subtracted. Throws Error. Splats that cannot be shown (no size, no rotation,
-/// values that are not finite), and properties and elements that are not read, are left out with a warning.
+/// Returns a scene with one instance of the file's splats. The file's y points down unless its header states that z points up;
+/// the scene's y points up. Subtracts `origin` (Scene::origin). Leaves out invalid splats (no size, no rotation, values that
+/// are not finite) and unread properties and elements, with warnings. Throws Error.
 Scene read_splats(const std::string& name, const Header& header, Body& body, const Vec3d& origin, const Context& context);
 
 }  // namespace lippmann::ply

@@ -18,14 +18,14 @@ struct SplitCornerHash {
   std::size_t operator()(const SplitCorner& c) const {
     std::uint64_t hash = c.vertex;
     for (const float value : {c.uv.x, c.uv.y, c.color.x, c.color.y, c.color.z, c.alpha})
-      hash = (hash ^ std::bit_cast<std::uint32_t>(value + 0.0f)) * 0x9e3779b97f4a7c15u;  // -0 is 0
+      hash = (hash ^ std::bit_cast<std::uint32_t>(value + 0.0f)) * 0x9e3779b97f4a7c15u;  // -0 equals 0
     return hash ^ hash >> 32;
   }
 };
 
 struct SplitPart {
   Mesh mesh;
-  std::unordered_map<SplitCorner, std::uint32_t, SplitCornerHash> placed;  ///< vertices of the mesh
+  std::unordered_map<SplitCorner, std::uint32_t, SplitCornerHash> placed;  ///< corners to vertex indices
 };
 
 std::uint32_t place(SplitPart& part, const SplitCorner& corner, const Mesh& from, const FaceAttributes& own) {
@@ -45,16 +45,16 @@ std::uint32_t place(SplitPart& part, const SplitCorner& corner, const Mesh& from
 
 }  // namespace
 
-std::map<int, Mesh> split_faces(const Mesh& mesh, const std::vector<FaceLook>& looks, const FaceAttributes& own) {
+std::map<int, Mesh> split_faces(const Mesh& mesh, const std::vector<FaceAppearance>& appearances, const FaceAttributes& own) {
   std::map<int, SplitPart> parts;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    SplitPart& part = parts[looks[i].picture];
+    SplitPart& part = parts[appearances[i].picture];
     std::array<std::uint32_t, 3> triangle{};
     for (std::size_t k = 0; k < 3; ++k) {
       SplitCorner corner{mesh.triangles[i][k], Vec2f(0.0f), Vec3f(1.0f), 1.0f};
-      if (own.uvs) corner.uv = looks[i].uvs[k];
-      if (own.colors) corner.color = looks[i].color;
-      if (own.alphas) corner.alpha = looks[i].alpha;
+      if (own.uvs) corner.uv = appearances[i].uvs[k];
+      if (own.colors) corner.color = appearances[i].color;
+      if (own.alphas) corner.alpha = appearances[i].alpha;
       triangle[k] = place(part, corner, mesh, own);
     }
     part.mesh.triangles.push_back(triangle);

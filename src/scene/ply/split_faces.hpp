@@ -1,5 +1,4 @@
-// Gives the corners of faces colours and texture coordinates of their own, which PLY files have per face and our meshes per
-// vertex.
+// Converts per-face colours and texture coordinates, which PLY files may have, to per-vertex attributes of our meshes.
 #pragma once
 
 #include <array>
@@ -10,20 +9,20 @@
 
 namespace lippmann::ply {
 
-/// Attributes of a face, for one of its triangles.
-struct FaceLook {
+/// The face attributes of one triangle.
+struct FaceAppearance {
   std::array<Vec2f, 3> uvs{};  ///< of the triangle's corners
   Vec3f color{1.0f};           ///< linear
   float alpha = 1.0f;
-  int picture = -1;  ///< which of the file's pictures; -1: none
+  int picture = -1;  ///< texture number in the file; -1: none
 };
 
-/// Which attributes come from FaceLook; the others stay those of the vertices.
+/// The attributes that come from FaceAppearance; others come from the vertices.
 struct FaceAttributes {
   bool uvs = false, colors = false, alphas = false;
 };
 
-/// The mesh in one part per picture. looks[i] belongs to triangle i. Corners that agree in everything share a vertex.
-std::map<int, Mesh> split_faces(const Mesh& mesh, const std::vector<FaceLook>& looks, const FaceAttributes& own);
+/// Splits a mesh into one part per texture. appearances[i] belongs to triangle i. Corners with equal attributes share a vertex.
+std::map<int, Mesh> split_faces(const Mesh& mesh, const std::vector<FaceAppearance>& appearances, const FaceAttributes& own);
 
 }  // namespace lippmann::ply

@@ -13,7 +13,7 @@ const Element* vertices_of(const Header& header) {
   return found == header.elements.end() ? nullptr : &*found;
 }
 
-void pass_over_others(const std::string& name, const Header& header, Body& body, const Context& context) {
+void skip_others(const std::string& name, const Header& header, Body& body, const Context& context) {
   const Element* const vertices = vertices_of(header);
   LeftOut left_out;
   bool is_before = true;
@@ -21,7 +21,7 @@ void pass_over_others(const std::string& name, const Header& header, Body& body,
     if (&element == vertices) is_before = false;
     if (&element == vertices || element.count == 0) continue;
     left_out.add(element.name, name);
-    if (is_before) body.pass_over(element);
+    if (is_before) body.skip(element);
   }
   left_out.warn(context, "element", "elements");
 }

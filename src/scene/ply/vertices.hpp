@@ -1,4 +1,4 @@
-// What the readers of splats and of points share: both show the vertices of a PLY file alone.
+// Helpers shared by the readers of splats and of point clouds.
 #pragma once
 
 #include <string>
@@ -10,16 +10,16 @@
 
 namespace lippmann::ply {
 
-/// The first element "vertex"; nullptr: none. It belongs to `header`.
+/// Returns the first element "vertex", owned by `header`; nullptr if there is none.
 const Element* vertices_of(const Header& header);
 
-/// Passes over the elements before the vertices, and warns of all others.
-void pass_over_others(const std::string& name, const Header& header, Body& body, const Context& context);
+/// Skips the elements before the vertices, and warns about all other elements.
+void skip_others(const std::string& name, const Header& header, Body& body, const Context& context);
 
-/// The first spherical harmonic that gives this colour: (c - 1/2) / Y_0, with Y_0 = 1 / sqrt(4 pi).
+/// Returns the spherical harmonic of degree 0 for a constant colour: (c - 1/2) / Y_0, with Y_0 = 1 / sqrt(4 pi).
 Vec3f first_harmonic_of(Vec3f color);
 
-/// The rotation of a file whose z points upwards.
+/// Returns the rotation from z up to y up.
 Quatf z_to_y();
 
 }  // namespace lippmann::ply

@@ -17,7 +17,7 @@ float positive_number(Lexer& lexer, std::string_view keyword) {
   return value;
 }
 
-/// Reads a projection, with its keyword PROJECTION, without, or none, and ZOOM's keyword.
+/// Reads a projection, whose keyword PROJECTION is optional, and the keyword ZOOM. Both parts of the projection may be absent.
 void parse_projection(Lexer& lexer, CameraRecord& record, const Context& context) {
   std::string word = upper(lexer.word("PROJECTION or ZOOM"));
   if (word == "PROJECTION") word = upper(lexer.word("PROJECTION's name"));
@@ -38,12 +38,12 @@ void parse_projection(Lexer& lexer, CameraRecord& record, const Context& context
   lexer.expect("ZOOM");
 }
 
-/// FRUSTUM left right bottom top, in the image plane at distance 1.
+/// Reads FRUSTUM left right bottom top, in the image plane at distance 1.
 Vec2f parse_frustum(Lexer& lexer) {
   const float left = lexer.number("FRUSTUM"), right = lexer.number("FRUSTUM");
   const float bottom = lexer.number("FRUSTUM"), top = lexer.number("FRUSTUM");
   if (!(right > 0.0f && top > 0.0f && left == -right && bottom == -top))
-    throw lexer.error("FRUSTUM is supported only where it is symmetric", "left = -right < 0 and bottom = -top < 0");
+    throw lexer.error("only a symmetric FRUSTUM is supported", "left = -right < 0 and bottom = -top < 0");
   return {right, top};
 }
 
@@ -57,13 +57,13 @@ CameraRecord parse_camera(Lexer& lexer, const Context& context) {
   lexer.expect("ASPECTRATIO");
   record.aspect_ratio = positive_number(lexer, "ASPECTRATIO");
   if (record.aspect_ratio != 1.0f)
-    context.warning(fmt::format("{}: ASPECTRATIO {} asks for pixels that are not square; they are rendered square.",
-                                lexer.where(), record.aspect_ratio));
+    context.warning(fmt::format("{}: ASPECTRATIO {} means non-square pixels, which are rendered square.", lexer.where(),
+                                record.aspect_ratio));
   lexer.expect("ANTIALIASING");
   const int extra_samples = lexer.integer("ANTIALIASING", 0, kMostSamples);
   if (extra_samples > 0)
     context.warning(
-        fmt::format("{}: ANTIALIASING {} is left to the render's samples per pixel.", lexer.where(), extra_samples));
+        fmt::format("{}: ANTIALIASING {} is ignored; the render's samples per pixel apply.", lexer.where(), extra_samples));
   lexer.expect("RAYDEPTH");
   record.ray_depth = lexer.integer("RAYDEPTH", 0, kDeepest);
   record.pose.center = lexer.point_after("CENTER");
@@ -82,10 +82,9 @@ CameraRecord parse_camera(Lexer& lexer, const Context& context) {
 
 void require_orientation(const CameraPose& pose, const Lexer& lexer) {
   const glm::dvec3 view(pose.view), up(pose.up), right = glm::cross(up, view);
-  constexpr double kSine = 1e-6;  // below this the rounding of the file's own digits decides where right is
+  constexpr double kSine = 1e-6;  // below this, rounding of the file's digits would determine the direction
   if (glm::length(right) > kSine * glm::length(up) * glm::length(view)) return;
-  throw lexer.error("the camera's view and up directions do not span a plane",
-                    "two vectors that are not zero and not parallel");
+  throw lexer.error("the camera's view and up directions do not span a plane", "two non-zero vectors that are not parallel");
 }
 
 Transform node_of(const CameraPose& pose) {

@@ -1,4 +1,4 @@
-// Reads a Tachyon camera path (.cam): one pose a line, nine numbers: view direction, up, centre.
+// Reads a Tachyon camera path (.cam): one pose per line, nine numbers: view direction, up, centre.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace lippmann::tachyon {
 
-/// All poses, at least one. Throws Error with the line for anything but whole poses of finite numbers.
+/// Returns all poses, at least one. Throws Error with the line for incomplete poses or numbers that are not finite.
 std::vector<CameraPose> parse_camera_path(Lexer& lexer);
 
-/// Moves `node` through the poses, one a frame, each held until the next. Tachyon renders the last pose twice (its reader finds
-/// the end of the file one read late), so N poses make N + 1 frames, whose numbers then agree with Tachyon's pictures.
+/// Moves `node` through the poses, one per frame, with step interpolation. Tachyon renders the last pose twice because its
+/// reader detects the end of the file one read late. So N poses make N + 1 frames, whose numbers match Tachyon's images.
 /// timeline.frames_per_second must be set.
 void animate(Timeline& timeline, int node, const std::vector<CameraPose>& poses);
 

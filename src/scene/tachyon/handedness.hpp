@@ -1,8 +1,8 @@
-// Carries Tachyon's left-handed world over into our right-handed one: everything is mirrored in the plane z = 0.
+// Converts Tachyon's left-handed world to our right-handed one by mirroring everything in the plane z = 0.
 //
-// Tachyon's camera has right = up x view. Mirroring M = diag(1, 1, -1) turns that into right = view x up, as our cameras have
-// it, because M(a x b) = -(Ma x Mb); so a scene, its camera and its picture stay the same. For the same reason a triangle's
-// geometric normal (v1 - v0) x (v2 - v0) keeps its side only if two of its corners change places.
+// Tachyon's camera has right = up x view. The mirror M = diag(1, 1, -1) turns that into right = view x up, as in our cameras,
+// because M(a x b) = -(Ma x Mb). So the image of the scene stays the same. For the same reason two corners of each triangle
+// must be swapped to keep the side of its geometric normal (v1 - v0) x (v2 - v0).
 // Distances, angles and u.p products (image maps) do not change.
 #pragma once
 

@@ -25,8 +25,8 @@ Texture read_image_map(const std::filesystem::path& file, const std::string& whe
   const std::string extension = upper(file.extension().string());
   const bool bottom_first = extension == ".TGA" || extension == ".PNG";
   if (!bottom_first && extension != ".PPM" && extension != ".JPG" && extension != ".JPEG")
-    throw Error(where, fmt::format("{} is not an image map of a known kind", shown(file.filename().string())),
-                "names that end in .ppm, .tga, .jpg, .jpeg or .png");
+    throw Error(where, fmt::format("{} has an unsupported image map format", shown(file.filename().string())),
+                ".ppm, .tga, .jpg, .jpeg, .png");
   const Image8 picture = read_picture(file, where);
   Texture texture;
   texture.name = file.filename().string();

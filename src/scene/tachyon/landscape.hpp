@@ -1,4 +1,4 @@
-// Tachyon's fractal landscape (SCAPE): heights on a grid by midpoint displacement, reproducible number by number.
+// Tachyon's fractal landscape (SCAPE): heights on a grid by midpoint displacement, identical to Tachyon's.
 //
 // After: A. Fournier, D. Fussell, L. Carpenter, "Computer rendering of stochastic models", CACM 25(6), 1982, with Tachyon's
 // displacement, clamping, order of subdivision and random numbers: x <- 1099087573 x mod 2^32, the multiplier of G. S.
@@ -14,7 +14,7 @@ struct LandscapeSize {
   double width = 1.0, depth = 1.0;  ///< along x and z
 };
 
-/// heights[row * columns + column], each >= 0. Takes about (larger side)^2 steps.
+/// Returns heights[row * columns + column], each >= 0. Takes about (larger side)^2 steps.
 std::vector<double> landscape_heights(const LandscapeSize& size);
 
 }  // namespace lippmann::tachyon

@@ -1,4 +1,4 @@
-// SCAPE: a fractal landscape as smooth triangles.
+// Reads SCAPE, a fractal landscape, as smooth triangles.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,13 +14,13 @@ using Vertex = SceneBuilder::Vertex;
 
 float positive(Lexer& lexer, std::string_view keyword) {
   const float value = lexer.number(keyword);
-  constexpr float kLargest = 1e18f;  // so that no corner overflows
+  constexpr float kLargest = 1e18f;  // avoids overflow of corners
   if (!(value > 0.0f && value <= kLargest))
     throw lexer.error(fmt::format("{} is {}", keyword, value), "a number above 0, at most 1e18");
   return value;
 }
 
-/// The grid's points, centred around `center`; normals by central differences, straight up along the border.
+/// Returns the grid points around `center`. Normals are central differences, and vertical along the border.
 std::vector<Vertex> landscape_vertices(const LandscapeSize& size, Vec3f center) {
   const std::vector<double> heights = landscape_heights(size);
   const double step_x = size.width / (size.columns - 1), step_z = size.depth / (size.rows - 1);
@@ -60,7 +60,7 @@ void add_landscape(SceneBuilder& builder, int material, const LandscapeSize& siz
 void parse_scape(Lexer& lexer, ParserState& state) {
   constexpr int kLargestSide = 2048;
   constexpr std::int64_t kMostSteps =
-      std::int64_t{2} * kLargestSide * kLargestSide;  // in a whole scene: keeps tiny files from taking ages
+      std::int64_t{2} * kLargestSide * kLargestSide;  // limit for a whole scene, so that tiny files cannot take very long
   LandscapeSize size;
   lexer.expect("RES");
   size.columns = lexer.integer("RES", 2, kLargestSide);
@@ -68,7 +68,7 @@ void parse_scape(Lexer& lexer, ParserState& state) {
   const std::int64_t larger = std::max(size.columns, size.rows);
   state.landscape_steps += larger * larger;
   if (state.landscape_steps > kMostSteps)
-    throw lexer.error("the scene's landscapes are too large", "squares of their larger sides that add up to at most 8388608");
+    throw lexer.error("the scene's landscapes are too large", "a sum of the squared larger sides of at most 8388608");
   lexer.expect("SCALE");
   size.width = positive(lexer, "SCALE");
   size.depth = positive(lexer, "SCALE");

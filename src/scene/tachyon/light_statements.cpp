@@ -1,4 +1,4 @@
-// LIGHT, SPOTLIGHT and DIRECTIONAL_LIGHT.
+// Reads LIGHT, SPOTLIGHT and DIRECTIONAL_LIGHT.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,14 +8,14 @@
 namespace lippmann::tachyon {
 namespace {
 
-/// Lights of radius 0 shine but are not seen.
+/// Lights of radius 0 are invisible.
 float parse_visible_radius(Lexer& lexer) {
   const float radius = lexer.number_after("RAD");
-  if (radius < 0.0f) throw lexer.error(fmt::format("RAD is {}", radius), "a number that is not negative");
+  if (radius < 0.0f) throw lexer.error(fmt::format("RAD is {}", radius), "a number >= 0");
   return radius;
 }
 
-/// COLOR, with ATTENUATION before it or not.
+/// Reads COLOR, optionally preceded by ATTENUATION.
 void parse_attenuated_color(Lexer& lexer, Light& light) {
   const std::string_view word = lexer.word("COLOR");
   if (is_keyword(word, "COLOR")) {
@@ -29,14 +29,13 @@ void parse_attenuated_color(Lexer& lexer, Light& light) {
   light.attenuation.z = lexer.number_after("QUADRATIC");
   const Vec3f a = light.attenuation;
   if (std::min({a.x, a.y, a.z}) < 0.0f || a == Vec3f(0.0f))
-    throw lexer.error(fmt::format("ATTENUATION is {}, {}, {}", a.x, a.y, a.z),
-                      "three numbers that are not negative, one of them not 0");
+    throw lexer.error(fmt::format("ATTENUATION is {}, {}, {}", a.x, a.y, a.z), "three numbers >= 0, at least one of them > 0");
   light.color = lexer.vector_after("COLOR");
 }
 
 Vec3f parse_direction(Lexer& lexer) {
   const Vec3f direction = lexer.vector_after("DIRECTION");
-  if (direction == Vec3f(0.0f)) throw lexer.error("DIRECTION is zero", "a vector that is not zero");
+  if (direction == Vec3f(0.0f)) throw lexer.error("DIRECTION is zero", "a non-zero vector");
   return direction;
 }
 

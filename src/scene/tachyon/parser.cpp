@@ -15,7 +15,7 @@
 namespace lippmann::tachyon {
 namespace {
 
-constexpr int kDeepestInclude = 16, kMostIncludes = 1000;  // stop files that include themselves or each other
+constexpr int kDeepestInclude = 16, kMostIncludes = 1000;  // limits for recursive includes
 constexpr int kLargestResolution = 65536;
 
 void parse_statements(Lexer& lexer, ParserState& state, bool must_end);
@@ -24,21 +24,21 @@ void parse_background(Lexer& lexer, ParserState& state) {
   state.background.horizon = state.background.zenith = lexer.vector("BACKGROUND");
 }
 
-/// The colour of a direction d is BOTTOMCOLOR where d.UPDIR <= BOTTOMVAL, TOPCOLOR where it is >= TOPVAL, between them a blend.
-/// SKY_ORTHO_PLANE has the origins of rays in place of d.
+/// The background colour of a direction d is BOTTOMCOLOR where d.UPDIR <= BOTTOMVAL, TOPCOLOR where it is >= TOPVAL, and a
+/// blend in between. SKY_ORTHO_PLANE uses ray origins instead of directions.
 void parse_background_gradient(Lexer& lexer, ParserState& state) {
   const std::string kind = upper(lexer.word("SKY_SPHERE"));
   if (kind != "SKY_SPHERE" && kind != "SKY_ORTHO_PLANE")
     throw lexer.error(fmt::format("BACKGROUND_GRADIENT {} is not known", shown(kind)), "SKY_SPHERE, SKY_ORTHO_PLANE");
   Background gradient;
   const Vec3f up = lexer.vector_after("UPDIR");
-  if (up == Vec3f(0.0f)) throw lexer.error("UPDIR is zero", "a vector that is not zero");
+  if (up == Vec3f(0.0f)) throw lexer.error("UPDIR is zero", "a non-zero vector");
   const double length = glm::length(glm::dvec3(up));
   gradient.up = mirrored(direction_of(up));
   gradient.zenith_at = static_cast<float>(lexer.number_after("TOPVAL") / length);
   gradient.horizon_at = static_cast<float>(lexer.number_after("BOTTOMVAL") / length);
   if (!(std::isfinite(gradient.zenith_at) && std::isfinite(gradient.horizon_at)) || gradient.zenith_at == gradient.horizon_at)
-    throw lexer.error("TOPVAL and BOTTOMVAL make no gradient", "two different heights");
+    throw lexer.error("TOPVAL and BOTTOMVAL do not define a gradient", "two different heights");
   gradient.zenith = lexer.vector_after("TOPCOLOR");
   gradient.horizon = lexer.vector_after("BOTTOMCOLOR");
   state.gradient = gradient;
@@ -50,8 +50,8 @@ void parse_camera_statement(Lexer& lexer, ParserState& state) { state.camera = p
 void parse_include(Lexer& lexer, ParserState& state) {
   const std::string name(lexer.word("INCLUDE's file name"));
   if (state.include_depth >= kDeepestInclude || ++state.includes > kMostIncludes)
-    throw lexer.error(fmt::format("INCLUDE {} goes too far", shown(name)),
-                      fmt::format("at most {} files within each other and {} in all", kDeepestInclude, kMostIncludes));
+    throw lexer.error(fmt::format("INCLUDE {} exceeds a limit", shown(name)),
+                      fmt::format("at most {} nested files and {} in total", kDeepestInclude, kMostIncludes));
   const std::filesystem::path file = state.folder.resolve(name, lexer.where());
   Lexer included(file.string(), state.folder.read_text(file, lexer.where()));
   included.set_origin(lexer.origin());
@@ -109,7 +109,7 @@ constexpr Statement kStatements[] = {
     {"VERTEXARRAY", parse_vertexarray},
 };
 
-/// Statements that Tachyon knows and we do not; named, so that nobody looks for a spelling mistake.
+/// Statements that Tachyon supports and we do not. They get a specific message instead of a spelling suggestion.
 constexpr std::string_view kUnsupported[] = {"CYLINDER",  "END_CLIPGROUP", "MGFFILE",
                                              "SCALARVOL", "SPHEREARRAY",   "START_CLIPGROUP"};
 
@@ -131,7 +131,7 @@ Error unknown_statement(const Lexer& lexer, const std::string& word) {
                      accepted);
 }
 
-/// To END_SCENE or the end of the file; the latter is an error if `must_end`.
+/// Reads to END_SCENE or the end of the file; the latter is an error if `must_end`.
 void parse_statements(Lexer& lexer, ParserState& state, bool must_end) {
   while (must_end || !lexer.at_end()) {
     const std::string word = upper(lexer.word("END_SCENE"));

@@ -1,7 +1,7 @@
 // Reads the statements of a Tachyon scene file, one function per keyword, into a SceneBuilder.
 //
-// The order of the words in a statement is fixed, as in Tachyon's own reader. Every function below is called after its keyword
-// has been read and reads to the end of its statement; each throws Error that names file and line.
+// As in Tachyon's own reader, the order of words in a statement is fixed. Functions are called after their keyword has been
+// read and read to the end of the statement. All throw Error naming file and line.
 #pragma once
 
 #include <cstdint>
@@ -18,59 +18,59 @@
 
 namespace lippmann::tachyon {
 
-/// How everything is shaded (SHADER_MODE).
+/// Global shading options (SHADER_MODE).
 struct ShaderMode {
-  bool shadows = true;        ///< MEDIUM has none
-  bool plain_colors = false;  ///< LOW: colours as they are, without light
-  bool opacity_dims = false;  ///< TRANS_VMD: a surface's own light counts as its opacity
+  bool shadows = true;        ///< MEDIUM: no shadows
+  bool plain_colors = false;  ///< LOW: plain colours without lighting
+  bool opacity_dims = false;  ///< TRANS_VMD: opacity scales a surface's own light
 };
 
-/// What has been read so far.
+/// The parser's state.
 struct ParserState {
   ParserState(SceneFolder& scene_folder, const Context& scene_context) : folder(scene_folder), context(scene_context) {}
 
   SceneFolder& folder;
   const Context& context;
   SceneBuilder builder;
-  std::map<std::string, int, std::less<>> textures;  ///< TEXDEF and TEXALIAS names to materials
-  std::map<std::string, int, std::less<>> images;    ///< image maps by the name that the scene calls them
+  std::map<std::string, int, std::less<>> textures;  ///< material indices by TEXDEF or TEXALIAS name
+  std::map<std::string, int, std::less<>> images;    ///< texture indices by image map name
   CameraRecord camera;
   ShaderMode shading;
   Background background;               ///< BACKGROUND
-  std::optional<Background> gradient;  ///< BACKGROUND_GRADIENT, which wins wherever it stands
-  bool gradient_is_plane = false;      ///< its values are heights in the scene (SKY_ORTHO_PLANE), not sines
-  std::int64_t landscape_steps = 0;    ///< taken so far
+  std::optional<Background> gradient;  ///< BACKGROUND_GRADIENT, which overrides BACKGROUND in any order
+  bool gradient_is_plane = false;      ///< SKY_ORTHO_PLANE: values are heights in the scene, not sines
+  std::int64_t landscape_steps = 0;    ///< used so far
   Vec2i resolution{0, 0};
-  LeftOut left_out;  ///< keywords of what is read and not shown
+  LeftOut left_out;  ///< keywords that are read but ignored
   int include_depth = 0, includes = 0;
-  int undefined_textures = 0, redefined_textures = 0;  ///< how often; the first is a warning
+  int undefined_textures = 0, redefined_textures = 0;  ///< counts; only the first causes a warning
 };
 
-/// Reads a whole scene, BEGIN_SCENE to END_SCENE.
+/// Reads a whole scene, from BEGIN_SCENE to END_SCENE.
 void parse_scene(Lexer& lexer, ParserState& state);
 
-/// The same as a Scene of one frame that passes validate() (tachyon.cpp).
+/// Reads a whole scene as a Scene of one frame that passes validate() (tachyon.cpp).
 Scene read_scene(Lexer& lexer, SceneFolder& folder, const Context& context, double frames_per_second);
 
 /// Moves the scene's camera along a camera path (tachyon.cpp).
 void animate_camera(Scene& scene, Lexer& path);
 
-// Modes of rendering (shader_mode.cpp).
+// Shading modes (shader_mode.cpp).
 void parse_shader_mode(Lexer& lexer, ParserState& state);
-/// Does to the finished scene what its modes say.
+/// Applies the modes to the finished scene.
 void apply_shader_mode(const ShaderMode& mode, Scene& scene);
 
 // Textures (texture_statements.cpp).
 void parse_texdef(Lexer& lexer, ParserState& state);
 void parse_texalias(Lexer& lexer, ParserState& state);
 void parse_imagedef(Lexer& lexer, ParserState& state);
-/// What follows the keywords TEXTURE and TEXDEF name; the material's index.
+/// Reads the part after TEXTURE or TEXDEF and its name. Returns the material's index.
 int parse_texture_body(Lexer& lexer, ParserState& state, std::string name);
-/// What Tachyon gives to shapes without a texture that it knows: matt white.
+/// Adds Tachyon's material for shapes with an undefined texture: matt white.
 int add_default_material(ParserState& state);
-/// The body of a texture in VCSTRI, where the vertices bring the colour and the word VCST stands for COLOR and TEXFUNC.
+/// Reads the body of a texture in VCSTRI, where vertices have the colours and the word VCST replaces COLOR and TEXFUNC.
 int parse_colorless_texture_body(Lexer& lexer, ParserState& state);
-/// At the end of a shape: a texture's name, or TEXTURE and a body.
+/// Reads the end of a shape: a texture's name, or TEXTURE and a body.
 int parse_texture_reference(Lexer& lexer, ParserState& state);
 
 // Shapes (shape_statements.cpp).

@@ -1,7 +1,7 @@
-// Collects what a Tachyon file declares into a Scene: mirrored (handedness.hpp), grouped by material and kind of shape.
+// Collects the elements of a Tachyon file into a Scene: mirrored (handedness.hpp), and grouped by material and kind of shape.
 //
-// Callers pass coordinates as the file has them. One instance per material and kind keeps scenes of 10^5 spheres a handful of
-// shapes. What has no extent (and shows nothing in Tachyon either) is left out and counted.
+// Callers pass coordinates as in the file. With one instance per material and kind, a scene of 10^5 spheres has few shapes.
+// Shapes without extent, which are invisible in Tachyon too, are dropped and counted.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace lippmann::tachyon {
 
 class SceneBuilder {
  public:
-  /// The index of this material; an equal one is used again. name: for people.
+  /// Returns the index of a material, reusing an equal one. `name` is informative.
   int add_material(const PhongSurface& surface, std::string name);
   int add_texture(Texture texture);
 
@@ -26,26 +26,26 @@ class SceneBuilder {
   void add_box(int material, Vec3f corner, Vec3f opposite_corner);
   void add_triangle(int material, const std::array<Vec3f, 3>& corners);
 
-  /// The index of the same material, but white and without image, to be coloured by vertices.
+  /// Returns the index of a white copy of a material without image, for vertex colours.
   int whitened(int material);
 
-  /// Vertices of smooth triangles: a normal of any length > 0, or of length 0: then it is taken from its triangle.
+  /// A vertex of a smooth triangle. A normal of length 0 is replaced by that of the triangle; others may have any length.
   struct Vertex {
     Vec3f position{0.0f}, normal{0.0f}, color{1.0f};
   };
   void add_smooth_triangle(int material, const std::array<Vertex, 3>& corners) {
     add_corners(group(material).smooth, corners, false);
   }
-  /// The same, with the vertices' colours multiplied into the material's.
+  /// Adds a smooth triangle whose vertex colours multiply the material's colour.
   void add_colored_triangle(int material, const std::array<Vertex, 3>& corners) {
     add_corners(group(material).colored, corners, true);
   }
 
-  /// Smooth triangles that share vertices. add() returns false where an index is beyond the vertices.
+  /// Smooth triangles that share vertices.
   class IndexedTriangles {
    public:
     IndexedTriangles(SceneBuilder& builder, const std::vector<Vertex>& vertices);
-    /// Triangles that are added from now on have this material; colored: the vertices' colours count.
+    /// Sets the material of triangles added later, and whether vertex colours apply.
     void set_material(int material, bool colored);
     bool add(int i0, int i1, int i2);
 
@@ -54,17 +54,17 @@ class SceneBuilder {
     const std::vector<Vertex>& vertices_;
     int material_ = -1;
     bool colored_ = false;
-    std::vector<std::int64_t> placed_;  ///< where a vertex is in the material's mesh; -1: nowhere yet
-    std::vector<int> used_;             ///< whose `placed_` is set
+    std::vector<std::int64_t> placed_;  ///< index of each vertex in the material's mesh; -1: not added yet
+    std::vector<int> used_;             ///< vertices whose `placed_` is set
   };
 
-  /// Lights shine from `position` along `direction` (not zero), where their kind has these.
+  /// Adds a light at `position` along `direction` (not zero), as far as its kind uses these.
   void add_light(Light light, Vec3f position, Vec3f direction = Vec3f(0.0f, 0.0f, 1.0f));
 
-  /// How many shapes had no extent.
+  /// Returns the number of dropped shapes without extent.
   int left_out() const { return left_out_; }
 
-  /// The scene, without camera. Leaves the builder empty.
+  /// Returns the scene without a camera. Leaves the builder empty.
   Scene take();
 
  private:

@@ -1,4 +1,4 @@
-// The files that a scene file may name: found in the scene's own folder or below an asset root, read within a budget.
+// The side files of a scene: located in the scene's folder or below an asset root, and read within a memory limit.
 #pragma once
 
 #include <cstddef>
@@ -12,18 +12,18 @@ namespace lippmann::tachyon {
 
 class SceneFolder {
  public:
-  /// scene_file: the .dat file. asset_root: below which side files may lie besides; empty: nowhere else.
+  /// scene_file: the .dat file. asset_root: another folder that may contain side files; empty: none.
   explicit SceneFolder(const std::filesystem::path& scene_file, const std::filesystem::path& asset_root = {});
 
-  /// A picture that the scene calls `name`, and why it cannot be used.
+  /// Looks for an image that the scene refers to as `name`, with the reason if it cannot be used.
   SideFile find(std::string_view name, const std::string& where) const;
 
-  /// Where a side file is that the scene calls `name`, relative to the folder. Throws Error at `where` for files that lie
-  /// elsewhere. The file need not exist.
+  /// Returns the path of a side file that the scene refers to as `name`, relative to the folder. The file need not exist.
+  /// Throws Error at `where` if it is outside the folders.
   std::filesystem::path resolve(std::string_view name, const std::string& where) const;
 
-  /// The contents of a regular file. Throws Error at `where` if it cannot be read, or when all text read through this object
-  /// would exceed 1 GiB: a few lines may include the same file many times.
+  /// Returns the contents of a regular file. Throws Error at `where` if it cannot be read, or if the total text read through
+  /// this object would exceed 1 GiB, since a few lines may include the same file many times.
   std::string read_text(const std::filesystem::path& file, const std::string& where);
 
  private:

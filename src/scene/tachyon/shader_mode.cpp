@@ -1,4 +1,4 @@
-// SHADER_MODE: how much of the light is computed, and how transparent surfaces show.
+// Reads SHADER_MODE, which selects the shading quality and the appearance of transparent surfaces.
 #include <fmt/format.h>
 
 #include "scene/tachyon/parser.hpp"

@@ -1,4 +1,4 @@
-// The statements of single shapes: TRI, STRI, VCSTRI, SPHERE, PLANE, RING, BOX, FCYLINDER and POLYCYLINDER.
+// Reads the statements with single shapes: TRI, STRI, VCSTRI, SPHERE, PLANE, RING, BOX, FCYLINDER and POLYCYLINDER.
 #include <fmt/format.h>
 
 #include <limits>
@@ -11,13 +11,13 @@ namespace {
 
 float size_after(Lexer& lexer, std::string_view keyword) {
   const float size = lexer.number_after(keyword);
-  if (size < 0.0f) throw lexer.error(fmt::format("{} is {}", keyword, size), "a number that is not negative");
+  if (size < 0.0f) throw lexer.error(fmt::format("{} is {}", keyword, size), "a number >= 0");
   return size;
 }
 
 Vec3f normal_after(Lexer& lexer, std::string_view keyword) {
   const Vec3f normal = lexer.vector_after(keyword);
-  if (normal == Vec3f(0.0f)) throw lexer.error(fmt::format("{} is zero", keyword), "a vector that is not zero");
+  if (normal == Vec3f(0.0f)) throw lexer.error(fmt::format("{} is zero", keyword), "a non-zero vector");
   return normal;
 }
 
@@ -83,7 +83,7 @@ void parse_fcylinder(Lexer& lexer, ParserState& state) {
 void parse_polycylinder(Lexer& lexer, ParserState& state) {
   lexer.expect("POINTS");
   const int count = lexer.integer("POINTS", 1, std::numeric_limits<int>::max());
-  std::vector<Vec3f> points;  // grows with what the file really holds, whatever the count says
+  std::vector<Vec3f> points;  // grows with the file's actual contents, not its count
   for (int i = 0; i < count; ++i) points.push_back(lexer.point("POLYCYLINDER's points"));
   const float radius = size_after(lexer, "RAD");
   const int material = parse_texture_reference(lexer, state);

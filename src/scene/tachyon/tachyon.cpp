@@ -15,10 +15,10 @@ namespace lippmann {
 namespace tachyon {
 namespace {
 
-/// Under which viewers of an orthographic picture see its height.
+/// Angle under which a viewer sees the height of an orthographic picture.
 constexpr double kViewerAngle = 45.0 * std::numbers::pi / 180.0;
 
-/// Puts the camera on a node of its own.
+/// Adds the camera with its own node.
 void add_camera(Scene& scene, const CameraRecord& record) {
   Node node;
   node.name = "camera";
@@ -29,7 +29,7 @@ void add_camera(Scene& scene, const CameraRecord& record) {
   scene.cameras.push_back(std::move(camera));
 }
 
-/// The gradient over the heights at which an orthographic camera's rays begin, as one over the directions of a viewer who sees
+/// Converts a gradient over the starting heights of an orthographic camera's rays to one over directions, for a viewer who sees
 /// the picture's height under kViewerAngle.
 Background over_directions(Background plane, const CameraRecord& camera, const Vec3d& origin) {
   const Vec3d center = Vec3d(camera.pose.center) + origin;
@@ -43,7 +43,7 @@ Background over_directions(Background plane, const CameraRecord& camera, const V
   return plane;
 }
 
-/// origin: what the lexer has subtracted from positions.
+/// `origin`: subtracted from positions by the lexer.
 Background background_of(const ParserState& state, const Vec3d& origin) {
   if (!state.gradient) return state.background;
   if (!state.gradient_is_plane || !state.camera.is_orthographic) return *state.gradient;
@@ -51,9 +51,9 @@ Background background_of(const ParserState& state, const Vec3d& origin) {
   return sky.horizon_at == sky.zenith_at ? *state.gradient : sky;
 }
 
-/// Orthographic pictures are often far too small where a program writes pixels as units (Jmol does).
-void warn_of_orthographic(const Scene& scene, const std::string& name, const Context& context) {
-  constexpr float kSmall = 0.05f, kLeastZoom = 1e-3f;  // which `zoom` accepts
+/// Warns about orthographic scenes. They are often much too small if a program (such as Jmol) used pixels as units.
+void warn_about_orthographic(const Scene& scene, const std::string& name, const Context& context) {
+  constexpr float kSmall = 0.05f, kLeastZoom = 1e-3f;  // smallest value of `zoom`
   const float height = scene.cameras.front().orthographic_height;
   context.warning(
       fmt::format("{}: PROJECTION ORTHOGRAPHIC sets the height of the display's plane; viewers see it in perspective.", name));
@@ -83,7 +83,7 @@ Scene read_scene(Lexer& lexer, SceneFolder& folder, const Context& context, doub
   scene.resolution = state.resolution;
   scene.timeline.frames_per_second = frames_per_second;
   add_camera(scene, state.camera);
-  if (state.camera.is_orthographic) warn_of_orthographic(scene, lexer.name(), context);
+  if (state.camera.is_orthographic) warn_about_orthographic(scene, lexer.name(), context);
   return scene;
 }
 
@@ -99,7 +99,7 @@ void animate_camera(Scene& scene, Lexer& path) {
 Scene load_tachyon(const std::filesystem::path& path, const std::optional<std::filesystem::path>& camera_path,
                    const Context& context, double frames_per_second, const std::filesystem::path& asset_root,
                    const Vec3d& origin) {
-  const Vec3d in_file(origin.x, origin.y, -origin.z);  // mirrored, as handedness.hpp has it
+  const Vec3d in_file(origin.x, origin.y, -origin.z);  // mirrored (handedness.hpp)
   tachyon::SceneFolder folder(path, asset_root);
   Lexer lexer(path.string(), folder.read_text(path, path.string()));
   lexer.set_origin(in_file);

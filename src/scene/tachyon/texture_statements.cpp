@@ -1,4 +1,4 @@
-// TEXDEF, TEXALIAS, IMAGEDEF and the TEXTURE at the end of a shape.
+// Reads TEXDEF, TEXALIAS, IMAGEDEF and the TEXTURE at the end of a shape.
 #include <fmt/format.h>
 
 #include <limits>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kConstantTexture = 0, kCylindricalImage = 7, kSphericalImage = 8, kPlanarImage = 9, kLastTexfunc = 10;
 
-/// PHONG kind strength PHONG_SIZE exponent, after PHONG.
+/// Reads "kind strength PHONG_SIZE exponent" after PHONG.
 void parse_highlight(Lexer& lexer, PhongSurface& surface) {
   const std::string kind = upper(lexer.word("PLASTIC or METAL"));
   if (kind != "PLASTIC" && kind != "METAL")
@@ -21,13 +21,13 @@ void parse_highlight(Lexer& lexer, PhongSurface& surface) {
   surface.highlight_size = lexer.number_after("PHONG_SIZE");
 }
 
-/// AMBIENT to `last`, the word that ends the optional ones.
+/// Reads AMBIENT to `last`, the word after the optional ones.
 void parse_coefficients(Lexer& lexer, ParserState& state, PhongSurface& surface, std::string_view last) {
   surface.ambient = lexer.number_after("AMBIENT");
   surface.diffuse = lexer.number_after("DIFFUSE");
   surface.mirror = lexer.number_after("SPECULAR");
   const float opacity = lexer.number_after("OPACITY");
-  if (opacity < 0.0f) throw lexer.error(fmt::format("OPACITY is {}", opacity), "a number that is not negative");
+  if (opacity < 0.0f) throw lexer.error(fmt::format("OPACITY is {}", opacity), "a number >= 0");
   surface.opacity = std::min(opacity, 1.0f);
   std::string_view word = lexer.word(last);
   if (is_keyword(word, "TRANSMODE")) {
@@ -61,8 +61,8 @@ int image_named(Lexer& lexer, ParserState& state) {
   return texture;
 }
 
-/// Cylinders and spheres stand along y, and u runs from x towards z: in our mirrored world towards -z, which is v_axis x
-/// u_axis.
+/// Cylinders and spheres stand along y, and u runs from x towards z. In our mirrored world that is towards -z, which is v_axis
+/// x u_axis.
 void parse_image_map(Lexer& lexer, ParserState& state, ProjectionKind kind, PhongSurface& surface) {
   surface.texture = image_named(lexer, state);
   ImageProjection projection;
@@ -77,7 +77,7 @@ void parse_image_map(Lexer& lexer, ParserState& state, ProjectionKind kind, Phon
   surface.projection = projection;
 }
 
-/// TEXFUNC's number and what follows it.
+/// Reads the number of TEXFUNC and its parameters.
 void parse_texfunc(Lexer& lexer, ParserState& state, PhongSurface& surface) {
   const int function = lexer.integer("TEXFUNC", 0, std::numeric_limits<int>::max());
   switch (function) {
@@ -95,23 +95,24 @@ void parse_texfunc(Lexer& lexer, ParserState& state, PhongSurface& surface) {
   }
 }
 
-/// A name keeps its first meaning, as in Tachyon.
+/// Defines a texture. As in Tachyon, the first definition of a name applies.
 void define(Lexer& lexer, ParserState& state, std::string name, int material) {
   const auto [entry, is_new] = state.textures.emplace(std::move(name), material);
   if (is_new || entry->second == material || state.redefined_textures++ > 0) return;
-  state.context.warning(fmt::format("{}: {} (and perhaps more) is defined again with other values; first definitions count.",
-                                    lexer.where(), shown(entry->first)));
+  state.context.warning(
+      fmt::format("{}: {} (and possibly others) is redefined with different values; the first definition applies.",
+                  lexer.where(), shown(entry->first)));
 }
 
 int material_named(Lexer& lexer, ParserState& state, std::string_view name) {
   if (const auto known = state.textures.find(name); known != state.textures.end()) return known->second;
   if (state.undefined_textures++ == 0)
-    state.context.warning(
-        fmt::format("{}: the texture {} (and perhaps more) is not defined; plain white is used.", lexer.where(), shown(name)));
+    state.context.warning(fmt::format("{}: the texture {} (and possibly others) is not defined; plain white is used.",
+                                      lexer.where(), shown(name)));
   return add_default_material(state);
 }
 
-/// 3, 6, 9 or 12 hexadecimal digits: the leading 8 bits of red, green and blue. A single digit stands twice.
+/// Reads a colour of 3, 6, 9 or 12 hexadecimal digits as the leading 8 bits of red, green and blue. Single digits are doubled.
 std::array<std::uint8_t, 3> parse_hex_color(Lexer& lexer) {
   const std::string_view word = lexer.word("a colour in hexadecimal digits");
   const bool digits = word.find_first_not_of("0123456789abcdefABCDEF") == word.npos;
@@ -167,7 +168,7 @@ void parse_texdef(Lexer& lexer, ParserState& state) {
 
 void parse_texalias(Lexer& lexer, ParserState& state) {
   std::string name(lexer.word("TEXALIAS's name"));
-  const int material = material_named(lexer, state, lexer.word("the texture that TEXALIAS names anew"));
+  const int material = material_named(lexer, state, lexer.word("the texture of TEXALIAS"));
   define(lexer, state, std::move(name), material);
 }
 
@@ -187,12 +188,12 @@ void parse_imagedef(Lexer& lexer, ParserState& state) {
   lexer.expect("ENCODING");
   lexer.expect("HEX");
   const std::int64_t pixels = std::int64_t{texture.width} * texture.height;
-  for (std::int64_t i = 0; i < pixels; ++i) {  // grows with what the file really holds, whatever the resolution says
+  for (std::int64_t i = 0; i < pixels; ++i) {  // grows with the file's actual contents, not its resolution
     const std::array<std::uint8_t, 3> color = parse_hex_color(lexer);
     texture.rgba.insert(texture.rgba.end(), {color[0], color[1], color[2], std::uint8_t{255}});
   }
   std::string name = texture.name;
-  if (state.images.count(name)) throw lexer.error(fmt::format("the image {} is defined already", shown(name)));
+  if (state.images.count(name)) throw lexer.error(fmt::format("the image {} is already defined", shown(name)));
   state.images.emplace(std::move(name), state.builder.add_texture(std::move(texture)));
 }
 
