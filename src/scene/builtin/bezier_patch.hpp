@@ -12,11 +12,11 @@ using BezierPatch = std::array<std::array<Vec3f, 4>, 4>;
 
 Vec3f point_on(const BezierPatch& patch, float u, float v);
 
-/// The unit vector along dP/du x dP/dv; where one of them vanishes (an edge that is a single point), its limit.
+/// Returns the unit vector along dP/du x dP/dv, or its limit if one of them vanishes (at an edge that is a single point).
 Vec3f normal_on(const BezierPatch& patch, float u, float v);
 
-/// Adds (steps + 1)^2 vertices and up to 2 steps^2 triangles; triangles without area (at an edge that is a point) are left out.
-/// Front sides face along the normal. uvs are (u, v).
+/// Adds (steps + 1)^2 vertices and up to 2 steps^2 triangles; skips triangles without area, at edges that are single points.
+/// Triangles are counter-clockwise seen from the side of the normal. uvs are (u, v).
 void tessellate(const BezierPatch& patch, int steps, Mesh& mesh);
 
 }  // namespace lippmann::builtin

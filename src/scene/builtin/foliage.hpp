@@ -1,4 +1,4 @@
-// Pieces of a tree: bent branches and leafy sprays, each grown along +y from the origin.
+// Parts of a tree: curved branches and leafy sprays, grown along +y from the origin.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace lippmann::builtin {
 
-/// Numbers drawn one after another; equal seeds give equal sequences on every machine.
+/// A sequence of random numbers; equal seeds give equal sequences on every machine.
 class Dice {
  public:
   explicit Dice(std::uint32_t seed) : seed_(seed) {}
@@ -21,30 +21,30 @@ class Dice {
   std::uint32_t seed_, count_ = 0;
 };
 
-/// The middle line of a branch and its radius along it.
+/// The centre line of a branch and its radius along it.
 struct Branch {
   std::vector<Vec3f> points;
   std::vector<float> radii;
 
-  /// At a share 0 ... 1 of the branch.
+  /// Returns the point at `share` (0 ... 1) of the branch.
   Vec3f point(float share) const;
 };
 
-/// A branch that starts along +y and wanders off by about `bend` of its length.
+/// Returns a branch that starts along +y and deviates from it by about `bend` of its length.
 Branch bent_branch(float length, float base_radius, float tip_radius, float bend, int pieces, std::uint32_t seed);
 
-/// The turn that takes +y to a unit direction, then spun about it by `roll`.
+/// Returns the rotation that takes +y to a unit direction, followed by a rotation about it by `roll`.
 Quatf growing_towards(Vec3f direction, float roll);
 
-/// A direction at `angle` from +y at a compass bearing.
+/// Returns the direction at `angle` from +y and at a compass bearing.
 Vec3f leaning(float angle, float bearing);
 
 struct Spray {
   Mesh twigs, leaves;
 };
 
-/// Two generations of twigs, about `length` long in all, with `leaf_count` leaves of two triangles. Leaves' normals are blends
-/// of their own and of the direction out of the spray, so that it is shaded as the round mass that it looks like.
+/// Returns two generations of twigs, about `length` long in total, with `leaf_count` leaves of two triangles. Leaf normals are
+/// blended with the direction out of the spray, for the shading of a round volume.
 Spray grow_spray(float length, int leaf_count, float leaf_length, std::uint32_t seed);
 
 }  // namespace lippmann::builtin

@@ -1,9 +1,9 @@
 // Based on: Faydor L. Litvin, Alfonso Fuentes, "Gear Geometry and Applied Theory", 2nd ed., 2004, chapter 10 (involute spur
-// gears) and 11 (internal ones). With inv(a) = tan a - a, pitch radius r_p, base radius r_b = r_p cos(pressure angle), a tooth
-// of a gear of z teeth spans at radius r the half angle
+// gears) and 11 (internal ones). With inv(a) = tan a - a, pitch radius r_p and base radius r_b = r_p cos(pressure angle), a
+// tooth of a gear with z teeth has at radius r the half angle
 //   psi(r) = pi / (2 z) + inv(pressure angle) - inv(acos(r_b / r)).
-// A ring's spaces have the shape of that gear's teeth, so that its own teeth span pi / z - psi(r).
-// We deviate: 1. below the base circle flanks are radial instead of trochoids; 2. each side of a tooth gives way by a
+// The gaps of a ring have the shape of that gear's teeth, so that the ring's own teeth have pi / z - psi(r).
+// Unlike the book: 1. flanks below the base circle are radial instead of trochoids; 2. each side of a tooth recedes by a
 // quarter of the backlash.
 #include "scene/builtin/gear.hpp"
 
@@ -25,8 +25,9 @@ float involute_half_angle(int teeth, float radius) {
 
 Vec2f polar(float radius, float angle) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
 
-/// Adds teeth between two radii as strips from flank to flank and returns the points of the root circle: both ends of each
-/// tooth and two points between neighbours. half_angle(radius) is half of a tooth; the first tooth is centred on first_angle.
+/// Adds teeth between two radii as strips from flank to flank. Returns the points of the root circle: both ends of each tooth
+/// and two points between neighbours. half_angle(radius) is half the angle of a tooth; the first tooth is centred on
+/// first_angle.
 template <class HalfAngle>
 AngularRing add_teeth(PlanarRegion& region, int teeth, float first_angle, float root, float tip, const HalfAngle& half_angle) {
   AngularRing root_ring;
@@ -72,8 +73,8 @@ AngularRing add_inner_teeth(PlanarRegion& region, int teeth) {
                    [=](float r) { return ring_tooth_half_angle(teeth, r); });
 }
 
-/// A circle whose points are grouped by spokes: `per_spoke` + 1 of them across each spoke, `per_gap` - 1 more up to the next
-/// one.
+/// Adds a circle with points grouped by spokes: `per_spoke` + 1 points across each spoke, then `per_gap` - 1 more up to the
+/// next one.
 AngularRing add_spoked_circle(PlanarRegion& region, float radius, int spokes, float width, int per_spoke, int per_gap) {
   AngularRing ring;
   const float pitch = 2.0f * kPi / static_cast<float>(spokes), half = std::asin(0.5f * width / radius);
@@ -97,7 +98,7 @@ AngularRing add_circle(PlanarRegion& region, float radius, int count) {
   return ring;
 }
 
-/// Joins the points of two spoked circles across their spokes; the gaps between stay open.
+/// Connects two spoked circles across their spokes and leaves the gaps open.
 void fill_spokes(PlanarRegion& region, const AngularRing& hub, const AngularRing& rim, int spokes, int per_spoke, int per_gap) {
   for (int spoke = 0; spoke < spokes; ++spoke)
     for (int i = 0; i < per_spoke; ++i) {
@@ -145,7 +146,7 @@ Mesh ring_gear_mesh(int inner_teeth, int outer_teeth, const GearBlank& blank) {
 }
 
 float meshing_angle(int driver_teeth, float driver_angle, int teeth, float direction) {
-  // A driver's tooth that stands d ahead of the line of centres meets a space that stands d driver_teeth / teeth behind it.
+  // A tooth of the driver at an angle d past the line of centres meets a gap at d driver_teeth / teeth before it.
   const float ratio = static_cast<float>(driver_teeth) / static_cast<float>(teeth);
   return direction + kPi + kPi / static_cast<float>(teeth) - ratio * (driver_angle - direction);
 }

@@ -1,7 +1,8 @@
-// Involute gears: the shape of their teeth, solid meshes, and the phases at which they mesh.
+// Involute gears: tooth shapes, solid meshes, and the angles at which gears mesh.
 //
-// A gear lies in the x-y plane, its axis is z, and one of its teeth (of a ring: of its spaces) is centred on +x. All lengths
-// are in modules (pitch diameter / teeth), so that gears of any tooth counts mesh at a centre distance of half their sum.
+// A gear lies in the x-y plane with axis z; one of its teeth (for a ring: one of its gaps) is centred on +x. Lengths are in
+// modules (pitch diameter / teeth), so that gears of any tooth counts mesh at a centre distance of half the sum of their tooth
+// counts.
 #pragma once
 
 #include "scene/builtin/planar_region.hpp"
@@ -10,14 +11,14 @@ namespace lippmann::builtin {
 
 inline constexpr float kPressureAngle = radians(25.0f);
 inline constexpr float kAddendum = 1.0f, kDedendum = 1.25f;
-/// The play between two gears in mesh, along the pitch circle; each tooth gives half of it.
+/// The backlash between two meshing gears along the pitch circle, half of it on each gear.
 inline constexpr float kBacklash = 0.06f;
 
 inline constexpr float pitch_radius(int teeth) { return 0.5f * static_cast<float>(teeth); }
 
-/// Half the angle that a tooth spans at a radius between the base circle and the tip; below the base circle it does not grow.
+/// Returns half the angle of a tooth at a radius between the base circle and the tip; constant below the base circle.
 float tooth_half_angle(int teeth, float radius);
-/// The same of the teeth of an internal ring, which point inwards.
+/// Returns half the angle of a tooth of an internal ring, whose teeth point inwards.
 float ring_tooth_half_angle(int teeth, float radius);
 
 struct GearBlank {
@@ -25,18 +26,18 @@ struct GearBlank {
   float bevel = 0.12f;
   float bore_radius = 1.0f;
   int spokes = 0;            ///< 0: a solid disc
-  float spoke_width = 2.0f;  ///< at the hub; three quarters of it at the rim
-  float rim_width = 2.0f;    ///< below the roots
+  float spoke_width = 2.0f;  ///< at the hub; three quarters of that at the rim
+  float rim_width = 2.0f;    ///< from the root circle inwards
   float hub_radius = 2.5f;
 };
 
 Mesh gear_mesh(int teeth, const GearBlank& blank);
 
-/// A ring with teeth inside and outside; of `blank`, thickness and bevel count.
+/// Returns a ring with teeth inside and outside. Only thickness and bevel of `blank` apply.
 Mesh ring_gear_mesh(int inner_teeth, int outer_teeth, const GearBlank& blank);
 
-/// The rotation of a gear that meshes with a driver turned by `driver_angle`; `direction`: of its centre, seen from the
-/// driver's.
+/// Returns the rotation of a gear that meshes with a driver rotated by `driver_angle`. `direction`: angle from the driver's
+/// centre to the gear's.
 float meshing_angle(int driver_teeth, float driver_angle, int teeth, float direction);
 
 }  // namespace lippmann::builtin

@@ -1,8 +1,8 @@
-// "gears": a planetary gear train whose ring drives gears around it, before the engraved plate of a clockwork. Lengths in
+// "gears": a planetary gear train whose ring drives gears around it, in front of the engraved plate of a clockwork. Lengths in
 // modules.
 //
-// Turns over the loop: ring 1, carrier 2, so by Willis' equation (w_sun - w_carrier) / (w_ring - w_carrier) = -36/12 the sun
-// makes 5 and by (w_planet - w_carrier) / (w_ring - w_carrier) = 36/12 each planet makes -1. Every gear makes a whole number.
+// Turns per loop: ring 1, carrier 2. By Willis' equation (w_sun - w_carrier) / (w_ring - w_carrier) = -36/12, the sun makes 5
+// turns, and by (w_planet - w_carrier) / (w_ring - w_carrier) = 36/12, each planet makes -1. All numbers are whole.
 #include <cmath>
 
 #include "scene/builtin/gear.hpp"
@@ -23,14 +23,14 @@ struct Metals {
   int brass, steel, bronze, gold, blued, ruby;
 };
 
-/// A gear on its axis: where it is and how it turns.
+/// A gear's position and rotation.
 struct Gear {
   Vec3f center{0.0f};
   int teeth = 0, turns = 0;
   float angle = 0.0f;  ///< at the start of the loop
 };
 
-/// A gear beside `driver`, in mesh with it; its turns must come out whole.
+/// Returns a gear that meshes with `driver`; its number of turns must be whole.
 Gear beside(const Gear& driver, int teeth, float direction) {
   Gear gear;
   const float distance = pitch_radius(driver.teeth) + pitch_radius(teeth);
@@ -41,7 +41,7 @@ Gear beside(const Gear& driver, int teeth, float direction) {
   return gear;
 }
 
-/// A gear on the same shaft in another layer.
+/// Returns a gear on the same shaft in another layer.
 Gear on_shaft(const Gear& gear, int teeth, float z) {
   Gear other = gear;
   other.center.z = z;
@@ -69,7 +69,7 @@ void add_shaft(SceneBuilder& scene, int parent, Vec3f center, float back, float 
   scene.show("jewel", Spheres{{{0.0f, 0.0f, front - 0.25f * radius}, 0.5f * radius}}, metals.ruby, node);
 }
 
-/// A raised band on a gear's face and screws of blued steel along another circle.
+/// A raised band on a gear's face, and blued steel screws along another circle.
 struct Trim {
   float face;  ///< z of the face
   float band_radius, screw_radius;
@@ -99,7 +99,7 @@ void add_planetary_set(SceneBuilder& scene, const Gear& ring, const Metals& meta
   scene.show("ring", ring_gear_mesh(kRingInside, kRingOutside, blank), metals.brass, ring_node);
   add_trim(scene, ring_node, {0.5f * blank.thickness, 19.9f, 21.4f, 16, metals.gold}, metals);
 
-  // The planet on the line of centres along +x is set by the ring; the sun by that planet; the other planets by the sun.
+  // The ring determines the planet on the line of centres along +x, that planet the sun, and the sun the other planets.
   const float planet_angle = static_cast<float>(kRingInside) / kPlanet * ring.angle;
   const float sun_angle = meshing_angle(kPlanet, planet_angle, kSun, kPi);
   const int sun = add_turning_node(scene, "sun", -1, ring.center, kSunTurns, sun_angle);
@@ -118,10 +118,10 @@ void add_planetary_set(SceneBuilder& scene, const Gear& ring, const Metals& meta
   }
 }
 
-/// A plate with rows of overlapping circular brushings, as watchmakers finish theirs.
+/// Returns a plate with rows of overlapping circular brush marks (perlage), as on watch movements.
 Texture perlage(Vec3f color) {
   return paint("perlage", 256, 256, [=](Vec2f uv) {
-    // The later one of two neighbouring rows lies on top; each disc is brushed around its own centre.
+    // Later rows overlap earlier ones; each disc is brushed around its own centre.
     const Vec2f p = 4.0f * uv;
     Vec2f best(0.0f);
     for (int row = static_cast<int>(std::floor(p.y)) - 1; row <= static_cast<int>(std::floor(p.y)) + 1; ++row)
@@ -160,7 +160,7 @@ Scene build_gears() {
   add_trim(scene, lower_node, {0.5f * pinion.thickness, 5.6f, 4.0f, 6, metals.gold}, metals);
   add_gear(scene, left, pinion, metals.gold);
 
-  // In front: a pinion on the upper shaft and its partner. Behind: a great wheel on the same shaft, and what it drives.
+  // In front: a pinion on the upper shaft and its partner. Behind: a large wheel on the same shaft and the gear it drives.
   const Gear front = on_shaft(upper, 12, 8.0f), front_partner = beside(front, 12, radians(-95.0f));
   add_gear(scene, front, {.thickness = 4.0f, .bore_radius = 1.4f}, metals.gold);
   add_gear(scene, front_partner, {.thickness = 3.0f, .bore_radius = 1.2f}, metals.brass);

@@ -1,5 +1,4 @@
-// Normals of a welded mesh that are smooth over gentle edges and split over sharp ones; and rings of vertices joined by
-// triangles.
+// Computes normals of a welded mesh, smooth across gentle edges and split at sharp ones.
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -15,7 +14,7 @@ struct Corner {
   Index triangle, corner;
 };
 
-/// Twice the area, along the normal.
+/// Returns the normal with a length of twice the area.
 Vec3f area_normal(const Mesh& mesh, const std::array<Index, 3>& t) {
   return glm::cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]);
 }
@@ -46,7 +45,7 @@ Mesh with_creases(const Mesh& welded, float crease_angle) {
         if (glm::dot(a, b) >= cosine * glm::length(a) * glm::length(b)) normal += b;
       }
       normal = glm::normalize(normal);
-      Index index = first;  // corners with (nearly) one normal share a vertex
+      Index index = first;  // corners with (nearly) equal normals share a vertex
       while (index < mesh.positions.size() && glm::dot(mesh.normals[index], normal) < 0.99999f) ++index;
       if (index == mesh.positions.size()) {
         mesh.positions.push_back(welded.positions[vertex]);

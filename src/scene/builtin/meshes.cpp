@@ -10,7 +10,7 @@ using Index = std::uint32_t;
 
 Index vertex_count(const Mesh& mesh) { return static_cast<Index>(mesh.positions.size()); }
 
-/// Two triangles over the corners of a grid cell, without those that have no area.
+/// Adds two triangles for a grid cell, except those without area.
 void add_cell(Mesh& mesh, Index a, Index b, Index c, Index d) {
   const auto same = [&](Index i, Index j) { return mesh.positions[i] == mesh.positions[j]; };
   if (!same(a, b) && !same(b, c) && !same(a, c)) mesh.triangles.push_back({a, b, c});
@@ -22,7 +22,7 @@ Vec2f unit_or_zero(Vec2f v) {
   return length > 0.0f ? v / length : Vec2f(0.0f);
 }
 
-/// The outward normals (radial, y) of a profile's points; a crease's two points each keep their own side.
+/// Returns the outward normals (radial, y) of a profile's points; the two points of a crease each use their own side.
 std::vector<Vec2f> profile_normals(const std::vector<Vec2f>& profile) {
   const std::size_t n = profile.size();
   const bool loop = n > 2 && profile.front() == profile.back();
@@ -44,7 +44,7 @@ Vec3f any_perpendicular(Vec3f v) {
   return glm::normalize(glm::cross(v, std::abs(v.x) < 0.7f ? Vec3f(1, 0, 0) : Vec3f(0, 1, 0)));
 }
 
-/// The unit vector nearest to `v` that is perpendicular to `axis`.
+/// Returns the unit vector perpendicular to `axis` that is nearest to `v`.
 Vec3f perpendicular_part(Vec3f v, Vec3f axis) { return glm::normalize(v - glm::dot(v, axis) * axis); }
 
 std::vector<Vec3f> curve_tangents(const std::vector<Vec3f>& points, bool closed) {
@@ -58,14 +58,14 @@ std::vector<Vec3f> curve_tangents(const std::vector<Vec3f>& points, bool closed)
   return tangents;
 }
 
-/// Normals along a curve that turn no more than the curve itself (parallel transport).
+/// Returns normals along a curve by parallel transport, without additional twist.
 std::vector<Vec3f> transported_normals(const std::vector<Vec3f>& tangents) {
   std::vector<Vec3f> normals{any_perpendicular(tangents[0])};
   for (std::size_t i = 1; i < tangents.size(); ++i) normals.push_back(perpendicular_part(normals.back(), tangents[i]));
   return normals;
 }
 
-/// By how much the transported normal misses itself after one turn around a closed curve.
+/// Returns the angle between the first normal and the one transported once around a closed curve.
 float closing_twist(const std::vector<Vec3f>& tangents, const std::vector<Vec3f>& normals) {
   const Vec3f arrived = perpendicular_part(normals.back(), tangents[0]);
   return std::atan2(glm::dot(glm::cross(arrived, normals[0]), tangents[0]), glm::dot(arrived, normals[0]));
@@ -87,7 +87,7 @@ Mesh lathe(const std::vector<Vec2f>& profile, int segments) {
   const Index columns = static_cast<Index>(segments) + 1;
   for (std::size_t i = 0; i < profile.size(); ++i) {
     for (Index j = 0; j < columns; ++j) {
-      // The last column repeats the first one bit for bit, so that the seam is closed.
+      // The last column equals the first one exactly, so that the seam is closed.
       const float angle = 2.0f * kPi * static_cast<float>(j % static_cast<Index>(segments)) / static_cast<float>(segments);
       const Vec3f outwards(std::sin(angle), 0.0f, std::cos(angle));
       mesh.positions.push_back(profile[i].x * outwards + Vec3f(0.0f, profile[i].y, 0.0f));
@@ -110,7 +110,7 @@ std::vector<Vec2f> smooth_profile(const std::vector<Vec2f>& points, int steps) {
   for (std::size_t i = 0; i + 1 < n; ++i) {
     const Vec2f b = points[i], c = points[i + 1];
     profile.push_back(b);
-    if (b == c) continue;  // a crease: both of its points stay, nothing between them
+    if (b == c) continue;  // a crease: both points stay, with nothing in between
     const Vec2f a = i > 0 && points[i - 1] != b ? points[i - 1] : 2.0f * b - c;
     const Vec2f d = i + 2 < n && points[i + 2] != c ? points[i + 2] : 2.0f * c - b;
     for (int s = 1; s < steps; ++s)

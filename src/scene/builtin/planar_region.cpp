@@ -14,7 +14,7 @@ using Index = std::uint32_t;
 
 constexpr Index kNone = ~Index{0};
 
-/// For every point on the region's edge the next one along it, with the region on the left; kNone for inner points.
+/// Returns for every point on the region's edge the next one along it, with the region on the left; kNone for inner points.
 std::vector<Index> next_on_boundary(const PlanarRegion& region) {
   std::map<std::pair<Index, Index>, int> directed;
   for (const auto& t : region.triangles)
@@ -30,7 +30,7 @@ Vec2f outward_normal(Vec2f from, Vec2f to) {
   return {along.y, -along.x};
 }
 
-/// The points moved inwards by `distance` from both edges that meet in them.
+/// Returns the points moved inwards by `distance` from both adjacent edges.
 std::vector<Vec2f> inset(const PlanarRegion& region, const std::vector<Index>& next, float distance) {
   std::vector<Vec2f> inwards(region.points.size(), Vec2f(0.0f));
   for (Index i = 0; i < next.size(); ++i) {
@@ -42,7 +42,7 @@ std::vector<Vec2f> inset(const PlanarRegion& region, const std::vector<Index>& n
   std::vector<Vec2f> points = region.points;
   for (Index i = 0; i < next.size(); ++i) {
     if (next[i] == kNone) continue;
-    // |n1 + n2| = 2 cos(half the angle between them); the mitre is 1 / cos long, at most 2.
+    // |n1 + n2| = 2 cos(half the angle between them). The mitre length is 1 / cos, at most 2.
     const float cosine = 0.5f * glm::length(inwards[i]);
     points[i] += distance / std::max(cosine, 0.5f) * glm::normalize(inwards[i]);
   }
@@ -57,7 +57,7 @@ void fill_between(PlanarRegion& region, const AngularRing& inner, const AngularR
   const auto unrolled = [&](const AngularRing& ring, std::size_t i) {
     return ring.angles[i % ring.angles.size()] + (i < ring.angles.size() ? 0.0f : turn);
   };
-  // Starts at the outer point that is nearest to the first inner one, and then always takes the shorter of the two next steps.
+  // Start at the outer point nearest to the first inner one. Then always take the shorter of the two possible steps.
   std::size_t first = 0;
   const auto gap = [&](std::size_t i) { return std::abs(std::remainder(outer.angles[i] - inner.angles[0], turn)); };
   for (std::size_t i = 1; i < outer_count; ++i)
@@ -80,7 +80,7 @@ Mesh extrude(const PlanarRegion& region, float thickness, float bevel) {
   const Index count = static_cast<Index>(region.points.size());
   const float half = 0.5f * thickness;
 
-  // Four layers of points: bottom face, lower and upper end of the walls, top face.
+  // Four layers of points: bottom face, lower end of the walls, upper end of the walls, top face.
   Mesh mesh;
   for (const Vec2f& p : face) mesh.positions.push_back({p, -half});
   for (const Vec2f& p : region.points) mesh.positions.push_back({p, -half + bevel});

@@ -1,4 +1,4 @@
-// Flat, triangulated regions with holes, and the solids that they make when given thickness.
+// Flat, triangulated regions with holes, and their extrusion to solids.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace lippmann::builtin {
 
 struct PlanarRegion {
   std::vector<Vec2f> points;
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise; every point is used
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise; all points must be used
 
   std::uint32_t add(Vec2f p) {
     points.push_back(p);
@@ -19,18 +19,18 @@ struct PlanarRegion {
   }
 };
 
-/// Points on a circle or another curve around the origin, counter-clockwise; angles increase by less than a turn in all.
+/// Points on a closed curve around the origin, counter-clockwise; angles increase by less than a full turn in total.
 struct AngularRing {
   std::vector<std::uint32_t> points;
   std::vector<float> angles;
   void add(std::uint32_t point, float angle) { points.push_back(point), angles.push_back(angle); }
 };
 
-/// Fills what lies between two closed rings around the origin with triangles that use each of their points.
+/// Triangulates the area between two closed rings around the origin, using all of their points.
 void fill_between(PlanarRegion& region, const AngularRing& inner, const AngularRing& outer);
 
-/// A closed solid around z = 0 with bevelled edges, sharp edges creased. `bevel` < half the thickness and less than half of any
-/// neck of the region.
+/// Returns a closed solid around z = 0 with bevelled edges and creases at sharp edges. `bevel` must be less than half the
+/// thickness and less than half the width of any neck of the region.
 Mesh extrude(const PlanarRegion& region, float thickness, float bevel);
 
 }  // namespace lippmann::builtin

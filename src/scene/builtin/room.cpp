@@ -1,5 +1,5 @@
-// "room": a furnished room, open towards the viewer, in which a clock, a globe, an orrery, an ornament and a ball move while
-// the display sways before it; a round mirror on the wall shows them again. Lengths in metres.
+// "room": a furnished room, open towards the viewer, with a moving clock, globe, orrery, ornament and ball. The display sways
+// in front of it; a round mirror on the wall shows the objects again. Lengths in metres.
 #include <cmath>
 
 #include "scene/builtin/meshes.hpp"
@@ -25,7 +25,7 @@ int textured(SceneBuilder& scene, const char* name, Texture texture, PhongSurfac
   return scene.add_material(name, surface);
 }
 
-// ---- What stands still ----------------------------------------------------------------------------------------------
+// ---- Static objects ----------------------------------------------------------------------------------------------
 
 void add_walls(SceneBuilder& scene, const Materials& m) {
   const float middle = 0.5f * (kBack + kFront), half_depth = 0.5f * (kFront - kBack);
@@ -107,7 +107,7 @@ void add_vase(SceneBuilder& scene, Vec3f place, float size, int material) {
 
 void add_mirror(SceneBuilder& scene, const Materials& m) {
   constexpr float kRadius = 0.68f;
-  // Hung so that it shows the viewer the table: turned half-way towards it and leaning forward.
+  // Rotated half-way towards the table and tilted forward, so that it shows the viewer the table.
   const int hook = scene.add_node("mirror's hook", -1, turned({-1.0f, 2.15f, kBack + 0.26f}, kUp, radians(14.0f)));
   const int node = scene.add_node("mirror", hook, turned(Vec3f(0.0f), kRight, radians(90.0f + 9.0f)));
   const int glass = scene.add_material("mirror", glossy(Vec3f(0.02f), 0.0f, 1.0f, 0.92f));
@@ -117,7 +117,7 @@ void add_mirror(SceneBuilder& scene, const Materials& m) {
   scene.show("mirror's frame", std::move(frame), m.brass, node);
 }
 
-// ---- What moves -----------------------------------------------------------------------------------------------------
+// ---- Moving objects -----------------------------------------------------------------------------------------------------
 
 void add_ornament(SceneBuilder& scene, const Materials& m) {
   std::vector<Vec3f> knot;
@@ -195,7 +195,7 @@ void add_clock(SceneBuilder& scene, const Materials& m) {
   scene.show("pendulum's bob", Spheres{{{0.0f, -1.16f, 0.0f}, 0.115f}}, m.brass, pendulum);
 }
 
-/// Planets around a lamp that hangs from the ceiling.
+/// Adds planets around a lamp that hangs from the ceiling.
 void add_orrery(SceneBuilder& scene, const Materials& m) {
   const Vec3f center(0.25f, 2.85f, -0.9f);
   const int lamp = scene.add_node("orrery", -1, at(center));
@@ -220,7 +220,7 @@ void add_orrery(SceneBuilder& scene, const Materials& m) {
   }
 }
 
-/// Rolls around the table without slipping: eight turns a round at a distance of eight radii.
+/// Adds a ball that rolls around the table without slipping: eight turns per round at a distance of eight radii.
 void add_ball(SceneBuilder& scene) {
   constexpr float kRadius = 0.14f, kDistance = 8.0f * kRadius;
   const int around = scene.add_node("ball's way", -1, at(kTable));

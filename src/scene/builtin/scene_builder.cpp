@@ -11,12 +11,12 @@
 namespace lippmann::builtin {
 namespace {
 
-constexpr int kKeysPerCycle = 16;  // a cubic through a sine's values and slopes is then off by less than 1e-4 of its amplitude
+constexpr int kKeysPerCycle = 16;  // cubic interpolation of a sine then deviates by less than 1e-4 of its amplitude
 
-// In plane heights: behind all that stands in the scenes, and as wide as the outermost rays of a wide array reach there.
+// In plane heights: behind all objects of the scenes, and as wide as the outermost rays of a wide array.
 constexpr float kBackdropDistance = 1.2f, kBackdropHalfWidth = 1.6f, kBackdropHalfHeight = 1.0f;
 
-/// Calls add(time, value, slope per second) for the keys of a swing; the last key equals the first one bit for bit.
+/// Calls add(time, value, slope per second) for the keys of a swing. The last key equals the first one exactly.
 template <class Add>
 void for_each_key(const Swing& swing, const Add& add) {
   const int keys = kKeysPerCycle * swing.cycles;
@@ -151,7 +151,7 @@ void SceneBuilder::add_backdrop(Vec3f glow, Vec3f edge) {
   const Texture cloth = paint("backdrop", 256, 256, [=](Vec2f uv) {
     const float distance = 2.0f * glm::length((uv - Vec2f(0.5f, 0.42f)) * Vec2f(1.4f, 1.0f));
     const float t = std::clamp(1.0f - distance, 0.0f, 1.0f);
-    // Grain of about one code, so that the slow gradient shows no bands.
+    // Noise of about one code value dithers the slow gradient.
     return glm::mix(edge, glow, t * t * (3.0f - 2.0f * t)) * (1.0f + 0.02f * noise(256.0f * uv + 0.5f, {256, 256}, 3));
   });
   PhongSurface painted = matte(Vec3f(1.0f));

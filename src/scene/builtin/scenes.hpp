@@ -1,4 +1,4 @@
-// One builder per built-in scene; the table of them is builtin_scenes.cpp.
+// The functions that build the built-in scenes, listed in builtin_scenes.cpp.
 #pragma once
 
 #include "lippmann/scene/scene.hpp"

@@ -1,4 +1,4 @@
-// "teapot": the Utah teapot turns on a marble table while three tea cups, turning too, circle it the other way.
+// "teapot": the Utah teapot rotates on a marble table while three rotating tea cups circle it in the opposite direction.
 #include <cmath>
 
 #include "scene/builtin/meshes.hpp"
@@ -29,7 +29,7 @@ Mesh cup_mesh() {
   points.insert(points.end(), inside.begin(), inside.end());
   Mesh mesh = lathe(smooth_profile(points, 5), 72);
 
-  // Both ends of the ear lie within the wall.
+  // Both ends of the handle lie within the wall.
   std::vector<Vec3f> ear;
   for (const Vec2f& p :
        smooth_profile({{0.605f, 0.65f}, {0.76f, 0.68f}, {0.88f, 0.56f}, {0.80f, 0.38f}, {0.62f, 0.29f}, {0.465f, 0.285f}}, 6))

@@ -1,8 +1,8 @@
 // Control points after: Martin Newell, "The Utilization of Procedure Models in Digital Image Synthesis", PhD thesis, University
-// of Utah, 1975, with the bottom that Frank Crow added ("The Origins of the Teapot", IEEE CG&A 7(1), 1987).
+// of Utah, 1975, with the bottom added by Frank Crow ("The Origins of the Teapot", IEEE CG&A 7(1), 1987).
 //
-// The pot is symmetric: rim, body, lid and bottom are four quarters of a near-revolution, of which one is listed; handle and
-// spout are listed for one side of the plane y = 0 and mirrored.
+// The pot is symmetric. Rim, body, lid and bottom consist of four quarters of a near-revolution, of which one is listed. Handle
+// and spout are listed for one side of the plane y = 0 and mirrored.
 #include "scene/builtin/teapot_patches.hpp"
 
 namespace lippmann::builtin {
@@ -47,7 +47,7 @@ constexpr float kSides[4][4][4][3] = {
      {{2.8f, 0, 2.4f}, {2.8f, -0.15f, 2.4f}, {3.2f, -0.15f, 2.4f}, {3.2f, 0, 2.4f}}},
 };
 
-/// Quarter turns about z.
+/// Rotates by quarter turns about z.
 Vec3f turned_quarter(Vec3f p, int quarters) {
   for (int i = 0; i < quarters; ++i) p = {-p.y, p.x, p.z};
   return p;
@@ -67,7 +67,7 @@ BezierPatch side_patch(const float (&points)[4][4][3], bool mirrored) {
   BezierPatch patch;
   for (std::size_t row = 0; row < 4; ++row)
     for (std::size_t column = 0; column < 4; ++column) {
-      // A mirror image turns normals over; listing its columns backwards turns them back.
+      // Mirroring flips normals; reversing the columns restores them.
       const float* p = points[row][mirrored ? 3 - column : column];
       patch[row][column] = {p[0], mirrored ? -p[1] : p[1], p[2]};
     }

@@ -1,5 +1,5 @@
-// Noise is gradient noise on a square lattice after: Ken Perlin, "Improving Noise", SIGGRAPH 2002, in two dimensions, with
-// lattice points taken modulo the period so that the textures repeat.
+// Gradient noise on a square lattice after: Ken Perlin, "Improving Noise", SIGGRAPH 2002, in two dimensions, with lattice
+// coordinates modulo the period so that the textures repeat.
 #include "scene/builtin/textures.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ constexpr int kTexels = 512;
 
 float fract(float x) { return x - std::floor(x); }
 
-/// 0 below `from`, 1 above `to`, smooth between.
+/// Returns 0 below `from`, 1 above `to`, and a smooth transition in between.
 float ramp(float from, float to, float x) {
   const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
   return t * t * (3.0f - 2.0f * t);
@@ -24,11 +24,11 @@ float ramp(float from, float to, float x) {
 
 LIPPMANN_INLINE int wrapped(int i, int period) { return i >= 0 && i < period ? i : ((i % period) + period) % period; }
 
-/// Where a point lies between two lattice lines of one direction.
+/// The position of a point between two lattice lines along one axis.
 struct LatticePlace {
   int before, after;  // modulo the period
   float offset;       // from the line before
-  float weight;       // what the line after counts for; the line before counts 1 - weight
+  float weight;       // weight of the line after; the line before has 1 - weight
 };
 
 LIPPMANN_INLINE LatticePlace lattice_place(float p, int period) {
@@ -44,7 +44,7 @@ LIPPMANN_INLINE Vec2f lattice_gradient(int x, std::uint32_t row_hash) {
   return kGradients[hash(static_cast<std::uint32_t>(x) ^ row_hash) >> 29];
 }
 
-/// gradient(column) of the lattice row above and below the point.
+/// Interpolates noise. `above` and `below` return the gradient of a column in the lattice rows above and below the point.
 template <class Above, class Below>
 LIPPMANN_INLINE float noise_between(const LatticePlace& u, const LatticePlace& v, const Above& above, const Below& below) {
   const Vec2f f(u.offset, v.offset);
@@ -58,8 +58,8 @@ LIPPMANN_INLINE float noise_between(const LatticePlace& u, const LatticePlace& v
 
 constexpr float kFractalScale = 1.3f;
 
-/// fractal_noise(period uv, period, ...) at every texel of a square texture, rows from the top. What only depends on a texel's
-/// row or column is worked out once.
+/// Returns fractal_noise(period uv, period, ...) for every texel of a square texture, rows from the top. Values that depend
+/// only on a row or column are computed once.
 std::vector<float> fractal_noise_of_texels(int period, int octaves, std::uint32_t seed) {
   const auto place_of = [&period](int texel) {
     return lattice_place(static_cast<float>(period) * ((static_cast<float>(texel) + 0.5f) / static_cast<float>(kTexels)),
@@ -88,12 +88,12 @@ std::vector<float> fractal_noise_of_texels(int period, int octaves, std::uint32_
   return sums;
 }
 
-/// The value at the texel that uv lies in.
+/// Returns the value of the texel at uv.
 float value_at(const std::vector<float>& values, Vec2f uv) {
   return values[static_cast<std::size_t>(uv.y * kTexels) * kTexels + static_cast<std::size_t>(uv.x * kTexels)];
 }
 
-/// 1 on a line of the given half width around the whole numbers, 0 elsewhere.
+/// Returns 1 on lines of the given half width around whole numbers, 0 elsewhere.
 float joint(float x, float half_width) {
   const float distance = std::abs(x - std::round(x));
   return 1.0f - ramp(0.5f * half_width, 1.5f * half_width, distance);

@@ -1,5 +1,5 @@
-// "tree": a maple in autumn on an island in the sky. Limbs, boughs and sprays sway as rigid pieces, each on the one that bears
-// it; some 900,000 triangles are shown through a few shared meshes. Lengths in metres.
+// "tree": an autumn maple on an island in the sky. Limbs, boughs and sprays sway as rigid pieces, each attached to its parent.
+// A few shared meshes give about 900,000 triangles. Lengths in metres.
 #include <array>
 #include <cmath>
 
@@ -13,15 +13,15 @@ namespace lippmann::builtin {
 namespace {
 
 constexpr int kLimbs = 9, kBoughsPerLimb = 6, kSpraysPerBough = 4;
-constexpr int kVariants = 3;  // how many variants of every shared mesh there are
+constexpr int kVariants = 3;  // variants of every shared mesh
 constexpr int kLeavesPerSpray = 1750;
 constexpr float kLeafLength = 0.055f;
 
-/// Where a growing piece stands in the tree at rest.
+/// The rest pose of a piece of the tree.
 struct Pose {
   int node = -1;
   Quatf rotation{1.0f, 0.0f, 0.0f, 0.0f};  ///< world from node
-  Vec3f position{0.0f};                    ///< where the node is in the world
+  Vec3f position{0.0f};                    ///< of the node, in the world
 };
 
 class TreeGrower {
@@ -63,7 +63,7 @@ class TreeGrower {
     }
   }
 
-  /// The trunk widens towards its roots.
+  /// Returns the trunk, widened towards its roots.
   static Mesh trunk_mesh(Branch trunk) {
     for (std::size_t i = 0; i < trunk.points.size(); ++i) {
       const float height = trunk.points[i].y;
@@ -73,7 +73,7 @@ class TreeGrower {
     return tube(trunk.points, trunk.radii, 32, false);
   }
 
-  /// A new piece on `parent`, growing towards a direction in the world, that sways about a level axis.
+  /// Attaches a new piece to `parent`. It grows towards a direction in the world and sways about a horizontal axis.
   Pose attach(const char* name, const Pose& parent, Vec3f place, Vec3f direction, const Swing& sway, float scale = 1.0f) {
     Pose pose;
     pose.rotation = growing_towards(direction, 2.0f * kPi * dice_.unit());
@@ -87,7 +87,7 @@ class TreeGrower {
   }
 
   void grow_limb(const Branch& trunk, int index) {
-    const float share = static_cast<float>(index) / (kLimbs - 1);  // the last one goes on upwards
+    const float share = static_cast<float>(index) / (kLimbs - 1);  // the last one continues upwards
     const float lean = radians(glm::mix(74.0f, 6.0f, share) + dice_.between(-4.0f, 4.0f));
     const Vec3f direction = leaning(lean, 2.39996323f * static_cast<float>(index) + 0.4f);
     const Vec3f place = trunk.point(glm::mix(0.64f, 0.98f, share)) - Vec3f(0.0f, 0.15f, 0.0f);
@@ -134,7 +134,7 @@ class TreeGrower {
   std::array<int, kVariants> limb_shape_{}, bough_shape_{}, twigs_shape_{}, leaves_shape_{};
 };
 
-/// Grass above, rock below, with fallen leaves under the crown.
+/// Adds grass above and rock below, with fallen leaves under the crown.
 void add_island(SceneBuilder& scene) {
   constexpr float kRadius = 3.4f;
   PhongSurface grass = matte(Vec3f(1.0f));
@@ -144,7 +144,7 @@ void add_island(SceneBuilder& scene) {
         glm::mix(Vec3f(0.10f, 0.20f, 0.03f), Vec3f(0.24f, 0.30f, 0.06f), 0.5f + 0.5f * patch) * (1.0f + 0.35f * blade);
     const Vec2f cell = glm::floor(96.0f * uv);
     Dice dice(static_cast<std::uint32_t>(cell.x) * 1000u + static_cast<std::uint32_t>(cell.y));
-    const float fallen = 0.55f - 0.9f * glm::length(uv - 0.5f);  // thins out from the trunk
+    const float fallen = 0.55f - 0.9f * glm::length(uv - 0.5f);  // fewer leaves far from the trunk
     if (dice.unit() < fallen) color = glm::mix(Vec3f(0.55f, 0.08f, 0.02f), Vec3f(0.80f, 0.45f, 0.05f), dice.unit());
     return color;
   }));
@@ -160,7 +160,7 @@ void add_island(SceneBuilder& scene) {
       smooth_profile(
           {{0.0f, -2.5f}, {0.4f, -2.3f}, {1.0f, -1.9f}, {1.9f, -1.55f}, {2.5f, -1.1f}, {3.1f, -0.8f}, {kRadius, -0.42f}}, 10),
       160);
-  // Weathered: moved in and out by noise that repeats around.
+  // Weathering: displacement by noise that repeats around the rock.
   std::vector<Vec3f>& points = rock.positions;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec2f uv = rock.uvs[i];
