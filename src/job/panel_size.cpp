@@ -10,7 +10,7 @@ namespace lippmann {
 
 PanelSize panel_size(const RenderParams& params, Vec2i scene_resolution) {
   const OpticsKind kind = optics_kind(params);
-  refuse_params_of_other_kinds(params.optics, kind);
+  check_kind_params(params.optics, kind);
   const PanelSize size = kind.info().panel_size(params.optics, scene_resolution);
   const std::int64_t pixels = std::int64_t{size.width} * size.height;
   if (pixels > kMaxPixels || std::max(size.width, size.height) > kMaxSide)

@@ -12,7 +12,7 @@ double radical_inverse(int i, int base) {
   return inverse;
 }
 
-/// The place of each sample, -1/2 ... 1/2: the middle of the part that has the rank of its radical inverse.
+/// Returns the position of each sample, -1/2 ... 1/2: the middle of the part whose index is the rank of its radical inverse.
 std::vector<float> places(int samples, int base) {
   std::vector<int> by_place(static_cast<std::size_t>(samples));
   std::iota(by_place.begin(), by_place.end(), 0);

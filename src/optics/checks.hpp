@@ -1,4 +1,4 @@
-// What the numbers of optics must be. Each throws a usage Error that names the field and says what would be accepted.
+// Range checks of optics parameters. Each throws a usage Error with the field and its accepted range.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,8 +12,8 @@
 
 namespace lippmann {
 
-inline constexpr int kMaxSide = 1 << 16;                       ///< floats place a sample to 1/256 pixel up to here
-inline constexpr float kMinLength = 1e-6f, kMaxLength = 1e9f;  ///< mm; squares and quotients stay within floats
+inline constexpr int kMaxSide = 1 << 16;                       ///< floats resolve a sample to 1/256 pixel up to here
+inline constexpr float kMinLength = 1e-6f, kMaxLength = 1e9f;  ///< mm; keeps squares and quotients within floats
 
 [[noreturn]] inline void reject_field(const char* field, const std::string& problem, const std::string& accepted) {
   throw usage_error(field, problem, accepted);
@@ -41,7 +41,7 @@ inline void check_position(const char* field, float value) {
     reject_field(field, fmt::format("is {} mm", value), fmt::format("a position within {} mm of the centre", kMaxLength));
 }
 
-/// A cell narrower than a pixel holds no picture. (0.999: pitches of one pixel may come out a rounding error narrower.)
+/// Checks that a lens is at least one pixel wide. The factor 0.999 tolerates rounding of pitches of exactly one pixel.
 inline void check_lens(const char* field, float lens_pitch_mm, const Panel& panel) {
   check_length(field, lens_pitch_mm);
   if (lens_pitch_mm < 0.999f * panel.pixel_pitch_mm)
@@ -54,7 +54,7 @@ inline void check_number(const char* field, double value, double low, double hig
     reject_field(field, fmt::format("is {}", value), fmt::format("a number from {} to {}", low, high));
 }
 
-/// See with_parallax.
+/// Checks a parallax; see with_parallax.
 inline void check_parallax(const char* field, float value) {
   if (!(value > 0.0f && std::isfinite(value))) reject_field(field, fmt::format("is {}", value), "a number above 0");
 }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kMaxPercent = 23.0;
 
-/// The inverse of neighbour_share where that rises: up to a sigma of 0.9 pixels, of 0.238.
+/// Inverts neighbour_share where it increases: up to a sigma of 0.9 pixels (a share of 0.238).
 double sigma_of_share(double share) {
   double low = 0.0, high = 0.9;
   for (int i = 0; i < 60; ++i) {
@@ -64,8 +64,8 @@ double read_crosstalk(std::string_view text, const std::string& where) {
   const bool whole = read.ec == std::errc() && (percent || read.ptr == end);
   if (!whole || !(value >= 0.0 && value <= (percent ? kMaxPercent : kMaxBlurPx)))
     throw usage_error(
-        where, fmt::format("'{}' is not a crosstalk", text),
-        fmt::format("a sigma from 0 to {} pixels, or the share of each neighbour, 0% to {}%", kMaxBlurPx, kMaxPercent));
+        where, fmt::format("'{}' is not a crosstalk value", text),
+        fmt::format("a sigma from 0 to {} pixels, or the weight of each neighbour, 0% to {}%", kMaxBlurPx, kMaxPercent));
   return percent ? sigma_of_share(0.01 * value) : value;
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kAlignmentTolerancePx = 0.01;
 
-/// Makes the cells exactly whole and aligned where they are so up to rounding.
+/// Makes cells exactly whole and aligned if they are so up to rounding.
 void snap_to_pixels(LensAxis<double>& axis, int size_px) {
   const double whole = std::round(axis.cell_px);
   if (size_px <= 0 || whole < 1.0) return;
@@ -40,7 +40,7 @@ LensAxis<double> make_lens_axis(const LensAxisSpec& spec) {
 
 LensRange lenses_near(const LensAxis<double>& axis, double x_mm, double z_mm, double reach_px, double s_low, double s_high) {
   LensRange range{cell_of(axis, s_low), cell_of(axis, s_high)};
-  // The image offset is linear in the lens position: offset = per_lens l + at_zero.
+  // The image offset is linear in the lens position l: per_lens l + at_zero.
   const double at_zero = image_offset_px(axis, 0.0, x_mm, z_mm);
   const double per_lens = (1.0 / z_mm - axis.vergence) / axis.slope_per_px;
   const double a = (-reach_px - at_zero) / per_lens, b = (reach_px - at_zero) / per_lens;

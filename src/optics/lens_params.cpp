@@ -19,7 +19,7 @@ void require_agreement(int size, int lenses, float pixels, const char* direction
   throw usage_error("size",
                     fmt::format("{} pixels {}, but {} lenses of {} pixels make {}", size, direction, lenses, pixels,
                                 covered_pixels(lenses, pixels)),
-                    "two of `size`, `lenses` and `lens-pixels`, or three that agree");
+                    "two of `size`, `lenses` and `lens-pixels`, or three consistent values");
 }
 
 float lens_pixels_across(const OpticsParams& params) {
@@ -31,7 +31,7 @@ float lens_pixels_across(const OpticsParams& params) {
   if (size == 0 || lenses == 0) return kDefaultLensPixels;
   if (size < lenses)
     throw usage_error("lenses", fmt::format("{} lenses on {} pixels", lenses, size),
-                      fmt::format("1 to {}: a lens covers at least one pixel", size));
+                      fmt::format("1 to {}, at most one lens per pixel", size));
   return static_cast<float>(size) / static_cast<float>(lenses);
 }
 

@@ -1,7 +1,7 @@
 // Rays of a lenticular sheet: across the lenses through the lens centre, along them towards the height of the eye.
 //
 // The viewer moves sideways at height y_e and distance V (optics.hpp: eye_height_mm, viewing_distance_mm), so that rows
-// converge in y whatever the slant a: dy/dz = (y_e - y) / (V + g). The lens fixes the slope of xi = x cos a + y sin a, and
+// converge in y for any slant a: dy/dz = (y_e - y) / (V + g). The lens determines the slope of xi = x cos a + y sin a, and
 // dx/dz = (slope of xi - dy/dz sin a) / cos a. The cells converge to the viewer at x = 0, that is xi_e = y_e sin a.
 #pragma once
 
@@ -14,13 +14,13 @@
 
 namespace lippmann {
 
-/// What a sheet's rays need per frame; double for single points, float for loops.
+/// Per-frame constants of a sheet's rays; double for single points, float for loops.
 template <class T>
 struct LenticularConstants {
   LensAxis<T> axis;  ///< along xi
   T half_height_px;
   T pixel_pitch_mm, gap_mm;
-  T cosine, sine, inverse_cosine;         ///< the slant's; inverse_cosine: 1 / cosine
+  T cosine, sine, inverse_cosine;         ///< of the slant; inverse_cosine: 1 / cosine
   T eye_y_mm, row_vergence;               ///< 1 / (V + g)
   T z_front_mm, row_scale, row_shift_mm;  ///< y at z_front = row_scale y + row_shift
 
@@ -50,7 +50,7 @@ void write_block(const LenticularRays& constants, const RayFrame& frame, const f
 
 class LenticularSight;  // optics/sight.hpp
 
-// ---- What every model answers (optics/model.hpp) ----------------------------------------------------------------------
+// ---- Model interface (optics/model.hpp) -------------------------------------------------------------------------------
 
 constexpr std::string_view kind_of(const LenticularSheet&) { return "lenticular"; }
 constexpr int sub_pixels_of(const LenticularSheet&) { return 1; }

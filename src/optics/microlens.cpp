@@ -25,7 +25,8 @@ MicrolensConstants<double> make_microlens(const Panel& panel, const MicrolensArr
   rows.pitch_mm = row_pitch, rows.offset_mm = -array.offset_mm.y;
   rows.centre_px = 0.5 * panel.height;
   rows.size_px = hexagonal ? 0 : panel.height;
-  // make_lens_axis renames the row nearest to the centre to row 0: where that was an odd row, its shift goes into the offset.
+  // make_lens_axis renumbers rows so that the one nearest to the centre is row 0. If that was an odd row, add its shift to the
+  // offset.
   const double renamed_rows = std::round(rows.offset_mm / row_pitch);
   if (hexagonal && std::fmod(renamed_rows, 2.0) != 0.0) columns.offset_mm += 0.5 * pitch;
   return {make_lens_axis(columns), make_lens_axis(rows), z_front_mm};
@@ -44,13 +45,13 @@ void write_block(const HexagonalMicrolensRays& c, const RayFrame& frame, const f
 
 namespace {
 
-/// Collects the pixels that see one point.
+/// Collects the pixels that see a point.
 struct Search {
   MicrolensConstants<double> c;
   double width, height;
   std::vector<Vec2f>& pixels;
 
-  /// The point `dx`, `dy` pixels from the centre of the cell at a (hexagonal: perhaps half) column and a row.
+  /// Returns the panel point `dx`, `dy` pixels from the centre of the cell at a column (hexagonal: may be k + 1/2) and a row.
   Vec2d panel_point(double column, double row, double dx = 0.0, double dy = 0.0) const {
     return {c.columns.start_px + (column + 0.5) * c.columns.cell_px + dx, c.rows.start_px + (row + 0.5) * c.rows.cell_px + dy};
   }
@@ -65,7 +66,7 @@ struct Search {
     if (p.x >= 0.0 && p.x < width && p.y >= 0.0 && p.y < height) pixels.emplace_back(p);
   }
 
-  /// All pixel centres within `reach` of p, row by row, for which belongs(x, y).
+  /// Appends all pixel centres within `reach` of p, row by row, for which belongs(x, y) is true.
   template <class Belongs>
   void append_centres(Vec2d p, Vec2d reach, const Belongs& belongs) const {
     const auto bound = [](double at, double size) { return static_cast<int>(std::clamp(at, 0.0, size)); };
@@ -109,7 +110,7 @@ void append_hexagonal_cell(const Search& s, double x, double down) {
   s.append_centres(s.panel_point(lens.column, lens.row), {0.5 * s.c.columns.cell_px, s.c.rows.cell_px}, belongs);
 }
 
-/// A hexagon reaches half a column step to either side and 2/3 of a row step up and down.
+/// Finds the cells that contain the image. A hexagon extends half a column step sideways and 2/3 of a row step up and down.
 void append_hexagonal(const Search& s, double x, double down, double z) {
   const double step_x = s.c.columns.cell_px, step_y = s.c.rows.cell_px;
   const LensRange columns = lenses_near(s.c.columns, x, z, 0.5 * step_x, -step_x, s.width + step_x);
@@ -175,7 +176,7 @@ double row_pitch_mm(const MicrolensArray& array) {
   return array.lens_pitch_mm * (array.packing == LensPacking::kHexagonal ? std::sqrt(0.75) : 1.0);
 }
 
-/// The width of a cell on the panel.
+/// Returns the width of a cell on the panel.
 double cell_mm(const MicrolensArray& array) {
   return array.lens_pitch_mm * (1.0 + array.gap_mm / static_cast<double>(array.viewing_distance_mm));
 }
@@ -213,7 +214,7 @@ StepRule step_rule(const Panel& panel, const MicrolensArray& array, StepsWithin 
     rule.bounds = hexagonal ? StepRule::Bounds::kHexagon : StepRule::Bounds::kSquareLens;
   } else {
     rule.across.x = c.columns.cell_px;
-    // Every second row of a hexagonal array has its lenses in the same columns.
+    // Only every second row of a hexagonal array has lenses in the same columns.
     rule.down.y = c.rows.cell_px * (hexagonal ? 2.0f : 1.0f);
   }
   return rule;
@@ -245,13 +246,13 @@ void set_lenses(MicrolensArray& array, float pitch_mm, float gap_mm, Vec2f offse
 
 namespace {
 
-/// Lenslets are round: as many pixels down as across.
+/// Returns the panel size. Lenslets are round, so there are as many pixels down as across.
 PanelSize microlens_size(const OpticsParams& params, Vec2i) {
-  constexpr float kHexagonalRow = 0.8660254f;  // rows are this fraction of a pitch apart
+  constexpr float kHexagonalRow = 0.8660254f;  // row pitch divided by lens pitch
   const float pixels = lens_pixels_across(params);
   if (params.lens_pixels.y > 0.0f && params.lens_pixels.y != pixels)
     throw usage_error("lens-pixels", fmt::format("{} pixels across but {} down", pixels, params.lens_pixels.y),
-                      "the same number both ways: lenslets are round");
+                      "the same number across and down");
   const float row_pixels = params.packing == LensPacking::kHexagonal ? pixels * kHexagonalRow : pixels;
   if (params.size.x > 0) {
     if (params.lenses.y > 0) require_agreement(params.size.y, params.lenses.y, row_pixels, "down");

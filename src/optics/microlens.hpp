@@ -1,8 +1,8 @@
-// Rays of a microlens array: straight through the centre of the lenslet whose cell holds the pixel, in both directions.
+// Rays of a microlens array: straight through the centre of the lenslet whose cell contains the pixel, in both directions.
 //
-// Both axes count as pixels do: columns of lenses to the right along x, rows of lenses downwards along -y, so that a pixel's
-// half-open square [i, i + 1) x [j, j + 1) and a cell agree on who owns an edge. Hexagonal packing: rows are
-// lens_pitch sqrt(3)/2 apart, odd rows are shifted right by half a pitch; a panel point belongs to the nearest cell centre.
+// Both axes count as pixels do: columns of lenses to the right along x, rows of lenses downwards along -y. So the half-open
+// square [i, i + 1) x [j, j + 1) of a pixel and a cell treat edges in the same way. Hexagonal packing: rows are lens_pitch
+// sqrt(3)/2 apart, odd rows are shifted right by half a pitch, and a panel point belongs to the nearest cell centre.
 #pragma once
 
 #include <variant>
@@ -17,7 +17,7 @@ namespace lippmann {
 
 template <class T>
 struct MicrolensConstants {
-  LensAxis<T> columns, rows;  ///< the rows' mm coordinate is -y; hexagonal: the cells of even rows
+  LensAxis<T> columns, rows;  ///< the rows' mm coordinate is -y; for hexagonal packing, the cells of even rows
   T z_front_mm;
 
   template <class U>
@@ -26,7 +26,7 @@ struct MicrolensConstants {
   }
 };
 
-/// The two packings are two types, so that each has its own loop.
+/// Separate types for the two packings, so that each has its own loop.
 struct SquareMicrolensRays : MicrolensConstants<float> {};
 struct HexagonalMicrolensRays : MicrolensConstants<float> {};
 
@@ -37,16 +37,16 @@ LIPPMANN_INLINE Crossing crossing(const SquareMicrolensRays& c, float px, float 
   return {across.lens_mm + c.z_front_mm * across.slope, -(down.lens_mm + c.z_front_mm * down.slope), across.slope, -down.slope};
 }
 
-/// A place in a hexagonal lattice: row r (odd ones shifted by half a step), column k, and how far from that centre, in column
-/// steps and row steps.
+/// A position in a hexagonal lattice: row, column (shifted by half a step in odd rows), and the offset from that lattice point
+/// in column steps and row steps.
 template <class T>
 struct HexagonalCell {
-  T row, column;  ///< column counts half steps in odd rows: k + 1/2
+  T row, column;  ///< in odd rows, column is k + 1/2
   T from_column, from_row;
 };
 
-/// The nearest lattice point. u: columns steps from the centre of lens (0, 0), v: row steps. Only the two rows on either side
-/// can hold it: no point is farther than 1/sqrt(3) steps from a lens, and rows are sqrt(3)/2 steps apart.
+/// Returns the nearest lattice point. u: column steps from the centre of lens (0, 0), v: row steps. Only the rows just above
+/// and below need checking: every point is within 1/sqrt(3) steps of a lens, and rows are sqrt(3)/2 steps apart.
 template <class T>
 LIPPMANN_INLINE HexagonalCell<T> nearest_hexagon(T u, T v) {
   const T upper = std::floor(v), parity = upper - T(2) * std::floor(upper * T(0.5));
@@ -57,7 +57,7 @@ LIPPMANN_INLINE HexagonalCell<T> nearest_hexagon(T u, T v) {
   return {take_b ? upper + T(1) : upper, take_b ? column_b : column_a, take_b ? du_b : du_a, take_b ? dv_b : dv_a};
 }
 
-/// Steps of the lattice from the centre of lens (0, 0)'s cell.
+/// Returns the lattice position of a pixel relative to the centre of lens (0, 0)'s cell.
 template <class T>
 LIPPMANN_INLINE HexagonalCell<T> hexagon_at(const LensAxis<T>& columns, const LensAxis<T>& rows, T px, T py) {
   return nearest_hexagon((px - columns.start_px) * columns.cells_per_px - T(0.5),
@@ -84,7 +84,7 @@ void write_block(const HexagonalMicrolensRays& constants, const RayFrame& frame,
 
 class MicrolensSight;  // optics/sight.hpp
 
-// ---- What every model answers (optics/model.hpp) ----------------------------------------------------------------------
+// ---- Model interface (optics/model.hpp) -------------------------------------------------------------------------------
 
 constexpr std::string_view kind_of(const MicrolensArray&) { return "microlens"; }
 constexpr int sub_pixels_of(const MicrolensArray&) { return 1; }

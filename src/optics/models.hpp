@@ -1,5 +1,5 @@
-// All models of optics. A new one is included here, and its rays (and what an eye sees of it) stand in the variants below; the
-// compiler then checks that it answers everything.
+// All models of optics. Include a new model here and add its rays and its sight to the variants below; the compiler then checks
+// its interface.
 #pragma once
 
 #include <utility>
@@ -17,25 +17,25 @@
 
 namespace lippmann {
 
-/// Constants of rays. Each has write_block() and write_ray_of(), or crossing() instead of that.
+/// Ray constants. Each type has write_block(), and write_ray_of() or crossing().
 using AnyRays = std::variant<LenticularRays, SquareMicrolensRays, HexagonalMicrolensRays, MultiViewRays, SingleViewRays,
                              SlantedPanelRays, RayTableRays>;
 
-/// What an eye sees of a panel.
+/// Maps an eye and a point of the plane z = 0 to a point of the panel.
 using AnySight = std::variant<SlantedSight, LenticularSight, MicrolensSight, QuiltSight>;
 
 namespace detail {
 
 template <class>
-inline constexpr bool kAllAnswer = false;
+inline constexpr bool kAllComplete = false;
 template <class... Models>
-inline constexpr bool kAllAnswer<std::variant<Models...>> = (AnswersForItself<Models> && ...);
+inline constexpr bool kAllComplete<std::variant<Models...>> = (CompleteModel<Models> && ...);
 
 }  // namespace detail
 
-static_assert(detail::kAllAnswer<OpticsModel>);
+static_assert(detail::kAllComplete<OpticsModel>);
 
-/// Throws a usage Error for optics without an inverse.
+/// Returns the sight of the optics. Throws a usage Error for optics without an inverse.
 AnySight make_sight(const Optics& optics);
 
 }  // namespace lippmann

@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// The angles of the eyes, seen from the centre of the panel.
+/// Angles of the eyes as seen from the centre of the panel.
 struct EyeAngles {
   double first, step;
 };
@@ -22,7 +22,7 @@ EyeAngles eye_angles(const MultiView& views) {
   return count > 1 ? EyeAngles{cone * (shift / (count - 1) - 0.5), cone / (count - 1)} : EyeAngles{0.0, 0.0};
 }
 
-/// The first eye of one axis of a camera grid, from its middle.
+/// Returns the first eye along one axis of a camera grid, relative to its middle.
 double first_eye(double baseline_mm, int count, float shift) { return baseline_mm * (shift - 0.5 * (count - 1)); }
 
 }  // namespace
@@ -118,15 +118,15 @@ namespace {
 
 bool is_grid(const MultiView& views) { return views.baseline_mm > 0.0f; }
 
-/// The zone of a camera grid is as many baselines wide as its longer side has eyes.
+/// Returns the viewing zone. For a camera grid it is as many baselines wide as its longer side has eyes.
 float views_zone(const MultiView& views) {
   if (!is_grid(views)) return views.view_cone;
   const auto eyes = static_cast<float>(std::max(views.columns, views.rows));
   return 2.0f * std::atan(0.5f * eyes * views.baseline_mm / views.distance_mm);
 }
 
-/// Where a point in front of the plane moves by one pixel between the two middle views. None of a stereo pair: each eye keeps
-/// its view, and passes through nothing between.
+/// Returns the depth in front of the plane where points move by one pixel between the two middle views. Infinite for a stereo
+/// pair, since each eye sees only its own view.
 float view_budget_mm(const MultiView& views, float pixel_pitch_mm) {
   const int steps = views.columns * views.rows - (views.cone_ends_included ? 1 : 0);
   if (views.columns * views.rows < 2 || (is_grid(views) && views.columns == 2 && views.rows == 1)) return kInfinity;
@@ -163,7 +163,7 @@ Vec2d zone_slope(const Panel&, const MultiView& views, Vec2d share) {
     return {(share.x - 0.5) * views.columns * views.baseline_mm / views.distance_mm,
             (share.y - 0.5) * views.rows * views.baseline_mm / views.distance_mm};
   const int count = views.columns * views.rows;
-  // The ends of the cone are views' eyes where they are included: the zone then reaches half a view farther.
+  // If the outermost views' eyes are at the ends of the cone, the zone extends half a view farther.
   const double widening = views.cone_ends_included && count > 1 ? count / (count - 1.0) : 1.0;
   return {std::tan(views.view_cone * widening * (share.x - 0.5)), 0.0};
 }
@@ -190,7 +190,7 @@ std::optional<ViewCameras> cameras_of(const Panel& panel, const MultiView& views
 
 namespace {
 
-/// By default, 8x6 views of 256x256 pixels.
+/// Returns the panel size; by default 8x6 views of 256x256 pixels.
 PanelSize quilt_size(const OpticsParams& params, Vec2i) {
   constexpr int kDefaultTile = 256;
   const Extent<int> views = params.views.x > 0 ? params.views : Extent<int>{8, 6}, size = params.size;
@@ -202,8 +202,8 @@ PanelSize quilt_size(const OpticsParams& params, Vec2i) {
   return {size.x, size.y, 0.0f, views};
 }
 
-/// The viewing zone is divided among the N eyes of a camera grid's longer side: they stand 2 V tan(a/2) / N apart. With its
-/// ends included, N - 1 steps lead from one end to the other.
+/// Makes the model. A camera grid divides the viewing zone among the N eyes of its longer side, which are 2 V tan(a/2) / N
+/// apart. If the ends are included, N - 1 steps span the zone.
 OpticsModel views_of_params(const ModelSetup& setup) {
   const Extent<int> views = setup.size.views;
   const float distance_mm = setup.viewing_distance_mm;

@@ -1,10 +1,10 @@
 // Rays of a quilt: views side by side on one panel, each an off-axis (sheared) pinhole through the same rectangle of z = 0.
 //
-// Tiles are floor(width / columns) x floor(height / rows) pixels, anchored at the bottom left; what is left over at the top and
-// at the right is padding, whose pixels continue the view next to them and see no point. View v lies at column v mod columns,
-// row floor(v / columns) from the bottom; its eye is at (distance tan(cone ((v + 1/2) / N - 1/2)), 0, distance), or in a camera
-// grid at (baseline (column - (columns - 1)/2), baseline (row - (rows - 1)/2), distance); x and y times the parallax. An eye
-// height is added to all y, whatever the parallax.
+// Tiles are floor(width / columns) x floor(height / rows) pixels, anchored at the bottom left. Remaining pixels at the top and
+// at the right are padding; their rays continue the adjacent view, and pixels_seeing() skips them. View v has column v mod
+// columns and row floor(v / columns) from the bottom. Its eye is at (distance tan(cone ((v + 1/2) / N - 1/2)), 0, distance), or
+// in a camera grid at (baseline (column - (columns - 1)/2), baseline (row - (rows - 1)/2), distance), with x and y scaled by
+// the parallax. The eye height is added to y afterwards.
 #pragma once
 
 #include <vector>
@@ -20,16 +20,15 @@ struct MultiViewRays {
   float tile_width_px, tile_height_px, tiles_per_px_x, tiles_per_px_y;
   float padding_top_px;
   float pixel_pitch_mm, pixel_height_mm;
-  float first_half_angle, half_angle_step;  ///< eyes' angles, halved: view 0's, and from view to view
-  Vec2f first_eye_mm;                       ///< where a camera grid, which has no angles, has its lower left eye; of a cone,
-                                            ///< 0 and the eye height
-  float baseline_mm;                        ///< how far it is from eye to eye of a camera grid; else 0
-  float eye_reach_mm;                       ///< eyes are at this times the tangent of their angle
+  float first_half_angle, half_angle_step;  ///< half the angle of view 0's eye, and half the step from view to view
+  Vec2f first_eye_mm;                       ///< camera grid: lower left eye; cone: 0 and the eye height
+  float baseline_mm;                        ///< camera grid: spacing of eyes; else 0
+  float eye_reach_mm;                       ///< an eye's x is this times the tangent of its angle
   float distance_mm, inverse_distance;
   float front_from_eye_mm;  ///< z_front - distance, <= 0
 };
 
-/// Where the eye of a view stands, in the plane z = distance.
+/// The eye of a view in the plane z = distance.
 struct EyeMm {
   double x, y;
 };
@@ -37,7 +36,8 @@ EyeMm eye_of_view(const MultiView& views, int view);
 
 MultiViewRays make_multi_view(const Panel& panel, const MultiView& views, float z_front_mm);
 
-/// The tile that p lies in, half-open tiles of `size` pixels: floor(p / size), where rounding never moves an edge.
+/// Returns the index of the tile that contains p: floor(p / size) for half-open tiles of `size` pixels, corrected for rounding
+/// at edges.
 LIPPMANN_INLINE float tile_index(float p, float size, float per_px, float count) {
   float k = std::floor(p * per_px);
   const float in_tile = p - k * size;
@@ -47,8 +47,8 @@ LIPPMANN_INLINE float tile_index(float p, float size, float per_px, float count)
   return k > 0.0f ? k : 0.0f;
 }
 
-/// tan(2 h) for |h| < pi/4, by Lambert's continued fraction of tan h to the term h^2/9 (2e-8 off at pi/4) and the double angle
-/// formula. Made of plain operations: it vectorises, where a table of eyes would gather, and is the same on every machine.
+/// Returns tan(2 h) for |h| < pi/4: Lambert's continued fraction of tan h up to the term h^2/9 (error 2e-8 at pi/4) and the
+/// double-angle formula. It vectorises without gathers, unlike a table of eyes, and gives the same bits on every machine.
 LIPPMANN_INLINE float tangent_of_double(float h) {
   const float h2 = h * h;
   const float p = h * (945.0f + h2 * (h2 - 105.0f)), q = 945.0f + h2 * (15.0f * h2 - 420.0f);
@@ -62,7 +62,7 @@ LIPPMANN_INLINE Crossing crossing(const MultiViewRays& c, float px, float py) {
   const float x = (px - column * c.tile_width_px - 0.5f * c.tile_width_px) * c.pixel_pitch_mm;
   const float y = (0.5f * c.tile_height_px - (down - row * c.tile_height_px)) * c.pixel_height_mm;
   const float view = (c.rows - 1.0f - row) * c.columns + column;
-  // One of the two terms of x is 0: no branch, no gather.
+  // One of the two terms of eye_x is 0, which avoids branches and gathers.
   const float on_cone = c.eye_reach_mm * tangent_of_double(c.first_half_angle + view * c.half_angle_step);
   const float eye_x = on_cone + (c.first_eye_mm.x + column * c.baseline_mm);
   const float eye_y = c.first_eye_mm.y + (c.rows - 1.0f - row) * c.baseline_mm;
@@ -75,7 +75,7 @@ void write_block(const MultiViewRays& constants, const RayFrame& frame, const fl
 
 class QuiltSight;  // optics/sight.hpp
 
-// ---- What every model answers (optics/model.hpp) ----------------------------------------------------------------------
+// ---- Model interface (optics/model.hpp) -------------------------------------------------------------------------------
 
 constexpr std::string_view kind_of(const MultiView&) { return "multiview"; }
 constexpr int sub_pixels_of(const MultiView&) { return 1; }

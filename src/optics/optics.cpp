@@ -7,15 +7,16 @@
 namespace lippmann {
 namespace {
 
-/// The answer of the model.
-template <class Question>
-auto ask(const Optics& optics, const Question& question) {
-  return std::visit([&](const auto& model) { return question(optics.panel, model); }, optics.model);
+/// Calls function(panel, model).
+template <class Function>
+auto visit_model(const Optics& optics, const Function& function) {
+  return std::visit([&](const auto& model) { return function(optics.panel, model); }, optics.model);
 }
 
 }  // namespace
 
-// ---- What models share ------------------------------------------------------------------------------------------------
+// ---- Shared by several models
+// ------------------------------------------------------------------------------------------------
 
 float front_of_lenses_mm(const Panel& panel, float viewing_distance_mm, float chosen_mm) {
   if (std::isfinite(chosen_mm)) return chosen_mm;
@@ -32,7 +33,7 @@ int rounded_count(double samples) { return static_cast<int>(std::clamp(std::roun
 
 OpticsFacts facts_of_lenses(const Panel& panel, const LensArray& lenses, Vec2i whole_pixels_per_lens) {
   const double m = panel.pixel_pitch_mm;
-  const double toward_viewer = lenses.gap_mm / (lenses.viewing_distance_mm + lenses.gap_mm);  // 0 where that is infinite
+  const double toward_viewer = lenses.gap_mm / (lenses.viewing_distance_mm + lenses.gap_mm);  // 0 if that is infinite
   const auto gap = static_cast<float>(lenses.gap_mm), distance = static_cast<float>(lenses.viewing_distance_mm);
   const bool rows = lenses.row_pitch_mm > 0.0;
   OpticsFacts facts;
@@ -49,7 +50,7 @@ OpticsFacts facts_of_lenses(const Panel& panel, const LensArray& lenses, Vec2i w
   facts.view_counts = {rounded_up_count(lenses.cell_mm / m),
                        rows ? rounded_up_count(lenses.cell_mm * (lenses.row_pitch_mm / lenses.pitch_mm) / m) : 1};
   facts.lens_step_mm = lenses.pitch_mm;
-  facts.next_lens_beyond = true;
+  facts.repeats_beyond_zone = true;
   return facts;
 }
 
@@ -70,18 +71,18 @@ std::vector<Vec2d> lens_eyes(Vec2i n, double eye_step_mm, double eye_height_mm) 
   return eyes;
 }
 
-void refuse_without_inverse() {
+void throw_no_inverse() {
   throw usage_error("optics", "a table of rays cannot be inverted", "optics other than a table of rays");
 }
 
-// ---- What the optics say ----------------------------------------------------------------------------------------------
+// ---- Queries ----------------------------------------------------------------------------------------------
 
 OpticsFacts optics_facts(const Optics& optics) {
-  return ask(optics, [](const Panel& panel, const auto& model) { return facts_of(panel, model); });
+  return visit_model(optics, [](const Panel& panel, const auto& model) { return facts_of(panel, model); });
 }
 
 float resolved_z_front_mm(const Optics& optics) {
-  return ask(optics, [&](const Panel& panel, const auto& model) { return front_mm(panel, model, optics.z_front_mm); });
+  return visit_model(optics, [&](const Panel& panel, const auto& model) { return front_mm(panel, model, optics.z_front_mm); });
 }
 
 Ray ray_of_pixel(const Optics& optics, Vec2f pixel) { return RayGenerator(optics).ray(pixel); }
@@ -93,25 +94,25 @@ void rays_of_pixels(const Optics& optics, const float* pixel_x, const float* pix
 void pixels_seeing(const Optics& optics, Vec3f point_mm, std::vector<Vec2f>& pixels) {
   if (!std::isfinite(point_mm.x) || !std::isfinite(point_mm.y) || !std::isfinite(point_mm.z)) return;
   if (!(point_mm.z <= resolved_z_front_mm(optics) && point_mm.z >= -optics.z_back_mm)) return;
-  ask(optics, [&]<class Model>(const Panel& panel, const Model& model) {
+  visit_model(optics, [&]<class Model>(const Panel& panel, const Model& model) {
     if constexpr (HasInverse<Model>)
       pixels_seeing(panel, model, point_mm, pixels);
     else
-      refuse_without_inverse();
+      throw_no_inverse();
   });
 }
 
 AnySight make_sight(const Optics& optics) {
-  return ask(optics, []<class Model>(const Panel& panel, const Model& model) -> AnySight {
+  return visit_model(optics, []<class Model>(const Panel& panel, const Model& model) -> AnySight {
     if constexpr (HasInverse<Model>)
       return sight_of(panel, model);
     else
-      refuse_without_inverse();
+      throw_no_inverse();
   });
 }
 
 std::optional<ViewCameras> view_cameras(const Optics& optics) {
-  return ask(optics, []<class Model>(const Panel& panel, const Model& model) -> std::optional<ViewCameras> {
+  return visit_model(optics, []<class Model>(const Panel& panel, const Model& model) -> std::optional<ViewCameras> {
     if constexpr (HasCameras<Model>)
       return cameras_of(panel, model);
     else
@@ -120,11 +121,11 @@ std::optional<ViewCameras> view_cameras(const Optics& optics) {
 }
 
 Vec2f sample_footprint_mm(const Optics& optics, float z_mm) {
-  return ask(optics, [&](const Panel& panel, const auto& model) { return footprint_mm(panel, model, z_mm); });
+  return visit_model(optics, [&](const Panel& panel, const auto& model) { return footprint_mm(panel, model, z_mm); });
 }
 
 int sub_pixels_per_pixel(const Optics& optics) {
-  return ask(optics, [](const Panel&, const auto& model) { return sub_pixels_of(model); });
+  return visit_model(optics, [](const Panel&, const auto& model) { return sub_pixels_of(model); });
 }
 
 Vec2i film_size(const Optics& optics) { return {optics.panel.width * sub_pixels_per_pixel(optics), optics.panel.height}; }
@@ -138,7 +139,7 @@ float viewing_zone(const Optics& optics) { return optics_facts(optics).viewing_z
 float depth_budget_mm(const Optics& optics) { return optics_facts(optics).depth_budget_mm; }
 Vec2f window_size_mm(const Optics& optics) { return optics_facts(optics).window_size_mm; }
 
-// ---- The same optics, otherwise ---------------------------------------------------------------------------------------
+// ---- Modified optics ---------------------------------------------------------------------------------------
 
 Optics with_parallax(Optics optics, float parallax) {
   std::visit(

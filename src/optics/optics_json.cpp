@@ -39,12 +39,12 @@ OpticsModel model_from(const std::string& kind, const JsonFields& json) {
   return read;
 }
 
-/// Reports give the film: its width, and how far apart its pixels are.
+/// Reads the panel. JSON describes the film: its width and the pitch of its pixels.
 Panel panel_from(const JsonFields& json, int sub_pixels) {
   const int width = json.whole("width", kAnyCount);
   if (width % sub_pixels != 0)
-    json.reject("width", fmt::format("is {}, which is no whole number of pixels of {} sub-pixels", width, sub_pixels),
-                fmt::format("{} sub-pixels for each pixel of the panel", sub_pixels));
+    json.reject("width", fmt::format("is {}, not a multiple of {} sub-pixels", width, sub_pixels),
+                fmt::format("a multiple of {}", sub_pixels));
   return {width / sub_pixels, json.whole("height", kAnyCount), static_cast<float>(json.number("pixel_pitch_mm") * sub_pixels)};
 }
 
@@ -72,7 +72,7 @@ Optics optics_from_json(const Json& json, const std::string& where) {
   try {
     validate(optics);
   } catch (const Error& error) {
-    throw Error(where, "the optics make no rays: " + error.where() + " " + error.problem(), error.accepted());
+    throw Error(where, "the optics are invalid: " + error.where() + " " + error.problem(), error.accepted());
   }
   return optics;
 }
@@ -92,7 +92,7 @@ std::string_view kind_name(const Optics& optics) {
 
 Optics optics_of_kind(const std::string& kind, const Panel& panel, const std::string& members) {
   const Json json = Json::parse(members, nullptr, false);
-  if (!json.is_object()) throw Error("members", "is no JSON object", "keys and values");
+  if (!json.is_object()) throw Error("members", "is not a JSON object", "keys and values");
   const JsonFields fields(json, "", "");
   Optics optics;
   optics.model = model_from(kind, fields);

@@ -15,13 +15,13 @@ template <std::size_t... i>
 std::vector<OpticsKind> kinds_of_models(std::index_sequence<i...>) {
   std::vector<OpticsKind> kinds;
   const auto add = [&kinds]<class Model>(const Model& model) {
-    if constexpr (IsNamedByFlags<Model>) kinds.emplace_back(kind_info(model));
+    if constexpr (HasKindInfo<Model>) kinds.emplace_back(kind_info(model));
   };
   (add(std::variant_alternative_t<i, OpticsModel>{}), ...);
   return kinds;
 }
 
-/// Returns the texts as a list whose last two are joined by "or".
+/// Joins texts by commas, and the last two by "or".
 std::string alternatives(const std::vector<std::string>& texts) {
   std::string list;
   for (std::size_t i = 0; i < texts.size(); ++i) list += (i == 0 ? "" : i + 1 < texts.size() ? ", " : " or ") + texts[i];
@@ -51,7 +51,7 @@ bool OpticsKindInfo::takes_param(std::string_view param) const {
   return std::find(takes.begin(), takes.end(), param) != takes.end();
 }
 
-void refuse_params_of_other_kinds(const OpticsParams& params, OpticsKind kind) {
+void check_kind_params(const OpticsParams& params, OpticsKind kind) {
   for (const KindParam& param : kKindParams)
     if (param.is_given(params) && !kind.info().takes_param(param.name))
       throw usage_error(std::string(param.name), "has no effect on this kind of optics",

@@ -1,5 +1,4 @@
-// The parameters from which optics are made where no display says what they are. Flags and keys of job files are read into
-// them.
+// The parameters for making optics, read from flags and job files.
 #pragma once
 
 #include <array>
@@ -14,7 +13,7 @@ namespace lippmann {
 
 struct OpticsKindInfo;  // optics/optics_kind.hpp
 
-/// A kind of optics that a flag can name. Its value refers to what the model says of itself.
+/// A kind of optics that flags can select.
 class OpticsKind {
  public:
   static const OpticsKind kLenticular, kMicrolens, kMultiview, kSingle;
@@ -30,36 +29,36 @@ class OpticsKind {
   const OpticsKindInfo* info_;
 };
 
-/// How far the viewer's eyes are above the middle of the display, or below it.
+/// The height of the viewer's eyes above (or, negative, below) the middle of the display.
 struct EyeHeight {
   float value = 0.0f;     ///< mm, or degrees
-  bool is_angle = false;  ///< seen from the middle of the display
+  bool is_angle = false;  ///< as seen from the middle of the display
 };
 
 struct OpticsParams {
-  std::string display{};                       ///< a preset, a file of one's own or a calibration; empty: none
+  std::string display{};                       ///< name of a preset, a display file or a calibration; empty: none
   std::optional<OpticsKind> kind{};            ///< none: the display's, or lenticular
   LensPacking packing = LensPacking::kSquare;  ///< microlens arrays
-  Extent<int> lenses{};                        ///< 0: 64 across, and as many down as fill the panel
-  Extent<float> lens_pixels{};                 ///< pixels below a lens, not necessarily whole; 0: 8
-  Extent<int> size{};                          ///< the whole panel in pixels; 0: lenses x lens-pixels
+  Extent<int> lenses{};                        ///< 0: 64 across, and as many down as fit the panel
+  Extent<float> lens_pixels{};                 ///< pixels below a lens, may be fractional; 0: 8
+  Extent<int> size{};                          ///< of the whole panel in pixels; 0: lenses x lens-pixels
   Extent<int> views{};                         ///< multi-view: columns and rows of the quilt; 0: 8x6
-  bool camera_grid = false;                    ///< multi-view: eyes at equal distances across and up, not at equal angles
-  bool cone_ends = false;                      ///< multi-view: the outermost eyes stand at the ends of the viewing zone
+  bool camera_grid = false;                    ///< multi-view: eyes equidistant in a plane, across and up, instead of in angle
+  bool cone_ends = false;                      ///< multi-view: the outermost eyes are at the ends of the viewing zone
   std::optional<float> view_angle_deg{};       ///< viewing zone, full angle; sets the gap; none: the display's, or 28
-  std::optional<float> viewing_distance_mm{};  ///< none: where the scene's camera stands; inf: parallel cells
-  std::optional<EyeHeight> eye_height{};       ///< none: at the height of the display's middle
-  std::optional<bool> fit_depth{};             ///< depth is compressed to what the display can resolve; see fits_depth()
-  float slant_deg = 0.0f;                      ///< how far a lenticular sheet's lenses lean from the vertical
-  std::optional<double> ipd_mm{};              ///< stereo: between the eyes; none: kUsualIpdMm
-  std::optional<double> screen_width_mm{};     ///< stereo: of the screen; none: the display's, or kUsualScreenMm
+  std::optional<float> viewing_distance_mm{};  ///< none: distance of the scene's camera; inf: parallel cells
+  std::optional<EyeHeight> eye_height{};       ///< none: at the middle of the display
+  std::optional<bool> fit_depth{};             ///< compress depth to what the display can resolve; see fits_depth()
+  float slant_deg = 0.0f;                      ///< of a lenticular sheet's lenses from the vertical
+  std::optional<double> ipd_mm{};              ///< stereo: distance between the eyes; none: kUsualIpdMm
+  std::optional<double> screen_width_mm{};     ///< stereo: width of the screen; none: the display's, or kUsualScreenMm
   std::optional<double> crosstalk_px{};        ///< sigma (optics/crosstalk.hpp); none: the display's
-  bool precompensate = false;                  ///< pictures are such that crosstalk makes the wanted ones of them
+  bool precompensate = false;                  ///< counteract the display's crosstalk in pictures
 };
 
-/// A parameter that only some kinds of optics take (OpticsKindInfo::takes).
+/// A parameter that applies to some kinds of optics only (OpticsKindInfo::takes).
 struct KindParam {
-  std::string_view name;  ///< of its flag
+  std::string_view name;  ///< of the flag
   bool (*is_given)(const OpticsParams&);
 };
 
@@ -73,7 +72,7 @@ inline constexpr std::array kKindParams{
     KindParam{"cone-ends", [](const OpticsParams& params) { return params.cone_ends; }},
 };
 
-/// Returns the viewing angle of the parameters, or 28 degrees, in radians.
+/// Returns the viewing angle in radians; 28 degrees if not given.
 float view_angle(const OpticsParams& params);
 
 }  // namespace lippmann

@@ -8,7 +8,7 @@ AnyRays any_rays(Rays rays) {
   return rays;
 }
 
-/// The same for a model that has several kinds of rays.
+/// Overload for models with several kinds of rays.
 template <class... Kinds>
 AnyRays any_rays(std::variant<Kinds...> rays) {
   return std::visit([](const auto& kind) -> AnyRays { return kind; }, rays);

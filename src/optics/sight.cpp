@@ -5,8 +5,8 @@
 namespace lippmann {
 namespace {
 
-/// Where on an axis the panel is met by a line of that slope through the centre of lens `lens` (any number; hexagonal rows have
-/// halves): the inverse of lens_ray.
+/// Returns where a line of this slope through the centre of lens `lens` (any number; half steps in hexagonal rows) meets the
+/// panel: the inverse of lens_ray.
 double panel_px(const LensAxis<double>& axis, double lens, double slope) {
   const double lens_mm = axis.lens0_mm + lens * axis.pitch_mm;
   const double offset = -(slope + (lens_mm - axis.eye_mm) * axis.vergence) / axis.slope_per_px;

@@ -9,10 +9,10 @@
 
 namespace lippmann {
 
-/// The pinhole at (0, eye_height, distance). Rays are told from the pinhole, so that they leave it exactly where z_front =
+/// A pinhole at (0, eye_height, distance). Rays are computed relative to it, so that they start exactly there if z_front =
 /// distance.
 struct SingleViewRays {
-  float centre_x_px, centre_y_px;  ///< the panel's centre less the offset of the sample points
+  float centre_x_px, centre_y_px;  ///< the panel's centre minus the offset of the sample points
   float pixel_pitch_mm;
   float eye_y_mm;
   float inverse_distance;   ///< per mm
@@ -32,7 +32,7 @@ void write_block(const SingleViewRays& constants, const RayFrame& frame, const f
 
 class QuiltSight;  // optics/sight.hpp
 
-// ---- What every model answers (optics/model.hpp) ----------------------------------------------------------------------
+// ---- Model interface (optics/model.hpp) -------------------------------------------------------------------------------
 
 constexpr std::string_view kind_of(const SingleView&) { return "single"; }
 constexpr int sub_pixels_of(const SingleView&) { return 1; }

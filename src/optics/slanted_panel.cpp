@@ -1,9 +1,9 @@
-// The inverse: all sub-pixels that see a point (X, Y, Z). With M = D / (D - Z), the line from an eye at e through the point
-// crosses z = 0 at x = X M + e (1 - M). Below lens k, at phase k + f, x = (k + f - phase at x = 0) p for the lens pitch p, and
-// e = D tan(cone (v - 1/2)) times the parallax s, v = 1 - f or f: f solves
-//   G(f) = p f + a tan(cone (f - 1/2)) = X M - (k - phase at x = 0) p,   a = +-(1 - M) D s, + where v = 1 - f.
-// G is monotone but for points in front at about the depth where one lens shows the same point all over (Z cone = p); there it
-// turns at cos^2(cone (f - 1/2)) = -a cone / p, twice. Each monotone piece holds one solution per lens at most.
+// The inverse: finds all sub-pixels that see a point (X, Y, Z). With M = D / (D - Z), the line from an eye at e through the
+// point crosses z = 0 at x = X M + e (1 - M). Below lens k, at phase k + f, x = (k + f - phase at x = 0) p with lens pitch p,
+// and e = D tan(cone (v - 1/2)) times the parallax s, where v = 1 - f or f. So f solves
+//   G(f) = p f + a tan(cone (f - 1/2)) = X M - (k - phase at x = 0) p,   a = +-(1 - M) D s, + if v = 1 - f.
+// G is monotone except for points in front, near the depth where a lens shows one point over its full width (Z cone = p). There
+// it has two turning points, at cos^2(cone (f - 1/2)) = -a cone / p. Each monotone piece has at most one solution per lens.
 #include "optics/slanted_panel.hpp"
 
 #include <algorithm>
@@ -15,14 +15,14 @@
 namespace lippmann {
 namespace {
 
-/// G of the comment above.
+/// The function G of the comment above.
 class LensEquation {
  public:
   LensEquation(double pitch_mm, double a, double cone) : pitch_(pitch_mm), a_(a), cone_(cone) {}
 
   double value(double f) const { return pitch_ * f + a_ * std::tan(cone_ * (f - 0.5)); }
 
-  /// The ends of the monotone pieces of [0, 1], ascending.
+  /// Returns the ends of the monotone pieces of [0, 1] in ascending order.
   std::vector<double> ends() const {
     const double cos2 = -a_ * cone_ / pitch_;
     std::vector<double> ends{0.0};
@@ -34,7 +34,8 @@ class LensEquation {
     return ends;
   }
 
-  /// f in [low, high], between which G is monotone and takes `wanted`: Newton's steps, halving where they leave.
+  /// Returns f in [low, high], where G is monotone, with G(f) = `wanted`: Newton steps, with bisection if they leave the
+  /// interval.
   double solve(double wanted, double low, double high) const {
     const bool rising = value(high) >= value(low);
     double f = 0.5 * (low + high);
@@ -54,10 +55,10 @@ class LensEquation {
   double pitch_, a_, cone_;
 };
 
-constexpr double kMaxTilt = 1e3, kMaxPhase = 1e6;  ///< phases keep 1e-7 of a lens even so
-constexpr double kMaxOffset = 4;                   ///< pixels, of sub-pixels from their pixel's centre
+constexpr double kMaxTilt = 1e3, kMaxPhase = 1e6;  ///< phases are then still exact to 1e-7 of a lens
+constexpr double kMaxOffset = 4;                   ///< of a sub-pixel from its pixel's centre, in pixels
 
-/// A point of the plane z = 0 in panel pixels, from the left and from the bottom: all sub-pixels that it lies on.
+/// Appends all sub-pixels at a point of the plane z = 0, given in panel pixels from the left and from the bottom.
 void append_sub_pixels(const Panel& panel, const SlantedPanel& slanted, double x, double y, std::vector<Vec2f>& pixels) {
   const int width = panel.width, height = panel.height;
   for (int up = 0; up < 4; ++up)
@@ -65,7 +66,7 @@ void append_sub_pixels(const Panel& panel, const SlantedPanel& slanted, double x
       for (int color = 0; color < 3; ++color) {
         const Vec2f offset =
             slanted.sub_pixels[static_cast<std::size_t>(up)][static_cast<std::size_t>(column)][static_cast<std::size_t>(color)];
-        // Film pixels from the left and rows from the bottom, if this is the sub-pixel.
+        // Film pixels from the left and rows from the bottom, if it is this sub-pixel.
         const double from_left = x - offset.x - 0.5, from_bottom = y - offset.y;
         const double i = std::floor(from_left + 0.5), j = std::floor(from_bottom);
         if (!(i >= 0.0 && i < width && j >= 0.0 && j < height)) continue;
@@ -119,7 +120,7 @@ void pixels_seeing(const Panel& panel, const SlantedPanel& slanted, Vec3f point_
   const double width_mm = panel.width * static_cast<double>(panel.pixel_pitch_mm);
   const double y_mm = point_mm.y * magnification + slanted.eye_height_mm * (1.0 - magnification);
   const double up = 0.5 * panel.height + y_mm / pixel_mm;
-  constexpr double kReach = 4.0;  // pixels by which a sub-pixel may lie beyond its pixel: see validate
+  constexpr double kReach = 4.0;  // pixels by which a sub-pixel may lie outside its pixel: see check_model
   if (!(up >= -kReach && up <= panel.height + kReach)) return;
   const double pitch = width_mm / slanted.periods, x_mm = point_mm.x * magnification;
   const double phase_at_middle = slanted.periods * (0.5 + slanted.tilt * up / panel.height) - slanted.center;
@@ -129,7 +130,7 @@ void pixels_seeing(const Panel& panel, const SlantedPanel& slanted, Vec3f point_
   std::vector<double> values;
   for (const double end : ends) values.push_back(equation.value(end));
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  // Lenses that may show the point, among those above the panel.
+  // The range of lenses above the panel that may show the point.
   const double offset = phase_at_middle + x_mm / pitch, half_panel = 0.5 * slanted.periods + kReach * pixel_mm / pitch;
   const double first = std::max(std::floor(offset - *most / pitch), std::floor(phase_at_middle - half_panel));
   const double last = std::min(std::ceil(offset - *least / pitch), std::floor(phase_at_middle + half_panel));
@@ -146,7 +147,7 @@ void pixels_seeing(const Panel& panel, const SlantedPanel& slanted, Vec3f point_
 }
 
 void check_model(const Panel& panel, const SlantedPanel& slanted) {
-  check_number("slanted.periods", slanted.periods, 1e-3, 3.0 * panel.width);  // a lens is as wide as a sub-pixel at least
+  check_number("slanted.periods", slanted.periods, 1e-3, 3.0 * panel.width);  // a lens is at least one sub-pixel wide
   check_number("slanted.tilt", slanted.tilt, -kMaxTilt, kMaxTilt);
   check_number("slanted.center", slanted.center, -kMaxPhase, kMaxPhase);
   check_cone("slanted.view_cone", slanted.view_cone);
@@ -163,7 +164,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Rows from the bottom, columns, colours.
+/// Writes rows from the bottom, columns, colours.
 Json sub_pixels_json(const SubPixelOffsets& offsets) {
   Json rows = Json::array();
   for (const auto& row : offsets) {
@@ -178,12 +179,12 @@ Json sub_pixels_json(const SubPixelOffsets& offsets) {
   return rows;
 }
 
-/// A list of so many elements.
+/// Reads a list of exactly list.size() elements.
 template <class List>
 void read_list(const JsonFields& members, const Json& json, List& list, const auto& read_element) {
   if (!json.is_array() || json.size() != list.size())
-    members.reject("sub_pixel_offsets_px", "is not what it should be",
-                   "4 rows of 2 columns of 3 colours of [x, y], panel pixels from the pixel's centre");
+    members.reject("sub_pixel_offsets_px", "has a wrong shape",
+                   "4 rows of 2 columns of 3 colours of [x, y], in panel pixels from the pixel's centre");
   for (std::size_t i = 0; i < list.size(); ++i) read_element(json[i], list[i]);
 }
 
@@ -229,14 +230,14 @@ OpticsFacts facts_of(const Panel& panel, const SlantedPanel& slanted) {
   facts.view_counts = {rounded_up_count(film_width / std::abs(slanted.periods)), 1};
   facts.lens_step_mm = facts.window.size.x / std::abs(slanted.periods);
   facts.views_by_angle = true;
-  facts.next_lens_beyond = true;
+  facts.repeats_beyond_zone = true;
   facts.lens_columns_per_row = film_width * slanted.tilt / panel.height;
   facts.crosstalk_pitch = {1.0, 0.0};
   return facts;
 }
 
 LensCells lens_cells_of(const Panel& panel, const SlantedPanel& slanted) {
-  // A place at x and y from 0 to 1 across the panel and up it has the phase (x + y T) P - center (slanted_panel.hpp).
+  // The phase at x and y, from 0 to 1 across the panel and up it, is (x + y T) P - center (slanted_panel.hpp).
   const double periods = slanted.periods, pixel = panel.pixel_pitch_mm;
   LensCells cells;
   cells.lenses_per_mm = Vec2d(1.0 / panel.width, slanted.tilt / panel.height) * (periods / pixel);
@@ -254,7 +255,7 @@ StepRule step_rule(const Panel& panel, const SlantedPanel& slanted, StepsWithin)
   const SlantedPanelRays c = make_slanted_panel(panel, slanted, 0.0f);
   StepRule rule;
   rule.across.x = static_cast<float>(3.0 / std::abs(c.lenses_per_px));
-  rule.down.x = static_cast<float>(3.0 * c.lenses_per_row / c.lenses_per_px);  // along the lens: a row down is a row less
+  rule.down.x = static_cast<float>(3.0 * c.lenses_per_row / c.lenses_per_px);  // along the lens; y decreases downwards
   return rule;
 }
 

@@ -1,10 +1,10 @@
-// Rays of a calibrated slanted panel, frame for its own sub-pixels: each has one ray, of the direction in which the lens above
-// it sends its light. No views are rendered and none are picked: as sharp as the panel can be.
+// Rays of a calibrated slanted panel, rendered directly for its sub-pixels: each has one ray, in the direction in which the
+// lens above it emits its light. Without intermediate views, the result has the panel's full resolution.
 //
-// A sub-pixel at position (x, y), from 0 to 1 across the panel and up it, lies at the phase z = (x + y T) P - center below the
-// lenses: v = 1 - fract(z) (or fract(z)) of the view cone. Its ray crosses the plane z = 0 at that same position and comes from
-// the eye at (parallax distance tan(cone (v - 1/2)), eye_height, distance). Phases are worked out in double: there are up to
-// thousands of lenses.
+// A sub-pixel at position (x, y), from 0 to 1 across the panel and up it, has the phase z = (x + y T) P - center below the
+// lenses, and the position v = 1 - fract(z) (or fract(z)) in the view cone. Its ray crosses the plane z = 0 at the same
+// position and comes from the eye at (parallax distance tan(cone (v - 1/2)), eye_height, distance). Phases are doubles because
+// there may be thousands of lenses.
 #pragma once
 
 #include <cmath>
@@ -20,23 +20,23 @@ namespace lippmann {
 struct SlantedPanelRays {
   double lenses_per_px, lenses_per_row;  ///< phase per panel pixel to the right, and per row up
   double phase_at_corner;                ///< at the panel's bottom left corner
-  float phase_sign;                      ///< -1 where v = 1 - fract(z)
-  float half_cone;                       ///< half the view cone: tangent_of_double takes half angles
+  float phase_sign;                      ///< -1 if v = 1 - fract(z)
+  float half_cone;                       ///< half the view cone, as tangent_of_double needs
   float width_px, height_px;             ///< panel pixels
   float pixel_mm;
-  float eye_reach_mm;  ///< eyes are at this times the tangent of their angle
+  float eye_reach_mm;  ///< an eye's x is this times the tangent of its angle
   float eye_y_mm;
   float distance_mm, inverse_distance;
   float front_from_eye_mm;  ///< z_front - distance, <= 0
-  /// Positions of sub-pixels, panel pixels from their pixel's centre: of red, green and blue in the columns 2n and 2n + 1 of
-  /// the rows 4n ... 4n + 3 from the bottom.
+  /// Positions of sub-pixels relative to their pixel's centre, in panel pixels: of red, green and blue in the columns 2n and 2n
+  /// + 1 of the rows 4n ... 4n + 3 from the bottom.
   float offset_x[24], offset_y[24];
 };
 
 SlantedPanelRays make_slanted_panel(const Panel& panel, const SlantedPanel& slanted, float z_front_mm);
 
 LIPPMANN_INLINE Crossing crossing(const SlantedPanelRays& c, float px, float py) {
-  // Which sub-pixel: colour, column and row from the bottom; then where in it.
+  // First the sub-pixel: colour, column and row from the bottom. Then the position within it.
   const float sub_pixel = std::floor(px), column = std::floor((sub_pixel + 0.5f) * (1.0f / 3.0f)), row = std::floor(py);
   const float color = sub_pixel - 3.0f * column;
   const float up = c.height_px - 1.0f - row;
@@ -58,10 +58,10 @@ void write_block(const SlantedPanelRays& constants, const RayFrame& frame, const
 
 class SlantedSight;  // optics/slanted_sight.hpp
 
-/// What lies below one lens, along a row.
+/// The sub-pixels below one lens, along a row.
 struct SlantedLens {
   float pitch_mm;
-  float slope_step;  ///< dx/dz from one sub-pixel to the next
+  float slope_step;  ///< change of dx/dz from one sub-pixel to the next
 };
 
 inline SlantedLens slanted_lens(const Panel& panel, const SlantedPanel& slanted) {
@@ -69,7 +69,7 @@ inline SlantedLens slanted_lens(const Panel& panel, const SlantedPanel& slanted)
   return {sub_pixels * (panel.pixel_pitch_mm / 3.0f), 2.0f * std::tan(0.5f * slanted.view_cone) / sub_pixels};
 }
 
-// ---- What every model answers (optics/model.hpp) ----------------------------------------------------------------------
+// ---- Model interface (optics/model.hpp) -------------------------------------------------------------------------------
 
 constexpr std::string_view kind_of(const SlantedPanel&) { return "slanted"; }
 constexpr int sub_pixels_of(const SlantedPanel&) { return 3; }

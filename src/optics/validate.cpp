@@ -23,9 +23,9 @@ void check_depths(const Optics& optics) {
   if (std::isfinite(optics.z_front_mm)) check_position("z_front_mm", optics.z_front_mm);
   if (!(-optics.z_back_mm < resolved_z_front_mm(optics)))
     reject_field("z_back_mm",
-                 fmt::format("is {} mm: rays that start at z = {} mm and end at {} mm have no length", optics.z_back_mm,
+                 fmt::format("is {} mm, so that rays start at z = {} mm and end at {} mm", optics.z_back_mm,
                              resolved_z_front_mm(optics), -optics.z_back_mm),
-                 "a distance behind the display that lies behind z_front, or inf");
+                 "a distance behind the display and behind z_front, or inf");
 }
 
 }  // namespace

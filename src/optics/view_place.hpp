@@ -1,11 +1,11 @@
-// Where a directional view sees a point: the place on that view's own grid of samples.
+// Maps a point to the sample grid of a directional view.
 //
-// The rays of one directional view (of all pixels at one offset below their lenses, of one tile of a quilt) meet in one
-// point of the viewer's plane z = V, or are parallel where V is infinite. A view is thus a picture in the plane z = 0, with one
-// sample per lens and row (of lens arrays) or per pixel (of views). With the line x(z) = l + s z of any of its rays, it sees a
-// point P at
-//   ((P - (l / V + s) P_z) / (1 - P_z / V)
-// in that plane, across and up alike; divided by the distance of its samples, right and down, that is a place in its pixels.
+// The rays of one directional view (all pixels at one offset below their lenses, or one tile of a quilt) meet in a point of the
+// viewer's plane z = V, or are parallel if V is infinite. So a view is a picture in the plane z = 0, with one sample per lens
+// and row (lens arrays) or per pixel (views). Given the line x(z) = l + s z of any of its rays, the view sees a point P in that
+// plane at
+//   (P - (l / V + s) P_z) / (1 - P_z / V),
+// across and up. Divided by the sample spacing, right and down, this is a position in the view's pixels.
 #pragma once
 
 #include <optional>
@@ -20,14 +20,14 @@ class ViewPlaces {
   /// `optics` must pass validate().
   explicit ViewPlaces(const Optics& optics);
 
-  /// 1 / V, per mm; 0: parallel.
+  /// Returns 1 / V, per mm; 0: parallel.
   double vergence() const { return vergence_; }
-  /// From sample to sample of a view in the plane z = 0, right and down. Below a slanted sheet: along the row, and from row to
-  /// row. Of slanted panels the panel's whole pixels, though every view has samples on some sub-pixels only.
+  /// Returns the sample density of a view in the plane z = 0, right and down. For a slanted sheet: along the row, and from row
+  /// to row. For slanted panels: the panel's whole pixels, although each view has samples on some sub-pixels only.
   glm::dvec2 samples_per_mm() const { return samples_per_mm_; }
 
-  /// In samples, right and down, from where the view sees the middle of the plane z = 0. `ray` is any of the view's, in display
-  /// mm. None where the point is not in front of the viewer.
+  /// Returns the position in samples, right and down, relative to the middle of the plane z = 0. `ray` is any ray of the view,
+  /// in display mm. None if the point is not in front of the viewer.
   std::optional<Vec2f> place_in_view(const Ray& ray, Vec3f point_mm) const;
 
  private:

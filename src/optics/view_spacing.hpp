@@ -1,4 +1,4 @@
-// How far apart the views of a quilt are.
+// The angular spacing of a quilt's views.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace lippmann {
 
-/// Returns the angle from view to view of a cone of views, and where in the cone the outermost stand: "23 views 2.0455 degrees
-/// apart, the outermost at the ends of 45 degrees". Empty: other optics.
+/// Describes the angle between the views of a cone, and the position of the outermost ones: "23 views 2.0455 degrees apart, the
+/// outermost at the ends of 45 degrees". Empty for other optics.
 std::string view_spacing(const Optics& optics);
 
-/// Returns the optics with the outermost of a cone of views at the ends of the cone, or half a step inside; others as they are.
+/// Returns the optics with the outermost views of a cone at its ends, or half a step inside; other optics unchanged.
 Optics with_cone_ends(Optics optics, bool ends_included);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// From a pixel to its neighbours in the same picture: in the same directional view, or below the same lens.
+// Steps from a pixel to its neighbours in the same picture: in the same directional view, or below the same lens.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@ enum class StepDirection { kLeft, kRight, kUp, kDown };
 inline constexpr StepDirection kStepDirections[] = {StepDirection::kLeft, StepDirection::kRight, StepDirection::kUp,
                                                     StepDirection::kDown};
 
-/// The pixels of one picture in one direction, one after the other.
+/// Iterates over the pixels of one picture in one direction.
 class ViewWalk {
  public:
-  /// The next pixel; none where the view, the lens or the panel ends.
+  /// Returns the next pixel; none at the end of the view, the lens or the panel.
   std::optional<std::uint32_t> next() {
     place_ += step_;
     if (!(place_.x >= low_.x && place_.x < high_.x && place_.y >= low_.y && place_.y < high_.y)) return std::nullopt;
@@ -30,10 +30,9 @@ class ViewWalk {
   std::uint32_t width_;
 };
 
-/// Same view (kView): the pixels at the same offset below the next lenses, or as near to it as pixels are; along the
-/// lenses of a lenticular sheet or a slanted panel the next row. Same lens (kLens): the next pixels, as long as they lie below
-/// the same lens (of hexagons: in the rectangle of lens pitch by row pitch). In single views and in the views of a quilt: the
-/// next pixels of that view.
+/// kView: the pixels at the same offset below the next lenses, or the nearest ones; along the lenses of a lenticular sheet or a
+/// slanted panel, the next row. kLens: the next pixels below the same lens (for hexagons: in the rectangle of lens pitch by row
+/// pitch). In single views and quilts, both mean the next pixels of the same view.
 class ViewSteps {
  public:
   /// `optics` must pass validate().
@@ -41,7 +40,7 @@ class ViewSteps {
 
   ViewWalk walk(std::uint32_t pixel, StepDirection direction) const;
 
-  /// How far a step in that direction is, pixels.
+  /// Returns the length of a step in pixels.
   float length_px(StepDirection direction) const { return glm::length(step_of(direction)); }
 
  private:

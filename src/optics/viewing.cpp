@@ -8,12 +8,12 @@
 namespace lippmann {
 namespace {
 
-/// How far beside the design viewer, in slope, an eye stands that far through the zone, to the right and up.
+/// Returns the slope of the eye at `share` of the zone relative to the design viewer, to the right and up.
 Vec2d slope_in_zone(const Optics& optics, Vec2d share) {
   return std::visit([&](const auto& model) { return zone_slope(optics.panel, model, share); }, optics.model);
 }
 
-/// The pixels of the panel, or of one view of a quilt.
+/// Returns the pixels of the panel, or of one view of a quilt.
 Vec2i window_pixels(const Optics& optics, const OpticsFacts& facts) {
   return facts.tiles ? picture_size(optics) / Vec2i(facts.tiles->columns, facts.tiles->rows) : picture_size(optics);
 }

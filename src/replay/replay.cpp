@@ -202,7 +202,7 @@ class Replay {
 
   const char* seen_out_of_zone() const {
     const OpticsFacts facts = optics_facts(frames_.optics);
-    if (facts.next_lens_beyond) return "the pictures of neighbouring lenses";
+    if (facts.repeats_beyond_zone) return "the pictures of neighbouring lenses";
     return facts.tiles && facts.tiles->camera_grid ? "the outermost cameras' pictures" : "the views of the next cone";
   }
 

@@ -141,7 +141,7 @@ TEST(PanelSize, more_lenses_than_pixels_are_refused) {
   RenderParams params;
   params.optics.size = {32, 32};
   params.optics.lenses = {64, 0};
-  EXPECT_THAT(refusal(params), HasSubstr("at least one pixel"));
+  EXPECT_THAT(refusal(params), HasSubstr("at most one lens per pixel"));
 }
 
 }  // namespace

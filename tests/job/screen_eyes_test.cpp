@@ -126,7 +126,7 @@ TEST(ScreenEyes, sheets_have_eyes_at_a_height) {
   params.optics.viewing_distance_mm = 400.0f, params.optics.eye_height = EyeHeight{-45.0f, true};
   EXPECT_NEAR(std::get<LenticularSheet>(optics_of(params).model).eye_height_mm, -400.0f, 1e-3);
   params.optics.viewing_distance_mm = kInfinity;
-  EXPECT_THAT(error_message([&] { optics_of(params); }), HasSubstr("infinitely far away"));
+  EXPECT_THAT(error_message([&] { optics_of(params); }), HasSubstr("infinitely distant"));
 }
 
 TEST(ScreenEyes, microlenses_refuse_a_height) {

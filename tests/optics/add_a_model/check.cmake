@@ -1,5 +1,5 @@
-# Adds the model of parallel_view.patch to a copy of the sources, as docs/develop/add-an-optics-model.md says it, and runs the model's test.
-# If the patch does not apply any more, or the page names other files, bring both up to date.
+# Applies parallel_view.patch to a copy of the sources, following docs/develop/add-an-optics-model.md, and runs the test of the new model.
+# If the patch no longer applies, or the page names other files, update both.
 #   cmake -D SOURCE=... -D WORK=... -D CXX=... -D LAUNCHER=... -P check.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -13,7 +13,7 @@ set(file ${CMAKE_CURRENT_LIST_DIR}/parallel_view.patch)
 execute_process(COMMAND ${patch} -p1 --forward --no-backup-if-mismatch -i ${file} WORKING_DIRECTORY ${tree}
   COMMAND_ERROR_IS_FATAL ANY)
 
-# The page names each file of the patch, with NAME in place of parallel_view; CHANGELOG.md is one more of a real commit's.
+# The page must name each file of the patch, with NAME for parallel_view. CHANGELOG.md is not part of the patch.
 file(STRINGS ${file} touched REGEX "^\\+\\+\\+ b/")
 list(LENGTH touched count)
 if(count GREATER 6)
@@ -29,7 +29,7 @@ foreach(line IN LISTS touched)
   endif()
 endforeach()
 
-# Of the library, the optics alone are compiled.
+# Compiles only the optics part of the library.
 file(WRITE ${WORK}/CMakeLists.txt "
 cmake_minimum_required(VERSION 3.25)
 project(add_a_model LANGUAGES CXX)
