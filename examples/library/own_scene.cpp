@@ -21,13 +21,16 @@ Material surface(Vec3f color, float roughness) {
 /// Lengths are metres. The ball's node moves up and down; the wall and the floor have no node.
 Scene bouncing_ball() {
   Scene scene;
-  scene.nodes = {{.name = "ball"}};
-  scene.shapes = {Spheres{{Vec3f(0.0f), 0.5f}}, Planes{{Vec3f(0.0f, 0.0f, -2.0f), Vec3f(0.0f, 0.0f, 1.0f)},
-                                                       {Vec3f(0.0f, -1.0f, 0.0f), Vec3f(0.0f, 1.0f, 0.0f)}}};
-  scene.materials = {surface({0.8f, 0.1f, 0.1f}, 0.3f), surface({0.6f, 0.6f, 0.7f}, 0.9f)};
-  scene.instances = {{.name = "ball", .shape = 0, .material = 0, .node = 0}, {.name = "room", .shape = 1, .material = 1}};
+  const int ball = scene.add_node({.name = "ball"});
+  scene.add_instance({.name = "ball",
+                      .shape = scene.add_shape(Spheres{{Vec3f(0.0f), 0.5f}}),
+                      .material = scene.add_material(surface({0.8f, 0.1f, 0.1f}, 0.3f)),
+                      .node = ball});
+  const int room = scene.add_shape(Planes{{Vec3f(0.0f, 0.0f, -2.0f), Vec3f(0.0f, 0.0f, 1.0f)},  // the wall, then the floor
+                                          {Vec3f(0.0f, -1.0f, 0.0f), Vec3f(0.0f, 1.0f, 0.0f)}});
+  scene.add_instance({.name = "room", .shape = room, .material = scene.add_material(surface({0.6f, 0.6f, 0.7f}, 0.9f))});
   NodeAnimation bounce;
-  bounce.node = 0;
+  bounce.node = ball;
   bounce.translation.times = {0.0, 0.5, 1.0};
   bounce.translation.values = {Vec3f(0.0f, 0.6f, 0.0f), Vec3f(0.0f, -0.5f, 0.0f), Vec3f(0.0f, 0.6f, 0.0f)};
   scene.timeline = {.frames_per_second = 4.0, .frame_count = 4, .animations = {bounce}};

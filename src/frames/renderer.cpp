@@ -49,29 +49,45 @@ Scene checked(Scene scene) {
   return scene;
 }
 
+/// Moves the settings; a Context as a whole does not move, because its flag is atomic.
+std::shared_ptr<const Context> moved(Context&& context) {
+  const auto kept = std::make_shared<Context>();
+  kept->threads = context.threads;
+  kept->warn = std::move(context.warn);
+  kept->frame_progress = std::move(context.frame_progress);
+  kept->cancelled = context.cancelled.load();
+  return kept;
+}
+
+/// Returns a pointer that does not own the context.
+std::shared_ptr<const Context> borrowed(const Context& context) { return {std::shared_ptr<void>(), &context}; }
+
 }  // namespace
 
 struct Renderer::Impl {
-  const Context& context;
+  std::shared_ptr<const Context> context;
   FrameParams params;
   ThreadPool pool;
   Stage stage;
   std::unique_ptr<FrameMaker> maker;
   bool is_checked = false;  ///< whether the first frame has been checked
 
-  Impl(Scene scene, Placement placement, FrameParams requested, const Context& caller)
-      : context(caller),
+  Impl(Scene scene, Placement placement, FrameParams requested, std::shared_ptr<const Context> caller)
+      : context(std::move(caller)),
         params(checked(std::move(requested), placement, scene)),
-        pool(resolved_threads(caller)),
+        pool(resolved_threads(*context)),
         stage(checked(std::move(scene)), std::move(placement.array), std::move(placement.placed),
               integrator_of(params.sampling), pool),
-        maker(make_frame_maker(stage, params, pool, caller)) {
-    if (!stage.array.warning.empty()) caller.warning(stage.array.warning);
+        maker(make_frame_maker(stage, params, pool, *context)) {
+    if (!stage.array.warning.empty()) context->warning(stage.array.warning);
   }
 };
 
 Renderer::Renderer(Scene scene, Placement placement, FrameParams params, const Context& context)
-    : impl_(std::make_unique<Impl>(std::move(scene), std::move(placement), std::move(params), context)) {}
+    : impl_(std::make_unique<Impl>(std::move(scene), std::move(placement), std::move(params), borrowed(context))) {}
+
+Renderer::Renderer(Scene scene, Placement placement, FrameParams params, Context&& context)
+    : impl_(std::make_unique<Impl>(std::move(scene), std::move(placement), std::move(params), moved(std::move(context)))) {}
 
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
@@ -87,10 +103,10 @@ std::optional<RenderedFrame> Renderer::frame(int index) {
   std::optional<SeenShare> seen;
   if (!std::exchange(impl_->is_checked, true)) seen = look_at_frame(impl_->stage, index, impl_->pool);
   RenderedFrame rendered = impl_->maker->make(index);
-  if (impl_->context.cancelled) return std::nullopt;
+  if (impl_->context->cancelled) return std::nullopt;
   if (seen)
     if (const std::string doubt = doubt_about_picture(impl_->stage, index, *seen, rendered.pictures.film); !doubt.empty())
-      impl_->context.warning(doubt);
+      impl_->context->warning(doubt);
   return rendered;
 }
 

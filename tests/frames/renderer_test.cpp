@@ -195,6 +195,17 @@ TEST(Renderer, refuses_a_placement_that_is_not_of_the_scene_or_was_spoilt) {
   EXPECT_THAT(message([](Placement& p) { p.placed.optics.model = RayTable{}; }), testing::HasSubstr("rays"));
 }
 
+TEST(Renderer, keeps_a_context_that_is_a_temporary) {
+  const Scene scene = built_in("primitives");
+  const Placement placement = place(scene, small_quilt());
+  const Context context;
+  const auto expected = Renderer(scene, placement, {}, context).frame(0);
+  int calls = 0;
+  Renderer renderer(scene, placement, {}, Context{.threads = 1, .frame_progress = [&](double) { ++calls; }});
+  EXPECT_EQ(renderer.frame(0)->pictures.film.data, expected->pictures.film.data);
+  EXPECT_GT(calls, 0);
+}
+
 TEST(Renderer, that_is_cancelled_makes_no_frame) {
   Context context;
   const Scene scene = built_in("primitives");

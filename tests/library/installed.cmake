@@ -1,5 +1,5 @@
 # Installs the library, builds examples/library against it as a project of its own, and runs these programs on a scene.
-#   cmake -D BUILD=... -D SOURCE=... -D CXX=... -D GENERATOR=... -D FLAGS=... -P installed.cmake
+#   cmake -D BUILD=... -D SOURCE=... -D CXX=... -D GENERATOR=... -D FLAGS=... -D PYTHON=... -P installed.cmake
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
@@ -73,6 +73,20 @@ run_refused(1 "no-such-scene" ${examples}/quilt no-such-scene ${display} ${work}
 run_refused(1 "no-such-file" ${examples}/look no-such-file ${work}/seen)
 run_refused(1 "CMakeLists.txt" ${examples}/own_scene ${SOURCE}/CMakeLists.txt/below)
 run_refused(1 "CMakeLists.txt" ${examples}/data_set ${SOURCE}/CMakeLists.txt/below)
+
+# A project with warnings as errors: every public struct takes designated initialisers, and an installed program finds the library.
+set(outside ${work}/outside)
+run(${PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/designators.py ${work}/prefix/include)
+file(WRITE ${work}/designators.cpp "${output}")
+run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${CMAKE_CURRENT_LIST_DIR}/outside -B ${outside} -D CMAKE_PREFIX_PATH=${work}/prefix
+  -D CMAKE_CXX_COMPILER=${CXX} "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_EXE_LINKER_FLAGS=${FLAGS}"
+  -D DESIGNATORS=${work}/designators.cpp)
+run(${CMAKE_COMMAND} --build ${outside})
+run(${CMAKE_COMMAND} --install ${outside} --prefix ${work}/elsewhere)
+run(${work}/elsewhere/bin/triangle)
+if(NOT output MATCHES "^([0-9]+\\.[0-9]+\\.[0-9]+), ([0-9.]+): 0.00 1.00 0.00\n$" OR NOT CMAKE_MATCH_1 STREQUAL CMAKE_MATCH_2)
+  message(FATAL_ERROR "triangle prints ${output}")
+endif()
 
 find_program(pkg_config pkg-config REQUIRED)
 set(ENV{PKG_CONFIG_PATH} ${work}/prefix/lib/pkgconfig)

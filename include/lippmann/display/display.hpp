@@ -40,12 +40,12 @@ struct Calibration {
   double center = 0.5;  ///< phase
   bool invert = true;   ///< (invView)
   bool flip_image_x = false, flip_image_y = false;
-  bool flip_sub_pixels = false;     ///< (flipSubp) swaps blue and red
-  double vertical_angle_deg = 0.0;  ///< (verticalAngle) stored but not used by the formula
-  double fringe = 0.0;              ///< stored but not used by the formula
-  std::vector<SubPixelCell> cells;  ///< (subpixelCells) at most 8; replace c s and the y offset 0; none: stripes
-  int cell_pattern = 0;             ///< (CellPatternMode) 0 ... 4: assignment of cells to pixels
-  std::string version;              ///< (configVersion)
+  bool flip_sub_pixels = false;       ///< (flipSubp) swaps blue and red
+  double vertical_angle_deg = 0.0;    ///< (verticalAngle) stored but not used by the formula
+  double fringe = 0.0;                ///< stored but not used by the formula
+  std::vector<SubPixelCell> cells{};  ///< (subpixelCells) at most 8; replace c s and the y offset 0; none: stripes
+  int cell_pattern = 0;               ///< (CellPatternMode) 0 ... 4: assignment of cells to pixels
+  std::string version{};              ///< (configVersion)
 
   /// Meaning of patterns 2 and 4, which differs between tools. "columns": 2 is column modulo 2, 4 is row modulo 2. "rows": 2 is
   /// row modulo 4, 4 is column modulo 2. In both, 1 is a checkerboard and 3 is (row + 2 (column modulo 2)) modulo 4. Rows count
@@ -75,19 +75,19 @@ struct DisplayVideo {
 };
 
 struct Display {
-  std::string name;         ///< the preset's name, or the file's name without its ending
-  std::string description;  ///< one line
+  std::string name{};         ///< the preset's name, or the file's name without its ending
+  std::string description{};  ///< one line
   DisplayKind kind = DisplayKind::kSlantedPanel;
-  std::vector<std::string> serials;  ///< prefixes of serial numbers of this device type; for a calibration, the serial number
-  Vec2i pixels{1536, 2048};          ///< width and height of the panel or print
-  double dpi = 324.0;                ///< pixels per inch
-  double view_cone_deg = 40.0;       ///< full angle
-  std::optional<double> viewing_distance_mm;  ///< none: the distance at which the panel's height spans 14 degrees
-  std::optional<double> crosstalk_px;         ///< sigma of the lens blur, in display pixels (optics/crosstalk.hpp)
-  Calibration calibration;                    ///< of slanted panels
-  DisplayLenses lenses;                       ///< of the other kinds
-  std::optional<DisplayQuilt> quilt;
-  DisplayVideo video;
+  std::vector<std::string> serials{};  ///< prefixes of serial numbers of this device type; for a calibration, the serial number
+  Vec2i pixels{1536, 2048};            ///< width and height of the panel or print
+  double dpi = 324.0;                  ///< pixels per inch
+  double view_cone_deg = 40.0;         ///< full angle
+  std::optional<double> viewing_distance_mm{};  ///< none: the distance at which the panel's height spans 14 degrees
+  std::optional<double> crosstalk_px{};         ///< sigma of the lens blur, in display pixels (optics/crosstalk.hpp)
+  Calibration calibration{};                    ///< of slanted panels
+  DisplayLenses lenses{};                       ///< of the other kinds
+  std::optional<DisplayQuilt> quilt{};
+  DisplayVideo video{};
 
   double pixel_mm() const { return 25.4 / dpi; }
   Vec2d size_mm() const { return Vec2d(pixels) * pixel_mm(); }

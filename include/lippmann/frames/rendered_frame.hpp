@@ -9,15 +9,15 @@ namespace lippmann {
 
 /// The images of one frame, all in the native layout of the optics.
 struct FramePictures {
-  Image film;      ///< linear light, RGB
-  FrameAovs aovs;  ///< the extra layers
-  Image8 codes;    ///< 8-bit codes of the film for files and videos; empty if not needed
+  Image film{};      ///< linear light, RGB
+  FrameAovs aovs{};  ///< the extra layers
+  Image8 codes{};    ///< 8-bit codes of the film for files and videos; empty if not needed
 };
 
 /// A frame and its report. pictures.codes is still empty.
 struct RenderedFrame {
-  FramePictures pictures;
-  FrameReport report;
+  FramePictures pictures{};
+  FrameReport report{};
 };
 
 }  // namespace lippmann

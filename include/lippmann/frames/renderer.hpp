@@ -32,6 +32,8 @@ class Renderer {
   /// integrator if `params` does not. `context` must outlive this object. Throws Error if the scene does not pass validate(),
   /// if it has neither shapes nor a sky, or if parameters are invalid.
   Renderer(Scene scene, Placement placement, FrameParams params, const Context& context);
+  /// Moves the context into this object; for temporaries, such as Context{}.
+  Renderer(Scene scene, Placement placement, FrameParams params, Context&& context);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;

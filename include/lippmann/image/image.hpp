@@ -21,14 +21,14 @@ struct Image {
 /// 8-bit codes, 3 channels, in the order of Image.
 struct Image8 {
   int width = 0, height = 0;
-  std::vector<unsigned char> rgb;
+  std::vector<unsigned char> rgb{};
   std::vector<unsigned char> alpha{};  ///< one per pixel; colours are not premultiplied; empty: opaque
 };
 
 /// 16-bit codes, 3 channels, in the order of Image.
 struct Image16 {
   int width = 0, height = 0;
-  std::vector<std::uint16_t> rgb;
+  std::vector<std::uint16_t> rgb{};
   std::vector<std::uint16_t> alpha{};  ///< as Image8::alpha
 };
 

@@ -15,10 +15,10 @@
 namespace lippmann {
 
 struct ConvertParams {
-  std::string from, to = "views";  ///< names of formats; empty `from`: derived from the quilt name or the report beside it
-  FormatOptions options;
-  std::optional<Crop> crop;       ///< part of every view to keep; none: all of it
-  std::optional<KeptViews> keep;  ///< views to keep, chosen before cropping; none: all
+  std::string from{}, to = "views";  ///< names of formats; empty `from`: derived from the quilt name or the report beside it
+  FormatOptions options{};
+  std::optional<Crop> crop{};  ///< part of every view to keep; none: all of it
+  std::optional<KeptViews> keep{};  ///< views to keep, chosen before cropping; none: all
   /// Resamples for options.display; `to` must be one of its pictures (integral, quilt or native). None: moves pixels.
   std::optional<DisplayPictureParams> display_picture = {};
   /// Reads the input instead of a format's reader; used for video, which the layout part cannot read (replay/video_views.hpp).
@@ -28,8 +28,8 @@ struct ConvertParams {
 };
 
 struct Converted {
-  std::vector<std::filesystem::path> written;
-  ViewGrid views;
+  std::vector<std::filesystem::path> written{};
+  ViewGrid views{};
   Vec2i view_size{0, 0};
   bool drops_positions = false;                     ///< the format drops camera positions that have no unit or distance
   std::string fitted = {};                          ///< how views were resampled for a display; empty: not resampled

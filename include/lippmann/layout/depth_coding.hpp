@@ -12,7 +12,7 @@ struct DepthRange {
 enum class DepthScale { kDisparity, kDepth };
 
 struct DepthCoding {
-  DepthRange range;
+  DepthRange range{};
   bool even_in_depth = false;  ///< true: grey is linear in z; false: in disparity, about 1 / z from the eye
   bool near_black = false;
 

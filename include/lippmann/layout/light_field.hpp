@@ -17,8 +17,8 @@
 namespace lippmann {
 
 struct LightField {
-  Picture stack;  ///< the views stacked vertically, view 0 on top
-  ViewGrid grid;
+  Picture stack{};  ///< the views stacked vertically, view 0 on top
+  ViewGrid grid{};
   Vec2i view_size{0, 0};
   double aspect = 1.0;                      ///< width / height of the display they are made for, else of the source picture
   std::optional<ViewGrid> tiles = {};       ///< tile layout of the quilt that the views came from

@@ -15,7 +15,7 @@
 namespace lippmann {
 
 struct QuiltName {
-  ViewGrid tiles;
+  ViewGrid tiles{};
   double aspect = 1.0;
 };
 

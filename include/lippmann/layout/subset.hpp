@@ -20,7 +20,7 @@ struct ViewRange {
 
 /// The columns of views to keep, from the left, and the rows, from the lowest.
 struct KeptViews {
-  ViewRange columns, rows;
+  ViewRange columns{}, rows{};
 };
 
 /// Parses "WxH+X+Y". Throws a usage Error naming `flag`.

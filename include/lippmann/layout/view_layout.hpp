@@ -31,8 +31,8 @@ enum class LayoutKind { kIntegral, kQuilt, kStack, kEslf };
 
 struct ViewLayout {
   LayoutKind kind = LayoutKind::kStack;
-  ViewGrid grid;   ///< number of views across and up
-  ViewGrid tiles;  ///< a quilt's tiles across and up; their number equals the number of views
+  ViewGrid grid{};  ///< number of views across and up
+  ViewGrid tiles{};  ///< a quilt's tiles across and up; their number equals the number of views
 };
 
 /// Returns the size of the whole picture for views of `view_size`.
@@ -44,7 +44,7 @@ Vec2i view_size(const ViewLayout& layout, Vec2i picture, const std::string& wher
 
 /// The pixels of one view: its pixel (x, y) has the row-major index `first` + x `across` + y `down` in the picture.
 struct ViewPlace {
-  std::ptrdiff_t first, across, down;
+  std::ptrdiff_t first = 0, across = 0, down = 0;
 };
 
 ViewPlace place_of_view(const ViewLayout& layout, Vec2i view_size, Vec2i picture, int view);

@@ -109,25 +109,25 @@ struct Ray {
 struct RayTable {
   /// Row by row from the top left: panel.height * samples_per_side rows of panel.width * samples_per_side rays. A sample takes
   /// the ray of the part of the pixel that it lies in. Every ray starts at its own origin. Copies of optics share the table.
-  std::shared_ptr<const std::vector<Ray>> rays;
+  std::shared_ptr<const std::vector<Ray>> rays{};
   int samples_per_side = 1;  ///< 4: 16 rays per pixel
-  float spread = 0.0f;       ///< spread between the rays of neighbouring pixels, in mm per mm of depth; sets the texture filter
+  float spread = 0.0f;  ///< spread between the rays of neighbouring pixels, in mm per mm of depth; sets the texture filter
 };
 
 using OpticsModel = std::variant<LenticularSheet, MicrolensArray, MultiView, SingleView, SlantedPanel, RayTable>;
 
 /// A complete set of rays. For MultiView, panel.pixel_pitch_mm is the horizontal pixel pitch of a view in the plane z = 0.
 struct Optics {
-  Panel panel;
-  OpticsModel model;
+  Panel panel{};
+  OpticsModel model{};
   float z_front_mm = kInfinity;  ///< rays start at this z; inf: chosen by the model, see resolved_z_front_mm
   float z_back_mm = kInfinity;   ///< rays end at z = -z_back
 };
 
 /// Rays of many pixels, each array `count` long.
 struct RayArrays {
-  float *origin_x, *origin_y, *origin_z;
-  float *direction_x, *direction_y, *direction_z;
+  float *origin_x = nullptr, *origin_y = nullptr, *origin_z = nullptr;
+  float *direction_x = nullptr, *direction_y = nullptr, *direction_z = nullptr;
 };
 
 /// Makes a table by calling ray_of_point(Vec2f) for the middle of every part of every pixel, in continuous pixel coordinates,

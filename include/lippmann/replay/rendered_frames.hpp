@@ -11,8 +11,8 @@
 namespace lippmann {
 
 struct RenderedFrames {
-  Optics optics;
-  std::vector<std::filesystem::path> files;  ///< in ascending order
+  Optics optics{};
+  std::vector<std::filesystem::path> files{};  ///< in ascending order
   double frames_per_second = 25.0;
 };
 

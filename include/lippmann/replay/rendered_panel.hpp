@@ -7,8 +7,8 @@
 namespace lippmann {
 
 struct RenderedPanel {
-  Optics optics;
-  Image picture;  ///< 3 channels, linear; its size is picture_size(optics)
+  Optics optics{};
+  Image picture{};  ///< 3 channels, linear; its size is picture_size(optics)
 };
 
 /// Throws Error if the picture does not match the panel in size, channels or number of samples. All functions that take a

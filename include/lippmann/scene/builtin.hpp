@@ -10,9 +10,9 @@
 namespace lippmann {
 
 struct BuiltinScene {
-  std::string_view name;
-  std::string_view description;  ///< one line, printed by `lippmann scenes`
-  Scene (*build)();
+  std::string_view name{};
+  std::string_view description{};  ///< one line, printed by `lippmann scenes`
+  Scene (*build)() = nullptr;
 };
 
 /// Returns teapot, room, small-balls, primitives, tree and gears.

@@ -10,8 +10,8 @@ namespace lippmann {
 
 /// The world transform and the morph weights of every node of a scene at one time, indexed as in Scene::nodes.
 struct ResolvedScene {
-  std::vector<Affine3f> world_from_node;
-  std::vector<std::vector<float>> morph_weights;  ///< one list per node; empty: no node has morph weights
+  std::vector<Affine3f> world_from_node{};
+  std::vector<std::vector<float>> morph_weights{};  ///< one list per node; empty: no node has morph weights
   /// Returns the transform of a node; the identity for -1.
   Affine3f of(int node) const { return node < 0 ? Affine3f{} : world_from_node[static_cast<std::size_t>(node)]; }
 };

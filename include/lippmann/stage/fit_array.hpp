@@ -33,7 +33,7 @@ struct FittedArray {
   Origin origin = Origin::kPlaced;
   int node = -1;  ///< node that the array moves with; -1: none
   /// A similarity; the plane is z = 0, with +z towards the viewer, +y up and the origin at its centre.
-  Affine3f node_from_plane;
+  Affine3f node_from_plane{};
   float plane_height = 1.0f;
   float viewing_distance = kInfinity;  ///< distance of the viewer in front of the plane
   /// Nearest and farthest z that the display should show sharply, in front of the viewer; both 0 without finite shapes. For an
@@ -43,9 +43,9 @@ struct FittedArray {
   /// Ground, walls and sky do not affect the plane, and only near walls affect the depth.
   bool leaves_out_surroundings = false;
   /// Per instance: whether it belongs to the subject of the view, and not to surroundings or strays.
-  std::vector<bool> is_subject;
-  std::string how;      ///< one sentence for the user
-  std::string warning;  ///< one sentence that names what is left out because it is far away; may be empty
+  std::vector<bool> is_subject{};
+  std::string how{};      ///< one sentence for the user
+  std::string warning{};  ///< one sentence that names what is left out because it is far away; may be empty
 };
 
 /// Fits the array. aspect: width / height of the image. The scene must pass validate() (scene/load.hpp), which place() checks.

@@ -13,7 +13,7 @@ namespace lippmann {
 
 /// Optics, and their size in a scene.
 struct PlacedOptics {
-  Optics optics;
+  Optics optics{};
   float units_per_mm = 1.0f;  ///< world units per millimetre, for world_from_display (stage/fit_array.hpp)
   bool for_display = false;   ///< the optics belong to a display, given by name or file, which shows views as beams
   float depth_scale = 1.0f;   ///< parallax of the optics, see with_parallax; below 1 the scene is shown with reduced depth
@@ -21,8 +21,8 @@ struct PlacedOptics {
 
 /// Placed optics, and their plane in the scene.
 struct Placement {
-  FittedArray array;
-  PlacedOptics placed;
+  FittedArray array{};
+  PlacedOptics placed{};
 };
 
 /// Options of a placement. Options that are not set are fitted.

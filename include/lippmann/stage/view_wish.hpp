@@ -15,10 +15,10 @@ struct Orbit {
 };
 
 struct ViewWish {
-  std::string focus;   ///< a node's name, X,Y,Z in the world, or a distance from the viewer; may be empty
-  std::string fit_to;  ///< a node's name, or "all" for the whole scene unless a node is called so; may be empty
-  float zoom = 1.0f;   ///< > 0; divides the visible size of the plane
-  Orbit orbit;
+  std::string focus{};   ///< a node's name, X,Y,Z in the world, or a distance from the viewer; may be empty
+  std::string fit_to{};  ///< a node's name, or "all" for the whole scene unless a node is called so; may be empty
+  float zoom = 1.0f;     ///< > 0; divides the visible size of the plane
+  Orbit orbit{};
 };
 
 }  // namespace lippmann

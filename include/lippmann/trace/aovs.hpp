@@ -39,8 +39,8 @@ enum class Provenance : std::uint8_t {
   kBlack,         ///< missed, and left black
 };
 struct ProvenanceInfo {
-  std::string_view name;  ///< text for users
-  bool missed;
+  std::string_view name{};  ///< text for users
+  bool missed{};
 };
 /// Indexed by Provenance.
 inline constexpr ProvenanceInfo kProvenanceInfos[] = {
@@ -58,18 +58,18 @@ enum class AovOrigin : std::uint8_t {
 
 /// Properties of a layer. To add a layer, add a value of Aov, a row below and the code that computes it.
 struct AovInfo {
-  std::string_view name;  ///< name in flags, files and other programs
-  int channels;
-  float nothing;  ///< value of pixels without a hit
-  AovOrigin origin;
+  std::string_view name{};  ///< name in flags, files and other programs
+  int channels{};
+  float nothing{};  ///< value of pixels without a hit
+  AovOrigin origin{};
   /// Channel names in OpenEXR, as compositing programs expect them: "layer.channel", or "channel" if the layer has no name.
   /// Layers are stored as float if half is not precise enough.
   struct InExr {
     std::string_view layer;
-    std::array<std::string_view, 3> channels;
+    std::array<std::string_view, 3> channels{};
     bool is_float;
     double bytes_per_pixel;  ///< approximate compressed size, measured on the built-in scenes
-  } exr;
+  } exr{};
 };
 /// Indexed by Aov.
 inline constexpr AovInfo kAovInfos[] = {
@@ -101,7 +101,7 @@ inline constexpr std::array<std::string_view, kAovs> kAovNames = [] {
 
 struct FrameAovs {
   std::array<bool, kAovs> wanted{};
-  std::array<Image, kAovs> images;  ///< one per Aov: as large as the film if wanted, otherwise empty
+  std::array<Image, kAovs> images{};  ///< one per Aov: as large as the film if wanted, otherwise empty
 
   bool wants(Aov aov) const { return wanted[static_cast<std::size_t>(aov)]; }
   bool wants_any(AovOrigin origin) const;

@@ -8,7 +8,7 @@ namespace lippmann {
 
 /// Properties of an integrator. Code outside the integrators depends on these only, never on which integrator is used.
 struct IntegratorFacts {
-  std::string_view name;           ///< name in flags and job files
+  std::string_view name{};         ///< name in flags and job files
   int default_samples = 1;         ///< per pixel
   bool is_stochastic = false;      ///< images have noise that differs between frames and decreases with the number of samples
   bool can_share_pixels = false;   ///< frames may copy or interpolate pixels from other frames
