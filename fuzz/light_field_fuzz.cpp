@@ -1,18 +1,21 @@
 // Feeds bytes to the project's own readers of light fields' side files and pictures. The first byte selects the reader: 'h'
 // HCI's parameters.cfg, 'v' cvkit's NAME_param.txt, 'e' ESLF's side file, 'm' MIV's cameras.json, 't' NeRF's transforms.json,
-// 'a' and 'i' COLMAP's cameras and images as text, 'A' and 'I' as binary, 'l' LLFF's poses_bounds.npy, 'q' a quilt's side file,
-// 'p' PPM, 'f' PFM, 'k' --keep, 'c' --crop, 'w' the side file of a raw plenoptic picture, 'L' a Lytro container, 'r' Lytro
-// metadata of 16x16 packed codes. The reader must throw Error or return a result that stays the same when written and read
-// again.
+// 'a' and 'i' COLMAP's cameras and images as text, 'A' and 'I' as binary, 'l' LLFF's poses_bounds.npy, 'n' any .npy file, 'q' a
+// quilt's side file, 'p' PPM, 'f' PFM, 'k' --keep, 'c' --crop, 'w' the side file of a raw plenoptic picture, 'L' a Lytro
+// container, 'r' Lytro metadata of 16x16 packed codes. The reader must throw Error or return a result that stays the same when
+// written and read again.
 //
 // fuzz/light_field_seeds SEEDS && fuzz_light_field -dict=fuzz/light_field.dict CORPUS SEEDS; or scripts/fuzz light_field.
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 
+#include "core/npy.hpp"
 #include "image/netpbm.hpp"
 #include "layout/colmap_model.hpp"
 #include "layout/cvkit_camera.hpp"
@@ -100,6 +103,15 @@ void llff(std::span<const std::byte> file) {
   require(parse_llff_poses(encode_llff_poses(cameras, {1.0, 2.0}, "a"), "a").size() == cameras.size());
 }
 
+void npy(std::span<const std::byte> file) {
+  const NpyArray array = parse_npy(file, "a");
+  if (array.shape.empty()) return;  // one number, which arrays are not
+  const NpyArray again = parse_npy(encode_npy(std::span<const double>(array.values), array.shape), "a");
+  require(again.shape == array.shape && again.values.size() == array.values.size());
+  for (std::size_t i = 0; i < array.values.size(); ++i)
+    require(std::bit_cast<std::uint64_t>(again.values[i]) == std::bit_cast<std::uint64_t>(array.values[i]));
+}
+
 void ppm(std::span<const std::byte> file) {
   const PpmCodes picture = parse_ppm(file, "a");
   require(parse_ppm(encode_ppm(picture), "a").codes.rgb == picture.codes.rgb);
@@ -145,6 +157,8 @@ void read(char kind, const std::string& text) {
       return colmap_images(std::as_bytes(std::span(text)));
     case 'l':
       return llff(std::as_bytes(std::span(text)));
+    case 'n':
+      return npy(std::as_bytes(std::span(text)));
     case 'q':
       parse_quilt_side_file(text, "a");
       return;

@@ -14,9 +14,9 @@
 #include "core/file_checksum.hpp"
 #include "core/folder.hpp"
 #include "core/json_text.hpp"
+#include "core/npy.hpp"
 #include "core/regular_file.hpp"
 #include "job/dataset_scene.hpp"
-#include "job/npy.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/core/version.hpp"
 #include "lippmann/frames/renderer.hpp"
@@ -94,15 +94,17 @@ std::optional<Json> complete_sample(const fs::path& folder) {
 /// Writes the arrays of one sample.
 class SampleFiles {
  public:
-  SampleFiles(fs::path folder, int views, Vec2i size) : folder_(std::move(folder)), shape_{views, size.y, size.x} {}
+  SampleFiles(fs::path folder, int views, Vec2i size)
+      : folder_(std::move(folder)),
+        shape_{static_cast<std::size_t>(views), static_cast<std::size_t>(size.y), static_cast<std::size_t>(size.x)} {}
 
   /// Writes the samples of all views, with one or more values per pixel.
   template <class Sample>
-  void add(const std::string& name, const char* dtype, const std::vector<Sample>& samples) {
-    std::vector<int> shape = shape_;
-    const std::size_t pixels = static_cast<std::size_t>(shape_[0]) * shape_[1] * shape_[2];
-    if (samples.size() > pixels) shape.push_back(static_cast<int>(samples.size() / pixels));
-    const std::vector<std::byte> file = npy_file(dtype, shape, std::as_bytes(std::span(samples)));
+  void add(const std::string& name, const std::vector<Sample>& samples) {
+    std::vector<std::size_t> shape = shape_;
+    const std::size_t pixels = shape_[0] * shape_[1] * shape_[2];
+    if (samples.size() > pixels) shape.push_back(samples.size() / pixels);
+    const std::vector<std::byte> file = encode_npy(std::span<const Sample>(samples), shape);
     write_file_atomically(folder_ / name, file);
     const FileChecksum sum = checksum_of(file);
     files_.push_back({{"name", name}, {"bytes", sum.bytes}, {"xxh3", sum.xxh3}});
@@ -114,7 +116,7 @@ class SampleFiles {
 
  private:
   fs::path folder_;
-  std::vector<int> shape_;
+  std::vector<std::size_t> shape_;
   Json files_ = Json::array();
   std::uint64_t bytes_ = 0;
 };
@@ -160,14 +162,14 @@ std::optional<std::uint64_t> make_sample(const DatasetParams& params, const std:
   make_folder(part);
   SampleFiles files(part, params.grid.count(), params.view_size);
   const LightField field = light_field_of(frame->pictures.film, optics);
-  files.add("views.npy", "|u1", to_codes(std::get<Image>(field.stack), Encoding::kSrgb).rgb);
+  files.add("views.npy", to_codes(std::get<Image>(field.stack), Encoding::kSrgb).rgb);
   const Image depth = views_of_layer(aovs[Aov::kDepth], optics);
-  files.add("depth.npy", "<f4", depth.data);
-  files.add("disparity.npy", "<f4", disparities(depth.data, cameras));
-  files.add("normal.npy", "<f4", views_of_layer(aovs[Aov::kNormal], optics).data);
-  files.add("motion.npy", "<f4", views_of_layer(aovs[Aov::kMotion], optics).data);
+  files.add("depth.npy", depth.data);
+  files.add("disparity.npy", disparities(depth.data, cameras));
+  files.add("normal.npy", views_of_layer(aovs[Aov::kNormal], optics).data);
+  files.add("motion.npy", views_of_layer(aovs[Aov::kMotion], optics).data);
   const std::vector<float> ids = views_of_layer(aovs[Aov::kId], optics).data;
-  files.add("id.npy", "<i2", std::vector<std::int16_t>(ids.begin(), ids.end()));
+  files.add("id.npy", std::vector<std::int16_t>(ids.begin(), ids.end()));
   write_json(part / "sample.json", sample_json(params, index, cameras, files.files()));
   fs::remove_all(folder);
   fs::rename(part, folder);

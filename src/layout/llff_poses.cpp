@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "image/npy.hpp"
+#include "core/npy.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {

@@ -9,10 +9,10 @@
 
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
+#include "core/npy.hpp"
 #include "core/printable.hpp"
 #include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
-#include "image/npy.hpp"
 #include "layout/cameras.hpp"
 #include "layout/view_files.hpp"
 #include "lippmann/core/error.hpp"

@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "core/npy.hpp"
 #include "core/regular_file.hpp"
-#include "image/npy.hpp"
 #include "layout/colmap_model.hpp"
 #include "layout/llff_poses.hpp"
 #include "layout/transforms_json.hpp"
@@ -318,30 +318,6 @@ TEST(LlffFormat, rows_that_make_no_cameras_are_refused) {
                 parse_llff_poses(encode_npy(std::span<const double>(short_row), {1, 16}), "p.npy");
               }),
               HasSubstr("17 numbers"));
-}
-
-TEST(Npy, orders_and_types_of_numpy_are_read) {
-  const auto file = [](const std::string& dict, std::vector<std::byte> data) {
-    std::string head = std::string("\x93NUMPY\x01", 7) + '\0';
-    head += static_cast<char>(dict.size());
-    head += '\0';
-    head += dict;
-    std::vector<std::byte> bytes(head.size());
-    std::memcpy(bytes.data(), head.data(), head.size());
-    bytes.insert(bytes.end(), data.begin(), data.end());
-    return bytes;
-  };
-  std::vector<std::byte> data;
-  for (const float value : {1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f}) put(data, value);
-  const NpyArray columns = parse_npy(file("{'descr': '<f4', 'fortran_order': True, 'shape': (2, 3), }", data), "a");
-  EXPECT_EQ(columns.values, (std::vector<double>{1, 3, 5, 2, 4, 6}));
-  std::vector<std::byte> swapped;
-  for (const std::byte b : {std::byte{0x40}, std::byte{0}, std::byte{0}, std::byte{0}}) swapped.push_back(b);
-  EXPECT_EQ(parse_npy(file("{'descr': '>f4', 'fortran_order': False, 'shape': (1,), }", swapped), "a").values[0], 2.0);
-  EXPECT_THAT(error_message([&] { parse_npy(file("{'descr': '<f4', 'fortran_order': False, 'shape': (7,), }", data), "a"); }),
-              HasSubstr("24 bytes"));
-  EXPECT_THAT(error_message([&] { parse_npy(file("{'descr': '<i8', 'fortran_order': False, 'shape': (3,), }", data), "a"); }),
-              HasSubstr("<i8"));
 }
 
 }  // namespace

@@ -1,15 +1,12 @@
 // Based on: NumPy Enhancement Proposal 1, "A simple file format for NumPy arrays".
-#include "image/npy.hpp"
+#include "core/npy.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <cstdint>
-#include <cstring>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -80,25 +77,6 @@ double npy_number(std::span<const std::byte> bytes, bool is_big_endian) {
                            : std::bit_cast<double>(std::uint64_t{bits});
 }
 
-template <class T>
-std::vector<std::byte> npy_bytes(std::span<const T> values, const std::vector<std::size_t>& shape) {
-  constexpr std::size_t kAlignment = 64;
-  assert(std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()) == values.size());
-  std::string header =
-      fmt::format("{{'descr': '<f{}', 'fortran_order': False, 'shape': ({},), }}", sizeof(T), fmt::join(shape, ", "));
-  header.resize((kNpyMagic.size() + 4 + header.size() + 1 + kAlignment - 1) / kAlignment * kAlignment - kNpyMagic.size() - 5,
-                ' ');
-  header += '\n';
-  std::string begin = std::string(kNpyMagic) + '\x01' + '\0';
-  begin += static_cast<char>(header.size() & 255);
-  begin += static_cast<char>(header.size() >> 8);
-  begin += header;
-  std::vector<std::byte> bytes(begin.size() + values.size_bytes());
-  std::memcpy(bytes.data(), begin.data(), begin.size());
-  if (!values.empty()) std::memcpy(bytes.data() + begin.size(), values.data(), values.size_bytes());
-  return bytes;
-}
-
 }  // namespace
 
 NpyArray parse_npy(std::span<const std::byte> file, const std::string& where) {
@@ -121,11 +99,20 @@ NpyArray parse_npy(std::span<const std::byte> file, const std::string& where) {
   return array;
 }
 
-std::vector<std::byte> encode_npy(std::span<const double> values, const std::vector<std::size_t>& shape) {
-  return npy_bytes(values, shape);
-}
-std::vector<std::byte> encode_npy(std::span<const float> values, const std::vector<std::size_t>& shape) {
-  return npy_bytes(values, shape);
+std::vector<std::byte> npy_file(const std::string& type, const std::vector<std::size_t>& shape,
+                                std::span<const std::byte> bytes) {
+  constexpr std::size_t kAlignment = 64, kBeforeText = kNpyMagic.size() + 4;
+  std::string text = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({},), }}", type, fmt::join(shape, ", "));
+  text.append(kAlignment - (kBeforeText + text.size() + 1) % kAlignment, ' ');
+  text += '\n';
+  std::string header(kNpyMagic);
+  header += '\x01', header += '\0';
+  header += static_cast<char>(text.size() & 255), header += static_cast<char>(text.size() >> 8);
+  header += text;
+  std::vector<std::byte> file(header.size() + bytes.size());
+  std::ranges::copy(std::as_bytes(std::span(header)), file.begin());
+  std::ranges::copy(bytes, file.begin() + static_cast<std::ptrdiff_t>(header.size()));
+  return file;
 }
 
 }  // namespace lippmann
