@@ -1,4 +1,4 @@
-// What is damaged or missing is said in words, and the rest goes on.
+// Damaged or missing data give a message, and the page shows the rest.
 import assert from "node:assert/strict";
 import { cpSync, mkdirSync, rmSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
@@ -10,7 +10,7 @@ closeAfterEach();
 sheet();
 lippmann("view", "sheet", "--save", "saved");
 
-/** A copy of the saved page, spoilt; the text of its failure. */
+/** Damages a copy of the saved page and returns the text of its failure. */
 async function failureOf(name, spoil) {
   cpSync(inFolder("saved"), inFolder(name), { recursive: true });
   spoil((file, text) => writeFileSync(inFolder(`${name}/${file}`), text));
@@ -19,7 +19,7 @@ async function failureOf(name, spoil) {
   return page.locator("#failure").textContent();
 }
 
-test("damaged descriptions are refused in words", async () => {
+test("damaged descriptions are refused with a message", async () => {
   expectComplaints(/ERR_FILE_NOT_FOUND/, /Unexpected identifier/);
   assert.match(await failureOf("no-fields", () => rmSync(inFolder("no-fields/fields.js"))), /fields\.js is missing/);
   assert.match(await failureOf("no-script", (write) => write("fields.js", "no script")), /fields\.js is damaged/);
@@ -28,7 +28,7 @@ test("damaged descriptions are refused in words", async () => {
   assert.match(await failureOf("null", (write) => write("fields.js", "lippmann_fields(null)")), /lists no light field/);
 });
 
-/** Whether the page stops drawing: 30 of 600 frames of the screen in a row without a picture. */
+/** Returns whether the page stops drawing: 30 of 600 consecutive frames of the screen without a picture. */
 const settles = (page) =>
   page.evaluate(async () => {
     let quiet = 0;
@@ -37,7 +37,7 @@ const settles = (page) =>
     return quiet >= 30;
   });
 
-test("a damaged frame is named, and others are shown", async () => {
+test("a damaged frame is named, others shown", async () => {
   expectComplaints(/status of 422/);
   cpSync(inFolder("sheet"), inFolder("damaged"), { recursive: true });
   const page = await open(await view("damaged"));
@@ -48,12 +48,12 @@ test("a damaged frame is named, and others are shown", async () => {
   await fresh.waitForFunction(() => document.querySelector("#notice").textContent.includes("frame_0003.png"));
   await set(fresh, { frame: 5 });
   await fresh.waitForFunction(() => document.querySelector("#notice").textContent === "");
-  assert.ok(await settles(fresh), "it is drawn again and again");
-  assert.ok(asked.filter((url) => url.endsWith("/views/3")).length <= 2, "it is asked for again and again");
+  assert.ok(await settles(fresh), "it keeps drawing");
+  assert.ok(asked.filter((url) => url.endsWith("/views/3")).length <= 2, "it keeps requesting the frame");
   void page;
 });
 
-test("pictures of another size than the description says are refused", async () => {
+test("pictures of the wrong size are refused", async () => {
   cpSync(inFolder("saved"), inFolder("other-size"), { recursive: true });
   const { readFileSync } = await import("node:fs");
   const fields = readFileSync(inFolder("other-size/fields.js"), "utf8");
@@ -62,7 +62,7 @@ test("pictures of another size than the description says are refused", async () 
   await page.waitForFunction(() => /has \d+x\d+ pixels in place of \d+x\d+/.test(document.querySelector("#notice").textContent));
 });
 
-test("folders that hold no light field are refused before anything is served", async () => {
+test("folders without a light field are refused", async () => {
   await assert.rejects(view("saved"), /there are no frames or views in it|are not named as frames|only one picture/);
   await assert.rejects(view("missing"), /there is no such file or folder/);
   const folders = { nothing: [], videos: ["a.mp4"], jobs: ["job.toml"], others: ["ein Bild.png"] };
@@ -82,7 +82,7 @@ test("folders that hold no light field are refused before anything is served", a
   await assert.rejects(view("wrong.toml"), /wrong\.toml:2: there is no key 'zom', did you mean 'zoom'/);
 });
 
-test("a folder with spaces and umlauts, and a view of one pixel, are shown", async () => {
+test("spaces, umlauts and views of one pixel work", async () => {
   cpSync(inFolder("sheet"), inFolder("B\u00fchne mit Licht"), { recursive: true });
   const page = await open(await view("B\u00fchne mit Licht"));
   assert.equal(await page.locator("#title").textContent(), "B\u00fchne mit Licht");

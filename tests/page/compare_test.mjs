@@ -1,4 +1,4 @@
-// Two light fields: wiped, side by side, their difference and its PSNR; the panel's picture is the one that was rendered.
+// Two light fields: wiped, side by side, their difference and its PSNR. The panel's picture equals the rendered one.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -9,7 +9,7 @@ closeAfterEach();
 sheet();
 lippmann("render", "teapot", "--size", "256x256", "--lenses", "32", "--frames", "0-5", "--exposure", "0.3", "-o", "brighter", "-q");
 
-test("each side of the wipe is its own light field, and the difference is measured", async () => {
+test("a wipe shows both fields and their difference", async () => {
   const page = await open(await view("sheet", "brighter"));
   const pictures = await page.evaluate(async () => [await window.lippmann.picture(64, 64, 0), await window.lippmann.picture(64, 64, 1)].map((codes) => codes.slice(0, 4096).reduce((a, b) => a + b)));
   assert.ok(pictures[1] > pictures[0] * 1.02, `${pictures}`);
@@ -38,7 +38,7 @@ test("the panel's picture follows from the views", async () => {
     const codes = canvas.getContext("2d").getImageData(0, 0, 256, 256).data;
     const code = (v) => Math.floor(255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055) + 0.5);
     let wrong = 0;
-    // In the middles of pixels: the picture is shown more than twice as large.
+    // At centres of pixels: the picture is shown more than twice as large.
     for (let y = 3; y < 256; y += 17)
       for (let x = 5; x < 256; x += 13) {
         const seen = window.lippmann.valueAt((x + 0.5) / 256, (y + 0.5) / 256).map(code);

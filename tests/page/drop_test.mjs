@@ -1,4 +1,4 @@
-// Pictures that are dropped on the page, or chosen, become the views of a light field, in the natural order of their names.
+// Pictures that are dropped on the page or chosen become the views of a light field, in natural order of their names.
 import assert from "node:assert/strict";
 import { copyFileSync, mkdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -8,7 +8,7 @@ closeAfterEach();
 
 lippmann("render", "room", "--optics", "multiview", "--views", "7x1", "--size", "1120x120", "--frames", "0", "--layout", "views", "-o", "seven", "-q");
 
-/** Pictures of `seven` by the names under which they are dropped. */
+/** Copies pictures of `seven` under other names. */
 const dropped = (names) => names.map((name, i) => ({ name, base64: readFileSync(inFolder(`seven/frame_0000/view_00${i}.png`)).toString("base64") }));
 
 const drop = (page, files) =>
@@ -18,7 +18,7 @@ const drop = (page, files) =>
     window.dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
   }, files);
 
-test("pictures that are dropped on an empty page are views in the natural order of their names", async () => {
+test("dropped pictures become views in natural order", async () => {
   const page = await open(await view(), { ready: false });
   await page.getByRole("heading", { name: "Drop pictures here" }).waitFor();
   await drop(page, dropped(["p10.png", "p9.png", "p11.png"]));
@@ -34,7 +34,7 @@ test("pictures that are dropped on an empty page are views in the natural order 
   assert.equal(await page.evaluate(() => window.lippmann.fields[0].across.views), 3);
 });
 
-test("a folder that is chosen is shown under its name", async () => {
+test("a chosen folder is shown under its name", async () => {
   const page = await open(await view(), { ready: false });
   mkdirSync(inFolder("photos"));
   for (let i = 0; i < 7; i++) copyFileSync(inFolder(`seven/frame_0000/view_00${i}.png`), inFolder(`photos/${i}.png`));
@@ -44,7 +44,7 @@ test("a folder that is chosen is shown under its name", async () => {
   assert.deepEqual(await page.evaluate(() => [window.lippmann.fields[0].title, window.lippmann.fields[0].across.views]), ["photos", 7]);
 });
 
-test("a page of a light field says how pictures can be dropped", async () => {
+test("a light field's page explains dropping pictures", async () => {
   const page = await open(await view("seven"));
   await drop(page, dropped(["a.png", "b.png"]));
   await page.locator("#notice", { hasText: "start `lippmann view` without a name" }).waitFor();

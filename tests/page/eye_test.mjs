@@ -1,4 +1,4 @@
-// What the page shows to an eye is what `lippmann replay` computes: 40 dB where an eye has a view of its own, 30 dB between views.
+// The page shows an eye what `lippmann replay` computes: 40 dB at the eye of a view, 30 dB between views.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { closeAfterEach, eyeOfView, fractional, grid, lenslets, open, psnrBeside, quilt, replay, set, sheet, view } from "./support.mjs";
@@ -24,10 +24,10 @@ test("an array of lenslets", () => compare("lenslets", lenslets, [[0, 0], [2, 1]
 test("a quilt", () => compare("quilt", quilt, [[0, 0], [6, 0], [11, 0], [4.5, 0], [9.7, 0]]));
 test("a grid of cameras", () => compare("grid", grid, [[0, 0], [2, 2], [4, 1], [1.5, 2.5], [3.2, 0.7]]));
 
-// Eyes look at lenses without views of whole pixels; where such an eye stands, the page shows what replay shows it.
+// Lenses with a fractional number of pixels have no views of whole pixels; the page shows such an eye what replay computes.
 test("fractional lenses", () => compare("fractional", fractional, [[0, 0], [3, 0], [5, 0]]));
 
-test("beyond the zone, and nearer than the display is meant for, it shows what replay computes too", async () => {
+test("eyes outside the zone match replay, too", async () => {
   for (const [name, eye] of [["sheet", [60, 0, 192]], ["sheet", [-10, 0, 120]], ["lenslets", [-50, 30, 150]], ["quilt", [90, 0, 200]], ["grid", [30, 10, 150]]]) {
     const page = await open(await view(name));
     await set(page, { eye, lenses: true, between: "blend" });
@@ -37,8 +37,8 @@ test("beyond the zone, and nearer than the display is meant for, it shows what r
   }
 });
 
-// A view that is left out is nearer to what the page makes of its neighbours by their depth than to their blend.
-test("between views depth comes nearer to a traced view than blending does", async () => {
+// A view that is left out is closer to the depth-based interpolation of its neighbours than to their blend.
+test("depth interpolates views better than blending", async () => {
   const { lippmann } = await import("./support.mjs");
   lippmann("render", "room", "--optics", "multiview", "--camera-grid", "--views", "9x1", "--size", "1152x128", "--view-angle", "20", "--frames", "0", "--aov", "depth", "-o", "row", "-q");
   lippmann("convert", "row/frame_0000.png", "row-miv", "--to", "miv");

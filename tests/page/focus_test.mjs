@@ -1,4 +1,4 @@
-// Refocusing is that of `lippmann replay`, is sharpest where things are, and finds their depth where somebody clicks.
+// Refocusing matches `lippmann replay`, is sharpest at the depth of objects, and finds their depth at a click.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { grid, open, psnrBeside, replay, set, view } from "./support.mjs";
@@ -6,7 +6,7 @@ import { grid, open, psnrBeside, replay, set, view } from "./support.mjs";
 grid();
 const page = await open(await view("grid"));
 
-/** Mean square of differences between neighbours in a part of the picture: how sharp it is there. */
+/** Returns the mean squared difference of neighbouring pixels in a part of the picture, a measure of sharpness. */
 const sharpness = (left, top) =>
   page.evaluate(
     async ([left, top]) => {
@@ -20,10 +20,10 @@ const sharpness = (left, top) =>
     [left, top],
   );
 
-/** What stands in the room: the globe before the display's plane, the face of the clock behind it. */
+/** Objects of the room: the globe in front of the display's plane, and the clock face behind it. */
 const places = { globe: [0.142, 0.66], clock: [0.777, 0.343] };
 
-test("planes in focus are those of replay", async () => {
+test("planes in focus match replay", async () => {
   for (const depth of [-60, -14, 0, 15]) {
     await set(page, { aperture: 1, focus: depth });
     const psnr = await psnrBeside(page, replay("grid", `at${depth}`, `--refocus=${depth}`));
@@ -32,7 +32,7 @@ test("planes in focus are those of replay", async () => {
   }
 });
 
-test("what is clicked comes into focus, with depth and without", async () => {
+test("a click focuses, with and without depth", async () => {
   for (const [name, place] of Object.entries(places)) {
     await set(page, { aperture: 1 });
     await page.evaluate((place) => window.lippmann.focusAt(...place), place);
@@ -45,7 +45,7 @@ test("what is clicked comes into focus, with depth and without", async () => {
     }
     console.log(`${name}: at ${depth.toFixed(1)} mm`);
   }
-  // Without depth the views themselves tell.
+  // Without depth it follows from the views.
   const { lippmann, inFolder } = await import("./support.mjs");
   const { rmSync } = await import("node:fs");
   await page.evaluate((place) => window.lippmann.focusAt(...place), places.clock);
@@ -63,8 +63,8 @@ test("what is clicked comes into focus, with depth and without", async () => {
   assert.ok(Math.abs(found - known) < 0.25 * Math.abs(known) + 5, `${found} mm, in truth ${known} mm`);
 });
 
-// A lens array shows depth that is fitted to its budget: what is clicked is at the depth at which it is seen.
-test("fitted depth is the depth that the views themselves show", async () => {
+// A lens array shows depth that is fitted to its budget: a click finds the depth at which the point appears.
+test("a click finds the fitted depth", async () => {
   const { lippmann } = await import("./support.mjs");
   const depths = [];
   for (const layers of [["--aov", "depth"], []]) {
@@ -79,7 +79,7 @@ test("fitted depth is the depth that the views themselves show", async () => {
   assert.ok(Math.abs(depths[0] - depths[1]) < 1.5, `${depths}`);
 });
 
-test("a double click on the canvas opens the aperture, and a single one does not", async () => {
+test("only a double click opens the aperture", async () => {
   await set(page, { aperture: 0, focus: 0 });
   await page.locator("#canvas").click({ position: { x: 230, y: 230 } });
   assert.equal(await page.evaluate(() => window.lippmann.state.aperture), 0);

@@ -1,4 +1,4 @@
-// In a headset, whose part a mock of WebXR plays, each eye sees the light field as an eye at its place sees it in the page.
+// In a headset (a mock of WebXR), each eye sees the light field as the page shows it to an eye at the same place.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { closeAfterEach, open, set, sheet, view } from "./support.mjs";
@@ -9,14 +9,14 @@ sheet();
 const address = await view("sheet");
 const button = (page, name = "Enter VR") => page.getByRole("button", { name });
 
-/** In the page: a headset of two eyes whose views just hold the display's window, so that its pixels are those of the picture. */
+/** Code for the page: a headset with two eyes whose views exactly contain the display's window, so that their pixels match the picture. */
 function mock(refusal) {
   const side = 256;
   const separation = 12; // mm
   const window_mm = () => window.lippmann.fields[0].window_mm;
   const home = () => window.lippmann.fields[0].eye_mm;
   const scale = () => Math.max(1, 600 / home()[2]) / 1000;
-  /** From an eye (in the headset's space) to its picture: a frustum through the window's edges; by columns. */
+  /** Projection of an eye (in the headset's space): a frustum through the window's edges, by columns. */
   const frustum = (eye) => {
     const { centre, size } = window_mm();
     const [x, y, z] = [0, 1, 2].map((i) => (home()[i] * scale()) + eye[i]); // from the display, metres
@@ -69,7 +69,7 @@ function mock(refusal) {
   };
   Object.defineProperty(navigator, "xr", { value: system, configurable: true });
   WebGL2RenderingContext.prototype.makeXRCompatible = async () => {};
-  /** The codes of an eye, RGBA from the top. */
+  /** Returns the codes of an eye, RGBA from the top. */
   window.mockCodes = (eye) => {
     const gl = window.mockGl;
     const codes = new Uint8Array(4 * side * side);
@@ -77,7 +77,7 @@ function mock(refusal) {
     gl.readPixels(eye * side, 0, side, side, gl.RGBA, gl.UNSIGNED_BYTE, codes);
     return [...Array(side).keys()].flatMap((y) => [...codes.subarray(4 * side * (side - 1 - y), 4 * side * (side - y))]);
   };
-  /** Where the mock's eyes are, mm of the display. */
+  /** Returns the positions of the mock's eyes, in mm of the display. */
   window.mockEyes = () => views().map(({ transform: { position: p } }) => [p.x, p.y, p.z].map((metres, i) => home()[i] + metres / scale()));
 }
 const script = (refusal = "") => `(${mock})(${JSON.stringify(refusal)})`;
@@ -87,7 +87,7 @@ const framesLater = (page, count) => page.evaluate((count) => ((window.mockFrame
   wait();
 })), count);
 
-/** PSNR of what an eye of the headset is shown beside the page's own picture of an eye there. */
+/** Returns the PSNR of an eye's picture in the headset against the page's picture for the same eye. */
 const psnrOf = (page, eye) => page.evaluate(async (eye) => {
   const shown = window.mockCodes(eye);
   const before = window.lippmann.state.eye;
@@ -106,7 +106,7 @@ test("without a headset there is no button", async () => {
   assert.equal(await button(plain).isVisible(), false);
 });
 
-test("each eye of a headset has its own view of the display, and the page goes on after it", async () => {
+test("each eye of a headset has its view", async () => {
   const page = await open(address, { script: script() });
   await button(page).press("Enter");
   await page.waitForSelector('#stage[data-headset="true"]');
@@ -126,7 +126,7 @@ test("each eye of a headset has its own view of the display, and the page goes o
   assert.equal(await page.getAttribute("#stage", "data-frame"), "2");
 });
 
-test("time goes on in the headset, and a headset that ends the session gives the page back", async () => {
+test("playback continues in and after the headset", async () => {
   const page = await open(address, { script: script() });
   await button(page).click();
   await page.waitForSelector('#stage[data-headset="true"]');

@@ -1,4 +1,5 @@
-// Everything is reached by the keyboard alone and has a name that screen readers say; phones show it without scrolling sideways.
+// All controls can be reached with the keyboard and have a name for screen readers; phones show the page without horizontal
+// scrolling.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { closeAfterEach, grid, open, set, sheet, view } from "./support.mjs";
@@ -9,7 +10,7 @@ sheet();
 grid();
 const address = await view("sheet");
 
-test("Tab reaches every control, and each has a name", async () => {
+test("Tab reaches every control by name", async () => {
   const page = await open(await view("grid", "grid"));
   await set(page, { stereo: "anaglyph", aperture: 0.5, line: 0.5 });
   const wanted = await page.evaluate(
@@ -29,7 +30,7 @@ test("Tab reaches every control, and each has a name", async () => {
   assert.equal(reached.size, wanted);
 });
 
-test("arrow keys move the eye to the ends of its zone and no farther; Home brings it back", async () => {
+test("arrow keys and Home move the eye", async () => {
   const page = await open(address);
   await page.locator("#canvas").focus();
   const eye = () => page.evaluate(() => window.lippmann.state.eye[0]);
@@ -50,7 +51,7 @@ test("arrow keys move the eye to the ends of its zone and no farther; Home bring
   }
 });
 
-test("keys work on a fresh page, after a click on a button, and beside a control that has the focus", async () => {
+test("keys work wherever the focus is", async () => {
   const page = await open(address);
   const state = () => page.evaluate(() => window.lippmann.state);
   await page.keyboard.press("ArrowRight");
@@ -75,7 +76,7 @@ test("keys work on a fresh page, after a click on a button, and beside a control
   assert.equal((await state()).aperture, 0.5);
 });
 
-test("two fingers and the pinches of a touchpad leave the eye where it is", async () => {
+test("two fingers and pinches leave the eye", async () => {
   const page = await open(address, { hasTouch: true });
   const eye = () => page.evaluate(() => window.lippmann.state.eye);
   const before = await eye();
@@ -94,7 +95,7 @@ test("two fingers and the pinches of a touchpad leave the eye where it is", asyn
   assert.deepEqual(await eye(), before);
 });
 
-test("a phone shows all of it, and its controls where they are asked for", async () => {
+test("a phone shows the controls on request", async () => {
   const page = await open(address, { width: 390, height: 844 });
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
   assert.equal(await page.locator("#controls").isVisible(), false);
@@ -113,5 +114,5 @@ test("dragging moves the eye", async () => {
   await page.mouse.up();
   const state = await page.evaluate(() => window.lippmann.state);
   assert.ok(state.eye[0] > 5, `${state.eye}`);
-  assert.equal(state.aperture, 0, "a drag is no click");
+  assert.equal(state.aperture, 0, "a drag does not count as a click");
 });

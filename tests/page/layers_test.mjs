@@ -1,4 +1,4 @@
-// Quilts larger than the GPU takes lie in layers of whole tiles: the page shows the same.
+// Quilts larger than the GPU's texture size are stored in layers of whole tiles: the page shows the same.
 import assert from "node:assert/strict";
 import { readdirSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
@@ -6,7 +6,7 @@ import { closeAfterEach, eyeCodes, eyeOfView, inFolder, lippmann, open, panelCod
 
 closeAfterEach();
 
-/** A GPU that takes so many pixels a side. The quilt of 4x3 tiles has 384x384. */
+/** Simulates a GPU with this texture size. The quilt of 4x3 tiles has 384x384 pixels. */
 const limitedTo = (side) => `{
   const original = WebGL2RenderingContext.prototype.getParameter;
   WebGL2RenderingContext.prototype.getParameter = function (name) {
@@ -20,12 +20,12 @@ const limitedTo = (side) => `{
   };
 }`;
 
-/** GPUs place samples between texels to a 256th of a texel, counted from other places in a layer than in the whole. */
+/** GPUs place samples between texels to 1/256 of a texel, relative to a different origin in a layer than in the whole quilt. */
 const kLeastDb = 50;
 const psnr = (a, b) => -10 * Math.log10(a.reduce((sum, x, i) => sum + ((x - b[i]) / 255) ** 2, 0) / a.length);
 const most = (a, b) => a.reduce((greatest, x, i) => Math.max(greatest, Math.abs(x - b[i])), 0);
 
-test("in layers it looks as in one texture", async () => {
+test("layers look like one texture", async () => {
   quilt();
   const address = await view("quilt");
   const whole = await open(address);
@@ -48,7 +48,7 @@ test("in layers it looks as in one texture", async () => {
   assert.equal(await layered.textContent("#notice"), "");
 });
 
-test("a panel plays a quilt in layers code by code", async () => {
+test("a panel plays a layered quilt exactly", async () => {
   lippmann("render", "room", "--optics", "multiview", "--views", "8x6", "--size", "384x288", "--frames", "0", "--to", "quilt", "-o", "room", "-q");
   const input = `room/${readdirSync(inFolder("room")).find((name) => /_qs8x6a.*\.png$/.test(name))}`;
   const calibration = { pitch: 52.3, slope: -7.2, center: 0.37, DPI: 324, screenW: 203, screenH: 151, viewCone: 40 };
@@ -61,7 +61,7 @@ test("a panel plays a quilt in layers code by code", async () => {
   }
 });
 
-test("views that are too large alone are made smaller, and the page says so", async () => {
+test("views that are too large are scaled down", async () => {
   const page = await open(await view("quilt"), { script: limitedTo(100) });
   assert.match(await page.textContent("#notice"), /Shown at 1\/2 of its size: this device's GPU supports at most 100 pixels a side/);
 });

@@ -1,5 +1,5 @@
-// What lenses do to what an eye sees: crosstalk as `lippmann replay --crosstalk` computes it, to 40 dB (beyond the zone to
-// 30), and the warning of flips.
+// Effects of the lenses on an eye's view: crosstalk as in `lippmann replay --crosstalk`, to 40 dB (30 dB outside the zone), and
+// the warning of flips.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { closeAfterEach, drawn, eyeOfView, grid, inFolder, lenslets, lippmann, open, psnrBeside, quilt, replay, set, sheet, view } from "./support.mjs";
@@ -22,18 +22,18 @@ async function compare(name, make, eyes) {
   }
 }
 
-test("a lenticular sheet, at a lens's last pixel too, beside which its neighbour's are", () => compare("sheet", sheet, [[3, 0, 0.4], [0, 0, 0.75], [7, 0, 2], [2.4, 0, 0.6], [[60, 0, 192], 0, 1]]));
+test("a lenticular sheet, including its lenses' last pixels", () => compare("sheet", sheet, [[3, 0, 0.4], [0, 0, 0.75], [7, 0, 2], [2.4, 0, 0.6], [[60, 0, 192], 0, 1]]));
 test("an array of lenslets, across and up", () => compare("lenslets", lenslets, [[1, 1, 0.5], [0, 3, 0.75], [2.5, 1.3, 1.5]]));
 test("a quilt, whose outermost views have one neighbour", () => compare("quilt", quilt, [[6, 0, 1], [0, 0, 1.5], [9.7, 0, 3]]));
 test("a grid of cameras", () => compare("grid", grid, [[2, 2, 0.75], [4, 0, 1], [1.5, 2.5, 2]]));
 
-// Their views are not their pixels: the program computes what eyes see.
+// The views of these panels are not their pixels, so the server computes what eyes see.
 const slanted = () => lippmann("render", "room", "--optics", "lenticular", "--size", "212x160", "--lens-pixels", "5.3", "--slant", "-9.46", "--frames", "0", "-o", "slanted", "-q");
 const hexagonal = () => lippmann("render", "room", "--optics", "microlens", "--packing", "hexagonal", "--size", "192x160", "--lens-pixels", "5", "--frames", "0", "-o", "hexagonal", "-q");
 test("a slanted panel", () => compare("slanted", slanted, [[2, 0, 0.4], [4, 0, 1.5]]));
 test("hexagonal lenslets", () => compare("hexagonal", hexagonal, [[2, 2, 0.5], [1, 3, 1.25]]));
 
-test("the program computes crosstalk when the slider is let go of, and saved pages have none for such panels", async () => {
+test("the server computes crosstalk of such panels", async () => {
   slanted();
   const asked = [];
   const page = await open(await view("slanted"), { onRequest: (url) => asked.push(url) });
@@ -50,7 +50,7 @@ test("the program computes crosstalk when the slider is let go of, and saved pag
   assert.equal(await saved.getByRole("slider", { name: "Crosstalk" }).isVisible(), false);
 });
 
-test("an eye that leaves the zone is warned of, with the share that replay says", async () => {
+test("leaving the zone warns with replay's share", async () => {
   sheet();
   const page = await open(await view("sheet"));
   const notice = () => page.locator("#notice").textContent();
@@ -58,17 +58,17 @@ test("an eye that leaves the zone is warned of, with the share that replay says"
   assert.equal(await notice(), "");
   for (const eye of [[60, 0, 192], [-30, 0, 120], [45, 0, 192]]) {
     await set(page, { eye });
-    const said = JSON.parse(lippmann("replay", "sheet/frame_0000.png", "-o", "zone", "--eye", eye.join(","), "--json")).out_of_zone;
+    const expected = JSON.parse(lippmann("replay", "sheet/frame_0000.png", "-o", "zone", "--eye", eye.join(","), "--json")).out_of_zone;
     const share = await page.evaluate(() => window.lippmann.outOfZone);
-    console.log(`from ${eye}: ${share}, replay says ${said}`);
-    assert.ok(Math.abs(share - said) < 0.03, `from ${eye}: ${share}, replay says ${said}`);
-    if (said > 0) assert.match(await notice(), /outside the viewing zone of \d+.% of the display: there it sees the pictures of neighbouring lenses/);
+    console.log(`from ${eye}: ${share}, replay computes ${expected}`);
+    assert.ok(Math.abs(share - expected) < 0.03, `from ${eye}: ${share}, replay computes ${expected}`);
+    if (expected > 0) assert.match(await notice(), /outside the viewing zone of \d+.% of the display: there it sees the pictures of neighbouring lenses/);
   }
   await set(page, { show: "panel" });
   assert.equal(await notice(), "");
 });
 
-test("the crosstalk is told as the share of each neighbour, as in docs/guide/displays.md", async () => {
+test("crosstalk is stated as each neighbour's share", async () => {
   const page = await open(await view("sheet"));
   for (const [sigma, share] of [[0.3, "4.8"], [0.5, "15.7"], [0.75, "23.0"]]) {
     await set(page, { crosstalk: sigma });

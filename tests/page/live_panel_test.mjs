@@ -1,5 +1,5 @@
-// A scene that is set up while a calibrated panel shows it: what the panel is given at rest is what `lippmann convert --to native`
-// makes of the saved job's quilt, and what the job renders for the panel itself.
+// Setting up a scene while a calibrated panel shows it: at rest the panel gets what `lippmann convert --to native` makes of the
+// saved job's quilt, or what the job renders for the panel itself.
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
@@ -16,7 +16,7 @@ const atRest = (page) => page.waitForSelector('#stage[data-rest="true"][data-dra
 const scene = (page) => page.evaluate(() => window.lippmann.scene);
 const shown = (page) => page.evaluate(() => window.lippmann.state.show);
 
-/** Sets the scene up, and waits until that is rendered. */
+/** Changes the scene and waits until it is rendered. */
 async function setUp(page, settings) {
   const { version } = await scene(page);
   await page.evaluate((settings) => window.lippmann.setUp(settings), settings);
@@ -24,7 +24,7 @@ async function setUp(page, settings) {
   await atRest(page);
 }
 
-/** Saves what is set up; the job's file. */
+/** Saves the set-up and returns the job's file. */
 async function saved(page, name) {
   await Promise.all([page.waitForResponse(/\/live\/save$/), page.getByRole("button", { name: "Save job" }).click()]);
   await page.waitForFunction((name) => window.lippmann.scene.saved === name, name);
@@ -34,14 +34,14 @@ async function saved(page, name) {
 const quilt = ["--views", "5x4", "--size", "320x192", "--frames", "0-2"];
 const page = await open(await play("room", "--display", "panel.json", "--filter", "linear", "--save-job", "quilt.toml", ...quilt), size);
 
-test("the panel shows the scene from its first pass on", async () => {
+test("the panel shows the scene's first pass", async () => {
   assert.equal(await shown(page), "display");
   assert.deepEqual(await page.evaluate(() => [document.querySelector("#canvas").width, document.querySelector("#canvas").height]), [203, 151]);
   await page.waitForFunction(() => window.lippmann.panel().some((code, i) => i % 4 < 3 && code > 40));
   await atRest(page);
 });
 
-test("at rest the panel is given what convert makes of the saved job's quilt", async () => {
+test("at rest the panel matches convert", async () => {
   await setUp(page, { zoom: "1.3", orbit: "20,5" });
   lippmann("render", await saved(page, "quilt.toml"), "--frames", "0", "-o", "quilts", "-q");
   lippmann("convert", `quilts/${only("quilts", /^frame_0000.*\.png$/)}`, "quilt.png", "--to", "native", "--display", "panel.json", "--filter", "linear");
@@ -50,7 +50,7 @@ test("at rest the panel is given what convert makes of the saved job's quilt", a
   assert.ok(most <= 1, `${most} codes`);
 });
 
-test("dragging on the panel and its arrow keys turn the camera", async () => {
+test("dragging and arrow keys turn the camera", async () => {
   await page.getByLabel("Dragging the picture").selectOption("turn");
   const before = await scene(page);
   const box = await page.locator("#canvas").boundingBox();
@@ -69,7 +69,7 @@ test("dragging on the panel and its arrow keys turn the camera", async () => {
   await page.evaluate(() => window.lippmann.set({ drag: "eye" }));
 });
 
-test("another window sets up what the panel shows, its frame too", async () => {
+test("another window changes the panel's scene and frame", async () => {
   const [second] = await Promise.all([page.waitForEvent("popup"), page.getByRole("button", { name: "Set up in another window" }).click()]);
   await atRest(second);
   assert.equal(await shown(second), "eye");
@@ -87,10 +87,10 @@ test("another window sets up what the panel shows, its frame too", async () => {
   await second.close();
 });
 
-/** The file that a second Save writes: the first, which nobody has changed. */
+/** Returns the file of a second Save: the first file, if nobody has changed it. */
 const savedNext = async (page) => (await scene(page)).saved;
 
-test("the frame is rendered from the page while the panel shows it", async () => {
+test("the page renders the panel's frame", async () => {
   await page.getByRole("button", { name: "Render this frame" }).click();
   await page.waitForFunction(() => window.lippmann.scene.render?.state === "finished");
   assert.match(await page.locator("#facts").textContent(), /./);
@@ -98,7 +98,7 @@ test("the frame is rendered from the page while the panel shows it", async () =>
   assert.match(only("out/room", /^frame_0002.*\.png$/), /qs5x4/);
 });
 
-test("without a display in the set-up there is no panel to play on, and with one there is again", async () => {
+test("the panel depends on the set-up's display", async () => {
   const choice = () => page.locator('option[value="display"]').isDisabled();
   await setUp(page, { display: "", optics: "multiview" });
   await page.waitForFunction(() => window.lippmann.state.show === "eye");
@@ -109,7 +109,7 @@ test("without a display in the set-up there is no panel to play on, and with one
   await atRest(page);
 });
 
-test("a calibration that is dropped takes the panel's place", async () => {
+test("a dropped calibration replaces the panel", async () => {
   await drop(page, "visual.json", readFileSync(inFolder("other.json"), "utf8"));
   await page.waitForFunction(() => document.querySelector("#canvas").width === 180);
   await atRest(page);
@@ -117,7 +117,7 @@ test("a calibration that is dropped takes the panel's place", async () => {
   assert.ok((await differenceFrom(page, "dropped.png")).most <= 1);
 });
 
-test("a job for the panel's own layout is played as it is rendered, code by code", async () => {
+test("a job in native layout is played exactly", async () => {
   writeFileSync(inFolder("own.toml"), 'scene = "room"\ndisplay = "panel.json"\nlayout = "native"\nframes = "1"\n');
   const own = await open(await play("own.toml"), size);
   await own.waitForSelector('#stage[data-frame="1"][data-rest="true"][data-drawn="true"]', { timeout: 90000 });
@@ -126,7 +126,7 @@ test("a job for the panel's own layout is played as it is rendered, code by code
   await own.close();
 });
 
-test("view of a scene for a panel offers to play it", async () => {
+test("view of a panel's scene can play it", async () => {
   const page = await open(await view("room", "--display", "panel.json", ...quilt), size);
   await atRest(page);
   assert.equal(await shown(page), "eye");
@@ -139,7 +139,7 @@ test("view of a scene for a panel offers to play it", async () => {
   await page.close();
 });
 
-test("what no panel can show is refused before anything is served", async () => {
+test("scenes that no panel shows are refused", async () => {
   await assert.rejects(play("room"), /--display/);
   await assert.rejects(play("room", "--display", "microlens-1mm-4k"), /has no native frame/);
   await assert.rejects(play("room", "--display", "panel.json", "--from", "hci"), /--from.*light fields/);

@@ -1,5 +1,5 @@
-// A scene that is set up in the page: dragging the plane renders it anew, the saved job renders what was seen, a render runs and
-// is cancelled, and the keyboard reaches all of it.
+// Setting up a scene in the page: dragging the plane renders it again, the saved job renders the same picture, a render starts
+// and is cancelled, and the keyboard reaches all controls.
 import assert from "node:assert/strict";
 import { existsSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
@@ -12,7 +12,7 @@ const scene = () => page.evaluate(() => window.lippmann.scene);
 const codes = (one) => eyeCodes(one, 64);
 const notice = (pattern) => page.waitForFunction((pattern) => new RegExp(pattern).test(document.querySelector("#notice").textContent), pattern);
 
-/** Until settings that were just changed are rendered. */
+/** Waits until changed settings are rendered. */
 async function renderedAfter(version) {
   await page.waitForFunction((version) => window.lippmann.scene.version > version, version);
   await atRest();
@@ -27,10 +27,10 @@ async function dragBy(x, y) {
   await page.mouse.up();
 }
 
-test("dragging moves the plane and turns the camera, and the scene is rendered again", async () => {
+test("dragging moves the plane and the camera", async () => {
   await atRest();
   const before = await scene();
-  // A plane that moves leaves the view from the middle as it is; from the side all moves.
+  // Moving the plane does not change the view from the middle, but it does change views from the side.
   await page.evaluate(() => window.lippmann.set({ drag: "plane", eye: [25, 0, window.lippmann.fields[0].eye_mm[2]] }));
   const seen = await codes(page);
   await dragBy(0, -90);
@@ -46,7 +46,7 @@ test("dragging moves the plane and turns the camera, and the scene is rendered a
   assert.match(await page.locator("#facts").textContent(), /as rendered/);
 });
 
-test("a click puts the plane where something is seen", async () => {
+test("a click moves the plane to a point", async () => {
   const before = await scene();
   await page.getByLabel("Dragging the picture").selectOption("plane");
   await page.locator("#canvas").click({ position: { x: 230, y: 190 } });
@@ -55,7 +55,7 @@ test("a click puts the plane where something is seen", async () => {
   await page.evaluate(() => window.lippmann.set({ drag: "eye" }));
 });
 
-test("the saved job renders what is seen, code by code", async () => {
+test("the saved job renders the same codes", async () => {
   await page.getByRole("slider", { name: "Frame" }).fill("2");
   await page.waitForSelector('#stage[data-frame="2"][data-rest="true"][data-drawn="true"]');
   await page.getByRole("button", { name: "Save job" }).click();
@@ -69,7 +69,7 @@ test("the saved job renders what is seen, code by code", async () => {
   await again.context().close();
 });
 
-test("a picture of other settings is marked until the next one is there", async () => {
+test("outdated pictures are marked", async () => {
   const facts = () => page.locator("#facts").textContent();
   const outdated = () => page.locator("#stage").getAttribute("data-outdated");
   assert.equal(await outdated(), "false");
@@ -91,7 +91,7 @@ test("a picture of other settings is marked until the next one is there", async 
   assert.doesNotMatch(await facts(), /with the previous settings/);
 });
 
-test("settings that cannot be are said in words, and the page goes on", async () => {
+test("invalid settings give a message", async () => {
   expectComplaints(/status of 422/);
   await page.evaluate(() => window.lippmann.setUp({ zoom: "-1" }));
   await notice("zoom");
@@ -105,12 +105,12 @@ test("settings that cannot be are said in words, and the page goes on", async ()
   await page.waitForFunction(() => !/nobody/.test(document.querySelector("#notice").textContent));
 });
 
-test("a render runs from the page, with a bar, and can be cancelled", async () => {
+test("a render shows progress and can be cancelled", async () => {
   await page.getByRole("button", { name: "Render this frame" }).click();
   await page.waitForFunction(() => window.lippmann.scene.render?.state === "finished");
   assert.ok(existsSync(inFolder("out/room/frame_0002.png")));
   await atRest();
-  // Settings that take a while: a render that has ended cannot be cancelled.
+  // Slow settings, because a finished render cannot be cancelled.
   await page.evaluate(() => window.lippmann.setUp({ integrator: "path", spp: "512" }));
   await page.waitForFunction(() => window.lippmann.scene.settings.spp === "512");
   await page.getByRole("button", { name: "Render all frames" }).click();
@@ -122,8 +122,8 @@ test("a render runs from the page, with a bar, and can be cancelled", async () =
   await atRest();
 });
 
-// Within a narrow cone all of the room is sharp, within a wide one hardly anything is.
-test("the depth budget is drawn over the picture: green is sharp, red blurs", async () => {
+// Within a narrow cone the whole room is sharp, within a wide one hardly anything.
+test("the depth budget tints the picture", async () => {
   const excess = () => page.evaluate(async () => (await window.lippmann.picture(64, 64)).reduce((sum, code, i) => sum + (i % 4 === 1 ? 2 * code : i % 4 === 3 ? 0 : -code), 0));
   for (const [angle, sign] of [["2", 1], ["90", -1]]) {
     const { version } = await scene();
@@ -137,7 +137,7 @@ test("the depth budget is drawn over the picture: green is sharp, red blurs", as
   }
 });
 
-test("the keyboard alone reaches every control and moves the plane", async () => {
+test("the keyboard reaches controls and moves the plane", async () => {
   const wanted = await page.evaluate(() => [...document.querySelectorAll("button, input, select, canvas, summary")].filter((one) => one.checkVisibility()).length);
   await page.locator("#canvas").focus();
   const reached = new Set();
@@ -156,12 +156,12 @@ test("the keyboard alone reaches every control and moves the plane", async () =>
   await page.keyboard.press("ArrowRight");
   await renderedAfter(before.version);
   assert.ok((await scene()).plane.distance > before.plane.distance);
-  // Browsers write to their console, too, that settings are refused (422), and that an idle connection was closed.
+  // The browser also logs refused settings (422) and closed idle connections to its console.
 });
 
-// A sheet before an infinitely far background, seen from between two views and from others: each row of the picture has one piece
-// that is no background.
-test("edges stay where they are before a far background", async () => {
+// A sheet in front of an infinitely distant background, seen from between two views and from others: each row of the picture
+// has one connected foreground part.
+test("edges before a far background stay in place", async () => {
   writeFileSync(inFolder("sheet.obj"), "v 0 1 0\nv 1 0.1 0\nv 0 -1 0\nv -1 -0.1 0\nf 1 4 3 2\n");
   const page = await open(await view("sheet.obj", "--spp", "8", "--environment", "#ffffff", "--size", "512x128"));
   await page.waitForSelector('#stage[data-rest="true"][data-drawn="true"]', { timeout: 90000 });

@@ -1,4 +1,4 @@
-// A large light field is seen at once, small; what is being waited for stands in one line; and the page can be given away.
+// A large light field appears at once as a preview, one line shows the progress of loading, and the page can be saved.
 import assert from "node:assert/strict";
 import { readFileSync, statSync } from "node:fs";
 import { test } from "node:test";
@@ -9,10 +9,10 @@ closeAfterEach();
 lippmann("render", "room", "--optics", "multiview", "--views", "4x2", "--size", "1440x1440", "--frames", "0", "--layout", "quilt", "-o", "large", "-q");
 sheet();
 
-/** A page of the test's own, whose requests may be held back. */
+/** Opens a page of the test's own, whose requests can be delayed. */
 const blank = () => open("about:blank", { ready: false, script: "0" });
 
-/** What the page asks for below such paths waits until it is let go. */
+/** Delays requests below these paths until they are released. */
 async function held(page, pattern) {
   let release;
   const released = new Promise((resolve) => (release = resolve));
@@ -23,7 +23,7 @@ async function held(page, pattern) {
   return release;
 }
 
-test("a small picture is there first, eyes move in it, and the whole one takes its place", async () => {
+test("a preview precedes the full picture", async () => {
   const page = await blank();
   const release = await held(page, "**/0/views/0");
   const preview = page.waitForResponse(/\/0\/preview\/0$/);
@@ -34,7 +34,7 @@ test("a small picture is there first, eyes move in it, and the whole one takes i
   await page.evaluate(() => window.lippmann.set({ eye: [20, 0, window.lippmann.fields[0].eye_mm[2]] }));
   await page.waitForFunction((small) => document.querySelector("canvas").toDataURL() !== small, small);
   assert.equal(await page.getAttribute("#stage", "data-drawn"), "false");
-  // Asked for again: the browser may have dropped the body of what it showed.
+  // Requests it again, because the browser may have dropped the body of the picture.
   const bytes = (await (await page.request.get((await preview).url())).body()).length;
   assert.ok(bytes > 1000 && bytes < 64e3, `${bytes} bytes`);
   release();
@@ -43,7 +43,7 @@ test("a small picture is there first, eyes move in it, and the whole one takes i
   await page.locator("#progress").waitFor({ state: "hidden" });
 });
 
-test("a frame that is on its way is told of, and the one before it is marked", async () => {
+test("loading frames show progress", async () => {
   const page = await blank();
   const release = await held(page, /0\/views\/[1-9]/);
   await page.goto(await view("sheet"));
@@ -56,7 +56,7 @@ test("a frame that is on its way is told of, and the one before it is marked", a
   await page.waitForSelector('#stage[data-outdated="false"][data-frame="3"]');
 });
 
-test("Save page makes one file that opens without the program and shows the same", async () => {
+test("a saved page works without the server", async () => {
   const page = await open(await view("large"));
   const [saved] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save page" }).click()]);
   assert.equal(saved.suggestedFilename(), "large.html");

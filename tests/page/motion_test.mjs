@@ -1,4 +1,5 @@
-// The page says that it is 3D: the eye sways until somebody touches it, and follows the mouse; and hands zoom, pan and find help.
+// The page shows that it is 3D: the eye sways until the user touches the page, and follows the mouse. The mouse and fingers
+// zoom, pan and open the help.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { closeAfterEach, open, sheet, view } from "./support.mjs";
@@ -10,9 +11,9 @@ const address = await view("sheet");
 const canvas = (page) => page.evaluate(() => document.querySelector("canvas").toDataURL());
 const state = (page) => page.evaluate(() => window.lippmann.state);
 const hint = (page) => page.locator("#hint").textContent();
-/** Until the canvas shows something else. */
+/** Waits until the canvas changes. */
 const changed = (page, before) => page.waitForFunction((before) => document.querySelector("canvas").toDataURL() !== before, before);
-/** So many frames of the screen later. */
+/** Waits for a number of frames of the screen. */
 const frames = (page, count) => page.evaluate(async (count) => {
   for (let i = 0; i < count; i++) await new Promise(requestAnimationFrame);
 }, count);
@@ -22,7 +23,7 @@ async function middle(page) {
   return [box.x + box.width / 2, box.y + box.height / 2];
 }
 
-test("the eye sways until the picture is touched, and its place in the state stays", async () => {
+test("the eye sways until the picture is touched", async () => {
   const page = await open(address, { sways: true });
   const { eye } = await state(page);
   assert.equal(await hint(page), "Drag to look around");
@@ -32,10 +33,10 @@ test("the eye sways until the picture is touched, and its place in the state sta
   assert.equal(await hint(page), "");
   const touched = await canvas(page);
   await frames(page, 30);
-  assert.ok((await canvas(page)) === touched, "it sways on");
+  assert.ok((await canvas(page)) === touched, "it keeps swaying");
 });
 
-test("a mouse above the picture moves the eye, and a drag takes over where the eye is", async () => {
+test("the mouse moves the eye before a drag", async () => {
   const page = await open(address, { sways: true });
   const [x, y] = await middle(page);
   await page.mouse.move(x + 100, y);
@@ -47,7 +48,7 @@ test("a mouse above the picture moves the eye, and a drag takes over where the e
   assert.ok((await state(page)).eye[0] > 5, `${(await state(page)).eye}`);
 });
 
-test("who prefers reduced motion sees none", async () => {
+test("reduced motion disables the sway", async () => {
   const page = await open(address);
   const before = await canvas(page);
   await page.mouse.move(...(await middle(page)));
@@ -55,7 +56,7 @@ test("who prefers reduced motion sees none", async () => {
   assert.ok((await canvas(page)) === before, "it moved");
 });
 
-test("the wheel zooms to the pointer, the right button pans, and 0 shows the whole picture again", async () => {
+test("wheel, right button and 0 zoom and pan", async () => {
   const page = await open(address);
   const before = await canvas(page);
   const [x, y] = await middle(page);
@@ -72,7 +73,7 @@ test("the wheel zooms to the pointer, the right button pans, and 0 shows the who
   await page.keyboard.press("1");
   const box = await page.locator("#canvas").boundingBox();
   const fitted = Math.min(box.width, box.height);
-  assert.ok(Math.abs((await state(page)).magnify * fitted - 256) < 2, "the sheet has 256 pixels a side");
+  assert.ok(Math.abs((await state(page)).magnify * fitted - 256) < 2, "the sheet has 256 pixels per side");
   await page.keyboard.press("0");
   await page.waitForFunction((before) => document.querySelector("canvas").toDataURL() === before, before);
 });
@@ -89,7 +90,7 @@ test("two fingers zoom", async () => {
   assert.ok(Math.abs(magnify - 2) < 0.2, `${magnify}`);
 });
 
-test("the question mark lists mouse and keys, and closes the list", async () => {
+test("the question mark toggles the list of keys", async () => {
   const page = await open(address);
   await page.keyboard.press("?");
   await page.getByRole("dialog", { name: "Mouse and keys" }).waitFor();

@@ -1,4 +1,4 @@
-// Where graphics are slow, what moves is drawn coarsely, and finely again once it rests.
+// With slow graphics, moving pictures are drawn coarsely, and finely again at rest.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { closeAfterEach, open, set, sheet, view } from "./support.mjs";
@@ -7,12 +7,12 @@ closeAfterEach();
 sheet();
 const address = await view("sheet");
 
-/** Every frame of the screen seems to have taken so many times as long. */
+/** Makes every frame of the screen appear to take this many times as long. */
 const slowed = (times) => `
   const inTime = window.requestAnimationFrame.bind(window);
   window.requestAnimationFrame = (then) => inTime((now) => then(${times} * now));`;
 
-/** The eye goes from one side to the other; by what the sides of pictures were divided. */
+/** Moves the eye from one side to the other and returns the divisors of the pictures' sides. */
 const move = (page, pictures) =>
   page.evaluate(async (pictures) => {
     const [x, y, z] = window.lippmann.fields[0].eye_mm, divisors = [];
@@ -27,7 +27,7 @@ const move = (page, pictures) =>
 const atRest = (page) => page.waitForSelector('#stage[data-drawn="true"][data-divisor="1"]');
 const canvas = (page) => page.evaluate(() => document.querySelector("canvas").toDataURL());
 
-test("a movement on slow graphics is coarse but for its first picture, and its end as sharp as without", async () => {
+test("movement on slow graphics is coarse", async () => {
   const page = await open(address, { script: slowed(20) });
   const divisors = await move(page, 30);
   await atRest(page);
@@ -40,7 +40,7 @@ test("a movement on slow graphics is coarse but for its first picture, and its e
   assert.ok((await canvas(page)) === moved, "another picture than at rest");
 });
 
-test("a coarse picture shows the same, by fewer pixels", async () => {
+test("a coarse picture shows the same scene", async () => {
   const page = await open(address, { script: slowed(20) });
   await page.evaluate(() => {
     window.codes = () => {
@@ -50,7 +50,7 @@ test("a coarse picture shows the same, by fewer pixels", async () => {
       return context.getImageData(0, 0, width, height).data;
     };
   });
-  // Without a pause, in which a fine picture would be drawn.
+  // Without a pause, which would draw a fine picture.
   const divisor = await page.evaluate(async () => {
     const [x, y, z] = window.lippmann.fields[0].eye_mm;
     for (let i = 1; i <= 30; i++) {
@@ -73,7 +73,7 @@ test("a coarse picture shows the same, by fewer pixels", async () => {
   assert.ok(error < errorAway / 2, `${error} is no less than half of ${errorAway}, seen from elsewhere`);
 });
 
-test("quick graphics draw all pictures finely", async () => {
+test("fast graphics draw all pictures finely", async () => {
   const page = await open(address, { script: slowed(1e-3) });
   assert.deepEqual(new Set(await move(page, 30)), new Set([1]));
 });

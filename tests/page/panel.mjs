@@ -1,7 +1,7 @@
-// What tests of panels that are played on share: the codes of the page's panel beside a file, and calibrations that are dropped.
+// Shared helpers for panels that are played on: compare the codes of the page's panel with a file, and drop calibrations.
 import { codesOf, inFolder } from "./support.mjs";
 
-/** The greatest difference of a channel between the page's panel and a file, and the share of channels that differ at all. */
+/** Returns the greatest channel difference between the page's panel and a file, and the share of channels that differ. */
 export async function differenceFrom(page, file) {
   return page.evaluate(({ width, height, data: wanted }) => {
     const shown = window.lippmann.panel();

@@ -1,4 +1,4 @@
-// A light field on a calibrated panel: what the page's canvas shows is what `lippmann convert --to native` writes, within a code.
+// A light field on a calibrated panel: the page's canvas equals the output of `lippmann convert --to native` within one code.
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
@@ -35,14 +35,14 @@ test("a striped panel", () => compare("striped", quilts[0], calibration("striped
 test("flipped sub-pixels and lenses", () => compare("flipped", quilts[0], calibration("flipped-panel", { flipImageX: 1, flipImageY: 1, flipSubp: 1, slope: 6.1 })));
 for (const pattern of [0, 1, 2, 3, 4])
   test(`cells of sub-pixels by pattern ${pattern}`, () => compare(`cells-${pattern}`, quilts[0], calibration(`cells-${pattern}-panel`, { subpixelCells: cells, CellPatternMode: pattern })));
-test("views that are mixed", async () => {
+test("filtered views", async () => {
   const display = calibration("mixed-panel", { subpixelCells: cells, CellPatternMode: 1 });
   await compare("linear", quilts[0], display, ["--filter", "linear"]);
   await compare("gaussian", quilts[0], display, ["--filter", "gaussian", "--sigma", "0.8"]);
 });
 
-// The last of hundreds of lenses is as right as the first: floats would choose another view for hundreds of sub-pixels.
-test("a preset at its whole size", () => compare("portrait", quilts[0], "portrait"));
+// The last of hundreds of lenses must be as exact as the first: with floats, hundreds of sub-pixels would show another view.
+test("a preset at full size", () => compare("portrait", quilts[0], "portrait"));
 
 test("a render behind a lenticular sheet", () => compare("of-sheet", "sheet/frame_0000.png", calibration("sheet-panel")));
 
@@ -51,17 +51,17 @@ test("a set of views", async () => {
   await compare("of-set", "set", calibration("set-panel"), [], ["--views", "48x1"]);
 });
 
-test("a panel's own frames are played as they are, and on another panel as views", async () => {
+test("native frames are played unchanged", async () => {
   const display = calibration("own-panel");
   lippmann("render", "room", "--display", display, "--layout", "native", "--frames", "0", "-o", "own", "-q");
   const own = readdirSync(inFolder("own")).find((name) => name.endsWith(".png"));
   const page = await open(await play("own", "--display", display));
   assert.deepEqual(await differenceFrom(page, `own/${own}`), { most: 0, differ: 0 });
   const other = await open(await play("own", "--display", calibration("other-panel", { center: 0.6 })));
-  assert.ok((await differenceFrom(other, `own/${own}`)).most > 1, "the calibration makes no difference");
+  assert.ok((await differenceFrom(other, `own/${own}`)).most > 1, "the calibration has no effect");
 });
 
-test("frames play in a loop, of which all is loaded once", async () => {
+test("frames play in a loop, loaded once", async () => {
   const asked = [];
   const page = await open(await play("room", "--display", calibration("loop-panel")), { onRequest: (url) => asked.push(url) });
   await page.waitForFunction(() => window.lippmann.isPlaying && window.lippmann.state.frame === 3, null, { timeout: 60000 });
@@ -80,14 +80,14 @@ test("frames play in a loop, of which all is loaded once", async () => {
   });
   assert.ok(!shown.includes("none"), `nothing is shown between ${shown}`);
   assert.equal(pictures().length, 4, "frames are loaded again");
-  // Each frame that is played is the one that convert makes.
+  // Each played frame equals the one that convert makes.
   lippmann("convert", quilts[2], "loop.png", "--to", "native", "--display", "loop-panel.json");
   await page.evaluate(() => window.lippmann.pause());
   await set(page, { frame: 2 });
   assert.deepEqual(await differenceFrom(page, "loop.png"), { most: 0, differ: 0 });
 });
 
-test("a calibration that is dropped on the page is read by the program", async () => {
+test("the server reads a dropped calibration", async () => {
   const display = calibration("dropped-panel", { center: 0.81 });
   lippmann("convert", quilts[0], "dropped.png", "--to", "native", "--display", display);
   const page = await open(await view(quilts[0]));
@@ -103,7 +103,7 @@ test("a calibration that is dropped on the page is read by the program", async (
   assert.equal((await differenceFrom(page, "second.png")).most, 0);
 });
 
-test("calibrations that are none are refused in words, and the page goes on", async () => {
+test("invalid calibrations give a message", async () => {
   expectComplaints(/status of 422/);
   const page = await open(await view(quilts[0]));
   for (const [text, said] of [
@@ -119,7 +119,7 @@ test("calibrations that are none are refused in words, and the page goes on", as
   }
 });
 
-test("what cannot be played is refused before anything is served", async () => {
+test("light fields that no panel plays are refused", async () => {
   writeFileSync(inFolder("broken.json"), "{");
   await assert.rejects(play(quilts[0], "--display", "broken.json"), /broken\.json/);
   await assert.rejects(play(quilts[0], "--display", "missing.json"), /there is no such file/);
@@ -128,7 +128,7 @@ test("what cannot be played is refused before anything is served", async () => {
   await assert.rejects(play(quilts[0]), /--display/);
 });
 
-test("F fills the screen pixel for pixel, and the page says where that is another screen than the panel's", async () => {
+test("F fills the screen pixel for pixel", async () => {
   const page = await open(await play(quilts[0], "--display", calibration("screen-panel")), { width: 800, height: 600 });
   assert.match(await page.locator("#notice").textContent(), /F plays it pixel for pixel/);
   await page.locator("#canvas").focus();

@@ -1,5 +1,5 @@
-// Prints: what the page saves is what `lippmann convert` writes, what it shows through the sheet is what `lippmann replay`
-// sees of that to 40 dB, and the zero plane goes where it is put.
+// Prints: the saved file equals the output of `lippmann convert`, the view through the sheet matches `lippmann replay` to 40
+// dB, and the zero plane moves to the clicked point.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -9,7 +9,7 @@ closeAfterEach();
 
 const kLine = "lpi=10 dpi=97 paper=96x72mm";
 
-/** The settings of kLine. */
+/** Sets the values of kLine. */
 async function setSheet(page) {
   for (const [name, value] of [["Lenses per inch", "10"], ["Dots per inch", "97"], ["Paper", "96x72mm"]]) {
     await page.getByLabel(name, { exact: true }).fill(value);
@@ -28,7 +28,7 @@ async function saved(page) {
   return [download.suggestedFilename(), readFileSync(await download.path())];
 }
 
-test("what is saved is what convert writes, with its resolution, fit and shift", async () => {
+test("saving matches convert", async () => {
   seven();
   const page = await open(await view("seven"));
   await setSheet(page);
@@ -46,7 +46,7 @@ test("what is saved is what convert writes, with its resolution, fit and shift",
   assert.notDeepEqual(readFileSync(inFolder("shifted.png")), bytes);
 });
 
-test("the sheet is looked through as replay looks at the print, and the views come back", async () => {
+test("the view through the sheet matches replay", async () => {
   const page = await open(await view("seven"));
   await setSheet(page);
   const before = await page.evaluate(() => window.lippmann.fields[0].across.views);
@@ -65,7 +65,7 @@ test("the sheet is looked through as replay looks at the print, and the views co
   assert.equal(await page.evaluate(() => window.lippmann.fields[0].across.views), before);
 });
 
-/** How much what two eyes see differs around a place, in codes. */
+/** Returns the difference of two eyes' pictures around a point, in codes. */
 const apart = (page, [x, y], eyes) =>
   page.evaluate(
     async ([x, y, eyes]) => {
@@ -81,7 +81,7 @@ const apart = (page, [x, y], eyes) =>
     [x, y, eyes],
   );
 
-test("what is clicked lies in the zero plane: two eyes see it at one place", async () => {
+test("a click moves the zero plane", async () => {
   const page = await open(await view("seven"));
   await setSheet(page);
   const field = await page.evaluate(() => window.lippmann.fields[0]);
@@ -91,7 +91,7 @@ test("what is clicked lies in the zero plane: two eyes see it at one place", asy
   const before = await apart(page, place, eyes);
   await page.getByRole("button", { name: "Zero plane on the picture" }).click();
   await page.waitForSelector('#stage[data-print=""][data-drawn="true"]');
-  // The picture lies in the middle of the canvas, and has the window's shape.
+  // The picture is in the middle of the canvas and has the window's shape.
   const box = await page.locator("#canvas").boundingBox();
   const aspect = field.window_mm.size[0] / field.window_mm.size[1];
   const width = Math.min(box.width, box.height * aspect);
@@ -105,7 +105,7 @@ test("what is clicked lies in the zero plane: two eyes see it at one place", asy
   const slope = (view) => (field.across.by === "angle" ? Math.tan : (x) => x)(field.across.first + view * field.across.step);
   const distance = field.eye_mm[2];
   const wanted = (((-z * distance) / (distance - z)) * (slope(6) - slope(0)) * field.view_size[0]) / 6 / field.window_mm.size[0];
-  // The crop leaves less of the views, around their middle.
+  // The crop keeps only the middle of the views.
   const scale = field.view_size[0] / (field.view_size[0] - 6 * Math.abs(shift));
   const after = await apart(page, place.map((share) => 0.5 + scale * (share - 0.5)), eyes);
   console.log(`z ${z} mm: ${shift.toFixed(2)} px a view, ${wanted.toFixed(2)} by hand; two eyes differ by ${before.toFixed(1)} codes before, ${after.toFixed(1)} after`);
@@ -113,7 +113,7 @@ test("what is clicked lies in the zero plane: two eyes see it at one place", asy
   assert.ok(after < 0.6 * before);
 });
 
-test("what cannot be printed is said, and the views stay", async () => {
+test("invalid prints give a message", async () => {
   const page = await open(await view("seven"));
   expectComplaints(/422/);
   await setSheet(page);

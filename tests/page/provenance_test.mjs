@@ -1,5 +1,4 @@
-// Where pixels came from, laid over the picture: the pixels that the render tells of are tinted and no others, and the legend
-// has their shares.
+// The origins of pixels as an overlay: exactly the pixels that the render reports are tinted, and the legend has their shares.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -14,7 +13,7 @@ const address = await view("gears");
 
 const legend = (page) => page.locator("#legend li").allTextContents();
 const picture = (page) => eyeCodes(page, 64);
-/** The codes of all views of a frame, as the page is sent them: a row of 4 tiles or another arrangement, RGBA. */
+/** Returns the codes of all views of a frame, as sent to the page: a row of 4 tiles or another arrangement, RGBA. */
 const codesOfView = (page, frame, view) => page.evaluate(async ([frame, view]) => {
   const bitmap = await createImageBitmap(await (await fetch(`0/provenance/${frame}`)).blob(), { colorSpaceConversion: "none" });
   const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
@@ -25,7 +24,7 @@ const codesOfView = (page, frame, view) => page.evaluate(async ([frame, view]) =
   return [...data].filter((_, i) => i % 4 === 0);
 }, [frame, view]);
 
-test("missed pixels are tinted, and no others", async () => {
+test("only missed pixels are tinted", async () => {
   const page = await open(address);
   await page.locator("#legend").waitFor({ state: "hidden" });
   await set(page, { frame: 1 });
@@ -43,10 +42,10 @@ test("missed pixels are tinted, and no others", async () => {
       missed += code === 3 ? 1 : 0;
     });
   }
-  assert.ok(missed > 0, "nothing was missed: nothing has been tested");
+  assert.ok(missed > 0, "no pixel was missed, so the test is void");
 });
 
-test("the legend has the shares of the frame that is shown", async () => {
+test("the legend has the frame's shares", async () => {
   const page = await open(address);
   await set(page, { frame: 1, overlay: "provenance" });
   const share = frames[1].missed_pixels / kPixels;
@@ -59,11 +58,11 @@ test("the legend has the shares of the frame that is shown", async () => {
   await set(page, { overlay: "provenance" });
   assert.deepEqual(await legend(page), ["traced 100.0\u2009%"]);
   await page.getByLabel("Overlay").selectOption("none");
-  // What a select box changes is drawn with the next frame; only set() waits for that.
+  // Changes of a select box are drawn with the next frame; only set() waits for it.
   await page.locator("#legend").waitFor({ state: "hidden" });
 });
 
-/** A picture of codes of which a few pixels alone differ, as the program would send it. */
+/** Returns a picture of codes of which only a few pixels differ, in the format that the server sends. */
 const codesWith = (page, code, pixels) => page.evaluate(async ([code, pixels]) => {
   const { tiles, view_size: size } = window.lippmann.fields[0];
   const canvas = new OffscreenCanvas(tiles[0] * size[0], tiles[1] * size[1]);
@@ -76,7 +75,7 @@ const codesWith = (page, code, pixels) => page.evaluate(async ([code, pixels]) =
   return btoa(String.fromCharCode(...bytes));
 }, [code, pixels]);
 
-test("what is not all is not called all", async () => {
+test("shares near 100 % are not rounded up", async () => {
   const page = await open(address);
   const body = Buffer.from(await codesWith(page, 3, 3), "base64");
   await page.route("**/0/provenance/1", (route) => route.fulfill({ contentType: "image/png", body }));
@@ -86,7 +85,7 @@ test("what is not all is not called all", async () => {
   await page.unroute("**/0/provenance/1");
 });
 
-test("the panel's picture is tinted too, and values below the pointer are not", async () => {
+test("the panel's picture is tinted, values are not", async () => {
   const page = await open(address);
   await set(page, { frame: 1, overlay: "none" });
   const value = await page.evaluate(() => window.lippmann.valueAt(0.5, 0.5));
@@ -99,7 +98,7 @@ test("the panel's picture is tinted too, and values below the pointer are not", 
   assert.notDeepEqual(await panel(), tinted);
 });
 
-test("a saved page has it, and a light field that does not say it has no overlay", async () => {
+test("saved pages have the overlay", async () => {
   lippmann("view", "gears", "--save", "saved");
   const page = await open(`file://${inFolder("saved")}/index.html#frame=1&overlay=provenance`);
   assert.equal((await legend(page)).length, 2);

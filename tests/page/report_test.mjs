@@ -1,4 +1,4 @@
-// The page of figures opens from a disk, draws its charts, and fits windows of every width.
+// The page of figures opens from a disk, draws its charts, and fits windows of any width.
 import assert from "node:assert/strict";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
@@ -16,7 +16,7 @@ lippmann("report", "traced", "made", "-o", "both.html", "-q");
 const openFile = (name, options) => open(pathToFileURL(inFolder(name)).href, { ready: false, ...options });
 const report = (name) => JSON.parse(readFileSync(inFolder(`${name}/report.json`), "utf8"));
 
-test("it opens from a disk, shows pictures, and the console has nothing to say", async () => {
+test("it opens from a disk without errors", async () => {
   const asked = [];
   const page = await openFile("made/report.html", { onRequest: (url) => asked.push(url) });
   assert.match(await page.title(), /^made/);
@@ -25,15 +25,15 @@ test("it opens from a disk, shows pictures, and the console has nothing to say",
   assert.ok(asked.every((url) => url.startsWith("file:") || url.startsWith("data:")), `${asked}`);
 });
 
-/** The page holds six digits of a figure, and shows four. */
+/** The page holds six digits of a figure and shows four. */
 const shown = (figure) => Number(Number(figure.toPrecision(6)).toPrecision(4));
 const chart = (page, title) => page.locator("figure.chart", { hasText: title }).first();
-/** What the legend says of each series once it is that of a frame. */
+/** Returns the legend's text for each series at a frame. */
 const legend = async (figure, frame) => {
   await figure.locator(".u-series", { hasText: new RegExp(`^Frame${frame}$`) }).waitFor();
   return figure.locator(".u-series").evaluateAll((rows) => Object.fromEntries(rows.map((row) => [row.querySelector(".u-label").textContent, row.querySelector(".u-value").textContent])));
 };
-/** Waits until the canvas has these colours most, without what is transparent. */
+/** Waits until these are the most frequent opaque colours of the canvas. */
 const hasColors = async (page, figure, wanted) => page.waitForFunction(([canvas, wanted]) => {
   const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
   copy.drawImage(canvas, 0, 0);
@@ -43,7 +43,7 @@ const hasColors = async (page, figure, wanted) => page.waitForFunction(([canvas,
   return [...pixels].sort((a, b) => b[1] - a[1]).slice(0, wanted.length).map(([color]) => color).sort().join() === wanted.sort().join();
 }, [await figure.locator("canvas").elementHandle(), wanted]);
 
-test("pointing at a frame shows the figures that the report has, in all charts", async () => {
+test("pointing at a frame shows its figures", async () => {
   const page = await openFile("made/report.html");
   const { frames } = report("made");
   const area = chart(page, "Where pixels come from").locator(".u-over");
@@ -57,7 +57,7 @@ test("pointing at a frame shows the figures that the report has, in all charts",
   }
 });
 
-test("charts have the colours of the page, light and dark, and light on paper", async () => {
+test("charts follow the page's colours", async () => {
   const page = await openFile("made/report.html");
   const figure = chart(page, "Where pixels come from");
   const style = () => page.evaluate(() => [0, 2].map((i) => getComputedStyle(document.documentElement).getPropertyValue(`--c${i}`)));
@@ -73,7 +73,7 @@ test("charts have the colours of the page, light and dark, and light on paper", 
   await page.emulateMedia({ colorScheme: null, media: null });
 });
 
-test("charts are described in words", async () => {
+test("charts have descriptions", async () => {
   const page = await openFile("made/report.html");
   const { frames } = report("made");
   const seconds = frames.filter((frame) => frame.kind === "in-between").map((frame) => shown(frame.cpu_seconds));
@@ -93,7 +93,7 @@ test("a thousand frames are drawn", async () => {
   assert.match(await page.getByRole("img", { name: /^Rays per pixel/ }).getAttribute("aria-label"), /of 1000 frames/);
 });
 
-test("no window is too narrow, and the table scrolls in its own box", async () => {
+test("narrow windows work, and the table scrolls", async () => {
   for (const width of [340, 820, 1400]) {
     const page = await openFile("both.html", { width, height: 700 });
     await page.locator("details").evaluateAll((all) => all.forEach((details) => (details.open = true)));
@@ -109,7 +109,7 @@ test("two renders stand side by side", async () => {
   assert.equal(await page.locator("h2").count(), 3);
 });
 
-test("a truncated report is an error in one line", () => {
+test("a truncated report gives one line of error", () => {
   writeFileSync(inFolder("cut.json"), readFileSync(inFolder("made/report.json"), "utf8").slice(0, 2000));
   assert.throws(() => lippmann("report", "cut.json"), /cut\.json: is not JSON, or is truncated/);
 });

@@ -1,5 +1,5 @@
-// A render that runs: its frames appear in the page as they are finished, it is stopped and resumed from there with the same bytes
-// as one that nobody disturbed, and one that was killed is not taken for running.
+// A running render: finished frames appear in the page, it is stopped and resumed from there with the same bytes as an
+// undisturbed render, and a killed render is not reported as running.
 import assert from "node:assert/strict";
 import { once } from "node:events";
 import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -16,7 +16,7 @@ async function until(holds) {
   while (!holds()) await new Promise((resolve) => setTimeout(resolve, 50));
 }
 
-/** Halts a render once it has made so many frames, so that what the page shows of it stays as it is. */
+/** Halts a render after this many frames, so that the page's state stays the same. */
 async function haltedAfter(count, process, folder) {
   process.kill("SIGCONT");
   await until(() => existsSync(inFolder(folder)) && pictures(folder).length >= count);
@@ -30,7 +30,7 @@ const page = await open(address, { ready: false });
 page.setDefaultTimeout(90000);
 await page.waitForFunction(() => window.lippmann);
 
-test("frames appear as they are finished, and the others are said to be missing", async () => {
+test("finished frames appear, others are missing", async () => {
   await page.evaluate(() => (window.isTheSamePage = true));
   assert.ok((await page.evaluate(() => window.lippmann.run.done)) <= pictures("run").length);
   await haltedAfter(4, render, "run");
@@ -51,7 +51,7 @@ test("frames appear as they are finished, and the others are said to be missing"
   assert.match(await page.locator(".marks").getAttribute("aria-label"), /of 8 frames are rendered/);
 });
 
-test("orders without the token, or from elsewhere, change nothing", async () => {
+test("requests without the token have no effect", async () => {
   const order = (address, headers) => fetch(`${address}run/stop`, { method: "POST", body: "{}", headers }).then(({ status }) => status);
   const origin = new URL(address).origin;
   assert.notEqual(new URL(address).pathname, "/");
@@ -61,7 +61,7 @@ test("orders without the token, or from elsewhere, change nothing", async () => 
   assert.equal(await page.evaluate(() => window.lippmann.run.state), "running");
 });
 
-test("the keyboard stops it, and it leaves what Ctrl-C leaves", async () => {
+test("the keyboard stops a render like Ctrl-C", async () => {
   await page.getByRole("button", { name: "Stop" }).focus();
   const ended = once(render, "exit");
   await Promise.all([page.waitForResponse(/\/run\/stop$/), page.keyboard.press("Enter")]);
@@ -75,7 +75,7 @@ test("the keyboard stops it, and it leaves what Ctrl-C leaves", async () => {
   await page.waitForFunction(() => document.activeElement.textContent === "Resume");
 });
 
-test("a resumed render has the bytes of one that nobody has stopped, and the page shows it without being loaded again", async () => {
+test("a resumed render has the same bytes", async () => {
   await page.keyboard.press("Enter");
   await page.waitForFunction(() => window.lippmann?.run.state === "finished");
   assert.equal(await page.evaluate(() => window.isTheSamePage), true);
@@ -92,7 +92,7 @@ test("a resumed render has the bytes of one that nobody has stopped, and the pag
   assert.deepEqual(await codes(page), await codes(other));
 });
 
-test("a render that was killed is shown as stopped, and what resuming lacks is said", async () => {
+test("a killed render is shown as stopped", async () => {
   expectComplaints(/status of 422/);
   const killed = begin(...job("killed"));
   await haltedAfter(1, killed, "killed");

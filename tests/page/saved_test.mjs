@@ -1,4 +1,4 @@
-// A saved page opens from a disk and from any web server, and shows what the served one shows.
+// A saved page opens from a disk and from any web server, and shows the same as the served one.
 import assert from "node:assert/strict";
 import { createReadStream, existsSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";
@@ -20,7 +20,7 @@ async function check(address) {
   assert.ok(psnr >= 38, `${psnr} dB`);
 }
 
-/** A page around it steers it by messages, and is told the state. */
+/** An embedding page controls it by messages and receives its state. */
 async function checkEmbedded(address) {
   writeFileSync(inFolder("saved/around.html"), '<link rel="icon" href="data:," /><iframe src="index.html"></iframe>');
   const page = await open(`${address}around.html`, { ready: false });

@@ -1,6 +1,6 @@
-// What tests of the page share: the browser, servers of `lippmann view`, small light fields, pictures and how alike they are.
+// Shared helpers of the page's tests: the browser, servers of `lippmann view`, small light fields, and comparison of pictures.
 //
-// A test is skipped (exit code 77), and says why, where Chromium, playwright-core or the tool is missing.
+// A test is skipped with a message (exit code 77) if Chromium, playwright-core or the tool is missing.
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
 import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
@@ -14,7 +14,7 @@ function skip(reason) {
 }
 
 const tool = process.env.LIPPMANN_TOOL ?? "";
-if (!existsSync(tool)) skip("LIPPMANN_TOOL names no program");
+if (!existsSync(tool)) skip("LIPPMANN_TOOL is not the path of a program");
 const chromiumPath = ["/usr/bin/chromium", "/usr/bin/chromium-browser"].find(existsSync);
 if (!chromiumPath) skip("Chromium is not installed (scripts/bootstrap installs it)");
 let playwright;
@@ -25,7 +25,7 @@ try {
 }
 
 export const folder = mkdtempSync(join(tmpdir(), "lippmann-page-"));
-// Draws on the processor, or, with LIPPMANN_ANGLE=vulkan or gl-egl, on a graphics card.
+// Draws on the processor or, with LIPPMANN_ANGLE=vulkan or gl-egl, on a graphics card.
 const angle = process.env.LIPPMANN_ANGLE ?? "swiftshader";
 const browser = await playwright.chromium.launch({
   executablePath: chromiumPath,
@@ -43,13 +43,13 @@ export async function end() {
 }
 after(end);
 
-// Errors and warnings in the console of any page, and what its scripts throw, fail the test under way. A connection that the
-// program closes because nobody speaks on it is no fault.
+// Errors and warnings in the console of any page, and exceptions of its scripts, fail the running test. Closing an idle
+// connection is no error.
 const kUsual = /SOCKET_NOT_CONNECTED/;
 const complaints = [];
 let expected = [];
 
-/** What the test under way provokes. */
+/** Errors that the running test provokes. */
 export const expectComplaints = (...patterns) => expected.push(...patterns);
 
 function takeComplaints() {
@@ -64,10 +64,10 @@ function watch(page) {
   page.on("pageerror", (error) => complaints.push(error.stack || String(error)));
 }
 
-/** Pages that stay open take time from others; those of a whole file are opened outside its tests. */
+/** Open pages slow down others. Pages shared by a whole file are opened outside its tests. */
 export const closeAfterEach = () => afterEach(() => Promise.all(opened.splice(0).map(release)));
 
-/** A page that has shown something else opens the next in a third of the processor's time that a new one takes. */
+/** Reusing a page takes a third of the CPU time of opening a new one. */
 async function release(page) {
   if (page.isClosed()) return;
   if (!page.isPlain) return page.context().close();
@@ -75,7 +75,7 @@ async function release(page) {
   idle.push(page);
 }
 
-/** Nothing sways, unless a test is about that. */
+/** Disables the sway, unless a test is about it. */
 async function newPage({ width, height, script, hasTouch, sways }) {
   const context = await browser.newContext({ viewport: { width, height }, hasTouch, reducedMotion: sways ? "no-preference" : "reduce" });
   context.on("page", watch);
@@ -89,7 +89,7 @@ async function newPage({ width, height, script, hasTouch, sways }) {
 /** Runs the tool in the tests' folder. */
 export const lippmann = (...words) => execFileSync(tool, words, { cwd: folder, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
 
-/** The tool beside the tests: a render, say. */
+/** Starts the tool beside the tests, such as a render. */
 export function begin(...words) {
   const process = spawn(tool, words, { cwd: folder, stdio: "ignore" });
   servers.push(process);
@@ -98,16 +98,16 @@ export function begin(...words) {
 
 export const inFolder = (name) => join(folder, name);
 
-/** The one file of a folder whose name is like that. */
+/** Returns the one file of a folder whose name matches. */
 export function only(name, pattern) {
   const found = readdirSync(inFolder(name)).filter((file) => pattern.test(file));
   if (found.length !== 1) throw new Error(`${name} has ${found.length} files like ${pattern}: ${found}`);
   return found[0];
 }
 
-/** Serves light fields; its address. */
+/** Serves light fields and returns the address. */
 export const view = (...words) => serve("view", ...words);
-/** Serves one to be played on a panel. */
+/** Serves a light field to be played on a panel. */
 export const play = (...words) => serve("play", ...words);
 
 async function serve(...words) {
@@ -117,13 +117,13 @@ async function serve(...words) {
   server.stderr.on("data", (text) => (errors += text));
   return new Promise((resolve, reject) => {
     server.stdout.once("data", (text) => resolve(String(text).trim()));
-    // Not "exit": what it has said may still be on its way then.
+    // "close" instead of "exit", after which output may still arrive.
     server.once("close", () => reject(new Error(errors)));
   });
 }
 
-/** On a busy machine a connection that the browser has opened ahead is closed by the server before it asks anything; the page
- *  that says so may come while the next attempt is under way, and end it. */
+/** On a busy machine the server may close a connection that the browser opened in advance; the resulting error page may appear during
+ *  the next attempt and end it. */
 async function load(page, address, attempts = 4) {
   await page.goto(address).catch(async (error) => {
     const isLate = error.message.includes("ERR_SOCKET_NOT_CONNECTED") || error.message.includes("chrome-error:");
@@ -133,10 +133,10 @@ async function load(page, address, attempts = 4) {
   });
 }
 
-/** Opens what is folded: all controls can be used. */
+/** Opens all folded groups, so that all controls can be used. */
 export const unfold = (page) => page.evaluate(() => document.querySelectorAll("details").forEach((one) => (one.open = true)));
 
-/** `ready` waits until the page shows something, and unfolds its controls. */
+/** `ready` waits until the page shows a picture, and opens the groups of its controls. */
 export async function open(address, { width = 820, height = 420, ready = true, onRequest = () => {}, script = "", hasTouch = false, sways = false } = {}) {
   const used = script || hasTouch || sways ? undefined : idle.pop();
   const page = used ?? (await newPage({ width, height, script, hasTouch, sways }));
@@ -150,21 +150,21 @@ export async function open(address, { width = 820, height = 420, ready = true, o
   return page;
 }
 
-/** Waits until the page shows its state. A change of the state resets data-drawn at once. */
+/** Waits until the page shows its state. Changing the state resets data-drawn at once. */
 export const drawn = (page) => page.waitForSelector('#stage[data-drawn="true"]');
 
-/** Sets the state, and waits until it is drawn. */
+/** Sets the state and waits until it is drawn. */
 export async function set(page, changes) {
   await page.evaluate((changes) => window.lippmann.set(changes), changes);
   await drawn(page);
 }
 
-/** RGBA codes of the page's picture of an eye. */
+/** Returns RGBA codes of the page's picture for an eye. */
 export const eyeCodes = (page, side) => bytesOf(page, side);
-/** RGBA codes of what the page shows on the panel. */
+/** Returns RGBA codes of the panel on the page. */
 export const panelCodes = (page) => bytesOf(page);
 
-/** As one string: of an array, the browser takes ten microseconds for each number. */
+/** Transfers one string, because an array takes the browser ten microseconds per number. */
 async function bytesOf(page, side) {
   const text = await page.evaluate(async (side) => {
     const codes = side ? await window.lippmann.picture(side, side) : window.lippmann.panel();
@@ -175,7 +175,7 @@ async function bytesOf(page, side) {
   return [...Buffer.from(text, "base64")];
 }
 
-/** A file's codes, as a handle of what the page has: { width, height, data } with red, green, blue and alpha. */
+/** Returns a handle to a file's codes in the page: { width, height, data } with red, green, blue and alpha. */
 export function codesOf(page, file) {
   const url = `data:image/png;base64,${readFileSync(file).toString("base64")}`;
   return page.evaluateHandle(async (url) => {
@@ -188,7 +188,7 @@ export function codesOf(page, file) {
   }, url);
 }
 
-/** PSNR in dB of the page's picture of an eye beside a file. */
+/** Returns the PSNR in dB of the page's picture for an eye against a file. */
 export async function psnrBeside(page, file) {
   return page.evaluate(async ({ width, height, data: wanted }) => {
     const seen = await window.lippmann.picture(width, height);
@@ -198,14 +198,14 @@ export async function psnrBeside(page, file) {
   }, await codesOf(page, file));
 }
 
-/** What `lippmann replay` computes; the file. */
+/** Runs `lippmann replay` and returns the file. */
 export function replay(input, name, ...flags) {
   lippmann("replay", input, "-o", `replayed-${name}`, ...flags);
   const [file] = readdirSync(inFolder(`replayed-${name}`)).sort();
   return join(inFolder(`replayed-${name}`), file);
 }
 
-/** The eye of a view's number (fractions are between views), at the distance that the display is meant for. */
+/** Returns the eye of a view's number (fractions are between views) at the display's intended distance. */
 export const eyeOfView = (page, across, up) =>
   page.evaluate(
     ([across, up]) => {

@@ -1,4 +1,4 @@
-// Tilting a device moves the eye, where the device tells how it is held.
+// Tilting a device moves the eye if the device reports its orientation.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { closeAfterEach, lenslets, open, view } from "./support.mjs";
@@ -9,10 +9,10 @@ lenslets();
 const address = await view("lenslets");
 const kDegree = Math.PI / 180;
 
-/** How the device is held now. */
+/** Sets the device's orientation. */
 const hold = (page, alpha, beta, gamma) => page.evaluate(([alpha, beta, gamma]) => window.dispatchEvent(new DeviceOrientationEvent("deviceorientation", { alpha, beta, gamma })), [alpha, beta, gamma]);
 const button = (page) => page.getByRole("button", { name: "Tilt moves the eye" });
-/** The browser may have to be asked, which takes a moment. */
+/** The browser may ask for permission, which takes a moment. */
 async function press(page) {
   await button(page).click();
   await page.waitForSelector('button[aria-pressed="true"]:not(.icon)');
@@ -30,16 +30,16 @@ test("without a sensor there is no button", async () => {
   assert.equal(await button(page).isVisible(), false);
 });
 
-test("the eye stays where it was while the device turns below it", async () => {
+test("the eye stays fixed while the device turns", async () => {
   const page = await open(address);
   await hold(page, 10, 40, 0);
   await press(page);
   await hold(page, 10, 40, 0);
   near(await slopes(page), [0, 0]);
-  // The right edge goes away from the eye, which then is on the left.
+  // The right edge moves away from the eye, which is then on the left.
   await hold(page, 10, 40, 5);
   near(await slopes(page), [-Math.tan(5 * kDegree), 0]);
-  // The upper edge comes towards it.
+  // The upper edge moves towards it.
   await hold(page, 10, 46, 0);
   near(await slopes(page), [0, Math.tan(6 * kDegree)]);
   await hold(page, 10, 40, 0);
@@ -49,8 +49,8 @@ test("the eye stays where it was while the device turns below it", async () => {
   near(await slopes(page), [0, 0]);
 });
 
-// Held upright, a turn about the vertical is one of alpha alone; gamma says nothing of it.
-test("a device that is held upright may be turned to the sides", async () => {
+// Upright, a rotation about the vertical changes only alpha; gamma is undefined.
+test("an upright device can turn sideways", async () => {
   const page = await open(address);
   await hold(page, 0, 90, 0);
   await press(page);
@@ -74,13 +74,13 @@ test("the eye stays within the zone", async () => {
 });
 
 for (const [answer, isOn] of [["granted", "true"], ["denied", "false"]])
-  test(`where the browser asks, ${answer} decides`, async () => {
+  test(`${answer} permission decides`, async () => {
     const page = await open(address, { hasTouch: true, script: `DeviceOrientationEvent.requestPermission = async () => "${answer}"` });
     await button(page).click();
     if (answer === "denied") await page.waitForFunction(() => /does not let this page read the device's orientation/.test(document.querySelector("#notice").textContent));
     else await page.waitForSelector(`button[aria-pressed="true"]:not(.icon)`);
     assert.equal(await button(page).getAttribute("aria-pressed"), isOn);
-    // It was granted, and no sensor says anything.
+    // Permission was granted, but no sensor reports anything.
     if (answer === "granted") await page.waitForFunction(() => /does not report its orientation/.test(document.querySelector("#notice").textContent));
     if (answer === "granted") assert.equal(await button(page).isVisible(), false);
   });

@@ -1,4 +1,4 @@
-// Time: scrubbing, stepping and playing show the frames that they name; the first picture is there soon.
+// Time: scrubbing, stepping and playing show the right frames, and the first picture appears soon.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { closeAfterEach, open, psnrBeside, replay, set, sheet, view } from "./support.mjs";
@@ -8,7 +8,7 @@ closeAfterEach();
 sheet();
 const address = await view("sheet");
 
-test("the frame that is scrubbed to is the one that is shown", async () => {
+test("scrubbing shows the chosen frame", async () => {
   const page = await open(address);
   await set(page, { lenses: true });
   replay("sheet", "frames");
@@ -43,8 +43,8 @@ test("buttons and keys step and play", async () => {
   await page.getByRole("button", { name: "Pause" }).click();
 });
 
-// The first frame of the screen after the button may have begun before it was pressed.
-test("a screen whose clock lags behind plays from the frame that is shown", async () => {
+// The first frame of the screen after a click may have begun before it.
+test("a lagging clock plays from the shown frame", async () => {
   const ahead = "const now = performance.now.bind(performance); performance.now = () => now() + 200;";
   const page = await open(address, { script: ahead });
   const shown = () => page.evaluate(() => window.lippmann.state.frame);
