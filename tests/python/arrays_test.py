@@ -1,4 +1,4 @@
-"""Arrays: axes, which row is lowest, memory that is shared and kept."""
+"""Arrays: axes, the order of rows, and shared memory."""
 
 import gc
 import sys
@@ -24,8 +24,9 @@ class Arrays(Case):
         self.assertEqual(field.motion.shape, (2, 3, 24, 32, 2))
         self.assertEqual(field.layer("id").shape, (2, 3, 24, 32, 1))
 
-    def test_row_0_is_the_lowest_eye_and_column_0_the_leftmost(self):
-        # A ball in front of the display, before a wall in its plane: seen from below it is higher, from the left farther right.
+    def test_row_0_is_lowest_column_0_leftmost(self):
+        # A ball in front of the display, before a wall in its plane: a lower eye sees it higher, an eye on the left farther
+        # right.
         scene = lippmann.Scene()
         scene.add_sphere((0, 0, 2), 0.5, material=lippmann.Material((0, 0, 0), emission=(1, 1, 1)))
         scene.place_display(height=10, viewing_distance=10)
@@ -51,20 +52,20 @@ class Arrays(Case):
         self.assertEqual(len(list(field)), 2)
         self.assertSame(np.mean(field, axis=(0, 1)), field.views.mean(axis=(0, 1)))
 
-    def test_disparity_is_how_far_points_move_from_view_to_view(self):
+    def test_disparity_is_the_motion_between_views(self):
         scene = lippmann.Scene()
         scene.add_plane((0, 0, 2), (0, 0, 1))
         scene.place_display(height=10, viewing_distance=10)
         grid = small_grid(2, 2, (32, 32), baseline_mm=5, distance_mm=100, pixel_mm=100 / 32)
         field = lippmann.render(scene, grid, layers=["disparity"], spp=1, fit_depth=False)
         np.testing.assert_allclose(field.depth, 20, rtol=1e-4)  # 10 units are 100 mm
-        # The eye moves by 5 mm; by hand: 5 z / (100 - z) mm in the plane, of pixels of 3.125 mm.
+        # The eye moves by 5 mm, so a point moves by 5 z / (100 - z) mm in the plane, with pixels of 3.125 mm.
         np.testing.assert_allclose(field.disparity, 5 * 20 / 80 / 3.125, rtol=1e-3)
 
-    def test_disparity_and_depth_are_both_infinite_where_nothing_is(self):
+    def test_empty_pixels_have_infinite_depth_and_disparity(self):
         scene = lippmann.Scene()
         scene.add_sphere((0, 0, 0), 1)
-        scene.add_sphere((0, 0, -1e6), 3e5)  # so far away that it moves as the sky would
+        scene.add_sphere((0, 0, -1e6), 3e5)  # so far away that it moves like the sky
         scene.place_display(height=10, viewing_distance=10)
         grid = small_grid(1, 2, (32, 32), baseline_mm=5, distance_mm=100, pixel_mm=100 / 32)
         field = lippmann.render(scene, grid, layers=["depth"], integrator="whitted", fit_depth=False)
@@ -81,9 +82,9 @@ class Arrays(Case):
         self.assertEqual(header, b"Pf")
         np.testing.assert_array_equal(stored == -np.inf, nothing[0, 0])
         text = (self.folder / "hci/parameters.cfg").read_text()
-        self.assertRegex(text, r"(?m)^disp_min = -1\.\d+$")  # of what is there
+        self.assertRegex(text, r"(?m)^disp_min = -1\.\d+$")  # of the sphere
 
-    def test_views_and_picture_are_no_copies_and_outlive_their_light_field(self):
+    def test_views_and_picture_share_and_keep_memory(self):
         field = lippmann.render("room", small_grid(), layers=["depth"])
         self.assertTrue(np.shares_memory(field.views, field.views))
         self.assertTrue(np.shares_memory(field.depth, field.depth))
@@ -95,12 +96,12 @@ class Arrays(Case):
         del field
         gc.collect()
         self.assertIsNone(gone())
-        others = [np.zeros_like(views) for _ in range(20)]  # memory that was given back would be taken now
+        others = [np.zeros_like(views) for _ in range(20)]  # freed memory would be reused by these
         self.assertEqual((views.sum(), picture.sum()), sums)
         self.assertEqual(len(others), 20)
         self.assertEqual(depth.shape, views.shape[:4])
 
-    def test_shared_memory_cannot_be_written(self):
+    def test_shared_memory_is_read_only(self):
         field = lippmann.render("room", small_grid())
         with self.assertRaises(ValueError):
             field.views[0, 0] = 0
@@ -108,12 +109,12 @@ class Arrays(Case):
         copy[0, 0] = 0
         self.assertEqual(copy[0, 0].max(), 0)
 
-    def test_the_picture_is_the_quilt_of_the_views(self):
+    def test_the_picture_is_the_views_quilt(self):
         field = lippmann.render("room", small_grid(2, 3, (24, 32)))
         rows = [np.concatenate(list(row), axis=1) for row in field.views]
         self.assertSame(field.picture, np.concatenate(rows[::-1], axis=0))  # the lowest row of views lies at the bottom
 
-    def test_arrays_make_a_light_field_that_keeps_them(self):
+    def test_a_light_field_keeps_its_arrays(self):
         rng = np.random.default_rng(1)
         for samples in (
             rng.integers(0, 256, (2, 3, 8, 9, 3), dtype=np.uint8),
@@ -125,11 +126,11 @@ class Arrays(Case):
             self.assertSame(field.views, samples)
             self.assertSame(field.depth, depth)
             self.assertEqual(field.distance_mm, 300)
-        strided = rng.random((2, 3, 16, 9, 6))[:, ::-1, ::2, :, ::2]  # double, strides of all kinds
+        strided = rng.random((2, 3, 16, 9, 6))[:, ::-1, ::2, :, ::2]  # double, with strides of all kinds
         self.assertSame(lippmann.LightField(strided).views, strided.astype(np.float32))
 
-    def test_refocusing_a_made_light_field_is_the_mean_of_shifted_views(self):
-        # A row of views in which a bright column stands a pixel farther left from view to view: z with a disparity of 1.
+    def test_refocusing_averages_shifted_views(self):
+        # A row of views in which a bright column moves one pixel to the left per view: the depth z with a disparity of 1.
         views = np.zeros((1, 5, 8, 40, 3), np.float32)
         for column in range(5):
             views[0, column, :, 20 - (column - 2)] = 1
@@ -143,14 +144,14 @@ class Arrays(Case):
         linear = np.array([[[0.0, 0.5, 1.0], [0.25, 2.0, -1.0]]], np.float32)
         self.assertSame(lippmann.to_codes(linear), np.array([[[0, 188, 255], [137, 255, 0]]], np.uint8))
 
-    def test_xarray_has_the_same_axes_where_it_is_installed(self):
+    def test_xarray_has_the_same_axes(self):
         field = lippmann.render("room", small_grid(), layers=["depth"])
         try:
             import xarray
         except ImportError:
             with self.assertRaisesRegex(ImportError, "xarray"):
                 field.to_xarray()
-            self.skipTest("xarray is not installed: what is said then was tested")
+            self.skipTest("xarray is not installed: only the error was tested")
         data = field.to_xarray()
         self.assertIsInstance(data, xarray.Dataset)
         self.assertEqual(data.views.dims, ("row", "column", "y", "x", "channel"))
@@ -162,8 +163,8 @@ class Arrays(Case):
         codes = lippmann.LightField(np.zeros((1, 2, 4, 4, 3), np.uint8)).to_xarray()
         self.assertEqual(codes.views.long_name, "sRGB codes")
 
-    def test_what_xarray_is_given_has_an_axis_for_every_dimension(self):
-        class Dataset:  # as far as its constructor checks
+    def test_xarray_gets_an_axis_per_dimension(self):
+        class Dataset:  # with the checks of its constructor
             def __init__(self, data, places, attributes):
                 self.data, self.places = data, places
                 for name, (axes, values, *_) in {**data, **{k: v for k, v in places.items() if k != "channel"}}.items():
@@ -184,4 +185,4 @@ class Arrays(Case):
         self.assertEqual(html.count('type="range"'), 2)
         self.assertNotIn("http", html)
         self.assertEqual(html.count("display:inline;"), 1)
-        self.assertEqual(html.count("width:320px;height:240px"), 6)  # small views are shown larger
+        self.assertEqual(html.count("width:320px;height:240px"), 6)  # small views are enlarged

@@ -1,4 +1,4 @@
-"""What the tool's render and replay choose, chosen in Python: transparency, surroundings, cameras, texture memory, crosstalk."""
+"""Choices of the tool's render and replay, made in Python: transparency, environment, cameras, texture memory, crosstalk."""
 
 import warnings
 
@@ -19,7 +19,7 @@ def ball(color=(0.5, 0.25, 1.0), **more):
 
 
 def write_splats(path):
-    """Three splats in the usual layout of PLY files."""
+    """Writes three splats in the usual layout of PLY files."""
     names = "x y z f_dc_0 f_dc_1 f_dc_2 opacity scale_0 scale_1 scale_2 rot_0 rot_1 rot_2 rot_3".split()
     header = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n" + "".join(f"property float {n}\n" for n in names)
     rows = [[x, 0, 0, 1, x, 0, 2, -1, -1, -1, 1, 0, 0, 0] for x in (-0.5, 0, 0.5)]
@@ -27,7 +27,7 @@ def write_splats(path):
 
 
 class Splats(Case):
-    def test_files_of_them_alone_are_rendered_as_by_the_tool_without_paths(self):
+    def test_files_of_splats_are_rendered_without_paths(self):
         write_splats(self.folder / "cloud.ply")
         scene = lippmann.load(self.folder / "cloud.ply")
         default = lippmann.render(scene, small_grid(1, 2), fit_depth=False).codes
@@ -44,23 +44,23 @@ class Transparency(Case):
         grid = small_grid(1, 2, (32, 32), baseline_mm=2)
         return lippmann.render(scene or ball(), grid, transparent=True, light="none", fit_depth=False, **options)
 
-    def test_alpha_is_1_on_things_and_0_beside_them(self):
+    def test_alpha_is_0_outside_objects(self):
         field = self.rendered(environment=(3, 3, 3))
         self.assertEqual(field.alpha.shape, (1, 2, 32, 32))
         self.assertEqual(field.alpha.dtype, np.float32)
         self.assertEqual((field.alpha[0, 0, 16, 16], field.alpha[0, 0, 0, 0]), (1, 0))
-        self.assertEqual(field.views[0, 0, 0, 0].max(), 0)  # the surroundings are not seen
-        # A disc of radius 0.5 in a square of side 2, somewhat larger as it is a ball seen from 20.
+        self.assertEqual(field.views[0, 0, 0, 0].max(), 0)  # the environment is invisible
+        # A disc of radius 0.5 in a square of side 2, slightly larger because the ball is seen from a distance of 20.
         self.assertAlmostEqual(float(field.alpha.mean()), np.pi * 0.5**2 / 4, delta=0.01)
 
-    def test_a_surface_of_alpha_one_half_covers_one_half(self):
+    def test_alpha_one_half_covers_one_half(self):
         scene = lippmann.Scene()
         scene.add_mesh(QUAD, FACES, material=lippmann.Material(alpha=0.5, unlit=True))
         scene.place_display(height=4, viewing_distance=20)
         field = self.rendered(scene, integrator="path", spp=256)
         self.assertAlmostEqual(float(field.alpha[0, 0, 12:20, 12:20].mean()), 0.5, delta=0.02)
 
-    def test_views_over_a_background_are_what_is_rendered_before_it(self):
+    def test_composited_views_equal_rendered_backgrounds(self):
         field = self.rendered()
         scene = ball()
         scene.set_background((0.25, 0.5, 0.75))
@@ -69,7 +69,7 @@ class Transparency(Case):
         over = field.views + (1 - field.alpha[..., None]) * np.float32((0.25, 0.5, 0.75))
         np.testing.assert_allclose(over, before, atol=1e-5)
 
-    def test_rgba_has_straight_colours_and_the_pictures_codes(self):
+    def test_rgba_has_straight_colours(self):
         field = self.rendered()
         self.assertEqual(field.rgba.shape, (1, 2, 32, 32, 4))
         self.assertEqual(field.rgba[0, 0, 16, 16].tolist(), [188, 137, 255, 255])  # sRGB codes of 0.5, 0.25, 1
@@ -85,7 +85,7 @@ class Transparency(Case):
         self.assertEqual(picture.read_bytes()[25], 6)  # PNG's colour type: RGBA
         self.assertEqual((self.folder / "own.png").read_bytes(), picture.read_bytes())
 
-    def test_what_holds_no_alpha_says_so(self):
+    def test_outputs_without_alpha_are_refused(self):
         field = self.rendered()
         self.assertWrong("format", field.save, self.folder / "hci", "hci")
         self.assertWrong("path", field.save, self.folder / "picture.exr")
@@ -100,17 +100,17 @@ class Blur(Case):
         grid = small_grid(1, 2, (32, 32), baseline_mm=2)
         return lippmann.render(ball(), grid, transparent=True, light="none", fit_depth=False, **options).alpha
 
-    def test_a_lens_blurs_edges_out_of_focus_and_keeps_what_they_cover(self):
+    def test_a_lens_blurs_edges_and_keeps_coverage(self):
         def soft(alpha):
             return int(((alpha > 0.02) & (alpha < 0.98)).sum())
 
         sharp, focused = self.alpha(), self.alpha(aperture_mm=40)
         blurred = self.alpha(aperture_mm=40, focal_plane_mm=100)
-        self.assertLess(soft(focused), 1.5 * soft(sharp))  # the ball stands in the display's plane
+        self.assertLess(soft(focused), 1.5 * soft(sharp))  # the ball is in the display's plane
         self.assertGreater(soft(blurred), 2 * soft(sharp))
         self.assertAlmostEqual(float(blurred.mean()), float(sharp.mean()), delta=0.01)
 
-    def test_what_cannot_be_blurred_is_refused(self):
+    def test_unsupported_blur_is_refused(self):
         for name, value in (("aperture_mm", -1), ("f_number", -1), ("shutter", 1.5)):
             with self.assertRaisesRegex(lippmann.Error, name):
                 self.alpha(**{name: value})
@@ -122,11 +122,11 @@ class Surroundings(Case):
     def seen(self, **options):
         return lippmann.render(ball(), small_grid(1, 1, (16, 16)), spp=1, **options).views[0, 0, 0, 0]
 
-    def test_arrays_and_colours_are_seen_behind_everything(self):
+    def test_arrays_and_colours_are_backgrounds(self):
         np.testing.assert_allclose(self.seen(environment=(0.25, 0.5, 1), environment_strength=2), (0.5, 1, 2), rtol=1e-6)
         np.testing.assert_allclose(self.seen(environment=np.full((4, 8, 3), 0.25)), 0.25, rtol=1e-6)
 
-    def test_a_file_is_the_same_as_its_array(self):
+    def test_files_equal_their_arrays(self):
         panorama = np.random.default_rng(2).random((8, 16, 3)).astype(np.float16).astype(np.float32)
         path = self.folder / "Himmel über Köln.exr"
         lippmann._core.write_picture(panorama, path)
@@ -140,7 +140,7 @@ class Surroundings(Case):
         self.assertFalse(np.array_equal(lippmann.render(ball(), grid, environment=path, spp=1).views, fields[0].views))
         self.assertTrue(np.isfinite(lippmann.render(scene, grid, spp=1).views).all())
 
-    def test_what_is_no_panorama_is_named(self):
+    def test_invalid_panoramas_are_named(self):
         self.assertWrong("environment", self.seen, environment=self.folder / "missing.exr")
         self.assertWrong("environment", self.seen, environment=np.zeros((4, 8)))
         self.assertWrong("environment", self.seen, environment=np.full((4, 8, 3), -1.0))
@@ -165,18 +165,18 @@ class Cameras(Case):
         field = lippmann.render(scene, small_grid(1, 1, (16, 16)), light="none", spp=1, **options)
         return field.views[0, 0, 8, 8].tolist()
 
-    def test_a_camera_is_chosen_by_name_or_index(self):
+    def test_cameras_have_names_and_indices(self):
         scene = self.scene()
         self.assertEqual(scene.cameras, ("1", "side"))
         self.assertEqual(self.color(scene), [1, 0, 0])
         self.assertEqual(self.color(scene, camera="side"), [0, 1, 0])
         self.assertEqual(self.color(scene, camera=1), [0, 1, 0])
-        self.assertEqual(self.color(scene, camera="1"), [1, 0, 0])  # a name before an index
-        self.assertEqual(scene.cameras, ("1", "side"))  # rendering has a copy
+        self.assertEqual(self.color(scene, camera="1"), [1, 0, 0])  # names take precedence over indices
+        self.assertEqual(scene.cameras, ("1", "side"))  # rendering uses a copy
         scene.choose_camera("side")
         self.assertEqual((scene.cameras, self.color(scene)), (("side", "1"), [0, 1, 0]))
 
-    def test_others_are_refused_with_the_list(self):
+    def test_unknown_cameras_are_refused_with_the_list(self):
         error = self.assertWrong("camera", self.color, self.scene(), camera="sied")
         self.assertIn("side (1)", error.accepted)
         self.assertWrong("camera", self.color, self.scene(), camera=2)
@@ -208,14 +208,14 @@ class Crosstalk(Case):
 
     def test_each_neighbour_has_its_share(self):
         field = self.field()
-        # The middle view is white. 10 % to each neighbour leave 79.5 % for it: the tails of a Gaussian whose neighbours have
-        # 10 % each reach a little beyond them.
+        # The middle view is white. 10 % for each neighbour leave 79.5 %: the tails of a Gaussian with 10 % per neighbour reach
+        # slightly beyond the neighbours.
         self.assertAlmostEqual(float(field.eye(x=0)[4, 4, 0]), 1, places=5)
         self.assertAlmostEqual(float(field.eye(x=0, crosstalk="10%")[4, 4, 0]), 0.8, delta=0.01)
         self.assertAlmostEqual(float(field.eye(x=2, crosstalk="10%")[4, 4, 0]), 0.1, delta=0.005)
         self.assertSame(field.eye(x=0, crosstalk=0.0), field.eye(x=0))
 
-    def test_it_is_the_tools(self):
+    def test_crosstalk_equals_the_tools(self):
         tool("render", "room", "--display", SMALL_PANEL, "--frames", "9", "--format", "exr", "--exr-pixels", "float",
              "-o", self.folder / "tool")
         tool("replay", self.folder / "tool", "--eye", "20,0,400", "--crosstalk", "0.5", "-o", self.folder / "eyes")
@@ -223,11 +223,11 @@ class Crosstalk(Case):
         lippmann._core.write_picture(field.eye(20, 0, 400, crosstalk=0.5), self.folder / "own.png")
         self.assertEqual((self.folder / "own.png").read_bytes(), (self.folder / "eyes/eye_0009.png").read_bytes())
 
-    def test_bad_ones_are_named(self):
+    def test_invalid_values_are_named(self):
         for crosstalk in (-1, 9, float("nan"), "30%", "much"):
             self.assertWrong("crosstalk", self.field().eye, crosstalk=crosstalk)
 
-    def test_displays_say_theirs(self):
+    def test_displays_have_a_crosstalk(self):
         panel = self.folder / "panel.toml"
         said = SMALL_PANEL.read_text()
         panel.write_text(said.replace("dpi = 491", "dpi = 491\ncrosstalk = 0.4"))

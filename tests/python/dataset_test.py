@@ -1,4 +1,4 @@
-"""`lippmann dataset`: the arrays, their geometry, units, and a run that is killed."""
+"""`lippmann dataset`: the arrays, their geometry, units, and a killed run."""
 
 import json
 import pathlib
@@ -14,7 +14,7 @@ SMALL = ("dataset", "teapot", "--views", "3x2", "--size", 32, "--spp", 2, "--see
 
 
 class Samples:
-    """What docs/guide/python.md shows as a data set of PyTorch, without PyTorch."""
+    """The data set for PyTorch of docs/guide/python.md, without PyTorch."""
 
     def __init__(self, folder):
         self.folders = sorted(pathlib.Path(folder).glob("sample_*"))
@@ -30,7 +30,7 @@ class Dataset(Case):
     def files(self, folder):
         return {str(f.relative_to(folder)): f.read_bytes() for f in sorted(folder.rglob("*")) if f.is_file()}
 
-    def test_arrays_have_the_documented_shapes_and_agree(self):
+    def test_arrays_have_the_documented_shapes(self):
         tool(*SMALL, "-o", self.folder / "d", "--count", 3)
         samples = Samples(self.folder / "d")
         self.assertEqual(len(samples), 3)
@@ -47,7 +47,7 @@ class Dataset(Case):
             self.assertGreater(np.abs(sample["motion"]).max(), 0)
         self.assertFalse(np.array_equal(samples[0]["depth"], samples[1]["depth"]))
 
-    def test_disparity_finds_the_same_object_in_the_next_view(self):
+    def test_disparity_finds_objects_in_the_next_view(self):
         tool(*SMALL, "-o", self.folder / "d", "--count", 2)
         for i in range(2):
             sample = Samples(self.folder / "d")[i]
@@ -56,17 +56,17 @@ class Dataset(Case):
             there = np.round(x - disparity).astype(int)
             inside = (there >= 0) & (there < 32)
             same = ids[1][y, np.clip(there, 0, 31)] == ids[0]
-            # Pixels at silhouettes are hidden in the next view, or rounded onto the neighbour.
+            # Pixels at silhouettes are hidden in the next view, or rounded to a neighbour.
             self.assertGreater(same[inside].mean(), 0.9)
 
-    def test_units_make_the_same_bytes_as_one_run(self):
+    def test_units_equal_one_run(self):
         tool(*SMALL, "-o", self.folder / "one", "--count", 3)
         for unit in ("2/2", "1/2"):
             self.assertFalse((self.folder / "two/manifest.json").exists())
             tool(*SMALL, "-o", self.folder / "two", "--count", 3, "--unit", unit)
         self.assertEqual(self.files(self.folder / "one"), self.files(self.folder / "two"))
 
-    def test_run_that_is_killed_goes_on(self):
+    def test_a_killed_run_continues(self):
         folder = self.folder / "killed"
         words = [TOOL, *map(str, SMALL), "-o", str(folder), "--count", "6"]
         with subprocess.Popen(words, stderr=subprocess.PIPE) as run:
@@ -80,7 +80,7 @@ class Dataset(Case):
         tool(*SMALL, "-o", self.folder / "whole", "--count", 6)
         self.assertEqual(self.files(folder), self.files(self.folder / "whole"))
 
-    def test_other_parameters_are_refused_and_damage_is_made_again(self):
+    def test_changes_are_refused_and_damage_is_repaired(self):
         folder = self.folder / "d"
         tool(*SMALL, "-o", folder, "--count", 1)
         done = subprocess.run([TOOL, *map(str, SMALL), "-o", folder, "--count", "2"], capture_output=True, text=True)

@@ -1,4 +1,4 @@
-"""Skins and morph targets: of files, and built from arrays. Where vertices stand is worked out by hand."""
+"""Skins and morph targets, from files and from arrays. Expected positions of vertices are worked out by hand."""
 
 import json
 
@@ -26,7 +26,7 @@ class Deformation(Case):
         self.assertEqual(bounds(scene, 0), [[-1, -1, 0], [1, 1, 0]])
         self.assertEqual(bounds(scene, 1), [[0, -1, 0], [2, 3, 0]])  # moved by 1, the upper edge by 2
 
-    def test_target_normals_turn_what_light_falls_on(self):
+    def test_target_normals_change_the_shading(self):
         def brightness(**more):
             scene = lippmann.Scene()
             white = lippmann.Material((1, 1, 1), roughness=1)
@@ -36,23 +36,23 @@ class Deformation(Case):
             grid = lippmann.camera_grid(1, 1, (8, 8))
             return float(lippmann.render(scene, grid, light="none", integrator="path", spp=1, max_depth=2).views.mean())
 
-        # (0, 0, 1) and 2 (0, 1, 0) make a normal whose cosine to the lamp is 1 / sqrt(5): 0.45 of the light.
+        # (0, 0, 1) and 2 (0, 1, 0) give a normal whose cosine to the lamp is 1 / sqrt(5): 0.45 of the light.
         ratio = brightness(target_normals=[[[0, 2, 0]] * 4], weights=[1]) / brightness()
         self.assertAlmostEqual(ratio, 5**-0.5, delta=0.05)
 
-    def test_a_skin_follows_its_joints_from_where_it_was_bound(self):
+    def test_a_skin_follows_its_joints(self):
         scene = lippmann.Scene(frames=2)
         hip = scene.add_joint((10, 0, 0), name="hip")
         knee = scene.add_joint((0, 1, 0), parent=hip)
-        skin = lippmann.Skin([hip, knee], [[0], [0], [1], [1]], np.full((4, 1), 3))  # weights are shares of their sum
+        skin = lippmann.Skin([hip, knee], [[0], [0], [1], [1]], np.full((4, 1), 3))  # weights are normalised
         scene.add_mesh(QUAD, FACES, translation=(10, 0, 0), skin=skin)
-        self.assertEqual(bounds(scene), [[9, -1, 0], [11, 1, 0]])  # as it was placed
+        self.assertEqual(bounds(scene), [[9, -1, 0], [11, 1, 0]])  # as placed
         knee.animate(translation=[[0, 1, 0], [0, 4, 0]])
         self.assertEqual(bounds(scene, 1), [[9, -1, 0], [11, 4, 0]])  # the upper edge moves by 3
         hip.animate(rotation=[[0, 0, 0, 1], HALF_TURN])
-        np.testing.assert_allclose(bounds(scene, 1), [[9, -4, 0], [11, 1, 0]], atol=1e-5)  # all about (10, 0, 0)
+        np.testing.assert_allclose(bounds(scene, 1), [[9, -4, 0], [11, 1, 0]], atol=1e-5)  # everything rotates about (10, 0, 0)
 
-    def test_a_vertex_of_two_joints_moves_by_their_shares(self):
+    def test_a_vertex_blends_two_joints(self):
         scene = lippmann.Scene(frames=2)
         still, moved = scene.add_joint(), scene.add_joint()
         skin = lippmann.Skin([still, moved], np.tile([0, 1], (4, 1)), np.tile([3, 1], (4, 1)))
@@ -60,7 +60,7 @@ class Deformation(Case):
         moved.animate(translation=[[0, 0, 0], [8, 0, 0]])
         self.assertEqual(bounds(scene, 1), [[1, -1, 0], [3, 1, 0]])  # by a quarter of 8
 
-    def test_what_is_wrong_is_named_and_nothing_is_added_half(self):
+    def test_errors_leave_the_scene_unchanged(self):
         scene, other = lippmann.Scene(frames=2), lippmann.Scene()
         joint, strange = scene.add_joint(), other.add_joint()
 
@@ -90,12 +90,12 @@ class Deformation(Case):
         self.assertWrong("translation", carried.animate, translation=np.zeros((2, 3)))
         self.assertWrong("weights", carried.animate, weights=np.zeros((2, 1)))
 
-    def test_a_file_with_a_skin_and_a_morph_target_moves(self):
+    def test_a_file_with_skin_and_target_moves(self):
         path = self.folder / "flag.gltf"
         path.write_text(json.dumps(moving_quad(self.folder)))
         scene = lippmann.load(path, frames_per_second=2)
         self.assertEqual(bounds(scene, 0), [[-1, -1, 0], [1, 1, 0]])
-        # After half of the second that they take, the joint has moved by 3 / 2 to the right, and the target by 2 / 2 upwards.
+        # After half a second of one, the joint has moved by 3 / 2 to the right, and the target by 2 / 2 upwards.
         self.assertEqual(bounds(scene, 1), [[0.5, 0, 0], [2.5, 2, 0]])
 
 

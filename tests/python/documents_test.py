@@ -1,4 +1,4 @@
-"""What is written about the package holds: docstrings, stubs, and docs/guide/python.md, whose code runs as it stands."""
+"""The package's documentation is correct: docstrings, stubs, and docs/guide/python.md, whose code runs unchanged."""
 
 import ast
 import doctest
@@ -22,18 +22,18 @@ class Documents(Case):
                 if not member.startswith("_") and (callable(value) or isinstance(value, property)):
                     self.assertTrue(inspect.getdoc(value), f"{name}.{member}")
 
-    def test_everything_public_says_its_types(self):
+    def test_everything_public_is_typed(self):
         for name in lippmann.__all__:
             thing = getattr(lippmann, name)
             if thing.__module__ == "lippmann._core":
-                continue  # in the stubs
+                continue  # they are in the stubs
             for function in [thing] if inspect.isfunction(thing) else vars(thing).values():
                 if not inspect.isfunction(function) or function.__name__ in ("__eq__", "__repr__", "_replace"):
                     continue
                 hints = {k for k in inspect.signature(function).parameters if k not in ("self", "cls")}
                 self.assertLessEqual(hints, set(function.__annotations__), f"{name}: {function.__qualname__}")
 
-    def test_the_stubs_have_what_the_module_has(self):
+    def test_the_stubs_match_the_module(self):
         stubs = {}
         for node in ast.parse((PACKAGE / "_core.pyi").read_text()).body:
             if isinstance(node, ast.ClassDef):
@@ -51,7 +51,7 @@ class Documents(Case):
             own = {m for m in vars(getattr(lippmann._core, name)) if not m.startswith("_")}
             self.assertEqual({m for m in members if not m.startswith("_")}, own, name)
 
-    def test_the_docstring_of_the_package_runs(self):
+    def test_the_package_docstring_runs(self):
         self.assertEqual(doctest.testmod(lippmann).failed, 0)
         self.assertGreater(doctest.testmod(lippmann).attempted, 0)
 
@@ -59,7 +59,7 @@ class Documents(Case):
         said = subprocess.run([TOOL, "--version"], capture_output=True, text=True).stdout
         self.assertIn(lippmann.__version__, said)
 
-    def test_the_code_of_docs_python_md_runs_word_for_word(self):
+    def test_the_code_of_python_md_runs(self):
         text = (SOURCE / "docs/guide/python.md").read_text()
         blocks = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
         self.assertGreaterEqual(len(blocks), 5)
@@ -68,7 +68,7 @@ class Documents(Case):
         done = subprocess.run([sys.executable, "-c", program], cwd=self.folder, capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
 
-    def test_every_format_and_example_is_named_in_docs_python_md(self):
+    def test_python_md_names_formats_and_examples(self):
         text = (SOURCE / "docs/guide/python.md").read_text()
         for example in (SOURCE / "examples/python").glob("*.py"):
             self.assertIn(f"examples/python/{example.name}", text)

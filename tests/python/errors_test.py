@@ -1,4 +1,4 @@
-"""Bad input: one exception that names the argument, and never a crash of the interpreter."""
+"""Bad input raises one exception that names the argument, and never crashes the interpreter."""
 
 import os
 import subprocess
@@ -15,7 +15,7 @@ FACES = [[0, 1, 2], [0, 2, 3]]
 
 
 class Errors(Case):
-    def test_an_error_is_a_value_error_with_its_parts(self):
+    def test_errors_are_value_errors_with_parts(self):
         with self.assertRaises(ValueError) as caught:
             lippmann.display("portrat")
         error = caught.exception
@@ -24,7 +24,7 @@ class Errors(Case):
         self.assertIn(error.problem, str(error))
         self.assertWrong("spp", lippmann.render, "room", small_grid(), spp=-1)
 
-    def test_arrays_of_wrong_shape_type_or_numbers_are_named(self):
+    def test_wrong_arrays_are_named(self):
         scene = lippmann.Scene(frames=3)
         self.assertWrong("positions", scene.add_mesh, [[0, 0], [1, 1], [2, 2]], FACES)
         self.assertWrong("positions", scene.add_mesh, [], FACES)
@@ -44,7 +44,7 @@ class Errors(Case):
         self.assertWrong("normals", scene.add_mesh, QUAD, FACES, normals=np.zeros((4, 3)))
         self.assertWrong("uvs", scene.add_mesh, QUAD, FACES, uvs=np.zeros((3, 2)))
         self.assertWrong("colors", scene.add_mesh, QUAD, FACES, colors=np.zeros((4, 4)))
-        self.assertEqual(scene.objects, ())  # nothing was added half
+        self.assertEqual(scene.objects, ())  # nothing was added
         ball = scene.add_sphere()
         self.assertWrong("matrices", ball.animate, np.zeros((2, 4, 4)))
         self.assertWrong("matrices", ball.animate, np.zeros((3, 4, 4)))
@@ -105,7 +105,7 @@ class Errors(Case):
         self.assertWrong("name", lippmann.Scene().add_sphere, name=3)
         self.assertWrong("frames", lippmann.Scene, frames=0)
 
-    def test_what_a_light_field_does_not_have_is_said(self):
+    def test_missing_data_of_light_fields_is_named(self):
         field = lippmann.render("room", small_grid())
         self.assertWrong("depth", lambda: field.depth)
         self.assertWrong("layers", lambda: field.normals)
@@ -136,7 +136,7 @@ class Errors(Case):
         for property_name in ("world_from_display", "units_per_mm"):
             self.assertWrong("scene", getattr, bare, property_name)
 
-    def test_depth_is_the_one_layer_of_a_light_field_that_was_not_rendered(self):
+    def test_opened_light_fields_have_only_depth(self):
         depth = np.random.default_rng(1).random((2, 2, 4, 4), np.float32)
         field = lippmann.LightField(np.zeros((2, 2, 4, 4, 3), np.uint8), depth)
         self.assertSame(field.layer("depth"), depth[..., None])
@@ -145,7 +145,7 @@ class Errors(Case):
         rendered = lippmann.render("room", small_grid(), layers=["depth"])
         self.assertSame(rendered.layer("depth"), rendered.depth[..., None])
 
-    def test_files_that_are_none_are_named(self):
+    def test_invalid_files_are_named(self):
         self.assertWrong("name", lippmann.load, 3)
         self.assertWrong("scene", lippmann.render, 3)
         for name in ("rom", "nowhere.glb", "", "a\0b.glb"):
@@ -169,7 +169,7 @@ class Errors(Case):
         with self.assertRaises(lippmann.Error):
             lippmann.display_from_toml("kind = 3")
 
-    def test_scenes_without_anything_are_refused_and_those_of_zero_size_are_warned_of(self):
+    def test_empty_scenes_are_refused_flat_ones_warn(self):
         self.assertWrong("scene", lippmann.render, lippmann.Scene(), small_grid(1, 1, (8, 8)), spp=1)
         lamp = lippmann.Scene()
         lamp.add_light()
@@ -197,7 +197,7 @@ class Errors(Case):
         except lippmann.Error as error:
             self.assertTrue(error.problem)
 
-    def test_what_a_callback_throws_stops_the_render_and_comes_out(self):
+    def test_exceptions_of_callbacks_stop_the_render(self):
         class Own(Exception):
             pass
 
@@ -211,10 +211,10 @@ class Errors(Case):
         with self.assertRaisesRegex(Own, "enough"):
             animation[0]
         self.assertEqual(len(calls), 1)
-        self.assertWrong("frames", lambda: animation[1])  # one that was stopped does not go on
+        self.assertWrong("frames", lambda: animation[1])  # a stopped animation does not continue
         self.assertEqual(lippmann.render("room", small_grid()).shape[0], 2)  # others do
 
-    def test_one_animation_is_not_shared_by_threads_at_a_time(self):
+    def test_threads_cannot_share_an_animation(self):
         started, errors = threading.Event(), []
         animation = lippmann.frames(
             "room", small_grid(3, 3, (200, 200)), spp=16, progress=lambda frame, share: started.set()
@@ -233,19 +233,19 @@ class Errors(Case):
         thread.join()
         self.assertEqual(errors, ["thread"])
 
-    def test_colours_of_a_background_are_not_below_zero(self):
+    def test_negative_background_colours_are_refused(self):
         scene = lippmann.Scene()
         self.assertWrong("horizon", scene.set_background, (-1, -1, -1))
         self.assertWrong("horizon", scene.set_background, (0, -1e-9, 0), (1, 1, 1))
         self.assertWrong("zenith", scene.set_background, (0, 0, 0), (1, 1, -1))
         scene.set_background((0, 0, 0), (4, 4, 4))
 
-    def test_layers_that_are_no_names_are_named(self):
+    def test_invalid_layers_are_named(self):
         for layers in (3, None, 2.5):
             self.assertWrong("layers", lippmann.render, "room", small_grid(), layers=layers)
         self.assertWrong("layers", lippmann.render, "room", small_grid(), layers=[3])
 
-    def test_a_texture_that_has_no_places_is_said_not_to_be_shown(self):
+    def test_textures_without_uvs_warn(self):
         material = lippmann.Material(texture=np.zeros((2, 2, 3), np.uint8))
         scene = lippmann.Scene()
         with warnings.catch_warnings():
@@ -258,7 +258,7 @@ class Errors(Case):
                 add()
             self.assertEqual(caught.filename, __file__)
 
-    def test_what_the_library_refuses_has_the_name_that_python_gives_it(self):
+    def test_errors_use_python_argument_names(self):
         grid, lenses = small_grid(), lippmann.lenticular_sheet((16, 32))
 
         def refused(name, display=grid, **options):
@@ -290,7 +290,7 @@ class Errors(Case):
         row = lippmann.render("room", small_grid(1, 3, (8, 8)))
         self.assertIn("`row`", self.assertWrong("column", row.epi, column=3).accepted)
 
-    def test_files_are_refused_with_the_names_and_the_order_of_python(self):
+    def test_file_errors_use_python_names_and_order(self):
         def path(name):
             return self.folder / name
 
@@ -318,7 +318,7 @@ class Errors(Case):
         self.assertIn("not (4, 1)", error.problem)
         self.assertEqual(lippmann.open(path("2x3"), views=(2, 3)).shape, (2, 3, 8, 8, 3))
 
-    def test_a_file_that_is_called_as_an_argument_keeps_its_name(self):
+    def test_file_names_like_arguments_are_kept(self):
         here = os.getcwd()
         self.addCleanup(os.chdir, here)
         os.chdir(self.folder)
@@ -332,7 +332,7 @@ class Errors(Case):
         self.assertTrue(error.problem.startswith("(4, 1)") and error.problem.endswith(" in 2x3"), error.problem)
 
     def assertIgnored(self, names, function, *arguments, **named):
-        """LippmannWarnings that name the arguments, in the caller's file; nothing else is warned of."""
+        """Expects LippmannWarnings that name the arguments, from the caller's file, and no others."""
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             function(*arguments, **named)
@@ -340,7 +340,7 @@ class Errors(Case):
         for warning in caught:
             self.assertEqual((warning.category, warning.filename), (lippmann.LippmannWarning, __file__))
 
-    def test_what_is_only_ignored_is_warned_of(self):
+    def test_ignored_arguments_warn(self):
         def render(**options):
             return lippmann.render("room", small_grid(1, 1, (8, 8)), **options)
 
@@ -364,7 +364,7 @@ class Errors(Case):
         self.assertIgnored([], field.save, self.folder / "quilt.png", "quilt", tiles=(2, 1), bits=16)
         self.assertIgnored(["tiles", "display"], lippmann.open, self.folder / "views", tiles=(1, 2), display=SMALL_PANEL)
 
-    def test_what_is_ignored_is_checked_nevertheless(self):
+    def test_ignored_arguments_are_checked(self):
         nan = float("nan")
         for name in ("environment_strength", "environment_rotation_deg", "keyframes", "min_psnr"):
             self.assertWrong(name, lippmann.render, "room", small_grid(), **{name: nan})
@@ -373,7 +373,7 @@ class Errors(Case):
         self.assertWrong("tiles", field.save, self.folder / "x.png", tiles=(nan, 1))
         self.assertWrong("focus_mm", field.eye, focus_mm=nan)
 
-    def test_key_frames_and_floors_of_a_reuse_without_them_are_refused_as_by_the_tool(self):
+    def test_unused_keyframes_and_min_psnr_are_refused(self):
         for name, value, reuse, more in (
             ("keyframes", 4, "none", {}),
             ("keyframes", 4, "none", {"integrator": "path"}),
@@ -389,17 +389,17 @@ class Errors(Case):
             self.assertNotEqual(done.returncode, 0)
             self.assertIn(name.replace("_", "-"), done.stderr)
 
-    def test_what_was_removed_is_refused_with_its_replacement(self):
+    def test_removed_arguments_name_their_replacement(self):
         error = self.assertWrong("reuse", lippmann.render, "room", small_grid(), reuse="light", integrator="path")
         self.assertIn("denoise='auto'", error.accepted)
         error = self.assertWrong("min_psnr", lippmann.render, "room", small_grid(), min_psnr=40, integrator="path")
         self.assertIn("spp", error.accepted)
 
-    def test_denoising_that_was_asked_for_needs_paths(self):
+    def test_explicit_denoising_needs_paths(self):
         self.assertWrong("denoise", lippmann.render, "room", small_grid(), denoise=True)
         self.assertWrong("denoise", lippmann.render, "room", small_grid(), denoise="some")
 
-    def test_names_that_are_no_utf_8_have_replacement_characters(self):
+    def test_invalid_utf_8_becomes_replacement_characters(self):
         where = os.fsencode(self.folder) + b"/d\xff"
         os.mkdir(where)
         with open(where + b"/m\xfe.obj", "wb") as file:
@@ -415,7 +415,7 @@ class Errors(Case):
         self.assertEqual(display.name, "dd\ufffd")
         self.assertIn("dd\ufffd", repr(display))
 
-    def test_displays_optics_and_animations_say_what_they_are(self):
+    def test_displays_optics_and_animations_have_a_repr(self):
         said = repr(lippmann.display("looking-glass-portrait"))
         self.assertEqual(said, "<lippmann.Display 'looking-glass-portrait': slanted-panel, 1536x2048 pixels>")
         said = repr(lippmann.camera_grid(2, 3, (24, 32)))
@@ -431,14 +431,14 @@ class Errors(Case):
         self.assertEqual(repr(lippmann.frames("room", small_grid(), frames=range(3))), "<lippmann.Animation: 3 frames>")
         self.assertEqual(repr(lippmann.frames("room", small_grid(), frames=[7])), "<lippmann.Animation: 1 frame>")
 
-    def test_warnings_are_those_of_python_and_can_be_errors(self):
-        # A .dat with a line that is read past warns; the tool says the same sentence on stderr.
+    def test_warnings_can_become_errors(self):
+        # An OBJ file with a line that is ignored causes a warning; the tool prints the same sentence to stderr.
         scene = self.folder / "scene.obj"
         scene.write_text("mtllib nowhere.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             lippmann.load(scene)
-        self.assertTrue(caught, "nothing was warned of")
+        self.assertTrue(caught, "there was no warning")
         self.assertTrue(issubclass(caught[0].category, lippmann.LippmannWarning))
         self.assertIn("nowhere.mtl", str(caught[0].message))
         with warnings.catch_warnings():
@@ -447,7 +447,7 @@ class Errors(Case):
                 lippmann.load(scene)
 
     def test_core_functions_called_with_nonsense_raise(self):
-        # Nobody should call them; even so nothing crashes.
+        # These functions are private, but even so nothing may crash.
         core = lippmann._core
         for function in (core.load_scene, core.place, core.Frames, core.open_light_field, core.views, core.Views):
             with self.assertRaises(TypeError):

@@ -1,4 +1,4 @@
-"""The programs of examples/python: short, and they run as they stand."""
+"""The programs of examples/python are short and run unchanged."""
 
 import ast
 import subprocess
@@ -18,7 +18,7 @@ class Examples(Case):
         self.assertEqual(done.returncode, 0, done.stderr)
         return done.stdout
 
-    def test_no_example_has_more_than_15_lines_of_code(self):
+    def test_examples_have_at_most_15_lines(self):
         examples = sorted(EXAMPLES.glob("*.py"))
         self.assertGreaterEqual(len(examples), 5)
         for example in examples:
@@ -30,7 +30,7 @@ class Examples(Case):
             self.assertLessEqual(len(lines), 15, example)
             self.assertTrue(hasattr(self, f"test_{example.stem}"), f"{example.name} has no test")
 
-    def test_usage_is_said_where_arguments_are_missing(self):
+    def test_missing_arguments_print_usage(self):
         for name in ("convert_refocus", "native_frame", "render_layers"):
             done = subprocess.run([sys.executable, EXAMPLES / f"{name}.py"], capture_output=True, text=True)
             self.assertEqual((done.returncode, done.stderr.split()[:2]), (1, ["usage:", f"{name}.py"]))
@@ -44,7 +44,7 @@ class Examples(Case):
     def test_own_scene(self):
         lines = self.run_example("own_scene.py").splitlines()
         self.assertEqual([line.split()[0] for line in lines], [str(i) for i in range(12)])
-        self.assertEqual(len({line.split()[1] for line in lines}), 12)  # it turns
+        self.assertEqual(len({line.split()[1] for line in lines}), 12)  # it rotates
 
     def test_convert_refocus(self):
         lippmann.render("room", small_grid(3, 3, (48, 64)), frame=9, layers=["depth"]).save(self.folder / "hci", "hci")

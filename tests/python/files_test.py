@@ -1,4 +1,4 @@
-"""Files of all formats: written as the tool reads them, and read as it writes them."""
+"""Files of all formats are written as the tool reads them, and read as it writes them."""
 
 import errno
 import pickle
@@ -14,7 +14,7 @@ class Files(Case):
     def rendered(self, **options):
         return lippmann.render("room", small_grid(3, 3, (24, 32)), frame=9, layers=["depth"], **options)
 
-    def test_folders_of_research_come_back_as_the_same_arrays(self):
+    def test_research_formats_round_trip(self):
         field = self.rendered()
         for name in ("hci", "stanford", "jpeg-pleno", "views", "eslf", "miv", "quilt", "integral"):
             with self.subTest(name):
@@ -23,26 +23,27 @@ class Files(Case):
                 again = lippmann.open(files[0] if name == "quilt" else path, format=name, views=(3, 3))
                 self.assertSame(again.views, lippmann.to_codes(field.views))
                 if name == "hci":
-                    self.assertEqual(len(files), 30)  # 9 views, their depths and disparities, those of the middle again, parameters.cfg
-                    # Metres in float32 from cameras 500 mm away.
+                    self.assertEqual(len(files), 30)  # 9 views, their depths and disparities, those of the middle again,
+                                                      # parameters.cfg
+                    # Metres in float32, from cameras 500 mm away.
                     np.testing.assert_allclose(again.depth, field.depth, atol=1e-3)
                     np.testing.assert_allclose(again.disparity, field.disparity, atol=1e-4)
                     np.testing.assert_allclose(again.eyes_mm, field.eyes_mm, atol=1e-4)
 
-    def test_disparity_is_that_of_the_tools_files(self):
+    def test_disparity_equals_the_tools_files(self):
         field = self.rendered()
         field.save(self.folder / "hci", "hci")
         data = (self.folder / "hci/gt_disp_lowres_Cam000.pfm").read_bytes()
         values = np.frombuffer(data[-4 * 24 * 32:], "<f4").reshape(24, 32)[::-1]  # PFM: the bottom row first
         np.testing.assert_allclose(field.disparity[2, 0], values, atol=1e-4)  # camera 0 is the top left one
 
-    def test_the_tool_converts_what_was_saved_and_opens_the_same(self):
+    def test_the_tool_converts_saved_files(self):
         field = self.rendered()
         field.save(self.folder / "hci", "hci")
         tool("convert", self.folder / "hci", self.folder / "stanford", "--to", "stanford")
         self.assertSame(lippmann.open(self.folder / "stanford").views, lippmann.to_codes(field.views))
 
-    def test_a_render_of_the_tool_opens_with_its_optics_and_depth(self):
+    def test_renders_open_with_optics_and_depth(self):
         for optics in (["--optics", "multiview", "--camera-grid", "--views", "3x2", "--size", "96x64"],
                        ["--optics", "microlens", "--size", "64x64", "--lenses", "16x16", "--lens-pixels", "4"]):
             with self.subTest(optics[1]):
@@ -57,7 +58,7 @@ class Files(Case):
                 self.assertEqual((folder / "own.png").read_bytes(), (folder / "replay/refocus_0009.png").read_bytes())
         self.assertWrong("frame", lippmann.open, folder, frame=2)
 
-    def test_missing_files_are_files_not_found(self):
+    def test_missing_files_raise_file_not_found(self):
         missing = self.folder / "missing.glb"
         for read in (
             lambda: lippmann.load(missing),
@@ -85,16 +86,16 @@ class Files(Case):
             field.save(damaged / "quilt.png", "quilt")
         self.assertNotIsInstance(caught.exception, FileNotFoundError)
 
-    def test_16_bits_and_floats_stay_what_they_are(self):
+    def test_16_bits_and_floats_are_kept(self):
         field = self.rendered()
         field.save(self.folder / "deep", "views", bits=16)
         self.assertEqual(lippmann.open(self.folder / "deep", views=(3, 3)).views.dtype, np.uint16)
         field.save(self.folder / "floats", "views", bits=32)
         again = lippmann.open(self.folder / "floats", views=(3, 3))
         self.assertEqual(again.views.dtype, np.float32)
-        np.testing.assert_allclose(again.views, field.views, rtol=1e-3, atol=1e-3)  # .exr holds halves by default
+        np.testing.assert_allclose(again.views, field.views, rtol=1e-3, atol=1e-3)  # .exr stores halves by default
 
-    def test_a_native_frame_is_made_of_views_and_taken_apart(self):
+    def test_native_frames_convert_from_and_to_views(self):
         panel = self.folder / "panel.toml"
         panel.write_text(SMALL_PANEL.read_text().replace("[1440, 2560]", "[90, 160]").replace("dpi = 491", "dpi = 60"))
         field = lippmann.render("room", panel, frame=9)
@@ -106,7 +107,7 @@ class Files(Case):
         views = lippmann.open(self.folder / "native.png", format="native", display=panel)
         self.assertEqual(views.shape, field.shape)
 
-    def test_a_missing_folder_is_made_and_goes_again_where_saving_fails(self):
+    def test_a_missing_folder_is_created(self):
         field = lippmann.render("room", small_grid(1, 2, (24, 32)), layers=["depth"])
         for format in ("quilt", "stereo", "eslf", "integral", "views", "hci", None):
             where = self.folder / f"made {format}/deep"
@@ -127,7 +128,7 @@ class Files(Case):
         wrong = self.assertWrong(str(self.folder / "file"), field.save, self.folder / "file/deep/a.png", "quilt")
         self.assertIn("cannot be created", wrong.problem)
 
-    def test_pictures_of_arrays_are_written_as_quilts_of_their_views(self):
+    def test_pictures_of_arrays_are_quilts(self):
         views = np.random.default_rng(1).integers(0, 256, (1, 3, 8, 8, 3), dtype=np.uint8)
         lippmann.LightField(views).save(self.folder / "panel.png")
         again = lippmann.open(self.folder / "panel.png", format="quilt", views=(1, 3), tiles=(1, 3))

@@ -1,4 +1,4 @@
-# Installs the component python3 below a prefix of its own, and renders with it: nothing of the build tree is needed.
+# Installs the component python3 below a temporary prefix and renders with it, without the build tree.
 #   cmake -D BUILD=... -D PYTHON=... -D FOLDER=lib/python3.x/dist-packages -P installed.cmake
 cmake_minimum_required(VERSION 3.25)
 

@@ -1,4 +1,4 @@
-"""Ctrl-C: KeyboardInterrupt soon, in a process of its own, and all goes on after it."""
+"""Ctrl-C soon raises KeyboardInterrupt, in a separate process, and the library works afterwards."""
 
 import os
 import signal
@@ -23,7 +23,7 @@ except KeyboardInterrupt:
 print(lippmann.render("room", lippmann.camera_grid(1, 2, (8, 8))).shape, flush=True)
 """
 
-# Work that would take longer than the test may, of which nothing tells when it has begun: the signal comes from a thread beside it.
+# Work that outlasts the test and does not report when it has begun: the signal comes from a second thread.
 LOOK = """
 import os, signal, sys, threading, numpy as np, lippmann
 field = lippmann.LightField(np.full((100, 100, 4, 4, 3), 128, np.uint8), distance_mm=500, baseline_mm=1, pixel_mm=10)
@@ -39,13 +39,13 @@ print(field.eye(size=(8, 8)).mean() > 0.1, field.refocus(7, size=(8, 8)).mean() 
 
 
 class Interruption(Case):
-    def test_ctrl_c_ends_an_eye_and_a_refocus(self):
+    def test_ctrl_c_ends_eye_and_refocus(self):
         for what in ("eye(pupil_mm=30, crosstalk=8, size=(2000, 2000))", "refocus(7, size=(6000, 6000))"):
             with self.subTest(what):
                 done = subprocess.run([sys.executable, "-c", LOOK.format(what=what)], stdout=subprocess.PIPE, text=True)
                 self.assertEqual((done.stdout, done.returncode), ("interrupted\nTrue True\n", 0))
 
-    def test_ctrl_c_raises_keyboard_interrupt_and_the_library_still_works(self):
+    def test_ctrl_c_stops_a_render(self):
         with subprocess.Popen([sys.executable, "-c", RENDER], stdout=subprocess.PIPE, text=True) as process:
             self.assertEqual(process.stdout.readline(), "started\n")
             os.kill(process.pid, signal.SIGINT)

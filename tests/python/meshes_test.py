@@ -1,4 +1,4 @@
-"""Meshes of trimesh and Open3D, by the names of their attributes."""
+"""Meshes of trimesh and Open3D, read by the names of their attributes."""
 
 import types
 
@@ -13,7 +13,7 @@ UVS = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)  # v upwards
 
 
 class Image:
-    """Stands for a PIL.Image: the upper row is red, the lower one green."""
+    """Imitates a PIL.Image: the upper row is red, the lower one green."""
 
     def convert(self, mode):
         assert mode == "RGBA"
@@ -38,7 +38,7 @@ class Meshes(Case):
         scene.place_display(height=3, viewing_distance=20)
         return lippmann.render(scene, small_grid(1, 1, (16, 16)), integrator="whitted", environment=(1, 1, 1), spp=1).views[0, 0]
 
-    def test_meshes_are_what_their_arrays_are(self):
+    def test_meshes_equal_their_arrays(self):
         self.assertSame(self.seen(trimesh(kind=None)), self.seen(CORNERS, FACES))
         self.assertSame(self.seen(open3d()), self.seen(CORNERS, FACES))
         normals = np.tile([0.0, 0.6, 0.8], (4, 1))
@@ -51,15 +51,15 @@ class Meshes(Case):
         codes = np.tile(np.array([128, 128, 128, 255], np.uint8), (4, 1))
         np.testing.assert_allclose(self.seen(trimesh(kind="vertex", vertex_colors=codes)), linear, rtol=0.02)
 
-    def test_textures_stand_upright(self):
+    def test_textures_are_upright(self):
         surface = types.SimpleNamespace(baseColorTexture=Image())
         picture = self.seen(trimesh(kind="texture", uv=UVS, material=surface))
         self.assertGreater(picture[5, 8, 0], 10 * picture[5, 8, 1])  # red above
         self.assertGreater(picture[10, 8, 1], 10 * picture[10, 8, 0])
         plain = self.seen(trimesh(kind="texture", uv=UVS, material=surface), material=lippmann.Material())
-        self.assertSame(plain, self.seen(CORNERS, FACES))  # an argument goes before what the mesh holds
+        self.assertSame(plain, self.seen(CORNERS, FACES))  # an argument takes precedence over the mesh
 
-    def test_what_is_no_mesh_is_named(self):
+    def test_invalid_meshes_are_named(self):
         for thing in (CORNERS, types.SimpleNamespace(vertices=CORNERS), 7):
             error = self.assertWrong("triangles", self.seen, thing)
             self.assertIn("trimesh", error.accepted)

@@ -1,4 +1,4 @@
-"""What `lippmann compare` prints, against the definitions in docs/reference/metrics.md, written here with NumPy in the plainest way."""
+"""Compares `lippmann compare` with plain NumPy implementations of the definitions in docs/reference/metrics.md."""
 
 import json
 import unittest
@@ -12,7 +12,7 @@ HEIGHT, WIDTH = 164, 170
 
 
 def pictures(seed):
-    """A reference, and the same with an error that differs from pair to pair; codes."""
+    """Returns codes of a reference and of a test with an error that differs from pair to pair."""
     rng = np.random.default_rng(seed)
     y, x = np.mgrid[:HEIGHT, :WIDTH]
     reference = np.stack([127 + 120 * np.sin(x / rng.uniform(3, 30) + y / rng.uniform(3, 30) + c) for c in range(3)], -1)
@@ -37,7 +37,7 @@ def correlate(plane, kernel):
 
 
 def psnr_yuv(a, b):
-    """PSNR-Y and PSNR-YUV: BT.709 as a matrix of its three rows."""
+    """PSNR-Y and PSNR-YUV: BT.709 as a matrix of three rows."""
     matrix = np.array([[0.2126, 0.7152, 0.0722], [-0.2126, -0.7152, 1 - 0.0722], [1 - 0.2126, -0.7152, -0.0722]])
     matrix[1] /= 2 * (1 - 0.0722)
     matrix[2] /= 2 * (1 - 0.2126)
@@ -91,7 +91,7 @@ def hyab(a, b):
 
 
 def flip(a, b):
-    """With filters of two dimensions, as the paper has them."""
+    """FLIP with two-dimensional filters, as in the paper."""
     per_degree = 3840 * np.pi / 180
     radius = int(np.ceil(3 * np.sqrt(0.04 / (2 * np.pi**2)) * per_degree))
     t = np.arange(-radius, radius + 1) / per_degree
@@ -131,7 +131,7 @@ class Metrics(Case):
         return json.loads(tool("compare", self.folder / "a", self.folder / "b", "--json", *words))
 
     def write(self, count, make):
-        """Pairs of pictures in the folders a and b; returns them."""
+        """Writes pairs of pictures to the folders a and b, and returns them."""
         pairs = [make(i) for i in range(count)]
         for side, name in enumerate("ab"):
             (self.folder / name).mkdir()

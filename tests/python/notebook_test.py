@@ -1,4 +1,4 @@
-"""The notebook of examples/python runs, and what its cells show is what a notebook can display. Jupyter is not needed."""
+"""The notebook of examples/python runs, and its cells return values that a notebook can display. Does not need Jupyter."""
 
 import ast
 import json
@@ -15,7 +15,7 @@ NOTEBOOK = SOURCE / "examples/python/light_field.ipynb"
 
 class Notebook(Case):
     def run_cells(self):
-        """Runs all cells in order; yields the value of each cell that ends with an expression."""
+        """Runs all cells in order and yields the value of each cell that ends with an expression."""
         names = {}
         for number, cell in enumerate(json.loads(NOTEBOOK.read_text())["cells"]):
             if cell["cell_type"] != "code":

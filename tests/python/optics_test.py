@@ -1,4 +1,4 @@
-"""Optics by the name of their model, and optics that are a function from pixel to ray."""
+"""Optics by the name of their model, and optics given by a function from pixel to ray."""
 
 import math
 import warnings
@@ -10,7 +10,7 @@ from support import Case
 
 
 class OpticsByName(Case):
-    def test_a_kind_and_its_values_make_the_optics_of_its_function(self):
+    def test_optics_by_kind_equal_their_function(self):
         points = np.array([[0.5, 0.5], [20.25, 31.0], [55.5, 39.5]], np.float32)
         lenses = dict(pixel_mm=0.25, lens_pitch_mm=2.0, gap_mm=4.0)
         for named, made in (
@@ -42,7 +42,7 @@ class OpticsByName(Case):
 
 
 class OwnOptics(Case):
-    def test_rays_of_a_known_model_show_what_the_model_shows(self):
+    def test_rays_of_a_model_match_the_model(self):
         sheet = dict(pixel_mm=0.25, lens_pitch_mm=2.0, gap_mm=4.0)
         for known, pixel_mm in (
             (lippmann.single_view((40, 56), pixel_mm=0.5), 0.5),
@@ -55,11 +55,11 @@ class OwnOptics(Case):
             ]
             self.assertEqual(pictures[0].shape, (40, 56, 3))
             self.assertGreater(pictures[0].std(), 0.05)
-            # Both filter textures as wide as they know their pixels to be, and rounding tips a pixel at an edge now and then.
+            # Both filter textures by the pixel size that they assume, and rounding changes a few pixels at edges.
             differ = np.abs(pictures[0] - pictures[1]).max(axis=2) > 2e-3
             self.assertLess(differ.mean(), 0.02)
 
-    def test_rays_are_asked_for_once_row_by_row(self):
+    def test_rays_are_called_once_row_by_row(self):
         asked = []
 
         def rays(points):
@@ -103,7 +103,7 @@ class OwnOptics(Case):
             self.assertWrong("rays: directions", with_rays(lambda points: (ahead, np.tile(direction, (4, 1)))))
         self.assertWrong("size", lambda: lippmann.own_optics(lambda points: (ahead, ahead), (0, 2)))
 
-    def test_what_the_function_raises_comes_out_as_it_is(self):
+    def test_exceptions_of_rays_are_passed_on(self):
         def lazy(points):
             yield np.zeros((len(points), 3))
             int("x")
@@ -122,7 +122,7 @@ class OwnOptics(Case):
             lippmann.own_optics(lambda points: lippmann.camera_grid(rows=0), (2, 2))
         self.assertEqual(caught.exception.where, "rows")
 
-    def test_what_needs_views_says_that_there_are_none(self):
+    def test_missing_views_are_named(self):
         def parallel(points):
             at = (points - 8) * [1.0, -1.0]
             return np.column_stack([at, np.full(len(at), 50.0)]), np.tile([0.0, 0.0, -1.0], (len(at), 1))

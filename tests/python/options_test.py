@@ -1,4 +1,4 @@
-"""Options of lippmann.render: typed, and those of the tool."""
+"""Options of lippmann.render: their types, and agreement with the tool."""
 
 import inspect
 import os
@@ -13,22 +13,22 @@ import lippmann
 from lippmann import _options
 from support import Case, SOURCE, small_grid, tool
 
-# The tool's options of the groups that Python has, and what stands in their place. Optics are a value of their own.
+# Groups of the tool's options that Python has too, and options left out. Optics are a separate value.
 GROUPS = ("Scene", "Rendering", "Reuse")
 RENAMED = {"aperture": "aperture_mm", "focal-plane": "focal_plane_mm", "environment-rotation": "environment_rotation_deg",
            "texture-memory": "texture_memory_mb", "fps": "frames_per_second", "scene": "name"}
 LEFT_OUT = {
-    "order",  # changes speed alone
-    "exposure", "tone",  # of pictures with codes: arrays are linear
+    "order",  # changes only speed
+    "exposure", "tone",  # for pictures with codes; arrays are linear
     "splat", "fill", "halving", "no-z-buffer", "debug",  # choices of --reuse interpolate for comparing its variants
     "job",  # a file of flags
     "cameras",  # whole data sets on disk
-    "points",  # of PLY files without faces
+    "points",  # for PLY files without faces
 }
 
 
 def tool_options():
-    """The names of the tool's options by group, from its help."""
+    """Returns the names of the tool's options by group, from its help."""
     options, group = {}, ""
     for line in tool("render", "--help-all").splitlines():
         if re.match(r"\S.*:$", line) or re.match(r"[A-Z]\w+$", line):
@@ -40,14 +40,14 @@ def tool_options():
 
 
 class Options(Case):
-    def test_options_are_those_of_the_tool(self):
+    def test_options_equal_the_tools(self):
         options = tool_options()
         self.assertLessEqual(set(GROUPS), set(options))
         has = {name for function in (lippmann.load, lippmann.render, lippmann.frames) for name in inspect.signature(function).parameters}
         for group in GROUPS:
             for name in sorted(options[group] - LEFT_OUT):
                 self.assertIn(RENAMED.get(name, name.replace("-", "_")), has, f"--{name} of {group}")
-        self.assertEqual(LEFT_OUT - set().union(*options.values()), set(), "left out, and the tool has no such option")
+        self.assertEqual(LEFT_OUT - set().union(*options.values()), set(), "these are left out, but the tool has no such options")
 
     def test_render_and_frames_take_the_same(self):
         of_render = dict(inspect.signature(lippmann.render).parameters)
@@ -55,7 +55,7 @@ class Options(Case):
         self.assertTrue(of_render.pop("frame") and of_frames.pop("frames"))
         self.assertEqual(list(of_render.values()), list(of_frames.values()))
 
-    def test_types_have_the_names_that_are_accepted(self):
+    def test_types_list_the_accepted_names(self):
         layers = {name for name in lippmann._core.layer_names if name != "alpha"} | {"disparity"}
         self.assertEqual(set(typing.get_args(_options.Layer)), layers)
         self.assertEqual(set(typing.get_args(_options.Integrator)), set(lippmann._core.integrator_names()))
@@ -108,7 +108,7 @@ class Options(Case):
             options.update(light="none", spp=1, fit_depth=False)
             return lippmann.render(scene, small_grid(1, 1, (64, 64)), **options).views[0, 0, :, :, 0] > 0
 
-        self.assertEqual(np.diff(covered().any(axis=0).astype(int)).tolist().count(1), 1)  # the middle one alone
+        self.assertEqual(np.diff(covered().any(axis=0).astype(int)).tolist().count(1), 1)  # only the middle one
         self.assertEqual(np.diff(covered(fit_to="all").any(axis=0).astype(int)).tolist().count(1), 3)
 
     def test_angular_filter_and_clamp_reach_the_renderer(self):

@@ -1,4 +1,4 @@
-"""Pickles and deep copies of all public classes, and attributes that are not there."""
+"""Pickles and deep copies of all public classes, and missing attributes."""
 
 import copy
 import inspect
@@ -12,7 +12,7 @@ from support import Case, DESK, SMALL_PANEL, small_grid
 
 
 def figure():
-    """A scene with a handle, a texture, a skin and an animation."""
+    """Returns a scene with a handle, a texture, a skin and an animation."""
     scene = lippmann.Scene("figure", frames=2)
     texture = np.arange(48, dtype=np.uint8).reshape(4, 4, 3)
     joint = scene.add_joint(name="joint")
@@ -39,7 +39,7 @@ def own_optics():
 
 
 def examples():
-    """One object or more of every public class but Animation, by class."""
+    """Returns one object or more of every public class except Animation, by class."""
     scene, ball, skin = figure()
     viewless = lippmann.render(DESK, own_optics(), integrator="whitted", spp=1)
     return {
@@ -81,10 +81,10 @@ class Pickling(Case):
             for value in values:
                 for same in self.copies_of(value):
                     self.assertIs(type(same), kind)
-                    if kind is not lippmann.Skin:  # whose arrays have no equality
+                    if kind is not lippmann.Skin:  # its arrays cannot be compared with ==
                         self.assertEqual(repr(same), repr(value))
 
-    def test_copied_animations_render_the_same_by_themselves(self):
+    def test_copied_animations_render_independently(self):
         scene, _, _ = figure()
         animation = lippmann.frames(scene, small_grid(), integrator="whitted", layers=["depth"], seed=3)
         first = animation[0]
@@ -106,7 +106,7 @@ class Pickling(Case):
         self.assertSame(returned[1][1].views, field.views)
         self.assertSame(returned[4][1][1].views, rendered(scene, frame=1).views)
 
-    def test_copied_scenes_render_the_same_and_are_independent(self):
+    def test_copied_scenes_are_independent(self):
         scene, ball, _ = figure()
         views = rendered(scene, frame=1).views
         for same in self.copies_of(scene):
@@ -149,6 +149,6 @@ class Pickling(Case):
                     if not hasattr(value, name):
                         absent.add(name)
                         self.assertEqual(getattr(value, name, 7), 7)
-                        with self.assertRaises(lippmann.Error):  # which says what would make it known
+                        with self.assertRaises(lippmann.Error):  # states what would provide it
                             getattr(value, name)
         self.assertLessEqual({"depth", "disparity", "normals", "motion", "alpha", "rgba", "views", "eyes_mm", "units_per_mm"}, absent)

@@ -1,5 +1,5 @@
-# Installs the package with pip into a fresh virtual environment, and renders with it outside of the source tree. The build is
-# taken as it is.
+# Installs the package with pip into a new virtual environment, and renders with it outside the source tree. Uses an existing
+# build.
 #   cmake -D BUILD=... -D PYTHON=... -D SOURCE=... -P pip.cmake
 cmake_minimum_required(VERSION 3.25)
 

@@ -1,4 +1,4 @@
-"""Random scenes, displays and light fields: the same by seed, different by seed, and of use."""
+"""Random scenes, displays and light fields: reproducible by seed, different between seeds, and usable."""
 
 import itertools
 
@@ -9,7 +9,7 @@ from support import Case
 
 
 class RandomData(Case):
-    def test_the_same_seed_gives_the_same_bits_and_another_others(self):
+    def test_seeds_decide_all_bits(self):
         def data(seed):
             return next(lippmann.training_data(seed, rows=1, columns=2, size=(32, 32), spp=1))
 
@@ -18,14 +18,15 @@ class RandomData(Case):
         self.assertSame(one.disparity, same.disparity)
         self.assertFalse(np.array_equal(one.views, other.views))
 
-    def test_it_has_no_end_and_each_stands_alone(self):
+    def test_it_is_endless_and_independent_per_seed(self):
         options = dict(rows=1, columns=2, size=(16, 16), spp=1)
         three = list(itertools.islice(lippmann.training_data(5, **options), 3))
         self.assertSame(three[2].views, next(lippmann.training_data(7, **options)).views)
         self.assertEqual(len(list(lippmann.training_data(5, 2, **options))), 2)
 
-    def test_disparity_says_where_pixels_are_in_the_next_view(self):
-        # The last of 9 views, looked up where the first one's disparity says, is the first: far better than without it.
+    def test_disparity_locates_pixels_in_other_views(self):
+        # The last of 9 views, sampled where the first view's disparity points, must match the first much better than without
+        # it.
         better = []
         for field in lippmann.training_data(11, 3, rows=1, columns=9, size=(96, 96), spp=16):
             left, right, shift = field.views[0, 0], field.views[0, -1], 8 * field.disparity[0, 0]

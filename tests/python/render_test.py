@@ -1,4 +1,4 @@
-"""Frames: the same bytes as the tool's, one after the other, with layers."""
+"""Frames: the same bytes as the tool's, in sequence, with layers."""
 
 import threading
 
@@ -12,21 +12,21 @@ class Render(Case):
     def assertSameFile(self, one, other):
         self.assertEqual(one.read_bytes(), other.read_bytes())
 
-    def test_a_quilt_is_the_tools_byte_for_byte(self):
+    def test_a_quilt_equals_the_tools(self):
         tool("render", DESK, "--display", SMALL_PANEL, "--frames", "3", "--spp", "4", "-o", self.folder / "tool")
         field = lippmann.render(DESK, SMALL_PANEL, frame=3, spp=4)
         field.save(self.folder / "own.png")
         self.assertSameFile(self.folder / "own.png", self.folder / "tool/frame_0003_qs4x2a0.5625.png")
         self.assertEqual(field.views.shape, (1, 8, 112, 64, 3))
 
-    def test_whitted_frames_of_an_animation_are_the_tools_byte_for_byte(self):
+    def test_whitted_frames_equal_the_tools(self):
         tool("render", "gears", "--display", SMALL_PANEL, "--frames", "4-7", "-o", self.folder / "tool")
         for field in lippmann.frames("gears", SMALL_PANEL, frames=range(4, 8)):
             field.save(self.folder / "own.png")
             name = f"frame_{field.report['frame']:04}_qs4x2a0.5625.png"
             self.assertSameFile(self.folder / "own.png", self.folder / "tool" / name)
 
-    def test_a_native_frame_is_the_tools_byte_for_byte(self):
+    def test_a_native_frame_equals_the_tools(self):
         panel = self.folder / "panel.toml"
         panel.write_text(SMALL_PANEL.read_text().replace("[1440, 2560]", "[90, 160]").replace("dpi = 491", "dpi = 60"))
         tool("render", "room", "--display", panel, "--layout", "native", "--frames", "9", "-o", self.folder / "tool")
@@ -35,11 +35,11 @@ class Render(Case):
         self.assertEqual(field.panel_layer("depth").shape, (160, 90, 1))
         field.save(self.folder / "own.png")
         self.assertSameFile(self.folder / "own.png", self.folder / "tool/frame_0009.png")
-        self.assertWrong("optics", lambda: field.views)  # lenses without whole pixels have no views of them
+        self.assertWrong("optics", lambda: field.views)  # lenses of fractional pixels have no views of whole pixels
         self.assertIn("160", repr(field))
         self.assertEqual(field.eye(size=(16, 9)).shape, (16, 9, 3))
 
-    def test_eyes_and_refocused_pictures_are_those_of_replay(self):
+    def test_eyes_and_refocused_pictures_equal_replay(self):
         tool("render", "room", "--display", SMALL_PANEL, "--frames", "9", "--format", "exr", "--exr-pixels", "float",
              "-o", self.folder / "tool")
         tool("replay", self.folder / "tool", "--eye", "20,0,400", "-o", self.folder / "eyes")
@@ -50,7 +50,7 @@ class Render(Case):
             lippmann._core.write_picture(picture, str(own))
             self.assertSameFile(own, self.folder / "eyes" / name)
 
-    def test_frames_can_be_asked_for_in_any_order(self):
+    def test_frames_render_in_any_order(self):
         animation = lippmann.frames("gears", small_grid())
         self.assertEqual(len(animation), 480)
         late, early = animation[6], animation[2]
@@ -61,11 +61,11 @@ class Render(Case):
         with self.assertRaises(IndexError):
             animation[480]
 
-    def test_slices_are_animations_of_those_frames(self):
+    def test_slices_are_animations(self):
         calls = []
         animation = lippmann.frames("gears", small_grid(), progress=lambda frame, share: calls.append(frame))
         some = animation[2:7:4]
-        self.assertEqual((len(some), calls), (2, []))  # nothing is rendered before it is asked for
+        self.assertEqual((len(some), calls), (2, []))  # nothing is rendered before access
         self.assertEqual([field.report["frame"] for field in some], [2, 6])
         self.assertEqual(some[-1].report["frame"], 6)
         self.assertEqual([field.report["frame"] for field in animation[::-1][:2]], [479, 478])
@@ -89,17 +89,17 @@ class Render(Case):
         self.assertSame(denoised, render(denoise=True, reuse="none").picture)
         self.assertSame(plain, render(denoise=False).picture)
 
-    def test_one_sample_a_pixel_stays_as_traced(self):
+    def test_single_samples_are_not_denoised(self):
         pictures = [lippmann.render(DESK, small_grid(), spp=1, denoise=denoise).picture for denoise in ("auto", "none")]
         self.assertSame(*pictures)
 
-    def test_sixteen_paths_a_pixel_are_the_default(self):
+    def test_sixteen_paths_per_pixel_are_the_default(self):
         self.assertSame(lippmann.render(DESK, small_grid()).picture, lippmann.render(DESK, small_grid(), spp=16).picture)
         paths = {"integrator": "path", "denoise": "none"}
         self.assertSame(lippmann.render("room", small_grid(), **paths).picture,
                         lippmann.render("room", small_grid(), spp=16, **paths).picture)
 
-    def test_reports_give_an_interval_for_the_error_of_paths(self):
+    def test_reports_have_an_error_interval(self):
         report = lippmann.render(DESK, small_grid(4, 4, (96, 96)), spp=4).report
         self.assertLessEqual(report["psnr_at_least_db"], report["estimated_psnr_db"])
         self.assertLessEqual(report["estimated_psnr_db"], report["psnr_at_most_db"])
@@ -110,7 +110,7 @@ class Render(Case):
         other = lippmann.render(DESK, small_grid(), spp=4, threads=1, seed=1)
         self.assertFalse(np.array_equal(one.picture, other.picture))
 
-    def test_layers_say_what_is_behind_every_pixel(self):
+    def test_layers_describe_every_pixel(self):
         scene = lippmann.Scene("two")
         red = lippmann.Material((0.5, 0.0, 0.0))
         scene.add_plane((0, 0, -1), (0, 0, 1), name="wall")
@@ -127,7 +127,7 @@ class Render(Case):
         world = field.world_from_display @ np.array([0, 0, 25, 1])
         np.testing.assert_allclose(world, (0, 0, 1, 1), atol=1e-5)
 
-    def test_progress_is_told_and_other_threads_run_meanwhile(self):
+    def test_progress_is_reported_while_threads_run(self):
         shares, ticks, done = [], [], threading.Event()
 
         def tick():

@@ -10,7 +10,7 @@ FACES = [[0, 1, 2], [0, 2, 3]]
 
 
 def front(scene, **options):
-    """The view from in front, 2 units high."""
+    """Returns the view from the front, 2 units high."""
     scene.place_display(height=2, viewing_distance=20)
     options.setdefault("spp", 1)
     return lippmann.render(scene, small_grid(1, 1, (32, 32)), light="none", **options).views[0, 0]
@@ -22,7 +22,7 @@ class SceneTest(Case):
         scene.add_mesh(QUAD, FACES, material=lippmann.Material((0.25, 0.5, 0.75), unlit=True))
         np.testing.assert_allclose(front(scene)[16, 16], (0.25, 0.5, 0.75), rtol=1e-5)
 
-    def test_a_texture_lies_by_uvs_with_v_downwards(self):
+    def test_textures_use_uvs_with_v_downwards(self):
         texture = np.zeros((2, 2, 3), np.uint8)
         texture[0, 0], texture[1, 1] = (255, 0, 0), (0, 0, 255)  # top left red, bottom right blue
         scene = lippmann.Scene()
@@ -33,7 +33,7 @@ class SceneTest(Case):
         self.assertGreater(picture[24, 24, 2], 0.9)
         self.assertLess(picture[8, 24].max(), 0.1)
 
-    def test_a_texture_that_has_changed_is_another_one_and_equal_ones_are_shared(self):
+    def test_equal_textures_are_shared(self):
         scene, uvs = lippmann.Scene(), [[0, 1], [1, 1], [1, 0], [0, 0]]
 
         def add(texture, x):
@@ -47,14 +47,14 @@ class SceneTest(Case):
         picture = front(scene)
         np.testing.assert_allclose(picture[16, [8, 24]], [[1, 0, 0], [0, 1, 0]], atol=1e-5)
         self.assertEqual(scene._core.material_count, 2)
-        add(texture.copy(), 2)  # as it is
+        add(texture.copy(), 2)  # unchanged
         add(texture[::-1, ::-1], 3)
         add(np.dstack([texture, np.full((2, 3), 255, np.uint8)]), 4)  # with the alpha that the others have
         self.assertEqual(scene._core.material_count, 2)
         add(texture.reshape(3, 2, 3), 5)  # the same bytes in another shape
         self.assertEqual(scene._core.material_count, 3)
 
-    def test_a_scene_on_a_map_is_rendered_as_at_the_origin(self):
+    def test_scenes_far_from_the_origin_are_exact(self):
         def field(place):
             scene = lippmann.Scene()
             material = lippmann.Material((0.25, 0.5, 0.75), unlit=True)
@@ -64,7 +64,7 @@ class SceneTest(Case):
             np.testing.assert_array_equal(scene.bounds(), [corners.min(axis=0), corners.max(axis=0)])
             return lippmann.render(scene, small_grid(1, 1, (32, 32)), light="none", spp=1)
 
-        place = (4194304, 1024, -2097152)  # floats can hold the corners
+        place = (4194304, 1024, -2097152)  # exactly representable as floats
         near, far = field((0, 0, 0)), field(place)
         np.testing.assert_array_equal(far.views, near.views)
         moved = near.world_from_display
@@ -77,7 +77,7 @@ class SceneTest(Case):
         scene.add_mesh(QUAD, FACES, colors=colors, material=lippmann.Material((0.5, 0.5, 0.5), unlit=True))
         np.testing.assert_allclose(front(scene)[16, 16], (0.5, 0.25, 0), rtol=1e-5, atol=1e-6)
 
-    def test_a_lamp_lights_what_it_shines_at(self):
+    def test_a_lamp_lights_its_target(self):
         def brightness(**lamp):
             scene = lippmann.Scene()
             scene.add_mesh(QUAD, FACES, material=lippmann.Material((1, 1, 1), roughness=1))
@@ -91,9 +91,9 @@ class SceneTest(Case):
         self.assertAlmostEqual(brightness(kind="spot", position=(0, 0, 2), target=(0, 0, 0)), towards / 4, delta=0.02 * towards)
         self.assertLess(brightness(kind="spot", position=(0, 0, 2), target=(0, 0, 4)), 1e-6)
 
-    def test_a_lamp_with_a_size_has_soft_shadows(self):
-        # A plate before x < 0 at z = 0.5, a lamp at z = 2: at (x, 0, 0) all of a sphere of radius 0.5 is seen that is right of
-        # -3 x. Beyond x = 1/6 that is the whole of it, at x = 1/32 (the first pixel) 0.62.
+    def test_lamps_with_size_have_soft_shadows(self):
+        # A plate in front of x < 0 at z = 0.5, a lamp at z = 2: from (x, 0, 0), the part of a sphere of radius 0.5 right of -3
+        # x is visible. That is the whole sphere beyond x = 1/6, and 0.62 of it at x = 1/32 (the first pixel).
         def row(**size):
             scene = lippmann.Scene()
             scene.add_mesh(QUAD, FACES, material=lippmann.Material((1, 1, 1), roughness=1))
@@ -105,19 +105,19 @@ class SceneTest(Case):
         self.assertAlmostEqual(float(ratio[0]), 0.62, delta=0.06)
         np.testing.assert_allclose(ratio[4:], 1.0, atol=0.03)
 
-    def test_an_even_background_lights_a_white_matt_wall_as_brightly_as_itself(self):
+    def test_a_white_wall_matches_a_uniform_background(self):
         scene = lippmann.Scene()
         scene.set_background((0.5, 0.5, 0.5))
         scene.add_mesh(QUAD, FACES, material=lippmann.Material((1, 1, 1), roughness=1, metallic=0))
         self.assertAlmostEqual(float(front(scene, integrator="path", spp=64)[8:24, 8:24].mean()), 0.5, delta=0.02)
 
-    def test_a_panorama_is_seen_behind_everything(self):
+    def test_a_panorama_is_the_background(self):
         scene = lippmann.Scene()
         scene.add_sphere((0, 0, 0), 0.2)
         scene.set_environment(np.full((8, 16, 3), 0.25), strength=2)
         np.testing.assert_allclose(front(scene)[0, 0], 0.5, rtol=1e-5)
 
-    def test_matrices_and_their_parts_move_things_equally(self):
+    def test_matrices_equal_their_parts(self):
         angles = np.linspace(0, 1.2, 4)
         matrices = np.zeros((4, 4, 4))
         for matrix, angle in zip(matrices, angles):
@@ -138,7 +138,7 @@ class SceneTest(Case):
         corner = matrices[3] @ np.array([[x, y, z, 1] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]).T
         np.testing.assert_allclose(one[3], [corner[:3].min(axis=1), corner[:3].max(axis=1)], atol=1e-5)
 
-    def test_every_rotation_comes_back_from_its_matrix(self):
+    def test_rotations_round_trip_through_matrices(self):
         from lippmann import _scene
 
         rng = np.random.default_rng(3)
@@ -152,7 +152,7 @@ class SceneTest(Case):
             found = _scene._quaternions(matrix[None])[0]
             self.assertAlmostEqual(abs(float(found @ (x, y, z, w))), 1, places=9)
 
-    def test_cameras_decide_what_is_seen(self):
+    def test_cameras_set_the_view(self):
         scene = lippmann.Scene()
         scene.add_sphere((5, 0, 0), 0.5, material=lippmann.Material((1, 1, 1), unlit=True))
         scene.add_camera((5, 0, 10), target=(5, 0, 0), vertical_fov_deg=20)
@@ -160,7 +160,7 @@ class SceneTest(Case):
         self.assertGreater(views[16, 16, 0], 0.9)
         self.assertEqual(views[2, 2, 0], 0)
 
-    def test_scenes_of_files_say_what_they_hold(self):
+    def test_scenes_of_files_list_their_content(self):
         scene = lippmann.load(DESK)
         self.assertGreater(len(scene.objects), 1)
         self.assertGreater(scene.frame_count, 1)
