@@ -32,7 +32,7 @@ std::string contents(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-TEST(AtomicFile, temporary_path_is_hidden_in_the_same_folder_with_the_same_extension) {
+TEST(AtomicFile, temporary_path_is_hidden_beside_the_file) {
   const TempDir dir;
   const AtomicFile file(dir / "frame_0001.png");
   EXPECT_EQ(file.temporary_path().parent_path(), dir.path());
@@ -40,7 +40,7 @@ TEST(AtomicFile, temporary_path_is_hidden_in_the_same_folder_with_the_same_exten
   EXPECT_TRUE(file.temporary_path().filename().string().starts_with(".frame_0001.tmp-"));
 }
 
-TEST(AtomicFile, two_of_one_name_do_not_write_one_file) {
+TEST(AtomicFile, two_of_one_name_write_separate_files) {
   const TempDir dir;
   AtomicFile first(dir / "a.txt"), second(dir / "a.txt");
   std::ofstream(first.temporary_path()) << "first";
@@ -93,7 +93,7 @@ TEST(WriteFileAtomically, name_of_a_folder_is_refused) {
   EXPECT_THAT(error_message([&] { write_file_atomically(dir / "a.png", bytes_of("x")); }), HasSubstr("not a regular file"));
 }
 
-TEST(WriteFileAtomically, disk_full_names_the_file_and_leaves_nothing) {
+TEST(WriteFileAtomically, full_disk_names_the_file_and_leaves_nothing) {
   const TempDir dir;
   const std::string text(100000, 'x');
   {
@@ -104,7 +104,7 @@ TEST(WriteFileAtomically, disk_full_names_the_file_and_leaves_nothing) {
   EXPECT_TRUE(fs::is_empty(dir.path()));
 }
 
-/// The id of a process that has ended and been waited for.
+/// Returns the id of a process that has ended and been waited for.
 pid_t ended_process() {
   const pid_t child = fork();
   if (child == 0) _exit(0);
@@ -112,7 +112,7 @@ pid_t ended_process() {
   return child;
 }
 
-TEST(StaleTemporaries, left_by_ended_processes_are_removed_and_no_others) {
+TEST(StaleTemporaries, only_those_of_ended_processes_are_removed) {
   const TempDir dir;
   const std::string here = "-" + platform::host_name() + "-0123abcd", ended = std::to_string(ended_process()) + here,
                     elsewhere = std::to_string(ended_process()) + "-" + platform::host_name() + "x-0123abcd",
@@ -131,7 +131,7 @@ TEST(StaleTemporaries, left_by_ended_processes_are_removed_and_no_others) {
   for (const std::string& name : others) EXPECT_TRUE(fs::exists(dir.path() / name)) << name;
 }
 
-TEST(StaleTemporaries, of_one_file_are_removed_alone) {
+TEST(StaleTemporaries, of_one_file_only_are_removed) {
   const TempDir dir;
   const std::string ended = std::to_string(ended_process()) + "-" + platform::host_name() + "-0123abcd";
   for (const char* stem : {"a", "b"})
@@ -141,7 +141,7 @@ TEST(StaleTemporaries, of_one_file_are_removed_alone) {
   EXPECT_TRUE(fs::exists(dir.path() / (".b.tmp-" + ended + ".mp4")));
 }
 
-TEST(StaleTemporaries, folder_that_is_not_there_is_left_alone) { EXPECT_NO_THROW(remove_stale_temporaries("/no/such/folder")); }
+TEST(StaleTemporaries, missing_folder_is_ignored) { EXPECT_NO_THROW(remove_stale_temporaries("/no/such/folder")); }
 
 }  // namespace
 }  // namespace lippmann

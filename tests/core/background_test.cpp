@@ -19,7 +19,7 @@
 namespace lippmann {
 namespace {
 
-TEST(BackgroundQueue, in_order_halves_run_in_the_order_of_submission) {
+TEST(BackgroundQueue, ordered_halves_run_in_submission_order) {
   std::vector<int> order;
   {
     BackgroundQueue queue(4, 8);
@@ -48,14 +48,14 @@ TEST(BackgroundQueue, never_more_pieces_than_its_capacity_exist) {
   BackgroundQueue queue(2, 3);
   for (int i = 0; i < 50; ++i) {
     auto held = std::make_shared<Counted>(alive, most);
-    queue.submit([held] { std::this_thread::sleep_for(std::chrono::microseconds(100)); });  // so that pieces pile up
+    queue.submit([held] { std::this_thread::sleep_for(std::chrono::microseconds(100)); });  // so that pieces accumulate
   }
   queue.finish();
   EXPECT_EQ(alive, 0);
-  EXPECT_LE(most, 4) << "three pieces, and the one that waits in submit()";
+  EXPECT_LE(most, 4) << "three pieces and the one waiting in submit()";
 }
 
-TEST(BackgroundQueue, piece_throws_is_rethrown_once_and_later_pieces_are_dropped) {
+TEST(BackgroundQueue, piece_throws_is_rethrown_once_and_drops_later_ones) {
   std::atomic<int> ran{0};
   BackgroundQueue queue(1, 100);
   queue.submit([] { throw std::runtime_error("disk full"); }, [&] { ++ran; });
@@ -74,7 +74,7 @@ TEST(BackgroundQueue, ordered_half_throws_is_rethrown) {
   EXPECT_THROW(queue.finish(), std::runtime_error);
 }
 
-TEST(BackgroundQueue, destroyed_with_pieces_waiting_drops_them_without_hanging) {
+TEST(BackgroundQueue, destroyed_drops_waiting_pieces) {
   std::atomic<int> ran{0};
   std::promise<void> begun, go;
   const std::shared_future<void> may_go = go.get_future().share();
@@ -85,7 +85,8 @@ TEST(BackgroundQueue, destroyed_with_pieces_waiting_drops_them_without_hanging) 
     begun.get_future().wait();
     for (int i = 0; i < 5; ++i) queue.submit([&] { ++ran; });
     releaser = std::thread([&] {
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));  // the queue's end begins meanwhile, which nothing shows
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));  // meanwhile the queue's destructor begins, which cannot be
+                                                                   // observed
       go.set_value();
     });
   }
@@ -93,7 +94,7 @@ TEST(BackgroundQueue, destroyed_with_pieces_waiting_drops_them_without_hanging) 
   EXPECT_EQ(ran, 1);
 }
 
-/// Leaves this process the address space that `bytes` more take.
+/// Limits this process's address space to `bytes` more than it uses.
 void limit_address_space(rlim_t bytes) {
   rlim_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
@@ -102,9 +103,9 @@ void limit_address_space(rlim_t bytes) {
   setrlimit(RLIMIT_AS, &both);
 }
 
-/// Exits with 3 if some of the threads could start and the others could not, and the queue said so.
+/// Exits with 3 if some threads started, others could not, and the queue reported it.
 void start_more_threads_than_fit() {
-  constexpr rlim_t kStack = 8 << 20;  // what a thread's stack takes in most systems
+  constexpr rlim_t kStack = 8 << 20;  // size of a thread's stack on most systems
   limit_address_space(6 * kStack);
   { BackgroundQueue fits(1, 1); }
   try {
@@ -115,8 +116,8 @@ void start_more_threads_than_fit() {
   std::exit(0);
 }
 
-TEST(BackgroundQueue, later_thread_cannot_start_throws_once_the_others_have_ended) {
-  if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "a sanitizer takes address space of its own";
+TEST(BackgroundQueue, later_thread_cannot_start_throws_after_the_others) {
+  if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "sanitizers use additional address space";
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(start_more_threads_than_fit(), testing::ExitedWithCode(3), "");
 }

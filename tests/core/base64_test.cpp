@@ -5,8 +5,8 @@
 namespace lippmann {
 namespace {
 
-// The test vectors of RFC 4648, section 10.
-TEST(Base64, texts_of_every_length_are_as_the_standard_has_them) {
+// Test vectors of RFC 4648, section 10.
+TEST(Base64, texts_of_every_length_match_the_standard) {
   EXPECT_EQ(base64(""), "");
   EXPECT_EQ(base64("f"), "Zg==");
   EXPECT_EQ(base64("fo"), "Zm8=");
@@ -14,7 +14,7 @@ TEST(Base64, texts_of_every_length_are_as_the_standard_has_them) {
   EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
 }
 
-TEST(Base64, bytes_above_127_count_as_they_are) { EXPECT_EQ(base64("\xff\xfe\xfd"), "//79"); }
+TEST(Base64, bytes_above_127_are_unsigned) { EXPECT_EQ(base64("\xff\xfe\xfd"), "//79"); }
 
 }  // namespace
 }  // namespace lippmann

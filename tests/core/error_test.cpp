@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-TEST(Error, what_with_all_parts_names_where_problem_and_accepted) {
+TEST(Error, what_has_all_parts) {
   const Error error("a.dat:12", "unknown keyword FOO", "SPHERE, PLANE");
   EXPECT_STREQ(error.what(), "a.dat:12: unknown keyword FOO; accepted: SPHERE, PLANE");
   EXPECT_EQ(error.exit_code(), 1);
@@ -16,7 +16,7 @@ TEST(Error, usage_error_exits_with_2) {
   EXPECT_STREQ(usage_error("--lenses", "0 lenses").what(), "--lenses: 0 lenses");
 }
 
-// Names from files reach messages: a terminal must not obey them.
+// Messages contain names from files, which must not control a terminal.
 TEST(Error, has_no_control_characters) {
   const Error error("a\x1b[2J.exr", "has no channel \x1b]0;x\x07", "R\nG");
   EXPECT_STREQ(error.what(), "a?[2J.exr: has no channel ?]0;x?; accepted: R?G");

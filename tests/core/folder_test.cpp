@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(NewFolder, folders_that_stay_empty_go_again) {
+TEST(NewFolder, folders_that_stay_empty_are_removed) {
   const TempDir dir;
   std::optional<NewFolder> folder(std::in_place, dir / "a/b/c");
   EXPECT_TRUE(fs::is_directory(dir / "a/b/c"));
@@ -30,14 +30,14 @@ TEST(NewFolder, folders_with_results_stay) {
   EXPECT_FALSE(fs::exists(dir / "a/b/c"));
 }
 
-TEST(NewFolder, an_empty_folder_that_was_there_stays) {
+TEST(NewFolder, an_existing_empty_folder_stays) {
   const TempDir dir;
   fs::create_directory(dir / "a");
   { const NewFolder folder(dir / "a"); }
   EXPECT_TRUE(fs::is_directory(dir / "a"));
 }
 
-TEST(NewFolder, one_that_cannot_be_made_is_an_error_that_names_it) {
+TEST(NewFolder, failure_names_the_folder) {
   const TempDir dir;
   std::ofstream(dir / "file") << "in the way";
   EXPECT_THAT(error_message([&] { NewFolder(dir / "file/a"); }),

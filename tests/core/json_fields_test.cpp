@@ -1,4 +1,4 @@
-// Checked members: what is accepted, and the one complaint about everything else.
+// Checked members: accepted values, and the errors for all others.
 #include "core/json_fields.hpp"
 
 #include <gmock/gmock.h>
@@ -37,7 +37,7 @@ TEST(JsonFields, members_of_every_kind_are_read) {
   EXPECT_EQ(fields().inner("in").whole("n", kAnyCount), 7);
 }
 
-TEST(JsonFields, what_is_missing_or_null_is_what_the_caller_says) {
+TEST(JsonFields, missing_or_null_gives_the_default) {
   for (const char* key : {"null", "none"}) {
     EXPECT_FALSE(fields().has(key));
     EXPECT_EQ(fields().number_or(key, kAnyNumber, 4.0), 4.0);
@@ -49,14 +49,14 @@ TEST(JsonFields, what_is_missing_or_null_is_what_the_caller_says) {
   }
 }
 
-TEST(JsonFields, infinity_is_null_that_is_said) {
+TEST(JsonFields, null_is_infinity) {
   EXPECT_EQ(fields().float_or_infinity("null"), kInfinity);
   EXPECT_EQ(fields().float_or_infinity("n"), 2.5f);
   EXPECT_THAT(test::error_message([] { fields().float_or_infinity("none"); }), HasSubstr("a.json: none: is missing"));
   EXPECT_EQ(finite_or_null(std::numeric_limits<double>::infinity()), Json(nullptr));
 }
 
-TEST(JsonFields, complaints_name_file_object_and_key_and_what_is_accepted) {
+TEST(JsonFields, errors_name_file_object_key_and_accepted) {
   const auto message = [](const auto& read) { return test::error_message([&] { read(fields()); }); };
   EXPECT_THAT(message([](const JsonFields& f) { f.inner("in").number("n", {0.0, 2.0}); }), HasSubstr("a.json: in.n: is 7"));
   EXPECT_THAT(message([](const JsonFields& f) { f.inner("in").number("n", {0.0, 2.0}); }), HasSubstr("from 0 to 2"));
@@ -71,7 +71,7 @@ TEST(JsonFields, complaints_name_file_object_and_key_and_what_is_accepted) {
   EXPECT_THAT(message([](const JsonFields& f) { f.inner("in").allow_only({"m"}); }), HasSubstr("in.n: there is no such key"));
 }
 
-TEST(JsonFields, keys_that_nobody_has_read_are_refused) {
+TEST(JsonFields, unread_keys_are_refused) {
   const Json json = Json::parse(R"({"gap": 1, "gpa": 2})");
   const JsonFields read(json, "", "");
   read.number("gap");

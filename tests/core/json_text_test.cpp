@@ -1,4 +1,4 @@
-// JSON from and to text.
+// Conversion of JSON from and to text.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -8,21 +8,19 @@
 namespace lippmann {
 namespace {
 
-TEST(JsonText, keys_keep_their_order_there_and_back) {
+TEST(JsonText, keys_keep_their_order) {
   const std::string text = R"({"z":1,"a":[true,null]})";
   EXPECT_EQ(json_to_text(json_from_text(text), -1), text);
 }
 
-TEST(JsonText, lines_are_indented_as_asked) { EXPECT_EQ(json_to_text(json_from_text(R"({"a":1})")), "{\n  \"a\": 1\n}"); }
+TEST(JsonText, lines_are_indented) { EXPECT_EQ(json_to_text(json_from_text(R"({"a":1})")), "{\n  \"a\": 1\n}"); }
 
-TEST(JsonText, what_is_no_json_is_discarded) {
+TEST(JsonText, invalid_json_is_discarded) {
   EXPECT_TRUE(json_from_text("{\"a\":").is_discarded());
   EXPECT_TRUE(json_from_text("").is_discarded());
 }
 
-TEST(JsonText, bytes_that_are_no_utf8_are_replaced) {
-  EXPECT_EQ(json_to_text(nlohmann::ordered_json("a\xff"), -1), "\"a\xEF\xBF\xBD\"");
-}
+TEST(JsonText, invalid_utf8_is_replaced) { EXPECT_EQ(json_to_text(nlohmann::ordered_json("a\xff"), -1), "\"a\xEF\xBF\xBD\""); }
 
 }  // namespace
 }  // namespace lippmann

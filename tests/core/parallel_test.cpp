@@ -35,10 +35,10 @@ TEST(ThreadPool, for_each_denormal_product_is_flushed_on_every_thread) {
   volatile float tiny = 1e-30f;
   pool.for_each(products.size(), [&](std::size_t i) { products[i] = tiny * 1e-10f; });
   for (const float p : products) EXPECT_EQ(p, 0.0f);
-  EXPECT_NE(tiny * 1e-10f, 0.0f) << "the caller's own mode is left alone";
+  EXPECT_NE(tiny * 1e-10f, 0.0f) << "the caller's mode is unchanged";
 }
 
-/// Spends about `seconds` of this thread's CPU time.
+/// Uses about `seconds` of this thread's CPU time.
 void spin(double seconds) {
   const auto cpu = [] {
     timespec time{};
@@ -49,15 +49,15 @@ void spin(double seconds) {
   }
 }
 
-TEST(ThreadPool, cpu_seconds_counts_all_its_threads_and_no_others) {
+TEST(ThreadPool, cpu_seconds_counts_only_its_threads) {
   const ThreadPool pool(2);
   const double before = pool.cpu_seconds();
-  std::thread stranger([] { spin(0.4); });
+  std::thread other([] { spin(0.4); });
   pool.for_each(8, [](std::size_t) { spin(0.01); });
-  stranger.join();
+  other.join();
   const double spent = pool.cpu_seconds() - before;
   EXPECT_GE(spent, 0.08);
-  EXPECT_LT(spent, 0.4) << "the stranger's time is not the pool's";
+  EXPECT_LT(spent, 0.4) << "another thread's time is not counted";
 }
 
 TEST(Context, resolved_threads_zero_is_at_least_one) {

@@ -1,4 +1,4 @@
-// Open files, their errors, and names that nobody else has.
+// Open files, their errors, and unique names.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -65,7 +65,7 @@ TEST(OpenFile, open_for_reading_cannot_be_written) {
   EXPECT_EQ(file.write("new", 3), std::errc::bad_file_descriptor);
 }
 
-TEST(OpenFile, knows_whether_its_name_leads_to_it) {
+TEST(OpenFile, detects_whether_its_name_leads_to_it) {
   const TempDir dir;
   std::error_code problem;
   const OpenFile file(dir / "a", OpenFile::Mode::kAppend, problem);

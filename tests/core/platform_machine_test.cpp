@@ -1,4 +1,4 @@
-// Processors, their floating-point mode, clocks, and the machine's names; modules.
+// Processors, floating-point mode, clocks, the machine's names, and modules.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 
 TEST(FlushDenormals, lasts_until_it_is_restored) {
 #if !defined(__SSE2__) && !defined(__aarch64__)
-  GTEST_SKIP() << "this processor keeps denormals";
+  GTEST_SKIP() << "this processor cannot flush denormals";
 #endif
   volatile float tiny = 1e-30f, denormal = 1e-39f;
   ASSERT_NE(tiny * 1e-10f, 0.0f);

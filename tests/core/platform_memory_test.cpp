@@ -1,4 +1,4 @@
-// What memory the files of Linux leave a process.
+// Memory available to a process, read from the files of Linux.
 #include "core/platform.hpp"
 
 #include <gtest/gtest.h>
@@ -26,36 +26,36 @@ class AvailableMemory : public testing::Test {
   TempDir dir_;
 };
 
-TEST_F(AvailableMemory, is_not_limited_where_nothing_is_known) { EXPECT_TRUE(std::isinf(available())); }
+TEST_F(AvailableMemory, is_unlimited_by_default) { EXPECT_TRUE(std::isinf(available())); }
 
-TEST_F(AvailableMemory, is_what_meminfo_says) {
+TEST_F(AvailableMemory, is_read_from_meminfo) {
   write("proc/meminfo", "MemTotal:       2000 kB\nMemFree:         100 kB\nMemAvailable:    1000 kB\n");
   EXPECT_EQ(available(), 1024'000.0);
 }
 
-TEST_F(AvailableMemory, is_what_a_cgroup_or_one_above_it_leaves) {
+TEST_F(AvailableMemory, is_limited_by_cgroups) {
   write("proc/meminfo", "MemAvailable:    1000 kB\n");
   write("proc/self/cgroup", "0::/slurm/job7\n");
   write("cgroup/slurm/job7/memory.max", "max\n");
   write("cgroup/slurm/job7/memory.current", "5000\n");
-  EXPECT_EQ(available(), 1024'000.0) << "max is no limit";
+  EXPECT_EQ(available(), 1024'000.0) << "max means no limit";
   write("cgroup/slurm/memory.max", "10000\n");
   write("cgroup/slurm/memory.current", "7000\n");
   EXPECT_EQ(available(), 3000.0);
   write("cgroup/slurm/memory.stat", "anon 6000\ninactive_file 500\n");
-  EXPECT_EQ(available(), 3500.0) << "cached files make room";
+  EXPECT_EQ(available(), 3500.0) << "cached files count as available";
   write("cgroup/slurm/memory.current", "20000\n");
   EXPECT_EQ(available(), 0.0);
 }
 
-TEST_F(AvailableMemory, of_version_1_and_in_containers_is_found) {
+TEST_F(AvailableMemory, is_limited_by_version_1_cgroups_and_containers) {
   write("proc/self/cgroup", "5:cpu,cpuacct:/docker/abc\n4:memory:/docker/abc\nbroken\n");
   write("cgroup/memory/memory.limit_in_bytes", "9000\n");  // the container sees its own group as the root
   write("cgroup/memory/memory.usage_in_bytes", "1000\n");
   EXPECT_EQ(available(), 8000.0);
 }
 
-TEST_F(AvailableMemory, is_what_the_limit_of_the_address_space_leaves) {
+TEST_F(AvailableMemory, is_limited_by_the_address_space) {
   rlimit before{};
   ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
   const rlimit limited{rlim_t{1} << 50, before.rlim_max};
@@ -66,7 +66,7 @@ TEST_F(AvailableMemory, is_what_the_limit_of_the_address_space_leaves) {
   setrlimit(RLIMIT_AS, &before);
 }
 
-TEST(AvailableMemoryHere, is_more_than_nothing) { EXPECT_GT(platform::available_memory_bytes(), 1e6); }
+TEST(AvailableMemoryHere, is_positive) { EXPECT_GT(platform::available_memory_bytes(), 1e6); }
 
 }  // namespace
 }  // namespace lippmann::test

@@ -21,7 +21,7 @@ int exit_code_of(const platform::ChildCommand& command) {
   return child.wait();
 }
 
-TEST(ChildProcess, exit_code_is_that_of_the_program_or_of_its_signal) {
+TEST(ChildProcess, exit_code_is_the_programs_or_its_signals) {
   EXPECT_EQ(exit_code_of({.words = {"true"}}), 0);
   EXPECT_EQ(exit_code_of({.words = {"sh", "-c", "exit 7"}}), 7);
   EXPECT_EQ(exit_code_of({.words = {"sh", "-c", "kill -TERM $$"}}), 128 + SIGTERM);

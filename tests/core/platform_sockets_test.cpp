@@ -1,4 +1,4 @@
-// Sockets over loopback: what arrives, and how each end learns that it is over.
+// Sockets over loopback: received bytes, and the end of a connection at either side.
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 
@@ -24,7 +24,7 @@ TEST(Socket, taken_port_is_refused) {
 
 TEST(Socket, host_without_address_is_refused) { EXPECT_FALSE(Socket::listen("no such host", 0).is_open()); }
 
-TEST(Socket, nothing_to_accept_is_no_failure) {
+TEST(Socket, nothing_to_accept_is_not_a_failure) {
   bool is_full = true;
   EXPECT_FALSE(Socket::listen("127.0.0.1", 0).accept(is_full).is_open());
   EXPECT_FALSE(is_full);
@@ -63,13 +63,13 @@ TEST_F(SocketPair, full_buffer_is_not_the_end) {
   EXPECT_FALSE(last.is_over);
 }
 
-TEST_F(SocketPair, end_of_sending_ends_receiving_alone) {
+TEST_F(SocketPair, end_of_sending_ends_only_receiving) {
   here_.end_sending();
   EXPECT_TRUE(there_.receive(bytes_).is_over);
   EXPECT_EQ(there_.send("answer", false).bytes, 6u);
 }
 
-TEST_F(SocketPair, closed_end_fails_to_take_bytes_without_a_signal) {
+TEST_F(SocketPair, sending_to_a_closed_end_fails_without_signal) {
   there_ = Socket();
   EXPECT_TRUE(here_.send("a", false).is_over);
 }

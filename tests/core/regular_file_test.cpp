@@ -17,7 +17,7 @@ using test::error_message;
 using test::TempDir;
 using ::testing::HasSubstr;
 
-// Opening a FIFO waits for its other end: a test that hangs has failed.
+// Opening a FIFO waits for its other end, so a failure of this test hangs.
 TEST(RegularFile, everything_else_is_refused_without_waiting) {
   const TempDir dir;
   ASSERT_EQ(mkfifo((dir / "fifo").c_str(), 0600), 0);

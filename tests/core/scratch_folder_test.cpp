@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// TMPDIR is another for its life.
+/// Changes TMPDIR during its life.
 class OtherTmpdir {
  public:
   explicit OtherTmpdir(const std::string& value) {
@@ -27,7 +27,7 @@ class OtherTmpdir {
   std::optional<std::string> before_;
 };
 
-TEST(ScratchFolder, is_in_tmpdir_and_leaves_nothing_of_what_was_put_into_it) {
+TEST(ScratchFolder, is_in_tmpdir_and_is_removed_completely) {
   const TempDir dir;
   const OtherTmpdir other(dir.path().string());
   {
@@ -41,7 +41,7 @@ TEST(ScratchFolder, is_in_tmpdir_and_leaves_nothing_of_what_was_put_into_it) {
   EXPECT_TRUE(fs::is_empty(dir.path()));
 }
 
-TEST(ScratchFolder, that_cannot_be_made_is_an_error_that_names_tmpdir) {
+TEST(ScratchFolder, failure_names_tmpdir) {
   const TempDir dir;
   const OtherTmpdir other((dir.path() / "missing").string());
   try {

@@ -7,7 +7,7 @@
 namespace lippmann {
 namespace {
 
-TEST(EditDistance, known_pairs_give_the_distances_worked_out_by_hand) {
+TEST(EditDistance, known_pairs_match_values_by_hand) {
   EXPECT_EQ(edit_distance("kitten", "sitting"), 3);
   EXPECT_EQ(edit_distance("", "abc"), 3);
   EXPECT_EQ(edit_distance("abc", ""), 3);
@@ -15,10 +15,10 @@ TEST(EditDistance, known_pairs_give_the_distances_worked_out_by_hand) {
   EXPECT_EQ(edit_distance("lense", "lenses"), 1);
 }
 
-TEST(EditDistance, neighbours_that_are_exchanged_count_once) {
+TEST(EditDistance, exchanged_neighbours_count_once) {
   EXPECT_EQ(edit_distance("pgn", "png"), 1);
   EXPECT_EQ(edit_distance("dpeth", "depth"), 1);
-  EXPECT_EQ(edit_distance("ca", "abc"), 3) << "no letter is changed twice";
+  EXPECT_EQ(edit_distance("ca", "abc"), 3) << "no letter is edited twice";
 }
 
 TEST(NearestName, misspelt_name_finds_the_closest_candidate) {
@@ -39,11 +39,11 @@ TEST(NearestName, unrelated_name_finds_nothing) {
   EXPECT_EQ(nearest_name("quux", kNames), "");
 }
 
-TEST(NearestName, name_that_contains_the_word_is_suggested_where_none_is_near) {
+TEST(NearestName, name_containing_the_word_is_suggested) {
   constexpr std::string_view kNames[] = {"lenticular-40lpi-600dpi", "lenticular-60lpi-600dpi", "lenticular-60lpi-720dpi"};
   EXPECT_EQ(nearest_name("60lpi", kNames), "lenticular-60lpi-600dpi");
   EXPECT_EQ(nearest_name("60-lpi", kNames), "lenticular-60lpi-600dpi");
-  EXPECT_EQ(nearest_name("le", kNames), "") << "two letters are in too many names";
+  EXPECT_EQ(nearest_name("le", kNames), "") << "two letters occur in too many names";
 }
 
 }  // namespace

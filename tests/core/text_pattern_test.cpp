@@ -1,4 +1,4 @@
-// Texts against patterns.
+// Matches texts against patterns.
 #include <gmock/gmock.h>
 
 #include "core/text_pattern.hpp"
@@ -26,13 +26,13 @@ TEST(TextPattern, search_finds_the_first_place) {
   EXPECT_FALSE(TextPattern("[0-9]+").search("ab"));
 }
 
-TEST(TextPattern, group_that_takes_no_part_is_empty) {
+TEST(TextPattern, unused_group_is_empty) {
   const auto found = TextPattern("([0-9]+)(?:-([0-9]+))?").match("7");
   ASSERT_TRUE(found);
   EXPECT_THAT(found->groups, ElementsAre("7", "7", ""));
 }
 
-TEST(TextPattern, letters_of_either_case_are_the_same_where_asked) {
+TEST(TextPattern, case_can_be_ignored) {
   EXPECT_FALSE(TextPattern(".*\\.png").match("A.PNG"));
   EXPECT_TRUE(TextPattern(".*\\.png", TextPattern::Letters::kEitherCase).match("A.PNG"));
 }
