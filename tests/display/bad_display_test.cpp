@@ -1,4 +1,4 @@
-// Hostile calibrations and display files: one error, which names the file and the key and says what would be accepted.
+// Invalid calibrations and display files give one error that names the file and the key, and states what is accepted.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ std::string message_of(const std::string& text) {
   return test::error_message([&] { display_from_calibration(text, "visual.json"); });
 }
 
-TEST(BadCalibration, values_that_make_no_panel_are_refused_by_their_key) {
+TEST(BadCalibration, invalid_values_are_refused_by_their_key) {
   for (const auto& [key, value] : std::vector<std::pair<const char*, Json>>{
            {"pitch", 0.0},
            {"pitch", -52.0},
@@ -57,7 +57,7 @@ TEST(BadCalibration, values_that_make_no_panel_are_refused_by_their_key) {
   }
 }
 
-TEST(BadCalibration, missing_pitch_slope_or_center_is_no_calibration) {
+TEST(BadCalibration, missing_pitch_slope_or_center_is_refused) {
   for (const char* key : {"pitch", "slope", "center"}) {
     Json json = test::portrait_calibration();
     json.erase(key);
@@ -65,7 +65,7 @@ TEST(BadCalibration, missing_pitch_slope_or_center_is_no_calibration) {
   }
 }
 
-TEST(BadCalibration, lenses_narrower_than_sub_pixels_and_panels_too_large_have_no_rays) {
+TEST(BadCalibration, too_narrow_lenses_and_too_large_panels_are_refused) {
   Json json = test::portrait_calibration();
   json["pitch"] = 2000.0;
   EXPECT_THAT(message_of(json.dump()), HasSubstr("periods"));
@@ -86,7 +86,7 @@ TEST(BadCalibration, every_truncation_is_one_error) {
     EXPECT_THAT(message_of(text.substr(0, length)), HasSubstr("visual.json:")) << length;
 }
 
-TEST(BadCalibration, text_that_is_no_calibration_is_refused) {
+TEST(BadCalibration, other_text_is_refused) {
   for (const char* text : {"", "null", "[]", "52", "\"LKG\"", "{\"pitch\": NaN}", "{\"pitch\": 1e999}", "\xff\xfe{}", "{} {}"})
     EXPECT_THAT(message_of(text), HasSubstr("visual.json")) << text;
   EXPECT_THAT(message_of(std::string(100'000, '[')), HasSubstr("nested too deep"));
@@ -94,7 +94,7 @@ TEST(BadCalibration, text_that_is_no_calibration_is_refused) {
   EXPECT_THAT(message_of(std::string((1 << 20) + 1, ' ')), HasSubstr("bytes"));
 }
 
-TEST(BadCalibration, brackets_in_texts_are_no_nesting) {
+TEST(BadCalibration, brackets_in_texts_are_not_nesting) {
   Json json = test::portrait_calibration();
   json["note"] = std::string(100, '[') + "\\\"" + std::string(100, '{');
   EXPECT_EQ(message_of(json.dump()), "(no Error)");

@@ -1,4 +1,4 @@
-// Figures of displays, worked out by hand.
+// Values of displays, worked out by hand.
 #include "lippmann/display/display.hpp"
 
 #include <gtest/gtest.h>
@@ -18,8 +18,8 @@ TEST(Display, viewer_stands_where_the_panel_spans_14_degrees) {
   EXPECT_EQ(viewing_distance_mm(display), 400.0);
 }
 
-TEST(Display, lenticular_sheet_has_its_pitch_and_converges_to_the_viewer_over_its_cone) {
-  // 60 per inch: 0.42333 mm, below 12 pixels of 1/720 inch. Cells are wider, by g / V; the zone is what the sheet says.
+TEST(Display, lenticular_sheet_converges_to_the_viewer) {
+  // 60 per inch: 0.42333 mm, below 12 pixels of 1/720 inch. Cells are wider, by g / V; the sheet states the zone.
   const Display display = load_display("lenticular-60lpi-720dpi");
   const Optics optics = native_optics(display);
   const auto& sheet = std::get<LenticularSheet>(optics.model);
@@ -35,7 +35,7 @@ TEST(Display, microlens_array_has_square_or_hexagonal_lenses) {
   };
   EXPECT_EQ(packing("microlens-1mm-4k"), LensPacking::kSquare);
   EXPECT_EQ(packing("microlens-1mm-hexagonal-4k"), LensPacking::kHexagonal);
-  // 282.4 dpi: 11.1 pixels to a lens of 1 mm.
+  // 282.4 dpi: 11.1 pixels per lens of 1 mm.
   EXPECT_EQ(views_of(load_display("microlens-1mm-4k")), 121);
 }
 
@@ -49,7 +49,7 @@ TEST(Display, quilts_tiles_are_stretched_to_the_display) {
   EXPECT_FALSE(quilt_optics(load_display("microlens-1mm-4k")).has_value());
 }
 
-TEST(Display, views_are_the_quilts_or_the_sub_pixels_below_a_lens) {
+TEST(Display, views_follow_the_quilt_or_the_lens) {
   Display display = load_display("portrait");
   EXPECT_EQ(views_of(display), 48);
   display.quilt.reset();

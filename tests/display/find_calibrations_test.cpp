@@ -19,7 +19,7 @@ void touch(const fs::path& file) {
   std::ofstream(file) << "{}";
 }
 
-TEST(FindCalibrations, drives_of_every_user_and_system_are_found_in_order) {
+TEST(FindCalibrations, drives_are_found_in_order) {
   const TempDir dir;
   touch(dir / "media/me/LKG2/LKG_calibration/visual.json");
   touch(dir / "media/LKG1/LKG_calibration/visual.json");
@@ -29,7 +29,7 @@ TEST(FindCalibrations, drives_of_every_user_and_system_are_found_in_order) {
                           dir / "media/me/LKG2/LKG_calibration/visual.json"));
 }
 
-TEST(FindCalibrations, drives_are_not_searched_through) {
+TEST(FindCalibrations, subfolders_of_drives_are_not_searched) {
   const TempDir dir;
   touch(dir / "media/me/disk/folder/visual.json");
   touch(dir / "media/me/disk/other.json");

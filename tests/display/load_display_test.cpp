@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 Display calibrated(const Json& json) { return display_from_calibration(json.dump(), "visual.json"); }
 
-TEST(Presets, all_are_valid_and_described_and_each_is_found_by_its_name) {
+TEST(Presets, all_are_valid_described_and_found_by_name) {
   std::set<std::string> names;
   for (const Display& display : display_presets()) {
     EXPECT_TRUE(names.insert(display.name).second) << display.name;
@@ -33,7 +33,7 @@ TEST(Presets, all_are_valid_and_described_and_each_is_found_by_its_name) {
   EXPECT_GE(names.size(), 20u);
 }
 
-TEST(Presets, quilt_of_the_16_inch_landscape_display_is_what_a_device_reports) {
+TEST(Presets, quilt_of_the_16_inch_landscape_matches_a_device) {
   const Display display = load_display("16-landscape");
   EXPECT_EQ(display.quilt, (DisplayQuilt{8, 6, 7680, 4320, 1.7778}));
   EXPECT_EQ(display.pixels, Vec2i(3840, 2160)) << "the panel is not the quilt";
@@ -53,12 +53,12 @@ TEST(Presets, rows_of_the_devices_table) {
   EXPECT_EQ(landscape.video.codec, "hevc");
 }
 
-TEST(Presets, misspelt_name_is_met_with_the_nearest) {
+TEST(Presets, misspelt_name_suggests_the_nearest) {
   EXPECT_THAT(test::error_message([] { load_display("portrat"); }), HasSubstr("'portrait'"));
   EXPECT_THAT(test::error_message([] { load_display("looking-glass-gi"); }), HasSubstr("'looking-glass-go'"));
 }
 
-TEST(CalibrationFile, plain_numbers_and_wrapped_ones_say_the_same) {
+TEST(CalibrationFile, plain_and_wrapped_numbers_are_equal) {
   Json plain = test::portrait_calibration();
   for (auto& [key, value] : plain.items())
     if (value.is_object()) value = Json(value["value"]);
@@ -67,13 +67,13 @@ TEST(CalibrationFile, plain_numbers_and_wrapped_ones_say_the_same) {
   EXPECT_EQ(calibrated(plain).calibration.center, 0.125);
 }
 
-TEST(CalibrationFile, one_table_around_it_is_read_through) {
+TEST(CalibrationFile, one_enclosing_table_is_allowed) {
   const Json bare = test::portrait_calibration();
   for (const char* table : {"calibration", "config"})
     EXPECT_EQ(display_json(calibrated(Json{{table, bare}})), display_json(calibrated(bare))) << table;
 }
 
-TEST(CalibrationFile, files_that_stand_in_for_it_are_named) {
+TEST(CalibrationFile, files_of_other_content_are_named) {
   const test::TempDir dir;
   for (const char* name : {"a.json", "a.toml"}) {
     std::ofstream(dir / name) << "";
@@ -83,7 +83,7 @@ TEST(CalibrationFile, files_that_stand_in_for_it_are_named) {
   }
 }
 
-TEST(CalibrationFile, what_it_lacks_comes_from_the_preset_of_its_serial_number) {
+TEST(CalibrationFile, missing_values_come_from_the_serial_numbers_preset) {
   const Json least{{"serial", "LKG-J00001"}, {"pitch", 44.75}, {"slope", -6.87}, {"center", 0.17}};
   const Display display = calibrated(least), preset = load_display("looking-glass-16-landscape");
   EXPECT_EQ(display.quilt, preset.quilt);
@@ -95,7 +95,7 @@ TEST(CalibrationFile, what_it_lacks_comes_from_the_preset_of_its_serial_number) 
   EXPECT_THAT(display.description, HasSubstr("LKG-J00001"));
 }
 
-TEST(CalibrationFile, own_values_go_before_the_presets) {
+TEST(CalibrationFile, own_values_override_the_presets) {
   Json json = test::portrait_calibration();
   json["serial"] = "LKG-J1";
   json["viewCone"] = 35.0;
@@ -108,7 +108,7 @@ TEST(CalibrationFile, own_values_go_before_the_presets) {
   EXPECT_TRUE(calibrated(json).calibration.cells.empty());
 }
 
-TEST(CalibrationFile, unknown_device_needs_its_size_and_gets_a_common_quilt) {
+TEST(CalibrationFile, unknown_device_needs_a_size) {
   Json json = test::portrait_calibration();
   json["serial"] = "DIY-1";
   json["somethingNew"] = {{"of", {1, 2, 3}}};
@@ -122,7 +122,7 @@ TEST(CalibrationFile, unknown_device_needs_its_size_and_gets_a_common_quilt) {
   }
 }
 
-TEST(DisplayFile, own_file_on_a_preset_changes_what_it_says) {
+TEST(DisplayFile, own_file_overrides_its_base) {
   const Display display = display_from_toml(R"(
     base = "portrait"
     view_cone_deg = 35.5
@@ -159,7 +159,7 @@ TEST(DisplayFile, whole_file_of_a_sheet) {
   EXPECT_FALSE(display.quilt.has_value());
 }
 
-TEST(DisplayFile, files_are_read_by_their_endings_and_give_the_name) {
+TEST(DisplayFile, extensions_decide_and_file_names_are_kept) {
   const test::TempDir dir;
   std::ofstream(dir / "desk.json") << test::portrait_calibration();
   std::ofstream(dir / "mine.toml") << "base = \"go\"\n";

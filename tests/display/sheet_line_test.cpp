@@ -37,9 +37,9 @@ TEST(SheetLine, papers) {
   EXPECT_EQ(load_display("lpi=60 dpi=1440 paper=42x10mm").pixels.x, 2381);
 }
 
-// By hand: rays from an eye 500 mm away through lens centres 0.5 mm apart. Of strips that show 2 atan(1/2) = 53.13 degrees the
-// width c is the gap g, so that c = 0.5 (500 + c) / 500, c = 250 / 499.5 mm.
-TEST(SheetLine, the_print_of_a_near_viewer_is_wider_than_the_lenses) {
+// By hand: rays from an eye 500 mm away through lens centres 0.5 mm apart. Strips that show 2 atan(1/2) = 53.13 degrees have
+// the width c = g, the gap, so c = 0.5 (500 + c) / 500, c = 250 / 499.5 mm.
+TEST(SheetLine, near_viewers_need_a_wider_print) {
   const double angle = 2.0 * std::atan(0.5) * 180.0 / std::numbers::pi;
   const std::string rest = " dpi=2540 paper=A6 viewing-distance=500 view-angle=" + std::to_string(angle);
   const Display lenses = load_display("pitch-mm=0.5" + rest);
@@ -61,12 +61,12 @@ TEST(SheetLine, its_optics_have_a_lens_edge_at_the_phase) {
       const Vec3f direction = ray_of_pixel(optics, Vec2f(x, 150.5)).direction;
       return direction.x / direction.z;
     };
-    EXPECT_GT(slope(edge + 0.01), 0.3) << "the left of a strip goes to the right";
+    EXPECT_GT(slope(edge + 0.01), 0.3) << "the left of a strip is seen from the right";
     EXPECT_LT(slope(edge - 0.01), -0.3);
   }
 }
 
-TEST(SheetLine, mistakes_name_the_key_and_what_is_accepted) {
+TEST(SheetLine, errors_name_the_key_and_accepted_values) {
   EXPECT_THAT(refusal("lpi=0 dpi=600 paper=A5"), HasSubstr("lpi"));
   EXPECT_THAT(refusal("lpi=60 paper=A5"), AllOf(HasSubstr("dpi"), HasSubstr("is missing")));
   EXPECT_THAT(refusal("dpi=60 paper=A5"), AllOf(HasSubstr("lpi"), HasSubstr("pitch-mm")));
@@ -81,14 +81,14 @@ TEST(SheetLine, mistakes_name_the_key_and_what_is_accepted) {
   EXPECT_THAT(refusal("lpi=60 dpi=60000 paper=A0"), HasSubstr("65536"));
 }
 
-TEST(SheetLine, is_no_file) {
+TEST(SheetLine, is_not_a_file) {
   EXPECT_FALSE(is_display_file("lpi=60 dpi=600 paper=A5"));
   EXPECT_FALSE(is_display_file("portrait"));
   EXPECT_TRUE(is_display_file("a=b.TOML"));
   EXPECT_TRUE(is_display_file("folder/visual.json"));
 }
 
-TEST(DisplayFile, keys_of_another_table_are_answered_with_it) {
+TEST(DisplayFile, keys_in_the_wrong_table_name_the_right_one) {
   const auto refusal_of = [](const std::string& text) {
     return test::error_message([&] { display_from_toml(text, "own.toml"); });
   };

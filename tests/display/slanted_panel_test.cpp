@@ -1,4 +1,4 @@
-// The optics of calibrated panels against the interlacing formula, worked out by hand and written down once more.
+// The optics of calibrated panels against the interlacing formula, worked out by hand and implemented a second time.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace lippmann {
 namespace {
 
-/// v of a sub-pixel, by the eye that its ray comes from.
+/// Returns v of a sub-pixel, from the eye of its ray.
 double view_of(const Optics& optics, int i, int j, int color) {
   const auto& slanted = std::get<SlantedPanel>(optics.model);
   const Ray ray = ray_of_pixel(optics, {3 * i + color + 0.5f, j + 0.5f});
@@ -16,7 +16,7 @@ double view_of(const Optics& optics, int i, int j, int color) {
   return 0.5 + std::atan((ray.origin.x + to_eye * ray.direction.x) / slanted.distance_mm) / slanted.view_cone;
 }
 
-/// The eye, up to 400 mm from the middle in floats, is good to 3e-5 mm of about 800 mm that the cone spreads over.
+/// The eye, up to 400 mm from the middle, has an error of 3e-5 mm in floats, relative to about 800 mm of the cone.
 constexpr double kView = 1e-6;
 
 TEST(SlantedDisplay, portrait_has_the_published_periods_and_tilt) {
@@ -73,7 +73,7 @@ TEST(SlantedDisplay, flipped_portrait_sub_pixel_table_by_hand) {
   //   0     0     1                           45.275384   0.724616
   //   0     0     2                           45.221788   0.778212
   //   1535  2047  2   0.99967448  0.00024414  246.392153  0.607847
-  // flipImageY changes none of it.
+  // flipImageY changes none of these.
   Display d;
   d.calibration = {.pitch = 52.594, .slope = -7.2115, .center = 0.40277, .flip_image_x = true};
   const struct {
@@ -88,8 +88,8 @@ TEST(SlantedDisplay, flipped_portrait_sub_pixel_table_by_hand) {
   }
 }
 
-TEST(SlantedDisplay, flip_of_slope_alone_keeps_steps) {
-  // As above with + c / 4608: 45.328980 + 0.053597 c; with the step and 1/2 more: 44.775384 of green.
+TEST(SlantedDisplay, flipping_only_the_slope_keeps_steps) {
+  // As above with + c / 4608: 45.328980 + 0.053597 c; for green, with the step and 1/2 more: 44.775384.
   Display d;
   d.calibration = {.pitch = 52.594, .slope = -7.2115, .center = 0.40277, .flip_image_x = true};
   d.calibration.flip = Calibration::Flip::kSlope;
@@ -99,7 +99,7 @@ TEST(SlantedDisplay, flip_of_slope_alone_keeps_steps) {
   EXPECT_NEAR(view_of(native_optics(d), 0, 0, 1), 0.224616, kView);
 }
 
-/// The formula of Calibration as it stands there.
+/// The formula of Calibration, unsimplified.
 double formula(const Display& d, int i, int j, int color, int cell) {
   const Calibration& c = d.calibration;
   const double w = d.pixels.x, h = d.pixels.y;
@@ -132,14 +132,14 @@ void expect_formula(const Display& d, int (*cell)(int column, int row_from_botto
     for (int i = 0; i < d.pixels.x; ++i)
       for (int color = 0; color < 3; ++color) {
         const double v = formula(d, i, j, color, cell(i, d.pixels.y - 1 - j));
-        if (std::min(v, 1 - v) < 1e-5) continue;  // on the edge of a lens either side will do
+        if (std::min(v, 1 - v) < 1e-5) continue;  // rounding decides at the edge of a lens
         EXPECT_NEAR(view_of(optics, i, j, color), v, 2 * kView) << i << " " << j << " " << color;
       }
 }
 
 int first_cell(int, int) { return 0; }
 
-TEST(SlantedDisplay, every_flip_is_that_of_the_formula) {
+TEST(SlantedDisplay, every_flip_matches_the_formula) {
   for (int flags = 0; flags < 48; ++flags) {
     Display d = small_display();
     d.calibration.flip = static_cast<Calibration::Flip>(flags / 16);
@@ -150,14 +150,14 @@ TEST(SlantedDisplay, every_flip_is_that_of_the_formula) {
   }
 }
 
-TEST(SlantedDisplay, views_are_inverted_whatever_the_flag_says_unless_it_is_asked) {
+TEST(SlantedDisplay, views_are_inverted_by_default) {
   Display d = small_display();
   d.calibration.invert = false;
   expect_formula(d, first_cell);
   EXPECT_TRUE(slanted_panel(d, 500.0).inverted);
 }
 
-TEST(SlantedDisplay, every_pattern_of_cells_is_that_of_the_formula) {
+TEST(SlantedDisplay, every_cell_pattern_matches_the_formula) {
   Display d = small_display();
   for (int cell = 0; cell < 4; ++cell)
     d.calibration.cells.push_back({Vec2f(-0.3f, 0.01f * cell), Vec2f(0.02f * cell, 0.2f), Vec2f(0.3f, -0.1f * cell)});
@@ -177,7 +177,7 @@ TEST(SlantedDisplay, every_pattern_of_cells_is_that_of_the_formula) {
   expect_formula(d, [](int i, int) { return i % 2; });
 }
 
-TEST(SlantedDisplay, fewer_cells_than_the_pattern_has_are_repeated) {
+TEST(SlantedDisplay, missing_cells_are_repeated) {
   Display d = small_display();
   d.calibration.cells = {{Vec2f(-0.3f, 0.1f), Vec2f(0.0f), Vec2f(0.3f, 0.0f)},
                          {Vec2f(-0.2f, 0.0f), Vec2f(0.1f), Vec2f(0.3f, 0.2f)}};
