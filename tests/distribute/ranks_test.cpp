@@ -7,13 +7,13 @@
 namespace lippmann {
 namespace {
 
-TEST(Ranks, process_that_stands_alone_has_none) {
+TEST(Ranks, single_process_has_none) {
   unsetenv("OMPI_COMM_WORLD_SIZE"), unsetenv("PMI_SIZE");
   EXPECT_EQ(rank_count(), 1);
   EXPECT_EQ(join_ranks(), nullptr);
 }
 
-TEST(Ranks, number_of_processes_is_what_the_launcher_says) {
+TEST(Ranks, launcher_states_the_number_of_processes) {
   setenv("OMPI_COMM_WORLD_SIZE", "4", 1), setenv("OMPI_COMM_WORLD_LOCAL_SIZE", "2", 1);
   EXPECT_EQ(rank_count(), 4);
   EXPECT_EQ(local_rank_count(), 2);
@@ -24,7 +24,7 @@ TEST(Ranks, number_of_processes_is_what_the_launcher_says) {
   unsetenv("OMPI_COMM_WORLD_SIZE"), unsetenv("OMPI_COMM_WORLD_LOCAL_SIZE");
 }
 
-TEST(Ranks, threads_are_those_that_a_rank_is_bound_to_or_its_share) {
+TEST(Ranks, threads_follow_the_binding_or_share) {
   EXPECT_EQ(threads_of_rank(4, 16, 4), 4);
   EXPECT_EQ(threads_of_rank(16, 16, 4), 4);
   EXPECT_EQ(threads_of_rank(16, 16, 1), 16);
