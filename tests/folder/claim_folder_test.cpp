@@ -1,4 +1,4 @@
-// Which folder a render goes into, what is refused there, what is removed, and what a check finds.
+// The folder of a render: which one is chosen, what is refused, what is removed, and what a check finds.
 #include "folder/claim_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -28,7 +28,7 @@ void make_file(const fs::path& path, const std::string& bytes = "bytes") {
   std::ofstream(path) << bytes;
 }
 
-/// A render of `job` that was asked for frames 0 to 2 and has finished these, each a picture and a layer.
+/// Makes a render of `job` with the requested frames 0 to 2, of which these are finished, each with a picture and a layer.
 void make_render(const fs::path& folder, const std::string& job, const std::vector<int>& finished) {
   fs::create_directories(folder);
   RenderFolder journal(folder, job);
@@ -49,10 +49,10 @@ void make_video(const fs::path& folder, const std::string& job, const fs::path& 
   RenderFolder(folder, job).add_video(video, frames);
 }
 
-/// The file of the journal that its first run has written.
+/// Returns the file of the journal's first run.
 fs::path part_of(const fs::path& folder) { return read_journal(folder)->parts.front(); }
 
-/// What a render of the job is told, or nothing.
+/// Returns the refusal of a render of the job, or an empty string.
 std::string refusal(const fs::path& folder, const std::string& job, const std::vector<std::string>& videos = {},
                     const std::vector<int>& frames = {0, 1, 2}) {
   try {
@@ -63,7 +63,7 @@ std::string refusal(const fs::path& folder, const std::string& job, const std::v
   }
 }
 
-/// Makes room in it; the warnings.
+/// Makes room in the folder and returns the warnings.
 std::vector<std::string> cleared(const fs::path& folder, const std::string& job, bool force, const std::vector<int>& frames) {
   std::vector<std::string> warnings;
   Context context;
@@ -72,7 +72,7 @@ std::vector<std::string> cleared(const fs::path& folder, const std::string& job,
   return warnings;
 }
 
-TEST(ClaimFolder, missing_or_empty_folder_one_of_the_same_job_and_one_with_other_files_are_free) {
+TEST(ClaimFolder, new_empty_and_same_job_folders_are_free) {
   const test::TempDir dir;
   EXPECT_EQ(refusal(dir / "missing", "a"), "");
   EXPECT_EQ(refusal(dir.path(), "a"), "");
@@ -83,7 +83,7 @@ TEST(ClaimFolder, missing_or_empty_folder_one_of_the_same_job_and_one_with_other
   EXPECT_EQ(refusal(dir.path(), "a"), "");
 }
 
-TEST(ClaimFolder, another_render_is_refused_but_not_one_that_was_stopped_before_its_first_frame) {
+TEST(ClaimFolder, renders_with_frames_are_refused) {
   const test::TempDir dir;
   make_render(dir / "one", "a", {0});
   make_render(dir / "none", "a", {});
@@ -91,7 +91,7 @@ TEST(ClaimFolder, another_render_is_refused_but_not_one_that_was_stopped_before_
   EXPECT_EQ(refusal(dir / "none", "b"), "");
 }
 
-/// The file that a run of another machine has left or still writes, which has finished nothing.
+/// Makes the file of a run on another machine that is running or has ended, without finished frames.
 fs::path make_remote_run(const fs::path& folder, const std::string& job, bool has_ended = false) {
   fs::create_directories(folder / ".lippmann");
   const fs::path part = folder / ".lippmann/01700000000-elsewhere-7.jsonl";
@@ -99,7 +99,7 @@ fs::path make_remote_run(const fs::path& folder, const std::string& job, bool ha
   return part;
 }
 
-TEST(ClaimFolder, run_that_has_finished_nothing_keeps_other_jobs_out_as_long_as_it_lives) {
+TEST(ClaimFolder, live_run_without_frames_refuses_other_jobs) {
   const test::TempDir dir;
   const fs::path folder = dir / "out";
   {
@@ -113,7 +113,7 @@ TEST(ClaimFolder, run_that_has_finished_nothing_keeps_other_jobs_out_as_long_as_
     EXPECT_THROW(require_no_render(folder), Error);
     EXPECT_EQ(refusal(folder, "a"), "");
     EXPECT_NO_THROW(RenderFolder(folder, "a"));
-    live.begin({3});  // nobody has taken its file away
+    live.begin({3});  // its file still exists
   }
   EXPECT_EQ(refusal(folder, "b"), "");
   EXPECT_EQ(free_folder(folder, "b"), folder);
@@ -121,7 +121,7 @@ TEST(ClaimFolder, run_that_has_finished_nothing_keeps_other_jobs_out_as_long_as_
   EXPECT_NO_THROW(RenderFolder(folder, "b"));
 }
 
-TEST(ClaimFolder, live_run_that_has_finished_frames_is_not_replaced_by_force) {
+TEST(ClaimFolder, live_run_is_not_replaced_by_force) {
   const test::TempDir dir;
   make_render(dir.path(), "a", {0});
   {
@@ -133,7 +133,7 @@ TEST(ClaimFolder, live_run_that_has_finished_frames_is_not_replaced_by_force) {
   EXPECT_FALSE(fs::exists(dir / "frame_0000.png"));
 }
 
-TEST(ClaimFolder, run_of_another_machine_holds_the_folder_while_its_lease_lasts) {
+TEST(ClaimFolder, remote_run_holds_the_folder_during_its_lease) {
   const test::TempDir dir;
   const fs::path part = make_remote_run(dir.path(), "a");
   EXPECT_THAT(refusal(dir.path(), "b"), HasSubstr("process 7 on elsewhere"));
@@ -144,7 +144,7 @@ TEST(ClaimFolder, run_of_another_machine_holds_the_folder_while_its_lease_lasts)
   EXPECT_EQ(refusal(dir.path(), "b"), "");
 }
 
-TEST(ClaimFolder, render_that_is_replaced_by_a_run_that_has_begun_leaves_that_runs_journal) {
+TEST(ClaimFolder, replacing_keeps_the_journal_of_the_new_run) {
   const test::TempDir dir;
   make_render(dir.path(), "a", {0});
   RenderFolder run(dir.path(), "b", [&](const fs::path& own) {
@@ -155,7 +155,7 @@ TEST(ClaimFolder, render_that_is_replaced_by_a_run_that_has_begun_leaves_that_ru
   EXPECT_FALSE(fs::exists(dir / "frame_0000.png"));
 }
 
-TEST(ClaimFolder, run_that_was_killed_while_it_made_room_leaves_the_other_render_as_it_is) {
+TEST(ClaimFolder, kill_while_making_room_keeps_the_old_render) {
   const test::TempDir dir;
   make_render(dir.path(), "a", {0});
   const fs::path part = make_remote_run(dir.path(), "b");
@@ -167,7 +167,7 @@ TEST(ClaimFolder, run_that_was_killed_while_it_made_room_leaves_the_other_render
   EXPECT_TRUE(fs::exists(dir / "frame_0000.png"));
 }
 
-/// Root may remove everything, so it becomes another user, who gets all below a folder.
+/// Root may remove everything, so the process becomes another user, who owns all files below a folder.
 class WithoutRoot {
  public:
   explicit WithoutRoot(const fs::path& folder) {
@@ -191,7 +191,7 @@ class WithoutRoot {
   bool was_root_ = false, is_owner_ = true;
 };
 
-TEST(ClaimFolder, file_that_cannot_be_removed_is_an_error) {
+TEST(ClaimFolder, unremovable_file_is_an_error) {
   const test::TempDir dir;
   make_render(dir / "a", "a", {0});
   const WithoutRoot nobody(dir.path());
@@ -202,7 +202,7 @@ TEST(ClaimFolder, file_that_cannot_be_removed_is_an_error) {
   fs::permissions(dir / "a", fs::perms::owner_all);
 }
 
-TEST(ClaimFolder, pictures_and_a_report_that_no_journal_names_are_refused) {
+TEST(ClaimFolder, unrecorded_pictures_and_reports_are_refused) {
   const test::TempDir dir;
   for (const char* name :
        {"frame_0000.png", "aov_0007.exr", "frame_0003/view_000.png", "frame_0000_qs8x6a1.png.json", "report.json"}) {
@@ -219,7 +219,7 @@ TEST(ClaimFolder, damaged_journal_is_refused) {
   EXPECT_THAT(refusal(dir.path(), "a"), testing::AllOf(HasSubstr("is damaged"), HasSubstr("`force`")));
 }
 
-TEST(ClaimFolder, fifo_in_place_of_a_file_of_the_folder_is_an_error_and_is_not_waited_for) {
+TEST(ClaimFolder, fifo_is_an_error_without_waiting) {
   for (const char* name : {"job.toml", "report.json", ".lippmann/1.jsonl"}) {
     const test::TempDir dir;
     fs::create_directory(dir / ".lippmann");
@@ -228,7 +228,7 @@ TEST(ClaimFolder, fifo_in_place_of_a_file_of_the_folder_is_an_error_and_is_not_w
   }
 }
 
-TEST(ClaimFolder, default_folder_is_the_first_that_holds_no_other_render) {
+TEST(ClaimFolder, default_folder_is_the_first_free_one) {
   const test::TempDir dir;
   const fs::path wanted = dir / "out";
   EXPECT_EQ(free_folder(wanted, "a"), wanted);
@@ -241,7 +241,7 @@ TEST(ClaimFolder, default_folder_is_the_first_that_holds_no_other_render) {
   EXPECT_EQ(free_folder(wanted, "c"), dir / "out-4");
 }
 
-TEST(ClaimFolder, video_that_is_there_is_refused_unless_this_render_wrote_it_and_all_its_frames_are_asked_for) {
+TEST(ClaimFolder, existing_videos_of_others_are_refused) {
   const test::TempDir dir;
   const fs::path folder = dir / "a";
   make_render(folder, "a", {0, 1, 2});
@@ -255,7 +255,7 @@ TEST(ClaimFolder, video_that_is_there_is_refused_unless_this_render_wrote_it_and
   EXPECT_THAT(refusal(folder, "a", {dir / "a.mp4"}, {0}), testing::AllOf(HasSubstr("frames 0-2"), HasSubstr("`force`")));
 }
 
-TEST(ClaimFolder, video_of_the_single_view_outlives_its_folder) {
+TEST(ClaimFolder, single_views_video_outlives_its_folder) {
   const test::TempDir dir;
   const fs::path whole = dir / "a", single = whole / kSingleFolder;
   make_render(whole, "a", {0, 1, 2});
@@ -273,7 +273,7 @@ TEST(ClaimFolder, video_of_the_single_view_outlives_its_folder) {
   EXPECT_THAT(refusal(dir / "single", "s", {whole / "film_single.mkv"}), HasSubstr("has not written it"));
 }
 
-TEST(ClaimFolder, replaced_render_loses_the_files_of_its_journal_and_nothing_else) {
+TEST(ClaimFolder, replacing_removes_only_recorded_files) {
   const test::TempDir dir;
   const fs::path folder = dir / "a";
   make_render(folder, "a", {0, 1});
@@ -289,11 +289,11 @@ TEST(ClaimFolder, replaced_render_loses_the_files_of_its_journal_and_nothing_els
   EXPECT_TRUE(fs::exists(dir / "outside.mp4"));
 }
 
-TEST(ClaimFolder, foreign_file_beside_a_render_of_the_same_job_stays_and_is_said_unless_forced) {
+TEST(ClaimFolder, foreign_files_stay_with_a_warning_unless_forced) {
   const test::TempDir dir;
   make_render(dir.path(), "a", {0});
   make_file(dir / "aov_0000.png");
-  make_file(dir / "frame_0001.png");  // as a render that was killed leaves it: asked for, not recorded
+  make_file(dir / "frame_0001.png");  // left by a killed render: requested but not recorded
   EXPECT_THAT(cleared(dir.path(), "a", false, {0, 1, 2}), ElementsAre(HasSubstr("aov_0000.png")));
   EXPECT_TRUE(fs::exists(dir / "aov_0000.png"));
   EXPECT_THAT(cleared(dir.path(), "a", true, {0, 1, 2}), ElementsAre());
@@ -322,7 +322,7 @@ TEST(ClaimFolder, nothing_is_removed_through_symbolic_links) {
   EXPECT_FALSE(fs::is_symlink(folder / "frame_0001.png"));
 }
 
-TEST(ClaimFolder, names_of_a_hostile_journal_lead_nowhere_when_the_folder_is_replaced) {
+TEST(ClaimFolder, hostile_journals_remove_nothing_outside) {
   const test::TempDir dir;
   const fs::path folder = dir / "a";
   make_render(folder, "a", {0});
@@ -352,7 +352,7 @@ TEST(CheckFolder, whole_render_passes) {
   EXPECT_EQ(check.files, 8u);
 }
 
-TEST(CheckFolder, finds_what_is_damaged_missing_foreign_and_not_rendered_yet) {
+TEST(CheckFolder, finds_damaged_missing_foreign_and_unrendered_files) {
   const test::TempDir dir;
   const fs::path folder = dir / "a";
   make_render(folder, "a", {0, 1});
@@ -364,7 +364,7 @@ TEST(CheckFolder, finds_what_is_damaged_missing_foreign_and_not_rendered_yet) {
   make_file(dir / "a.mp4", "");
   make_file(folder / "report.json", "{}");
   make_file(folder / "frame_0001_qs8x6a1.png");
-  make_file(folder / "frame_0002.png");  // left by a render that was killed
+  make_file(folder / "frame_0002.png");  // left by a killed render
   const FolderCheck check = check_folder(folder);
   EXPECT_THAT(check.damaged, ElementsAre("frame_0000.png", "aov_0001.exr", "report.json", "../a.mp4"));
   EXPECT_THAT(check.missing, ElementsAre("aov_0000.exr"));

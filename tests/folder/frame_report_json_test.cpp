@@ -11,14 +11,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-TEST(FrameReportJson, frame_written_and_read_is_the_same) {
+TEST(FrameReportJson, frame_round_trips) {
   const Json json = to_json(test::sample_frame());
   const auto back = frame_report_from_json(json);
   ASSERT_TRUE(back.has_value());
   EXPECT_EQ(to_json(*back), json);
 }
 
-TEST(FrameReportJson, path_traced_frame_written_and_read_keeps_its_errors) {
+TEST(FrameReportJson, path_traced_frame_round_trips_with_errors) {
   FrameReport frame = test::sample_frame();
   frame.psnr_at_least_db = 47.25, frame.psnr_at_most_db = 50.5;
   const auto back = frame_report_from_json(to_json(frame));
@@ -28,7 +28,7 @@ TEST(FrameReportJson, path_traced_frame_written_and_read_keeps_its_errors) {
   EXPECT_EQ(back->psnr_at_most_db, 50.5);
 }
 
-TEST(FrameReportJson, shared_frame_of_an_earlier_version_is_read_as_full) {
+TEST(FrameReportJson, shared_frame_of_old_versions_is_full) {
   Json json = to_json(test::sample_frame());
   json["kind"] = "shared", json["estimated_block_psnr_db"] = 60.5;
   json.erase("psnr_at_most_db");
@@ -39,7 +39,7 @@ TEST(FrameReportJson, shared_frame_of_an_earlier_version_is_read_as_full) {
   EXPECT_FALSE(back->psnr_at_most_db);
 }
 
-TEST(FrameReportJson, frame_without_a_key_or_with_a_wrong_type_is_none) {
+TEST(FrameReportJson, missing_keys_and_wrong_types_are_refused) {
   Json json = to_json(test::sample_frame());
   json.erase("rays");
   EXPECT_FALSE(frame_report_from_json(json).has_value());

@@ -1,4 +1,4 @@
-// Frames written as a data set of vision research: pictures, depth, disparity and parameters agree with each other.
+// Frames written as a data set of vision research: pictures, depth, disparity and parameters are consistent.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,7 +28,7 @@ View read_view(const fs::path& folder, int number) {
   return {read_image(folder / ("input_Cam00" + name + ".png")), read_pfm(folder / ("gt_disp_lowres_Cam00" + name + ".pfm"))};
 }
 
-/// The four pixels around a place, and how much each counts.
+/// The four pixels around a place, with their weights.
 struct Neighbours {
   int x, y;
   float right, below;
@@ -50,8 +50,8 @@ struct Agreement {
   double psnr_db = 0.0, visible = 0.0;
 };
 
-/// View B from view A, whose eye stands (across, up) baselines beside it: every pixel of B looks at A where its own disparity
-/// says, if A sees that point too: the disparities around that place are the same to 0.1 pixel.
+/// Reconstructs view B from view A, whose eye is (across, up) baselines away: every pixel of B samples A where its own
+/// disparity points, if A sees that point too, that is, if the disparities agree to 0.1 pixel.
 Agreement warp(const View& a, const View& b, int across, int up) {
   double sum = 0.0;
   int count = 0;
@@ -69,7 +69,7 @@ Agreement warp(const View& a, const View& b, int across, int up) {
   return {-10.0 * std::log10(sum / (3.0 * count)), static_cast<double>(count) / (b.colour.width * b.colour.height)};
 }
 
-/// 3 x 3 eyes that 1.5 degrees are divided among, where the scene's camera stands.
+/// Returns 3 x 3 eyes over 1.5 degrees, at the scene's camera.
 Placement place_grid(const Scene& scene) {
   Optics optics{.panel = {576, 432, 0.125f}, .model = MultiView{.columns = 3, .rows = 3, .baseline_mm = 1.0f}};
   const PlacementWish as_deep_as_it_is{.fit_depth = false};
@@ -80,7 +80,7 @@ Placement place_grid(const Scene& scene) {
   return place(scene, optics, as_deep_as_it_is);
 }
 
-/// Views of 192 x 144 pixels, whose neighbours differ by up to 5 pixels; their folder.
+/// Writes views of 192 x 144 pixels with disparities of up to 5 pixels, and returns their folder.
 fs::path make_data_set(const test::TempDir& dir, const char* scene_name) {
   const Context context;
   const Scene scene = load_scene(scene_name, {}, context);
@@ -106,7 +106,7 @@ TEST(HciFiles, disparity_of_one_view_gives_the_others) {
   EXPECT_GT(up.visible, 0.8);
   EXPECT_GE(across.psnr_db, 40.0);
   EXPECT_GE(up.psnr_db, 40.0);
-  EXPECT_LT(warp(middle, right, -1, 0).psnr_db, across.psnr_db - 4.0) << "the sign matters";
+  EXPECT_LT(warp(middle, right, -1, 0).psnr_db, across.psnr_db - 4.0) << "the wrong sign is worse";
   EXPECT_LT(warp(middle, above, 0, -1).psnr_db, up.psnr_db - 4.0);
 }
 
@@ -119,7 +119,7 @@ TEST(HciFiles, depth_and_disparity_agree_with_the_parameters) {
   ASSERT_EQ(depth.width, 192);
   ASSERT_EQ(depth.height, 144);
   EXPECT_EQ(test::file_bytes(hci / "gt_disp_lowres.pfm"), test::file_bytes(hci / "gt_disp_lowres_Cam004.pfm"))
-      << "the middle view's";
+      << "depth of the middle view";
   for (std::size_t i = 0; i < depth.data.size(); ++i)
     ASSERT_NEAR(disparity.data[i], hci_disparity_px(p, static_cast<double>(depth.data[i])), 1e-3) << i;
 }

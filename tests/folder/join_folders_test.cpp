@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// A part of the job in a folder of its own: these frames of those that were asked for, as folders of two files.
+/// Makes a folder with a part of the job: these of the requested frames, as folders of two files.
 void make_part(const fs::path& folder, const std::string& job, const std::vector<int>& frames) {
   fs::create_directories(folder);
   RenderFolder part(folder, job);
@@ -40,7 +40,7 @@ void make_part(const fs::path& folder, const std::string& job, const std::vector
   part.end(run);
 }
 
-TEST(JoinFolders, frames_of_parts_come_into_one_folder_with_their_figures_and_the_parts_stay) {
+TEST(JoinFolders, frames_are_copied_with_their_figures) {
   const test::TempDir dir;
   make_part(dir / "a", "job", {0, 1});
   make_part(dir / "b", "job", {1, 2, 3});
@@ -55,7 +55,7 @@ TEST(JoinFolders, frames_of_parts_come_into_one_folder_with_their_figures_and_th
   for (const char* part : {"a", "b"}) EXPECT_TRUE(check_folder(dir / part).passed());
 }
 
-TEST(JoinFolders, again_takes_over_nothing_and_into_a_folder_with_frames_only_what_is_missing_there) {
+TEST(JoinFolders, joining_again_copies_only_missing_frames) {
   const test::TempDir dir;
   make_part(dir / "a", "job", {0, 1});
   make_part(dir / "b", "job", {1, 2});
@@ -64,7 +64,7 @@ TEST(JoinFolders, again_takes_over_nothing_and_into_a_folder_with_frames_only_wh
   EXPECT_TRUE(check_folder(dir / "a").passed());
 }
 
-TEST(JoinFolders, damaged_frames_are_left_out_and_named_and_whole_ones_replace_damaged_ones) {
+TEST(JoinFolders, damaged_frames_are_named_and_replaced) {
   const test::TempDir dir;
   make_part(dir / "a", "job", {0, 1});
   make_part(dir / "b", "job", {0, 1});
@@ -77,7 +77,7 @@ TEST(JoinFolders, damaged_frames_are_left_out_and_named_and_whole_ones_replace_d
   EXPECT_TRUE(check_folder(dir / "a").passed());
 }
 
-TEST(JoinFolders, what_is_no_part_of_the_same_job_is_refused_before_anything_is_taken_over) {
+TEST(JoinFolders, other_jobs_are_refused_before_copying) {
   const test::TempDir dir;
   make_part(dir / "a", "job", {0});
   make_part(dir / "b", "another", {1});

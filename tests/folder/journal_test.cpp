@@ -1,4 +1,4 @@
-// Journals as renders write them, and as anybody else may have written them.
+// Journals as written by renders, and as anyone else may have written them.
 #include "folder/journal.hpp"
 
 #include <gmock/gmock.h>
@@ -30,7 +30,7 @@ std::string sound_journal() {
          run_line({.host = "a", .cpu = "p", .unit = "1/2", .frames = {4}, .setup_seconds = 0.5, .threads = 2});
 }
 
-/// The journal that this text is.
+/// Parses a text as a journal.
 FolderJournal journal_of(const std::string& text) {
   const test::TempDir dir;
   std::filesystem::create_directory(journal_folder(dir.path()));
@@ -38,7 +38,7 @@ FolderJournal journal_of(const std::string& text) {
   return read_journal(dir.path()).value_or(FolderJournal{});
 }
 
-TEST(FolderJournal, what_was_written_is_read_back) {
+TEST(FolderJournal, round_trips) {
   const FolderJournal journal = journal_of(sound_journal());
   EXPECT_EQ(journal.problem, "");
   EXPECT_EQ(journal.job, "job");
@@ -56,7 +56,7 @@ TEST(FolderJournal, what_was_written_is_read_back) {
   EXPECT_THAT(journal.videos.at("../a.mp4").frames, ElementsAre(3, 4));
 }
 
-TEST(FolderJournal, of_two_lines_for_a_frame_the_last_one_counts) {
+TEST(FolderJournal, last_line_of_a_frame_counts) {
   const FileChecksum later{8, "fedcba9876543210"};
   FrameReport frame;
   frame.frame = 4;
@@ -65,7 +65,7 @@ TEST(FolderJournal, of_two_lines_for_a_frame_the_last_one_counts) {
   EXPECT_EQ(journal.frames.at(4).files, (FileRecords{{"frame_0004.png", later}}));
 }
 
-TEST(FolderJournal, cut_anywhere_it_is_sound) {
+TEST(FolderJournal, truncation_is_valid_anywhere) {
   const std::string whole = sound_journal();
   for (std::size_t bytes = 0; bytes < whole.size(); ++bytes) {
     const FolderJournal journal = journal_of(whole.substr(0, bytes));
@@ -74,7 +74,7 @@ TEST(FolderJournal, cut_anywhere_it_is_sound) {
   }
 }
 
-TEST(FolderJournal, names_and_numbers_that_no_render_writes_are_problems) {
+TEST(FolderJournal, impossible_names_and_numbers_are_problems) {
   const std::string sum = R"("bytes":7,"xxh3":"0123456789abcdef")";
   const std::string long_name(100'000, 'a'), frame = frame_line({}, {{"frame_0000.png", kSum}});
   const auto frame_with = [&](const std::string& from, const std::string& to) {
@@ -119,12 +119,12 @@ TEST(FolderJournal, names_and_numbers_that_no_render_writes_are_problems) {
   }
 }
 
-TEST(FolderJournal, first_line_that_names_no_job_is_a_problem) {
+TEST(FolderJournal, first_line_must_name_a_job) {
   for (const char* line : {"hello\n", "{}\n", "{\"job\":1}\n", "[\"job\"]\n"})
     EXPECT_THAT(journal_of(line).problem, HasSubstr("line 1 ")) << line;
 }
 
-TEST(FolderJournal, in_place_of_a_file_or_a_fifo_or_a_folder_is_an_error) {
+TEST(FolderJournal, files_of_the_wrong_type_are_errors) {
   const test::TempDir dir;
   std::ofstream(journal_folder(dir.path())) << "no folder";
   EXPECT_THROW(read_journal(dir.path()), Error);
@@ -138,7 +138,7 @@ TEST(FolderJournal, in_place_of_a_file_or_a_fifo_or_a_folder_is_an_error) {
   EXPECT_THROW(read_journal(dir.path()), Error);
 }
 
-TEST(FolderJournal, of_several_runs_is_what_all_have_written_and_another_job_among_them_is_a_problem) {
+TEST(FolderJournal, combines_runs_of_one_job) {
   const test::TempDir dir;
   std::filesystem::create_directory(journal_folder(dir.path()));
   const auto write = [&](const char* name, const std::string& text) {
@@ -146,7 +146,7 @@ TEST(FolderJournal, of_several_runs_is_what_all_have_written_and_another_job_amo
   };
   write("1.jsonl", sound_journal());
   write("2.jsonl", job_line("job") + asked_line({9, 10}));
-  write("3.jsonl", "{\"job\": \"jo");  // killed while it began
+  write("3.jsonl", "{\"job\": \"jo");  // killed at its start
   const std::optional<FolderJournal> journal = read_journal(dir.path());
   EXPECT_EQ(journal->problem, "");
   EXPECT_EQ(journal->parts.size(), 2u);
@@ -159,8 +159,8 @@ TEST(FolderJournal, of_several_runs_is_what_all_have_written_and_another_job_amo
   EXPECT_THAT(read_journal(dir.path())->problem, HasSubstr("line 1 of '2.jsonl'"));
 }
 
-// Bytes changed, cut, doubled and moved at random: whatever comes of it, a name leads nowhere else.
-TEST(FolderJournal, noise_is_read_to_its_end_and_names_only_files_of_frames) {
+// Bytes changed, cut, doubled and moved at random must not give a name outside the folder.
+TEST(FolderJournal, noise_names_only_files_of_frames) {
   const std::string sound = sound_journal();
   std::mt19937 random(20);
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random()) % n; };

@@ -1,4 +1,4 @@
-// Which process writes a part of a journal.
+// Tests which process writes a part of a journal.
 #include "folder/journal_writer.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 fs::path only_file_in(const fs::path& folder) { return fs::directory_iterator(folder)->path(); }
 
-/// A process that begins a part and waits for a signal: SIGINT ends it with 7.
+/// A process that starts a part and waits for a signal; SIGINT ends it with 7.
 class Writing {
  public:
   explicit Writing(const fs::path& folder) {
@@ -58,13 +58,13 @@ class Writing {
   pid_t process_ = 0;
 };
 
-TEST(JournalWriter, name_of_a_part_says_who_writes_it) {
+TEST(JournalWriter, names_of_parts_state_the_writer) {
   const auto writer = writer_of("/a/01764104700-" + platform::host_name() + "-4321.jsonl");
   ASSERT_TRUE(writer);
   EXPECT_TRUE(writer->is_of_this_machine());
   EXPECT_EQ(writer->process, 4321);
   EXPECT_EQ(writer->began, 1764104700.0);
-  EXPECT_EQ(writer_of("01764104700-" + platform::host_name() + "-4321-2.jsonl")->process, 4321);  // the second of that second
+  EXPECT_EQ(writer_of("01764104700-" + platform::host_name() + "-4321-2.jsonl")->process, 4321);  // second part in that second
 }
 
 TEST(JournalWriter, names_of_other_machines_may_have_dashes) {
@@ -77,7 +77,7 @@ TEST(JournalWriter, names_of_other_machines_may_have_dashes) {
     EXPECT_FALSE(writer_of(name)) << name;
 }
 
-TEST(JournalWriter, part_is_written_until_its_process_ends_however_it_ends) {
+TEST(JournalWriter, part_is_live_until_its_process_ends) {
   const test::TempDir dir;
   Writing writing(dir.path());
   EXPECT_TRUE(is_being_written(only_file_in(dir.path())));
@@ -93,8 +93,8 @@ TEST(JournalWriter, interrupting_does_what_ctrl_c_does) {
   EXPECT_EQ(writing.wait(), 7);
 }
 
-// The number is this process's, which is alive; but it has another file open, or reads this one.
-TEST(JournalWriter, process_that_has_got_the_number_since_is_not_taken_for_the_writer) {
+// The number belongs to this process, which is alive, but which has another file open, or only reads this one.
+TEST(JournalWriter, reused_process_ids_are_not_writers) {
   const test::TempDir dir;
   const fs::path part = dir / ("01764104700-" + platform::host_name() + "-" + std::to_string(getpid()) + ".jsonl");
   std::ofstream(part) << "{}\n";

@@ -1,4 +1,4 @@
-// Files of a render that are compared with its journal when somebody opens them.
+// Comparison of a render's files with its journal when they are opened.
 #include "core/recorded_file.hpp"
 
 #include <gmock/gmock.h>
@@ -25,7 +25,7 @@ void make_render_file(const fs::path& path, const std::string& bytes) {
   std::ofstream(path) << bytes;
 }
 
-/// A picture with a layer, a frame of two views, and a report.
+/// Makes a picture with a layer, a frame of two views, and a report.
 void make_render(const fs::path& folder) {
   fs::create_directories(folder);
   RenderFolder render(folder, "job");
@@ -48,7 +48,7 @@ void append(const fs::path& folder, const std::string& bytes) {
   std::ofstream(read_journal(folder)->parts.front(), std::ios::app | std::ios::binary) << bytes;
 }
 
-TEST(RecordedFile, bytes_that_were_recorded_pass_and_others_are_refused) {
+TEST(RecordedFile, changed_bytes_are_refused) {
   const test::TempDir dir;
   make_render(dir.path());
   for (const char* name : {"frame_0000.png", "aov_0000.exr", "frame_0001/view_001.png"}) {
@@ -61,7 +61,7 @@ TEST(RecordedFile, bytes_that_were_recorded_pass_and_others_are_refused) {
   EXPECT_NE(refusal_of_file(dir / "frame_0000.png", "aov_0000.exr"), kNone) << "another file of the render";
 }
 
-TEST(RecordedFile, video_and_its_side_file_are_compared) {
+TEST(RecordedFile, videos_and_side_files_are_compared) {
   const test::TempDir dir;
   for (const char* name : {"film.mp4", "film.mp4.json"}) make_render_file(dir / name, name);
   RenderFolder(dir.path(), "job").add_video(dir / "film.mp4", {0}, true);
@@ -73,7 +73,7 @@ TEST(RecordedFile, video_and_its_side_file_are_compared) {
   }
 }
 
-TEST(RecordedFile, file_that_no_journal_names_passes) {
+TEST(RecordedFile, unrecorded_file_passes) {
   const test::TempDir dir;
   EXPECT_EQ(refusal_of_file(dir / "frame_0000.png", "bytes"), kNone);
   make_render(dir / "a");
@@ -81,7 +81,7 @@ TEST(RecordedFile, file_that_no_journal_names_passes) {
     EXPECT_EQ(refusal_of_file(dir / name, "bytes"), kNone) << name;
 }
 
-TEST(RecordedFile, files_that_the_journal_does_not_name_are_warned_of) {
+TEST(RecordedFile, unrecorded_files_warn) {
   const test::TempDir dir;
   make_render(dir.path());
   std::vector<std::string> warnings;
@@ -122,7 +122,7 @@ TEST(RecordedFile, missing_file_of_a_frame_is_named) {
               HasSubstr("frame_0001/view_000.png: is missing"));
 }
 
-TEST(RecordedFile, noise_after_a_journal_is_refused_and_a_cut_line_is_not) {
+TEST(RecordedFile, trailing_noise_is_refused_a_cut_line_not) {
   for (const std::string& cut :
        {std::string("{\"frame\":3,\"ki"), std::string("{\"frame\":3,\0\0\0", 14), std::string(100, '\0'), std::string("{")}) {
     const test::TempDir dir;

@@ -31,7 +31,7 @@ FrameReport report_of(int frame) {
   return report;
 }
 
-TEST(RenderFolder, recorded_frame_is_found_by_the_same_job_with_its_figures) {
+TEST(RenderFolder, recorded_frame_is_found_with_its_figures) {
   const test::TempDir dir;
   make_picture(dir, 4);
   RenderFolder(dir.path(), "job-a").add(report_of(4), files_of(dir, 4));
@@ -42,7 +42,7 @@ TEST(RenderFolder, recorded_frame_is_found_by_the_same_job_with_its_figures) {
   EXPECT_FALSE(again.find(5).has_value());
 }
 
-TEST(RenderFolder, recorded_path_traced_frame_is_found_with_its_errors) {
+TEST(RenderFolder, recorded_path_traced_frame_keeps_its_errors) {
   const test::TempDir dir;
   make_picture(dir, 4);
   FrameReport traced = report_of(4);
@@ -63,7 +63,7 @@ TEST(RenderFolder, another_job_is_refused_and_changes_nothing) {
   EXPECT_TRUE(RenderFolder(dir.path(), "job-a").find(4).has_value());
 }
 
-TEST(RenderFolder, renders_of_parts_that_run_beside_each_other_are_all_recorded) {
+TEST(RenderFolder, concurrent_renders_are_all_recorded) {
   const test::TempDir dir;
   for (const int frame : {1, 2, 3}) make_picture(dir, frame);
   RenderFolder one(dir.path(), "job");
@@ -75,7 +75,7 @@ TEST(RenderFolder, renders_of_parts_that_run_beside_each_other_are_all_recorded)
   for (const int frame : {1, 2, 3}) EXPECT_TRUE(both.find(frame).has_value()) << frame;
 }
 
-TEST(RenderFolder, picture_gone_or_of_another_size_is_not_finished) {
+TEST(RenderFolder, missing_or_resized_pictures_are_unfinished) {
   const test::TempDir dir;
   make_picture(dir, 1);
   make_picture(dir, 2);
@@ -91,7 +91,7 @@ TEST(RenderFolder, picture_gone_or_of_another_size_is_not_finished) {
   EXPECT_FALSE(again.find(2).has_value());
 }
 
-TEST(RenderFolder, picture_or_layer_of_other_bytes_or_no_regular_file_is_not_finished) {
+TEST(RenderFolder, changed_or_irregular_files_are_unfinished) {
   const test::TempDir dir;
   const auto layer = [&](int frame) { return dir / ("aov_000" + std::to_string(frame) + ".exr"); };
   {
@@ -114,7 +114,7 @@ TEST(RenderFolder, picture_or_layer_of_other_bytes_or_no_regular_file_is_not_fin
   EXPECT_TRUE(again.find(4).has_value());
 }
 
-TEST(RenderFolder, torn_last_line_is_forgotten_and_does_not_spoil_the_next_run) {
+TEST(RenderFolder, torn_last_line_is_ignored) {
   const test::TempDir dir;
   for (const int frame : {1, 2, 3}) make_picture(dir, frame);
   {
@@ -131,7 +131,7 @@ TEST(RenderFolder, torn_last_line_is_forgotten_and_does_not_spoil_the_next_run) 
   EXPECT_TRUE(again.find(3).has_value());
 }
 
-TEST(RenderFolder, no_run_changes_what_another_has_written) {
+TEST(RenderFolder, runs_keep_the_files_of_others) {
   const test::TempDir dir;
   make_picture(dir, 1);
   RenderFolder one(dir.path(), "job");
@@ -146,15 +146,15 @@ TEST(RenderFolder, no_run_changes_what_another_has_written) {
   EXPECT_EQ(other.now().parts.size(), 2u);
 }
 
-// The second to end has seen nothing of the first when it begins to write.
-TEST(RenderFolder, common_file_is_written_again_where_another_run_has_recorded_more_meanwhile) {
+// The second run to end has not read the first run's frames when it begins to write.
+TEST(RenderFolder, shared_file_is_rewritten_after_concurrent_records) {
   const test::TempDir dir;
   for (const int frame : {1, 2}) make_picture(dir, frame);
   RenderFolder one(dir.path(), "job"), other(dir.path(), "job");
   one.add(report_of(1), files_of(dir, 1));
   int written = 0;
   const auto text_of = [&](const FolderJournal& journal) {
-    if (++written == 1) other.add(report_of(2), files_of(dir, 2));  // while it is being written
+    if (++written == 1) other.add(report_of(2), files_of(dir, 2));  // during the first write
     return std::to_string(journal.frames.size()) + " frames";
   };
   one.write("report.json", text_of);
@@ -165,7 +165,7 @@ TEST(RenderFolder, common_file_is_written_again_where_another_run_has_recorded_m
   EXPECT_TRUE(is_as_written(one.now(), dir.path(), "report.json"));
 }
 
-TEST(RenderFolder, runs_that_have_ended_are_found_with_what_they_took) {
+TEST(RenderFolder, ended_runs_are_found_with_their_cost) {
   const test::TempDir dir;
   RenderFolder folder(dir.path(), "job");
   RunReport run;

@@ -1,4 +1,4 @@
-// How far renders are, as their journals and processes say.
+// The progress of renders, from their journals and processes.
 #include "folder/render_state.hpp"
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ std::string line_of_frame(int frame) {
   return frame_line(report, {{"frame_000" + std::to_string(frame) + ".png", kRecorded}});
 }
 
-/// A folder whose journal this process writes, until `part` is gone.
+/// A folder whose journal this process writes while `part` exists.
 struct Watched {
   test::TempDir dir;
   std::optional<JournalPart> part;
@@ -38,20 +38,20 @@ struct Watched {
   RenderActivity activity() { return reader.read()->activity; }
 };
 
-// 3 frames in 30 s, and one in 20 s: 0.15 a second together. 6 frames take 40 s, of which 4 are over since the last.
-TEST(RenderState, time_left_is_that_of_all_runs_together) {
+// 3 frames in 30 s and one in 20 s are 0.15 frames/s together. 6 frames take 40 s, of which 4 s have passed since the last one.
+TEST(RenderState, time_left_combines_all_runs) {
   const std::array runs{RunPace{100.0, 130.0, 3}, RunPace{100.0, 120.0, 1}};
   EXPECT_NEAR(*estimated_seconds_left(runs, 6, 134.0), 36.0, 1e-9);
 }
 
-TEST(RenderState, time_left_is_not_known_before_a_frame_is_finished_and_never_negative) {
+TEST(RenderState, time_left_is_unknown_at_first) {
   const std::array none{RunPace{100.0, 101.0, 0}};
   EXPECT_FALSE(estimated_seconds_left(none, 6, 134.0));
   const std::array late{RunPace{100.0, 110.0, 1}};
   EXPECT_EQ(estimated_seconds_left(late, 1, 200.0), 0.0);
 }
 
-TEST(RenderState, frames_count_as_they_are_recorded) {
+TEST(RenderState, frames_count_once_recorded) {
   Watched render;
   EXPECT_EQ(render.activity(), RenderActivity::kRunning);
   EXPECT_TRUE(render.reader.read()->journal.frames.empty());
@@ -61,23 +61,23 @@ TEST(RenderState, frames_count_as_they_are_recorded) {
   EXPECT_EQ(state.running.size(), 1u);
 }
 
-TEST(RenderState, run_that_has_ended_without_all_frames_is_stopped) {
+TEST(RenderState, ended_run_without_all_frames_is_stopped) {
   Watched render;
   render.part->add(line_of_frame(0));
-  render.part.reset();  // as a kill leaves it: without a line that says the end
+  render.part.reset();  // a killed run leaves no final line
   EXPECT_EQ(render.activity(), RenderActivity::kStopped);
   EXPECT_FALSE(render.reader.read()->seconds_left);
 }
 
-TEST(RenderState, render_is_finished_when_all_frames_are_there_and_its_process_has_ended) {
+TEST(RenderState, finished_needs_all_frames_and_an_ended_process) {
   Watched render;
   for (const int frame : {0, 1, 2}) render.part->add(line_of_frame(frame));
-  EXPECT_EQ(render.activity(), RenderActivity::kRunning);  // it writes its videos
+  EXPECT_EQ(render.activity(), RenderActivity::kRunning);  // it is writing its videos
   render.part.reset();
   EXPECT_EQ(render.activity(), RenderActivity::kFinished);
 }
 
-TEST(RenderState, another_machines_run_is_elsewhere_until_it_records_its_end) {
+TEST(RenderState, remote_run_is_elsewhere_until_its_end) {
   const test::TempDir dir;
   fs::create_directory(journal_folder(dir.path()));
   const fs::path part = journal_folder(dir.path()) / "01764104700-another-1.jsonl";
@@ -89,7 +89,7 @@ TEST(RenderState, another_machines_run_is_elsewhere_until_it_records_its_end) {
   EXPECT_EQ(reader.read()->activity, RenderActivity::kStopped);
 }
 
-TEST(RenderState, folders_without_a_journal_have_none_and_damaged_ones_are_refused) {
+TEST(RenderState, missing_journals_give_none_damaged_ones_fail) {
   const test::TempDir dir;
   RenderStateReader reader(dir.path());
   EXPECT_FALSE(reader.read());
@@ -98,7 +98,7 @@ TEST(RenderState, folders_without_a_journal_have_none_and_damaged_ones_are_refus
   EXPECT_THROW(reader.read(), Error);
 }
 
-TEST(RenderState, picture_of_a_frame_is_its_file_or_its_folder_of_views) {
+TEST(RenderState, picture_is_a_file_or_a_folder) {
   const auto of = [](FileRecords files) { return picture_of({{}, std::move(files)}).string(); };
   EXPECT_EQ(of({{"aov_0001.exr", kRecorded}, {"frame_0001_qs4x3a1.png", kRecorded}}), "frame_0001_qs4x3a1.png");
   EXPECT_EQ(of({{"frame_0001_qs4x3a1.png", kRecorded}, {"frame_0001_qs4x3a1.png.json", kRecorded}}), "frame_0001_qs4x3a1.png");

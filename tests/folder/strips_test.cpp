@@ -1,4 +1,4 @@
-// Files of strips: what they hold comes back to the bit, and what journals say of them.
+// Files of strips: bit-exact round trips, and their entries in journals.
 #include "folder/strips.hpp"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A film of so many rows with all layers, whose values are different in every place; some are no finite numbers.
+/// Returns a film with all layers, with a different value at every place; some are not finite.
 FramePictures pictures_of(int width, int rows) {
   FramePictures pictures;
   pictures.film = Image(width, rows, 3);
@@ -34,7 +34,7 @@ FramePictures pictures_of(int width, int rows) {
   return pictures;
 }
 
-/// Rows of an image, from `first` on.
+/// Returns rows of an image, starting at `first`.
 Image rows_of(const Image& image, int first, int rows) {
   Image part(image.width, rows, image.channels);
   const auto row = static_cast<std::ptrdiff_t>(image.width * image.channels);
@@ -53,7 +53,7 @@ bool has_same_bits(const Image& a, const Image& b) {
   return a.data.size() == b.data.size() && std::memcmp(a.data.data(), b.data.data(), a.data.size() * sizeof(float)) == 0;
 }
 
-TEST(Strips, that_are_read_into_a_film_give_the_bits_that_were_written) {
+TEST(Strips, round_trip_bit_for_bit) {
   const test::TempDir dir;
   const FramePictures whole = pictures_of(7, 10);
   FramePictures joined = pictures_of(7, 10);
@@ -73,7 +73,7 @@ TEST(Strips, that_are_read_into_a_film_give_the_bits_that_were_written) {
   EXPECT_TRUE(std::filesystem::is_empty(dir.path()));
 }
 
-TEST(Strips, of_other_rows_or_another_width_are_refused) {
+TEST(Strips, of_other_rows_or_width_are_refused) {
   const test::TempDir dir;
   write_strip(dir.path(), 0, 0, pictures_of(7, 4));
   FramePictures film = pictures_of(7, 10), wider = pictures_of(8, 10);
@@ -101,7 +101,7 @@ class StripJournal : public testing::Test {
   const FileChecksum sum_{7, "0123456789abcdef"};
 };
 
-TEST_F(StripJournal, says_what_was_finished_and_a_file_with_other_bytes_is_not) {
+TEST_F(StripJournal, changed_files_are_unfinished) {
   const FileRecords files = write_strip(dir_.path(), 3, 1, pictures_of(7, 4));
   const FolderJournal journal = journal_of(line(1, 8, files) + run_line({.host = "a", .strips = {{3, {1}}}}));
   EXPECT_EQ(journal.problem, "");
@@ -114,7 +114,7 @@ TEST_F(StripJournal, says_what_was_finished_and_a_file_with_other_bytes_is_not) 
   EXPECT_FALSE(find_strip(dir_.path(), journal, 3, 1));
 }
 
-TEST_F(StripJournal, with_numbers_or_names_that_no_render_writes_has_a_problem) {
+TEST_F(StripJournal, impossible_numbers_and_names_are_problems) {
   const FileRecords own{{strip_name(3, 1), sum_}}, picture{{"frame_0003.png", sum_}}, other{{strip_name(3, 2), sum_}};
   EXPECT_EQ(journal_of(line(1, 8, own)).problem, "");
   for (const std::string& bad : {line(8, 8, own), line(-1, 8, own), line(1, 5000, own), line(1, 8, picture), line(1, 8, other),
@@ -122,7 +122,7 @@ TEST_F(StripJournal, with_numbers_or_names_that_no_render_writes_has_a_problem) 
     EXPECT_NE(journal_of(bad).problem, "") << bad;
 }
 
-TEST(StripNames, are_of_their_frame_and_of_no_picture) {
+TEST(StripNames, belong_to_a_frame_but_are_not_pictures) {
   EXPECT_EQ(strip_name(3, 12), "strip_0003_012.exr");
   EXPECT_EQ(frame_of_file("strip_0003_012.exr"), 3);
   EXPECT_TRUE(is_strip_name("strip_0003_012.exr"));
