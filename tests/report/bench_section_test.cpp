@@ -18,7 +18,7 @@ test::OrderedJson some_result() {
           {"passed_checks", 12}};
 }
 
-TEST(BenchSection, rows_become_a_table_with_bars_by_the_largest_of_a_column) {
+TEST(BenchSection, rows_become_a_table_with_bars) {
   const std::string html = bench_section(some_result(), "x.json");
   EXPECT_THAT(html, HasSubstr("<h2>bench reuse</h2>"));
   EXPECT_THAT(html, HasSubstr("<th scope=\"row\">room</th><td>0.25<i class=\"meter\" style=\"width:50.0%\"></i></td>"));
@@ -27,7 +27,7 @@ TEST(BenchSection, rows_become_a_table_with_bars_by_the_largest_of_a_column) {
   EXPECT_THAT(html, HasSubstr("12 checks of results passed."));
 }
 
-TEST(BenchSection, rows_that_are_none_are_refused) {
+TEST(BenchSection, invalid_rows_are_refused) {
   test::OrderedJson result = some_result();
   result["rows"] = {1, 2};
   EXPECT_TRUE(is_bench_result(result));
@@ -35,9 +35,7 @@ TEST(BenchSection, rows_that_are_none_are_refused) {
               HasSubstr("x.json: its rows are not a list of objects"));
 }
 
-TEST(BenchSection, a_report_of_a_render_is_none_of_a_benchmark) {
-  EXPECT_FALSE(is_bench_result(test::report_of_frames("none", {})));
-}
+TEST(BenchSection, a_renders_report_is_not_a_benchmarks) { EXPECT_FALSE(is_bench_result(test::report_of_frames("none", {}))); }
 
 }  // namespace
 }  // namespace lippmann

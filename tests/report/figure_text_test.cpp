@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-TEST(FigureText, seconds_have_three_digits_and_the_unit_that_suits) {
+TEST(FigureText, seconds_have_three_digits_and_a_unit) {
   EXPECT_EQ(seconds_text(0.0), "0.00 ms");
   EXPECT_EQ(seconds_text(0.01234), "12.3 ms");
   EXPECT_EQ(seconds_text(0.9996), "1.00 s");
@@ -21,7 +21,7 @@ TEST(FigureText, counts_are_written_out_below_ten_thousand) {
   EXPECT_EQ(count_text(3.0e9), "3.00 G");
 }
 
-TEST(FigureText, what_is_not_known_is_a_dash) {
+TEST(FigureText, unknown_values_are_a_dash) {
   EXPECT_EQ(percent_text(std::nullopt), kNotKnown);
   EXPECT_EQ(decibel_text(std::nullopt), kNotKnown);
   EXPECT_EQ(memory_text(0.0), kNotKnown);

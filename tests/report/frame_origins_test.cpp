@@ -23,27 +23,25 @@ void expect_shares(const FrameReport& frame, const std::string& reuse, const Sha
 
 TEST(FrameOrigins, key_and_full_frames_are_traced) { expect_shares(test::key_frame(0), "interpolate", {1, 0, 0, 0}); }
 
-TEST(FrameOrigins, copied_frames_are_traced_where_they_are_not_copied) {
-  expect_shares(test::in_between_frame(1), "copy", {0.2, 0.8, 0, 0});
-}
+TEST(FrameOrigins, copied_frames_trace_the_rest) { expect_shares(test::in_between_frame(1), "copy", {0.2, 0.8, 0, 0}); }
 
-TEST(FrameOrigins, interpolated_frames_are_filled_where_they_are_neither_reused_nor_traced) {
+TEST(FrameOrigins, interpolated_frames_fill_the_rest) {
   expect_shares(test::in_between_frame(1), "interpolate", {0.15, 0, 0.8, 0.05});
 }
 
-TEST(FrameOrigins, shares_stay_within_the_frame_whatever_a_report_says) {
+TEST(FrameOrigins, shares_are_limited_to_the_frame) {
   FrameReport frame = test::in_between_frame(1);
   frame.reused_pixels = 70, frame.retraced_pixels = 1000;
   expect_shares(frame, "interpolate", {0.3, 0, 0.7, 0});
 }
 
-TEST(FrameOrigins, without_the_size_of_frames_shares_are_not_known) {
+TEST(FrameOrigins, shares_need_the_frame_size) {
   RenderFigures render = render_of("copy");
   render.pixels.reset();
   EXPECT_FALSE(origins_of(test::in_between_frame(1), render));
 }
 
-TEST(FrameOrigins, savings_are_beside_the_mean_of_frames_traced_whole) {
+TEST(FrameOrigins, savings_compare_with_fully_traced_frames) {
   RenderFigures render = render_of("copy");
   render.frames = {test::key_frame(0), test::in_between_frame(1), test::key_frame(2)};
   render.frames[2].cpu_seconds = 3.0;

@@ -9,7 +9,7 @@ TEST(Html, text_cannot_become_markup) {
   EXPECT_EQ(escaped("<b a='1' c=\"2\">&</b>"), "&lt;b a=&#39;1&#39; c=&quot;2&quot;&gt;&amp;&lt;/b&gt;");
 }
 
-TEST(Html, letters_of_all_languages_stay_and_broken_ones_are_marked) {
+TEST(Html, letters_stay_and_invalid_bytes_are_marked) {
   EXPECT_EQ(escaped("Häuser 家"), "Häuser 家");
   EXPECT_EQ(escaped("a\xff"
                     "b"),
@@ -19,7 +19,7 @@ TEST(Html, letters_of_all_languages_stay_and_broken_ones_are_marked) {
 
 TEST(Html, control_characters_become_spaces) { EXPECT_EQ(escaped(std::string("a\0b\x1b[31m\n", 9)), "a b [31m "); }
 
-TEST(Html, the_first_cell_of_a_row_is_its_heading) {
+TEST(Html, first_cells_of_rows_are_headings) {
   const std::string table = table_html({{"frame", "kind"}, {{"3", "key"}}, "wide"});
   EXPECT_NE(table.find("<table class=\"wide\"><thead><tr><th scope=\"col\">frame</th><th scope=\"col\">kind</th></tr></thead>"
                        "<tbody><tr><th scope=\"row\">3</th><td>key</td></tr>"),

@@ -23,7 +23,7 @@ std::string figure(const RenderFigures& render, const std::string& name) {
   return "(none)";
 }
 
-TEST(RenderFigures, a_whole_report_lacks_nothing) {
+TEST(RenderFigures, a_complete_report_has_no_notes) {
   const RenderFigures render = test::figures_of(some_report());
   EXPECT_THAT(render.missing, IsEmpty());
   EXPECT_EQ(render.title, "somewhere");
@@ -33,7 +33,7 @@ TEST(RenderFigures, a_whole_report_lacks_nothing) {
   EXPECT_EQ(render.runs[0].host, "workbench");
 }
 
-TEST(RenderFigures, a_summary_has_the_figures_of_the_whole) {
+TEST(RenderFigures, a_summary_has_the_totals) {
   const RenderFigures render = test::figures_of(some_report());
   EXPECT_EQ(figure(render, "frames"), "3 | 2 in-between, 1 key");
   EXPECT_EQ(figure(render, "CPU time per frame"), "1.00 s | 3.00 s in all");
@@ -43,7 +43,7 @@ TEST(RenderFigures, a_summary_has_the_figures_of_the_whole) {
   EXPECT_EQ(figure(render, "lowest PSNR"), "– | all pixels are traced or exact copies");
 }
 
-TEST(RenderFigures, source_frames_count_among_what_was_taken) {
+TEST(RenderFigures, source_frames_are_counted) {
   test::OrderedJson report = some_report();
   report["totals"]["cpu_seconds"] = 5.0, report["totals"]["source_frames"] = 1;
   const RenderFigures render = test::figures_of(report);
@@ -51,7 +51,7 @@ TEST(RenderFigures, source_frames_count_among_what_was_taken) {
   EXPECT_NEAR(total_saving(render).value(), 1.0 - 5.0 / 3.0 / 2.0, 1e-12);
 }
 
-TEST(RenderFigures, the_worst_frame_is_that_of_the_lowest_bound) {
+TEST(RenderFigures, the_worst_frame_has_the_lowest_bound) {
   test::OrderedJson report = test::report_of_frames("interpolate", {test::in_between_frame(1), test::in_between_frame(2)});
   report["frames"][0]["estimated_psnr_db"] = 36.0, report["frames"][0]["psnr_at_least_db"] = 35.25;
   report["frames"][1]["estimated_psnr_db"] = 37.0, report["frames"][1]["psnr_at_least_db"] = 35.0;
@@ -63,7 +63,7 @@ TEST(RenderFigures, frames_are_sorted) {
   EXPECT_EQ(test::figures_of(report).frames.front().frame, 2);
 }
 
-TEST(RenderFigures, interpolated_frames_without_a_floor_are_not_measured) {
+TEST(RenderFigures, frames_without_min_psnr_are_not_measured) {
   const test::OrderedJson report = test::report_of_frames("interpolate", {test::in_between_frame(1)});
   EXPECT_THAT(figure(test::figures_of(report), "lowest PSNR"), HasSubstr("the error was not measured"));
 }
@@ -75,7 +75,7 @@ TEST(RenderFigures, a_stopped_render_says_so) {
                                                             HasSubstr("No run has recorded its end")));
 }
 
-TEST(RenderFigures, parts_that_cannot_be_understood_are_left_out_and_told) {
+TEST(RenderFigures, invalid_parts_are_named) {
   test::OrderedJson report = some_report();
   report["frames"][1].erase("rays");
   report["optics"] = 7;
@@ -87,7 +87,7 @@ TEST(RenderFigures, parts_that_cannot_be_understood_are_left_out_and_told) {
                                           HasSubstr("totals are missing"), HasSubstr("optics cannot be read")));
 }
 
-TEST(RenderFigures, what_lists_no_frames_is_no_report) {
+TEST(RenderFigures, a_report_needs_frames) {
   EXPECT_THAT(test::error_message([] {
                 render_figures({{"version", "1"}}, "a/report.json");
               }),

@@ -19,7 +19,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Three frames, the first a key; the others estimated at 36 and 37 dB.
+/// Returns three frames, the first a key frame; the others estimated at 36 and 37 dB.
 test::OrderedJson interpolated() {
   test::OrderedJson report =
       test::report_of_frames("interpolate", {test::key_frame(0), test::in_between_frame(1), test::in_between_frame(2)});
@@ -31,7 +31,7 @@ test::OrderedJson interpolated() {
 
 std::string page_of(const std::vector<fs::path>& inputs) { return make_report_page(inputs, Context()).html; }
 
-/// What the page's script reads for the first chart of a title.
+/// Returns the script's data of the first chart with a title.
 std::string chart_data(const std::string& page, const std::string& title) {
   const std::string begin = "<figcaption><b>" + title + "</b>";
   const std::size_t from = page.find(begin);
@@ -43,7 +43,7 @@ std::string refusal_of(const std::vector<fs::path>& inputs) {
   return test::error_message([&] { make_report_page(inputs, Context()); });
 }
 
-TEST(ReportPage, interpolated_frames_are_shown_beside_the_papers_figure_and_the_floor) {
+TEST(ReportPage, psnr_chart_shows_the_papers_figure) {
   const test::TempDir dir;
   const std::string page = page_of({test::write_report_text(dir / "film", interpolated().dump())});
   EXPECT_THAT(page, HasSubstr("<h2>film <small>room, reuse interpolate</small></h2>"));
@@ -60,34 +60,34 @@ TEST(ReportPage, interpolated_frames_are_shown_beside_the_papers_figure_and_the_
   EXPECT_THAT(chart_data(page, "CPU time saved"), HasSubstr(R"("values":[null,75.0,75.0])"));
 }
 
-TEST(ReportPage, traced_frames_are_not_shown_beside_the_paper) {
+TEST(ReportPage, traced_frames_have_no_paper_line) {
   const test::TempDir dir;
   const std::string page =
       page_of({test::write_report_text(dir / "film", test::report_of_frames("none", {test::key_frame(0)}).dump())});
   EXPECT_THAT(page, Not(HasSubstr("34.5 dB")));
 }
 
-TEST(ReportPage, the_command_and_the_machine_are_told) {
+TEST(ReportPage, the_command_and_the_machine_are_shown) {
   const test::TempDir dir;
   const std::string page = page_of({test::write_report_text(dir / "film", interpolated().dump())});
   EXPECT_THAT(page, HasSubstr("<pre>lippmann render room --spp 4 --min-psnr 35</pre>"));
   EXPECT_THAT(page, HasSubstr("<th scope=\"row\">workbench</th><td>Example 9000</td><td>2</td><td>1</td><td>3</td>"));
 }
 
-TEST(ReportPage, units_of_one_machine_stand_in_one_row) {
+TEST(ReportPage, units_of_one_machine_share_a_row) {
   const test::TempDir dir;
   test::OrderedJson report = interpolated();
   for (int i = 0; i < 40; ++i) report["runs"].push_back(report["runs"][0]);
   report["runs"].push_back(report["runs"][0]);
   report["runs"].back()["host"] = "another";
-  report["runs"].back().erase("cpu");  // of an earlier version
+  report["runs"].back().erase("cpu");  // from an earlier version
   const std::string page = page_of({test::write_report_text(dir / "film", report.dump())});
   EXPECT_THAT(page, HasSubstr("<th scope=\"row\">workbench</th><td>Example 9000</td><td>2</td><td>41</td><td>123</td>"));
   EXPECT_THAT(page, HasSubstr("<th scope=\"row\">another</th><td>–</td>"));
   EXPECT_THAT(page, HasSubstr("Times of different machines are not comparable"));
 }
 
-TEST(ReportPage, pictures_of_frames_are_the_views_in_the_middle) {
+TEST(ReportPage, pictures_are_the_middle_views) {
   const test::TempDir dir;
   test::OrderedJson report = test::report_of_frames("none", {test::key_frame(0)});
   const fs::path folder = test::write_report_text(dir / "film", report.dump());
@@ -97,7 +97,7 @@ TEST(ReportPage, pictures_of_frames_are_the_views_in_the_middle) {
   EXPECT_THAT(page, Not(HasSubstr("cannot be shown")));
 }
 
-TEST(ReportPage, a_folder_without_pictures_has_its_figures_all_the_same) {
+TEST(ReportPage, a_folder_without_pictures_has_figures) {
   const test::TempDir dir;
   const std::string page = page_of({test::write_report_text(dir / "film", interpolated().dump())});
   EXPECT_THAT(page, HasSubstr("Some pictures cannot be shown: "));
@@ -141,7 +141,7 @@ TEST(ReportPage, several_renders_stand_side_by_side) {
   EXPECT_THAT(page, Not(HasSubstr("The frames differ")));
 }
 
-TEST(ReportPage, what_makes_a_comparison_unfair_is_told) {
+TEST(ReportPage, unfair_comparisons_are_named) {
   const test::TempDir dir;
   test::OrderedJson other = test::report_of_frames("none", {test::key_frame(5)});
   other["scene"] = "tree", other["runs"][0]["host"] = "another";
@@ -152,7 +152,7 @@ TEST(ReportPage, what_makes_a_comparison_unfair_is_told) {
   EXPECT_THAT(page, Not(HasSubstr("differ in size")));
 }
 
-TEST(ReportPage, results_of_benchmarks_have_their_place) {
+TEST(ReportPage, benchmarks_have_a_section) {
   const test::TempDir dir;
   std::ofstream(dir / "x.json")
       << R"({"bench": "rays", "machine": {}, "rows": [{"scene": "room", "ratio": 1.5}], "passed_checks": 3})";
@@ -167,7 +167,7 @@ TEST(ReportPage, a_page_without_charts_has_no_script) {
   EXPECT_THAT(page_of({dir / "x.json"}), Not(HasSubstr("<script")));
 }
 
-TEST(ReportPage, what_is_no_report_is_refused_by_name) {
+TEST(ReportPage, invalid_reports_are_refused_by_name) {
   const test::TempDir dir;
   EXPECT_THAT(refusal_of({dir / "nowhere"}), HasSubstr("nowhere: there is no such file"));
   EXPECT_THAT(refusal_of({test::write_report_text(dir / "cut", interpolated().dump().substr(0, 900))}),
@@ -176,18 +176,18 @@ TEST(ReportPage, what_is_no_report_is_refused_by_name) {
   EXPECT_THAT(refusal_of({test::write_report_text(dir / "other", "{}")}), HasSubstr("lists no frames"));
 }
 
-TEST(ReportPage, somebody_elses_file_stays) {
+TEST(ReportPage, foreign_files_are_kept) {
   const test::TempDir dir;
   const ReportPage page = make_report_page({test::write_report_text(dir / "film", interpolated().dump())}, Context());
   write_report_page(page, dir / "new" / "page.html");
-  write_report_page(page, dir / "new" / "page.html");  // its own is replaced
+  write_report_page(page, dir / "new" / "page.html");  // its own page is replaced
   EXPECT_EQ(test::file_bytes(dir / "new" / "page.html"), page.html);
   std::ofstream(dir / "thesis.html") << "mine";
   EXPECT_THAT(test::error_message([&] { write_report_page(page, dir / "thesis.html"); }), HasSubstr("is another file"));
   EXPECT_EQ(test::file_bytes(dir / "thesis.html"), "mine");
 }
 
-TEST(ReportPage, one_folder_gets_the_page_and_several_leave_it_to_the_working_folder) {
+TEST(ReportPage, default_page_depends_on_the_number_of_folders) {
   const test::TempDir dir;
   EXPECT_EQ(default_report_file({dir.path()}), dir / "report.html");
   EXPECT_EQ(default_report_file({dir.path(), dir.path()}), "report.html");
