@@ -13,7 +13,7 @@ namespace {
 
 using namespace test;
 
-TEST(Exposure, times_are_the_middles_of_their_samples_shares) {
+TEST(Exposure, times_are_centred_in_their_shares) {
   Timeline timeline;
   timeline.frames_per_second = 10.0;
   const auto times = exposure_times({.spp = 4, .shutter = 0.5f}, timeline, 3);
@@ -23,8 +23,8 @@ TEST(Exposure, times_are_the_middles_of_their_samples_shares) {
     EXPECT_NEAR(times[i].seconds, 0.3 + 0.05 * ((0.5 + static_cast<double>(i)) / 4 - 0.5), 1e-12);
 }
 
-// 33 samples at 32 times: two at the first, one at each of the others.
-TEST(Exposure, times_with_more_samples_stand_for_more_of_the_exposure) {
+// 33 samples at 32 times: two at the first time, one at each of the others.
+TEST(Exposure, times_with_more_samples_have_longer_shares) {
   Timeline timeline;
   timeline.frames_per_second = 1.0;
   const auto times = exposure_times({.spp = 33, .shutter = 1.0f}, timeline, 0);
@@ -36,7 +36,7 @@ TEST(Exposure, times_with_more_samples_stand_for_more_of_the_exposure) {
 
 constexpr int kWidth = 64;
 
-/// A single view of 64 pixels, 1 scene unit each; light to the left of an edge that moves 25 units to the right in a second.
+/// A single view of 64 pixels, 1 scene unit each; bright to the left of an edge that moves 25 units to the right per second.
 struct MovingEdge {
   MovingEdge() {
     const int node = s.moving_node(Vec3f(0.0f), Vec3f(25.0f, 0.0f, 0.0f));
@@ -59,9 +59,9 @@ struct MovingEdge {
   Placement placement;
 };
 
-// In frame 1, at 0.4 s, the edge is at 10, and moves by 10 from frame to frame: open for half of that, it is a ramp of 5
-// pixels. Variance 25 / 12, and 1/6 for the widths of pixels. 32 times step by 0.16 pixels; 64 samples count areas to 2/64.
-TEST(Exposure, an_edge_that_moves_is_a_ramp_as_long_as_its_way_while_the_shutter_is_open) {
+// In frame 1, at 0.4 s, the edge is at 10 and moves by 10 per frame. With the shutter open for half of a frame it is a ramp of
+// 5 pixels: variance 25 / 12, plus 1/6 for the width of pixels. 32 times step by 0.16 pixels; 64 samples resolve areas to 2/64.
+TEST(Exposure, a_moving_edge_becomes_a_ramp) {
   const Image film = MovingEdge().frame({.spp = 64, .shutter = 0.5f}).pictures.film;
   double place = 0.0, variance = 0.0;
   std::vector<double> steps;
@@ -72,15 +72,15 @@ TEST(Exposure, an_edge_that_moves_is_a_ramp_as_long_as_its_way_while_the_shutter
   EXPECT_NEAR(variance, 25.0 / 12 + 1.0 / 6, 0.2);
 }
 
-TEST(Exposure, gives_the_same_bits_for_any_number_of_threads) {
+TEST(Exposure, is_bit_identical_for_any_thread_count) {
   const Sampling sampling{.integrator = Integrator::kPath, .spp = 5, .lens = {.aperture_mm = 4.0f}, .shutter = 1.0f};
   const MovingEdge edge;
   EXPECT_EQ(edge.frame(sampling, 1).pictures.film.data, edge.frame(sampling, 3).pictures.film.data);
 }
 
-TEST(Exposure, alpha_is_the_share_of_all_times) {
+TEST(Exposure, alpha_averages_all_times) {
   const RenderedFrame frame = MovingEdge().frame({.spp = 32, .shutter = 1.0f, .transparent = true});
-  // From 5 to 15 pixels right of the middle: half of the time each, at most a pixel and a time more or less.
+  // From 5 to 15 pixels right of the middle: covered half of the time, to within one pixel and one time.
   EXPECT_NEAR(frame.pictures.aovs[Aov::kAlpha].data[4 * kWidth + kWidth / 2 + 10], 0.5f, 0.15f);
   EXPECT_EQ(frame.pictures.aovs[Aov::kAlpha].data[4 * kWidth + kWidth / 2 - 4], 1.0f);
   EXPECT_EQ(frame.pictures.aovs[Aov::kAlpha].data[4 * kWidth + kWidth / 2 + 20], 0.0f);
@@ -97,7 +97,7 @@ RenderParams blurred_view(ReuseChoice reuse) {
   return params;
 }
 
-TEST(DepthOfField, copied_frames_are_traced_ones_to_the_bit) {
+TEST(DepthOfField, copied_frames_equal_traced_frames) {
   const auto films = [](ReuseChoice reuse) {
     RenderParams params = blurred_view(reuse);
     params.scene.name = "teapot";

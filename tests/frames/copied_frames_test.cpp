@@ -1,4 +1,4 @@
-// Frames whose settled pixels are copied from key frames have the bits of frames that are traced.
+// Frames with settled pixels copied from key frames have the same bits as traced frames.
 #include <gtest/gtest.h>
 
 #include "frames/made_frames.hpp"
@@ -10,7 +10,7 @@ RenderParams copied(const RenderParams& scene, std::optional<int> keyframes = {}
   return with_reuse(scene, {.choice = ReuseChoice::kCopy, .keyframes = keyframes});
 }
 
-TEST(CopiedFrames, are_those_that_are_traced_whatever_the_keys) {
+TEST(CopiedFrames, equal_traced_frames_for_any_keys) {
   const auto traced = make_frames(small_scene(), frames_from(3, 12)).films();
   EXPECT_EQ(make_frames(with_reuse(small_scene(), {}), frames_from(3, 12)).films(), traced);
   const MadeFrames made = make_frames(copied(small_scene(), 4), frames_from(3, 12), 3);
@@ -22,14 +22,14 @@ TEST(CopiedFrames, are_those_that_are_traced_whatever_the_keys) {
   }
 }
 
-TEST(CopiedFrames, with_many_samples_are_those_that_are_traced) {
+TEST(CopiedFrames, with_many_samples_equal_traced_frames) {
   RenderParams scene = small_scene();
   scene.sampling.spp = 4;
   scene.optics.lens_pixels = {7.3f, 0};
   EXPECT_EQ(make_frames(copied(scene, 4), frames_from(0, 3)).films(), make_frames(scene, frames_from(0, 3)).films());
 }
 
-TEST(CopiedFrames, of_views_seen_as_beams_are_those_that_are_traced_and_beams_differ_from_points) {
+TEST(CopiedFrames, of_filtered_views_equal_traced_frames) {
   RenderParams scene = small_scene("small-balls");
   scene.optics = {.kind = OpticsKind::kMultiview, .size = {256, 48}, .views = {4, 1}};
   scene.sampling.spp = 3;

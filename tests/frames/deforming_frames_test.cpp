@@ -1,4 +1,4 @@
-// Frames of glTF scenes whose meshes change their shape, and whose file holds several animations.
+// Frames of glTF scenes with deforming meshes, from files with several animations.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -16,7 +16,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A strip of 8 squares whose upper end hangs on a joint, beside one that morphs; two seconds of "Bend", and "Rest".
+/// Returns a strip of 8 squares whose upper end follows a joint, beside one that morphs; animations "Bend" (2 seconds) and
+/// "Rest".
 GltfBuilder strips() {
   GltfBuilder b;
   std::vector<Vec3f> corners, lifted;
@@ -61,7 +62,7 @@ class DeformingFrames : public testing::Test {
     file.write(reinterpret_cast<const char*>(glb.data()), static_cast<std::streamsize>(glb.size()));
   }
 
-  /// Eight frames: two seconds of four.
+  /// Eight frames: two seconds at four frames per second.
   RenderParams params(ReuseChoice reuse, std::optional<int> keyframes = {}, std::optional<Integrator> integrator = {}) const {
     RenderParams params = small_scene();
     params.scene.name = (dir_ / "strips.glb").string();
@@ -80,17 +81,17 @@ void expect_the_films(const MadeFrames& made, const MadeFrames& traced) {
   EXPECT_EQ(made.films(), traced.films());
 }
 
-TEST_F(DeformingFrames, of_paths_have_the_bits_of_tracing_each) {
+TEST_F(DeformingFrames, of_paths_equal_traced_frames) {
   expect_the_films(make_frames(params(ReuseChoice::kAuto, 8), frames_from(0, 7), 3),
                    make_frames(params(ReuseChoice::kNone), frames_from(0, 7), 1));
 }
 
-TEST_F(DeformingFrames, whose_pixels_are_copied_have_the_bits_of_tracing_each) {
+TEST_F(DeformingFrames, with_copied_pixels_equal_traced_frames) {
   expect_the_films(make_frames(params(ReuseChoice::kCopy, 8, Integrator::kWhitted), frames_from(0, 7), 3),
                    make_frames(params(ReuseChoice::kNone, {}, Integrator::kWhitted), frames_from(0, 7), 1));
 }
 
-TEST_F(DeformingFrames, of_a_part_have_the_bits_of_the_whole) {
+TEST_F(DeformingFrames, of_a_part_equal_the_whole) {
   const MadeFrames whole = make_frames(params(ReuseChoice::kAuto), frames_from(0, 7));
   for (const auto& [number, film] : make_frames(params(ReuseChoice::kAuto), frames_from(5, 7)).films())
     EXPECT_EQ(film, whole.film(number)) << number;
@@ -106,7 +107,7 @@ TEST_F(DeformingFrames, are_not_interpolated) {
   }
 }
 
-TEST_F(DeformingFrames, are_those_of_the_animation_chosen_by_name_or_index) {
+TEST_F(DeformingFrames, follow_the_chosen_animation) {
   RenderParams rest = params(ReuseChoice::kNone);
   EXPECT_EQ(load_scene_of(ResolvedJob(rest), {}).scene.timeline.frame_count, 8);
   for (const char* said : {"Rest", "1"}) {
@@ -116,7 +117,7 @@ TEST_F(DeformingFrames, are_those_of_the_animation_chosen_by_name_or_index) {
   EXPECT_THAT(to_text(describe_scene(ResolvedJob(rest), {})), HasSubstr("shown: Rest (1); others: Bend (0)"));
 }
 
-TEST_F(DeformingFrames, of_an_unknown_animation_are_refused_with_those_that_there_are) {
+TEST_F(DeformingFrames, of_unknown_animations_are_refused) {
   RenderParams jump = params(ReuseChoice::kNone);
   jump.scene.animation = "Jump";
   try {

@@ -1,4 +1,4 @@
-// Frames of a slanted panel's own pixels, and of the quilt that it is shown.
+// Frames of a slanted panel's native pixels, and of its quilt.
 #include <gtest/gtest.h>
 
 #include "frames/made_frames.hpp"
@@ -23,7 +23,7 @@ class DisplayFrames : public testing::Test {
   TempDir dir_;
 };
 
-TEST_F(DisplayFrames, of_the_panel_s_own_pixels_are_copied_exactly) {
+TEST_F(DisplayFrames, of_native_pixels_are_copied_exactly) {
   const auto made = [&](ReuseChoice choice) {
     return make_frames(on_panel("tree", PictureLayout::kNative, {.choice = choice}), frames_from(3, 6));
   };
@@ -32,8 +32,8 @@ TEST_F(DisplayFrames, of_the_panel_s_own_pixels_are_copied_exactly) {
   EXPECT_EQ(copied.films(), traced.films());
 }
 
-// 30.9 dB; the key frame repeated in place of what is made gives 27.9.
-TEST_F(DisplayFrames, of_the_panel_s_own_pixels_that_are_interpolated_are_near_to_traced_ones) {
+// 30.9 dB; repeating the key frame instead gives 27.9 dB.
+TEST_F(DisplayFrames, of_native_pixels_interpolate_accurately) {
   const MadeFrames traced = make_frames(on_panel("teapot", PictureLayout::kNative, {.choice = ReuseChoice::kNone}), {1, 2, 3});
   const MadeFrames made =
       make_frames(on_panel("teapot", PictureLayout::kNative, {.choice = ReuseChoice::kInterpolate, .keyframes = 4}), {1, 2, 3});
@@ -45,7 +45,7 @@ TEST_F(DisplayFrames, of_the_panel_s_own_pixels_that_are_interpolated_are_near_t
   EXPECT_GE(sum / 3.0, 30.0);
 }
 
-TEST_F(DisplayFrames, of_quilts_see_beams_unless_one_says_otherwise) {
+TEST_F(DisplayFrames, of_quilts_are_filtered_by_default) {
   const auto film = [&](std::optional<AngularFilter> filter) {
     RenderParams params = on_panel("teapot", {}, {.choice = ReuseChoice::kNone});
     params.sampling.spp = 4;

@@ -1,4 +1,4 @@
-// Interpolated frames that keep to a PSNR: that they do, and that nothing but what is asked for changes their bits.
+// Interpolated frames with a minimum PSNR: they reach it, and threads and parts do not change their bits.
 #include <gtest/gtest.h>
 
 #include "frames/made_frames.hpp"
@@ -14,7 +14,7 @@ struct PredictedFrames {
   int all = 0, kept = 0;
 };
 
-/// Counts the frames that are predicted; those that are traced as a whole keep any floor.
+/// Counts the predicted frames; fully traced frames reach any PSNR.
 void count_predicted(const MadeFrames& traced, const MadeFrames& made, double floor, PredictedFrames& count) {
   for (const auto& [number, frame] : made.frames) {
     const FrameReport& report = frame.report;
@@ -30,7 +30,7 @@ void count_predicted(const MadeFrames& traced, const MadeFrames& made, double fl
   }
 }
 
-TEST(FloorFrames, keep_it_in_nineteen_predicted_frames_of_twenty_over_all_scenes) {
+TEST(FloorFrames, reach_the_goal_in_95_percent_of_frames) {
   PredictedFrames count;
   for (const char* name : {"teapot", "room", "small-balls", "primitives", "tree", "gears"}) {
     RenderParams scene = small_scene(name);
@@ -41,7 +41,7 @@ TEST(FloorFrames, keep_it_in_nineteen_predicted_frames_of_twenty_over_all_scenes
       count_predicted(traced, make_frames(floored(scene, floor), frames_from(40, 48)), floor, count);
     }
   }
-  EXPECT_GT(count.all, 50);  // else nothing has been tested
+  EXPECT_GT(count.all, 50);  // otherwise the test is void
   EXPECT_GE(100 * count.kept, 95 * count.all) << count.kept << " of " << count.all;
   RecordProperty("predicted", count.all);
   RecordProperty("kept", count.kept);
@@ -54,8 +54,8 @@ TEST(FloorFrames, any_thread_count_gives_the_same_bits) {
   EXPECT_EQ(make_frames(gears, frames_from(0, 8), 4).films(), one);
 }
 
-TEST(FloorFrames, of_a_part_are_those_of_the_whole) {
-  for (const double floor : {35.0, 50.0}) {  // few and many intervals that are halved
+TEST(FloorFrames, of_a_part_equal_the_whole) {
+  for (const double floor : {35.0, 50.0}) {  // few and many intervals are halved
     const RenderParams gears = floored(small_scene("gears"), floor);
     const MadeFrames whole = make_frames(gears, frames_from(0, 9));
     for (const std::vector<int>& part : {std::vector{1, 2}, std::vector{5, 6}, std::vector{7}, std::vector{3, 4, 9}})
@@ -64,7 +64,7 @@ TEST(FloorFrames, of_a_part_are_those_of_the_whole) {
   }
 }
 
-TEST(FloorFrames, where_nothing_pays_are_traced_once_and_nothing_more) {
+TEST(FloorFrames, are_traced_once_if_prediction_never_pays) {
   const MadeFrames made = make_frames(floored(small_scene("gears"), 70.0), frames_from(0, 20));
   std::uint64_t rays = 0;
   for (const auto& [number, frame] : made.frames) {
@@ -76,8 +76,8 @@ TEST(FloorFrames, where_nothing_pays_are_traced_once_and_nothing_more) {
   EXPECT_EQ(made.films(), make_frames(small_scene("gears"), frames_from(0, 20)).films());
 }
 
-// Frame 1 is learned from.
-TEST(FloorFrames, keys_asked_for_stay_and_pixels_are_either_traced_or_reused) {
+// Frame 1 is used for learning.
+TEST(FloorFrames, keep_requested_keys) {
   const MadeFrames made = make_frames(floored(small_scene(), 30.0, 2), frames_from(0, 4));
   for (const int key : {0, 2, 4}) EXPECT_EQ(made.report(key).kind, "key") << key;
   EXPECT_EQ(made.report(1).kind, "full");
@@ -87,7 +87,7 @@ TEST(FloorFrames, keys_asked_for_stay_and_pixels_are_either_traced_or_reused) {
   EXPECT_EQ(predicted.retraced_pixels + predicted.reused_pixels, 128u * 128);
 }
 
-TEST(FloorFrames, keep_it_for_every_kind_of_optics) {
+TEST(FloorFrames, reach_the_goal_for_all_optics) {
   const std::vector<OpticsParams> kinds{{.kind = OpticsKind::kMicrolens, .lenses = {12, 0}},
                                         {.kind = OpticsKind::kMultiview, .size = {128, 128}, .views = {4, 2}},
                                         {.kind = OpticsKind::kSingle, .size = {96, 64}},

@@ -1,4 +1,4 @@
-// Which reuse serves which sampling, and which combinations are refused.
+// The reuse that suits each sampling, and refused combinations.
 #include "lippmann/frames/frame_params.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 const Sampling kPaths{.integrator = Integrator::kPath, .spp = 32};
 
-/// The member that an Error names; empty: none is thrown.
+/// Returns the member that an Error names; empty if none is thrown.
 std::string refused(const FrameParams& params) {
   try {
     check(params);
@@ -32,12 +32,12 @@ TEST(FrameParams, auto_traces_all_paths_alpha_and_layers) {
     EXPECT_STREQ(name_of(resolved_reuse({sampling, {}})), "none");
 }
 
-TEST(FrameParams, a_kind_that_is_chosen_stays_as_it_is) {
+TEST(FrameParams, a_chosen_kind_is_kept) {
   for (const Reuse& reuse : {Reuse(TraceAll{}), Reuse(CopySettled{}), Reuse(Interpolate{})})
     EXPECT_EQ(resolved_reuse({kPaths, reuse}).index(), reuse.index());
 }
 
-TEST(FrameParams, sampling_that_a_kind_of_reuse_does_not_know_is_refused) {
+TEST(FrameParams, unsupported_sampling_is_refused) {
   EXPECT_EQ(refused({kPaths, CopySettled{}}), "reuse");
   EXPECT_EQ(refused({{.aov = {Aov::kDepth}}, CopySettled{}}), "reuse");
   EXPECT_EQ(refused({kPaths, Interpolate{}}), "reuse");
@@ -46,7 +46,7 @@ TEST(FrameParams, sampling_that_a_kind_of_reuse_does_not_know_is_refused) {
   EXPECT_EQ(refused({{.angular_filter = AngularFilter::kBox}, Interpolate{}}), "angular-filter");
 }
 
-TEST(FrameParams, blur_that_means_nothing_is_refused) {
+TEST(FrameParams, invalid_blur_is_refused) {
   EXPECT_EQ(refused({{.spp = 4, .lens = {.aperture_mm = -1.0f}}, TraceAll{}}), "aperture");
   EXPECT_EQ(refused({{.spp = 4, .lens = {.f_number = -1.0f}}, TraceAll{}}), "f-number");
   EXPECT_EQ(refused({{.spp = 4, .lens = {.aperture_mm = 1.0f, .f_number = 2.0f}}, TraceAll{}}), "f-number");
@@ -60,7 +60,7 @@ TEST(FrameParams, blur_that_means_nothing_is_refused) {
   EXPECT_STREQ(name_of(resolved_reuse({{.spp = 4, .shutter = 0.5f}, {}})), "none");
 }
 
-TEST(FrameParams, a_lens_needs_views_several_samples_and_a_focus_in_front_of_the_eyes) {
+TEST(FrameParams, a_lens_needs_views_samples_and_focus) {
   Optics quilt, sheet;
   quilt.model = MultiView{.distance_mm = 300.0f};
   sheet.model = LenticularSheet{};
@@ -78,7 +78,7 @@ TEST(FrameParams, a_lens_needs_views_several_samples_and_a_focus_in_front_of_the
   EXPECT_EQ(refused_by(sheet, 4, 0.0f), "aperture");
 }
 
-TEST(FrameParams, numbers_that_mean_nothing_are_refused) {
+TEST(FrameParams, invalid_numbers_are_refused) {
   EXPECT_EQ(refused({{.spp = -1}, TraceAll{}}), "spp");
   EXPECT_EQ(refused({{.max_depth = -1}, TraceAll{}}), "max-depth");
   for (const float light : {-1.0f, std::nanf("")})
@@ -92,7 +92,7 @@ TEST(FrameParams, numbers_that_mean_nothing_are_refused) {
     EXPECT_EQ(refused({{}, Interpolate{.min_psnr_db = none}}), "min-psnr");
 }
 
-TEST(FrameParams, what_takes_from_a_floor_what_it_promises_is_refused) {
+TEST(FrameParams, options_that_break_min_psnr_are_refused) {
   EXPECT_EQ(refused({{}, Interpolate{.min_psnr_db = 50.0}}), "");
   EXPECT_EQ(refused({{}, Interpolate{.min_psnr_db = 50.0, .fill = MissedFill::kRetrace}}), "fill");
   EXPECT_EQ(refused({{}, Interpolate{.min_psnr_db = 50.0, .halving = true}}), "halving");
@@ -104,13 +104,13 @@ TEST(FrameParams, layers_of_paths_are_refused_without_them) {
   EXPECT_EQ(refused({{.integrator = Integrator::kPath, .aov = {Aov::kIndirect}}, TraceAll{}}), "");
 }
 
-TEST(FrameParams, paths_have_16_samples_by_default_and_whitted_pixels_one) {
+TEST(FrameParams, default_samples_are_16_or_one) {
   EXPECT_EQ(samples_per_pixel({.integrator = Integrator::kPath}), 16);
   EXPECT_EQ(samples_per_pixel({}), 1);
   EXPECT_EQ(samples_per_pixel({.integrator = Integrator::kPath, .spp = 5}), 5);
 }
 
-TEST(FrameParams, paths_of_two_or_more_samples_are_denoised_by_default) {
+TEST(FrameParams, paths_are_denoised_from_two_samples) {
   EXPECT_TRUE(is_denoised({.integrator = Integrator::kPath}));
   EXPECT_TRUE(is_denoised({.integrator = Integrator::kPath, .spp = 2}));
   EXPECT_FALSE(is_denoised({.integrator = Integrator::kPath, .spp = 1}));
@@ -118,7 +118,7 @@ TEST(FrameParams, paths_of_two_or_more_samples_are_denoised_by_default) {
   EXPECT_FALSE(is_denoised({.spp = 16}));
 }
 
-TEST(FrameParams, a_box_over_directions_needs_views_and_several_samples) {
+TEST(FrameParams, a_box_filter_needs_views_and_samples) {
   Optics quilt, sheet;
   quilt.model = MultiView{};
   sheet.model = LenticularSheet{};

@@ -1,4 +1,4 @@
-// One frame, of scenes that come by name and of scenes that are made in code.
+// One frame of scenes given by name and of scenes built in code.
 #include "frames/frame.hpp"
 #include "job/job_stage.hpp"
 
@@ -14,7 +14,7 @@ RenderParams small_params() {
   return params;
 }
 
-TEST(Stage, of_a_scene_renders_what_that_of_its_name_does) {
+TEST(Stage, of_a_scene_equals_that_of_its_name) {
   const RenderParams params = small_params();
   const Context context;
   const ThreadPool pool(1);
@@ -25,7 +25,7 @@ TEST(Stage, of_a_scene_renders_what_that_of_its_name_does) {
   EXPECT_EQ(of_named.pictures.film.data, of_made.pictures.film.data);
 }
 
-TEST(Stage, of_a_scene_without_lights_is_lit_by_nothing_else) {
+TEST(Stage, of_a_scene_without_lights_is_dark) {
   const RenderParams params = small_params();
   const Context context;
   const ThreadPool pool(1);

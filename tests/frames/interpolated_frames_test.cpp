@@ -1,4 +1,4 @@
-// Frames made between key frames: which are traced, and that neither threads nor parts change them.
+// Frames interpolated between key frames: which are traced, and that neither threads nor parts change them.
 #include <gtest/gtest.h>
 
 #include "frames/made_frames.hpp"
@@ -12,7 +12,7 @@ RenderParams interpolated(int keyframes, ReuseParams reuse = {}, RenderParams sc
   return with_reuse(scene, reuse);
 }
 
-TEST(InterpolatedFrames, key_frames_are_the_traced_ones_and_the_others_are_made_between_them) {
+TEST(InterpolatedFrames, key_frames_are_traced) {
   const MadeFrames traced = make_frames(small_scene(), frames_from(0, 8)),
                    made = make_frames(interpolated(4), frames_from(0, 8));
   for (const int key : {0, 4, 8}) {
@@ -35,8 +35,8 @@ TEST(InterpolatedFrames, any_thread_count_gives_the_same_bits) {
             make_frames(interpolated(4), frames_from(0, 4), 4).films());
 }
 
-// Frame 3 comes from 0 and 4, frame 5 from 4 and 8; by halving from 2 and 4, and from 4 and 6.
-TEST(InterpolatedFrames, of_a_part_are_those_of_the_whole_and_count_their_sources) {
+// Frame 3 is made from 0 and 4, frame 5 from 4 and 8; with halving from 2 and 4, and from 4 and 6.
+TEST(InterpolatedFrames, of_a_part_equal_the_whole) {
   const std::vector<std::pair<ReuseParams, std::size_t>> ways{{{.fill = MissedFill::kInterpolate}, 2},
                                                               {{.fill = MissedFill::kRetrace, .halving = true}, 4}};
   for (const auto& [how, sources] : ways) {
@@ -48,14 +48,14 @@ TEST(InterpolatedFrames, of_a_part_are_those_of_the_whole_and_count_their_source
     EXPECT_EQ(part.sources.size(), sources);
     std::uint64_t rays = part.report(4).rays.primary;
     for (const FrameReport& source : part.sources) rays += source.rays.primary;
-    EXPECT_GE(rays, 3u * 128 * 128);  // frames 0, 4 and 8 are traced whole
+    EXPECT_GE(rays, 3u * 128 * 128);  // frames 0, 4 and 8 are fully traced
   }
 }
 
 /// Frame 8 between 0 and 16, when the gears have turned so far that pixels are missed.
 MadeFrames turned_gears(const ReuseParams& how) { return make_frames(interpolated(16, how, small_scene("gears")), {8}); }
 
-TEST(InterpolatedFrames, retracing_missed_pixels_brings_the_frame_nearer_to_the_traced_one) {
+TEST(InterpolatedFrames, retracing_missed_pixels_reduces_the_error) {
   const MadeFrames traced = make_frames(small_scene("gears"), {8}), filled = turned_gears({}),
                    retraced = turned_gears({.fill = MissedFill::kRetrace});
   EXPECT_GT(psnr_between(traced, retraced, 8), psnr_between(traced, filled, 8));
@@ -65,14 +65,14 @@ TEST(InterpolatedFrames, retracing_missed_pixels_brings_the_frame_nearer_to_the_
   EXPECT_EQ(report.rays.primary, report.missed_pixels);
 }
 
-TEST(InterpolatedFrames, for_looking_at_differ_from_the_good_one) {
+TEST(InterpolatedFrames, for_debugging_differ) {
   const MadeFrames good = turned_gears({});
   for (const ReuseParams& how :
        {ReuseParams{.debug = DebugPicture::kMissed}, ReuseParams{.no_z_buffer = true}, ReuseParams{.splat = SplatMode::kLens}})
     EXPECT_NE(turned_gears(how).film(8), good.film(8));
 }
 
-TEST(InterpolatedFrames, halving_makes_the_middle_frame_as_without_and_others_from_it) {
+TEST(InterpolatedFrames, halving_reuses_the_middle_frame) {
   const MadeFrames keys_only = make_frames(interpolated(4), frames_from(0, 4)),
                    halved = make_frames(interpolated(4, {.halving = true}), frames_from(0, 4));
   EXPECT_EQ(halved.film(2), keys_only.film(2));

@@ -1,4 +1,4 @@
-// Frames of an animation as values, for tests that compare frames made in one way with frames made in another.
+// Frames of an animation as values, for tests that compare frames made in different ways.
 #pragma once
 
 #include <map>
@@ -20,7 +20,7 @@ struct MadeFrames {
   const FrameReport& report(int number) const { return frames.at(number).report; }
   const std::vector<float>& film(int number) const { return frames.at(number).pictures.film.data; }
 
-  /// All films, by their frames' numbers: what is to be the same to the bit.
+  /// Returns all films by frame number, for bitwise comparison.
   std::map<int, std::vector<float>> films() const {
     std::map<int, std::vector<float>> all;
     for (const auto& [number, frame] : frames) all[number] = frame.pictures.film.data;
@@ -28,9 +28,9 @@ struct MadeFrames {
   }
 };
 
-/// `frames` in ascending order, as a render of them makes them.
-inline MadeFrames make_frames(const RenderParams& said, const std::vector<int>& frames, int threads = 2) {
-  const ResolvedJob job(said);
+/// Makes `frames`, in ascending order, as a render does.
+inline MadeFrames make_frames(const RenderParams& given, const std::vector<int>& frames, int threads = 2) {
+  const ResolvedJob job(given);
   const Context context;
   const ThreadPool pool(threads);
   JobStage stage(job, pool, context);
@@ -48,7 +48,7 @@ inline std::vector<int> frames_from(int first, int last) {
   return frames;
 }
 
-/// A built-in scene below 16 lenses of 8 pixels: 128 x 128 pixels, of which every frame is traced.
+/// A built-in scene below 16 lenses of 8 pixels: 128 x 128 pixels, with every frame traced.
 inline RenderParams small_scene(const char* name = "teapot") {
   RenderParams params;
   params.scene.name = name;
@@ -62,7 +62,7 @@ inline RenderParams with_reuse(RenderParams params, const ReuseParams& reuse) {
   return params;
 }
 
-/// How like the codes of frame `number` are in both; infinite where they are the same.
+/// Returns the PSNR of the codes of frame `number`; infinite if they are equal.
 inline double psnr_between(const MadeFrames& reference, const MadeFrames& made, int number) {
   const auto codes = [&](const MadeFrames& of) { return to_codes(of.frames.at(number).pictures.film, Encoding::kSrgb); };
   return measure_difference(codes(reference), codes(made)).psnr_db;

@@ -1,4 +1,4 @@
-// An integrator that only this test knows: everything that a renderer decides by its integrator, it asks the integrator.
+// An integrator that only this test defines: a renderer's decisions must depend only on the integrator's interface.
 #include <gmock/gmock.h>
 
 #include "lippmann/core/error.hpp"
@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 constexpr float kLight = 0.25f, kNoise = 0.125f;
 
-/// Every pixel that sees something is equally bright, give or take what alternates from sample to sample.
+/// All covered pixels are equally bright, except for an alternation from sample to sample.
 class Silhouette final : public FrameIntegrator {
  public:
   Silhouette(const Integration& from) : film_(from.film), weight_(1.0f / static_cast<float>(from.params.spp)) {}
@@ -61,11 +61,11 @@ TEST(OtherIntegrator, renders_frames_with_its_own_number_of_samples) {
   ASSERT_TRUE(frame);
   EXPECT_EQ(frame->report.rays.primary, 3u * 64u * 64u);
   EXPECT_FALSE(frame->report.estimated_psnr_db) << "it has no noise";
-  // Two samples of three are brighter: 0.25 + 0.125 / 3.
+  // Two of three samples are brighter: 0.25 + 0.125 / 3.
   EXPECT_NEAR(*std::max_element(frame->pictures.film.data.begin(), frame->pictures.film.data.end()), 0.2916667f, 1e-6f);
 }
 
-TEST(OtherIntegrator, is_audited_where_it_is_stochastic) {
+TEST(OtherIntegrator, is_audited_if_stochastic) {
   const Context context;
   const auto noisy = renderer_of(kNoisy, context).frame(0), quiet = renderer_of(kQuiet, context).frame(0);
   ASSERT_TRUE(noisy && quiet);
@@ -73,7 +73,7 @@ TEST(OtherIntegrator, is_audited_where_it_is_stochastic) {
   EXPECT_EQ(quiet->report.rays.primary, 3u * 64u * 64u);
 }
 
-TEST(OtherIntegrator, makes_what_its_facts_say_alone) {
+TEST(OtherIntegrator, supports_only_its_stated_features) {
   const Context context;
   const auto refusal = [&](const Reuse& reuse, const Sampling& sampling = {}) {
     return error_message([&] { renderer_of(kQuiet, context, reuse, sampling); });

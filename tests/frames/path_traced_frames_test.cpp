@@ -1,4 +1,4 @@
-// Path-traced frames, as traced and denoised: neither threads nor parts nor layers change them, and they report their error.
+// Path-traced frames, plain and denoised: neither threads nor parts nor layers change them, and they report their error.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ RenderParams paths(int spp, Denoise denoise = Denoise::kAuto, const char* name =
   return params;
 }
 
-/// Frames of `part` have the light and alpha of those of `whole`.
+/// Expects frames of `part` to have the light and alpha of those of `whole`.
 void expect_the_same(const MadeFrames& part, const MadeFrames& whole) {
   for (const auto& [number, frame] : part.frames) {
     EXPECT_EQ(frame.pictures.film.data, whole.film(number)) << number;
@@ -30,7 +30,7 @@ double squared_error(const std::vector<float>& reference, const std::vector<floa
   return sum / static_cast<double>(film.size());
 }
 
-/// Frame `frame` of `params` with other samples and another seed.
+/// Returns frame `frame` of `params` with other samples and another seed.
 MadeFrames reference_of(RenderParams params, int frame) {
   params.sampling.spp = 512, params.sampling.seed = 1, params.sampling.denoise = Denoise::kNone;
   return make_frames(params, {frame});
@@ -49,7 +49,7 @@ void expect_less_noise(const RenderParams& params, int frame) {
 
 class PathTracedFrames : public testing::TestWithParam<Denoise> {};
 
-TEST_P(PathTracedFrames, are_the_same_on_any_number_of_threads_and_alone) {
+TEST_P(PathTracedFrames, do_not_depend_on_threads_or_range) {
   RenderParams params = paths(2, GetParam());
   params.sampling.transparent = true;
   const MadeFrames one = make_frames(params, {0, 1, 2}, 1);
@@ -78,16 +78,16 @@ TEST_P(PathTracedFrames, are_traced_in_full_and_count_their_rays) {
 INSTANTIATE_TEST_SUITE_P(, PathTracedFrames, testing::Values(Denoise::kAuto, Denoise::kNone),
                          [](const auto& denoise) { return denoise.param == Denoise::kAuto ? "denoised" : "as_traced"; });
 
-TEST(DenoisedFrames, are_nearer_to_the_reference_by_default) { expect_less_noise(paths(4), 3); }
+TEST(DenoisedFrames, reduce_the_error_by_default) { expect_less_noise(paths(4), 3); }
 
-TEST(DenoisedFrames, of_views_with_depth_of_field_are_nearer_to_the_reference) {
+TEST(DenoisedFrames, with_depth_of_field_reduce_the_error) {
   RenderParams params = paths(4, Denoise::kAuto, "room");
   params.optics = {.kind = OpticsKind::kMultiview, .size = {128, 48}, .views = {2, 1}};
   params.sampling.lens.aperture_mm = 20.0f;
   expect_less_noise(params, 0);
 }
 
-TEST(DenoisedFrames, with_motion_blur_are_nearer_to_the_reference) {
+TEST(DenoisedFrames, with_motion_blur_reduce_the_error) {
   RenderParams params = paths(4);
   params.sampling.shutter = 0.5f;
   expect_less_noise(params, 3);

@@ -1,4 +1,4 @@
-// Pictures that show nothing are warned about, with the reason; all others are not.
+// Frames that show nothing cause a warning with the reason; all others do not.
 #include "frames/picture_check.hpp"
 
 #include <gmock/gmock.h>
@@ -63,7 +63,7 @@ class PictureCheck : public testing::Test {
     scene.cameras.push_back(camera);
   }
 
-  /// Of the first frame, all in one.
+  /// Returns the warnings of the first frame, joined.
   std::string warnings(Integrator integrator = Integrator::kPath) const {
     std::string all;
     Context context;
@@ -85,7 +85,7 @@ TEST_F(PictureCheck, a_box_has_no_warning) {
   EXPECT_EQ(warnings(Integrator::kWhitted), "");
 }
 
-TEST_F(PictureCheck, a_stray_part_is_named_once_and_the_rest_is_seen) {
+TEST_F(PictureCheck, a_stray_part_is_named_once) {
   add_box("box", Vec3f(-1), Vec3f(1));
   add_box("lost", {5000, 0, 0}, {5001, 1, 1});
   EXPECT_THAT(warnings(), HasSubstr("'lost'"));
@@ -109,7 +109,7 @@ TEST_F(PictureCheck, alpha_of_0_in_both_modes) {
   surface().blend = false, surface().alpha_cutoff = 0.5f, surface().base_color.w = 0.3f;
   EXPECT_THAT(warnings(), HasSubstr("transparent"));
   surface().blend = true, surface().alpha_cutoff = 0.0f;
-  EXPECT_EQ(warnings(), "") << "faint is seen";
+  EXPECT_EQ(warnings(), "") << "a faint surface is visible";
 }
 
 TEST_F(PictureCheck, alphas_of_vertices_and_of_pictures_count) {

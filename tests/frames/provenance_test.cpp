@@ -1,5 +1,4 @@
-// The layer of provenance: where the pixels of a frame came from, told by every way of making frames without making any
-// differently.
+// The layer of provenance: the origin of each pixel, for every way of making frames, without changing the frames.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -16,7 +15,7 @@ RenderParams telling(RenderParams params) {
 
 const Image& provenance(const MadeFrames& made, int frame) { return made.frames.at(frame).pictures.aovs[Aov::kProvenance]; }
 
-/// How many pixels came from where.
+/// Returns the number of pixels of each origin.
 std::array<std::uint64_t, std::size(kProvenanceInfos)> count(const MadeFrames& made, int frame) {
   std::array<std::uint64_t, std::size(kProvenanceInfos)> counts{};
   for (const float code : provenance(made, frame).data) ++counts.at(static_cast<std::size_t>(code));
@@ -29,8 +28,8 @@ std::uint64_t count(const MadeFrames& made, int frame, Provenance from) {
 
 constexpr std::uint64_t kPixels = 128 * 128;
 
-/// Frames with the layer; the films are those without it.
-MadeFrames told(const RenderParams& params, const std::vector<int>& frames, int threads = 2) {
+/// Makes frames with the layer, and checks that the films equal those without it.
+MadeFrames frames_with_provenance(const RenderParams& params, const std::vector<int>& frames, int threads = 2) {
   const MadeFrames made = make_frames(telling(params), frames, threads);
   EXPECT_EQ(made.films(), make_frames(params, frames).films());
   for (const auto& [number, frame] : made.frames)
@@ -45,13 +44,14 @@ RenderParams interpolated(const char* scene, ReuseParams how = {}) {
 }
 
 TEST(Provenance, of_traced_frames_is_traced) {
-  const MadeFrames made = told(small_scene(), {0, 1});
+  const MadeFrames made = frames_with_provenance(small_scene(), {0, 1});
   EXPECT_EQ(count(made, 1, Provenance::kTraced), kPixels);
 }
 
-// What was copied are the pixels that no ray was traced for: as many, and of them none differs from the key's.
-TEST(Provenance, of_copied_frames_says_which_pixels_were_copied) {
-  const MadeFrames made = told(with_reuse(small_scene(), {.choice = ReuseChoice::kCopy, .keyframes = 4}), frames_from(0, 3));
+// Copied pixels are those for which no ray was traced: the numbers match, and none differs from the key frame.
+TEST(Provenance, of_copied_frames_marks_copied_pixels) {
+  const MadeFrames made =
+      frames_with_provenance(with_reuse(small_scene(), {.choice = ReuseChoice::kCopy, .keyframes = 4}), frames_from(0, 3));
   EXPECT_EQ(count(made, 0, Provenance::kTraced), kPixels);
   for (const int frame : {1, 2, 3}) {
     EXPECT_EQ(count(made, frame, Provenance::kCopied), made.report(frame).reused_pixels) << frame;
@@ -64,14 +64,14 @@ TEST(Provenance, of_copied_frames_says_which_pixels_were_copied) {
   }
 }
 
-TEST(Provenance, of_interpolated_frames_counts_the_missed_pixels_that_the_report_counts) {
+TEST(Provenance, of_interpolated_frames_matches_the_report) {
   const std::vector<std::pair<MissedFill, Provenance>> ways{{MissedFill::kInterpolate, Provenance::kFilled},
                                                             {MissedFill::kRetrace, Provenance::kRetraced},
                                                             {MissedFill::kBlack, Provenance::kBlack}};
   for (const auto& [fill, expected] : ways) {
     RenderParams params = interpolated("gears", {.fill = fill});
     if (fill == MissedFill::kBlack) params.reuse.fill = {}, params.reuse.debug = DebugPicture::kMissed;
-    const MadeFrames made = told(params, {0, 8});
+    const MadeFrames made = frames_with_provenance(params, {0, 8});
     EXPECT_EQ(count(made, 0, Provenance::kTraced), kPixels);
     EXPECT_GT(made.report(8).missed_pixels, 0u);
     EXPECT_EQ(count(made, 8, expected), made.report(8).missed_pixels);
@@ -82,25 +82,25 @@ TEST(Provenance, of_interpolated_frames_counts_the_missed_pixels_that_the_report
 TEST(Provenance, of_black_pixels_is_missed) {
   RenderParams params = interpolated("gears");
   params.reuse.debug = DebugPicture::kMissed;
-  const MadeFrames made = told(params, {8});
+  const MadeFrames made = frames_with_provenance(params, {8});
   for (std::size_t value = 0; value < 3 * kPixels; ++value)
     if (provenance(made, 8).data[value / 3] == static_cast<float>(Provenance::kBlack)) {
       ASSERT_EQ(made.film(8)[value], 0.0f) << value / 3;
     }
 }
 
-TEST(Provenance, of_halved_frames_is_that_of_sources_too) {
-  const MadeFrames made = told(interpolated("gears", {.halving = true}), {4, 8});
+TEST(Provenance, of_halved_frames_includes_sources) {
+  const MadeFrames made = frames_with_provenance(interpolated("gears", {.halving = true}), {4, 8});
   for (const int frame : {4, 8})
     EXPECT_EQ(count(made, frame, Provenance::kInterpolated) + count(made, frame, Provenance::kFilled), kPixels) << frame;
 }
 
-TEST(Provenance, of_frames_with_a_floor_says_what_was_traced) {
+TEST(Provenance, of_frames_with_min_psnr_marks_traced_pixels) {
   int predicted = 0;
   for (const char* scene : {"room", "teapot"}) {
     RenderParams params = with_reuse(small_scene(scene), {.choice = ReuseChoice::kInterpolate, .min_psnr_db = 32.0});
     params.optics.lenses = {32, 0};
-    const MadeFrames made = told(params, frames_from(40, 48));
+    const MadeFrames made = frames_with_provenance(params, frames_from(40, 48));
     const auto pixels = static_cast<std::uint64_t>(made.pixels);
     for (const auto& [number, frame] : made.frames) {
       const std::uint64_t traced = count(made, number, Provenance::kTraced) + count(made, number, Provenance::kRetraced);
@@ -109,25 +109,25 @@ TEST(Provenance, of_frames_with_a_floor_says_what_was_traced) {
       predicted += frame.report.kind == "in-between" ? 1 : 0;
     }
   }
-  EXPECT_GT(predicted, 0);  // else nothing has been tested
+  EXPECT_GT(predicted, 0);  // otherwise the test is void
 }
 
-TEST(Provenance, of_denoised_frames_is_that_of_the_frames_with_noise) {
+TEST(Provenance, of_denoised_frames_equals_noisy_frames) {
   RenderParams params = small_scene();
   params.optics.lenses = {8, 0};
   params.sampling.integrator = Integrator::kPath;
   params.sampling.spp = 4;
-  const MadeFrames made = told(params, {1});
+  const MadeFrames made = frames_with_provenance(params, {1});
   EXPECT_EQ(count(made, 1, Provenance::kTraced), provenance(made, 1).data.size());
 }
 
-// It leaves everything to reuse that is reused without it; other layers do not.
-TEST(Provenance, leaves_reuse_as_it_is) {
-  const FrameParams told{telling(small_scene()).sampling, AutoReuse{}};
-  EXPECT_STREQ(name_of(resolved_reuse(told)), "copy");
-  EXPECT_NO_THROW(check({told.sampling, CopySettled{}}));
-  EXPECT_NO_THROW(check({told.sampling, Interpolate{}}));
-  FrameParams more = told;
+// The layer does not restrict reuse, as other layers do.
+TEST(Provenance, does_not_change_reuse) {
+  const FrameParams frames_with_provenance{telling(small_scene()).sampling, AutoReuse{}};
+  EXPECT_STREQ(name_of(resolved_reuse(frames_with_provenance)), "copy");
+  EXPECT_NO_THROW(check({frames_with_provenance.sampling, CopySettled{}}));
+  EXPECT_NO_THROW(check({frames_with_provenance.sampling, Interpolate{}}));
+  FrameParams more = frames_with_provenance;
   more.sampling.aov.push_back(Aov::kDepth);
   EXPECT_STREQ(name_of(resolved_reuse(more)), "none");
   EXPECT_ANY_THROW(check({more.sampling, Interpolate{}}));

@@ -26,7 +26,7 @@ Optics small_quilt() {
 
 Scene built_in(const char* name) { return load_scene(name, {}, Context{}); }
 
-TEST(Renderer, makes_the_frames_that_a_render_by_name_makes) {
+TEST(Renderer, equals_a_render_by_name) {
   RenderParams params;
   params.scene.name = "primitives";
   params.optics.lenses = {4, 4};
@@ -43,7 +43,7 @@ TEST(Renderer, makes_the_frames_that_a_render_by_name_makes) {
   }
 }
 
-TEST(Renderer, places_optics_as_high_as_what_the_camera_sees_of_their_plane) {
+TEST(Renderer, places_optics_at_the_cameras_height) {
   const Scene scene = built_in("room");
   const Placement placement = place(scene, small_quilt(), {.fit_depth = false});
   // The window of one view is 64 mm high.
@@ -52,7 +52,7 @@ TEST(Renderer, places_optics_as_high_as_what_the_camera_sees_of_their_plane) {
   EXPECT_EQ(placement.placed.depth_scale, 1.0f);
 }
 
-/// Of a mesh and a camera, whose coordinates floats can hold.
+/// Renders a mesh and a camera at a place whose coordinates floats represent exactly.
 Image picture_of_mesh_at(Vec3f where) {
   Scene scene;
   Mesh mesh;
@@ -72,7 +72,7 @@ Image picture_of_mesh_at(Vec3f where) {
   return Renderer(std::move(scene), std::move(placement), {}, context).frame(0)->pictures.film;
 }
 
-TEST(Renderer, scene_on_a_map_is_the_picture_of_the_one_at_the_origin) {
+TEST(Renderer, scene_far_from_the_origin_is_exact) {
   // Multiples of the scene's size, to which its origin is rounded, so that no bit differs.
   EXPECT_EQ(picture_of_mesh_at({4'194'304, 1024, -2'097'152}).data, picture_of_mesh_at(Vec3f(0)).data);
 }
@@ -96,30 +96,30 @@ TEST(Renderer, lighting_refuses_a_scene_with_bad_indices) {
   EXPECT_THROW(add_missing_light(scene, Integrator::kPath), Error);
 }
 
-TEST(Renderer, fits_depth_to_what_lenses_resolve) {
+TEST(Renderer, fits_depth_to_the_budget) {
   const Scene scene = built_in("room");
   EXPECT_LT(place(scene, small_quilt(), {.fit_depth = true}).placed.depth_scale, 1.0f);
-  EXPECT_EQ(place(scene, small_quilt()).placed.depth_scale, 1.0f) << "nobody knows what will resolve these views";
+  EXPECT_EQ(place(scene, small_quilt()).placed.depth_scale, 1.0f) << "the display of these views is unknown";
   Optics lenses = small_quilt();
   lenses.model = LenticularSheet{};
   EXPECT_LT(place(scene, lenses).placed.depth_scale, 1.0f);
 }
 
-TEST(Renderer, traces_optics_that_are_rays_alone_and_does_not_interpolate_them) {
+TEST(Renderer, traces_but_does_not_interpolate_ray_tables) {
   const Context context;
   const Scene scene = built_in("primitives");
   Optics view{.panel = {24, 16, 1.0f}, .model = SingleView{.distance_mm = 60.0f}};
   const Placement as_view = place(scene, view);
   Placement as_rays = as_view;
   RayTable table = make_ray_table(view.panel, 1, [&](Vec2f pixel) { return ray_of_pixel(as_view.placed.optics, pixel); });
-  table.spread = 1.0f / 60.0f;  // as textures are filtered for an eye 60 mm away
+  table.spread = 1.0f / 60.0f;  // filters textures for an eye 60 mm away
   as_rays.placed.optics.model = table;
   const auto film_of = [&](const Placement& placement, const FrameParams& params) {
     return Renderer(scene, placement, params, context).frame(1)->pictures.film;
   };
   const Image traced = film_of(as_view, {}), from_rays = film_of(as_rays, {});
   ASSERT_EQ(traced.data.size(), from_rays.data.size());
-  std::size_t different = 0;  // rays differ in their last bits: at an edge another surface may be hit
+  std::size_t different = 0;  // rays differ in their last bits, so at an edge another surface may be hit
   for (std::size_t i = 0; i < traced.data.size(); ++i) different += std::abs(traced.data[i] - from_rays.data[i]) > 1e-3f;
   EXPECT_LE(different, traced.data.size() / 100);
   EXPECT_NO_THROW(film_of(as_rays, {.reuse = CopySettled{}}));
@@ -142,7 +142,7 @@ TEST(Renderer, interpolates_frames_between_key_frames) {
   EXPECT_EQ(in_between->report.kind, "in-between");
 }
 
-TEST(Renderer, denoises_paths_unless_told_not_to) {
+TEST(Renderer, denoises_paths_by_default) {
   const Context context;
   const Scene scene = built_in("primitives");
   const Placement placement = place(scene, small_quilt());
@@ -153,7 +153,7 @@ TEST(Renderer, denoises_paths_unless_told_not_to) {
   EXPECT_NE(film(Denoise::kAuto), film(Denoise::kNone));
 }
 
-TEST(Renderer, has_the_layers_that_are_asked_for) {
+TEST(Renderer, has_the_requested_layers) {
   const Context context;
   const Scene scene = built_in("primitives");
   Renderer renderer(scene, place(scene, small_quilt()), {.sampling = {.aov = {Aov::kDepth}}}, context);
@@ -162,7 +162,7 @@ TEST(Renderer, has_the_layers_that_are_asked_for) {
   EXPECT_EQ(frame->pictures.aovs[Aov::kDepth].width, 128);
 }
 
-TEST(Renderer, refuses_frames_that_are_not_there_and_parameters_that_contradict_each_other) {
+TEST(Renderer, refuses_missing_frames_and_contradictions) {
   const Context context;
   const Scene scene = built_in("primitives");
   const Placement placement = place(scene, small_quilt());
@@ -175,7 +175,7 @@ TEST(Renderer, refuses_frames_that_are_not_there_and_parameters_that_contradict_
   EXPECT_THROW(Renderer(broken, placement, {}, context), Error);
 }
 
-TEST(Renderer, refuses_a_placement_that_is_not_of_the_scene_or_was_spoilt) {
+TEST(Renderer, refuses_invalid_placements) {
   const Context context;
   const Scene scene = built_in("primitives");
   const Placement good = place(scene, small_quilt());
@@ -206,7 +206,7 @@ TEST(Renderer, keeps_a_context_that_is_a_temporary) {
   EXPECT_GT(calls, 0);
 }
 
-TEST(Renderer, that_is_cancelled_makes_no_frame) {
+TEST(Renderer, makes_no_frame_once_cancelled) {
   Context context;
   const Scene scene = built_in("primitives");
   Renderer renderer(scene, place(scene, small_quilt()), {}, context);

@@ -1,4 +1,4 @@
-// The report of a frame from those of its strips.
+// The report of a frame, combined from those of its strips.
 #include "frames/strip_maker.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace lippmann {
 namespace {
 
-/// 40 dB, 3 dB less at least.
+/// 40 dB, at least 37 dB.
 FrameReport strip_of_40_db() {
   FrameReport strip;
   strip.estimated_psnr_db = 40.0, strip.psnr_at_least_db = 37.0, strip.psnr_at_most_db = 43.0;
@@ -25,15 +25,15 @@ TEST(StripReport, sums_rays_and_time) {
   EXPECT_FALSE(frame.estimated_psnr_db || frame.psnr_at_least_db || frame.psnr_at_most_db);
 }
 
-// Standard errors of independent strips add up as squares: 3 dB / sqrt(2).
-TEST(StripReport, interval_of_equal_strips_is_narrower_by_the_root_of_their_number) {
+// Standard errors of independent strips add up in squares: 3 dB / sqrt(2).
+TEST(StripReport, interval_narrows_by_the_root_of_the_number) {
   const FrameReport frame = report_of_strips({strip_of_40_db(), strip_of_40_db()}, {16, 16});
   EXPECT_NEAR(frame.estimated_psnr_db.value(), 40.0, 1e-9);
   EXPECT_NEAR(frame.psnr_at_least_db.value(), 40.0 - 3.0 / std::sqrt(2.0), 1e-9);
   EXPECT_NEAR(frame.psnr_at_most_db.value(), 40.0 + 3.0 / std::sqrt(2.0), 1e-9);
 }
 
-// A quarter of the squared error, and of its standard error.
+// A quarter of the squared error and of its standard error.
 TEST(StripReport, exact_strips_add_no_error) {
   const FrameReport frame = report_of_strips({strip_of_40_db(), FrameReport{}}, {8, 24});
   const double quarter_db = 10.0 * std::log10(4.0);
@@ -41,7 +41,7 @@ TEST(StripReport, exact_strips_add_no_error) {
   EXPECT_NEAR(frame.psnr_at_least_db.value(), 37.0 + quarter_db, 1e-9);
 }
 
-TEST(StripReport, strips_with_a_lower_bound_alone_give_one) {
+TEST(StripReport, lower_bounds_give_a_lower_bound) {
   FrameReport strip;
   strip.psnr_at_least_db = 50.0;
   const FrameReport frame = report_of_strips({strip}, {16});

@@ -1,4 +1,4 @@
-// Frames of which every pixel is traced: their size, and that neither threads nor the order of rays change a bit.
+// Fully traced frames: their size, and that neither threads nor the order of rays change a bit.
 #include <gtest/gtest.h>
 
 #include "frames/made_frames.hpp"
@@ -6,7 +6,7 @@
 namespace lippmann::test {
 namespace {
 
-TEST(TracedFrames, any_thread_count_and_any_ray_order_give_the_same_bits) {
+TEST(TracedFrames, threads_and_ray_order_do_not_change_bits) {
   const auto expected = make_frames(small_scene(), frames_from(0, 2), 1).films();
   for (const int threads : {2, 4}) EXPECT_EQ(make_frames(small_scene(), frames_from(0, 2), threads).films(), expected);
   for (const RayOrder order : {RayOrder::kRows, RayOrder::kColumns}) {
@@ -16,7 +16,7 @@ TEST(TracedFrames, any_thread_count_and_any_ray_order_give_the_same_bits) {
   }
 }
 
-TEST(TracedFrames, with_several_samples_are_the_same_for_any_thread_count) {
+TEST(TracedFrames, several_samples_do_not_depend_on_threads) {
   RenderParams params = small_scene();
   params.sampling.spp = 4;
   EXPECT_EQ(make_frames(params, {5}, 1).films(), make_frames(params, {5}, 4).films());
