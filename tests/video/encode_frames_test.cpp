@@ -1,4 +1,4 @@
-// Videos of finished frames: which files are frames, which are missing, what the video is called.
+// Videos of finished frames: which files are frames, which are missing, and the name of the video.
 #include "video/encode_frames.hpp"
 
 #include <gmock/gmock.h>
@@ -31,7 +31,7 @@ std::vector<int> numbers(const std::vector<NumberedFrame>& frames) {
   return all;
 }
 
-TEST(FindFrames, folder_gives_its_frames_by_number_past_other_pictures) {
+TEST(FindFrames, folder_gives_numbered_frames_only) {
   const TempDir dir;
   write_frames(dir, {"frame_0010.png", "frame_0009.png", "frame_0011.png", "aov_0009.png", "cover.png"});
   const std::vector<NumberedFrame> frames = find_frames(dir.path());
@@ -70,7 +70,7 @@ TEST(VideoPath, quilts_give_their_name_to_the_video) {
   EXPECT_EQ(video_path("room_qs4x12a1.mp4", frames), "room_qs4x12a1.mp4");
 }
 
-TEST(EncodeFrames, lossless_video_holds_the_pictures_in_order_and_calls_after_each) {
+TEST(EncodeFrames, lossless_video_keeps_the_order_and_reports_progress) {
   const TempDir dir;
   write_frames(dir, {"frame_0000.png", "frame_0001.png", "frame_0002.png"});
   std::vector<int> seen;
@@ -103,7 +103,7 @@ TEST(EncodeFrames, turned_clockwise_by_three_quarters) {
   ASSERT_TRUE(turned);
   ASSERT_EQ(turned->width, 8);
   ASSERT_EQ(turned->height, 16);
-  // Counterclockwise by a quarter: the top right pixel comes to the top left.
+  // Counterclockwise by a quarter: the top right pixel moves to the top left.
   for (int x = 0; x < 8; ++x)
     for (int y = 0; y < 16; ++y)
       for (int c = 0; c < 3; ++c)

@@ -1,4 +1,4 @@
-// Damaged video files: whatever their bytes, reading them gives frames or an error, and never ends the process.
+// Damaged video files: reading them gives frames or an error and never ends the process.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,12 +25,12 @@ namespace fs = std::filesystem;
 using test::file_bytes;
 using test::TempDir;
 
-/// How many frames of how many files were read, and how many files were refused.
+/// Numbers of frames and files that were read, and of files that were refused.
 struct Outcome {
   int frames = 0, errors = 0;
 };
 
-/// Checks that frames are whole and of one size, and that errors name the file.
+/// Checks that frames are complete and of one size, and that errors name the file.
 void read_to_the_end(const fs::path& path, Outcome& outcome) {
   try {
     VideoReader reader(path);
@@ -47,14 +47,14 @@ void read_to_the_end(const fs::path& path, Outcome& outcome) {
   }
 }
 
-/// A byte string that another one is made of by a number: whichever of five kinds of damage, wherever.
+/// Returns a damaged byte string: the number chooses one of five kinds of damage and its place.
 std::string damaged(std::string bytes, std::uint32_t number) {
   std::uint32_t drawn = 0;
   const auto draw = [&](std::size_t below) {
     return static_cast<std::size_t>(hash(number, drawn++)) % std::max<std::size_t>(below, 1);
   };
   const std::size_t at = draw(bytes.size()), count = 1 + draw(64), kind = draw(5);
-  // Half of the time in what comes first: the headers, which say what sizes and pixels are.
+  // Half of the time near the start: the headers, which state sizes and pixel formats.
   const std::size_t reach = draw(2) == 0 ? bytes.size() : std::min<std::size_t>(bytes.size(), 1024);
   if (kind == 0) bytes[draw(reach)] = static_cast<char>(draw(256));
   if (kind == 1)
@@ -98,8 +98,8 @@ INSTANTIATE_TEST_SUITE_P(Video, EveryCodec,
                                          Kind{"vp9.webm", VideoCodec::kVp9}, Kind{"ffv1.mkv", VideoCodec::kFfv1}),
                          [](const auto& codec) { return fs::path(codec.param.name).stem().string(); });
 
-/// A stream of MJPEG pictures of two sizes, one after the other.
-TEST(VideoReader, frames_whose_size_changes_in_the_middle_are_refused) {
+/// A stream of MJPEG pictures with two sizes, one after the other.
+TEST(VideoReader, changes_of_the_frame_size_are_refused) {
   const TempDir dir;
   std::string bytes;
   for (const char* size : {"64x48", "96x80"}) {

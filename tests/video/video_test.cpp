@@ -1,4 +1,4 @@
-// Video files: what is written comes back, in order, as exactly as its kind promises; what cannot be is an error.
+// Video files: frames round-trip in order, as exactly as the codec promises; unsupported frames are errors.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ std::string probe(const fs::path& path, const std::string& entries) {
       .output;
 }
 
-TEST(Video, ffv1_brings_back_every_code_in_order_even_of_odd_sizes) {
+TEST(Video, ffv1_round_trips_all_sizes_in_order) {
   const TempDir dir;
   for (const auto& [width, height] : {std::pair{64, 48}, {37, 21}, {2, 2}}) {
     const std::vector<Image8> frames = noise_frames(5, width, height);
@@ -76,7 +76,7 @@ TEST(Video, ffv1_brings_back_every_code_in_order_even_of_odd_sizes) {
   }
 }
 
-TEST(Video, h264_keeps_a_smooth_picture_above_40_db_in_order) {
+TEST(Video, h264_keeps_smooth_pictures_above_40_db) {
   const TempDir dir;
   const std::vector<Image8> frames = smooth_frames(12, 128, 96);
   write_video(dir / "a.mp4", frames);
@@ -85,7 +85,7 @@ TEST(Video, h264_keeps_a_smooth_picture_above_40_db_in_order) {
   for (std::size_t i = 0; i < frames.size(); ++i) {
     EXPECT_GT(measure_difference(frames[i], read[i]).psnr_db, 40.0) << i;
     if (i == 0) continue;
-    EXPECT_LT(measure_difference(frames[i - 1], read[i]).psnr_db, 35.0) << "tells neighbours apart";
+    EXPECT_LT(measure_difference(frames[i - 1], read[i]).psnr_db, 35.0) << "neighbouring frames differ more";
   }
 }
 
@@ -109,7 +109,7 @@ bool has_encoder(VideoCodec codec) {
   }
 }
 
-TEST(Video, every_codec_keeps_a_smooth_picture_above_38_db_in_order_in_each_of_its_files) {
+TEST(Video, every_codec_keeps_smooth_pictures_above_38_db) {
   const TempDir dir;
   std::vector<Image8> frames;
   for (int i = 0; i < 9; ++i) frames.push_back(smooth_codes(130, 95, 0.2 * i));  // odd: padded to 96 rows
@@ -123,7 +123,7 @@ TEST(Video, every_codec_keeps_a_smooth_picture_above_38_db_in_order_in_each_of_i
       Image8 shown{130, 95, {read[i].rgb.begin(), read[i].rgb.end() - 3 * 130}};
       EXPECT_GT(measure_difference(frames[i], shown).psnr_db, 38.0) << file.file << " " << i;
       if (i == 0) continue;
-      EXPECT_LT(measure_difference(frames[i - 1], shown).psnr_db, 35.0) << "tells neighbours apart";
+      EXPECT_LT(measure_difference(frames[i - 1], shown).psnr_db, 35.0) << "neighbouring frames differ more";
     }
   }
 }
@@ -142,7 +142,7 @@ TEST(Video, every_codec_gives_equal_bytes_for_equal_frames) {
   }
 }
 
-// Decoding times of so few frames, of which an encoder would reorder more, are none that FFmpeg's muxers take.
+// Encoders reorder more frames than these, which gives decoding times that FFmpeg's muxers refuse.
 TEST(Video, files_of_one_to_three_frames_are_written) {
   const TempDir dir;
   for (const CodecFile& file : kLossyFiles) {
@@ -159,7 +159,7 @@ TEST(Video, files_of_one_to_three_frames_are_written) {
   }
 }
 
-TEST(Video, files_say_their_codec_and_colours) {
+TEST(Video, files_state_their_codec_and_colours) {
   if (!test::program_exists("ffprobe")) GTEST_SKIP() << "ffprobe (package ffmpeg) is not installed";
   const TempDir dir;
   for (const CodecFile& file : kLossyFiles) {
@@ -175,21 +175,21 @@ TEST(Video, files_say_their_codec_and_colours) {
   }
 }
 
-/// What ffprobe says of a video of two eyes' views.
+/// Returns ffprobe's output for a video of two eyes' views.
 std::string probe_stereo(const fs::path& path, VideoCodec codec, const StereoLayout& stereo) {
   write_video(path, smooth_frames(2, 96, 64), {.codec = codec, .stereo = stereo});
   return test::run_command("ffprobe -v error -show_streams '" + path.string() + "'").output;
 }
 
-/// The mode of the st3d box (Google's Spherical Video V2): type, version and flags, mode. -1 without the box.
-/// ffprobe 7 and later do not print it for HEVC: their muxer adds a vexu box without a packing, which their demuxer prefers.
+/// Returns the mode of the st3d box (Google's Spherical Video V2): type, version and flags, mode. -1 without the box. ffprobe 7
+/// and later do not print it for HEVC: their muxer adds a vexu box without a packing, which their demuxer prefers.
 int stereo_mode_of_mp4(const fs::path& path) {
   const std::string file = file_bytes(path);
   const std::size_t at = file.find("st3d");
   return at == std::string::npos || at + 8 >= file.size() ? -1 : file[at + 8];
 }
 
-TEST(Video, files_of_two_eyes_views_say_how_they_lie) {
+TEST(Video, stereo_files_state_their_packing) {
   if (!test::program_exists("ffprobe")) GTEST_SKIP() << "ffprobe (package ffmpeg) is not installed";
   const TempDir dir;
   const StereoLayout sbs{}, half{StereoPacking::kHalfSideBySide}, over{StereoPacking::kOverUnder}, rows{StereoPacking::kRows},
@@ -211,7 +211,7 @@ TEST(Video, files_of_two_eyes_views_say_how_they_lie) {
               Not(HasSubstr("side by side")));
 }
 
-TEST(Video, h264_says_in_its_stream_how_two_views_lie) {
+TEST(Video, h264_streams_state_the_stereo_packing) {
   if (!test::program_exists("ffprobe")) GTEST_SKIP() << "ffprobe (package ffmpeg) is not installed";
   if (!has_encoder(VideoCodec::kH264)) GTEST_SKIP() << "no encoder of H.264";
   const TempDir dir;
@@ -220,7 +220,7 @@ TEST(Video, h264_says_in_its_stream_how_two_views_lie) {
   EXPECT_THAT(frames, HasSubstr("Stereo 3D"));
 }
 
-TEST(ChooseCodec, ending_and_size_decide_where_nobody_says) {
+TEST(ChooseCodec, extension_and_size_decide_by_default) {
   EXPECT_EQ(choose_codec("a.mp4", {}, 4096, 4096), VideoCodec::kH264);
   EXPECT_EQ(choose_codec("a.mp4", {}, 4098, 16), VideoCodec::kHevc);
   EXPECT_EQ(choose_codec("a.mov", {}, 16, 5999), VideoCodec::kHevc);
@@ -228,7 +228,7 @@ TEST(ChooseCodec, ending_and_size_decide_where_nobody_says) {
   EXPECT_EQ(choose_codec("a.mkv", {}, 16384, 16384), VideoCodec::kFfv1);
 }
 
-TEST(ChooseCodec, what_a_file_or_codec_does_not_hold_is_refused_with_what_would) {
+TEST(ChooseCodec, unsupported_combinations_are_refused) {
   const auto refusal = [](const char* file, std::optional<VideoCodec> codec, int side) {
     return error_message([&] { choose_codec(file, codec, side, 16); });
   };
@@ -240,7 +240,7 @@ TEST(ChooseCodec, what_a_file_or_codec_does_not_hold_is_refused_with_what_would)
   EXPECT_THAT(refusal("a.webm", VideoCodec::kH264, 16), HasSubstr("vp9, av1"));
 }
 
-TEST(Video, h264_colours_of_flat_fields_come_back) {
+TEST(Video, h264_keeps_colours_of_flat_fields) {
   const TempDir dir;
   std::vector<Image8> frames;
   for (int color = 0; color < 8; ++color) {
@@ -257,7 +257,7 @@ TEST(Video, h264_colours_of_flat_fields_come_back) {
           << "rounding to 219 levels of Y and 224 of Cb, Cr: at most 1.86 / 2 of Cb + .4 of Y, and as much again from coding";
 }
 
-TEST(Video, h264_pads_odd_sides_with_the_last_column_and_row) {
+TEST(Video, h264_pads_odd_sides_with_the_border) {
   const TempDir dir;
   const Image8 frame = smooth_codes(45, 31);
   write_video(dir / "a.mp4", {frame}, {.crf = 1});
@@ -282,7 +282,7 @@ TEST(Video, equal_frames_give_equal_bytes) {
     }
 }
 
-TEST(Video, h264_bytes_do_not_depend_on_what_lies_in_freed_memory) {
+TEST(Video, h264_bytes_do_not_depend_on_freed_memory) {
   const TempDir dir;
   std::vector<Image8> frames(12, {144, 48, {}});
   for (int f = 0; f < 12; ++f)
@@ -309,7 +309,7 @@ TEST(Video, ffv1_bytes_do_not_depend_on_encoder_threads) {
   EXPECT_EQ(file_bytes(dir / "a.mkv"), file_bytes(dir / "b.mkv"));
 }
 
-TEST(Video, h264_is_tagged_bt709_limited_with_its_rate_and_index_in_front) {
+TEST(Video, h264_is_tagged_bt709_with_rate_and_index) {
   if (!test::program_exists("ffprobe")) GTEST_SKIP() << "ffprobe (package ffmpeg) is not installed";
   const TempDir dir;
   write_video(dir / "a.mp4", smooth_frames(10, 64, 48), {.rate = {30000, 1001}});
@@ -338,7 +338,7 @@ TEST(Video, psnr_agrees_with_ffmpegs_filter) {
   EXPECT_NEAR(test::number_after(output, "PSNR r:"), psnr_db(m.mse.r), 0.01) << output;
 }
 
-TEST(Video, ffmpeg_decodes_our_lossless_file_to_the_same_codes) {
+TEST(Video, ffmpeg_decodes_lossless_files_exactly) {
   if (!test::program_exists("ffmpeg")) GTEST_SKIP() << "ffmpeg is not installed";
   const TempDir dir;
   const Image8 frame = noise_codes(40, 30);
@@ -365,7 +365,7 @@ TEST(VideoWriter, unknown_extension_lists_the_known_ones) {
     EXPECT_THAT(error_message([&] { VideoWriter(dir / name); }), AllOf(HasSubstr(name), HasSubstr(".mp4"), HasSubstr(".mkv")));
 }
 
-TEST(VideoWriter, missing_folder_is_an_error_before_the_first_frame) {
+TEST(VideoWriter, missing_folder_fails_before_the_first_frame) {
   const TempDir dir;
   EXPECT_THAT(error_message([&] { VideoWriter(dir / "none/a.mp4"); }), HasSubstr("there is no folder"));
   EXPECT_THAT(error_message([&] { check_video_path(dir / "none/a.mp4"); }), HasSubstr("there is no folder"));
@@ -380,14 +380,14 @@ TEST(VideoWriter, frame_of_another_size_is_named) {
   EXPECT_THAT(error_message([&] { writer.add_frame(smooth_codes(32, 34)); }), HasSubstr("frame 1 has 32 x 34 pixels"));
 }
 
-TEST(VideoWriter, side_of_one_pixel_is_refused_by_mkv_and_padded_by_mp4) {
+TEST(VideoWriter, mkv_refuses_one_pixel_and_mp4_pads_it) {
   const TempDir dir;
   EXPECT_THAT(error_message([&] { write_video(dir / "a.mkv", {noise_codes(1, 8)}); }), HasSubstr("at least 2 pixels"));
   write_video(dir / "a.mp4", {noise_codes(1, 1)});
   EXPECT_EQ(read_video(dir / "a.mp4").at(0).width, 2);
 }
 
-TEST(VideoWriter, options_that_make_no_sense_are_errors) {
+TEST(VideoWriter, invalid_options_are_errors) {
   const TempDir dir;
   EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.mp4", {.rate = {0, 1}}); }), HasSubstr("frames per second"));
   EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.mp4", {.crf = 52}); }), HasSubstr("0 to 51"));
@@ -396,7 +396,7 @@ TEST(VideoWriter, options_that_make_no_sense_are_errors) {
   EXPECT_THAT(error_message([&] { VideoWriter(dir / "a.mp4").finish(); }), HasSubstr("without frames"));
 }
 
-TEST(VideoWriter, disk_full_names_the_file_and_leaves_nothing) {
+TEST(VideoWriter, full_disk_names_the_file_and_leaves_nothing) {
   const TempDir dir;
   const std::vector<Image8> frames = noise_frames(8, 128, 128);
   for (const char* name : {"a.mp4", "a.mkv"}) {
@@ -417,7 +417,7 @@ TEST(VideoReader, missing_file_folder_and_text_are_errors) {
   EXPECT_THAT(error_message([&] { VideoReader(dir / "empty.mkv"); }), HasSubstr("cannot be read as a video"));
 }
 
-TEST(VideoReader, truncated_file_is_an_error_wherever_it_is_cut) {
+TEST(VideoReader, truncated_files_are_errors) {
   const TempDir dir;
   const std::vector<Image8> frames = noise_frames(8, 64, 64);
   for (const auto& [whole, part] : {std::pair{"whole.mp4", "cut.mp4"}, {"whole.mkv", "cut.mkv"}}) {
