@@ -68,7 +68,7 @@ TEST(AtomicFile, destroyed_without_commit_keeps_the_previous_file) {
   EXPECT_EQ(contents(dir / "a.txt"), "old");
 }
 
-TEST(AtomicFile, commit_of_a_file_never_written_is_an_error) {
+TEST(AtomicFile, commit_of_an_unwritten_file_is_an_error) {
   const TempDir dir;
   AtomicFile file(dir / "a.txt");
   EXPECT_THROW(file.commit(), Error);

@@ -55,7 +55,7 @@ TEST(BackgroundQueue, never_more_pieces_than_its_capacity_exist) {
   EXPECT_LE(most, 4) << "three pieces and the one waiting in submit()";
 }
 
-TEST(BackgroundQueue, piece_throws_is_rethrown_once_and_drops_later_ones) {
+TEST(BackgroundQueue, exception_is_rethrown_once_and_drops_pieces) {
   std::atomic<int> ran{0};
   BackgroundQueue queue(1, 100);
   queue.submit([] { throw std::runtime_error("disk full"); }, [&] { ++ran; });

@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-TEST(ThreadPool, for_each_any_thread_count_calls_each_index_once) {
+TEST(ThreadPool, for_each_calls_each_index_once) {
   for (const int threads : {1, 2, 5}) {
     const ThreadPool pool(threads);
     std::vector<std::atomic<int>> calls(1000);
@@ -29,7 +29,7 @@ TEST(ThreadPool, for_each_piece_throws_is_rethrown) {
                std::runtime_error);
 }
 
-TEST(ThreadPool, for_each_denormal_product_is_flushed_on_every_thread) {
+TEST(ThreadPool, for_each_flushes_denormals_on_every_thread) {
   const ThreadPool pool(2);
   std::vector<float> products(64, 1.0f);
   volatile float tiny = 1e-30f;

@@ -34,7 +34,7 @@ TEST(ChildProcess, missing_program_is_an_error) {
   EXPECT_FALSE(child.is_running());
 }
 
-TEST(ChildProcess, silent_child_runs_in_its_folder_and_appends_messages) {
+TEST(ChildProcess, silent_child_appends_messages) {
   const TempDir dir;
   std::ofstream(dir / "messages") << "before\n";
   EXPECT_EQ(exit_code_of({.words = {"sh", "-c", "cat; echo lost; pwd >&2"},

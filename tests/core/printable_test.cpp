@@ -24,7 +24,7 @@ TEST(Printable, text_beyond_60_characters_is_cut_between_characters) {
   EXPECT_EQ(printable(sixty + "é"), sixty + "...");
 }
 
-TEST(Printable, lines_are_not_cut_and_have_no_control_characters) {
+TEST(Printable, lines_have_no_control_characters) {
   const std::string hundred(100, 'a');
   EXPECT_EQ(printable_line(hundred + "\x1b]0;title\x07\r\n"), hundred + "?]0;title???");
   EXPECT_EQ(printable_line("a\xe2\x80\xae"

@@ -65,7 +65,7 @@ TEST(BadCalibration, missing_pitch_slope_or_center_is_refused) {
   }
 }
 
-TEST(BadCalibration, too_narrow_lenses_and_too_large_panels_are_refused) {
+TEST(BadCalibration, narrow_lenses_and_large_panels_are_refused) {
   Json json = test::portrait_calibration();
   json["pitch"] = 2000.0;
   EXPECT_THAT(message_of(json.dump()), HasSubstr("periods"));

@@ -33,7 +33,7 @@ TEST(Presets, all_are_valid_described_and_found_by_name) {
   EXPECT_GE(names.size(), 20u);
 }
 
-TEST(Presets, quilt_of_the_16_inch_landscape_matches_a_device) {
+TEST(Presets, quilt_of_the_16_inch_matches_devices) {
   const Display display = load_display("16-landscape");
   EXPECT_EQ(display.quilt, (DisplayQuilt{8, 6, 7680, 4320, 1.7778}));
   EXPECT_EQ(display.pixels, Vec2i(3840, 2160)) << "the panel is not the quilt";

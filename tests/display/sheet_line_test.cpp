@@ -51,7 +51,7 @@ TEST(SheetLine, near_viewers_need_a_wider_print) {
   EXPECT_THAT(measured.description, AllOf(HasSubstr("print pitch of 50.749 lpi"), HasSubstr("lenses of 50.800 lpi")));
 }
 
-TEST(SheetLine, its_optics_have_a_lens_edge_at_the_phase) {
+TEST(SheetLine, optics_have_a_lens_edge_at_phase) {
   const Display sheet = load_display("lpi=60.12 dpi=600 paper=400x300px phase=3.25");
   const Optics optics = native_optics(sheet);
   const double cell = 600.0 / 60.12;
@@ -88,7 +88,7 @@ TEST(SheetLine, is_not_a_file) {
   EXPECT_TRUE(is_display_file("folder/visual.json"));
 }
 
-TEST(DisplayFile, keys_in_the_wrong_table_name_the_right_one) {
+TEST(DisplayFile, misplaced_keys_name_their_table) {
   const auto refusal_of = [](const std::string& text) {
     return test::error_message([&] { display_from_toml(text, "own.toml"); });
   };
