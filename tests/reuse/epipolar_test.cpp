@@ -11,7 +11,7 @@ namespace {
 
 using test::at_depth;
 
-/// 16 lenses of 6 pixels, 1 mm wide, viewed from far or near.
+/// Returns a sheet of 16 lenses of 6 pixels, 1 mm wide, viewed from far or near.
 Optics sheet(float viewing_distance) {
   Optics optics;
   optics.panel = {96, 4, 0.0f};
@@ -23,7 +23,8 @@ Optics sheet(float viewing_distance) {
   return optics;
 }
 
-/// A colour that changes by a fifth per lens: enough to be looked at, and linear, so that interpolation is exact.
+/// A colour that changes by a fifth per lens: enough contrast to trigger the search, and linear, so that interpolation is
+/// exact.
 float ramp(float x) { return 2.0f + 0.2f * x; }
 
 using test::centre_of;
@@ -38,7 +39,7 @@ PointImage ramp_at_depth(const Optics& optics, float z) {
   return image;
 }
 
-TEST(EpipolarSampler, linear_colours_are_met_at_the_pixels_own_place) {
+TEST(EpipolarSampler, linear_colours_are_interpolated_exactly) {
   for (const float viewing_distance : {kInfinity, 300.0f})
     for (const float z : {-3.0f, -0.8f, 0.0f, 0.5f, 2.7f}) {
       const Optics optics = sheet(viewing_distance);
@@ -46,20 +47,20 @@ TEST(EpipolarSampler, linear_colours_are_met_at_the_pixels_own_place) {
       const test::KnownMotion motion({test::shift(0.3f, 0, 0)});
       const Splatter splatter(optics, {});
       const EpipolarSampler sampler(optics, Encoding::kSrgb);
-      // Away from the panel's edges, where there is nothing to interpolate with.
+      // Away from the panel's edges, where there are no neighbours to interpolate with.
       for (std::uint32_t p = 96 + 24; p < 96 + 72; ++p) {
         const auto target = splatter.landing(p, z, 0, motion.motion);
         ASSERT_TRUE(target);
         float color[3];
         sampler.colors(image, motion.motion, {&p, 1}, color);
         const float x = at_depth(ray_of_pixel(optics, centre_of(optics, *target)), z).x;
-        // Single precision of a coordinate of up to 50 pixels; the ramp has 0.02 per mm.
+        // Single precision of a coordinate of up to 50 pixels; the ramp changes by 0.02 per mm.
         EXPECT_NEAR(color[0], 0.1f * ramp(x - 0.3f), 1e-5f) << "z " << z << ", pixel " << p;
       }
     }
 }
 
-TEST(EpipolarSampler, contrast_is_looked_for_beside_the_sample_in_its_own_view) {
+TEST(EpipolarSampler, contrast_is_measured_within_the_view) {
   const Optics optics = sheet(kInfinity);
   PointImage image = test::empty_points(optics.panel);
   for (float& value : image.film.data) value = 0.25f;
@@ -75,9 +76,9 @@ TEST(EpipolarSampler, contrast_is_looked_for_beside_the_sample_in_its_own_view) 
   }
 }
 
-TEST(EpipolarSampler, behind_an_edge_colours_are_not_mixed_with_what_is_in_front) {
-  // White in front (object 0, left half), black behind (object 1): black alone moves, by half a lens to the right, so that its
-  // samples land between pixels. None of them may turn grey except next to the edge's own sample.
+TEST(EpipolarSampler, background_does_not_mix_with_the_foreground) {
+  // White in front (object 0, left half), black behind (object 1). Only black moves, by half a lens to the right, so that its
+  // samples land between pixels. None may turn grey except next to the edge's own sample.
   const Optics optics = sheet(kInfinity);
   PointImage image = test::empty_points(optics.panel);
   for (std::uint32_t p = 0; p < image.points.z.size(); ++p) {
@@ -94,7 +95,7 @@ TEST(EpipolarSampler, behind_an_edge_colours_are_not_mixed_with_what_is_in_front
   }
 }
 
-TEST(EpipolarSampler, suits_whole_pixels_below_lenses_only) {
+TEST(EpipolarSampler, needs_whole_pixels_below_lenses) {
   EXPECT_TRUE(EpipolarSampler::suits(sheet(300.0f)));
   Optics other = sheet(kInfinity);
   other.panel.pixel_pitch_mm *= 0.93f;

@@ -20,7 +20,7 @@ TEST(HeldOut, levels_follow_uncertainty) {
 }
 
 TEST(HeldOut, every_run_of_a_level_gives_one_patch) {
-  // Two levels that alternate; 30 patches per sample.
+  // Two alternating levels; 30 patches per sample.
   std::vector<std::uint8_t> uncertainty(12000);
   for (std::size_t p = 0; p < uncertainty.size(); ++p) uncertainty[p] = p % 2 ? 30 : 0;
   ASSERT_EQ(patches_per_sample(uncertainty.size()), 30u);
@@ -46,7 +46,7 @@ TEST(HeldOut, other_frames_and_seeds_draw_other_patches) {
   EXPECT_NE(hold_out(uncertainty, 2, 2).patches, first.patches);
 }
 
-/// 100 patches of level 0 of which 4 were drawn, 50 of level 2 of which 2 were drawn.
+/// 100 patches of level 0, of which 4 were drawn, and 50 of level 2, of which 2 were drawn.
 HeldOut drawn_by_hand() {
   HeldOut held_out{};
   held_out.population[0] = 100, held_out.population[2] = 50;
@@ -62,28 +62,28 @@ Evidence evidence_of(const HeldOut& held_out, std::span<const double> squared_er
   return evidence;
 }
 
-TEST(HeldOut, errors_are_weighted_by_what_their_level_leaves_untraced) {
+TEST(HeldOut, errors_are_weighted_by_untraced_patches) {
   const HeldOut held_out = drawn_by_hand();
   const auto errors = estimate_errors(held_out, evidence_of(held_out, std::vector<double>{0.0, 0.0, 0.0, 5.0, 200.0, 400.0}));
   // Level 0: 96 untraced patches of 150, mean 5/4. Level 2: 48 of 150, mean 300.
   EXPECT_NEAR(errors[0].mse, 96.0 / 150.0 * 1.25, 1e-12);
   EXPECT_NEAR(errors[1].mse, errors[0].mse, 1e-12);
   EXPECT_NEAR(errors[2].mse, errors[0].mse + 48.0 / 150.0 * 300.0, 1e-12);
-  // Level 0 alone: w = 96/600, squared deviations 25 - 4 (5/4)^2 = 18.75, a sample not drawn that errs by 12 codes.
+  // Only level 0: w = 96/600, squared deviations 25 - 4 (5/4)^2 = 18.75, an undrawn sample with an error of 12 codes.
   const double w = 0.16, not_drawn = w * 144.0;
   EXPECT_NEAR(errors[0].bound, 0.8 + not_drawn + 2.326 * std::sqrt(w * w * 18.75 + not_drawn * not_drawn), 1e-9);
-  // Both: what was not drawn errs as much as the worst that was.
+  // Both: the undrawn sample has the error of the worst drawn one.
   const double both = w * 400.0;
   EXPECT_NEAR(errors[2].bound, errors[2].mse + both + 2.326 * std::sqrt(w * w * (18.75 + 20000.0) + both * both), 1e-9);
 }
 
-TEST(HeldOut, what_another_frame_has_shown_counts_like_samples_of_this_one) {
+TEST(HeldOut, learned_errors_count_like_own_samples) {
   const HeldOut held_out = drawn_by_hand();
   Evidence evidence = evidence_of(held_out, std::vector<double>{0.0, 0.0, 0.0, 4.0, 0.0, 0.0}), learned;
-  learned.levels[0] = {36.0, 36.0, 72.0, 2.0};  // 36 patches, 18 of which err by 2
+  learned.levels[0] = {36.0, 36.0, 72.0, 2.0};  // 36 patches, 18 of which have an error of 2
   evidence.add(learned);
   const auto errors = estimate_errors(held_out, evidence);
-  // Level 0: 96 untraced patches of 150, 40 samples with a sum of 40 and squares of 88.
+  // Level 0: 96 untraced patches of 150, 40 samples with the sum 40 and the sum of squares 88.
   EXPECT_NEAR(errors[0].mse, 96.0 / 150.0, 1e-12);
   const double w = 96.0 / (150.0 * 40.0), not_drawn = w * 144.0;
   EXPECT_NEAR(errors[0].bound, 0.64 + not_drawn + 2.326 * std::sqrt(w * w * 48.0 + not_drawn * not_drawn), 1e-9);
@@ -92,7 +92,7 @@ TEST(HeldOut, what_another_frame_has_shown_counts_like_samples_of_this_one) {
   EXPECT_GT(estimate_errors(held_out, evidence)[0].bound, errors[0].bound);
 }
 
-TEST(HeldOut, level_without_a_sample_errs_by_its_uncertainty) {
+TEST(HeldOut, level_without_samples_uses_its_uncertainty) {
   HeldOut held_out = drawn_by_hand();
   held_out.population[3] = 50;
   const auto errors = estimate_errors(held_out, evidence_of(held_out, std::vector<double>(6, 0.0)));
@@ -100,7 +100,7 @@ TEST(HeldOut, level_without_a_sample_errs_by_its_uncertainty) {
   EXPECT_NEAR(errors[3].mse, 50.0 / 200.0 * 9.0, 1e-12);  // uncertainty 3
 }
 
-TEST(HeldOut, trust_ends_at_the_first_level_whose_bound_fails) {
+TEST(HeldOut, trust_ends_at_the_first_failing_level) {
   std::array<ErrorEstimate, kUncertaintyLevels> errors;
   for (std::size_t h = 0; h < errors.size(); ++h) errors[h].bound = 1.0;
   EXPECT_EQ(trusted_levels(errors, 1.0), kUncertaintyLevels);
@@ -109,7 +109,7 @@ TEST(HeldOut, trust_ends_at_the_first_level_whose_bound_fails) {
   EXPECT_EQ(trusted_levels(errors, 0.9), 0);
 }
 
-TEST(HeldOut, bound_holds_in_nineteen_of_twenty_samples_of_heavy_tailed_errors) {
+TEST(HeldOut, bound_holds_in_95_percent_of_samples) {
   // Squared errors of 16,000 patches, log-normal over four decades; one level, so that only the bound is tested.
   constexpr int kTrials = 400;
   const std::vector<std::uint8_t> uncertainty(16000, 5);

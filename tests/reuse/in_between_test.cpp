@@ -1,4 +1,4 @@
-// In-between frames of small traced animations, where geometry says what has to come out.
+// In-between frames of small traced animations, with expected results from geometry.
 #include "reuse/in_between.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;
 
-/// Traces the frames of a scene and makes those between them. The display stands at `display(time)`.
+/// Traces the frames of a scene and makes those between them. `display(time)` places the display.
 class Animation {
  public:
   Animation(const Scene& scene, const Optics& optics, const ForwardParams& params, int threads = 1)
@@ -23,7 +23,7 @@ class Animation {
 
   std::function<Affine3f(double)> display = [](double) { return Affine3f{}; };
   InBetweenCounts counts;
-  Image memory;  ///< what the films of made frames hold before
+  Image memory;  ///< previous content of the films of made frames
 
   PointImage traced(double time) {
     PointImage frame;
@@ -48,7 +48,7 @@ class Animation {
     return frame;
   }
 
-  /// At half time between 0 and 1.
+  /// Returns the frame half-way between times 0 and 1.
   PointImage middle() { return made(traced(0.0), traced(1.0), 0.5); }
 
  private:
@@ -95,8 +95,8 @@ ForwardParams with_sampling(SplatSampling sampling) {
 
 constexpr Vec3f kWall(0.5f, 0.25f, 0.125f), kSquare(0.75f);
 
-/// A square of 8 x 8 pixels before a wall, both in the plane z = 0 as good as. At time 0 and 1 the square is in the middle, at
-/// half time it is `x` pixels to the right.
+/// A square of 8 x 8 pixels in front of a wall, both practically in the plane z = 0. At times 0 and 1 the square is in the
+/// middle, half-way in between it is `x` pixels to the right.
 SmallScene square_that_leaves_and_returns(float x) {
   SmallScene s;
   s.add(square(200, -0.001f), s.material(glowing(kWall)));
@@ -107,7 +107,7 @@ SmallScene square_that_leaves_and_returns(float x) {
 
 bool is_inside(int i, int j, int left, int right) { return i >= left && i < right && j >= 12 && j < 20; }
 
-TEST(InBetween, moving_square_leaves_exactly_the_pixels_missed_that_both_frames_hid) {
+TEST(InBetween, moving_square_leaves_the_hidden_pixels_missed) {
   const SmallScene s = square_that_leaves_and_returns(10.0f);
   Animation animation(s.scene, view32(), with_fill(MissedFill::kBlack));
   const PointImage frame = animation.middle();
@@ -122,7 +122,7 @@ TEST(InBetween, moving_square_leaves_exactly_the_pixels_missed_that_both_frames_
   EXPECT_EQ(animation.counts.causes.not_covered, 0u);
 }
 
-TEST(InBetween, film_that_held_another_picture_is_written_over) {
+TEST(InBetween, previous_film_content_is_overwritten) {
   const SmallScene s = square_that_leaves_and_returns(10.0f);
   for (const MissedFill fill : {MissedFill::kBlack, MissedFill::kInterpolate, MissedFill::kRetrace}) {
     Animation animation(s.scene, view32(), with_fill(fill));
@@ -133,7 +133,7 @@ TEST(InBetween, film_that_held_another_picture_is_written_over) {
   }
 }
 
-TEST(InBetween, square_beside_its_hole_does_not_bleed_into_it) {
+TEST(InBetween, square_does_not_bleed_into_its_hole) {
   SmallScene s = square_that_leaves_and_returns(8.0f);
   std::get<Mesh>(s.scene.shapes[0]) = square(200, -30.0f);  // far enough behind to be another layer
   Animation animation(s.scene, view32(), with_fill(MissedFill::kInterpolate));
@@ -143,7 +143,7 @@ TEST(InBetween, square_beside_its_hole_does_not_bleed_into_it) {
       for (int c = 0; c < 3; ++c) EXPECT_FLOAT_EQ(frame.film.pixel(i, j)[c], kWall[c]) << i << ", " << j;
 }
 
-TEST(InBetween, display_that_moves_aside_misses_the_columns_that_neither_frame_covered) {
+TEST(InBetween, moving_display_misses_uncovered_columns) {
   SmallScene s;
   s.add(square(200, 0), s.material(glowing(kWall)));
   Animation animation(s.scene, view32(), with_fill(MissedFill::kBlack));
@@ -155,7 +155,7 @@ TEST(InBetween, display_that_moves_aside_misses_the_columns_that_neither_frame_c
   EXPECT_EQ(animation.counts.causes.newly_visible, 0u);
 }
 
-TEST(InBetween, colours_are_the_mean_of_both_frames_weighted_by_their_nearness) {
+TEST(InBetween, colours_are_weighted_by_nearness_in_time) {
   SmallScene s;
   s.add(square(200, 0), s.material(matte(Vec3f(1.0f))));
   s.point_light({0, 0, 50}).node = s.moving_node({0, 0, 50}, {40, 0, 50});
@@ -163,7 +163,7 @@ TEST(InBetween, colours_are_the_mean_of_both_frames_weighted_by_their_nearness) 
   const PointImage a = animation.traced(0.0), b = animation.traced(1.0);
   for (const float time : {0.25f, 0.5f}) {
     const PointImage frame = animation.made(a, b, time);
-    // 0.7 of the way from equal weights to the nearness in time.
+    // 0.7 of the way from equal weights to weights by nearness in time.
     const float weight = time == 0.5f ? 0.5f : 0.325f;
     for (std::size_t k = 0; k < frame.film.data.size(); ++k)
       ASSERT_FLOAT_EQ(frame.film.data[k], (1 - weight) * a.film.data[k] + weight * b.film.data[k]);
@@ -171,7 +171,7 @@ TEST(InBetween, colours_are_the_mean_of_both_frames_weighted_by_their_nearness) 
   EXPECT_NE(a.film.data, b.film.data);
 }
 
-TEST(InBetween, made_frame_is_a_source_with_points_where_the_objects_are) {
+TEST(InBetween, made_frames_have_correct_points) {
   SmallScene s = square_that_leaves_and_returns(10.0f);
   s.scene.timeline.animations[0].translation.values = {{0, 0, 0}, {5, 0, 1}, {10, 0, 2}};
   Animation animation(s.scene, view32(), with_fill(MissedFill::kBlack));
@@ -181,12 +181,12 @@ TEST(InBetween, made_frame_is_a_source_with_points_where_the_objects_are) {
     if (frame.points.object[p] == kMissedObject) continue;
     if (frame.points.object[p] == 1) ++on_square;
     if (frame.points.object[p] != truth.points.object[p]) continue;
-    EXPECT_NEAR(frame.points.z[p], truth.points.z[p], 1e-3f) << p;  // the wall is as far behind as that
+    EXPECT_NEAR(frame.points.z[p], truth.points.z[p], 1e-3f) << p;  // the wall's distance limits the precision
   }
   EXPECT_GT(on_square, 60u);  // it has 64 pixels
 }
 
-/// Spheres and boxes that move each their own way before a checkered wall and under a fixed light.
+/// Spheres and boxes, each with its own motion, in front of a checkered wall under a fixed light.
 SmallScene busy_scene(bool moving) {
   SmallScene s;
   s.scene.max_depth = 3;
@@ -219,7 +219,7 @@ Optics sheet() {
   return optics;
 }
 
-TEST(InBetween, without_motion_it_is_the_traced_frame_to_the_bit_for_every_model) {
+TEST(InBetween, without_motion_equals_the_traced_frame) {
   const SmallScene s = busy_scene(false);
   OpticsSampler random(6);
   for (int k = 0; k < 12; ++k) {
@@ -234,7 +234,7 @@ TEST(InBetween, without_motion_it_is_the_traced_frame_to_the_bit_for_every_model
   }
 }
 
-TEST(InBetween, any_number_of_threads_gives_the_same_bits) {
+TEST(InBetween, threads_do_not_change_bits) {
   const SmallScene s = busy_scene(true);
   for (const MissedFill fill : {MissedFill::kInterpolate, MissedFill::kRetrace}) {
     Animation one(s.scene, sheet(), with_fill(fill), 1);
@@ -251,7 +251,7 @@ TEST(InBetween, any_number_of_threads_gives_the_same_bits) {
   }
 }
 
-TEST(InBetween, retraced_pixels_are_those_of_the_traced_frame_and_the_others_stay) {
+TEST(InBetween, retraced_pixels_equal_the_traced_frame) {
   const SmallScene s = busy_scene(true);
   Animation black(s.scene, sheet(), with_fill(MissedFill::kBlack)), retraced(s.scene, sheet(), with_fill(MissedFill::kRetrace));
   const PointImage hole = black.middle(), frame = retraced.middle(), truth = retraced.traced(0.5);
@@ -275,14 +275,17 @@ double squared_error(const Image& a, const Image& b) {
   return sum;
 }
 
-TEST(InBetween, sampling_between_views_is_nearer_to_the_traced_frame_than_whole_pixels) {
+TEST(InBetween, interpolating_views_beats_whole_pixels) {
   // Stripes of 2 lenses.
   SmallScene s;
   const int material = s.material(glowing(Vec3f(0.8f)));
   for (float x = -3.0f; x < 3.0f; x += 1.0f) s.add(Boxes{{{x, -3, -1}, {x + 0.5f, 3, -0.9f}}}, material);
   const auto error = [&](SplatSampling sampling) {
     Animation animation(s.scene, sheet(), with_sampling(sampling));
-    animation.display = [](double time) { return Affine3f{Mat3f(1.0f), Vec3f(0.35 * time, 0, 0)}; };  // 0.7 of a lens each way
+    animation.display = [](double time) {
+      return Affine3f{Mat3f(1.0f), Vec3f(0.35 * time, 0, 0)};
+    };  // 0.7 of a lens in each
+        // direction
     return squared_error(animation.middle().film, animation.traced(0.5).film);
   };
   EXPECT_LT(error(SplatSampling::kEpipolar), 0.5 * error(SplatSampling::kPixel));

@@ -1,5 +1,5 @@
-// Where moved points land, against the definitions in reuse/landing.hpp written out in double or by search: random points and
-// motions behind random pixels of random arrays of every model.
+// Landing places of moved points, compared with the definitions in reuse/landing.hpp, computed in double precision or by
+// search: random points and motions behind random pixels of random arrays of every model.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ using test::at_depth;
 using test::KnownMotion;
 using test::OpticsSampler;
 
-/// A place on the panel in continuous pixel coordinates; none where the point is not seen.
+/// A place on the panel in continuous pixel coordinates; no value if the point is not visible.
 using Place = std::optional<glm::dvec2>;
 
 using test::centre_of;
@@ -28,10 +28,10 @@ bool on_panel(const Optics& optics, glm::dvec2 p) {
   return p.x >= 0 && p.y >= 0 && p.x < film_size(optics).x && p.y < optics.panel.height;
 }
 
-// ---- Same lens: that one of all the pixels that see the point which lies below the lens ---------------------------------
+// ---- Same lens: of all pixels that see the point, the one below the same lens -------------------------------------------
 
-/// Where the rays below the lens of this panel point cross z = 0: the lens's centre (its distance from the slanted axis x = 0
-/// for a sheet).
+/// Returns where the rays below the lens of this panel point cross z = 0: the lens's centre (for a sheet, its distance from the
+/// slanted axis x = 0).
 glm::dvec2 lens_above(const Optics& optics, Vec2f pixel) {
   const Vec3f p = at_depth(ray_of_pixel(optics, pixel), 0.0f);
   const auto* sheet = std::get_if<LenticularSheet>(&optics.model);
@@ -48,7 +48,7 @@ bool same_lens(const Optics& optics, Vec2f a, Vec2f b) {
 }
 
 Place seen_below_lens(const Optics& optics, Vec2f from, Vec3f point) {
-  // On a larger panel: where its edge cuts a cell off, the image may lie just outside.
+  // Uses a larger panel: if its edge cuts a cell, the image may lie just outside.
   constexpr float kMargin = 8.0f;
   Optics wide = optics;
   wide.z_front_mm = resolved_z_front_mm(optics);
@@ -60,7 +60,7 @@ Place seen_below_lens(const Optics& optics, Vec2f from, Vec3f point) {
     if (!same_lens(wide, p, from + kMargin)) continue;
     const Vec2f place = p - kMargin;
     if (!sheet) return place;
-    // A pixel of a sheet shows its whole row: at the row's centre the same place below the lens.
+    // A pixel of a sheet shows its whole row: the same place below the lens at the row's centre.
     const float row = std::floor(place.y) + 0.5f;
     return glm::dvec2(place.x + (row - place.y) * std::tan(sheet->slant), row);
   }
@@ -70,10 +70,10 @@ Place seen_below_lens(const Optics& optics, Vec2f from, Vec3f point) {
 // ---- Same view ----------------------------------------------------------------------------------------------------------
 
 struct Lattice {
-  double pitch, row_pitch;  ///< mm; row_pitch 0: a sheet
-  glm::dvec2 offset;        ///< where lens 0 is
-  double spread;            ///< 1 + g/V: cells are that much wider than lenses
-  glm::dvec2 eye;           ///< that cells converge to
+  double pitch, row_pitch;  ///< mm; row_pitch is 0 for a sheet
+  glm::dvec2 offset;        ///< position of lens 0
+  double spread;            ///< 1 + g/V: ratio of cell width to lens width
+  glm::dvec2 eye;           ///< point that cells converge to
   bool hexagonal = false;
 };
 
@@ -96,11 +96,11 @@ Lattice lattice_of(const Optics& optics) {
           hexagonal};
 }
 
-/// The lens with its centre nearest to a point of z = 0, both in mm.
+/// Returns the lens with its centre nearest to a point of z = 0, both in mm.
 glm::dvec2 nearest_lens(const Lattice& lattice, glm::dvec2 p) {
   const auto nearest = [](double x, double first, double pitch) { return first + std::round((x - first) / pitch) * pitch; };
   if (lattice.row_pitch == 0.0) return {nearest(p.x, lattice.offset.x, lattice.pitch), 0.0};
-  // Rows count downwards from lens (0, 0); of hexagons every second one is shifted: all rows near the point are tried.
+  // Rows count downwards from lens (0, 0), and every second row of hexagons is shifted, so all rows near the point are tried.
   const double row = std::round((lattice.offset.y - p.y) / lattice.row_pitch);
   glm::dvec2 best(1e30);
   for (double r = row - 2; r <= row + 2; ++r) {
@@ -112,7 +112,7 @@ glm::dvec2 nearest_lens(const Lattice& lattice, glm::dvec2 p) {
   return best;
 }
 
-/// Below lenses: same offset from the cell's centre, below the lens whose ray of that offset passes nearest to the point.
+/// Returns the same offset from the cell's centre, below the lens whose ray of that offset passes nearest to the point.
 Place seen_in_lens_view(const Optics& optics, Vec2f from, Vec3f point) {
   const Lattice lattice = lattice_of(optics);
   const double m = optics.panel.pixel_pitch_mm, w = optics.panel.width, h = optics.panel.height;
@@ -128,7 +128,7 @@ Place seen_in_lens_view(const Optics& optics, Vec2f from, Vec3f point) {
     p = {p.x * cosine + p.y * sine, 0.0};
   }
   const auto cell_centre = [&](glm::dvec2 lens) { return lens + (lens - lattice.eye) * (lattice.spread - 1.0); };
-  // The lens above the pixel: its cell's centre is nearest. Offset o: slope -parallax o/g - (l - e)/V.
+  // The lens above the pixel is the one whose cell's centre is nearest. Offset o: slope -parallax o/g - (l - e)/V.
   const glm::dvec2 own = nearest_lens(lattice, (panel_mm + lattice.eye * (lattice.spread - 1.0)) / lattice.spread);
   const glm::dvec2 o = panel_mm - cell_centre(own);
   const glm::dvec2 through = (p + (parallax * o / gap - lattice.eye * vergence) * double{point.z}) / from_eye;
@@ -141,8 +141,8 @@ Place seen_in_lens_view(const Optics& optics, Vec2f from, Vec3f point) {
   return glm::dvec2((landed.x + (row + 0.5 - h / 2) * m * sine) / cosine / m + w / 2, row + 0.5);
 }
 
-/// Views of a quilt and single views: the pixel of the same view whose ray passes nearest to the point, of the picture's edge
-/// at the most half a pixel away.
+/// For quilts and single views: returns the pixel of the same view whose ray passes nearest to the point, at most half a pixel
+/// beyond the picture's edge.
 Place seen_in_picture(const Optics& optics, Vec2f from, Vec3f point) {
   const auto* views = std::get_if<MultiView>(&optics.model);
   const float distance = views ? views->distance_mm : std::get<SingleView>(optics.model).distance_mm;
@@ -177,17 +177,17 @@ Place expected_place(const Optics& optics, SplatMode mode, Vec2f from, Vec3f poi
   return mode == SplatMode::kLens ? seen_below_lens(optics, from, point) : seen_in_lens_view(optics, from, point);
 }
 
-/// The pixel of a place, none off the panel.
+/// Returns the pixel of a place, or no value off the panel.
 std::optional<std::uint32_t> pixel_at(const Optics& optics, const Place& place) {
   if (!place || !on_panel(optics, *place)) return std::nullopt;
   return static_cast<std::uint32_t>(place->y) * static_cast<std::uint32_t>(film_size(optics).x) +
          static_cast<std::uint32_t>(place->x);
 }
 
-/// A thousandth of a pixel from where the next one begins.
+/// Returns whether a place is within a thousandth of a pixel of the next pixel.
 bool is_on_pixel_edge(double place) { return std::abs(place - std::round(place)) < 1e-3; }
 
-/// Whether rounding decides: a step of a thousandth of what a pixel covers there changes the outcome.
+/// Returns whether rounding decides: a step of a thousandth of a pixel's footprint changes the outcome.
 bool is_close_call(const Optics& optics, SplatMode mode, Vec2f from, Vec3f point) {
   const Vec2f footprint = sample_footprint_mm(optics, point.z);
   const float step = 1e-3f * std::min(footprint.x, optics.panel.pixel_pitch_mm);
@@ -199,8 +199,8 @@ bool is_close_call(const Optics& optics, SplatMode mode, Vec2f from, Vec3f point
   return false;
 }
 
-/// Where a cell ends in the middle of a pixel, a place in it may lie on a pixel whose centre is the neighbour's. Then one next
-/// to it which is the lens's own is right, or none.
+/// If a cell ends within a pixel, a place in the cell may lie on a pixel whose centre belongs to the neighbour. An adjacent
+/// pixel of the lens's own cell is then also correct, as is no pixel.
 bool is_own_neighbour(const Optics& optics, glm::dvec2 place, glm::dvec2 lens, std::optional<std::uint32_t> landed) {
   if (!landed) return true;
   const Vec2f centre = centre_of(optics, *landed);
@@ -231,7 +231,7 @@ void check(const Optics& optics, SplatMode mode, OpticsSampler& random) {
          << ", landed on " << (landed ? std::to_string(*landed) : "nothing") << ", expected ";
     (place ? what << place->x << " " << place->y : what << "nothing");
     ASSERT_TRUE(place && lenses) << what.str();
-    // The lens that shows it: in the same lens that of the pixel, in the same view the one that the definition chose.
+    // The lens that shows it: for the same lens, that of the pixel; for the same view, the one that the definition chose.
     const Vec2f floor_centre(std::floor(place->x) + 0.5, std::floor(place->y) + 0.5);
     const glm::dvec2 lens = mode == SplatMode::kLens ? lens_above(optics, from) : lens_above(optics, Vec2f(*place));
     EXPECT_TRUE(glm::distance(lens_above(optics, floor_centre), lens) > 0.25 * lens_pitch(optics) || !on_panel(optics, *place))
@@ -241,17 +241,17 @@ void check(const Optics& optics, SplatMode mode, OpticsSampler& random) {
   EXPECT_GT(compared, 100) << test::model_name(optics);  // 250 are drawn
 }
 
-TEST(Landing, same_view_agrees_with_its_definition_for_every_model) {
+TEST(Landing, same_view_agrees_with_its_definition) {
   OpticsSampler random(1);
   for (int k = 0; k < 60; ++k) check(random.any(k), SplatMode::kView, random);
 }
 
-TEST(Landing, same_lens_agrees_with_the_optics_inverse_for_every_model) {
+TEST(Landing, same_lens_agrees_with_the_inverse_projection) {
   OpticsSampler random(2);
   for (int k = 0; k < 60; ++k) check(random.any(k), SplatMode::kLens, random);
 }
 
-TEST(Landing, point_that_does_not_move_stays_in_its_pixel) {
+TEST(Landing, static_points_stay_in_their_pixels) {
   OpticsSampler random(3);
   const KnownMotion still({Affine3f{}});
   for (int k = 0; k < 60; ++k) {
@@ -267,20 +267,20 @@ TEST(Landing, point_that_does_not_move_stays_in_its_pixel) {
   }
 }
 
-/// With sub-pixels in stripes.
+/// With striped sub-pixels.
 Optics slanted_panel(OpticsSampler& random) {
   Optics optics = random.slanted_panel();
   std::get<SlantedPanel>(optics.model).sub_pixels = striped_sub_pixels(random.coin());
   return optics;
 }
 
-TEST(Landing, on_a_slanted_panel_the_same_direction_below_the_nearest_lens) {
+TEST(Landing, slanted_panels_keep_the_direction) {
   OpticsSampler random(5);
   for (int k = 0; k < 20; ++k) {
     const Optics optics = slanted_panel(random);
     const auto& slanted = std::get<SlantedPanel>(optics.model);
     const Splatter splatter(optics, {SplatMode::kView, true});
-    // An eye's angle as a share of the view cone: from eye to eye it grows by 1 / sub-pixels below a lens.
+    // The eye's angle as a share of the view cone grows by 1 / sub-pixels below a lens from eye to eye.
     const auto view_of = [&](Vec2f pixel) {
       const Vec3f eye = at_depth(ray_of_pixel(optics, pixel), slanted.distance_mm);
       return std::atan(eye.x / (slanted.parallax * slanted.distance_mm)) / slanted.view_cone;
@@ -301,7 +301,7 @@ TEST(Landing, on_a_slanted_panel_the_same_direction_below_the_nearest_lens) {
       ++seen;
       const Vec2f centre = centre_of(optics, *landed);
       const Vec3f place = at_depth(ray_of_pixel(optics, centre), 0.0f);
-      // Half a row and rounding; half a lens and half a sub-pixel; half a sub-pixel's share of the views, around the end too.
+      // Half a row and rounding; half a lens and half a sub-pixel; half a sub-pixel's share of the views, also around the end.
       const double pitch = optics.panel.pixel_pitch_mm / 3.0;
       EXPECT_LE(std::abs(place.y - in_plane.y), 1.51 * pitch);
       EXPECT_LE(std::abs(place.x - in_plane.x), (0.5 * sub_pixels + 0.51) * pitch);
@@ -312,7 +312,7 @@ TEST(Landing, on_a_slanted_panel_the_same_direction_below_the_nearest_lens) {
   }
 }
 
-TEST(Landing, point_of_a_slanted_panel_that_does_not_move_stays) {
+TEST(Landing, static_points_of_slanted_panels_stay) {
   OpticsSampler random(6);
   const KnownMotion still({Affine3f{}});
   const KnownMotion hardly({Affine3f{Mat3f(1.0f), Vec3f(1e-7f, 0.0f, 0.0f)}});
@@ -328,7 +328,7 @@ TEST(Landing, point_of_a_slanted_panel_that_does_not_move_stays) {
   }
 }
 
-TEST(Landing, what_slanted_panels_cannot_is_refused_with_what_would_be_accepted) {
+TEST(Landing, unsupported_modes_of_slanted_panels_are_refused) {
   Optics optics;
   optics.panel = {200, 100, 0.3f};
   SlantedPanel slanted{.periods = 60.0};
@@ -350,14 +350,14 @@ TEST(Landing, what_slanted_panels_cannot_is_refused_with_what_would_be_accepted)
 }
 
 /// The whole splat: for every pixel the nearest of all points that land on it, found one point at a time.
-TEST(Landing, splat_of_a_whole_panel_agrees_with_one_point_at_a_time_for_any_number_of_threads) {
+TEST(Landing, whole_splat_equals_single_points) {
   OpticsSampler random(4);
   for (int k = 0; k < 24; ++k) {
     const Optics optics = random.any(k);
     const SplatMode mode = random.coin() ? SplatMode::kView : SplatMode::kLens;
     PointImage image = test::empty_points(optics.panel);
     const auto pixels = static_cast<std::uint32_t>(image.points.z.size());
-    // Depths from a few, so that there are ties.
+    // Few different depths, so that there are ties.
     for (std::uint32_t p = 0; p < pixels; ++p)
       test::set_point(image, p, 0.5f * static_cast<float>(random.integer(-20, 20)), static_cast<std::uint32_t>(p % 3));
     const KnownMotion motion({test::shift(1.0f, 0.2f, 0), test::shift(-2.0f, 3.0f, 0), Affine3f{}});

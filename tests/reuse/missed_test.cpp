@@ -1,4 +1,4 @@
-// What missed pixels show and why they were missed, by hand: one row of 9 pixels a millimetre wide, seen from far away.
+// Colours and causes of missed pixels, by hand: one row of 9 pixels, each a millimetre wide, seen from far away.
 #include "reuse/missed.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ Optics row_of_pixels() {
   return optics;
 }
 
-/// The previous and the following frame's points and colours, and where both have moved until the frame between them.
+/// Points and colours of the previous and the following frame, and their motion to the frame between them.
 struct Row {
   Optics optics = row_of_pixels();
   PointImage previous = test::empty_points(optics.panel), following = previous;
@@ -53,16 +53,16 @@ struct Row {
 
 const std::vector<Affine3f> kStill{Affine3f{}, Affine3f{}};
 
-TEST(Missed, neighbours_of_one_surface_are_weighted_by_the_inverse_of_their_distance) {
+TEST(Missed, neighbours_are_weighted_by_inverse_distance) {
   Row row;
   test::set_point(row.previous, 2, 0.0f);
   test::set_point(row.previous, 5, 0.0f);
   row.fill(3, kStill, kStill);
-  // Colours are pixel numbers: 2 one pixel away, 5 two.
+  // Colours are pixel numbers: 2 is one pixel away, 5 two.
   EXPECT_FLOAT_EQ(row.shown(3), (2.0f + 0.5f * 5.0f) / 1.5f);
 }
 
-TEST(Missed, neighbours_in_front_of_the_others_are_left_out) {
+TEST(Missed, nearer_neighbours_are_left_out) {
   Row row;
   test::set_point(row.previous, 2, 10.0f, 1);
   test::set_point(row.previous, 5, -10.0f, 0);
@@ -70,7 +70,7 @@ TEST(Missed, neighbours_in_front_of_the_others_are_left_out) {
   EXPECT_EQ(row.shown(3), 5.0f);
 }
 
-TEST(Missed, background_behind_everything_is_what_comes_into_view) {
+TEST(Missed, background_fills_disocclusions) {
   Row row;
   test::set_point(row.previous, 2, -1000.0f);
   test::set_point(row.following, 6, -kInfinity, kNoObject);
@@ -79,7 +79,7 @@ TEST(Missed, background_behind_everything_is_what_comes_into_view) {
   EXPECT_EQ(row.causes.newly_visible, 1u);
 }
 
-TEST(Missed, neighbour_known_from_both_frames_counts_as_it_is_shown) {
+TEST(Missed, neighbours_count_with_their_shown_colour) {
   Row row;
   test::set_point(row.previous, 2, 0.0f);
   test::set_point(row.following, 2, 0.0f);
@@ -88,7 +88,7 @@ TEST(Missed, neighbour_known_from_both_frames_counts_as_it_is_shown) {
   EXPECT_EQ(row.shown(3), 7.0f);  // the mean of 2 and 12
 }
 
-TEST(Missed, without_neighbours_both_frames_colours_of_the_pixel_are_averaged_and_the_cause_is_not_covered) {
+TEST(Missed, without_neighbours_both_frames_are_averaged) {
   Row row;
   row.following.film.data[3 * 3] = 13.0f;
   row.fill(3, kStill, kStill);
@@ -97,19 +97,19 @@ TEST(Missed, without_neighbours_both_frames_colours_of_the_pixel_are_averaged_an
   EXPECT_EQ(row.causes.newly_visible, 0u);
 }
 
-TEST(Missed, surface_that_one_frames_picture_held_was_hidden_there) {
+TEST(Missed, surface_inside_a_frame_was_hidden) {
   Row row;
-  test::set_point(row.previous, 2, 0.0f);  // moves by 2, so that what is at 7 was at 5
+  test::set_point(row.previous, 2, 0.0f);  // moves by 2, so the point at 7 was at 5
   row.fill(7, {test::shift(2, 0, 0)}, {test::shift(4, 0, 0)});
   EXPECT_EQ(row.causes.newly_visible, 1u);
 }
 
-TEST(Missed, surface_that_comes_in_over_the_edge_of_both_was_not_covered) {
+TEST(Missed, surface_outside_both_frames_was_not_covered) {
   Row row;
-  test::set_point(row.previous, 2, 0.0f);  // what is at 1 was at -1 before and comes to -3 in the following frame
+  test::set_point(row.previous, 2, 0.0f);  // the point at 1 was at -1 before and will be at -3 in the following frame
   row.fill(1, {test::shift(2, 0, 0)}, {test::shift(4, 0, 0)});
   EXPECT_EQ(row.causes.not_covered, 1u);
-  Row left_again;  // held by the following frame
+  Row left_again;  // visible in the following frame
   test::set_point(left_again.previous, 2, 0.0f);
   left_again.fill(1, {test::shift(2, 0, 0)}, {test::shift(-4, 0, 0)});
   EXPECT_EQ(left_again.causes.newly_visible, 1u);

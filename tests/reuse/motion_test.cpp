@@ -30,24 +30,24 @@ TEST(Motion, objects_that_never_move_share_one_group) {
   EXPECT_EQ(groups.node_of_group, (std::vector<int>{-1, mover}));
 }
 
-TEST(Motion, lights_are_counted_after_the_instances) {
+TEST(Motion, lights_are_numbered_after_instances) {
   SmallScene s;
   s.add(test::square(1, 0), s.material(test::glowing(Vec3f(1.0f))));
   s.point_light({0, 0, 5}).node = s.moving_node({0, 0, 5}, {1, 0, 5});
   EXPECT_EQ(make_motion_groups(s.scene).group_of_object, (std::vector<std::uint32_t>{0, 1}));
 }
 
-TEST(Motion, object_moves_as_its_node_in_units_of_the_display) {
+TEST(Motion, objects_move_in_display_units) {
   SmallScene s;
   s.add(test::square(1, 0), s.material(test::glowing(Vec3f(1.0f))), s.moving_node({0, 0, 0}, {4, 0, 0}));
-  // Half a world unit a millimetre, turned by a quarter about z: the world's x is the display's -y.
+  // Half a world unit per millimetre, rotated by a quarter about z: the world's x is the display's -y.
   const Affine3f display{0.5f * Mat3f(Vec3f(0, 1, 0), Vec3f(-1, 0, 0), Vec3f(0, 0, 1)), Vec3f(7, 8, 9)};
   const MotionGroups groups = make_motion_groups(s.scene);
   const Motion motion = motion_between(groups, moment_at(s.scene, 0.25, display), moment_at(s.scene, 0.75, display));
   expect_near(moved_point(motion, 0, {10, 20, 30}), {10, 20 - 4, 30}, 1e-5f);  // 2 world units
 }
 
-TEST(Motion, moving_display_moves_what_stands_still_the_other_way) {
+TEST(Motion, moving_display_moves_static_objects_back) {
   SmallScene s;
   s.add(test::square(1, 0), s.material(test::glowing(Vec3f(1.0f))));
   const MotionGroups groups = make_motion_groups(s.scene);
@@ -57,7 +57,7 @@ TEST(Motion, moving_display_moves_what_stands_still_the_other_way) {
   EXPECT_EQ(moved_point(motion, 0, {10, 10, 10}), Vec3f(9, 8, 7));
 }
 
-TEST(Motion, what_ends_where_it_began_is_still) {
+TEST(Motion, objects_back_at_their_start_are_static) {
   SmallScene s;
   s.add(test::square(1, 0), s.material(test::glowing(Vec3f(1.0f))), s.moving_node({0, 0, 0}, {4, 0, 0}));
   const Affine3f display{Mat3f(0.3f), Vec3f(1e4f, 2, 3)};
@@ -69,7 +69,7 @@ TEST(Motion, what_ends_where_it_began_is_still) {
   EXPECT_EQ(moved_point(motion, 0, {0.1f, 0.2f, 0.3f}), Vec3f(0.1f, 0.2f, 0.3f));
 }
 
-TEST(Motion, far_away_worlds_do_not_make_points_tremble) {
+TEST(Motion, distant_worlds_keep_precision) {
   SmallScene s;
   s.add(test::square(1, 0), s.material(test::glowing(Vec3f(1.0f))));
   // 100 km from the world's origin the display moves by one of its millimetres, which is 1/4 of a world unit.

@@ -9,7 +9,7 @@
 
 namespace lippmann::test {
 
-/// Everything missed, every pixel of the colour (its index, 0, 0).
+/// Returns a point image in which all pixels are missed, with the colour (index, 0, 0).
 inline PointImage empty_points(const Panel& panel) {
   const auto pixels = static_cast<std::size_t>(panel.width) * static_cast<std::size_t>(panel.height);
   PointImage image;
@@ -35,7 +35,7 @@ inline GroupMotion group_motion(const Affine3f& a) {
   return motion;
 }
 
-/// Object i moves by the i-th transform (display mm). Stays where it was made.
+/// Object i moves by the i-th transform (display mm). Cannot be copied or moved.
 struct KnownMotion {
   std::vector<std::uint32_t> group_of_object;
   Motion motion;
@@ -53,7 +53,7 @@ struct KnownMotion {
 
 inline Affine3f shift(float x, float y, float z) { return {Mat3f(1.0f), Vec3f(x, y, z)}; }
 
-/// Where the middle of a pixel of the film lies.
+/// Returns the centre of a pixel of the film.
 inline Vec2f centre_of(const Optics& optics, std::uint32_t pixel) {
   const auto width = static_cast<std::uint32_t>(film_size(optics).x);
   return {static_cast<float>(pixel % width) + 0.5f, static_cast<float>(pixel / width) + 0.5f};

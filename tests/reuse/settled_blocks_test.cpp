@@ -10,19 +10,19 @@ namespace lippmann {
 namespace {
 
 using test::SmallScene;
-constexpr int kLast = 1000;  // frame of the animation
+constexpr int kLast = 1000;  // last frame of the animation
 
 SettledBlocks planner(std::optional<int> every = {}) {
   static const Scene nothing;
   return {nothing, -1, every};
 }
 
-/// Blocks of one ray each: horizons are 2, 4, 8, 16, 32, 64 frames.
+/// Makes blocks of one ray each; horizons are 2, 4, 8, 16, 32, 64 frames.
 TouchedBlocks blocks_with(const std::vector<std::uint8_t>& lowest_horizon) {
   return {{}, lowest_horizon, std::vector<std::uint32_t>(lowest_horizon.size(), 1)};
 }
 
-TEST(SettledBlocks, what_is_met_within_a_horizon_is_traced_in_its_frames_and_later_ones) {
+TEST(SettledBlocks, touched_blocks_are_traced_from_their_horizon) {
   const TouchedBlocks blocks = blocks_with({0, 1, 2, TouchedBlocks::kNever});
   const SettledBlocks settled = planner();
   EXPECT_EQ(settled.unsettled(blocks, 1), (std::vector<std::uint8_t>{1, 0, 0, 0}));
@@ -32,13 +32,13 @@ TEST(SettledBlocks, what_is_met_within_a_horizon_is_traced_in_its_frames_and_lat
   EXPECT_EQ(settled.unsettled(blocks, 63), (std::vector<std::uint8_t>{1, 1, 1, 0}));
 }
 
-TEST(SettledBlocks, span_is_long_where_nothing_moves_and_one_where_everything_does) {
+TEST(SettledBlocks, span_follows_the_motion) {
   EXPECT_EQ(planner().choose_span(blocks_with({255, 255}), 0, kLast), 64);
   EXPECT_EQ(planner().choose_span(blocks_with({255, 255}), 0, 9), 10);
   EXPECT_EQ(planner().choose_span(blocks_with({0, 0}), 0, kLast), 1);
 }
 
-TEST(SettledBlocks, span_ends_where_most_blocks_are_no_longer_settled) {
+TEST(SettledBlocks, span_ends_when_most_blocks_move) {
   EXPECT_EQ(planner().choose_span(blocks_with({3, 3, 3, 3, 3, 3, 3, 255}), 0, kLast), 8);
 }
 
@@ -50,14 +50,14 @@ TEST(SettledBlocks, blocks_count_by_their_rays) {
   EXPECT_EQ(planner().choose_span(blocks, 0, kLast), 64);
 }
 
-TEST(SettledBlocks, said_interval_is_kept) {
+TEST(SettledBlocks, given_interval_is_kept) {
   EXPECT_EQ(planner(5).choose_span(blocks_with({0, 0}), 0, kLast), 5);
   EXPECT_EQ(planner(100).choose_span(blocks_with({0, 0}), 0, kLast), 100);
   EXPECT_EQ(planner(5).choose_span(blocks_with({0, 0}), 0, 2), 3);
 }
 
-/// Two squares that bend: one, with a skin, follows a joint that goes to `to` with two of its corners, one morphs one corner
-/// there.
+/// Adds two deforming squares: one, with a skin, follows with two corners a joint that moves to `to`; the other morphs one
+/// corner to that point.
 void add_deforming(SmallScene& s, Vec3f to, int material) {
   Mesh skinned = test::square(0.5f, 0), morphing = test::square(0.4f, 1);
   skinned.skin = {1, {0, 0, 1, 1}, {1, 1, 1, 1}};
@@ -71,7 +71,7 @@ void add_deforming(SmallScene& s, Vec3f to, int material) {
   s.add(morphing, material, node);
 }
 
-/// A few shapes of every kind at random places, a third of them moving at random; mirrors and glass among them; two lights.
+/// A few shapes of every kind at random places, a third of them with random motions, including mirrors and glass; two lights.
 SmallScene random_scene(std::uint32_t seed) {
   std::mt19937 random(seed);
   const auto number = [&](float from, float to) { return std::uniform_real_distribution<float>(from, to)(random); };
@@ -141,17 +141,13 @@ void expect_settled_blocks_as_traced(const Optics& optics) {
       ASSERT_EQ(made.data, traced.data) << "scene " << seed << ", frame " << frame;
     }
   }
-  // How many depends on the scenes, and these on the order in which a compiler evaluates arguments.
+  // The number depends on the scenes, and these on the order in which a compiler evaluates arguments.
   EXPECT_GT(settled_blocks, 0u);
 }
 
-TEST(SettledBlocks, settled_blocks_of_random_scenes_are_bit_for_bit_as_traced_and_some_are_settled) {
-  expect_settled_blocks_as_traced(lenticular_sheet());
-}
+TEST(SettledBlocks, settled_blocks_equal_traced_blocks) { expect_settled_blocks_as_traced(lenticular_sheet()); }
 
-TEST(SettledBlocks, settled_blocks_of_a_slanted_panel_are_bit_for_bit_as_traced_and_some_are_settled) {
-  expect_settled_blocks_as_traced(slanted_panel());
-}
+TEST(SettledBlocks, settled_blocks_of_slanted_panels_equal_traced) { expect_settled_blocks_as_traced(slanted_panel()); }
 
 }  // namespace
 }  // namespace lippmann

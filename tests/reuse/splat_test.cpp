@@ -1,5 +1,5 @@
-// Which of several points a pixel shows, by hand-made cases. The view: from (0, 0, 10) at the square +-4 of z = 0, in 8 x 8
-// pixels, so that a millimetre in z = 0 is a pixel; at z = 5 a pixel is half a millimetre, at z = -10 two.
+// Visibility among several points, by hand. The view: from (0, 0, 10) at the square +-4 of z = 0, in 8 x 8 pixels, so that a
+// millimetre in z = 0 is a pixel; at z = 5 a pixel is half a millimetre, at z = -10 two.
 #include "reuse/splat.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ SplatBuffer splatted(const PointImage& image, const Motion& motion, bool z_buffe
   return buffer;
 }
 
-/// The pixels onto which something has landed.
+/// Returns the pixels onto which a point has landed.
 std::vector<std::size_t> covered(const SplatBuffer& buffer) {
   std::vector<std::size_t> pixels;
   for (std::size_t p = 0; p < buffer.keys.size(); ++p)
@@ -38,7 +38,7 @@ std::vector<std::size_t> covered(const SplatBuffer& buffer) {
   return pixels;
 }
 
-TEST(Splat, point_moves_by_the_pixels_that_its_depth_makes_of_millimetres) {
+TEST(Splat, motion_in_pixels_depends_on_depth) {
   for (const auto& [z, pixels] : {std::pair{0.0f, 1}, {5.0f, 2}}) {
     PointImage image = test::empty_points(view().panel);
     set_point(image, at(3, 4), z);
@@ -57,11 +57,11 @@ TEST(Splat, motion_upwards_goes_to_a_lower_row) {
   EXPECT_EQ(covered(splatted(image, motion.motion)), (std::vector<std::size_t>{at(3, 2)}));
 }
 
-TEST(Splat, of_two_points_the_one_nearer_to_the_viewer_wins_whichever_comes_first) {
+TEST(Splat, nearest_point_wins_in_any_order) {
   for (const bool near_comes_first : {true, false}) {
     PointImage image = test::empty_points(view().panel);
     const std::size_t near = near_comes_first ? at(2, 4) : at(6, 4), far = near_comes_first ? at(6, 4) : at(2, 4);
-    // Both to the middle: 2 pixels are 1 mm at z = 5 and 4 mm at z = -10.
+    // Both move to the middle: 2 pixels are 1 mm at z = 5 and 4 mm at z = -10.
     const float sign = near_comes_first ? 1.0f : -1.0f;
     set_point(image, near, 5.0f, 0);
     set_point(image, far, -10.0f, 1);
@@ -73,19 +73,19 @@ TEST(Splat, of_two_points_the_one_nearer_to_the_viewer_wins_whichever_comes_firs
   }
 }
 
-TEST(Splat, depths_in_front_of_and_behind_the_plane_are_ordered) {
+TEST(Splat, depths_are_ordered_across_the_plane) {
   const float depths[] = {-20.0f, -1.0f, -0.25f, 0.0f, 0.25f, 1.0f, 8.0f};
   for (std::size_t i = 1; i < std::size(depths); ++i) {
     PointImage image = test::empty_points(view().panel);
     set_point(image, at(4, 4), depths[i - 1], 0);
     set_point(image, at(4, 5), depths[i], 1);
-    // A pixel up at that depth.
+    // One pixel up at that depth.
     const KnownMotion motion({shift(0, 0, 0), shift(0, 1.0f - depths[i] / 10.0f, 0)});
     EXPECT_EQ(SplatBuffer::source(splatted(image, motion.motion).keys[at(4, 4)]), at(4, 5)) << depths[i];
   }
 }
 
-TEST(Splat, of_equally_near_points_the_lower_source_pixel_wins) {
+TEST(Splat, ties_go_to_the_lower_source_pixel) {
   PointImage image = test::empty_points(view().panel);
   set_point(image, at(2, 4), 0.0f, 0);
   set_point(image, at(6, 4), 0.0f, 1);
@@ -93,7 +93,7 @@ TEST(Splat, of_equally_near_points_the_lower_source_pixel_wins) {
   EXPECT_EQ(SplatBuffer::source(splatted(image, motion.motion).keys[at(4, 4)]), at(2, 4));
 }
 
-TEST(Splat, without_a_z_buffer_the_last_point_in_pixel_order_wins) {
+TEST(Splat, without_z_buffer_the_last_point_wins) {
   PointImage image = test::empty_points(view().panel);
   set_point(image, at(2, 4), 5.0f, 0);
   set_point(image, at(6, 4), -10.0f, 1);
@@ -115,7 +115,7 @@ TEST(Splat, background_stays_behind_every_point) {
   EXPECT_EQ(SplatBuffer::source(buffer.keys[at(5, 4)]), at(5, 4));
 }
 
-TEST(Splat, points_that_leave_the_picture_are_dropped) {
+TEST(Splat, points_outside_the_picture_are_dropped) {
   const Affine3f away[] = {shift(-4, 0, 0), shift(5, 0, 0), shift(0, 4, 0), shift(0, -5, 0), shift(0, 0, 11)};
   for (const Affine3f& motion_of_all : away) {
     PointImage image = test::empty_points(view().panel);
@@ -125,7 +125,7 @@ TEST(Splat, points_that_leave_the_picture_are_dropped) {
   }
 }
 
-TEST(Splat, points_beyond_where_rays_end_are_dropped) {
+TEST(Splat, points_beyond_the_rays_are_dropped) {
   Optics optics = view();
   optics.z_front_mm = 4.0f, optics.z_back_mm = 6.0f;
   PointImage image = test::empty_points(optics.panel);
@@ -136,7 +136,7 @@ TEST(Splat, points_beyond_where_rays_end_are_dropped) {
   }
 }
 
-TEST(Splat, missed_pixels_pass_nothing_on) {
+TEST(Splat, missed_pixels_have_no_points) {
   const PointImage image = test::empty_points(view().panel);
   const KnownMotion motion({shift(0, 0, 0), shift(1, 0, 0)});
   EXPECT_TRUE(covered(splatted(image, motion.motion)).empty());

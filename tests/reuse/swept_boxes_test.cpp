@@ -9,7 +9,7 @@ namespace {
 
 using test::SmallScene;
 
-// One frame a second, so that frame f is time f; nodes of moving_node() move from frame 0 to frame 1, then rest.
+// One frame per second, so that frame f is time f; nodes of moving_node() move from frame 0 to frame 1, then rest.
 constexpr int kHorizons[] = {2, 4};
 
 SmallScene one_frame_a_second() {
@@ -28,24 +28,24 @@ bool inside(const std::vector<HorizonBox>& boxes, Vec3f p, int horizon) {
   return false;
 }
 
-TEST(SweptBoxes, nothing_is_around_what_rests) {
+TEST(SweptBoxes, static_objects_have_no_boxes) {
   SmallScene s = one_frame_a_second();
   s.add(test::square(1, 0), 0);
   s.add(test::square(1, 0), 0, s.moving_node({0, 0, 0}, {5, 0, 0}));
   EXPECT_TRUE(SweptBoxes(s.scene, -1).around(1, kHorizons, 9).empty());
 }
 
-TEST(SweptBoxes, what_moves_is_held_where_it_begins_and_where_it_ends) {
+TEST(SweptBoxes, boxes_contain_start_and_end) {
   SmallScene s = one_frame_a_second();
   s.add(Spheres{{{0, 0, 0}, 1.0f}}, 0, s.moving_node({0, 0, 0}, {5, 0, 0}));
   const std::vector<HorizonBox> boxes = SweptBoxes(s.scene, -1).around(0, kHorizons, 9);
-  ASSERT_EQ(boxes.size(), 1u) << "the later horizon adds nothing";
+  ASSERT_EQ(boxes.size(), 1u) << "the later horizon adds no boxes";
   EXPECT_EQ(boxes[0].horizon, 0);
   EXPECT_EQ(boxes[0].bounds.lower, Vec3f(-1, -1, -1));
   EXPECT_EQ(boxes[0].bounds.upper, Vec3f(6, 1, 1));
 }
 
-TEST(SweptBoxes, what_moves_later_belongs_to_a_later_horizon) {
+TEST(SweptBoxes, later_motion_belongs_to_later_horizons) {
   SmallScene s = one_frame_a_second();
   const int node = s.moving_node({0, 0, 0}, {5, 0, 0});
   s.scene.timeline.animations[0].translation.times = {2.0, 3.0};
@@ -56,9 +56,9 @@ TEST(SweptBoxes, what_moves_later_belongs_to_a_later_horizon) {
   EXPECT_TRUE(inside(boxes, {5, 0, 0}, 1));
 }
 
-TEST(SweptBoxes, only_the_parts_of_a_mesh_that_change_are_held) {
+TEST(SweptBoxes, boxes_contain_only_changing_parts) {
   SmallScene s = one_frame_a_second();
-  Mesh two = test::square(0.5f, 0);  // and the same far to the right, of which one corner is lifted
+  Mesh two = test::square(0.5f, 0);  // and the same far to the right, with one corner lifted
   const Mesh other = test::square(0.5f, 0);
   for (const Vec3f& p : other.positions) two.positions.push_back(p + Vec3f(100, 0, 0));
   two.uvs.clear();
@@ -76,7 +76,7 @@ TEST(SweptBoxes, only_the_parts_of_a_mesh_that_change_are_held) {
   EXPECT_EQ(boxes[0].bounds.upper, Vec3f(100.5f, 0.5f, 3));
 }
 
-TEST(SweptBoxes, normals_that_change_count_as_change) {
+TEST(SweptBoxes, changing_normals_count) {
   SmallScene s = one_frame_a_second();
   Mesh mesh = test::square(0.5f, 0);
   mesh.normals.assign(4, Vec3f(0, 0, 1));
@@ -97,7 +97,7 @@ TEST(SweptBoxes, frames_after_the_last_do_not_count) {
   EXPECT_TRUE(SweptBoxes(s.scene, -1).around(0, kHorizons, 2).empty());
 }
 
-TEST(SweptBoxes, every_vertex_of_a_turning_mesh_is_held_in_every_frame_but_not_the_hole_in_its_middle) {
+TEST(SweptBoxes, boxes_contain_turning_rings_but_not_holes) {
   SmallScene s = one_frame_a_second();
   Mesh ring;  // 600 thin triangles around z, 10 from the middle
   for (int i = 0; i < 600; ++i) {
@@ -121,7 +121,7 @@ TEST(SweptBoxes, every_vertex_of_a_turning_mesh_is_held_in_every_frame_but_not_t
   EXPECT_FALSE(inside(boxes, {0, 0, 0}, 1));
 }
 
-TEST(SweptBoxes, moving_display_light_or_plane_is_around_everything_from_when_it_moves) {
+TEST(SweptBoxes, moving_displays_lights_and_planes_cover_everything) {
   enum class What { kDisplay, kLight, kPlane };
   for (const What what : {What::kDisplay, What::kLight, What::kPlane}) {
     SmallScene s = one_frame_a_second();

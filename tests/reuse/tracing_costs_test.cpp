@@ -7,7 +7,7 @@
 namespace lippmann {
 namespace {
 
-/// 16 spheres, which two instances show.
+/// Returns 16 spheres, shown by two instances.
 Scene spheres() {
   Scene scene;
   scene.shapes.push_back(Spheres(8, Sphere{}));
@@ -19,14 +19,14 @@ TEST(TracingCosts, rays_cost_by_the_fourth_root_of_all_primitives) {
   EXPECT_NEAR(seconds_per_ray(spheres()), 21e-9, 1e-15);  // 5 + 8 * 2
 }
 
-TEST(TracingCosts, prediction_costs_by_pixel_and_is_told_in_traced_frames) {
+TEST(TracingCosts, prediction_cost_is_relative_to_tracing) {
   RayCounts rays;
   rays.primary = 1000, rays.shadow = 500, rays.reflection = 500;
-  // 2000 rays of 21 ns are 42 us; 420 pixels of 50 ns are 21 us.
+  // 2000 rays of 21 ns take 42 us; 420 pixels of 50 ns take 21 us.
   EXPECT_NEAR(prediction_cost(spheres(), rays, 420), 0.5, 1e-12);
 }
 
-TEST(TracingCosts, part_of_a_frame_costs_more_than_its_share_of_rays) {
+TEST(TracingCosts, partial_frames_cost_more_per_ray) {
   EXPECT_EQ(partial_tracing_cost(0.0), 0.0);
   EXPECT_NEAR(partial_tracing_cost(0.25), 0.45, 1e-12);
   EXPECT_NEAR(partial_tracing_cost(1.0), 1.1, 1e-12);

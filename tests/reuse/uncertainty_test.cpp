@@ -6,7 +6,7 @@
 namespace lippmann {
 namespace {
 
-/// A single view of 16 x 8 pixels: neighbours of a view are neighbours of the panel.
+/// A single view of 16 x 8 pixels: neighbours of the view are neighbours of the panel.
 Optics small_view() {
   Optics optics;
   optics.panel = {16, 8, 1.0f};
@@ -18,7 +18,7 @@ constexpr std::size_t kWidth = 16, kPixels = 16 * 8;
 
 std::size_t pixel(std::size_t x, std::size_t y) { return y * kWidth + x; }
 
-/// Display-referred, so that codes are 255 times the values. Everything black and landed from both keys, until changed.
+/// Display-referred, so codes are 255 times the values. Initially everything is black and landed from both key frames.
 struct Case {
   Image previous{16, 8, 3}, following{16, 8, 3}, film{16, 8, 3};
   SplatBuffer landed_previous{std::vector<std::uint64_t>(kPixels, 1)}, landed_following = landed_previous;
@@ -34,16 +34,14 @@ struct Case {
   }
 };
 
-TEST(Uncertainty, keys_that_agree_on_a_flat_picture_leave_none) {
-  EXPECT_EQ(Case().uncertainty(), std::vector<std::uint8_t>(kPixels, 0));
-}
+TEST(Uncertainty, agreeing_flat_keys_have_none) { EXPECT_EQ(Case().uncertainty(), std::vector<std::uint8_t>(kPixels, 0)); }
 
-TEST(Uncertainty, disagreement_counts_whole_in_its_pixel_and_half_around_and_beside) {
+TEST(Uncertainty, disagreement_spreads_to_neighbours) {
   Case c;
   Case::paint(c.following, pixel(5, 3), 40.0f / 255.0f);
   const auto uncertainty = c.uncertainty();
   EXPECT_EQ(uncertainty[pixel(5, 3)], 40 + 20);  // its own, and the largest around it, which is its own
-  EXPECT_EQ(uncertainty[pixel(6, 3)], 20 + 20);  // a neighbour of the view, and the pixel beside
+  EXPECT_EQ(uncertainty[pixel(6, 3)], 20 + 20);  // as a neighbour in the view, and as the adjacent pixel
   EXPECT_EQ(uncertainty[pixel(5, 4)], 20);
   EXPECT_EQ(uncertainty[pixel(4, 2)], 20);
   EXPECT_EQ(uncertainty[pixel(7, 3)], 0);
@@ -55,13 +53,13 @@ TEST(Uncertainty, contrast_of_the_prediction_counts_an_eighth) {
   for (std::size_t y = 0; y < 8; ++y)
     for (std::size_t x = 8; x < 16; ++x) Case::paint(c.film, pixel(x, y), 80.0f / 255.0f);
   const auto uncertainty = c.uncertainty();
-  EXPECT_EQ(uncertainty[pixel(7, 3)], 80 / 8 + 80 / 8);  // as neighbours of the view, and as pixels beside
+  EXPECT_EQ(uncertainty[pixel(7, 3)], 80 / 8 + 80 / 8);  // as neighbours in the view, and as adjacent pixels
   EXPECT_EQ(uncertainty[pixel(8, 3)], 80 / 8 + 80 / 8);
   EXPECT_EQ(uncertainty[pixel(6, 3)], 0);
   EXPECT_EQ(uncertainty[pixel(9, 3)], 0);
 }
 
-TEST(Uncertainty, pixels_onto_which_less_than_two_points_landed_are_uncertain_by_how_many) {
+TEST(Uncertainty, pixels_with_few_points_are_uncertain) {
   Case c;
   c.landed_previous.keys[pixel(2, 2)] = 0;
   c.landed_following.keys[pixel(9, 2)] = 0;
@@ -75,14 +73,14 @@ TEST(Uncertainty, pixels_onto_which_less_than_two_points_landed_are_uncertain_by
 
 TEST(Uncertainty, linear_film_is_compared_by_square_roots) {
   Case c;
-  Case::paint(c.following, pixel(5, 3), 0.25f);  // a quarter of the light: half the codes
+  Case::paint(c.following, pixel(5, 3), 0.25f);  // a quarter of the light is half the codes
   UncertaintyEstimator estimator(small_view(), Encoding::kSrgb);
   std::vector<std::uint8_t> uncertainty;
   estimator.estimate({c.previous, c.landed_previous}, {c.following, c.landed_following}, c.film, ThreadPool(1), uncertainty);
   EXPECT_EQ(uncertainty[pixel(5, 4)], 128 / 2);
 }
 
-TEST(Uncertainty, below_lenses_neighbours_are_a_lens_apart_and_other_views_beside) {
+TEST(Uncertainty, lenses_separate_neighbours_and_views) {
   Optics optics;
   optics.panel = {16, 8, 0.25f};
   LenticularSheet sheet;
