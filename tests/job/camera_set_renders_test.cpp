@@ -1,4 +1,4 @@
-// Renders of data sets: cameras around a scene, and their files.
+// Tests renders of data sets: cameras around a scene, and their files.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ class CameraSetRenders : public Renders {
   }
 };
 
-/// The share of a view's points that another view does not see through: it shows something as near there, or nearer.
+/// Returns the share of a view's points that another view confirms: its surface there is as near, or nearer.
 double consistent_share(const LightField& field, const std::vector<PosedCamera>& cameras, int from, int to) {
   const Image depth = depth_of(field, from), other = depth_of(field, to);
   const PosedCamera &a = cameras[static_cast<std::size_t>(from)], &b = cameras[static_cast<std::size_t>(to)];
@@ -39,7 +39,7 @@ double consistent_share(const LightField& field, const std::vector<PosedCamera>&
       const Vec2d pixel = projected(b, point);
       const Vec2i at(glm::floor(pixel));
       if (at.x < 1 || at.y < 1 || at.x > other.width - 2 || at.y > other.height - 2) continue;
-      double nearest = INFINITY;  // of the pixels around it: the point may lie at an edge
+      double nearest = INFINITY;  // of the surrounding pixels, since the point may be at an edge
       for (int i = 0; i < 9; ++i)
         nearest = std::min(nearest, planar_depth_mm(field, *other.pixel(at.x - 1 + i % 3, at.y - 1 + i / 3)));
       ++points;
@@ -68,7 +68,7 @@ TEST_F(CameraSetRenders, nerf_lists_training_and_test_pictures) {
   EXPECT_TRUE(check("set").passed());
 }
 
-TEST_F(CameraSetRenders, units_make_the_same_files_as_one_run) {
+TEST_F(CameraSetRenders, units_give_the_files_of_one_run) {
   for (const char* to : {"nerf", "colmap", "llff"}) {
     const std::string whole = std::string(to) + "-whole", parts = std::string(to) + "-parts";
     render(set(whole, to));
@@ -83,7 +83,7 @@ TEST_F(CameraSetRenders, units_make_the_same_files_as_one_run) {
   }
 }
 
-TEST_F(CameraSetRenders, damaged_pictures_are_made_again) {
+TEST_F(CameraSetRenders, damaged_pictures_are_rendered_again) {
   const RenderParams params = set("set", "nerf");
   render(params);
   const std::string whole = bytes("set/images/004.png");

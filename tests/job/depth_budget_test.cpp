@@ -10,7 +10,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A scene that reaches that many units before the plane and behind it, 10 mm a unit; as high as 64 lenses of 1 mm.
+/// Returns a scene that extends half_depth units in front of and behind the plane, with 10 mm per unit, as high as 64 lenses of
+/// 1 mm.
 FittedArray array_of_depth(float half_depth) {
   FittedArray array;
   array.plane_height = 6.4f;
@@ -25,12 +26,12 @@ std::string budget_for(float half_depth) {
   return depth_budget_sentence(shown_depth(array_of_depth(half_depth), 0.1f, 1.0f, optics), optics);
 }
 
-TEST(DepthBudget, scene_within_it_is_said_to_be) {
+TEST(DepthBudget, scene_within_it_is_reported) {
   EXPECT_EQ(budget_for(1.5f),
             "The scene reaches from -15.0 mm to +15.0 mm, within the depth budget of 16.0 mm on either side.");
 }
 
-TEST(DepthBudget, scene_beyond_it_is_told_by_how_much) {
+TEST(DepthBudget, excess_of_a_deep_scene_is_reported) {
   EXPECT_EQ(budget_for(4.0f),
             "The scene reaches from -40.0 mm to +40.0 mm, 24.0 mm beyond the depth budget of 16.0 mm on either "
             "side: at 40.0 mm a pixel is as wide as 2.5 lenses.");
@@ -41,9 +42,9 @@ TEST(DepthBudget, single_view_has_none) {
   EXPECT_THAT(depth_budget_sentence(shown_depth(FittedArray{}, 1.0f, 1.0f, optics), optics), HasSubstr("no depth budget"));
 }
 
-TEST(DepthBudget, of_views_is_where_the_middle_ones_are_a_pixel_apart) {
-  // Two views 20 degrees apart at 500 mm: eyes at -+500 tan 10 deg. A point at z is seen through the plane z = 0 at
-  // x - z (e - x) / (500 - z): for x = 0 the two places are 2 z 88.163 / (500 - z) apart, which is 0.5 mm at z = 1.4138 mm.
+TEST(DepthBudget, views_are_a_pixel_apart_at_it) {
+  // Two views 20 degrees apart at 500 mm: eyes at -+500 tan 10 deg. A point at z appears in the plane z = 0 at x - z (e - x) /
+  // (500 - z). For x = 0 the two positions are 2 z 88.163 / (500 - z) apart: 0.5 mm at z = 1.4138 mm.
   const Optics optics{.panel = {200, 100, 0.5f}, .model = MultiView{2, 1, radians(40.0f), false, 500.0f}};
   EXPECT_NEAR(depth_budget_mm(optics), 1.4138f, 1e-4f);
   std::vector<Vec2f> pixels;
@@ -59,14 +60,14 @@ RenderParams fitted_depth() {
   return params;
 }
 
-TEST(FitDepth, deep_scene_is_shown_just_as_deep_as_can_be) {
+TEST(FitDepth, deep_scene_is_scaled_to_the_budget) {
   const PlacedOptics placed = test::optics_on(array_of_depth(4.0f), fitted_depth());
   const ShownDepth shown = shown_depth(array_of_depth(4.0f), placed.units_per_mm, placed.depth_scale, placed.optics);
   EXPECT_NEAR(shown.deepest_mm(), shown.budget_mm, 1e-3f * shown.budget_mm);
   EXPECT_LT(placed.depth_scale, 0.5f);
 }
 
-TEST(FitDepth, is_the_default_of_lenses_and_displays_and_not_of_views_that_are_data) {
+TEST(FitDepth, is_the_default_of_lenses_and_displays) {
   const auto scale = [](const RenderParams& params, const char* display = nullptr) {
     const std::optional<Display> loaded = display ? std::optional(load_display(display)) : std::nullopt;
     return test::optics_on(array_of_depth(40.0f), params, loaded ? &*loaded : nullptr).depth_scale;
@@ -87,7 +88,7 @@ TEST(FitDepth, is_the_default_of_lenses_and_displays_and_not_of_views_that_are_d
   EXPECT_EQ(scale(params, "portrait"), 1.0f);
 }
 
-TEST(FitDepth, is_told_with_the_factor_and_the_true_depth) {
+TEST(FitDepth, report_has_factor_and_true_depth) {
   const Optics optics{.panel = {}, .model = LenticularSheet{}};
   EXPECT_EQ(
       depth_budget_sentence(shown_depth(array_of_depth(4.0f), 0.1f, 0.4f, optics), optics, 0.4f),
@@ -95,11 +96,11 @@ TEST(FitDepth, is_told_with_the_factor_and_the_true_depth) {
       "40 %: -16.0 mm to +16.0 mm.");
 }
 
-TEST(FitDepth, scene_that_fits_stays_as_it_is) {
+TEST(FitDepth, scene_that_fits_is_unchanged) {
   EXPECT_EQ(test::optics_on(array_of_depth(0.5f), fitted_depth()).depth_scale, 1.0f);
 }
 
-TEST(FitDepth, optics_are_those_of_the_display_whatever_the_depth) {
+TEST(FitDepth, optics_do_not_depend_on_depth) {
   RenderParams plain = fitted_depth();
   plain.optics.fit_depth = false;
   ASSERT_EQ(test::optics_on(array_of_depth(4.0f), plain).depth_scale, 1.0f);
@@ -109,8 +110,8 @@ TEST(FitDepth, optics_are_those_of_the_display_whatever_the_depth) {
   EXPECT_EQ(gap(fitted_depth()), gap(plain));
 }
 
-TEST(FitDepth, middle_of_the_zone_shows_the_camera_s_own_picture_at_any_depth) {
-  // One lens of 512 pixels before the viewer's eye: its central pixel's ray stays, others turn towards it.
+TEST(FitDepth, middle_of_the_zone_is_unchanged) {
+  // One lens of 512 pixels in front of the viewer's eye: the ray of its central pixel stays, others turn towards it.
   Optics optics{.panel = {512, 1, 0.125f},
                 .model = LenticularSheet{.lens_pitch_mm = 64.0f, .gap_mm = 100.0f, .offset_mm = 0.0f}};
   for (const auto& [pixel, slope] : {std::pair(256.0f, 0.0f), std::pair(264.0f, -0.01f)}) {
@@ -120,7 +121,7 @@ TEST(FitDepth, middle_of_the_zone_shows_the_camera_s_own_picture_at_any_depth) {
   }
 }
 
-TEST(FitDepth, views_of_a_quilt_come_from_eyes_nearer_together) {
+TEST(FitDepth, quilt_eyes_move_together) {
   // Eyes of two views 20 degrees apart at 500 mm: at -+500 tan 10 degrees, times the parallax.
   const Optics quilt{.panel = {200, 100, 0.5f}, .model = MultiView{2, 1, radians(40.0f), false, 500.0f}};
   for (const float parallax : {1.0f, 0.25f}) {

@@ -1,4 +1,4 @@
-// Renders for displays: size, optics and layout come from the display, and crosstalk is undone.
+// Tests renders for displays: size, optics and layout come from the display, and crosstalk is corrected.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -48,24 +48,24 @@ lenses_per_inch = 20
   }
 };
 
-TEST_F(DisplayRenders, slanted_panel_is_shown_a_quilt_of_its_tiles_size_and_cone) {
+TEST_F(DisplayRenders, slanted_panel_gets_its_quilt) {
   const Json optics = report_of(teapot_on("panel.toml", {}))["optics"];
   EXPECT_TRUE(exists("out/frame_0003_qs4x2a0.75.png"));
   EXPECT_EQ(optics["kind"], "multiview");
   EXPECT_EQ(optics["width"], 129);
   EXPECT_NEAR(optics["view_cone_deg"].get<double>(), 40.0, 1e-4);
-  // A tile of 32 x 64 pixels on a display of 48 x 64: its pixels are 1.5 display pixels wide, 1 high.
+  // A tile of 32 x 64 pixels on a display of 48 x 64: its pixels are 1.5 display pixels wide and 1 high.
   EXPECT_NEAR(optics["pixel_height"].get<double>(), 2.0 / 3.0, 1e-6);
 }
 
-TEST_F(DisplayRenders, native_frame_has_the_panel_s_pixels_and_so_has_its_video) {
+TEST_F(DisplayRenders, native_frame_has_the_panels_pixels) {
   const Json optics = report_of(teapot_on("panel.toml", {{"layout", "native"}, {"video", dir_ / "a.mkv"}}))["optics"];
   EXPECT_EQ(optics["kind"], "slanted");
   EXPECT_EQ(optics["width"], 3 * 48);
   EXPECT_TRUE(are_identical("out", "a.mkv"));
 }
 
-/// XResolution of a TIFF file: tag 282 = 0x011a, type 5, one value, which points to a rational number.
+/// Returns the XResolution of a TIFF file: tag 282 = 0x011a, type 5, one value, the offset of a rational number.
 std::pair<std::uint32_t, std::uint32_t> resolution_of(const std::string& tiff) {
   const std::size_t at = tiff.find(std::string("\x1a\x01\x05\x00\x01\x00\x00\x00", 8));
   const auto word = [&](std::size_t i) {
@@ -78,7 +78,7 @@ std::pair<std::uint32_t, std::uint32_t> resolution_of(const std::string& tiff) {
   return {word(rational), word(rational + 4)};
 }
 
-TEST_F(DisplayRenders, print_is_a_tiff_at_the_sheet_s_resolution_and_may_be_mirrored) {
+TEST_F(DisplayRenders, print_is_a_tiff_with_resolution) {
   render(teapot_on("sheet.toml", {{"layout", "print"}}));
   const auto [dots, inches] = resolution_of(bytes("out/frame_0003.tif"));
   EXPECT_EQ(dots, 120u * inches);
@@ -93,7 +93,7 @@ TEST_F(DisplayRenders, test_pattern_is_one_quilt_without_layers) {
   EXPECT_THAT(refusal(job("test-pattern", "none", {{"aov", "depth"}})), HasSubstr("no extra layers"));
 }
 
-TEST_F(DisplayRenders, what_the_display_does_not_play_is_warned_of) {
+TEST_F(DisplayRenders, pictures_that_cannot_be_played_give_warnings) {
   std::ofstream(dir_ / "panel.toml", std::ios::app) << "[video]\ncodec = \"h264\"\nlongest_side = 100\nquilts = false\n";
   render(teapot_on("panel.toml", {{"video", dir_ / "a.mkv"}}));
   EXPECT_THAT(warnings_, HasSubstr("pictures of quilts only"));
@@ -109,7 +109,7 @@ TEST_F(DisplayRenders, job_and_resume_know_the_display) {
   EXPECT_THAT(refusal(params), HasSubstr("holds another render")) << "of a display that was changed";
 }
 
-TEST_F(DisplayRenders, what_the_display_does_not_have_is_refused) {
+TEST_F(DisplayRenders, unsupported_parameters_are_refused) {
   const auto refused = [&](const std::string& display, const Settings& settings, const std::string& message) {
     EXPECT_THAT(refusal(teapot_on(display, settings)), HasSubstr(message));
   };
@@ -124,8 +124,8 @@ TEST_F(DisplayRenders, what_the_display_does_not_have_is_refused) {
 
 // ---- Crosstalk ----------------------------------------------------------------------------------------------------------
 
-// Nine pixels below a lens: an eye in the middle sees the middle of the fifth.
-TEST_F(DisplayRenders, precompensated_picture_looks_through_crosstalk_like_the_plain_one_without) {
+// Nine pixels below a lens: an eye in the middle sees the centre of the fifth.
+TEST_F(DisplayRenders, precompensated_picture_looks_plain_through_crosstalk) {
   const Settings sheet{{"lenses", "24"}, {"lens-pixels", "9"}, {"format", "exr"}};
   render(teapot("plain", "3", sheet));
   const Json report = report_of(teapot("shown", "3", sheet + Settings{{"precompensate", "true"}, {"crosstalk", "8%"}}));
@@ -141,10 +141,10 @@ TEST_F(DisplayRenders, precompensated_picture_looks_through_crosstalk_like_the_p
                  undone = seen("shown", "c", sigma_px);
   const auto rmse = [&](const fs::path& picture) { return compare(wanted, picture, context_).mean_rmse.mean; };
   EXPECT_GE(rmse(leaking), 0.5);
-  EXPECT_LE(rmse(undone), 0.5 * rmse(leaking));  // what had to be clipped is left
+  EXPECT_LE(rmse(undone), 0.5 * rmse(leaking));  // clipping leaves a rest
 }
 
-TEST_F(DisplayRenders, crosstalk_of_the_display_is_in_its_own_pixels_and_a_quilt_s_in_views) {
+TEST_F(DisplayRenders, crosstalk_has_pixels_or_views_as_unit) {
   std::string leaky = bytes("panel.toml");
   leaky.replace(leaky.find("[calibration]"), 0, "crosstalk = 0.2\n");
   leaky.replace(leaky.find("129, 128"), 3, "128");
@@ -157,17 +157,17 @@ TEST_F(DisplayRenders, crosstalk_of_the_display_is_in_its_own_pixels_and_a_quilt
   EXPECT_EQ(native["precompensation"]["crosstalk_px"], 0.2);
 }
 
-TEST_F(DisplayRenders, finished_pictures_are_precompensated_to_the_same_codes) {
+TEST_F(DisplayRenders, finished_pictures_are_precompensated_equally) {
   const Settings sheet{{"lenses", "24"}, {"format", "png16"}};
   render(teapot("plain", "3", sheet));
   render(teapot("shown", "3", sheet + Settings{{"precompensate", "true"}, {"crosstalk", "0.35"}}));
   precompensate_frames({dir_ / "plain", dir_ / "made", 0.35}, context_);
-  // The one from codes of 16 bits, the other from floats.
+  // One is computed from 16-bit codes, the other from floats.
   EXPECT_LE(compare(dir_ / "shown/frame_0003.png", dir_ / "made/frame_0003.png", context_).mean_rmse.mean, 0.05);
   EXPECT_EQ(replay({.in = dir_ / "made"}, context_).written.size(), 1u);
 }
 
-TEST_F(DisplayRenders, crosstalk_that_is_unknown_or_too_strong_is_refused) {
+TEST_F(DisplayRenders, unknown_or_strong_crosstalk_is_refused) {
   const auto refused = [&](const Settings& settings, const std::string& message) {
     EXPECT_THAT(refusal(teapot("out", "0", settings)), HasSubstr(message));
   };

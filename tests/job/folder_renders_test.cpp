@@ -1,4 +1,4 @@
-// One folder holds one render: what another one is told, what becomes of its files, and how it goes on where it stopped.
+// Tests that one folder holds one render: how other renders are refused, which files remain, and resuming.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 class FolderRenders : public Renders {};
 
-TEST_F(FolderRenders, with_other_settings_are_refused_and_change_nothing) {
+TEST_F(FolderRenders, other_settings_are_refused) {
   render(teapot("a", "0-1", {{"aov", "depth"}}));
   const Files before = all_files(dir_ / "a");
   for (const bool resume : {false, true}) {
@@ -30,13 +30,13 @@ TEST_F(FolderRenders, with_other_settings_are_refused_and_change_nothing) {
   EXPECT_EQ(all_files(dir_ / "a"), before);
 }
 
-TEST_F(FolderRenders, with_other_key_frames_are_refused) {
+TEST_F(FolderRenders, other_key_frames_are_refused) {
   render(teapot("a", "0-3", {{"keyframes", "3"}, {"reuse", "interpolate"}}));
   EXPECT_THAT(refusal(teapot("a", "0-3", {{"keyframes", "2"}, {"reuse", "interpolate"}})),
               HasSubstr("it differs in keyframes"));
 }
 
-TEST_F(FolderRenders, of_the_same_job_warn_of_nothing_and_give_the_same) {
+TEST_F(FolderRenders, same_job_gives_the_same_files) {
   const Files first = rendered(teapot("a", "0-1"));
   EXPECT_EQ(first.size(), 2u);
   EXPECT_EQ(rendered(teapot("a", "0-1")), first);
@@ -44,7 +44,7 @@ TEST_F(FolderRenders, of_the_same_job_warn_of_nothing_and_give_the_same) {
   EXPECT_TRUE(check("a").passed());
 }
 
-TEST_F(FolderRenders, that_are_forced_leave_no_layer_of_what_they_replace) {
+TEST_F(FolderRenders, forced_render_removes_old_layers) {
   render(teapot("a", "0-1", {{"aov", "depth"}}));
   ASSERT_TRUE(exists("a/aov_0000.exr"));
   render(teapot("a", "0", {{"view-angle", "40"}}), {.force = true});
@@ -53,7 +53,7 @@ TEST_F(FolderRenders, that_are_forced_leave_no_layer_of_what_they_replace) {
   EXPECT_TRUE(check("a").passed());
 }
 
-TEST_F(FolderRenders, accumulate_frames_of_one_job_and_its_job_file_asks_for_all_of_them) {
+TEST_F(FolderRenders, frames_of_one_job_accumulate) {
   render(teapot("a", "0-3"));
   render(teapot("a", "4-5"));
   const std::string job = bytes("a/job.toml");
@@ -66,14 +66,14 @@ TEST_F(FolderRenders, accumulate_frames_of_one_job_and_its_job_file_asks_for_all
   EXPECT_EQ(kept(resume(job_of("a"))), 6u);
 }
 
-TEST_F(FolderRenders, of_a_list_of_frames_make_and_keep_these) {
+TEST_F(FolderRenders, listed_frames_are_rendered_and_kept) {
   const Files all = rendered(teapot("all", "0-4")), some = rendered(teapot("some", "4,0-2:2"));
   ASSERT_EQ(some.size(), 3u);
   for (const auto& [name, picture] : some) EXPECT_TRUE(all.at(name) == picture) << name;
   EXPECT_EQ(kept(resume(teapot("some", "0-4:2"))), 3u);
 }
 
-TEST_F(FolderRenders, never_rewrite_a_job_file_that_somebody_wrote) {
+TEST_F(FolderRenders, foreign_job_file_is_never_overwritten) {
   fs::create_directory(dir_ / "a");
   const std::string job = "# mine\nscene = \"teapot\"\nlenses = 8\noutput = \".\"\nframes = \"0-1\"\n";
   std::ofstream(dir_ / "a/job.toml") << job;
@@ -90,7 +90,7 @@ TEST_F(FolderRenders, never_rewrite_a_job_file_that_somebody_wrote) {
   EXPECT_TRUE(check("a").passed());
 }
 
-TEST_F(FolderRenders, keep_a_job_file_that_was_changed_by_hand) {
+TEST_F(FolderRenders, edited_job_file_is_kept) {
   render(teapot("a", "0"));
   std::ofstream(dir_ / "a/job.toml", std::ios::app) << "spp = 1\n# mine\n";
   const std::string job = bytes("a/job.toml");
@@ -98,7 +98,7 @@ TEST_F(FolderRenders, keep_a_job_file_that_was_changed_by_hand) {
   EXPECT_EQ(bytes("a/job.toml"), job);
 }
 
-TEST_F(FolderRenders, resumed_write_a_damaged_job_file_again) {
+TEST_F(FolderRenders, resuming_repairs_a_damaged_job_file) {
   render(teapot("a", "0"));
   const std::string job = bytes("a/job.toml");
   std::string other = job;
@@ -111,14 +111,14 @@ TEST_F(FolderRenders, resumed_write_a_damaged_job_file_again) {
   }
 }
 
-TEST_F(FolderRenders, job_file_that_is_damaged_is_said_to_be) {
+TEST_F(FolderRenders, damaged_job_file_is_reported) {
   render(teapot("a", "0"));
   std::ofstream(dir_ / "a/job.toml", std::ios::app) << "\x01";
   EXPECT_THAT(test::error_message([&] { job_of("a"); }),
               testing::AllOf(HasSubstr("is damaged or was edited"), HasSubstr("--resume` writes it again")));
 }
 
-TEST_F(FolderRenders, of_a_part_do_not_overwrite_the_finished_video_of_all) {
+TEST_F(FolderRenders, part_does_not_overwrite_the_whole_video) {
   const RenderParams whole = teapot("a", "0-2", {{"video", dir_ / "a/film.mkv"}});
   render(whole);
   const Files before = all_files(dir_ / "a");
@@ -135,7 +135,7 @@ TEST_F(FolderRenders, of_a_part_do_not_overwrite_the_finished_video_of_all) {
   EXPECT_LT(fs::file_size(dir_ / "a/film.mkv"), before.at("film.mkv").size());
 }
 
-TEST_F(FolderRenders, do_not_overwrite_a_video_that_is_not_theirs) {
+TEST_F(FolderRenders, foreign_video_is_not_overwritten) {
   std::ofstream(dir_ / "holiday.mkv") << "precious";
   const RenderParams params = teapot("a", "0", {{"video", dir_ / "holiday.mkv"}});
   EXPECT_THAT(refusal(params), HasSubstr("holiday.mkv: is there already"));
@@ -145,7 +145,7 @@ TEST_F(FolderRenders, do_not_overwrite_a_video_that_is_not_theirs) {
   EXPECT_NE(bytes("holiday.mkv"), "precious");
 }
 
-TEST_F(FolderRenders, say_which_layer_is_of_another_render_and_conversion_leaves_it_out) {
+TEST_F(FolderRenders, foreign_layer_is_reported_and_skipped) {
   const Settings grid{{"optics", "multiview"}, {"camera-grid", "true"}, {"views", "2x2"}, {"size", "32x32"}, {"frames", "0"}};
   render(job("teapot", "deep", grid + Settings{{"aov", "depth"}}));
   render(job("teapot", "plain", grid));
@@ -159,7 +159,7 @@ TEST_F(FolderRenders, say_which_layer_is_of_another_render_and_conversion_leaves
   EXPECT_THAT(warnings_, HasSubstr("also holds files of no frame of this render, which stay: aov_0000.exr"));
 }
 
-TEST_F(FolderRenders, do_not_write_views_through_a_symbolic_link) {
+TEST_F(FolderRenders, symbolic_links_are_not_followed) {
   fs::create_directory(dir_ / "a"), fs::create_directory(dir_ / "elsewhere");
   fs::create_directory_symlink(dir_ / "elsewhere", dir_ / "a/frame_0000");
   EXPECT_THAT(refusal(teapot("a", "0", {{"layout", "views"}})), HasSubstr("a/frame_0000: is a symbolic"));
@@ -172,7 +172,7 @@ void flip_a_bit(const fs::path& file) {
   std::ofstream(file, std::ios::binary) << contents;
 }
 
-TEST_F(FolderRenders, mend_damage_of_any_file_that_check_finds) {
+TEST_F(FolderRenders, resuming_repairs_every_damaged_file) {
   const std::vector<Settings> kinds{
       {{"lenses", "6"}, {"aov", "depth"}},
       {{"lenses", "6"}, {"format", "tiff"}},
@@ -200,7 +200,7 @@ TEST_F(FolderRenders, mend_damage_of_any_file_that_check_finds) {
   }
 }
 
-TEST_F(FolderRenders, resume_to_the_same_bytes_whatever_the_frames_take_from_each_other) {
+TEST_F(FolderRenders, resuming_gives_the_same_bytes) {
   const std::vector<Settings> kinds{{{"reuse", "interpolate"}, {"keyframes", "4"}, {"fill", "retrace"}, {"halving", "true"}},
                                     {{"reuse", "copy"}, {"keyframes", "4"}},
                                     {{"lenses", "8"}, {"integrator", "path"}, {"spp", "2"}},
@@ -216,7 +216,7 @@ TEST_F(FolderRenders, resume_to_the_same_bytes_whatever_the_frames_take_from_eac
   }
 }
 
-TEST_F(FolderRenders, of_paths_keep_their_errors_in_the_report) {
+TEST_F(FolderRenders, errors_of_paths_stay_in_the_report) {
   const RenderParams params = teapot("a", "0-2", {{"integrator", "path"}, {"spp", "4"}});
   const RenderReport whole = render(params);
   ASSERT_TRUE(whole.frames.at(0).estimated_psnr_db);
@@ -236,7 +236,7 @@ TEST_F(FolderRenders, of_paths_keep_their_errors_in_the_report) {
   EXPECT_EQ(to_json(resumed).at("frames").at(0), to_json(whole).at("frames").at(0));
 }
 
-TEST_F(FolderRenders, of_views_make_a_frame_again_of_which_a_view_is_missing) {
+TEST_F(FolderRenders, missing_view_is_rendered_again) {
   const RenderParams views =
       teapot("a", "3-4", {{"optics", "microlens"}, {"lenses", "8"}, {"lens-pixels", "4"}, {"layout", "views"}});
   render(views);
@@ -246,7 +246,7 @@ TEST_F(FolderRenders, of_views_make_a_frame_again_of_which_a_view_is_missing) {
   EXPECT_EQ(files_in(dir_ / "a/frame_0004", ".png"), before);
 }
 
-TEST_F(FolderRenders, of_a_job_file_make_the_same_pictures_again) {
+TEST_F(FolderRenders, job_file_gives_the_same_pictures) {
   const Files first = rendered(
       teapot("a", "4-5", {{"optics", "microlens"}, {"lens-pixels", "6"}, {"view-angle", "35"}, {"spp", "2"}, {"seed", "9"}}));
   EXPECT_EQ(first.size(), 2u);
@@ -255,7 +255,7 @@ TEST_F(FolderRenders, of_a_job_file_make_the_same_pictures_again) {
   EXPECT_EQ(rendered(again), first);
 }
 
-TEST_F(FolderRenders, of_a_path_traced_file_are_the_same_job_when_resumed) {
+TEST_F(FolderRenders, path_traced_file_is_resumed) {
   std::ofstream(dir_ / "plain.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   const RenderParams params = job(dir_ / "plain.obj", "a", {{"lenses", "4"}, {"frames", "0"}});
   const Files whole = rendered(params);
@@ -264,7 +264,7 @@ TEST_F(FolderRenders, of_a_path_traced_file_are_the_same_job_when_resumed) {
   EXPECT_EQ(files_in(dir_ / "a", ".png"), whole);
 }
 
-TEST_F(FolderRenders, report_holds_the_optics_the_settings_and_the_rays_of_every_frame) {
+TEST_F(FolderRenders, report_has_optics_settings_and_rays) {
   const nlohmann::ordered_json report = to_json(render(teapot("a", "3-4", {{"reuse", "none"}})));
   EXPECT_EQ(report, nlohmann::ordered_json::parse(bytes("a/report.json")));
   for (const char* key : {"version", "scene", "optics", "settings", "frames", "totals"})

@@ -23,19 +23,19 @@ FrameReport made(int frame, double cpu_seconds, const char* kind = "full") {
   return report;
 }
 
-TEST(JobCosts, are_measured_at_the_first_two_frames_of_three_segments) {
+TEST(JobCosts, three_segments_are_measured) {
   EXPECT_THAT(frames_to_measure(frames_from(8, 40), 16, Neighbours::kOthers),
               ElementsAre(8, 9, 16, 17, 32, 33));  // of segments 8-15, 16-31, 32-47
   EXPECT_THAT(frames_to_measure(frames_from(0, 48), 8, Neighbours::kCopied), ElementsAre(0, 1, 24, 25, 40, 41));
 }
 
-TEST(JobCosts, of_single_frames_are_measured_at_three_and_of_copied_ones_at_neighbours_too) {
+TEST(JobCosts, single_frames_are_measured_at_three) {
   EXPECT_THAT(frames_to_measure(frames_from(0, 60), 1, Neighbours::kOthers), ElementsAre(0, 30, 59));
   EXPECT_THAT(frames_to_measure(frames_from(0, 60), 1, Neighbours::kCopied), ElementsAre(0, 1, 30, 31, 58, 59));
   EXPECT_THAT(frames_to_measure({7}, 1, Neighbours::kCopied), ElementsAre(7));
 }
 
-TEST(JobCosts, are_those_of_first_and_other_frames_their_files_and_set_up) {
+TEST(JobCosts, first_frames_files_and_set_up_count) {
   MeasuredRun run{{made(0, 3.0), made(1, 1.0), made(8, 5.0), made(9, 2.0)}, {}, 0.5, 12.5, 77};
   const JobCosts costs = frame_costs(run, frames_from(0, 16), 8);
   EXPECT_THAT(costs.at, ElementsAre(Pair(0, 4.0), Pair(1, 1.5)));
@@ -45,7 +45,7 @@ TEST(JobCosts, are_those_of_first_and_other_frames_their_files_and_set_up) {
   EXPECT_DOUBLE_EQ(cpu_seconds_of(frames_from(0, 16), 8, costs), 0.5 + 2 * 4.0 + 14 * 1.5 + 16 * 0.25);
 }
 
-TEST(JobCosts, of_keys_that_copies_choose_count_for_one_frame_of_sixteen) {
+TEST(JobCosts, keys_of_copies_count_for_sixteen_frames) {
   const MeasuredRun run{
       {made(0, 1.0), made(1, 9.0, "key"), made(30, 9.0, "key"), made(31, 1.0, "in-between")}, {}, 0.0, 20.0, 0};
   EXPECT_DOUBLE_EQ(frame_costs(run, frames_from(0, 60), 1).at.at(0), 1.5);  // 1 + (9 - 1) / 16
@@ -53,8 +53,8 @@ TEST(JobCosts, of_keys_that_copies_choose_count_for_one_frame_of_sixteen) {
   EXPECT_DOUBLE_EQ(frame_costs(only_a_key, {0}, 1).at.at(0), 9.0);
 }
 
-TEST(JobCosts, of_sources_leave_out_frames_that_the_unit_is_asked_for_later) {
-  // Between keys 0, 8 and 16: asked for 0 and 1, 2 and 4 were made on the way, and the next segment's key; and frame 9's is 16.
+TEST(JobCosts, sources_exclude_later_frames_of_the_unit) {
+  // Between keys 0, 8 and 16: rendering 0 and 1 also made 2, 4 and the next segment's key; rendering 9 made 16.
   const MeasuredRun run{
       {made(0, 1.0), made(1, 1.0), made(8, 1.0), made(9, 1.0)}, {made(2, 4.0), made(4, 4.0), made(16, 6.0)}, 0.0, 18.0, 0};
   const JobCosts costs = frame_costs(run, frames_from(0, 16), 8);
@@ -62,12 +62,12 @@ TEST(JobCosts, of_sources_leave_out_frames_that_the_unit_is_asked_for_later) {
   EXPECT_DOUBLE_EQ(costs.write_cpu_seconds, 0.0);
 }
 
-TEST(JobCosts, of_sources_count_frames_before_those_of_the_job) {
+TEST(JobCosts, sources_include_frames_before_the_job) {
   const MeasuredRun run{{made(14, 1.0)}, {made(12, 2.0), made(13, 2.0)}, 0.0, 5.0, 0};
   EXPECT_DOUBLE_EQ(frame_costs(run, {14}, 16).source_cpu_seconds, 4.0);
 }
 
-TEST(JobCosts, of_a_place_that_was_not_measured_are_those_of_the_last_before_it_or_else_of_the_first) {
+TEST(JobCosts, unmeasured_frames_use_the_previous_measurement) {
   const MeasuredRun run{{made(2, 3.0), made(3, 2.0), made(8, 1.0)}, {}, 0.0, 6.0, 0};
   const JobCosts costs = frame_costs(run, frames_from(0, 16), 16);
   EXPECT_DOUBLE_EQ(cpu_seconds_of({0}, 16, costs), 3.0);

@@ -35,7 +35,7 @@ std::string refusal(const std::filesystem::path& path) {
   return "accepted";
 }
 
-/// Every parameter's texts: equal for equal params.
+/// Returns the texts of all parameters, which are equal for equal params.
 std::vector<std::vector<std::string>> all_values(const RenderParams& params) {
   std::vector<std::vector<std::string>> values;
   for (const ParamInfo& info : params_table()) values.push_back(info.get(params));
@@ -68,7 +68,7 @@ RenderParams unusual_params(const test::TempDir& dir) {
   return params;
 }
 
-TEST(JobFile, written_and_read_gives_the_same_params) {
+TEST(JobFile, round_trip_keeps_all_params) {
   const test::TempDir dir;
   RenderParams plain;
   plain.scene.name = "teapot";
@@ -78,7 +78,7 @@ TEST(JobFile, written_and_read_gives_the_same_params) {
   }
 }
 
-TEST(JobFile, files_that_stand_in_for_it_are_named) {
+TEST(JobFile, other_kinds_of_files_are_named) {
   const test::TempDir dir;
   EXPECT_THAT(refusal(write(dir / "a.toml", "")), HasSubstr("is empty (0 bytes)"));
   EXPECT_THAT(refusal(write(dir / "b.toml", "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 9\n")),
@@ -93,7 +93,7 @@ TEST(JobFile, zero_has_no_sign) {
   EXPECT_EQ(all_values(read(dir / "job.toml")), all_values(params));
 }
 
-TEST(JobFile, values_may_be_toml_numbers_flags_and_lists) {
+TEST(JobFile, values_may_be_toml_types) {
   const test::TempDir dir;
   const RenderParams params = read(write(dir / "job.toml",
                                          "scene = 'teapot'\nlenses = 32\nlens-pixels = 13.5\nviewing-distance = inf\n"
@@ -107,7 +107,7 @@ TEST(JobFile, values_may_be_toml_numbers_flags_and_lists) {
   EXPECT_EQ(params.output.frames, (FrameRanges{{5, 5}}));
 }
 
-TEST(JobFile, depth_is_said_by_either_of_two_opposite_keys_not_by_both) {
+TEST(JobFile, opposite_keys_exclude_each_other) {
   const test::TempDir dir;
   const auto fit_depth = [&](const char* text) { return read(write(dir / "job.toml", text)).optics.fit_depth; };
   EXPECT_EQ(fit_depth("scene = 'teapot'\n"), std::nullopt);
@@ -119,7 +119,7 @@ TEST(JobFile, depth_is_said_by_either_of_two_opposite_keys_not_by_both) {
   EXPECT_THAT(refusal(write(dir / "job.toml", "full-depth = 3\n")), HasSubstr("true or false"));
 }
 
-TEST(JobFile, keys_that_are_absent_leave_the_params_alone) {
+TEST(JobFile, absent_keys_change_nothing) {
   const test::TempDir dir;
   RenderParams params;
   params.sampling.spp = 9;
@@ -128,7 +128,7 @@ TEST(JobFile, keys_that_are_absent_leave_the_params_alone) {
   EXPECT_EQ(params.sampling.seed, 1u);
 }
 
-TEST(JobFile, unknown_key_names_file_line_and_the_nearest_key) {
+TEST(JobFile, unknown_key_names_the_nearest_one) {
   const test::TempDir dir;
   const auto file = write(dir / "job.toml", "scene = 'teapot'\n\nlens_pixels = 8\n");
   EXPECT_EQ(refusal(file), file.string() + ":3: there is no key 'lens_pixels', did you mean 'lens-pixels'?");
@@ -154,12 +154,12 @@ TEST(JobFile, missing_file_or_folder_is_refused) {
   EXPECT_THAT(refusal(dir.path()), HasSubstr("is not a regular file but a folder"));
 }
 
-TEST(JobFile, that_is_too_large_is_refused_unread) {
+TEST(JobFile, too_large_file_is_refused_unread) {
   const test::TempDir dir;
   EXPECT_THAT(refusal(write(dir / "job.toml", "spp = 1\n" + std::string(2 << 20, '#'))), HasSubstr("at most 1 MiB"));
 }
 
-TEST(JobFile, relative_paths_are_relative_to_the_jobs_folder) {
+TEST(JobFile, relative_paths_start_at_the_jobs_folder) {
   const test::TempDir dir;
   std::filesystem::create_directory(dir / "jobs");
   const RenderParams params = read(
@@ -170,7 +170,7 @@ TEST(JobFile, relative_paths_are_relative_to_the_jobs_folder) {
   EXPECT_EQ(params.scene.camera_path, "/abs.cam");
 }
 
-TEST(JobFile, written_relative_paths_lead_from_the_jobs_folder_to_the_same_files) {
+TEST(JobFile, written_relative_paths_find_the_same_files) {
   RenderParams params;
   params.scene.name = "scenes/a.dat";
   params.output.folder = "out/a";
@@ -179,13 +179,13 @@ TEST(JobFile, written_relative_paths_lead_from_the_jobs_folder_to_the_same_files
   EXPECT_THAT(text, HasSubstr("output = \".\"\n"));
 }
 
-TEST(JobFile, written_paths_of_a_job_in_the_working_folder_stay_as_they_are) {
+TEST(JobFile, paths_beside_the_job_are_unchanged) {
   RenderParams params;
   params.scene.name = "scenes/a.dat";
   EXPECT_THAT(job_text(params, ""), HasSubstr("scene = \"scenes/a.dat\"\n"));
 }
 
-TEST(JobFile, words_and_colours_for_the_environment_are_no_paths) {
+TEST(JobFile, environment_words_and_colours_are_not_paths) {
   const test::TempDir dir;
   for (const std::string value : {"studio", "none", "#204060", "0.5,0.25,1"}) {
     RenderParams params;

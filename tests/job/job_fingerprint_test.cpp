@@ -11,7 +11,7 @@ namespace {
 
 using testing::ElementsAre;
 
-TEST(JobFingerprint, differs_for_what_changes_pictures_and_for_nothing_else) {
+TEST(JobFingerprint, depends_only_on_what_changes_pictures) {
   const Scene scene;
   RenderParams params;
   const std::string same = job_fingerprint(ResolvedJob(params), scene);
@@ -32,7 +32,7 @@ TEST(JobFingerprint, differs_for_what_changes_pictures_and_for_nothing_else) {
   EXPECT_NE(job_fingerprint(ResolvedJob(params), darker), same);
 }
 
-TEST(JobFingerprint, differences_are_the_parameters_that_decide_pictures) {
+TEST(JobFingerprint, differences_are_the_parameters_of_pictures) {
   const test::TempDir dir;
   std::ofstream(dir / "job.toml") << "scene = \"teapot\"\nspp = 4\nview-angle = 40\nthreads = 3\nframes = \"0-3\"\n";
   RenderParams params;

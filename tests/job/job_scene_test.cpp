@@ -1,4 +1,4 @@
-// The scene that parameters name, as they change it, and the defaults that follow from its format.
+// Tests loading the scene of a job, and the defaults that follow from its format.
 #include "job/job_scene.hpp"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@ namespace {
 
 class JobScene : public testing::Test {
  protected:
-  /// Parameters that name a file with these contents.
+  /// Returns parameters that name a file with these contents.
   RenderParams params_of(const std::string& name, const std::string& contents) const {
     std::ofstream(dir_ / name, std::ios::binary) << contents;
     RenderParams params;
@@ -51,7 +51,7 @@ TEST_F(JobScene, camera_is_chosen_by_name_or_index) {
   }
 }
 
-TEST_F(JobScene, unknown_camera_is_an_error_that_lists_them) {
+TEST_F(JobScene, unknown_camera_lists_the_known_ones) {
   RenderParams params = params_of("a.gltf", kTwoCameras);
   params.scene.camera = "Sied";
   try {
@@ -70,7 +70,7 @@ TEST_F(JobScene, camera_names_are_in_the_files_order) {
   EXPECT_THAT(load_scene_of(ResolvedJob(params), {}).notes.camera_names, testing::ElementsAre("Front", "Side"));
 }
 
-// Every axis ends up along +y: where a sphere on that axis, 3 units from the origin, is found.
+// A sphere on the given axis, 3 units from the origin, must appear on +y.
 TEST_F(JobScene, up_axis_of_the_file_becomes_y) {
   const std::pair<UpAxis, const char*> axes[] = {{UpAxis::kX, "3 0 0"},       {UpAxis::kY, "0 3 0"},
                                                  {UpAxis::kZ, "0 0 3"},       {UpAxis::kMinusX, "-3 0 0"},
@@ -84,7 +84,7 @@ TEST_F(JobScene, up_axis_of_the_file_becomes_y) {
   }
 }
 
-TEST_F(JobScene, turned_scene_keeps_its_camera_before_it) {
+TEST_F(JobScene, rotated_scene_keeps_its_camera) {
   const std::string text = "v from 0 -8 0 at 0 0 0 up 0 0 1 angle 30\nl 0 -9 9\ns 0 0 0 1\n";
   RenderParams params = params_of("a.nff", text);
   params.scene.up = UpAxis::kZ;
@@ -112,7 +112,7 @@ TEST(ResolvedJob, is_completed_once) {
   }
 }
 
-TEST(ResolvedJob, files_of_physical_materials_are_path_traced_where_nothing_is_said) {
+TEST(ResolvedJob, physical_files_are_path_traced_by_default) {
   EXPECT_EQ(with_defaults("plain.obj").sampling().integrator, Integrator::kPath);
   EXPECT_EQ(samples_per_pixel(with_defaults("plain.obj").sampling()), 16);
   EXPECT_EQ(samples_per_pixel(with_defaults("plain.obj", {.integrator = Integrator::kPath}).sampling()), 16);

@@ -1,4 +1,4 @@
-// What the pictures of each layout and format of a render hold: what conversion makes of a plain render.
+// Tests the pictures of each layout and format of a render, which must equal a conversion of the plain render.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -47,7 +47,7 @@ class LayoutRenders : public Renders {
   }
 };
 
-TEST_F(LayoutRenders, views_are_those_that_are_cut_from_the_integral_image) {
+TEST_F(LayoutRenders, views_are_cut_from_the_integral_image) {
   render(array("whole"));
   render(array("cut", {{"layout", "views"}}));
   convert("whole", "views", "views", of_views({4, 4}));
@@ -58,7 +58,7 @@ TEST_F(LayoutRenders, views_are_those_that_are_cut_from_the_integral_image) {
   }
 }
 
-TEST_F(LayoutRenders, quilt_is_that_of_conversion_and_says_its_tiles_in_its_name_and_its_video_s) {
+TEST_F(LayoutRenders, quilt_equals_conversion_and_names_tiles) {
   render(array("whole"));
   const RenderReport report = render(array("quilts", {{"layout", "quilt"}, {"quilt", "8x2"}, {"video", dir_ / "a.mkv"}}));
   convert("whole/frame_0003.png", "one.png", "quilt", of_views({4, 4}, ViewGrid{8, 2}));
@@ -76,7 +76,7 @@ TEST_F(LayoutRenders, views_of_a_quilt_are_its_tiles) {
   EXPECT_EQ(files_in(dir_ / "v/frame_0003", ".png"), files_in(dir_ / "c", ".png"));
 }
 
-TEST_F(LayoutRenders, pseudoscopic_pictures_have_every_elemental_image_turned_round) {
+TEST_F(LayoutRenders, pseudoscopic_pictures_rotate_elemental_images) {
   render(array("plain"));
   const Files recorded = rendered(array("recorded", {{"pseudoscopic", "true"}}));
   convert_to_orthoscopic({dir_ / "plain", dir_ / "turned"}, context_);
@@ -84,7 +84,7 @@ TEST_F(LayoutRenders, pseudoscopic_pictures_have_every_elemental_image_turned_ro
   EXPECT_EQ(recorded, files_in(dir_ / "turned", ".png"));
 }
 
-TEST_F(LayoutRenders, layers_lie_as_the_pictures_do_or_beside_them) {
+TEST_F(LayoutRenders, layers_have_the_layout_of_pictures) {
   render(array("views", {{"layout", "views"}, {"aov", "depth"}}));
   EXPECT_EQ(files_in(dir_ / "views/frame_0003", ".exr").size(), 16u);
   render(array("exr", {{"layout", "views"}, {"aov", "depth"}, {"format", "exr"}}));
@@ -94,7 +94,7 @@ TEST_F(LayoutRenders, layers_lie_as_the_pictures_do_or_beside_them) {
   EXPECT_TRUE(exists("beside/aov_0000.exr"));
 }
 
-TEST_F(LayoutRenders, what_cannot_be_is_refused_before_anything_is_made) {
+TEST_F(LayoutRenders, impossible_layouts_are_refused_first) {
   const auto refused = [&](const Settings& settings, const std::string& message) {
     EXPECT_THAT(refusal(job("teapot", "none", Settings{{"frames", "0"}} + settings)), HasSubstr(message));
     EXPECT_FALSE(exists("none"));
@@ -117,14 +117,14 @@ TEST_F(LayoutRenders, what_cannot_be_is_refused_before_anything_is_made) {
   refused({{"lens-pixels", "7.5"}, {"to", "views"}}, "whole number of pixels");
 }
 
-TEST_F(LayoutRenders, tiff_pictures_hold_the_codes_of_png_and_a_fixed_time) {
+TEST_F(LayoutRenders, tiff_has_png_codes_and_fixed_time) {
   render(array("png"));
   render(array("tiff", {{"format", "tiff"}}));
   EXPECT_TRUE(are_identical("png/frame_0003.png", "tiff/frame_0003.tif"));
   EXPECT_THAT(bytes("tiff/frame_0003.tif"), HasSubstr("1970:01:01 00:00:00"));
 }
 
-TEST_F(LayoutRenders, ffv1_video_holds_the_codes_of_the_pictures) {
+TEST_F(LayoutRenders, ffv1_video_has_the_pictures_codes) {
   RenderParams params = teapot("a", "0-3");
   params.output.video = {dir_ / "a.mkv", dir_ / "a.mp4"};
   render(params);
@@ -134,7 +134,7 @@ TEST_F(LayoutRenders, ffv1_video_holds_the_codes_of_the_pictures) {
 
 // ---- Two eyes -----------------------------------------------------------------------------------------------------------
 
-TEST_F(LayoutRenders, stereo_of_every_packing_is_that_of_conversion) {
+TEST_F(LayoutRenders, every_stereo_packing_equals_conversion) {
   render(pair("sbs", {{"size", "128x36"}}));
   render(pair("ou", {{"size", "64x72"}, {"stereo", "over-under"}, {"right-first", "true"}}));
   render(pair("rows", {{"size", "64x36"}, {"stereo", "rows"}}));
@@ -147,8 +147,8 @@ TEST_F(LayoutRenders, stereo_of_every_packing_is_that_of_conversion) {
   EXPECT_EQ(bytes("rows/frame_0003_rows.png"), bytes("a_rows.png"));
 }
 
-TEST_F(LayoutRenders, eyes_before_a_quilt_see_what_is_rendered_for_them) {
-  // 16 eyes in a row, 10 mm apart on the same screen: those at +-25 mm are views of it.
+TEST_F(LayoutRenders, quilt_shows_eyes_their_rendered_views) {
+  // 16 eyes in a row, 10 mm apart on the same screen: the views of the eyes at +-25 mm are rendered too.
   render(job("teapot", "q",
              {{"optics", "multiview"},
               {"camera-grid", "true"},
@@ -165,14 +165,14 @@ TEST_F(LayoutRenders, eyes_before_a_quilt_see_what_is_rendered_for_them) {
   EXPECT_EQ(codes_of(dir_ / "sbs/frame_0003_2x1.png").rgb, codes_of(dir_ / "eyes/frame_0003_2x1.png").rgb);
 }
 
-TEST_F(LayoutRenders, stereo_is_said_in_the_names_of_videos) {
+TEST_F(LayoutRenders, stereo_is_part_of_video_names) {
   const RenderReport report = render(pair("out", {{"size", "128x36"}, {"video", dir_ / "a.mkv"}}));
   EXPECT_EQ(report.videos, std::vector<std::string>{dir_ / "a_2x1.mkv"});
 }
 
 // ---- Colours and depth ------------------------------------------------------------------------------------------------
 
-TEST_F(LayoutRenders, rgbd_is_one_view_with_depth_and_its_side_file) {
+TEST_F(LayoutRenders, rgbd_is_one_view_with_depth) {
   const Settings room{{"size", "64x48"}, {"frames", "0"}};
   render(job("room", "a", room + Settings{{"layout", "rgbd"}}));
   render(job("room", "b", room + Settings{{"to", "rgbd"}}));
@@ -183,10 +183,10 @@ TEST_F(LayoutRenders, rgbd_is_one_view_with_depth_and_its_side_file) {
   EXPECT_EQ(codes_of(dir_ / "a/frame_0000_rgbd.png").width, 128);
 }
 
-/// Its near and far, and all else that grey means.
+/// Returns the side file, with the range and the coding of depth.
 RgbdSideFile side_of(const fs::path& picture) { return read_rgbd_side_file(picture).value(); }
 
-TEST_F(LayoutRenders, rgbd_frames_have_the_range_of_the_whole_animation_whichever_are_rendered) {
+TEST_F(LayoutRenders, rgbd_range_covers_the_whole_animation) {
   const Settings small{{"size", "64x48"}, {"layout", "rgbd"}};
   render(job("room", "a", small + Settings{{"frames", "0,100,200"}}));
   RenderParams one = job("room", "b", small + Settings{{"frames", "200"}});
@@ -199,14 +199,14 @@ TEST_F(LayoutRenders, rgbd_frames_have_the_range_of_the_whole_animation_whicheve
   render(job("room", "plain",
              {{"optics", "multiview"}, {"views", "3x1"}, {"size", "192x48"}, {"aov", "depth"}, {"frames", "0,100,200"}}));
   convert("plain", "each", "rgbd");
-  for (const int frame : {0, 100, 200}) {  // each alone reaches less far, to either side, than the range
+  for (const int frame : {0, 100, 200}) {  // each frame's own range is smaller at both ends
     const DepthRange own = side_of(dir_ / "each" / fmt::format("frame_{:04}_rgbd.png", frame)).coding.range;
     EXPECT_LE(own.near_mm, side.coding.range.near_mm + 1e-3) << frame;
     EXPECT_GE(own.far_mm, side.coding.range.far_mm - 1e-3) << frame;
   }
 }
 
-TEST_F(LayoutRenders, rgbd_coding_is_as_asked_and_refused_elsewhere) {
+TEST_F(LayoutRenders, rgbd_coding_is_refused_elsewhere) {
   const Settings small{{"size", "64x48"}, {"frames", "0"}};
   render(job(
       "room", "a",
@@ -219,7 +219,7 @@ TEST_F(LayoutRenders, rgbd_coding_is_as_asked_and_refused_elsewhere) {
   EXPECT_THAT(refusal({{"layout", "rgbd"}, {"depth-range", "-30:10"}}), HasSubstr("as a range of depths"));
 }
 
-TEST_F(LayoutRenders, rgbd_video_is_its_frames_and_says_what_their_grey_means) {
+TEST_F(LayoutRenders, rgbd_video_has_a_side_file) {
   const Settings clip{{"size", "64x48"}, {"frames", "0-2"}, {"layout", "rgbd"}, {"video", dir_ / "v/clip.mkv"}};
   const RenderReport report = render(job("room", "a", clip));
   const fs::path video = dir_ / "v/clip_rgbd.mkv";
@@ -242,7 +242,7 @@ TEST_F(LayoutRenders, rgbd_video_is_its_frames_and_says_what_their_grey_means) {
               HasSubstr("store depth as integers"));
 }
 
-TEST_F(LayoutRenders, rows_of_two_eyes_in_a_video_that_mixes_rows_are_warned_of) {
+TEST_F(LayoutRenders, mixed_rows_of_stereo_video_give_warnings) {
   const Settings rows{{"stereo", "rows"}, {"size", "64x36"}};
   render(pair("a", rows + Settings{{"video", dir_ / "a.mp4"}}));
   EXPECT_THAT(warnings_, HasSubstr("An .mkv with FFV1 keeps them apart."));
@@ -252,7 +252,7 @@ TEST_F(LayoutRenders, rows_of_two_eyes_in_a_video_that_mixes_rows_are_warned_of)
   EXPECT_EQ(warnings_, "");
 }
 
-TEST_F(LayoutRenders, views_of_a_middle_and_its_depth_are_like_the_true_ones) {
+TEST_F(LayoutRenders, views_from_depth_resemble_true_ones) {
   render(job("room", "true",
              {{"optics", "multiview"},
               {"views", "5x1"},
@@ -275,7 +275,7 @@ TEST_F(LayoutRenders, views_of_a_middle_and_its_depth_are_like_the_true_ones) {
   for (const char* view : {"view_000.png", "view_001.png", "view_003.png", "view_004.png"}) EXPECT_GT(psnr(view), 25.0) << view;
 }
 
-TEST_F(LayoutRenders, picture_with_depth_is_shown_on_a_display_and_to_two_eyes) {
+TEST_F(LayoutRenders, picture_with_depth_is_shown_everywhere) {
   render(job("room", "a", {{"size", "60x80"}, {"frames", "0"}, {"layout", "rgbd"}}));
   DepthConversion params{dir_ / "a", dir_ / "q", "quilt"};
   params.options.display = load_display("portrait"), params.depth_scale = 0.5;

@@ -1,4 +1,4 @@
-// Renders as light fields of other formats, and what files say of the render that they come from.
+// Tests renders written as light fields, and the description of the render in their files.
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
@@ -25,7 +25,7 @@ class LightFieldRenders : public Renders {};
 
 const Settings kGrid{{"optics", "multiview"}, {"camera-grid", "true"}, {"views", "2x2"}, {"size", "32x32"}, {"frames", "0-1"}};
 
-TEST_F(LightFieldRenders, formats_of_light_fields_are_what_conversion_makes_of_the_same_render) {
+TEST_F(LightFieldRenders, formats_equal_conversion_of_the_render) {
   render(job("teapot", "film", kGrid + Settings{{"aov", "depth"}}));
   for (const std::string format :
        {"hci", "stanford", "jpeg-pleno", "miv", "nerf", "colmap", "eslf", "views", "integral", "quilt"}) {
@@ -42,7 +42,7 @@ TEST_F(LightFieldRenders, formats_of_light_fields_are_what_conversion_makes_of_t
   }
 }
 
-TEST_F(LightFieldRenders, formats_of_light_fields_keep_light_and_16_bits) {
+TEST_F(LightFieldRenders, formats_keep_light_and_16_bits) {
   render(job("teapot", "film", kGrid + Settings{{"aov", "depth"}, {"format", "png16"}, {"layout", "views"}}));
   convert("film", "converted", "hci");
   render(job("teapot", "png16", kGrid + Settings{{"to", "hci"}, {"format", "png16"}}));
@@ -51,7 +51,7 @@ TEST_F(LightFieldRenders, formats_of_light_fields_keep_light_and_16_bits) {
   EXPECT_TRUE(exists("exr/frame_0001/input_Cam003.exr"));
 }
 
-TEST_F(LightFieldRenders, damaged_and_missing_side_files_are_made_again) {
+TEST_F(LightFieldRenders, damaged_side_files_are_written_again) {
   const RenderParams params = job("teapot", "a", kGrid + Settings{{"to", "hci"}});
   render(params);
   const Files whole = pictures_below(dir_ / "a");
@@ -64,7 +64,7 @@ TEST_F(LightFieldRenders, damaged_and_missing_side_files_are_made_again) {
   EXPECT_EQ(pictures_below(dir_ / "a"), whole);
 }
 
-/// Metres or pixels, by way of floats of millimetres.
+/// Compares depths in metres or pixels, which were converted from floats of millimetres.
 void expect_same_depth(const fs::path& one, const fs::path& other) {
   const Image a = read_pfm(one), b = read_pfm(other);
   for (std::size_t i = 0; i < a.data.size(); ++i)
@@ -73,7 +73,7 @@ void expect_same_depth(const fs::path& one, const fs::path& other) {
     }
 }
 
-TEST_F(LightFieldRenders, data_set_brings_back_pictures_and_depth) {
+TEST_F(LightFieldRenders, data_set_restores_pictures_and_depth) {
   render(job("teapot", "r",
              {{"optics", "multiview"},
               {"camera-grid", "true"},
@@ -94,7 +94,7 @@ TEST_F(LightFieldRenders, data_set_brings_back_pictures_and_depth) {
     expect_same_depth(dir_ / "hci" / name, dir_ / "again" / name);
 }
 
-TEST_F(LightFieldRenders, native_frame_of_a_quilt_taken_apart_and_made_again_is_the_same) {
+TEST_F(LightFieldRenders, quilt_survives_a_round_trip) {
   std::ofstream(dir_ / "visual.json") << R"({"serial": "DIY", "pitch": {"value": 20}, "slope": {"value": -5.5},
     "center": {"value": 0.2}, "DPI": 100, "screenW": 120, "screenH": 160})";
   render(job("room", "quilt",
@@ -111,7 +111,7 @@ TEST_F(LightFieldRenders, native_frame_of_a_quilt_taken_apart_and_made_again_is_
   EXPECT_TRUE(compare(dir_ / "panel.png", dir_ / "again.png", context_).identical);
 }
 
-TEST_F(LightFieldRenders, exr_files_say_version_optics_and_views_in_their_header) {
+TEST_F(LightFieldRenders, exr_header_has_version_optics_and_views) {
   const auto report = to_json(render(teapot("a", "0", {{"format", "exr"}})));
   render(teapot("b", "0", {{"aov", "depth"}}));
   for (const char* file : {"a/frame_0000.exr", "b/aov_0000.exr"}) {

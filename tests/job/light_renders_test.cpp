@@ -1,4 +1,4 @@
-// Light, exposure, tone and alpha in the files of a render.
+// Tests light, exposure, tone and alpha in the files of a render.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ class LightRenders : public Renders {
   }
 };
 
-TEST_F(LightRenders, layers_of_light_lie_beside_others_and_sum_to_the_picture) {
+TEST_F(LightRenders, layers_of_light_sum_to_the_picture) {
   const Settings layers{
       {"aov", "direct,indirect,albedo,motion,ray-depth"}, {"format", "exr"}, {"exr-pixels", "float"}, {"denoise", "none"}};
   render(teapot("out", "0-1", kPaths + layers));
@@ -41,7 +41,7 @@ TEST_F(LightRenders, layers_of_light_lie_beside_others_and_sum_to_the_picture) {
   for (const char* name : {"albedo.B", "motion.X", "motion.Y", "ray.Z"}) EXPECT_EQ(channel(name).size(), all.size());
 }
 
-TEST_F(LightRenders, layers_are_the_same_bytes_where_reuse_is_chosen_and_where_all_is_traced) {
+TEST_F(LightRenders, layers_do_not_depend_on_reuse) {
   for (const std::string reuse : {"auto", "none"})
     render(teapot(reuse, "0-3", {{"reuse", reuse}, {"aov", "depth,normal,id,position"}}));
   EXPECT_EQ(files_in(dir_ / "auto", ".exr").size(), 4u);
@@ -66,7 +66,7 @@ TEST_F(LightRenders, stronger_panorama_gives_a_brighter_film) {
   EXPECT_NEAR(film("4") / film("1"), 4.0, 1e-3) << "all light is the panorama's";
 }
 
-TEST_F(LightRenders, exposure_and_tone_change_pictures_but_not_exr_files) {
+TEST_F(LightRenders, exposure_and_tone_skip_exr_files) {
   const Settings exr{{"format", "exr"}}, bright{{"exposure", "1"}, {"tone", "agx"}};
   EXPECT_NE(rendered(teapot("plain", "0")), rendered(teapot("bright", "0", bright)));
   render(teapot("a", "0", exr));
@@ -84,7 +84,7 @@ TEST_F(LightRenders, exposure_of_a_stop_doubles_linear_light) {
   }
 }
 
-TEST_F(LightRenders, transparent_pictures_have_alpha_in_every_format_and_layout) {
+TEST_F(LightRenders, transparent_pictures_have_alpha_everywhere) {
   const std::vector<Settings> kinds{{{"format", "png"}},
                                     {{"format", "png16"}},
                                     {{"format", "tiff"}},
@@ -96,14 +96,14 @@ TEST_F(LightRenders, transparent_pictures_have_alpha_in_every_format_and_layout)
     const std::string folder = std::to_string(i);
     render(teapot(folder, "0", Settings{{"transparent", "true"}} + kinds[i]));
     Files pictures = pictures_below(dir_ / folder);
-    std::erase_if(pictures, [](const auto& file) { return file.first.ends_with(".json"); });  // a quilt's side file
+    std::erase_if(pictures, [](const auto& file) { return file.first.ends_with(".json"); });  // side file of a quilt
     EXPECT_FALSE(pictures.empty());
     for (const auto& [name, bytes] : pictures)
       EXPECT_EQ(channel_names(dir_ / folder / name), (std::vector<std::string>{"R", "G", "B", "A"})) << name;
   }
 }
 
-TEST_F(LightRenders, transparent_colours_are_multiplied_by_alpha_in_exr_files_and_not_in_others) {
+TEST_F(LightRenders, only_exr_colours_are_premultiplied) {
   std::ofstream(dir_ / "sail.obj") << "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
   const Settings sail{{"lenses", "16"}, {"transparent", "true"}, {"spp", "4"}};
   render(job(dir_ / "sail.obj", "exr", sail + Settings{{"format", "exr"}, {"exr-pixels", "float"}}));
@@ -122,7 +122,7 @@ TEST_F(LightRenders, transparent_colours_are_multiplied_by_alpha_in_exr_files_an
   EXPECT_GT(partly, 0);
 }
 
-TEST_F(LightRenders, transparent_is_refused_where_alpha_cannot_be_or_means_nothing) {
+TEST_F(LightRenders, transparent_is_refused_without_effect) {
   const std::vector<std::pair<Settings, std::string>> refused{
       {{{"video", dir_ / "a.mp4"}}, "cannot be combined with --video"},
       {{{"reuse", "interpolate"}}, "interpolated frames have no alpha"},
@@ -146,7 +146,7 @@ TEST_F(LightRenders, denoised_frames_have_every_layout_and_layers) {
   }
 }
 
-TEST_F(LightRenders, path_traced_stills_are_denoised_unless_the_job_says_otherwise) {
+TEST_F(LightRenders, path_traced_stills_are_denoised_by_default) {
   const auto pictures = [&](const std::string& denoise) {
     return rendered(teapot(denoise, "3", kPaths + Settings{{"denoise", denoise}}));
   };
@@ -157,7 +157,7 @@ TEST_F(LightRenders, path_traced_stills_are_denoised_unless_the_job_says_otherwi
   EXPECT_EQ(pictures("false"), plain);
 }
 
-TEST_F(LightRenders, one_sample_a_pixel_is_not_denoised) {
+TEST_F(LightRenders, one_sample_per_pixel_is_not_denoised) {
   const Settings one = kPaths + Settings{{"spp", "1"}};
   EXPECT_EQ(rendered(teapot("a", "3", one)), rendered(teapot("b", "3", one + Settings{{"denoise", "none"}})));
 }
@@ -170,7 +170,7 @@ TEST_F(LightRenders, what_cannot_be_interpolated_is_refused) {
   EXPECT_THAT(refused(kPaths + Settings{{"min-psnr", "30"}}), HasSubstr("--spp for path tracing"));
 }
 
-TEST_F(LightRenders, depth_is_fitted_unless_the_job_or_its_user_says_otherwise) {
+TEST_F(LightRenders, depth_is_fitted_by_default) {
   const Files fitted = rendered(teapot("a", "0")), full = rendered(teapot("b", "0", {{"fit-depth", "false"}}));
   EXPECT_NE(fitted, full);
   EXPECT_EQ(rendered(teapot("c", "0", {{"fit-depth", "true"}})), fitted);

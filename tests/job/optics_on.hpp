@@ -1,4 +1,4 @@
-// The optics of a job on an array that a test made.
+// The optics of a job for an array made by a test.
 #pragma once
 
 #include "job/placed_job.hpp"

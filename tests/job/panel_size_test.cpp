@@ -27,7 +27,7 @@ std::string refusal(const RenderParams& params) {
   return "accepted";
 }
 
-TEST(PanelSize, nothing_said_is_64_lenses_of_8_pixels_square) { expect_size({}, 512, 512, 8.0f); }
+TEST(PanelSize, default_is_64_lenses_of_8_pixels) { expect_size({}, 512, 512, 8.0f); }
 
 TEST(PanelSize, lenses_alone_keep_8_pixels_each) {
   RenderParams params;
@@ -37,28 +37,28 @@ TEST(PanelSize, lenses_alone_keep_8_pixels_each) {
   expect_size(params, 800, 400, 8.0f);
 }
 
-TEST(PanelSize, size_and_lenses_give_the_pixels_below_a_lens) {
+TEST(PanelSize, size_and_lenses_give_lens_pixels) {
   RenderParams params;
   params.optics.size = {1378, 300};
   params.optics.lenses = {100, 0};
   expect_size(params, 1378, 300, 13.78f);
 }
 
-TEST(PanelSize, size_and_fractional_lens_pixels_are_taken_as_said) {
+TEST(PanelSize, size_and_fractional_lens_pixels_are_kept) {
   RenderParams params;
   params.optics.size = {3840, 2160};
   params.optics.lens_pixels = {13.776f, 0.0f};
   expect_size(params, 3840, 2160, 13.776f);
 }
 
-TEST(PanelSize, fractional_lens_pixels_round_the_panel_to_whole_pixels) {
+TEST(PanelSize, fractional_lens_pixels_round_the_panel) {
   RenderParams params;
   params.optics.lenses = {10, 0};
   params.optics.lens_pixels = {13.776f, 0.0f};
   expect_size(params, 138, 138, 13.776f);
 }
 
-TEST(PanelSize, three_that_agree_are_accepted_and_three_that_do_not_are_named) {
+TEST(PanelSize, three_values_must_agree) {
   RenderParams params;
   params.optics.lenses = {64, 0};
   params.optics.lens_pixels = {8.0f, 0.0f};
@@ -68,7 +68,7 @@ TEST(PanelSize, three_that_agree_are_accepted_and_three_that_do_not_are_named) {
   EXPECT_THAT(refusal(params), HasSubstr("64 lenses of 8 pixels make 512"));
 }
 
-TEST(PanelSize, microlens_default_is_64x64_lenses_of_8x8_pixels) {
+TEST(PanelSize, microlens_default_is_64x64_lenses) {
   RenderParams params;
   params.optics.kind = OpticsKind::kMicrolens;
   expect_size(params, 512, 512, 8.0f);
@@ -77,7 +77,7 @@ TEST(PanelSize, microlens_default_is_64x64_lenses_of_8x8_pixels) {
   expect_size(params, 640, 320, 10.0f);
 }
 
-TEST(PanelSize, hexagonal_rows_are_closer_by_half_root_three) {
+TEST(PanelSize, hexagonal_rows_are_closer) {
   RenderParams params;
   params.optics.kind = OpticsKind::kMicrolens;
   params.optics.packing = LensPacking::kHexagonal;
@@ -91,7 +91,7 @@ TEST(PanelSize, oblong_lenslets_are_refused) {
   EXPECT_THAT(refusal(params), HasSubstr("lens-pixels: "));
 }
 
-TEST(PanelSize, quilt_divides_into_its_views_or_is_refused_with_a_size_that_does) {
+TEST(PanelSize, quilt_must_divide_into_its_views) {
   RenderParams params;
   params.optics.kind = OpticsKind::kMultiview;
   expect_size(params, 8 * 256, 6 * 256, 0.0f);
@@ -100,7 +100,7 @@ TEST(PanelSize, quilt_divides_into_its_views_or_is_refused_with_a_size_that_does
   EXPECT_THAT(refusal(params), HasSubstr("for example 4095x4095"));
 }
 
-TEST(PanelSize, single_view_takes_the_scenes_resolution_unless_said) {
+TEST(PanelSize, single_view_has_the_scenes_resolution) {
   RenderParams params;
   params.optics.kind = OpticsKind::kSingle;
   EXPECT_EQ(panel_size(params, {640, 480}).width, 640);
@@ -109,7 +109,7 @@ TEST(PanelSize, single_view_takes_the_scenes_resolution_unless_said) {
   EXPECT_EQ(panel_size(params, {640, 480}).height, 50);
 }
 
-TEST(PanelSize, more_than_two_billion_pixels_are_refused_with_the_limit) {
+TEST(PanelSize, too_many_pixels_are_refused) {
   RenderParams params;
   params.optics.size = {50000, 50000};
   EXPECT_THAT(refusal(params), HasSubstr("2500000000 pixels; accepted: 1 to 2147483647 pixels"));
@@ -122,7 +122,7 @@ TEST(PanelSize, more_than_two_billion_pixels_are_refused_with_the_limit) {
   EXPECT_THAT(refusal(params), HasSubstr("at most 65536 a side"));
 }
 
-TEST(PanelSize, what_has_no_meaning_for_the_optics_is_refused) {
+TEST(PanelSize, parameters_of_other_optics_are_refused) {
   RenderParams params;
   params.optics.kind = OpticsKind::kSingle;
   params.optics.lenses = {64, 0};

@@ -118,7 +118,7 @@ std::string message_of_setting(std::string_view name, const std::string& value) 
   return "accepted";
 }
 
-TEST(ParamsTable, every_parameter_set_and_got_is_the_same_text) {
+TEST(ParamsTable, every_parameter_survives_a_round_trip) {
   for (const ParamInfo& info : params_table()) {
     ASSERT_TRUE(kOtherValues.contains(info.name)) << info.name << ": give it a value in this test";
     RenderParams params;
@@ -127,7 +127,7 @@ TEST(ParamsTable, every_parameter_set_and_got_is_the_same_text) {
   }
 }
 
-TEST(ParamsTable, reuse_by_its_former_names_is_read_and_written_by_its_own) {
+TEST(ParamsTable, former_names_of_reuse_are_read) {
   for (const auto& [former, name] : {std::pair("exact", "auto"), std::pair("forward", "interpolate")}) {
     RenderParams params;
     param("reuse").set(params, {former}, "test");
@@ -135,7 +135,7 @@ TEST(ParamsTable, reuse_by_its_former_names_is_read_and_written_by_its_own) {
   }
 }
 
-TEST(ParamsTable, denoise_as_a_boolean_is_read_and_written_by_name) {
+TEST(ParamsTable, boolean_denoise_is_read) {
   for (const auto& [former, name] : {std::pair("true", "auto"), std::pair("false", "none")}) {
     RenderParams params;
     param("denoise").set(params, {former}, "test");
@@ -156,7 +156,7 @@ TEST(ParamsTable, setting_one_parameter_leaves_all_others_alone) {
   }
 }
 
-TEST(ParamsTable, every_said_default_is_accepted_by_its_own_setter) {
+TEST(ParamsTable, documented_defaults_are_valid) {
   const RenderParams defaults;
   for (const ParamInfo& info : params_table()) {
     const Values values = info.get(defaults);
@@ -176,7 +176,7 @@ TEST(ParamsTable, names_are_unique_flags_without_underscores) {
   }
 }
 
-TEST(ParamsTable, numbers_outside_their_range_name_the_flag_and_the_range) {
+TEST(ParamsTable, out_of_range_numbers_name_the_flag) {
   EXPECT_THAT(message_of_setting("spp", "-1"), testing::StartsWith("--spp: "));
   EXPECT_THAT(message_of_setting("spp", "-1"), HasSubstr("from 0 to 65536"));
   EXPECT_THAT(message_of_setting("spp", "many"), HasSubstr("from 0 to 65536"));
@@ -191,7 +191,7 @@ TEST(ParamsTable, numbers_outside_their_range_name_the_flag_and_the_range) {
   EXPECT_THAT(message_of_setting("keyframes", "1"), testing::StartsWith("--keyframes: "));
 }
 
-TEST(ParamsTable, extents_of_zero_or_beyond_reason_are_refused) {
+TEST(ParamsTable, invalid_extents_are_refused) {
   EXPECT_THAT(message_of_setting("size", "0x512"), HasSubstr("from 1 to"));
   EXPECT_THAT(message_of_setting("size", "512x"), HasSubstr("N or NxM"));
   EXPECT_THAT(message_of_setting("size", "512x512x512"), HasSubstr("N or NxM"));
@@ -200,14 +200,14 @@ TEST(ParamsTable, extents_of_zero_or_beyond_reason_are_refused) {
   EXPECT_THAT(message_of_setting("lens-pixels", "inf"), HasSubstr("from 1 to"));
 }
 
-TEST(ParamsTable, extent_with_one_number_leaves_the_other_unsaid) {
+TEST(ParamsTable, single_number_leaves_the_other_unset) {
   RenderParams params;
   param("lenses").set(params, {"64"}, "test");
   EXPECT_EQ(params.optics.lenses, (Extent<int>{64, 0}));
   EXPECT_EQ(param("lenses").get(params), Values{"64"});
 }
 
-TEST(ParamsTable, frames_accept_a_range_or_one_and_refuse_the_rest) {
+TEST(ParamsTable, frames_are_a_range_or_one) {
   RenderParams params;
   param("frames").set(params, {"5"}, "test");
   EXPECT_EQ(params.output.frames, (FrameRanges{{5, 5}}));
@@ -222,7 +222,7 @@ TEST(ParamsTable, frames_accept_lists_and_steps) {
   EXPECT_EQ(param("frames").get(params), Values{"20,0-9:3,4,4-5"});
 }
 
-TEST(ParamsTable, more_frames_than_anything_has_are_refused_before_they_are_listed) {
+TEST(ParamsTable, too_many_frames_are_refused_first) {
   EXPECT_THAT(message_of_setting("frames", "0-2147483647"), HasSubstr("at most 10000000"));
   EXPECT_THAT(message_of_setting("frames", "0-9999999,0"), HasSubstr("at most 10000000"));
   RenderParams params;
@@ -245,14 +245,14 @@ TEST(ParamsTable, unknown_choice_lists_the_known_ones) {
   EXPECT_THAT(message_of_setting("order", "spiral"), HasSubstr("rows, columns, view-tiles"));
 }
 
-TEST(ParamsTable, aov_accepts_commas_and_repeats_and_keeps_each_once) {
+TEST(ParamsTable, aov_keeps_each_layer_once) {
   RenderParams params;
   param("aov").set(params, {"depth,normal", "depth"}, "test");
   EXPECT_EQ(params.sampling.aov, (std::vector<Aov>{Aov::kDepth, Aov::kNormal}));
   EXPECT_THAT(message_of_setting("aov", "depth,,id"), HasSubstr("depth, normal, id, position"));
 }
 
-TEST(OutputFolder, unsaid_is_out_slash_scene_name) {
+TEST(OutputFolder, default_is_out_slash_scene_name) {
   RenderParams params;
   params.scene.name = "some/where/BoxAnimated.glb";
   EXPECT_EQ(output_folder(params), "out/BoxAnimated");

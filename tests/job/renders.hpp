@@ -1,4 +1,4 @@
-// Whole jobs rendered into folders, in this process: what tests of the files that come of them have in common.
+// A test fixture that renders whole jobs into folders, in this process.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ class Renders : public testing::Test {
     context_.warn = [this](std::string_view text) { warnings_.append(text).append("\n"); };
   }
 
-  /// A job of a built-in scene or a file in the test's folder, rendered into `folder` there.
+  /// Returns a job of a built-in scene or a file in the test's folder, rendered into `folder` there.
   RenderParams job(const std::string& scene, const std::string& folder, const Settings& settings) const {
     RenderParams params;
     params.scene.name = scene;
@@ -44,12 +44,12 @@ class Renders : public testing::Test {
     return params;
   }
 
-  /// A small, quick picture: 16 lenses of 8 pixels, unless the settings say otherwise.
+  /// Returns a small, fast job: 16 lenses of 8 pixels by default.
   RenderParams teapot(const std::string& folder, const std::string& frames, const Settings& settings = {}) const {
     return job("teapot", folder, Settings{{"lenses", "16"}, {"frames", frames}} + settings);
   }
 
-  /// The job of a folder that was rendered before.
+  /// Returns the job of a folder that was rendered before.
   RenderParams job_of(const std::string& folder) const {
     RenderParams params;
     read_job(dir_ / folder / "job.toml", params);
@@ -61,13 +61,13 @@ class Renders : public testing::Test {
     return render_animation(ResolvedJob(params), context_, {}, run);
   }
 
-  /// The pictures of a render.
+  /// Renders and returns the pictures.
   Files rendered(const RenderParams& params) {
     render(params);
     return files_in(params.output.folder, ".png");
   }
 
-  /// What a resumed render had not to make again.
+  /// Returns the number of frames that a resumed render kept.
   static std::size_t kept(const RenderReport& report) {
     std::size_t count = 0;
     for (const FrameReport& frame : report.frames) count += frame.kept ? 1 : 0;
@@ -94,7 +94,7 @@ class Renders : public testing::Test {
   bool exists(const std::string& file) const { return std::filesystem::exists(dir_ / file); }
 
   TempDir dir_;
-  std::string warnings_;  ///< of the last render, a line each
+  std::string warnings_;  ///< of the last render, one per line
   Context context_;
 };
 

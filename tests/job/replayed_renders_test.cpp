@@ -1,4 +1,4 @@
-// What replay makes of a render's folder, of every layout of it, and of what it was converted to.
+// Tests replay of a render's folder, in every layout and in formats that it was converted to.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -39,14 +39,14 @@ class ReplayedRenders : public Renders {
     return error_message([&] { seen(params, "out", "never"); });
   }
 
-  /// What one eye sees of a light field, as a PNG file's bytes.
+  /// Returns one eye's view of a light field, as the bytes of a PNG file.
   std::string eye_view_of(const std::string& in, ReplayParams params = {}) {
     fs::remove_all(dir_ / "eye");
     return file_bytes(seen(params, in, "eye").written.at(0));
   }
 };
 
-TEST_F(ReplayedRenders, folder_of_frames_gives_one_eye_view_each_beside_them) {
+TEST_F(ReplayedRenders, folder_gives_one_eye_view_per_frame) {
   render_teapot();
   const Replayed result = replay({.in = dir_ / "out"}, context_);
   EXPECT_EQ(result.out_of_zone, 0.0);
@@ -58,13 +58,13 @@ TEST_F(ReplayedRenders, folder_of_frames_gives_one_eye_view_each_beside_them) {
   EXPECT_NE(picture.rgb, panel.rgb);
 }
 
-TEST_F(ReplayedRenders, eyes_of_a_pair_are_told_to_be_out_of_the_zone_though_its_middle_is_in_it) {
+TEST_F(ReplayedRenders, eyes_outside_the_zone_give_warnings) {
   render_teapot();
   EXPECT_EQ(replay({.in = dir_ / "out", .folder = dir_ / "near", .ipd_mm = 1.0}, context_).out_of_zone, 0.0);
   EXPECT_EQ(replay({.in = dir_ / "out", .folder = dir_ / "far", .ipd_mm = 1e5}, context_).out_of_zone, 1.0);
 }
 
-TEST_F(ReplayedRenders, two_eyes_give_left_right_and_both_side_by_side) {
+TEST_F(ReplayedRenders, two_eyes_give_three_pictures) {
   render_teapot();
   seen({.ipd_mm = 10.0}, "out/frame_0003.png", "eyes");
   EXPECT_EQ(files_in(dir_ / "eyes", ".png").size(), 3u);
@@ -84,7 +84,7 @@ TEST_F(ReplayedRenders, sweep_is_numbered_pictures_and_a_video) {
   EXPECT_TRUE(exists("sweep.mkv"));
 }
 
-TEST_F(ReplayedRenders, refocusing_makes_what_is_asked_for_and_no_eye_view) {
+TEST_F(ReplayedRenders, refocusing_makes_no_eye_view) {
   render_teapot();
   const FocalStack stack{-10.0, 10.0, 3};
   const Replayed result = seen({.refocus = FocusPlane{-5.0}, .focal_stack = stack, .epi_row = 7}, "out/frame_0003.png", "a");
@@ -98,7 +98,7 @@ TEST_F(ReplayedRenders, refocusing_makes_what_is_asked_for_and_no_eye_view) {
   EXPECT_TRUE(exists("b/all_in_focus_0003.png"));
 }
 
-TEST_F(ReplayedRenders, impossible_eyes_sizes_depths_and_lines_are_refused) {
+TEST_F(ReplayedRenders, impossible_parameters_are_refused) {
   render_teapot();
   for (const Vec3d eye : {Vec3d(0, 0, 0), Vec3d(0, 0, -10), Vec3d(0, 0, std::nan("")), Vec3d(INFINITY, 0, 100)})
     EXPECT_THAT(refused({.eye_mm = eye}), HasSubstr("eye"));
@@ -115,9 +115,9 @@ TEST_F(ReplayedRenders, impossible_eyes_sizes_depths_and_lines_are_refused) {
   EXPECT_FALSE(exists("never"));
 }
 
-TEST_F(ReplayedRenders, folder_without_a_report_or_with_other_pictures_is_refused) {
+TEST_F(ReplayedRenders, missing_report_or_foreign_pictures_are_refused) {
   render_teapot();
-  fs::remove_all(dir_ / "out/.lippmann");  // which says that these files are others than were written
+  fs::remove_all(dir_ / "out/.lippmann");  // whose journal would reject the changed files
   EXPECT_THAT(error_message([&] { seen({}, "none", "never"); }), HasSubstr("none"));
   write_png(dir_ / "out/frame_0004.png", Image8{8, 8, std::vector<unsigned char>(192)});
   EXPECT_THAT(error_message([&] { seen({}, "out/frame_0004.png", "never"); }), HasSubstr("has 8x8 pixels"));
@@ -130,7 +130,7 @@ TEST_F(ReplayedRenders, folder_without_a_report_or_with_other_pictures_is_refuse
   EXPECT_THAT(error_message([&] { seen({}, ".", "never"); }), HasSubstr("no frames"));
 }
 
-TEST_F(ReplayedRenders, rotated_elemental_images_come_back_to_the_bit_and_can_be_replayed) {
+TEST_F(ReplayedRenders, rotated_elemental_images_survive_a_round_trip) {
   render_teapot();
   convert_to_orthoscopic({dir_ / "out", dir_ / "turned"}, context_);
   convert_to_orthoscopic({dir_ / "turned", dir_ / "back"}, context_);
@@ -143,7 +143,7 @@ TEST_F(ReplayedRenders, rotated_elemental_images_come_back_to_the_bit_and_can_be
               HasSubstr("another folder"));
 }
 
-TEST_F(ReplayedRenders, smart_conversion_makes_pictures_for_the_displays_own_lenses) {
+TEST_F(ReplayedRenders, spoc_makes_pictures_for_other_lenses) {
   render_teapot();
   OrthoscopicParams smart{dir_ / "out", dir_ / "smart", SpocParams{8.0, 8.0}};
   smart.lens_pixels = 12, smart.gap_mm = 3.0;
@@ -160,7 +160,7 @@ TEST_F(ReplayedRenders, smart_conversion_makes_pictures_for_the_displays_own_len
   EXPECT_THAT(refusal_of({8.0, -1.0}, {}), HasSubstr("reference-plane"));
 }
 
-TEST_F(ReplayedRenders, eye_out_of_the_zone_is_warned_of_in_words_for_lenses_and_for_cameras) {
+TEST_F(ReplayedRenders, eye_outside_the_zone_gives_a_warning) {
   render_teapot();
   seen({.eye_mm = Vec3d(1000.0, 0.0, 300.0)}, "out", "eye");
   EXPECT_THAT(warnings_, HasSubstr("outside the viewing zone of 100 %"));
@@ -170,7 +170,7 @@ TEST_F(ReplayedRenders, eye_out_of_the_zone_is_warned_of_in_words_for_lenses_and
   EXPECT_THAT(warnings_, Not(HasSubstr("lens")));
 }
 
-TEST_F(ReplayedRenders, every_layout_of_a_render_looks_the_same_to_an_eye) {
+TEST_F(ReplayedRenders, all_layouts_look_the_same) {
   const std::vector<Settings> kinds{{{"optics", "lenticular"}, {"lenses", "8"}},
                                     {{"optics", "microlens"}, {"lenses", "16x12"}},
                                     {{"optics", "multiview"}, {"views", "4x2"}}};
@@ -186,7 +186,7 @@ TEST_F(ReplayedRenders, every_layout_of_a_render_looks_the_same_to_an_eye) {
   }
 }
 
-TEST_F(ReplayedRenders, stereo_pair_shows_each_eye_its_own_view) {
+TEST_F(ReplayedRenders, stereo_pair_shows_each_eye_its_view) {
   render(job("teapot", "sbs", {{"layout", "stereo"}, {"frames", "3"}, {"viewing-distance", "600"}, {"size", "128x36"}}));
   const Converted views = convert("sbs", "views", "views");
   EXPECT_EQ(views.views, (ViewGrid{2, 1}));
@@ -195,7 +195,7 @@ TEST_F(ReplayedRenders, stereo_pair_shows_each_eye_its_own_view) {
   EXPECT_EQ(read_image8(dir_ / "seen/eye_0003.png").rgb, read_image8(dir_ / "views/frame_0003/view_000.png").rgb);
 }
 
-TEST_F(ReplayedRenders, folders_that_state_their_cameras_look_as_what_they_were_made_of) {
+TEST_F(ReplayedRenders, stated_cameras_look_like_the_source) {
   render(job("teapot", "out", kCameraGrid));
   const std::string eye = eye_view_of("out", {.ipd_mm = 4.0});
   for (const std::string format : {"hci", "miv", "stanford"}) {
@@ -204,7 +204,7 @@ TEST_F(ReplayedRenders, folders_that_state_their_cameras_look_as_what_they_were_
   }
 }
 
-TEST_F(ReplayedRenders, cameras_that_nothing_states_are_assumed_and_that_is_said) {
+TEST_F(ReplayedRenders, unknown_cameras_are_assumed) {
   render(job("teapot", "out", kCameraGrid));
   const std::string format = "jpeg-pleno";
   convert("out/frame_0003.png", format, format);
@@ -218,7 +218,7 @@ TEST_F(ReplayedRenders, cameras_that_nothing_states_are_assumed_and_that_is_said
   EXPECT_THAT(warnings_, AllOf(HasSubstr("Assumed: a display 100 mm high"), Not(HasSubstr("sets the angle"))));
 }
 
-TEST_F(ReplayedRenders, quilt_is_known_by_its_name_and_other_pictures_by_what_is_said_of_them) {
+TEST_F(ReplayedRenders, quilt_is_recognised_by_its_name) {
   render_teapot();
   fs::create_directory(dir_ / "a");
   ConvertParams params;
@@ -234,8 +234,8 @@ TEST_F(ReplayedRenders, quilt_is_known_by_its_name_and_other_pictures_by_what_is
   EXPECT_FALSE(eye_view_of("a/plain.png", {.field = {.from = "quilt", .tiles = ViewGrid{4, 2}}}).empty());
 }
 
-TEST_F(ReplayedRenders, cameras_of_converted_views_stand_where_the_views_were_seen_from) {
-  // From the first camera to the second, to the right; MIV's y axis points to the left.
+TEST_F(ReplayedRenders, converted_cameras_keep_their_positions) {
+  // Returns the step from the first camera to the second, to the right; MIV's y axis points to the left.
   const auto camera_step = [&](const std::string& folder) {
     convert(folder + "/frame_0000.png", folder + "-miv", "miv");
     const auto cameras = nlohmann::json::parse(bytes(folder + "-miv/cameras.json"))["cameras"];

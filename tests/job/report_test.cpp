@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-TEST(Report, report_says_what_the_view_was_fitted_to) {
+TEST(Report, fitted_view_is_described) {
   RenderReport report;
   report.view = "The view is fitted to 'Desk'.";
   EXPECT_EQ(to_json(report)["view"], report.view);
@@ -27,7 +27,7 @@ TEST(Report, totals_are_sums_over_the_frames) {
   EXPECT_EQ(totals["rays"], (Json{{"primary", 200}, {"shadow", 400}, {"reflection", 60}, {"indirect", 8}}));
 }
 
-TEST(Report, settings_have_json_types_and_null_for_what_is_not_said) {
+TEST(Report, settings_have_json_types) {
   RenderReport report;
   report.params.sampling.spp = 4;
   report.params.optics.lenses = {32, 0};

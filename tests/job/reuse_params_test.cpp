@@ -1,4 +1,4 @@
-// From what is said of reuse to the kind that serves, and the sentence that tells of it afterwards.
+// Tests how parameters select the kind of reuse, and the sentence that summarises it.
 #include "job/reuse_params.hpp"
 
 #include <gmock/gmock.h>
@@ -36,16 +36,16 @@ RenderParams with_reuse(const ReuseParams& reuse) {
   return params;
 }
 
-TEST(ReuseParams, auto_takes_key_frames_to_copied_frames_and_ignores_them_for_paths) {
+TEST(ReuseParams, auto_ignores_key_frames_for_paths) {
   RenderParams paths = said(ReuseChoice::kAuto, Integrator::kPath);
-  paths.reuse.keyframes = 5;  // as jobs for many scenes have it
+  paths.reuse.keyframes = 5;  // as in jobs for many scenes
   EXPECT_STREQ(name_of(frame_params(ResolvedJob(paths)).reuse), "none");
   RenderParams whitted = said(ReuseChoice::kAuto);
   whitted.reuse.keyframes = 5;
   EXPECT_EQ(std::get<CopySettled>(frame_params(ResolvedJob(whitted)).reuse).keyframes, 5);
 }
 
-TEST(ReuseParams, missed_pixels_stay_black_to_be_looked_at) {
+TEST(ReuseParams, missed_pixels_may_stay_black) {
   RenderParams params = said(ReuseChoice::kInterpolate);
   params.reuse.debug = DebugPicture::kMissed;
   EXPECT_EQ(std::get<Interpolate>(frame_params(ResolvedJob(params)).reuse).fill, MissedFill::kBlack);
@@ -56,7 +56,7 @@ TEST(ReuseParams, missed_pixels_stay_black_to_be_looked_at) {
   EXPECT_EQ(refused(params), "--debug");
 }
 
-TEST(ReuseParams, what_the_kind_that_serves_does_not_know_is_refused) {
+TEST(ReuseParams, parameters_without_effect_are_refused) {
   const auto with = [](RenderParams params, auto set) {
     set(params.reuse);
     return refused(params);
@@ -71,7 +71,7 @@ TEST(ReuseParams, what_the_kind_that_serves_does_not_know_is_refused) {
   EXPECT_EQ(with(said(ReuseChoice::kAuto, Integrator::kPath), splat), "--splat");
 }
 
-TEST(ReuseParams, what_interpolates_is_refused_where_pixels_are_copied) {
+TEST(ReuseParams, interpolation_parameters_are_refused_for_copies) {
   EXPECT_EQ(refused(with_reuse({.splat = SplatMode::kLens})), "--splat");
   EXPECT_EQ(refused(with_reuse({.fill = MissedFill::kRetrace})), "--fill");
   EXPECT_EQ(refused(with_reuse({.halving = true})), "--halving");
@@ -79,13 +79,13 @@ TEST(ReuseParams, what_interpolates_is_refused_where_pixels_are_copied) {
   EXPECT_EQ(refused(with_reuse({.debug = DebugPicture::kMissed})), "--debug");
 }
 
-TEST(ReuseParams, copied_pixels_keep_to_any_floor) {
+TEST(ReuseParams, copied_pixels_satisfy_any_minimum_psnr) {
   RenderParams params = said(ReuseChoice::kAuto);
   params.reuse.min_psnr_db = 50.0;
   EXPECT_STREQ(name_of(frame_params(ResolvedJob(params)).reuse), "copy");
 }
 
-TEST(ReuseSentence, begins_with_the_kind_that_served_and_tells_what_it_did) {
+TEST(ReuseSentence, begins_with_the_kind_in_effect) {
   RenderReport report;
   report.optics.panel = {10, 10, 1.0f};
   report.frames.resize(2);
@@ -108,23 +108,23 @@ FrameReport estimated(int number, double psnr_db, std::optional<double> at_least
   return frame;
 }
 
-TEST(ErrorSentence, of_one_frame_is_its_estimate_and_interval) {
+TEST(ErrorSentence, one_frame_has_estimate_and_interval) {
   EXPECT_EQ(error_sentence({estimated(3, 41.8, 40.2, 43.7)}), "estimated error 42 dB (40 to 44)");
   EXPECT_EQ(error_sentence({estimated(3, 41.8, 40.2, {})}), "estimated error 42 dB (at least 40)");
 }
 
-TEST(ErrorSentence, of_several_frames_is_that_of_the_worst) {
+TEST(ErrorSentence, several_frames_give_the_worst) {
   const std::vector<FrameReport> frames{estimated(6, 41.0, 40.0, 42.0), estimated(7, 38.0, 37.0, 39.0), FrameReport{}};
   EXPECT_EQ(error_sentence(frames), "estimated error at worst 38 dB (37 to 39), in frame 7");
 }
 
-TEST(ErrorSentence, of_a_frame_without_visible_error_is_its_bound) {
+TEST(ErrorSentence, frame_without_visible_error_has_bound) {
   FrameReport frame;
   frame.psnr_at_least_db = 54.4;
   EXPECT_EQ(error_sentence({frame}), "estimated error 54 dB or better");
 }
 
-TEST(ErrorSentence, of_frames_without_an_estimate_is_empty) { EXPECT_EQ(error_sentence({FrameReport{}}), ""); }
+TEST(ErrorSentence, frames_without_estimate_give_nothing) { EXPECT_EQ(error_sentence({FrameReport{}}), ""); }
 
 }  // namespace
 }  // namespace lippmann

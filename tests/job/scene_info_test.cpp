@@ -46,7 +46,7 @@ TEST(SceneInfo, several_cameras_are_listed) {
   EXPECT_THAT(to_text(info), testing::HasSubstr("Front (0), Side (1); --camera chooses"));
 }
 
-TEST(SceneInfo, file_with_animations_says_whether_its_keys_are_on_frames) {
+TEST(SceneInfo, keys_on_frames_are_reported) {
   SceneInfo info;
   EXPECT_THAT(to_text(info), testing::HasSubstr("none: a still scene"));
   info.animations = {"Walk"}, info.animation = 0, info.frames_per_second = 24.0;
@@ -55,7 +55,7 @@ TEST(SceneInfo, file_with_animations_says_whether_its_keys_are_on_frames) {
   EXPECT_THAT(to_text(info), testing::HasSubstr("some keys of the file lie between frames (see --fps)"));
 }
 
-TEST(SceneInfo, animated_scene_says_what_moves) {
+TEST(SceneInfo, moving_instances_are_reported) {
   RenderParams params;
   params.scene.name = "gears";
   const SceneInfo info = describe_scene(ResolvedJob(params), Context{});

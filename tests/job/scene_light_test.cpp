@@ -1,4 +1,4 @@
-// Which light a scene is rendered in, and what is said about it.
+// Tests the choice of a scene's light and the sentence about it.
 #include "job/scene_light.hpp"
 
 #include <gmock/gmock.h>
@@ -21,7 +21,7 @@ using testing::HasSubstr;
 
 class SceneLight : public testing::Test {
  protected:
-  /// Parameters that name a file with these contents.
+  /// Returns parameters that name a file with these contents.
   RenderParams params_of(const std::string& name, const std::string& contents) const {
     std::ofstream(dir_ / name, std::ios::binary) << contents;
     RenderParams params;
@@ -35,7 +35,7 @@ class SceneLight : public testing::Test {
   test::TempDir dir_;
 };
 
-/// A triangle and what else the file holds.
+/// Returns a file with a triangle and the given nodes and extensions.
 std::string gltf_of(const std::string& nodes, const std::string& extensions) {
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0)" + std::string(nodes.empty() ? "" : ",1") +
          R"(]}],"nodes":[{"mesh":0})" + nodes + "]" + extensions +
@@ -49,7 +49,7 @@ const char* const kLampNode = R"(,{"extensions":{"KHR_lights_punctual":{"light":
 const char* const kLamp = R"(,"extensionsUsed":["KHR_lights_punctual"],
  "extensions":{"KHR_lights_punctual":{"lights":[{"type":"directional"}]}})";
 
-TEST_F(SceneLight, is_the_studio_where_a_file_brings_none) {
+TEST_F(SceneLight, studio_lights_files_without_light) {
   const std::string ply =
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
       "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
@@ -62,7 +62,7 @@ TEST_F(SceneLight, is_the_studio_where_a_file_brings_none) {
   }
 }
 
-TEST_F(SceneLight, is_a_dim_studio_around_lamps_of_the_file) {
+TEST_F(SceneLight, dim_studio_surrounds_lamps) {
   const auto [scene, notes] = load_scene_of(ResolvedJob(params_of("a.gltf", gltf_of(kLampNode, kLamp))), {});
   ASSERT_EQ(scene.lights.size(), 1u);
   ASSERT_TRUE(scene.background.map);
@@ -70,7 +70,7 @@ TEST_F(SceneLight, is_a_dim_studio_around_lamps_of_the_file) {
   EXPECT_THAT(notes.light, HasSubstr("at 8 % of its brightness, because the file has no surroundings"));
 }
 
-TEST_F(SceneLight, of_the_studio_is_scaled_and_turned_as_of_a_panorama) {
+TEST_F(SceneLight, studio_is_scaled_and_rotated) {
   RenderParams params = plain_file();
   const float rotation = load_scene_of(ResolvedJob(params), {}).scene.background.map->rotation;
   params.scene.environment_strength = 3.0f;
@@ -80,7 +80,7 @@ TEST_F(SceneLight, of_the_studio_is_scaled_and_turned_as_of_a_panorama) {
   EXPECT_FLOAT_EQ(scene.background.map->rotation, rotation + 0.5f * kPi);
 }
 
-TEST_F(SceneLight, of_whitted_and_of_other_formats_stays_as_it_was) {
+TEST_F(SceneLight, other_formats_keep_their_light) {
   RenderParams whitted = plain_file();
   whitted.sampling.integrator = Integrator::kWhitted;
   const Scene scene = load_scene_of(ResolvedJob(whitted), {}).scene;
@@ -93,7 +93,7 @@ TEST_F(SceneLight, of_whitted_and_of_other_formats_stays_as_it_was) {
   EXPECT_FALSE(load_scene_of(ResolvedJob(teapot), {}).scene.background.map);
 }
 
-TEST_F(SceneLight, of_other_formats_is_added_where_nothing_would_be_seen) {
+TEST_F(SceneLight, dark_scenes_of_other_formats_get_light) {
   RenderParams params = params_of("dark.nff", "s 0 0 0 1\n");
   EXPECT_TRUE(load_scene_of(ResolvedJob(params), {}).scene.background.map) << "the studio, for paths";
   params.sampling.integrator = Integrator::kWhitted;
@@ -103,7 +103,7 @@ TEST_F(SceneLight, of_other_formats_is_added_where_nothing_would_be_seen) {
   EXPECT_EQ(blue.background.zenith, Vec3f(0.1f, 0.2f, 0.3f));
 }
 
-TEST_F(SceneLight, is_what_environment_asks_for) {
+TEST_F(SceneLight, environment_overrides_the_default) {
   RenderParams params = plain_file();
   params.scene.environment = "none";
   Scene scene = load_scene_of(ResolvedJob(params), {}).scene;
@@ -130,7 +130,7 @@ TEST_F(SceneLight, is_what_environment_asks_for) {
   EXPECT_NEAR(scene.background.zenith.z, 2.0f * 0.50289f, 1e-4f) << "code 188 of sRGB";
 }
 
-TEST_F(SceneLight, of_a_panorama_is_as_strong_as_its_file_times_the_factor) {
+TEST_F(SceneLight, panorama_is_scaled_by_its_factor) {
   Image panorama(8, 4, 3);
   std::fill(panorama.data.begin(), panorama.data.end(), 0.5f);
   write_exr(dir_ / "sky.exr", std::vector{film_layer(panorama)});
@@ -142,7 +142,7 @@ TEST_F(SceneLight, of_a_panorama_is_as_strong_as_its_file_times_the_factor) {
   EXPECT_EQ(scene.background.map->strength, 4.0f);
 }
 
-TEST_F(SceneLight, of_codes_and_of_missing_files_is_refused_by_their_name) {
+TEST_F(SceneLight, invalid_colours_and_files_are_refused) {
   write_png(dir_ / "codes.png", Image8{4, 2, std::vector<unsigned char>(24)});
   for (const char* file : {"codes.png", "missing.hdr"}) {
     RenderParams params = plain_file();
@@ -157,14 +157,14 @@ TEST_F(SceneLight, of_codes_and_of_missing_files_is_refused_by_their_name) {
   }
 }
 
-TEST(EnvironmentChoice, that_looks_like_a_colour_and_is_none_is_refused) {
+TEST(EnvironmentChoice, invalid_colour_is_refused) {
   for (const char* value : {"#12345", "#12345g", "1,2", "1,2,3,4", "1,2,-3", ",,"})
     EXPECT_THROW(read_environment_choice(value, "--environment"), Error) << value;
   for (const char* value : {"none", "studio", "#123456", "1,2,3e-1", "a,b.hdr", "sky.exr"})
     EXPECT_EQ(read_environment_choice(value, "--environment"), value);
 }
 
-TEST(EnvironmentChoice, is_a_file_where_it_is_no_word_and_no_colour) {
+TEST(EnvironmentChoice, other_text_is_a_file) {
   for (const char* value : {"", "none", "studio", "#123456", "1,2,3"}) EXPECT_FALSE(environment_is_file(value)) << value;
   for (const char* value : {"sky.hdr", "studio.exr", "a,b.hdr"}) EXPECT_TRUE(environment_is_file(value)) << value;
 }

@@ -1,4 +1,4 @@
-// Where the eyes of a job's optics stand: at the ends of the viewing zone, and above or below the display.
+// Tests the eye positions of a job's optics: at the ends of the viewing zone, and above or below the display.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ Optics optics_of(const RenderParams& params, const Display* display = nullptr) {
   return test::optics_on(array, params, display).optics;
 }
 
-/// 23 views of 40x30 pixels over 45 degrees, seen from 500 mm.
+/// Returns 23 views of 40x30 pixels over 45 degrees, seen from 500 mm.
 RenderParams sweep_params() {
   RenderParams params;
   params.optics.kind = OpticsKind::kMultiview;
@@ -76,7 +76,7 @@ TEST(ScreenEyes, quilt_of_a_display_has_cone_ends) {
   EXPECT_THAT(error_message([&] { optics_of(params, &portrait); }), HasSubstr("--cone-ends"));
 }
 
-/// Where a point is seen in the plane z = 0, mm up: the same from all places that see it.
+/// Returns the height in mm where a point appears in the plane z = 0, equal for all pixels that see it.
 double height_mm(const Optics& optics, Vec3f point) {
   std::vector<Vec2f> pixels;
   pixels_seeing(optics, point, pixels);
@@ -111,7 +111,7 @@ TEST(ScreenEyes, eye_above_moves_depth_by_its_height) {
   }
 }
 
-TEST(ScreenEyes, eye_height_is_kept_when_depth_is_fitted) {
+TEST(ScreenEyes, eye_height_survives_fitted_depth) {
   const Display portrait = load_display("portrait");
   RenderParams params;
   params.optics.eye_height = EyeHeight{-120.0f, false};

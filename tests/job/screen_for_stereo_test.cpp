@@ -1,5 +1,5 @@
-// Two eyes before a screen: disparities worked out by hand from similar triangles. A point d behind the screen at the distance
-// D has the disparity ipd d / (D + d) on it.
+// Tests disparities of two eyes in front of a screen, worked out by similar triangles. A point d behind the screen at distance
+// D has disparity ipd d / (D + d) on it.
 #include "job/screen_for_stereo.hpp"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@ namespace {
 using test::error_message;
 using testing::HasSubstr;
 
-/// Views of 600 x 300 pixels on a screen 600 mm wide, seen from 600 mm.
+/// Returns views of 600 x 300 pixels on a screen 600 mm wide, seen from 600 mm.
 RenderParams stereo_params() {
   RenderParams params;
   params.output.pictures.layout = PictureLayout::kStereo;
@@ -31,7 +31,7 @@ Optics optics_for(const RenderParams& params, const Display* display = nullptr) 
   return test::optics_on(array, params, display).optics;
 }
 
-/// Where both eyes see a point, mm of the screen: right minus left.
+/// Returns where both eyes see a point, in mm on the screen: right minus left.
 Vec2d disparity_mm(const Optics& optics, Vec3f point) {
   std::vector<Vec2f> pixels;
   pixels_seeing(optics, point, pixels);
@@ -108,7 +108,7 @@ TEST(ScreenForStereo, picture_takes_the_pixels_of_its_packing) {
   EXPECT_EQ(layout.video_path("out/a.mp4"), "out/a_ou_rl.mp4");
 }
 
-TEST(ScreenForStereo, what_has_no_meaning_is_refused) {
+TEST(ScreenForStereo, parameters_of_other_optics_are_refused) {
   RenderParams params = stereo_params();
   params.optics.size = {1201, 300};
   EXPECT_THAT(error_message([&] { optics_for(params); }), HasSubstr("1201x300 pixels do not hold two views"));

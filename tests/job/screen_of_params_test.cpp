@@ -18,7 +18,7 @@ FittedArray placed_array() {
   return array;
 }
 
-TEST(ScreenOfParams, default_sheet_has_the_gap_of_its_viewing_angle) {
+TEST(ScreenOfParams, default_gap_follows_the_viewing_angle) {
   RenderParams params;
   params.optics.viewing_distance_mm = kInfinity;
   const Optics optics = optics_on(placed_array(), params).optics;
@@ -37,7 +37,7 @@ TEST(ScreenOfParams, panel_is_scaled_to_the_fitted_plane) {
   EXPECT_FLOAT_EQ(resolved_z_front_mm(placed.optics), 192.0f) << "rays start at the viewer";
 }
 
-TEST(ScreenOfParams, one_view_of_a_quilt_fills_the_fitted_plane) {
+TEST(ScreenOfParams, quilt_view_fills_the_fitted_plane) {
   RenderParams params;
   params.optics.kind = OpticsKind::kMultiview;
   params.optics.views = {4, 3};
@@ -48,7 +48,7 @@ TEST(ScreenOfParams, one_view_of_a_quilt_fills_the_fitted_plane) {
   EXPECT_FLOAT_EQ(std::get<MultiView>(placed.optics.model).distance_mm * placed.units_per_mm, 24.0f);
 }
 
-TEST(ScreenOfParams, camera_grid_divides_the_viewing_zone_among_the_longer_sides_eyes) {
+TEST(ScreenOfParams, camera_grid_divides_the_viewing_zone) {
   RenderParams params;
   params.optics.kind = OpticsKind::kMultiview;
   params.optics.views = {9, 5};
@@ -61,7 +61,7 @@ TEST(ScreenOfParams, camera_grid_divides_the_viewing_zone_among_the_longer_sides
   EXPECT_NEAR(degrees(viewing_zone(optics)), 30.0f, 1e-4f);
 }
 
-TEST(ScreenOfParams, whole_cells_stay_aligned_with_pixels_for_odd_counts_and_near_viewers) {
+TEST(ScreenOfParams, whole_cells_stay_aligned_with_pixels) {
   for (const int lenses : {1, 7, 64})
     for (const float distance : {50.0f, 192.0f, kInfinity}) {
       RenderParams params;
@@ -76,7 +76,7 @@ TEST(ScreenOfParams, whole_cells_stay_aligned_with_pixels_for_odd_counts_and_nea
     }
 }
 
-TEST(ScreenOfParams, pixels_of_a_slanted_sheet_count_along_the_rows) {
+TEST(ScreenOfParams, slanted_pixels_count_along_the_rows) {
   RenderParams params;
   params.optics.slant_deg = 60.0f;
   params.optics.viewing_distance_mm = kInfinity;
@@ -84,11 +84,11 @@ TEST(ScreenOfParams, pixels_of_a_slanted_sheet_count_along_the_rows) {
   EXPECT_NEAR(std::get<LenticularSheet>(optics.model).lens_pitch_mm, 8.0f * optics.panel.pixel_pitch_mm * 0.5f, 1e-6f);
 }
 
-TEST(ScreenOfParams, viewer_too_close_for_lenses_of_a_pixel_is_refused_by_the_name_of_the_flag) {
+TEST(ScreenOfParams, viewer_too_close_for_lenses_is_refused) {
   for (const OpticsKind kind : {OpticsKind::kLenticular, OpticsKind::kMicrolens}) {
     RenderParams params;
     params.optics.kind = kind;
-    params.optics.viewing_distance_mm = 0.1f;  // lenses of 8 pixels, 2 mm before them: 1 / 21 of a cell
+    params.optics.viewing_distance_mm = 0.1f;  // lenses of 8 pixels, 2 mm in front of them: 1 / 21 of a cell
     try {
       optics_on(placed_array(), params);
       FAIL() << "accepted";
@@ -98,14 +98,14 @@ TEST(ScreenOfParams, viewer_too_close_for_lenses_of_a_pixel_is_refused_by_the_na
   }
 }
 
-TEST(ScreenOfParams, infinite_viewer_is_refused_where_there_are_no_lenses) {
+TEST(ScreenOfParams, infinite_viewer_needs_lenses) {
   RenderParams params;
   params.optics.kind = OpticsKind::kSingle;
   params.optics.viewing_distance_mm = kInfinity;
   EXPECT_THROW(optics_on(placed_array(), params), Error);
 }
 
-TEST(ScreenOfParams, single_view_of_an_array_viewed_from_infinity_is_taken_from_a_finite_place) {
+TEST(ScreenOfParams, single_view_has_a_finite_viewer) {
   RenderParams params;
   params.optics.kind = OpticsKind::kSingle;
   FittedArray array = placed_array();

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-TEST(SettingsCommand, settings_as_by_default_say_nothing) {
+TEST(SettingsCommand, defaults_are_omitted) {
   EXPECT_EQ(command_of_settings("room", settings_json(RenderParams{})), "lippmann render room");
 }
 
@@ -26,12 +26,12 @@ TEST(SettingsCommand, settings_become_flags_in_their_order) {
             "lippmann render 'my room.glb' --lenses 32 --spp 4 --output out/x --video a.mp4 --video 'b b.mkv'");
 }
 
-TEST(SettingsCommand, switches_are_named_by_what_they_say) {
+TEST(SettingsCommand, switches_have_their_own_flags) {
   EXPECT_EQ(flags_of_setting("transparent", true), "--transparent");
   EXPECT_EQ(flags_of_setting("transparent", false), "");
 }
 
-TEST(SettingsCommand, values_of_foreign_origin_cannot_leave_their_word) {
+TEST(SettingsCommand, untrusted_values_are_quoted) {
   EXPECT_EQ(flags_of_setting("newer-flag", "a; rm b"), "--newer-flag 'a; rm b'");
   EXPECT_EQ(flags_of_setting("x; rm b", 1), "'--x; rm b' 1");
   EXPECT_EQ(flags_of_setting("newer-flag", Json{{"x", 1}}), R"(--newer-flag '{"x":1}')");

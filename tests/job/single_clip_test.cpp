@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-TEST(SingleClip, is_one_view_in_a_folder_beside_the_pictures) {
+TEST(SingleClip, is_one_view_in_its_folder) {
   RenderParams params;
   params.scene.name = "room";
   params.optics.lenses = {64, 0};
@@ -22,12 +22,12 @@ TEST(SingleClip, is_one_view_in_a_folder_beside_the_pictures) {
   EXPECT_EQ(single.output.video, std::vector<std::string>{"clips/room_single.mp4"});
 }
 
-TEST(SingleClip, beside_a_quilt_has_the_size_of_one_tile) {
+TEST(SingleClip, has_the_size_of_a_tile) {
   const Optics quilt{.panel = {800, 600, 0.1f}, .model = MultiView{8, 6}};
   EXPECT_EQ(single_clip({}, quilt).optics.size, (Extent<int>{100, 100}));
 }
 
-TEST(SingleClip, on_a_display_leaves_the_size_to_it) {
+TEST(SingleClip, has_the_size_of_the_display) {
   RenderParams params;
   params.optics.display = "portrait";
   EXPECT_EQ(single_clip(params, Optics{}).optics.size.x, 0);

@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-TEST(BytesText, has_two_digits_that_count) {
+TEST(BytesText, has_two_significant_digits) {
   EXPECT_EQ(bytes_text(0.0), "0.00 MB");
   EXPECT_EQ(bytes_text(351'000.0), "0.35 MB");
   EXPECT_EQ(bytes_text(4'160'000.0), "4.2 MB");

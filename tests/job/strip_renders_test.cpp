@@ -1,4 +1,4 @@
-// Frames rendered in strips of rows, in one run or by units, and joined: the bytes of frames that are rendered whole.
+// Tests frames rendered in strips of rows, in one run or by units: joined strips have the bytes of whole frames.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -24,7 +24,7 @@ using testing::Not;
 
 class StripRenders : public Renders {
  protected:
-  /// A still of 12 bands of 16 rows, the last of them lower, unless the settings say otherwise.
+  /// Returns a still with 12 bands of 16 rows, the last of them lower, by default.
   RenderParams still(const std::string& folder, const Settings& settings = {}) const {
     return job("teapot", folder, Settings{{"size", "64x184"}, {"lenses", "8x23"}, {"frames", "3"}} + settings);
   }
@@ -40,11 +40,11 @@ class StripRenders : public Renders {
     return finish_animation(dir_ / folder, join, context_);
   }
 
-  /// Everything that looks at pictures sees.
+  /// Returns the visible pictures of a folder.
   Files pictures(const std::string& folder) const { return pictures_below(dir_ / folder); }
 };
 
-/// Optics and shading whose strips are traced to the bits of the whole.
+/// Optics and shading whose strips have the bits of whole frames.
 const std::vector<Settings>& kinds() {
   static const std::vector<Settings> all{
       {},
@@ -59,7 +59,7 @@ const std::vector<Settings>& kinds() {
   return all;
 }
 
-TEST_F(StripRenders, in_any_number_of_strips_have_the_bytes_of_whole_frames) {
+TEST_F(StripRenders, strips_have_the_bytes_of_whole_frames) {
   for (std::size_t kind = 0; kind < kinds().size(); ++kind) {
     SCOPED_TRACE(kind);
     Settings settings = kinds()[kind];
@@ -83,7 +83,7 @@ TEST_F(StripRenders, in_any_number_of_strips_have_the_bytes_of_whole_frames) {
   }
 }
 
-TEST_F(StripRenders, by_units_in_any_order_are_finished_to_the_bytes_of_one_run) {
+TEST_F(StripRenders, units_have_the_bytes_of_one_run) {
   render(still("whole"));
   for (const int count : {2, 3, 8}) {
     const std::string folder = "in-" + std::to_string(count);
@@ -100,7 +100,7 @@ TEST_F(StripRenders, by_units_in_any_order_are_finished_to_the_bytes_of_one_run)
     EXPECT_EQ(report["frames"][0]["rays"]["primary"], 64 * 184);
     EXPECT_EQ(report["interrupted"], false);
     EXPECT_EQ(report["runs"].size(), static_cast<std::size_t>(count) + 2);
-    std::vector<std::string> strips;  // of frame 3, by run: those of one second are in no order
+    std::vector<std::string> strips;  // of frame 3, by run; runs of one second are in no order
     for (const auto& run : report["runs"])
       if (run.contains("strips")) strips.push_back(run.at("strips").at("3").get<std::string>());
     EXPECT_EQ(strips.size(), static_cast<std::size_t>(count));
@@ -108,7 +108,7 @@ TEST_F(StripRenders, by_units_in_any_order_are_finished_to_the_bytes_of_one_run)
   }
 }
 
-TEST_F(StripRenders, of_an_animation_and_its_video_have_the_bytes_of_whole_frames) {
+TEST_F(StripRenders, animation_and_video_have_the_same_bytes) {
   const auto film = [&](const std::string& folder, const char* strips) {
     return still(folder, {{"frames", "2-4"}, {"strips", strips}, {"video", dir_ / (folder + ".mkv")}});
   };
@@ -123,7 +123,7 @@ TEST_F(StripRenders, of_an_animation_and_its_video_have_the_bytes_of_whole_frame
   }
 }
 
-TEST_F(StripRenders, that_are_missing_or_damaged_are_named_and_a_resume_renders_these_alone) {
+TEST_F(StripRenders, missing_strips_are_named_and_resumed) {
   const Settings layer{{"aov", "provenance"}};
   const RenderParams params = still("a", layer + Settings{{"strips", "6"}});
   render(still("whole", layer));
@@ -144,7 +144,7 @@ TEST_F(StripRenders, that_are_missing_or_damaged_are_named_and_a_resume_renders_
   EXPECT_EQ(kept(resume(job_of("a"))), 1u);
 }
 
-TEST_F(StripRenders, of_a_frame_that_was_damaged_later_are_rendered_again) {
+TEST_F(StripRenders, damaged_frame_is_rendered_again) {
   render(still("a", {{"strips", "3"}}));
   const Files whole = pictures("a");
   fs::resize_file(dir_ / "a/frame_0003.png", 10);
@@ -155,7 +155,7 @@ TEST_F(StripRenders, of_a_frame_that_was_damaged_later_are_rendered_again) {
   EXPECT_TRUE(pictures("a") == whole);
 }
 
-TEST_F(StripRenders, that_a_killed_run_left_beside_a_finished_frame_are_cleared_away) {
+TEST_F(StripRenders, strips_of_a_killed_run_are_removed) {
   render(still("a", {{"strips", "3"}}));
   const Files whole = pictures("a");
   std::ofstream(dir_ / "a/strip_0003_001.exr") << "what was being removed";
@@ -164,7 +164,7 @@ TEST_F(StripRenders, that_a_killed_run_left_beside_a_finished_frame_are_cleared_
   EXPECT_TRUE(pictures("a") == whole);
 }
 
-TEST_F(StripRenders, in_folders_of_their_own_are_joined) {
+TEST_F(StripRenders, strips_in_several_folders_are_joined) {
   render(still("whole"));
   for (const int unit : {1, 2}) render_unit(still("part" + std::to_string(unit), {{"strips", "4"}}), unit, 2);
   EXPECT_THAT(finish("all", {dir_ / "part1"}).check.strips_left.at(3), ElementsAre(2, 3));
@@ -173,7 +173,7 @@ TEST_F(StripRenders, in_folders_of_their_own_are_joined) {
   EXPECT_EQ(files_in(dir_ / "part1", ".exr").size(), 2u) << "parts stay";
 }
 
-/// The first of two ranks, the other of which is stopped before it renders anything of the units that it takes.
+/// The first of two ranks, while the other stops before it renders any of its units.
 class RankOfStoppedJob : public Ranks {
  public:
   int rank() const override { return 0; }
@@ -189,7 +189,7 @@ class RankOfStoppedJob : public Ranks {
   int next_ = 0;
 };
 
-TEST_F(StripRenders, of_a_stopped_rank_are_left_beside_an_earlier_frame) {
+TEST_F(StripRenders, strips_of_a_stopped_rank_remain) {
   const RenderParams params = still("a", {{"strips", "3"}});
   render(params);
   const Files whole = pictures("a");
@@ -200,7 +200,7 @@ TEST_F(StripRenders, of_a_stopped_rank_are_left_beside_an_earlier_frame) {
   EXPECT_TRUE(pictures("a") == whole);
 }
 
-TEST_F(StripRenders, belong_to_their_job_and_go_with_it) {
+TEST_F(StripRenders, strips_belong_to_their_job) {
   render_unit(still("a", {{"strips", "4"}}), 1, 2);
   EXPECT_THAT(refusal(still("a", {{"strips", "2"}})), HasSubstr("holds another render: it differs in strips"));
   render(still("a"), {.force = true});
@@ -208,7 +208,7 @@ TEST_F(StripRenders, belong_to_their_job_and_go_with_it) {
   EXPECT_TRUE(check("a").passed());
 }
 
-TEST_F(StripRenders, that_cannot_be_are_refused) {
+TEST_F(StripRenders, impossible_strips_are_refused) {
   const auto refused = [&](const Settings& settings) { return refusal(still("a", settings)); };
   EXPECT_THAT(error_message([&] { still("a", {{"strips", "0"}}); }), HasSubstr("strips"));
   EXPECT_THAT(refused({{"strips", "13"}}), HasSubstr("strips: 13 are too many for 184 rows in bands of 16; accepted: 1 to 12"));
@@ -220,7 +220,7 @@ TEST_F(StripRenders, that_cannot_be_are_refused) {
   EXPECT_FALSE(exists("a"));
 }
 
-TEST_F(StripRenders, are_planned_with_every_strip_once_and_what_they_take) {
+TEST_F(StripRenders, plan_has_every_strip_once) {
   const RenderParams params = still("out", {{"frames", "3-4"}, {"strips", "4"}});
   const UnitPlan measured = plan_units(ResolvedJob(params), 3, true, context_);
   ASSERT_EQ(measured.units.size(), 3u);
@@ -238,11 +238,11 @@ TEST_F(StripRenders, are_planned_with_every_strip_once_and_what_they_take) {
   EXPECT_FALSE(exists("out"));
 }
 
-// Bands of rows are strips that need no files, chosen where whole frames would take more memory than there is.
+// Bands of rows are strips without files, used if whole frames would exceed the available memory.
 
-// With the codes and the file of a picture, a frame and its key frame take 31 bytes a pixel, and bands 19 at least. A denoised
-// frame takes 123 bytes a pixel, and bands, with the rows around them that are traced again, 66 at least.
-TEST_F(StripRenders, where_memory_is_short_bands_have_the_bytes_of_whole_frames) {
+// With the codes and the file of a picture, a frame and its key frame take 31 bytes per pixel, bands at least 19. A denoised
+// frame takes 123 bytes per pixel; bands, including the surrounding rows that are traced again, at least 66.
+TEST_F(StripRenders, bands_have_the_bytes_of_whole_frames) {
   const std::pair<Settings, double> kinds[] = {{{{"frames", "3-4"}, {"reuse", "copy"}}, 31.0},
                                                {{{"integrator", "path"}, {"spp", "2"}}, 130.0}};
   for (const auto& [settings, bytes_per_pixel] : kinds) {
@@ -256,7 +256,7 @@ TEST_F(StripRenders, where_memory_is_short_bands_have_the_bytes_of_whole_frames)
   }
 }
 
-TEST_F(StripRenders, what_does_not_fit_in_bands_is_refused_with_the_reason) {
+TEST_F(StripRenders, too_little_memory_for_bands_is_refused) {
   const auto refusal = [&](const Settings& settings, double bytes_per_pixel) {
     return error_message([&] { render(still("none", settings), {.available_memory = bytes_per_pixel * 64 * 184}); });
   };
@@ -269,7 +269,7 @@ TEST_F(StripRenders, what_does_not_fit_in_bands_is_refused_with_the_reason) {
   EXPECT_FALSE(fs::exists(dir_ / "none"));
 }
 
-TEST_F(StripRenders, frames_are_made_one_at_a_time_before_they_are_cut) {
+TEST_F(StripRenders, frames_are_rendered_one_at_a_time) {
   const Settings several{{"frames", "0-3"}};
   render(still("usual", several));
   render(still("short", several), {.available_memory = 42.0 * 64 * 184});

@@ -1,4 +1,4 @@
-// Our single-view pictures of Tachyon scenes beside the pictures that Debian's tachyon itself makes of them, at test time.
+// Compares our single-view images of Tachyon scenes with those of Debian's tachyon, rendered during the test.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 const fs::path kScenes = "/usr/share/doc/tachyon/examples/scenes";
 
-/// Frame `frame` of a scene through one pinhole, as 8-bit codes.
+/// Renders frame `frame` of a scene through one pinhole, as 8-bit codes.
 Image8 our_picture(const fs::path& scene, Vec2i size, const fs::path& camera_path = {}, int frame = 0) {
   RenderParams params;
   params.scene.name = scene.string();
@@ -32,7 +32,7 @@ Image8 our_picture(const fs::path& scene, Vec2i size, const fs::path& camera_pat
   return to_codes(render_frame(stage, params.sampling, frame, pool, context).pictures.film, stage.scene.encoding);
 }
 
-/// Runs tachyon in the scene's folder, where it looks for images. The picture (a pattern, with a camera path) goes to
+/// Runs tachyon in the scene's folder, where it searches for images. The output (a pattern, with a camera path) goes to
 /// `picture`.
 void run_tachyon(const fs::path& scene, Vec2i size, const fs::path& picture, const std::string& options = {}) {
   const std::string command = "cd '" + scene.parent_path().string() + "' && tachyon '" + scene.filename().string() + "' -res " +
@@ -60,9 +60,9 @@ void PrintTo(const Example& example, std::ostream* out) { *out << example.name; 
 
 class TachyonReference : public testing::TestWithParam<Example> {};
 
-/// The three scenes of the paper were matched at 64 dB and more when this was written, the others at 49 dB and more; what is
-/// left are silhouettes that rounding shifts by a pixel, and chains of mirrors that amplify rounding, and images
-/// on spheres too large for single precision.
+/// Lower bounds of the PSNR: at least 64 dB for the three scenes of the paper, at least 49 dB for the others. The remaining
+/// errors are silhouettes that rounding shifts by a pixel, chains of mirrors that amplify rounding, and images on spheres too
+/// large for single precision.
 TEST_P(TachyonReference, picture_agrees) {
   if (tachyon_is_missing()) GTEST_SKIP() << "the program tachyon is not installed";
   const fs::path scene = kScenes / (std::string(GetParam().name) + ".dat");
@@ -120,7 +120,7 @@ class TachyonRule : public testing::TestWithParam<Rule> {
 /// At most 2 codes for the rounding of float against double; one pixel in 200 for silhouettes.
 constexpr test::ImageTolerance kTolerance{.per_pixel = 2, .share = 0.005};
 
-/// A picture of 13 x 6 pixels, all different: sides that are no powers of two, to meet the rule for left-over rows.
+/// Returns an image of 13 x 6 different pixels: the sides are not powers of two, to test the rule for remaining rows.
 std::string small_ppm() {
   std::string ppm = "P6\n13 6\n255\n";
   for (int i = 0; i < 13 * 6; ++i)
@@ -128,7 +128,7 @@ std::string small_ppm() {
   return ppm;
 }
 
-/// 16 x 8 pixels, bottom row first as the descriptor 0 says.
+/// Returns 16 x 8 pixels, with the bottom row first as descriptor 0 states.
 std::string small_tga() {
   std::string tga(18, '\0');
   tga[2] = 2, tga[12] = 16, tga[14] = 8, tga[16] = 24;
@@ -263,7 +263,7 @@ INSTANTIATE_TEST_SUITE_P(All, TachyonRule, testing::ValuesIn(kRules),
 
 // ---- Camera paths ----
 
-TEST_F(TachyonRule, camera_path_gives_the_same_frames_under_the_same_numbers) {
+TEST_F(TachyonRule, camera_path_gives_the_same_frames) {
   const fs::path scene = dir_ / "scene.dat", path = dir_ / "scene.cam";
   write("scene.dat",
         "BEGIN_SCENE RESOLUTION 80 60 " + kCamera + kFloor + kPointLight + "SPHERE CENTER 0 0 0 RAD 1" + kMirror + "END_SCENE");

@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-constexpr Vec2f kClear{0.6f, 0.63f};  ///< no line, no arrow there
+constexpr Vec2f kClear{0.6f, 0.63f};  ///< a place without line or arrow
 
 Vec3f pixel_of(const Image& film, int x, int y) { return {film.pixel(x, y)[0], film.pixel(x, y)[1], film.pixel(x, y)[2]}; }
 
@@ -13,14 +13,14 @@ bool is_red(Vec3f c) { return c.x > 4.0f * c.y && c.x > 4.0f * c.z; }
 bool is_blue(Vec3f c) { return c.z > 4.0f * c.x && c.z > 4.0f * c.y; }
 bool is_grey(Vec3f c) { return c.x == c.y && c.y == c.z && c.x > 0.1f && c.x < 0.5f; }
 
-TEST(TestPattern, zone_is_red_at_its_left_grey_in_the_middle_and_blue_at_its_right) {
+TEST(TestPattern, zone_goes_from_red_to_blue) {
   EXPECT_TRUE(is_red(test_pattern(kClear, 1.0f, 0.05f)));
   EXPECT_TRUE(is_grey(test_pattern(kClear, 1.0f, 0.5f)));
   EXPECT_TRUE(is_blue(test_pattern(kClear, 1.0f, 0.95f)));
 }
 
-TEST(TestPattern, arrows_point_to_the_side_of_the_eye) {
-  // Near the tip at -0.45 only the left one is there; at 0.45 only the right one.
+TEST(TestPattern, arrows_point_to_the_eye) {
+  // Near the tip at -0.45 only the left arrow is visible, near 0.45 only the right one.
   const Vec3f white(0.9f);
   EXPECT_EQ(test_pattern({-0.45f, 0.012f}, 1.0f, 0.1f), white);
   EXPECT_NE(test_pattern({0.45f, 0.012f}, 1.0f, 0.1f), white);
@@ -28,7 +28,7 @@ TEST(TestPattern, arrows_point_to_the_side_of_the_eye) {
   EXPECT_NE(test_pattern({-0.45f, 0.012f}, 1.0f, 0.9f), white);
 }
 
-TEST(TestPattern, quilt_s_first_tile_is_red_and_its_last_one_blue) {
+TEST(TestPattern, quilt_goes_from_red_to_blue) {
   const ThreadPool pool(2);
   const Image film =
       test_pattern_film({.panel = {500, 100, 0.5f}, .model = MultiView{5, 1, radians(40.0f), false, 300.0f}}, pool);
@@ -38,7 +38,7 @@ TEST(TestPattern, quilt_s_first_tile_is_red_and_its_last_one_blue) {
   EXPECT_TRUE(is_blue(pixel_of(film, 480, 18)));
 }
 
-TEST(TestPattern, pixels_below_a_lens_run_from_the_right_of_the_zone_to_its_left) {
+TEST(TestPattern, lens_pixels_run_from_right_to_left) {
   const ThreadPool pool(1);
   const Image film = test_pattern_film({.panel = {400, 400, 0.125f}, .model = LenticularSheet{}}, pool);
   const int lens = 40 * 8, row = 74;
@@ -46,7 +46,7 @@ TEST(TestPattern, pixels_below_a_lens_run_from_the_right_of_the_zone_to_its_left
   EXPECT_TRUE(is_red(pixel_of(film, lens + 7, row)));
 }
 
-TEST(TestPattern, any_number_of_threads_gives_the_same) {
+TEST(TestPattern, threads_do_not_change_it) {
   const ThreadPool one(1), three(3);
   const Optics optics{.panel = {30, 40, 0.3f}, .model = SlantedPanel{}};
   EXPECT_EQ(test_pattern_film(optics, one).data, test_pattern_film(optics, three).data);

@@ -1,4 +1,4 @@
-// A job rendered in parts, by units or lists of frames, into one folder or several, and finished.
+// Tests jobs rendered in parts, by units or lists of frames, into one folder or several, and finished.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -29,7 +29,7 @@ class UnitRenders : public Renders {
   }
 };
 
-/// 24 frames of 8 lenses in kinds of reuse that cut animations in different places.
+/// 24 frames of 8 lenses, in kinds of reuse that cut animations at different places.
 const std::vector<Settings>& kinds() {
   static const std::vector<Settings> all{{{"reuse", "copy"}, {"keyframes", "5"}},
                                          {{"reuse", "interpolate"}, {"keyframes", "4"}},
@@ -39,7 +39,7 @@ const std::vector<Settings>& kinds() {
   return all;
 }
 
-TEST_F(UnitRenders, beside_each_other_in_any_number_give_the_bytes_of_one_run_and_its_video) {
+TEST_F(UnitRenders, units_have_the_bytes_of_one_run) {
   for (std::size_t kind = 0; kind < kinds().size(); ++kind) {
     const auto film = [&](const std::string& folder) {
       const Settings small{{"size", "64x16"}, {"lenses", "8x2"}, {"frames", "8-31"}, {"video", dir_ / (folder + ".mp4")}};
@@ -66,7 +66,7 @@ TEST_F(UnitRenders, beside_each_other_in_any_number_give_the_bytes_of_one_run_an
   }
 }
 
-TEST_F(UnitRenders, that_are_missing_or_damaged_are_named_and_a_resume_renders_them) {
+TEST_F(UnitRenders, missing_frames_are_named_and_resumed) {
   const RenderParams params = teapot("a", "0-5", {{"video", dir_ / "a.mkv"}});
   for (const int unit : {1, 3}) render_unit(params, unit, 3);
   EXPECT_THAT(check("a").unfinished, ElementsAre(2, 3));
@@ -82,8 +82,8 @@ TEST_F(UnitRenders, that_are_missing_or_damaged_are_named_and_a_resume_renders_t
   EXPECT_TRUE(finish("a").report) << "a second time";
 }
 
-// Which frames `copy` copies from is chosen anew in each run (docs/lab/decisions/0050): its layers are not compared.
-TEST_F(UnitRenders, and_resumed_runs_tell_where_pixels_came_from_as_one_run_does) {
+// `copy` chooses its source frames anew in each run (docs/lab/decisions/0050), so its layers are not compared.
+TEST_F(UnitRenders, provenance_is_that_of_one_run) {
   const std::vector<Settings> ways{{{"reuse", "interpolate"}, {"keyframes", "4"}},
                                    {{"reuse", "interpolate"}, {"keyframes", "2"}, {"min-psnr", "40"}},
                                    {{"integrator", "path"}, {"spp", "8"}},
@@ -106,7 +106,7 @@ TEST_F(UnitRenders, and_resumed_runs_tell_where_pixels_came_from_as_one_run_does
   }
 }
 
-TEST_F(UnitRenders, in_folders_of_their_own_are_joined) {
+TEST_F(UnitRenders, units_in_several_folders_are_joined) {
   for (const int unit : {1, 2}) render_unit(teapot("part" + std::to_string(unit), "0-3"), unit, 2);
   EXPECT_THAT(finish("all", {dir_ / "part1"}).to_render, ElementsAre(2, 3));
   EXPECT_TRUE(exists("all/job.toml"));
@@ -116,12 +116,12 @@ TEST_F(UnitRenders, in_folders_of_their_own_are_joined) {
   EXPECT_EQ(kept(resume(job_of("all"))), 4u);
 }
 
-TEST_F(UnitRenders, beyond_the_segments_of_a_job_have_nothing_to_do_and_succeed) {
+TEST_F(UnitRenders, units_beyond_the_segments_succeed) {
   render(teapot("a", "0-1"), {.units = Units{{3}, 3}});
   EXPECT_THAT(warnings_, HasSubstr("unit 3/3 has no frames"));
 }
 
-TEST_F(UnitRenders, of_listed_frames_leave_the_others_to_be_rendered) {
+TEST_F(UnitRenders, listed_frames_leave_the_others) {
   const RenderParams params = teapot("a", "0-9", {{"video", dir_ / "a.mkv"}});
   const RenderReport some = render(params, {.only_frames = read_frames("0-1,5-9:2", "")});
   EXPECT_EQ(some.frames.size(), 5u);
@@ -136,13 +136,13 @@ TEST_F(UnitRenders, of_listed_frames_leave_the_others_to_be_rendered) {
   EXPECT_EQ(bytes("a.mkv"), bytes("whole.mkv"));
 }
 
-TEST_F(UnitRenders, of_listed_frames_are_those_of_the_unit_too) {
+TEST_F(UnitRenders, listed_frames_are_limited_to_the_unit) {
   render(teapot("a", "0-5"), {.units = Units{{2}, 3}, .only_frames = FrameRanges{{3, 5}}});
   EXPECT_EQ(files_in(dir_ / "a", ".png").size(), 1u);
   EXPECT_TRUE(exists("a/frame_0003.png"));
 }
 
-TEST_F(UnitRenders, that_cannot_be_are_refused) {
+TEST_F(UnitRenders, impossible_units_are_refused) {
   EXPECT_THAT(refusal(teapot("a", "0-5"), {.only_frames = FrameRanges{{7, 9}}}),
               HasSubstr("only-frames: 7-9 selects no frame of this render; accepted: some of 0-5"));
   EXPECT_THAT(refusal(teapot("a", "0-1", {{"video", dir_ / "a.mp4"}, {"format", "exr"}}), {.units = Units{{1}, 2}}),
@@ -151,7 +151,7 @@ TEST_F(UnitRenders, that_cannot_be_are_refused) {
   EXPECT_FALSE(exists("a"));
 }
 
-TEST_F(UnitRenders, are_planned_with_every_frame_once_and_what_they_take) {
+TEST_F(UnitRenders, plan_has_every_frame_once) {
   const Settings film{{"size", "64x16"}, {"lenses", "8x2"}, {"frames", "8-31"}};
   const UnitPlan measured = plan_units(ResolvedJob(job("teapot", "out", film)), 3, true, context_);
   ASSERT_EQ(measured.units.size(), 3u);
