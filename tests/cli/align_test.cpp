@@ -1,4 +1,4 @@
-// `lippmann align` and views of stereo pairs from the command line, on views of the room.
+// Tests `lippmann align` and views of stereo pairs from the command line, on views of the room.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ class AlignTool : public testing::Test {
     fs::copy(made() / "r/frame_0000", dir_ / "in");
   }
 
-  /// Rendered once for all tests.
+  /// A folder rendered once for all tests.
   static const TempDir& made() {
     static const TempDir dir;
     return dir;
@@ -55,13 +55,13 @@ TEST_F(AlignTool, states_the_parallax_on_the_sheet) {
   EXPECT_EQ(bytes_of(dir_ / "again/view_000.png"), bytes_of(dir_ / "out/view_000.png"));
 }
 
-TEST_F(AlignTool, warns_of_more_parallax_than_the_sheet_resolves) {
+TEST_F(AlignTool, warns_of_unresolved_parallax) {
   EXPECT_THAT(run_tool(dir_, {"align", "in", "out", "--lpi", "100", "--dpi", "400", "--paper", "A4"}).err,
               HasSubstr("lens widths, but 4 views resolve only 3"));
   EXPECT_EQ(run_tool(dir_, {"align", "in", "out", "--lpi", "4", "--dpi", "400", "--paper", "A7"}).err, "");
 }
 
-TEST_F(AlignTool, views_between_a_pair_are_those_that_were_rendered) {
+TEST_F(AlignTool, views_of_a_pair_equal_rendered_ones) {
   expect_done(dir_, {"convert", "in", "pair.png", "--from", "views", "--to", "stereo", "--keep", "0-4:4"});
   const nlohmann::json made = report_of(dir_, {"convert", "pair_2x1.png", "out", "--to", "views", "--views", "5x1"});
   EXPECT_LT(made["filled_share"].get<double>(), 0.01);
@@ -75,7 +75,7 @@ TEST_F(AlignTool, views_between_a_pair_are_those_that_were_rendered) {
   }
 }
 
-TEST_F(AlignTool, refuses_bad_places_and_pairs) {
+TEST_F(AlignTool, invalid_points_and_pairs_are_refused) {
   const auto refuse = [&](const Words& words, int code, const std::string& message) {
     expect_refusal(run_tool(dir_, words), code, message);
     EXPECT_FALSE(fs::exists(dir_ / "out"));

@@ -11,13 +11,13 @@ namespace {
 
 void write(const std::filesystem::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
-/// Refused with exit code 1 and one line, and nothing is made.
+/// Expects exit code 1 with one line, and no output.
 void expect_nothing_made(const TempDir& dir, const Words& arguments, const std::string& part_of_message) {
   expect_refusal(run_tool(dir, arguments), 1, part_of_message);
   EXPECT_FALSE(std::filesystem::exists(dir / "out"));
 }
 
-TEST(BadInput, scenes_that_are_missing_or_damaged_are_named) {
+TEST(BadInput, missing_and_damaged_scenes_are_named) {
   const TempDir dir;
   expect_nothing_made(dir, {"render", "teepot"}, "did you mean 'teapot'?");
   for (const char* missing : {"none.dat", "none.glb", "none.toml"}) expect_nothing_made(dir, {"render", missing}, missing);
@@ -29,7 +29,7 @@ TEST(BadInput, scenes_that_are_missing_or_damaged_are_named) {
   expect_refusal(run_tool(dir, {"render", "job.toml"}), 2, "job.toml:2: there is no key 'lense', did you mean 'lenses'?");
 }
 
-// A reader that opens a FIFO waits for ever, and so does this test.
+// Opening a FIFO would block the test forever.
 TEST(BadInput, fifos_are_refused_by_every_reader) {
   const TempDir dir;
   for (const char* name : {"a.glb", "a.gltf", "a.ply", "a.obj", "a.nff", "a.dat", "job.toml", "p.png", "p.hdr", "d.toml",
@@ -50,8 +50,8 @@ TEST(BadInput, fifos_are_refused_by_every_reader) {
   for (const Words& words : others) expect_nothing_made(dir, words, "is not a regular file but a FIFO");
 }
 
-// Whatever a message quotes of a file, the terminal is not told what to do.
-TEST(BadInput, names_in_files_do_not_reach_the_terminal_as_they_are) {
+// Text quoted from a file must not control the terminal.
+TEST(BadInput, control_characters_of_files_are_escaped) {
   const TempDir dir;
   ExrPart part;
   part.channels = {{"\x1b]0;owned\x07u", {1.0f}}, {"\x1b]0;owned\x07v", {1.0f}}};
@@ -64,18 +64,18 @@ TEST(BadInput, names_in_files_do_not_reach_the_terminal_as_they_are) {
   }
 }
 
-TEST(BadInput, output_folder_that_cannot_be_made_is_named) {
+TEST(BadInput, impossible_output_folder_is_named) {
   const TempDir dir;
   write(dir / "file", "");
   expect_refusal(run_tool(dir, small_teapot("0", "file/out")), 1, "file/out");
 }
 
-TEST(BadInput, video_of_unknown_kind_is_refused_before_rendering) {
+TEST(BadInput, unknown_video_kind_is_refused_first) {
   const TempDir dir;
   expect_nothing_made(dir, small_teapot("0", "out") + Words{"--video", "a.gif"}, "a.gif");
 }
 
-TEST(BadInput, full_disk_is_one_message_and_leaves_no_cut_picture) {
+TEST(BadInput, full_disk_gives_one_message) {
   const TempDir dir;
   for (const std::string format : {"png", "tiff"}) {
     const RunResult result = run_tool(dir, small_teapot("0-5", format) + Words{"--format", format}, 4096);

@@ -1,4 +1,4 @@
-// `lippmann compare` from outside: what it prints where, and how it refuses.
+// Tests `lippmann compare` as a program: its output and its refusals.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
-/// a/ and b/, two frames each: the first equal, the second not.
+/// Makes a/ and b/ with two frames each: the first is equal, the second differs.
 void make_folders(const TempDir& dir) {
   for (const char* folder : {"a", "b"}) {
     std::filesystem::create_directory(dir / folder);
@@ -24,7 +24,7 @@ void make_folders(const TempDir& dir) {
   write_png(dir / "b/frame_0001.png", smooth_codes(32, 24, 0.1));
 }
 
-TEST(CompareCommand, json_is_all_there_is_on_stdout) {
+TEST(CompareCommand, stdout_is_only_json) {
   const TempDir dir;
   make_folders(dir);
   const RunResult result = run_tool(dir, {"compare", "a", "b", "--json"});
@@ -46,7 +46,7 @@ TEST(CompareCommand, table_ends_with_mean_and_worst) {
   EXPECT_THAT(result.out, HasSubstr("\nworst "));
 }
 
-TEST(CompareCommand, frames_are_those_that_are_asked_for) {
+TEST(CompareCommand, frames_selects_frames) {
   const TempDir dir;
   make_folders(dir);
   const Json json = json_of(run_tool(dir, {"compare", "a", "b", "--frames", "1", "--json"}).out);
@@ -65,7 +65,7 @@ TEST(CompareCommand, csv_is_written_beside) {
   EXPECT_EQ(lines_of(bytes_of(dir / "c.csv")), 3u);
 }
 
-TEST(CompareCommand, what_cannot_be_done_is_one_message) {
+TEST(CompareCommand, impossible_comparison_is_one_message) {
   const TempDir dir;
   make_folders(dir);
   std::filesystem::remove(dir / "b/frame_0001.png");

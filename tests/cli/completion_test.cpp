@@ -1,4 +1,4 @@
-// What shells offer at the Tab key, and the manual page.
+// Tests shell completion and the manual page.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -34,7 +34,7 @@ TEST(Completion, commands_are_those_of_help) {
   EXPECT_THAT(completions({"help", "rep"}), ElementsAre("replay", "report"));
 }
 
-TEST(Completion, flags_and_their_values_come_from_the_declarations) {
+TEST(Completion, flags_and_values_come_from_declarations) {
   EXPECT_THAT(completions({"render", "--integ"}), ElementsAre("--integrator"));
   EXPECT_THAT(completions({"render", "room", "--integrator", ""}), ElementsAre("whitted", "path"));
   EXPECT_THAT(completions({"render", "--also", ""}), ElementsAre("single"));
@@ -43,13 +43,13 @@ TEST(Completion, flags_and_their_values_come_from_the_declarations) {
   EXPECT_THAT(completions({"sheet", "p"}), ElementsAre("pitch", "phase", ":files"));
 }
 
-TEST(Completion, arguments_are_scenes_and_files_and_flags_without_known_values_take_files) {
+TEST(Completion, arguments_are_scenes_and_files) {
   EXPECT_THAT(completions({"render", "gea"}), ElementsAre("gears", ":files"));
   EXPECT_THAT(completions({"render", "room", "--output", ""}), ElementsAre(":files"));
   EXPECT_TRUE(completions({"rendre", "--"}).empty());
 }
 
-TEST(Completion, bash_offers_what_the_tool_says_and_files_with_spaces_whole) {
+TEST(Completion, bash_keeps_file_names_with_spaces) {
   const TempDir dir;
   std::ofstream(dir / "my scene.glb") << "";
   const std::string script = "source '" LIPPMANN_COMPLETIONS "/lippmann.bash'; COMP_WORDS=('" LIPPMANN_TOOL
@@ -61,7 +61,7 @@ TEST(Completion, bash_offers_what_the_tool_says_and_files_with_spaces_whole) {
   EXPECT_THAT(offered({"render", "my"}), ElementsAre("my scene.glb"));
 }
 
-TEST(Manual, every_command_has_its_flags_in_it) {
+TEST(Manual, manual_has_every_commands_flags) {
   const TempDir dir;
   const std::string page = run_tool(dir, {"manual"}).out;
   EXPECT_EQ(page.rfind(".TH LIPPMANN 1", 0), 0u);

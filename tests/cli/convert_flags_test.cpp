@@ -1,4 +1,4 @@
-// Every flag of `convert`, between many formats: it changes what is written, or it is refused by its name.
+// Tests every flag of `convert` between many formats: it changes the result, or it is refused by its name.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using testing::AnyOf;
 using testing::HasSubstr;
 
-/// A value for each flag that, where the flag has an effect, makes another result than the default does.
+/// A value for each flag whose result differs from the default's if the flag has an effect.
 const std::map<std::string, std::string>& values() {
   static const std::map<std::string, std::string> all{{"--views", "2x4"},
                                                       {"--quilt", "2x4"},
@@ -84,7 +84,7 @@ const std::map<std::string, std::string>& values() {
   return all;
 }
 
-/// Names and bytes of all files below a folder; --json and the rest of stdout apart.
+/// Returns names and bytes of all files below a folder.
 std::map<std::string, std::string> files_below(const fs::path& folder) {
   std::map<std::string, std::string> files;
   if (fs::exists(folder))
@@ -132,7 +132,7 @@ class ConvertFlags : public testing::Test {
     write_picture(dir_ / "d/depth.png", depth);
   }
 
-  /// Runs each flag on top of a conversion that works without it.
+  /// Adds each flag to a conversion that works without it.
   void walk(const std::string& in, const std::string& to, const Words& needed) {
     const Words base = Words{"convert", in, "o/x"} + needed + Words{"--to", to};
     const RunResult plain = run_tool(dir_, base);
@@ -174,7 +174,7 @@ TEST_F(ConvertFlags, each_changes_the_result_or_is_refused) {
   walk(quilt, "quilt", {});
 }
 
-TEST_F(ConvertFlags, refusals_name_the_formats_and_what_accepts_the_flag) {
+TEST_F(ConvertFlags, refusals_name_the_accepted_formats) {
   expect_refusal(run_tool(dir_, {"convert", "in/views", "s", "--to", "hci", "--display", "d.toml"}), 2,
                  "--display: has no effect from views to hci; accepted: --from native, --to native");
   expect_refusal(run_tool(dir_, {"convert", "in/views", "s", "--to", "hci", "--dpi", "300"}), 2,

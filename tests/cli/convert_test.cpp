@@ -1,4 +1,4 @@
-// `lippmann convert` from outside: what it prints, what it warns of, and what it leaves where it fails.
+// Tests `lippmann convert` as a program: its output, its warnings, and what failures leave behind.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ Words small_views(const std::string& folder, const Words& more = {}) {
          more;
 }
 
-TEST(Convert, says_what_it_made_and_refuses_what_is_no_grid) {
+TEST(Convert, prints_files_and_refuses_irregular_grids) {
   const TempDir dir;
   expect_done(dir, small_teapot("0", "r"));
   const Words convert{"convert", "r/frame_0000.png", "q.png", "--from", "integral", "--to", "quilt"};
@@ -36,7 +36,7 @@ TEST(Convert, says_what_it_made_and_refuses_what_is_no_grid) {
   expect_refusal(run_tool(dir, {"convert", "alone.png", "q.png", "--to", "quilt"}), 2, "--from");
 }
 
-TEST(Convert, what_is_not_known_of_cameras_and_depth_is_said) {
+TEST(Convert, assumed_cameras_and_depth_are_reported) {
   const TempDir dir;
   expect_done(dir, small_views("r", {"--camera-grid"}));
   const RunResult no_depth = run_tool(dir, {"convert", "r/frame_0000.png", "hci", "--to", "hci"});
@@ -49,7 +49,7 @@ TEST(Convert, what_is_not_known_of_cameras_and_depth_is_said) {
   EXPECT_FALSE(fs::exists(dir / "h/parameters.cfg"));
 }
 
-TEST(Convert, folder_of_any_pictures_is_views) {
+TEST(Convert, folder_of_pictures_is_views) {
   const TempDir dir;
   fs::create_directories(dir / "photos");
   for (const int number : {2, 10, 1})
@@ -79,10 +79,10 @@ TEST(Convert, dropped_camera_positions_are_reported) {
   EXPECT_EQ(warning("eslf"), "");
 }
 
-TEST(Convert, that_fails_leaves_no_folder) {
+TEST(Convert, failure_leaves_no_folder) {
   const TempDir dir;
   expect_done(dir, small_views("r"));
-  // Eyes at equal angles, which the format cannot say.
+  // The format cannot store eyes at equal angles.
   EXPECT_EQ(run_tool(dir, {"convert", "r/frame_0000.png", "one", "--to", "hci"}).exit_code, 1);
   EXPECT_EQ(run_tool(dir, {"convert", "r", "all", "--to", "hci"}).exit_code, 1);
   EXPECT_FALSE(fs::exists(dir / "one") || fs::exists(dir / "all"));
@@ -91,7 +91,7 @@ TEST(Convert, that_fails_leaves_no_folder) {
   EXPECT_TRUE(fs::exists(dir / "was_there"));
 }
 
-TEST(Convert, of_colours_and_depth_says_what_share_is_filled_and_what_is_assumed) {
+TEST(Convert, rgbd_reports_filled_share_and_assumptions) {
   const TempDir dir;
   const RunResult made = run_tool(dir, {"render", "room", "--size", "60x80", "--frames", "0", "--layout", "rgbd", "-o", "a"});
   EXPECT_THAT(made.out, HasSubstr("pictures  a/frame_0000_rgbd.png"));
@@ -103,7 +103,7 @@ TEST(Convert, of_colours_and_depth_says_what_share_is_filled_and_what_is_assumed
               HasSubstr("--depth-range"));
 }
 
-TEST(Convert, of_a_video_of_colours_and_depth_makes_what_its_frames_make) {
+TEST(Convert, rgbd_video_equals_its_frames) {
   const TempDir dir;
   expect_done(dir, {"render", "room", "--size", "60x80", "--frames", "0-1", "--layout", "rgbd", "-o", "a"});
   EXPECT_EQ(report_of(dir, {"encode", "a", "clip.mkv"})["file"], "clip_rgbd.mkv");
@@ -126,7 +126,7 @@ TEST(Convert, of_a_video_of_colours_and_depth_makes_what_its_frames_make) {
   EXPECT_FALSE(fs::exists(dir / "clip_rgbd.mkv.json"));
 }
 
-TEST(Convert, of_frames_to_colours_and_depth_warns_of_a_range_for_each) {
+TEST(Convert, frames_to_rgbd_warn_of_ranges) {
   const TempDir dir;
   expect_done(dir, {"render", "room", "--optics", "multiview", "--views", "3x1", "--size", "180x80", "--frames", "0-1", "--aov",
                     "depth", "-o", "a"});
@@ -135,7 +135,7 @@ TEST(Convert, of_frames_to_colours_and_depth_warns_of_a_range_for_each) {
   EXPECT_EQ(bytes_of(dir / "c/frame_0000_rgbd.png.json"), bytes_of(dir / "c/frame_0001_rgbd.png.json"));
 }
 
-TEST(Convert, of_colours_and_depth_fills_the_panel_behind_a_sheet_of_lenses) {
+TEST(Convert, rgbd_fills_the_panel_behind_lenses) {
   const TempDir dir;
   std::ofstream(dir / "sheet.toml") << R"(kind = "lenticular-sheet"
 pixels = [150, 100]
@@ -153,7 +153,7 @@ lenses_per_inch = 8.2
   EXPECT_EQ(size_of(read_picture(dir / "x.png")), Vec2i(150, 100));
 }
 
-TEST(Convert, turns_depth_round_by_both_ways_and_precompensates) {
+TEST(Convert, depth_is_inverted_by_both_methods) {
   const TempDir dir;
   expect_done(dir, small_teapot("0", "out"));
   EXPECT_EQ(report_of(dir, {"convert", "out", "turned", "--rotate-elemental"})["files"].size(), 2u);
@@ -165,7 +165,7 @@ TEST(Convert, turns_depth_round_by_both_ways_and_precompensates) {
   EXPECT_TRUE(fs::exists(dir / "made/frame_0000.png"));
 }
 
-/// Lenses of 10.4 pixels, each a bright spot.
+/// Writes lenses of 10.4 pixels, each a bright spot.
 void write_lens_spots(const fs::path& path, int side) {
   Image8 codes{side, side, {}};
   for (int y = 0; y < side; ++y)

@@ -1,4 +1,4 @@
-// Damage to a render that its readers find: they name the file, and hand nothing on.
+// Tests that readers of a render find damage: they name the file and use nothing of it.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -31,7 +31,7 @@ void replace(const fs::path& path, const std::string& text, const std::string& b
 }
 
 struct Damage {
-  std::string named;  ///< in the message
+  std::string named;  ///< expected in the message
   std::function<void(const fs::path& folder)> make;
 };
 
@@ -51,12 +51,12 @@ void expect_found(const TempDir& dir, const Damage& damage, const Words& reader)
   for (const char* name : {"a", "out", "out.mkv"}) fs::remove_all(dir / name);
 }
 
-TEST(Damage, of_frames_and_journals_is_found_by_every_reader) {
+TEST(Damage, frames_and_journals_are_checked) {
   const TempDir dir;
   expect_done(dir, {"render", "teapot", "--optics", "multiview", "--views", "2x2", "--size", "32x32", "--layout", "quilt",
                     "--frames", "0-2", "-o", "whole"});
   const std::string first = "frame_0000_qs2x2a1.png", second = "frame_0001_qs2x2a1.png";
-  // Both files of the exchange are wrong, and readers may read either of them first.
+  // Both exchanged files are wrong, and readers may read either of them first.
   const std::vector<Damage> damages{{"qs2x2a1.png", [&](const fs::path& a) { exchange(a / first, a / second); }},
                                     {second, [&](const fs::path& a) { fs::remove(a / second); }},
                                     {"jsonl", [](const fs::path& a) {
@@ -73,7 +73,7 @@ TEST(Damage, of_frames_and_journals_is_found_by_every_reader) {
           reader);
 }
 
-TEST(Damage, of_one_byte_is_found_in_pictures_of_all_formats_and_in_layers) {
+TEST(Damage, one_changed_byte_is_found) {
   const TempDir dir;
   for (const std::string format : {"exr", "tiff", "png16"}) {
     expect_done(dir, small_teapot("0", "whole") + Words{"--format", format, "--aov", "depth"});
@@ -87,7 +87,7 @@ TEST(Damage, of_one_byte_is_found_in_pictures_of_all_formats_and_in_layers) {
   }
 }
 
-TEST(Damage, of_depth_maps_and_cameras_of_light_fields_is_found) {
+TEST(Damage, damaged_depth_and_cameras_are_found) {
   const TempDir dir;
   expect_done(dir, {"render", "teapot", "--optics", "multiview", "--views", "2x2", "--size", "32x32", "--camera-grid", "--to",
                     "hci", "--frames", "0", "-o", "whole"});
@@ -98,7 +98,7 @@ TEST(Damage, of_depth_maps_and_cameras_of_light_fields_is_found) {
                  {"convert", "a", "out", "--to", format});
 }
 
-TEST(Damage, render_without_a_journal_is_read_and_said_to_be_unchecked) {
+TEST(Damage, missing_journal_is_reported_as_unchecked) {
   const TempDir dir;
   expect_done(dir, small_teapot("0", "a"));
   EXPECT_EQ(run_tool(dir, {"convert", "a", "b", "--to", "views", "--quiet"}).err, "");
@@ -111,7 +111,7 @@ TEST(Damage, render_without_a_journal_is_read_and_said_to_be_unchecked) {
   }
 }
 
-TEST(Damage, frame_that_the_journal_does_not_name_is_said_to_be_unchecked) {
+TEST(Damage, unlisted_frame_is_reported_as_unchecked) {
   const TempDir dir;
   expect_done(dir, small_teapot("0", "a"));
   fs::copy_file(dir / "a/frame_0000.png", dir / "a/frame_0001.png");
@@ -121,7 +121,7 @@ TEST(Damage, frame_that_the_journal_does_not_name_is_said_to_be_unchecked) {
   }
 }
 
-TEST(Damage, report_of_it_has_no_control_characters_of_names) {
+TEST(Damage, control_characters_of_names_are_escaped) {
   const TempDir dir;
   const std::string name = "a\x1b[31m";
   expect_done(dir, small_teapot("0", name));

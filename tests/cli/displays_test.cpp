@@ -1,4 +1,4 @@
-// `lippmann displays`: presets, files and devices that are plugged in.
+// Tests `lippmann displays`: presets, files and connected devices.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(Displays, list_names_presets_and_json_says_the_same) {
+TEST(Displays, list_and_json_have_the_presets) {
   const TempDir dir;
   const RunResult list = run_tool(dir, {"displays"}), json = run_tool(dir, {"displays", "--json"});
   EXPECT_EQ(list.exit_code, 0);
@@ -22,7 +22,7 @@ TEST(Displays, list_names_presets_and_json_says_the_same) {
   for (const auto& display : displays) EXPECT_THAT(list.out, HasSubstr(display["name"].get<std::string>()));
 }
 
-TEST(Displays, one_by_name_tells_its_lenses) {
+TEST(Displays, one_display_shows_its_lenses) {
   const TempDir dir;
   EXPECT_THAT(run_tool(dir, {"displays", "portrait"}).out, HasSubstr("244.041"));
   const auto json = json_of(run_tool(dir, {"displays", "portrait", "--json"}).out);
@@ -30,7 +30,7 @@ TEST(Displays, one_by_name_tells_its_lenses) {
   EXPECT_NEAR(json["tilt"].get<double>(), -0.190476, 5e-7);
 }
 
-TEST(Displays, find_reads_the_calibration_of_a_mounted_device) {
+TEST(Displays, find_reads_a_devices_calibration) {
   const TempDir dir;
   std::filesystem::create_directories(dir / "media/me/LKG/LKG_calibration");
   const auto file = dir / "media/me/LKG/LKG_calibration/visual.json";
@@ -47,7 +47,7 @@ TEST(Displays, find_reads_the_calibration_of_a_mounted_device) {
   EXPECT_EQ(json[0]["pixels"], nlohmann::json({7680, 4320}));
 }
 
-TEST(Displays, find_says_what_is_wrong_with_a_calibration_and_where_it_has_looked) {
+TEST(Displays, find_reports_calibration_errors_and_places) {
   const TempDir dir;
   std::filesystem::create_directories(dir / "media/LKG");
   const std::string mounts = (dir / "media").string();
@@ -59,17 +59,17 @@ TEST(Displays, find_says_what_is_wrong_with_a_calibration_and_where_it_has_looke
   expect_refusal(run_tool(dir, {"displays", "--mounts", mounts}), 2, "--find");
 }
 
-TEST(Displays, depth_budgets_are_those_of_the_panel_and_of_the_quilt) {
+TEST(Displays, depth_budgets_differ_for_panel_and_quilt) {
   const TempDir dir;
   const auto json = json_of(run_tool(dir, {"displays", "portrait", "--json"}).out);
-  // A view's pixel is 120.4 mm / 420 wide; 48 eyes spread over 40 degrees at D: 2 D tan(20 / 48 degrees) apart.
+  // A view's pixel is 120.4 mm / 420 wide. 48 eyes spread over 40 degrees at D are 2 D tan(20 / 48 degrees) apart.
   const double distance = json["viewing_distance_mm"], pixel = json["size_mm"][0].get<double>() / 420.0;
   const double apart = 2.0 * distance * std::tan(20.0 / 48.0 * 3.14159265358979 / 180.0);
   EXPECT_NEAR(json["quilt"]["depth_budget_mm"].get<double>(), pixel * distance / (apart + pixel), 1e-3);
   EXPECT_NE(json["quilt"]["depth_budget_mm"], json["depth_budget_mm"]);
 }
 
-TEST(Displays, unknown_names_are_wrong_usage_and_bad_files_failed_work) {
+TEST(Displays, unknown_names_and_bad_files_fail) {
   const TempDir dir;
   std::ofstream(dir / "visual.json") << R"({"serial": "LKG-P1", "pitch": 0, "slope": -7, "center": 0})";
   const RunResult name = run_tool(dir, {"displays", "portrat"}), file = run_tool(dir, {"displays", "visual.json"});

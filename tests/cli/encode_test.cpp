@@ -1,4 +1,4 @@
-// Videos of finished frames by the tool: names, what is said, what is refused.
+// Tests the encoding of finished frames: names, messages, refusals.
 #include <gtest/gtest.h>
 
 #include "tool.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(Encode, frames_of_a_quilt_become_a_video_with_its_name) {
+TEST(Encode, quilt_frames_give_a_named_video) {
   const TempDir dir;
   ASSERT_EQ(run_tool(dir, {"render", "gears", "--optics", "multiview", "--views", "2x2", "--size", "64x64", "--frames", "0-2",
                            "--layout", "quilt", "-o", "r"})
@@ -22,7 +22,7 @@ TEST(Encode, frames_of_a_quilt_become_a_video_with_its_name) {
   EXPECT_EQ(report_of(dir, {"encode", "r", "part.mkv", "--frames", "0,2"})["frames"], 2);
 }
 
-TEST(Encode, a_stereo_folder_becomes_the_video_of_its_render) {
+TEST(Encode, stereo_folder_equals_the_renders_video) {
   const TempDir dir;
   expect_done(dir, {"render", "teapot", "--layout", "stereo", "--frames", "3", "--viewing-distance", "600", "--size", "128x36",
                     "-o", "r", "--video", "a.mkv"});
@@ -30,7 +30,7 @@ TEST(Encode, a_stereo_folder_becomes_the_video_of_its_render) {
   EXPECT_EQ(bytes_of(dir / "a_2x1.mkv"), bytes_of(dir / "b_2x1.mkv"));
 }
 
-TEST(Encode, rate_is_that_of_the_render_unless_one_is_said) {
+TEST(Encode, rate_defaults_to_the_renders) {
   const TempDir dir;
   EXPECT_EQ(report_of(dir, small_teapot("0-2", "r") + Words{"--fps", "12"})["frames_per_second"], 12.0);
   for (const Words& rate : {Words{}, Words{"--fps", "12"}, Words{"--fps", "25"}})
@@ -42,7 +42,7 @@ TEST(Encode, rate_is_that_of_the_render_unless_one_is_said) {
   EXPECT_EQ(bytes_of(dir / "usual.mkv"), bytes_of(dir / "v25.mkv"));
 }
 
-TEST(Encode, what_cannot_be_is_refused_with_one_message) {
+TEST(Encode, impossible_videos_are_one_message) {
   const TempDir dir;
   ASSERT_EQ(run_tool(dir, small_teapot("0", "r")).exit_code, 0);
   expect_refusal(run_tool(dir, {"encode", "r", "a.gif"}), 1, ".webm");
@@ -54,7 +54,7 @@ TEST(Encode, what_cannot_be_is_refused_with_one_message) {
   EXPECT_FALSE(std::filesystem::exists(dir / "a.mp4"));
 }
 
-TEST(Render, codec_that_a_video_does_not_hold_is_refused_before_the_first_frame) {
+TEST(Render, unsupported_codec_is_refused_first) {
   const TempDir dir;
   expect_refusal(run_tool(dir, small_teapot("0", "r") + Words{"--video", "a.webm", "--video-codec", "h264"}), 1,
                  "do not hold h264");

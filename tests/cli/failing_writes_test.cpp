@@ -1,5 +1,5 @@
-// Renders of which one call of the system fails, the first write (or open, rename, mkdir, fsync, allocation), the second and so
-// on, or all from there on: the tool says so, and no half file has a final name.
+// Tests renders in which one system call fails (write, open, rename, mkdir, fsync or an allocation), the first, the second and
+// so on, or all from then on. The tool must report it, and no partial file may have a final name.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs the tool, of whose calls of this kind this one fails, and perhaps all that follow.
+/// Runs the tool while call number `number` of this kind fails, optionally with all calls after it.
 RunResult run_failing(const TempDir& dir, const Words& arguments, const std::string& call, int number, bool all_that_follow) {
   const std::string failed = dir / "failed";
   return run(Words{"/usr/bin/env", "LD_PRELOAD=" LIPPMANN_FAILING_WRITES, "LIPPMANN_FAIL_CALL=" + call,
@@ -25,15 +25,14 @@ RunResult run_failing(const TempDir& dir, const Words& arguments, const std::str
 
 enum class Fails { kOneWrite, kAllFromThereOn };
 
-/// Hundreds of these run: the scene is built in no time, the picture is small, and one thread makes the calls of every run come
-/// in one order.
+/// A fast render for hundreds of runs: a simple scene, a small picture, and one thread, so that the order of calls is fixed.
 Words render_of_two_frames(const Words& flags, const std::string& folder) {
   Words words{"render", "primitives", "--size", "16x16", "--frames", "0-1", "--threads", "1", "-o", folder};
   for (const std::string& word : flags) words.push_back(word == "VIDEO" ? folder + "/video.mkv" : word);
   return words;
 }
 
-/// How often a run says that it has failed, beside its lines of progress and its warnings.
+/// Returns how many failures a run reports, without progress lines and warnings.
 int failures_said(const std::string& err) {
   std::istringstream lines(err);
   int count = 0;
@@ -78,53 +77,53 @@ void expect_an_error_and_whole_files_or_none(const Words& flags, Fails fails = F
   EXPECT_GT(number, call == "write" ? 8 : call == "mkdir" ? 1 : 4) << "no " << call << " of the pictures failed";
 }
 
-TEST(FailingWrites, of_pictures_are_said_and_leave_whole_files_or_none) {
+TEST(FailingWrites, pictures_leave_whole_files_or_none) {
   for (const Words& flags : {Words{}, Words{"--format", "tiff"}, Words{"--format", "exr"}, Words{"--layout", "views"},
                              Words{"--optics", "multiview", "--views", "2x2", "--layout", "quilt"}})
     expect_an_error_and_whole_files_or_none(flags);
 }
 
-TEST(FailingWrites, of_layers_are_said_and_leave_whole_files_or_none) {
+TEST(FailingWrites, layers_leave_whole_files_or_none) {
   for (const Fails fails : {Fails::kOneWrite, Fails::kAllFromThereOn})
     expect_an_error_and_whole_files_or_none({"--format", "png16", "--aov", "depth"}, fails);
 }
 
-TEST(FailingWrites, of_videos_are_said_and_leave_whole_files_or_none) {
+TEST(FailingWrites, videos_leave_whole_files_or_none) {
   for (const Fails fails : {Fails::kOneWrite, Fails::kAllFromThereOn})
     expect_an_error_and_whole_files_or_none({"--video", "VIDEO"}, fails);
 }
 
-TEST(FailingWrites, files_that_cannot_be_opened_or_put_in_place_are_said_and_leave_whole_files_or_none) {
+TEST(FailingWrites, opening_and_renaming_leave_whole_files) {
   for (const std::string call : {"open", "rename"})
     for (const Words& flags : {Words{"--aov", "depth", "--video", "VIDEO"}, Words{"--layout", "views", "--format", "exr"},
                                Words{"--optics", "multiview", "--views", "2x2", "--layout", "quilt", "--format", "tiff"}})
       expect_an_error_and_whole_files_or_none(flags, Fails::kOneWrite, call);
 }
 
-TEST(FailingWrites, folders_that_cannot_be_made_are_said) {
+TEST(FailingWrites, folder_errors_are_reported) {
   expect_an_error_and_whole_files_or_none({"--layout", "views"}, Fails::kOneWrite, "mkdir");
 }
 
-/// Tens of thousands of allocations are tried in these steps, so that the test takes seconds: in larger ones until the run has
-/// a folder to leave behind. LIPPMANN_ALLOCATION_STEP=1 tries every one.
+/// Tries tens of thousands of allocations in these steps, so that the test takes seconds; in larger steps until the run has
+/// made a folder. LIPPMANN_ALLOCATION_STEP=1 tries every one.
 int allocation_step(bool has_folder) {
   const char* said = std::getenv("LIPPMANN_ALLOCATION_STEP");
   return said ? std::stoi(said) : has_folder ? 457 : 1999;
 }
 
-/// What became of runs in which an allocation failed.
+/// Results of runs in which an allocation failed.
 struct Ends {
-  int with_folder = 0;  ///< failed, and had begun a folder
-  int said = 0;         ///< failed with one line, exit code 1
-  int ended = 0;        ///< by a signal
+  int with_folder = 0;  ///< failed after making a folder
+  int said = 0;         ///< failed with one line and exit code 1
+  int ended = 0;        ///< ended by a signal
 };
 
-/// A library may do without what it could not allocate: then the render is as if nothing had failed. Others end the program:
-/// destructors of JSON values and listings of folders allocate and may not throw, Embree's threads use what they did not get.
+/// A library may cope with a failed allocation; then the render must be complete. In other places it ends the program:
+/// destructors of JSON values and folder listings allocate and may not throw, and Embree's threads use the missing memory.
 void expect_out_of_memory_or_whole(const RunResult& result, const Files& files, const Files& whole, int number, Ends& ends) {
   constexpr int kSignals = 128;
   if (result.exit_code > kSignals) {
-    expect_whole_files(without_temporary(files), whole, number);  // which what is killed leaves, and a resume removes
+    expect_whole_files(without_temporary(files), whole, number);  // hidden files of a killed run, which a resume removes
     ++ends.ended;
     return;
   }
@@ -155,7 +154,7 @@ Ends ends_of_runs_out_of_memory(const TempDir& dir, const Words& flags, const Fi
   }
 }
 
-TEST(FailingAllocations, are_mostly_said_in_a_line_and_always_leave_a_folder_that_resumes) {
+TEST(FailingAllocations, failures_leave_a_folder_that_resumes) {
   if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "a sanitizer's run-time brings an allocator of its own";
   const TempDir dir;
   const Words flags{"--video", "VIDEO"};
@@ -165,7 +164,7 @@ TEST(FailingAllocations, are_mostly_said_in_a_line_and_always_leave_a_folder_tha
   EXPECT_LE(4 * ends.ended, ends.said) << "by a library, now and then";
 }
 
-TEST(FailingWrites, strips_that_cannot_be_removed_are_said_and_the_next_run_removes_them) {
+TEST(FailingWrites, remaining_strips_are_removed_later) {
   if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "a sanitizer's run-time wants to be loaded first";
   const TempDir dir;
   const Words command{"render", "primitives", "--size", "64x64", "--frames", "0", "--strips", "2", "-o", "a"};
@@ -177,7 +176,7 @@ TEST(FailingWrites, strips_that_cannot_be_removed_are_said_and_the_next_run_remo
   EXPECT_FALSE(fs::exists(dir / "a/strip_0000_000.exr"));
 }
 
-TEST(FailingWrites, render_that_cannot_be_removed_is_not_replaced) {
+TEST(FailingWrites, undeletable_render_is_not_replaced) {
   if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "a sanitizer's run-time wants to be loaded first";
   const TempDir dir;
   expect_done(dir, small_teapot("0", "a"));
@@ -186,7 +185,7 @@ TEST(FailingWrites, render_that_cannot_be_removed_is_not_replaced) {
   EXPECT_NE(result.err.find("frame_0000.png: cannot be removed"), std::string::npos) << result.err;
 }
 
-TEST(FailingWrites, files_and_folders_that_cannot_be_synced_are_said_and_leave_whole_files_or_none) {
+TEST(FailingWrites, syncing_leaves_whole_files_or_none) {
   expect_an_error_and_whole_files_or_none({"--video", "VIDEO"}, Fails::kOneWrite, "fsync");
 }
 

@@ -1,4 +1,4 @@
-// One folder holds one render: what another one is told, what becomes of its files, and what a check finds.
+// Tests that one folder holds one render: how other renders are refused, which files remain, and what a check finds.
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
@@ -17,7 +17,7 @@ using testing::Not;
 
 const Words kOther{"--view-angle", "40"};
 
-TEST(Folder, render_with_other_settings_is_refused_in_one_line_and_changes_nothing) {
+TEST(Folder, other_settings_are_refused) {
   const TempDir dir;
   expect_done(dir, small_teapot("0-1", "a") + Words{"--aov", "depth"});
   const Files before = all_files(dir / "a");
@@ -29,7 +29,7 @@ TEST(Folder, render_with_other_settings_is_refused_in_one_line_and_changes_nothi
   EXPECT_EQ(all_files(dir / "a"), before);
 }
 
-TEST(Folder, default_folder_keeps_its_render_and_the_next_one_gets_a_number) {
+TEST(Folder, default_folder_is_numbered_if_occupied) {
   const TempDir dir;
   const Words quick{"render", "teapot", "--lenses", "8", "--frames", "0", "--quiet"};
   expect_done(dir, quick);
@@ -50,7 +50,7 @@ TEST(Folder, default_folder_keeps_its_render_and_the_next_one_gets_a_number) {
   EXPECT_NE(all_files(dir / "out/teapot"), first);
 }
 
-TEST(Folder, second_render_of_the_default_folder_has_its_single_view_beside_it) {
+TEST(Folder, single_view_is_beside_the_second_render) {
   const TempDir dir;
   const Words quick{"render", "teapot", "--lenses", "8", "--frames", "0", "--also", "single"};
   expect_done(dir, quick);
@@ -58,7 +58,7 @@ TEST(Folder, second_render_of_the_default_folder_has_its_single_view_beside_it) 
   EXPECT_TRUE(fs::exists(dir / "out/teapot-2/single/frame_0000.png"));
 }
 
-TEST(Folder, convert_writes_neither_into_the_folder_of_a_render_nor_over_its_pictures) {
+TEST(Folder, convert_does_not_overwrite_a_render) {
   const TempDir dir;
   expect_done(dir, small_teapot("0", "a"));
   expect_done(dir, small_teapot("0", "b") + Words{"--view-angle", "40"});
@@ -72,21 +72,21 @@ TEST(Folder, convert_writes_neither_into_the_folder_of_a_render_nor_over_its_pic
   expect_done(dir, Words{"convert", "a", "b/converted"} + to_integral);
 }
 
-// What a program opens that lies in a folder may be a FIFO, at which it would wait forever.
-TEST(Folder, fifo_in_place_of_a_file_is_an_error_and_is_not_waited_for) {
+// A FIFO in a folder would block a program that opens it forever.
+TEST(Folder, fifo_instead_of_a_file_is_refused) {
   const TempDir dir;
   const Words quilt{"render",   "teapot", "--optics", "multiview", "--camera-grid", "--views", "2x2", "--size", "32x32",
                     "--layout", "quilt",  "--aov",    "depth",     "--frames",      "0-1",     "-o",  "a"};
   expect_done(dir, quilt);
   for (const auto& entry : std::vector<fs::directory_entry>(fs::directory_iterator(dir / "a"), {})) {
     const fs::path file = entry.path(), name = file.filename();
-    if (entry.is_directory()) continue;  // the journal's, which journal_test knows
+    if (entry.is_directory()) continue;  // the journal, which journal_test covers
     fs::rename(file, dir / "kept");
     ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
     EXPECT_EQ(run_tool(dir, {"check", "a"}).exit_code, 1) << name;
     for (const Words& reader : {Words{"convert", "a", "views", "--to", "views"}, Words{"replay", "a", "-o", "eye"}}) {
       const RunResult result = run_tool(dir, reader);
-      const bool is_side_file = name.extension() == ".json" && name != "report.json";  // the report says more
+      const bool is_side_file = name.extension() == ".json" && name != "report.json";  // the report has the same data
       const bool is_read =
           (name.string().starts_with("frame_") && !(is_side_file && reader[0] == "replay")) || name == "report.json";
       EXPECT_EQ(result.exit_code, is_read) << reader[0] << name;
@@ -103,7 +103,7 @@ TEST(Folder, fifo_in_place_of_a_file_is_an_error_and_is_not_waited_for) {
   }
 }
 
-/// All files below a folder but journals, by their paths.
+/// Returns the paths of all files below a folder, without journals.
 std::set<std::string> names_below(const fs::path& folder) {
   std::set<std::string> names;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
@@ -115,7 +115,7 @@ std::set<std::string> names_below(const fs::path& folder) {
 
 const Words kWithCompanions{"--also", "single", "--page", "--video", "a/film.mkv"};
 
-TEST(Folder, of_another_job_that_has_not_finished_a_frame_is_refused_with_force_too) {
+TEST(Folder, unfinished_other_job_is_refused) {
   const TempDir dir;
   Subprocess slow(tool_command({"render", "teapot", "--size", "3000x3000", "--spp", "64", "--frames", "0", "-o", "a"}),
                   {dir.path().string(), 0});
@@ -129,7 +129,7 @@ TEST(Folder, of_another_job_that_has_not_finished_a_frame_is_refused_with_force_
   expect_done(dir, {"check", "a"});
 }
 
-TEST(Folder, that_is_removed_while_it_is_rendered_into_is_an_error) {
+TEST(Folder, removing_the_folder_is_an_error) {
   const TempDir dir;
   Subprocess running(tool_command(small_teapot("0-479", "a") + Words{"--layout", "views", "--quiet"}),
                      {dir.path().string(), 0});
@@ -141,7 +141,7 @@ TEST(Folder, that_is_removed_while_it_is_rendered_into_is_an_error) {
   EXPECT_NE(result.err, "");
 }
 
-TEST(Folder, job_of_a_render_asks_for_all_that_it_wrote_and_check_misses_what_is_gone) {
+TEST(Folder, job_file_lists_all_frames) {
   const TempDir dir;
   const Words whole = small_teapot("0-1", "a") + kWithCompanions;
   expect_done(dir, whole);
@@ -159,7 +159,7 @@ TEST(Folder, job_of_a_render_asks_for_all_that_it_wrote_and_check_misses_what_is
   }
 }
 
-TEST(Folder, companions_of_a_killed_render_are_made_when_it_is_resumed) {
+TEST(Folder, resuming_makes_missing_companions) {
   const TempDir dir;
   Subprocess killed(tool_command(small_teapot("0-3", "a") + kWithCompanions), {dir.path().string(), 0});
   ASSERT_TRUE(appears(dir / "a/frame_0001.png"));
@@ -172,7 +172,7 @@ TEST(Folder, companions_of_a_killed_render_are_made_when_it_is_resumed) {
     EXPECT_TRUE(fs::exists(dir / "a" / name)) << name;
 }
 
-TEST(Folder, forced_render_removes_the_companions_of_the_one_before) {
+TEST(Folder, forced_render_removes_old_companions) {
   const TempDir dir;
   expect_done(dir, small_teapot("0-1", "a") + kWithCompanions);
   std::ofstream(dir / "a/page/notes.txt") << "somebody's";
@@ -181,7 +181,7 @@ TEST(Folder, forced_render_removes_the_companions_of_the_one_before) {
   EXPECT_FALSE(fs::exists(dir / "a/single"));
 }
 
-TEST(Folder, parts_of_a_job_with_companions_are_finished_with_them) {
+TEST(Folder, finishing_makes_the_companions) {
   const TempDir dir;
   const Words job = small_teapot("0-1", "a") + Words{"--also", "single", "--page"};
   expect_done(dir, job + Words{"--unit", "1/2"});
@@ -198,7 +198,7 @@ TEST(Folder, parts_of_a_job_with_companions_are_finished_with_them) {
   expect_done(dir, {"check", "a"});
 }
 
-TEST(Folder, every_file_of_a_render_is_in_its_journal) {
+TEST(Folder, journal_has_every_file) {
   const TempDir dir;
   const Words views{"render", "teapot", "--optics", "multiview", "--views",      "2x2",
                     "--size", "32x32",  "--frames", "0",         "--camera-grid"};
@@ -219,7 +219,7 @@ TEST(Folder, every_file_of_a_render_is_in_its_journal) {
   }
 }
 
-TEST(Folder, copy_of_a_render_is_resumed_in_the_copy_however_the_folder_was_named) {
+TEST(Folder, copied_folder_is_resumed) {
   const TempDir dir;
   const std::string absolute = dir / "a";
   expect_done(dir, small_teapot("0-1", absolute) + Words{"--video", absolute + "/v.mkv"});
@@ -231,7 +231,7 @@ TEST(Folder, copy_of_a_render_is_resumed_in_the_copy_however_the_folder_was_name
   expect_done(dir, {"check", "b"});
 }
 
-TEST(Folder, later_run_of_a_job_adds_its_videos_and_companions_to_the_job_file) {
+TEST(Folder, later_run_extends_the_job_file) {
   const TempDir dir;
   expect_done(dir, small_teapot("0", "a") + Words{"--video", "a/v.mkv"});
   expect_done(dir, small_teapot("0", "a") + Words{"--resume", "--page"});
@@ -240,7 +240,7 @@ TEST(Folder, later_run_of_a_job_adds_its_videos_and_companions_to_the_job_file) 
   for (const char* key : {"page = true", "v.mkv", "frames = \"0-1\""}) EXPECT_THAT(job, HasSubstr(key));
 }
 
-TEST(Folder, report_of_a_render_with_frames_of_earlier_runs_says_so) {
+TEST(Folder, report_marks_frames_of_earlier_runs) {
   const TempDir dir;
   expect_done(dir, small_teapot("0-1", "a"));
   EXPECT_EQ(json_of(bytes_of(dir / "a/report.json"))["resumed"], false);
@@ -275,7 +275,7 @@ TEST(Folder, check_prints_lists_as_json) {
   EXPECT_EQ(found["passed"], false);
 }
 
-TEST(Folder, check_of_what_is_no_render_is_refused) {
+TEST(Folder, check_needs_a_render) {
   const TempDir dir;
   expect_refusal(run_tool(dir, {"check", "missing"}), 1, "missing: cannot be checked");
   fs::create_directory(dir / ".lippmann");

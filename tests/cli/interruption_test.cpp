@@ -15,7 +15,7 @@ namespace {
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
-/// The names of files that no finished render leaves: hidden temporaries.
+/// Returns the hidden temporary files, which no finished render leaves.
 Words temporaries_in(const std::filesystem::path& folder) {
   Words names;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -24,7 +24,7 @@ Words temporaries_in(const std::filesystem::path& folder) {
   return names;
 }
 
-TEST(Interruption, killed_render_resumes_to_the_same_pictures_and_video) {
+TEST(Interruption, killed_render_resumes_to_the_same_files) {
   const TempDir dir;
   const Words whole = small_teapot("0-9", "whole") + Words{"--video", "whole.mkv"};
   ASSERT_EQ(run_tool(dir, whole).exit_code, 0);
@@ -49,9 +49,9 @@ TEST(Interruption, killed_render_resumes_to_the_same_pictures_and_video) {
   EXPECT_EQ(frames[9]["kept"], false);
 }
 
-TEST(Interruption, files_left_half_written_by_a_killed_render_are_cleared_away_by_the_next_one) {
+TEST(Interruption, temporary_files_of_killed_renders_are_removed) {
   const TempDir dir;
-  const int ended = 1 << 30;  // beyond every process id of Linux
+  const int ended = 1 << 30;  // larger than every process id of Linux
   std::filesystem::create_directory(dir / "a");
   for (const char* name : {"a/.frame_0001.tmp-", ".film.tmp-"})
     std::ofstream(dir / (name + std::to_string(ended) + "-" + platform::host_name() + "-0123abcd.mkv")) << "half";
@@ -69,7 +69,7 @@ TEST(Interruption, resume_of_a_finished_render_traces_nothing) {
   EXPECT_THAT(again.out, HasSubstr("3 kept"));
 }
 
-TEST(Interruption, ctrl_c_keeps_finished_frames_and_says_so) {
+TEST(Interruption, ctrl_c_keeps_finished_frames) {
   const TempDir dir;
   const Words arguments = small_teapot("0-479", "a") + Words{"--video", "a/a.mp4", "--json"};
   Subprocess running(tool_command(arguments), {dir.path().string(), 0});
@@ -87,7 +87,7 @@ TEST(Interruption, ctrl_c_keeps_finished_frames_and_says_so) {
   EXPECT_EQ(temporaries_in(dir / "a"), Words{});
 }
 
-TEST(Interruption, ctrl_c_ends_a_replay_within_a_picture_of_which_nothing_is_left) {
+TEST(Interruption, ctrl_c_ends_a_replay_quickly) {
   const TempDir dir;
   ASSERT_EQ(run_tool(dir, {"render", "room", "--frames", "0-1", "--optics", "multiview", "--views", "4x1", "--size", "128x32",
                            "-o", "room"})
@@ -100,7 +100,8 @@ TEST(Interruption, ctrl_c_ends_a_replay_within_a_picture_of_which_nothing_is_lef
        {Words{"--pupil", "30"}, Words{"--ipd", "60", "--pupil", "30"}, Words{"--sweep", "3", "--pupil", "30"}}) {
     Subprocess running(tool_command(Words{"replay", "room", "-o", "eye", "--size", "4000x4000"} + what),
                        {dir.path().string(), 0});
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));  // nothing tells that a picture, of a minute, is begun
+    std::this_thread::sleep_for(
+        std::chrono::milliseconds(500));  // a picture takes a minute, and nothing reports that it has begun
     running.signal(SIGINT);
     EXPECT_EQ(running.wait().exit_code, 128 + SIGINT) << what.front();
     EXPECT_EQ(files_in(dir / "eye", ".png"), before) << what.front();

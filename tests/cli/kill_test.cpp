@@ -1,5 +1,5 @@
-// Renders that are killed at any moment (SIGKILL) and resumed: the same bytes as those of one that ran through, nothing damaged
-// and nothing left over. LIPPMANN_KILLS=200 kills so often; in every mode in turn.
+// Tests renders that are killed at random moments (SIGKILL) and resumed: they have the bytes of an undisturbed render, without
+// damaged or extra files. LIPPMANN_KILLS=200 sets the number of kills, which cycle through the modes.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -19,7 +19,7 @@ using Clock = std::chrono::steady_clock;
 struct Mode {
   const char* name;
   Words flags;
-  bool in_units = false;  ///< two at a time, of which one is killed; else one run
+  bool in_units = false;  ///< two processes at a time, one of which is killed; otherwise one process
 };
 
 const std::vector<Mode>& modes() {
@@ -43,7 +43,7 @@ Words command(const Mode& mode, const std::string& folder) {
   return words;
 }
 
-/// All but the files that tell of times and runs, and what a killed process has left hidden.
+/// Returns all files except those with times and runs, and hidden files of a killed process.
 Files lasting_files(const fs::path& folder) {
   Files files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -61,7 +61,7 @@ void run_and_kill(const TempDir& dir, const Words& arguments, std::chrono::micro
   running.wait();
 }
 
-/// Whether all is as in `whole` after a run that was killed so long after it began, and one that goes on.
+/// Kills a run after that time, continues it, and expects the files of `whole`.
 void expect_whole_after_a_kill(const Mode& mode, const Files& whole, std::chrono::microseconds after) {
   const TempDir dir;
   const Words first = command(mode, "a");
@@ -82,7 +82,7 @@ void expect_whole_after_a_kill(const Mode& mode, const Files& whole, std::chrono
   EXPECT_TRUE(lasting_files(dir / "a") == whole) << "other files than of a render that ran through";
 }
 
-TEST(Kill, killed_at_any_moment_and_resumed_a_render_is_what_it_would_have_been) {
+TEST(Kill, killed_render_resumes_to_the_same_files) {
   const char* said = std::getenv("LIPPMANN_KILLS");
   const int kills = said ? std::atoi(said) : static_cast<int>(modes().size());
   std::mt19937 random(19);

@@ -14,12 +14,12 @@ Words small_paths(const std::string& frames, const std::string& folder) {
   return {"render", "teapot", "--lenses", "8", "--integrator", "path", "--spp", "2", "--frames", frames, "--output", folder};
 }
 
-/// As traced: the error of 2 samples is far above the noise of the held-out pixels, so that an estimate exists.
+/// Without denoising, the error of 2 samples is far above the noise of the held-out pixels, so that an estimate exists.
 Words noisy_paths(const std::string& frames, const std::string& folder) {
   return small_paths(frames, folder) + Words{"--denoise", "none"};
 }
 
-TEST(Light, the_summary_says_how_large_the_error_of_paths_is) {
+TEST(Light, summary_has_the_error_of_paths) {
   const TempDir dir;
   EXPECT_THAT(run_tool(dir, noisy_paths("0", "one")).out,
               testing::ContainsRegex("estimated error [0-9]+ dB \\([0-9]+ to [0-9]+\\)\n"));
@@ -28,8 +28,8 @@ TEST(Light, the_summary_says_how_large_the_error_of_paths_is) {
   EXPECT_THAT(two.out, HasSubstr("every frame was traced in full"));
 }
 
-// The summary rounds what the report holds.
-TEST(Light, the_report_holds_the_interval_of_every_path_traced_frame) {
+// The summary rounds the values of the report.
+TEST(Light, report_has_the_errors_interval) {
   const TempDir dir;
   EXPECT_EQ(run_tool(dir, noisy_paths("0-1", "out")).exit_code, 0);
   const nlohmann::json report = json_of(bytes_of(dir / "out/report.json"));
@@ -40,7 +40,7 @@ TEST(Light, the_report_holds_the_interval_of_every_path_traced_frame) {
   }
 }
 
-TEST(Light, bare_denoise_means_auto_and_is_the_default) {
+TEST(Light, bare_denoise_is_auto) {
   const TempDir dir;
   const auto pictures = [&](const std::string& folder, const Words& flags) {
     return rendered(dir, small_paths("0", folder) + flags, folder);
@@ -53,10 +53,10 @@ TEST(Light, bare_denoise_means_auto_and_is_the_default) {
   EXPECT_EQ(pictures("f", {"--denoise=none", "--reuse", "none"}), plain);
 }
 
-/// A triangle: little work for any integrator.
+/// Writes a triangle, which is fast for any integrator.
 void write_triangle(const std::filesystem::path& path) { std::ofstream(path) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"; }
 
-TEST(Light, summary_report_and_info_say_which_light_was_taken) {
+TEST(Light, chosen_light_is_reported) {
   const TempDir dir;
   write_triangle(dir / "plain.obj");
   const std::string expected = "The built-in studio lights the scene, because the file has no lamps and no surroundings.";
@@ -70,7 +70,7 @@ TEST(Light, summary_report_and_info_say_which_light_was_taken) {
               HasSubstr("The scene has only its own light, as requested by --environment none."));
 }
 
-TEST(Light, the_summary_says_how_many_samples_were_taken_and_what_makes_less_noise) {
+TEST(Light, summary_has_samples_and_advice) {
   const TempDir dir;
   write_triangle(dir / "plain.obj");
   const auto summary = [&](const Words& flags) {

@@ -1,4 +1,4 @@
-// The memory that a render is said to take, beside what it has taken at its peak.
+// Compares the estimated memory of a render with its peak.
 #include <gmock/gmock.h>
 
 #include <string_view>
@@ -8,7 +8,7 @@
 namespace lippmann::test {
 namespace {
 
-/// Both for pictures of two sizes, whose difference leaves out what the program and the scene take.
+/// Differences between two picture sizes, which leave out the program and the scene.
 struct Memory {
   double estimated = 0.0, measured = 0.0;
 };
@@ -20,7 +20,7 @@ Memory memory_of(const TempDir& dir, const Words& flags, const std::string& size
   return {plan["estimated_memory_bytes"], report["totals"]["peak_memory_bytes"]};
 }
 
-/// The estimate as a multiple of what was measured.
+/// Returns the estimate divided by the measurement.
 double ratio(const Words& flags, const std::string& small, const std::string& large) {
   const TempDir dir;
   const Memory a = memory_of(dir, flags, small), b = memory_of(dir, flags, large);
@@ -41,7 +41,7 @@ class Memories : public testing::Test {
   }
 };
 
-TEST_F(Memories, estimates_of_traced_frames_are_near_the_peak) {
+TEST_F(Memories, traced_frames_are_near_the_estimate) {
   const std::pair<const char*, Words> cases[] = {
       {"png", {}},
       {"exr", {"--format", "exr"}},
@@ -51,12 +51,12 @@ TEST_F(Memories, estimates_of_traced_frames_are_near_the_peak) {
   for (const auto& [what, flags] : cases) expect_near_one(what, ratio(kWhitted + flags, "128x128", "640x640"));
 }
 
-TEST_F(Memories, estimates_of_interpolated_frames_are_near_the_peak) {
+TEST_F(Memories, interpolated_frames_are_near_the_estimate) {
   const Words flags{"room", "--integrator", "whitted", "--frames", "0-4", "--reuse", "interpolate", "--keyframes", "4"};
   expect_near_one("interpolate", ratio(flags, "128x128", "512x512"));
 }
 
-TEST_F(Memories, estimates_of_paths_are_near_the_peak) {
+TEST_F(Memories, paths_are_near_the_estimate) {
   const Words flags{"room", "--integrator", "path", "--spp", "2", "--frames", "0"};
   expect_near_one("denoised", ratio(flags, "128x128", "320x320"));
   expect_near_one("as traced", ratio(flags + Words{"--denoise", "none"}, "128x128", "640x640"));

@@ -1,4 +1,4 @@
-// mpirun -n N lippmann render: the same bytes for any number of ranks, and what becomes of the others when one dies.
+// Tests mpirun -n N lippmann render: any number of ranks gives the same bytes, and the death of a rank ends the others.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ bool is_mpi_there() {
   if (!is_mpi_there() || std::string_view(LIPPMANN_SANITIZE) != "") \
   GTEST_SKIP() << "no Open MPI (packages libopenmpi-dev, openmpi-bin), or a sanitizer"
 
-/// On this machine alone.
+/// On this machine only.
 Words mpirun(int ranks) {
   return {"/usr/bin/env",
           "OMPI_ALLOW_RUN_AS_ROOT=1",
@@ -47,7 +47,7 @@ Words teapot(const std::string& folder, const Words& more = {}) {
   return Words{"render", "teapot", "--size", "64x16", "--lenses", "8x2", "--frames", "0-39", "-o", folder} + more;
 }
 
-TEST(Mpi, any_number_of_ranks_writes_the_bytes_of_one_process_and_its_video) {
+TEST(Mpi, ranks_have_the_bytes_of_one_process) {
   SKIP_WITHOUT_MPI();
   for (const Words& how : {Words{}, kPaths}) {
     const TempDir dir;
@@ -68,7 +68,7 @@ TEST(Mpi, any_number_of_ranks_writes_the_bytes_of_one_process_and_its_video) {
   }
 }
 
-TEST(Mpi, ranks_share_out_the_strips_of_a_still_and_the_first_joins_them) {
+TEST(Mpi, ranks_share_strips_of_a_still) {
   SKIP_WITHOUT_MPI();
   const TempDir dir;
   const Words still{"render", "teapot", "--size", "64x160", "--lenses", "8x20", "--frames", "3"};
@@ -85,7 +85,7 @@ TEST(Mpi, ranks_share_out_the_strips_of_a_still_and_the_first_joins_them) {
   EXPECT_TRUE(pictures_below(dir / "a") == pictures_below(dir / "whole"));
 }
 
-TEST(Mpi, progress_of_all_ranks_is_told_by_the_first) {
+TEST(Mpi, first_rank_reports_all_progress) {
   SKIP_WITHOUT_MPI();
   const TempDir dir;
   const RunResult result = run_ranks(dir, 3, teapot("a", {"--verbose"}));
@@ -93,7 +93,7 @@ TEST(Mpi, progress_of_all_ranks_is_told_by_the_first) {
   EXPECT_EQ(frames_said(result.err), 40u) << result.err;
 }
 
-TEST(Mpi, resumed_after_frames_are_gone_renders_these_alone) {
+TEST(Mpi, resuming_renders_only_missing_frames) {
   SKIP_WITHOUT_MPI();
   const TempDir dir;
   ASSERT_EQ(run_ranks(dir, 2, teapot("a")).exit_code, 0);
@@ -115,7 +115,7 @@ TEST(Mpi, wrong_usage_ends_all_ranks) {
   EXPECT_THAT(run_ranks(dir, 2, teapot("a", {"--unit", "1/2"})).err, HasSubstr("--unit: cannot be combined with mpirun"));
 }
 
-TEST(Mpi, processes_that_a_launcher_started_and_that_do_not_find_each_other_are_refused) {
+TEST(Mpi, ranks_without_connection_are_refused) {
   SKIP_WITHOUT_MPI();
   const TempDir dir;
   const RunResult result = run(Words{"/usr/bin/env", "PMI_SIZE=4"} + tool_command(teapot("a")), {dir.path().string(), 0});

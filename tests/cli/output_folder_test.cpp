@@ -1,4 +1,4 @@
-// Every command makes the folders that its results go into, and leaves none behind where it fails.
+// Tests that every command makes the folders of its results, and leaves none behind if it fails.
 #include <gmock/gmock.h>
 
 #include "cli/tool.hpp"
@@ -8,13 +8,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Two frames in `pictures`.
+/// Renders two frames into `pictures`.
 void render_teapot(const TempDir& dir) {
   const RunResult made = run_tool(dir, small_teapot("0-1", "pictures"));
   ASSERT_EQ(made.exit_code, 0) << made.err;
 }
 
-/// Runs the tool, which must make that file.
+/// Runs the tool and expects a file.
 void expect_made(const TempDir& dir, const Words& arguments, const std::string& file) {
   const RunResult result = run_tool(dir, arguments);
   EXPECT_EQ(result.exit_code, 0) << arguments.front() << ": " << result.err;

@@ -1,4 +1,4 @@
-// Pictures of displays from the command line: prints, quilts and native frames of any views.
+// Tests pictures for displays from the command line: prints, quilts and native frames from any views.
 #include <fmt/core.h>
 #include <gmock/gmock.h>
 
@@ -31,7 +31,7 @@ class Prints : public testing::Test {
   const Words sheet_{"--lpi", "20", "--dpi", "80", "--paper", "200x100px"};
 };
 
-TEST_F(Prints, a_sheet_in_one_line_and_its_resolution) {
+TEST_F(Prints, sheet_sets_size_and_resolution) {
   const RunResult run = run_tool(dir_, Words{"convert", "in", "out.png"} + sheet_);
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("4.000 pixels below each lens, a print pitch of 20.000 lpi"));
@@ -61,14 +61,14 @@ TEST_F(Prints, frames_of_a_video_are_views) {
   expect_refusal(run_tool(dir_, {"convert", "clip.mkv", "rows", "--to", "views", "--views", "2x2"}), 2, "one row of views");
 }
 
-TEST_F(Prints, a_flip_print_has_the_first_frame_at_the_left) {
+TEST_F(Prints, flip_print_starts_on_the_left) {
   expect_done(dir_, Words{"convert", "in", "out.png", "--flip", "--shares", "2,1,0.4,0.6"} + sheet_);
   const Image8 print = picture("out.png");
-  constexpr std::array<int, 4> kFrames{0, 0, 1, 3};  // frame 2, from 0.75 to 0.85 of a lens, has no centre of a pixel
+  constexpr std::array<int, 4> kFrames{0, 0, 1, 3};  // frame 2, from 0.75 to 0.85 of a lens, contains no pixel centre
   for (std::size_t x = 0; x < 200; ++x) EXPECT_EQ(print.rgb[3 * x], 60 * kFrames[x % 4]) << x;
 }
 
-TEST_F(Prints, without_a_format_the_own_picture_of_the_display) {
+TEST_F(Prints, default_is_the_displays_own_picture) {
   expect_done(dir_, {"convert", "in", "panel.png", "--display", "portrait"});
   EXPECT_EQ(picture("panel.png").width, 1536);
   expect_done(dir_, {"convert", "in", "q.png", "--to", "quilt", "--display", "portrait"});

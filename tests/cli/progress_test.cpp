@@ -1,4 +1,4 @@
-// What `lippmann render` says before and while it renders, and what it promises of sizes.
+// Tests what `lippmann render` prints before and during a render, and its estimates of sizes.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -22,14 +22,14 @@ std::vector<std::string> split(const std::string& text) {
   return all;
 }
 
-/// Bytes of all files of a folder that end so.
+/// Returns the bytes of all files of a folder with that extension.
 std::size_t size_of(const std::filesystem::path& folder, const std::string& ending) {
   std::size_t sum = 0;
   for (const auto& [name, bytes] : files_in(folder, ending)) sum += bytes.size();
   return sum;
 }
 
-TEST(RenderProgress, without_a_terminal_says_what_comes_then_the_first_and_the_last_frame) {
+TEST(RenderProgress, without_terminal_prints_first_and_last_frame) {
   const TempDir dir;
   const RunResult result = run_tool(dir, small_teapot("0-3", "out") + Words{"--full-depth"});
   const std::vector<std::string> lines = split(result.err);
@@ -40,14 +40,14 @@ TEST(RenderProgress, without_a_terminal_says_what_comes_then_the_first_and_the_l
   EXPECT_THAT(result.err, Not(HasSubstr("\r")));
 }
 
-TEST(RenderProgress, verbose_says_every_frame) {
+TEST(RenderProgress, verbose_prints_every_frame) {
   const TempDir dir;
   const RunResult result = run_tool(dir, small_teapot("0-3", "out") + Words{"-v"});
   EXPECT_EQ(frames_said(result.err), 4u) << result.err;
   EXPECT_THAT(result.err, AllOf(HasSubstr("[2/4] frame 1: "), HasSubstr("[3/4] frame 2: ")));
 }
 
-TEST(RenderProgress, json_is_an_object_a_line_with_the_bytes_that_are_there) {
+TEST(RenderProgress, json_has_one_object_per_line) {
   const TempDir dir;
   const RunResult result = run_tool(dir, small_teapot("2-5", "out") + Words{"--progress", "json", "--aov", "depth"});
   const std::vector<std::string> lines = split(result.err);
@@ -71,7 +71,7 @@ TEST(RenderProgress, json_is_an_object_a_line_with_the_bytes_that_are_there) {
   EXPECT_EQ(last["seconds_left"], 0.0);
 }
 
-TEST(RenderProgress, size_is_of_the_panel_s_pixels_not_of_their_colours) {
+TEST(RenderProgress, size_counts_the_panels_pixels) {
   const TempDir dir;
   std::ofstream(dir / "small.toml") << "base = 'looking-glass-portrait'\npixels = [96, 128]\n";
   const RunResult result =
@@ -83,21 +83,21 @@ TEST(RenderProgress, size_is_of_the_panel_s_pixels_not_of_their_colours) {
               HasSubstr("96x128 pixels of"));
 }
 
-TEST(DryRun, counts_layers_and_videos_and_is_within_a_factor_of_what_comes) {
+TEST(DryRun, estimate_is_near_the_actual_size) {
   const TempDir dir;
   const Words all = small_teapot("0-7", "r") + Words{"--aov", "depth,normal", "--video", "r/a.mkv"};
   const Json plan = report_of(dir, all + Words{"--dry-run"});
   ASSERT_EQ(run_tool(dir, all).exit_code, 0);
   for (const auto& [part, ending] : {std::pair("pictures", ".png"), std::pair("layers", ".exr"), std::pair("videos", ".mkv")}) {
     const double ratio = static_cast<double>(size_of(dir / "r", ending)) / plan["estimated"][part].get<double>();
-    EXPECT_GT(ratio, 0.3) << part;  // plain scenes take half of what is estimated, detailed ones twice
+    EXPECT_GT(ratio, 0.3) << part;  // plain scenes take half of the estimate, detailed ones twice
     EXPECT_LT(ratio, 3.0) << part;
   }
   EXPECT_THAT(run_tool(dir, all + Words{"--dry-run"}).out,
               AllOf(HasSubstr("(an estimate)"), HasSubstr("layers"), HasSubstr("videos")));
 }
 
-TEST(FittedDepth, is_the_default_and_said_before_and_after) {
+TEST(FittedDepth, is_the_default_and_reported) {
   const TempDir dir;
   const RunResult fitted = run_tool(dir, small_teapot("0", "a")),
                   full = run_tool(dir, small_teapot("0", "b") + Words{"--full-depth"});
@@ -113,7 +113,7 @@ TEST(FittedDepth, is_the_default_and_said_before_and_after) {
   EXPECT_EQ(b["settings"]["fit-depth"], false);
 }
 
-TEST(FittedDepth, is_said_by_a_dry_run) {
+TEST(FittedDepth, is_reported_by_a_dry_run) {
   const TempDir dir;
   EXPECT_THAT(run_tool(dir, small_teapot("0", "a") + Words{"-n"}).out, HasSubstr("Its depth is scaled to"));
   EXPECT_LT(report_of(dir, small_teapot("0", "a") + Words{"-n"})["depth"]["scale"], 0.9);

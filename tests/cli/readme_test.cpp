@@ -1,4 +1,4 @@
-// The commands of README.md and of the guide run as they stand there.
+// Runs the commands of README.md and of the guide unchanged.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The lines of a page's code blocks that call the tool, without their comments.
+/// Returns the lines of a page's code blocks that call the tool, without their comments.
 Words commands_of(const std::string& page) {
   std::ifstream file(fs::path(LIPPMANN_SOURCE) / page);
   Words commands;
@@ -27,7 +27,7 @@ Words commands_of(const std::string& page) {
   return commands;
 }
 
-/// What follows a word at the start of a file's lines, without comments and spaces at the end.
+/// Returns the rest of each line that begins with a word, without comments and trailing spaces.
 Words after_word(const fs::path& path, const std::string& word) {
   std::ifstream file(path);
   Words found;
@@ -39,7 +39,7 @@ Words after_word(const fs::path& path, const std::string& word) {
   return found;
 }
 
-TEST(Readme, dockerfile_runs_its_two_commands_and_no_other) {
+TEST(Readme, dockerfile_runs_only_its_two_commands) {
   const fs::path root(LIPPMANN_SOURCE);
   Words commands;
   for (const std::string& script : after_word(root / "README.md", "scripts/")) commands.push_back("scripts/" + script);
@@ -48,21 +48,21 @@ TEST(Readme, dockerfile_runs_its_two_commands_and_no_other) {
   for (const std::string& command : commands) EXPECT_TRUE(fs::exists(root / command)) << command;
 }
 
-/// What one line runs: renders only check what they would make, unless something in the same line reads it.
+/// Returns the command to run: renders become dry runs, unless the same line uses their output.
 std::string quick(const std::string& line) {
   const bool alone = line.find("&&") == std::string::npos;
   if (!alone || line.find("lippmann render ") != 0) return line;
   return line + " --dry-run";
 }
 
-/// Runs a line as a shell does that finds the tool.
+/// Runs a line in a shell that finds the tool.
 void expect_runs(const TempDir& dir, const std::string& line) {
   const std::string path = "PATH=" + fs::path(LIPPMANN_TOOL).parent_path().string() + ":$PATH; ";
   const RunResult result = run({"sh", "-c", path + line}, {dir.path().string(), 0});
   EXPECT_EQ(result.exit_code, 0) << line << "\n" << result.err;
 }
 
-TEST(Readme, commands_run_as_they_stand) {
+TEST(Readme, commands_run_unchanged) {
   const Words commands = commands_of("README.md") + commands_of("docs/guide/start.md");
   ASSERT_GE(commands.size(), 20u);
   const TempDir dir;
@@ -75,7 +75,7 @@ TEST(Readme, commands_run_as_they_stand) {
   }
 }
 
-/// Writes the pictures and displays that docs/guide/prints.md speaks of.
+/// Writes the pictures and displays that docs/guide/prints.md uses.
 void make_pictures_of_prints(const TempDir& dir) {
   expect_done(dir, {"render", "teapot", "--optics", "multiview", "--views", "3x1", "--size", "96x24", "--frames", "0",
                     "--layout", "views", "-q", "-o", "made"});
@@ -110,7 +110,7 @@ bool needs_align_module(const std::string& command) {
          command.find("pair_2x1") != std::string::npos;
 }
 
-TEST(Docs, commands_of_prints_run_as_they_stand) {
+TEST(Docs, commands_of_prints_run) {
   const TempDir dir;
   make_pictures_of_prints(dir);
   make_textured_pictures(dir);
@@ -132,7 +132,7 @@ void make_files_of_the_guide(const TempDir& dir) {
   std::ofstream(dir / "sky.hdr") << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n\x40\x40\x40\x81\x40\x40\x40\x81";
 }
 
-/// Renders, in small, the folders that commands of the guide read.
+/// Renders small versions of the folders that commands of the guide read.
 void make_renders_of_the_guide(const TempDir& dir) {
   const Words small{"--size", "256x256", "--lenses", "32", "--frames", "40", "-q"};
   expect_done(dir, Words{"render", "room", "-o", "out/room"} + small);
@@ -147,13 +147,13 @@ void make_renders_of_the_guide(const TempDir& dir) {
     if (file.path().extension() == ".png") fs::copy_file(file.path(), dir / "quilt_qs8x6a0.75.png");
 }
 
-/// Whether a command serves a page until it is stopped.
+/// Returns whether a command serves a page until it is stopped.
 bool is_server(const std::string& command) {
   return command.starts_with("lippmann play") ||
          (command.starts_with("lippmann view") && command.find("--save") == std::string::npos);
 }
 
-TEST(Docs, commands_of_the_guide_run_as_they_stand) {
+TEST(Docs, commands_of_the_guide_run) {
   const TempDir dir;
   make_files_of_the_guide(dir);
   Words renders, others;
@@ -169,7 +169,7 @@ TEST(Docs, commands_of_the_guide_run_as_they_stand) {
     expect_runs(dir, "HOME=.; " + command + (command.starts_with("lippmann plan") ? " --only-list" : ""));
 }
 
-/// Words and phrases that readers stumble over, in small letters.
+/// Returns the hard-to-read words and phrases in a text, in lower case.
 std::vector<std::string> odd_words_in(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -180,7 +180,7 @@ std::vector<std::string> odd_words_in(std::string text) {
   return found;
 }
 
-/// The relative links of a page that lead to no file.
+/// Returns the relative links of a page without a target file.
 std::vector<std::string> broken_links_in(const fs::path& page) {
   std::vector<std::string> broken;
   const std::string text = bytes_of(page);
@@ -226,7 +226,7 @@ TEST(Readme, examples_are_what_their_generator_makes) {
   const RunResult made = run({"python3", (dir / "make_examples.py").string()});
   if (made.exit_code == 127) GTEST_SKIP() << "python3 is not installed";
   ASSERT_EQ(made.exit_code, 0) << made.err;
-  // Deflate's bytes may differ from one zlib to another: what the pictures decode to is in the model's counts.
+  // Deflate's bytes may differ between versions of zlib, so the model is compared by its counts.
   EXPECT_EQ(bytes_of(dir / "vase.ply"), bytes_of(fs::path(LIPPMANN_SOURCE) / "examples/vase.ply"));
   for (const char* key : {"meshes", "materials", "triangles"})
     EXPECT_EQ(report_of(dir, {"info", "desk.glb"})[key],

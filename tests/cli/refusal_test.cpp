@@ -1,5 +1,5 @@
-// What flags and job files ask for and cannot be: one line that names the flag, exit code 2, and nothing is made. That
-// libraries refuse it is tested beside them; here, that their words become those of the command line.
+// Tests impossible flags and job files: one line that names the flag, exit code 2, and no output. The libraries' own tests
+// cover their checks; these tests cover the translation to the command line.
 #include <gmock/gmock.h>
 
 #include "cli/tool.hpp"
@@ -14,7 +14,7 @@ struct Refusal {
 
 class Refusals : public testing::TestWithParam<Refusal> {};
 
-TEST_P(Refusals, are_one_line_that_names_the_flag_and_nothing_is_made) {
+TEST_P(Refusals, are_one_line_with_the_flag) {
   const TempDir dir;
   expect_refusal(run_tool(dir, GetParam().arguments), 2, GetParam().part_of_message);
   EXPECT_TRUE(std::filesystem::is_empty(dir.path()));

@@ -1,4 +1,4 @@
-// Flags and job-file keys of earlier versions: one error names the replacement, and nothing is rendered.
+// Tests flags and job-file keys of earlier versions: one error names the replacement, and nothing is rendered.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -14,7 +14,7 @@ struct Removed {
 
 class RemovedFlags : public testing::TestWithParam<Removed> {};
 
-TEST_P(RemovedFlags, are_refused_on_the_command_line_and_in_job_files) {
+TEST_P(RemovedFlags, name_their_replacement) {
   const auto& [name, value, replacement] = GetParam();
   const TempDir dir;
   for (const Words& flag : {Words{"--" + name, value}, Words{"--" + name + "=" + value}}) {

@@ -1,4 +1,4 @@
-// Every flag of `render`, on renders of several kinds: it changes the files that are made, or it is refused by its name.
+// Tests every flag of `render` on several kinds of renders: it changes the files, or it is refused by its name.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// A value for each flag that, where the flag has an effect, makes other files than the default does.
+/// A value for each flag whose files differ from the default's if the flag has an effect.
 const std::map<std::string, std::string>& values() {
   static const std::map<std::string, std::string> all{{"--animation", "0"},
                                                       {"--aperture", "4"},
@@ -96,7 +96,7 @@ const std::map<std::string, std::string>& values() {
   return all;
 }
 
-/// Flags that may leave these pictures as they are, and why.
+/// Flags that may leave the pictures unchanged, with the reason.
 const std::map<std::string, std::string>& others() {
   static const std::map<std::string, std::string> all{
       {"--also", "more files"},
@@ -127,7 +127,7 @@ const std::map<std::string, std::string>& others() {
   return all;
 }
 
-/// The pictures, and what lies beside them, by their names.
+/// Returns the pictures and their side files by name.
 std::map<std::string, std::string> frames_in(const fs::path& folder) {
   std::map<std::string, std::string> files;
   if (fs::exists(folder))
@@ -153,7 +153,7 @@ std::set<std::string> flags_of_help(const TempDir& dir) {
 
 class RenderFlags : public testing::Test {
  protected:
-  /// Runs each flag on top of a render that works without it. `may_stay`: flags whose values are this render's own.
+  /// Adds each flag to a render that works without it. may_stay: flags whose values are the render's own.
   void walk(const Words& render, const std::set<std::string>& may_stay) {
     const Words base = Words{"render"} + render + Words{"--quiet", "--output", "o"};
     const RunResult plain = run_tool(dir_, base);
@@ -182,7 +182,7 @@ TEST_F(RenderFlags, each_changes_the_pictures_or_is_refused) {
   for (const auto& [flag, value] : values()) known.insert(flag);
   for (const auto& [flag, why] : others()) known.insert(flag);
   EXPECT_EQ(known, flags_of_help(dir_)) << "a flag that this test does not try";
-  // The teapot has one camera, and the one frame of an animation is a key frame.
+  // The teapot has one camera, and the only frame of an animation is a key frame.
   walk({"teapot", "--frames", "0", "--lenses", "5x5", "--lens-pixels", "4"}, {"--camera", "--reuse"});
   walk({"teapot", "--frames", "0", "--optics", "multiview", "--views", "3x2", "--size", "24x16", "--integrator", "path",
         "--spp", "2", "--denoise", "none"},

@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(Render, makes_pictures_job_and_report_and_says_where) {
+TEST(Render, writes_pictures_job_and_report) {
   const TempDir dir;
   const RunResult result = run_tool(dir, small_teapot("0-2", "out"));
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -22,13 +22,13 @@ TEST(Render, makes_pictures_job_and_report_and_says_where) {
   EXPECT_THAT(result.out, HasSubstr("out/frame_0000.png"));
 }
 
-TEST(Render, without_output_writes_to_out_slash_scene) {
+TEST(Render, default_output_is_out_slash_scene) {
   const TempDir dir;
   ASSERT_EQ(run_tool(dir, {"render", "teapot", "--lenses", "4", "--frames", "7"}).exit_code, 0);
   EXPECT_TRUE(std::filesystem::exists(dir / "out/teapot/frame_0007.png"));
 }
 
-TEST(Render, stderr_that_is_a_terminal_gets_a_bar_with_the_time_left) {
+TEST(Render, terminal_gets_a_progress_bar) {
   const TempDir dir;
   std::string command;
   for (const std::string& word : tool_command(small_teapot("0-3", "out"))) command += "'" + word + "' ";
@@ -39,13 +39,13 @@ TEST(Render, stderr_that_is_a_terminal_gets_a_bar_with_the_time_left) {
   EXPECT_THAT(result.out, Not(HasSubstr("frame 3: ")));
 }
 
-TEST(Render, json_is_the_report_and_nothing_else) {
+TEST(Render, json_is_only_the_report) {
   const TempDir dir;
   const nlohmann::json printed = report_of(dir, small_teapot("3-4", "out"));
   EXPECT_EQ(printed, json_of(bytes_of(dir / "out/report.json")));
 }
 
-TEST(Render, flags_go_over_the_job_and_dump_job_writes_both) {
+TEST(Render, flags_override_the_job) {
   const TempDir dir;
   std::ofstream(dir / "in.toml") << "scene = 'teapot'\nlenses = 4\nframes = '0-1'\n";
   ASSERT_EQ(run_tool(dir, {"render", "--job", "in.toml", "--frames", "1", "--output", "a", "--dump-job", "out.toml"}).exit_code,
@@ -55,7 +55,7 @@ TEST(Render, flags_go_over_the_job_and_dump_job_writes_both) {
   EXPECT_THAT(bytes_of(dir / "out.toml"), HasSubstr("lenses = \"4\""));
 }
 
-TEST(Render, summary_says_what_was_missed_and_why) {
+TEST(Render, summary_reports_missed_pixels) {
   const TempDir dir;
   const RunResult result =
       run_tool(dir, small_teapot("0-4", "a") + Words{"--reuse", "forward", "--keyframes", "4", "--verbose"});
@@ -64,7 +64,7 @@ TEST(Render, summary_says_what_was_missed_and_why) {
   EXPECT_THAT(result.err, HasSubstr("between key frames"));
 }
 
-TEST(Render, also_single_renders_the_middle_view_beside_the_pictures) {
+TEST(Render, also_single_renders_the_middle_view) {
   const TempDir dir;
   write_small_panel(dir / "panel.toml");
   const Words panel{"render", "teapot", "--frames", "3", "--display", "panel.toml"};

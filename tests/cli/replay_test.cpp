@@ -1,5 +1,4 @@
-// `lippmann replay` from outside: what flags become, what it prints and warns of. Its pictures are tested in tests/job and
-// tests/replay.
+// Tests `lippmann replay` as a program: its flags, its output and its warnings. tests/job and tests/replay test its pictures.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -14,7 +13,7 @@ using testing::HasSubstr;
 
 void render_for_replay(const TempDir& dir) { expect_done(dir, small_teapot("3-4", "out")); }
 
-TEST(Replay, flags_say_what_is_made_and_the_eye_is_told_only_where_a_picture_shows_what_one_sees) {
+TEST(Replay, flags_select_the_pictures) {
   const TempDir dir;
   render_for_replay(dir);
   EXPECT_THAT(run_tool(dir, {"replay", "out"}).out, HasSubstr("eye at"));
@@ -29,7 +28,7 @@ TEST(Replay, flags_say_what_is_made_and_the_eye_is_told_only_where_a_picture_sho
   EXPECT_TRUE(fs::exists(dir / "sweep.mkv"));
 }
 
-TEST(Replay, what_was_warned_of_goes_to_stderr) {
+TEST(Replay, warnings_go_to_stderr) {
   const TempDir dir;
   render_for_replay(dir);
   const RunResult result = run_tool(dir, {"replay", "out", "--eye", "1000,0,300"});
@@ -37,7 +36,7 @@ TEST(Replay, what_was_warned_of_goes_to_stderr) {
   EXPECT_THAT(result.err, HasSubstr("outside the viewing zone of 100 %"));
 }
 
-TEST(Replay, impossible_values_are_refused_by_the_flag_s_name) {
+TEST(Replay, impossible_values_name_their_flag) {
   const TempDir dir;
   render_for_replay(dir);
   for (const Words& flags : std::vector<Words>{{"--refocus", "1e6"},
@@ -77,7 +76,7 @@ TEST(Replay, flags_without_effect_are_refused) {
     expect_refusal(run_tool(dir, Words{"replay", "out"} + flags), 2, flags[0] + ": has no effect");
 }
 
-TEST(Replay, foreign_frame_of_a_panel_is_seen_through_its_display) {
+TEST(Replay, foreign_panel_frame_needs_its_display) {
   const TempDir dir;
   std::ofstream(dir / "d.toml") << "kind = \"slanted-panel\"\npixels = [40, 30]\ndpi = 60\nview_cone_deg = 40\n"
                                    "[calibration]\npitch = 8.1\nslope = -5\ncenter = 0.3\n";
@@ -108,7 +107,7 @@ TEST(Replay, foreign_quilt_is_seen_through_its_display) {
   EXPECT_NE(bytes_of(dir / "b/eye_other (1).png"), bytes_of(dir / "own/eye_0000.png"));
 }
 
-TEST(Replay, unknown_cameras_are_said_to_be_assumed) {
+TEST(Replay, assumed_cameras_are_reported) {
   const TempDir dir;
   render_for_replay(dir);
   expect_done(dir, {"convert", "out/frame_0003.png", "f/q.png", "--to", "quilt"});
@@ -118,7 +117,7 @@ TEST(Replay, unknown_cameras_are_said_to_be_assumed) {
               HasSubstr("8 views 5 degrees apart, the outermost at the ends of 35 degrees"));
 }
 
-TEST(Info, says_what_pictures_and_folders_are) {
+TEST(Info, describes_pictures_and_folders) {
   const TempDir dir;
   render_for_replay(dir);
   nlohmann::json info = report_of(dir, {"info", "out"});
@@ -142,7 +141,7 @@ TEST(Info, says_what_pictures_and_folders_are) {
   expect_refusal(run_tool(dir, {"info", "none.png"}), 1, "none.png: there is no such file");
 }
 
-TEST(Replay, picture_that_nothing_describes_is_described_by_flags) {
+TEST(Replay, flags_describe_unknown_pictures) {
   const TempDir dir;
   render_for_replay(dir);
   fs::create_directories(dir / "a");

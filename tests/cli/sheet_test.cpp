@@ -1,4 +1,4 @@
-// `lippmann sheet`: the files that it writes, what it says of them, and every flag of every kind.
+// Tests `lippmann sheet`: its files, its output, and every flag of every kind.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ TEST(Sheet, pitch_test_of_21_blocks) {
   EXPECT_EQ(std::get<Image8>(read_picture(dir / "o/out.tiff")).rgb, std::get<Image8>(read_picture(dir / "o/out.png")).rgb);
 }
 
-TEST(Sheet, lens_heights_have_16_bits_and_a_resolution) {
+TEST(Sheet, lens_heights_are_16_bit_png) {
   const TempDir dir;
   const Words flags{"--lpi", "60", "--dpi", "1440", "--paper", "2x1mm", "--thickness-mm", "0.9"};
   const RunResult run = run_tool(dir, sheet("lens", flags));
@@ -50,14 +50,14 @@ TEST(Sheet, lens_heights_have_16_bits_and_a_resolution) {
   EXPECT_EQ(bytes_of(dir / "o/again.png"), bytes_of(dir / "o/out.png"));
 }
 
-TEST(Sheet, test_prints_are_a4_without_a_paper) {
+TEST(Sheet, test_prints_are_a4_by_default) {
   const TempDir dir;
   const nlohmann::json report = report_of(dir, sheet("viewing-zone", {"--lpi", "20", "--dpi", "100"}));
   EXPECT_EQ(report["size"], json_of("[827, 1169]"));
   EXPECT_EQ(report["angles_deg"].size(), 3u);
 }
 
-TEST(Sheet, viewing_zone_is_red_for_an_eye_at_the_left) {
+TEST(Sheet, left_eye_sees_a_red_zone) {
   const TempDir dir;
   const std::string line = "lpi=40 dpi=400 paper=60x40mm viewing-distance=400";
   expect_done(dir, {"sheet", "viewing-zone", "-o", "o/out.png", "--display", line});
@@ -67,7 +67,7 @@ TEST(Sheet, viewing_zone_is_red_for_an_eye_at_the_left) {
     const std::size_t corner = 3 * (4 * static_cast<std::size_t>(seen.width) + static_cast<std::size_t>(seen.width) / 2);
     return std::array<int, 3>{seen.rgb[corner], seen.rgb[corner + 1], seen.rgb[corner + 2]};
   };
-  // Five views over 50 degrees: the middles of the first and the last one are at 400 mm tan(25 degrees) 4 / 5.
+  // Five views over 50 degrees: the centres of the first and the last are at 400 mm tan(25 degrees) 4 / 5.
   const auto left = colours_from("-149,0,400"), right = colours_from("149,0,400"), middle = colours_from("0,0,400");
   EXPECT_GT(left[0], left[2] + 100);
   EXPECT_GT(right[2], right[0] + 100);
@@ -98,13 +98,13 @@ TEST(Sheet, mistakes_leave_nothing_behind) {
   EXPECT_FALSE(fs::exists(dir / "o"));
 }
 
-TEST(Sheet, a_full_disk_leaves_nothing_behind) {
+TEST(Sheet, full_disk_leaves_nothing_behind) {
   const TempDir dir;
   expect_refusal(run_tool(dir, sheet("phase", kSmall), 4096), 1, "o/out.png");
   EXPECT_FALSE(fs::exists(dir / "o"));
 }
 
-/// A value for each flag that, where the flag has an effect, makes another result than the default does.
+/// A value for each flag whose result differs from the default's if the flag has an effect.
 const std::map<std::string, std::string>& flag_values() {
   static const std::map<std::string, std::string> all{
       {"--lenses-per-mm", "2"},  {"--pitch-mm", "0.5"},   {"--visual-lpi", "40"},        {"--landscape", ""},
@@ -127,7 +127,7 @@ std::set<std::string> flags_of_sheet_help(const TempDir& dir) {
   return flags;
 }
 
-TEST(Sheet, each_flag_changes_the_result_or_is_refused) {
+TEST(Sheet, flags_change_the_result_or_fail) {
   const TempDir dir;
   std::set<std::string> known;
   for (const auto& [flag, value] : flag_values()) known.insert(flag);

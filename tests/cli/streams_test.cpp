@@ -1,4 +1,4 @@
-// Standard streams that are closed, or that nobody reads any more.
+// Tests standard streams that are closed or no longer read.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -22,23 +22,23 @@ std::string code_in(const TempDir& dir) {
   return code;
 }
 
-TEST(Streams, render_with_all_of_them_closed_is_whole) {
+TEST(Streams, render_succeeds_with_closed_streams) {
   const TempDir dir;
   const RunResult result = run_script(dir, "exec \"$0\" \"$@\" <&- >&- 2>&-", small_teapot("0-1", "a") + Words{"--verbose"});
   EXPECT_EQ(result.exit_code, 0);
   expect_done(dir, {"check", "a"});
 }
 
-TEST(Streams, refusal_with_all_of_them_closed_has_its_exit_code) {
+TEST(Streams, refusal_keeps_its_exit_code) {
   const TempDir dir;
   EXPECT_EQ(run_script(dir, "exec \"$0\" \"$@\" <&- >&- 2>&-", {"check", "missing"}).exit_code, 1);
   EXPECT_EQ(run_script(dir, "exec \"$0\" \"$@\" <&- >&- 2>&-", {"render", "--no-such-flag"}).exit_code, 2);
 }
 
-/// A shell's command that ends once nobody reads its output.
+/// A shell command that ends when its output is no longer read.
 const std::string kUntilNobodyReads = "(while echo; do :; done) 2>/dev/null";
 
-TEST(Streams, render_goes_on_when_nobody_reads_its_progress_any_more) {
+TEST(Streams, render_survives_a_closed_progress_pipe) {
   const TempDir dir;
   run_script(dir, "{ " + kUntilNobodyReads + "; \"$0\" \"$@\" 2>&1 >/dev/null; echo $? > code; } | true",
              small_teapot("0-3", "a") + Words{"--verbose"});
@@ -46,7 +46,7 @@ TEST(Streams, render_goes_on_when_nobody_reads_its_progress_any_more) {
   expect_done(dir, {"check", "a"});
 }
 
-TEST(Streams, render_is_finished_and_fails_when_nobody_reads_its_report) {
+TEST(Streams, closed_report_pipe_is_an_error) {
   const TempDir dir;
   run_script(dir, "{ " + kUntilNobodyReads + "; \"$0\" \"$@\" 2>err; echo $? > code; } | true",
              small_teapot("0-1", "a") + Words{"--json", "--also", "single"});

@@ -1,5 +1,5 @@
-// lippmann submit: what it writes for Slurm, run on a real cluster of this machine; the template for farms, read back and
-// expanded as its specification says; plain commands, run.
+// Tests lippmann submit: the Slurm script on a real cluster on this machine, the template for farms, expanded as specified, and
+// plain commands.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ void write_job(const TempDir& dir, const std::string& size = "64x16") {
                                    << "\"\noutput = \"film\"\nvideo = [\"film.mkv\"]\n";
 }
 
-/// What one run of the job leaves.
+/// Returns the files of a single run of the job.
 Files whole_film(const TempDir& dir) {
   EXPECT_EQ(run_tool(dir, {"render", "film.toml", "-o", "whole", "--video", "whole.mkv", "-q"}).exit_code, 0);
   Files files = files_in(dir / "whole", ".png");
@@ -39,7 +39,7 @@ Files film(const TempDir& dir) {
   return files;
 }
 
-TEST(Submit, commands_of_a_shell_render_the_whole_in_any_order) {
+TEST(Submit, shell_commands_render_the_whole_job) {
   const TempDir dir;
   write_job(dir);
   ASSERT_EQ(run_tool(dir, {"submit", "film.toml", "--units", "3", "--shell", "film.sh", "--threads", "1"}).exit_code, 0);
@@ -54,7 +54,7 @@ TEST(Submit, commands_of_a_shell_render_the_whole_in_any_order) {
   EXPECT_EQ(film(dir), whole_film(dir));
 }
 
-/// The numbers of a range expression (1-3,5,7-10:2).
+/// Returns the numbers of a range expression (1-3,5,7-10:2).
 std::vector<int> expanded(const std::string& range) {
   std::vector<int> numbers;
   std::stringstream parts(range);
@@ -66,7 +66,7 @@ std::vector<int> expanded(const std::string& range) {
   return numbers;
 }
 
-/// A command of an action with a parameter's value in its place.
+/// Returns the command of an action with a parameter's value.
 Words command_of(const nlohmann::json& script, const std::string& value) {
   const nlohmann::json& action = script["actions"]["onRun"];
   Words words{action["command"]};
@@ -78,7 +78,7 @@ Words command_of(const nlohmann::json& script, const std::string& value) {
   return words;
 }
 
-TEST(Submit, open_job_description_read_back_and_expanded_renders_the_whole_by_tasks_and_by_chunks) {
+TEST(Submit, open_job_description_renders_the_whole_job) {
   for (const bool in_chunks : {false, true}) {
     const TempDir dir;
     write_job(dir);
@@ -121,7 +121,7 @@ TEST(Submit, limits_of_tasks_are_measured_or_given) {
   EXPECT_TRUE(json_of(run_tool(dir, submit + Words{"--only-list"}).out)["minutes"].is_null());
 }
 
-TEST(Submit, what_is_no_job_or_for_nobody_is_refused) {
+TEST(Submit, missing_jobs_and_targets_are_refused) {
   const TempDir dir;
   write_job(dir);
   expect_refusal(run_tool(dir, {"submit", "film.toml", "--units", "3"}), 2, "--slurm FILE, --openjd FILE or --shell FILE");
@@ -129,7 +129,7 @@ TEST(Submit, what_is_no_job_or_for_nobody_is_refused) {
   expect_refusal(run_tool(dir, {"submit", "none.toml", "--units", "3", "--shell", "a"}), 1, "none.toml");
 }
 
-/// A Slurm cluster of this machine, for the life of the object.
+/// A Slurm cluster on this machine while the object exists.
 class SlurmCluster {
  public:
   SlurmCluster() : folder_(dir_ / "cluster") {
@@ -144,19 +144,19 @@ class SlurmCluster {
 
   bool is_there() const { return is_there_; }
 
-  /// A command of Slurm's, or a script that uses some.
+  /// Runs a Slurm command, or a script that uses some.
   RunResult shell(const std::string& command, const fs::path& where = "/") const {
     return run({"/usr/bin/env", "SLURM_CONF=" + folder_ + "/slurm.conf", "bash", "-c", command}, {where.string(), 0});
   }
 
-  /// Whether a command prints a text within two minutes.
+  /// Returns whether a command prints a text within two minutes.
   bool comes_to_say(const std::string& command, const std::string& text) const {
     for (int i = 0; i < 1200; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(100)))
       if (shell(command).out == text) return true;
     return false;
   }
 
-  /// Whether the queue is empty within two minutes.
+  /// Returns whether the queue is empty within two minutes.
   bool ends() const { return comes_to_say("squeue -h", ""); }
 
  private:
@@ -167,7 +167,7 @@ class SlurmCluster {
   bool is_there_ = false;
 };
 
-TEST(Submit, slurm_renders_the_whole_though_a_task_is_requeued_and_the_node_is_drained_and_one_is_killed) {
+TEST(Submit, slurm_survives_requeues_drains_and_kills) {
   const SlurmCluster cluster;
   if (!cluster.is_there()) GTEST_SKIP() << "no Slurm (packages slurmctld, slurmd, slurm-client, munge; as root)";
   const TempDir dir;
@@ -186,7 +186,7 @@ TEST(Submit, slurm_renders_the_whole_though_a_task_is_requeued_and_the_node_is_d
   EXPECT_EQ(film(dir), whole);
   EXPECT_EQ(run_tool(dir, {"check", "film"}).exit_code, 0);
 
-  // One that is killed fails, and what depends on it does not run; the same script goes on where it was.
+  // A killed task fails and its dependent task does not run. Submitting the same script again continues the job.
   fs::remove_all(dir / "film"), fs::remove(dir / "film.mkv");
   cluster.shell("bash film.sh", dir.path());
   ASSERT_TRUE(appears(dir / "film/frame_0000.png"));

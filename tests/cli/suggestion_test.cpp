@@ -1,4 +1,4 @@
-// Commands that the tool suggests: each runs as it is printed.
+// Tests that each command suggested by the tool runs as printed.
 #include <gmock/gmock.h>
 
 #include <sstream>
@@ -10,7 +10,7 @@ namespace {
 
 using testing::SizeIs;
 
-/// The commands in a summary, by the label in front of them.
+/// Returns the commands in a summary by their label.
 std::map<std::string, std::string> commands_in(const std::string& summary) {
   std::map<std::string, std::string> commands;
   std::istringstream lines(summary);
@@ -32,13 +32,13 @@ void expect_that_suggestions_run(const Words& flags, std::size_t count) {
   const auto commands = commands_in(result.out);
   EXPECT_THAT(commands, SizeIs(count)) << result.out;
   for (const auto& [label, command] : commands) {
-    const bool serves = label == "in 3D";  // until it is stopped: what it shows is saved instead
+    const bool serves = label == "in 3D";  // it would serve until stopped, so its page is saved instead
     const RunResult suggested = run({"sh", "-c", command + (serves ? " --save page" : "")}, {dir.path().string(), 0});
     EXPECT_EQ(suggested.exit_code, 0) << label << ": " << command << "\n" << suggested.err;
   }
 }
 
-TEST(Suggestion, commands_of_the_summary_run_for_all_optics_and_layouts) {
+TEST(Suggestion, commands_run_for_optics_and_layouts) {
   const std::vector<Words> optics{{"--optics", "lenticular", "--size", "64x48", "--lenses", "8"},
                                   {"--optics", "microlens", "--size", "64x48", "--lenses", "16x12"},
                                   {"--optics", "multiview", "--size", "64x48", "--views", "4x2"},
@@ -50,18 +50,18 @@ TEST(Suggestion, commands_of_the_summary_run_for_all_optics_and_layouts) {
     }
 }
 
-TEST(Suggestion, commands_of_the_summary_run_for_lenses_and_panels_without_whole_pixels) {
+TEST(Suggestion, commands_run_for_fractional_lenses) {
   expect_that_suggestions_run({"--size", "64x48", "--lens-pixels", "7.3", "--slant", "10"}, 3);
   expect_that_suggestions_run({"--optics", "microlens", "--packing", "hexagonal", "--size", "64x48", "--lens-pixels", "8"}, 3);
 }
 
-TEST(Suggestion, commands_of_the_summary_run_for_displays) {
+TEST(Suggestion, commands_run_for_displays) {
   expect_that_suggestions_run({"--display", "portrait", "--layout", "quilt", "--quilt", "6x8", "--size", "480x480"}, 3);
   expect_that_suggestions_run({"--display", "portrait", "--size", "480x480"}, 3);
   expect_that_suggestions_run({"--size", "64x48", "--lenses", "8", "--layout", "quilt", "--quilt", "2x4"}, 3);
 }
 
-TEST(Suggestion, of_a_single_view_and_of_mirrored_prints_there_is_no_eye_view) {
+TEST(Suggestion, eye_view_is_not_always_suggested) {
   expect_that_suggestions_run({"--optics", "single", "--size", "64x48"}, 1);
   const Words print{"--display", "lenticular-60lpi-720dpi", "--layout", "print", "--size", "480x480"};
   expect_that_suggestions_run(print, 3);

@@ -1,4 +1,4 @@
-// A job rendered in parts, from outside: plan, render --unit, finish. Their files are tested in tests/job.
+// Tests jobs rendered in parts, as a program: plan, render --unit, finish. tests/job tests their files.
 #include <gmock/gmock.h>
 
 #include "cli/tool.hpp"
@@ -11,7 +11,7 @@ using Json = nlohmann::json;
 using testing::AllOf;
 using testing::HasSubstr;
 
-TEST(Units, of_several_processes_are_finished_to_the_bytes_of_one) {
+TEST(Units, processes_have_the_bytes_of_one) {
   const TempDir dir;
   expect_done(dir, small_teapot("0-3", "whole") + Words{"--video", "whole.mkv"});
   for (const char* unit : {"1/2", "2/2"})
@@ -23,7 +23,7 @@ TEST(Units, of_several_processes_are_finished_to_the_bytes_of_one) {
   EXPECT_EQ(bytes_of(dir / "a.mkv"), bytes_of(dir / "whole.mkv"));
 }
 
-TEST(Units, finish_names_what_is_missing_and_the_command_that_it_prints_renders_it) {
+TEST(Units, finish_prints_commands_for_missing_frames) {
   const TempDir dir;
   for (const char* unit : {"1/3", "3/3"}) expect_done(dir, small_teapot("0-5", "a") + Words{"--unit", unit});
   EXPECT_THAT(run_tool(dir, {"check", "a"}).out, HasSubstr("not rendered yet: frames 2-3\n"));
@@ -40,7 +40,7 @@ TEST(Units, finish_names_what_is_missing_and_the_command_that_it_prints_renders_
   expect_refusal(run_tool(dir, {"finish", "missing"}), 1, "missing");
 }
 
-TEST(Units, plan_says_why_a_job_is_one_unit) {
+TEST(Units, plan_explains_single_units) {
   const TempDir dir;
   const Words plan{"plan", "teapot", "--size", "64x16", "--lenses", "8x2", "--units", "4", "--only-list"};
   EXPECT_THAT(run_tool(dir, plan + Words{"--frames", "3"}).out,
@@ -50,7 +50,7 @@ TEST(Units, plan_says_why_a_job_is_one_unit) {
   EXPECT_THAT(run_tool(dir, plan + Words{"--frames", "0-1"}).out, HasSubstr("The job can be cut into at most 2 units.\n"));
 }
 
-TEST(Units, of_strips_are_planned_rendered_named_where_they_are_missing_and_joined) {
+TEST(Units, strips_are_planned_rendered_and_joined) {
   const TempDir dir;
   const Words still{"teapot", "--size", "64x64", "--lenses", "8x8", "--frames", "3"};
   expect_done(dir, Words{"render"} + still + Words{"-o", "whole"});
@@ -74,7 +74,7 @@ TEST(Units, of_strips_are_planned_rendered_named_where_they_are_missing_and_join
   expect_refusal(run_tool(dir, Words{"plan"} + still + Words{"--strips", "5", "--units", "2"}), 2, "5 are too many");
 }
 
-TEST(Units, plan_measures_in_a_folder_that_it_removes) {
+TEST(Units, plan_removes_its_temporary_folder) {
   const TempDir dir;
   const Words plan{"plan", "teapot", "--size", "64x16", "--lenses", "8x2", "--frames", "0-3", "--units", "2", "-o", "a"};
   fs::create_directory(dir / "scratch");
@@ -87,7 +87,7 @@ TEST(Units, plan_measures_in_a_folder_that_it_removes) {
   expect_refusal(run_with("missing"), 1, "TMPDIR: cannot create a temporary folder");
 }
 
-TEST(Units, in_folders_of_their_own_are_joined) {
+TEST(Units, units_in_several_folders_are_joined) {
   const TempDir dir;
   for (const std::string unit : {"1", "2"}) expect_done(dir, small_teapot("0-3", "part" + unit) + Words{"--unit", unit + "/2"});
   const RunResult part = run_tool(dir, {"finish", "all", "--join", "part1"});
@@ -96,14 +96,14 @@ TEST(Units, in_folders_of_their_own_are_joined) {
   expect_done(dir, {"finish", "all", "--join", "part1", "part2"});
 }
 
-TEST(Units, only_frames_renders_these_and_says_how_many) {
+TEST(Units, only_frames_renders_listed_frames) {
   const TempDir dir;
   const RunResult some = run_tool(dir, small_teapot("0-9", "a") + Words{"--only-frames", "0-1,5-9:2"});
   EXPECT_EQ(some.exit_code, 0) << some.err;
   EXPECT_THAT(some.out, HasSubstr("5 frames of"));
 }
 
-TEST(Units, plan_prints_the_frames_of_each_and_what_they_take) {
+TEST(Units, plan_prints_frames_and_costs) {
   const TempDir dir;
   const Words plan{"plan", "teapot", "--size", "64x16", "--lenses", "8x2", "--frames", "8-31", "--units", "3"};
   const Json measured = report_of(dir, plan), listed = report_of(dir, plan + Words{"--only-list"});

@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
-TEST(Tool, help_lists_the_commands_and_exits_with_0) {
+TEST(Tool, help_lists_the_commands) {
   const TempDir dir;
   const RunResult result = run_tool(dir, {"--help"});
   EXPECT_EQ(result.exit_code, 0);
@@ -21,7 +21,7 @@ TEST(Tool, help_lists_the_commands_and_exits_with_0) {
   EXPECT_THAT(result.out, testing::Not(HasSubstr("bench")));
 }
 
-TEST(Tool, render_help_is_short_and_shows_examples_first) {
+TEST(Tool, render_help_is_short) {
   const TempDir dir;
   const RunResult result = run_tool(dir, {"render", "--help"});
   EXPECT_EQ(result.exit_code, 0);
@@ -31,14 +31,14 @@ TEST(Tool, render_help_is_short_and_shows_examples_first) {
   EXPECT_THAT(result.out, testing::Not(HasSubstr("--halving")));
 }
 
-TEST(Tool, help_of_a_command_is_its_help_flag) {
+TEST(Tool, help_command_equals_the_help_flag) {
   const TempDir dir;
   for (const Words& words : {Words{"help"}, Words{"help", "help"}})
     EXPECT_EQ(run_tool(dir, words).out, run_tool(dir, {"--help"}).out);
   EXPECT_EQ(run_tool(dir, {"help", "compare"}).out, run_tool(dir, {"compare", "--help"}).out);
 }
 
-TEST(Tool, dry_run_says_what_would_be_made_and_makes_nothing) {
+TEST(Tool, dry_run_makes_nothing) {
   const TempDir dir;
   const RunResult result = run_tool(dir, small_teapot("0-8:4", "r") + Words{"-n"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -51,7 +51,7 @@ TEST(Tool, dry_run_says_what_would_be_made_and_makes_nothing) {
   EXPECT_EQ(plan["largest_bytes"], 3 * 3 * 128 * 128);
 }
 
-TEST(Tool, dry_run_says_which_light_and_view_were_chosen) {
+TEST(Tool, dry_run_reports_light_and_view) {
   const TempDir dir;
   const Words render{"render", LIPPMANN_SOURCE "/examples/vase.ply", "--frames", "0", "--dry-run"};
   const RunResult result = run_tool(dir, render);
@@ -65,7 +65,7 @@ TEST(Tool, dry_run_says_which_light_and_view_were_chosen) {
   EXPECT_THAT(plan["view"].get<std::string>(), HasSubstr("no camera"));
 }
 
-TEST(Tool, dry_run_says_where_the_eyes_of_a_quilt_stand) {
+TEST(Tool, dry_run_reports_the_quilts_eyes) {
   const TempDir dir;
   const Words sweep{"render", "room",     "--optics", "multiview",    "--views", "23x1",     "--size",
                     "920x30", "--frames", "0",        "--view-angle", "45",      "--dry-run"};
@@ -74,7 +74,7 @@ TEST(Tool, dry_run_says_where_the_eyes_of_a_quilt_stand) {
   expect_refusal(run_tool(dir, small_teapot("0", "r") + Words{"--cone-ends"}), 2, "--cone-ends");
 }
 
-TEST(Tool, quiet_commands_print_nothing_where_all_is_well) {
+TEST(Tool, quiet_commands_print_nothing_on_success) {
   const TempDir dir;
   const RunResult render = run_tool(dir, small_teapot("0-1", "r") + Words{"-q"});
   EXPECT_EQ(render.out + render.err, "");
@@ -111,7 +111,7 @@ TEST(Tool, version_names_itself_and_a_number) {
   EXPECT_THAT(result.out.substr(0, result.out.find('\n') + 1), testing::MatchesRegex("lippmann [0-9]+\\.[0-9]+\\.[0-9]+\n"));
 }
 
-TEST(Tool, version_says_below_it_what_the_tool_was_built_of) {
+TEST(Tool, version_lists_libraries) {
   const TempDir dir;
   const std::string out = run_tool(dir, {"--version"}).out;
   EXPECT_THAT(out, testing::ContainsRegex("\ncommit   ([0-9a-f]{12}|not known)\n"));
@@ -121,19 +121,19 @@ TEST(Tool, version_says_below_it_what_the_tool_was_built_of) {
   EXPECT_THAT(out, testing::ContainsRegex("\nMPI      module (not )?installed\n"));
 }
 
-TEST(Tool, far_misspelling_is_not_answered_with_another_flag) {
+TEST(Tool, far_misspelling_gets_no_suggestion) {
   const TempDir dir;
   EXPECT_THAT(run_tool(dir, {"render", "teapot", "--print"}).err, testing::Not(HasSubstr("--slant")));
 }
 
-TEST(Tool, negative_value_is_a_value_and_not_a_flag) {
+TEST(Tool, negative_value_is_not_a_flag) {
   const TempDir dir;
   const RunResult result = run_tool(dir, {"info", "teapot", "--slant", "-9.46", "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NEAR(json_of(result.out)["optics"]["slant_deg"].get<double>(), -9.46, 1e-5);
 }
 
-TEST(Tool, scenes_lists_the_built_in_ones_as_text_and_json) {
+TEST(Tool, scenes_are_listed_as_text_and_json) {
   const TempDir dir;
   EXPECT_THAT(run_tool(dir, {"scenes"}).out, HasSubstr("teapot"));
   const Json scenes = json_of(run_tool(dir, {"scenes", "--json"}).out);
@@ -141,7 +141,7 @@ TEST(Tool, scenes_lists_the_built_in_ones_as_text_and_json) {
   EXPECT_FALSE(scenes[0]["description"].get<std::string>().empty());
 }
 
-TEST(Tool, info_tells_contents_animation_array_and_depth) {
+TEST(Tool, info_describes_the_scene) {
   const TempDir dir;
   const RunResult text = run_tool(dir, {"info", "teapot"});
   EXPECT_EQ(text.exit_code, 0);
@@ -154,7 +154,7 @@ TEST(Tool, info_tells_contents_animation_array_and_depth) {
   EXPECT_LT(info["depth"]["back_mm"].get<double>(), 0.0);
 }
 
-TEST(Tool, stack_that_is_too_small_is_an_error_and_not_a_crash) {
+TEST(Tool, small_stack_is_an_error) {
   const TempDir dir;
   const std::string render = std::string("ulimit -s 128; exec ") + LIPPMANN_TOOL + " render teapot --frames 0 --lenses 4";
   expect_refusal(run({"sh", "-c", render}, {dir.path().string(), 0}), 1, "ulimit -s: the stack is limited to 128 KB");

@@ -1,4 +1,4 @@
-// `lippmann view` from outside: what it prints, how it ends, and the page that `render --page` leaves.
+// Tests `lippmann view` as a program: its output, how it ends, and the page of `render --page`.
 #include <gmock/gmock.h>
 
 #include <csignal>
@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-TEST(View, serves_until_it_is_interrupted_and_prints_the_address_alone) {
+TEST(View, prints_only_the_address_until_interrupted) {
   const TempDir dir;
   ASSERT_EQ(run_tool(dir, small_teapot("0", "r")).exit_code, 0);
   Subprocess server(tool_command({"view", "r", "--port", "0"}), {.working_folder = dir.path().string()});
@@ -24,7 +24,7 @@ TEST(View, serves_until_it_is_interrupted_and_prints_the_address_alone) {
   EXPECT_THAT(result.err, HasSubstr("Ctrl-C ends it"));
 }
 
-TEST(View, what_cannot_be_shown_is_refused_before_anything_is_served) {
+TEST(View, impossible_inputs_are_refused_first) {
   const TempDir dir;
   fs::create_directory(dir / "empty");
   expect_refusal(run_tool(dir, {"view", "missing"}), 1, "there is no such file or folder");
@@ -32,7 +32,7 @@ TEST(View, what_cannot_be_shown_is_refused_before_anything_is_served) {
   expect_refusal(run_tool(dir, {"view", "empty", "--port", "70000"}), 2, "--port");
 }
 
-TEST(View, a_scene_is_set_up_at_an_address_that_has_a_token) {
+TEST(View, scene_has_an_address_with_token) {
   const TempDir dir;
   Subprocess server(tool_command({"view", "room", "--size", "64x64", "--lenses", "8", "--port", "0"}),
                     {.working_folder = dir.path().string()});
@@ -44,7 +44,7 @@ TEST(View, a_scene_is_set_up_at_an_address_that_has_a_token) {
   EXPECT_TRUE(fs::is_empty(dir.path()));
 }
 
-TEST(View, without_a_name_an_empty_page_has_a_token) {
+TEST(View, empty_page_has_a_token) {
   const TempDir dir;
   Subprocess server(tool_command({"view", "--port", "0"}), {.working_folder = dir.path().string()});
   server.wait_for_line();
@@ -58,8 +58,8 @@ TEST(View, without_a_name_an_empty_page_has_a_token) {
     expect_refusal(run_tool(dir, Words{"view"} + flag), 2, flag[0] + ": has no effect without IN");
 }
 
-// From there it can be resumed.
-TEST(View, an_unfinished_render_is_shown_at_an_address_that_has_a_token) {
+// The page can resume the render.
+TEST(View, unfinished_render_has_a_token) {
   const TempDir dir;
   Subprocess render(tool_command(small_teapot("0-99", "r")), {dir.path().string(), 0});
   ASSERT_TRUE(appears(dir / "r/frame_0001.png"));
@@ -71,9 +71,9 @@ TEST(View, an_unfinished_render_is_shown_at_an_address_that_has_a_token) {
   EXPECT_THAT(server.wait().out, testing::MatchesRegex("http://127\\.0\\.0\\.1:[0-9]+/[0-9a-f]+/\n"));
 }
 
-TEST(View, flags_of_scenes_and_of_light_fields_are_told_apart) {
+TEST(View, scene_and_light_field_flags_differ) {
   const TempDir dir;
-  fs::create_directory(dir / "room");  // a folder is a light field, whatever a built-in scene is called
+  fs::create_directory(dir / "room");  // a folder is a light field, even with the name of a built-in scene
   expect_refusal(run_tool(dir, {"view", "room"}), 1, "is an empty folder");
   expect_refusal(run_tool(dir, {"view", "room", "--zoom", "2"}), 2, "--zoom");
   expect_refusal(run_tool(dir, {"view", "room", "--save-job", "x.toml"}), 2, "--save-job");
@@ -98,7 +98,7 @@ TEST(View, shows_a_print_through_the_sheet_of_its_flags) {
   expect_refusal(run_tool(dir, {"view", "print.png", "--lpi", "20"}), 2, "without --dpi");
 }
 
-TEST(View, render_leaves_a_page_where_it_is_asked_for) {
+TEST(View, render_writes_a_page_on_request) {
   const TempDir dir;
   ASSERT_EQ(run_tool(dir, small_teapot("0-1", "r") + Words{"--page"}).exit_code, 0);
   for (const char* file : {"index.html", "app.js", "app.css", "fields.js", "0/views/0.js", "0/views/1.js"})
