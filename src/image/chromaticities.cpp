@@ -1,5 +1,5 @@
 // Based on: SMPTE RP 177:1993, "Derivation of Basic Television Color Equations": the columns of the matrix to XYZ are the
-// primaries, scaled such that their sum is white. Whites are adapted by K. M. Lam's Bradford matrix, as in ICC.1:2010, annex E.
+// primaries, scaled so that they sum to white. Whites are adapted with K. M. Lam's Bradford matrix, as in ICC.1:2010, annex E.
 #include "image/chromaticities.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Based on: ICC.1:2022, "Image technology colour management": a header of 128 bytes, then a table of tags (signature, offset,
-// size). Profiles of screens have the primaries' colours under D50 (rXYZ, gXYZ, bXYZ) and their curves (rTRC, ...; grey: kTRC),
-// which are a gamma, a table of 16-bit values, or one of five functions with parameters.
+// size). Profiles of screens contain the colours of their primaries under D50 (rXYZ, gXYZ, bXYZ) and their curves (rTRC, ...;
+// grey: kTRC). A curve is a gamma, a table of 16-bit values, or one of five functions with parameters.
 #include "image/color_profile.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ class IccProfile {
   }
   std::string_view color_space() const { return text(bytes_.subspan(16, 4)); }
 
-  /// Empty: there is none.
+  /// Returns the data of a tag; empty if it is missing.
   FileBytes tag(std::string_view name) const {
     const std::size_t count = whole(bytes_, 128);
     for (std::size_t i = 0, at = 132; i < count && at + 12 <= bytes_.size(); ++i, at += 12) {

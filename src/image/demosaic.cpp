@@ -1,8 +1,9 @@
 // Based on: H. S. Malvar, L. He, R. Cutler, "High-quality linear interpolation for demosaicing of Bayer-patterned color
-// images", ICASSP 2004, figure 2. Each missing colour is the mean of its neighbours, corrected by the curvature of the colour
-// that the pixel has.
+// images", ICASSP 2004, figure 2. Each missing colour is the mean of its neighbours, corrected by the curvature of the pixel's
+// own colour.
 //
-// We deviate: 1. pixels beyond an edge are those mirrored at the edge's pixel, which keeps their colour.
+// We deviate:
+// 1. Pixels beyond an edge are mirrored at the edge pixel, which preserves their colour.
 #include "image/demosaic.hpp"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ class Mosaic {
   float color_beside(int x, int y) const {
     return (5.0f * at(x, y) + 4.0f * sides(x, y, 1) - corners(x, y) - sides(x, y, 2) + 0.5f * ends(x, y, 2)) / 8.0f;
   }
-  /// The same of those above and below.
+  /// Returns, at a green pixel, the colour of its neighbours above and below.
   float color_above(int x, int y) const {
     return (5.0f * at(x, y) + 4.0f * ends(x, y, 1) - corners(x, y) - ends(x, y, 2) + 0.5f * sides(x, y, 2)) / 8.0f;
   }

@@ -1,4 +1,4 @@
-// Colours of every pixel from a sensor that sees one colour per pixel.
+// Demosaicing: computes all colours of every pixel from a sensor with one colour per pixel.
 #pragma once
 
 #include "lippmann/core/math.hpp"
@@ -6,8 +6,9 @@
 
 namespace lippmann {
 
-/// `mosaic`: 1 channel, linear, at least 3 x 3 pixels; each 2 x 2 pixels see red, green twice, and blue. `red`: the place of
-/// the red pixel among the first 2 x 2, each 0 or 1. Returns 3 channels, none below 0; what a pixel sees itself is kept.
+/// Returns 3 channels without negative values; the measured colour of each pixel is kept. mosaic: 1 channel, linear, at least 3
+/// x 3 pixels, a Bayer pattern with red, green twice and blue in each 2 x 2 pixels. red: position of the red pixel among the
+/// first 2 x 2, each coordinate 0 or 1.
 Image demosaic(const Image& mosaic, Vec2i red);
 
 }  // namespace lippmann

@@ -1,7 +1,7 @@
-// sRGB to 8 bits by table instead of by pow(): the 255 floats at which the code steps up are found once, by the formula
-// itself. A float's exponent and top 7 mantissa bits name a bucket so small that it holds at most one step, and its entry is
-//   (code at the bucket's start) 2^16 + (2^16 - the step's place in the bucket), or without a step just the first term;
-// adding the float's lower 16 bits then carries into the code exactly when the float lies at or beyond the step.
+// Encodes sRGB with 8 bits by table instead of pow(). The 255 floats at which the code increases are computed once with the
+// exact formula. A float's exponent and top 7 mantissa bits select a bucket that contains at most one step. The bucket's entry
+// is (code at its start) 2^16 + (2^16 - the step's position in the bucket), or just the first term without a step. Adding the
+// float's lower 16 bits carries into the code exactly if the float is at or beyond the step.
 #include "lippmann/image/encode.hpp"
 
 #include <algorithm>

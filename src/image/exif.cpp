@@ -1,5 +1,5 @@
-// Based on: CIPA DC-008, "Exif 2.32", 2019, section 4.6: a TIFF header (byte order, 42, place of the first directory), then the
-// directory: a count and entries of 12 bytes: tag, type, count, value.
+// Based on: CIPA DC-008, "Exif 2.32", 2019, section 4.6: a TIFF header (byte order, 42, offset of the first directory), then
+// the directory: a count and entries of 12 bytes (tag, type, count, value).
 #include "image/exif.hpp"
 
 #include <cstring>

@@ -1,10 +1,10 @@
 // Finds the colour channels of an OpenEXR file by name. Private to src/image.
 //
-// A channel called "a.b.R" is R of the layer "a.b"; '.', ':' and '/' separate. Letters count in either case, and words ("Red")
-// as their first letter (but not of RY and BY, which OpenEXR reads). Colours are, where there is one of these, in this order:
-//   R, G and B, Y with RY and BY, or Y (grey) without a layer; of the layer called Combined, beauty, rgba or similar; of the
-//   first layer that has some; the only channel of a file (grey), unless its name is that of data such as alpha or depth.
-// The default view of a stereo picture is its first layer.
+// A channel named "a.b.R" is channel R of layer "a.b"; the separators are '.', ':' and '/'. Case is ignored, and words ("Red")
+// count as their first letter, except for RY and BY, which OpenEXR reads. The colours are the first of these that exist: R, G
+// and B, Y with RY and BY, or Y (grey) without a layer; those of a layer named Combined, beauty, rgba or similar; those of the
+// first layer with colours; the only channel of a file (grey), unless its name is that of data such as alpha or depth. The
+// default view of a stereo image is its first layer.
 #pragma once
 
 #include <span>

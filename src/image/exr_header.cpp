@@ -1,7 +1,7 @@
-// Based on: Industrial Light & Magic, "OpenEXR File Layout", 2013. After a magic number and a version a header is a row of
-// attributes, each a name, a type, a size and a value, ended by an empty name; in a file of several parts headers follow until
-// an empty one. Then come, part by part, the places of its chunks: 8 bytes each, from the file's beginning. A chunk is the
-// number of its part (where there are several), its row (4 bytes) or its tile and level (16 bytes), its size and its samples.
+// Based on: Industrial Light & Magic, "OpenEXR File Layout", 2013. A magic number and a version are followed by a header:
+// attributes with a name, a type, a size and a value, ended by an empty name. A file with several parts has several headers,
+// ended by an empty one. The offsets of the chunks follow, part by part, with 8 bytes each. A chunk has the number of its part
+// (only with several parts), its row (4 bytes) or its tile and level (16 bytes), its size and its samples.
 //
 // The checks must parse the file as OpenEXR does. OpenEXR reads most values by type and ignores their size, so a size that does
 // not match the type is an error here.
@@ -123,9 +123,9 @@ bool fits_type(std::string_view type, FileBytes value, const std::string& where)
 
 /// The attributes that determine the number of chunks of a part and the layout of their headers.
 struct PartSize {
-  std::int32_t window[4] = {0, 0, -1, -1};  // x and y of the first pixel, of the last one
+  std::int32_t window[4] = {0, 0, -1, -1};  // x and y of the first and the last pixel
   std::uint32_t tile[2] = {0, 0};
-  std::uint8_t levels = 0;  // the lower half: 0 one level, 1 ever smaller ones, 2 those of each axis; then 1: sides round up
+  std::uint8_t levels = 0;  // lower half: 0 one level, 1 mipmap levels, 2 ripmap levels; upper half: 1 rounds sides up
   std::uint8_t compression = Imf::NO_COMPRESSION;
   bool tiled = false, deep = false;
 

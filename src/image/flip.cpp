@@ -2,10 +2,10 @@
 // images", Proc. ACM on Computer Graphics and Interactive Techniques 3(2), 2020, sections 4 and 5, with the constants of the
 // authors' program (67 pixels per degree: a monitor 0.7 m wide with 3840 pixels, seen from 0.7 m).
 //
-// 1. Colours become YCxCz and are blurred as the eye blurs them (contrast sensitivity functions of luminance, red-green and
-//    blue-yellow), then clamped to what sRGB can show.
-// 2. The colour difference is the HyAB distance in CIELAB, with chroma reduced in the dark (Hunt), to the power q_c, mapped to
-//    0 ... 1 so that p_c of the largest difference becomes p_t.
+// 1. Convert colours to YCxCz, blur them with the eye's contrast sensitivity functions (luminance, red-green and blue-yellow),
+//    and clamp them to the sRGB gamut.
+// 2. The colour difference is the HyAB distance in CIELAB with Hunt adjustment (reduced chroma in dark regions), to the power
+//    q_c, mapped to 0 ... 1 so that p_c of the largest difference becomes p_t.
 // 3. The feature difference is the larger of the differences of edges and of points (first and second derivatives of a
 //    Gaussian) of Y, divided by the square root of 2, to the power q_f.
 // 4. FLIP of a pixel is colour ^ (1 - feature).
@@ -17,8 +17,9 @@
 //   w      | kFeatureWidthDeg | 0.082 degrees
 //   q_f    | kFeaturePower    | 0.5
 //
-// All filters are separable: the blue-yellow filter is a sum of two Gaussians, and the signs of both derivatives depend on one
-// coordinate alone, so that their positive and negative parts can be normalised in one dimension. Borders repeat.
+// All filters are separable. The blue-yellow filter is a sum of two Gaussians. The sign of each derivative depends on one
+// coordinate only, so its positive and negative parts can be normalised in one dimension. Edge pixels are repeated at the
+// borders.
 #include "image/flip.hpp"
 
 #include <algorithm>
@@ -39,13 +40,13 @@ constexpr double kPixelsPerDegree = 0.7 * 3840.0 / 0.7 * std::numbers::pi / 180.
 constexpr double kColorPower = 0.7, kKneeIn = 0.4, kKneeOut = 0.95, kFeatureWidthDeg = 0.082, kFeaturePower = 0.5;
 
 using Color = std::array<double, 3>;
-using Kernel = std::vector<double>;  // an odd number of taps, its middle at the pixel
+using Kernel = std::vector<double>;  // an odd number of taps, with the middle one at the pixel
 
-/// Linear Rec. 709 to CIE XYZ, each divided by that of white: rows sum to 1.
+/// From linear Rec. 709 to CIE XYZ, divided by white: rows sum to 1.
 constexpr std::array<Color, 3> kXyzFromRgb{{{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
                                             {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
                                             {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}}};
-/// Its inverse.
+/// From CIE XYZ, divided by white, to linear Rec. 709.
 constexpr std::array<Color, 3> kRgbFromXyz{{{3.241003232976358, -1.537398969488785, -0.498615881996363},
                                             {-0.969224252202516, 1.875929983695176, 0.041554226340085},
                                             {0.055639419851975, -0.204011206123910, 1.057148977187533}}};
@@ -58,7 +59,7 @@ Color transformed(const std::array<Color, 3>& matrix, const Color& v) {
 
 Color white() { return transformed(kXyzFromRgb, {1.0, 1.0, 1.0}); }
 
-/// From XYZ relative to white.
+/// Converts from XYZ relative to white.
 Color ycxcz_of(const Color& xyz) { return {116.0 * xyz[1] - 16.0, 500.0 * (xyz[0] - xyz[1]), 200.0 * (xyz[1] - xyz[2])}; }
 
 Color xyz_of(const Color& ycxcz) {
@@ -66,7 +67,7 @@ Color xyz_of(const Color& ycxcz) {
   return {y + ycxcz[1] / 500.0, y, y - ycxcz[2] / 200.0};
 }
 
-/// CIELAB of linear light, with Hunt's adjustment: chroma times L / 100.
+/// Converts linear light to CIELAB with Hunt's adjustment: chroma times L / 100.
 Color hunt_lab_of(const Color& rgb) {
   constexpr double kDelta = 6.0 / 29.0;
   const Color xyz = transformed(kXyzFromRgb, rgb), reference = white();
@@ -93,14 +94,14 @@ Kernel gaussian(int radius, double inverse_twice_variance) {
   return kernel;
 }
 
-/// Positive taps sum to 1, negative taps to -1.
+/// Scales the taps so that positive ones sum to 1 and negative ones to -1.
 void balance(Kernel& kernel) {
   double positive = 0.0, negative = 0.0;
   for (const double tap : kernel) (tap > 0.0 ? positive : negative) += tap;
   for (double& tap : kernel) tap /= tap > 0.0 ? positive : -negative;
 }
 
-/// The sum over the taps of a row of samples that are `stride` apart, of which the ends repeat.
+/// Filters a line of samples `stride` apart. The samples at the ends are repeated.
 void filter_line(const double* from, double* to, int count, std::ptrdiff_t stride, const Kernel& kernel) {
   const int radius = static_cast<int>(kernel.size() / 2);
   for (int i = 0; i < count; ++i) {
@@ -130,7 +131,7 @@ SamplePlane filtered(const SamplePlane& plane, const Kernel& across, const Kerne
   return result;
 }
 
-/// One Gaussian a sqrt(pi / b) exp(-pi^2 r^2 / b) of a contrast sensitivity function, r in degrees.
+/// A Gaussian a sqrt(pi / b) exp(-pi^2 r^2 / b) of a contrast sensitivity function, r in degrees.
 struct Sensitivity {
   double a, b;
 };
@@ -175,7 +176,7 @@ Opponents opponents_of(const Image8& image) {
   return planes;
 }
 
-/// Returns the part of each pixel that the eye resolves, in Hunt-adjusted CIELAB.
+/// Returns the resolvable part of each pixel, in Hunt-adjusted CIELAB.
 std::vector<Color> seen_colors(const Opponents& opponents) {
   const Opponents blurry{blurred(opponents[0], {{1.0, 0.0047}}), blurred(opponents[1], {{1.0, 0.0053}}),
                          blurred(opponents[2], {{34.1, 0.04}, {13.5, 0.025}})};
@@ -198,7 +199,7 @@ double color_difference(double distance, double largest) {
   return kKneeOut + (power - knee) / (largest - knee) * (1.0 - kKneeOut);
 }
 
-/// How strong edges and points are at each pixel.
+/// Strengths of edges and points at each pixel.
 struct Features {
   std::vector<double> edges, points;
 };

@@ -1,8 +1,8 @@
-// Radiance HDR.
-// Based on: Greg Ward, "Real Pixels", Graphics Gems II, 1991, and the Radiance file formats document, 2018: lines of a header,
-// an empty one, a line with the order and number of rows and columns, then scan lines of four bytes a pixel: three mantissas
-// and their exponent. A scan line is plain, or has runs in one of two ways: a pixel of 1, 1, 1, n repeats the one before; or
-// the line begins with 2, 2 and its length, and its four components follow one after the other.
+// Decodes Radiance HDR. Based on: Greg Ward, "Real Pixels", Graphics Gems II, 1991, and the Radiance file formats document,
+// 2018. A file has header lines, an empty line, and a line with the order and number of rows and columns. Scan lines of four
+// bytes per pixel follow: three mantissas and their exponent. A scan line is uncompressed, or has runs in one of two ways: a
+// pixel 1, 1, 1, n repeats the previous one; or the line begins with 2, 2 and its length, and stores its four components one
+// after the other.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -60,7 +60,7 @@ class HdrHeaderReader {
       : text_(reinterpret_cast<const char*>(file.data()), file.size()), where_(where) {}
 
   HdrHeader read() {
-    line();  // the mark
+    line();  // the magic line
     for (std::string_view text = line(); !trimmed(text).empty(); text = line()) read_variable(text);
     read_resolution(trimmed(line()));
     header_.samples_at = at_;
@@ -197,7 +197,7 @@ class HdrLines {
     }
   }
 
-  /// Runs of 1, 1, 1, n directly after one another are the digits of one number, the lowest first.
+  /// Consecutive runs 1, 1, 1, n are the digits of one number, the lowest first.
   void read_pixels(std::vector<Rgbe>& line) {
     int shift = 0;
     for (std::size_t at = 0; at < line.size();) {

@@ -1,5 +1,5 @@
-// The interface to libheif: a module (liblippmann_heic.so) that is loaded when the first HEIC picture is read. libheif loads
-// video codecs, which nothing else needs. Private to src/image.
+// The interface to libheif: a module (liblippmann_heic.so) that is loaded for the first HEIC image. libheif loads video codecs
+// that nothing else needs. Private to src/image.
 #pragma once
 
 #include <cstddef>

@@ -12,7 +12,7 @@
 
 namespace lippmann {
 
-/// What deflate searches for: repeats and statistics (default), fewer repeats (filtered), runs only, statistics only.
+/// Search method of deflate: repeats and statistics (default), fewer repeats (filtered), runs only, statistics only.
 enum class PngStrategy { kDefault, kFiltered, kRunLength, kHuffman };
 
 /// The neighbours that predict a byte; adaptive tries all filters for every row.

@@ -72,7 +72,7 @@ PictureShape picture_shape(const std::filesystem::path& path);
 /// (image/encode.hpp).
 Image8 read_image8(const std::filesystem::path& path, const PictureWarning& warn = {});
 
-/// As read_image8(), for a file written just now that is not in a journal yet.
+/// Reads like read_image8() a file written just now that is not in a journal yet.
 Image8 read_new_image8(const std::filesystem::path& path);
 
 }  // namespace lippmann

@@ -28,7 +28,7 @@ struct RunParams {
   bool is_first_rank() const { return !ranks || ranks->rank() == 0; }
 };
 
-/// Parts are frames, or strips of them where the job is rendered in strips: frame * strips + strip.
+/// Parts are frames, or strips of frames if the job is rendered in strips: frame * strips + strip.
 struct RunParts {
   int strips = 1;           ///< strips per frame
   int segment = 1;          ///< units begin at multiples of this (frames_per_segment)
@@ -36,7 +36,7 @@ struct RunParts {
   std::vector<int> parts;   ///< parts of this run, ascending
   std::vector<int> frames;  ///< frames of these parts
 
-  /// Throws a usage Error for frames outside the animation, and where `run` selects none.
+  /// Throws a usage Error for frames outside the animation, and if `run` selects none.
   RunParts(const ResolvedJob& job, const FrameParams& made_as, const Timeline& timeline, const RunParams& run);
 };
 

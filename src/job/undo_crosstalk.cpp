@@ -27,7 +27,7 @@ std::optional<double> crosstalk_to_undo(const RenderParams& params, const Optics
     throw usage_error(kPrecompensateFlag, "the crosstalk of the display is not known",
                       "--crosstalk, or a display file with it");
   Image nothing;
-  precompensate(optics, *sigma, kPrecompensateFlag, nothing);  // refuses before hours are spent on frames
+  precompensate(optics, *sigma, kPrecompensateFlag, nothing);  // throws before hours are spent on frames
   return sigma;
 }
 

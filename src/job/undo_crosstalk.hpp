@@ -1,4 +1,4 @@
-// `--precompensate`: which crosstalk of the display its pictures are to undo.
+// Selects the crosstalk to correct: `--precompensate`.
 #pragma once
 
 #include <optional>

@@ -21,8 +21,7 @@ struct UnitPlan {
   int segment = 1;  ///< frames_per_segment
   std::vector<PlannedUnit> units;
   std::optional<JobCosts> costs = {};
-  std::optional<double> join_bytes =
-      {};  ///< the memory that joining a frame from strips takes, about; none: not known, or none is
+  std::optional<double> join_bytes = {};  ///< estimated memory for joining a frame from strips; none: unknown or not needed
 };
 
 /// Plans `count` units, or one per segment if there are fewer segments. With `measure`, renders frames into a temporary folder
