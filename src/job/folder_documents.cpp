@@ -111,7 +111,7 @@ void write_job_of_folder(const ResolvedJob& job, const std::vector<int>& frames,
   if (is_there && !is_as_recorded && !is_damaged) {
     if (const auto keys = differences(file, job); !keys.empty())
       context.warning(
-          fmt::format("{} was not written by this render and stays, although it differs in {}; report.json has the settings",
+          fmt::format("{} was not written by this render and is kept, although it differs in {}; report.json has the settings",
                       file.string(), fmt::join(keys, ", ")));
     return;
   }

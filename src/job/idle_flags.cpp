@@ -105,7 +105,7 @@ constexpr std::array kEffects{
     Effect{"right-first", wants_stereo, "--layout stereo with it"},
     Effect{"exr-pixels", makes_exr, "--format exr with it"},
     Effect{"video-codec", makes_videos, "--video FILE with it"},
-    Effect{"crf", makes_lossy_videos, "--video FILE with it, in a format that loses something (.mp4, .mov or .webm)"},
+    Effect{"crf", makes_lossy_videos, "--video FILE with it, in a lossy format (.mp4, .mov or .webm)"},
 };
 
 /// Returns "--packing", or "--fit-depth or --full-depth" for two flags that set the same parameter.

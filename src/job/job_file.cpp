@@ -152,11 +152,12 @@ void read_job(const fs::path& file, RenderParams& params) try {
   }
 } catch (const Error& error) {
   if (is_as_recorded(file)) throw;
-  throw Error(file.string(),
-              fmt::format("is damaged or was edited: it has other bytes than its render wrote, and cannot be read ({}: {})",
-                          error.where(), error.problem()),
-              fmt::format("the file as it was; the first command with `-o {} --resume` writes it again",
-                          shell_word(file.parent_path().empty() ? "." : file.parent_path().string())));
+  throw Error(
+      file.string(),
+      fmt::format("is damaged or was edited: it differs from the file that its render wrote, and cannot be read ({}: {})",
+                  error.where(), error.problem()),
+      fmt::format("the file as it was; the first command with `-o {} --resume` writes it again",
+                  shell_word(file.parent_path().empty() ? "." : file.parent_path().string())));
 }
 
 std::string job_text(const RenderParams& params, const fs::path& folder) {

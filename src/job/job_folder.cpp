@@ -47,7 +47,7 @@ void take_frames(const std::vector<int>& frames, RenderFolder& folder, const Fra
       continue;
     }
     if (steps.only_finished)
-      throw Error(folder.path().string(), fmt::format("frame {} is not finished, or not as it was written", frame),
+      throw Error(folder.path().string(), fmt::format("frame {} is not finished, or was changed after it was written", frame),
                   "a folder with all frames of the job");
     if (!steps.make(frame)) return;
   }
@@ -95,7 +95,7 @@ std::vector<FrameReport> finished_strips(const RenderFolder& folder, int frame, 
     const std::optional<FrameReport> report = find_strip(folder.path(), journal, frame, strip);
     if (!report)
       throw Error(folder.path().string(),
-                  fmt::format("strip {} of frame {} is not finished, or not as it was written", strip, frame),
+                  fmt::format("strip {} of frame {} is not finished, or was changed after it was written", strip, frame),
                   fmt::format("a folder with all {} strips", count));
     reports.push_back(*report);
   }

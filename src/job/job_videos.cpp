@@ -27,8 +27,8 @@ void warn_of_display(const Display& display, const FrameLayout& layout, const Co
     context.warning(fmt::format("{} shows pictures of quilts only, no videos", display.name));
   const Vec2i size = layout.picture_size();
   if (std::max(size.x, size.y) > display.video.longest_side)
-    context.warning(fmt::format("{} plays videos of up to {} pixels a side, these have {}x{}: `size` with less", display.name,
-                                display.video.longest_side, size.x, size.y));
+    context.warning(fmt::format("{} plays videos of up to {} pixels a side, but these have {}x{}: use a smaller `size`",
+                                display.name, display.video.longest_side, size.x, size.y));
 }
 
 void make_room_for_video(const VideoFile& video, Vec2i film) {
@@ -46,7 +46,7 @@ void check_videos(const OutputParams& output, const FrameLayout& layout, bool is
   if (layout.is_rgbd() && layout.format() == PictureFormat::kExr)
     throw usage_error("video", "needs pictures that store depth as integers", "`format` png or png16");
   if (is_shared && layout.format() != PictureFormat::kPng)
-    throw usage_error("video", "needs pictures of 8 bits: it is encoded from those of all parts", "`format` png");
+    throw usage_error("video", "needs 8-bit pictures, since it is encoded from the pictures of all parts", "`format` png");
 }
 
 std::vector<VideoFile> job_videos(const ResolvedJob& job, const FrameLayout& layout, double frames_per_second) {

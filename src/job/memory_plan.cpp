@@ -145,8 +145,8 @@ double traced_share(const MemoryFacts& facts, int bands) {
   const std::string reason = reason_against_bands(facts);
   const std::string bands = reason.empty() ? ", even in bands of rows," : "";
   throw Error("size",
-              fmt::format("frames of {}x{} pixels need about {} of memory{} and {} are available{}", facts.film.x, facts.film.y,
-                          bytes_text(needed), bands, bytes_text(available),
+              fmt::format("frames of {}x{} pixels need about {} of memory{}, but {} are available{}", facts.film.x,
+                          facts.film.y, bytes_text(needed), bands, bytes_text(available),
                           reason.empty() ? "" : "; bands of rows, which need less, are not possible: " + reason),
               "fewer pixels, fewer layers, or more memory");
 }
@@ -169,13 +169,13 @@ MemoryPlan plan_strips_memory(const MemoryFacts& facts, int strips, bool joins, 
   const double strip = pixels_of(facts) * traced_share(facts, strips) * (kCopies * frame_held(facts) + working(facts));
   if (strip > available)
     throw Error("strips",
-                fmt::format("{} of {}x{} pixels need about {} of memory each, and {} are available", strips, facts.film.x,
+                fmt::format("{} of {}x{} pixels need about {} of memory each, but {} are available", strips, facts.film.x,
                             facts.film.y, bytes_text(strip), bytes_text(available)),
                 "more of them");
   const double joined = joins ? joined_frame_bytes(facts) : 0.0;
   if (joined > available)
     throw Error("size",
-                fmt::format("joining a frame of {}x{} pixels from its strips needs about {} of memory, and {} are available",
+                fmt::format("joining a frame of {}x{} pixels from its strips needs about {} of memory, but {} are available",
                             facts.film.x, facts.film.y, bytes_text(joined), bytes_text(available)),
                 "fewer pixels, fewer layers, or more memory");
   return {1, false, strip + joined};  // the heap keeps most of the memory used for tracing
@@ -200,7 +200,7 @@ MemoryPlan plan_memory(const MemoryFacts& facts, double available) {
 std::string sentence_of(const MemoryPlan& plan, const MemoryFacts& facts, double available) {
   if (plan.bands == 1 && (!plan.one_at_a_time || facts.frames == 1)) return {};
   const std::string why = fmt::format(
-      "Whole frames of {}x{} pixels would take about {} of memory, and {} are available: ", facts.film.x, facts.film.y,
+      "Whole frames of {}x{} pixels would take about {} of memory, but {} are available: ", facts.film.x, facts.film.y,
       bytes_text(estimated_bytes(facts, plan.bands > 1 ? 1 : facts.frames_at_a_time, 1)), bytes_text(available));
   if (plan.bands == 1) return why + "each frame is written before the next one is rendered.";
   return why + fmt::format("each is rendered in {} bands of rows, to the same pixels.", plan.bands);

@@ -12,10 +12,10 @@ struct Removed {
 
 constexpr Removed kRemoved[] = {
     {"reuse", "light", "path-traced frames are denoised instead", "--denoise auto (the default), --reuse auto or none"},
-    {"time-budget", "", "it made pictures depend on the machine", "--spp, on which the time of a frame depends in proportion"},
+    {"time-budget", "", "it made pictures depend on the machine", "--spp, to which the time of a frame is proportional"},
     {"quality-at", "", "renders report the error of pixels only",
      "lippmann replay or compare, which measure the picture at an eye"},
-    {"debug", "provenance", "a layer shows the same", "--debug missed; --aov provenance"},
+    {"debug", "provenance", "a layer has the same data", "--debug missed; --aov provenance"},
 };
 
 }  // namespace

@@ -60,7 +60,7 @@ std::string slurm_script(const Submission& submission) {
   const std::string name = shell_word(submission.name), folder = shell_word(submission.folder.string());
   return fmt::format(R"(#!/usr/bin/env bash
 # Submits {units} tasks that render {job}, and one that finishes it once all have succeeded.
-# Run it on a machine of the cluster; what tasks print goes to {folder}/slurm.
+# Run it on a machine of the cluster; the output of tasks goes to {folder}/slurm.
 set -euo pipefail
 mkdir -p {folder}/slurm
 render=$(sbatch --parsable --job-name={name}{partition} --array=1-{units} --cpus-per-task={threads}{limits} --requeue \

@@ -37,7 +37,7 @@ TEST_P(RemovedFlags, name_their_replacement) {
 
 INSTANTIATE_TEST_SUITE_P(Each, RemovedFlags,
                          testing::Values(Removed{"reuse", "light", "--denoise auto (the default)"},
-                                         Removed{"time-budget", "2.5", "--spp, on which the time of a frame depends"},
+                                         Removed{"time-budget", "2.5", "--spp, to which the time of a frame is proportional"},
                                          Removed{"quality-at", "eye", "lippmann replay or compare"},
                                          Removed{"debug", "provenance", "--aov provenance"}),
                          [](const auto& removed) {

@@ -171,7 +171,7 @@ TEST_F(DisplayRenders, unknown_or_strong_crosstalk_is_refused) {
   const auto refused = [&](const Settings& settings, const std::string& message) {
     EXPECT_THAT(refusal(teapot("out", "0", settings)), HasSubstr(message));
   };
-  refused({{"precompensate", "true"}}, "crosstalk of the display is not known");
+  refused({{"precompensate", "true"}}, "crosstalk of the display is unknown");
   refused({{"precompensate", "true"}, {"crosstalk", "2"}}, "cannot be told apart");
   EXPECT_THAT(refusal(job("teapot", "out", {{"precompensate", "true"}, {"crosstalk", "0.3"}, {"optics", "single"}})),
               HasSubstr("single view"));

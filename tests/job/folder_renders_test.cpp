@@ -85,7 +85,7 @@ TEST_F(FolderRenders, foreign_job_file_is_never_overwritten) {
   EXPECT_EQ(warnings_, "");
   others.optics.view_angle_deg = 40.0f;
   render(others, {.force = true});
-  EXPECT_THAT(warnings_, HasSubstr("job.toml was not written by this render and stays, although it differs in view-angle"));
+  EXPECT_THAT(warnings_, HasSubstr("job.toml was not written by this render and is kept, although it differs in view-angle"));
   EXPECT_EQ(bytes("a/job.toml"), job);
   EXPECT_TRUE(check("a").passed());
 }
