@@ -143,7 +143,7 @@ double traced_share(const MemoryFacts& facts, int bands) {
 
 [[noreturn]] void refuse(const MemoryFacts& facts, double needed, double available) {
   const std::string reason = reason_against_bands(facts);
-  const std::string bands = reason.empty() ? ", even in bands of rows," : "";
+  const std::string bands = reason.empty() ? ", even in bands of rows" : "";
   throw Error("size",
               fmt::format("frames of {}x{} pixels need about {} of memory{}, but {} are available{}", facts.film.x,
                           facts.film.y, bytes_text(needed), bands, bytes_text(available),
