@@ -175,7 +175,7 @@ class ExrDecoder {
     check_chunks(static_cast<std::uint64_t>(size.x), pixels * pixel_bytes, pixel_bytes);
     constexpr std::uint64_t kFreePixels = std::uint64_t{1} << 24, kMostTimesLarger = 64;
     if (pixels_of(display) > std::max(kFreePixels, kMostTimesLarger * pixels))
-      throw unreadable_picture(where_, fmt::format("its display window of {} x {} pixels is absurdly larger than its picture",
+      throw unreadable_picture(where_, fmt::format("its display window of {} x {} pixels is far larger than its picture",
                                                    size_of(display).x, size_of(display).y));
   }
 
@@ -191,7 +191,7 @@ class ExrDecoder {
     const std::uint64_t pixels = tiled ? std::uint64_t{header.tileDescription().xSize} * header.tileDescription().ySize
                                        : width * exr_lines_per_chunk(header.compression());
     if (pixels == 0 || pixels * pixel_bytes > std::max(kFree, 4 * picture_bytes))
-      throw unreadable_picture(where_, "its tiles have no sensible size");
+      throw unreadable_picture(where_, "its tile size is invalid");
   }
 
   std::vector<std::string> notices() const {
@@ -205,10 +205,10 @@ class ExrDecoder {
                                     shown(colors_.others.front())) +
                         (colors_.others.size() > 1 ? fmt::format(" and {} more", colors_.others.size() - 1) : ""));
     if (Imf::hasEnvmap(part()) && Imf::envmap(part()) == Imf::ENVMAP_CUBE)
-      notices.emplace_back("it is an environment as a cube and is read as a flat picture");
+      notices.emplace_back("it is a cube map and is read as a flat picture");
     const Chromaticities chromaticities = chromaticities_of(part());
     if (!are_rec709(chromaticities) && !rec709_from(chromaticities))
-      notices.emplace_back("its chromaticities make no sense and are ignored");
+      notices.emplace_back("its chromaticities are invalid and are ignored");
     const Imath::Box2i data = part().dataWindow();
     if (!data.intersects(part().displayWindow()))
       notices.emplace_back("its data window lies outside its display window: the picture is empty");

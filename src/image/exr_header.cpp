@@ -144,9 +144,9 @@ struct PartSize {
   std::uint64_t chunks(const std::string& where) const {
     const std::int64_t width = std::int64_t{window[2]} - window[0] + 1, height = std::int64_t{window[3]} - window[1] + 1;
     check_image_size(where, width, height, 1);
-    if (compression >= Imf::NUM_COMPRESSION_METHODS) throw unreadable_picture(where, "its compression is of no known kind");
+    if (compression >= Imf::NUM_COMPRESSION_METHODS) throw unreadable_picture(where, "its compression is unknown");
     if (!tiled) return pieces(height, exr_lines_per_chunk(static_cast<Imf::Compression>(compression)));
-    if (tile[0] == 0 || tile[1] == 0) throw unreadable_picture(where, "its tiles have no sensible size");
+    if (tile[0] == 0 || tile[1] == 0) throw unreadable_picture(where, "its tile size is invalid");
     return tiles(width, height);
   }
   /// Returns the size of a chunk's coordinates, in bytes.
@@ -216,7 +216,8 @@ PartSize read_part_size(HeaderInput& input, bool tiled, const std::string& where
     const std::string_view type = input.text();
     const FileBytes value = input.bytes(input.size());
     if (!fits_type(type, value, where))
-      throw unreadable_picture(where, fmt::format("its attribute {} is no {}", printable(name), printable(type)));
+      throw unreadable_picture(where,
+                               fmt::format("its attribute {} does not have the type {}", printable(name), printable(type)));
     check_attribute(name, value, where);
     size.set(name, value);
   }

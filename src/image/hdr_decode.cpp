@@ -130,7 +130,7 @@ class HdrHeaderReader {
     header_.chromaticities = {xy};
     if (rec709_from(header_.chromaticities)) return;
     header_.chromaticities = {};
-    header_.notices.emplace_back("its PRIMARIES make no sense and are ignored");
+    header_.notices.emplace_back("its PRIMARIES are invalid and are ignored");
   }
 
   /// Reads "-Y 512 +X 768": sign, axis and number of scan lines, then of pixels per line.

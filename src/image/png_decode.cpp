@@ -104,7 +104,7 @@ class PngDecoder {
 
   /// Returns notices on ignored colour chunks, in the order in which chunks override each other.
   std::vector<std::string> color_notices() const {
-    constexpr std::string_view kReadAsSrgb = "are not applied: its codes are read as sRGB's";
+    constexpr std::string_view kReadAsSrgb = "are not applied: its codes are read as sRGB";
     if (coding_points_ && *coding_points_ != kSrgbCodingPoints) return {fmt::format("its colours (cICP) {}", kReadAsSrgb)};
     if (coding_points_) return {};
     if (png_get_valid(png_, info_, PNG_INFO_iCCP)) return {};
@@ -114,7 +114,7 @@ class PngDecoder {
     double gamma = 0.0;
     constexpr double kSrgbGamma = 0.45455, kRounded = 0.005;
     if (png_get_gAMA(png_, info_, &gamma) && std::abs(gamma - kSrgbGamma) > kRounded)
-      notices.push_back(fmt::format("its gamma (gAMA {:g}) is not applied: its codes are read as sRGB's", gamma));
+      notices.push_back(fmt::format("its gamma (gAMA {:g}) is not applied: its codes are read as sRGB", gamma));
     std::array<double, 8> xy{};  // white first
     if (png_get_cHRM(png_, info_, &xy[6], &xy[7], &xy[0], &xy[1], &xy[2], &xy[3], &xy[4], &xy[5]) && !are_rec709({xy}))
       notices.push_back(fmt::format("its chromaticities (cHRM) {}", kReadAsSrgb));

@@ -161,7 +161,7 @@ class TiffDecoder {
       std::copy_n(primaries, 6, chromaticities.xy.begin());
     if (const float* white = array_field<float>(TIFFTAG_WHITEPOINT)) std::copy_n(white, 2, chromaticities.xy.begin() + 6);
     if (!are_rec709(chromaticities))
-      header.notices.emplace_back("its chromaticities are not applied: its colours are read as sRGB's");
+      header.notices.emplace_back("its chromaticities are not applied: its colours are read as sRGB");
   }
 
   void add_place_notices(PictureHeader& header) const {

@@ -25,7 +25,7 @@ PageAnswer json_answer(const Json& json, int status = 200) {
 }
 
 PageAnswer nothing_there() {
-  return {404, "text/plain; charset=utf-8", std::make_shared<const std::string>("There is nothing of this name.\n")};
+  return {404, "text/plain; charset=utf-8", std::make_shared<const std::string>("There is nothing with this name.\n")};
 }
 
 std::optional<std::uint64_t> number_of(std::string_view text) {

@@ -36,7 +36,7 @@ PageAnswer answer_with(int status, std::string text, std::string type = "text/pl
   return {status, std::move(type), std::make_shared<const std::string>(std::move(text))};
 }
 
-PageAnswer unknown_path() { return answer_with(404, "There is nothing of this name.\n"); }
+PageAnswer unknown_path() { return answer_with(404, "There is nothing with this name.\n"); }
 
 PageAnswer failed(const std::string& message) {
   return answer_with(422, json_to_text({{"error", message}}), "application/json");

@@ -149,7 +149,7 @@ void DroppedPictures::append(std::string_view path, const std::string& bytes) {
   if (file) return;
   const std::string folder = received.folder.path().parent_path().string();
   received_.reset();
-  throw Error(folder, "cannot be written to: is the disk full?");
+  throw Error(folder, "cannot be written: is the disk full?");
 }
 
 void DroppedPictures::show() {
