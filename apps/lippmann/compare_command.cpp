@@ -48,7 +48,7 @@ int run(const CompareOptions& options, Context& context) {
     if (!path.empty()) AtomicFile{path};  // fails early if the file cannot be written
   context.threads = options.threads;
   const CompareParams params = compare_params(options);
-  for (const std::string& in : {options.reference, options.test}) warn_of_unchecked(in, context);
+  for (const std::string& in : {options.reference, options.test}) warn_about_unchecked_files(in, context);
   const Comparison comparison = compare(options.reference, options.test, context, params);
   if (context.cancelled) return 1;
   if (!options.csv.empty()) write_text(options.csv, comparison_csv(comparison));

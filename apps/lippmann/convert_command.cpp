@@ -68,7 +68,7 @@ nlohmann::ordered_json lens_grid_result(const LensGridFit& fit) {
 
 int run(const ConvertOptions& options, const Context& context) {
   require_no_render(options.out);
-  warn_of_unchecked(options.in, context);
+  warn_about_unchecked_files(options.in, context);
   const Conversion conversion = conversion_of(options);
   refuse_idle_flags(options, conversion);
   switch (conversion.kind) {
@@ -122,7 +122,7 @@ int run(const ConvertOptions& options, const Context& context) {
     return 0;
   }
   if (!options.result.wants_text()) return 0;
-  if (plenoptic.fit) fmt::print("{}\n", described(*plenoptic.fit));
+  if (plenoptic.fit) fmt::print("{}\n", lens_grid_text(*plenoptic.fit));
   if (options.sheet.are_given()) fmt::print("{}\n", params.options.display->description);
   fmt::print("{}x{} views of {}x{} pixels{}: {}{}\n", converted.views.columns, converted.views.rows, converted.view_size.x,
              converted.view_size.y, converted.fitted.empty() ? "" : ", " + converted.fitted,
@@ -134,7 +134,7 @@ int run(const ConvertOptions& options, const Context& context) {
 std::string formats_help() {
   std::string text = "Formats:\n";
   for (const LightFieldFormat& format : light_field_formats())
-    text += fmt::format("  {:<10}  {}\n", format.name, with_flags(format.is));
+    text += fmt::format("  {:<10}  {}\n", format.name, with_flags(format.description));
   return text + "See docs/reference/layouts.md for each, with an example.";
 }
 

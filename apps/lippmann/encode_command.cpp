@@ -64,7 +64,7 @@ int run(const EncodeOptions& options, Context& context) {
   VideoOptions video{.rate = {}, .codec = {}, .crf = options.crf, .threads = kEncoderThreads};
   if (!options.codec.empty()) video.codec = static_cast<VideoCodec>(read_choice(options.codec, kVideoCodecNames, "--codec"));
   const std::vector<NumberedFrame> frames = wanted_frames(options);
-  warn_of_unchecked(frames.front().path.parent_path() / ".", context);
+  warn_about_unchecked_files(frames.front().path.parent_path() / ".", context);
   video.stereo = stereo_of(frames);
   const int turn_deg = turn_of(options, frames);
   video.rate = frame_rate(rate_of(options, frames));

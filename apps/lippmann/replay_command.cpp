@@ -134,7 +134,7 @@ void print_result(const Replayed& result) {
 int run(const ReplayOptions& options, Context& context) {
   refuse_idle_flags(options);
   context.threads = options.threads;
-  warn_of_unchecked(options.in, context);
+  warn_about_unchecked_files(options.in, context);
   const Replayed result = replay(params_of(options), context);
   if (options.result.json)
     print_result(result);

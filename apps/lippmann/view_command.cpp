@@ -39,7 +39,7 @@ struct ViewOptions {
 std::vector<std::unique_ptr<PageField>> read_fields(const ViewOptions& options, const Context& context) {
   std::vector<std::unique_ptr<PageField>> fields;
   for (const std::string& in : {options.in, options.other})
-    if (!in.empty()) warn_of_unchecked(in, context);
+    if (!in.empty()) warn_about_unchecked_files(in, context);
   fields.push_back(std::make_unique<PageField>(options.in, options.field.read(), context));
   if (!options.other.empty()) fields.push_back(std::make_unique<PageField>(options.other, options.field.read(), context));
   for (const auto& field : fields)

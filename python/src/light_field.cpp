@@ -225,7 +225,7 @@ py::array epipolar(const RenderedPanel& panel, int line, Function function) {
 
 std::vector<std::pair<std::string, std::string>> format_lines() {
   std::vector<std::pair<std::string, std::string>> lines;
-  for (const LightFieldFormat& format : light_field_formats()) lines.emplace_back(format.name, format.is);
+  for (const LightFieldFormat& format : light_field_formats()) lines.emplace_back(format.name, format.description);
   return lines;
 }
 

@@ -17,7 +17,7 @@ void require_length(double length_mm, const char* parameter) {
     throw usage_error(parameter, fmt::format("is {} mm", length_mm), fmt::format("{} to {} mm", kLeast, kMost));
 }
 
-/// The sum of the steps from each eye to the next along one axis of the grid.
+/// Returns the sum of the steps between neighbouring eyes along one axis of the grid.
 Vec2d sum_of_steps(const std::vector<Vec2d>& eyes, ViewGrid grid, bool across) {
   Vec2d sum(0.0);
   const auto eye = [&](int column, int row) { return eyes[static_cast<std::size_t>(row * grid.columns + column)]; };
@@ -28,7 +28,7 @@ Vec2d sum_of_steps(const std::vector<Vec2d>& eyes, ViewGrid grid, bool across) {
   return sum;
 }
 
-/// The positions in mm, around the axis, with x growing to the right and y upwards in the grid of views.
+/// Returns the positions in mm, centred on the axis, with x to the right and y up in the grid of views.
 std::vector<Vec2d> scaled_eyes(const std::vector<Vec2d>& positions, ViewGrid grid, double scale) {
   Vec2d middle(0.0);
   for (const Vec2d& position : positions) middle += position / static_cast<double>(positions.size());
@@ -48,7 +48,7 @@ std::optional<RenderedViews> rendered_views(const Optics& optics) {
 }
 
 std::optional<double> common_baseline_mm(const ViewCameras& cameras, ViewGrid grid) {
-  constexpr double kShare = 1e-4;  // a hundredth of what disparities of 100 pixels would show
+  constexpr double kShare = 1e-4;  // corresponds to 1/100 pixel at disparities of 100 pixels
   const auto eye = [&](int column, int row) { return cameras.eyes_mm[static_cast<std::size_t>(row * grid.columns + column)]; };
   const double baseline = grid.columns > 1 ? eye(1, 0).x - eye(0, 0).x : grid.rows > 1 ? eye(0, 1).y - eye(0, 0).y : 0.0;
   for (int row = 0; row < grid.rows; ++row)
@@ -81,15 +81,15 @@ ViewCameras cameras_as_stated(const StatedCameras& stated, const LightField& fie
   const std::vector<Vec2d> eyes = scaled_eyes(*field.positions, grid, stated.baseline_mm / step);
   const auto is_finite = [](const Vec2d& eye) { return std::isfinite(eye.x) && std::isfinite(eye.y); };
   if (!std::all_of(eyes.begin(), eyes.end(), is_finite))
-    throw Error(where, "the positions in its names do not differ from column to column", "one position for each column");
-  // Rounded positions of a regular grid give the grid itself.
+    throw Error(where, "the positions in its file names are equal in all columns", "a different position for each column");
+  // If rounded positions match a regular grid, use the exact grid.
   const ViewCameras placed{cameras.distance_mm, cameras.pixel_mm, cameras.centre_px, eyes};
   return common_baseline_mm(placed, grid) ? cameras : placed;
 }
 
 std::string unknown_cameras(const LightField& field) {
-  if (field.poses) return "the cameras do not look through one rectangle from one plane";
-  return field.positions ? "the cameras' positions have no unit, and their distance from the plane is not known"
+  if (field.poses) return "the cameras do not share a plane and a window";
+  return field.positions ? "the camera positions have no unit, and their distance from the focal plane is unknown"
                          : "the cameras of these views are unknown";
 }
 

@@ -1,4 +1,4 @@
-// How the views of a rendered picture lie in it, and which cameras they are (optics/view_cameras.hpp).
+// The layout and the cameras of the views in a rendered picture (optics/view_cameras.hpp).
 #pragma once
 
 #include <optional>
@@ -11,26 +11,27 @@
 namespace lippmann {
 
 struct RenderedViews {
-  ViewLayout film;                          ///< how the views lie in a picture as it is traced
-  std::optional<ViewCameras> cameras = {};  ///< none: the views are parallel projections, of lenses seen from infinity
+  ViewLayout film;                          ///< layout of the views in a traced picture
+  std::optional<ViewCameras> cameras = {};  ///< none: the views are parallel projections (lenses viewed from infinity)
 };
 
-/// None where there are no views of whole pixels (slanted or hexagonal lenses). A single view is a grid of one.
+/// Returns the views of the optics, where a single view is a grid of one; none if they have no views of whole pixels (slanted
+/// or hexagonal lenses).
 std::optional<RenderedViews> rendered_views(const Optics& optics);
 
-/// The one distance between neighbouring eyes across and up; 0 of a single camera; none where distances differ by more than
-/// 1e-4 of it.
+/// Returns the uniform distance between neighbouring eyes across and up; 0 for a single camera; none if distances differ by
+/// more than a relative 1e-4.
 std::optional<double> common_baseline_mm(const ViewCameras& cameras, ViewGrid grid);
 
-/// The mean distance between neighbouring eyes of a row; of one column, between neighbouring eyes of the column. 0 of one eye.
+/// Returns the mean distance between neighbouring eyes of a row, or of a column if there is only one; 0 for a single eye.
 double mean_step(const std::vector<Vec2d>& eyes, ViewGrid grid);
 
-/// Cameras of these views. Eyes stand at the positions of the light field, where it has them, scaled so that their mean step is
-/// the baseline, and otherwise in a regular grid; around the axis in both cases. Throws a usage Error naming the parameter for
-/// lengths that are not positive, and Error naming `where` for positions that all coincide.
+/// Returns cameras for these views. The eyes are at the light field's positions, if it has any, scaled to a mean step of the
+/// baseline; otherwise in a regular grid. Both are centred on the axis. Throws a usage Error naming the parameter for lengths
+/// that are not positive, and Error naming `where` if all positions coincide.
 ViewCameras cameras_as_stated(const StatedCameras& stated, const LightField& field, const std::string& where);
 
-/// Why a light field has no cameras, for messages.
+/// Returns a message why a light field has no cameras.
 std::string unknown_cameras(const LightField& field);
 
 }  // namespace lippmann

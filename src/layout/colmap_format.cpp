@@ -1,6 +1,6 @@
 // COLMAP's folders: images/000.png, ..., sparse/0/cameras.txt, images.txt and points3D.txt (layout/colmap_model.hpp). The
-// points are our own depth, as an initial cloud without tracks. Text is written; text and binary are read, binary first as
-// COLMAP does.
+// points are sampled from our depth, as an initial cloud without tracks. Writes text; reads text and binary, preferring binary
+// as COLMAP does.
 #include <span>
 
 #include "core/atomic_file.hpp"
@@ -23,7 +23,7 @@ fs::path model_folder(const fs::path& folder) {
   for (const char* inner : {"sparse/0", "sparse", "."})
     for (const char* file : {"cameras.bin", "cameras.txt"})
       if (is_regular_file_there(folder / inner / file)) return folder / inner;
-  throw Error(folder.string(), "there is no model of COLMAP in it", "sparse/0 with cameras and images, .txt or .bin");
+  throw Error(folder.string(), "contains no COLMAP model", "sparse/0 with cameras and images, .txt or .bin");
 }
 
 std::vector<PosedPicture> read_colmap_model(const fs::path& model, fs::path& images) {
@@ -72,13 +72,14 @@ std::vector<fs::path> write_colmap(const LightField& field, const fs::path& fold
 }  // namespace
 
 LightFieldFormat colmap_format() {
-  return {.name = "colmap",
-          .is = "COLMAP's folder: images/000.png, ... and sparse/0 with their cameras, and points where depth is known",
-          .is_folder = true,
-          .uses_cameras = true,
-          .states_cameras = true,
-          .read = read_colmap,
-          .write = write_colmap};
+  return {
+      .name = "colmap",
+      .description = "COLMAP's folder: images/000.png, ... and sparse/0 with their cameras, and points where depth is known",
+      .is_folder = true,
+      .uses_cameras = true,
+      .states_cameras = true,
+      .read = read_colmap,
+      .write = write_colmap};
 }
 
 }  // namespace lippmann

@@ -23,15 +23,15 @@ constexpr double kMostPlace = 1e9;
 
 struct ColmapModel {
   std::string_view name;
-  std::size_t params, focals;  ///< focal lengths and principal points come first; all others are distortions
+  std::size_t params, focals;  ///< focal lengths and the principal point come first, followed by distortion parameters
 };
 
-/// By COLMAP's number of the model. No focal lengths: the model is no pinhole.
+/// Indexed by COLMAP's model id. 0 focal lengths: not a pinhole model.
 constexpr ColmapModel kColmapModels[] = {{"SIMPLE_PINHOLE", 3, 1}, {"PINHOLE", 4, 2}, {"SIMPLE_RADIAL", 4, 1},
                                          {"RADIAL", 5, 1},         {"OPENCV", 8, 2},  {"OPENCV_FISHEYE", 8, 0},
                                          {"FULL_OPENCV", 12, 2}};
 
-/// The numbers of one camera or pose, wherever they come from.
+/// A source of the values of a camera or pose: text or binary.
 class ColmapSource {
  public:
   virtual ~ColmapSource() = default;
@@ -67,7 +67,7 @@ class ColmapLine final : public ColmapSource {
       reject(fmt::format("its {} is {}", what, shown(text)), fmt::format("a whole number up to {}", most));
     return value;
   }
-  /// Everything that is left, without blanks around it.
+  /// Returns the rest of the line without surrounding blanks.
   std::string remaining() const {
     const std::size_t begin = std::min(text_.find_first_not_of(" \t"), text_.size());
     const std::size_t end = text_.find_last_not_of(" \t\r");
@@ -90,7 +90,7 @@ class ColmapBytes final : public ColmapSource {
   template <class T>
   T next() {
     T value;
-    if (bytes_.size() < sizeof value) reject("the file ends within it", "a whole file");
+    if (bytes_.size() < sizeof value) reject("the file is truncated", "a whole file");
     std::memcpy(&value, bytes_.data(), sizeof value);
     bytes_ = bytes_.subspan(sizeof value);
     return value;
@@ -108,7 +108,7 @@ class ColmapBytes final : public ColmapSource {
     return text;
   }
   void skip(std::uint64_t count, std::size_t size) {
-    if (count > bytes_.size() / size) reject("the file ends within it", "a whole file");
+    if (count > bytes_.size() / size) reject("the file is truncated", "a whole file");
     bytes_ = bytes_.subspan(static_cast<std::size_t>(count) * size);
   }
   [[noreturn]] void reject(const std::string& problem, const std::string& accepted) const override {
@@ -141,19 +141,19 @@ PosedCamera camera_of_model(const ColmapModel& model, ColmapSource& source) {
   camera.principal_px.y = source.number("principal point", kMostPlace);
   for (std::size_t i = model.focals + 2; i < model.params; ++i)
     if (source.number("distortion", kMostPlace) != 0.0)
-      source.reject("its lens distorts", "pictures that COLMAP's image_undistorter wrote");
+      source.reject("its lens has distortion", "pictures written by COLMAP's image_undistorter");
   if (camera.size.x < 1 || camera.size.y < 1 || !(camera.focal_px.x > 0.0) || !(camera.focal_px.y > 0.0))
     source.reject("its size or focal length is not above 0", "a camera with pixels and a focal length");
   return camera;
 }
 
-/// Reads a rotation and a translation, and turns them into our axes.
+/// Reads a rotation and a translation and converts them to our axes.
 void read_pose(ColmapSource& source, PosedCamera& camera) {
   double q[4], t[3];
   for (double& value : q) value = source.number("rotation", 1e3);
   for (double& value : t) value = source.number("translation", kMostPlace);
   const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-  if (!(std::abs(length - 1.0) < 1e-2)) source.reject("its rotation is no unit quaternion", "four numbers w, x, y, z");
+  if (!(std::abs(length - 1.0) < 1e-2)) source.reject("its rotation is not a unit quaternion", "four numbers w, x, y, z");
   const glm::dmat3 camera_from_world = glm::mat3_cast(glm::dquat(q[0] / length, q[1] / length, q[2] / length, q[3] / length));
   const glm::dmat3 world_from_camera = glm::transpose(camera_from_world);
   camera.rotation = {world_from_camera[0], -world_from_camera[1], -world_from_camera[2]};
@@ -169,7 +169,7 @@ PosedCamera camera_with(const ColmapCameras& cameras, std::uint64_t id, const Co
 void add_picture(PosedPicture picture, std::vector<PosedPicture>& pictures, const ColmapSource& source,
                  const std::string& where) {
   check_inner_path(picture.picture, where + ": " + picture.entry);
-  if (pictures.size() >= kMostPosed) source.reject("is one too many", fmt::format("at most {} images", kMostPosed));
+  if (pictures.size() >= kMostPosed) source.reject("has too many images", fmt::format("at most {} images", kMostPosed));
   pictures.push_back(std::move(picture));
 }
 
@@ -179,12 +179,12 @@ void sort_by_name(std::vector<PosedPicture>& pictures) {
 }
 
 void add_camera(ColmapCameras& cameras, std::uint64_t id, const PosedCamera& camera, const ColmapSource& source) {
-  if (cameras.size() >= kMostPosed) source.reject("is one too many", fmt::format("at most {} cameras", kMostPosed));
+  if (cameras.size() >= kMostPosed) source.reject("has too many cameras", fmt::format("at most {} cameras", kMostPosed));
   if (!cameras.emplace(static_cast<unsigned>(id), camera).second)
-    source.reject(fmt::format("has the number {} again", id), "numbers that differ");
+    source.reject(fmt::format("repeats the number {}", id), "distinct numbers");
 }
 
-/// Calls visit(line, its number) for each line; comments are left out.
+/// Calls visit(line, line number) for each line except comments.
 template <class Visit>
 void visit_lines(const std::string& text, const Visit& visit) {
   std::size_t number = 0;
@@ -203,7 +203,7 @@ bool same_lens(const PosedCamera& a, const PosedCamera& b) {
   return a.size == b.size && a.focal_px == b.focal_px && a.principal_px == b.principal_px;
 }
 
-/// Different intrinsics in the order of the pictures, and which of them each picture has.
+/// The distinct intrinsics in picture order, and the index of each picture's intrinsics.
 struct SharedLenses {
   std::vector<PosedCamera> lenses;
   std::vector<std::size_t> of_picture;
@@ -252,7 +252,7 @@ ColmapCameras parse_colmap_cameras(std::span<const std::byte> binary, const std:
 
 std::vector<PosedPicture> parse_colmap_images(const std::string& text, const ColmapCameras& cameras, const std::string& where) {
   std::vector<PosedPicture> pictures;
-  bool is_points = false;  // of the picture in the line before; that line may be empty
+  bool is_points = false;  // the next line has the points of the previous picture; it may be empty
   visit_lines(text, [&](std::string_view line, std::size_t number) {
     if (is_points) {
       is_points = false;
@@ -277,7 +277,7 @@ std::vector<PosedPicture> parse_colmap_images(const std::string& text, const Col
 
 std::vector<PosedPicture> parse_colmap_images(std::span<const std::byte> binary, const ColmapCameras& cameras,
                                               const std::string& where) {
-  constexpr std::size_t kPointBytes = 24;  // x, y, and the point's number
+  constexpr std::size_t kPointBytes = 24;  // x, y, and the point's id
   std::vector<PosedPicture> pictures;
   ColmapBytes source(binary, where);
   const std::uint64_t count = source.whole("number of images", kMostPosed);

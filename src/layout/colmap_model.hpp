@@ -1,7 +1,7 @@
-// COLMAP's models: cameras, images (their poses) and points3D, as text or binary.
+// Reads and writes COLMAP models: cameras, images (with poses) and points3D, as text or binary.
 //
-// COLMAP's cameras look along +z, with x to the right and y downwards; poses are camera-from-world, as a quaternion w, x, y, z
-// and a translation. Pixels count as ours.
+// COLMAP's cameras look along +z, with x to the right and y down. Poses are camera-from-world, as a quaternion w, x, y, z and a
+// translation. Pixel coordinates are the same as ours.
 #pragma once
 
 #include <cstddef>
@@ -14,19 +14,19 @@
 
 namespace lippmann {
 
-/// By COLMAP's number; position and rotation are unset.
+/// Cameras by COLMAP's camera id; position and rotation are not set.
 using ColmapCameras = std::map<unsigned, PosedCamera>;
 
-/// Cameras without distortion. All parsers throw Error naming `where` and the line or entry.
+/// Parse cameras without distortion. All parsers throw Error naming `where` and the line or entry.
 ColmapCameras parse_colmap_cameras(const std::string& text, const std::string& where);
 ColmapCameras parse_colmap_cameras(std::span<const std::byte> binary, const std::string& where);
 
-/// In the natural order of the pictures' names.
+/// Parse images, sorted by picture name in natural order.
 std::vector<PosedPicture> parse_colmap_images(const std::string& text, const ColmapCameras& cameras, const std::string& where);
 std::vector<PosedPicture> parse_colmap_images(std::span<const std::byte> binary, const ColmapCameras& cameras,
                                               const std::string& where);
 
-/// Texts. Pictures with equal intrinsics share a camera; the clouds' points have no tracks.
+/// Return the contents of the text files. Pictures with equal intrinsics share a camera; points have no tracks.
 std::string colmap_cameras_text(const std::vector<PosedPicture>& pictures);
 std::string colmap_images_text(const std::vector<PosedPicture>& pictures);
 std::string colmap_points_text(const std::vector<CloudPoint>& cloud);

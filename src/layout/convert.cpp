@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the given number of threads, or one per processor.
+/// Returns the given number of threads, or one per processor if it is 0.
 int resolved_threads(int threads) {
   Context context;
   context.threads = threads;
@@ -37,7 +37,7 @@ Picture cropped(Picture view, const Crop& window) {
   return std::move(one.stack);
 }
 
-/// Prints state their resolution. `profile`: of the printer; null: none.
+/// Writes a display picture; prints include their resolution. `profile`: of the printer; null: none.
 std::vector<fs::path> write_display_picture(const Picture& picture, const Display& display, DisplayTarget target,
                                             const fs::path& path, const OutputProfile* profile) {
   if (target == DisplayTarget::kQuilt) {
@@ -58,22 +58,22 @@ class Conversion {
     if (params.display_picture) pool_ = std::make_unique<ThreadPool>(resolved_threads(params.threads));
   }
 
-  /// `is_frame`: the ending of `out` is that of `in`, not a wish.
+  /// `is_frame`: `out` has the ending of `in`, not one chosen by the user.
   void convert_one(const fs::path& in, const fs::path& out, bool is_frame, Converted& result) const {
-    if (params_.display_picture) return show_one(in, out, is_frame, result);
+    if (params_.display_picture) return convert_for_display(in, out, is_frame, result);
     FormatOptions reading = params_.options;
     reading.with_depth = to_.uses_cameras;
-    if (to_.name == "stereo") reading.stereo.reset();  // it is what is made; pictures that are read have names
+    if (to_.name == "stereo") reading.stereo.reset();  // `stereo` describes the output; input pictures have it in their names
     OpenedLightField opened = open(in, reading);
     LightField& field = opened.field;
     if (params_.options.cameras) state_cameras(field, in);
     if (params_.keep) keep(field, *params_.keep, "keep");
     if (params_.crop) crop(field, *params_.crop, "crop");
     FormatOptions writing = params_.options;
-    if (opened.format == "quilt") writing.tiles.reset();  // they are the source's
+    if (opened.format == "quilt") writing.tiles.reset();  // `tiles` describes the input
     fs::path path = out;
     if (to_.name != "quilt" && parse_quilt_name(path))
-      throw usage_error("OUT", path.string() + " is the name of a quilt, and the format is " + std::string(to_.name),
+      throw usage_error("OUT", path.string() + " is a quilt name, but the format is " + std::string(to_.name),
                         "a name without _qs..., or `to` quilt");
     if (!to_.is_folder && (is_frame || !path.has_extension())) path.replace_extension(exact_ending(field.stack));
     const NewFolder folder(to_.is_folder ? path : path.parent_path());
@@ -85,8 +85,8 @@ class Conversion {
     result.lacks_depth = to_.uses_cameras && has_cameras && !field.depth;
   }
 
-  /// Writes the picture of the display. Views of folders are fitted one by one as they are read: they may be large photos.
-  void show_one(const fs::path& in, const fs::path& out, bool is_frame, Converted& result) const {
+  /// Writes the picture for the display. Views of folders are fitted as they are read because they may be large photos.
+  void convert_for_display(const fs::path& in, const fs::path& out, bool is_frame, Converted& result) const {
     const Display display = with_bleed(*params_.options.display, params_.display_picture->finish.bleed_mm);
     const DisplayTarget target = display_target(display, to_.name);
     const DisplayPictureParams& shown = *params_.display_picture;
@@ -96,7 +96,7 @@ class Conversion {
       if (params_.crop) view = cropped(std::move(view), *params_.crop);
       const Vec2d size(size_of(view));
       if (params_.keep) {
-        number = number_among_kept(number, grid, *params_.keep, "keep").value_or(0);
+        number = kept_number(number, grid, *params_.keep, "keep").value_or(0);
         grid = kept_grid(grid, *params_.keep, "keep");
       }
       return fitter.fitted(view, size.x / size.y, number, grid);
@@ -114,10 +114,10 @@ class Conversion {
     for (fs::path& file : write_display_picture(picture, display, target, path, profile_ ? &*profile_ : nullptr))
       result.written.push_back(std::move(file));
     result.views = field.grid, result.view_size = field.view_size;
-    result.fitted = fitter.described();
+    result.fitted = fitter.description();
   }
 
-  /// What a frame is called there. Only a quilt is named like one: `to_` names its own.
+  /// Returns the output name of a frame, without markers of the input format. `to_` adds its own.
   fs::path name_of(const fs::path& frame) const {
     const fs::path bare = without_rgbd_name(without_quad_name(without_stereo_name(without_quilt_name(frame.filename()))));
     return to_.is_folder ? bare.stem() : bare;
@@ -139,10 +139,10 @@ class Conversion {
   const ConvertParams& params_;
   const LightFieldFormat& to_;
   std::optional<OutputProfile> profile_;
-  std::unique_ptr<ThreadPool> pool_;  ///< of display pictures
+  std::unique_ptr<ThreadPool> pool_;  ///< for display pictures
 };
 
-/// Whether each picture of a folder is a light field: frames of a flip print are its views.
+/// Returns whether each picture of a folder is a light field. For a flip print, they are the frames of one.
 bool may_have_frames(const ConvertParams& params) { return !params.display_picture || !params.display_picture->flip; }
 
 }  // namespace

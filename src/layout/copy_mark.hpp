@@ -1,11 +1,10 @@
-// Suffixes that file managers and browsers append to the name of a copy.
+// Suffixes that file managers and browsers append to the names of copies.
 #pragma once
 
 namespace lippmann {
 
-/// A regular expression, for letters of either case: " (1)", "(1)", " - Copy", " - Copy (2)", " copy", " copy 2", " 2",
-/// "_copy",
-/// "-copy 2", "-1".
+/// A case-insensitive regular expression: " (1)", "(1)", " - Copy", " - Copy (2)", " copy", " copy 2", " 2", "_copy", "-copy
+/// 2", "-1".
 inline constexpr const char* kCopyMark = "(?: ?\\([0-9]{1,4}\\)| - [^_]{1,40}|[ _-]copy(?:[ _-][0-9]{1,4})?|[ -][0-9]{1,4})";
 
 }  // namespace lippmann

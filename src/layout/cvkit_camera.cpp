@@ -22,7 +22,7 @@ std::string_view without_blanks(std::string_view text) {
   return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
 }
 
-/// The lines KEY=VALUE of a text.
+/// Parses the lines KEY=VALUE of a text.
 class CvkitProperties {
  public:
   CvkitProperties(std::string_view text, const std::string& where) : where_(where) {
@@ -38,7 +38,7 @@ class CvkitProperties {
 
   bool has(const std::string& key) const { return values_.contains(key); }
 
-  /// The numbers of a matrix or vector in brackets, row by row, or of a number alone.
+  /// Returns the numbers of a matrix or vector in brackets, row by row, or a single number.
   std::vector<double> numbers(const std::string& key, std::size_t count) const {
     const auto found = values_.find(key);
     if (found == values_.end()) throw Error(where_, "has no " + key);
@@ -97,7 +97,7 @@ CvkitCamera parse_cvkit_camera(const std::string& text, const std::string& where
     throw Error(where, "its camera.A is not a matrix of a camera without skew", "[fx 0 cx; 0 fy cy; 0 0 1], fx and fy above 0");
   if (properties.has("camera.R"))
     if (properties.numbers("camera.R", 9) != std::vector<double>{1, 0, 0, 0, 1, 0, 0, 0, 1})
-      throw Error(where, "its camera is turned", "parallel cameras, camera.R=[1 0 0; 0 1 0; 0 0 1]");
+      throw Error(where, "its camera is rotated", "parallel cameras, camera.R=[1 0 0; 0 1 0; 0 0 1]");
   require_no_distortion(properties, where);
   const std::vector<double> t =
       properties.has("camera.T") ? properties.numbers("camera.T", 3) : std::vector<double>{0.0, 0.0, 0.0};

@@ -6,7 +6,7 @@
 //   camera.width=w, camera.height=h
 //   rho=f t                               disparity = rho / depth
 //
-// Positions are in metres, as HCI's are.
+// Positions are in metres, as in the HCI format.
 #pragma once
 
 #include <string>
@@ -16,11 +16,11 @@
 namespace lippmann {
 
 struct CvkitCamera {
-  MivCamera camera;  ///< without a name, range or, where width and height are missing, resolution
-  double rho = 0.0;  ///< pixels times metres; 0: not stated
+  MivCamera camera;  ///< without name and range, and without resolution if width and height are missing
+  double rho = 0.0;  ///< pixels times metres; 0: not given
 };
 
-/// Throws Error naming `where` for matrices that are none, for skewed or turned cameras, and for lens distortion.
+/// Parses a camera file. Throws Error naming `where` for malformed matrices, skewed or rotated cameras, and lens distortion.
 CvkitCamera parse_cvkit_camera(const std::string& text, const std::string& where);
 
 std::string cvkit_camera_text(const CvkitCamera& camera);

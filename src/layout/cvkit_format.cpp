@@ -1,6 +1,6 @@
-// cvkit's folders: view_000.png, ..., view_000_param.txt, ... with the camera of each (layout/cvkit_camera.hpp), and, where
-// depth is known, view_000_disp.pfm, ... with disparities rho / depth in pixels, rho = focal length times the distance between
-// neighbouring cameras. Infinite: nothing there. Other names are read too: NAME.png with NAME_param.txt.
+// cvkit's folders: view_000.png, ..., view_000_param.txt, ... with the camera of each (layout/cvkit_camera.hpp), and, if depth
+// is known, view_000_disp.pfm, ... with disparities rho / depth in pixels, where rho is the focal length times the distance
+// between neighbouring cameras. Infinity means no surface. Also reads other names: NAME.png with NAME_param.txt.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxCvkitCameras = 4096;
 
-/// By name of the picture. `rho`: of every camera, for its disparities.
+/// Returns the cameras by picture name. `rho`: filled with the value of every camera, for its disparities.
 std::vector<MivCamera> read_cvkit_cameras(const fs::path& folder, std::map<std::string, double>& rho) {
   static const TextPattern pattern("(.{1,200})_param\\.txt");
   constexpr std::uintmax_t kMaxBytes = 1 << 16;
@@ -57,7 +57,7 @@ fs::path picture_of_cvkit(const fs::path& folder, const std::string& name) {
 
 fs::path cvkit_disparity_path(const fs::path& folder, const std::string& name) { return folder / (name + "_disp.pfm"); }
 
-/// Reads the depth of all views, or of none if one of them has none.
+/// Reads the depth of all views, or no depth if it is missing for one of them.
 void read_cvkit_depth(const fs::path& folder, const std::vector<MivCamera>& cameras, const std::map<std::string, double>& rho,
                       LightField& field) {
   for (const MivCamera& camera : cameras)
@@ -67,8 +67,8 @@ void read_cvkit_depth(const fs::path& folder, const std::vector<MivCamera>& came
     const fs::path path = cvkit_disparity_path(folder, cameras[view].name);
     Image map = read_pfm(path);
     if (Vec2i(map.width, map.height) != field.view_size || map.channels != 1)
-      throw Error(path.string(), fmt::format("it has {}x{} pixels of {} channels", map.width, map.height, map.channels),
-                  fmt::format("{}x{} of 1 channel, as the views", field.view_size.x, field.view_size.y));
+      throw Error(path.string(), fmt::format("has {}x{} pixels and {} channels", map.width, map.height, map.channels),
+                  fmt::format("{}x{} pixels and 1 channel, like the views", field.view_size.x, field.view_size.y));
     for (float& d : map.data) {
       const double depth_m = rho.at(cameras[view].name) / static_cast<double>(d);
       const bool is_there = std::isfinite(d) && d > 0.0f;
@@ -89,7 +89,7 @@ LightField read_cvkit(const fs::path& folder, const FormatOptions& options) {
     if (camera.resolution != Vec2i(0) && camera.resolution != field.view_size)
       throw Error((folder / (camera.name + "_param.txt")).string(),
                   fmt::format("states {}x{} pixels", camera.resolution.x, camera.resolution.y),
-                  fmt::format("{}x{}, as the picture has", field.view_size.x, field.view_size.y));
+                  fmt::format("{}x{}, like the picture", field.view_size.x, field.view_size.y));
   field.cameras = cameras_of_miv(cameras);
   if (field.cameras) read_cvkit_depth(folder, cameras, rho, field);
   return field;
@@ -130,7 +130,8 @@ std::vector<fs::path> write_cvkit(const LightField& field, const fs::path& folde
 
 LightFieldFormat cvkit_format() {
   return {.name = "cvkit",
-          .is = "cvkit's folder: view_000.png, view_000_param.txt with its camera, view_000_disp.pfm with disparities, ...",
+          .description =
+              "cvkit's folder: view_000.png, view_000_param.txt with its camera, view_000_disp.pfm with disparities, ...",
           .is_folder = true,
           .uses_cameras = true,
           .states_cameras = true,

@@ -1,4 +1,4 @@
-// Each row of samples of all views comes from the panel's rows whose middle lies in it: rows are independent of one another.
+// Each row of samples depends only on the panel rows whose centre lies in it, so rows are processed independently.
 #include <fmt/format.h>
 
 #include <limits>
@@ -12,20 +12,21 @@ namespace {
 
 constexpr float kNone = std::numeric_limits<float>::infinity();
 
-/// The sub-pixels that were found for one row of samples of every view.
+/// The sub-pixels found for one row of samples of every view.
 template <class Sample>
 class SampleRow {
  public:
   SampleRow(int views, int width)
       : width_(width), best_(3 * static_cast<std::size_t>(views) * static_cast<std::size_t>(width), Found{kNone, {}}) {}
 
-  /// distance: of the sub-pixel from the middle of the sample, in samples and views.
+  /// Offers a sub-pixel. `distance`: from the centre of the sample, in samples and views.
   void offer(int view, int x, int color, float distance, Sample value) {
     Found& best = best_[at(view, x, color)];
     if (distance < best.distance) best = {distance, value};
   }
 
-  /// One view's row, what is missing taken from the nearest; of two as near, from the left. False: there is nothing at all.
+  /// Writes one view's row. Missing samples take the nearest one, or the left one of two equally near. Returns false if the row
+  /// is empty.
   bool write(int view, int color, Sample* out) const {
     int left = -1, right = next(view, 0, color);
     if (right == width_) return false;
@@ -47,7 +48,7 @@ class SampleRow {
     return 3 * (static_cast<std::size_t>(view) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)) +
            static_cast<std::size_t>(color);
   }
-  /// The first sample from x on that was found, or width_.
+  /// Returns the first sample at or after x that was found, or width_.
   int next(int view, int x, int color) const {
     while (x < width_ && best_[at(view, x, color)].distance == kNone) ++x;
     return x;
@@ -81,7 +82,7 @@ void fill(const Image& frame, const auto& samples, const SlantedPanel& panel, in
         }
       }
     };
-    // The rows whose middle lies in this row of samples; where the panel has fewer rows than that, the one around it.
+    // Panel rows whose centre lies in this row of samples, or the row around it if the panel has fewer rows than the view.
     int first = static_cast<int>(static_cast<std::int64_t>(y) * pixels.y / size.y);
     while (first > 0 && sample_at(first - 1, pixels.y, size.y) >= y) --first;
     while (first + 1 < pixels.y && sample_at(first, pixels.y, size.y) < y) ++first;

@@ -27,7 +27,7 @@ bool has_z(const fs::path& path) {
   return std::find(names.begin(), names.end(), "Z") != names.end();
 }
 
-/// The channel Z of an EXR file, the depth image of a HEIC photo, else all channels.
+/// Reads the channel Z of an EXR file, the depth image of a HEIC photo, or all channels of other files.
 Image depth_channels(const fs::path& path) {
   if (std::optional<StoredDepth> stored = read_stored_depth(path)) return std::move(stored->grey);
   if (!has_z(path)) return read_image(path);
@@ -35,9 +35,9 @@ Image depth_channels(const fs::path& path) {
   return read_channels(path, z);
 }
 
-/// The first channel; colours are refused. A second or fourth channel is alpha.
+/// Returns the first channel. Throws Error for colours; a second or fourth channel is alpha.
 Image grey_channel(const Image& channels, const fs::path& path) {
-  constexpr double kMostColour = 0.05;  // a lossy picture's greys are not quite grey
+  constexpr double kMostColour = 0.05;  // tolerance for lossy pictures
   Image grey(channels.width, channels.height, 1);
   double colour = 0.0, range = 0.0;
   for (std::size_t i = 0; i < grey.data.size(); ++i) {
@@ -48,7 +48,7 @@ Image grey_channel(const Image& channels, const fs::path& path) {
     range = std::max(range, static_cast<double>(std::abs(c[0])));
   }
   if (colour > kMostColour * range * static_cast<double>(grey.data.size()))
-    throw Error(path.string(), "is no depth map: it has colours", kDepthMaps);
+    throw Error(path.string(), "is not a depth map: it has colours", kDepthMaps);
   return grey;
 }
 
@@ -62,11 +62,12 @@ void scale_floats(Image& grey, const fs::path& path) {
 }
 
 void require_shape(const Image& grey, Vec2i size, const fs::path& path) {
-  constexpr double kRounding = 0.02;  // sides of small maps are rounded
+  constexpr double kRounding = 0.02;  // the sides of small maps are rounded
   const double wider = static_cast<double>(grey.width) * size.y / (static_cast<double>(grey.height) * size.x);
   if (std::abs(wider - 1.0) > kRounding)
-    throw Error(path.string(), fmt::format("is {}x{} pixels, another shape than the picture", grey.width, grey.height),
-                fmt::format("a depth map of all of the picture's {}x{} pixels, in any size", size.x, size.y));
+    throw Error(path.string(),
+                fmt::format("has {}x{} pixels, a different aspect ratio than the picture", grey.width, grey.height),
+                fmt::format("a depth map of the whole picture of {}x{} pixels, in any size", size.x, size.y));
 }
 
 }  // namespace
@@ -100,7 +101,7 @@ Image enlarged_depth(const Image& depth, Vec2i size, float edge) {
 }
 
 Image read_depth_map(const fs::path& path, Vec2i size, bool near_black) {
-  constexpr float kEdge = 1.0f / 32.0f;  // of the range of depths
+  constexpr float kEdge = 1.0f / 32.0f;  // relative to the range of depths
   Image grey = grey_channel(depth_channels(path), path);
   require_shape(grey, size, path);
   if (sample_kind(path) == SampleKind::kFloat) scale_floats(grey, path);

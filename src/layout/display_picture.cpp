@@ -17,7 +17,7 @@
 namespace lippmann {
 namespace {
 
-/// Eyes that spread evenly over the viewing zone of an array, both ways.
+/// Returns eyes that spread evenly over the viewing zone of an array, across and up.
 ViewCameras eyes_over_zone(const LightField& field, const Display& array) {
   const Optics optics = native_optics(array);
   const double distance = viewing_distance_mm(array), zone = 2.0 * distance * std::tan(0.5 * viewing_zone(optics));
@@ -32,13 +32,13 @@ ViewCameras eyes_over_zone(const LightField& field, const Display& array) {
 Picture array_picture(const LightField& field, const Display& array, const DisplayPictureParams& params,
                       const ThreadPool& pool) {
   if (params.filter != ViewFilter::kNearest)
-    throw usage_error("filter", "an array of microlenses shows the nearest view", "nearest");
+    throw usage_error("filter", "microlens arrays support only the nearest view", "nearest");
   LightField with_eyes = field;
   with_eyes.cameras = eyes_over_zone(field, array);
   return interlace_behind_lenses(with_eyes, array, pool);
 }
 
-/// The view of a tile, the nearest or a blend of two in linear light.
+/// Returns the view of a tile: the nearest one, or a blend of two in linear light.
 Picture view_of_tile(const LightField& field, int tile, int tiles, ViewFilter filter) {
   const int count = field.grid.count();
   const double place = (tile + 0.5) * count / tiles;
@@ -67,7 +67,7 @@ void put_tile(const Picture& view, const ViewPlace& place, Picture& quilt) {
 }
 
 Picture quilt_picture(const LightField& field, const Display& display, ViewFilter filter) {
-  if (filter == ViewFilter::kGaussian) throw usage_error("filter", "gaussian is for slanted panels", "nearest or linear");
+  if (filter == ViewFilter::kGaussian) throw usage_error("filter", "gaussian is for slanted panels only", "nearest or linear");
   const DisplayQuilt& quilt = *display.quilt;
   const int tiles = quilt.columns * quilt.rows;
   const ViewLayout layout{LayoutKind::kQuilt, {tiles, 1}, {quilt.columns, quilt.rows}};
@@ -80,12 +80,12 @@ Picture quilt_picture(const LightField& field, const Display& display, ViewFilte
 
 void require_views(const LightField& field, const Display& display) {
   if (field.grid.count() < 2)
-    throw usage_error("views", "one picture shows nothing new to any eye", "2 or more pictures, and as many of `keep`");
+    throw usage_error("views", "a single picture looks the same from all directions", "2 or more pictures after `keep`");
   if (field.grid.rows > 1 && display.kind != DisplayKind::kMicrolensArray)
     throw usage_error(
         "views",
-        fmt::format("{} shows one row of views, and there are {}x{}", display.name, field.grid.columns, field.grid.rows),
-        "one row of views; `keep` takes one of several");
+        fmt::format("{} shows one row of views, but there are {}x{}", display.name, field.grid.columns, field.grid.rows),
+        "one row of views; `keep` can select one");
 }
 
 }  // namespace
@@ -93,7 +93,7 @@ void require_views(const LightField& field, const Display& display) {
 DisplayTarget display_target(const Display& display, std::string_view format) {
   const bool is_panel = display.kind == DisplayKind::kSlantedPanel;
   if (format == "integral" && is_panel)
-    throw usage_error("display", display.name + " is a slanted panel: what lies behind its lenses is its native frame",
+    throw usage_error("display", display.name + " is a slanted panel, whose picture is its native frame",
                       "`to` native" + std::string(display.quilt ? " or quilt" : ""));
   if (format == "native") require_own_frame(display);
   if (format == "quilt" && !display.quilt)
@@ -110,7 +110,7 @@ Picture display_picture(const LightField& field, const Display& display, Display
                         const DisplayPictureParams& params, const ThreadPool& pool) {
   require_views(field, display);
   if (target != DisplayTarget::kIntegral && !params.finish.is_plain())
-    throw usage_error("marks", "bleed, marks and proofs are for prints", "the display of a sheet or an array of lenses");
+    throw usage_error("marks", "bleed, marks and proofs are for prints only", "the display of a sheet or an array of lenses");
   const auto picture = [&] {
     if (target == DisplayTarget::kQuilt) return quilt_picture(field, display, params.filter);
     if (target == DisplayTarget::kNative) return interlace(field, display, {params.filter, params.sigma_views}, pool);

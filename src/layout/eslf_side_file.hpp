@@ -1,10 +1,10 @@
-// The side file of a plenoptic camera's picture, <picture>.json: how many views it has, and where its cameras are, where that
-// is known. The picture itself can state neither.
+// The side file of a plenoptic camera's picture, <picture>.json: its number of views and, if known, its cameras. The picture
+// itself cannot store them.
 //
 //   {"eslf": {"columns": 14, "rows": 14, "positions": [[x, y], ...],
 //             "cameras": {"distance_mm": d, "pixel_mm": [w, h], "centre_px": [x, y], "eyes_mm": [[x, y], ...]}}}
 //
-// `positions` and `cameras` may be missing. Lists are in the order of views; x is to the right and y upwards, as in LightField.
+// `positions` and `cameras` are optional. Lists are in view order; x is to the right and y up, as in LightField.
 #pragma once
 
 #include <filesystem>
@@ -22,16 +22,16 @@ struct EslfSideFile {
   std::optional<ViewCameras> cameras = {};
 };
 
-/// <picture>.json
+/// Returns <picture>.json.
 std::filesystem::path eslf_side_path(const std::filesystem::path& picture);
 
-/// Returns nothing if there is no such file, or if it describes something else. Throws Error naming the file.
+/// Reads the side file; none if it does not exist or describes something else. Throws Error naming the file.
 std::optional<EslfSideFile> read_eslf_side_file(const std::filesystem::path& picture);
-/// None for JSON without the key `eslf`. Throws Error naming `where`.
+/// Parses a side file; none for JSON without the key `eslf`. Throws Error naming `where`.
 std::optional<EslfSideFile> parse_eslf_side_file(const std::string& text, const std::string& where);
 
 std::string eslf_side_text(const EslfSideFile& side);
-/// Returns the path.
+/// Writes the side file and returns its path.
 std::filesystem::path write_eslf_side_file(const std::filesystem::path& picture, const EslfSideFile& side);
 
 }  // namespace lippmann

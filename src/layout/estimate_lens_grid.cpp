@@ -1,12 +1,12 @@
-// The lens grid of a white picture, in four steps:
+// Estimates the lens grid of a white picture in four steps:
 //
-//   1. The autocorrelation of the middle of the picture has a peak at every vector from one lens to another. The two shortest
-//      that are not parallel are a basis of the lattice; the angle between them says square or hexagonal.
-//   2. The phase of the picture at the lattice's two fundamental frequencies gives the place of a lens.
-//   3. The centre of each lens is the fixed point of a mean of places, weighted by light and by a smooth window around it (mean
+//   1. The autocorrelation of the middle of the picture has a peak at every vector between two lenses. The two shortest
+//      non-parallel vectors are a basis of the lattice; the angle between them distinguishes square from hexagonal.
+//   2. The phase of the picture at the lattice's two fundamental frequencies gives the position of a lens.
+//   3. The centre of each lens is the fixed point of a mean of positions, weighted by light and by a smooth window (mean
 //      shift: D. Comaniciu, P. Meer, "Mean shift: a robust approach toward feature space analysis", PAMI 2002).
-//   4. A grid is fitted to the centres by least squares, first of lenses near the middle, then of twice as many across each
-//      time, so that the fit always predicts the next centres to a fraction of a lens.
+//   4. A grid is fitted to the centres by least squares, first near the middle, then over twice the extent each time, so
+//      that the fit always predicts the next centres to a fraction of a lens.
 #include "layout/estimate_lens_grid.hpp"
 
 #include <fmt/format.h>
@@ -30,12 +30,13 @@ constexpr int kLargestCrop = 1024, kSmallestCrop = 64;
 constexpr double kLeastPitchPx = 4.0;
 
 Error no_lens_grid(const std::string& where, const std::string& problem) {
-  return Error(where, "no lens grid is found: " + problem,
-               "a picture of flat white light through square or hexagonal lenses of 4 pixels or more, or the lens pitch as a "
-               "number");
+  return Error(
+      where, "cannot find a lens grid: " + problem,
+      "a picture of uniform white light through square or hexagonal lenses of 4 pixels or more, or the lens pitch as a "
+      "number");
 }
 
-/// In place; the number of values is a power of two.
+/// Transforms in place; the number of values must be a power of two.
 void fourier(std::vector<Complex>& values) {
   const std::size_t count = values.size();
   for (std::size_t i = 1, j = 0; i < count; ++i) {
@@ -56,7 +57,7 @@ void fourier(std::vector<Complex>& values) {
   }
 }
 
-/// Of a square of values, along rows, then along columns.
+/// Transforms a square of values along rows, then along columns.
 void fourier_2d(std::vector<Complex>& values, std::size_t side) {
   std::vector<Complex> line(side);
   for (std::size_t y = 0; y < side; ++y) {
@@ -75,7 +76,7 @@ double light_at(const Image& image, int x, int y) {
   return static_cast<double>(*image.pixel(std::clamp(x, 0, image.width - 1), std::clamp(y, 0, image.height - 1)));
 }
 
-/// Without what alternates from pixel to pixel (colour filters).
+/// Returns the light filtered to remove pixel-to-pixel patterns (colour filters).
 double smooth_light_at(const Image& image, int x, int y) {
   double sum = 0.0;
   for (int j = -1; j <= 1; ++j)
@@ -83,7 +84,8 @@ double smooth_light_at(const Image& image, int x, int y) {
   return sum / 16.0;
 }
 
-/// Lags up to a quarter of the side, of the middle of a picture without what varies more slowly than lenses.
+/// The autocorrelation of the middle of a picture for lags up to a quarter of the side, after removing variations slower than
+/// the lenses.
 class Autocorrelation {
  public:
   explicit Autocorrelation(const Image& white) {
@@ -94,7 +96,7 @@ class Autocorrelation {
     for (int y = 0; y < side_; ++y)
       for (int x = 0; x < side_; ++x) values[index(x, y)] = hann(x) * hann(y) * smooth_light_at(white, left + x, top + y);
     fourier_2d(values, side);
-    constexpr int kSlow = 8;  // periods in the crop: lenses of a sixteenth have twice as many
+    constexpr int kSlow = 8;  // periods in the crop; lenses of a sixteenth of the picture have twice as many
     for (int y = 0; y < side_; ++y)
       for (int x = 0; x < side_; ++x) {
         const int u = std::min(x, side_ - x), v = std::min(y, side_ - y);
@@ -115,7 +117,7 @@ class Autocorrelation {
     return true;
   }
 
-  /// The top of the parabolas through a peak and its neighbours.
+  /// Returns the sub-pixel position of a peak, from parabolas through it and its neighbours.
   Vec2d top(Vec2i lag) const {
     const auto shift = [](double before, double here, double after) {
       return 0.5 * (before - after) / (before - 2.0 * here + after);
@@ -137,7 +139,7 @@ class Autocorrelation {
 
 double cross(Vec2d a, Vec2d b) { return a.x * b.y - a.y * b.x; }
 
-/// The two shortest vectors between lenses, at an angle of 90 degrees or less.
+/// Returns the two shortest vectors between lenses, at an angle of at most 90 degrees.
 std::pair<Vec2d, Vec2d> lattice_basis(const Image& white, const std::string& where) {
   const Autocorrelation correlation(white);
   std::vector<Vec2i> peaks;
@@ -149,7 +151,7 @@ std::pair<Vec2d, Vec2d> lattice_basis(const Image& white, const std::string& whe
       highest = std::max(highest, correlation.at(x, y));
     }
   constexpr double kLeastCorrelation = 0.2, kLeastShare = 0.6;
-  if (!(highest > kLeastCorrelation * correlation.at(0, 0))) throw no_lens_grid(where, "nothing in it is repeated");
+  if (!(highest > kLeastCorrelation * correlation.at(0, 0))) throw no_lens_grid(where, "the picture is not periodic");
   std::erase_if(peaks, [&](Vec2i lag) { return correlation.at(lag.x, lag.y) < kLeastShare * highest; });
   std::sort(peaks.begin(), peaks.end(),
             [](Vec2i a, Vec2i b) { return std::pair(a.x * a.x + a.y * a.y, a.x) < std::pair(b.x * b.x + b.y * b.y, b.x); });
@@ -159,10 +161,10 @@ std::pair<Vec2d, Vec2d> lattice_basis(const Image& white, const std::string& whe
     if (std::abs(cross(first, second)) < 0.3 * glm::length(first) * glm::length(second)) continue;
     return {first, glm::dot(first, second) < 0.0 ? -second : second};
   }
-  throw no_lens_grid(where, "it is repeated in one direction alone");
+  throw no_lens_grid(where, "the picture is periodic in only one direction");
 }
 
-/// The direction of the three that is turned least from the axis, pointing along it.
+/// Returns the direction closest to the axis, pointing along it.
 Vec2d nearest_to_axis(std::array<Vec2d, 3> directions, int axis) {
   Vec2d nearest(0.0);
   double most = -1.0;
@@ -173,7 +175,7 @@ Vec2d nearest_to_axis(std::array<Vec2d, 3> directions, int axis) {
   return nearest;
 }
 
-/// A grid of these vectors; its offset is not known yet.
+/// Returns a grid with these basis vectors; its offset is not known yet.
 LensGrid grid_of_basis(Vec2d a, Vec2d b, const std::string& where) {
   const double cosine = glm::dot(a, b) / (glm::length(a) * glm::length(b)), ratio = glm::length(b) / glm::length(a);
   LensGrid grid;
@@ -196,7 +198,7 @@ LensGrid grid_of_basis(Vec2d a, Vec2d b, const std::string& where) {
   return lens_grid(glm::length(column), -column_turn, {}, LensArrangement::kHexagonalColumns);
 }
 
-/// A lens near the middle, by the phase of the light at the two fundamental frequencies.
+/// Returns the position of a lens near the middle, from the phase at the two fundamental frequencies.
 Vec2d lens_by_phase(const Image& white, const LensGrid& grid) {
   LensGrid centred = grid;
   centred.offset_px = Vec2d(0.0);
@@ -218,7 +220,7 @@ Vec2d lens_by_phase(const Image& white, const LensGrid& grid) {
   return middle + turns * std::arg(sum1) * e1 + turns * std::arg(sum2) * e2;
 }
 
-/// The centre of the lens near a place, in pixels; NaN where the mean does not settle.
+/// Returns the centre of the lens near `start`, in pixels; NaN if the iteration does not converge.
 Vec2d settled_centre(const Image& white, Vec2d start, double radius) {
   Vec2d centre = start;
   for (int step = 0; step < 30; ++step) {
@@ -237,7 +239,7 @@ Vec2d settled_centre(const Image& white, Vec2d start, double radius) {
         sum += weight, mean += weight * from;
       }
     if (!(sum > 0.0)) return Vec2d(NAN);
-    const Vec2d move = 1.5 * mean / sum;  // the mean alone falls short of the centre
+    const Vec2d move = 1.5 * mean / sum;  // the mean underestimates the step
     centre += move;
     if (glm::length(centre - start) > 0.3 * radius) return Vec2d(NAN);
     if (glm::length(move) < 1e-3) return centre;
@@ -246,7 +248,7 @@ Vec2d settled_centre(const Image& white, Vec2d start, double radius) {
 }
 
 struct FoundLens {
-  double column;  // with the shift of its row
+  double column;  // includes the shift of its row
   int row;
   Vec2d centre;
 };
@@ -255,7 +257,7 @@ double column_shift(const LensGrid& grid, int row) {
   return grid.arrangement == LensArrangement::kHexagonal && row % 2 != 0 ? 0.5 : 0.0;
 }
 
-/// Lenses up to `reach_px` from the offset, and wholly in the picture.
+/// Returns the lenses within `reach_px` of the offset that lie completely in the picture.
 std::vector<FoundLens> find_lenses(const Image& white, const LensGrid& grid, double reach_px) {
   const double radius = 0.6 * std::min(grid.pitch_px, grid.row_pitch_px);
   const int columns = static_cast<int>(std::ceil(reach_px / grid.pitch_px)) + 1,
@@ -273,7 +275,7 @@ std::vector<FoundLens> find_lenses(const Image& white, const LensGrid& grid, dou
   return found;
 }
 
-/// A straight line through values over places.
+/// A least-squares line through values over positions.
 struct LineFit {
   double sum = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
   void add(double place, double value) { sum += 1.0, x += place, y += value, xx += place * place, xy += place * value; }
@@ -282,8 +284,8 @@ struct LineFit {
   double at_zero() const { return (y - slope() * x) / sum; }
 };
 
-/// The grid of least squares: the turn of the rows and of the columns from the one before, weighted by their spread, then
-/// pitches and offset along the turned axes.
+/// Returns the least-squares grid: first the rotation, from rows and columns weighted by their spread, then pitches and offset
+/// along the rotated axes.
 LensGrid fit_grid(const std::vector<FoundLens>& lenses, LensGrid grid) {
   for (int pass = 0; pass < 6; ++pass) {
     const double c = std::cos(grid.rotation), s = std::sin(grid.rotation);
@@ -326,25 +328,26 @@ bool spans_both_ways(const std::vector<FoundLens>& lenses) {
   return right->column - left->column >= 2.0 && bottom->row - top->row >= 2;
 }
 
-/// Steps 3 and 4. Not for kHexagonalColumns.
+/// Performs steps 3 and 4. Does not support kHexagonalColumns.
 LensGridFit grown_fit(const Image& white, LensGrid grid, const std::string& where) {
   grid.offset_px = lens_by_phase(white, grid);
   const double whole = std::hypot(white.width, white.height);
   std::vector<FoundLens> lenses;
   for (double reach = 3.5 * grid.pitch_px;; reach = std::min(2.0 * reach, whole)) {
     lenses = find_lenses(white, grid, reach);
-    if (!spans_both_ways(lenses)) throw no_lens_grid(where, "fewer than 3x3 lenses have a centre");
+    if (!spans_both_ways(lenses)) throw no_lens_grid(where, "fewer than 3x3 lens centres are found");
     grid = fit_grid(lenses, grid);
     if (reach >= whole) break;
   }
-  constexpr double kOutlier = 3.0;  // times the residual: dust, and lenses that are cut off
+  constexpr double kOutlier = 3.0;  // relative to the residual; excludes dust and clipped lenses
   const double limit = kOutlier * rms_residual(grid, lenses);
   std::erase_if(lenses, [&](const FoundLens& lens) { return distance_to_grid(grid, lens) > limit; });
   grid = fit_grid(lenses, grid);
   const LensGridFit fit{grid, static_cast<int>(lenses.size()), rms_residual(grid, lenses)};
   if (!(fit.residual_px < 0.1 * grid.pitch_px))
-    throw no_lens_grid(where, fmt::format("centres lie {:.3g} pixels beside the grid of {:.5g} pixels that fits best",
-                                          fit.residual_px, grid.pitch_px));
+    throw no_lens_grid(where,
+                       fmt::format("the lens centres deviate by {:.3g} pixels from the best grid, whose pitch is {:.5g} pixels",
+                                   fit.residual_px, grid.pitch_px));
   return fit;
 }
 
@@ -352,8 +355,8 @@ LensGridFit grown_fit(const Image& white, LensGrid grid, const std::string& wher
 
 LensGridFit estimate_lens_grid(const Image& white, const std::string& where) {
   if (std::min(white.width, white.height) < kSmallestCrop)
-    throw no_lens_grid(where, fmt::format("it has {}x{} pixels, and {}x{} is the least", white.width, white.height,
-                                          kSmallestCrop, kSmallestCrop));
+    throw no_lens_grid(
+        where, fmt::format("it has {}x{} pixels, fewer than {}x{}", white.width, white.height, kSmallestCrop, kSmallestCrop));
   const auto [a, b] = lattice_basis(white, where);
   const LensGrid grid = grid_of_basis(a, b, where);
   if (grid.arrangement != LensArrangement::kHexagonalColumns) return grown_fit(white, grid, where);
@@ -365,7 +368,7 @@ LensGridFit estimate_lens_grid(const Image& white, const std::string& where) {
   return fit;
 }
 
-std::string described(const LensGridFit& fit) {
+std::string lens_grid_text(const LensGridFit& fit) {
   constexpr std::array kNames{"square", "hexagonal", "hexagonal-columns"};
   return fmt::format(
       "lens grid: {}, pitch {:.5f} x {:.5f} px, rotation {:.5f} deg, a lens at ({:.3f}, {:.3f}) px; {} lenses, residual {:.4f} "

@@ -1,4 +1,4 @@
-// Finds the lens grid of a plenoptic camera in a picture of flat white light.
+// Estimates the lens grid of a plenoptic camera from a picture of uniform white light.
 #pragma once
 
 #include <string>
@@ -9,15 +9,17 @@ namespace lippmann {
 
 struct LensGridFit {
   LensGrid grid;             ///< its offset is the lens nearest to the middle of the picture
-  int lenses = 0;            ///< whose centres were fitted
-  double residual_px = 0.0;  ///< root mean square distance from a centre to the grid's
+  int lenses = 0;            ///< number of lenses used in the fit
+  double residual_px = 0.0;  ///< root mean square distance of the centres from the grid
 };
 
-/// `white`: 1 channel. Lenses are at least 4 pixels and at most a sixteenth of the picture apart, and turned by any angle
-/// (square: up to 45 degrees; hexagonal: 15, from rows or columns). Throws Error naming `where` if there is no such grid.
+/// Estimates the grid from `white` (1 channel). Lens spacing must be between 4 pixels and a sixteenth of the picture, at any
+/// rotation (square: up to 45 degrees; hexagonal: 15 degrees from rows or columns). Throws Error naming `where` if there is no
+/// such grid.
 LensGridFit estimate_lens_grid(const Image& white, const std::string& where);
 
-/// "hexagonal, pitch 10.135 x 8.777 px, rotation 0.12 deg, a lens at (1640.2, 1639.8) px; 125000 lenses, residual 0.03 px RMS"
-std::string described(const LensGridFit& fit);
+/// Returns a summary: "lens grid: hexagonal, pitch 10.135 x 8.777 px, rotation 0.12 deg, a lens at (1640.2, 1639.8) px; 125000
+/// lenses, residual 0.03 px RMS".
+std::string lens_grid_text(const LensGridFit& fit);
 
 }  // namespace lippmann

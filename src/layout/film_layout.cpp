@@ -13,7 +13,7 @@ ViewLayout film_layout(const Optics& optics, const char* where) {
   }
   const Vec2i n = whole_pixels_per_lens(optics);
   if (n.x > 0) return {LayoutKind::kIntegral, {n.x, n.y}, {}};
-  throw usage_error(where, "there are no views behind lenses without a whole number of pixels",
+  throw usage_error(where, "lenses without a whole number of pixels have no views",
                     "a whole number of pixels below every lens, without slant or hexagonal packing");
 }
 

@@ -12,18 +12,18 @@
 namespace lippmann {
 namespace {
 
-/// channels: 0: any.
+/// Checks the size and number of channels; 0: any number.
 void require_size(const Image& image, Vec2i film, int channels, const char* what) {
   require_samples(image, what);
   if (channels > 0) require_channels(image, channels, what);
   if (image.width == film.x && image.height == film.y) return;
   throw Error(what, fmt::format("has {}x{} pixels", image.width, image.height),
-              fmt::format("{}x{}, those of the panel", film.x, film.y));
+              fmt::format("{}x{}, the size of the panel", film.x, film.y));
 }
 
 RenderedViews required_views(const Optics& optics) {
   if (std::optional<RenderedViews> rendered = rendered_views(optics)) return *rendered;
-  throw Error("optics", "there are no views behind lenses without a whole number of pixels",
+  throw Error("optics", "lenses without a whole number of pixels have no views",
               "views, or lenses with a whole number of pixels below each, neither slanted nor hexagonal");
 }
 

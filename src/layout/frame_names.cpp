@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Files of one frame: beside the others, in the folders of a data set that all frames are views of, or in a folder of its own,
-/// where they are called as formats of several files call them (views, HCI, Stanford, JPEG Pleno, MIV, NeRF, COLMAP, LLFF).
+/// Matches the files of one frame: beside the others, in the folders of a data set whose views are all frames, or in a folder
+/// of its own with the names of a format with several files (views, HCI, Stanford, JPEG Pleno, MIV, NeRF, COLMAP, LLFF).
 constexpr const char* kFrameFiles =
     R"((?:images/([0-9]{3,6})\.(?:png|exr)|depth/([0-9]{3,6})(?:_ray)?\.npy)|)"
     R"((?:frame|aov)_([0-9]{1,9})(?:_qs[0-9xa.e+-]+|_(?:half_)?(?:2x1|ou)(?:_rl)?|_rows(?:_rl)?|_2x2|_rgbd)?\.(?:png|tif|exr)(?:\.json)?)"
@@ -62,13 +62,13 @@ std::string strip_name(int frame, int strip) { return fmt::format("strip_{:04}_{
 bool is_strip_name(const std::string& name) { return name.starts_with("strip_") && frame_of_file(name); }
 
 std::optional<int> frame_of_file(const std::string& name) {
-  constexpr std::size_t kMaxLetters = 255;  // no file's name is longer
+  constexpr std::size_t kMaxLetters = 255;  // longest file name
   if (name.size() > kMaxLetters) return std::nullopt;
   static const TextPattern pattern(kFrameFiles);
   const std::optional<PatternMatch> found = pattern.match(name);
   if (!found) return std::nullopt;
   const std::string digits =
-      found->groups[1] + found->groups[2] + found->groups[3] + found->groups[4] + found->groups[5];  // one of them alone
+      found->groups[1] + found->groups[2] + found->groups[3] + found->groups[4] + found->groups[5];  // only one is non-empty
   int frame = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), frame);
   return frame;

@@ -1,9 +1,9 @@
-// The 4D light field benchmark's folders: input_Cam000.png ... row by row from the top left, parameters.cfg, and depth and
-// disparity of every view as PFM, gt_depth_lowres_Cam000.pfm ... (metres) and gt_disp_lowres_Cam000.pfm ... (pixels); those of
-// the view in the middle also as gt_depth_lowres.pfm and gt_disp_lowres.pfm.
+// Folders of the 4D light field benchmark: input_Cam000.png, ... row by row from the top left, parameters.cfg, and depth and
+// disparity of every view as PFM: gt_depth_lowres_Cam000.pfm, ... (metres) and gt_disp_lowres_Cam000.pfm, ... (pixels). The
+// middle view's maps are also stored as gt_depth_lowres.pfm and gt_disp_lowres.pfm.
 //
-// Where nothing was hit, depth is inf and disparity is -inf. A surface's disparity is finite, however far away the surface is:
-// it approaches -beta / (F s), the negative `offset` of parameters.cfg.
+// Where there is no surface, depth is inf and disparity is -inf. The disparity of a surface is finite at any distance: it
+// approaches -beta / (F s), the negative `offset` in parameters.cfg.
 //
 // Honauer, Johannsen, Kondermann, Goldluecke: A dataset and evaluation methodology for depth estimation on 4D light fields,
 // ACCV 2016.
@@ -24,18 +24,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The grid in the options, the one in parameters.cfg, or a square.
+/// Returns the grid from the options, else from parameters.cfg, else a square.
 ViewGrid grid_of(const fs::path& folder, int count, const FormatOptions& options,
                  const std::optional<HciParameters>& parameters) {
   const int side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(count))));
   ViewGrid grid = options.views.value_or(ViewGrid{side, side});
   if (!options.views && parameters) grid = {parameters->columns, parameters->rows};
   if (!options.views && !parameters && side * side != count)
-    throw usage_error("views", fmt::format("{} has {} views, and they form no square grid", folder.string(), count),
+    throw usage_error("views", fmt::format("{} has {} views, which do not form a square grid", folder.string(), count),
                       "CxR, such as 9x1");
   if (grid.count() != count)
-    throw Error(folder.string(), fmt::format("it holds {} views, and not {}x{}", count, grid.columns, grid.rows),
-                "`views` or a parameters.cfg that agrees");
+    throw Error(folder.string(), fmt::format("has {} views, not {}x{}", count, grid.columns, grid.rows),
+                "`views` or parameters.cfg with the right number");
   return grid;
 }
 
@@ -43,7 +43,7 @@ fs::path per_view(const fs::path& folder, const char* kind, const ViewGrid& grid
   return folder / fmt::format("gt_{}_lowres_Cam{:03}.pfm", kind, from_top_left(grid, view));
 }
 
-/// Reads the depth of all views, or of none if one of them has none.
+/// Reads the depth of all views, or no depth if it is missing for one of them.
 void read_depth(const fs::path& folder, double focus_distance_mm, LightField& field) {
   for (int view = 0; view < field.grid.count(); ++view)
     if (!is_regular_file_there(per_view(folder, "depth", field.grid, view))) return;
@@ -52,8 +52,8 @@ void read_depth(const fs::path& folder, double focus_distance_mm, LightField& fi
     const fs::path path = per_view(folder, "depth", field.grid, view);
     Image depth = read_pfm(path);
     if (Vec2i(depth.width, depth.height) != field.view_size || depth.channels != 1)
-      throw Error(path.string(), fmt::format("it has {}x{} pixels of {} channels", depth.width, depth.height, depth.channels),
-                  fmt::format("{}x{} of 1 channel, as the views", field.view_size.x, field.view_size.y));
+      throw Error(path.string(), fmt::format("has {}x{} pixels and {} channels", depth.width, depth.height, depth.channels),
+                  fmt::format("{}x{} pixels and 1 channel, like the views", field.view_size.x, field.view_size.y));
     for (float& z : depth.data) z = static_cast<float>(focus_distance_mm - 1000.0 * static_cast<double>(z));
     set_depth(field, view, depth);
   }
@@ -93,9 +93,9 @@ DepthMaps depth_maps(const LightField& field, int view, const HciParameters& par
   return maps;
 }
 
-/// Also finds the range of the surfaces' disparities; 0 to 0 if there are none.
+/// Writes the maps and sets the range of disparities; 0 to 0 if there are no surfaces.
 void write_depth(const LightField& field, const fs::path& folder, HciParameters& parameters, std::vector<fs::path>& written) {
-  const int middle = field.grid.rows / 2 * field.grid.columns + field.grid.columns / 2;  // from the top left
+  const int middle = field.grid.rows / 2 * field.grid.columns + field.grid.columns / 2;  // numbered from the top left
   parameters.disparity_min = INFINITY, parameters.disparity_max = -INFINITY;
   const auto put = [&](const fs::path& path, const Image& map) {
     write_pfm(path, map);
@@ -134,7 +134,8 @@ std::vector<fs::path> write_hci(const LightField& field, const fs::path& folder,
 
 LightFieldFormat hci_format() {
   return {.name = "hci",
-          .is = "the 4D light field benchmark's folder: input_Cam000.png, ..., from the top left; cameras, depth, disparity",
+          .description =
+              "the 4D light field benchmark's folder: input_Cam000.png, ..., from the top left; cameras, depth, disparity",
           .is_folder = true,
           .uses_cameras = true,
           .states_cameras = true,

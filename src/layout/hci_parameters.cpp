@@ -24,7 +24,7 @@ std::string_view trimmed(std::string_view text) {
   return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
 }
 
-/// Keys and values, whatever their section: no two sections have a key in common.
+/// The keys and values of a file. Sections are ignored because no key occurs in two sections.
 class Values {
  public:
   Values(std::string_view text, const std::string& where) : where_(where) {
@@ -70,11 +70,11 @@ class Values {
   std::map<std::string, std::string> values_;
 };
 
-/// `baseline_mm`: between neighbouring eyes.
+/// Returns the parameters. `baseline_mm`: between neighbouring eyes.
 HciParameters parameters_with(double baseline_mm, const LightField& field, const std::string& where) {
   const ViewCameras& cameras = *field.cameras;
   if (std::abs(cameras.pixel_mm.x / cameras.pixel_mm.y - 1.0) > 1e-4)
-    throw Error(where, "pixels are not square in views of cylindrical lenses, and the format knows no others",
+    throw Error(where, "the pixels are not square, as in views of cylindrical lenses, but the format requires square pixels",
                 "views of `optics` multiview `camera-grid` or `optics` microlens");
   HciParameters p;
   p.width = field.view_size.x, p.height = field.view_size.y;
@@ -84,7 +84,7 @@ HciParameters parameters_with(double baseline_mm, const LightField& field, const
   p.focal_length_mm = p.sensor_size_mm * cameras.distance_mm / (cameras.pixel_mm.x * std::max(p.width, p.height));
   Vec2d middle(0.0);
   for (const Vec2d& eye : cameras.eyes_mm) middle += eye / static_cast<double>(cameras.eyes_mm.size());
-  const auto metres = [](double mm) { return std::abs(mm) < 1e-6 ? 0.0 : 1e-3 * mm; };  // what rounding leaves is nothing
+  const auto metres = [](double mm) { return std::abs(mm) < 1e-6 ? 0.0 : 1e-3 * mm; };  // removes rounding errors
   p.centre_camera_m[0] = metres(middle.x), p.centre_camera_m[1] = metres(middle.y), p.centre_camera_m[2] = p.focus_distance_m;
   return p;
 }
@@ -168,7 +168,7 @@ double hci_disparity_px(const HciParameters& p, double depth_m) {
 HciParameters hci_parameters(const LightField& field, const std::string& where) {
   const std::optional<double> baseline = common_baseline_mm(*field.cameras, field.grid);
   if (!baseline)
-    throw Error(where, "the views' eyes stand at distances that differ, and the format knows one baseline",
+    throw Error(where, "the spacing of the views is not uniform, but the format has a single baseline",
                 "views of `optics` multiview `camera-grid` or `optics` microlens; `keep` with equal steps");
   return parameters_with(*baseline, field, where);
 }

@@ -1,4 +1,4 @@
-// What lies behind a lens array, and the plenoptic camera's variant of it, whose elements are not turned round.
+// The picture behind a lens array, and the plenoptic cameras' variant without inversion below each lens.
 #include <fmt/format.h>
 
 #include "layout/eslf_side_file.hpp"
@@ -46,19 +46,20 @@ std::vector<fs::path> write_eslf(const LightField& field, const fs::path& path, 
 
 LightFieldFormat integral_format() {
   return {.name = "integral",
-          .is = "what lies behind a lens array; `views`: pixels below each lens",
+          .description = "the picture behind a lens array; `views`: pixels below each lens",
           .read = read_integral,
           .write = write_integral,
           .reads = {.views = true}};
 }
 
 LightFieldFormat eslf_format() {
-  return {.name = "eslf",
-          .is = "plenoptic camera: view (u, v) from the top left is every N-th pixel from (u, v); `views` 14x14 and the like",
-          .keeps_positions = true,
-          .read = read_eslf,
-          .write = write_eslf,
-          .reads = {.views = true}};
+  return {
+      .name = "eslf",
+      .description = "plenoptic camera: view (u, v) from the top left is every N-th pixel from (u, v); `views` such as 14x14",
+      .keeps_positions = true,
+      .read = read_eslf,
+      .write = write_eslf,
+      .reads = {.views = true}};
 }
 
 }  // namespace lippmann

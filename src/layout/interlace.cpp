@@ -22,7 +22,7 @@ float rounded<float>(float value) {
   return value;
 }
 
-/// The views of a stack, as one array.
+/// The views of a stack as one array.
 template <class Sample>
 struct Views {
   const Sample* samples;
@@ -35,7 +35,8 @@ struct Views {
   }
 };
 
-/// Where pixels lie between samples, for bilinear mixing: samples at and at + 1 (never beyond the last), the second's share.
+/// The position of a pixel between two samples for linear interpolation: `at`, `next` (clamped to the last), and the weight of
+/// `next`.
 struct Between {
   int at, next;
   float share;
@@ -130,7 +131,7 @@ Picture interlace(const LightField& field, const Display& display, const Interla
   if (field.grid.rows != 1)
     throw usage_error("views",
                       fmt::format("{}x{} views do not fit a panel, which shows one row", field.grid.columns, field.grid.rows),
-                      "one row of views; `keep` takes one of several");
+                      "one row of views; `keep` can select one");
   const SlantedPanel panel = slanted_panel(display, viewing_distance_mm(display));
   Picture frame = blank(field.stack, display.pixels);
   std::visit(

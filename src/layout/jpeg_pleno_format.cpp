@@ -1,7 +1,7 @@
-// JPEG Pleno's folders: {row:03}_{column:03}.ppm, from the top left, codes of 8 to 16 bits. Data sets are passed on as PNG too:
-// pictures of other kinds are read as they are.
+// JPEG Pleno's folders: {row:03}_{column:03}.ppm, from the top left, with 8 to 16 bits. Also reads other picture formats, since
+// data sets are redistributed as PNG.
 //
-// Codes of b bits, other than 8, become 16-bit codes round(65535 c / (2^b - 1)) and come back from them exactly.
+// Samples of b bits, other than 8, become 16-bit values round(65535 c / (2^b - 1)), from which they can be restored exactly.
 #include <fmt/format.h>
 
 #include <bit>
@@ -42,8 +42,8 @@ LightField read_jpeg_pleno(const fs::path& folder, const FormatOptions&) {
     PpmCodes ppm = read_ppm(path);
     if (highest == 0) highest = ppm.highest;
     if (ppm.highest != highest)
-      throw Error(path.string(), fmt::format("its highest code is {}", ppm.highest),
-                  fmt::format("{} as in the others", highest));
+      throw Error(path.string(), fmt::format("its largest value is {}", ppm.highest),
+                  fmt::format("{}, as in the other views", highest));
     Image16& codes = ppm.codes;
     if (highest == 255) return Image8{codes.width, codes.height, {codes.rgb.begin(), codes.rgb.end()}};
     for (std::uint16_t& code : codes.rgb) code = rescaled(code, highest, 65535);
@@ -74,7 +74,7 @@ std::vector<fs::path> write_jpeg_pleno(const LightField& field, const fs::path& 
     return fmt::format("{:03}_{:03}.{}", i / field.grid.columns, i % field.grid.columns, options.png ? "png" : "ppm");
   };
   if (std::holds_alternative<Image>(field.stack))
-    throw Error(folder.string(), "it holds codes, and the samples are floats", "pictures of 8 or 16 bits");
+    throw Error(folder.string(), "JPEG Pleno stores integer samples, but these are floats", "pictures of 8 or 16 bits");
   if (options.png) return write_view_files(field, folder, name);
   const int own_bits = std::holds_alternative<Image8>(field.stack) ? 8 : 16;
   const int bits = options.bits.value_or(field.bits > 0 ? field.bits : own_bits);
@@ -92,7 +92,7 @@ std::vector<fs::path> write_jpeg_pleno(const LightField& field, const fs::path& 
 
 LightFieldFormat jpeg_pleno_format() {
   return {.name = "jpeg-pleno",
-          .is = "JPEG Pleno's folder: {row}_{column}.ppm (read: .png too), from the top left; `bits` of its codes",
+          .description = "JPEG Pleno's folder: {row}_{column}.ppm (read: .png too), from the top left; `bits` of its codes",
           .is_folder = true,
           .read = read_jpeg_pleno,
           .write = write_jpeg_pleno,

@@ -1,9 +1,9 @@
-// The lens grid of a raw plenoptic picture as JSON: in the side file <picture>.json, and as `convert` prints it.
+// The lens grid of a raw plenoptic picture as JSON: in the side file <picture>.json, and in the output of `convert`.
 //
 //   {"plenoptic": {"arrangement": "hexagonal", "pitch_px": 10.135, "row_pitch_px": 8.777, "rotation_deg": 0.1,
 //                  "offset_px": [5.2, 6.1]}}
 //
-// Without "row_pitch_px" rows are as far apart as those of equal lenses, and without "rotation_deg" the grid is upright.
+// Without "row_pitch_px", rows have the spacing of equally spaced lenses; without "rotation_deg", the grid is not rotated.
 #pragma once
 
 #include <filesystem>
@@ -16,17 +16,17 @@
 
 namespace lippmann {
 
-/// The name of an arrangement, and back; none for another word.
+/// Return the name of an arrangement, and the arrangement of a name (none: unknown).
 std::string_view name_of(LensArrangement arrangement);
 std::optional<LensArrangement> read_arrangement(std::string_view name);
 
-/// The value of "plenoptic".
+/// Returns the value of the key "plenoptic".
 nlohmann::ordered_json lens_grid_json(const LensGrid& grid);
 
-/// Returns nothing for a document without "plenoptic". Throws Error naming `where` and the key.
+/// Parses a side file; none for a document without "plenoptic". Throws Error naming `where` and the key.
 std::optional<LensGrid> parse_lens_grid(const std::string& text, const std::string& where);
 
-/// The grid in the side file of a picture; none if there is no such file, or it is about something else.
+/// Reads the side file of a picture; none if it does not exist or describes something else.
 std::optional<LensGrid> read_lens_grid(const std::filesystem::path& picture);
 
 }  // namespace lippmann

@@ -15,7 +15,7 @@
 namespace lippmann {
 namespace {
 
-/// Where the eyes of a grid stand along one axis: evenly apart, the first one lowest.
+/// The eyes of a grid along one axis: evenly spaced, the first one lowest.
 struct EyeAxis {
   double first = 0.0, step = 0.0;
   int count = 1;
@@ -39,7 +39,7 @@ struct EyeGrid {
   int nearest(Vec2d place) const { return up.nearest(place.y) * across.count + across.nearest(place.x); }
 };
 
-/// Two neighbouring samples along one axis, and the share of the second.
+/// Two neighbouring samples along one axis, and the weight of the second.
 struct SamplePair {
   int at, next;
   double share;

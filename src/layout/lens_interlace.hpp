@@ -1,8 +1,8 @@
-// What lies behind the lenses of a display, of views that were computed for it: the picture that a sheet is laid on.
+// Makes the picture behind the lenses of a display from views rendered for it, for example the print below a sheet.
 //
-// A pixel sends its light along a ray (optics/optics.hpp) through t in the plane z = 0 to a place e = t + m V at the distance V
-// of the viewer, m the ray's slope. It shows the view whose eye is nearest to e, at t, bilinear in that view. Lenses need not
-// have a whole number of pixels, be upright, or lie in a square grid.
+// A pixel emits light along a ray (optics/optics.hpp) through t in the plane z = 0 to the point e = t + m V at the viewing
+// distance V, where m is the ray's slope. It shows, at t, the view whose eye is nearest to e, interpolated bilinearly. Lenses
+// may have fractional pitches, slants or hexagonal packing.
 #pragma once
 
 #include "lippmann/core/parallel.hpp"
@@ -13,13 +13,13 @@
 
 namespace lippmann {
 
-/// Views for a lenticular sheet or an array of microlenses, evenly over its viewing zone at its viewing distance, a sample for
-/// each lens. None: as many as pixels lie below a lens, rounded up. Throws a usage Error naming `views` for more rows or
-/// columns than the panel has pixels.
+/// Returns optics with views for a lenticular sheet or a microlens array: evenly spread over its viewing zone at its viewing
+/// distance, with one sample per lens. `views` none: as many as pixels below a lens, rounded up. Throws a usage Error naming
+/// `views` if there are more rows or columns of views than pixels on the panel.
 Optics lens_views(const Display& display, const std::optional<ViewGrid>& views);
 
-/// The picture of the display's pixels, with samples as the field's. `field`: those views, with their cameras. Codes are mixed
-/// as they are. The same for any number of threads.
+/// Returns the display's picture with the field's sample type. `field`: the views of lens_views() with their cameras. Sample
+/// values are mixed in their encoding. The result does not depend on the number of threads.
 Picture interlace_behind_lenses(const LightField& field, const Display& display, const ThreadPool& pool);
 
 }  // namespace lippmann

@@ -45,7 +45,7 @@ std::vector<LfpSection> lfp_sections(std::span<const std::byte> file, const std:
     }
     const std::span<const std::byte> rest = file.subspan(at);
     if (!begins_section(rest))
-      throw Error(where, fmt::format("holds something that is no section at byte {}", at), "an .lfp or .lfr file of Lytro");
+      throw Error(where, fmt::format("has no valid section at byte {}", at), "an .lfp or .lfr file of Lytro");
     const std::size_t length = big_endian(rest.subspan(12, 4));
     at += kHeaderBytes;
     if (length == 0) continue;
@@ -64,7 +64,7 @@ const LfpSection& lfp_section(const std::vector<LfpSection>& sections, const std
   const auto found =
       std::find_if(sections.begin(), sections.end(), [&](const LfpSection& section) { return section.name == name; });
   if (found == sections.end())
-    throw Error(where, "its document refers to the section " + shown(name) + ", which is not there", "a whole file");
+    throw Error(where, "its document refers to the section " + shown(name) + ", which is missing", "a whole file");
   return *found;
 }
 

@@ -1,9 +1,9 @@
-// The container of Lytro's cameras, .lfp and .lfr: a JSON document, and blocks that it refers to by their SHA-1.
+// The container format of Lytro cameras, .lfp and .lfr: a JSON document and blocks that it refers to by SHA-1.
 //
-// A file is a row of sections. Each begins with 16 bytes: 0x89 "LFP", "LFM" or "LFC", 0D 0A 1A 0A, a version, and the length of
-// its data, both 32 bits, the highest byte first. If the length is above 0, the name of the data follows ("sha1-" and 40
-// digits) in a field of 80 bytes, then the data, then zeros up to a multiple of 16 bytes. LFP is the file's own header, LFM the
-// document, LFC a block. Checksums are taken as names: they are not computed.
+// A file is a sequence of sections. Each begins with 16 bytes: 0x89 "LFP", "LFM" or "LFC", 0D 0A 1A 0A, a version, and the
+// length of its data, both as 32-bit big-endian numbers. If the length is above 0, an 80-byte field with the name of the data
+// ("sha1-" and 40 digits) follows, then the data, then zeros up to a multiple of 16 bytes. LFP is the file header, LFM the
+// document, LFC a block. Checksums serve as names and are not verified.
 #pragma once
 
 #include <cstddef>
@@ -21,10 +21,10 @@ struct LfpSection {
 
 bool is_lfp(std::span<const std::byte> file);
 
-/// All sections with data, in the order of the file, of whose bytes they are parts. Throws Error naming `where`.
+/// Returns all sections with data, in file order, as views into `file`. Throws Error naming `where`.
 std::vector<LfpSection> lfp_sections(std::span<const std::byte> file, const std::string& where);
 
-/// Throws Error naming `where` if there is no such section.
+/// Returns a section by name. Throws Error naming `where` if it is missing.
 const LfpSection& lfp_section(const std::vector<LfpSection>& sections, const std::string& name, const std::string& where);
 
 }  // namespace lippmann

@@ -20,7 +20,7 @@ void move_samples(const T& from, const std::vector<std::uint32_t>& from_pixel, T
   }
 }
 
-/// The pixels of a stack that are a view's, in its order.
+/// Returns the stack pixels of a view, in order.
 std::vector<std::uint32_t> pixels_of(const LightField& field, int view) {
   const auto size = static_cast<std::uint32_t>(field.view_size.x) * static_cast<std::uint32_t>(field.view_size.y);
   std::vector<std::uint32_t> pixels(size);

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The format whose files a folder of views holds, by the name of any of them; none: of no format.
+/// Returns the format of a folder of views, judged by the first matching file name; none: unknown.
 std::optional<std::string> format_of_folder(const fs::path& folder) {
   struct Kind {
     std::string_view format;
@@ -54,7 +54,7 @@ std::optional<std::string> format_of_folder(const fs::path& folder) {
   return std::nullopt;
 }
 
-/// The pictures of a folder that are of the format; with an empty `from` those whose names or side files state one.
+/// Returns the pictures of a folder in the format `from`; if it is empty, those whose names or side files imply a format.
 std::vector<fs::path> described_pictures_in(const fs::path& folder, const std::string& from) {
   std::vector<fs::path> pictures;
   for (const fs::directory_entry& entry : entries_of(folder))
@@ -70,8 +70,7 @@ std::string format_of(const fs::path& path, const LightFieldSource& source) {
   if (source.rendering && !source.rendering->layout.empty()) return source.rendering->layout;
   if (!fs::exists(path, ignored)) throw Error(path.string(), "there is no such file or folder");
   if (source.rendering && !source.rendered)
-    throw usage_error("from",
-                      path.string() + " was rendered for lenses without a whole number of pixels, so that it has no views",
+    throw usage_error("from", path.string() + " was rendered for lenses without a whole number of pixels, so it has no views",
                       "a render with `layout` views or quilt");
   if (!source.rendered) throw unknown_format(path);
   switch (source.rendered->film.kind) {
@@ -84,16 +83,16 @@ std::string format_of(const fs::path& path, const LightFieldSource& source) {
   }
 }
 
-/// Whether the report.json that was found is the one of these files. A folder of another format beside a render, or views of
-/// another grid, may be parts of its views.
-bool is_described_by_report(const fs::path& path, const LightFieldSource& source, const FormatOptions& options) {
+/// Returns whether the report.json found describes these files. A folder of another format beside a render, or views of another
+/// grid, may be derived from its views.
+bool matches_report(const fs::path& path, const LightFieldSource& source, const FormatOptions& options) {
   const LightFieldFormat& format = *source.format;
   if (format.states_cameras) return false;
   if (format.is_folder && format.name != "views") return path.filename().string().starts_with("frame_");
   return format.name != "eslf" || !options.views || !source.rendered || *options.views == source.rendered->film.grid;
 }
 
-/// Whether a report.json may describe these files: no render writes a folder of pictures with names of any kind.
+/// Returns whether a report.json may describe these files: no render writes a folder of pictures with arbitrary names.
 bool may_have_report(const fs::path& path, const std::string& from) {
   if (!from.empty() && find_format(from, "from").states_cameras) return false;
   std::error_code ignored;
@@ -108,7 +107,7 @@ LightFieldSource light_field_source(const fs::path& path, const std::string& fro
   if (source.rendering)
     source.rendered = rendered_views(with_parallax(source.rendering->optics, source.rendering->depth_scale));
   source.format = &find_format(from.empty() ? format_of(path, source) : from, "from");
-  if (!is_described_by_report(path, source, options)) source.rendering.reset(), source.rendered.reset();
+  if (!matches_report(path, source, options)) source.rendering.reset(), source.rendered.reset();
   if (source.rendering && !source.rendering->has_depth_layer) source.options.with_depth = false;
   if (!source.rendered) return source;
   const ViewLayout& film = source.rendered->film;
@@ -139,15 +138,15 @@ Error unknown_format(const fs::path& picture) {
   if (const std::optional<ViewGrid> tiles = tiles_in_name(picture))
     return usage_error(
         "from",
-        "the format of " + picture.string() + " is unknown: its name is not one of a quilt, but has " +
-            fmt::format("qs{}x{}", tiles->columns, tiles->rows),
+        "the format of " + picture.string() + " is unknown: its name has " +
+            fmt::format("qs{}x{}, but is not a complete quilt name", tiles->columns, tiles->rows),
         fmt::format("`from` quilt `quilt` {}x{}, or a name such as room_qs8x6a0.75.png", tiles->columns, tiles->rows));
-  return usage_error("from",
-                     "the format of " + picture.string() +
-                         " is unknown: no report.json or side file lies beside it, and its name states no format",
-                     "`from` with a format, such as `from` integral `views` 8x1 or `from` native `display` portrait (see "
-                     "lippmann help convert), "
-                     "or a name such as room_qs8x6a0.75.png");
+  return usage_error(
+      "from",
+      "the format of " + picture.string() + " is unknown: it has no report.json or side file, and its name implies no format",
+      "`from` with a format, such as `from` integral `views` 8x1 or `from` native `display` portrait (see "
+      "lippmann help convert), "
+      "or a name such as room_qs8x6a0.75.png");
 }
 
 const LightFieldFormat& format_of_light_field(const fs::path& in, const std::string& from) {
@@ -161,7 +160,7 @@ bool is_light_field_folder(const fs::path& folder) { return format_of_folder(fol
 
 namespace {
 
-/// Whether the views have the pixels that their report speaks of; of a picture of rows, half of them are there.
+/// Returns whether the views have the pixels stated by their report; row-interlaced stereo pictures have only half of them.
 bool has_all_pixels(const LightFieldSource& source, const LightField& field, const fs::path& path) {
   if (source.format->name != "stereo") return true;
   return view_size(source.rendered->film, film_size(source.rendering->optics), path.string()) == field.view_size;
@@ -195,7 +194,7 @@ std::vector<fs::path> light_fields_in(const fs::path& path, const std::string& f
   std::vector<fs::path> frames = light_field_frames(path, from);
   if (!frames.empty()) return frames;
   if (from.empty() && !is_light_field_folder(path))
-    throw Error(path.string(), "there are no frames or views in it",
+    throw Error(path.string(), "contains no frames or views",
                 "frame_0000.png, frame_0001.png, ..., or a folder of views that `lippmann convert` reads");
   return {path};
 }

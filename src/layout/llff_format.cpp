@@ -25,10 +25,10 @@ LightField read_llff(const fs::path& folder, const FormatOptions& options) {
   std::vector<std::string> names;
   for (const fs::directory_entry& entry : entries_of(images, accepted))
     if (entry.is_regular_file() && is_picture_name(entry.path())) names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());  // LLFF's order: digits do not count as numbers
+  std::sort(names.begin(), names.end());  // LLFF's order: lexicographic, not numeric
   if (names.size() != pictures.size())
     throw Error(file.string(),
-                fmt::format("has {} rows, and {} has {} pictures", pictures.size(), images.string(), names.size()),
+                fmt::format("has {} rows, but {} has {} pictures", pictures.size(), images.string(), names.size()),
                 "a row for each picture");
   for (std::size_t i = 0; i < names.size(); ++i) pictures[i].picture = names[i];
   return read_posed_pictures(images, file, std::move(pictures), options);
@@ -46,7 +46,7 @@ std::vector<fs::path> write_llff(const LightField& field, const fs::path& folder
 
 LightFieldFormat llff_format() {
   return {.name = "llff",
-          .is = "LLFF's folder: images/000.png, ... and poses_bounds.npy with their cameras",
+          .description = "LLFF's folder: images/000.png, ... and poses_bounds.npy with their cameras",
           .is_folder = true,
           .uses_cameras = true,
           .states_cameras = true,

@@ -42,13 +42,13 @@ void check_llff(const PosedCamera& camera, std::size_t view, const std::string& 
   constexpr double kTolerance_px = 1e-3;
   const Vec2d off = camera.principal_px - 0.5 * Vec2d(camera.size);
   if (std::abs(camera.focal_px.x / camera.focal_px.y - 1.0) > 1e-6)
-    throw Error(where, fmt::format("the pixels of view {} are not square, and the format `llff` knows no others", view),
+    throw Error(where, fmt::format("the pixels of view {} are not square, but the format `llff` requires square pixels", view),
                 "the formats `nerf` and `colmap`");
   if (std::max(std::abs(off.x), std::abs(off.y)) > kTolerance_px)
     throw Error(
         where,
         fmt::format("the axis of view {} is {:.4g} x {:.4g} pixels away from the middle of its picture, which the format "
-                    "`llff` cannot state",
+                    "`llff` cannot express",
                     view, off.x, off.y),
         "the formats `nerf` and `colmap`, or `cameras` around the scene");
 }
@@ -59,7 +59,7 @@ std::vector<PosedPicture> parse_llff_poses(std::span<const std::byte> file, cons
   constexpr std::size_t kMostRows = 65536;
   const NpyArray array = parse_npy(file, where);
   if (array.shape.size() != 2 || array.shape[1] != kColumns || array.shape[0] < 1 || array.shape[0] > kMostRows)
-    throw Error(where, "has no rows of 17 numbers", fmt::format("1 to {} rows", kMostRows));
+    throw Error(where, "does not have rows of 17 numbers", fmt::format("1 to {} rows", kMostRows));
   std::vector<PosedPicture> pictures;
   for (std::size_t i = 0; i < array.shape[0]; ++i)
     pictures.push_back(

@@ -1,6 +1,6 @@
-// Folders of decoded views of plenoptic cameras: PREFIX{row}_{column}.png from the top left, as toolboxes for Lytro's cameras
-// and the data sets made with them name them (EPFL, INRIA): SAI_07_07.png, lf_1_1.png, Bee_2_07_07.png. All have one prefix.
-// Numbers begin anywhere.
+// Folders of decoded views of plenoptic cameras: PREFIX{row}_{column}.png from the top left, as written by toolboxes for Lytro
+// cameras and used in data sets (EPFL, INRIA): SAI_07_07.png, lf_1_1.png, Bee_2_07_07.png. All files have the same prefix.
+// Numbers may begin anywhere.
 #include <fmt/format.h>
 
 #include "core/folder_entries.hpp"
@@ -52,12 +52,12 @@ std::vector<fs::path> write_lytro(const LightField& field, const fs::path& folde
 }  // namespace
 
 LightFieldFormat lytro_format() {
-  return {
-      .name = "lytro",
-      .is = "decoded views of a plenoptic camera (EPFL, INRIA): SAI_{row}_{column}.png or any one prefix, from the top left",
-      .is_folder = true,
-      .read = read_lytro,
-      .write = write_lytro};
+  return {.name = "lytro",
+          .description =
+              "decoded views of a plenoptic camera (EPFL, INRIA): SAI_{row}_{column}.png or any one prefix, from the top left",
+          .is_folder = true,
+          .read = read_lytro,
+          .write = write_lytro};
 }
 
 }  // namespace lippmann

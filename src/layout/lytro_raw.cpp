@@ -1,9 +1,9 @@
-// The metadata's keys are those of lytro_illum_public_schema.json 1.3.5, and of the F01's files, which keep the same facts
-// under image.rawDetails. Packed codes: 12 bits, two in three bytes, the highest bits first; or 10 bits, four in five bytes, of
-// which the first four are the upper 8 bits of each and the fifth holds the lower 2, the first code's lowest.
+// The metadata keys are those of lytro_illum_public_schema.json 1.3.5, and of the F01's files, which store the same values
+// under image.rawDetails. Packed samples have 12 bits, two in three bytes, high bits first; or 10 bits, four in five bytes: the
+// first four bytes are the upper 8 bits of each, and the fifth holds the lower 2 bits, the first sample's lowest.
 //
-// Lenses are seen by the sensor from the exit pupil of the main lens, so that their images are farther apart than the lenses,
-// by (pupil + gap) / pupil.
+// The sensor sees lenses from the exit pupil of the main lens, so their images are farther apart than the lenses, by (pupil +
+// gap) / pupil.
 #include "layout/lytro_raw.hpp"
 
 #include <fmt/format.h>
@@ -47,17 +47,17 @@ SensorLevels sensor_levels(const JsonFields& format) {
   return levels;
 }
 
-/// The place of the red pixel among the first 2 x 2: the tile is r,gr:gb,b, and may begin at any of its pixels.
+/// Returns the position of the red pixel in the first 2 x 2 pixels. The tile is r,gr:gb,b and may begin at any of its pixels.
 Vec2i red_place(const JsonFields& mosaic) {
   mosaic.word("tile", {"r,gr:gb,b"});
   const auto corner = static_cast<int>(mosaic.word("upperLeftPixel", {kColors.begin(), kColors.end()}));
   return {corner % 2, corner / 2};
 }
 
-/// Which of r, gr, gb, b a pixel sees.
+/// Returns the index in r, gr, gb, b of a pixel's colour.
 std::size_t color_at(int x, int y, Vec2i red) { return static_cast<std::size_t>(((x ^ red.x) & 1) + 2 * ((y ^ red.y) & 1)); }
 
-/// Calls put(index, code) for each code.
+/// Calls put(index, code) for each sample.
 template <class Put>
 void unpack(std::span<const std::byte> bytes, int bits, std::size_t count, const Put& put) {
   const auto byte = [&](std::size_t i) { return std::to_integer<unsigned>(bytes[i]); };
@@ -71,7 +71,7 @@ void unpack(std::span<const std::byte> bytes, int bits, std::size_t count, const
       for (std::size_t k = 0; k < 4; ++k) put(i + k, byte(at + k) << 2 | (byte(at + 4) >> (2 * k) & 3u));
 }
 
-/// The sensor's codes as light.
+/// Converts sensor codes to light.
 Image mosaic_of(std::span<const std::byte> codes, Vec2i size, int bits, const SensorLevels& levels, Vec2i red) {
   Image mosaic(size.x, size.y, 1);
   std::array<double, 4> scale{};
@@ -129,14 +129,14 @@ Json parsed_json(std::span<const std::byte> text, const std::string& where, cons
   return json;
 }
 
-/// The first of a list of objects.
+/// Returns the first element of a list of objects.
 JsonFields first_of(const JsonFields& fields, std::string_view key) {
   const Json& list = fields.value(key);
-  if (!list.is_array() || list.empty()) fields.reject(key, "is no list of frames", "a raw picture as the camera writes it");
+  if (!list.is_array() || list.empty()) fields.reject(key, "is not a list of frames", "a raw picture as the camera writes it");
   return fields.element(key, list.front());
 }
 
-/// The metadata of a frame: the document itself, or inside it (white pictures of the F01).
+/// Parses the metadata of a frame: the document itself, or a part of it (white pictures of the F01).
 LytroRaw lytro_of(std::span<const std::byte> codes, const JsonFields& frame) {
   const JsonFields image = frame.inner("image");
   if (image.has("representation")) image.word("representation", {"rawPacked"});
@@ -149,10 +149,10 @@ LytroRaw lytro_of(std::span<const std::byte> codes, const JsonFields& frame) {
   packing.word("endianness", {bits == 12 ? "big" : "little"});
   const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), group = bits == 12 ? 2 : 4;
   if (count % group != 0 || codes.size() < count / group * (bits == 12 ? 3 : 5))
-    image.reject(
-        "width",
-        fmt::format("and height are {}x{}, and {} bytes hold no such picture of {} bits", size.x, size.y, codes.size(), bits),
-        "a whole picture");
+    image.reject("width",
+                 fmt::format("and height are {}x{}, which does not match {} bytes of {}-bit samples", size.x, size.y,
+                             codes.size(), bits),
+                 "a whole picture");
   const Vec2i red = red_place(details.inner("mosaic"));
   LytroRaw raw;
   raw.grid = stated_grid(frame.inner("devices"), size);
@@ -168,7 +168,7 @@ std::string lower_ending(const fs::path& path) {
   return ending;
 }
 
-/// NAME.TXT or NAME.txt beside NAME.RAW; empty if neither is there.
+/// Returns NAME.TXT or NAME.txt beside NAME.RAW; empty if neither exists.
 fs::path metadata_beside(const fs::path& raw) {
   for (const char* ending : {".TXT", ".txt"})
     if (const fs::path path = fs::path(raw).replace_extension(ending); is_regular_file_there(path)) return path;
@@ -191,8 +191,7 @@ LytroRaw parse_lfr(std::span<const std::byte> file, const std::string& where) {
   const Json json = parsed_json(table->data, where, "document");
   const JsonFields document(json, where, "");
   if (!document.has("frames") && !document.has("picture"))
-    throw Error(where, "refers to no raw frame: it may be a stack of finished pictures",
-                "an .lfr file as the camera writes it");
+    throw Error(where, "contains no raw frame; it may be a processed picture", "an .lfr file as the camera writes it");
   const JsonFields frame = document.has("frames") ? first_of(document, "frames").inner("frame")
                                                   : first_of(document.inner("picture"), "frameArray").inner("frame");
   const LfpSection& metadata = lfp_section(sections, frame.text("metadataRef"), where);
@@ -213,7 +212,8 @@ LytroRaw read_lytro(const fs::path& path) {
   const std::vector<std::byte> bytes = read_file_bytes(path, kMaxImageFileBytes, "a raw picture of a Lytro camera");
   if (is_lfp(bytes)) return parse_lfr(bytes, path.string());
   const fs::path metadata = lower_ending(path) == ".raw" ? metadata_beside(path) : fs::path();
-  if (metadata.empty()) throw Error(path.string(), "does not begin as an .lfp or .lfr file", "a raw picture of a Lytro camera");
+  if (metadata.empty())
+    throw Error(path.string(), "does not begin like an .lfp or .lfr file", "a raw picture of a Lytro camera");
   constexpr std::uintmax_t kMaxMetadataBytes = 16 << 20;
   return parse_lytro(bytes, read_file_text(metadata, kMaxMetadataBytes), metadata.string());
 }

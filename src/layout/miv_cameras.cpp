@@ -39,7 +39,7 @@ MivCamera camera_from(const JsonFields& json) {
   return camera;
 }
 
-/// In hundredths of a millimetre: rows of cameras that were calibrated are not level to the last digit.
+/// Returns the height in hundredths of a millimetre, because rows of calibrated cameras are not exactly level.
 double height_of(const MivCamera& camera) { return std::round(1e5 * camera.position_m[2]); }
 
 }  // namespace
@@ -54,7 +54,7 @@ std::vector<MivCamera> parse_miv_cameras(const std::string& text, const std::str
   std::vector<MivCamera> cameras;
   for (const Json& camera : json["cameras"]) {
     const JsonFields fields(camera, where, "camera");
-    if (fields.value("Name") == "viewport") continue;  // TMIV's own: what is to be synthesized
+    if (fields.value("Name") == "viewport") continue;  // TMIV's own entry for the view to be synthesized
     cameras.push_back(camera_from(fields));
   }
   return cameras;
@@ -97,8 +97,7 @@ ViewGrid grid_of_cameras(const std::vector<MivCamera>& cameras, std::optional<Vi
   for (std::size_t i = 1; i < cameras.size(); ++i) rows += height_of(cameras[i]) != height_of(cameras[i - 1]);
   const ViewGrid grid = views.value_or(count % rows == 0 ? ViewGrid{count / rows, rows} : ViewGrid{count, 1});
   if (grid.count() != count)
-    throw usage_error("views",
-                      fmt::format("{}x{} are not as many as the {} views in {}", grid.columns, grid.rows, count, where));
+    throw usage_error("views", fmt::format("{}x{} does not match the {} views in {}", grid.columns, grid.rows, count, where));
   return grid;
 }
 
@@ -118,7 +117,7 @@ std::vector<MivCamera> miv_cameras(const ViewCameras& cameras, Vec2i view_size, 
 std::optional<ViewCameras> cameras_of_miv(const std::vector<MivCamera>& cameras) {
   const MivCamera& first = cameras.front();
   const auto eye_of = [](const MivCamera& c) { return 1e3 * Vec2d(-c.position_m[1], c.position_m[2]); };
-  // How far the point straight ahead moves with the eye tells the distance of the plane in which views coincide.
+  // The shift of the point straight ahead per shift of the eye determines the distance of the plane with zero disparity.
   double distance = 0.0;
   for (const MivCamera& c : cameras) {
     const Vec2d by_mm = eye_of(c) - eye_of(first), by_px = (c.principal_point_px - first.principal_point_px) * Vec2d(1.0, -1.0);

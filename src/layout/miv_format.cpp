@@ -1,5 +1,5 @@
-// MIV's and RVS's cameras beside views: a folder of pictures and cameras.json, which names them; maps of depth as 16-bit codes
-// in <name>_depth.png where they are known.
+// Folders of MIV and RVS: pictures and cameras.json, which lists them; with depth maps as 16-bit codes in <name>_depth.png if
+// depth is known.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -31,15 +31,15 @@ fs::path picture_of(const fs::path& folder, const MivCamera& camera) {
   throw Error(folder.string(), fmt::format("the picture of camera {} is missing", camera.name), camera.name + ".png");
 }
 
-/// The map beside a camera's picture in z of the display frame; none if there is none.
+/// Returns the depth map of a camera as z in the display frame; none if it does not exist.
 std::optional<Image> read_depth(const fs::path& folder, const MivCamera& camera, double distance_mm, Vec2i size) {
   const fs::path path = folder / (camera.name + "_depth.png");
   if (!is_regular_file_there(path)) return std::nullopt;
   const Picture picture = read_picture(path);
   const auto* codes = std::get_if<Image16>(&picture);
   if (codes == nullptr || size_of(picture) != size)
-    throw Error(path.string(), "it is no map of depth for its view",
-                fmt::format("{}x{} pixels of 16-bit codes", size.x, size.y));
+    throw Error(path.string(), "does not match its view",
+                fmt::format("a depth map of {}x{} pixels with 16 bits", size.x, size.y));
   Image depth(size.x, size.y, 1);
   for (std::size_t i = 0; i < depth.data.size(); ++i) {
     const double share = codes->rgb[3 * i] / kHighest;
@@ -49,7 +49,7 @@ std::optional<Image> read_depth(const fs::path& folder, const MivCamera& camera,
   return depth;
 }
 
-/// Reads the depth of all views, or of none if one of them has none.
+/// Reads the depth of all views, or no depth if it is missing for one of them.
 void read_depth(const fs::path& folder, const std::vector<MivCamera>& cameras, LightField& field) {
   for (std::size_t view = 0; view < cameras.size(); ++view) {
     const std::optional<Image> depth = read_depth(folder, cameras[view], field.cameras->distance_mm, field.view_size);
@@ -76,7 +76,7 @@ struct DepthRange {
   double near_m = 0.1, far_m = 100.0;
 };
 
-/// The range that holds everything that is hit. Its far end lies a little beyond, so that code 0 means that nothing is there.
+/// Returns the range of all surfaces, slightly extended at the far end because code 0 means no surface.
 DepthRange depth_range(const LightField& field) {
   double nearest = INFINITY, farthest = 0.0;
   for (const float z : field.depth->data) {
@@ -128,7 +128,7 @@ std::vector<fs::path> write_miv(const LightField& field, const fs::path& folder,
 
 LightFieldFormat miv_format() {
   return {.name = "miv",
-          .is = "a folder of pictures and cameras.json, as MIV and RVS have it; 16-bit codes of depth",
+          .description = "a folder of pictures and cameras.json (MIV, RVS); 16-bit depth",
           .is_folder = true,
           .uses_cameras = true,
           .states_cameras = true,

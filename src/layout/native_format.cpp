@@ -1,4 +1,4 @@
-// The frame of a calibrated slanted panel, for a given display: made of views, and taken apart into them.
+// The frame of a calibrated slanted panel for a given display: made from views, and converted back to views.
 #include <fmt/format.h>
 
 #include <thread>
@@ -16,11 +16,11 @@ ThreadPool all_threads() { return ThreadPool(std::max(1, static_cast<int>(std::t
 
 const Display& wanted_display(const FormatOptions& options) {
   if (options.display) return *options.display;
-  throw usage_error("display", "the display is unknown, and a native frame is made for one display",
+  throw usage_error("display", "the display is unknown, but a native frame depends on it",
                     "a name that 'lippmann displays' lists, or a file");
 }
 
-/// As many views as the options give, else those of the display's quilt, of its tiles' size.
+/// Reads as many views as the options give, or those of the display's quilt, with the size of its tiles.
 LightField read_native(const fs::path& path, const FormatOptions& options) {
   const Display& display = wanted_display(options);
   const DisplayQuilt quilt = display.quilt.value_or(DisplayQuilt{});
@@ -46,7 +46,7 @@ std::vector<fs::path> write_native(const LightField& field, const fs::path& path
 
 LightFieldFormat native_format() {
   return {.name = "native",
-          .is = "the frame of a slanted panel, each sub-pixel of its own view; `display`: which panel",
+          .description = "the frame of a slanted panel, one view per sub-pixel; `display`: the panel",
           .read = read_native,
           .write = write_native,
           .reads = {.views = true, .display = true},

@@ -1,7 +1,7 @@
-// NeRF's data sets: transforms.json (layout/transforms_json.hpp), images/000.png, ..., and where depth is known, planar depth
-// as depth/000.npy, ... and lengths of rays as depth/000_ray.npy, ...
+// NeRF data sets: transforms.json (layout/transforms_json.hpp), images/000.png, ..., and, if depth is known, planar depth as
+// depth/000.npy, ... and ray lengths as depth/000_ray.npy, ...
 //
-// Depth is in thousandths of the matrices' unit, which nerfstudio's default depth_unit_scale_factor expects.
+// Depth is in thousandths of the matrices' unit, as nerfstudio's default depth_unit_scale_factor expects.
 #include <span>
 #include <utility>
 
@@ -51,13 +51,14 @@ std::vector<fs::path> write_nerf(const LightField& field, const fs::path& folder
 }  // namespace
 
 LightFieldFormat nerf_format() {
-  return {.name = "nerf",
-          .is = "NeRF's folder: images/000.png, ... and transforms.json with their cameras; planar depth and ray lengths",
-          .is_folder = true,
-          .uses_cameras = true,
-          .states_cameras = true,
-          .read = read_nerf,
-          .write = write_nerf};
+  return {
+      .name = "nerf",
+      .description = "NeRF's folder: images/000.png, ... and transforms.json with their cameras; planar depth and ray lengths",
+      .is_folder = true,
+      .uses_cameras = true,
+      .states_cameras = true,
+      .read = read_nerf,
+      .write = write_nerf};
 }
 
 }  // namespace lippmann

@@ -8,8 +8,8 @@ namespace lippmann {
 namespace fs = std::filesystem;
 namespace {
 
-/// Warns of the pixels of a quilt beyond its tiles.
-void warn_of_rest(const fs::path& path, Vec2i size, Vec2i used, const std::function<void(std::string_view)>& warn) {
+/// Warns about pixels of a quilt outside its tiles.
+void warn_about_padding(const fs::path& path, Vec2i size, Vec2i used, const std::function<void(std::string_view)>& warn) {
   if (size == used || !warn) return;
   warn(fmt::format(
       "{}: its {}x{} pixels cannot be divided evenly into its tiles: {} columns at the right and {} rows at the top "
@@ -26,7 +26,7 @@ LightField read_packed(const fs::path& path, const ViewLayout& layout, bool with
   LightField field;
   field.grid = layout.grid;
   field.view_size = view_size(layout, size, path.string());
-  warn_of_rest(path, size, picture_size(layout, field.view_size), warn);
+  warn_about_padding(path, size, picture_size(layout, field.view_size), warn);
   field.aspect = static_cast<double>(size.x) / size.y;
   field.stack = blank(picture, stack_size(field));
   const std::vector<std::uint32_t> pixels = pixels_of_views(layout, field.view_size, size);

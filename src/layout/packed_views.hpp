@@ -1,4 +1,4 @@
-// All views of a light field in one picture, as layout/view_layout.hpp says where: to and from a stack.
+// Reads and writes pictures that hold all views of a light field (layout/view_layout.hpp).
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,12 @@
 
 namespace lippmann {
 
-/// Throws Error naming the file if views do not fill it as that layout wants. with_depth: the layer of depth too, where there
-/// is one (layout/rendered.hpp). warn: as read_picture.
+/// Reads a picture. with_depth: also reads the depth layer if there is one (layout/rendered.hpp). warn: as in read_picture().
+/// Throws Error naming the file if the views do not fill it.
 LightField read_packed(const std::filesystem::path& path, const ViewLayout& layout, bool with_depth,
                        const std::function<void(std::string_view)>& warn);
 
-/// Throws Error naming the file as write_picture does.
+/// Writes a picture and returns the files written. Throws Error naming the file, like write_picture().
 std::vector<std::filesystem::path> write_packed(const LightField& field, const ViewLayout& layout,
                                                 const std::filesystem::path& path);
 

@@ -24,7 +24,7 @@ constexpr std::size_t kListedNames = 5;
 
 struct FolderContent {
   std::vector<fs::path> pictures;
-  std::vector<std::string> others;  ///< names of what is no picture; those of folders end in '/'
+  std::vector<std::string> others;  ///< names of other entries; those of folders end in '/'
 };
 
 FolderContent content_of(const fs::path& folder) {
@@ -42,7 +42,7 @@ FolderContent content_of(const fs::path& folder) {
   return content;
 }
 
-bool is_left_by_others(const std::string& name) {
+bool is_ignorable(const std::string& name) {
   std::string lower = name;
   std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
   if (lower.ends_with('/') || lower == "thumbs.db" || lower == "desktop.ini") return true;
@@ -50,7 +50,7 @@ bool is_left_by_others(const std::string& name) {
   return std::any_of(std::begin(kNotes), std::end(kNotes), [&](std::string_view ending) { return lower.ends_with(ending); });
 }
 
-/// "a, b, c and 4 more".
+/// Returns "a, b, c and 4 more".
 std::string listed(const std::vector<std::string>& texts) {
   std::string list;
   for (std::size_t i = 0; i < std::min(texts.size(), kListedNames); ++i) list += (i == 0 ? "" : ", ") + printable(texts[i]);
@@ -62,8 +62,8 @@ void require_two(const fs::path& folder, const FolderContent& content) {
   if (content.pictures.size() >= 2) return;
   const std::string accepted = "view_000.png, view_001.png, ..., or two or more pictures of one size with any names";
   if (content.pictures.size() == 1)
-    throw Error(folder.string(), "there is only one picture in it, " + content.pictures.front().filename().string(), accepted);
-  throw Error(folder.string(), "there are no views in it" + (content.others.empty() ? "" : ", only " + listed(content.others)),
+    throw Error(folder.string(), "contains only one picture, " + content.pictures.front().filename().string(), accepted);
+  throw Error(folder.string(), "contains no views" + (content.others.empty() ? "" : ", only " + listed(content.others)),
               accepted);
 }
 
@@ -74,7 +74,7 @@ void require_distinct_stems(const fs::path& folder, const std::vector<fs::path>&
     if (!is_new)
       throw Error(
           folder.string(),
-          fmt::format("two pictures in it have one name: {} and {}", first->second.string(), picture.filename().string()),
+          fmt::format("has two pictures with the same name: {} and {}", first->second.string(), picture.filename().string()),
           "one picture for each view");
   }
 }
@@ -106,7 +106,7 @@ void require_one_shape(const fs::path& folder, const std::vector<fs::path>& pict
   for (std::size_t i = 0; i < pictures.size(); ++i)
     if (shapes[i] != usual) others.push_back(fmt::format("{}: {}", printable(pictures[i].filename().string()), shapes[i]));
   throw Error(folder.string(),
-              fmt::format("{} of its {} pictures are {}, the others are not: {}", pictures.size() - others.size(),
+              fmt::format("{} of its {} pictures are {}, but others differ: {}", pictures.size() - others.size(),
                           pictures.size(), usual, listed(others)),
               "pictures of one size and one kind of samples");
 }
@@ -115,7 +115,7 @@ void require_one_shape(const fs::path& folder, const std::vector<fs::path>& pict
 
 bool is_picture_folder(const fs::path& folder) {
   const FolderContent content = content_of(folder);
-  return content.pictures.size() >= 2 && std::all_of(content.others.begin(), content.others.end(), is_left_by_others);
+  return content.pictures.size() >= 2 && std::all_of(content.others.begin(), content.others.end(), is_ignorable);
 }
 
 std::vector<fs::path> pictures_of_views(const fs::path& folder, const std::function<void(std::string_view)>& warn) {

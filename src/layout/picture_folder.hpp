@@ -1,5 +1,4 @@
-// Folders of pictures with names of any kind, each of which is a view, in the natural order of their names: 2.jpg
-// before 10.jpg.
+// Folders of pictures with arbitrary names, where each picture is a view, in natural order of their names: 2.jpg before 10.jpg.
 //
 // Subfolders are not searched. All functions throw Error naming the folder if it cannot be listed.
 #pragma once
@@ -11,14 +10,13 @@
 
 namespace lippmann {
 
-/// Whether a folder can be taken for views without being told so: it holds two or more pictures and, beside them, only
-/// subfolders, notes (.txt, .md, .pdf, .xmp) and what file managers leave (Thumbs.db, desktop.ini, hidden files). Opens
-/// no file.
+/// Returns whether a folder can be treated as views by default: it holds at least two pictures and otherwise only subfolders,
+/// notes (.txt, .md, .pdf, .xmp) and files of file managers (Thumbs.db, desktop.ini, hidden files). Opens no file.
 bool is_picture_folder(const std::filesystem::path& folder);
 
-/// The pictures of a folder, whatever else it holds; one call of `warn` names what is left out. Reads their headers, decodes
-/// none. Throws Error if there are fewer than two, if they differ in size or kind of samples (the message lists those that do),
-/// or if two have the same name but for the ending.
+/// Returns the pictures of a folder, ignoring other files; one call of `warn` lists those. Reads the pictures' headers only.
+/// Throws Error if there are fewer than two, if they differ in size or sample type (listing the differences), or if two names
+/// differ only in their extension.
 std::vector<std::filesystem::path> pictures_of_views(const std::filesystem::path& folder,
                                                      const std::function<void(std::string_view)>& warn = {});
 

@@ -1,4 +1,4 @@
-// The samples of pictures of any depth, for code that is the same for all.
+// Uniform access to the samples of pictures of any bit depth.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace lippmann {
 
-/// Row by row, channels side by side; of Image, Image8 or Image16.
+/// Returns the samples of Image, Image8 or Image16: row by row, with interleaved channels.
 template <class T>
 auto& samples_of(T& image) {
   if constexpr (std::is_same_v<std::remove_const_t<T>, Image>)
@@ -17,7 +17,7 @@ auto& samples_of(T& image) {
     return image.rgb;
 }
 
-/// What a sample becomes that was mixed of others: of codes the nearest one.
+/// Converts a mixed value to a sample; rounds integers.
 template <class Sample>
 Sample nearest_sample(double value) {
   return static_cast<Sample>(std::is_floating_point_v<Sample> ? value : std::floor(value + 0.5));

@@ -1,5 +1,5 @@
-// The raw picture of a plenoptic camera: what its sensor sees behind lenses of any pitch, turned by any angle. It is read only;
-// `eslf` and `integral` hold the same views below lenses of whole pixels.
+// The raw picture of a plenoptic camera: the sensor image behind lenses of any pitch and rotation. Read-only; `eslf` and
+// `integral` hold the same views below lenses of whole pixels.
 #include <fmt/format.h>
 
 #include <functional>
@@ -18,14 +18,14 @@ namespace fs = std::filesystem;
 
 struct RawPicture {
   Picture picture;
-  std::optional<LensGrid> grid;  ///< that its container or side file states
+  std::optional<LensGrid> grid;  ///< from its container or side file
 };
 
 RawPicture read_raw(const fs::path& path, const std::function<void(std::string_view)>& warn) {
   if (!is_lytro_raw(path)) return {read_picture(path, warn), read_lens_grid(path)};
   const LytroRaw raw = read_lytro(path);
   if (raw.orientation != 1 && warn)
-    warn(fmt::format("{}: its orientation {} is not applied: views are as the sensor saw them.", path.string(),
+    warn(fmt::format("{}: its orientation {} is not applied: the views have the sensor's orientation.", path.string(),
                      raw.orientation));
   return {developed(raw), raw.grid};
 }
@@ -44,8 +44,8 @@ LightField read_plenoptic(const fs::path& path, const FormatOptions& options) {
   return plenoptic_views(light, calibration, views, raw.picture, path.string());
 }
 
-std::vector<fs::path> refuse_to_write(const LightField&, const fs::path&, const FormatOptions&) {
-  throw usage_error("to", "raw plenoptic pictures are read, and not written", "eslf or integral, which hold the same views");
+std::vector<fs::path> write_plenoptic(const LightField&, const fs::path&, const FormatOptions&) {
+  throw usage_error("to", "raw plenoptic pictures can only be read", "eslf or integral, which hold the same views");
 }
 
 }  // namespace
@@ -56,11 +56,11 @@ Image read_white(const fs::path& path) {
 
 LightFieldFormat plenoptic_format() {
   return {.name = "plenoptic",
-          .is =
+          .description =
               "raw picture of a plenoptic camera (Lytro .lfr, or any by `white` or `lens-pitch-px`), lenses of any pitch and "
               "angle; read only",
           .read = read_plenoptic,
-          .write = refuse_to_write,
+          .write = write_plenoptic,
           .reads = {.views = true, .plenoptic = true}};
 }
 

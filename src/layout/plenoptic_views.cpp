@@ -21,13 +21,13 @@ double lanczos_weight(double x) {
   return kLobes * std::sin(t) * std::sin(t / kLobes) / (t * t);
 }
 
-/// The weights of samples around a place between them; they add up to 1.
+/// The weights of samples around a position between them; they sum to 1.
 struct SampleTaps {
   int first = 0, count = 0;
   std::array<double, std::size_t{2} * kLobes> weight{};
 };
 
-/// `at`: sample i lies at i.
+/// Returns the weights at `at`; sample i lies at i.
 SampleTaps sample_taps(double at, bool lanczos) {
   SampleTaps taps;
   const int reach = lanczos ? kLobes : 1;
@@ -44,7 +44,7 @@ SampleTaps sample_taps(double at, bool lanczos) {
   return taps;
 }
 
-/// The light at a place of the picture; its edges go on.
+/// Returns the interpolated light at a position, with clamped edges.
 Vec3f sample_light(const Image& light, Vec2d place, bool lanczos) {
   const SampleTaps across = sample_taps(place.x - 0.5, lanczos), down = sample_taps(place.y - 0.5, lanczos);
   Vec3f sum(0.0f);
@@ -60,7 +60,7 @@ Vec3f sample_light(const Image& light, Vec2d place, bool lanczos) {
   return sum;
 }
 
-/// Lenses of a range of columns and rows, both ends included.
+/// A range of columns and rows of lenses, both ends included.
 struct LensRange {
   int left, right, top, bottom;
   int columns() const { return right - left + 1; }
@@ -71,12 +71,12 @@ struct LensRange {
 class LensRangeSearch {
  public:
   LensRangeSearch(const LensGrid& grid, Vec2d size, Vec2d reach) : grid_(grid), size_(size) {
-    constexpr double kSlackPx = 0.25;  // what an estimated offset may be wrong by
+    constexpr double kSlackPx = 0.25;  // tolerance for errors of an estimated offset
     const double c = std::abs(std::cos(grid.rotation)), s = std::abs(std::sin(grid.rotation));
     margin_ = Vec2d(c * reach.x + s * reach.y, s * reach.x + c * reach.y) + 0.5 - kSlackPx;
   }
 
-  /// Starts with all lenses and drops the side of which most lies outside, until nothing does.
+  /// Starts with all lenses and repeatedly drops the side with the largest share of lenses outside.
   LensRange find() const {
     LensRange range = all();
     while (range.columns() > 0 && range.rows() > 0) {
@@ -109,7 +109,7 @@ class LensRangeSearch {
     return range;
   }
 
-  /// The share of lenses whose samples lie outside, of those of a row or column.
+  /// Returns the share of a row's or column's lenses whose samples lie outside.
   double share_outside(Vec2i first, Vec2i last) const {
     int outside = 0, count = 0;
     for (int j = first.y; j <= last.y; ++j)
@@ -124,7 +124,7 @@ class LensRangeSearch {
   Vec2d size_, margin_;
 };
 
-/// One view: a sample of each lens, and of hexagonal grids the rows resampled to square pixels.
+/// Samples views: one sample per lens, with rows of hexagonal grids resampled to square pixels.
 class ViewSampler {
  public:
   ViewSampler(const Image& light, const LensGrid& grid, const LensRange& range, bool lanczos)
@@ -137,12 +137,12 @@ class ViewSampler {
 
   Vec2i size() const {
     if (grid_.arrangement == LensArrangement::kSquare) return {range_.columns(), range_.rows()};
-    // From the first lens of the shifted rows to the last one of the others.
+    // From the first lens of the shifted rows to the last lens of the others.
     const double span_px = (range_.columns() - 1.5) * grid_.pitch_px;
     return {static_cast<int>(std::floor(span_px / grid_.row_pitch_px + 1e-9)) + 1, range_.rows()};
   }
 
-  /// `offset_px`: from the centre of each lens, along the grid.
+  /// Samples a view. `offset_px`: from the centre of each lens, along the grid.
   Image view(Vec2d offset_px) const {
     const Vec2d from = grid_.offset_px + right_ * (offset_px.x / grid_.pitch_px) + down_ * (offset_px.y / grid_.row_pitch_px);
     const Vec2i extent = size();
@@ -163,7 +163,7 @@ class ViewSampler {
   }
 
  private:
-  /// The place of a square pixel among the lenses of a row.
+  /// Returns the position of a square pixel along a row of lenses.
   double place_in_row(int pixel, int row) const {
     const double from_left = 0.5 + pixel * grid_.row_pitch_px / grid_.pitch_px;
     return from_left - shift_of(row);
@@ -185,7 +185,7 @@ class ViewSampler {
   const LensGrid& grid_;
   const LensRange& range_;
   bool lanczos_;
-  Vec2d right_, down_;  // from a lens to the next
+  Vec2d right_, down_;  // steps between lenses
 };
 
 Image swap_axes(const Image& image) {
@@ -198,10 +198,10 @@ Image swap_axes(const Image& image) {
 void check_views(const ViewGrid& views, const LensGrid& grid, const std::string& where) {
   const int most = static_cast<int>(std::ceil(std::max(grid.pitch_px, grid.row_pitch_px)));
   if (views.columns > most || views.rows > most)
-    throw usage_error("views",
-                      fmt::format("{} has lenses of {:.5g} pixels, and {}x{} views do not lie below one", where, grid.pitch_px,
-                                  views.columns, views.rows),
-                      fmt::format("up to {}x{}", most, most));
+    throw usage_error(
+        "views",
+        fmt::format("{} has lenses of {:.5g} pixels, too few for {}x{} views", where, grid.pitch_px, views.columns, views.rows),
+        fmt::format("up to {}x{}", most, most));
 }
 
 }  // namespace
@@ -222,8 +222,8 @@ void divide_by_white(Image& light, const Image& white, const std::string& where)
   if (light.width != white.width || light.height != white.height)
     throw Error(
         where,
-        fmt::format("has {}x{} pixels, and the white picture {}x{}", light.width, light.height, white.width, white.height),
-        "pictures of one camera");
+        fmt::format("has {}x{} pixels, but the white picture has {}x{}", light.width, light.height, white.width, white.height),
+        "pictures of the same camera");
   for (std::size_t i = 0; i < white.data.size(); ++i)
     for (std::size_t c = 0; c < 3; ++c) light.data[3 * i + c] /= std::max(white.data[i], kLeastWhite);
 }
@@ -247,7 +247,7 @@ LightField plenoptic_views(const Image& light, const PlenopticCalibration& calib
   if (range.columns() < 2 || range.rows() < 2)
     throw Error(
         where,
-        fmt::format("fewer than 2x2 lenses of {:.5g} pixels lie in its {}x{} pixels", grid.pitch_px, light.width, light.height),
+        fmt::format("has fewer than 2x2 lenses of {:.5g} pixels in {}x{} pixels", grid.pitch_px, light.width, light.height),
         "the lens pitch and the offset of this picture");
   const ViewSampler sampler(picture, grid, range, calibration.lanczos);
   LightField field;

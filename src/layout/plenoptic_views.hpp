@@ -1,9 +1,9 @@
-// Views of a raw plenoptic picture: one sample of each view below each lens.
+// Extracts views from a raw plenoptic picture: one sample per view below each lens.
 //
 // View (a, b) of a C x R grid is sampled a - (C - 1) / 2 pixels right and b - (R - 1) / 2 pixels above the centre of every
-// lens, along the axes of the lens grid (the other way round if the calibration says inverted). A view has one pixel per lens
-// of the largest rectangle of lenses within the picture. Rows of hexagonal grids are resampled to square pixels, as wide as
-// rows are apart.
+// lens, along the axes of the lens grid (in opposite directions if the calibration is inverted). A view has one pixel per lens
+// in the largest rectangle of lenses within the picture. Rows of hexagonal grids are resampled to square pixels of the row
+// pitch.
 #pragma once
 
 #include <filesystem>
@@ -14,22 +14,22 @@
 
 namespace lippmann {
 
-/// Divides light by the white picture, of the same size; what gets less than a twentieth of the light is divided by that.
-/// Throws Error naming `where` if the sizes differ.
+/// Divides light by a white picture of the same size; white values below a twentieth are clamped. Throws Error naming `where`
+/// if the sizes differ.
 void divide_by_white(Image& light, const Image& white, const std::string& where);
 
-/// The grey of a picture of flat white light, 1 where it is brightest (the upper half percent), 1 channel.
+/// Returns the grey of a picture of uniform white light, normalised to 1 at its brightest (the upper half percent), 1 channel.
 Image white_shares(const Image& light);
 
-/// The white_shares of a picture file. Throws Error naming the file.
+/// Reads a white picture and returns its white_shares(). Throws Error naming the file.
 Image read_white(const std::filesystem::path& path);
 
-/// The number of views that are sampled by default: as many as whole pixels lie below a lens.
+/// Returns the default number of views: the whole pixels below a lens.
 ViewGrid default_plenoptic_views(const LensGrid& grid);
 
-/// `light`: linear, 3 channels. `like`: a picture with samples of the kind that views get. calibration.grid is given;
-/// calibration.white is not looked at. Throws Error naming `where` if fewer than 2 x 2 lenses lie in the picture, and a usage
-/// Error naming "views" for more views than pixels below a lens.
+/// Extracts the views of `light` (linear, 3 channels). `like`: a picture with the sample type of the result. calibration.grid
+/// must be set; calibration.white is ignored. Throws Error naming `where` if fewer than 2 x 2 lenses lie in the picture, and a
+/// usage Error naming "views" for more views than pixels below a lens.
 LightField plenoptic_views(const Image& light, const PlenopticCalibration& calibration, ViewGrid views, const Picture& like,
                            const std::string& where);
 

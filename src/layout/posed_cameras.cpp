@@ -31,7 +31,8 @@ std::optional<ViewCameras> shared_plane(const std::vector<PosedCamera>& cameras)
   const auto from_first = [&](const PosedCamera& c) {
     return glm::transpose(first.rotation) * (c.position_mm - first.position_mm);
   };
-  // The principal point moves with the eye, the more the nearer the plane in which views coincide. The longest way counts.
+  // The principal point shifts with the eye, by an amount inversely proportional to the distance of the plane with zero
+  // disparity. Use the longest shift.
   double distance = 0.0, longest = 0.0, extent = 0.0;
   for (const PosedCamera& c : cameras) {
     const Vec3d by_mm = from_first(c);
@@ -56,7 +57,7 @@ std::optional<ViewCameras> shared_plane(const std::vector<PosedCamera>& cameras)
       return std::nullopt;
     shared.eyes_mm.emplace_back(eye);
   }
-  // The first eye is the origin so far. The picture of the display's middle lies in the middle of the views.
+  // So far the origin is at the first eye. Move it so that the display's middle appears in the middle of the views.
   const Vec2d middle = (0.5 * Vec2d(first.size) - shared.centre_px) * shared.pixel_mm * Vec2d(1.0, -1.0);
   for (Vec2d& eye : shared.eyes_mm) eye -= middle;
   shared.centre_px = 0.5 * Vec2d(first.size);
@@ -88,8 +89,8 @@ glm::dmat3 checked_rotation(const double (&rows)[9], const std::string& where) {
   for (int column = 0; column < 3; ++column)
     for (int row = 0; row < 3; ++row) error = std::max(error, std::abs(product[column][row] - (row == column ? 1.0 : 0.0)));
   if (!(error <= kTolerance))
-    throw Error(where, fmt::format("is no rotation: its columns are not perpendicular unit vectors, by {:.3g}", error),
-                fmt::format("a rotation to {}", kTolerance));
+    throw Error(where, fmt::format("is not a rotation: its columns deviate from perpendicular unit vectors by {:.3g}", error),
+                fmt::format("a rotation matrix exact to {}", kTolerance));
   if (!(glm::determinant(rotation) > 0.0))
     throw Error(where, "is left-handed: it mirrors the camera's axes", "a rotation with determinant 1");
   rotation[0] = glm::normalize(rotation[0]);

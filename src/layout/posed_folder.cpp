@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Other writers leave the ending out: "./train/r_0" is r_0.png.
+/// Returns the path of a listed picture. Some writers omit the extension: "./train/r_0" is r_0.png.
 fs::path listed_picture(const fs::path& folder, const fs::path& file, const PosedPicture& picture) {
   for (const char* ending : {"", ".png", ".jpg", ".exr"})
     if (const fs::path path = folder / (picture.picture + ending); is_regular_file_there(path)) return path;
@@ -31,15 +31,15 @@ fs::path listed_picture(const fs::path& folder, const fs::path& file, const Pose
               "a picture in " + folder.string());
 }
 
-/// Takes what a file does not state from the picture's size.
+/// Completes missing camera values from the picture's size.
 void complete(PosedPicture& picture, Vec2i size, const std::string& where) {
   PosedCamera& camera = picture.camera;
   if (camera.size == Vec2i(0, 0)) camera.size = size;
   if (camera.size != size)
     throw Error(where,
-                fmt::format("{}: its camera has {}x{} pixels, and the picture {} has {}x{}", picture.entry, camera.size.x,
+                fmt::format("{}: its camera has {}x{} pixels, but the picture {} has {}x{}", picture.entry, camera.size.x,
                             camera.size.y, shown(picture.picture), size.x, size.y),
-                "a camera and a picture of one size");
+                "a camera and a picture of the same size");
   if (picture.angle_x > 0.0) camera.focal_px = Vec2d(0.5 * size.x / std::tan(0.5 * picture.angle_x));
   if (!picture.has_principal_px) camera.principal_px = 0.5 * Vec2d(size);
 }
@@ -57,9 +57,9 @@ void reorder(std::vector<T>& values, const std::vector<std::size_t>& order) {
   values = std::move(sorted);
 }
 
-/// Sorts views row by row upwards, each to the right, and returns how many rows there are.
+/// Sorts views row by row upwards, each from left to right, and returns the number of rows.
 int sort_as_rows(ViewCameras& cameras, std::vector<PosedPicture>& pictures) {
-  constexpr double kSameRow = 1e-4;  // of the extent: calibrated rows are not level to the last digit
+  constexpr double kSameRow = 1e-4;  // relative to the extent: calibrated rows are not exactly level
   std::vector<std::size_t> order(pictures.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto eye = [&](std::size_t i) { return cameras.eyes_mm[i]; };
@@ -85,7 +85,7 @@ ViewGrid posed_grid(std::vector<PosedPicture>& pictures, std::optional<ViewCamer
   ViewGrid grid{count, 1};
   if (count % rows == 0 && rows > 1 && common_baseline_mm(*cameras, {count / rows, rows})) grid = {count / rows, rows};
   if (options.views && options.views->count() != count)
-    throw usage_error("views", fmt::format("{}x{} are not as many as the {} pictures in {}", options.views->columns,
+    throw usage_error("views", fmt::format("{}x{} does not match the {} pictures in {}", options.views->columns,
                                            options.views->rows, count, file.string()));
   return options.views.value_or(grid);
 }
@@ -95,13 +95,14 @@ Image read_planar_depth(const fs::path& path, Vec2i size) {
   const NpyArray array = parse_npy(read_recorded_bytes(path, kMaxBytes, "a .npy file"), path.string());
   const std::vector<std::size_t> shape{static_cast<std::size_t>(size.y), static_cast<std::size_t>(size.x)};
   if (array.shape != shape)
-    throw Error(path.string(), "is no depth of its picture", fmt::format("{} rows of {} floats", size.y, size.x));
+    throw Error(path.string(), "does not match its picture", fmt::format("{} rows of {} floats", size.y, size.x));
   Image depth(size.x, size.y, 1);
   std::transform(array.values.begin(), array.values.end(), depth.data.begin(), [](double d) { return static_cast<float>(d); });
   return depth;
 }
 
-/// Reads the depth of all views, or of none if one of them has none that is known: other files hold codes of an unknown unit.
+/// Reads the depth of all views, or no depth if it is missing for one of them. Ignores formats other than .npy, whose unit is
+/// unknown.
 void read_depths(const fs::path& folder, const std::vector<PosedPicture>& pictures, LightField& field) {
   for (const PosedPicture& picture : pictures)
     if (!picture.depth.ends_with(".npy") || !is_regular_file_there(folder / picture.depth)) return;
@@ -125,7 +126,7 @@ void write_array(const fs::path& path, const Image& image) {
   write_file_atomically(path, encode_npy(std::span<const float>(image.data), shape));
 }
 
-/// One view that write_posed_view wrote.
+/// Reads a view written by write_posed_view().
 LightField field_of_picture(const fs::path& folder, const PosedPicture& picture, bool with_colours) {
   LightField field;
   field.grid = {1, 1}, field.view_size = picture.camera.size;
@@ -161,7 +162,7 @@ std::string ray_length_name(const std::string& depth_name) {
 
 LightField read_posed_pictures(const fs::path& folder, const fs::path& file, std::vector<PosedPicture> pictures,
                                const FormatOptions& options) {
-  if (pictures.empty()) throw Error(file.string(), "lists no pictures", "one or more");
+  if (pictures.empty()) throw Error(file.string(), "lists no pictures", "at least one");
   const Vec2i size = size_of(read_picture(listed_picture(folder, file, pictures.front())));
   for (PosedPicture& picture : pictures) complete(picture, size, file.string());
   std::optional<ViewCameras> cameras = shared_plane(cameras_of(pictures));
@@ -169,7 +170,7 @@ LightField read_posed_pictures(const fs::path& folder, const fs::path& file, std
   std::vector<fs::path> by_view;
   for (const PosedPicture& picture : pictures) by_view.push_back(listed_picture(folder, file, picture));
   LightField field = read_view_files(by_view, grid, options);
-  if (options.fit_view) return field;  // its views have other sizes
+  if (options.fit_view) return field;  // fitted views have other sizes
   if (cameras)
     field.cameras = std::move(cameras);
   else

@@ -1,6 +1,6 @@
-// Folders of pictures whose cameras stand in a file beside them: nerf, colmap and llff.
+// Common parts of the formats nerf, colmap and llff: folders of pictures with a camera file.
 //
-// Written: images/000.png, ... by view. Lengths in the files are metres; those of a LightField are millimetres.
+// Pictures are written as images/000.png, ... by view. Lengths are metres in the files and millimetres in a LightField.
 #pragma once
 
 #include <filesystem>
@@ -12,69 +12,69 @@
 
 namespace lippmann {
 
-inline constexpr double kMmPerUnit = 1000.0;  ///< of the files
+inline constexpr double kMmPerUnit = 1000.0;  ///< unit of the files
 
-/// A picture as a file of cameras lists it.
+/// A picture as listed in a camera file.
 struct PosedPicture {
-  std::string entry;             ///< its place in the file, for messages: "frames[3]"
-  std::string picture, depth;    ///< paths inside the folder; an empty depth: none
-  PosedCamera camera;            ///< a size of 0 x 0: as the picture has it
-  double angle_x = 0.0;          ///< the horizontal field of view, where the file states no focal length; else 0
-  bool has_principal_px = true;  ///< otherwise it is the middle of the picture
+  std::string entry;             ///< position in the file, for messages: "frames[3]"
+  std::string picture, depth;    ///< paths inside the folder; empty depth: none
+  PosedCamera camera;            ///< size 0 x 0: from the picture
+  double angle_x = 0.0;          ///< horizontal field of view if the file has no focal length; else 0
+  bool has_principal_px = true;  ///< false: the middle of the picture
 };
 
-/// Throws Error naming `where` for a path that is empty, absolute, longer than 1000 characters, or leads out of the folder.
+/// Throws Error naming `where` if a path is empty, absolute, longer than 1000 characters, or leads outside the folder.
 void check_inner_path(const std::string& path, const std::string& where);
 
-/// "images/000.png" of a view, with as many digits as `count` views need, so that names sort as views.
+/// Returns "images/000.png" for a view, with enough digits for `count` views, so that names sort as views.
 std::string posed_picture_name(int view, int count, const char* ending);
 
-/// "depth/000.npy", and "depth/000_ray.npy" for the lengths of rays beside it.
+/// Return "depth/000.npy", and "depth/000_ray.npy" for the ray lengths beside it.
 std::string posed_depth_name(int view, int count);
 std::string ray_length_name(const std::string& depth_name);
 
-/// Reads the pictures and arranges them: cameras that share a plane as a grid from the lowest left, others in the order of the
-/// file, as one row unless `options` has a grid. `file` is the file that lists them. Throws Error naming it and the entry where
-/// a picture is missing or has another size.
+/// Reads the pictures and arranges them: cameras that share a plane as a grid from the lower left; others in file order, as one
+/// row unless `options` has a grid. `file` is the camera file. Throws Error naming it and the entry if a picture is missing or
+/// has another size.
 LightField read_posed_pictures(const std::filesystem::path& folder, const std::filesystem::path& file,
                                std::vector<PosedPicture> pictures, const FormatOptions& options);
 
-/// Writes images/000.png, ... and returns their paths, by view.
+/// Writes images/000.png, ... and returns the paths by view.
 std::vector<std::filesystem::path> write_posed_pictures(const LightField& field, const std::filesystem::path& folder);
 
-/// The length of the ray to the point that each pixel shows, from its planar depth; 0: nothing is there.
+/// Converts planar depth to the length of the ray through each pixel; 0: no surface.
 Image ray_lengths(const Image& planar_depth, const PosedCamera& camera);
 
-/// Writes planar depth and ray lengths of a view into `folder`, times `scale`: depth/NNN.npy and depth/NNN_ray.npy, whose
-/// folder exists. 0: nothing is there.
+/// Writes planar depth and ray lengths of a view, multiplied by `scale`, to depth/NNN.npy and depth/NNN_ray.npy in `folder`.
+/// The folder depth must exist. 0 means no surface.
 std::vector<std::filesystem::path> write_posed_depth(const LightField& field, int view, const PosedCamera& camera,
                                                      const std::filesystem::path& folder, const std::string& name,
                                                      double scale = 1.0);
 
-/// A light field of one view as one of the views of a larger set.
+/// The place of a single-view light field in a larger set.
 struct ViewOfSet {
   int number = 0, count = 1;
-  double depth_scale = 1.0;  ///< written depth for a millimetre
+  double depth_scale = 1.0;  ///< factor of depths in the files
 };
 
-/// Writes images/NNN.png, and depth as above if there is any. Folders are made. Returns what was written.
+/// Writes images/NNN.png and, if there is any, depth as above. Creates folders. Returns the files written.
 std::vector<std::filesystem::path> write_posed_view(const LightField& field, const std::filesystem::path& folder,
                                                     const ViewOfSet& view);
 
-/// A point of the world, seen in a picture.
+/// A coloured point in the world.
 struct CloudPoint {
   Vec3d position_mm;
   unsigned char rgb[3];
 };
 
-/// Every n-th pixel across and down of every view, back-projected by its depth: at most about `most` points. Empty without
+/// Back-projects every n-th pixel across and down of every view by its depth, to about `most` points at most. Empty without
 /// depth.
 std::vector<CloudPoint> point_cloud(const LightField& field, const std::vector<PosedCamera>& cameras, std::size_t most);
 
-/// The least and the greatest planar depth in mm; without depth, 100 mm and 100 m.
+/// Returns the least and the greatest planar depth in mm; without depth, 100 mm and 100 m.
 Vec2d depth_bounds_mm(const LightField& field);
 
-/// The same of pictures of which write_posed_view wrote all, read one by one.
+/// Do the same for pictures written by write_posed_view(), reading them one by one.
 std::vector<CloudPoint> cloud_of_pictures(const std::filesystem::path& folder, const std::vector<PosedPicture>& pictures,
                                           std::size_t most);
 Vec2d depth_bounds_of_pictures(const std::filesystem::path& folder, const std::vector<PosedPicture>& pictures);

@@ -1,10 +1,10 @@
-// A is symmetric and positive definite up to the sum of weights that stands before what lies at an edge, which goes to the
-// other side: (weights - edges) v' = sums v. Within bounds, that is a linear complementarity problem, solved by projected
+// A is symmetric and positive definite, apart from the normalisation of weights at edges, which moves to the other side:
+// (weights - edges) v' = sums v. With bounds, this is a linear complementarity problem, which we solve by projected
 // Gauss-Seidel: Cryer, "The solution of a quadratic programming problem using systematic overrelaxation", SIAM J. Control 9,
-// 1971. Where no bound is met it gives the plain inverse.
+// 1971. Where no bound is reached, the result is the plain inverse.
 //
-// Lines of samples that lie next to one another for the lenses are independent. Microlenses and camera grids leak along two
-// axes, A = Ax Ay: Ay is inverted first, without bounds, then Ax within them.
+// Lines of neighbouring samples are independent. Microlenses and camera grids have crosstalk along two axes, A = Ax Ay: we
+// first invert Ay without bounds, then Ax with bounds.
 #include "layout/precompensate.hpp"
 
 #include <fmt/format.h>
@@ -23,11 +23,11 @@
 namespace lippmann {
 namespace {
 
-constexpr double kExact = 1e-7;  ///< in linear light: far below a step of 16-bit codes
+constexpr double kExact = 1e-7;  ///< in linear light; far below a 16-bit step
 constexpr int kMaxSweeps = 2000;
 
-/// Samples that are neighbours of one another, as offsets from where a line begins, and where lines begin: at every one of
-/// `across` floats of `rows` rows.
+/// Lines of neighbouring samples, as offsets from the start of a line. Lines start at every one of `across` floats of `rows`
+/// rows.
 struct Lines {
   std::vector<std::size_t> sample;
   std::size_t across = 0, rows = 0, row_stride = 0;
@@ -38,12 +38,12 @@ struct Bounds {
 };
 constexpr Bounds kLight{0.0, 1.0}, kNoBounds{-INFINITY, INFINITY};
 
-/// The same sample of several lines, which are worked on together.
+/// The same sample of several lines, which are processed together.
 constexpr std::size_t kLanes = 8;
 using Lane = std::array<double, kLanes>;
 
-/// A along lines of that length: weights of a pixel itself, of its neighbours, of theirs, and of each sample the sum of all
-/// weights that lie in the line.
+/// A along lines of one length: the weights of a pixel, its neighbours, their neighbours, ..., and for each sample the sum of
+/// the weights inside the line.
 struct Leak {
   std::vector<double> weights, sums;
 
@@ -76,7 +76,7 @@ LIPPMANN_MULTIVERSION void leak_lines(const Leak& leak, const Lane* shown, Lane*
   }
 }
 
-/// How much a sweep changed the sample that it changed most, and how many samples would lie beyond their bounds.
+/// The largest change of a sweep, and the number of samples clipped to their bounds.
 struct Swept {
   Lane change{}, clipped{};
 };
@@ -98,7 +98,7 @@ LIPPMANN_MULTIVERSION void sweep(const Leak& leak, const Lane* wanted, Bounds bo
   }
 }
 
-/// Returns how many of the samples stopped at a bound.
+/// Solves lines and returns the number of clipped samples.
 std::size_t solve_lines(const Leak& leak, const std::vector<Lane>& wanted, Bounds bounds, std::vector<Lane>& shown) {
   shown = wanted;
   Swept swept;
@@ -110,7 +110,7 @@ std::size_t solve_lines(const Leak& leak, const std::vector<Lane>& wanted, Bound
   return static_cast<std::size_t>(std::accumulate(swept.clipped.begin(), swept.clipped.end(), 0.0));
 }
 
-/// change(leak, samples of kLanes lines) for all lines; where there are no more, samples are 0.
+/// Calls change(leak, samples of kLanes lines) for all lines; missing lines of the last batch are 0.
 template <class Change>
 void for_each_line(const std::vector<Lines>& all, double sigma_px, Image& picture, Change change) {
   for (const Lines& lines : all) {
@@ -133,7 +133,7 @@ void for_each_line(const std::vector<Lines>& all, double sigma_px, Image& pictur
   }
 }
 
-/// Along which lines what the optics show leaks, across and up.
+/// The lines along which the optics have crosstalk, across and up.
 struct LinesOfAxes {
   std::vector<Lines> across, up;
 };
@@ -149,7 +149,7 @@ LinesOfAxes lines_of_panel(const Image& picture) {
   return {{{counted(width, 3), 3, height, 3 * width}}, {{counted(height, 3 * width), 3 * width, 1, 0}}};
 }
 
-/// The same pixel of every view.
+/// Returns lines through the same pixel of every view.
 LinesOfAxes lines_of_views(const Image& picture, const ViewTiles& views) {
   const auto columns = static_cast<std::size_t>(views.columns), rows = static_cast<std::size_t>(views.rows);
   const std::size_t row_stride = 3 * static_cast<std::size_t>(picture.width);
@@ -174,7 +174,7 @@ LinesOfAxes lines_of_views(const Image& picture, const ViewTiles& views) {
   return all;
 }
 
-/// What an eye sees of it.
+/// Applies the crosstalk to a picture.
 void leak_light(const LinesOfAxes& lines, Vec2d sigma, Image& picture) {
   const auto leak_line = [seen = std::vector<Lane>()](const Leak& leak, std::vector<Lane>& samples) mutable {
     seen.resize(samples.size());
@@ -196,15 +196,15 @@ double largest_difference(const Image& a, const Image& b) {
 
 Precompensation precompensate(const Optics& optics, double sigma_px, const char* where, Image& picture) {
   if (crosstalk_sigmas(optics, 1.0) == Vec2d(0.0))
-    throw usage_error(where, "a single view has no neighbours", "optics of several");
+    throw usage_error(where, "a single view has no neighbours", "optics with several views");
   const Vec2d sigma = crosstalk_sigmas(optics, sigma_px);
   if (!(std::max(sigma.x, sigma.y) <= kMaxPrecompensatedPx))
     throw usage_error(where,
-                      fmt::format("neighbours that leak into one another by a sigma of {:.3g} pixels (views) cannot be told "
-                                  "apart again",
+                      fmt::format("crosstalk with a sigma of {:.3g} pixels (views) is too strong to be "
+                                  "compensated",
                                   std::max(sigma.x, sigma.y)),
-                      fmt::format("at most {} pixels or views: fewer views, or none of it", kMaxPrecompensatedPx));
-  for (float& value : picture.data) value = value > 0.0f ? std::min(value, 1.0f) : 0.0f;  // NaN: 0
+                      fmt::format("at most {} pixels or views; use fewer views or no precompensation", kMaxPrecompensatedPx));
+  for (float& value : picture.data) value = value > 0.0f ? std::min(value, 1.0f) : 0.0f;  // NaN becomes 0
   const std::optional<ViewTiles> views = view_tiles(optics);
   const LinesOfAxes lines = views ? lines_of_views(picture, *views) : lines_of_panel(picture);
   const Image wanted = picture;
@@ -227,7 +227,7 @@ Precompensation precompensate(const Optics& optics, double sigma_px, const char*
 Precompensation precompensate_encoded(const Optics& optics, double sigma_px, Encoding encoding, const char* where,
                                       Image& film) {
   if (encoding == Encoding::kSrgb) return precompensate(optics, sigma_px, where, film);
-  // Display-referred values: the light that they become is what adds up.
+  // Crosstalk mixes linear light, so convert display-referred values first.
   for (float& value : film.data) value = static_cast<float>(linear_from_srgb(value > 0.0f ? std::min(value, 1.0f) : 0.0f));
   const Precompensation done = precompensate(optics, sigma_px, where, film);
   for (float& value : film.data) value = static_cast<float>(srgb_from_linear(value));

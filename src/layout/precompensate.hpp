@@ -1,8 +1,8 @@
-// Pictures of which a display's crosstalk (optics/crosstalk.hpp) makes the wanted ones.
+// Precompensates pictures for a display's crosstalk (optics/crosstalk.hpp).
 //
-// An eye sees A v' where v' is shown, A the share of each neighbour: views are looked for of which it sees v. Light cannot be
-// negative, nor brighter than the display, so that v' is found within 0 ... 1 that comes nearest; where it has to stop at these
-// bounds, contrast is out of reach, and by how much is what comes back.
+// If the display shows v', an eye sees A v', where A holds the crosstalk weights. We look for v' such that the eye sees the
+// intended v. Light cannot be negative or exceed the display's white, so we find the closest solution within 0 ... 1. Where it
+// reaches these bounds, contrast is lost, and the result reports how much.
 #pragma once
 
 #include "lippmann/image/encoding.hpp"
@@ -12,15 +12,15 @@
 
 namespace lippmann {
 
-/// Larger sigmas leave so little of what tells neighbours apart (8 %) that there is nothing to gain.
+/// Largest supported sigma. Beyond it, too little of the difference between neighbours remains (8 %) to be restored.
 inline constexpr double kMaxPrecompensatedPx = 0.75;
 
-/// `picture`: what the panel is to show, 3 channels of linear light, above 1 as bright as the display is; a slanted panel's of
-/// whole pixels. It becomes what makes an eye see that. 0 <= sigma_px <= kMaxPrecompensatedPx. Throws a usage Error naming
-/// `where` for a larger one, and for optics without neighbours (a single view).
+/// Replaces a picture by one that makes an eye see the original. `picture`: the panel's picture, 3 channels of linear light,
+/// clamped to 1, the display's white; for a slanted panel, of whole pixels. 0 <= sigma_px <= kMaxPrecompensatedPx. Throws a
+/// usage Error naming `where` for a larger sigma, and for optics without neighbours (a single view).
 Precompensation precompensate(const Optics& optics, double sigma_px, const char* where, Image& picture);
 
-/// The same of a film of any encoding: of display-referred values the light that they are shown as.
+/// Does the same for a film of any encoding; display-referred values are converted to light and back.
 Precompensation precompensate_encoded(const Optics& optics, double sigma_px, Encoding encoding, const char* where, Image& film);
 
 }  // namespace lippmann

@@ -19,7 +19,7 @@ constexpr double kMarginMm = 10.0;
 
 int bleed_px(const Display& display, double bleed_mm) { return static_cast<int>(std::lround(bleed_mm / display.pixel_mm())); }
 
-/// Copies a box of a picture to a place in another one of the same kind.
+/// Copies a box of a picture to a position in another one with the same sample type.
 void copy_box(const Picture& from, const PixelBox& box, Picture& to, Vec2i corner) {
   const Vec2i from_size = size_of(from), to_size = size_of(to);
   std::visit(
@@ -34,7 +34,7 @@ void copy_box(const Picture& from, const PixelBox& box, Picture& to, Vec2i corne
       from);
 }
 
-/// The middle square inch of a box, or what there is of it.
+/// Returns the middle square inch of a box, or less if the box is smaller.
 PixelBox middle_inch(const PixelBox& box, double dpi) {
   const Vec2i size = glm::min(box.size(), Vec2i(static_cast<int>(std::lround(dpi))));
   const Vec2i from = box.from + (box.size() - size) / 2;
@@ -43,10 +43,11 @@ PixelBox middle_inch(const PixelBox& box, double dpi) {
 
 PixelBox grown(const PixelBox& box, int by) { return {box.from - by, box.to + by}; }
 
-/// Draws the marks around `trim`, in a picture whose margins are white.
+/// Draws the marks around `trim` in a picture with white margins.
 class PrintMarks {
  public:
-  /// `origin`: where the picture's first pixel lies in the display's. `picture` and `display` must outlive this object.
+  /// `origin`: position of the picture's first pixel in the display's picture. `picture` and `display` must outlive this
+  /// object.
   PrintMarks(Picture& picture, const PixelBox& trim, const PixelBox& bleed, const Display& display, Vec2i origin)
       : picture_(picture), trim_(trim), bleed_(bleed), display_(display), origin_(origin) {}
 
@@ -76,14 +77,14 @@ class PrintMarks {
   int px(double mm) const { return static_cast<int>(std::lround(mm / display_.pixel_mm())); }
   int thickness() const { return std::max(1, px(0.1)); }
 
-  /// A line along x or y, centred on it.
+  /// Draws a line along x or y, centred on the given coordinates.
   void line(Vec2i from, Vec2i to) {
     const int before = thickness() / 2, after = thickness() - before;
     const Vec2i across(from.x == to.x ? 1 : 0, from.y == to.y ? 1 : 0);
     fill_box(picture_, {from - before * across, to + after * across}, kBlackRgb);
   }
 
-  /// A cross with a ring.
+  /// Draws a cross with a ring.
   void target(Vec2i centre) {
     const int arm = px(2.5);
     line({centre.x - arm, centre.y}, {centre.x + arm, centre.y});
@@ -104,7 +105,7 @@ class PrintMarks {
       }
   }
 
-  /// The figures of the print, below its left half.
+  /// Writes the print's parameters below its left half.
   void legend(int middle) {
     std::string text = fmt::format("{:g} dpi", display_.dpi);
     if (display_.kind == DisplayKind::kLenticularSheet)
@@ -127,7 +128,7 @@ Display with_bleed(const Display& display, double bleed_mm) {
   const int bleed = bleed_px(display, bleed_mm);
   if (bleed == 0) return display;
   Display bled = display;
-  bled.viewing_distance_mm = viewing_distance_mm(display);  // its default depends on the height
+  bled.viewing_distance_mm = viewing_distance_mm(display);  // the default depends on the height
   bled.pixels += 2 * bleed;
   const LensStrips strips = lens_strips(display);
   if (bled.lenses.phase_px) *bled.lenses.phase_px += bleed * (1.0 - strips.sine / strips.cosine);
@@ -142,7 +143,7 @@ Picture finished(Picture bled, const Display& display, const PrintFinish& finish
     const PixelBox inch = middle_inch(trim, display.dpi);
     if (inch.size() == trim.size())
       throw usage_error("proof",
-                        fmt::format("the print of {}x{} pixels is no larger than an inch", inch.size().x, inch.size().y),
+                        fmt::format("the print of {}x{} pixels is not larger than an inch", inch.size().x, inch.size().y),
                         "a larger print");
     trim = inch;
   }

@@ -1,5 +1,5 @@
-// Four views in one picture, for Leia's displays: the leftmost at the top left, then at the top right, the bottom left and the
-// bottom right. A quilt of 2x2 tiles begins with the lower row.
+// Four views in one picture, for Leia's displays: from the leftmost view at the top left, top right, bottom left, bottom right.
+// A quilt of 2x2 tiles begins with the lower row instead.
 #include <fmt/format.h>
 
 #include "layout/packed_views.hpp"
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 constexpr ViewGrid kQuadViews{4, 1}, kQuadTiles{2, 2};
 constexpr ViewLayout kQuadAsQuilt{LayoutKind::kQuilt, kQuadViews, kQuadTiles};
 
-/// Returns the field with the views of the upper tiles in the lower ones.
+/// Returns the field with upper and lower tiles exchanged.
 LightField with_rows_exchanged(const LightField& field) {
   LightField exchanged = field;
   for (int view = 0; view < kQuadViews.count(); ++view) {
@@ -32,9 +32,10 @@ LightField read_quad(const fs::path& path, const FormatOptions& options) {
 
 std::vector<fs::path> write_quad(const LightField& field, const fs::path& path, const FormatOptions&) {
   if (field.grid != kQuadViews)
-    throw usage_error(
-        "to", fmt::format("a quad has 4 views from left to right, this light field {}x{}", field.grid.columns, field.grid.rows),
-        "4 views: `keep` says which of them, such as 5-41:12 of 48");
+    throw usage_error("to",
+                      fmt::format("a quad has 4 views from left to right, but the light field has {}x{}", field.grid.columns,
+                                  field.grid.rows),
+                      "4 views, selected by `keep`, such as 5-41:12 of 48");
   return write_packed(with_rows_exchanged(field), kQuadAsQuilt, with_quad_name(path));
 }
 
@@ -42,7 +43,7 @@ std::vector<fs::path> write_quad(const LightField& field, const fs::path& path, 
 
 LightFieldFormat quad_format() {
   return {.name = kQuadFormat,
-          .is = "four views in one picture, the leftmost at the top left (Leia)",
+          .description = "four views in one picture, the leftmost at the top left (Leia)",
           .read = read_quad,
           .write = write_quad};
 }

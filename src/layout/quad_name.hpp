@@ -1,5 +1,5 @@
-// Quads, four views in one picture, are called name_2x2.png, as Leia's programs call them; letters of either case, and marks of
-// copies (layout/copy_mark.hpp) may follow.
+// File names of quads, four views in one picture: name_2x2.png, as in Leia's programs; case-insensitive, with optional copy
+// marks (layout/copy_mark.hpp).
 #pragma once
 
 #include <filesystem>

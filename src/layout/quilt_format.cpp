@@ -1,4 +1,4 @@
-// Views side by side in one picture, as Looking Glass's programs read and write them: its name and its side file say how.
+// Views side by side in one picture, the format of Looking Glass's programs. Its name and its side file describe the tiles.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What flags, name and side file say together; a flag goes over both, which must agree.
+/// The description of a quilt from flags, name and side file. A flag overrides the others, which must agree.
 struct Quilt {
   ViewGrid tiles;
   int views = 0;
@@ -38,15 +38,15 @@ Quilt described(const fs::path& path, const FormatOptions& options) {
   }
   if (name && side && name->tiles != side->quilt.tiles)
     throw Error(path.string(),
-                fmt::format("its name says {}x{} tiles, and its side file {}x{}", name->tiles.columns, name->tiles.rows,
+                fmt::format("its name states {}x{} tiles, but its side file {}x{}", name->tiles.columns, name->tiles.rows,
                             side->quilt.tiles.columns, side->quilt.tiles.rows),
                 "`quilt` with the right one");
   if (side) return {side->quilt.tiles, side->views, side->inverted, side->quilt.aspect};
   return {name->tiles, name->tiles.count(), false, name->aspect};
 }
 
-/// The first view last.
-void turn_round(LightField& field) {
+/// Reverses the order of the views.
+void reverse_views(LightField& field) {
   const LightField from = field;
   for (int view = 0; view < field.grid.count(); ++view) {
     const int source = field.grid.count() - 1 - view;
@@ -59,10 +59,10 @@ LightField read_quilt(const fs::path& path, const FormatOptions& options) {
   const Quilt quilt = described(path, options);
   const ViewGrid grid = options.views.value_or(ViewGrid{quilt.views, 1});
   if (grid.count() != quilt.views)
-    throw usage_error("views", fmt::format("{}x{} views are not as many as {}x{} tiles", grid.columns, grid.rows,
-                                           quilt.tiles.columns, quilt.tiles.rows));
+    throw usage_error("views", fmt::format("{}x{} views do not match {}x{} tiles", grid.columns, grid.rows, quilt.tiles.columns,
+                                           quilt.tiles.rows));
   LightField field = read_packed(path, {LayoutKind::kQuilt, grid, quilt.tiles}, options.with_depth, options.warn);
-  if (quilt.inverted) turn_round(field);
+  if (quilt.inverted) reverse_views(field);
   field.tiles = quilt.tiles;
   field.aspect = quilt.aspect.value_or(static_cast<double>(field.view_size.x) / field.view_size.y);
   return field;
@@ -71,8 +71,8 @@ LightField read_quilt(const fs::path& path, const FormatOptions& options) {
 ViewGrid tiles_for(const LightField& field, const FormatOptions& options) {
   const int count = field.grid.count();
   if (options.tiles && options.tiles->count() != count)
-    throw usage_error(
-        "quilt", fmt::format("{}x{} tiles are not as many as {} views", options.tiles->columns, options.tiles->rows, count));
+    throw usage_error("quilt",
+                      fmt::format("{}x{} tiles do not match {} views", options.tiles->columns, options.tiles->rows, count));
   if (options.tiles) return *options.tiles;
   if (field.tiles && field.tiles->count() == count) return *field.tiles;
   return field.grid.rows > 1 ? field.grid : squarest_tiles(count);
@@ -91,7 +91,7 @@ std::vector<fs::path> write_quilt(const LightField& field, const fs::path& path,
 
 LightFieldFormat quilt_format() {
   return {.name = "quilt",
-          .is = "views side by side, the first at the bottom left (Looking Glass); `quilt`: tiles",
+          .description = "views side by side, the first at the bottom left (Looking Glass); `quilt`: tiles",
           .read = read_quilt,
           .write = write_quilt,
           .reads = {.views = true, .tiles = true},

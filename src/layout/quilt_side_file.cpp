@@ -16,11 +16,11 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int kMaxTiles = 9999;  ///< a side, as in names
+constexpr int kMaxTiles = 9999;  ///< per side, as in names
 
 constexpr std::string_view kOwnTable = "quilt_settings";
 
-/// The table that describes the quilt; empty: the document itself.
+/// Returns the key of the table that describes the quilt; empty: the document itself.
 std::string_view settings_table(const Json& json) {
   if (json.contains(kOwnTable)) return kOwnTable;
   return json.contains("quilt") && json["quilt"].is_object() ? "quilt" : "";
@@ -30,7 +30,7 @@ struct TileKeys {
   std::string_view columns, rows;
 };
 
-/// The names of the numbers of tiles; none if the table has no pair of them, unless it is certainly one of a quilt.
+/// Returns the keys of the numbers of tiles; none if the table has no such pair, unless it must describe a quilt.
 std::optional<TileKeys> tile_keys(const JsonFields& settings, bool is_quilt) {
   constexpr TileKeys kOwn{"viewX", "viewY"};
   for (const TileKeys keys : {kOwn, TileKeys{"columns", "rows"}, TileKeys{"quiltCols", "quiltRows"}})

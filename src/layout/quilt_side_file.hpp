@@ -1,4 +1,4 @@
-// The JSON file beside a quilt, <image>.json, that says what its name says and a little more.
+// The JSON side file of a quilt, <image>.json, which states the same as its name and more.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@ namespace lippmann {
 
 struct QuiltSideFile {
   QuiltName quilt;
-  int views = 0;          ///< in the first tiles; not more than there are tiles
+  int views = 0;          ///< number of views, in the first tiles; at most the number of tiles
   bool inverted = false;  ///< view 0 is the rightmost
 };
 
@@ -20,12 +20,12 @@ inline constexpr std::string_view kQuiltSideFileExample = R"({"quilt_settings": 
 
 std::filesystem::path quilt_side_path(const std::filesystem::path& image);
 
-/// Returns nothing if there is no such file or it does not describe a quilt. In place of {"quilt_settings": {"viewX": 8,
-/// "viewY": 6}} the table may be called quilt or be the document itself, and its keys columns and rows, or quiltCols and
-/// quiltRows. Throws Error where it says something impossible.
+/// Reads the side file; none if it does not exist or does not describe a quilt. Instead of {"quilt_settings": {"viewX": 8,
+/// "viewY": 6}}, the table may be named quilt or be the document itself, and its keys columns and rows, or quiltCols and
+/// quiltRows. Throws Error for impossible values.
 std::optional<QuiltSideFile> read_quilt_side_file(const std::filesystem::path& image);
 
-/// Reads its text; `where` names it in messages.
+/// Parses a side file; `where` names it in messages.
 std::optional<QuiltSideFile> parse_quilt_side_file(const std::string& text, const std::string& where);
 
 void write_quilt_side_file(const std::filesystem::path& image, const QuiltSideFile& side);

@@ -39,7 +39,7 @@ bool has_channels(const fs::path& picture, LayerChannels channels) {
                      [&](const std::string& channel) { return std::find(names.begin(), names.end(), channel) != names.end(); });
 }
 
-/// Of an EXR picture that has it, or of the file of layers beside the picture.
+/// Reads a layer from the EXR picture itself, or from the file of layers beside the picture.
 std::optional<Image> rendered_layer(const fs::path& picture, LayerChannels channels) {
   if (picture.extension() == ".exr" && has_channels(picture, channels)) return read_channels(picture, channels);
   static const TextPattern numbered("(?:frame|view)_([0-9]+).*");
@@ -50,7 +50,7 @@ std::optional<Image> rendered_layer(const fs::path& picture, LayerChannels chann
   return read_channels(layers, channels);
 }
 
-/// A JSON object.
+/// Reads a report as a JSON object.
 Json read_report(const fs::path& report) {
   const std::string text =
       read_recorded_text(report, kMaxReportBytes, "the report.json that `lippmann render` writes beside its pictures");
@@ -61,7 +61,7 @@ Json read_report(const fs::path& report) {
   return json;
 }
 
-/// As the report says it; 1 where it does not, or nothing within reason.
+/// Returns the depth scale in a report; 1 if it is missing or unreasonable.
 float depth_scale_of(const Json& report) {
   const auto depth = report.find("depth");
   if (depth == report.end() || !depth->is_object()) return 1.0f;
@@ -80,14 +80,14 @@ FrameFacts frame_facts(const Json& frame) {
   if (const auto kind = frame.find("kind"); kind != frame.end() && kind->is_string()) {
     for (const std::string_view known : kKinds)
       if (*kind == known) facts.kind = known;
-    if (*kind == "shared") facts.kind = "full";  // of earlier versions
+    if (*kind == "shared") facts.kind = "full";  // in reports of earlier versions
   }
   if (const auto psnr = frame.find("estimated_psnr_db"); psnr != frame.end() && psnr->is_number())
     if (const double value = psnr->get<double>(); std::isfinite(value)) facts.psnr_db = value;
   return facts;
 }
 
-/// By number. Frames that cannot be understood are left out.
+/// Returns the frames by number. Skips malformed entries.
 std::map<int, FrameFacts> frames_of(const Json& report) {
   std::map<int, FrameFacts> frames;
   const auto list = report.find("frames");
@@ -102,7 +102,7 @@ std::map<int, FrameFacts> frames_of(const Json& report) {
   return frames;
 }
 
-/// Reads a report with "optics".
+/// Reads a report that has "optics".
 Rendering rendering_from(const Json& json, const fs::path& report) {
   Rendering rendering{optics_from_json(json["optics"], report.string())};
   const Json settings = json.value("settings", Json::object());
@@ -117,7 +117,7 @@ Rendering rendering_from(const Json& json, const fs::path& report) {
   return rendering;
 }
 
-/// Adds the files of frames and the report.json in `folder` / `below` that are not in `recorded`.
+/// Adds the files of frames, and the report.json, in `folder` / `below` that are not in `recorded`.
 void add_unrecorded(const fs::path& folder, const fs::path& below, const std::set<std::string>& recorded,
                     std::vector<std::string>& names) {
   for (const fs::directory_entry& entry : entries_of(folder / below)) {
@@ -130,8 +130,8 @@ void add_unrecorded(const fs::path& folder, const fs::path& below, const std::se
   }
 }
 
-/// Warns of files of a render that its journal does not name, as far as they are `in` or lie in it.
-void warn_of_unrecorded(const fs::path& folder, const fs::path& in, const Context& context) {
+/// Warns about files of a render that are not in its journal, limited to `in` and its contents.
+void warn_about_unrecorded_files(const fs::path& folder, const fs::path& in, const Context& context) {
   std::vector<std::string> names;
   add_unrecorded(folder, {}, recorded_names(folder), names);
   std::erase_if(names, [&](const std::string& name) {
@@ -141,7 +141,7 @@ void warn_of_unrecorded(const fs::path& folder, const fs::path& in, const Contex
   if (names.empty()) return;
   const bool is_one = names.size() == 1;
   context.warning(
-      fmt::format("{} has {} that the journal of its render (.lippmann) does not name, so {} not checked for damage: {}{}",
+      fmt::format("{} has {} that the journal of its render (.lippmann) does not list, so {} not checked for damage: {}{}",
                   folder.string(), is_one ? "a file" : fmt::format("{} files", names.size()), is_one ? "it is" : "they are",
                   names.front(), is_one ? "" : ", ..."));
 }
@@ -163,7 +163,7 @@ std::optional<double> frame_rate_of(const Json& report) {
 Rendering read_rendering(const fs::path& report) {
   const Json json = read_report(report);
   if (!json.contains("optics"))
-    throw Error(report.string(), "does not say for which optics the pictures were rendered", "an object \"optics\"");
+    throw Error(report.string(), "does not state the optics of the pictures", "an object \"optics\"");
   return rendering_from(json, report);
 }
 
@@ -173,14 +173,14 @@ std::optional<Rendering> readable_rendering(const fs::path& report) try {
   return std::nullopt;
 }
 
-void warn_of_unchecked(const fs::path& in, const Context& context) {
+void warn_about_unchecked_files(const fs::path& in, const Context& context) {
   const fs::path whole = fs::absolute(in / "").lexically_normal().parent_path(), folder = whole.parent_path();
   for (const fs::path& of_render : {whole, folder, folder.parent_path()}) {
-    if (has_journal(of_render)) return warn_of_unrecorded(of_render, whole, context);
+    if (has_journal(of_render)) return warn_about_unrecorded_files(of_render, whole, context);
     std::error_code ignored;
     const fs::path report = of_render / "report.json";
     if (!fs::is_regular_file(report, ignored)) continue;
-    if (read_report(report).contains("runs"))  // a report of converted pictures has none
+    if (read_report(report).contains("runs"))  // reports of converted pictures have no "runs"
       context.warning(fmt::format("{} has no journal of its render (.lippmann), so its files are not checked for damage",
                                   of_render.string()));
     return;

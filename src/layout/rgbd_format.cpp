@@ -1,7 +1,7 @@
-// RGB-D: one view's colours, and to the right of them its depth as grey (layout/rgbd_side_file.hpp), as players of glasses-free
-// displays take it.
+// RGB-D: the colours of one view, with its depth as grey to the right (layout/rgbd_side_file.hpp), as players of glasses-free
+// displays use it.
 //
-// Where there are several views, the one in the middle is written. Where nothing was hit, depth is the farthest of the range.
+// Writes the middle one of several views. Pixels without a surface get the farthest depth of the range.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,12 +22,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kAssumedHeightMm = 100.0, kAssumedDistanceMm = 300.0;  ///< as of views whose cameras nobody states
+constexpr double kAssumedHeightMm = 100.0, kAssumedDistanceMm = 300.0;  ///< for views without camera data
 
 template <class Sample>
 constexpr double kWhiteCode = std::is_floating_point_v<Sample> ? 1.0 : std::numeric_limits<Sample>::max();
 
-/// The right half's greys, 0 ... 1: means of its channels, which must be alike.
+/// Reads the greys of the right half, 0 ... 1, as means of its channels, which must be equal.
 Image read_greys(const Picture& picture, Vec2i view, const std::string& where) {
   Image greys(view.x, view.y, 1);
   double colour = 0.0;
@@ -44,9 +44,9 @@ Image read_greys(const Picture& picture, Vec2i view, const std::string& where) {
           }
       },
       picture);
-  constexpr double kMostColour = 0.05;  // a lossy picture's greys are not quite grey
+  constexpr double kMostColour = 0.05;  // tolerance for lossy pictures
   if (colour > kMostColour * view.x * view.y)
-    throw Error(where, "its right half is no depth: it has colours", "colours at the left, depth as grey at the right");
+    throw Error(where, "its right half is not depth: it has colours", "colours at the left, depth as grey at the right");
   return greys;
 }
 
@@ -55,7 +55,7 @@ void require_depth(const Image& greys, const std::string& where) {
   throw Error(where, "its depth is 0 everywhere", "colours at the left, depth as grey at the right");
 }
 
-/// As the side file says, else as assumed; what is said of the coding goes over both.
+/// Returns the description from the side file or defaults, with options overriding both.
 RgbdSideFile described_rgbd(const fs::path& path, const FormatOptions& options, Vec2i view) {
   RgbdSideFile assumed;
   assumed.distance_mm = kAssumedDistanceMm;
@@ -80,7 +80,7 @@ LightField read_rgbd(const fs::path& path, const FormatOptions& options) {
   return field;
 }
 
-/// From the farthest to the nearest of what is there; a little of both around a plane.
+/// Returns the range from the farthest to the nearest surface, slightly extended for a plane.
 DepthRange range_of(const Image& depth, double distance_mm) {
   DepthRange range{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   for (const float z : depth.data) {
@@ -104,8 +104,8 @@ RgbdSideFile side_of(const LightField& field, int view, const Image& depth, cons
   return side;
 }
 
-/// Colours at the left, greys at the right.
-Picture beside(const Picture& colours, const Image& depth, const RgbdSideFile& side) {
+/// Places colours at the left and greys at the right.
+Picture side_by_side(const Picture& colours, const Image& depth, const RgbdSideFile& side) {
   const Vec2i view = size_of(colours);
   Picture picture = blank(colours, {2 * view.x, view.y});
   std::vector<std::uint32_t> pixels;
@@ -134,7 +134,7 @@ std::vector<fs::path> write_rgbd(const LightField& field, const fs::path& path, 
   const Image depth = depth_of(field, view);
   const RgbdSideFile side = side_of(field, view, depth, options);
   const fs::path named = with_rgbd_name(path);
-  write_picture(named, beside(view_of(field, view), depth, side));
+  write_picture(named, side_by_side(view_of(field, view), depth, side));
   write_rgbd_side_file(named, side);
   return {named, rgbd_side_path(named)};
 }
@@ -169,7 +169,7 @@ LightField light_field_of_colours(Picture colours, Image greys, const fs::path& 
 
 LightFieldFormat rgbd_format() {
   return {.name = kRgbdFormat,
-          .is = "colours of the middle view, and its depth as grey to the right of them",
+          .description = "the middle view's colours, with its depth as grey to their right",
           .uses_cameras = true,
           .states_cameras = true,
           .read = read_rgbd,

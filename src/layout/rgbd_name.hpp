@@ -1,5 +1,5 @@
-// RGB-D pictures are called name_rgbd.png, name.rgbd.png or rgbd.png; letters of either case, and marks of copies
-// (layout/copy_mark.hpp) may follow. name_hrgbd.png is a picture whose halves are squeezed to half their width.
+// File names of RGB-D pictures: name_rgbd.png, name.rgbd.png or rgbd.png; case-insensitive, with optional copy marks
+// (layout/copy_mark.hpp). In name_hrgbd.png both halves are squeezed to half their width.
 #pragma once
 
 #include <filesystem>

@@ -1,10 +1,9 @@
-// The Stanford light field archive's folders: out_{row}_{column}_{y}_{x}.png, row 0 at the top, column 0 at the left; y and x
-// are the position of the camera, y counted downwards like the rows. (Names in the archive end with or without a further _.)
+// Folders of the Stanford light field archive: out_{row}_{column}_{y}_{x}.png, row 0 at the top, column 0 at the left. y and x
+// are the camera position, with y counted downwards like the rows. (Names in the archive may have another _ at the end.)
 //
-// Names state no unit and no distance. Positions are kept as they are, and written again. Where the cameras are known,
-// parameters.cfg is written too, and read, as the HCI benchmark has it (layout/hci_parameters.hpp); its baseline is the mean
-// distance between neighbouring cameras, which is the unit of the positions.
-// Without known positions y and x are the row and the column.
+// Names have no unit and no distance. Positions are kept unchanged and written again. If the cameras are known, parameters.cfg
+// is also written and read, as in the HCI benchmark (layout/hci_parameters.hpp); its baseline is the mean distance between
+// neighbouring cameras, in the unit of the positions. Without known positions, y and x are the row and the column.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -21,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Right and up; none if the name states none.
+/// Returns the position, right and up; none if the name has none.
 std::optional<Vec2d> stanford_position(const fs::path& file) {
   static const TextPattern name("out_[0-9]+_[0-9]+_(-?[0-9.]{1,40})_(-?[0-9.]{1,40})_?", TextPattern::Letters::kEitherCase);
   const std::optional<PatternMatch> found = name.match(file.stem().string());
@@ -35,7 +34,7 @@ std::optional<Vec2d> stanford_position(const fs::path& file) {
   return Vec2d(position.x, -position.y);
 }
 
-/// The positions of all views; none if one of them is unknown.
+/// Returns the positions of all views; none if one of them is unknown.
 std::optional<std::vector<Vec2d>> stanford_positions(const std::vector<fs::path>& by_view) {
   std::vector<Vec2d> positions;
   for (const fs::path& file : by_view) {
@@ -63,7 +62,7 @@ LightField read_stanford(const fs::path& folder, const FormatOptions& options) {
   return field;
 }
 
-/// Returns nothing if the cameras are unknown, or if the format cannot state their pixels.
+/// Returns the parameters; none if the cameras are unknown or the format cannot express their pixels.
 std::optional<HciParameters> parameters_of(const LightField& field, const fs::path& folder) {
   if (!field.cameras) return std::nullopt;
   try {
@@ -73,7 +72,7 @@ std::optional<HciParameters> parameters_of(const LightField& field, const fs::pa
   }
 }
 
-/// Six decimals as in the archive, or more where they are needed for the same number to be read again.
+/// Returns six decimals as in the archive, or more if needed to restore the same number.
 std::string position_text(double position) {
   const std::string archived = fmt::format("{:.6f}", position + 0.0), shortest = fmt::format("{}", position + 0.0);
   double read = 0.0;
@@ -104,7 +103,7 @@ std::vector<fs::path> write_stanford(const LightField& field, const fs::path& fo
 
 LightFieldFormat stanford_format() {
   return {.name = "stanford",
-          .is = "the Stanford archive's folder: out_{row}_{column}_{y}_{x}.png, from the top left",
+          .description = "the Stanford archive's folder: out_{row}_{column}_{y}_{x}.png, from the top left",
           .is_folder = true,
           .uses_cameras = true,
           .keeps_positions = true,

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 5> kStereoEndings{"_2x1", "_half_2x1", "_ou", "_half_ou", "_rows"};
 
-/// How often a stored view fits into the picture.
+/// Returns how many stored views fit into the picture, across and down.
 Vec2i views_in_picture(StereoPacking packing) {
   switch (packing) {
     case StereoPacking::kSideBySide:
@@ -31,7 +31,7 @@ Vec2i views_in_picture(StereoPacking packing) {
   return {1, 1};
 }
 
-/// Which of the places in the picture a pixel lies in, 0 or 1, and which pixel of a stored view it is.
+/// The position of a picture's pixel: in the first or second view (0 or 1), and its pixel in that stored view.
 struct StereoPlace {
   int place;
   Vec2i pixel;
@@ -64,7 +64,7 @@ Vec2i stored_view_size(StereoPacking packing, Vec2i picture, const std::string& 
     throw Error(where,
                 fmt::format("{}x{} pixels do not hold two views ({})", picture.x, picture.y,
                             kStereoPackingNames[static_cast<std::size_t>(packing)]),
-                fmt::format("{}s that are even", parts.x == 2 ? "width" : "height"));
+                fmt::format("an even {}", parts.x == 2 ? "width" : "height"));
   return picture / views_in_picture(packing);
 }
 

@@ -1,4 +1,4 @@
-// A left and a right eye's view in one picture (layout/stereo.hpp); its name, or `stereo`, says how.
+// The views of a left and a right eye in one picture (layout/stereo.hpp). Its name, or `stereo`, states the packing.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ StereoLayout described_stereo(const fs::path& path, const FormatOptions& options
                                 kStereoPackingNames[3], kStereoPackingNames[4]));
 }
 
-/// The views as they lie in the picture: squeezed ones stay so, and of rows those are there that the picture has.
+/// Reads the views as stored in the picture: squeezed ones stay squeezed, and row-interlaced ones have half the rows.
 LightField read_stereo(const fs::path& path, const FormatOptions& options) {
   const StereoLayout layout = described_stereo(path, options);
   const Picture picture = read_picture(path, options.warn);
@@ -35,7 +35,7 @@ LightField read_stereo(const fs::path& path, const FormatOptions& options) {
   return field;
 }
 
-/// A whole view of square pixels, with all the samples that the field's views have.
+/// Returns the size of a whole view with square pixels that keeps all samples of the field's views.
 Vec2i whole_view_size(const LightField& field) {
   const Vec2i size = field.view_size;
   const double wider = field.aspect * size.y / size.x;
@@ -44,14 +44,14 @@ Vec2i whole_view_size(const LightField& field) {
   return {size.x, static_cast<int>(std::lround(size.y / wider))};
 }
 
-/// That of a whole view, squeezed; sides that have to be halved are rounded up to even ones first.
+/// Returns the size of a stored view: that of a whole view, squeezed. Sides to be halved are first rounded up to even numbers.
 Vec2i stored_size_of(const LightField& field, StereoPacking packing) {
   const Vec2i squeeze = stereo_squeeze(packing), whole = whole_view_size(field);
   const Vec2i stored = (whole + squeeze - 1) / squeeze;
   return packing == StereoPacking::kRows ? Vec2i(stored.x, stored.y + stored.y % 2) : stored;
 }
 
-/// The stack of views that large: the field's own where they are, else resampled in linear light.
+/// Returns the stack of views with this size: the field's own, or resampled in linear light.
 Picture stored_views(const LightField& field, Vec2i stored) {
   if (stored == field.view_size) return field.stack;
   LightField sized = field;
@@ -64,10 +64,10 @@ Picture stored_views(const LightField& field, Vec2i stored) {
 
 std::vector<fs::path> write_stereo(const LightField& field, const fs::path& path, const FormatOptions& options) {
   if (field.grid != ViewGrid{2, 1})
-    throw usage_error(
-        "to",
-        fmt::format("a stereo picture has the views of two eyes, this light field {}x{}", field.grid.columns, field.grid.rows),
-        "2 views side by side: `keep` says which of them");
+    throw usage_error("to",
+                      fmt::format("a stereo picture has the views of two eyes, but the light field has {}x{}",
+                                  field.grid.columns, field.grid.rows),
+                      "2 views side by side, selected by `keep`");
   const StereoLayout layout = options.stereo.value_or(StereoLayout{});
   const Vec2i stored = stored_size_of(field, layout.packing);
   Picture picture = blank(field.stack, stereo_picture_size(layout.packing, stored));
@@ -81,7 +81,7 @@ std::vector<fs::path> write_stereo(const LightField& field, const fs::path& path
 
 LightFieldFormat stereo_format() {
   return {.name = "stereo",
-          .is = "the views of two eyes in one picture; `stereo`: side by side, over and under, rows",
+          .description = "the views of two eyes in one picture; `stereo`: side by side, over and under, rows",
           .read = read_stereo,
           .write = write_stereo,
           .reads = {.stereo = true},

@@ -17,13 +17,13 @@
 namespace lippmann {
 namespace {
 
-/// Two neighbours, and the share of the second.
+/// Two neighbours, and the weight of the second.
 struct Blend {
   int at = 0, next = 0;
   float share = 0.0f;
 };
 
-/// Which pictures a place in a strip shows, from 0 at its left end to 1 at its right.
+/// Selects the pictures shown at a position in a strip, from 0 at its left end to 1 at its right end.
 class StripOrder {
  public:
   StripOrder(int count, const DisplayPictureParams& params) : count_(count), linear_(params.filter == ViewFilter::kLinear) {
@@ -60,7 +60,7 @@ class StripOrder {
     return ends_[at] - (at > 0 ? ends_[at - 1] : 0.0);
   }
 
-  /// How far the transition from `frame` to the next one reaches to both sides.
+  /// Returns how far the transition from `frame` to the next one extends to each side.
   double reach_of(int frame) const { return 0.5 * blend_ * std::min(share_of(frame), share_of(frame + 1)); }
 
   Blend frame_at(double place) const {
@@ -78,7 +78,7 @@ class StripOrder {
   int count_;
   bool linear_, is_flip_ = false;
   double blend_ = 0.0;
-  std::vector<double> ends_;  ///< of the frames, shares of the strip
+  std::vector<double> ends_;  ///< ends of the frames, as shares of the strip
 };
 
 template <class Sample>
@@ -107,7 +107,7 @@ class LightOfSamples {
   std::vector<float> light_;
 };
 
-/// The value of a pixel: a blend of views at a blend of columns.
+/// The value of a pixel as a blend of two views, each at a blend of two columns.
 struct StripPixel {
   Blend views, columns;
 };
@@ -180,7 +180,7 @@ class StripInterlacer {
 Picture interlace_strips(const LightField& field, const Display& sheet, const DisplayPictureParams& params,
                          const ThreadPool& pool) {
   if (params.filter == ViewFilter::kGaussian)
-    throw usage_error("filter", "gaussian is for slanted panels", "nearest or linear");
+    throw usage_error("filter", "gaussian is for slanted panels only", "nearest or linear");
   const StripOrder order(field.grid.count(), params);
   Picture picture = blank(field.stack, sheet.pixels);
   std::visit(

@@ -1,4 +1,4 @@
-// Which view each sub-pixel of a slanted panel belongs to, row by row. Private to this part.
+// The view of each sub-pixel of a slanted panel, row by row. Private to this part.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace lippmann {
 
-/// For one row of the panel: v = view(i, color).
+/// One row of the panel; view(i, color) returns the view coordinate v of a sub-pixel.
 struct SubPixelRow {
   std::array<std::array<double, 3>, 2> phase;  ///< at i = 0, for even and odd pixels
   double phase_per_pixel;
@@ -21,7 +21,7 @@ struct SubPixelRow {
   }
 };
 
-/// j: from the top.
+/// Returns row j, counted from the top.
 inline SubPixelRow sub_pixel_row(const SlantedPanel& panel, Vec2i pixels, int j) {
   SubPixelRow row{{}, panel.periods / pixels.x, panel.inverted};
   const int up = pixels.y - 1 - j;
@@ -35,13 +35,13 @@ inline SubPixelRow sub_pixel_row(const SlantedPanel& panel, Vec2i pixels, int j)
   return row;
 }
 
-/// The view that v is nearest to, of so many.
+/// Returns the view of `count` views that v belongs to.
 inline int nearest_view(double v, int count) {
   const int view = static_cast<int>(v * count);
   return view < count ? view : count - 1;
 }
 
-/// Which of `size` samples the middle of pixel i of so many lies in.
+/// Returns which of `size` samples contains the centre of pixel i of `pixels`.
 inline int sample_at(int i, int pixels, int size) {
   return static_cast<int>((2 * static_cast<std::int64_t>(i) + 1) * size / (2 * static_cast<std::int64_t>(pixels)));
 }

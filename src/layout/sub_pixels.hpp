@@ -1,14 +1,14 @@
-// Films of sub-pixels, three in a row for every pixel (optics/optics.hpp: slanted panels), as pictures of pixels.
+// Converts films of sub-pixels, three per pixel in a row (slanted panels in optics/optics.hpp), to pictures of pixels.
 #pragma once
 
 #include "lippmann/image/image.hpp"
 
 namespace lippmann {
 
-/// Colours: each pixel takes red, green and blue from the first, second and third of its sub-pixels.
+/// Joins colours: each pixel takes red, green and blue from its first, second and third sub-pixel.
 Image join_sub_pixels(const Image& film);
 
-/// Other layers: each pixel takes what its middle sub-pixel has.
+/// Joins other layers: each pixel takes the value of its middle sub-pixel.
 Image middle_sub_pixels(const Image& film);
 
 }  // namespace lippmann

@@ -18,18 +18,18 @@ int number(const std::string& digits) {
   return value;
 }
 
-/// The numbers in a range of an axis of `count` views.
+/// Returns the indices in a range of an axis with `count` views.
 std::vector<int> members(const ViewRange& range, int count, const char* axis, const std::string& flag) {
   const int last = range.last < 0 ? count - 1 : range.last;
   if (range.first > last || last >= count)
-    throw usage_error(flag, fmt::format("there are {2} {0}, and {1} to {3} were asked for", axis, range.first, count, last),
+    throw usage_error(flag, fmt::format("there are {2} {0}, but {1} to {3} are requested", axis, range.first, count, last),
                       fmt::format("0 to {}", count - 1));
   std::vector<int> all;
   for (int i = range.first; i <= last; i += range.step) all.push_back(i);
   return all;
 }
 
-/// The same light field with room for other views and sizes.
+/// Returns a copy of the light field's description with another grid and view size.
 LightField like(const LightField& field, ViewGrid grid, Vec2i view_size) {
   LightField other;
   other.grid = grid, other.view_size = view_size;
@@ -96,7 +96,7 @@ ViewGrid kept_grid(ViewGrid grid, const KeptViews& kept, const std::string& flag
           static_cast<int>(members(kept.rows, grid.rows, "rows", flag).size())};
 }
 
-std::optional<int> number_among_kept(int view, ViewGrid grid, const KeptViews& kept, const std::string& flag) {
+std::optional<int> kept_number(int view, ViewGrid grid, const KeptViews& kept, const std::string& flag) {
   const std::vector<int> columns = members(kept.columns, grid.columns, "columns", flag);
   const std::vector<int> rows = members(kept.rows, grid.rows, "rows", flag);
   const auto column = std::find(columns.begin(), columns.end(), view % grid.columns);

@@ -18,21 +18,20 @@ using Json = nlohmann::ordered_json;
 
 constexpr NumberRange kFocalRange{1e-3, 1e9}, kSizeRange{1.0, 65536.0}, kAngleRange{1e-6, 3.1415}, kPlaceRange{-1e9, 1e9};
 
-/// Refuses cameras that are no pinholes.
-void refuse_lens(const JsonFields& json) {
+/// Throws Error for cameras that are not pinholes.
+void check_pinhole(const JsonFields& json) {
   for (const char* key : {"k1", "k2", "k3", "k4", "p1", "p2"})
-    if (json.number_or(key, kAnyNumber, 0.0) != 0.0)
-      json.reject(key, "is a distortion of the lens", "0: pictures without distortion");
+    if (json.number_or(key, kAnyNumber, 0.0) != 0.0) json.reject(key, "is a lens distortion", "0, pictures without distortion");
   if (json.flag_or("is_fisheye", false)) json.reject("is_fisheye", "is true", "pinhole cameras");
   const std::string model = json.text_or("camera_model", "PINHOLE");
   if (model != "PINHOLE" && model != "SIMPLE_PINHOLE" && model != "OPENCV" && model != "PERSPECTIVE")
     json.reject("camera_model", "is " + model, "PINHOLE, SIMPLE_PINHOLE or OPENCV without distortion");
 }
 
-/// Overwrites what the object states.
+/// Reads the intrinsics of the object, replacing earlier ones.
 void read_intrinsics(const JsonFields& json, PosedPicture& picture) {
   PosedCamera& camera = picture.camera;
-  refuse_lens(json);
+  check_pinhole(json);
   if (json.has("w") || json.has("h")) camera.size = {json.whole("w", kSizeRange), json.whole("h", kSizeRange)};
   if (json.has("fl_x") || json.has("fl_y")) {
     camera.focal_px.x = json.number("fl_x", kFocalRange);
@@ -49,7 +48,7 @@ void read_intrinsics(const JsonFields& json, PosedPicture& picture) {
 void read_matrix(const JsonFields& json, PosedCamera& camera, const std::string& where) {
   const Json& matrix = json.value("transform_matrix");
   if (!matrix.is_array() || (matrix.size() != 3 && matrix.size() != 4))
-    json.reject("transform_matrix", matrix.is_null() ? "is missing" : "is no 4x4 matrix", "four rows of four numbers");
+    json.reject("transform_matrix", matrix.is_null() ? "is missing" : "is not a 4x4 matrix", "four rows of four numbers");
   double rows[9];
   for (std::size_t row = 0; row < 3; ++row) {
     const std::vector<double> numbers = json.numbers_in("transform_matrix", matrix[row], 4, kPlaceRange);
@@ -89,7 +88,7 @@ void write_intrinsics(const PosedCamera& camera, Json& json) {
   json["cx"] = camera.principal_px.x, json["cy"] = camera.principal_px.y;
 }
 
-/// The lists that nerfstudio reads; it wants all three.
+/// Adds the lists that nerfstudio reads; it requires all three.
 void list_split(const std::vector<PosedPicture>& pictures, const std::vector<bool>& is_test, Json& json) {
   for (const char* key : {"train_filenames", "val_filenames", "test_filenames"}) {
     Json& names = json[key] = Json::array();

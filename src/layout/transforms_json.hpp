@@ -1,7 +1,7 @@
-// transforms.json of NeRF's data sets: camera-to-world matrices with Blender's axes, x right, y up, z backwards.
+// The file transforms.json of NeRF data sets: camera-to-world matrices with Blender's axes (x right, y up, z backwards).
 //
-// Read: w, h, fl_x, fl_y, cx, cy or camera_angle_x, for all frames or for each; file_path, depth_file_path, transform_matrix
-// (4x4 or 3x4). Lens distortion and fisheye cameras are refused.
+// Supported keys: w, h, fl_x, fl_y, cx, cy or camera_angle_x, global or per frame; file_path, depth_file_path, transform_matrix
+// (4x4 or 3x4). Lens distortion and fisheye cameras are errors.
 #pragma once
 
 #include <string>
@@ -11,12 +11,12 @@
 
 namespace lippmann {
 
-/// Throws Error naming `where` and the frame for anything that makes no camera.
+/// Parses a file. Throws Error naming `where` and the frame for invalid cameras.
 std::vector<PosedPicture> parse_transforms(const std::string& text, const std::string& where);
 
-/// A transforms.json for pictures whose cameras are complete. Depth files of pictures that name one hold planar depth in
-/// thousandths of the matrices' unit, beside ray lengths in depth/NNN_ray.npy. `is_test`, by picture, splits them into lists
-/// for training and for testing; empty: no lists.
+/// Returns the contents of a transforms.json for pictures with complete cameras. Depth files hold planar depth in thousandths
+/// of the matrices' unit, with ray lengths in depth/NNN_ray.npy. `is_test`, by picture, splits the pictures into lists for
+/// training and testing; empty: no lists.
 std::string transforms_text(const std::vector<PosedPicture>& pictures, const std::vector<bool>& is_test = {});
 
 }  // namespace lippmann

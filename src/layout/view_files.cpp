@@ -37,13 +37,13 @@ std::vector<NumberedFile> numbered_files(const fs::path& folder, const TextPatte
     }
     files.push_back(std::move(file));
   }
-  if (files.empty()) throw Error(folder.string(), "there are no views in it", accepted);
+  if (files.empty()) throw Error(folder.string(), "contains no views", accepted);
   std::sort(files.begin(), files.end(), [](const NumberedFile& a, const NumberedFile& b) {
     return std::tie(a.numbers, a.path) < std::tie(b.numbers, b.path);
   });
   for (std::size_t i = 1; i < files.size(); ++i)
     if (files[i].numbers == files[i - 1].numbers)
-      throw Error(folder.string(), fmt::format("it has two pictures for view {}: {} and {}", files[i].numbers.front(),
+      throw Error(folder.string(), fmt::format("has two pictures for view {}: {} and {}", files[i].numbers.front(),
                                                files[i - 1].path.filename().string(), files[i].path.filename().string()));
   return files;
 }
@@ -67,16 +67,16 @@ ViewGrid complete_grid(const fs::path& folder, const std::vector<NumberedFile>& 
 
 void require_stack_fits(const std::string& where, int views, Vec2i view_size, std::size_t sample_bytes,
                         double available_bytes) {
-  constexpr double kMostPixels = 4294967295.0;  // pixels of a stack have 32-bit indices
+  constexpr double kMostPixels = 4294967295.0;  // stacks have 32-bit pixel indices
   constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
   const double pixels = 1.0 * views * view_size.x * view_size.y, bytes = 3.0 * pixels * static_cast<double>(sample_bytes);
   const std::string what = fmt::format("{} views of {}x{} pixels", views, view_size.x, view_size.y);
   if (pixels > kMostPixels)
-    throw Error(where, what + " are too many", fmt::format("at most {:.0f} pixels in all views together", kMostPixels));
+    throw Error(where, what + " are too many", fmt::format("at most {:.0f} pixels in all views", kMostPixels));
   if (bytes > available_bytes)
     throw Error(
         where,
-        fmt::format("{} take {:.1f} GiB of memory, and {:.1f} GiB are available", what, bytes / kGiB, available_bytes / kGiB),
+        fmt::format("{} need {:.1f} GiB of memory, but {:.1f} GiB are available", what, bytes / kGiB, available_bytes / kGiB),
         "fewer or smaller pictures");
 }
 
@@ -98,9 +98,9 @@ LightField read_each_view(const std::vector<fs::path>& by_view, ViewGrid grid, c
       field.stack = blank(picture, stack_size(field));
     }
     if (size_of(picture) != field.view_size || picture.index() != field.stack.index())
-      throw Error(
-          path.string(), "it is not of the size and kind of the other views",
-          fmt::format("{}x{} pixels as in {}", field.view_size.x, field.view_size.y, by_view.front().filename().string()));
+      throw Error(path.string(), "differs from the other views in size or sample type",
+                  fmt::format("{}x{} pixels of the sample type of {}", field.view_size.x, field.view_size.y,
+                              by_view.front().filename().string()));
     set_view(field, view, picture);
   }
   return field;

@@ -11,16 +11,17 @@
 namespace lippmann {
 namespace {
 
-/// Shapes that differ by less need no crop.
+/// Relative difference below which aspect ratios count as equal.
 constexpr double kSameAspect = 0.01;
 
-/// The samples of a view that one row of a display's lenses shows, as shares of the display's width.
+/// The samples of a view along one row of a display's lenses, as shares of the display's width.
 struct RowOfSamples {
   int count;
   double first, step;
 };
 
-/// Upright sheets: one sample for each strip, at its place. Slanted ones cross the columns: two for each lens.
+/// Upright sheets have one sample per strip, at its position. On slanted sheets the strips cross the columns, so there are two
+/// samples per lens.
 RowOfSamples samples_of_sheet(const Display& display) {
   const LensStrips strips = lens_strips(display);
   const double width = display.pixels.x;
@@ -70,7 +71,7 @@ ViewFitter::ViewFitter(const Display& display, DisplayTarget target, AspectFit f
   }
 }
 
-/// The part of a view that fills the display, in its pixels; larger than the view where it is padded.
+/// Returns the part of a view that fills the display, in the view's pixels; larger than the view if it is padded.
 Vec2d ViewFitter::window_of(Vec2i view, double aspect) const {
   const double excess = aspect / aspect_;
   const bool is_tile = target_ != DisplayTarget::kIntegral && view == size_;
@@ -80,7 +81,7 @@ Vec2d ViewFitter::window_of(Vec2i view, double aspect) const {
   return {view.x, view.y * excess};
 }
 
-/// The largest window of the same shape that lies in every view, wherever the shifts put it.
+/// Returns the largest window with the same aspect ratio that lies in every shifted view.
 Vec2d ViewFitter::window_in_all(Vec2i view, double aspect, ViewGrid grid) const {
   Vec2d window = window_of(view, aspect);
   const Vec2d left = Vec2d(view) - std::abs(view_shift_px_) * Vec2d(grid.columns - 1, grid.rows - 1);
@@ -98,11 +99,11 @@ Vec2d ViewFitter::window_in_all(Vec2i view, double aspect, ViewGrid grid) const 
 Picture ViewFitter::fitted(const Picture& view, double aspect, int number, ViewGrid grid) {
   const Vec2i from = size_of(view);
   if (has_fitted() && from != original_)
-    throw Error("views", fmt::format("one has {}x{} pixels, and others {}x{}", from.x, from.y, original_.x, original_.y),
+    throw Error("views", fmt::format("one has {}x{} pixels, but others have {}x{}", from.x, from.y, original_.x, original_.y),
                 "views of one size");
   original_ = from, window_ = window_in_all(from, aspect, grid);
   const bool is_whole = window_ == Vec2d(from) && view_shift_px_ == 0.0;
-  // Panels sample views of any size, as players do. Views that are cropped or padded are reduced first if they are larger.
+  // Panels sample views of any size, as players do. Larger views that are cropped or padded are reduced first.
   const bool is_small = from.x <= display_.pixels.x && from.y <= display_.pixels.y;
   if (target_ == DisplayTarget::kNative && is_whole && (is_small || fit_ == AspectFit::kStretch)) {
     size_ = from;
@@ -127,7 +128,7 @@ void ViewFitter::fit(LightField& field) {
   field = std::move(made);
 }
 
-std::string ViewFitter::described() const {
+std::string ViewFitter::description() const {
   std::string text;
   const Vec2i used(glm::round(window_));
   if (used != original_)

@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// Where a view's top left pixel lies, and the steps to its neighbours.
+/// The position of a view's top left pixel, and the steps to its neighbours.
 struct Corner {
   Vec2i at, step;
 };
@@ -57,7 +57,7 @@ Vec2i view_size(const ViewLayout& layout, Vec2i picture, const std::string& wher
   const char* what =
       layout.kind == LayoutKind::kIntegral || layout.kind == LayoutKind::kEslf ? "pixels below each lens" : "views";
   throw Error(where, fmt::format("{}x{} pixels cannot be divided into {}x{} {}", picture.x, picture.y, parts.x, parts.y, what),
-              "`views` or `quilt` as the picture was made");
+              "the number of `views` or `quilt` tiles of the picture");
 }
 
 ViewPlace place_of_view(const ViewLayout& layout, Vec2i size, Vec2i picture, int view) {

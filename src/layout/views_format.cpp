@@ -1,5 +1,5 @@
-// A folder of view_000.png, view_001.png, ..., or of pictures with any names: view 0 from the left and below, as
-// layout/view_layout.hpp numbers them.
+// A folder of view_000.png, view_001.png, ..., or of pictures with arbitrary names, numbered from the lower left as in
+// layout/view_layout.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kViewNames = "a folder of view_000.png, view_001.png, ...";
 
-/// Reads the depth of all views, or of none if one of them has none.
+/// Reads the depth of all views, or no depth if it is missing for one of them.
 void read_depth(const std::vector<fs::path>& by_view, LightField& field) {
   for (int view = 0; view < field.grid.count(); ++view) {
     const std::optional<Image> depth = rendered_depth(by_view[static_cast<std::size_t>(view)]);
@@ -29,7 +29,7 @@ void read_depth(const std::vector<fs::path>& by_view, LightField& field) {
   }
 }
 
-/// view_000.png, ... where there are any, else all pictures of the folder.
+/// Returns view_000.png, ... if they exist, else all pictures of the folder.
 std::vector<fs::path> views_in(const fs::path& folder, const FormatOptions& options) {
   static const TextPattern name("view_([0-9]{1,6})\\.[^.]+", TextPattern::Letters::kEitherCase);
   const std::vector<fs::directory_entry> entries = entries_of(folder, kViewNames);
@@ -50,8 +50,8 @@ LightField read_views(const fs::path& folder, const FormatOptions& options) {
   const int count = static_cast<int>(by_view.size());
   const ViewGrid grid = options.views.value_or(ViewGrid{count, 1});
   if (grid.count() != count)
-    throw usage_error(
-        "views", fmt::format("{}x{} are not as many as the {} views in {}", grid.columns, grid.rows, count, folder.string()));
+    throw usage_error("views",
+                      fmt::format("{}x{} does not match the {} views in {}", grid.columns, grid.rows, count, folder.string()));
   LightField field = read_view_files(by_view, grid, options);
   if (options.with_depth) read_depth(by_view, field);
   return field;
@@ -66,7 +66,7 @@ std::vector<fs::path> write_views(const LightField& field, const fs::path& folde
 
 LightFieldFormat views_format() {
   return {.name = "views",
-          .is =
+          .description =
               "a folder of view_000.png, ..., or of pictures of one size, 1.jpg ... 10.jpg, in the order of their names; from "
               "left to right, "
               "then upwards; `views`: across and up",

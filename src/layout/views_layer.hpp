@@ -1,7 +1,7 @@
-// Layers of a light field's views, as the render that made it wrote them beside its pictures.
+// Reads layers of a light field's views, as written by the render beside its pictures.
 //
-// A layer is a stack, one view below the other as field.stack has them. `path` is a picture, integral or a quilt, or a folder
-// of views, which `field` was read from. None where a layer is missing or of another size. All throw Error as read_channels.
+// A layer is a stack like field.stack. `path` is the picture (integral or quilt) or folder of views that `field` was read from.
+// Functions return none if a layer is missing or has another size, and throw Error like read_channels().
 #pragma once
 
 #include <filesystem>
@@ -12,10 +12,10 @@
 
 namespace lippmann {
 
-/// Where pixels came from: values of Provenance (lippmann/trace/aovs.hpp), 1 channel.
+/// Reads the origin of the pixels: values of Provenance (lippmann/trace/aovs.hpp), 1 channel.
 std::optional<Image> views_provenance(const std::filesystem::path& path, const LightField& field);
 
-/// By how many pixels of its view each point has moved since the frame before: 2 channels, right and down.
+/// Reads the motion of each point since the previous frame in pixels of its view: 2 channels, right and down.
 std::optional<Image> views_motion(const std::filesystem::path& path, const LightField& field);
 
 }  // namespace lippmann

@@ -112,7 +112,7 @@ Json PagePrints::make(const std::string& request) {
   }
   return {{"id", print->id},
           {"description", display.description},
-          {"fitted", fitter.described()},
+          {"fitted", fitter.description()},
           {"pixels", {print->picture.width, print->picture.height}},
           {"field", field_json(facts)}};
 }

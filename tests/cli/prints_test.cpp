@@ -102,7 +102,7 @@ TEST_F(Prints, mistakes_leave_nothing_behind) {
 TEST_F(Prints, a_folder_with_one_picture_is_refused) {
   fs::create_directories(dir_ / "one");
   fs::copy_file(dir_ / "in/view_000.png", dir_ / "one/a.png");
-  expect_refusal(run_tool(dir_, Words{"convert", "one", "out.png"} + sheet_), 1, "there is only one picture in it, a.png");
+  expect_refusal(run_tool(dir_, Words{"convert", "one", "out.png"} + sheet_), 1, "contains only one picture, a.png");
   EXPECT_FALSE(fs::exists(dir_ / "out.png"));
 }
 

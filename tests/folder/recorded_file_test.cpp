@@ -87,11 +87,11 @@ TEST(RecordedFile, unrecorded_files_warn) {
   std::vector<std::string> warnings;
   Context context;
   context.warn = [&](std::string_view text) { warnings.emplace_back(text); };
-  warn_of_unchecked(dir.path(), context);
+  warn_about_unchecked_files(dir.path(), context);
   EXPECT_TRUE(warnings.empty()) << warnings.front();
   for (const char* name : {"frame_0002.png", "frame_0001/view_002.png", "notes.txt", "quilts/frame_0000.png"})
     make_render_file(dir / name, "bytes");
-  for (const char* in : {"", "frame_0002.png", "frame_0001", "frame_0000.png"}) warn_of_unchecked(dir / in, context);
+  for (const char* in : {"", "frame_0002.png", "frame_0001", "frame_0000.png"}) warn_about_unchecked_files(dir / in, context);
   EXPECT_THAT(warnings, testing::ElementsAre(HasSubstr("has 2 files that the journal"),
                                              HasSubstr("it is not checked for damage: frame_0002.png"),
                                              HasSubstr("it is not checked for damage: frame_0001/view_002.png")));
@@ -107,7 +107,7 @@ TEST(RecordedFile, emptied_journal_counts_as_none) {
     std::vector<std::string> warnings;
     Context context;
     context.warn = [&](std::string_view text) { warnings.emplace_back(text); };
-    warn_of_unchecked(dir.path(), context);
+    warn_about_unchecked_files(dir.path(), context);
     EXPECT_THAT(warnings, testing::ElementsAre(HasSubstr("has no journal of its render")));
   }
 }

@@ -172,7 +172,7 @@ TEST_F(DisplayRenders, unknown_or_strong_crosstalk_is_refused) {
     EXPECT_THAT(refusal(teapot("out", "0", settings)), HasSubstr(message));
   };
   refused({{"precompensate", "true"}}, "crosstalk of the display is unknown");
-  refused({{"precompensate", "true"}, {"crosstalk", "2"}}, "cannot be told apart");
+  refused({{"precompensate", "true"}, {"crosstalk", "2"}}, "too strong to be compensated");
   EXPECT_THAT(refusal(job("teapot", "out", {{"precompensate", "true"}, {"crosstalk", "0.3"}, {"optics", "single"}})),
               HasSubstr("single view"));
 }

@@ -153,7 +153,7 @@ TEST(HciParameters, what_the_format_cannot_say_is_refused) {
   LightField field = numbered_field({8, 1}, {20, 15});
   field.cameras = rendered_views({.panel = {80, 30, 1.0f}, .model = MultiView{4, 2, radians(40.0f), false, 500.0f}})->cameras;
   EXPECT_THAT(error_message([&] { hci_parameters(field, "a"); }),
-              AllOf(HasSubstr("distances that differ"), HasSubstr("`camera-grid`")));
+              AllOf(HasSubstr("spacing of the views is not uniform"), HasSubstr("`camera-grid`")));
   field.cameras = rendered_views(camera_grid())->cameras;
   field.grid = {3, 2};
   field.cameras->pixel_mm.y *= 1.1;

@@ -154,9 +154,9 @@ TEST(Convert, what_cannot_be_is_refused) {
   expect_refusal(dir / "in.png", dir / "o.png", params(kIntegral, kQuilt, ViewGrid{3, 1}), "in.png", "10x4");
   expect_refusal(dir / "in.png", dir / "o.png", params(kQuilt, kIntegral), "quilt", "is unknown");
   expect_refusal(dir / "in.png", dir / "o.png", params(kQuilt, kIntegral, ViewGrid{3, 1}, ViewGrid{2, 2}), "views",
-                 "not as many");
+                 "do not match");
   expect_refusal(dir / "in.png", dir / "o.png", params(kIntegral, kQuilt, ViewGrid{2, 1}, ViewGrid{3, 1}), "quilt",
-                 "not as many");
+                 "do not match");
   expect_refusal(dir / "in.png", dir / "o.exr", params(kIntegral, kIntegral, ViewGrid{2, 1}), "o.exr", "ending");
   expect_refusal(dir / "missing.png", dir / "o.png", params(kIntegral, kQuilt, ViewGrid{2, 1}), "missing.png", "");
   expect_refusal(dir / "none", dir / "o.png", params(kViews, kQuilt), "none", "cannot be listed");
@@ -173,8 +173,10 @@ TEST(Convert, missing_and_unequal_views_are_refused) {
   write_png(dir / "kind/view_001.png", picture16(2, 2));
   write_png(dir / "twice/view_0.png", picture8(2, 2));
   expect_refusal(dir / "gap", dir / "o.png", params(kViews, kQuilt), "gap", "missing");
-  expect_refusal(dir / "size", dir / "o.png", params(kViews, kQuilt), "view_001.png", "not of the size");
-  expect_refusal(dir / "kind", dir / "o.png", params(kViews, kQuilt), "view_001.png", "not of the size and kind");
+  expect_refusal(dir / "size", dir / "o.png", params(kViews, kQuilt), "view_001.png",
+                 "differs from the other views in size or sample type");
+  expect_refusal(dir / "kind", dir / "o.png", params(kViews, kQuilt), "view_001.png",
+                 "differs from the other views in size or sample type");
   expect_refusal(dir / "twice", dir / "o.png", params(kViews, kQuilt), "twice", "two pictures for view 0");
 }
 
@@ -186,7 +188,7 @@ TEST(Convert, only_quilts_are_named_like_quilts) {
   EXPECT_EQ(converted.written.front().filename(), "frame_0000.png");
   EXPECT_THAT(
       test::error_message([&] { convert(dir / "in/frame_0000_qs4x1a2.png", dir / "a_qs4x1a2.png", params("", kIntegral)); }),
-      HasSubstr("a_qs4x1a2.png is the name of a quilt"));
+      HasSubstr("a_qs4x1a2.png is a quilt name"));
 }
 
 TEST(Convert, folders_of_views_are_known_by_the_names_of_their_files) {

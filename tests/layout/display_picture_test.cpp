@@ -232,7 +232,7 @@ TEST(DisplayPicture, shift_of_views_stops_what_moves_by_it) {
   ViewFitter fitter(sheet, DisplayTarget::kIntegral, AspectFit::kCrop, pool, 2.0);
   const ViewGrid grid{3, 1};
   const Picture left = fitter.fitted(moving_view(0), 4.0 / 3.0, 0, grid);
-  EXPECT_EQ(fitter.described(), "cropped from 40x30 to 36x27, shifted by 2 pixels from view to view, resized to 36x270");
+  EXPECT_EQ(fitter.description(), "cropped from 40x30 to 36x27, shifted by 2 pixels from view to view, resized to 36x270");
   for (int view = 1; view < 3; ++view)
     EXPECT_TRUE(test::same_samples(fitter.fitted(moving_view(view), 4.0 / 3.0, view, grid), left)) << view;
 }
@@ -298,7 +298,7 @@ TEST(DisplayPicture, padded_views_have_black_bars) {
   EXPECT_EQ(red(172), 200);
   EXPECT_EQ(red(509), 200);
   EXPECT_EQ(red(681), 0);
-  EXPECT_EQ(fitter.described(), "padded from 90x80 to 90x160, resized to 372x682");
+  EXPECT_EQ(fitter.description(), "padded from 90x80 to 90x160, resized to 372x682");
 }
 
 TEST(DisplayPicture, refuses_what_makes_no_print) {

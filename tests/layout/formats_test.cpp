@@ -155,7 +155,7 @@ TEST(Formats, hci_folders_are_squares_unless_said_and_miss_no_view) {
   format("hci").write(field, dir / "a", {});
   EXPECT_EQ(format("hci").read(dir / "a", {}).grid, (ViewGrid{3, 3}));
   fs::remove(dir / "a/input_Cam008.png");
-  EXPECT_THAT(error_message([&] { format("hci").read(dir / "a", {}); }), HasSubstr("no square"));
+  EXPECT_THAT(error_message([&] { format("hci").read(dir / "a", {}); }), HasSubstr("do not form a square"));
   fs::remove(dir / "a/input_Cam004.png");
   EXPECT_THAT(error_message([&] { format("hci").read(dir / "a", {}); }), HasSubstr("views are missing"));
 }

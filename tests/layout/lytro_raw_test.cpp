@@ -144,11 +144,11 @@ TEST(LytroRaw, bad_files_are_one_clear_error) {
   const auto complaint = [](const std::string& file) { return error_message([&] { parse_lfr(bytes_of(file), "a.lfr"); }); };
   const std::string codes = packed_10(flat_codes(64, 48, 90, 90, 90)), good = lfr(illum_metadata(64, 48), codes);
   EXPECT_THAT(complaint(good.substr(0, good.size() - 200)), HasSubstr("is truncated"));
-  EXPECT_THAT(complaint(good + "rubbish beyond the end"), HasSubstr("no section at byte"));
+  EXPECT_THAT(complaint(good + "rubbish beyond the end"), HasSubstr("no valid section at byte"));
   EXPECT_THAT(complaint(section('P', "", "")), HasSubstr("no section LFM"));
-  EXPECT_THAT(complaint(section('P', "", "") + section('M', "t", R"({"a": 1})")), HasSubstr("stack of finished pictures"));
+  EXPECT_THAT(complaint(section('P', "", "") + section('M', "t", R"({"a": 1})")), HasSubstr("processed picture"));
   EXPECT_THAT(complaint(section('P', "", "") + section('M', "t", "rubbish")), HasSubstr("is not JSON"));
-  EXPECT_THAT(complaint(lfr(illum_metadata(64, 50), codes)), HasSubstr("hold no such picture of 10 bits"));
+  EXPECT_THAT(complaint(lfr(illum_metadata(64, 50), codes)), HasSubstr("of 10-bit samples"));
   EXPECT_THAT(complaint(lfr(illum_metadata(64, 48, "x"), codes)), HasSubstr("upperLeftPixel"));
   std::string no_frame = good;
   no_frame.replace(no_frame.find("sha1-i"), 6, "sha1-j");

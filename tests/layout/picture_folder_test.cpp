@@ -54,7 +54,7 @@ TEST(PictureFolder, views_are_in_natural_order_of_any_names) {
   EXPECT_THAT(error_message([&] {
                 open_light_field(dir.path(), "views", {.views = ViewGrid{3, 1}});
               }),
-              HasSubstr("3x1 are not as many as the 4 views"));
+              HasSubstr("3x1 does not match the 4 views"));
 }
 
 TEST(PictureFolder, sixteen_bits_are_kept) {
@@ -92,14 +92,14 @@ TEST(PictureFolder, sizes_that_differ_are_listed) {
 TEST(PictureFolder, fewer_than_two_pictures_are_refused) {
   const TempDir dir;
   const auto message = [&] { return error_message([&] { open_light_field(dir.path(), "views", {}); }); };
-  EXPECT_THAT(message(), HasSubstr("there are no views in it; accepted"));
+  EXPECT_THAT(message(), HasSubstr("contains no views; accepted"));
   std::ofstream(dir / "IMG_1.CR2") << "x";
-  EXPECT_THAT(message(), HasSubstr("there are no views in it, only IMG_1.CR2; accepted"));
+  EXPECT_THAT(message(), HasSubstr("contains no views, only IMG_1.CR2; accepted"));
   write_grey(dir / "a.png", 1);
-  EXPECT_THAT(message(), HasSubstr("there is only one picture in it, a.png; accepted"));
+  EXPECT_THAT(message(), HasSubstr("contains only one picture, a.png; accepted"));
   EXPECT_THAT(message(), HasSubstr("two or more pictures"));
   write_grey(dir / "a.jpg", 1);
-  EXPECT_THAT(message(), HasSubstr("two pictures in it have one name: a.jpg and a.png"));
+  EXPECT_THAT(message(), HasSubstr("has two pictures with the same name: a.jpg and a.png"));
 }
 
 TEST(PictureFolder, pictures_are_listed_by_their_headers) {
@@ -145,7 +145,7 @@ TEST(StackOfViews, more_than_memory_or_indices_hold_is_refused) {
   EXPECT_EQ(message(1, {65535, 65537}, 1, kAny), "(no Error)") << "2^32 - 1 pixels";
   EXPECT_THAT(message(1, {65536, 65536}, 1, kAny), HasSubstr("too many"));
   EXPECT_EQ(message(2, {16384, 16384}, 2, 3 * kGiB), "(no Error)") << "2^29 pixels of 6 bytes";
-  EXPECT_THAT(message(2, {16384, 16384}, 2, 2.9 * kGiB), HasSubstr("take 3.0 GiB of memory, and 2.9 GiB are available"));
+  EXPECT_THAT(message(2, {16384, 16384}, 2, 2.9 * kGiB), HasSubstr("need 3.0 GiB of memory, but 2.9 GiB are available"));
 }
 
 }  // namespace

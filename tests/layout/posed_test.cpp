@@ -201,7 +201,7 @@ TEST(NerfFormat, wrong_cameras_are_refused_with_their_frame) {
     });
   };
   EXPECT_THAT(matrix("[[-1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"), AllOf(HasSubstr("frames[0]"), HasSubstr("left-handed")));
-  EXPECT_THAT(matrix("[[2,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"), HasSubstr("no rotation"));
+  EXPECT_THAT(matrix("[[2,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"), HasSubstr("not a rotation"));
   EXPECT_THAT(matrix("[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,2]]"), HasSubstr("last row"));
   EXPECT_THAT(matrix("[[1,0,0],[0,1,0],[0,0,1]]"), HasSubstr("transform_matrix"));
 }

@@ -102,7 +102,7 @@ TEST(Precompensate, microlenses_and_camera_grids_leak_along_both_axes) {
 TEST(Precompensate, what_cannot_be_told_apart_is_refused) {
   Image image = views(0.1f, 0.9f, 0.2f);
   EXPECT_THAT(test::error_message([&] { precompensate(three_views(), 1.0, "--precompensate", image); }),
-              HasSubstr("cannot be told apart"));
+              HasSubstr("too strong to be compensated"));
   EXPECT_THAT(test::error_message([&] {
                 precompensate({.panel = {3, 1, 1.0f}, .model = SingleView{}}, 0.1, "--x", image);
               }),

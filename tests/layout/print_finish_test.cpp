@@ -80,7 +80,7 @@ TEST(PrintFinish, proof_is_the_middle_inch) {
   const Image8 small = finished_print({.proof = true}, "lpi=20.3 dpi=254 paper=700x100px");
   EXPECT_EQ(Vec2i(small.width, small.height), Vec2i(254, 100));
   EXPECT_THAT(test::error_message([] { finished_print({.proof = true}, "lpi=20.3 dpi=254 paper=200x100px"); }),
-              testing::HasSubstr("no larger than an inch"));
+              testing::HasSubstr("not larger than an inch"));
 }
 
 TEST(PrintFinish, marks_stand_outside_the_bleed) {

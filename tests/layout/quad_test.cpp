@@ -57,7 +57,7 @@ TEST(Quad, four_views_of_a_quilt_are_kept) {
   find_format("quilt", "to").write(field_of_flat_views(8), dir / "q.png", {});
   ConvertParams params{.from = "", .to = "quad"};
   const auto convert_quilt = [&] { return convert(dir / "q_qs4x2a1.5.png", dir / "out.png", params); };
-  EXPECT_THAT(test::error_message(convert_quilt), HasSubstr("this light field 8x1"));
+  EXPECT_THAT(test::error_message(convert_quilt), HasSubstr("but the light field has 8x1"));
   params.keep = KeptViews{{1, 7, 2}, {}};
   const Converted made = convert_quilt();
   const LightField quad = open_light_field(made.written.front(), "", {}).field;

@@ -143,7 +143,7 @@ TEST(Stereo, what_is_no_pair_is_refused) {
   EXPECT_THAT(error_message([&] {
                 stereo_format().write(numbered_field({3, 1}, {4, 4}), dir / "a.png", {});
               }),
-              HasSubstr("the views of two eyes, this light field 3x1"));
+              HasSubstr("the views of two eyes, but the light field has 3x1"));
   write_picture(dir / "odd.png", Image8{3, 3, std::vector<unsigned char>(27)});
   FormatOptions options;
   EXPECT_THAT(error_message([&] { stereo_format().read(dir / "odd.png", options); }),

@@ -101,7 +101,7 @@ TEST(ReportPage, a_folder_without_pictures_has_figures) {
   const test::TempDir dir;
   const std::string page = page_of({test::write_report_text(dir / "film", interpolated().dump())});
   EXPECT_THAT(page, HasSubstr("Some pictures cannot be shown: "));
-  EXPECT_THAT(page, HasSubstr("there are no frames or views in it"));
+  EXPECT_THAT(page, HasSubstr("contains no frames or views"));
   EXPECT_THAT(page, HasSubstr("Where pixels come from"));
 }
 

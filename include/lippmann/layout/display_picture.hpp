@@ -83,7 +83,7 @@ class ViewFitter {
   bool has_fitted() const { return original_.x > 0; }
   /// Returns a description such as "cropped from 4000x3000 to 2250x3000, shifted by 1.5 pixels from view to view, resized to
   /// 372x682".
-  std::string described() const;
+  std::string description() const;
 
  private:
   Vec2d window_of(Vec2i view, double aspect) const;

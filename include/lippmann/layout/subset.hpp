@@ -33,7 +33,7 @@ KeptViews read_kept_views(const std::string& text, const std::string& flag);
 /// Return the grid of the kept views, and the new number of a view of `grid` (none: left out). Throw a usage Error naming
 /// `flag` if the selection exceeds the grid.
 ViewGrid kept_grid(ViewGrid grid, const KeptViews& kept, const std::string& flag);
-std::optional<int> number_among_kept(int view, ViewGrid grid, const KeptViews& kept, const std::string& flag);
+std::optional<int> kept_number(int view, ViewGrid grid, const KeptViews& kept, const std::string& flag);
 
 /// Crop all views, and drop views, together with their depth and cameras. Throw a usage Error naming `flag` if the selection
 /// exceeds the light field.
