@@ -26,6 +26,7 @@ pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 pkg_check_modules(WebP REQUIRED IMPORTED_TARGET libwebp)
 pkg_check_modules(LCMS IMPORTED_TARGET lcms2)  # optional: colour profiles of pictures
 pkg_check_modules(LIBHEIF IMPORTED_TARGET libheif>=1.12)  # optional: HEIC and AVIF pictures
+pkg_check_modules(HDF5 IMPORTED_TARGET hdf5)  # optional: light fields of HCI in HDF5
 pkg_check_modules(FFmpeg REQUIRED IMPORTED_TARGET libavcodec libavformat libavutil libswscale)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 

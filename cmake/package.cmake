@@ -1,5 +1,5 @@
-# Debian packages, made by `cpack -G DEB` in the build folder: the tool; the modules for videos, HEIC pictures and alignment;
-# the library for other programs; the Python package, which contains the parts of the library that it uses.
+# Debian packages, made by `cpack -G DEB` in the build folder: the tool; the modules for videos, HEIC pictures, HDF5 files
+# and alignment; the library for other programs; the Python package, which contains the parts of the library that it uses.
 
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # packages do not need tests and benchmarks
 set(CPACK_PACKAGE_NAME lippmann)
@@ -12,6 +12,9 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_COMPONENTS_ALL tool video development)
 if(TARGET lippmann_heic_module)
   list(APPEND CPACK_COMPONENTS_ALL heic)
+endif()
+if(TARGET lippmann_hdf5_module)
+  list(APPEND CPACK_COMPONENTS_ALL hdf5)
 endif()
 if(TARGET lippmann_align_module)
   list(APPEND CPACK_COMPONENTS_ALL align)
@@ -27,13 +30,16 @@ if(TARGET lippmann_python)
     "if(NOT EXISTS \"$<TARGET_FILE:lippmann_python>\")\n  list(REMOVE_ITEM CPACK_COMPONENTS_ALL python3)\nendif()\n")
 endif()
 set(CPACK_DEBIAN_TOOL_PACKAGE_NAME lippmann)
-set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS "lippmann-video, lippmann-heic, lippmann-align")
+set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS "lippmann-video, lippmann-heic, lippmann-hdf5, lippmann-align")
 set(CPACK_DEBIAN_VIDEO_PACKAGE_NAME lippmann-video)
 set(CPACK_DEBIAN_VIDEO_PACKAGE_DEPENDS "lippmann (= ${PROJECT_VERSION})")
 set(CPACK_COMPONENT_VIDEO_DESCRIPTION "Writes and reads videos for Lippmann")
 set(CPACK_DEBIAN_HEIC_PACKAGE_NAME lippmann-heic)
 set(CPACK_DEBIAN_HEIC_PACKAGE_DEPENDS "lippmann (= ${PROJECT_VERSION})")
 set(CPACK_COMPONENT_HEIC_DESCRIPTION "Reads HEIC and AVIF pictures for Lippmann")
+set(CPACK_DEBIAN_HDF5_PACKAGE_NAME lippmann-hdf5)
+set(CPACK_DEBIAN_HDF5_PACKAGE_DEPENDS "lippmann (= ${PROJECT_VERSION})")
+set(CPACK_COMPONENT_HDF5_DESCRIPTION "Reads light fields in HDF5 for Lippmann")
 set(CPACK_DEBIAN_ALIGN_PACKAGE_NAME lippmann-align)
 set(CPACK_DEBIAN_ALIGN_PACKAGE_DEPENDS "lippmann (= ${PROJECT_VERSION})")
 set(CPACK_COMPONENT_ALIGN_DESCRIPTION "Aligns pictures and finds depth in stereo pairs for Lippmann")

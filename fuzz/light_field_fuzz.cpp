@@ -1,9 +1,9 @@
 // Feeds bytes to the project's own readers of light fields' side files and pictures. The first byte selects the reader: 'h'
-// HCI's parameters.cfg, 'v' cvkit's NAME_param.txt, 'e' ESLF's side file, 'm' MIV's cameras.json, 't' NeRF's transforms.json,
-// 'a' and 'i' COLMAP's cameras and images as text, 'A' and 'I' as binary, 'l' LLFF's poses_bounds.npy, 'n' any .npy file, 'q' a
-// quilt's side file, 'p' PPM, 'f' PFM, 'k' --keep, 'c' --crop, 'w' the side file of a raw plenoptic picture, 'L' a Lytro
-// container, 'r' Lytro metadata of 16x16 packed codes. The reader must throw Error or return a result that stays the same when
-// written and read again.
+// HCI's parameters.cfg, 'H' attributes of HCI's HDF5 files, 'v' cvkit's NAME_param.txt, 'e' ESLF's side file, 'm' MIV's
+// cameras.json, 't' NeRF's transforms.json, 'a' and 'i' COLMAP's cameras and images as text, 'A' and 'I' as binary, 'l' LLFF's
+// poses_bounds.npy, 'n' any .npy file, 'q' a quilt's side file, 'p' PPM, 'f' PFM, 'k' --keep, 'c' --crop, 'w' the side file of
+// a raw plenoptic picture, 'L' a Lytro container, 'r' Lytro metadata of 16x16 packed codes. The reader must throw Error or
+// return a result that stays the same when written and read again.
 //
 // fuzz/light_field_seeds SEEDS && fuzz_light_field -dict=fuzz/light_field.dict CORPUS SEEDS; or scripts/fuzz light_field.
 #include <array>
@@ -11,6 +11,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -20,6 +22,7 @@
 #include "layout/colmap_model.hpp"
 #include "layout/cvkit_camera.hpp"
 #include "layout/eslf_side_file.hpp"
+#include "layout/hci_hdf5_cameras.hpp"
 #include "layout/hci_parameters.hpp"
 #include "layout/lens_grid_file.hpp"
 #include "layout/llff_poses.hpp"
@@ -44,6 +47,21 @@ void hci(const std::string& text) {
   require(hci_cameras(parameters).eyes_mm.size() == static_cast<std::size_t>(parameters.columns * parameters.rows));
   const std::string again = hci_parameters_text(parameters);
   require(hci_parameters_text(parse_hci_parameters(again, "a")) == again);
+}
+
+/// Takes numbers as attributes; HDF5 itself is read by a library.
+void hdf5_cameras(std::span<const std::byte> numbers) {
+  constexpr std::array kNames{"dH", "dV", "focalLength", "shift"};
+  std::map<std::string, double> attributes;
+  LightField field;
+  field.grid = {3, 2}, field.view_size = {4, 3};
+  for (std::size_t i = 0; i < kNames.size() && numbers.size() >= 8; ++i, numbers = numbers.subspan(8))
+    std::memcpy(&attributes[kNames[i]], numbers.data(), 8);
+  if (!set_hdf5_cameras(attributes, field, "a")) return;
+  require(field.cameras.has_value() != field.poses.has_value());
+  for (const float depth : {0.0f, 1e-6f, 1.0f, 1e8f, INFINITY}) require(!std::isnan(z_of_hdf5_depth(depth, field)));
+  for (const PosedCamera& camera : posed_cameras(field, "a"))
+    require(std::isfinite(camera.focal_px.x + camera.principal_px.x + camera.principal_px.y + camera.position_mm.x));
 }
 
 void cvkit(const std::string& text) {
@@ -139,6 +157,8 @@ void read(char kind, const std::string& text) {
   switch (kind) {
     case 'h':
       return hci(text);
+    case 'H':
+      return hdf5_cameras(std::as_bytes(std::span(text)));
     case 'm':
       return miv(text);
     case 'v':

@@ -49,6 +49,7 @@ constexpr std::array kKnownStarts{
     KnownStart{"Kaydara FBX"sv, 0, "an FBX scene"},
     KnownStart{"PXR-USDC"sv, 0, "a USD scene"},
     KnownStart{"#usda"sv, 0, "a USD scene"},
+    KnownStart{"\x89HDF\r\n\x1a\n"sv, 0, "an HDF5 file"},
     KnownStart{"PK\x03\x04"sv, 0, "a ZIP archive"},
     KnownStart{"PK\x05\x06"sv, 0, "a ZIP archive"},
     KnownStart{"\x1f\x8b"sv, 0, "data compressed by gzip"},

@@ -8,10 +8,11 @@
 namespace lippmann {
 
 const std::vector<LightFieldFormat>& light_field_formats() {
-  static const std::vector<LightFieldFormat> all{
-      integral_format(), quilt_format(),     views_format(), hci_format(),    stanford_format(), jpeg_pleno_format(),
-      eslf_format(),     plenoptic_format(), miv_format(),   nerf_format(),   colmap_format(),   llff_format(),
-      stereo_format(),   quad_format(),      rgbd_format(),  native_format(), cvkit_format(),    lytro_format()};
+  static const std::vector<LightFieldFormat> all{integral_format(), quilt_format(),      views_format(),   hci_format(),
+                                                 stanford_format(), jpeg_pleno_format(), eslf_format(),    plenoptic_format(),
+                                                 miv_format(),      nerf_format(),       colmap_format(),  llff_format(),
+                                                 stereo_format(),   quad_format(),       rgbd_format(),    native_format(),
+                                                 cvkit_format(),    lytro_format(),      hci_hdf5_format()};
   return all;
 }
 

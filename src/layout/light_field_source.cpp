@@ -124,6 +124,8 @@ std::optional<std::string> format_by_name(const fs::path& picture) {
   if (has_rgbd_name(picture) || read_rgbd_side_file(picture)) return "rgbd";
   if (read_eslf_side_file(picture)) return "eslf";
   if (read_quilt_side_file(picture)) return "quilt";
+  static const TextPattern hdf5(".*\\.(?:h5|hdf5)", TextPattern::Letters::kEitherCase);
+  if (hdf5.match(picture.filename().string())) return "hci-hdf5";
   if (is_lytro_raw(picture) || read_lens_grid(picture)) return "plenoptic";
   return std::nullopt;
 }

@@ -11,7 +11,8 @@
 namespace lippmann {
 namespace {
 
-using ::testing::HasSubstr;
+using test::error_message;
+using testing::HasSubstr;
 
 const std::vector<float> kSixNumbers{1, 2, 3, 4, 5, 6};
 

@@ -47,13 +47,13 @@ Vec2i view_in(const fs::path& path) {
 }
 
 /// All but the panel's own frame, which holds a part of each view, and pictures of a fixed number of views: see
-/// interlace_test.cpp, stereo_test.cpp, quad_test.cpp, rgbd_test.cpp, plenoptic_test.cpp and posed_test.cpp (LLFF states
-/// no shifted sensors).
+/// interlace_test.cpp, stereo_test.cpp, quad_test.cpp, rgbd_test.cpp, plenoptic_test.cpp, hci_hdf5_test.cpp and
+/// posed_test.cpp (LLFF states no shifted sensors).
 std::vector<LightFieldFormat> exact_formats() {
   std::vector<LightFieldFormat> formats = light_field_formats();
   std::erase_if(formats, [](const LightFieldFormat& format) {
     return format.name == "native" || format.name == "stereo" || format.name == "quad" || format.name == "rgbd" ||
-           format.name == "plenoptic" || format.name == "llff";
+           format.name == "plenoptic" || format.name == "hci-hdf5" || format.name == "llff";
   });
   return formats;
 }

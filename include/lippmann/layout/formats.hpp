@@ -78,6 +78,7 @@ LightFieldFormat integral_format();
 LightFieldFormat quilt_format();
 LightFieldFormat views_format();
 LightFieldFormat hci_format();
+LightFieldFormat hci_hdf5_format();
 LightFieldFormat stanford_format();
 LightFieldFormat jpeg_pleno_format();
 LightFieldFormat eslf_format();
