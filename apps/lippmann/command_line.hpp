@@ -86,6 +86,8 @@ class CommandLine {
 
   /// Returns the manual page of all commands and flags, for man(1).
   std::string manual() const;
+  /// The same in Markdown, for docs/reference/command-line.md. A flag that several commands share is explained once.
+  std::string reference() const;
 
   /// Returns the message of an Error with flags in place of parameter names.
   std::string message_of(const Error& error) const;

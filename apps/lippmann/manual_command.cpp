@@ -1,5 +1,8 @@
-// `lippmann manual`: prints the manual page in the format of man(1). The build writes it to a file; --help does not list it.
+// `lippmann manual`: prints the manual page in the format of man(1), which the build writes to a file, or, with --markdown, the
+// page docs/reference/command-line.md. --help does not list it.
 #include <fmt/core.h>
+
+#include <memory>
 
 #include "apps/lippmann/command_line.hpp"
 #include "apps/lippmann/commands.hpp"
@@ -9,9 +12,11 @@ namespace lippmann::app {
 void add_manual_command(const Command& root, Action& chosen, const CommandLine& command_line) {
   const Command command = root.add_command("manual", "Print the manual page for man");
   command.hide();
-  command.when_named([&chosen, &command_line] {
-    chosen = [&command_line](Context&) {
-      fmt::print("{}", command_line.manual());
+  const auto in_markdown = std::make_shared<bool>(false);
+  command.add_flag("--markdown", *in_markdown, "Print docs/reference/command-line.md instead");
+  command.when_named([&chosen, &command_line, in_markdown] {
+    chosen = [&command_line, in_markdown](Context&) {
+      fmt::print("{}", *in_markdown ? command_line.reference() : command_line.manual());
       return 0;
     };
   });

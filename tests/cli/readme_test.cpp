@@ -137,6 +137,7 @@ void make_renders_of_the_guide(const TempDir& dir) {
   const Words small{"--size", "256x256", "--lenses", "32", "--frames", "40", "-q"};
   expect_done(dir, Words{"render", "room", "-o", "out/room"} + small);
   expect_done(dir, Words{"render", "room", "-o", "recorded"} + small);
+  expect_done(dir, Words{"render", "teapot", "-o", "out/teapot"} + small);
   expect_done(dir, {"render", "film.toml", "-q"});
   expect_done(dir, {"render", "teapot", "--frames", "3", "--size", "32x24", "--lenses", "4", "-q", "-o", "still"});
   expect_done(dir, {"render", "chair.glb", "--frames", "0-1", "--size", "32x32", "--optics", "single", "--spp", "1", "-q", "-o",
@@ -157,7 +158,7 @@ TEST(Docs, commands_of_the_guide_run) {
   const TempDir dir;
   make_files_of_the_guide(dir);
   Words renders, others;
-  for (const char* page : {"displays", "light", "many-machines", "replay", "reuse"})
+  for (const char* page : {"displays", "light", "many-machines", "replay", "reuse", "scenes", "view"})
     for (const std::string& command : commands_of(fmt::format("docs/guide/{}.md", page)))
       if (!is_server(command)) (command.starts_with("lippmann render") ? renders : others).push_back(command);
   ASSERT_GE(renders.size(), 20u);
@@ -199,6 +200,13 @@ TEST(Docs, links_lead_to_files) {
     if (entry.path().extension() == ".md") pages.push_back(entry.path());
   ASSERT_GT(pages.size(), 20u);
   for (const fs::path& page : pages) EXPECT_THAT(broken_links_in(page), testing::IsEmpty()) << page;
+}
+
+TEST(Docs, command_line_is_what_the_tool_prints) {
+  const TempDir dir;
+  EXPECT_TRUE(run_tool(dir, {"manual", "--markdown"}).out ==
+              bytes_of(fs::path(LIPPMANN_SOURCE) / "docs/reference/command-line.md"))
+      << "run: build/release/lippmann manual --markdown > docs/reference/command-line.md";
 }
 
 TEST(Docs, are_in_plain_words) {
