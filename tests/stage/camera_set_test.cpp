@@ -35,14 +35,14 @@ TEST(CameraSet, sphere_is_covered_evenly) {
       if (&a != &b) nearest = std::min(nearest, glm::distance(a, b));
   }
   EXPECT_LT(glm::length(sum), 1.0) << "of 100";
-  EXPECT_GT(nearest, 0.25) << "100 equal circles that fill the sphere have a radius of 0.2";
+  EXPECT_GT(nearest, 0.25) << "100 equal circles that cover the sphere have a radius of 0.2";
 }
 
 TEST(CameraSet, hemisphere_is_above_and_circle_level) {
   for (const Vec3d& d : camera_directions({CameraPath::kHemisphere, 50})) EXPECT_GT(d.y, 0.0);
   const std::vector<Vec3d> circle = camera_directions({CameraPath::kCircle, 4});
   for (const Vec3d& d : circle) EXPECT_NEAR(d.y, std::sin(glm::radians(20.0)), 1e-12);
-  EXPECT_NEAR(circle[1].x, std::cos(glm::radians(20.0)), 1e-12) << "a quarter of the round later, from the right";
+  EXPECT_NEAR(circle[1].x, std::cos(glm::radians(20.0)), 1e-12) << "a quarter of the circle later, from the right";
 }
 
 TEST(CameraSet, split_follows_seed) {
@@ -54,7 +54,7 @@ TEST(CameraSet, split_follows_seed) {
   EXPECT_EQ(std::ranges::count(test_cameras(2, 1), true), 1);
 }
 
-TEST(CameraSet, cameras_look_at_the_middle_of_a_still_scene) {
+TEST(CameraSet, cameras_look_at_a_static_scenes_centre) {
   Scene scene = test::room_of_six_walls(1.0f, {3.0f, 0.0f, 0.0f});
   NodeAnimation moves;
   moves.node = 0;
@@ -66,7 +66,7 @@ TEST(CameraSet, cameras_look_at_the_middle_of_a_still_scene) {
   ASSERT_EQ(scene.cameras.size(), 1u);
   EXPECT_EQ(scene.timeline.frame_count, 20);
   const float distance = scene.cameras[0].focus_distance;
-  EXPECT_NEAR(distance, 1.05 * std::sqrt(3.0) / std::sin(glm::radians(22.5)), 1e-4) << "the ball around the cube";
+  EXPECT_NEAR(distance, 1.05 * std::sqrt(3.0) / std::sin(glm::radians(22.5)), 1e-4) << "the bounding sphere of the cube";
   const Affine3f wall = evaluate(scene, 0.0).of(0);
   for (int frame = 0; frame < 20; ++frame) {
     const ResolvedScene resolved = evaluate(scene, scene.timeline.time(frame));

@@ -26,7 +26,7 @@ void write_panorama(const std::filesystem::path& path, const test::ExrPart& part
       .write(reinterpret_cast<const char*>(file.data()), static_cast<std::streamsize>(file.size()));
 }
 
-// The lit quarter stays a quarter of the sky, and is not stretched over all of it.
+// The lit quarter stays a quarter of the sky and is not stretched.
 TEST(EnvironmentFile, data_window_lies_in_the_display_window) {
   const TempDir dir;
   write_panorama(dir / "a.exr", {{1, 0, 1, 0}, {0, 0, 1, 1}, {{"b", {3}}, {"g", {2}}, {"r", {1}}}});
@@ -51,7 +51,7 @@ TEST(EnvironmentFile, channels_left_out_are_named) {
   EXPECT_THAT(warnings, ElementsAre(HasSubstr("a.exr: only its colours are read, not 'alpha, Z, N.X'")));
 }
 
-TEST(EnvironmentFile, exposure_of_hdr_is_undone_and_oblong_pixels_are_said) {
+TEST(EnvironmentFile, hdr_exposure_is_undone_pixel_aspect_warns) {
   const TempDir dir;
   std::ofstream(dir / "a.hdr", std::ios::binary)
       << "#?RADIANCE\nEXPOSURE=4\nPIXASPECT=2\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n\x80\x80\x80\x83";
@@ -62,7 +62,7 @@ TEST(EnvironmentFile, exposure_of_hdr_is_undone_and_oblong_pixels_are_said) {
   EXPECT_THAT(warnings, ElementsAre(HasSubstr("a.hdr: its pixels are 0.5 times as wide as high")));
 }
 
-TEST(EnvironmentFile, file_without_colours_is_refused_with_its_channels) {
+TEST(EnvironmentFile, files_without_colours_are_refused) {
   const TempDir dir;
   write_panorama(dir / "a.exr", {{}, {}, {{"u", {1}}, {"v", {2}}}});
   EXPECT_THAT(test::error_message([&] { read_environment(dir / "a.exr", 1.0f, 0.0f); }),
@@ -78,8 +78,8 @@ TEST(EnvironmentFile, file_without_colours_is_refused_with_its_channels) {
               HasSubstr("Y beside X is a coordinate, not luminance"));
 }
 
-// Its samples are cut off, which only decoding them would notice.
-TEST(EnvironmentFile, integer_picture_is_refused_before_it_is_decoded) {
+// Its samples are truncated, which only decoding would detect.
+TEST(EnvironmentFile, integer_pictures_are_refused_before_decoding) {
   const TempDir dir;
   write_picture(dir / "a.png", Image8{64, 64, std::vector<unsigned char>(3 * 64 * 64, 100)});
   std::filesystem::resize_file(dir / "a.png", std::filesystem::file_size(dir / "a.png") / 2);

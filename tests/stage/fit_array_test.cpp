@@ -52,7 +52,7 @@ Transform at(Vec3f position) { return {position, Quatf(1, 0, 0, 0), Vec3f(1.0f)}
 
 // ---- The rules, in order ----------------------------------------------------------------------------------------------
 
-TEST(FitArray, placed_by_the_scene_is_used_as_it_is) {
+TEST(FitArray, a_placed_display_is_used_unchanged) {
   Scene scene;
   add_box(scene, Vec3f(-1), Vec3f(1));
   add_camera(scene, at({0, 0, 9})).focus_distance = 2.0f;
@@ -63,7 +63,7 @@ TEST(FitArray, placed_by_the_scene_is_used_as_it_is) {
   EXPECT_EQ(array.node, 1);
   EXPECT_EQ(array.plane_height, 3.0f);
   EXPECT_EQ(array.viewing_distance, 7.0f);
-  // Its +z is the world's +x: the box reaches from x = -1 to 1.
+  // Its +z is the world's +x: the box extends from x = -1 to 1.
   expect_near(transform_vector(plane_in_world(scene, array), {0, 0, 1}), {1, 0, 0});
   EXPECT_NEAR(array.depth_front, 1.0f, kRounding);
   EXPECT_NEAR(array.depth_back, -1.0f, kRounding);
@@ -85,10 +85,10 @@ TEST(FitArray, focus_distance_places_the_plane_there) {
   EXPECT_THAT(array.how, HasSubstr("'shot'"));
 }
 
-TEST(FitArray, camera_without_focus_gets_the_plane_through_the_scenes_centre) {
+TEST(FitArray, default_plane_goes_through_the_centre) {
   Scene scene;
   add_box(scene, {-1, -1, -3}, {1, 1, 1});
-  // Looks along +x, from off the axis: only the distance along the view counts.
+  // Looks along +x from off the axis: only the distance along the view counts.
   add_camera(scene, {{-10, 0.5f, 0}, glm::angleAxis(radians(-90.0f), Vec3f(0, 1, 0)), Vec3f(1.0f)});
   const FittedArray array = fit_array(scene);
   EXPECT_EQ(array.origin, FittedArray::Origin::kSceneCenter);
@@ -99,7 +99,7 @@ TEST(FitArray, camera_without_focus_gets_the_plane_through_the_scenes_centre) {
   EXPECT_NEAR(array.depth_back, -1.0f, kRounding);
 }
 
-TEST(FitArray, central_view_is_the_cameras_own_picture) {
+TEST(FitArray, central_view_equals_the_cameras_view) {
   Scene scene;
   add_box(scene, {-1, -1, -3}, {1, 1, 1});
   add_camera(scene, at({0.5f, 0, 8}));
@@ -121,10 +121,11 @@ Camera& add_orthographic(Scene& scene, Vec3f position, float height) {
   return camera;
 }
 
-TEST(FitArray, orthographic_camera_s_volume_is_what_the_array_frames) {
+TEST(FitArray, orthographic_cameras_frame_their_volume) {
   Scene scene;
   add_box(scene, Vec3f(-1), Vec3f(1));
-  add_box(scene, {4, -1, -90}, {5, 1, -30});  // a pyramid of the same height at the first box would show it, the beam does not
+  add_box(scene, {4, -1, -90}, {5, 1, -30});  // a perspective view of the same height at the first box would show it, the
+                                              // parallel one does not
   add_orthographic(scene, {0.5f, 0, 20}, 3.0f);
   const FittedArray array = fit_array(scene);
   EXPECT_EQ(array.origin, FittedArray::Origin::kSceneCenter);
@@ -133,7 +134,7 @@ TEST(FitArray, orthographic_camera_s_volume_is_what_the_array_frames) {
   EXPECT_NEAR(array.viewing_distance, 20.0f, kRounding);
 }
 
-TEST(FitArray, orthographic_camera_shows_the_same_height_wherever_it_stands_and_is_focused) {
+TEST(FitArray, orthographic_height_ignores_position_and_focus) {
   for (const float away : {2.0f, 20.0f, 200.0f}) {
     Scene scene;
     add_box(scene, Vec3f(-1), Vec3f(1));
@@ -146,13 +147,13 @@ TEST(FitArray, orthographic_camera_shows_the_same_height_wherever_it_stands_and_
     EXPECT_NEAR(focused.plane_height, 3.0f, kRounding) << away;
     scene.cameras[0].focus_distance = 1.5f;
     EXPECT_NEAR(fit_array(scene).plane_height, 3.0f, kRounding) << away;
-    // The viewer is where the camera is, but sees it at 45 degrees at most.
+    // The viewer is at the camera, but with a vertical angle of at most 45 degrees.
     EXPECT_NEAR(fit_array(scene).viewing_distance, 1.5f / std::tan(radians(22.5f)), kRounding) << away;
   }
 }
 
-// The subject is 2 of the volume's 6 units wide: with a twentieth of margin, 2.1, in a picture that is half as wide as high.
-TEST(FitArray, narrow_picture_of_an_orthographic_camera_keeps_the_subject) {
+// The subject is 2 of the volume's 6 units wide: with a margin of a twentieth, 2.1, in a picture half as wide as high.
+TEST(FitArray, narrow_orthographic_pictures_keep_the_subject) {
   Scene scene;
   add_box(scene, Vec3f(-1), Vec3f(1));
   add_orthographic(scene, {0, 0, 20}, 3.0f).aspect = 2.0f;
@@ -161,21 +162,21 @@ TEST(FitArray, narrow_picture_of_an_orthographic_camera_keeps_the_subject) {
   EXPECT_THAT(array.how, HasSubstr("4.2 units high instead of 3"));
 }
 
-TEST(FitArray, camera_inside_the_scene_looks_half_way_through_what_it_sees) {
+TEST(FitArray, inside_cameras_focus_half_way) {
   Scene scene;
   add_box(scene, {-5, -5, -8}, {5, 5, 6});
   add_camera(scene, at({0, 0, 4}));
   const FittedArray array = fit_array(scene);
-  // The far wall is 12 away; the walls at the sides come into view 5 / tan(30 degrees) away.
+  // The far wall is 12 away; the side walls come into view 5 / tan(30 degrees) away.
   const float nearest = 5.0f / std::tan(radians(30.0f)), distance = 0.5f * (nearest + 12.0f);
   EXPECT_NEAR(array.viewing_distance, distance, kRounding);
   expect_near(plane_in_world(scene, array).translation, {0, 0, 4.0f - distance});
-  // What is not in view does not count as depth.
+  // Invisible parts do not count as depth.
   EXPECT_NEAR(array.depth_front, distance - nearest, kRounding);
   EXPECT_NEAR(array.depth_back, distance - 12.0f, kRounding);
 }
 
-TEST(FitArray, scene_behind_the_camera_keeps_a_twentieth_of_its_size) {
+TEST(FitArray, scenes_behind_cameras_get_a_default) {
   Scene scene;
   add_box(scene, {-1, -2, 4}, {1, 2, 8});  // diagonal 6
   add_camera(scene, at({0, 0, 0}));
@@ -184,7 +185,7 @@ TEST(FitArray, scene_behind_the_camera_keeps_a_twentieth_of_its_size) {
   EXPECT_LE(array.depth_front, array.viewing_distance);
 }
 
-/// How far from the middle of the picture the corners of a box are seen, at most; 1: at its edge.
+/// Returns how far from the centre the corners of a box appear, at most; 1 is the edge of the picture.
 Vec2f seen_extent(const Scene& scene, const FittedArray& array, float aspect, Vec3f lower, Vec3f upper) {
   const Affine3f plane_from_world = inverse(plane_in_world(scene, array));
   Vec2f extent(0.0f);
@@ -197,7 +198,7 @@ Vec2f seen_extent(const Scene& scene, const FittedArray& array, float aspect, Ve
   return extent;
 }
 
-TEST(FitArray, scene_without_a_camera_is_seen_whole_from_front_above_and_right) {
+TEST(FitArray, scenes_without_cameras_are_framed) {
   const Vec3f lower(-1, 2, -3), upper(3, 5, 7);
   Scene scene;
   add_box(scene, lower, upper);
@@ -219,7 +220,7 @@ TEST(FitArray, scene_without_a_camera_is_seen_whole_from_front_above_and_right) 
   }
 }
 
-/// The margins on both sides of a box, over half the picture: left, right, below, above.
+/// Returns the margins around a box, relative to half the picture: left, right, below, above.
 Vec4f margins(const Scene& scene, const FittedArray& array, float aspect, Vec3f lower, Vec3f upper) {
   const Affine3f plane_from_world = inverse(plane_in_world(scene, array));
   Vec2f least(kInfinity), most(-kInfinity);
@@ -233,8 +234,8 @@ Vec4f margins(const Scene& scene, const FittedArray& array, float aspect, Vec3f 
   return {1.0f + least.x, 1.0f - most.x, 1.0f + least.y, 1.0f - most.y};
 }
 
-// A flat plate, seen from above: its near edge is seen larger, and the height has room to spare.
-TEST(FitArray, scene_without_a_camera_has_equal_margins_where_there_is_room_to_spare_too) {
+// A flat plate seen from above: its near edge appears larger, and the height has space to spare.
+TEST(FitArray, scenes_without_cameras_are_centred) {
   const Vec3f lower(-4, 0, -4), upper(4, 0.5f, 4);
   Scene scene;
   add_box(scene, lower, upper);
@@ -246,14 +247,14 @@ TEST(FitArray, scene_without_a_camera_has_equal_margins_where_there_is_room_to_s
   }
 }
 
-TEST(FitArray, camera_that_looks_away_from_everything_is_said_to_see_nothing) {
+TEST(FitArray, cameras_that_see_nothing_warn) {
   Scene scene;
   add_box(scene, {-1, -1, 4}, {1, 1, 8});
   add_camera(scene, at({0, 0, 0}));
   EXPECT_THAT(fit_array(scene).how, HasSubstr("Nothing of the scene is seen from"));
 }
 
-TEST(FitArray, zooms_and_orbits_that_mean_nothing_are_refused) {
+TEST(FitArray, invalid_zooms_and_orbits_are_refused) {
   Scene scene;
   add_box(scene, Vec3f(-1), Vec3f(1));
   const auto field = [&](const ViewWish& wish) {
@@ -270,7 +271,7 @@ TEST(FitArray, zooms_and_orbits_that_mean_nothing_are_refused) {
   EXPECT_EQ(field({.zoom = 2.0f, .orbit = {-30.0f, 90.0f}}), "");
 }
 
-TEST(FitArray, scene_without_a_camera_is_seen_whole_all_through_its_animation) {
+TEST(FitArray, scenes_without_cameras_frame_all_times) {
   Scene scene;
   add_box(scene, {0, 0, 0}, {1, 1, 1});
   scene.timeline.frame_count = 26;  // one second
@@ -283,7 +284,7 @@ TEST(FitArray, scene_without_a_camera_is_seen_whole_all_through_its_animation) {
   EXPECT_LE(std::max(extent.x, extent.y), 1.0f);
 }
 
-TEST(FitArray, scene_with_nothing_finite_still_gets_an_array) {
+TEST(FitArray, infinite_scenes_get_an_array) {
   Scene scene;
   FittedArray array = fit_array(scene);
   EXPECT_GT(array.plane_height, 0.0f);
@@ -330,7 +331,7 @@ TEST(FitArray, scaled_parent_keeps_the_array_in_world_units) {
   EXPECT_EQ(a.how, b.how);
 }
 
-/// A scene of a box, seen from (0, 0, 10) by what `add` puts below a parent of that scale.
+/// A scene of a box, seen from (0, 0, 10) by the camera that `add` puts below a parent of this scale.
 template <class F>
 FittedArray fitted_below(float scale, const ViewWish& wish, const F& add) {
   Scene scene;
@@ -339,7 +340,7 @@ FittedArray fitted_below(float scale, const ViewWish& wish, const F& add) {
   return fit_array(scene, 1.0f, wish);
 }
 
-TEST(FitArray, sentences_are_in_world_units_below_any_scale) {
+TEST(FitArray, messages_use_world_units) {
   const auto focused = [](Scene& scene, int parent, float local) {
     add_camera(scene, at({0, 0, 10 * local}), parent).focus_distance = 4.0f * local;
   };
@@ -364,7 +365,7 @@ TEST(FitArray, sentences_are_in_world_units_below_any_scale) {
     }
 }
 
-TEST(FitArray, focus_on_a_distance_is_in_world_units) {
+TEST(FitArray, focus_distances_are_in_world_units) {
   const FittedArray array = fitted_below(0.0254f, {.focus = "5"}, [](Scene& scene, int parent, float local) {
     add_camera(scene, at({0, 0, 10 * local}), parent);
   });
@@ -372,7 +373,7 @@ TEST(FitArray, focus_on_a_distance_is_in_world_units) {
   EXPECT_THAT(array.how, HasSubstr("The focus on 5 puts the plane 5 units from the viewer."));
 }
 
-TEST(FitArray, focus_on_a_point_is_in_the_coordinates_of_the_file) {
+TEST(FitArray, focus_points_are_in_file_coordinates) {
   Scene scene;
   add_box(scene, Vec3f(-1), Vec3f(1));
   add_camera(scene, at({0, 0, 10}));
@@ -416,7 +417,7 @@ TEST(FitArray, array_of_a_missing_node_is_an_error) {
   EXPECT_THROW(world_from_display(array, 1.0f, ResolvedScene{}), Error);
 }
 
-TEST(FitArray, uneven_scale_and_mirrors_leave_a_similarity_that_looks_the_same_way) {
+TEST(FitArray, uneven_scale_and_mirrors_become_similarities) {
   Scene scene;
   add_box(scene, Vec3f(-1), Vec3f(1));
   const int parent = add_node(scene, {Vec3f(0), Quatf(1, 0, 0, 0), Vec3f(-1.0f, 2.0f, 4.0f)});
@@ -437,7 +438,7 @@ TEST(FitArray, node_scaled_to_nothing_is_refused) {
   EXPECT_THROW(fit_array(scene), Error);
 }
 
-TEST(FitArray, scenes_too_large_or_too_far_for_floats_are_refused_as_scenes) {
+TEST(FitArray, scenes_beyond_float_range_are_refused) {
   Scene wide, distant;
   add_box(wide, Vec3f(-1e30f), Vec3f(1e30f));
   add_box(distant, Vec3f(-1), Vec3f(1));

@@ -1,4 +1,4 @@
-// Where rays begin, for a file's camera at (0, 0, 4) that looks along -z and a display's viewer farther away.
+// Start of the rays, for a file's camera at (0, 0, 4) that looks along -z and a display's viewer farther away.
 #include "stage/front_of_rays.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ class FrontOfRays : public testing::Test {
   }
 
   void add_floor(float near) { add_quad({-30, -1, near}, {60, 0, 0}, {0, 0, -60}); }
-  /// Across the view.
+  /// Adds a wall across the view.
   void add_wall(float z, float width = 60.0f) { add_quad({-0.5f * width, -9, z}, {width, 0, 0}, {0, 18, 0}); }
 
   float front() const { return front_of_rays(scene, fit_array(scene), 1.0f, kFittedEye); }
@@ -55,7 +55,7 @@ class FrontOfRays : public testing::Test {
   Scene scene;
 };
 
-TEST_F(FrontOfRays, is_the_camera_where_nothing_lies_behind_it) {
+TEST_F(FrontOfRays, is_the_camera_with_nothing_behind_it) {
   EXPECT_EQ(front(), 4.0f);
   add_floor(3.0f);
   EXPECT_EQ(front(), 4.0f);
@@ -64,34 +64,34 @@ TEST_F(FrontOfRays, is_the_camera_where_nothing_lies_behind_it) {
 TEST_F(FrontOfRays, is_the_eye_above_a_floor) {
   add_floor(30.0f);
   EXPECT_EQ(front(), kFittedEye);
-  EXPECT_EQ(front_of_rays(scene, fit_array(scene), 1.0f, 3.0f), 4.0f) << "an eye before the camera";
+  EXPECT_EQ(front_of_rays(scene, fit_array(scene), 1.0f, 3.0f), 4.0f) << "the eye is in front of the camera";
 }
 
-TEST_F(FrontOfRays, is_the_eye_above_a_floor_without_end) {
+TEST_F(FrontOfRays, is_the_eye_above_infinite_floors) {
   add(Planes{{{0, -1, 0}, {0, 1, 0}}});
   EXPECT_EQ(front(), kFittedEye);
 }
 
-TEST_F(FrontOfRays, lies_before_the_wall_behind_the_camera) {
+TEST_F(FrontOfRays, is_in_front_of_walls_behind_cameras) {
   add_floor(30.0f);
   add_wall(5.0f);
   EXPECT_GT(front(), 4.9f);
   EXPECT_LT(front(), 5.0f);
 }
 
-TEST_F(FrontOfRays, lies_before_a_slanted_wall) {
+TEST_F(FrontOfRays, is_in_front_of_a_slanted_wall) {
   add_quad({-9, -9, 5}, {18, 0, 3}, {0, 18, 0});
   EXPECT_GT(front(), 4.0f);
   EXPECT_LT(front(), 6.5f);
 }
 
-TEST_F(FrontOfRays, lies_before_a_wall_without_end) {
+TEST_F(FrontOfRays, is_in_front_of_an_infinite_wall) {
   add(Planes{{{0, 0, 6}, {0, 0, -1}}});
   EXPECT_GT(front(), 5.9f);
   EXPECT_LT(front(), 6.0f);
 }
 
-TEST_F(FrontOfRays, lies_within_a_closed_room) {
+TEST_F(FrontOfRays, is_within_a_closed_room) {
   add_box({-3, -1, -3}, {3, 3, 5});
   EXPECT_GT(front(), 4.0f);
   EXPECT_LT(front(), 5.0f);
@@ -102,17 +102,17 @@ TEST_F(FrontOfRays, is_the_eye_behind_a_chair) {
   add_box({0.3f, -1, 5}, {0.6f, 0, 5.3f});
   EXPECT_EQ(front(), kFittedEye);
   add_wall(6.0f);
-  EXPECT_GT(front(), 5.9f) << "the chair stands before the wall";
+  EXPECT_GT(front(), 5.9f) << "the chair is in front of the wall";
   EXPECT_LT(front(), 6.0f);
 }
 
-TEST_F(FrontOfRays, does_not_go_by_what_cameras_do_not_see) {
+TEST_F(FrontOfRays, ignores_shapes_hidden_from_cameras) {
   add_wall(5.0f);
   scene.instances.back().hidden_from_cameras = true;
   EXPECT_EQ(front(), 4.0f);
 }
 
-TEST_F(FrontOfRays, is_where_the_rays_of_placed_optics_begin) {
+TEST_F(FrontOfRays, is_where_placed_optics_rays_start) {
   Optics view{.panel = {100, 100, 1.0f}, .model = SingleView{.distance_mm = 400.0f}};
   const auto begin = [&] { return resolved_z_front_mm(place(scene, view).placed.optics); };
   const float of_camera = begin();

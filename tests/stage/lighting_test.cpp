@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A room with a camera in it, which looks along -z.
+/// Returns a room with a camera in it that looks along -z.
 Scene room_seen_from(Vec3f position) {
   Scene scene = test::room_of_six_walls();
   Node node;
@@ -24,16 +24,16 @@ Scene room_seen_from(Vec3f position) {
   return scene;
 }
 
-TEST(MissingLight, of_a_closed_room_is_a_lamp_at_the_viewer) {
+TEST(MissingLight, of_closed_rooms_is_a_viewer_lamp) {
   Scene scene = room_seen_from({0.2f, 0.1f, 0.7f});
   EXPECT_THAT(add_missing_light(scene, Integrator::kPath), HasSubstr("A lamp at the viewer lights the scene"));
   ASSERT_EQ(scene.lights.size(), 1u);
   const Vec3f lamp = evaluate(scene, 0.0).of(scene.lights[0].node).translation;
   EXPECT_NEAR(glm::distance(lamp, Vec3f(0.2f, 0.1f, 0.7f)), 0.0f, 1e-5f);
-  EXPECT_FALSE(scene.lights[0].inverse_square) << "rooms of all sizes are lit alike";
+  EXPECT_FALSE(scene.lights[0].inverse_square) << "rooms of all sizes are equally bright";
 }
 
-TEST(MissingLight, of_a_scene_with_a_panorama_is_none_but_the_panorama_is_scaled_and_turned) {
+TEST(MissingLight, scales_and_rotates_the_scenes_panorama) {
   Scene scene = room_seen_from({0.0f, 0.0f, 4.0f});
   scene.background.map = EnvironmentMap{Image(2, 1, 3), 3.0f, 0.0f};
   EXPECT_THAT(light_for_paths(scene, {.strength = 2.0f, .rotation_deg = 90.0f}), HasSubstr("its own light"));
@@ -42,13 +42,13 @@ TEST(MissingLight, of_a_scene_with_a_panorama_is_none_but_the_panorama_is_scaled
   EXPECT_TRUE(scene.lights.empty());
 }
 
-TEST(MissingLight, of_a_room_seen_from_outside_is_the_studio) {
+TEST(MissingLight, of_rooms_seen_from_outside_is_the_studio) {
   Scene scene = room_seen_from({0.0f, 0.0f, 4.0f});
   EXPECT_THAT(add_missing_light(scene, Integrator::kPath), HasSubstr("The built-in studio lights the scene"));
   EXPECT_TRUE(scene.lights.empty());
 }
 
-TEST(MissingLight, of_what_stands_below_a_dome_is_a_lamp_at_the_viewer_that_is_fitted) {
+TEST(MissingLight, below_a_dome_is_a_viewer_lamp) {
   Scene scene = test::room_of_six_walls();
   const Scene dome = test::room_of_six_walls(100.0f);
   for (Instance instance : dome.instances) {
@@ -63,7 +63,7 @@ TEST(MissingLight, of_what_stands_below_a_dome_is_a_lamp_at_the_viewer_that_is_f
   EXPECT_LT(glm::length(lamp), 20.0f);
 }
 
-TEST(MissingLight, of_a_closed_room_with_a_lamp_is_a_dim_studio) {
+TEST(MissingLight, of_closed_rooms_with_lamps_is_dim) {
   Scene scene = room_seen_from({0.0f, 0.0f, 0.5f});
   Light light;
   light.node = 0;

@@ -1,4 +1,4 @@
-// Pieces that lie so far away that a picture of all would show nothing are left out of the view, with a warning.
+// Pieces so far away that a view of everything would show nothing are left out of the view, with a warning.
 #include "stage/main_part.hpp"
 
 #include <gmock/gmock.h>
@@ -20,13 +20,13 @@ bool holds(const Bounds3f& box, Vec3f p) {
   return glm::all(glm::lessThanEqual(box.lower, p)) && glm::all(glm::lessThanEqual(p, box.upper));
 }
 
-TEST(MainPart, pieces_near_one_another_are_whole) {
+TEST(MainPart, nearby_pieces_stay_together) {
   EXPECT_FALSE(find_main_part({}));
   EXPECT_FALSE(find_main_part({cube(Vec3f(0))}));
   EXPECT_FALSE(find_main_part({cube(Vec3f(0)), cube({15, 0, 0})}));
   std::vector<ScenePiece> row;
   for (int i = 0; i < 40; ++i) row.push_back(cube({40.0f * static_cast<float>(i), 0, 0}));
-  EXPECT_FALSE(find_main_part(row)) << "scattered evenly";
+  EXPECT_FALSE(find_main_part(row)) << "evenly scattered";
   EXPECT_FALSE(find_main_part({cube(Vec3f(0)), {{Vec3f(kInfinity), Vec3f(kInfinity)}, 0.0f, false}}));
 }
 
@@ -81,7 +81,7 @@ TEST(MainPart, a_stray_part_does_not_change_the_view) {
   EXPECT_EQ(array.is_subject, (std::vector<bool>{true, false}));
 }
 
-TEST(MainPart, a_stray_triangle_of_the_same_mesh_does_not_either) {
+TEST(MainPart, a_stray_triangle_does_not_change_the_view) {
   Mesh mesh = triangle_at(Vec3f(0), 1.0f);
   Scene alone;
   add(alone, "mesh", mesh);
@@ -93,7 +93,7 @@ TEST(MainPart, a_stray_triangle_of_the_same_mesh_does_not_either) {
   EXPECT_THAT(fit_array(with_stray).warning, HasSubstr("parts of 'mesh'"));
 }
 
-TEST(MainPart, a_stray_vertex_does_not_either) {
+TEST(MainPart, a_stray_vertex_does_not_change_the_view) {
   Mesh mesh = triangle_at(Vec3f(0), 1.0f);
   Scene alone;
   add(alone, "mesh", mesh);
@@ -114,7 +114,7 @@ TEST(MainPart, a_rod_is_whole) {
   EXPECT_GT(fit_array(rod).viewing_distance, 1e3f);
 }
 
-TEST(MainPart, a_stray_ball_of_a_list_does_not_either) {
+TEST(MainPart, a_stray_ball_does_not_change_the_view) {
   Scene alone, with_stray;
   add(alone, "balls", Spheres{{{0, 0, 0}, 1.0f}, {{2, 0, 0}, 1.0f}});
   add(with_stray, "balls", Spheres{{{0, 0, 0}, 1.0f}, {{2, 0, 0}, 1.0f}, {{0, 900, 0}, 1.0f}});
@@ -122,7 +122,7 @@ TEST(MainPart, a_stray_ball_of_a_list_does_not_either) {
   EXPECT_NE(fit_array(with_stray).warning, "");
 }
 
-TEST(MainPart, splats_that_are_far_away_are_counted) {
+TEST(MainPart, stray_splats_are_counted) {
   Splats splats;
   for (int i = 0; i < 200; ++i)
     splats.centers.emplace_back(0.1f * static_cast<float>(i % 6), 0.1f * static_cast<float>(i / 6 % 6),
@@ -142,7 +142,7 @@ TEST(MainPart, splats_that_are_far_away_are_counted) {
   EXPECT_EQ(fit_array(scene).warning, "");
 }
 
-TEST(MainPart, what_is_named_is_never_stray) {
+TEST(MainPart, named_objects_are_never_stray) {
   Scene scene;
   add(scene, "box", Boxes{{Vec3f(-1), Vec3f(1)}});
   add(scene, "lost", triangle_at({5000, 0, 0}, 0.3f));

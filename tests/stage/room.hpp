@@ -5,7 +5,7 @@
 
 namespace lippmann::test {
 
-/// A cube of six white walls, an instance each, from -1 to 1 times `size` about `center`.
+/// Returns a cube of six white walls, one instance each, from -1 to 1 times `size` about `center`.
 inline Scene room_of_six_walls(float size = 1.0f, Vec3f center = Vec3f(0.0f)) {
   Mesh square;
   square.positions = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}};

@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// An eye 300 mm before a window of 100 x 100 mm, in a world whose unit is the millimetre, and the window's middle its origin.
+/// An eye 300 mm in front of a window of 100 x 100 mm; the unit of the world is the millimetre, its origin the window's centre.
 constexpr EyeAtWindow kEye{{0.0f, 0.0f, 300.0f}, {100.0f, 100.0f}};
 
 std::optional<SeenDepth> seen(const Scene& scene, const EyeAtWindow& eye = kEye, int threads = 1) {
@@ -33,7 +33,7 @@ Scene square_at(Vec3f center, float half = 5.0f) {
   return scene;
 }
 
-TEST(SeenDepth, is_that_of_what_the_window_shows) {
+TEST(SeenDepth, counts_only_shapes_in_the_window) {
   const auto depth = seen(square_at({0, 0, -40}));
   ASSERT_TRUE(depth);
   EXPECT_FLOAT_EQ(depth->near_mm, -40.0f);
@@ -45,27 +45,27 @@ TEST(SeenDepth, is_that_of_what_the_window_shows) {
   EXPECT_FALSE(seen(hidden));
 }
 
-TEST(SeenDepth, of_a_room_is_cut_where_the_window_cuts_it) {
-  // From -100 to -300 mm, 100 mm to each side of the axis, where the window shows 67 and 100 mm.
+TEST(SeenDepth, of_a_room_is_cut_by_the_window) {
+  // From -100 to -300 mm, 100 mm to each side of the axis; the window shows 67 and 100 mm there.
   const auto depth = seen(test::room_of_six_walls(100.0f, {0, 0, -200}));
   ASSERT_TRUE(depth);
   EXPECT_NEAR(depth->far_mm, -300.0, 1e-3);
   EXPECT_NEAR(depth->near_mm, -100.0, 1e-3);
   // Around the eye: the side walls would come into view where 200 (300 - z) / 300 is 100, at 150 mm.
   EXPECT_NEAR(seen(test::room_of_six_walls(100.0f, {0, 0, 250}), {{0, 0, 300}, {400, 400}})->near_mm, 150.0, 1e-3)
-      << "where the wall ahead is";
+      << "the wall ahead";
   EXPECT_NEAR(seen(test::room_of_six_walls(400.0f), {{0, 0, 300}, {400, 400}})->near_mm, -300.0, 1e-3)
       << "400 mm to each side are reached where 200 (300 - z) / 300 is 400";
 }
 
-TEST(SeenDepth, of_a_view_beside_the_axis_is_what_lies_before_that_eye) {
-  // From 150 mm to the right, a point at z = -300 in the middle of the window is seen at x = -150.
+TEST(SeenDepth, of_off_axis_views_uses_their_eye) {
+  // For an eye 150 mm to the right, a point at z = -300 in the middle of the window is at x = -150.
   const Scene scene = square_at({-150, 0, -300}, 1.0f);
   EXPECT_FALSE(seen(scene));
   EXPECT_TRUE(seen(scene, {{150.0f, 0.0f, 300.0f}, {100.0f, 100.0f}}));
 }
 
-TEST(SeenDepth, counts_all_frames_for_any_number_of_threads) {
+TEST(SeenDepth, counts_all_frames_with_any_threads) {
   Scene scene = square_at({0, 0, -40});
   scene.timeline.frame_count = 5, scene.timeline.frames_per_second = 1.0;
   NodeAnimation approach;
@@ -79,15 +79,15 @@ TEST(SeenDepth, counts_all_frames_for_any_number_of_threads) {
   }
 }
 
-TEST(SeenDepth, of_an_infinite_plane_reaches_to_its_horizon) {
+TEST(SeenDepth, of_infinite_planes_reaches_the_horizon) {
   Scene scene = square_at({0, 0, -40});
   scene.shapes[0] = Planes{{Vec3f(0, -20, 40), Vec3f(0, 1, 0)}};  // 20 mm below the axis
   const auto ground = seen(scene);
   ASSERT_TRUE(ground);
-  // The lowest rays fall by 50 / 300 and meet it 120 mm before the eye: at 180 mm.
+  // The lowest rays fall by 50 / 300 and hit it 120 mm in front of the eye, at 180 mm.
   EXPECT_NEAR(ground->near_mm, 180.0, 1e-3);
   EXPECT_EQ(ground->far_mm, -INFINITY);
-  scene.shapes[0] = Planes{{Vec3f(0, 0, 20), Vec3f(0, 0, 1)}};  // square to the view
+  scene.shapes[0] = Planes{{Vec3f(0, 0, 20), Vec3f(0, 0, 1)}};  // perpendicular to the view
   EXPECT_NEAR(seen(scene)->near_mm, -20.0, 1e-3);
   EXPECT_NEAR(seen(scene)->far_mm, -20.0, 1e-3);
 }

@@ -1,4 +1,4 @@
-// What is the subject of a scene, and that all of it is in the picture.
+// The subject of a scene, and that the picture contains all of it.
 #include "stage/subject.hpp"
 
 #include <gmock/gmock.h>
@@ -28,7 +28,7 @@ int add_node(Scene& scene, const std::string& name, Vec3f at = Vec3f(0.0f), int 
   return static_cast<int>(scene.nodes.size()) - 1;
 }
 
-/// Its instance's index.
+/// Returns the instance's index.
 std::size_t add_shape(Scene& scene, const std::string& name, Shape shape) {
   Instance instance;
   instance.name = name;
@@ -93,7 +93,7 @@ void add_travel(Scene& scene, std::size_t instance, Vec3f from, Vec3f to) {
   scene.timeline.frame_count = 26;
 }
 
-/// The corners of the instances' boxes in the picture, -1 to 1 both ways, as seen by the viewer in all frames.
+/// The corners of the instances' boxes in the picture, -1 to 1 on both axes, as seen by the viewer in all frames.
 struct Seen {
   Vec2f lower{kInfinity}, upper{-kInfinity};
   float filled() const { return 0.5f * std::max(upper.x - lower.x, upper.y - lower.y); }
@@ -142,7 +142,7 @@ TEST(Subject, ground_below_a_desk_is_left_out) {
   EXPECT_EQ(list_surroundings(scene, find_subject(scene)), "'Plane'");
 }
 
-TEST(Subject, what_is_hidden_from_cameras_is_neither_subject_nor_surroundings) {
+TEST(Subject, shapes_hidden_from_cameras_are_ignored) {
   Scene scene;
   add_box(scene, "cup", {-1, 0, -1}, {1, 1, 1});
   const std::size_t softbox = add_sheet(scene, "softbox", {-9, 5, -9}, {18, 0, 0}, {0, 0, 18});
@@ -157,7 +157,7 @@ TEST(Subject, what_is_hidden_from_cameras_is_neither_subject_nor_surroundings) {
   EXPECT_FALSE(fit_array(scene, 1.0f, cup).leaves_out_surroundings);
 }
 
-TEST(Subject, walls_and_ceiling_of_a_room_are_left_out) {
+TEST(Subject, walls_of_a_room_are_left_out) {
   for (const bool with_ceiling : {false, true}) {
     Scene scene;
     add_room(scene, with_ceiling);
@@ -189,7 +189,7 @@ TEST(Subject, body_around_small_parts_stays) {
   EXPECT_EQ(subject_of(scene).size(), 2u);
 }
 
-TEST(Subject, table_with_a_thin_leg_keeps_its_top_and_a_screen_its_panel) {
+TEST(Subject, flat_parts_of_objects_stay) {
   Scene table, screen;
   for (Scene* scene : {&table, &screen}) add_ground(*scene, 50.0f);
   add_box(table, "Top", {-1, 1, -1}, {1, 1.05f, 1});
@@ -209,7 +209,7 @@ TEST(Subject, flat_things_alone_are_the_subject) {
   EXPECT_THAT(subject_of(scene), testing::ElementsAre("Coin", "Coin"));
 }
 
-TEST(Subject, plate_that_is_little_wider_than_what_lies_on_it_stays) {
+TEST(Subject, plate_slightly_wider_than_its_load_stays) {
   Scene scene;
   add_box(scene, "Plate", {-0.6f, 0, -0.6f}, {0.6f, 0.02f, 0.6f});
   add_box(scene, "Cake", {-0.5f, 0.02f, -0.5f}, {0.5f, 0.5f, 0.5f});
@@ -225,11 +225,11 @@ TEST(FitToSubject, desk_on_a_wide_ground_fills_the_picture) {
   expect_whole(scene, {"Top", "Leg"});
   const FittedArray array = fit_array(scene);
   EXPECT_LT(array.viewing_distance, 5.0f);
-  EXPECT_GT(array.depth_back, -2.0f) << "the ground's far end does not count";
+  EXPECT_GT(array.depth_back, -2.0f) << "the far end of the ground does not count";
   EXPECT_THAT(array.how, HasSubstr("'Plane'"));
 }
 
-TEST(FitToSubject, tall_figure_and_wide_engine_fill_the_picture) {
+TEST(FitToSubject, tall_and_wide_subjects_fill_the_picture) {
   Scene figure, engine;
   add_box(figure, "Figure", {-0.25f, 0, -0.15f}, {0.25f, 1.8f, 0.15f});
   add_box(engine, "Engine", {-6, 0, -1}, {6, 3, 1});
@@ -245,7 +245,7 @@ TEST(FitToSubject, ball_just_fits) {
   EXPECT_NEAR(std::tan(std::asin(sine)) / (0.5f * array.plane_height / array.viewing_distance), 1.0f / 1.05f, kSubjectRounding);
 }
 
-TEST(FitToSubject, what_travels_is_whole_in_every_frame) {
+TEST(FitToSubject, moving_objects_fit_in_every_frame) {
   Scene scene;
   add_ground(scene, 240.0f);
   const std::size_t cart = add_box(scene, "Cart", {-1, 0, -0.5f}, {1, 1, 0.5f});
@@ -266,7 +266,7 @@ TEST(FitToSubject, wall_right_behind_counts_as_depth) {
 
 // ---- With a camera ------------------------------------------------------------------------------------------------------
 
-TEST(FitToSubject, camera_keeps_its_view_and_the_plane_goes_through_the_subject) {
+TEST(FitToSubject, cameras_keep_their_view) {
   Scene scene;
   add_ground(scene, 240.0f);
   add_desk(scene);
@@ -278,7 +278,7 @@ TEST(FitToSubject, camera_keeps_its_view_and_the_plane_goes_through_the_subject)
   EXPECT_GT(array.depth_back, -1.0f);
 }
 
-TEST(FitToSubject, only_what_the_camera_sees_of_the_subject_counts) {
+TEST(FitToSubject, only_visible_parts_of_the_subject_count) {
   Scene scene;
   add_box(scene, "Near", {-1, -1, -1}, {1, 1, 1});
   add_box(scene, "Beside", {100, -1, -60}, {101, 1, -59});
@@ -286,7 +286,7 @@ TEST(FitToSubject, only_what_the_camera_sees_of_the_subject_counts) {
   EXPECT_NEAR(fit_array(scene).viewing_distance, 9.0f, kSubjectRounding);
 }
 
-TEST(FitToSubject, picture_narrower_than_the_cameras_keeps_its_subject) {
+TEST(FitToSubject, narrow_pictures_keep_the_subject) {
   Scene scene;
   add_box(scene, "Engine", {-3, -0.5f, -0.5f}, {3, 0.5f, 0.5f});
   add_camera(scene, {0, 0, 8}, 30.0f).aspect = 1.78f;
@@ -299,7 +299,7 @@ TEST(FitToSubject, picture_narrower_than_the_cameras_keeps_its_subject) {
               kSubjectRounding);
 }
 
-TEST(FitToSubject, camera_of_a_file_with_a_resolution_keeps_its_height) {
+TEST(FitToSubject, cameras_with_a_resolution_keep_their_height) {
   Scene scene;
   scene.resolution = {178, 100};
   add_box(scene, "Engine", {-3, -0.5f, -0.5f}, {3, 0.5f, 0.5f});
@@ -321,7 +321,7 @@ Scene two_boxes_before_a_camera() {
   return scene;
 }
 
-TEST(ViewWish, focus_moves_the_plane_and_keeps_the_view) {
+TEST(ViewWish, focus_moves_only_the_plane) {
   const Scene scene = two_boxes_before_a_camera();
   const std::pair<const char*, float> cases[] = {{"Head", 10.0f}, {"Tree", 20.0f}, {"1,2,-3", 15.0f}, {"4.5", 4.5f}};
   for (const auto& [text, distance] : cases) {
@@ -333,7 +333,7 @@ TEST(ViewWish, focus_moves_the_plane_and_keeps_the_view) {
   }
 }
 
-TEST(ViewWish, fit_to_shows_the_node_whole_from_the_cameras_direction) {
+TEST(ViewWish, fit_to_frames_the_node) {
   Scene scene = two_boxes_before_a_camera();
   const int parent = add_node(scene, "Group");
   scene.instances[1].node = add_node(scene, "Inner", {40, 0, 0}, parent);
@@ -346,7 +346,7 @@ TEST(ViewWish, fit_to_shows_the_node_whole_from_the_cameras_direction) {
   }
 }
 
-TEST(ViewWish, fit_to_moves_with_the_camera_and_is_whole_in_every_frame) {
+TEST(ViewWish, fit_to_follows_the_camera) {
   Scene scene = two_boxes_before_a_camera();
   NodeAnimation move;
   move.node = scene.cameras[0].node;
@@ -363,18 +363,18 @@ TEST(ViewWish, zoom_narrows_the_view) {
   EXPECT_EQ(zoomed.viewing_distance, plain.viewing_distance);
 }
 
-TEST(ViewWish, orbit_turns_a_camera_about_the_middle_of_the_plane) {
+TEST(ViewWish, orbit_rotates_about_the_planes_centre) {
   const Scene scene = two_boxes_before_a_camera();
   const Affine3f before = world_from_display(fit_array(scene), 1.0f, evaluate(scene, 0.0));
   const auto turned = [&](float yaw, float pitch) {
     return world_from_display(fit_array(scene, 1.0f, {{}, {}, 1.0f, {yaw, pitch}}), 1.0f, evaluate(scene, 0.0));
   };
   EXPECT_LT(glm::length(turned(90, 0).translation - before.translation), kSubjectRounding);
-  EXPECT_LT(glm::length(turned(90, 0).linear[2] - Vec3f(1, 0, 0)), kSubjectRounding) << "the viewer moved to the right";
+  EXPECT_LT(glm::length(turned(90, 0).linear[2] - Vec3f(1, 0, 0)), kSubjectRounding) << "the viewer moves to the right";
   EXPECT_LT(glm::length(turned(0, 90).linear[2] - Vec3f(0, 1, 0)), kSubjectRounding) << "and up";
 }
 
-TEST(ViewWish, orbit_without_a_camera_keeps_the_subject_whole_and_upright) {
+TEST(ViewWish, orbit_without_camera_keeps_the_subject) {
   Scene scene;
   add_ground(scene, 240.0f);
   add_desk(scene);
@@ -395,7 +395,7 @@ void expect_refused(const Scene& scene, const ViewWish& wish, const char* words)
   }
 }
 
-TEST(ViewWish, nonsense_is_refused_with_what_would_be_accepted) {
+TEST(ViewWish, invalid_wishes_are_refused) {
   Scene scene = two_boxes_before_a_camera();
   expect_refused(scene, fit_to("Haed"), "did you mean 'Head'?");
   expect_refused(scene, focus("Haed"), "did you mean 'Head'?");
