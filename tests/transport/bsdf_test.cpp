@@ -12,7 +12,7 @@ namespace {
 using test::albedo;
 using test::kNormal;
 
-/// At an angle from the normal.
+/// Returns a direction at an angle from the normal.
 Vec3f view_at(float degrees_from_normal) {
   return Basis(kNormal).to_world({std::sin(radians(degrees_from_normal)), 0.0f, std::cos(radians(degrees_from_normal))});
 }
@@ -39,7 +39,7 @@ std::vector<MetalRoughSurface> surfaces() {
   return all;
 }
 
-/// Mean of three channels' weights over `count` samples, and of the squares.
+/// Returns the mean of three channels' weights over `count` samples, and of their squares.
 template <class Bsdf>
 std::pair<double, double> mean_weight(const Bsdf& bsdf, int count) {
   double sum = 0.0, squares = 0.0;
@@ -52,7 +52,7 @@ std::pair<double, double> mean_weight(const Bsdf& bsdf, int count) {
   return {sum / count, squares / count};
 }
 
-TEST(MetalRoughBsdf, directions_are_drawn_as_their_density_says) {
+TEST(MetalRoughBsdf, directions_follow_their_density) {
   int n = 0;
   for (const MetalRoughSurface& surface : surfaces())
     for (const float angle : {10.0f, 70.0f})
@@ -71,7 +71,7 @@ TEST(MetalRoughBsdf, directions_are_drawn_as_their_density_says) {
       }
 }
 
-TEST(MetalRoughBsdf, a_samples_weight_and_density_are_those_of_evaluate) {
+TEST(MetalRoughBsdf, sample_agrees_with_evaluate) {
   for (const MetalRoughSurface& surface : surfaces()) {
     const MetalRoughBsdf bsdf = bsdf_of(surface, 40.0f);
     for (std::uint32_t i = 0; i < 50; ++i) {
@@ -84,15 +84,15 @@ TEST(MetalRoughBsdf, a_samples_weight_and_density_are_those_of_evaluate) {
   }
 }
 
-// White inside white: whatever the angle, roughness and kind, the light that arrives everywhere leaves.
-TEST(MetalRoughBsdf, white_in_a_white_furnace_loses_and_gains_nothing) {
+// White inside white: at any angle, roughness and kind, all incoming light leaves.
+TEST(MetalRoughBsdf, white_furnace_conserves_energy) {
   for (const float metallic : {0.0f, 0.5f, 1.0f})
     for (int r = 0; r <= 10; ++r)
       for (const float angle : {0.0f, 30.0f, 60.0f, 80.0f}) {
         MetalRoughSurface white;
         white.metallic = metallic, white.roughness = 0.1f * static_cast<float>(r);
         const auto [mean, squares] = mean_weight(bsdf_of(white, angle), 16'384);
-        // 0.5 %, and the chance that is left: three standard errors of independent samples.
+        // 0.5 %, and noise: three standard errors of independent samples.
         EXPECT_NEAR(mean, 1.0, 0.005 + 3.0 * std::sqrt(std::max(0.0, squares - mean * mean) / 16'384))
             << "metallic " << metallic << ", roughness 0." << r << ", " << angle << " degrees";
       }
@@ -104,8 +104,8 @@ TEST(MetalRoughBsdf, smooth_glass_loses_nothing) {
   for (const bool entering : {true, false}) EXPECT_NEAR(mean_weight(bsdf_of(glass, 50.0f, entering), 4096).first, 1.0, 1e-4);
 }
 
-// 1 %: what interpolation in the tables leaves, and the chance that is left.
-TEST(MetalRoughBsdf, rough_glass_in_a_white_furnace_loses_and_gains_nothing) {
+// 1 %: interpolation in the tables, and noise.
+TEST(MetalRoughBsdf, rough_glass_conserves_energy) {
   for (const float ior : {1.33f, 1.5f, 2.0f})
     for (int r = 1; r <= 10; ++r)
       for (const float angle : {0.0f, 30.0f, 60.0f, 80.0f})
@@ -119,7 +119,7 @@ TEST(MetalRoughBsdf, rough_glass_in_a_white_furnace_loses_and_gains_nothing) {
         }
 }
 
-TEST(MetalRoughBsdf, glass_reflects_fresnels_share_and_bends_by_snells_law) {
+TEST(MetalRoughBsdf, glass_follows_fresnel_and_snell) {
   MetalRoughSurface glass;
   glass.metallic = 0.0f, glass.roughness = 0.0f, glass.transmission = 1.0f, glass.ior = 1.5f;
   const MetalRoughBsdf bsdf = bsdf_of(glass, 0.0f);
@@ -129,23 +129,23 @@ TEST(MetalRoughBsdf, glass_reflects_fresnels_share_and_bends_by_snells_law) {
   EXPECT_NEAR(glm::length(glm::cross(bent->direction, kNormal)), 0.5f / 1.5f, 1e-5f);
 }
 
-TEST(MetalRoughBsdf, is_reciprocal_where_it_claims_to_be) {
+TEST(MetalRoughBsdf, is_reciprocal_as_documented) {
   MetalRoughSurface diffuse;
   diffuse.metallic = 0.0f, diffuse.roughness = 0.6f, diffuse.base_color = {0.8f, 0.4f, 0.2f};
   const Vec3f a = view_at(20.0f), b = view_at(65.0f);
   const Vec3f ab = MetalRoughBsdf(diffuse, albedo(), kNormal, kNormal, a, true).evaluate(b).cosine_f / glm::dot(b, kNormal);
   const Vec3f ba = MetalRoughBsdf(diffuse, albedo(), kNormal, kNormal, b, true).evaluate(a).cosine_f / glm::dot(a, kNormal);
-  // But for the gloss's compensation, which looks at one side: of F0 = 0.04 a few thousandths.
+  // Except for the gloss's compensation, which depends on one side: a few thousandths for F0 = 0.04.
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(ab[c], ba[c], 3e-3f * ab[c]);
 }
 
-TEST(MetalRoughBsdf, black_metal_sends_only_its_edge) {
+TEST(MetalRoughBsdf, black_metal_reflects_only_at_grazing_angles) {
   MetalRoughSurface black;
   black.base_color = Vec3f(0.0f), black.metallic = 1.0f, black.roughness = 0.0f;
   EXPECT_NEAR(mean_weight(bsdf_of(black, 0.0f), 256).first, 0.0, 1e-6);
 }
 
-TEST(PhongBsdf, diffuse_white_loses_nothing_and_is_drawn_by_its_density) {
+TEST(PhongBsdf, diffuse_white_conserves_energy) {
   PhongPoint white;
   white.diffuse = Vec3f(1.0f);
   const PhongBsdf bsdf(white, kNormal, view_at(30.0f), true);

@@ -1,4 +1,4 @@
-// Whether directions fall as a density says: Pearson's chi-squared test over a grid of the sphere.
+// Tests whether directions follow a density: Pearson's chi-squared test over a grid of the sphere.
 #pragma once
 
 #include <cmath>
@@ -14,18 +14,18 @@ namespace lippmann::test {
 struct ChiSquared {
   double statistic = 0.0;
   int degrees_of_freedom = 0;
-  /// The statistic as standard deviations above its mean, by Wilson and Hilferty's transform: 4 is one in 30,000.
+  /// Returns the statistic in standard deviations above its mean, by Wilson and Hilferty's transform: 4 is one in 30,000.
   double deviations() const {
     const double n = degrees_of_freedom, t = 2.0 / (9.0 * n);
     return (std::cbrt(statistic / n) - (1.0 - t)) / std::sqrt(t);
   }
 };
 
-/// draw(i): direction of sample i of `count`, or none; density(direction): per steradian. Cells with fewer than 8 expected
-/// samples are put together.
+/// draw(i): returns direction i of `count`, or no value; density(direction): per steradian. Cells with fewer than 8 expected
+/// samples are merged.
 inline ChiSquared chi_squared(int count, const std::function<std::optional<Vec3f>(int)>& draw,
                               const std::function<double(Vec3f)>& density) {
-  constexpr int kPolar = 24, kAzimuth = 48, kWithin = 24;  // cells, and points of quadrature a side within each
+  constexpr int kPolar = 24, kAzimuth = 48, kWithin = 24;  // cells, and quadrature points per side of each
   std::vector<double> expected(kPolar * kAzimuth), found(kPolar * kAzimuth);
   for (int c = 0; c < kPolar * kAzimuth; ++c)
     for (int i = 0; i < kWithin * kWithin; ++i) {

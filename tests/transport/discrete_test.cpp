@@ -8,8 +8,8 @@
 namespace lippmann {
 namespace {
 
-TEST(DiscreteDistribution, finds_the_share_that_a_number_falls_into) {
-  const DiscreteDistribution d(std::array{1.0f, 0.0f, 2.0f, 1.0f, 0.0f});  // shares end at .25, .25, .75, 1, 1
+TEST(DiscreteDistribution, finds_the_interval_of_a_number) {
+  const DiscreteDistribution d(std::array{1.0f, 0.0f, 2.0f, 1.0f, 0.0f});  // cumulative shares: .25, .25, .75, 1, 1
   float rest = -1.0f;
   EXPECT_EQ(d.sample(0.0f, rest), 0u);
   EXPECT_EQ(d.sample(0.25f, rest), 2u);
@@ -24,7 +24,7 @@ TEST(DiscreteDistribution, finds_the_share_that_a_number_falls_into) {
   EXPECT_DOUBLE_EQ(d.total(), 4.0);
 }
 
-TEST(DiscreteDistribution, many_uneven_weights_are_found_by_their_shares) {
+TEST(DiscreteDistribution, uneven_weights_are_drawn_proportionally) {
   std::vector<float> weights;
   for (int i = 0; i < 1000; ++i) weights.push_back(i % 7 == 0 ? 0.0f : i % 50 == 1 ? 400.0f : 1.0f);
   const DiscreteDistribution d(weights);

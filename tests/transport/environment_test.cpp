@@ -31,11 +31,11 @@ Environment::Density density_of(const Environment& e, Vec3f direction) {
   return e.density(rays, 0);
 }
 
-// Eight columns of 45 degrees; column 4 begins at +x, and z grows with the column.
+// Eight columns of 45 degrees; column 4 starts at +x, and z grows with the column.
 TEST(Environment, a_panorama_lies_as_documented) {
   Background b = panorama(8, 4, [](int x, int y) { return Vec3f(static_cast<float>(x), static_cast<float>(y), 1.0f); });
   const Environment e(b);
-  const float turn = radians(22.5f);  // to the middle of a column
+  const float turn = radians(22.5f);  // to the centre of a column
   const Vec3f x_axis = e.radiance({std::cos(turn) * std::cos(turn), std::sin(turn), std::sin(turn) * std::cos(turn)});
   EXPECT_NEAR(x_axis.x, 4.0f, 1e-4f);
   EXPECT_NEAR(x_axis.y, 1.0f, 1e-4f);  // row 1 is centred 22.5 degrees above the horizon
@@ -45,7 +45,7 @@ TEST(Environment, a_panorama_lies_as_documented) {
   EXPECT_NEAR(e.radiance({0.0f, -1.0f, 0.0f}).y, 3.0f, 1e-4f);
 }
 
-TEST(Environment, directions_side_by_side_see_what_each_alone_sees) {
+TEST(Environment, packets_equal_single_look_ups) {
   Background b = panorama(8, 4, [](int x, int y) { return Vec3f(static_cast<float>(x), static_cast<float>(y), 1.0f); });
   b.map->rotation = 0.7f, b.map->strength = 1.5f;
   Background sky;
@@ -65,7 +65,7 @@ TEST(Environment, directions_side_by_side_see_what_each_alone_sees) {
   }
 }
 
-TEST(Environment, directions_drawn_side_by_side_are_those_that_are_drawn_alone) {
+TEST(Environment, packets_equal_single_samples) {
   Background b = panorama(37, 20, [](int x, int y) { return Vec3f(static_cast<float>(x % 5), static_cast<float>(y), 1.0f); });
   b.map->rotation = 0.7f, b.map->strength = 1.5f;
   Background grey = panorama(16, 8, [](int x, int y) { return Vec3f(static_cast<float>((x * 5 + y * 3) % 7)); });
@@ -88,7 +88,7 @@ TEST(Environment, directions_drawn_side_by_side_are_those_that_are_drawn_alone) 
   }
 }
 
-TEST(Environment, a_sample_has_the_light_of_its_direction) {
+TEST(Environment, samples_have_their_directions_radiance) {
   Background b = panorama(37, 20, [](int x, int y) { return Vec3f(static_cast<float>(x % 5), static_cast<float>(y), 1.0f); });
   b.map->strength = 1.5f;
   for (const float rotation : {0.7f, -1000.0f, 1e30f}) {
@@ -104,14 +104,14 @@ TEST(Environment, a_sample_has_the_light_of_its_direction) {
   }
 }
 
-TEST(Environment, turning_moves_what_lies_along_x_towards_z) {
+TEST(Environment, rotation_moves_x_towards_z) {
   Background b = panorama(8, 4, [](int x, int) { return Vec3f(x == 4 ? 1.0f : 0.0f); });
   b.map->rotation = radians(90.0f);
   const float angle = radians(112.5f);
   EXPECT_NEAR(Environment(b).radiance({std::cos(angle), 0.0f, std::sin(angle)}).x, 1.0f, 1e-4f);
 }
 
-/// Light of 1 but for one texel, which has as much light again. Texels of 1.4 degrees.
+/// Returns light of 1 except for one texel that holds as much light as all others. Texels of 1.4 degrees.
 Background sunny(int sun_x, int sun_y) {
   constexpr int kWidth = 256, kHeight = 128;
   const double step = M_PI / kHeight, texel = (std::cos(step * sun_y) - std::cos(step * (sun_y + 1))) * 2.0 * M_PI / kWidth;
@@ -120,7 +120,7 @@ Background sunny(int sun_x, int sun_y) {
   });
 }
 
-/// fn(direction, its share of the sphere) for a grid of directions, `within` times as fine as a panorama.
+/// Calls fn(direction, share of the sphere) for a grid of directions, `within` times as fine as a panorama.
 void for_each_direction(const Background& b, int within, const std::function<void(Vec3f, double)>& fn) {
   const int width = b.map->radiance.width * within, height = b.map->radiance.height * within;
   for (int y = 0; y < height; ++y)
@@ -131,7 +131,7 @@ void for_each_direction(const Background& b, int within, const std::function<voi
     }
 }
 
-TEST(Environment, directions_are_drawn_as_their_density_says) {
+TEST(Environment, directions_follow_their_density) {
   Background b =
       panorama(16, 8, [](int x, int y) { return Vec3f(x == 3 && y == 2 ? 50.0f : static_cast<float>((x * 7 + y) % 5)); });
   b.map->rotation = 1.0f;
@@ -147,7 +147,7 @@ TEST(Environment, directions_are_drawn_as_their_density_says) {
   }
 }
 
-TEST(Environment, a_samples_density_is_that_of_its_direction) {
+TEST(Environment, samples_have_their_directions_density) {
   const Background b = panorama(16, 8, [](int x, int y) { return Vec3f(static_cast<float>(1 + (x * 5 + y * 3) % 7)); });
   const Environment e(b);
   for (std::uint32_t i = 0; i < 200; ++i) {
@@ -156,25 +156,25 @@ TEST(Environment, a_samples_density_is_that_of_its_direction) {
   }
 }
 
-TEST(Environment, a_sun_of_one_texel_is_found_wherever_it_lies) {
+TEST(Environment, one_texel_suns_are_found_anywhere) {
   for (const Vec2i at : {Vec2i(100, 40), Vec2i(0, 64), Vec2i(255, 64), Vec2i(30, 0), Vec2i(255, 0), Vec2i(0, 127)}) {
     const Background b = sunny(at.x, at.y);
     const Environment e(b);
-    // At a pole, light reaches further than its texel: the half row beside the pole has 1 / 4 of that row's solid angle and the
+    // At a pole, light extends beyond its texel: the half row next to the pole has 1 / 4 of that row's solid angle, and the
     // next one twice it at half the light, 5 / 4 together.
     EXPECT_NEAR(e.sun_share(), at.y % 127 == 0 ? 1.25f / 2.25f : 0.5f, 0.002f) << at.x << ", " << at.y;
     double solid_angle = 0.0;
     for_each_direction(b, 3, [&](Vec3f d, double steradian) {
       const bool of_sun = density_of(e, d).of_sun;
       solid_angle += of_sun ? steradian : 0.0;
-      EXPECT_TRUE(of_sun || e.radiance(d).y <= 1.01f) << "the sun's light reaches beyond it, at " << at.x << ", " << at.y;
+      EXPECT_TRUE(of_sun || e.radiance(d).y <= 1.01f) << "the sun's light extends beyond it, at " << at.x << ", " << at.y;
     });
     EXPECT_LT(solid_angle, 0.0025);  // two texels by two
   }
 }
 
-// By quadrature over a grid of 6 x 6 points a texel.
-TEST(Environment, densities_of_sun_and_rest_integrate_to_one_and_their_light_is_all) {
+// By quadrature over a grid of 6 x 6 points per texel.
+TEST(Environment, sun_and_rest_integrate_to_one) {
   Background b = sunny(200, 50);
   b.map->rotation = 0.3f;
   const Environment e(b);
@@ -194,7 +194,7 @@ TEST(Environment, densities_of_sun_and_rest_integrate_to_one_and_their_light_is_
   EXPECT_NEAR(sampled, light, 0.002 * light);
 }
 
-// What is looked up is as bright as the density says, wherever: a sample of the sun tells as much as all of them do.
+// The radiance matches the density everywhere, so one sample of the sun gives the same result as all.
 TEST(Environment, samples_of_a_sun_have_no_noise) {
   const Background b = sunny(200, 50);
   const Environment e(b);
@@ -222,7 +222,7 @@ TEST(Environment, soft_skies_have_no_sun) {
   }
 }
 
-TEST(Environment, an_even_one_has_its_radiance_as_mean_and_a_dark_one_says_so) {
+TEST(Environment, mean_radiance_and_darkness_are_known) {
   Background even;
   even.horizon = even.zenith = Vec3f(0.5f);
   EXPECT_NEAR(Environment(even).mean_radiance().y, 0.5f, 1e-4f);

@@ -1,4 +1,4 @@
-// Light followed from facet to facet of a rough metal, as the truth for what more than one scattering sends back.
+// Follows light from facet to facet of a rough metal, as a reference for multiple scattering.
 //
 // Based on: E. Heitz et al., "Multiple-Scattering Microfacet BSDFs with the Smith Model", SIGGRAPH 2016, section 4.
 #pragma once
@@ -11,7 +11,7 @@
 
 namespace lippmann::test {
 
-/// A ray below the rim of a Smith surface of uniform heights. below: the share of heights below it.
+/// A ray below the top of a Smith surface of uniform heights. below: share of heights below the ray.
 struct FacetWalk {
   AnisotropicGgx ggx;
   Vec3f direction;
@@ -20,7 +20,7 @@ struct FacetWalk {
 
   double number() { return std::uniform_real_distribution<double>()(random); }
 
-  /// Whether it leaves; else it has gone on to the next facet.
+  /// Returns whether the ray leaves; otherwise moves it to the next facet.
   bool leaves() {
     const double away = static_cast<double>(ggx.lambda(direction)), lambda = direction.z > 0.0f ? away : -1.0 - away;
     const double free = direction.z > 0.0f ? std::pow(below, lambda) : 0.0, u = number();
@@ -29,7 +29,7 @@ struct FacetWalk {
     return false;
   }
 
-  /// Mirrors it, and returns Schlick's reflectance there.
+  /// Reflects the ray and returns Schlick's reflectance.
   Vec3f bounce(Vec3f f0) {
     const Vec3f back = -direction, h = ggx.sample_visible(back, {static_cast<float>(number()), static_cast<float>(number())});
     const float cosine = std::max(0.0f, glm::dot(back, h));
@@ -38,8 +38,8 @@ struct FacetWalk {
   }
 };
 
-/// The share of light that leaves a metal after any number of bounces. view: local, unit. Of 40,000 walks: the standard error
-/// is up to 0.3 %.
+/// Returns the share of light that leaves a metal after any number of bounces. view: local unit vector. The standard error of
+/// 40,000 walks is at most 0.3 %.
 inline Vec3f walked_albedo(Vec3f view, Vec2f alpha, Vec3f f0) {
   constexpr int kWalks = 40'000, kMostBounces = 100;
   std::mt19937 random(5);

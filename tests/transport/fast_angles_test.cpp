@@ -5,10 +5,10 @@
 namespace lippmann {
 namespace {
 
-// 3e-7: a little more than one unit of the last place of pi.
+// 3e-7: slightly more than one unit in the last place of pi.
 constexpr float kTolerance = 3e-7f;
 
-TEST(FastAngles, arc_tangents_are_the_librarys_all_around) {
+TEST(FastAngles, arc_tangents_match_the_library) {
   for (int i = 0; i < 100'000; ++i) {
     const float angle = 2.0f * kPi * (static_cast<float>(i) + 0.5f) / 100'000.0f;
     const float y = 3.0f * std::sin(angle), x = 3.0f * std::cos(angle);
@@ -16,7 +16,7 @@ TEST(FastAngles, arc_tangents_are_the_librarys_all_around) {
   }
 }
 
-TEST(FastAngles, arc_tangents_on_the_axes_are_right) {
+TEST(FastAngles, arc_tangents_on_axes_are_exact) {
   EXPECT_EQ(fast_atan2(0.0f, 2.0f), 0.0f);
   EXPECT_EQ(fast_atan2(0.0f, -2.0f), kPi);
   EXPECT_EQ(fast_atan2(2.0f, 0.0f), 0.5f * kPi);
@@ -24,7 +24,7 @@ TEST(FastAngles, arc_tangents_on_the_axes_are_right) {
   EXPECT_EQ(fast_atan2(0.0f, 0.0f), 0.0f);
 }
 
-TEST(FastAngles, arc_cosines_are_the_librarys_from_pole_to_pole) {
+TEST(FastAngles, arc_cosines_match_the_library) {
   for (int i = 0; i <= 100'000; ++i) {
     const float x = static_cast<float>(i - 50'000) / 50'000.0f;
     ASSERT_NEAR(fast_acos(x), std::acos(x), kTolerance) << x;
@@ -33,7 +33,7 @@ TEST(FastAngles, arc_cosines_are_the_librarys_from_pole_to_pole) {
   EXPECT_EQ(fast_acos(-1.0f), kPi);
 }
 
-TEST(FastAngles, sines_and_cosines_are_the_librarys_for_some_turns) {
+TEST(FastAngles, sines_and_cosines_match_the_library) {
   for (int i = -400'000; i <= 400'000; ++i) {
     const float angle = static_cast<float>(i) * (10.0f / 400'000.0f);
     float sine, cosine;

@@ -12,7 +12,7 @@ namespace {
 using test::albedo;
 using test::walked_albedo;
 
-/// The albedo of one scattering by quadrature over outgoing directions, F = 1.
+/// Returns the albedo of single scattering by quadrature over outgoing directions, with F = 1.
 double brute_force(float cosine, float alpha) {
   const Ggx ggx{alpha};
   const Vec3f view(std::sqrt(1.0f - cosine * cosine), 0.0f, cosine);
@@ -30,10 +30,10 @@ double brute_force(float cosine, float alpha) {
   return sum;
 }
 
-// 1.2 % are what the fit leaves, the rest is the walks' noise. With light that grazes the surface taken to meet later facets as
-// any other does, metals of roughness 0.3 to 0.6 are 4 to 6 % too dark at cosines of 0.1 and 0.2; with a factor of 1 + F0 (1 -
-// E) / E, F0 = 0.5 is 16 % too bright at roughness 1.
-TEST(GgxAlbedo, of_coloured_metals_is_that_of_walks_from_facet_to_facet) {
+// The fit has an error of 1.2 %, the rest is noise of the walks. If grazing light were assumed to hit later facets like any
+// other, metals of roughness 0.3 to 0.6 would be 4 to 6 % too dark at cosines of 0.1 and 0.2; with a factor of 1 + F0 (1 - E) /
+// E, F0 = 0.5 would be 16 % too bright at roughness 1.
+TEST(GgxAlbedo, of_coloured_metals_matches_facet_walks) {
   const Vec3f f0(0.2f, 0.5f, 0.8f);
   for (const float roughness : {0.3f, 0.45f, 0.6f, 0.8f, 1.0f})
     for (const float cosine : {0.1f, 0.2f, 0.3f, 0.7f, 0.999f}) {
@@ -59,13 +59,13 @@ TEST(GgxAlbedo, agrees_with_quadrature) {
     }
 }
 
-TEST(GgxAlbedo, of_a_smooth_surface_is_fresnels) {
+TEST(GgxAlbedo, of_smooth_surfaces_is_fresnels) {
   const Vec3f single = albedo().single(0.5f, 0.0f);
   EXPECT_NEAR(single.x + single.y, 1.0f, 1e-3f);
   EXPECT_NEAR(single.y, 0.03125f, 2e-3f);  // (1 - 0.5)^5
 }
 
-TEST(GgxAlbedo, compensated_white_loses_nothing) {
+TEST(GgxAlbedo, compensated_white_conserves_energy) {
   for (const float roughness : {0.1f, 0.6f, 1.0f})
     for (const float cosine : {0.05f, 0.4f, 1.0f}) {
       const Vec3f single = albedo().single(cosine, roughness * roughness);
@@ -73,7 +73,7 @@ TEST(GgxAlbedo, compensated_white_loses_nothing) {
     }
 }
 
-TEST(GgxAlbedo, the_mean_is_that_of_the_directions) {
+TEST(GgxAlbedo, mean_equals_the_directions_mean) {
   const Vec3f f0(0.04f, 0.5f, 0.9f), f90(1.0f);
   constexpr int kPoints = 1000;
   Vec3f sum(0.0f);

@@ -23,7 +23,7 @@ LayeredBsdf bsdf_of(const LayeredSurface& surface, Vec3f view, bool entering = t
   return {surface, albedo(), {kNormal, kNormal, kNormal}, kTangent, view, entering};
 }
 
-/// As where maps and lifting bend each its own way. All three face views of up to 50 degrees.
+/// As if maps and lifting had bent each normal separately. All three face views of up to 50 degrees.
 const MetalRoughBsdf::Normals kApart{kNormal, direction(30.0f, 20.0f), direction(35.0f, 200.0f)};
 
 LayeredSurface dielectric(float roughness) {
@@ -86,7 +86,7 @@ std::vector<Case> rough_surfaces() {
           {"all", all}};
 }
 
-/// Mean of the channels' weights, and three standard errors of as many independent samples.
+/// Mean of the channels' weights, and three standard errors for independent samples.
 struct Furnace {
   Vec3f mean;
   float chance;
@@ -105,7 +105,7 @@ Furnace furnace(const LayeredBsdf& bsdf, int count = 8'192) {
   return {Vec3f(mean), static_cast<float>(3.0 * std::sqrt(std::max(0.0, squares / count - mean.y * mean.y) / count))};
 }
 
-/// How far the directions that are drawn are from their density.
+/// Returns the deviation of the drawn directions from their density.
 double deviations(const LayeredBsdf& bsdf) {
   const auto draw = [&](int i) -> std::optional<Vec3f> {
     const auto seed = static_cast<std::uint32_t>(i);
@@ -116,7 +116,7 @@ double deviations(const LayeredBsdf& bsdf) {
   return test::chi_squared(100'000, draw, density).deviations();
 }
 
-TEST(LayeredBsdf, directions_are_drawn_as_their_density_says) {
+TEST(LayeredBsdf, directions_follow_their_density) {
   for (const Case& c : rough_surfaces())
     for (const float angle : {10.0f, 70.0f})
       for (const bool entering : {true, false})
@@ -124,14 +124,14 @@ TEST(LayeredBsdf, directions_are_drawn_as_their_density_says) {
             << c.name << " at " << angle << " degrees" << (entering ? "" : ", from inside");
 }
 
-TEST(LayeredBsdf, directions_about_three_normals_are_drawn_as_their_density_says) {
+TEST(LayeredBsdf, three_normals_follow_their_density) {
   for (const Case& c : rough_surfaces())
     for (const float angle : {10.0f, 50.0f})
       EXPECT_LT(deviations(LayeredBsdf(c.surface, albedo(), kApart, kTangent, direction(angle, 100.0f), true)), 4.0)
           << c.name << " at " << angle << " degrees";
 }
 
-TEST(LayeredBsdf, a_samples_weight_and_density_are_those_of_evaluate) {
+TEST(LayeredBsdf, sample_agrees_with_evaluate) {
   for (const Case& c : rough_surfaces()) {
     const LayeredBsdf bsdf = bsdf_of(c.surface, direction(40.0f));
     for (std::uint32_t i = 0; i < 50; ++i) {
@@ -145,7 +145,7 @@ TEST(LayeredBsdf, a_samples_weight_and_density_are_those_of_evaluate) {
   }
 }
 
-// But for the film's compensation for light of several facets, which looks at one side: a few thousandths.
+// Except for the film's compensation for multiple scattering, which depends on one side: a few thousandths.
 TEST(LayeredBsdf, sheen_film_and_diffuse_transmission_are_reciprocal) {
   for (LayeredSurface s : {sheen(0.3f), sheen(1.0f), filmed(0.0f), leaf()}) {
     s.base.specular = 0.0f;
@@ -160,7 +160,7 @@ TEST(LayeredBsdf, sheen_film_and_diffuse_transmission_are_reciprocal) {
   }
 }
 
-// Compensation looks at the viewer's side alone: of rough metal both ways differ by as much as it adds.
+// Compensation depends only on the viewer's side: for rough metal the two ways differ by the amount it adds.
 TEST(LayeredBsdf, smooth_brushed_metal_is_reciprocal) {
   const LayeredSurface s = brushed(0.15f, 0.2f);
   const Vec3f a = direction(25.0f, 10.0f), b = direction(30.0f, 185.0f);
@@ -169,7 +169,7 @@ TEST(LayeredBsdf, smooth_brushed_metal_is_reciprocal) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(ab[c], ba[c], 2e-3f * ab[c]);
 }
 
-TEST(LayeredBsdf, without_any_layer_it_is_the_common_surface) {
+TEST(LayeredBsdf, without_layers_equals_the_base_surface) {
   LayeredSurface coated = dielectric(0.5f);
   coated.base.metallic = 0.3f, coated.base.transmission = 0.4f, coated.base.clearcoat = 0.6f;
   coated.base.clearcoat_roughness = 0.4f;
@@ -194,8 +194,8 @@ TEST(LayeredBsdf, without_any_layer_it_is_the_common_surface) {
     }
 }
 
-// 3 %: what interpolation in the table leaves.
-TEST(LayeredBsdf, white_brushed_metal_in_a_white_furnace_loses_and_gains_little) {
+// 3 %: interpolation in the table.
+TEST(LayeredBsdf, white_brushed_metal_conserves_energy) {
   for (const float roughness : {0.1f, 0.3f, 0.6f, 0.9f})
     for (const float anisotropy : {0.3f, 0.6f, 1.0f})
       for (const float angle : {0.0f, 30.0f, 60.0f, 80.0f})
@@ -208,9 +208,9 @@ TEST(LayeredBsdf, white_brushed_metal_in_a_white_furnace_loses_and_gains_little)
         }
 }
 
-// 7 %: the later facets are taken to be as rough both ways as the surface looks from the viewer, and the table's interpolation.
-// With later facets that light meets as any other does, most of these are 7 to 29 % too dark.
-TEST(LayeredBsdf, coloured_brushed_metal_is_that_of_walks_from_facet_to_facet) {
+// 7 %: later facets are assumed to be as rough in both directions as the surface is from the viewer, plus the table's
+// interpolation. If light hit later facets like any other, most of these would be 7 to 29 % too dark.
+TEST(LayeredBsdf, coloured_brushed_metal_matches_facet_walks) {
   for (const float roughness : {0.2f, 0.4f})
     for (const float cosine : {0.1f, 0.3f})
       for (const float azimuth : {0.0f, 1.57f}) {
@@ -228,7 +228,7 @@ TEST(LayeredBsdf, coloured_brushed_metal_is_that_of_walks_from_facet_to_facet) {
       }
 }
 
-TEST(LayeredBsdf, white_panes_and_leaves_in_a_white_furnace_lose_and_gain_nothing) {
+TEST(LayeredBsdf, white_panes_and_leaves_conserve_energy) {
   for (int r = 0; r <= 10; ++r)
     for (const float angle : {0.0f, 30.0f, 60.0f, 80.0f}) {
       LayeredSurface glass = pane(0.1f * static_cast<float>(r)), both = leaf();
@@ -241,9 +241,9 @@ TEST(LayeredBsdf, white_panes_and_leaves_in_a_white_furnace_lose_and_gain_nothin
     }
 }
 
-// Sheen and films pass the lesser of two shares, and so lose some light; what they must not do is make any. 1 %: a film's
-// reflectance is taken at the angle of the whole surface.
-TEST(LayeredBsdf, white_sheen_and_films_in_a_white_furnace_gain_nothing) {
+// Sheen and films pass the lesser of two shares, and so lose some light, but they must never add any. 1 %: a film's reflectance
+// is computed at the angle of the whole surface.
+TEST(LayeredBsdf, white_sheen_and_films_add_no_light) {
   for (int r = 1; r <= 10; ++r)
     for (const float angle : {0.0f, 30.0f, 60.0f, 80.0f})
       for (const float thickness : {0.0f, 150.0f, 400.0f, 900.0f}) {
@@ -260,7 +260,7 @@ TEST(LayeredBsdf, white_sheen_and_films_in_a_white_furnace_gain_nothing) {
       }
 }
 
-TEST(LayeredBsdf, black_cloth_in_a_white_furnace_shows_the_sheens_albedo) {
+TEST(LayeredBsdf, black_cloth_shows_the_sheens_albedo) {
   LayeredSurface s = sheen(0.5f);
   s.base.base_color = Vec3f(0.0f), s.base.specular = 0.0f, s.sheen_color = Vec3f(1.0f);
   for (const float angle : {0.0f, 45.0f, 75.0f}) {
@@ -269,7 +269,7 @@ TEST(LayeredBsdf, black_cloth_in_a_white_furnace_shows_the_sheens_albedo) {
   }
 }
 
-TEST(LayeredBsdf, a_smooth_pane_bends_nothing_and_reflects_fresnels_share) {
+TEST(LayeredBsdf, smooth_panes_follow_fresnel_without_bending) {
   const LayeredBsdf bsdf = bsdf_of(pane(0.0f), direction(30.0f));
   const std::optional<BsdfSample> through = bsdf.sample(0.9f, Vec2f(0.5f)), back = bsdf.sample(0.001f, Vec2f(0.5f));
   EXPECT_TRUE(through->transmitted && through->is_delta());
@@ -287,8 +287,8 @@ TEST(LayeredBsdf, brushed_metal_is_wider_along_the_tangent) {
   EXPECT_FLOAT_EQ(leaning(kTangent), leaning(-kTangent));
 }
 
-// The first of two boundaries has no step left. 0.02: what the Gaussian fit makes of white.
-TEST(ThinFilm, that_vanishes_leaves_the_surface_as_it_is) {
+// The first of two boundaries vanishes. 0.02: error of the Gaussian fit for white.
+TEST(ThinFilm, of_zero_thickness_has_no_effect) {
   for (const float cosine : {1.0f, 0.7f, 0.5f, 0.2f}) {
     const float bare = 0.04f + 0.96f * schlick_weight(cosine);
     const Vec3f f = film_reflectance({1.8f, 0.0f}, Vec3f(0.04f), cosine);
@@ -296,7 +296,7 @@ TEST(ThinFilm, that_vanishes_leaves_the_surface_as_it_is) {
   }
 }
 
-TEST(ThinFilm, is_finite_and_no_brighter_than_the_light) {
+TEST(ThinFilm, is_finite_and_adds_no_light) {
   for (const float ior : {1.0f, 1.3f, 3.0f, 1000.0f})
     for (const float thickness : {0.0f, 1.0f, 550.0f, 1e6f})
       for (const float f0 : {0.0f, 0.04f, 1.0f})
@@ -307,14 +307,15 @@ TEST(ThinFilm, is_finite_and_no_brighter_than_the_light) {
           }
 }
 
-// A quarter of a wave thick, of the index between air's and glass's: what both sides mirror cancels (2 n d = lambda / 2).
-TEST(ThinFilm, coating_of_a_quarter_wave_mirrors_less_than_bare_glass) {
+// A quarter wave thick, with an index between those of air and glass: the reflections of both sides cancel (2 n d = lambda /
+// 2).
+TEST(ThinFilm, quarter_wave_coating_reduces_reflection) {
   const Vec3f coated = film_reflectance({1.22f, 550.0f / 4.0f / 1.22f}, Vec3f(0.04f), 1.0f);
   EXPECT_LT(coated.y, 0.02f);
 }
 
-// At 60 degrees glass of 1.5 mirrors 0.08919 (thin_walls_test.cpp); the coat of index 1.5 by Schlick's 0.04 + 0.96 x 0.5^5.
-TEST(LayeredBsdf, what_passes_a_thin_wall_straight_on_is_what_no_layer_keeps) {
+// At 60 degrees glass of 1.5 reflects 0.08919 (thin_walls_test.cpp); the coat of index 1.5 by Schlick's 0.04 + 0.96 x 0.5^5.
+TEST(LayeredBsdf, thin_walls_pass_the_remaining_light) {
   const Vec3f view = direction(60.0f);
   LayeredSurface wall = pane(0.0f);
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(bsdf_of(wall, view).straight()[c], 0.91081f * wall.base.base_color[c], 1e-4f);
@@ -327,9 +328,9 @@ TEST(LayeredBsdf, what_passes_a_thin_wall_straight_on_is_what_no_layer_keeps) {
   EXPECT_EQ(bsdf_of(leaf(), view).straight(), Vec3f(0.0f));
 }
 
-// The mean of what sample() sends straight on, of 65,536 even numbers (4e-4: what two at a lobe's ends weigh); it goes on just
-// as it came.
-TEST(LayeredBsdf, samples_of_a_thin_wall_go_straight_on_with_that_mean) {
+// The mean of the straight transmission of sample() for 65,536 evenly spaced numbers (4e-4: weight of two at the ends of a
+// lobe). The direction must not change.
+TEST(LayeredBsdf, samples_pass_thin_walls_with_that_mean) {
   LayeredSurface wall = pane(0.0f);
   wall.base.transmission = 0.7f, wall.base.clearcoat = 0.5f, wall.sheen_color = Vec3f(0.3f), wall.sheen_roughness = 0.5f;
   wall.film_share = 0.5f, wall.film = {1.5f, 480.0f};

@@ -13,7 +13,7 @@ Vec3f view_from_z(float degrees_from_normal) {
 }
 
 TEST(Ggx, visible_facets_project_to_the_view) {
-  // Integral of G1(v) max(0, v . h) D(h) over h is v . n (Heitz 2014, equation 14): the density is one in all.
+  // The integral of G1(v) max(0, v . h) D(h) over h is v . n (Heitz 2014, equation 14), so the density integrates to one.
   for (const float alpha : {0.05f, 0.3f, 1.0f})
     for (const float angle : {0.0f, 40.0f, 80.0f}) {
       const Ggx ggx{alpha};
@@ -21,7 +21,7 @@ TEST(Ggx, visible_facets_project_to_the_view) {
       constexpr int kPolar = 2000, kAzimuth = 400;
       for (int p = 0; p < kPolar; ++p)
         for (int a = 0; a < kAzimuth; ++a) {
-          // Polar angles dense at the normal, where narrow distributions peak: z = 1 - t^3.
+          // Polar angles are dense at the normal, where narrow distributions peak: z = 1 - t^3.
           const double t = (p + 0.5) / kPolar, z = 1.0 - t * t * t, sine = std::sqrt(1.0 - z * z);
           const double turn = 2.0 * M_PI * (a + 0.5) / kAzimuth;
           const Vec3f h(static_cast<float>(sine * std::cos(turn)), static_cast<float>(sine * std::sin(turn)),
@@ -32,7 +32,7 @@ TEST(Ggx, visible_facets_project_to_the_view) {
     }
 }
 
-TEST(Ggx, facets_are_drawn_as_their_density_says) {
+TEST(Ggx, facets_follow_their_density) {
   for (const float alpha : {0.2f, 0.5f, 1.0f})
     for (const float angle : {0.0f, 45.0f, 75.0f}) {
       const Ggx ggx{alpha};

@@ -28,12 +28,12 @@ TEST(Sampler, the_mean_over_seeds_is_a_half) {
   Vec2f sum(0.0f);
   constexpr int kSeeds = 4000;
   for (std::uint32_t seed = 0; seed < kSeeds; ++seed) sum += scrambled_sobol(5, seed);
-  // Uniform numbers: standard deviation of the mean 0.2887 / sqrt(4000) = 0.0046; four of them.
+  // Uniform numbers: the standard deviation of the mean is 0.2887 / sqrt(4000) = 0.0046; four of them.
   EXPECT_NEAR(sum.x / kSeeds, 0.5f, 0.0183f);
   EXPECT_NEAR(sum.y / kSeeds, 0.5f, 0.0183f);
 }
 
-/// Pair `pair` of 16 paths of one pixel.
+/// Returns pair `pair` of 16 paths of one pixel.
 std::vector<Vec2f> pairs_of(std::uint32_t seed, std::uint32_t first_index, std::uint32_t first, std::uint32_t pair) {
   PathPairs paths;
   for (std::uint32_t i = 0; i < PathPairs::kPaths; ++i)
@@ -52,11 +52,11 @@ TEST(Sampler, pairs_of_one_path_are_not_correlated) {
     const std::vector<Vec2f> a = pairs_of(9u, first, 0, 0), b = pairs_of(9u, first, 0, 1);
     for (std::size_t i = 0; i < a.size(); ++i) product += static_cast<double>((a[i].x - 0.5f) * (b[i].x - 0.5f));
   }
-  // Independent: standard deviation 1/12 / sqrt(4096) = 0.0013.
+  // If independent, the standard deviation is 1/12 / sqrt(4096) = 0.0013.
   EXPECT_NEAR(product / kPaths, 0.0, 0.0052);
 }
 
-TEST(Sampler, paths_of_a_pixel_are_stratified_in_every_pair) {
+TEST(Sampler, paths_are_stratified_in_every_pair) {
   for (std::uint32_t pair = 0; pair < 5; ++pair) {
     std::set<int> columns, rows;
     for (const Vec2f p : pairs_of(3u, 32u, 0, pair))
@@ -68,7 +68,7 @@ TEST(Sampler, paths_of_a_pixel_are_stratified_in_every_pair) {
 
 TEST(Sampler, later_first_pair_skips_pairs) { EXPECT_EQ(pairs_of(3u, 7u, 2, 1), pairs_of(3u, 7u, 0, 3)); }
 
-TEST(Sampler, paths_side_by_side_do_not_depend_on_each_other) {
+TEST(Sampler, lanes_are_independent) {
   PathPairs paths;
   for (std::uint32_t i = 0; i < PathPairs::kPaths; ++i) {
     paths.seed[i] = 1000u * i + 7u;

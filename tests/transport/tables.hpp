@@ -1,4 +1,4 @@
-// What tests of scattering share.
+// Shared helpers of tests of scattering.
 #pragma once
 
 #include "lippmann/core/math.hpp"
@@ -11,7 +11,7 @@ inline const GgxAlbedo& albedo() {
   return tables;
 }
 
-/// Along no axis.
+/// Not parallel to any axis.
 inline const Vec3f kNormal = glm::normalize(Vec3f(0.3f, -0.5f, 0.8f));
 
 }  // namespace lippmann::test
