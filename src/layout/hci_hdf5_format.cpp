@@ -124,7 +124,7 @@ std::vector<fs::path> refuse_to_write_hdf5(const LightField&, const fs::path&, c
 
 LightFieldFormat hci_hdf5_format() {
   return {.name = "hci-hdf5",
-          .is = "HCI's older light fields, one HDF5 file (lf.h5): LF, GT_DEPTH, attributes; read only",
+          .description = "HCI's older light fields, one HDF5 file (lf.h5): LF, GT_DEPTH, attributes; read only",
           .states_cameras = true,
           .read = read_hci_hdf5,
           .write = refuse_to_write_hdf5};
