@@ -1,6 +1,8 @@
 // NumPy's files of one array (.npy): reads versions 1 to 3, writes version 1.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <bit>
 #include <cassert>
 #include <concepts>
@@ -34,8 +36,7 @@ requires std::is_arithmetic_v<T> std::vector<std::byte> encode_npy(std::span<con
   static_assert(std::endian::native == std::endian::little);
   assert(std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()) == values.size());
   const char kind = std::floating_point<T> ? 'f' : std::is_signed_v<T> ? 'i' : 'u';
-  const std::string type = (sizeof(T) == 1 ? "|" : "<") + (kind + std::to_string(sizeof(T)));
-  return npy_file(type, shape, std::as_bytes(values));
+  return npy_file(fmt::format("{}{}{}", sizeof(T) == 1 ? '|' : '<', kind, sizeof(T)), shape, std::as_bytes(values));
 }
 
 }  // namespace lippmann

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -65,7 +66,8 @@ double left_in_cgroups(const fs::path& proc, const fs::path& root) {
   for (std::string line; std::getline(file, line);) {
     const std::size_t first = line.find(':'), second = line.find(':', first + 1);
     if (first == std::string::npos || second == std::string::npos) continue;
-    const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",", path = line.substr(second + 1);
+    const std::string controllers = fmt::format(",{},", line.substr(first + 1, second - first - 1)),
+                      path = line.substr(second + 1);
     if (!path.starts_with('/')) continue;
     if (controllers == ",,") left = std::min(left, left_in_all(root, path, kVersion2));
     if (controllers.find(",memory,") != std::string::npos) left = std::min(left, left_in_all(root / "memory", path, kVersion1));
