@@ -17,7 +17,7 @@ using namespace test;
 constexpr double kDistance = 20.0, kBaseline = 0.8, kPitch = 0.1;
 constexpr int kViews = 5, kWidth = 80, kHeight = 4;
 
-/// Five eyes 0.8 mm apart.
+/// Five eyes, 0.8 mm apart.
 Optics camera_row() {
   Optics optics;
   optics.panel = {kViews * kWidth, kHeight, static_cast<float>(kPitch)};
@@ -25,7 +25,7 @@ Optics camera_row() {
   return optics;
 }
 
-/// Light to the left of x = 0.03, in the plane at depth z.
+/// Light to the left of x = 0.03, in a plane at depth z.
 Scene edge_at(float z) {
   SmallScene s;
   Mesh left = square(50.0f, z);
@@ -40,32 +40,32 @@ TraceParams filtered(int spp) {
   return params;
 }
 
-TEST(AngularFilter, what_lies_in_the_plane_of_the_display_stays_as_it_is) {
+TEST(AngularFilter, objects_in_the_displays_plane_stay_sharp) {
   TraceParams plain = filtered(16);
   plain.angular_filter = AngularFilter::kNone;
   EXPECT_EQ(trace(edge_at(0.0f), camera_row(), filtered(16)).film.data, trace(edge_at(0.0f), camera_row(), plain).film.data);
 }
 
-// Seen from an eye at e, the edge at (X, z) is in the plane at e (1 - m) + X m, m = D / (D - z). At z = -20, m = 1/2: from eye
-// to eye it moves by 0.4 mm = 4 pixels. Spread over a view's share it is a ramp of 4 pixels: variance 16 / 12. Differences of
-// pixels, each the mean over its width, share every place of it out to the two whole numbers beside it: 1 / 6 more.
-TEST(AngularFilter, far_edges_become_ramps_from_one_view_s_edge_to_the_next) {
+// For an eye at e, the edge at (X, z) appears in the plane at e (1 - m) + X m, m = D / (D - z). At z = -20, m = 1/2: it moves
+// by 0.4 mm = 4 pixels from eye to eye. Spread over a view's share it becomes a ramp of 4 pixels with variance 16 / 12.
+// Differences of pixels, each averaged over its width, add 1 / 6.
+TEST(AngularFilter, far_edges_become_ramps) {
   const int spp = 256;
   const Picture sharp = trace(edge_at(-20.0f), camera_row(), {.spp = spp});
   const Picture ramp = trace(edge_at(-20.0f), camera_row(), filtered(spp));
   for (int view = 0; view < kViews; ++view) {
     const double eye = kBaseline * (view - 2), place = 0.5 * kWidth + (0.5 * eye + 0.5 * 0.03) / kPitch;
-    // A pixel's 256 samples count an area to within 2/256 of it, and six pixels make the ramp: 12/256, and as far from its
-    // middle as they lie for the variance (2 x (2.5 + 1.5 + 0.5) x 2/256). Here less than half of that.
+    // 256 samples resolve a pixel's area to 2/256, and six pixels make the ramp: 12/256, and for the variance their distances
+    // from the middle count (2 x (2.5 + 1.5 + 0.5) x 2/256). The measured error is less than half of that.
     EXPECT_NEAR(edge_in(sharp, view * kWidth, kWidth).place_px, place, 0.01) << view;
     EXPECT_NEAR(edge_in(ramp, view * kWidth, kWidth).place_px, place, 0.02) << view;
     EXPECT_LE(edge_in(sharp, view * kWidth, kWidth).variance_px2, 0.25 + 0.01)
-        << view;  // at most 1/4, wherever within a pixel it lies
+        << view;  // at most 1/4, depending on its place within a pixel
     EXPECT_NEAR(edge_in(ramp, view * kWidth, kWidth).variance_px2, 16.0 / 12 + 1.0 / 6, 0.04) << view;
   }
 }
 
-TEST(AngularFilter, single_pixels_are_traced_to_the_same_bits) {
+TEST(AngularFilter, single_pixels_have_the_same_bits) {
   SmallScene s = busy_scene(5);
   const ThreadPool pool(2);
   const Context context;

@@ -1,4 +1,4 @@
-// Extra layers of a frame, worked out by hand. Single views are from (0, 0, 10) at the square +-2, 32 pixels of 1/8 wide.
+// Extra layers of a frame, worked out by hand. Single views are from (0, 0, 10) at the square +-2, with 32 pixels of width 1/8.
 #include <gtest/gtest.h>
 
 #include <tuple>
@@ -11,9 +11,9 @@ namespace {
 using namespace test;
 
 constexpr int kAovSize = 32;
-constexpr float kPlaceRounding = 1e-4f;  ///< pixels: single precision of places some 10 mm from the middle
+constexpr float kPlaceRounding = 1e-4f;  ///< pixels: single precision of positions about 10 mm from the middle
 
-/// Where everything is at two times, and the layers of the second.
+/// Returns the layers at time `now`, with motion since `before`.
 FrameAovs step(const Scene& scene, const Optics& optics, double before, double now, const Affine3f& display_before = {},
                const Affine3f& display_now = {}) {
   const ThreadPool pool(1);
@@ -42,13 +42,13 @@ Scene sliding(float z, Vec3f shift) {
 
 // ---- Motion ---------------------------------------------------------------------------------------------------------
 
-TEST(Aovs, motion_of_a_square_is_its_way_in_pixels_to_the_right_and_down) {
+TEST(Aovs, motion_of_a_square_is_in_pixels) {
   expect_motion(step(sliding(0.0f, {0.375f, -0.25f, 0.0f}), single_view(kAovSize), 0.0, 1.0), 16, 16, {3, 2});
-  // Half-way to the eye everything is twice as large.
+  // Half-way to the eye everything appears twice as large.
   expect_motion(step(sliding(5.0f, {0.375f, -0.25f, 0.0f}), single_view(kAovSize), 0.0, 1.0), 16, 16, {6, 4});
 }
 
-TEST(Aovs, motion_is_zero_in_the_background_and_where_nothing_moves) {
+TEST(Aovs, motion_of_static_pixels_is_zero) {
   const FrameAovs aovs = step(sliding(0.0f, {0.375f, 0.0f, 0.0f}), single_view(kAovSize), 0.0, 1.0);
   EXPECT_EQ(aovs[Aov::kMotion].pixel(0, 0)[0], 0.0f);
   EXPECT_EQ(aovs[Aov::kId].pixel(0, 0)[0], -1.0f);
@@ -56,29 +56,29 @@ TEST(Aovs, motion_is_zero_in_the_background_and_where_nothing_moves) {
   EXPECT_EQ(still[Aov::kMotion].data, std::vector<float>(2 * kAovSize * kAovSize, 0.0f));
 }
 
-TEST(Aovs, motion_of_what_stands_is_the_display_s_own_turned_round) {
+TEST(Aovs, motion_of_static_objects_opposes_the_displays) {
   const Affine3f moved{Mat3f(1.0f), {0.375f, 0.0f, 0.0f}};
   expect_motion(step(sliding(0.0f, Vec3f(0.0f)), single_view(kAovSize), 0.0, 1.0, {}, moved), 16, 16, {-3, 0});
 }
 
-// Pixel (8, 16) looks at x = -0.9375, y = -0.0625 in z = 0; what came from z = -1 on to there was seen at 10/11 of that.
-TEST(Aovs, motion_towards_the_viewer_is_away_from_the_middle_of_the_view) {
+// Pixel (8, 16) looks at x = -0.9375, y = -0.0625 in z = 0; a point that came from z = -1 was seen at 10/11 of that.
+TEST(Aovs, motion_towards_the_viewer_points_outwards) {
   const FrameAovs aovs = step(sliding(-1.0f, {0.0f, 0.0f, 1.0f}), single_view(kAovSize), 0.0, 1.0);
   expect_motion(aovs, 8, 16, {-7.5f / 11.0f, 0.5f / 11.0f});
 }
 
-TEST(Aovs, motion_below_lenses_is_in_samples_of_the_view_whatever_the_depth) {
+TEST(Aovs, motion_below_lenses_is_in_view_samples) {
   for (const float z : {0.0f, 2.0f, -3.0f})
-    for (const int x : {46, 49}) {  // two views: 1 mm is 2 lenses of 0.5 mm, 0.125 mm two rows
+    for (const int x : {46, 49}) {  // two views: 1 mm is 2 lenses of 0.5 mm, 0.125 mm is two rows
       const FrameAovs aovs = step(sliding(z, {1.0f, 0.125f, 0.0f}), lenticular_view(), 0.0, 1.0);
       ASSERT_EQ(aovs[Aov::kId].pixel(x, 25)[0], 0.0f);
       expect_motion(aovs, x, 25, {2, -2});
     }
 }
 
-// A view's slope below its lens is that of its pixel's offset o from the lens's middle, -o / 16; what comes nearer by z moves
-// by as much as the slope takes it: z o / 16 / 0.5 lenses.
-TEST(Aovs, motion_towards_the_viewer_differs_from_view_to_view) {
+// A view's slope below its lens follows from its pixel's offset o from the lens's centre: -o / 16. A point that comes nearer by
+// z moves by z times the slope: z o / 16 / 0.5 lenses.
+TEST(Aovs, motion_towards_viewers_depends_on_the_view) {
   const FrameAovs aovs = step(sliding(0.0f, {0.0f, 0.0f, 1.0f}), lenticular_view(), 0.0, 1.0);
   for (int x = 24; x < 40; ++x) {
     const float offset = static_cast<float>(x % 8) - 3.5f;
@@ -86,8 +86,8 @@ TEST(Aovs, motion_towards_the_viewer_differs_from_view_to_view) {
   }
 }
 
-// From the square's corners +-0.5 to +-1: what is at x came from x / 2.
-TEST(Aovs, motion_follows_meshes_that_change_their_shape) {
+// The square grows from corners +-0.5 to +-1, so the point at x came from x / 2.
+TEST(Aovs, motion_follows_deforming_meshes) {
   SmallScene s;
   Mesh growing = square(0.5f, 0);
   growing.targets.resize(1);
@@ -101,9 +101,9 @@ TEST(Aovs, motion_follows_meshes_that_change_their_shape) {
   expect_motion(aovs, 9, 20, {-0.5f * 6.5f, 0.5f * 4.5f});
 }
 
-// ---- Albedo and what counts as there --------------------------------------------------------------------------------
+// ---- Albedo and coverage --------------------------------------------------------------------------------------------
 
-/// Four texels in a row, their red 0, 85, 170, 255, their alpha as given.
+/// Four texels in a row, with red 0, 85, 170, 255 and the given alpha.
 Texture four_texels(std::array<int, 4> alpha) {
   Texture t;
   t.width = 4, t.height = 1, t.srgb = false;
@@ -113,7 +113,7 @@ Texture four_texels(std::array<int, 4> alpha) {
   return t;
 }
 
-/// A textured square of glTF's kind in front of another of albedo 0.25.
+/// A textured metallic-roughness square in front of another of albedo 0.25.
 Scene textured(std::array<int, 4> alpha, const MetallicRoughness& kind) {
   SmallScene s;
   s.scene.textures.push_back(four_texels(alpha));
@@ -124,24 +124,24 @@ Scene textured(std::array<int, 4> alpha, const MetallicRoughness& kind) {
   return s.scene;
 }
 
-TEST(Aovs, albedo_is_the_base_colour_with_its_texture_whatever_the_light) {
+TEST(Aovs, albedo_is_the_textured_base_colour) {
   MetallicRoughness half;
   half.base_color = {0.5f, 0.5f, 0.5f, 1.0f};
   for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
     const Picture p = trace(textured({255, 255, 255, 255}, half), single_view(kAovSize), {}, 1, 0.0, {}, integrator);
     for (const auto& [x, red] : {std::pair(4, 0.0f), {12, 85 / 510.0f}, {20, 170 / 510.0f}, {28, 0.5f}}) {
-      // The middles of texels lie between pixels 3 and 4, 11 and 12, ...: 1/16 of a texel off.
+      // The centres of texels lie between pixels 3 and 4, 11 and 12, ...: 1/16 of a texel off.
       EXPECT_NEAR(p.aovs[Aov::kAlbedo].pixel(x, 16)[0], red, 85 / 510.0f / 15.0f);
       EXPECT_NEAR(p.aovs[Aov::kAlbedo].pixel(x, 16)[1], 0.5f, 1e-5f);
     }
   }
 }
 
-TEST(Aovs, what_alpha_cuts_away_or_covers_by_less_than_half_is_not_there) {
+TEST(Aovs, pixels_of_low_alpha_are_empty) {
   MetallicRoughness mask, blend, glass;
   mask.alpha_cutoff = 0.75f;
   blend.blend = true;
-  glass.blend = true, glass.transmission = 1.0f;  // uncovered by transmission alone: there
+  glass.blend = true, glass.transmission = 1.0f;  // uncovered only by transmission: counts as covered
   for (const auto& [kind, alpha, id] : {std::tuple(mask, 180, 1.0f), {mask, 200, 0.0f}, {blend, 120, 1.0f}, {blend, 140, 0.0f}})
     for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
       const Picture p = trace(textured({alpha, alpha, alpha, alpha}, kind), single_view(kAovSize), {}, 1, 0.0, {}, integrator);
@@ -153,9 +153,9 @@ TEST(Aovs, what_alpha_cuts_away_or_covers_by_less_than_half_is_not_there) {
   EXPECT_EQ(p.aovs[Aov::kId].pixel(16, 16)[0], 0.0f);
 }
 
-TEST(Aovs, ray_depth_is_from_the_eye_along_the_ray_and_infinite_where_nothing_is) {
+TEST(Aovs, ray_depth_is_measured_along_the_ray) {
   const Picture p = trace(sliding(1.0f, Vec3f(0.0f)), single_view(kAovSize));
-  const float x = 3.5f / 8.0f, y = 0.5f / 8.0f;  // where pixel (19, 16) is in z = 0, 10 before the eye
+  const float x = 3.5f / 8.0f, y = 0.5f / 8.0f;  // where pixel (19, 16) is in z = 0, 10 in front of the eye
   EXPECT_NEAR(p.aovs[Aov::kRayDepth].pixel(19, 16)[0], 0.9f * std::sqrt(x * x + y * y + 100.0f), 1e-5f);
   EXPECT_EQ(p.aovs[Aov::kRayDepth].pixel(0, 0)[0], kInfinity);
 }
@@ -170,13 +170,13 @@ TEST(Aovs, direct_and_indirect_light_sum_to_the_film) {
   double indirect = 0.0;
   for (std::size_t i = 0; i < p.film.data.size(); ++i) {
     const float sum = p.aovs[Aov::kDirect].data[i] + p.aovs[Aov::kIndirect].data[i];
-    ASSERT_NEAR(sum, p.film.data[i], 1e-5f * (1.0f + p.film.data[i])) << i;  // sums of some 50 floats
+    ASSERT_NEAR(sum, p.film.data[i], 1e-5f * (1.0f + p.film.data[i])) << i;  // sums of about 50 floats
     indirect += static_cast<double>(p.aovs[Aov::kIndirect].data[i]);
   }
   EXPECT_GT(indirect, 0.0);
 }
 
-TEST(Aovs, light_that_one_surface_has_scattered_is_direct) {
+TEST(Aovs, light_of_one_scattering_is_direct) {
   SmallScene s;
   s.scene.max_depth = 1;
   s.scene.background.horizon = s.scene.background.zenith = Vec3f(0.5f);
@@ -187,7 +187,7 @@ TEST(Aovs, light_that_one_surface_has_scattered_is_direct) {
   EXPECT_EQ(p.aovs[Aov::kIndirect].data, std::vector<float>(p.film.data.size(), 0.0f));
 }
 
-TEST(Aovs, parts_of_the_light_leave_the_film_as_it_is) {
+TEST(Aovs, parts_of_the_light_keep_the_film) {
   const SmallScene s = busy_scene(4);
   const ThreadPool pool(2);
   DeviceScene device(s.scene, pool, Integrator::kPath);
@@ -198,7 +198,7 @@ TEST(Aovs, parts_of_the_light_leave_the_film_as_it_is) {
   EXPECT_EQ(film.data, trace_paths(s.scene, single_view(kAovSize), 2, {}, 2).film.data);
 }
 
-TEST(Aovs, layers_are_the_same_on_any_number_of_threads) {
+TEST(Aovs, layers_do_not_depend_on_threads) {
   const SmallScene s = busy_scene(5);
   const Picture one = trace_paths(s.scene, single_view(kAovSize), 2, {}, 1),
                 three = trace_paths(s.scene, single_view(kAovSize), 2, {}, 3);

@@ -1,5 +1,5 @@
-// How sharp textures are. A square that fills 16 x 16 pixels, 4 texels to a pixel, black on its left and white on its right:
-// between texels' centres the grey grows evenly, so that 1 / 8 of a pixel before the edge it is 0 and at the edge 1 / 2.
+// Sharpness of textures. A square covers 16 x 16 pixels with 4 texels per pixel, black on its left and white on its right.
+// Between the texels' centres the grey grows linearly: it is 0 at 1 / 8 of a pixel before the edge, and 1 / 2 at the edge.
 #include <gtest/gtest.h>
 
 #include "shading/surface.hpp"
@@ -29,9 +29,9 @@ SmallScene edge() {
   return s;
 }
 
-TEST(BeamFootprint, many_samples_find_the_mean_of_a_pixel) {
-  // The last eighth of the pixel has 1 / 4 on average, 1 / 32 of all of it. 64 columns of samples at an unknown shift u below
-  // 1 / 64, 8 of them in that eighth: 1 / 64 (32 u + 7 / 4), which is 1 / 32 +- 1 / 256.
+TEST(BeamFootprint, many_samples_average_a_pixel) {
+  // The last eighth of the pixel has 1 / 4 on average, 1 / 32 of the whole pixel. 64 columns of samples are shifted by an
+  // unknown u below 1 / 64, 8 of them in that eighth: 1 / 64 (32 u + 7 / 4), which is 1 / 32 +- 1 / 256.
   TraceParams params;
   params.spp = 64;
   for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
@@ -43,15 +43,15 @@ TEST(BeamFootprint, many_samples_find_the_mean_of_a_pixel) {
   }
 }
 
-TEST(BeamFootprint, one_sample_stands_for_a_whole_pixel) {
-  // The level whose texels are pixels: black at the centre of the one, white at that of the other, and straight between them.
+TEST(BeamFootprint, one_sample_covers_a_pixel) {
+  // The level whose texels are pixels: black at the centre of one pixel, white at that of the next, linear in between.
   SmallScene s = edge();
   std::get<MetallicRoughness>(s.scene.materials[0].surface).base_color_map.offset.x = 1.0f / (4.0f * kPixels);
   const Picture p = trace(s.scene, single_view(kPixels), {});
   EXPECT_NEAR(p.at(7, 8).x, 0.25f, 1e-3f);
 }
 
-TEST(BeamFootprint, a_pixels_width_is_divided_among_its_samples_down_to_an_eighth) {
+TEST(BeamFootprint, samples_share_a_pixels_width) {
   const Optics optics = single_view(kPixels);
   const float whole = BeamFootprint(optics, {}).widths(10.0f).x;
   EXPECT_NEAR(whole, 0.25f, 1e-6f);

@@ -1,4 +1,4 @@
-// Which meshes enclose a body, and what it gives to know it of lamps.
+// Which meshes enclose a volume, and the benefit for lamps.
 #include "shading/closed_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ namespace {
 
 using namespace test;
 
-/// The face of a cube of side 2 * half around the origin whose outward normal is `axis` times `sign`; counter-clockwise from
-/// outside.
+/// Adds the face of a cube of side 2 * half around the origin whose outward normal is `axis` times `sign`; counter-clockwise
+/// from outside.
 void add_face(Mesh& mesh, int axis, float sign, float half) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   for (const auto& [u, v] : {std::pair{-1.0f, -1.0f}, {1.0f, -1.0f}, {1.0f, 1.0f}, {-1.0f, 1.0f}}) {
@@ -28,7 +28,7 @@ void add_face(Mesh& mesh, int axis, float sign, float half) {
   mesh.triangles.push_back({first, first + 2, first + 3});
 }
 
-/// With four vertices of its own for each face.
+/// With four separate vertices for each face.
 Mesh cube(float half) {
   Mesh mesh;
   for (int axis = 0; axis < 3; ++axis)
@@ -41,14 +41,14 @@ Mesh turned_inside_out(Mesh mesh) {
   return mesh;
 }
 
-TEST(ClosedMesh, a_cube_faces_outward_and_inside_out_inward) {
+TEST(ClosedMesh, orientation_of_a_cube_is_detected) {
   EXPECT_EQ(facing_of_closed(cube(1.0f)), BodyFacing::kOutward);
   EXPECT_EQ(facing_of_closed(turned_inside_out(cube(1.0f))), BodyFacing::kInward);
   EXPECT_EQ(facing_of_closed(cube(1e-4f)), BodyFacing::kOutward);
   EXPECT_EQ(facing_of_closed(cube(1e6f)), BodyFacing::kOutward);
 }
 
-TEST(ClosedMesh, vertices_at_a_seam_count_as_one) {
+TEST(ClosedMesh, seam_vertices_are_merged) {
   Mesh mesh = cube(1.0f);
   for (std::size_t v = 0; v < 4; ++v) mesh.positions[v] *= 1.0f + 2e-7f;
   EXPECT_EQ(facing_of_closed(mesh), BodyFacing::kOutward);
@@ -56,13 +56,13 @@ TEST(ClosedMesh, vertices_at_a_seam_count_as_one) {
   EXPECT_EQ(facing_of_closed(mesh), BodyFacing::kNone);
 }
 
-TEST(ClosedMesh, a_triangle_without_area_changes_nothing) {
+TEST(ClosedMesh, triangles_without_area_are_ignored) {
   Mesh mesh = cube(1.0f);
   mesh.triangles.push_back({0, 0, 1});
   EXPECT_EQ(facing_of_closed(mesh), BodyFacing::kOutward);
 }
 
-TEST(ClosedMesh, holes_turned_faces_sheets_and_nonsense_are_none) {
+TEST(ClosedMesh, open_and_inconsistent_meshes_are_not_closed) {
   Mesh hole = cube(1.0f);
   hole.triangles.pop_back();
   EXPECT_EQ(facing_of_closed(hole), BodyFacing::kNone);
@@ -75,7 +75,7 @@ TEST(ClosedMesh, holes_turned_faces_sheets_and_nonsense_are_none) {
   EXPECT_EQ(facing_of_closed(square(1.0f, 0.0f)), BodyFacing::kNone);
   Mesh sheet = square(1.0f, 0.0f);
   for (const auto& t : square(1.0f, 0.0f).triangles) sheet.triangles.push_back({t[0], t[2], t[1]});
-  EXPECT_EQ(facing_of_closed(sheet), BodyFacing::kNone) << "without a volume";
+  EXPECT_EQ(facing_of_closed(sheet), BodyFacing::kNone) << "it has no volume";
   EXPECT_EQ(facing_of_closed(Mesh{}), BodyFacing::kNone);
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     Mesh mesh = cube(1.0f);
@@ -84,7 +84,7 @@ TEST(ClosedMesh, holes_turned_faces_sheets_and_nonsense_are_none) {
   }
 }
 
-/// A floor below a glowing cube, of one mesh or of six squares, which have the same picture.
+/// A floor below a glowing cube, made of one mesh or of six squares, which give the same picture.
 SmallScene below_cube(bool is_closed, bool is_mirrored = false) {
   SmallScene s;
   MetallicRoughness floor, shines;
@@ -121,8 +121,8 @@ double squared_error(const Image& film, const Image& truth) {
   return sum;
 }
 
-// Half of what shines is turned away from any point; a closed lamp is hardly ever asked for it.
-TEST(ClosedMesh, closed_lamps_give_the_same_light_with_less_noise) {
+// Half of the faces point away from any point; closed lamps rarely sample these.
+TEST(ClosedMesh, closed_lamps_have_less_noise) {
   const Image truth = floor_below(below_cube(false), 4096);
   for (const bool is_mirrored : {false, true}) {
     const SmallScene closed = below_cube(true, is_mirrored);
@@ -131,7 +131,7 @@ TEST(ClosedMesh, closed_lamps_give_the_same_light_with_less_noise) {
   }
 }
 
-/// A floor below a lamp of `half` edges.
+/// A floor below a lamp with edges of `half`.
 SmallScene below_small_cube(float half) {
   SmallScene s;
   MetallicRoughness floor, shines;
@@ -145,16 +145,16 @@ SmallScene below_small_cube(float half) {
   return s;
 }
 
-// Shadow rays end a little before the light. Through the edge of a small lamp they went on to its far side, which is asked so
-// rarely that each of them was a white dot.
-TEST(ClosedMesh, nothing_shines_through_the_edges_of_a_small_lamp) {
+// Shadow rays end slightly before the light. If they continued through the edge of a small lamp to its far side, which is
+// sampled very rarely, each of them would be a white dot.
+TEST(ClosedMesh, small_lamps_do_not_leak_at_edges) {
   const Image film = trace_paths(below_small_cube(0.001f).scene, single_view(64), 4, {}, 1, kEye).film;
   const float brightest = *std::max_element(film.data.begin(), film.data.end());
   EXPECT_LT(static_cast<double>(brightest), 2.0 * mean(film));
 }
 
-// From within all faces show their inner side, which none keeps out.
-TEST(ClosedMesh, a_room_that_shines_inward_gives_its_light) {
+// From within, all faces show their inner side, and none is excluded.
+TEST(ClosedMesh, inward_glowing_rooms_give_light) {
   SmallScene s;
   MetallicRoughness grey, shines;
   grey.metallic = 0.0f, grey.roughness = 1.0f, grey.specular = 0.0f;
@@ -162,7 +162,7 @@ TEST(ClosedMesh, a_room_that_shines_inward_gives_its_light) {
   shines.base_color = Vec4f(0, 0, 0, 1), shines.emissive = Vec3f(1.0f);
   s.add(square(0.5f, 0), s.material(grey));
   s.add(cube(3.0f), s.material(shines));
-  // A furnace: a matte floor shows its albedo times the radiance all around; the floor hides nothing from its own side.
+  // A furnace: a matte floor shows its albedo times the radiance all around; the floor does not shade itself.
   const auto albedo = static_cast<double>(grey.base_color.x);
   EXPECT_NEAR(mean(floor_below(s, 256)), albedo, 0.01 * albedo);
 }

@@ -1,4 +1,4 @@
-// A ball of a few facets that is to look smooth.
+// A ball of a few facets with smooth normals.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace lippmann::test {
 
-/// Of a few faces, with the normals of a ball, and no gap anywhere: two poles and `rings` rings of as many corners times two.
+/// Returns a ball with a few faces, smooth normals and no gaps: two poles and `rings` rings with twice as many corners.
 inline Mesh coarse_ball(float radius, std::uint32_t rings) {
   const float step = std::numbers::pi_v<float> / static_cast<float>(rings + 1);
   const std::uint32_t corners = 2 * rings;

@@ -1,4 +1,4 @@
-// Where light falls to dark in a row of pixels, for tests of what blurs edges.
+// Measures the step from light to dark in a row of pixels, for tests of blur.
 #pragma once
 
 #include <cmath>
@@ -12,8 +12,8 @@ struct Edge {
   double place_px, variance_px2;
 };
 
-/// Of the fall from light to dark in the second row of a picture's pixels first ... first + width - 1: its place, counted from
-/// `first`, and how its steps spread.
+/// Returns, for the step from light to dark in the pixels first ... first + width - 1 of a picture's second row, its place
+/// relative to `first` and its variance.
 inline Edge edge_in(const Picture& picture, int first, int width) {
   std::vector<double> steps;
   for (int x = first + 1; x < first + width; ++x) steps.push_back(picture.at(x - 1, 1).x - picture.at(x, 1).x);

@@ -10,21 +10,21 @@
 namespace lippmann::test {
 namespace {
 
-TEST(EmbreeDevice, errors_for_want_of_memory_say_so_and_how_much_was_wanted) {
+TEST(EmbreeDevice, out_of_memory_states_the_required_size) {
   const Error error = embree_error(RTC_ERROR_OUT_OF_MEMORY, "building the scene", 2'100'700'000);
   EXPECT_EQ(error.problem(), "building the scene: out of memory; 2100 MB required");
   EXPECT_EQ(error.accepted(), "a scene with fewer triangles, or a machine with more memory");
   EXPECT_EQ(embree_error(RTC_ERROR_OUT_OF_MEMORY, "making a device", 0).problem(), "making a device: out of memory");
 }
 
-TEST(EmbreeDevice, errors_of_the_processor_say_which_would_do_and_others_their_number) {
+TEST(EmbreeDevice, errors_state_the_processor_or_a_number) {
   const Error error = embree_error(RTC_ERROR_UNSUPPORTED_CPU, "making a device", 0);
   EXPECT_EQ(error.problem(), "making a device: this processor is not supported");
   EXPECT_EQ(error.accepted(), "x86-64 with SSE2, or ARM64");
   EXPECT_EQ(embree_error(RTC_ERROR_INVALID_OPERATION, "moving the scene", 0).problem(), "moving the scene: error 3");
 }
 
-TEST(EmbreeMemory, wants_the_most_that_is_held_at_a_time) {
+TEST(EmbreeMemory, reports_the_peak) {
   EmbreeMemory memory;
   memory.add(5);
   memory.add(-3);
@@ -34,7 +34,7 @@ TEST(EmbreeMemory, wants_the_most_that_is_held_at_a_time) {
   EXPECT_EQ(memory.wanted_bytes(), 6u);
 }
 
-TEST(EmbreeDevice, tells_what_its_scenes_take) {
+TEST(EmbreeDevice, reports_the_memory_of_scenes) {
   EmbreeMemory memory;
   const EmbreeDevice device = make_embree_device(1, memory);
   EXPECT_LT(memory.wanted_bytes(), 100'000u);
@@ -51,10 +51,10 @@ TEST(EmbreeDevice, tells_what_its_scenes_take) {
   rtcAttachGeometry(scene.get(), triangles.get());
   rtcCommitScene(scene.get());
   check_embree(device.get(), "building the scene", memory);
-  EXPECT_GT(memory.wanted_bytes(), 4'800'000u);  // the buffers alone, 48 bytes a triangle
+  EXPECT_GT(memory.wanted_bytes(), 4'800'000u);  // only the buffers, 48 bytes per triangle
 }
 
-TEST(EmbreeDevice, throws_what_failed_since_the_last_look_once) {
+TEST(EmbreeDevice, throws_each_failure_once) {
   EmbreeMemory memory;
   const EmbreeDevice device = make_embree_device(1, memory);
   EXPECT_EQ(rtcNewGeometry(device.get(), static_cast<RTCGeometryType>(99)), nullptr);

@@ -1,4 +1,4 @@
-// Meshes that shine by a texture: how bright each triangle is taken to be, and what that gives to pictures.
+// Meshes that emit light by a texture: the estimated brightness of each triangle, and its effect on pictures.
 #include "shading/emitters.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ using namespace test;
 
 constexpr int kCornerTexels = 64, kBrightTexels = 16;
 
-/// Black, but for so many texels along each edge at the corner (0, 0), which are white.
+/// Black except for this many white texels along each edge at the corner (0, 0).
 Texture bright_corner(int bright = kBrightTexels, int size = kCornerTexels) {
   Texture texture{"", size, size, {}, false, Wrap::kClamp, Wrap::kClamp};
   for (int y = 0; y < size; ++y)
@@ -66,7 +66,7 @@ Vec3f mean_of(const DeviceTexture& texture, const Mesh& mesh, std::size_t triang
   return mean_over_triangle(map, texture, mesh, triangle);
 }
 
-TEST(Emitters, a_triangle_has_the_mean_of_its_own_part_of_a_texture) {
+TEST(Emitters, triangles_average_their_part_of_the_texture) {
   const DeviceTexture texture = device_of(bright_corner());
   const Mesh mesh = grid(1.0f, 0.0f, 8);  // cells of 8 texels: the first two of the first two rows are white
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -80,9 +80,9 @@ TEST(Emitters, a_triangle_has_the_mean_of_its_own_part_of_a_texture) {
   }
 }
 
-// Half of a ramp from 0 to 1 along u: the mean over the triangle (0,0), (0,1), (1,1) is that of u, 1/3; over the other, 2/3.
-// Four look-ups beside the texture's edges, where it is clamped, miss that by a few hundredths.
-TEST(Emitters, a_large_triangle_is_looked_up_all_over) {
+// Half of a ramp from 0 to 1 along u: the mean over the triangle (0,0), (0,1), (1,1) is the mean of u, 1/3; over the other,
+// 2/3. Four look-ups next to the texture's clamped edges deviate by a few hundredths.
+TEST(Emitters, large_triangles_are_sampled_everywhere) {
   Texture ramp{"", 256, 256, {}, false, Wrap::kClamp, Wrap::kClamp};
   for (int i = 0; i < 256 * 256; ++i)
     for (int c = 0; c < 4; ++c) ramp.rgba.push_back(static_cast<std::uint8_t>(i % 256));
@@ -92,7 +92,7 @@ TEST(Emitters, a_large_triangle_is_looked_up_all_over) {
   EXPECT_NEAR(mean_of(texture, mesh, 1).x, 2.0f / 3.0f, 0.05f);
 }
 
-TEST(Emitters, coordinates_that_repeat_or_are_no_numbers_give_the_mean_of_all) {
+TEST(Emitters, repeating_or_invalid_coordinates_use_the_mean) {
   Texture repeats = bright_corner();
   repeats.wrap_u = repeats.wrap_v = Wrap::kRepeat;
   const DeviceTexture texture = device_of(repeats);
@@ -103,7 +103,7 @@ TEST(Emitters, coordinates_that_repeat_or_are_no_numbers_give_the_mean_of_all) {
   EXPECT_NEAR(mean_of(texture, mesh, 0).x, 1.0f / 16.0f, 1e-3f);
 }
 
-TEST(Emitters, instances_share_what_is_known_of_their_mesh_and_dark_triangles_keep_a_little) {
+TEST(Emitters, instances_share_their_meshs_estimate) {
   SmallScene s;
   s.scene.textures.push_back(bright_corner());
   const int lamp = s.material(shining(Vec3f(2.0f), 0)), plain = s.material(shining(Vec3f(0.0f, 3.0f, 0.0f)));
@@ -123,7 +123,7 @@ TEST(Emitters, instances_share_what_is_known_of_their_mesh_and_dark_triangles_ke
   EXPECT_EQ(emitters.of(3), nullptr);
 }
 
-/// A lamp of 2 x 2 two metres above a white floor.
+/// A lamp of 2 x 2, two metres above a white floor.
 constexpr float kGridHeight = 2.0f, kGridRadiance = 10.0f;
 /// The eye at (0, 0, 1), looking at the square +-0.2 around the origin.
 const Affine3f kEyeBelowGrid{Mat3f(0.1f), Vec3f(0.0f)};
@@ -136,10 +136,11 @@ Scene below_bright_corner() {
   return s.scene;
 }
 
-/// What the texture shows along one axis: 1 up to the middle of the last white texel, 0 from that of the first black one on.
+/// Brightness of the texture along one axis: 1 up to the centre of the last white texel, 0 from the centre of the first black
+/// one on.
 double shown_along(double u) { return std::clamp((kBrightTexels + 0.5) - kCornerTexels * u, 0.0, 1.0); }
 
-/// Radiance of the floor at a point: 1 / pi of its irradiance, by the midpoint rule over the white part and its edge.
+/// Returns the radiance of the floor at a point: its irradiance / pi, by the midpoint rule over the white part and its edge.
 double floor_radiance(double x, double y) {
   constexpr int kSteps = 136;  // 8 for each of 17 texels
   constexpr double kStep = 17.0 / kCornerTexels / kSteps;
@@ -153,7 +154,7 @@ double floor_radiance(double x, double y) {
   return 10.0 / M_PI * sum * 4.0 * kStep * kStep;  // the lamp is 2 wide: du = dx / 2
 }
 
-/// By pixel of a film of the floor, at the pixels' middles.
+/// Returns the values at the pixels' centres of a film of the floor.
 std::vector<double> floor_reference(int size) {
   std::vector<double> reference;
   for (int y = 0; y < size; ++y)
@@ -162,8 +163,8 @@ std::vector<double> floor_reference(int size) {
   return reference;
 }
 
-// Were all triangles drawn alike, 15 of 16 shadow rays would go to black ones, and the error would be 0.18.
-TEST(Emitters, shadow_rays_go_to_what_shines) {
+// If all triangles had the same probability, 15 of 16 shadow rays would go to black ones, and the error would be 0.18.
+TEST(Emitters, shadow_rays_prefer_bright_triangles) {
   const Picture picture = trace_paths(below_bright_corner(), single_view(16), 64, {}, 1, kEyeBelowGrid);
   const std::vector<double> reference = floor_reference(16);
   double squares = 0.0, sum = 0.0, expected = 0.0;
@@ -175,8 +176,8 @@ TEST(Emitters, shadow_rays_go_to_what_shines) {
   EXPECT_NEAR(sum, expected, 0.01 * expected);
 }
 
-// A white ball vanishes before a dome that shines evenly, by a grey texture.
-TEST(Emitters, a_textured_furnace_is_even) {
+// A white ball vanishes in front of a uniformly glowing dome with a grey texture.
+TEST(Emitters, textured_furnaces_are_uniform) {
   SmallScene s;
   s.scene.max_depth = 8;
   Texture grey{"", 4, 4, std::vector<std::uint8_t>(64, 128), false, Wrap::kClamp, Wrap::kClamp};

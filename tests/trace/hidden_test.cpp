@@ -1,4 +1,4 @@
-// Meshes that no camera sees, or that cast no shadow. Views are from (0, 0, 10) at the square +-2.
+// Meshes that cameras do not see, or that cast no shadow. Views are from (0, 0, 10) at the square +-2.
 #include <gtest/gtest.h>
 
 #include "trace/small_scene.hpp"
@@ -11,14 +11,14 @@ using namespace test;
 const Integrator kEitherLight[] = {Integrator::kWhitted, Integrator::kPath};
 constexpr Vec3f kRed{1, 0, 0}, kBlue{0, 0, 0.25f};
 
-/// What the middle of the picture shows. Depth is that of the first hit.
+/// Returns the middle of the picture. Depth is that of the first hit.
 Picture seen(const SmallScene& s, Integrator integrator, int spp = 1) {
   TraceParams params;
   params.spp = spp;
   return trace(s.scene, single_view(32), params, 2, 0.0, {}, integrator);
 }
 
-/// A blue wall at z = -1, and a hidden red square in front of it, on a node of its own or none.
+/// A blue wall at z = -1 with a hidden red square in front of it, on a moving node or none.
 SmallScene hidden_before_wall(int moving = -1) {
   SmallScene s;
   s.scene.max_depth = 4;
@@ -29,7 +29,7 @@ SmallScene hidden_before_wall(int moving = -1) {
   return s;
 }
 
-TEST(Hidden, cameras_look_through_what_stands_still_and_what_moves) {
+TEST(Hidden, cameras_look_through_static_and_moving_meshes) {
   for (const int node : {-1, 0})
     for (const Integrator integrator : kEitherLight) {
       const Picture p = seen(hidden_before_wall(node), integrator);
@@ -38,7 +38,7 @@ TEST(Hidden, cameras_look_through_what_stands_still_and_what_moves) {
     }
 }
 
-TEST(Hidden, cameras_look_through_copies_of_a_mesh_and_meshes_that_change_their_shape) {
+TEST(Hidden, cameras_look_through_instances_and_deforming_meshes) {
   SmallScene s = hidden_before_wall();
   Mesh morphing = square(1, 1);
   morphing.targets.resize(1);
@@ -51,7 +51,7 @@ TEST(Hidden, cameras_look_through_copies_of_a_mesh_and_meshes_that_change_their_
   for (const Integrator integrator : kEitherLight) expect_color(seen(s, integrator).at(16, 16), kBlue);
 }
 
-TEST(Hidden, what_a_hole_shows_is_hidden_too) {
+TEST(Hidden, hidden_meshes_stay_hidden_behind_holes) {
   SmallScene s = hidden_before_wall();
   MetallicRoughness veil;
   veil.base_color = Vec4f(0, 0, 0, 0.5f), veil.blend = true, veil.unlit = true;
@@ -59,10 +59,10 @@ TEST(Hidden, what_a_hole_shows_is_hidden_too) {
   expect_color(seen(s, Integrator::kWhitted).at(16, 16), 0.5f * kBlue);
   const Vec3f path = seen(s, Integrator::kPath, 256).at(16, 16);
   EXPECT_EQ(path.x, 0.0f);
-  EXPECT_NEAR(path.z, 0.125f, 0.025f);  // 3.2 sigma of 256 samples
+  EXPECT_NEAR(path.z, 0.125f, 0.025f);  // 3.2 sigma for 256 samples
 }
 
-TEST(Hidden, mirrors_and_panes_show_it) {
+TEST(Hidden, mirrors_and_panes_show_hidden_meshes) {
   for (const Integrator integrator : kEitherLight) {
     SmallScene s;
     s.scene.max_depth = 4;
@@ -78,7 +78,7 @@ TEST(Hidden, mirrors_and_panes_show_it) {
   for (const Integrator integrator : kEitherLight) EXPECT_GT(seen(s, integrator).at(16, 16).x, 0.9f);
 }
 
-/// A matte floor at z = -1 under a lamp at z = 5, with a hidden square between them.
+/// A matte floor at z = -1 below a lamp at z = 5, with a hidden square between them.
 SmallScene shaded_floor(bool casts_no_shadow) {
   SmallScene s;
   s.scene.max_depth = 2;
@@ -90,20 +90,20 @@ SmallScene shaded_floor(bool casts_no_shadow) {
   return s;
 }
 
-TEST(Hidden, its_shadow_is_seen_unless_it_casts_none) {
+TEST(Hidden, shadows_follow_their_own_flag) {
   for (const Integrator integrator : kEitherLight) {
     expect_color(seen(shaded_floor(false), integrator).at(16, 16), Vec3f(0.0f));
     const float lit = seen(shaded_floor(true), integrator).at(16, 16).x;
     SmallScene open = shaded_floor(true);
     open.scene.instances.pop_back();
     EXPECT_GT(lit, 0.0f);
-    // Paths may meet the roof, which is black and shines on nothing.
+    // Paths may hit the roof, which is black and lights nothing.
     EXPECT_EQ(lit, seen(open, integrator).at(16, 16).x);
   }
 }
 
-/// A lamp that shines down is as bright on the floor whether it is seen or not.
-TEST(Hidden, it_shines) {
+/// A lamp that shines down is equally bright on the floor whether it is visible or not.
+TEST(Hidden, hidden_lamps_give_light) {
   SmallScene s;
   s.scene.max_depth = 2;
   s.add(square(3, -1), s.material(matte(Vec3f(1.0f))));

@@ -13,23 +13,24 @@ using namespace test;
 
 Vec3f mirrored_at(Vec3f normal, Vec3f view) { return 2.0f * glm::dot(normal, view) * normal - view; }
 
-/// An even direction with z above 0.
+/// Returns a uniformly distributed direction with z above 0.
 Vec3f upwards(std::mt19937& random) {
   std::uniform_real_distribution<float> in_unit(1e-3f, 1.0f), turn(0.0f, 2.0f * std::numbers::pi_v<float>);
   const float z = in_unit(random), r = std::sqrt(1.0f - z * z), phi = turn(random);
   return {r * std::cos(phi), r * std::sin(phi), z};
 }
 
-TEST(LiftedNormal, stays_where_its_mirror_direction_is_above_the_facet) {
+TEST(LiftedNormal, stays_if_its_mirror_direction_is_valid) {
   const Vec3f normal = glm::normalize(Vec3f(0.3f, -0.2f, 1.0f)), view = glm::normalize(Vec3f(0.1f, 0.4f, 1.0f));
   EXPECT_EQ(lifted_normal(normal, {0, 0, 7}, view), normal);
-  EXPECT_EQ(lifted_normal({0, 0, 1}, {0, 0, 2}, glm::normalize(Vec3f(1.0f, 0.0f, 1e-3f))), Vec3f(0, 0, 1));  // edge-on
+  EXPECT_EQ(lifted_normal({0, 0, 1}, {0, 0, 2}, glm::normalize(Vec3f(1.0f, 0.0f, 1e-3f))),
+            Vec3f(0, 0, 1));  // at a grazing angle
 }
 
-TEST(LiftedNormal, a_normal_that_looks_away_from_the_viewer_is_found_by_hand) {
-  // The view is 60 degrees from the facet's normal, the given one 80 degrees from it on the other side, 140 from the view.
-  // Mirrored to 0.01 above the facet, 89.427 degrees from its normal, the view needs a normal half-way: (89.427 - 60) / 2
-  // = 14.714 degrees.
+TEST(LiftedNormal, lifts_a_normal_as_computed_by_hand) {
+  // The view is 60 degrees from the facet's normal, the given normal 80 degrees from it on the other side, 140 from the view.
+  // To be mirrored to 0.01 above the facet, 89.427 degrees from its normal, the view needs the half-way normal: (89.427 - 60) /
+  // 2 = 14.714 degrees.
   const auto at = [](float degrees) {
     const float a = degrees * std::numbers::pi_v<float> / 180.0f;
     return Vec3f(std::sin(a), 0.0f, std::cos(a));
@@ -37,7 +38,7 @@ TEST(LiftedNormal, a_normal_that_looks_away_from_the_viewer_is_found_by_hand) {
   expect_color(lifted_normal(at(80), {0, 0, 1}, at(-60)), at(14.7135f), 1e-4f);
 }
 
-TEST(LiftedNormal, mirrors_any_view_to_above_the_facet_and_lies_between_the_two_normals) {
+TEST(LiftedNormal, mirrors_any_view_above_the_facet) {
   std::mt19937 random(3);
   int lifted = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -48,7 +49,7 @@ TEST(LiftedNormal, mirrors_any_view_to_above_the_facet_and_lies_between_the_two_
     EXPECT_NEAR(glm::length(got), 1.0f, 1e-5f);
     if (got == normal) continue;
     ++lifted;
-    EXPECT_NEAR(mirrored_at(got, view).z, height, 1e-6f);                  // no further than it must be
+    EXPECT_NEAR(mirrored_at(got, view).z, height, 1e-6f);                  // no further than necessary
     EXPECT_NEAR(glm::dot(glm::cross(normal, z), got), 0.0f, 1e-5f);        // in the plane of both
     EXPECT_GE(glm::dot(got, z), normal.z - 1e-6f);                         // and nearer to the facet's
     EXPECT_GE(glm::dot(glm::cross(z, normal), glm::cross(z, got)), 0.0f);  // on the same side of it
@@ -56,13 +57,13 @@ TEST(LiftedNormal, mirrors_any_view_to_above_the_facet_and_lies_between_the_two_
   EXPECT_GT(lifted, 500);
 }
 
-TEST(LiftedNormal, what_has_no_direction_of_its_own_is_the_facets) {
+TEST(LiftedNormal, degenerate_normals_become_the_facets) {
   const Vec3f view = glm::normalize(Vec3f(1.0f, 0.0f, 1.0f));
   EXPECT_EQ(lifted_normal({0, 0, -1}, {0, 0, 1}, view), Vec3f(0, 0, 1));
-  EXPECT_EQ(lifted_normal({1, 0, 0}, {0, 0, 0}, view), Vec3f(1, 0, 0));  // a facet without extent says nothing
+  EXPECT_EQ(lifted_normal({1, 0, 0}, {0, 0, 0}, view), Vec3f(1, 0, 0));  // a facet without area has no normal
 }
 
-/// Of a white sky all around a coarse ball.
+/// Renders a coarse ball in a white sky.
 Image in_white_furnace(const MetallicRoughness& surface, int size) {
   SmallScene s;
   surround(s, Vec3f(1.0f));
@@ -76,9 +77,9 @@ MetallicRoughness of(float metallic, float roughness) {
   return surface;
 }
 
-// Where the smooth normal faces away from the view, gloss would take all light from the paint below it: the darkest pixel of
-// 500 had 0.82 of the light, and has 0.91; of surfaces with rare layers no less is asked.
-TEST(LiftedNormal, a_coarse_ball_of_glossy_paint_has_no_dark_rim_in_a_white_furnace) {
+// Where the smooth normal faces away from the view, the gloss would take all light from the paint below it, which leaves 0.82
+// of the light in the darkest of 500 pixels. Lifting gives 0.91. Surfaces with rare layers must do as well.
+TEST(LiftedNormal, glossy_coarse_balls_have_no_dark_rim) {
   for (const bool layered : {false, true}) {
     MetallicRoughness paint = of(0.0f, 0.3f);
     if (layered) paint.extensions.emplace().sheen.color = Vec3f(1e-6f);
@@ -89,10 +90,10 @@ TEST(LiftedNormal, a_coarse_ball_of_glossy_paint_has_no_dark_rim_in_a_white_furn
   }
 }
 
-// Of 65,536 samples one may be lost: a mirrored ray that starts on the edge of a facet can meet the facet beside it, on
-// processors on which Embree intersects it so (measured with AVX-512: 7 of 830,000 samples in six sizes). A rim loses all light
-// of its pixels.
-TEST(LiftedNormal, a_coarse_mirror_ball_has_no_dark_rim_in_a_white_furnace) {
+// Of 65,536 samples one may be lost: a mirrored ray that starts on the edge of a facet can hit the adjacent facet, on
+// processors on which Embree intersects it that way (measured with AVX-512: 7 of 830,000 samples in six sizes). A rim would
+// lose all light of its pixels.
+TEST(LiftedNormal, coarse_mirror_balls_have_no_dark_rim) {
   const std::vector<float> values = in_white_furnace(of(1.0f, 0.0f), 32).data;
   double sum = 0.0;
   for (const float value : values) {

@@ -1,4 +1,4 @@
-// Lights too faint or too strong for single precision, of every kind: pictures of them end, and are finite.
+// Lights of every kind that are too faint or too strong for single precision: rendering ends with finite pictures.
 #include "transport/light_range.hpp"
 
 #include <gtest/gtest.h>
@@ -114,7 +114,7 @@ TEST(LightRange, faint_light_of_every_source_is_dark) {
     }
 }
 
-TEST(LightRange, strong_light_of_every_source_is_finite_and_seen) {
+TEST(LightRange, strong_light_of_every_source_is_finite) {
   for (const Source source : kSources)
     for (const float light : {1e20f, std::numeric_limits<float>::max()}) {
       const Scene scene = lit_by(source, light).scene;

@@ -34,7 +34,7 @@ class RandomPlaces {
 enum class Kind { kPoints, kSpots, kFadingSpots, kBalls, kFaces, kClosedFaces };
 constexpr Kind kKinds[] = {Kind::kPoints, Kind::kSpots, Kind::kFadingSpots, Kind::kBalls, Kind::kFaces, Kind::kClosedFaces};
 
-/// Powers from 0.01 to 1, ranges from 1 to 10 of every third.
+/// Returns lights with powers from 0.01 to 1, every third with a range from 1 to 10.
 std::vector<TreeLight> random_lights(Kind kind, std::size_t count, unsigned seed) {
   RandomPlaces random(seed);
   std::vector<TreeLight> lights;
@@ -53,7 +53,7 @@ std::vector<TreeLight> random_lights(Kind kind, std::size_t count, unsigned seed
   return lights;
 }
 
-/// The light of one on a surface across, without shadows.
+/// Returns the light that reaches a perpendicular surface, without shadows.
 float light_of(const TreeLight& light, Vec3f at) {
   const Vec3f from = at - light.middle;
   const float distance = glm::length(from);
@@ -71,7 +71,7 @@ TEST(LightTree, of_no_lights_draws_none) {
   EXPECT_EQ(LightTree().probability(0, {}), 0.0f);
 }
 
-TEST(LightTree, of_one_light_draws_it_always) {
+TEST(LightTree, of_one_light_always_draws_it) {
   const LightTree tree(std::vector{lamp({1, 2, 3})});
   for (const float u : {0.0f, 0.5f, 0.9999999f}) {
     const auto choice = tree.choose({}, u);
@@ -82,27 +82,26 @@ TEST(LightTree, of_one_light_draws_it_always) {
   EXPECT_EQ(tree.probability(0, {}), 1.0f);
 }
 
-// Straight above at distances 1 and 2: 1 : 1/4. Of one above and one below, the second keeps 1/16: 16/17.
-TEST(LightTree, draws_by_the_squared_distance_and_the_horizon) {
+// Straight above at distances 1 and 2: 1 : 1/4. With one above and one below, the second keeps 1/16: 16/17.
+TEST(LightTree, draws_by_squared_distance_and_horizon) {
   const LightTree far(std::vector{lamp({0, 0, 1}), lamp({0, 0, 2})});
   EXPECT_NEAR(far.probability(0, {Vec3f(0.0f), {0, 0, 1}}), 0.8f, 1e-6f);
   EXPECT_NEAR(far.probability(0, {}), 0.8f, 1e-6f);
   const LightTree below(std::vector{lamp({0, 0, 1}), lamp({0, 0, -1})});
   EXPECT_NEAR(below.probability(0, {Vec3f(0.0f), {0, 0, 1}}), 16.0f / 17.0f, 1e-6f);
-  EXPECT_NEAR(below.probability(0, {}), 0.5f, 1e-6f) << "light may come from both sides";
+  EXPECT_NEAR(below.probability(0, {}), 0.5f, 1e-6f) << "both sides can receive light";
 }
 
-// A face that is seen at 60 degrees from its normal shines with half of what it shines with straight on; its variance here is
-// 0.
-TEST(LightTree, draws_faces_by_their_cosine_from_either_side) {
+// A face seen at 60 degrees from its normal gives half of its light at normal incidence; its variance is 0 here.
+TEST(LightTree, draws_faces_by_their_cosine) {
   std::vector<TreeLight> lights{lamp({0, 0, 1}), lamp({0, 0, -1})};
   lights[0].face = {0, 0, 1};
   lights[1].face = {0, std::sqrt(0.75f), -0.5f};
   EXPECT_NEAR(LightTree(lights).probability(0, {}), 2.0f / 3.0f, 1e-6f);
 }
 
-// A closed body's face shines before it in full, and keeps a sixteenth behind it.
-TEST(LightTree, draws_faces_of_closed_bodies_where_they_face_the_point) {
+// A closed body's face counts fully in front of it, and keeps a sixteenth behind it.
+TEST(LightTree, draws_front_faces_of_closed_bodies) {
   std::vector<TreeLight> lights{lamp({0, 0, 1}), lamp({0, 0, -1})};
   for (TreeLight& light : lights) light.face = {0, 0, -1}, light.is_closed = true;
   const LightTree tree(lights);
@@ -110,8 +109,8 @@ TEST(LightTree, draws_faces_of_closed_bodies_where_they_face_the_point) {
   EXPECT_NEAR(tree.probability(0, {}) + tree.probability(1, {}), 1.0f, 1e-6f);
 }
 
-// Half way between the cosines of its outer and inner cone a lamp gives a quarter of what it gives along its axis.
-TEST(LightTree, draws_spots_by_what_their_cones_fade_to) {
+// Half-way between the cosines of its outer and inner cone, a lamp gives a quarter of its light along the axis.
+TEST(LightTree, draws_spots_by_their_falloff) {
   std::vector<TreeLight> lights{lamp({0, 0, 1}), lamp({1, 0, 0})};
   for (TreeLight& light : lights) light.half_angle = 0.5f * kPi, light.inner_angle = 0.0f;
   lights[0].axis = {0, 0, -1};
@@ -119,9 +118,9 @@ TEST(LightTree, draws_spots_by_what_their_cones_fade_to) {
   EXPECT_NEAR(LightTree(lights).probability(0, {}), 0.8f, 1e-5f);
 }
 
-// Sixteen lamps that light a half space each, all towards the point, are 1/2 + 3/4 x by Legendre's polynomials, x = 1 along
-// their axis; where every other one looks away they are 1/2 in all directions.
-TEST(LightTree, draws_clusters_of_spots_by_how_they_shine_on_average) {
+// Sixteen lamps that light a half space, all towards the point, have the profile 1/2 + 3/4 x by Legendre polynomials, x = 1
+// along their axis; if every other one points away, the profile is 1/2 in all directions.
+TEST(LightTree, draws_clusters_of_spots_by_their_mean) {
   std::vector<TreeLight> lights;
   for (int l = 0; l < 32; ++l) {
     const bool left = l < 16;
@@ -135,13 +134,13 @@ TEST(LightTree, draws_clusters_of_spots_by_how_they_shine_on_average) {
   EXPECT_EQ(tree.probability(17, {}), 0.0f);
 }
 
-TEST(LightTree, makes_less_noise_of_spots_than_their_cones_alone_would) {
+TEST(LightTree, has_less_noise_than_bounding_cones) {
   const std::vector<TreeLight> lights = random_lights(Kind::kFadingSpots, 1000, 1);
   std::vector<TreeLight> hard = lights;
   for (TreeLight& light : hard) light.inner_angle = light.half_angle;
   const LightTree tree(lights), of_hard(hard);
   RandomPlaces random(8);
-  double by_tree = 0.0, by_cones = 0.0;  // variances over the squared light of all
+  double by_tree = 0.0, by_cones = 0.0;  // variances over the squared total light
   for (int k = 0; k < 50; ++k) {
     const LightReceiver at{random.place(), Vec3f(0.0f)};
     double all = 0.0, of_tree = 0.0, of_cones = 0.0;
@@ -157,7 +156,7 @@ TEST(LightTree, makes_less_noise_of_spots_than_their_cones_alone_would) {
   EXPECT_LT(by_tree, 0.9 * by_cones);
 }
 
-TEST(LightTree, probabilities_sum_to_one_wherever_it_is_asked) {
+TEST(LightTree, probabilities_sum_to_one_everywhere) {
   for (const Kind kind : kKinds)
     for (const std::size_t count : {2u, 16u, 17u, 300u}) {
       const LightTree tree(random_lights(kind, count, 3));
@@ -167,8 +166,8 @@ TEST(LightTree, probabilities_sum_to_one_wherever_it_is_asked) {
         double sum = 0.0;
         for (std::uint32_t l = 0; l < count; ++l) sum += static_cast<double>(tree.probability(l, at));
         const bool any = tree.choose(at, 0.5f).has_value();
-        if (!any) continue;  // all are out of reach
-        // Where a cluster seems to be in reach and no light in it is, the descent ends without one.
+        if (!any) continue;  // all are out of range
+        // If a cluster seems to be in range but no light in it is, the descent ends without one.
         EXPECT_LE(sum, 1.0 + 1e-4) << static_cast<int>(kind) << ' ' << count;
         EXPECT_GT(sum, kind == Kind::kFaces || kind == Kind::kClosedFaces ? 0.999 : 0.0)
             << static_cast<int>(kind) << ' ' << count;
@@ -176,7 +175,7 @@ TEST(LightTree, probabilities_sum_to_one_wherever_it_is_asked) {
     }
 }
 
-TEST(LightTree, draws_every_light_as_often_as_it_says) {
+TEST(LightTree, draws_lights_with_the_stated_probability) {
   constexpr int kDraws = 1 << 16;
   for (const Kind kind : kKinds) {
     const LightTree tree(random_lights(kind, 100, 5));
@@ -189,15 +188,15 @@ TEST(LightTree, draws_every_light_as_often_as_it_says) {
           EXPECT_NEAR(choice->probability, tree.probability(choice->light, at), 1e-5f * choice->probability);
           ++drawn[choice->light];
         }
-      // Evenly spread numbers: a light's are one interval, which is cut off at both ends.
+      // With evenly spaced numbers, a light's numbers form one interval that is cut off at both ends.
       for (std::uint32_t l = 0; l < 100; ++l)
         EXPECT_NEAR(drawn[l], tree.probability(l, at) * kDraws, 2.0f) << static_cast<int>(kind) << ' ' << l;
     }
   }
 }
 
-// The estimator light / probability, for evenly spread numbers, against the sum over all.
-TEST(LightTree, what_is_drawn_over_its_probability_is_the_light_of_all) {
+// The estimator light / probability for evenly spaced numbers, against the sum over all lights.
+TEST(LightTree, estimates_the_total_light) {
   constexpr int kDraws = 1 << 18;
   for (const Kind kind : kKinds) {
     const std::vector<TreeLight> lights = random_lights(kind, 500, 7);
@@ -215,7 +214,7 @@ TEST(LightTree, what_is_drawn_over_its_probability_is_the_light_of_all) {
   }
 }
 
-TEST(LightTree, never_leaves_out_a_light_that_shines) {
+TEST(LightTree, never_omits_a_contributing_light) {
   for (const Kind kind : kKinds) {
     const std::vector<TreeLight> lights = random_lights(kind, 400, 11);
     const LightTree tree(lights);
@@ -230,8 +229,8 @@ TEST(LightTree, never_leaves_out_a_light_that_shines) {
   }
 }
 
-// Half the variance of what powers alone would give, and far less close to a lamp.
-TEST(LightTree, makes_less_noise_than_powers_alone) {
+// Half the variance of drawing by power alone, and far less close to a lamp.
+TEST(LightTree, has_less_noise_than_drawing_by_power) {
   const std::vector<TreeLight> lights = random_lights(Kind::kPoints, 1000, 1);
   const LightTree tree(lights);
   double power = 0.0;
@@ -250,7 +249,7 @@ TEST(LightTree, makes_less_noise_than_powers_alone) {
   }
 }
 
-TEST(LightTree, lights_without_power_or_place_are_never_drawn) {
+TEST(LightTree, lights_without_power_or_position_are_ignored) {
   std::vector<TreeLight> lights{
       lamp(Vec3f(1.0f), 0.0f), lamp(Vec3f(1.0f), -1.0f), lamp(Vec3f(1.0f), kNan), lamp(Vec3f(1.0f), kInfinity),
       lamp({kNan, 0, 0}),      lamp({kInfinity, 0, 0}),  lamp({1, 0, 0})};
@@ -262,7 +261,7 @@ TEST(LightTree, lights_without_power_or_place_are_never_drawn) {
   EXPECT_TRUE(LightTree(lights).empty());
 }
 
-TEST(LightTree, lamps_in_one_place_are_drawn_by_their_power) {
+TEST(LightTree, coincident_lamps_are_drawn_by_power) {
   std::vector<TreeLight> lights;
   for (int l = 0; l < 1000; ++l) lights.push_back(lamp({1, 2, 3}, static_cast<float>(l % 4)));
   const LightTree tree(lights);
@@ -284,14 +283,14 @@ TEST(LightTree, spots_that_face_away_are_not_drawn) {
   EXPECT_NEAR(LightTree(lights).choose({}, 0.5f)->probability, 1.0f, 1e-6f);
 }
 
-TEST(LightTree, asked_from_nowhere_draws_nothing) {
+TEST(LightTree, invalid_points_draw_nothing) {
   const LightTree tree(random_lights(Kind::kSpots, 100, 2));
   EXPECT_FALSE(tree.choose({Vec3f(kNan), {0, 0, 1}}, 0.5f));
   EXPECT_FALSE(tree.choose({Vec3f(kInfinity), {0, 0, 1}}, 0.5f));
   EXPECT_EQ(tree.probability(3, {Vec3f(kNan), {0, 0, 1}}), 0.0f);
 }
 
-TEST(LightTree, units_change_nothing) {
+TEST(LightTree, does_not_depend_on_units) {
   const std::vector<TreeLight> lights = random_lights(Kind::kBalls, 100, 12);
   const LightTree tree(lights);
   for (const float scale : {1e-6f, 1e6f}) {
@@ -306,8 +305,8 @@ TEST(LightTree, units_change_nothing) {
   }
 }
 
-// Whose ball the ray's line comes near, in front and within reach.
-TEST(LightTree, a_ray_meets_all_balls_that_it_passes) {
+// Lights whose ball the ray's line passes near, in front and within range.
+TEST(LightTree, rays_find_all_balls_they_pass) {
   const std::vector<TreeLight> lights = random_lights(Kind::kBalls, 2000, 13);
   const LightTree tree(lights);
   RandomPlaces random(14);
@@ -330,7 +329,7 @@ TEST(LightTree, a_ray_meets_all_balls_that_it_passes) {
     }
   }
   EXPECT_GT(met_at_all, 100u);
-  EXPECT_LT(visits, 2 * met_at_all) << "others are not asked";
+  EXPECT_LT(visits, 2 * met_at_all) << "other nodes are not visited";
 }
 
 }  // namespace

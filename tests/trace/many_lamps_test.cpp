@@ -1,4 +1,4 @@
-// Pictures below so many lamps that a tree draws one of them, against sums of pictures below each alone, which no tree serves.
+// Pictures with so many lamps that a tree draws one of them, against sums of pictures with one lamp each, which use no tree.
 #include <gtest/gtest.h>
 
 #include "shading/shaded_scene.hpp"
@@ -22,8 +22,8 @@ MetallicRoughness floor_of(float metallic, float roughness) {
 enum class LampKind { kPoint, kSpot, kBall, kSquare };
 constexpr LampKind kLampKinds[] = {LampKind::kPoint, LampKind::kSpot, LampKind::kBall, LampKind::kSquare};
 
-/// Above the eye, in a spiral that goes up from 1.3 to 3.2, squares all in one plane, so that none hides another; every third
-/// is far stronger. Spots look to all sides.
+/// Places lamps above the eye, in a spiral that rises from 1.3 to 3.2; squares lie in one plane, so that none occludes another;
+/// every third is far stronger. Spots point in all directions.
 void add_lamp(SmallScene& s, LampKind kind, int l) {
   const float angle = 2.4f * static_cast<float>(l), share = static_cast<float>(l) / kCount, strength = l % 3 == 0 ? 2.0f : 0.2f;
   const Vec3f at{1.8f * std::sqrt(share) * std::cos(angle), 1.8f * std::sqrt(share) * std::sin(angle), 1.3f + 1.9f * share};
@@ -56,8 +56,8 @@ double light_below(LampKind kind, const MetallicRoughness& floor, int first, int
   return mean(trace_paths(below(kind, floor, first, end).scene, single_view(8), spp, {}, 1, kNearEye).film);
 }
 
-// Onto a floor that sees them all; nothing is between.
-TEST(ManyLamps, light_is_the_sum_of_that_of_each) {
+// A floor that all of them light without occlusion.
+TEST(ManyLamps, light_is_the_sum_over_lamps) {
   for (const LampKind kind : kLampKinds)
     for (const MetallicRoughness& floor : {floor_of(0.0f, 1.0f), floor_of(1.0f, 0.4f)}) {
       double sum = 0.0;
@@ -68,7 +68,7 @@ TEST(ManyLamps, light_is_the_sum_of_that_of_each) {
     }
 }
 
-// Mirrors find lamps that have a size by rays alone: each ray asks the tree for those that it meets.
+// Mirrors find lamps with a size only by rays: each ray asks the tree for the lamps that it hits.
 TEST(ManyLamps, a_mirror_shows_each_ball_once) {
   const MetallicRoughness mirror = floor_of(1.0f, 0.0f);
   Image sum;
@@ -84,7 +84,7 @@ TEST(ManyLamps, a_mirror_shows_each_ball_once) {
   for (std::size_t i = 0; i < sum.data.size(); ++i) ASSERT_NEAR(all.data[i], sum.data[i], 1e-4f * (1.0f + sum.data[i])) << i;
 }
 
-TEST(ManyLamps, pictures_have_the_same_bytes_for_any_number_of_threads) {
+TEST(ManyLamps, pictures_do_not_depend_on_threads) {
   for (const LampKind kind : kLampKinds) {
     SmallScene s = busy_scene(3);
     for (int l = 0; l < kCount; ++l) add_lamp(s, kind, l);
@@ -93,7 +93,7 @@ TEST(ManyLamps, pictures_have_the_same_bytes_for_any_number_of_threads) {
   }
 }
 
-TEST(ManyLamps, lamps_without_light_and_far_away_change_nothing_but_the_numbers) {
+TEST(ManyLamps, dark_and_distant_lamps_change_only_noise) {
   SmallScene s = below(LampKind::kPoint, floor_of(0.0f, 1.0f), 0, kCount);
   const double before = mean(trace_paths(s.scene, single_view(8), 1024, {}, 1, kNearEye).film);
   for (int l = 0; l < 200; ++l) s.point_light({1.0f, 1.0f, 1.5f}, Vec3f(0.0f)).inverse_square = true;
@@ -101,7 +101,7 @@ TEST(ManyLamps, lamps_without_light_and_far_away_change_nothing_but_the_numbers)
   EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 4096, {}, 1, kNearEye).film), before, 0.03 * before);
 }
 
-/// What the table of a scene says, at a point before the floor.
+/// Calls `ask` with the light table of a scene at a point above the floor.
 template <class Ask>
 auto ask(const Scene& scene, const Ask& question) {
   const ThreadPool pool(1);
@@ -109,8 +109,8 @@ auto ask(const Scene& scene, const Ask& question) {
   return question(*device.shaded().path->lights);
 }
 
-// Four are drawn by their power wherever they are asked, five by a tree.
-TEST(ManyLamps, few_lamps_are_drawn_by_their_power) {
+// Four are drawn by power alone, five by a tree.
+TEST(ManyLamps, few_lamps_are_drawn_by_power) {
   for (const int lamps : {4, 5}) {
     const SmallScene s = below(LampKind::kBall, floor_of(0.0f, 1.0f), 0, lamps);
     ask(s.scene, [&](const LightTable& table) {
@@ -123,7 +123,7 @@ TEST(ManyLamps, few_lamps_are_drawn_by_their_power) {
   }
 }
 
-TEST(ManyLamps, chances_of_balls_and_a_sun_sum_to_1_without_other_lights) {
+TEST(ManyLamps, probabilities_of_balls_and_sun_sum_to_1) {
   for (const int squares : {0, kCount}) {
     SmallScene s = below(LampKind::kBall, floor_of(0.0f, 1.0f), 0, kCount);
     for (int l = 0; l < squares; ++l) add_lamp(s, LampKind::kSquare, l);
@@ -143,7 +143,7 @@ TEST(ManyLamps, chances_of_balls_and_a_sun_sum_to_1_without_other_lights) {
   }
 }
 
-/// Whether the table of a moment is that of the moment before.
+/// Returns whether the table of a moment is that of the moment before.
 bool keeps_table(const Scene& scene, double time) {
   const ThreadPool pool(1);
   DeviceScene device(scene, pool, Integrator::kPath);
@@ -152,7 +152,7 @@ bool keeps_table(const Scene& scene, double time) {
   return device.shaded().path->lights.get() == before;
 }
 
-TEST(ManyLamps, the_table_is_made_anew_only_where_what_shines_moves) {
+TEST(ManyLamps, table_is_rebuilt_only_for_moving_lights) {
   const auto scene_of = [](bool lamp_moves, bool square_moves, bool box_moves) {
     SmallScene s = below(LampKind::kPoint, floor_of(0.0f, 1.0f), 0, kCount);
     const auto node = [&](bool moves) { return s.moving_node(Vec3f(0.0f), Vec3f(moves ? 1.0f : 0.0f)); };
@@ -168,8 +168,8 @@ TEST(ManyLamps, the_table_is_made_anew_only_where_what_shines_moves) {
   EXPECT_FALSE(keeps_table(scene_of(false, true, false), 0.5));
 }
 
-// What a frame shows may not depend on the frames that were made before it.
-TEST(ManyLamps, a_moved_picture_is_the_same_whatever_came_before) {
+// A frame must not depend on the frames made before it.
+TEST(ManyLamps, pictures_do_not_depend_on_earlier_frames) {
   SmallScene s = busy_scene(3);
   for (int l = 0; l < kCount; ++l) add_lamp(s, LampKind::kSquare, l);
   add_lamp(s, LampKind::kPoint, 3);

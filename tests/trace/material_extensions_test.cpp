@@ -1,5 +1,4 @@
-// Light by random paths through volumes, prisms and leaves against what theory says it is. The view is from (0, 0, 10) at the
-// square +-2.
+// Path-traced volumes, prisms and leaves compared with theory. The view is from (0, 0, 10) at the square +-2.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +10,7 @@ namespace {
 
 using namespace test;
 
-/// Smooth, and of air's index unless said otherwise: it bends and mirrors nothing.
+/// Smooth, by default with the index of air: no refraction or reflection.
 MetallicRoughness clear(const Volume& volume, float ior = 1.0f) {
   MetallicRoughness m;
   m.metallic = 0.0f, m.roughness = 0.0f, m.ior = ior;
@@ -22,7 +21,7 @@ MetallicRoughness clear(const Volume& volume, float ior = 1.0f) {
 
 constexpr Volume kAmber{true, {0.9f, 0.5f, 0.1f}, 2.0f};
 
-TEST(MaterialExtensions, light_through_a_slab_is_left_as_beer_says) {
+TEST(MaterialExtensions, slabs_absorb_by_beers_law) {
   SmallScene s;
   s.scene.max_depth = 8;
   surround(s, Vec3f(1.0f));
@@ -31,7 +30,7 @@ TEST(MaterialExtensions, light_through_a_slab_is_left_as_beer_says) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], std::pow(kAmber.attenuation_color[c], 3.0f / 2.0f), 1e-3f);
 }
 
-TEST(MaterialExtensions, what_is_enclosed_is_seen_through_the_medium) {
+TEST(MaterialExtensions, enclosed_objects_are_seen_through_the_medium) {
   SmallScene s;
   s.scene.max_depth = 8;
   s.add(Boxes{{{-50, -50, -3}, {50, 50, 0}}}, s.material(clear(kAmber)));
@@ -40,7 +39,7 @@ TEST(MaterialExtensions, what_is_enclosed_is_seen_through_the_medium) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], std::pow(kAmber.attenuation_color[c], 1.0f / 2.0f), 1e-3f);
 }
 
-TEST(MaterialExtensions, a_volume_that_has_no_other_side_absorbs_nothing) {
+TEST(MaterialExtensions, open_volumes_absorb_nothing) {
   SmallScene s;
   s.scene.max_depth = 8;
   surround(s, Vec3f(1.0f));
@@ -48,7 +47,7 @@ TEST(MaterialExtensions, a_volume_that_has_no_other_side_absorbs_nothing) {
   EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 16).film), 1.0, 1e-4);
 }
 
-TEST(MaterialExtensions, a_thin_wall_bends_nothing) {
+TEST(MaterialExtensions, thin_walls_do_not_refract) {
   for (const bool by_paths : {false, true}) {
     SmallScene s;
     s.scene.max_depth = 8;
@@ -61,7 +60,7 @@ TEST(MaterialExtensions, a_thin_wall_bends_nothing) {
   }
 }
 
-TEST(MaterialExtensions, white_spheres_of_layers_vanish_in_a_white_furnace) {
+TEST(MaterialExtensions, layered_white_spheres_vanish_in_furnaces) {
   for (int kind = 0; kind < 4; ++kind) {
     MetallicRoughness m;
     m.metallic = 0.0f, m.roughness = 0.5f;
@@ -74,13 +73,13 @@ TEST(MaterialExtensions, white_spheres_of_layers_vanish_in_a_white_furnace) {
     s.scene.max_depth = 64;
     surround(s, Vec3f(1.0f));
     s.add(Spheres{{{0, 0, 0}, 3.0f}}, s.material(m));
-    // 1 %: what is left of chance, of three colours apart with dispersion.
+    // 1 %: noise, of three separate colours with dispersion.
     EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 1024).film), 1.0, 0.01) << "kind " << kind;
   }
 }
 
 // A wall's edge behind a prism: red light is bent less than blue.
-TEST(MaterialExtensions, dispersion_parts_colours) {
+TEST(MaterialExtensions, dispersion_separates_colours) {
   SmallScene s;
   s.scene.max_depth = 8;
   MetallicRoughness m = clear({true}, 1.5f);
@@ -94,7 +93,7 @@ TEST(MaterialExtensions, dispersion_parts_colours) {
   EXPECT_GT(parted, 0.3f);
 }
 
-TEST(MaterialExtensions, a_lamp_behind_a_leaf_lights_its_front) {
+TEST(MaterialExtensions, leaves_transmit_diffuse_light) {
   MetallicRoughness leaf;
   leaf.metallic = 0.0f, leaf.roughness = 1.0f, leaf.specular = 0.0f;
   leaf.extensions.emplace().diffuse_transmission = {0.5f, {}, {0.2f, 0.8f, 0.1f}, {}};

@@ -1,4 +1,4 @@
-// What metallic-roughness surfaces of meshes look up: maps with transforms and sets, vertex colours, alphas.
+// Look-ups of metallic-roughness surfaces of meshes: maps with transforms and sets, vertex colours, alphas.
 #include <gtest/gtest.h>
 
 #include "trace/small_scene.hpp"
@@ -12,7 +12,7 @@ using test::SmallScene;
 using test::square;
 using test::trace;
 
-/// One row of texels, each of one grey and alpha.
+/// One row of texels, each with its grey and the same alpha.
 Texture row_of(std::initializer_list<int> greys, int alpha = 255) {
   Texture t;
   t.width = static_cast<int>(greys.size()), t.height = 1;
@@ -22,14 +22,14 @@ Texture row_of(std::initializer_list<int> greys, int alpha = 255) {
   return t;
 }
 
-/// A surface that shows its base colour alone.
+/// A surface that shows only its base colour.
 MetallicRoughness unlit() {
   MetallicRoughness s;
   s.unlit = true;
   return s;
 }
 
-/// The pixel in the middle of the left or right half of a square that fills the picture, before a background of 1.
+/// Pixels in the middle of the left and right half of a square that fills the picture, in front of a background of 1.
 struct Halves {
   float left, right;
 };
@@ -44,13 +44,13 @@ Halves render(const Mesh& mesh, const MetallicRoughness& surface, const Texture&
   return {p.at(8, 16).x, p.at(24, 16).x};
 }
 
-TEST(MeshMaterial, map_is_looked_up_where_its_transform_says) {
+TEST(MeshMaterial, maps_follow_their_transform) {
   MetallicRoughness s = unlit();
   s.base_color_map.texture = 0;
   const Halves as_it_is = render(square(2, 0), s, row_of({0, 0, 255, 255}));
   EXPECT_EQ(as_it_is.left, 0.0f);
   EXPECT_EQ(as_it_is.right, 1.0f);
-  s.base_color_map.offset = {0.5f, 0.0f};  // half the texture on, which repeats
+  s.base_color_map.offset = {0.5f, 0.0f};  // shifted by half the texture, which repeats
   const Halves moved = render(square(2, 0), s, row_of({0, 0, 255, 255}));
   EXPECT_EQ(moved.left, 1.0f);
   EXPECT_EQ(moved.right, 0.0f);
@@ -64,13 +64,13 @@ TEST(MeshMaterial, map_is_looked_up_where_its_transform_says) {
 TEST(MeshMaterial, footprint_grows_with_the_scale_of_the_transform) {
   MetallicRoughness s = unlit();
   s.base_color_map.texture = 0;
-  s.base_color_map.matrix[0].x = 64.0f;  // 64 times black and white on 32 pixels: nothing but their mean is seen
+  s.base_color_map.matrix[0].x = 64.0f;  // 64 periods of black and white on 32 pixels: only their mean is visible
   const Halves blurred = render(square(2, 0), s, row_of({0, 0, 255, 255}));
   EXPECT_NEAR(blurred.left, 0.5f, 1e-3f);  // the codes of the coarsest level
   EXPECT_NEAR(blurred.right, 0.5f, 1e-3f);
 }
 
-TEST(MeshMaterial, maps_use_the_set_of_coordinates_they_name) {
+TEST(MeshMaterial, maps_use_their_coordinate_set) {
   Mesh mesh = square(2, 0);
   for (const Vec2f uv : mesh.uvs) mesh.uvs_1.push_back({1.0f - uv.x, uv.y});
   MetallicRoughness s = unlit();
@@ -86,7 +86,7 @@ TEST(MeshMaterial, maps_use_the_set_of_coordinates_they_name) {
   EXPECT_EQ(second.right, 0.0f);
 }
 
-TEST(MeshMaterial, set_that_the_mesh_lacks_leaves_the_factor) {
+TEST(MeshMaterial, missing_coordinate_sets_use_the_factor) {
   MetallicRoughness s = unlit();
   s.base_color = Vec4f(0.5f, 0, 0, 1);
   s.base_color_map.texture = 0;
@@ -94,20 +94,20 @@ TEST(MeshMaterial, set_that_the_mesh_lacks_leaves_the_factor) {
   EXPECT_EQ(render(square(2, 0), s, row_of({0})).left, 0.5f);
 }
 
-TEST(MeshMaterial, blend_multiplies_the_alphas_of_factor_texture_and_vertices) {
+TEST(MeshMaterial, blend_multiplies_all_alphas) {
   Mesh mesh = square(2, 0);
   mesh.alphas.assign(4, 0.5f);
   MetallicRoughness s = unlit();
   s.base_color = Vec4f(0, 0, 0, 0.5f);
   s.base_color_map.texture = 0;
   s.blend = true;
-  // Alpha 1/8 of black before white.
+  // Alpha 1/8 of black in front of white.
   EXPECT_NEAR(render(mesh, s, row_of({255}, 128)).left, 1.0f - 0.25f * 128.0f / 255.0f, 1e-5f);
 }
 
-TEST(MeshMaterial, mask_compares_that_product) {
+TEST(MeshMaterial, mask_compares_the_product_of_alphas) {
   Mesh mesh = square(2, 0);
-  mesh.alphas = {0.4f, 0.8f, 0.8f, 0.4f};  // grows from left to right: 0.5 a quarter on, 0.7 three quarters on
+  mesh.alphas = {0.4f, 0.8f, 0.8f, 0.4f};  // grows from left to right: 0.5 at a quarter, 0.7 at three quarters
   MetallicRoughness s = unlit();
   s.base_color = Vec4f(0, 0, 0, 0.5f);
   s.alpha_cutoff = 0.3f;
@@ -133,7 +133,7 @@ TEST(MeshMaterial, vertex_colours_multiply_base_colour_and_texture) {
   EXPECT_NEAR(render(mesh, s, row_of({51})).left, 0.5f * 0.5f * 0.2f, 1e-5f);
 }
 
-/// Of brushed metal before a lamp, by paths: brushed along x, turned by an angle.
+/// Path traces brushed metal in front of a lamp: brushed along x, rotated by an angle.
 Picture brushed(float strength, float turned, const Texture* map = nullptr) {
   SmallScene s;
   MetallicRoughness metal;
@@ -146,7 +146,7 @@ Picture brushed(float strength, float turned, const Texture* map = nullptr) {
   return test::trace_paths(s.scene, single_view(16), 1);
 }
 
-TEST(MeshMaterial, map_turns_and_weakens_the_brush_of_a_metal) {
+TEST(MeshMaterial, map_rotates_and_scales_anisotropy) {
   Texture map = row_of({0});
   map.rgba = {128, 255, 128, 255};  // a quarter turn, half the strength
   const Picture by_map = brushed(1.0f, 0.0f, &map), by_numbers = brushed(0.5f, 1.5707964f), along = brushed(0.5f, 0.0f);
@@ -155,7 +155,7 @@ TEST(MeshMaterial, map_turns_and_weakens_the_brush_of_a_metal) {
   EXPECT_GT(std::abs(along.at(8, 8).x / by_numbers.at(8, 8).x - 1.0f), 0.1f);
 }
 
-/// A map of one normal, which leans so far to the right.
+/// A map of one normal that leans to the right by this angle.
 Texture leaning(float degrees) {
   const float a = radians(degrees);
   Texture map = row_of({0});
@@ -164,7 +164,7 @@ Texture leaning(float degrees) {
   return map;
 }
 
-/// Clear-coated, with both normal maps. layered: with a sheen that only LayeredBsdf has, too faint to be seen.
+/// Clear-coated, with both normal maps. layered: with a sheen that only LayeredBsdf has, too faint to be visible.
 MetallicRoughness coated(bool layered) {
   MetallicRoughness m;
   m.clearcoat = 1.0f;
@@ -173,7 +173,7 @@ MetallicRoughness coated(bool layered) {
   return m;
 }
 
-/// A surface's middle seen squarely, with a lamp so far to the right.
+/// Returns a surface's middle seen perpendicularly, with a lamp to the right at this angle.
 float lit_from(MetallicRoughness m, float base_degrees, float coat_degrees, float lamp_degrees) {
   SmallScene s;
   s.scene.textures = {leaning(base_degrees), leaning(coat_degrees)};
@@ -183,8 +183,8 @@ float lit_from(MetallicRoughness m, float base_degrees, float coat_degrees, floa
   return test::trace_paths(s.scene, single_view(33), 16).at(16, 16).x;
 }
 
-// The base mirrors a lamp that stands at twice the angle of its normal, and the coat one at twice the angle of its own.
-TEST(MeshMaterial, coat_and_base_go_each_by_the_normal_of_its_own_map_whatever_the_layers) {
+// The base reflects a lamp at twice the angle of its normal, and the coat one at twice the angle of its own normal.
+TEST(MeshMaterial, coat_and_base_use_separate_normal_maps) {
   for (const bool layered : {false, true}) {
     MetallicRoughness m = coated(layered);
     m.roughness = m.clearcoat_roughness = 0.3f;
@@ -202,7 +202,7 @@ TEST(MeshMaterial, coat_and_base_go_each_by_the_normal_of_its_own_map_whatever_t
 }
 
 // A lamp below the horizon of the base's bent normal, but above the facet and the coat's: a black base must not hide it.
-TEST(MeshMaterial, a_rough_coat_shows_lamps_that_its_base_looks_away_from) {
+TEST(MeshMaterial, rough_coats_show_lamps_behind_the_base) {
   for (const bool layered : {false, true}) {
     MetallicRoughness m = coated(layered);
     m.metallic = 0.0f, m.specular = 0.0f, m.base_color = Vec4f(0, 0, 0, 1);
@@ -213,8 +213,8 @@ TEST(MeshMaterial, a_rough_coat_shows_lamps_that_its_base_looks_away_from) {
   }
 }
 
-// The same of light from all around: of what shadow rays ask for, nothing is left out. 1 %: chance.
-TEST(MeshMaterial, a_rough_coat_has_its_albedo_whatever_normal_its_black_base_has) {
+// The same for light from all around: shadow rays must omit nothing. 1 %: noise.
+TEST(MeshMaterial, rough_coats_keep_their_albedo) {
   const auto in_white_furnace = [](const MetallicRoughness& m, float base_degrees) {
     SmallScene s;
     s.scene.max_depth = 2;

@@ -1,4 +1,4 @@
-// Surfaces sixteen at once against MetalRoughBsdf, which has tests of its own: the same bits.
+// Sixteen surfaces at once compared with MetalRoughBsdf, which has its own tests: the bits must match.
 #include "shading/metal_rough_lanes.hpp"
 
 #include <gtest/gtest.h>
@@ -16,10 +16,10 @@ const GgxAlbedo& albedo() {
   return tables;
 }
 
-/// kAny: glass among them.
+/// kAny includes glass.
 enum class Kind { kLambert, kGloss, kAny };
 
-/// Sixteen surfaces that the lanes know, each seen from somewhere, their gloss at times with a normal of its own.
+/// Sixteen supported surfaces, each with its own view, some with a separate normal of the gloss.
 struct Points {
   Points(unsigned seed, Kind kind) : random(seed) {
     for (std::size_t i = 0; i < kLanes; ++i) {
@@ -101,7 +101,7 @@ void expect_samples_of(Points& points, Drawn& drawn) {
   }
 }
 
-TEST(MetalRoughLanes, values_are_the_bsdfs) {
+TEST(MetalRoughLanes, values_equal_the_bsdfs) {
   for (const Kind kind : {Kind::kGloss, Kind::kAny})
     for (unsigned seed = 0; seed < 60; ++seed) {
       Points points(seed, kind);
@@ -109,7 +109,7 @@ TEST(MetalRoughLanes, values_are_the_bsdfs) {
     }
 }
 
-TEST(MetalRoughLanes, samples_are_the_bsdfs) {
+TEST(MetalRoughLanes, samples_equal_the_bsdfs) {
   for (const Kind kind : {Kind::kGloss, Kind::kAny}) {
     Drawn drawn;
     for (unsigned seed = 0; seed < 100; ++seed) {
@@ -122,7 +122,7 @@ TEST(MetalRoughLanes, samples_are_the_bsdfs) {
   }
 }
 
-TEST(MetalRoughLanes, without_any_gloss_the_shorter_way_gives_the_same) {
+TEST(MetalRoughLanes, shortcut_without_gloss_is_exact) {
   Drawn drawn;
   for (unsigned seed = 0; seed < 60; ++seed) {
     Points points(seed, Kind::kLambert);
@@ -133,7 +133,7 @@ TEST(MetalRoughLanes, without_any_gloss_the_shorter_way_gives_the_same) {
   EXPECT_EQ(drawn.mirrored + drawn.refracted + drawn.refracted_sharply, 0);
 }
 
-TEST(MetalRoughLanes, a_lane_does_not_depend_on_its_neighbours) {
+TEST(MetalRoughLanes, lanes_are_independent) {
   Points points(1, Kind::kAny), glossy(1, Kind::kGloss), matt(1, Kind::kLambert);
   MetalRoughLanes lanes;
   lanes.clear();

@@ -1,5 +1,5 @@
-// A floor below lights that fall off with distance and lights that do not. The eye is at (0, 0, 1) and looks at the square
-// +-0.2 around the origin, so all floors of these tests look alike.
+// A floor below lights with and without falloff by distance. The eye is at (0, 0, 1) and looks at the square +-0.2 around the
+// origin, so that all floors of these tests look the same.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -48,7 +48,7 @@ SmallScene floor_below(Near near, Far far, float half_size, float roughness = 1.
   return s;
 }
 
-/// Standard deviation over the pixels, over their mean.
+/// Returns the standard deviation over the pixels, relative to their mean.
 double noise(const Image& film) {
   const double average = mean(film);
   double squares = 0.0;
@@ -76,7 +76,7 @@ double light_below(Near near, Far far, float roughness) {
   return mean(trace_paths(floor_below(near, far, 5.0f, roughness).scene, single_view(16), 512, {}, 1, kNearby).film);
 }
 
-// Diffuse floors draw lights, glossy ones mostly meet them.
+// Diffuse floors sample lights, glossy ones mostly hit them.
 TEST(NearAndFarLights, light_is_the_sum_of_both) {
   for (const float roughness : {1.0f, 0.3f})
     for (const Near near : kNears)

@@ -28,14 +28,14 @@ double mean_square(const Image& a) {
   return sum / static_cast<double>(a.data.size());
 }
 
-TEST(NoisyFrame, film_is_that_of_the_frame_whether_or_not_halves_of_its_samples_are_equal) {
+TEST(NoisyFrame, film_equals_the_frames_film) {
   const SmallScene s = busy_scene(3);
   for (const int spp : {3, 4})
     EXPECT_EQ(traced(s.scene, spp).film.data, trace_paths(s.scene, single_view(kNoisySize), spp).film.data);
 }
 
-// Halves of evenly spread samples differ by more than their mean errs by, as they fill each other's gaps.
-TEST(NoisyFrame, noise_is_of_the_size_of_the_errors_and_has_no_preferred_sign) {
+// The halves of stratified samples differ by more than the error of their mean, because they fill each other's gaps.
+TEST(NoisyFrame, noise_matches_the_errors_without_bias) {
   const SmallScene s = busy_scene(3);
   const Image truth = trace_paths(s.scene, single_view(kNoisySize), 1024).film;
   for (const int spp : {3, 8, 16}) {
@@ -53,8 +53,9 @@ TEST(NoisyFrame, noise_is_of_the_size_of_the_errors_and_has_no_preferred_sign) {
   }
 }
 
-// The square's edge runs through pixel 24 at 0.4 of it, as in the tests of alpha; it lies 2 mm before the display's plane.
-TEST(NoisyFrame, surfaces_are_averaged_over_the_samples_of_a_pixel) {
+// The square's edge passes through pixel 24 at 0.4 of it, as in the tests of alpha; it lies 2 mm in front of the display's
+// plane.
+TEST(NoisyFrame, surfaces_are_averaged_over_samples) {
   SmallScene s;
   s.scene.background.horizon = s.scene.background.zenith = Vec3f(0.25f);
   s.add(square(1.05f, 0), s.material(matte({0.5f, 0.25f, 1.0f})));
@@ -68,7 +69,7 @@ TEST(NoisyFrame, surfaces_are_averaged_over_the_samples_of_a_pixel) {
   EXPECT_NEAR(moved.z.pixel(16, 16)[0], 2.0f, 1e-5f);
 }
 
-TEST(NoisyFrame, light_that_shines_from_the_first_surface_is_seen_without_noise) {
+TEST(NoisyFrame, emission_of_the_first_surface_is_noise_free) {
   SmallScene s;
   PhongSurface lamp = matte(Vec3f(0.5f));
   lamp.emission = Vec3f(3.0f);

@@ -1,4 +1,4 @@
-// Light by random paths against what theory says it is. The view is from (0, 0, 10) at the square +-2, unless it is shrunk.
+// Path-traced light compared with theory. The view is from (0, 0, 10) at the square +-2, unless it is scaled down.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ MetallicRoughness rough(Vec3f color, float metallic, float roughness) {
   return m;
 }
 
-/// A box seen from within: 2 x half wide, its faces' normals inwards.
+/// A box seen from within: 2 x half wide, with inward normals.
 Mesh room(float half) {
   Mesh m;
   for (int corner = 0; corner < 8; ++corner)
@@ -31,21 +31,21 @@ Mesh room(float half) {
   return m;
 }
 
-// ---- Furnaces: where light comes equally from everywhere, white things cannot be seen ----------------------------------
+// ---- Furnaces: in uniform light, white objects are invisible -----------------------------------------------------------
 
-TEST(PathTracer, white_spheres_of_any_roughness_vanish_in_a_white_furnace) {
+TEST(PathTracer, white_spheres_vanish_in_a_white_furnace) {
   for (const float metallic : {0.0f, 1.0f})
     for (int r = 0; r <= 10; ++r) {
       SmallScene s;
       surround(s, Vec3f(1.0f));
       s.add(Spheres{{{0, 0, 0}, 3.0f}}, s.material(rough(Vec3f(1.0f), metallic, 0.1f * static_cast<float>(r))));
-      // 0.5 %: what the tables of the multiple scattering leave; 64 pixels x 256 samples.
+      // 0.5 %: error of the tables of multiple scattering; 64 pixels x 256 samples.
       EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 256).film), 1.0, 0.005)
           << "metallic " << metallic << ", roughness 0." << r;
     }
 }
 
-TEST(PathTracer, white_phong_and_smooth_glass_vanish_in_a_white_furnace) {
+TEST(PathTracer, white_phong_and_glass_vanish) {
   MetallicRoughness glass = rough(Vec3f(1.0f), 0.0f, 0.0f);
   glass.transmission = 1.0f;
   PhongSurface pane = matte(Vec3f(1.0f));
@@ -60,7 +60,7 @@ TEST(PathTracer, white_phong_and_smooth_glass_vanish_in_a_white_furnace) {
   }
 }
 
-TEST(PathTracer, white_spheres_of_rough_glass_vanish_in_a_white_furnace) {
+TEST(PathTracer, rough_glass_vanishes_in_a_white_furnace) {
   for (const float roughness : {0.3f, 0.7f, 1.0f}) {
     MetallicRoughness glass = rough(Vec3f(1.0f), 0.0f, roughness);
     glass.transmission = 1.0f;
@@ -68,13 +68,13 @@ TEST(PathTracer, white_spheres_of_rough_glass_vanish_in_a_white_furnace) {
     s.scene.max_depth = 64;
     surround(s, Vec3f(1.0f));
     s.add(Spheres{{{0, 0, 0}, 3.0f}}, s.material(glass));
-    // 1 %: what the tables of the multiple scattering leave; one scattering alone loses 37 % at roughness 0.7, 66 % at 1.
+    // 1 %: error of the tables of multiple scattering; single scattering alone loses 37 % at roughness 0.7, 66 % at 1.
     EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 1024).film), 1.0, 0.01) << "roughness " << roughness;
   }
 }
 
-// Radiance L = e + a L: e / (1 - a); of paths of n vertices the sum of e a^k for k = 0 ... n.
-TEST(PathTracer, a_glowing_room_has_the_light_of_the_geometric_series) {
+// Radiance L = e + a L: e / (1 - a); for paths of n vertices the sum of e a^k for k = 0 ... n.
+TEST(PathTracer, glowing_rooms_follow_the_geometric_series) {
   for (const int depth : {1, 2, 8}) {
     SmallScene s;
     s.scene.max_depth = depth;
@@ -89,7 +89,7 @@ TEST(PathTracer, a_glowing_room_has_the_light_of_the_geometric_series) {
 
 // ---- Lights ---------------------------------------------------------------------------------------------------------
 
-TEST(PathTracer, lambert_under_a_point_light_is_as_bright_as_whitted_has_it) {
+TEST(PathTracer, lambert_matches_whitted) {
   SmallScene s;
   s.add(square(2, 0), s.material(matte({0.5f, 0.25f, 1.0f})));
   s.point_light({3, 0, 4}, {1.0f, 0.5f, 0.25f});
@@ -107,22 +107,22 @@ TEST(PathTracer, a_metallic_roughness_surface_divides_by_pi) {
   EXPECT_NEAR(trace_paths(s.scene, single_view(33), 4).at(16, 16).x, 0.5f / kPi * 8.0f / 16.0f, 5e-4f);
 }
 
-/// From a point to a square of half side a, h above it and parallel: four times the form factor of a rectangle with a corner
-/// above the point (Howell, configuration B-3).
+/// Returns the form factor from a point to a square of half side a, parallel at height h: four times that of a rectangle with a
+/// corner above the point (Howell, configuration B-3).
 double form_factor(double a, double h) {
   const double x = a / h, r = std::sqrt(1.0 + x * x);
   return 4.0 / M_PI * x / r * std::atan(x / r);
 }
 
 // Radiance = albedo x light x form factor; 0.5 x 3 x 0.2399.
-TEST(PathTracer, a_square_light_gives_what_its_form_factor_says) {
+TEST(PathTracer, square_lights_match_their_form_factor) {
   PhongSurface lamp = matte(Vec3f(0.0f));
   lamp.emission = Vec3f(3.0f);
   for (const bool by_rays_alone : {false, true}) {
     SmallScene s;
     s.add(square(2, 0), s.material(matte(Vec3f(0.5f))));
     const int shines = s.material(lamp);
-    if (by_rays_alone)  // boxes are met by chance, meshes are aimed at: two ways to one light
+    if (by_rays_alone)  // boxes are hit by chance, meshes are sampled: two ways to find one light
       s.add(Boxes{{{-1, -1, 2}, {1, 1, 2.0001f}}}, shines);
     else
       s.add(square(1, 2), shines);
@@ -131,7 +131,7 @@ TEST(PathTracer, a_square_light_gives_what_its_form_factor_says) {
   }
 }
 
-TEST(PathTracer, two_lamps_and_the_sky_add_up_whichever_is_drawn) {
+TEST(PathTracer, lamps_and_sky_add_up) {
   SmallScene s;
   surround(s, Vec3f(0.25f));
   s.add(square(2, 0), s.material(matte(Vec3f(1.0f))));
@@ -140,15 +140,16 @@ TEST(PathTracer, two_lamps_and_the_sky_add_up_whichever_is_drawn) {
   EXPECT_NEAR(mean(trace_paths(s.scene, single_view(5), 2048, {}, 1, kNearby).film), 0.25 + 0.5 + 0.125, 0.005);
 }
 
-TEST(PathTracer, a_bright_spot_of_a_panorama_lights_as_a_distant_lamp) {
+TEST(PathTracer, panorama_spots_act_as_distant_lamps) {
   SmallScene s;
   s.scene.background.map.emplace().radiance = Image(64, 32, 3);
-  // One texel around +x, 30 degrees above the horizon; the square is turned towards +x.
+  // One texel around +x, 30 degrees above the horizon; the square faces +x.
   const int row = 10;  // polar angles 56.25 to 61.875 degrees
   std::fill_n(s.scene.background.map->radiance.pixel(32, row), 3, 1000.0f);
   const Mat3f towards_x(Vec3f(0, 0, -1), Vec3f(0, 1, 0), Vec3f(1, 0, 0));
   s.add(square(2, 0), s.material(matte(Vec3f(1.0f))), s.node({towards_x, Vec3f(0.0f)}));
-  // Irradiance / pi of a bilinear texel: radiance x its area (two texels wide either way, weight 1/4 on average) x cosine.
+  // Irradiance / pi of a bilinear texel: radiance x its area (two texels wide in each direction, weight 1/4 on average) x
+  // cosine.
   const double step = M_PI / 32, polar = (row + 0.5) * step, azimuth = 0.5 * step;
   const double cosine = std::sin(polar) * std::cos(azimuth), expected = 1000.0 * step * step * std::sin(polar) * cosine / M_PI;
   const Picture p = trace_paths(s.scene, single_view(5), 4096, {}, 1, {0.1f * towards_x, Vec3f(0.0f)});
@@ -157,7 +158,7 @@ TEST(PathTracer, a_bright_spot_of_a_panorama_lights_as_a_distant_lamp) {
 
 // Radiance 2 cos / pi from the sun and 0.25 from the sky. The sun's texel is up to 0.7 degrees away from `toward`: 1 % of its
 // light at this angle.
-TEST(PathTracer, a_floor_below_a_sun_in_the_sky_has_its_irradiance) {
+TEST(PathTracer, suns_in_the_sky_give_their_irradiance) {
   SmallScene s;
   s.scene.max_depth = 3;
   const Vec3f toward = glm::normalize(Vec3f(-1.0f, 0.5f, 2.0f));
@@ -169,7 +170,7 @@ TEST(PathTracer, a_floor_below_a_sun_in_the_sky_has_its_irradiance) {
 
 // ---- What light passes ----------------------------------------------------------------------------------------------
 
-TEST(PathTracer, coverage_lets_light_and_looks_pass) {
+TEST(PathTracer, partial_coverage_passes_light_and_views) {
   SmallScene s;
   surround(s, Vec3f(1.0f));
   MetallicRoughness veil = rough(Vec3f(0.0f), 0.0f, 1.0f);
@@ -182,13 +183,13 @@ TEST(PathTracer, coverage_lets_light_and_looks_pass) {
   EXPECT_NEAR(trace_paths(s.scene, single_view(33), 1024).at(16, 16).x, 0.75f * 0.75f, 0.02f) << "down and up again";
 }
 
-TEST(PathTracer, leaves_cast_shadows_of_their_own_shape) {
+TEST(PathTracer, cut_out_leaves_cast_shaped_shadows) {
   for (const bool by_paths : {false, true}) {
     SmallScene s;
     Texture texture;
     texture.width = 2, texture.height = 1;
     texture.wrap_u = texture.wrap_v = Wrap::kClamp;
-    texture.rgba = {255, 255, 255, 0, 255, 255, 255, 255};  // the left half is cut away
+    texture.rgba = {255, 255, 255, 0, 255, 255, 255, 255};  // the left half is cut out
     s.scene.textures.push_back(texture);
     MetallicRoughness leaf = rough(Vec3f(1.0f), 0.0f, 1.0f);
     leaf.base_color_map.texture = 0;
@@ -202,7 +203,7 @@ TEST(PathTracer, leaves_cast_shadows_of_their_own_shape) {
     const Affine3f below{0.5f * Mat3f(1.0f), Vec3f(0.0f)};  // the eye at (0, 0, 5), the square +-1
     const Picture p =
         by_paths ? trace_paths(s.scene, single_view(9), 1, {}, 1, below) : trace(s.scene, single_view(9), {}, 1, 0.0, below);
-    EXPECT_NEAR(p.at(1, 4).x, 1.0f, 0.02f) << by_paths;  // Whitted's has a faint highlight
+    EXPECT_NEAR(p.at(1, 4).x, 1.0f, 0.02f) << by_paths;  // Whitted shading has a faint highlight
     EXPECT_NEAR(p.at(7, 4).x, 0.0f, 1e-3f) << by_paths;
   }
 }
@@ -215,7 +216,7 @@ TEST(PathTracer, light_through_a_clear_pane_counts_once) {
   surround(s, Vec3f(1.0f));
   s.add(square(200, 3), s.material(pane));
   s.add(square(20, 0), s.material(matte(Vec3f(0.8f))));
-  // From between both: the floor is lit by the sky through the pane, but for what comes from the floor's own sides.
+  // From between the two: the sky lights the floor through the pane, except for light from the floor's own sides.
   EXPECT_NEAR(mean(trace_paths(s.scene, single_view(5), 1024, {}, 1, kNearby).film), 0.8 * 0.5, 0.008);
 }
 
@@ -229,7 +230,7 @@ TEST(PathTracer, bulbs_are_seen_but_counted_once) {
 
 // ---- Normal maps ----------------------------------------------------------------------------------------------------
 
-TEST(PathTracer, a_normal_map_turns_the_surface_towards_the_light) {
+TEST(PathTracer, normal_maps_change_the_shading) {
   SmallScene s;
   Texture texture;
   texture.width = texture.height = 1;
@@ -251,7 +252,7 @@ TEST(PathTracer, a_normal_map_turns_the_surface_towards_the_light) {
 
 // ---- Numbers --------------------------------------------------------------------------------------------------------
 
-TEST(PathTracer, any_number_of_threads_gives_the_same_bits) {
+TEST(PathTracer, threads_do_not_change_bits) {
   SmallScene s = busy_scene(3);
   surround(s, Vec3f(0.4f));
   const Image one = trace_paths(s.scene, lenticular_view(), 5).film,
@@ -259,7 +260,7 @@ TEST(PathTracer, any_number_of_threads_gives_the_same_bits) {
   EXPECT_EQ(one.data, three.data);
 }
 
-TEST(PathTracer, another_frame_or_seed_has_other_noise_and_the_same_one_the_same) {
+TEST(PathTracer, noise_depends_on_frame_and_seed) {
   SmallScene s = busy_scene(3);
   surround(s, Vec3f(0.4f));
   TraceParams first, second, third;
@@ -270,8 +271,8 @@ TEST(PathTracer, another_frame_or_seed_has_other_noise_and_the_same_one_the_same
   EXPECT_NE(a.data, trace_paths(s.scene, lenticular_view(), 2, third).film.data);
 }
 
-// Neighbouring pixels below a lens are neighbouring views: their noise must not be the same, nor depend on each other.
-TEST(PathTracer, the_noise_of_neighbouring_views_is_not_correlated) {
+// Neighbouring pixels below a lens are neighbouring views: their noise must be independent.
+TEST(PathTracer, noise_of_neighbouring_views_is_uncorrelated) {
   SmallScene s;
   PhongSurface lamp = matte(Vec3f(0.0f));
   lamp.emission = Vec3f(3.0f);
@@ -287,10 +288,10 @@ TEST(PathTracer, the_noise_of_neighbouring_views_is_not_correlated) {
       variance += a * a, covariance += a * b;
     }
   EXPECT_GT(variance, 0.0);
-  EXPECT_LT(std::abs(covariance / variance), 4.0 / std::sqrt(pairs));  // four standard deviations of independent ones
+  EXPECT_LT(std::abs(covariance / variance), 4.0 / std::sqrt(pairs));  // four standard deviations for independent noise
 }
 
-TEST(PathTracer, clamping_dims_indirect_light_alone) {
+TEST(PathTracer, clamping_dims_only_indirect_light) {
   SmallScene s;
   s.scene.max_depth = 3;
   PhongSurface wall = matte(Vec3f(0.5f));
@@ -298,7 +299,7 @@ TEST(PathTracer, clamping_dims_indirect_light_alone) {
   s.add(room(20.0f), s.material(wall));
   TraceParams params;
   params.clamp_indirect = 0.05f;
-  // Own light 1 and direct light 0.5 stay; of the two bounces after it, 0.25 and 0.125, at most 0.05 each does.
+  // Emission 1 and direct light 0.5 stay; the two bounces after it, 0.25 and 0.125, are limited to 0.05 each.
   const double clamped = mean(trace_paths(s.scene, single_view(5), 256, params).film);
   EXPECT_GT(clamped, 1.495);
   EXPECT_LT(clamped, 1.5 + 4 * 0.05 + 0.005);

@@ -11,7 +11,7 @@ namespace {
 
 using namespace test;
 
-/// Two squares beside one another, one of them nearer, and nothing beyond x = 1.
+/// Two squares side by side, one of them nearer, and nothing beyond x = 1.
 SmallScene two_squares() {
   SmallScene s;
   const int material = s.material(matte(Vec3f(0.5f)));
@@ -20,7 +20,7 @@ SmallScene two_squares() {
   return s;
 }
 
-/// Ray r, one of many, down from z = 5: on the left square, the right one, or beside both, in turns.
+/// Ray r of many, downwards from z = 5: alternately on the left square, on the right one, or beside both.
 PathRay ray_down(std::uint32_t r) {
   PathRay ray;
   ray.origin = {static_cast<float>(r % 3) - 0.5f, 0.1f, 5.0f};
@@ -30,7 +30,7 @@ PathRay ray_down(std::uint32_t r) {
   return ray;
 }
 
-TEST(PathWave, rays_come_back_once_each_with_what_they_have_hit) {
+TEST(PathWave, rays_return_once_with_their_hits) {
   const SmallScene s = two_squares();
   const ThreadPool pool(1);
   DeviceScene device(s.scene, pool, Integrator::kPath);
@@ -52,7 +52,7 @@ TEST(PathWave, rays_come_back_once_each_with_what_they_have_hit) {
   EXPECT_EQ(seen.size(), rays.size());
 }
 
-TEST(PathWave, packets_are_of_rays_that_have_hit_the_same) {
+TEST(PathWave, packets_group_rays_with_equal_hits) {
   const SmallScene s = two_squares();
   const ThreadPool pool(1);
   DeviceScene device(s.scene, pool, Integrator::kPath);

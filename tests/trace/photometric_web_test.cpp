@@ -1,4 +1,4 @@
-// Lamps whose light was measured: pictures below them, and how light is chosen among them.
+// Lamps with measured light distributions: pictures below them, and sampling among them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ using namespace test;
 const Affine3f kEyeBelowWeb{Mat3f(0.1f), Vec3f(0.0f)};
 constexpr float kWebHeight = 2.0f;
 
-/// cos^n of the angle to -z, 0 beyond 90 degrees, in steps of half a degree, as multiple of its mean.
+/// Returns cos^n of the angle to -z, 0 beyond 90 degrees, in steps of half a degree, relative to its mean.
 PhotometricWeb cosine_web(double n) {
   PhotometricWeb web;
   for (int step = 0; step <= 180; ++step) {
@@ -30,7 +30,7 @@ PhotometricWeb cosine_web(double n) {
   return web;
 }
 
-/// Its mean, 1 / (2 (n + 1)): the peak of a web of flux 4 pi is the inverse.
+/// Returns the inverse of the mean, 1 / (2 (n + 1)): the peak of a web of flux 4 pi.
 double cosine_peak(double n) { return 2.0 * (n + 1.0); }
 
 MetallicRoughness white_floor() {
@@ -39,7 +39,7 @@ MetallicRoughness white_floor() {
   return m;
 }
 
-/// A floor, and a lamp of radiant intensity `color` above it that looks down, tilted by an angle towards +x.
+/// A floor, and above it a lamp of radiant intensity `color` that points down, tilted towards +x.
 SmallScene below_lamp(Vec3f color, float tilt) {
   SmallScene s;
   s.add(square(2, 0), s.material(white_floor()));
@@ -60,8 +60,8 @@ void expect_same_light(const Image& a, const Image& b, float tolerance) {
   for (std::size_t i = 0; i < a.data.size(); ++i) ASSERT_NEAR(a.data[i], b.data[i], tolerance * b.data[i]) << i;
 }
 
-// A spot without an inner cone that reaches 90 degrees fades with the squared cosine.
-TEST(PhotometricWeb, a_squared_cosine_shines_as_the_spot_that_has_it) {
+// A spot without an inner cone whose outer cone is 90 degrees falls off with the squared cosine.
+TEST(PhotometricWeb, squared_cosine_matches_a_spot) {
   for (const float tilt : {0.0f, 0.6f})
     for (const Integrator integrator : {Integrator::kPath, Integrator::kWhitted}) {
       SmallScene web = below_lamp(Vec3f(1.0f), tilt), spot = below_lamp(Vec3f(static_cast<float>(cosine_peak(2))), tilt);
@@ -74,7 +74,7 @@ TEST(PhotometricWeb, a_squared_cosine_shines_as_the_spot_that_has_it) {
 }
 
 // Radiance straight below: intensity / (pi distance^2).
-TEST(PhotometricWeb, light_straight_below_is_the_peak_over_the_squared_distance) {
+TEST(PhotometricWeb, light_below_is_peak_over_squared_distance) {
   for (const double n : {1.0, 8.0, 40.0}) {
     SmallScene s = below_lamp(Vec3f(1.0f), 0.0f);
     s.scene.webs.push_back(cosine_web(n));
@@ -85,8 +85,8 @@ TEST(PhotometricWeb, light_straight_below_is_the_peak_over_the_squared_distance)
   }
 }
 
-// Flux through a closed room around the lamp is 4 pi times its colour: the sum of irradiance over a sphere at distance 1.
-TEST(PhotometricWeb, the_flux_is_that_of_a_lamp_alike_in_all_directions) {
+// The flux through a closed room around the lamp is 4 pi times its colour: the sum of irradiance over a sphere at distance 1.
+TEST(PhotometricWeb, flux_equals_an_isotropic_lamps) {
   SmallScene s = below_lamp(Vec3f(1.0f), 0.3f);
   s.scene.webs.push_back(cosine_web(5));
   s.scene.lights[0].web = 0;
@@ -105,8 +105,8 @@ TEST(PhotometricWeb, the_flux_is_that_of_a_lamp_alike_in_all_directions) {
   EXPECT_NEAR(sum / (kSteps * kSteps), 1.0, 2e-3);
 }
 
-// Forty lamps that look to all sides, of which a tree draws one.
-TEST(PhotometricWeb, many_are_chosen_without_bias_and_their_size_softens_shadows_alone) {
+// Forty lamps that point in all directions, of which a tree draws one.
+TEST(PhotometricWeb, many_webs_are_sampled_without_bias) {
   for (const float radius : {0.0f, 0.1f}) {
     const auto lamps = [&](int first, int end) {
       SmallScene s;
@@ -128,7 +128,7 @@ TEST(PhotometricWeb, many_are_chosen_without_bias_and_their_size_softens_shadows
   }
 }
 
-TEST(WebBeam, an_axis_a_cone_and_the_mean_by_angle_are_those_of_the_web) {
+TEST(WebBeam, beam_summarises_the_web) {
   const std::vector<PhotometricWeb> webs{cosine_web(2)};
   const WebBeam beam = beams_of(webs)[0];
   EXPECT_NEAR(beam.axis.z, -1.0f, 1e-4f);

@@ -1,4 +1,4 @@
-// Meshes with skins and morph targets as rays meet them.
+// Meshes with skins and morph targets, as hit by rays.
 #include <gtest/gtest.h>
 
 #include "trace/small_scene.hpp"
@@ -14,8 +14,8 @@ using test::trace;
 
 constexpr int kPosedSize = 32;
 
-/// A square of half size 1 whose joint goes from (-1, 0, 0) to (1, 0, 0) within a second, and one that grows to twice its size
-/// behind it.
+/// A square of half size 1 whose joint moves from (-1, 0, 0) to (1, 0, 0) within a second, and behind it one that grows to
+/// twice its size.
 SmallScene deforming() {
   SmallScene s;
   const int red = s.material(test::glowing({1, 0, 0})), green = s.material(test::glowing({0, 1, 0}));
@@ -35,7 +35,7 @@ SmallScene deforming() {
   return s;
 }
 
-TEST(PosedMesh, is_met_where_its_joints_and_weights_have_it) {
+TEST(PosedMesh, follows_joints_and_weights) {
   const Scene scene = deforming().scene;
   const Picture before = trace(scene, single_view(kPosedSize)), after = trace(scene, single_view(kPosedSize), {}, 1, 1.0);
   // The picture is 4 wide: pixel 8 is at x = -0.94, pixel 23 at 0.94, row 22 at y = -0.81.
@@ -43,11 +43,11 @@ TEST(PosedMesh, is_met_where_its_joints_and_weights_have_it) {
   EXPECT_EQ(before.at(23, 16), Vec3f(0, 0, 0));
   EXPECT_EQ(after.at(8, 16), Vec3f(0, 1, 0));
   EXPECT_EQ(after.at(23, 16), Vec3f(1, 0, 0));
-  EXPECT_EQ(before.at(18, 22), Vec3f(0, 0, 0)) << "not grown yet";
+  EXPECT_EQ(before.at(18, 22), Vec3f(0, 0, 0)) << "it has not grown yet";
   EXPECT_EQ(after.at(12, 22), Vec3f(0, 1, 0)) << "grown";
 }
 
-TEST(PosedMesh, picture_does_not_depend_on_the_frames_before_it) {
+TEST(PosedMesh, picture_does_not_depend_on_earlier_frames) {
   const Scene scene = deforming().scene;
   const ThreadPool pool(2);
   const Context context;
@@ -60,7 +60,7 @@ TEST(PosedMesh, picture_does_not_depend_on_the_frames_before_it) {
   }
 }
 
-TEST(PosedMesh, that_never_moves_is_posed_all_the_same) {
+TEST(PosedMesh, static_meshes_are_posed) {
   SmallScene s;
   Mesh mesh = square(1, 0);
   mesh.skin = {1, {0, 0, 0, 0}, {1, 1, 1, 1}};
@@ -71,7 +71,7 @@ TEST(PosedMesh, that_never_moves_is_posed_all_the_same) {
   EXPECT_EQ(p.at(28, 16), Vec3f(1, 0, 0));
 }
 
-TEST(PosedMesh, mirrored_by_its_node_it_faces_as_before) {
+TEST(PosedMesh, mirroring_keeps_the_facing) {
   SmallScene s;
   Mesh mesh = square(1, 0);
   mesh.normals.assign(4, Vec3f(0, 0, 1));

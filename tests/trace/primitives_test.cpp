@@ -15,7 +15,7 @@ LaneRay ray(Vec3f o, Vec3f d, float t_near = 0.0f, float t_far = kInfinity) {
 
 const Affine3f kHere;
 
-TEST(SphereDistance, ray_through_the_centre_meets_front_then_back) {
+TEST(SphereDistance, central_rays_hit_front_then_back) {
   const WorldSphere s = to_world(kHere, Sphere{{0, 0, -5}, 1.0f});
   EXPECT_FLOAT_EQ(distance(s, ray({0, 0, 0}, {0, 0, -1})), 4.0f);
   EXPECT_FLOAT_EQ(distance(s, ray({0, 0, 0}, {0, 0, -1}, 4.5f)), 6.0f) << "t_near behind the front";
@@ -24,7 +24,7 @@ TEST(SphereDistance, ray_through_the_centre_meets_front_then_back) {
   EXPECT_EQ(distance(s, ray({0, 1.001f, 0}, {0, 0, -1})), kInfinity);
 }
 
-TEST(SphereDistance, tiny_far_sphere_is_met_to_float_precision) {
+TEST(SphereDistance, tiny_far_spheres_keep_float_precision) {
   // Centre 10^4 away, radius 10^-2: b^2 - c would lose all digits of the discriminant.
   const WorldSphere s = to_world(kHere, Sphere{{0, 0, -1e4f}, 1e-2f});
   EXPECT_LT(distance(s, ray({0.009f, 0, 0}, {0, 0, -1})), kInfinity);
@@ -37,7 +37,7 @@ TEST(CylinderDistance, side_is_open_at_both_ends) {
   EXPECT_FLOAT_EQ(distance(c, ray({0, 1, 0}, {0, 0, -1})), 0.5f) << "from inside";
   EXPECT_EQ(distance(c, ray({0, 2.1f, 3}, {0, 0, -1})), kInfinity);
   EXPECT_EQ(distance(c, ray({0, 5, 0}, {0, -1, 0})), kInfinity) << "along the axis";
-  // Down at 45 degrees through the open top: passes the near wall above it, meets the far wall.
+  // Downwards at 45 degrees through the open top: passes over the near wall and hits the far wall.
   const float h = std::sqrt(0.5f);
   EXPECT_NEAR(distance(c, ray({0, 3, 1}, {0, -h, -h})), 1.5f / h, 1e-5f);
 }
@@ -55,10 +55,10 @@ TEST(PlaneDistance, both_sides_and_parallel) {
   EXPECT_FLOAT_EQ(distance(p, ray({0, 0, 0}, {0, -1, 0})), 1.0f);
   EXPECT_FLOAT_EQ(distance(p, ray({0, -3, 0}, {0, 1, 0})), 2.0f);
   EXPECT_EQ(distance(p, ray({0, 0, 0}, {1, 0, 0})), kInfinity);
-  EXPECT_EQ(distance(p, ray({0, -1, 0}, {1, 0, 0})), kInfinity) << "within the plane: 0 / 0";
+  EXPECT_EQ(distance(p, ray({0, -1, 0}, {1, 0, 0})), kInfinity) << "in the plane: 0 / 0";
 }
 
-TEST(BoxDistance, rotated_box_is_met_at_its_edge) {
+TEST(BoxDistance, rotated_box_is_hit_at_its_edge) {
   const Affine3f turned{glm::mat3_cast(glm::angleAxis(radians(45.0f), Vec3f(0, 1, 0))), {0, 0, -5}};
   const WorldBox b = to_world(turned, Box{{-1, -1, -1}, {1, 1, 1}});
   EXPECT_NEAR(distance(b, ray({0, 0, 0}, {0, 0, -1})), 5.0f - std::sqrt(2.0f), 1e-5f);
@@ -70,10 +70,10 @@ TEST(BoxNormal, elongated_box_faces_differ_from_tachyons_rule) {
   const WorldBox b = to_world(kHere, Box{{-10, -1, -1}, {10, 1, 1}});
   const Vec3f on_top(5.0f, 1.0f, 0.0f);
   EXPECT_EQ(glm::normalize(normal_at(b, on_top)), Vec3f(0, 1, 0));
-  EXPECT_EQ(tachyon_box_normal(b, on_top), Vec3f(1, 0, 0)) << "its |x| is the largest";
+  EXPECT_EQ(tachyon_box_normal(b, on_top), Vec3f(1, 0, 0)) << "|x| is the largest component";
 }
 
-/// Steps along the ray in double precision and looks for the first sign change of an implicit function.
+/// Steps along the ray in double precision until an implicit function changes its sign.
 template <class F>
 float march(const F& f, Vec3f o, Vec3f d, float end) {
   double before = f(glm::dvec3(o));
@@ -99,7 +99,7 @@ TEST(Distances, random_rays_agree_with_marching) {
     const float expected_sphere =
         march([](glm::dvec3 p) { return glm::length(p - glm::dvec3(0.1, -0.2, 0.3)) - 0.6; }, o, d, 6.0f);
     const float got_sphere = distance(sphere, ray(o, d));
-    // One marching step is 3e-4; a chord shorter than that may be stepped over.
+    // One marching step is 3e-4; a shorter chord may be stepped over.
     if (expected_sphere < kInfinity) {
       EXPECT_NEAR(got_sphere, expected_sphere, 4e-4f);
     }
@@ -113,7 +113,7 @@ TEST(Distances, random_rays_agree_with_marching) {
   EXPECT_GT(hits, 30);
 }
 
-TEST(Bounds, points_of_the_surface_lie_within) {
+TEST(Bounds, contain_points_of_the_surface) {
   const Affine3f place{2.0f * glm::mat3_cast(glm::angleAxis(0.8f, glm::normalize(Vec3f(1, 1, 0)))), {1, 2, 3}};
   const WorldCylinder c = to_world(place, Cylinder{{0, 0, 0}, {1, 2, 3}, 0.5f});
   const Bounds3f b = bounds(c);

@@ -7,14 +7,14 @@
 namespace lippmann {
 namespace {
 
-// What float loses in one arc tangent and a division.
+// Float error of one arc tangent and a division.
 constexpr float kProjectionRounding = 1e-6f;
 
 struct ProjectedPoint {
   float u, v, blur;
 };
 
-/// One point, in a lane whose neighbours hold nothing.
+/// Projects one point in a lane whose neighbours are empty.
 ProjectedPoint project(const ImageProjection& projection, Vec3f point, float path_length) {
   constexpr int kLane = 5;
   Lanes3 points;
@@ -43,7 +43,7 @@ TEST(Project, plane_takes_coordinates_along_its_axes) {
   ImageProjection p = projection(ProjectionKind::kPlane);
   p.scale = {0.5f, -0.25f, 100.0f};
   p.rotate = {0.1f, 0.2f, 0.0f};
-  // U = 3, V = 1: u = 1.5 + 0.1 -> 0.6; v = -0.25 + 0.2 = -0.05 -> 0.95. Blur 0.05 x 8 x 0.5: scale.z has no part in it.
+  // U = 3, V = 1: u = 1.5 + 0.1 -> 0.6; v = -0.25 + 0.2 = -0.05 -> 0.95. Blur 0.05 x 8 x 0.5; scale.z is not used.
   const ProjectedPoint at = project(p, {13, 21, 77}, 8.0f);
   EXPECT_NEAR(at.u, 0.6f, kProjectionRounding);
   EXPECT_NEAR(at.v, 0.95f, kProjectionRounding);
@@ -53,7 +53,7 @@ TEST(Project, plane_takes_coordinates_along_its_axes) {
 TEST(Project, blur_ends_at_1) { EXPECT_EQ(project(projection(ProjectionKind::kPlane), {0, 0, 0}, 1e6f).blur, 1.0f); }
 
 /// Around y from x towards v_axis x u_axis = -z: x at 0, -z at 1/4, -x at 1/2, z at 3/4.
-TEST(Project, cylinder_turns_from_u_axis_about_v_axis) {
+TEST(Project, cylinder_starts_at_u_axis_around_v_axis) {
   const ImageProjection p = projection(ProjectionKind::kCylinder);
   EXPECT_NEAR(project(p, {12, 20, 30}, 1.0f).u, 0.0f, kProjectionRounding);
   EXPECT_NEAR(project(p, {10, 20, 28}, 1.0f).u, 0.25f, kProjectionRounding);
@@ -61,7 +61,7 @@ TEST(Project, cylinder_turns_from_u_axis_about_v_axis) {
   EXPECT_NEAR(project(p, {10, 20, 33}, 1.0f).u, 0.75f, kProjectionRounding);
 }
 
-TEST(Project, cylinder_takes_height_for_v_and_the_distance_from_its_centre_for_blur) {
+TEST(Project, cylinder_uses_height_and_distance) {
   ImageProjection p = projection(ProjectionKind::kCylinder);
   p.scale = {2.0f, 3.0f, 0.0f};
   const ProjectedPoint at = project(p, {13, 24.1f, 30}, 40.0f);  // |q| = hypot(3, 4.1)
@@ -78,7 +78,7 @@ TEST(Project, sphere_runs_from_pole_to_pole) {
   EXPECT_NEAR(project(p, {10, 20, 29}, 1.0f).u, 0.25f, kProjectionRounding);
 }
 
-TEST(Project, centre_itself_has_coordinates) {
+TEST(Project, centre_has_coordinates) {
   for (const ProjectionKind kind : {ProjectionKind::kCylinder, ProjectionKind::kSphere}) {
     const ProjectedPoint at = project(projection(kind), {10, 20, 30}, 1.0f);
     EXPECT_TRUE(at.u >= 0.0f && at.u <= 1.0f && at.v >= 0.0f && at.v <= 1.0f && at.blur == 1.0f);

@@ -47,11 +47,11 @@ TEST(StripOrder, every_order_and_optics_holds_each_pixel_once) {
     }
 }
 
-TEST(StripOrder, view_tiles_of_a_lenticular_sheet_keep_one_view_and_lens_in_a_packet) {
+TEST(StripOrder, sheet_packets_have_one_view_and_lens) {
   const StripOrder strip = make_strip_order(optics_of_odd_sizes()[0], RayOrder::kViewTiles);
   for (std::size_t i = 0; i < strip.pixels.size(); i += 16)
     for (std::size_t lane = 1; lane < 16; ++lane) EXPECT_EQ(strip.pixels[i + lane].x, strip.pixels[i].x);
-  EXPECT_EQ(strip.pixels[16].x, strip.pixels[0].x + 8) << "the next packet is the next lens of the same view";
+  EXPECT_EQ(strip.pixels[16].x, strip.pixels[0].x + 8) << "the next packet covers the next lens of the same view";
 }
 
 TEST(StripOrder, view_tiles_of_microlenses_share_one_direction) {
@@ -66,8 +66,8 @@ TEST(StripOrder, view_tiles_of_microlenses_share_one_direction) {
 }
 
 TEST(StripOrder, view_tiles_of_a_slanted_panel_follow_its_lenses) {
-  // A lens of 10 sub-pixels that shifts by 600 * 0.25 / 100 = 1.5 of them per row: over 8 rows two lenses' worth is crossed
-  // straight down, and only what whole sub-pixels are off by and the second column (1/10 each) along the slant.
+  // A lens of 10 sub-pixels that shifts by 600 * 0.25 / 100 = 1.5 of them per row: straight down, 8 rows would cross two
+  // lenses; along the slant only the rounding to whole sub-pixels and the second column (1/10 each) remain.
   Optics o;
   o.panel = {200, 100, 0.3f};
   for (const double tilt : {0.25, -0.25}) {
@@ -84,12 +84,12 @@ TEST(StripOrder, view_tiles_of_a_slanted_panel_follow_its_lenses) {
       }
       if (high - low > 0.21) ++wide;
     }
-    // At the edge packets go round it: 16 rows shift by 24 sub-pixels, in two packets to each two columns.
+    // At the edge packets wrap around: 16 rows shift by 24 sub-pixels, in two packets for every two columns.
     EXPECT_LE(wide, 24);
   }
 }
 
-TEST(PacketSource, fill_covers_the_panel_once_whatever_its_size) {
+TEST(PacketSource, fill_covers_panels_of_any_size_once) {
   for (const Optics& optics : optics_of_odd_sizes())
     for (const RayOrder order : kOrders) {
       const PacketSource source(optics, Affine3f{}, order, SubPixel{});
@@ -132,7 +132,7 @@ TEST(SubPixel, samples_of_a_pixel_fill_every_stratum) {
     const Vec2f p = sub.position(1234, s);
     ASSERT_GE(std::min(p.x, p.y), 0.0f);
     ASSERT_LT(std::max(p.x, p.y), 1.0f);
-    // The shift moves all points alike: 16 different sixteenths, up to where the strata begin.
+    // The shift moves all points equally: 16 different sixteenths, relative to the start of the strata.
     columns.insert(static_cast<int>(std::floor((p.x - sub.position(1234, 0).x + 1.0f) * 16.0f + 0.5f)) % 16);
     rows.insert(static_cast<int>(std::floor((p.y - sub.position(1234, 0).y + 1.0f) * 16.0f + 0.5f)) % 16);
   }
@@ -140,7 +140,7 @@ TEST(SubPixel, samples_of_a_pixel_fill_every_stratum) {
   EXPECT_EQ(rows.size(), 16u);
 }
 
-TEST(SubPixel, different_pixels_and_seeds_get_different_positions) {
+TEST(SubPixel, pixels_and_seeds_have_different_positions) {
   EXPECT_NE(SubPixel({0, 4}).position(1, 0), SubPixel({0, 4}).position(2, 0));
   EXPECT_NE(SubPixel({0, 4}).position(1, 0), SubPixel({1, 4}).position(1, 0));
   EXPECT_EQ(SubPixel({0, 1}).position(1, 0), Vec2f(0.5f));

@@ -1,5 +1,5 @@
-// Lamps that have a size, against what geometry says of their light and shadows. The view is from (0, 0, 10) at the square +-2,
-// unless it is shrunk.
+// Lamps with a size, compared with the geometry of their light and shadows. The view is from (0, 0, 10) at the square +-2,
+// unless it is scaled down.
 #include "shading/round_lights.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ Light& ball(SmallScene& s, Vec3f position, float intensity, float radius) {
   return light;
 }
 
-/// A sun that is seen from the origin towards `toward`.
+/// Adds a sun that is seen from the origin towards `toward`.
 Light& sun(SmallScene& s, Vec3f toward, float illuminance, float angular_diameter) {
   Light& light = s.point_light(Vec3f(0.0f), Vec3f(illuminance));
   const Vec3f z = glm::normalize(toward), x = glm::normalize(glm::cross(Vec3f(0, 1, 0), z));
@@ -42,14 +42,14 @@ Light& sun(SmallScene& s, Vec3f toward, float illuminance, float angular_diamete
   return light;
 }
 
-/// Irradiance in the middle of a white floor.
+/// Returns the irradiance in the middle of a white floor.
 float irradiance(SmallScene s, int spp = 256) {
   s.add(square(2, 0), s.material(chalk()));
   return kPi * trace_paths(s.scene, single_view(5), spp, {}, 1, kNearby).at(2, 2).x;
 }
 
-// A sphere that is wholly above the horizon gives what the point in its middle gives: intensity x cosine / distance^2.
-TEST(RoundLight, a_sphere_gives_the_irradiance_of_a_point_whatever_its_size) {
+// A sphere wholly above the horizon gives the light of a point at its centre: intensity x cosine / distance^2.
+TEST(RoundLight, spheres_give_the_irradiance_of_points) {
   for (const float radius : {0.1f, 1.0f, 3.5f}) {
     SmallScene s;
     ball(s, {0, 0, 4}, 8.0f, radius);
@@ -60,22 +60,22 @@ TEST(RoundLight, a_sphere_gives_the_irradiance_of_a_point_whatever_its_size) {
   EXPECT_NEAR(irradiance(s), 50.0f / 25.0f * 0.8f, 0.02f) << "from the side";
 }
 
-TEST(RoundLight, within_a_sphere_the_light_comes_from_all_around) {
+TEST(RoundLight, spheres_light_their_inside_uniformly) {
   SmallScene s;
   ball(s, {0, 0, 4}, 50.0f, 5.0f);
   EXPECT_NEAR(irradiance(s), 50.0f / 25.0f, 0.01f);
 }
 
-// Half of a sphere whose middle lies on the horizon is seen: a lens of directions. Irradiance, with s = radius / distance:
-// (intensity / (pi radius^2)) x (asin s - s sqrt(1 - s^2)) of a sphere that is cut by the horizon through its middle.
-TEST(RoundLight, of_a_sphere_on_the_horizon_half_is_seen) {
+// Half of a sphere whose centre is on the horizon is visible. With s = radius / distance, the irradiance is (intensity / (pi
+// radius^2)) x (asin s - s sqrt(1 - s^2)).
+TEST(RoundLight, half_of_spheres_on_the_horizon_counts) {
   SmallScene s;
   ball(s, {4, 0, 0}, 8.0f, 2.0f);
   const double sine = 0.5, expected = 8.0 / (M_PI * 4.0) * (std::asin(sine) - sine * std::sqrt(1.0 - sine * sine));
   EXPECT_NEAR(irradiance(s, 1024), expected, 0.02 * expected);
 }
 
-TEST(RoundLight, a_sun_gives_its_illuminance_times_the_cosine_whatever_its_size) {
+TEST(RoundLight, suns_give_illuminance_times_cosine) {
   for (const float degrees : {0.5f, 10.0f, 60.0f}) {
     SmallScene upright, inclined;
     sun(upright, {0, 0, 1}, 3.0f, radians(degrees));
@@ -85,8 +85,8 @@ TEST(RoundLight, a_sun_gives_its_illuminance_times_the_cosine_whatever_its_size)
   }
 }
 
-/// Along y = 0 of the square -1 ... 3, x = -1 + (i + 0.5) / 16: how much of a lamp's light comes past an edge at x = 0, 2 above
-/// a white floor, over what comes without.
+/// Along y = 0 of the square -1 ... 3, x = -1 + (i + 0.5) / 16: returns how much of a lamp's light passes an edge at x = 0, 2
+/// above a white floor, relative to the light without it.
 std::vector<float> past_an_edge(const SmallScene& lit) {
   constexpr int kPixels = 64;
   const Affine3f view{Mat3f(1.0f), {1.0f, 0.0f, 0.0f}};
@@ -106,9 +106,9 @@ std::vector<float> past_an_edge(const SmallScene& lit) {
 }
 int pixel_at(double x) { return static_cast<int>((x + 1.0) * 16.0); }
 
-// From (-2, 0, 4) the middle of the lamp is seen past the edge at 45 degrees, its sides at 45 degrees +- asin(0.5 / sqrt(8)):
-// the floor 2 below is in half shadow from 2 tan(34.8 deg) = 1.391 to 2 tan(55.2 deg) = 2.876.
-TEST(RoundLight, a_sphere_s_half_shadow_is_as_wide_as_its_tangents_say) {
+// From (-2, 0, 4) the centre of the lamp is seen past the edge at 45 degrees, its sides at 45 degrees +- asin(0.5 / sqrt(8)):
+// the penumbra on the floor 2 below extends from 2 tan(34.8 deg) = 1.391 to 2 tan(55.2 deg) = 2.876.
+TEST(RoundLight, sphere_penumbra_matches_its_tangents) {
   SmallScene s;
   ball(s, {-2, 0, 4}, 100.0f, 0.5f);
   const std::vector<float> light = past_an_edge(s);
@@ -120,7 +120,7 @@ TEST(RoundLight, a_sphere_s_half_shadow_is_as_wide_as_its_tangents_say) {
 }
 
 // 45 degrees +- 5: from 2 tan(40 deg) = 1.678 to 2 tan(50 deg) = 2.384.
-TEST(RoundLight, a_sun_s_half_shadow_is_as_wide_as_its_disc_says) {
+TEST(RoundLight, sun_penumbra_matches_its_disc) {
   SmallScene s;
   sun(s, {-1, 0, 1}, 1.0f, radians(10.0f));
   const std::vector<float> light = past_an_edge(s);
@@ -131,15 +131,15 @@ TEST(RoundLight, a_sun_s_half_shadow_is_as_wide_as_its_disc_says) {
   EXPECT_NEAR(light[pixel_at(2.384) + 1], 1.0f, 1e-5f);
 }
 
-// The same sphere as a shape that shines, which paths find by chance alone. It lies above the view.
-TEST(RoundLight, rays_and_shadow_rays_together_count_a_lamp_once) {
+// The same sphere as a glowing shape, which paths find only by chance. It lies above the view.
+TEST(RoundLight, lamps_are_counted_once) {
   constexpr float kRadius = 0.8f, kIntensity = 4.0f;
   const Vec3f at{0.3f, 0.2f, 2.5f};
   for (const MetallicRoughness& floor : {chalk(), metal(0.5f), metal(0.2f), metal(0.0f)}) {
     SmallScene lamp, shape;
     ball(lamp, at, kIntensity, kRadius);
     PhongSurface shines = matte(Vec3f(0.0f));
-    // Radiance; lamps of scenes with Phong surfaces shine pi times as bright, what shines as a shape does not.
+    // Radiance. Lamps of scenes with Phong surfaces are pi times as bright; glowing shapes are not.
     shines.emission = Vec3f(kIntensity / (kPi * kRadius * kRadius));
     shape.add(Spheres{{at, kRadius}}, shape.material(shines));
     double light[2];
@@ -152,7 +152,7 @@ TEST(RoundLight, rays_and_shadow_rays_together_count_a_lamp_once) {
   }
 }
 
-TEST(RoundLight, mirrors_show_a_lamp_and_the_eye_does_not) {
+TEST(RoundLight, only_mirrors_show_lamps) {
   SmallScene s;
   s.add(square(2, 0), s.material(metal(0.0f)));
   Light& light = ball(s, {0, 0, 3}, 2.0f, 0.5f);
@@ -165,10 +165,10 @@ TEST(RoundLight, mirrors_show_a_lamp_and_the_eye_does_not) {
   soot.base_color = Vec4f(0, 0, 0, 1);
   black.add(square(2, 0), black.material(soot));
   ball(black, {0, 0, 3}, 2.0f, 0.5f);
-  EXPECT_EQ(mean(trace_paths(black.scene, single_view(5), 4).film), 0.0) << "it lies between the eye and the floor";
+  EXPECT_EQ(mean(trace_paths(black.scene, single_view(5), 4).film), 0.0) << "the lamp is between the eye and the floor";
 }
 
-TEST(RoundLight, nothing_ends_at_a_lamp) {
+TEST(RoundLight, lamps_do_not_occlude) {
   SmallScene s;
   s.scene.background.horizon = s.scene.background.zenith = Vec3f(1.0f);
   ball(s, {0, 0, 2}, 1e-6f, 1.5f);
@@ -176,7 +176,7 @@ TEST(RoundLight, nothing_ends_at_a_lamp) {
 }
 
 // Between the cosines 0.5 and 1 of the cones, at 0.75: t = 1/2, t^2 = 1/4 and 3 t^2 - 2 t^3 = 1/2.
-TEST(RoundLight, a_spot_s_edge_is_smooth_or_squared) {
+TEST(RoundLight, spot_edges_are_smooth_or_squared) {
   for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
     for (const bool smooth : {false, true}) {
       SmallScene s;
@@ -193,7 +193,7 @@ TEST(RoundLight, a_spot_s_edge_is_smooth_or_squared) {
   }
 }
 
-TEST(RoundLight, sizes_that_no_ray_can_tell_from_points_have_the_bytes_of_points) {
+TEST(RoundLight, negligible_sizes_equal_points) {
   const auto film = [](float radius, float angle) {
     SmallScene s = busy_scene(3);
     ball(s, {-3, 4, 8}, 50.0f, radius);
@@ -205,7 +205,7 @@ TEST(RoundLight, sizes_that_no_ray_can_tell_from_points_have_the_bytes_of_points
   EXPECT_NE(film(0.0f, 0.1f), film(0.0f, 0.0f));
 }
 
-TEST(RoundLight, smaller_and_smaller_lamps_come_to_the_point) {
+TEST(RoundLight, small_lamps_converge_to_points) {
   const auto light = [](float radius) {
     SmallScene s = busy_scene(5);
     ball(s, {-3, 4, 8}, 50.0f, radius);
@@ -214,7 +214,7 @@ TEST(RoundLight, smaller_and_smaller_lamps_come_to_the_point) {
   EXPECT_NEAR(light(0.01f), light(0.0f), 2e-3 * light(0.0f));
 }
 
-TEST(RoundLight, whitted_s_shading_takes_lamps_for_points) {
+TEST(RoundLight, whitted_treats_lamps_as_points) {
   const auto film = [](float radius, float angle) {
     SmallScene s = busy_scene(3);
     ball(s, {-3, 4, 8}, 50.0f, radius);
@@ -224,7 +224,7 @@ TEST(RoundLight, whitted_s_shading_takes_lamps_for_points) {
   EXPECT_EQ(film(0.5f, 0.2f), film(0.0f, 0.0f));
 }
 
-TEST(RoundLight, phong_s_highlights_answer_to_lamps) {
+TEST(RoundLight, phong_highlights_show_lamps) {
   PhongSurface shiny = matte(Vec3f(0.0f));
   shiny.highlight_kind = Highlight::kPlastic, shiny.highlight = 1.0f, shiny.highlight_size = 4.0f;
   const auto light = [&](float radius) {
@@ -237,9 +237,9 @@ TEST(RoundLight, phong_s_highlights_answer_to_lamps) {
   EXPECT_NEAR(light(0.2f), light(0.0f), 0.01 * light(0.0f));
 }
 
-// The density of a direction, summed over those that are drawn, is the part of all directions that see the lamp: the mean of
-// 1 / density is the cone's solid angle, 2 pi (1 - cos).
-TEST(RoundLight, directions_are_drawn_evenly_from_the_cone_and_seen_with_the_density_they_are_drawn_with) {
+// The density of a direction, summed over all lights, is the share of directions that see the lamp: the mean of 1 / density is
+// the cone's solid angle, 2 pi (1 - cos).
+TEST(RoundLight, directions_cover_the_cone_uniformly) {
   WhittedLight light;
   light.position = {1, 2, 3};
   light.falls_off = 1.0f;
@@ -260,10 +260,10 @@ TEST(RoundLight, directions_are_drawn_evenly_from_the_cone_and_seen_with_the_den
       EXPECT_NEAR(glm::length(from + drawn->distance * drawn->direction - light.position), 2.0f, 1e-4f) << "on the sphere";
       sum += drawn->direction;
     }
-  // The mean direction of a cap: (1 + cos) / 2 along its axis.
+  // Mean direction of a cap: (1 + cos) / 2 along its axis.
   EXPECT_NEAR(sum.z / (kSteps * kSteps), 0.5f * (1.0f + std::sqrt(0.75f)), 1e-4f);
   EXPECT_NEAR(sum.x / (kSteps * kSteps), 0.0f, 1e-4f);
-  EXPECT_FALSE(see_round(light, 1.0f, from, glm::normalize(Vec3f(0.6f, 0.0f, 1.0f))));  // 31 degrees off: beside it
+  EXPECT_FALSE(see_round(light, 1.0f, from, glm::normalize(Vec3f(0.6f, 0.0f, 1.0f))));  // 31 degrees off, beside it
   EXPECT_FALSE(see_round(light, 1.0f, from, Vec3f(0, 0, -1)));
 }
 

@@ -11,7 +11,7 @@
 
 namespace lippmann::test {
 
-/// Grows a Scene one shape, light or node at a time.
+/// Builds a Scene one shape, light or node at a time.
 class SmallScene {
  public:
   SmallScene() {
@@ -24,7 +24,7 @@ class SmallScene {
     return static_cast<int>(scene.nodes.size()) - 1;
   }
 
-  /// A node whose position is animated, at `position` at time 0.
+  /// Adds a node with an animated position: `position` at time 0.
   int moving_node(Vec3f position, Vec3f position_after_a_second) {
     scene.nodes.push_back({"", -1, {}, {}});
     NodeAnimation animation;
@@ -59,15 +59,15 @@ class SmallScene {
   Scene scene;
 };
 
-/// The default: of single-precision shading along one path.
+/// The default tolerance is that of single-precision shading along one path.
 inline void expect_color(Vec3f got, Vec3f expected, float tolerance = 2e-5f) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], expected[c], tolerance) << "channel " << c;
 }
 
-/// A sky of one colour all around.
+/// Adds a uniform sky.
 inline void surround(SmallScene& s, Vec3f light) { s.scene.background.horizon = s.scene.background.zenith = light; }
 
-/// Glows in its colour, whatever the light.
+/// Returns a surface that shows its colour in any light.
 inline PhongSurface glowing(Vec3f color) {
   PhongSurface s;
   s.color = color;
@@ -90,7 +90,7 @@ inline PhongSurface mirror(float share) {
   return s;
 }
 
-/// A sky of `light` with a sun of one texel of 1.4 degrees, which adds `irradiance` to what faces it and lies close to a
+/// A sky of `light` with a sun of one texel of 1.4 degrees, which adds `irradiance` to surfaces facing it and lies close to a
 /// direction with z > 0.
 inline EnvironmentMap sunny_sky(Vec3f light, Vec3f toward, Vec3f irradiance) {
   constexpr int kWidth = 256, kHeight = 128;
@@ -100,7 +100,7 @@ inline EnvironmentMap sunny_sky(Vec3f light, Vec3f toward, Vec3f irradiance) {
   const Vec3f d = glm::normalize(toward);
   const auto x = static_cast<int>((0.5 + std::atan2(static_cast<double>(d.z), static_cast<double>(d.x)) * 0.5 / M_PI) * kWidth);
   const auto y = static_cast<int>(std::acos(static_cast<double>(d.y)) / kStep);
-  // A bilinear texel's solid angle: two texels wide either way, weight 1/4 on average.
+  // Solid angle of a bilinear texel: two texels wide in each direction, weight 1/4 on average.
   const auto inverse = static_cast<float>(1.0 / (kStep * kStep * std::sin((y + 0.5) * kStep)));
   for (int c = 0; c < 3; ++c) map.radiance.pixel(x, y)[c] += irradiance[c] * inverse;
   return map;
@@ -115,7 +115,7 @@ inline Mesh square(float half, float z) {
   return m;
 }
 
-/// A square in the plane z = `z`, as square() has it, that shines towards -z alone. Returns the object id.
+/// Adds a square like square() that shines only towards -z. Returns the object id.
 inline int add_lamp_facing_down(SmallScene& s, float half, float z, Vec3f light) {
   MetallicRoughness shining;
   shining.emissive = light;
@@ -123,8 +123,8 @@ inline int add_lamp_facing_down(SmallScene& s, float half, float z, Vec3f light)
   return s.add(square(half, 0), s.material(shining), s.node(turned));
 }
 
-/// Matte, mirroring and glass spheres at places that follow from the seed, on a long box, under one light: rays of every kind.
-/// Materials 0, 1 and 2, in this order.
+/// Matte, mirroring and glass spheres at seeded random places, on a long box, below one light: rays of every kind. The
+/// materials are 0, 1 and 2, in this order.
 inline SmallScene busy_scene(unsigned seed) {
   SmallScene s;
   s.scene.max_depth = 4;
@@ -142,7 +142,7 @@ inline SmallScene busy_scene(unsigned seed) {
   return s;
 }
 
-/// 8 lenses of 8 pixels, 50 rows, of the same square as single_view shows.
+/// 8 lenses of 8 pixels, 50 rows, showing the same square as single_view.
 inline Optics lenticular_view() {
   Optics optics;
   optics.panel = {64, 50, 4.0f / 64};
@@ -189,10 +189,10 @@ inline Picture trace(const Scene& scene, const Optics& optics, TraceParams param
   return picture;
 }
 
-/// The eye of a single view at (0, 0, 1), looking at the square +-0.2 around the origin.
+/// Places the eye of a single view at (0, 0, 1), looking at the square +-0.2 around the origin.
 inline const Affine3f kNearby{Mat3f(0.1f), Vec3f(0.0f)};
 
-/// Light by paths, spp samples a pixel.
+/// Path traces with spp samples per pixel.
 inline Picture trace_paths(const Scene& scene, const Optics& optics, int spp, TraceParams params = {}, int threads = 1,
                            const Affine3f& world_from_display = {}) {
   params.spp = spp;

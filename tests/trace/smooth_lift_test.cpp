@@ -1,4 +1,4 @@
-// Light that is about to set on meshes that are to look smooth.
+// Light at grazing angles on coarse meshes with smooth normals.
 #include "shading/smooth_lift.hpp"
 
 #include "trace/coarse_ball.hpp"
@@ -9,15 +9,15 @@ namespace {
 
 using namespace test;
 
-// The corners of a quarter of a circle's arc in the plane z = 0: the point half-way lies 1 - cos 45 degrees below each
-// tangent, and both push it along their normals by half of that.
-TEST(SmoothLift, half_way_along_a_chord_is_found_by_hand) {
+// The corners of a quarter arc in the plane z = 0: the point half-way lies 1 - cos 45 degrees below each tangent, and each
+// pushes it along its normal by half of that.
+TEST(SmoothLift, half_way_along_chords_matches_by_hand) {
   const SmoothTriangle chord{{{{1, 0, 0}, {0, 1, 0}, {0, 1, 0}}}, {{{1, 0, 0}, {0, 3, 0}, {0, 1, 0}}}, {0.5f, 0.5f, 0.0f}};
   expect_color(smooth_lift(chord, 1.0f), {0.25f, 0.25f, 0.0f});
   EXPECT_EQ(smooth_lift(chord, -1.0f), Vec3f(0.0f));  // a hollow is not filled
 }
 
-TEST(SmoothLift, corners_and_flat_triangles_lie_on_the_surface) {
+TEST(SmoothLift, corners_and_flat_triangles_are_not_lifted) {
   const SmoothTriangle flat{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}}, {0.2f, 0.3f, 0.5f}};
   EXPECT_EQ(smooth_lift(flat, 1.0f), Vec3f(0.0f));
   SmoothTriangle bent = flat;
@@ -25,7 +25,7 @@ TEST(SmoothLift, corners_and_flat_triangles_lie_on_the_surface) {
   EXPECT_EQ(smooth_lift(bent, 1.0f), Vec3f(0.0f));
 }
 
-/// A lamp to the right, a little in front, above a ball that fills most of the view.
+/// A lamp to the right and slightly in front, above a ball that fills most of the view.
 template <class Shape>
 SmallScene lit_ball(const Shape& ball) {
   SmallScene s;
@@ -35,7 +35,7 @@ SmallScene lit_ball(const Shape& ball) {
   return s;
 }
 
-/// The largest difference of two pictures, where neither shows the ball's outline.
+/// Returns the largest difference of two pictures away from the ball's outline.
 float largest_difference(const Image& a, const Image& b) {
   float most = 0.0f;
   for (int y = 0; y < a.height; ++y)
@@ -48,8 +48,8 @@ float largest_difference(const Image& a, const Image& b) {
   return most;
 }
 
-// Without the lift, facets before the terminator are dark one by one.
-TEST(SmoothLift, a_coarse_ball_is_lit_as_a_ball_is) {
+// Without the lift, facets near the terminator are dark one by one.
+TEST(SmoothLift, coarse_balls_are_lit_like_balls) {
   const SmallScene round = lit_ball(Spheres{{{{0, 0, 0}, 1.5f}}}), coarse = lit_ball(coarse_ball(1.5f, 8));
   const Optics view = single_view(48);
   const float brightest = [&] {
@@ -61,7 +61,7 @@ TEST(SmoothLift, a_coarse_ball_is_lit_as_a_ball_is) {
             0.06f * brightest);
 }
 
-TEST(SmoothLift, what_stands_before_the_lamp_still_throws_its_shadow) {
+TEST(SmoothLift, occluders_still_cast_shadows) {
   SmallScene s = lit_ball(coarse_ball(1.5f, 8));
   s.add(Boxes{{{3.0f, -4.0f, -4.0f}, {3.2f, 4.0f, 4.0f}}}, s.material(matte(Vec3f(0.0f))));
   const Image film = trace(s.scene, single_view(32)).film;

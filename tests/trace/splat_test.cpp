@@ -1,4 +1,4 @@
-// Splats along rays: against values worked out by hand, and against a compositor in double precision that looks at every splat
+// Splats along rays, compared with values worked out by hand and with a compositor in double precision that visits every splat
 // of every ray. Views are from (0, 0, 10) at the square +-2.
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 using namespace test;
 
-/// The first harmonic that shows a colour alone.
+/// Returns the first harmonic of a constant colour.
 Vec3f harmonic_of(Vec3f color) { return (color - 0.5f) / 0.2820947917738781f; }
 
 void add_splat(Splats& splats, Vec3f center, Vec3f deviations, float opacity, Vec3f color,
@@ -41,7 +41,7 @@ Splats linear_splats() {
   return splats;
 }
 
-/// Colours of any degree, turned any way, some flat, all around the middle.
+/// Returns splats with colours of any degree and random rotations, some flat, all around the middle.
 Splats random_cloud(unsigned seed, int count, int degree, bool is_linear) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> uniform(-1.0f, 1.0f);
@@ -66,8 +66,8 @@ struct ReferenceHit {
   Vec3d color;
 };
 
-/// Associated Legendre functions P_l^m(z) for 0 <= m <= l <= 3, with the Condon-Shortley phase, by their recurrence: another
-/// way to the basis than the polynomials that are tested.
+/// Associated Legendre functions P_l^m(z) for 0 <= m <= l <= 3, with the Condon-Shortley phase, by recurrence: independent of
+/// the tested polynomials.
 double legendre(int l, int m, double z) {
   double pmm = 1.0;
   for (int i = 1; i <= m; ++i) pmm *= -(2.0 * i - 1.0) * std::sqrt(1.0 - z * z);
@@ -98,7 +98,7 @@ Vec3d reference_color(const Splats& splats, std::size_t i, Vec3d direction) {
   return glm::max(color, Vec3d(0.0));
 }
 
-/// Along o + t d, in world space, of unit length.
+/// Along o + t d, in world space; d has unit length.
 std::vector<ReferenceHit> reference_hits(const Splats& splats, const Affine3f& place, Vec3d o, Vec3d d) {
   std::vector<ReferenceHit> hits;
   const Vec3d local = glm::normalize(glm::inverse(glm::dmat3(place.linear)) * d);
@@ -115,7 +115,7 @@ std::vector<ReferenceHit> reference_hits(const Splats& splats, const Affine3f& p
   return hits;
 }
 
-/// Before darkness.
+/// Without the background.
 Vec3d reference_radiance(const std::vector<ReferenceHit>& hits, bool is_linear) {
   double left = 1.0;
   Vec3d sum(0.0);
@@ -125,7 +125,7 @@ Vec3d reference_radiance(const std::vector<ReferenceHit>& hits, bool is_linear) 
   return sum;
 }
 
-/// wall_z: of a black wall that hides what is farther along a ray; rays come from above it.
+/// wall_z: a black wall that hides anything farther along a ray; rays come from above it.
 Image reference_picture(const Splats& splats, const Affine3f& place, const Optics& optics, double wall_z = -1e9) {
   const PacketSource source(optics, {}, RayOrder::kRows, SubPixel{});
   const Vec2i size = film_size(optics);
@@ -174,7 +174,7 @@ void expect_like_reference(const Splats& splats, const Affine3f& place, const Op
 
 // ---- By hand --------------------------------------------------------------------------------------------------------
 
-TEST(Splat, one_splat_is_as_opaque_as_its_gaussian_where_the_ray_is_nearest) {
+TEST(Splat, opacity_is_the_gaussian_at_closest_approach) {
   SmallScene s;
   Splats splats = linear_splats();
   add_splat(splats, {0, 0, 0}, Vec3f(0.5f, 0.25f, 2.0f), 0.8f, {1.0f, 0.5f, 0.25f});
@@ -183,15 +183,15 @@ TEST(Splat, one_splat_is_as_opaque_as_its_gaussian_where_the_ray_is_nearest) {
   const Picture p = trace(s.scene, single_view(33));
   EXPECT_NEAR(p.at(16, 16).x, 0.8f + 0.2f * 0.1f, 1e-4f);
   EXPECT_NEAR(p.at(16, 16).z, 0.8f * 0.25f + 0.2f * 0.1f, 1e-4f);
-  // 8 pixels of 4 / 33 to the right: a ray from (0, 0, 10) through (a, 0, 0) is x = a (1 - z / 10); the distance squared in
-  // deviations, (a (1 - z / 10) / 0.5)^2 + (z / 2)^2, is least where z = 0.4 a^2 / (1 / 4 + 0.04 a^2).
+  // 8 pixels of 4 / 33 to the right: a ray from (0, 0, 10) through (a, 0, 0) is x = a (1 - z / 10); the squared distance in
+  // deviations, (a (1 - z / 10) / 0.5)^2 + (z / 2)^2, has its minimum at z = 0.4 a^2 / (1 / 4 + 0.04 a^2).
   const double a = 8.0 * 4.0 / 33.0, z = 0.4 * a * a / (0.25 + 0.04 * a * a);
   const double d2 = std::pow(a * (1.0 - z / 10.0) / 0.5, 2) + z * z / 4.0;
   const double alpha = 0.8 * std::exp(-0.5 * d2);
   EXPECT_NEAR(p.at(24, 16).x, alpha + (1.0 - alpha) * 0.1, 1e-4);
 }
 
-TEST(Splat, the_nearer_of_two_covers_the_other_from_either_side) {
+TEST(Splat, nearer_splats_cover_farther_ones) {
   for (const float sign : {1.0f, -1.0f}) {
     SmallScene s;
     Splats splats = linear_splats();
@@ -203,7 +203,7 @@ TEST(Splat, the_nearer_of_two_covers_the_other_from_either_side) {
   }
 }
 
-TEST(Splat, meshes_hide_what_is_behind_them_and_are_hidden_by_what_is_before) {
+TEST(Splat, meshes_and_splats_occlude_each_other) {
   for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
     SmallScene s;
     Splats splats = linear_splats();
@@ -219,7 +219,7 @@ TEST(Splat, meshes_hide_what_is_behind_them_and_are_hidden_by_what_is_before) {
   }
 }
 
-TEST(Splat, encoded_splats_cover_one_another_as_they_are_encoded) {
+TEST(Splat, encoded_splats_blend_in_codes) {
   SmallScene s;
   Splats splats;
   add_splat(splats, {0, 0, 1}, Vec3f(0.4f), 0.5f, Vec3f(0.8f));
@@ -229,7 +229,7 @@ TEST(Splat, encoded_splats_cover_one_another_as_they_are_encoded) {
   EXPECT_NEAR(seen, linear_from_srgb(0.5), 1e-4);
 }
 
-TEST(Splat, harmonics_are_those_of_the_legendre_functions) {
+TEST(Splat, harmonics_match_legendre_functions) {
   std::mt19937 random(3);
   std::normal_distribution<float> normal;
   for (int n = 0; n < 50; ++n) {
@@ -242,7 +242,7 @@ TEST(Splat, harmonics_are_those_of_the_legendre_functions) {
   }
 }
 
-TEST(Splat, layers_tell_where_half_of_the_light_is_gone) {
+TEST(Splat, layers_use_the_median_depth) {
   SmallScene s;
   Splats splats = linear_splats();
   for (const float z : {1.0f, 0.0f, -1.0f}) add_splat(splats, {0, 0, z}, Vec3f(0.1f), 0.4f, {1, 0, 0});
@@ -255,7 +255,7 @@ TEST(Splat, layers_tell_where_half_of_the_light_is_gone) {
   EXPECT_EQ(p.aovs[Aov::kId].pixel(2, 2)[0], static_cast<float>(back));
 }
 
-TEST(Splat, alpha_is_what_they_cover) {
+TEST(Splat, alpha_is_their_coverage) {
   for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
     SmallScene s;
     surround(s, Vec3f(0.7f));
@@ -285,12 +285,12 @@ TEST(Splat, mirrors_show_them) {
 
 // ---- Against the reference ------------------------------------------------------------------------------------------
 
-TEST(Splat, clouds_are_as_the_reference_has_them) {
+TEST(Splat, clouds_match_the_reference) {
   for (int degree = 0; degree <= 3; ++degree)
     expect_like_reference(random_cloud(static_cast<unsigned>(degree), 300, degree, degree % 2 == 0), {}, single_view(40), 55.0);
 }
 
-TEST(Splat, clouds_behind_lenses_are_as_the_reference_has_them) {
+TEST(Splat, clouds_behind_lenses_match_the_reference) {
   expect_like_reference(random_cloud(7, 200, 3, false), {}, lenticular_view(), 55.0);
 }
 
@@ -302,7 +302,7 @@ Optics hexagonal_view() {
   return optics;
 }
 
-/// Three film pixels to a panel pixel, each with its own ray.
+/// Three film pixels per panel pixel, each with its own ray.
 Optics slanted_view() {
   Optics optics;
   optics.panel = {16, 32, 4.0f / 32};
@@ -310,28 +310,28 @@ Optics slanted_view() {
   return optics;
 }
 
-TEST(Splat, clouds_behind_hexagons_and_on_slanted_panels_are_as_the_reference_has_them) {
+TEST(Splat, clouds_on_all_panels_match_the_reference) {
   for (const Optics& optics : {hexagonal_view(), slanted_view()})
     expect_like_reference(random_cloud(10, 200, 2, false), {}, optics, 55.0);
 }
 
-TEST(Splat, a_wall_hides_what_is_behind_it_behind_every_kind_of_lens) {
+TEST(Splat, walls_hide_splats_behind_all_lenses) {
   const Splats cloud = random_cloud(11, 200, 1, true);
   SmallScene s;
   add_splats(s, cloud);
   s.add(square(50.0f, 0.25f), s.material(glowing(Vec3f(0.0f))));
   for (const Optics& optics : {lenticular_view(), hexagonal_view(), slanted_view()}) {
     const Image reference = reference_picture(cloud, {}, optics, 0.25), without = reference_picture(cloud, {}, optics);
-    EXPECT_LE(psnr_of(without, reference), 30.0) << "the wall is seen";
+    EXPECT_LE(psnr_of(without, reference), 30.0) << "the wall is visible";
     EXPECT_GE(psnr_of(trace(s.scene, optics, {}, 2).film, reference), 55.0);
   }
 }
 
-TEST(Splat, nodes_turn_and_stretch_them) {
+TEST(Splat, nodes_rotate_and_scale_them) {
   expect_like_reference(random_cloud(8, 300, 2, false), uneven_place(), single_view(40), 55.0);
 }
 
-TEST(Splat, thousands_of_faint_ones_are_as_the_reference_has_them) {
+TEST(Splat, thousands_of_faint_ones_match_the_reference) {
   Splats splats = random_cloud(9, 6000, 1, true);
   for (float& opacity : splats.opacities) opacity *= 0.04f;
   expect_like_reference(splats, {}, single_view(24), 55.0);
@@ -344,7 +344,7 @@ TEST(Splat, bits_do_not_depend_on_threads) {
   EXPECT_EQ(one.film.data, three.film.data);
 }
 
-TEST(Splat, moved_ones_are_as_if_built_there) {
+TEST(Splat, moved_ones_equal_rebuilt_ones) {
   const Splats splats = random_cloud(11, 200, 1, true);
   SmallScene moving, still;
   add_splats(moving, splats, moving.moving_node({0, 0, 0}, {0.5f, -0.25f, 0.5f}));
@@ -352,9 +352,9 @@ TEST(Splat, moved_ones_are_as_if_built_there) {
   EXPECT_EQ(trace(moving.scene, single_view(32), {}, 1, 1.0).film.data, trace(still.scene, single_view(32)).film.data);
 }
 
-// ---- Sizes that are hardly sizes ------------------------------------------------------------------------------------
+// ---- Degenerate sizes -----------------------------------------------------------------------------------------------
 
-TEST(Splat, sizes_without_measure_make_pictures_of_numbers) {
+TEST(Splat, extreme_sizes_give_finite_pictures) {
   for (const Vec3f deviations : {Vec3f(1e-14f), Vec3f(1e17f), Vec3f(1e-4f, 1.0f, 1.0f), Vec3f(1e17f, 1e13f, 1e13f)}) {
     SmallScene s;
     Splats splats;
@@ -367,7 +367,7 @@ TEST(Splat, sizes_without_measure_make_pictures_of_numbers) {
   }
 }
 
-TEST(Splat, a_flat_one_is_a_disc_however_far_the_eye) {
+TEST(Splat, flat_ones_are_discs_at_any_distance) {
   SmallScene s;
   Splats splats = linear_splats();
   add_splat(splats, {0, 0, 0}, {1e-2f, 1e-2f, 1e-6f}, 0.9f, {1, 1, 1}, glm::normalize(Quatf(1.0f, 0.2f, 0.1f, 0.0f)));

@@ -1,5 +1,5 @@
-// Where shading a scene of Tachyon differs, and what it brought in, against values worked out by hand. The view is from
-// (0, 0, 10) at the square +-2; its central rays run along -z.
+// Features of the shading of Tachyon scenes, compared with values worked out by hand. The view is from (0, 0, 10) at the square
+// +-2; its central rays run along -z.
 #include <gtest/gtest.h>
 
 #include "trace/small_scene.hpp"
@@ -19,7 +19,7 @@ SmallScene tachyon_scene() {
 
 Vec3f middle(const SmallScene& s) { return trace(s.scene, single_view(kShadedSize)).at(kShadedMiddle, kShadedMiddle); }
 
-/// A square that sends nothing but its highlight. Light and view at right angles to each other: N.H = cos 22.5 degrees.
+/// A square that shows only its highlight. Light and view are at right angles: N.H = cos 22.5 degrees.
 PhongSurface highlighted(Highlight kind) {
   PhongSurface surface = matte(Vec3f(1.0f, 0.5f, 0.25f));
   surface.diffuse = 0.0f;
@@ -30,21 +30,21 @@ PhongSurface highlighted(Highlight kind) {
 }
 const float kLobe = 0.5f * std::cos(kPi / 8) * std::cos(kPi / 8);  // light 45 degrees off the view along the normal
 
-TEST(TachyonShading, metal_highlight_has_the_surface_s_colour_alone) {
+TEST(TachyonShading, metal_highlight_has_the_surfaces_colour) {
   SmallScene s = tachyon_scene();
   s.add(square(2, 0), s.material(highlighted(Highlight::kMetal)));
   s.point_light({5, 0, 5}, {0.1f, 0.2f, 0.3f});
   expect_color(middle(s), kLobe * Vec3f(1.0f, 0.5f, 0.25f));
 }
 
-TEST(TachyonShading, plastic_highlight_has_the_light_s_colour) {
+TEST(TachyonShading, plastic_highlight_has_the_lights_colour) {
   SmallScene s = tachyon_scene();
   s.add(square(2, 0), s.material(highlighted(Highlight::kPlastic)));
   s.point_light({5, 0, 5}, {0.1f, 0.2f, 0.3f});
   expect_color(middle(s), kLobe * Vec3f(0.1f, 0.2f, 0.3f));
 }
 
-TEST(TachyonShading, highlight_is_whole_wherever_light_arrives) {
+TEST(TachyonShading, highlight_ignores_shadows_and_attenuation) {
   SmallScene s = tachyon_scene();
   s.add(square(2, 0), s.material(highlighted(Highlight::kPlastic)));
   PhongSurface veil = matte(Vec3f(0.0f));
@@ -61,7 +61,7 @@ TEST(TachyonShading, light_fades_by_its_attenuation) {
   expect_color(middle(s), Vec3f(1.0f / (0.5f + 1.0f + 2.0f)));
 }
 
-TEST(TachyonShading, light_below_a_512th_is_none) {
+TEST(TachyonShading, light_below_a_512th_is_ignored) {
   SmallScene s = tachyon_scene();
   s.add(square(2, 0), s.material(matte(Vec3f(1.0f))));
   Light& light = s.point_light({0, 0, 4}, Vec3f(1000.0f));
@@ -71,7 +71,7 @@ TEST(TachyonShading, light_below_a_512th_is_none) {
   expect_color(middle(s), Vec3f(0.0f), 0.0f);
 }
 
-/// 45 degrees lie half way between 30 and 60.
+/// 45 degrees is half-way between 30 and 60.
 TEST(TachyonShading, spot_light_falls_off_linearly_with_the_angle) {
   SmallScene s = tachyon_scene();
   s.add(square(2, 0), s.material(matte(Vec3f(1.0f))));
@@ -83,7 +83,7 @@ TEST(TachyonShading, spot_light_falls_off_linearly_with_the_angle) {
   expect_color(middle(s), Vec3f(0.0f), 0.0f);
 }
 
-TEST(TachyonShading, see_through_surface_keeps_its_own_light_whole) {
+TEST(TachyonShading, transparent_surfaces_keep_their_own_light) {
   SmallScene s = tachyon_scene();
   s.scene.max_depth = 2;
   PhongSurface veil = glowing({0.5f, 0.25f, 0.0f});
@@ -93,7 +93,7 @@ TEST(TachyonShading, see_through_surface_keeps_its_own_light_whole) {
   expect_color(middle(s), Vec3f(0.5f, 0.25f, 0.0f) + 0.25f * Vec3f(0.8f));
 }
 
-TEST(TachyonShading, last_see_through_surface_adds_the_background_whole) {
+TEST(TachyonShading, last_transparent_surface_adds_the_background) {
   SmallScene s = tachyon_scene();
   s.scene.background.horizon = s.scene.background.zenith = Vec3f(0.5f);
   PhongSurface veil = glowing(Vec3f(0.1f));
@@ -102,8 +102,8 @@ TEST(TachyonShading, last_see_through_surface_adds_the_background_whole) {
   expect_color(middle(s), Vec3f(0.1f + 0.5f));
 }
 
-/// Sphere, box and cylinder are crossed twice, each time at 1 - opacity.
-TEST(SeeThrough, closed_shapes_weaken_a_shadow_ray_twice) {
+/// Sphere, box and cylinder are crossed twice, each time with 1 - opacity.
+TEST(SeeThrough, closed_shapes_attenuate_shadow_rays_twice) {
   PhongSurface veil = matte(Vec3f(0.0f));
   veil.opacity = 0.25f;
   for (const Shape& shape : {Shape(Spheres{{{0, 0, 12}, 1.0f}}), Shape(Boxes{{{-1, -1, 11.5f}, {1, 1, 12.5f}}}),
@@ -116,7 +116,7 @@ TEST(SeeThrough, closed_shapes_weaken_a_shadow_ray_twice) {
   }
 }
 
-TEST(SeeThrough, light_inside_a_closed_shape_is_weakened_once) {
+TEST(SeeThrough, light_inside_closed_shapes_is_attenuated_once) {
   PhongSurface veil = matte(Vec3f(0.0f));
   veil.opacity = 0.25f;
   SmallScene s;
@@ -126,14 +126,14 @@ TEST(SeeThrough, light_inside_a_closed_shape_is_weakened_once) {
   expect_color(middle(s), Vec3f(0.75f));
 }
 
-TEST(VertexColors, are_interpolated_and_multiply_the_material_s) {
+TEST(VertexColors, are_interpolated_and_multiply_the_materials) {
   SmallScene s;
   Mesh mesh = square(2, 0);
   mesh.colors = {{1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}};  // the middle lies on the diagonal of corners 0 and 2
   s.add(mesh, s.material(glowing({0.5f, 0.5f, 1.0f})));
   expect_color(middle(s), {0.5f, 0.0f, 0.0f});
   const Picture p = trace(s.scene, single_view(kShadedSize));
-  // 8 pixels of 4/33 to the right: u and v of the triangle 0 2 1 move by that over the side, 4.
+  // 8 pixels of 4/33 to the right: u and v of the triangle 0 2 1 change by that over the side, 4.
   const float moved = 8.0f * (4.0f / kShadedSize) / 4.0f;
   expect_color(p.at(kShadedMiddle + 8, kShadedMiddle), {0.5f * (1.0f - moved), 0.5f * moved, 0.0f});
 }
@@ -141,10 +141,10 @@ TEST(VertexColors, are_interpolated_and_multiply_the_material_s) {
 TEST(Background, gradient_runs_between_its_two_heights) {
   SmallScene s;
   s.scene.background = {{1, 0, 0}, {0, 0, 1}, {0, 0, -1}, 0.5f, 1.5f};
-  expect_color(middle(s), {0.5f, 0.0f, 0.5f});  // straight along up: 1 lies half way from 0.5 to 1.5
+  expect_color(middle(s), {0.5f, 0.0f, 0.5f});  // straight along up: 1 lies half-way from 0.5 to 1.5
 }
 
-/// Far from the origin single precision moves hit points by more than any fixed small distance.
+/// Far from the origin, rounding moves hit points by more than any fixed small distance.
 TEST(Secondary, surface_far_away_does_not_shade_itself) {
   SmallScene s = tachyon_scene();
   s.add(Spheres{{{0, 0, -20000}, 15000.0f}}, s.material(matte(Vec3f(1.0f))));

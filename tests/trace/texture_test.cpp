@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-constexpr float kStep = 1.0f / 65535.0f;  // from one 16-bit texel value to the next
+constexpr float kStep = 1.0f / 65535.0f;  // difference between adjacent 16-bit texel values
 
 Texture gray(int width, int height, const std::vector<int>& bytes) {
   Texture t;
@@ -19,7 +19,7 @@ Texture gray(int width, int height, const std::vector<int>& bytes) {
 const Vec2f kNone(0.0f);
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-/// One lookup, in a lane whose neighbours hold nothing.
+/// One look-up, in a lane whose neighbours are empty.
 constexpr int kLane = 5;
 
 LaneMask one_lane() {
@@ -81,7 +81,7 @@ TEST(SampleUv, srgb_texels_are_decoded_before_filtering) {
   EXPECT_NEAR(sample_uv(make_device_texture(source, false), {0.5f, 0.5f}, kNone, kNone).r, 0.50289f, 1e-4f);
 }
 
-TEST(SampleUv, wide_footprint_gives_the_mean_of_a_checkerboard) {
+TEST(SampleUv, wide_footprint_averages_a_checkerboard) {
   std::vector<int> bytes;
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x) bytes.push_back((x + y) % 2 ? 255 : 0);
@@ -91,8 +91,8 @@ TEST(SampleUv, wide_footprint_gives_the_mean_of_a_checkerboard) {
   }
 }
 
-TEST(SampleUv, long_footprint_blurs_along_itself_only) {
-  // Stripes of 8 texels across v: a footprint 16 texels long in u must leave them sharp.
+TEST(SampleUv, anisotropic_footprint_blurs_along_its_axis) {
+  // Stripes of 8 texels across v: a footprint of 16 texels in u must leave them sharp.
   std::vector<int> bytes;
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x) bytes.push_back((y / 8) % 2 ? 255 : 0);
@@ -104,7 +104,7 @@ TEST(SampleUv, long_footprint_blurs_along_itself_only) {
   EXPECT_NEAR(sample_uv(t, {0.3f, 0.5f}, {0.0f, 16.0f / 64}, {1.0f / 64, 0.0f}).r, 0.5f, 0.02f) << "across the stripes";
 }
 
-TEST(SampleUv, absurd_coordinates_give_some_texel) {
+TEST(SampleUv, extreme_coordinates_give_a_texel) {
   const DeviceTexture t = make_device_texture(gray(2, 2, {10, 20, 30, 40}), false);
   for (const float bad : {kNan, kInfinity, -1e30f}) {
     const float value = sample_uv(t, {bad, bad}, {bad, 0}, {0, bad}).r;
@@ -114,22 +114,22 @@ TEST(SampleUv, absurd_coordinates_give_some_texel) {
 }
 
 TEST(SampleProjected, coordinates_fraction_and_level_by_hand) {
-  // 4 x 4: levels of 4, 2 and 1; rows of equal texels but for the first.
+  // 4 x 4: levels of 4, 2 and 1; rows of equal texels except for the first.
   const DeviceTexture t =
       make_device_texture(gray(4, 4, {0, 51, 102, 255, 60, 60, 60, 60, 120, 120, 120, 120, 180, 180, 180, 180}), true);
   ImageProjection m;
   m.center = {1, 0, 0};
   m.scale = {0.5f, 0.25f, 0.0f};
-  // u = 0.5 (x - 1), v = 0.25 y; at path length 0 level 0, bilinear over (resolution - 1): u = 1/6 is half way to the second
+  // u = 0.5 (x - 1), v = 0.25 y; at path length 0: level 0, bilinear over (resolution - 1): u = 1/6 is half-way to the second
   // texel.
   EXPECT_NEAR(sample_projected(t, m, {1, 0, 0}, 0.0f).r, 0.0f, kStep);
   EXPECT_NEAR(sample_projected(t, m, {1 + 1 / 3.0f, 0, 0}, 0.0f).r, 0.1f, kStep);
   EXPECT_NEAR(sample_projected(t, m, {1 / 3.0f, 0, 0}, 0.0f).r, 0.4f, kStep) << "-1/3 wraps to 2/3: the third texel";
-  EXPECT_NEAR(sample_projected(t, m, {1, 2 / 3.0f, 0}, 0.0f).r, 30 / 255.0f, kStep) << "v = 1/6: half way down to 60";
-  // Level min(1, 0.05 path 0.5) (3 - 0.9999): path 20 gives 1.00005, from which on it is the 1 x 1 level. Level 1 averages
-  // 2 x 2 texels, truncating: 42, 119; 150, 150. Level 2: (42 + 119 + 150 + 150) / 4 = 115.
+  EXPECT_NEAR(sample_projected(t, m, {1, 2 / 3.0f, 0}, 0.0f).r, 30 / 255.0f, kStep) << "v = 1/6: half-way down to 60";
+  // Level min(1, 0.05 path 0.5) (3 - 0.9999): path 20 gives 1.00005, from which on the 1 x 1 level is used. Level 1 averages 2
+  // x 2 texels, truncating: 42, 119; 150, 150. Level 2: (42 + 119 + 150 + 150) / 4 = 115.
   EXPECT_NEAR(sample_projected(t, m, {1, 0, 0}, 20.0f).r, 115 / 255.0f, kStep);
-  EXPECT_NEAR(sample_projected(t, m, {1, 0, 0}, 10.0f).r, 0.500025f * 42 / 255.0f, 2 * kStep) << "half way to level 1";
+  EXPECT_NEAR(sample_projected(t, m, {1, 0, 0}, 10.0f).r, 0.500025f * 42 / 255.0f, 2 * kStep) << "half-way to level 1";
 }
 
 TEST(MakeDeviceTexture, tachyon_averages_truncate) {

@@ -1,4 +1,4 @@
-// Depth of field: views seen through lenses in place of pinholes.
+// Depth of field: views through lenses instead of pinholes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ using namespace test;
 constexpr double kDistance = 20.0, kBaseline = 0.8, kPitch = 0.1, kEdge = 0.03;
 constexpr int kViews = 3, kWidth = 120, kHeight = 4, kSamples = 256;
 
-/// Three eyes 0.8 mm apart.
+/// Three eyes, 0.8 mm apart.
 Optics camera_row() {
   Optics optics;
   optics.panel = {kViews * kWidth, kHeight, static_cast<float>(kPitch)};
@@ -24,7 +24,7 @@ Optics camera_row() {
   return optics;
 }
 
-/// Light to the left of x = 0.03, in the plane at depth z.
+/// Light to the left of x = 0.03, in a plane at depth z.
 Scene edge_at(float z) {
   SmallScene s;
   Mesh left = square(50.0f, z);
@@ -46,9 +46,9 @@ struct Focus {
 class ThinLensEdge : public testing::TestWithParam<Focus> {};
 
 // A circle of confusion A |z - f| / (D - z) wide in the plane z = f is D / (D - f) times that on the display. Across an edge
-// its light falls as a disc's does: the variance of a uniform disc of diameter c along one axis is c^2 / 16. Differences of
-// pixels, each the mean over its width, add 1/6 px^2. An eye at e sees the edge (X, z) on the display at e (1 - m) + X m, m = D
-// / (D - z), whatever the lens.
+// its light falls off like a uniform disc of diameter c, whose variance along one axis is c^2 / 16. Differences of pixels, each
+// averaged over its width, add 1/6 px^2. An eye at e sees the edge (X, z) on the display at e (1 - m) + X m, m = D / (D - z),
+// for any lens.
 TEST_P(ThinLensEdge, is_as_wide_as_the_circle_of_confusion) {
   const auto [z, f, aperture] = GetParam();
   const double circle_px = aperture * std::abs(z - f) / (kDistance - z) * kDistance / (kDistance - f) / kPitch;
@@ -57,30 +57,29 @@ TEST_P(ThinLensEdge, is_as_wide_as_the_circle_of_confusion) {
   for (int view = 0; view < kViews; ++view) {
     const double eye = kBaseline * (view - 1), place = 0.5 * kWidth + (eye * (1.0 - m) + kEdge * m) / kPitch;
     const Edge edge = edge_in(blurred, view * kWidth, kWidth);
-    // A pixel's share of the lens is counted by 256 samples that are stratified over it: 16 x 16 cells, of which the edge cuts
-    // about 20, each to within its own area. That is a standard deviation of 0.5 sqrt(20) / 256 = 0.01 a pixel; with c pixels
-    // in the ramp the place is good to 0.01 sqrt(c), here at most 0.06, three times which is allowed.
+    // 256 samples stratified over the lens estimate a pixel's share of it: 16 x 16 cells, of which the edge cuts about 20, each
+    // with an error within its own area. That is a standard deviation of 0.5 sqrt(20) / 256 = 0.01 per pixel; with c pixels in
+    // the ramp the place has an error of 0.01 sqrt(c), here at most 0.06, and the test allows three times that.
     EXPECT_NEAR(edge.place_px, place, 0.2) << view;
     EXPECT_NEAR(edge.variance_px2, circle_px * circle_px / 16.0 + 1.0 / 6.0, 0.03 * circle_px * circle_px / 16.0 + 0.1) << view;
   }
 }
 
-// Behind the display and in front of it; with the focus on it, in front of it and behind it: circles of 20, 20, 33 and 20
-// pixels.
+// Behind the display and in front of it; focused on it, in front of it and behind it: circles of 20, 20, 33 and 20 pixels.
 INSTANTIATE_TEST_SUITE_P(Depths, ThinLensEdge,
                          testing::Values(Focus{-20.0f, 0.0f, 4.0f}, Focus{10.0f, 0.0f, 2.0f}, Focus{-20.0f, 5.0f, 4.0f},
                                          Focus{5.0f, -10.0f, 3.0f}));
 
-TEST(ThinLens, what_lies_in_the_focal_plane_is_as_sharp_as_through_a_pinhole) {
+TEST(ThinLens, focal_plane_is_as_sharp_as_a_pinhole) {
   for (const float z : {0.0f, -8.0f, 6.0f}) {
     const Image sharp = trace(edge_at(z), camera_row(), through({}, 16)).film;
     const Image focused = trace(edge_at(z), camera_row(), through({4.0f, 0.0f, z}, 16)).film;
-    // The same places but for rounding, by which a sample next to the edge may pass it: 1/16.
+    // Equal except for rounding, by which a sample next to the edge may cross it: 1/16.
     for (std::size_t i = 0; i < sharp.data.size(); ++i) ASSERT_NEAR(focused.data[i], sharp.data[i], 1.5f / 16.0f) << i;
   }
 }
 
-TEST(ThinLens, a_closed_one_is_a_pinhole_to_the_bit) {
+TEST(ThinLens, zero_aperture_equals_a_pinhole) {
   const SmallScene s = busy_scene(3);
   TraceParams pinhole;
   pinhole.spp = 4;
@@ -88,10 +87,9 @@ TEST(ThinLens, a_closed_one_is_a_pinhole_to_the_bit) {
             trace(s.scene, camera_row(), pinhole).film.data);
 }
 
-// Every point of the lens sees a plate that is parallel to it as large as any other does, so that a picture that holds all of
-// the blurred plate has as much light as a sharp one. 16 samples in each of 64 x 64 pixels: the sharp one counts the plate's
-// area to 0.1 %, the other one, at random, to sqrt(4 rim pixels x 30 wide x 0.25 / 16) / 1024 = 0.2 %, three times which is
-// allowed.
+// All points of the lens see a parallel plate at the same size, so a picture that contains the whole blurred plate has as much
+// light as a sharp one. 16 samples in each of 64 x 64 pixels: the sharp picture resolves the plate's area to 0.1 %, the other
+// one, with random samples, to sqrt(4 rim pixels x 30 wide x 0.25 / 16) / 1024 = 0.2 %, and the test allows three times that.
 TEST(ThinLens, blur_keeps_the_light) {
   SmallScene s;
   s.add(square(2.0f, -10.0f), s.material(glowing(Vec3f(1.0f))));
@@ -102,13 +100,13 @@ TEST(ThinLens, blur_keeps_the_light) {
   EXPECT_NEAR(blurred / sharp, 1.0, 0.007);
 }
 
-TEST(ThinLens, gives_the_same_bits_for_any_number_of_threads) {
+TEST(ThinLens, threads_do_not_change_bits) {
   const SmallScene s = busy_scene(7);
   const TraceParams params = through({1.5f, 0.0f, 1.0f}, 8);
   EXPECT_EQ(trace(s.scene, camera_row(), params, 1).film.data, trace(s.scene, camera_row(), params, 4).film.data);
 }
 
-TEST(ThinLens, single_pixels_are_traced_to_the_same_bits) {
+TEST(ThinLens, single_pixels_have_the_same_bits) {
   SmallScene s = busy_scene(5);
   const ThreadPool pool(2);
   const Context context;
@@ -125,7 +123,7 @@ TEST(ThinLens, single_pixels_are_traced_to_the_same_bits) {
   EXPECT_EQ(pixels.data, whole.data);
 }
 
-TEST(ThinLens, samples_in_shares_make_the_same_frame) {
+TEST(ThinLens, partial_samples_make_the_same_frame) {
   SmallScene s = busy_scene(5);
   const ThreadPool pool(2);
   const Context context;
@@ -139,7 +137,7 @@ TEST(ThinLens, samples_in_shares_make_the_same_frame) {
     trace_frame({device, camera_row(), {}}, params, {pool, context}, {shares}, {first, 3});
   ASSERT_EQ(shares.data.size(), whole.data.size());
   for (std::size_t i = 0; i < whole.data.size(); ++i)
-    ASSERT_NEAR(shares.data[i], whole.data[i], 1e-5f) << i;  // sums of seven, in another order
+    ASSERT_NEAR(shares.data[i], whole.data[i], 1e-5f) << i;  // sums of seven values, in another order
 }
 
 }  // namespace

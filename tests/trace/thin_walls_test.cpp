@@ -1,5 +1,5 @@
-// Light that goes straight through thin walls of glass onto what is behind, against what Fresnel's equations say of it and
-// against paths that find lamps by chance. The eye at (0, 0, 1) looks at the middle of a floor in z = 0; walls stand above it.
+// Straight transmission through thin walls of glass, compared with Fresnel's equations and with paths that find lamps by
+// chance. The eye at (0, 0, 1) looks at the middle of a floor in z = 0; walls stand above it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,8 +14,9 @@ using namespace test;
 
 const Integrator kIntegrators[] = {Integrator::kWhitted, Integrator::kPath};
 const Affine3f kCloseUp{Mat3f(0.1f), Vec3f(0.0f)};
-// Index 1.5. At normal incidence ((n - 1) / (n + 1))^2 is mirrored. At 60 degrees the cosine inside is sqrt(1 - 0.75 / 2.25) =
-// 0.81650; s: ((0.5 - 1.22474) / 1.72474)^2 = 0.17657, p: ((0.75 - 0.81650) / 1.56650)^2 = 0.00180; half their sum is mirrored.
+// Index 1.5. At normal incidence ((n - 1) / (n + 1))^2 is reflected. At 60 degrees the cosine inside is sqrt(1 - 0.75 / 2.25) =
+// 0.81650; s: ((0.5 - 1.22474) / 1.72474)^2 = 0.17657, p: ((0.75 - 0.81650) / 1.56650)^2 = 0.00180; half their sum is
+// reflected.
 constexpr float kAtNormal = 0.96f, kAtSixty = 1.0f - 0.0891866f;
 const Vec3f kGreenish(0.5f, 0.9f, 0.25f);
 
@@ -39,7 +40,7 @@ MetallicRoughness pane(Vec3f color = Vec3f(1.0f), float roughness = 0.0f) {
   return m;
 }
 
-/// Tints all light alike, at whatever angle.
+/// Tints all light equally at any angle.
 MetallicRoughness tinted_foil(Vec3f color) {
   MetallicRoughness m = pane(color);
   m.ior = 1.0f, m.specular = 0.0f;
@@ -61,7 +62,7 @@ Vec3f middle_of(const Scene& scene, Integrator integrator, int spp) {
   return trace(scene, single_view(5), params, 1, 0.0, kCloseUp, integrator).at(2, 2);
 }
 
-/// What walls leave of a point-like lamp's light.
+/// Returns the share of a point-like lamp's light that passes the walls.
 Vec3f share_left(SmallScene s, Vec3f lamp, Integrator integrator, const std::vector<MetallicRoughness>& walls, int spp = 4) {
   point_lamp(s, lamp);
   const Vec3f free = middle_of(s.scene, integrator, spp);
@@ -70,20 +71,20 @@ Vec3f share_left(SmallScene s, Vec3f lamp, Integrator integrator, const std::vec
   return middle_of(s.scene, integrator, spp) / free;
 }
 
-TEST(ThinWalls, dim_a_lamp_behind_them_as_fresnel_says_and_tint_it) {
+TEST(ThinWalls, dim_by_fresnel_and_tint) {
   for (const Integrator integrator : kIntegrators) {
     expect_color(share_left(floor_scene(), kAbove, integrator, {pane(kGreenish)}), kAtNormal * kGreenish, 1e-4f);
     expect_color(share_left(floor_scene(), kSlanted, integrator, {pane(kGreenish)}), kAtSixty * kGreenish, 1e-4f);
   }
 }
 
-TEST(ThinWalls, two_of_them_dim_twice) {
+TEST(ThinWalls, two_walls_dim_twice) {
   for (const Integrator integrator : kIntegrators)
     expect_color(share_left(floor_scene(), kSlanted, integrator, {pane(kGreenish), pane()}), kAtSixty * kAtSixty * kGreenish,
                  1e-4f);
 }
 
-TEST(ThinWalls, let_pass_only_the_share_that_is_glass) {
+TEST(ThinWalls, pass_only_the_glass_share) {
   MetallicRoughness half = pane();
   half.transmission = 0.5f;
   for (const Integrator integrator : kIntegrators)
@@ -93,7 +94,7 @@ TEST(ThinWalls, let_pass_only_the_share_that_is_glass) {
   expect_color(share_left(floor_scene(), kAbove, Integrator::kPath, {coated}), Vec3f(0.96f * kAtNormal), 1e-3f);
 }
 
-TEST(ThinWalls, pass_what_alpha_leaves_open_and_the_rest_as_glass) {
+TEST(ThinWalls, combine_alpha_and_glass) {
   MetallicRoughness veil = pane(kGreenish);
   veil.base_color.a = 0.25f, veil.blend = true;
   for (const Integrator integrator : kIntegrators)
@@ -110,7 +111,7 @@ Texture stripes() {
   return t;
 }
 
-/// A floor seen as one row of four pixels below a wall of four stripes, straight above each of which a far lamp stands.
+/// A floor seen as one row of four pixels, below a wall of four stripes with a distant lamp straight above each.
 std::vector<Vec3f> below_stripes(const MetallicRoughness& wall, Integrator integrator) {
   SmallScene s = floor_scene();
   s.scene.textures.push_back(stripes());
@@ -119,14 +120,14 @@ std::vector<Vec3f> below_stripes(const MetallicRoughness& wall, Integrator integ
   TraceParams params;
   params.spp = 16;
   const Picture free = trace(s.scene, single_view(4), params, 1, 0.0, {}, integrator);
-  s.add(square(2, 11), s.material(wall));  // behind the eye, above the square that it sees
+  s.add(square(2, 11), s.material(wall));  // behind the eye, above the visible square
   const Picture below = trace(s.scene, single_view(4), params, 1, 0.0, {}, integrator);
   std::vector<Vec3f> shares;
   for (int x = 0; x < 4; ++x) shares.push_back(below.at(x, 1) / free.at(x, 1));
   return shares;
 }
 
-// 0.03: texels at the stripes' ends mix with their neighbours.
+// 0.03: texels at the ends of stripes mix with their neighbours.
 TEST(ThinWalls, colours_come_from_their_textures) {
   MetallicRoughness wall = pane();
   wall.base_color_map.texture = 0;
@@ -138,7 +139,7 @@ TEST(ThinWalls, colours_come_from_their_textures) {
   }
 }
 
-TEST(ThinWalls, are_open_where_a_mask_cuts_them) {
+TEST(ThinWalls, are_open_where_masked) {
   MetallicRoughness wall = tinted_foil(Vec3f(0.5f));
   wall.base_color_map.texture = 0, wall.alpha_cutoff = 0.5f;
   for (const Integrator integrator : kIntegrators) {
@@ -156,7 +157,7 @@ TEST(ThinWalls, transmission_comes_from_its_texture_for_paths) {
   expect_color(shares[1], Vec3f(0.0f), 0.03f);
 }
 
-TEST(ThinWalls, films_leave_what_they_do_not_mirror) {
+TEST(ThinWalls, films_pass_the_remaining_light) {
   MetallicRoughness film = pane();
   film.extensions->iridescence.share = 1.0f;
   const Vec3f share = share_left(floor_scene(), kAbove, Integrator::kPath, {film});
@@ -164,8 +165,8 @@ TEST(ThinWalls, films_leave_what_they_do_not_mirror) {
   expect_color(share, Vec3f(1.0f - std::max({mirrored.x, mirrored.y, mirrored.z})), 1e-3f);
 }
 
-// Light that has come through a rough wall is scattered: no shadow ray goes on, and a path of two vertices finds it.
-TEST(ThinWalls, stop_shadow_rays_where_they_are_rough) {
+// Light through a rough wall is scattered: no shadow ray continues, but a path of two vertices finds it.
+TEST(ThinWalls, rough_walls_stop_shadow_rays) {
   expect_color(share_left(floor_scene(), kAbove, Integrator::kPath, {pane(Vec3f(1.0f), 0.03f)}), Vec3f(kAtNormal), 1e-4f);
   EXPECT_EQ(share_left(floor_scene(), kAbove, Integrator::kPath, {pane(Vec3f(1.0f), 0.04f)}).x, 0.0f);
   SmallScene deep = floor_scene();
@@ -173,15 +174,15 @@ TEST(ThinWalls, stop_shadow_rays_where_they_are_rough) {
   EXPECT_NEAR(share_left(deep, kAbove, Integrator::kPath, {pane(Vec3f(1.0f), 0.5f)}, 4096).x, kAtNormal, 0.3f);
 }
 
-TEST(ThinWalls, that_scatter_light_through_stay_opaque) {
+TEST(ThinWalls, scattering_walls_stay_opaque) {
   MetallicRoughness leaf = plaster();
   leaf.extensions.emplace().volume = Volume{};
   leaf.extensions->diffuse_transmission.share = 1.0f;
   EXPECT_EQ(share_left(floor_scene(), kAbove, Integrator::kPath, {leaf}).x, 0.0f);
 }
 
-// Placed by Embree, turned and scaled unevenly: angles are those of the world.
-TEST(ThinWalls, that_move_are_met_at_the_angle_of_the_world) {
+// Placed by Embree, rotated and scaled unevenly: angles are measured in the world.
+TEST(ThinWalls, moving_walls_use_world_angles) {
   SmallScene s = floor_scene();
   point_lamp(s, kAbove);
   const Vec3f free[] = {middle_of(s.scene, Integrator::kWhitted, 4), middle_of(s.scene, Integrator::kPath, 4)};
@@ -190,7 +191,7 @@ TEST(ThinWalls, that_move_are_met_at_the_angle_of_the_world) {
   s.scene.nodes.back().local.rotation = glm::angleAxis(radians(60.0f), Vec3f(0, 1, 0));
   s.scene.nodes.back().local.scale = {3.0f, 5.0f, 0.25f};
   s.add(square(1, 0), s.material(pane(kGreenish)), moving);
-  for (const int i : {0, 1})  // 5e-4: samples lie around the middle of a pixel
+  for (const int i : {0, 1})  // 5e-4: samples lie around the centre of a pixel
     expect_color(middle_of(s.scene, kIntegrators[i], 4) / free[i], kAtSixty * kGreenish, 5e-4f);
 }
 
@@ -206,8 +207,8 @@ TEST(ThinWalls, vanish_in_a_white_furnace) {
   }
 }
 
-// Straight on is no vertex: behind more panes than a path may have vertices the floor is lit, and seen through them.
-TEST(ThinWalls, do_not_count_among_the_vertices_of_a_path) {
+// Straight transmission is not a vertex: behind more panes than a path may have vertices, the floor is lit and visible.
+TEST(ThinWalls, are_not_path_vertices) {
   SmallScene s = floor_scene();
   s.scene.max_depth = 1;
   point_lamp(s, {0, 0, 20});
@@ -217,7 +218,7 @@ TEST(ThinWalls, do_not_count_among_the_vertices_of_a_path) {
   expect_color(middle_of(s.scene, Integrator::kPath, 16384) / free, Vec3f(once * once), 0.02f);
 }
 
-/// The ratio of the light with a foil that tints it to that without one.
+/// Returns the ratio of the light with a tinting foil to the light without one.
 float left_below_foil(const SmallScene& lit, int spp) {
   SmallScene s = lit;
   const float free = middle_of(s.scene, Integrator::kPath, spp).x;
@@ -225,9 +226,9 @@ float left_below_foil(const SmallScene& lit, int spp) {
   return middle_of(s.scene, Integrator::kPath, spp).x / free;
 }
 
-// Each kind of light is found by shadow rays and by what the surface scatters: the weights of both add up to one behind a wall
-// as they do without one.
-TEST(ThinWalls, share_light_between_shadow_rays_and_paths_without_loss) {
+// Each kind of light is found by shadow rays and by scattering: their weights must add up to one behind a wall as they do
+// without one.
+TEST(ThinWalls, split_light_between_rays_without_loss) {
   for (const MetallicRoughness& surface : {plaster(), brushed_steel()}) {
     SmallScene ball = floor_scene(surface), sun = ball, lamp = ball, sky = ball;
     point_lamp(ball, kAbove);
@@ -243,7 +244,7 @@ TEST(ThinWalls, share_light_between_shadow_rays_and_paths_without_loss) {
   }
 }
 
-/// A lamp of +-half in z = 3: a mesh, which shadow rays are aimed at, or a box, which paths meet by chance alone.
+/// A lamp of +-half in z = 3: a mesh, which shadow rays sample, or a box, which paths hit only by chance.
 Scene lit_through_a_wall(const MetallicRoughness& surface, const MetallicRoughness& wall, bool by_chance, int depth) {
   SmallScene s = floor_scene(surface);
   s.scene.max_depth = depth;
@@ -275,8 +276,8 @@ Estimate estimate(const Scene& scene) {
   return {of_mean, (squares / kSeeds - of_mean * of_mean) / (kSeeds - 1)};
 }
 
-// z below 4.5: with 11 degrees of freedom one of 1,000 honest pairs exceeds it; seeds are fixed.
-TEST(ThinWalls, light_is_what_paths_find_by_chance) {
+// z below 4.5: with 11 degrees of freedom one of 1,000 correct pairs exceeds it; seeds are fixed.
+TEST(ThinWalls, light_matches_random_paths) {
   MetallicRoughness plain = pane(kGreenish), layered = pane(kGreenish);
   layered.clearcoat = 0.8f, layered.clearcoat_roughness = 0.3f, layered.transmission = 0.7f;
   layered.extensions->iridescence.share = 0.6f;
@@ -292,7 +293,7 @@ TEST(ThinWalls, light_is_what_paths_find_by_chance) {
       }
 }
 
-TEST(ThinWalls, show_surroundings_that_are_part_of_the_picture) {
+TEST(ThinWalls, show_the_visible_background) {
   SmallScene s;
   surround(s, Vec3f(0.5f));
   s.add(square(20, 0), s.material(tinted_foil(Vec3f(0.5f))));
@@ -310,8 +311,8 @@ TEST(ThinWalls, show_surroundings_that_are_part_of_the_picture) {
   }
 }
 
-// What is lit through a pane is direct light, whoever finds it and from whichever side the pane is looked through.
-TEST(ThinWalls, direct_light_through_them_is_direct) {
+// Light through a pane is direct light, however it is found and from whichever side the pane is seen.
+TEST(ThinWalls, transmitted_direct_light_stays_direct) {
   SmallScene s = floor_scene();
   s.scene.max_depth = 1;
   s.add(square(1, 3), s.material(glowing(Vec3f(4.0f))));
@@ -321,7 +322,7 @@ TEST(ThinWalls, direct_light_through_them_is_direct) {
   EXPECT_EQ(mean(p.aovs[Aov::kIndirect]), 0.0);
 }
 
-TEST(ThinWalls, are_the_same_for_any_number_of_threads) {
+TEST(ThinWalls, threads_do_not_change_bits) {
   const Scene scene = lit_through_a_wall(brushed_steel(), pane(kGreenish), false, 5);
   EXPECT_EQ(trace_paths(scene, single_view(32), 16, {}, 1, kCloseUp).film.data,
             trace_paths(scene, single_view(32), 16, {}, 3, kCloseUp).film.data);

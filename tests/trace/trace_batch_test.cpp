@@ -1,4 +1,4 @@
-// The loop over camera packets, with an integrator of the test's own.
+// The loop over camera packets, with an integrator defined in the test.
 #include "trace/trace_batch.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using namespace test;
 
-/// Counts what it is given: camera rays by pixel, and in which order the loop calls.
+/// Counts camera rays by pixel, and records the order of the loop's calls.
 struct CountingIntegrator {
   std::vector<int> rays, hits;
   std::vector<char> calls;  ///< b: begin, p: primary, f: finish
@@ -31,7 +31,7 @@ struct CountingIntegrator {
 
 class TraceBatch : public ::testing::Test {
  protected:
-  /// A square that fills the left half of the picture, 20 pixels wide and high: neither is a multiple of a packet's 16.
+  /// A square that fills the left half of the picture, 20 pixels wide and high, which is not a multiple of a packet's 16.
   TraceBatch() {
     s_.add(square(0.5f, 0.0f), s_.material(matte(Vec3f(0.5f))), s_.node({Mat3f(1.0f), {-0.5f, 0.0f, 0.0f}}));
     device_.emplace(s_.scene, pool_);
@@ -45,7 +45,7 @@ class TraceBatch : public ::testing::Test {
   CountingIntegrator integrator_{400};
 };
 
-TEST_F(TraceBatch, every_pixel_has_one_ray_through_its_centre_which_has_met_the_scene) {
+TEST_F(TraceBatch, every_pixel_has_one_central_ray) {
   trace_centres({*device_, optics_, {}}, RayOrder::kRows, pool_, integrator_);
   int seen = 0;
   for (std::size_t p = 0; p < 400; ++p) {
@@ -56,14 +56,14 @@ TEST_F(TraceBatch, every_pixel_has_one_ray_through_its_centre_which_has_met_the_
   EXPECT_GT(seen, 0);
 }
 
-TEST_F(TraceBatch, a_batch_is_shaded_before_it_is_finished_sample_by_sample) {
+TEST_F(TraceBatch, batches_are_shaded_before_they_finish) {
   const PacketSource source(optics_, {}, RayOrder::kRows, SubPixel{});
   const int packets[] = {0, 3};
   trace_batch(device_->shaded(), StripPackets{source, 0}, {packets, 1, 3}, integrator_);
   EXPECT_EQ(std::string(integrator_.calls.begin(), integrator_.calls.end()), "bppfbppf");
 }
 
-TEST_F(TraceBatch, pixels_are_cleared_before_their_first_sample_and_no_others) {
+TEST_F(TraceBatch, only_traced_pixels_are_cleared) {
   const PacketSource source(optics_, {}, RayOrder::kRows, SubPixel{});
   Image film(20, 20, 3);
   std::fill(film.data.begin(), film.data.end(), 7.0f);
@@ -72,7 +72,7 @@ TEST_F(TraceBatch, pixels_are_cleared_before_their_first_sample_and_no_others) {
   for (std::size_t p = 0; p < 400; ++p) EXPECT_EQ(film.data[3 * p], integrator_.rays[p] ? 0.0f : 7.0f) << p;
 }
 
-TEST(FrameWork, wanted_packets_form_batches_of_a_blocks_size_and_blocks_keep_their_place) {
+TEST(FrameWork, wanted_packets_form_batches) {
   std::vector<std::uint8_t> wanted(2 * 40, 0);
   for (const int p : {1, 5, 39}) wanted[40 + static_cast<std::size_t>(p)] = 1;
   std::vector<std::vector<int>> batches;

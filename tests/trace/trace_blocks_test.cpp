@@ -1,4 +1,4 @@
-// Blocks of a frame: traced alone they are as in the frame, and they know which boxes their rays meet.
+// Blocks of a frame: traced alone they equal those of the frame, and record which boxes their rays hit.
 #include <gtest/gtest.h>
 
 #include "lippmann/optics/optics.hpp"
@@ -40,7 +40,7 @@ class TraceBlocks : public testing::TestWithParam<RayOrder> {
   TraceParams params_;
 };
 
-TEST_P(TraceBlocks, any_of_them_traced_alone_are_as_in_the_frame) {
+TEST_P(TraceBlocks, blocks_traced_alone_equal_the_frame) {
   const TracedBlocks whole = frame({});
   const std::size_t blocks = whole.touched.lowest_horizon.size();
   ASSERT_GT(blocks, 10u);
@@ -62,7 +62,7 @@ TEST_P(TraceBlocks, any_of_them_traced_alone_are_as_in_the_frame) {
   }
 }
 
-TEST_P(TraceBlocks, rays_of_all_blocks_are_those_of_the_frame) {
+TEST_P(TraceBlocks, rays_of_blocks_sum_to_the_frame) {
   const TracedBlocks whole = frame({});
   std::uint64_t rays = 0;
   for (const std::uint32_t n : whole.touched.rays) rays += n;
@@ -71,7 +71,7 @@ TEST_P(TraceBlocks, rays_of_all_blocks_are_those_of_the_frame) {
   EXPECT_EQ(film.data, whole.film.data);
 }
 
-TEST_P(TraceBlocks, box_around_everything_is_met_by_all_and_box_away_from_all_rays_by_none) {
+TEST_P(TraceBlocks, surrounding_boxes_are_hit_distant_ones_missed) {
   const Bounds3f around{Vec3f(-50), Vec3f(50)}, away{Vec3f(500), Vec3f(501)}, endless{Vec3f(-kInfinity), Vec3f(kInfinity)};
   const auto expect_all = [&](const std::vector<HorizonBox>& boxes, std::uint8_t expected) {
     const TouchedBlocks touched = frame(boxes).touched;
@@ -85,7 +85,7 @@ TEST_P(TraceBlocks, box_around_everything_is_met_by_all_and_box_away_from_all_ra
   expect_all({{around, 5}, {endless, 2}}, 2);
 }
 
-TEST_P(TraceBlocks, packets_traced_alone_are_as_in_the_frame) {
+TEST_P(TraceBlocks, packets_traced_alone_equal_the_frame) {
   const TracedBlocks whole = frame({});
   const StripOrder order = make_strip_order(optics_, GetParam());
   const std::size_t per_strip = (order.pixels.size() + 15) / 16;
@@ -105,7 +105,7 @@ TEST_P(TraceBlocks, packets_traced_alone_are_as_in_the_frame) {
     }
 }
 
-TEST(TracePackets, of_paths_are_as_in_the_frame) {
+TEST(TracePackets, of_paths_equal_the_frame) {
   SmallScene s;
   s.scene.max_depth = 4;
   s.scene.background.horizon = s.scene.background.zenith = Vec3f(0.5f);
@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(Orders, TraceBlocks, testing::Values(RayOrder::kRows, R
                            return std::string(order.param == RayOrder::kViewTiles ? "view_tiles" : to_string(order.param));
                          });
 
-/// Which blocks of 4 rows of a view of 64 x 64 pixels have to do with the box (1, else kNever).
+/// Returns which blocks of 4 rows of a 64 x 64 view depend on the box (1, otherwise kNever).
 std::vector<std::uint8_t> blocks_that_meet(SmallScene& s, const Bounds3f& box) {
   const ThreadPool pool(1);
   const Context context;
@@ -160,23 +160,23 @@ void expect_met(const std::vector<std::uint8_t>& lowest_horizon, const std::set<
     EXPECT_EQ(lowest_horizon[b], expected.contains(b) ? 1 : TouchedBlocks::kNever) << "block " << b;
 }
 
-TEST(TouchProbe, primary_rays_meet_what_lies_before_their_hit_only) {
+TEST(TouchProbe, primary_rays_touch_boxes_before_their_hit) {
   SmallScene s;
   s.add(square(3, 0), s.material(glowing(Vec3f(1.0f))));
   expect_met(blocks_that_meet(s, {{0.1f, 0.3f, 0.0f}, {0.2f, 0.45f, 0.01f}}), {6});
   expect_met(blocks_that_meet(s, {{0.1f, 0.3f, -0.3f}, {0.2f, 0.45f, -0.2f}}), {});
 }
 
-TEST(TouchProbe, shadow_rays_meet_what_lies_between_their_surface_and_the_light) {
+TEST(TouchProbe, shadow_rays_touch_boxes_before_the_light) {
   SmallScene s;
   s.add(square(3, 0), s.material(matte(Vec3f(1.0f))));
   s.point_light({0, 40, 4});
-  // Seen from above the picture's upper edge at y = 2: rays to the light pass y = 22 at z = 2, those to the view do not.
+  // Seen from above the picture's upper edge at y = 2: rays to the light pass y = 22 at z = 2, view rays do not.
   expect_met(blocks_that_meet(s, {{-50, 20, 1}, {50, 24, 3}}), {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15});
   expect_met(blocks_that_meet(s, {{-50, 41, 1}, {50, 44, 3}}), {});
 }
 
-TEST(TouchProbe, mirror_rays_meet_what_they_show) {
+TEST(TouchProbe, mirror_rays_touch_reflected_boxes) {
   SmallScene s;
   s.scene.max_depth = 2;
   s.add(square(3, 0), s.material(mirror(0.5f)));

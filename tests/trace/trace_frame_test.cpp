@@ -1,4 +1,4 @@
-// What must not change a picture: threads, ray order, how an instance is stored, samples that see the same.
+// Settings that must not change a picture: threads, ray order, storage of instances, redundant samples.
 #include "trace/trace_frame.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using namespace test;
 
-/// Spheres, boxes and a floor, mirrors and glass among them.
+/// Spheres, boxes and a floor, including mirrors and glass.
 SmallScene scene_with_all_rays() {
   SmallScene s = busy_scene(3);
   s.add(square(3, -2), 1);
@@ -18,7 +18,7 @@ SmallScene scene_with_all_rays() {
   return s;
 }
 
-TEST(TraceFrame, any_number_of_threads_gives_the_same_bits) {
+TEST(TraceFrame, threads_do_not_change_bits) {
   const SmallScene s = scene_with_all_rays();
   const Picture one = trace(s.scene, lenticular_view(), {}, 1);
   for (const int threads : {2, 4}) {
@@ -39,7 +39,7 @@ TEST(TraceFrame, every_ray_order_gives_the_same_picture) {
   }
 }
 
-TEST(TraceFrame, moving_objects_look_as_fixed_ones_in_the_same_place) {
+TEST(TraceFrame, moving_objects_equal_static_ones) {
   const Vec3f there(0.3f, -0.2f, 0.5f);
   const auto build = [&](bool moving) {
     SmallScene s;
@@ -64,13 +64,13 @@ TEST(TraceFrame, moving_objects_look_as_fixed_ones_in_the_same_place) {
     const double d = fixed.film.data[i] - moved.film.data[i];
     squares += d * d;
   }
-  // Rounding of the transform may move an edge across a pixel's centre: at most a few of the 3,200 pixels.
+  // Rounding of the transform may move an edge across a pixel's centre: for at most a few of the 3,200 pixels.
   EXPECT_LT(squares / static_cast<double>(fixed.film.data.size()), 1e-4);
   EXPECT_NE(trace(build(true).scene, lenticular_view(), {}, 1, 0.0).film.data, moved.film.data);
 }
 
-TEST(TraceFrame, shared_mesh_as_embree_instance_looks_as_flattened) {
-  // Above the flattening limit (200,000 triangles in all its copies) a mesh is shared; a finely cut square reaches it.
+TEST(TraceFrame, instanced_meshes_equal_flattened_ones) {
+  // Above the flattening limit (200,000 triangles in all its copies) a mesh is shared; a finely divided square exceeds it.
   const auto build = [&](int cuts) {
     SmallScene s;
     Mesh grid;
@@ -93,11 +93,11 @@ TEST(TraceFrame, shared_mesh_as_embree_instance_looks_as_flattened) {
   std::size_t different = 0;
   for (std::size_t i = 0; i < flattened.film.data.size(); ++i)
     different += std::abs(flattened.film.data[i] - shared.film.data[i]) > 1e-4f;
-  EXPECT_LE(different, 6u) << "two edge pixels at most";
+  EXPECT_LE(different, 6u) << "at most two edge pixels";
   EXPECT_GT(flattened.at(8, 16).x, 0.1f);
 }
 
-TEST(TraceFrame, more_samples_average_an_edge_by_its_coverage) {
+TEST(TraceFrame, samples_average_edges_by_coverage) {
   SmallScene s;
   Mesh half = square(10, 0);
   for (Vec3f& p : half.positions) p.x = p.x < 0 ? -10.0f : 0.0f;  // covers x < 0: half of the middle column
@@ -105,7 +105,7 @@ TEST(TraceFrame, more_samples_average_an_edge_by_its_coverage) {
   TraceParams params;
   params.spp = 64;
   const Picture p = trace(s.scene, single_view(33), params);
-  for (int y = 0; y < 33; ++y) EXPECT_NEAR(p.at(16, y).x, 0.5f, 1.01f / 64) << "stratified: one sample off at most";
+  for (int y = 0; y < 33; ++y) EXPECT_NEAR(p.at(16, y).x, 0.5f, 1.01f / 64) << "stratified: at most one sample off";
   EXPECT_NEAR(p.at(10, 5).x, 1.0f, 1e-5f);
   EXPECT_EQ(p.at(20, 5).x, 0.0f);
   EXPECT_EQ(p.film.data, trace(s.scene, single_view(33), params).film.data) << "repeats bit for bit";

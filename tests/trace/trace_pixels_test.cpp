@@ -1,4 +1,4 @@
-// Single pixels traced into a frame, and the first hits that are kept while one is traced.
+// Tracing single pixels into a frame, and the first hits kept while tracing.
 #include "trace/trace_pixels.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using namespace test;
 
-/// With a light that is seen, before a sky.
+/// Includes a visible light, in front of a sky.
 SmallScene scene_of_everything() {
   SmallScene s = busy_scene(7);
   s.scene.background.horizon = {0.2f, 0.3f, 0.5f};
@@ -39,7 +39,7 @@ class TracePixels : public testing::Test {
     return t;
   }
 
-  /// Some pixels of every strip, ascending.
+  /// Returns some pixels of every strip, in ascending order.
   std::vector<std::uint32_t> some_pixels() const {
     std::vector<std::uint32_t> pixels;
     std::mt19937 random(11);
@@ -56,7 +56,7 @@ class TracePixels : public testing::Test {
   TraceParams params_;
 };
 
-TEST_F(TracePixels, given_pixels_get_the_frames_bits_and_all_others_stay) {
+TEST_F(TracePixels, only_given_pixels_change) {
   for (const int spp : {1, 3})
     for (const RayOrder order : {RayOrder::kRows, RayOrder::kColumns, RayOrder::kViewTiles}) {
       params_.spp = spp, params_.order = order;
@@ -99,13 +99,13 @@ TEST_F(TracePixels, no_pixels_trace_nothing) {
   EXPECT_EQ(trace_pixels({device_, optics_, {}}, params_, {}, {pool_, context_}, film).total(), 0u);
 }
 
-TEST_F(TracePixels, points_of_a_frame_are_its_depth_and_object_layers) {
+TEST_F(TracePixels, points_equal_depth_and_object_layers) {
   for (const int spp : {1, 3}) {
     params_.spp = spp;
     const TracedPixels t = whole();
     std::size_t lights = 0, background = 0;
     for (std::size_t p = 0; p < 64 * 50; ++p) {
-      // Lights are objects after the instances; the layer of ids knows none.
+      // Lights are objects after the instances; the layer of ids has none.
       const std::uint32_t object = t.points.object[p];
       const bool is_light = object == s_.scene.instances.size() + 1;
       lights += is_light, background += object == kNoObject;

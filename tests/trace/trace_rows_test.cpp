@@ -1,4 +1,4 @@
-// Some rows of a film: light and first hits are those of the same rows of the whole, to the bit.
+// Tracing some rows of a film: light and first hits have the same bits as in the whole film.
 #include <gtest/gtest.h>
 
 #include "trace/small_scene.hpp"
@@ -49,7 +49,7 @@ class TraceRows : public testing::TestWithParam<RayOrder> {
   TraceParams params_;
 };
 
-TEST_P(TraceRows, have_the_light_and_the_first_hits_of_the_whole_film) {
+TEST_P(TraceRows, equal_those_of_the_whole_film) {
   const int together = rows_per_strip(optics_);
   ASSERT_LT(3 * together, 70);
   const Image whole = film();
@@ -61,7 +61,7 @@ TEST_P(TraceRows, have_the_light_and_the_first_hits_of_the_whole_film) {
   }
 }
 
-TEST_P(TraceRows, single_pixels_of_them_are_those_of_the_whole_film) {
+TEST_P(TraceRows, single_pixels_equal_the_whole_film) {
   const FilmRows rows{2 * rows_per_strip(optics_)};
   Image some = film(rows);
   const Image traced = some;

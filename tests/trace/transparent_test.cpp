@@ -1,4 +1,4 @@
-// Films with alpha: the surroundings light the scene and are not seen. Views are from (0, 0, 10) at the square +-2.
+// Films with alpha: the background lights the scene but is invisible. Views are from (0, 0, 10) at the square +-2.
 #include <gtest/gtest.h>
 
 #include "trace/small_scene.hpp"
@@ -24,7 +24,7 @@ Picture traced(const Scene& scene, Integrator integrator, int spp, bool transpar
 
 float alpha(const Picture& p, int x, int y) { return p.aovs[Aov::kAlpha].pixel(x, y)[0]; }
 
-/// A square from -1 to 1 before surroundings of 0.5.
+/// A square from -1 to 1 in front of a background of 0.5.
 SmallScene square_before_grey(const auto& surface) {
   SmallScene s;
   s.scene.max_depth = 4;
@@ -34,7 +34,7 @@ SmallScene square_before_grey(const auto& surface) {
   return s;
 }
 
-TEST(Transparent, what_is_hit_is_as_before_and_what_is_not_is_empty) {
+TEST(Transparent, hits_are_unchanged_and_misses_empty) {
   const Scene scene = square_before_grey(matte(Vec3f(0.8f))).scene;
   for (const Integrator integrator : kBoth) {
     const Picture p = traced(scene, integrator, 4), opaque = traced(scene, integrator, 4, false);
@@ -46,27 +46,27 @@ TEST(Transparent, what_is_hit_is_as_before_and_what_is_not_is_empty) {
   }
 }
 
-// The square's edge at x = 1.05 runs through pixel 24, from x = 1 to 1.125: 0.4 of it.
-TEST(Transparent, edges_have_the_share_of_samples_that_hit) {
+// The square's edge at x = 1.05 passes through pixel 24, from x = 1 to 1.125: 0.4 of it.
+TEST(Transparent, edges_have_partial_alpha) {
   SmallScene s;
   s.add(square(1.05f, 0), s.material(glowing(Vec3f(1.0f))));
   for (const Integrator integrator : kBoth) {
     const Picture p = traced(s.scene, integrator, 64);
-    EXPECT_NEAR(alpha(p, 24, 16), 0.4f, 1.0f / 64);  // the samples' x lie 1/64 of a pixel apart
+    EXPECT_NEAR(alpha(p, 24, 16), 0.4f, 1.0f / 64);  // the samples' x are 1/64 of a pixel apart
     EXPECT_NEAR(p.at(24, 16).x, alpha(p, 24, 16), 1e-5f) << "colours are multiplied by alpha";
   }
 }
 
-TEST(Transparent, blended_surfaces_have_the_alpha_of_their_coverage) {
+TEST(Transparent, blended_surfaces_have_partial_alpha) {
   MetallicRoughness veil;
   veil.base_color.a = 0.25f, veil.blend = true, veil.unlit = true;
   const Scene scene = square_before_grey(veil).scene;
   EXPECT_EQ(alpha(traced(scene, Integrator::kWhitted, 1), 16, 16), 0.25f);
   EXPECT_NEAR(traced(scene, Integrator::kWhitted, 1).at(16, 16).x, 0.25f, 1e-6f);
-  EXPECT_NEAR(alpha(traced(scene, Integrator::kPath, 1024), 16, 16), 0.25f, 0.05f);  // 3.7 sigma of 1024 samples
+  EXPECT_NEAR(alpha(traced(scene, Integrator::kPath, 1024), 16, 16), 0.25f, 0.05f);  // 3.7 sigma for 1024 samples
 }
 
-TEST(Transparent, what_alpha_cuts_away_is_empty_and_what_glass_shows_is_not) {
+TEST(Transparent, masked_parts_are_empty_glass_is_not) {
   MetallicRoughness cut, glass;
   cut.base_color.a = 0.25f, cut.alpha_cutoff = 0.5f;
   glass.transmission = 1.0f, glass.roughness = 0.0f, glass.metallic = 0.0f;
@@ -76,7 +76,7 @@ TEST(Transparent, what_alpha_cuts_away_is_empty_and_what_glass_shows_is_not) {
     EXPECT_EQ(gone.at(16, 16), Vec3f(0.0f));
     const Picture pane = traced(square_before_grey(glass).scene, integrator, 16);
     EXPECT_EQ(alpha(pane, 16, 16), 1.0f);
-    EXPECT_GT(pane.at(16, 16).x, 0.3f) << "the surroundings, through it";
+    EXPECT_GT(pane.at(16, 16).x, 0.3f) << "the background, through the pane";
   }
 }
 

@@ -1,4 +1,5 @@
-// Shading against values worked out by hand. The view is from (0, 0, 10) at the square +-2; its central rays run along -z.
+// Shading compared with values worked out by hand. The view is from (0, 0, 10) at the square +-2; its central rays run along
+// -z.
 #include <gtest/gtest.h>
 
 #include "lippmann/core/error.hpp"
@@ -11,10 +12,10 @@ using namespace test;
 
 // An odd size puts a pixel's centre on the axis.
 constexpr int kSize = 33, kMiddle = 16;
-// How far single-precision shading may be off along one path.
+// Tolerance of single-precision shading along one path.
 constexpr float kRounding = 2e-5f;
 
-TEST(Whitted, empty_scene_shows_the_background) {
+TEST(Whitted, empty_scenes_show_the_background) {
   SmallScene s;
   s.scene.background.horizon = s.scene.background.zenith = {0.1f, 0.2f, 0.3f};
   const Picture p = trace(s.scene, single_view(kSize));
@@ -23,7 +24,7 @@ TEST(Whitted, empty_scene_shows_the_background) {
   EXPECT_EQ(p.aovs[Aov::kDepth].data[0], -kInfinity);
 }
 
-TEST(Whitted, background_gradient_blends_by_the_sine_of_elevation) {
+TEST(Whitted, background_blends_by_the_sine_of_elevation) {
   SmallScene s;
   s.scene.background = {{0, 0, 0}, {1, 1, 1}, {0, 1, 0}};
   const Picture p = trace(s.scene, single_view(kSize));
@@ -54,7 +55,7 @@ TEST(Whitted, inverse_square_and_range_and_directional_light) {
   expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(8.0f / 16.0f), kRounding);
   light.range = 3.9f;
   expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(0.0f), 0.0f);
-  light.kind = LightKind::kDirectional;  // along -z, straight down on the square; range and distance do not count
+  light.kind = LightKind::kDirectional;  // along -z, straight down on the square; range and distance do not matter
   expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(8.0f), 1e-4f);
 }
 
@@ -75,7 +76,7 @@ TEST(Whitted, spot_light_ends_at_its_outer_cone) {
   expect_color(p.at(kMiddle + 4, kMiddle), Vec3f(ramp * ramp * cosine), 1e-4f);
 }
 
-TEST(Whitted, blinn_highlight_has_its_value_and_its_tint) {
+TEST(Whitted, blinn_highlight_has_value_and_tint) {
   SmallScene s;
   PhongSurface surface = matte({0.5f, 0.25f, 1.0f});
   surface.diffuse = 0.0f;
@@ -93,7 +94,7 @@ TEST(Whitted, blinn_highlight_has_its_value_and_its_tint) {
   expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(lobe), kRounding);
 }
 
-TEST(Whitted, sphere_between_light_and_square_casts_its_shadow) {
+TEST(Whitted, spheres_cast_shadows) {
   SmallScene s;
   s.add(square(2, 0), s.material(matte(Vec3f(1.0f))));
   s.add(Spheres{{{1.0f, 0, 3.0f}, 0.3f}}, s.material(matte(Vec3f(1.0f))));
@@ -103,7 +104,7 @@ TEST(Whitted, sphere_between_light_and_square_casts_its_shadow) {
   EXPECT_GT(p.at(kMiddle - 8, kMiddle).x, 0.5f);
 }
 
-TEST(Whitted, see_through_blocker_weakens_the_shadow_by_its_opacity) {
+TEST(Whitted, transparent_blockers_attenuate_by_opacity) {
   for (const bool analytic : {true, false}) {
     SmallScene s;
     s.add(square(2, 0), s.material(matte(Vec3f(1.0f))));
@@ -119,16 +120,16 @@ TEST(Whitted, see_through_blocker_weakens_the_shadow_by_its_opacity) {
   }
 }
 
-TEST(Whitted, rays_along_the_edge_that_triangles_share_meet_one_of_them) {
-  // A square larger than the view with its diagonal through pixels' centres; turned in its mesh and turned back by its node,
-  // so that crossings of the diagonal round either way.
+TEST(Whitted, rays_along_shared_edges_hit) {
+  // A square larger than the view with its diagonal through pixels' centres, rotated in its mesh and rotated back by its node,
+  // so that crossings of the diagonal round in both directions.
   constexpr int kPixels = 200;
   int holes = 0;
   for (int n = 1; n <= 100; ++n) {
     SmallScene s;
     const Mat3f turn = glm::mat3_cast(glm::angleAxis(0.37f * static_cast<float>(n), glm::normalize(Vec3f(0.3f, 0.4f, 0.8f))));
     Mesh mesh = square(2.5f, 0);
-    mesh.triangles = {{3, 2, 0}, {2, 1, 0}};  // the shared edge is another side of each: its two tests round differently
+    mesh.triangles = {{3, 2, 0}, {2, 1, 0}};  // the shared edge is a different side of each: their tests round differently
     for (Vec3f& p : mesh.positions) p = glm::transpose(turn) * p;
     s.add(mesh, s.material(glowing(Vec3f(1.0f))), s.node({turn, Vec3f(0.0f)}));
     s.add(Shape(mesh), 0, s.node({turn, Vec3f(0.0f, 100.0f, 0.0f)}));  // a second use makes both of them Embree instances
@@ -138,8 +139,8 @@ TEST(Whitted, rays_along_the_edge_that_triangles_share_meet_one_of_them) {
   EXPECT_EQ(holes, 0);
 }
 
-/// A right-angled triangle in the plane z = 0 that covers the quarter x > 0, y > 0 of the view, lit squarely; its normals are
-/// given, or left to the facet.
+/// A right-angled triangle in the plane z = 0 that covers the quarter x > 0, y > 0 of the view, lit perpendicularly; its
+/// normals are given, or the facet's.
 Picture picture_of_corner(const Affine3f& place, bool smooth, bool moving) {
   SmallScene s;
   Mesh corner;
@@ -153,7 +154,7 @@ Picture picture_of_corner(const Affine3f& place, bool smooth, bool moving) {
   return trace(s.scene, single_view(kSize));
 }
 
-TEST(Whitted, mirrored_node_shows_its_mesh_turned_over_and_lit_from_the_same_side) {
+TEST(Whitted, mirrored_nodes_flip_meshes_but_not_light) {
   const Affine3f mirrored{Mat3f(Vec3f(-1, 0, 0), Vec3f(0, 1, 0), Vec3f(0, 0, 1)), Vec3f(0.0f)};
   for (const bool smooth : {false, true})
     for (const bool moving : {false, true}) {
@@ -187,7 +188,7 @@ TEST(Whitted, analytic_shapes_scaled_to_nothing_show_nothing) {
     }
 }
 
-TEST(Whitted, node_squeezed_to_almost_nothing_shows_nothing_and_the_rest_stays) {
+TEST(Whitted, nearly_flat_nodes_show_nothing) {
   SmallScene s;
   Mesh corner;
   corner.positions = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}};
@@ -202,7 +203,7 @@ TEST(Whitted, node_squeezed_to_almost_nothing_shows_nothing_and_the_rest_stays) 
   expect_color(p.at(kMiddle + 9, kMiddle - 9), Vec3f(0.0f), 0.0f);
 }
 
-TEST(Whitted, rays_that_overflow_meet_nothing) {
+TEST(Whitted, overflowing_rays_hit_nothing) {
   SmallScene s;
   s.add(Spheres{{Vec3f(0.0f), 1.0f}}, s.material(matte(Vec3f(0.5f))));
   s.point_light({1e30f, 0, 0});
@@ -214,7 +215,7 @@ TEST(Whitted, rays_that_overflow_meet_nothing) {
   }
 }
 
-TEST(Whitted, facets_far_smaller_than_a_unit_are_lit_as_large_ones) {
+TEST(Whitted, tiny_facets_are_lit_like_large_ones) {
   for (const float size : {1.0f, 1e-9f}) {
     SmallScene s;
     Mesh corner;
@@ -227,7 +228,7 @@ TEST(Whitted, facets_far_smaller_than_a_unit_are_lit_as_large_ones) {
   }
 }
 
-TEST(Whitted, paths_that_split_without_end_are_an_error_that_names_max_depth) {
+TEST(Whitted, endless_splitting_names_max_depth) {
   SmallScene s;
   PhongSurface half_mirror;
   half_mirror.mirror = half_mirror.opacity = 0.5f;
@@ -242,7 +243,7 @@ TEST(Whitted, paths_that_split_without_end_are_an_error_that_names_max_depth) {
   }
 }
 
-TEST(Whitted, mirror_shows_what_lies_behind_the_viewer) {
+TEST(Whitted, mirrors_show_objects_behind_the_viewer) {
   SmallScene s;
   s.scene.max_depth = 2;
   s.add(square(2, 0), s.material(mirror(0.5f)));
@@ -253,7 +254,7 @@ TEST(Whitted, mirror_shows_what_lies_behind_the_viewer) {
 }
 
 TEST(Whitted, facing_mirrors_end_at_the_depth_limit) {
-  // Vertices: front mirror, back mirror, front mirror ...; each adds 1 x emission. At the limit the background is seen.
+  // Vertices: front mirror, back mirror, front mirror ...; each adds 1 x emission. At the limit the background is visible.
   SmallScene s;
   s.scene.background.horizon = s.scene.background.zenith = Vec3f(8.0f);
   PhongSurface surface = mirror(0.5f);
@@ -273,7 +274,7 @@ TEST(Whitted, facing_mirrors_end_at_the_depth_limit) {
   }
 }
 
-TEST(Whitted, glass_slab_shifts_what_is_behind_it_by_snells_law) {
+TEST(Whitted, glass_slabs_shift_by_snells_law) {
   // A ray that enters a slab of thickness d at angle a leaves parallel, shifted sideways by d sin(a - b) / cos b.
   SmallScene s;
   s.scene.max_depth = 3;
@@ -281,7 +282,7 @@ TEST(Whitted, glass_slab_shifts_what_is_behind_it_by_snells_law) {
   glass.opacity = 0.0f;
   glass.ior = 1.5f;
   s.add(Boxes{{{-20, -20, 0}, {20, 20, 4}}}, s.material(glass));
-  Mesh ramp = square(20, -1);  // its colour tells x: 0 at -20, 1 at +20
+  Mesh ramp = square(20, -1);  // its colour encodes x: 0 at -20, 1 at +20
   Texture gradient;
   gradient.width = 256, gradient.height = 1;
   gradient.srgb = false;
@@ -293,11 +294,11 @@ TEST(Whitted, glass_slab_shifts_what_is_behind_it_by_snells_law) {
   glow.texture = 0;
   s.add(ramp, s.material(glow));
   const Picture p = trace(s.scene, single_view(kSize));
-  const float x0 = 4.0f * 16.0f / 33.0f;  // the last pixel's crossing of z = 0
+  const float x0 = 4.0f * 16.0f / 33.0f;  // the last pixel's intersection with z = 0
   const float slope = x0 / 10.0f;         // tan a
   const float sine = slope / std::sqrt(1.0f + slope * slope), inside = std::tan(std::asin(sine / 1.5f));
   const float x = slope * (10.0f - 4.0f) + inside * 4.0f + slope * 1.0f;
-  // The texture steps by 40 / 256 per texel: half a step of tolerance.
+  // The texture steps by 40 / 256 per texel; the tolerance is half a step.
   EXPECT_NEAR(p.at(kSize - 1, kMiddle).x * 40.0f * 255.0f / 256.0f - 20.0f + 20.0f / 256.0f, x, 0.03f);
 }
 
@@ -323,7 +324,7 @@ TEST(Whitted, back_side_is_shaded_like_the_front) {
   expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(1.0f), kRounding);
 }
 
-TEST(Whitted, visible_light_is_a_ball_of_its_colour_and_casts_no_shadow) {
+TEST(Whitted, visible_lights_are_balls_without_shadow) {
   SmallScene s;
   s.add(square(2, 0), s.material(matte(Vec3f(1.0f))));
   s.point_light({0, 0, 2}, {0.5f, 0.25f, 0.125f}).visible_radius = 0.3f;
@@ -333,7 +334,7 @@ TEST(Whitted, visible_light_is_a_ball_of_its_colour_and_casts_no_shadow) {
   EXPECT_GT(p.at(kMiddle + 6, kMiddle).z, 0.8f) << "lit by the second light, past the first one's ball";
 }
 
-TEST(Whitted, infinite_plane_is_seen_and_shadows) {
+TEST(Whitted, infinite_planes_are_visible_and_cast_shadows) {
   SmallScene s;
   s.add(Planes{{{0, 0, -1}, {0, 0, 1}}}, s.material(matte(Vec3f(1.0f))));
   s.point_light({0, 0, -3});  // behind the plane
