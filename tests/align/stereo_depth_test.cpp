@@ -64,7 +64,7 @@ TEST_F(StereoDepth, warns_of_rows_that_differ) {
 TEST_F(StereoDepth, refuses_pictures_of_different_things) {
   const Image8 plain{640, 480, std::vector<unsigned char>(std::size_t{3} * 640 * 480, 90)};
   EXPECT_THAT(error_message([&] { disparity_of_pair(plain, shot(1, {}), "pair.png", context_); }),
-              HasSubstr("pair.png: its two pictures share 0 places"));
+              HasSubstr("pair.png: its two pictures share only 0 points"));
 }
 
 }  // namespace

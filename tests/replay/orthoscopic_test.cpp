@@ -87,7 +87,7 @@ TEST(RotateElemental, pixels_are_rotated_about_their_lens_centre) {
 
 TEST(RotateElemental, fractional_lenses_are_refused) {
   EXPECT_THAT(test::error_message([] { rotated_elemental_images(test::sheet(kInfinity, 0.3f), "a.png"); }),
-              HasSubstr("whole pixels"));
+              HasSubstr("whole number of pixels"));
 }
 
 TEST(Spoc, equal_arrays_at_0_rotate_elemental_images) {

@@ -107,7 +107,7 @@ TEST_F(Dropped, limits_on_count_kind_and_bytes) {
   EXPECT_THAT(message("0/../x", "x"), HasSubstr("no such picture"));
   pictures_->post("0/0", std::string(60000, 'x'));
   EXPECT_THAT(message("1/0", std::string(60000, 'x')), HasSubstr("more than"));
-  EXPECT_THAT(message("1/0", "x"), HasSubstr("once more"));
+  EXPECT_THAT(message("1/0", "x"), HasSubstr("dropping the pictures again"));
 }
 
 TEST_F(Dropped, shown_pictures_stay_until_replaced) {
