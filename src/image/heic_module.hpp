@@ -19,10 +19,10 @@ struct HeicPicture {
   std::string problem = {};               ///< error message; empty on success
 };
 
-/// The depth image stored beside the main picture, as portrait photos of telephones have it.
+/// The depth image stored beside the main picture, as in portrait photos of phones.
 struct HeicDepth {
   HeicPicture image;  ///< grey as R, G and B; no codes if the file has no depth image
-  bool is_z = false;  ///< codes grow with z; else with 1 / z or disparity
+  bool is_z = false;  ///< codes grow with z; otherwise with 1 / z or disparity
 };
 
 class HeicModule {

@@ -38,10 +38,10 @@ Image read_channels(const std::filesystem::path& path, std::span<const std::stri
 /// A depth image that a file stores beside its main picture.
 struct StoredDepth {
   Image grey;         ///< one channel, 0 to 1, of any size
-  bool is_z = false;  ///< grey grows with z, the distance from the camera; else with 1 / z or disparity
+  bool is_z = false;  ///< grey grows with z, the distance from the camera; otherwise with 1 / z or disparity
 };
 
-/// Reads the depth image of a HEIC file, such as a portrait photo of a telephone. Returns nothing for files without one and for
+/// Reads the depth image of a HEIC file, such as a portrait photo of a phone. Returns nothing for files without one and for
 /// other formats.
 std::optional<StoredDepth> read_stored_depth(const std::filesystem::path& path);
 

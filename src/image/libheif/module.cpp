@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-constexpr std::int64_t kMostDepthPixels = std::int64_t{1} << 28;  // as of pictures (image/limits.hpp)
+constexpr std::int64_t kMostDepthPixels = std::int64_t{1} << 28;  // limit of other images (image/limits.hpp)
 
 template <auto free>
 struct Deleter {
@@ -104,7 +104,7 @@ void decode_into(const heif_image_handle* handle, HeicPicture& picture) {
 
 using DepthInfo = std::unique_ptr<const heif_depth_representation_info, Deleter<heif_depth_representation_info_free>>;
 
-/// Whether the codes of a depth image grow with z.
+/// Returns whether the codes of a depth image grow with z.
 bool is_depth_z(const heif_image_handle* picture, heif_item_id id) {
   const heif_depth_representation_info* info = nullptr;
   if (heif_image_handle_get_depth_image_representation_info(picture, id, &info) == 0 || !info) return false;
