@@ -46,7 +46,7 @@ void add(Layer& layer, const std::string& name, const std::string& channel) {
   if (!meaning.empty() && (!layer.contains(meaning) || meaning == channel)) layer[meaning] = name;
 }
 
-bool is_written_so(const Layer& layer, const std::string& meaning) { return split(layer.at(meaning)).channel == meaning; }
+bool has_exact_name(const Layer& layer, const std::string& meaning) { return split(layer.at(meaning)).channel == meaning; }
 
 ExrColors colors_of(const Layer& layer) {
   ExrColors colors;
@@ -56,8 +56,8 @@ ExrColors colors_of(const Layer& layer) {
   };
   if (has("R") && has("G") && has("B")) {
     take({"R", "G", "B"});
-  } else if (has("Y") && has("RY") && has("BY") && is_written_so(layer, "Y") && is_written_so(layer, "RY") &&
-             is_written_so(layer, "BY")) {
+  } else if (has("Y") && has("RY") && has("BY") && has_exact_name(layer, "Y") && has_exact_name(layer, "RY") &&
+             has_exact_name(layer, "BY")) {
     take({"Y", "RY", "BY"});
     colors.luma_chroma = true;
   } else if (has("Y") && !has("X")) {  // X, Y and Z are a position or direction

@@ -37,16 +37,16 @@ RenderFolder open_folder(const RenderSetup& setup, const Context& context) {
 
 std::unique_ptr<FrameMaker> whole_frames(RenderSetup& setup, const Context& context) {
   if (setup.job.is_test_pattern()) return make_pattern_frames(setup.stage, setup.pool);
-  if (setup.memory.bands <= 1) return make_frame_maker(setup.stage, setup.made_as, setup.pool, context);
-  return make_banded_frames(StripMaker(setup.stage, setup.made_as, setup.memory.bands, setup.pool, context),
-                            film_size(setup.optics()), wanted_aovs(setup.made_as.sampling), context);
+  if (setup.memory.bands <= 1) return make_frame_maker(setup.stage, setup.frame_settings, setup.pool, context);
+  return make_banded_frames(StripMaker(setup.stage, setup.frame_settings, setup.memory.bands, setup.pool, context),
+                            film_size(setup.optics()), wanted_aovs(setup.frame_settings.sampling), context);
 }
 
 StrippedFrames stripped_frames(const Run& run, bool only_joins) {
   RenderSetup& setup = run.setup;
-  return {StripMaker(setup.stage, setup.made_as, setup.parts.strips, setup.pool, run.context),
+  return {StripMaker(setup.stage, setup.frame_settings, setup.parts.strips, setup.pool, run.context),
           run.folder,
-          {wanted_aovs(setup.made_as.sampling), film_size(setup.optics()), setup.keeps_frames(), only_joins},
+          {wanted_aovs(setup.frame_settings.sampling), film_size(setup.optics()), setup.keeps_frames(), only_joins},
           run.progress,
           run.context};
 }

@@ -32,12 +32,12 @@ bool is_light_field(const PictureParams& pictures) {
 
 /// Throws for layers other than depth, and for depth in formats that do not store it.
 void check_light_field(const RenderParams& params) {
-  const bool knows_depth = find_format(params.output.pictures.to, "to").uses_cameras;
+  const bool stores_depth = find_format(params.output.pictures.to, "to").uses_cameras;
   for (const Aov layer : params.sampling.aov)
-    if (layer != Aov::kDepth || !knows_depth)
+    if (layer != Aov::kDepth || !stores_depth)
       throw usage_error(
           "aov", fmt::format("files of the format {} have no such layer", params.output.pictures.to),
-          knows_depth ? "no layer but depth, which is always written" : "a format with layers, such as `format` exr");
+          stores_depth ? "no layer but depth, which is always written" : "a format with layers, such as `format` exr");
   if (params.sampling.transparent)
     throw usage_error("transparent", fmt::format("files of the format {} hold no alpha", params.output.pictures.to),
                       "`layout` quilt or views");

@@ -59,7 +59,7 @@ void write_json(const fs::path& path, const Json& json) {
 }
 
 /// Returns nullopt if the file does not exist, and a discarded value if it is not valid JSON.
-std::optional<Json> read_json_if_there(const fs::path& path) {
+std::optional<Json> read_optional_json(const fs::path& path) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return std::nullopt;
   return json_from_text(read_file_text(path, kMaxJsonBytes));
@@ -70,7 +70,7 @@ void claim_dataset_folder(const DatasetParams& params) {
   make_folder(params.folder);
   const fs::path path = params.folder / "dataset.json";
   const Json wanted = description(params);
-  const std::optional<Json> there = read_json_if_there(path);
+  const std::optional<Json> there = read_optional_json(path);
   if (there && *there != wanted)
     throw Error(params.folder.string(), "holds a data set that was made with other parameters or another version",
                 "another folder, or the parameters in its dataset.json");
@@ -79,7 +79,7 @@ void claim_dataset_folder(const DatasetParams& params) {
 
 /// Returns the sample.json of a complete sample, whose files have the recorded sizes; otherwise nullopt.
 std::optional<Json> complete_sample(const fs::path& folder) {
-  std::optional<Json> json = read_json_if_there(folder / "sample.json");
+  std::optional<Json> json = read_optional_json(folder / "sample.json");
   if (!json || !json->is_object() || !json->contains("files") || !(*json)["files"].is_array()) return std::nullopt;
   for (const Json& file : (*json)["files"]) {
     if (!file.is_object() || !file.contains("name") || !file["name"].is_string() || !file.contains("bytes"))

@@ -94,9 +94,9 @@ bool FrameLoop::make(int frame) {
 /// Renders the frame. Warns if the job's first frame shows nothing.
 RenderedFrame FrameLoop::rendered(int frame) {
   RenderSetup& setup = run_.setup;
-  const bool is_looked_at = frame == setup.parts.of_job.front() && !setup.job.is_in_strips() && !setup.job.is_test_pattern();
+  const bool is_checked = frame == setup.parts.of_job.front() && !setup.job.is_in_strips() && !setup.job.is_test_pattern();
   const std::optional<SeenShare> seen =
-      is_looked_at ? std::optional(look_at_frame(setup.stage, frame, setup.pool)) : std::nullopt;
+      is_checked ? std::optional(look_at_frame(setup.stage, frame, setup.pool)) : std::nullopt;
   RenderedFrame made = maker_.make(frame);
   if (seen && !run_.context.cancelled)
     if (const std::string doubt = doubt_about_picture(setup.stage, frame, *seen, made.pictures.film); !doubt.empty())

@@ -24,7 +24,7 @@ constexpr double kGrowth = 2.0;
 constexpr double kReserve = 0.8;
 
 std::vector<Aov> layers_of(const MemoryFacts& facts) {
-  const FrameAovs wanted = wanted_aovs(facts.made_as.sampling);
+  const FrameAovs wanted = wanted_aovs(facts.frame_settings.sampling);
   std::vector<Aov> layers;
   for (std::size_t i = 0; i < kAovs; ++i)
     if (wanted.wanted[i]) layers.push_back(static_cast<Aov>(i));
@@ -123,15 +123,16 @@ double writing(const MemoryFacts& facts) {
 /// Returns the bytes per pixel of the layout's table of film pixels, which all frames share.
 double layout_tables(const MemoryFacts& facts) { return facts.layout.moves() ? sizeof(std::uint32_t) : 0.0; }
 
-double working(const MemoryFacts& facts) { return working_bytes_per_pixel(facts.made_as, facts.frames); }
+double working(const MemoryFacts& facts) { return working_bytes_per_pixel(facts.frame_settings, facts.frames); }
 
 double pixels_of(const MemoryFacts& facts) { return static_cast<double>(facts.film.x) * facts.film.y; }
 
 /// Returns the reason why frames cannot be cut into bands; empty if they can.
 std::string reason_against_bands(const MemoryFacts& facts) {
-  const FrameParams& made_as = facts.made_as;
+  const FrameParams& frame_settings = facts.frame_settings;
   if (facts.rows_around >= facts.film.y) return "the denoiser (`denoise`) averages views of all rows of the quilt";
-  if (std::holds_alternative<Interpolate>(made_as.reuse)) return "interpolated frames (`reuse`) are made from whole ones";
+  if (std::holds_alternative<Interpolate>(frame_settings.reuse))
+    return "interpolated frames (`reuse`) are made from whole ones";
   if (facts.most_bands == 1) return "the rows of this picture are traced together";
   return {};
 }

@@ -16,7 +16,7 @@ namespace lippmann {
 /// Inputs of the memory estimate, besides the pixels.
 struct MemoryFacts {
   const RenderParams& params;
-  FrameParams made_as;
+  FrameParams frame_settings;
   const FrameLayout& layout;
   Vec2i film{0, 0};
   int frames = 1;              ///< number of frames to render

@@ -21,28 +21,28 @@ namespace fs = std::filesystem;
 
 /// Throws for invalid parameters that can be detected before the scene is loaded.
 FrameParams checked_frame_params(const ResolvedJob& job) {
-  FrameParams made_as = frame_params(job);
+  FrameParams frame_settings = frame_params(job);
   check_floor(job.params());
   check_aovs(job.params());
-  return made_as;
+  return frame_settings;
 }
 
 void check_strips_of(const RenderSetup& setup) {
   if (!setup.job.is_in_strips()) return;
   if (setup.job.is_test_pattern()) throw usage_error("strips", "the test pattern cannot be split", "1");
-  check_strips(setup.made_as, setup.optics(), setup.job.params().strips);
+  check_strips(setup.frame_settings, setup.optics(), setup.job.params().strips);
 }
 
 MemoryFacts memory_facts(const RenderSetup& setup) {
   return {setup.job.params(),
-          setup.made_as,
+          setup.frame_settings,
           setup.layout,
           film_size(setup.optics()),
           static_cast<int>(setup.parts.frames.size()),
           FrameSink::frames_in_memory(setup.pool.threads()),
           !setup.run.ranks && !setup.run.is_part(),
           setup.job.is_test_pattern() ? 1 : most_strips(setup.optics()),
-          rows_around(setup.made_as.sampling, setup.optics())};
+          rows_around(setup.frame_settings.sampling, setup.optics())};
 }
 
 void plan_memory_of(RenderSetup& setup, const Context& context) {
@@ -85,16 +85,16 @@ void choose_folder(RenderSetup& setup) {
 RenderSetup::RenderSetup(const ResolvedJob& wanted, const RunParams& wanted_run, const Context& context,
                          std::optional<JobScene> loaded)
     : job(wanted),
-      made_as(checked_frame_params(job)),
+      frame_settings(checked_frame_params(job)),
       run(wanted_run),
       pool(job.threads(context)),
       stage(loaded ? std::move(*loaded) : load_scene_of(job, context), job, pool),
-      parts(job, made_as, stage.scene.timeline, run),
+      parts(job, frame_settings, stage.scene.timeline, run),
       layout(job.output().pictures, optics(), stage.display.get()) {
   if (!stage.array.warning.empty()) context.warning(stage.array.warning);
   layout.check_picture_size(!job.sampling().aov.empty());
   check_videos(job.output(), layout, run.is_part() || run.ranks);
-  check(made_as, optics());
+  check(frame_settings, optics());
   check_strips_of(*this);
   plan_memory_of(*this, context);
   crosstalk = crosstalk_to_undo(job.params(), optics(), stage.display.get());
@@ -129,7 +129,7 @@ RenderReport RenderSetup::report() const {
   report.scene = job.scene().name;
   report.optics = optics();
   report.params = job.params();
-  report.reuse = made_as.reuse;
+  report.reuse = frame_settings.reuse;
   report.light = stage.light;
   report.view = stage.array.how;
   report.depth_scale = stage.placed.depth_scale;

@@ -26,7 +26,7 @@ struct RenderSetup {
 
  public:
   ResolvedJob job;  ///< with the output folder filled in
-  const FrameParams made_as;
+  const FrameParams frame_settings;
   const RunParams run;
   const ThreadPool pool;
   JobStage stage;

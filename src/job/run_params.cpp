@@ -27,15 +27,15 @@ std::vector<int> parts_of_run(const RunParams& run, const std::vector<int>& of_j
 
 }  // namespace
 
-RunParts::RunParts(const ResolvedJob& job, const FrameParams& made_as, const Timeline& timeline, const RunParams& run)
+RunParts::RunParts(const ResolvedJob& job, const FrameParams& frame_settings, const Timeline& timeline, const RunParams& run)
     : strips(job.params().strips),
-      segment(segment_of(job, made_as)),
+      segment(segment_of(job, frame_settings)),
       of_job(frames_of_job(job.params(), timeline)),
       parts(parts_of_run(run, parts_of(of_job, strips), segment, strips)),
       frames(frames_of_parts(parts, strips)) {}
 
-int segment_of(const ResolvedJob& job, const FrameParams& made_as) {
-  return job.is_in_strips() ? 1 : frames_per_segment(made_as);
+int segment_of(const ResolvedJob& job, const FrameParams& frame_settings) {
+  return job.is_in_strips() ? 1 : frames_per_segment(frame_settings);
 }
 
 }  // namespace lippmann

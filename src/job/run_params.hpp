@@ -37,10 +37,10 @@ struct RunParts {
   std::vector<int> frames;  ///< frames of these parts
 
   /// Throws a usage Error for frames outside the animation, and if `run` selects none.
-  RunParts(const ResolvedJob& job, const FrameParams& made_as, const Timeline& timeline, const RunParams& run);
+  RunParts(const ResolvedJob& job, const FrameParams& frame_settings, const Timeline& timeline, const RunParams& run);
 };
 
 /// Returns RunParts::segment: 1 if frames are rendered in strips, which may be cut into units anywhere.
-int segment_of(const ResolvedJob& job, const FrameParams& made_as);
+int segment_of(const ResolvedJob& job, const FrameParams& frame_settings);
 
 }  // namespace lippmann

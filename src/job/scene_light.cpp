@@ -72,7 +72,7 @@ Error no_such_environment(const std::string& value) {
 }
 
 /// Applies the light that --environment requests.
-std::string light_as_asked(Scene& scene, const SceneParams& params, const Context& context) {
+std::string requested_light(Scene& scene, const SceneParams& params, const Context& context) {
   const std::string& value = params.environment;
   if (value == kNone) return "The scene has only its own light, as requested by --environment none.";
   if (value == kStudio) {
@@ -100,7 +100,7 @@ std::string read_environment_choice(std::string_view value, const std::string& w
 }
 
 std::string light_scene(Scene& scene, const SceneParams& params, Integrator integrator, const Context& context) {
-  if (!params.environment.empty()) return light_as_asked(scene, params, context);
+  if (!params.environment.empty()) return requested_light(scene, params, context);
   if (!integrator.facts().is_lit_by_surroundings) {
     if (lacks_lamps(scene))
       context.warning(fmt::format("{} has no lights: a key light from above left of the viewer is added", params.name));

@@ -17,7 +17,7 @@ void refuse(bool given, const char* flag, const char* problem, const char* accep
   if (given) throw usage_error(flag, problem, accepted);
 }
 
-void refuse_what_the_display_decides(const RenderParams& params) {
+void refuse_params_of_display(const RenderParams& params) {
   for (const KindParam& param : kKindParams)
     if (param.name != "views" && param.name != "camera-grid" && param.name != "cone-ends" && param.is_given(params.optics))
       throw usage_error(std::string(param.name), "the display has its own",
@@ -73,7 +73,7 @@ void require_size(Vec2i film) {
 }
 
 Optics display_optics(const RenderParams& params, const Display& display) {
-  refuse_what_the_display_decides(params);
+  refuse_params_of_display(params);
   const bool slanted = display.kind == DisplayKind::kSlantedPanel,
              native = params.output.pictures.layout == PictureLayout::kNative;
   const OpticsKind kind = params.optics.kind.value_or(own_kind(display));

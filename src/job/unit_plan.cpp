@@ -30,12 +30,13 @@ UnitPlan cut(const std::vector<int>& parts, int strips, int segment, int count) 
 }
 
 UnitPlan unmeasured_plan(const ResolvedJob& job, int count, const Context& context) {
-  const FrameParams made_as = frame_params(job);
+  const FrameParams frame_settings = frame_params(job);
   const JobScene loaded = load_scene_of(job, context);
   const PlacedJob placed_job = place(job, loaded.scene);
   const int strips = job.params().strips;
-  if (job.is_in_strips()) check_strips(made_as, placed_job.placed.optics, strips);
-  return cut(parts_of(frames_of_job(job.params(), loaded.scene.timeline), strips), strips, segment_of(job, made_as), count);
+  if (job.is_in_strips()) check_strips(frame_settings, placed_job.placed.optics, strips);
+  return cut(parts_of(frames_of_job(job.params(), loaded.scene.timeline), strips), strips, segment_of(job, frame_settings),
+             count);
 }
 
 /// Returns the job with its own folder and only pictures and layers. Units make no videos.
@@ -47,21 +48,21 @@ ResolvedJob job_in(const std::filesystem::path& folder, const ResolvedJob& job) 
   return ResolvedJob(std::move(params));
 }
 
-Neighbours neighbours_in(const ResolvedJob& job, const FrameParams& made_as) {
+Neighbours neighbours_in(const ResolvedJob& job, const FrameParams& frame_settings) {
   if (job.is_in_strips()) return Neighbours::kOthers;
-  return std::holds_alternative<CopySettled>(made_as.reuse) ? Neighbours::kCopied : Neighbours::kOthers;
+  return std::holds_alternative<CopySettled>(frame_settings.reuse) ? Neighbours::kCopied : Neighbours::kOthers;
 }
 
 /// Renders frames as a unit does, writes their files, and measures both.
 UnitPlan measured_plan(const ResolvedJob& job, int count, const Context& context) {
   const double begin = platform::process_cpu_seconds();
-  const FrameParams made_as = frame_params(job);
-  const int strips = job.params().strips, segment = segment_of(job, made_as);
+  const FrameParams frame_settings = frame_params(job);
+  const int strips = job.params().strips, segment = segment_of(job, frame_settings);
   JobScene loaded = load_scene_of(job, context);
   const std::vector<int> parts = parts_of(frames_of_job(job.params(), loaded.scene.timeline), strips);
   UnitPlan plan = cut(parts, strips, segment, count);
   RunParams run;
-  run.parts = frames_to_measure(parts, segment, neighbours_in(job, made_as));
+  run.parts = frames_to_measure(parts, segment, neighbours_in(job, frame_settings));
   const ScratchFolder folder;
   RenderSetup setup(job_in(folder.path(), job), run, context, std::move(loaded));
   if (setup.join_bytes > 0.0) plan.join_bytes = setup.join_bytes;

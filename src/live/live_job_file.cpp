@@ -24,7 +24,7 @@ std::string text_in(const fs::path& file) {
 }
 
 /// Creates an empty file with an unused name, which reserves the name.
-fs::path take_name(const fs::path& wanted) {
+fs::path reserve_name(const fs::path& wanted) {
   for (int i = 1; i <= kMostNames; ++i) {
     const fs::path file =
         i == 1 ? wanted : wanted.parent_path() / fmt::format("{}-{}{}", wanted.stem().string(), i, wanted.extension().string());
@@ -40,7 +40,7 @@ fs::path take_name(const fs::path& wanted) {
 fs::path LiveJobFile::save(const ResolvedJob& job) {
   make_folder(wanted_.parent_path());
   const bool is_own = !written_.empty() && text_in(written_) == text_;
-  const fs::path file = is_own ? written_ : take_name(wanted_);
+  const fs::path file = is_own ? written_ : reserve_name(wanted_);
   const std::string text = job_text(job.params(), file.parent_path());
   write_file_atomically(file, std::as_bytes(std::span(text)));
   written_ = file, text_ = text;

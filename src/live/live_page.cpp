@@ -24,7 +24,7 @@ PageAnswer json_answer(const Json& json, int status = 200) {
   return {status, "application/json", std::make_shared<const std::string>(json_to_text(json, -1))};
 }
 
-PageAnswer nothing_there() {
+PageAnswer not_found() {
   return {404, "text/plain; charset=utf-8", std::make_shared<const std::string>("There is nothing with this name.\n")};
 }
 
@@ -71,10 +71,10 @@ PageAnswer LiveAnswers::get(std::string_view path) {
   const std::size_t slash = path.find('/');
   const std::string_view kind = path.substr(0, slash);
   const auto number = number_of(slash == std::string_view::npos ? std::string_view() : path.substr(slash + 1));
-  if (!number) return nothing_there();
+  if (!number) return not_found();
   if (kind == "state") return state_after(*number);
   const Bytes bytes = scene_->picture(kind, *number);
-  if (!bytes) return scene_->is_outdated(*number) ? PageAnswer{204, "text/plain", nullptr} : nothing_there();
+  if (!bytes) return scene_->is_outdated(*number) ? PageAnswer{204, "text/plain", nullptr} : not_found();
   return {200, bytes->starts_with("RIFF") ? "image/webp" : "image/png", bytes};
 }
 
@@ -87,7 +87,7 @@ PageAnswer LiveAnswers::post(std::string_view path, const std::string& body) {
   } catch (const Error& error) {
     return json_answer({{"error", error.what()}}, 422);
   }
-  return nothing_there();
+  return not_found();
 }
 
 }  // namespace lippmann

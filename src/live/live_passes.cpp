@@ -96,7 +96,7 @@ Image8 depth_picture(LiveStage& live, const PageFacts& facts, Vec2i view_size, i
   find_first_hits({stage.device, rays, moment.world_from_display}, live.job().params().sampling.order, nullptr, live.pool(),
                   layers);
   Image disparities = disparities_mm(layers[Aov::kDepth], facts.axes.vergence, stage.placed.depth_scale);
-  take_near_at_edges(disparities, view_size, visible_jump_mm(facts, view_size));
+  spread_near_disparities(disparities, view_size, visible_jump_mm(facts, view_size));
   return disparity_codes(disparities, facts.disparity_scale_mm);
 }
 

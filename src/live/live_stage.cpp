@@ -23,9 +23,9 @@ std::string scene_key(const ResolvedJob& job) {
 
 /// Returns the parameters for a single frame: copying settled pixels needs a search, and tracing them gives the same bits.
 FrameParams params_of_one_frame(const ResolvedJob& job) {
-  FrameParams made_as = frame_params(job);
-  if (std::holds_alternative<CopySettled>(resolved_reuse(made_as))) made_as.reuse = TraceAll{};
-  return made_as;
+  FrameParams frame_settings = frame_params(job);
+  if (std::holds_alternative<CopySettled>(resolved_reuse(frame_settings))) frame_settings.reuse = TraceAll{};
+  return frame_settings;
 }
 
 }  // namespace
@@ -45,10 +45,11 @@ void LiveStage::set(const ResolvedJob& job) {
 
 std::optional<RenderedFrame> LiveStage::frame(int frame) {
   if (!maker_ || frame <= last_frame_) {
-    const FrameParams made_as = params_of_one_frame(job_);
-    check(made_as, stage_->placed.optics);
+    const FrameParams frame_settings = params_of_one_frame(job_);
+    check(frame_settings, stage_->placed.optics);
     maker_.reset();
-    maker_ = job_.is_test_pattern() ? make_pattern_frames(*stage_, pool_) : make_frame_maker(*stage_, made_as, pool_, context_);
+    maker_ = job_.is_test_pattern() ? make_pattern_frames(*stage_, pool_)
+                                    : make_frame_maker(*stage_, frame_settings, pool_, context_);
   }
   last_frame_ = frame;
   RenderedFrame made = maker_->make(frame);

@@ -35,7 +35,7 @@ Image side_by_side(const Image& left, const Image& right) {
 }
 
 /// Returns a preview of depth: the nearest depth of the stack is white, the farthest black, linear in codes.
-Image depth_for_looking(const Image& depth, const std::vector<double>& depths_mm) {
+Image depth_preview(const Image& depth, const std::vector<double>& depths_mm) {
   const double near = std::max(depths_mm.front(), depths_mm.back()), far = std::min(depths_mm.front(), depths_mm.back());
   Image grey(depth.width, depth.height, 3);
   for (std::size_t i = 0; i < grey.data.size(); ++i) {
@@ -165,7 +165,7 @@ class Replay {
     if (!params_.all_in_focus) return;
     files.add("all_in_focus_" + label(frame), sharpest->picture());
     files.add_depth("depth_" + label(frame), sharpest->depth());
-    files.add("depth_" + label(frame), depth_for_looking(sharpest->depth(), stack_mm_));
+    files.add("depth_" + label(frame), depth_preview(sharpest->depth(), stack_mm_));
   }
 
   /// Shows the eye in the middle of the i-th of equal parts of the zone. With several frames, the animation advances during the
@@ -195,12 +195,12 @@ class Replay {
         context_.warning(
             fmt::format("The eye at ({:.4g}, {:.4g}, {:.4g}) mm is outside the viewing zone of {:.3g} % of the "
                         "display and sees {} there.",
-                        eye.x, eye.y, eye.z, 100.0 * share, seen_out_of_zone()));
+                        eye.x, eye.y, eye.z, 100.0 * share, view_out_of_zone()));
     }
     return most;
   }
 
-  const char* seen_out_of_zone() const {
+  const char* view_out_of_zone() const {
     const OpticsFacts facts = optics_facts(frames_.optics);
     if (facts.repeats_beyond_zone) return "the pictures of neighbouring lenses";
     return facts.tiles && facts.tiles->camera_grid ? "the outermost cameras' pictures" : "the views of the next cone";

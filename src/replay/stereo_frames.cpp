@@ -43,7 +43,7 @@ bool is_pair(const Optics& optics) {
 }
 
 /// Throws for eye parameters, which have no effect on light fields of two views.
-void refuse_eyes(const StereoParams& params) {
+void refuse_eye_params(const StereoParams& params) {
   const auto refuse = [](bool given, const char* flag) {
     if (given) throw usage_error(flag, "has no effect: two views stay as they are", "a light field of more views");
   };
@@ -111,7 +111,7 @@ ConvertedStereo convert_to_stereo(const StereoParams& params, const Context& con
   const EyePair eyes = eye_pair(params, frames.optics);
   const ThreadPool pool(resolved_threads(context));
   const bool pair = is_pair(frames.optics), one = frames.files.size() == 1 && frames.files.front() == params.in;
-  if (pair) refuse_eyes(params);
+  if (pair) refuse_eye_params(params);
   ConvertedStereo made;
   if (!pair && !frames.assumption.empty()) context.warning(frames.assumption);
   if (!pair) made.out_of_zone = warn_out_of_zone(frames.optics, eyes, context);

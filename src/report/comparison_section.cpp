@@ -14,7 +14,7 @@ namespace lippmann {
 namespace {
 
 /// Returns the share of CPU time saved relative to the first render.
-std::string beside_first(const RenderFigures& first, const RenderFigures& render) {
+std::string saving_over_first(const RenderFigures& first, const RenderFigures& render) {
   const std::optional<double> mean = cpu_seconds_a_frame(render);
   return mean ? percent_text(saving(*mean, cpu_seconds_a_frame(first))) : kNotKnown;
 }
@@ -58,7 +58,8 @@ std::string comparison_section(const std::vector<RenderFigures>& renders, const 
     table.rows.push_back(std::move(row));
   }
   std::vector<std::string> beside{fmt::format("CPU time saved, compared with {}", escaped(names.front()))};
-  for (std::size_t i = 0; i < renders.size(); ++i) beside.push_back(i == 0 ? "" : beside_first(renders.front(), renders[i]));
+  for (std::size_t i = 0; i < renders.size(); ++i)
+    beside.push_back(i == 0 ? "" : saving_over_first(renders.front(), renders[i]));
   table.rows.push_back(std::move(beside));
   return fmt::format(
       "<section><h2>Side by side</h2>{}{}{}</section>\n", sentences_html(caveats(renders)), table_html(table),

@@ -41,13 +41,13 @@ SummaryFigure traced_figure(const RenderFigures& render) {
           others.empty() ? "every pixel of every frame" : others};
 }
 
-bool was_guessed(const FrameReport& frame, const RenderFigures& render) {
+bool is_interpolated(const FrameReport& frame, const RenderFigures& render) {
   return frame.kind == "in-between" && render.reuse != "copy" && render.reuse != "exact";
 }
 
 /// Returns why there is no PSNR estimate.
 std::string unestimated(const RenderFigures& render) {
-  const auto guessed = [&](const FrameReport& frame) { return was_guessed(frame, render); };
+  const auto guessed = [&](const FrameReport& frame) { return is_interpolated(frame, render); };
   if (std::any_of(render.frames.begin(), render.frames.end(), guessed))
     return "interpolated without min-psnr: the error was not measured";
   return render.frames.empty() ? "" : "all pixels are traced or exact copies";
@@ -108,14 +108,14 @@ const FrameReport* worst_frame(const RenderFigures& render) {
 std::vector<SummaryFigure> render_summary(const RenderFigures& render) {
   const double rays = static_cast<double>(all_rays(render).total());
   const double frames = std::max(1.0, static_cast<double>(render.frames.size()));
-  const std::string of_a_pixel =
+  const std::string per_pixel =
       render.pixels && rays > 0.0 ? fmt::format("{:.3g} per pixel", rays / frames / *render.pixels) : std::string();
   return {{"frames", count_text(static_cast<double>(render.frames.size())), kinds_text(render)},
           time_figure(render),
           saving_figure(render),
           traced_figure(render),
           psnr_figure(render),
-          {"rays per frame", count_text(rays / frames), of_a_pixel},
+          {"rays per frame", count_text(rays / frames), per_pixel},
           {"peak memory", memory_text(render.peak_memory_bytes), "of the largest run"}};
 }
 

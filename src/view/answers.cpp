@@ -67,7 +67,7 @@ std::optional<std::size_t> number_in(std::string_view text) {
 }
 
 /// Returns whether the request's origin is acceptable; only the page itself may be opened from elsewhere.
-bool may_come_from(const std::string& fetch_site, std::string_view path) {
+bool is_allowed_site(const std::string& fetch_site, std::string_view path) {
   return fetch_site.empty() || fetch_site == "same-origin" || fetch_site == "none" || path.empty();
 }
 
@@ -138,7 +138,7 @@ std::optional<PageAnswer> PageAnswers::refusal(const PageRequest& request) const
   std::string_view path = std::string_view(request.path).substr(1);
   if (!access_.token.empty() && !equal_secrets(cut_part(path), access_.token))
     return answer_with(403, "The address lacks the token that `lippmann view` printed with it.\n");
-  if (!may_come_from(request.fetch_site, path)) return answer_with(403, "Pages of other origins have no access.\n");
+  if (!is_allowed_site(request.fetch_site, path)) return answer_with(403, "Pages of other origins have no access.\n");
   if (request.method == "GET" || request.method == "HEAD") return std::nullopt;
   if (request.method != "POST" || !takes_text(path)) return answer_with(405, "Only GET and HEAD are supported here.\n");
   if (path != kCalibration && request.origin.empty())

@@ -37,7 +37,7 @@ double visible_jump_mm(const PageFacts& facts, Vec2i view_size) {
   return std::min(jump_along(facts.axes.across, pixel.x), jump_along(facts.axes.up, pixel.y));
 }
 
-void take_near_at_edges(Image& disparities, Vec2i view_size, double jump_mm) {
+void spread_near_disparities(Image& disparities, Vec2i view_size, double jump_mm) {
   const auto [width, height] = std::pair(static_cast<std::size_t>(view_size.x), static_cast<std::size_t>(view_size.y));
   const auto stride = static_cast<std::size_t>(disparities.width);
   const std::vector<float> nearest = greatest_of_three(greatest_of_three(disparities.data, width, 1), height, stride);

@@ -16,6 +16,6 @@ double visible_jump_mm(const PageFacts& facts, Vec2i view_size);
 
 /// Gives each pixel the disparity of the nearest of its eight neighbours in its view if that is nearer by at least jump_mm.
 /// disparities: 1 channel, views of view_size as tiles. Neighbours without a finite disparity are ignored.
-void take_near_at_edges(Image& disparities, Vec2i view_size, double jump_mm);
+void spread_near_disparities(Image& disparities, Vec2i view_size, double jump_mm);
 
 }  // namespace lippmann

@@ -51,7 +51,7 @@ bool has_whole_lenses(const ViewLayout& film, Vec2i picture) {
   return film.kind != LayoutKind::kIntegral || (picture.x % film.grid.columns == 0 && picture.y % film.grid.rows == 0);
 }
 
-Image seen_by_eyes(const RenderedPanel& rendered, const PageFacts& facts, const ThreadPool& pool, double crosstalk_px) {
+Image eye_views_quilt(const RenderedPanel& rendered, const PageFacts& facts, const ThreadPool& pool, double crosstalk_px) {
   const Vec2i size = facts.view_size;
   const ViewGrid &grid = facts.grid, &tiles = facts.tiles;
   Image quilt(size.x * tiles.columns, size.y * tiles.rows, 3);
@@ -97,7 +97,7 @@ Image8 views_quilt(const RenderedPanel& rendered, const PageFacts& facts, const 
   const ViewLayout quilt{LayoutKind::kQuilt, facts.grid, facts.tiles};
   const std::optional<RenderedViews> views = rendered_views(rendered.optics);
   if (!views || facts.panel == PanelPicture::kOwn)
-    return to_codes(seen_by_eyes(rendered, facts, pool, crosstalk_px), Encoding::kSrgb);
+    return to_codes(eye_views_quilt(rendered, facts, pool, crosstalk_px), Encoding::kSrgb);
   const Vec2i size(rendered.picture.width, rendered.picture.height);
   if (facts.panel == PanelPicture::kQuilt && size == picture_size(quilt, facts.view_size))
     return to_codes(rendered.picture, Encoding::kSrgb);

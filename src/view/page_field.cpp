@@ -105,7 +105,7 @@ Image8 PageField::disparities(std::size_t frame) const {
   if (!views.field.depth)
     throw Error(file_of(frame).string(), "has no depth, unlike the first frame", "render with `aov` depth");
   Image disparities = disparities_mm(*views.field.depth, facts_.axes.vergence, views.depth_scale);
-  take_near_at_edges(disparities, facts_.view_size, visible_jump_mm(facts_, facts_.view_size));
+  spread_near_disparities(disparities, facts_.view_size, visible_jump_mm(facts_, facts_.view_size));
   return in_quilt(disparity_codes(disparities, facts_.disparity_scale_mm));
 }
 

@@ -19,30 +19,30 @@ Image row_of(std::vector<float> values) {
 
 TEST(NearEdges, pixel_beside_something_near_moves_with_it) {
   Image row = row_of({-500, -500, -500, 10, 11, -500});
-  take_near_at_edges(row, {6, 1}, 5.0);
+  spread_near_disparities(row, {6, 1}, 5.0);
   EXPECT_THAT(row.data, ElementsAre(-500, -500, 10, 10, 11, 11));
 }
 
 TEST(NearEdges, background_moves_with_near_neighbours) {
   Image row = row_of({-kInfinity, -kInfinity, 10, kInfinity, -kInfinity});
-  take_near_at_edges(row, {5, 1}, 5.0);
+  spread_near_disparities(row, {5, 1}, 5.0);
   EXPECT_THAT(row.data, ElementsAre(-kInfinity, 10, 10, kInfinity, -kInfinity));
 }
 
 TEST(NearEdges, surfaces_that_recede_keep_their_disparities) {
   Image row = row_of({0, 4, 8, 12, 8, 4});
-  take_near_at_edges(row, {6, 1}, 5.0);
+  spread_near_disparities(row, {6, 1}, 5.0);
   EXPECT_THAT(row.data, ElementsAre(0, 4, 8, 12, 8, 4));
 }
 
 TEST(NearEdges, neighbours_lie_in_the_same_view) {
   Image tiles = row_of({-500, -500, 10, -500});
-  take_near_at_edges(tiles, {2, 1}, 5.0);
+  spread_near_disparities(tiles, {2, 1}, 5.0);
   EXPECT_THAT(tiles.data, ElementsAre(-500, -500, 10, 10));
   Image corners(4, 4, 1);  // four views of 2x2
   corners.data.assign(16, -500);
   *corners.pixel(2, 2) = 10;
-  take_near_at_edges(corners, {2, 2}, 5.0);
+  spread_near_disparities(corners, {2, 2}, 5.0);
   EXPECT_THAT(corners.data,
               ElementsAre(-500, -500, -500, -500, -500, -500, -500, -500, -500, -500, 10, 10, -500, -500, 10, 10));
 }
