@@ -15,13 +15,13 @@ Image counting(int width, int height, int channels) {
   return image;
 }
 
-TEST(Arrangement, integral_image_s_lenses_become_a_quilt_s_tiles) {
+TEST(Arrangement, rearranges_lenses_into_quilt_tiles) {
   // Two lenses of 2 x 1 pixels: 0 1 | 2 3. The left eye sees the right pixels, 1 and 3: the quilt's first tile.
   const Arrangement arrangement({LayoutKind::kIntegral, {2, 1}, {}}, {LayoutKind::kQuilt, {2, 1}, {2, 1}}, {4, 1}, "p");
   EXPECT_THAT(arrangement.apply(counting(4, 1, 1)).data, ElementsAre(1, 3, 0, 2));
 }
 
-TEST(Arrangement, quilt_s_views_are_stacked_from_the_bottom_left_with_all_their_channels) {
+TEST(Arrangement, stacks_quilt_views_with_all_channels) {
   // Two tiles above one another, 1 x 1 pixel of two channels; the lower one is view 0.
   const Arrangement arrangement({LayoutKind::kQuilt, {2, 1}, {1, 2}}, {LayoutKind::kStack, {2, 1}, {}}, {1, 2}, "p");
   EXPECT_EQ(arrangement.target_size(), Vec2i(1, 2));
@@ -35,7 +35,7 @@ TEST(Arrangement, there_and_back_is_the_same_picture) {
   EXPECT_EQ(back.apply(there.apply(image)).data, image.data);
 }
 
-TEST(Arrangement, views_that_do_not_fill_the_picture_are_refused) {
+TEST(Arrangement, rejects_views_that_do_not_fill) {
   EXPECT_THROW(Arrangement({LayoutKind::kIntegral, {3, 1}, {}}, {LayoutKind::kStack, {3, 1}, {}}, {8, 8}, "p"), Error);
 }
 

@@ -52,13 +52,13 @@ Optics camera_grid() {
   return {.panel = {3 * 20, 2 * 14, 1.5f}, .model = views};
 }
 
-TEST(Cameras, of_quilts_and_camera_grids_are_where_rays_start) {
+TEST(Cameras, quilts_and_camera_grids_match_ray_origins) {
   expect_cameras_of_rays(camera_grid());
   expect_cameras_of_rays({.panel = {80, 30, 1.0f}, .model = MultiView{4, 2, radians(40.0f), false, 500.0f}});
   expect_cameras_of_rays({.panel = {30, 20, 1.0f}, .model = SingleView{500.0f, {0.25f, -0.5f}}});
 }
 
-TEST(Cameras, of_lens_arrays_seen_from_near_are_where_the_rays_of_a_view_meet) {
+TEST(Cameras, near_lens_arrays_match_ray_crossings) {
   // 5 pixels of 0.2 mm below a lens, gap 2 mm, seen from 500 mm: pitch 1 / (1 + 2/500); 9 and 7 lenses, one on the axis.
   const float pitch = 1.0f / (1.0f + 2.0f / 500.0f);
   MicrolensArray array{.lens_pitch_mm = pitch, .gap_mm = 2.0f, .offset_mm = Vec2f(0.0f), .viewing_distance_mm = 500.0f};
@@ -80,14 +80,14 @@ TEST(Cameras, of_fitted_depth_stand_nearer_together) {
   expect_cameras_of_rays(with_parallax({.panel = {80, 30, 1.0f}, .model = quilt}, 0.25f));
 }
 
-TEST(Cameras, parallel_projections_have_none_and_slanted_lenses_no_views) {
+TEST(Cameras, parallel_projections_have_no_cameras) {
   const RenderedViews parallel = rendered_views({.panel = {48, 20, 0.125f}, .model = LenticularSheet{}}).value();
   EXPECT_EQ(parallel.film.grid, (ViewGrid{8, 1}));
   EXPECT_FALSE(parallel.cameras);
   EXPECT_FALSE(rendered_views({.panel = {40, 20, 0.125f}, .model = LenticularSheet{.slant = 0.1f}}));
 }
 
-TEST(Cameras, eyes_at_equal_angles_have_no_common_baseline) {
+TEST(Cameras, equal_angles_have_no_common_baseline) {
   const RenderedViews cone =
       rendered_views({.panel = {80, 30, 1.0f}, .model = MultiView{4, 2, radians(40.0f), false, 500.0f}}).value();
   EXPECT_FALSE(common_baseline_mm(*cone.cameras, cone.film.grid));
@@ -103,14 +103,14 @@ HciParameters by_hand() {
   return p;
 }
 
-TEST(HciDisparity, is_zero_in_focus_and_minus_7_63_at_infinity) {
+TEST(HciDisparity, zero_in_focus_7_63_at_infinity) {
   // 6 * 100 * 512 / (1150 * 35) = 307200 / 40250 = 7.63230
   EXPECT_EQ(hci_disparity_px(by_hand(), 1.15), 0.0);
   EXPECT_NEAR(hci_disparity_px(by_hand(), INFINITY), -7.63230, 1e-5);
   EXPECT_NEAR(hci_disparity_px(by_hand(), 0.575), 7.63230, 1e-5) << "half the focus distance: positive";
 }
 
-TEST(HciDisparity, is_how_far_a_point_moves_from_view_to_view_of_a_camera_grid) {
+TEST(HciDisparity, equals_point_motion_between_grid_views) {
   const Optics optics = camera_grid();
   const RenderedViews views = rendered_views(optics).value();
   LightField field = numbered_field(views.film.grid, {20, 14});

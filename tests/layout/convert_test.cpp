@@ -41,7 +41,7 @@ ConvertParams params(const char* from, const char* to, std::optional<ViewGrid> v
 }
 constexpr const char *kIntegral = "integral", *kQuilt = "quilt", *kViews = "views";
 
-TEST(Convert, integral_image_to_views_to_quilt_and_back_is_the_same_to_the_bit) {
+TEST(Convert, integral_views_quilt_round_trip_is_exact) {
   const TempDir dir;
   const Image8 original = picture8(8 * 4, 6);
   write_png(dir / "in.png", original);
@@ -54,7 +54,7 @@ TEST(Convert, integral_image_to_views_to_quilt_and_back_is_the_same_to_the_bit) 
   EXPECT_EQ(read8(dir / "back.png").rgb, original.rgb);
 }
 
-TEST(Convert, batch_of_pictures_gets_endings_that_suit_its_samples) {
+TEST(Convert, batch_endings_suit_the_samples) {
   const TempDir dir;
   fs::create_directories(dir / "b");
   for (const char* name : {"b/v1.0_qs2x1a2.ppm", "b/w_qs2x1a2 (1).ppm"})
@@ -106,7 +106,7 @@ TEST(Convert, two_dimensional_views_keep_their_grid) {
   EXPECT_EQ(read8(dir / "back.png").rgb, original.rgb);
 }
 
-TEST(Convert, sixteen_bits_and_floats_stay_as_they_are) {
+TEST(Convert, keeps_16_bits_and_floats) {
   const TempDir dir;
   const Image16 words = picture16(6, 2);
   write_png(dir / "w.png", words);
@@ -191,7 +191,7 @@ TEST(Convert, only_quilts_are_named_like_quilts) {
       HasSubstr("a_qs4x1a2.png is a quilt name"));
 }
 
-TEST(Convert, folders_of_views_are_known_by_the_names_of_their_files) {
+TEST(Convert, detects_view_folders_by_file_names) {
   const TempDir dir;
   const Image8 original = picture8(3 * 4, 3 * 5);
   write_png(dir / "in.png", original);

@@ -23,7 +23,7 @@ Image8 greys(int width, int height, const std::vector<int>& codes) {
   return picture;
 }
 
-TEST(DepthMap, codes_of_8_and_16_bits_are_plain_numbers) {
+TEST(DepthMap, integer_samples_are_linear) {
   const TempDir dir;
   write_picture(dir / "8.png", greys(2, 2, {0, 51, 102, 255}));
   EXPECT_THAT(read_depth_map(dir / "8.png", {2, 2}, false).data, Pointwise(testing::FloatEq(), {0.0f, 0.2f, 0.4f, 1.0f}));
@@ -33,7 +33,7 @@ TEST(DepthMap, codes_of_8_and_16_bits_are_plain_numbers) {
   EXPECT_THAT(read_depth_map(dir / "16.png", {2, 1}, false).data, Pointwise(testing::FloatEq(), {0.2f, 1.0f}));
 }
 
-TEST(DepthMap, another_size_is_smooth_within_surfaces_and_sharp_between_them) {
+TEST(DepthMap, resizing_keeps_edges_between_surfaces) {
   const TempDir dir;
   write_picture(dir / "small.png", greys(4, 1, {100, 104, 200, 200}));
   const std::vector<float> wide = read_depth_map(dir / "small.png", {16, 4}, false).data;
@@ -45,13 +45,13 @@ TEST(DepthMap, another_size_is_smooth_within_surfaces_and_sharp_between_them) {
   EXPECT_NEAR(near_black[10], 200.0f / 255, 1e-6);
 }
 
-TEST(DepthMap, z_of_an_exr_file_is_scaled_to_its_range) {
+TEST(DepthMap, scales_exr_z_to_its_range) {
   const TempDir dir;
   write_file_atomically(dir / "z.exr", exr_file({{0, 0, 3, 0}, {0, 0, 3, 0}, {{"R", {9, 9, 9, 9}}, {"Z", {2, 4, 6, 1e10f}}}}));
   EXPECT_THAT(read_depth_map(dir / "z.exr", {4, 1}, false).data, ElementsAre(0.0f, 0.5f, 1.0f, 1.0f));
 }
 
-TEST(DepthMap, z_is_a_distance_or_a_height_and_colours_are_neither) {
+TEST(DepthMap, z_is_distance_or_height_without_colours) {
   const TempDir dir;
   const auto write_z = [&](const char* name, const std::vector<float>& z) {
     write_file_atomically(dir / name, exr_file({{0, 0, 3, 0}, {0, 0, 3, 0}, {{"R", {9, 9, 9, 9}}, {"Z", z}}}));

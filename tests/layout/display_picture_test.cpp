@@ -52,7 +52,7 @@ Picture print_of(int count, Vec2i size, const std::string& line, const DisplayPi
                          params, pool);
 }
 
-TEST(DisplayPicture, six_photos_behind_lenses_of_a_fractional_pitch) {
+TEST(DisplayPicture, six_photos_with_a_fractional_pitch) {
   const Picture print = print_of(6, {3512, 2422}, "lpi=60.12 dpi=600 paper=3593x2783px");
   ASSERT_EQ(size_of(print), Vec2i(3593, 2783));
   std::map<int, int> pixels;
@@ -66,7 +66,7 @@ TEST(DisplayPicture, six_photos_behind_lenses_of_a_fractional_pitch) {
   for (int x = 0; x < 9; ++x) EXPECT_GE(view_at(print, x, 0), view_at(print, x + 1, 0)) << "mirrored below a lens";
 }
 
-TEST(DisplayPicture, whole_pitch_has_one_column_for_each_view) {
+TEST(DisplayPicture, whole_pitch_has_one_column_per_view) {
   const Picture print = print_of(6, {351, 242}, "lpi=60.12 dpi=360.72 paper=5.98833x4.63833in");
   ASSERT_EQ(size_of(print), Vec2i(2160, 1673));
   for (int x = 0; x < 2160; ++x) ASSERT_EQ(view_at(print, x, 7), 5 - x % 6) << x;
@@ -146,7 +146,7 @@ TEST(DisplayPicture, photos_become_the_quilt_of_the_go) {
   }
 }
 
-TEST(DisplayPicture, both_eyes_get_half_of_a_calibrated_panel) {
+TEST(DisplayPicture, each_eye_gets_half_the_panel) {
   const Display panel = display_from_calibration(
       R"({"pitch": {"value": 52.59267044067383}, "slope": {"value": -7.083540916442871}, "center": {"value": 0.8167931437492371},
           "screenW": {"value": 1536}, "screenH": {"value": 2048}, "DPI": {"value": 324}})",
@@ -226,7 +226,7 @@ Image8 moving_view(int view) {
   return image;
 }
 
-TEST(DisplayPicture, shift_of_views_stops_what_moves_by_it) {
+TEST(DisplayPicture, view_shift_cancels_motion_between_views) {
   const Display sheet = load_display("pitch-mm=1 dpi=254 paper=360x270px");  // 4:3, 36 lenses
   const ThreadPool pool(1);
   ViewFitter fitter(sheet, DisplayTarget::kIntegral, AspectFit::kCrop, pool, 2.0);

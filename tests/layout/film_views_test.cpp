@@ -22,7 +22,7 @@ Optics quilt() {
   return optics;
 }
 
-TEST(FilmViews, of_a_quilt_are_its_tiles_from_the_lower_left_on) {
+TEST(FilmViews, quilt_tiles_from_the_lower_left) {
   const Image film = numbered(6, 4, 3), depth = numbered(6, 4, 1);
   const LightField field = light_field_of(film, quilt(), &depth);
   EXPECT_EQ(field.grid, (ViewGrid{6, 1}));
@@ -35,7 +35,7 @@ TEST(FilmViews, of_a_quilt_are_its_tiles_from_the_lower_left_on) {
   EXPECT_EQ(depth_of(field, 5).pixel(1, 1)[0], depth.pixel(5, 1)[0]);
 }
 
-TEST(FilmViews, below_lenses_the_leftmost_eye_sees_the_rightmost_pixels) {
+TEST(FilmViews, leftmost_eye_sees_rightmost_pixels) {
   Optics sheet;
   sheet.panel = {8, 2, 0.25f};
   sheet.model = LenticularSheet{.lens_pitch_mm = 1.0f};
@@ -55,7 +55,7 @@ TEST(FilmViews, have_the_eyes_of_their_optics) {
   EXPECT_NEAR(field.cameras->eyes_mm.front().x, -field.cameras->eyes_mm.back().x, 1e-4);
 }
 
-TEST(FilmViews, what_is_not_of_the_panel_and_lenses_without_whole_pixels_are_refused) {
+TEST(FilmViews, rejects_wrong_sizes_and_fractional_lenses) {
   EXPECT_THROW(light_field_of(numbered(5, 4, 3), quilt()), Error);
   const Image depth = numbered(6, 3, 1);
   EXPECT_THROW(light_field_of(numbered(6, 4, 3), quilt(), &depth), Error);
@@ -75,7 +75,7 @@ TEST(FilmViews, what_is_not_of_the_panel_and_lenses_without_whole_pixels_are_ref
   EXPECT_THROW(light_field_of(numbered(8, 2, 3), slanted), Error);
 }
 
-TEST(FilmViews, layers_of_any_number_of_channels_lie_as_the_views_do) {
+TEST(FilmViews, layers_have_the_views_layout) {
   const Image motion = numbered(6, 4, 2);
   const Image stack = views_of_layer(motion, quilt());
   EXPECT_EQ(stack.width, 2);
@@ -86,7 +86,7 @@ TEST(FilmViews, layers_of_any_number_of_channels_lie_as_the_views_do) {
   EXPECT_THROW(views_of_layer(numbered(6, 3, 2), quilt()), Error);
 }
 
-TEST(FilmViews, a_slanted_panel_shows_pixels_of_three_sub_pixels) {
+TEST(FilmViews, slanted_panel_joins_sub_pixels) {
   Optics panel;
   panel.panel = {2, 2, 0.3f};
   panel.model = SlantedPanel{};

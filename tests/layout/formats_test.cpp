@@ -122,7 +122,7 @@ TEST(Formats, folders_number_views_from_the_top_left) {
   EXPECT_EQ(view_in(dir / "pleno/001_002.ppm"), Vec2i(2, 0));
 }
 
-TEST(Formats, eslf_takes_every_nth_pixel_and_integral_turns_them_round) {
+TEST(Formats, eslf_takes_nth_pixels_and_integral_inverts) {
   const TempDir dir;
   const LightField field = coloured_field({3, 2});
   format("eslf").write(field, dir / "eslf.png", {});
@@ -137,7 +137,7 @@ TEST(Formats, eslf_takes_every_nth_pixel_and_integral_turns_them_round) {
     }
 }
 
-TEST(Formats, stanford_reads_names_with_a_further_underscore_and_tells_what_is_missing) {
+TEST(Formats, stanford_names_with_trailing_underscore) {
   const TempDir dir;
   const Image8 picture = std::get<Image8>(numbered_field({1, 1}, {2, 2}).stack);
   for (const char* name :
@@ -149,7 +149,7 @@ TEST(Formats, stanford_reads_names_with_a_further_underscore_and_tells_what_is_m
   EXPECT_EQ(format("stanford").read(dir.path(), {}).grid, (ViewGrid{2, 2}));
 }
 
-TEST(Formats, hci_folders_are_squares_unless_said_and_miss_no_view) {
+TEST(Formats, hci_folders_default_to_squares) {
   const TempDir dir;
   const LightField field = numbered_field({3, 3}, {2, 2});
   format("hci").write(field, dir / "a", {});
@@ -160,7 +160,7 @@ TEST(Formats, hci_folders_are_squares_unless_said_and_miss_no_view) {
   EXPECT_THAT(error_message([&] { format("hci").read(dir / "a", {}); }), HasSubstr("views are missing"));
 }
 
-TEST(JpegPleno, ten_bit_codes_come_back_from_sixteen_bit_pictures) {
+TEST(JpegPleno, restores_10_bit_samples_from_16_bits) {
   const TempDir dir;
   fs::create_directories(dir / "in");
   PpmCodes ppm{{32, 32, {}}, 1023};
@@ -178,7 +178,7 @@ TEST(JpegPleno, ten_bit_codes_come_back_from_sixteen_bit_pictures) {
   EXPECT_EQ(read_ppm(dir / "back/000_000.ppm").highest, 1023);
 }
 
-TEST(Quilt, side_file_says_what_the_name_does_not) {
+TEST(Quilt, side_file_adds_to_the_name) {
   const TempDir dir;
   const LightField field = coloured_field({5, 1});
   LightField six = coloured_field({6, 1});
@@ -222,7 +222,7 @@ TEST(Quilt, inverted_views_are_turned_round) {
   for (int view = 0; view < 4; ++view) EXPECT_EQ(std::get<Image8>(view_of(back, view)).rgb[0], 3 - view);
 }
 
-TEST(Quilt, name_and_side_file_that_disagree_are_refused) {
+TEST(Quilt, rejects_conflicting_name_and_side_file) {
   const TempDir dir;
   const fs::path written = format("quilt").write(coloured_field({6, 1}), dir / "q.png", {.tiles = ViewGrid{3, 2}}).front();
   const auto refusal = [&](const char* json) {
@@ -237,7 +237,7 @@ TEST(Quilt, name_and_side_file_that_disagree_are_refused) {
   EXPECT_THAT(refusal("{"), HasSubstr("not JSON"));
 }
 
-TEST(Quilt, padding_at_the_right_and_top_is_left_out) {
+TEST(Quilt, drops_padding_at_right_and_top) {
   const TempDir dir;
   Image8 picture{7, 5, std::vector<unsigned char>(3 * 7 * 5)};
   for (int y = 0; y < 5; ++y)

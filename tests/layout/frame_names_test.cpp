@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::ElementsAre;
 
-TEST(FrameOfFile, knows_what_a_render_writes_and_nothing_else) {
+TEST(FrameOfFile, matches_only_names_that_render_writes) {
   for (const char* name : {"frame_0007.png", "frame_0007.tif", "aov_0007.exr", "frame_0007_qs8x6a0.75.png",
                            "frame_0007_qs8x6a1e-05.png.json", "frame_0007/view_012.exr", "frame_0007/aov_012.exr",
                            "frame_0007/input_Cam012.png", "frame_0007/gt_disp_lowres_Cam012.pfm", "frame_0007/parameters.cfg",
@@ -26,7 +26,7 @@ TEST(FrameOfFile, knows_what_a_render_writes_and_nothing_else) {
     EXPECT_EQ(frame_of_file(name), std::nullopt) << name;
 }
 
-TEST(FrameNames, of_a_folder_are_in_the_order_of_their_numbers_pictures_and_folders_apart) {
+TEST(FrameNames, sorts_by_number_pictures_and_folders_apart) {
   const test::TempDir dir;
   for (const char* name :
        {"frame_10000.png", "frame_9999.png", "frame_0001.png.json", "aov_0001.exr", ".frame_1.png", "frame_2.txt"})

@@ -32,7 +32,7 @@ Display small_display() {
   return display;
 }
 
-TEST(Interlace, quilt_gives_the_right_tile_and_pixel_at_positions_worked_out_by_hand) {
+TEST(Interlace, quilt_positions_match_hand_calculation) {
   // A quilt of 8 x 6 tiles of 21 x 28 pixels, each pixel with its own code, for the Portrait's 1536 x 2048 pixels. Their v is
   // worked out in tests/display/slanted_panel_test.cpp; view = floor(48 v); it lies in tile column view mod 8 and row view / 8
   // from the bottom; in it pixel (i + 1/2) 21 / 1536, (j + 1/2) 28 / 2048.
@@ -62,7 +62,7 @@ TEST(Interlace, quilt_gives_the_right_tile_and_pixel_at_positions_worked_out_by_
   EXPECT_EQ(code(1535, 2047, 2), 111 * 168 + 125);
 }
 
-TEST(Interlace, nearest_views_come_back_as_they_were_where_the_panel_holds_them_all) {
+TEST(Interlace, nearest_round_trip_is_exact) {
   // 2 views of 10 x 8 samples: each has 6 x 5 pixels, and 18 sub-pixels in a row are more than a lens.
   for (const bool words : {false, true}) {
     const LightField field = test::numbered_field({2, 1}, {10, 8}, words);
@@ -71,7 +71,7 @@ TEST(Interlace, nearest_views_come_back_as_they_were_where_the_panel_holds_them_
   }
 }
 
-TEST(Interlace, frame_taken_apart_and_made_again_is_the_same) {
+TEST(Interlace, deinterlaced_frame_interlaces_to_itself) {
   // 11 views: most samples of the views lie below no sub-pixel of theirs, yet what is in the frame comes back to its place.
   const LightField field = test::numbered_field({11, 1}, {31, 29});
   for (const Vec2i size : {Vec2i(31, 29), Vec2i(60, 41), Vec2i(90, 77)}) {
@@ -91,7 +91,7 @@ LightField steps(int count, Vec2i size) {
   return field;
 }
 
-TEST(Interlace, linear_filter_gives_the_views_place_between_its_neighbours) {
+TEST(Interlace, linear_filter_interpolates_between_views) {
   // The Portrait's sub-pixels of the table above, 48 views of which view k is k * 1000: v 48 - 1/2.
   //   0.893189 -> 42.37307;  0.759376 -> 35.95005;  0.443986 -> 20.81133
   const auto frame =
@@ -122,7 +122,7 @@ TEST(Interlace, linear_filter_is_bilinear_within_a_view) {
   EXPECT_EQ(frame.rgb[3 * 57], 6000);
 }
 
-TEST(Interlace, native_rays_and_interlaced_views_agree_on_the_view) {
+TEST(Interlace, native_rays_match_interlaced_views) {
   // The eye of a sub-pixel's ray lies within the share of the cone that its view has.
   const Display display = load_display("looking-glass-16-portrait");
   const Optics optics = native_optics(display);
@@ -143,7 +143,7 @@ TEST(Interlace, native_rays_and_interlaced_views_agree_on_the_view) {
 // Cees van Berkel, "Image preparation for 3D-LCD", Proc. SPIE 3639, 1999: sub-pixel k of row l, both from the top left corner,
 // is of the view N / X ((k + k_off - 3 l tan a) mod X), X sub-pixels wide lenses. With X = 9 / 2 and tan a = 1 / 6 that is
 // (2 k - l) mod 9. Those on the left below a lens are seen from the right, so that such views count from the right.
-TEST(Interlace, television_of_nine_views_shows_those_of_its_published_mask) {
+TEST(Interlace, nine_view_television_matches_published_mask) {
   const Display display = load_display(std::string(LIPPMANN_SOURCE) + "/examples/nine-view-television.toml");
   const auto frame = std::get<Image16>(interlace(steps(9, {4, 3}), display, {}, threads()));
   ASSERT_EQ(Vec2i(frame.width, frame.height), Vec2i(1920, 1080));

@@ -29,7 +29,7 @@ LightField two_views() {
 
 std::vector<MivCamera> cameras_by_hand() { return miv_cameras(*two_views().cameras, {40, 30}, {"a", "b"}, 0.25, 2.0); }
 
-TEST(MivCameras, positions_are_metres_forward_left_up_and_sensors_are_shifted) {
+TEST(MivCameras, positions_in_metres_with_shifted_sensors) {
   const MivCamera right = cameras_by_hand()[1];
   EXPECT_EQ(right.position_m[0], 0.0);
   EXPECT_DOUBLE_EQ(right.position_m[1], -0.01) << "10 mm to the right";
@@ -49,7 +49,7 @@ TEST(MivCameras, text_brings_back_cameras) {
   for (std::size_t view = 0; view < 2; ++view) EXPECT_LT(glm::distance(cameras.eyes_mm[view], original.eyes_mm[view]), 1e-9);
 }
 
-TEST(MivCameras, turned_or_unshifted_ones_are_no_views_of_one_rectangle) {
+TEST(MivCameras, rotated_cameras_share_no_window) {
   std::vector<MivCamera> turned = cameras_by_hand(), unshifted = cameras_by_hand();
   turned[1].rotation_deg[0] = 1.0;
   unshifted[1].principal_point_px = unshifted[0].principal_point_px;
@@ -57,7 +57,7 @@ TEST(MivCameras, turned_or_unshifted_ones_are_no_views_of_one_rectangle) {
   EXPECT_FALSE(cameras_of_miv(unshifted));
 }
 
-TEST(MivFormat, depth_codes_follow_their_formula_and_0_is_nothing) {
+TEST(MivFormat, depth_codes_match_formula) {
   const TempDir dir;
   LightField field = two_views();
   field.depth = Image(40, 60, 1);
@@ -78,7 +78,7 @@ TEST(MivFormat, depth_codes_follow_their_formula_and_0_is_nothing) {
   EXPECT_EQ(back.depth->data[3], -INFINITY);
 }
 
-TEST(MivFormat, views_without_cameras_and_missing_pictures_are_refused) {
+TEST(MivFormat, rejects_missing_cameras_and_pictures) {
   const TempDir dir;
   EXPECT_THAT(error_message([&] {
                 miv_format().write(numbered_field({2, 1}, {4, 3}), dir / "m", {});

@@ -18,7 +18,7 @@ using test::numbered_field;
 using test::same_samples;
 using test::TempDir;
 
-TEST(OpenLightField, folders_and_quilts_are_known_by_their_names) {
+TEST(OpenLightField, detects_folders_and_quilts_by_name) {
   const TempDir dir;
   const LightField field = numbered_field({3, 2}, {4, 5});
   stanford_format().write(field, dir / "stanford", {});
@@ -42,7 +42,7 @@ LightField write_plain_quilt(const TempDir& dir, const std::string& name) {
   return field;
 }
 
-TEST(OpenLightField, quilt_with_only_a_side_file_is_known) {
+TEST(OpenLightField, detects_quilt_by_side_file) {
   const TempDir dir;
   const LightField field = write_plain_quilt(dir, "plain.png");
   const OpenedLightField opened = open_light_field(dir / "plain.png", "", {});
@@ -87,12 +87,12 @@ TEST(OpenLightField, jpeg_pleno_folder_of_png_pictures) {
   EXPECT_TRUE(same_samples(opened.field.stack, field.stack));
 }
 
-TEST(OpenLightField, what_is_not_there_is_said_not_to_be_there) {
+TEST(OpenLightField, reports_missing_files) {
   const TempDir dir;
   EXPECT_THAT(test::error_message([&] { open_light_field(dir / "nosuch", "", {}); }), testing::HasSubstr("no such file"));
 }
 
-TEST(OpenLightField, a_folder_of_frames_has_one_for_each_and_others_themselves) {
+TEST(OpenLightField, lists_frames_of_a_folder) {
   const TempDir dir;
   const LightField field = numbered_field({2, 1}, {4, 4});
   std::filesystem::create_directories(dir / "frames");

@@ -43,7 +43,7 @@ std::vector<int> codes_of_views(const LightField& field) {
   return codes;
 }
 
-TEST(PictureFolder, views_are_in_natural_order_of_any_names) {
+TEST(PictureFolder, views_are_in_natural_order) {
   const TempDir dir;
   for (const int number : {10, 1, 2, 9}) write_grey(dir / (std::to_string(number) + ".jpg"), number);
   const OpenedLightField opened = open_light_field(dir.path(), "", {});
@@ -111,7 +111,7 @@ TEST(PictureFolder, pictures_are_listed_by_their_headers) {
   EXPECT_THAT(error_message([&] { open_light_field(dir.path(), "", {}); }), HasSubstr("a.png: cannot be read as a picture"));
 }
 
-TEST(PictureFolder, is_taken_unasked_only_where_pictures_are_alone) {
+TEST(PictureFolder, accepts_folders_with_only_pictures) {
   const TempDir dir;
   write_grey(dir / "a.png", 1);
   EXPECT_FALSE(is_light_field_folder(dir.path())) << "one picture";
@@ -136,7 +136,7 @@ TEST(PictureFolder, named_frames_and_quilts_go_first) {
   EXPECT_THAT(light_field_frames(dir.path(), "views"), IsEmpty()) << "--from says that all of them are views";
 }
 
-TEST(StackOfViews, more_than_memory_or_indices_hold_is_refused) {
+TEST(StackOfViews, rejects_more_than_memory_or_indices) {
   constexpr double kGiB = 1024.0 * 1024.0 * 1024.0, kAny = std::numeric_limits<double>::infinity();
   const auto message = [](int views, Vec2i size, std::size_t bytes, double available) {
     return error_message([&] { require_stack_fits("dir", views, size, bytes, available); });

@@ -207,7 +207,7 @@ TEST(PlenopticViews, vignetting_is_divided_out) {
 }
 
 /// A picture with a mark in the plane of the array, and in the next plane: all views show it in one place, whatever the pitch.
-TEST(PlenopticViews, wrong_pitch_drifts_by_a_lens_every_74) {
+TEST(PlenopticViews, wrong_pitch_drifts_one_lens_per_74) {
   const double pitch = 10.135;
   const Vec2i size(1600, 60);
   const LensGrid truth = lens_grid(pitch, 0.0, {pitch / 2, pitch / 2}, LensArrangement::kSquare);

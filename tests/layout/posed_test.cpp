@@ -123,7 +123,7 @@ TEST(PosedFormats, subsets_keep_their_cameras) {
   EXPECT_EQ((*field.poses)[1].principal_px, Vec2d(20.0 - 4.0, 15.0 - 6.0));
 }
 
-TEST(NerfFormat, walls_have_constant_z_and_rays_of_z_over_cosine) {
+TEST(NerfFormat, walls_have_constant_z) {
   const TempDir dir;
   const LightField field = six_views();
   nerf_format().write(field, dir / "m", {});
@@ -145,7 +145,7 @@ TEST(NerfFormat, walls_have_constant_z_and_rays_of_z_over_cosine) {
   EXPECT_EQ(back.depth->data[7], -INFINITY);
 }
 
-TEST(NerfFormat, ray_at_30_degrees_is_longer_by_1_1547) {
+TEST(NerfFormat, ray_at_30_degrees_is_longer) {
   // tan 30 degrees off the axis: with 100 pixels of focal length, 57.735 pixels.
   const PosedCamera camera{{1, 1}, Vec2d(100.0), Vec2d(0.5 - 100.0 * std::tan(std::numbers::pi / 6.0), 0.5), {}, {}};
   Image depth(1, 1, 1);
@@ -223,7 +223,7 @@ TEST(NerfFormat, cameras_that_disagree_with_pictures_are_refused) {
               HasSubstr("cameras of these views are unknown"));
 }
 
-TEST(ColmapFormat, poses_are_camera_from_world_with_y_down) {
+TEST(ColmapFormat, poses_are_camera_from_world) {
   // Our camera at z = 2 m looks along -z. COLMAP's looks along +z: turned by 180 degrees about x, and the world's origin lies
   // 2 m ahead.
   const PosedPicture picture{"", "000.png", "", turned_views().poses->at(0)};

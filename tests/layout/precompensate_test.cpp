@@ -39,7 +39,7 @@ TEST(Precompensate, three_views_are_solved_for) {
 
 // Black between halves would have to be -0.145. At 0, its neighbours need 0.9 0.5 / 0.8 = 0.5625 (not the 0.5806 that would go
 // with -0.145), and 0.1125 is seen in place of black.
-TEST(Precompensate, what_light_cannot_be_is_clipped_and_the_neighbours_know) {
+TEST(Precompensate, clips_negative_light_and_adjusts_neighbours) {
   Image image = views(0.5f, 0.0f, 0.5f);
   const Precompensation done = precompensate(three_views(), kTenPercent, "test", image);
   EXPECT_NEAR(image.pixel(0, 0)[0], 0.5625f, kNextButOne);
@@ -50,7 +50,7 @@ TEST(Precompensate, what_light_cannot_be_is_clipped_and_the_neighbours_know) {
 }
 
 // White beside black needs more than white: seen are 0.8 / 0.9 and 0.2.
-TEST(Precompensate, full_contrast_is_out_of_reach_by_the_share_of_neighbours) {
+TEST(Precompensate, full_contrast_misses_by_the_neighbour_share) {
   Image image = views(1.0f, 0.0f, 7.0f);  // brighter than white is shown as white
   const Precompensation done = precompensate(three_views(), kTenPercent, "test", image);
   EXPECT_EQ(image.data, views(1.0f, 0.0f, 1.0f).data);
@@ -83,7 +83,7 @@ TEST(Precompensate, neighbours_are_those_on_the_panel) {
 }
 
 // Along both axes: seen is 0.8 x 0.8 of a lone pixel, so that for 0.2 above 0.5 it has to be about 0.2 / 0.64 above.
-TEST(Precompensate, microlenses_and_camera_grids_leak_along_both_axes) {
+TEST(Precompensate, lenslets_and_grids_leak_along_both_axes) {
   Optics lenslets{.panel = {33, 33, 0.125f}, .model = MicrolensArray{}};
   Optics grid{.panel = {33, 33, 1.0f}, .model = MultiView{.columns = 33, .rows = 33, .baseline_mm = 1.0f}};
   std::vector<Image> made;

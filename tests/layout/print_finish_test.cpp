@@ -101,7 +101,7 @@ TEST(PrintFinish, marks_stand_outside_the_bleed) {
     EXPECT_EQ(pixel(marked, empty.x, empty.y), kPaper);
 }
 
-TEST(PrintFinish, bands_are_black_below_the_middle_of_lenses) {
+TEST(PrintFinish, bands_are_black_below_lens_centres) {
   DisplayPictureParams params;
   params.finish = {.bleed_mm = 3.0, .marks = true};
   for (const char* line : {"lpi=25.4 dpi=304.8 paper=840x300px phase=5", "lpi=25.4 dpi=304.8 paper=840x300px"}) {

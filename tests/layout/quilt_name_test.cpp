@@ -14,7 +14,7 @@ TEST(QuiltName, says_tiles_and_aspect) {
   EXPECT_EQ(name->aspect, 0.75);
 }
 
-TEST(QuiltName, zoom_and_focus_of_other_tools_are_read_past) {
+TEST(QuiltName, ignores_zoom_and_focus) {
   const auto name = parse_quilt_name("x_qs5x9a1.77778z1.2f-0.3.jpg");
   ASSERT_TRUE(name);
   EXPECT_EQ(name->tiles, (ViewGrid{5, 9}));

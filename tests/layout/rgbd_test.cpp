@@ -31,7 +31,7 @@ LightField deep_field(bool words = false) {
   return field;
 }
 
-TEST(Rgbd, disparity_is_z_from_the_eye_and_finite_behind_everything) {
+TEST(Rgbd, disparity_is_finite_at_any_depth) {
   EXPECT_DOUBLE_EQ(disparity_of_depth(50, 100), 100.0);    // 50 / (1 - 1/2)
   EXPECT_DOUBLE_EQ(disparity_of_depth(-100, 100), -50.0);  // -100 / 2
   EXPECT_DOUBLE_EQ(disparity_of_depth(-INFINITY, 100), -100.0);
@@ -39,7 +39,7 @@ TEST(Rgbd, disparity_is_z_from_the_eye_and_finite_behind_everything) {
   EXPECT_EQ(depth_of_disparity(-100, 100), -INFINITY);
 }
 
-TEST(Rgbd, grey_is_even_in_disparity_and_white_is_near) {
+TEST(Rgbd, grey_is_linear_in_disparity) {
   const DepthCoding coding{{50, -100}};  // disparities 100 and -50
   EXPECT_DOUBLE_EQ(grey_of_depth(coding, 100, 50), 1.0);
   EXPECT_DOUBLE_EQ(grey_of_depth(coding, 100, -100), 0.0);
@@ -63,7 +63,7 @@ TEST(Rgbd, neighbouring_names_are_read) {
   EXPECT_EQ(without_rgbd_name("a/b.rgbd.png"), "a/b.png");
 }
 
-TEST(Rgbd, middle_view_is_at_the_left_and_its_depth_at_the_right) {
+TEST(Rgbd, colours_left_and_depth_right) {
   const TempDir dir;
   const LightField field = deep_field();
   const auto written = rgbd_format().write(field, dir / "a.png", {});
@@ -94,7 +94,7 @@ TEST(Rgbd, colours_depth_and_camera_come_back) {
   for (int x = 0; x < 4; ++x) EXPECT_NEAR(opened.field.depth->pixel(x, 1)[0], -10.0 * x + 1.0, 4e-4) << x;
 }
 
-TEST(Rgbd, what_is_said_goes_over_the_side_file) {
+TEST(Rgbd, options_override_the_side_file) {
   const TempDir dir;
   const auto path = rgbd_format().write(deep_field(), dir / "a.png", {}).front();
   FormatOptions options;
@@ -104,7 +104,7 @@ TEST(Rgbd, what_is_said_goes_over_the_side_file) {
   EXPECT_NEAR(field.depth->pixel(3, 0)[0], -40.0, 1e-4);
 }
 
-TEST(Rgbd, without_a_side_file_a_range_is_assumed) {
+TEST(Rgbd, assumes_a_range_without_side_file) {
   const TempDir dir;
   fs::copy(rgbd_format().write(deep_field(), dir / "a.png", {}).front(), dir / "b.png");
   const LightField field = rgbd_format().read(dir / "b.png", {});

@@ -47,7 +47,7 @@ Image8 written_as(const LightField& field, const StereoLayout& layout) {
 
 int red(const Image8& image, int x, int y) { return image.rgb[static_cast<std::size_t>(3 * (y * image.width + x))]; }
 
-TEST(Stereo, name_says_how_the_views_lie_and_back) {
+TEST(Stereo, parses_and_writes_names) {
   EXPECT_EQ(with_stereo_name("a/room.png", {StereoPacking::kHalfSideBySide}), "a/room_half_2x1.png");
   EXPECT_EQ(with_stereo_name("room_ou.png", {StereoPacking::kSideBySide, true}), "room_2x1_rl.png");
   for (const StereoLayout& layout : all_layouts()) {
@@ -58,7 +58,7 @@ TEST(Stereo, name_says_how_the_views_lie_and_back) {
   EXPECT_FALSE(parse_stereo_name("room_8x6.png"));
 }
 
-TEST(Stereo, left_view_is_first_unless_right_first_is_said) {
+TEST(Stereo, left_view_is_first_by_default) {
   const LightField field = flat_pair({2, 2}, 10, 200);
   EXPECT_EQ(red(written_as(field, {StereoPacking::kSideBySide}), 0, 1), 10);
   EXPECT_EQ(red(written_as(field, {StereoPacking::kSideBySide}), 3, 1), 200);
@@ -88,7 +88,7 @@ TEST(Stereo, rows_are_the_views_own) {
   EXPECT_EQ(red(picture, 2, 3), red(right, 2, 3));
 }
 
-TEST(Stereo, squeezed_pixels_are_means_of_two_in_linear_light) {
+TEST(Stereo, squeezes_in_linear_light) {
   LightField field = flat_pair({2, 1}, 0, 0);
   std::get<Image8>(field.stack).rgb = {0, 0, 0, 255, 255, 255, 0, 0, 0, 0, 0, 0};
   const Image8 picture = written_as(field, {StereoPacking::kHalfSideBySide});
@@ -123,7 +123,7 @@ TEST(Stereo, whole_views_come_back_as_they_were) {
   }
 }
 
-TEST(Stereo, frames_are_converted_to_views_and_to_another_packing) {
+TEST(Stereo, converts_frames_between_packings) {
   const TempDir dir;
   FormatOptions sbs;
   sbs.stereo = StereoLayout{};

@@ -13,14 +13,14 @@ Image counting_film() {
   return film;
 }
 
-TEST(SubPixels, each_pixel_has_the_red_of_its_red_sub_pixel_and_so_on) {
+TEST(SubPixels, joins_colours_of_sub_pixels) {
   const Image frame = join_sub_pixels(counting_film());
   EXPECT_EQ(Vec2i(frame.width, frame.height), Vec2i(2, 2));
   // Film pixel (3 i + c, j), channel c: 18 j + 3 (3 i + c) + c.
   EXPECT_EQ(frame.data, (std::vector<float>{0, 4, 8, 9, 13, 17, 18, 22, 26, 27, 31, 35}));
 }
 
-TEST(SubPixels, other_layers_are_those_of_the_middle_sub_pixel) {
+TEST(SubPixels, other_layers_use_the_middle_sub_pixel) {
   EXPECT_EQ(middle_sub_pixels(counting_film()).data, (std::vector<float>{3, 4, 5, 12, 13, 14, 21, 22, 23, 30, 31, 32}));
 }
 

@@ -25,7 +25,7 @@ LightField with_cameras_and_depth(ViewGrid grid, Vec2i size) {
   return field;
 }
 
-TEST(Keep, ranges_with_steps_on_both_axes_keep_views_depth_and_cameras) {
+TEST(Keep, step_ranges_keep_depth_and_cameras) {
   const LightField all = with_cameras_and_depth({5, 4}, {2, 3});
   LightField some = all;
   keep(some, read_kept_views("0-4:2x1-2", "--keep"), "--keep");
@@ -40,7 +40,7 @@ TEST(Keep, ranges_with_steps_on_both_axes_keep_views_depth_and_cameras) {
     }
 }
 
-TEST(Keep, all_and_single_numbers_may_be_mixed_and_rows_left_out) {
+TEST(Keep, accepts_all_and_single_numbers) {
   LightField field = numbered_field({5, 4}, {2, 2});
   keep(field, read_kept_views("allx3", "--keep"), "--keep");
   EXPECT_EQ(field.grid, (ViewGrid{5, 1}));
@@ -49,7 +49,7 @@ TEST(Keep, all_and_single_numbers_may_be_mixed_and_rows_left_out) {
   EXPECT_TRUE(same_samples(view_of(field, 0), view_of(numbered_field({5, 4}, {2, 2}), 19)));
 }
 
-TEST(Crop, window_of_every_view_is_kept_and_the_middle_moves_with_it) {
+TEST(Crop, window_moves_the_centre) {
   const LightField all = with_cameras_and_depth({2, 1}, {5, 4});
   LightField field = all;
   crop(field, read_crop("2x3+1+1", "--crop"), "--crop");
@@ -65,7 +65,7 @@ TEST(Crop, window_of_every_view_is_kept_and_the_middle_moves_with_it) {
       }
 }
 
-TEST(Crop, windows_one_after_the_other_are_one_window) {
+TEST(Crop, windows_can_be_combined) {
   LightField twice = numbered_field({2, 2}, {8, 6}), once = twice;
   crop(twice, {{6, 5}, {1, 1}}, "");
   crop(twice, {{2, 2}, {3, 1}}, "");
@@ -73,7 +73,7 @@ TEST(Crop, windows_one_after_the_other_are_one_window) {
   EXPECT_TRUE(same_samples(twice.stack, once.stack));
 }
 
-TEST(Subset, what_lies_outside_or_makes_no_sense_is_refused) {
+TEST(Subset, rejects_invalid_selections) {
   LightField field = numbered_field({3, 2}, {4, 4});
   for (const char* text : {"", "1x", "2-1x0x", "0-2:0", "-1", "a", "0-2,1"})
     EXPECT_THAT(error_message([&] { read_kept_views(text, "--keep"); }), HasSubstr("as views")) << text;

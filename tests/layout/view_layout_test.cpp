@@ -25,7 +25,7 @@ TEST(ViewLayout, quilt_begins_at_the_bottom_left) {
   EXPECT_THAT(pixels_of_views(layout, {1, 1}, {2, 2}), ElementsAre(2, 3, 0, 1));
 }
 
-TEST(ViewLayout, quilt_s_padding_is_at_the_right_and_at_the_top) {
+TEST(ViewLayout, quilt_padding_is_right_and_top) {
   // 2 x 1 tiles of 2 x 2 in 5 x 3: the top row and the right column show nothing.
   const ViewLayout layout{LayoutKind::kQuilt, {2, 1}, {2, 1}};
   EXPECT_EQ(view_size(layout, {5, 3}, "q"), Vec2i(2, 3));
@@ -34,7 +34,7 @@ TEST(ViewLayout, quilt_s_padding_is_at_the_right_and_at_the_top) {
   EXPECT_THAT(pixels_of_views(tall, {5, 1}, {5, 3}), ElementsAre(10, 11, 12, 13, 14, 5, 6, 7, 8, 9));
 }
 
-TEST(ViewLayout, every_pixel_of_a_full_picture_belongs_to_one_view) {
+TEST(ViewLayout, views_cover_the_picture_once) {
   const ViewLayout layouts[] = {
       {LayoutKind::kIntegral, {5, 3}, {}}, {LayoutKind::kQuilt, {15, 1}, {3, 5}}, {LayoutKind::kStack, {5, 3}, {}}};
   for (const ViewLayout& layout : layouts) {
@@ -48,7 +48,7 @@ TEST(ViewLayout, every_pixel_of_a_full_picture_belongs_to_one_view) {
   }
 }
 
-TEST(ViewLayout, picture_that_lenses_do_not_fill_is_refused) {
+TEST(ViewLayout, rejects_pictures_that_lenses_do_not_fill) {
   try {
     view_size({LayoutKind::kIntegral, {8, 1}, {}}, {510, 4}, "odd.png");
     FAIL();
@@ -58,7 +58,7 @@ TEST(ViewLayout, picture_that_lenses_do_not_fill_is_refused) {
   }
 }
 
-TEST(ViewLayout, views_of_a_lenticular_sheet_run_from_what_the_leftmost_eye_sees_to_the_rightmost) {
+TEST(ViewLayout, lenticular_views_run_left_to_right) {
   Optics optics;
   optics.panel = {24, 4, 0.25f};
   LenticularSheet sheet;

@@ -15,7 +15,7 @@ Optics three_views() {
 }
 
 // In base 3: 0, 1/3, 2/3, 1/9. By rank 0, 2, 3, 1 of four parts.
-TEST(AngularFilter, eyes_stand_in_the_middles_of_equal_parts_in_the_order_of_radical_inverses) {
+TEST(AngularFilter, shifts_follow_radical_inverses) {
   const std::vector<Vec2f> shifts = eye_shifts(three_views(), AngularFilter::kBox, 4);
   ASSERT_EQ(shifts.size(), 4u);
   EXPECT_FLOAT_EQ(shifts[0].x, -0.375f);
@@ -34,7 +34,7 @@ TEST(AngularFilter, nothing_is_spread_without_neighbours_or_filter) {
   for (const Vec2f shift : eye_shifts(optics, AngularFilter::kBox, 5)) EXPECT_EQ(shift.x, 0.0f);
 }
 
-TEST(AngularFilter, a_whole_step_is_the_next_eye_and_the_plane_stays) {
+TEST(AngularFilter, whole_step_is_the_next_eye) {
   Optics grid = three_views();
   grid.model = MultiView{.columns = 3, .rows = 2, .distance_mm = 100.0f, .baseline_mm = 4.0f};
   for (const Optics& optics : {three_views(), grid}) {

@@ -10,7 +10,7 @@ namespace {
 using testing::HasSubstr;
 
 // A Gaussian of sigma 1/2 has 0.15730 of itself between 1/2 and 3/2 (from tables: 1 and 3 sigma, 0.99865 - 0.84134).
-TEST(Crosstalk, neighbours_have_what_the_gaussian_has_over_them) {
+TEST(Crosstalk, neighbour_share_matches_tables) {
   EXPECT_NEAR(neighbour_share(0.5), 0.99865 - 0.84134, 1e-5);
   EXPECT_EQ(neighbour_share(0.0), 0.0);
   const Taps taps = gaussian_taps(7.5, 0.5);
@@ -24,7 +24,7 @@ TEST(Crosstalk, neighbours_have_what_the_gaussian_has_over_them) {
   EXPECT_NEAR(sum, 1.0, 1e-4);  // cut off at 4 sigma
 }
 
-TEST(Crosstalk, said_as_a_share_it_is_the_sigma_that_has_it) {
+TEST(Crosstalk, parses_a_share_as_sigma) {
   EXPECT_EQ(read_crosstalk("0.4", "x"), 0.4);
   EXPECT_EQ(read_crosstalk("0%", "x"), 0.0);
   for (const double percent : {0.5, 10.0, 23.0})
@@ -38,7 +38,7 @@ TEST(Crosstalk, what_is_no_crosstalk_is_refused) {
     EXPECT_THAT(test::error_message([&] { read_crosstalk(text, "--crosstalk"); }), HasSubstr("--crosstalk")) << text;
 }
 
-TEST(Crosstalk, only_the_ways_in_which_lenses_have_power_leak) {
+TEST(Crosstalk, leaks_only_along_axes_with_power) {
   Optics optics;
   optics.model = LenticularSheet{.slant = radians(60.0f)};
   EXPECT_NEAR(crosstalk_sigmas(optics, 0.3).x, 0.6, 1e-6);

@@ -22,7 +22,7 @@ using test::expect_near;
 
 // ---- Lenticular sheet -------------------------------------------------------------------------------------------------
 
-TEST(Lenticular, default_sheet_sends_the_first_pixel_of_a_lens_to_the_right) {
+TEST(Lenticular, first_pixel_of_a_lens_goes_right) {
   // 512 pixels of 0.125 mm, 8 per lens of 1 mm, gap 2 mm. Pixel (256, 256) lies at x = 0.0625, y = -0.0625, below the lens at
   // x = 0.5: its light leaves with dx/dz = (0.5 - 0.0625) / 2 = 0.21875. 8 mm in front it is at 0.5 + 8 * 0.21875 = 2.25.
   const Optics optics{.panel = {}, .model = LenticularSheet{}, .z_front_mm = 8.0f};
@@ -33,7 +33,7 @@ TEST(Lenticular, default_sheet_sends_the_first_pixel_of_a_lens_to_the_right) {
   expect_near(at_depth(ray, 0.0f), {0.5f, -0.0625f, 0.0f}, kPositionMm);
 }
 
-TEST(Lenticular, finite_viewing_distance_sends_cell_centres_to_the_eye) {
+TEST(Lenticular, cell_centres_converge_to_the_eye) {
   LenticularSheet sheet{.lens_pitch_mm = 1.0f / 1.004f, .gap_mm = 2.0f, .offset_mm = 0.5f / 1.004f};
   sheet.viewing_distance_mm = 500.0f, sheet.eye_height_mm = 20.0f;
   const Optics optics{.panel = {}, .model = sheet};
@@ -44,7 +44,7 @@ TEST(Lenticular, finite_viewing_distance_sends_cell_centres_to_the_eye) {
       expect_near(at_depth(ray_of_pixel(optics, {8 * lens + 4.0f, row}), 500.0f), {0.0f, 20.0f, 500.0f}, kPositionMm);
 }
 
-TEST(Lenticular, slanted_sheet_keeps_rows_towards_the_eyes_height) {
+TEST(Lenticular, slanted_rows_converge_to_eye_height) {
   OpticsSampler random(11);
   for (int trial = 0; trial < 30; ++trial) {
     Optics optics = random.lenticular(true);
@@ -59,7 +59,7 @@ TEST(Lenticular, slanted_sheet_keeps_rows_towards_the_eyes_height) {
   }
 }
 
-TEST(Lenticular, rays_of_one_directional_view_are_parallel_to_the_last_bit) {
+TEST(Lenticular, rays_of_one_view_are_parallel) {
   // 5 pixels a lens and a pitch that is no binary fraction: the cells must come out whole all the same.
   const Optics optics{.panel = {1000, 4, 0.1f},
                       .model = LenticularSheet{.lens_pitch_mm = 0.5f, .gap_mm = 1.0f, .offset_mm = 0.25f}};
@@ -70,7 +70,7 @@ TEST(Lenticular, rays_of_one_directional_view_are_parallel_to_the_last_bit) {
                 ray_of_pixel(optics, {view + 0.5f, 0.5f}).direction);
 }
 
-TEST(Lenticular, cells_are_half_open_to_the_last_bit) {
+TEST(Lenticular, cells_are_half_open) {
   const Optics optics{.panel = {1000, 4, 0.1f},
                       .model = LenticularSheet{.lens_pitch_mm = 0.5f, .gap_mm = 1.0f, .offset_mm = 0.25f}};
   for (int lens = 0; lens < 200; ++lens) {
@@ -81,7 +81,7 @@ TEST(Lenticular, cells_are_half_open_to_the_last_bit) {
   }
 }
 
-TEST(Lenticular, one_lens_is_a_pinhole_across_and_another_along) {
+TEST(Lenticular, one_lens_is_two_pinholes) {
   // One lens above the whole panel: across, the pinhole is the lens centre, a gap in front of the panel; along, it is the eye.
   for (const float viewing_distance : {300.0f, 1000.0f}) {
     const Panel panel{80, 60, 0.1f};
@@ -109,7 +109,7 @@ TEST(Lenticular, one_lens_is_a_pinhole_across_and_another_along) {
 
 // ---- Microlens array --------------------------------------------------------------------------------------------------
 
-TEST(Microlens, default_array_sends_a_corner_pixel_through_its_lens_centre) {
+TEST(Microlens, corner_pixel_goes_through_lens_centre) {
   // Pixel (256, 255) lies at x = y = 0.0625, below the lens at (0.5, 0.5): slope 0.21875 in both directions.
   const Optics optics{.panel = {}, .model = MicrolensArray{}, .z_front_mm = 8.0f};
   const Ray ray = ray_of_pixel(optics, {256.5f, 255.5f});
@@ -118,7 +118,7 @@ TEST(Microlens, default_array_sends_a_corner_pixel_through_its_lens_centre) {
   EXPECT_NEAR(slope(ray).y, 0.21875f, kSlope);
 }
 
-TEST(Microlens, one_lens_with_a_finite_viewing_distance_is_a_pinhole_camera) {
+TEST(Microlens, one_near_lens_is_a_pinhole) {
   const Panel panel{64, 64, 0.1f};
   const float gap = 9.0f, viewing_distance = 450.0f;
   const MicrolensArray array{.packing = LensPacking::kSquare,
@@ -157,7 +157,7 @@ TEST(Microlens, hexagonal_rows_are_shifted_and_closer) {
   EXPECT_EQ(whole_pixels_per_lens(optics), Vec2i(0, 0));
 }
 
-TEST(Microlens, hexagonal_offset_by_one_row_shifts_the_lattice_as_written) {
+TEST(Microlens, hexagonal_offset_shifts_the_lattice) {
   MicrolensArray array{.packing = LensPacking::kHexagonal, .lens_pitch_mm = 1.0f, .gap_mm = 2.0f, .offset_mm = {0.0f, 0.0f}};
   array.offset_mm = {0.0f, 3.0f * std::sqrt(0.75f)};  // row 0 moves to where an odd row was: the row at y = 0 is now an odd one
   const Optics optics{.panel = {128, 128, 0.0625f}, .model = array};
@@ -174,13 +174,13 @@ TEST(SingleView, centre_of_the_first_pixel_by_hand) {
   expect_near(ray.direction, glm::normalize(Vec3f(-15, 5, -100)), 1e-6f);
 }
 
-TEST(SingleView, pixel_offset_shifts_the_sample_right_and_down) {
+TEST(SingleView, pixel_offset_shifts_right_and_down) {
   const Optics plain{.panel = {40, 20, 1.0f}, .model = SingleView{100.0f}};
   const Optics shifted{.panel = {40, 20, 1.0f}, .model = SingleView{100.0f, {0.5f, -0.25f}}};
   EXPECT_EQ(ray_of_pixel(shifted, {3.5f, 7.5f}).direction, ray_of_pixel(plain, {4.0f, 7.25f}).direction);
 }
 
-TEST(MultiView, quilt_of_one_view_is_the_single_view) {
+TEST(MultiView, one_view_quilt_is_a_single_view) {
   const Panel panel{50, 40, 0.3f};
   for (const bool ends : {false, true}) {
     const Optics quilt{.panel = panel, .model = MultiView{1, 1, 1.0f, ends, 250.0f}},
@@ -192,7 +192,7 @@ TEST(MultiView, quilt_of_one_view_is_the_single_view) {
   }
 }
 
-TEST(MultiView, view_is_off_axis_through_the_same_rectangle) {
+TEST(MultiView, view_is_off_axis) {
   // 2 x 1 tiles of 30 x 20 pixels, cone 60 degrees: eyes at +-15 degrees.
   const Optics quilt{.panel = {60, 20, 1.0f}, .model = MultiView{2, 1, radians(60.0f), false, 300.0f}};
   const Optics single{.panel = {30, 20, 1.0f}, .model = SingleView{300.0f}};
@@ -215,7 +215,7 @@ TEST(MultiView, pixels_may_be_higher_than_wide) {
   expect_near(at_depth(ray_of_pixel(quilt, {14.0f, 16.0f}), 0.0f), {-1.0f, -1.5f, 0.0f}, kPositionMm);
 }
 
-TEST(MultiView, cone_ends_included_puts_the_outer_eyes_on_the_cones_edges) {
+TEST(MultiView, cone_ends_place_the_outer_eyes) {
   const Optics quilt{.panel = {90, 20, 1.0f}, .model = MultiView{3, 1, radians(60.0f), true, 300.0f}};
   const float eye = 300.0f * std::tan(radians(30.0f));
   expect_near(ray_of_pixel(quilt, {15.0f, 10.0f}).origin, {-eye, 0, 300}, kPositionMm);
@@ -223,7 +223,7 @@ TEST(MultiView, cone_ends_included_puts_the_outer_eyes_on_the_cones_edges) {
   expect_near(ray_of_pixel(quilt, {75.0f, 10.0f}).origin, {eye, 0, 300}, kPositionMm);
 }
 
-TEST(MultiView, views_run_from_the_bottom_left_tile_to_the_top_right_one_and_from_left_to_right_eye) {
+TEST(MultiView, views_run_from_bottom_left_upwards) {
   const int columns = 8, rows = 6, tile = 10;
   const Optics quilt{.panel = {columns * tile, rows * tile, 1.0f},
                      .model = MultiView{columns, rows, radians(40.0f), false, 500.0f}};
@@ -234,7 +234,7 @@ TEST(MultiView, views_run_from_the_bottom_left_tile_to_the_top_right_one_and_fro
   }
 }
 
-TEST(MultiView, camera_grid_has_its_eyes_a_baseline_apart_across_and_up) {
+TEST(MultiView, camera_grid_eyes_are_a_baseline_apart) {
   // 3 x 2 tiles of 30 x 20 pixels, baseline 12 mm: columns at -12, 0, 12 mm, rows at -6 (below) and 6 mm.
   MultiView views{.columns = 3, .rows = 2, .distance_mm = 300.0f};
   views.baseline_mm = 12.0f;
@@ -248,7 +248,7 @@ TEST(MultiView, camera_grid_has_its_eyes_a_baseline_apart_across_and_up) {
     }
 }
 
-TEST(MultiView, camera_grid_of_one_row_and_two_columns_is_a_cone_of_two_views) {
+TEST(MultiView, two_view_camera_grid_is_a_cone) {
   MultiView grid{.columns = 2, .rows = 1, .distance_mm = 300.0f};
   grid.baseline_mm = 2.0f * 300.0f * std::tan(radians(15.0f));
   const MultiView cone{2, 1, radians(60.0f), false, 300.0f};
@@ -260,7 +260,7 @@ TEST(MultiView, camera_grid_of_one_row_and_two_columns_is_a_cone_of_two_views) {
   }
 }
 
-TEST(MultiView, odd_sizes_leave_padding_at_the_top_and_right) {
+TEST(MultiView, odd_sizes_leave_padding) {
   // 4 x 3 tiles in 43 x 32 pixels: tiles of 10 x 10, 3 columns of padding at the right, 2 rows at the top.
   const Optics quilt{.panel = {43, 32, 1.0f}, .model = MultiView{4, 3, radians(40.0f), false, 500.0f}};
   std::vector<Vec2f> seeing;
@@ -321,7 +321,7 @@ TEST(SlantedPanel, sub_pixel_table_by_hand) {
     EXPECT_NEAR(view_of(optics, {3 * i + color + 0.5f, j + 0.5f}), 1.0 - v, kView) << i << " " << j << " " << color;
 }
 
-TEST(SlantedPanel, blue_first_swaps_the_rays_of_red_and_blue) {
+TEST(SlantedPanel, blue_first_swaps_red_and_blue) {
   const SlantedPanel slanted{.periods = 30.0};
   SlantedPanel swapped = slanted;
   swapped.sub_pixels = striped_sub_pixels(true);
@@ -332,7 +332,7 @@ TEST(SlantedPanel, blue_first_swaps_the_rays_of_red_and_blue) {
                   ray_of_pixel(b, {3 * i + (2 - color) + 0.5f, 20.5f}).direction, kSlope);
 }
 
-TEST(SlantedPanel, cells_repeat_every_second_column_and_fourth_row_from_the_bottom) {
+TEST(SlantedPanel, cells_repeat_by_2_columns_4_rows) {
   // Only blue of the odd columns of rows 1, 5 ... from the bottom lies elsewhere: half a pixel right of the centre and a
   // quarter up. Of 10 rows, row 4 from the top is row 5 from the bottom. 0.3 mm pixels: x = (7.5 + 0.5 - 10) 0.3 = -0.6,
   // y = (5.5 + 0.25 - 5) 0.3 = 0.225.
@@ -350,7 +350,7 @@ TEST(SlantedPanel, cells_repeat_every_second_column_and_fourth_row_from_the_bott
     }
 }
 
-TEST(SlantedPanel, phases_of_the_last_lens_are_as_right_as_those_of_the_first) {
+TEST(SlantedPanel, last_lens_is_as_exact_as_first) {
   // 2048 lenses over 24576 sub-pixels: 12 a lens, all alike to the last bits of a double.
   const Optics optics{.panel = {8192, 6, 0.06f}, .model = SlantedPanel{.periods = 2048.0, .tilt = 0.0, .center = 0.3}};
   for (int in_lens = 0; in_lens < 12; ++in_lens)
@@ -378,7 +378,7 @@ TEST(RayGenerator, similarity_gives_the_transformed_ray) {
   }
 }
 
-TEST(RayGenerator, depth_is_the_scaled_distance_between_the_end_planes) {
+TEST(RayGenerator, depth_is_the_distance_between_end_planes) {
   Optics optics{.panel = {}, .model = LenticularSheet{}, .z_front_mm = 30.0f, .z_back_mm = 20.0f};
   EXPECT_NEAR(RayGenerator(optics, {Mat3f(3.0f), {1, 2, 3}}).depth(), 150.0f, 1e-3f);
   optics.z_back_mm = kInfinity;

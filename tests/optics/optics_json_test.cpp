@@ -19,7 +19,7 @@ std::string message_for(const Json& json) {
 
 Json some_optics() { return optics_json(Optics{}); }
 
-TEST(OpticsJson, every_model_written_and_read_gives_the_same_rays) {
+TEST(OpticsJson, round_trip_keeps_rays_of_every_model) {
   test::OpticsSampler random(11);
   for (int i = 0; i < 200; ++i) {
     const Optics optics = with_parallax(random.every(i), 1.0f);  // which is of the render, not of the display
@@ -38,7 +38,7 @@ TEST(OpticsJson, infinite_distances_come_back) {
   EXPECT_EQ(std::get<LenticularSheet>(back.model).viewing_distance_mm, kInfinity);
 }
 
-TEST(OpticsJson, hostile_json_gives_one_error_that_names_file_and_key) {
+TEST(OpticsJson, hostile_json_gives_one_error) {
   EXPECT_THAT(message_for("lenticular"), HasSubstr("report.json"));
   EXPECT_THAT(message_for(nullptr), HasSubstr("is not an object"));
   for (const auto& [key, value, part] : std::vector<std::tuple<const char*, Json, const char*>>{
@@ -61,7 +61,7 @@ TEST(OpticsJson, hostile_json_gives_one_error_that_names_file_and_key) {
   }
 }
 
-TEST(OpticsJson, sub_pixels_of_a_slanted_panel_are_checked) {
+TEST(OpticsJson, checks_sub_pixels_of_slanted_panels) {
   SlantedPanel slanted;
   slanted.sub_pixels[2][1][0].x = 0.25f;
   const Json good = optics_json({.panel = {171, 512, 0.15f}, .model = slanted});

@@ -48,7 +48,7 @@ TEST(WholePixels, converging_cells_count_by_their_own_width) {
   EXPECT_EQ(whole_pixels_per_lens(with(matched)), Vec2i(8, 1));
 }
 
-TEST(WholePixels, lens_index_and_view_follow_the_pixel_grid) {
+TEST(WholePixels, lens_and_view_follow_the_pixel_grid) {
   // Non-binary pitches over a wide panel: pixel i must lie below lens i / N, whatever rounding does.
   const Optics optics = with(LenticularSheet{.lens_pitch_mm = 0.7f, .gap_mm = 1.3f, .offset_mm = 0.35f}, {7000, 2, 0.1f});
   ASSERT_EQ(whole_pixels_per_lens(optics), Vec2i(7, 1));
@@ -62,7 +62,7 @@ TEST(WholePixels, lens_index_and_view_follow_the_pixel_grid) {
 
 // ---- Derived figures --------------------------------------------------------------------------------------------------
 
-TEST(Derived, default_sheet_has_28_degrees_and_16_mm) {
+TEST(Derived, default_sheet_has_28_degrees_and_16mm) {
   // 2 atan(1 / 4) = 28.07 degrees; p g / m = 1 * 2 / 0.125 = 16 mm.
   EXPECT_NEAR(degrees(viewing_zone(with(LenticularSheet{}))), 28.0725f, 1e-3f);
   EXPECT_NEAR(depth_budget_mm(with(LenticularSheet{})), 16.0f, 1e-5f);
@@ -71,7 +71,7 @@ TEST(Derived, default_sheet_has_28_degrees_and_16_mm) {
   EXPECT_EQ(viewing_zone(with(MultiView{.view_cone = 0.5f})), 0.5f);
 }
 
-TEST(Derived, slanted_panel_of_20_sub_pixels_a_lens) {
+TEST(Derived, slanted_panel_with_20_sub_pixels) {
   // Lenses 20 x 0.1 = 2 mm wide, 20 directions in a cone of 2 atan(1/2): 1 / 20 apart. 2 mm / (1/20) = 40 mm. At 20 mm a
   // sub-pixel is 1 mm wide, at 4 mm less than a pixel of 0.3 mm; the viewer at 500 mm sees that shrink in perspective.
   const Optics panel = with(SlantedPanel{.periods = 30.0, .view_cone = 2.0f * std::atan(0.5f)}, {200, 100, 0.3f});
@@ -84,7 +84,7 @@ TEST(Derived, slanted_panel_of_20_sub_pixels_a_lens) {
   EXPECT_EQ(resolved_z_front_mm(panel), 500.0f);
 }
 
-TEST(Window, is_the_panel_or_one_view_of_a_quilt) {
+TEST(Window, panel_or_one_view_of_a_quilt) {
   EXPECT_EQ(window_size_mm(with(LenticularSheet{}, {300, 200, 0.5f})), Vec2f(150.0f, 100.0f));
   EXPECT_EQ(window_size_mm(with(MultiView{.columns = 7, .rows = 3}, {300, 200, 0.5f})), Vec2f(21.0f, 33.0f));
   EXPECT_EQ(window_size_mm(with(MultiView{.columns = 7, .rows = 3, .pixel_height = 2.0f}, {300, 200, 0.5f})),
@@ -92,7 +92,7 @@ TEST(Window, is_the_panel_or_one_view_of_a_quilt) {
   EXPECT_EQ(window_size_mm(with(SlantedPanel{}, {100, 200, 1.5f})), Vec2f(150.0f, 300.0f));
 }
 
-TEST(Footprint, is_the_lens_up_to_the_depth_budget_and_the_magnified_pixel_beyond) {
+TEST(Footprint, lens_up_to_the_depth_budget) {
   const Optics sheet = with(LenticularSheet{});
   EXPECT_EQ(sample_footprint_mm(sheet, 0.0f), Vec2f(1.0f, 0.125f));
   EXPECT_EQ(sample_footprint_mm(sheet, -8.0f), Vec2f(1.0f, 0.125f));
@@ -127,7 +127,7 @@ TEST(ZFront, infinite_means_the_eye_or_four_diagonals) {
   EXPECT_NEAR(resolved_z_front_mm(with(MicrolensArray{}, {300, 400, 0.1f})), 200.0f, 1e-3f);
 }
 
-TEST(ZFront, given_depth_holds_but_views_never_start_behind_their_eye) {
+TEST(ZFront, views_never_start_behind_their_eye) {
   Optics sheet = with(LenticularSheet{}), view = with(SingleView{300.0f});
   sheet.z_front_mm = view.z_front_mm = 1000.0f;
   EXPECT_EQ(resolved_z_front_mm(sheet), 1000.0f);
@@ -162,7 +162,7 @@ void PrintTo(const BadCase& c, std::ostream* out) { *out << c.name; }
 
 class BadOptics : public testing::TestWithParam<BadCase> {};
 
-TEST_P(BadOptics, is_refused_by_the_name_of_its_field) {
+TEST_P(BadOptics, error_names_the_field) {
   try {
     validate(GetParam().optics);
     FAIL() << "accepted";
@@ -238,7 +238,7 @@ TEST(ValidateOptics, defaults_of_every_model_are_accepted) {
   EXPECT_NO_THROW(validate(with(SlantedPanel{}, kSlantedPanel)));
 }
 
-TEST(ValidateOptics, one_pixel_and_lenses_of_one_pixel_are_accepted) {
+TEST(ValidateOptics, accepts_one_pixel_and_one_pixel_lenses) {
   EXPECT_NO_THROW(validate(with(SingleView{}, {1, 1, 1.0f})));
   EXPECT_NO_THROW(validate(with(LenticularSheet{.lens_pitch_mm = 0.1f}, {512, 512, 0.1f})));
 }

@@ -169,7 +169,7 @@ std::vector<Vec2f> search_in_lens_plane(const Optics& optics, Vec3f point) {
 
 class LensPlane : public testing::TestWithParam<int> {};
 
-TEST_P(LensPlane, point_is_seen_by_all_pixels_of_its_lens) {
+TEST_P(LensPlane, all_pixels_of_the_lens_see_it) {
   OpticsSampler random(8000 + GetParam());
   for (int trial = 0; trial < 20; ++trial) {
     Optics optics = random.every(GetParam());
@@ -201,7 +201,7 @@ TEST(PixelsSeeingOrder, lenses_come_in_ascending_order) {
   EXPECT_TRUE(std::is_sorted(lenses.begin(), lenses.end()));
 }
 
-TEST(PixelsSeeingLimits, points_far_away_or_not_finite_are_seen_by_none) {
+TEST(PixelsSeeingLimits, distant_or_infinite_points_are_unseen) {
   const Optics arrays[] = {{.panel = {}, .model = LenticularSheet{}},
                            {.panel = {}, .model = MicrolensArray{}},
                            {.panel = {}, .model = MicrolensArray{.packing = LensPacking::kHexagonal}},

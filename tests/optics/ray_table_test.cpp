@@ -39,13 +39,13 @@ TEST(RayTable, pixels_have_the_rays_that_were_given) {
       expect_same_ray(ray_of_pixel(optics, Vec2f(i, j) + 0.5f), some_ray(Vec2f(i, j) + 0.5f));
 }
 
-TEST(RayTable, samples_of_a_pixel_have_the_ray_of_the_part_they_lie_in) {
+TEST(RayTable, samples_use_the_ray_of_their_part) {
   const Optics optics = table_of(4);
   expect_same_ray(ray_of_pixel(optics, {2.3f, 1.9f}), some_ray({2.375f, 1.875f}));
   expect_same_ray(ray_of_pixel(optics, {6.0f, 4.0f}), some_ray({5.875f, 3.875f}));
 }
 
-TEST(RayTable, blocks_of_rays_have_the_same_bits_in_any_frame) {
+TEST(RayTable, blocks_are_bit_identical_in_any_frame) {
   const Optics optics = table_of(2);
   const RayGenerator generator(optics, {Mat3f{{0, 2, 0}, {-2, 0, 0}, {0, 0, 2}}, {1, 2, 3}});
   const Ray ray = generator.ray({2.6f, 1.1f});
@@ -60,7 +60,7 @@ TEST(RayTable, blocks_of_rays_have_the_same_bits_in_any_frame) {
                         {-there.direction.y, there.direction.x, there.direction.z}});
 }
 
-TEST(RayTable, starts_at_the_foremost_origin_and_has_no_views) {
+TEST(RayTable, starts_at_the_foremost_origin) {
   const Optics optics = table_of(1);
   EXPECT_EQ(resolved_z_front_mm(optics), 15.5f);
   EXPECT_EQ(window_size_mm(optics), Vec2f(3.0f, 2.0f));

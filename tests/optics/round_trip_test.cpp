@@ -56,17 +56,17 @@ void check_round_trip(OpticsSampler& random, int model, float sign) {
 
 class RoundTrip : public testing::TestWithParam<int> {};
 
-TEST_P(RoundTrip, point_in_front_of_the_array_returns_to_its_pixel) {
+TEST_P(RoundTrip, points_in_front_return_to_their_pixel) {
   OpticsSampler random(1000 + GetParam());
   for (int trial = 0; trial < 60; ++trial) check_round_trip(random, GetParam(), 1.0f);
 }
 
-TEST_P(RoundTrip, point_behind_the_array_returns_to_its_pixel) {
+TEST_P(RoundTrip, points_behind_return_to_their_pixel) {
   OpticsSampler random(2000 + GetParam());
   for (int trial = 0; trial < 60; ++trial) check_round_trip(random, GetParam(), -1.0f);
 }
 
-TEST_P(RoundTrip, rays_of_pixels_are_bit_identical_to_ray_of_pixel) {
+TEST_P(RoundTrip, rays_of_pixels_match_ray_of_pixel) {
   OpticsSampler random(3000 + GetParam());
   for (int trial = 0; trial < 20; ++trial) {
     const Optics optics = random.every(GetParam());
@@ -83,7 +83,7 @@ TEST_P(RoundTrip, rays_of_pixels_are_bit_identical_to_ray_of_pixel) {
   }
 }
 
-TEST_P(RoundTrip, rays_start_on_z_front_and_run_backwards_with_unit_length) {
+TEST_P(RoundTrip, rays_start_on_z_front) {
   OpticsSampler random(4000 + GetParam());
   for (int trial = 0; trial < 20; ++trial) {
     Optics optics = random.every(GetParam());
@@ -113,7 +113,7 @@ TEST_P(RoundTrip, z_front_does_not_change_the_line) {
   }
 }
 
-TEST_P(RoundTrip, point_outside_the_rays_range_of_depths_is_seen_by_none) {
+TEST_P(RoundTrip, points_beyond_the_rays_are_unseen) {
   OpticsSampler random(6000 + GetParam());
   Optics optics = random.every(GetParam());
   optics.z_front_mm = 20.0f, optics.z_back_mm = 30.0f;

@@ -8,7 +8,7 @@ namespace {
 
 // A view 360 mm wide from 500 mm away is that of a focal length of 36 x 500 / 360 = 50 mm; at f/2 the lens is 25 mm wide. Where
 // a millimetre of the display is 2 mm of the scene, these are 12.5 mm of the display.
-TEST(ViewLens, an_f_number_is_an_aperture_in_scenes_in_metres) {
+TEST(ViewLens, f_number_is_converted_in_metric_scenes) {
   Optics view;
   view.panel = {720, 400, 0.5f};
   view.model = SingleView{500.0f, {0.0f, 0.0f}};
@@ -23,7 +23,7 @@ TEST(ViewLens, an_aperture_stays_as_it_is) {
   EXPECT_EQ(lens.aperture_mm, 3.0f);
 }
 
-TEST(ViewLens, only_views_have_eyes_that_a_lens_may_be_put_in) {
+TEST(ViewLens, only_views_can_have_a_lens) {
   Optics optics;
   for (const OpticsModel& model : {OpticsModel(SingleView{}), OpticsModel(MultiView{})}) {
     optics.model = model;

@@ -29,7 +29,7 @@ std::vector<Optics> all_kinds(unsigned seed) {
           random.slanted_panel()};
 }
 
-TEST(ViewPlace, all_points_of_a_ray_are_seen_at_one_place) {
+TEST(ViewPlace, all_points_of_a_ray_coincide) {
   for (unsigned seed = 0; seed < 20; ++seed)
     for (const Optics& optics : all_kinds(seed)) {
       const Vec2f pixel(0.3f * film_size(optics).x, 0.6f * optics.panel.height);
@@ -44,7 +44,7 @@ TEST(ViewPlace, all_points_of_a_ray_are_seen_at_one_place) {
     }
 }
 
-TEST(ViewPlace, neighbours_in_a_view_are_one_sample_apart) {
+TEST(ViewPlace, neighbours_are_one_sample_apart) {
   Optics sheet{{64, 50, 0.0625f}, LenticularSheet{.lens_pitch_mm = 0.5f, .gap_mm = 1.0f, .offset_mm = 0.25f}};
   Optics array{{64, 64, 0.0625f}, MicrolensArray{.lens_pitch_mm = 0.5f, .gap_mm = 1.0f, .offset_mm = {0.25f, 0.25f}}};
   Optics views{{64, 48, 0.5f}, MultiView{.columns = 4, .rows = 2, .pixel_height = 1.5f}};
@@ -62,14 +62,14 @@ TEST(ViewPlace, neighbours_in_a_view_are_one_sample_apart) {
 
 // The viewer stands 100 mm before the lenses, and the panel lies 2 mm behind them: seen through the lens plane, its rows are
 // 100/102 of their distance apart, and so are the samples.
-TEST(ViewPlace, rows_of_a_sheet_meet_at_the_viewer) {
+TEST(ViewPlace, sheet_rows_meet_at_the_viewer) {
   const Optics sheet{{64, 50, 0.0625f}, LenticularSheet{.gap_mm = 2.0f, .viewing_distance_mm = 100.0f}};
   const Vec2f a = own_place(sheet, {20.5f, 10.5f}), b = own_place(sheet, {20.5f, 40.5f});
   EXPECT_NEAR(b.y - a.y, 30.0f, 1e-3f);
   EXPECT_NEAR(ViewPlaces(sheet).samples_per_mm().y, 1.02 / 0.0625, 1e-6);
 }
 
-TEST(ViewPlace, what_is_not_in_front_of_the_viewer_has_none) {
+TEST(ViewPlace, points_behind_the_viewer_have_none) {
   const Optics single{{64, 48, 0.5f}, SingleView{.distance_mm = 100.0f}};
   const Ray ray = ray_of_pixel(single, {20, 20});
   EXPECT_FALSE(ViewPlaces(single).place_in_view(ray, {1, 1, 100}));

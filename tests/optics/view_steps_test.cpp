@@ -24,7 +24,7 @@ Optics sheet() {
   return optics;
 }
 
-TEST(ViewSteps, same_view_of_a_sheet_is_a_lens_further_or_a_row) {
+TEST(ViewSteps, sheet_views_step_by_lenses) {
   const ViewSteps steps(sheet(), StepsWithin::kView);
   const std::uint32_t pixel = 16 + 6;
   EXPECT_EQ(walked(steps, pixel, StepDirection::kLeft), (Pixels{16 + 2}));
@@ -35,7 +35,7 @@ TEST(ViewSteps, same_view_of_a_sheet_is_a_lens_further_or_a_row) {
   EXPECT_FLOAT_EQ(steps.length_px(StepDirection::kDown), 1.0f);
 }
 
-TEST(ViewSteps, same_lens_of_a_sheet_ends_at_the_cell_and_runs_along_the_lens) {
+TEST(ViewSteps, sheet_lenses_end_at_the_cell) {
   const ViewSteps steps(sheet(), StepsWithin::kLens);
   const std::uint32_t pixel = 16 + 6;
   EXPECT_EQ(walked(steps, pixel, StepDirection::kLeft), (Pixels{16 + 5, 16 + 4}));
@@ -43,7 +43,7 @@ TEST(ViewSteps, same_lens_of_a_sheet_ends_at_the_cell_and_runs_along_the_lens) {
   EXPECT_EQ(walked(steps, pixel, StepDirection::kDown), (Pixels{32 + 6}));
 }
 
-TEST(ViewSteps, microlenses_step_by_lenses_both_ways_or_stay_below_one) {
+TEST(ViewSteps, microlenses_step_by_lenses_or_pixels) {
   Optics optics;
   optics.panel = {12, 12, 0.25f};
   optics.model = MicrolensArray{.offset_mm = {0.0f, 0.0f}};  // 3 x 3 lenses of 4 x 4 pixels
@@ -55,7 +55,7 @@ TEST(ViewSteps, microlenses_step_by_lenses_both_ways_or_stay_below_one) {
   EXPECT_EQ(walked(lens, pixel, StepDirection::kDown), (Pixels{6 * 12 + 6, 7 * 12 + 6}));
 }
 
-TEST(ViewSteps, hexagonal_rows_of_a_view_are_two_rows_of_lenses_apart) {
+TEST(ViewSteps, hexagonal_views_step_by_two_rows) {
   Optics optics;
   optics.panel = {40, 40, 0.1f};
   optics.model = MicrolensArray{.packing = LensPacking::kHexagonal};
@@ -64,7 +64,7 @@ TEST(ViewSteps, hexagonal_rows_of_a_view_are_two_rows_of_lenses_apart) {
   EXPECT_NEAR(steps.length_px(StepDirection::kDown), 10.0f * std::sqrt(3.0f), 1e-4f);
 }
 
-TEST(ViewSteps, views_of_a_quilt_end_at_their_tile) {
+TEST(ViewSteps, quilt_views_end_at_their_tile) {
   Optics optics;
   optics.panel = {8, 6, 1.0f};
   optics.model = MultiView{.columns = 2, .rows = 2};
@@ -76,7 +76,7 @@ TEST(ViewSteps, views_of_a_quilt_end_at_their_tile) {
   EXPECT_EQ(walked(steps, pixel, StepDirection::kDown), (Pixels{2 * 8 + 5}));
 }
 
-TEST(ViewSteps, padding_of_a_quilt_belongs_to_the_tile_next_to_it) {
+TEST(ViewSteps, padding_belongs_to_the_adjacent_tile) {
   Optics optics;
   optics.panel = {9, 7, 1.0f};  // tiles of 4 x 3, a column at the right and a row at the top to spare
   optics.model = MultiView{.columns = 2, .rows = 2};

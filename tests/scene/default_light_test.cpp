@@ -45,7 +45,7 @@ Scene scene_of(const PhongSurface& surface) {
   return scene;
 }
 
-TEST(DefaultLight, phong_scenes_are_as_dark_as_their_authors_made_them) {
+TEST(DefaultLight, phong_scenes_keep_their_darkness) {
   PhongSurface shown, black, emitter, backdrop;
   black.ambient = emitter.ambient = 0.0f;
   emitter.emission = Vec3f(1.0f);
@@ -82,7 +82,7 @@ Scene large_and_small(const MetallicRoughness& surface) {
   return scene;
 }
 
-TEST(OwnLight, is_there_where_lamps_or_a_sky_are) {
+TEST(OwnLight, found_with_lamps_or_a_sky) {
   Scene scene = large_and_small({});
   EXPECT_EQ(own_light(scene), OwnLight::kNone);
   scene.lights.emplace_back();
@@ -91,7 +91,7 @@ TEST(OwnLight, is_there_where_lamps_or_a_sky_are) {
   EXPECT_EQ(own_light(scene), OwnLight::kSurroundings);
 }
 
-TEST(OwnLight, of_surfaces_counts_where_it_is_enough_for_all_of_them) {
+TEST(OwnLight, emission_counts_averaged_over_all_surfaces) {
   MetallicRoughness lamp;
   lamp.emissive = Vec3f(3.0f);
   EXPECT_EQ(own_light(large_and_small(lamp)), OwnLight::kLamps) << "3 x 0.5 / 50.5 = 0.0297";
@@ -106,7 +106,7 @@ TEST(OwnLight, is_none_where_only_pictures_shine) {
   EXPECT_EQ(own_light(large_and_small(screen)), OwnLight::kNone);
 }
 
-TEST(OwnLight, is_not_needed_by_surfaces_that_show_their_colours_alone) {
+TEST(OwnLight, not_needed_by_unlit_surfaces) {
   MetallicRoughness unlit;
   unlit.unlit = true;
   EXPECT_EQ(own_light(scene_of(unlit)), OwnLight::kNotNeeded);

@@ -65,7 +65,7 @@ PosedVertex vertex_of(const Scene& scene, std::size_t vertex, double time = 0.0)
   return MeshPose(scene, scene.instances[0], resolved).vertex(vertex);
 }
 
-TEST(MeshPose, morph_adds_weighted_targets_and_the_node_places_the_sum) {
+TEST(MeshPose, morph_adds_weighted_targets) {
   const Scene scene = morphing(0.5f, 2.0f);
   expect_near(vertex_of(scene, 0).position, {0, 0, 5});
   expect_near(vertex_of(scene, 1).position, {1, 0, 6});
@@ -77,7 +77,7 @@ TEST(MeshPose, morph_adds_weighted_targets_and_the_node_places_the_sum) {
 
 TEST(MeshPose, without_weight_it_is_the_base) { expect_near(vertex_of(morphing(0, 0), 1).position, {1, 0, 5}); }
 
-TEST(MeshPose, skin_follows_the_joints_and_not_the_node) {
+TEST(MeshPose, skin_follows_joints_only) {
   const Scene scene = skinned();
   expect_near(vertex_of(scene, 0).position, {10, 0, 0});
   expect_near(vertex_of(scene, 1).position, {0, 1, 1});  // (1, 0, 0), bound at (1, 0, 1), turned
@@ -95,7 +95,7 @@ TEST(MeshPose, morph_comes_before_the_skin) {
   expect_near(vertex_of(scene, 1).position, {0, 4, 1});  // (4, 0, 0), bound, turned: the target turns along
 }
 
-TEST(MeshPose, normals_of_an_uneven_scale_stay_at_right_angles) {
+TEST(MeshPose, normals_stay_perpendicular_under_uneven_scale) {
   Scene scene = morphing(0, 0);
   mesh_of(scene).normals[0] = Vec3f(std::sqrt(0.5f), 0, std::sqrt(0.5f));
   scene.nodes[0].local.scale = {2, 1, 1};
@@ -118,7 +118,7 @@ TEST(MeshPose, mirrored_normals_follow_the_order_of_corners) {
   expect_near(vertex_of(scene, 0).normal, {0, 0, -1});
 }
 
-TEST(MeshPose, beyond_all_reach_it_is_kept_within_it) {
+TEST(MeshPose, clamps_huge_coordinates) {
   Scene scene = skinned();
   scene.nodes[1].local.translation = {3e38f, 3e38f, 0};
   scene.nodes[1].local.scale = Vec3f(3e38f);
@@ -135,7 +135,7 @@ NodeAnimation weights(Interpolation interpolation, std::vector<float> values) {
   return animation;
 }
 
-TEST(MorphWeights, step_and_linear_keys_hold_one_weight_per_target) {
+TEST(MorphWeights, step_and_linear_keys_have_all_weights) {
   Scene scene = morphing(0.25f, 0.75f);
   EXPECT_EQ(evaluate(scene, 1.0).morph_weights.at(0), (std::vector<float>{0.25f, 0.75f}));
   scene.timeline.animations = {weights(Interpolation::kStep, {0, 1, 1, 3})};
@@ -145,7 +145,7 @@ TEST(MorphWeights, step_and_linear_keys_hold_one_weight_per_target) {
   expect_near(vertex_of(scene, 1, 1.0).position, {1, 0, 6});
 }
 
-TEST(MorphWeights, cubic_keys_hold_in_tangents_then_values_then_out_tangents) {
+TEST(MorphWeights, cubic_keys_have_tangents_and_values) {
   Scene scene = morphing(0, 0);
   // Per key: in-tangents of both targets, their values, their out-tangents. At 0.5 s of 2 s the first is
   // (2/64 - 3/16 + 1) 1 + 2 (1/64 - 2/16 + 1/4) 3 + (3/16 - 2/64) 5 + 2 (1/64 - 1/16) (-2) = 85/32, the second half of it.

@@ -25,14 +25,14 @@ Scene small_scene() {
   return scene;
 }
 
-TEST(SceneFingerprint, equal_scenes_have_equal_numbers_whatever_they_are_called) {
+TEST(SceneFingerprint, names_do_not_change_it) {
   Scene renamed = small_scene();
   renamed.name = "other";
   renamed.nodes[0].name = "other";
   EXPECT_EQ(fingerprint(small_scene()), fingerprint(renamed));
 }
 
-TEST(SceneFingerprint, any_change_that_a_picture_shows_changes_the_number) {
+TEST(SceneFingerprint, any_visible_change_changes_it) {
   const std::vector<std::function<void(Scene&)>> changes{
       [](Scene& s) { std::get<Mesh>(s.shapes[0]).positions[1].x = 2.0f; },
       [](Scene& s) {

@@ -54,7 +54,7 @@ TEST(Ies, the_mean_is_that_of_the_flux) {
 }
 
 // I = cos theta over a hemisphere has a flux of pi, and a mean of 1 / 4; of steps of a degree, within their chords' error.
-TEST(Ies, a_lambertian_lamp_has_a_quarter_of_its_peak) {
+TEST(Ies, lambertian_mean_is_a_quarter_of_peak) {
   std::string angles, values;
   for (int v = 0; v <= 90; ++v) angles += fmt::format("{} ", v), values += fmt::format("{} ", 800.0 * std::cos(v * M_PI / 180));
   const IesProfile p = parse_ies("a.ies", ies(1, "91 1", angles + "\n0\n" + values));
@@ -83,7 +83,7 @@ TEST(Ies, a_circle_that_ends_early_is_closed) {
 }
 
 // Horizontal angles go to +x, vertical ones to +y; between two of type B the pole is +x, between two of type A +y.
-TEST(Ies, types_a_and_b_are_aimed_along_minus_z) {
+TEST(Ies, types_a_b_point_along_minus_z) {
   const std::string rest = "-90 0 90\n-90 0 90\n0 1 2  3 40 5  6 7 8";
   for (const int type : {2, 3}) {
     const IesProfile p = parse_ies("a.ies", ies(type, "3 3", rest));
@@ -103,14 +103,14 @@ TEST(Ies, sides_stand_for_both) {
     for (const float y : {-0.5f, 0.5f}) EXPECT_NEAR(candelas(p, {x, y, -0.7f}), candelas(p, {0.5f, 0.5f, -0.7f}), 1e-3f);
 }
 
-TEST(Ies, multipliers_count_and_tilt_and_commas_do_not) {
+TEST(Ies, multipliers_apply_and_tilt_does_not) {
   EXPECT_NEAR(parse_ies("a.ies", ies(1, "2 1", "0 180\n0\n50 50", "0.5")).mean_candela, 25.0f, 1e-3f);
   const std::string tilted =
       "TILT=INCLUDE\r\n1\r\n2\r\n0 90\r\n1 0.8\r\n1 1000 1 2 1 1 2 0 0 0 0.5 1 50\r\n0, 180\r\n0\r\n50,50\r\n";
   EXPECT_NEAR(parse_ies("a.ies", tilted).mean_candela, 25.0f, 1e-3f);
 }
 
-TEST(Ies, a_lamp_without_light_has_a_web_without) {
+TEST(Ies, dark_lamp_has_a_zero_web) {
   const IesProfile p = parse_ies("a.ies", ies(1, "2 1", "0 180\n0\n0 0"));
   EXPECT_EQ(p.mean_candela, 0.0f);
   EXPECT_EQ(p.web.intensity, std::vector<float>(2, 0.0f));
@@ -120,7 +120,7 @@ std::string problem(const std::string& text) {
   return error_message([&] { parse_ies("a.ies", text); });
 }
 
-TEST(Ies, what_is_no_such_file_is_refused_at_its_line) {
+TEST(Ies, invalid_files_are_rejected_with_line) {
   EXPECT_THAT(problem("IESNA:LM-63-2002\n"), HasSubstr("a.ies: is text that begins 'IESNA:LM-63-2002' without a TILT line"));
   EXPECT_THAT(problem("TILT=NONE\n1 1000 1 2"), HasSubstr("a.ies:2"));
   EXPECT_THAT(problem(ies(4, "2 1", "0 180\n0\n50 50")), HasSubstr("a.ies:4"));

@@ -31,7 +31,7 @@ class Unknown : public testing::TestWithParam<UnknownThing> {
   test::TempDir dir_;
 };
 
-TEST_P(Unknown, is_named_by_an_error_or_a_warning) {
+TEST_P(Unknown, named_by_an_error_or_warning) {
   write(GetParam().scene, GetParam().text);
   for (const auto& [name, contents] : GetParam().beside) write(name, contents);
   std::vector<std::string> messages;

@@ -16,7 +16,7 @@ TEST(Lexer, words_are_separated_by_any_white_space) {
   EXPECT_TRUE(lexer.at_end());
 }
 
-TEST(Lexer, peek_leaves_the_word_and_the_line_of_the_last_one) {
+TEST(Lexer, peek_keeps_word_and_line) {
   Lexer lexer("a", "A\nB");
   EXPECT_EQ(lexer.word("x"), "A");
   EXPECT_EQ(lexer.peek(), "B");
@@ -25,7 +25,7 @@ TEST(Lexer, peek_leaves_the_word_and_the_line_of_the_last_one) {
   EXPECT_EQ(lexer.peek(), "");
 }
 
-TEST(Lexer, line_ends_where_only_blanks_and_comments_are_left_on_it) {
+TEST(Lexer, line_ends_before_blanks_and_comments) {
   Lexer lexer("a", "A B # comment\nC");
   lexer.word("x");
   EXPECT_FALSE(lexer.at_line_end());
@@ -35,14 +35,14 @@ TEST(Lexer, line_ends_where_only_blanks_and_comments_are_left_on_it) {
   EXPECT_TRUE(lexer.at_line_end());  // the file's end
 }
 
-TEST(Lexer, comment_runs_to_the_end_of_its_line) {
+TEST(Lexer, comment_ends_at_the_line) {
   Lexer lexer("a", "# all of this\nA #not this\nB#3 # end");
   EXPECT_EQ(lexer.word("x"), "A");
   EXPECT_EQ(lexer.word("x"), "B#3");  // not at the start of a word
   EXPECT_TRUE(lexer.at_end());
 }
 
-TEST(Lexer, where_is_the_line_of_the_last_word) {
+TEST(Lexer, where_names_the_last_word_s_line) {
   Lexer lexer("a.dat", "A\n\n# comment\nB\nC");
   lexer.word("x");
   EXPECT_EQ(lexer.where(), "a.dat:1");
@@ -121,7 +121,7 @@ TEST(Lexer, integer_takes_whole_numbers_within_its_range) {
   EXPECT_EQ(lexer.integer("x", -5, 9), -3);
 }
 
-TEST(Lexer, integer_refuses_fractions_and_what_is_out_of_range) {
+TEST(Lexer, integer_rejects_fractions_and_range) {
   for (const char* text : {"1.5", "10", "-1", "99999999999", "x", "1e1"}) {
     Lexer lexer("a", text);
     EXPECT_THROW(lexer.integer("x", 0, 9), Error) << text;

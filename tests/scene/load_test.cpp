@@ -27,7 +27,7 @@ TEST(LoadScene, missing_file_is_named) {
   EXPECT_THAT(error_of_loading("/nowhere/a.dat"), HasSubstr("/nowhere/a.dat: there is no such file"));
 }
 
-TEST(LoadScene, formats_that_blender_reads_are_refused_with_the_way_here) {
+TEST(LoadScene, rejects_blender_formats_with_advice) {
   const test::TempDir dir;
   for (const char* name : {"a.usdz", "b.FBX", "c.blend", "d.xyz"}) std::ofstream(dir / name) << "a scene";
   EXPECT_THAT(error_of_loading((dir / "a.usdz").string()),
@@ -64,7 +64,7 @@ TEST(LoadScene, scene_without_surfaces_is_an_error) {
                 HasSubstr(std::string(name) + ": has no surfaces to show; accepted: "));
 }
 
-TEST(LoadScene, files_that_stand_in_for_a_scene_are_named) {
+TEST(LoadScene, placeholder_scenes_are_named) {
   const test::TempDir dir;
   for (const char* extension : {".dat", ".glb", ".gltf", ".nff", ".obj", ".ply"}) {
     const auto error = [&](const std::string& contents) {
@@ -89,7 +89,7 @@ TEST(LoadScene, text_of_another_kind_is_shown) {
   }
 }
 
-TEST(LoadScene, side_files_that_stand_in_for_others_are_named) {
+TEST(LoadScene, placeholder_side_files_are_named) {
   const test::TempDir dir;
   std::ofstream(dir / "a.mtl") << "version https://git-lfs.github.com/spec/v1\nsize 5\n";
   std::ofstream(dir / "a.bin") << "<html>";

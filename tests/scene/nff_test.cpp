@@ -47,7 +47,7 @@ TEST(Nff, spheres_of_one_fill_are_one_shape) {
   EXPECT_EQ(shape<Spheres>(scene, 1).size(), 1u);
 }
 
-TEST(Nff, fill_is_a_surface_with_highlight_mirror_and_transparency) {
+TEST(Nff, fill_sets_highlight_mirror_and_transparency) {
   const Scene scene = nff_scene("f 0.1 0.2 0.3 0.8 0.25 5 0.75 1.5\ns 0 0 0 1");
   const PhongSurface& s = surface(scene, 0);
   EXPECT_EQ(s.color, Vec3f(0.1f, 0.2f, 0.3f));
@@ -66,7 +66,7 @@ TEST(Nff, opaque_fill_needs_no_index_of_refraction) {
   EXPECT_THAT(nff_error("f 1 1 1 1 0 1 0.5 0\ns 0 0 0 1"), HasSubstr("a.nff:1: the index of refraction"));
 }
 
-TEST(Nff, cone_of_equal_radii_is_an_exact_cylinder) {
+TEST(Nff, equal_radii_give_a_cylinder) {
   const Scene scene = nff_scene("c 0 0 0 0.5\n0 0 2 0.5");
   const Cylinder& c = shape<Cylinders>(scene, 0).at(0);
   EXPECT_EQ(c.base, Vec3f(0, 0, 0));
@@ -74,7 +74,7 @@ TEST(Nff, cone_of_equal_radii_is_an_exact_cylinder) {
   EXPECT_EQ(c.radius, 0.5f);
 }
 
-TEST(Nff, cone_of_two_radii_is_a_mesh_that_faces_outwards) {
+TEST(Nff, different_radii_give_an_outward_mesh) {
   const Scene scene = nff_scene("c 1 0 0 2 1 0 3 1");
   const Mesh& mesh = shape<Mesh>(scene, 0);
   ASSERT_EQ(mesh.triangles.size(), 2u * nff::kConeSides);
@@ -96,7 +96,7 @@ TEST(Nff, pointed_cone_has_one_triangle_a_side) {
   EXPECT_EQ(shape<Mesh>(nff_scene("c 0 0 0 1 0 0 1 0"), 0).triangles.size(), 1u * nff::kConeSides);
 }
 
-TEST(Nff, polygon_is_faceted_and_patch_has_its_normals) {
+TEST(Nff, polygon_is_faceted_and_patch_smooth) {
   const Scene scene = nff_scene("p 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\npp 3\n0 0 0 0 0 2\n1 0 0 0 3 4\n0 1 0 0 0 0");
   ASSERT_EQ(scene.instances.size(), 2u);
   EXPECT_EQ(shape<Mesh>(scene, 0).triangles.size(), 2u);
@@ -108,12 +108,12 @@ TEST(Nff, polygon_is_faceted_and_patch_has_its_normals) {
   EXPECT_EQ(patch.normals[2], Vec3f(0, 0, 1));  // that of the facet
 }
 
-TEST(Nff, patch_wound_against_its_normals_is_turned_over) {
+TEST(Nff, patch_is_flipped_to_match_normals) {
   const Scene scene = nff_scene("pp 3  0 0 0 0 0 -1  1 0 0 0 0 -1  0 1 0 0 0 -1\n");
   EXPECT_EQ(shape<Mesh>(scene, 0).triangles.at(0), (std::array<std::uint32_t, 3>{0, 2, 1}));
 }
 
-TEST(Nff, lights_without_a_colour_share_what_they_give) {
+TEST(Nff, lights_share_their_intensity) {
   const Scene scene = nff_scene("l 1 2 3\nl 4 5 6 0.5 0.25 1 # comment\nl 0 0 0\nl 0 0 1\ns 0 0 0 1");
   ASSERT_EQ(scene.lights.size(), 4u);
   EXPECT_EQ(scene.lights[0].color, Vec3f(0.5f));  // 1 / sqrt(4)
@@ -139,7 +139,7 @@ TEST(Nff, view_looks_from_one_point_at_another) {
   EXPECT_EQ(scene.background.zenith, scene.background.horizon);
 }
 
-TEST(Nff, errors_name_file_line_and_what_is_accepted) {
+TEST(Nff, errors_name_line_and_accepted_values) {
   EXPECT_THAT(nff_error("s 0 0 0 1\nt 1 2 3"), AllOf(HasSubstr("a.nff:2: 't'"), HasSubstr("pp (patch)")));
   EXPECT_THAT(nff_error("s 0 0 nan 1"), HasSubstr("a.nff:1: expected a number for s, found 'nan'"));
   EXPECT_THAT(nff_error("s 0 0 1e30 1"), HasSubstr("a.nff:1:"));
@@ -157,7 +157,7 @@ TEST(Nff, view_must_be_complete_and_look_somewhere) {
   EXPECT_THAT(nff_error("v from 0 0 0 at 0 0 1 up 0 1 0 angle 180"), HasSubstr("angle is 180"));
 }
 
-TEST(Nff, what_has_no_extent_is_left_out_with_one_warning) {
+TEST(Nff, shapes_without_extent_give_one_warning) {
   std::vector<std::string> warnings;
   Context context;
   context.warn = [&](std::string_view text) { warnings.emplace_back(text); };

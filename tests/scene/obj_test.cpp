@@ -71,7 +71,7 @@ TEST_F(Obj, negative_indices_count_backwards) {
   EXPECT_EQ(mesh(load(kTriangle + "f -3 -2 -1\n")).positions.at(1), Vec3f(1, 0, 0));
 }
 
-TEST_F(Obj, concave_face_is_cut_into_triangles_inside_it) {
+TEST_F(Obj, triangulates_concave_faces) {
   const Mesh m = mesh(load("v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf 1 2 3 4 5\n"));
   float area = 0.0f;
   for (const auto& t : m.triangles)
@@ -79,7 +79,7 @@ TEST_F(Obj, concave_face_is_cut_into_triangles_inside_it) {
   EXPECT_EQ(area, 10.0f);  // 16 - 6
 }
 
-TEST_F(Obj, text_may_be_in_utf_16_or_begin_with_a_mark) {
+TEST_F(Obj, accepts_utf_16_and_byte_order_marks) {
   const std::string text = kTriangle + "o \xc3\xa9\nf 1 2 3\n";  // an e with an acute accent: U+00E9
   const auto utf16 = [&](bool low_first) {
     std::string wide;
@@ -95,7 +95,7 @@ TEST_F(Obj, text_may_be_in_utf_16_or_begin_with_a_mark) {
   }
 }
 
-TEST_F(Obj, points_and_lines_beside_faces_are_left_out) {
+TEST_F(Obj, skips_points_and_lines) {
   EXPECT_EQ(mesh(load(kTriangle + "p 1 2\nl 1 2 3\nf 1 2 3\n")).triangles.size(), 1u);
   EXPECT_THAT(warnings, ElementsAre(HasSubstr("a.obj:4: the statements 'p' and 'l' are left out.")));
 }
@@ -170,7 +170,7 @@ TEST_F(Obj, missing_files_and_materials_are_warnings) {
   EXPECT_THAT(warnings, ElementsAre(HasSubstr("'none.png' does not exist")));
 }
 
-TEST_F(Obj, files_outside_the_folder_are_not_opened_and_warnings_name_the_flag) {
+TEST_F(Obj, outside_files_are_not_opened) {
   const auto refused = [](const std::string& name) {
     return testing::AllOf(HasSubstr("'" + name + "' is outside the scene's folder"), HasSubstr("`asset-root` DIR"));
   };
@@ -201,7 +201,7 @@ TEST_F(Obj, errors_name_the_line) {
   EXPECT_THAT(error_of("v 0 0"), HasSubstr("a.obj:1: v has 2 numbers; accepted: 3 or more"));
 }
 
-TEST_F(Obj, faces_wound_against_their_normals_are_turned_over) {
+TEST_F(Obj, faces_are_flipped_to_match_normals) {
   const std::string normal = kTriangle + "vn 0 0 1\n";
   const Scene with = load(normal + "f 1//1 2//1 3//1\n"), against = load(normal + "f 1//1 3//1 2//1\n");
   const auto facet = [&](const Scene& scene) {
@@ -213,7 +213,7 @@ TEST_F(Obj, faces_wound_against_their_normals_are_turned_over) {
   EXPECT_EQ(facet(against), Vec3f(0, 0, 1));
 }
 
-TEST_F(Obj, other_statements_are_left_out_with_one_warning) {
+TEST_F(Obj, unknown_statements_give_one_warning) {
   EXPECT_TRUE(load("g a\ns 1\ncstype bezier\ncurv 0 1 1 2\n").instances.empty());
   EXPECT_THAT(warnings, ElementsAre(HasSubstr("a.obj:3: the statements 'cstype' and 'curv' are left out.")));
 }

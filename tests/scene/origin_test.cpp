@@ -92,7 +92,7 @@ TEST_F(FarScene, splats_keep_the_digits_of_their_numbers) {
   }
 }
 
-TEST_F(FarScene, nff_keeps_the_digits_of_shapes_camera_and_lamps) {
+TEST_F(FarScene, nff_keeps_precision) {
   const Vec3d eye = kPlace + Vec3d(0.1, 0.2, 5.3), lamp = kPlace + Vec3d(2.1, 3.2, 1.3);
   const Scene scene =
       load("a.nff", "v\nfrom " + text_of(eye) + "\nat " + text_of(kPlace) +
@@ -245,7 +245,7 @@ TEST(Origin, skinned_meshes_follow_their_joints) {
   EXPECT_LT(glm::length(is.center()), 20.0f);
 }
 
-TEST(Origin, shape_that_several_nodes_show_is_copied_where_they_differ) {
+TEST(Origin, shape_of_several_nodes_is_copied) {
   Scene scene = scene_on_a_map();
   scene.nodes.resize(6);  // near the old origin
   scene.nodes[5].local.translation = {1, 0, 0};

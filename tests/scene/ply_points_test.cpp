@@ -95,7 +95,7 @@ TEST(PlyPoints, elements_of_no_rows_are_no_faces) {
   EXPECT_EQ(point_spheres(points_scene(text)).size(), 1u);
 }
 
-TEST(PlyPoints, values_that_are_not_finite_are_left_out_and_counted) {
+TEST(PlyPoints, counts_values_that_are_not_finite) {
   std::vector<std::string> warnings;
   EXPECT_EQ(point_spheres(points_scene(points_text({"nan nan nan", "1 2 3", "inf 0 0"}), 0.0, &warnings)).size(), 1u);
   EXPECT_THAT(warnings, testing::Contains(HasSubstr("2 points are left out")));
@@ -123,7 +123,7 @@ TEST(PlyPoints, kind_is_known_from_the_header) {
   EXPECT_EQ(scene_kind((dir / "red.ply").string()), SceneKind::kSplats);
 }
 
-TEST(PlyPoints, a_size_is_refused_where_there_are_faces) {
+TEST(PlyPoints, size_is_rejected_with_faces) {
   const test::TempDir dir;
   std::ofstream(dir / "mesh.ply") << "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                                      "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"

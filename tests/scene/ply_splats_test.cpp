@@ -105,7 +105,7 @@ TEST(PlySplats, what_is_no_splat_is_left_out) {
   EXPECT_THAT(warned, HasSubstr("10 splats are left out"));
 }
 
-TEST(PlySplats, sizes_of_zero_along_some_axes_make_discs) {
+TEST(PlySplats, zero_sizes_make_discs) {
   SplatFile file;
   file.rows[0][12] = -std::numeric_limits<float>::infinity();
   const Scene scene = splat_scene(file);
@@ -163,7 +163,7 @@ TEST(PlySplats, unused_colours_are_named) {
   EXPECT_THAT(warned, testing::ElementsAre("a.ply: element 'vertex': the properties 'red', 'green' and 'blue' are left out."));
 }
 
-TEST(PlySplats, two_scales_make_discs_and_one_makes_balls) {
+TEST(PlySplats, two_scales_make_discs_one_balls) {
   const Scene disc =
       scene_of(text_splats("property float scale_0\nproperty float scale_1\n" + kRotation + kRgb, "-1 -2 1 0 0 0 0 0 0"));
   EXPECT_LT(splats(disc).deviations.at(0).z, 1e-3f * splats(disc).deviations.at(0).y);

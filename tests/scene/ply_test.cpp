@@ -51,14 +51,14 @@ std::string binary_triangle(bool big_endian) {
   return bytes;
 }
 
-TEST(Ply, packed_splats_are_refused_by_name_with_what_to_do) {
+TEST(Ply, compressed_splats_are_rejected_with_advice) {
   EXPECT_EQ(ply_error("ply\nformat ascii 1.0\nelement vertex 1\nproperty uint packed_position\nproperty uint packed_color\n"
                       "end_header\n0 0\n"),
             "a.ply: has compressed splats (a .compressed.ply of PlayCanvas or SuperSplat); accepted: an uncompressed .ply, "
             "which splat-transform IN OUT.ply writes (npm's @playcanvas/splat-transform)");
 }
 
-TEST(Ply, text_and_both_binary_formats_give_the_same_mesh) {
+TEST(Ply, text_and_binary_give_equal_meshes) {
   for (const std::string& file :
        {header("ascii") + "0 0 0\n2 0 0\n0 2 0\n3 0 1 2\n", header("binary_little_endian") + binary_triangle(false),
         header("binary_big_endian") + binary_triangle(true)}) {
@@ -91,13 +91,13 @@ TEST(Ply, faces_of_many_corners_become_triangles) {
   EXPECT_EQ(mesh(scene).triangles.size(), 2u);
 }
 
-TEST(Ply, faces_wound_against_their_normals_are_turned_over) {
+TEST(Ply, faces_are_flipped_to_match_normals) {
   const std::string text = header("ascii", "property float nx\nproperty float ny\nproperty float nz\n");
   const Scene scene = ply_scene(text + "0 0 0 0 0 -1\n2 0 0 0 0 -1\n0 2 0 0 0 -1\n3 0 1 2\n");
   EXPECT_EQ(mesh(scene).triangles.at(0), (std::array<std::uint32_t, 3>{0, 2, 1}));
 }
 
-TEST(Ply, strips_are_triangles_that_wind_the_same_way) {
+TEST(Ply, strips_wind_consistently) {
   const std::string text =
       "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
       "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
@@ -108,7 +108,7 @@ TEST(Ply, strips_are_triangles_that_wind_the_same_way) {
   EXPECT_THAT(ply_error(text + "3 0 1 5\n"), HasSubstr("tristrips 0: a vertex is 5; accepted: 0 to 4"));
 }
 
-TEST(Ply, comments_may_lack_their_word_but_misspelt_statements_are_errors) {
+TEST(Ply, accepts_unmarked_comments_but_no_misspellings) {
   std::string text = header("ascii") + "0 0 0\n2 0 0\n0 2 0\n3 0 1 2\n";
   text.insert(text.find("element"), "Created by a scanner\nVCGLIB generated\n");
   EXPECT_EQ(mesh(ply_scene(text)).triangles.size(), 1u);
@@ -171,7 +171,7 @@ TEST(Ply, faces_have_colours_of_their_own) {
   EXPECT_THAT(square.warnings, testing::IsEmpty());
 }
 
-TEST(Ply, vertices_come_before_faces_that_bring_colours_too) {
+TEST(Ply, vertex_colours_override_face_colours) {
   Square square{.vertex_properties = kRgbProperties,
                 .face_properties = kRgbProperties,
                 .vertex_values = {"255 255 255", "255 255 255", "255 255 255", "255 255 255"},
@@ -256,7 +256,7 @@ TEST_F(PlyTextures, picture_takes_the_place_of_colours) {
   EXPECT_THAT(square.warnings, testing::ElementsAre(HasSubstr("red, green and blue are left out: the texture replaces them")));
 }
 
-TEST(Ply, coordinates_and_pictures_without_each_other_are_named) {
+TEST(Ply, uvs_and_textures_need_each_other) {
   Square no_picture{.vertex_properties = "property float s\nproperty float t\n", .vertex_values = {"0 0", "0 0", "0 0", "0 0"}};
   no_picture.load();
   EXPECT_THAT(no_picture.warnings, testing::ElementsAre(HasSubstr("no texture; add \"comment TextureFile NAME\"")));
@@ -265,20 +265,20 @@ TEST(Ply, coordinates_and_pictures_without_each_other_are_named) {
   EXPECT_THAT(no_coordinates.warnings, testing::ElementsAre(HasSubstr("so its picture 'foo.png' is left out")));
 }
 
-TEST(Ply, coordinates_of_a_face_must_fit_its_corners) {
+TEST(Ply, face_uvs_must_match_corners) {
   Square square{.face_properties = "property list uchar float texcoord\n", .face_values = {"4 0 0 1 0", "0"}};
   EXPECT_THAT(test::error_message([&] { square.load(); }),
               HasSubstr("face 0: has 3 corners and 4 values texcoord; accepted: two values for each corner, or none"));
 }
 
-TEST(Ply, colours_beyond_their_range_are_cut_and_counted) {
+TEST(Ply, clamped_colours_are_counted) {
   Square square{.face_properties = "property float red\nproperty float green\nproperty float blue\n",
                 .face_values = {"255 0.5 0", "0 0 1"}};
   square.load();
   EXPECT_THAT(square.warnings, testing::ElementsAre("a.ply: 1 colour values are clamped to 0 to 1."));
 }
 
-TEST(Ply, lists_in_place_of_coordinates_are_no_coordinates) {
+TEST(Ply, lists_are_not_coordinates) {
   EXPECT_THAT(ply_error("ply\nformat ascii 1.0\nelement vertex 1\nproperty list uchar float x\nproperty float y\n"
                         "property float z\nend_header\n1 0 0 0\n"),
               HasSubstr("its vertices have no position"));
@@ -304,7 +304,7 @@ TEST(Ply, damaged_bodies_name_the_element) {
   EXPECT_THAT(ply_error(header("binary_little_endian") + "abc"), HasSubstr("vertex 0: the file ends here"));
 }
 
-TEST(Ply, faces_without_an_area_are_not_called_missing) {
+TEST(Ply, zero_area_faces_are_reported) {
   EXPECT_THAT(ply_error(header("ascii") + "0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n"),
               HasSubstr("a.ply: all of its faces have zero area"));
   EXPECT_THAT(ply_error(header("ascii") + "0 0 0\n1 0 0\n0 1 0\n2 0 1\n"), HasSubstr("faces of at least three corners"));
@@ -318,7 +318,7 @@ TEST(Ply, faces_may_stand_before_the_vertices) {
   EXPECT_THAT(ply_error(text + "3 0 1 3\n0 0 0\n2 0 0\n0 2 0\n"), HasSubstr("face 0: a vertex is 3; accepted: 0 to 2"));
 }
 
-TEST(Ply, attributes_that_are_not_finite_are_left_out_by_name) {
+TEST(Ply, infinite_attributes_are_dropped_by_name) {
   Square square{.vertex_properties =
                     "property float nx\nproperty float ny\nproperty float nz\nproperty float u\n"
                     "property float v\nproperty float red\nproperty float green\nproperty float blue\n"

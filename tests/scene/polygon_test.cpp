@@ -45,7 +45,7 @@ TEST(Polygon, comb_is_filled_from_any_corner) {
   }
 }
 
-TEST(Polygon, hole_may_be_joined_by_a_pair_of_opposite_edges) {
+TEST(Polygon, hole_may_use_coincident_edges) {
   // 6 x 6 without 2 x 2 in its middle, cut open from (0, 0) to (2, 2).
   expect_fills({{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}, {0, 0, 0}, {2, 2, 0}, {2, 4, 0}, {4, 4, 0}, {4, 2, 0}, {2, 2, 0}},
                32.0);
@@ -62,7 +62,7 @@ TEST(Polygon, winding_is_kept_in_any_plane) {
   EXPECT_EQ(sum, glm::dvec3(-10.0, 0.0, 0.0));  // 16 - 6
 }
 
-TEST(Polygon, crossed_one_gives_no_more_triangles_than_it_has_room_for) {
+TEST(Polygon, crossed_polygon_gives_few_triangles) {
   const std::vector<Vec3f> bow = {{0, 0, 0}, {4, 3, 0}, {4, 0, 0}, {0, 4, 0}, {-1, 2, 0}};
   EXPECT_LE(triangulate(bow).size(), 3u);
 }

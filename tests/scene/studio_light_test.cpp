@@ -50,7 +50,7 @@ TEST(StudioLight, is_grey) {
 }
 
 // Greys of 0.18 and 0.5 show sRGB's codes 85 and 137 where white shows 0.5, 118 and 188 where white shows 1.
-TEST(StudioLight, shows_grey_in_the_middle_of_the_codes_and_white_below_their_end) {
+TEST(StudioLight, grey_and_white_are_well_exposed) {
   const EnvironmentMap map = studio_environment(kStraight);
   float most = 0.0f, least = 1e9f;
   for (int y = 4; y < map.radiance.height; y += 24)
@@ -64,7 +64,7 @@ TEST(StudioLight, shows_grey_in_the_middle_of_the_codes_and_white_below_their_en
   EXPECT_GT(shown_by_white(map, {0, 0, 1}), 0.5f) << "faces the viewer";
 }
 
-TEST(StudioLight, comes_from_above_left_of_the_viewer_wherever_he_looks) {
+TEST(StudioLight, key_is_above_left_of_the_viewer) {
   for (const Quatf& viewer :
        {kStraight, default_view(), glm::angleAxis(2.0f, Vec3f(0, 1, 0)), glm::angleAxis(-0.5f * kPi, Vec3f(1, 0, 0))}) {
     const EnvironmentMap map = studio_environment(viewer);

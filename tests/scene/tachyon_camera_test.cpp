@@ -28,7 +28,7 @@ CameraFrame frame_of(const Scene& scene, double time = 0.0) {
 }
 
 /// Tachyon: view +z, up +y, right = up x view = +x. Mirrored: view -z, up +y, right = view x up = +x.
-TEST_F(Tachyon, camera_along_z_looks_along_minus_z_with_x_on_the_right) {
+TEST_F(Tachyon, camera_along_z_looks_along_minus_z) {
   const Scene scene = files.load_statements(camera("CENTER 1 2 3 VIEWDIR 0 0 1 UPDIR 0 1 0"));
   const CameraFrame frame = frame_of(scene);
   EXPECT_EQ(xyz(frame.origin), (std::array{1.0f, 2.0f, -3.0f}));
@@ -53,13 +53,13 @@ TEST_F(Tachyon, up_is_made_orthogonal_to_view) {
 
 /// Column 1 of W samples x/W = 1/W: a whole pixel from the left edge, where our pixel 0 has its centre at half a pixel. Row 1
 /// is the bottom row and samples 1/W from the bottom, half a pixel above the centre of ours.
-TEST_F(Tachyon, pixel_offset_is_half_a_pixel_right_and_up) {
+TEST_F(Tachyon, pixel_offset_is_half_right_and_up) {
   const Scene scene = files.load_statements("");
   EXPECT_EQ(scene.cameras[0].pixel_offset.x, 0.5f);
   EXPECT_EQ(scene.cameras[0].pixel_offset.y, -0.5f);
 }
 
-TEST_F(Tachyon, zoom_1_sees_one_half_above_and_below_at_distance_1) {
+TEST_F(Tachyon, zoom_1_sees_half_at_distance_1) {
   const Scene scene = files.load_statements("");
   EXPECT_NEAR(std::tan(scene.cameras[0].vertical_fov / 2), 0.5f, 1e-6f);  // one rounding of the angle to float
 }
@@ -95,7 +95,7 @@ TEST_F(Tachyon, whole_scene_properties_are_tachyon_s) {
   EXPECT_FALSE(scene.display);
 }
 
-TEST_F(Tachyon, last_camera_counts_and_background_is_black_by_default) {
+TEST_F(Tachyon, last_camera_applies) {
   const Scene scene = files.load_statements(camera("CENTER 9 9 9 VIEWDIR 0 0 1 UPDIR 0 1 0") +
                                             camera("CENTER 1 1 1 VIEWDIR 0 0 1 UPDIR 0 1 0"));
   ASSERT_EQ(scene.cameras.size(), 1u);
@@ -143,7 +143,7 @@ TEST_F(Tachyon, low_shader_modes_show_plain_colours) {
   EXPECT_THAT(files.warnings, ElementsAre(HasSubstr("scene.dat:4: SHADER_MODE LOWEST")));
 }
 
-TEST_F(Tachyon, vmd_transparency_weighs_a_surface_by_its_opacity) {
+TEST_F(Tachyon, vmd_transparency_scales_by_opacity) {
   const Scene scene = files.load_statements(
       "SPHERE CENTER 0 0 5 RAD 1 TEXTURE AMBIENT 0.2 DIFFUSE 0.8 SPECULAR 0.4 OPACITY 0.5 PHONG PLASTIC 1 PHONG_SIZE 9 COLOR 1 "
       "0 0 "
@@ -156,7 +156,7 @@ TEST_F(Tachyon, vmd_transparency_weighs_a_surface_by_its_opacity) {
   EXPECT_EQ(surface.opacity, 0.5f);
 }
 
-TEST_F(Tachyon, effects_that_are_not_shown_are_named_in_one_warning) {
+TEST_F(Tachyon, ignored_effects_give_one_warning) {
   files.load_statements(
       "SHADER_MODE FULL AMBIENT_OCCLUSION AMBIENT_COLOR 1 1 1 RESCALE_DIRECT 0.5 SAMPLES 8 TRANS_RASTER3D TRANS_MAX_SURFACES 3 "
       "SHADOW_FILTER_OFF END_SHADER_MODE\n"
@@ -168,7 +168,7 @@ TEST_F(Tachyon, effects_that_are_not_shown_are_named_in_one_warning) {
                           "'SHADOW_FILTER_OFF', 'FOG', 'SKY_LIGHT', 'TRANSMODE R3D' and 'OUTLINE' are left out."));
 }
 
-TEST_F(Tachyon, orthographic_camera_sets_the_height_of_the_plane) {
+TEST_F(Tachyon, orthographic_camera_sets_plane_height) {
   for (const std::string projection : {"PROJECTION ORTHOGRAPHIC ", "projection Orthographic ", "ORTHOGRAPHIC "}) {
     files.warnings.clear();
     const Scene scene = files.load_statements(camera("CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 0", projection + "ZOOM 0.25") +
@@ -182,14 +182,14 @@ TEST_F(Tachyon, orthographic_camera_sets_the_height_of_the_plane) {
             0.0f);
 }
 
-TEST_F(Tachyon, orthographic_camera_of_a_tiny_part_is_warned_about) {
+TEST_F(Tachyon, tiny_orthographic_view_is_a_warning) {
   files.load_statements(camera("CENTER 200 -200 0 VIEWDIR 0 0 1 UPDIR 0 -1 0", "PROJECTION ORTHOGRAPHIC ZOOM 3") +
                         "SPHERE CENTER 200 -200 500 RAD 60" + white);
   EXPECT_THAT(files.warnings.back(),
               HasSubstr("ZOOM shows 0.333 units of a scene that is 208 units large, as Tachyon does; `zoom` 0.001 shows all"));
 }
 
-TEST_F(Tachyon, depth_of_field_is_read_and_left_out) {
+TEST_F(Tachyon, depth_of_field_is_ignored) {
   const Scene scene = files.load_statements(
       camera("CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 0", "PROJECTION Perspective_DoF FOCALDIST 3 APERTURE 64 ZOOM 1"));
   EXPECT_EQ(scene.cameras.size(), 1u);
@@ -197,7 +197,7 @@ TEST_F(Tachyon, depth_of_field_is_read_and_left_out) {
 }
 
 /// The plane's middle is the height of the camera; what lies half the picture's height above it is seen under 22.5 degrees.
-TEST_F(Tachyon, gradient_of_an_orthographic_plane_becomes_one_of_directions) {
+TEST_F(Tachyon, orthographic_gradient_becomes_directions) {
   const Scene scene = files.load_statements(
       camera("CENTER 0 1 0 VIEWDIR 0 0 1 UPDIR 0 1 0", "PROJECTION ORTHOGRAPHIC ZOOM 0.25") +
       "BACKGROUND_GRADIENT SKY_ORTHO_PLANE UPDIR 0 1 0 TOPVAL 3 BOTTOMVAL -1 TOPCOLOR 1 0 0 BOTTOMCOLOR 0 0 1\n");
@@ -207,7 +207,7 @@ TEST_F(Tachyon, gradient_of_an_orthographic_plane_becomes_one_of_directions) {
 
 // ---- Lights ----
 
-TEST_F(Tachyon, light_is_a_visible_sphere_that_does_not_fade) {
+TEST_F(Tachyon, light_is_a_visible_sphere) {
   const Scene scene = files.load_statements("LIGHT CENTER 1 2 3 RAD 0.25 COLOR 0.1 0.2 0.3");
   ASSERT_EQ(scene.lights.size(), 1u);
   const Light& light = scene.lights[0];
@@ -231,7 +231,7 @@ TEST_F(Tachyon, light_without_attenuation_does_not_fade) {
 }
 
 /// d.UPDIR with an UPDIR of length 2 reaches TOPVAL 1.5 where d.up = 0.75.
-TEST_F(Tachyon, gradient_is_scaled_to_a_unit_up_and_wins_over_background) {
+TEST_F(Tachyon, gradient_overrides_background) {
   const Scene scene = files.load_statements(
       "BACKGROUND_GRADIENT SKY_SPHERE UPDIR 0 0 2 TOPVAL 1.5 BOTTOMVAL -1 TOPCOLOR 0 0 1 BOTTOMCOLOR 1 0 0 BACKGROUND 1 1 1");
   EXPECT_EQ(xyz(scene.background.up), (std::array{0.0f, 0.0f, -1.0f}));
@@ -253,7 +253,7 @@ TEST_F(Tachyon, spotlight_shines_along_its_mirrored_direction) {
   EXPECT_EQ(light.visible_radius, 0.5f);
 }
 
-TEST_F(Tachyon, spotlight_of_180_degrees_is_within_the_scene_s_limits) {
+TEST_F(Tachyon, spotlight_of_180_degrees_is_valid) {
   EXPECT_NO_THROW(
       files.load_statements("SPOTLIGHT CENTER 1 2 3 RAD 0.5 DIRECTION 0 3 4 FALLOFF_START 180 FALLOFF_END 180 COLOR 1 0 0"));
 }
@@ -289,7 +289,7 @@ TEST_F(Tachyon, path_of_two_lines_is_three_frames) {
   }
 }
 
-TEST_F(Tachyon, path_holds_every_pose_to_the_next_frame_at_any_rate) {
+TEST_F(Tachyon, path_holds_poses_between_frames) {
   std::string lines;
   for (int i = 0; i < 100; ++i) lines += "0 0 1 0 1 0 " + std::to_string(i) + " 0 0\n";
   files.write("scene.cam", lines);

@@ -20,7 +20,7 @@ void PrintTo(const BadStatement& bad, std::ostream* out) { *out << bad.name; }
 
 class TachyonBadStatement : public testing::TestWithParam<BadStatement> {};
 
-TEST_P(TachyonBadStatement, is_an_error_with_line_keyword_and_what_is_accepted) {
+TEST_P(TachyonBadStatement, error_names_line_keyword_and_accepted) {
   TachyonFiles files;
   EXPECT_THAT(files.error_of_statements(GetParam().text),
               AllOf(StartsWith(std::string("scene.dat:") + GetParam().problem), HasSubstr(GetParam().accepted)));
@@ -192,7 +192,7 @@ TEST_F(Tachyon, device_as_scene_is_an_error) {
   }
 }
 
-TEST_F(Tachyon, file_too_large_is_an_error_before_it_is_read) {
+TEST_F(Tachyon, too_large_file_is_not_read) {
   files.write("scene.dat", "BEGIN_SCENE");
   std::filesystem::resize_file(files.path("scene.dat"), (std::uintmax_t{1} << 30) + 1);  // sparse
   try {

@@ -31,7 +31,7 @@ TEST_F(Tachyon, plane_normal_becomes_a_unit_vector) {
   EXPECT_EQ(xyz(planes[0].normal), (std::array{0.0f, 0.6f, -0.8f}));
 }
 
-TEST_F(Tachyon, plane_with_a_tiny_normal_keeps_its_direction) {
+TEST_F(Tachyon, tiny_normal_keeps_its_direction) {
   const Scene scene = files.load_statements("PLANE CENTER 0 0 0 NORMAL 0 3e-30 4e-30" + white);
   const Vec3f normal = only_shape<Planes>(scene)[0].normal;
   EXPECT_NEAR(normal.y, 0.6f, 1e-6f);  // the file's own digits are floats
@@ -54,7 +54,7 @@ TEST_F(Tachyon, box_corners_are_ordered_after_mirroring) {
   EXPECT_EQ(xyz(boxes[0].upper), (std::array{4.0f, 5.0f, 3.0f}));
 }
 
-TEST_F(Tachyon, box_with_exchanged_corners_is_the_same_box) {
+TEST_F(Tachyon, swapped_box_corners_are_equal) {
   const Scene scene = files.load_statements("BOX MIN 4 -2 6 MAX -1 5 -3" + white);
   EXPECT_EQ(xyz(only_shape<Boxes>(scene)[0].lower), (std::array{-1.0f, -2.0f, -6.0f}));
 }
@@ -67,7 +67,7 @@ TEST_F(Tachyon, fcylinder_runs_from_base_to_apex) {
   EXPECT_EQ(cylinders[0].radius, 0.25f);
 }
 
-TEST_F(Tachyon, polycylinder_of_three_points_is_three_spheres_and_two_cylinders) {
+TEST_F(Tachyon, polycylinder_has_spheres_and_cylinders) {
   const Scene scene = files.load_statements("POLYCYLINDER POINTS 3 0 0 0 1 0 0 1 1 0 RAD 0.25" + white);
   ASSERT_EQ(scene.shapes.size(), 2u);
   const Spheres& spheres = std::get<Spheres>(scene.shapes[0]);
@@ -80,7 +80,7 @@ TEST_F(Tachyon, polycylinder_of_three_points_is_three_spheres_and_two_cylinders)
 }
 
 /// In the file's left-handed world, V0 V1 V2 = 0, x, y has (V1 - V0) x (V2 - V0) = +z, which mirroring turns to -z.
-TEST_F(Tachyon, triangle_keeps_the_side_of_its_geometric_normal) {
+TEST_F(Tachyon, triangle_keeps_its_normal_s_side) {
   const Scene scene = files.load_statements("TRI V0 0 0 1 V1 1 0 1 V2 0 1 1" + white);
   const Mesh& mesh = only_shape<Mesh>(scene);
   ASSERT_EQ(mesh.triangles.size(), 1u);
@@ -91,7 +91,7 @@ TEST_F(Tachyon, triangle_keeps_the_side_of_its_geometric_normal) {
   EXPECT_EQ(xyz(mesh.positions[a]), (std::array{0.0f, 0.0f, -1.0f}));
 }
 
-TEST_F(Tachyon, smooth_triangle_has_mirrored_unit_normals_with_its_corners) {
+TEST_F(Tachyon, smooth_triangle_has_mirrored_normals) {
   const Scene scene = files.load_statements("STRI V0 0 0 1 V1 1 0 1 V2 0 1 1 N0 0 0 2 N1 3 0 4 N2 0 -3 4" + white);
   const Mesh& mesh = only_shape<Mesh>(scene);
   ASSERT_EQ(mesh.normals.size(), 3u);
@@ -102,12 +102,12 @@ TEST_F(Tachyon, smooth_triangle_has_mirrored_unit_normals_with_its_corners) {
   EXPECT_EQ(xyz(mesh.normals[2]), (std::array{0.0f, -0.6f, -0.8f}));
 }
 
-TEST_F(Tachyon, smooth_triangle_with_a_zero_normal_takes_its_facet_s) {
+TEST_F(Tachyon, zero_normal_becomes_facet_normal) {
   const Scene scene = files.load_statements("STRI V0 0 0 1 V1 1 0 1 V2 0 1 1 N0 0 0 0 N1 0 0 1 N2 0 0 1" + white);
   EXPECT_EQ(xyz(only_shape<Mesh>(scene).normals[0]), (std::array{0.0f, 0.0f, -1.0f}));
 }
 
-TEST_F(Tachyon, shapes_of_one_material_and_kind_are_one_instance) {
+TEST_F(Tachyon, groups_shapes_by_material_and_kind) {
   const Scene scene = files.load_statements(
       "TEXDEF a AMBIENT 0 DIFFUSE 1 SPECULAR 0 OPACITY 1 COLOR 1 0 0 TEXFUNC 0\n"
       "TEXDEF b AMBIENT 0 DIFFUSE 1 SPECULAR 0 OPACITY 1 COLOR 0 1 0 TEXFUNC 0\n"
@@ -123,7 +123,7 @@ TEST_F(Tachyon, shapes_of_one_material_and_kind_are_one_instance) {
   EXPECT_EQ(scene.instances[2].node, -1);
 }
 
-TEST_F(Tachyon, shapes_without_extent_are_left_out_with_one_warning) {
+TEST_F(Tachyon, empty_shapes_give_one_warning) {
   const Scene scene = files.load_statements(
       "SPHERE CENTER 0 0 0 RAD 0" + white + "FCYLINDER BASE 1 1 1 APEX 1 1 1 RAD 1" + white +
       "FCYLINDER BASE 0 1 1 APEX 1 1 1 RAD 0" + white + "RING CENTER 0 0 0 NORMAL 0 0 1 INNER 2 OUTER 2" + white +
@@ -194,7 +194,7 @@ TEST_F(Tachyon, vertex_colours_count_from_where_they_stand) {
   EXPECT_EQ(std::get<Mesh>(scene.shapes[1]).colors.size(), 3u);
 }
 
-TEST_F(Tachyon, vcstri_has_three_colours_and_a_texture_without) {
+TEST_F(Tachyon, vcstri_has_colours_and_no_texture) {
   const Scene scene = files.load_statements(
       "VCSTRI V0 0 0 1 V1 1 0 1 V2 0 1 1 N0 0 0 1 N1 0 0 1 N2 0 0 1 C0 1 0 0 C1 0 1 0 C2 0 0 1 "
       "AMBIENT 0.3 DIFFUSE 0.6 SPECULAR 0 OPACITY 0.5 PHONG PLASTIC 0.5 PHONG_SIZE 40 VCST");
@@ -208,7 +208,7 @@ TEST_F(Tachyon, vcstri_has_three_colours_and_a_texture_without) {
 // ---- SCAPE ----
 
 /// Two grid points a side: four corners, random numbers x <- 1099087573 x mod 2^32 from x = 4 on, divided by 2^32.
-TEST_F(Tachyon, landscape_of_four_points_is_two_triangles_over_random_heights) {
+TEST_F(Tachyon, smallest_landscape_has_two_triangles) {
   const Scene scene = files.load_statements("SCAPE RES 2 2 SCALE 4 6 CENTER 1 2 3" + white);
   const Mesh& mesh = only_shape<Mesh>(scene);
   ASSERT_EQ(mesh.positions.size(), 4u);
@@ -253,19 +253,19 @@ TEST_F(Tachyon, tpolyfile_turns_about_y_as_tachyon_does) {
   EXPECT_NEAR(corner.z, -0.5f, 1e-6f);  // mirrored
 }
 
-TEST_F(Tachyon, tpolyfile_with_a_polygon_of_four_corners_is_an_error_in_that_file) {
+TEST_F(Tachyon, four_corner_tpolyfile_names_the_file) {
   files.write("a.tpoly", "3 0 0 0 1 0 0 0 1 0\n4 0 0 0 1 0 0 1 1 0 0 1 0");
   EXPECT_THAT(files.error_of_statements("TPOLYFILE SCALE 1 1 1 ROT 0 0 0 CENTER 0 0 0 FILE a.tpoly" + white),
               HasSubstr("a.tpoly:2: 4 is out of range for the number of a polygon's corners"));
 }
 
-TEST_F(Tachyon, tpolyfile_that_is_truncated_is_an_error_in_that_file) {
+TEST_F(Tachyon, truncated_tpolyfile_names_the_file) {
   files.write("a.tpoly", "3 0 0 0 1 0 0\n0 1");
   EXPECT_EQ(files.error_of_statements("TPOLYFILE SCALE 1 1 1 ROT 0 0 0 CENTER 0 0 0 FILE a.tpoly" + white),
             "a.tpoly:2: the file ends, expected a polygon's corners");
 }
 
-TEST_F(Tachyon, tpolyfile_scaled_out_of_range_is_an_error) {
+TEST_F(Tachyon, tpolyfile_out_of_range_is_an_error) {
   files.write("a.tpoly", "3 0 0 0 1e30 0 0 0 1 0");
   EXPECT_THAT(files.error_of_statements("TPOLYFILE SCALE 1e30 1 1 ROT 0 0 0 CENTER 0 0 0 FILE a.tpoly" + white),
               HasSubstr("a.tpoly:1: SCALE puts a corner out of range"));
@@ -281,7 +281,7 @@ TEST_F(Tachyon, include_continues_where_it_was) {
   EXPECT_EQ(only_shape<Spheres>(scene).size(), 2u);
 }
 
-TEST_F(Tachyon, error_in_an_included_file_names_that_file) {
+TEST_F(Tachyon, include_error_names_the_file) {
   files.write("a.inc", "\nSPHERE CENTER x");
   EXPECT_THAT(files.error_of_statements("INCLUDE a.inc"), testing::StartsWith("a.inc:2: expected a number for"));
 }

@@ -67,14 +67,14 @@ TEST_F(Tachyon, texalias_is_another_name) {
   EXPECT_THAT(files.warnings, IsEmpty());
 }
 
-TEST_F(Tachyon, first_definition_of_a_texture_stays_with_a_warning) {
+TEST_F(Tachyon, first_texture_definition_applies) {
   const Scene scene = files.load_statements("TEXDEF a " + kPlain + "COLOR 1 0 0 TEXFUNC 0\nTEXDEF a " + kPlain +
                                             "COLOR 0 1 0 TEXFUNC 0\nSPHERE CENTER 0 0 0 RAD 1 a");
   EXPECT_EQ(scene.instances[0].material, 0);
   EXPECT_THAT(files.warnings, ElementsAre(HasSubstr("scene.dat:5: 'a' (and possibly others) is redefined")));
 }
 
-TEST_F(Tachyon, undefined_texture_is_matt_white_with_a_warning) {
+TEST_F(Tachyon, undefined_texture_is_white) {
   const Scene scene = files.load_statements("SPHERE CENTER 0 0 0 RAD 1 nowhere\nSPHERE CENTER 1 0 0 RAD 1 neither");
   EXPECT_EQ(xyz(phong(scene.materials[0]).color), (std::array{1.0f, 1.0f, 1.0f}));
   EXPECT_EQ(phong(scene.materials[0]).ambient, 0.1f);
@@ -104,7 +104,7 @@ std::string tga(bool top_first) {
 
 std::vector<int> rgba(const Texture& texture) { return {texture.rgba.begin(), texture.rgba.end()}; }
 
-TEST_F(Tachyon, planar_mapping_is_mirrored_so_that_u_and_v_stay) {
+TEST_F(Tachyon, planar_mapping_is_mirrored) {
   files.write("imaps/a.ppm", kPpm);
   const Scene scene = files.load_statements(planar("imaps/a.ppm"));
   const PhongSurface& surface = phong(scene.materials[0]);
@@ -133,7 +133,7 @@ TEST_F(Tachyon, cylindrical_and_spherical_images_stand_along_y) {
   EXPECT_EQ(xyz(cylinder.v_axis), (std::array{0.0f, 1.0f, 0.0f}));
 }
 
-TEST_F(Tachyon, ppm_has_its_top_row_at_v_0) {
+TEST_F(Tachyon, ppm_top_row_is_v_0) {
   files.write("a.ppm", kPpm);
   const Scene scene = files.load_statements(planar("a.ppm"));
   ASSERT_EQ(scene.textures.size(), 1u);
@@ -143,7 +143,7 @@ TEST_F(Tachyon, ppm_has_its_top_row_at_v_0) {
   EXPECT_THAT(rgba(scene.textures[0]), ElementsAre(255, 0, 0, 255, 0, 0, 255, 255));
 }
 
-TEST_F(Tachyon, tga_has_its_bottom_row_at_v_0_however_it_is_stored) {
+TEST_F(Tachyon, tga_bottom_row_is_v_0) {
   for (const bool top_first : {true, false}) {
     files.write("a.tga", tga(top_first));
     const Scene scene = files.load_statements(planar("a.tga"));
@@ -167,7 +167,7 @@ TEST_F(Tachyon, missing_image_is_white_with_a_warning) {
   EXPECT_THAT(files.warnings, ElementsAre("scene.dat:4: the image map 'imaps/no.ppm' does not exist; white is shown."));
 }
 
-TEST_F(Tachyon, broken_image_is_an_error_with_the_line) {
+TEST_F(Tachyon, broken_image_reports_the_line) {
   files.write("a.ppm", "P6 1000 1000 255 xyz");
   EXPECT_THAT(files.error_of_statements(planar("a.ppm")),
               testing::StartsWith("scene.dat:4: the image map cannot be used: a.ppm"));
@@ -179,7 +179,7 @@ TEST_F(Tachyon, image_of_another_kind_is_an_error) {
               HasSubstr("scene.dat:4: 'a.txt' has an unsupported image map format"));
 }
 
-TEST_F(Tachyon, picture_outside_the_folder_is_not_opened_and_white) {
+TEST_F(Tachyon, outside_picture_is_white) {
   std::filesystem::create_directory(files.path("below"));
   std::filesystem::create_symlink("/", files.path("link"));
   for (const std::string name : {"/etc/passwd.ppm", "../a.ppm", "below/../../a.ppm", "link/etc/passwd.ppm", ".."}) {
@@ -191,7 +191,7 @@ TEST_F(Tachyon, picture_outside_the_folder_is_not_opened_and_white) {
   }
 }
 
-TEST_F(Tachyon, imagedef_in_all_digit_widths_becomes_a_texture) {
+TEST_F(Tachyon, imagedef_accepts_all_digit_widths) {
   const Scene scene = files.load_statements(
       "IMAGEDEF ::mine FORMAT RGB24 RESOLUTION 2 2 1 ENCODING HEX f0a 102030 123456789 FFFF80000000\n" + planar("::mine"));
   ASSERT_EQ(scene.textures.size(), 1u);
@@ -205,7 +205,7 @@ TEST_F(Tachyon, volume_imagedef_is_an_error) {
               HasSubstr("scene.dat:4: IMAGEDEF 'v' is a volume, which is not supported"));
 }
 
-TEST_F(Tachyon, imagedef_with_fewer_pixels_than_it_says_is_an_error) {
+TEST_F(Tachyon, too_few_imagedef_pixels_are_an_error) {
   EXPECT_THAT(files.error_of_statements("IMAGEDEF v FORMAT RGB24 RESOLUTION 60000 60000 1 ENCODING HEX fff 000"),
               HasSubstr("scene.dat:5: 'END_SCENE' is not a colour"));
 }

@@ -30,7 +30,7 @@ TEST(TextureBudget, the_largest_is_halved_first) {
   EXPECT_THAT(halvings_within(383, three), ElementsAre(0, 2, 0));  // 64 + 64 + 64
 }
 
-TEST(TextureBudget, of_equal_ones_data_come_before_colours_and_the_last_before_the_first) {
+TEST(TextureBudget, equal_sizes_reduce_data_and_later_first) {
   const std::vector<TextureExtent> four{{{4, 4}, true}, {{4, 4}, false}, {{4, 4}, true}, {{4, 4}, false}};  // 64 bytes each
   EXPECT_THAT(halvings_within(255, four), ElementsAre(0, 0, 1, 0));
   EXPECT_THAT(halvings_within(207, four), ElementsAre(1, 0, 1, 0));
@@ -42,12 +42,12 @@ TEST(TextureBudget, single_texels_are_not_halved) {
   EXPECT_THAT(halvings_within(1, two), ElementsAre(1, 0));
 }
 
-TEST(TextureBudget, long_ones_are_halved_along_both_sides_until_one_is_single) {
+TEST(TextureBudget, long_textures_are_halved_on_both_sides) {
   EXPECT_EQ(lippmann::halved({7, 1}), Vec2i(3, 1));
   EXPECT_THAT(halvings_within(4, std::vector<TextureExtent>{{{8, 1}, true}}), ElementsAre(3));
 }
 
-TEST(HalvedTexture, colours_are_averaged_in_linear_light_and_alpha_as_it_is) {
+TEST(HalvedTexture, averages_colours_linearly_and_alpha_directly) {
   // Linear 1, 0, 0, 0: a quarter is the sRGB code 137; of bytes it would be 64.
   Texture texture = of_codes({2, 2}, {255, 0, 255, 255, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0, 255, 0}, true);
   lippmann::halve(texture);
@@ -61,13 +61,13 @@ TEST(HalvedTexture, data_are_averaged_as_they_are) {
   EXPECT_THAT(texture.rgba, ElementsAre(15, 0, 255, 128));
 }
 
-TEST(HalvedTexture, the_last_texel_of_an_odd_number_covers_three) {
+TEST(HalvedTexture, last_odd_texel_covers_three) {
   Texture texture = of_codes({5, 1}, {10, 0, 0, 0, 20, 0, 0, 0, 30, 0, 0, 0, 40, 0, 0, 0, 50, 0, 0, 0}, false);
   lippmann::halve(texture);
   EXPECT_THAT(texture.rgba, ElementsAre(15, 0, 0, 0, 40, 0, 0, 0));
 }
 
-TEST(HalvedTexture, every_code_of_one_colour_stays_what_it_is) {
+TEST(HalvedTexture, uniform_colours_are_unchanged) {
   for (const bool srgb : {false, true})
     for (int code = 0; code < 256; ++code) {
       const auto c = static_cast<std::uint8_t>(code);

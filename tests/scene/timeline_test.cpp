@@ -38,7 +38,7 @@ TEST(Evaluate, transform_scales_then_rotates_then_moves) {
   expect_near(moved(scene, 0, {1, 0, 0}), {1, 2, 1});
 }
 
-TEST(Evaluate, parent_that_does_not_come_first_is_an_error) {
+TEST(Evaluate, parents_must_come_first) {
   for (const int parent : {-2, 1, 7}) {
     Scene scene;
     scene.nodes.resize(2);
@@ -47,7 +47,7 @@ TEST(Evaluate, parent_that_does_not_come_first_is_an_error) {
   }
 }
 
-TEST(Evaluate, animated_node_that_does_not_exist_is_an_error) {
+TEST(Evaluate, missing_animated_node_is_an_error) {
   for (const int node : {-1, 1}) {
     Scene scene = one_node({});
     scene.timeline.animations[0].node = node;
@@ -83,7 +83,7 @@ TEST(Evaluate, matrix_replaces_transform_and_animation) {
   expect_near(moved(scene, 1, {1, 1, 1}), {3, 2, 2});
 }
 
-TEST(Evaluate, channel_without_keys_keeps_the_nodes_own_value) {
+TEST(Evaluate, empty_channel_keeps_the_node_s_value) {
   NodeAnimation move;
   move.translation = {{0, 1}, {Vec3f(0), Vec3f(1)}};
   Scene scene = one_node(move);
@@ -105,7 +105,7 @@ TEST(Evaluate, end_values_hold_outside_the_keys) {
   for (const double time : {3.0, 100.0}) expect_near(moved(scene, time, Vec3f(0)), {8, 0, 0});
 }
 
-TEST(Evaluate, step_holds_each_value_until_the_next_key) {
+TEST(Evaluate, step_holds_until_the_next_key) {
   NodeAnimation move;
   move.translation = {{0, 1, 2}, {{1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, Interpolation::kStep};
   const Scene scene = one_node(move);
@@ -128,7 +128,7 @@ TEST(Evaluate, linear_rotation_takes_the_shorter_arc) {
   expect_near(moved(one_node(turn), 0.5, {1, 0, 0}), {std::sqrt(0.5f), 0, -std::sqrt(0.5f)});
 }
 
-TEST(Evaluate, linear_rotation_between_equal_keys_is_that_rotation) {
+TEST(Evaluate, equal_rotation_keys_are_constant) {
   NodeAnimation turn;
   turn.rotation = {{0, 1}, {about_y(90), about_y(90)}};
   expect_near(moved(one_node(turn), 0.3, {1, 0, 0}), {0, 0, -1});
@@ -174,7 +174,7 @@ TEST(MovingNodes, animated_nodes_and_their_descendants_move) {
   EXPECT_EQ(moving_nodes(scene), (std::vector<bool>{false, true, true, false}));
 }
 
-TEST(MovingNodes, constant_and_single_key_channels_do_not_move) {
+TEST(MovingNodes, constant_channels_do_not_move) {
   NodeAnimation still;
   still.translation = {{0}, {Vec3f(1)}};
   still.rotation = {{0, 1}, {about_y(5), about_y(5)}};
@@ -210,14 +210,14 @@ TEST(FiniteBounds, scene_of_planes_has_none) {
   EXPECT_TRUE(finite_bounds(Scene{}, ResolvedScene{}).empty());
 }
 
-TEST(FiniteBounds, mesh_reaches_to_its_vertices_not_to_its_turned_box) {
+TEST(FiniteBounds, mesh_bounds_are_tight) {
   const Mesh diamond{{{1, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, 0, -1}}, {}, {}, {{0, 1, 2}, {0, 2, 3}}};
   const Bounds3f b = bounds_of(diamond, {{0, 0, 0}, about_y(45), Vec3f(1)});
   expect_near(b.upper, {std::sqrt(0.5f), 0, std::sqrt(0.5f)});
   expect_near(b.lower, -b.upper);
 }
 
-TEST(FiniteBounds, vertices_that_no_triangle_uses_do_not_count) {
+TEST(FiniteBounds, unused_vertices_do_not_count) {
   Mesh mesh{{{1, 0, 0}, {0, 1, 0}, {500, 500, 500}, {0, 0, 1}}, {}, {}, {{0, 1, 3}}};
   EXPECT_EQ(bounds_of(mesh).upper, Vec3f(1));
   mesh.targets.push_back({.positions = std::vector<Vec3f>(4, Vec3f(1, 0, 0))});

@@ -65,7 +65,7 @@ void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
 
 class ValidateFault : public testing::TestWithParam<Fault> {};
 
-TEST_P(ValidateFault, spoilt_scene_is_an_error_that_names_file_and_element) {
+TEST_P(ValidateFault, invalid_scene_names_file_and_element) {
   Scene scene = good_scene();
   GetParam().spoil(scene);
   try {

@@ -115,7 +115,7 @@ TEST_P(EachScene, has_no_infinite_planes) {
   for (const Shape& shape : scene().shapes) EXPECT_FALSE(std::holds_alternative<Planes>(shape));
 }
 
-TEST_P(EachScene, camera_stands_where_the_array_is_seen_from) {
+TEST_P(EachScene, camera_is_at_the_design_viewer) {
   const Scene& s = scene();
   ASSERT_FALSE(s.cameras.empty());
   EXPECT_NEAR(std::tan(0.5f * s.cameras[0].vertical_fov), 0.5f * s.display->plane_height / s.display->viewing_distance, 1e-5f);
@@ -141,13 +141,13 @@ TEST_P(EachScene, builds_the_same_twice) {
   for (std::size_t i = 0; i < again.textures.size(); ++i) EXPECT_EQ(again.textures[i].rgba, scene().textures[i].rgba);
 }
 
-TEST(LoadScene, built_in_name_gives_the_built_in_scene) {
+TEST(LoadScene, loads_a_built_in_scene_by_name) {
   const Scene scene = load_scene("teapot", {}, Context{});
   EXPECT_EQ(scene.name, "teapot");
   EXPECT_EQ(scene.timeline.frame_count, 480);
 }
 
-TEST(LoadScene, frame_rate_of_a_built_in_scene_keeps_its_duration) {
+TEST(LoadScene, frame_rate_keeps_the_duration) {
   LoadOptions options;
   options.frames_per_second = 60.0;
   const Scene scene = load_scene("teapot", options, Context{});
@@ -155,7 +155,7 @@ TEST(LoadScene, frame_rate_of_a_built_in_scene_keeps_its_duration) {
   EXPECT_EQ(scene.timeline.time(960), 16.0);
 }
 
-TEST(LoadScene, camera_path_for_a_built_in_scene_is_refused) {
+TEST(LoadScene, rejects_camera_paths_for_built_ins) {
   LoadOptions options;
   options.camera_path = "a.cam";
   EXPECT_THROW(load_scene("teapot", options, Context{}), Error);

@@ -9,7 +9,7 @@
 namespace lippmann::builtin {
 namespace {
 
-TEST(GrowingTowards, takes_up_to_the_direction_whatever_the_roll) {
+TEST(GrowingTowards, takes_y_to_the_direction) {
   const Vec3f direction = glm::normalize(Vec3f(1, -2, 0.5f));
   for (const float roll : {0.0f, 1.0f, 4.0f})
     EXPECT_LT(glm::length(growing_towards(direction, roll) * Vec3f(0, 1, 0) - direction), 1e-6f);
@@ -30,7 +30,7 @@ TEST(BentBranch, starts_upwards_at_the_origin_and_tapers) {
   EXPECT_LT(glm::length(branch.point(0.05f) - 0.5f * branch.points[1]), 1e-6f);
 }
 
-TEST(GrowSpray, has_two_triangles_a_leaf_and_sane_meshes) {
+TEST(GrowSpray, has_two_triangles_per_leaf) {
   const Spray spray = grow_spray(1.0f, 500, 0.05f, 9);
   EXPECT_EQ(spray.leaves.triangles.size(), 1000u);
   for (const Mesh* mesh : {&spray.twigs, &spray.leaves}) {

@@ -57,7 +57,7 @@ std::vector<Vec2f> flank_points(int teeth, float gear_angle) {
 
 Vec2f along(float angle, float distance) { return {distance * std::cos(angle), distance * std::sin(angle)}; }
 
-TEST(ToothHalfAngle, at_the_pitch_circle_is_a_quarter_of_the_pitch_less_the_play) {
+TEST(ToothHalfAngle, quarter_pitch_less_backlash_at_pitch_circle) {
   EXPECT_NEAR(tooth_half_angle(20, 10.0f), kPi / 40.0f - kBacklash / 40.0f, 1e-6f);
   EXPECT_NEAR(ring_tooth_half_angle(20, 10.0f), kPi / 40.0f - kBacklash / 40.0f, 1e-6f);
 }
@@ -68,13 +68,13 @@ TEST(ToothHalfAngle, is_largest_at_the_base_circle) {
   EXPECT_FLOAT_EQ(tooth_half_angle(20, 8.8f), tooth_half_angle(20, 9.0f));
 }
 
-TEST(MeshingAngle, tooth_meets_space_on_the_line_of_centres) {
+TEST(MeshingAngle, tooth_meets_gap_on_line_of_centres) {
   // Driver's tooth on +x, the follower to the right: its space points to -x, so a tooth stands half a pitch beside.
   const float angle = meshing_angle(12, 0.0f, 24, 0.0f);
   EXPECT_NEAR(std::remainder(angle - kPi - kPi / 24.0f, 2.0f * kPi / 24.0f), 0.0f, 1e-5f);
 }
 
-TEST(MeshingAngle, gears_turn_together_without_touching_and_without_slack) {
+TEST(MeshingAngle, gears_mesh_without_touching_or_slack) {
   for (const auto& [driver, teeth] : {std::pair{12, 12}, std::pair{48, 24}, std::pair{40, 20}, std::pair{48, 16}})
     for (const float direction : {0.0f, 0.8f, -2.0f})
       for (int step = 0; step < 10; ++step) {
@@ -89,7 +89,7 @@ TEST(MeshingAngle, gears_turn_together_without_touching_and_without_slack) {
       }
 }
 
-TEST(RingTooth, gear_turns_inside_a_ring_without_touching_and_without_slack) {
+TEST(RingTooth, gear_meshes_inside_a_ring) {
   for (const float direction : {0.0f, 1.9f})
     for (int step = 0; step < 10; ++step) {
       const float gear_angle = 0.053f * static_cast<float>(step);
@@ -113,7 +113,7 @@ TEST(GearMesh, is_a_closed_solid_with_unit_normals) {
   }
 }
 
-TEST(GearMesh, has_about_the_volume_of_its_pitch_disc) {
+TEST(GearMesh, volume_is_about_the_pitch_disc) {
   // Teeth fill a little less than half of the band between root and tip; 3 % for that, the bevels and the chords of the bore.
   const double expected = M_PI * (10.0 * 10.0 - 1.0) * 4.0;
   EXPECT_NEAR(test::signed_volume(gear_mesh(20, kBlank)) / expected, 1.0, 0.03);

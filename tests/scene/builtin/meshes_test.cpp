@@ -19,7 +19,7 @@ void expect_sane(const Mesh& mesh) {
   EXPECT_EQ(test::count_facing_wrong(mesh), 0);
 }
 
-TEST(Lathe, cylinder_side_has_radial_normals_and_faces_outwards) {
+TEST(Lathe, cylinder_has_outward_radial_normals) {
   const Mesh mesh = lathe({{2.0f, 0.0f}, {2.0f, 3.0f}}, 16);
   expect_sane(mesh);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -67,7 +67,7 @@ TEST(Torus, is_closed_with_exact_normals) {
   }
 }
 
-TEST(Tube, closed_curve_closes_in_spite_of_its_twist) {
+TEST(Tube, closed_curve_closes_despite_twist) {
   std::vector<Vec3f> trefoil;
   for (int i = 0; i < 120; ++i) {
     const float t = 2.0f * kPi * static_cast<float>(i) / 120.0f;
@@ -79,7 +79,7 @@ TEST(Tube, closed_curve_closes_in_spite_of_its_twist) {
   EXPECT_GT(test::signed_volume(mesh), 0.0);
 }
 
-TEST(Tube, open_tube_is_open_at_both_ends_only) {
+TEST(Tube, open_tube_has_two_open_ends) {
   const Mesh mesh = tube({{0, 0, 0}, {0, 1, 0}, {0, 2, 0.5f}}, {0.2f, 0.2f, 0.1f}, 8, false);
   expect_sane(mesh);
   EXPECT_EQ(boundary_edges(mesh).size(), 16u);

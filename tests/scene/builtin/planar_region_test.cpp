@@ -31,7 +31,7 @@ double area(const PlanarRegion& region) {
   return sum;
 }
 
-TEST(FillBetween, rings_of_different_counts_are_joined_without_gaps) {
+TEST(FillBetween, joins_rings_of_different_counts) {
   for (const float first_angle : {-1.0f, 0.3f, 3.0f}) {
     PlanarRegion region;
     const AngularRing inner = add_polygon(region, 1.0f, 5, 0.3f), outer = add_polygon(region, 2.0f, 12, first_angle);
@@ -41,7 +41,7 @@ TEST(FillBetween, rings_of_different_counts_are_joined_without_gaps) {
   }
 }
 
-TEST(Extrude, square_ring_becomes_a_closed_solid_of_its_volume) {
+TEST(Extrude, square_ring_becomes_a_closed_solid) {
   PlanarRegion region;
   const AngularRing inner = add_polygon(region, 1.0f, 4, 0.0f), outer = add_polygon(region, 2.0f, 4, 0.0f);
   fill_between(region, inner, outer);

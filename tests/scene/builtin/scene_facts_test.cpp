@@ -30,14 +30,14 @@ int find_node(const Scene& scene, std::string_view name) {
   return -1;
 }
 
-TEST(SmallBalls, has_nine_times_as_many_spheres_of_a_third_of_the_size_in_each_generation) {
+TEST(SmallBalls, each_generation_has_nine_times_the_spheres) {
   std::map<int, int> count;  // by generation
   for (const PlacedSphere& s : spheres_of(build_small_balls(), 0.0))
     ++count[static_cast<int>(std::lround(-std::log(s.radius) / std::log(3.0f)))];
   EXPECT_EQ(count, (std::map<int, int>{{0, 1}, {1, 9}, {2, 81}, {3, 729}, {4, 6561}}));
 }
 
-TEST(SmallBalls, first_generation_keeps_touching_the_ball_that_carries_it) {
+TEST(SmallBalls, first_generation_touches_its_parent) {
   const Scene scene = build_small_balls();
   for (const double time : {0.0, 3.7}) {
     int touching = 0;
@@ -55,7 +55,7 @@ std::size_t shown_triangles(const Scene& scene) {
   return count;
 }
 
-TEST(Tree, shows_about_900000_triangles_of_few_stored_ones) {
+TEST(Tree, shows_about_900000_triangles) {
   const Scene scene = build_tree();
   std::size_t stored = 0;
   for (const Shape& shape : scene.shapes)

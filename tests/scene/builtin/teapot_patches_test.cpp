@@ -33,7 +33,7 @@ TEST(BezierPatch, evenly_spaced_control_points_give_the_plane) {
   expect_near(normal_on(flat_patch(), 0.25f, 0.5f), {0, 0, 1});
 }
 
-TEST(BezierPatch, lifted_inner_point_weighs_nine_sixty_fourths_squared) {
+TEST(BezierPatch, inner_point_has_weight_9_64_squared) {
   // B1(1/2) = 3/8 in each direction: one control point lifted by 1 lifts the middle by 9/64.
   BezierPatch patch = flat_patch();
   patch[1][1].z = 1.0f;

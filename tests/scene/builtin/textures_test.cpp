@@ -24,7 +24,7 @@ TEST(Paint, samples_texel_centres_from_the_top_left) {
   EXPECT_EQ(texture.rgba[8], 0);
 }
 
-TEST(Noise, vanishes_on_lattice_points_and_stays_in_range) {
+TEST(Noise, zero_on_lattice_points_and_bounded) {
   EXPECT_EQ(noise({3.0f, 5.0f}, {8, 8}, 1), 0.0f);
   for (int i = 0; i < 1000; ++i) {
     const float n = noise({0.37f * static_cast<float>(i), 0.61f * static_cast<float>(i)}, {8, 8}, 1);

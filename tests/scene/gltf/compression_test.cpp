@@ -95,7 +95,7 @@ Mesh mesh_of(const test::Contents& contents) {
   return std::get<Mesh>(scene.shapes.at(0));
 }
 
-TEST(GltfMeshopt, vertices_and_triangles_come_out_as_they_went_in) {
+TEST(GltfMeshopt, vertices_and_triangles_round_trip) {
   const Mesh mesh = mesh_of(with_fallback(packed_square("TRIANGLES")));
   EXPECT_EQ(mesh.positions, kCorners);
   // The codec may turn a triangle's corners, but not around.
@@ -107,7 +107,7 @@ TEST(GltfMeshopt, vertices_and_triangles_come_out_as_they_went_in) {
 }
 
 /// The first view cannot be read: were it unpacked, the error would be another.
-TEST(GltfMeshopt, all_views_are_counted_before_one_is_unpacked) {
+TEST(GltfMeshopt, counts_all_views_before_unpacking) {
   GltfBuilder b = packed_square("TRIANGLES");
   const std::size_t from = b.root["bufferViews"][0]["extensions"]["EXT_meshopt_compression"]["byteOffset"];
   b.binary.at(from) = std::byte{0xee};
@@ -118,7 +118,7 @@ TEST(GltfMeshopt, all_views_are_counted_before_one_is_unpacked) {
               HasSubstr("bufferViews[1]: the unpacked scene needs too much memory"));
 }
 
-TEST(GltfMeshopt, sequence_of_indices_comes_out_as_it_went_in) {
+TEST(GltfMeshopt, index_sequence_round_trips) {
   EXPECT_THAT(mesh_of(with_fallback(packed_square("INDICES"))).triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{2, 1, 3}));
 }
 
@@ -202,13 +202,13 @@ INSTANTIATE_TEST_SUITE_P(
                                  "cannot be decoded as"}),
     [](const auto& fault) { return std::string(fault.param.name); });
 
-TEST(GltfMeshopt, view_of_a_fallback_that_is_not_packed_is_an_error) {
+TEST(GltfMeshopt, unpacked_fallback_view_is_an_error) {
   GltfBuilder b = packed_square("INDICES");
   b.root["bufferViews"][0].erase("extensions");
   EXPECT_THAT(error_message([&] { parse(with_fallback(b)); }), HasSubstr("lie outside buffers[1], which has 0 bytes"));
 }
 
-TEST(GltfMeshopt, flipped_bytes_give_a_valid_scene_or_an_error) {
+TEST(GltfMeshopt, flipped_bytes_are_valid_or_an_error) {
   int errors = 0;
   const test::Contents good = with_fallback(packed_square("TRIANGLES"));
   for (std::size_t i = good.size() - 100; i < good.size(); ++i)
@@ -264,7 +264,7 @@ std::vector<std::array<Vec3f, 3>> shape_of(const Mesh& mesh) {
   return shape;
 }
 
-TEST(GltfDraco, both_methods_give_the_triangles_that_went_in) {
+TEST(GltfDraco, both_methods_restore_the_triangles) {
   Mesh expected;
   expected.positions = kCorners;
   expected.triangles = {{0, 1, 2}, {2, 1, 3}};
@@ -288,7 +288,7 @@ std::string draco_message(const std::function<void(GltfBuilder&)>& spoil) {
   return error_message([&] { parse(b); });
 }
 
-TEST(GltfDraco, what_does_not_fit_the_accessors_is_an_error) {
+TEST(GltfDraco, mismatch_with_accessors_is_an_error) {
   EXPECT_THAT(draco_message([](GltfBuilder& b) { b.accessor(0)["count"] = 5; }),
               HasSubstr("the Draco data has 4 elements for accessors[0], which has 5"));
   EXPECT_THAT(draco_message([](GltfBuilder& b) { b.accessor(0)["count"] = 3; }),
@@ -301,7 +301,7 @@ TEST(GltfDraco, what_does_not_fit_the_accessors_is_an_error) {
 
 Json& extension_of(GltfBuilder& b) { return b.root["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]; }
 
-TEST(GltfDraco, attributes_that_are_not_there_are_an_error) {
+TEST(GltfDraco, missing_attributes_are_an_error) {
   EXPECT_THAT(draco_message([](GltfBuilder& b) { extension_of(b)["attributes"]["POSITION"] = 7; }),
               HasSubstr("the Draco data has no attribute 7"));
   EXPECT_THAT(draco_message([](GltfBuilder& b) { extension_of(b)["attributes"]["NORMAL"] = 0; }),
@@ -325,7 +325,7 @@ TEST(GltfDraco, every_proper_prefix_is_an_error) {
   }
 }
 
-TEST(GltfDraco, flipped_bytes_give_a_valid_scene_or_an_error) {
+TEST(GltfDraco, flipped_bytes_are_valid_or_an_error) {
   for (const int method : {draco::MESH_SEQUENTIAL_ENCODING, draco::MESH_EDGEBREAKER_ENCODING}) {
     const Packed whole = draco_square(method);
     int errors = 0;

@@ -34,7 +34,7 @@ void set_word(Contents& contents, std::size_t offset, std::uint32_t word) {
   for (std::size_t i = 0; i < 4; ++i) contents[offset + i] = static_cast<std::byte>(word >> (8 * i));
 }
 
-TEST(GltfContainer, glb_and_json_with_data_uri_give_the_same_scene) {
+TEST(GltfContainer, glb_and_data_uri_give_equal_scenes) {
   const GltfBuilder builder = one_triangle();
   test::Json root = builder.document();
   // 36 bytes of positions: nine floats 0 0 0, 1 0 0, 0 1 0 in base 64.
@@ -45,7 +45,7 @@ TEST(GltfContainer, glb_and_json_with_data_uri_give_the_same_scene) {
   EXPECT_EQ(std::get<Mesh>(from_json.shapes.at(0)).positions[1], Vec3f(1, 0, 0));
 }
 
-TEST(GltfContainer, every_proper_prefix_of_a_glb_is_an_error_that_names_the_file) {
+TEST(GltfContainer, every_glb_prefix_is_an_error) {
   const Contents whole = one_triangle().glb();
   ASSERT_NO_THROW(parse(whole));
   for (std::size_t length = 0; length < whole.size(); ++length)
@@ -79,7 +79,7 @@ TEST(GltfContainer, bytes_after_the_end_are_a_warning) {
   EXPECT_THAT(warnings, testing::Contains("a.glb: 3 bytes after the end are ignored"));
 }
 
-TEST(GltfContainer, malformed_json_is_an_error_with_line_and_column) {
+TEST(GltfContainer, malformed_json_reports_line_and_column) {
   EXPECT_EQ(message_of(contents_of("{\n  \"asset\": ]\n}")), "a.glb: is neither a .glb nor valid JSON: line 2, column 12");
 }
 
@@ -87,7 +87,7 @@ TEST(GltfContainer, json_that_ends_early_is_an_error) {
   EXPECT_THAT(message_of(contents_of("{\"asset\": {")), HasSubstr("nor valid JSON"));
 }
 
-TEST(GltfContainer, json_that_is_no_object_is_an_error) {
+TEST(GltfContainer, json_other_than_object_is_an_error) {
   EXPECT_EQ(message_of(contents_of("[1, 2]")), "a.glb: the JSON is not an object");
 }
 
@@ -101,14 +101,14 @@ TEST(GltfContainer, deep_nesting_is_an_error) {
   EXPECT_THAT(message_of(contents_of(deep)), HasSubstr("nested too deeply; accepted: at most 64 levels"));
 }
 
-TEST(GltfContainer, more_values_than_the_limit_are_an_error) {
+TEST(GltfContainer, too_many_values_are_an_error) {
   GltfLimits limits;
   limits.json_values = 4;
   const Contents contents = contents_of(R"({"asset": {"version": "2.0"}, "extras": [0, 1, 2, 3]})");
   EXPECT_THAT(error_message([&] { parse(contents, nullptr, limits); }), HasSubstr("too many values; accepted: at most 4"));
 }
 
-TEST(GltfContainer, more_objects_than_the_limit_are_an_error) {
+TEST(GltfContainer, too_many_objects_are_an_error) {
   GltfLimits limits;
   limits.json_objects = 3;
   const Contents contents = contents_of(R"({"asset": {"version": "2.0"}, "nodes": [{}, {}]})");
@@ -128,7 +128,7 @@ TEST(GltfContainer, file_beyond_the_limit_is_not_read) {
               HasSubstr("the file has 100 bytes; accepted: at most 99 bytes"));
 }
 
-TEST(GltfContainer, load_scene_reads_a_glb_file_without_keys_at_30_frames_a_second) {
+TEST(GltfContainer, load_scene_reads_glb_at_30_fps) {
   const test::TempDir folder;
   const Contents contents = one_triangle().glb();
   std::ofstream(folder / "box.glb", std::ios::binary)

@@ -129,13 +129,13 @@ const Fault kFaults[] = {
 INSTANTIATE_TEST_SUITE_P(GltfDocument, GltfFault, testing::ValuesIn(kFaults),
                          [](const auto& fault) { return std::string(fault.param.name); });
 
-TEST(GltfDocument, control_characters_of_the_file_do_not_reach_the_message) {
+TEST(GltfDocument, messages_have_no_control_characters) {
   EXPECT_THAT(message_with("/materials/0/alphaMode", "\x1b[31mred\n"), HasSubstr("is '?[31mred?'"));
 }
 
 TEST(GltfDocument, integer_written_as_float_is_read) { EXPECT_THAT(message_with("/scene", 0.0), "(no Error)"); }
 
-TEST(GltfDocument, extension_that_is_not_read_is_one_warning_that_names_its_objects) {
+TEST(GltfDocument, unknown_extension_warns_once_with_objects) {
   GltfBuilder b = good_document();
   b.root["extensionsUsed"] = {"EXT_surprise"};
   b.root["materials"][0]["name"] = "Silk";
@@ -147,7 +147,7 @@ TEST(GltfDocument, extension_that_is_not_read_is_one_warning_that_names_its_obje
             1);
 }
 
-TEST(GltfDocument, extension_that_is_used_but_not_listed_is_a_warning) {
+TEST(GltfDocument, unlisted_extension_is_a_warning) {
   GltfBuilder b = good_document();
   b.root["materials"][0]["extensions"]["EXT_surprise"] = Json::object();
   std::vector<std::string> warnings;
@@ -155,7 +155,7 @@ TEST(GltfDocument, extension_that_is_used_but_not_listed_is_a_warning) {
   EXPECT_THAT(warnings, Contains("a.glb: the extension EXT_surprise is not supported yet and is ignored (materials[0])"));
 }
 
-TEST(GltfDocument, extension_of_many_objects_names_the_first_of_them) {
+TEST(GltfDocument, warning_names_the_first_objects) {
   GltfBuilder b = good_document();
   for (int i = 0; i < 6; ++i) b.add("materials", {{"extensions", {{"EXT_surprise", Json::object()}}}});
   std::vector<std::string> warnings;
@@ -163,7 +163,7 @@ TEST(GltfDocument, extension_of_many_objects_names_the_first_of_them) {
   EXPECT_THAT(warnings, Contains(HasSubstr("(materials[1], materials[2], materials[3], materials[4] and 2 more)")));
 }
 
-TEST(GltfDocument, description_of_the_files_origin_is_no_warning) {
+TEST(GltfDocument, asset_description_is_no_warning) {
   GltfBuilder b = good_document();
   b.root["extensionsUsed"] = {"KHR_xmp", "KHR_xmp_json_ld"};
   b.root["extensionsRequired"] = {"KHR_xmp_json_ld"};
@@ -174,7 +174,7 @@ TEST(GltfDocument, description_of_the_files_origin_is_no_warning) {
 
 std::string message_requiring(const char* extension) { return message_with("/extensionsRequired", Json::array({extension})); }
 
-TEST(GltfDocument, required_extensions_that_are_not_read_are_refused_with_what_to_do) {
+TEST(GltfDocument, required_extensions_are_rejected_with_advice) {
   EXPECT_THAT(message_requiring("KHR_texture_basisu"),
               HasSubstr("not supported: convert to PNG first, with gltf-transform ktxdecompress IN OUT"));
   EXPECT_THAT(message_requiring("EXT_texture_avif"), HasSubstr("gltf-transform webp IN OUT"));
@@ -183,7 +183,7 @@ TEST(GltfDocument, required_extensions_that_are_not_read_are_refused_with_what_t
   EXPECT_THAT(message_requiring("KHR_animation_pointer"), HasSubstr("its animations are then ignored"));
 }
 
-TEST(GltfDocument, required_extension_that_nobody_knows_is_refused_with_what_can_be_done_about_any) {
+TEST(GltfDocument, unknown_required_extension_gets_general_advice) {
   EXPECT_THAT(message_requiring("ACME_jelly"),
               HasSubstr("needs ACME_jelly, which is not supported: export it again without it, or remove it from "
                         "extensionsRequired; it is then ignored with a warning; accepted: "));
@@ -202,7 +202,7 @@ TEST(GltfDocument, required_extension_that_is_read_passes) {
   EXPECT_EQ(message_with("/extensionsRequired", Json::array({"KHR_materials_unlit"})), "(no Error)");
 }
 
-TEST(GltfDocument, meshes_that_unpack_to_more_than_the_limit_are_an_error) {
+TEST(GltfDocument, unpacking_beyond_the_limit_is_an_error) {
   GltfLimits limits;
   limits.unpacked_bytes = 30;  // below the 36 bytes of three positions
   EXPECT_THAT(error_message([&] { parse(good_document(), nullptr, limits); }),
@@ -210,7 +210,7 @@ TEST(GltfDocument, meshes_that_unpack_to_more_than_the_limit_are_an_error) {
 }
 
 /// The first mesh cannot be read: were it unpacked, the error would be another.
-TEST(GltfDocument, all_meshes_are_counted_before_one_is_unpacked) {
+TEST(GltfDocument, counts_all_meshes_before_unpacking) {
   GltfBuilder b;
   const int bad = b.add_accessor(std::vector<Vec3f>{{0, 0, 0}, {std::nanf(""), 0, 0}, {0, 1, 0}});
   b.add_node({{"mesh", b.add_mesh({{"attributes", {{"POSITION", bad}}}})}});
@@ -269,9 +269,7 @@ class GltfFolder : public testing::Test {
   GltfBuilder triangle_ = one_triangle();
 };
 
-TEST_F(GltfFolder, file_below_the_scene_is_read_by_its_percent_encoded_name) {
-  EXPECT_EQ(message_with_uri("data/my%20bytes.bin"), "(no Error)");
-}
+TEST_F(GltfFolder, decodes_percent_encoded_names) { EXPECT_EQ(message_with_uri("data/my%20bytes.bin"), "(no Error)"); }
 
 TEST_F(GltfFolder, missing_file_is_an_error) {
   EXPECT_THAT(message_with_uri("none.bin"), HasSubstr("buffers[0]: 'none.bin' does not exist"));
@@ -314,7 +312,7 @@ TEST_F(GltfFolder, link_that_stays_inside_is_followed) {
   EXPECT_EQ(message_with_uri("link.bin"), "(no Error)");
 }
 
-TEST_F(GltfFolder, folder_in_place_of_a_file_is_refused) {
+TEST_F(GltfFolder, rejects_a_folder_as_file) {
   EXPECT_THAT(message_with_uri("data"), HasSubstr("buffers[0]: 'data' is not a regular file"));
 }
 

@@ -33,7 +33,7 @@ GltfBuilder lit_by(const Json& profile, const std::vector<Json>& lamps) {
   return b;
 }
 
-TEST(GltfIesLight, lamps_share_a_web_and_have_their_own_colour) {
+TEST(GltfIesLight, lamps_share_a_web) {
   const Scene scene = parse(lit_by({{"uri", kDownlight}, {"name", "downlight"}},
                                    {{{"light", 0}}, {{"light", 0}, {"multiplier", 2}, {"color", {1, 0.5, 0}}}}));
   validate(scene, "a.glb");
@@ -51,7 +51,7 @@ TEST(GltfIesLight, lamps_share_a_web_and_have_their_own_colour) {
   }
 }
 
-TEST(GltfIesLight, a_profile_without_a_file_leaves_its_lamps_out) {
+TEST(GltfIesLight, missing_profile_drops_its_lamps) {
   const Scene scene = parse(lit_by({{"uri", "missing.ies"}}, {{{"light", 0}}}));
   EXPECT_TRUE(scene.lights.empty());
   EXPECT_TRUE(scene.webs.empty());

@@ -93,7 +93,7 @@ TEST(GltfImageLight, faces_lie_where_their_order_says) {
 
 // White in the upper left of four texels. Who stands in the cube and looks along x with y upwards has z on his right; along y
 // with -z upwards he has -x on his right.
-TEST(GltfImageLight, faces_show_what_is_seen_from_the_middle) {
+TEST(GltfImageLight, faces_are_seen_from_inside) {
   GltfBuilder b;
   const Rgba white{255, 255, 255, 255}, black{0, 0, 0, 255};
   const Json faces(6, add_picture(b, 2, 2, {white, black, black, black}));
@@ -139,7 +139,7 @@ TEST(GltfImageLight, that_no_scene_refers_to_surrounds_nothing) {
   EXPECT_FALSE(parse(b).background.map);
 }
 
-TEST(GltfImageLight, image_that_is_missing_leaves_it_out_with_a_warning) {
+TEST(GltfImageLight, missing_image_is_a_warning) {
   GltfBuilder b = coloured_cube();
   b.root["images"][3] = {{"uri", "there_is_no_such_file.png"}};
   std::vector<std::string> warnings;

@@ -35,7 +35,7 @@ Light light_of(const Json& light) {
   return scene.lights.at(0);
 }
 
-TEST(GltfLight, point_light_has_colour_times_candela_and_falls_off) {
+TEST(GltfLight, point_light_uses_candela_and_falls_off) {
   const Light light =
       light_of({{"type", "point"}, {"name", "lamp"}, {"color", {1, 0.5, 0.25}}, {"intensity", 40}, {"range", 7}});
   EXPECT_EQ(light.name, "lamp");
@@ -46,7 +46,7 @@ TEST(GltfLight, point_light_has_colour_times_candela_and_falls_off) {
   EXPECT_EQ(light.node, 1);
 }
 
-TEST(GltfLight, defaults_are_white_of_intensity_one_without_end) {
+TEST(GltfLight, defaults_are_white_and_unbounded) {
   const Light light = light_of({{"type", "point"}});
   EXPECT_EQ(light.color, Vec3f(1.0f));
   EXPECT_EQ(light.range, kInfinity);
@@ -73,11 +73,11 @@ TEST(GltfLight, spot_light_without_angles_reaches_45_degrees) {
   EXPECT_FLOAT_EQ(light.outer_cone, kPi / 4);
 }
 
-TEST(GltfLight, spot_light_without_its_description_is_an_error) {
+TEST(GltfLight, missing_spot_is_an_error) {
   EXPECT_THAT(error_message([] { light_of({{"type", "spot"}}); }), HasSubstr("lights[0].spot: is missing"));
 }
 
-TEST(GltfLight, inner_cone_wider_than_the_outer_is_an_error) {
+TEST(GltfLight, inner_cone_beyond_outer_is_an_error) {
   EXPECT_THAT(error_message([] {
                 light_of({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.9}}}});
               }),
@@ -96,7 +96,7 @@ TEST(GltfLight, sizes_are_read_from_extras) {
 }
 
 // Half angle 60 degrees, cosine 0.5; a blend of 0.3 reaches up to the cosine 0.65.
-TEST(GltfLight, blend_is_a_soft_edge_in_place_of_the_inner_cone) {
+TEST(GltfLight, blend_replaces_the_inner_cone) {
   const Json cone{{"innerConeAngle", 0.2}, {"outerConeAngle", kPi / 3}};
   const Light soft = light_of({{"type", "spot"}, {"spot", cone}, {"extras", {{"radius", 2}, {"blend", 0.3}}}});
   EXPECT_EQ(soft.radius, 2.0f);
@@ -107,7 +107,7 @@ TEST(GltfLight, blend_is_a_soft_edge_in_place_of_the_inner_cone) {
   EXPECT_FALSE(light_of({{"type", "spot"}, {"spot", cone}}).smooth_edge);
 }
 
-TEST(GltfLight, extras_of_other_programs_are_left_alone_and_sizes_out_of_range_are_errors) {
+TEST(GltfLight, foreign_extras_are_ignored) {
   EXPECT_EQ(light_of({{"type", "point"}, {"extras", "a lamp"}}).radius, 0.0f);
   EXPECT_EQ(light_of({{"type", "point"}, {"extras", {{"radius", "large"}, {"shadow", true}}}}).radius, 0.0f);
   EXPECT_THAT(error_message([] {
@@ -141,7 +141,7 @@ float scale_by(const std::string& generator, const std::string& type) {
 }
 
 // 1 / 683 = 0.001464; 1 / (4 pi) = 0.079577.
-TEST(GltfLight, of_older_exporters_of_blender_is_in_watts) {
+TEST(GltfLight, old_blender_exporters_use_watts) {
   const std::string name = "Khronos glTF Blender I/O v";
   EXPECT_NEAR(scale_by(name + "3.4.39", "point"), 0.001464f, 1e-6f);
   EXPECT_NEAR(scale_by(name + "3.10.2", "point"), 0.001464f, 1e-6f);
@@ -163,7 +163,7 @@ Light spot_of(const std::string& generator, float inner, const Json& extras = Js
 
 // Blender's exporter writes inner = outer (1 - blend): an inner cone of 0.7 times the outer one is a blend of 0.3, which
 // reaches from the cosine 0.5 up to 0.5 + 0.3 * 0.5 = 0.65.
-TEST(GltfLight, spots_of_blenders_exporter_have_the_blend_that_their_cones_stand_for) {
+TEST(GltfLight, blender_spots_get_their_blend) {
   const std::string blender = "Khronos glTF Blender I/O v3.4.50";
   const Light soft = spot_of(blender, 0.7f * kPi / 3);
   EXPECT_TRUE(soft.smooth_edge);
@@ -182,7 +182,7 @@ TEST(GltfLight, spots_of_other_exporters_keep_their_cones) {
 
 // ---- Scenes without lights ------------------------------------------------------------------------------------------
 
-TEST(GltfLight, scene_with_a_light_keeps_a_black_background) {
+TEST(GltfLight, scene_with_light_has_black_background) {
   GltfBuilder b = lit_by({{"type", "point"}});
   b.add_node({{"mesh", b.add_triangle()}});
   const Scene scene = parse(b);
@@ -201,7 +201,7 @@ TEST(GltfLight, scene_of_unlit_materials_needs_none) {
 
 // ---- Cameras --------------------------------------------------------------------------------------------------------
 
-TEST(GltfCamera, perspective_is_read_in_the_order_of_the_nodes) {
+TEST(GltfCamera, perspective_cameras_follow_node_order) {
   GltfBuilder b;
   b.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}}}});
   b.add("cameras",
@@ -232,7 +232,7 @@ TEST(GltfCamera, scene_without_one_has_none) {
   EXPECT_TRUE(parse(b).cameras.empty());
 }
 
-TEST(GltfCamera, orthographic_has_its_height_and_an_angle_that_shows_it_at_the_centre) {
+TEST(GltfCamera, orthographic_has_height_and_angle) {
   GltfBuilder b;
   b.add_node({{"mesh", b.add_triangle()}, {"translation", {-0.5, -0.5, -8}}});  // its bounds are centred on z = -8
   b.add("cameras", {{"type", "orthographic"}, {"orthographic", {{"xmag", 4}, {"ymag", 2}, {"znear", 0}, {"zfar", 100}}}});
@@ -245,7 +245,7 @@ TEST(GltfCamera, orthographic_has_its_height_and_an_angle_that_shows_it_at_the_c
   EXPECT_TRUE(warnings.empty());
 }
 
-TEST(GltfCamera, orthographic_with_nothing_in_front_of_it_still_is_a_camera) {
+TEST(GltfCamera, orthographic_works_without_visible_objects) {
   GltfBuilder b;
   b.add("cameras", {{"type", "orthographic"}, {"orthographic", {{"xmag", 0}, {"ymag", 0}, {"znear", 0}, {"zfar", 0}}}});
   b.add_node({{"camera", 0}});
@@ -253,7 +253,7 @@ TEST(GltfCamera, orthographic_with_nothing_in_front_of_it_still_is_a_camera) {
 }
 
 // The triangle's corners are 1 apart in x and in y: sqrt(2) from one end of its bounds to the other.
-TEST(GltfCamera, orthographic_of_no_size_shows_the_whole_scene_with_a_warning) {
+TEST(GltfCamera, zero_orthographic_size_shows_all_with_warning) {
   GltfBuilder b;
   b.add_node({{"mesh", b.add_triangle()}});
   b.add("cameras", {{"type", "orthographic"}, {"orthographic", {{"xmag", 0}, {"ymag", 0}, {"znear", 0}, {"zfar", 10}}}});

@@ -54,7 +54,7 @@ TEST(GltfVolume, behind_an_opaque_surface_is_nothing) {
   EXPECT_FALSE(surface_with({{"KHR_materials_volume", {{"thicknessFactor", 1}}}}).extensions);
 }
 
-TEST(GltfVolume, attenuation_distances_of_nothing_and_beyond_floats_are_infinite) {
+TEST(GltfVolume, zero_and_huge_distances_are_infinite) {
   for (const double distance : {0.0, 1e300}) {
     const MetallicRoughness s = surface_with(glass({{"thicknessFactor", 1}, {"attenuationDistance", distance}}));
     EXPECT_EQ(s.extensions->volume->attenuation_distance, kInfinity) << distance;
@@ -167,14 +167,14 @@ TEST(GltfVariants, are_chosen_by_name_or_index) {
   EXPECT_THAT(parse(b).variant_names, testing::ElementsAre("Beach", "Bare", "Street"));
 }
 
-TEST(GltfVariants, that_are_not_there_are_an_error_that_lists_those_there_are) {
+TEST(GltfVariants, unknown_variant_is_an_error_with_names) {
   EXPECT_THAT(error_message([] { shown_material(with_variants(), "Snow"); }),
               HasSubstr("'Snow' is not in the file; accepted: Beach (0), Bare (1), Street (2)"));
   EXPECT_THAT(error_message([] { shown_material(with_extensions(Json::object()), "Beach"); }),
               HasSubstr("the file has no material variants"));
 }
 
-TEST(GltfVariants, that_refer_to_nothing_or_contradict_each_other_are_errors) {
+TEST(GltfVariants, invalid_mappings_are_errors) {
   const auto message = [](const Json& mappings) {
     GltfBuilder b = with_variants();
     b.root["meshes"][0]["primitives"][0]["extensions"]["KHR_materials_variants"]["mappings"] = mappings;

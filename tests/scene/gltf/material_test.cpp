@@ -97,13 +97,13 @@ TEST(GltfMaterial, unlit_is_read) {
   EXPECT_TRUE(surface_of({{"extensions", {{"KHR_materials_unlit", Json::object()}}}}).unlit);
 }
 
-TEST(GltfMaterial, ior_of_zero_means_that_everything_is_reflected) {
+TEST(GltfMaterial, zero_ior_reflects_everything) {
   const float ior = surface_of({{"extensions", {{"KHR_materials_ior", {{"ior", 0}}}}}}).ior;
   const float reflectance = std::pow((ior - 1.0f) / (ior + 1.0f), 2.0f);
   EXPECT_GT(reflectance, 0.99f);  // what 1000 gives, 0.996, with room for another choice
 }
 
-TEST(GltfMaterial, ior_between_zero_and_one_is_taken_as_one_with_a_warning_that_names_the_material) {
+TEST(GltfMaterial, ior_below_one_becomes_one_with_warning) {
   std::vector<std::string> warnings;
   const Json material{{"name", "ball"}, {"extensions", {{"KHR_materials_ior", {{"ior", 0.5}}}}}};
   EXPECT_EQ(surface_of(material, &warnings).ior, 1.0f);
@@ -111,7 +111,7 @@ TEST(GltfMaterial, ior_between_zero_and_one_is_taken_as_one_with_a_warning_that_
                                     "at materials[0] 'ball')"));
 }
 
-TEST(GltfMaterial, mask_has_a_cutoff_and_blend_has_none) {
+TEST(GltfMaterial, mask_has_a_cutoff) {
   EXPECT_EQ(surface_of({{"alphaMode", "MASK"}}).alpha_cutoff, 0.5f);
   EXPECT_EQ(surface_of({{"alphaMode", "MASK"}, {"alphaCutoff", 0.25}}).alpha_cutoff, 0.25f);
   EXPECT_FALSE(surface_of({{"alphaMode", "MASK"}}).blend);
@@ -164,7 +164,7 @@ MetallicRoughness surface_of(const GltfBuilder& b) {
   return std::get<MetallicRoughness>(scene.materials.at(0).surface);
 }
 
-TEST(GltfMaterial, webp_is_taken_in_place_of_the_picture_for_readers_that_do_not_know_it) {
+TEST(GltfMaterial, webp_takes_precedence) {
   GltfBuilder b = textured(four_colours());
   b.add("images", {{"bufferView", b.add_view(encode_webp(2, 1, {1, 2, 3, 255, 4, 5, 6, 128}))}, {"mimeType", "image/webp"}});
   b.root["textures"][0]["extensions"]["EXT_texture_webp"]["source"] = 1;
@@ -173,7 +173,7 @@ TEST(GltfMaterial, webp_is_taken_in_place_of_the_picture_for_readers_that_do_not
   EXPECT_THAT(parse(b).textures.at(0).rgba, ElementsAre(1, 2, 3, 255, 4, 5, 6, 128));
 }
 
-TEST(GltfMaterial, glossiness_in_a_map_s_alpha_becomes_roughness) {
+TEST(GltfMaterial, glossiness_alpha_becomes_roughness) {
   GltfBuilder b = textured(encode_png(2, 1, 4, {200, 100, 50, 255, 200, 100, 50, 0}));
   b.root["materials"][0]["extensions"]["KHR_materials_pbrSpecularGlossiness"] = {{"glossinessFactor", 0.6},
                                                                                  {"specularGlossinessTexture", {{"index", 0}}}};
@@ -200,7 +200,7 @@ TEST(GltfMaterial, anisotropy_s_map_holds_numbers_not_colours) {
   EXPECT_FALSE(scene.textures[static_cast<std::size_t>(s.extensions->anisotropy.map.texture)].srgb);
 }
 
-TEST(GltfMaterial, one_image_is_a_texture_of_colours_and_a_texture_of_data) {
+TEST(GltfMaterial, image_is_decoded_for_colours_and_data) {
   GltfBuilder b = textured(four_colours());
   b.root["materials"][0] = all_maps();
   const Scene scene = parse(b);
@@ -217,7 +217,7 @@ TEST(GltfMaterial, one_image_is_a_texture_of_colours_and_a_texture_of_data) {
   EXPECT_EQ(s.clearcoat_normal_scale, 2.0f);
 }
 
-TEST(GltfMaterial, maps_of_what_is_zero_or_unlit_are_not_even_decoded) {
+TEST(GltfMaterial, skips_maps_without_effect) {
   GltfBuilder b = textured({'n', 'o'});
   Json& material = b.root["materials"][0] = all_maps();
   material["extensions"]["KHR_materials_unlit"] = Json::object();
@@ -246,7 +246,7 @@ TEST(GltfTextureTransform, scales_then_turns_then_moves) {
   EXPECT_NEAR(along_v.y, 0.5f, 1e-6f);
 }
 
-TEST(GltfTextureTransform, of_a_map_within_an_extension_is_read) {
+TEST(GltfTextureTransform, reads_maps_of_extensions) {
   GltfBuilder b = textured(four_colours());
   b.root["materials"][0]["extensions"]["KHR_materials_clearcoat"] = {
       {"clearcoatFactor", 1},
@@ -254,7 +254,7 @@ TEST(GltfTextureTransform, of_a_map_within_an_extension_is_read) {
   EXPECT_EQ(surface_of(b).clearcoat_map.offset, Vec2f(0.5f, 0.0f));
 }
 
-TEST(GltfTextureTransform, that_is_not_two_numbers_is_an_error) {
+TEST(GltfTextureTransform, wrong_length_is_an_error) {
   EXPECT_EQ(error_message([] {
               surface_with_transform({{"scale", {1}}});
             }),
@@ -264,7 +264,7 @@ TEST(GltfTextureTransform, that_is_not_two_numbers_is_an_error) {
 
 // ---- Textures -------------------------------------------------------------------------------------------------------
 
-TEST(GltfTexture, png_is_decoded_top_row_first_without_multiplying_by_alpha) {
+TEST(GltfTexture, png_is_top_row_first_without_premultiplication) {
   const Scene scene = parse(textured(four_colours()));
   ASSERT_EQ(scene.textures.size(), 1u);
   const Texture& texture = scene.textures[0];
@@ -312,7 +312,7 @@ TEST(GltfTexture, nearest_filter_is_a_warning) {
   EXPECT_THAT(warnings, Contains(HasSubstr("nearest-neighbour filtering is not supported yet")));
 }
 
-TEST(GltfTexture, one_image_for_two_materials_is_decoded_once) {
+TEST(GltfTexture, shared_image_is_decoded_once) {
   GltfBuilder b = textured(four_colours());
   b.add("materials", {{"emissiveFactor", {1, 1, 1}}, {"emissiveTexture", {{"index", 0}}}});
   const Scene scene = parse(b);
@@ -320,7 +320,7 @@ TEST(GltfTexture, one_image_for_two_materials_is_decoded_once) {
   EXPECT_EQ(std::get<MetallicRoughness>(scene.materials[1].surface).emissive_map.texture, 0);
 }
 
-TEST(GltfTexture, mesh_takes_the_set_of_coordinates_that_the_texture_asks_for) {
+TEST(GltfTexture, mesh_uses_the_texture_s_uv_set) {
   GltfBuilder b = textured(four_colours());
   b.root["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = 1;
   const int first = b.add_accessor(std::vector<Vec2f>(3, Vec2f(0.25f))),
@@ -346,7 +346,7 @@ GltfBuilder with_three_sets(int base, int emissive, int occlusion) {
   return b;
 }
 
-TEST(GltfTexture, two_sets_of_coordinates_of_one_material_are_both_read) {
+TEST(GltfTexture, reads_two_uv_sets_per_material) {
   const Scene scene = parse(with_three_sets(2, 1, 2));
   const Mesh& mesh = std::get<Mesh>(scene.shapes.at(0));
   EXPECT_THAT(mesh.uvs, testing::Each(Vec2f(0.5f)));
@@ -384,18 +384,18 @@ std::string left_out_image(const std::string& what) {
   return "a.glb: an image is " + what + " (accepted: PNG, JPEG, WebP); the surface is shown without it (first at images[0])";
 }
 
-TEST(GltfTexture, image_of_an_unknown_format_is_left_out_with_a_warning) {
+TEST(GltfTexture, unknown_image_format_is_a_warning) {
   EXPECT_EQ(warning_about({'G', 'I', 'F', '8'}), left_out_image("a GIF picture"));
   EXPECT_EQ(warning_about({0xab, 'K', 'T', 'X', ' ', '1', '1', 0xbb, '\r', '\n', 0x1a, '\n'}), left_out_image("a KTX texture"));
 }
 
-TEST(GltfTexture, ktx2_image_is_left_out_with_what_to_do) {
+TEST(GltfTexture, ktx2_image_gets_advice) {
   const std::vector<unsigned char> ktx2{0xab, 'K', 'T', 'X', ' ', '2', '0', 0xbb, '\r', '\n', 0x1a, '\n', 0, 0};
   EXPECT_THAT(warning_about(ktx2), HasSubstr("a.glb: an image is a KTX2 file: convert to PNG first, with gltf-transform "
                                              "ktxdecompress IN OUT"));
 }
 
-TEST(GltfTexture, every_proper_prefix_of_a_png_that_can_be_told_for_one_is_an_error) {
+TEST(GltfTexture, every_png_prefix_is_an_error) {
   const std::vector<unsigned char> whole = four_colours();
   for (std::size_t length = 1; length < whole.size(); ++length) {
     const std::vector<unsigned char> cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length));
@@ -414,14 +414,14 @@ TEST(GltfTexture, png_with_damaged_pixels_is_an_error) {
   EXPECT_THAT(error_message([&] { parse(textured(damaged)); }), HasSubstr("a.glb: images[0]: cannot be read as a picture"));
 }
 
-TEST(GltfTexture, image_larger_than_the_limit_is_refused_before_it_is_decoded) {
+TEST(GltfTexture, too_large_image_is_rejected_before_decoding) {
   GltfLimits limits;
   limits.texture_side = 1;
   EXPECT_EQ(error_message([&] { parse(textured(four_colours()), nullptr, limits); }),
             "a.glb: images[0]: has 2 x 2 pixels; accepted: 1 to 1 pixels per side");
 }
 
-TEST(GltfTexture, images_that_decode_to_more_than_the_limit_together_are_halved) {
+TEST(GltfTexture, images_beyond_the_limit_are_halved) {
   GltfBuilder b = textured(four_colours());
   b.add("images", b.root["images"][0]);
   b.add("textures", {{"source", 1}});
@@ -434,13 +434,13 @@ TEST(GltfTexture, images_that_decode_to_more_than_the_limit_together_are_halved)
   EXPECT_THAT(warnings, testing::ElementsAre(HasSubstr("1 of 2 textures are reduced to half of their resolution")));
 }
 
-TEST(GltfTexture, image_that_alone_is_beyond_the_limit_is_refused_before_it_is_decoded) {
+TEST(GltfTexture, single_image_beyond_the_limit_is_rejected) {
   EXPECT_EQ(error_message([&] { parse(textured(four_colours()), nullptr, {}, {.texture_bytes = 15}); }),
             "a.glb: images[0]: has 2 x 2 pixels, which take too much memory; accepted: at most 0 MB at 4 bytes a pixel "
             "(texture-memory)");
 }
 
-TEST(GltfTexture, image_file_that_is_missing_or_elsewhere_is_left_out_with_a_warning) {
+TEST(GltfTexture, missing_or_outside_image_is_a_warning) {
   for (const std::string uri : {"none.png", "/etc/none.png", "../none.png", "https://example.org/a.png"}) {
     GltfBuilder b = textured({1});
     b.root["images"][0] = {{"uri", uri}};
@@ -457,7 +457,7 @@ TEST(GltfTexture, image_without_a_source_is_an_error) {
   EXPECT_EQ(error_message([&] { parse(b); }), "a.glb: images[0]: has neither a uri nor a buffer view");
 }
 
-TEST(GltfTexture, without_an_image_it_is_white_with_a_warning) {
+TEST(GltfTexture, missing_image_is_white_with_warning) {
   GltfBuilder b = textured(four_colours());
   b.root["textures"][0].erase("source");
   std::vector<std::string> warnings;
@@ -466,7 +466,7 @@ TEST(GltfTexture, without_an_image_it_is_white_with_a_warning) {
   EXPECT_THAT(warnings, Contains("a.glb: textures without a PNG, JPEG or WebP image are white (first at textures[0])"));
 }
 
-TEST(GltfTexture, image_that_no_material_uses_is_not_even_looked_at) {
+TEST(GltfTexture, skips_unused_images) {
   GltfBuilder b = textured({'n', 'o'});
   b.root["materials"][0].clear();
   EXPECT_NO_THROW(parse(b));

@@ -38,7 +38,7 @@ Mesh five_vertices(const Json& more) {
 
 // ---- Topology -------------------------------------------------------------------------------------------------------
 
-TEST(GltfMesh, triangles_without_indices_take_vertices_in_order_and_drop_the_rest) {
+TEST(GltfMesh, without_indices_uses_vertices_in_order) {
   EXPECT_THAT(five_vertices({{"mode", 4}}).triangles, ElementsAre(Triangle{0, 1, 2}));
 }
 
@@ -52,7 +52,7 @@ TEST(GltfMesh, fan_turns_around_its_first_vertex) {
 
 TEST(GltfMesh, without_normals_it_is_faceted) { EXPECT_TRUE(five_vertices(Json::object()).normals.empty()); }
 
-TEST(GltfMesh, indices_of_every_unsigned_type_give_the_same_triangle) {
+TEST(GltfMesh, all_index_types_give_equal_triangles) {
   for (const int type : {test::kUnsignedByte, test::kUnsignedShort, test::kUnsignedInt}) {
     GltfBuilder b;
     int indices = -1;
@@ -70,7 +70,7 @@ TEST(GltfMesh, index_beyond_the_vertices_is_an_error) {
   EXPECT_EQ(error_message([&] { parse_mesh(b); }), "a.glb: meshes[0].primitives[0]: index 2 is 3; accepted: 0 to 2");
 }
 
-TEST(GltfMesh, points_and_lines_are_left_out_with_one_warning) {
+TEST(GltfMesh, points_and_lines_give_one_warning) {
   GltfBuilder b;
   const int mesh = b.add_triangle({{"mode", 0}});
   b.root["meshes"][0]["primitives"].push_back(b.root["meshes"][0]["primitives"][0]);
@@ -82,7 +82,7 @@ TEST(GltfMesh, points_and_lines_are_left_out_with_one_warning) {
       ElementsAre("a.glb: points and lines are not supported yet: they are left out (first at meshes[0].primitives[0])"));
 }
 
-TEST(GltfMesh, primitive_without_positions_is_left_out_with_a_warning) {
+TEST(GltfMesh, missing_positions_are_a_warning) {
   GltfBuilder b;
   b.add_node({{"mesh", b.add_mesh({{"attributes", Json::object()}})}});
   std::vector<std::string> warnings;
@@ -90,7 +90,7 @@ TEST(GltfMesh, primitive_without_positions_is_left_out_with_a_warning) {
   EXPECT_THAT(warnings, Contains("a.glb: primitives without positions are left out (first at meshes[0].primitives[0])"));
 }
 
-TEST(GltfMesh, shown_by_two_nodes_it_is_one_shape) {
+TEST(GltfMesh, two_nodes_share_a_shape) {
   GltfBuilder b;
   const int mesh = b.add_triangle();
   b.add_node({{"mesh", mesh}, {"name", "left"}});
@@ -104,7 +104,7 @@ TEST(GltfMesh, shown_by_two_nodes_it_is_one_shape) {
 
 // ---- Values ---------------------------------------------------------------------------------------------------------
 
-TEST(GltfAccessor, strided_elements_are_picked_out_of_interleaved_data) {
+TEST(GltfAccessor, reads_interleaved_data) {
   GltfBuilder b;
   // x y z of the position, then u v: five floats a vertex.
   const int view = b.add_view(std::vector<float>{0, 0, 0, 0.1f, 0.2f, 1, 0, 0, 0.3f, 0.4f, 0, 1, 0, 0.5f, 0.6f});
@@ -119,7 +119,7 @@ TEST(GltfAccessor, strided_elements_are_picked_out_of_interleaved_data) {
   EXPECT_THAT(mesh.uvs, ElementsAre(Vec2f(0.1f, 0.2f), Vec2f(0.3f, 0.4f), Vec2f(0.5f, 0.6f)));
 }
 
-TEST(GltfAccessor, last_strided_element_needs_no_padding_behind_it) {
+TEST(GltfAccessor, last_strided_element_needs_no_padding) {
   GltfBuilder b;
   const int view = b.add_view(std::vector<float>{0, 0, 0, 9, 1, 0, 0, 9, 0, 1, 0});  // 44 bytes: 2 strides of 16 and 12 more
   b.root["bufferViews"][0]["byteStride"] = 16;
@@ -147,12 +147,12 @@ TEST(GltfAccessor, normalized_unsigned_bytes_are_divided_by_255) {
               ElementsAre(Vec2f(0.0f, 1.0f), Vec2f(0.2f, 0.4f), Vec2f(1.0f, 0.0f)));
 }
 
-TEST(GltfAccessor, normalized_signed_shorts_are_divided_by_32767_and_do_not_go_below_minus_1) {
+TEST(GltfAccessor, normalized_shorts_are_clamped) {
   EXPECT_THAT(integer_uvs<std::int16_t>({0, 32767, -32767, -32768, 1, -1}, 5122, true),
               ElementsAre(Vec2f(0.0f, 1.0f), Vec2f(-1.0f, -1.0f), Vec2f(1.0f / 32767.0f, -1.0f / 32767.0f)));
 }
 
-TEST(GltfAccessor, integers_that_are_not_normalized_keep_their_value) {
+TEST(GltfAccessor, plain_integers_keep_their_value) {
   EXPECT_THAT(integer_uvs<std::int8_t>({0, 1, 9, 9, -128, 127, 9, 9, 5, 6}, 5120, false),
               ElementsAre(Vec2f(0, 1), Vec2f(-128, 127), Vec2f(5, 6)));
 }
@@ -179,7 +179,7 @@ TEST(GltfAccessor, sparse_values_without_a_base_replace_zeros) {
   EXPECT_THAT(parse_mesh(b).positions, ElementsAre(Vec3f(0, 0, 0), Vec3f(7, 8, 9), Vec3f(0, 0, 0)));
 }
 
-TEST(GltfAccessor, sparse_index_beyond_the_elements_is_an_error) {
+TEST(GltfAccessor, sparse_index_beyond_accessor_is_an_error) {
   GltfBuilder b;
   b.add_triangle();
   const int indices = b.add_view(std::vector<std::uint16_t>{3}), values = b.add_view(std::vector<Vec3f>{{7, 8, 9}});
@@ -189,7 +189,7 @@ TEST(GltfAccessor, sparse_index_beyond_the_elements_is_an_error) {
   EXPECT_EQ(error_message([&] { parse_mesh(b); }), "a.glb: accessors[0].sparse.indices: replaces element 3 of 3");
 }
 
-TEST(GltfAccessor, more_sparse_values_than_elements_are_an_error) {
+TEST(GltfAccessor, too_many_sparse_values_are_an_error) {
   GltfBuilder b;
   b.add_triangle();
   const int view = b.add_view(std::vector<std::uint16_t>{1});
@@ -199,7 +199,7 @@ TEST(GltfAccessor, more_sparse_values_than_elements_are_an_error) {
   EXPECT_EQ(error_message([&] { parse_mesh(b); }), "a.glb: accessors[0].sparse: replaces 4 elements of an accessor with 3");
 }
 
-TEST(GltfAccessor, billions_of_elements_without_data_are_an_error_not_an_allocation) {
+TEST(GltfAccessor, huge_counts_do_not_allocate) {
   GltfBuilder b;
   b.add_triangle();
   b.accessor(0).erase("bufferView");
@@ -208,7 +208,7 @@ TEST(GltfAccessor, billions_of_elements_without_data_are_an_error_not_an_allocat
               StartsWith("a.glb: accessors[0]: the unpacked scene needs too much memory"));
 }
 
-TEST(GltfAccessor, position_that_is_not_finite_is_an_error) {
+TEST(GltfAccessor, infinite_position_is_an_error) {
   for (const float bad : {kNan, kInfinity}) {
     GltfBuilder b;
     b.add_mesh({{"attributes", {{"POSITION", b.add_accessor(std::vector<Vec3f>{{0, 0, 0}, {1, bad, 0}, {0, 1, 0}})}}}});
@@ -224,13 +224,13 @@ TEST(GltfMesh, attribute_with_another_count_is_an_error) {
   EXPECT_EQ(error_message([&] { parse_mesh(b); }), "a.glb: meshes[0].primitives[0]: has 3 positions, but 2 values of NORMAL");
 }
 
-TEST(GltfMesh, normals_become_unit_vectors_even_if_tiny_or_huge) {
+TEST(GltfMesh, normalises_tiny_and_huge_normals) {
   GltfBuilder b;
   b.add_triangle({{"attributes", {{"NORMAL", b.add_accessor(std::vector<Vec3f>{{0, 0, 2}, {0, 1e-30f, 0}, {3e38f, 0, 0}})}}}});
   EXPECT_THAT(parse_mesh(b).normals, ElementsAre(Vec3f(0, 0, 1), Vec3f(0, 1, 0), Vec3f(1, 0, 0)));
 }
 
-TEST(GltfMesh, normal_without_direction_is_made_from_its_triangles_with_a_warning) {
+TEST(GltfMesh, zero_normals_come_from_triangles) {
   GltfBuilder b;
   b.add_triangle({{"attributes", {{"NORMAL", b.add_accessor(std::vector<Vec3f>{{1, 0, 0}, {0, 0, 0}, {1, 0, 0}})}}}});
   std::vector<std::string> warnings;
@@ -247,7 +247,7 @@ TEST(GltfMesh, vertex_colours_of_three_floats_are_read) {
   EXPECT_TRUE(mesh.alphas.empty());
 }
 
-TEST(GltfMesh, vertex_colours_of_four_bytes_are_colours_and_alphas) {
+TEST(GltfMesh, byte_colours_include_alpha) {
   GltfBuilder b;
   const int colors = b.add_accessor(std::vector<std::uint8_t>{255, 0, 51, 255, 0, 0, 0, 0, 255, 255, 255, 102},
                                     test::kUnsignedByte, "VEC4", 3);
@@ -272,7 +272,7 @@ TEST(GltfMesh, colours_of_two_numbers_are_an_error) {
   EXPECT_THAT(error_message([&] { parse_mesh(b); }), HasSubstr("has the wrong type for its use; accepted: VEC4"));
 }
 
-TEST(GltfMesh, tangents_are_read_where_a_normal_map_needs_them) {
+TEST(GltfMesh, reads_tangents_for_normal_maps) {
   GltfBuilder b;
   const int tangents = b.add_accessor(std::vector<Vec4f>{{2, 0, 0, 1}, {0, 3, 0, -0.5f}, {0, 0, 1e-30f, 1}});
   b.add_triangle({{"attributes", {{"TANGENT", tangents}}}, {"material", 0}});
@@ -284,7 +284,7 @@ TEST(GltfMesh, tangents_are_read_where_a_normal_map_needs_them) {
   EXPECT_THAT(parse_mesh(b).tangents, ElementsAre(Vec4f(1, 0, 0, 1), Vec4f(0, 1, 0, -1), Vec4f(0, 0, 1, 1)));
 }
 
-TEST(GltfMesh, extras_of_nodes_hide_it_from_cameras_and_take_its_shadow) {
+TEST(GltfMesh, node_extras_set_visibility_and_shadow) {
   const auto shown_by = [](const Json& extras) {
     GltfBuilder b;
     b.add_node({{"mesh", b.add_triangle()}, {"extras", extras}});

@@ -37,7 +37,7 @@ std::string message_of(const GltfBuilder& builder) {
 
 // ---- Hierarchy ------------------------------------------------------------------------------------------------------
 
-TEST(GltfNodes, parents_come_first_whatever_the_order_of_the_file) {
+TEST(GltfNodes, parents_come_first) {
   GltfBuilder b;
   b.add_node({{"name", "grandchild"}});
   b.add_node({{"name", "child"}, {"children", {0}}});
@@ -51,7 +51,7 @@ TEST(GltfNodes, parents_come_first_whatever_the_order_of_the_file) {
   EXPECT_THAT(parents, ElementsAre(-1, 0, 0, 2));
 }
 
-TEST(GltfNodes, world_transform_scales_then_rotates_then_moves_level_by_level) {
+TEST(GltfNodes, world_transform_composes_levels) {
   GltfBuilder b;
   // 90 degrees about z: x to y.
   b.add_node(
@@ -88,7 +88,7 @@ TEST(GltfNodes, rotation_of_zero_length_is_an_error) {
   EXPECT_EQ(message_of(b), "a.glb: nodes[0].rotation: is not a unit quaternion");
 }
 
-TEST(GltfNodes, transforms_that_multiply_to_infinity_are_an_error) {
+TEST(GltfNodes, infinite_product_is_an_error) {
   GltfBuilder b;
   b.add_node({{"scale", {1e30, 1, 1}}, {"children", {1}}});
   b.add_node({{"scale", {1e30, 1, 1}}});
@@ -111,7 +111,7 @@ TEST(GltfNodes, cycle_is_an_error) {
   EXPECT_EQ(message_of(b), "a.glb: nodes[1]: is part of or below a cycle of nodes");
 }
 
-TEST(GltfNodes, node_that_is_its_own_child_is_an_error) {
+TEST(GltfNodes, self_child_is_an_error) {
   GltfBuilder b;
   b.add_node({{"children", {0}}});
   EXPECT_THAT(message_of(b), HasSubstr("nodes[0]: is part of or below a cycle"));
@@ -127,7 +127,7 @@ GltfBuilder chain_of_three(const Json& listed) {
   return b;
 }
 
-TEST(GltfNodes, child_that_a_scene_lists_beside_its_parent_is_there_once_with_a_warning) {
+TEST(GltfNodes, listed_child_is_shown_once_with_warning) {
   for (const Json& listed : {Json{0, 1}, Json{1, 0}, Json{2, 0}, Json{0, 1, 2}}) {
     std::vector<std::string> warnings;
     const Scene scene = parse(chain_of_three(listed), &warnings);
@@ -138,7 +138,7 @@ TEST(GltfNodes, child_that_a_scene_lists_beside_its_parent_is_there_once_with_a_
   }
 }
 
-TEST(GltfNodes, child_that_a_scene_lists_without_its_parent_is_a_root) {
+TEST(GltfNodes, child_listed_alone_is_a_root) {
   std::vector<std::string> warnings;
   const Scene scene = parse(chain_of_three({1}), &warnings);
   ASSERT_EQ(scene.nodes.size(), 2u);
@@ -153,7 +153,7 @@ TEST(GltfNodes, child_that_a_scene_lists_without_its_parent_is_a_root) {
 
 const Json kInvisible = {{"KHR_node_visibility", {{"visible", false}}}};
 
-TEST(GltfVisibility, node_that_is_not_visible_hides_all_meshes_and_lights_below_it_but_no_camera) {
+TEST(GltfVisibility, hidden_node_hides_meshes_and_lights_below) {
   GltfBuilder b;
   b.root["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
   b.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}}}});
@@ -171,7 +171,7 @@ TEST(GltfVisibility, node_that_is_not_visible_hides_all_meshes_and_lights_below_
   EXPECT_EQ(scene.cameras.size(), 1u);
 }
 
-TEST(GltfVisibility, a_file_of_which_nothing_is_visible_has_a_warning) {
+TEST(GltfVisibility, warns_if_nothing_is_visible) {
   GltfBuilder b;
   b.add_node({{"mesh", b.add_triangle()}, {"extensions", kInvisible}});
   std::vector<std::string> warnings;
@@ -179,7 +179,7 @@ TEST(GltfVisibility, a_file_of_which_nothing_is_visible_has_a_warning) {
   EXPECT_THAT(warnings, Contains("a.glb: all nodes with a mesh are invisible (KHR_node_visibility)"));
 }
 
-TEST(GltfVisibility, that_is_neither_true_nor_false_is_an_error) {
+TEST(GltfVisibility, non_boolean_is_an_error) {
   GltfBuilder b;
   b.add_node({{"extensions", {{"KHR_node_visibility", {{"visible", "no"}}}}}});
   EXPECT_EQ(message_of(b), "a.glb: nodes[0].extensions.KHR_node_visibility.visible: is not true or false");
@@ -193,7 +193,7 @@ TEST(GltfNodes, chain_of_100000_nodes_is_read) {
   EXPECT_EQ(parse(b).nodes.back().parent, kLength - 2);
 }
 
-TEST(GltfNodes, only_the_default_scene_is_read_with_a_warning) {
+TEST(GltfNodes, reads_only_the_default_scene) {
   GltfBuilder b;
   b.add_node({{"name", "a"}});
   b.add_node({{"name", "b"}});
@@ -246,13 +246,13 @@ TEST(GltfSkin, joints_bind_matrices_and_weights_are_read) {
   expect_near(posed(scene, 2), {4.5f, 0.5f, 0.5f}, 4 * kFloatRounding);
 }
 
-TEST(GltfSkin, joints_that_are_not_visible_still_carry_it) {
+TEST(GltfSkin, hidden_joints_still_move_the_mesh) {
   GltfBuilder b = skinned_triangle({{1, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}});
   b.root["nodes"][1]["extensions"] = kInvisible;
   expect_near(posed(parse(b), 0), {10, 0, 0});
 }
 
-TEST(GltfSkin, joints_that_are_animated_take_the_mesh_along) {
+TEST(GltfSkin, animated_joints_move_the_mesh) {
   GltfBuilder b = skinned_triangle({{1, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}});
   const int times = b.add_accessor(std::vector<float>{0, 1}), places = b.add_accessor(std::vector<Vec3f>{{0, 0, 0}, {0, 8, 0}});
   b.add("animations", {{"channels", {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}}}},
@@ -260,7 +260,7 @@ TEST(GltfSkin, joints_that_are_animated_take_the_mesh_along) {
   expect_near(posed(parse(b), 1, 0.25), {1, 2, 0});
 }
 
-TEST(GltfSkin, weights_are_scaled_to_a_sum_of_one) {
+TEST(GltfSkin, normalises_weights) {
   const Scene scene = parse(skinned_triangle({{2, 0, 0, 0}, {0.25f, 0, 0, 0}, {0, 0, 0, 0}}));
   expect_near(posed(scene, 0), {10, 0, 0});
   expect_near(posed(scene, 1), {11, 0, 0});
@@ -276,14 +276,14 @@ TEST(GltfSkin, second_set_of_joints_counts_too) {
   expect_near(posed(parse(b), 1), {5.5f, 0.5f, 0.5f}, 4 * kFloatRounding);
 }
 
-TEST(GltfSkin, that_no_node_uses_is_not_even_looked_at) {
+TEST(GltfSkin, skips_unused_skins) {
   GltfBuilder b = skinned_triangle({{1, 0, 0, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}});
   b.root["nodes"][0].erase("skin");
   b.root["skins"][0]["joints"] = {1, 2, 0};
   EXPECT_TRUE(parse(b).skins.empty());
 }
 
-TEST(GltfSkin, pose_that_is_not_finite_is_an_error) {
+TEST(GltfSkin, infinite_pose_is_an_error) {
   GltfBuilder b = skinned_triangle({{1, 0, 0, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}});
   b.root["nodes"][1]["scale"] = {3e38, 1, 1};
   b.root["nodes"][1]["translation"] = {3e38, 0, 0};
@@ -322,7 +322,7 @@ GltfBuilder morphing_triangle() {
   return b;
 }
 
-TEST(GltfMorph, weights_are_the_nodes_then_the_meshs_then_zeros) {
+TEST(GltfMorph, weights_from_node_then_mesh_then_zero) {
   GltfBuilder b = morphing_triangle();
   EXPECT_THAT(parse(b).nodes[0].morph_weights, ElementsAre(0.0f, 0.0f));
   b.root["meshes"][0]["weights"] = {0.5, 0.25};
@@ -332,7 +332,7 @@ TEST(GltfMorph, weights_are_the_nodes_then_the_meshs_then_zeros) {
   expect_near(posed(parse(b), 1), {1, 0, 2});
 }
 
-TEST(GltfMorph, animated_weights_come_in_groups_of_one_per_target) {
+TEST(GltfMorph, animated_weights_are_grouped_by_key) {
   GltfBuilder b = morphing_triangle();
   const int times = b.add_accessor(std::vector<float>{0, 1}), weights = b.add_accessor(std::vector<float>{0, 0, 4, 0});
   b.add("animations", {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}},
@@ -354,7 +354,7 @@ TEST(GltfMorph, target_with_another_count_is_an_error) {
   EXPECT_EQ(message_of(b), "a.glb: meshes[0].primitives[0]: has 3 positions, but 2 values of POSITION");
 }
 
-TEST(GltfMorph, primitives_of_one_mesh_with_different_targets_are_an_error) {
+TEST(GltfMorph, differing_target_counts_are_an_error) {
   GltfBuilder b = morphing_triangle();
   Json bare = b.root["meshes"][0]["primitives"][0];
   bare.erase("targets");
@@ -362,7 +362,7 @@ TEST(GltfMorph, primitives_of_one_mesh_with_different_targets_are_an_error) {
   EXPECT_EQ(message_of(b), "a.glb: meshes[0].primitives[1]: has 0 morph targets, the mesh's first primitive 2");
 }
 
-TEST(GltfMorph, many_nodes_of_one_morphing_mesh_are_counted_before_they_are_posed) {
+TEST(GltfMorph, counts_morphing_nodes_before_posing) {
   GltfBuilder b = morphing_triangle();
   for (int i = 0; i < 100; ++i) b.add_node({{"mesh", 0}});
   GltfLimits limits;
@@ -408,13 +408,13 @@ TEST(GltfAnimation, cubic_spline_reads_tangents_around_each_value) {
   expect_near(position_at(scene, 0.5), {85.0f / 32.0f, 0, 0}, 4 * kFloatRounding);
 }
 
-TEST(GltfAnimation, rotation_is_read_as_x_y_z_w_and_takes_the_arc) {
+TEST(GltfAnimation, rotation_is_xyzw_along_the_arc) {
   const Scene scene = parse(animated<Vec4f>("rotation", "LINEAR", {0, 1}, {{0, 0, 0, 1}, {0, 0, kHalfRoot, kHalfRoot}}));
   // Half of 90 degrees about z.
   expect_near(transform_vector(evaluate(scene, 0.5).of(0), {1, 0, 0}), {kHalfRoot, kHalfRoot, 0});
 }
 
-TEST(GltfAnimation, rotation_as_normalized_shorts_is_a_unit_quaternion) {
+TEST(GltfAnimation, short_rotation_is_a_unit_quaternion) {
   GltfBuilder b = animated<Vec4f>("rotation", "LINEAR", {0, 1}, {{0, 0, 0, 1}, {0, 0, 0, 1}});
   const int shorts = b.add_accessor(std::vector<std::int16_t>{0, 0, 0, 32767, 0, 0, 23170, 23170}, 5122, "VEC4", 2);
   b.accessor(shorts)["normalized"] = true;
@@ -447,7 +447,7 @@ TEST(GltfAnimation, channels_of_one_node_come_together) {
   EXPECT_NO_THROW(validate(scene, "a.glb"));
 }
 
-TEST(GltfAnimation, frame_count_is_the_length_times_the_rate_so_that_it_loops) {
+TEST(GltfAnimation, frame_count_is_length_times_rate) {
   // 1.5 s at 25 frames a second is 37.5 frames, rounded to 38.
   EXPECT_EQ(parse(animated<Vec3f>("translation", "LINEAR", {0, 1.5f}, {{0, 0, 0}, {1, 0, 0}})).timeline.frame_count, 38);
 }
@@ -461,12 +461,12 @@ TEST(GltfAnimation, that_lasts_forever_is_an_error) {
               HasSubstr("animations[0]: lasts 1.0000000150474662e+30 s"));
 }
 
-TEST(GltfAnimation, times_that_do_not_increase_are_an_error) {
+TEST(GltfAnimation, times_must_increase) {
   EXPECT_EQ(message_of(animated<Vec3f>("translation", "LINEAR", {0, 1, 1}, {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}})),
             "a.glb: accessors[0]: key 2 at 1 s is not later than the one before it at 1 s");
 }
 
-TEST(GltfAnimation, time_that_is_not_a_number_is_an_error) {
+TEST(GltfAnimation, time_must_be_a_number) {
   EXPECT_EQ(message_of(animated<Vec3f>("translation", "LINEAR", {0, NAN}, {{0, 0, 0}, {1, 0, 0}})),
             "a.glb: accessors[0]: element 1 is not finite");
 }
@@ -476,7 +476,7 @@ TEST(GltfAnimation, negative_time_is_an_error) {
               HasSubstr("accessors[0]: the first key's time is -1; accepted: 0 or more"));
 }
 
-TEST(GltfAnimation, values_that_do_not_match_the_keys_are_an_error) {
+TEST(GltfAnimation, value_count_must_match_keys) {
   EXPECT_EQ(message_of(animated<Vec3f>("translation", "CUBICSPLINE", {0, 1}, {{0, 0, 0}, {1, 0, 0}})),
             "a.glb: animations[0].channels[0]: has 2 keys, but 2 values; accepted: 3 a key");
 }
@@ -486,13 +486,13 @@ TEST(GltfAnimation, rotation_without_direction_is_an_error) {
             "a.glb: animations[0].channels[0]: the rotation of key 1 is not a unit quaternion");
 }
 
-TEST(GltfAnimation, of_a_node_with_a_matrix_is_an_error) {
+TEST(GltfAnimation, node_with_matrix_is_an_error) {
   GltfBuilder b = animated<Vec3f>("translation", "LINEAR", {0, 1}, {{0, 0, 0}, {1, 0, 0}});
   b.root["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   EXPECT_THAT(message_of(b), HasSubstr("animations[0].channels[0]: animates nodes[0], which has a matrix"));
 }
 
-TEST(GltfAnimation, two_channels_for_one_quantity_are_an_error) {
+TEST(GltfAnimation, duplicate_target_is_an_error) {
   GltfBuilder b = animated<Vec3f>("translation", "LINEAR", {0, 1}, {{0, 0, 0}, {1, 0, 0}});
   b.root["animations"][0]["channels"].push_back(b.root["animations"][0]["channels"][0]);
   EXPECT_EQ(message_of(b), "a.glb: animations[0].channels[1]: has the same target as an earlier channel");
@@ -540,13 +540,13 @@ TEST(GltfAnimation, frames_fall_on_the_keys) {
   EXPECT_EQ(timeline_of_keys({0.0f, 0.0417f, 0.0833f, 0.125f}).frames_per_second, 24.0) << "times with four decimals";
 }
 
-TEST(GltfAnimation, keys_of_no_common_rate_are_shown_at_30_a_second) {
+TEST(GltfAnimation, unmatched_keys_use_30_fps) {
   EXPECT_EQ(timeline_of_keys({0.0f, 0.1234f, 0.5f}).frames_per_second, 30.0);
   EXPECT_FALSE(keys_fall_on_frames(timeline_of_keys({0.0f, 0.1234f, 0.5f}), 30.0));
   EXPECT_EQ(timeline_of_keys({0.0f, 1.0f}).frames_per_second, 30.0) << "where several rates suit";
 }
 
-TEST(GltfAnimation, the_one_that_is_asked_for_is_read_by_name_or_by_index) {
+TEST(GltfAnimation, selects_by_name_or_index) {
   const GltfBuilder b = walk_and_run();
   EXPECT_EQ(frames_of(b, ""), 25);
   EXPECT_EQ(frames_of(b, "Walk"), 25);
@@ -566,7 +566,7 @@ TEST(GltfAnimation, all_are_listed) {
   EXPECT_EQ(scene.animation, 0);
 }
 
-TEST(GltfAnimation, unknown_one_is_an_error_that_lists_them) {
+TEST(GltfAnimation, unknown_selection_lists_names) {
   for (const char* name : {"Fly", "2", "-1", "1x"})
     EXPECT_EQ(error_message([&] { frames_of(walk_and_run(), name); }),
               std::string("animation: '") + name + "' is not in the file; accepted: Walk (0), Run (1)");
@@ -576,7 +576,7 @@ TEST(GltfAnimation, unknown_one_is_an_error_that_lists_them) {
             "animation: has no effect: the file has no animations; accepted: a file with animations");
 }
 
-TEST(GltfAnimation, of_a_node_outside_the_scene_is_ignored) {
+TEST(GltfAnimation, ignores_nodes_outside_the_scene) {
   GltfBuilder b = animated<Vec3f>("translation", "LINEAR", {0, 1}, {{0, 0, 0}, {1, 0, 0}});
   b.add_node(Json::object());
   b.add("scenes", {{"nodes", {1}}});

@@ -57,7 +57,7 @@ TEST(GltfOrigin, matrix_keeps_the_digits_of_the_file) {
   expect_near(first_corner(parse_valid(b)), kPlace);
 }
 
-TEST(GltfOrigin, place_below_a_turned_and_scaled_root_is_composed_in_double) {
+TEST(GltfOrigin, composes_scaled_roots_in_double) {
   GltfBuilder b;
   const double half = 0.70710678118654752440;
   // The root turns z to y and makes metres of centimetres, as exporters of systems with z upwards write it.
@@ -72,7 +72,7 @@ TEST(GltfOrigin, place_below_a_turned_and_scaled_root_is_composed_in_double) {
   expect_near(in_file(scene, scene.cameras.at(0).node), kPlace + Vec3d(0.25, 0.5, 7.125));
 }
 
-TEST(GltfOrigin, huge_translations_that_cancel_out_are_composed_in_double) {
+TEST(GltfOrigin, composes_cancelling_translations_in_double) {
   GltfBuilder b;
   b.add_node({{"translation", json_of(16.0 * kPlace)}, {"children", {1}}});
   b.add_node({{"translation", json_of(-15.0 * kPlace)}, {"mesh", b.add_triangle()}});

@@ -58,7 +58,7 @@ class SplatDocument {
   GltfBuilder builder_;
 };
 
-TEST(GltfSplats, attributes_become_splats_below_a_node_that_may_stretch) {
+TEST(GltfSplats, splats_may_have_a_stretching_node) {
   const Scene scene = SplatDocument(2).scene();
   ASSERT_EQ(scene.instances.size(), 1u);
   const auto& splats = std::get<Splats>(scene.shapes[0]);
@@ -73,7 +73,7 @@ TEST(GltfSplats, attributes_become_splats_below_a_node_that_may_stretch) {
       std::get<MetallicRoughness>(scene.materials[static_cast<std::size_t>(scene.instances[0].material)].surface).unlit);
 }
 
-TEST(GltfSplats, linear_colours_are_told_by_the_colour_space) {
+TEST(GltfSplats, colour_space_selects_linear_colours) {
   SplatDocument document;
   document.primitive["extensions"]["KHR_gaussian_splatting"]["colorSpace"] = "lin_rec709_display";
   EXPECT_TRUE(std::get<Splats>(document.scene().shapes[0]).is_linear);
@@ -133,7 +133,7 @@ GltfBuilder splats_alone() {
 
 bool is_of_splats(const std::string& file) { return scene_kind(file) == SceneKind::kSplats; }
 
-TEST_F(SplatFiles, with_nothing_else_are_told_by_their_json) {
+TEST_F(SplatFiles, detected_by_json) {
   const GltfBuilder alone = splats_alone();
   EXPECT_TRUE(is_of_splats(write("alone.glb", alone.glb())));
   EXPECT_TRUE(is_of_splats(write("alone.gltf", test::contents_of(alone.document().dump()))));
