@@ -68,7 +68,7 @@ TEST(OwnLight, of_phong_scenes_is_what_paths_find) {
   EXPECT_EQ(own_light(scene_of(backdrop)), OwnLight::kNotNeeded);
 }
 
-/// A triangle of area 50 and one of area 0.5 that has `surface`.
+/// Returns a triangle of area 50 and one of area 0.5 that has `surface`.
 Scene large_and_small(const MetallicRoughness& surface) {
   Scene scene;
   scene.materials = {{"", MetallicRoughness{}}, {"", surface}};
@@ -143,7 +143,7 @@ TEST(DefaultLight, comes_from_above_left_of_the_camera) {
   const Vec3f direction = direction_of_light(scene);
   EXPECT_LT(direction.x, 0.0f);  // away from the viewer,
   EXPECT_LT(direction.y, 0.0f);  // down,
-  EXPECT_LT(direction.z, 0.0f);  // and to the right, which is -z for him
+  EXPECT_LT(direction.z, 0.0f);  // and to the right, which is -z for this viewer
 }
 
 }  // namespace

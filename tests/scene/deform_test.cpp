@@ -1,4 +1,4 @@
-// Where vertices of skinned and morphed meshes stand, worked out by hand.
+// Tests the vertex positions of skinned and morphed meshes against hand-calculated values.
 #include "scene/deform.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-/// A handful of roundings of numbers of order ten.
+/// A few rounding errors of numbers of order ten.
 constexpr float kRounding = 1e-5f;
 
 void expect_near(Vec3f actual, Vec3f expected) {
@@ -19,7 +19,7 @@ void expect_near(Vec3f actual, Vec3f expected) {
 
 Quatf quarter_about_z() { return {std::sqrt(0.5f), 0, 0, std::sqrt(0.5f)}; }
 
-/// The triangle (0, 0, 0), (1, 0, 0), (0, 1, 0), facing +z, with tangents along x, shown by node 0.
+/// Returns the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0), facing +z, with tangents along x, shown by node 0.
 Scene triangle() {
   Scene scene;
   scene.nodes.resize(1);
@@ -37,7 +37,7 @@ Scene triangle() {
 
 Mesh& mesh_of(Scene& scene) { return std::get<Mesh>(scene.shapes[0]); }
 
-/// With two targets: one lifts vertex 1 by 2 and tilts its normal to (1, 0, 1), the other moves vertex 2 by (3, 0, 0).
+/// Adds two targets: one lifts vertex 1 by 2 and tilts its normal to (1, 0, 1), the other moves vertex 2 by (3, 0, 0).
 Scene morphing(float lift, float move) {
   Scene scene = triangle();
   mesh_of(scene).targets = {{{{0, 0, 0}, {0, 0, 2}, {0, 0, 0}}, {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, {}},
@@ -46,8 +46,8 @@ Scene morphing(float lift, float move) {
   return scene;
 }
 
-/// On two joints: node 1, which moves by (10, 0, 0), and node 2, which turns x to y and is bound at (0, 0, -1). Vertex 0 hangs
-/// on the first, vertex 1 on the second, vertex 2 on both alike.
+/// Adds two joints: node 1, which moves by (10, 0, 0), and node 2, which rotates x to y and is bound at (0, 0, -1). Vertex 0
+/// follows the first, vertex 1 the second, vertex 2 both equally.
 Scene skinned() {
   Scene scene = triangle();
   scene.nodes.resize(3);
@@ -80,7 +80,7 @@ TEST(MeshPose, without_weight_it_is_the_base) { expect_near(vertex_of(morphing(0
 TEST(MeshPose, skin_follows_joints_only) {
   const Scene scene = skinned();
   expect_near(vertex_of(scene, 0).position, {10, 0, 0});
-  expect_near(vertex_of(scene, 1).position, {0, 1, 1});  // (1, 0, 0), bound at (1, 0, 1), turned
+  expect_near(vertex_of(scene, 1).position, {0, 1, 1});  // (1, 0, 0), bound at (1, 0, 1), rotated
   // Half of (10, 1, 0) and half of (-1, 0, 1).
   expect_near(vertex_of(scene, 2).position, {4.5f, 0.5f, 0.5f});
   expect_near(vertex_of(scene, 1).normal, {0, 0, 1});
@@ -92,7 +92,7 @@ TEST(MeshPose, morph_comes_before_the_skin) {
   Scene scene = skinned();
   mesh_of(scene).targets = {{{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, {}, {}}};
   scene.nodes[0].morph_weights = {3.0f};
-  expect_near(vertex_of(scene, 1).position, {0, 4, 1});  // (4, 0, 0), bound, turned: the target turns along
+  expect_near(vertex_of(scene, 1).position, {0, 4, 1});  // (4, 0, 0), bound and rotated: the target rotates with the joint
 }
 
 TEST(MeshPose, normals_stay_perpendicular_under_uneven_scale) {

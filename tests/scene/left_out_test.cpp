@@ -1,5 +1,4 @@
-// Every importer is given something that it does not know: a property, an element, an extension, a keyword. It must stop with
-// an error, or warn, and name what it met.
+// Passes unknown properties, elements, extensions and keywords to every importer. It must fail or warn, and name them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,9 +15,9 @@ namespace {
 
 struct UnknownThing {
   std::string name;                                           ///< of the test
-  std::string scene;                                          ///< the file's name
-  std::string text;                                           ///< its contents
-  std::string met = "frog";                                   ///< what a message must name
+  std::string scene;                                          ///< file name
+  std::string text;                                           ///< contents of the file
+  std::string met = "frog";                                   ///< name that a message must contain
   std::vector<std::pair<std::string, std::string>> beside{};  ///< other files
 };
 void PrintTo(const UnknownThing& thing, std::ostream* out) { *out << thing.name; }
@@ -68,7 +67,7 @@ std::string splat_ply(const std::string& property, const std::string& element, c
 
 // ---- glTF ----
 
-/// A triangle without data: an accessor without a view is zeros.
+/// Returns a triangle without data: an accessor without a view is all zeros.
 std::string gltf(const std::string& root, const std::string& primitive = {}, const std::string& attributes = {},
                  const std::string& material = {}) {
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"materials":[{)" + material +
@@ -157,7 +156,7 @@ const UnknownThing kThings[] = {
 
 INSTANTIATE_TEST_SUITE_P(All, Unknown, testing::ValuesIn(kThings), [](const auto& thing) { return thing.param.name; });
 
-/// What every file has and nobody misses.
+/// Common contents that need no warning.
 TEST(LeftOut, usual_files_warn_of_nothing) {
   const test::TempDir dir;
   std::ofstream(dir / "a.mtl") << "newmtl m\nKa 1 1 1\nKd 1 0 0\nKs 0.5 0.5 0.5\nNs 10\nNi 1.5\nd 1\nillum 2\n";

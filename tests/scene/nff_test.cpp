@@ -41,9 +41,9 @@ TEST(Nff, spheres_of_one_fill_are_one_shape) {
       nff_scene("f 1 0 0 1 0 1 0 1\ns 0 0 0 1\ns 1 2 3 -4\nf 0 1 0 1 0 1 0 1\ns 5 5 5 1\nf 1 0 0 1 0 1 0 1\ns 9 9 9 1");
   ASSERT_EQ(scene.instances.size(), 2u);
   const Spheres& red = shape<Spheres>(scene, 0);
-  ASSERT_EQ(red.size(), 3u);  // the third after its fill came again
+  ASSERT_EQ(red.size(), 3u);  // the third one follows a repeated fill
   EXPECT_EQ(red[1].center, Vec3f(1, 2, 3));
-  EXPECT_EQ(red[1].radius, 4.0f);  // turned inside out in the file; seen from both sides here
+  EXPECT_EQ(red[1].radius, 4.0f);  // inside out in the file; both sides are visible here
   EXPECT_EQ(shape<Spheres>(scene, 1).size(), 1u);
 }
 
@@ -81,8 +81,8 @@ TEST(Nff, different_radii_give_an_outward_mesh) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const Vec3f p = mesh.positions[i] - Vec3f(1, 0, 0);
     const float radius = 2.0f - p.z / 3.0f;
-    EXPECT_NEAR(std::hypot(p.x, p.y), radius, 1e-6f);  // rounding of floats around 3
-    // The side falls by 3 over 1: its normal is (3 out + 1 up) / sqrt(10).
+    EXPECT_NEAR(std::hypot(p.x, p.y), radius, 1e-6f);  // rounding error of floats around 3
+    // The side falls by 3 over 1, so its normal is (3 out + 1 up) / sqrt(10).
     const Vec3f out = Vec3f(p.x, p.y, 0.0f) / radius, expected = (3.0f * out + Vec3f(0, 0, 1)) / std::sqrt(10.0f);
     EXPECT_NEAR(glm::distance(mesh.normals[i], expected), 0.0f, 1e-6f);
   }
@@ -105,7 +105,7 @@ TEST(Nff, polygon_is_faceted_and_patch_smooth) {
   ASSERT_EQ(patch.normals.size(), 3u);
   EXPECT_EQ(patch.normals[0], Vec3f(0, 0, 1));
   EXPECT_EQ(patch.normals[1], Vec3f(0, 0.6f, 0.8f));
-  EXPECT_EQ(patch.normals[2], Vec3f(0, 0, 1));  // that of the facet
+  EXPECT_EQ(patch.normals[2], Vec3f(0, 0, 1));  // the facet's normal
 }
 
 TEST(Nff, patch_is_flipped_to_match_normals) {
@@ -127,7 +127,7 @@ TEST(Nff, view_looks_from_one_point_at_another) {
   ASSERT_EQ(scene.cameras.size(), 1u);
   const Affine3f world_from_camera = evaluate(scene, 0.0).of(scene.cameras[0].node);
   EXPECT_EQ(world_from_camera.translation, Vec3f(0, -10, 0));
-  const auto near = [](Vec3f a, Vec3f b) { return glm::distance(a, b) < 1e-6f; };  // rounding of a quaternion
+  const auto near = [](Vec3f a, Vec3f b) { return glm::distance(a, b) < 1e-6f; };  // rounding error of a quaternion
   EXPECT_TRUE(near(transform_vector(world_from_camera, {0, 0, -1}), {0, 1, 0}));
   EXPECT_TRUE(near(transform_vector(world_from_camera, {0, 1, 0}), {0, 0, 1}));
   EXPECT_TRUE(near(transform_vector(world_from_camera, {1, 0, 0}), {1, 0, 0}));

@@ -41,7 +41,7 @@ class Obj : public testing::Test {
     return "no error";
   }
 
-  /// The surface of a triangle with this material.
+  /// Returns the surface of a triangle with this material.
   MetallicRoughness surface_of(const std::string& statements) {
     write("a.mtl", "newmtl the one\n" + statements + "\n");
     const Scene scene = load("mtllib a.mtl\n" + kTriangle + "usemtl the one\nf 1 2 3\n");
@@ -62,7 +62,7 @@ TEST_F(Obj, corners_share_vertices_where_all_attributes_agree) {
   const Mesh& m = mesh(scene);
   EXPECT_EQ(m.positions.size(), 4u);
   EXPECT_EQ(m.triangles.size(), 2u);
-  EXPECT_EQ(m.uvs.at(1), Vec2f(1.0f, 0.75f));  // v grows upwards in the file
+  EXPECT_EQ(m.uvs.at(1), Vec2f(1.0f, 0.75f));  // v points up in the file
   EXPECT_EQ(m.normals.at(0), Vec3f(0, 0, 1));
   EXPECT_THAT(warnings, IsEmpty());
 }

@@ -1,4 +1,4 @@
-// Scenes far from the origin of their coordinates, as on a map.
+// Tests scenes far from the origin of their coordinates, such as map coordinates.
 #include "lippmann/scene/origin.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 namespace lippmann {
 namespace {
 
-/// As coordinates of a map have it: floats are half a unit apart there.
+/// Map coordinates, where floats have a spacing of half a unit.
 const Vec3d kPlace(4512345.125, 320.5, -5400000.25);
 
 std::string text_of(Vec3d p) { return fmt::format("{} {} {}", p.x, p.y, p.z); }
@@ -36,14 +36,14 @@ class FarScene : public testing::Test {
   test::TempDir folder_;
 };
 
-/// A place of the scene in the file's coordinates.
+/// Returns a position of the scene in the file's coordinates.
 Vec3d in_file(const Scene& scene, Vec3f p) { return scene.origin + Vec3d(p); }
 
 void expect_near(Vec3d a, Vec3d b, double tolerance) {
   EXPECT_LE(glm::length(a - b), tolerance) << text_of(a) << " and " << text_of(b);
 }
 
-/// Roundings of three coordinates below 16 in two scenes, half of 2^-20 each.
+/// Rounding errors of three coordinates below 16 in two scenes, half of 2^-20 each.
 constexpr double kOriginRounding = 2e-6;
 
 const std::vector<Vec3d> kCorners{{0.1, 0.2, 0.3}, {1.1, 0.2, 0.3}, {0.1, 1.3, 0.3}, {0.7, 0.9, -0.4}};
@@ -54,7 +54,7 @@ std::string obj_at(Vec3d place) {
   return text + "f 1 2 3\nf 1 2 4\n";
 }
 
-/// One splat at the first corner; x, y and z of the file as they are, or y and z downwards.
+/// Returns one splat at the first corner, with the file's x, y and z unchanged, or with y and z downwards.
 std::string splat_at(Vec3d place, bool z_up) {
   const Vec3d at = place + kCorners[0], in_file = z_up ? Vec3d(at.x, -at.z, at.y) : Vec3d(at.x, -at.y, -at.z);
   return fmt::format(
@@ -145,7 +145,7 @@ TEST_F(FarScene, warnings_are_given_once) {
 
 TEST_F(FarScene, near_scenes_keep_their_origin) {
   for (const double away : {0.0, 10.0, 60.0}) EXPECT_EQ(load("a.obj", obj_at(Vec3d(away, 0, 0))).origin, Vec3d(0.0)) << away;
-  // The corners' bounds have a diagonal of 1.66: 64 of them reach to 106.
+  // The corners' bounds have a diagonal of 1.66, and 64 diagonals are 106 units.
   EXPECT_NE(load("a.obj", obj_at(Vec3d(120.0, 0, 0))).origin, Vec3d(0.0));
 }
 
@@ -155,7 +155,7 @@ TEST_F(FarScene, origin_is_part_of_the_fingerprint) {
 
 // ---- Scenes in memory ---------------------------------------------------------------------------------------------------
 
-/// A mesh below two turned and scaled nodes, a camera and a lamp; everything on a map.
+/// Returns a mesh below two rotated and scaled nodes, a camera and a lamp, all in map coordinates.
 Scene scene_on_a_map() {
   Scene scene;
   const Vec3f far(kPlace);
@@ -184,7 +184,7 @@ TEST(Origin, everything_stands_where_it_stood) {
   ASSERT_NE(after.origin, Vec3d(0.0));
   validate(after, "after");
   const ResolvedScene was = evaluate(before, 0.0), is = evaluate(after, 0.0);
-  constexpr double kHalfUnit = 1.0;  // floats are half a unit apart before
+  constexpr double kHalfUnit = 1.0;  // floats have a spacing of half a unit before the move
   for (std::size_t i = 0; i < before.instances.size(); ++i) {
     const Bounds3f a = finite_bounds(before, before.instances[i], was), b = finite_bounds(after, after.instances[i], is);
     expect_near(in_file(after, b.lower), Vec3d(a.lower), kHalfUnit);
@@ -200,7 +200,7 @@ TEST(Origin, meshes_below_nodes_are_not_rounded) {
   move_near_origin(scene);
   const ResolvedScene rest = evaluate(scene, 0.0);
   const Bounds3f below = finite_bounds(scene, scene.instances[0], rest), at = finite_bounds(scene, scene.instances[1], rest);
-  // 0.5 * 2 units long, and turned by 90 degrees: along x and z.
+  // 0.5 * 2 units long and rotated by 90 degrees: along x and z.
   expect_near(Vec3d(below.size()), Vec3d(1, 0, 1), kOriginRounding);
   expect_near(Vec3d(at.size()), Vec3d(1, 1, 0), kOriginRounding);
   expect_near(Vec3d(below.lower), Vec3d(at.lower), 1e-5);
@@ -232,7 +232,7 @@ TEST(Origin, skinned_meshes_follow_their_joints) {
   for (Vec3f& p : skinned.positions) p += Vec3f(kPlace);
   skinned.skin = {1, {0, 0, 1}, {1, 1, 1}};
   before.shapes.push_back(skinned);
-  // One joint stands on the map, the other, which is never moved, at the old origin.
+  // One joint is in map coordinates; the other, which never moves, at the old origin.
   before.nodes.resize(6);
   before.skins = {{"", {4, 5}, {Affine3f{Mat3f(1.0f), -Vec3f(kPlace)}, Affine3f{}}}};
   before.instances.push_back({"skinned", 2, 0, 5});
@@ -259,7 +259,7 @@ TEST(Origin, shape_of_several_nodes_is_copied) {
   expect_near(middle(4), middle(2), kOriginRounding);
 }
 
-/// A box of that size at a place on the x axis.
+/// Adds a box of this size at a position on the x axis.
 void add_box(Scene& scene, float size, float x) {
   scene.nodes.emplace_back().local.translation = {x, 0, 0};
   scene.instances.push_back({"box", static_cast<int>(scene.shapes.size()), 0, static_cast<int>(scene.nodes.size()) - 1});

@@ -1,4 +1,4 @@
-// PLY files of points alone.
+// Tests PLY point clouds.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// PLY files of splats (3D Gaussians).
+// Tests PLY files of splats (3D Gaussians).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,14 +21,14 @@ namespace {
 using test::TempDir;
 using ::testing::HasSubstr;
 
-/// A file of the usual layout, row by row.
+/// A file with the usual layout, row by row.
 struct SplatFile {
   std::vector<std::string> properties = {"x",       "y",      "z",      "nx",      "ny",      "nz",
                                          "f_dc_0",  "f_dc_1", "f_dc_2", "opacity", "scale_0", "scale_1",
                                          "scale_2", "rot_0",  "rot_1",  "rot_2",   "rot_3"};
   std::vector<std::vector<float>> rows = {{1, 2, 3, 0, 0, 0, 0.5f, 0.25f, -0.5f, 0, -1, -2, -3, 2, 0, 0, 0}};
   std::string format = "binary_little_endian", type = "float";
-  int claimed = -1;  ///< how many rows the header says that there are; -1: as many as there are
+  int claimed = -1;  ///< number of rows stated in the header; -1: the actual number
 
   void with_rest(int count) {
     for (int k = 0; k < count; ++k) {
@@ -121,7 +121,7 @@ TEST(PlySplats, opacities_without_end_are_opaque_or_nothing) {
   EXPECT_EQ(splats(scene).opacities, (std::vector<float>{1.0f, 0.0f}));
 }
 
-/// The values of SplatFile as text, with properties of any type.
+/// Returns the values of SplatFile as text, with properties of any type.
 std::string text_splats(const std::string& properties, const std::string& row) {
   return "ply\nformat ascii 1.0\nelement camera 1\nproperty float f\nelement vertex 1\nproperty float x\nproperty float y\n"
          "property double z\nproperty float opacity\n" +

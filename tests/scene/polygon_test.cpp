@@ -11,8 +11,8 @@ glm::dvec3 area_vector(const std::vector<Vec3f>& p, const Triangle& t) {
   return 0.5 * glm::cross(glm::dvec3(p[t[1]] - p[t[0]]), glm::dvec3(p[t[2]] - p[t[0]]));
 }
 
-/// Whether triangles fill a polygon in z = const of this area, counter-clockwise, without overlap: none is turned over and
-/// their areas add up. Coordinates are small whole numbers, so that floating point is exact.
+/// Checks that triangles fill a polygon in z = const with this area, counter-clockwise and without overlap: no triangle is
+/// flipped, and their areas add up. Coordinates are small whole numbers, so floating point is exact.
 void expect_fills(const std::vector<Vec3f>& polygon, double area) {
   const std::vector<Triangle> triangles = triangulate(polygon);
   EXPECT_EQ(triangles.size(), polygon.size() - 2);
@@ -46,13 +46,13 @@ TEST(Polygon, comb_is_filled_from_any_corner) {
 }
 
 TEST(Polygon, hole_may_use_coincident_edges) {
-  // 6 x 6 without 2 x 2 in its middle, cut open from (0, 0) to (2, 2).
+  // 6 x 6 with a hole of 2 x 2 in its middle, connected by a cut from (0, 0) to (2, 2).
   expect_fills({{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}, {0, 0, 0}, {2, 2, 0}, {2, 4, 0}, {4, 4, 0}, {4, 2, 0}, {2, 2, 0}},
                32.0);
 }
 
 TEST(Polygon, winding_is_kept_in_any_plane) {
-  // The notched square in the plane x = 0, clockwise as +x sees it.
+  // The notched square in the plane x = 0, clockwise as seen from +x.
   const std::vector<Vec3f> polygon = {{0, 0, 0}, {0, 0, 4}, {0, 4, 4}, {0, 1, 2}, {0, 4, 0}};
   glm::dvec3 sum(0.0);
   for (const Triangle& t : triangulate(polygon)) {

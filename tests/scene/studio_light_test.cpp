@@ -11,7 +11,7 @@ namespace {
 
 constexpr Quatf kStraight{1.0f, 0.0f, 0.0f, 0.0f};
 
-/// A texel's direction (transport/environment.hpp) and the solid angle that it covers.
+/// The direction of a texel (transport/environment.hpp) and its solid angle.
 struct Texel {
   Vec3f direction;
   float steradians;
@@ -25,7 +25,7 @@ Texel texel_at(const EnvironmentMap& map, int x, int y) {
   return {{sine * std::cos(azimuth), std::cos(polar), sine * std::sin(azimuth)}, area * sine};
 }
 
-/// What a white diffuse surface shows that faces `normal` before nothing but the studio.
+/// Returns the radiance of a white diffuse surface facing `normal`, lit by the studio only.
 float shown_by_white(const EnvironmentMap& map, Vec3f normal) {
   double sum = 0.0;
   for (int y = 0; y < map.radiance.height; ++y)
@@ -49,7 +49,7 @@ TEST(StudioLight, is_grey) {
   }
 }
 
-// Greys of 0.18 and 0.5 show sRGB's codes 85 and 137 where white shows 0.5, 118 and 188 where white shows 1.
+// Greys of 0.18 and 0.5 have sRGB codes 85 and 137 if white has 0.5, and 118 and 188 if white has 1.
 TEST(StudioLight, grey_and_white_are_well_exposed) {
   const EnvironmentMap map = studio_environment(kStraight);
   float most = 0.0f, least = 1e9f;

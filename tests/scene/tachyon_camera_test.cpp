@@ -1,4 +1,4 @@
-// CAMERA, camera paths, lights and what belongs to the whole scene.
+// Tests CAMERA, camera paths, lights and scene-wide statements.
 #include <cmath>
 
 #include "lippmann/scene/timeline.hpp"
@@ -17,7 +17,7 @@ std::string camera(const std::string& pose, const std::string& zoom = "ZOOM 1") 
   return "CAMERA " + zoom + " ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 12 " + pose + " END_CAMERA\n";
 }
 
-/// Where the camera's node puts its origin and its axes; rounded to 6 digits, which hides what floats lose in a rotation.
+/// The origin and the axes of the camera's node, rounded to 6 digits to hide float errors of a rotation.
 struct CameraFrame {
   Vec3f origin, right, up, forward;
 };
@@ -45,14 +45,14 @@ TEST_F(Tachyon, camera_right_is_tachyon_s_right_mirrored) {
   EXPECT_EQ(xyz(frame.forward), (std::array{1.0f, 0.0f, 0.0f}));
 }
 
-/// view (0, 0, 1), up (0, 1, 1): made orthogonal it is (0, 1, 0).
+/// view (0, 0, 1), up (0, 1, 1): orthogonalised to (0, 1, 0).
 TEST_F(Tachyon, up_is_made_orthogonal_to_view) {
   const CameraFrame frame = frame_of(files.load_statements(camera("CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 1")));
   EXPECT_EQ(xyz(frame.up), (std::array{0.0f, 1.0f, 0.0f}));
 }
 
-/// Column 1 of W samples x/W = 1/W: a whole pixel from the left edge, where our pixel 0 has its centre at half a pixel. Row 1
-/// is the bottom row and samples 1/W from the bottom, half a pixel above the centre of ours.
+/// Column 1 of W samples x/W = 1/W, a whole pixel from the left edge, while our pixel 0 has its centre at half a pixel. Row 1
+/// is the bottom row and samples 1/W from the bottom, half a pixel above our centre.
 TEST_F(Tachyon, pixel_offset_is_half_right_and_up) {
   const Scene scene = files.load_statements("");
   EXPECT_EQ(scene.cameras[0].pixel_offset.x, 0.5f);
@@ -115,7 +115,7 @@ TEST_F(Tachyon, what_the_render_decides_is_a_warning) {
   EXPECT_THAT(files.warnings, ElementsAre(HasSubstr("scene.dat:4: ASPECTRATIO 2"), HasSubstr("scene.dat:4: ANTIALIASING 8")));
 }
 
-// ---- What Jmol and VMD write ----
+// ---- Files of Jmol and VMD ----
 
 TEST_F(Tachyon, shader_mode_that_changes_nothing_is_read) {
   files.load_statements("SHADER_MODE FULL SHADOW_FILTER_ON TRANS_ORIG Fog_VMD END_SHADER_MODE");
@@ -196,7 +196,7 @@ TEST_F(Tachyon, depth_of_field_is_ignored) {
   EXPECT_THAT(files.warnings, ElementsAre(HasSubstr("the depth of field of PERSPECTIVE_DOF is left out")));
 }
 
-/// The plane's middle is the height of the camera; what lies half the picture's height above it is seen under 22.5 degrees.
+/// The plane's middle is at the height of the camera. A point half the picture's height above it is seen at 22.5 degrees.
 TEST_F(Tachyon, orthographic_gradient_becomes_directions) {
   const Scene scene = files.load_statements(
       camera("CENTER 0 1 0 VIEWDIR 0 0 1 UPDIR 0 1 0", "PROJECTION ORTHOGRAPHIC ZOOM 0.25") +
@@ -247,7 +247,7 @@ TEST_F(Tachyon, spotlight_shines_along_its_mirrored_direction) {
   const Light& light = scene.lights[0];
   EXPECT_EQ(light.kind, LightKind::kSpot);
   const Vec3f direction = transform_vector(evaluate(scene, 0.0).of(light.node), {0, 0, -1});
-  EXPECT_LT(glm::length(direction - Vec3f(0.0f, 0.6f, -0.8f)), 1e-6f);  // rounding of a rotation
+  EXPECT_LT(glm::length(direction - Vec3f(0.0f, 0.6f, -0.8f)), 1e-6f);  // rounding error of a rotation
   EXPECT_NEAR(degrees(light.inner_cone), 20.0f, 1e-5f);
   EXPECT_NEAR(degrees(light.outer_cone), 45.0f, 1e-5f);
   EXPECT_EQ(light.visible_radius, 0.5f);
@@ -265,7 +265,7 @@ TEST_F(Tachyon, directional_light_in_any_direction_keeps_it) {
     EXPECT_EQ(scene.lights[0].kind, LightKind::kDirectional);
     const Vec3f direction = transform_vector(evaluate(scene, 0.0).of(scene.lights[0].node), {0, 0, -1});
     const Vec3f expected = glm::normalize(Vec3f(d.x, d.y, -d.z));
-    EXPECT_LT(glm::length(direction - expected), 1e-6f) << d.x << " " << d.y << " " << d.z;  // rounding of a rotation
+    EXPECT_LT(glm::length(direction - expected), 1e-6f) << d.x << " " << d.y << " " << d.z;  // rounding error of a rotation
   }
 }
 

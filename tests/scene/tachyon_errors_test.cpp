@@ -1,4 +1,4 @@
-// What the importer refuses, each with file and line, the keyword, and what is accepted instead.
+// Tests the importer's error messages: file and line, the keyword, and the accepted values.
 #include "tachyon_support.hpp"
 
 namespace lippmann {
@@ -13,8 +13,8 @@ using ::testing::StartsWith;
 struct BadStatement {
   const char* name;
   const char* text;
-  const char* problem;   ///< how the message begins, after "scene.dat:"
-  const char* accepted;  ///< what it offers
+  const char* problem;   ///< beginning of the message after "scene.dat:"
+  const char* accepted;  ///< the accepted values
 };
 void PrintTo(const BadStatement& bad, std::ostream* out) { *out << bad.name; }
 
@@ -32,7 +32,7 @@ const char* const kTexture = "TEXDEF a AMBIENT 0 DIFFUSE 1 SPECULAR 0 ";
 #define CAMERA_WITH(text) "CAMERA\n" text " CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 0 END_CAMERA"
 
 const BadStatement kBad[] = {
-    // Tachyon's own statements that a scene here cannot express.
+    // Tachyon statements that a Scene cannot express.
     {"cylinder", "CYLINDER CENTER 0 0 0", "4: CYLINDER is not supported", "FCYLINDER"},
     {"clip", "\n\nSTART_CLIPGROUP NUMPLANES 1", "6: START_CLIPGROUP is not supported", "SPHERE"},
     {"fog", "FOG SMOKE", "4: FOG 'SMOKE' is not known", "LINEAR, EXP, EXP2, OFF"},
@@ -55,7 +55,7 @@ const BadStatement kBad[] = {
     {"shader_option", "SHADER_MODE FULL TRANS_VIP END_SHADER_MODE", "4: 'TRANS_VIP' is not an option of SHADER_MODE",
      "TRANS_VMD"},
 
-    // What is no statement, or a statement spelt wrong.
+    // Unknown and misspelt statements.
     {"unknown", "FROG", "4: 'FROG' is not a statement of a scene", "SPHERE"},
     {"misspelt", "SPEHRE CENTER", "4: 'SPEHRE' is not a statement of a scene (did you mean SPHERE?)", "TEXDEF"},
     {"binary", "\x01\xff\x02", "4: '?\?\?' is not a statement", "BOX"},
@@ -121,7 +121,7 @@ const BadStatement kBad[] = {
     {"negative_index", "VERTEXARRAY NUMVERTS 3 COORDS 0 0 0 1 0 0 0 1 0 NORMALS 0 0 1 0 0 1 0 0 1 TRIMESH 1 0 1 -1",
      "4: -1 is out of range for TRIMESH", "from 0"},
 
-    // Counts that the file does not hold: the end comes first, not an allocation.
+    // Counts larger than the file: reading fails at the end instead of allocating.
     {"huge_points", "POLYCYLINDER POINTS 2000000000 0 0 0", "5: expected a number for POLYCYLINDER's points, found 'END_SCENE'",
      ""},
     {"huge_vertices", "VERTEXARRAY NUMVERTS 2000000000 COORDS 0 0 0", "5: expected a number for COORDS, found 'END_SCENE'", ""},
@@ -161,7 +161,7 @@ TEST_F(Tachyon, what_follows_end_scene_is_ignored) {
   EXPECT_EQ(files.error_of(TachyonFiles::kPrelude + "END_SCENE FROG"), "no error");
 }
 
-/// Cutting a scene anywhere gives one error or, after END_SCENE, none; never anything else.
+/// Cutting a scene at any place gives one error or, after END_SCENE, none.
 TEST_F(Tachyon, scene_cut_anywhere_is_an_error) {
   files.write("a.tpoly", "3 0 0 0 1 0 0 0 1 0");
   const std::string scene = TachyonFiles::kPrelude + kTexture +

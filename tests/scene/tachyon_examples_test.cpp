@@ -1,4 +1,4 @@
-// The scenes of Debian's package tachyon-doc: which load, and with which keyword the others stop.
+// Tests the scenes of Debian's package tachyon-doc: which of them load, and the unsupported keyword of the others.
 #include <cctype>
 #include <cstring>
 
@@ -11,7 +11,7 @@ const std::filesystem::path kScenes = "/usr/share/doc/tachyon/examples/scenes";
 
 struct Example {
   const char* name;
-  const char* stops_at;  ///< "line: keyword" as the error begins; empty: loads
+  const char* stops_at;  ///< "line: keyword" at the beginning of the error; empty: loads
 };
 void PrintTo(const Example& example, std::ostream* out) { *out << example.name; }
 

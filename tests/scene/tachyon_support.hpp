@@ -1,4 +1,4 @@
-// What the tests of the Tachyon importer share: scenes written as text, loaded from a fresh folder.
+// Shared helpers for tests of the Tachyon importer: scenes written as text and loaded from a fresh folder.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -15,7 +15,7 @@
 
 namespace lippmann::test {
 
-/// A folder with a scene file `scene.dat` and whatever a test puts beside it.
+/// A folder with a scene file `scene.dat` and files added by a test.
 class TachyonFiles {
  public:
   void write(const std::string& name, const std::string& contents) const {
@@ -24,7 +24,7 @@ class TachyonFiles {
   }
   std::filesystem::path path(const std::string& name) const { return dir_ / name; }
 
-  /// Loads scene.dat; the scene has passed validate(). Warnings are kept.
+  /// Loads scene.dat as a scene that passes validate() and collects warnings.
   Scene load(double frames_per_second = kTachyonFramesPerSecond) {
     Context context;
     context.warn = [this](std::string_view text) { warnings.push_back(without_folder(std::string(text))); };
@@ -33,16 +33,16 @@ class TachyonFiles {
     return scene;
   }
 
-  /// The scene of these statements, 4 x 3 pixels, in three lines of prelude: statements start in line 4.
+  /// Returns the scene of these statements with 4 x 3 pixels. The prelude has three lines, so statements start in line 4.
   Scene load_statements(const std::string& statements) {
     write("scene.dat", kPrelude + statements + "\nEND_SCENE\n");
     return load();
   }
 
-  /// The message that loading these statements stops with, without the folder's name.
+  /// Returns the error message for these statements, without the folder's name.
   std::string error_of_statements(const std::string& statements) { return error_of(kPrelude + statements + "\nEND_SCENE\n"); }
 
-  /// The same of a whole file.
+  /// Returns the error message for a whole file.
   std::string error_of(const std::string& text) {
     write("scene.dat", text);
     try {
@@ -71,14 +71,14 @@ class TachyonFiles {
   TempDir dir_;
 };
 
-/// A test with a folder.
+/// Test fixture with a folder.
 class Tachyon : public testing::Test {
  protected:
   TachyonFiles files;
   const std::string white = TachyonFiles::kWhite;
 };
 
-/// The only shape of a scene, which must be an S.
+/// Returns the only shape of a scene, which must be an S.
 template <class S>
 const S& only_shape(const Scene& scene) {
   if (scene.shapes.size() != 1) throw std::logic_error("not one shape but " + std::to_string(scene.shapes.size()));
@@ -87,7 +87,7 @@ const S& only_shape(const Scene& scene) {
 
 inline const PhongSurface& phong(const Material& material) { return std::get<PhongSurface>(material.surface); }
 
-/// Vec3f as numbers for EXPECT_EQ; glm prints nothing.
+/// Returns a Vec3f as an array for EXPECT_EQ, because glm types cannot be printed.
 inline std::array<float, 3> xyz(Vec3f v) { return {v.x, v.y, v.z}; }
 
 }  // namespace lippmann::test

@@ -1,4 +1,4 @@
-// TEXDEF, TEXALIAS, TEXTURE, IMAGEDEF and image maps.
+// Tests TEXDEF, TEXALIAS, TEXTURE, IMAGEDEF and image maps.
 #include "tachyon_support.hpp"
 
 namespace lippmann {
@@ -22,7 +22,7 @@ TEST_F(Tachyon, texture_without_phong_has_no_highlight) {
   EXPECT_EQ(surface.opacity, 0.4f);
   EXPECT_EQ(xyz(surface.color), (std::array{0.5f, 0.6f, 0.7f}));
   EXPECT_EQ(surface.highlight_kind, Highlight::kNone);
-  EXPECT_EQ(surface.ior, 1.0f);  // what comes through goes straight on
+  EXPECT_EQ(surface.ior, 1.0f);  // no refraction
   EXPECT_EQ(surface.texture, -1);
 }
 
@@ -94,7 +94,7 @@ std::string planar(const std::string& file) {
 /// 1 x 2: red above blue.
 const std::string kPpm = std::string("P6\n1 2\n255\n") + "\xff" + std::string(2, '\0') + std::string(2, '\0') + "\xff";
 
-/// The same picture as an uncompressed 24-bit TGA with its top or its bottom row stored first.
+/// Returns the same picture as an uncompressed 24-bit TGA with its top or bottom row stored first.
 std::string tga(bool top_first) {
   std::string header(18, '\0');
   header[2] = 2, header[12] = 1, header[14] = 2, header[16] = 24, header[17] = top_first ? 0x20 : 0;

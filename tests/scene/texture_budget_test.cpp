@@ -48,7 +48,7 @@ TEST(TextureBudget, long_textures_are_halved_on_both_sides) {
 }
 
 TEST(HalvedTexture, averages_colours_linearly_and_alpha_directly) {
-  // Linear 1, 0, 0, 0: a quarter is the sRGB code 137; of bytes it would be 64.
+  // Linear 1, 0, 0, 0: a quarter is the sRGB code 137; averaging bytes would give 64.
   Texture texture = of_codes({2, 2}, {255, 0, 255, 255, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0, 255, 0}, true);
   lippmann::halve(texture);
   EXPECT_EQ(Vec2i(texture.width, texture.height), Vec2i(1, 1));

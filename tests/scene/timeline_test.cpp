@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-// A few roundings of numbers of order 1.
+// A few rounding errors of numbers of order 1.
 constexpr float kRounding = 2e-6f;
 
 void expect_near(Vec3f a, Vec3f b, float tolerance = kRounding) {
@@ -34,7 +34,7 @@ TEST(Evaluate, transform_scales_then_rotates_then_moves) {
   Scene scene;
   scene.nodes.resize(1);
   scene.nodes[0].local = {{1, 2, 3}, about_y(90), {2, 3, 4}};
-  // (1, 0, 0) scaled: (2, 0, 0); turned by 90 degrees about y: (0, 0, -2); moved: (1, 2, 1).
+  // (1, 0, 0) scaled: (2, 0, 0); rotated by 90 degrees about y: (0, 0, -2); translated: (1, 2, 1).
   expect_near(moved(scene, 0, {1, 0, 0}), {1, 2, 1});
 }
 
@@ -149,7 +149,7 @@ TEST(Evaluate, cubic_spline_rotation_is_normalised) {
   NodeAnimation turn;
   const Quatf none(0, 0, 0, 0);
   turn.rotation = {{0, 1}, {none, about_y(0), none, none, about_y(90), none}, Interpolation::kCubicSpline};
-  // Half-way, with no tangents: the mean of the two quaternions, which normalised is the turn by 45 degrees.
+  // Half-way, without tangents: the mean of the two quaternions, which normalised is the rotation by 45 degrees.
   expect_near(moved(one_node(turn), 0.5, {1, 0, 0}), {std::sqrt(0.5f), 0, -std::sqrt(0.5f)});
 }
 
@@ -276,7 +276,7 @@ TEST(FiniteBounds, along_another_frames_axes_are_as_tight) {
   scene.nodes[0].local = {{5, 0, 0}, about_y(45), Vec3f(1)};
   scene.instances[0].node = 0;
   const ResolvedScene resolved = evaluate(scene, 0);
-  // In the world the turned box is sqrt(2) wide on either side; in its own frame it is itself.
+  // In the world the rotated box is sqrt(2) wide on either side; in its own frame it keeps its size.
   EXPECT_NEAR(finite_bounds(scene, resolved).upper.x, 5.0f + std::sqrt(2.0f), 1e-5f);
   const Bounds3f own = finite_bounds(scene, resolved, inverse(resolved.of(0)));
   expect_near(own.lower, Vec3f(-1), 1e-5f);

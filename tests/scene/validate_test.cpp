@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-/// One of everything, all of it valid.
+/// Returns a valid scene with one of everything.
 Scene good_scene() {
   Scene scene;
   scene.nodes.resize(3);

@@ -1,4 +1,4 @@
-// What all built-in scenes have in common.
+// Tests properties that all built-in scenes share.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(BuiltinScenes, EachScene, testing::ValuesIn(builtin_sce
   return name;
 });
 
-/// The greatest distance that a unit basis at the node's origin (its origin and three ends) is moved by.
+/// Returns the largest displacement of a unit basis at the node's origin (its origin and three ends).
 float motion(const Affine3f& a, const Affine3f& b) {
   float most = glm::length(a.translation - b.translation);
   for (int axis = 0; axis < 3; ++axis) most = std::max(most, glm::length(a.linear[axis] - b.linear[axis]));
@@ -62,7 +62,7 @@ TEST_P(EachScene, loop_closes) {
 }
 
 TEST_P(EachScene, motion_never_jumps) {
-  // No node's speed changes by more than half of its top speed from one frame to the next, over the loop's seam too.
+  // The speed of a node changes from one frame to the next by at most half of its top speed, also across the loop's seam.
   const Timeline& timeline = scene().timeline;
   const std::size_t nodes = scene().nodes.size();
   const int frames = timeline.frame_count;

@@ -12,12 +12,13 @@ namespace {
 
 constexpr GearBlank kBlank{.thickness = 4.0f, .bevel = 0.1f, .bore_radius = 1.0f};
 
-/// Angle from the nearest tooth's middle line.
+/// Returns the angle from the nearest tooth's centre line.
 float from_tooth(int teeth, float gear_angle, Vec2f p) {
   return std::remainder(std::atan2(p.y, p.x) - gear_angle, 2.0f * kPi / static_cast<float>(teeth));
 }
 
-/// How far, along the circle through it, a point lies outside a gear's teeth; negative inside; infinite beyond the tips.
+/// Returns the distance of a point outside a gear's teeth, along the circle through it; negative inside; infinite beyond the
+/// tips.
 float clearance(int teeth, float gear_angle, Vec2f p) {
   const float radius = glm::length(p);
   if (radius > pitch_radius(teeth) + kAddendum) return kInfinity;
@@ -25,7 +26,7 @@ float clearance(int teeth, float gear_angle, Vec2f p) {
   return radius * (std::abs(from_tooth(teeth, gear_angle, p)) - tooth_half_angle(teeth, radius));
 }
 
-/// The same for the teeth of a ring, whose spaces are centred on its angle.
+/// Returns the same for the teeth of a ring, whose gaps are centred on its angle.
 float ring_clearance(int teeth, float ring_angle, Vec2f p) {
   const float radius = glm::length(p);
   if (radius < pitch_radius(teeth) - kAddendum) return kInfinity;
@@ -34,14 +35,15 @@ float ring_clearance(int teeth, float ring_angle, Vec2f p) {
   return radius * (std::abs(from_tooth(teeth, tooth_angle, p)) - ring_tooth_half_angle(teeth, radius));
 }
 
-/// The rotation of a ring (its spaces) around a gear inside it that is turned by `gear_angle`; `direction`: of the gear's
-/// centre, seen from the ring's.
+/// Returns the rotation of a ring (of its gaps) around a gear inside it that is rotated by `gear_angle`; `direction`: of the
+/// gear's centre, seen from the ring's.
 float ring_meshing_angle(int gear_teeth, float gear_angle, int ring_teeth, float direction) {
-  // Inside a ring both turn the same way: a tooth d ahead of the line of centres fills a space d gear_teeth / ring_teeth ahead.
+  // Inside a ring both rotate in the same direction: a tooth at d past the line of centres fills a gap at d gear_teeth /
+  // ring_teeth.
   return direction + static_cast<float>(gear_teeth) / static_cast<float>(ring_teeth) * (gear_angle - direction);
 }
 
-/// Points of all of a gear's flanks, around its own centre.
+/// Returns points on all flanks of a gear, around its own centre.
 std::vector<Vec2f> flank_points(int teeth, float gear_angle) {
   std::vector<Vec2f> points;
   for (int tooth = 0; tooth < teeth; ++tooth)
@@ -69,7 +71,7 @@ TEST(ToothHalfAngle, is_largest_at_the_base_circle) {
 }
 
 TEST(MeshingAngle, tooth_meets_gap_on_line_of_centres) {
-  // Driver's tooth on +x, the follower to the right: its space points to -x, so a tooth stands half a pitch beside.
+  // A tooth of the driver is on +x and the follower to the right, so its gap points to -x and a tooth is half a pitch beside.
   const float angle = meshing_angle(12, 0.0f, 24, 0.0f);
   EXPECT_NEAR(std::remainder(angle - kPi - kPi / 24.0f, 2.0f * kPi / 24.0f), 0.0f, 1e-5f);
 }
@@ -83,7 +85,7 @@ TEST(MeshingAngle, gears_mesh_without_touching_or_slack) {
         const Vec2f center = along(direction, pitch_radius(driver) + pitch_radius(teeth));
         float least = kInfinity;
         for (const Vec2f& p : flank_points(teeth, angle)) least = std::min(least, clearance(driver, driver_angle, center + p));
-        // Half of the play on either side, measured along circles rather than square to the flanks.
+        // Half of the backlash on either side, measured along circles rather than perpendicular to the flanks.
         EXPECT_GT(least, 0.25f * kBacklash) << driver << " drives " << teeth;
         EXPECT_LT(least, 1.0f * kBacklash) << driver << " drives " << teeth;
       }
@@ -114,7 +116,8 @@ TEST(GearMesh, is_a_closed_solid_with_unit_normals) {
 }
 
 TEST(GearMesh, volume_is_about_the_pitch_disc) {
-  // Teeth fill a little less than half of the band between root and tip; 3 % for that, the bevels and the chords of the bore.
+  // Teeth fill a little less than half of the band between root and tip. The tolerance of 3 % covers that, the bevels and the
+  // chords of the bore.
   const double expected = M_PI * (10.0 * 10.0 - 1.0) * 4.0;
   EXPECT_NEAR(test::signed_volume(gear_mesh(20, kBlank)) / expected, 1.0, 0.03);
 }

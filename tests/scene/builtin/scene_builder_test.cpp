@@ -33,7 +33,7 @@ TEST(SceneBuilder, swing_follows_the_sine) {
   const Scene scene = builder.take();
   for (const double share : {0.0, 0.01, 0.13, 0.4, 0.77, 1.0}) {
     const double angle = 0.5 * std::sin(2.0 * M_PI * (2.0 * share + 0.3));
-    // A cubic Hermite misses a sine by at most amplitude (2 pi / 16)^4 / 384 = 6e-5 amplitude.
+    // A cubic Hermite deviates from a sine by at most amplitude (2 pi / 16)^4 / 384 = 6e-5 amplitude.
     expect_near(moved(scene, share * kLoopSeconds, {1, 0, 0}), Vec3f(std::cos(angle), 0.0, -std::sin(angle)), 4e-5f);
   }
 }
@@ -53,7 +53,7 @@ TEST(SceneBuilder, camera_sees_exactly_the_array) {
   const Scene scene = builder.take();
   const ResolvedScene resolved = evaluate(scene, 0.0);
   const Affine3f world_from_display = resolved.of(scene.display->node), world_from_camera = resolved.of(scene.cameras[0].node);
-  // The array's top edge, seen by the camera, lies at half its field of view.
+  // The array's top edge as seen by the camera is at half its field of view.
   const Vec3f top = transform_point(inverse(world_from_camera), transform_point(world_from_display, {0, 2, 0}));
   EXPECT_NEAR(std::atan2(top.y, -top.z), 0.5f * scene.cameras[0].vertical_fov, 1e-6f);
   EXPECT_NEAR(top.x, 0.0f, 1e-5f);

@@ -1,4 +1,4 @@
-// What is particular to one built-in scene.
+// Tests properties of single built-in scenes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -67,7 +67,7 @@ TEST(Tree, shows_about_900000_triangles) {
 TEST(Room, has_about_70000_triangles) { EXPECT_NEAR(static_cast<double>(shown_triangles(build_room())), 7e4, 2e4); }
 
 TEST(Room, ball_rolls_without_slipping) {
-  // The point that touches the carpet stands still: over one frame it moves by less than a thousandth of what the centre does.
+  // The point that touches the carpet is at rest: over one frame it moves by less than a thousandth of the centre's motion.
   const Scene scene = build_room();
   const int ball = find_node(scene, "ball");
   const double time = 3.0, step = 1e-3;
@@ -87,7 +87,7 @@ TEST(Primitives, shows_every_kind_of_finite_shape) {
     EXPECT_GE(kinds[kind.index()], 1) << kind.index();
 }
 
-/// By how much a node has turned about z between two times less than half a turn apart.
+/// Returns the rotation of a node about z between two times, less than half a turn.
 float turned_about_z(const Scene& scene, int node, double from, double to) {
   const Vec3f a = evaluate(scene, from).of(node).linear[0], b = evaluate(scene, to).of(node).linear[0];
   return std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);

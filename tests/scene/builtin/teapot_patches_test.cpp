@@ -41,7 +41,7 @@ TEST(BezierPatch, inner_point_has_weight_9_64_squared) {
 }
 
 TEST(BezierPatch, collapsed_edge_has_the_limit_normal) {
-  // Pulling one row into a point makes a triangle in the same plane: its normal stays, on that edge too.
+  // Collapsing one row to a point makes a triangle in the same plane, so its normal is unchanged, also on that edge.
   for (const std::size_t row : {std::size_t{0}, std::size_t{3}}) {
     BezierPatch patch = flat_patch();
     for (Vec3f& p : patch[row]) p = {1.5f, static_cast<float>(row), 0.0f};
@@ -96,19 +96,20 @@ TEST(TeapotPatches, pole_normals_point_up_and_down) {
 
 TEST(TeapotPatches, mesh_is_sane) {
   const Mesh mesh = teapot(16);
-  EXPECT_EQ(mesh.triangles.size(), 32u * 2u * 256u - 8u * 16u);  // less one row at each of the eight poles' patches
+  EXPECT_EQ(mesh.triangles.size(), 32u * 2u * 256u - 8u * 16u);  // minus one row at each of the patches at the eight poles
   EXPECT_EQ(test::count_degenerate(mesh), 0);
   EXPECT_EQ(test::count_normals_not_unit(mesh), 0);
   EXPECT_EQ(test::count_facing_wrong(mesh), 0);
 }
 
 TEST(TeapotPatches, open_only_where_newell_left_it_open) {
-  // Between lid (radius 1.3) and rim (1.4) at z = 2.4; the handle's and spout's ends in the wall; the spout's mouth.
+  // Open edges are between lid (radius 1.3) and rim (1.4) at z = 2.4, at the handle's and spout's ends in the wall, and at the
+  // spout's mouth.
   int elsewhere = 0;
   for (const test::BoundaryEdge& edge : test::boundary_edges(teapot(8))) {
     const Vec3f p = edge.from;
     const float radius = std::hypot(p.x, p.y);
-    // Quarter circles made of cubics with these control points stay within 1.5 % of their radius.
+    // Quarter circles approximated by cubics with these control points stay within 1.5 % of their radius.
     const bool lid_or_rim = std::abs(p.z - 2.4f) < 1e-4f && radius > 1.28f && radius < 1.42f;
     const bool handle = p.x < -1.4f && p.x > -2.05f && std::abs(p.y) <= 0.3f;
     const bool spout_root = std::abs(p.x - 1.7f) < 1e-4f && std::abs(p.y) <= 0.66f;

@@ -1,4 +1,4 @@
-// Compressed meshes: Draco and meshoptimizer. The tests pack with the libraries' own encoders.
+// Tests meshes compressed with Draco and meshoptimizer. The tests use the libraries' own encoders.
 #include <draco/compression/encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
 #include <gmock/gmock.h>
@@ -26,7 +26,7 @@ using testing::HasSubstr;
 using Packed = std::vector<unsigned char>;
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Whether the file is read; then the scene is valid. Otherwise the error names the file.
+/// Returns whether the file can be read as a valid scene, or else the error names the file.
 bool is_valid_or_says_why(const test::Contents& file) {
   Scene scene;
   try {
@@ -47,7 +47,7 @@ Packed pack_vertices(const void* values, std::size_t count, std::size_t stride) 
   return packed;
 }
 
-/// Replaces the view's bytes by packed ones: its own buffer is a fallback that is not there.
+/// Replaces the view's bytes by packed ones; its own buffer becomes a fallback without data.
 void pack_view(GltfBuilder& b, int view, const Packed& packed, std::size_t count, std::size_t stride, const char* mode,
                const char* filter = "NONE") {
   const int source = b.add_view(packed);
@@ -63,7 +63,7 @@ void pack_view(GltfBuilder& b, int view, const Packed& packed, std::size_t count
                                                      {"filter", filter}};
 }
 
-/// The whole file, whose second buffer is the fallback.
+/// Returns the whole file, whose second buffer is the fallback.
 test::Contents with_fallback(const GltfBuilder& b) {
   Json root = b.document();
   root["buffers"].push_back({{"byteLength", 1'000'000}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
@@ -73,7 +73,7 @@ test::Contents with_fallback(const GltfBuilder& b) {
 
 const std::vector<Vec3f> kCorners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.5f}};
 
-/// A square of two packed triangles; accessors: 0 positions, 1 indices. The indices are packed in the mode given.
+/// Returns a square of two packed triangles; accessors: 0 positions, 1 indices. `index_mode` is the mode of the indices.
 GltfBuilder packed_square(const char* index_mode) {
   const std::vector<std::uint32_t> corners{0, 1, 2, 2, 1, 3};
   GltfBuilder b;
@@ -98,7 +98,7 @@ Mesh mesh_of(const test::Contents& contents) {
 TEST(GltfMeshopt, vertices_and_triangles_round_trip) {
   const Mesh mesh = mesh_of(with_fallback(packed_square("TRIANGLES")));
   EXPECT_EQ(mesh.positions, kCorners);
-  // The codec may turn a triangle's corners, but not around.
+  // The codec may rotate a triangle's corners but not reverse them.
   for (std::size_t t = 0; t < 2; ++t) {
     Triangle turned = mesh.triangles.at(t);
     std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
@@ -106,7 +106,7 @@ TEST(GltfMeshopt, vertices_and_triangles_round_trip) {
   }
 }
 
-/// The first view cannot be read: were it unpacked, the error would be another.
+/// The first view cannot be decoded, so unpacking it would give another error.
 TEST(GltfMeshopt, counts_all_views_before_unpacking) {
   GltfBuilder b = packed_square("TRIANGLES");
   const std::size_t from = b.root["bufferViews"][0]["extensions"]["EXT_meshopt_compression"]["byteOffset"];
@@ -134,7 +134,7 @@ TEST(GltfMeshopt, octahedral_normals_are_unfolded) {
   b.root["bufferViews"][0]["byteStride"] = 4;
   const Mesh mesh = mesh_of(with_fallback(b));
   for (std::size_t i = 0; i < 3; ++i)
-    EXPECT_LE(glm::length(mesh.normals.at(i) - Vec3f(directions[i])), 0.02f);  // 8 bits a component: steps of 1/127
+    EXPECT_LE(glm::length(mesh.normals.at(i) - Vec3f(directions[i])), 0.02f);  // 8 bits per component: steps of 1/127
 }
 
 TEST(GltfMeshopt, exponential_numbers_are_expanded) {
@@ -148,7 +148,7 @@ TEST(GltfMeshopt, exponential_numbers_are_expanded) {
 #endif
   b.add_node({{"mesh", b.add_triangle()}});
   pack_view(b, 0, pack_vertices(filtered.data(), 3, 12), 3, 12, "ATTRIBUTES", "EXPONENTIAL");
-  EXPECT_EQ(mesh_of(with_fallback(b)).positions, corners);  // powers of two: exact in any mantissa
+  EXPECT_EQ(mesh_of(with_fallback(b)).positions, corners);  // powers of two are exact in any mantissa
 }
 
 TEST(GltfMeshopt, quaternions_are_completed) {
@@ -166,12 +166,12 @@ TEST(GltfMeshopt, quaternions_are_completed) {
   pack_view(b, 0, pack_vertices(filtered.data(), 2, 8), 2, 8, "ATTRIBUTES", "QUATERNION");
   const Scene scene = parse(with_fallback(b));
   const Quatf q = scene.timeline.animations.at(0).rotation.values.at(1);
-  EXPECT_NEAR(std::abs(q.w * 0.5f + q.x * 0.5f + q.y * 0.5f + q.z * 0.5f), 1.0f, 1e-4f);  // 16 bits a component
+  EXPECT_NEAR(std::abs(q.w * 0.5f + q.x * 0.5f + q.y * 0.5f + q.z * 0.5f), 1.0f, 1e-4f);  // 16 bits per component
 }
 
 struct MeshoptFault {
   const char* name;
-  std::function<void(Json&)> spoil;  ///< the extension of the positions' view
+  std::function<void(Json&)> spoil;  ///< modifies the extension of the positions' view
   const char* message;
 };
 void PrintTo(const MeshoptFault& fault, std::ostream* out) { *out << fault.name; }
@@ -222,7 +222,7 @@ TEST(GltfMeshopt, flipped_bytes_are_valid_or_an_error) {
 
 // ---- Draco ----------------------------------------------------------------------------------------------------------
 
-/// Two triangles of kCorners as a Draco stream: unquantised positions with the unique id 0.
+/// Returns two triangles of kCorners as a Draco stream: unquantised positions with the unique id 0.
 Packed draco_square(int method) {
   draco::TriangleSoupMeshBuilder builder;
   builder.Start(2);
@@ -251,7 +251,7 @@ GltfBuilder draco_file(const Packed& packed, int index_type = test::kUnsignedSho
   return b;
 }
 
-/// The triangles as their corners' positions, each from its least corner on, in an order that does not depend on the encoder.
+/// Returns the triangles as corner positions, each starting at its least corner, in an order independent of the encoder.
 std::vector<std::array<Vec3f, 3>> shape_of(const Mesh& mesh) {
   const auto less = [](Vec3f a, Vec3f b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
   std::vector<std::array<Vec3f, 3>> shape;

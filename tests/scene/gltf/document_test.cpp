@@ -1,4 +1,5 @@
-// What the glTF reader refuses, and how it names it: form, references, ranges, extensions, files outside the scene's folder.
+// Tests the validation of glTF documents and its messages: structure, references, ranges, extensions, files outside the scene's
+// folder.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ using test::parse;
 using testing::Contains;
 using testing::HasSubstr;
 
-/// One of most things, all of it valid: a document to spoil.
+/// Returns a valid document with one of most elements, to be modified by tests.
 GltfBuilder good_document() {
   GltfBuilder b;
   b.add("materials", {{"pbrMetallicRoughness", {{"metallicFactor", 0.5}}}});
@@ -41,7 +42,7 @@ GltfBuilder good_document() {
   return b;
 }
 
-/// The message that a document gives with one value replaced (or, null, removed).
+/// Returns the message for a document with one value replaced (null: removed).
 std::string message_with(const std::string& pointer, const Json& value) {
   GltfBuilder b = good_document();
   Json root = b.document();
@@ -209,7 +210,7 @@ TEST(GltfDocument, unpacking_beyond_the_limit_is_an_error) {
               HasSubstr("accessors[1]: the unpacked scene needs too much memory; accepted: at most 30 bytes in total"));
 }
 
-/// The first mesh cannot be read: were it unpacked, the error would be another.
+/// The first mesh cannot be decoded, so unpacking it would give another error.
 TEST(GltfDocument, counts_all_meshes_before_unpacking) {
   GltfBuilder b;
   const int bad = b.add_accessor(std::vector<Vec3f>{{0, 0, 0}, {std::nanf(""), 0, 0}, {0, 1, 0}});
@@ -232,13 +233,13 @@ TEST(GltfDocument, instances_beyond_the_limit_are_an_error) {
   const int mesh = b.add_triangle();
   for (int i = 0; i < 100; ++i) b.add_node({{"mesh", mesh}});
   GltfLimits limits;
-  limits.unpacked_bytes = 100 * sizeof(Instance);  // enough for all of them, but not for the mesh as well
+  limits.unpacked_bytes = 100 * sizeof(Instance);  // enough for all instances, but not for the mesh as well
   EXPECT_THAT(error_message([&] { parse(b, nullptr, limits); }), HasSubstr("too much memory"));
 }
 
-// ---- Files beside the scene -----------------------------------------------------------------------------------------
+// ---- External files -------------------------------------------------------------------------------------------------
 
-/// A folder with a scene of one triangle whose positions are in a file of their own.
+/// A folder with a scene of one triangle whose positions are in a separate file.
 class GltfFolder : public testing::Test {
  protected:
   GltfFolder() {

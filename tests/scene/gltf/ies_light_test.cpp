@@ -1,4 +1,4 @@
-// Lamps of glTF files whose light was measured (EXT_lights_ies).
+// Tests glTF lamps with measured light profiles (EXT_lights_ies).
 #include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,12 +17,12 @@ using test::Json;
 using test::parse;
 using testing::HasSubstr;
 
-/// 80 candela in the lower half, none above: a photometric file of one horizontal and two vertical angles.
+/// A photometric file with one horizontal and two vertical angles: 80 candela in the lower half, none above.
 constexpr const char* kDownlight =
     "data:application/x-ies-lm-63;base64,SUVTOkxNLTYzLTIwMTkKVElMVD1OT05FCjEgMTAwMCAxID"
     "IgMSAxIDIgMCAwIDAgMSAxIDUwCjAgOTAKMAo4MCA4MAo=";
 
-/// Nodes 1, 2, ... below node 0, each with the lamp of a profile.
+/// Adds nodes 1, 2, ... below node 0, each with a lamp of the profile.
 GltfBuilder lit_by(const Json& profile, const std::vector<Json>& lamps) {
   GltfBuilder b;
   b.root["extensions"]["EXT_lights_ies"]["lights"] = Json::array({profile});

@@ -1,4 +1,4 @@
-// Surroundings of a glTF scene by EXT_lights_image_based.
+// Tests the environment light of a glTF scene (EXT_lights_image_based).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ int add_picture(GltfBuilder& b, int width, int height, const std::vector<Rgba>& 
 
 int add_plain(GltfBuilder& b, Rgba color) { return add_picture(b, 1, 1, {color}); }
 
-/// A scene that one light surrounds; `more` of its properties.
+/// Adds an environment light with additional properties to a scene.
 GltfBuilder surrounded_by(GltfBuilder b, const Json& faces, const Json& more = Json::object()) {
   Json light = {{"specularImages", {faces}}, {"specularImageSize", 1}, {"irradianceCoefficients", Json::array()}};
   light.update(more);
@@ -45,7 +45,7 @@ GltfBuilder surrounded_by(GltfBuilder b, const Json& faces, const Json& more = J
   return b;
 }
 
-/// Faces of one colour each, in the order of the file: x red, y green, z blue, where negative half as bright a code.
+/// Returns a cube with uniform faces: x red, y green, z blue; negative faces have half the code value.
 GltfBuilder coloured_cube(const Json& more = Json::object()) {
   GltfBuilder b;
   Json faces;
@@ -60,7 +60,7 @@ const EnvironmentMap& map_of(const Scene& scene) {
   return scene.background.map.value();
 }
 
-/// The texel of an unturned panorama that a direction lies in.
+/// Returns the texel of an unrotated panorama in a direction.
 Vec3f seen(const EnvironmentMap& map, Vec3f direction) {
   const Vec3f d = glm::normalize(direction);
   const Image& p = map.radiance;
@@ -91,8 +91,8 @@ TEST(GltfImageLight, faces_lie_where_their_order_says) {
   expect_color(seen(map, {0.1f, 0.1f, -1}), {0, 0, kHalf});
 }
 
-// White in the upper left of four texels. Who stands in the cube and looks along x with y upwards has z on his right; along y
-// with -z upwards he has -x on his right.
+// One of four texels, the upper left, is white. A viewer in the cube who looks along x with y up has z on the right; one who
+// looks along y with -z up has -x on the right.
 TEST(GltfImageLight, faces_are_seen_from_inside) {
   GltfBuilder b;
   const Rgba white{255, 255, 255, 255}, black{0, 0, 0, 255};

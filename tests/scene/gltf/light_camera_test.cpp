@@ -1,4 +1,4 @@
-// Lights and cameras of the glTF reader.
+// Tests the lights and cameras of the glTF reader.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ using test::parse;
 using testing::Contains;
 using testing::HasSubstr;
 
-/// A scene of one light, on a node below another.
+/// Returns a scene with one light on a child node.
 GltfBuilder lit_by(const Json& light) {
   GltfBuilder b;
   b.root["extensions"]["KHR_lights_punctual"]["lights"] = Json::array({light});
@@ -95,7 +95,7 @@ TEST(GltfLight, sizes_are_read_from_extras) {
   EXPECT_FLOAT_EQ(light_of({{"type", "directional"}, {"extras", {{"angle", 3.14159265359}}}}).angular_diameter, kPi);
 }
 
-// Half angle 60 degrees, cosine 0.5; a blend of 0.3 reaches up to the cosine 0.65.
+// Half angle 60 degrees has the cosine 0.5; a blend of 0.3 extends up to the cosine 0.65.
 TEST(GltfLight, blend_replaces_the_inner_cone) {
   const Json cone{{"innerConeAngle", 0.2}, {"outerConeAngle", kPi / 3}};
   const Light soft = light_of({{"type", "spot"}, {"spot", cone}, {"extras", {{"radius", 2}, {"blend", 0.3}}}});
@@ -127,7 +127,7 @@ TEST(GltfLight, unknown_type_is_an_error) {
               HasSubstr("extensions.KHR_lights_punctual.lights[0].type: is 'area'; accepted: directional, point, spot"));
 }
 
-// Blender's exporter: 100 W / (4 pi) x 683 lm/W = 5435.1 cd of a point lamp of 100 W, which shines 7.9577 W/sr.
+// Blender's exporter writes 100 W / (4 pi) x 683 lm/W = 5435.1 cd for a point lamp of 100 W, which emits 7.9577 W/sr.
 TEST(GltfLight, of_blenders_exporter_shines_as_in_blender) {
   GltfBuilder b = lit_by({{"type", "point"}, {"intensity", 5435.1415}});
   b.root["asset"]["generator"] = "Khronos glTF Blender I/O v3.4.50";
@@ -153,7 +153,7 @@ TEST(GltfLight, old_blender_exporters_use_watts) {
   EXPECT_EQ(scale_by("another exporter v1.0", "point"), 1.0f);
 }
 
-/// Half angle 60 degrees, of an inner cone.
+/// Returns a spot with a half angle of 60 degrees and this inner cone.
 Light spot_of(const std::string& generator, float inner, const Json& extras = Json::object()) {
   GltfBuilder b =
       lit_by({{"type", "spot"}, {"spot", {{"innerConeAngle", inner}, {"outerConeAngle", kPi / 3}}}, {"extras", extras}});
@@ -161,8 +161,8 @@ Light spot_of(const std::string& generator, float inner, const Json& extras = Js
   return parse(b).lights.at(0);
 }
 
-// Blender's exporter writes inner = outer (1 - blend): an inner cone of 0.7 times the outer one is a blend of 0.3, which
-// reaches from the cosine 0.5 up to 0.5 + 0.3 * 0.5 = 0.65.
+// Blender's exporter writes inner = outer (1 - blend): an inner cone of 0.7 times the outer one means a blend of 0.3, which
+// extends from the cosine 0.5 to 0.5 + 0.3 * 0.5 = 0.65.
 TEST(GltfLight, blender_spots_get_their_blend) {
   const std::string blender = "Khronos glTF Blender I/O v3.4.50";
   const Light soft = spot_of(blender, 0.7f * kPi / 3);
@@ -252,7 +252,7 @@ TEST(GltfCamera, orthographic_works_without_visible_objects) {
   EXPECT_NO_THROW(validate(parse(b), "a.glb"));
 }
 
-// The triangle's corners are 1 apart in x and in y: sqrt(2) from one end of its bounds to the other.
+// The triangle's corners are 1 apart in x and y, so its bounds have a diagonal of sqrt(2).
 TEST(GltfCamera, zero_orthographic_size_shows_all_with_warning) {
   GltfBuilder b;
   b.add_node({{"mesh", b.add_triangle()}});

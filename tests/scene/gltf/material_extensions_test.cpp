@@ -1,4 +1,4 @@
-// Extensions of glTF materials that few files have, and sets of materials.
+// Tests rarely used glTF material extensions and material variants.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -139,10 +139,10 @@ TEST(GltfSpecularGlossiness, is_a_dielectric_of_that_reflectance) {
   EXPECT_EQ(s.roughness, 0.25f);
   EXPECT_EQ(Vec3f(s.base_color), Vec3f(0.5f, 0.25f, 0.0f));
   EXPECT_EQ(s.specular_color, Vec3f(0.75f, 0.5f, 0.25f));
-  EXPECT_GT(s.ior, 500.0f);  // reflects everything, but for the colour
+  EXPECT_GT(s.ior, 500.0f);  // reflects everything, apart from its colour
 }
 
-/// A triangle of materials[0], or of 1 in the variants 0 and 2.
+/// Returns a triangle with materials[0], or materials[1] in the variants 0 and 2.
 GltfBuilder with_variants() {
   GltfBuilder b;
   for (const char* name : {"Plain", "Painted"}) b.add("materials", {{"name", name}});
@@ -163,7 +163,7 @@ TEST(GltfVariants, are_chosen_by_name_or_index) {
   EXPECT_EQ(shown_material(b, ""), 0);
   EXPECT_EQ(shown_material(b, "Beach"), 1);
   EXPECT_EQ(shown_material(b, "2"), 1);
-  EXPECT_EQ(shown_material(b, "Bare"), 0);  // which maps nothing here
+  EXPECT_EQ(shown_material(b, "Bare"), 0);  // has no mapping here
   EXPECT_THAT(parse(b).variant_names, testing::ElementsAre("Beach", "Bare", "Street"));
 }
 

@@ -1,4 +1,4 @@
-// Materials and textures of the glTF reader.
+// Tests the materials and textures of the glTF reader.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Red, green, blue and transparent white, two by two.
+/// Returns a 2 x 2 image: red, green, blue and transparent white.
 std::vector<unsigned char> four_colours() {
   return encode_png(2, 2, 4, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 0});
 }
@@ -42,7 +42,7 @@ MetallicRoughness surface_of(const Json& material, std::vector<std::string>* war
   return std::get<MetallicRoughness>(scene_of_material(material, warnings).materials.at(0).surface);
 }
 
-/// A document with one texture that a material uses as base colour.
+/// Returns a document with one texture, used by a material as base colour.
 GltfBuilder textured(const std::vector<unsigned char>& image, const Json& sampler = Json::object()) {
   GltfBuilder b;
   b.add("images", {{"bufferView", b.add_view(image)}, {"mimeType", "image/png"}, {"name", "colours"}});
@@ -100,7 +100,7 @@ TEST(GltfMaterial, unlit_is_read) {
 TEST(GltfMaterial, zero_ior_reflects_everything) {
   const float ior = surface_of({{"extensions", {{"KHR_materials_ior", {{"ior", 0}}}}}}).ior;
   const float reflectance = std::pow((ior - 1.0f) / (ior + 1.0f), 2.0f);
-  EXPECT_GT(reflectance, 0.99f);  // what 1000 gives, 0.996, with room for another choice
+  EXPECT_GT(reflectance, 0.99f);  // 1000 gives 0.996; the margin allows another choice
 }
 
 TEST(GltfMaterial, ior_below_one_becomes_one_with_warning) {
@@ -140,7 +140,7 @@ TEST(GltfMaterial, specular_and_clearcoat_are_read) {
   EXPECT_EQ(s.clearcoat_roughness, 0.125f);
 }
 
-/// A material with every map there is, all of them of texture 0.
+/// Returns a material with every map, all of texture 0.
 Json all_maps() {
   const Json map = {{"index", 0}};
   return {{"pbrMetallicRoughness", {{"baseColorTexture", map}, {"metallicRoughnessTexture", map}}},
@@ -169,7 +169,7 @@ TEST(GltfMaterial, webp_takes_precedence) {
   b.add("images", {{"bufferView", b.add_view(encode_webp(2, 1, {1, 2, 3, 255, 4, 5, 6, 128}))}, {"mimeType", "image/webp"}});
   b.root["textures"][0]["extensions"]["EXT_texture_webp"]["source"] = 1;
   EXPECT_THAT(parse(b).textures.at(0).rgba, ElementsAre(1, 2, 3, 255, 4, 5, 6, 128));
-  b.root["textures"][0].erase("source");  // readers that do not know it get none
+  b.root["textures"][0].erase("source");  // other readers get no image
   EXPECT_THAT(parse(b).textures.at(0).rgba, ElementsAre(1, 2, 3, 255, 4, 5, 6, 128));
 }
 
@@ -179,7 +179,7 @@ TEST(GltfMaterial, glossiness_alpha_becomes_roughness) {
                                                                                  {"specularGlossinessTexture", {{"index", 0}}}};
   const Scene scene = parse(b);
   const auto& s = std::get<MetallicRoughness>(scene.materials[0].surface);
-  EXPECT_EQ(s.roughness, 1.0f);  // all of it stands in the map
+  EXPECT_EQ(s.roughness, 1.0f);  // the map contains all of it
   ASSERT_GE(s.metallic_roughness_map.texture, 0);
   const Texture& rough = scene.textures[static_cast<std::size_t>(s.metallic_roughness_map.texture)];
   EXPECT_EQ(rough.rgba[1], 102);  // 255 (1 - 0.6)
@@ -226,7 +226,7 @@ TEST(GltfMaterial, skips_maps_without_effect) {
   EXPECT_NO_THROW(parse(b));
 }
 
-/// Where a map of the surface finds the texel of uv.
+/// Returns the texel position of a uv in a map of the surface.
 Vec2f look_up(const TextureMap& map, Vec2f uv) { return map.offset + map.matrix * uv; }
 
 MetallicRoughness surface_with_transform(const Json& transform) {
@@ -238,7 +238,7 @@ MetallicRoughness surface_with_transform(const Json& transform) {
 TEST(GltfTextureTransform, scales_then_turns_then_moves) {
   const TextureMap map =
       surface_with_transform({{"offset", {0.25, 0.5}}, {"scale", {2, 4}}, {"rotation", kPi / 2}}).base_color_map;
-  // (1, 0) is scaled to (2, 0), turned by a quarter to (0, -2) and moved.
+  // (1, 0) is scaled to (2, 0), rotated by a quarter to (0, -2) and translated.
   const Vec2f along_u = look_up(map, {1, 0}), along_v = look_up(map, {0, 1});
   EXPECT_NEAR(along_u.x, 0.25f, 1e-6f);  // the cosine of float pi / 2
   EXPECT_NEAR(along_u.y, -1.5f, 1e-6f);
@@ -288,7 +288,7 @@ TEST(GltfTexture, fewer_channels_are_expanded) {
 
 TEST(GltfTexture, jpeg_is_decoded) {
   const Scene scene = parse(textured(encode_jpeg(8, 8, 3, std::vector<std::uint8_t>(3 * 64, 128))));
-  // A uniform grey of 128 is the zero of the cosine transform: every quality keeps it.
+  // A uniform grey of 128 is the zero of the cosine transform, so every quality preserves it.
   EXPECT_EQ(scene.textures.at(0).rgba[0], 128);
   EXPECT_EQ(scene.textures.at(0).rgba[3], 255);
 }
@@ -330,8 +330,8 @@ TEST(GltfTexture, mesh_uses_the_texture_s_uv_set) {
   EXPECT_THAT(std::get<Mesh>(scene.shapes.at(0)).uvs, testing::Each(Vec2f(0.75f)));
 }
 
-/// A textured triangle with TEXCOORD_0, _1, _2 that are n / 4 everywhere; its base colour, emission and occlusion use the
-/// sets given.
+/// Returns a textured triangle with TEXCOORD_0, _1, _2 that are n / 4 everywhere; its base colour, emission and occlusion use
+/// the given sets.
 GltfBuilder with_three_sets(int base, int emissive, int occlusion) {
   GltfBuilder b = textured(four_colours());
   Json& material = b.root["materials"][0];
@@ -371,7 +371,7 @@ TEST(GltfTexture, transform_may_choose_another_set) {
   EXPECT_THAT(std::get<Mesh>(scene.shapes.at(0)).uvs, testing::Each(Vec2f(0.5f)));
 }
 
-/// What is warned about an image of unknown bytes; the surface has to be shown without it.
+/// Returns the warning about an image of unknown bytes. The surface must be shown without it.
 std::string warning_about(const std::vector<unsigned char>& image) {
   std::vector<std::string> warnings;
   const Scene scene = parse(textured(image), &warnings);

@@ -1,4 +1,4 @@
-// Node hierarchy, skins and animation of the glTF reader.
+// Tests the node hierarchy, skins and animation of the glTF reader.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ using testing::HasSubstr;
 
 const float kHalfRoot = std::sqrt(0.5f);
 
-/// A handful of roundings of numbers of order one.
+/// A few rounding errors of numbers of order one.
 constexpr float kFloatRounding = 1e-6f;
 
 void expect_near(Vec3f actual, Vec3f expected, float tolerance = kFloatRounding) {
@@ -117,7 +117,7 @@ TEST(GltfNodes, self_child_is_an_error) {
   EXPECT_THAT(message_of(b), HasSubstr("nodes[0]: is part of or below a cycle"));
 }
 
-/// A chain of three nodes, of which the scene lists some.
+/// Returns a chain of three nodes; the scene lists those in `listed`.
 GltfBuilder chain_of_three(const Json& listed) {
   GltfBuilder b;
   b.add_node({{"name", "top"}, {"translation", {1, 0, 0}}, {"children", {1}}});
@@ -209,7 +209,7 @@ TEST(GltfNodes, reads_only_the_default_scene) {
 
 // ---- Skins ----------------------------------------------------------------------------------------------------------
 
-/// A triangle hung on two joints: joint 0 moves by (10, 0, 0); joint 1 turns x to y and is bound at (0, 0, -1).
+/// Returns a triangle with two joints: joint 0 moves by (10, 0, 0); joint 1 rotates x to y and is bound at (0, 0, -1).
 GltfBuilder skinned_triangle(const std::vector<Vec4f>& weights) {
   GltfBuilder b;
   const glm::mat4 identity(1.0f);
@@ -228,7 +228,7 @@ GltfBuilder skinned_triangle(const std::vector<Vec4f>& weights) {
   return b;
 }
 
-/// Where a vertex of the file's only mesh is at a time.
+/// Returns the position of a vertex of the file's only mesh at a time.
 Vec3f posed(const Scene& scene, std::size_t vertex, double time = 0.0) {
   validate(scene, "a.glb");
   const ResolvedScene resolved = evaluate(scene, time);
@@ -240,8 +240,8 @@ TEST(GltfSkin, joints_bind_matrices_and_weights_are_read) {
   ASSERT_EQ(scene.skins.size(), 1u);
   EXPECT_THAT(scene.skins[0].joints, ElementsAre(1, 2));
   EXPECT_EQ(std::get<Mesh>(scene.shapes.at(0)).skin.per_vertex, 4);
-  expect_near(posed(scene, 0), {10, 0, 0});  // joint 0 alone
-  expect_near(posed(scene, 1), {0, 1, 1});   // (1, 0, 0) bound to (1, 0, 1), turned
+  expect_near(posed(scene, 0), {10, 0, 0});  // joint 0 only
+  expect_near(posed(scene, 1), {0, 1, 1});   // (1, 0, 0) bound to (1, 0, 1), rotated
   // (0, 1, 0): half of (10, 1, 0) and half of (-1, 0, 1).
   expect_near(posed(scene, 2), {4.5f, 0.5f, 0.5f}, 4 * kFloatRounding);
 }
@@ -264,7 +264,7 @@ TEST(GltfSkin, normalises_weights) {
   const Scene scene = parse(skinned_triangle({{2, 0, 0, 0}, {0.25f, 0, 0, 0}, {0, 0, 0, 0}}));
   expect_near(posed(scene, 0), {10, 0, 0});
   expect_near(posed(scene, 1), {11, 0, 0});
-  expect_near(posed(scene, 2), {10, 1, 0});  // no weight at all: the first joint
+  expect_near(posed(scene, 2), {10, 1, 0});  // no weights: the first joint
 }
 
 TEST(GltfSkin, second_set_of_joints_counts_too) {
@@ -312,7 +312,7 @@ TEST(GltfSkin, joint_outside_the_scene_is_an_error) {
 
 // ---- Morph targets --------------------------------------------------------------------------------------------------
 
-/// A triangle with two targets: one lifts vertex 1 by 1, the other has nothing but normals.
+/// Returns a triangle with two targets: one lifts vertex 1 by 1, the other has only normals.
 GltfBuilder morphing_triangle() {
   GltfBuilder b;
   const int lift = b.add_accessor(std::vector<Vec3f>{{0, 0, 0}, {0, 0, 1}, {0, 0, 0}});
@@ -372,7 +372,7 @@ TEST(GltfMorph, counts_morphing_nodes_before_posing) {
 
 // ---- Animation ------------------------------------------------------------------------------------------------------
 
-/// One node, animated by one channel.
+/// Returns one node animated by one channel.
 template <class T>
 GltfBuilder animated(const char* path, const char* interpolation, const std::vector<float>& times,
                      const std::vector<T>& values) {
@@ -429,7 +429,7 @@ TEST(GltfAnimation, scale_is_read) {
   EXPECT_EQ(transform_vector(evaluate(scene, 0.5).of(0), {1, 0, 0}), Vec3f(2, 0, 0));
 }
 
-/// As KHR_animation_pointer has them: a channel of no node.
+/// KHR_animation_pointer uses channels without a node.
 TEST(GltfAnimation, channels_of_no_node_are_left_out) {
   GltfBuilder b = animated<Vec3f>("translation", "LINEAR", {0, 1}, {{1, 1, 1}, {3, 1, 1}});
   const Json pointer{{"pointer", "/materials/0/pbrMetallicRoughness/roughnessFactor"}};
@@ -448,7 +448,7 @@ TEST(GltfAnimation, channels_of_one_node_come_together) {
 }
 
 TEST(GltfAnimation, frame_count_is_length_times_rate) {
-  // 1.5 s at 25 frames a second is 37.5 frames, rounded to 38.
+  // 1.5 s at 25 frames per second are 37.5 frames, rounded to 38.
   EXPECT_EQ(parse(animated<Vec3f>("translation", "LINEAR", {0, 1.5f}, {{0, 0, 0}, {1, 0, 0}})).timeline.frame_count, 38);
 }
 
@@ -503,7 +503,7 @@ TEST(GltfAnimation, unknown_path_is_an_error) {
             "a.glb: animations[0].channels[0].target.path: is 'wobble'; accepted: translation, rotation, scale, weights");
 }
 
-/// "Walk" of 25 frames and "Run" of 50.
+/// Returns "Walk" with 25 frames and "Run" with 50.
 GltfBuilder walk_and_run() {
   GltfBuilder b = animated<Vec3f>("translation", "LINEAR", {0, 1}, {{0, 0, 0}, {1, 0, 0}});
   b.root["animations"][0]["name"] = "Walk";
@@ -518,7 +518,7 @@ int frames_of(const GltfBuilder& b, const std::string& animation) {
   return parse_gltf(b.glb(), "a.glb", {.frames_per_second = 25.0, .animation = animation}, Context{}).timeline.frame_count;
 }
 
-/// The timeline of a file with keys at these times, where no rate is given.
+/// Returns the timeline of a file with keys at these times, without a given rate.
 Timeline timeline_of_keys(const std::vector<float>& times) {
   const GltfBuilder b = animated<Vec3f>("translation", "LINEAR", times, std::vector<Vec3f>(times.size(), Vec3f(0.0f)));
   return parse_gltf(b.glb(), "a.glb", {}, Context{}).timeline;

@@ -1,4 +1,4 @@
-// Splats of glTF files (KHR_gaussian_splatting).
+// Tests splats of glTF files (KHR_gaussian_splatting).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ using testing::HasSubstr;
 
 constexpr const char* kPrefix = "KHR_gaussian_splatting:";
 
-/// Two splats; the mesh is of one primitive that a test may change before it is shown.
+/// Two splats in a mesh of one primitive that tests may modify.
 class SplatDocument {
  public:
   explicit SplatDocument(int degree = 0, std::vector<Vec3f> scales = {{1, 2, 3}, {0.5f, 0.5f, 0.5f}}) {
