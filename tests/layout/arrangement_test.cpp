@@ -16,7 +16,7 @@ Image counting(int width, int height, int channels) {
 }
 
 TEST(Arrangement, rearranges_lenses_into_quilt_tiles) {
-  // Two lenses of 2 x 1 pixels: 0 1 | 2 3. The left eye sees the right pixels, 1 and 3: the quilt's first tile.
+  // Two lenses of 2 x 1 pixels: 0 1 | 2 3. The left eye sees the right pixels, 1 and 3, which become the quilt's first tile.
   const Arrangement arrangement({LayoutKind::kIntegral, {2, 1}, {}}, {LayoutKind::kQuilt, {2, 1}, {2, 1}}, {4, 1}, "p");
   EXPECT_THAT(arrangement.apply(counting(4, 1, 1)).data, ElementsAre(1, 3, 0, 2));
 }

@@ -1,4 +1,5 @@
-// The cameras of rendered views against the rays of the optics themselves, and the benchmark's parameters by hand.
+// Tests the cameras of rendered views against the rays of the optics, and the benchmark's parameters against hand-calculated
+// values.
 #include "layout/cameras.hpp"
 
 #include <gmock/gmock.h>
@@ -18,8 +19,8 @@ using test::numbered_field;
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// Every pixel's ray must start at its view's eye, or pass through it, and cross z = 0 where the camera says. Tolerance: rays
-/// are floats; 1e-6 of the 500 mm to the eye, a few times.
+/// Checks that every pixel's ray starts at its view's eye, or passes through it, and crosses z = 0 at the camera's pixel.
+/// Tolerance: a few times 1e-6 of the 500 mm to the eye, because rays are floats.
 void expect_cameras_of_rays(const Optics& optics) {
   const RenderedViews views = rendered_views(optics).value();
   const ViewCameras& cameras = views.cameras.value();
@@ -59,7 +60,7 @@ TEST(Cameras, quilts_and_camera_grids_match_ray_origins) {
 }
 
 TEST(Cameras, near_lens_arrays_match_ray_crossings) {
-  // 5 pixels of 0.2 mm below a lens, gap 2 mm, seen from 500 mm: pitch 1 / (1 + 2/500); 9 and 7 lenses, one on the axis.
+  // 5 pixels of 0.2 mm below a lens, gap 2 mm, viewed from 500 mm: pitch 1 / (1 + 2/500); 9 and 7 lenses, one on the axis.
   const float pitch = 1.0f / (1.0f + 2.0f / 500.0f);
   MicrolensArray array{.lens_pitch_mm = pitch, .gap_mm = 2.0f, .offset_mm = Vec2f(0.0f), .viewing_distance_mm = 500.0f};
   expect_cameras_of_rays({.panel = {45, 35, 0.2f}, .model = array});
@@ -121,7 +122,7 @@ TEST(HciDisparity, equals_point_motion_between_grid_views) {
     pixels_seeing(optics, {0.7f, -0.4f, z}, seen);
     ASSERT_EQ(seen.size(), 6u);
     const double d = hci_disparity_px(p, 1e-3 * (500.0 - static_cast<double>(z)));
-    // In the quilt view 1 lies 20 pixels right of view 0, and view 3 lies 14 pixels above it.
+    // In the quilt, view 1 is 20 pixels right of view 0, and view 3 is 14 pixels above it.
     EXPECT_NEAR(seen[1].x - 20.0f - seen[0].x, -d, 1e-4) << "to the left as the eye moves right";
     EXPECT_NEAR(seen[3].y + 14.0f - seen[0].y, d, 1e-4) << "downwards as the eye moves up";
   }

@@ -1,4 +1,4 @@
-// Pictures of displays, of views of any size. The trials are prints and panels whose pixels are known.
+// Tests pictures of displays made from views of any size, with prints and panels whose pixels are known.
 #include "lippmann/layout/display_picture.hpp"
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ Image8 plain(Vec2i size, unsigned char r, unsigned char g, unsigned char b) {
   return image;
 }
 
-/// View k is red 40 k + 10 all over.
+/// Returns views where view k is a uniform red of 40 k + 10.
 LightField plain_views(int count, Vec2i size, const Display& display, DisplayTarget target, const ThreadPool& pool) {
   ViewFitter fitter(display, target, AspectFit::kCrop, pool);
   LightField field;
@@ -75,7 +75,7 @@ TEST(DisplayPicture, whole_pitch_has_one_column_per_view) {
 TEST(DisplayPicture, ten_frames_of_a_flip_print) {
   DisplayPictureParams flip;
   flip.flip = FlipParams{};
-  // Pixel x is told from its left edge: lenses begin half a pixel to the right.
+  // Pixel x is measured at its left edge: lenses begin half a pixel to the right.
   const Picture print = print_of(10, {64, 8}, "pitch-mm=0.33725555555555556 dpi=720 paper=1434x20px phase=0.5", flip);
   for (int x = 0; x < 1434; ++x) ASSERT_EQ(view_at(print, x, 3), 250 * x % 2390 / 239) << x;
 }
@@ -115,7 +115,7 @@ TEST(DisplayPicture, linear_filter_ramps_between_views) {
   EXPECT_LT(image.rgb[3 * 19], 30);
 }
 
-// Slanted lenses: at the same distance along the lenses' normal every row shows the same view.
+// At equal distances along the normal of slanted lenses, every row shows the same view.
 TEST(DisplayPicture, slanted_lenses_shift_from_row_to_row) {
   const std::string line = "pitch-mm=1 dpi=1016 paper=200x100px slant=14.0362434679";  // tan = 1/4
   const Picture print = print_of(8, {8, 4}, line);
@@ -154,7 +154,8 @@ TEST(DisplayPicture, each_eye_gets_half_the_panel) {
   EXPECT_NEAR(periods_of(panel), 246.8802, 5e-5);
   EXPECT_NEAR(tilt_of(panel), -0.188230, 5e-7);
   const SlantedPanel lenses = slanted_panel(panel, 300.0);
-  const double z = (0.5 + 0.5 * lenses.tilt - 1.0 / (3 * 1536)) * lenses.periods - lenses.center;  // red: a third to the left
+  const double z =
+      (0.5 + 0.5 * lenses.tilt - 1.0 / (3 * 1536)) * lenses.periods - lenses.center;  // red: a third of a pixel to the left
   EXPECT_NEAR(1.0 - (z - std::floor(z)), 0.6118, 5e-5);
   const ThreadPool pool(2);
   ViewFitter fitter(panel, DisplayTarget::kNative, AspectFit::kCrop, pool);
@@ -183,7 +184,7 @@ TEST(DisplayPicture, microlenses_show_views_across_and_up) {
   for (int view = 0; view < 4; ++view)
     set_view(field, view, plain(field.view_size, static_cast<unsigned char>(20 * view + 10), 0, 0));
   const Picture picture = display_picture(field, array, DisplayTarget::kIntegral, {}, pool);
-  // A lens edge lies at the centre: to the right of it and below is the top left of a lens, seen from the right and from below.
+  // The centre is a lens edge: to the right of it and below is the top left of a lens, seen from the right and from below.
   EXPECT_EQ(view_at(picture, 20, 20), 1);
   EXPECT_EQ(view_at(picture, 19, 20), 0);
   EXPECT_EQ(view_at(picture, 20, 19), 3);
@@ -216,7 +217,7 @@ TEST(DisplayPicture, same_for_any_number_of_threads) {
   EXPECT_TRUE(test::same_samples(made_with(1), made_with(4)));
 }
 
-/// A texture that moves to the right by two pixels from view to view.
+/// Returns a texture that moves right by two pixels from view to view.
 Image8 moving_view(int view) {
   Image8 image = plain({40, 30}, 0, 0, 90);
   for (int y = 0; y < 30; ++y)

@@ -1,4 +1,4 @@
-// The views of a film: each where its optics put it, with its camera and its depth.
+// Tests the views of a film: their positions, cameras and depth.
 #include "lippmann/layout/film_views.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace lippmann {
 namespace {
 
-/// Every sample says where it is.
+/// Returns an image whose samples encode their positions.
 Image numbered(int width, int height, int channels) {
   Image image(width, height, channels);
   for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = static_cast<float>(i);
@@ -43,7 +43,7 @@ TEST(FilmViews, leftmost_eye_sees_rightmost_pixels) {
   const LightField field = light_field_of(film, sheet);
   EXPECT_EQ(field.grid, (ViewGrid{4, 1}));
   EXPECT_EQ(std::get<Image>(view_of(field, 0)).pixel(1, 0)[0], film.pixel(7, 0)[0]);
-  EXPECT_FALSE(field.cameras.has_value());  // seen from infinity
+  EXPECT_FALSE(field.cameras.has_value());  // viewed from infinity
   EXPECT_FALSE(field.depth.has_value());
 }
 
@@ -59,7 +59,7 @@ TEST(FilmViews, rejects_wrong_sizes_and_fractional_lenses) {
   EXPECT_THROW(light_field_of(numbered(5, 4, 3), quilt()), Error);
   const Image depth = numbered(6, 3, 1);
   EXPECT_THROW(light_field_of(numbered(6, 4, 3), quilt(), &depth), Error);
-  // Of the panel's size, but other channels, or fewer samples than that.
+  // Correct size, but the wrong number of channels or too few samples.
   const Image colours = numbered(6, 4, 3), grey = numbered(6, 4, 1);
   EXPECT_THROW(light_field_of(colours, quilt(), &colours), Error);
   EXPECT_THROW(light_field_of(grey, quilt()), Error);
@@ -96,7 +96,7 @@ TEST(FilmViews, slanted_panel_joins_sub_pixels) {
   EXPECT_EQ(picture.pixel(1, 1)[0], film.pixel(3, 1)[0]);
   EXPECT_EQ(picture.pixel(1, 1)[2], film.pixel(5, 1)[2]);
   EXPECT_EQ(picture_of_layer(depth, panel).pixel(1, 1)[0], depth.pixel(4, 1)[0]);
-  EXPECT_EQ(picture_of_film(numbered(6, 4, 3), quilt()).width, 6);  // other optics show the film itself
+  EXPECT_EQ(picture_of_film(numbered(6, 4, 3), quilt()).width, 6);  // films of other optics stay unchanged
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Every format brings back what was written, alone and by way of every other; and each puts views where its convention says.
+// Tests that every format restores what was written, also after conversion through every other format, and that each follows
+// its view order.
 #include "lippmann/layout/formats.hpp"
 
 #include <gmock/gmock.h>
@@ -27,7 +28,7 @@ using testing::HasSubstr;
 
 const LightFieldFormat& format(const std::string& name) { return find_format(name, "--from"); }
 
-/// A view of one colour per view: red is its column, green its row.
+/// Returns uniform views: red is the column, green the row.
 LightField coloured_field(ViewGrid grid) {
   LightField field = numbered_field(grid, {2, 2});
   for (int view = 0; view < grid.count(); ++view) {
@@ -46,9 +47,9 @@ Vec2i view_in(const fs::path& path) {
   return {image.rgb[0], image.rgb[1]};
 }
 
-/// All but the panel's own frame, which holds a part of each view, and pictures of a fixed number of views: see
-/// interlace_test.cpp, stereo_test.cpp, quad_test.cpp, rgbd_test.cpp, plenoptic_test.cpp, hci_hdf5_test.cpp and
-/// posed_test.cpp (LLFF states no shifted sensors).
+/// Returns all formats except the panel's own frame, which holds a part of each view, and pictures with a fixed number of
+/// views: see interlace_test.cpp, stereo_test.cpp, quad_test.cpp, rgbd_test.cpp, plenoptic_test.cpp, hci_hdf5_test.cpp and
+/// posed_test.cpp (LLFF cannot express shifted sensors).
 std::vector<LightFieldFormat> exact_formats() {
   std::vector<LightFieldFormat> formats = light_field_formats();
   std::erase_if(formats, [](const LightFieldFormat& format) {
@@ -58,7 +59,7 @@ std::vector<LightFieldFormat> exact_formats() {
   return formats;
 }
 
-/// The same with cameras, which MIV's files cannot do without.
+/// Returns numbered views with cameras, which MIV requires.
 LightField numbered_views(bool words = false) {
   LightField field = numbered_field({3, 2}, {4, 5}, words);
   field.cameras = {500.0, Vec2d(0.5), Vec2d(2.0, 2.5), {}};
@@ -66,7 +67,7 @@ LightField numbered_views(bool words = false) {
   return field;
 }
 
-/// Exact ways through formats that know no cameras end at those that need them.
+/// Returns whether a chain of conversions can continue: formats without cameras cannot be followed by those that require them.
 bool can_follow(const LightFieldFormat& from, const LightFieldFormat& to) {
   const auto needs_cameras = [](const LightFieldFormat& format) {
     return format.name == "miv" || format.name == "cvkit" || format.name == "nerf" || format.name == "colmap";

@@ -1,4 +1,4 @@
-// Frames of slanted panels from views, and views from such frames.
+// Tests frames of slanted panels made from views, and views extracted from such frames.
 #include "lippmann/layout/interlace.hpp"
 
 #include <gmock/gmock.h>
@@ -22,7 +22,7 @@ const ThreadPool& threads() {
   return pool;
 }
 
-/// 60 x 41 pixels, 11.4 sub-pixels to a lens.
+/// Returns a display of 60 x 41 pixels with 11.4 sub-pixels per lens.
 Display small_display() {
   Display display;
   display.name = "small";
@@ -33,9 +33,9 @@ Display small_display() {
 }
 
 TEST(Interlace, quilt_positions_match_hand_calculation) {
-  // A quilt of 8 x 6 tiles of 21 x 28 pixels, each pixel with its own code, for the Portrait's 1536 x 2048 pixels. Their v is
-  // worked out in tests/display/slanted_panel_test.cpp; view = floor(48 v); it lies in tile column view mod 8 and row view / 8
-  // from the bottom; in it pixel (i + 1/2) 21 / 1536, (j + 1/2) 28 / 2048.
+  // A quilt of 8 x 6 tiles of 21 x 28 pixels, each pixel with its own value, for the Portrait's 1536 x 2048 pixels.
+  // tests/display/slanted_panel_test.cpp derives the values of v. The view is floor(48 v), in tile column view mod 8 and row
+  // view / 8 from the bottom, at the pixel (i + 1/2) 21 / 1536, (j + 1/2) 28 / 2048.
   //   panel            v         view  tile, from the top  in the tile  in the quilt
   //   (0, 0) red       0.893189  42    (2, 0)              (0, 0)       (42, 0)
   //   (0, 0) blue      0.787268  37    (5, 1)              (0, 0)       (105, 28)
@@ -72,7 +72,7 @@ TEST(Interlace, nearest_round_trip_is_exact) {
 }
 
 TEST(Interlace, deinterlaced_frame_interlaces_to_itself) {
-  // 11 views: most samples of the views lie below no sub-pixel of theirs, yet what is in the frame comes back to its place.
+  // 11 views: most samples of the views have no sub-pixel, yet the frame's samples return to their places.
   const LightField field = test::numbered_field({11, 1}, {31, 29});
   for (const Vec2i size : {Vec2i(31, 29), Vec2i(60, 41), Vec2i(90, 77)}) {
     const LightField same = test::numbered_field({11, 1}, size);
@@ -82,7 +82,7 @@ TEST(Interlace, deinterlaced_frame_interlaces_to_itself) {
   }
 }
 
-/// View k is all k * 1000.
+/// Returns views where view k is uniformly k * 1000.
 LightField steps(int count, Vec2i size) {
   LightField field = test::numbered_field({count, 1}, size, true);
   auto& rgb = std::get<Image16>(field.stack).rgb;
@@ -92,7 +92,7 @@ LightField steps(int count, Vec2i size) {
 }
 
 TEST(Interlace, linear_filter_interpolates_between_views) {
-  // The Portrait's sub-pixels of the table above, 48 views of which view k is k * 1000: v 48 - 1/2.
+  // The Portrait's sub-pixels of the table above, 48 views where view k is k * 1000: v 48 - 1/2.
   //   0.893189 -> 42.37307;  0.759376 -> 35.95005;  0.443986 -> 20.81133
   const auto frame =
       std::get<Image16>(interlace(steps(48, {3, 4}), load_display("portrait"), {ViewFilter::kLinear, 0.5}, threads()));
@@ -103,17 +103,17 @@ TEST(Interlace, linear_filter_interpolates_between_views) {
 }
 
 TEST(Interlace, gaussian_filter_weighs_views_by_their_distance) {
-  // v 48 - 1/2 = 42.37307, sigma 1/2 view: views 41 ... 44 are within 3 sigma and a half, at -1.37307, -0.37307, 0.62693 and
-  // 1.62693: weights exp(-2 d^2) = 0.023037, 0.757022, 0.455626, 0.005023, together 1.240708; their mean place is
-  // 41 + (0.757022 + 2 * 0.455626 + 3 * 0.005023) / 1.240708 = 42.35676.
+  // v 48 - 1/2 = 42.37307, sigma 1/2 view: views 41 ... 44 are within 3.5 sigma, at -1.37307, -0.37307, 0.62693 and 1.62693.
+  // Their weights exp(-2 d^2) are 0.023037, 0.757022, 0.455626 and 0.005023, with a sum of 1.240708. The mean position is 41 +
+  // (0.757022 + 2 * 0.455626 + 3 * 0.005023) / 1.240708 = 42.35676.
   const auto frame =
       std::get<Image16>(interlace(steps(48, {3, 4}), load_display("portrait"), {ViewFilter::kGaussian, 0.5}, threads()));
   EXPECT_NEAR(frame.rgb[0], 42357, 2);
 }
 
 TEST(Interlace, linear_filter_is_bilinear_within_a_view) {
-  // One view of 2 x 1 samples, 0 and 6000, on 60 pixels: a quarter of the width is the middle of the first sample. Pixel 22, at
-  // 22.5, is 7.5 pixels beyond it of the 30 to the next: 1500.
+  // One view of 2 x 1 samples, 0 and 6000, on 60 pixels: a quarter of the width is the middle of the first sample. Pixel 22, at 22.5, is
+  // 7.5 of the 30 pixels to the next sample beyond it: 1500.
   LightField field = test::numbered_field({1, 1}, {2, 1}, true);
   std::get<Image16>(field.stack).rgb = {0, 0, 0, 6000, 6000, 6000};
   const auto frame = std::get<Image16>(interlace(field, small_display(), {ViewFilter::kLinear, 0.5}, threads()));
@@ -123,7 +123,7 @@ TEST(Interlace, linear_filter_is_bilinear_within_a_view) {
 }
 
 TEST(Interlace, native_rays_match_interlaced_views) {
-  // The eye of a sub-pixel's ray lies within the share of the cone that its view has.
+  // The eye of a sub-pixel's ray is within its view's share of the cone.
   const Display display = load_display("looking-glass-16-portrait");
   const Optics optics = native_optics(display);
   const auto& panel = std::get<SlantedPanel>(optics.model);
@@ -135,14 +135,14 @@ TEST(Interlace, native_rays_match_interlaced_views) {
         const double eye = ray.origin.x + (panel.distance_mm - ray.origin.z) / ray.direction.z * ray.direction.x;
         const double v = 48 * (0.5 + std::atan(eye / panel.distance_mm) / panel.view_cone);
         const double view = frame.rgb[static_cast<std::size_t>(3 * (j * display.pixels.x + i) + color)] / 1000.0;
-        EXPECT_GE(v, view - 1e-4);  // 2e-6 of the cone, by the floats that the eye is worked out in
+        EXPECT_GE(v, view - 1e-4);  // 2e-6 of the cone, due to float precision of the eye
         EXPECT_LE(v, view + 1 + 1e-4);
       }
 }
 
 // Cees van Berkel, "Image preparation for 3D-LCD", Proc. SPIE 3639, 1999: sub-pixel k of row l, both from the top left corner,
-// is of the view N / X ((k + k_off - 3 l tan a) mod X), X sub-pixels wide lenses. With X = 9 / 2 and tan a = 1 / 6 that is
-// (2 k - l) mod 9. Those on the left below a lens are seen from the right, so that such views count from the right.
+// belongs to view N / X ((k + k_off - 3 l tan a) mod X), where lenses are X sub-pixels wide. With X = 9 / 2 and tan a = 1 / 6
+// that is (2 k - l) mod 9. Sub-pixels on the left below a lens are seen from the right, so these views count from the right.
 TEST(Interlace, nine_view_television_matches_published_mask) {
   const Display display = load_display(std::string(LIPPMANN_SOURCE) + "/examples/nine-view-television.toml");
   const auto frame = std::get<Image16>(interlace(steps(9, {4, 3}), display, {}, threads()));

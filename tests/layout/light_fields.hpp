@@ -1,4 +1,4 @@
-// Light fields for tests: every sample of every view another code, as far as codes go.
+// Light fields for tests, with different values in all samples of all views, as far as possible.
 #pragma once
 
 #include <cstdint>

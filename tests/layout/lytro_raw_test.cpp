@@ -1,4 +1,4 @@
-// Lytro's containers, made byte by byte: packed codes, colours, the lens grid of the metadata.
+// Tests Lytro's containers, built byte by byte: packed samples, colours, and the lens grid of the metadata.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ std::string section(char kind, const std::string& name, const std::string& data)
   return text + std::string((16 - text.size() % 16) % 16, '\0');
 }
 
-/// 20-pixel square lenses, in the middle of the sensor but for half a pixel; gains and colours of their own.
+/// Returns metadata with 20-pixel square lenses, half a pixel off the middle of the sensor, and specific gains and colours.
 std::string illum_metadata(int width, int height, const std::string& corner = "gr") {
   return R"({"image": {"width": )" + std::to_string(width) + R"(, "height": )" + std::to_string(height) +
          R"(, "orientation": 1, "pixelPacking": {"bitsPerPixel": 10, "endianness": "little"},
@@ -44,7 +44,7 @@ std::string illum_metadata(int width, int height, const std::string& corner = "g
     "lens": {"exitPupilOffset": {"z": 0.0973}}}})";
 }
 
-/// Four codes in five bytes.
+/// Packs four samples into five bytes.
 std::string packed_10(const std::vector<unsigned>& codes) {
   std::string bytes;
   for (std::size_t i = 0; i < codes.size(); i += 4) {
@@ -66,7 +66,7 @@ std::string lfr(const std::string& metadata, const std::string& codes) {
 
 std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
 
-/// Codes of a flat colour behind the filters of an Illum: gr, r / b, gb.
+/// Returns samples of a uniform colour behind the filters of an Illum: gr, r / b, gb.
 std::vector<unsigned> flat_codes(int width, int height, unsigned red, unsigned green, unsigned blue) {
   std::vector<unsigned> codes;
   for (int y = 0; y < height; ++y)
@@ -161,14 +161,14 @@ TEST(Demosaic, linear_grey_is_kept_exactly) {
     for (int y = 0; y < 10; ++y)
       for (int x = 0; x < 12; ++x) *mosaic.pixel(x, y) = 0.1f + 0.03f * static_cast<float>(x) + 0.02f * static_cast<float>(y);
     const Image colors = demosaic(mosaic, red);
-    for (int y = 2; y < 8; ++y)  // mirrored edges bend it
+    for (int y = 2; y < 8; ++y)  // mirrored edges would bend it
       for (int x = 2; x < 10; ++x)
         for (const int c : {0, 1, 2})
           EXPECT_NEAR(colors.pixel(x, y)[c], *mosaic.pixel(x, y), 1e-6) << x << " " << y << " " << c;
   }
 }
 
-/// Figure 2 of the paper: the response at a red pixel to a point of light on itself is 1, 4/8 and 6/8.
+/// Figure 2 of the paper: the response at a red pixel to a point light on itself is 1, 4/8 and 6/8.
 TEST(Demosaic, weights_are_those_of_the_paper) {
   Image mosaic(9, 9, 1);
   *mosaic.pixel(4, 4) = 1.0f;
@@ -179,7 +179,7 @@ TEST(Demosaic, weights_are_those_of_the_paper) {
   EXPECT_FLOAT_EQ(at(4, 4, 2), 0.75f);
   EXPECT_FLOAT_EQ(at(5, 4, 0), 0.5f);
   EXPECT_FLOAT_EQ(at(5, 5, 0), 0.25f);
-  EXPECT_FLOAT_EQ(at(6, 4, 1), 0.0f);  // -1/8, and no light is below 0
+  EXPECT_FLOAT_EQ(at(6, 4, 1), 0.0f);  // -1/8, clamped because light is not negative
 }
 
 }  // namespace

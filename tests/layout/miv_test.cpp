@@ -1,4 +1,4 @@
-// MIV's cameras against hand-worked figures, and what hostile files meet.
+// Tests MIV's cameras against hand-calculated values, and the errors for malformed files.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ using test::TempDir;
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// 2 x 1 eyes 20 mm apart, 500 mm before a plane in which pixels are 0.5 mm wide.
+/// Returns 2 x 1 eyes 20 mm apart, 500 mm in front of a plane where pixels are 0.5 mm wide.
 LightField two_views() {
   LightField field = numbered_field({2, 1}, {40, 30});
   field.cameras = {500.0, Vec2d(0.5), Vec2d(20.0, 15.0), {{-10.0, 6.0}, {10.0, 6.0}}};

@@ -1,4 +1,4 @@
-// Folders of pictures with names of any kind.
+// Tests folders of pictures with arbitrary names.
 #include "layout/picture_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -34,7 +34,7 @@ std::vector<unsigned char> grey_png(int width, int height, std::uint8_t code) {
   return test::encode_png(width, height, 1, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height, code));
 }
 
-/// 4x3 pixels of the code; of PNG, which is read whatever a file is called.
+/// Writes 4x3 pixels of one value as PNG, which is recognised under any name.
 void write_grey(const fs::path& path, std::uint8_t code) { write_bytes(path, grey_png(4, 3, code)); }
 
 std::vector<int> codes_of_views(const LightField& field) {

@@ -1,4 +1,4 @@
-// Raw plenoptic pictures: views of light fields that are known, below lenses of any pitch; the lens grid of white pictures.
+// Tests raw plenoptic pictures: views of known light fields below lenses of any pitch, and lens grids of white pictures.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ namespace {
 using test::error_message;
 using testing::HasSubstr;
 
-/// Light through the lens at a place, from a direction: its offset from the lens centre, in pixels.
+/// Returns the light through a lens from a direction, given as the offset from the lens centre in pixels.
 using RawLight = std::function<double(Vec2d lens, Vec2d offset)>;
 
 struct NearestLens {
@@ -29,7 +29,7 @@ struct NearestLens {
   Vec2d centre;
 };
 
-/// The lens whose image a pixel lies in. Not for kHexagonalColumns.
+/// Returns the lens whose image contains a pixel. Does not support kHexagonalColumns.
 NearestLens nearest_lens(const LensGrid& grid, Vec2d place) {
   const double c = std::cos(grid.rotation), s = std::sin(grid.rotation);
   const Vec2d from = place - grid.offset_px;
@@ -44,7 +44,7 @@ NearestLens nearest_lens(const LensGrid& grid, Vec2d place) {
   return nearest;
 }
 
-/// The mean over 3 x 3 places in each pixel.
+/// Renders a raw picture as the mean over 3 x 3 positions in each pixel.
 Image raw_picture(const LensGrid& grid, Vec2i size, const RawLight& light, int channels = 3) {
   Image raw(size.x, size.y, channels);
   constexpr int kParts = 3;
@@ -61,7 +61,7 @@ Image raw_picture(const LensGrid& grid, Vec2i size, const RawLight& light, int c
   return raw;
 }
 
-/// Round images of the main lens's aperture, darker towards their rims, with a soft edge.
+/// Returns round images of the main lens's aperture, darker towards their rims, with a soft edge.
 RawLight white_light(double pitch) {
   return [pitch](Vec2d, Vec2d offset) {
     const double share = glm::length(offset) / (0.48 * pitch);
@@ -69,7 +69,7 @@ RawLight white_light(double pitch) {
   };
 }
 
-/// The distance between two grids' lenses, at most, over a picture. Their offsets may be different lenses.
+/// Returns the largest distance between two grids' lenses over a picture. Their offsets may refer to different lenses.
 double grid_distance(const LensGrid& estimate, const LensGrid& truth, Vec2i size) {
   double most = 0.0;
   for (int j = -400; j <= 400; ++j)
@@ -81,7 +81,7 @@ double grid_distance(const LensGrid& estimate, const LensGrid& truth, Vec2i size
   return most;
 }
 
-/// Centres are found to a tenth of a pixel each, and 2,000 of them agree on a grid that is right to a twentieth.
+/// Checks the estimated grid. Centres are found to a tenth of a pixel each, and 2,000 of them give a grid exact to a twentieth.
 void expect_grid_found(const LensGrid& truth, Vec2i size) {
   const LensGridFit fit = estimate_lens_grid(raw_picture(truth, size, white_light(truth.pitch_px), 1), "white");
   EXPECT_EQ(fit.grid.arrangement, truth.arrangement);
@@ -143,7 +143,7 @@ TEST(LensGridEstimate, refuses_pictures_without_lenses) {
   EXPECT_THROW(estimate_lens_grid(stripes, "w.png"), Error);
 }
 
-/// Light whose views are known: it varies slowly over the picture, and linearly with the direction.
+/// Returns light with known views: it varies slowly over the picture, and linearly with the direction.
 double known_light(Vec2d lens, Vec2d offset) {
   return 0.5 + 0.2 * std::sin(0.021 * lens.x) * std::cos(0.017 * lens.y) + 0.02 * offset.x - 0.013 * offset.y;
 }
@@ -161,7 +161,7 @@ TEST(PlenopticViews, turned_square_lenses_give_known_views) {
   for (const bool lanczos : {false, true}) {
     const LightField field = views_of(raw_picture(grid, {420, 330}, known_light), {.grid = grid, .lanczos = lanczos}, {7, 5});
     ASSERT_EQ(field.grid, (ViewGrid{7, 5}));
-    // The lens at the top left of the views: of the largest rectangle of lenses in the picture.
+    // Find the lens at the top left of the views: of the largest rectangle of lenses in the picture.
     int first_column = 0, first_row = 0;
     for (; lens_centre(grid, first_column, field.view_size.y - 1).x < 3.25; ++first_column) {
     }
@@ -173,8 +173,8 @@ TEST(PlenopticViews, turned_square_lenses_give_known_views) {
         const Vec2d along(view % 7 - 3, 2 - view / 7);
         const Vec2d offset(c * along.x - s * along.y, s * along.x + c * along.y);
         const Vec2d lens = lens_centre(grid, first_column + at.x, first_row + at.y);
-        // Light is linear in the direction, which linear sampling keeps; Lanczos bends it a little, and reaches into the next
-        // lens. Near the edge samples may lie a quarter of a pixel beyond the last pixel's centre.
+        // Light is linear in the direction, which linear sampling preserves; Lanczos distorts it a little and reaches into the
+        // next lens. Near the edge, samples may be a quarter of a pixel beyond the last pixel's centre.
         const double tolerance = at.x != 20 ? 0.25 * 0.024 : lanczos ? 2e-3 : 1e-5;
         EXPECT_NEAR(view_sample(field, view, at.x, at.y), known_light(lens, offset), tolerance) << view << " " << at.x;
       }
@@ -187,7 +187,7 @@ TEST(PlenopticViews, hexagonal_rows_become_square_pixels) {
   for (const bool lanczos : {false, true}) {
     const LightField field = views_of(raw_picture(grid, {360, 300}, ramp), {.grid = grid, .lanczos = lanczos}, {3, 3});
     const double rows = grid.row_pitch_px;
-    // Columns 0 to 28 lie in the picture: shifted lenses at 12 ... 348, others at 6 ... 342. Pixels stand at 12 ... 342.
+    // Columns 0 to 28 lie in the picture: shifted lenses at 12 ... 348, others at 6 ... 342. Pixels are at 12 ... 342.
     ASSERT_EQ(field.view_size, Vec2i(static_cast<int>(330.0 / rows) + 1, 29));
     for (const Vec2i at : {Vec2i(4, 4), Vec2i(15, 11), Vec2i(27, 20)})
       EXPECT_NEAR(view_sample(field, 4, at.x, at.y), 0.001 * (12.0 + at.x * rows) + 0.0005 * (6.0 + at.y * rows), 1e-3);
@@ -202,16 +202,16 @@ TEST(PlenopticViews, vignetting_is_divided_out) {
   divide_by_white(light, white_shares(raw_picture(grid, {300, 260}, white)), "raw");
   const LightField field = views_of(light, {.grid = grid}, {5, 5});
   for (const Vec2i at : {Vec2i(3, 3), Vec2i(14, 12)})
-    for (const int view : {0, 4, 20, 24})  // the corners, whose light is half of the middle's
+    for (const int view : {0, 4, 20, 24})  // the corners have half of the middle's light
       EXPECT_NEAR(view_sample(field, view, at.x, at.y) / view_sample(field, 12, at.x, at.y), 1.0, 0.01);
 }
 
-/// A picture with a mark in the plane of the array, and in the next plane: all views show it in one place, whatever the pitch.
+/// A picture with a mark in the plane of the array: all views show it in one place, whatever the pitch.
 TEST(PlenopticViews, wrong_pitch_drifts_one_lens_per_74) {
   const double pitch = 10.135;
   const Vec2i size(1600, 60);
   const LensGrid truth = lens_grid(pitch, 0.0, {pitch / 2, pitch / 2}, LensArrangement::kSquare);
-  // Every lens is known by its light alone, which all of its pixels have.
+  // Every lens has a different light, equal for all of its pixels.
   const Image raw = raw_picture(truth, size, [&](Vec2d lens, Vec2d) { return std::lround(lens.x / pitch - 0.5); });
   const LightField right = views_of(raw, {.grid = truth}, {9, 3});
   const int last = right.view_size.x - 1;
@@ -229,7 +229,7 @@ TEST(PlenopticViews, inverted_lenses_turn_views_round) {
   const LensGrid grid = lens_grid(10.0, 0.0, {5.0, 5.0}, LensArrangement::kSquare);
   const Image raw = raw_picture(grid, {60, 60}, [](Vec2d, Vec2d offset) { return 0.5 + 0.01 * offset.x - 0.03 * offset.y; });
   const LightField upright = views_of(raw, {.grid = grid}, {10, 10});
-  EXPECT_NEAR(view_sample(upright, 9, 2, 2), 0.5 + 0.045 - 0.135, 1e-5);  // the lowest eye at the right: 4.5 px right and down
+  EXPECT_NEAR(view_sample(upright, 9, 2, 2), 0.5 + 0.045 - 0.135, 1e-5);  // the lower right eye: 4.5 px right and down
   const LightField turned = views_of(raw, {.grid = grid, .inverted = true}, {10, 10});
   for (int view = 0; view < 100; ++view)
     EXPECT_EQ(view_sample(turned, view, 2, 2), view_sample(upright, 99 - view, 2, 2)) << view;

@@ -1,4 +1,4 @@
-// NeRF's, COLMAP's and LLFF's cameras against hand-worked figures, and what hostile files meet.
+// Tests the cameras of NeRF, COLMAP and LLFF against hand-calculated values, and the errors for malformed files.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -31,7 +31,8 @@ using test::TempDir;
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// 3 x 2 eyes 20 mm apart, 500 mm before a plane in which pixels are 0.5 mm wide; a wall 250 mm behind that plane.
+/// Returns 3 x 2 eyes 20 mm apart, 500 mm in front of a plane where pixels are 0.5 mm wide, with a wall 250 mm behind that
+/// plane.
 LightField six_views() {
   LightField field = numbered_field({3, 2}, {40, 30});
   field.cameras = {500.0, Vec2d(0.5), Vec2d(20.0, 15.0), {}};
@@ -43,7 +44,7 @@ LightField six_views() {
   return field;
 }
 
-/// Cameras that look at the origin from 2 m away, each turned by 40 degrees about the vertical and raised by 10.
+/// Returns cameras that look at the origin from 2 m away, rotated by 40 degrees each about the vertical and raised by 10.
 LightField turned_views(int count = 4) {
   LightField field = numbered_field({count, 1}, {40, 30});
   field.poses.emplace();
@@ -76,8 +77,8 @@ TEST(PosedCameras, principal_point_moves_with_the_eye) {
 }
 
 TEST(PosedCameras, known_point_lands_on_known_pixel) {
-  // 10 mm right of the axis, 5 mm up, 200 mm before the plane, 300 mm from the eyes. From the eye at (20, -10) it lies 10 mm to
-  // the left and 15 mm up, which are 1000 / 300 pixels for each mm.
+  // 10 mm right of the axis, 5 mm up, 200 mm in front of the plane, 300 mm from the eyes. From the eye at (20, -10) it is 10 mm
+  // to the left and 15 mm up, with 1000 / 300 pixels per mm.
   const PosedCamera right = posed_cameras(six_views(), "a")[2];
   const Vec2d pixel = projected(right, {10.0, 5.0, 200.0});
   EXPECT_NEAR(pixel.x, 60.0 - 10.0 * 1000.0 / 300.0, 1e-9);
@@ -146,7 +147,7 @@ TEST(NerfFormat, walls_have_constant_z) {
 }
 
 TEST(NerfFormat, ray_at_30_degrees_is_longer) {
-  // tan 30 degrees off the axis: with 100 pixels of focal length, 57.735 pixels.
+  // At 30 degrees off the axis: with a focal length of 100 pixels, 57.735 pixels.
   const PosedCamera camera{{1, 1}, Vec2d(100.0), Vec2d(0.5 - 100.0 * std::tan(std::numbers::pi / 6.0), 0.5), {}, {}};
   Image depth(1, 1, 1);
   depth.data[0] = 1000.0f;
@@ -224,8 +225,8 @@ TEST(NerfFormat, cameras_that_disagree_with_pictures_are_refused) {
 }
 
 TEST(ColmapFormat, poses_are_camera_from_world) {
-  // Our camera at z = 2 m looks along -z. COLMAP's looks along +z: turned by 180 degrees about x, and the world's origin lies
-  // 2 m ahead.
+  // Our camera at z = 2 m looks along -z. COLMAP's looks along +z: rotated by 180 degrees about x, with the world's origin 2 m
+  // ahead.
   const PosedPicture picture{"", "000.png", "", turned_views().poses->at(0)};
   const std::string text = colmap_images_text({picture});
   EXPECT_THAT(text, HasSubstr("\n1 0 1 0 0 0 0 2 1 000.png\n\n"));

@@ -10,11 +10,12 @@ namespace {
 
 using testing::HasSubstr;
 
-/// 10 % of each neighbour are seen. Neighbours' neighbours have 6e-5 of a Gaussian that narrow: the tolerance below.
+/// Each neighbour has a weight of 10 %. Their neighbours have a weight of 6e-5 with such a narrow Gaussian, which sets the
+/// tolerance below.
 const double kTenPercent = read_crosstalk("10%", "test");
 constexpr float kNextButOne = 2e-4f;
 
-/// Three views of one pixel.
+/// Returns optics with three views of one pixel.
 Optics three_views() { return {.panel = {3, 1, 1.0f}, .model = MultiView{3, 1}}; }
 
 Image views(float a, float b, float c) {
@@ -37,8 +38,8 @@ TEST(Precompensate, three_views_are_solved_for) {
   EXPECT_LE(done.largest_residual, 1e-6);  // float samples
 }
 
-// Black between halves would have to be -0.145. At 0, its neighbours need 0.9 0.5 / 0.8 = 0.5625 (not the 0.5806 that would go
-// with -0.145), and 0.1125 is seen in place of black.
+// Black between halves would require -0.145. At 0, its neighbours need 0.9 0.5 / 0.8 = 0.5625 (not 0.5806 as for -0.145), and
+// 0.1125 is seen instead of black.
 TEST(Precompensate, clips_negative_light_and_adjusts_neighbours) {
   Image image = views(0.5f, 0.0f, 0.5f);
   const Precompensation done = precompensate(three_views(), kTenPercent, "test", image);
@@ -49,9 +50,9 @@ TEST(Precompensate, clips_negative_light_and_adjusts_neighbours) {
   EXPECT_NEAR(done.largest_residual, 0.1125, 2e-4);
 }
 
-// White beside black needs more than white: seen are 0.8 / 0.9 and 0.2.
+// White beside black would require more than white: 0.8 / 0.9 and 0.2 are seen.
 TEST(Precompensate, full_contrast_misses_by_the_neighbour_share) {
-  Image image = views(1.0f, 0.0f, 7.0f);  // brighter than white is shown as white
+  Image image = views(1.0f, 0.0f, 7.0f);  // values above white are shown as white
   const Precompensation done = precompensate(three_views(), kTenPercent, "test", image);
   EXPECT_EQ(image.data, views(1.0f, 0.0f, 1.0f).data);
   EXPECT_EQ(done.clipped_share, 1.0);
@@ -69,7 +70,7 @@ TEST(Precompensate, even_pictures_and_no_crosstalk_change_nothing) {
   EXPECT_EQ(image.data, views(0.1f, 0.9f, 0.2f).data);
 }
 
-// Lenticular rows leak along x only, over the borders of lenses too; colours never mix.
+// Lenticular rows leak along x only, also across lens borders; colours do not mix.
 TEST(Precompensate, neighbours_are_those_on_the_panel) {
   Optics sheet{.panel = {16, 2, 0.125f}, .model = LenticularSheet{}};
   Image image(16, 2, 3);
@@ -82,7 +83,7 @@ TEST(Precompensate, neighbours_are_those_on_the_panel) {
   EXPECT_NEAR(image.pixel(7, 1)[0], 0.5f, 1e-6);
 }
 
-// Along both axes: seen is 0.8 x 0.8 of a lone pixel, so that for 0.2 above 0.5 it has to be about 0.2 / 0.64 above.
+// Along both axes, 0.8 x 0.8 of a single pixel is seen, so 0.2 above 0.5 requires about 0.2 / 0.64 above.
 TEST(Precompensate, lenslets_and_grids_leak_along_both_axes) {
   Optics lenslets{.panel = {33, 33, 0.125f}, .model = MicrolensArray{}};
   Optics grid{.panel = {33, 33, 1.0f}, .model = MultiView{.columns = 33, .rows = 33, .baseline_mm = 1.0f}};

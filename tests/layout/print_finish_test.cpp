@@ -1,4 +1,4 @@
-// Bleed, marks and proofs around prints whose views are plain, so that every pixel is known.
+// Tests bleed, marks and proofs of prints with uniform views, where every pixel is known.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -46,7 +46,7 @@ std::array<int, 3> pixel(const Image8& image, int x, int y) {
 
 const std::array<int, 3> kInk{0, 0, 0}, kPaper{255, 255, 255};
 
-/// Whether a box of `whole`, as large as `part`, is the same.
+/// Returns whether the box of `whole` at `corner` equals `part`.
 testing::AssertionResult has_part(const Image8& whole, const Image8& part, Vec2i corner) {
   for (int y = 0; y < part.height; ++y)
     for (int x = 0; x < part.width; ++x)

@@ -1,4 +1,4 @@
-// Quads: four views in one picture, the leftmost at the top left.
+// Tests quads: four views in one picture, the leftmost at the top left.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 using test::numbered_field;
 using testing::HasSubstr;
 
-/// Views of 3x2 pixels, each of one colour: red is 10 times its number.
+/// Returns uniform views of 3x2 pixels: red is 10 times the view number.
 LightField field_of_flat_views(int count) {
   LightField field = numbered_field({count, 1}, {3, 2});
   for (int view = 0; view < count; ++view) {

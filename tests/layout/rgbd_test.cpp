@@ -21,7 +21,7 @@ using test::same_samples;
 using test::TempDir;
 using testing::HasSubstr;
 
-/// 3 views of 4 x 2 pixels on a screen 40 mm wide, seen from 100 mm; depth of view v, column x: -10 x + v.
+/// Returns 3 views of 4 x 2 pixels on a screen 40 mm wide, viewed from 100 mm. The depth at column x of view v is -10 x + v.
 LightField deep_field(bool words = false) {
   LightField field = numbered_field({3, 1}, {4, 2}, words);
   field.cameras = {100.0, Vec2d(10.0), Vec2d(2.0, 1.0), {{-20, 0}, {0, 0}, {20, 0}}};
@@ -90,7 +90,7 @@ TEST(Rgbd, colours_depth_and_camera_come_back) {
   EXPECT_EQ(opened.format, "rgbd");
   EXPECT_TRUE(same_samples(opened.field.stack, view_of(field, 1)));
   EXPECT_EQ(opened.field.cameras->pixel_mm, Vec2d(10.0));
-  // 16 bits over disparities from -29 / 1.29 to 1 / 0.99: a step is 4e-4 mm, and less than twice as much in depth.
+  // 16 bits over disparities from -29 / 1.29 to 1 / 0.99: a step is 4e-4 mm, and less than twice that in depth.
   for (int x = 0; x < 4; ++x) EXPECT_NEAR(opened.field.depth->pixel(x, 1)[0], -10.0 * x + 1.0, 4e-4) << x;
 }
 

@@ -1,4 +1,4 @@
-// Cameras that flags state for files that do not, and what formats keep of them.
+// Tests cameras stated by flags for files without camera data, and what the formats preserve of them.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -30,7 +30,8 @@ ConvertParams stated(const char* from, const char* to, StatedCameras cameras = k
   return params;
 }
 
-/// HCI views without parameters.cfg, 3 across, of 512x1 pixels: depths of 4 m, 8 m and nothing at pixels 0, 1 and 2.
+/// Writes HCI views without parameters.cfg, 3 across, of 512x1 pixels, with depths of 4 m, 8 m and no surface at pixels 0, 1
+/// and 2.
 void write_trial(const fs::path& folder) {
   hci_format().write(numbered_field({3, 1}, {512, 1}), folder, {});
   Image depth(512, 1, 1);
@@ -92,7 +93,7 @@ TEST(StatedCameras, lengths_must_be_positive) {
     }
 }
 
-/// Views 2 across and 2 up at irregular positions, x falling from left to right.
+/// Returns 2 x 2 views at irregular positions, with x decreasing from left to right.
 LightField irregular_field() {
   LightField field = numbered_field({2, 2}, {4, 4});
   field.positions = std::vector<Vec2d>{{10.0, -776.88}, {0.0, -776.0}, {10.5, -770.123456789}, {1.5, -770.0}};
@@ -166,7 +167,7 @@ TEST(EslfFormat, damaged_side_files_are_refused) {
   EXPECT_FALSE(parse_eslf_side_file(R"({"quilt_settings": {}})", "a"));
 }
 
-/// A plenoptic camera's picture as PPM: red and green state the view, blue the pixel of the view.
+/// Writes a plenoptic camera's picture as PPM: red and green are the view, blue is the pixel of the view.
 void write_plenoptic(const fs::path& path, ViewGrid grid, Vec2i view_size) {
   const Vec2i size(grid.columns * view_size.x, grid.rows * view_size.y);
   std::string samples;
@@ -211,7 +212,7 @@ TEST(EslfFormat, wrong_grid_of_real_cameras_is_refused) {
     EXPECT_EQ(picture_size(right, trial.view_size), trial.size);
     EXPECT_THAT(error_message([&] { view_size(wrong, trial.size, "flower.png"); }),
                 testing::AllOf(HasSubstr("flower.png"), HasSubstr("cannot be divided")));
-    // The last pixel of the view at the bottom right is that of the picture.
+    // The last pixel of the bottom right view is the last one of the picture.
     const int bottom_right = trial.grid.columns - 1;
     const ViewPlace place = place_of_view(right, trial.view_size, trial.size, bottom_right);
     EXPECT_EQ(place.first + (trial.view_size.x - 1) * place.across + (trial.view_size.y - 1) * place.down,

@@ -29,7 +29,7 @@ std::vector<StereoLayout> all_layouts() {
   return layouts;
 }
 
-/// Two views of one colour each.
+/// Returns two uniform views.
 LightField flat_pair(Vec2i size, unsigned char left, unsigned char right) {
   LightField field = numbered_field({2, 1}, size);
   const std::size_t samples = 3 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);

@@ -1,4 +1,4 @@
-// Parts of light fields: which pixels and views stay, and what is refused.
+// Tests parts of light fields: the pixels and views kept, and invalid selections.
 #include "lippmann/layout/subset.hpp"
 
 #include <gmock/gmock.h>

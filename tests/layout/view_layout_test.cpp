@@ -26,7 +26,7 @@ TEST(ViewLayout, quilt_begins_at_the_bottom_left) {
 }
 
 TEST(ViewLayout, quilt_padding_is_right_and_top) {
-  // 2 x 1 tiles of 2 x 2 in 5 x 3: the top row and the right column show nothing.
+  // 2 x 1 tiles of 2 x 2 in 5 x 3: the top row and the right column are padding.
   const ViewLayout layout{LayoutKind::kQuilt, {2, 1}, {2, 1}};
   EXPECT_EQ(view_size(layout, {5, 3}, "q"), Vec2i(2, 3));
   const ViewLayout tall{LayoutKind::kQuilt, {2, 1}, {1, 2}};
@@ -69,7 +69,7 @@ TEST(ViewLayout, lenticular_views_run_left_to_right) {
   for (std::size_t view = 0; view < 8; ++view) {
     const std::uint32_t pixel = pixels[12 * view];
     const Ray ray = ray_of_pixel(optics, {static_cast<float>(pixel % 24) + 0.5f, static_cast<float>(pixel / 24) + 0.5f});
-    const float eye_x = ray.direction.x / ray.direction.z;  // rays run away from the eye, towards -z: x per z where it stands
+    const float eye_x = ray.direction.x / ray.direction.z;  // rays run away from the eye, towards -z
     EXPECT_GT(eye_x, last) << "view " << view;
     last = eye_x;
   }

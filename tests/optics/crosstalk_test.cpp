@@ -9,7 +9,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// A Gaussian of sigma 1/2 has 0.15730 of itself between 1/2 and 3/2 (from tables: 1 and 3 sigma, 0.99865 - 0.84134).
+// A Gaussian of sigma 1/2 has a weight of 0.15730 between 1/2 and 3/2 (from tables: 1 and 3 sigma, 0.99865 - 0.84134).
 TEST(Crosstalk, neighbour_share_matches_tables) {
   EXPECT_NEAR(neighbour_share(0.5), 0.99865 - 0.84134, 1e-5);
   EXPECT_EQ(neighbour_share(0.0), 0.0);

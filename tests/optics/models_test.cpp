@@ -1,4 +1,4 @@
-// Each model against values worked out by hand and against the models that it reduces to.
+// Tests each model against hand-calculated values and against the models that it reduces to.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 using test::at_depth;
 using test::OpticsSampler;
 
-// Positions of a few hundred mm are good to about 1e-5 mm in single precision, slopes of order 1 to about 1e-6.
+// In single precision, positions of a few hundred mm are exact to about 1e-5 mm, and slopes of order 1 to about 1e-6.
 constexpr float kPositionMm = 1e-4f, kSlope = 2e-6f;
 
 Vec2f slope(const Ray& ray) { return {ray.direction.x / ray.direction.z, ray.direction.y / ray.direction.z}; }
@@ -38,7 +38,7 @@ TEST(Lenticular, cell_centres_converge_to_the_eye) {
   sheet.viewing_distance_mm = 500.0f, sheet.eye_height_mm = 20.0f;
   const Optics optics{.panel = {}, .model = sheet};
   EXPECT_EQ(whole_pixels_per_lens(optics), Vec2i(8, 1));
-  // Between pixels 3 and 4 of a lens is the centre of its cell; every such ray goes to the eye at (0, 20, 500).
+  // The centre of a cell is between pixels 3 and 4 of a lens; its ray goes to the eye at (0, 20, 500).
   for (int lens : {0, 7, 31, 32, 63})
     for (float row : {0.5f, 100.5f, 511.5f})
       expect_near(at_depth(ray_of_pixel(optics, {8 * lens + 4.0f, row}), 500.0f), {0.0f, 20.0f, 500.0f}, kPositionMm);
@@ -60,7 +60,7 @@ TEST(Lenticular, slanted_rows_converge_to_eye_height) {
 }
 
 TEST(Lenticular, rays_of_one_view_are_parallel) {
-  // 5 pixels a lens and a pitch that is no binary fraction: the cells must come out whole all the same.
+  // 5 pixels per lens and a pitch that is not a binary fraction; the cells must be whole nevertheless.
   const Optics optics{.panel = {1000, 4, 0.1f},
                       .model = LenticularSheet{.lens_pitch_mm = 0.5f, .gap_mm = 1.0f, .offset_mm = 0.25f}};
   ASSERT_EQ(whole_pixels_per_lens(optics), Vec2i(5, 1));
@@ -98,7 +98,7 @@ TEST(Lenticular, one_lens_is_two_pinholes) {
     for (int sample = 0; sample < 50; ++sample) {
       const Vec2f pixel(random.uniform(0, 80), random.uniform(0, 60));
       const Ray ray = ray_of_pixel(optics, pixel);
-      // The lens sees the panel from in front, the single view sees the plane from in front: the same slopes.
+      // The lens sees the panel from the front, and the single view sees the plane from the front: the slopes are equal.
       EXPECT_NEAR(slope(ray).x, slope(ray_of_pixel(across, pixel)).x, kSlope);
       EXPECT_NEAR(slope(ray).y, slope(ray_of_pixel(along, pixel)).y, kSlope);
       EXPECT_NEAR(at_depth(ray, 0.0f).x, 0.0f, kPositionMm);
@@ -133,13 +133,13 @@ TEST(Microlens, one_near_lens_is_a_pinhole) {
     const Vec2f pixel(random.uniform(0, 64), random.uniform(0, 64));
     const Ray lens = ray_of_pixel(optics, pixel), eye = ray_of_pixel(pinhole, pixel);
     expect_near(lens.direction, eye.direction, kSlope);
-    // The single view's pinhole is a gap in front of the plane z = 0; the lens is in it.
+    // The single view's pinhole is a gap in front of the plane z = 0; the lens is in the plane.
     expect_near(at_depth(lens, -20.0f), at_depth(eye, gap - 20.0f) - Vec3f(0, 0, gap), kPositionMm);
   }
 }
 
 TEST(Microlens, hexagonal_rows_are_shifted_and_closer) {
-  // Pitch 1 mm: lens (0, 0) at the origin; its neighbour in the next row at (1/2, sqrt(3)/2), above and below alike.
+  // Pitch 1 mm: lens (0, 0) at the origin; its neighbour in the next row at (1/2, sqrt(3)/2), above and below.
   const MicrolensArray array{
       .packing = LensPacking::kHexagonal, .lens_pitch_mm = 1.0f, .gap_mm = 2.0f, .offset_mm = {0.0f, 0.0f}};
   const Optics optics{.panel = {128, 128, 0.0625f}, .model = array};
@@ -159,7 +159,8 @@ TEST(Microlens, hexagonal_rows_are_shifted_and_closer) {
 
 TEST(Microlens, hexagonal_offset_shifts_the_lattice) {
   MicrolensArray array{.packing = LensPacking::kHexagonal, .lens_pitch_mm = 1.0f, .gap_mm = 2.0f, .offset_mm = {0.0f, 0.0f}};
-  array.offset_mm = {0.0f, 3.0f * std::sqrt(0.75f)};  // row 0 moves to where an odd row was: the row at y = 0 is now an odd one
+  array.offset_mm = {
+      0.0f, 3.0f * std::sqrt(0.75f)};  // row 0 moves to the position of an odd row, so the row at y = 0 becomes an odd one
   const Optics optics{.panel = {128, 128, 0.0625f}, .model = array};
   expect_near(at_depth(ray_of_pixel(optics, {64 + 0.4f / 0.0625f, 64.0f}), 0.0f), {0.5f, 0.0f, 0.0f}, kPositionMm);
 }
@@ -272,7 +273,7 @@ TEST(MultiView, odd_sizes_leave_padding) {
 }
 
 TEST(MultiView, eyes_are_exact_over_the_widest_cone) {
-  // The continued fraction is good to 2e-8; towards 90 degrees the tangent multiplies errors of the angle by 1 / cos.
+  // The continued fraction is exact to 2e-8; towards 90 degrees the tangent multiplies errors of the angle by 1 / cos.
   for (const float cone : {0.1f, 1.0f, 2.0f, 3.0f}) {
     const Optics quilt{.panel = {400, 1, 1.0f}, .model = MultiView{400, 1, cone, true, 1.0f}};
     for (int v = 0; v < 400; ++v) {
@@ -284,7 +285,7 @@ TEST(MultiView, eyes_are_exact_over_the_widest_cone) {
 
 // ---- Slanted panel ----------------------------------------------------------------------------------------------------
 
-/// v of a sub-pixel, by the eye that its ray comes from.
+/// Returns v of a sub-pixel, from the eye of its ray.
 double view_of(const Optics& optics, Vec2f pixel) {
   const auto& slanted = std::get<SlantedPanel>(optics.model);
   const double eye = at_depth(ray_of_pixel(optics, pixel), slanted.distance_mm).x;
@@ -292,7 +293,8 @@ double view_of(const Optics& optics, Vec2f pixel) {
 }
 
 TEST(SlantedPanel, sub_pixel_table_by_hand) {
-  // 8 x 4 pixels, a lens every 4 of them: P = 2. T = -1/4: over the panel's height lenses shift by half a lens, 1/8 per row.
+  // 8 x 4 pixels with a lens every 4 of them: P = 2. T = -1/4: over the panel's height, lenses shift by half a lens, 1/8 per
+  // row.
   // x of the sub-pixels of pixel i: (i + 1/6, 1/2, 5/6) / 8, thus 1/12 of a lens apart: z = (x - y/4) 2 - center.
   // y of row j from the top: (3.5 - j) / 4; center 1/8.
   //   pixel (0, 0), y = 7/8:  z = (i + 1/6)/4 - 7/16 - 1/8: red 1/24 - 27/48 = -25/48, fract 23/48, v = 25/48
@@ -307,11 +309,11 @@ TEST(SlantedPanel, sub_pixel_table_by_hand) {
     double v;
   } table[] = {{0, 0, 0, 25 / 48.0}, {0, 0, 1, 21 / 48.0}, {0, 0, 2, 17 / 48.0}, {3, 0, 1, 33 / 48.0},
                {1, 3, 0, 43 / 48.0}, {1, 3, 1, 39 / 48.0}, {1, 3, 2, 35 / 48.0}, {7, 2, 2, 17 / 48.0}};
-  constexpr double kView = 1e-6;  // the eye, at up to 130 mm in floats, is good to 1e-5 mm of 240 mm
+  constexpr double kView = 1e-6;  // the eye, at up to 130 mm in floats, is exact to 1e-5 mm of 240 mm
   for (const auto& [i, j, color, v] : table) {
     const Vec2f centre(3 * i + color + 0.5f, j + 0.5f);
     EXPECT_NEAR(view_of(optics, centre), v, kView) << i << " " << j << " " << color;
-    // It crosses the panel's plane where the sub-pixel is: 0.1 mm wide, rows 0.3 mm high.
+    // The ray crosses the panel's plane at the sub-pixel: 0.1 mm wide, rows 0.3 mm high.
     expect_near(at_depth(ray_of_pixel(optics, centre), 0.0f), {(3 * i + color + 0.5f - 12) * 0.1f, (1.5f - j) * 0.3f, 0},
                 kPositionMm);
   }
@@ -333,9 +335,9 @@ TEST(SlantedPanel, blue_first_swaps_red_and_blue) {
 }
 
 TEST(SlantedPanel, cells_repeat_by_2_columns_4_rows) {
-  // Only blue of the odd columns of rows 1, 5 ... from the bottom lies elsewhere: half a pixel right of the centre and a
-  // quarter up. Of 10 rows, row 4 from the top is row 5 from the bottom. 0.3 mm pixels: x = (7.5 + 0.5 - 10) 0.3 = -0.6,
-  // y = (5.5 + 0.25 - 5) 0.3 = 0.225.
+  // Only blue in odd columns of rows 1, 5 ... from the bottom is displaced: half a pixel right of the centre and a quarter up.
+  // With 10 rows, row 4 from the top is row 5 from the bottom. Pixels of 0.3 mm: x = (7.5 + 0.5 - 10) 0.3 = -0.6, y = (5.5 +
+  // 0.25 - 5) 0.3 = 0.225.
   SlantedPanel slanted{.periods = 8.0};
   slanted.sub_pixels[1][1][2] = {0.5f, 0.25f};
   const Optics optics{.panel = {20, 10, 0.3f}, .model = slanted},
@@ -351,7 +353,7 @@ TEST(SlantedPanel, cells_repeat_by_2_columns_4_rows) {
 }
 
 TEST(SlantedPanel, last_lens_is_as_exact_as_first) {
-  // 2048 lenses over 24576 sub-pixels: 12 a lens, all alike to the last bits of a double.
+  // 2048 lenses over 24576 sub-pixels: 12 per lens, all equal to the last bits of a double.
   const Optics optics{.panel = {8192, 6, 0.06f}, .model = SlantedPanel{.periods = 2048.0, .tilt = 0.0, .center = 0.3}};
   for (int in_lens = 0; in_lens < 12; ++in_lens)
     EXPECT_NEAR(view_of(optics, {in_lens + 0.5f, 2.5f}), view_of(optics, {24564 + in_lens + 0.5f, 2.5f}), 1e-6) << in_lens;

@@ -1,4 +1,4 @@
-// Kinds of optics that flags and job files name.
+// Tests the kinds of optics that flags and job files can select.
 #include "optics/optics_kind.hpp"
 
 #include <gtest/gtest.h>

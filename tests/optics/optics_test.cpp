@@ -1,4 +1,4 @@
-// What others ask of an array, and what validate() refuses.
+// Tests queries about optics, and the errors of validate().
 #include "lippmann/optics/optics.hpp"
 
 #include <gmock/gmock.h>
@@ -36,7 +36,7 @@ TEST(WholePixels, fractions_slant_and_misaligned_cells_have_none) {
   EXPECT_EQ(whole_pixels_per_lens(with(LenticularSheet{.lens_pitch_mm = 13.776f * 0.125f})), Vec2i(0, 0));
   EXPECT_EQ(whole_pixels_per_lens(with(LenticularSheet{.slant = 0.1f})), Vec2i(0, 0));
   EXPECT_EQ(whole_pixels_per_lens(with(LenticularSheet{.offset_mm = 0.5625f})), Vec2i(0, 0));
-  // A boundary at x = 0 is not one at the panel's left edge where the panel is an odd number of lenses wide.
+  // A lens boundary at x = 0 is not one at the panel's left edge if the panel is an odd number of lenses wide.
   EXPECT_EQ(whole_pixels_per_lens(with(LenticularSheet{}, {504, 8, 0.125f})), Vec2i(0, 0));
   EXPECT_EQ(whole_pixels_per_lens(with(LenticularSheet{.offset_mm = 0.0f}, {504, 8, 0.125f})), Vec2i(8, 1));
 }
@@ -49,7 +49,7 @@ TEST(WholePixels, converging_cells_count_by_their_own_width) {
 }
 
 TEST(WholePixels, lens_and_view_follow_the_pixel_grid) {
-  // Non-binary pitches over a wide panel: pixel i must lie below lens i / N, whatever rounding does.
+  // Non-binary pitches over a wide panel: pixel i must be below lens i / N despite rounding.
   const Optics optics = with(LenticularSheet{.lens_pitch_mm = 0.7f, .gap_mm = 1.3f, .offset_mm = 0.35f}, {7000, 2, 0.1f});
   ASSERT_EQ(whole_pixels_per_lens(optics), Vec2i(7, 1));
   Optics at_lenses = optics;
@@ -72,8 +72,9 @@ TEST(Derived, default_sheet_has_28_degrees_and_16mm) {
 }
 
 TEST(Derived, slanted_panel_with_20_sub_pixels) {
-  // Lenses 20 x 0.1 = 2 mm wide, 20 directions in a cone of 2 atan(1/2): 1 / 20 apart. 2 mm / (1/20) = 40 mm. At 20 mm a
-  // sub-pixel is 1 mm wide, at 4 mm less than a pixel of 0.3 mm; the viewer at 500 mm sees that shrink in perspective.
+  // Lenses are 20 x 0.1 = 2 mm wide, with 20 directions in a cone of 2 atan(1/2), 1 / 20 apart: 2 mm / (1/20) = 40 mm. A
+  // sub-pixel is 1 mm wide at 20 mm, and less than a pixel of 0.3 mm at 4 mm; the viewer at 500 mm sees it shrink in
+  // perspective.
   const Optics panel = with(SlantedPanel{.periods = 30.0, .view_cone = 2.0f * std::atan(0.5f)}, {200, 100, 0.3f});
   EXPECT_NEAR(depth_budget_mm(panel), 40.0f, 1e-4f);
   EXPECT_EQ(viewing_zone(panel), 2.0f * std::atan(0.5f));

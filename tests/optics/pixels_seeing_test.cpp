@@ -1,4 +1,4 @@
-// pixels_seeing against a search over all pixels that uses nothing but their forward rays: none missing, none extra.
+// Tests pixels_seeing against a search over the forward rays of all pixels: no result is missing or extra.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,8 +14,8 @@ namespace {
 using test::at_depth;
 using test::OpticsSampler;
 
-/// How far (in pixels) the pixel with the given ray lies from the one whose ray would pass through `wanted`, as long as both
-/// are below the same lens or in the same view. Lines of one lens fan out from its centre.
+/// Returns the distance in pixels from the pixel with the given ray to the one whose ray passes through `wanted`, if both are
+/// below the same lens or in the same view. The lines of a lens fan out from its centre.
 Vec2f pixel_step(const Optics& optics, const Ray& ray, Vec3f wanted) {
   const Vec3f passed = at_depth(ray, wanted.z), at_z0 = at_depth(ray, 0.0f);
   const float m = optics.panel.pixel_pitch_mm / sub_pixels_per_pixel(optics), z = wanted.z;
@@ -29,7 +29,7 @@ Vec2f pixel_step(const Optics& optics, const Ray& ray, Vec3f wanted) {
   if (const auto* a = std::get_if<MicrolensArray>(&optics.model))
     return Vec2f(-miss.x, miss.y) * (a->gap_mm / (a->parallax * z * m));
   if (const auto* p = std::get_if<SlantedPanel>(&optics.model)) {
-    // Up a row, the eye moves as well as the line; then across, with the change of x by both.
+    // One row up, both the eye and the line move; then across, with the change of x caused by both.
     const float shrink = 1.0f - z / p->distance_mm, pitch = film_size(optics).x / static_cast<float>(p->periods) * m;
     const float eye = (passed.x - at_z0.x * shrink) * p->distance_mm / z;  // from x(z) = x(0) (1 - z/D) + eye z/D
     const float reach = p->parallax * p->distance_mm;
@@ -52,8 +52,8 @@ bool on_panel(const Optics& optics, Vec2f p) {
   return p.x >= 0 && p.x < right && p.y >= top && p.y < optics.panel.height;
 }
 
-/// All points of the panel whose rays pass through the point, found from 9 rays of every pixel (cells may be cut off by the
-/// panel's edge so that they hold no pixel centre) and a step of at most a pixel from each.
+/// Returns all points of the panel whose rays pass through the point, found from 9 rays of every pixel (cells clipped by the
+/// panel's edge may contain no pixel centre) and a step of at most a pixel from each.
 std::vector<Vec2f> search(const Optics& optics, const RayGenerator& generator, Vec3f point) {
   std::vector<Vec2f> found;
   for (int j = 0; j < 3 * optics.panel.height; ++j)
@@ -63,10 +63,10 @@ std::vector<Vec2f> search(const Optics& optics, const RayGenerator& generator, V
       Vec2f there = start + step;
       if (std::abs(step.x) > 1.0f || std::abs(step.y) > 1.0f || !on_panel(optics, there)) continue;
       Vec2f left = pixel_step(optics, generator.ray(there), point);
-      // Eyes of a slanted panel go with the tangent of their angle: a second step.
+      // Eyes of a slanted panel depend on the tangent of their angle, so take a second step.
       if (glm::length(left) < 0.2f && on_panel(optics, there + left))
         there += left, left = pixel_step(optics, generator.ray(there), point);
-      if (glm::length(left) > 0.02f) continue;  // another lens or view has it
+      if (glm::length(left) > 0.02f) continue;  // belongs to another lens or view
       const auto same = [&](Vec2f p) { return glm::distance(p, there) < 0.05f; };
       if (std::none_of(found.begin(), found.end(), same)) found.push_back(there);
     }
@@ -77,8 +77,8 @@ bool contains(const std::vector<Vec2f>& pixels, Vec2f p) {
   return std::any_of(pixels.begin(), pixels.end(), [p](Vec2f q) { return glm::distance(p, q) < 0.03f; });
 }
 
-/// Within this of the edge of a cell, a tile or the panel rounding decides who owns a point; what is on the edge is not
-/// compared. (A slanted panel's search steps over edges nearer than its first, curved step is right.)
+/// Within this distance of the edge of a cell, a tile or the panel, rounding decides which side a point is on, so such points
+/// are not compared. (A slanted panel's search skips edges closer than the error of its first step.)
 float edge_px(const Optics& optics) { return std::holds_alternative<SlantedPanel>(optics.model) ? 0.05f : 0.02f; }
 
 bool near_an_edge(const Optics& optics, const RayGenerator& generator, Vec2f p, Vec3f point) {
@@ -109,7 +109,7 @@ TEST_P(PixelsSeeing, random_points_none_missing_and_none_extra) {
     Optics optics = random.every(GetParam());
     optics.panel.width = 3 * random.integer(10, 30) / sub_pixels_per_pixel(optics),
     optics.panel.height = random.integer(30, 60);
-    optics.z_front_mm = 150.0f;  // all points lie behind that
+    optics.z_front_mm = 150.0f;  // all points are behind it
     const RayGenerator generator(optics);
     for (int sample = 0; sample < 5; ++sample) {
       const Vec3f point = random_point(random, optics);
@@ -140,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(Models, PixelsSeeing, testing::Range(0, OpticsSampler::
 
 // ---- In the lens plane ------------------------------------------------------------------------------------------------
 
-/// All pixel centres below lenses whose centre is the one nearest to the point; rows of a sheet also have to run through it.
+/// Returns all pixel centres below the lenses nearest to the point; for a sheet, only rows that run through it.
 std::vector<Vec2f> search_in_lens_plane(const Optics& optics, Vec3f point) {
   const RayGenerator generator(optics);
   const auto* sheet = std::get_if<LenticularSheet>(&optics.model);
@@ -176,7 +176,7 @@ TEST_P(LensPlane, all_pixels_of_the_lens_see_it) {
     optics.panel.width = random.integer(50, 90), optics.panel.height = random.integer(50, 70);
     optics.z_front_mm = 30.0f;
     const Panel& panel = optics.panel;
-    // Well inside, so that the lens has pixels.
+    // Well inside the panel, so that the lens has pixels.
     const Vec3f point(random.uniform(-0.2f, 0.2f) * panel.width * panel.pixel_pitch_mm,
                       random.uniform(-0.2f, 0.2f) * panel.height * panel.pixel_pitch_mm, 0.0f);
     std::vector<Vec2f> seeing;

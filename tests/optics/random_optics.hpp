@@ -1,4 +1,4 @@
-// Random but sensible arrays for property tests: fixed seeds, every model, whole and non-whole pixels per lens.
+// Random but plausible optics for property tests: fixed seeds, every model, whole and fractional pixels per lens.
 #pragma once
 
 #include <random>
@@ -63,7 +63,7 @@ class OpticsSampler {
     return o;
   }
 
-  /// It has 2 to 20 sub-pixels below a lens, in stripes or anyhow within their pixel.
+  /// Returns a panel with 2 to 20 sub-pixels below a lens, in stripes or placed randomly within their pixel.
   Optics slanted_panel() {
     Optics o{.panel = panel(), .model = {}};
     o.panel.width /= 3, o.panel.pixel_pitch_mm *= 3.0f;
@@ -75,7 +75,7 @@ class OpticsSampler {
     s.sub_pixels = striped_sub_pixels(coin());
     s.parallax = parallax();
     s.eye_height_mm = eye_height();
-    if (coin())  // each sub-pixel within a third of the pixel of its own, as they may not overlap
+    if (coin())  // each sub-pixel within its own third of the pixel, because they may not overlap
       for (auto& row : s.sub_pixels)
         for (auto& column : row)
           for (Vec2f& offset : column) offset += Vec2f(uniform(-0.02f, 0.02f), uniform(-0.3f, 0.3f));
@@ -83,7 +83,7 @@ class OpticsSampler {
     return o;
   }
 
-  /// One of the models that all parts know, by number.
+  /// Returns a model by number, among those that all parts support.
   Optics any(int which) {
     switch (which % 6) {
       case 0:
@@ -101,7 +101,7 @@ class OpticsSampler {
     }
   }
 
-  /// One of all models, by number.
+  /// Returns any model by number.
   Optics every(int which) { return which % kKinds == 6 ? slanted_panel() : any(which % kKinds); }
   static constexpr int kKinds = 7;
 
@@ -109,7 +109,7 @@ class OpticsSampler {
   float eye_height() { return coin() ? 0.0f : uniform(-50.0f, 50.0f); }
   float parallax() { return coin() ? 1.0f : uniform(0.2f, 1.0f); }
 
-  /// 2 to 20 pixels per lens, whole in half of the cases.
+  /// Returns 2 to 20 pixels per lens, whole in half of the cases.
   float lens_pitch(const Panel& p, float gap, float viewing_distance) {
     const float pixels = coin() ? static_cast<float>(integer(2, 20)) : uniform(2.0f, 20.0f);
     return pixels * p.pixel_pitch_mm / (1.0f + gap / viewing_distance);
@@ -123,18 +123,18 @@ inline const char* model_name(const Optics& o) {
   return kNames[o.model.index()];
 }
 
-/// Test names of the kinds.
+/// Returns the name of a kind for test names.
 inline const char* name_of_kind(int kind) {
   constexpr const char* kNames[] = {"lenticular", "slanted",     "square_microlens", "hexagonal_microlens",
                                     "multi_view", "single_view", "slanted_panel"};
   return kNames[kind];
 }
 
-/// Likewise, as INSTANTIATE_TEST_SUITE_P asks.
+/// Overload for INSTANTIATE_TEST_SUITE_P.
 inline std::string name_of_param(const testing::TestParamInfo<int>& kind) { return name_of_kind(kind.param); }
 
-/// The depth that goes with an array's lenses: their gap; of a slanted panel some times the depth at which one of its lenses
-/// shows the same point all over.
+/// Returns the characteristic depth of an array's lenses: their gap; for a slanted panel, a multiple of the depth at which a
+/// lens shows one point over its full width.
 inline float gap_of(const Optics& optics) {
   if (const auto* s = std::get_if<LenticularSheet>(&optics.model)) return s->gap_mm / s->parallax;
   if (const auto* a = std::get_if<MicrolensArray>(&optics.model)) return a->gap_mm / a->parallax;
@@ -144,7 +144,7 @@ inline float gap_of(const Optics& optics) {
   return 8.0f * optics.panel.pixel_pitch_mm;
 }
 
-/// The point of a ray at depth z.
+/// Returns the point of a ray at depth z.
 inline Vec3f at_depth(const Ray& ray, float z) { return ray.origin + ray.direction * ((z - ray.origin.z) / ray.direction.z); }
 
 }  // namespace lippmann::test

@@ -1,4 +1,4 @@
-// pixel -> ray -> any point on it -> pixels_seeing -> the same pixel, and nothing missing or extra among them.
+// Tests the round trip pixel -> ray -> any point on it -> pixels_seeing -> the same pixel, without missing or extra results.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,16 +17,16 @@ float distance_to_nearest(const std::vector<Vec2f>& pixels, Vec2f wanted) {
   return nearest;
 }
 
-/// How many pixels the image of a point moves when its coordinates move by one unit in the last place: near the plane of a lens
-/// array the inverse magnifies them by g / (|Z| m), far from it and for pinholes by about 1 / m.
+/// Returns how many pixels the image of a point moves if its coordinates change by one unit in the last place. Near the plane
+/// of a lens array the inverse magnifies them by g / (|Z| m), far from it and for pinholes by about 1 / m.
 float rounding_px(const Optics& optics, const Ray& ray, float z) {
   const float m = optics.panel.pixel_pitch_mm;
   const float size = std::abs(ray.origin.x) + std::abs(ray.origin.y) + std::abs(z);
   float per_mm = 1.0f / m;
   if (const auto* s = std::get_if<LenticularSheet>(&optics.model)) per_mm += s->gap_mm / (std::abs(z) * m);
   if (const auto* a = std::get_if<MicrolensArray>(&optics.model)) per_mm += a->gap_mm / (std::abs(z) * m);
-  // Where one lens shows nearly the same point all over, sub-pixels are far apart there; random depths keep clear of it by
-  // half.
+  // Near the depth where a lens shows one point over its full width, sub-pixels are far apart; random depths stay away from it
+  // by half.
   if (std::holds_alternative<SlantedPanel>(optics.model)) per_mm *= 2.0f;
   return 6e-8f * size * per_mm;
 }
@@ -46,7 +46,7 @@ void check_round_trip(OpticsSampler& random, int model, float sign) {
     const bool padding = views != nullptr && (pixel.x >= film_size(optics).x / views->columns * views->columns ||
                                               pixel.y < optics.panel.height % views->rows);
     if (padding) continue;
-    // 16 roundings of that size lie between a pixel and itself; 1e-2 pixel is what the interface promises.
+    // The round trip accumulates about 16 such rounding errors; the interface promises 1e-2 pixel.
     const float tolerance = std::min(1e-2f, 16.0f * rounding_px(optics, ray, z) + 1e-4f);
     EXPECT_LT(distance_to_nearest(seeing, pixel), tolerance)
         << test::model_name(optics) << " (kind " << model << "), pixel " << pixel.x << " " << pixel.y << ", z " << z
@@ -93,7 +93,7 @@ TEST_P(RoundTrip, rays_start_on_z_front) {
           ray_of_pixel(optics, {random.uniform(0.0f, film_size(optics).x), random.uniform(0.0f, optics.panel.height)});
       EXPECT_EQ(ray.origin.z, resolved_z_front_mm(optics));
       EXPECT_LT(ray.direction.z, 0.0f);
-      EXPECT_NEAR(glm::length(ray.direction), 1.0f, 3e-7f);  // a few roundings of 6e-8
+      EXPECT_NEAR(glm::length(ray.direction), 1.0f, 3e-7f);  // a few rounding errors of 6e-8
     }
   }
 }
@@ -107,7 +107,7 @@ TEST_P(RoundTrip, z_front_does_not_change_the_line) {
       const Vec2f pixel(random.uniform(0.0f, film_size(near).x), random.uniform(0.0f, near.panel.height));
       const Ray a = ray_of_pixel(near, pixel), b = ray_of_pixel(far, pixel);
       EXPECT_EQ(a.direction, b.direction);
-      // Positions up to about 1000 mm, each good to 6e-8 of that, and 140 mm along a direction as good.
+      // Positions up to about 1000 mm are exact to a relative 6e-8, as is the direction over 140 mm.
       EXPECT_LT(glm::distance(test::at_depth(b, 10.0f), a.origin), 5e-4f);
     }
   }

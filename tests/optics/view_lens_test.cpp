@@ -1,4 +1,4 @@
-// Apertures of f-numbers, and which optics may have them.
+// Tests the apertures of f-numbers, and the optics that support them.
 #include "lippmann/optics/view_lens.hpp"
 
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 namespace lippmann {
 namespace {
 
-// A view 360 mm wide from 500 mm away is that of a focal length of 36 x 500 / 360 = 50 mm; at f/2 the lens is 25 mm wide. Where
-// a millimetre of the display is 2 mm of the scene, these are 12.5 mm of the display.
+// A view 360 mm wide from 500 mm away has a focal length of 36 x 500 / 360 = 50 mm; at f/2 the lens is 25 mm wide. If a
+// millimetre of the display is 2 mm of the scene, that is 12.5 mm of the display.
 TEST(ViewLens, f_number_is_converted_in_metric_scenes) {
   Optics view;
   view.panel = {720, 400, 0.5f};

@@ -16,7 +16,7 @@ Pixels walked(const ViewSteps& steps, std::uint32_t pixel, StepDirection directi
   return pixels;
 }
 
-/// 4 lenses of 4 pixels, 3 rows.
+/// Returns optics with 4 lenses of 4 pixels and 3 rows.
 Optics sheet() {
   Optics optics;
   optics.panel = {16, 3, 0.25f};
@@ -78,7 +78,7 @@ TEST(ViewSteps, quilt_views_end_at_their_tile) {
 
 TEST(ViewSteps, padding_belongs_to_the_adjacent_tile) {
   Optics optics;
-  optics.panel = {9, 7, 1.0f};  // tiles of 4 x 3, a column at the right and a row at the top to spare
+  optics.panel = {9, 7, 1.0f};  // tiles of 4 x 3, with a column at the right and a row at the top left over
   optics.model = MultiView{.columns = 2, .rows = 2};
   const ViewSteps steps(optics, StepsWithin::kView);
   EXPECT_EQ(walked(steps, 1 * 9 + 7, StepDirection::kRight), (Pixels{1 * 9 + 8}));
