@@ -32,18 +32,18 @@ def files_of(paths):
 
 
 def rendered(file, options):
-    """Returns {"scene", "said", "refused"} and, if there are pictures, {"cycles", "lippmann"}."""
+    """Returns {"scene", "warnings", "refused"} and, if there are pictures, {"cycles", "lippmann"}."""
     folder = (options.out / file.stem).resolve()
     folder.mkdir(parents=True, exist_ok=True)
-    for name in ("cycles.png", "ours.png", "told.json"):
+    for name in ("cycles.png", "ours.png", "result.json"):
         (folder / name).unlink(missing_ok=True)
     job = folder / "job.json"
     job.write_text(json.dumps({"folder": str(folder), "size": options.size, "samples": options.samples, "addon": str(HERE.parent / "blender")}))
     command = [peers.BLENDER, "-b", "--factory-startup", "-noaudio", file, "--python", HERE / "cycles/blend_inside_blender.py", "--", job]
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True, errors="replace", env={**os.environ, "PATH": peers.PATH, "LIPPMANN_TOOL": str(options.tool.resolve())})
-    if not (folder / "told.json").exists():
-        return {"scene": file.stem, "said": [], "refused": "Blender: " + (done.stderr or done.stdout).strip().splitlines()[-1]}
-    row = {"scene": file.stem, **json.loads((folder / "told.json").read_text())}
+    if not (folder / "result.json").exists():
+        return {"scene": file.stem, "warnings": [], "refused": "Blender: " + (done.stderr or done.stdout).strip().splitlines()[-1]}
+    row = {"scene": file.stem, **json.loads((folder / "result.json").read_text())}
     if not row["refused"]:
         row |= {"cycles": pictures.read(folder / "cycles.png"), "lippmann": pictures.read(folder / "ours.png")}
     return row
@@ -70,7 +70,7 @@ def html_page(rows):
             shown = ((name, row[name]) for name in ("cycles", "lippmann"))
             parts.append('<div class="row">' + "".join(f"<figure><figcaption>{name}</figcaption>{page.shown(codes)}</figure>" for name, codes in shown) +
                          f'<figure><figcaption>FLIP</figcaption>{page.shown(page.heat(row["map"]))}</figure></div>')
-        parts.append("<ul>" + "".join(f"<li>{page.html.escape(text)}" for text in row["said"]) + "</ul>")
+        parts.append("<ul>" + "".join(f"<li>{page.html.escape(text)}" for text in row["warnings"]) + "</ul>")
     return "\n".join(parts)
 
 

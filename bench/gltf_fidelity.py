@@ -251,8 +251,8 @@ def main():
             rows.append(row)
             print(line(row), file=sys.stderr if options.json else sys.stdout, flush=True)
             out.write(options.out / "fidelity.html")
-    for said in filter(None, [sentence(rows), *reservations(rows)]):
-        print(said, file=sys.stderr if options.json else sys.stdout)
+    for text in filter(None, [sentence(rows), *reservations(rows)]):
+        print(text, file=sys.stderr if options.json else sys.stdout)
     if options.json:
         print(json.dumps(without_infinity({"bench": "fidelity", "rows": rows}), indent=2))
     if any("lippmann" in row["failed"] for row in rows):

@@ -25,9 +25,9 @@ const median = (all, key) => all.map((one) => one[key]).sort((a, b) => a - b)[al
 
 let serial = 0;
 async function state() {
-  const said = await (await fetch(`${address}live/state/${serial}`)).json();
-  serial = said.serial;
-  return said;
+  const answer = await (await fetch(`${address}live/state/${serial}`)).json();
+  serial = answer.serial;
+  return answer;
 }
 async function until(version, passes) {
   for (;;) {

@@ -27,12 +27,12 @@ print(json.dumps(field.report["cpu_seconds"]))
 def measured(command):
     """Returns user CPU seconds, peak memory in MB, and the output."""
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-    said = process.stdout.read()
+    output = process.stdout.read()
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode != 0:
         sys.exit(f"{command} failed")
-    return usage.ru_utime, usage.ru_maxrss / 1024, json.loads(said)
+    return usage.ru_utime, usage.ru_maxrss / 1024, json.loads(output)
 
 
 def main():
@@ -43,8 +43,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         for _ in range(runs):
-            said = ["--display", DISPLAY, "--frames", str(FRAME), "--spp", str(SPP), "--threads", "1", "--force", "--json"]
-            user, memory, report = measured([tool, "render", SCENE, *said, "-o", str(folder / "tool")])
+            options = ["--display", DISPLAY, "--frames", str(FRAME), "--spp", str(SPP), "--threads", "1", "--force", "--json"]
+            user, memory, report = measured([tool, "render", SCENE, *options, "-o", str(folder / "tool")])
             figures["tool"].append((user, report["totals"]["cpu_seconds"], memory))
             figures["python"].append(measured([sys.executable, "-c", OWN, *what, str(folder / "own.png")]))
         (picture,) = (folder / "tool").glob("frame_*.png")

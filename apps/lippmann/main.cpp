@@ -113,7 +113,7 @@ int run(int argc, char** argv) {
   add_manual_command(root, chosen, command_line);
   if (const std::optional<int> done = command_line.parse(argc, argv)) return *done;
   Context context;
-  context.warn = [said = std::make_shared<WarningPrinter>()](std::string_view text) { said->print(with_flags(text)); };
+  context.warn = [printer = std::make_shared<WarningPrinter>()](std::string_view text) { printer->print(with_flags(text)); };
   const InterruptGuard interrupt(context.cancelled);
   const int code = run_command(command_line, chosen, context);
   const int interrupted = InterruptGuard::exit_code();

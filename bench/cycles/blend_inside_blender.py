@@ -3,7 +3,7 @@
   blender -b FILE.blend --python blend_inside_blender.py -- JOB.json
 
 JOB.json: {"folder": for pictures, "size": longer side in pixels, "samples": of both, "addon": the folder that contains the add-on's}.
-Writes cycles.png and ours.png, both with the view transform "Standard", and told.json: {"said": the add-on's warnings, "refused":
+Writes cycles.png and ours.png, both with the view transform "Standard", and result.json: {"warnings": the add-on's warnings, "refused":
 the reason for a missing picture, or ""}.
 """
 
@@ -90,4 +90,4 @@ if not refused:
         by_lippmann()
     except RuntimeError as error:
         refused = str(error)
-(folder / "told.json").write_text(json.dumps({"said": engine.last_warnings, "refused": refused}))
+(folder / "result.json").write_text(json.dumps({"warnings": engine.last_warnings, "refused": refused}))

@@ -131,14 +131,14 @@ std::shared_ptr<RenderedPanel> panel_of_film(const Film& film) {
 
 py::dict report_of(const Film& film) {
   const FrameReport& report = film.frame.report;
-  py::dict said;
-  said["frame"] = report.frame, said["kind"] = report.kind;
-  said["seconds"] = report.seconds, said["cpu_seconds"] = report.cpu_seconds;
-  said["rays"] = report.rays.total();
-  said["reused_pixels"] = report.reused_pixels, said["missed_pixels"] = report.missed_pixels;
-  said["estimated_psnr_db"] = report.estimated_psnr_db;
-  said["psnr_at_least_db"] = report.psnr_at_least_db, said["psnr_at_most_db"] = report.psnr_at_most_db;
-  return said;
+  py::dict figures;
+  figures["frame"] = report.frame, figures["kind"] = report.kind;
+  figures["seconds"] = report.seconds, figures["cpu_seconds"] = report.cpu_seconds;
+  figures["rays"] = report.rays.total();
+  figures["reused_pixels"] = report.reused_pixels, figures["missed_pixels"] = report.missed_pixels;
+  figures["estimated_psnr_db"] = report.estimated_psnr_db;
+  figures["psnr_at_least_db"] = report.psnr_at_least_db, figures["psnr_at_most_db"] = report.psnr_at_most_db;
+  return figures;
 }
 
 // ---- The renderer -----------------------------------------------------------------------------------------------------

@@ -89,7 +89,7 @@ TEST(SlantedDisplay, flipped_portrait_sub_pixel_table_by_hand) {
 }
 
 TEST(SlantedDisplay, flipping_only_the_slope_keeps_steps) {
-  // As above with + c / 4608: 45.328980 + 0.053597 c; for green, with the step and 1/2 more: 44.775384.
+  // The same with + c / 4608: 45.328980 + 0.053597 c; for green, with the step and 1/2 more: 44.775384.
   Display d;
   d.calibration = {.pitch = 52.594, .slope = -7.2115, .center = 0.40277, .flip_image_x = true};
   d.calibration.flip = Calibration::Flip::kSlope;

@@ -110,9 +110,9 @@ TEST_F(DeformingFrames, are_not_interpolated) {
 TEST_F(DeformingFrames, follow_the_chosen_animation) {
   RenderParams rest = params(ReuseChoice::kNone);
   EXPECT_EQ(load_scene_of(ResolvedJob(rest), {}).scene.timeline.frame_count, 8);
-  for (const char* said : {"Rest", "1"}) {
-    rest.scene.animation = said;
-    EXPECT_EQ(load_scene_of(ResolvedJob(rest), {}).scene.timeline.frame_count, 1) << said;
+  for (const char* animation : {"Rest", "1"}) {
+    rest.scene.animation = animation;
+    EXPECT_EQ(load_scene_of(ResolvedJob(rest), {}).scene.timeline.frame_count, 1) << animation;
   }
   EXPECT_THAT(to_text(describe_scene(ResolvedJob(rest), {})), HasSubstr("shown: Rest (1); others: Bend (0)"));
 }

@@ -8,7 +8,7 @@
 namespace lippmann::test {
 namespace {
 
-RenderParams telling(RenderParams params) {
+RenderParams with_provenance(RenderParams params) {
   params.sampling.aov.push_back(Aov::kProvenance);
   return params;
 }
@@ -30,7 +30,7 @@ constexpr std::uint64_t kPixels = 128 * 128;
 
 /// Makes frames with the layer, and checks that the films equal those without it.
 MadeFrames frames_with_provenance(const RenderParams& params, const std::vector<int>& frames, int threads = 2) {
-  const MadeFrames made = make_frames(telling(params), frames, threads);
+  const MadeFrames made = make_frames(with_provenance(params), frames, threads);
   EXPECT_EQ(made.films(), make_frames(params, frames).films());
   for (const auto& [number, frame] : made.frames)
     EXPECT_EQ(frame.pictures.aovs[Aov::kProvenance].data.size(), frame.pictures.film.data.size() / 3) << number;
@@ -123,11 +123,11 @@ TEST(Provenance, of_denoised_frames_equals_noisy_frames) {
 
 // The layer does not restrict reuse, as other layers do.
 TEST(Provenance, does_not_change_reuse) {
-  const FrameParams frames_with_provenance{telling(small_scene()).sampling, AutoReuse{}};
-  EXPECT_STREQ(name_of(resolved_reuse(frames_with_provenance)), "copy");
-  EXPECT_NO_THROW(check({frames_with_provenance.sampling, CopySettled{}}));
-  EXPECT_NO_THROW(check({frames_with_provenance.sampling, Interpolate{}}));
-  FrameParams more = frames_with_provenance;
+  const FrameParams params{with_provenance(small_scene()).sampling, AutoReuse{}};
+  EXPECT_STREQ(name_of(resolved_reuse(params)), "copy");
+  EXPECT_NO_THROW(check({params.sampling, CopySettled{}}));
+  EXPECT_NO_THROW(check({params.sampling, Interpolate{}}));
+  FrameParams more = params;
   more.sampling.aov.push_back(Aov::kDepth);
   EXPECT_STREQ(name_of(resolved_reuse(more)), "none");
   EXPECT_ANY_THROW(check({more.sampling, Interpolate{}}));

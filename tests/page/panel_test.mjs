@@ -106,7 +106,7 @@ test("the server reads a dropped calibration", async () => {
 test("invalid calibrations give a message", async () => {
   expectComplaints(/status of 422/);
   const page = await open(await view(quilts[0]));
-  for (const [text, said] of [
+  for (const [text, message] of [
     ["no JSON", /visual\.json cannot be used: the calibration/],
     ["{}", /screenW/],
     ['{"pitch":50,"slope":0,"center":0,"DPI":324,"screenW":100,"screenH":100}', /slope.*lenses that lie along the rows/],
@@ -114,7 +114,7 @@ test("invalid calibrations give a message", async () => {
     [" ".repeat((1 << 20) + 1), /larger than 1 MB/],
   ]) {
     await drop(page, "visual.json", text);
-    await page.waitForFunction((pattern) => new RegExp(pattern).test(document.querySelector("#notice").textContent), said.source);
+    await page.waitForFunction((pattern) => new RegExp(pattern).test(document.querySelector("#notice").textContent), message.source);
     assert.equal(await page.evaluate(() => window.lippmann.state.show), "eye");
   }
 });

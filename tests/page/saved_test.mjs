@@ -26,9 +26,9 @@ async function checkEmbedded(address) {
   const page = await open(`${address}around.html`, { ready: false });
   await page.frameLocator("iframe").locator('#stage[data-drawn="true"]').waitFor();
   await page.evaluate(async () => {
-    const told = new Promise((resolve) => window.addEventListener("message", (event) => event.data.lippmann?.state.frame === 3 && resolve()));
+    const received = new Promise((resolve) => window.addEventListener("message", (event) => event.data.lippmann?.state.frame === 3 && resolve()));
     document.querySelector("iframe").contentWindow.postMessage({ lippmann: { frame: 3 } }, "*");
-    await told;
+    await received;
   });
 }
 

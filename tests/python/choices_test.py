@@ -229,7 +229,7 @@ class Crosstalk(Case):
 
     def test_displays_have_a_crosstalk(self):
         panel = self.folder / "panel.toml"
-        said = SMALL_PANEL.read_text()
-        panel.write_text(said.replace("dpi = 491", "dpi = 491\ncrosstalk = 0.4"))
+        text = SMALL_PANEL.read_text()
+        panel.write_text(text.replace("dpi = 491", "dpi = 491\ncrosstalk = 0.4"))
         self.assertEqual(lippmann.display(panel).crosstalk_px, 0.4)
         self.assertIsNone(lippmann.display(SMALL_PANEL).crosstalk_px)

@@ -56,8 +56,8 @@ class Documents(Case):
         self.assertGreater(doctest.testmod(lippmann).attempted, 0)
 
     def test_the_version_is_the_tools(self):
-        said = subprocess.run([TOOL, "--version"], capture_output=True, text=True).stdout
-        self.assertIn(lippmann.__version__, said)
+        output = subprocess.run([TOOL, "--version"], capture_output=True, text=True).stdout
+        self.assertIn(lippmann.__version__, output)
 
     def test_the_code_of_python_md_runs(self):
         text = (SOURCE / "docs/guide/python.md").read_text()

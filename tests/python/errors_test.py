@@ -416,10 +416,10 @@ class Errors(Case):
         self.assertIn("dd\ufffd", repr(display))
 
     def test_displays_optics_and_animations_have_a_repr(self):
-        said = repr(lippmann.display("looking-glass-portrait"))
-        self.assertEqual(said, "<lippmann.Display 'looking-glass-portrait': slanted-panel, 1536x2048 pixels>")
-        said = repr(lippmann.camera_grid(2, 3, (24, 32)))
-        self.assertEqual(said, "<lippmann.Optics: 2 x 3 views (rows x columns), 96x48 pixels>")
+        text = repr(lippmann.display("looking-glass-portrait"))
+        self.assertEqual(text, "<lippmann.Display 'looking-glass-portrait': slanted-panel, 1536x2048 pixels>")
+        text = repr(lippmann.camera_grid(2, 3, (24, 32)))
+        self.assertEqual(text, "<lippmann.Optics: 2 x 3 views (rows x columns), 96x48 pixels>")
         for optics, words in (
             (lippmann.lenticular_sheet((24, 32)), "a lenticular sheet, 32x24 pixels"),
             (lippmann.microlens_array((24, 32)), "a microlens array, 32x24 pixels"),

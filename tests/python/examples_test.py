@@ -36,9 +36,9 @@ class Examples(Case):
             self.assertEqual((done.returncode, done.stderr.split()[:2]), (1, ["usage:", f"{name}.py"]))
 
     def test_render_layers(self):
-        said = self.run_example("render_layers.py", "room", "out")
-        self.assertIn("(5, 5, 120, 160, 3) float32", said)
-        self.assertIn("motion: (5, 5, 120, 160, 2)", said)
+        output = self.run_example("render_layers.py", "room", "out")
+        self.assertIn("(5, 5, 120, 160, 3) float32", output)
+        self.assertIn("motion: (5, 5, 120, 160, 2)", output)
         self.assertTrue((self.folder / "out/gt_disp_lowres.pfm").exists())
 
     def test_own_scene(self):
@@ -48,8 +48,8 @@ class Examples(Case):
 
     def test_convert_refocus(self):
         lippmann.render("room", small_grid(3, 3, (48, 64)), frame=9, layers=["depth"]).save(self.folder / "hci", "hci")
-        said = self.run_example("convert_refocus.py", "hci", "stanford")
-        self.assertIn("3 x 3 views (rows x columns), 64x48 pixels, uint8", said)
+        output = self.run_example("convert_refocus.py", "hci", "stanford")
+        self.assertIn("3 x 3 views (rows x columns), 64x48 pixels, uint8", output)
         self.assertEqual(len(list((self.folder / "stanford").glob("out_*"))), 9)
 
     def test_native_frame(self):
@@ -64,6 +64,6 @@ class Examples(Case):
         self.assertEqual(header, (240).to_bytes(4, "big") * 2)
 
     def test_training(self):
-        said = self.run_example("training.py")
-        self.assertEqual(said.count("(3, 3, 64, 64, 3) (3, 3, 64, 64)"), 3)
-        self.assertIn("(96, 128, 3)", said)
+        output = self.run_example("training.py")
+        self.assertEqual(output.count("(3, 3, 64, 64, 3) (3, 3, 64, 64)"), 3)
+        self.assertIn("(96, 128, 3)", output)

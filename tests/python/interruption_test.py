@@ -11,10 +11,10 @@ RENDER = """
 import sys, time, lippmann
 grid = lippmann.camera_grid(5, 5, (800, 800))
 def started(frame, share):
-    if share > 0 and not told:
-        told.append(1)
+    if share > 0 and not calls:
+        calls.append(1)
         print("started", flush=True)
-told = []
+calls = []
 try:
     lippmann.render("room", grid, spp=64, progress=started)
     print("finished", flush=True)
@@ -49,6 +49,6 @@ class Interruption(Case):
         with subprocess.Popen([sys.executable, "-c", RENDER], stdout=subprocess.PIPE, text=True) as process:
             self.assertEqual(process.stdout.readline(), "started\n")
             os.kill(process.pid, signal.SIGINT)
-            said = process.stdout.read()
-            self.assertEqual(said, "interrupted\n(1, 2, 8, 8, 3)\n")
+            output = process.stdout.read()
+            self.assertEqual(output, "interrupted\n(1, 2, 8, 8, 3)\n")
         self.assertEqual(process.returncode, 0)

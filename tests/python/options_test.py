@@ -73,9 +73,9 @@ class Options(Case):
         environment = {**os.environ, "MYPYPATH": str(SOURCE / "python"), "MYPY_CACHE_DIR": str(self.folder / "cache")}
         environment.pop("PYTHONPATH")
         command = [mypy, "--strict", "--follow-imports=silent", "--no-error-summary", "--hide-error-codes", "program.py"]
-        said = subprocess.run(command, cwd=self.folder, env=environment, capture_output=True, text=True).stdout
-        errors = [line for line in said.splitlines() if "error:" in line]
-        self.assertEqual([line.split(":")[1] for line in errors], ["2", "3"], said)
+        output = subprocess.run(command, cwd=self.folder, env=environment, capture_output=True, text=True).stdout
+        errors = [line for line in output.splitlines() if "error:" in line]
+        self.assertEqual([line.split(":")[1] for line in errors], ["2", "3"], output)
         self.assertIn('"spq"', errors[0])
         self.assertIn("dpeth", errors[1])
         clean = subprocess.run([mypy, "-p", "lippmann"], cwd=self.folder, env=environment, capture_output=True, text=True)

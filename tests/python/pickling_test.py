@@ -101,8 +101,8 @@ class Pickling(Case):
         values = [scene, field, small_grid(), lippmann.display(SMALL_PANEL), lippmann.frames(scene, small_grid(), integrator="whitted")]
         with multiprocessing.get_context("spawn").Pool(1) as pool:
             returned = pool.map(returned_by_process, values)
-        for value, (said, back) in zip(values, returned):
-            self.assertEqual((said, repr(back)), (repr(value), repr(value)))
+        for value, (text, back) in zip(values, returned):
+            self.assertEqual((text, repr(back)), (repr(value), repr(value)))
         self.assertSame(returned[1][1].views, field.views)
         self.assertSame(returned[4][1][1].views, rendered(scene, frame=1).views)
 

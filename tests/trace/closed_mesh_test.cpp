@@ -1,4 +1,4 @@
-// Which meshes enclose a volume, and the benefit for lamps.
+// Detection of meshes that enclose a volume, and its benefit for lamps.
 #include "shading/closed_mesh.hpp"
 
 #include <gtest/gtest.h>

@@ -46,10 +46,11 @@ TEST(NoisyFrame, noise_matches_the_errors_without_bias) {
       error.data[i] -= truth.data[i];
       sum += static_cast<double>(noisy.noise.data[i]);
     }
-    const double told = mean_square(noisy.noise), is = mean_square(error), count = static_cast<double>(error.data.size());
-    EXPECT_GT(told, 0.7 * is) << spp;
-    EXPECT_LT(told, 3.0 * is) << spp;
-    EXPECT_LT(std::abs(sum / count), 4.0 * std::sqrt(told / (count / 3.0))) << spp;
+    const double estimated = mean_square(noisy.noise), actual = mean_square(error),
+                 count = static_cast<double>(error.data.size());
+    EXPECT_GT(estimated, 0.7 * actual) << spp;
+    EXPECT_LT(estimated, 3.0 * actual) << spp;
+    EXPECT_LT(std::abs(sum / count), 4.0 * std::sqrt(estimated / (count / 3.0))) << spp;
   }
 }
 

@@ -23,7 +23,7 @@ LayeredBsdf bsdf_of(const LayeredSurface& surface, Vec3f view, bool entering = t
   return {surface, albedo(), {kNormal, kNormal, kNormal}, kTangent, view, entering};
 }
 
-/// As if maps and lifting had bent each normal separately. All three face views of up to 50 degrees.
+/// Normals that maps and lifting have bent separately. All three face views of up to 50 degrees.
 const MetalRoughBsdf::Normals kApart{kNormal, direction(30.0f, 20.0f), direction(35.0f, 200.0f)};
 
 LayeredSurface dielectric(float roughness) {
