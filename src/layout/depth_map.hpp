@@ -1,5 +1,5 @@
-// Depth maps: grey of 8 or 16 bits, floats, the channel Z of an EXR file, or the depth image that a HEIC photo stores beside its
-// colours.
+// Depth maps: grey of 8 or 16 bits, floats, the channel Z of an EXR file, or the depth image that a HEIC photo stores beside
+// its colours.
 //
 // Integer samples are linear from 0 to 1, without the sRGB curve. Floats may have any unit; they are scaled so that the least
 // is 0 and the greatest 1. Renderers write values of 1e9 or more, infinity or NaN where there is no surface: negative ones

@@ -60,8 +60,8 @@ Image eye_view(const RenderedPanel& rendered, const EyeView& view, const ThreadP
   const Vec2i size = view.size.x > 0 ? view.size : natural_view_size(rendered.optics);
   const Vec2i samples = samples_per_pixel(rendered.optics, size);
   const EyeSampler sampler(rendered, view.filter, view.crosstalk_px);
-  // A point that the centre of the eye sees at s appears at s - d z / (E_z - z) from pupil point d. The pupil's views are shifted to
-  // coincide at the depth of focus.
+  // A point that the centre of the eye sees at s appears at s - d z / (E_z - z) from pupil point d. The pupil's views are
+  // shifted to coincide at the depth of focus.
   const double shift = -view.focus_mm / (view.eye_mm.z - view.focus_mm);
   struct PupilPoint {
     Viewer viewer;

@@ -417,8 +417,7 @@ class Validator {
   template <class T>
   void check_channel(const Channel<T>& channel, const std::string& element, std::size_t count = 1) const {
     const std::size_t per_key = count * (channel.interpolation == Interpolation::kCubicSpline ? 3 : 1);
-    require(channel.values.size() == per_key * channel.times.size(), element,
-            fmt::format("needs {} values per key", per_key));
+    require(channel.values.size() == per_key * channel.times.size(), element, fmt::format("needs {} values per key", per_key));
     for (std::size_t i = 0; i < channel.times.size(); ++i) {
       require(std::isfinite(channel.times[i]), element, "a time is not finite");
       require(i == 0 || channel.times[i - 1] < channel.times[i], element, "times do not increase");

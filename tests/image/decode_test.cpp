@@ -418,7 +418,8 @@ TEST(DecodeExr, attribute_of_wrong_size_is_an_error) {
   const std::int32_t size = 8;
   std::memcpy(file.data() + value - 4, &size, sizeof size);
   file.insert(file.begin() + static_cast<std::ptrdiff_t>(value), 4, std::byte{0});
-  EXPECT_THAT(error_message([&] { decode_picture(file, "a.exr"); }), HasSubstr("its attribute pixelAspectRatio does not have the type float"));
+  EXPECT_THAT(error_message([&] { decode_picture(file, "a.exr"); }),
+              HasSubstr("its attribute pixelAspectRatio does not have the type float"));
 }
 
 }  // namespace

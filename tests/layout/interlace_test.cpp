@@ -112,8 +112,8 @@ TEST(Interlace, gaussian_filter_weighs_views_by_their_distance) {
 }
 
 TEST(Interlace, linear_filter_is_bilinear_within_a_view) {
-  // One view of 2 x 1 samples, 0 and 6000, on 60 pixels: a quarter of the width is the middle of the first sample. Pixel 22, at 22.5, is
-  // 7.5 of the 30 pixels to the next sample beyond it: 1500.
+  // One view of 2 x 1 samples, 0 and 6000, on 60 pixels: a quarter of the width is the middle of the first sample. Pixel 22,
+  // at 22.5, is 7.5 of the 30 pixels to the next sample beyond it: 1500.
   LightField field = test::numbered_field({1, 1}, {2, 1}, true);
   std::get<Image16>(field.stack).rgb = {0, 0, 0, 6000, 6000, 6000};
   const auto frame = std::get<Image16>(interlace(field, small_display(), {ViewFilter::kLinear, 0.5}, threads()));

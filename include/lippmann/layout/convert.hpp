@@ -17,7 +17,7 @@ namespace lippmann {
 struct ConvertParams {
   std::string from{}, to = "views";  ///< names of formats; empty `from`: derived from the quilt name or the report beside it
   FormatOptions options{};
-  std::optional<Crop> crop{};  ///< part of every view to keep; none: all of it
+  std::optional<Crop> crop{};       ///< part of every view to keep; none: all of it
   std::optional<KeptViews> keep{};  ///< views to keep, chosen before cropping; none: all
   /// Resamples for options.display; `to` must be one of its pictures (integral, quilt or native). None: moves pixels.
   std::optional<DisplayPictureParams> display_picture = {};

@@ -62,10 +62,10 @@ struct FormatUses {
 struct LightFieldFormat {
   std::string_view name{};
   std::string_view description{};  ///< in one line
-  bool is_folder = false;        ///< true: a folder with one or more files per view; false: one picture
-  bool uses_cameras = false;     ///< its writer uses cameras and depth if available
-  bool keeps_positions = false;  ///< its files hold camera positions, even without a unit
-  bool states_cameras = false;  ///< its files contain cameras; a report.json beside them is ignored
+  bool is_folder = false;          ///< true: a folder with one or more files per view; false: one picture
+  bool uses_cameras = false;       ///< its writer uses cameras and depth if available
+  bool keeps_positions = false;    ///< its files hold camera positions, even without a unit
+  bool states_cameras = false;     ///< its files contain cameras; a report.json beside them is ignored
   /// Throws Error naming the file or the option.
   LightField (*read)(const std::filesystem::path& path, const FormatOptions& options) = nullptr;
   /// Returns the files written, pictures first. Creates folders. Throws Error naming the file or the option.

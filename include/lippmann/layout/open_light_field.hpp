@@ -14,9 +14,9 @@
 namespace lippmann {
 
 struct OpenedLightField {
-  LightField field{};  ///< with cameras, if the format or the report beside a rendered picture has them
+  LightField field{};                 ///< with cameras, if the format or the report beside a rendered picture has them
   std::optional<Optics> optics = {};  ///< optics it was rendered for, covering all views; none: no report
-  std::string_view format = {};  ///< name in light_field_formats()
+  std::string_view format = {};       ///< name in light_field_formats()
 };
 
 /// Opens one light field: a picture or a folder of views. `from`: a format's name; empty: detected from file names and a

@@ -111,7 +111,7 @@ struct RayTable {
   /// the ray of the part of the pixel that it lies in. Every ray starts at its own origin. Copies of optics share the table.
   std::shared_ptr<const std::vector<Ray>> rays{};
   int samples_per_side = 1;  ///< 4: 16 rays per pixel
-  float spread = 0.0f;  ///< spread between the rays of neighbouring pixels, in mm per mm of depth; sets the texture filter
+  float spread = 0.0f;       ///< spread between the rays of neighbouring pixels, in mm per mm of depth; sets the texture filter
 };
 
 using OpticsModel = std::variant<LenticularSheet, MicrolensArray, MultiView, SingleView, SlantedPanel, RayTable>;

@@ -44,9 +44,9 @@ inline LightFieldHints with_warnings(LightFieldHints hints, const Context& conte
 struct LightFieldFrames {
   Optics optics{};
   std::vector<std::filesystem::path> files{};  ///< in ascending order: images, or folders of views
-  std::filesystem::path folder{};  ///< default folder for results, beside the input
+  std::filesystem::path folder{};              ///< default folder for results, beside the input
   double frames_per_second = 25.0;
-  bool is_panel = false;  ///< images without a report that are frames of the panel of `optics`
+  bool is_panel = false;        ///< images without a report that are frames of the panel of `optics`
   std::string assumption = {};  ///< one sentence on the assumed cameras; empty: nothing was assumed
   /// Reads the frame with that index. Throws Error naming the file, for example if its size is not the panel's.
   std::function<RenderedPanel(std::size_t)> read{};

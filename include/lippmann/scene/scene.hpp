@@ -32,19 +32,20 @@ struct MorphTarget {
 /// The joints of the instance's Skin that carry each vertex, and their weights. Vertex v has the entries from v * per_vertex
 /// on.
 struct SkinWeights {
-  int per_vertex = 0;  ///< 0: the mesh cannot be skinned
+  int per_vertex = 0;                   ///< 0: the mesh cannot be skinned
   std::vector<std::uint32_t> joints{};  ///< indices into Skin::joints
-  std::vector<float> weights{};  ///< >= 0; the weights of a vertex sum to 1
+  std::vector<float> weights{};         ///< >= 0; the weights of a vertex sum to 1
 };
 
 struct Mesh {
   std::vector<Vec3f> positions{};
   std::vector<Vec3f> normals{};  ///< per vertex, unit length; empty: faceted
-  std::vector<Vec2f> uvs{};  ///< per vertex; empty: no texture coordinates
-  std::vector<std::array<std::uint32_t, 3>> triangles{};  ///< vertex indices, each < positions.size(); counter-clockwise = front
+  std::vector<Vec2f> uvs{};      ///< per vertex; empty: no texture coordinates
+  std::vector<std::array<std::uint32_t, 3>>
+      triangles{};              ///< vertex indices, each < positions.size(); counter-clockwise = front
   std::vector<Vec3f> colors{};  ///< per vertex; multiply the material's color; empty: white
   std::vector<float> alphas{};  ///< per vertex; multiply the material's alpha; empty: 1
-  std::vector<Vec2f> uvs_1{};  ///< the second set of texture coordinates; empty: none
+  std::vector<Vec2f> uvs_1{};   ///< the second set of texture coordinates; empty: none
   std::vector<Vec4f>
       tangents{};  ///< per vertex: unit tangent and w = +-1; the bitangent is w (normal x tangent); empty: derived from uvs
   std::vector<MorphTarget> targets{};  ///< applied before the skin
@@ -91,10 +92,10 @@ struct Box {
 /// standard deviations. All vectors except `harmonics` have one element per splat.
 struct Splats {
   std::vector<Vec3f> centers{};
-  std::vector<Quatf> rotations{};  ///< unit length: rotate from the axes of the deviations to the axes of the shape
+  std::vector<Quatf> rotations{};   ///< unit length: rotate from the axes of the deviations to the axes of the shape
   std::vector<Vec3f> deviations{};  ///< standard deviations along its three axes, > 0
-  std::vector<float> opacities{};  ///< 0 to 1
-  int degree = 0;  ///< of the spherical harmonics, 0 to 3
+  std::vector<float> opacities{};   ///< 0 to 1
+  int degree = 0;                   ///< of the spherical harmonics, 0 to 3
   /// (degree + 1)^2 for each splat, ordered by l and then by m from -l to l. A colour is max(0, 0.5 + sum of harmonics * basis
   /// function at the ray's direction in the shape's axes). The basis is real, with the Condon-Shortley phase.
   std::vector<Vec3f> harmonics{};
@@ -120,7 +121,7 @@ struct Texture {
   std::string name{};
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgba{};  ///< 4 bytes per texel, rows top to bottom
-  bool srgb = true;  ///< R, G, B are sRGB-encoded; false: the byte / 255 is the value
+  bool srgb = true;                  ///< R, G, B are sRGB-encoded; false: the byte / 255 is the value
   Wrap wrap_u = Wrap::kRepeat, wrap_v = Wrap::kRepeat;
 };
 
@@ -148,7 +149,7 @@ enum class Highlight {
 /// emission.
 struct PhongSurface {
   Vec3f color{0.8f};
-  int texture = -1;  ///< replaces (projected) or multiplies (uv) color
+  int texture = -1;                             ///< replaces (projected) or multiplies (uv) color
   std::optional<ImageProjection> projection{};  ///< maps the texture; none: the mesh's uvs do
   float ambient = 0.1f, diffuse = 0.9f;
   Highlight highlight_kind = Highlight::kNone;
@@ -179,13 +180,13 @@ struct Sheen {
 struct Anisotropy {
   float strength = 0.0f;  ///< 0 to 1: extra roughness along the direction
   float rotation = 0.0f;  ///< radians from the tangent towards the bitangent
-  TextureMap map{};  ///< RG = (direction + 1) / 2 before the rotation, B: strength
+  TextureMap map{};       ///< RG = (direction + 1) / 2 before the rotation, B: strength
 };
 
 /// A thin film that causes interference colours (KHR_materials_iridescence).
 struct Iridescence {
   float share = 0.0f;  ///< share of the surface that has the film, 0 to 1
-  TextureMap map{};  ///< channel R
+  TextureMap map{};    ///< channel R
   float ior = 1.3f;
   float least_thickness_nm = 100.0f, most_thickness_nm = 400.0f;
   TextureMap thickness_map{};  ///< G: interpolates from the least to the most thickness; none: the most
@@ -194,7 +195,7 @@ struct Iridescence {
 /// Light that enters on one side and leaves diffusely on the other (KHR_materials_diffuse_transmission).
 struct DiffuseTransmission {
   float share = 0.0f;  ///< share of the diffuse light that passes through, 0 to 1
-  TextureMap map{};  ///< channel A
+  TextureMap map{};    ///< channel A
   Vec3f color{1.0f};
   TextureMap color_map{};
 };
@@ -213,7 +214,7 @@ struct SurfaceExtensions {
   Iridescence iridescence{};
   DiffuseTransmission diffuse_transmission{};
   std::optional<Volume> volume{};  ///< none: transmissive surfaces refract as closed shapes do, without absorption
-  float dispersion = 0.0f;  ///< 20 / Abbe number; 0: all colours refract alike
+  float dispersion = 0.0f;         ///< 20 / Abbe number; 0: all colours refract alike
 };
 
 /// glTF 2.0's metallic-roughness model with the extensions listed in docs/reference/gltf.md. Maps multiply the factors beside
@@ -223,23 +224,23 @@ struct MetallicRoughness {
   TextureMap base_color_map{};
   float metallic = 1.0f, roughness = 1.0f;
   TextureMap metallic_roughness_map{};  ///< G: roughness, B: metallic
-  TextureMap normal_map{};  ///< RGB = (n + 1) / 2 in tangent space; v grows downwards, the bitangent upwards
-  float normal_scale = 1.0f;  ///< multiplies x and y of the map's normal
-  TextureMap occlusion_map{};  ///< R: share of the ambient light that arrives
-  float occlusion_strength = 1.0f;  ///< 1 + strength * (R - 1)
+  TextureMap normal_map{};              ///< RGB = (n + 1) / 2 in tangent space; v grows downwards, the bitangent upwards
+  float normal_scale = 1.0f;            ///< multiplies x and y of the map's normal
+  TextureMap occlusion_map{};           ///< R: share of the ambient light that arrives
+  float occlusion_strength = 1.0f;      ///< 1 + strength * (R - 1)
   Vec3f emissive{0.0f};
   TextureMap emissive_map{};
   float ior = 1.5f;
   float transmission = 0.0f;
   TextureMap transmission_map{};  ///< channel R
-  float specular = 1.0f;  ///< strength of the dielectric reflection
-  TextureMap specular_map{};  ///< channel A
-  Vec3f specular_color{1.0f};  ///< colour of the dielectric reflection at normal incidence; may exceed 1
+  float specular = 1.0f;          ///< strength of the dielectric reflection
+  TextureMap specular_map{};      ///< channel A
+  Vec3f specular_color{1.0f};     ///< colour of the dielectric reflection at normal incidence; may exceed 1
   TextureMap specular_color_map{};
   float clearcoat = 0.0f, clearcoat_roughness = 0.0f;
-  TextureMap clearcoat_map{};  ///< channel R
+  TextureMap clearcoat_map{};            ///< channel R
   TextureMap clearcoat_roughness_map{};  ///< channel G
-  TextureMap clearcoat_normal_map{};  ///< like normal_map; none: the coat uses the surface normal without its normal map
+  TextureMap clearcoat_normal_map{};     ///< like normal_map; none: the coat uses the surface normal without its normal map
   float clearcoat_normal_scale = 1.0f;
   float alpha_cutoff = 0.0f;  ///< mask mode: cuts away alpha below this; 0: no mask
   bool blend = false;         ///< blend mode: alpha is coverage
@@ -265,7 +266,7 @@ struct PhotometricWeb {
   std::vector<float>
       azimuth{};  ///< radians from +x towards +y, increasing, within -pi to 2 pi; one value: rotationally symmetric
   std::vector<float> intensity{};  ///< by azimuth, then by polar angle, >= 0; relative: the mean over the sphere is 1
-  Mat3f web_from_light{1.0f};  ///< a rotation, possibly mirrored; lights shine along -z
+  Mat3f web_from_light{1.0f};      ///< a rotation, possibly mirrored; lights shine along -z
 };
 
 /// A light shines from its node's origin. Directional and spot lights shine along the node's -z.
@@ -339,7 +340,7 @@ struct Node {
   std::string name{};
   int parent = -1;  ///< less than the node's own index: parents come first
   Transform local{};
-  std::optional<Affine3f> matrix{};  ///< replaces `local` (glTF matrix nodes); such a node cannot be animated
+  std::optional<Affine3f> matrix{};    ///< replaces `local` (glTF matrix nodes); such a node cannot be animated
   std::vector<float> morph_weights{};  ///< default weights, one per morph target of the meshes shown here
 };
 
@@ -347,7 +348,7 @@ struct Node {
 /// weights w_j of w_j (world_from_node[joints[j]] * joint_from_mesh[j]) v.
 struct Skin {
   std::string name{};
-  std::vector<int> joints{};  ///< node indices
+  std::vector<int> joints{};                ///< node indices
   std::vector<Affine3f> joint_from_mesh{};  ///< per joint: the inverse bind matrix
 };
 
@@ -406,13 +407,13 @@ struct Scene {
   std::vector<Skin> skins{};
   std::vector<Light> lights{};
   std::vector<PhotometricWeb> webs{};
-  std::vector<Camera> cameras{};  ///< the first is the default
+  std::vector<Camera> cameras{};              ///< the first is the default
   std::optional<DisplayPlacement> display{};  ///< none: fitted to the first camera (stage/fit_array.hpp)
   Background background{};
   Timeline timeline{};
   std::vector<std::string> animation_names{};  ///< all animations of the file
-  int animation = -1;  ///< index of the animation in `timeline`
-  std::vector<std::string> variant_names{};  ///< the file's material variants
+  int animation = -1;                          ///< index of the animation in `timeline`
+  std::vector<std::string> variant_names{};    ///< the file's material variants
   Vec3d origin{0.0};  ///< of the scene's coordinates, in file coordinates: a point p of the scene lies at origin + p in the
                       ///< file (scene/origin.hpp)
   Encoding encoding = Encoding::kSrgb;

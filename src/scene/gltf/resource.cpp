@@ -80,8 +80,7 @@ std::vector<std::byte> fetch(std::string_view uri, const SideFolders& folders, s
                              const Report& report) {
   if (uri.starts_with("data:")) return decode_data_uri(uri, element, report);
   const std::string name = percent_decode(uri);
-  if (is_address(name))
-    report.fail(element, shown(name) + " is a network address", "a file in or below the scene's folder");
+  if (is_address(name)) report.fail(element, shown(name) + " is a network address", "a file in or below the scene's folder");
   return read_file(side_file(folders, name, report.where(element)), limit, element, report);
 }
 
