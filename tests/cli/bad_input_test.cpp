@@ -82,7 +82,7 @@ TEST(BadInput, full_disk_gives_one_message) {
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_EQ(result.out, "");
     EXPECT_THAT(result.err, testing::ContainsRegex("lippmann: " + format + "/frame_000[0-9]\\.(png|tif): "));
-    EXPECT_EQ(result.err.find("lippmann: "), result.err.rfind("lippmann: ")) << "said once";
+    EXPECT_EQ(result.err.find("lippmann: "), result.err.rfind("lippmann: ")) << "one message";
     EXPECT_EQ(files_in(dir / format, ".png").size() + files_in(dir / format, ".tif").size(), 0u);
   }
 }

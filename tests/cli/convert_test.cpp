@@ -30,7 +30,7 @@ TEST(Convert, prints_files_and_refuses_irregular_grids) {
   EXPECT_TRUE(fs::exists(dir / report["files"][0].get<std::string>()));
   for (const char* grid : {"8", "8x", "x1", "0x1", "8x1x2", "-8x1", "99999x1"})
     expect_refusal(run_tool(dir, convert + Words{"--views", grid}), 2, "--views");
-  EXPECT_EQ(run_tool(dir, convert).exit_code, 0) << "the report beside it says how many views there are";
+  EXPECT_EQ(run_tool(dir, convert).exit_code, 0) << "the report beside it has the number of views";
   fs::copy(dir / "r/frame_0000.png", dir / "alone.png");
   expect_refusal(run_tool(dir, {"convert", "alone.png", "q.png", "--from", "integral", "--to", "quilt"}), 2, "--views");
   expect_refusal(run_tool(dir, {"convert", "alone.png", "q.png", "--to", "quilt"}), 2, "--from");

@@ -40,7 +40,7 @@ TEST(Displays, find_reads_a_devices_calibration) {
   const RunResult text = run_tool(dir, {"displays", "--find", "--mounts", mounts});
   EXPECT_EQ(text.exit_code, 0) << text.err;
   EXPECT_THAT(text.out, HasSubstr("lippmann render SCENE --display '" + file.string() + "'"));
-  EXPECT_THAT(text.out, HasSubstr("LKG-J00042, 7680x4320 pixels")) << "the device's own panel, whatever its model has";
+  EXPECT_THAT(text.out, HasSubstr("LKG-J00042, 7680x4320 pixels")) << "the panel of the device overrides its model";
   const auto json = json_of(run_tool(dir, {"displays", "--find", "--mounts", mounts, "--json"}).out);
   ASSERT_EQ(json.size(), 1u);
   EXPECT_EQ(json[0]["file"], file.string());

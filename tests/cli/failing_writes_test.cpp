@@ -33,7 +33,7 @@ Words render_of_two_frames(const Words& flags, const std::string& folder) {
 }
 
 /// Returns how many failures a run reports, without progress lines and warnings.
-int failures_said(const std::string& err) {
+int reported_failures(const std::string& err) {
   std::istringstream lines(err);
   int count = 0;
   for (std::string line; std::getline(lines, line);) count += line.starts_with("lippmann: ");
@@ -58,9 +58,8 @@ void expect_resumes(const TempDir& dir, const Words& command, int number) {
   EXPECT_EQ(run_tool(dir, {"check", "cut"}).exit_code, 0) << number;
 }
 
-void expect_an_error_and_whole_files_or_none(const Words& flags, Fails fails = Fails::kOneWrite,
-                                             const std::string& call = "write") {
-  if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "a sanitizer's run-time wants to be loaded first";
+void expect_error_and_whole_files(const Words& flags, Fails fails = Fails::kOneWrite, const std::string& call = "write") {
+  if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "a sanitizer's runtime must be loaded first";
   const TempDir dir;
   const Words command = render_of_two_frames(flags, "cut");
   ASSERT_EQ(run_tool(dir, render_of_two_frames(flags, "whole")).exit_code, 0);
@@ -70,7 +69,7 @@ void expect_an_error_and_whole_files_or_none(const Words& flags, Fails fails = F
     const RunResult result = run_failing(dir, command, call, ++number, fails == Fails::kAllFromThereOn);
     failed = fs::exists(dir / "failed");
     EXPECT_EQ(result.exit_code, failed ? 1 : 0) << number << ": " << result.err;
-    EXPECT_EQ(failures_said(result.err), failed ? 1 : 0) << number << ": " << result.err;
+    EXPECT_EQ(reported_failures(result.err), failed ? 1 : 0) << number << ": " << result.err;
     expect_whole_files(pictures_below(dir / "cut"), whole, number);
     if (failed && (number % 4 == 0 || fs::exists(dir / "cut/video.mkv"))) expect_resumes(dir, command, number);
   }
@@ -80,47 +79,47 @@ void expect_an_error_and_whole_files_or_none(const Words& flags, Fails fails = F
 TEST(FailingWrites, pictures_leave_whole_files_or_none) {
   for (const Words& flags : {Words{}, Words{"--format", "tiff"}, Words{"--format", "exr"}, Words{"--layout", "views"},
                              Words{"--optics", "multiview", "--views", "2x2", "--layout", "quilt"}})
-    expect_an_error_and_whole_files_or_none(flags);
+    expect_error_and_whole_files(flags);
 }
 
 TEST(FailingWrites, layers_leave_whole_files_or_none) {
   for (const Fails fails : {Fails::kOneWrite, Fails::kAllFromThereOn})
-    expect_an_error_and_whole_files_or_none({"--format", "png16", "--aov", "depth"}, fails);
+    expect_error_and_whole_files({"--format", "png16", "--aov", "depth"}, fails);
 }
 
 TEST(FailingWrites, videos_leave_whole_files_or_none) {
   for (const Fails fails : {Fails::kOneWrite, Fails::kAllFromThereOn})
-    expect_an_error_and_whole_files_or_none({"--video", "VIDEO"}, fails);
+    expect_error_and_whole_files({"--video", "VIDEO"}, fails);
 }
 
 TEST(FailingWrites, opening_and_renaming_leave_whole_files) {
   for (const std::string call : {"open", "rename"})
     for (const Words& flags : {Words{"--aov", "depth", "--video", "VIDEO"}, Words{"--layout", "views", "--format", "exr"},
                                Words{"--optics", "multiview", "--views", "2x2", "--layout", "quilt", "--format", "tiff"}})
-      expect_an_error_and_whole_files_or_none(flags, Fails::kOneWrite, call);
+      expect_error_and_whole_files(flags, Fails::kOneWrite, call);
 }
 
 TEST(FailingWrites, folder_errors_are_reported) {
-  expect_an_error_and_whole_files_or_none({"--layout", "views"}, Fails::kOneWrite, "mkdir");
+  expect_error_and_whole_files({"--layout", "views"}, Fails::kOneWrite, "mkdir");
 }
 
 /// Tries tens of thousands of allocations in these steps, so that the test takes seconds; in larger steps until the run has
 /// made a folder. LIPPMANN_ALLOCATION_STEP=1 tries every one.
 int allocation_step(bool has_folder) {
-  const char* said = std::getenv("LIPPMANN_ALLOCATION_STEP");
-  return said ? std::stoi(said) : has_folder ? 457 : 1999;
+  const char* step = std::getenv("LIPPMANN_ALLOCATION_STEP");
+  return step ? std::stoi(step) : has_folder ? 457 : 1999;
 }
 
 /// Results of runs in which an allocation failed.
 struct Ends {
   int with_folder = 0;  ///< failed after making a folder
-  int said = 0;         ///< failed with one line and exit code 1
+  int reported = 0;     ///< failed with one line and exit code 1
   int ended = 0;        ///< ended by a signal
 };
 
 /// A library may cope with a failed allocation; then the render must be complete. In other places it ends the program:
 /// destructors of JSON values and folder listings allocate and may not throw, and Embree's threads use the missing memory.
-void expect_out_of_memory_or_whole(const RunResult& result, const Files& files, const Files& whole, int number, Ends& ends) {
+void expect_error_or_whole_files(const RunResult& result, const Files& files, const Files& whole, int number, Ends& ends) {
   constexpr int kSignals = 128;
   if (result.exit_code > kSignals) {
     expect_whole_files(without_temporary(files), whole, number);  // hidden files of a killed run, which a resume removes
@@ -130,9 +129,9 @@ void expect_out_of_memory_or_whole(const RunResult& result, const Files& files, 
   expect_whole_files(files, whole, number);
   const int failures = result.exit_code == 0 ? 0 : 1;
   EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1) << number << ": " << result.exit_code << " " << result.err;
-  EXPECT_EQ(failures_said(result.err), failures) << number << ": " << result.err;
+  EXPECT_EQ(reported_failures(result.err), failures) << number << ": " << result.err;
   EXPECT_EQ(result.err.find("on this processor"), std::string::npos) << number << ": " << result.err;
-  ends.said += failures;
+  ends.reported += failures;
   if (failures == 0) {
     EXPECT_EQ(files.size(), whole.size()) << number;
   }
@@ -145,7 +144,7 @@ Ends ends_of_runs_out_of_memory(const TempDir& dir, const Words& flags, const Fi
   for (int number = 1;; number += allocation_step(has_folder)) {
     const RunResult result = run_failing(dir, command, "allocate", number, false);
     const bool failed = fs::remove(dir / "failed");
-    expect_out_of_memory_or_whole(result, pictures_below(dir / "cut"), whole, number, ends);
+    expect_error_or_whole_files(result, pictures_below(dir / "cut"), whole, number, ends);
     has_folder = fs::exists(dir / "cut/.lippmann");
     ends.with_folder += has_folder && result.exit_code != 0;
     if (has_folder) expect_resumes(dir, command, number);
@@ -155,17 +154,17 @@ Ends ends_of_runs_out_of_memory(const TempDir& dir, const Words& flags, const Fi
 }
 
 TEST(FailingAllocations, failures_leave_a_folder_that_resumes) {
-  if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "a sanitizer's run-time brings an allocator of its own";
+  if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "a sanitizer's runtime has its own allocator";
   const TempDir dir;
   const Words flags{"--video", "VIDEO"};
   ASSERT_EQ(run_tool(dir, render_of_two_frames(flags, "whole")).exit_code, 0);
   const Ends ends = ends_of_runs_out_of_memory(dir, flags, pictures_below(dir / "whole"));
   EXPECT_GT(ends.with_folder, 8);
-  EXPECT_LE(4 * ends.ended, ends.said) << "by a library, now and then";
+  EXPECT_LE(4 * ends.ended, ends.reported) << "a few failures may end in a library";
 }
 
 TEST(FailingWrites, remaining_strips_are_removed_later) {
-  if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "a sanitizer's run-time wants to be loaded first";
+  if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "a sanitizer's runtime must be loaded first";
   const TempDir dir;
   const Words command{"render", "primitives", "--size", "64x64", "--frames", "0", "--strips", "2", "-o", "a"};
   const RunResult result = run_failing(dir, command, "remove", 1, true);
@@ -177,7 +176,7 @@ TEST(FailingWrites, remaining_strips_are_removed_later) {
 }
 
 TEST(FailingWrites, undeletable_render_is_not_replaced) {
-  if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "a sanitizer's run-time wants to be loaded first";
+  if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "a sanitizer's runtime must be loaded first";
   const TempDir dir;
   expect_done(dir, small_teapot("0", "a"));
   const RunResult result = run_failing(dir, small_teapot("0", "a") + Words{"--view-angle", "40", "--force"}, "remove", 1, true);
@@ -186,7 +185,7 @@ TEST(FailingWrites, undeletable_render_is_not_replaced) {
 }
 
 TEST(FailingWrites, syncing_leaves_whole_files_or_none) {
-  expect_an_error_and_whole_files_or_none({"--video", "VIDEO"}, Fails::kOneWrite, "fsync");
+  expect_error_and_whole_files({"--video", "VIDEO"}, Fails::kOneWrite, "fsync");
 }
 
 }  // namespace

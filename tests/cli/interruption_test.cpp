@@ -36,11 +36,11 @@ TEST(Interruption, killed_render_resumes_to_the_same_files) {
   EXPECT_EQ(killed.wait().exit_code, 128 + SIGKILL);
   EXPECT_FALSE(std::filesystem::exists(dir / "parts.mkv"));
   EXPECT_EQ(json_of(bytes_of(dir / "parts/report.json"))["interrupted"], true);
-  EXPECT_EQ(run_tool(dir, {"replay", "parts", "-o", "eye"}).exit_code, 0) << "the report that it began with says the optics";
+  EXPECT_EQ(run_tool(dir, {"replay", "parts", "-o", "eye"}).exit_code, 0) << "the first report has the optics";
 
   const RunResult resumed = run_tool(dir, parts + Words{"--resume", "--json", "--verbose"});
   ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
-  EXPECT_LE(frames_said(resumed.err), 7u) << "at least three of ten frames were kept";
+  EXPECT_LE(reported_frames(resumed.err), 7u) << "at least three of ten frames were kept";
   EXPECT_EQ(files_in(dir / "parts", ".png"), files_in(dir / "whole", ".png"));
   EXPECT_EQ(bytes_of(dir / "parts.mkv"), bytes_of(dir / "whole.mkv"));
   const nlohmann::json frames = json_of(resumed.out)["frames"];

@@ -79,12 +79,12 @@ void expect_whole_after_a_kill(const Mode& mode, const Files& whole, std::chrono
   }
   const RunResult check = run_tool(dir, {"check", "a"});
   EXPECT_EQ(check.exit_code, 0) << check.out << check.err;
-  EXPECT_TRUE(lasting_files(dir / "a") == whole) << "other files than of a render that ran through";
+  EXPECT_TRUE(lasting_files(dir / "a") == whole) << "files differ from those of an undisturbed render";
 }
 
 TEST(Kill, killed_render_resumes_to_the_same_files) {
-  const char* said = std::getenv("LIPPMANN_KILLS");
-  const int kills = said ? std::atoi(said) : static_cast<int>(modes().size());
+  const char* kills_text = std::getenv("LIPPMANN_KILLS");
+  const int kills = kills_text ? std::atoi(kills_text) : static_cast<int>(modes().size());
   std::mt19937 random(19);
   std::vector<Files> whole;
   std::vector<std::chrono::microseconds> lasts;

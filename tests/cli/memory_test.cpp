@@ -37,7 +37,7 @@ const Words kWhitted{"room", "--integrator", "whitted", "--frames", "0"};
 class Memories : public testing::Test {
  protected:
   void SetUp() override {
-    if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "sanitizers take memory of their own";
+    if (std::string_view(LIPPMANN_SANITIZE) != "") GTEST_SKIP() << "sanitizers use additional memory";
   }
 };
 

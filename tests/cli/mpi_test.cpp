@@ -76,7 +76,7 @@ TEST(Mpi, ranks_share_strips_of_a_still) {
   const Words strips = still + Words{"--strips", "7", "-o", "a", "--video", "a.mkv", "--verbose"};
   const RunResult result = run_ranks(dir, 2, strips);
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(frames_said(result.err), 7u) << result.err;
+  EXPECT_EQ(reported_frames(result.err), 7u) << result.err;
   EXPECT_TRUE(pictures_below(dir / "a") == pictures_below(dir / "whole"));
   EXPECT_EQ(bytes_of(dir / "a.mkv"), bytes_of(dir / "whole.mkv"));
   EXPECT_EQ(run_tool(dir, {"check", "a"}).exit_code, 0);
@@ -90,7 +90,7 @@ TEST(Mpi, first_rank_reports_all_progress) {
   const TempDir dir;
   const RunResult result = run_ranks(dir, 3, teapot("a", {"--verbose"}));
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(frames_said(result.err), 40u) << result.err;
+  EXPECT_EQ(reported_frames(result.err), 40u) << result.err;
 }
 
 TEST(Mpi, resuming_renders_only_missing_frames) {
@@ -101,7 +101,7 @@ TEST(Mpi, resuming_renders_only_missing_frames) {
   for (const char* name : {"frame_0003.png", "frame_0033.png"}) fs::remove(dir / "a" / name);
   const RunResult resumed = run_ranks(dir, 2, teapot("a", {"--resume", "--verbose"}));
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
-  EXPECT_EQ(frames_said(resumed.err), 2u) << resumed.err;
+  EXPECT_EQ(reported_frames(resumed.err), 2u) << resumed.err;
   EXPECT_EQ(files_in(dir / "a", ".png"), whole);
 }
 

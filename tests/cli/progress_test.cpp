@@ -43,7 +43,7 @@ TEST(RenderProgress, without_terminal_prints_first_and_last_frame) {
 TEST(RenderProgress, verbose_prints_every_frame) {
   const TempDir dir;
   const RunResult result = run_tool(dir, small_teapot("0-3", "out") + Words{"-v"});
-  EXPECT_EQ(frames_said(result.err), 4u) << result.err;
+  EXPECT_EQ(reported_frames(result.err), 4u) << result.err;
   EXPECT_THAT(result.err, AllOf(HasSubstr("[2/4] frame 1: "), HasSubstr("[3/4] frame 2: ")));
 }
 

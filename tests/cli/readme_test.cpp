@@ -171,7 +171,7 @@ TEST(Docs, commands_of_the_guide_run) {
 }
 
 /// Returns the hard-to-read words and phrases in a text, in lower case.
-std::vector<std::string> odd_words_in(std::string text) {
+std::vector<std::string> hard_words_in(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
   std::vector<std::string> found;
@@ -211,11 +211,11 @@ TEST(Docs, command_line_is_what_the_tool_prints) {
 
 TEST(Docs, are_in_plain_words) {
   const fs::path source(LIPPMANN_SOURCE);
-  EXPECT_THAT(odd_words_in(bytes_of(source / "README.md")), testing::IsEmpty());
+  EXPECT_THAT(hard_words_in(bytes_of(source / "README.md")), testing::IsEmpty());
   for (const char* part : {"docs/guide", "docs/reference", "docs/develop"})
     for (const auto& page : fs::recursive_directory_iterator(source / part)) {
       if (!page.is_regular_file()) continue;
-      EXPECT_THAT(odd_words_in(bytes_of(page.path())), testing::IsEmpty()) << page.path();
+      EXPECT_THAT(hard_words_in(bytes_of(page.path())), testing::IsEmpty()) << page.path();
     }
 }
 
@@ -224,7 +224,7 @@ TEST(Docs, of_flags_are_in_plain_words) {
   for (const char* command :
        {"render", "check", "compare", "convert", "encode", "replay", "info", "scenes", "displays", "sheet"}) {
     const Words help = command == std::string("render") ? Words{"--help-all"} : Words{"--help"};
-    EXPECT_THAT(odd_words_in(run_tool(dir, Words{command} + help).out), testing::IsEmpty()) << command;
+    EXPECT_THAT(hard_words_in(run_tool(dir, Words{command} + help).out), testing::IsEmpty()) << command;
   }
 }
 

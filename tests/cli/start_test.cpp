@@ -44,7 +44,7 @@ std::set<std::string> libraries_of(const Words& arguments) {
 // Each library costs time and memory at every start. OpenImageIO and FFmpeg would add more than two hundred.
 TEST(Start, version_loads_few_libraries) {
   const std::set<std::string> libraries = libraries_of({"--version"});
-  EXPECT_THAT(libraries, testing::Contains(HasSubstr("libembree"))) << "else the linker's trace is not what this test reads";
+  EXPECT_THAT(libraries, testing::Contains(HasSubstr("libembree"))) << "otherwise the test cannot parse the linker's trace";
   EXPECT_LE(libraries.size(), 60u) << testing::PrintToString(libraries);
   EXPECT_THAT(libraries, Not(testing::Contains(HasSubstr("libav"))));
 }

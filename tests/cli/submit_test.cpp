@@ -150,14 +150,14 @@ class SlurmCluster {
   }
 
   /// Returns whether a command prints a text within two minutes.
-  bool comes_to_say(const std::string& command, const std::string& text) const {
+  bool prints_within_two_minutes(const std::string& command, const std::string& text) const {
     for (int i = 0; i < 1200; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(100)))
       if (shell(command).out == text) return true;
     return false;
   }
 
   /// Returns whether the queue is empty within two minutes.
-  bool ends() const { return comes_to_say("squeue -h", ""); }
+  bool ends() const { return prints_within_two_minutes("squeue -h", ""); }
 
  private:
   static std::string script() { return LIPPMANN_SOURCE "/tests/cli/slurm/cluster.sh"; }
@@ -180,7 +180,7 @@ TEST(Submit, slurm_survives_requeues_drains_and_kills) {
   const std::string task = cluster.shell("squeue -h -t running -o %A | head -1").out;
   EXPECT_EQ(cluster.shell("scontrol requeue " + task).exit_code, 0);
   EXPECT_EQ(cluster.shell("scontrol update nodename=$(hostname -s) state=drain reason=test").exit_code, 0);
-  ASSERT_TRUE(cluster.comes_to_say("sinfo -h -o %T", "drained\n")) << cluster.shell("sinfo").out;
+  ASSERT_TRUE(cluster.prints_within_two_minutes("sinfo -h -o %T", "drained\n")) << cluster.shell("sinfo").out;
   EXPECT_EQ(cluster.shell("scontrol update nodename=$(hostname -s) state=resume").exit_code, 0);
   ASSERT_TRUE(cluster.ends()) << cluster.shell("squeue").out;
   EXPECT_EQ(film(dir), whole);

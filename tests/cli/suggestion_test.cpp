@@ -24,7 +24,7 @@ std::map<std::string, std::string> commands_in(const std::string& summary) {
 }
 
 /// Renders one frame, and runs every command of the summary in a shell.
-void expect_that_suggestions_run(const Words& flags, std::size_t count) {
+void expect_suggestions_run(const Words& flags, std::size_t count) {
   const TempDir dir;
   const Words render{"render", "teapot", "--frames", "3", "-o", "my pictures/it's"};
   const RunResult result = run_tool(dir, render + flags);
@@ -46,26 +46,26 @@ TEST(Suggestion, commands_run_for_optics_and_layouts) {
   for (const Words& kind : optics)
     for (const char* layout : {"integral", "views", "quilt"}) {
       SCOPED_TRACE(testing::Message() << kind[1] << " " << layout);
-      expect_that_suggestions_run(kind + Words{"--layout", layout}, 3);
+      expect_suggestions_run(kind + Words{"--layout", layout}, 3);
     }
 }
 
 TEST(Suggestion, commands_run_for_fractional_lenses) {
-  expect_that_suggestions_run({"--size", "64x48", "--lens-pixels", "7.3", "--slant", "10"}, 3);
-  expect_that_suggestions_run({"--optics", "microlens", "--packing", "hexagonal", "--size", "64x48", "--lens-pixels", "8"}, 3);
+  expect_suggestions_run({"--size", "64x48", "--lens-pixels", "7.3", "--slant", "10"}, 3);
+  expect_suggestions_run({"--optics", "microlens", "--packing", "hexagonal", "--size", "64x48", "--lens-pixels", "8"}, 3);
 }
 
 TEST(Suggestion, commands_run_for_displays) {
-  expect_that_suggestions_run({"--display", "portrait", "--layout", "quilt", "--quilt", "6x8", "--size", "480x480"}, 3);
-  expect_that_suggestions_run({"--display", "portrait", "--size", "480x480"}, 3);
-  expect_that_suggestions_run({"--size", "64x48", "--lenses", "8", "--layout", "quilt", "--quilt", "2x4"}, 3);
+  expect_suggestions_run({"--display", "portrait", "--layout", "quilt", "--quilt", "6x8", "--size", "480x480"}, 3);
+  expect_suggestions_run({"--display", "portrait", "--size", "480x480"}, 3);
+  expect_suggestions_run({"--size", "64x48", "--lenses", "8", "--layout", "quilt", "--quilt", "2x4"}, 3);
 }
 
 TEST(Suggestion, eye_view_is_not_always_suggested) {
-  expect_that_suggestions_run({"--optics", "single", "--size", "64x48"}, 1);
+  expect_suggestions_run({"--optics", "single", "--size", "64x48"}, 1);
   const Words print{"--display", "lenticular-60lpi-720dpi", "--layout", "print", "--size", "480x480"};
-  expect_that_suggestions_run(print, 3);
-  expect_that_suggestions_run(print + Words{"--mirror"}, 1);
+  expect_suggestions_run(print, 3);
+  expect_suggestions_run(print + Words{"--mirror"}, 1);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ nlohmann::json report_of(const TempDir& dir, const Words& arguments) {
 
 std::size_t lines_of(const std::string& text) { return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')); }
 
-std::size_t frames_said(const std::string& err) {
+std::size_t reported_frames(const std::string& err) {
   std::istringstream lines(err);
   std::size_t count = 0;
   for (std::string line; std::getline(lines, line);) count += line.starts_with("[");

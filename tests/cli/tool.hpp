@@ -39,7 +39,7 @@ nlohmann::json report_of(const TempDir& dir, const Words& arguments);
 std::size_t lines_of(const std::string& text);
 
 /// Returns how many frames a render with --verbose reports on stderr.
-std::size_t frames_said(const std::string& err);
+std::size_t reported_frames(const std::string& err);
 
 /// Waits for a file that a running program makes. Returns false after a minute.
 bool appears(const std::filesystem::path& path);

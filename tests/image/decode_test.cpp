@@ -280,7 +280,7 @@ TEST_P(EveryFormat, is_recognised_by_its_first_bytes) {
 }
 
 /// Expects a complete image, or an Error naming the file; no other exception, no crash. Returns true for an image.
-bool decodes_or_says_why(const Bytes& file) {
+bool decodes_or_throws(const Bytes& file) {
   try {
     const DecodedPicture picture = decode_picture(file, "the file");
     EXPECT_EQ(samples_in(picture), static_cast<std::size_t>(picture.header.width) *
@@ -294,9 +294,9 @@ bool decodes_or_says_why(const Bytes& file) {
 
 TEST_P(EveryFormat, every_proper_prefix_is_an_error) {
   const Bytes whole = GetParam().file();
-  ASSERT_TRUE(decodes_or_says_why(whole));
+  ASSERT_TRUE(decodes_or_throws(whole));
   for (std::size_t size = 0; size < whole.size(); ++size)
-    EXPECT_FALSE(decodes_or_says_why(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)))) << size;
+    EXPECT_FALSE(decodes_or_throws(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)))) << size;
 }
 
 TEST_P(EveryFormat, one_changed_byte_gives_picture_or_error) {
@@ -305,7 +305,7 @@ TEST_P(EveryFormat, one_changed_byte_gives_picture_or_error) {
     for (const unsigned mask : {0x01u, 0x10u, 0x80u, 0xffu}) {
       Bytes damaged = whole;
       damaged[at] ^= static_cast<std::byte>(mask);
-      decodes_or_says_why(damaged);
+      decodes_or_throws(damaged);
     }
 }
 
@@ -315,7 +315,7 @@ TEST_P(EveryFormat, four_changed_bytes_give_picture_or_error) {
     for (const unsigned value : {0x00u, 0x7fu, 0xffu}) {
       Bytes damaged = whole;
       std::fill_n(damaged.begin() + static_cast<std::ptrdiff_t>(at), 4, static_cast<std::byte>(value));
-      decodes_or_says_why(damaged);
+      decodes_or_throws(damaged);
     }
 }
 

@@ -111,7 +111,7 @@ TEST(JobFile, opposite_keys_exclude_each_other) {
   const test::TempDir dir;
   const auto fit_depth = [&](const char* text) { return read(write(dir / "job.toml", text)).optics.fit_depth; };
   EXPECT_EQ(fit_depth("scene = 'teapot'\n"), std::nullopt);
-  EXPECT_EQ(fit_depth("fit-depth = false\n"), false) << "what every job said before full-depth was known";
+  EXPECT_EQ(fit_depth("fit-depth = false\n"), false) << "in job files of earlier versions";
   EXPECT_EQ(fit_depth("full-depth = true\n"), false);
   EXPECT_EQ(fit_depth("full-depth = false\n"), true);
   EXPECT_THAT(refusal(write(dir / "job.toml", "fit-depth = true\nfull-depth = true\n")),

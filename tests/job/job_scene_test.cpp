@@ -45,9 +45,9 @@ constexpr const char* kTwoCameras = R"({"asset":{"version":"2.0"},"scene":0,"sce
 TEST_F(JobScene, camera_is_chosen_by_name_or_index) {
   RenderParams params = params_of("a.gltf", kTwoCameras);
   EXPECT_EQ(load_scene_of(ResolvedJob(params), {}).scene.cameras.at(0).name, "Front");
-  for (const char* said : {"Side", "1"}) {
-    params.scene.camera = said;
-    EXPECT_EQ(load_scene_of(ResolvedJob(params), {}).scene.cameras.at(0).name, "Side") << said;
+  for (const char* camera : {"Side", "1"}) {
+    params.scene.camera = camera;
+    EXPECT_EQ(load_scene_of(ResolvedJob(params), {}).scene.cameras.at(0).name, "Side") << camera;
   }
 }
 

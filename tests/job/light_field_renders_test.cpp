@@ -124,7 +124,7 @@ TEST_F(LightFieldRenders, exr_header_has_version_optics_and_views) {
     EXPECT_EQ(text("lippmann.scene"), "teapot") << file;
     EXPECT_EQ(text("lippmann.views"), "8x1") << file;
     EXPECT_EQ(nlohmann::ordered_json::parse(text("lippmann.optics")), report["optics"]) << file;
-    EXPECT_LT(report["depth"]["scale"], 1.0) << "a scene that is shown as deep as it is says nothing of this test";
+    EXPECT_LT(report["depth"]["scale"], 1.0) << "this test needs a scene whose depth is scaled";
     EXPECT_NEAR(std::stod(text("lippmann.depth_scale")), report["depth"]["scale"].get<double>(), 1e-6) << file;
   }
 }

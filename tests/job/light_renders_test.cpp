@@ -153,7 +153,7 @@ TEST_F(LightRenders, path_traced_stills_are_denoised_by_default) {
   const Files by_default = rendered(teapot("default", "3", kPaths)), plain = pictures("none");
   EXPECT_NE(by_default, plain);
   EXPECT_EQ(pictures("auto"), by_default);
-  EXPECT_EQ(pictures("true"), by_default) << "as job files of earlier versions say it";
+  EXPECT_EQ(pictures("true"), by_default) << "in job files of earlier versions";
   EXPECT_EQ(pictures("false"), plain);
 }
 

@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-RenderParams said(ReuseChoice choice, Integrator integrator = Integrator::kWhitted) {
+RenderParams params_with(ReuseChoice choice, Integrator integrator = Integrator::kWhitted) {
   RenderParams params;
   params.sampling.integrator = integrator;
   params.sampling.spp = integrator == Integrator::kPath ? 32 : 1;
@@ -31,22 +31,22 @@ std::string refused(const RenderParams& params) {
 }
 
 RenderParams with_reuse(const ReuseParams& reuse) {
-  RenderParams params = said(ReuseChoice::kAuto);
+  RenderParams params = params_with(ReuseChoice::kAuto);
   params.reuse = reuse;
   return params;
 }
 
 TEST(ReuseParams, auto_ignores_key_frames_for_paths) {
-  RenderParams paths = said(ReuseChoice::kAuto, Integrator::kPath);
+  RenderParams paths = params_with(ReuseChoice::kAuto, Integrator::kPath);
   paths.reuse.keyframes = 5;  // as in jobs for many scenes
   EXPECT_STREQ(name_of(frame_params(ResolvedJob(paths)).reuse), "none");
-  RenderParams whitted = said(ReuseChoice::kAuto);
+  RenderParams whitted = params_with(ReuseChoice::kAuto);
   whitted.reuse.keyframes = 5;
   EXPECT_EQ(std::get<CopySettled>(frame_params(ResolvedJob(whitted)).reuse).keyframes, 5);
 }
 
 TEST(ReuseParams, missed_pixels_may_stay_black) {
-  RenderParams params = said(ReuseChoice::kInterpolate);
+  RenderParams params = params_with(ReuseChoice::kInterpolate);
   params.reuse.debug = DebugPicture::kMissed;
   EXPECT_EQ(std::get<Interpolate>(frame_params(ResolvedJob(params)).reuse).fill, MissedFill::kBlack);
   params.reuse.fill = MissedFill::kRetrace;
@@ -64,11 +64,11 @@ TEST(ReuseParams, parameters_without_effect_are_refused) {
   const auto keyframes = [](ReuseParams& reuse) { reuse.keyframes = 4; };
   const auto splat = [](ReuseParams& reuse) { reuse.splat = SplatMode::kLens; };
   const auto floor = [](ReuseParams& reuse) { reuse.min_psnr_db = 40.0; };
-  EXPECT_EQ(with(said(ReuseChoice::kNone), keyframes), "--keyframes");
-  EXPECT_EQ(with(said(ReuseChoice::kNone), floor), "--min-psnr");
-  EXPECT_EQ(with(said(ReuseChoice::kCopy), splat), "--splat");
-  EXPECT_EQ(with(said(ReuseChoice::kAuto, Integrator::kPath), floor), "--min-psnr");
-  EXPECT_EQ(with(said(ReuseChoice::kAuto, Integrator::kPath), splat), "--splat");
+  EXPECT_EQ(with(params_with(ReuseChoice::kNone), keyframes), "--keyframes");
+  EXPECT_EQ(with(params_with(ReuseChoice::kNone), floor), "--min-psnr");
+  EXPECT_EQ(with(params_with(ReuseChoice::kCopy), splat), "--splat");
+  EXPECT_EQ(with(params_with(ReuseChoice::kAuto, Integrator::kPath), floor), "--min-psnr");
+  EXPECT_EQ(with(params_with(ReuseChoice::kAuto, Integrator::kPath), splat), "--splat");
 }
 
 TEST(ReuseParams, interpolation_parameters_are_refused_for_copies) {
@@ -80,7 +80,7 @@ TEST(ReuseParams, interpolation_parameters_are_refused_for_copies) {
 }
 
 TEST(ReuseParams, copied_pixels_satisfy_any_minimum_psnr) {
-  RenderParams params = said(ReuseChoice::kAuto);
+  RenderParams params = params_with(ReuseChoice::kAuto);
   params.reuse.min_psnr_db = 50.0;
   EXPECT_STREQ(name_of(frame_params(ResolvedJob(params)).reuse), "copy");
 }

@@ -41,7 +41,7 @@ class RunningRenderTest : public testing::Test {
     folder_->add(report, {{name, file_checksum(dir_ / name).value_or(FileChecksum{1, "0123456789abcdef"})}});
   }
   /// Returns a script that replaces the tool and writes its arguments to `words`.
-  fs::path tool_that(const std::string& does) {
+  fs::path tool_running(const std::string& does) {
     const fs::path path = dir_ / "tool.sh";
     std::ofstream(path) << "#!/bin/sh\necho \"$@\" > '" << (dir_ / "words").string() << "'\n" << does << "\n";
     fs::permissions(path, fs::perms::owner_all);
@@ -87,7 +87,7 @@ TEST_F(RunningRenderTest, picture_exists_once_its_frame_is_finished) {
 
 TEST_F(RunningRenderTest, stopped_render_is_resumed_by_the_command) {
   folder_.reset();
-  RunningRender render(dir_.path(), {tool_that("echo 'no such scene' >&2; exit 1"), {"render", "a b/job.toml", "--resume"}},
+  RunningRender render(dir_.path(), {tool_running("echo 'no such scene' >&2; exit 1"), {"render", "a b/job.toml", "--resume"}},
                        kAlways);
   EXPECT_EQ(render.state_after(0)["state"], "stopped");
   EXPECT_THROW(render.stop(), Error);
@@ -101,7 +101,7 @@ TEST_F(RunningRenderTest, stopped_render_is_resumed_by_the_command) {
 
 TEST_F(RunningRenderTest, resumed_render_can_be_stopped_early) {
   folder_.reset();
-  RunningRender render(dir_.path(), {tool_that("exec sleep 60"), {}}, kAlways);
+  RunningRender render(dir_.path(), {tool_running("exec sleep 60"), {}}, kAlways);
   render.resume();
   EXPECT_EQ(render.state_after(0)["state"], "starting");
   EXPECT_THROW(render.resume(), Error);
