@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Starts a Slurm cluster of this machine alone in the folder DIR, which must not be there, on loopback, and stops it:
+# Starts and stops a Slurm cluster on this machine only, on loopback, in the new folder DIR:
 #   cluster.sh start DIR     then: export SLURM_CONF=DIR/slurm.conf
 #   cluster.sh stop DIR
-# As root; needs slurmctld, slurmd, slurm-client and munge.
+# Run as root. Needs slurmctld, slurmd, slurm-client and munge.
 set -euo pipefail
 
 wait_for() {  # seconds, command...
