@@ -20,7 +20,7 @@ std::span<const std::string_view> live_setting_names();
 class LiveSettings {
  public:
   /// base: parameters of the command line.
-  LiveSettings(RenderParams base);  // NOLINT(google-explicit-constructor): parameters are settings that nobody has changed
+  LiveSettings(RenderParams base);  // NOLINT(google-explicit-constructor): parameters are unchanged settings
 
   /// The page starts with `first`, which differs from `base` only in its optics, until it sets optics or a display.
   LiveSettings(RenderParams base, RenderParams first);

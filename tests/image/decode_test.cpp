@@ -1,6 +1,5 @@
 // Tests every readable format: its decoded samples, recognition by content instead of name, and damaged files, which must give
 // an image or one error.
-// end in a picture or in one error.
 #include "image/decode.hpp"
 
 #include <gmock/gmock.h>
