@@ -1,6 +1,6 @@
-// Whether the built page in dist/ belongs to the sources: a hash of both stands in dist/stamp.txt.
-//   node stamp.mjs           fails where they do not belong together
-//   node stamp.mjs --write   after a build: they do
+// Checks that the built page in dist/ matches the sources: dist/stamp.txt holds a hash of both.
+//   node stamp.mjs           fails if they do not match
+//   node stamp.mjs --write   writes the hash after a build
 import { createHash } from "node:crypto";
 import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";

@@ -1,10 +1,10 @@
-// Builds into dist/, under names that stay and which the program embeds: the page of `lippmann view` (index.html, app.js and app.css) and,
+// Builds into dist/, under fixed names that the tool embeds: the page of `lippmann view` (index.html, app.js and app.css) and,
 // with `--mode report`, the script of report pages (report.js, and its hash for their content security policy).
 import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { defineConfig } from "vite";
 
-/// Pages that are opened from a disk may run classic scripts only, no modules.
+/// Pages opened from a disk can only run classic scripts, not modules.
 const classicScript = {
   name: "classic-script",
   transformIndexHtml: {
