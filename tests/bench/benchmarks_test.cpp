@@ -1,4 +1,4 @@
-// Benchmarks on a few frames of one scene: which figures there are, and what must be so whatever is measured.
+// Benchmarks on a few frames of one scene: the figures present, and properties that hold for any measurement.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -18,14 +18,14 @@ namespace {
 using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-/// A request for animations of so many frames, without Tachyon's.
+/// Returns a request for animations of this many frames, without Tachyon's.
 bench::Request small_request(const std::string& scene, int frames) {
   bench::Request request;
   request.scenes = {scene}, request.frames = frames, request.tachyon_scenes = "nowhere";
   return request;
 }
 
-TEST(BenchReuse, json_has_a_row_per_method_and_exact_frames_have_no_error) {
+TEST(BenchReuse, json_has_a_row_per_method) {
   const Json rows = run_benchmark("reuse", small_request("primitives", 3)).rows;
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0]["method"], "exact");
@@ -43,7 +43,7 @@ TEST(BenchReuse, json_has_a_row_per_method_and_exact_frames_have_no_error) {
   EXPECT_EQ(rows[0]["ssim"], 1.0);
 }
 
-TEST(BenchDenoise, json_has_a_row_per_picture_and_number_of_samples) {
+TEST(BenchDenoise, json_has_a_row_per_picture_and_samples) {
   const TempDir dir;
   bench::Request request = quick_request({"teapot"});
   request.references = dir / "references";
@@ -80,10 +80,10 @@ TEST(BenchLamps, json_has_a_row_per_kind_and_number_of_lamps) {
   EXPECT_EQ(rows[0]["cpu_at_equal_psnr"], 1.0);
 }
 
-TEST(BenchReplay, no_eye_of_25_sees_depth_inverted_and_near_layers_come_nearest_to_direct_views) {
+TEST(BenchReplay, all_eyes_see_orthoscopic_depth) {
   const bench::Report report = run_benchmark("replay", {});
   ASSERT_EQ(report.rows.size(), 50u);
-  EXPECT_EQ(report.passed_checks, 100);  // the right way round, and the wrong one where the picture is pseudoscopic
+  EXPECT_EQ(report.passed_checks, 100);  // orthoscopic, and pseudoscopic after conversion
   double near = 0.0, beyond = 0.0;
   for (const auto& row : report.rows) {
     EXPECT_GT(row["behind_order_db"], 0.0) << row;
@@ -93,8 +93,8 @@ TEST(BenchReplay, no_eye_of_25_sees_depth_inverted_and_near_layers_come_nearest_
   EXPECT_GT(near, beyond + 3.0);
 }
 
-// One run for all that it gives: it takes seconds.
-TEST(BenchPaper, json_sums_up_its_frames_text_has_the_papers_figures_and_plots_are_drawn) {
+// One run for all checks, because it takes seconds.
+TEST(BenchPaper, json_text_and_plots_are_complete) {
   const TempDir dir;
   const bool draws = std::system("command -v gnuplot > /dev/null") == 0;
   bench::Request request = small_request("primitives", 4);
@@ -123,7 +123,7 @@ TEST(BenchPaper, json_sums_up_its_frames_text_has_the_papers_figures_and_plots_a
   EXPECT_EQ(report.details["styles"].size(), 1u);
   EXPECT_THAT(said, HasSubstr("primitives: frames 0 to 3\n"));
   EXPECT_THAT(report.text, HasSubstr("mean squared errors"));
-  EXPECT_THAT(report.text, HasSubstr("67 %"));  // what table 2 has saved: 1 - 333 / 1024
+  EXPECT_THAT(report.text, HasSubstr("67 %"));  // saving in table 2: 1 - 333 / 1024
   const std::string csv = file_bytes(dir / "paper.csv");
   EXPECT_THAT(csv, testing::StartsWith("scene,keyframes,saving,paper_saving,psnr_db,paper_psnr_db,reproduced\nprimitives,"));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2);
@@ -132,7 +132,7 @@ TEST(BenchPaper, json_sums_up_its_frames_text_has_the_papers_figures_and_plots_a
   EXPECT_GT(file_bytes(dir / "plots/saving.png").size(), 1000u);
 }
 
-TEST(BenchPaper, a_table_that_cannot_be_written_is_refused_before_anything_is_measured) {
+TEST(BenchPaper, unwritable_tables_are_refused_first) {
   const TempDir dir;
   std::ofstream(dir / "file") << "in the way";
   bench::Request request = small_request("teapot", 2);
@@ -144,28 +144,28 @@ TEST(BenchPaper, a_table_that_cannot_be_written_is_refused_before_anything_is_me
   EXPECT_THAT(refusal(dir.path()), HasSubstr("is not a regular file"));
 }
 
-TEST(BenchPaper, unknown_scene_is_refused_with_the_known_ones) {
+TEST(BenchPaper, unknown_scenes_are_refused) {
   EXPECT_THAT(error_message([] { run_benchmark("paper", small_request("nothing", 0)); }), HasSubstr("gears"));
   bench::Request request = small_request("primitives", 2);
-  request.scenes.emplace_back("nothing");  // beside one that is there
+  request.scenes.emplace_back("nothing");  // beside an existing one
   EXPECT_THAT(error_message([&] { run_benchmark("paper", request); }), HasSubstr("there is no animation 'nothing'"));
 }
 
-TEST(BenchPaper, tachyons_scene_without_its_files_names_the_package) {
-  const std::string said = error_message([] { run_benchmark("paper", small_request("smallballs", 0)); });
-  EXPECT_THAT(said, HasSubstr("nowhere: has no smallballs.dat, smallballs.cam"));
-  EXPECT_THAT(said, HasSubstr("tachyon-doc"));
+TEST(BenchPaper, missing_tachyon_files_name_the_package) {
+  const std::string message = error_message([] { run_benchmark("paper", small_request("smallballs", 0)); });
+  EXPECT_THAT(message, HasSubstr("nowhere: has no smallballs.dat, smallballs.cam"));
+  EXPECT_THAT(message, HasSubstr("tachyon-doc"));
 }
 
-TEST(BenchPaper, missing_tachyon_scenes_are_warned_about) {
-  std::vector<std::string> said;
+TEST(BenchPaper, missing_tachyon_scenes_warn) {
+  std::vector<std::string> warnings;
   Context context;
-  context.warn = [&](std::string_view line) { said.emplace_back(line); };
+  context.warn = [&](std::string_view line) { warnings.emplace_back(line); };
   bench::bench_animations(small_request("primitives", 2), context);
-  EXPECT_THAT(said, testing::IsEmpty());
+  EXPECT_THAT(warnings, testing::IsEmpty());
   bench::bench_animations(small_request("teapot", 2), context);
-  ASSERT_EQ(said.size(), 1u);
-  EXPECT_THAT(said[0], HasSubstr("nowhere has no teapot.dat, teapot.cam. Debian's package tachyon-doc"));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0], HasSubstr("nowhere has no teapot.dat, teapot.cam. Install Debian's package tachyon-doc"));
 }
 
 }  // namespace

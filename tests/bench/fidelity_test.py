@@ -1,4 +1,4 @@
-"""The parts of bench/gltf_fidelity.py: FLIP by values of its paper's formulas, PNG filters, cameras, files in one, medians."""
+"""The parts of bench/gltf_fidelity.py: FLIP by values of its paper's formulas, PNG filters, cameras, single files, medians."""
 
 import base64
 import json
@@ -38,14 +38,14 @@ def flip_of(a, b):
 
 
 class Flip(unittest.TestCase):
-    def test_like_pictures_have_no_difference(self):
+    def test_equal_pictures_have_no_difference(self):
         noise = np.random.default_rng(1).integers(0, 256, (40, 30, 3)).astype(np.uint8)
         self.assertEqual(flip.difference(noise, noise).max(), 0.0)
 
-    def test_plain_green_and_blue_differ_by_all(self):
-        np.testing.assert_allclose(flip_of(GREEN, BLUE), 1.0, atol=1e-6)  # the two that the scale is made by
+    def test_green_and_blue_differ_most(self):
+        np.testing.assert_allclose(flip_of(GREEN, BLUE), 1.0, atol=1e-6)  # these two define the scale
 
-    def test_plain_black_and_white_differ_by_their_lightness_alone(self):
+    def test_black_and_white_differ_in_lightness(self):
         most = float(flip.hyab(*flip.hunt_lab(np.array([[0.0, 1, 0], [0, 0, 1]])))**0.7)
         split = 0.4 * most
         expected = 0.95 + 0.05 * (100**0.7 - split) / (most - split)  # beyond the split; L* is 0 and 100
@@ -55,24 +55,24 @@ class Flip(unittest.TestCase):
     def test_lightness_of_half_the_light_is_cies(self):
         self.assertAlmostEqual(flip.hunt_lab(np.full((1, 1, 3), 0.5))[0, 0, 0], 116 * 0.5**(1 / 3) - 16, places=6)
 
-    def test_opponent_colours_come_back(self):
+    def test_opponent_colours_round_trip(self):
         rgb = np.random.default_rng(2).random((5, 5, 3))
         np.testing.assert_allclose(flip.from_opponent(flip.opponent(rgb)), rgb, atol=1e-9)
 
-    def test_a_line_that_is_missing_counts_more_than_as_much_lightness_everywhere(self):
+    def test_missing_lines_count_more_than_lightness(self):
         lined = plain((128, 128, 128))[..., :3]
         lined[:, 20] = 255
         grey = plain((128, 128, 128))[..., :3]
         seen = flip.color_difference(*[flip.opponent(flip.linear(p / 255.0)) for p in (lined, grey)])
         self.assertGreater(flip.difference(lined, grey)[20, 20], 1.2 * seen[20, 20])
 
-    def test_either_picture_may_be_the_reference(self):
+    def test_flip_is_symmetric(self):
         a, b = (np.random.default_rng(seed).integers(0, 256, (33, 37, 3)).astype(np.uint8) for seed in (3, 4))
         np.testing.assert_allclose(flip.difference(a, b), flip.difference(b, a), atol=1e-12)
 
 
 def filtered(codes, kinds):
-    """A PNG file whose row i has the filter kinds[i]."""
+    """Returns a PNG file whose row i has the filter kinds[i]."""
     height, width, step = codes.shape
     above, out = [0] * (width * step), b""
     for row, kind in zip(codes.reshape(height, -1).tolist(), kinds):
@@ -97,11 +97,11 @@ class Pictures(unittest.TestCase):
         self.file.write_bytes(filtered(codes, [0, 1, 2, 3, 4] * 2))
         np.testing.assert_array_equal(pictures.read(self.file), codes)
 
-    def test_without_alpha_all_is_covered(self):
+    def test_without_alpha_everything_is_covered(self):
         self.file.write_bytes(filtered(plain(RED, 3)[..., :3], [4, 4, 4]))
         np.testing.assert_array_equal(pictures.read(self.file), plain(RED, 3))
 
-    def test_what_is_written_is_read(self):
+    def test_pictures_round_trip(self):
         codes = np.random.default_rng(6).integers(0, 256, (4, 5, 4)).astype(np.uint8)
         self.file.write_bytes(pictures.png(codes))
         np.testing.assert_array_equal(pictures.read(self.file), codes)
@@ -111,26 +111,26 @@ class Pictures(unittest.TestCase):
         with self.assertRaisesRegex(SystemExit, "not a PNG"):
             pictures.read(self.file)
 
-    def test_halves_have_the_mean_light_of_what_is_covered(self):
+    def test_halves_average_the_covered_light(self):
         picture = plain(WHITE, 2)
-        picture[0] = (*BLACK, 0)  # the upper row is empty, so that it weighs nothing
+        picture[0] = (*BLACK, 0)  # the upper row is empty and has no weight
         np.testing.assert_array_equal(pictures.shrunk(picture, 1, 1), [[[255, 255, 255, 128]]])
         self.assertIsNone(pictures.shrunk(plain(WHITE, 3), 2, 2))
 
 
 class Judge(unittest.TestCase):
-    def test_the_odd_one_out_is_far_from_the_median_and_the_others_are_near(self):
+    def test_outliers_are_far_from_the_median(self):
         judged = judge.judged({"a": plain((100, 100, 100)), "b": plain((102, 102, 102)), "c": plain((101, 101, 101)), "odd": plain((200, 100, 100))})
-        self.assertGreater(judged["a"]["psnr_db"], 44)  # medians of what is left are 102 at most
+        self.assertGreater(judged["a"]["psnr_db"], 44)  # medians of the rest are at most 102
         self.assertLess(judged["odd"]["psnr_db"], 14)
         self.assertGreater(judged["odd"]["flip"], 10 * judged["a"]["flip"])
 
-    def test_others_are_as_far_from_one_another_as_two_pictures_are(self):
+    def test_two_others_compare_with_each_other(self):
         named = {"ours": plain(RED), "a": plain((100, 100, 100)), "b": plain((110, 110, 110))}
         self.assertAlmostEqual(judge.among_others(named, "ours"), 20 * math.log10(25.5), places=9)
         self.assertIsNone(judge.among_others({"ours": plain(RED), "a": plain(RED)}, "ours"))
 
-    def test_of_three_others_each_is_held_against_the_median_of_two(self):
+    def test_three_others_compare_with_medians(self):
         named = {"ours": plain(RED), "a": plain((100,) * 3), "b": plain((100,) * 3), "c": plain((110,) * 3)}
         self.assertAlmostEqual(judge.among_others(named, "ours"), judge.decibels((5**2 + 5**2 + 10**2) / 3), places=9)
 
@@ -139,11 +139,11 @@ class Judge(unittest.TestCase):
         a[:20], b[:20] = plain(WHITE)[:20], plain((245, 245, 245))[:20]
         self.assertAlmostEqual(judge.judged({"a": a, "b": b})["a"]["psnr_db"], 20 * math.log10(25.5), places=9)
 
-    def test_pictures_of_background_alone_are_refused(self):
+    def test_empty_pictures_are_refused(self):
         with self.assertRaisesRegex(SystemExit, "background"):
             judge.judged({"a": plain(BLACK, 20, 0), "b": plain(BLACK, 20, 0)})
 
-    def test_noise_of_more_samples_is_told_from_the_difference_to_fewer(self):
+    def test_noise_follows_from_the_difference(self):
         random = np.random.default_rng(7)
         grey = lambda sigma: np.clip(np.round(128 + sigma * random.standard_normal((200, 200, 1))), 0, 255).astype(np.uint8)
         few, many = [np.concatenate([np.repeat(grey(sigma), 3, 2), plain(WHITE, 200)[..., :1]], axis=2) for sigma in (10.0, 10.0 / 8**0.5)]
@@ -160,7 +160,7 @@ class Scenarios(unittest.TestCase):
                 (golden / f"{name}-golden.png").touch()
             return scenarios.read(Path(folder))
 
-    def test_what_is_not_said_is_as_in_render_fidelity(self):
+    def test_defaults_match_render_fidelity(self):
         one, = self.read({"scenarios": [{"name": "one", "model": "m.glb", "orbit": {"theta": 90}, "target": {"y": 2}}]})
         self.assertEqual((one.width, one.height, one.vertical_fov_deg, one.skybox), (768, 768, 45.0, False))
         self.assertEqual((one.orbit, one.target), (scenarios.Orbit(90, 90.0, 1.0), (0.0, 2, 0.0)))
@@ -170,7 +170,7 @@ class Scenarios(unittest.TestCase):
         one, = self.read({"scenarios": [{"name": "one", "model": "m.glb", "exclude": ["a"]}]})
         self.assertEqual(list(one.references), ["b"])
 
-    def test_bad_configurations_are_refused_with_their_name(self):
+    def test_bad_configurations_are_refused(self):
         for config in ({}, {"scenarios": []}, {"scenarios": [{"name": "x"}]}, {"scenarios": [{"name": "x", "model": "m", "orbit": {"tilt": 1}}]}):
             with self.assertRaises(SystemExit):
                 self.read(config)
@@ -182,17 +182,17 @@ class Scenarios(unittest.TestCase):
     def test_an_orbits_camera_looks_at_its_target(self):
         for theta, phi in ((0, 90), (30, 60), (-90, 45), (200, 120)):
             place, (x, y, z, w) = scenarios.camera_place(scenarios.Orbit(theta, phi, 5.0), (1.0, 2.0, 3.0))
-            forward = np.array([-2 * (x * z + w * y), -2 * (y * z - w * x), 2 * (x * x + y * y) - 1])  # -z, turned
+            forward = np.array([-2 * (x * z + w * y), -2 * (y * z - w * x), 2 * (x * x + y * y) - 1])  # -z, rotated
             np.testing.assert_allclose(np.array(place) + 5.0 * forward, (1, 2, 3), atol=1e-9)
 
-    def test_an_orbit_of_none_stands_in_front_and_phi_0_above(self):
+    def test_default_orbit_is_in_front(self):
         np.testing.assert_allclose(scenarios.camera_place(scenarios.Orbit(), (0, 0, 0))[0], (0, 0, 1), atol=1e-12)
         np.testing.assert_allclose(scenarios.camera_place(scenarios.Orbit(90, 90, 2), (0, 0, 0))[0], (2, 0, 0), atol=1e-12)
         np.testing.assert_allclose(scenarios.camera_place(scenarios.Orbit(0, 0, 2), (0, 0, 0))[0], (0, 2, 0), atol=1e-12)
 
 
 class OneFile(unittest.TestCase):
-    def test_buffers_and_images_from_everywhere_are_found_in_one(self):
+    def test_all_buffers_and_images_are_embedded(self):
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
             (folder / "a b.bin").write_bytes(b"first")
@@ -211,7 +211,7 @@ class OneFile(unittest.TestCase):
         self.assertEqual(back.doc["nodes"][back.doc["scenes"][0]["nodes"][0]]["name"], one_file.CAMERA)
 
 
-    def test_a_files_own_camera_is_the_first_perspective_one(self):
+    def test_own_camera_is_the_first_perspective_one(self):
         with tempfile.TemporaryDirectory() as name:
             file = Path(name) / "f.gltf"
             flat, deep = {"type": "orthographic", "orthographic": {}}, {"type": "perspective", "perspective": {"yfov": 0.5, "aspectRatio": 2.0}}
@@ -225,7 +225,7 @@ class OneFile(unittest.TestCase):
 
 
 class Lamps(unittest.TestCase):
-    def test_units_are_those_of_the_program_that_wrote_them(self):
+    def test_units_depend_on_the_exporter(self):
         self.assertEqual(lamps.scale("Khronos glTF", "point"), 1.0)
         self.assertAlmostEqual(lamps.scale("Khronos glTF Blender I/O v3.4.50", "point"), 1 / 683)
         self.assertAlmostEqual(lamps.scale("Khronos glTF Blender I/O v3.4.38", "spot"), 1 / (4 * math.pi))
@@ -237,11 +237,11 @@ class Reads(unittest.TestCase):
         return {"extensionsUsed": ["KHR_never_there"], "extensions": {"EXT_lights_ies": {}}, "nodes": [{"extras": {"extensions": {"EXT_of_somebody": {}}}}],
                 "materials": [{"extensions": {"KHR_materials_iridescence": {}, "KHR_materials_specular": specular, "KHR_xmp": {}}}]}
 
-    def test_extensions_are_those_that_things_have(self):
+    def test_extensions_are_those_in_use(self):
         self.assertEqual(reads.extensions_of(self.document({"specularFactor": 0.5, "specularColorFactor": [1, 1, 1]})),
                          {"EXT_lights_ies", "KHR_materials_iridescence", "KHR_materials_specular", "KHR_xmp"})
 
-    def test_what_blender_does_not_read_depends_on_its_version(self):
+    def test_unread_features_depend_on_blenders_version(self):
         names = reads.extensions_of(self.document({"specularColorFactor": [1, 0.5, 1]}))
         old, new = {"KHR_materials_specular"}, {"KHR_materials_specular", "KHR_materials_iridescence"}
         self.assertEqual(reads.unread(names, old, (3, 4, 1)), ["EXT_lights_ies", "KHR_materials_iridescence", reads.COLOURED_GLOSS])
@@ -249,18 +249,18 @@ class Reads(unittest.TestCase):
 
 
 class Failures(unittest.TestCase):
-    """Of a renderer that has no picture of a file."""
+    """A renderer without a picture of a file."""
 
-    def test_the_reason_is_the_line_that_names_the_error(self):
-        said = "Blender 3.4.1\nTraceback (most recent call last):\n  File x\nValueError: no camera\nError: Python: Traceback (most recent call last):\nError: script failed, file: 'x'\nBlender quit\n"
-        self.assertEqual(peers.reason(said), "ValueError: no camera")
+    def test_the_reason_is_the_line_of_the_error(self):
+        text = "Blender 3.4.1\nTraceback (most recent call last):\n  File x\nValueError: no camera\nError: Python: Traceback (most recent call last):\nError: script failed, file: 'x'\nBlender quit\n"
+        self.assertEqual(peers.reason(text), "ValueError: no camera")
         self.assertEqual(peers.reason("lippmann: a.glb: is damaged\n"), "lippmann: a.glb: is damaged")
         self.assertEqual(peers.reason(""), "no message")
 
-    def test_a_failure_ends_a_script_that_does_not_catch_it(self):
+    def test_uncaught_failures_end_a_script(self):
         self.assertTrue(issubclass(peers.Failed, SystemExit))
 
-    def test_a_row_says_which_renderer_failed_and_why(self):
+    def test_rows_name_failed_renderers(self):
         row, judged = gltf_fidelity.row_of(scenarios.Scenario("car", None), {"lippmann": plain(RED, 20)}, {"lippmann_speed": 1.0}, (), {"cycles": "ValueError: no"}, {})
         self.assertEqual((row["renderers"], judged), ({}, {}))
         self.assertIn("cycles has no picture: ValueError: no", gltf_fidelity.line(row))
@@ -271,13 +271,13 @@ class Failures(unittest.TestCase):
         self.assertIn("<td>cycles<td>", page.table(out.rows))
         self.assertEqual(out.sections[0].count("data:image/png;base64,"), 1)
 
-    def test_what_a_renderer_does_not_read_is_told(self):
+    def test_unread_features_are_named(self):
         named = {"lippmann": plain(RED, 20), "cycles": plain(BLUE, 20)}
         row, _ = gltf_fidelity.row_of(scenarios.Scenario("soap", None), named, unread={"cycles": ["KHR_materials_iridescence"]})
-        self.assertIn("cycles does not show what the file has by KHR_materials_iridescence", gltf_fidelity.line(row))
+        self.assertIn("cycles does not show KHR_materials_iridescence, which the file uses", gltf_fidelity.line(row))
         self.assertEqual(gltf_fidelity.reservations([row]), ["1 of 1 scenarios have something that a renderer does not read: soap"])
 
-    def test_files_that_cannot_be_opened_are_failures_too(self):
+    def test_unreadable_files_are_failures(self):
         with tempfile.TemporaryDirectory() as name:
             file = Path(name) / "f.gltf"
             for text in ("{", json.dumps({"buffers": [{"byteLength": 3, "uri": "there-is-none.bin"}]})):
@@ -287,7 +287,7 @@ class Failures(unittest.TestCase):
 
 
 class Page(unittest.TestCase):
-    def test_names_and_pictures_are_in_it_and_nothing_from_outside(self):
+    def test_the_page_is_self_contained(self):
         named = {"lippmann": plain(RED, 20), "<other>": plain(BLUE, 20)}
         judged = judge.judged(named)
         out = page.Page()

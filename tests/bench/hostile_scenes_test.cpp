@@ -1,4 +1,4 @@
-// The scenes that are hard to denoise: they are valid, and things move in them.
+// The scenes that are hard to denoise are valid and have motion.
 #include "bench/hostile_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -19,8 +19,8 @@ Scene scene_named(const std::string& name) {
   return std::find_if(all.begin(), all.end(), [&](const HostileScene& scene) { return scene.name == name; })->build();
 }
 
-/// The longest way, in shares of the array's height and relative to the array, that a node which shows or lights something
-/// goes from the frame before, or a point beside it that turns with it does.
+/// Returns the longest motion since the previous frame, in shares of the array's height and relative to the array, of a node
+/// with a shape or a light, or of a point beside it that rotates with it.
 float largest_step(const Scene& scene, int frame) {
   const ResolvedScene before = evaluate(scene, scene.timeline.time(frame - 1)),
                       after = evaluate(scene, scene.timeline.time(frame));
@@ -41,7 +41,7 @@ float largest_step(const Scene& scene, int frame) {
   return largest / height;
 }
 
-TEST(HostileScenes, have_names_of_their_own_and_say_what_is_hard) {
+TEST(HostileScenes, have_unique_names_and_descriptions) {
   std::set<std::string> names;
   for (const HostileScene& scene : hostile_scenes()) {
     EXPECT_TRUE(names.insert(scene.name).second) << scene.name;
@@ -54,7 +54,7 @@ TEST(HostileScenes, pass_validation) {
   for (const HostileScene& scene : hostile_scenes()) EXPECT_NO_THROW(validate(scene.build(), scene.name)) << scene.name;
 }
 
-TEST(HostileScenes, have_the_optics_that_they_ask_for) {
+TEST(HostileScenes, have_the_requested_optics) {
   for (const HostileScene& hostile : hostile_scenes()) {
     const Scene scene = hostile.build();
     EXPECT_NO_THROW(validate(place(ResolvedJob(hostile.params), scene).placed.optics)) << hostile.name;
@@ -62,19 +62,19 @@ TEST(HostileScenes, have_the_optics_that_they_ask_for) {
   }
 }
 
-TEST(HostileScenes, move_from_every_frame_to_the_next) {
+TEST(HostileScenes, move_in_every_frame) {
   for (const HostileScene& hostile : hostile_scenes()) {
     const Scene scene = hostile.build();
     EXPECT_EQ(scene.timeline.frames_per_second, 25.0) << hostile.name;
     for (int frame = 1; frame < hostile.frames; ++frame) {
-      // A pixel of 120; thin things move by a part of one.
+      // One of 120 pixels; thin objects move by a part of a pixel.
       const float least = hostile.name == "thin" ? 0.2f / 120.0f : 1.0f / 120.0f;
       EXPECT_GT(largest_step(scene, frame), least) << hostile.name << ", frame " << frame;
     }
   }
 }
 
-TEST(HostileScenes, of_another_unit_are_the_same_scene_scaled) {
+TEST(HostileScenes, in_other_units_are_scaled) {
   const Scene scene = scene_named("bar-lamp"), small = scene_named("millimetres");
   const Bounds3f bounds = finite_bounds(scene, evaluate(scene, 0.2)), small_bounds = finite_bounds(small, evaluate(small, 0.2));
   EXPECT_NEAR(glm::length(small_bounds.size()), 1e-3f * glm::length(bounds.size()), 1e-6f);

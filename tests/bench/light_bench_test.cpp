@@ -36,7 +36,7 @@ TEST(BenchLight, json_has_a_row_per_scene_with_all_figures) {
       EXPECT_TRUE(row[key].is_number()) << key;
       EXPECT_TRUE(row[std::string("full_") + key].is_number()) << key;
     }
-    for (const char* key : {"block_psnr_db", "edge_psnr_db"})  // null where the noise of so small references hides the error
+    for (const char* key : {"block_psnr_db", "edge_psnr_db"})  // null if the noise of such small references hides the error
       EXPECT_TRUE(row.contains(key) && row.contains(std::string("full_") + key)) << key;
     EXPECT_EQ(row["frame_flicker"].is_number(), frames[r] >= 3);
     const double ratio = row["full_cpu_seconds"].get<double>() / row["cpu_seconds"].get<double>();
@@ -56,7 +56,7 @@ TEST(BenchLight, rows_are_measured_in_other_views) {
   EXPECT_THAT(error_message([&] { light_rows(dir, request); }), HasSubstr("--views"));
 }
 
-TEST(BenchLight, kept_references_serve_again_and_damaged_or_other_ones_do_not) {
+TEST(BenchLight, valid_references_are_reused) {
   const TempDir dir;
   bench::Request scene = quick_request({"primitives"}, 2);
   const Json first = light_rows(dir, scene)[0], second = light_rows(dir, scene)[0];
@@ -99,7 +99,7 @@ TEST(BenchLight, list_names_all_rows_and_measures_none) {
   for (const char* row : {"teapot", "tree-quilt", "bar-sun", "large"}) EXPECT_THAT(report.text, HasSubstr(row));
 }
 
-TEST(BenchEstimates, every_interval_contains_the_truth_or_lies_beside_it) {
+TEST(BenchEstimates, counts_of_intervals_are_consistent) {
   const TempDir dir;
   bench::Request request = quick_request({"flash", "primitives"}, 2);
   request.references = dir / "references";
@@ -107,7 +107,7 @@ TEST(BenchEstimates, every_interval_contains_the_truth_or_lies_beside_it) {
   ASSERT_EQ(report.rows.size(), 2u);
   int frames = 0, contain = 0;
   for (const Json& row : report.rows) {
-    EXPECT_EQ(row["frames"], 2 * 2) << "two frames of two seeds";
+    EXPECT_EQ(row["frames"], 2 * 2) << "two frames with two seeds";
     EXPECT_EQ(row["contain_truth"].get<int>() + row["too_low"].get<int>() + row["too_high"].get<int>(), row["frames"]);
     EXPECT_LE(row["without_upper_bound"], row["frames"]);
     if (row["mean_width_db"].is_number()) {

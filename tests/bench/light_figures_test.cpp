@@ -10,7 +10,7 @@
 namespace lippmann::bench {
 namespace {
 
-/// Grey pixels.
+/// Returns a picture of grey pixels.
 Image8 picture(int width, int height, const std::vector<unsigned char>& greys) {
   Image8 image{width, height, {}};
   for (const unsigned char grey : greys) image.rgb.insert(image.rgb.end(), 3, grey);
@@ -21,7 +21,7 @@ Image8 even(int width, int height, unsigned char grey) {
   return picture(width, height, std::vector<unsigned char>(static_cast<std::size_t>(width) * height, grey));
 }
 
-/// Frames without noise: both halves are the same.
+/// Returns references without noise: both halves are equal.
 References exact(const Frames& frames) {
   References references;
   for (const Image8& frame : frames) references.push_back({frame, frame});
@@ -39,20 +39,20 @@ TEST(LightFigures, error_is_the_mean_over_all_frames) {
   EXPECT_DOUBLE_EQ(mean_squared_error(exact(reference), test), (4.0 + 16.0) / 4.0);
 }
 
-TEST(LightFigures, noise_of_references_is_no_error_of_the_test) {
-  // The halves err by 4 and by 6. An exact test differs from both, but the products sum to 0.
+TEST(LightFigures, noise_of_references_is_not_counted) {
+  // The halves have errors of 4 and 6. An exact test differs from both, but the products sum to 0.
   const References references{{picture(4, 1, {104, 96, 104, 96}), picture(4, 1, {106, 106, 94, 94})}};
   EXPECT_DOUBLE_EQ(mean_squared_error(references, {picture(4, 1, {100, 100, 100, 100})}), 0.0);
   EXPECT_DOUBLE_EQ(mean_squared_error(references, {picture(4, 1, {103, 103, 103, 103})}), 9.0);
 }
 
 TEST(LightFigures, light_is_compared_with_the_mean_of_both_halves) {
-  // Codes up to 10 are in the straight part of the sRGB curve.
+  // Codes up to 10 are in the linear part of the sRGB curve.
   EXPECT_NEAR(mean_light_ratio({{picture(1, 1, {4}), picture(1, 1, {8})}}, {picture(1, 1, {6})}), 1.0, 1e-12);
 }
 
-TEST(LightFigures, blocks_stay_within_views_and_leave_out_their_edges) {
-  Image8 stack = even(12, 24, 0);  // two views of 12 x 12 pixels: one block of each
+TEST(LightFigures, blocks_stay_within_views) {
+  Image8 stack = even(12, 24, 0);  // two views of 12 x 12 pixels, with one block each
   for (std::size_t c = 0; c < 3; ++c) {
     stack.rgb[c] = 64;                       // in the first block
     stack.rgb[3 * 8 + c] = 255;              // to the right of it
@@ -63,7 +63,7 @@ TEST(LightFigures, blocks_stay_within_views_and_leave_out_their_edges) {
   EXPECT_EQ(means, (std::vector<double>{1.0, 1.0, 1.0, 2.0, 2.0, 2.0}));
 }
 
-TEST(LightFigures, checkers_of_equal_mean_are_an_error_of_pixels_alone) {
+TEST(LightFigures, checkers_of_equal_mean_have_no_block_error) {
   std::vector<unsigned char> checkers;
   for (int i = 0; i < 64; ++i) checkers.push_back((i + i / 8) % 2 == 0 ? 90 : 110);
   const Frames reference{even(8, 8, 100)}, test{picture(8, 8, checkers)};
@@ -71,16 +71,16 @@ TEST(LightFigures, checkers_of_equal_mean_are_an_error_of_pixels_alone) {
   EXPECT_EQ(block_squared_error(exact(reference), test, {8, 8}), 0.0);
 }
 
-TEST(LightFigures, offset_of_two_codes_is_an_error_of_blocks_as_of_pixels) {
+TEST(LightFigures, offsets_have_equal_block_and_pixel_errors) {
   EXPECT_DOUBLE_EQ(block_squared_error(exact({even(8, 8, 100)}), {even(8, 8, 102)}, {8, 8}), 4.0);
 }
 
-TEST(LightFigures, errors_of_views_without_a_whole_block_are_not_numbers) {
+TEST(LightFigures, errors_without_blocks_are_nan) {
   EXPECT_TRUE(std::isnan(block_squared_error(exact({even(7, 7, 100)}), {even(7, 7, 102)}, {7, 7})));
 }
 
-// Two views of 4 x 1 pixels. The first has an edge between pixels 1 and 2; from view to view there is none.
-TEST(LightFigures, errors_at_edges_are_those_of_the_pixels_on_either_side) {
+// Two views of 4 x 1 pixels. The first has an edge between pixels 1 and 2; there is no edge between views.
+TEST(LightFigures, edge_errors_use_both_sides) {
   const Frames reference{picture(4, 2, {0, 0, 16, 16, 100, 100, 100, 100})};
   const Frames test{picture(4, 2, {9, 1, 19, 16, 100, 100, 100, 90})};
   EXPECT_DOUBLE_EQ(edge_squared_error(exact(reference), test, {4, 1}), (1.0 + 9.0) / 2.0);
@@ -88,11 +88,11 @@ TEST(LightFigures, errors_at_edges_are_those_of_the_pixels_on_either_side) {
 }
 
 // Views 0 0 10 0 in a row: |0 - 0 + 10| and |0 - 20 + 0|.
-TEST(LightFigures, view_flicker_is_the_second_difference_along_a_row_of_views) {
+TEST(LightFigures, view_flicker_is_the_second_difference) {
   EXPECT_DOUBLE_EQ(view_flicker({picture(1, 4, {0, 0, 10, 0})}, {{4, 1}, {1, 1}}), (10.0 + 20.0) / 2.0);
 }
 
-TEST(LightFigures, view_flicker_does_not_go_from_row_to_row_of_views) {
+TEST(LightFigures, view_flicker_stays_within_rows) {
   const Frames frames{picture(1, 6, {1, 2, 3, 50, 40, 30})};
   EXPECT_DOUBLE_EQ(view_flicker(frames, {{3, 2}, {1, 1}}), 0.0);
   EXPECT_TRUE(std::isnan(view_flicker(frames, {{2, 3}, {1, 1}})));
@@ -103,7 +103,7 @@ TEST(LightFigures, frame_flicker_is_the_second_difference_along_time) {
   EXPECT_DOUBLE_EQ(frame_flicker(frames), (0.0 + 40.0) / 2.0);
 }
 
-TEST(LightFigures, flicker_of_two_frames_is_not_a_number) {
+TEST(LightFigures, flicker_of_two_frames_is_nan) {
   EXPECT_TRUE(std::isnan(frame_flicker({picture(1, 1, {10}), picture(1, 1, {20})})));
 }
 

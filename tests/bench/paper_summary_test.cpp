@@ -8,7 +8,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// Two frames, a key frame and one in between that costs a share of tracing, at 20 dB.
+/// Returns two frames, a key frame and an in-between frame at 20 dB that costs a share of tracing.
 ReuseRun run_of(const char* scene, int keyframes, double cost, const char* method = "forward") {
   ReuseRun run{scene, method, keyframes, 1, {}};
   ReuseFrame key, between;
@@ -19,8 +19,8 @@ ReuseRun run_of(const char* scene, int keyframes, double cost, const char* metho
   return run;
 }
 
-TEST(PaperSummary, takes_the_shortest_interval_that_saves_as_much_as_the_paper) {
-  // The paper saves 67.5 % of primitives: 1 - 333 / 1024.
+TEST(PaperSummary, takes_the_shortest_sufficient_interval) {
+  // The paper saves 67.5 % for primitives: 1 - 333 / 1024.
   const auto rows = reproduced_figures({run_of("primitives", 2, 0.6), run_of("primitives", 4, 0.3),
                                         run_of("primitives", 8, 0.2), run_of("primitives", 4, 0.1, "forward, halving")});
   ASSERT_EQ(rows.size(), 1u);
@@ -29,7 +29,7 @@ TEST(PaperSummary, takes_the_shortest_interval_that_saves_as_much_as_the_paper) 
   EXPECT_EQ(rows[0].verdict(), "yes");
 }
 
-TEST(PaperSummary, or_else_the_interval_that_saves_most) {
+TEST(PaperSummary, falls_back_to_the_largest_saving) {
   const auto rows =
       reproduced_figures({run_of("primitives", 2, 0.6), run_of("primitives", 4, 0.5), run_of("primitives", 8, 0.55)});
   EXPECT_EQ(rows[0].keyframes, 4);
@@ -37,11 +37,11 @@ TEST(PaperSummary, or_else_the_interval_that_saves_most) {
 }
 
 TEST(PaperSummary, psnr_counts_where_the_paper_states_one) {
-  EXPECT_EQ(reproduced_figures({run_of("teapot", 8, 0.1)})[0].verdict(), "no");  // 20 dB, the paper 34.52
+  EXPECT_EQ(reproduced_figures({run_of("teapot", 8, 0.1)})[0].verdict(), "no");  // 20 dB; the paper has 34.52
   EXPECT_EQ(reproduced_figures({run_of("gears", 8, 0.1)})[0].verdict(), "not in the paper");
 }
 
-TEST(PaperSummary, csv_has_a_line_per_scene_and_text_a_sentence) {
+TEST(PaperSummary, csv_and_text_list_all_scenes) {
   const auto rows = reproduced_figures({run_of("primitives", 4, 0.3), run_of("gears", 8, 0.1)});
   EXPECT_EQ(reproduced_csv(rows),
             "scene,keyframes,saving,paper_saving,psnr_db,paper_psnr_db,reproduced\n"

@@ -1,4 +1,4 @@
-// lippmann-bench from outside: its help, its errors, its JSON and how it is stopped. The other tests here check the figures.
+// Runs lippmann-bench as a program: help, errors, JSON and interruption. The other tests check the figures.
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
@@ -34,7 +34,7 @@ void expect_wrong_usage(const std::vector<std::string>& arguments, const std::st
   EXPECT_THAT(result.err, testing::MatchesRegex("lippmann-bench: " + pattern + "\n"));
 }
 
-/// The names after `lippmann-bench` in a page.
+/// Returns the names that follow `lippmann-bench` on a page.
 std::set<std::string> benchmarks_named_in(const fs::path& page) {
   static const std::regex kNamed("lippmann-bench ([a-z]+)");
   const std::string text = file_bytes(page);
@@ -43,7 +43,7 @@ std::set<std::string> benchmarks_named_in(const fs::path& page) {
   return names;
 }
 
-TEST(BenchProgram, help_lists_every_benchmark_and_no_options_of_theirs) {
+TEST(BenchProgram, help_lists_every_benchmark) {
   const TempDir dir;
   const RunResult help = run_program(dir, {"--help"}), bare = run_program(dir, {});
   EXPECT_EQ(help.exit_code, 0);
@@ -77,7 +77,7 @@ TEST(BenchProgram, bad_values_are_refused) {
                      "lamps: --reference-spp: Value 0 not in range [^\n]*1 [^\n]*1048576\\]?");
 }
 
-TEST(BenchProgram, unknown_benchmark_is_answered_with_the_nearest) {
+TEST(BenchProgram, unknown_benchmarks_suggest_the_nearest) {
   const TempDir dir;
   const RunResult result = run_program(dir, {"papr"});
   EXPECT_EQ(result.exit_code, 2);
@@ -93,7 +93,7 @@ TEST(BenchProgram, json_holds_the_machine_and_the_rows) {
   EXPECT_EQ(report["bench"], "light");
   EXPECT_GT(report["machine"]["threads"], 0);
   EXPECT_EQ(report["rows"].size(), 1u);
-  EXPECT_EQ(report["passed_checks"], 3);  // each way has no NaN, and the mean light is kept
+  EXPECT_EQ(report["passed_checks"], 3);  // each sampling has no NaN, and the mean light is preserved
 }
 
 TEST(BenchProgram, list_names_rows_and_measures_none) {
@@ -117,7 +117,7 @@ TEST(BenchProgram, interruption_is_one_line_and_an_exit_code) {
   EXPECT_EQ(stopped.wait().exit_code, 128 + SIGINT);
 }
 
-TEST(BenchProgram, docs_name_known_benchmarks_and_one_page_all) {
+TEST(BenchProgram, docs_name_all_benchmarks) {
   std::set<std::string> known;
   for (const bench::Benchmark& benchmark : bench::benchmarks()) known.emplace(benchmark.name);
   const fs::path source(LIPPMANN_SOURCE);

@@ -1,4 +1,4 @@
-// Benchmarks measure the scenes that they always did, whatever the defaults of a render become.
+// The scenes of benchmarks do not depend on the defaults of a render.
 #include "bench/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace lippmann::bench {
 namespace {
 
-TEST(BenchmarkScenes, have_all_of_their_depth) {
+TEST(BenchmarkScenes, have_their_full_depth) {
   const Request request;
   const Context context;
   for (const BenchScene& scene : bench_scenes(request, context)) EXPECT_EQ(scene.params.optics.fit_depth, false) << scene.name;
