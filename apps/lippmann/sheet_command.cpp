@@ -92,17 +92,17 @@ int run(const SheetOptions& options, const Context& context) {
   if (!out.has_extension()) out.replace_extension(".png");
   require_no_render(out);
   if (options.kind() == SheetKind::kLens && out.extension() != ".png")
-    throw usage_error("--output", out.string() + ": 16-bit heights are written only as PNG", "a name that ends in .png);
+    throw usage_error("--output", out.string() + ": 16-bit heights are written only as PNG", "a name that ends in .png");
   const ThreadPool pool(resolved_threads(context));
   const NewFolder folder(out.parent_path());
   SheetResult result = write_sheet(options, sheet, out, pool);
   if (options.result.json) {
-      Json json{{"file", out.string()}, {"size", {sheet.pixels.x, sheet.pixels.y}}, {"dpi", sheet.dpi}};
-      json.update(result.json);
-      print_json(json);
+    Json json{{"file", out.string()}, {"size", {sheet.pixels.x, sheet.pixels.y}}, {"dpi", sheet.dpi}};
+    json.update(result.json);
+    print_json(json);
   } else if (options.result.wants_text()) {
-      if (options.sheet.are_given()) fmt::print("{}\n", sheet.description);
-      fmt::print("{}: {}\n", result.text, printable_line(out.string()));
+    if (options.sheet.are_given()) fmt::print("{}\n", sheet.description);
+    fmt::print("{}: {}\n", result.text, printable_line(out.string()));
   }
   return 0;
 }
