@@ -55,7 +55,7 @@ double eyes_distance_mm(const RenderParams& params, const FittedArray& array, co
 
 void require_stereo_size(Vec2i film) {
   if (std::int64_t{film.x} * film.y > kMaxPixels || std::max(film.x, film.y) > kMaxSide)
-    throw usage_error("size", fmt::format("two views of {}x{} pixels", film.x / 2, film.y),
+    throw usage_error("size", fmt::format("two views of {}x{} pixels are too large", film.x / 2, film.y),
                       fmt::format("up to {} pixels, at most {} a side", kMaxPixels, kMaxSide));
 }
 

@@ -140,7 +140,7 @@ Optics views_for(Display display, const std::optional<ViewGrid>& views) {
   if (has_lenses(display) && !display.quilt) return lens_views(display, views);
   if (views && display.quilt) display.quilt->columns = views->columns, display.quilt->rows = views->rows;
   if (const std::optional<Optics> optics = quilt_optics(display)) return *optics;
-  throw usage_error("display", display.name + " has no quilt", "a display with a quilt, or `views` without one");
+  throw usage_error("display", display.name + " has no quilt", "a display with a quilt, or `views` and no `display`");
 }
 
 /// Returns views of the image's own size, in front of its own screen.

@@ -110,7 +110,7 @@ LightFieldFrames of_panel(LightFieldFrames frames, const LightFieldHints& hints)
   for (const auto& [given, flag] :
        {std::pair(hints.view_angle_deg.has_value(), "view-angle"), std::pair(hints.views.has_value(), "views"),
         std::pair(hints.tiles.has_value(), "quilt"), std::pair(hints.cone_ends, "cone-ends")})
-    if (given) throw usage_error(flag, "has no effect: `display` states the rays of the panel", "views, or a quilt");
+    if (given) throw usage_error(flag, "has no effect on the interlaced frame of a panel", "the frame without it, or views or a quilt in its place");
   frames.optics = native_optics(*hints.display), frames.is_panel = true;
   const Vec2i panel(frames.optics.panel.width, frames.optics.panel.height);
   const Vec2i size = size_of(read_picture(frames.files.front()));

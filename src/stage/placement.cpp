@@ -13,7 +13,7 @@ namespace {
 Optics optics_of(const Display& display, DisplayPicture picture) {
   if (picture == DisplayPicture::kNative) return native_optics(display);
   const std::optional<Optics> quilt = quilt_optics(display);
-  if (!quilt) throw Error("display", "it has no quilt", "DisplayPicture::kNative, or a display whose quilt is set");
+  if (!quilt) throw Error("display", "has no quilt", "the native picture, or a display with a quilt");
   return *quilt;
 }
 
