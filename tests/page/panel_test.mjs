@@ -123,7 +123,7 @@ test("light fields that no panel plays are refused", async () => {
   writeFileSync(inFolder("broken.json"), "{");
   await assert.rejects(play(quilts[0], "--display", "broken.json"), /broken\.json/);
   await assert.rejects(play(quilts[0], "--display", "missing.json"), /there is no such file/);
-  await assert.rejects(play(quilts[0], "--display", "microlens-1mm-4k"), /has no native frame/);
+  await assert.rejects(play(quilts[0], "--display", "microlens-1mm-4k"), /pixels are not interlaced/);
   await assert.rejects(play("grid", "--display", "portrait"), /5x5 views/);
   await assert.rejects(play(quilts[0]), /--display/);
 });
