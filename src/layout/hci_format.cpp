@@ -2,7 +2,7 @@
 // disparity of every view as PFM: gt_depth_lowres_Cam000.pfm, ... (metres) and gt_disp_lowres_Cam000.pfm, ... (pixels). The
 // middle view's maps are also stored as gt_depth_lowres.pfm and gt_disp_lowres.pfm.
 //
-// Where there is no surface, depth is inf and disparity is -inf. The disparity of a surface is finite at any distance: it
+// Without a surface, depth is inf and disparity is -inf. The disparity of a surface is finite at any distance: it
 // approaches -beta / (F s), the negative `offset` in parameters.cfg.
 //
 // Honauer, Johannsen, Kondermann, Goldluecke: A dataset and evaluation methodology for depth estimation on 4D light fields,

@@ -1,6 +1,6 @@
 // Reads the statements of a Tachyon scene file, one function per keyword, into a SceneBuilder.
 //
-// As in Tachyon's own reader, the order of words in a statement is fixed. Functions are called after their keyword has been
+// The order of words in a statement is fixed, as in Tachyon's own reader. Functions are called after their keyword has been
 // read and read to the end of the statement. All throw Error naming file and line.
 #pragma once
 
