@@ -31,7 +31,7 @@ TEST(LoadScene, rejects_blender_formats_with_advice) {
   const test::TempDir dir;
   for (const char* name : {"a.usdz", "b.FBX", "c.blend", "d.xyz"}) std::ofstream(dir / name) << "a scene";
   EXPECT_THAT(error_of_loading((dir / "a.usdz").string()),
-              HasSubstr("is a scene format that Blender reads; accepted: a .glb of it"));
+              HasSubstr("is a scene format that Blender reads; accepted: a .glb converted with Blender"));
   EXPECT_THAT(error_of_loading((dir / "b.FBX").string()), HasSubstr("to_glb.py"));
   EXPECT_THAT(error_of_loading((dir / "c.blend").string()),
               HasSubstr("is a Blender file; accepted: a render with the Blender add-on"));

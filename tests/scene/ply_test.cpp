@@ -262,7 +262,7 @@ TEST(Ply, uvs_and_textures_need_each_other) {
   EXPECT_THAT(no_picture.warnings, testing::ElementsAre(HasSubstr("no texture; add \"comment TextureFile NAME\"")));
   Square no_coordinates{.comments = "comment TextureFile foo.png\n"};
   no_coordinates.load();
-  EXPECT_THAT(no_coordinates.warnings, testing::ElementsAre(HasSubstr("so its picture 'foo.png' is left out")));
+  EXPECT_THAT(no_coordinates.warnings, testing::ElementsAre(HasSubstr("so its texture 'foo.png' is left out")));
 }
 
 TEST(Ply, face_uvs_must_match_corners) {

@@ -72,7 +72,7 @@ const BadStatement kBad[] = {
      "hexadecimal"},
     {"imagedef_twice",
      "IMAGEDEF a FORMAT RGB24 RESOLUTION 1 1 1 ENCODING HEX 123 IMAGEDEF a FORMAT RGB24 RESOLUTION 1 1 1 ENCODING HEX 123",
-     "4: the image 'a' is defined already", ""},
+     "4: the image 'a' is already defined", ""},
 
     // Numbers.
     {"nan", "SPHERE CENTER 0 nan 0 RAD 1 a", "4: expected a number for CENTER, found 'nan'", "a finite decimal number"},

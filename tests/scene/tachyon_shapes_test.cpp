@@ -288,7 +288,7 @@ TEST_F(Tachyon, include_error_names_the_file) {
 
 TEST_F(Tachyon, include_of_itself_is_an_error) {
   files.write("a.inc", "INCLUDE a.inc");
-  EXPECT_THAT(files.error_of_statements("INCLUDE a.inc"), HasSubstr("a.inc:1: INCLUDE 'a.inc' goes too far"));
+  EXPECT_THAT(files.error_of_statements("INCLUDE a.inc"), HasSubstr("a.inc:1: INCLUDE 'a.inc' exceeds a limit"));
 }
 
 TEST_F(Tachyon, includes_that_multiply_are_an_error) {

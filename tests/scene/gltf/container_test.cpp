@@ -62,7 +62,7 @@ TEST(GltfContainer, glb_of_version_1_is_refused) {
 TEST(GltfContainer, chunk_longer_than_the_file_is_refused) {
   Contents contents = one_triangle().glb();
   set_word(contents, 12, 0xffff'fff0);
-  EXPECT_THAT(message_of(contents), StartsWith("a.glb: chunk[0]: promises 4294967280 bytes"));
+  EXPECT_THAT(message_of(contents), StartsWith("a.glb: chunk[0]: states 4294967280 bytes"));
 }
 
 TEST(GltfContainer, first_chunk_other_than_json_is_refused) {

@@ -109,7 +109,7 @@ const Fault kFaults[] = {
     {"view_beyond_buffer", "/bufferViews/0/byteLength", 1000,
      "bufferViews[0]: 1000 bytes from byte 0 on lie outside buffers[0]"},
     {"view_offset_overflows", "/bufferViews/0/byteOffset", 9007199254740992, "bufferViews[0]: 8 bytes from byte"},
-    {"buffer_beyond_chunk", "/buffers/0/byteLength", 9007199254740992, "buffers[0]: promises 9007199254740992 bytes"},
+    {"buffer_beyond_chunk", "/buffers/0/byteLength", 9007199254740992, "buffers[0]: states 9007199254740992 bytes"},
     {"second_buffer_without_uri", "/buffers/1", {{"byteLength", 4}}, "buffers[1]: has no uri"},
     {"no_buffers", "/buffers", nullptr, "bufferViews[0].buffer: refers to buffers[0], but there are 0"},
     {"data_uri_not_base64", "/buffers/0/uri", "data:application/octet-stream,AAAA", "buffers[0]: the data URI is not base64"},

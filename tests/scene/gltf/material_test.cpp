@@ -436,7 +436,7 @@ TEST(GltfTexture, images_beyond_the_limit_are_halved) {
 
 TEST(GltfTexture, single_image_beyond_the_limit_is_rejected) {
   EXPECT_EQ(error_message([&] { parse(textured(four_colours()), nullptr, {}, {.texture_bytes = 15}); }),
-            "a.glb: images[0]: has 2 x 2 pixels, which take too much memory; accepted: at most 0 MB at 4 bytes a pixel "
+            "a.glb: images[0]: has 2 x 2 pixels, which take too much memory; accepted: at most 0 MB at 4 bytes per pixel "
             "(texture-memory)");
 }
 
