@@ -54,7 +54,7 @@ LightFieldHints hints_of(const ConvertOptions& options) {
 DepthConversion depth_frames_of(const ConvertOptions& options, std::string_view to, bool is_pair) {
   DepthConversion params{options.in, options.out, std::string(to), params_of(options, to).options,
                          options.stereo.view_angle_deg};
-  params.ipd_mm = options.stereo.ipd_mm.value_or(kUsualIpdMm);
+  params.ipd_mm = options.stereo.ipd_mm.value_or(kDefaultIpdMm);
   params.depth_scale = options.depth.scale.value_or(1.0);
   params.depth = options.depth.map;
   params.is_pair = is_pair;

@@ -13,7 +13,7 @@ namespace {
 constexpr int kSamples = 500;                        ///< with 1/3 correct matches, the chance to miss them is 1 in 10^8
 constexpr double kMostTurn = 0.5, kMostScale = 2.0;  ///< limits of |b| and a between two images of one row
 constexpr int kRounds = 8;                           ///< enough for the weights to converge
-constexpr double kUsualSlope = 0.02;                 ///< a camera is mounted on its slider with an error of about a degree
+constexpr double kSlopeSigma = 0.02;  ///< standard deviation: a camera is mounted on its slider to about a degree
 
 /// The height in the first image of point `q` in the second: rotation, scale and shift.
 struct HeightRule {
@@ -86,7 +86,7 @@ class PictureFit {
     const double sigma = std::max(1.5 * median_error(), 0.01 / unit_px_);
     EnvelopeMatrix matrix(row_begins());
     std::vector<double> right(unknowns());
-    matrix.at(slope_index(), slope_index()) = (sigma / kUsualSlope) * (sigma / kUsualSlope);
+    matrix.at(slope_index(), slope_index()) = (sigma / kSlopeSigma) * (sigma / kSlopeSigma);
     for (const SharedPlaces& pair : shared_)
       for (std::size_t i = 0; i < pair.in_first.size(); ++i) {
         const double share = error_of(pair, i) / sigma;

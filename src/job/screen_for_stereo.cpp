@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-constexpr Vec2i kUsualViewPx{960, 540};  ///< default size of a whole view
+constexpr Vec2i kDefaultViewPx{960, 540};  ///< default size of a whole view
 
 void refuse_in_stereo(bool given, std::string_view parameter) {
   if (given) throw usage_error(std::string(parameter), "has no effect on a stereo picture", "`layout` stereo without it");
@@ -30,7 +30,7 @@ Vec2i stored_view(const RenderParams& params, const Display* display) {
   const StereoPacking packing = packing_of(params);
   const Extent<int> size = params.optics.size;
   if (size.x > 0) return stored_view_size(packing, {size.x, size.y}, "size");
-  const Vec2i whole = display ? display->pixels : kUsualViewPx;
+  const Vec2i whole = display ? display->pixels : kDefaultViewPx;
   return stored_view_size(packing, stereo_picture_size(packing, whole / stereo_squeeze(packing)), "display");
 }
 
@@ -39,7 +39,7 @@ Vec2d screen_mm(const RenderParams& params, const Display* display, Vec2i stored
     throw usage_error("screen-width", fmt::format("{} has its own", display->name), "no `display`, or no `screen-width`");
   if (display) return display->size_mm();
   const Vec2d whole(stored * stereo_squeeze(packing_of(params)));
-  const double width = params.optics.screen_width_mm.value_or(kUsualScreenMm);
+  const double width = params.optics.screen_width_mm.value_or(kDefaultScreenMm);
   return {width, width * whole.y / whole.x};
 }
 
@@ -75,7 +75,7 @@ Screen screen_for_stereo(const RenderParams& params, const Display* display) {
     const Vec2d pixel = screen / Vec2d(stored);
     MultiView eyes{2, 1};
     eyes.distance_mm = static_cast<float>(eyes_distance_mm(params, array, display, screen.y));
-    eyes.baseline_mm = static_cast<float>(params.optics.ipd_mm.value_or(kUsualIpdMm));
+    eyes.baseline_mm = static_cast<float>(params.optics.ipd_mm.value_or(kDefaultIpdMm));
     eyes.pixel_height = static_cast<float>(pixel.y / pixel.x);
     return with_eye_height({{2 * stored.x, stored.y, static_cast<float>(pixel.x)}, eyes}, params.optics.eye_height);
   };

@@ -7,7 +7,7 @@
 
 namespace lippmann {
 
-inline constexpr double kUsualScreenMm = 600.0;  ///< width of a 27-inch screen
+inline constexpr double kDefaultScreenMm = 600.0;  ///< width of a 27-inch screen
 
 /// Throws a usage Error for parameters that only stereo pictures have.
 void refuse_stereo_params(const OpticsParams& optics);

@@ -72,7 +72,7 @@ void require_shape(const Image& grey, Vec2i size, const fs::path& path) {
 
 }  // namespace
 
-DepthMapCoding usual_depth_coding(const fs::path& path) {
+DepthMapCoding default_depth_coding(const fs::path& path) {
   if (const std::optional<StoredDepth> stored = read_stored_depth(path)) return {stored->is_z, stored->is_z};
   if (!has_z(path)) return {};
   const Image z = depth_channels(path);

@@ -21,7 +21,7 @@ struct DepthMapCoding {
 /// Returns the default coding of a file. The channel Z of an EXR file is linear in depth: a distance from the camera if no
 /// value is negative, else a height above the display, as `render` writes it. The depth image of a HEIC photo states its
 /// coding. All other files have white near and are linear in disparity. Throws Error naming the file.
-DepthMapCoding usual_depth_coding(const std::filesystem::path& path);
+DepthMapCoding default_depth_coding(const std::filesystem::path& path);
 
 /// Reads a map as grey for depth_of_grey (layout/rgbd_side_file.hpp), with 1 channel, resampled to `size` by enlarged_depth().
 /// Throws Error naming the file if it has colours, is uniform or has another aspect ratio than `size`.

@@ -87,7 +87,7 @@ LightField RgbdFrames::read(const fs::path& file) const {
   if (params_.depth.empty()) return rgbd_format().read(file, params_.options);
   Picture colours = read_picture(file, params_.options.warn);
   const std::optional<RgbdSideFile> side = read_rgbd_side_file(file);
-  const DepthMapCoding usual = usual_depth_coding(params_.depth);
+  const DepthMapCoding usual = default_depth_coding(params_.depth);
   FormatOptions options = params_.options;
   options.near_black = options.near_black.value_or(side ? side->coding.near_black : usual.near_black);
   options.even_in_depth = options.even_in_depth.value_or(side ? side->coding.even_in_depth : usual.even_in_depth);

@@ -19,7 +19,7 @@ struct DepthConversion {
   FormatOptions options = {};  ///< views: their number; display: the display of the quilt or of the lenses; depth_range and its
                                ///< companions describe IN
   std::optional<double> view_angle_deg = {};  ///< without a display; none: the default for views with unknown cameras
-  double ipd_mm = kUsualIpdMm;                ///< for `to` stereo
+  double ipd_mm = kDefaultIpdMm;              ///< for `to` stereo
   double depth_scale = 1.0;                   ///< shown depth / coded depth
   std::filesystem::path depth = {};           ///< depth map of the image IN (layout/depth_map.hpp); empty: IN is RGB-D
   bool is_pair = false;                       ///< IN is a stereo image, or a folder of them (replay/pair_depth.hpp)

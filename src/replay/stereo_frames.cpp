@@ -32,7 +32,7 @@ struct EyePair {
 /// Returns the eyes. If the screen has another width than the optics, the given lengths are scaled to the optics.
 EyePair eye_pair(const StereoParams& params, const Optics& optics) {
   const double width = display_window(optics).size.x, scale = params.screen_width_mm ? width / *params.screen_width_mm : 1.0;
-  EyePair eyes{default_eye_mm(optics), params.ipd_mm.value_or(kUsualIpdMm) * scale};
+  EyePair eyes{default_eye_mm(optics), params.ipd_mm.value_or(kDefaultIpdMm) * scale};
   if (params.distance_mm) eyes.middle_mm.z = *params.distance_mm * scale;
   return eyes;
 }

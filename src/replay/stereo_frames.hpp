@@ -20,7 +20,7 @@ struct StereoParams {
   std::filesystem::path out;  ///< an image, or a folder for several frames
   LightFieldHints field = {};
   StereoLayout layout = {};
-  std::optional<double> ipd_mm = {};           ///< interpupillary distance; none: kUsualIpdMm
+  std::optional<double> ipd_mm = {};           ///< interpupillary distance; none: kDefaultIpdMm
   std::optional<double> distance_mm = {};      ///< from the eyes to the screen; none: that of the design viewer
   std::optional<double> screen_width_mm = {};  ///< width of the screen that shows the light field; none: as in its optics
 };

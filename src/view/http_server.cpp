@@ -203,7 +203,7 @@ std::string random_token() {
 }
 
 HttpServer::HttpServer(const std::string& host, std::optional<int> port, int idle_seconds) : idle_seconds_(idle_seconds) {
-  const int wanted = port.value_or(kUsualPort);
+  const int wanted = port.value_or(kDefaultPort);
   listener_ = platform::Socket::listen(host, wanted);
   if (!listener_.is_open() && !port) listener_ = platform::Socket::listen(host, 0);
   if (!listener_.is_open())

@@ -29,15 +29,15 @@ std::string random_token();
 
 class HttpServer {
  public:
-  static constexpr int kUsualPort = 8488;
+  static constexpr int kDefaultPort = 8488;
 
   /// On a busy machine browsers open connections seconds before they send a request. Closing such a connection can leave the
   /// page empty.
-  static constexpr int kUsualIdleSeconds = 15;
+  static constexpr int kDefaultIdleSeconds = 15;
 
-  /// Listens on `port` (0: any free port). Without a port, listens on kUsualPort, or on any free port if that is taken.
+  /// Listens on `port` (0: any free port). Without a port, listens on kDefaultPort, or on any free port if that is taken.
   /// Connections without a request are closed after idle_seconds. Throws Error.
-  HttpServer(const std::string& host, std::optional<int> port, int idle_seconds = kUsualIdleSeconds);
+  HttpServer(const std::string& host, std::optional<int> port, int idle_seconds = kDefaultIdleSeconds);
 
   int port() const;
 

@@ -57,18 +57,18 @@ TEST(DepthMap, z_is_distance_or_height_without_colours) {
     write_file_atomically(dir / name, exr_file({{0, 0, 3, 0}, {0, 0, 3, 0}, {{"R", {9, 9, 9, 9}}, {"Z", z}}}));
   };
   write_z("distance.exr", {2, 4, 6, 1e10f});
-  const DepthMapCoding distance = usual_depth_coding(dir / "distance.exr");
+  const DepthMapCoding distance = default_depth_coding(dir / "distance.exr");
   EXPECT_TRUE(distance.near_black);
   EXPECT_TRUE(distance.even_in_depth);
   write_z("height.exr", {-2, 0, 2, -std::numeric_limits<float>::infinity()});
-  const DepthMapCoding height = usual_depth_coding(dir / "height.exr");
+  const DepthMapCoding height = default_depth_coding(dir / "height.exr");
   EXPECT_FALSE(height.near_black);
   EXPECT_TRUE(height.even_in_depth);
   EXPECT_THAT(read_depth_map(dir / "height.exr", {4, 1}, false).data, ElementsAre(0.0f, 0.5f, 1.0f, 0.0f))
       << "no surface is far away";
   write_picture(dir / "grey.png", greys(2, 1, {0, 255}));
-  EXPECT_FALSE(usual_depth_coding(dir / "grey.png").near_black);
-  EXPECT_FALSE(usual_depth_coding(dir / "grey.png").even_in_depth);
+  EXPECT_FALSE(default_depth_coding(dir / "grey.png").near_black);
+  EXPECT_FALSE(default_depth_coding(dir / "grey.png").even_in_depth);
 }
 
 TEST(DepthMap, refuses_what_is_no_depth) {

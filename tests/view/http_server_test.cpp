@@ -25,7 +25,7 @@ using testing::Not;
 
 class Server : public testing::Test {
  protected:
-  explicit Server(int idle_seconds = HttpServer::kUsualIdleSeconds) : server_("127.0.0.1", 0, idle_seconds) {
+  explicit Server(int idle_seconds = HttpServer::kDefaultIdleSeconds) : server_("127.0.0.1", 0, idle_seconds) {
     test::write_sheet_frames(dir_.path(), 3);
     answers_ = std::make_unique<PageAnswers>(test::fields_of(dir_.path()), PageAccess{page_hosts("127.0.0.1", port()), {}});
     serving_ = std::thread([this] { server_.run(*answers_, stopped_); });
@@ -162,13 +162,13 @@ TEST_F(Server, garbage_does_not_end_the_server) {
   EXPECT_EQ(status("/fields.json"), 200);
 }
 
-class ServerThatWaitsForAnHour : public Server {
+class PatientServer : public Server {
  protected:
-  ServerThatWaitsForAnHour() : Server(3600) {}
+  PatientServer() : Server(3600) {}
 };
 
 // More connections than the server keeps open.
-TEST_F(ServerThatWaitsForAnHour, slow_connections_do_not_block_others) {
+TEST_F(PatientServer, slow_connections_do_not_block_others) {
   std::list<RawConnection> others;
   for (int i = 0; i < 200; ++i) {
     others.emplace_back(port());
@@ -178,7 +178,7 @@ TEST_F(ServerThatWaitsForAnHour, slow_connections_do_not_block_others) {
 }
 
 // The test would not end if the server waited for silent clients, before or after a request.
-TEST_F(ServerThatWaitsForAnHour, stops_despite_open_connections) {
+TEST_F(PatientServer, stops_despite_open_connections) {
   RawConnection silent(port()), spoken(port());
   spoken.send("GET /fields.json HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port()) + "\r\n\r\n");
   EXPECT_THAT(spoken.receive(0.5), HasSubstr("200 OK"));

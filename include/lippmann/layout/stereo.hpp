@@ -31,7 +31,7 @@ struct StereoLayout {
   bool operator==(const StereoLayout&) const = default;
 };
 
-inline constexpr double kUsualIpdMm = 63.0;  ///< typical distance between an adult's pupils
+inline constexpr double kDefaultIpdMm = 63.0;  ///< typical distance between an adult's pupils
 
 /// Returns the factor by which a packing reduces a view, across and down: (2, 1), (1, 2) or (1, 1).
 inline Vec2i stereo_squeeze(StereoPacking packing) {
