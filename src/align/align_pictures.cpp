@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostPictures = 500;  ///< their features and reduced images are kept in memory
-constexpr int kLeastSidePx = 16;            ///< of the common area
+constexpr std::size_t kMaxPictures = 500;  ///< their features and reduced images are kept in memory
+constexpr int kMinSidePx = 16;             ///< of the common area
 
 void require_other_folder(const AlignParams& params) {
   std::error_code ignored;
@@ -54,7 +54,7 @@ void find_window(const std::vector<Similarity>& pictures, AlignedPictures& resul
 }
 
 void require_window(const AlignParams& params, const AlignedPictures& aligned) {
-  if (std::min(aligned.size.x, aligned.size.y) >= kLeastSidePx) return;
+  if (std::min(aligned.size.x, aligned.size.y) >= kMinSidePx) return;
   throw Error(params.in.string(),
               fmt::format("the aligned pictures have only {}x{} pixels in common", std::max(aligned.size.x, 0),
                           std::max(aligned.size.y, 0)),
@@ -77,9 +77,9 @@ void write_pictures(const AlignParams& params, AlignedPictures& aligned, const T
 AlignedPictures align_pictures(const AlignParams& params, const Context& context) {
   const std::vector<fs::path> files = pictures_of_views(params.in, context.warn);
   require_other_folder(params);
-  if (files.size() > kMostPictures)
+  if (files.size() > kMaxPictures)
     throw Error(params.in.string(), fmt::format("{} pictures are too many", files.size()),
-                fmt::format("at most {}", kMostPictures));
+                fmt::format("at most {}", kMaxPictures));
   const ThreadPool pool(resolved_threads(context));
   RegisteredPictures registered = register_pictures(files, pool, context);
   AlignedPictures result;

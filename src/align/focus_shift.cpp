@@ -10,8 +10,8 @@ namespace {
 constexpr std::size_t kNearPlaces = 15;
 constexpr int kSearchPx = 3;  ///< search radius around the predicted position, in pixels of the reduced images
 constexpr int kRefinements = 12;
-constexpr double kLeastLikeness = 0.7;  ///< correlation of two patches that show the same point
-constexpr double kLeastContrast = 2.0;  ///< standard deviation of a patch that can be found again, codes
+constexpr double kMinLikeness = 0.7;  ///< correlation of two patches that show the same point
+constexpr double kMinContrast = 2.0;  ///< standard deviation of a patch that can be found again, codes
 
 /// Brightness around a point, minus its mean and divided by its standard deviation.
 struct Patch {
@@ -47,7 +47,7 @@ class FocusSearch {
     wanted_ = patch(registered.middle, 0.0);
   }
 
-  bool has_texture() const { return wanted_.contrast >= kLeastContrast; }
+  bool has_texture() const { return wanted_.contrast >= kMinContrast; }
 
   /// Returns how far the point in `picture` is to the right of its position in the middle image, in pixels. from: the neighbour
   /// nearer to the middle, with the shift `known`. Returns none without a matching patch; `guess` then follows from shared
@@ -62,7 +62,7 @@ class FocusSearch {
         if (const double found = correlation(wanted_, patch(picture, offset)); found > likeness)
           likeness = found, best = offset;
       }
-    if (!has_texture() || likeness < kLeastLikeness) return std::nullopt;
+    if (!has_texture() || likeness < kMinLikeness) return std::nullopt;
     return refined(picture, best);
   }
 

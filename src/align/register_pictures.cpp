@@ -16,26 +16,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLongestPx = 1600;     ///< of the compared images: noise and blur hide finer detail
-constexpr int kMostFeatures = 2500;  ///< matching time is quadratic in it
-constexpr int kMostReaders = 8;      ///< each holds a whole image
+constexpr int kLongestPx = 1600;    ///< of the compared images: noise and blur hide finer detail
+constexpr int kMaxFeatures = 2500;  ///< matching time is quadratic in it
+constexpr int kMaxReaders = 8;      ///< each holds a whole image
 constexpr double kTolerance =
     2e-3;  ///< vertical tolerance between neighbours, as a share of a side; the fit then weights points by their error
-constexpr std::size_t kLeastPlaces = 20;
+constexpr std::size_t kMinPlaces = 20;
 
 std::vector<Features> features_of(const std::vector<fs::path>& files, RegisteredPictures& result, int threads,
                                   const Context& context) {
   const AlignModule& module = align_module();
   std::vector<Features> features(files.size());
   result.greys.resize(files.size());
-  const ThreadPool readers(std::min(threads, kMostReaders));
+  const ThreadPool readers(std::min(threads, kMaxReaders));
   std::vector<Vec2i> sizes(files.size());
   readers.for_each(files.size(), [&](std::size_t i) {
     if (context.cancelled) return;
     const Picture picture = read_picture(files[i], context.warn);
     sizes[i] = std::visit([](const auto& image) { return Vec2i(image.width, image.height); }, picture);
     result.greys[i] = grey_of(picture, kLongestPx);
-    features[i] = module.features(result.greys[i], kMostFeatures);
+    features[i] = module.features(result.greys[i], kMaxFeatures);
   });
   result.size = sizes.front();
   return features;
@@ -59,11 +59,11 @@ void find_shared(SharedPlaces& pair, const std::vector<Features>& features, Vec2
 }
 
 void require_places(const SharedPlaces& pair, const std::vector<fs::path>& files) {
-  if (pair.in_first.size() >= kLeastPlaces) return;
+  if (pair.in_first.size() >= kMinPlaces) return;
   throw Error(files[pair.second].string(),
               fmt::format("shares only {} points with {}, too few to align them", pair.in_first.size(),
                           files[pair.first].filename().string()),
-              fmt::format("{} or more: pictures of one scene with texture, in the order of their cameras", kLeastPlaces));
+              fmt::format("{} or more: pictures of one scene with texture, in the order of their cameras", kMinPlaces));
 }
 
 /// Rotates all images about the centre of the middle one until the line of the cameras is horizontal. Without a visible effect,
@@ -93,7 +93,7 @@ RegisteredPictures register_pictures(const std::vector<fs::path>& files, const T
     keep_consistent(result.shared[i], kTolerance * std::max(result.size.x, result.size.y));
   });
   for (std::size_t i = 0; i + 1 < files.size(); ++i) require_places(result.shared[i], files);
-  std::erase_if(result.shared, [](const SharedPlaces& pair) { return pair.in_first.size() < kLeastPlaces; });
+  std::erase_if(result.shared, [](const SharedPlaces& pair) { return pair.in_first.size() < kMinPlaces; });
   FittedPictures fitted = fit_pictures(result.shared, files.size(), result.middle, result.size);
   result.pictures = std::move(fitted.pictures), result.residuals = std::move(fitted.residuals);
   level(result, fitted.slope);

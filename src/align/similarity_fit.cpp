@@ -10,17 +10,17 @@
 namespace lippmann {
 namespace {
 
-constexpr int kSamples = 500;                        ///< with 1/3 correct matches, the chance to miss them is 1 in 10^8
-constexpr double kMostTurn = 0.5, kMostScale = 2.0;  ///< limits of |b| and a between two images of one row
-constexpr int kRounds = 8;                           ///< enough for the weights to converge
-constexpr double kSlopeSigma = 0.02;  ///< standard deviation: a camera is mounted on its slider to about a degree
+constexpr int kSamples = 500;                      ///< with 1/3 correct matches, the chance to miss them is 1 in 10^8
+constexpr double kMaxTurn = 0.5, kMaxScale = 2.0;  ///< limits of |b| and a between two images of one row
+constexpr int kRounds = 8;                         ///< enough for the weights to converge
+constexpr double kSlopeSigma = 0.02;               ///< standard deviation: a camera is mounted on its slider to about a degree
 
 /// The height in the first image of point `q` in the second: rotation, scale and shift.
 struct HeightRule {
   double b = 0.0, a = 1.0, y = 0.0;
 
   double error(Vec2d q, Vec2d p) const { return std::abs(b * q.x + a * q.y + y - p.y); }
-  bool is_possible() const { return std::abs(b) < kMostTurn && a < kMostScale && a > 1.0 / kMostScale; }
+  bool is_possible() const { return std::abs(b) < kMaxTurn && a < kMaxScale && a > 1.0 / kMaxScale; }
 };
 
 /// Returns the rule that fits three points exactly, or an impossible rule if they are collinear.

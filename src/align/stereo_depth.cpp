@@ -24,9 +24,9 @@ namespace lippmann {
 namespace {
 
 constexpr int kMatchedPx = 1600, kMatchedFeatures = 3000;
-constexpr std::size_t kLeastShared = 20;
-constexpr double kMostRowError = 1.0;       ///< pixels of the matched images
-constexpr double kMostContradiction = 1.5;  ///< pixels of the matched images
+constexpr std::size_t kMinShared = 20;
+constexpr double kMaxRowError = 1.0;       ///< pixels of the matched images
+constexpr double kMaxContradiction = 1.5;  ///< pixels of the matched images
 constexpr float kUnknown = -std::numeric_limits<float>::infinity();
 
 /// Mirrors an image horizontally.
@@ -68,7 +68,7 @@ void warn_of_rows(const SharedPlaces& shared, const std::string& name, const Con
   std::vector<double> errors;
   for (std::size_t i = 0; i < shared.in_first.size(); ++i)
     errors.push_back(std::abs(shared.in_first[i].y - shared.in_second[i].y));
-  if (const double error = value_at_share(errors, 0.5); error > kMostRowError)
+  if (const double error = value_at_share(errors, 0.5); error > kMaxRowError)
     context.warning(
         fmt::format("Rows of the two pictures of {} differ by {:.1f} pixels, so that depth is unreliable. Align them with "
                     "`lippmann align`.",
@@ -92,7 +92,7 @@ void remove_contradictions(Image& disparity, const Image& other, int sign) {
       float& d = disparity.pixel(x, y)[0];
       if (d == kUnknown) continue;
       const int there = x - sign * static_cast<int>(std::lround(d));
-      const bool agrees = there >= 0 && there < other.width && std::abs(other.pixel(there, y)[0] - d) <= kMostContradiction;
+      const bool agrees = there >= 0 && there < other.width && std::abs(other.pixel(there, y)[0] - d) <= kMaxContradiction;
       if (!agrees) d = kUnknown;
     }
 }
@@ -122,9 +122,9 @@ void fill_rows(Image& disparity, float otherwise) {
 StereoDisparity disparity_of_pair(const Picture& left, const Picture& right, const std::string& name, const Context& context) {
   const GreyPicture left_grey = grey_of(left, kMatchedPx), right_grey = grey_of(right, kMatchedPx);
   const SharedPlaces shared = places_of_pair(left_grey, right_grey);
-  if (shared.in_first.size() < kLeastShared)
+  if (shared.in_first.size() < kMinShared)
     throw Error(name, fmt::format("its two pictures share only {} points, too few to find their depth", shared.in_first.size()),
-                fmt::format("{} or more: two pictures of one scene with texture", kLeastShared));
+                fmt::format("{} or more: two pictures of one scene with texture", kMinShared));
   warn_of_rows(shared, name, context);
   const DisparityRange range = range_of_pair(shared);
   const int width = std::visit([](const auto& image) { return image.width; }, left);

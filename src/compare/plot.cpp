@@ -20,10 +20,10 @@ constexpr std::size_t kFewFrames = 20;
 
 /// Returns the number at the end of a frame's name, if there is one.
 std::optional<long> trailing_number(const std::string& name) {
-  constexpr std::size_t kMostDigits = 9;
+  constexpr std::size_t kMaxDigits = 9;
   std::size_t begin = name.size();
   while (begin > 0 && name[begin - 1] >= '0' && name[begin - 1] <= '9') --begin;
-  if (begin == name.size() || name.size() - begin > kMostDigits) return std::nullopt;
+  if (begin == name.size() || name.size() - begin > kMaxDigits) return std::nullopt;
   return std::stol(name.substr(begin));
 }
 

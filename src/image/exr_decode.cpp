@@ -173,8 +173,8 @@ class ExrDecoder {
     const std::uint64_t pixels = pixels_of(data);
     check_file_holds(where_, bytes_.size(), pixels * pixel_bytes, ratio_of(part().compression()));
     check_chunks(static_cast<std::uint64_t>(size.x), pixels * pixel_bytes, pixel_bytes);
-    constexpr std::uint64_t kFreePixels = std::uint64_t{1} << 24, kMostTimesLarger = 64;
-    if (pixels_of(display) > std::max(kFreePixels, kMostTimesLarger * pixels))
+    constexpr std::uint64_t kFreePixels = std::uint64_t{1} << 24, kMaxTimesLarger = 64;
+    if (pixels_of(display) > std::max(kFreePixels, kMaxTimesLarger * pixels))
       throw unreadable_picture(where_, fmt::format("its display window of {} x {} pixels is far larger than its picture",
                                                    size_of(display).x, size_of(display).y));
   }

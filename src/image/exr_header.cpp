@@ -204,8 +204,8 @@ void check_attribute(std::string_view name, FileBytes value, const std::string& 
   if (name != "pixelAspectRatio" || value.size() != sizeof(float)) return;
   float aspect = 0.0f;
   std::memcpy(&aspect, value.data(), sizeof aspect);
-  constexpr float kLeast = 1e-6f, kMost = 1e6f;
-  if (!(aspect >= kLeast && aspect <= kMost))
+  constexpr float kMin = 1e-6f, kMax = 1e6f;
+  if (!(aspect >= kMin && aspect <= kMax))
     throw unreadable_picture(where, fmt::format("its pixels are {} times as wide as high", aspect));
 }
 

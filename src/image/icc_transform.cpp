@@ -110,9 +110,9 @@ std::optional<Samples> output_codes(FileBytes icc, const Samples& rgb) {
 }
 
 bool apply_color_profile(FileBytes icc, const PictureHeader& header, Samples& samples) {
-  constexpr std::size_t kMostExtraChannels = 7;  // limit of Little CMS's sample formats
+  constexpr std::size_t kMaxExtraChannels = 7;  // limit of Little CMS's sample formats
   const std::size_t channels = header.channels.size(), colors = static_cast<std::size_t>(header.colors);
-  if ((colors != 1 && colors != 3) || channels - colors > kMostExtraChannels) return false;
+  if ((colors != 1 && colors != 3) || channels - colors > kMaxExtraChannels) return false;
   const IccContext context(cmsCreateContext(nullptr, nullptr));
   return std::visit(
       [&](auto& codes) {

@@ -30,8 +30,8 @@ namespace {
 constexpr unsigned char kJpegMagic[] = {0xff, 0xd8, 0xff};
 
 /// A block of 8 x 8 samples takes at least one bit.
-constexpr std::uint64_t kMostSamplesPerByte = 8 * 64;
-constexpr int kMostScans = 200;
+constexpr std::uint64_t kMaxSamplesPerByte = 8 * 64;
+constexpr int kMaxScans = 200;
 
 class JpegDecoder {
  public:
@@ -53,7 +53,7 @@ class JpegDecoder {
     const int channels = jpeg_.out_color_space == JCS_GRAYSCALE ? 1 : 3;
     check_image_size(where_, width, height, channels);
     check_file_holds(where_, file_.size(), static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height),
-                     kMostSamplesPerByte);
+                     kMaxSamplesPerByte);
     PictureHeader header = plain_header(width, height, channels, SampleKind::kByte);
     read_markers(header);
     return header;
@@ -88,7 +88,7 @@ class JpegDecoder {
     if (code == JWRN_HUFF_BAD_CODE || code == JWRN_MUST_RESYNC || code == JWRN_BOGUS_PROGRESSION) on_error(jpeg);
   }
   static void on_progress(j_common_ptr jpeg) {
-    if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number > kMostScans) fail(jpeg, "it has too many scans");
+    if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number > kMaxScans) fail(jpeg, "it has too many scans");
   }
 
   /// Reads orientation, colour profile (in numbered pieces) and pixel aspect.

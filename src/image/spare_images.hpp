@@ -22,9 +22,9 @@ class SpareImages {
   }
 
   void give(Image image) {
-    constexpr std::size_t kMost = 2;
+    constexpr std::size_t kMax = 2;
     const std::lock_guard lock(mutex_);
-    if (images_.size() < kMost) images_.push_back(std::move(image));
+    if (images_.size() < kMax) images_.push_back(std::move(image));
   }
 
  private:

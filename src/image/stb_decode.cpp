@@ -209,8 +209,8 @@ PictureHeader gif_header(FileBytes file, const std::string& where) {
   constexpr std::size_t kGifHeaderBytes = 13;
   if (file.size() < kGifHeaderBytes) throw unreadable_picture(where, "the file is truncated");
   const Shape shape = shape_of(file, where);
-  constexpr std::uint64_t kMostGifPixelsPerByte = 4096;  // limit of a 12-bit code, including the code before it
-  check_file_holds(where, file.size(), pixels_of(shape), kMostGifPixelsPerByte);
+  constexpr std::uint64_t kMaxGifPixelsPerByte = 4096;  // limit of a 12-bit code, including the code before it
+  check_file_holds(where, file.size(), pixels_of(shape), kMaxGifPixelsPerByte);
   const GifContent content = GifBlocks(file).content();
   if (!content.is_whole) throw unreadable_picture(where, "the file is truncated or damaged");
   if (content.pictures == 0) throw unreadable_picture(where, "there is no picture in it");
@@ -241,9 +241,9 @@ PictureHeader tga_header(FileBytes file, const std::string& where) {
   const bool runs = std::to_integer<int>(file[2]) >= 8;
   const std::uint64_t bits_per_pixel = byte_at(file, 16);  // 15 bits take two bytes
   const std::uint64_t begin = 18u + byte_at(file, 0);
-  constexpr std::uint64_t kMostPixelsPerByte = 128;
+  constexpr std::uint64_t kMaxPixelsPerByte = 128;
   check_file_holds(where, file.size() - std::min<std::uint64_t>(begin, file.size()),
-                   pixels_of(shape) * ((bits_per_pixel + 7) / 8), runs ? kMostPixelsPerByte : 1);
+                   pixels_of(shape) * ((bits_per_pixel + 7) / 8), runs ? kMaxPixelsPerByte : 1);
   PictureHeader header = plain_header(shape.width, shape.height, shape.channels, SampleKind::kByte);
   constexpr std::uint64_t kFromTheRight = 0x10;  // stb_image flips rows, but not columns
   if (byte_at(file, 17) & kFromTheRight) header.orientation = Orientation::kMirrored;

@@ -12,7 +12,7 @@ namespace {
 
 Error unwritable_webp(const Image8& image, const std::string& reason) {
   return Error(fmt::format("a WebP picture of {}x{} pixels", image.width, image.height), reason,
-               fmt::format("sides from 1 to {}", kMostWebpSide));
+               fmt::format("sides from 1 to {}", kMaxWebpSide));
 }
 
 int append_webp(const std::uint8_t* data, std::size_t size, const WebPPicture* picture) {
@@ -23,7 +23,7 @@ int append_webp(const std::uint8_t* data, std::size_t size, const WebPPicture* p
 }
 
 void require_webp_size(const Image8& image) {
-  if (image.width < 1 || image.height < 1 || image.width > kMostWebpSide || image.height > kMostWebpSide)
+  if (image.width < 1 || image.height < 1 || image.width > kMaxWebpSide || image.height > kMaxWebpSide)
     throw unwritable_webp(image, "cannot be written");
 }
 

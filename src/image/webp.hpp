@@ -9,10 +9,10 @@
 namespace lippmann {
 
 /// Limit of the format.
-inline constexpr int kMostWebpSide = 16383;
+inline constexpr int kMaxWebpSide = 16383;
 
 /// Returns the bytes of a lossless file without alpha. effort: 0 (fast) ... 9 (small). Throws Error for sizes outside 1 ...
-/// kMostWebpSide.
+/// kMaxWebpSide.
 std::vector<std::byte> encode_webp(const Image8& image, int effort);
 
 /// Returns the bytes of a lossy file. quality: 0 (small) ... 100.

@@ -13,7 +13,7 @@ namespace lippmann {
 namespace {
 
 /// A lossless image of one colour has about thirty bytes at any size, so small files may have up to kFreePixels.
-constexpr std::uint64_t kFreePixels = std::uint64_t{1} << 22, kMostPixelsPerByte = std::uint64_t{1} << 14;
+constexpr std::uint64_t kFreePixels = std::uint64_t{1} << 22, kMaxPixelsPerByte = std::uint64_t{1} << 14;
 
 const std::uint8_t* bytes_of(FileBytes file) { return reinterpret_cast<const std::uint8_t*>(file.data()); }
 
@@ -47,7 +47,7 @@ PictureHeader webp_header(FileBytes file, const std::string& where) {
   const int channels = features.has_alpha ? 4 : 3;
   check_image_size(where, features.width, features.height, channels);
   const std::uint64_t pixels = static_cast<std::uint64_t>(features.width) * static_cast<std::uint64_t>(features.height);
-  if (pixels > kFreePixels) check_file_holds(where, file.size(), pixels, kMostPixelsPerByte);
+  if (pixels > kFreePixels) check_file_holds(where, file.size(), pixels, kMaxPixelsPerByte);
   PictureHeader header = plain_header(features.width, features.height, channels, SampleKind::kByte);
   header.orientation = exif_orientation(webp_chunk(file, "EXIF"));
   header.profile = profile_to_apply(webp_chunk(file, "ICCP"));

@@ -39,7 +39,7 @@ std::string tidy(const fs::path& path) {
   return text.empty() ? "." : text;
 }
 
-constexpr std::uintmax_t kMostBytesOfJob = std::uintmax_t{1} << 20;
+constexpr std::uintmax_t kMaxBytesOfJob = std::uintmax_t{1} << 20;
 
 // ---- Reading --------------------------------------------------------------------------------------------------------
 
@@ -62,7 +62,7 @@ std::vector<std::string> value_texts(const ParamInfo& info, const toml::node& no
 }
 
 toml::table parse(const fs::path& file) {
-  const std::string text = read_file_text(file, kMostBytesOfJob, "a job in TOML");
+  const std::string text = read_file_text(file, kMaxBytesOfJob, "a job in TOML");
   if (const auto stand_in = stand_in_for_file(std::as_bytes(std::span(text))))
     throw Error(file.string(), "is " + stand_in->what, stand_in->advice);
   try {

@@ -61,10 +61,10 @@ std::string write_distance(std::optional<float> distance_mm) { return distance_m
 
 EyeHeight read_eye_height(std::string_view text, const std::string& where) {
   constexpr std::string_view kDegrees = "deg";
-  constexpr float kMostDegrees = 80.0f, kMostMm = 1e6f;
+  constexpr float kMaxDegrees = 80.0f, kMaxMm = 1e6f;
   const bool is_angle = text.ends_with(kDegrees);
   const auto value = parse_number<float>(is_angle ? text.substr(0, text.size() - kDegrees.size()) : text);
-  if (!value || !(std::abs(*value) <= (is_angle ? kMostDegrees : kMostMm)))
+  if (!value || !(std::abs(*value) <= (is_angle ? kMaxDegrees : kMaxMm)))
     throw usage_error(where, fmt::format("cannot read '{}' as the height of an eye", text),
                       "millimetres above the middle of the display, such as 150, or degrees from -80 to 80, such as 30deg");
   return {*value, is_angle};

@@ -549,7 +549,7 @@ std::vector<ParamInfo> reuse_rows() {
       [](const std::optional<int>& value) { return value ? fmt::format("{}", *value) : std::string("auto"); }};
   const Codec<std::optional<double>> min_psnr{
       [](std::string_view value, const std::string& where) -> std::optional<double> {
-        return read_number(value, kLeastPsnr, kMostPsnr, where);
+        return read_number(value, kMinPsnr, kMaxPsnr, where);
       },
       [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : std::string(); }};
   return {

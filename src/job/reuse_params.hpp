@@ -6,7 +6,7 @@
 namespace lippmann {
 
 inline constexpr int kMaxKeyframes = 4096;
-inline constexpr double kLeastPsnr = 20.0, kMostPsnr = 90.0;  ///< range of --min-psnr
+inline constexpr double kMinPsnr = 20.0, kMaxPsnr = 90.0;  ///< range of --min-psnr
 
 /// Returns how the frames of a job are made, with kAuto resolved by its sampling. Throws a usage Error for parameters without
 /// effect on the resulting kind of reuse, and for everything that check() rejects.

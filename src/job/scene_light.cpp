@@ -37,12 +37,12 @@ std::optional<Vec3f> parse_hexadecimal(std::string_view text) {
 
 /// Parses "1,0.8,0.2", in linear light.
 Vec3f read_linear(std::string_view text, const std::string& where) {
-  constexpr double kMost = 1e6;
+  constexpr double kMax = 1e6;
   Vec3f color{0.0f};
   for (int c = 0; c < 3; ++c) {
     const std::size_t comma = text.find(',');
     if ((comma == std::string_view::npos) != (c == 2)) throw usage_error(where, "a colour has three numbers", kAccepted);
-    color[c] = static_cast<float>(read_number(text.substr(0, comma), 0.0, kMost, where));
+    color[c] = static_cast<float>(read_number(text.substr(0, comma), 0.0, kMax, where));
     text.remove_prefix(c == 2 ? text.size() : comma + 1);
   }
   return color;

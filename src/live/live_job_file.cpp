@@ -16,16 +16,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostNames = 1000;
+constexpr int kMaxNames = 1000;
 
 std::string text_in(const fs::path& file) {
-  constexpr std::size_t kMost = 1 << 20;
-  return read_file_begin(file, kMost);
+  constexpr std::size_t kMax = 1 << 20;
+  return read_file_begin(file, kMax);
 }
 
 /// Creates an empty file with an unused name, which reserves the name.
 fs::path reserve_name(const fs::path& wanted) {
-  for (int i = 1; i <= kMostNames; ++i) {
+  for (int i = 1; i <= kMaxNames; ++i) {
     const fs::path file =
         i == 1 ? wanted : wanted.parent_path() / fmt::format("{}-{}{}", wanted.stem().string(), i, wanted.extension().string());
     if (std::FILE* made = std::fopen(file.c_str(), "wx")) return std::fclose(made), file;

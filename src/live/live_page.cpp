@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Limit for server threads that wait for changes. Further pages are answered at once.
-constexpr int kMostWaiting = 8;
+constexpr int kMaxWaiting = 8;
 constexpr std::chrono::milliseconds kPatience{250};
 
 PageAnswer json_answer(const Json& json, int status = 200) {
@@ -61,7 +61,7 @@ Json LiveAnswers::field() const { return scene_->field(); }
 Json LiveAnswers::about() const { return {{"choices", choices_json()}, {"display", scene_->display()}, {"plays", plays_}}; }
 
 PageAnswer LiveAnswers::state_after(std::uint64_t serial) {
-  const bool may_wait = waiting_.fetch_add(1) < kMostWaiting;
+  const bool may_wait = waiting_.fetch_add(1) < kMaxWaiting;
   const Json state = scene_->state_after(serial, may_wait ? kPatience : std::chrono::milliseconds(0));
   --waiting_;
   return json_answer(state);

@@ -25,8 +25,8 @@ struct Sums {
   int pixels = 0;
 
   double db() const {
-    constexpr double kLeast = 1e-12;  ///< makes two images without texture equally similar on both sides
-    return 10.0 * std::log10((wrong + kLeast) / (right + kLeast));
+    constexpr double kMin = 1e-12;  ///< makes two images without texture equally similar on both sides
+    return 10.0 * std::log10((wrong + kMin) / (right + kMin));
   }
 };
 

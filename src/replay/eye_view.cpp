@@ -27,9 +27,9 @@ std::vector<Vec2d> pupil_points(double diameter_mm, int count) {
 
 /// Returns the number of samples across and down per pixel, for views coarser than the display.
 Vec2i samples_per_pixel(const Optics& optics, Vec2i size) {
-  constexpr int kMost = 16;
+  constexpr int kMax = 16;
   const Vec2i grid = lens_grid(optics);
-  return glm::clamp((grid + size - 1) / size, Vec2i(1), Vec2i(kMost));
+  return glm::clamp((grid + size - 1) / size, Vec2i(1), Vec2i(kMax));
 }
 
 }  // namespace

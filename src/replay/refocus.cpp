@@ -118,17 +118,17 @@ class Band {
   }
 
   void divide_by_weights() {
-    constexpr float kLeast = 1e-4f;  ///< smaller weights are rounding errors of 0
+    constexpr float kMin = 1e-4f;  ///< smaller weights are rounding errors of 0
     float* pixel = picture_.pixel(0, first_);
     float* square = squares_ ? squares_->pixel(0, first_) : nullptr;
     for (const float weight : weights_) {
       float of_mean = 0.0f;
       for (int c = 0; c < 3; ++c, ++pixel) {
-        *pixel = weight > kLeast ? *pixel / weight : 0.0f;
+        *pixel = weight > kMin ? *pixel / weight : 0.0f;
         of_mean += *pixel * *pixel;
       }
       if (!square) continue;
-      *square = weight > kLeast ? std::max(0.0f, *square / weight - of_mean) : kInfinity;
+      *square = weight > kMin ? std::max(0.0f, *square / weight - of_mean) : kInfinity;
       ++square;
     }
   }

@@ -28,7 +28,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kAccepted = "the folder of a render, its report.json, or what `lippmann-bench` prints as JSON";
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;  // a frame takes about 600 bytes
-constexpr std::size_t kMostPictures = 6;
+constexpr std::size_t kMaxPictures = 6;
 /// Identifies a report page written earlier, which may be replaced.
 constexpr std::string_view kMark = "<meta name=\"generator\" content=\"lippmann report\">";
 
@@ -112,7 +112,7 @@ ReportPage make_report_page(const std::vector<fs::path>& inputs, const Context& 
   const std::vector<std::string> names = names_of(renders);
   std::string body = renders.size() > 1 ? comparison_section(renders, names) : std::string();
   for (std::size_t i = 0; i < renders.size() && !context.cancelled; ++i) {
-    body += render_section(renders[i], read_thumbnails(renders[i].report, kMostPictures, context));
+    body += render_section(renders[i], read_thumbnails(renders[i].report, kMaxPictures, context));
     for (const std::string& sentence : renders[i].missing) page.missing.push_back(fmt::format("{}: {}", names[i], sentence));
   }
   page.html = page_html(renders.empty() ? "Benchmark report" : "Render report", title_of(names, benchmark_count),

@@ -29,7 +29,7 @@ namespace {
 /// A client waits for each image, so encoding speed matters more than size.
 constexpr int kServedEffort = 0;
 /// Largest sigma, in hundredths of a pixel.
-constexpr auto kMostCrosstalk = static_cast<std::size_t>(100.0 * kMaxBlurPx);
+constexpr auto kMaxCrosstalk = static_cast<std::size_t>(100.0 * kMaxBlurPx);
 constexpr std::string_view kCalibration = "calibration", kLive = "live", kRun = "run", kPrint = "print", kDrop = "drop";
 
 PageAnswer answer_with(int status, std::string text, std::string type = "text/plain; charset=utf-8") {
@@ -76,7 +76,7 @@ std::string text_of(const std::vector<std::byte>& bytes) { return {reinterpret_c
 }  // namespace
 
 PagePicture encoded_picture(const Image8& picture, int effort) {
-  if (std::max(picture.width, picture.height) > kMostWebpSide) return {text_of(encode_png(picture)), "image/png"};
+  if (std::max(picture.width, picture.height) > kMaxWebpSide) return {text_of(encode_png(picture)), "image/png"};
   return {text_of(encode_webp(picture, effort)), "image/webp"};
 }
 
@@ -285,7 +285,7 @@ PageAnswer PageAnswers::picture(std::string_view path) {
                      (kind == "provenance" && shown.facts().has_provenance) ||
                      (kind == "preview" && preview_view_size(shown.facts()));
   const bool may_blur = kind == "views" && shown.facts().panel == PanelPicture::kOwn;
-  if (blurs && (!may_blur || *crosstalk < 1 || *crosstalk > kMostCrosstalk)) return unknown_path();
+  if (blurs && (!may_blur || *crosstalk < 1 || *crosstalk > kMaxCrosstalk)) return unknown_path();
   if (!known || *frame >= shown.facts().frames.size()) return unknown_path();
   try {
     const Bytes bytes = cache_.get(fmt::format("{}/{}/{}/{}", *field, kind, *frame, *crosstalk), [&] {

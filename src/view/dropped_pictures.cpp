@@ -111,9 +111,9 @@ void DroppedPictures::begin(const std::string& body) {
   if (!json.is_object()) throw Error("The list of pictures", "is not a JSON object");
   const JsonFields fields(json, {}, {});
   const std::vector<std::string> names = fields.texts_or_none("names");
-  if (names.size() < 2 || names.size() > kMostPictures)
+  if (names.size() < 2 || names.size() > kMaxPictures)
     throw Error("drop", fmt::format("{} picture{}", names.size(), names.size() == 1 ? "" : "s"),
-                fmt::format("2 to {} pictures of one scene, from left to right", kMostPictures));
+                fmt::format("2 to {} pictures of one scene, from left to right", kMaxPictures));
   for (const std::string& name : names)
     if (!is_picture_name(name))
       throw Error(printable(name), "is not a picture that can be read", ".jpg, .png, .tif, .webp, .exr or another picture");

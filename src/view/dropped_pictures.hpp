@@ -17,7 +17,7 @@ namespace lippmann {
 
 class DroppedPictures {
  public:
-  static constexpr std::size_t kMostPictures = 1000;
+  static constexpr std::size_t kMaxPictures = 1000;
   static constexpr std::uintmax_t kMostBytes = std::uintmax_t{4} << 30;  ///< of all images together
 
   /// `context` must outlive this object. most_bytes: limit for all images together.

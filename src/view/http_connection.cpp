@@ -58,7 +58,7 @@ void HttpConnection::read_request() {
   if (state_ == State::kIdle && !input_.empty()) enter(State::kHead, terms_.head);
   if (state_ == State::kHead) {
     const std::size_t end = input_.find("\r\n\r\n");
-    if (std::min(end, input_.size()) > kMostHeadBytes) return refuse(refusal_of(431));
+    if (std::min(end, input_.size()) > kMaxHeadBytes) return refuse(refusal_of(431));
     if (end == std::string::npos) return;
     const auto head = read_head(std::string_view(input_).substr(0, end));
     input_.erase(0, end + 4);

@@ -159,7 +159,7 @@ bool read_body_length(const Headers& headers, RequestHead& head) {
   if (text.empty()) return !headers.has("content-length");
   if (text.find_first_not_of("0123456789") != std::string_view::npos) return false;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), head.body_bytes);
-  if (problem != std::errc() || head.body_bytes > kMostBodyBytes) head.body_refusal = 413;
+  if (problem != std::errc() || head.body_bytes > kMaxBodyBytes) head.body_refusal = 413;
   return true;
 }
 

@@ -16,13 +16,13 @@ namespace lippmann {
 
 /// Servers limit heads to 8 KiB (Apache's LimitRequestFieldSize) or 16 KiB (Node's --max-http-header-size); browsers send about
 /// 1 KiB.
-inline constexpr std::size_t kMostHeadBytes = std::size_t{16} << 10;
+inline constexpr std::size_t kMaxHeadBytes = std::size_t{16} << 10;
 /// A calibration has about 10 kB, settings less than 1 kB.
-inline constexpr std::size_t kMostBodyBytes = std::size_t{1} << 20;
+inline constexpr std::size_t kMaxBodyBytes = std::size_t{1} << 20;
 
 struct RequestHead {
   PageRequest page;            ///< without its body
-  std::size_t body_bytes = 0;  ///< size of the body that follows; at most kMostBodyBytes
+  std::size_t body_bytes = 0;  ///< size of the body that follows; at most kMaxBodyBytes
   int body_refusal = 0;        ///< status of the answer if the body is refused: 411, 413 or 415; 0: accepted
   bool keeps_alive = true;
   bool awaits_continue = false;  ///< the client sends the body only after "100 Continue"

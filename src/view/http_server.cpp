@@ -23,7 +23,7 @@ namespace lippmann {
 namespace {
 
 /// A page opens six connections: RFC 9112, 9.4, leaves the number to browsers, which all use six.
-constexpr std::size_t kMostConnections = 128;
+constexpr std::size_t kMaxConnections = 128;
 /// Up to eight of them wait for changes of a scene (live/live_page.cpp).
 constexpr int kAnsweringThreads = 32;
 /// Interval between checks of the deadlines and of `stopped`.
@@ -141,7 +141,7 @@ class Connections {
   }
 
   void accept_one() {
-    if (open_.size() >= kMostConnections && !close_slowest()) {
+    if (open_.size() >= kMaxConnections && !close_slowest()) {
       std::this_thread::sleep_for(kTick);  // all connections wait for answers
       return;
     }

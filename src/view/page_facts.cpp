@@ -12,8 +12,8 @@ namespace lippmann {
 namespace {
 
 /// Limit for the pixels of all eyes of one frame, which take a second or two.
-constexpr double kMostEyePixels = 6e6;
-constexpr int kMostEyesAcross = 48, kMostEyesUp = 9;
+constexpr double kMaxEyePixels = 6e6;
+constexpr int kMaxEyesAcross = 48, kMaxEyesUp = 9;
 
 /// Returns a grid that is not much wider than high, since textures have a maximum size. For a prime number of views the last
 /// tiles stay empty.
@@ -26,10 +26,10 @@ ViewGrid tiles_for(int views) {
 
 /// Sets the views of a panel without whole pixels per lens: one eye per distinguishable direction, within the pixel limit.
 void describe_eyes(const Optics& optics, PageFacts& facts) {
-  const Vec2i counts = glm::min(view_counts(optics), Vec2i(kMostEyesAcross, kMostEyesUp));
+  const Vec2i counts = glm::min(view_counts(optics), Vec2i(kMaxEyesAcross, kMaxEyesUp));
   facts.grid = {counts.x, counts.y};
   const Vec2i size = natural_view_size(optics);
-  const double share = kMostEyePixels / (double(size.x) * size.y * facts.grid.count());
+  const double share = kMaxEyePixels / (double(size.x) * size.y * facts.grid.count());
   facts.view_size = glm::max(Vec2i(Vec2d(size) * std::sqrt(std::min(share, 1.0))), Vec2i(1));
   facts.tiles = tiles_for(facts.grid.count());
   facts.panel = PanelPicture::kOwn;

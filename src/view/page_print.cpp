@@ -22,7 +22,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kPrintEffort = 0;  ///< for the views of a print, which a client waits for
-constexpr double kMostShiftPx = 1e4;
+constexpr double kMaxShiftPx = 1e4;
 
 Display display_of_text(const JsonFields& file) {
   const std::string name = file.text("name"), text = file.text("text");
@@ -41,10 +41,10 @@ Display display_of_name(const std::string& name) {
 
 void require_size(const Display& display) {
   const double pixels = static_cast<double>(display.pixels.x) * display.pixels.y;
-  if (pixels > kMostPrintPixels)
+  if (pixels > kMaxPrintPixels)
     throw usage_error(
         "display", fmt::format("the print has {}x{} pixels, {:.0f} million", display.pixels.x, display.pixels.y, 1e-6 * pixels),
-        fmt::format("up to {:.0f} million; `lippmann convert` makes larger ones", 1e-6 * kMostPrintPixels));
+        fmt::format("up to {:.0f} million; `lippmann convert` makes larger ones", 1e-6 * kMaxPrintPixels));
 }
 
 Image8 codes_of(const Picture& picture) {
@@ -69,7 +69,7 @@ PrintRequest read_print_request(const std::string& text) {
   const JsonFields fields(json, {}, {});
   PrintRequest request;
   request.frame = static_cast<std::size_t>(fields.whole_or("frame", {0.0, 1e9}, 0));
-  request.view_shift_px = fields.number_or("view_shift_px", {-kMostShiftPx, kMostShiftPx}, 0.0);
+  request.view_shift_px = fields.number_or("view_shift_px", {-kMaxShiftPx, kMaxShiftPx}, 0.0);
   if (fields.has("fit")) request.fit = static_cast<AspectFit>(fields.word("fit", {"crop", "pad", "stretch"}));
   request.display = fields.has("file") ? display_of_text(fields.inner("file")) : display_of_name(fields.text("display"));
   fields.allow_only({"frame", "display", "file", "fit", "view_shift_px"});

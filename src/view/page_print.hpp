@@ -1,7 +1,7 @@
 // Makes prints for a page: the image for a display from the views of a frame, as `lippmann convert` makes it, and what eyes see
 // of it through the display's lenses.
 //
-// One print is made at a time, with at most kMostPrintPixels. Only the last print is kept. Thread-safe.
+// One print is made at a time, with at most kMaxPrintPixels. Only the last print is kept. Thread-safe.
 #pragma once
 
 #include <memory>
@@ -18,7 +18,7 @@
 namespace lippmann {
 
 /// An A4 page at 1000 dpi has 97 million pixels. Making a print takes 15 bytes per pixel.
-inline constexpr double kMostPrintPixels = 100e6;
+inline constexpr double kMaxPrintPixels = 100e6;
 
 struct PrintRequest {
   std::size_t frame = 0;

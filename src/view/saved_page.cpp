@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr int kSavedEffort = 2;
 /// Attributes of index.html that select the source of the data.
 constexpr std::string_view kServed = "content=\"server\"", kScripts = "content=\"scripts\"", kWithin = "content=\"within\"";
-constexpr std::uintmax_t kMostFileBytes = std::uintmax_t{1} << 30;
+constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{1} << 30;
 
 class PageFolder {
  public:
@@ -57,7 +57,7 @@ class PageFolder {
 /// Throws unless the file to replace is a saved page.
 void require_own_page(const fs::path& file, std::string_view mark, const char* accepted) {
   if (!is_regular_file_there(file)) return;
-  if (read_file_text(file, kMostFileBytes, "a page that was saved before").find(mark) == std::string::npos)
+  if (read_file_text(file, kMaxFileBytes, "a page that was saved before").find(mark) == std::string::npos)
     throw Error(file.string(), "is another page, and would be replaced", accepted);
 }
 
@@ -141,7 +141,7 @@ std::string page_as_file(const std::vector<std::unique_ptr<PageField>>& fields, 
   const auto append = [&](const std::string& name, const PagePicture& picture) {
     text += fmt::format("<script type=\"text/plain\" id=\"data:{}\" data-type=\"{}\">{}</script>\n", name, picture.type,
                         base64(picture.bytes));
-    if (text.size() > kMostFileBytes)
+    if (text.size() > kMaxFileBytes)
       throw Error("The page", "is larger than 1 GB as one file", "a folder: `lippmann view` with `save`");
   };
   if (!make_pictures(fields, context, append)) return {};

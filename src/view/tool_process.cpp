@@ -28,11 +28,11 @@ void remove_messages(const fs::path& file) {
 }
 
 std::string end_of(const fs::path& file) {
-  constexpr std::size_t kMost = 2000;
-  constexpr std::size_t kMostRead = std::size_t{1} << 24;
-  std::string text = read_file_begin(file, kMostRead);
+  constexpr std::size_t kMax = 2000;
+  constexpr std::size_t kMaxRead = std::size_t{1} << 24;
+  std::string text = read_file_begin(file, kMaxRead);
   while (text.ends_with('\n')) text.pop_back();
-  return text.size() > kMost ? text.substr(text.size() - kMost) : text;
+  return text.size() > kMax ? text.substr(text.size() - kMax) : text;
 }
 
 }  // namespace

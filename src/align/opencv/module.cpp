@@ -29,12 +29,12 @@ cv::Mat matrix_of(const Features& features) {
 
 /// Returns for each feature of `from` the index of the most similar one of `to`; -1 if another is nearly as similar.
 std::vector<int> nearest_features(const Features& from, const Features& to) {
-  constexpr float kMostRatio = 0.8f;  // of the distances to the nearest and the second nearest feature; Lowe, section 7.1
+  constexpr float kMaxRatio = 0.8f;  // of the distances to the nearest and the second nearest feature; Lowe, section 7.1
   std::vector<std::vector<cv::DMatch>> found;
   cv::BFMatcher(cv::NORM_L2).knnMatch(matrix_of(from), matrix_of(to), found, 2);
   std::vector<int> nearest(found.size(), -1);
   for (std::size_t i = 0; i < found.size(); ++i)
-    if (found[i].size() == 2 && found[i][0].distance < kMostRatio * found[i][1].distance) nearest[i] = found[i][0].trainIdx;
+    if (found[i].size() == 2 && found[i][0].distance < kMaxRatio * found[i][1].distance) nearest[i] = found[i][0].trainIdx;
   return nearest;
 }
 

@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-constexpr std::int64_t kMostDepthPixels = std::int64_t{1} << 28;  // limit of other images (image/limits.hpp)
+constexpr std::int64_t kMaxDepthPixels = std::int64_t{1} << 28;  // limit of other images (image/limits.hpp)
 
 template <auto free>
 struct Deleter {
@@ -134,7 +134,7 @@ class Libheif : public HeicModule {
     const Handle handle(opened_depth);
     depth.image = error.code == heif_error_Ok ? header_of(handle.get()) : HeicPicture{.problem = error.message};
     depth.is_z = is_depth_z(opened.handle.get(), id);
-    if (static_cast<std::int64_t>(depth.image.width) * depth.image.height > kMostDepthPixels)
+    if (static_cast<std::int64_t>(depth.image.width) * depth.image.height > kMaxDepthPixels)
       depth.image.problem = "its depth image is too large";
     if (depth.image.problem.empty()) decode_into(handle.get(), depth.image);
     return depth;
