@@ -35,7 +35,7 @@ TEST(OutputFolder, commands_make_the_folders_of_their_results) {
   expect_made(dir, small_teapot("0", "again") + Words{"--dump-job", "jobs/of/teapot.toml"}, "jobs/of/teapot.toml");
 }
 
-TEST(OutputFolder, commands_that_fail_leave_no_folder_behind) {
+TEST(OutputFolder, failed_commands_leave_no_folder) {
   const TempDir dir;
   render_teapot(dir);
   const std::vector<Words> failing{

@@ -202,14 +202,14 @@ TEST(Docs, links_lead_to_files) {
   for (const fs::path& page : pages) EXPECT_THAT(broken_links_in(page), testing::IsEmpty()) << page;
 }
 
-TEST(Docs, command_line_is_what_the_tool_prints) {
+TEST(Docs, command_line_page_equals_the_help) {
   const TempDir dir;
   EXPECT_TRUE(run_tool(dir, {"manual", "--markdown"}).out ==
               bytes_of(fs::path(LIPPMANN_SOURCE) / "docs/reference/command-line.md"))
       << "run: build/release/lippmann manual --markdown > docs/reference/command-line.md";
 }
 
-TEST(Docs, are_in_plain_words) {
+TEST(Docs, pages_are_plain) {
   const fs::path source(LIPPMANN_SOURCE);
   EXPECT_THAT(hard_words_in(bytes_of(source / "README.md")), testing::IsEmpty());
   for (const char* part : {"docs/guide", "docs/reference", "docs/develop"})
@@ -219,7 +219,7 @@ TEST(Docs, are_in_plain_words) {
     }
 }
 
-TEST(Docs, of_flags_are_in_plain_words) {
+TEST(Docs, help_texts_are_plain) {
   const TempDir dir;
   for (const char* command :
        {"render", "check", "compare", "convert", "encode", "replay", "info", "scenes", "displays", "sheet"}) {
@@ -228,7 +228,7 @@ TEST(Docs, of_flags_are_in_plain_words) {
   }
 }
 
-TEST(Readme, examples_are_what_their_generator_makes) {
+TEST(Readme, examples_equal_their_generators_output) {
   const TempDir dir;
   fs::copy_file(fs::path(LIPPMANN_SOURCE) / "examples/make_examples.py", dir / "make_examples.py");
   const RunResult made = run({"python3", (dir / "make_examples.py").string()});

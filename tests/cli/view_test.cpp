@@ -83,7 +83,7 @@ TEST(View, scene_and_light_field_flags_differ) {
   expect_refusal(run_tool(dir, {"view", "missing.glb"}), 1, "there is no such file");
 }
 
-TEST(View, shows_a_print_through_the_sheet_of_its_flags) {
+TEST(View, flags_describe_the_sheet_of_a_print) {
   const TempDir dir;
   const Words sheet{"--lpi", "20", "--dpi", "120", "--paper", "80x60px"};
   expect_done(dir, {"render", "teapot", "--optics", "multiview", "--views", "6x1", "--size", "96x12", "--frames", "0",

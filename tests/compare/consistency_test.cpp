@@ -37,7 +37,7 @@ TEST(AngularPsnr, grid_compares_across_and_up) {
   EXPECT_NEAR(angular_psnr_db(a, b, {2, 2}), 10.0 * std::log10(65025.0 / (2.0 / 4.0)), 1e-12);
 }
 
-TEST(AngularPsnr, single_view_has_none) { EXPECT_TRUE(std::isnan(angular_psnr_db({grey(4, 4, 1)}, {grey(4, 4, 2)}, {1, 1}))); }
+TEST(AngularPsnr, single_view_gives_nan) { EXPECT_TRUE(std::isnan(angular_psnr_db({grey(4, 4, 1)}, {grey(4, 4, 2)}, {1, 1}))); }
 
 TEST(Flicker, only_the_change_of_error_flickers) {
   const Image8 a = smooth_codes(16, 12);
@@ -48,7 +48,7 @@ TEST(Flicker, only_the_change_of_error_flickers) {
   EXPECT_NEAR(flicker_of(flicker_of_view({a, c, a, b, motion.data()})), 6.0, 1e-12);
 }
 
-TEST(Flicker, error_moving_with_its_surface_is_none) {
+TEST(Flicker, error_moving_with_its_surface_is_ignored) {
   const Image8 before = row({10, 20, 30, 40, 50}), after = row({0, 10, 20, 30, 40});
   const Image8 test_before = row({10, 24, 30, 45, 50}), test_after = row({0, 10, 24, 30, 45});
   const std::vector<float> moved{1, 0, 1, 0, 1, 0, 1, 0, 1, 0}, still(10, 0.0f);
@@ -67,7 +67,7 @@ TEST(Flicker, half_pixel_of_motion_mixes_two_pixels) {
   EXPECT_EQ(sums.weights, 9.0);
 }
 
-TEST(Flicker, points_that_were_hidden_hardly_count) {
+TEST(Flicker, disoccluded_points_hardly_count) {
   const Image8 black = grey(4, 4, 0), white = grey(4, 4, 255);
   const std::vector<float> motion(32, 0.0f);
   EXPECT_NEAR(flicker_of_view({black, black, white, black, motion.data()}).weights, 48.0 * std::exp(-150.0), 1e-70);

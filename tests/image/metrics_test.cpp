@@ -175,7 +175,7 @@ TEST(Ssim, is_symmetric) {
   EXPECT_DOUBLE_EQ(ssim(a, b), ssim(b, a));
 }
 
-TEST(Ssim, picture_smaller_than_the_window_has_none) {
+TEST(Ssim, too_small_picture_gives_nan) {
   EXPECT_TRUE(std::isnan(ssim(flat(10, 30, 5), flat(10, 30, 5))));
   EXPECT_FALSE(std::isnan(ssim(flat(11, 11, 5), flat(11, 11, 5))));
 }

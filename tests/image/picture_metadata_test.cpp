@@ -199,7 +199,7 @@ TEST(ColorProfile, damaged_profiles_are_not_srgb) {
   }
 }
 
-TEST(ColorProfile, of_jpeg_and_png_files_is_found) {
+TEST(ColorProfile, jpeg_and_png_profiles_are_found) {
   const std::string profile = profile_with(kP3Primaries, 2.2), segment = "ICC_PROFILE\0\x01\x01"s + profile;
   std::string jpeg;
   for (const unsigned char c : test::encode_jpeg(8, 8, 1, std::vector<std::uint8_t>(64, 90))) jpeg += static_cast<char>(c);
@@ -460,7 +460,7 @@ TEST(DecodeGif, missing_or_too_large_picture_is_refused) {
 
 // ---- Files that are not images ------------------------------------------------------------------------------------------
 
-TEST(Resolution, of_tiff_is_in_dots_per_inch) {
+TEST(Resolution, tiff_has_dots_per_inch) {
   const TempDir dir;
   write_tiff(dir / "a.tif", Image8{2, 1, std::vector<unsigned char>(6)}, {.pixels_per_mm = 600.0 / 25.4});
   TIFF* tiff = TIFFOpen((dir / "a.tif").c_str(), "r");
@@ -475,7 +475,7 @@ TEST(Resolution, of_tiff_is_in_dots_per_inch) {
   EXPECT_EQ(unit, RESUNIT_INCH);
 }
 
-TEST(Resolution, of_heights_is_stored_in_grey_png) {
+TEST(Resolution, heights_are_grey_png_with_resolution) {
   const TempDir dir;
   PngOptions options;
   options.dots_per_inch = 1440.0;
@@ -488,7 +488,7 @@ TEST(Resolution, of_heights_is_stored_in_grey_png) {
   EXPECT_THAT(decoded_as<std::uint16_t>(to_bytes(bytes)), ElementsAre(0, 0x1234));
 }
 
-TEST(DecodePicture, names_what_stands_in_for_a_picture) {
+TEST(DecodePicture, other_kinds_of_files_are_named) {
   const auto message = [](std::string_view text) { return error_message([&] { decode_picture(to_bytes(text), "a.png"); }); };
   EXPECT_THAT(message("version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 7\n"),
               HasSubstr("a.png: cannot be read as a picture: it is a Git LFS pointer"));

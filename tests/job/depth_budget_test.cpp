@@ -37,7 +37,7 @@ TEST(DepthBudget, excess_of_a_deep_scene_is_reported) {
             "side: at 40.0 mm a pixel is as wide as 2.5 lenses.");
 }
 
-TEST(DepthBudget, single_view_has_none) {
+TEST(DepthBudget, single_view_has_no_budget) {
   const Optics optics{.panel = {}, .model = SingleView{}};
   EXPECT_THAT(depth_budget_sentence(shown_depth(FittedArray{}, 1.0f, 1.0f, optics), optics), HasSubstr("no depth budget"));
 }

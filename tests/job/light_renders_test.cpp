@@ -162,7 +162,7 @@ TEST_F(LightRenders, one_sample_per_pixel_is_not_denoised) {
   EXPECT_EQ(rendered(teapot("a", "3", one)), rendered(teapot("b", "3", one + Settings{{"denoise", "none"}})));
 }
 
-TEST_F(LightRenders, what_cannot_be_interpolated_is_refused) {
+TEST_F(LightRenders, impossible_interpolation_is_refused) {
   const auto refused = [&](const Settings& settings) { return refusal(teapot("out", "0", settings)); };
   EXPECT_THAT(refused(kPaths + Settings{{"reuse", "interpolate"}}), HasSubstr("reuse: interpolate needs Whitted shading"));
   EXPECT_THAT(refused({{"splat", "lens"}}), HasSubstr("splat"));

@@ -41,7 +41,7 @@ Vec2d disparity_mm(const Optics& optics, Vec3f point) {
   return Vec2d(moved) * static_cast<double>(optics.panel.pixel_pitch_mm);
 }
 
-TEST(ScreenForStereo, disparity_is_that_of_similar_triangles) {
+TEST(ScreenForStereo, disparity_follows_similar_triangles) {
   const Optics optics = optics_for(stereo_params());
   EXPECT_NEAR(disparity_mm(optics, {0, 0, 0}).x, 0.0, 1e-3) << "in the plane of the screen";
   EXPECT_NEAR(disparity_mm(optics, {0, 0, -600}).x, 31.5, 1e-3) << "63 600 / 1200 behind it";

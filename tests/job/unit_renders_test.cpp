@@ -83,7 +83,7 @@ TEST_F(UnitRenders, missing_frames_are_named_and_resumed) {
 }
 
 // `copy` chooses its source frames anew in each run (docs/lab/decisions/0050), so its layers are not compared.
-TEST_F(UnitRenders, provenance_is_that_of_one_run) {
+TEST_F(UnitRenders, provenance_equals_that_of_one_run) {
   const std::vector<Settings> ways{{{"reuse", "interpolate"}, {"keyframes", "4"}},
                                    {{"reuse", "interpolate"}, {"keyframes", "2"}, {"min-psnr", "40"}},
                                    {{"integrator", "path"}, {"spp", "8"}},

@@ -86,7 +86,7 @@ TEST(Disparity, points_beyond_infinity_are_refused) {
     EXPECT_THAT(error_message([&] { depth_of_disparity_px(optics, bad, "refocus"); }), HasSubstr("infinity")) << bad;
 }
 
-TEST(Disparity, parallel_projections_have_none) {
+TEST(Disparity, parallel_projections_have_no_disparity) {
   const Optics optics{.panel = {40, 40, 0.1f}, .model = MicrolensArray{}};
   EXPECT_THAT(error_message([&] { depth_of_disparity_px(optics, 1.0, "refocus"); }), HasSubstr("refocus"));
 }

@@ -42,7 +42,7 @@ TEST(Precompensate, replayed_with_crosstalk_is_the_original_without) {
   }
 }
 
-TEST(Precompensate, residual_bounds_what_eyes_see) {
+TEST(Precompensate, residual_bounds_the_visible_error) {
   const Optics optics = test::sheet(100.0f);
   const RenderedPanel wanted =
       test::record(optics, -3.0, [](Vec2d p) { return Vec3f(std::sin(2.0 * p.x) > 0.0 ? 1.0f : 0.0f); });

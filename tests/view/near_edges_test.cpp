@@ -48,7 +48,7 @@ TEST(NearEdges, neighbours_lie_in_the_same_view) {
 }
 
 // Views 0.1 apart in slope, pixels of 2 mm: a difference of 10 mm moves by 1 mm, half a pixel.
-TEST(NearEdges, jump_is_visible_from_half_a_pixel_on) {
+TEST(NearEdges, half_a_pixel_is_a_visible_jump) {
   PageFacts facts;
   facts.window.size = {200.0, 100.0};
   facts.axes.across = {.count = 4, .first = -0.15, .step = 0.1};

@@ -88,7 +88,7 @@ class Prints : public testing::Test {
   std::unique_ptr<PageAnswers> answers_;
 };
 
-TEST_F(Prints, file_is_what_convert_writes) {
+TEST_F(Prints, file_equals_that_of_convert) {
   const PageAnswer made = print(1.0);
   ASSERT_EQ(made.status, 200) << *made.body;
   const nlohmann::json json = nlohmann::json::parse(*made.body);
@@ -129,7 +129,7 @@ TEST_F(Prints, only_the_page_itself_may_print) {
   EXPECT_FALSE(nlohmann::json::parse(*get("/fields.json").body)["prints"]["displays"].empty());
 }
 
-TEST_F(Prints, two_light_fields_have_none) {
+TEST_F(Prints, two_light_fields_have_no_prints) {
   std::vector<std::unique_ptr<PageField>> two = test::fields_of(dir_ / "in");
   two.push_back(std::move(test::fields_of(dir_ / "in").front()));
   PageAnswers answers(std::move(two), PageAccess{{"127.0.0.1:8488"}, {}});

@@ -11,7 +11,7 @@ PageFacts quilt_of_views(Vec2i view_size) {
   return facts;
 }
 
-TEST(Preview, small_quilt_has_none) {
+TEST(Preview, small_quilt_has_no_preview) {
   EXPECT_FALSE(preview_view_size(quilt_of_views({512, 1023})));
   EXPECT_TRUE(preview_view_size(quilt_of_views({512, 1024})));
 }
