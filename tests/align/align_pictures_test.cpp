@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// How five cameras of a hand-held row were moved; the middle one is the reference.
+/// Returns the motions of five cameras in a hand-held row; the middle one is the reference.
 std::vector<Similarity> hand_held() {
   return {moved_about_centre(0.8, 1.02, {9.0, -6.5}),
           moved_about_centre(-1.5, 0.985, {-4.0, 8.25}),
@@ -36,7 +36,7 @@ void write_shots(const fs::path& folder, const std::vector<Similarity>& cameras)
                   shot(static_cast<int>(i) - static_cast<int>(cameras.size() / 2), cameras[i]));
 }
 
-/// The hand-held pictures, aligned once for all tests that look at the result.
+/// The hand-held pictures, aligned once for all tests that examine the result.
 struct AlignedShots {
   TempDir dir;
   AlignedPictures made;
@@ -79,7 +79,7 @@ class Align : public testing::Test {
   std::string warnings_;
 };
 
-TEST_F(Align, recovers_turns_scales_and_shifts) {
+TEST_F(Align, recovers_rotations_scales_and_shifts) {
   const std::vector<Similarity> cameras = hand_held();
   const AlignedPictures& made = aligned_shots().made;
   ASSERT_EQ(made.pictures.size(), 5u);
@@ -96,7 +96,7 @@ TEST_F(Align, recovers_turns_scales_and_shifts) {
   EXPECT_EQ(aligned_shots().warnings, "");
 }
 
-TEST_F(Align, written_views_show_the_focus_at_one_place) {
+TEST_F(Align, views_show_the_focus_at_one_place) {
   const AlignedPictures& made = aligned_shots().made;
   ASSERT_GT(made.size.x, 560);
   ASSERT_GT(made.size.y, 400);
@@ -114,19 +114,19 @@ TEST_F(Align, written_views_show_the_focus_at_one_place) {
             std::abs(view.rgb[3 * (static_cast<std::size_t>(y) * view.width + x)] - 20.0 - 215.0 * texture_at(place, 21));
         worst = std::max(worst, off), sum += off, ++count;
       }
-    EXPECT_LT(sum / count, 1.5) << i;  // half a code of rounding twice, and 0.1 px of slopes of some 10 codes a pixel
+    EXPECT_LT(sum / count, 1.5) << i;  // twice half a code of rounding, and 0.1 px at slopes of about 10 codes per pixel
     EXPECT_LT(worst, 12.0) << i;
   }
 }
 
-TEST_F(Align, parallax_is_that_of_the_discs_and_the_wall) {
+TEST_F(Align, parallax_matches_discs_and_wall) {
   const AlignedPictures& made = aligned_shots().made;
   EXPECT_NEAR(made.parallax.near_px, 4 * (kFocusMove - kNearMove), 0.6);
   EXPECT_NEAR(made.parallax.far_px, 4 * (kFocusMove - kFarMove), 0.6);
   const ShownParallax shown = shown_parallax(load_display("lpi=60 dpi=600 paper=100x50mm"), {1000, 600}, 5);
-  EXPECT_NEAR(shown.mm_per_px, 0.1, 1e-4) << "the width fills the paper";
+  EXPECT_NEAR(shown.mm_per_px, 0.1, 1e-4) << "the picture fills the width of the paper";
   EXPECT_NEAR(shown.lens_mm, 25.4 / 60, 1e-6);
-  EXPECT_EQ(shown.views, 5) << "of ten pixels below a lens";
+  EXPECT_EQ(shown.views, 5) << "with ten pixels below a lens";
 }
 
 TEST_F(Align, tilted_slider_is_levelled) {
@@ -151,7 +151,7 @@ TEST_F(Align, pictures_in_place_keep_their_pixels) {
           << x << " " << y;
 }
 
-TEST_F(Align, number_of_threads_does_not_matter) {
+TEST_F(Align, does_not_depend_on_threads) {
   shoot(hand_held());
   align({}, 1, "one");
   align({}, 3, "three");

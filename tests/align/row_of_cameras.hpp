@@ -1,4 +1,4 @@
-// Pictures of a scene of textured discs before a wall, by a row of cameras that are turned, moved and zoomed as stated.
+// Pictures of textured discs in front of a wall, by a row of cameras with given rotations, positions and zooms.
 #pragma once
 
 #include <array>
@@ -13,10 +13,10 @@
 namespace lippmann::test {
 
 inline constexpr Vec2i kSceneSize{640, 480};
-inline constexpr Vec2d kSceneFocus{320.0, 240.0};  ///< the middle of the disc that lies at the disparity kFocusMove
+inline constexpr Vec2d kSceneFocus{320.0, 240.0};  ///< centre of the disc with the disparity kFocusMove
 inline constexpr double kNearMove = -6.0, kFocusMove = -2.0, kFarMove = 3.0;  ///< pixels to the right per camera
 
-/// Smooth noise, 0 to 1.
+/// Returns smooth noise, 0 to 1.
 inline double noise_at(Vec2d place, double cell, std::uint32_t seed) {
   const Vec2d at = place / cell, low = glm::floor(at);
   const Vec2d t = at - low, s = t * t * (3.0 - 2.0 * t);
@@ -31,7 +31,7 @@ inline double texture_at(Vec2d place, std::uint32_t seed) {
   return (noise_at(place, 37.0, seed) + noise_at(place, 13.0, seed + 1) + noise_at(place, 6.0, seed + 2)) / 3.0;
 }
 
-/// The brightness at a place of the aligned picture of camera `k`, counted from the middle one.
+/// Returns the brightness at a place in the aligned picture of camera `k`, counted from the middle one.
 inline double scene_at(Vec2d place, int k) {
   const Vec2d near = place - Vec2d(kNearMove * k, 0.0), middle = place - Vec2d(kFocusMove * k, 0.0);
   for (const Vec2d centre : {Vec2d(120.0, 110.0), Vec2d(520.0, 370.0), Vec2d(140.0, 380.0)})
@@ -40,7 +40,7 @@ inline double scene_at(Vec2d place, int k) {
   return texture_at(place - Vec2d(kFarMove * k, 0.0), 31);
 }
 
-/// Turns clockwise and scales about the centre of the pictures, then moves.
+/// Rotates clockwise and scales about the centre of the pictures, then shifts.
 inline Similarity moved_about_centre(double turn_deg, double scale, Vec2d shift) {
   const double angle = turn_deg * std::numbers::pi / 180.0;
   Similarity moved{scale * std::cos(angle), scale * std::sin(angle), 0.0, 0.0};
@@ -49,7 +49,7 @@ inline Similarity moved_about_centre(double turn_deg, double scale, Vec2d shift)
   return moved;
 }
 
-/// What camera `k` records if `moved` takes its pixels to those of the aligned picture.
+/// Returns the picture of camera `k` if `moved` maps its pixels to the aligned picture.
 inline Image8 shot(int k, const Similarity& moved) {
   Image8 picture{kSceneSize.x, kSceneSize.y, {}};
   picture.rgb.reserve(std::size_t{3} * kSceneSize.x * kSceneSize.y);

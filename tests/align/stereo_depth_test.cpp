@@ -25,7 +25,7 @@ class StereoDepth : public testing::Test {
   std::string warnings_;
 };
 
-/// The share of a disc's pixels whose disparity is within half a pixel of `wanted`.
+/// Returns the share of a disc's pixels whose disparity is within half a pixel of `wanted`.
 double share_right(const Image& disparity, Vec2d centre, double radius, double wanted) {
   int right = 0, all = 0;
   for (int y = 0; y < disparity.height; ++y)
@@ -34,7 +34,7 @@ double share_right(const Image& disparity, Vec2d centre, double radius, double w
   return static_cast<double>(right) / all;
 }
 
-TEST_F(StereoDepth, finds_the_disparity_of_discs_and_wall_in_both_pictures) {
+TEST_F(StereoDepth, finds_disparities_in_both_pictures) {
   const StereoDisparity found = disparity_of_pair(shot(0, {}), shot(1, {}), "pair", context_);
   for (const Vec2d centre : {Vec2d(120, 110), Vec2d(520, 370), Vec2d(140, 380)}) {
     EXPECT_GT(share_right(found.of_left, centre, 60.0, -kNearMove), 0.97);
@@ -49,10 +49,10 @@ TEST_F(StereoDepth, finds_the_disparity_of_discs_and_wall_in_both_pictures) {
   EXPECT_EQ(warnings_, "");
 }
 
-TEST_F(StereoDepth, what_one_picture_hides_lies_behind) {
+TEST_F(StereoDepth, hidden_parts_get_the_background) {
   const StereoDisparity found = disparity_of_pair(shot(0, {}), shot(1, {}), "pair", context_);
-  // The disc at the right moves 9 pixels further to the left than the wall, which the right picture therefore hides at its
-  // left.
+  // The disc at the right moves 9 pixels further to the left than the wall, so the right picture does not show the wall to the
+  // left of the disc.
   EXPECT_NEAR(found.of_left.pixel(520 - 70 - 5, 370)[0], -kFarMove, 1.0);
 }
 

@@ -15,7 +15,7 @@ TEST(Similarity, inverse_and_product_agree) {
   const Vec2d place(12.0, -8.0), moved = second(first(place));
   EXPECT_NEAR(glm::length((second * first)(place)-moved), 0.0, 1e-12);
   EXPECT_NEAR(glm::length(inverse(first)(first(place)) - place), 0.0, 1e-12);
-  EXPECT_NEAR((Similarity{0.0, 2.0, 0.0, 0.0}).turn_deg(), 90.0, 1e-12) << "x to y, which points down: clockwise";
+  EXPECT_NEAR((Similarity{0.0, 2.0, 0.0, 0.0}).turn_deg(), 90.0, 1e-12) << "x maps to y, which points down: clockwise";
 }
 
 TEST(Warp, whole_pixels_keep_their_values) {
@@ -27,7 +27,7 @@ TEST(Warp, whole_pixels_keep_their_values) {
       for (int c = 0; c < 3; ++c) ASSERT_EQ(moved.pixel(x, y)[c], picture.pixel(x + 5 - 3, y + 1 + 2)[c]) << x << " " << y;
 }
 
-TEST(Warp, waves_move_by_fractions_of_pixels_and_turn) {
+TEST(Warp, waves_move_by_subpixels_and_rotate) {
   Image picture(64, 64, 3);
   const auto wave = [](Vec2d place) {
     return static_cast<float>(0.5 + 0.3 * std::sin(0.4 * place.x) * std::cos(0.3 * place.y));
@@ -38,7 +38,7 @@ TEST(Warp, waves_move_by_fractions_of_pixels_and_turn) {
   const ThreadPool pool(2);
   const Image result = warped(picture, moved, {16, 16}, {32, 32}, pool);
   for (int y = 0; y < 32; ++y)
-    for (int x = 0; x < 32; ++x)  // Lanczos's filter of three lobes keeps waves of 15 pixels within 1 %
+    for (int x = 0; x < 32; ++x)  // Lanczos's filter of three lobes preserves waves of 15 pixels to 1 %
       ASSERT_NEAR(result.pixel(x, y)[1], wave(inverse(moved)(Vec2d(x + 16.5, y + 16.5))), 0.004) << x << " " << y;
 }
 

@@ -1,5 +1,5 @@
-"""Prints a program that initialises one member of each public struct by name, so that compilers warn about the others if these
-have no default.
+"""Prints a program that initialises one member of each public struct by name, so that compilers warn about other members without
+a default.
 
   designators.py INCLUDE_FOLDER
 """
@@ -9,12 +9,12 @@ import re
 import sys
 
 
-# Their large array is filled in inner loops, where clearing it costs time.
+# Inner loops fill their large arrays, and clearing them first would cost time.
 LEFT_OUT = {"Tap", "Taps"}
 
 
 def without_braces(text):
-    """The text outside of all braces; each outermost pair becomes "{}"."""
+    """Returns the text outside all braces; each outermost pair becomes "{}"."""
     depth = 0
     kept = []
     for character in text:
@@ -26,9 +26,9 @@ def without_braces(text):
 
 
 def members(body):
-    """Names of the data members in a struct's body."""
+    """Yields the names of the data members in a struct's body."""
     body = without_braces(re.sub(r"//[^\n]*", "", body))
-    # The body of a function ends a statement as a semicolon does.
+    # The body of a function ends a statement like a semicolon.
     for statement in re.split(r";|\)[^;{}=]*\{\}", body):
         head = re.sub(r"<[^;]*>", "", statement.split("=")[0].replace("{}", ""))
         words = re.findall(r"\w+", statement)

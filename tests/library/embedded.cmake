@@ -1,4 +1,4 @@
-# Takes the whole tree into another project: only its library is there, and it is built without tool, tests and what they need.
+# Adds the whole tree to another project: only its library is built, without the tool, the tests and their dependencies.
 #   cmake -D SOURCE=... -D WORK=... -D CXX=... -P embedded.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -11,19 +11,19 @@ add_executable(program ${SOURCE}/examples/library/look.cpp)
 target_link_libraries(program PRIVATE lippmann::lippmann)
 foreach(target lippmann cli_test lippmann-bench)
   if(TARGET \${target})
-    message(FATAL_ERROR \"\${target} is built for nobody\")
+    message(FATAL_ERROR \"\${target} is built but not needed\")
   endif()
 endforeach()
 get_target_property(options program COMPILE_OPTIONS)
 if(options)
-  message(FATAL_ERROR \"options of ours reach the program: \${options}\")
+  message(FATAL_ERROR \"the project's options reach the program: \${options}\")
 endif()
 ")
 execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S ${WORK} -B ${WORK}/build -D CMAKE_CXX_COMPILER=${CXX}
   -D CMAKE_BUILD_TYPE=Release -D LIPPMANN_PCH=OFF COMMAND_ERROR_IS_FATAL ANY)
 
-# All that the program is made of has a rule; the library itself is compiled by the build that this test belongs to.
+# Everything that the program needs has a rule. The library itself is compiled by the build of this test.
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build --target program -- -n COMMAND_ERROR_IS_FATAL ANY)
-# Its own source compiles with what reaches it through the target.
+# The program's source compiles with the target's include directories and options.
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build --target CMakeFiles/program.dir${SOURCE}/examples/library/look.cpp.o
   COMMAND_ERROR_IS_FATAL ANY)

@@ -1,4 +1,4 @@
-# Installs the library, builds examples/library against it as a project of its own, and runs these programs on a scene.
+# Installs the library, builds examples/library as a separate project, and runs these programs on a scene.
 #   cmake -D BUILD=... -D SOURCE=... -D CXX=... -D GENERATOR=... -D FLAGS=... -D PYTHON=... -P installed.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -19,12 +19,12 @@ set(examples ${work}/build)
 file(REMOVE_RECURSE ${work})
 run(${CMAKE_COMMAND} --install ${BUILD} --component development --prefix ${work}/prefix)
 
-# Nobody's copy of the sources is seen from here: what the headers need is installed with them.
+# The sources are not visible from here, so the headers must be self-contained.
 run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE}/examples/library -B ${examples} -D CMAKE_PREFIX_PATH=${work}/prefix
   -D CMAKE_CXX_COMPILER=${CXX} "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_EXE_LINKER_FLAGS=${FLAGS}")
 run(${CMAKE_COMMAND} --build ${examples})
 
-# A denoised path-traced quilt takes no more than 20 lines, and is the one that the tool renders by default.
+# A denoised path-traced quilt takes at most 20 lines, and equals the tool's default render.
 file(READ ${SOURCE}/examples/library/quilt.cpp text)
 string(REGEX REPLACE "(^|\n)//[^\n]*" "" text "${text}")
 string(REGEX MATCHALL "\n[^\n]" lines "${text}")
@@ -56,7 +56,7 @@ foreach(file input_Cam000.png input_Cam008.png gt_depth_lowres.pfm parameters.cf
   require_file(${work}/data/${file})
 endforeach()
 
-# Without arguments they print their usage; with wrong ones, what is wrong. Neither ends by a signal.
+# Without arguments the programs print their usage; with wrong ones, an error. Neither ends by a signal.
 function(run_refused code pattern)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result ERROR_VARIABLE said OUTPUT_QUIET)
   if(NOT result STREQUAL code OR NOT said MATCHES "${pattern}")
@@ -74,7 +74,8 @@ run_refused(1 "no-such-file" ${examples}/look no-such-file ${work}/seen)
 run_refused(1 "CMakeLists.txt" ${examples}/own_scene ${SOURCE}/CMakeLists.txt/below)
 run_refused(1 "CMakeLists.txt" ${examples}/data_set ${SOURCE}/CMakeLists.txt/below)
 
-# A project with warnings as errors: every public struct takes designated initialisers, and an installed program finds the library.
+# A project with warnings as errors: every public struct supports designated initialisers, and an installed program finds the
+# library.
 set(outside ${work}/outside)
 run(${PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/designators.py ${work}/prefix/include)
 file(WRITE ${work}/designators.cpp "${output}")

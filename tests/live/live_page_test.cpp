@@ -34,7 +34,7 @@ class LivePages : public testing::Test {
   PageAnswers answers_;
 };
 
-TEST_F(LivePages, description_names_what_may_be_chosen) {
+TEST_F(LivePages, description_lists_the_choices) {
   const Json fields = Json::parse(*ask("GET", "/secret/fields.json").body);
   EXPECT_EQ(fields["fields"][0]["title"], "room");
   EXPECT_EQ(fields["fields"][0]["across"]["views"], 4);
@@ -44,7 +44,7 @@ TEST_F(LivePages, description_names_what_may_be_chosen) {
   EXPECT_EQ(fields["live"]["plays"], false);
 }
 
-TEST_F(LivePages, strangers_change_nothing) {
+TEST_F(LivePages, requests_without_token_have_no_effect) {
   const std::string zoom = R"({"settings":{"zoom":"3"}})";
   EXPECT_EQ(ask("POST", "/live/settings", zoom).status, 403);
   EXPECT_EQ(ask("POST", "/wrong/live/settings", zoom).status, 403);
@@ -68,7 +68,7 @@ TEST_F(LivePages, the_page_itself_changes_settings_and_saves) {
   EXPECT_TRUE(std::filesystem::exists(dir_.path() / "room.toml"));
 }
 
-TEST_F(LivePages, what_makes_no_sense_is_refused_in_words) {
+TEST_F(LivePages, invalid_requests_are_refused_with_messages) {
   for (const auto& [path, body, said] : {std::tuple{"settings", "no JSON", "JSON"},
                                          {"settings", R"({"settings":{"zoom":"0"}})", "zoom"},
                                          {"settings", R"({"settings":{"environment":"/etc/passwd"}})", "accepts no files"},
@@ -82,7 +82,7 @@ TEST_F(LivePages, what_makes_no_sense_is_refused_in_words) {
   EXPECT_EQ(ask("GET", "/secret/live/state/-1").status, 404);
 }
 
-TEST_F(LivePages, pictures_are_served_while_they_are_the_last) {
+TEST_F(LivePages, only_the_latest_pictures_are_served) {
   Json now = state();
   for (int i = 0; i < 240 && (now["picture"].is_null() || now["picture"]["pass"] != "final"); ++i)
     now = Json::parse(*ask("GET", "/secret/live/state/" + now["serial"].dump()).body);
@@ -91,7 +91,7 @@ TEST_F(LivePages, pictures_are_served_while_they_are_the_last) {
   EXPECT_EQ(ask("GET", "/secret/live/depth/" + id).status, 200);
   EXPECT_EQ(ask("GET", "/secret/live/panel/" + id).status, 200);
   EXPECT_EQ(ask("GET", "/secret/live/views/999").status, 404);
-  EXPECT_EQ(ask("GET", "/secret/live/views/1").status, 204);  // the coarse one
+  EXPECT_EQ(ask("GET", "/secret/live/views/1").status, 204);  // the coarse picture
   EXPECT_EQ(ask("GET", "/secret/live/secrets/" + id).status, 404);
 }
 

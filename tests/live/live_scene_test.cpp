@@ -26,7 +26,7 @@ RenderParams slow_room() {
   return params;
 }
 
-/// What is shown at rest is the render, code by code.
+/// Expects the picture at rest to have the codes of the render.
 void expect_render(const RenderParams& params, const Json& changes) {
   const TempDir dir;
   const auto scene = test::live_scene(params, dir.path() / "job.toml");
@@ -43,18 +43,18 @@ void expect_render(const RenderParams& params, const Json& changes) {
   EXPECT_EQ(shown.rgb, rendered.rgb);
 }
 
-TEST(LiveScene, views_at_rest_are_those_of_the_saved_jobs_render) {
+TEST(LiveScene, views_at_rest_equal_the_saved_jobs_render) {
   expect_render(test::small_room(), {{"settings", {{"orbit", "20,10"}, {"zoom", "1.3"}, {"exposure", "0.7"}}}, {"frame", 7}});
 }
 
-TEST(LiveScene, denoised_paths_are_those_of_the_render) {
+TEST(LiveScene, denoised_paths_equal_the_render) {
   RenderParams params = test::small_room();
   params.sampling.integrator = Integrator::kPath;
   params.sampling.spp = 24;
   expect_render(params, {{"settings", {{"focus", "8.5"}, {"tone", "neutral"}}}, {"frame", 3}});
 }
 
-TEST(LiveScene, lenses_and_another_cone_are_those_of_the_render) {
+TEST(LiveScene, lenses_and_cones_equal_the_render) {
   RenderParams params = test::small_room();
   params.optics = {};
   params.optics.kind = OpticsKind::kLenticular;
@@ -63,14 +63,14 @@ TEST(LiveScene, lenses_and_another_cone_are_those_of_the_render) {
   expect_render(params, {{"settings", {{"view-angle", "35"}}}});
 }
 
-/// A calibration in a folder; the job's display.
+/// Writes a calibration to a folder and returns the path, for the job's display.
 std::string calibrated_panel(const TempDir& dir) {
   const std::filesystem::path file = dir.path() / "visual.json";
   std::ofstream(file) << R"({"pitch":52.3,"slope":-7.2,"center":0.37,"DPI":324,"screenW":60,"screenH":45,"viewCone":40})";
   return file.string();
 }
 
-TEST(LiveScene, a_calibrated_panels_own_frames_are_those_of_the_render) {
+TEST(LiveScene, native_frames_equal_the_render) {
   const TempDir dir;
   RenderParams params = test::small_room();
   params.optics = {};
@@ -82,7 +82,7 @@ TEST(LiveScene, a_calibrated_panels_own_frames_are_those_of_the_render) {
   EXPECT_EQ(test::shown_picture(*scene, "panel").width, 60);
 }
 
-TEST(LiveScene, tells_the_panel_that_it_is_set_up_for) {
+TEST(LiveScene, reports_its_panel) {
   const TempDir dir;
   RenderParams params = test::small_room();
   params.optics = {};
@@ -99,7 +99,7 @@ TEST(LiveScene, tells_the_panel_that_it_is_set_up_for) {
   EXPECT_TRUE(of_no_display->display().is_null());
 }
 
-TEST(LiveScene, of_rows_of_views_is_played_on_no_panel) {
+TEST(LiveScene, several_rows_have_no_panel) {
   RenderParams params = test::small_room();
   params.optics.views = {2, 2};
   params.optics.camera_grid = true;
@@ -108,7 +108,7 @@ TEST(LiveScene, of_rows_of_views_is_played_on_no_panel) {
   EXPECT_THAT(test::error_message([&] { scene->require_playable(); }), HasSubstr("2x2 views"));
 }
 
-TEST(LiveScene, hexagonal_lenses_which_have_no_views_of_whole_pixels_are_those_of_the_render) {
+TEST(LiveScene, hexagonal_lenses_equal_the_render) {
   RenderParams params = test::small_room();
   params.optics = {};
   params.optics.kind = OpticsKind::kMicrolens;
@@ -118,7 +118,7 @@ TEST(LiveScene, hexagonal_lenses_which_have_no_views_of_whole_pixels_are_those_o
   expect_render(params, {{"settings", {{"orbit", "-15"}}}});
 }
 
-TEST(LiveScene, a_coarse_picture_comes_first_and_depth_with_it) {
+TEST(LiveScene, a_coarse_picture_with_depth_comes_first) {
   const auto scene = test::live_scene(slow_room());
   const Json state = test::wait_for(*scene, [](const Json& now) { return !now["picture"].is_null(); });
   EXPECT_EQ(state["picture"]["depth"], true);
@@ -126,8 +126,8 @@ TEST(LiveScene, a_coarse_picture_comes_first_and_depth_with_it) {
   EXPECT_EQ(scene->picture("views", 12345), nullptr);
 }
 
-// Without being cancelled, what is under way would take many minutes.
-TEST(LiveScene, a_change_ends_what_is_under_way) {
+// Without the cancellation, the running work would take many minutes.
+TEST(LiveScene, changes_cancel_running_work) {
   const auto scene = test::live_scene(slow_room());
   test::wait_for(*scene, [](const Json& now) { return now["pass"] == "final"; });
   const auto start = std::chrono::steady_clock::now();
@@ -136,7 +136,7 @@ TEST(LiveScene, a_change_ends_what_is_under_way) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::minutes(2));
 }
 
-TEST(LiveScene, settings_that_make_no_picture_are_said_and_make_no_job) {
+TEST(LiveScene, failing_settings_are_reported_and_not_saved) {
   const TempDir dir;
   const auto scene = test::live_scene(test::small_room(), dir.path() / "job.toml");
   test::wait_for_rest(*scene);
@@ -150,7 +150,7 @@ TEST(LiveScene, settings_that_make_no_picture_are_said_and_make_no_job) {
   EXPECT_EQ(test::wait_for_rest(*scene)["error"], "");
 }
 
-TEST(LiveScene, changes_are_made_whole_or_not_at_all) {
+TEST(LiveScene, changes_are_atomic) {
   const auto scene = test::live_scene(test::small_room());
   for (const Json& bad : {Json(3), Json{{"settings", {{"zoom", "2"}, {"spp", "x"}}}}, Json{{"settings", {{"zoom", 2}}}},
                           Json{{"frame", 100000}}, Json{{"frame", "1"}}, Json{{"output", "x"}}, Json{{"plane_mm", 1e9}}})
@@ -158,8 +158,8 @@ TEST(LiveScene, changes_are_made_whole_or_not_at_all) {
   EXPECT_EQ(scene->state_after(0, std::chrono::milliseconds(0))["settings"]["zoom"], "1");
 }
 
-// What lay 10 mm before the plane lies in it afterwards, and the viewer stays where he is.
-TEST(LiveScene, the_plane_goes_where_something_is_seen) {
+// The point 10 mm in front of the plane is in the plane afterwards, and the viewer does not move.
+TEST(LiveScene, the_plane_moves_to_a_depth) {
   const auto scene = test::live_scene(test::small_room());
   const Json before = test::wait_for_rest(*scene);
   const Json field = scene->field();
@@ -170,7 +170,7 @@ TEST(LiveScene, the_plane_goes_where_something_is_seen) {
   EXPECT_NEAR(after["plane"]["distance"].get<double>(), distance * (1.0 - 10.0 / viewer_mm), 1e-3 * distance);
 }
 
-TEST(LiveScene, a_render_runs_beside_it_one_at_a_time) {
+TEST(LiveScene, renders_run_one_at_a_time) {
   const TempDir dir;
   RenderParams params = test::small_room();
   params.output.folder = (dir.path() / "out").string();
@@ -185,7 +185,7 @@ TEST(LiveScene, a_render_runs_beside_it_one_at_a_time) {
   test::wait_for_rest(*scene);
 }
 
-TEST(LiveScene, a_render_that_is_cancelled_leaves_what_an_interrupted_one_leaves) {
+TEST(LiveScene, cancelled_renders_equal_interrupted_ones) {
   const TempDir dir;
   RenderParams params = test::small_room();
   params.optics.size = {512, 128};

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 void set(LiveSettings& settings, const std::string& name, const std::string& value) { settings.set(name, &value); }
 
-TEST(LiveSettings, settings_lie_over_the_command_line_and_may_be_given_back) {
+TEST(LiveSettings, settings_override_the_command_line) {
   RenderParams base = test::small_room();
   base.scene.view.zoom = 2.0f;
   LiveSettings settings(base);
@@ -27,7 +27,7 @@ TEST(LiveSettings, settings_lie_over_the_command_line_and_may_be_given_back) {
   EXPECT_EQ(settings.job().scene().view.zoom, 2.0f);
 }
 
-TEST(LiveSettings, bad_values_are_refused_and_nothing_has_changed) {
+TEST(LiveSettings, bad_values_change_nothing) {
   LiveSettings settings(test::small_room());
   EXPECT_THAT(test::error_message([&] { set(settings, "zoom", "-1"); }), HasSubstr("zoom"));
   EXPECT_THAT(test::error_message([&] { set(settings, "spp", "many"); }), HasSubstr("spp"));
@@ -35,13 +35,13 @@ TEST(LiveSettings, bad_values_are_refused_and_nothing_has_changed) {
   EXPECT_TRUE(settings.changed().empty());
 }
 
-TEST(LiveSettings, what_a_page_may_not_set_is_refused_with_what_it_may) {
+TEST(LiveSettings, forbidden_settings_are_refused) {
   LiveSettings settings(test::small_room());
   for (const char* name : {"output", "scene", "asset-root", "video", "nonsense"})
     EXPECT_THAT(test::error_message([&] { set(settings, name, "x"); }), HasSubstr("orbit")) << name;
 }
 
-TEST(LiveSettings, no_text_of_a_page_becomes_a_path) {
+TEST(LiveSettings, settings_cannot_name_files) {
   RenderParams base = test::small_room();
   base.scene.environment = "/home/own.hdr";
   LiveSettings settings(base);
@@ -52,7 +52,7 @@ TEST(LiveSettings, no_text_of_a_page_becomes_a_path) {
   set(settings, "display", "portrait");
 }
 
-TEST(LiveSettings, frames_lie_within_the_animation) {
+TEST(LiveSettings, frames_are_limited_to_the_animation) {
   LiveSettings settings(test::small_room());
   settings.set_frame(9, 10);
   EXPECT_EQ(settings.frame(), 9);

@@ -1,4 +1,4 @@
-// The stage of a scene that is looked at: frames are those of the render, and take no longer than they have to.
+// The stage of a scene that is viewed: frames equal those of the render and are not rendered more often than necessary.
 #include "live/live_stage.hpp"
 
 #include <gtest/gtest.h>
@@ -11,16 +11,16 @@
 namespace lippmann {
 namespace {
 
-/// Enough samples for a draft of fewer.
+/// More samples than a draft has.
 RenderParams room_of_paths() {
   RenderParams params = test::small_room();
   params.sampling.integrator = Integrator::kPath;
   params.sampling.spp = 24;
-  params.threads = 1;  // progress never goes back within a frame
+  params.threads = 1;  // with one thread, progress never decreases within a frame
   return params;
 }
 
-/// Counts how often a frame is begun, as the progress of frames tells it.
+/// Counts the frames that are started, from the progress of frames.
 class BegunFrames {
  public:
   explicit BegunFrames(Context& context) {
@@ -30,7 +30,7 @@ class BegunFrames {
     };
   }
 
-  /// Since it was asked last.
+  /// Returns the number since the last call.
   int count() { return std::exchange(begun_, 0); }
 
  private:
@@ -55,7 +55,7 @@ TEST(LiveStage, frames_of_paths_need_no_others) {
   EXPECT_EQ(followed->pictures.film.data, alone->pictures.film.data);
 }
 
-TEST(LiveStage, frames_are_the_same_whatever_was_asked_for_or_cancelled_before) {
+TEST(LiveStage, frames_do_not_depend_on_earlier_requests) {
   Looked looked, other;
   const auto wanted = other.live.frame(2);
   ASSERT_TRUE(looked.live.frame(5));
@@ -67,7 +67,7 @@ TEST(LiveStage, frames_are_the_same_whatever_was_asked_for_or_cancelled_before) 
   EXPECT_EQ(made->pictures.film.data, wanted->pictures.film.data);
 }
 
-TEST(LiveStage, other_parameters_make_other_frames) {
+TEST(LiveStage, parameters_change_the_frames) {
   Looked looked;
   const auto before = looked.live.frame(0);
   RenderParams params = room_of_paths();
@@ -80,7 +80,7 @@ TEST(LiveStage, other_parameters_make_other_frames) {
   EXPECT_NE(back->pictures.film.data, before->pictures.film.data);
 }
 
-TEST(LiveDraft, of_a_late_frame_needs_none_before_it) {
+TEST(LiveDraft, of_a_late_frame_needs_no_earlier_ones) {
   Looked looked;
   ASSERT_TRUE(draft_pictures(looked.live, looked.live.facts(), 12, looked.context));
   EXPECT_EQ(looked.begun.count(), 1);

@@ -1,4 +1,4 @@
-// What tests of live scenes share: small renders, and waiting for them.
+// Shared helpers for tests of live scenes: small renders, and waiting for them.
 #pragma once
 
 #include <filesystem>
@@ -12,21 +12,21 @@
 
 namespace lippmann::test {
 
-/// The built-in room on 4 views of 16x16 pixels.
+/// Returns the built-in room on 4 views of 16x16 pixels.
 RenderParams small_room();
 
 std::unique_ptr<LiveScene> live_scene(const RenderParams& params, const std::filesystem::path& job_file = "unused.toml");
 
-/// The first state that `is_it` holds for; fails the test where none comes in a minute.
+/// Returns the first state for which `is_it` holds; fails the test after ten minutes.
 nlohmann::ordered_json wait_for(const LiveScene& scene, const std::function<bool(const nlohmann::ordered_json&)>& is_it);
 
-/// Until the picture of the settings in force is the final one.
+/// Waits until the final picture of the present settings is shown.
 nlohmann::ordered_json wait_for_rest(const LiveScene& scene);
 
-/// sRGB codes of the picture that is shown.
+/// Returns sRGB codes of the picture that is shown.
 Image8 shown_picture(const LiveScene& scene, const std::string& kind);
 
-/// Renders into the folder as `lippmann render` does, and reads the views of a frame as a page shows them.
+/// Renders into the folder as `lippmann render` does, and returns the views of a frame as a page shows them.
 Image8 views_of_render(RenderParams params, const std::filesystem::path& folder, int frame);
 
 }  // namespace lippmann::test

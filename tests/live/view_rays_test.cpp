@@ -13,14 +13,14 @@ Optics quilt_of(int columns, int rows, Vec2i view) {
   return optics;
 }
 
-// 48 views of 64 mm x 64 mm in 48000 samples: 1000 each, 31.6 a side.
-TEST(ViewRays, coarse_views_share_the_samples_and_are_equally_dense_across_and_up) {
+// 48 views of 64 mm x 64 mm in 48000 samples: 1000 each, 31.6 per side.
+TEST(ViewRays, coarse_views_share_the_samples) {
   EXPECT_EQ(coarse_view_size(page_facts(quilt_of(8, 6, {128, 128})), 48e3), Vec2i(31, 31));
   EXPECT_EQ(coarse_view_size(page_facts(quilt_of(8, 6, {128, 64})), 24e3), Vec2i(31, 15));
   EXPECT_EQ(coarse_view_size(page_facts(quilt_of(8, 6, {8, 8})), 48e3), Vec2i(8, 8));
 }
 
-TEST(ViewRays, in_all_pixels_they_are_the_rays_of_the_panel) {
+TEST(ViewRays, full_views_have_the_panels_rays) {
   PlacedOptics placed;
   placed.optics = with_parallax(quilt_of(3, 2, {5, 4}), 0.5f);
   placed.depth_scale = 0.5f;
@@ -36,9 +36,9 @@ TEST(ViewRays, in_all_pixels_they_are_the_rays_of_the_panel) {
     }
 }
 
-// Hexagonal lenses have no views of whole pixels: an eye that a view stands for sees a point of the plane under its own slope,
-// which counts half as much where depth is shown half as deep.
-TEST(ViewRays, of_other_optics_they_are_those_of_the_eyes) {
+// Hexagonal lenses have no views of whole pixels: the eye that represents a view sees a point of the plane at its own slope,
+// which is halved if depth is shown at half its size.
+TEST(ViewRays, other_optics_use_rays_of_eyes) {
   MicrolensArray array;
   array.packing = LensPacking::kHexagonal;
   array.viewing_distance_mm = 100.0f;

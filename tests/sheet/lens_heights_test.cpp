@@ -20,7 +20,7 @@ LensSpec thickness(double mm) {
   return spec;
 }
 
-/// A sheet whose lenses are 24 pixels wide, as its strips are: the viewer is far away.
+/// Returns a sheet with lenses and strips 24 pixels wide, because the viewer is far away.
 Display sheet_of_whole_pixels() { return load_display("lpi=60 dpi=1440 paper=240x6px viewing-distance=10000000"); }
 
 TEST(LensShapes, radius_follows_from_thickness_and_index) {
@@ -33,7 +33,7 @@ TEST(LensShapes, radius_follows_from_thickness_and_index) {
   EXPECT_NEAR(shape.view_angle_deg, 37.979, 1e-3);
 }
 
-TEST(LensShapes, height_and_radius_are_two_names_of_a_cap) {
+TEST(LensShapes, height_and_radius_give_the_same_cap) {
   LensSpec by_height, by_radius;
   by_height.height_mm = 0.1, by_radius.radius_mm = 0.25;  // (0.2^2 + 0.1^2) / 0.2
   EXPECT_NEAR(lens_shape(0.4, by_height).radius_mm, 0.25, 1e-12);
@@ -53,7 +53,7 @@ TEST(LensShapes, more_than_half_a_cylinder_is_refused) {
   EXPECT_THAT(error_message([&] { lens_shape(0.4, thickness(0.5)); }), HasSubstr("at least 0.6000 for the index 1.5"));
 }
 
-TEST(LensHeights, are_those_of_a_cylinder) {
+TEST(LensHeights, follow_a_cylinder) {
   const ThreadPool pool(2);
   const Display sheet = sheet_of_whole_pixels();
   const LensShape shape = lens_shape(sheet.lenses.pitch_mm, thickness(0.9));
@@ -63,13 +63,13 @@ TEST(LensHeights, are_those_of_a_cylinder) {
   for (int x = 0; x < 240; ++x) {
     const double from_axis = (x % 24 - 11.5) * 25.4 / 1440.0;
     const double expected = 65535.0 * (std::sqrt(0.09 - from_axis * from_axis) - edge) / (0.3 - edge);
-    // A relative 1e-7 of the pitch, that of a viewer at 10 km, is a code at most.
+    // A relative deviation of 1e-7 of the pitch, for a viewer at 10 km, is at most one code.
     EXPECT_NEAR(map.codes[static_cast<std::size_t>(x)], expected, 1.0) << x;
     EXPECT_EQ(map.codes[static_cast<std::size_t>(x) + 240 * 5], map.codes[static_cast<std::size_t>(x)]);
   }
 }
 
-// Lenses are narrower than the strips below them: over the print, the number of strips is smaller than that of lenses.
+// Lenses are narrower than the strips below them: the print has fewer strips than lenses.
 TEST(LensHeights, lenses_have_the_pitch_of_the_sheet) {
   const ThreadPool pool(1);
   const Display sheet = load_display("lpi=20 dpi=400 paper=4000x2px viewing-distance=60");
@@ -83,7 +83,7 @@ TEST(LensHeights, lenses_have_the_pitch_of_the_sheet) {
   EXPECT_NEAR(edges, 200, 1) << "4000 pixels of 1/400 inch, 20 lenses per inch";
 }
 
-TEST(LensHeights, slanted_lenses_are_the_same_for_any_number_of_threads) {
+TEST(LensHeights, slanted_lenses_do_not_depend_on_threads) {
   const Display sheet = load_display("lpi=20 dpi=400 paper=300x200px slant=12");
   const auto made = [&](int threads) {
     const ThreadPool pool(threads);

@@ -1,4 +1,4 @@
-// Test prints whose bars are known pixel by pixel.
+// Test prints whose bars are known for every pixel.
 #include "sheet/test_blocks.hpp"
 
 #include <gmock/gmock.h>
@@ -22,7 +22,7 @@ bool is_black_at(const BlockTest& test, int x, int y) {
          0;
 }
 
-/// The number of black bars along the row or column through the middle of a block.
+/// Returns the number of black bars along the row or column through the middle of a block.
 int bars_of(const BlockTest& test, const TestBlock& block, BarDirection direction) {
   const Vec2i middle = (block.bars.from + block.bars.to) / 2;
   const bool is_vertical = direction == kVertical;
@@ -85,14 +85,14 @@ TEST(PitchBlocks, steps_may_be_lenses_per_inch) {
   for (int i = 0; i < 5; ++i) EXPECT_NEAR(test.blocks[static_cast<std::size_t>(i)].pitch_px, 600.0 / (59.0 + 0.5 * i), 1e-9);
 }
 
-TEST(PitchBlocks, pitch_of_the_print_follows_from_the_viewing_distance) {
+TEST(PitchBlocks, print_pitch_follows_from_the_viewing_distance) {
   const ThreadPool pool(1);
   const Display sheet = load_display("lpi=60 dpi=600 paper=A6 viewing-distance=500");
   EXPECT_GT(lens_strips(sheet).cell_px, 10.005);
   EXPECT_EQ(pitch_test(sheet, 3, {}, kVertical, pool).blocks[1].pitch_px, lens_strips(sheet).cell_px);
 }
 
-TEST(PitchBlocks, refuse_what_cannot_be_printed) {
+TEST(PitchBlocks, refuse_unprintable_values) {
   const ThreadPool pool(1);
   const Display sheet = load_display("lpi=60 dpi=150 paper=A6");
   EXPECT_THAT(error_message([&] { pitch_test(sheet, 21, {}, kVertical, pool); }),
@@ -106,7 +106,7 @@ TEST(PitchBlocks, refuse_what_cannot_be_printed) {
   EXPECT_THAT(error_message([] { read_pitch_step("xlpi"); }), HasSubstr("step"));
 }
 
-TEST(PhaseBlocks, are_white_in_the_middle_of_strips_that_begin_at_their_phase) {
+TEST(PhaseBlocks, are_white_in_the_middle_of_strips) {
   const ThreadPool pool(2);
   const BlockTest test = phase_test(load_display("lpi=100 dpi=1200 paper=1200x900px"), 6, kVertical, pool);
   ASSERT_EQ(test.blocks.size(), 6u);
@@ -120,7 +120,7 @@ TEST(PhaseBlocks, are_white_in_the_middle_of_strips_that_begin_at_their_phase) {
   }
 }
 
-TEST(PhaseBlocks, are_the_same_for_any_number_of_threads) {
+TEST(PhaseBlocks, do_not_depend_on_threads) {
   const Display sheet = load_display("lpi=60.12 dpi=300 paper=A6");
   const auto made = [&](int threads) {
     const ThreadPool pool(threads);

@@ -1,5 +1,5 @@
-// Calls of the system, in place of those of the C library: what is below /sim/ goes to the simulated world, all else to the
-// real one. The library of C++ (streams, std::filesystem) finds them here, too.
+// System calls that replace those of the C library: paths below /sim/ go to the simulated world, all others to the real one.
+// The C++ library (streams, std::filesystem) uses them, too.
 #include <dirent.h>
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -36,7 +36,7 @@ struct OpenFile {
   std::size_t at = 0;
 };
 
-constexpr int kFirstDescriptor = 1 << 20;  // beyond all real ones
+constexpr int kFirstDescriptor = 1 << 20;  // above all real descriptors
 std::array<OpenFile, 1024> open_files;
 
 struct OpenFolder {
@@ -49,7 +49,7 @@ struct OpenFolder {
 
 std::array<OpenFolder, 64> folders;
 
-/// A file or a stream that was opened below /sim/; else null.
+/// Returns a file or stream opened below /sim/, or null.
 OpenFile* file_of(int descriptor) {
   const int index = descriptor - kFirstDescriptor;
   return index >= 0 && index < static_cast<int>(open_files.size()) ? &open_files[static_cast<std::size_t>(index)] : nullptr;
@@ -78,7 +78,7 @@ int fail(int error) {
 
 int result(int error) { return error < 0 ? fail(-error) : 0; }
 
-/// Goes on if the call may: else returns from the caller.
+/// Continues if the call may proceed, else returns from the caller.
 #define LIPPMANN_CALL(kind, failure) \
   if (const int problem = world()->before(World::Call::kind)) return errno = problem, failure
 
@@ -209,7 +209,7 @@ extern "C" {
 LIPPMANN_OPEN(open)
 LIPPMANN_OPEN(open64)
 
-/// What `open` is, and `openat` below, where the compiler guards calls (_FORTIFY_SOURCE) and flags are not constant.
+/// Replaces `open` (and `openat` below) in code compiled with _FORTIFY_SOURCE whose flags are not constant.
 int __open_2(const char* path, int flags) { return open(path, flags); }
 
 int openat(int folder, const char* path, int flags, ...) {

@@ -7,7 +7,7 @@
 namespace lippmann::test {
 namespace {
 
-/// What becomes of bytes of which some are safe. Files are only written at their ends.
+/// Returns the surviving bytes of a file of which a part is safe. Files are only written at their ends.
 std::string torn(const std::string& safe, const std::string& bytes, Random& random) {
   if (safe == bytes) return bytes;
   const std::size_t begin = bytes.starts_with(safe) ? safe.size() : 0;

@@ -1,8 +1,8 @@
-// A disk in memory that keeps, of what programs have written, only what they have synced when the power fails.
+// A disk in memory that keeps only synced data when the power fails.
 //
-// A file's bytes are safe after sync() of the file; that it is there under a name, after sync() of its folder. When power
-// fails, what is not safe is there, or lost, or torn, as chance has it: a renamed file may be empty, a file's end may be zeros,
-// a name may be the old one. Errors are negative numbers of errno.
+// A file's bytes are safe after sync() of the file; its name is safe after sync() of its folder. When power fails, unsafe data
+// survives, is lost or is torn at random: a renamed file may be empty, the end of a file may be zeros, a name may be the old
+// one. Errors are negative errno values.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +17,9 @@ namespace lippmann::test {
 
 struct Inode {
   bool is_folder = false;
-  int machine = -1;          ///< that has written last
-  std::int64_t written = 0;  ///< when, in nanoseconds since 1970
-  std::string bytes, safe;   ///< as programs see them; as they survive
+  int machine = -1;          ///< that wrote last
+  std::int64_t written = 0;  ///< time of the last write, in nanoseconds since 1970
+  std::string bytes, safe;   ///< bytes seen by programs; bytes that survive
   std::map<std::string, int> entries, safe_entries;
 };
 
@@ -27,7 +27,7 @@ class Disk {
  public:
   Disk();
 
-  /// An inode's number, or an error. Paths are absolute.
+  /// Returns an inode's number or an error. Paths are absolute.
   int find(std::string_view path) const;
   int create_file(std::string_view path);
   int make_folder(std::string_view path);
@@ -38,13 +38,13 @@ class Disk {
   Inode& at(int inode) { return inodes_[static_cast<std::size_t>(inode)]; }
   void sync(int inode);
 
-  /// Everything that is not safe is left to chance.
+  /// Keeps or loses all unsafe data at random.
   void lose_power(Random& random);
-  /// Only bytes that this machine has written and not synced: the disk is another machine's, which goes on.
+  /// Keeps or loses unsynced bytes written by this machine; the disk belongs to another machine, which continues.
   void lose_machine(int machine, Random& random);
 
  private:
-  struct Change {  ///< to a folder's entries, not safe yet
+  struct Change {  ///< unsafe change of a folder's entries
     int folder;
     std::string removed, added;
     int inode;

@@ -1,4 +1,4 @@
-// The numbers that decide a simulated story: all follow from its seed.
+// Random numbers that decide a simulated story; all follow from its seed.
 #pragma once
 
 #include <cstddef>
@@ -18,10 +18,10 @@ class Random {
     return z ^ (z >> 31);
   }
 
-  /// 0 ... count - 1; count >= 1.
+  /// Returns 0 ... count - 1; count >= 1.
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(next() % count); }
 
-  /// Once in so many times; 0: never.
+  /// Returns true once in `count` times; 0: never.
   bool once_in(std::size_t count) { return count > 0 && below(count) == 0; }
 
  private:

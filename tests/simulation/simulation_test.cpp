@@ -1,5 +1,5 @@
-// The life of jobs, simulated (story.hpp). LIPPMANN_SEEDS=0-999999 says which; a seed that fails is told again by
-// LIPPMANN_SEEDS=SEED, with what happened.
+// Simulates the life of jobs (story.hpp). LIPPMANN_SEEDS=0-999999 selects the seeds; LIPPMANN_SEEDS=SEED repeats a failing seed
+// and prints its log.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -12,7 +12,7 @@
 namespace lippmann::test {
 namespace {
 
-TEST(Simulation, jobs_that_are_killed_at_any_moment_lose_no_frame_and_make_no_wrong_one) {
+TEST(Simulation, killed_jobs_lose_and_damage_no_frames) {
   const char* said = std::getenv("LIPPMANN_SEEDS");
   const FrameRanges seeds = read_frames(said ? said : "0-999", "LIPPMANN_SEEDS");
   std::uint64_t stories = 0, frames = 0, runs = 0, calls = 0, failed = 0;

@@ -48,9 +48,9 @@ struct Work {
 };
 
 using FolderFrame = std::pair<fs::path, int>;
-using FolderPart = std::pair<fs::path, int>;  ///< as parts_of counts them
+using FolderPart = std::pair<fs::path, int>;  ///< as counted by parts_of
 
-/// Is among those that are being made as long as it lives.
+/// Marks a file as being made while it exists.
 class Making {
  public:
   Making(std::multiset<FolderFrame>& all, FolderFrame own) : all_(all), own_(all.insert(std::move(own))) {}
@@ -63,7 +63,7 @@ class Making {
   std::multiset<FolderFrame>::iterator own_;
 };
 
-/// What stands in for a renderer: different for every file and job, the same whenever it is asked.
+/// Returns the bytes that replace a rendered picture: different for every file and job, and reproducible.
 std::string picture_bytes(const std::string& name, const std::string& job = kJob) {
   Random random(std::hash<std::string>()(job == kJob ? name : job + name));
   std::string bytes(20 + random.below(200), '\0');
@@ -109,7 +109,7 @@ class Teller {
     if (problem_.empty()) problem_ = fmt::format("step {}: {}", world_.steps, problem);
   }
 
-  // ---- What a run does ------------------------------------------------------------------------------------------------
+  // ---- Actions of a run ------------------------------------------------------------------------------------------------
 
   std::vector<std::string> names_of(int frame) const {
     const std::string picture = fmt::format("frame_{:04}", frame);
@@ -152,7 +152,7 @@ class Teller {
     folder.add_video(video, frames_);
   }
 
-  /// As render_animation does it.
+  /// Like render_animation.
   RenderReport render(const Work& work) {
     const Context context;
     const RenderParams params = params_of(work);
@@ -203,7 +203,7 @@ class Teller {
     return true;
   }
 
-  /// A joined frame is right if the strips are.
+  /// Joins strips. The joined frame is right if the strips are.
   void join_strips(int frame, const RenderFolder& folder) {
     finished_strips(folder, frame, strips_);
     for (int strip = 0; strip < strips_; ++strip) {
@@ -221,7 +221,7 @@ class Teller {
     if (strips_ == 1) return;
     forget_strips_of(folder, frame);
     remove_strips(folder, frame, strips_);
-    forget_strips_of(folder, frame);  // of which another task may have finished one meanwhile, and it is gone, too
+    forget_strips_of(folder, frame);  // another task may have finished one of them, which is then gone, too
   }
 
   void forget_strips_of(const fs::path& folder, int frame) {
@@ -242,7 +242,7 @@ class Teller {
     return true;
   }
 
-  /// Joined from folders of parts, or where all have rendered.
+  /// Finishes a job that was joined from folders of parts, or rendered in one folder.
   std::optional<RenderReport> finish(const Work& work) {
     std::vector<fs::path> parts;
     if (apart_)
@@ -250,7 +250,7 @@ class Teller {
         if (world_.disk.find(part(unit).string()) >= 0) parts.push_back(part(unit));
     const std::uint64_t began = world_.steps;
     const auto result = finish_folder(work.folder, parts, [&](const RenderParams& params) {
-      if (!params.output.frames || frames_of(*params.output.frames) != frames_) complain("job.toml asks for other frames");
+      if (!params.output.frames || frames_of(*params.output.frames) != frames_) complain("job.toml has other frames");
       return render({.folder = work.folder, .only_finished = true});
     });
     if (result.report && is_alive() && !has_misread() && world_.last_flip < began) expect_frames(work.folder, "as finish says");
@@ -260,16 +260,16 @@ class Teller {
   bool is_alive() { return !world_.current() || !world_.current()->is_dead; }
   bool has_misread() { return world_.current() && world_.current()->has_misread; }
 
-  // ---- What has to hold -----------------------------------------------------------------------------------------------
+  // ---- Invariants ------------------------------------------------------------------------------------------------------
 
-  /// A run that began after a frame or a strip was finished, and could read all, does not make it again.
+  /// A run that starts after a frame or a strip was finished, and can read everything, does not render it again.
   void expect_unfinished(const std::map<FolderFrame, std::uint64_t>& finished, const FolderFrame& thing, const char* kind) {
     const auto found = finished.find(thing);
     if (!is_alive() || has_misread() || found == finished.end() || found->second >= world_.current()->began) return;
     complain(fmt::format("{} {} was finished at step {} and is rendered again", kind, thing.second, found->second));
   }
 
-  /// While a run has the folder, the frames in it are its job's.
+  /// While a run holds the folder, the frames in it belong to its job.
   void expect_own_frames(const Work& work, const RenderReport& report) {
     const Process* process = world_.current();
     if (!process || process->is_dead || process->has_misread || world_.last_flip >= process->began) return;
@@ -289,8 +289,8 @@ class Teller {
                        [&](const std::string& name) { return world_.disk.find((of.first / name).string()) == inode; });
   }
 
-  /// Whether it was a file of a finished frame, and no process makes that one again: what is damaged before its checksum is
-  /// taken is not told from what was written. Folders that were joined have one file under two names.
+  /// Removes a file from the finished frames and returns whether it belonged to one that no process is rendering again: damage
+  /// before its checksum is taken cannot be detected. Joined folders have one file under two names.
   bool forget(const std::string& path) {
     const int inode = world_.disk.find(path);
     for (const FolderFrame& made : being_made_) {
@@ -330,11 +330,11 @@ class Teller {
                          names));
   }
 
-  // ---- What happens ---------------------------------------------------------------------------------------------------
+  // ---- Events ----------------------------------------------------------------------------------------------------------
 
   fs::path part(int unit) const { return fmt::format("/sim/part-{}", unit); }
 
-  /// What the folder holds when the job begins.
+  /// Prepares the folder's content before the job begins.
   void prepare() {
     if (!random_.once_in(3)) return;
     const auto before = static_cast<Before>(1 + random_.below(3));
@@ -407,13 +407,13 @@ class Teller {
     world_.calm();
   }
 
-  /// The rival has one of its own: processes of one machine are seen by calls that are not simulated.
+  /// The rival has its own machine, because processes of one machine detect each other by calls that are not simulated.
   int machine_for(const Work& work) {
     if (!has_rival_) return static_cast<int>(random_.below(kMachines));
     return work.job == kJob ? static_cast<int>(random_.below(kMachines - 1)) : kMachines - 1;
   }
 
-  /// Tasks that fail are often tried again.
+  /// Failing tasks are often retried.
   void attempt(Work work) {
     const bool is_done = try_to(work);
     if (++work.attempts < 4 && !is_done && !random_.once_in(4)) queue_.push_back(work);
@@ -432,7 +432,7 @@ class Teller {
     return false;
   }
 
-  /// What a person does once all machines work again: finish, or else render what it says, and finish.
+  /// Acts like a person after all machines work again: finishes, or renders the reported frames and finishes.
   void recover() {
     if (has_rival_) world_.pass(static_cast<std::int64_t>(2e9 * kLeaseSeconds));
     if (has_rival_ && finished_.empty()) complete({.folder = folder_, .units = Units{{1}, 1}, .force = true});
@@ -453,21 +453,21 @@ class Teller {
     return is_done;
   }
 
-  static constexpr int kAllFrames = 100;  // the scene's
+  static constexpr int kAllFrames = 100;  // number of frames of the scene
 
   bool shares_a_name_;
-  int strips_;  ///< that frames are rendered in; 1: they are rendered whole
+  int strips_;  ///< number of strips per frame; 1: frames are rendered whole
   World world_;
   Random& random_;
   Kind kind_ = Kind::kPicture;
   std::vector<int> frames_;
   int segment_ = 1, units_ = 1, runs_ = 0;
   bool apart_ = false, has_video_ = false;
-  bool has_rival_ = false;  ///< another job, which begins in the folder at the same time
+  bool has_rival_ = false;  ///< another job that starts in the folder at the same time
   fs::path folder_ = "/sim/film";
   std::deque<Work> queue_;
-  std::map<FolderFrame, std::uint64_t> finished_;       ///< and recorded; the step of the world
-  std::map<FolderPart, std::uint64_t> finished_parts_;  ///< the same of strips, until their frame is finished
+  std::map<FolderFrame, std::uint64_t> finished_;       ///< finished and recorded; the step of the world
+  std::map<FolderPart, std::uint64_t> finished_parts_;  ///< the same for strips, until their frame is finished
   std::multiset<FolderFrame> being_made_;
   std::string problem_;
 };

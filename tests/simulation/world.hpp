@@ -1,8 +1,7 @@
-// Machines that share a disk, their clocks, and processes that run on them one call of the system at a time: real code, whose
-// calls (calls.cpp) come here in files below /sim/. A seed decides whose turn it is, and what fails when.
+// Machines that share a disk, their clocks, and processes that run on them one system call at a time. The processes run real
+// code, whose calls (calls.cpp) come here for files below /sim/. A seed decides which process runs next, and what fails when.
 //
-// A process that is killed does nothing any more that others could see: its calls fail, so that it soon comes to its end and
-// frees its memory.
+// A killed process has no more visible effects: its calls fail, so that it soon ends and frees its memory.
 #pragma once
 
 #include <ucontext.h>
@@ -21,13 +20,13 @@
 
 namespace lippmann::test {
 
-/// How often things go wrong, once in so many calls of the system; 0: never.
+/// Frequency of faults, once in this many system calls; 0: never.
 struct Faults {
   std::size_t kill = 0, machine_loss = 0, power_loss = 0;
   std::size_t disk_full = 0;  ///< from then on, for a while
   std::size_t error = 0;      ///< EIO or ENOSPC of a call that writes
   std::size_t read_error = 0;
-  std::size_t interrupted = 0;  ///< EINTR, and reads and writes of fewer bytes
+  std::size_t interrupted = 0;  ///< EINTR, and partial reads and writes
   std::size_t clock_jump = 0;
   std::size_t flipped_byte = 0;  ///< in a picture
 };
@@ -35,13 +34,13 @@ struct Faults {
 struct Process {
   int id = 0, machine = 0, pid = 1;
   bool is_dead = false, has_ended = false;
-  bool has_misread = false;  ///< a read of it has failed
+  bool has_misread = false;  ///< one of its reads has failed
   std::uint64_t began = 0;   ///< step of the world
   std::function<void()> body;
   bool has_begun = false;
-  ucontext_t context{};                    ///< its beginning
-  std::jmp_buf place{};                    ///< where it goes on
-  std::array<std::byte, 16> exceptions{};  ///< the C++ run-time's: what is being caught
+  ucontext_t context{};                    ///< its entry point
+  std::jmp_buf place{};                    ///< where it continues
+  std::array<std::byte, 16> exceptions{};  ///< exceptions being caught, from the C++ run-time
   std::unique_ptr<std::byte[]> stack;
 };
 
@@ -52,21 +51,21 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  /// Runs until all processes have ended; `ready` is asked for more between calls of the system, and may start some.
+  /// Runs until all processes have ended. Calls `ready` between system calls, which may start processes.
   void run(const std::function<void()>& ready = {});
   Process& start(int machine, std::function<void()> body);
 
-  /// Before every call of a process: lets others go on. An errno with which the call fails, or 0.
+  /// Called before every system call of a process; lets others run. Returns an errno with which the call fails, or 0.
   enum class Call { kRead, kWrite, kOther };
   int before(Call call);
 
-  /// Nothing goes wrong from here on.
+  /// Disables all faults from here on.
   void calm() { faults = {}, full_until_ = 0; }
 
   /// Sets all clocks forward.
   void pass(std::int64_t nanoseconds);
 
-  /// Bytes that this call moves, of so many.
+  /// Returns the number of bytes that this call transfers, of `bytes`.
   std::size_t moved(std::size_t bytes);
 
   Process* current() { return current_; }
@@ -79,8 +78,8 @@ class World {
   Random random;
   Faults faults;
   std::uint64_t steps = 0, last_flip = 0;
-  std::function<bool(const std::string&)> flips;  ///< hears the path of a file that may be damaged, and says whether it is
-  std::string log;                                ///< what has gone wrong, for people
+  std::function<bool(const std::string&)> flips;  ///< returns whether a file may be damaged, by its path
+  std::string log;                                ///< faults that occurred, for people
 
  private:
   void resume(Process& process);
@@ -101,7 +100,7 @@ class World {
   int next_id_ = 0;
 };
 
-/// The one that calls of the system go to; null: all go to the real one.
+/// The world that system calls go to; null: all go to the real one.
 World*& world();
 
 }  // namespace lippmann::test

@@ -1,4 +1,4 @@
-// Encodes small pictures of 8 bits as PNG, JPEG or WebP, for tests of readers.
+// Encodes small 8-bit pictures as PNG, JPEG or WebP, for tests of readers.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@ namespace lippmann::test {
 /// `channels`: 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA.
 std::vector<unsigned char> encode_png(int width, int height, int channels, const std::vector<std::uint8_t>& samples);
 
-/// `channels`: 1 grey, 3 RGB, 4 CMYK (as Adobe stores it: inverted). Progressive where it is said.
+/// `channels`: 1 grey, 3 RGB, 4 CMYK (inverted, as Adobe stores it).
 std::vector<unsigned char> encode_jpeg(int width, int height, int channels, const std::vector<std::uint8_t>& samples,
                                        bool progressive = false);
 
-/// RGBA, without loss.
+/// RGBA, lossless.
 std::vector<unsigned char> encode_webp(int width, int height, const std::vector<std::uint8_t>& samples);
 
 }  // namespace lippmann::test

@@ -1,4 +1,4 @@
-// What the library says when it refuses something.
+// Returns the messages of Errors for tests.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace lippmann::test {
 
-/// The message of the Error that `work` throws; "(no Error)" if it throws none.
+/// Returns the message of the Error that `work` throws, or "(no Error)".
 inline std::string error_message(const std::function<void()>& work) {
   try {
     work();

@@ -13,17 +13,17 @@
 namespace lippmann::test {
 
 struct ExrWindow {
-  std::int32_t left = 0, top = 0, right = 0, bottom = 0;  // the last pixel belongs to it
+  std::int32_t left = 0, top = 0, right = 0, bottom = 0;  // right and bottom are included
 };
 
 struct ExrPart {
   ExrWindow data, display;
-  /// In the order of their names, as the format wants it. Values of the data window, row by row.
+  /// Sorted by name, as the format requires. Values of the data window, row by row.
   std::vector<std::pair<std::string, std::vector<float>>> channels;
   float pixel_aspect = 1.0f;
-  std::string attributes{};  ///< more of them, encoded
-  std::string name{};        ///< of files with several parts
-  int chroma_sampling = 1;   ///< RY and BY have every so many pixels of every so many rows
+  std::string attributes{};  ///< additional encoded attributes
+  std::string name{};        ///< for files with several parts
+  int chroma_sampling = 1;   ///< RY and BY have one pixel per block of this many pixels and rows
 };
 
 inline int exr_sampling(const ExrPart& part, const std::string& channel) {

@@ -1,10 +1,10 @@
-// A library for LD_PRELOAD: the LIPPMANN_FAIL_NUMBER-th call of a kind fails, as on a disk that is full for a moment; with
-// LIPPMANN_FAIL_ALL all that follow fail too. LIPPMANN_FAIL_CALL says which kind: write (to a regular file), open (for
-// writing), rename, remove, mkdir, fsync, allocate. When one has failed, a file LIPPMANN_FAILED is there. What the program
-// prints goes to pipes and is left alone.
+// A library for LD_PRELOAD: the LIPPMANN_FAIL_NUMBER-th call of a kind fails, as on a disk that is briefly full; with
+// LIPPMANN_FAIL_ALL, all later calls fail too. LIPPMANN_FAIL_CALL selects the kind: write (to a regular file), open (for
+// writing), rename, remove, mkdir, fsync, allocate. After a failure, the file LIPPMANN_FAILED exists. The program's output goes
+// to pipes and is not affected.
 //
-// Allocations count from main() on, and not within dlopen(): before and there, constructors of libraries run, which have nobody
-// to tell of a failure (libhwy's, which comes with the encoders of videos, aborts).
+// Allocations count from main() on, except within dlopen(): elsewhere, constructors of libraries run, which cannot report a
+// failure (libhwy's, which is used by video encoders, aborts).
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -26,7 +26,7 @@ bool is_wanted(const char* call) {
   return std::strcmp(wanted ? wanted : "write", call) == 0;
 }
 
-/// Counts a call of the kind that is to fail.
+/// Counts a call of the failing kind, and returns whether it fails.
 bool fails(const char* call) {
   static std::atomic<long> calls{0};
   static const long failing = std::getenv("LIPPMANN_FAIL_NUMBER") ? std::atol(std::getenv("LIPPMANN_FAIL_NUMBER")) : 0;
@@ -81,7 +81,7 @@ Function* next(const char* name) {
 
 extern "C" {
 
-// The allocator of the C library by the names that it keeps for those who replace the usual ones.
+// The allocator of the C library, under the names reserved for programs that replace the usual ones.
 void* __libc_malloc(size_t bytes);
 void* __libc_calloc(size_t count, size_t bytes);
 void* __libc_realloc(void* old, size_t bytes);

@@ -1,4 +1,4 @@
-// What a file holds.
+// Reads the bytes of a file.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace lippmann::test {
 
-/// Empty where there is no such file.
+/// Returns an empty string if there is no such file.
 inline std::string file_bytes(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};

@@ -1,4 +1,4 @@
-// A full disk, near enough: until it goes out of scope no file of this process can grow beyond a size.
+// Imitates a full disk: during its life no file of this process can grow beyond a size.
 #pragma once
 
 #include <sys/resource.h>

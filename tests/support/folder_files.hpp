@@ -1,4 +1,4 @@
-// What lies in a folder, by name.
+// Reads the files of a folder by name.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@ namespace lippmann::test {
 
 using Files = std::map<std::string, std::string>;  ///< contents by name
 
-/// The files in a folder that end so.
+/// Returns the files in a folder whose names end with `ending`.
 inline Files files_in(const std::filesystem::path& folder, std::string_view ending) {
   Files files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -20,7 +20,7 @@ inline Files files_in(const std::filesystem::path& folder, std::string_view endi
   return files;
 }
 
-/// Every file below a folder, by its path in it; none where there is no such folder.
+/// Returns every file below a folder by its relative path; none if there is no such folder.
 inline Files all_files(const std::filesystem::path& folder) {
   Files files;
   if (!std::filesystem::exists(folder)) return files;
@@ -29,7 +29,7 @@ inline Files all_files(const std::filesystem::path& folder) {
   return files;
 }
 
-/// The same without what tells of times and runs: journals, report.json, job.toml.
+/// Returns the same without files that contain times and runs: journals, report.json, job.toml.
 inline Files pictures_below(const std::filesystem::path& folder) {
   Files files = all_files(folder);
   std::erase_if(files, [](const auto& file) {

@@ -13,11 +13,11 @@ using Primaries = std::array<std::array<double, 3>, 3>;
 inline constexpr Primaries kSrgbPrimaries{{{0.4361, 0.2225, 0.0139}, {0.3851, 0.7169, 0.0971}, {0.1431, 0.0606, 0.7139}}};
 inline constexpr Primaries kP3Primaries{{{0.5151, 0.2412, -0.0011}, {0.2920, 0.6922, 0.0419}, {0.1571, 0.0666, 0.7841}}};
 
-/// Of three primaries under D50, and one gamma. Its name is Mine.
+/// Returns a profile of three primaries under D50 and one gamma, named Mine.
 std::string profile_with(const Primaries& primaries, double gamma);
 
-/// Of a press on which any full ink is black: tables of two values per ink, Lab in 8 bits. Without ink it is white. It prints
-/// every colour as grey, of black ink in proportion to 1 - L* / 100.
+/// Returns the profile of a press on which any full ink is black, with tables of two values per ink in 8-bit Lab. Without ink
+/// it is white. It prints every colour as grey, with black ink proportional to 1 - L* / 100.
 std::string press_profile();
 
 }  // namespace lippmann::test

@@ -1,7 +1,7 @@
-// Compares a picture with its reference by three thresholds, and on failure leaves the evidence to look at.
+// Compares a picture with its reference by three thresholds, and saves both on failure.
 //
-// For noise-free pictures whose edges may fall differently by rounding: most pixels agree closely, a stated share may not, and
-// none may be far off. Needs lippmann::image.
+// For noise-free pictures whose edges may move by rounding: most pixels agree closely, a stated share may differ, and none may
+// differ much. Needs lippmann::image.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,14 +16,14 @@
 namespace lippmann::test {
 
 struct ImageTolerance {
-  int per_pixel = 0;     ///< codes by which the largest of a pixel's channels may differ
-  double share = 0.0;    ///< the share of pixels that may differ by more
-  int hard_limit = 255;  ///< codes by which no pixel may differ
+  int per_pixel = 0;     ///< largest difference of a pixel's channels, in codes
+  double share = 0.0;    ///< share of pixels that may differ by more
+  int hard_limit = 255;  ///< largest difference of any pixel, in codes
 };
 
 namespace detail {
 
-/// $LIPPMANN_TEST_OUTPUT, or test-failures in the current folder.
+/// Returns $LIPPMANN_TEST_OUTPUT, or test-failures in the current folder.
 inline std::filesystem::path evidence_folder() {
   const char* given = std::getenv("LIPPMANN_TEST_OUTPUT");
   const testing::TestInfo* info = testing::UnitTest::GetInstance()->current_test_info();
@@ -33,7 +33,7 @@ inline std::filesystem::path evidence_folder() {
   return folder;
 }
 
-/// min(255, gain |a - b|) per code: black where they agree.
+/// Returns min(255, gain |a - b|) per code: black where they agree.
 inline Image8 difference_picture(const Image8& a, const Image8& b, int gain) {
   Image8 difference = a;
   std::transform(a.rgb.begin(), a.rgb.end(), b.rgb.begin(), difference.rgb.begin(),
@@ -41,7 +41,7 @@ inline Image8 difference_picture(const Image8& a, const Image8& b, int gain) {
   return difference;
 }
 
-/// Writes the three pictures and says where.
+/// Writes the three pictures and returns a message with their folder.
 inline std::string leave_evidence(const Image8& image, const Image8& reference) {
   const std::filesystem::path folder = evidence_folder();
   write_png(folder / "image.png", image);

@@ -1,4 +1,4 @@
-// Vectors that are equal but for rounding.
+// Compares vectors with a tolerance for rounding.
 #pragma once
 
 #include <gtest/gtest.h>

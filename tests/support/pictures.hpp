@@ -9,7 +9,7 @@
 
 namespace lippmann::test {
 
-/// Independent uniform codes: nothing compresses, every byte matters.
+/// Independent uniform codes, which cannot be compressed.
 inline Image8 noise_codes(int width, int height, std::uint32_t seed = 1) {
   Image8 image{width, height, {}};
   image.rgb.resize(std::size_t{3} * width * height);
@@ -17,7 +17,7 @@ inline Image8 noise_codes(int width, int height, std::uint32_t seed = 1) {
   return image;
 }
 
-/// Slow waves of colour; `phase` moves them.
+/// Slow waves of colour, moved by `phase`.
 inline Image8 smooth_codes(int width, int height, double phase = 0.0) {
   Image8 image{width, height, {}};
   for (int y = 0; y < height; ++y)

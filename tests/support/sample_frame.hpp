@@ -1,4 +1,4 @@
-// What a report says of one frame, for tests that write reports.
+// A frame's figures, for tests that write reports.
 #pragma once
 
 #include "lippmann/frames/frame_report.hpp"

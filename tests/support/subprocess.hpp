@@ -1,4 +1,4 @@
-// Runs a program as a person at a shell would, and keeps what it printed, stdout and stderr apart.
+// Runs a program as from a shell, and keeps its stdout and stderr separately.
 #pragma once
 
 #include <sys/types.h>
@@ -10,16 +10,16 @@
 namespace lippmann::test {
 
 struct RunResult {
-  int exit_code = -1;  ///< 128 + n when signal n ended it; 127 when it could not be started
+  int exit_code = -1;  ///< 128 + n if signal n ended it; 127 if it could not be started
   std::string out, err;
 };
 
 struct RunOptions {
   std::string working_folder;       ///< empty: this process's
-  std::size_t file_size_limit = 0;  ///< bytes; writing beyond fails, as on a full disk; 0: no limit
+  std::size_t file_size_limit = 0;  ///< in bytes; writing more fails as on a full disk; 0: no limit
 };
 
-/// A program that runs beside the test; killed at the end of its life unless it was waited for. stdin is empty.
+/// A program that runs beside the test; killed on destruction unless it was waited for. stdin is empty.
 class Subprocess {
  public:
   explicit Subprocess(const std::vector<std::string>& command, const RunOptions& options = {});
@@ -34,11 +34,11 @@ class Subprocess {
 
  private:
   pid_t pid_ = -1;
-  RunResult printed_;  ///< until now
+  RunResult printed_;  ///< output so far
   int out_ = -1, err_ = -1;
 };
 
-/// Starts it and waits for its end.
+/// Runs a program to its end.
 RunResult run(const std::vector<std::string>& command, const RunOptions& options = {});
 
 }  // namespace lippmann::test

@@ -1,4 +1,4 @@
-// A fresh folder that is removed with everything in it at the end of a test.
+// A new folder that is removed with its contents at the end of a test.
 #pragma once
 
 #include <filesystem>
