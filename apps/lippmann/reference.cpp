@@ -1,4 +1,4 @@
-// The page docs/reference/command-line.md, made of what the commands declare.
+// Writes docs/reference/command-line.md from the declarations of the commands.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -34,7 +34,7 @@ bool is_in_reference(const CLI::Option& option) {
   return !option.check_lname("help") && !option.check_lname("help-all") && !option.get_group().empty();
 }
 
-/// The options below one heading: entries of those that are new, names of those that an earlier command has, too.
+/// The options below one heading: entries of new options, and the names of those that an earlier command has, too.
 class ReferenceGroup {
  public:
   ReferenceGroup(std::string heading, std::string command) : heading_(std::move(heading)), command_(std::move(command)) {}
@@ -59,7 +59,7 @@ class ReferenceGroup {
 
  private:
   std::string heading_, command_, entries_;
-  std::map<std::string, std::string> repeated_;  ///< names of options, by the command that has them first
+  std::map<std::string, std::string> repeated_;  ///< names of options, by the first command that has them
 };
 
 std::string reference_of(const CLI::App& command, std::map<std::string, std::string>& command_of_entry) {
