@@ -15,8 +15,8 @@ struct Context {
   int threads = 0;  ///< worker threads; 0: one per processor that this process may use
   /// Receives one complete sentence per call, without newline; called from any thread.
   std::function<void(std::string_view)> warn{};
-  /// Receives the traced share of the current frame, 0 to 1; called often, from any thread. Restarts for each frame that the
-  /// requested one needs, such as the key frames around an interpolated one.
+  /// Receives the share of the current frame that is traced, 0 to 1. Called often, from any thread. If a requested frame needs
+  /// other frames first, such as the key frames around an interpolated one, the share starts again from 0 for each of them.
   std::function<void(double)> frame_progress{};
   std::atomic<bool> cancelled{false};  ///< set it (also from a signal handler) to stop at the next tile or frame
 

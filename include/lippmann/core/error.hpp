@@ -1,8 +1,8 @@
 // The only exception type of the library: invalid input from outside (a file, a flag, a size), with enough details to correct
 // it.
 //
-// Thrown at load and set-up only; kernels never throw. Only main() catches it, prints what() and exits with exit_code().
-// Internal bugs are asserts, not Errors.
+// The library throws it only while it loads and sets up, never in kernels. Only main() catches it, prints what() and exits with
+// exit_code(). Internal bugs are asserts, not Errors.
 #pragma once
 
 #include <stdexcept>

@@ -1,5 +1,5 @@
-// Vectors (glm), similarity transforms and bounds. Vectors are columns: world_from_object * object_from_local applies right to
-// left.
+// Vectors (glm), similarity transforms and bounds. Vectors are columns, so world_from_object * object_from_local applies the
+// right transform first.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using Vec2d = glm::dvec2;
 using Vec3d = glm::dvec3;
 using Vec2i = glm::ivec2;
 using Mat3f = glm::mat3;  ///< column-major
-using Quatf = glm::quat;  ///< constructor order (w, x, y, z)
+using Quatf = glm::quat;  ///< glm's constructor takes (w, x, y, z)
 
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 inline constexpr float kPi = std::numbers::pi_v<float>;
@@ -46,7 +46,8 @@ inline Affine3f inverse(const Affine3f& a) {
   const Mat3f m = glm::inverse(a.linear);
   return {m, -(m * a.translation)};
 }
-/// Returns the factor by which a similarity scales lengths; for other transforms, the cube root of the volume factor.
+/// Returns the factor by which a similarity scales lengths. For other transforms, returns the cube root of the factor by which
+/// they scale volumes.
 inline float uniform_scale(const Affine3f& a) { return std::cbrt(std::abs(glm::determinant(a.linear))); }
 
 /// An axis-aligned box. Initially empty.
@@ -61,7 +62,7 @@ struct Bounds3f {
   Vec3f size() const { return upper - lower; }
 };
 
-/// Returns the box around a transformed box.
+/// Returns the axis-aligned box around the transformed box `b`.
 inline Bounds3f transform_bounds(const Affine3f& a, const Bounds3f& b) {
   Bounds3f r;
   if (b.empty()) return r;

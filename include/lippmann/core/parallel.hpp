@@ -1,8 +1,9 @@
 // Runs independent pieces of work on the context's threads. This interface hides the task library (oneTBB).
 //
-// Results are bit-identical for any number of threads by three rules: the caller defines the pieces, independently of the
-// thread count; a piece writes only its own data; the caller does reductions afterwards, in the order of the pieces. Worker
-// threads flush denormals to zero (Embree recommends it, and it makes results independent of the caller).
+// Results are bit-identical for any number of threads because of three rules. The caller divides the work into pieces
+// independently of the number of threads. A piece writes only its own data. The caller does reductions afterwards, in the order
+// of the pieces. Worker threads flush denormals to zero, as Embree recommends, so that results do not depend on the caller's
+// floating-point mode.
 #pragma once
 
 #include <cstddef>
@@ -30,9 +31,9 @@ class ThreadPool {
   /// Runs fn on this pool's threads, so that libraries that use oneTBB internally (Embree's builders) use only this pool.
   void run(const std::function<void()>& fn) const;
 
-  /// Returns the CPU seconds spent by the calling thread, plus those spent by the other threads on this pool's work. The
-  /// difference of two calls is the cost of the work between them, without other activities of the process, such as writing
-  /// files.
+  /// Returns the CPU seconds spent by the calling thread, plus those that the other threads spent on this pool's work. The
+  /// difference of two calls is the CPU time of the work between them. It does not include other activities of the process,
+  /// such as writing files.
   double cpu_seconds() const;
 
  private:

@@ -5,7 +5,7 @@
 #define LIPPMANN_VERSION_MINOR 3
 #define LIPPMANN_VERSION_PATCH 0
 
-/// The version as a number for `#if`: 10203 is version 1.2.3.
+/// The version as a number for `#if`: version 1.2.3 is 10203.
 #define LIPPMANN_VERSION (LIPPMANN_VERSION_MAJOR * 10000 + LIPPMANN_VERSION_MINOR * 100 + LIPPMANN_VERSION_PATCH)
 
 /// The version as text, such as "0.3.0".

@@ -9,13 +9,15 @@
 
 namespace lippmann {
 
-/// Loads a display. preset_or_path: the name of a preset ("looking-glass-portrait", or without "looking-glass-"); a .toml file
-/// of a display; a .json calibration ("visual.json"), which takes missing values (quilt, cone, video) from the preset of its
-/// serial number; or a lenticular sheet in one line, "lpi=60.12 dpi=600 paper=A5" (docs/guide/displays.md). Throws Error naming
-/// the file and key; for an unknown name, it suggests the nearest.
+/// Loads a display. `preset_or_path` is one of:
+/// - the name of a preset ("looking-glass-portrait"; "looking-glass-" may be left out)
+/// - a .toml file that describes a display
+/// - a .json calibration ("visual.json"); values that it lacks (quilt, cone, video) come from the preset of its serial number
+/// - a lenticular sheet in one line, "lpi=60.12 dpi=600 paper=A5" (docs/guide/displays.md)
+/// Throws Error naming the file and key. For an unknown name, the message suggests the most similar one.
 Display load_display(const std::string& preset_or_path);
 
-/// Returns whether `display` is a path, and not the name of a preset or a sheet in one line.
+/// Returns whether `display` is a path. False for the name of a preset and for a sheet in one line.
 bool is_display_file(const std::string& display);
 
 /// Returns all presets, sorted by name.

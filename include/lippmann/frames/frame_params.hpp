@@ -27,7 +27,7 @@ enum class Denoise {
 struct Sampling {
   std::optional<Integrator> integrator{};  ///< default: see completed()
   RayOrder order = RayOrder::kViewTiles;
-  int spp = 0;  ///< samples per pixel; 0: that of the integrator, or see completed()
+  int spp = 0;  ///< samples per pixel; 0: the integrator's default, or see completed()
   /// Default: kBox for a display's quilt with several samples per pixel, see PlacedOptics.
   std::optional<AngularFilter> angular_filter{};
   ViewLens lens{};  ///< depth of field of the views; needs 2 or more samples per pixel
@@ -47,10 +47,7 @@ struct FrameParams {
   Reuse reuse{};
 };
 
-/// Chooses the integrator if `sampling` does not. The tool, Renderer and the Python module all take it from here:
-/// - physical scenes: path tracing (16 samples per pixel); Whitted shading (1) if frames are interpolated
-/// - Whitted scenes: Whitted shading
-/// - splats: Whitted shading, and 4 samples per pixel unless `sampling` says a number
+/// Chooses the integrator if `sampling` has none. The tool, Renderer and the Python module all use this function:
 Sampling completed(Sampling sampling, SceneKind scene, bool interpolates);
 
 inline Integrator integrator_of(const Sampling& sampling) { return sampling.integrator.value_or(Integrator::kWhitted); }
@@ -65,18 +62,18 @@ inline bool is_denoised(const Sampling& sampling) {
   return sampling.denoise == Denoise::kAuto && facts_of(sampling).is_stochastic && samples_per_pixel(sampling) > 1;
 }
 
-/// Returns whether CopySettled can be used: with Whitted shading, without motion blur and alpha, and without extra layers other
-/// than provenance.
+/// Returns whether CopySettled can be used: only with Whitted shading, without motion blur and transparency, and with no extra
+/// layers except provenance.
 bool can_copy_settled(const Sampling& sampling);
 
-/// Returns params.reuse, with AutoReuse replaced by the kind that the sampling allows.
+/// Returns params.reuse. AutoReuse is replaced by CopySettled if the sampling allows it, otherwise by TraceAll.
 Reuse resolved_reuse(const FrameParams& params);
 
 /// Throws a usage Error if parameters are out of range, contradict each other, or do not apply to `optics`. The error names the
 /// parameter as in job files (min-psnr for min_psnr_db) and the accepted values.
 void check(const FrameParams& params, const Optics& optics);
 
-/// Checks only what does not depend on the optics. Throws as above.
+/// Does only the checks that need no optics. Throws a usage Error as the function above.
 void check(const FrameParams& params);
 
 }  // namespace lippmann

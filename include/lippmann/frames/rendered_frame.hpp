@@ -14,7 +14,7 @@ struct FramePictures {
   Image8 codes{};    ///< 8-bit codes of the film for files and videos; empty if not needed
 };
 
-/// A frame and its report. pictures.codes is still empty.
+/// A frame and its report. pictures.codes is left empty.
 struct RenderedFrame {
   FramePictures pictures{};
   FrameReport report{};

@@ -24,15 +24,15 @@
 
 namespace lippmann {
 
-/// Renders the frames of one scene for one set of optics. A frame has the same bits for any number of threads, whichever other
-/// frames are rendered. A renderer is not thread-safe; different renderers are independent.
+/// Renders the frames of one scene for one set of optics. A frame has the same bits for any number of threads, and whichever
+/// other frames are rendered before it. A renderer is not thread-safe; different renderers are independent.
 class Renderer {
  public:
   /// Builds the data structures for ray tracing on context.threads threads. completed() chooses the
   /// integrator if `params` does not. `context` must outlive this object. Throws Error if the scene does not pass validate(),
   /// if it has neither shapes nor a sky, or if parameters are invalid.
   Renderer(Scene scene, Placement placement, FrameParams params, const Context& context);
-  /// Moves the context into this object; for temporaries, such as Context{}.
+  /// Takes ownership of the context; for temporaries, such as Context{}.
   Renderer(Scene scene, Placement placement, FrameParams params, Context&& context);
   ~Renderer();
   Renderer(Renderer&&) noexcept;

@@ -14,14 +14,14 @@ struct AutoReuse {};
 /// Traces every frame in full.
 struct TraceAll {};
 
-/// Copies pixels that provably do not change from key frames. Frames have the same bits as with TraceAll. Requires Whitted
-/// shading.
+/// Copies pixels from key frames where they provably do not change. Frames have the same bits as with TraceAll. Requires
+/// Whitted shading.
 struct CopySettled {
   std::optional<int> keyframes{};  ///< frames from one key frame to the next; default: chosen automatically
 };
 
 /// Interpolates as in the paper: projects the points of key frames into the frames between them, and fills the pixels that no
-/// point lands on. Requires Whitted shading.
+/// point projects onto. Requires Whitted shading.
 struct Interpolate {
   /// Frames from one key frame to the next; default: kDefaultKeyframes, or chosen automatically with min_psnr_db.
   std::optional<int> keyframes{};

@@ -18,14 +18,14 @@ struct Image {
   const float* pixel(int x, int y) const { return data.data() + (static_cast<std::size_t>(y) * width + x) * channels; }
 };
 
-/// 8-bit codes, 3 channels, in the order of Image.
+/// 8-bit codes of an image with 3 channels, in the pixel order of Image.
 struct Image8 {
   int width = 0, height = 0;
   std::vector<unsigned char> rgb{};
   std::vector<unsigned char> alpha{};  ///< one per pixel; colours are not premultiplied; empty: opaque
 };
 
-/// 16-bit codes, 3 channels, in the order of Image.
+/// 16-bit codes of an image with 3 channels, in the pixel order of Image.
 struct Image16 {
   int width = 0, height = 0;
   std::vector<std::uint16_t> rgb{};

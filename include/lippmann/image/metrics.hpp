@@ -28,7 +28,7 @@ struct ChannelErrors {
 };
 
 struct PictureMetrics {
-  ChannelErrors mse{}, rmse{};  ///< in squared codes and in codes
+  ChannelErrors mse{}, rmse{};  ///< mse: in squared codes; rmse: in codes
   double psnr_db = 0.0;
   double ssim = 1.0;
   bool identical = true;

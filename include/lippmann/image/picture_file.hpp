@@ -10,11 +10,12 @@
 
 namespace lippmann {
 
-/// 8-bit codes, 16-bit codes, or floats with 3 channels.
+/// The pixels of an image file: 8-bit codes, 16-bit codes, or floats with 3 channels.
 using Picture = std::variant<Image8, Image16, Image>;
 
-/// Reads the colours of an image; grey is repeated three times. warn: if given, receives a sentence for each ignored property
-/// of the file, such as a colour profile. Throws Error naming the file if it is missing, damaged, too large, or not an image.
+/// Reads the colours of an image; grey is repeated in three channels. warn: if given, receives a sentence for each property of
+/// the file that is ignored, such as a colour profile. Throws Error naming the file if it is missing, damaged, too large, or
+/// not an image.
 Picture read_picture(const std::filesystem::path& path, const std::function<void(std::string_view)>& warn = {});
 
 /// Writes 8- and 16-bit codes as .png, floats as .exr. dots_per_inch: resolution stored in a .png; 0: none. Throws Error naming
@@ -27,7 +28,7 @@ Image to_linear(Picture picture);
 /// Converts linear light (3 channels) to the sample type of `like`; the inverse of to_linear().
 Picture with_samples_like(const Picture& like, Image linear);
 
-/// Throws Error if the extension of `path` stands for a format that would change the samples of `picture`.
+/// Throws Error if write_picture() would have to change the samples of `picture` for the extension of `path`.
 void check_picture_ending(const std::filesystem::path& path, const Picture& picture);
 
 }  // namespace lippmann

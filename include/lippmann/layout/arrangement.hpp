@@ -11,14 +11,14 @@ namespace lippmann {
 
 class Arrangement {
  public:
-  /// Prepares the mapping for pictures of size `picture`. Throws Error naming `where` if the views do not fill them
-  /// (view_layout.hpp).
+  /// Prepares the mapping for pictures of size `picture` in the layout `from`. Throws Error naming `where` if the views do not
+  /// fill such a picture (view_layout.hpp).
   Arrangement(const ViewLayout& from, const ViewLayout& to, Vec2i picture, const std::string& where);
 
   Vec2i view_size() const { return view_; }
   Vec2i target_size() const { return to_size_; }
 
-  /// Returns the rearranged picture, with any number of channels. Padding of a quilt is dropped.
+  /// Returns the picture rearranged, with the same number of channels. Padding of a quilt is dropped.
   Image apply(const Image& picture) const;
 
  private:

@@ -15,16 +15,18 @@
 namespace lippmann {
 
 struct ConvertParams {
-  std::string from{}, to = "views";  ///< names of formats; empty `from`: derived from the quilt name or the report beside it
+  std::string from{},
+      to = "views";  ///< names of formats; empty `from`: detected from a quilt's file name or the report beside the input
   FormatOptions options{};
-  std::optional<Crop> crop{};       ///< part of every view to keep; none: all of it
+  std::optional<Crop> crop{};       ///< window of every view to keep; none: whole views
   std::optional<KeptViews> keep{};  ///< views to keep, chosen before cropping; none: all
   /// Resamples for options.display; `to` must be one of its pictures (integral, quilt or native). None: moves pixels.
   std::optional<DisplayPictureParams> display_picture = {};
-  /// Reads the input instead of a format's reader; used for video, which the layout part cannot read (replay/video_views.hpp).
+  /// Called instead of a format's reader to read the input. Used for video, which the layout part cannot read
+  /// (replay/video_views.hpp).
   std::function<LightField(const std::filesystem::path&, const FormatOptions&)> read_views = {};
-  std::filesystem::path icc = {};  ///< printer profile for display pictures that are prints; empty: they are sRGB
-  int threads = 0;                 ///< for display pictures; 0: one per processor
+  std::filesystem::path icc = {};  ///< printer's colour profile, for display pictures that are prints; empty: prints are sRGB
+  int threads = 0;                 ///< number of threads for display pictures; 0: one per processor
 };
 
 struct Converted {
@@ -33,14 +35,14 @@ struct Converted {
   Vec2i view_size{0, 0};
   bool drops_positions = false;                     ///< the format drops camera positions that have no unit or distance
   std::string fitted = {};                          ///< how views were resampled for a display; empty: not resampled
-  bool lacks_cameras = false, lacks_depth = false;  ///< the format takes cameras or depth, but the input has none
+  bool lacks_cameras = false, lacks_depth = false;  ///< the format can store cameras or depth, but the input has none
 };
 
-/// Converts `in`, a light field, or a folder of frame_* (pictures or folders of views) into pictures or folders of the same
-/// names. A report.json of `render` beside a picture supplies view counts that the options leave out and, for formats that use
-/// them, cameras and depth.
+/// Converts the light field `in` to `out`. If `in` is a folder of frame_* (pictures or folders of views), converts each of them
+/// into a picture or folder of the same name in `out`. A report.json of `render` beside a picture supplies the numbers of views
+/// that the options leave out and, for formats that use them, cameras and depth.
 ///
-/// A picture without an ending gets one that suits its samples. A quilt is written with its view layout in the name
+/// A picture name without an ending gets one that suits the samples. A quilt is written with its view layout in the name
 /// (quilt_name.hpp). Throws Error naming the file or option.
 Converted convert(const std::filesystem::path& in, const std::filesystem::path& out, const ConvertParams& params);
 

@@ -4,7 +4,8 @@
 namespace lippmann {
 
 struct DepthRange {
-  double near_mm = 10.0, far_mm = -30.0;  ///< z in the display frame, above 0 in front of the screen; far < near
+  /// z in the display frame, above 0 in front of the screen; far_mm < near_mm
+  double near_mm = 10.0, far_mm = -30.0;
 
   bool operator==(const DepthRange&) const = default;
 };
@@ -13,7 +14,8 @@ enum class DepthScale { kDisparity, kDepth };
 
 struct DepthCoding {
   DepthRange range{};
-  bool even_in_depth = false;  ///< true: grey is linear in z; false: in disparity, about 1 / z from the eye
+  /// True: grey is linear in z. False: grey is linear in disparity, which is about 1 / distance from the eye.
+  bool even_in_depth = false;
   bool near_black = false;
 
   bool operator==(const DepthCoding&) const = default;

@@ -1,10 +1,10 @@
-// Makes the pictures of a display from views of any size: the print for a sheet of lenses, a quilt, or a panel's native frame.
+// Makes the pictures of a display from views of any size: the print for a lenticular sheet or microlens array, a quilt, or the
+// interlaced frame of a panel.
 //
 // Views are cropped or padded to the aspect ratio of the display and resampled in linear light to its resolution: by area
-// averaging for reduction, by Lanczos (3 lobes) for enlargement. They spread evenly over the viewing zone, with view 0 at the
-// left. Below the lenses of a sheet their order is reversed, with view N - 1 at the left. Results do not depend on the number
-// of threads.
-// number of threads.
+// averaging to reduce, by Lanczos (3 lobes) to enlarge. They spread evenly over the viewing zone, with view 0 at the left.
+// Below the lenses of a sheet their order is reversed: view N - 1 is at the left. Results do not depend on the number of
+// threads.
 #pragma once
 
 #include <optional>
@@ -22,30 +22,33 @@ namespace lippmann {
 /// How a view of another aspect ratio fills the display.
 enum class AspectFit { kCrop, kPad, kStretch };
 
-/// A flip print, which shows frames in place of views. Below each lens, frame 0 lies at the left.
+/// A flip print, which shows one of several frames depending on the viewing angle. Below each lens, frame 0 lies at the left.
 struct FlipParams {
-  std::vector<double> shares = {};  ///< width of each frame below a lens, > 0, in any unit; empty: equal widths
-  double blend = 0.0;  ///< 0: hard transitions; 1: each transition spreads over the smaller of the two shares that it joins
+  std::vector<double> shares = {};  ///< width of each frame below a lens, > 0, in any common unit; empty: equal widths
+  /// 0: hard transitions between frames. 1: each transition is as wide as the narrower of its two frames.
+  double blend = 0.0;
 };
 
 /// Bleed and marks around the print for a sheet or an array, before it is cut.
 struct PrintFinish {
   double bleed_mm = 0.0;  ///< extension of the picture beyond each cut edge
   bool marks = false;     ///< adds a 10 mm margin with crop marks, targets, text, and alignment bands
-  bool proof = false;     ///< only the middle square inch of the print, with identical pixels
+  bool proof = false;     ///< the picture is only the middle square inch of the print, with identical pixels
 
   bool is_plain() const { return bleed_mm == 0.0 && !marks && !proof; }
 };
 
 struct DisplayPictureParams {
-  std::optional<AspectFit> fit = {};         ///< none: default_fit()
-  ViewFilter filter = ViewFilter::kNearest;  ///< between views; kGaussian for native frames only, arrays take kNearest only
-  double sigma_views = 0.5;                  ///< of kGaussian
-  std::optional<FlipParams> flip = {};       ///< sheets only
-  bool mirror = false;                       ///< flips left and right, for prints on the back of a sheet
-  int turn_deg = 0;                          ///< clockwise: 0, 90, 180 or 270
-  double view_shift_px = 0.0;                ///< see ViewFitter
-  PrintFinish finish = {};                   ///< sheets and arrays only
+  std::optional<AspectFit> fit = {};  ///< none: default_fit()
+  /// Interpolation between views. Native frames take any filter, other pictures all except kGaussian, and microlens arrays only
+  /// kNearest.
+  ViewFilter filter = ViewFilter::kNearest;
+  double sigma_views = 0.5;             ///< standard deviation for kGaussian, in views
+  std::optional<FlipParams> flip = {};  ///< sheets only
+  bool mirror = false;                  ///< swaps left and right, for prints on the back of a sheet
+  int turn_deg = 0;                     ///< rotates the picture clockwise: 0, 90, 180 or 270 degrees
+  double view_shift_px = 0.0;           ///< see ViewFitter's constructor
+  PrintFinish finish = {};              ///< sheets and arrays only
 };
 
 /// The kind of picture, named like the formats in layout/formats.hpp.
@@ -55,26 +58,27 @@ enum class DisplayTarget { kIntegral, kQuilt, kNative };
 /// picture.
 DisplayTarget display_target(const Display& display, std::string_view format);
 
-/// Returns kStretch for native frames, whose views are sampled at their own size as the players of such panels do, and kCrop
-/// for the others.
+/// Returns kStretch for native frames, because players of such panels sample views of any size. Returns kCrop for the other
+/// pictures.
 AspectFit default_fit(DisplayTarget target);
 
-/// Returns the format of the display's own picture: native for slanted panels, integral for the others.
+/// Returns the format of the display's own picture: "native" for slanted panels, "integral" for other displays.
 std::string_view own_format(const Display& display);
 
 /// Fits views, one at a time, to the resolution and aspect ratio of a display.
 class ViewFitter {
  public:
-  /// view_shift_px moves the zero plane: the window shown moves right by this many pixels from each column of views to the
-  /// next, relative to the middle view, and up from row to row. Values above 0 bring the scene forward. Crop and stretch keep
-  /// only the part that all shifted views share; pad adds black edges.
+  /// `view_shift_px` moves the zero plane. It moves the window that is cut from each view: to the right by this many pixels
+  /// from each column of views to the next, and up from each row to the next; the middle view's window stays. Values above 0
+  /// bring the scene forward. kCrop and kStretch keep only the part that all shifted windows share; kPad adds black edges.
   ///
-  /// The arguments must outlive this object. Throws a usage Error for strips below 2 pixels or wider than the picture.
+  /// The arguments must outlive this object. Throws a usage Error if the strips below the lenses are narrower than 2 pixels or
+  /// wider than the picture.
   ViewFitter(const Display& display, DisplayTarget target, AspectFit fit, const ThreadPool& pool, double view_shift_px = 0.0);
 
-  /// Returns one view fitted. `aspect`: width / height of the scene area that the view shows. `number`: the view's number in
-  /// `grid`, for its shift. Throws Error if its size differs from the first view's, and a usage Error naming `view-shift` if
-  /// the shifts leave less than half of it.
+  /// Returns one view fitted to the display. `aspect`: width / height of the scene area that the view shows. `number`: the
+  /// view's number in `grid`, which determines its shift. Throws Error if the view's size differs from the first view's, and a
+  /// usage Error naming `view-shift` if the shifts leave less than half of the view.
   Picture fitted(const Picture& view, double aspect, int number = 0, ViewGrid grid = {1, 1});
   /// Fits each view of a light field in memory.
   void fit(LightField& field);
@@ -95,19 +99,20 @@ class ViewFitter {
   const ThreadPool& pool_;
   double view_shift_px_;
   Vec2i size_{0, 0};
-  double first_ = 0.0, step_ = 1.0;  ///< start of the first sample and width of each sample, as shares of the display's width
-  double aspect_ = 1.0;              ///< of the display
+  /// Left edge of the first sample, and distance between samples, as shares of the display's width.
+  double first_ = 0.0, step_ = 1.0;
+  double aspect_ = 1.0;  ///< aspect ratio of the display, or of the quilt's views
   Vec2i original_{0, 0};
   Vec2d window_{0.0};
 };
 
-/// Returns the display enlarged on all sides, with its lenses in place. Pass it to ViewFitter and display_picture instead of
-/// the display if DisplayPictureParams::finish has a bleed.
+/// Returns the display enlarged on all sides, with its lenses in place. If DisplayPictureParams::finish has a bleed, pass the
+/// result to ViewFitter and display_picture() instead of the display.
 Display with_bleed(const Display& display, double bleed_mm);
 
-/// Returns the picture of a display from views fitted by a ViewFitter. Throws a usage Error for views in more than one row, a
-/// single view, a number of flip shares that differs from the number of frames, a finish on pictures that are not prints, and a
-/// proof of a print that is not larger than the proof.
+/// Returns the picture of a display from views fitted by a ViewFitter. Throws a usage Error if the views are in more than one
+/// row (microlens arrays excepted), if there is only one view, if the number of flip shares differs from the number of frames,
+/// if `finish` is set for a picture that is not a print, or if a print is too small for a proof.
 Picture display_picture(const LightField& field, const Display& display, DisplayTarget target,
                         const DisplayPictureParams& params, const ThreadPool& pool);
 

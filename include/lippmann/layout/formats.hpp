@@ -21,54 +21,58 @@ namespace lippmann {
 
 /// Parallel cameras in a regular grid, for files without camera data. Lengths in mm.
 struct StatedCameras {
-  double baseline_mm = 0.0;  ///< between neighbouring cameras, before views are left out
+  double baseline_mm = 0.0;  ///< distance between neighbouring cameras, counted before any views are dropped
   double focal_length_mm = 0.0;
-  double sensor_width_mm = 35.0;   ///< width of an uncropped view's row of pixels on the sensor
+  double sensor_width_mm = 35.0;   ///< width on the sensor of a row of pixels of an uncropped view
   double focus_distance_mm = 0.0;  ///< distance from the cameras to the plane with zero disparity
 };
 
 /// Options of the formats. Each format uses only those that apply to it.
 struct FormatOptions {
-  std::optional<ViewGrid> views = {};  ///< number of views across and up; required if neither names nor side files give it
-  std::optional<ViewGrid> tiles = {};  ///< a quilt's tiles across and up; none: from its name, or as square as possible
-  std::optional<double> aspect = {};   ///< the display's width / height, for a quilt's name; none: of the source or the picture
+  /// Number of views across and up; required if neither the file name nor a side file states it.
+  std::optional<ViewGrid> views = {};
+  /// A quilt's tiles across and up. None: from its name, or the arrangement closest to a square.
+  std::optional<ViewGrid> tiles = {};
+  /// Width / height of the display, for a quilt's name. None: that of the source or of the picture.
+  std::optional<double> aspect = {};
   bool with_depth = false;       ///< also read the depth layer beside a rendered picture, if there is one (layout/rendered.hpp)
   std::optional<int> bits = {};  ///< bits per sample of PPM files, 1 ... 16; none: as in the source
   bool png = false;              ///< write PNG instead of PPM files
   std::optional<Display> display = {};    ///< display of a native picture
-  std::optional<ViewFilter> filter = {};  ///< how native frames sample the views; none: kNearest
+  std::optional<ViewFilter> filter = {};  ///< how native frames interpolate between views; none: kNearest
   std::optional<double> sigma_views = {};
   std::optional<StereoLayout> stereo = {};  ///< packing of two views in one picture; none: from its name, or side by side
-  std::optional<DepthRange> depth_range =
-      {};  ///< depths of the grey range; none: from the RGB-D picture's side file, or the range of the depth
+  /// The depths at the two ends of the grey scale. None: from the RGB-D picture's side file, or the range of the depth.
+  std::optional<DepthRange> depth_range = {};
   std::optional<bool> even_in_depth = {}, near_black = {};  ///< see DepthCoding; none: from the side file
-  std::optional<StatedCameras> cameras = {};                ///< for files without camera data
-  std::optional<PlenopticCalibration> plenoptic = {};       ///< of raw plenoptic pictures; none: from their files
-  /// Applied to each view right after its file is read, so that large originals need not be kept. `view`: its number in the
-  /// grid.
+  std::optional<StatedCameras> cameras = {};                ///< cameras for files without camera data
+  std::optional<PlenopticCalibration> plenoptic = {};       ///< calibration of raw plenoptic pictures; none: from their files
+  /// Called for each view right after its file is read, to reduce large originals before all are held in memory. `view`: the
+  /// view's number in the grid.
   std::function<Picture(Picture, int view, ViewGrid grid)> fit_view = {};
-  std::function<void(std::string_view)> warn =
-      {};  ///< receives warnings about unsupported metadata of pictures (image/picture_file.hpp)
+  /// Called with a warning for unsupported metadata of pictures (image/picture_file.hpp).
+  std::function<void(std::string_view)> warn = {};
 };
 
-/// The members of FormatOptions that a reader or a writer uses. `filter` includes sigma_views; `depth_coding` stands for
+/// The members of FormatOptions that a reader or a writer uses. `filter` includes sigma_views; `depth_coding` means
 /// depth_range, even_in_depth and near_black.
 struct FormatUses {
   bool views = false, tiles = false, aspect = false, bits = false, display = false, filter = false, stereo = false,
        depth_coding = false, plenoptic = false;
 };
 
-/// A format. Paths refer to one light field of one moment: a picture or a folder.
+/// A format. `path` is one light field of one moment: a picture or a folder.
 struct LightFieldFormat {
   std::string_view name{};
   std::string_view description{};  ///< in one line
   bool is_folder = false;          ///< true: a folder with one or more files per view; false: one picture
-  bool uses_cameras = false;       ///< its writer uses cameras and depth if available
+  bool uses_cameras = false;       ///< its writer uses cameras and depth if the light field has them
   bool keeps_positions = false;    ///< its files hold camera positions, even without a unit
   bool states_cameras = false;     ///< its files contain cameras; a report.json beside them is ignored
-  /// Throws Error naming the file or the option.
+  /// Reads a light field. Throws Error naming the file or the option.
   LightField (*read)(const std::filesystem::path& path, const FormatOptions& options) = nullptr;
-  /// Returns the files written, pictures first. Creates folders. Throws Error naming the file or the option.
+  /// Writes a light field and returns the files written, pictures first. Creates folders. Throws Error naming the file or the
+  /// option.
   std::vector<std::filesystem::path> (*write)(const LightField& field, const std::filesystem::path& path,
                                               const FormatOptions& options) = nullptr;
   FormatUses reads = {}, writes = {};

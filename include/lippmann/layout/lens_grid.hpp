@@ -17,12 +17,12 @@ namespace lippmann {
 enum class LensArrangement {
   kSquare,
   kHexagonal,         ///< every odd row is shifted by half a pitch
-  kHexagonalColumns,  ///< every odd column is shifted by half a pitch: x and y of the formula are swapped
+  kHexagonalColumns,  ///< every odd column is shifted by half a pitch: x and y in the formula are exchanged
 };
 
 struct LensGrid {
-  double pitch_px = 10.0;      ///< between neighbours in a row
-  double row_pitch_px = 10.0;  ///< between rows
+  double pitch_px = 10.0;      ///< between neighbouring lenses in a row
+  double row_pitch_px = 10.0;  ///< between neighbouring rows of lenses
   double rotation = 0.0;
   Vec2d offset_px{5.0, 5.0};  ///< the centre of any one lens
   LensArrangement arrangement = LensArrangement::kSquare;
@@ -30,22 +30,24 @@ struct LensGrid {
   bool operator==(const LensGrid&) const = default;
 };
 
-/// Returns a grid of equally spaced lenses: the row pitch is pitch_px, or pitch_px sqrt(3) / 2 if it is hexagonal.
+/// Returns a grid of equally spaced lenses: the row pitch is pitch_px for a square grid, pitch_px sqrt(3) / 2 for a hexagonal
+/// one.
 LensGrid lens_grid(double pitch_px, double rotation, Vec2d offset_px, LensArrangement arrangement);
 
-/// Returns the same lenses with x and y of the picture swapped.
+/// Returns the grid of the same lenses in the transposed picture (x and y exchanged).
 LensGrid transposed(const LensGrid& grid);
 
-/// Returns the centre of a lens. Transpose kHexagonalColumns first.
+/// Returns the centre of a lens. For kHexagonalColumns, call transposed() first.
 Vec2d lens_centre(const LensGrid& grid, int column, int row);
 
 /// The settings for turning a raw picture into views (FormatOptions::plenoptic).
 struct PlenopticCalibration {
   std::optional<LensGrid> grid = {};  ///< none: from the picture's container or side file
-  /// The relative light at each pixel, 1 channel, 1 where it is brightest; null: views keep their vignetting.
+  /// Relative illumination of each pixel, 1 channel, with 1 at the brightest pixel. Null: views keep their vignetting.
   std::shared_ptr<const Image> white = {};
-  bool lanczos = false;   ///< interpolation between pixels, and between lenses of hexagonal grids; false: linear
-  bool inverted = false;  ///< the pixels below each lens are rotated by 180 degrees, as behind the lenses of a display
+  bool lanczos = false;  ///< interpolation between pixels, and between lenses of hexagonal grids: true: Lanczos; false: linear
+  /// True: the pixels below each lens are rotated by 180 degrees, as behind the lenses of a display.
+  bool inverted = false;
 };
 
 }  // namespace lippmann

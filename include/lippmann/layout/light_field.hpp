@@ -20,20 +20,22 @@ struct LightField {
   Picture stack{};  ///< the views stacked vertically, view 0 on top
   ViewGrid grid{};
   Vec2i view_size{0, 0};
-  double aspect = 1.0;                      ///< width / height of the display they are made for, else of the source picture
+  /// Width / height of the display that the views are made for; if unknown, of the source picture.
+  double aspect = 1.0;
   std::optional<ViewGrid> tiles = {};       ///< tile layout of the quilt that the views came from
   int bits = 0;                             ///< significant bits per sample in the source; 0: all bits of the stack
-  std::optional<Image> depth = {};          ///< a stack of z in mm, above 0 in front of z = 0; -inf: no surface
+  std::optional<Image> depth = {};          ///< a stack of z in mm, above 0 in front of the plane z = 0; -inf: no surface
   std::optional<ViewCameras> cameras = {};  ///< none: unknown, or see `poses`
-  /// Position of each view's eye, right and up, in an unstated unit and from an unstated origin (Stanford format).
+  /// Position of each view's eye, x right and y up, in the unit and from the origin of the file, which states neither (Stanford
+  /// format).
   std::optional<std::vector<Vec2d>> positions = {};
-  /// By view; replaces `cameras` if the cameras are rotated or do not share a plane. Depth is then z in each camera's own
-  /// frame, in mm: minus the planar depth.
+  /// One camera per view. Replaces `cameras` if the cameras are rotated or do not share a plane. Depth is then z in each
+  /// camera's own frame, in mm: the negative planar depth.
   std::optional<std::vector<PosedCamera>> poses = {};
 };
 
-/// Returns the cameras by view. Cameras that share a plane look along -z of the display frame. Throws Error naming `where` if
-/// they are unknown.
+/// Returns one camera per view. Cameras of a common plane look along -z of the display frame. Throws Error naming `where` if
+/// the cameras are unknown.
 std::vector<PosedCamera> posed_cameras(const LightField& field, const std::string& where);
 
 /// Returns the size of the stack of all views.
@@ -44,7 +46,8 @@ Vec2i size_of(const Picture& picture);
 /// Returns a black picture with the same type of samples.
 Picture blank(const Picture& like, Vec2i size);
 
-/// Copies to[to_pixel[i]] = from[from_pixel[i]]; an empty list means 0, 1, 2, ... Both pictures have the same type of samples.
+/// Copies pixels: to[to_pixel[i]] = from[from_pixel[i]]. An empty list means 0, 1, 2, ... Both pictures have the same type of
+/// samples.
 void move_pixels(const Picture& from, const std::vector<std::uint32_t>& from_pixel, Picture& to,
                  const std::vector<std::uint32_t>& to_pixel);
 void move_pixels(const Image& from, const std::vector<std::uint32_t>& from_pixel, Image& to,
@@ -54,11 +57,11 @@ void move_pixels(const Image& from, const std::vector<std::uint32_t>& from_pixel
 Picture view_of(const LightField& field, int view);
 Image depth_of(const LightField& field, int view);
 
-/// Stores a picture (or a depth image of 1 channel) as a view. Its size and type must match.
+/// Stores a picture (or a depth image of 1 channel) as a view. The picture must have the size and type of the field's views.
 void set_view(LightField& field, int view, const Picture& picture);
 void set_depth(LightField& field, int view, const Image& depth);
 
-/// Returns the index of view v when rows are numbered from the top, row by row, as many other tools do.
+/// Returns the index of view v in an order that begins at the top left and runs row by row, as in many other tools.
 inline int from_top_left(const ViewGrid& grid, int v) {
   return (grid.rows - 1 - v / grid.columns) * grid.columns + v % grid.columns;
 }

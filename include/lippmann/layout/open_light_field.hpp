@@ -14,18 +14,19 @@
 namespace lippmann {
 
 struct OpenedLightField {
-  LightField field{};                 ///< with cameras, if the format or the report beside a rendered picture has them
-  std::optional<Optics> optics = {};  ///< optics it was rendered for, covering all views; none: no report
-  std::string_view format = {};       ///< name in light_field_formats()
+  LightField field{};  ///< includes cameras if the format or the report beside a rendered picture has them
+  std::optional<Optics> optics =
+      {};                        ///< optics that the picture was rendered for, covering all views; none: there is no report
+  std::string_view format = {};  ///< name in light_field_formats()
 };
 
 /// Opens one light field: a picture or a folder of views. `from`: a format's name; empty: detected from file names and a
-/// report.json. `options` override the report. Throws Error naming the file, or the option that is required because no source
-/// supplies its value.
+/// report.json. `options` override the report. Throws Error naming the file, or the option that must be set because no file
+/// states its value.
 OpenedLightField open_light_field(const std::filesystem::path& path, const std::string& from, const FormatOptions& options);
 
-/// Returns the light fields of an animation in frame order: frame_0000.png, frame_0001.png, ... (or folders of such names) of a
-/// folder. Returns `path` alone if it is a file or holds a single light field. Throws Error if there is none.
+/// Returns the light fields of an animation in frame order: the pictures or folders frame_0000, frame_0001, ... in the folder
+/// `path`. Returns `path` alone if it is a file or holds a single light field. Throws Error if there is none.
 std::vector<std::filesystem::path> light_fields_in(const std::filesystem::path& path, const std::string& from);
 
 }  // namespace lippmann

@@ -1,8 +1,8 @@
 // A pinhole camera with any pose, as in the data sets of NeRF, COLMAP and LLFF.
 //
-// A world point p has the camera coordinates c = transpose(rotation) (p - position): x to the right, y up, z backwards (the
-// axes of Blender and NeRF). Its pixel is principal_px + focal_px (c.x, -c.y) / -c.z from the top left corner; pixel centres
-// lie at +0.5.
+// A world point p has the camera coordinates c = transpose(rotation) (p - position), with x to the right, y up and z backwards
+// (the axes of Blender and NeRF). The point appears at principal_px + focal_px (c.x, -c.y) / -c.z, in pixels from the top left
+// corner; pixel centres lie at +0.5.
 #pragma once
 
 #include "lippmann/core/math.hpp"
@@ -10,7 +10,7 @@
 namespace lippmann {
 
 struct PosedCamera {
-  Vec2i size{0, 0};  ///< of its picture, in pixels
+  Vec2i size{0, 0};  ///< size of the camera's picture, in pixels
   Vec2d focal_px{0.0}, principal_px{0.0};
   glm::dmat3 rotation{1.0};  ///< columns: the camera's x, y and z axes in world coordinates
   Vec3d position_mm{0.0};
@@ -22,7 +22,7 @@ inline Vec2d projected(const PosedCamera& camera, Vec3d point_mm) {
   return camera.principal_px + camera.focal_px * Vec2d(c.x, -c.y) / -c.z;
 }
 
-/// Returns the world point at a pixel and planar depth (measured along the camera's axis).
+/// Returns the world point seen at a pixel, at a planar depth (measured along the camera's axis).
 inline Vec3d unprojected(const PosedCamera& camera, Vec2d pixel, double depth_mm) {
   const Vec2d slope = (pixel - camera.principal_px) / camera.focal_px * Vec2d(1.0, -1.0);
   return camera.position_mm + camera.rotation * (depth_mm * Vec3d(slope, -1.0));

@@ -4,9 +4,10 @@
 namespace lippmann {
 
 struct Precompensation {
-  double clipped_share =
-      0.0;  ///< share of samples clipped because they would need to be darker than black or brighter than white
-  double largest_residual = 0.0;  ///< largest difference between the picture as seen and as intended; linear light, 1 is white
+  /// Share of samples that are clipped, because compensation would need light below black or above white.
+  double clipped_share = 0.0;
+  /// Largest difference between the picture that the eye sees and the intended one, in linear light (white is 1).
+  double largest_residual = 0.0;
 
   bool operator==(const Precompensation&) const = default;
 };

@@ -22,19 +22,21 @@ struct QuiltName {
 /// Returns the name of the quilt that a display uses.
 QuiltName quilt_name_of(const DisplayQuilt& quilt);
 
-/// Parses a path; none if the name has no quilt part. Throws Error for impossible values (zero tiles or aspect).
+/// Parses a path; none if its name has no quilt part. Throws Error for impossible values (zero tiles or aspect).
 std::optional<QuiltName> parse_quilt_name(const std::filesystem::path& path);
 
-/// Returns the tiles of a name that contains qs{columns}x{rows}, even if the rest cannot be parsed. For messages.
+/// Returns the numbers of tiles from a name that contains qs{columns}x{rows}, even if the rest of the name cannot be parsed.
+/// For messages.
 std::optional<ViewGrid> tiles_in_name(const std::filesystem::path& path);
 
-/// Returns the end of a file name, such as _qs8x6a0.75.
+/// Returns the quilt part of a file name, such as _qs8x6a0.75.
 std::string quilt_ending(const QuiltName& quilt);
 
-/// Returns the path without the quilt part of its name, or unchanged if there is none. An empty name becomes "quilt".
+/// Returns the path without the quilt part of its name, or unchanged if there is none. If nothing else is left of the name, it
+/// becomes "quilt".
 std::filesystem::path without_quilt_name(const std::filesystem::path& path);
 
-/// Returns the path with this quilt part before the ending, replacing any existing one.
+/// Returns the path with this quilt part before the ending. Replaces an existing quilt part.
 std::filesystem::path with_quilt_name(const std::filesystem::path& path, const QuiltName& quilt);
 
 }  // namespace lippmann

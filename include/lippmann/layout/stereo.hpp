@@ -4,7 +4,6 @@
 // so that the picture is as large as one view. Views are off-axis through the display's rectangle, without toe-in: a point at
 // distance d behind the display (z = -d) has the disparity ipd d / (distance + d) on it, right eye minus left eye. Disparity is
 // 0 in the display plane and negative in front of it.
-// left eye; 0 in its plane, negative in front.
 #pragma once
 
 #include <array>
@@ -27,7 +26,7 @@ inline constexpr std::array<std::string_view, 5> kStereoPackingNames{"sbs", "hal
 
 struct StereoLayout {
   StereoPacking packing = StereoPacking::kSideBySide;
-  bool right_first = false;  ///< the right eye's view at the left, on top, or in the first row
+  bool right_first = false;  ///< true: the right eye's view is at the left, on top, or in the first row
   bool operator==(const StereoLayout&) const = default;
 };
 
@@ -38,29 +37,30 @@ inline Vec2i stereo_squeeze(StereoPacking packing) {
   return {packing == StereoPacking::kHalfSideBySide ? 2 : 1, packing == StereoPacking::kHalfOverUnder ? 2 : 1};
 }
 
-/// Returns the size of the picture. `stored`: the size of a view after squeezing; for rows the size of a whole view, of which
-/// every other row is used.
+/// Returns the size of the picture. `stored`: the size of a view after squeezing. For kRows, `stored` is the size of a whole
+/// view, although the picture uses only every other row of it.
 Vec2i stereo_picture_size(StereoPacking packing, Vec2i stored);
 
-/// Returns the size of a stored view: the inverse. Throws Error naming `where` for sides that cannot be halved.
+/// Returns the size of a stored view; the inverse of stereo_picture_size(). Throws Error naming `where` if a side of the
+/// picture cannot be halved.
 Vec2i stored_view_size(StereoPacking packing, Vec2i picture, const std::string& where);
 
-/// Mapping for writing: entry i is the source of pixel i of the picture in a stack of the left view above the right view, each
-/// of size `stored`.
+/// Returns the mapping for writing: entry i is the index of the pixel that pixel i of the picture takes, in a stack of the left
+/// view above the right view. Each view in the stack has the size `stored`.
 std::vector<std::uint32_t> stereo_pixels(const StereoLayout& layout, Vec2i stored);
 
-/// Mapping for reading: entry i is the source of pixel i of the stack of views in a picture of two views of size `stored`.
-/// Views read have the size `stored`, or half its height for kRows.
+/// Returns the mapping for reading: entry i is the index of the pixel that pixel i of the stack takes, in a picture of two
+/// views of size `stored`. The views in the stack have the size `stored`, or half its height for kRows.
 std::vector<std::uint32_t> pixels_of_stereo(const StereoLayout& layout, Vec2i stored);
 
-/// Returns the end of a file name: _2x1 and _half_2x1 (side by side, as Leia's programs name them), _ou and _half_ou
-/// (over-under, as headset players do), _rows; followed by _rl if the right eye is first.
+/// Returns the stereo part of a file name: _2x1 and _half_2x1 (side by side, as Leia's programs name them), _ou and _half_ou
+/// (over-under, as headset players do), or _rows; followed by _rl if the right eye is first.
 std::string stereo_ending(const StereoLayout& layout);
 
-/// Parses the layout from the name of a path; none if the name has no such part.
+/// Parses the layout from the name of a path; none if the name has no stereo part.
 std::optional<StereoLayout> parse_stereo_name(const std::filesystem::path& path);
 
-/// Return the path without this part of its name, and with the part of another layout instead.
+/// Return the path without the stereo part of its name, and with that of `layout` instead.
 std::filesystem::path without_stereo_name(const std::filesystem::path& path);
 std::filesystem::path with_stereo_name(const std::filesystem::path& path, const StereoLayout& layout);
 

@@ -13,12 +13,12 @@ struct Crop {
   Vec2i size{0, 0}, offset{0, 0};
 };
 
-/// Every step-th index of first ... last; last < 0: to the end.
+/// Every step-th index from `first` to `last`; last < 0: to the end.
 struct ViewRange {
   int first = 0, last = -1, step = 1;
 };
 
-/// The columns of views to keep, from the left, and the rows, from the lowest.
+/// The columns of views to keep, counted from the left, and the rows, counted from the lowest.
 struct KeptViews {
   ViewRange columns{}, rows{};
 };
@@ -26,17 +26,17 @@ struct KeptViews {
 /// Parses "WxH+X+Y". Throws a usage Error naming `flag`.
 Crop read_crop(const std::string& text, const std::string& flag);
 
-/// Parses "COLUMNS" or "COLUMNSxROWS", each N, A-B, A-B:STEP or all: "0-47:2", "2-6x2-6", "allx4". Throws a usage Error naming
-/// `flag`.
+/// Parses "COLUMNS" or "COLUMNSxROWS", where each is N, A-B, A-B:STEP or all: "0-47:2", "2-6x2-6", "allx4". Throws a usage
+/// Error naming `flag`.
 KeptViews read_kept_views(const std::string& text, const std::string& flag);
 
-/// Return the grid of the kept views, and the new number of a view of `grid` (none: left out). Throw a usage Error naming
-/// `flag` if the selection exceeds the grid.
+/// kept_grid() returns the grid of the kept views. kept_number() returns the new number of a view of `grid`; none: the view is
+/// dropped. Both throw a usage Error naming `flag` if the selection exceeds the grid.
 ViewGrid kept_grid(ViewGrid grid, const KeptViews& kept, const std::string& flag);
 std::optional<int> kept_number(int view, ViewGrid grid, const KeptViews& kept, const std::string& flag);
 
-/// Crop all views, and drop views, together with their depth and cameras. Throw a usage Error naming `flag` if the selection
-/// exceeds the light field.
+/// Crop all views, or drop the views that are not kept. Depth and cameras change accordingly. Both throw a usage Error naming
+/// `flag` if the selection exceeds the light field.
 void crop(LightField& field, const Crop& window, const std::string& flag);
 void keep(LightField& field, const KeptViews& kept, const std::string& flag);
 

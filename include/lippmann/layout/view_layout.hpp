@@ -1,10 +1,10 @@
 // Positions of the pixels of a light field's views in pictures that hold all views at once.
 //
-// Views form a grid: view v = row * columns + column, column 0 seen from the leftmost eye, row 0 from the lowest. All have the
-// same size.
+// Views form a grid: view v = row * columns + column. Column 0 is seen by the leftmost eye, row 0 by the lowest. All views have
+// the same size.
 //
 //   integral  for a lens array with columns x rows pixels below each lens; pixel (x, y) of every view lies below lens (x, y).
-//             Lenses invert: the view from the left is the rightmost pixel, the view from below the topmost.
+//             Lenses invert: the pixel below a lens for the leftmost view is the rightmost, for the lowest view the topmost.
 //   quilt     views side by side: view 0 at the bottom left, then to the right, then upwards; the last at the top right
 //             (Looking Glass).
 //   eslf      (plenoptic cameras, Lytro) like integral without the inversion: the view from the left is the leftmost pixel,
@@ -42,17 +42,17 @@ Vec2i picture_size(const ViewLayout& layout, Vec2i view_size);
 /// may have padding at the right and at the top: their tiles have floor(width / columns) x floor(height / rows) pixels.
 Vec2i view_size(const ViewLayout& layout, Vec2i picture, const std::string& where);
 
-/// The pixels of one view: its pixel (x, y) has the row-major index `first` + x `across` + y `down` in the picture.
+/// The pixels of one view: its pixel (x, y) has the row-major index first + x * across + y * down in the picture.
 struct ViewPlace {
   std::ptrdiff_t first = 0, across = 0, down = 0;
 };
 
 ViewPlace place_of_view(const ViewLayout& layout, Vec2i view_size, Vec2i picture, int view);
 
-/// Returns the most square arrangement of this many tiles, rather wider than high: 8 x 6 for 48.
+/// Returns the arrangement of tiles closest to a square, wider rather than higher: 8 x 6 for 48 views.
 ViewGrid squarest_tiles(int views);
 
-/// Returns, for each pixel of the stack, the row-major index of its pixel in the picture.
+/// Returns, for each pixel of the stack, the row-major index of the same pixel in the picture.
 std::vector<std::uint32_t> pixels_of_views(const ViewLayout& layout, Vec2i view_size, Vec2i picture);
 
 }  // namespace lippmann
