@@ -1,5 +1,5 @@
-// The whole library. A scene, optics and a placement go into a Renderer, frames come out; other functions read, convert, show
-// and write pictures and light fields. Each header below describes its part.
+// Includes the whole library. A Renderer takes a scene, optics and a placement, and returns frames. Other functions read,
+// convert, show and write pictures and light fields. Each header below describes its part.
 #pragma once
 
 #include "lippmann/core/context.hpp"

@@ -1,5 +1,4 @@
-// Angular filtering: averages each view over all eye positions up to half-way to its neighbours, against aliasing between
-// views.
+// Angular filtering against aliasing between views: averages each view over all eye positions up to half-way to its neighbours.
 //
 // Beyond the depth budget, neighbouring views differ by more than a pixel, and a display that moves from one view to the next
 // shows points twice. With the filter such points blur by exactly the distance between views, while points in the plane z = 0
@@ -17,7 +16,7 @@ namespace lippmann {
 
 enum class AngularFilter {
   kNone,
-  kBox,  ///< as wide as the view spacing: across for a cone, across and up for a camera grid
+  kBox,  ///< a box as wide as the view spacing: across for a cone of views, across and up for a camera grid
 };
 
 /// Returns the eye shifts of a pixel's samples, in units of the view spacing (MultiView::eye_shift). They are the midpoints of

@@ -1,4 +1,5 @@
-// Crosstalk: how much of its neighbours an eye sees next to one pixel below a lens, or one view of a quilt.
+// Crosstalk: how much light of the neighbouring pixels (for quilts: views) an eye sees in addition to the pixel that it should
+// see through a lens.
 //
 // A lens images each point of the panel as a Gaussian with a sigma given in panel pixels (for quilts: in views), integrated
 // over the area of each pixel. Both replay, which simulates crosstalk, and precompensation (layout/precompensate.hpp), which
@@ -15,13 +16,13 @@ namespace lippmann {
 
 inline constexpr double kMaxBlurPx = 8.0;
 
-/// The weight of one pixel along one axis.
+/// The weight of one pixel along one axis of a filter.
 struct Tap {
   int index;
   double weight;
 };
 
-/// A filter's taps. Elements from `count` on are uninitialised.
+/// The weights of a filter along one axis. Elements from `count` on are uninitialised.
 struct Taps {
   std::array<Tap, 84> tap;
   int count = 0;
@@ -36,15 +37,16 @@ struct Taps {
 /// becomes the nearest pixel. Indices may lie outside the image; callers skip those and renormalise the other weights.
 Taps gaussian_taps(double position_px, double sigma_px);
 
-/// Returns sigma along x and y in pixels of a panel picture (quilts: columns and rows of views; slanted panels: whole pixels,
-/// per colour), 0 along axes without lens power. For a slanted sheet, sigma_px is measured across its lenses.
+/// Returns the standard deviation of the blur along x and y, in pixels of a panel picture (quilts: in columns and rows of
+/// views; slanted panels: in whole pixels, for each colour). It is 0 along axes without lens power. For a slanted sheet,
+/// sigma_px is measured perpendicular to its lenses.
 Vec2d crosstalk_sigmas(const Optics& optics, double sigma_px);
 
-/// Returns the weight of each direct neighbour at the middle of a pixel.
+/// Returns the weight of each of the two direct neighbours, for an eye that sees the middle of a pixel.
 double neighbour_share(double sigma_px);
 
 /// Parses crosstalk: "0.4" is a sigma in pixels, 0 ... kMaxBlurPx; "10%" is the weight of each direct neighbour, 0 ... 23 %.
-/// Returns sigma. Throws a usage Error naming `where`.
+/// Returns the sigma. Throws a usage Error naming `where`.
 double read_crosstalk(std::string_view text, const std::string& where);
 
 }  // namespace lippmann

@@ -1,13 +1,14 @@
 // Describes every output picture as a set of rays through the display plane: the panel, the optics models, and the two mappings
-// that all of them provide.
+// that all models provide.
 //
 // Display frame: right-handed, millimetres, x right, y up, z towards the viewer. The lens (or display) plane is z = 0, the
 // panel lies at z = -gap. Pixel (i, j): i from the left, j from the top; continuous pixel coordinates have their origin at the
 // top left corner of the panel, so pixel centres are at +0.5. With pixel pitch m: x = (x_px - W/2) m, y = (H/2 - y_px) m.
 //
 // Lens arrays are modelled as one pinhole per lens. Light from a panel point q leaves lens centre l along l - q towards the
-// viewer. We trace the same line from the viewer's side: it starts at z = z_front and runs towards -z. So one ray covers the
-// space in front of the array and behind it, the picture is orthoscopic, and occlusion is right across z = 0.
+// viewer. We trace the same line from the viewer's side: it starts at z = z_front and runs towards -z. Thus one ray covers the
+// space in front of the array and behind it, the picture is orthoscopic, and points in front of the display plane correctly
+// hide those behind it.
 #pragma once
 
 #include <array>
@@ -20,11 +21,11 @@
 
 namespace lippmann {
 
-/// The physical panel in whole square pixels. Rendering works on its film (film_size): the same pixels, or each pixel's
-/// sub-pixels side by side.
+/// The physical panel in whole square pixels. Rendering works on its film (film_size), which has the same pixels, or each
+/// pixel's sub-pixels side by side.
 struct Panel {
   int width = 512, height = 512;  ///< pixels
-  float pixel_pitch_mm = 0.125f;  ///< with the default, an 8-pixel lens is 1 mm wide
+  float pixel_pitch_mm = 0.125f;  ///< the default makes a lens of 8 pixels 1 mm wide
 };
 
 /// Cylindrical lenses; horizontal parallax only. The coordinate across the lenses is xi = x cos(slant) + y sin(slant). Lens k
@@ -32,11 +33,12 @@ struct Panel {
 struct LenticularSheet {
   float lens_pitch_mm = 1.0f;
   float gap_mm = 2.0f;
-  float slant = 0.0f;                     ///< radians, |slant| < pi/2
-  float offset_mm = 0.5f;                 ///< xi of the centre of lens 0
-  float viewing_distance_mm = kInfinity;  ///< distance at which the cells converge; inf: each cell lies straight below its lens
-  float eye_height_mm = 0.0f;             ///< y at which rows converge, for a finite viewing distance
-  float parallax = 1.0f;                  ///< see with_parallax
+  float slant = 0.0f;      ///< radians, |slant| < pi/2
+  float offset_mm = 0.5f;  ///< xi coordinate of the centre of lens 0
+  /// Distance at which the cells converge; inf: each cell lies straight below its lens.
+  float viewing_distance_mm = kInfinity;
+  float eye_height_mm = 0.0f;  ///< height (y) of the point at which rows converge, for a finite viewing distance
+  float parallax = 1.0f;       ///< see with_parallax
 };
 
 enum class LensPacking { kSquare, kHexagonal };
@@ -53,20 +55,22 @@ struct MicrolensArray {
 };
 
 /// A grid of views (a quilt). Every view is an off-axis (sheared) pinhole through the same rectangle in z = 0. View 0 is the
-/// leftmost one and the bottom left tile; the last view is the top right tile. View v has the angle cone ((v + 1/2)/N - 1/2)
-/// and its eye at (distance tan(angle), 0, distance). If baseline_mm is set, the eyes form a camera grid instead, as in
+/// leftmost one and the bottom left tile; the last view is the top right tile. View v of N has the angle cone ((v + 1/2)/N -
+/// 1/2) and its eye at (distance tan(angle), 0, distance). If baseline_mm is set, the eyes form a camera grid instead, as in
 /// computer vision data sets: columns and rows are a baseline apart in the plane z = distance, centred on the axis, with column
 /// 0 at the left and row 0 at the bottom.
 struct MultiView {
-  int columns = 8, rows = 6;         ///< tiles of equal size, which fill the panel
+  int columns = 8, rows = 6;         ///< number of tiles, which have equal sizes and fill the panel
   float view_cone = radians(40.0f);  ///< full angle that the N views cover
-  bool cone_ends_included = false;   ///< v / (N - 1) instead of (v + 1/2) / N, as some tools do
-  float distance_mm = 500.0f;        ///< from the viewer to the plane z = 0
-  float baseline_mm = 0.0f;          ///< > 0: camera grid with this eye spacing; view_cone is ignored
-  float pixel_height = 1.0f;         ///< in pixel widths; other than 1 for quilts whose tiles are stretched on the display
-  float parallax = 1.0f;             ///< see with_parallax
-  Vec2f eye_shift{0.0f};             ///< shifts all eyes right and up, in units of the view spacing (optics/angular_filter.hpp)
-  float eye_height_mm = 0.0f;        ///< of all eyes, above the middle of the plane z = 0
+  /// True: angles use v / (N - 1) instead of (v + 1/2) / N, as in some tools.
+  bool cone_ends_included = false;
+  float distance_mm = 500.0f;  ///< distance from the eyes to the plane z = 0
+  float baseline_mm = 0.0f;    ///< > 0: camera grid with this eye spacing; view_cone is ignored
+  /// Height of a pixel in pixel widths; not 1 for quilts whose tiles are stretched on the display.
+  float pixel_height = 1.0f;
+  float parallax = 1.0f;       ///< see with_parallax
+  Vec2f eye_shift{0.0f};       ///< shifts all eyes right and up, in units of the view spacing (optics/angular_filter.hpp)
+  float eye_height_mm = 0.0f;  ///< height of all eyes above the middle of the plane z = 0
 };
 
 /// One pinhole at (0, eye_height, distance) through the rectangle of the panel in z = 0.
@@ -76,8 +80,9 @@ struct SingleView {
   float eye_height_mm = 0.0f;
 };
 
-/// Positions of the sub-pixels, relative to the centre of their panel pixel, in panel pixels, x right, y up: [row from the
-/// bottom, modulo 4][column modulo 2][red, green, blue]. Non-striped arrangements repeat with that period.
+/// Positions of the sub-pixels relative to the centre of their panel pixel, in panel pixels, x right, y up. The indices are
+/// [row from the bottom, modulo 4][column modulo 2][red, green, blue], because arrangements other than stripes repeat with that
+/// period.
 using SubPixelOffsets = std::array<std::array<std::array<Vec2f, 3>, 2>, 4>;
 
 /// Returns vertical stripes, as on most panels: a third of a pixel apart, with red (or blue) on the left.
@@ -85,17 +90,18 @@ SubPixelOffsets striped_sub_pixels(bool blue_first = false);
 
 /// A calibrated panel below slanted lenses, where every sub-pixel has its own ray (formula in slanted_panel.hpp). The film of a
 /// panel of W x H pixels is 3 W x H: film pixel (3 i + c, j) is the sub-pixel of colour c of panel pixel (i, j). Phases are
-/// doubles because the last of thousands of lenses must be as exact as the first.
+/// doubles because they must be as exact at the last of thousands of lenses as at the first.
 struct SlantedPanel {
-  double periods = 244.041;  ///< P: lenses across the panel, along a row
+  double periods = 244.041;  ///< P: number of lenses across the panel, along a row
   double tilt = -0.190476;   ///< T: the lenses' horizontal shift over the panel's height, in panel widths
-  double center = 0.447;     ///< phase at the sub-pixel's position; for striped panels, the calibration's value less P / 3 W
-  bool inverted = true;      ///< v = 1 - fract(phase), else fract(phase)
-  float view_cone = radians(40.0f);  ///< full angle that v = 0 ... 1 covers
-  float distance_mm = 500.0f;        ///< from the viewer to the plane z = 0
+  /// Phase at the sub-pixel's position. For striped panels it is the calibration's value minus P / 3 W.
+  double center = 0.447;
+  bool inverted = true;              ///< true: v = 1 - fract(phase); false: v = fract(phase)
+  float view_cone = radians(40.0f);  ///< full angle covered by v = 0 ... 1
+  float distance_mm = 500.0f;        ///< distance from the viewer to the plane z = 0
   SubPixelOffsets sub_pixels = striped_sub_pixels();
   float parallax = 1.0f;       ///< see with_parallax
-  float eye_height_mm = 0.0f;  ///< of the viewer, above the middle of the panel
+  float eye_height_mm = 0.0f;  ///< height of the viewer above the middle of the panel
 };
 
 struct Ray {
@@ -103,20 +109,22 @@ struct Ray {
   Vec3f direction{0.0f, 0.0f, -1.0f};  ///< unit length, z < 0
 };
 
-/// Optics given by their rays alone: a simulated lens, a measured display, or any function from pixel to ray (make_ray_table).
-/// They can be rendered, and denoised over neighbouring pixels. Interpolation, view layouts and replay need an inverse mapping
-/// or views, which they lack.
+/// Optics defined by their rays alone: a simulated lens, a measured display, or any function from pixel to ray
+/// (make_ray_table). They can be rendered, and denoised over neighbouring pixels. Interpolation, view layouts and replay are
+/// not possible, because they need an inverse mapping or views.
 struct RayTable {
-  /// Row by row from the top left: panel.height * samples_per_side rows of panel.width * samples_per_side rays. A sample takes
-  /// the ray of the part of the pixel that it lies in. Every ray starts at its own origin. Copies of optics share the table.
+  /// Row by row from the top left: panel.height * samples_per_side rows of panel.width * samples_per_side rays. Each pixel is
+  /// divided into samples_per_side^2 parts, and a sample of the pixel takes the ray of the part that it lies in. Every ray
+  /// starts at its own origin. Copies of optics share the table.
   std::shared_ptr<const std::vector<Ray>> rays{};
-  int samples_per_side = 1;  ///< 4: 16 rays per pixel
+  int samples_per_side = 1;  ///< parts of a pixel across and down; 4: 16 rays per pixel
   float spread = 0.0f;       ///< spread between the rays of neighbouring pixels, in mm per mm of depth; sets the texture filter
 };
 
 using OpticsModel = std::variant<LenticularSheet, MicrolensArray, MultiView, SingleView, SlantedPanel, RayTable>;
 
-/// A complete set of rays. For MultiView, panel.pixel_pitch_mm is the horizontal pixel pitch of a view in the plane z = 0.
+/// A panel and its model, which together define all rays. For MultiView, panel.pixel_pitch_mm is the horizontal pixel pitch of
+/// a view in the plane z = 0.
 struct Optics {
   Panel panel{};
   OpticsModel model{};
@@ -130,8 +138,8 @@ struct RayArrays {
   float *direction_x = nullptr, *direction_y = nullptr, *direction_z = nullptr;
 };
 
-/// Makes a table by calling ray_of_point(Vec2f) for the middle of every part of every pixel, in continuous pixel coordinates,
-/// row by row.
+/// Makes a table by calling ray_of_point(Vec2f) for the middle of every part of every pixel, row by row. The argument is in
+/// continuous pixel coordinates.
 template <class RayOfPoint>
 RayTable make_ray_table(const Panel& panel, int samples_per_side, const RayOfPoint& ray_of_point) {
   auto rays = std::make_shared<std::vector<Ray>>();
@@ -148,21 +156,22 @@ void validate(const Optics& optics);
 // ---- Contract 1: the ray of a pixel ---------------------------------------------------------------------------------
 
 /// Returns the z where rays start: z_front_mm if it is finite, else the viewing distance, or 4 panel diagonals for a lens array
-/// viewed from infinity. Rays of views and slanted panels start no farther than their eye. Rays of a table start at their own
-/// origins; for them this is the largest z.
+/// viewed from infinity. Rays of views and slanted panels start no farther away than their eye. Rays of a table start at their
+/// own origins; for a table, the result is the largest z of these.
 float resolved_z_front_mm(const Optics& optics);
 
 /// Returns the ray of a point of the film in continuous pixel coordinates (pixel (i, j) has its centre at (i + 0.5, j + 0.5)).
 Ray ray_of_pixel(const Optics& optics, Vec2f pixel);
 
-/// Computes `count` rays, bit-identical to ray_of_pixel, vectorised. For many calls per frame see ray_generator.hpp.
+/// Computes `count` rays, vectorised and bit-identical to ray_of_pixel(). If you call it many times per frame, use
+/// ray_generator.hpp.
 void rays_of_pixels(const Optics& optics, const float* pixel_x, const float* pixel_y, int count, const RayArrays& rays);
 
 // ---- Contract 2: all pixels that see a point ------------------------------------------------------------------------
 
-/// Appends the continuous pixel coordinates of all rays that run exactly through `point_mm`, in ascending lens (view) order and
-/// clipped to the panel: one per lens whose cell holds the image of the point, one per view for multi-view, and usually one per
-/// lens for a slanted panel, from left to right.
+/// Appends the continuous pixel coordinates of all rays that run exactly through `point_mm`, clipped to the panel, in ascending
+/// lens (view) order. There is one for each lens whose cell holds the image of the point, one for each view for multi-view, and
+/// usually one for each lens, from left to right, for a slanted panel.
 /// At z = 0, every pixel below the lens at that point sees it, so all pixel centres of that cell are appended (for a
 /// cylindrical lens: those in the panel row through the point). The padding of a quilt sees nothing, and points beyond the ends
 /// of the rays are not seen. Throws Error for a table of rays, which has no inverse.
@@ -175,21 +184,22 @@ void pixels_seeing(const Optics& optics, Vec3f point_mm, std::vector<Vec2f>& pix
 /// such a structure, as for a slanted panel, and (1, 1) for multi-view and single views.
 Vec2i whole_pixels_per_lens(const Optics& optics);
 
-/// Returns the width that one pixel sample covers at depth z (mm), across and along the array; it sets the texture filter. It
-/// is max(lens pitch, |z| m / g) along axes with lens power, and the panel's own spacing (scaled by perspective) along others.
-/// For a slanted panel it is the larger of a pixel, since neighbouring lenses together resolve that, and a magnified sub-pixel.
+/// Returns the width of the area that one pixel sample covers at depth z (mm), across and along the array. It sets the texture
+/// filter. Along axes with lens power it is max(lens pitch, |z| m / g), along others the panel's own pixel spacing (scaled by
+/// perspective). For a slanted panel it is the larger of a pixel, which neighbouring lenses resolve together, and a magnified
+/// sub-pixel.
 Vec2f sample_footprint_mm(const Optics& optics, float z_mm);
 
-/// A lens array seen from the front. Pitches are measured along a row of pixels, in mm.
+/// A lens array seen from the front. pitch_mm is measured along a row of pixels, row_pitch_mm perpendicular to it.
 struct LensArray {
-  double pitch_mm = 0.0;      ///< between lenses along the row, for any slant
-  double row_pitch_mm = 0.0;  ///< between rows of lenses; 0: cylindrical lenses
+  double pitch_mm = 0.0;      ///< distance between lenses along a row of pixels, for any slant
+  double row_pitch_mm = 0.0;  ///< distance between rows of lenses; 0: cylindrical lenses
   double gap_mm = 0.0;
   double viewing_distance_mm = 0.0;  ///< distance at which the cells converge; may be inf
   double eye_height_mm = 0.0;
   double cell_mm = 0.0;        ///< width of the panel area below one lens
-  double slant_cosine = 1.0;   ///< cosine of a sheet's slant: pitch_mm times this is lens_pitch_mm
-  float lens_pitch_mm = 0.0f;  ///< perpendicular to the lenses
+  double slant_cosine = 1.0;   ///< cosine of a sheet's slant; pitch_mm times this is lens_pitch_mm
+  float lens_pitch_mm = 0.0f;  ///< distance between lenses, measured perpendicular to them
 };
 
 /// Returns the lenses of a lenticular sheet or a microlens array; none for other optics.
@@ -209,7 +219,7 @@ struct ViewTiles {
 /// Returns the tiles of a quilt; none for other optics, including single views.
 std::optional<ViewTiles> view_tiles(const Optics& optics);
 
-/// Returns whether the optics are a single pinhole, whose picture is shown unchanged.
+/// Returns whether the optics are a single pinhole; its picture is shown unchanged.
 bool is_single_view(const Optics& optics);
 
 /// Returns the number of film pixels per panel pixel, side by side: 3 for a slanted panel, else 1.
@@ -225,10 +235,10 @@ float viewing_distance_mm(const Optics& optics);
 /// single view.
 float viewing_zone(const Optics& optics);
 
-/// Returns the |z| beyond which views alias. Lens arrays: a panel pixel is wider than the lens pitch beyond p g / m.
-/// Multi-view: the middle views, with eyes e apart, are more than a pixel apart beyond m D / (e + m) in front of the plane.
-/// Slanted panels: N sub-pixels below a lens of pitch p have directions 2 tan(cone / 2) / N apart, which gives p N / (2
-/// tan(cone / 2)). Single views and tables: inf.
+/// Returns the |z| beyond which views alias. Lens arrays: beyond p g / m, a panel pixel seen through its lens is wider than the
+/// lens pitch. Multi-view: beyond m D / (e + m) in front of the plane, the middle views, whose eyes are e apart, differ by more
+/// than a pixel. Slanted panels: the N sub-pixels below a lens of pitch p have directions 2 tan(cone / 2) / N apart, which
+/// gives p N / (2 tan(cone / 2)). Single views and tables: inf.
 float depth_budget_mm(const Optics& optics);
 
 /// Returns the same display with its views drawn closer together (parallax > 0; values above 1 spread them). A view emitted at

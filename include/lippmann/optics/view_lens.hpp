@@ -2,7 +2,7 @@
 //
 // The lens is a disc in the plane of the eyes, parallel to the display. All rays of a pixel meet where the pinhole ray crosses
 // the focal plane z = f. With aperture A and eye distance D, a point at depth z becomes a disc of diameter A |z - f| / (D - z)
-// in the focal plane, and D / (D - f) times that on the display plane z = 0.
+// in the focal plane. On the display plane z = 0, the disc is D / (D - f) times as large.
 //
 // Only views can have such lenses: single views, quilts, camera grids and stereo pairs. Pixels below lens arrays have their own
 // directions and blur with depth by the optics of the array.
@@ -12,10 +12,11 @@
 
 namespace lippmann {
 
-/// A pinhole by default. At most one of aperture_mm and f_number may be non-zero.
+/// The opening of the lens, by default a pinhole. At most one of aperture_mm and f_number may be non-zero.
 struct ViewLens {
-  float aperture_mm = 0.0f;     ///< diameter in mm of the display frame; 0: see f_number
-  float f_number = 0.0f;        ///< f-number on a sensor of kSensorWidthMm, for scenes in metres; 0: a pinhole
+  float aperture_mm = 0.0f;  ///< diameter in mm of the display frame; 0: defined by f_number
+  /// F-number on a sensor of kSensorWidthMm, for scenes in metres; 0: a pinhole, unless aperture_mm is set.
+  float f_number = 0.0f;
   float focal_plane_mm = 0.0f;  ///< z of the plane in focus: 0 is the display plane, above 0 in front of it
 
   bool is_open() const { return aperture_mm > 0.0f || f_number > 0.0f; }

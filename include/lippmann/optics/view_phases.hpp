@@ -7,8 +7,8 @@
 
 namespace lippmann {
 
-/// Parameters as in SlantedPanel: a sub-pixel at (x, y), from 0 to 1 across the panel and up it, shows the view 1 - fract((x +
-/// y tilt) periods - center) of the view cone, or fract(...) if not `inverted`.
+/// Parameters as in SlantedPanel. For a sub-pixel at (x, y), from 0 to 1 across and up the panel, let p = (x + y tilt) periods
+/// - center. If `inverted` is set, the sub-pixel shows the view 1 - fract(p) of the view cone, else fract(p).
 struct ViewPhases {
   double periods = 0.0, tilt = 0.0, center = 0.0;
   bool inverted = false;

@@ -10,11 +10,12 @@ namespace lippmann {
 struct Window {
   Vec2d centre{0.0}, size{1.0};
 
-  /// Returns the point below a pixel of a picture that fills the window, in continuous coordinates (origin top left, y down).
+  /// Returns the point of the plane z = 0 shown by a pixel of a picture that fills the window. Pixel coordinates are continuous
+  /// (origin top left, y down).
   Vec2d point_at(Vec2d pixel, Vec2i picture) const {
     return centre + Vec2d(pixel.x / picture.x - 0.5, 0.5 - pixel.y / picture.y) * size;
   }
-  /// Returns the pixel at a point: the inverse of point_at.
+  /// Returns the pixel that shows a point; the inverse of point_at.
   Vec2d pixel_at(Vec2d point_mm, Vec2i picture) const {
     const Vec2d share = (point_mm - centre) / size;
     return {(share.x + 0.5) * picture.x, (0.5 - share.y) * picture.y};
@@ -27,28 +28,29 @@ inline Vec2i picture_size(const Optics& optics) { return {optics.panel.width, op
 /// Returns the part of the plane z = 0 that the design viewer sees through the panel (or through one tile of a quilt).
 Window display_window(const Optics& optics);
 
-/// Returns the viewer that the display is made for, infinitely far away if its viewing distance is infinite.
+/// Returns the viewer that the display is made for. If its viewing distance is infinite, the viewer is infinitely far away.
 Viewer design_viewer(const Optics& optics);
 
 /// Returns the eye at `share` of the viewing zone, from 0 at its left end to 1 at its right end, at the design viewer's height
-/// and distance. With N pixels per lens, or N views, the i-th eye from the left has share (i + 1/2) / N. A single view has one
-/// eye.
+/// and distance. With N pixels per lens, or N views, the i-th eye from the left has share (i + 1/2) / N. For a single view, the
+/// eye is the same for every share.
 Viewer viewer_in_zone(const Optics& optics, double share);
-/// Returns the eye at `share` of the zone from bottom to top; all are the same without vertical parallax.
+/// Returns the eye at `share` of the viewing zone from bottom to top. Without vertical parallax, the eye is the same for every
+/// share.
 Viewer viewer_in_zone_vertically(const Optics& optics, double share);
 
-/// Returns the x of an eye at distance z and at `share` of the zone as seen from the middle of the display.
+/// Returns the x of an eye at distance z that is at `share` of the viewing zone, as seen from the middle of the display.
 double zone_x_mm(const Optics& optics, double share, double z_mm);
 
 /// Returns the default eye position: the design viewer's, or 3 window heights in front if the design viewer is infinitely far
 /// away.
 Vec3d default_eye_mm(const Optics& optics);
 
-/// Returns the number of samples of the plane z = 0 across and down: one per lens along axes with lens power, else one per
-/// pixel.
+/// Returns the number of samples of the plane z = 0 across and down. Along axes with lens power there is one sample per lens,
+/// along others one per pixel.
 Vec2i lens_grid(const Optics& optics);
 
-/// Returns the spacing of one view's samples in mm; on a slanted panel, one sample per lens along a row.
+/// Returns the spacing of one view's samples in mm. On a slanted panel, this is the distance between lenses along a row.
 Vec2d sample_spacing_mm(const Optics& optics);
 
 /// The directions in which the picture changes as the eye moves.
@@ -57,14 +59,14 @@ struct Parallax {
 };
 Parallax parallax_of(const Optics& optics);
 
-/// Returns the number of distinct views across and up: the pixels below a lens (rounded up), or the views.
+/// Returns the number of distinct views across and up: the number of pixels below a lens (rounded up), or of the optics' views.
 Vec2i view_counts(const Optics& optics);
 
-/// Returns the size of a picture with square pixels that has at least the samples of lens_grid.
+/// Returns the size of a picture with square pixels that has at least as many samples as lens_grid().
 Vec2i natural_view_size(const Optics& optics);
 
-/// Returns a pinhole at an eye that sees the window in a picture of `size` pixels, which must have the window's aspect ratio;
-/// for reference renders. Trace its optics in a display frame moved by (eye.x, eye.y, 0).
+/// Returns a pinhole at an eye that sees the window in a picture of `size` pixels, which must have the window's aspect ratio.
+/// For reference renders: trace these optics in a display frame that is moved by (eye.x, eye.y, 0).
 Optics pinhole_through_window(const Window& window, Vec2i size, Vec3d eye_mm);
 
 }  // namespace lippmann

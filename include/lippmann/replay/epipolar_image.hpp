@@ -12,10 +12,10 @@
 
 namespace lippmann {
 
-/// Returns the epipolar-plane image of a row of the lens grid, counted from the top. Each column is a lens of the row, each row
-/// an eye; the view_counts(optics).x eyes are equally spaced, the leftmost on top. With whole pixels per lens the result holds
-/// the panel's own pixels. Throws a usage Error naming `epi` if the display has no such row. Returns early, with an unfinished
-/// image, if `context` is cancelled.
+/// Returns the epipolar-plane image of a row of the lens grid; rows count from the top. Each column of the image is a lens of
+/// the row, each row an eye. The view_counts(optics).x eyes are equally spaced, with the leftmost on top. With whole pixels per
+/// lens, the result holds the panel's own pixels. Throws a usage Error naming `epi` if the display has no such row. Returns
+/// early, with an unfinished image, if `context` is cancelled.
 Image epipolar_row(const RenderedPanel& rendered, int row, SampleFilter filter, const Context& context = {});
 
 /// Returns the epipolar-plane image of a column of the lens grid. Each row is a lens of the column, each column an eye, the

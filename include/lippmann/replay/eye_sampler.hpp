@@ -9,7 +9,7 @@
 
 namespace lippmann {
 
-/// `rendered` must outlive this object. For filter and crosstalk see EyeView (replay/eye_view.hpp).
+/// `rendered` must outlive this object. EyeView (replay/eye_view.hpp) describes `filter` and `crosstalk_px`.
 class EyeSampler {
  public:
   EyeSampler(const RenderedPanel& rendered, SampleFilter filter, double crosstalk_px = 0.0);
@@ -26,7 +26,8 @@ class EyeSampler {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Returns the share of lenses (for a quilt: of points) through which the eye sees a view of a neighbouring zone, 0 ... 1.
+/// Returns the share, 0 to 1, of the lenses (for a quilt: of the points) through which the eye sees a view of a neighbouring
+/// viewing zone.
 double share_out_of_zone(const Optics& optics, const Viewer& viewer);
 
 }  // namespace lippmann

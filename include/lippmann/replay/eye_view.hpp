@@ -1,8 +1,8 @@
 // Computes what an eye sees of a rendered panel through its lens array.
 //
-// The view covers the display's window in the plane z = 0 (optics/viewing.hpp), from the viewer's side. Pixel (i, j) is the
-// same point of that plane for every eye, so scene points in the plane keep their pixel when the eye moves. Colours are linear.
-// Points beside the panel are black.
+// The view covers the display's window in the plane z = 0 (optics/viewing.hpp), seen from the viewer's side. Pixel (i, j) is
+// the same point of that plane for every eye, so scene points in the plane keep their pixel when the eye moves. Colours are
+// linear. Points beside the panel are black.
 #pragma once
 
 #include "lippmann/core/parallel.hpp"
@@ -14,11 +14,13 @@ struct EyeView {
   Vec3d eye_mm{0.0, 0.0, 500.0};                ///< in the display frame; z > 0
   Vec2i size{0, 0};                             ///< pixels; 0: natural_view_size (optics/viewing.hpp)
   SampleFilter filter = SampleFilter::kLinear;  ///< interpolates panel pixels below one lens, and views of a quilt
-  double crosstalk_px = 0.0;  ///< sigma in panel pixels (quilt: views) of the Gaussian with which a lens blurs the panel.
-                              ///< Replaces `filter` across the lenses. 0 ... kMaxBlurPx
-  double pupil_mm = 0.0;      ///< diameter; 0: a pinhole
-  double focus_mm = 0.0;      ///< depth on which the eye focuses, less than the eye's z; 0: the display
-  int pupil_points = 64;      ///< number of points of the pupil whose views are averaged, spread evenly in a sunflower spiral
+  /// Standard deviation of the Gaussian with which a lens blurs the panel, in panel pixels (quilt: in views), 0 ... kMaxBlurPx.
+  /// If it is not 0, the Gaussian replaces `filter` across the lenses.
+  double crosstalk_px = 0.0;
+  double pupil_mm = 0.0;  ///< diameter of the pupil; 0: a pinhole
+  double focus_mm = 0.0;  ///< z of the plane on which the eye focuses, less than the eye's z; 0: the display
+  /// Number of points of the pupil, spread evenly in a sunflower spiral; the result is the mean of their views.
+  int pupil_points = 64;
 };
 
 /// Throws a usage Error if the eye is not in front of the display or not finite, or if another value is out of range.

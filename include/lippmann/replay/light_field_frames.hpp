@@ -1,9 +1,9 @@
-// Finds the frames to replay, a finished render or a light field in any format of `convert`, and reads each as a panel with
-// optics.
+// Finds the frames to replay, from a finished render or a light field in any format of `convert`, and reads each frame as a
+// panel with optics.
 //
-// A render's report.json contains the optics. Views that the render stored in another arrangement (--layout) are moved back to
-// their place on the panel. Without a report, formats with cameras (HCI, MIV) define the optics and the panel is a quilt of the
-// views. Otherwise the optics are assumed, see assumed_optics().
+// A render's report.json contains the optics. If the render stored its views in another arrangement (--layout), they are moved
+// back to their place on the panel. Without a report, formats with cameras (HCI, MIV) define the optics, and the panel is a
+// quilt of the views. Otherwise the optics are assumed: see assumed_optics().
 #pragma once
 
 #include <filesystem>
@@ -26,16 +26,16 @@ struct LightFieldHints {
   std::string from = {};                            ///< a format of `convert`; empty: detected from file names and the report
   std::optional<ViewGrid> views = {};               ///< number of columns and rows of views
   std::optional<ViewGrid> tiles = {};               ///< number of columns and rows of a quilt's tiles
-  std::optional<double> view_angle_deg = {};        ///< angle of the viewing zone, if the cameras are unknown
-  bool cone_ends = false;                           ///< the outermost views of a row are at the ends of that angle
-  std::function<void(std::string_view)> warn = {};  ///< receives warnings, as FormatOptions::warn
-  /// The display of the images. Images of native or unknown format are frames of its panel, and a row of views without cameras
-  /// becomes a quilt for it.
+  std::optional<double> view_angle_deg = {};        ///< full angle of the viewing zone, if the cameras are unknown
+  bool cone_ends = false;                           ///< the outermost views of a row are at the two ends of that angle
+  std::function<void(std::string_view)> warn = {};  ///< called with each warning, as FormatOptions::warn
+  /// The display that the images are for. Images of native or unknown format are then frames of its panel, and a row of views
+  /// without cameras becomes a quilt for it.
   std::optional<Display> display = {};
-  bool is_other_display = false;  ///< `display` may differ from the display of the images, which is then no error
+  bool is_other_display = false;  ///< true: the images may be for another display than `display`, which is then no error
 };
 
-/// Returns the hints, with warnings sent to the context.
+/// Returns the hints, with `warn` set to the context's.
 inline LightFieldHints with_warnings(LightFieldHints hints, const Context& context) {
   hints.warn = context.warn;
   return hints;
@@ -44,29 +44,29 @@ inline LightFieldHints with_warnings(LightFieldHints hints, const Context& conte
 struct LightFieldFrames {
   Optics optics{};
   std::vector<std::filesystem::path> files{};  ///< in ascending order: images, or folders of views
-  std::filesystem::path folder{};              ///< default folder for results, beside the input
+  std::filesystem::path folder{};  ///< default folder for results: the input folder, or the one that contains the input
   double frames_per_second = 25.0;
-  bool is_panel = false;        ///< images without a report that are frames of the panel of `optics`
-  std::string assumption = {};  ///< one sentence on the assumed cameras; empty: nothing was assumed
-  /// Reads the frame with that index. Throws Error naming the file, for example if its size is not the panel's.
+  bool is_panel = false;        ///< true: the images have no report and are frames of the panel of `optics`
+  std::string assumption = {};  ///< one sentence about the assumed cameras; empty: nothing was assumed
+  /// Reads the frame with this index. Throws Error naming the file, for example if its size is not the panel's.
   std::function<RenderedPanel(std::size_t)> read{};
 };
 
-/// Finds the frames of a file or folder. Throws Error naming the file, a flag that must supply missing information, or a flag
-/// without effect.
+/// Finds the frames of a file or folder. Throws Error naming the file, a flag that is needed because the input lacks the
+/// information, or a flag that has no effect.
 LightFieldFrames find_light_field_frames(const std::filesystem::path& in, const LightFieldHints& hints);
 
 /// Arranges the views of a light field on the panel of `optics`, in linear light. Throws Error naming `where` if the optics
 /// have no such views.
 RenderedPanel panel_of(const LightField& field, const Optics& optics, const std::string& where);
 
-/// Returns the optics of a quilt of the views. Throws Error naming `where` unless the cameras form a regular grid around the
-/// axis.
+/// Returns the optics of a quilt of the views. Throws Error naming `where` unless the cameras form a regular grid centred on
+/// the display's axis.
 Optics optics_of_cameras(const LightField& field, const std::string& where);
 
 /// Returns assumed optics for views with unknown cameras: a display 100 mm high, seen from 300 mm. A row of views spreads over
-/// view_angle_deg (default: 40 degrees), with the outermost views at its ends if `cone_ends`, half a step inside otherwise. A
-/// grid of cameras spans 10 degrees across by default.
+/// view_angle_deg (default: 40 degrees). The outermost views are at the ends of this angle if `cone_ends`, otherwise half a
+/// step inside. A grid of cameras spans 10 degrees across by default.
 Optics assumed_optics(const LightField& field, std::optional<double> view_angle_deg, bool cone_ends = false);
 
 /// Returns the model of assumed_optics().

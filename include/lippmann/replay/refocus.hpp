@@ -1,13 +1,14 @@
 // Refocuses a light field on a plane at depth z, like a lens as wide as the viewing zone.
 //
 // Based on: Ng et al., "Light field photography with a hand-held plenoptic camera", Stanford CTSR 2005-02 (shift and sum),
-// formulated by rays. The ray of a pixel crosses z = 0 at c with slope t and meets the plane at c + t z. The design viewer,
-// which sees point s of z = 0 with slope e - s v, sees this point at
+// formulated by rays. The ray of a pixel crosses z = 0 at c with slope t and meets the plane of focus at c + t z. The design
+// viewer, who sees a point s of the plane z = 0 along a ray of slope e - s v, sees the point in focus at
 //   s = (c + (t - e) z) / (1 - v z)
-// of the window. Each pixel adds its colour there, spread by a tent as wide as the distance to the next sample of its view (one
-// lens, or one pixel if there are no lenses), and the sum is divided by the weights. With whole pixels per lens all samples of
-// a view shift by the same amount, so the result is the mean of shifted, interpolated views. The method also holds for slanted,
-// hexagonal and fractional arrays and for quilts. The sub-pixels of a slanted panel carry one colour each, so each colour is
+// of the window. Each pixel adds its colour there, spread by a tent filter as wide as the distance to the next sample of its
+// view (one lens, or one pixel if there are no lenses), and the sum is divided by the weights. With whole pixels per lens all
+// samples of a view shift by the same amount, so the result is the mean of shifted, interpolated views. The method also holds
+// for slanted, hexagonal and fractional arrays and for quilts. The sub-pixels of a slanted panel carry one colour each, so each
+// colour is averaged over its own rays.
 // averaged over its own rays.
 #pragma once
 
@@ -22,7 +23,7 @@ void validate_depth(const Optics& optics, double z_mm, const char* flag);
 
 /// Returns the image focused at z_mm, which must be valid: 3 channels, linear, black where no ray arrives. size: pixels over
 /// the display's window; {0, 0}: natural_view_size (optics/viewing.hpp). Images of all depths are aligned for the design
-/// viewer. The result does not depend on the number of threads. If not null, `disagreement` receives the variance of the
+/// viewer. The result does not depend on the number of threads. If `disagreement` is not null, it receives the variance of the
 /// colours of each pixel's rays, summed over the channels (1 channel, infinite where no ray arrives). Returns early, with an
 /// unfinished image, if `context` is cancelled.
 Image refocus(const RenderedPanel& rendered, double z_mm, Vec2i size, const ThreadPool& pool, Image* disagreement = nullptr,

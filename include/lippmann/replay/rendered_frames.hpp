@@ -21,7 +21,7 @@ struct RenderedFrames {
 /// optics, or if the images are rearranged views instead of the panel's image.
 RenderedFrames find_rendered_frames(const std::filesystem::path& in, const std::filesystem::path& report = {});
 
-/// Returns the files only: an image, or the images of a folder. Throws Error naming a folder without images.
+/// Returns only the files: an image, or the images of a folder. Throws Error naming a folder without images.
 std::vector<std::filesystem::path> pictures_of(const std::filesystem::path& in);
 
 /// Reads one of the files without conversion. Throws Error naming the file, for example if its size is not the panel's.
@@ -31,7 +31,8 @@ Picture read_panel_picture(const RenderedFrames& frames, const std::filesystem::
 /// not finite become 0. Throws Error as read_panel_picture().
 RenderedPanel read_rendered_panel(const RenderedFrames& frames, std::size_t index);
 
-/// Returns the label of a frame in names of files made from it: the frame number, or the whole name of another image.
+/// Returns the label of a frame for names of files made from it: the frame number, or the image's whole name if it has no
+/// number.
 std::string frame_label(const std::filesystem::path& file);
 
 }  // namespace lippmann

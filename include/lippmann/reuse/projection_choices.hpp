@@ -1,16 +1,17 @@
-// Options of the paper's interpolation: where points may land, and how missed pixels are filled.
+// Options of the paper's interpolation: where points may be projected, and how missed pixels are filled.
 #pragma once
 
 namespace lippmann {
 
 enum class SplatMode {
-  kLens,  ///< a point stays below its own lens, as in the paper; it is dropped when it leaves the lens's cell
+  /// A point stays below its own lens, as in the paper. It is dropped when it leaves the lens's cell.
+  kLens,
   kView,  ///< a point stays in its own directional view
 };
 
 enum class MissedFill {
-  kInterpolate,  ///< from neighbours
-  kRetrace,      ///< by tracing
+  kInterpolate,  ///< filled from neighbouring pixels
+  kRetrace,      ///< traced
   kBlack,        ///< left black, as in the paper's figures 4 and 5
 };
 

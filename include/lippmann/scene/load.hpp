@@ -14,14 +14,14 @@ namespace lippmann {
 struct LoadOptions {
   std::optional<std::filesystem::path> camera_path{};  ///< a Tachyon .cam file, for .dat scenes only
   double frames_per_second = 0.0;                      ///< 0: the format's default
-  std::filesystem::path
-      asset_root{};         ///< folder that may contain the files a scene refers to; empty: only the scene's own folder
-  std::string animation{};  ///< name or index of the animation to show; empty: the first
-  /// Memory limit for the decoded textures of glTF, OBJ and PLY files, at 4 bytes per texel. Larger sets are reduced with a
-  /// warning: the largest textures are halved until all fit. Lookup tables for rendering take another 2.7 times as much.
+  /// Another folder that, with its subfolders, may contain files the scene refers to. Empty: only the scene's own folder may.
+  std::filesystem::path asset_root{};
+  std::string animation{};  ///< name or index of the animation to play; empty: the first
+  /// Memory limit for the decoded textures of glTF, OBJ and PLY files, at 4 bytes per texel. If the textures exceed it, the
+  /// largest ones are halved until all fit, with a warning. Lookup tables for rendering take another 2.7 times as much.
   std::uint64_t texture_bytes = std::uint64_t{1024} << 20;
-  double point_size =
-      0.0;  ///< point diameter for PLY files that contain only points, in file units; 0: derived from their spacing
+  /// Diameter of the points of PLY files that contain only points, in file units. 0: derived from their spacing.
+  double point_size = 0.0;
   std::string variant{};  ///< name or index of the material variant; empty: the file's default
 };
 
@@ -33,8 +33,8 @@ Scene load_scene(const std::string& name, const LoadOptions& options, const Cont
 /// Returns kPhysical for unreadable files.
 SceneKind scene_kind(const std::string& name);
 
-/// Checks every index, size and number of a scene (finite vertices, triangle indices, parents before children, radii > 0).
-/// Throws Error naming `where` and the element.
+/// Checks every index, size and number of a scene (for example: finite vertices, valid triangle indices, parents before
+/// children, radii > 0). Throws Error naming `where` and the element.
 void validate(const Scene& scene, const std::string& where);
 
 }  // namespace lippmann

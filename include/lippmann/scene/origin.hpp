@@ -1,8 +1,8 @@
 // Moves scenes that lie far from their coordinate origin, such as buildings in map coordinates.
 //
 // A float has a 24-bit significand. An image of 4,096 pixels that shows the whole scene needs 12 bits to distinguish pixels, 4
-// more for a sixteenth of a pixel, and 2 for rounding errors of a few transforms. That leaves 6: a scene whose centre is more
-// than 2^6 times its diagonal away from the origin gets its own origin, Scene::origin. The same applies if only a group of
+// more for a sixteenth of a pixel, and 2 for rounding errors of a few transforms. That leaves 6 bits: a scene whose centre is
+// more than 2^6 times its diagonal away from the origin gets its own origin, Scene::origin. The same applies if only a group of
 // instances is that far away, provided that this group is larger than all other instances together, for example a building on a
 // map with a marker at the map's origin. Other scenes stay unchanged.
 #pragma once

@@ -17,7 +17,7 @@ struct ResolvedScene {
 };
 
 /// Evaluates all nodes at a time in seconds. Equal times give equal bits. Throws Error if a node's parent does not come before
-/// it or an animated node does not exist; apart from that, all functions in this header need a scene that passes validate()
+/// it or an animated node does not exist. Otherwise, all functions in this header need a scene that passes validate()
 /// (scene/load.hpp). Cubic splines follow glTF 2.0, appendix C ("Animation sampler interpolation modes").
 ResolvedScene evaluate(const Scene& scene, double time);
 
@@ -31,8 +31,8 @@ bool keys_fall_on_frames(const Timeline& timeline, double frames_per_second);
 /// Returns for each node whether its morph weights ever change.
 std::vector<bool> morphing_nodes(const Scene& scene);
 
-/// Returns the bounds of everything finite (planes are left out) at one time, along the axes of the world or of another frame.
-/// Empty if nothing is finite. Outlying splats are ignored.
+/// Returns the bounds of all finite shapes (that is, without planes) at one time, along the axes of the world or of another
+/// frame. Empty if there are no finite shapes. Outlying splats are ignored.
 Bounds3f finite_bounds(const Scene& scene, const ResolvedScene& resolved, const Affine3f& frame_from_world = {});
 
 /// Returns the bounds of one instance. They are exact in any affine frame, including sheared ones.

@@ -1,4 +1,4 @@
-// Selects the camera that defines the view, by name or index, and the up axis of a file.
+// Selects the camera that defines the view, by name or index, and makes a file's up axis vertical.
 #pragma once
 
 #include <cstddef>
@@ -17,14 +17,15 @@ std::vector<std::string> camera_names(const Scene& scene);
 /// Returns the values that choose_camera() accepts, such as "Front (0), Side (1)".
 std::string list_cameras(const std::vector<std::string>& names);
 
-/// Moves the camera with the given name, or else with that index, to the front. The first camera defines the view, even if the
-/// scene places an array of its own. An empty string changes nothing. Throws a usage Error that lists the cameras.
+/// Moves the camera with the given name, or else with that index, to the front of the scene's list. The first camera defines
+/// the view, even if the scene places an array of its own. An empty string changes nothing. Throws a usage Error that lists the
+/// cameras.
 void choose_camera(Scene& scene, const std::string& wanted);
 
-/// The same by index only. Throws a usage Error that lists the cameras.
+/// Moves the camera with the given index to the front of the scene's list. Throws a usage Error that lists the cameras.
 void choose_camera(Scene& scene, std::size_t index);
 
-/// Rotates the whole scene about the origin so that the file's axis `up` becomes +y.
+/// Rotates the whole scene about the origin so that the axis `up` of the file becomes +y.
 void turn_upright(Scene& scene, UpAxis up);
 
 }  // namespace lippmann

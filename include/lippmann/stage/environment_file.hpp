@@ -1,4 +1,4 @@
-// Reads a panorama that lights a scene from the user's file.
+// Reads a panorama that lights a scene from a file.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,8 @@
 namespace lippmann {
 
 /// Reads an equirectangular .hdr or .exr with linear light; grey is repeated in all channels. Clamps negative samples to 0.
-/// strength: factor. rotation_deg: about the vertical. Warns about ignored data in the file. Throws Error that names the file.
+/// strength: factor for the light. rotation_deg: rotation about the vertical. Warns about ignored data in the file. Throws
+/// Error that names the file.
 EnvironmentMap read_environment(const std::filesystem::path& path, float strength, float rotation_deg,
                                 const Context& context = Context());
 

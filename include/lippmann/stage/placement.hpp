@@ -11,21 +11,22 @@
 
 namespace lippmann {
 
-/// Optics, and their size in a scene.
+/// Optics with their size in a scene.
 struct PlacedOptics {
   Optics optics{};
   float units_per_mm = 1.0f;  ///< world units per millimetre, for world_from_display (stage/fit_array.hpp)
-  bool for_display = false;   ///< the optics belong to a display, given by name or file, which shows views as beams
-  float depth_scale = 1.0f;   ///< parallax of the optics, see with_parallax; below 1 the scene is shown with reduced depth
+  /// True: the optics belong to a display, given by name or file. Such displays show each view as a beam of finite width.
+  bool for_display = false;
+  float depth_scale = 1.0f;  ///< parallax of the optics, see with_parallax; below 1 the scene is shown with reduced depth
 };
 
-/// Placed optics, and their plane in the scene.
+/// Optics with their size and their plane in the scene.
 struct Placement {
   FittedArray array{};
   PlacedOptics placed{};
 };
 
-/// Options of a placement. Options that are not set are fitted.
+/// Options of a placement. Options that are not set are chosen automatically.
 struct PlacementWish {
   ViewWish view{};
   std::optional<bool> fit_depth{};  ///< see fits_depth()
@@ -37,21 +38,21 @@ enum class DisplayPicture {
   kQuilt,   ///< views side by side (quilt_optics), which the display's player distributes over the panel
 };
 
-/// Returns whether the depth of a scene is reduced to what the optics resolve (PlacedOptics::depth_scale): `wish` if it is set.
-/// Otherwise depth is fitted, except for views that are not for a screen, because such views are data (a quilt to be converted,
-/// a camera grid) for an unknown display. is_for_screen: the optics belong to a display or to a stereo image.
+/// Returns whether the depth of a scene is reduced to the range that the optics resolve (PlacedOptics::depth_scale). Returns
+/// `wish` if it is set. Otherwise returns true, except for views that are not for a screen: such views are data for an unknown
+/// display (a quilt to be converted, a camera grid). is_for_screen: the optics belong to a display or to a stereo image.
 bool fits_depth(std::optional<bool> wish, const Optics& optics, bool is_for_screen);
 
-/// Returns optics in the proportions of the fitted array, with full depth or with depth fitted to their resolution. Rays begin
-/// at the optics' viewer, or in front of the first wall behind the viewer of the fit. Throws Error like validate().
+/// Returns optics scaled to the fitted array, with full depth or with depth fitted to their resolution. Rays begin at the
+/// optics' viewer, or in front of the first wall behind the viewer of the fit. Throws Error as validate() does.
 PlacedOptics placed_on(const Scene& scene, const FittedArray& array, Optics optics, bool fit_depth);
 
 /// Places optics, given in their own millimetres, in a scene: in the plane of fit_array(), with the window of the optics as
-/// high as that plane. Keeps the optics' viewing distance. Throws Error like fit_array() and like validate() of the scene and
-/// the optics.
+/// high as that plane. Keeps the optics' viewing distance. Throws Error as fit_array() does, and if the scene or the optics do
+/// not pass validate().
 Placement place(const Scene& scene, const Optics& optics, const PlacementWish& wish = {});
 
-/// The same for the optics of a display. Throws Error for a quilt if the display has none.
+/// Places the optics of a display in the same way. Throws Error if `picture` is kQuilt and the display has no quilt.
 Placement place(const Scene& scene, const Display& display, DisplayPicture picture, const PlacementWish& wish = {});
 
 }  // namespace lippmann

@@ -1,6 +1,7 @@
 // The user's options for the view (stage/fit_array.hpp).
 //
-// A node is selected by its name, which includes everything below it, or by the name of a visible object.
+// A node is selected by its name, together with everything below it in the hierarchy. The name of a visible object selects that
+// object.
 #pragma once
 
 #include <string>
@@ -15,9 +16,10 @@ struct Orbit {
 };
 
 struct ViewWish {
-  std::string focus{};   ///< a node's name, X,Y,Z in the world, or a distance from the viewer; may be empty
-  std::string fit_to{};  ///< a node's name, or "all" for the whole scene unless a node is called so; may be empty
-  float zoom = 1.0f;     ///< > 0; divides the visible size of the plane
+  std::string focus{};  ///< a node's name, X,Y,Z in the world, or a distance from the viewer; may be empty
+  /// A node's name, or "all" for the whole scene (unless a node has this name); may be empty.
+  std::string fit_to{};
+  float zoom = 1.0f;  ///< > 0; the visible size of the plane is divided by it
   Orbit orbit{};
 };
 

@@ -17,23 +17,24 @@ namespace lippmann {
 
 enum class Aov : std::uint8_t {
   kDepth,       ///< z in display mm (> 0 in front of the array)
-  kNormal,      ///< unit, world space, towards the ray
+  kNormal,      ///< unit length, world space, towards the origin of the ray
   kId,          ///< index in Scene::instances
   kPosition,    ///< world space
-  kRayDepth,    ///< mm along the ray from its start (resolved_z_front_mm); for views, from the eye
+  kRayDepth,    ///< mm along the ray from its start (resolved_z_front_mm); for views, mm from the eye
   kAlbedo,      ///< base colour, including textures and vertex colours
-  kMotion,      ///< pixels to the right and down since the previous frame: see place_in_view
+  kMotion,      ///< movement since the previous frame, in pixels to the right and down: see place_in_view
   kProvenance,  ///< source of the pixel: a value of Provenance
   kDirect,      ///< path tracing only: emission, and light that one surface has scattered
-  kIndirect,    ///< path tracing only: all other light; kDirect + kIndirect equals the film before denoising, up to rounding
-  kAlpha,       ///< coverage of the pixel, including partial alpha; the film then omits the surroundings
+  /// Path tracing only: all other light. kDirect + kIndirect equals the film before denoising, up to rounding.
+  kIndirect,
+  kAlpha,  ///< coverage of the pixel, including partial alpha; if requested, the film omits the surroundings
 };
 
-/// Source of a pixel: the values of Aov::kProvenance. A pixel is missed if no point of another frame lands on it.
+/// Source of a pixel: the values of Aov::kProvenance. A pixel is missed if no point of another frame is projected onto it.
 enum class Provenance : std::uint8_t {
-  kTraced,        ///< in this frame
-  kCopied,        ///< from a key frame; the pixel provably does not change
-  kInterpolated,  ///< from points of other frames
+  kTraced,        ///< traced in this frame
+  kCopied,        ///< copied from a key frame; the pixel provably does not change
+  kInterpolated,  ///< interpolated from points of other frames
   kFilled,        ///< missed, and filled from its neighbours
   kRetraced,      ///< missed, and traced
   kBlack,         ///< missed, and left black
@@ -52,15 +53,15 @@ static_assert(std::size(kProvenanceInfos) == static_cast<std::size_t>(Provenance
 /// How a layer is computed.
 enum class AovOrigin : std::uint8_t {
   kFirstHit,  ///< one ray through the pixel's centre
-  kLight,     ///< averaged over all samples of the pixel while it is lit
-  kFrame,     ///< reported by the frame maker at no cost to the frame
+  kLight,     ///< averaged over all samples that the pixel's light is computed from
+  kFrame,     ///< reported by the code that makes the frame, at no cost
 };
 
 /// Properties of a layer. To add a layer, add a value of Aov, a row below and the code that computes it.
 struct AovInfo {
   std::string_view name{};  ///< name in flags, files and other programs
   int channels{};
-  float nothing{};  ///< value of pixels without a hit
+  float nothing{};  ///< value of the pixels whose ray hits nothing
   AovOrigin origin{};
   /// Channel names in OpenEXR, as compositing programs expect them: "layer.channel", or "channel" if the layer has no name.
   /// Layers are stored as float if half is not precise enough.
