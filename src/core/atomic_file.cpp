@@ -34,10 +34,11 @@ void check_destination(const fs::path& path) {
 
 constexpr std::string_view kMark = ".tmp-";
 
-/// Returns eight unique letters: processes in containers may share host names and process ids.
+/// Returns eight random hexadecimal digits. They make names unique, since processes in containers may share host names and
+/// process ids.
 std::string unique_letters() { return fmt::format("{:08x}", platform::random_bits()); }
 
-/// The parsed form of `.STEM.tmp-PID-HOST-LETTERS.EXT` with this machine's host name: the position of the mark, and PID.
+/// A parsed name of the form `.STEM.tmp-PID-HOST-LETTERS.EXT` with this machine's host name: the position of ".tmp-", and PID.
 struct TemporaryName {
   std::size_t mark;
   int process;
@@ -51,7 +52,7 @@ std::optional<TemporaryName> parse_temporary(std::string_view name) {
   const auto [end, problem] = std::from_chars(rest.data(), rest.data() + rest.size(), process);
   if (problem != std::errc{} || process <= 0) return std::nullopt;
   const std::string_view after = rest.substr(static_cast<std::size_t>(end - rest.data()));
-  constexpr std::size_t kLetters = 9;  // including the dash
+  constexpr std::size_t kLetters = 9;  // length of "-LETTERS"
   const std::string_view name_and_letters = after.substr(0, after.find('.'));
   if (name_and_letters.size() < kLetters) return std::nullopt;
   if (name_and_letters.substr(0, name_and_letters.size() - kLetters) != fmt::format("-{}", platform::host_name()))

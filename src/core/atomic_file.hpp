@@ -1,8 +1,10 @@
-// Files that appear under their final name only when complete: they are written next to it and then renamed.
+// Files that appear under their final name only when complete: they are written under another name in the same folder and then
+// renamed.
 //
 // After a crash, at most a hidden file named .<stem>.tmp-<process id>-<host>-<letters><extension> remains in the same folder
-// (libraries need the extension to choose a format); remove_stale_temporaries() removes it. After a loss of power, the previous
-// file may remain, but never half a file; sync_folder (core/platform.hpp) ensures that the new file remains.
+// (libraries need the extension to choose a format); remove_stale_temporaries() removes it. After a loss of power, the file may
+// have its previous contents, but never half of the new ones. Call sync_folder (core/platform.hpp) to make sure that the new
+// file survives.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +13,7 @@
 
 namespace lippmann {
 
-/// For code that writes through a library that needs a path: pass temporary_path(), then call commit().
+/// A file that a library writes by its path: pass temporary_path() to the library, then call commit().
 class AtomicFile {
  public:
   /// Throws Error if the folder is missing or not writable, or if the name belongs to something other than a regular file.
@@ -35,8 +37,8 @@ class AtomicFile {
 /// Writes a whole file atomically. Throws Error that names `path` if the disk is full or anything else fails.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-/// Removes incomplete files of terminated processes of this machine from a folder; with `file`, only those of that file.
-/// Ignores files that cannot be read or removed.
+/// Removes incomplete files from a folder if the process of this machine that wrote them has ended. With `file`, removes only
+/// those of that file. Ignores files that cannot be read or removed.
 void remove_stale_temporaries(const std::filesystem::path& folder, const std::filesystem::path& file = {});
 
 }  // namespace lippmann

@@ -28,7 +28,8 @@ struct BackgroundQueue::Impl {
   std::vector<std::thread> threads;
 
   explicit Impl(int most_pieces) : capacity(most_pieces) {}
-  ~Impl();  // also runs if a thread cannot start and the constructor of the queue throws
+  ~Impl();  // separate from the queue's destructor, so that it also runs if a thread cannot start and the queue's constructor
+            // throws
 
   void start(int number);
   void serve();
@@ -40,7 +41,7 @@ BackgroundQueue::Impl::~Impl() {
   {
     const std::lock_guard lock(mutex);
     stopping = true;
-    waiting.clear();  // the newest pieces: no earlier turn waits for them
+    waiting.clear();  // safe: these are the newest pieces, and no running piece waits for a later one
   }
   changed.notify_all();
   for (std::thread& thread : threads) thread.join();
@@ -78,7 +79,7 @@ void BackgroundQueue::Impl::serve() {
     changed.wait(lock, [&] { return next_turn == piece.turn; });
     lock.unlock();
     run(piece.in_order);
-    piece = {};  // free its data before the next piece can be submitted
+    piece = {};  // frees the piece's data before the next piece can be submitted
 
     lock.lock();
     ++next_turn, --existing;
@@ -109,7 +110,7 @@ void BackgroundQueue::submit(std::function<void()> work, std::function<void()> i
   const bool accepted = !impl_->failed;
   if (accepted) {
     impl_->waiting.push_back({impl_->submitted, std::move(work), std::move(in_order)});
-    ++impl_->submitted, ++impl_->existing;  // increment last: an unassigned turn would never end
+    ++impl_->submitted, ++impl_->existing;  // after push_back, which may throw: a turn without a piece would never end
   }
   lock.unlock();
   impl_->changed.notify_all();

@@ -1,9 +1,9 @@
 // Runs a bounded number of pieces of work on separate threads, for example to compress and write files while the next frame is
 // traced.
 //
-// oneTBB's flow graph is not suitable, although its sequencer and limiter nodes provide the same order and bound: its tasks run
-// on the tracing workers, one per core. A task that waits for a disk blocks its worker, and while all workers trace, finished
-// frames pile up. With separate threads, the operating system schedules both.
+// oneTBB's flow graph is not suitable, although its sequencer and limiter nodes provide the same order and bound, because its
+// tasks run on the tracing workers, one per core. A task that waits for a disk would block its worker, and while all workers
+// trace, finished frames would pile up. With separate threads, the operating system schedules both.
 #pragma once
 
 #include <functional>
@@ -26,7 +26,8 @@ class BackgroundQueue {
   BackgroundQueue(const BackgroundQueue&) = delete;
   BackgroundQueue& operator=(const BackgroundQueue&) = delete;
 
-  /// Waits until fewer than `capacity` pieces exist, then queues this one. A later call reports its failure.
+  /// Waits until fewer than `capacity` pieces exist, then queues a new one. If the piece throws, a later call of submit() or
+  /// finish() reports it.
   void submit(std::function<void()> work, std::function<void()> in_order = {});
 
   /// Waits until all pieces have finished.

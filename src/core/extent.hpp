@@ -1,9 +1,9 @@
-// Numbers of columns and rows in flags and job files.
+// A number of columns and a number of rows, as in flags and job files.
 #pragma once
 
 namespace lippmann {
 
-/// 0 means "not given"; the value follows from other parameters.
+/// 0 means "not given"; the number then follows from other parameters.
 template <class T>
 struct Extent {
   T x = 0, y = 0;

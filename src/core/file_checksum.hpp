@@ -19,7 +19,8 @@ struct FileChecksum {
 /// Returns the checksum of bytes.
 FileChecksum checksum_of(std::span<const std::byte> bytes);
 
-/// Returns nothing if the file does not exist, is not a regular file (FIFOs do not block), or cannot be read.
+/// Returns the checksum of a file, or nothing if it does not exist, is not a regular file (FIFOs do not block), or cannot be
+/// read.
 std::optional<FileChecksum> file_checksum(const std::filesystem::path& path);
 
 }  // namespace lippmann

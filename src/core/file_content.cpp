@@ -96,7 +96,7 @@ bool is_text(std::string_view begin) {
   });
 }
 
-/// Returns whether the file begins with P1 to P7 and white space.
+/// Returns whether the file begins with P1 to P7, followed by white space or a comment.
 bool is_netpbm_kind(std::string_view begin) {
   return begin.size() > 2 && begin[0] == 'P' && begin[1] >= '1' && begin[1] <= '7' &&
          std::string_view(" \t\r\n#").find(begin[2]) != std::string_view::npos;
@@ -104,7 +104,8 @@ bool is_netpbm_kind(std::string_view begin) {
 
 std::string first_line(std::string_view text) { return std::string(text.substr(0, text.find_first_of("\r\n"))); }
 
-/// Returns the size in bytes from a pointer "oid sha256:...\nsize 12345".
+/// Returns the file size stated in a Git LFS pointer ("oid sha256:...
+/// size 12345") as text for a message.
 std::string pointed_size(std::string_view pointer) {
   constexpr std::string_view kKey = "\nsize ";
   const std::size_t at = pointer.find(kKey);

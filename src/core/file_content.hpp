@@ -1,13 +1,14 @@
 // Guesses the contents of a file from its first bytes, for error messages.
 //
-// Use it if the bytes are not in the format of a reader:
+// Example, for bytes that are not in the format of a reader:
 //
 //   const FileContent content = describe_content(bytes);
 //   throw Error(where, "cannot be read as glTF: it is " + content.what,
 //               content.advice.empty() ? "a .glb or .gltf file" : content.advice);
 //
-// A file with advice is a placeholder for the intended file: an empty file, a Git LFS pointer or a web page. Text readers do
-// not accept these either, so they may call stand_in_for_file() before parsing.
+// If `advice` is not empty, the file is a placeholder for the intended file: an empty file, a Git LFS pointer or a web page.
+// Readers of text formats reject placeholders too, but with messages about syntax, so they may call stand_in_for_file() before
+// parsing.
 #pragma once
 
 #include <cstddef>
@@ -22,11 +23,11 @@ struct FileContent {
   std::string advice;  ///< how to get the intended file; empty unless the file is a placeholder
 };
 
-/// Describes a file. `begin` is the whole file or at least its first 512 bytes; empty only for an empty file. `what` is
-/// printable.
+/// Describes a file. `begin` is the whole file or at least its first 512 bytes; it is empty only for an empty file. The
+/// result's `what` is printable.
 FileContent describe_content(std::span<const std::byte> begin);
 
-/// Describes placeholders only; returns nothing for other files.
+/// Describes a file that is a placeholder; returns nothing for other files.
 std::optional<FileContent> stand_in_for_file(std::span<const std::byte> begin);
 
 }  // namespace lippmann

@@ -12,7 +12,7 @@ namespace lippmann {
 
 class Fingerprint {
  public:
-  /// Adds bytes and their number.
+  /// Adds bytes, and their number, to the hash.
   void add_bytes(const void* bytes, std::size_t size) {
     mix(size);
     const auto* at = static_cast<const unsigned char*>(bytes);
@@ -35,7 +35,8 @@ class Fingerprint {
     return value;
   }
 
-  /// Applies FNV-1a's step to a word, and folds the upper half back so that every bit affects every other.
+  /// Multiplies as FNV-1a does, with a word in place of a byte, and folds the upper half back so that every bit affects every
+  /// other.
   void mix(std::uint64_t value) {
     state_ = (state_ ^ value) * 0x9e3779b97f4a7c15u;
     state_ ^= state_ >> 32;

@@ -38,7 +38,8 @@ NewFolder::NewFolder(fs::path folder) {
 NewFolder::~NewFolder() {
   std::error_code problem;
   for (const fs::path& folder : made_)
-    if (fs::is_directory(folder, problem)) fs::remove(folder, problem);  // fails for folders that are not empty
+    if (fs::is_directory(folder, problem))
+      fs::remove(folder, problem);  // fails for folders that are not empty, which is intended
 }
 
 }  // namespace lippmann

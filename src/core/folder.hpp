@@ -6,7 +6,7 @@
 
 namespace lippmann {
 
-/// Creates a folder and its parents. An empty path is the working folder, which exists. Throws Error that names the folder.
+/// Creates a folder and its parents. An empty path means the working folder, which exists. Throws Error that names the folder.
 void make_folder(const std::filesystem::path& folder);
 
 /// Removes a file, a link or an empty folder if it exists. Throws Error that names it if that fails.
@@ -23,7 +23,7 @@ class NewFolder {
   NewFolder& operator=(const NewFolder&) = delete;
 
  private:
-  std::vector<std::filesystem::path> made_;  ///< the deepest first
+  std::vector<std::filesystem::path> made_;  ///< the folders that the constructor created, the deepest first
 };
 
 }  // namespace lippmann

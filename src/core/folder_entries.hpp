@@ -7,8 +7,8 @@
 
 namespace lippmann {
 
-/// Compares letter by letter, and runs of digits by value. A strict order of all names: names that differ only in leading zeros
-/// are not equal.
+/// Compares letters by their codes, and runs of digits by value. Different names are never equal, even if they differ only in
+/// leading zeros.
 bool natural_less(std::string_view a, std::string_view b);
 
 /// Returns the entries of a folder, except hidden ones (.name), in natural order. Throws Error that names the folder if it

@@ -7,7 +7,7 @@
 
 namespace lippmann {
 
-/// Every step-th frame from `first` to `last`.
+/// The frames first, first + step, ... up to `last`.
 struct FrameRange {
   int first = 0;
   int last = 0;
@@ -21,7 +21,7 @@ using FrameRanges = std::vector<FrameRange>;
 /// Returns the frames of the ranges, each once, in ascending order.
 std::vector<int> frames_of(const FrameRanges& ranges);
 
-/// Returns the fewest ranges of consecutive frames for an ascending list.
+/// Returns the smallest number of ranges of consecutive frames that cover an ascending list.
 FrameRanges ranges_of(const std::vector<int>& frames);
 
 /// Parses "3-7", "3" for one frame, "0-10:2" for every second one, or several of these separated by commas. Throws a usage

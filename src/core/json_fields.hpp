@@ -1,5 +1,5 @@
 // Checked access to the members of a JSON object. Errors name the file, the object, the key and the accepted values. Use this
-// for untrusted files (glTF has a schema, src/scene/gltf/schema.hpp).
+// for untrusted files, except glTF, which has a schema (src/scene/gltf/schema.hpp).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -20,7 +20,7 @@ struct NumberRange {
 inline constexpr NumberRange kAnyNumber{-1e30, 1e30};
 inline constexpr NumberRange kAnyCount{1.0, 1e9};
 
-/// A null member counts as missing, unless stated otherwise.
+/// Reads the members of an object. A null member counts as missing, unless stated otherwise.
 class JsonFields {
  public:
   using Json = nlohmann::ordered_json;
@@ -30,7 +30,7 @@ class JsonFields {
   JsonFields(const Json& json, std::string where, std::string object);
 
   bool has(std::string_view key) const { return !value(key).is_null(); }
-  /// Returns null for a missing member.
+  /// Returns a member's value, or null if it is missing.
   const Json& value(std::string_view key) const;
 
   double number(std::string_view key, NumberRange range = kAnyNumber) const;
@@ -41,7 +41,7 @@ class JsonFields {
   float float_or_infinity(std::string_view key) const;
   int whole(std::string_view key, NumberRange range) const;
   int whole_or(std::string_view key, NumberRange range, int otherwise) const;
-  /// Returns true, false, or whether a number is not 0.
+  /// Returns the member as a boolean: true, false, or for a number, whether it is not 0.
   bool flag_or(std::string_view key, bool otherwise) const;
   std::string text(std::string_view key) const;
   std::string text_or(std::string_view key, std::string otherwise) const;
@@ -50,11 +50,11 @@ class JsonFields {
   std::vector<double> numbers(std::string_view key, std::size_t count, NumberRange range = kAnyNumber) const;
   glm::dvec2 pair(std::string_view key, NumberRange range = kAnyNumber) const;
   Vec2i whole_pair(std::string_view key, NumberRange range) const;
-  /// Returns the index of the text in `words`.
+  /// Returns the index in `words` of the member's text.
   std::size_t word(std::string_view key, const std::vector<std::string_view>& words) const;
   std::size_t word_or(std::string_view key, const std::vector<std::string_view>& words, std::size_t otherwise) const;
 
-  /// Returns a nested object.
+  /// Returns the member as a nested object.
   JsonFields inner(std::string_view key) const;
   /// Returns `json`, which is part of the value of `key`, as an object.
   JsonFields element(std::string_view key, const Json& json) const { return {json, where_, std::string(key)}; }
@@ -62,7 +62,7 @@ class JsonFields {
   std::vector<double> numbers_in(std::string_view key, const Json& json, std::size_t count,
                                  NumberRange range = kAnyNumber) const;
 
-  /// Throws Error for a key that is not in the list, with the most similar one.
+  /// Throws Error for a key that is not in the list; the message suggests the most similar key.
   void allow_only(const std::vector<std::string_view>& keys) const;
   /// Throws Error for a key that no member function has read.
   void allow_read() const { allow_only(std::vector<std::string_view>(read_.begin(), read_.end())); }
@@ -75,10 +75,10 @@ class JsonFields {
 
   const Json& json_;
   std::string where_, object_;
-  mutable std::vector<std::string> read_;  ///< keys that were read, including missing ones
+  mutable std::vector<std::string> read_;  ///< keys that were read, including those of missing members
 };
 
-/// Returns null for infinity and NaN: see float_or_infinity().
+/// Returns the value, or null if it is infinite or NaN. float_or_infinity() reads it.
 nlohmann::ordered_json finite_or_null(double value);
 
 }  // namespace lippmann

@@ -1,5 +1,5 @@
-// Modules: shared objects next to the program with parts that need libraries most commands do not need. They are loaded on
-// first use.
+// Modules: shared objects next to the program. They contain the parts that need libraries which most commands do not need, and
+// are loaded on first use.
 #pragma once
 
 #include <string>
@@ -7,14 +7,15 @@
 namespace lippmann {
 
 struct ModuleName {
-  const char* file;     ///< for example liblippmann_video.so
-  const char* entry;    ///< its only exported function: const void* entry(int version); returns null for another version
-  const char* purpose;  ///< for messages, for example "videos"
+  const char* file;  ///< for example liblippmann_video.so
+  /// Its only exported function: const void* entry(int version). It returns null if it does not support the version.
+  const char* entry;
+  const char* purpose;  ///< what needs the module, for messages; for example "videos"
   const char* package;  ///< the package that installs it
 };
 
-/// Returns the result of the module's entry function for a version. The module is never unloaded, because its libraries do not
-/// support that. Throws Error that names the module and the missing part: the module itself or a library.
+/// Calls the module's entry function with `version` and returns its result. The module is never unloaded, because its libraries
+/// do not support that. Throws Error that names the module and what is missing: the module itself or a library.
 const void* load_module(const ModuleName& module, int version);
 
 /// Returns whether the module's file exists.

@@ -1,11 +1,13 @@
 // LIPPMANN_MULTIVERSION before a function definition compiles the function once per instruction set (AVX-512, AVX2, baseline);
 // the loader selects one version. LIPPMANN_INLINE marks the small functions inside such kernels.
 //
-// Write plain loops over lanes or pixels: the compiler vectorises them for each set. Only inlined code uses the wide
-// instructions, hence LIPPMANN_INLINE. -ffp-contract=off (cmake/options.cmake) keeps all versions bit-identical.
+// Write plain loops over lanes or pixels: the compiler vectorises them for each instruction set. Only inlined code uses the
+// wide instructions, so mark the functions that the loops call with LIPPMANN_INLINE. -ffp-contract=off (cmake/options.cmake)
+// keeps all versions bit-identical.
 //
-// It needs x86-64, glibc (whose loader resolves such functions), and GCC or Clang 19. Other platforms have one version for the
-// compiler's target (-march). Clang 14 has the attribute, but its resolver does not test for architecture levels.
+// Multiple versions need x86-64, glibc (whose loader resolves such functions), and GCC or Clang 19. Other platforms have one
+// version for the compiler's target (-march). Clang 14 has the attribute, but its resolver does not test for architecture
+// levels.
 #pragma once
 
 #include <cstddef>  // defines __GLIBC__

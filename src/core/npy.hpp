@@ -1,4 +1,4 @@
-// NumPy's files of one array (.npy): reads versions 1 to 3, writes version 1.
+// Files with one NumPy array (.npy): reads versions 1 to 3, writes version 1.
 #pragma once
 
 #include <fmt/format.h>
@@ -21,11 +21,11 @@ struct NpyArray {
   std::vector<double> values;  ///< the last index runs fastest
 };
 
-/// Reads floats ('f4', 'f8') of either byte order, in C or Fortran order. Throws Error naming `where` for anything else, for
-/// more than two dimensions, and where the file does not have as many numbers as its header states.
+/// Reads an array of floats ('f4', 'f8') of either byte order, in C or Fortran order. Throws Error naming `where` for any other
+/// type, for more than two dimensions, and if the file does not have as many numbers as its header states.
 NpyArray parse_npy(std::span<const std::byte> file, const std::string& where);
 
-/// Returns the bytes of a file. type: NumPy's name of it, such as "<f4"; bytes: the array in C order.
+/// Returns the bytes of a file. type: NumPy's name for the type of the numbers, such as "<f4". bytes: the array in C order.
 std::vector<std::byte> npy_file(const std::string& type, const std::vector<std::size_t>& shape,
                                 std::span<const std::byte> bytes);
 

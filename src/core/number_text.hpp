@@ -9,8 +9,8 @@
 
 namespace lippmann {
 
-/// Returns the number if it is the whole text, otherwise nothing. Returns 0 for -0, because TOML would write it as an integer
-/// without sign.
+/// Returns the number if the whole text is a number, otherwise nothing. Returns 0 for -0, because TOML would write -0 as an
+/// integer without sign.
 template <class T>
 std::optional<T> parse_number(std::string_view text) {
   T value{};
@@ -23,7 +23,7 @@ std::optional<T> parse_number(std::string_view text) {
 /// Parses an integer from lowest to highest. Throws a usage Error at `where` with the accepted range.
 std::int64_t read_integer(std::string_view text, std::int64_t lowest, std::int64_t highest, const std::string& where);
 
-/// The same, or nothing for "auto".
+/// Parses an integer as read_integer() does; returns nothing for "auto".
 std::optional<int> read_integer_or_auto(std::string_view text, int lowest, int highest, const std::string& where);
 
 /// Parses a finite number from lowest to highest. Throws a usage Error at `where` with the accepted range.

@@ -22,12 +22,12 @@ DenormalsAreZero::~DenormalsAreZero() { platform::restore_float_control(saved_);
 
 namespace {
 
-/// Sums the CPU time of worker threads inside an arena. The time of a worker inside the arena is read from its thread's clock,
-/// which is valid because no thread ends before it has left.
+/// Sums the CPU time of worker threads inside an arena. While a worker is inside, its time is read from its thread's clock,
+/// which is valid because a thread leaves the arena before it ends.
 class CpuMeter : public tbb::task_scheduler_observer {
  public:
   explicit CpuMeter(tbb::task_arena& arena) : task_scheduler_observer(arena) { observe(true); }
-  /// Waits for workers that are entering or leaving.
+  /// Waits for workers that are entering or leaving the arena.
   ~CpuMeter() override {
     observe(false);
     order_.all_ended();

@@ -33,11 +33,11 @@ double available_memory_bytes(const std::filesystem::path& proc = "/proc",
 /// Returns the peak memory of this process, or 0 if unknown.
 std::uint64_t peak_memory_bytes();
 
-/// Returns the stack limit of the main thread, which also applies to other threads, or nothing if unlimited or unknown.
+/// Returns the stack limit of the main thread, which other threads use too, or nothing if it is unlimited or unknown.
 std::optional<std::uint64_t> stack_limit_bytes();
 
-/// Requests huge pages for memory that is reserved and not yet written, which reduces TLB misses. Has no effect if unsupported,
-/// or below some megabytes.
+/// Requests huge pages for memory that is reserved and not yet written, to reduce TLB misses. Has no effect if unsupported, or
+/// for less than 8 MB.
 void prefer_huge_pages(void* memory, std::size_t bytes);
 
 /// Reserves room for `count` values, in huge pages if possible.
@@ -52,7 +52,7 @@ void reserve_huge(std::vector<T>& values, std::size_t count) {
 /// Returns the processor's name for timing reports, or "unknown".
 std::string cpu_model();
 
-/// Returns the number of processors that this process may run on, by its affinity; at least 1.
+/// Returns the number of processors that this process may run on (its affinity mask); at least 1.
 int usable_cpus();
 /// Returns the number of online processors of the machine; at least 1.
 int online_cpus();
@@ -78,18 +78,18 @@ class ThreadClock {
 
 /// Returns the machine's host name, or an empty string.
 std::string machine_name();
-/// Returns the host name reduced to at most 64 letters, digits and dashes, for files that several machines write into one
-/// folder; "host" if nothing remains.
+/// Returns the host name reduced to at most 64 letters, digits and dashes, for names of files that several machines write into
+/// one folder. Returns "host" if nothing remains.
 std::string host_name();
 /// Returns the system's name and version, such as "Linux 6.1.0".
 std::string system_name();
 
-/// Returns 32 random bits from the system, or 0 if it has no source.
+/// Returns 32 random bits from the system, or 0 if the system has no source of random bits.
 std::uint32_t random_bits();
 
 // ---- Files (platform_files.cpp) -------------------------------------------------------------------------------------------
 
-/// A file handle, or none. Not thread-safe, except for renew().
+/// A handle of a file, which may be closed. Not thread-safe, except for renew().
 class OpenFile {
  public:
   enum class Mode {
@@ -123,7 +123,7 @@ class OpenFile {
 
   /// Returns whether the path still refers to this file.
   bool is_at(const std::filesystem::path& path) const;
-  /// Sets the modification time to now, which renews a lease. May run concurrently with other calls.
+  /// Sets the modification time to now. Used to renew leases. May run concurrently with other calls.
   void renew() const;
 
  private:
@@ -131,8 +131,8 @@ class OpenFile {
 };
 
 /// Waits until a file's bytes (or a folder's names) are on the disk, so that they survive a loss of power. Throws Error that
-/// names the file if that fails. Ignores file systems without this operation, and unreadable folders. An empty folder name is
-/// the working folder.
+/// names the file if that fails. Has no effect on file systems without this operation and on unreadable folders. An empty
+/// folder name means the working folder.
 void sync_file(const std::filesystem::path& file);
 void sync_folder(const std::filesystem::path& folder);
 
@@ -153,8 +153,8 @@ int process_id();
 /// Returns whether no process has the id.
 bool is_process_gone(int process);
 
-/// Another process of this machine. The handle keeps referring to that process, even if its id is reused. If a system does not
-/// support this, every process exists and none is visible.
+/// Another process of this machine. The handle refers to the same process even if its id is reused. If a system does not
+/// support this, every process counts as existing and none as visible.
 class ProcessHandle {
  public:
   explicit ProcessHandle(int process);
@@ -165,7 +165,7 @@ class ProcessHandle {
   bool is_there() const { return descriptor_ >= 0; }
   /// Returns whether this process may list the other one's open files.
   bool is_visible() const;
-  /// Returns whether the process has the file open for writing, as far as visible.
+  /// Returns whether the process has the file open for writing. Returns false if this process may not see the other's files.
   bool writes(const std::filesystem::path& file) const;
   /// Interrupts the process like Ctrl-C. Returns whether that succeeded.
   bool interrupt() const;
@@ -176,7 +176,7 @@ class ProcessHandle {
 
 struct ChildCommand {
   std::vector<std::string> words;       ///< the program, searched in PATH unless it is a path, and its arguments
-  std::filesystem::path folder = {};    ///< working folder; empty: that of this process
+  std::filesystem::path folder = {};    ///< working folder; empty: the working folder of this process
   bool is_silent = false;               ///< its standard input is empty and its output is discarded
   std::filesystem::path messages = {};  ///< for silent children: an existing file to which standard error is appended
 };
@@ -206,39 +206,42 @@ class ChildProcess {
   double cpu_seconds_ = 0.0;
 };
 
-/// Opens an address in the user's browser, which may run for days. Returns whether it could be started.
+/// Opens an address in the user's browser. The browser's process may run for days. Returns whether it could be started.
 bool open_in_browser(const std::string& address);
 
 /// Returns whether standard error is a terminal.
 bool is_stderr_terminal();
 
-/// Opens the standard streams that were closed at the start, without contents. Otherwise the next opened file would replace one
-/// of them.
+/// Opens those standard streams that were closed when the process started, as empty files. Otherwise the next file opened would
+/// take the place of one of them.
 void open_missing_streams();
 
-/// Turns writes to a closed pipe, or beyond the file size limit, into errors instead of signals that end the process.
+/// Makes writes to a closed pipe, or beyond the file size limit, fail with an error. By default they send signals that end the
+/// process.
 void ignore_write_signals();
 
 // ---- Modules (platform_modules.cpp) ---------------------------------------------------------------------------------------
 
-/// Returns the running program's file, or an empty path.
+/// Returns the path of the running program's file, or an empty path.
 std::filesystem::path program_file();
-/// Returns the program or shared library that contains the code at an address, or an empty path.
+/// Returns the path of the program or shared library that contains the code at an address, or an empty path.
 std::filesystem::path file_of_code(const void* address);
 
-/// Loads a shared library with hidden symbols for the rest of the process. Returns null and a message on failure.
+/// Loads a shared library, with its symbols hidden, until the process ends. Returns null on failure, and a message in
+/// `problem`.
 void* load_library(const std::filesystem::path& file, std::string& problem);
 /// Returns the address of a symbol of a loaded library, or null.
 void* find_symbol(void* library, const char* name);
 
 // ---- Sockets (platform_sockets.cpp) ---------------------------------------------------------------------------------------
 
-/// A TCP socket, or none. No call blocks. Not thread-safe.
+/// A handle of a TCP socket, which may be closed. No call blocks. Not thread-safe.
 class Socket {
  public:
   struct Transfer {
     std::size_t bytes = 0;
-    bool is_over = false;  ///< the other end has closed, or the connection failed; if false and bytes is 0, try again later
+    /// The other end has closed, or the connection failed. If this is false and `bytes` is 0, try again later.
+    bool is_over = false;
   };
 
   Socket() = default;
@@ -248,7 +251,7 @@ class Socket {
   Socket(Socket&& other) noexcept : handle_(std::exchange(other.handle_, -1)) {}
   Socket& operator=(Socket&& other) noexcept;
 
-  /// Listens at the first possible address of the host. port 0: any free port. Returns an empty socket on failure.
+  /// Listens at the first address of the host that works. port 0: any free port. Returns an empty socket on failure.
   static Socket listen(const std::string& host, int port);
 
   bool is_open() const { return handle_ >= 0; }
@@ -256,11 +259,11 @@ class Socket {
   /// Returns the local port, or 0.
   int port() const;
 
-  /// Accepts a connection on a listening socket. Returns an empty socket if none is pending. `is_full` receives whether this
-  /// process has too many open files.
+  /// Accepts a connection on a listening socket. Returns an empty socket if no connection is pending. Sets `is_full` to whether
+  /// this process has too many open files.
   Socket accept(bool& is_full) const;
   Transfer receive(std::span<char> to);
-  /// more_follows: the system may delay the last packet.
+  /// more_follows: more data will follow, so the system may delay the last packet.
   Transfer send(std::string_view bytes, bool more_follows);
   /// Signals the end of the data to the other end.
   void end_sending();
@@ -271,7 +274,7 @@ class Socket {
   std::intptr_t handle_ = -1;
 };
 
-/// Wakes a thread in wait_for_any() from another thread.
+/// Lets one thread wake another thread that is in wait_for_any().
 class WakeSignal {
  public:
   WakeSignal();
@@ -295,7 +298,7 @@ struct WatchedSocket {
   bool is_ready = false;  ///< the event has happened, or the socket failed
 };
 
-/// Waits until one of the events happens, for at most `timeout`. Returns whether one did.
+/// Waits until at least one of the events happens, for at most `timeout`. Returns whether one happened.
 bool wait_for_any(std::span<WatchedSocket> sockets, std::chrono::milliseconds timeout);
 
 }  // namespace lippmann::platform

@@ -59,9 +59,9 @@ void restore_float_control(unsigned control) { _mm_setcsr(control); }
 
 #elif defined(__aarch64__)
 
-// The upper half of the register is reserved.
+// Only the lower half of FPCR is saved, because the upper half is reserved.
 unsigned flush_denormals() {
-  constexpr std::uint64_t kFlushToZero = std::uint64_t{1} << 24;  // for inputs and results
+  constexpr std::uint64_t kFlushToZero = std::uint64_t{1} << 24;  // applies to inputs and results
   std::uint64_t control = 0;
   asm volatile("mrs %0, fpcr" : "=r"(control));
   asm volatile("msr fpcr, %0" : : "r"(control | kFlushToZero));

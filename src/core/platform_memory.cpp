@@ -39,7 +39,7 @@ std::optional<double> number_after(const fs::path& path, const std::string& word
   return std::nullopt;
 }
 
-/// File names of one version of cgroups.
+/// The file names that one version of cgroups uses.
 struct CgroupFiles {
   const char *limit, *usage, *cache;
 };
@@ -52,14 +52,16 @@ double left_in(const fs::path& group, const CgroupFiles& files) {
   return *limit - *usage + number_after(group / "memory.stat", files.cache).value_or(0.0);
 }
 
-/// Returns the minimum over a group and its parents. In a container the path may be the host's, and only `root` exists.
+/// Returns the minimum over a group and its parents. In a container, `path` may be that of the host, so that only `root`
+/// exists.
 double left_in_all(const fs::path& root, std::string path, const CgroupFiles& files) {
   double left = left_in(root, files);
   for (; path.size() > 1; path.resize(path.rfind('/'))) left = std::min(left, left_in(root / path.substr(1), files));
   return left;
 }
 
-/// Lines are NUMBER:CONTROLLERS:PATH; version 2 has number 0 and no controllers.
+/// Returns the minimum over the groups in proc/self/cgroup. Its lines are NUMBER:CONTROLLERS:PATH; for version 2, the number is
+/// 0 and there are no controllers.
 double left_in_cgroups(const fs::path& proc, const fs::path& root) {
   std::ifstream file(proc / "self/cgroup");
   double left = kUnlimited;
@@ -75,10 +77,10 @@ double left_in_cgroups(const fs::path& proc, const fs::path& root) {
   return left;
 }
 
-/// Stacks and heaps of threads that will be started; they use address space even if unused.
+/// Address space for the stacks and heaps of threads that will be started. It counts even if unused.
 constexpr double kThreadBytes = 64e6;
 
-/// The columns of /proc/self/statm count pages.
+/// Returns the bytes left of a resource limit. `column` of /proc/self/statm counts the pages used.
 double left_of_limit(decltype(RLIMIT_AS) resource, const fs::path& proc, int column) {
   rlimit limit{};
   if (getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kUnlimited;
@@ -117,7 +119,7 @@ void prefer_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size
   if (bytes < kLeast) return;
   const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE)), begin = reinterpret_cast<std::uintptr_t>(memory);
   const std::uintptr_t from = (begin + page - 1) / page * page, to = (begin + bytes) / page * page;
-  madvise(reinterpret_cast<void*>(from), to - from, MADV_HUGEPAGE);  // a hint: the result does not matter
+  madvise(reinterpret_cast<void*>(from), to - from, MADV_HUGEPAGE);  // the result does not matter, because this is only a hint
 #endif
 }
 

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// glibc has wrappers since 2.36; these are the raw system calls.
+// Uses raw system calls, since glibc has wrappers only since 2.36.
 int open_process([[maybe_unused]] int process) {
 #ifdef SYS_pidfd_open
   return process > 0 ? static_cast<int>(syscall(SYS_pidfd_open, process, 0)) : -1;
@@ -40,7 +40,8 @@ bool send_signal([[maybe_unused]] int descriptor, [[maybe_unused]] int signal) {
 
 std::string open_files_of(int process) { return fmt::format("/proc/{}/fd", process); }
 
-/// The link to an open file is writable if the file is open for writing.
+/// Returns whether `link`, an entry of /proc/PID/fd, refers to `file` and is open for writing. Such a link is then writable
+/// itself.
 bool is_open_for_writing(const fs::path& link, const struct stat& file) {
   struct stat opened {
   }, itself{};
@@ -70,8 +71,8 @@ class ChildActions {
   posix_spawn_file_actions_t actions_{};
 };
 
-/// Restores the default action of signals that this process ignores: shells start background jobs with SIGINT ignored, and
-/// ignore_write_signals() ignores the others.
+/// Restores the default action of signals that this process ignores. Shells start background jobs with SIGINT ignored, and
+/// ignore_write_signals() ignores the other signals.
 class ChildAttributes {
  public:
   ChildAttributes() {
@@ -134,7 +135,7 @@ ChildProcess::ChildProcess(const ChildCommand& command, std::error_code& problem
 
 ChildProcess::~ChildProcess() { wait(); }
 
-/// options: WNOHANG to return at once.
+/// Returns whether the process has ended. options: 0 to wait for its end, WNOHANG to return at once.
 bool ChildProcess::has_ended(int options) {
   if (process_ == 0) return true;
   int status = 0;
@@ -154,7 +155,7 @@ bool ChildProcess::has_ended(int options) {
 bool ChildProcess::is_running() { return !has_ended(WNOHANG); }
 
 void ChildProcess::interrupt() {
-  if (process_ != 0) kill(process_, SIGINT);  // the id stays reserved until wait4()
+  if (process_ != 0) kill(process_, SIGINT);  // safe: the id is not reused before wait4()
 }
 
 int ChildProcess::wait() {

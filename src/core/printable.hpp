@@ -10,14 +10,15 @@ namespace lippmann {
 /// change the text direction, and bytes that are not UTF-8 become '?'.
 std::string printable(std::string_view text);
 
-/// Returns the whole text as one line, with the same replacements. Used by Error and by the tool's warnings, because they
-/// contain names from files.
+/// Returns the whole text as one line, with the same replacements as printable(). Error and the tool's warnings use it, because
+/// they contain names from files.
 std::string printable_line(std::string_view text);
 
-/// Returns the first 60 characters in single quotes.
+/// Returns the first 60 characters as printable() does, in single quotes.
 std::string shown(std::string_view text);
 
-/// Returns one word of a shell command: unchanged if no character is special to the shell, otherwise quoted. Not shortened.
+/// Returns the text as one word of a shell command: unchanged if no character is special to the shell, otherwise quoted. The
+/// text is not shortened.
 std::string shell_word(std::string_view text);
 
 }  // namespace lippmann

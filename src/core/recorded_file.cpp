@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kJournal = ".lippmann";
-constexpr std::uintmax_t kMostJournalBytes = std::uintmax_t{4} << 30;  // as in folder/journal.cpp
+constexpr std::uintmax_t kMostJournalBytes = std::uintmax_t{4} << 30;  // the same limit as in folder/journal.cpp
 
 /// A file and the folder of the render that it belongs to.
 struct RenderFile {
@@ -64,7 +64,7 @@ void read_journal_lines(const fs::path& folder, const std::function<void(std::st
     if (entry.path().extension() == ".jsonl") read_lines(entry.path(), line);
 }
 
-/// Returns whether a journal file has a complete line, or an invalid one.
+/// Returns whether a journal file contains more than one incomplete line: a complete or an invalid line.
 bool has_more_than_cut_line(const fs::path& part) {
   std::ifstream in(part, std::ios::binary);
   std::string line;
@@ -80,7 +80,7 @@ std::optional<FileChecksum> checksum_from(const Json& json) {
   return FileChecksum{bytes->get<std::uint64_t>(), sum->get<std::string>()};
 }
 
-/// Returns the video of a side file's name, or the name itself for other files.
+/// If `name` is that of a video's side file, returns the video's name. Otherwise returns `name`.
 std::string_view video_of(std::string_view name) {
   constexpr std::string_view kSideFile = ".json";
   return name.ends_with(kSideFile) ? name.substr(0, name.size() - kSideFile.size()) : name;

@@ -54,7 +54,7 @@ Contents read_whole(const fs::path& path, std::uintmax_t limit_bytes, const std:
 RegularFile::RegularFile(const fs::path& path) {
   std::error_code unopened, unknown;
   file_ = platform::OpenFile(path, platform::OpenFile::Mode::kRead, unopened);
-  // A file that may not be opened still has a type.
+  // If a file cannot be opened, its type may still be known.
   const fs::file_type type = unopened ? fs::status(path, unknown).type() : file_.kind(size_, unknown);
   exists_ = type != fs::file_type::not_found;
   if (!exists_)

@@ -1,7 +1,7 @@
 // Opens files for reading: scenes, images, displays, jobs, journals and their side files.
 //
-// Opening a FIFO waits forever, a device has no end, and both block signals. Thus every reader opens files through this
-// interface, which rejects everything except regular files. Links are followed.
+// Opening a FIFO may wait forever, reading a device may never end, and meanwhile signals have no effect. Therefore every reader
+// opens files through this interface, which rejects everything except regular files. Links are followed.
 #pragma once
 
 #include <cstddef>
@@ -35,8 +35,8 @@ class RegularFile {
   std::string problem_;
 };
 
-/// Return the whole file. Throws Error that names it if it cannot be read or is larger than `limit_bytes`; `accepted` is part
-/// of the message.
+/// Return the whole file. Throw Error that names the file if it cannot be read or is larger than `limit_bytes`; `accepted` is
+/// part of the message.
 std::string read_file_text(const std::filesystem::path& path, std::uintmax_t limit_bytes, const std::string& accepted = {});
 std::vector<std::byte> read_file_bytes(const std::filesystem::path& path, std::uintmax_t limit_bytes,
                                        const std::string& accepted = {});
@@ -44,10 +44,11 @@ std::vector<std::byte> read_file_bytes(const std::filesystem::path& path, std::u
 /// Returns the first `count` bytes; fewer if the file is shorter, none if it cannot be read.
 std::string read_file_begin(const std::filesystem::path& path, std::size_t count);
 
-/// Throws Error that names the file if it cannot be read. For files that a library opens by name.
+/// Throws Error that names the file if it cannot be read. Call this before a library opens the file by name.
 void require_regular_file(const std::filesystem::path& path, const std::string& accepted = {});
 
-/// Returns false if nothing has that name. Throws Error if it is not a regular file or cannot be accessed.
+/// Returns whether the path is a regular file. Returns false if nothing has that name. Throws Error if it is something else or
+/// cannot be accessed.
 bool is_regular_file_there(const std::filesystem::path& path);
 
 }  // namespace lippmann

@@ -5,10 +5,10 @@
 
 namespace lippmann {
 
-/// Located in the system's temporary folder (TMPDIR), and removed with its contents.
+/// A folder in the system's temporary folder (TMPDIR). The destructor removes it with its contents.
 class ScratchFolder {
  public:
-  /// Throws Error that names the place if no folder can be created.
+  /// Throws Error that names the path if no folder can be created.
   ScratchFolder();
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;

@@ -5,7 +5,8 @@
 
 namespace lippmann {
 
-/// Returns the version of the loaded library, such as "2021.8.0". It may be newer than that of the build.
+/// Returns the version of the oneTBB library that is loaded, such as "2021.8.0". It may be newer than the version used for the
+/// build.
 std::string task_library_version();
 
 }  // namespace lippmann

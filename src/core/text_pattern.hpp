@@ -11,17 +11,17 @@ namespace lippmann {
 
 struct PatternMatch {
   std::size_t begin = 0, end = 0;   ///< position in the text
-  std::vector<std::string> groups;  ///< the first is the whole match; empty for groups that did not participate
+  std::vector<std::string> groups;  ///< the first is the whole match; a group that did not participate is empty
 };
 
-/// Thread-safe.
+/// A regular expression. Thread-safe.
 class TextPattern {
  public:
   enum class Letters { kAsWritten, kEitherCase };
 
   explicit TextPattern(const std::string& expression, Letters letters = Letters::kAsWritten);
 
-  /// Returns nothing unless the whole text matches.
+  /// Returns the match if the whole text matches, otherwise nothing.
   std::optional<PatternMatch> match(const std::string& text) const;
   /// Returns the first match in the text.
   std::optional<PatternMatch> search(const std::string& text) const;
