@@ -12,8 +12,9 @@
 
 namespace lippmann {
 
-inline constexpr int kMaxSide = 1 << 16;                       ///< floats resolve a sample to 1/256 pixel up to here
-inline constexpr float kMinLength = 1e-6f, kMaxLength = 1e9f;  ///< mm; keeps squares and quotients within floats
+inline constexpr int kMaxSide = 1 << 16;  ///< up to this size, floats distinguish positions of 1/256 pixel
+/// Limits of lengths in mm: within them, squares and quotients do not overflow floats.
+inline constexpr float kMinLength = 1e-6f, kMaxLength = 1e9f;
 
 [[noreturn]] inline void reject_field(const char* field, const std::string& problem, const std::string& accepted) {
   throw usage_error(field, problem, accepted);
@@ -54,7 +55,7 @@ inline void check_number(const char* field, double value, double low, double hig
     reject_field(field, fmt::format("is {}", value), fmt::format("a number from {} to {}", low, high));
 }
 
-/// Checks a parallax; see with_parallax.
+/// Checks a parallax factor; see with_parallax.
 inline void check_parallax(const char* field, float value) {
   if (!(value > 0.0f && std::isfinite(value))) reject_field(field, fmt::format("is {}", value), "a number above 0");
 }

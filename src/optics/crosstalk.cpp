@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kMaxPercent = 23.0;
 
-/// Inverts neighbour_share where it increases: up to a sigma of 0.9 pixels (a share of 0.238).
+/// Returns the sigma for which neighbour_share() is `share`. Up to a sigma of 0.9 pixels (a share of 0.238) neighbour_share()
+/// increases.
 double sigma_of_share(double share) {
   double low = 0.0, high = 0.9;
   for (int i = 0; i < 60; ++i) {

@@ -1,15 +1,15 @@
-// Applies a height of the viewer's eyes above the middle of the display to optics.
+// Applies the height of the viewer's eyes above the middle of the display to optics.
 #pragma once
 
 #include "optics/optics_params.hpp"
 
 namespace lippmann {
 
-/// Returns the optics for eyes at this height, unchanged if there is none. Points of the plane z = 0 keep their pixels. Throws
-/// a usage Error for optics that have no eye height: microlens arrays, and infinitely distant viewers.
+/// Returns the optics for eyes at this height, or unchanged if no height is given. Points of the plane z = 0 keep their pixels.
+/// Throws a usage Error for optics that have no eye height: microlens arrays, and optics whose viewer is infinitely distant.
 Optics with_eye_height(Optics optics, const std::optional<EyeHeight>& height);
 
-/// Returns the height in mm for eyes at this distance from the display.
+/// Returns the height in mm for eyes at `distance_mm` from the display.
 float eye_height_mm(const EyeHeight& height, float distance_mm);
 
 }  // namespace lippmann

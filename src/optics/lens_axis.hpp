@@ -2,11 +2,11 @@
 // have two.
 //
 // The axis has a coordinate in mm, 0 at the panel's centre: x for columns of lenses, -y for rows (which count downwards, as
-// pixels do), xi for slanted sheets. It also has a panel coordinate s in pixels. That is the pixel coordinate itself if the
-// axis is one of the panel's, so that edges of pixels and cells agree exactly.
+// pixels do), xi for slanted sheets. It also has a panel coordinate s in pixels. If the axis is an axis of the panel, s is the
+// pixel coordinate itself, so that edges of pixels and cells agree exactly.
 //   lens k    is at l_k = lens0 + k pitch
-//   its cell  is centred at l_k + (l_k - eye) g / V and pitch (1 + g/V) wide: `cell_px` pixels from start_px + k cell_px on
-//   its rays  leave a point o pixels from the cell's centre with slope -o m / g - (l_k - eye) / V per mm of z
+//   its cell  is centred at l_k + (l_k - eye) g / V and is pitch (1 + g/V) wide: it begins at the pixel start_px + k cell_px
+//   its rays  leave a point o pixels from the cell's centre with the slope -o m / g - (l_k - eye) / V per mm of z
 // V is the viewing distance, g the gap, m the pixel pitch.
 #pragma once
 
@@ -21,10 +21,11 @@ template <class T>
 struct LensAxis {
   T start_px, cell_px, cells_per_px;  ///< cell 0 begins at start_px
   T lens0_mm, pitch_mm;
-  T slope_per_px;    ///< m / g, scaled by the parallax
-  T vergence;        ///< 1 / V, per mm; 0 for an infinite viewing distance
-  T eye_mm;          ///< position of the viewer that the cells converge to
-  int whole_pixels;  ///< pixels per lens if that is whole and pixel 0 begins a cell; else 0
+  T slope_per_px;  ///< m / g, scaled by the parallax
+  T vergence;      ///< 1 / V, per mm; 0 for an infinite viewing distance
+  T eye_mm;        ///< position of the viewer to whom the cells converge
+  /// Pixels per lens if that number is whole and a cell begins at pixel 0; otherwise 0.
+  int whole_pixels;
 
   template <class U>
   LensAxis<U> as() const {
@@ -36,19 +37,19 @@ struct LensAxis {
 struct LensAxisSpec {
   double pitch_mm, offset_mm, gap_mm, viewing_distance_mm, eye_mm, pixel_pitch_mm;
   double centre_px;  ///< panel coordinate of the panel's centre
-  int size_px;       ///< the panel's size along the axis; 0 if the axis is not one of the panel's
+  int size_px;       ///< size of the panel along the axis; 0 if the axis is not an axis of the panel
   double parallax = 1.0;
 };
 
-/// Makes an axis. Cells that are whole and aligned to within 1/100 pixel over the whole panel, the precision of float
-/// parameters, become exactly so, with cell 0 at pixel 0. Then all rays of one directional view are exactly parallel. Otherwise
-/// lens 0 is the one nearest to the centre.
+/// Makes an axis. Float parameters are precise to about 1/100 pixel over the whole panel. Cells that are whole and aligned
+/// within that precision become exactly so, with cell 0 at pixel 0. Then all rays of one directional view are exactly parallel.
+/// Otherwise lens 0 is the lens nearest to the centre.
 LensAxis<double> make_lens_axis(const LensAxisSpec& spec);
 
-/// The line of a panel point through the lens above it.
+/// The line from a panel point through the lens above it.
 template <class T>
 struct LensRay {
-  T lens_mm;  ///< position at z = 0
+  T lens_mm;  ///< position of the lens in the plane z = 0
   T slope;    ///< per mm of z, towards the viewer
 };
 
@@ -57,7 +58,7 @@ LIPPMANN_INLINE LensRay<T> lens_ray(const LensAxis<T>& axis, T s_px) {
   const T t = s_px - axis.start_px;
   T k = std::floor(t * axis.cells_per_px);
   T in_cell = t - k * axis.cell_px;
-  // The product above may round across a cell boundary; t - k cell is exact for whole cells and corrects k.
+  // The product above may be rounded across a cell boundary. t - k cell is exact for whole cells and is used to correct k.
   const bool before = in_cell < T(0), after = in_cell >= axis.cell_px;
   k = before ? k - T(1) : k, in_cell = before ? in_cell + axis.cell_px : in_cell;
   k = after ? k + T(1) : k, in_cell = after ? in_cell - axis.cell_px : in_cell;
@@ -67,7 +68,7 @@ LIPPMANN_INLINE LensRay<T> lens_ray(const LensAxis<T>& axis, T s_px) {
 
 // ---- Inverse, in double precision -----------------------------------------------------------------------------------------
 
-/// Lenses first ... last; empty if last < first.
+/// The lenses first ... last; none if last < first.
 struct LensRange {
   int first, last;
 };
@@ -76,23 +77,24 @@ inline int cell_of(const LensAxis<double>& axis, double s_px) {
   return static_cast<int>(std::floor((s_px - axis.start_px) / axis.cell_px));
 }
 
-/// Returns the index of the lens that covers a point of the lens plane, as a whole number of any size.
+/// Returns the index of the lens that covers a point of the lens plane. The index is a whole number, which may exceed the range
+/// of int.
 inline double lens_at(const LensAxis<double>& axis, double x_mm) {
   return std::floor((x_mm - axis.lens0_mm) / axis.pitch_mm + 0.5);
 }
 
-/// Returns the position of the image of a point at (x_mm, z_mm), z != 0, below lens `lens_mm`, in pixels from the centre of the
-/// lens's cell.
+/// Returns the position of the image of the point (x_mm, z_mm), z != 0, behind the lens at `lens_mm`, in pixels from the centre
+/// of the lens's cell.
 inline double image_offset_px(const LensAxis<double>& axis, double lens_mm, double x_mm, double z_mm) {
   return -((x_mm - lens_mm) / z_mm + (lens_mm - axis.eye_mm) * axis.vergence) / axis.slope_per_px;
 }
 
-/// Returns the lenses whose cell may contain the image of the point within `reach_px` of its centre, with a margin of one lens
-/// for rounding, limited to cells in the panel's range s_low ... s_high.
+/// Returns the lenses behind which the point's image may lie within `reach_px` of the centre of the cell. Includes a margin of
+/// one lens for rounding, and only cells in the panel's range s_low ... s_high.
 LensRange lenses_near(const LensAxis<double>& axis, double x_mm, double z_mm, double reach_px, double s_low, double s_high);
 
-/// Returns whether a point counts as lying in the lens plane: its image would cross the whole cell for a sideways step of 1e-5
-/// of a lens, which floats do not resolve.
+/// Returns whether a point counts as lying in the lens plane. It does if a step of 1e-5 of a lens to the side would move its
+/// image over the whole cell, because floats do not resolve such steps.
 inline bool in_lens_plane(const LensAxis<double>& axis, double z_mm) {
   return std::abs(z_mm) * axis.slope_per_px * axis.cell_px <= 2e-5 * axis.pitch_mm;
 }

@@ -17,7 +17,8 @@ LenticularConstants<double> make_lenticular(const Panel& panel, const Lenticular
   c.eye_y_mm = sheet.eye_height_mm;
   c.row_vergence = 1.0 / (distance + gap);
   c.z_front_mm = z_front_mm;
-  // y + (z_front + g) dy/dz, arranged so that all rows meet exactly at the eye's height if z_front = V.
+  // The row's y at z_front is y + (z_front + g) dy/dz. It is arranged so that all rows meet exactly at the eye's height if
+  // z_front = V.
   c.row_scale = std::isinf(distance) ? 1.0 : (distance - z_front_mm) * c.row_vergence;
   c.row_shift_mm = c.eye_y_mm * (z_front_mm + gap) * c.row_vergence;
   c.axis = make_lens_axis({.pitch_mm = sheet.lens_pitch_mm,
@@ -39,7 +40,7 @@ void write_block(const LenticularRays& c, const RayFrame& frame, const float* px
 
 namespace {
 
-/// Appends all pixel centres of one panel row below the lens that covers xi_mm.
+/// Appends the centres of all pixels of one panel row that lie below the lens that covers xi_mm.
 void append_row_of_cell(const LenticularConstants<double>& c, int width, double xi_mm, double py, std::vector<Vec2f>& pixels) {
   const double row = std::floor(py) + 0.5;
   const double lens = lens_at(c.axis, xi_mm);
@@ -56,7 +57,7 @@ void append_row_of_cell(const LenticularConstants<double>& c, int width, double 
 void pixels_seeing(const Panel& panel, const LenticularSheet& sheet, Vec3f point_mm, std::vector<Vec2f>& pixels) {
   const LenticularConstants<double> c = make_lenticular(panel, sheet, 0.0);
   const double x = point_mm.x, y = point_mm.y, z = point_mm.z, xi = x * c.cosine + y * c.sine;
-  // The panel row solves y_panel + (z + g) (y_e - y_panel) / (V + g) = y.
+  // Solve y_panel + (z + g) (y_e - y_panel) / (V + g) = y for the panel row's y_panel.
   const double toward_eye = (z + c.gap_mm) * c.row_vergence;
   const double py = c.half_height_px - (y - c.eye_y_mm * toward_eye) / (1.0 - toward_eye) / c.pixel_pitch_mm;
   if (!(py >= 0.0 && py < panel.height)) return;
@@ -131,7 +132,7 @@ StepRule step_rule(const Panel& panel, const LenticularSheet& sheet, StepsWithin
     rule.bounds = StepRule::Bounds::kSheetLens;
   else
     rule.across.x = c.axis.cell_px * c.inverse_cosine;
-  rule.down.x = c.sine * c.inverse_cosine;  // follows the lens
+  rule.down.x = c.sine * c.inverse_cosine;  // so that the step follows the lens
   rule.columns = c.axis, rule.cosine = c.cosine, rule.sine = c.sine, rule.inverse_cosine = c.inverse_cosine;
   return rule;
 }
@@ -140,7 +141,7 @@ std::optional<ViewCameras> cameras_of(const Panel& panel, const LenticularSheet&
   const int n = make_lenticular(panel, sheet, 0.0).axis.whole_pixels;
   const double v = sheet.viewing_distance_mm, g = sheet.gap_mm, m = panel.pixel_pitch_mm;
   if (n < 1 || !std::isfinite(v)) return std::nullopt;
-  // Rays are relative to the middle of the panel; the eye height shifts them in the plane of the lenses.
+  // Rays are relative to the middle of the panel. The eye height shifts them in the plane of the lenses.
   const Vec2d centre(0.5 * panel.width / n, 0.5 * panel.height + g * sheet.eye_height_mm / (v * m));
   return ViewCameras{
       v, {sheet.lens_pitch_mm, m * v / (v + g)}, centre, lens_eyes({n, 1}, sheet.parallax * m * v / g, sheet.eye_height_mm)};
@@ -164,7 +165,8 @@ void set_lenses(LenticularSheet& sheet, float pitch_mm, float gap_mm, Vec2f offs
 
 namespace {
 
-/// Returns the panel size. Lenses are unlimited along the sheet, so vertical counts only set the height of the panel.
+/// Returns the panel size. The lenses have no ends along the sheet, so the number of lenses down only sets the height of the
+/// panel.
 PanelSize lenticular_size(const OpticsParams& params, Vec2i) {
   const float pixels = lens_pixels_across(params);
   if (params.size.x > 0) return {params.size.x, params.size.y, pixels};
@@ -179,7 +181,7 @@ OpticsModel sheet_of_params(const ModelSetup& setup) {
   const Panel& panel = setup.panel;
   LenticularSheet sheet;
   sheet.slant = radians(setup.params.slant_deg);
-  const float cell =  // lens_pixels counts pixels along a row
+  const float cell =  // `lens_pixels` counts pixels along a row
       setup.size.lens_pixels * panel.pixel_pitch_mm * std::cos(sheet.slant);
   const LensGeometry lens = lens_geometry(cell, setup.params, setup.viewing_distance_mm);
   const float width = static_cast<float>(panel.width) * panel.pixel_pitch_mm * std::cos(sheet.slant);

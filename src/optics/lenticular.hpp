@@ -1,8 +1,8 @@
 // Rays of a lenticular sheet: across the lenses through the lens centre, along them towards the height of the eye.
 //
-// The viewer moves sideways at height y_e and distance V (optics.hpp: eye_height_mm, viewing_distance_mm), so that rows
+// The viewer moves sideways at the height y_e and the distance V (eye_height_mm and viewing_distance_mm in optics.hpp), so rows
 // converge in y for any slant a: dy/dz = (y_e - y) / (V + g). The lens determines the slope of xi = x cos a + y sin a, and
-// dx/dz = (slope of xi - dy/dz sin a) / cos a. The cells converge to the viewer at x = 0, that is xi_e = y_e sin a.
+// dx/dz = (slope of xi - dy/dz sin a) / cos a. The cells converge to the viewer at x = 0, that is at xi_e = y_e sin a.
 #pragma once
 
 #include <vector>
@@ -20,8 +20,8 @@ struct LenticularConstants {
   LensAxis<T> axis;  ///< along xi
   T half_height_px;
   T pixel_pitch_mm, gap_mm;
-  T cosine, sine, inverse_cosine;         ///< of the slant; inverse_cosine: 1 / cosine
-  T eye_y_mm, row_vergence;               ///< 1 / (V + g)
+  T cosine, sine, inverse_cosine;         ///< cosine, sine and 1 / cosine of the slant
+  T eye_y_mm, row_vergence;               ///< row_vergence: 1 / (V + g)
   T z_front_mm, row_scale, row_shift_mm;  ///< y at z_front = row_scale y + row_shift
 
   template <class U>

@@ -25,8 +25,8 @@ MicrolensConstants<double> make_microlens(const Panel& panel, const MicrolensArr
   rows.pitch_mm = row_pitch, rows.offset_mm = -array.offset_mm.y;
   rows.centre_px = 0.5 * panel.height;
   rows.size_px = hexagonal ? 0 : panel.height;
-  // make_lens_axis renumbers rows so that the one nearest to the centre is row 0. If that was an odd row, add its shift to the
-  // offset.
+  // make_lens_axis() renumbers rows so that the row nearest to the centre becomes row 0. If that was an odd row, its shift is
+  // added to the offset. offset.
   const double renamed_rows = std::round(rows.offset_mm / row_pitch);
   if (hexagonal && std::fmod(renamed_rows, 2.0) != 0.0) columns.offset_mm += 0.5 * pitch;
   return {make_lens_axis(columns), make_lens_axis(rows), z_front_mm};
@@ -51,7 +51,8 @@ struct Search {
   double width, height;
   std::vector<Vec2f>& pixels;
 
-  /// Returns the panel point `dx`, `dy` pixels from the centre of the cell at a column (hexagonal: may be k + 1/2) and a row.
+  /// Returns the panel point that lies `dx`, `dy` pixels from the centre of the cell at a column and a row. In hexagonal
+  /// packing, the column may be k + 1/2.
   Vec2d panel_point(double column, double row, double dx = 0.0, double dy = 0.0) const {
     return {c.columns.start_px + (column + 0.5) * c.columns.cell_px + dx, c.rows.start_px + (row + 0.5) * c.rows.cell_px + dy};
   }
@@ -66,7 +67,7 @@ struct Search {
     if (p.x >= 0.0 && p.x < width && p.y >= 0.0 && p.y < height) pixels.emplace_back(p);
   }
 
-  /// Appends all pixel centres within `reach` of p, row by row, for which belongs(x, y) is true.
+  /// Appends the centres of all pixels within `reach` of p for which belongs(x, y) is true, row by row.
   template <class Belongs>
   void append_centres(Vec2d p, Vec2d reach, const Belongs& belongs) const {
     const auto bound = [](double at, double size) { return static_cast<int>(std::clamp(at, 0.0, size)); };
@@ -110,7 +111,8 @@ void append_hexagonal_cell(const Search& s, double x, double down) {
   s.append_centres(s.panel_point(lens.column, lens.row), {0.5 * s.c.columns.cell_px, s.c.rows.cell_px}, belongs);
 }
 
-/// Finds the cells that contain the image. A hexagon extends half a column step sideways and 2/3 of a row step up and down.
+/// Finds the cells that contain the image of the point. A hexagon extends half a column step sideways and 2/3 of a row step up
+/// and down.
 void append_hexagonal(const Search& s, double x, double down, double z) {
   const double step_x = s.c.columns.cell_px, step_y = s.c.rows.cell_px;
   const LensRange columns = lenses_near(s.c.columns, x, z, 0.5 * step_x, -step_x, s.width + step_x);
@@ -214,7 +216,7 @@ StepRule step_rule(const Panel& panel, const MicrolensArray& array, StepsWithin 
     rule.bounds = hexagonal ? StepRule::Bounds::kHexagon : StepRule::Bounds::kSquareLens;
   } else {
     rule.across.x = c.columns.cell_px;
-    // Only every second row of a hexagonal array has lenses in the same columns.
+    // In a hexagonal array, only every second row has lenses in the same columns.
     rule.down.y = c.rows.cell_px * (hexagonal ? 2.0f : 1.0f);
   }
   return rule;
@@ -246,7 +248,7 @@ void set_lenses(MicrolensArray& array, float pitch_mm, float gap_mm, Vec2f offse
 
 namespace {
 
-/// Returns the panel size. Lenslets are round, so there are as many pixels down as across.
+/// Returns the panel size. Microlenses are round, so there are as many pixels down as across below each.
 PanelSize microlens_size(const OpticsParams& params, Vec2i) {
   constexpr float kHexagonalRow = 0.8660254f;  // row pitch divided by lens pitch
   const float pixels = lens_pixels_across(params);

@@ -1,6 +1,6 @@
 // Rays of a microlens array: straight through the centre of the lenslet whose cell contains the pixel, in both directions.
 //
-// Both axes count as pixels do: columns of lenses to the right along x, rows of lenses downwards along -y. So the half-open
+// Columns and rows of lenses count as pixels do: columns to the right along x, rows downwards along -y. Thus the half-open
 // square [i, i + 1) x [j, j + 1) of a pixel and a cell treat edges in the same way. Hexagonal packing: rows are lens_pitch
 // sqrt(3)/2 apart, odd rows are shifted right by half a pitch, and a panel point belongs to the nearest cell centre.
 #pragma once
@@ -17,7 +17,8 @@ namespace lippmann {
 
 template <class T>
 struct MicrolensConstants {
-  LensAxis<T> columns, rows;  ///< the rows' mm coordinate is -y; for hexagonal packing, the cells of even rows
+  /// The mm coordinate of `rows` is -y. For hexagonal packing, `columns` holds the cells of even rows.
+  LensAxis<T> columns, rows;
   T z_front_mm;
 
   template <class U>
@@ -26,7 +27,7 @@ struct MicrolensConstants {
   }
 };
 
-/// Separate types for the two packings, so that each has its own loop.
+/// Separate types for the two packings, so that the compiler makes a loop for each.
 struct SquareMicrolensRays : MicrolensConstants<float> {};
 struct HexagonalMicrolensRays : MicrolensConstants<float> {};
 
@@ -37,16 +38,17 @@ LIPPMANN_INLINE Crossing crossing(const SquareMicrolensRays& c, float px, float 
   return {across.lens_mm + c.z_front_mm * across.slope, -(down.lens_mm + c.z_front_mm * down.slope), across.slope, -down.slope};
 }
 
-/// A position in a hexagonal lattice: row, column (shifted by half a step in odd rows), and the offset from that lattice point
-/// in column steps and row steps.
+/// A position in a hexagonal lattice: row and column of a lattice point (columns are shifted by half a step in odd rows), and
+/// the offset from that point in column steps and row steps.
 template <class T>
 struct HexagonalCell {
   T row, column;  ///< in odd rows, column is k + 1/2
   T from_column, from_row;
 };
 
-/// Returns the nearest lattice point. u: column steps from the centre of lens (0, 0), v: row steps. Only the rows just above
-/// and below need checking: every point is within 1/sqrt(3) steps of a lens, and rows are sqrt(3)/2 steps apart.
+/// Returns the nearest lattice point. u: column steps from the centre of lens (0, 0); v: row steps. Only the rows just above
+/// and below need checking, because every point is within 1/sqrt(3) column steps of a lens, and rows are sqrt(3)/2 column steps
+/// apart.
 template <class T>
 LIPPMANN_INLINE HexagonalCell<T> nearest_hexagon(T u, T v) {
   const T upper = std::floor(v), parity = upper - T(2) * std::floor(upper * T(0.5));
@@ -57,7 +59,7 @@ LIPPMANN_INLINE HexagonalCell<T> nearest_hexagon(T u, T v) {
   return {take_b ? upper + T(1) : upper, take_b ? column_b : column_a, take_b ? du_b : du_a, take_b ? dv_b : dv_a};
 }
 
-/// Returns the lattice position of a pixel relative to the centre of lens (0, 0)'s cell.
+/// Returns the lattice position of a pixel relative to the centre of the cell of lens (0, 0).
 template <class T>
 LIPPMANN_INLINE HexagonalCell<T> hexagon_at(const LensAxis<T>& columns, const LensAxis<T>& rows, T px, T py) {
   return nearest_hexagon((px - columns.start_px) * columns.cells_per_px - T(0.5),

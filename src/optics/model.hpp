@@ -1,6 +1,7 @@
-// The interface that models of optics implement. Every model has one header that declares it as functions that take the model:
+// The interface that models of optics implement. Every model has one header, which declares functions that take the model:
 // lenticular.hpp, microlens.hpp, multi_view.hpp, single_view.hpp, slanted_panel.hpp, ray_table.hpp. models.hpp lists the
-// models, and the compiler checks their completeness. The public functions (lippmann/optics/*.hpp) use this interface only.
+// models, and the compiler checks that each has all functions. The public functions (lippmann/optics/*.hpp) use only this
+// interface.
 #pragma once
 
 #include <algorithm>
@@ -28,38 +29,44 @@ struct SampleGrid {
   double across_mm = 1.0, down_mm = 1.0;
 };
 
-/// The properties of a model that do not depend on a pixel or point. Computed once; other numbers are derived from these.
+/// The properties of a model that do not depend on a pixel or point. They are computed once; other properties follow from
+/// these.
 struct OpticsFacts {
   std::optional<LensArray> lenses = {};
   std::optional<ViewTiles> tiles = {};
   Vec2i whole_pixels_per_lens{0};  ///< see whole_pixels_per_lens()
-  Vec2f window_size_mm{0.0f};      ///< of the panel, or of one view
+  Vec2f window_size_mm{0.0f};      ///< size of the window of the panel, or of one view
   Window window = {};              ///< the window as seen by the viewer
   float viewing_distance_mm = kInfinity;
-  float eye_height_mm = 0.0f;  ///< of the viewer, above the middle of the array
+  float eye_height_mm = 0.0f;  ///< height of the viewer above the middle of the array
   float viewing_zone = 0.0f;
   float depth_budget_mm = kInfinity;
   Parallax parallax = {false, false};
   Vec2i view_counts{1, 1};
-  SampleGrid samples = {};                          ///< of a view; for a slanted panel, its whole pixels
-  double lens_step_mm = 0.0;                        ///< between samples of a view along a row if each is a lens; else 0
-  bool single_view = false;                         ///< see is_single_view()
-  bool views_by_angle = false;                      ///< the view eyes are equidistant in angle, not in their plane
-  bool repeats_beyond_zone = false;                 ///< eyes beyond the zone see pixels of neighbouring lenses
-  std::optional<double> lens_columns_per_row = {};  ///< shift of a lens per row, to the right, in film columns; only for
-                                                    ///< slanted lenses without whole pixels on a film of sub-pixels
-  Vec2d crosstalk_pitch{0.0};                       ///< pixels (views) along x and y per step across the lenses; 0: no power
+  SampleGrid samples = {};  ///< samples of a view; for a slanted panel, its whole pixels
+  /// Distance between the samples of a view along a row if each sample is a lens; otherwise 0.
+  double lens_step_mm = 0.0;
+  bool single_view = false;          ///< see is_single_view()
+  bool views_by_angle = false;       ///< the eyes of the views are at equal angles, not at equal distances in their plane
+  bool repeats_beyond_zone = false;  ///< eyes beyond the zone see pixels of neighbouring lenses
+  /// Shift of a lens from each row to the next, to the right, in film columns. Only for slanted lenses without whole pixels on
+  /// a film of sub-pixels.
+  std::optional<double> lens_columns_per_row = {};
+  /// Number of pixels (for quilts: views) along x and y per pixel step across the lenses; 0: no lens power along this axis.
+  Vec2d crosstalk_pitch{0.0};
 };
 
-/// Returns the footprint of a lens: the larger of its pitch, in perspective from the viewing distance, and the magnified pixel.
+/// Returns the width that one pixel covers through its lens at depth z: the larger of the lens pitch, in perspective from the
+/// viewing distance, and the magnified pixel.
 inline float lens_footprint_mm(float pitch_mm, float gap_mm, float viewing_distance_mm, float pixel_pitch_mm, float z_mm) {
   return std::max(pitch_mm * std::abs(1.0f - z_mm / viewing_distance_mm), std::abs(z_mm) * pixel_pitch_mm / gap_mm);
 }
 
-/// Returns the z where rays of lenses start: the chosen value, or the viewing distance, or well in front of the panel.
+/// Returns the z where rays of lens arrays start: `chosen_mm` if it is finite, otherwise the viewing distance if that is
+/// finite, otherwise well in front of the panel.
 float front_of_lenses_mm(const Panel& panel, float viewing_distance_mm, float chosen_mm);
 
-/// Returns the viewing zone of lenses.
+/// Returns the viewing zone of a lens array, as a full angle.
 float lens_zone(float pitch_mm, float gap_mm, float viewing_distance_mm);
 
 /// Returns the facts common to all lens arrays.
@@ -69,11 +76,11 @@ OpticsFacts facts_of_lenses(const Panel& panel, const LensArray& lenses, Vec2i w
 /// samples of a view in it.
 OpticsFacts facts_of_window(const Panel& panel, float viewing_distance_mm);
 
-/// Returns a whole number of samples: at least one, at most the maximum side of a panel.
+/// Rounds a number of samples to a whole number: at least one, at most the maximum side of a panel.
 int rounded_count(double samples);
 inline int rounded_up_count(double samples) { return rounded_count(std::ceil(samples - 0.01)); }
 
-/// Returns the eyes of n pixels below a lens, eye_step_mm apart, starting at the lower left.
+/// Returns the eyes of the n.x times n.y pixels below a lens, which are eye_step_mm apart, starting at the lower left eye.
 std::vector<Vec2d> lens_eyes(Vec2i n, double eye_step_mm, double eye_height_mm);
 
 enum class StepsWithin {
@@ -89,7 +96,7 @@ struct StepRule {
   Bounds bounds = Bounds::kPanel;
   LensAxis<float> columns{}, rows{};                        ///< axes of the cells; a sheet has only `columns`, along xi
   float cosine = 1.0f, sine = 0.0f, inverse_cosine = 1.0f;  ///< a sheet's slant
-  Vec2i tile{1, 1}, last_tile{0, 0};                        ///< quilts: tile size, and column and row of the last tile
+  Vec2i tile{1, 1}, last_tile{0, 0};                        ///< for quilts: size of a tile, and column and row of the last tile
   int padding_top = 0;
 };
 
@@ -100,24 +107,24 @@ concept CompleteModel = requires(const Panel& panel, const Model& model, Model& 
                                  const JsonFields& members, float mm, Vec2d share, StepsWithin within) {
   /// Returns the name in report.json.
   { kind_of(model) } -> std::convertible_to<std::string_view>;
-  /// Returns the number of film pixels per panel pixel, side by side.
+  /// Returns the number of film pixels that lie side by side in one panel pixel.
   { sub_pixels_of(model) } -> std::convertible_to<int>;
   /// Throws Error naming an invalid field.
   check_model(panel, model);
-  /// Write and read JSON, except the panel and the depths. Reading throws Error through `members`.
+  /// Write the model to JSON and read it, without the panel and the depths. Reading throws Error through `members`.
   write_model(model, json);
   read_model(members, read);
   /// Returns all other properties that do not depend on a pixel.
   { facts_of(panel, model) } -> std::same_as<OpticsFacts>;
-  /// Returns resolved_z_front_mm() for z_front_mm = mm.
+  /// Returns resolved_z_front_mm() for optics with z_front_mm = mm.
   { front_mm(panel, model, mm) } -> std::same_as<float>;
-  /// Returns the constants of its rays: one of AnyRays (models.hpp), or a variant of several of these.
+  /// Returns the constants of the model's rays: one of AnyRays (models.hpp), or a variant of several of these.
   make_rays(panel, model, mm);
   /// Returns sample_footprint_mm() at z = mm.
   { footprint_mm(panel, model, mm) } -> std::same_as<Vec2f>;
-  /// Returns the slope of the eye at `share` of the zone relative to the design viewer, to the right and up.
+  /// Returns the slope, to the right and up, of the eye at `share` of the viewing zone, relative to the design viewer.
   { zone_slope(panel, model, share) } -> std::same_as<Vec2d>;
-  /// Returns the steps to a pixel's neighbours.
+  /// Returns the steps from a pixel to its neighbours.
   { step_rule(panel, model, within) } -> std::same_as<StepRule>;
 };
 
@@ -135,7 +142,7 @@ concept HasCameras = requires(const Panel& panel, const Model& model) {
   { cameras_of(panel, model) } -> std::same_as<std::optional<ViewCameras>>;
 };
 
-/// Models of calibrated panels with a view phase per sub-pixel (view_phases()).
+/// Models of calibrated panels, where every sub-pixel has a view phase (view_phases()).
 template <class Model>
 concept HasViewPhases = requires(const Model& model) {
   { view_phases_of(model) } -> std::same_as<ViewPhases>;
@@ -147,26 +154,28 @@ concept HasLensCells = requires(const Panel& panel, const Model& model) {
   { lens_cells_of(panel, model) } -> std::same_as<LensCells>;
 };
 
-/// Models whose lenses can be replaced: pitch across, gap, the centre of lens 0, viewed from infinity.
+/// Models whose lenses can be replaced by set_lenses(), with the arguments pitch across, gap and centre of lens 0. Afterwards
+/// they are viewed from infinity.
 template <class Model>
 concept HasLenses = requires(Model& model, float mm, Vec2f offset_mm) {
   set_lenses(model, mm, mm, offset_mm);
 };
 
-/// Models that flags and job files can select; kind_info() makes them from parameters (optics/optics_kind.hpp).
+/// Models that flags and job files can select. kind_info() describes the model and makes it from parameters
+/// (optics/optics_kind.hpp).
 template <class Model>
 concept HasKindInfo = requires(const Model& model) {
   { kind_info(model) } -> std::same_as<const OpticsKindInfo&>;
 };
 
-/// Returns the facts of the optics' model.
+/// Returns the properties of the optics' model.
 OpticsFacts optics_facts(const Optics& optics);
 
-/// Returns a model of the same kind with other lenses: `pitch_mm` across them, viewed from infinity. None if the model has no
-/// lenses. Callers adapt the panel.
+/// Returns a model of the same kind with other lenses: `pitch_mm` apart across the lenses, viewed from infinity. Returns none
+/// if the model has no lenses. The caller must adapt the panel.
 std::optional<OpticsModel> with_lenses(OpticsModel model, float pitch_mm, float gap_mm, Vec2f offset_mm);
 
-/// Throws a usage Error for optics without an inverse.
+/// Throws a usage Error for optics without an inverse mapping.
 [[noreturn]] void throw_no_inverse();
 
 }  // namespace lippmann

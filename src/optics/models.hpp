@@ -1,5 +1,5 @@
-// All models of optics. Include a new model here and add its rays and its sight to the variants below; the compiler then checks
-// its interface.
+// Lists all models of optics. To add a model, include it here and add its rays and its sight to the variants below; the
+// compiler then checks its interface.
 #pragma once
 
 #include <utility>
@@ -17,11 +17,11 @@
 
 namespace lippmann {
 
-/// Ray constants. Each type has write_block(), and write_ray_of() or crossing().
+/// The constants from which rays are computed. Each type has write_block(), and write_ray_of() or crossing().
 using AnyRays = std::variant<LenticularRays, SquareMicrolensRays, HexagonalMicrolensRays, MultiViewRays, SingleViewRays,
                              SlantedPanelRays, RayTableRays>;
 
-/// Maps an eye and a point of the plane z = 0 to a point of the panel.
+/// The classes that map an eye and a point of the plane z = 0 to a point of the panel.
 using AnySight = std::variant<SlantedSight, LenticularSight, MicrolensSight, QuiltSight>;
 
 namespace detail {
@@ -35,7 +35,7 @@ inline constexpr bool kAllComplete<std::variant<Models...>> = (CompleteModel<Mod
 
 static_assert(detail::kAllComplete<OpticsModel>);
 
-/// Returns the sight of the optics. Throws a usage Error for optics without an inverse.
+/// Returns the sight of the optics. Throws a usage Error for optics without an inverse mapping.
 AnySight make_sight(const Optics& optics);
 
 }  // namespace lippmann

@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// Angles of the eyes as seen from the centre of the panel.
+/// Angle of the first eye and step between eyes, as seen from the centre of the panel.
 struct EyeAngles {
   double first, step;
 };
@@ -22,7 +22,7 @@ EyeAngles eye_angles(const MultiView& views) {
   return count > 1 ? EyeAngles{cone * (shift / (count - 1) - 0.5), cone / (count - 1)} : EyeAngles{0.0, 0.0};
 }
 
-/// Returns the first eye along one axis of a camera grid, relative to its middle.
+/// Returns the position of the first eye along one axis of a camera grid, relative to the grid's middle.
 double first_eye(double baseline_mm, int count, float shift) { return baseline_mm * (shift - 0.5 * (count - 1)); }
 
 }  // namespace
@@ -118,15 +118,15 @@ namespace {
 
 bool is_grid(const MultiView& views) { return views.baseline_mm > 0.0f; }
 
-/// Returns the viewing zone. For a camera grid it is as many baselines wide as its longer side has eyes.
+/// Returns the viewing zone as an angle. For a camera grid with n eyes along its longer side, the zone is n baselines wide.
 float views_zone(const MultiView& views) {
   if (!is_grid(views)) return views.view_cone;
   const auto eyes = static_cast<float>(std::max(views.columns, views.rows));
   return 2.0f * std::atan(0.5f * eyes * views.baseline_mm / views.distance_mm);
 }
 
-/// Returns the depth in front of the plane where points move by one pixel between the two middle views. Infinite for a stereo
-/// pair, since each eye sees only its own view.
+/// Returns the depth in front of the plane at which points move by one pixel between the two middle views. Returns infinity for
+/// a stereo pair, because each eye sees only its own view.
 float view_budget_mm(const MultiView& views, float pixel_pitch_mm) {
   const int steps = views.columns * views.rows - (views.cone_ends_included ? 1 : 0);
   if (views.columns * views.rows < 2 || (is_grid(views) && views.columns == 2 && views.rows == 1)) return kInfinity;
@@ -163,7 +163,7 @@ Vec2d zone_slope(const Panel&, const MultiView& views, Vec2d share) {
     return {(share.x - 0.5) * views.columns * views.baseline_mm / views.distance_mm,
             (share.y - 0.5) * views.rows * views.baseline_mm / views.distance_mm};
   const int count = views.columns * views.rows;
-  // If the outermost views' eyes are at the ends of the cone, the zone extends half a view farther.
+  // If the outermost eyes are at the ends of the cone, the viewing zone extends half a view step beyond them.
   const double widening = views.cone_ends_included && count > 1 ? count / (count - 1.0) : 1.0;
   return {std::tan(views.view_cone * widening * (share.x - 0.5)), 0.0};
 }
@@ -202,8 +202,8 @@ PanelSize quilt_size(const OpticsParams& params, Vec2i) {
   return {size.x, size.y, 0.0f, views};
 }
 
-/// Makes the model. A camera grid divides the viewing zone among the N eyes of its longer side, which are 2 V tan(a/2) / N
-/// apart. If the ends are included, N - 1 steps span the zone.
+/// Makes the model. For a camera grid, the viewing zone is divided among the N eyes of its longer side, which are 2 V tan(a/2)
+/// / N apart. If the ends are included, the zone is divided into N - 1 steps.
 OpticsModel views_of_params(const ModelSetup& setup) {
   const Extent<int> views = setup.size.views;
   const float distance_mm = setup.viewing_distance_mm;

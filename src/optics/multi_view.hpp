@@ -20,10 +20,10 @@ struct MultiViewRays {
   float tile_width_px, tile_height_px, tiles_per_px_x, tiles_per_px_y;
   float padding_top_px;
   float pixel_pitch_mm, pixel_height_mm;
-  float first_half_angle, half_angle_step;  ///< half the angle of view 0's eye, and half the step from view to view
-  Vec2f first_eye_mm;                       ///< camera grid: lower left eye; cone: 0 and the eye height
+  float first_half_angle, half_angle_step;  ///< half the angle of view 0's eye, and half the angle between neighbouring views
+  Vec2f first_eye_mm;                       ///< camera grid: position of the lower left eye; cone: x is 0, y is the eye height
   float baseline_mm;                        ///< camera grid: spacing of eyes; else 0
-  float eye_reach_mm;                       ///< an eye's x is this times the tangent of its angle
+  float eye_reach_mm;                       ///< an eye's x is this number times the tangent of its angle
   float distance_mm, inverse_distance;
   float front_from_eye_mm;  ///< z_front - distance, <= 0
 };
@@ -47,8 +47,9 @@ LIPPMANN_INLINE float tile_index(float p, float size, float per_px, float count)
   return k > 0.0f ? k : 0.0f;
 }
 
-/// Returns tan(2 h) for |h| < pi/4: Lambert's continued fraction of tan h up to the term h^2/9 (error 2e-8 at pi/4) and the
-/// double-angle formula. It vectorises without gathers, unlike a table of eyes, and gives the same bits on every machine.
+/// Returns tan(2 h) for |h| < pi/4, from Lambert's continued fraction of tan h up to the term h^2/9 (error 2e-8 at pi/4) and
+/// the double-angle formula. Unlike a table of eyes, this vectorises without gathers, and it gives the same bits on every
+/// machine.
 LIPPMANN_INLINE float tangent_of_double(float h) {
   const float h2 = h * h;
   const float p = h * (945.0f + h2 * (h2 - 105.0f)), q = 945.0f + h2 * (15.0f * h2 - 420.0f);
@@ -62,7 +63,7 @@ LIPPMANN_INLINE Crossing crossing(const MultiViewRays& c, float px, float py) {
   const float x = (px - column * c.tile_width_px - 0.5f * c.tile_width_px) * c.pixel_pitch_mm;
   const float y = (0.5f * c.tile_height_px - (down - row * c.tile_height_px)) * c.pixel_height_mm;
   const float view = (c.rows - 1.0f - row) * c.columns + column;
-  // One of the two terms of eye_x is 0, which avoids branches and gathers.
+  // One of the two terms of eye_x is always 0; adding both avoids branches and gathers.
   const float on_cone = c.eye_reach_mm * tangent_of_double(c.first_half_angle + view * c.half_angle_step);
   const float eye_x = on_cone + (c.first_eye_mm.x + column * c.baseline_mm);
   const float eye_y = c.first_eye_mm.y + (c.rows - 1.0f - row) * c.baseline_mm;

@@ -15,8 +15,7 @@ auto visit_model(const Optics& optics, const Function& function) {
 
 }  // namespace
 
-// ---- Shared by several models
-// ------------------------------------------------------------------------------------------------
+// ---- Shared by several models ---------------------------------------------------------------------------------------------
 
 float front_of_lenses_mm(const Panel& panel, float viewing_distance_mm, float chosen_mm) {
   if (std::isfinite(chosen_mm)) return chosen_mm;
@@ -33,7 +32,7 @@ int rounded_count(double samples) { return static_cast<int>(std::clamp(std::roun
 
 OpticsFacts facts_of_lenses(const Panel& panel, const LensArray& lenses, Vec2i whole_pixels_per_lens) {
   const double m = panel.pixel_pitch_mm;
-  const double toward_viewer = lenses.gap_mm / (lenses.viewing_distance_mm + lenses.gap_mm);  // 0 if that is infinite
+  const double toward_viewer = lenses.gap_mm / (lenses.viewing_distance_mm + lenses.gap_mm);  // 0 for an infinite distance
   const auto gap = static_cast<float>(lenses.gap_mm), distance = static_cast<float>(lenses.viewing_distance_mm);
   const bool rows = lenses.row_pitch_mm > 0.0;
   OpticsFacts facts;

@@ -29,36 +29,38 @@ class OpticsKind {
   const OpticsKindInfo* info_;
 };
 
-/// The height of the viewer's eyes above (or, negative, below) the middle of the display.
+/// The height of the viewer's eyes above the middle of the display; negative: below it.
 struct EyeHeight {
-  float value = 0.0f;     ///< mm, or degrees
-  bool is_angle = false;  ///< as seen from the middle of the display
+  float value = 0.0f;     ///< in mm, or in degrees if is_angle
+  bool is_angle = false;  ///< the height is an angle as seen from the middle of the display
 };
 
 struct OpticsParams {
   std::string display{};                       ///< name of a preset, a display file or a calibration; empty: none
   std::optional<OpticsKind> kind{};            ///< none: the display's, or lenticular
-  LensPacking packing = LensPacking::kSquare;  ///< microlens arrays
-  Extent<int> lenses{};                        ///< 0: 64 across, and as many down as fit the panel
-  Extent<float> lens_pixels{};                 ///< pixels below a lens, may be fractional; 0: 8
-  Extent<int> size{};                          ///< of the whole panel in pixels; 0: lenses x lens-pixels
-  Extent<int> views{};                         ///< multi-view: columns and rows of the quilt; 0: 8x6
-  bool camera_grid = false;                    ///< multi-view: eyes equidistant in a plane, across and up, instead of in angle
-  bool cone_ends = false;                      ///< multi-view: the outermost eyes are at the ends of the viewing zone
-  std::optional<float> view_angle_deg{};       ///< viewing zone, full angle; sets the gap; none: the display's, or 28
+  LensPacking packing = LensPacking::kSquare;  ///< for microlens arrays
+  Extent<int> lenses{};                        ///< number of lenses; 0: 64 across, and as many down as fit the panel
+  Extent<float> lens_pixels{};                 ///< number of pixels below a lens, may be fractional; 0: 8
+  Extent<int> size{};                          ///< size of the whole panel in pixels; 0: lenses x lens-pixels
+  Extent<int> views{};                         ///< multi-view: number of columns and rows of the quilt; 0: 8x6
+  /// Multi-view: true: eyes are at equal distances in a plane, across and up; false: at equal angles in one row.
+  bool camera_grid = false;
+  bool cone_ends = false;  ///< multi-view: the outermost eyes are at the ends of the viewing zone
+  /// Full angle of the viewing zone, which determines the gap. None: that of the display, or 28 degrees.
+  std::optional<float> view_angle_deg{};
   std::optional<float> viewing_distance_mm{};  ///< none: distance of the scene's camera; inf: parallel cells
-  std::optional<EyeHeight> eye_height{};       ///< none: at the middle of the display
-  std::optional<bool> fit_depth{};             ///< compress depth to what the display can resolve; see fits_depth()
-  float slant_deg = 0.0f;                      ///< of a lenticular sheet's lenses from the vertical
-  std::optional<double> ipd_mm{};              ///< stereo: distance between the eyes; none: kDefaultIpdMm
-  std::optional<double> screen_width_mm{};     ///< stereo: width of the screen; none: the display's, or kDefaultScreenMm
-  std::optional<double> crosstalk_px{};        ///< sigma (optics/crosstalk.hpp); none: the display's
+  std::optional<EyeHeight> eye_height{};       ///< none: the eyes are level with the middle of the display
+  std::optional<bool> fit_depth{};             ///< reduce depth to what the display can resolve; see fits_depth()
+  float slant_deg = 0.0f;                      ///< angle between the lenses of a lenticular sheet and the vertical
+  std::optional<double> ipd_mm{};              ///< stereo: distance between the eyes; none: kUsualIpdMm
+  std::optional<double> screen_width_mm{};     ///< stereo: width of the screen; none: the display's, or kUsualScreenMm
+  std::optional<double> crosstalk_px{};        ///< sigma of the lens blur (optics/crosstalk.hpp); none: the display's
   bool precompensate = false;                  ///< counteract the display's crosstalk in pictures
 };
 
 /// A parameter that applies to some kinds of optics only (OpticsKindInfo::takes).
 struct KindParam {
-  std::string_view name;  ///< of the flag
+  std::string_view name;  ///< name of the flag
   bool (*is_given)(const OpticsParams&);
 };
 
@@ -72,7 +74,7 @@ inline constexpr std::array kKindParams{
     KindParam{"cone-ends", [](const OpticsParams& params) { return params.cone_ends; }},
 };
 
-/// Returns the viewing angle in radians; 28 degrees if not given.
+/// Returns the full angle of the viewing zone in radians; 28 degrees if it is not given.
 float view_angle(const OpticsParams& params);
 
 }  // namespace lippmann

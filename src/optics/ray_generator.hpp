@@ -7,16 +7,17 @@
 
 namespace lippmann {
 
-/// Thread-safe after construction. Construction is cheap per frame, but not per packet.
+/// Generates rays of points on the panel. Thread-safe after construction. Construct it per frame; per packet, that would be too
+/// slow.
 class RayGenerator {
  public:
-  /// `optics` must pass validate(). world_from_display: a rotation, a uniform scale and a translation. Rays are in its target
-  /// frame, with origins in world units and unit directions. By default they are in the display frame, in mm.
+  /// `optics` must pass validate(). world_from_display: a rotation, a uniform scale and a translation. Rays are in the world
+  /// frame that it maps to, with origins in world units and unit directions. By default they are in the display frame, in mm.
   explicit RayGenerator(const Optics& optics, const Affine3f& world_from_display = {});
 
-  /// Computes the rays of `count` points of the panel, in continuous pixel coordinates. They start in the plane z = z_front
-  /// (see resolved_z_front_mm); those of a table start at their own origins. Works in blocks of 16 and is most efficient for
-  /// multiples of 16. The arrays must not overlap.
+  /// Computes the rays of `count` points of the panel, in continuous pixel coordinates. Rays start in the plane z = z_front
+  /// (see resolved_z_front_mm), or for a table of rays at their own origins. Works in blocks of 16, so that multiples of 16 are
+  /// most efficient. The arrays must not overlap.
   void rays(const float* pixel_x, const float* pixel_y, int count, const RayArrays& rays) const;
 
   /// Returns the ray of one point, bit-identical to rays().
@@ -25,8 +26,8 @@ class RayGenerator {
   /// Returns the unit vector along the display's -z in world space.
   Vec3f forward() const { return frame_.unit_forward; }
 
-  /// Returns the distance between the planes where rays start and end, in world units along forward(); inf if z_back is. The
-  /// length of a ray is depth() / dot(direction, forward()).
+  /// Returns the distance between the planes where rays start and end, in world units along forward(); infinite if z_back is
+  /// infinite. The length of a ray is depth() / dot(direction, forward()).
   float depth() const { return depth_; }
 
  private:

@@ -31,7 +31,7 @@ void check_model(const Panel& panel, const RayTable& table) {
   for (std::size_t i = 0; i < count; ++i) {
     const Ray& ray = (*table.rays)[i];
     const Vec3f &at = ray.origin, &to = ray.direction;
-    const bool placed = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) <= kMaxLength;  // NaN compares false
+    const bool placed = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) <= kMaxLength;  // false also for NaN
     if (!(placed && std::isfinite(at.x + at.y + at.z) && std::abs(glm::length(to) - 1.0f) <= 1e-3f && to.z < 0.0f))
       reject_field(
           "rays.rays",

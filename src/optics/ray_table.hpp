@@ -13,10 +13,10 @@ namespace lippmann {
 struct RayTableRays {
   std::shared_ptr<const std::vector<Ray>> rays;
   float samples_per_px;
-  int columns, rows;  ///< samples in the table, across and down
+  int columns, rows;  ///< number of samples in the table, across and down
   float z_front_mm;
 
-  /// Returns the ray at a point of the panel, clamped to its edge.
+  /// Returns the ray at a point of the panel. Points outside the panel are clamped to its edge.
   const Ray& at(float px, float py) const {
     const auto index = [this](float p, int count) {
       return static_cast<std::size_t>(std::clamp(static_cast<int>(std::floor(p * samples_per_px)), 0, count - 1));
@@ -25,7 +25,7 @@ struct RayTableRays {
   }
 };
 
-/// Writes a ray that starts at its own origin.
+/// Writes the ray of one panel point, which starts at its own origin.
 void write_ray_of(const RayTableRays& constants, const RayFrame& frame, float px, float py, const RayArrays& rays, int i);
 void write_block(const RayTableRays& constants, const RayFrame& frame, const float* px, const float* py, const RayArrays& rays);
 
@@ -34,7 +34,7 @@ void write_block(const RayTableRays& constants, const RayFrame& frame, const flo
 constexpr std::string_view kind_of(const RayTable&) { return "rays"; }
 constexpr int sub_pixels_of(const RayTable&) { return 1; }
 void check_model(const Panel& panel, const RayTable& table);
-/// Writes no rays; read_model() throws.
+/// write_model() writes no rays; read_model() throws.
 void write_model(const RayTable& table, nlohmann::ordered_json& json);
 void read_model(const JsonFields& json, RayTable& table);
 OpticsFacts facts_of(const Panel& panel, const RayTable& table);

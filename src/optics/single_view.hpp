@@ -9,8 +9,8 @@
 
 namespace lippmann {
 
-/// A pinhole at (0, eye_height, distance). Rays are computed relative to it, so that they start exactly there if z_front =
-/// distance.
+/// The rays of a pinhole at (0, eye_height, distance). They are computed relative to the pinhole, so that they start exactly
+/// there if z_front = distance.
 struct SingleViewRays {
   float centre_x_px, centre_y_px;  ///< the panel's centre minus the offset of the sample points
   float pixel_pitch_mm;

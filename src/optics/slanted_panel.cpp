@@ -1,9 +1,11 @@
-// The inverse: finds all sub-pixels that see a point (X, Y, Z). With M = D / (D - Z), the line from an eye at e through the
-// point crosses z = 0 at x = X M + e (1 - M). Below lens k, at phase k + f, x = (k + f - phase at x = 0) p with lens pitch p,
-// and e = D tan(cone (v - 1/2)) times the parallax s, where v = 1 - f or f. So f solves
-//   G(f) = p f + a tan(cone (f - 1/2)) = X M - (k - phase at x = 0) p,   a = +-(1 - M) D s, + if v = 1 - f.
+// The inverse mapping finds all sub-pixels that see a point (X, Y, Z). With M = D / (D - Z), the line from an eye at e through
+// the point crosses z = 0 at x = X M + e (1 - M). A sub-pixel below lens k, at the phase k + f, lies at x = (k + f - phase at x
+// = 0) p with the lens pitch p. Its eye is at e = D tan(cone (v - 1/2)) times the parallax s, where v = 1 - f or f. Thus f
+// solves
+//   G(f) = p f + a tan(cone (f - 1/2)) = X M - (k - phase at x = 0) p,   a = +-(1 - M) D s, with + if v = 1 - f.
 // G is monotone except for points in front, near the depth where a lens shows one point over its full width (Z cone = p). There
-// it has two turning points, at cos^2(cone (f - 1/2)) = -a cone / p. Each monotone piece has at most one solution per lens.
+// it has two turning points, at cos^2(cone (f - 1/2)) = -a cone / p. In each interval where G is monotone, there is at most one
+// solution per lens.
 #include "optics/slanted_panel.hpp"
 
 #include <algorithm>
@@ -22,7 +24,7 @@ class LensEquation {
 
   double value(double f) const { return pitch_ * f + a_ * std::tan(cone_ * (f - 0.5)); }
 
-  /// Returns the ends of the monotone pieces of [0, 1] in ascending order.
+  /// Returns the ends of the intervals in [0, 1] where G is monotone, in ascending order.
   std::vector<double> ends() const {
     const double cos2 = -a_ * cone_ / pitch_;
     std::vector<double> ends{0.0};
@@ -34,8 +36,8 @@ class LensEquation {
     return ends;
   }
 
-  /// Returns f in [low, high], where G is monotone, with G(f) = `wanted`: Newton steps, with bisection if they leave the
-  /// interval.
+  /// Returns the f in [low, high] with G(f) = `wanted`; G must be monotone there. Uses Newton steps, and bisection if they
+  /// leave the interval.
   double solve(double wanted, double low, double high) const {
     const bool rising = value(high) >= value(low);
     double f = 0.5 * (low + high);
@@ -55,10 +57,10 @@ class LensEquation {
   double pitch_, a_, cone_;
 };
 
-constexpr double kMaxTilt = 1e3, kMaxPhase = 1e6;  ///< phases are then still exact to 1e-7 of a lens
-constexpr double kMaxOffset = 4;                   ///< of a sub-pixel from its pixel's centre, in pixels
+constexpr double kMaxTilt = 1e3, kMaxPhase = 1e6;  ///< within these limits, phases are exact to 1e-7 of a lens
+constexpr double kMaxOffset = 4;                   ///< maximum distance of a sub-pixel from its pixel's centre, in pixels
 
-/// Appends all sub-pixels at a point of the plane z = 0, given in panel pixels from the left and from the bottom.
+/// Appends all sub-pixels at a point of the plane z = 0. The point is given in panel pixels from the left and from the bottom.
 void append_sub_pixels(const Panel& panel, const SlantedPanel& slanted, double x, double y, std::vector<Vec2f>& pixels) {
   const int width = panel.width, height = panel.height;
   for (int up = 0; up < 4; ++up)
@@ -66,7 +68,7 @@ void append_sub_pixels(const Panel& panel, const SlantedPanel& slanted, double x
       for (int color = 0; color < 3; ++color) {
         const Vec2f offset =
             slanted.sub_pixels[static_cast<std::size_t>(up)][static_cast<std::size_t>(column)][static_cast<std::size_t>(color)];
-        // Film pixels from the left and rows from the bottom, if it is this sub-pixel.
+        // If the point lies on this sub-pixel, these are its film column from the left and its row from the bottom.
         const double from_left = x - offset.x - 0.5, from_bottom = y - offset.y;
         const double i = std::floor(from_left + 0.5), j = std::floor(from_bottom);
         if (!(i >= 0.0 && i < width && j >= 0.0 && j < height)) continue;
@@ -120,7 +122,7 @@ void pixels_seeing(const Panel& panel, const SlantedPanel& slanted, Vec3f point_
   const double width_mm = panel.width * static_cast<double>(panel.pixel_pitch_mm);
   const double y_mm = point_mm.y * magnification + slanted.eye_height_mm * (1.0 - magnification);
   const double up = 0.5 * panel.height + y_mm / pixel_mm;
-  constexpr double kReach = 4.0;  // pixels by which a sub-pixel may lie outside its pixel: see check_model
+  constexpr double kReach = 4.0;  // a sub-pixel may lie this many pixels outside its pixel: see check_model
   if (!(up >= -kReach && up <= panel.height + kReach)) return;
   const double pitch = width_mm / slanted.periods, x_mm = point_mm.x * magnification;
   const double phase_at_middle = slanted.periods * (0.5 + slanted.tilt * up / panel.height) - slanted.center;
@@ -130,7 +132,7 @@ void pixels_seeing(const Panel& panel, const SlantedPanel& slanted, Vec3f point_
   std::vector<double> values;
   for (const double end : ends) values.push_back(equation.value(end));
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  // The range of lenses above the panel that may show the point.
+  // Find the range of lenses above the panel that may show the point.
   const double offset = phase_at_middle + x_mm / pitch, half_panel = 0.5 * slanted.periods + kReach * pixel_mm / pitch;
   const double first = std::max(std::floor(offset - *most / pitch), std::floor(phase_at_middle - half_panel));
   const double last = std::min(std::ceil(offset - *least / pitch), std::floor(phase_at_middle + half_panel));
@@ -147,7 +149,7 @@ void pixels_seeing(const Panel& panel, const SlantedPanel& slanted, Vec3f point_
 }
 
 void check_model(const Panel& panel, const SlantedPanel& slanted) {
-  check_number("slanted.periods", slanted.periods, 1e-3, 3.0 * panel.width);  // a lens is at least one sub-pixel wide
+  check_number("slanted.periods", slanted.periods, 1e-3, 3.0 * panel.width);  // lenses are at least one sub-pixel wide
   check_number("slanted.tilt", slanted.tilt, -kMaxTilt, kMaxTilt);
   check_number("slanted.center", slanted.center, -kMaxPhase, kMaxPhase);
   check_cone("slanted.view_cone", slanted.view_cone);
@@ -164,7 +166,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Writes rows from the bottom, columns, colours.
+/// Returns nested lists: rows from the bottom, columns, colours.
 Json sub_pixels_json(const SubPixelOffsets& offsets) {
   Json rows = Json::array();
   for (const auto& row : offsets) {
@@ -179,7 +181,7 @@ Json sub_pixels_json(const SubPixelOffsets& offsets) {
   return rows;
 }
 
-/// Reads a list of exactly list.size() elements.
+/// Reads a JSON list, which must have exactly list.size() elements.
 template <class List>
 void read_list(const JsonFields& members, const Json& json, List& list, const auto& read_element) {
   if (!json.is_array() || json.size() != list.size())
@@ -237,7 +239,7 @@ OpticsFacts facts_of(const Panel& panel, const SlantedPanel& slanted) {
 }
 
 LensCells lens_cells_of(const Panel& panel, const SlantedPanel& slanted) {
-  // The phase at x and y, from 0 to 1 across the panel and up it, is (x + y T) P - center (slanted_panel.hpp).
+  // At the position (x, y), from 0 to 1 across and up the panel, the phase is (x + y T) P - center (slanted_panel.hpp).
   const double periods = slanted.periods, pixel = panel.pixel_pitch_mm;
   LensCells cells;
   cells.lenses_per_mm = Vec2d(1.0 / panel.width, slanted.tilt / panel.height) * (periods / pixel);

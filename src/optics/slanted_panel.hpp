@@ -1,8 +1,8 @@
-// Rays of a calibrated slanted panel, rendered directly for its sub-pixels: each has one ray, in the direction in which the
-// lens above it emits its light. Without intermediate views, the result has the panel's full resolution.
+// Rays of a calibrated slanted panel, rendered directly for its sub-pixels: each sub-pixel has one ray, in the direction in
+// which the lens above it emits its light. Without intermediate views, the result has the panel's full resolution.
 //
-// A sub-pixel at position (x, y), from 0 to 1 across the panel and up it, has the phase z = (x + y T) P - center below the
-// lenses, and the position v = 1 - fract(z) (or fract(z)) in the view cone. Its ray crosses the plane z = 0 at the same
+// A sub-pixel at the position (x, y), from 0 to 1 across and up the panel, has the phase z = (x + y T) P - center below the
+// lenses, and the position v = 1 - fract(z) (or fract(z)) in the view cone. Its ray crosses the plane z = 0 at the sub-pixel's
 // position and comes from the eye at (parallax distance tan(cone (v - 1/2)), eye_height, distance). Phases are doubles because
 // there may be thousands of lenses.
 #pragma once
@@ -18,25 +18,25 @@
 namespace lippmann {
 
 struct SlantedPanelRays {
-  double lenses_per_px, lenses_per_row;  ///< phase per panel pixel to the right, and per row up
-  double phase_at_corner;                ///< at the panel's bottom left corner
+  double lenses_per_px, lenses_per_row;  ///< increase of the phase per panel pixel to the right, and per row up
+  double phase_at_corner;                ///< phase at the panel's bottom left corner
   float phase_sign;                      ///< -1 if v = 1 - fract(z)
-  float half_cone;                       ///< half the view cone, as tangent_of_double needs
+  float half_cone;                       ///< half the view cone, since tangent_of_double() takes half angles
   float width_px, height_px;             ///< panel pixels
   float pixel_mm;
-  float eye_reach_mm;  ///< an eye's x is this times the tangent of its angle
+  float eye_reach_mm;  ///< an eye's x is this number times the tangent of its angle
   float eye_y_mm;
   float distance_mm, inverse_distance;
   float front_from_eye_mm;  ///< z_front - distance, <= 0
-  /// Positions of sub-pixels relative to their pixel's centre, in panel pixels: of red, green and blue in the columns 2n and 2n
-  /// + 1 of the rows 4n ... 4n + 3 from the bottom.
+  /// Positions of sub-pixels relative to their pixel's centre, in panel pixels: those of red, green and blue in the columns 2n
+  /// and 2n + 1 of the rows 4n ... 4n + 3, counted from the bottom.
   float offset_x[24], offset_y[24];
 };
 
 SlantedPanelRays make_slanted_panel(const Panel& panel, const SlantedPanel& slanted, float z_front_mm);
 
 LIPPMANN_INLINE Crossing crossing(const SlantedPanelRays& c, float px, float py) {
-  // First the sub-pixel: colour, column and row from the bottom. Then the position within it.
+  // First find the sub-pixel (colour, column, and row from the bottom), then the position within it.
   const float sub_pixel = std::floor(px), column = std::floor((sub_pixel + 0.5f) * (1.0f / 3.0f)), row = std::floor(py);
   const float color = sub_pixel - 3.0f * column;
   const float up = c.height_px - 1.0f - row;

@@ -1,9 +1,9 @@
 // Maps an eye and a point of the display plane to the sub-pixels of a calibrated slanted panel that the eye sees there.
 //
-// The lens above the point is the whole part of its phase. Over its full width, it shows the eye a single place below it: the
-// one whose direction is the eye's. If the eye's line meets the plane of the viewer at (x_D, D), then atan(x_D / D) = cone (v -
-// 1/2), and the fraction of the phase is 1 - v (or v). Directions repeat beyond the cone. The three colours of that place are
-// sub-pixels of three different pixels.
+// The index of the lens above a point is the whole part of its phase. Over its full width, the lens shows the eye a single
+// point below it: the point that it images into the direction of the eye. If the line from the eye meets the plane of the
+// viewer at (x_D, D), then atan(x_D / D) = cone (v - 1/2), and the fraction of the phase is 1 - v (or v). Directions repeat
+// beyond the cone. The three colours of the point below the lens are sub-pixels of three different pixels.
 #pragma once
 
 #include "lippmann/optics/optics.hpp"
@@ -13,31 +13,32 @@ namespace lippmann {
 
 struct SlantedPoint {
   double lens = 0.0;      ///< whole part of the phase
-  double fraction = 0.5;  ///< fraction of the phase at the place below the lens that the eye sees
+  double fraction = 0.5;  ///< fraction of the phase at the point below the lens that the eye sees
   bool in_zone = true;
 };
 
-/// Rows count from the top.
+/// Maps eyes to the sub-pixels they see. Rows count from the top.
 class SlantedSight {
  public:
   SlantedSight(const Panel& panel, const SlantedPanel& slanted);
 
-  Vec2i size() const { return size_; }  ///< of the panel
+  Vec2i size() const { return size_; }  ///< size of the panel in pixels
 
-  /// Returns a point of the plane z = 0 in continuous pixel coordinates.
+  /// Returns the continuous pixel coordinates of a point of the plane z = 0.
   Vec2d pixel_at(Vec2d point_mm) const;
 
-  /// Returns what the eye sees at a point of the plane, in the panel's row `row`.
+  /// Returns the point below the lens that the eye sees through a point of the plane, on the panel's row `row`.
   SlantedPoint seen_from(const Viewer& viewer, Vec2d point_mm, int row) const;
 
-  /// Returns the fractional column (its centre is at + 0.5) of the sub-pixel with this colour and phase in a row.
+  /// Returns the column in a row, as a fraction (its centre is at + 0.5), of the sub-pixel with this colour and phase.
   double column_of(const SlantedPoint& point, int color, int row, double near_column) const;
 
-  /// Returns the lens of a sub-pixel.
+  /// Returns the index of the lens above a sub-pixel.
   double lens_of(int column, int row, int color) const;
 
  private:
-  Vec2f offset(double column, int row, int color) const;  ///< from a pixel's centre to its sub-pixel, in pixels, y up
+  /// Returns the offset of a sub-pixel from its pixel's centre, in pixels, y up.
+  Vec2f offset(double column, int row, int color) const;
   double phase(double column, double up) const { return column * per_column_ + up * per_row_ - center_; }
 
   Vec2i size_;

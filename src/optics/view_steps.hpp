@@ -1,4 +1,4 @@
-// Steps from a pixel to its neighbours in the same picture: in the same directional view, or below the same lens.
+// Steps from a pixel to its neighbours in the same picture. A picture is a directional view, or the pixels below one lens.
 #pragma once
 
 #include <cstdint>
@@ -30,9 +30,10 @@ class ViewWalk {
   std::uint32_t width_;
 };
 
-/// kView: the pixels at the same offset below the next lenses, or the nearest ones; along the lenses of a lenticular sheet or a
-/// slanted panel, the next row. kLens: the next pixels below the same lens (for hexagons: in the rectangle of lens pitch by row
-/// pitch). In single views and quilts, both mean the next pixels of the same view.
+/// Finds the neighbours of a pixel. kView: the pixels at the same offset below the neighbouring lenses, or the pixels nearest
+/// to that offset; along the lenses of a lenticular sheet or a slanted panel, the pixels of the next row. kLens: the
+/// neighbouring pixels below the same lens (for hexagons: in the rectangle of lens pitch by row pitch). In single views and
+/// quilts, both mean the neighbouring pixels of the same view.
 class ViewSteps {
  public:
   /// `optics` must pass validate().

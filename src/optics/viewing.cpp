@@ -8,12 +8,12 @@
 namespace lippmann {
 namespace {
 
-/// Returns the slope of the eye at `share` of the zone relative to the design viewer, to the right and up.
+/// Returns the slope, to the right and up, of the eye at `share` of the viewing zone, relative to the design viewer.
 Vec2d slope_in_zone(const Optics& optics, Vec2d share) {
   return std::visit([&](const auto& model) { return zone_slope(optics.panel, model, share); }, optics.model);
 }
 
-/// Returns the pixels of the panel, or of one view of a quilt.
+/// Returns the number of pixels of the panel, or of one view of a quilt, across and down.
 Vec2i window_pixels(const Optics& optics, const OpticsFacts& facts) {
   return facts.tiles ? picture_size(optics) / Vec2i(facts.tiles->columns, facts.tiles->rows) : picture_size(optics);
 }
