@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// Returns the index of a pixel's cell. row: from the bottom.
+/// Returns the index of the cell that a pixel has. row: counted from the bottom.
 int cell_at(const Calibration& calibration, int column, int row) {
   const bool by_columns = calibration.patterns == Calibration::Patterns::kColumns;
   int cell = 0;
@@ -48,7 +48,7 @@ SubPixelOffsets offsets_of(const Calibration& calibration) {
   return offsets;
 }
 
-/// Lenses with cells `cell_mm` wide that converge to the viewer, over the display's view cone.
+/// Lenses with cells that converge to the viewer and fill the display's view cone.
 struct Lenses {
   double pitch_mm, gap_mm;
 };
@@ -59,12 +59,12 @@ Lenses lenses_of(const Display& display, double distance_mm) {
   return {p, p / (spread - p / distance_mm)};
 }
 
-/// Returns the position at which LensStrips have coordinate 0 at the panel's centre.
+/// Returns the coordinate of the panel's centre across the strips of LensStrips, in pixels.
 double centre_of_strips(const Display& display, const LensStrips& strips) {
   return 0.5 * (display.pixels.x * strips.cosine - display.pixels.y * strips.sine);
 }
 
-/// Returns the centre of the first lens to the right of the panel's centre.
+/// Returns the centre of the first lens to the right of the panel's centre, relative to that centre.
 float sheet_offset_mm(const Display& display) {
   const LensStrips strips = lens_strips(display);
   const double edge = (strips.start_px - centre_of_strips(display, strips)) / strips.cell_px;
@@ -92,7 +92,7 @@ SlantedPanel slanted_panel(const Display& display, double distance_mm) {
   const Calibration& c = display.calibration;
   SlantedPanel panel;
   panel.periods = periods_of(display), panel.tilt = tilt_of(display);
-  // For stripes, the calibration's x + c s is one sub-pixel s away from the sub-pixel's true position.
+  // For stripes, the position x + c s in the formula is one sub-pixel (s) away from the sub-pixel's true position.
   const double step = c.cells.empty() ? (flips_step(c) ? -1.0 : 1.0) / (3.0 * display.pixels.x) : 0.0;
   const bool flips_center = c.flip_image_x && c.flip == Calibration::Flip::kSlopeStepAndCenter;
   panel.center = c.center + (flips_center ? 0.5 : 0.0) - panel.periods * step;

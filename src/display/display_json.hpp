@@ -7,7 +7,7 @@
 
 namespace lippmann {
 
-/// Returns a display with the keys of docs/reference/displays.md and derived values: views, periods, tilt, lens pitch, size.
+/// Returns JSON with the keys of docs/reference/displays.md and with derived values: views, periods, tilt, lens pitch, size.
 nlohmann::ordered_json display_json(const Display& display);
 
 }  // namespace lippmann

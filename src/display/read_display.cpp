@@ -20,7 +20,7 @@ constexpr NumberRange kSide{1, 65536}, kTiles{1, 64}, kDpi{1, 1e5}, kCone{0.1, 1
     kAngle{-360, 360};
 constexpr std::size_t kMaxCells = 8;
 
-/// The tables of a display file.
+/// The tables of a display file, which contain keys.
 enum class Level { kFile, kLenses, kCalibration, kQuilt, kVideo };
 
 constexpr std::array<const char*, 5> kPlaces{"the top of the file, before the first table", "[lenses]", "[calibration]",
@@ -38,7 +38,7 @@ const std::vector<std::string_view>& keys_of(Level level) {
   return keys[static_cast<std::size_t>(level)];
 }
 
-/// Throws Error for an unknown key, or for a key of another table, which the message names.
+/// Throws Error for an unknown key and for a key that belongs into another table. The message names that table.
 void allow_keys_of(Level level, const JsonFields& fields) {
   const std::vector<std::string_view>& own = keys_of(level);
   for (std::size_t other = 0; other < kPlaces.size(); ++other)
@@ -48,7 +48,7 @@ void allow_keys_of(Level level, const JsonFields& fields) {
   fields.allow_only(own);
 }
 
-/// Reads a slope, whose magnitude must be plausible for lenses and not 0.
+/// Reads a slope. Its magnitude must be plausible for lenses and must not be 0.
 double read_slope(const JsonFields& fields, double otherwise) {
   const double slope = fields.number_or("slope", {-1e4, 1e4}, otherwise);
   if (std::abs(slope) < 1e-3)
@@ -75,7 +75,7 @@ std::vector<SubPixelCell> read_cells(const JsonFields& fields) {
 
 Calibration read_calibration(const JsonFields& fields, Calibration c) {
   c.pitch = fields.number("pitch", {1e-3, 1e5});
-  if (!fields.has("slope")) fields.number("slope", {-1e4, 1e4});  // is missing
+  if (!fields.has("slope")) fields.number("slope", {-1e4, 1e4});  // throws, because the slope is missing
   c.slope = read_slope(fields, c.slope);
   c.center = fields.number("center", {-1e4, 1e4});
   c.invert = fields.flag_or("invView", c.invert);
@@ -131,7 +131,7 @@ DisplayVideo read_video(const JsonFields& fields) {
   return video;
 }
 
-/// Reads a sigma in pixels, or a share of light as text such as "10%".
+/// Reads crosstalk: a sigma in pixels, or a share of light as text such as "10%".
 double read_crosstalk_of(const JsonFields& fields) {
   if (!fields.value("crosstalk").is_string()) return fields.number("crosstalk", {0.0, kMaxBlurPx});
   try {

@@ -1,4 +1,4 @@
-// Converts the tables of files to displays. Private to this part.
+// Converts the tables of display files to displays. Private to this part.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,12 +8,12 @@
 
 namespace lippmann {
 
-/// Returns a complete display. json: as docs/reference/displays.md describes TOML files. Throws Error naming `where` and the
-/// key.
+/// Returns a complete display. json: the tables that docs/reference/displays.md describes for TOML files. Throws Error naming
+/// `where` and the key.
 Display display_from_tables(const nlohmann::ordered_json& json, const std::string& where);
 
-/// Returns `base` with the values of a calibration's JSON. Pitch, slope and center are required. Throws like
-/// display_from_tables().
+/// Returns `base` changed by the values of a calibration's JSON. Pitch, slope and center are required. Throws Error as
+/// display_from_tables() does.
 Display display_from_visual(const nlohmann::ordered_json& json, const std::string& where, Display base);
 
 /// Throws Error naming `where` if the display's pixels have no rays.

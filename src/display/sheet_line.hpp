@@ -3,15 +3,16 @@
 //   lpi, lenses-per-mm, pitch-mm  one of them: the pitch of the lenses. Without viewing-distance the print gets the same pitch
 //   visual-lpi         instead of these: the pitch of the print, from a pitch test at viewing-distance
 //   dpi                pixels per inch of the print
-//   paper              A0 ... A8, letter, legal, tabloid, or a size: 148x210mm, 5x7in, 3593x2783px; landscape turns it
-//   viewing-distance   mm, from the eye to the lenses; default: the distance at which the print's height spans 14 degrees
-//   view-angle         degrees, of the viewing zone; default 50
-//   slant              degrees, of the lenses from the vertical; default 0
-//   phase              left edge of a lens, pixels from the left edge of the print; default 0
+//   paper              A0 ... A8, letter, legal, tabloid, or a size: 148x210mm, 5x7in, 3593x2783px
+//   landscape          makes the longer side of the paper horizontal
+//   viewing-distance   from the eye to the lenses, in mm; default: the distance at which the print's height spans 14 degrees
+//   view-angle         full angle of the viewing zone, in degrees; default 50
+//   slant              angle between the lenses and the vertical, in degrees; default 0
+//   phase              left edge of a lens, in pixels from the left edge of the print; default 0
 //
 // Lenses of pitch p are a gap g in front of the print, and the eye is at the distance D from the lenses. Rays from the eye
-// through two neighbouring lens centres meet the print, at D + g, p (D + g) / D apart. This is the pitch of the print, which is
-// larger than the pitch of the lenses.
+// through two neighbouring lens centres meet the print, at the distance D + g, p (D + g) / D apart. This is the pitch of the
+// print, which is larger than the pitch of the lenses.
 #pragma once
 
 #include <string>
@@ -20,10 +21,10 @@
 
 namespace lippmann {
 
-/// Returns whether a text is such a line, and not the name of a preset or file.
+/// Returns whether a text is a sheet in one line, and not the name of a preset or file.
 bool is_sheet_line(const std::string& text);
 
-/// Reads a line. Throws a usage Error naming the key.
+/// Reads a sheet from one line. Throws a usage Error naming the key.
 Display display_from_line(const std::string& line);
 
 }  // namespace lippmann
