@@ -52,8 +52,8 @@ struct OpticsParams {
   std::optional<EyeHeight> eye_height{};       ///< none: the eyes are level with the middle of the display
   std::optional<bool> fit_depth{};             ///< reduce depth to what the display can resolve; see fits_depth()
   float slant_deg = 0.0f;                      ///< angle between the lenses of a lenticular sheet and the vertical
-  std::optional<double> ipd_mm{};              ///< stereo: distance between the eyes; none: kUsualIpdMm
-  std::optional<double> screen_width_mm{};     ///< stereo: width of the screen; none: the display's, or kUsualScreenMm
+  std::optional<double> ipd_mm{};              ///< stereo: distance between the eyes; none: kDefaultIpdMm
+  std::optional<double> screen_width_mm{};     ///< stereo: width of the screen; none: the display's, or kDefaultScreenMm
   std::optional<double> crosstalk_px{};        ///< sigma of the lens blur (optics/crosstalk.hpp); none: the display's
   bool precompensate = false;                  ///< counteract the display's crosstalk in pictures
 };
