@@ -63,7 +63,7 @@ test("pictures of the wrong size are refused", async () => {
 });
 
 test("folders without a light field are refused", async () => {
-  await assert.rejects(view("saved"), /there are no frames or views in it|are not named as frames|only one picture/);
+  await assert.rejects(view("saved"), /contains no frames or views|are not named as frames|only one picture/);
   await assert.rejects(view("missing"), /there is no such file or folder/);
   const folders = { nothing: [], videos: ["a.mp4"], jobs: ["job.toml"], others: ["ein Bild.png"] };
   for (const [name, files] of Object.entries(folders)) {
