@@ -21,8 +21,9 @@ struct QueueView {
 using Register = float __attribute__((vector_size(4 * kLanes)));
 using Indices = std::int32_t __attribute__((vector_size(4 * kLanes)));
 
-#ifdef __clang__  // Clang has no __builtin_shuffle. Only fuzzers are built with clang.
-Register picked_of(const Register& first, const Register& second, const Indices& index) {
+// Inlined into each version of a kernel: versions pass and return such vectors in different registers.
+#ifdef __clang__  // Clang has no __builtin_shuffle.
+LIPPMANN_INLINE Register picked_of(const Register& first, const Register& second, const Indices& index) {
   Register picked;
   for (int k = 0; k < kLanes; ++k) {
     const std::int32_t i = index[k] & (2 * kLanes - 1);
@@ -30,7 +31,7 @@ Register picked_of(const Register& first, const Register& second, const Indices&
   }
   return picked;
 }
-Register picked_of(const Register& source, const Indices& index) { return picked_of(source, source, index); }
+LIPPMANN_INLINE Register picked_of(const Register& source, const Indices& index) { return picked_of(source, source, index); }
 #else
 LIPPMANN_INLINE Register picked_of(const Register& first, const Register& second, const Indices& index) {
   return __builtin_shuffle(first, second, index);
