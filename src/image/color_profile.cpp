@@ -1,6 +1,7 @@
-// Based on: ICC.1:2022, "Image technology colour management": a header of 128 bytes, then a table of tags (signature, offset,
-// size). Profiles of screens contain the colours of their primaries under D50 (rXYZ, gXYZ, bXYZ) and their curves (rTRC, ...;
-// grey: kTRC). A curve is a gamma, a table of 16-bit values, or one of five functions with parameters.
+// Based on: ICC.1:2022, "Image technology colour management". A profile is a header of 128 bytes, then a table of tags
+// (signature, offset, size). Profiles of screens contain the colours of their primaries under D50 (rXYZ, gXYZ, bXYZ) and their
+// curves (rTRC, gTRC, bTRC; for grey: kTRC). A curve is a gamma, a table of 16-bit values, or one of five functions with
+// parameters.
 #include "image/color_profile.hpp"
 
 #include <fmt/format.h>
@@ -40,7 +41,7 @@ class IccProfile {
     return {};
   }
 
-  /// Returns 0 beyond the end.
+  /// Reads a big-endian integer. Returns 0 if `at` is beyond the end.
   static std::uint32_t whole(FileBytes bytes, std::size_t at, std::size_t size = 4) {
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < size; ++i)
@@ -51,7 +52,8 @@ class IccProfile {
   static double fixed(FileBytes bytes, std::size_t at) { return static_cast<std::int32_t>(whole(bytes, at)) / 65536.0; }
   static std::string_view text(FileBytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
-  /// Returns the profile's description in ASCII: unchanged for version 2, every second byte of UTF-16 for version 4.
+  /// Returns the profile's description in ASCII. Version 2 stores it as it is; of version 4's UTF-16, every second byte is
+  /// taken.
   std::string name() const {
     const FileBytes tag = this->tag("desc");
     if (tag.size() < 12) return "";
@@ -88,7 +90,7 @@ std::optional<double> curve_at_half(FileBytes curve) {
     return (IccProfile::whole(curve, 12 + 2 * low, 2) + IccProfile::whole(curve, 12 + 2 * high, 2)) / (2.0 * 65535.0);
   }
   if (kind != "para") return std::nullopt;
-  std::array<double, 7> p{};  // g a b c d e f
+  std::array<double, 7> p{};  // the parameters g, a, b, c, d, e, f
   const std::uint32_t function = IccProfile::whole(curve, 8, 2);
   for (std::size_t i = 0; i < p.size(); ++i) p[i] = IccProfile::fixed(curve, 12 + 4 * i);
   const double x = 0.5;
@@ -109,7 +111,7 @@ std::optional<double> curve_at_half(FileBytes curve) {
 }
 
 bool has_srgb_curve(const IccProfile& profile, std::string_view tag) {
-  constexpr double kUnseen = 0.01;  // a gamma of 2.2 differs by 0.004
+  constexpr double kUnseen = 0.01;  // differences below this are invisible; a gamma of 2.2 differs by 0.004
   const std::optional<double> half = curve_at_half(profile.tag(tag));
   return half && std::abs(*half - linear_from_srgb(0.5)) <= kUnseen;
 }

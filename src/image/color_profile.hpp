@@ -1,4 +1,4 @@
-// Checks whether an ICC profile is sRGB. Private to src/image.
+// Checks whether an ICC profile differs visibly from sRGB. Private to src/image.
 #pragma once
 
 #include <string>
@@ -8,11 +8,12 @@
 
 namespace lippmann {
 
-/// Returns the notice "its colour profile 'Display P3' is not applied: ..." for PictureHeader. Returns an empty string without
-/// a profile, or if it has no visible difference from sRGB.
+/// Returns the notice for PictureHeader that the profile is not applied: "its colour profile 'Display P3' is not applied: ...".
+/// Returns an empty string if there is no profile, or if it has no visible difference from sRGB.
 std::string color_profile_notice(FileBytes icc);
 
-/// Returns the profile for PictureHeader. It is empty without a profile, or if it is sRGB as above.
+/// Returns the profile for PictureHeader. Returns an empty list if there is no profile, or if it has no visible difference from
+/// sRGB.
 std::vector<std::byte> profile_to_apply(FileBytes icc);
 
 inline constexpr const char* kInksNotice =

@@ -1,9 +1,10 @@
 // Decodes images of each format from a file's bytes in memory. read_image.hpp has the interface for files.
 //
-// Each format has three functions, which recognise the first bytes, read the header and decode the samples. Rows run from the
-// top, channels are interleaved with colours first, and alpha is not applied. Readers print nothing: the header's notices list
-// ignored data. The limits (limits.hpp) and the file's size bound the memory. The header and decode functions throw Error at
-// `where` if the file is truncated, damaged, too large or of an unsupported kind. All functions are thread-safe.
+// Each format has three functions, which recognise its first bytes, read the header and decode the samples. Rows run from the
+// top, channels are interleaved with colours first, and alpha is not applied. Readers print nothing; the header's `notices`
+// list the data that were ignored. The limits (limits.hpp) and the file's size bound the memory. The header and decode
+// functions throw Error at `where` if the file is truncated, damaged, too large or of an unsupported kind. All functions are
+// thread-safe.
 #pragma once
 
 #include <cstddef>
@@ -21,25 +22,26 @@ namespace lippmann {
 
 using FileBytes = std::span<const std::byte>;
 
-/// The side of the picture on which the first row and column of a file lie, 1 to 8 (TIFF 6.0, "Orientation"; EXIF uses the
-/// same).
+/// The side of the picture on which the first row and column of a file lie, 1 to 8 (TIFF 6.0, "Orientation"). EXIF uses the
+/// same numbers.
 enum class Orientation { kUpright = 1, kMirrored, kUpsideDown, kFlipped, kTransposed, kRightSide, kTransversed, kLeftSide };
 
 struct PictureHeader {
   int width = 0, height = 0;
-  std::vector<std::string> channels;  ///< names: R G B A, Y, or those of an EXR file
+  std::vector<std::string> channels;  ///< their names: R G B A, Y, or the names in an EXR file
   SampleKind kind = SampleKind::kByte;
   int colors = 0;  ///< number of colour channels, which come first: 3, 1 (grey), 0 (an EXR file without colours)
-  Orientation orientation = Orientation::kUpright;  ///< of the stored samples
-  std::vector<std::byte> profile = {};    ///< ICC profile of the samples, unless it is sRGB; applied by decode_picture()
-  std::vector<std::string> notices = {};  ///< ignored data, such as "its gamma of 1 is ...", to follow the file name
+  Orientation orientation = Orientation::kUpright;  ///< orientation of the stored samples
+  std::vector<std::byte> profile = {};  ///< ICC profile of the samples, unless it is sRGB; applied by decode_picture()
+  /// What was ignored in the file, such as "its gamma of 1 is ...", as text to follow the file name.
+  std::vector<std::string> notices = {};
 };
 
 using Samples = std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<float>>;
 
 struct DecodedPicture {
   PictureHeader header;
-  Samples samples;  ///< of the header's kind; width x height x channels
+  Samples samples;  ///< samples of the kind in the header; width x height x channels
 };
 
 /// Decodes an image of any format, turns it upright (orientation is kUpright) and converts it from its colour profile to sRGB
@@ -50,26 +52,26 @@ DecodedPicture decode_picture(FileBytes file, const std::string& where);
 
 bool is_png(FileBytes file);
 PictureHeader png_header(FileBytes file, const std::string& where);
-DecodedPicture decode_png(FileBytes file, const std::string& where);  ///< palettes as RGB, tRNS as alpha
+DecodedPicture decode_png(FileBytes file, const std::string& where);  ///< palettes become RGB, tRNS becomes alpha
 
 bool is_jpeg(FileBytes file);
 PictureHeader jpeg_header(FileBytes file, const std::string& where);
-/// Decodes grey or RGB. Converts CMYK to sRGB, by its profile if it has one.
+/// Decodes grey or RGB. CMYK becomes sRGB, converted by the file's profile if there is one.
 DecodedPicture decode_jpeg(FileBytes file, const std::string& where);
 
 bool is_tiff(FileBytes file);
 PictureHeader tiff_header(FileBytes file, const std::string& where);
-/// Decodes the first image: grey or RGB of 8 or 16 bits or floats, with extra channels; CMYK with a profile as sRGB of 8 or 16
-/// bits; all other kinds as 8-bit RGB.
+/// Decodes the first image. Grey and RGB of 8 or 16 bits or floats keep their samples and their extra channels. CMYK with a
+/// profile becomes sRGB of 8 or 16 bits. All other kinds become 8-bit RGB.
 DecodedPicture decode_tiff(FileBytes file, const std::string& where);
 
 bool is_exr(FileBytes file);
 PictureHeader exr_header(FileBytes file, const std::string& where);
-/// Decodes the display window of the first part with colours, in linear Rec. 709.
+/// Decodes the display window of the first part that has colours, in linear Rec. 709.
 DecodedPicture decode_exr(FileBytes file, const std::string& where);
 
-/// Radiance HDR. Decoding undoes EXPOSURE and COLORCORR, converts PRIMARIES and XYZE to linear Rec. 709, and orients rows and
-/// columns by the header.
+/// Radiance HDR. decode_hdr() undoes EXPOSURE and COLORCORR, converts PRIMARIES and XYZE to linear Rec. 709, and orients rows
+/// and columns by the header.
 bool is_hdr(FileBytes file);
 PictureHeader hdr_header(FileBytes file, const std::string& where);
 DecodedPicture decode_hdr(FileBytes file, const std::string& where);
@@ -78,7 +80,7 @@ DecodedPicture decode_hdr(FileBytes file, const std::string& where);
 bool is_heic(FileBytes file);
 PictureHeader heic_header(FileBytes file, const std::string& where);
 DecodedPicture decode_heic(FileBytes file, const std::string& where);
-/// Decodes the depth image beside the main picture. Returns nothing if there is none.
+/// Decodes the depth image that is stored beside the main picture. Returns nothing if there is none.
 std::optional<StoredDepth> decode_heic_depth(FileBytes file, const std::string& where);
 
 bool is_webp(FileBytes file);
@@ -87,7 +89,7 @@ DecodedPicture decode_webp(FileBytes file, const std::string& where);
 
 bool is_netpbm(FileBytes file);
 PictureHeader netpbm_header(FileBytes file, const std::string& where);
-/// Decodes PFM, and P5 and P6 with any highest code, scaled to 8 or 16 bits.
+/// Decodes PFM, and P5 and P6 files with any highest code. Their codes are scaled to 8 or 16 bits.
 DecodedPicture decode_netpbm(FileBytes file, const std::string& where);
 
 bool is_bmp(FileBytes file);
@@ -99,7 +101,7 @@ PictureHeader gif_header(FileBytes file, const std::string& where);
 /// Decodes the first image of an animation as RGB, or as RGBA if it may have transparent pixels.
 DecodedPicture decode_gif(FileBytes file, const std::string& where);
 
-/// Returns whether the header fields are consistent. TGA has no magic number, so check this format last.
+/// Returns whether the header fields are consistent. Check this format last, because TGA has no magic number.
 bool is_tga(FileBytes file);
 PictureHeader tga_header(FileBytes file, const std::string& where);
 DecodedPicture decode_tga(FileBytes file, const std::string& where);
@@ -113,7 +115,7 @@ PictureHeader plain_header(int width, int height, int channels, SampleKind kind)
 /// Adds a notice for non-square pixels. aspect: width / height of a pixel.
 void add_aspect_notice(PictureHeader& header, double aspect);
 
-/// Returns the default names: Y; Y, A; R, G, B; R, G, B, A; then channel4, ...
+/// Returns the default channel names: Y; Y, A; R, G, B; R, G, B, A; then channel4, ...
 std::vector<std::string> default_channels(int count);
 
 }  // namespace lippmann

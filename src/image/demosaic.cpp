@@ -1,9 +1,9 @@
 // Based on: H. S. Malvar, L. He, R. Cutler, "High-quality linear interpolation for demosaicing of Bayer-patterned color
-// images", ICASSP 2004, figure 2. Each missing colour is the mean of its neighbours, corrected by the curvature of the pixel's
-// own colour.
+// images", ICASSP 2004, figure 2. Each missing colour is the mean of the neighbours that have it, corrected by the second
+// derivative of the pixel's own colour.
 //
 // We deviate:
-// 1. Pixels beyond an edge are mirrored at the edge pixel, which preserves their colour.
+// 1. Pixels beyond an edge are mirrored at the edge pixel, so that they have the colour that the pattern requires.
 #include "image/demosaic.hpp"
 
 #include <algorithm>
@@ -23,15 +23,15 @@ class Mosaic {
   float green_at_color(int x, int y) const {
     return (4.0f * at(x, y) + 2.0f * (sides(x, y, 1) + ends(x, y, 1)) - sides(x, y, 2) - ends(x, y, 2)) / 8.0f;
   }
-  /// Returns, at a green pixel, the colour of its left and right neighbours.
+  /// For a green pixel, returns the colour that its left and right neighbours have.
   float color_beside(int x, int y) const {
     return (5.0f * at(x, y) + 4.0f * sides(x, y, 1) - corners(x, y) - sides(x, y, 2) + 0.5f * ends(x, y, 2)) / 8.0f;
   }
-  /// Returns, at a green pixel, the colour of its neighbours above and below.
+  /// For a green pixel, returns the colour that its neighbours above and below have.
   float color_above(int x, int y) const {
     return (5.0f * at(x, y) + 4.0f * ends(x, y, 1) - corners(x, y) - ends(x, y, 2) + 0.5f * sides(x, y, 2)) / 8.0f;
   }
-  /// Returns blue at a red pixel, and red at a blue one.
+  /// Returns blue for a red pixel, and red for a blue pixel.
   float other_color(int x, int y) const {
     return (6.0f * at(x, y) + 2.0f * corners(x, y) - 1.5f * (sides(x, y, 2) + ends(x, y, 2))) / 8.0f;
   }

@@ -1,7 +1,7 @@
 // Draws boxes and text into images, for labels of test sheets and marks around prints.
-//
-// Colours are sRGB codes of 8 bits and become samples of the picture's kind. Drawing is clipped to the image. Text
-// is ASCII, in capitals 7 units high, in lines 12 units high; a unit is `scale` pixels, so that letters have sharp edges.
+// Colours are given as 8-bit sRGB codes and converted to the sample type of the picture. Drawing is clipped to the image. Text
+// is ASCII, in capitals 7 units high, in lines 12 units high. A unit is `scale` pixels, a whole number, so that letters have
+// sharp edges.
 #pragma once
 
 #include <array>
@@ -15,18 +15,18 @@ namespace lippmann {
 using Rgb8 = std::array<unsigned char, 3>;
 inline constexpr Rgb8 kBlackRgb{0, 0, 0}, kWhiteRgb{255, 255, 255};
 
-/// Pixels from `from`, included, to `to`, excluded.
+/// The pixels from `from` to `to`; `to` is excluded.
 struct PixelBox {
   Vec2i from{0, 0}, to{0, 0};
 
   Vec2i size() const { return to - from; }
 };
 
-inline constexpr int kTextCapital = 7, kTextLine = 12;  ///< heights, units
+inline constexpr int kTextCapital = 7, kTextLine = 12;  ///< heights in units
 
 void fill_box(Picture& picture, const PixelBox& box, const Rgb8& colour);
 
-/// Returns the width of the longest line and the height of all lines, units. '\n' ends a line.
+/// Returns the width of the longest line and the height of all lines, in units. '\n' ends a line.
 Vec2i text_units(std::string_view text);
 
 /// Draws text. corner: the top left corner of the first line.

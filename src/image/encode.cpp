@@ -1,7 +1,7 @@
 // Encodes sRGB with 8 bits by table instead of pow(). The 255 floats at which the code increases are computed once with the
-// exact formula. A float's exponent and top 7 mantissa bits select a bucket that contains at most one step. The bucket's entry
-// is (code at its start) 2^16 + (2^16 - the step's position in the bucket), or just the first term without a step. Adding the
-// float's lower 16 bits carries into the code exactly if the float is at or beyond the step.
+// exact formula. A float's exponent and top 7 mantissa bits select a bucket that contains at most one such step. The bucket's
+// entry is (code at its start) 2^16 + (2^16 - the step's position in the bucket), or only the first term if it contains no
+// step. Adding the float's lower 16 bits to the entry carries into the code exactly if the float is at or beyond the step.
 #include "lippmann/image/encode.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the sRGB code by definition, which the table must reproduce.
+/// Returns the sRGB code by the definition in encode.hpp. The table must give the same codes.
 int srgb_code(float value, int max_code) {
   if (!(value > 0.0f)) return 0;
   return static_cast<int>(std::floor(max_code * srgb_from_linear(std::min(value, 1.0f)) + 0.5));
@@ -46,7 +46,7 @@ class SrgbTable {
   }
 
   unsigned char operator()(float value) const {
-    value = value > kFirst ? value : kFirst;  // false for NaN
+    value = value > kFirst ? value : kFirst;  // replaces NaN, too, for which the comparison is false
     value = value < kLast ? value : kLast;
     const std::uint32_t offset = std::bit_cast<std::uint32_t>(value) - kFirstBits;
     return static_cast<unsigned char>((entries_[offset >> kBucketBits] + (offset & ((1u << kBucketBits) - 1))) >> kBucketBits);
@@ -54,8 +54,8 @@ class SrgbTable {
 
  private:
   static constexpr int kBucketBits = 16;
-  static constexpr float kFirst = 0x1p-13f;        // code 0: the first step is at 1.52e-4
-  static constexpr float kLast = 1.0f - 0x1p-24f;  // code 255
+  static constexpr float kFirst = 0x1p-13f;        // has code 0, since the first step is at 1.52e-4
+  static constexpr float kLast = 1.0f - 0x1p-24f;  // has code 255
   static constexpr std::uint32_t kFirstBits = std::bit_cast<std::uint32_t>(kFirst);
   static constexpr std::uint32_t kBuckets = (std::bit_cast<std::uint32_t>(1.0f) - kFirstBits) >> kBucketBits;
   std::array<std::uint32_t, kBuckets> entries_{};
@@ -67,7 +67,7 @@ int truncated_code(float value, int max_code) {
   return scaled < static_cast<float>(max_code) ? static_cast<int>(scaled) : max_code;
 }
 
-/// Calls code(value) for the three values of each pixel.
+/// Calls code(value) for the three colour values of each pixel.
 template <class Code, class F>
 std::vector<Code> encode(const Image& film, const F& code) {
   assert(film.channels > 0);

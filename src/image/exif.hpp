@@ -5,8 +5,8 @@
 
 namespace lippmann {
 
-/// Returns the orientation, or upright if it is missing or the data are damaged. exif: begins with the byte order mark of its
-/// TIFF header, or with "Exif\0\0" before it.
+/// Returns the orientation, or kUpright if it is missing or the data are damaged. exif: begins with the byte order mark of the
+/// TIFF header, or with "Exif\0\0" before this mark.
 Orientation exif_orientation(FileBytes exif);
 
 }  // namespace lippmann

@@ -40,13 +40,13 @@ std::string channel_name(const ExrLayer& layer, std::size_t channel) {
   return layer.name.empty() ? layer.channels[channel] : layer.name + "." + layer.channels[channel];
 }
 
-/// Reads one kind of samples; OpenEXR only converts when reading.
+/// Returns the samples converted to the type that is stored, because OpenEXR does not convert when writing.
 template <class Sample>
 std::vector<Sample> samples_of(const Image& image) {
   return {image.data.begin(), image.data.end()};
 }
 
-/// The header, the samples and the location of each channel.
+/// The contents of a file: the header, the samples, and the location of each channel in memory.
 struct Contents {
   Imf::Header header;
   Imf::FrameBuffer buffer;
@@ -56,7 +56,7 @@ struct Contents {
            std::span<const ExrAttribute> attributes)
       : header(layers.front().image->width, layers.front().image->height) {
     header.compression() = imf_compression(compression);
-    header.insert("capDate", Imf::StringAttribute("1970:01:01 00:00:00"));  // equal pictures give equal bytes
+    header.insert("capDate", Imf::StringAttribute("1970:01:01 00:00:00"));  // so that equal pictures give equal bytes
     for (const ExrAttribute& attribute : attributes) header.insert(attribute.name, Imf::StringAttribute(attribute.text));
     for (const ExrLayer& layer : layers) add(where, layer);
   }

@@ -1,7 +1,7 @@
 // Writes float images as layers of one OpenEXR file: the film and further per-pixel data.
 //
-// The file has one part. Channels have the names that compositing programs expect: R G B A, Z, and those of
-// lippmann/trace/aovs.hpp. Equal images give equal bytes: no time stamp is written.
+// The file has one part. Channels have the names that compositing programs expect: R G B A, Z, and those in
+// lippmann/trace/aovs.hpp. No time stamp is written, so that equal images give equal bytes.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@
 namespace lippmann {
 
 enum class ExrSample {
-  kHalf,  ///< 11 bits of precision, up to 65504
+  kHalf,  ///< 11 bits of precision, values up to 65504
   kFloat,
 };
 
@@ -22,19 +22,21 @@ enum class ExrSample {
 enum class ExrCompression { kNone, kRunLength, kZipRow, kZip, kPiz };
 
 struct ExrLayer {
-  std::string name;  ///< channels are named name.channel, or channel if name is empty
+  /// Channels are named "name.channel", or "channel" if this name is empty.
+  std::string name;
   const Image* image = nullptr;
-  std::vector<std::string> channels;  ///< one per channel of the image
+  std::vector<std::string> channels;  ///< one name per channel of the image
   ExrSample sample = ExrSample::kHalf;
 };
 
 ExrLayer film_layer(const Image& film, ExrSample sample = ExrSample::kHalf);
-/// Returns a layer of alpha. The film's colours are already multiplied by alpha, as the format requires.
+/// Returns a layer for alpha. The film's colours must be premultiplied by alpha, as the format requires; the film's already
+/// are.
 ExrLayer alpha_layer(const Image& alpha, ExrSample sample = ExrSample::kHalf);
-/// Returns a layer of depth as floats, because half precision is too low.
+/// Returns a layer for depth, stored as floats because the precision of halves is too low.
 ExrLayer depth_layer(const Image& depth);
 
-/// Text in the header of a file, beside the channels.
+/// A text attribute in the header of a file.
 struct ExrAttribute {
   std::string name, text;
 };

@@ -1,8 +1,8 @@
-// Decodes OpenEXR: scan lines or the finest level of tiles, as floats, of the first part with colours.
+// Decodes OpenEXR files as floats: the scan lines, or the finest level of tiles, of the first part with colours.
 //
-// The image covers the display window. A smaller data window is surrounded by zeros and a larger one is cropped. Colours are
-// converted to linear Rec. 709 if the file has other chromaticities. exr_channels.hpp selects the colour channels. They come
-// first, then alpha, then the others by layer.
+// The image covers the display window. A smaller data window is surrounded by zeros, and a larger one is cropped. Colours are
+// converted to linear Rec. 709 if the file has other chromaticities. exr_channels.hpp selects the colour channels. In the
+// result they come first, then alpha, then the other channels by layer.
 #include <Imath/ImathBox.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
@@ -33,7 +33,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the maximum compression ratio. DWA keeps one number of 64, which deflate then compresses.
+/// Returns the maximum compression ratio. DWA may keep only one of 64 numbers; deflate then compresses these.
 std::uint64_t ratio_of(Imf::Compression compression) {
   switch (compression) {
     case Imf::NO_COMPRESSION:
@@ -42,7 +42,7 @@ std::uint64_t ratio_of(Imf::Compression compression) {
     case Imf::DWAB_COMPRESSION:
       return 64 * kDeflateRatio;
     default:
-      return 2 * kDeflateRatio;  // PXR24 first drops a part of each float
+      return 2 * kDeflateRatio;  // PXR24 first drops bits of each float
   }
 }
 
@@ -58,7 +58,7 @@ void prepare_library() {
 
 Imath::V2i size_of(const Imath::Box2i& window) { return window.size() + Imath::V2i(1); }
 
-/// Throws Error if a window is too large, before its size is computed in 32 bits.
+/// Throws Error if a window is too large. Call this before its size is computed in 32 bits.
 void check_window(const std::string& where, const Imath::Box2i& window, std::size_t channels) {
   check_image_size(where, std::int64_t{window.max.x} - window.min.x + 1, std::int64_t{window.max.y} - window.min.y + 1,
                    static_cast<std::int64_t>(channels));
@@ -71,7 +71,7 @@ std::vector<std::string> channels_of(const Imf::Header& header) {
   return names;
 }
 
-/// Returns the samples of the window `data` inside the window `display`, with zeros elsewhere.
+/// Returns the samples of the display window: those of the window `data` where it lies inside, zeros elsewhere.
 std::vector<float> placed(const std::vector<float>& samples, std::size_t channels, const Imath::Box2i& data,
                           const Imath::Box2i& display) {
   const Imath::V2i size = size_of(display), data_size = size_of(data);
@@ -243,7 +243,8 @@ class ExrDecoder {
     });
   }
 
-  /// Decodes RY = R / Y - 1, BY = B / Y - 1. Y is the sum of R, G and B, weighted by the chromaticities.
+  /// Decodes luma and chroma to R, G, B, with RY = R / Y - 1 and BY = B / Y - 1. Y is the sum of R, G and B weighted by the
+  /// chromaticities.
   std::vector<float> luma_chroma_samples(const Imath::Box2i& window) {
     std::vector<std::string> stored = colors_.channels;
     if (!colors_.alpha.empty()) stored.push_back(colors_.alpha);
@@ -257,7 +258,7 @@ class ExrDecoder {
     return samples;
   }
 
-  /// Upsamples the chroma with OpenEXR's filter, as halves.
+  /// Upsamples the chroma with OpenEXR's filter, which works on halves.
   std::vector<float> upsampled_luma_chroma(const Imath::Box2i& window) {
     ExrInput input(bytes_);
     const std::string& luma = colors_.channels.front();
@@ -286,7 +287,7 @@ class ExrDecoder {
   std::vector<std::string> names_;
 };
 
-/// Converts OpenEXR's exceptions to Error.
+/// Calls decode() and converts OpenEXR's exceptions to Error.
 template <class Decode>
 auto without_foreign_exceptions(const std::string& where, const Decode& decode) {
   try {

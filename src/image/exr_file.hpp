@@ -1,4 +1,4 @@
-// Memory streams for reading and writing OpenEXR files. Include only from those files.
+// Memory streams for reading and writing OpenEXR files. Only the sources that read or write such files include this header.
 #pragma once
 
 #include <OpenEXR/ImfIO.h>

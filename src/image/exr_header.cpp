@@ -1,7 +1,7 @@
 // Based on: Industrial Light & Magic, "OpenEXR File Layout", 2013. A magic number and a version are followed by a header:
 // attributes with a name, a type, a size and a value, ended by an empty name. A file with several parts has several headers,
-// ended by an empty one. The offsets of the chunks follow, part by part, with 8 bytes each. A chunk has the number of its part
-// (only with several parts), its row (4 bytes) or its tile and level (16 bytes), its size and its samples.
+// ended by an empty header. Then follow the offsets of the chunks, 8 bytes each, part by part. A chunk consists of the number
+// of its part (only in files with several parts), its row (4 bytes) or its tile and level (16 bytes), its size and its samples.
 //
 // The checks must parse the file as OpenEXR does. OpenEXR reads most values by type and ignores their size, so a size that does
 // not match the type is an error here.
@@ -52,7 +52,7 @@ constexpr std::array<std::pair<std::string_view, std::size_t>, 24> kSizes{{
     {"v3i", 12},
 }};
 
-/// Reads bytes in order. Throws Error for a truncated header if they end.
+/// Reads a header's bytes in order. Throws Error for a truncated header if no bytes are left.
 class HeaderInput {
  public:
   HeaderInput(FileBytes bytes, const std::string& where) : rest_(bytes), where_(where) {}
@@ -110,7 +110,7 @@ bool is_preview(HeaderInput value) {
   return value.empty();
 }
 
-/// Returns whether the value has the size that OpenEXR reads for its type. type: followed by a zero.
+/// Returns whether the value has the size that OpenEXR reads for its type. `type` must be followed by a zero byte in memory.
 bool fits_type(std::string_view type, FileBytes value, const std::string& where) {
   const auto fixed = std::find_if(kSizes.begin(), kSizes.end(), [&](const auto& known) { return known.first == type; });
   if (fixed != kSizes.end()) return value.size() == fixed->second;
@@ -125,7 +125,8 @@ bool fits_type(std::string_view type, FileBytes value, const std::string& where)
 struct PartSize {
   std::int32_t window[4] = {0, 0, -1, -1};  // x and y of the first and the last pixel
   std::uint32_t tile[2] = {0, 0};
-  std::uint8_t levels = 0;  // lower half: 0 one level, 1 mipmap levels, 2 ripmap levels; upper half: 1 rounds sides up
+  // Lower 4 bits: 0: one level, 1: mipmap levels, 2: ripmap levels. Upper 4 bits: 1: sides are rounded up.
+  std::uint8_t levels = 0;
   std::uint8_t compression = Imf::NO_COMPRESSION;
   bool tiled = false, deep = false;
 
@@ -149,7 +150,7 @@ struct PartSize {
     if (tile[0] == 0 || tile[1] == 0) throw unreadable_picture(where, "its tile size is invalid");
     return tiles(width, height);
   }
-  /// Returns the size of a chunk's coordinates, in bytes.
+  /// Returns the size in bytes of the coordinates at the start of a chunk.
   std::uint64_t place_bytes() const { return tiled ? 16 : 4; }
 
  private:
@@ -181,7 +182,7 @@ struct PartSize {
   }
 };
 
-/// Rejects header values that OpenEXR rejects, with clearer messages.
+/// Throws Error for header values that OpenEXR rejects, with clearer messages than OpenEXR's.
 void check_window_place(const std::string& name, FileBytes value, const std::string& where) {
   std::array<std::int32_t, 4> window{};
   std::memcpy(window.data(), value.data(), sizeof window);
@@ -224,7 +225,7 @@ PartSize read_part_size(HeaderInput& input, bool tiled, const std::string& where
   return size;
 }
 
-/// Throws unless the chunk at `place` ends within the file. OpenEXR would read zeros beyond the end.
+/// Throws Error unless the chunk at `place` ends within the file. OpenEXR would read zeros beyond the end.
 void check_chunk(FileBytes file, std::uint64_t place, const PartSize& part, bool several, const std::string& where) {
   const auto truncated = [&] { return unreadable_picture(where, "the file is truncated"); };
   if (place == 0 || place > file.size()) throw truncated();
@@ -263,7 +264,7 @@ void check_exr_file(FileBytes file, const std::string& where) {
 }
 
 std::uint64_t exr_lines_per_chunk(Imf::Compression compression) {
-  constexpr int kHtj2k256 = 10, kHtj2k32 = 11;  // since OpenEXR 3.4
+  constexpr int kHtj2k256 = 10, kHtj2k32 = 11;  // these two exist since OpenEXR 3.4
   switch (static_cast<int>(compression)) {
     case Imf::ZIP_COMPRESSION:
     case Imf::PXR24_COMPRESSION:

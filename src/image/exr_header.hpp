@@ -1,7 +1,7 @@
 // Checks the headers and chunks of an OpenEXR file before OpenEXR reads them. Private to src/image.
 //
-// OpenEXR allocates memory by the sizes in a header before it reads the data, so a hundred bytes can make it allocate
-// gigabytes. Some versions read a truncated file as if zeros followed.
+// OpenEXR allocates memory by the sizes in a header before it reads the data, so a file of a hundred bytes can make it allocate
+// gigabytes. Some versions of OpenEXR read a truncated file as if zeros followed.
 #pragma once
 
 #include <OpenEXR/ImfCompression.h>
@@ -13,11 +13,11 @@
 
 namespace lippmann {
 
-/// Throws Error unless the values of all attributes are in the file and have the size of their type, pictures are within the
-/// limits, and the file has all of their chunks to the last byte. Call Imf::staticInitialize() before.
+/// Throws Error unless the file contains the values of all attributes with the size of their type, pictures are within the
+/// limits, and the file contains all chunks completely. Call Imf::staticInitialize() before.
 void check_exr_file(FileBytes file, const std::string& where);
 
-/// Returns the number of scan lines in a chunk.
+/// Returns the number of scan lines in a chunk with this compression.
 std::uint64_t exr_lines_per_chunk(Imf::Compression compression);
 
 }  // namespace lippmann

@@ -17,9 +17,8 @@
 //   w      | kFeatureWidthDeg | 0.082 degrees
 //   q_f    | kFeaturePower    | 0.5
 //
-// All filters are separable. The blue-yellow filter is a sum of two Gaussians. The sign of each derivative depends on one
-// coordinate only, so its positive and negative parts can be normalised in one dimension. Edge pixels are repeated at the
-// borders.
+// All filters are separable. The blue-yellow filter is a sum of two Gaussians. The sign of each derivative depends on only one
+// coordinate, so its positive and negative parts can be normalised in one dimension. At the borders, edge pixels are repeated.
 #include "image/flip.hpp"
 
 #include <algorithm>
@@ -42,11 +41,11 @@ constexpr double kColorPower = 0.7, kKneeIn = 0.4, kKneeOut = 0.95, kFeatureWidt
 using Color = std::array<double, 3>;
 using Kernel = std::vector<double>;  // an odd number of taps, with the middle one at the pixel
 
-/// From linear Rec. 709 to CIE XYZ, divided by white: rows sum to 1.
+/// Converts linear Rec. 709 to CIE XYZ divided by white. The rows sum to 1.
 constexpr std::array<Color, 3> kXyzFromRgb{{{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
                                             {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
                                             {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}}};
-/// From CIE XYZ, divided by white, to linear Rec. 709.
+/// Converts CIE XYZ divided by white to linear Rec. 709.
 constexpr std::array<Color, 3> kRgbFromXyz{{{3.241003232976358, -1.537398969488785, -0.498615881996363},
                                             {-0.969224252202516, 1.875929983695176, 0.041554226340085},
                                             {0.055639419851975, -0.204011206123910, 1.057148977187533}}};
@@ -59,7 +58,7 @@ Color transformed(const std::array<Color, 3>& matrix, const Color& v) {
 
 Color white() { return transformed(kXyzFromRgb, {1.0, 1.0, 1.0}); }
 
-/// Converts from XYZ relative to white.
+/// Converts XYZ divided by white to YCxCz.
 Color ycxcz_of(const Color& xyz) { return {116.0 * xyz[1] - 16.0, 500.0 * (xyz[0] - xyz[1]), 200.0 * (xyz[1] - xyz[2])}; }
 
 Color xyz_of(const Color& ycxcz) {
@@ -94,14 +93,14 @@ Kernel gaussian(int radius, double inverse_twice_variance) {
   return kernel;
 }
 
-/// Scales the taps so that positive ones sum to 1 and negative ones to -1.
+/// Scales the taps so that the positive ones sum to 1 and the negative ones to -1.
 void balance(Kernel& kernel) {
   double positive = 0.0, negative = 0.0;
   for (const double tap : kernel) (tap > 0.0 ? positive : negative) += tap;
   for (double& tap : kernel) tap /= tap > 0.0 ? positive : -negative;
 }
 
-/// Filters a line of samples `stride` apart. The samples at the ends are repeated.
+/// Filters a line of samples, which are `stride` apart. Beyond the ends, the first and last sample are repeated.
 void filter_line(const double* from, double* to, int count, std::ptrdiff_t stride, const Kernel& kernel) {
   const int radius = static_cast<int>(kernel.size() / 2);
   for (int i = 0; i < count; ++i) {
@@ -131,14 +130,14 @@ SamplePlane filtered(const SamplePlane& plane, const Kernel& across, const Kerne
   return result;
 }
 
-/// A Gaussian a sqrt(pi / b) exp(-pi^2 r^2 / b) of a contrast sensitivity function, r in degrees.
+/// A Gaussian term a sqrt(pi / b) exp(-pi^2 r^2 / b) of a contrast sensitivity function, with r in degrees.
 struct Sensitivity {
   double a, b;
 };
 
 constexpr double kWidestB = 0.04;
 
-/// Blurs a plane by the sum of Gaussians, normalised as a whole.
+/// Blurs a plane by a sum of Gaussians. The sum is normalised, not each Gaussian.
 SamplePlane blurred(const SamplePlane& plane, const std::vector<Sensitivity>& terms) {
   using std::numbers::pi;
   const int radius = static_cast<int>(std::ceil(3.0 * std::sqrt(kWidestB / (2.0 * pi * pi)) * kPixelsPerDegree));
@@ -176,7 +175,7 @@ Opponents opponents_of(const Image8& image) {
   return planes;
 }
 
-/// Returns the resolvable part of each pixel, in Hunt-adjusted CIELAB.
+/// Returns the colour of each pixel after removing details that the eye does not resolve, in Hunt-adjusted CIELAB.
 std::vector<Color> seen_colors(const Opponents& opponents) {
   const Opponents blurry{blurred(opponents[0], {{1.0, 0.0047}}), blurred(opponents[1], {{1.0, 0.0053}}),
                          blurred(opponents[2], {{34.1, 0.04}, {13.5, 0.025}})};
@@ -192,14 +191,14 @@ std::vector<Color> seen_colors(const Opponents& opponents) {
   return colors;
 }
 
-/// Maps a distance to the power q_c to 0 ... 1.
+/// Maps a colour distance to 0 ... 1: step 2 of the comment at the top, including the power q_c.
 double color_difference(double distance, double largest) {
   const double power = std::pow(distance, kColorPower), knee = kKneeIn * largest;
   if (power < knee) return kKneeOut / knee * power;
   return kKneeOut + (power - knee) / (largest - knee) * (1.0 - kKneeOut);
 }
 
-/// Strengths of edges and points at each pixel.
+/// Strengths of edges and of points at each pixel.
 struct Features {
   std::vector<double> edges, points;
 };

@@ -1,8 +1,8 @@
 // Decodes Radiance HDR. Based on: Greg Ward, "Real Pixels", Graphics Gems II, 1991, and the Radiance file formats document,
-// 2018. A file has header lines, an empty line, and a line with the order and number of rows and columns. Scan lines of four
-// bytes per pixel follow: three mantissas and their exponent. A scan line is uncompressed, or has runs in one of two ways: a
-// pixel 1, 1, 1, n repeats the previous one; or the line begins with 2, 2 and its length, and stores its four components one
-// after the other.
+// A file has header lines, an empty line, and a line with the order and number of rows and columns. Then follow scan lines of
+// four bytes per pixel: three mantissas and their exponent. A scan line may be uncompressed. Otherwise it has runs in one of
+// two ways: a pixel 1, 1, 1, n repeats the previous pixel; or the line begins with 2, 2 and its length, and stores its four
+// components one after the other.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,8 +26,8 @@ using Rgbe = std::array<std::uint8_t, 4>;
 /// The size, orientation and units of an HDR image.
 struct HdrShape {
   int width = 0, height = 0;
-  bool rows_first = true;          ///< scan lines are rows, not columns
-  bool down = true, right = true;  ///< the order of rows and columns
+  bool rows_first = true;          ///< true: scan lines are rows; false: they are columns
+  bool down = true, right = true;  ///< directions in which rows and columns are stored
 
   int lines() const { return rows_first ? height : width; }
   int line_pixels() const { return rows_first ? width : height; }
@@ -40,11 +40,11 @@ struct HdrShape {
 
 struct HdrHeader {
   HdrShape shape;
-  std::array<double, 3> exposure{1.0, 1.0, 1.0};  ///< factor that was applied to each colour
-  double pixel_height = 1.0;                      ///< relative to the pixel width
+  std::array<double, 3> exposure{1.0, 1.0, 1.0};  ///< factor by which each colour was multiplied
+  double pixel_height = 1.0;                      ///< height of a pixel, in pixel widths
   Chromaticities chromaticities;
   std::vector<std::string> notices;
-  std::size_t samples_at = 0;  ///< offset in the file
+  std::size_t samples_at = 0;  ///< offset of the samples in the file
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -60,7 +60,7 @@ class HdrHeaderReader {
       : text_(reinterpret_cast<const char*>(file.data()), file.size()), where_(where) {}
 
   HdrHeader read() {
-    line();  // the magic line
+    line();  // skips the line with the magic number
     for (std::string_view text = line(); !trimmed(text).empty(); text = line()) read_variable(text);
     read_resolution(trimmed(line()));
     header_.samples_at = at_;
@@ -77,7 +77,7 @@ class HdrHeaderReader {
     return line;
   }
 
-  /// Reads NAME=value. Other lines are comments or names of programs.
+  /// Reads a line NAME=value. Other lines, which are comments or names of programs, are ignored.
   void read_variable(std::string_view text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos) return;
@@ -133,7 +133,7 @@ class HdrHeaderReader {
     header_.notices.emplace_back("its PRIMARIES are invalid and are ignored");
   }
 
-  /// Reads "-Y 512 +X 768": sign, axis and number of scan lines, then of pixels per line.
+  /// Reads a line such as "-Y 512 +X 768": sign, axis and number of the scan lines, then of the pixels in a line.
   void read_resolution(std::string_view text) {
     HdrShape& shape = header_.shape;
     const std::string_view all = text;
@@ -197,7 +197,8 @@ class HdrLines {
     }
   }
 
-  /// Consecutive runs 1, 1, 1, n are the digits of one number, the lowest first.
+  /// Reads pixels with runs 1, 1, 1, n. If several runs follow each other, their n are the digits of one number, the lowest
+  /// first.
   void read_pixels(std::vector<Rgbe>& line) {
     int shift = 0;
     for (std::size_t at = 0; at < line.size();) {
@@ -221,13 +222,13 @@ class HdrLines {
   const std::string& where_;
 };
 
-/// Returns the common factor of the mantissas.
+/// Returns the factor by which a pixel's mantissas are multiplied.
 float scale_of(const Rgbe& pixel) { return pixel[3] == 0 ? 0.0f : std::ldexp(1.0f, pixel[3] - (128 + 8)); }
 
 HdrHeader read_hdr_header(FileBytes file, const std::string& where) {
   HdrHeader header = HdrHeaderReader(file, where).read();
   const std::uint64_t pixels = static_cast<std::uint64_t>(header.shape.width) * static_cast<std::uint64_t>(header.shape.height);
-  check_file_holds(where, file.size(), sizeof(Rgbe) * pixels, kDeflateRatio);  // no program writes more compact runs
+  check_file_holds(where, file.size(), sizeof(Rgbe) * pixels, kDeflateRatio);  // runs cannot be more compact than this
   return header;
 }
 

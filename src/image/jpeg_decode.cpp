@@ -1,9 +1,9 @@
 // Decodes JPEG with libjpeg, whose errors use longjmp: no object with a destructor may live between setjmp() and an error.
 //
-// libjpeg only warns about a truncated or damaged scan and fills the rest with grey; here it is an error. A progressive file
-// with more scans than any encoder makes is also an error, since each scan is a pass over the whole image.
+// libjpeg only warns about a truncated or damaged scan and fills the rest of the image with grey. Here both are errors. A
+// progressive file with more scans than any encoder makes is also an error, since each scan is a pass over the whole image.
 #include <cstdio>
-// jpeglib.h needs FILE, and the error codes depend on the version that it defines.
+// jpeglib.h needs FILE, so <cstdio> is included before it. The error codes depend on the version that jpeglib.h defines.
 // clang-format off
 #include <jpeglib.h>
 #include <jerror.h>
@@ -29,7 +29,7 @@ namespace {
 
 constexpr unsigned char kJpegMagic[] = {0xff, 0xd8, 0xff};
 
-/// A block of 8 x 8 samples takes at least one bit.
+/// Maximum compression: a block of 8 x 8 samples takes at least one bit.
 constexpr std::uint64_t kMaxSamplesPerByte = 8 * 64;
 constexpr int kMaxScans = 200;
 
@@ -59,7 +59,8 @@ class JpegDecoder {
     return header;
   }
 
-  /// Decodes the samples. Removes the profile of inks from the header, or adds a notice.
+  /// Decodes the samples. If they are CMYK, converts them to RGB and removes the CMYK profile from the header; adds a notice if
+  /// the profile could not be used.
   Samples samples(PictureHeader& header) {
     const std::size_t pixels = static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
     const bool cmyk = jpeg_.out_color_space == JCS_CMYK;
@@ -91,7 +92,7 @@ class JpegDecoder {
     if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number > kMaxScans) fail(jpeg, "it has too many scans");
   }
 
-  /// Reads orientation, colour profile (in numbered pieces) and pixel aspect.
+  /// Reads the orientation, the colour profile (stored in numbered parts) and the shape of the pixels.
   void read_markers(PictureHeader& header) const {
     constexpr std::string_view kExif("Exif\0\0", 6), kIcc("ICC_PROFILE\0", 12);
     std::map<int, FileBytes> profile;
@@ -137,8 +138,8 @@ class JpegDecoder {
     return true;
   }
 
-  /// Converts inks by the profile, or else by multiplying the light that each ink transmits. Adobe's files, nearly the only
-  /// ones that exist, store inverted inks.
+  /// Converts CMYK by the profile, or without a usable profile by multiplying the light that each ink transmits. The codes are
+  /// inverted, as in Adobe's files; other CMYK files hardly exist.
   static Samples rgb_of(std::vector<std::uint8_t> codes, PictureHeader& header) {
     if (!header.profile.empty()) {
       std::vector<std::uint8_t> inks(codes.size());

@@ -1,8 +1,9 @@
 // Based on: Wang, Simoncelli, Bovik, "Multi-scale structural similarity for image quality assessment", Asilomar Conference on
 // Signals, Systems and Computers, 2003, equation 7 and the weights of section 3.2.
 //
-// Each scale is the mean of 2 x 2 pixels of the previous scale. MS-SSIM is the product over the scales of the mean contrast and
-// structure term, each to the power of its scale's weight. The coarsest scale uses the mean SSIM instead of that term.
+// Each scale is made from the previous scale by averaging 2 x 2 pixels. MS-SSIM is a product with one factor for each scale:
+// the mean contrast and structure term, to the power of the scale's weight. The factor of the coarsest scale uses the mean SSIM
+// instead.
 //
 // We deviate:
 // 1. A negative mean counts as 0, since its power is not real.

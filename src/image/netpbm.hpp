@@ -1,10 +1,10 @@
-// Reads and writes PPM with codes of 8, 10, 12, 16 or any other number of bits, and PFM (floats).
+// Reads and writes PPM files with codes of 8, 10, 12, 16 or any other number of bits, and PFM files with floats.
 //
 //   PPM  "P6\n<width> <height>\n<highest code>\n", then 3 codes per pixel, rows from the top; each code has 2 bytes, high
 //        byte first, if the highest code is above 255. P5 (grey) is read as three equal codes.
 //   PFM  "Pf\n<width> <height>\n<scale>\n" (PF: 3 channels), then floats, rows from the BOTTOM; little-endian if scale < 0.
-//        Values are multiplied by |scale| when read; written with scale -1.
-// Both check the header against the size of the file. All functions throw Error naming `where`.
+//        Values are multiplied by |scale| when read. Files are written with scale -1.
+// Readers of both formats check the header against the size of the file. All functions throw Error naming `where`.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@
 namespace lippmann {
 
 struct PpmCodes {
-  Image16 codes;      ///< as stored, 0 ... highest
+  Image16 codes;      ///< codes as stored in the file, 0 ... highest
   int highest = 255;  ///< 1 ... 65535
 };
 
@@ -28,7 +28,7 @@ Image parse_pfm(std::span<const std::byte> file, const std::string& where);
 PpmCodes read_ppm(const std::filesystem::path& path);
 Image read_pfm(const std::filesystem::path& path);
 
-/// Returns the bytes of the file. PFM images have 1 or 3 channels.
+/// Return the bytes of the file. PFM images must have 1 or 3 channels.
 std::vector<std::byte> encode_ppm(const PpmCodes& picture);
 std::vector<std::byte> encode_pfm(const Image& image);
 

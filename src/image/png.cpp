@@ -51,14 +51,14 @@ int libpng_bits(PngFilter filter) {
 
 struct PngFormat {
   int width, height, bits;
-  int channels;  ///< 1 grey, 3 RGB, 4 with alpha
+  int channels;  ///< 1: grey, 3: RGB, 4: RGB and alpha
 
   int color_type() const {
     return channels == 1 ? PNG_COLOR_TYPE_GRAY : channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA;
   }
 };
 
-/// libpng's errors use longjmp: no object with a destructor may live between setjmp() and an error.
+/// Encodes with libpng, whose errors use longjmp: no object with a destructor may live between setjmp() and an error.
 class Encoder {
  public:
   explicit Encoder(const std::string& where) : where_(where) {

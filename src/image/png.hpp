@@ -12,19 +12,21 @@
 
 namespace lippmann {
 
-/// Search method of deflate: repeats and statistics (default), fewer repeats (filtered), runs only, statistics only.
+/// The search method of deflate: kDefault finds repeats and statistics, kFiltered fewer repeats, kRunLength only runs, kHuffman
+/// only statistics.
 enum class PngStrategy { kDefault, kFiltered, kRunLength, kHuffman };
 
-/// The neighbours that predict a byte; adaptive tries all filters for every row.
+/// The neighbours from which a byte is predicted; kAdaptive tries all filters for every row.
 enum class PngFilter { kNone, kLeft, kUp, kAverage, kPaeth, kAdaptive };
 
-/// The defaults were chosen by measurement: docs/lab/decisions/0002-png-compression.md.
+/// Options for compression and metadata. docs/lab/decisions/0002-png-compression.md has the measurements behind the defaults.
 struct PngOptions {
-  int level = 1;  ///< deflate's effort, 0 (stored) ... 9; ignored by run-length and Huffman
+  /// Effort of deflate, from 0 (stored) to 9. Ignored by kRunLength and kHuffman.
+  int level = 1;
   PngStrategy strategy = PngStrategy::kDefault;
   PngFilter filter = PngFilter::kUp;
   double dots_per_inch = 0.0;               ///< stored as whole pixels per metre (pHYs); 0: none
-  std::span<const std::byte> profile = {};  ///< RGB profile of the codes (iCCP); empty: sRGB
+  std::span<const std::byte> profile = {};  ///< RGB profile of the codes (stored as iCCP); empty: sRGB
 };
 
 /// Heights, row-major from the top left: 0 is the lowest, 65535 the highest.
@@ -33,10 +35,10 @@ struct HeightMap {
   std::vector<std::uint16_t> codes = {};
 };
 
-/// Returns the bytes of the file. Throws Error for sizes outside 1 ... 65536.
+/// Returns the bytes of the file. Throws Error for sides outside 1 ... 65536.
 std::vector<std::byte> encode_png(const Image8& image, const PngOptions& options = {});
 
-/// Writes the file atomically. Throws Error naming it.
+/// Write the file atomically. Throw Error naming it.
 void write_png(const std::filesystem::path& path, const Image8& image, const PngOptions& options = {});
 void write_png(const std::filesystem::path& path, const Image16& image, const PngOptions& options = {});
 void write_png(const std::filesystem::path& path, const HeightMap& heights, const PngOptions& options = {});

@@ -1,5 +1,5 @@
-// Decodes PNG with libpng, whose errors use longjmp: no object with a destructor may live between setjmp() and an error. The
-// PngDecoder around them owns all memory.
+// Decodes PNG with libpng, whose errors use longjmp: no object with a destructor may live between setjmp() and an error.
+// Therefore the PngDecoder outside owns all memory.
 #include <fmt/format.h>
 #include <png.h>
 
@@ -22,7 +22,7 @@ namespace {
 
 constexpr unsigned char kPngMagic[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
-/// The code points of sRGB in a cICP chunk (ITU-T H.273).
+/// The numbers in a cICP chunk that stand for sRGB (ITU-T H.273).
 constexpr std::array<std::uint8_t, 4> kSrgbCodingPoints{1, 13, 0, 1};
 
 class PngDecoder {
@@ -36,7 +36,7 @@ class PngDecoder {
     }
     png_set_read_fn(png_, this, &on_read);
     png_set_user_limits(png_, kMaxImageSide, kMaxImageSide);
-    constexpr png_alloc_size_t kMaxChunk = 8 << 20;  // profiles and texts
+    constexpr png_alloc_size_t kMaxChunk = 8 << 20;  // for profiles and texts
     png_set_chunk_malloc_max(png_, kMaxChunk);
     read_unknown_chunks(file);
   }
@@ -102,7 +102,7 @@ class PngDecoder {
     return profile_to_apply(std::as_bytes(std::span(profile, size)));
   }
 
-  /// Returns notices on ignored colour chunks, in the order in which chunks override each other.
+  /// Returns notices about ignored colour chunks, in the order in which such chunks override each other.
   std::vector<std::string> color_notices() const {
     constexpr std::string_view kReadAsSrgb = "are not applied: its codes are read as sRGB";
     if (coding_points_ && *coding_points_ != kSrgbCodingPoints) return {fmt::format("its colours (cICP) {}", kReadAsSrgb)};
@@ -115,14 +115,14 @@ class PngDecoder {
     constexpr double kSrgbGamma = 0.45455, kRounded = 0.005;
     if (png_get_gAMA(png_, info_, &gamma) && std::abs(gamma - kSrgbGamma) > kRounded)
       notices.push_back(fmt::format("its gamma (gAMA {:g}) is not applied: its codes are read as sRGB", gamma));
-    std::array<double, 8> xy{};  // white first
+    std::array<double, 8> xy{};  // white comes first
     if (png_get_cHRM(png_, info_, &xy[6], &xy[7], &xy[0], &xy[1], &xy[2], &xy[3], &xy[4], &xy[5]) && !are_rec709({xy}))
       notices.push_back(fmt::format("its chromaticities (cHRM) {}", kReadAsSrgb));
     return notices;
   }
 
   void add_place_notices(PictureHeader& header) const {
-    png_uint_32 across = 0, down = 0;  // pixels per unit
+    png_uint_32 across = 0, down = 0;  // in pixels per unit
     int unit = 0;
     if (png_get_pHYs(png_, info_, &across, &down, &unit) && across > 0 && down > 0)
       add_aspect_notice(header, static_cast<double>(down) / across);
@@ -131,7 +131,7 @@ class PngDecoder {
       header.notices.push_back(fmt::format("its offset (oFFs) of {}, {} is ignored", x, y));
   }
 
-  /// Reads chunks that older versions of libpng do not support.
+  /// Reads chunks that libpng does not support in older versions.
   void read_unknown_chunks(FileBytes file) {
     for (std::size_t at = sizeof kPngMagic; at + 12 <= file.size();) {
       std::uint32_t size = 0;
@@ -152,7 +152,7 @@ class PngDecoder {
     if (png_get_color_type(png_, info_) == PNG_COLOR_TYPE_GRAY && png_get_bit_depth(png_, info_) < 8)
       png_set_expand_gray_1_2_4_to_8(png_);
     if (png_get_valid(png_, info_, PNG_INFO_tRNS)) png_set_tRNS_to_alpha(png_);
-    if (png_get_bit_depth(png_, info_) == 16) png_set_swap(png_);  // swap to little-endian
+    if (png_get_bit_depth(png_, info_) == 16) png_set_swap(png_);  // to little-endian
     png_set_interlace_handling(png_);
     png_read_update_info(png_, info_);
     return true;
@@ -170,9 +170,9 @@ class PngDecoder {
   const std::string& where_;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
-  std::optional<std::array<std::uint8_t, 4>> coding_points_;  // cICP: primaries, transfer curve, matrix, full range
+  std::optional<std::array<std::uint8_t, 4>> coding_points_;  // from cICP: primaries, transfer curve, matrix, full range
   bool is_animated_ = false;
-  std::uint64_t packed_bytes_ = 0;  // size of all rows as stored
+  std::uint64_t packed_bytes_ = 0;  // size of all rows as stored before compression
   char reason_[200] = {};
   std::jmp_buf back_;
 };

@@ -15,12 +15,12 @@
 namespace lippmann {
 namespace {
 
-constexpr std::size_t kMaxProfileBytes = std::size_t{64} << 20;  // press profiles with fine tables have about 10 MB
+constexpr std::size_t kMaxProfileBytes = std::size_t{64} << 20;  // profiles of presses with fine tables have about 10 MB
 constexpr double kMmPerInch = 25.4;
 
 bool is_tiff_name(const std::filesystem::path& path) { return path.extension() == ".tif" || path.extension() == ".tiff"; }
 
-/// Returns codes converted to the profile.
+/// Returns the codes converted to the profile.
 template <class Code>
 std::vector<Code> codes_for_profile(const std::vector<Code>& rgb, const OutputProfile& profile) {
   std::optional<Samples> codes = output_codes(profile.bytes(), Samples(rgb));

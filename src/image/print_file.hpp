@@ -1,4 +1,4 @@
-// Image files for printing: PNG or TIFF with a resolution, in sRGB codes or codes of a printer's ICC profile.
+// Image files for printing: PNG or TIFF files with a resolution, in sRGB codes or codes for a printer's ICC profile.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,11 @@
 
 namespace lippmann {
 
-/// The profile of a printer, for RGB codes or inks (cyan, magenta, yellow, black).
+/// The profile of a printer, for RGB or CMYK codes.
 class OutputProfile {
  public:
-  /// Throws Error naming the file if it is missing, damaged or of another kind, or if the program is built without Little CMS.
+  /// Throws Error naming the file if it is missing, damaged or not an output profile, or if the program is built without Little
+  /// CMS.
   explicit OutputProfile(const std::filesystem::path& file);
 
   const std::string& where() const { return where_; }
@@ -27,7 +28,7 @@ class OutputProfile {
 };
 
 /// Writes 8- and 16-bit codes as .png or .tiff, floats as .exr, atomically. With a profile, converts the colours to it
-/// (relative colorimetric, black point compensation) and embeds it; inks need .tiff. Throws Error naming the file, its
+/// (relative colorimetric, black point compensation) and embeds it; CMYK profiles need .tiff. Throws Error naming the file, its
 /// extension or the profile.
 void write_print(const std::filesystem::path& path, const Picture& picture, double dots_per_inch,
                  const OutputProfile* profile = nullptr);

@@ -33,7 +33,7 @@ struct Format {
   DecodedPicture (*decode)(FileBytes, const std::string&);
 };
 
-/// TGA is last, since it has no magic number.
+/// The formats in the order in which they are tried. TGA is last, since it has no magic number.
 constexpr std::array kFormats{Format{is_png, png_header, decode_png},          Format{is_exr, exr_header, decode_exr},
                               Format{is_jpeg, jpeg_header, decode_jpeg},       Format{is_tiff, tiff_header, decode_tiff},
                               Format{is_hdr, hdr_header, decode_hdr},          Format{is_webp, webp_header, decode_webp},
@@ -55,8 +55,8 @@ std::vector<std::byte> bytes_in(const fs::path& path) { return read_recorded_byt
 
 PictureHeader read_header(const fs::path& path) { return picture_header(bytes_in(path), path.string()); }
 
-/// Returns the header of a PNG or JPEG file from its first bytes. Returns nothing for longer or damaged headers and for other
-/// formats, whose headers may refer to later parts of the file.
+/// Returns the header of a PNG or JPEG file from its first bytes. Returns nothing if the header is longer or damaged, and for
+/// other formats, because their headers may refer to later parts of the file.
 std::optional<PictureHeader> begun_header(const fs::path& path) {
   constexpr std::size_t kBeginBytes = std::size_t{256} << 10;
   const std::string begin = read_file_begin(path, kBeginBytes);
@@ -207,7 +207,7 @@ std::vector<std::string> channel_names(const fs::path& path) { return read_heade
 LeftOutChannels left_out_channels(const fs::path& path) {
   const PictureHeader header = read_header(path);
   LeftOutChannels left_out;
-  if (header.colors == 0) return left_out;  // read_rgb throws for it
+  if (header.colors == 0) return left_out;  // read_rgb() throws for such a file
   for (std::size_t c = static_cast<std::size_t>(header.colors); c < header.channels.size(); ++c) {
     const std::string& name = header.channels[c];
     const std::size_t dot = name.find_last_of(".:/");

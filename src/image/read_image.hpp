@@ -2,11 +2,11 @@
 // first bytes.
 //
 // Only the first image of a file is read, with at most 65536 pixels a side and 2^28 pixels in total. Transparency is not
-// applied. Images are turned upright according to EXIF, TIFF, HDR and TGA metadata. EXR files are read by display window
+// applied. Images are turned upright according to EXIF, TIFF, HDR and TGA metadata. The display window of EXR files is read
 // (exr_decode.cpp). EXR and HDR colours are converted to linear Rec. 709, and HDR light to its measured scale. Codes are
-// converted to sRGB by the ICC profile of the file (icc_transform.hpp). Ignored properties with an effect, such as gamma,
-// non-square pixels, further parts and layers, give a warning. All functions throw Error naming the file if it is missing,
-// truncated, too large, or not an image.
+// converted to sRGB by the ICC profile of the file (icc_transform.hpp). A warning names each ignored property that changes the
+// picture, such as gamma, non-square pixels, further parts and layers. All functions throw Error naming the file if it is
+// missing, truncated, too large, or not an image.
 #pragma once
 
 #include <filesystem>
@@ -21,41 +21,42 @@
 
 namespace lippmann {
 
-/// Receives one complete sentence per call, which names the file. May be empty.
+/// Called with one complete sentence per warning, which names the file. May be empty.
 using PictureWarning = std::function<void(std::string_view)>;
 
-/// Reads all channels in the file's order (EXR: R, G, B, A, Z first). Integer samples become value / maximum in the file's
-/// encoding, usually sRGB. Float samples do not change; they are usually linear.
+/// Reads all channels in the file's order (for EXR: R, G, B, A, Z first). Integer samples are divided by their maximum and keep
+/// the file's encoding, usually sRGB. Float samples do not change; they are usually linear.
 Image read_image(const std::filesystem::path& path, const PictureWarning& warn = {});
 
-/// Reads three channels: the colours, or grey three times. Throws Error for an EXR file without colours.
+/// Reads three channels: the colours, or grey repeated three times. Throws Error for an EXR file without colours.
 Image read_rgb(const std::filesystem::path& path, const PictureWarning& warn = {});
 
-/// Reads the named channels of an EXR file, in this order ("R", "Z", "N.X", ...). Throws Error listing the file's channels if a
-/// name is unknown.
+/// Reads the named channels of an EXR file, in the order of `names` ("R", "Z", "N.X", ...). Throws Error listing the file's
+/// channels if a name is unknown.
 Image read_channels(const std::filesystem::path& path, std::span<const std::string> names);
 
 /// A depth image that a file stores beside its main picture.
 struct StoredDepth {
-  Image grey;         ///< one channel, 0 to 1, of any size
-  bool is_z = false;  ///< grey grows with z, the distance from the camera; otherwise with 1 / z or disparity
+  Image grey;  ///< one channel, 0 to 1, of any size
+  /// True: grey grows with z, the distance from the camera. False: it grows with 1 / z or disparity.
+  bool is_z = false;
 };
 
-/// Reads the depth image of a HEIC file, such as a portrait photo of a phone. Returns nothing for files without one and for
-/// other formats.
+/// Reads the depth image of a HEIC file, such as a phone's portrait photo. Returns nothing if the file has none, and for other
+/// formats.
 std::optional<StoredDepth> read_stored_depth(const std::filesystem::path& path);
 
-/// Returns the names of the channels in the order of read_image.
+/// Returns the names of the channels in the order of read_image().
 std::vector<std::string> channel_names(const std::filesystem::path& path);
 
-/// The channels that read_rgb and read_image8 skip. Empty for a file without colours, for which they throw.
+/// The channels that read_rgb() and read_image8() skip. Empty for a file without colours, for which those functions throw.
 struct LeftOutChannels {
   bool alpha = false;
   std::vector<std::string> others;
 };
 LeftOutChannels left_out_channels(const std::filesystem::path& path);
 
-/// The samples of a file: 8 bits, 16 bits, or anything else.
+/// The type of a file's samples: 8 bits, 16 bits, or any other type, which is read as floats.
 enum class SampleKind { kByte, kWord, kFloat };
 SampleKind sample_kind(const std::filesystem::path& path);
 
@@ -65,14 +66,15 @@ struct PictureShape {
   SampleKind kind = SampleKind::kByte;
 };
 
-/// Reads the shape of an image, from the first bytes of PNG and JPEG files if their header fits into them.
+/// Reads the shape of an image. For PNG and JPEG files, reads only the first bytes if they contain the whole header.
 PictureShape picture_shape(const std::filesystem::path& path);
 
-/// Reads 8-bit codes with 3 channels, as read_rgb(). 16-bit codes become round(255 code / 65535), floats are encoded as sRGB
+/// Reads 8-bit codes with 3 channels, like read_rgb(). 16-bit codes become round(255 code / 65535); floats are encoded as sRGB
 /// (image/encode.hpp).
 Image8 read_image8(const std::filesystem::path& path, const PictureWarning& warn = {});
 
-/// Reads like read_image8() a file written just now that is not in a journal yet.
+/// Reads a file like read_image8(). The file was written just now and is not in a journal yet, so it is not checked against
+/// one.
 Image8 read_new_image8(const std::filesystem::path& path);
 
 }  // namespace lippmann

@@ -1,5 +1,5 @@
 // Checks that images from outside the library have as many samples as their size requires. Functions that move samples rely on
-// it.
+// this.
 #pragma once
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ inline void require_samples(const Image& image, const std::string& what) {
   require_samples(image.data.size(), image.width, image.height, image.channels, what);
 }
 
-/// For Image8 and Image16. Alpha may be empty.
+/// Checks an Image8 or Image16. Its alpha may be empty.
 template <class Codes>
 void require_samples(const Codes& codes, const std::string& what) {
   require_samples(codes.rgb.size(), codes.width, codes.height, 3, what);

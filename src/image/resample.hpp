@@ -6,8 +6,8 @@
 
 namespace lippmann {
 
-/// Returns the image with the given size, > 0. Any number of channels. An equal size copies the image; half the size averages
-/// two pixels.
+/// Returns the image resized to `size`, > 0, with any number of channels. If the size stays equal, the samples stay unchanged;
+/// for half the size, two pixels are averaged along each axis.
 Image resampled(const Image& picture, Vec2i size);
 
 }  // namespace lippmann

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kLobes = 3.0;
 
-/// Weights of the input samples first, first + 1, ..., which sum to 1; none: black.
+/// The weights of the input samples first, first + 1, ..., which sum to 1. No weights: the output is black.
 struct TapWeights {
   int first = 0;
   std::vector<float> weights;
@@ -32,7 +32,7 @@ double sinc(double x) {
 
 double lanczos(double x) { return std::abs(x) < kLobes ? sinc(x) * sinc(x / kLobes) : 0.0; }
 
-/// Moves the weights of samples outside 0 ... size - 1 to the edge.
+/// Adds the weights of samples outside 0 ... size - 1 to that of the nearest sample at the edge.
 TapWeights within(int first, const std::vector<double>& weights, int size) {
   double sum = 0.0;
   for (const double weight : weights) sum += weight;
@@ -54,7 +54,7 @@ TapWeights taps_of(const AxisSamples& axis, int i, int size) {
     for (int k = first; k + 0.5 < centre + kLobes; ++k) weights.push_back(lanczos(k + 0.5 - centre));
     return within(first, weights, size);
   }
-  // An edge exactly between two samples must not include a trace of the next one.
+  // If an edge lies exactly between two samples, rounding must not add a trace of the next sample.
   constexpr double kRounding = 1e-9;
   const int first = static_cast<int>(std::floor(begin + kRounding));
   for (int k = first; k < end - kRounding; ++k) weights.push_back(std::min(k + 1.0, end) - std::max<double>(k, begin));
@@ -67,7 +67,7 @@ std::vector<TapWeights> taps_of_axis(const AxisSamples& axis, int size) {
   return all;
 }
 
-/// Decodes an image to linear light, row by row.
+/// Converts an image to linear light, row by row.
 class LightRows {
  public:
   explicit LightRows(const Picture& picture) : picture_(picture) {
@@ -95,7 +95,7 @@ class LightRows {
   }
 
   const Picture& picture_;
-  std::vector<float> light_;  ///< indexed by code
+  std::vector<float> light_;  ///< linear light of each code
 };
 
 void weigh_row(const std::vector<float>& row, const std::vector<TapWeights>& taps, float* out) {

@@ -1,4 +1,4 @@
-// Keeps images for reuse of their memory: new memory costs a page fault per 4 KiB and is zeroed needlessly.
+// Keeps images whose memory can be reused. New memory costs a page fault per 4 KiB and is zeroed needlessly.
 #pragma once
 
 #include <mutex>
@@ -9,10 +9,10 @@
 
 namespace lippmann {
 
-/// Thread-safe.
+/// A pool of such images. Thread-safe.
 class SpareImages {
  public:
-  /// Returns a kept image with its old content, or an empty image.
+  /// Returns a kept image with its old content, or an empty image if none is kept.
   Image take() {
     const std::lock_guard lock(mutex_);
     if (images_.empty()) return {};

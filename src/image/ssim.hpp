@@ -1,6 +1,6 @@
 // Structural similarity of two images; defined in image/metrics.hpp.
 //
-// Images must have one size. All functions return NaN if a side is below 11 pixels.
+// The two images must have the same size. All functions return NaN if a side is below 11 pixels.
 #pragma once
 
 #include "image/sample_plane.hpp"

@@ -1,6 +1,6 @@
 // Decodes BMP, GIF and TGA with stb_image, without its other formats. Tachyon scenes use TGA for image maps.
 //
-// stb_image reads zeros beyond the end of a file. Here it gets ones, and any such read marks the file as truncated.
+// stb_image reads zeros beyond the end of a file. StbInput supplies ones instead, and marks the file as truncated.
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -25,7 +25,7 @@ namespace {
 
 static_assert(STBI_MAX_DIMENSIONS == kMaxImageSide);
 
-/// A header is searched in this many bytes.
+/// A header is expected in this many bytes at the beginning.
 constexpr std::size_t kLongestHeader = 1 << 20;
 
 struct Freed {
@@ -41,8 +41,8 @@ class StbInput {
     const auto wanted = static_cast<std::size_t>(std::max(size, 0)), there = std::min(wanted, input.rest_.size());
     std::memcpy(to, input.rest_.data(), there);
     input.rest_ = input.rest_.subspan(there);
-    constexpr std::size_t kBuffer =
-        sizeof(stbi__context::buffer_start);  // stb_image fills this buffer as far as the file has data
+    // stb_image tries to fill a buffer of this size, so such a read may return less at the end of the file.
+    constexpr std::size_t kBuffer = sizeof(stbi__context::buffer_start);
     if (there == wanted || (there > 0 && wanted == kBuffer)) return static_cast<int>(there);
     input.truncated_ = true;
     std::memset(to + there, 1, wanted - there);
@@ -77,7 +77,7 @@ Shape shape_of(FileBytes file, const std::string& where) {
   Shape shape;
   if (!read_shape(file, shape)) throw unreadable_picture(where, "its header is truncated, damaged or of an unknown kind");
   check_image_size(where, shape.width, std::abs(std::int64_t{shape.height}), shape.channels);
-  shape.height = std::abs(shape.height);  // negative in BMP files with rows from the top
+  shape.height = std::abs(shape.height);  // BMP files with rows from the top have a negative height
   return shape;
 }
 
@@ -103,7 +103,7 @@ DecodedPicture decode(FileBytes file, const std::string& where, PictureHeader he
 
 std::uint64_t byte_at(FileBytes file, std::size_t at) { return std::to_integer<std::uint64_t>(file[at]); }
 
-/// Reads a little-endian integer.
+/// Reads a signed little-endian integer of 32 bits.
 std::int64_t long_at(FileBytes file, std::size_t at) {
   std::int32_t value;
   std::memcpy(&value, file.data() + at, sizeof value);
@@ -121,12 +121,12 @@ bool is_bmp(FileBytes file) {
 
 PictureHeader bmp_header(FileBytes file, const std::string& where) {
   const Shape shape = shape_of(file, where);
-  const bool old = long_at(file, 14) == 12;  // the OS/2 format
+  const bool old = long_at(file, 14) == 12;  // the format of OS/2
   if (file.size() < (old ? kOldBmpHeaderBytes : kBmpHeaderBytes)) throw unreadable_picture(where, "the file is truncated");
   const std::uint64_t bits = byte_at(file, old ? 24 : 28);
   check_file_holds(where, file.size(), pixels_of(shape) * bits / 8, 1);
   PictureHeader header = plain_header(shape.width, shape.height, shape.channels, SampleKind::kByte);
-  const std::int64_t across = old ? 0 : long_at(file, 38), down = old ? 0 : long_at(file, 42);  // pixels per metre
+  const std::int64_t across = old ? 0 : long_at(file, 38), down = old ? 0 : long_at(file, 42);  // in pixels per metre
   if (across > 0 && down > 0) add_aspect_notice(header, static_cast<double>(down) / static_cast<double>(across));
   return header;
 }
@@ -137,16 +137,16 @@ DecodedPicture decode_bmp(FileBytes file, const std::string& where) {
 
 namespace {
 
-/// Properties of a GIF file's images from its blocks, read without decoding.
+/// Properties of the images in a GIF file, found in its blocks without decoding.
 struct GifContent {
-  int pictures = 0;        ///< 2: two or more
+  int pictures = 0;        ///< number of images; 2 also stands for more
   bool is_whole = false;   ///< the file has a trailer or a second image
   bool is_opaque = false;  ///< the first image covers the whole canvas and has no transparent colour
 };
 
-/// Based on: CompuServe, "Graphics Interchange Format, Version 89a", 1990. A file is a header of 13 bytes and a colour table,
-/// followed by blocks: extensions (0x21) and images (0x2c). Blocks end in sub-blocks of a size and that many bytes, the last of
-/// size 0.
+/// Scans the blocks of a GIF file. Based on: CompuServe, "Graphics Interchange Format, Version 89a", 1990. A file is a header
+/// of 13 bytes and a colour table, followed by blocks: extensions (0x21) and images (0x2c). A block ends with a list of
+/// sub-blocks; each has a size and that many bytes, and the last has the size 0.
 class GifBlocks {
  public:
   explicit GifBlocks(FileBytes file) : file_(file) {}
@@ -175,7 +175,7 @@ class GifBlocks {
   }
 
  private:
-  /// Returns 0 beyond the end.
+  /// Returns the byte at `at`, or 0 beyond the end.
   std::uint64_t byte(std::size_t at) const { return at < file_.size() ? byte_at(file_, at) : 0; }
 
   std::size_t color_table_bytes(std::size_t flags_at) const {
@@ -209,7 +209,8 @@ PictureHeader gif_header(FileBytes file, const std::string& where) {
   constexpr std::size_t kGifHeaderBytes = 13;
   if (file.size() < kGifHeaderBytes) throw unreadable_picture(where, "the file is truncated");
   const Shape shape = shape_of(file, where);
-  constexpr std::uint64_t kMaxGifPixelsPerByte = 4096;  // limit of a 12-bit code, including the code before it
+  // A code has 12 bits at most. This limit also allows for the code before it.
+  constexpr std::uint64_t kMaxGifPixelsPerByte = 4096;
   check_file_holds(where, file.size(), pixels_of(shape), kMaxGifPixelsPerByte);
   const GifContent content = GifBlocks(file).content();
   if (!content.is_whole) throw unreadable_picture(where, "the file is truncated or damaged");
@@ -224,7 +225,7 @@ DecodedPicture decode_gif(FileBytes file, const std::string& where) {
   const int channels = static_cast<int>(header.channels.size());
   const auto load = [&](const stbi_io_callbacks* calls, void* user, int* width, int* height, int* read, int) {
     stbi_uc* samples = stbi_load_from_callbacks(calls, user, width, height, read, channels);
-    *read = channels;  // stb_image always reports 4
+    *read = channels;  // because stb_image always reports 4
     return samples;
   };
   return decode<std::uint8_t>(file, where, header, load);
@@ -239,13 +240,13 @@ bool is_tga(FileBytes file) {
 PictureHeader tga_header(FileBytes file, const std::string& where) {
   const Shape shape = shape_of(file, where);
   const bool runs = std::to_integer<int>(file[2]) >= 8;
-  const std::uint64_t bits_per_pixel = byte_at(file, 16);  // 15 bits take two bytes
+  const std::uint64_t bits_per_pixel = byte_at(file, 16);  // 15 bits take two bytes in the file
   const std::uint64_t begin = 18u + byte_at(file, 0);
   constexpr std::uint64_t kMaxPixelsPerByte = 128;
   check_file_holds(where, file.size() - std::min<std::uint64_t>(begin, file.size()),
                    pixels_of(shape) * ((bits_per_pixel + 7) / 8), runs ? kMaxPixelsPerByte : 1);
   PictureHeader header = plain_header(shape.width, shape.height, shape.channels, SampleKind::kByte);
-  constexpr std::uint64_t kFromTheRight = 0x10;  // stb_image flips rows, but not columns
+  constexpr std::uint64_t kFromTheRight = 0x10;  // needed because stb_image flips rows, but not columns
   if (byte_at(file, 17) & kFromTheRight) header.orientation = Orientation::kMirrored;
   return header;
 }

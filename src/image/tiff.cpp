@@ -23,8 +23,8 @@ constexpr double kMmPerInch = 25.4;
 
 constexpr std::size_t kMaxClassicSamples = (std::size_t{7} << 32) / 8;
 
-/// Writes to an open file and records the first failure: libtiff does not report failures of the last bytes, which hold the
-/// directory.
+/// Writes to an open file and records the first failure, because libtiff does not report failures to write the last bytes,
+/// which hold the directory.
 class Output {
  public:
   Output(const std::filesystem::path& temporary, const std::filesystem::path& path, bool big)
@@ -93,29 +93,30 @@ class Output {
   }
 
   const std::filesystem::path& path_;
-  std::error_code problem_;  // of the first write that failed
+  std::error_code problem_;  // error of the first write that failed
   platform::OpenFile file_;
   TIFF* tiff_ = nullptr;
 };
 
-/// Writes the Exif directory with the sRGB colour space and returns its offset. The image's own directory follows it.
+/// Writes the Exif directory with the sRGB colour space and returns its offset. Afterwards, the image's own directory is
+/// current.
 std::uint64_t write_colour_space(TIFF* tiff) {
   constexpr std::uint16_t kSrgb = 1;
   std::uint64_t place = 0;
   const bool written = TIFFCreateEXIFDirectory(tiff) == 0 && TIFFSetField(tiff, EXIFTAG_COLORSPACE, kSrgb) &&
                        TIFFWriteCustomDirectory(tiff, &place);
-  TIFFFreeDirectory(tiff);  // the next directory would leak this one's memory
+  TIFFFreeDirectory(tiff);  // otherwise, creating the next directory would leak this one's memory
   if (TIFFCreateDirectory(tiff) != 0) return 0;
   return written ? place : 0;
 }
 
 constexpr std::uint32_t kRowsPerStrip = 32;
 
-/// An image to write: RGB codes or inks, with 8 or 16 bits.
+/// An image to write: RGB or CMYK codes with 8 or 16 bits.
 template <class Code>
 struct Raster {
   int width, height;
-  std::size_t colors;  ///< 3: RGB; 4: inks
+  std::size_t colors;  ///< 3: RGB; 4: CMYK
   const std::vector<Code>& codes;
   const std::vector<Code>& alpha;  ///< one per pixel, or empty
 };
@@ -150,7 +151,7 @@ void set_fields(TIFF* tiff, const Raster<Code>& image, const TiffOptions& option
   }
 }
 
-/// Returns a strip's samples with interleaved alpha. A copy, since libtiff may change them.
+/// Returns the samples of a strip with interleaved alpha. They are copied, because libtiff may change them.
 template <class Code>
 std::vector<Code> strip_of(const Raster<Code>& image, std::size_t first_row, std::size_t rows) {
   const std::size_t width = static_cast<std::size_t>(image.width), begin = first_row * width, end = begin + rows * width;

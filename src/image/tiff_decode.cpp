@@ -40,7 +40,7 @@ struct Layout {
   std::uint32_t width = 0, height = 0;
   std::uint32_t block_width = 0, block_height = 0;  // size of a strip or a tile
   bool direct = false, tiled = false;
-  bool inks = false;  // cyan, magenta, yellow and black, of 8 or 16 bits
+  bool inks = false;  // the samples are CMYK of 8 or 16 bits
 
   std::size_t sample_bytes() const { return bits / 8u; }
   std::size_t block_channels() const { return planes == PLANARCONFIG_SEPARATE ? 1 : channels; }
@@ -59,7 +59,7 @@ class TiffDecoder {
                                   options.get()));
     if (!tiff_) throw failure();
     read_layout();
-    // libtiff skips tags that it cannot read, such as a palette, which would change the image.
+    // libtiff skips tags that it cannot read, such as a palette. That would change the image, so it is an error here.
     if (cut_off_) throw unreadable_picture(where_, "the file is truncated");
   }
 
@@ -72,7 +72,8 @@ class TiffDecoder {
     return header;
   }
 
-  /// Decodes the samples. Removes the profile of inks from the header, or adds a notice.
+  /// Decodes the samples. If they are CMYK, converts them to RGB and removes the CMYK profile from the header; adds a notice if
+  /// the profile could not be used. Throws Error for 16-bit CMYK without a usable profile.
   Samples samples(PictureHeader& header) {
     if (layout_.direct) return direct_samples();
     if (layout_.inks && !header.profile.empty()) {
@@ -107,7 +108,8 @@ class TiffDecoder {
     if (decoder.reason_[0] == 0) std::vsnprintf(decoder.reason_.data(), decoder.reason_.size(), format, arguments);
     return 1;
   }
-  /// libtiff 4.5.1 checks the size of the file before reading a tag, and only warns if it skips the tag.
+  /// Called for libtiff's warnings. libtiff 4.5.1 checks the size of the file before it reads a tag, and only warns if it skips
+  /// the tag.
   static int on_warning(TIFF*, void* user, const char*, const char* format, va_list) {
     const std::string_view text(format);
     if (text.starts_with("IO error during reading of") || text.starts_with("Requested memory size for tag"))
@@ -142,7 +144,7 @@ class TiffDecoder {
     return TIFFGetFieldDefaulted(tiff_.get(), tag, &value) ? value : standard;
   }
 
-  /// Returns a pointer into libtiff's memory, or null without the tag.
+  /// Returns a pointer into libtiff's memory, or null if the file does not have the tag.
   template <class T>
   const T* array_field(std::uint32_t tag) const {
     const T* values = nullptr;
@@ -165,7 +167,7 @@ class TiffDecoder {
   }
 
   void add_place_notices(PictureHeader& header) const {
-    float across = 0.0f, down = 0.0f;  // pixels per unit
+    float across = 0.0f, down = 0.0f;  // in pixels per unit
     if (TIFFGetField(tiff_.get(), TIFFTAG_XRESOLUTION, &across) && TIFFGetField(tiff_.get(), TIFFTAG_YRESOLUTION, &down) &&
         across > 0.0f && down > 0.0f)
       add_aspect_notice(header, static_cast<double>(down) / static_cast<double>(across));
@@ -182,7 +184,7 @@ class TiffDecoder {
     return layout_.format == SAMPLEFORMAT_IEEEFP ? SampleKind::kFloat : SampleKind::kWord;
   }
 
-  /// Returns how many bytes of samples one byte of the file can hold at most.
+  /// Returns the maximum number of bytes of samples that one byte of the file can hold.
   std::uint64_t ratio() const {
     switch (field<std::uint16_t>(TIFFTAG_COMPRESSION, COMPRESSION_NONE)) {
       case COMPRESSION_NONE:
@@ -226,7 +228,7 @@ class TiffDecoder {
     if (block == 0 || block > largest) throw unreadable_picture(where_, "its tile size is invalid");
   }
 
-  /// Decodes each strip or tile into `block` and copies it to its place.
+  /// Decodes each strip or tile into `block` and copies it to its position in the image.
   template <class Stored, class Sample>
   std::vector<Sample> blocks() {
     const Layout& l = layout_;
@@ -282,9 +284,9 @@ class TiffDecoder {
 
   FileBytes file_;
   std::uint64_t at_ = 0;
-  bool cut_off_ = false;  // a read went beyond the end of the file
+  bool cut_off_ = false;  // whether a read went beyond the end of the file
   const std::string& where_;
-  std::array<char, 256> reason_{};  // message of the first error
+  std::array<char, 256> reason_{};  // text of the first error
   std::unique_ptr<TIFF, TiffDeleter> tiff_;
   Layout layout_;
 };

@@ -10,21 +10,23 @@
 namespace lippmann {
 
 enum class ToneCurve {
-  kNone,     ///< clips highlights to white
-  kNeutral,  ///< keeps colours up to 0.8 and compresses highlights; for products
-  kAgx,      ///< maps 16.5 stops and fades highlights to white; for photographs
+  kNone,  ///< clips highlights to white
+  /// Keeps colours up to 0.8 and compresses highlights. For pictures of products.
+  kNeutral,
+  /// Maps a range of 16.5 stops and fades highlights to white. For pictures that look like photographs.
+  kAgx,
 };
 
 struct Tone {
-  float exposure_ev = 0.0f;  ///< stops: light is multiplied by 2^exposure_ev
+  float exposure_ev = 0.0f;  ///< exposure in stops: light is multiplied by 2^exposure_ev
   ToneCurve curve = ToneCurve::kNone;
   bool is_identity() const { return exposure_ev == 0.0f && curve == ToneCurve::kNone; }
 };
 
-/// Maps linear scene light to linear display light. Curves return values in [0, 1] for finite colours.
+/// Maps linear scene light to linear display light. With a curve, finite colours are mapped to [0, 1].
 Vec3f apply_tone(const Tone& tone, Vec3f color);
 
-/// Applies to every pixel of a film with 3 channels.
+/// Maps every pixel of a film with 3 channels.
 void apply_tone(const Tone& tone, Image& film);
 
 }  // namespace lippmann

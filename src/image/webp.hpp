@@ -1,4 +1,5 @@
-// Writes 8-bit RGB images as WebP for web pages: lossless, with a third to half of the bytes of PNG, or lossy.
+// Writes 8-bit RGB images as WebP for web pages. Lossless files have a third to half of the bytes of PNG; lossy files are
+// smaller.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +9,10 @@
 
 namespace lippmann {
 
-/// Limit of the format.
+/// Maximum side of an image in the format.
 inline constexpr int kMaxWebpSide = 16383;
 
-/// Returns the bytes of a lossless file without alpha. effort: 0 (fast) ... 9 (small). Throws Error for sizes outside 1 ...
+/// Returns the bytes of a lossless file without alpha. effort: 0 (fast) ... 9 (small). Throws Error for sides outside 1 ...
 /// kMaxWebpSide.
 std::vector<std::byte> encode_webp(const Image8& image, int effort);
 

@@ -19,7 +19,7 @@ YuvPsnr yuv_psnr(const Image8& reference, const Image8& test) {
     const double r = reference.rgb[i] - test.rgb[i], g = reference.rgb[i + 1] - test.rgb[i + 1],
                  b = reference.rgb[i + 2] - test.rgb[i + 2];
     const double y = 0.2126 * r + 0.7152 * g + 0.0722 * b;
-    // B - Y and R - Y, written so that they are exactly 0 for grey.
+    // B - Y and R - Y are computed so that they are exactly 0 for grey.
     const double u = (0.2126 * (b - r) + 0.7152 * (b - g)) / 1.8556, v = (0.7152 * (r - g) + 0.0722 * (r - b)) / 1.5748;
     y2 += y * y, u2 += u * u, v2 += v * v;
   }
