@@ -17,7 +17,7 @@ void require_length(double length_mm, const char* parameter) {
     throw usage_error(parameter, fmt::format("is {} mm", length_mm), fmt::format("{} to {} mm", kLeast, kMost));
 }
 
-/// Returns the sum of the steps between neighbouring eyes along one axis of the grid.
+/// Returns the sum of the steps between neighbouring eyes along one axis, over all rows (or columns) of the grid.
 Vec2d sum_of_steps(const std::vector<Vec2d>& eyes, ViewGrid grid, bool across) {
   Vec2d sum(0.0);
   const auto eye = [&](int column, int row) { return eyes[static_cast<std::size_t>(row * grid.columns + column)]; };
@@ -28,7 +28,8 @@ Vec2d sum_of_steps(const std::vector<Vec2d>& eyes, ViewGrid grid, bool across) {
   return sum;
 }
 
-/// Returns the positions in mm, centred on the axis, with x to the right and y up in the grid of views.
+/// Returns the positions scaled to mm and centred on the axis. Axes are inverted if needed, so that x is to the right and y up
+/// in the grid of views.
 std::vector<Vec2d> scaled_eyes(const std::vector<Vec2d>& positions, ViewGrid grid, double scale) {
   Vec2d middle(0.0);
   for (const Vec2d& position : positions) middle += position / static_cast<double>(positions.size());
@@ -48,7 +49,7 @@ std::optional<RenderedViews> rendered_views(const Optics& optics) {
 }
 
 std::optional<double> common_baseline_mm(const ViewCameras& cameras, ViewGrid grid) {
-  constexpr double kShare = 1e-4;  // corresponds to 1/100 pixel at disparities of 100 pixels
+  constexpr double kShare = 1e-4;  // this corresponds to 1/100 pixel at disparities of 100 pixels
   const auto eye = [&](int column, int row) { return cameras.eyes_mm[static_cast<std::size_t>(row * grid.columns + column)]; };
   const double baseline = grid.columns > 1 ? eye(1, 0).x - eye(0, 0).x : grid.rows > 1 ? eye(0, 1).y - eye(0, 0).y : 0.0;
   for (int row = 0; row < grid.rows; ++row)

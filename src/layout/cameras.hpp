@@ -15,23 +15,24 @@ struct RenderedViews {
   std::optional<ViewCameras> cameras = {};  ///< none: the views are parallel projections (lenses viewed from infinity)
 };
 
-/// Returns the views of the optics, where a single view is a grid of one; none if they have no views of whole pixels (slanted
-/// or hexagonal lenses).
+/// Returns the views of the optics; a single view counts as a grid of one view. Returns none if the optics have no views of
+/// whole pixels (slanted or hexagonal lenses).
 std::optional<RenderedViews> rendered_views(const Optics& optics);
 
-/// Returns the uniform distance between neighbouring eyes across and up; 0 for a single camera; none if distances differ by
-/// more than a relative 1e-4.
+/// Returns the distance between neighbouring eyes if it is the same everywhere, across and up. Returns 0 for a single camera,
+/// and none if distances differ by more than a relative 1e-4.
 std::optional<double> common_baseline_mm(const ViewCameras& cameras, ViewGrid grid);
 
-/// Returns the mean distance between neighbouring eyes of a row, or of a column if there is only one; 0 for a single eye.
+/// Returns the mean distance between neighbouring eyes along the rows, or along the column if there is only one; 0 for a single
+/// eye.
 double mean_step(const std::vector<Vec2d>& eyes, ViewGrid grid);
 
-/// Returns cameras for these views. The eyes are at the light field's positions, if it has any, scaled to a mean step of the
-/// baseline; otherwise in a regular grid. Both are centred on the axis. Throws a usage Error naming the parameter for lengths
-/// that are not positive, and Error naming `where` if all positions coincide.
+/// Returns cameras for the views of a light field. If the light field has positions, the eyes are there, scaled so that their
+/// mean step equals the baseline; otherwise they form a regular grid. In both cases they are centred on the axis. Throws a
+/// usage Error naming the parameter for lengths that are not positive, and Error naming `where` if all positions coincide.
 ViewCameras cameras_as_stated(const StatedCameras& stated, const LightField& field, const std::string& where);
 
-/// Returns a message why a light field has no cameras.
+/// Returns a message that explains why a light field has no cameras.
 std::string unknown_cameras(const LightField& field);
 
 }  // namespace lippmann

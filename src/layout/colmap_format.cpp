@@ -1,6 +1,6 @@
 // COLMAP's folders: images/000.png, ..., sparse/0/cameras.txt, images.txt and points3D.txt (layout/colmap_model.hpp). The
-// points are sampled from our depth, as an initial cloud without tracks. Writes text; reads text and binary, preferring binary
-// as COLMAP does.
+// points are an initial cloud, sampled from the depth of the light field, without tracks. The writer writes text. The reader
+// reads text and binary files, and prefers binary files as COLMAP does.
 #include <span>
 
 #include "core/atomic_file.hpp"

@@ -23,15 +23,17 @@ constexpr double kMostPlace = 1e9;
 
 struct ColmapModel {
   std::string_view name;
-  std::size_t params, focals;  ///< focal lengths and the principal point come first, followed by distortion parameters
+  /// Numbers of parameters and of focal lengths. The focal lengths and the principal point come first, then distortion
+  /// parameters.
+  std::size_t params, focals;
 };
 
-/// Indexed by COLMAP's model id. 0 focal lengths: not a pinhole model.
+/// COLMAP's camera models, indexed by model id. A model with 0 focal lengths is not a pinhole.
 constexpr ColmapModel kColmapModels[] = {{"SIMPLE_PINHOLE", 3, 1}, {"PINHOLE", 4, 2}, {"SIMPLE_RADIAL", 4, 1},
                                          {"RADIAL", 5, 1},         {"OPENCV", 8, 2},  {"OPENCV_FISHEYE", 8, 0},
                                          {"FULL_OPENCV", 12, 2}};
 
-/// A source of the values of a camera or pose: text or binary.
+/// A source of the values of a camera or pose: a text or binary file.
 class ColmapSource {
  public:
   virtual ~ColmapSource() = default;
@@ -67,7 +69,7 @@ class ColmapLine final : public ColmapSource {
       reject(fmt::format("its {} is {}", what, shown(text)), fmt::format("a whole number up to {}", most));
     return value;
   }
-  /// Returns the rest of the line without surrounding blanks.
+  /// Returns the rest of the line without blanks at its ends.
   std::string remaining() const {
     const std::size_t begin = std::min(text_.find_first_not_of(" \t"), text_.size());
     const std::size_t end = text_.find_last_not_of(" \t\r");
@@ -147,7 +149,7 @@ PosedCamera camera_of_model(const ColmapModel& model, ColmapSource& source) {
   return camera;
 }
 
-/// Reads a rotation and a translation and converts them to our axes.
+/// Reads a rotation and a translation and converts them to the axes of PosedCamera.
 void read_pose(ColmapSource& source, PosedCamera& camera) {
   double q[4], t[3];
   for (double& value : q) value = source.number("rotation", 1e3);
@@ -203,7 +205,7 @@ bool same_lens(const PosedCamera& a, const PosedCamera& b) {
   return a.size == b.size && a.focal_px == b.focal_px && a.principal_px == b.principal_px;
 }
 
-/// The distinct intrinsics in picture order, and the index of each picture's intrinsics.
+/// The distinct intrinsics in the order of the pictures, and for each picture the index of its intrinsics.
 struct SharedLenses {
   std::vector<PosedCamera> lenses;
   std::vector<std::size_t> of_picture;
@@ -252,7 +254,7 @@ ColmapCameras parse_colmap_cameras(std::span<const std::byte> binary, const std:
 
 std::vector<PosedPicture> parse_colmap_images(const std::string& text, const ColmapCameras& cameras, const std::string& where) {
   std::vector<PosedPicture> pictures;
-  bool is_points = false;  // the next line has the points of the previous picture; it may be empty
+  bool is_points = false;  // whether the next line, which may be empty, has the points of the previous picture
   visit_lines(text, [&](std::string_view line, std::size_t number) {
     if (is_points) {
       is_points = false;
@@ -277,7 +279,7 @@ std::vector<PosedPicture> parse_colmap_images(const std::string& text, const Col
 
 std::vector<PosedPicture> parse_colmap_images(std::span<const std::byte> binary, const ColmapCameras& cameras,
                                               const std::string& where) {
-  constexpr std::size_t kPointBytes = 24;  // x, y, and the point's id
+  constexpr std::size_t kPointBytes = 24;  // size of x, y, and the point's id
   std::vector<PosedPicture> pictures;
   ColmapBytes source(binary, where);
   const std::uint64_t count = source.whole("number of images", kMostPosed);

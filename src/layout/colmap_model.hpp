@@ -1,7 +1,7 @@
 // Reads and writes COLMAP models: cameras, images (with poses) and points3D, as text or binary.
 //
-// COLMAP's cameras look along +z, with x to the right and y down. Poses are camera-from-world, as a quaternion w, x, y, z and a
-// translation. Pixel coordinates are the same as ours.
+// COLMAP's cameras look along +z, with x to the right and y down. Poses map the world to the camera; they are stored as a
+// quaternion w, x, y, z and a translation. Pixel coordinates are the same as in PosedCamera.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace lippmann {
 
-/// Cameras by COLMAP's camera id; position and rotation are not set.
+/// Cameras by COLMAP's camera id. Their position and rotation are not set.
 using ColmapCameras = std::map<unsigned, PosedCamera>;
 
 /// Parse cameras without distortion. All parsers throw Error naming `where` and the line or entry.
@@ -26,7 +26,7 @@ std::vector<PosedPicture> parse_colmap_images(const std::string& text, const Col
 std::vector<PosedPicture> parse_colmap_images(std::span<const std::byte> binary, const ColmapCameras& cameras,
                                               const std::string& where);
 
-/// Return the contents of the text files. Pictures with equal intrinsics share a camera; points have no tracks.
+/// Return the contents of the text files. Pictures with equal intrinsics share one camera entry; points have no tracks.
 std::string colmap_cameras_text(const std::vector<PosedPicture>& pictures);
 std::string colmap_images_text(const std::vector<PosedPicture>& pictures);
 std::string colmap_points_text(const std::vector<CloudPoint>& cloud);

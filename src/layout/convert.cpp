@@ -37,7 +37,7 @@ Picture cropped(Picture view, const Crop& window) {
   return std::move(one.stack);
 }
 
-/// Writes a display picture; prints include their resolution. `profile`: of the printer; null: none.
+/// Writes a display picture; prints include their resolution. `profile`: the printer's; null: none.
 std::vector<fs::path> write_display_picture(const Picture& picture, const Display& display, DisplayTarget target,
                                             const fs::path& path, const OutputProfile* profile) {
   if (target == DisplayTarget::kQuilt) {
@@ -58,19 +58,19 @@ class Conversion {
     if (params.display_picture) pool_ = std::make_unique<ThreadPool>(resolved_threads(params.threads));
   }
 
-  /// `is_frame`: `out` has the ending of `in`, not one chosen by the user.
+  /// Converts one light field. `is_frame`: `out` has the ending of `in`, which the user did not choose.
   void convert_one(const fs::path& in, const fs::path& out, bool is_frame, Converted& result) const {
     if (params_.display_picture) return convert_for_display(in, out, is_frame, result);
     FormatOptions reading = params_.options;
     reading.with_depth = to_.uses_cameras;
-    if (to_.name == "stereo") reading.stereo.reset();  // `stereo` describes the output; input pictures have it in their names
+    if (to_.name == "stereo") reading.stereo.reset();  // `stereo` describes the output; the input's name describes the input
     OpenedLightField opened = open(in, reading);
     LightField& field = opened.field;
     if (params_.options.cameras) state_cameras(field, in);
     if (params_.keep) keep(field, *params_.keep, "keep");
     if (params_.crop) crop(field, *params_.crop, "crop");
     FormatOptions writing = params_.options;
-    if (opened.format == "quilt") writing.tiles.reset();  // `tiles` describes the input
+    if (opened.format == "quilt") writing.tiles.reset();  // `tiles` describes the input, not the output
     fs::path path = out;
     if (to_.name != "quilt" && parse_quilt_name(path))
       throw usage_error("OUT", path.string() + " is a quilt name, but the format is " + std::string(to_.name),
@@ -85,7 +85,8 @@ class Conversion {
     result.lacks_depth = to_.uses_cameras && has_cameras && !field.depth;
   }
 
-  /// Writes the picture for the display. Views of folders are fitted as they are read because they may be large photos.
+  /// Converts one light field to the picture for the display. Views in folders may be large photos, so they are fitted as they
+  /// are read.
   void convert_for_display(const fs::path& in, const fs::path& out, bool is_frame, Converted& result) const {
     const Display display = with_bleed(*params_.options.display, params_.display_picture->finish.bleed_mm);
     const DisplayTarget target = display_target(display, to_.name);
@@ -117,7 +118,8 @@ class Conversion {
     result.fitted = fitter.description();
   }
 
-  /// Returns the output name of a frame, without markers of the input format. `to_` adds its own.
+  /// Returns the output name of a frame: the name of `frame` without markers of the input format. The format `to_` adds its own
+  /// markers.
   fs::path name_of(const fs::path& frame) const {
     const fs::path bare = without_rgbd_name(without_quad_name(without_stereo_name(without_quilt_name(frame.filename()))));
     return to_.is_folder ? bare.stem() : bare;
@@ -142,7 +144,7 @@ class Conversion {
   std::unique_ptr<ThreadPool> pool_;  ///< for display pictures
 };
 
-/// Returns whether each picture of a folder is a light field. For a flip print, they are the frames of one.
+/// Returns whether each picture of a folder is a light field of its own. For a flip print, they are the frames of one print.
 bool may_have_frames(const ConvertParams& params) { return !params.display_picture || !params.display_picture->flip; }
 
 }  // namespace

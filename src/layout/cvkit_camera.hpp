@@ -1,7 +1,7 @@
-// NAME_param.txt of cvkit, the Computer Vision Toolkit: the camera of one picture.
+// Reads and writes NAME_param.txt of cvkit, the Computer Vision Toolkit: the camera of one picture.
 //
-//   camera.A=[fx 0 cx; 0 fy cy; 0 0 1]    pixels, from the top left corner of the picture
-//   camera.R=[1 0 0; 0 1 0; 0 0 1]        a point of the world is R p + T: x right, y down, z forward
+//   camera.A=[fx 0 cx; 0 fy cy; 0 0 1]    in pixels, from the top left corner of the picture
+//   camera.R=[1 0 0; 0 1 0; 0 0 1]        a point p of the camera is R p + T in the world: x right, y down, z forward
 //   camera.T=[x y z]
 //   camera.width=w, camera.height=h
 //   rho=f t                               disparity = rho / depth
@@ -16,8 +16,9 @@
 namespace lippmann {
 
 struct CvkitCamera {
-  MivCamera camera;  ///< without name and range, and without resolution if width and height are missing
-  double rho = 0.0;  ///< pixels times metres; 0: not given
+  /// Without name and depth range; without resolution if width and height are missing.
+  MivCamera camera;
+  double rho = 0.0;  ///< in pixels times metres; 0: not given
 };
 
 /// Parses a camera file. Throws Error naming `where` for malformed matrices, skewed or rotated cameras, and lens distortion.

@@ -1,6 +1,6 @@
-// cvkit's folders: view_000.png, ..., view_000_param.txt, ... with the camera of each (layout/cvkit_camera.hpp), and, if depth
-// is known, view_000_disp.pfm, ... with disparities rho / depth in pixels, where rho is the focal length times the distance
-// between neighbouring cameras. Infinity means no surface. Also reads other names: NAME.png with NAME_param.txt.
+// cvkit's folders: view_000.png, ... with their cameras in view_000_param.txt, ... (layout/cvkit_camera.hpp). If depth is
+// known, view_000_disp.pfm, ... hold disparities rho / depth in pixels, where rho is the focal length times the distance
+// between neighbouring cameras; infinity means no surface. The reader also accepts other names: NAME.png with NAME_param.txt.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxCvkitCameras = 4096;
 
-/// Returns the cameras by picture name. `rho`: filled with the value of every camera, for its disparities.
+/// Returns the cameras by picture name. `rho` receives the value rho of every camera, from which its disparities follow.
 std::vector<MivCamera> read_cvkit_cameras(const fs::path& folder, std::map<std::string, double>& rho) {
   static const TextPattern pattern("(.{1,200})_param\\.txt");
   constexpr std::uintmax_t kMaxBytes = 1 << 16;
@@ -57,7 +57,7 @@ fs::path picture_of_cvkit(const fs::path& folder, const std::string& name) {
 
 fs::path cvkit_disparity_path(const fs::path& folder, const std::string& name) { return folder / (name + "_disp.pfm"); }
 
-/// Reads the depth of all views, or no depth if it is missing for one of them.
+/// Reads the depth of all views. If one view has no depth, reads none.
 void read_cvkit_depth(const fs::path& folder, const std::vector<MivCamera>& cameras, const std::map<std::string, double>& rho,
                       LightField& field) {
   for (const MivCamera& camera : cameras)

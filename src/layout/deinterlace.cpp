@@ -1,4 +1,4 @@
-// Each row of samples depends only on the panel rows whose centre lies in it, so rows are processed independently.
+// Each row of samples depends only on the panel rows whose centres lie in it. Therefore rows are processed independently.
 #include <fmt/format.h>
 
 #include <limits>
@@ -19,14 +19,15 @@ class SampleRow {
   SampleRow(int views, int width)
       : width_(width), best_(3 * static_cast<std::size_t>(views) * static_cast<std::size_t>(width), Found{kNone, {}}) {}
 
-  /// Offers a sub-pixel. `distance`: from the centre of the sample, in samples and views.
+  /// Replaces the sub-pixel of a sample if this one is nearer. `distance`: squared distance from the centre of the sample, in
+  /// samples and views.
   void offer(int view, int x, int color, float distance, Sample value) {
     Found& best = best_[at(view, x, color)];
     if (distance < best.distance) best = {distance, value};
   }
 
-  /// Writes one view's row. Missing samples take the nearest one, or the left one of two equally near. Returns false if the row
-  /// is empty.
+  /// Writes one view's row. Samples without a sub-pixel take the nearest sample that has one, or the left one of two equally
+  /// near. Returns false if no sample of the row has a sub-pixel.
   bool write(int view, int color, Sample* out) const {
     int left = -1, right = next(view, 0, color);
     if (right == width_) return false;
@@ -48,7 +49,7 @@ class SampleRow {
     return 3 * (static_cast<std::size_t>(view) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)) +
            static_cast<std::size_t>(color);
   }
-  /// Returns the first sample at or after x that was found, or width_.
+  /// Returns the first sample at or after x that has a sub-pixel, or width_.
   int next(int view, int x, int color) const {
     while (x < width_ && best_[at(view, x, color)].distance == kNone) ++x;
     return x;
@@ -82,7 +83,8 @@ void fill(const Image& frame, const auto& samples, const SlantedPanel& panel, in
         }
       }
     };
-    // Panel rows whose centre lies in this row of samples, or the row around it if the panel has fewer rows than the view.
+    // Take the panel rows whose centres lie in this row of samples. If the panel has fewer rows than the view, there may be
+    // none; then take the panel row that contains the row of samples.
     int first = static_cast<int>(static_cast<std::int64_t>(y) * pixels.y / size.y);
     while (first > 0 && sample_at(first - 1, pixels.y, size.y) >= y) --first;
     while (first + 1 < pixels.y && sample_at(first, pixels.y, size.y) < y) ++first;

@@ -37,7 +37,7 @@ Image depth_channels(const fs::path& path) {
 
 /// Returns the first channel. Throws Error for colours; a second or fourth channel is alpha.
 Image grey_channel(const Image& channels, const fs::path& path) {
-  constexpr double kMostColour = 0.05;  // tolerance for lossy pictures
+  constexpr double kMostColour = 0.05;  // a tolerance for lossy pictures
   Image grey(channels.width, channels.height, 1);
   double colour = 0.0, range = 0.0;
   for (std::size_t i = 0; i < grey.data.size(); ++i) {
@@ -62,7 +62,7 @@ void scale_floats(Image& grey, const fs::path& path) {
 }
 
 void require_shape(const Image& grey, Vec2i size, const fs::path& path) {
-  constexpr double kRounding = 0.02;  // the sides of small maps are rounded
+  constexpr double kRounding = 0.02;  // a tolerance, because the sides of small maps are rounded
   const double wider = static_cast<double>(grey.width) * size.y / (static_cast<double>(grey.height) * size.x);
   if (std::abs(wider - 1.0) > kRounding)
     throw Error(path.string(),
@@ -101,7 +101,7 @@ Image enlarged_depth(const Image& depth, Vec2i size, float edge) {
 }
 
 Image read_depth_map(const fs::path& path, Vec2i size, bool near_black) {
-  constexpr float kEdge = 1.0f / 32.0f;  // relative to the range of depths
+  constexpr float kEdge = 1.0f / 32.0f;  // a share of the range of depths
   Image grey = grey_channel(depth_channels(path), path);
   require_shape(grey, size, path);
   if (sample_kind(path) == SampleKind::kFloat) scale_floats(grey, path);

@@ -1,10 +1,10 @@
-// The side file of a plenoptic camera's picture, <picture>.json: its number of views and, if known, its cameras. The picture
-// itself cannot store them.
+// The side file of a plenoptic camera's picture, <picture>.json. It holds the number of views and, if known, their cameras,
+// which the picture itself cannot store.
 //
 //   {"eslf": {"columns": 14, "rows": 14, "positions": [[x, y], ...],
 //             "cameras": {"distance_mm": d, "pixel_mm": [w, h], "centre_px": [x, y], "eyes_mm": [[x, y], ...]}}}
 //
-// `positions` and `cameras` are optional. Lists are in view order; x is to the right and y up, as in LightField.
+// `positions` and `cameras` are optional. Lists are in the order of the views; x is to the right and y up, as in LightField.
 #pragma once
 
 #include <filesystem>
@@ -25,7 +25,7 @@ struct EslfSideFile {
 /// Returns <picture>.json.
 std::filesystem::path eslf_side_path(const std::filesystem::path& picture);
 
-/// Reads the side file; none if it does not exist or describes something else. Throws Error naming the file.
+/// Reads the side file of a picture; none if it does not exist or describes something else. Throws Error naming the file.
 std::optional<EslfSideFile> read_eslf_side_file(const std::filesystem::path& picture);
 /// Parses a side file; none for JSON without the key `eslf`. Throws Error naming `where`.
 std::optional<EslfSideFile> parse_eslf_side_file(const std::string& text, const std::string& where);

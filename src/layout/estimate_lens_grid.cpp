@@ -1,12 +1,12 @@
 // Estimates the lens grid of a white picture in four steps:
 //
 //   1. The autocorrelation of the middle of the picture has a peak at every vector between two lenses. The two shortest
-//      non-parallel vectors are a basis of the lattice; the angle between them distinguishes square from hexagonal.
+//      non-parallel vectors are a basis of the lattice; the angle between them distinguishes square from hexagonal grids.
 //   2. The phase of the picture at the lattice's two fundamental frequencies gives the position of a lens.
 //   3. The centre of each lens is the fixed point of a mean of positions, weighted by light and by a smooth window (mean
 //      shift: D. Comaniciu, P. Meer, "Mean shift: a robust approach toward feature space analysis", PAMI 2002).
-//   4. A grid is fitted to the centres by least squares, first near the middle, then over twice the extent each time, so
-//      that the fit always predicts the next centres to a fraction of a lens.
+//   4. A grid is fitted to the centres by least squares, first near the middle, then repeatedly over twice the extent, so
+//      that each fit predicts the next centres to a fraction of a lens.
 #include "layout/estimate_lens_grid.hpp"
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ Error no_lens_grid(const std::string& where, const std::string& problem) {
       "number");
 }
 
-/// Transforms in place; the number of values must be a power of two.
+/// Applies the Fourier transform in place. The number of values must be a power of two.
 void fourier(std::vector<Complex>& values) {
   const std::size_t count = values.size();
   for (std::size_t i = 1, j = 0; i < count; ++i) {
@@ -57,7 +57,7 @@ void fourier(std::vector<Complex>& values) {
   }
 }
 
-/// Transforms a square of values along rows, then along columns.
+/// Applies the Fourier transform to a square of values, along rows and then along columns.
 void fourier_2d(std::vector<Complex>& values, std::size_t side) {
   std::vector<Complex> line(side);
   for (std::size_t y = 0; y < side; ++y) {
@@ -76,7 +76,7 @@ double light_at(const Image& image, int x, int y) {
   return static_cast<double>(*image.pixel(std::clamp(x, 0, image.width - 1), std::clamp(y, 0, image.height - 1)));
 }
 
-/// Returns the light filtered to remove pixel-to-pixel patterns (colour filters).
+/// Returns the light at a pixel, filtered to remove the pattern of colour filters.
 double smooth_light_at(const Image& image, int x, int y) {
   double sum = 0.0;
   for (int j = -1; j <= 1; ++j)
@@ -84,8 +84,8 @@ double smooth_light_at(const Image& image, int x, int y) {
   return sum / 16.0;
 }
 
-/// The autocorrelation of the middle of a picture for lags up to a quarter of the side, after removing variations slower than
-/// the lenses.
+/// The autocorrelation of the middle of a picture, for lags up to a quarter of its side. Variations slower than the lenses are
+/// removed first.
 class Autocorrelation {
  public:
   explicit Autocorrelation(const Image& white) {
@@ -96,7 +96,8 @@ class Autocorrelation {
     for (int y = 0; y < side_; ++y)
       for (int x = 0; x < side_; ++x) values[index(x, y)] = hann(x) * hann(y) * smooth_light_at(white, left + x, top + y);
     fourier_2d(values, side);
-    constexpr int kSlow = 8;  // periods in the crop; lenses of a sixteenth of the picture have twice as many
+    // In periods per crop. Lenses that are a sixteenth of the picture wide have twice as many.
+    constexpr int kSlow = 8;
     for (int y = 0; y < side_; ++y)
       for (int x = 0; x < side_; ++x) {
         const int u = std::min(x, side_ - x), v = std::min(y, side_ - y);
@@ -117,7 +118,7 @@ class Autocorrelation {
     return true;
   }
 
-  /// Returns the sub-pixel position of a peak, from parabolas through it and its neighbours.
+  /// Returns the sub-pixel position of a peak at `lag`, from parabolas through it and its neighbours.
   Vec2d top(Vec2i lag) const {
     const auto shift = [](double before, double here, double after) {
       return 0.5 * (before - after) / (before - 2.0 * here + after);
@@ -139,7 +140,7 @@ class Autocorrelation {
 
 double cross(Vec2d a, Vec2d b) { return a.x * b.y - a.y * b.x; }
 
-/// Returns the two shortest vectors between lenses, at an angle of at most 90 degrees.
+/// Returns the two shortest vectors between lenses. The angle between them is at most 90 degrees.
 std::pair<Vec2d, Vec2d> lattice_basis(const Image& white, const std::string& where) {
   const Autocorrelation correlation(white);
   std::vector<Vec2i> peaks;
@@ -164,7 +165,7 @@ std::pair<Vec2d, Vec2d> lattice_basis(const Image& white, const std::string& whe
   throw no_lens_grid(where, "the picture is periodic in only one direction");
 }
 
-/// Returns the direction closest to the axis, pointing along it.
+/// Returns the direction that is closest to the axis, reversed if needed so that it points along the axis.
 Vec2d nearest_to_axis(std::array<Vec2d, 3> directions, int axis) {
   Vec2d nearest(0.0);
   double most = -1.0;
@@ -175,7 +176,7 @@ Vec2d nearest_to_axis(std::array<Vec2d, 3> directions, int axis) {
   return nearest;
 }
 
-/// Returns a grid with these basis vectors; its offset is not known yet.
+/// Returns a grid with these basis vectors. Its offset is not yet known.
 LensGrid grid_of_basis(Vec2d a, Vec2d b, const std::string& where) {
   const double cosine = glm::dot(a, b) / (glm::length(a) * glm::length(b)), ratio = glm::length(b) / glm::length(a);
   LensGrid grid;
@@ -198,7 +199,7 @@ LensGrid grid_of_basis(Vec2d a, Vec2d b, const std::string& where) {
   return lens_grid(glm::length(column), -column_turn, {}, LensArrangement::kHexagonalColumns);
 }
 
-/// Returns the position of a lens near the middle, from the phase at the two fundamental frequencies.
+/// Returns the position of a lens near the middle of the picture, from its phases at the two fundamental frequencies.
 Vec2d lens_by_phase(const Image& white, const LensGrid& grid) {
   LensGrid centred = grid;
   centred.offset_px = Vec2d(0.0);
@@ -220,7 +221,7 @@ Vec2d lens_by_phase(const Image& white, const LensGrid& grid) {
   return middle + turns * std::arg(sum1) * e1 + turns * std::arg(sum2) * e2;
 }
 
-/// Returns the centre of the lens near `start`, in pixels; NaN if the iteration does not converge.
+/// Returns the centre of the lens near `start`, in pixels. Returns NaN if the iteration does not converge.
 Vec2d settled_centre(const Image& white, Vec2d start, double radius) {
   Vec2d centre = start;
   for (int step = 0; step < 30; ++step) {
@@ -239,7 +240,7 @@ Vec2d settled_centre(const Image& white, Vec2d start, double radius) {
         sum += weight, mean += weight * from;
       }
     if (!(sum > 0.0)) return Vec2d(NAN);
-    const Vec2d move = 1.5 * mean / sum;  // the mean underestimates the step
+    const Vec2d move = 1.5 * mean / sum;  // the factor 1.5, because the mean underestimates the step
     centre += move;
     if (glm::length(centre - start) > 0.3 * radius) return Vec2d(NAN);
     if (glm::length(move) < 1e-3) return centre;
@@ -248,7 +249,7 @@ Vec2d settled_centre(const Image& white, Vec2d start, double radius) {
 }
 
 struct FoundLens {
-  double column;  // includes the shift of its row
+  double column;  // includes the shift of the lens's row
   int row;
   Vec2d centre;
 };
@@ -257,7 +258,7 @@ double column_shift(const LensGrid& grid, int row) {
   return grid.arrangement == LensArrangement::kHexagonal && row % 2 != 0 ? 0.5 : 0.0;
 }
 
-/// Returns the lenses within `reach_px` of the offset that lie completely in the picture.
+/// Returns the lenses within `reach_px` of the grid's offset that lie completely in the picture.
 std::vector<FoundLens> find_lenses(const Image& white, const LensGrid& grid, double reach_px) {
   const double radius = 0.6 * std::min(grid.pitch_px, grid.row_pitch_px);
   const int columns = static_cast<int>(std::ceil(reach_px / grid.pitch_px)) + 1,
@@ -275,7 +276,7 @@ std::vector<FoundLens> find_lenses(const Image& white, const LensGrid& grid, dou
   return found;
 }
 
-/// A least-squares line through values over positions.
+/// A least-squares line through values at positions.
 struct LineFit {
   double sum = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
   void add(double place, double value) { sum += 1.0, x += place, y += value, xx += place * place, xy += place * value; }
@@ -284,8 +285,8 @@ struct LineFit {
   double at_zero() const { return (y - slope() * x) / sum; }
 };
 
-/// Returns the least-squares grid: first the rotation, from rows and columns weighted by their spread, then pitches and offset
-/// along the rotated axes.
+/// Returns the least-squares grid. Fits first the rotation, from rows and columns weighted by their spread, then pitches and
+/// offset along the rotated axes.
 LensGrid fit_grid(const std::vector<FoundLens>& lenses, LensGrid grid) {
   for (int pass = 0; pass < 6; ++pass) {
     const double c = std::cos(grid.rotation), s = std::sin(grid.rotation);
@@ -328,7 +329,7 @@ bool spans_both_ways(const std::vector<FoundLens>& lenses) {
   return right->column - left->column >= 2.0 && bottom->row - top->row >= 2;
 }
 
-/// Performs steps 3 and 4. Does not support kHexagonalColumns.
+/// Performs steps 3 and 4 of the comment at the top. Does not support kHexagonalColumns.
 LensGridFit grown_fit(const Image& white, LensGrid grid, const std::string& where) {
   grid.offset_px = lens_by_phase(white, grid);
   const double whole = std::hypot(white.width, white.height);
@@ -339,7 +340,7 @@ LensGridFit grown_fit(const Image& white, LensGrid grid, const std::string& wher
     grid = fit_grid(lenses, grid);
     if (reach >= whole) break;
   }
-  constexpr double kOutlier = 3.0;  // relative to the residual; excludes dust and clipped lenses
+  constexpr double kOutlier = 3.0;  // in residuals; excludes dust and clipped lenses
   const double limit = kOutlier * rms_residual(grid, lenses);
   std::erase_if(lenses, [&](const FoundLens& lens) { return distance_to_grid(grid, lens) > limit; });
   grid = fit_grid(lenses, grid);

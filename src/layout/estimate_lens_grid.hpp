@@ -8,14 +8,14 @@
 namespace lippmann {
 
 struct LensGridFit {
-  LensGrid grid;             ///< its offset is the lens nearest to the middle of the picture
+  LensGrid grid;             ///< its offset is the centre of the lens nearest to the middle of the picture
   int lenses = 0;            ///< number of lenses used in the fit
-  double residual_px = 0.0;  ///< root mean square distance of the centres from the grid
+  double residual_px = 0.0;  ///< root mean square distance of the lens centres from the grid
 };
 
-/// Estimates the grid from `white` (1 channel). Lens spacing must be between 4 pixels and a sixteenth of the picture, at any
-/// rotation (square: up to 45 degrees; hexagonal: 15 degrees from rows or columns). Throws Error naming `where` if there is no
-/// such grid.
+/// Estimates the grid from `white` (1 channel). The lens spacing must be between 4 pixels and a sixteenth of the picture. The
+/// grid may have any rotation: square grids are described by up to 45 degrees, hexagonal ones by up to 15 degrees from rows or
+/// columns. Throws Error naming `where` if there is no such grid.
 LensGridFit estimate_lens_grid(const Image& white, const std::string& where);
 
 /// Returns a summary: "lens grid: hexagonal, pitch 10.135 x 8.777 px, rotation 0.12 deg, a lens at (1640.2, 1639.8) px; 125000

@@ -17,8 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Matches the files of one frame: beside the others, in the folders of a data set whose views are all frames, or in a folder
-/// of its own with the names of a format with several files (views, HCI, Stanford, JPEG Pleno, MIV, NeRF, COLMAP, LLFF).
+/// Matches the names of files of one frame. Such a file lies beside those of other frames; or in one of the folders of a data
+/// set in which every view is a frame; or in a folder for the frame, with the names of a format that has several files (views,
+/// HCI, Stanford, JPEG Pleno, MIV, NeRF, COLMAP, LLFF).
 constexpr const char* kFrameFiles =
     R"((?:images/([0-9]{3,6})\.(?:png|exr)|depth/([0-9]{3,6})(?:_ray)?\.npy)|)"
     R"((?:frame|aov)_([0-9]{1,9})(?:_qs[0-9xa.e+-]+|_(?:half_)?(?:2x1|ou)(?:_rl)?|_rows(?:_rl)?|_2x2|_rgbd)?\.(?:png|tif|exr)(?:\.json)?)"
@@ -62,13 +63,13 @@ std::string strip_name(int frame, int strip) { return fmt::format("strip_{:04}_{
 bool is_strip_name(const std::string& name) { return name.starts_with("strip_") && frame_of_file(name); }
 
 std::optional<int> frame_of_file(const std::string& name) {
-  constexpr std::size_t kMaxLetters = 255;  // longest file name
+  constexpr std::size_t kMaxLetters = 255;  // maximum length of a file name
   if (name.size() > kMaxLetters) return std::nullopt;
   static const TextPattern pattern(kFrameFiles);
   const std::optional<PatternMatch> found = pattern.match(name);
   if (!found) return std::nullopt;
-  const std::string digits =
-      found->groups[1] + found->groups[2] + found->groups[3] + found->groups[4] + found->groups[5];  // only one is non-empty
+  // Only one of these groups is not empty.
+  const std::string digits = found->groups[1] + found->groups[2] + found->groups[3] + found->groups[4] + found->groups[5];
   int frame = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), frame);
   return frame;

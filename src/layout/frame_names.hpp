@@ -10,35 +10,38 @@ namespace lippmann {
 
 struct FrameNames {
   std::string ending = "png";  ///< file extension of pictures, without the dot
-  std::string suffix = {};     ///< suffix of quilts and stereo pictures: _qs8x6a0.75, _2x1; else empty
-  int views = 0;               ///< > 0: every frame is a folder with this many pictures
-  bool is_folder = false;      ///< every frame is a folder whose files are named by a format (layout/formats.hpp)
+  /// Suffix of the names of quilts and stereo pictures: _qs8x6a0.75, _2x1; empty for other pictures.
+  std::string suffix = {};
+  int views = 0;           ///< > 0: every frame is a folder that contains this many pictures
+  bool is_folder = false;  ///< true: every frame is a folder whose files are named by a format (layout/formats.hpp)
 };
 
-/// Returns frame_0000.png, .tif or .exr, or frame_0000_qs8x6a0.75.png; for views and formats with several files, the folder
-/// frame_0000.
+/// Returns frame_0000.png, .tif or .exr, or with a suffix, such as frame_0000_qs8x6a0.75.png. For views and formats with
+/// several files, returns the name of the folder, frame_0000.
 std::string frame_name(const FrameNames& names, int frame);
 
-/// Returns DIR/frame_0000.png, or DIR/frame_0000/view_000.png, ... Not for names.is_folder, where the format names the files.
+/// Returns DIR/frame_0000.png, or DIR/frame_0000/view_000.png, ... Must not be called if names.is_folder, where the format
+/// names the files.
 std::vector<std::filesystem::path> picture_paths(const std::filesystem::path& folder, const FrameNames& names, int frame);
 
-/// Returns the file for extra layers of a picture (`view` -1: of the whole frame) that the picture itself does not contain.
+/// Returns the path of the file for extra layers of a picture, which the picture itself does not contain. `view`: -1 for the
+/// layers of the whole frame.
 std::filesystem::path layers_path(const std::filesystem::path& folder, int frame, int view = -1);
 
 /// Maximum number of strips per frame: a film of the maximum height in bands of 16 rows.
 inline constexpr int kMostStrips = 4096;
 
-/// Returns strip_0000_003.exr: rows of a frame that has not been joined yet.
+/// Returns strip_0000_003.exr, the name of a file with some rows of a frame that has not been joined yet.
 std::string strip_name(int frame, int strip);
 
 /// Returns whether a file has the name of a strip.
 bool is_strip_name(const std::string& name);
 
-/// Returns the frame that a file with this name (relative to a render's folder) belongs to: a picture, a strip, a layer, a side
-/// file, or a file of a format's folder. None if no render writes such a name.
+/// Returns the frame that a file with this name (relative to a render's folder) belongs to. The file may be a picture, a strip,
+/// a layer, a side file, or a file in a format's folder. Returns none if no render writes such a name.
 std::optional<int> frame_of_file(const std::string& name);
 
-/// Returns whether the name has the extension of a supported picture format, in any case.
+/// Returns whether the name has the extension of a supported picture format, in upper or lower case.
 bool is_picture_name(const std::filesystem::path& path);
 
 /// Return the pictures, or the folders, with names of frames, in numerical order. Throw Error naming the folder if it cannot be

@@ -1,6 +1,6 @@
-// Folders of the 4D light field benchmark: input_Cam000.png, ... row by row from the top left, parameters.cfg, and depth and
-// disparity of every view as PFM: gt_depth_lowres_Cam000.pfm, ... (metres) and gt_disp_lowres_Cam000.pfm, ... (pixels). The
-// middle view's maps are also stored as gt_depth_lowres.pfm and gt_disp_lowres.pfm.
+// Folders of the 4D light field benchmark: input_Cam000.png, ... row by row from the top left, parameters.cfg, and the depth
+// and disparity of every view as PFM: gt_depth_lowres_Cam000.pfm, ... (in metres) and gt_disp_lowres_Cam000.pfm, ... (in
+// pixels). The middle view's maps are also stored as gt_depth_lowres.pfm and gt_disp_lowres.pfm.
 //
 // Without a surface, depth is inf and disparity is -inf. The disparity of a surface is finite at any distance: it
 // approaches -beta / (F s), the negative `offset` in parameters.cfg.
@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the grid from the options, else from parameters.cfg, else a square.
+/// Returns the grid: from the options if they have it, else from parameters.cfg, else a square.
 ViewGrid grid_of(const fs::path& folder, int count, const FormatOptions& options,
                  const std::optional<HciParameters>& parameters) {
   const int side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(count))));
@@ -43,7 +43,7 @@ fs::path per_view(const fs::path& folder, const char* kind, const ViewGrid& grid
   return folder / fmt::format("gt_{}_lowres_Cam{:03}.pfm", kind, from_top_left(grid, view));
 }
 
-/// Reads the depth of all views, or no depth if it is missing for one of them.
+/// Reads the depth of all views. If one view has no depth, reads none.
 void read_depth(const fs::path& folder, double focus_distance_mm, LightField& field) {
   for (int view = 0; view < field.grid.count(); ++view)
     if (!is_regular_file_there(per_view(folder, "depth", field.grid, view))) return;
@@ -93,9 +93,10 @@ DepthMaps depth_maps(const LightField& field, int view, const HciParameters& par
   return maps;
 }
 
-/// Writes the maps and sets the range of disparities; 0 to 0 if there are no surfaces.
+/// Writes the maps and sets the range of disparities in `parameters`. The range is 0 to 0 if there are no surfaces.
 void write_depth(const LightField& field, const fs::path& folder, HciParameters& parameters, std::vector<fs::path>& written) {
-  const int middle = field.grid.rows / 2 * field.grid.columns + field.grid.columns / 2;  // numbered from the top left
+  // File names number the views from the top left.
+  const int middle = field.grid.rows / 2 * field.grid.columns + field.grid.columns / 2;
   parameters.disparity_min = INFINITY, parameters.disparity_max = -INFINITY;
   const auto put = [&](const fs::path& path, const Image& map) {
     write_pfm(path, map);

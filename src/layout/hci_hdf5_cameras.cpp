@@ -22,7 +22,7 @@ std::optional<double> number_between(const std::map<std::string, double>& attrib
   return found->second;
 }
 
-/// By view, in steps from camera to camera.
+/// Returns the position of a view in the grid, relative to the grid's middle, in steps from camera to camera.
 Vec2d place_in_grid(ViewGrid grid, int view) {
   return Vec2d(view % grid.columns, view / grid.columns) - 0.5 * Vec2d(grid.columns - 1, grid.rows - 1);
 }
@@ -37,7 +37,7 @@ bool set_hdf5_cameras(const std::map<std::string, double>& attributes, LightFiel
   const auto focal = number_between(attributes, "focalLength", kLeast, kMost, where);
   const double shift = number_between(attributes, "shift", -kMostShift, kMostShift, where).value_or(0.0);
   if (!focal || (grid.columns > 1 && !across) || (grid.rows > 1 && !along) || (!across && !along)) return false;
-  // Of a single row or column, the other distance does not matter.
+  // If the grid has a single row or column, one of the two distances has no effect.
   const Vec2d step_mm =
       kMmPerMetre * Vec2d(grid.columns > 1 || !along ? *across : *along, grid.rows > 1 || !across ? *along : *across);
   const bool shares_plane = shift >= kLeastShift && std::abs(step_mm.x / step_mm.y - 1.0) < kEqual;

@@ -1,6 +1,6 @@
-// HCI's older light fields: one HDF5 file with the arrays LF [t][s][y][x][channel] and, of rendered scenes, GT_DEPTH
-// [t][s][y][x]. t counts views from the top, s from the right: readers of these files for later data sets turn s round.
-// Cameras: layout/hci_hdf5_cameras.hpp.
+// HCI's older light fields: one HDF5 file with the arrays LF [t][s][y][x][channel] and, for rendered scenes, GT_DEPTH
+// [t][s][y][x]. t counts views from the top and s from the right, since readers of these files for later data sets reverse s.
+// layout/hci_hdf5_cameras.hpp reads the cameras.
 //
 // Wanner, Meister, Goldluecke: Datasets and benchmarks for densely sampled 4D light fields, VMV 2013.
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ const Hdf5Module& hdf5_module() {
   return loaded;
 }
 
-/// Checks the array of views and sets their grid and size.
+/// Checks the array of views. Sets the grid and the size of the views.
 void set_size(const Hdf5Array& array, LightField& field, const std::string& where) {
   constexpr std::uint64_t kMostViews = 1024, kMostSide = 65536;
   const std::vector<std::uint64_t>& shape = array.shape;
@@ -48,7 +48,7 @@ void set_size(const Hdf5Array& array, LightField& field, const std::string& wher
   field.aspect = static_cast<double>(field.view_size.x) / field.view_size.y;
 }
 
-/// Places of a view in the arrays.
+/// Return the indices t and s of a view in the arrays.
 std::uint64_t t_of(const LightField& field, int view) {
   return static_cast<std::uint64_t>(field.grid.rows - 1 - view / field.grid.columns);
 }

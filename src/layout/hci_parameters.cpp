@@ -70,7 +70,7 @@ class Values {
   std::map<std::string, std::string> values_;
 };
 
-/// Returns the parameters. `baseline_mm`: between neighbouring eyes.
+/// Returns the parameters. `baseline_mm`: distance between neighbouring eyes.
 HciParameters parameters_with(double baseline_mm, const LightField& field, const std::string& where) {
   const ViewCameras& cameras = *field.cameras;
   if (std::abs(cameras.pixel_mm.x / cameras.pixel_mm.y - 1.0) > 1e-4)

@@ -1,10 +1,10 @@
 // The file parameters.cfg of the 4D light field benchmark (HCI): cameras and their disparities.
 //
-// Parallel cameras with baseline b, focal length f, and a sensor of size s along its longer side of n pixels. Pictures are
-// shifted so that points at the focus distance F have no disparity. A point at planar depth Z moves by
-//   d = (beta F / Z - beta) / (F s),   beta = b f n    pixels from camera to camera (lengths in mm)
-// If it is nearer than F, it moves left as the camera moves right. Our off-axis views through one rectangle of z = 0 have the
-// same model: F is their distance from the plane, F s / f the longer side of the rectangle.
+// The cameras are parallel, with baseline b, focal length f, and a sensor whose longer side has size s and n pixels. Pictures
+// are shifted so that points at the focus distance F have no disparity. A point at planar depth Z moves by
+//   d = (beta F / Z - beta) / (F s),   beta = b f n    pixels from camera to camera (lengths in mm).
+// If the point is nearer than F, it moves left as the camera moves right. Our off-axis views through one rectangle of z = 0
+// have the same model: F is their distance from the plane, and F s / f is the longer side of the rectangle.
 #pragma once
 
 #include <filesystem>
@@ -30,7 +30,7 @@ struct HciParameters {
 HciParameters parse_hci_parameters(const std::string& text, const std::string& where);
 std::string hci_parameters_text(const HciParameters& parameters);
 
-/// Reads FOLDER/parameters.cfg; none if it does not exist. Throws Error naming it.
+/// Reads FOLDER/parameters.cfg; none if it does not exist. Throws Error naming the file.
 std::optional<HciParameters> read_hci_parameters(const std::filesystem::path& folder);
 /// Writes FOLDER/parameters.cfg and returns its path.
 std::filesystem::path write_hci_parameters(const std::filesystem::path& folder, const HciParameters& parameters);
@@ -39,12 +39,12 @@ std::filesystem::path write_hci_parameters(const std::filesystem::path& folder, 
 /// planar depth > 0; may be inf.
 double hci_disparity_px(const HciParameters& parameters, double depth_m);
 
-/// Returns the parameters of a light field with known cameras. Sensors are 35 mm wide. Throws Error naming `where` if the
-/// format cannot express them: non-uniform eye distances or non-square pixels.
+/// Returns the parameters of a light field with known cameras. Sensors are taken to be 35 mm wide. Throws Error naming `where`
+/// if the format cannot express the cameras: non-uniform eye distances or non-square pixels.
 HciParameters hci_parameters(const LightField& field, const std::string& where);
-/// Returns the parameters with the mean distance between neighbouring eyes, for formats that also store positions.
+/// Returns parameters with the mean distance between neighbouring eyes. For formats that store the positions of the eyes, too.
 HciParameters mean_hci_parameters(const LightField& field, const std::string& where);
-/// Converts the parameters to those that flags can state.
+/// Converts the parameters to cameras as flags can state them.
 StatedCameras stated_cameras(const HciParameters& parameters);
 /// Returns the cameras, centred on the axis; the position and rotation of the middle camera in its scene are ignored.
 ViewCameras hci_cameras(const HciParameters& parameters);

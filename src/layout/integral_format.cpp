@@ -1,4 +1,5 @@
-// The picture behind a lens array, and the plenoptic cameras' variant without inversion below each lens.
+// The format `integral`, the picture behind a lens array, and `eslf`, the plenoptic cameras' variant without inversion below
+// each lens.
 #include <fmt/format.h>
 
 #include "layout/eslf_side_file.hpp"

@@ -22,7 +22,7 @@ float rounded<float>(float value) {
   return value;
 }
 
-/// The views of a stack as one array.
+/// The samples of all views of a stack as one array.
 template <class Sample>
 struct Views {
   const Sample* samples;
@@ -35,8 +35,8 @@ struct Views {
   }
 };
 
-/// The position of a pixel between two samples for linear interpolation: `at`, `next` (clamped to the last), and the weight of
-/// `next`.
+/// Two samples between which a position lies, for linear interpolation: `at`, `next` (at most the last sample), and the weight
+/// of `next`.
 struct Between {
   int at, next;
   float share;

@@ -1,7 +1,7 @@
-// JPEG Pleno's folders: {row:03}_{column:03}.ppm, from the top left, with 8 to 16 bits. Also reads other picture formats, since
-// data sets are redistributed as PNG.
+// JPEG Pleno's folders: {row:03}_{column:03}.ppm, from the top left, with 8 to 16 bits. The reader also accepts other picture
+// formats, because data sets are also distributed as PNG.
 //
-// Samples of b bits, other than 8, become 16-bit values round(65535 c / (2^b - 1)), from which they can be restored exactly.
+// Samples c of b bits, unless b is 8, become 16-bit values round(65535 c / (2^b - 1)), from which they can be restored exactly.
 #include <fmt/format.h>
 
 #include <bit>

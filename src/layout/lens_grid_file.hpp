@@ -1,9 +1,9 @@
-// The lens grid of a raw plenoptic picture as JSON: in the side file <picture>.json, and in the output of `convert`.
+// The lens grid of a raw plenoptic picture as JSON, as in the side file <picture>.json and in the output of `convert`.
 //
 //   {"plenoptic": {"arrangement": "hexagonal", "pitch_px": 10.135, "row_pitch_px": 8.777, "rotation_deg": 0.1,
 //                  "offset_px": [5.2, 6.1]}}
 //
-// Without "row_pitch_px", rows have the spacing of equally spaced lenses; without "rotation_deg", the grid is not rotated.
+// If "row_pitch_px" is missing, the lenses are equally spaced. If "rotation_deg" is missing, the grid is not rotated.
 #pragma once
 
 #include <filesystem>
@@ -20,10 +20,10 @@ namespace lippmann {
 std::string_view name_of(LensArrangement arrangement);
 std::optional<LensArrangement> read_arrangement(std::string_view name);
 
-/// Returns the value of the key "plenoptic".
+/// Return the name of an arrangement, and the arrangement with a name (none: unknown name).
 nlohmann::ordered_json lens_grid_json(const LensGrid& grid);
 
-/// Parses a side file; none for a document without "plenoptic". Throws Error naming `where` and the key.
+/// Parses a side file; none if the document has no key "plenoptic". Throws Error naming `where` and the key.
 std::optional<LensGrid> parse_lens_grid(const std::string& text, const std::string& where);
 
 /// Reads the side file of a picture; none if it does not exist or describes something else.

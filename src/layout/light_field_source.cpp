@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the format of a folder of views, judged by the first matching file name; none: unknown.
+/// Returns the format of a folder of views, from the first file name that matches a format; none: unknown.
 std::optional<std::string> format_of_folder(const fs::path& folder) {
   struct Kind {
     std::string_view format;
@@ -54,7 +54,8 @@ std::optional<std::string> format_of_folder(const fs::path& folder) {
   return std::nullopt;
 }
 
-/// Returns the pictures of a folder in the format `from`; if it is empty, those whose names or side files imply a format.
+/// Returns the pictures of a folder that have the format `from`. If `from` is empty, returns those whose names or side files
+/// imply a format.
 std::vector<fs::path> described_pictures_in(const fs::path& folder, const std::string& from) {
   std::vector<fs::path> pictures;
   for (const fs::directory_entry& entry : entries_of(folder))
@@ -83,8 +84,8 @@ std::string format_of(const fs::path& path, const LightFieldSource& source) {
   }
 }
 
-/// Returns whether the report.json found describes these files. A folder of another format beside a render, or views of another
-/// grid, may be derived from its views.
+/// Returns whether the report.json that was found describes these files. It may not: a folder of another format beside a
+/// render, or a picture with another grid of views, may be derived from the render's views.
 bool matches_report(const fs::path& path, const LightFieldSource& source, const FormatOptions& options) {
   const LightFieldFormat& format = *source.format;
   if (format.states_cameras) return false;
@@ -92,7 +93,8 @@ bool matches_report(const fs::path& path, const LightFieldSource& source, const 
   return format.name != "eslf" || !options.views || !source.rendered || *options.views == source.rendered->film.grid;
 }
 
-/// Returns whether a report.json may describe these files: no render writes a folder of pictures with arbitrary names.
+/// Returns whether a report.json may describe these files. It cannot describe a folder of pictures with arbitrary names,
+/// because no render writes such a folder.
 bool may_have_report(const fs::path& path, const std::string& from) {
   if (!from.empty() && find_format(from, "from").states_cameras) return false;
   std::error_code ignored;
@@ -162,7 +164,7 @@ bool is_light_field_folder(const fs::path& folder) { return format_of_folder(fol
 
 namespace {
 
-/// Returns whether the views have the pixels stated by their report; row-interlaced stereo pictures have only half of them.
+/// Returns whether the views have as many pixels as their report states. Row-interlaced stereo pictures have only half of them.
 bool has_all_pixels(const LightFieldSource& source, const LightField& field, const fs::path& path) {
   if (source.format->name != "stereo") return true;
   return view_size(source.rendered->film, film_size(source.rendering->optics), path.string()) == field.view_size;

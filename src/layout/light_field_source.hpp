@@ -13,34 +13,37 @@
 
 namespace lippmann {
 
-/// A light field that is ready to be read: source.format->read(path, source.options).
+/// A light field that is found and can be read by source.format->read(path, source.options).
 struct LightFieldSource {
   const LightFieldFormat* format = nullptr;
-  FormatOptions options;                       ///< the given options, completed from the files beside the picture
-  std::optional<Rendering> rendering = {};     ///< from a report.json beside it; none if there is none or the format ignores it
-  std::optional<RenderedViews> rendered = {};  ///< its views; none if its lenses do not have whole pixels
+  FormatOptions options;  ///< the given options, with missing ones added from the files beside the picture
+  /// From a report.json beside the picture; none if there is none or the format ignores it.
+  std::optional<Rendering> rendering = {};
+  std::optional<RenderedViews> rendered = {};  ///< the views of that rendering; none if its lenses do not have whole pixels
 };
 
-/// Detects the source. `from`: a format's name; empty: from names and the report. Given options override the report. Throws
-/// Error naming the file, or the flag that is required because nothing else states its value.
+/// Detects the source. `from`: a format's name; empty: detected from names and the report. Options that are given override the
+/// report. Throws Error naming the file, or the flag that must be given because no file states its value.
 LightFieldSource light_field_source(const std::filesystem::path& path, const std::string& from, const FormatOptions& options);
 
-/// Returns the format implied by a picture's name or its side file; none if there is neither. Throws Error for a malformed side
+/// Returns the format that a picture's name or its side file implies; none if neither does. Throws Error for a malformed side
 /// file or name.
 std::optional<std::string> format_by_name(const std::filesystem::path& picture);
 
-/// Returns a usage Error that the format of this picture must be given.
+/// Returns a usage Error which states that the format of this picture must be given.
 Error unknown_format(const std::filesystem::path& picture);
 
-/// Returns the format of `in`, or of its first frame. Throws like light_field_source().
+/// Returns the format of `in`, or of its first frame. Throws Error as light_field_source() does.
 const LightFieldFormat& format_of_light_field(const std::filesystem::path& in, const std::string& from);
 
-/// Returns whether a folder holds view files of a format recognised by their names, or only pictures, which are then views.
+/// Returns whether a folder is a light field: it holds files named like the views of a format, or only pictures, which then are
+/// the views.
 bool is_light_field_folder(const std::filesystem::path& folder);
 
-/// Returns the frames of an animation in a folder, frame_*: pictures, or folders if the format is a folder; with an empty
-/// `from`, pictures if there are any. Without such names: the pictures of that format; with an empty `from`, all pictures whose
-/// names or side files imply a format. Empty: the folder holds one light field, or nothing.
+/// Returns the frames of an animation in a folder. If there are names frame_*, these are pictures, or folders if the format
+/// `from` is a folder; with an empty `from`, pictures if there are any. Otherwise the frames are the pictures of the format
+/// `from`; with an empty `from`, all pictures whose names or side files imply a format. An empty result means that the folder
+/// holds one light field, or nothing.
 std::vector<std::filesystem::path> light_field_frames(const std::filesystem::path& folder, const std::string& from);
 
 }  // namespace lippmann

@@ -1,4 +1,5 @@
-// LLFF's folders: images/000.png, ... and poses_bounds.npy (layout/llff_poses.hpp), one row per picture in the order of names.
+// LLFF's folders: images/000.png, ... and poses_bounds.npy (layout/llff_poses.hpp), which has one row per picture, in the order
+// of the pictures' names.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +26,7 @@ LightField read_llff(const fs::path& folder, const FormatOptions& options) {
   std::vector<std::string> names;
   for (const fs::directory_entry& entry : entries_of(images, accepted))
     if (entry.is_regular_file() && is_picture_name(entry.path())) names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());  // LLFF's order: lexicographic, not numeric
+  std::sort(names.begin(), names.end());  // because LLFF orders names by letters, not by numbers
   if (names.size() != pictures.size())
     throw Error(file.string(),
                 fmt::format("has {} rows, but {} has {} pictures", pictures.size(), images.string(), names.size()),

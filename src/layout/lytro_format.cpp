@@ -1,6 +1,6 @@
-// Folders of decoded views of plenoptic cameras: PREFIX{row}_{column}.png from the top left, as written by toolboxes for Lytro
-// cameras and used in data sets (EPFL, INRIA): SAI_07_07.png, lf_1_1.png, Bee_2_07_07.png. All files have the same prefix.
-// Numbers may begin anywhere.
+// Folders of decoded views of plenoptic cameras: PREFIX{row}_{column}.png from the top left. Toolboxes for Lytro cameras write
+// such names, and data sets (EPFL, INRIA) use them: SAI_07_07.png, lf_1_1.png, Bee_2_07_07.png. All files have the same prefix.
+// The first row and column may have any number.
 #include <fmt/format.h>
 
 #include "core/folder_entries.hpp"

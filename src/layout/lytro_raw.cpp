@@ -1,9 +1,10 @@
-// The metadata keys are those of lytro_illum_public_schema.json 1.3.5, and of the F01's files, which store the same values
-// under image.rawDetails. Packed samples have 12 bits, two in three bytes, high bits first; or 10 bits, four in five bytes: the
-// first four bytes are the upper 8 bits of each, and the fifth holds the lower 2 bits, the first sample's lowest.
+// The metadata keys are those of lytro_illum_public_schema.json 1.3.5. The F01's files store the same values under
+// image.rawDetails. Packed samples have 12 bits, two in three bytes, high bits first; or 10 bits, four in five bytes. Of these
+// five, the first four are the upper 8 bits of each sample, and the fifth holds the lower 2 bits of all four, with those of the
+// first sample lowest.
 //
-// The sensor sees lenses from the exit pupil of the main lens, so their images are farther apart than the lenses, by (pupil +
-// gap) / pupil.
+// The sensor sees the lenses from the exit pupil of the main lens. Therefore the images of the lenses are farther apart than
+// the lenses, by the factor (pupil + gap) / pupil.
 #include "layout/lytro_raw.hpp"
 
 #include <fmt/format.h>
@@ -47,17 +48,18 @@ SensorLevels sensor_levels(const JsonFields& format) {
   return levels;
 }
 
-/// Returns the position of the red pixel in the first 2 x 2 pixels. The tile is r,gr:gb,b and may begin at any of its pixels.
+/// Returns the position of the red pixel among the first 2 x 2 pixels. The colour pattern is r,gr:gb,b, and the picture may
+/// begin at any of its pixels.
 Vec2i red_place(const JsonFields& mosaic) {
   mosaic.word("tile", {"r,gr:gb,b"});
   const auto corner = static_cast<int>(mosaic.word("upperLeftPixel", {kColors.begin(), kColors.end()}));
   return {corner % 2, corner / 2};
 }
 
-/// Returns the index in r, gr, gb, b of a pixel's colour.
+/// Returns the index of a pixel's colour in the list r, gr, gb, b.
 std::size_t color_at(int x, int y, Vec2i red) { return static_cast<std::size_t>(((x ^ red.x) & 1) + 2 * ((y ^ red.y) & 1)); }
 
-/// Calls put(index, code) for each sample.
+/// Unpacks samples and calls put(index, code) for each.
 template <class Put>
 void unpack(std::span<const std::byte> bytes, int bits, std::size_t count, const Put& put) {
   const auto byte = [&](std::size_t i) { return std::to_integer<unsigned>(bytes[i]); };
@@ -71,7 +73,7 @@ void unpack(std::span<const std::byte> bytes, int bits, std::size_t count, const
       for (std::size_t k = 0; k < 4; ++k) put(i + k, byte(at + k) << 2 | (byte(at + 4) >> (2 * k) & 3u));
 }
 
-/// Converts sensor codes to light.
+/// Converts the sensor's codes to light.
 Image mosaic_of(std::span<const std::byte> codes, Vec2i size, int bits, const SensorLevels& levels, Vec2i red) {
   Image mosaic(size.x, size.y, 1);
   std::array<double, 4> scale{};
@@ -129,14 +131,14 @@ Json parsed_json(std::span<const std::byte> text, const std::string& where, cons
   return json;
 }
 
-/// Returns the first element of a list of objects.
+/// Returns the first element of a list of objects as an object.
 JsonFields first_of(const JsonFields& fields, std::string_view key) {
   const Json& list = fields.value(key);
   if (!list.is_array() || list.empty()) fields.reject(key, "is not a list of frames", "a raw picture as the camera writes it");
   return fields.element(key, list.front());
 }
 
-/// Parses the metadata of a frame: the document itself, or a part of it (white pictures of the F01).
+/// Parses the metadata of a frame. `frame` is the whole document, or a part of it for white pictures of the F01.
 LytroRaw lytro_of(std::span<const std::byte> codes, const JsonFields& frame) {
   const JsonFields image = frame.inner("image");
   if (image.has("representation")) image.word("representation", {"rawPacked"});
@@ -168,7 +170,7 @@ std::string lower_ending(const fs::path& path) {
   return ending;
 }
 
-/// Returns NAME.TXT or NAME.txt beside NAME.RAW; empty if neither exists.
+/// Returns the path of NAME.TXT or NAME.txt beside NAME.RAW; empty if neither exists.
 fs::path metadata_beside(const fs::path& raw) {
   for (const char* ending : {".TXT", ".txt"})
     if (const fs::path path = fs::path(raw).replace_extension(ending); is_regular_file_there(path)) return path;

@@ -1,4 +1,4 @@
-// Reads raw pictures of Lytro cameras (F01 and Illum): the light, and the camera's lens grid.
+// Reads raw pictures of Lytro cameras (F01 and Illum): the light on the sensor, and the camera's lens grid.
 #pragma once
 
 #include <cstddef>
@@ -13,26 +13,27 @@
 namespace lippmann {
 
 struct LytroRaw {
-  /// The sensor data: 0 at its black level, 1 at its white level, linear, 3 channels, without white balance.
+  /// The light on the sensor, linear: 0 at its black level, 1 at its white level. 3 channels, without white balance.
   Image light;
   LensGrid grid;
-  Vec3f gains{1.0f};             ///< white balance
+  Vec3f gains{1.0f};             ///< white balance factors
   Mat3f srgb_from_camera{1.0f};  ///< applied after the white balance
-  int orientation = 1;           ///< as in the file; not applied
+  int orientation = 1;           ///< orientation as stated in the file; not applied
 };
 
-/// Returns whether read_lytro() supports a file: .lfp and .lfr by their first bytes; .raw (white pictures) by a .txt beside it.
+/// Returns whether read_lytro() supports a file. It recognises .lfp and .lfr by their first bytes, and .raw (white pictures) by
+/// a .txt beside it.
 bool is_lytro_raw(const std::filesystem::path& path);
 
 /// Reads a file. Throws Error naming the file and the key.
 LytroRaw read_lytro(const std::filesystem::path& path);
 
-/// Parse a container, and packed samples with their metadata.
+/// Parse a container file, and packed samples with their metadata.
 LytroRaw parse_lfr(std::span<const std::byte> file, const std::string& where);
 LytroRaw parse_lytro(std::span<const std::byte> codes, const std::string& metadata, const std::string& where);
 
-/// Returns the picture with white balance and colour matrix applied, in sRGB encoding. Samples at the sensor's white level stay
-/// white.
+/// Returns the picture with white balance and colour matrix applied, in sRGB encoding. Samples at the sensor's white level
+/// become white.
 Image16 developed(const LytroRaw& raw);
 
 }  // namespace lippmann

@@ -39,7 +39,8 @@ MivCamera camera_from(const JsonFields& json) {
   return camera;
 }
 
-/// Returns the height in hundredths of a millimetre, because rows of calibrated cameras are not exactly level.
+/// Returns the height of a camera in hundredths of a millimetre. It is rounded because rows of calibrated cameras are not
+/// exactly level.
 double height_of(const MivCamera& camera) { return std::round(1e5 * camera.position_m[2]); }
 
 }  // namespace
@@ -54,7 +55,7 @@ std::vector<MivCamera> parse_miv_cameras(const std::string& text, const std::str
   std::vector<MivCamera> cameras;
   for (const Json& camera : json["cameras"]) {
     const JsonFields fields(camera, where, "camera");
-    if (fields.value("Name") == "viewport") continue;  // TMIV's own entry for the view to be synthesized
+    if (fields.value("Name") == "viewport") continue;  // TMIV adds this entry for the view that it synthesizes
     cameras.push_back(camera_from(fields));
   }
   return cameras;
@@ -117,7 +118,7 @@ std::vector<MivCamera> miv_cameras(const ViewCameras& cameras, Vec2i view_size, 
 std::optional<ViewCameras> cameras_of_miv(const std::vector<MivCamera>& cameras) {
   const MivCamera& first = cameras.front();
   const auto eye_of = [](const MivCamera& c) { return 1e3 * Vec2d(-c.position_m[1], c.position_m[2]); };
-  // The shift of the point straight ahead per shift of the eye determines the distance of the plane with zero disparity.
+  // The distance of the plane with zero disparity follows from the shift of the point straight ahead per shift of the eye.
   double distance = 0.0;
   for (const MivCamera& c : cameras) {
     const Vec2d by_mm = eye_of(c) - eye_of(first), by_px = (c.principal_point_px - first.principal_point_px) * Vec2d(1.0, -1.0);

@@ -1,7 +1,7 @@
-// The file cameras.json of MIV and RVS (MPEG immersive video and its view synthesizer), with one entry per view.
+// The file cameras.json of MIV and RVS (MPEG immersive video and its view synthesizer). It has one entry per view.
 //
-// Positions are in metres forward, left, up; angles in degrees. Depth codes of b bits are (2^b - 1) (1/z - 1/far) / (1/near -
-// 1/far); 0 means no surface.
+// Positions are in metres, in the order forward, left, up; angles are in degrees. Depth codes of b bits are (2^b - 1) (1/z -
+// 1/far) / (1/near - 1/far); code 0 means no surface.
 #pragma once
 
 #include <optional>
@@ -13,32 +13,34 @@
 namespace lippmann {
 
 struct MivCamera {
-  std::string name;  ///< of the view's picture, without its extension
+  std::string name;  ///< name of the view's picture, without its extension
   double position_m[3] = {0.0, 0.0, 0.0}, rotation_deg[3] = {0.0, 0.0, 0.0};
   double near_m = 0.1, far_m = 100.0;
   Vec2i resolution{0, 0};
   Vec2d focal_px{0.0}, principal_point_px{0.0};
 };
 
-/// Parses a file. Throws Error naming `where` for malformed files, for none or more than 4096 cameras, and for cameras that are
-/// not perspective, have paths as names, or invalid numbers.
+/// Parses a file. Throws Error naming `where` for malformed files, for no camera or more than 4096 cameras, and for cameras
+/// that are not perspective, have paths as names, or have invalid numbers.
 std::vector<MivCamera> parse_miv_cameras(const std::string& text, const std::string& where);
 
 /// Returns the contents of a file. `depth`: whether there are depth maps beside the views.
 std::string miv_cameras_text(const std::vector<MivCamera>& cameras, const std::string& content, bool depth);
 
-/// Sorts cameras in view order: row by row upwards, each from left to right.
+/// Sorts cameras into view order: row by row upwards, each row from left to right.
 void sort_as_views(std::vector<MivCamera>& cameras);
 
-/// Returns the grid of sorted cameras: `views`, or one row per height if all rows have the same number, else a single row.
-/// Throws a usage Error naming `where` if `views` has a different number.
+/// Returns the grid of sorted cameras. This is `views` if it is given; otherwise one row per height if all rows have equally
+/// many cameras, else a single row. Throws a usage Error naming `where` if `views` has a different number of cameras.
 ViewGrid grid_of_cameras(const std::vector<MivCamera>& cameras, std::optional<ViewGrid> views, const std::string& where);
 
-/// Converts cameras, by view. All eyes are in one plane; the plane with zero disparity is distance_mm in front of it.
+/// Converts cameras; the result has one per view. All eyes are in one plane; the plane with zero disparity is distance_mm in
+/// front of it.
 std::vector<MivCamera> miv_cameras(const ViewCameras& cameras, Vec2i view_size, const std::vector<std::string>& names,
                                    double near_m, double far_m);
 
-/// Converts cameras in view order back; none if they are not parallel, not in one plane, or do not share a window.
+/// Converts cameras in view order to ViewCameras. Returns none if they are not parallel, not in one plane, or do not share a
+/// window.
 std::optional<ViewCameras> cameras_of_miv(const std::vector<MivCamera>& cameras);
 
 }  // namespace lippmann

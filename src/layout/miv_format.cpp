@@ -1,5 +1,5 @@
-// Folders of MIV and RVS: pictures and cameras.json, which lists them; with depth maps as 16-bit codes in <name>_depth.png if
-// depth is known.
+// Folders of MIV and RVS: pictures, and cameras.json, which lists them. If depth is known, <name>_depth.png has depth maps of
+// 16-bit codes.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -31,7 +31,7 @@ fs::path picture_of(const fs::path& folder, const MivCamera& camera) {
   throw Error(folder.string(), fmt::format("the picture of camera {} is missing", camera.name), camera.name + ".png");
 }
 
-/// Returns the depth map of a camera as z in the display frame; none if it does not exist.
+/// Returns the depth map of a camera, converted to z in the display frame; none if the map does not exist.
 std::optional<Image> read_depth(const fs::path& folder, const MivCamera& camera, double distance_mm, Vec2i size) {
   const fs::path path = folder / (camera.name + "_depth.png");
   if (!is_regular_file_there(path)) return std::nullopt;
@@ -49,7 +49,7 @@ std::optional<Image> read_depth(const fs::path& folder, const MivCamera& camera,
   return depth;
 }
 
-/// Reads the depth of all views, or no depth if it is missing for one of them.
+/// Reads the depth of all views. If one view has no depth, reads none.
 void read_depth(const fs::path& folder, const std::vector<MivCamera>& cameras, LightField& field) {
   for (std::size_t view = 0; view < cameras.size(); ++view) {
     const std::optional<Image> depth = read_depth(folder, cameras[view], field.cameras->distance_mm, field.view_size);
@@ -76,7 +76,7 @@ struct DepthRange {
   double near_m = 0.1, far_m = 100.0;
 };
 
-/// Returns the range of all surfaces, slightly extended at the far end because code 0 means no surface.
+/// Returns the range of depths of all surfaces. It is slightly extended at the far end, because code 0 means no surface.
 DepthRange depth_range(const LightField& field) {
   double nearest = INFINITY, farthest = 0.0;
   for (const float z : field.depth->data) {

@@ -1,4 +1,5 @@
-// The frame of a calibrated slanted panel for a given display: made from views, and converted back to views.
+// The frame of a calibrated slanted panel for a given display. The writer makes it from views, and the reader converts it to
+// views.
 #include <fmt/format.h>
 
 #include <thread>
@@ -20,7 +21,8 @@ const Display& wanted_display(const FormatOptions& options) {
                     "a name that 'lippmann displays' lists, or a file");
 }
 
-/// Reads as many views as the options give, or those of the display's quilt, with the size of its tiles.
+/// Reads as many views as the options state, or by default as many as the display's quilt has. Views have the size of the
+/// quilt's tiles.
 LightField read_native(const fs::path& path, const FormatOptions& options) {
   const Display& display = wanted_display(options);
   const DisplayQuilt quilt = display.quilt.value_or(DisplayQuilt{});

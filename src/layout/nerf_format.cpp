@@ -1,7 +1,7 @@
-// NeRF data sets: transforms.json (layout/transforms_json.hpp), images/000.png, ..., and, if depth is known, planar depth as
-// depth/000.npy, ... and ray lengths as depth/000_ray.npy, ...
+// NeRF data sets: transforms.json (layout/transforms_json.hpp), images/000.png, ... If depth is known, depth/000.npy, ... hold
+// planar depth, and depth/000_ray.npy, ... ray lengths.
 //
-// Depth is in thousandths of the matrices' unit, as nerfstudio's default depth_unit_scale_factor expects.
+// Depth is in thousandths of the unit of the matrices, as expected by nerfstudio's default depth_unit_scale_factor.
 #include <span>
 #include <utility>
 

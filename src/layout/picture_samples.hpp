@@ -17,7 +17,7 @@ auto& samples_of(T& image) {
     return image.rgb;
 }
 
-/// Converts a mixed value to a sample; rounds integers.
+/// Converts an interpolated value to a sample; rounds it if samples are integers.
 template <class Sample>
 Sample nearest_sample(double value) {
   return static_cast<Sample>(std::is_floating_point_v<Sample> ? value : std::floor(value + 0.5));

@@ -1,5 +1,5 @@
-// The raw picture of a plenoptic camera: the sensor image behind lenses of any pitch and rotation. Read-only; `eslf` and
-// `integral` hold the same views below lenses of whole pixels.
+// The format of a plenoptic camera's raw picture: the sensor image behind lenses of any pitch and rotation. It can only be
+// read. To write such views, use `eslf` or `integral`, where each lens has whole pixels.
 #include <fmt/format.h>
 
 #include <functional>
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 struct RawPicture {
   Picture picture;
-  std::optional<LensGrid> grid;  ///< from its container or side file
+  std::optional<LensGrid> grid;  ///< from the picture's container or side file
 };
 
 RawPicture read_raw(const fs::path& path, const std::function<void(std::string_view)>& warn) {

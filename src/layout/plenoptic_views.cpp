@@ -21,13 +21,13 @@ double lanczos_weight(double x) {
   return kLobes * std::sin(t) * std::sin(t / kLobes) / (t * t);
 }
 
-/// The weights of samples around a position between them; they sum to 1.
+/// The weights of the samples around a position; they sum to 1.
 struct SampleTaps {
   int first = 0, count = 0;
   std::array<double, std::size_t{2} * kLobes> weight{};
 };
 
-/// Returns the weights at `at`; sample i lies at i.
+/// Returns the weights for the position `at`, in coordinates where sample i lies at i.
 SampleTaps sample_taps(double at, bool lanczos) {
   SampleTaps taps;
   const int reach = lanczos ? kLobes : 1;
@@ -44,7 +44,7 @@ SampleTaps sample_taps(double at, bool lanczos) {
   return taps;
 }
 
-/// Returns the interpolated light at a position, with clamped edges.
+/// Returns the interpolated light at a position. Beyond the edges, edge pixels are repeated.
 Vec3f sample_light(const Image& light, Vec2d place, bool lanczos) {
   const SampleTaps across = sample_taps(place.x - 0.5, lanczos), down = sample_taps(place.y - 0.5, lanczos);
   Vec3f sum(0.0f);
@@ -67,16 +67,18 @@ struct LensRange {
   int rows() const { return bottom - top + 1; }
 };
 
-/// Finds the largest rectangle of lenses whose samples, up to `reach` pixels from the centre, lie in the picture.
+/// Finds the largest rectangle of lenses whose samples lie in the picture. Samples are up to `reach` pixels from a lens's
+/// centre.
 class LensRangeSearch {
  public:
   LensRangeSearch(const LensGrid& grid, Vec2d size, Vec2d reach) : grid_(grid), size_(size) {
-    constexpr double kSlackPx = 0.25;  // tolerance for errors of an estimated offset
+    constexpr double kSlackPx = 0.25;  // a tolerance for errors of an estimated offset
     const double c = std::abs(std::cos(grid.rotation)), s = std::abs(std::sin(grid.rotation));
     margin_ = Vec2d(c * reach.x + s * reach.y, s * reach.x + c * reach.y) + 0.5 - kSlackPx;
   }
 
-  /// Starts with all lenses and repeatedly drops the side with the largest share of lenses outside.
+  /// Starts with all lenses. Repeatedly drops the row or column at a side that has the largest share of lenses outside of the
+  /// picture.
   LensRange find() const {
     LensRange range = all();
     while (range.columns() > 0 && range.rows() > 0) {
@@ -109,7 +111,7 @@ class LensRangeSearch {
     return range;
   }
 
-  /// Returns the share of a row's or column's lenses whose samples lie outside.
+  /// Returns the share of the lenses in a row or column whose samples lie outside of the picture.
   double share_outside(Vec2i first, Vec2i last) const {
     int outside = 0, count = 0;
     for (int j = first.y; j <= last.y; ++j)
@@ -124,7 +126,7 @@ class LensRangeSearch {
   Vec2d size_, margin_;
 };
 
-/// Samples views: one sample per lens, with rows of hexagonal grids resampled to square pixels.
+/// Samples views: one sample per lens. Rows of hexagonal grids are then resampled to square pixels.
 class ViewSampler {
  public:
   ViewSampler(const Image& light, const LensGrid& grid, const LensRange& range, bool lanczos)
@@ -137,12 +139,12 @@ class ViewSampler {
 
   Vec2i size() const {
     if (grid_.arrangement == LensArrangement::kSquare) return {range_.columns(), range_.rows()};
-    // From the first lens of the shifted rows to the last lens of the others.
+    // The pixels extend from the first lens of the shifted rows to the last lens of the other rows.
     const double span_px = (range_.columns() - 1.5) * grid_.pitch_px;
     return {static_cast<int>(std::floor(span_px / grid_.row_pitch_px + 1e-9)) + 1, range_.rows()};
   }
 
-  /// Samples a view. `offset_px`: from the centre of each lens, along the grid.
+  /// Samples a view. `offset_px`: offset from the centre of each lens, along the axes of the grid.
   Image view(Vec2d offset_px) const {
     const Vec2d from = grid_.offset_px + right_ * (offset_px.x / grid_.pitch_px) + down_ * (offset_px.y / grid_.row_pitch_px);
     const Vec2i extent = size();
@@ -163,7 +165,7 @@ class ViewSampler {
   }
 
  private:
-  /// Returns the position of a square pixel along a row of lenses.
+  /// Returns the position along a row of lenses of a square pixel, in lenses.
   double place_in_row(int pixel, int row) const {
     const double from_left = 0.5 + pixel * grid_.row_pitch_px / grid_.pitch_px;
     return from_left - shift_of(row);
@@ -185,7 +187,7 @@ class ViewSampler {
   const LensGrid& grid_;
   const LensRange& range_;
   bool lanczos_;
-  Vec2d right_, down_;  // steps between lenses
+  Vec2d right_, down_;  // steps from a lens to the next one along a row and down
 };
 
 Image swap_axes(const Image& image) {

@@ -1,9 +1,9 @@
 // Extracts views from a raw plenoptic picture: one sample per view below each lens.
 //
-// View (a, b) of a C x R grid is sampled a - (C - 1) / 2 pixels right and b - (R - 1) / 2 pixels above the centre of every
-// lens, along the axes of the lens grid (in opposite directions if the calibration is inverted). A view has one pixel per lens
-// in the largest rectangle of lenses within the picture. Rows of hexagonal grids are resampled to square pixels of the row
-// pitch.
+// View (a, b) of a C x R grid is sampled a - (C - 1) / 2 pixels to the right of and b - (R - 1) / 2 pixels above the centre of
+// every lens, along the axes of the lens grid. If the calibration is inverted, both directions are reversed. A view has one
+// pixel per lens in the largest rectangle of lenses within the picture. In hexagonal grids, rows are resampled to square pixels
+// of the size of the row pitch.
 #pragma once
 
 #include <filesystem>
@@ -14,22 +14,23 @@
 
 namespace lippmann {
 
-/// Divides light by a white picture of the same size; white values below a twentieth are clamped. Throws Error naming `where`
+/// Divides light by a white picture of the same size. White values below 1/20 are treated as 1/20. Throws Error naming `where`
 /// if the sizes differ.
 void divide_by_white(Image& light, const Image& white, const std::string& where);
 
-/// Returns the grey of a picture of uniform white light, normalised to 1 at its brightest (the upper half percent), 1 channel.
+/// Returns the grey values of a picture of uniform white light (1 channel), scaled so that the brightest half percent begins at
+/// 1.
 Image white_shares(const Image& light);
 
 /// Reads a white picture and returns its white_shares(). Throws Error naming the file.
 Image read_white(const std::filesystem::path& path);
 
-/// Returns the default number of views: the whole pixels below a lens.
+/// Returns the default number of views: the number of whole pixels below a lens, across and up.
 ViewGrid default_plenoptic_views(const LensGrid& grid);
 
-/// Extracts the views of `light` (linear, 3 channels). `like`: a picture with the sample type of the result. calibration.grid
-/// must be set; calibration.white is ignored. Throws Error naming `where` if fewer than 2 x 2 lenses lie in the picture, and a
-/// usage Error naming "views" for more views than pixels below a lens.
+/// Extracts the views of `light` (linear, 3 channels). `like`: a picture with the sample type that the result should have.
+/// calibration.grid must be set; calibration.white is ignored. Throws Error naming `where` if fewer than 2 x 2 lenses lie in
+/// the picture, and a usage Error naming "views" if there are more views than pixels below a lens.
 LightField plenoptic_views(const Image& light, const PlenopticCalibration& calibration, ViewGrid views, const Picture& like,
                            const std::string& where);
 

@@ -31,8 +31,8 @@ std::optional<ViewCameras> shared_plane(const std::vector<PosedCamera>& cameras)
   const auto from_first = [&](const PosedCamera& c) {
     return glm::transpose(first.rotation) * (c.position_mm - first.position_mm);
   };
-  // The principal point shifts with the eye, by an amount inversely proportional to the distance of the plane with zero
-  // disparity. Use the longest shift.
+  // When the eye moves, the principal point shifts in inverse proportion to the distance of the plane with zero disparity.
+  // Compute the distance from the longest shift.
   double distance = 0.0, longest = 0.0, extent = 0.0;
   for (const PosedCamera& c : cameras) {
     const Vec3d by_mm = from_first(c);
@@ -57,7 +57,7 @@ std::optional<ViewCameras> shared_plane(const std::vector<PosedCamera>& cameras)
       return std::nullopt;
     shared.eyes_mm.emplace_back(eye);
   }
-  // So far the origin is at the first eye. Move it so that the display's middle appears in the middle of the views.
+  // At this point the origin is at the first eye. Move it so that the display's middle appears in the middle of the views.
   const Vec2d middle = (0.5 * Vec2d(first.size) - shared.centre_px) * shared.pixel_mm * Vec2d(1.0, -1.0);
   for (Vec2d& eye : shared.eyes_mm) eye -= middle;
   shared.centre_px = 0.5 * Vec2d(first.size);

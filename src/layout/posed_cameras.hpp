@@ -10,19 +10,19 @@
 
 namespace lippmann {
 
-/// Converts posed cameras to cameras that share a plane, in the frame of the first camera; none unless all are parallel, in one
-/// plane and share a window. `cameras` must not be empty.
+/// Converts posed cameras to cameras that share a plane, in the frame of the first camera. Returns none unless all cameras are
+/// parallel, have their eyes in one plane and share a window. `cameras` must not be empty.
 std::optional<ViewCameras> shared_plane(const std::vector<PosedCamera>& cameras);
 
-/// Returns the camera of a single view in the world, with lengths in thousandths of the world's unit and `origin` added to its
-/// position. world_from_display must be a similarity.
+/// Returns the camera of a single view in the world. Its lengths are in thousandths of the world's unit, and `origin` is added
+/// to its position. world_from_display must be a similarity.
 PosedCamera camera_in_world(const Optics& single_view, const Affine3f& world_from_display, const Vec3d& origin);
 
-/// Converts a light field's z to planar depth in mm. Results <= 0 or not finite mean no surface.
+/// Converts z as in LightField::depth to planar depth in mm. Results that are <= 0 or not finite mean no surface.
 double planar_depth_mm(const LightField& field, float z);
 
-/// Returns the rotation of a matrix given row by row. Throws Error naming `where` if its columns deviate from orthonormal
-/// vectors by more than 1e-3, or if it mirrors.
+/// Returns a rotation matrix whose elements are given row by row. Throws Error naming `where` if its columns deviate from
+/// orthonormal vectors by more than 1e-3, or if it mirrors.
 glm::dmat3 checked_rotation(const double (&rows)[9], const std::string& where);
 
 }  // namespace lippmann

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the path of a listed picture. Some writers omit the extension: "./train/r_0" is r_0.png.
+/// Returns the path of a picture in the list of a camera file. Some programs omit the extension: "./train/r_0" is r_0.png.
 fs::path listed_picture(const fs::path& folder, const fs::path& file, const PosedPicture& picture) {
   for (const char* ending : {"", ".png", ".jpg", ".exr"})
     if (const fs::path path = folder / (picture.picture + ending); is_regular_file_there(path)) return path;
@@ -31,7 +31,7 @@ fs::path listed_picture(const fs::path& folder, const fs::path& file, const Pose
               "a picture in " + folder.string());
 }
 
-/// Completes missing camera values from the picture's size.
+/// Sets the camera's values that the file lacks, from the picture's size.
 void complete(PosedPicture& picture, Vec2i size, const std::string& where) {
   PosedCamera& camera = picture.camera;
   if (camera.size == Vec2i(0, 0)) camera.size = size;
@@ -57,9 +57,10 @@ void reorder(std::vector<T>& values, const std::vector<std::size_t>& order) {
   values = std::move(sorted);
 }
 
-/// Sorts views row by row upwards, each from left to right, and returns the number of rows.
+/// Sorts views row by row upwards, each row from left to right. Returns the number of rows.
 int sort_as_rows(ViewCameras& cameras, std::vector<PosedPicture>& pictures) {
-  constexpr double kSameRow = 1e-4;  // relative to the extent: calibrated rows are not exactly level
+  // A share of the extent; rows of calibrated cameras are not exactly level.
+  constexpr double kSameRow = 1e-4;
   std::vector<std::size_t> order(pictures.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto eye = [&](std::size_t i) { return cameras.eyes_mm[i]; };
@@ -101,8 +102,8 @@ Image read_planar_depth(const fs::path& path, Vec2i size) {
   return depth;
 }
 
-/// Reads the depth of all views, or no depth if it is missing for one of them. Ignores formats other than .npy, whose unit is
-/// unknown.
+/// Reads the depth of all views. If one view has no depth, reads none. Only .npy files are read, because the unit of other
+/// formats is unknown.
 void read_depths(const fs::path& folder, const std::vector<PosedPicture>& pictures, LightField& field) {
   for (const PosedPicture& picture : pictures)
     if (!picture.depth.ends_with(".npy") || !is_regular_file_there(folder / picture.depth)) return;
@@ -170,7 +171,7 @@ LightField read_posed_pictures(const fs::path& folder, const fs::path& file, std
   std::vector<fs::path> by_view;
   for (const PosedPicture& picture : pictures) by_view.push_back(listed_picture(folder, file, picture));
   LightField field = read_view_files(by_view, grid, options);
-  if (options.fit_view) return field;  // fitted views have other sizes
+  if (options.fit_view) return field;  // because fitted views have other sizes
   if (cameras)
     field.cameras = std::move(cameras);
   else

@@ -1,6 +1,7 @@
-// Common parts of the formats nerf, colmap and llff: folders of pictures with a camera file.
+// Code that the formats nerf, colmap and llff share. Each has folders of pictures with a camera file.
 //
-// Pictures are written as images/000.png, ... by view. Lengths are metres in the files and millimetres in a LightField.
+// Pictures are written as images/000.png, ..., one per view. Lengths are in metres in the files and in millimetres in a
+// LightField.
 #pragma once
 
 #include <filesystem>
@@ -12,52 +13,55 @@
 
 namespace lippmann {
 
-inline constexpr double kMmPerUnit = 1000.0;  ///< unit of the files
+inline constexpr double kMmPerUnit = 1000.0;  ///< the files' unit of length, a metre, in mm
 
-/// A picture as listed in a camera file.
+/// A picture that a camera file lists.
 struct PosedPicture {
-  std::string entry;             ///< position in the file, for messages: "frames[3]"
-  std::string picture, depth;    ///< paths inside the folder; empty depth: none
-  PosedCamera camera;            ///< size 0 x 0: from the picture
-  double angle_x = 0.0;          ///< horizontal field of view if the file has no focal length; else 0
-  bool has_principal_px = true;  ///< false: the middle of the picture
+  std::string entry;           ///< position of the entry in the file, for messages: "frames[3]"
+  std::string picture, depth;  ///< paths inside the folder; an empty depth: there is none
+  PosedCamera camera;          ///< its size is 0 x 0 if the picture determines it
+  /// Horizontal field of view if the file has no focal length; otherwise 0.
+  double angle_x = 0.0;
+  bool has_principal_px = true;  ///< false: the principal point is in the middle of the picture
 };
 
 /// Throws Error naming `where` if a path is empty, absolute, longer than 1000 characters, or leads outside the folder.
 void check_inner_path(const std::string& path, const std::string& where);
 
-/// Returns "images/000.png" for a view, with enough digits for `count` views, so that names sort as views.
+/// Returns "images/000.png" for a view. The number has enough digits for `count` views, so that names sort in the order of the
+/// views.
 std::string posed_picture_name(int view, int count, const char* ending);
 
-/// Return "depth/000.npy", and "depth/000_ray.npy" for the ray lengths beside it.
+/// Return "depth/000.npy", and the name of the file with ray lengths beside it, "depth/000_ray.npy".
 std::string posed_depth_name(int view, int count);
 std::string ray_length_name(const std::string& depth_name);
 
-/// Reads the pictures and arranges them: cameras that share a plane as a grid from the lower left; others in file order, as one
-/// row unless `options` has a grid. `file` is the camera file. Throws Error naming it and the entry if a picture is missing or
-/// has another size.
+/// Reads the pictures and arranges them. Cameras that share a plane become a grid, starting at the lower left; others stay in
+/// file order, as one row unless `options` has a grid. `file` is the camera file. Throws Error naming it and the entry if a
+/// picture is missing or has another size than the entry states.
 LightField read_posed_pictures(const std::filesystem::path& folder, const std::filesystem::path& file,
                                std::vector<PosedPicture> pictures, const FormatOptions& options);
 
-/// Writes images/000.png, ... and returns the paths by view.
+/// Writes images/000.png, ... and returns their paths, one per view.
 std::vector<std::filesystem::path> write_posed_pictures(const LightField& field, const std::filesystem::path& folder);
 
-/// Converts planar depth to the length of the ray through each pixel; 0: no surface.
+/// Converts planar depth to the length of the ray through each pixel. 0 means no surface.
 Image ray_lengths(const Image& planar_depth, const PosedCamera& camera);
 
-/// Writes planar depth and ray lengths of a view, multiplied by `scale`, to depth/NNN.npy and depth/NNN_ray.npy in `folder`.
-/// The folder depth must exist. 0 means no surface.
+/// Writes the planar depth and the ray lengths of a view, both multiplied by `scale`, to depth/NNN.npy and depth/NNN_ray.npy in
+/// `folder`. The folder `depth` in it must exist. 0 means no surface.
 std::vector<std::filesystem::path> write_posed_depth(const LightField& field, int view, const PosedCamera& camera,
                                                      const std::filesystem::path& folder, const std::string& name,
                                                      double scale = 1.0);
 
-/// The place of a single-view light field in a larger set.
+/// Describes a light field with a single view as a part of a larger set of views.
 struct ViewOfSet {
   int number = 0, count = 1;
-  double depth_scale = 1.0;  ///< factor of depths in the files
+  double depth_scale = 1.0;  ///< factor by which depths are multiplied in the files
 };
 
-/// Writes images/NNN.png and, if there is any, depth as above. Creates folders. Returns the files written.
+/// Writes images/NNN.png and, if the light field has depth, the files of write_posed_depth(). Creates folders. Returns the
+/// paths of the files written.
 std::vector<std::filesystem::path> write_posed_view(const LightField& field, const std::filesystem::path& folder,
                                                     const ViewOfSet& view);
 
@@ -67,14 +71,14 @@ struct CloudPoint {
   unsigned char rgb[3];
 };
 
-/// Back-projects every n-th pixel across and down of every view by its depth, to about `most` points at most. Empty without
-/// depth.
+/// Converts pixels to points in the world by their depth: every n-th pixel across and down of every view, so that there are
+/// about `most` points at most. Returns no points if there is no depth.
 std::vector<CloudPoint> point_cloud(const LightField& field, const std::vector<PosedCamera>& cameras, std::size_t most);
 
-/// Returns the least and the greatest planar depth in mm; without depth, 100 mm and 100 m.
+/// Returns the least and the greatest planar depth in mm. If there is no depth, returns 100 mm and 100 m.
 Vec2d depth_bounds_mm(const LightField& field);
 
-/// Do the same for pictures written by write_posed_view(), reading them one by one.
+/// Return the same as point_cloud() and depth_bounds_mm() for pictures written by write_posed_view(). They are read one by one.
 std::vector<CloudPoint> cloud_of_pictures(const std::filesystem::path& folder, const std::vector<PosedPicture>& pictures,
                                           std::size_t most);
 Vec2d depth_bounds_of_pictures(const std::filesystem::path& folder, const std::vector<PosedPicture>& pictures);

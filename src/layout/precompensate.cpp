@@ -1,7 +1,7 @@
-// A is symmetric and positive definite, apart from the normalisation of weights at edges, which moves to the other side:
-// (weights - edges) v' = sums v. With bounds, this is a linear complementarity problem, which we solve by projected
-// Gauss-Seidel: Cryer, "The solution of a quadratic programming problem using systematic overrelaxation", SIAM J. Control 9,
-// 1971. Where no bound is reached, the result is the plain inverse.
+// The matrix A of precompensate.hpp is symmetric and positive definite, except that weights are normalised at edges. The
+// normalisation moves to the other side: (weights - edges) v' = sums v. With bounds, this is a linear complementarity problem,
+// which we solve by projected Gauss-Seidel: Cryer, "The solution of a quadratic programming problem using systematic
+// overrelaxation", SIAM J. Control 9, 1971. If no bound is reached, the result is A's inverse applied to v.
 //
 // Lines of neighbouring samples are independent. Microlenses and camera grids have crosstalk along two axes, A = Ax Ay: we
 // first invert Ay without bounds, then Ax with bounds.
@@ -23,11 +23,11 @@
 namespace lippmann {
 namespace {
 
-constexpr double kExact = 1e-7;  ///< in linear light; far below a 16-bit step
+constexpr double kExact = 1e-7;  ///< accuracy in linear light; far below a 16-bit step
 constexpr int kMaxSweeps = 2000;
 
-/// Lines of neighbouring samples, as offsets from the start of a line. Lines start at every one of `across` floats of `rows`
-/// rows.
+/// Lines of neighbouring samples: the offsets of the samples from the start of a line. In each of `rows` rows, lines start at
+/// `across` consecutive floats.
 struct Lines {
   std::vector<std::size_t> sample;
   std::size_t across = 0, rows = 0, row_stride = 0;
@@ -42,8 +42,8 @@ constexpr Bounds kLight{0.0, 1.0}, kNoBounds{-INFINITY, INFINITY};
 constexpr std::size_t kLanes = 8;
 using Lane = std::array<double, kLanes>;
 
-/// A along lines of one length: the weights of a pixel, its neighbours, their neighbours, ..., and for each sample the sum of
-/// the weights inside the line.
+/// The matrix A for lines of one length: the weights of a pixel, its neighbours, their neighbours, ..., and for each sample the
+/// sum of the weights that lie inside the line.
 struct Leak {
   std::vector<double> weights, sums;
 
@@ -76,7 +76,7 @@ LIPPMANN_MULTIVERSION void leak_lines(const Leak& leak, const Lane* shown, Lane*
   }
 }
 
-/// The largest change of a sweep, and the number of samples clipped to their bounds.
+/// The largest change in one sweep, and the number of samples clipped to their bounds, for each lane.
 struct Swept {
   Lane change{}, clipped{};
 };
@@ -98,7 +98,7 @@ LIPPMANN_MULTIVERSION void sweep(const Leak& leak, const Lane* wanted, Bounds bo
   }
 }
 
-/// Solves lines and returns the number of clipped samples.
+/// Solves a batch of lines and returns the number of clipped samples.
 std::size_t solve_lines(const Leak& leak, const std::vector<Lane>& wanted, Bounds bounds, std::vector<Lane>& shown) {
   shown = wanted;
   Swept swept;
@@ -110,7 +110,7 @@ std::size_t solve_lines(const Leak& leak, const std::vector<Lane>& wanted, Bound
   return static_cast<std::size_t>(std::accumulate(swept.clipped.begin(), swept.clipped.end(), 0.0));
 }
 
-/// Calls change(leak, samples of kLanes lines) for all lines; missing lines of the last batch are 0.
+/// Calls change(leak, samples of kLanes lines) for all lines. If the last batch has fewer lines, the others are 0.
 template <class Change>
 void for_each_line(const std::vector<Lines>& all, double sigma_px, Image& picture, Change change) {
   for (const Lines& lines : all) {
@@ -133,7 +133,7 @@ void for_each_line(const std::vector<Lines>& all, double sigma_px, Image& pictur
   }
 }
 
-/// The lines along which the optics have crosstalk, across and up.
+/// The lines along which the optics have crosstalk: lines across and lines up.
 struct LinesOfAxes {
   std::vector<Lines> across, up;
 };
@@ -149,7 +149,7 @@ LinesOfAxes lines_of_panel(const Image& picture) {
   return {{{counted(width, 3), 3, height, 3 * width}}, {{counted(height, 3 * width), 3 * width, 1, 0}}};
 }
 
-/// Returns lines through the same pixel of every view.
+/// Returns the lines that run through the same pixel of all views.
 LinesOfAxes lines_of_views(const Image& picture, const ViewTiles& views) {
   const auto columns = static_cast<std::size_t>(views.columns), rows = static_cast<std::size_t>(views.rows);
   const std::size_t row_stride = 3 * static_cast<std::size_t>(picture.width);
@@ -174,7 +174,7 @@ LinesOfAxes lines_of_views(const Image& picture, const ViewTiles& views) {
   return all;
 }
 
-/// Applies the crosstalk to a picture.
+/// Applies the crosstalk to a picture, so that it becomes what an eye sees.
 void leak_light(const LinesOfAxes& lines, Vec2d sigma, Image& picture) {
   const auto leak_line = [seen = std::vector<Lane>()](const Leak& leak, std::vector<Lane>& samples) mutable {
     seen.resize(samples.size());
@@ -204,7 +204,7 @@ Precompensation precompensate(const Optics& optics, double sigma_px, const char*
                                   "compensated",
                                   std::max(sigma.x, sigma.y)),
                       fmt::format("at most {} pixels or views; use fewer views or no precompensation", kMaxPrecompensatedPx));
-  for (float& value : picture.data) value = value > 0.0f ? std::min(value, 1.0f) : 0.0f;  // NaN becomes 0
+  for (float& value : picture.data) value = value > 0.0f ? std::min(value, 1.0f) : 0.0f;  // 0 also for NaN
   const std::optional<ViewTiles> views = view_tiles(optics);
   const LinesOfAxes lines = views ? lines_of_views(picture, *views) : lines_of_panel(picture);
   const Image wanted = picture;
@@ -227,7 +227,7 @@ Precompensation precompensate(const Optics& optics, double sigma_px, const char*
 Precompensation precompensate_encoded(const Optics& optics, double sigma_px, Encoding encoding, const char* where,
                                       Image& film) {
   if (encoding == Encoding::kSrgb) return precompensate(optics, sigma_px, where, film);
-  // Crosstalk mixes linear light, so convert display-referred values first.
+  // Crosstalk mixes linear light, so display-referred values are converted first.
   for (float& value : film.data) value = static_cast<float>(linear_from_srgb(value > 0.0f ? std::min(value, 1.0f) : 0.0f));
   const Precompensation done = precompensate(optics, sigma_px, where, film);
   for (float& value : film.data) value = static_cast<float>(srgb_from_linear(value));

@@ -19,7 +19,7 @@ constexpr double kMarginMm = 10.0;
 
 int bleed_px(const Display& display, double bleed_mm) { return static_cast<int>(std::lround(bleed_mm / display.pixel_mm())); }
 
-/// Copies a box of a picture to a position in another one with the same sample type.
+/// Copies a box of a picture to a position in another picture with the same sample type.
 void copy_box(const Picture& from, const PixelBox& box, Picture& to, Vec2i corner) {
   const Vec2i from_size = size_of(from), to_size = size_of(to);
   std::visit(
@@ -34,7 +34,7 @@ void copy_box(const Picture& from, const PixelBox& box, Picture& to, Vec2i corne
       from);
 }
 
-/// Returns the middle square inch of a box, or less if the box is smaller.
+/// Returns the square inch in the middle of a box, or a smaller box if `box` is smaller.
 PixelBox middle_inch(const PixelBox& box, double dpi) {
   const Vec2i size = glm::min(box.size(), Vec2i(static_cast<int>(std::lround(dpi))));
   const Vec2i from = box.from + (box.size() - size) / 2;
@@ -43,7 +43,7 @@ PixelBox middle_inch(const PixelBox& box, double dpi) {
 
 PixelBox grown(const PixelBox& box, int by) { return {box.from - by, box.to + by}; }
 
-/// Draws the marks around `trim` in a picture with white margins.
+/// Draws the marks of a print, whose cut edges are `trim`, into a picture with white margins.
 class PrintMarks {
  public:
   /// `origin`: position of the picture's first pixel in the display's picture. `picture` and `display` must outlive this
@@ -77,7 +77,7 @@ class PrintMarks {
   int px(double mm) const { return static_cast<int>(std::lround(mm / display_.pixel_mm())); }
   int thickness() const { return std::max(1, px(0.1)); }
 
-  /// Draws a line along x or y, centred on the given coordinates.
+  /// Draws a line along x or y. The coordinates are the middle of the line's thickness.
   void line(Vec2i from, Vec2i to) {
     const int before = thickness() / 2, after = thickness() - before;
     const Vec2i across(from.x == to.x ? 1 : 0, from.y == to.y ? 1 : 0);
@@ -128,7 +128,7 @@ Display with_bleed(const Display& display, double bleed_mm) {
   const int bleed = bleed_px(display, bleed_mm);
   if (bleed == 0) return display;
   Display bled = display;
-  bled.viewing_distance_mm = viewing_distance_mm(display);  // the default depends on the height
+  bled.viewing_distance_mm = viewing_distance_mm(display);  // because the default depends on the height
   bled.pixels += 2 * bleed;
   const LensStrips strips = lens_strips(display);
   if (bled.lenses.phase_px) *bled.lenses.phase_px += bleed * (1.0 - strips.sine / strips.cosine);

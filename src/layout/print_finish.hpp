@@ -1,16 +1,17 @@
 // Bleed, marks and one-inch proofs of prints. Private to this part.
 //
-// The marks are in a white margin of 10 mm around the bleed: crop lines at the corners; a target in the middle of each side;
+// The marks are in a white margin of 10 mm around the bleed: crop lines at the corners; a target in the middle of each side; a
 // text with the pitch and the resolution; and for sheets, above and below, a band that is black below the middle third of each
-// lens. From the middle of the viewing zone it looks completely black once the sheet is aligned.
+// lens. When the sheet is aligned, the band looks completely black from the middle of the viewing zone.
 #pragma once
 
 #include "lippmann/layout/display_picture.hpp"
 
 namespace lippmann {
 
-/// Returns the finished print. `bled`: the picture for `display`, which must be with_bleed(display, finish.bleed_mm). Throws a
-/// usage Error naming `proof` for prints not larger than an inch, and Error if the result with marks is too large.
+/// Returns the finished print. `bled`: the picture for `display`, which must be the result of with_bleed() for finish.bleed_mm.
+/// Throws a usage Error naming `proof` if the print is not larger than an inch, and Error if the result with marks is too
+/// large.
 Picture finished(Picture bled, const Display& display, const PrintFinish& finish);
 
 }  // namespace lippmann

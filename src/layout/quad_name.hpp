@@ -1,5 +1,5 @@
-// File names of quads, four views in one picture: name_2x2.png, as in Leia's programs; case-insensitive, with optional copy
-// marks (layout/copy_mark.hpp).
+// Reads and writes file names of quads, four views in one picture: name_2x2.png, as in Leia's programs. Case is ignored, and
+// copy marks are accepted (layout/copy_mark.hpp).
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,5 @@
-// Views side by side in one picture, the format of Looking Glass's programs. Its name and its side file describe the tiles.
+// Views side by side in one picture, the format of Looking Glass's programs. The picture's name and its side file describe the
+// tiles.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The description of a quilt from flags, name and side file. A flag overrides the others, which must agree.
+/// The properties of a quilt from flags, its name and its side file. A flag overrides the name and the side file, which must
+/// agree.
 struct Quilt {
   ViewGrid tiles;
   int views = 0;
@@ -45,7 +47,7 @@ Quilt described(const fs::path& path, const FormatOptions& options) {
   return {name->tiles, name->tiles.count(), false, name->aspect};
 }
 
-/// Reverses the order of the views.
+/// Reverses the order of the views in the light field.
 void reverse_views(LightField& field) {
   const LightField from = field;
   for (int view = 0; view < field.grid.count(); ++view) {

@@ -1,4 +1,4 @@
-// The JSON side file of a quilt, <image>.json, which states the same as its name and more.
+// Reads and writes the JSON side file of a quilt, <image>.json. It states what the quilt's name states, and more.
 #pragma once
 
 #include <filesystem>
@@ -12,20 +12,21 @@ namespace lippmann {
 
 struct QuiltSideFile {
   QuiltName quilt;
-  int views = 0;          ///< number of views, in the first tiles; at most the number of tiles
-  bool inverted = false;  ///< view 0 is the rightmost
+  /// Number of views, which are in the first tiles; at most the number of tiles.
+  int views = 0;
+  bool inverted = false;  ///< true: view 0 is the rightmost view
 };
 
 inline constexpr std::string_view kQuiltSideFileExample = R"({"quilt_settings": {"viewX": 8, "viewY": 6, "aspect": 0.75}})";
 
 std::filesystem::path quilt_side_path(const std::filesystem::path& image);
 
-/// Reads the side file; none if it does not exist or does not describe a quilt. Instead of {"quilt_settings": {"viewX": 8,
-/// "viewY": 6}}, the table may be named quilt or be the document itself, and its keys columns and rows, or quiltCols and
-/// quiltRows. Throws Error for impossible values.
+/// Reads the side file of an image. Returns none if it does not exist or does not describe a quilt. The table is
+/// {"quilt_settings": {"viewX": 8, "viewY": 6}}. It may also be named "quilt" or be the document itself, and its keys may be
+/// columns and rows, or quiltCols and quiltRows. Throws Error for impossible values.
 std::optional<QuiltSideFile> read_quilt_side_file(const std::filesystem::path& image);
 
-/// Parses a side file; `where` names it in messages.
+/// Parses a side file. `where`: its name, for messages.
 std::optional<QuiltSideFile> parse_quilt_side_file(const std::string& text, const std::string& where);
 
 void write_quilt_side_file(const std::filesystem::path& image, const QuiltSideFile& side);

@@ -1,7 +1,8 @@
-// RGB-D: the colours of one view, with its depth as grey to the right (layout/rgbd_side_file.hpp), as players of glasses-free
-// displays use it.
+// RGB-D pictures: the colours of one view, with its depth as grey to the right (layout/rgbd_side_file.hpp). Players of
+// glasses-free displays use this format.
 //
-// Writes the middle one of several views. Pixels without a surface get the farthest depth of the range.
+// If the light field has several views, the writer takes the middle one. Pixels without a surface get the farthest depth of the
+// range.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +28,7 @@ constexpr double kAssumedHeightMm = 100.0, kAssumedDistanceMm = 300.0;  ///< for
 template <class Sample>
 constexpr double kWhiteCode = std::is_floating_point_v<Sample> ? 1.0 : std::numeric_limits<Sample>::max();
 
-/// Reads the greys of the right half, 0 ... 1, as means of its channels, which must be equal.
+/// Reads the grey values (0 ... 1) in the right half of a picture. They are means of the three channels, which must be equal.
 Image read_greys(const Picture& picture, Vec2i view, const std::string& where) {
   Image greys(view.x, view.y, 1);
   double colour = 0.0;
@@ -44,7 +45,7 @@ Image read_greys(const Picture& picture, Vec2i view, const std::string& where) {
           }
       },
       picture);
-  constexpr double kMostColour = 0.05;  // tolerance for lossy pictures
+  constexpr double kMostColour = 0.05;  // a tolerance for lossy pictures
   if (colour > kMostColour * view.x * view.y)
     throw Error(where, "its right half is not depth: it has colours", "colours at the left, depth as grey at the right");
   return greys;
@@ -55,7 +56,7 @@ void require_depth(const Image& greys, const std::string& where) {
   throw Error(where, "its depth is 0 everywhere", "colours at the left, depth as grey at the right");
 }
 
-/// Returns the description from the side file or defaults, with options overriding both.
+/// Returns the side file's description, or defaults if there is none. Options override both.
 RgbdSideFile described_rgbd(const fs::path& path, const FormatOptions& options, Vec2i view) {
   RgbdSideFile assumed;
   assumed.distance_mm = kAssumedDistanceMm;
@@ -80,7 +81,7 @@ LightField read_rgbd(const fs::path& path, const FormatOptions& options) {
   return field;
 }
 
-/// Returns the range from the farthest to the nearest surface, slightly extended for a plane.
+/// Returns the range from the farthest to the nearest surface. It is slightly extended if all surfaces have one depth.
 DepthRange range_of(const Image& depth, double distance_mm) {
   DepthRange range{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   for (const float z : depth.data) {
@@ -104,7 +105,7 @@ RgbdSideFile side_of(const LightField& field, int view, const Image& depth, cons
   return side;
 }
 
-/// Places colours at the left and greys at the right.
+/// Returns a picture with the colours at the left and the greys at the right.
 Picture side_by_side(const Picture& colours, const Image& depth, const RgbdSideFile& side) {
   const Vec2i view = size_of(colours);
   Picture picture = blank(colours, {2 * view.x, view.y});

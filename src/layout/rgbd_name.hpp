@@ -1,5 +1,5 @@
-// File names of RGB-D pictures: name_rgbd.png, name.rgbd.png or rgbd.png; case-insensitive, with optional copy marks
-// (layout/copy_mark.hpp). In name_hrgbd.png both halves are squeezed to half their width.
+// Reads and writes file names of RGB-D pictures: name_rgbd.png, name.rgbd.png or rgbd.png. Case is ignored, and copy marks are
+// accepted (layout/copy_mark.hpp). A name such as name_hrgbd.png means that both halves are squeezed to half their width.
 #pragma once
 
 #include <filesystem>

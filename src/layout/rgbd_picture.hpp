@@ -10,13 +10,14 @@
 
 namespace lippmann {
 
-/// Converts a picture. `file` locates the side file, if any (layout/rgbd_side_file.hpp); `where` names the picture in messages.
-/// A picture whose depth is 0 everywhere lies at the far end of the range. Throws Error if the picture's width is odd or its
-/// right half has colours.
+/// Converts a picture. `file`: path whose side file is read, if there is one (layout/rgbd_side_file.hpp). `where`: name of the
+/// picture for messages. If the depth is 0 everywhere, the picture lies at the far end of the range. Throws Error if the
+/// picture's width is odd or its right half has colours.
 LightField light_field_of_rgbd(const Picture& picture, const std::filesystem::path& file, const std::string& where,
                                const FormatOptions& options);
 
-/// Converts colours and a grey map from 0 to 1 of the same size. `file` locates the side file.
+/// Converts colours and a map of grey values from 0 to 1, which have the same size. `file`: path whose side file is read, if
+/// there is one.
 LightField light_field_of_colours(Picture colours, Image greys, const std::filesystem::path& file,
                                   const FormatOptions& options);
 

@@ -1,9 +1,11 @@
-// Folders of the Stanford light field archive: out_{row}_{column}_{y}_{x}.png, row 0 at the top, column 0 at the left. y and x
-// are the camera position, with y counted downwards like the rows. (Names in the archive may have another _ at the end.)
+// Folders of the Stanford light field archive: out_{row}_{column}_{y}_{x}.png, with row 0 at the top and column 0 at the left.
+// y and x are the position of the camera; y counts downwards like the rows. (Some names in the archive have another _ at the
+// end.)
 //
-// Names have no unit and no distance. Positions are kept unchanged and written again. If the cameras are known, parameters.cfg
-// is also written and read, as in the HCI benchmark (layout/hci_parameters.hpp); its baseline is the mean distance between
-// neighbouring cameras, in the unit of the positions. Without known positions, y and x are the row and the column.
+// Names state neither a unit nor a distance. Positions are read and written again unchanged. If the cameras are known,
+// parameters.cfg is also written and read, as in the HCI benchmark (layout/hci_parameters.hpp). Its baseline is the mean
+// distance between neighbouring cameras, in the unit of the positions. If positions are unknown, y and x are the row and the
+// column.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -20,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the position, right and up; none if the name has none.
+/// Returns the position that a file's name states, x right and y up; none if the name has no position.
 std::optional<Vec2d> stanford_position(const fs::path& file) {
   static const TextPattern name("out_[0-9]+_[0-9]+_(-?[0-9.]{1,40})_(-?[0-9.]{1,40})_?", TextPattern::Letters::kEitherCase);
   const std::optional<PatternMatch> found = name.match(file.stem().string());
@@ -34,7 +36,7 @@ std::optional<Vec2d> stanford_position(const fs::path& file) {
   return Vec2d(position.x, -position.y);
 }
 
-/// Returns the positions of all views; none if one of them is unknown.
+/// Returns the positions of all views, or none if one of them is unknown.
 std::optional<std::vector<Vec2d>> stanford_positions(const std::vector<fs::path>& by_view) {
   std::vector<Vec2d> positions;
   for (const fs::path& file : by_view) {
@@ -62,7 +64,7 @@ LightField read_stanford(const fs::path& folder, const FormatOptions& options) {
   return field;
 }
 
-/// Returns the parameters; none if the cameras are unknown or the format cannot express their pixels.
+/// Returns the parameters of a light field; none if the cameras are unknown or the format cannot express their pixels.
 std::optional<HciParameters> parameters_of(const LightField& field, const fs::path& folder) {
   if (!field.cameras) return std::nullopt;
   try {
@@ -72,7 +74,7 @@ std::optional<HciParameters> parameters_of(const LightField& field, const fs::pa
   }
 }
 
-/// Returns six decimals as in the archive, or more if needed to restore the same number.
+/// Returns a number with six decimals as in the archive, or with more if they are needed to restore the same number.
 std::string position_text(double position) {
   const std::string archived = fmt::format("{:.6f}", position + 0.0), shortest = fmt::format("{}", position + 0.0);
   double read = 0.0;

@@ -17,13 +17,13 @@
 namespace lippmann {
 namespace {
 
-/// Two neighbours, and the weight of the second.
+/// Two neighbouring samples, and the weight of the second.
 struct Blend {
   int at = 0, next = 0;
   float share = 0.0f;
 };
 
-/// Selects the pictures shown at a position in a strip, from 0 at its left end to 1 at its right end.
+/// Selects the pictures (views or frames) shown at a position in a strip, from 0 at its left end to 1 at its right end.
 class StripOrder {
  public:
   StripOrder(int count, const DisplayPictureParams& params) : count_(count), linear_(params.filter == ViewFilter::kLinear) {
@@ -60,7 +60,7 @@ class StripOrder {
     return ends_[at] - (at > 0 ? ends_[at - 1] : 0.0);
   }
 
-  /// Returns how far the transition from `frame` to the next one extends to each side.
+  /// Returns how far the transition from `frame` to the next frame extends to each side.
   double reach_of(int frame) const { return 0.5 * blend_ * std::min(share_of(frame), share_of(frame + 1)); }
 
   Blend frame_at(double place) const {
@@ -78,7 +78,7 @@ class StripOrder {
   int count_;
   bool linear_, is_flip_ = false;
   double blend_ = 0.0;
-  std::vector<double> ends_;  ///< ends of the frames, as shares of the strip
+  std::vector<double> ends_;  ///< ends of the frames, as shares of the strip's width
 };
 
 template <class Sample>
@@ -107,7 +107,7 @@ class LightOfSamples {
   std::vector<float> light_;
 };
 
-/// The value of a pixel as a blend of two views, each at a blend of two columns.
+/// The value of a pixel: a blend of two views, each of which is a blend of two columns.
 struct StripPixel {
   Blend views, columns;
 };

@@ -1,4 +1,4 @@
-// The view of each sub-pixel of a slanted panel, row by row. Private to this part.
+// Computes the view of each sub-pixel of a slanted panel, row by row. Private to this part.
 #pragma once
 
 #include <array>
@@ -8,9 +8,9 @@
 
 namespace lippmann {
 
-/// One row of the panel; view(i, color) returns the view coordinate v of a sub-pixel.
+/// The sub-pixels of one row of the panel. view(i, color) returns the view coordinate v of a sub-pixel of pixel i.
 struct SubPixelRow {
-  std::array<std::array<double, 3>, 2> phase;  ///< at i = 0, for even and odd pixels
+  std::array<std::array<double, 3>, 2> phase;  ///< phases at i = 0, with the sub-pixel offsets of even and of odd pixels
   double phase_per_pixel;
   bool inverted;
 
@@ -21,7 +21,7 @@ struct SubPixelRow {
   }
 };
 
-/// Returns row j, counted from the top.
+/// Returns row j of the panel, counted from the top.
 inline SubPixelRow sub_pixel_row(const SlantedPanel& panel, Vec2i pixels, int j) {
   SubPixelRow row{{}, panel.periods / pixels.x, panel.inverted};
   const int up = pixels.y - 1 - j;
@@ -35,13 +35,13 @@ inline SubPixelRow sub_pixel_row(const SlantedPanel& panel, Vec2i pixels, int j)
   return row;
 }
 
-/// Returns the view of `count` views that v belongs to.
+/// Returns the view, of `count` views, that is nearest to the view coordinate v.
 inline int nearest_view(double v, int count) {
   const int view = static_cast<int>(v * count);
   return view < count ? view : count - 1;
 }
 
-/// Returns which of `size` samples contains the centre of pixel i of `pixels`.
+/// Returns the sample that contains the centre of pixel i, if `pixels` pixels are divided into `size` samples.
 inline int sample_at(int i, int pixels, int size) {
   return static_cast<int>((2 * static_cast<std::int64_t>(i) + 1) * size / (2 * static_cast<std::int64_t>(pixels)));
 }

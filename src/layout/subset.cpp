@@ -18,7 +18,7 @@ int number(const std::string& digits) {
   return value;
 }
 
-/// Returns the indices in a range of an axis with `count` views.
+/// Returns the indices in `range` along an axis with `count` views.
 std::vector<int> members(const ViewRange& range, int count, const char* axis, const std::string& flag) {
   const int last = range.last < 0 ? count - 1 : range.last;
   if (range.first > last || last >= count)
@@ -29,7 +29,7 @@ std::vector<int> members(const ViewRange& range, int count, const char* axis, co
   return all;
 }
 
-/// Returns a copy of the light field's description with another grid and view size.
+/// Returns a light field with another grid and view size and otherwise the same properties. Its stack is black.
 LightField like(const LightField& field, ViewGrid grid, Vec2i view_size) {
   LightField other;
   other.grid = grid, other.view_size = view_size;

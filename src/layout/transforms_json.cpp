@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr NumberRange kFocalRange{1e-3, 1e9}, kSizeRange{1.0, 65536.0}, kAngleRange{1e-6, 3.1415}, kPlaceRange{-1e9, 1e9};
 
-/// Throws Error for cameras that are not pinholes.
+/// Throws Error if the camera is not a pinhole.
 void check_pinhole(const JsonFields& json) {
   for (const char* key : {"k1", "k2", "k3", "k4", "p1", "p2"})
     if (json.number_or(key, kAnyNumber, 0.0) != 0.0) json.reject(key, "is a lens distortion", "0, pictures without distortion");
@@ -28,7 +28,7 @@ void check_pinhole(const JsonFields& json) {
     json.reject("camera_model", "is " + model, "PINHOLE, SIMPLE_PINHOLE or OPENCV without distortion");
 }
 
-/// Reads the intrinsics of the object, replacing earlier ones.
+/// Reads the intrinsics in an object. They replace those that were read before.
 void read_intrinsics(const JsonFields& json, PosedPicture& picture) {
   PosedCamera& camera = picture.camera;
   check_pinhole(json);
@@ -88,7 +88,7 @@ void write_intrinsics(const PosedCamera& camera, Json& json) {
   json["cx"] = camera.principal_px.x, json["cy"] = camera.principal_px.y;
 }
 
-/// Adds the lists that nerfstudio reads; it requires all three.
+/// Adds the lists of pictures that nerfstudio reads. It requires all three lists.
 void list_split(const std::vector<PosedPicture>& pictures, const std::vector<bool>& is_test, Json& json) {
   for (const char* key : {"train_filenames", "val_filenames", "test_filenames"}) {
     Json& names = json[key] = Json::array();

@@ -1,4 +1,4 @@
-// Folders with one picture per view: finds files by name, reads and writes them.
+// Folders with one picture per view: finds the files by name, and reads and writes them.
 #pragma once
 
 #include <filesystem>
@@ -13,37 +13,38 @@
 
 namespace lippmann {
 
-/// A file whose name matches a pattern, with the numbers captured by the pattern's first 1 or 2 groups.
+/// A file whose name matches a pattern, and the numbers captured by the pattern's first 1 or 2 groups.
 struct NumberedFile {
   std::vector<int> numbers;
   std::filesystem::path path;
 };
 
-/// Returns the matching files of a folder in ascending order of their numbers. Throws Error naming the folder if it cannot be
-/// listed, has no such files (`accepted` describes their names) or two with the same numbers.
+/// Returns the files of a folder that match the pattern, in ascending order of their numbers. Throws Error naming the folder if
+/// it cannot be listed, has no such files (`accepted` describes their names for the message), or has two files with the same
+/// numbers.
 std::vector<NumberedFile> numbered_files(const std::filesystem::path& folder, const TextPattern& pattern,
                                          const std::string& accepted);
 
-/// Returns the grid of files numbered by row and column, which may begin at any number. Throws Error naming the folder and a
-/// missing file if there are gaps.
+/// Returns the grid of files that are numbered by row and column; the first numbers may be any. Throws Error naming the folder
+/// and a missing file if the grid is incomplete.
 ViewGrid complete_grid(const std::filesystem::path& folder, const std::vector<NumberedFile>& files);
 
-/// Throws Error naming `where` if the stack of these views would have 2^32 pixels or more, or would not fit into the available
+/// Throws Error naming `where` if the stack of these views would have 2^32 pixels or more, or would exceed `available_bytes` of
 /// memory (infinite: no limit).
 void require_stack_fits(const std::string& where, int views, Vec2i view_size, std::size_t sample_bytes, double available_bytes);
 
-/// Reads the views in order. by_view: grid.count() files. Throws Error naming the first file whose size or sample type differs
-/// from the first one's, or the first file if all of them do not fit into memory.
+/// Reads the views in order with `read`. by_view: grid.count() files. Throws Error naming the first file whose size or sample
+/// type differs from that of the first file, or naming the first file if all of them do not fit into memory.
 LightField read_view_files(const std::vector<std::filesystem::path>& by_view, ViewGrid grid,
                            const std::function<Picture(const std::filesystem::path&)>& read);
-/// Does the same with read_picture(), the warnings of the options and their fit_view.
+/// Reads the views with read_picture(), with the warnings and the fit_view of the options.
 LightField read_view_files(const std::vector<std::filesystem::path>& by_view, ViewGrid grid, const FormatOptions& options);
 
-/// Returns the lossless format for the picture's samples: "png" for integers, "exr" for floats.
+/// Returns the extension of a lossless format for the picture's samples: "png" for integers, "exr" for floats.
 const char* exact_ending(const Picture& picture);
 
-/// Writes one file per view to the folder, creating it, and returns the files in order of their names. name(view) includes the
-/// extension.
+/// Creates the folder, writes one file per view into it, and returns the files in the order of their names. name(view) returns
+/// a file name with extension.
 std::vector<std::filesystem::path> write_view_files(const LightField& field, const std::filesystem::path& folder,
                                                     const std::function<std::string(int view)>& name);
 

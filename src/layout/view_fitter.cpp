@@ -14,14 +14,15 @@ namespace {
 /// Relative difference below which aspect ratios count as equal.
 constexpr double kSameAspect = 0.01;
 
-/// The samples of a view along one row of a display's lenses, as shares of the display's width.
+/// Samples of a view along one row of a display's lenses: their number, left edge and width. The last two are shares of the
+/// display's width.
 struct RowOfSamples {
   int count;
   double first, step;
 };
 
-/// Upright sheets have one sample per strip, at its position. On slanted sheets the strips cross the columns, so there are two
-/// samples per lens.
+/// Returns the samples for a lenticular sheet. Upright sheets have one sample per strip, at the strip's position. On slanted
+/// sheets the strips cross the columns, so there are two samples per lens.
 RowOfSamples samples_of_sheet(const Display& display) {
   const LensStrips strips = lens_strips(display);
   const double width = display.pixels.x;
@@ -71,7 +72,8 @@ ViewFitter::ViewFitter(const Display& display, DisplayTarget target, AspectFit f
   }
 }
 
-/// Returns the part of a view that fills the display, in the view's pixels; larger than the view if it is padded.
+/// Returns the size of the part of a view that fills the display, in pixels of the view. It is larger than the view if the view
+/// is padded.
 Vec2d ViewFitter::window_of(Vec2i view, double aspect) const {
   const double excess = aspect / aspect_;
   const bool is_tile = target_ != DisplayTarget::kIntegral && view == size_;
@@ -81,7 +83,7 @@ Vec2d ViewFitter::window_of(Vec2i view, double aspect) const {
   return {view.x, view.y * excess};
 }
 
-/// Returns the largest window with the same aspect ratio that lies in every shifted view.
+/// Returns the size of the largest window with the same aspect ratio that lies in every view after the shifts.
 Vec2d ViewFitter::window_in_all(Vec2i view, double aspect, ViewGrid grid) const {
   Vec2d window = window_of(view, aspect);
   const Vec2d left = Vec2d(view) - std::abs(view_shift_px_) * Vec2d(grid.columns - 1, grid.rows - 1);
@@ -103,7 +105,8 @@ Picture ViewFitter::fitted(const Picture& view, double aspect, int number, ViewG
                 "views of one size");
   original_ = from, window_ = window_in_all(from, aspect, grid);
   const bool is_whole = window_ == Vec2d(from) && view_shift_px_ == 0.0;
-  // Panels sample views of any size, as players do. Larger views that are cropped or padded are reduced first.
+  // Panels sample views of any size, as players do, so views need not be resized. Larger views that are cropped or padded are
+  // reduced first.
   const bool is_small = from.x <= display_.pixels.x && from.y <= display_.pixels.y;
   if (target_ == DisplayTarget::kNative && is_whole && (is_small || fit_ == AspectFit::kStretch)) {
     size_ = from;

@@ -1,5 +1,5 @@
-// A folder of view_000.png, view_001.png, ..., or of pictures with arbitrary names, numbered from the lower left as in
-// layout/view_layout.hpp.
+// A folder of view_000.png, view_001.png, ..., or of pictures with arbitrary names. Views are numbered from the lower left as
+// in layout/view_layout.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kViewNames = "a folder of view_000.png, view_001.png, ...";
 
-/// Reads the depth of all views, or no depth if it is missing for one of them.
+/// Reads the depth of all views. If one view has no depth, reads none.
 void read_depth(const std::vector<fs::path>& by_view, LightField& field) {
   for (int view = 0; view < field.grid.count(); ++view) {
     const std::optional<Image> depth = rendered_depth(by_view[static_cast<std::size_t>(view)]);
@@ -29,7 +29,7 @@ void read_depth(const std::vector<fs::path>& by_view, LightField& field) {
   }
 }
 
-/// Returns view_000.png, ... if they exist, else all pictures of the folder.
+/// Returns view_000.png, ... if such files exist, else all pictures of the folder.
 std::vector<fs::path> views_in(const fs::path& folder, const FormatOptions& options) {
   static const TextPattern name("view_([0-9]{1,6})\\.[^.]+", TextPattern::Letters::kEitherCase);
   const std::vector<fs::directory_entry> entries = entries_of(folder, kViewNames);

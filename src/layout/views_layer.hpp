@@ -1,7 +1,7 @@
-// Reads layers of a light field's views, as written by the render beside its pictures.
+// Reads layers of a light field's views, which the render wrote beside its pictures.
 //
-// A layer is a stack like field.stack. `path` is the picture (integral or quilt) or folder of views that `field` was read from.
-// Functions return none if a layer is missing or has another size, and throw Error like read_channels().
+// A layer is a stack like field.stack. `path` is the picture (integral or quilt) or the folder of views that `field` was read
+// from. The functions return none if a layer is missing or has another size, and throw Error as read_channels() does.
 #pragma once
 
 #include <filesystem>
@@ -12,10 +12,10 @@
 
 namespace lippmann {
 
-/// Reads the origin of the pixels: values of Provenance (lippmann/trace/aovs.hpp), 1 channel.
+/// Reads the source of the pixels: values of Provenance (lippmann/trace/aovs.hpp), 1 channel.
 std::optional<Image> views_provenance(const std::filesystem::path& path, const LightField& field);
 
-/// Reads the motion of each point since the previous frame in pixels of its view: 2 channels, right and down.
+/// Reads the motion of each point since the previous frame, in pixels of its view: 2 channels, right and down.
 std::optional<Image> views_motion(const std::filesystem::path& path, const LightField& field);
 
 }  // namespace lippmann
