@@ -18,8 +18,8 @@ struct FrameReport {
   double seconds = 0.0;      ///< wall-clock time of rendering, without writing files
   double cpu_seconds = 0.0;  ///< CPU time of all threads, without writing files
   RayCounts rays{};
-  std::uint64_t missed_pixels =
-      0;  ///< pixels onto which no point of another frame projects; the sum of the two numbers in the next line
+  /// Pixels onto which no point of another frame projects: the sum of newly_visible_pixels and not_covered_pixels.
+  std::uint64_t missed_pixels = 0;
   std::uint64_t newly_visible_pixels = 0, not_covered_pixels = 0;
   std::uint64_t retraced_pixels = 0;          ///< pixels that were traced although the frame is made from other frames
   std::uint64_t reused_pixels = 0;            ///< pixels taken from other frames

@@ -15,8 +15,8 @@
 namespace lippmann {
 
 struct ConvertParams {
-  std::string from{},
-      to = "views";  ///< names of formats; empty `from`: detected from a quilt's file name or the report beside the input
+  /// Names of formats. Empty `from`: detected from a quilt's file name or the report beside the input.
+  std::string from{}, to = "views";
   FormatOptions options{};
   std::optional<Crop> crop{};       ///< window of every view to keep; none: whole views
   std::optional<KeptViews> keep{};  ///< views to keep, chosen before cropping; none: all

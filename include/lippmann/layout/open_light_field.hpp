@@ -15,8 +15,8 @@ namespace lippmann {
 
 struct OpenedLightField {
   LightField field{};  ///< includes cameras if the format or the report beside a rendered picture has them
-  std::optional<Optics> optics =
-      {};                        ///< optics that the picture was rendered for, covering all views; none: there is no report
+  /// Optics that the picture was rendered for, covering all views. None: there is no report.
+  std::optional<Optics> optics = {};
   std::string_view format = {};  ///< name in light_field_formats()
 };
 
