@@ -19,7 +19,7 @@ namespace lippmann {
 
 struct PpmCodes {
   Image16 codes;      ///< codes as stored in the file, 0 ... highest
-  int highest = 255;  ///< 1 ... 65535
+  int highest = 255;  ///< highest code of the format, 1 ... 65535
 };
 
 PpmCodes parse_ppm(std::span<const std::byte> file, const std::string& where);

@@ -115,7 +115,7 @@ class PngDecoder {
     constexpr double kSrgbGamma = 0.45455, kRounded = 0.005;
     if (png_get_gAMA(png_, info_, &gamma) && std::abs(gamma - kSrgbGamma) > kRounded)
       notices.push_back(fmt::format("its gamma (gAMA {:g}) is not applied: its codes are read as sRGB", gamma));
-    std::array<double, 8> xy{};  // white comes first
+    std::array<double, 8> xy{};  // primaries and white, with white first
     if (png_get_cHRM(png_, info_, &xy[6], &xy[7], &xy[0], &xy[1], &xy[2], &xy[3], &xy[4], &xy[5]) && !are_rec709({xy}))
       notices.push_back(fmt::format("its chromaticities (cHRM) {}", kReadAsSrgb));
     return notices;
@@ -152,7 +152,7 @@ class PngDecoder {
     if (png_get_color_type(png_, info_) == PNG_COLOR_TYPE_GRAY && png_get_bit_depth(png_, info_) < 8)
       png_set_expand_gray_1_2_4_to_8(png_);
     if (png_get_valid(png_, info_, PNG_INFO_tRNS)) png_set_tRNS_to_alpha(png_);
-    if (png_get_bit_depth(png_, info_) == 16) png_set_swap(png_);  // to little-endian
+    if (png_get_bit_depth(png_, info_) == 16) png_set_swap(png_);  // converts to little-endian
     png_set_interlace_handling(png_);
     png_read_update_info(png_, info_);
     return true;

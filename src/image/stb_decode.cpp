@@ -121,7 +121,7 @@ bool is_bmp(FileBytes file) {
 
 PictureHeader bmp_header(FileBytes file, const std::string& where) {
   const Shape shape = shape_of(file, where);
-  const bool old = long_at(file, 14) == 12;  // the format of OS/2
+  const bool old = long_at(file, 14) == 12;  // whether the header has the older format of OS/2
   if (file.size() < (old ? kOldBmpHeaderBytes : kBmpHeaderBytes)) throw unreadable_picture(where, "the file is truncated");
   const std::uint64_t bits = byte_at(file, old ? 24 : 28);
   check_file_holds(where, file.size(), pixels_of(shape) * bits / 8, 1);

@@ -118,7 +118,7 @@ struct Raster {
   int width, height;
   std::size_t colors;  ///< 3: RGB; 4: CMYK
   const std::vector<Code>& codes;
-  const std::vector<Code>& alpha;  ///< one per pixel, or empty
+  const std::vector<Code>& alpha;  ///< one value per pixel, or empty
 };
 
 template <class Code>

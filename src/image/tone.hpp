@@ -10,7 +10,7 @@
 namespace lippmann {
 
 enum class ToneCurve {
-  kNone,  ///< clips highlights to white
+  kNone,  ///< highlights are clipped to white
   /// Keeps colours up to 0.8 and compresses highlights. For pictures of products.
   kNeutral,
   /// Maps a range of 16.5 stops and fades highlights to white. For pictures that look like photographs.

@@ -6,7 +6,7 @@
 namespace lippmann {
 
 struct YuvPsnr {
-  double y_db = 0.0, yuv_db = 0.0;  ///< infinite for equal images
+  double y_db = 0.0, yuv_db = 0.0;  ///< both are infinite for equal images
 };
 
 /// Returns the PSNR of two images of one size.

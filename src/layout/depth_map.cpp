@@ -101,7 +101,7 @@ Image enlarged_depth(const Image& depth, Vec2i size, float edge) {
 }
 
 Image read_depth_map(const fs::path& path, Vec2i size, bool near_black) {
-  constexpr float kEdge = 1.0f / 32.0f;  // a share of the range of depths
+  constexpr float kEdge = 1.0f / 32.0f;  // difference at an edge, as a share of the range of depths
   Image grey = grey_channel(depth_channels(path), path);
   require_shape(grey, size, path);
   if (sample_kind(path) == SampleKind::kFloat) scale_floats(grey, path);

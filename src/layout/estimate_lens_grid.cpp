@@ -340,7 +340,7 @@ LensGridFit grown_fit(const Image& white, LensGrid grid, const std::string& wher
     grid = fit_grid(lenses, grid);
     if (reach >= whole) break;
   }
-  constexpr double kOutlier = 3.0;  // in residuals; excludes dust and clipped lenses
+  constexpr double kOutlier = 3.0;  // maximum distance of a lens, in RMS residuals; excludes dust and clipped lenses
   const double limit = kOutlier * rms_residual(grid, lenses);
   std::erase_if(lenses, [&](const FoundLens& lens) { return distance_to_grid(grid, lens) > limit; });
   grid = fit_grid(lenses, grid);

@@ -60,7 +60,7 @@ bool set_hdf5_cameras(const std::map<std::string, double>& attributes, LightFiel
 }
 
 float z_of_hdf5_depth(float depth, const LightField& field) {
-  constexpr float kNothing = 1e9f;  // Blender writes 1e10 where there is no surface
+  constexpr float kNothing = 1e9f;  // larger depths mean no surface: Blender writes 1e10 there
   if (!(depth > 0.0f && depth < kNothing)) return -kInfinity;
   const double plane_mm = field.cameras ? field.cameras->distance_mm : 0.0;
   return static_cast<float>(plane_mm - kMmPerMetre * static_cast<double>(depth));

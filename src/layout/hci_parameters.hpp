@@ -18,7 +18,7 @@ namespace lippmann {
 
 struct HciParameters {
   double focal_length_mm = 100.0, sensor_size_mm = 35.0, fstop = 100.0;
-  int width = 0, height = 0;  ///< size of a view
+  int width = 0, height = 0;  ///< size of a view in pixels
   int columns = 1, rows = 1;
   double baseline_mm = 0.0, focus_distance_m = 1.0;
   double centre_camera_m[3] = {0.0, 0.0, 0.0};

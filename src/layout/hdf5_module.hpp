@@ -16,7 +16,7 @@ namespace lippmann {
 struct Hdf5Array {
   std::vector<std::uint64_t> shape = {};  ///< empty: the file has no such array
   std::size_t item_bytes = 0;
-  bool is_float = false;  ///< false: integers
+  bool is_float = false;  ///< true: floats; false: integers
 };
 
 /// The contents of a light field's file, except the samples.

@@ -14,8 +14,8 @@
 namespace lippmann {
 
 struct LfpSection {
-  std::string kind;  ///< LFM or LFC
-  std::string name;  ///< "sha1-..."
+  std::string kind;  ///< "LFM" or "LFC"
+  std::string name;  ///< "sha1-" and 40 digits
   std::span<const std::byte> data;
 };
 

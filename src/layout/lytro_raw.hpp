@@ -17,7 +17,7 @@ struct LytroRaw {
   Image light;
   LensGrid grid;
   Vec3f gains{1.0f};             ///< white balance factors
-  Mat3f srgb_from_camera{1.0f};  ///< applied after the white balance
+  Mat3f srgb_from_camera{1.0f};  ///< applied after the white balance gains
   int orientation = 1;           ///< orientation as stated in the file; not applied
 };
 

@@ -23,7 +23,7 @@
 namespace lippmann {
 namespace {
 
-constexpr double kExact = 1e-7;  ///< accuracy in linear light; far below a 16-bit step
+constexpr double kExact = 1e-7;  ///< accuracy of the solution in linear light; far below a 16-bit step
 constexpr int kMaxSweeps = 2000;
 
 /// Lines of neighbouring samples: the offsets of the samples from the start of a line. In each of `rows` rows, lines start at

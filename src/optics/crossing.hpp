@@ -13,8 +13,8 @@ namespace lippmann {
 
 /// A line in the display frame.
 struct Crossing {
-  float x, y;              ///< mm, in the plane z = z_front
-  float slope_x, slope_y;  ///< dx/dz, dy/dz
+  float x, y;              ///< in mm, in the plane z = z_front
+  float slope_x, slope_y;  ///< slopes dx/dz and dy/dz
 };
 
 /// Converts lines to rays in another frame by a similarity transform (a rotation, a uniform scale, a translation).

@@ -50,7 +50,7 @@ LensAxis<double> make_lens_axis(const LensAxisSpec& spec);
 template <class T>
 struct LensRay {
   T lens_mm;  ///< position of the lens in the plane z = 0
-  T slope;    ///< per mm of z, towards the viewer
+  T slope;    ///< change of the position per mm of z, towards the viewer
 };
 
 template <class T>

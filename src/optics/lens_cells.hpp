@@ -26,7 +26,7 @@ struct LensCells {
   double cone = 0.0, parallax = 1.0, sign = 1.0;
 
   struct Cell {
-    Vec2i lens{0};  ///< column and row
+    Vec2i lens{0};  ///< column and row of the lens
     /// Position relative to the cell's corner, in film pixels; the pixels below a lens are 1 apart.
     Vec2d in_cell{0.0};
     double in_lens = 0.0;  ///< distance of `place` to the right of the lens's centre, in lens widths

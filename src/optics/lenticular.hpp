@@ -17,12 +17,12 @@ namespace lippmann {
 /// Per-frame constants of a sheet's rays; double for single points, float for loops.
 template <class T>
 struct LenticularConstants {
-  LensAxis<T> axis;  ///< along xi
+  LensAxis<T> axis;  ///< the axis across the lenses, along xi
   T half_height_px;
   T pixel_pitch_mm, gap_mm;
   T cosine, sine, inverse_cosine;         ///< cosine, sine and 1 / cosine of the slant
   T eye_y_mm, row_vergence;               ///< row_vergence: 1 / (V + g)
-  T z_front_mm, row_scale, row_shift_mm;  ///< y at z_front = row_scale y + row_shift
+  T z_front_mm, row_scale, row_shift_mm;  ///< y at z_front is row_scale * y + row_shift_mm
 
   template <class U>
   LenticularConstants<U> as() const {

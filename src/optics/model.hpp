@@ -84,18 +84,18 @@ inline int rounded_up_count(double samples) { return rounded_count(std::ceil(sam
 std::vector<Vec2d> lens_eyes(Vec2i n, double eye_step_mm, double eye_height_mm);
 
 enum class StepsWithin {
-  kView,  ///< the same directional view
-  kLens,  ///< below the same lens
+  kView,  ///< steps within the same directional view
+  kLens,  ///< steps below the same lens
 };
 
 /// The steps from a pixel to its neighbours in the same picture, and the bounds of that picture.
 struct StepRule {
   enum class Bounds { kPanel, kTile, kSheetLens, kSquareLens, kHexagon };
 
-  Vec2f across{1.0f, 0.0f}, down{0.0f, 1.0f};  ///< film pixels
+  Vec2f across{1.0f, 0.0f}, down{0.0f, 1.0f};  ///< in film pixels
   Bounds bounds = Bounds::kPanel;
   LensAxis<float> columns{}, rows{};                        ///< axes of the cells; a sheet has only `columns`, along xi
-  float cosine = 1.0f, sine = 0.0f, inverse_cosine = 1.0f;  ///< a sheet's slant
+  float cosine = 1.0f, sine = 0.0f, inverse_cosine = 1.0f;  ///< of a sheet's slant: cosine, sine and 1 / cosine
   Vec2i tile{1, 1}, last_tile{0, 0};                        ///< for quilts: size of a tile, and column and row of the last tile
   int padding_top = 0;
 };

@@ -22,10 +22,10 @@ struct MultiViewRays {
   float pixel_pitch_mm, pixel_height_mm;
   float first_half_angle, half_angle_step;  ///< half the angle of view 0's eye, and half the angle between neighbouring views
   Vec2f first_eye_mm;                       ///< camera grid: position of the lower left eye; cone: x is 0, y is the eye height
-  float baseline_mm;                        ///< camera grid: spacing of eyes; else 0
+  float baseline_mm;                        ///< camera grid: distance between eyes; otherwise 0
   float eye_reach_mm;                       ///< an eye's x is this number times the tangent of its angle
   float distance_mm, inverse_distance;
-  float front_from_eye_mm;  ///< z_front - distance, <= 0
+  float front_from_eye_mm;  ///< z of the plane z_front relative to the eye: z_front - distance, <= 0
 };
 
 /// The eye of a view in the plane z = distance.

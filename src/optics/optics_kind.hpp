@@ -14,9 +14,9 @@ namespace lippmann {
 
 /// The size of a panel, as it follows from the parameters.
 struct PanelSize {
-  int width = 512, height = 512;  ///< pixels
+  int width = 512, height = 512;  ///< size in pixels
   float lens_pixels = 0.0f;       ///< number of pixels across a lens, along a pixel row; 0: no lenses
-  Extent<int> views{1, 1};        ///< columns and rows of views side by side
+  Extent<int> views{1, 1};        ///< number of columns and rows of views side by side
 };
 
 /// The inputs for making a model.

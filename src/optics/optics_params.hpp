@@ -37,7 +37,7 @@ struct EyeHeight {
 
 struct OpticsParams {
   std::string display{};                       ///< name of a preset, a display file or a calibration; empty: none
-  std::optional<OpticsKind> kind{};            ///< none: the display's, or lenticular
+  std::optional<OpticsKind> kind{};            ///< none: the kind of the display, or lenticular without a display
   LensPacking packing = LensPacking::kSquare;  ///< for microlens arrays
   Extent<int> lenses{};                        ///< number of lenses; 0: 64 across, and as many down as fit the panel
   Extent<float> lens_pixels{};                 ///< number of pixels below a lens, may be fractional; 0: 8
@@ -55,7 +55,7 @@ struct OpticsParams {
   std::optional<double> ipd_mm{};              ///< stereo: distance between the eyes; none: kDefaultIpdMm
   std::optional<double> screen_width_mm{};     ///< stereo: width of the screen; none: the display's, or kDefaultScreenMm
   std::optional<double> crosstalk_px{};        ///< sigma of the lens blur (optics/crosstalk.hpp); none: the display's
-  bool precompensate = false;                  ///< counteract the display's crosstalk in pictures
+  bool precompensate = false;                  ///< true: pictures are changed to counteract the display's crosstalk
 };
 
 /// A parameter that applies to some kinds of optics only (OpticsKindInfo::takes).

@@ -15,8 +15,8 @@ struct SingleViewRays {
   float centre_x_px, centre_y_px;  ///< the panel's centre minus the offset of the sample points
   float pixel_pitch_mm;
   float eye_y_mm;
-  float inverse_distance;   ///< per mm
-  float front_from_eye_mm;  ///< z_front - distance, <= 0
+  float inverse_distance;   ///< 1 / distance, per mm
+  float front_from_eye_mm;  ///< z of the plane z_front relative to the eye: z_front - distance, <= 0
 };
 
 SingleViewRays make_single_view(const Panel& panel, const SingleView& view, float z_front_mm);

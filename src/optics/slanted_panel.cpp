@@ -257,7 +257,7 @@ StepRule step_rule(const Panel& panel, const SlantedPanel& slanted, StepsWithin)
   const SlantedPanelRays c = make_slanted_panel(panel, slanted, 0.0f);
   StepRule rule;
   rule.across.x = static_cast<float>(3.0 / std::abs(c.lenses_per_px));
-  rule.down.x = static_cast<float>(3.0 * c.lenses_per_row / c.lenses_per_px);  // along the lens; y decreases downwards
+  rule.down.x = static_cast<float>(3.0 * c.lenses_per_row / c.lenses_per_px);  // follows the lens; y decreases downwards
   return rule;
 }
 

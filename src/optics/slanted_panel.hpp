@@ -20,14 +20,14 @@ namespace lippmann {
 struct SlantedPanelRays {
   double lenses_per_px, lenses_per_row;  ///< increase of the phase per panel pixel to the right, and per row up
   double phase_at_corner;                ///< phase at the panel's bottom left corner
-  float phase_sign;                      ///< -1 if v = 1 - fract(z)
+  float phase_sign;                      ///< -1 if v = 1 - fract(z), otherwise 1
   float half_cone;                       ///< half the view cone, since tangent_of_double() takes half angles
-  float width_px, height_px;             ///< panel pixels
+  float width_px, height_px;             ///< size of the panel in panel pixels
   float pixel_mm;
   float eye_reach_mm;  ///< an eye's x is this number times the tangent of its angle
   float eye_y_mm;
   float distance_mm, inverse_distance;
-  float front_from_eye_mm;  ///< z_front - distance, <= 0
+  float front_from_eye_mm;  ///< z of the plane z_front relative to the eye: z_front - distance, <= 0
   /// Positions of sub-pixels relative to their pixel's centre, in panel pixels: those of red, green and blue in the columns 2n
   /// and 2n + 1 of the rows 4n ... 4n + 3, counted from the bottom.
   float offset_x[24], offset_y[24];

@@ -12,7 +12,7 @@
 namespace lippmann {
 
 struct SlantedPoint {
-  double lens = 0.0;      ///< whole part of the phase
+  double lens = 0.0;      ///< index of the lens: the whole part of the phase
   double fraction = 0.5;  ///< fraction of the phase at the point below the lens that the eye sees
   bool in_zone = true;
 };

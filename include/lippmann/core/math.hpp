@@ -18,7 +18,7 @@ using Vec4f = glm::vec4;
 using Vec2d = glm::dvec2;
 using Vec3d = glm::dvec3;
 using Vec2i = glm::ivec2;
-using Mat3f = glm::mat3;  ///< column-major
+using Mat3f = glm::mat3;  ///< stored column by column
 using Quatf = glm::quat;  ///< glm's constructor takes (w, x, y, z)
 
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();

@@ -17,7 +17,7 @@ namespace lippmann {
 /// A pool of threads. Create one per process or render: creating it per frame costs more than a small frame.
 class ThreadPool {
  public:
-  explicit ThreadPool(int threads);  ///< threads >= 1, including the calling thread
+  explicit ThreadPool(int threads);  ///< threads >= 1; this number includes the calling thread
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;

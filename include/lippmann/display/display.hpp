@@ -20,7 +20,7 @@ enum class DisplayKind { kSlantedPanel, kLenticularSheet, kMicrolensArray };
 /// The quilt of a display: its views as tiles of one image.
 struct DisplayQuilt {
   int columns = 8, rows = 6;        ///< number of tiles across and down
-  int width = 4096, height = 4096;  ///< pixels of the whole image
+  int width = 4096, height = 4096;  ///< size of the whole image in pixels
   double aspect = 0.75;             ///< width / height of the display; a tile may differ, since its pixels need not be square
 
   bool operator==(const DisplayQuilt&) const = default;
@@ -38,7 +38,7 @@ using SubPixelCell = std::array<Vec2f, 3>;
 struct Calibration {
   double pitch = 52.0;  ///< lenses per inch, measured perpendicular to the lenses
   double slope = -7.0;  ///< slope of the lenses: pixels down per pixel to the right
-  double center = 0.5;  ///< phase of the lenses, in lenses
+  double center = 0.5;  ///< phase that is subtracted, in lens pitches
   bool invert = true;   ///< invView: see Inversion
   bool flip_image_x = false, flip_image_y = false;
   bool flip_sub_pixels = false;     ///< flipSubp: swaps blue and red
@@ -48,7 +48,7 @@ struct Calibration {
   /// sub-pixels are vertical stripes.
   std::vector<SubPixelCell> cells{};
   int cell_pattern = 0;   ///< CellPatternMode: 0 ... 4, selects which cell each pixel has
-  std::string version{};  ///< configVersion
+  std::string version{};  ///< configVersion: version of the file's format
 
   /// Meaning of the cell patterns 2 and 4, which differs between tools. kColumns: pattern 2 selects the cell by column modulo
   /// 2, pattern 4 by row modulo 2. kRows: pattern 2 selects it by row modulo 4, pattern 4 by column modulo 2. In both, pattern
@@ -80,7 +80,7 @@ struct DisplayVideo {
 
 struct Display {
   std::string name{};         ///< the preset's name, or the file's name without its ending
-  std::string description{};  ///< one line
+  std::string description{};  ///< one line of text for users
   DisplayKind kind = DisplayKind::kSlantedPanel;
   std::vector<std::string> serials{};  ///< prefixes of serial numbers of this device type; for a calibration, the serial number
   Vec2i pixels{1536, 2048};            ///< width and height of the panel or print

@@ -9,7 +9,7 @@ namespace lippmann {
 
 struct Image {
   int width = 0, height = 0, channels = 3;
-  std::vector<float> data;  ///< data[(y * width + x) * channels + c]
+  std::vector<float> data;  ///< sample of channel c at (x, y): data[(y * width + x) * channels + c]
 
   Image() = default;
   Image(int w, int h, int c) : width(w), height(h), channels(c), data(static_cast<std::size_t>(w) * h * c) {}
@@ -29,7 +29,7 @@ struct Image8 {
 struct Image16 {
   int width = 0, height = 0;
   std::vector<std::uint16_t> rgb{};
-  std::vector<std::uint16_t> alpha{};  ///< as Image8::alpha
+  std::vector<std::uint16_t> alpha{};  ///< like Image8::alpha
 };
 
 }  // namespace lippmann

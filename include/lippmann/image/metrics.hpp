@@ -33,7 +33,7 @@ struct PictureMetrics {
   double ssim = 1.0;
   bool identical = true;
   double psnr_y_db = 0.0, psnr_yuv_db = 0.0;
-  std::optional<double> ms_ssim = {}, flip = {};  ///< none: not requested
+  std::optional<double> ms_ssim = {}, flip = {};  ///< none: the metric was not requested
 };
 
 /// Selects the slow metrics to compute.

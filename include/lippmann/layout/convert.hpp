@@ -19,7 +19,7 @@ struct ConvertParams {
   std::string from{}, to = "views";
   FormatOptions options{};
   std::optional<Crop> crop{};       ///< window of every view to keep; none: whole views
-  std::optional<KeptViews> keep{};  ///< views to keep, chosen before cropping; none: all
+  std::optional<KeptViews> keep{};  ///< views to keep; they are chosen before cropping; none: all views
   /// Resamples for options.display; `to` must be one of its pictures (integral, quilt or native). None: moves pixels.
   std::optional<DisplayPictureParams> display_picture = {};
   /// Called instead of a format's reader to read the input. Used for video, which the layout part cannot read

@@ -39,16 +39,16 @@ struct PrintFinish {
 };
 
 struct DisplayPictureParams {
-  std::optional<AspectFit> fit = {};  ///< none: default_fit()
+  std::optional<AspectFit> fit = {};  ///< none: default_fit() decides
   /// Interpolation between views. Native frames take any filter, other pictures all except kGaussian, and microlens arrays only
   /// kNearest.
   ViewFilter filter = ViewFilter::kNearest;
   double sigma_views = 0.5;             ///< standard deviation for kGaussian, in views
-  std::optional<FlipParams> flip = {};  ///< sheets only
+  std::optional<FlipParams> flip = {};  ///< only for lenticular sheets; none: a print with views
   bool mirror = false;                  ///< swaps left and right, for prints on the back of a sheet
   int turn_deg = 0;                     ///< rotates the picture clockwise: 0, 90, 180 or 270 degrees
   double view_shift_px = 0.0;           ///< see ViewFitter's constructor
-  PrintFinish finish = {};              ///< sheets and arrays only
+  PrintFinish finish = {};              ///< only for lenticular sheets and microlens arrays
 };
 
 /// The kind of picture, named like the formats in layout/formats.hpp.

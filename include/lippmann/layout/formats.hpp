@@ -37,8 +37,8 @@ struct FormatOptions {
   std::optional<double> aspect = {};
   bool with_depth = false;       ///< also read the depth layer beside a rendered picture, if there is one (layout/rendered.hpp)
   std::optional<int> bits = {};  ///< bits per sample of PPM files, 1 ... 16; none: as in the source
-  bool png = false;              ///< write PNG instead of PPM files
-  std::optional<Display> display = {};    ///< display of a native picture
+  bool png = false;              ///< true: the writer writes PNG instead of PPM files
+  std::optional<Display> display = {};    ///< display for a native picture
   std::optional<ViewFilter> filter = {};  ///< how native frames interpolate between views; none: kNearest
   std::optional<double> sigma_views = {};
   std::optional<StereoLayout> stereo = {};  ///< packing of two views in one picture; none: from its name, or side by side
@@ -64,7 +64,7 @@ struct FormatUses {
 /// A format. `path` is one light field of one moment: a picture or a folder.
 struct LightFieldFormat {
   std::string_view name{};
-  std::string_view description{};  ///< in one line
+  std::string_view description{};  ///< one line of text for users
   bool is_folder = false;          ///< true: a folder with one or more files per view; false: one picture
   bool uses_cameras = false;       ///< its writer uses cameras and depth if the light field has them
   bool keeps_positions = false;    ///< its files hold camera positions, even without a unit

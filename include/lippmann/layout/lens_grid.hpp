@@ -21,10 +21,10 @@ enum class LensArrangement {
 };
 
 struct LensGrid {
-  double pitch_px = 10.0;      ///< between neighbouring lenses in a row
-  double row_pitch_px = 10.0;  ///< between neighbouring rows of lenses
+  double pitch_px = 10.0;      ///< distance between neighbouring lenses in a row
+  double row_pitch_px = 10.0;  ///< distance between neighbouring rows of lenses
   double rotation = 0.0;
-  Vec2d offset_px{5.0, 5.0};  ///< the centre of any one lens
+  Vec2d offset_px{5.0, 5.0};  ///< centre of any lens of the grid
   LensArrangement arrangement = LensArrangement::kSquare;
 
   bool operator==(const LensGrid&) const = default;
@@ -42,7 +42,7 @@ Vec2d lens_centre(const LensGrid& grid, int column, int row);
 
 /// The settings for turning a raw picture into views (FormatOptions::plenoptic).
 struct PlenopticCalibration {
-  std::optional<LensGrid> grid = {};  ///< none: from the picture's container or side file
+  std::optional<LensGrid> grid = {};  ///< none: the grid is read from the picture's container or side file
   /// Relative illumination of each pixel, 1 channel, with 1 at the brightest pixel. Null: views keep their vignetting.
   std::shared_ptr<const Image> white = {};
   bool lanczos = false;  ///< interpolation between pixels, and between lenses of hexagonal grids: true: Lanczos; false: linear

@@ -24,7 +24,7 @@ namespace lippmann {
 /// The physical panel in whole square pixels. Rendering works on its film (film_size), which has the same pixels, or each
 /// pixel's sub-pixels side by side.
 struct Panel {
-  int width = 512, height = 512;  ///< pixels
+  int width = 512, height = 512;  ///< size in pixels
   float pixel_pitch_mm = 0.125f;  ///< the default makes a lens of 8 pixels 1 mm wide
 };
 
@@ -33,7 +33,7 @@ struct Panel {
 struct LenticularSheet {
   float lens_pitch_mm = 1.0f;
   float gap_mm = 2.0f;
-  float slant = 0.0f;      ///< radians, |slant| < pi/2
+  float slant = 0.0f;      ///< angle between the lenses and the vertical in radians, |slant| < pi/2
   float offset_mm = 0.5f;  ///< xi coordinate of the centre of lens 0
   /// Distance at which the cells converge; inf: each cell lies straight below its lens.
   float viewing_distance_mm = kInfinity;
@@ -105,7 +105,7 @@ struct SlantedPanel {
 };
 
 struct Ray {
-  Vec3f origin{0.0f};                  ///< mm
+  Vec3f origin{0.0f};                  ///< in mm
   Vec3f direction{0.0f, 0.0f, -1.0f};  ///< unit length, z < 0
 };
 

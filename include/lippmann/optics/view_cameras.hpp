@@ -20,7 +20,7 @@ namespace lippmann {
 /// use the same model. Lengths in mm of the display frame (optics/optics.hpp).
 struct ViewCameras {
   double distance_mm = 0.0;         ///< distance from every eye to the plane z = 0, where the views coincide
-  Vec2d pixel_mm{0.0};              ///< size of a view's pixel in that plane
+  Vec2d pixel_mm{0.0};              ///< size of a view's pixel in the plane z = 0
   Vec2d centre_px{0.0};             ///< position of x = y = 0 in every view, from its top left corner
   std::vector<Vec2d> eyes_mm = {};  ///< position of each view's eye, x right and y up
 };

@@ -23,7 +23,7 @@ class AllInFocus {
   void add(const Image& refocused, const Image& disagreement, double z_mm);
 
   const Image& picture() const { return picture_; }
-  const Image& depth() const { return depth_; }  ///< 1 channel, mm in the display frame
+  const Image& depth() const { return depth_; }  ///< one channel: z in mm in the display frame
 
  private:
   Vec2i radius_;  ///< half width of the averaging window, in pixels

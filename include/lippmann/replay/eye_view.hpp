@@ -11,8 +11,8 @@
 namespace lippmann {
 
 struct EyeView {
-  Vec3d eye_mm{0.0, 0.0, 500.0};                ///< in the display frame; z > 0
-  Vec2i size{0, 0};                             ///< pixels; 0: natural_view_size (optics/viewing.hpp)
+  Vec3d eye_mm{0.0, 0.0, 500.0};                ///< position of the eye in the display frame; z > 0
+  Vec2i size{0, 0};                             ///< size of the image in pixels; 0: natural_view_size() (optics/viewing.hpp)
   SampleFilter filter = SampleFilter::kLinear;  ///< interpolates panel pixels below one lens, and views of a quilt
   /// Standard deviation of the Gaussian with which a lens blurs the panel, in panel pixels (quilt: in views), 0 ... kMaxBlurPx.
   /// If it is not 0, the Gaussian replaces `filter` across the lenses.

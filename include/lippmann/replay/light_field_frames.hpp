@@ -22,7 +22,7 @@ namespace lippmann {
 
 /// Light-field properties that the caller states, mostly from flags.
 struct LightFieldHints {
-  std::filesystem::path report = {};                ///< empty: report.json beside the images
+  std::filesystem::path report = {};                ///< path of the report; empty: report.json beside the images
   std::string from = {};                            ///< a format of `convert`; empty: detected from file names and the report
   std::optional<ViewGrid> views = {};               ///< number of columns and rows of views
   std::optional<ViewGrid> tiles = {};               ///< number of columns and rows of a quilt's tiles
@@ -43,7 +43,7 @@ inline LightFieldHints with_warnings(LightFieldHints hints, const Context& conte
 
 struct LightFieldFrames {
   Optics optics{};
-  std::vector<std::filesystem::path> files{};  ///< in ascending order: images, or folders of views
+  std::vector<std::filesystem::path> files{};  ///< images, or folders of views, in ascending order of frames
   std::filesystem::path folder{};  ///< default folder for results: the input folder, or the one that contains the input
   double frames_per_second = 25.0;
   bool is_panel = false;        ///< true: the images have no report and are frames of the panel of `optics`

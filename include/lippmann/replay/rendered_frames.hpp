@@ -12,7 +12,7 @@ namespace lippmann {
 
 struct RenderedFrames {
   Optics optics{};
-  std::vector<std::filesystem::path> files{};  ///< in ascending order
+  std::vector<std::filesystem::path> files{};  ///< in ascending order of frames
   double frames_per_second = 25.0;
 };
 

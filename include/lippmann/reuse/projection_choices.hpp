@@ -10,9 +10,9 @@ enum class SplatMode {
 };
 
 enum class MissedFill {
-  kInterpolate,  ///< filled from neighbouring pixels
-  kRetrace,      ///< traced
-  kBlack,        ///< left black, as in the paper's figures 4 and 5
+  kInterpolate,  ///< missed pixels are filled from neighbouring pixels
+  kRetrace,      ///< missed pixels are traced
+  kBlack,        ///< missed pixels are left black, as in the paper's figures 4 and 5
 };
 
 }  // namespace lippmann

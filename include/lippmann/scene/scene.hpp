@@ -39,8 +39,8 @@ struct SkinWeights {
 
 struct Mesh {
   std::vector<Vec3f> positions{};
-  std::vector<Vec3f> normals{};  ///< per vertex, unit length; empty: faceted
-  std::vector<Vec2f> uvs{};      ///< per vertex; empty: no texture coordinates
+  std::vector<Vec3f> normals{};  ///< per vertex, unit length; empty: triangles are flat-shaded
+  std::vector<Vec2f> uvs{};      ///< per vertex; empty: the mesh has no texture coordinates
   /// Vertex indices, each < positions.size(). Vertices are counter-clockwise as seen from the front.
   std::vector<std::array<std::uint32_t, 3>> triangles{};
   std::vector<Vec3f> colors{};  ///< per vertex; multiply the material's color; empty: white
@@ -163,31 +163,31 @@ struct PhongSurface {
 
 /// A texture that is looked up at offset + matrix * uv, for one of the mesh's uv sets (glTF's KHR_texture_transform).
 struct TextureMap {
-  int texture = -1;  ///< -1: none, read as white
-  int uv_set = 0;    ///< 0: Mesh::uvs, 1: Mesh::uvs_1
+  int texture = -1;  ///< index of the texture; -1: none, which reads as white
+  int uv_set = 0;    ///< set of texture coordinates: 0: Mesh::uvs, 1: Mesh::uvs_1
   glm::mat2 matrix{1.0f};
   Vec2f offset{0.0f};
 };
 
 /// Fibres that scatter light at grazing angles, on top of all layers except the clear coat (KHR_materials_sheen).
 struct Sheen {
-  Vec3f color{0.0f};  ///< black: no sheen
+  Vec3f color{0.0f};  ///< black: there is no sheen
   TextureMap color_map{};
   float roughness = 0.0f;
-  TextureMap roughness_map{};  ///< channel A
+  TextureMap roughness_map{};  ///< channel A multiplies roughness
 };
 
 /// Anisotropic gloss: rougher along one direction of the surface (KHR_materials_anisotropy).
 struct Anisotropy {
   float strength = 0.0f;  ///< 0 to 1: extra roughness along the direction
-  float rotation = 0.0f;  ///< radians from the tangent towards the bitangent
+  float rotation = 0.0f;  ///< angle from the tangent towards the bitangent, in radians
   TextureMap map{};       ///< channels R, G: (direction + 1) / 2 before the rotation; channel B: strength
 };
 
 /// A thin film that causes interference colours (KHR_materials_iridescence).
 struct Iridescence {
   float share = 0.0f;  ///< share of the surface that has the film, 0 to 1
-  TextureMap map{};    ///< channel R
+  TextureMap map{};    ///< channel R multiplies share
   float ior = 1.3f;
   float least_thickness_nm = 100.0f, most_thickness_nm = 400.0f;
   /// Channel G interpolates from the least to the most thickness; no texture: the most.
@@ -197,7 +197,7 @@ struct Iridescence {
 /// Light that enters on one side and leaves diffusely on the other (KHR_materials_diffuse_transmission).
 struct DiffuseTransmission {
   float share = 0.0f;  ///< share of the diffuse light that passes through, 0 to 1
-  TextureMap map{};    ///< channel A
+  TextureMap map{};    ///< channel A multiplies share
   Vec3f color{1.0f};
   TextureMap color_map{};
 };
@@ -206,7 +206,7 @@ struct DiffuseTransmission {
 struct Volume {
   bool is_solid = false;                   ///< true: a closed, filled shape; false: a thin wall, which does not refract light
   Vec3f attenuation_color{1.0f};           ///< colour that white light has after the attenuation distance
-  float attenuation_distance = kInfinity;  ///< world units
+  float attenuation_distance = kInfinity;  ///< in world units
 };
 
 /// Rarely used glTF material extensions.
@@ -235,19 +235,19 @@ struct MetallicRoughness {
   TextureMap emissive_map{};
   float ior = 1.5f;
   float transmission = 0.0f;
-  TextureMap transmission_map{};  ///< channel R
+  TextureMap transmission_map{};  ///< channel R multiplies transmission
   float specular = 1.0f;          ///< strength of the dielectric reflection
-  TextureMap specular_map{};      ///< channel A
+  TextureMap specular_map{};      ///< channel A multiplies specular
   Vec3f specular_color{1.0f};     ///< colour of the dielectric reflection at normal incidence; may exceed 1
   TextureMap specular_color_map{};
   float clearcoat = 0.0f, clearcoat_roughness = 0.0f;
-  TextureMap clearcoat_map{};            ///< channel R
-  TextureMap clearcoat_roughness_map{};  ///< channel G
+  TextureMap clearcoat_map{};            ///< channel R multiplies clearcoat
+  TextureMap clearcoat_roughness_map{};  ///< channel G multiplies clearcoat_roughness
   /// Like normal_map. None: the coat uses the surface normal without normal_map.
   TextureMap clearcoat_normal_map{};
   float clearcoat_normal_scale = 1.0f;
-  float alpha_cutoff = 0.0f;  ///< mask mode: cuts away alpha below this; 0: no mask
-  bool blend = false;         ///< blend mode: alpha is coverage
+  float alpha_cutoff = 0.0f;  ///< mask mode: surfaces with an alpha below this are cut away; 0: no mask
+  bool blend = false;         ///< blend mode: alpha is the coverage of the surface
   bool double_sided = false;
   bool unlit = false;
   std::optional<SurfaceExtensions> extensions{};
@@ -303,7 +303,7 @@ struct EnvironmentMap {
   static constexpr int kMostWidth = 32768, kMostHeight = 16384;
   Image radiance{};  ///< 3 channels, linear, finite and >= 0; equirectangular
   float strength = 1.0f;
-  float rotation = 0.0f;  ///< radians about +y, from +x towards +z
+  float rotation = 0.0f;  ///< rotation about +y in radians, from +x towards +z
 };
 
 /// Radiance of rays that hit nothing. If there is a map, it supplies the radiance. Otherwise the radiance is `horizon` where
@@ -322,7 +322,7 @@ struct Background {
 struct Camera {
   std::string name{};
   int node = -1;
-  float vertical_fov = radians(45.0f);  ///< full angle in radians
+  float vertical_fov = radians(45.0f);  ///< full vertical angle in radians
   float aspect = 1.0f;                  ///< width / height of the image that the file requests; 0: unknown
   float focus_distance = 0.0f;          ///< > 0: distance of the author's plane of interest, in node units
   Vec2f pixel_offset{0.0f};             ///< shifts the sample points of single views by this many pixels (x right, y down)
@@ -357,8 +357,8 @@ struct Node {
 /// weights w_j of w_j (world_from_node[joints[j]] * joint_from_mesh[j]) v.
 struct Skin {
   std::string name{};
-  std::vector<int> joints{};                ///< node indices
-  std::vector<Affine3f> joint_from_mesh{};  ///< per joint: the inverse bind matrix
+  std::vector<int> joints{};                ///< indices of nodes
+  std::vector<Affine3f> joint_from_mesh{};  ///< inverse bind matrix of each joint
 };
 
 enum class Interpolation { kStep, kLinear, kCubicSpline };
@@ -366,7 +366,7 @@ enum class Interpolation { kStep, kLinear, kCubicSpline };
 /// Keyframes of one animated quantity. The first value holds before the first key, the last one after the last key.
 template <class T>
 struct Channel {
-  std::vector<double> times{};  ///< seconds, strictly increasing; empty: not animated
+  std::vector<double> times{};  ///< in seconds, strictly increasing; empty: the quantity is not animated
   std::vector<T> values{};      ///< one value per key; for kCubicSpline three: in-tangent, value, out-tangent
   Interpolation interpolation = Interpolation::kLinear;
 };
