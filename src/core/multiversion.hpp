@@ -10,7 +10,7 @@
 // levels.
 #pragma once
 
-#include <cstddef>  // defines __GLIBC__
+#include <cstddef>  // because it defines __GLIBC__
 
 #if defined(LIPPMANN_NO_MULTIVERSION) || !defined(__x86_64__) || !defined(__GLIBC__) || \
     (defined(__clang__) && __clang_major__ < 19)

@@ -18,7 +18,7 @@ namespace lippmann {
 
 struct NpyArray {
   std::vector<std::size_t> shape;
-  std::vector<double> values;  ///< the last index runs fastest
+  std::vector<double> values;  ///< in C order: the last index changes fastest
 };
 
 /// Reads an array of floats ('f4', 'f8') of either byte order, in C or Fortran order. Throws Error naming `where` for any other

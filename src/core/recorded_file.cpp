@@ -31,7 +31,7 @@ constexpr std::uintmax_t kMostJournalBytes = std::uintmax_t{4} << 30;  // the sa
 /// A file and the folder of the render that it belongs to.
 struct RenderFile {
   fs::path folder;
-  std::string name;  ///< relative to the folder
+  std::string name;  ///< path of the file relative to the folder
 };
 
 std::optional<RenderFile> render_file_of(const fs::path& file) {

@@ -22,7 +22,7 @@ struct PixelBox {
   Vec2i size() const { return to - from; }
 };
 
-inline constexpr int kTextCapital = 7, kTextLine = 12;  ///< heights in units
+inline constexpr int kTextCapital = 7, kTextLine = 12;  ///< heights of capitals and lines in units
 
 void fill_box(Picture& picture, const PixelBox& box, const Rgb8& colour);
 

@@ -84,7 +84,7 @@ struct Contents {
 };
 
 std::vector<std::byte> encode(const Contents& contents) {
-  constexpr int kNoThreads = 0;  // the thread pool already uses all processors
+  constexpr int kNoThreads = 0;  // because the thread pool already uses all processors
   ExrOutput stream;
   {
     Imf::OutputFile output(stream, contents.header, kNoThreads);

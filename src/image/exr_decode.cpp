@@ -50,7 +50,7 @@ void prepare_library() {
   static std::once_flag once;
   std::call_once(once, [] {
     Imf::staticInitialize();
-    Imf::setGlobalThreadCount(0);  // the thread pool already uses all processors
+    Imf::setGlobalThreadCount(0);  // because the thread pool already uses all processors
     Imf::Header::setMaxImageSize(kMaxImageSide, kMaxImageSide);
     Imf::Header::setMaxTileSize(kMaxImageSide, kMaxImageSide);
   });

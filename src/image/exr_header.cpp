@@ -123,7 +123,7 @@ bool fits_type(std::string_view type, FileBytes value, const std::string& where)
 
 /// The attributes that determine the number of chunks of a part and the layout of their headers.
 struct PartSize {
-  std::int32_t window[4] = {0, 0, -1, -1};  // x and y of the first and the last pixel
+  std::int32_t window[4] = {0, 0, -1, -1};  // as stored: x and y of the first and of the last pixel
   std::uint32_t tile[2] = {0, 0};
   // Lower 4 bits: 0: one level, 1: mipmap levels, 2: ripmap levels. Upper 4 bits: 1: sides are rounded up.
   std::uint8_t levels = 0;

@@ -11,7 +11,7 @@ namespace lippmann {
 
 struct BuiltinScene {
   std::string_view name{};
-  std::string_view description{};  ///< one line, printed by `lippmann scenes`
+  std::string_view description{};  ///< one line of text, printed by `lippmann scenes`
   Scene (*build)() = nullptr;
 };
 

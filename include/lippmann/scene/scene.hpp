@@ -383,7 +383,7 @@ struct NodeAnimation {
 struct Timeline {
   double frames_per_second = 25.0;
   int frame_count = 1;
-  std::vector<NodeAnimation> animations{};  ///< at most one per node
+  std::vector<NodeAnimation> animations{};  ///< at most one animation per node
   double time(int frame) const { return frame / frames_per_second; }
 };
 
@@ -418,14 +418,14 @@ struct Scene {
   std::vector<Skin> skins{};
   std::vector<Light> lights{};
   std::vector<PhotometricWeb> webs{};
-  std::vector<Camera> cameras{};  ///< the first is the default
+  std::vector<Camera> cameras{};  ///< the first camera is the default
   /// Placement of the lens array; none: fitted to the first camera (stage/fit_array.hpp).
   std::optional<DisplayPlacement> display{};
   Background background{};
   Timeline timeline{};
-  std::vector<std::string> animation_names{};  ///< all animations of the file
+  std::vector<std::string> animation_names{};  ///< names of all animations in the file
   int animation = -1;                          ///< index of the animation in `timeline`
-  std::vector<std::string> variant_names{};    ///< the file's material variants
+  std::vector<std::string> variant_names{};    ///< names of the file's material variants
   /// Origin of the scene's coordinates, in file coordinates: a point p of the scene lies at origin + p in the file
   /// (scene/origin.hpp).
   Vec3d origin{0.0};

@@ -31,7 +31,7 @@ struct FittedArray {
   enum class Origin { kPlaced, kFocus, kSceneCenter, kBounds };
   /// How the plane was placed: by the author; at the camera's focus; half way through the visible part; fitted to bounds.
   Origin origin = Origin::kPlaced;
-  int node = -1;  ///< node that the array moves with; -1: none
+  int node = -1;  ///< node that the array moves with; -1: the array does not move
   /// Similarity from the plane's frame to the node's. In the plane's frame, the plane is z = 0, with +z towards the viewer, +y
   /// up and the origin at its centre.
   Affine3f node_from_plane{};

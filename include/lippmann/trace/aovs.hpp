@@ -19,7 +19,7 @@ enum class Aov : std::uint8_t {
   kDepth,       ///< z in display mm (> 0 in front of the array)
   kNormal,      ///< unit length, world space, towards the origin of the ray
   kId,          ///< index in Scene::instances
-  kPosition,    ///< world space
+  kPosition,    ///< position in world space
   kRayDepth,    ///< mm along the ray from its start (resolved_z_front_mm); for views, mm from the eye
   kAlbedo,      ///< base colour, including textures and vertex colours
   kMotion,      ///< movement since the previous frame, in pixels to the right and down: see place_in_view
@@ -35,12 +35,12 @@ enum class Provenance : std::uint8_t {
   kTraced,        ///< traced in this frame
   kCopied,        ///< copied from a key frame; the pixel provably does not change
   kInterpolated,  ///< interpolated from points of other frames
-  kFilled,        ///< missed, and filled from its neighbours
+  kFilled,        ///< missed, and filled from neighbouring pixels
   kRetraced,      ///< missed, and traced
-  kBlack,         ///< missed, and left black
+  kBlack,         ///< missed, and left black in the image
 };
 struct ProvenanceInfo {
-  std::string_view name{};  ///< text for users
+  std::string_view name{};  ///< name of the source, for users
   bool missed{};
 };
 /// Indexed by Provenance.
@@ -52,7 +52,7 @@ static_assert(std::size(kProvenanceInfos) == static_cast<std::size_t>(Provenance
 
 /// How a layer is computed.
 enum class AovOrigin : std::uint8_t {
-  kFirstHit,  ///< one ray through the pixel's centre
+  kFirstHit,  ///< traced with one ray through the pixel's centre
   kLight,     ///< averaged over all samples that the pixel's light is computed from
   kFrame,     ///< reported by the code that makes the frame, at no cost
 };

@@ -22,8 +22,8 @@ struct IntegratorModel;  // trace/integrator_model.hpp
 /// Identifies an integrator. Two objects are equal if they refer to the same model.
 class Integrator {
  public:
-  static const Integrator kWhitted;  ///< direct light, sharp shadows, mirrors, refraction
-  static const Integrator kPath;     ///< all light, by path tracing
+  static const Integrator kWhitted;  ///< computes direct light, sharp shadows, mirrors and refraction
+  static const Integrator kPath;     ///< computes all light, by path tracing
 
   /// `model` must outlive this object.
   constexpr explicit Integrator(const IntegratorModel& model) : model_(&model) {}

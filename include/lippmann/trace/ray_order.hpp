@@ -5,8 +5,8 @@ namespace lippmann {
 
 /// The order in which the pixels of a frame are traced ("pixel-tracing style" in the paper). It does not change the image.
 enum class RayOrder {
-  kRows,       ///< row by row (the paper's horizontal style)
-  kColumns,    ///< column by column below each lens (the paper's vertical style)
+  kRows,       ///< row by row; "horizontal" in the paper
+  kColumns,    ///< column by column below each lens; "vertical" in the paper
   kViewTiles,  ///< tiles of one directional view: the rays of a packet share one direction
 };
 
