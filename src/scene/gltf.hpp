@@ -49,6 +49,6 @@ Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& p
                  const Context& context, const GltfLimits& limits = {});
 
 /// Returns whether a file has meshes and all of them are splats (KHR_gaussian_splatting). False for unreadable files.
-bool is_gltf_of_splats(const std::filesystem::path& path);
+bool is_gltf_splat_file(const std::filesystem::path& path);
 
 }  // namespace lippmann

@@ -57,7 +57,7 @@ Scene load_ply_file(const fs::path& path, const LoadOptions& options, const Cont
                  options);
 }
 
-bool has_no_splats(const fs::path&) { return false; }
+bool always_false(const fs::path&) { return false; }
 
 /// A file format. Rows with the same loader are adjacent.
 struct Format {
@@ -68,18 +68,18 @@ struct Format {
   bool is_physical;       ///< surfaces and lights are physically based, not for Whitted shading
   bool may_be_points;     ///< point clouds are supported
   std::string_view kind;  ///< name of binary files in describe_content()
-  bool (*is_of_splats)(const fs::path&);
+  bool (*is_splat_file)(const fs::path&);
   Scene (*load)(const fs::path&, const LoadOptions&, const Context&, const Vec3d& origin);
 };
 
 constexpr std::string_view kGlb = "a binary glTF scene (.glb)";
 constexpr Format kFormats[] = {
-    {".dat", true, false, true, false, false, {}, has_no_splats, load_dat},
-    {".glb", false, true, false, true, false, kGlb, is_gltf_of_splats, load_gltf_file},
-    {".gltf", false, true, false, true, false, kGlb, is_gltf_of_splats, load_gltf_file},
-    {".nff", false, false, false, false, false, {}, has_no_splats, load_nff_file},
-    {".obj", false, false, false, true, false, {}, has_no_splats, load_obj_file},
-    {".ply", false, false, false, true, true, "a PLY file", is_ply_of_splats, load_ply_file},
+    {".dat", true, false, true, false, false, {}, always_false, load_dat},
+    {".glb", false, true, false, true, false, kGlb, is_gltf_splat_file, load_gltf_file},
+    {".gltf", false, true, false, true, false, kGlb, is_gltf_splat_file, load_gltf_file},
+    {".nff", false, false, false, false, false, {}, always_false, load_nff_file},
+    {".obj", false, false, false, true, false, {}, always_false, load_obj_file},
+    {".ply", false, false, false, true, true, "a PLY file", is_ply_splat_file, load_ply_file},
 };
 
 std::string lower_extension(const fs::path& path) {
@@ -225,7 +225,7 @@ Scene build(const BuiltinScene& builtin, const LoadOptions& options) {
 SceneKind scene_kind(const std::string& name) {
   const Format* format = find_builtin(name) ? nullptr : find_format(name);
   if (!format || !format->is_physical) return SceneKind::kWhitted;
-  return format->is_of_splats(name) ? SceneKind::kSplats : SceneKind::kPhysical;
+  return format->is_splat_file(name) ? SceneKind::kSplats : SceneKind::kPhysical;
 }
 
 Scene load_scene(const std::string& name, const LoadOptions& options, const Context& context) {

@@ -27,6 +27,6 @@ Scene load_ply(const std::filesystem::path& path, const Context& context, PlyOpt
 Scene parse_ply(const std::string& name, const std::string& contents, const Context& context, const PlyOptions& options = {});
 
 /// Returns whether a file is shown as splats, judged by its header: splats, or coloured points. False for unreadable files.
-bool is_ply_of_splats(const std::filesystem::path& path);
+bool is_ply_splat_file(const std::filesystem::path& path);
 
 }  // namespace lippmann

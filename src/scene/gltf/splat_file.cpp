@@ -59,7 +59,7 @@ bool gltf::is_of_splats_alone(const Json& document) {
   return any;
 }
 
-bool is_gltf_of_splats(const std::filesystem::path& path) {
+bool is_gltf_splat_file(const std::filesystem::path& path) {
   const GltfLimits limits;
   const std::string text = leading_json(path, limits.file_bytes);
   if (text.find(kSplatExtension) == std::string::npos) return false;

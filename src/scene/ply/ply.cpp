@@ -36,7 +36,7 @@ Scene parse_ply(const std::string& name, const std::string& contents, const Cont
   return scene;
 }
 
-bool is_ply_of_splats(const std::filesystem::path& path) {
+bool is_ply_splat_file(const std::filesystem::path& path) {
   constexpr std::size_t kMostHeader = 1 << 16;
   try {
     const ply::Header header = ply::parse_header(path.string(), read_file_begin(path, kMostHeader));

@@ -131,15 +131,15 @@ GltfBuilder splats_alone() {
   return builder;
 }
 
-bool is_of_splats(const std::string& file) { return scene_kind(file) == SceneKind::kSplats; }
+bool is_splat_file(const std::string& file) { return scene_kind(file) == SceneKind::kSplats; }
 
 TEST_F(SplatFiles, detected_by_json) {
   const GltfBuilder alone = splats_alone();
-  EXPECT_TRUE(is_of_splats(write("alone.glb", alone.glb())));
-  EXPECT_TRUE(is_of_splats(write("alone.gltf", test::contents_of(alone.document().dump()))));
+  EXPECT_TRUE(is_splat_file(write("alone.glb", alone.glb())));
+  EXPECT_TRUE(is_splat_file(write("alone.gltf", test::contents_of(alone.document().dump()))));
   GltfBuilder mixed = alone;
   mixed.add_triangle();
-  EXPECT_FALSE(is_of_splats(write("mixed.glb", mixed.glb())));
+  EXPECT_FALSE(is_splat_file(write("mixed.glb", mixed.glb())));
   const Context context;
   EXPECT_EQ(load_scene((dir_ / "alone.glb").string(), {}, context).kind, SceneKind::kSplats);
   EXPECT_EQ(load_scene((dir_ / "mixed.glb").string(), {}, context).kind, SceneKind::kPhysical);
@@ -148,12 +148,12 @@ TEST_F(SplatFiles, detected_by_json) {
 TEST_F(SplatFiles, that_cannot_be_read_are_none) {
   test::Contents cut = splats_alone().glb();
   cut.resize(200);
-  EXPECT_FALSE(is_of_splats(write("cut.glb", cut)));
-  EXPECT_FALSE(is_of_splats(write("text.gltf", test::contents_of("KHR_gaussian_splatting"))));
+  EXPECT_FALSE(is_splat_file(write("cut.glb", cut)));
+  EXPECT_FALSE(is_splat_file(write("text.gltf", test::contents_of("KHR_gaussian_splatting"))));
   EXPECT_FALSE(
-      is_of_splats(write("odd.gltf", test::contents_of(R"({"meshes": [{"primitives": ["KHR_gaussian_splatting"]}]})"))));
-  EXPECT_FALSE(is_of_splats(write("empty.glb", {})));
-  EXPECT_FALSE(is_of_splats((dir_ / "none.glb").string()));
+      is_splat_file(write("odd.gltf", test::contents_of(R"({"meshes": [{"primitives": ["KHR_gaussian_splatting"]}]})"))));
+  EXPECT_FALSE(is_splat_file(write("empty.glb", {})));
+  EXPECT_FALSE(is_splat_file((dir_ / "none.glb").string()));
 }
 
 }  // namespace
