@@ -193,8 +193,8 @@ TEST_F(Obj, errors_name_the_line) {
   EXPECT_THAT(error_of(kTriangle + "f 1 2 4\n"), HasSubstr("a.obj:4: '4' refers to a vertex that does not exist"));
   EXPECT_THAT(error_of(kTriangle + "f 1/1 2/1 3/1\n"), HasSubstr("'1/1' refers to a texture coordinate that does not exist"));
   EXPECT_THAT(error_of(kTriangle + "f 1//1 2//1 3//1\n"), HasSubstr("accepted: a normal before the face"));
-  EXPECT_THAT(error_of(kTriangle + "f 1 2 0\n"), HasSubstr("a.obj:4: '0' names"));
-  EXPECT_THAT(error_of(kTriangle + "f 1/1 2/1 3/1\n"), HasSubstr("a.obj:4: '1/1' names"));
+  EXPECT_THAT(error_of(kTriangle + "f 1 2 0\n"), HasSubstr("a.obj:4: '0' refers to"));
+  EXPECT_THAT(error_of(kTriangle + "f 1/1 2/1 3/1\n"), HasSubstr("a.obj:4: '1/1' refers to"));
   EXPECT_THAT(error_of(kTriangle + "f 1 2 99999999999999999999\n"), HasSubstr("a.obj:4:"));
   EXPECT_THAT(error_of(kTriangle + "f 1 2\n"), HasSubstr("a.obj:4: a face has 2 corners"));
   EXPECT_THAT(error_of("v 0 0 nan\n"), HasSubstr("a.obj:1: expected a number for v, found 'nan'"));
