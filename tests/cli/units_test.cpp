@@ -92,7 +92,7 @@ TEST(Units, units_in_several_folders_are_joined) {
   for (const std::string unit : {"1", "2"}) expect_done(dir, small_teapot("0-3", "part" + unit) + Words{"--unit", unit + "/2"});
   const RunResult part = run_tool(dir, {"finish", "all", "--join", "part1"});
   EXPECT_EQ(part.exit_code, 1) << part.err;
-  EXPECT_THAT(part.out, HasSubstr("2 of 4 frames are to be rendered: 2-3"));
+  EXPECT_THAT(part.out, HasSubstr("2 of 4 frames have yet to be rendered: 2-3"));
   expect_done(dir, {"finish", "all", "--join", "part1", "part2"});
 }
 

@@ -123,7 +123,7 @@ TEST(Refocus, invalid_panels_and_sizes_are_refused) {
   EXPECT_EQ(message([](Image&) {}, {8, 8}), "(no Error)");
   EXPECT_THAT(message([](Image& p) { p.data.pop_back(); }, {8, 8}), testing::HasSubstr("samples"));
   EXPECT_THAT(message([](Image& p) { p = Image(p.width, p.height, 1); }, {8, 8}), testing::HasSubstr("1 channels"));
-  EXPECT_THAT(message([](Image& p) { p = Image(3, 3, 3); }, {8, 8}), testing::HasSubstr("those of the panel"));
+  EXPECT_THAT(message([](Image& p) { p = Image(3, 3, 3); }, {8, 8}), testing::HasSubstr("the size of the panel"));
   for (const Vec2i size : {Vec2i(-1, 4), Vec2i(8, 0)})
     EXPECT_THAT(message([](Image&) {}, size), testing::HasSubstr("numbers of pixels")) << size.x;
 }

@@ -339,7 +339,7 @@ TEST(GltfMorph, animated_weights_are_grouped_by_key) {
                        {"samplers", {{{"input", times}, {"output", weights}}}}});
   expect_near(posed(parse(b), 1, 0.5), {1, 0, 2});
   b.accessor(weights)["count"] = 3;
-  EXPECT_EQ(message_of(b), "a.glb: animations[0].channels[0]: has 2 keys, but 3 values; accepted: 2 a key");
+  EXPECT_EQ(message_of(b), "a.glb: animations[0].channels[0]: has 2 keys, but 3 values; accepted: 2 per key");
 }
 
 TEST(GltfMorph, wrong_number_of_weights_is_an_error) {
@@ -478,7 +478,7 @@ TEST(GltfAnimation, negative_time_is_an_error) {
 
 TEST(GltfAnimation, value_count_must_match_keys) {
   EXPECT_EQ(message_of(animated<Vec3f>("translation", "CUBICSPLINE", {0, 1}, {{0, 0, 0}, {1, 0, 0}})),
-            "a.glb: animations[0].channels[0]: has 2 keys, but 2 values; accepted: 3 a key");
+            "a.glb: animations[0].channels[0]: has 2 keys, but 2 values; accepted: 3 per key");
 }
 
 TEST(GltfAnimation, rotation_without_direction_is_an_error) {
