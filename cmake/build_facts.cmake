@@ -36,6 +36,9 @@ endif()
 if(LIBHEIF_FOUND)
   string(APPEND picture_libraries ", libheif ${LIBHEIF_VERSION}")
 endif()
+if(HDF5_FOUND)
+  string(APPEND picture_libraries ", libhdf5 ${HDF5_VERSION}")
+endif()
 set(LIPPMANN_BUILD_FACTS
   "LIPPMANN_COMMIT=\"${commit}\""
   "LIPPMANN_COMPILER=\"${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}\""
