@@ -80,9 +80,12 @@ void read_views(const Hdf5File& file, std::size_t channels, LightField& field, c
 void read_depths(const Hdf5File& file, LightField& field, const std::string& where) {
   const Hdf5Array& array = file.header().depth;
   const std::vector<std::uint64_t>& views = file.header().light_field.shape;
-  if (array.shape != std::vector(views.begin(), views.end() - 1) || !array.is_float)
-    throw Error(where, fmt::format("its array GT_DEPTH has the shape {}", fmt::join(array.shape, "x")),
-                fmt::format("{} floats", fmt::join(views.begin(), views.end() - 1, "x")));
+  const bool is_number = array.is_float && (array.item_bytes == 4 || array.item_bytes == 8);
+  if (array.shape != std::vector(views.begin(), views.end() - 1) || !is_number)
+    throw Error(where,
+                fmt::format("its array GT_DEPTH has the shape {} of {} of {} bytes", fmt::join(array.shape, "x"),
+                            array.is_float ? "floats" : "other numbers", array.item_bytes),
+                fmt::format("{} floats of 4 or 8 bytes", fmt::join(views.begin(), views.end() - 1, "x")));
   field.depth = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
   const std::size_t pixels = static_cast<std::size_t>(field.view_size.x) * static_cast<std::size_t>(field.view_size.y);
   for (int view = 0; view < field.grid.count(); ++view) {

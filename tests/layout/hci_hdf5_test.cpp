@@ -189,6 +189,13 @@ TEST(HciHdf5, other_files_are_refused) {
     file.cameras();
   }
   EXPECT_THAT(refusal_of(dir / "depth.h5"), AllOf(HasSubstr("GT_DEPTH has the shape 4x5"), HasSubstr("2x3x4x5")));
+  {
+    const Hdf5Writer file(dir / "codes.h5");
+    file.add("LF", kShape, codes_by_place<unsigned char>(1));
+    file.add("GT_DEPTH", kDepthShape, std::vector<std::uint16_t>(kRows * kColumns * kHeight * kWidth));
+    file.cameras();
+  }
+  EXPECT_THAT(refusal_of(dir / "codes.h5"), HasSubstr("other numbers of 2 bytes"));
   EXPECT_THAT(error_message([&] { find_format("hci-hdf5", "to").write({}, dir / "out.h5", {}); }), HasSubstr("not written"));
 }
 

@@ -84,8 +84,8 @@ void read_attribute(const FileHandle& file, const char* name, Hdf5Header& header
   const H5T_class_t kind = H5Tget_class(*type);
   const hssize_t count = H5Sget_simple_extent_npoints(*space);
   std::array<double, kMostNumbers> values{};
-  if ((kind != H5T_INTEGER && kind != H5T_FLOAT) || count < 1 || count > kMostNumbers ||
-      H5Aread(*attribute, H5T_NATIVE_DOUBLE, values.data()) < 0)
+  const bool is_number = (kind == H5T_INTEGER || kind == H5T_FLOAT) && H5Tget_size(*type) <= sizeof(double);
+  if (!is_number || count < 1 || count > kMostNumbers || H5Aread(*attribute, H5T_NATIVE_DOUBLE, values.data()) < 0)
     header.problem = "its attribute " + std::string(name) + " is no number";
   else
     header.attributes[name] = values[0];
