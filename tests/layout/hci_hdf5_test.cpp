@@ -37,7 +37,7 @@ class Hdf5Writer {
     H5Dclose(array), H5Sclose(space);
   }
 
-  /// As an array of one, as the files of the archive have them.
+  /// Writes an array of one, as the files of the archive have them.
   void attribute(const char* name, double value) const {
     const hsize_t one = 1;
     const hid_t space = H5Screate_simple(1, &one, nullptr);
