@@ -48,7 +48,7 @@ TEST(Npy, other_sizes_and_types_are_refused) {
   EXPECT_THAT(npy_refusal("{'descr': '<f4', 'fortran_order': False, 'shape': (1, 2, 3), }"), HasSubstr("3 dimensions"));
   EXPECT_THAT(npy_refusal("{'descr': '<f4', 'fortran_order': False, 'shape': (4294967296, 4294967296), }"),
               HasSubstr("fewer numbers"));
-  EXPECT_THAT(error_message([] { parse_npy({}, "a.npy"); }), HasSubstr("no .npy file"));
+  EXPECT_THAT(error_message([] { parse_npy({}, "a.npy"); }), HasSubstr("not a .npy file"));
 }
 
 TEST(Npy, written_arrays_are_read_again) {
