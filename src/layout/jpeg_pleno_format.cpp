@@ -1,9 +1,10 @@
-// JPEG Pleno's folders: {row:03}_{column:03}.ppm, from the top left, with 8 to 16 bits. The reader also accepts other picture
+// JPEG Pleno's folders: {column:03}_{row:03}.ppm, from the top left, with 8 to 16 bits. The reader also accepts other picture
 // formats, because data sets are also distributed as PNG.
 //
 // Samples c of b bits, unless b is 8, become 16-bit values round(65535 c / (2^b - 1)), from which they can be restored exactly.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 
 #include "core/folder.hpp"
@@ -28,10 +29,18 @@ bool is_ppm_name(const fs::path& path) {
   return ending.match(path.extension().string()).has_value();
 }
 
-LightField read_jpeg_pleno(const fs::path& folder, const FormatOptions&) {
+/// Row by row, with their rows before their columns.
+std::vector<NumberedFile> files_by_row(const fs::path& folder) {
   static const TextPattern name("([0-9]{1,4})_([0-9]{1,4})\\.(?:ppm|png|tiff?|bmp|jpe?g|webp|exr)",
                                 TextPattern::Letters::kEitherCase);
-  const std::vector<NumberedFile> files = numbered_files(folder, name, "000_000.ppm, 000_001.ppm, ...");
+  std::vector<NumberedFile> files = numbered_files(folder, name, "000_000.ppm, 000_001.ppm, ...");
+  for (NumberedFile& file : files) std::swap(file.numbers[0], file.numbers[1]);
+  std::ranges::sort(files, {}, &NumberedFile::numbers);
+  return files;
+}
+
+LightField read_jpeg_pleno(const fs::path& folder, const FormatOptions&) {
+  const std::vector<NumberedFile> files = files_by_row(folder);
   const ViewGrid grid = complete_grid(folder, files);
   std::vector<fs::path> by_view(files.size());
   for (std::size_t i = 0; i < files.size(); ++i)
@@ -71,7 +80,7 @@ PpmCodes codes_of(const Picture& picture, int bits) {
 std::vector<fs::path> write_jpeg_pleno(const LightField& field, const fs::path& folder, const FormatOptions& options) {
   const auto name = [&](int view) {
     const int i = from_top_left(field.grid, view);
-    return fmt::format("{:03}_{:03}.{}", i / field.grid.columns, i % field.grid.columns, options.png ? "png" : "ppm");
+    return fmt::format("{:03}_{:03}.{}", i % field.grid.columns, i / field.grid.columns, options.png ? "png" : "ppm");
   };
   if (std::holds_alternative<Image>(field.stack))
     throw Error(folder.string(), "JPEG Pleno stores integer samples, but these are floats", "pictures of 8 or 16 bits");
@@ -81,7 +90,8 @@ std::vector<fs::path> write_jpeg_pleno(const LightField& field, const fs::path& 
   make_folder(folder);
   std::vector<fs::path> written;
   for (int i = 0; i < field.grid.count(); ++i) {
-    const int view = from_top_left(field.grid, i);
+    const int column = i / field.grid.rows, row = i % field.grid.rows;  // in the order of names
+    const int view = from_top_left(field.grid, row * field.grid.columns + column);
     written.push_back(folder / name(view));
     write_ppm(written.back(), codes_of(view_of(field, view), bits));
   }
@@ -92,7 +102,7 @@ std::vector<fs::path> write_jpeg_pleno(const LightField& field, const fs::path& 
 
 LightFieldFormat jpeg_pleno_format() {
   return {.name = "jpeg-pleno",
-          .description = "JPEG Pleno's folder: {row}_{column}.ppm (read: .png too), from the top left; `bits` of its codes",
+          .description = "JPEG Pleno's folder: {column}_{row}.ppm (read: .png too), from the top left; `bits` of its codes",
           .is_folder = true,
           .read = read_jpeg_pleno,
           .write = write_jpeg_pleno,

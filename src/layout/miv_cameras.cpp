@@ -76,13 +76,20 @@ std::string miv_cameras_text(const std::vector<MivCamera>& cameras, const std::s
                     {"Projection", "Perspective"},
                     {"Focal", {c.focal_px.x, c.focal_px.y}},
                     {"Principle_point", {c.principal_point_px.x, c.principal_point_px.y}},
-                    {"BitDepthColor", 8},
+                    {"BitDepthColor", 10},
                     {"BitDepthDepth", 16},
                     {"ColorSpace", "YUV420"},
                     {"DepthColorSpace", "YUV420"}});
   }
-  const Json json{{"Version", "4.0"},        {"Content_name", content},    {"BoundingBox_center", {0, 0, 0}},
-                  {"lengthsInMeters", true}, {"sourceCameraNames", names}, {"cameras", list}};
+  // TMIV refuses files without frame rate and count, also of one picture.
+  const Json json{{"Version", "4.0"},
+                  {"Content_name", content},
+                  {"BoundingBox_center", {0, 0, 0}},
+                  {"Fps", 30},
+                  {"Frames_number", 1},
+                  {"lengthsInMeters", true},
+                  {"sourceCameraNames", names},
+                  {"cameras", list}};
   return json_to_text(json) + '\n';
 }
 

@@ -19,6 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kHighest = 65535.0;
+/// The code of the farthest point. TMIV rounds codes to 10 bits, and a code of 0 means that nothing is there.
+constexpr double kFarthestCode = 64.0;
 
 std::vector<MivCamera> read_cameras(const fs::path& path) {
   constexpr std::uintmax_t kMaxBytes = std::uintmax_t{16} << 20;
@@ -76,7 +78,7 @@ struct DepthRange {
   double near_m = 0.1, far_m = 100.0;
 };
 
-/// Returns the range of depths of all surfaces. It is slightly extended at the far end, because code 0 means no surface.
+/// Returns the range that holds all depths. Its far end lies beyond the farthest, which gets kFarthestCode if it is positive.
 DepthRange depth_range(const LightField& field) {
   double nearest = INFINITY, farthest = 0.0;
   for (const float z : field.depth->data) {
@@ -85,7 +87,8 @@ DepthRange depth_range(const LightField& field) {
     nearest = std::min(nearest, depth), farthest = std::max(farthest, depth);
   }
   if (!std::isfinite(nearest)) return {};
-  return {nearest, 1.0 / std::max(1.0 / farthest - 2.0 / (kHighest * nearest), 1e-3 / farthest)};
+  const double share = kFarthestCode / kHighest;
+  return {nearest, 1.0 / std::max((1.0 / farthest - share / nearest) / (1.0 - share), 1e-3 / farthest)};
 }
 
 Image16 depth_codes(const LightField& field, int view, const DepthRange& range) {

@@ -119,8 +119,9 @@ TEST(Formats, folders_number_views_from_the_top_left) {
   EXPECT_EQ(view_in(dir / "stanford/out_00_02_0.000000_2.000000.png"), Vec2i(2, 1));
   EXPECT_EQ(view_in(dir / "stanford/out_01_00_1.000000_0.000000.png"), Vec2i(0, 0));
   format("jpeg-pleno").write(field, dir / "pleno", {});
-  EXPECT_EQ(view_in(dir / "pleno/000_001.ppm"), Vec2i(1, 1));
-  EXPECT_EQ(view_in(dir / "pleno/001_002.ppm"), Vec2i(2, 0));
+  EXPECT_EQ(view_in(dir / "pleno/001_000.ppm"), Vec2i(1, 1)) << "columns before rows, as JPLM and WaSP name them";
+  EXPECT_EQ(view_in(dir / "pleno/002_001.ppm"), Vec2i(2, 0));
+  EXPECT_TRUE(same_samples(format("jpeg-pleno").read(dir / "pleno", {}).stack, field.stack));
 }
 
 TEST(Formats, eslf_takes_nth_pixels_and_integral_inverts) {

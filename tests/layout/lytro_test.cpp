@@ -58,8 +58,8 @@ TEST(JpegPleno, folders_may_be_of_png) {
   const TempDir dir;
   const LightField field = numbered_field({3, 2}, {4, 5}, true);
   jpeg_pleno_format().write(field, dir / "a", {.png = true});
-  EXPECT_TRUE(fs::exists(dir / "a/001_002.png"));
-  EXPECT_FALSE(fs::exists(dir / "a/001_002.ppm"));
+  EXPECT_TRUE(fs::exists(dir / "a/002_001.png"));
+  EXPECT_FALSE(fs::exists(dir / "a/002_001.ppm"));
   const OpenedLightField read = open_light_field(dir / "a", "", {});
   EXPECT_EQ(read.format, "jpeg-pleno");
   EXPECT_EQ(read.field.grid, field.grid);

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "layout/miv_cameras.hpp"
 #include "light_fields.hpp"
@@ -49,6 +50,14 @@ TEST(MivCameras, text_brings_back_cameras) {
   for (std::size_t view = 0; view < 2; ++view) EXPECT_LT(glm::distance(cameras.eyes_mm[view], original.eyes_mm[view]), 1e-9);
 }
 
+TEST(MivCameras, text_has_the_fields_that_tmiv_requires) {
+  const nlohmann::json json = nlohmann::json::parse(miv_cameras_text(cameras_by_hand(), "room", true));
+  for (const char* key : {"Version", "Content_name", "BoundingBox_center", "Fps", "Frames_number", "lengthsInMeters", "cameras"})
+    EXPECT_TRUE(json.contains(key)) << key;
+  EXPECT_EQ(json["Frames_number"], 1);
+  EXPECT_EQ(json["cameras"][0]["BitDepthColor"], 10) << "TMIV reads textures of 10 bits";
+}
+
 TEST(MivCameras, rotated_cameras_share_no_window) {
   std::vector<MivCamera> turned = cameras_by_hand(), unshifted = cameras_by_hand();
   turned[1].rotation_deg[0] = 1.0;
@@ -71,7 +80,7 @@ TEST(MivFormat, depth_codes_match_formula) {
   EXPECT_EQ(back.grid, field.grid);
   const Image16 codes = std::get<Image16>(read_picture(dir / "m/view_000_depth.png"));
   EXPECT_EQ(codes.rgb[0], 65535) << "the nearest";
-  EXPECT_EQ(codes.rgb[3], 3) << "the farthest: 1/far = 1 - 8/65535, of 65535 codes 8/65535 / (4 - 1/far) = 2.67";
+  EXPECT_EQ(codes.rgb[3], 64) << "the farthest: 1 of 1023 codes in 10 bits, where 0 is nothing";
   EXPECT_EQ(codes.rgb[9], 0);
   // Half a code at 1 m: (1/near - 1/far) / 65535 / 2 = 23e-6 of a metre.
   for (const std::size_t i : {0u, 1u, 2u, 1201u}) EXPECT_NEAR(back.depth->data[i], field.depth->data[i], 0.024f) << i;

@@ -80,7 +80,7 @@ TEST(OpenLightField, jpeg_pleno_folder_of_png_pictures) {
   const LightField field = numbered_field({3, 2}, {4, 5});
   std::filesystem::create_directories(dir / "p");
   for (int i = 0; i < 6; ++i)
-    write_picture(dir / ("p/00" + std::to_string(i / 3) + "_00" + std::to_string(i % 3) + ".png"),
+    write_picture(dir / ("p/00" + std::to_string(i % 3) + "_00" + std::to_string(i / 3) + ".png"),
                   view_of(field, from_top_left(field.grid, i)));
   const OpenedLightField opened = open_light_field(dir / "p", "", {});
   EXPECT_EQ(opened.format, "jpeg-pleno");
