@@ -47,7 +47,10 @@ struct FrameParams {
   Reuse reuse{};
 };
 
-/// Chooses the integrator if `sampling` has none. The tool, Renderer and the Python module all use this function:
+/// Chooses the integrator if `sampling` has none. The tool, Renderer and the Python module all use this function.
+/// - physical scenes: path tracing with 16 samples per pixel; Whitted shading with 1 if frames are interpolated
+/// - Whitted scenes: Whitted shading with 1 sample per pixel
+/// - splats: Whitted shading with 4 samples per pixel, unless `sampling` sets spp
 Sampling completed(Sampling sampling, SceneKind scene, bool interpolates);
 
 inline Integrator integrator_of(const Sampling& sampling) { return sampling.integrator.value_or(Integrator::kWhitted); }

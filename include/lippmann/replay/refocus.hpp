@@ -9,7 +9,6 @@
 // samples of a view shift by the same amount, so the result is the mean of shifted, interpolated views. The method also holds
 // for slanted, hexagonal and fractional arrays and for quilts. The sub-pixels of a slanted panel carry one colour each, so each
 // colour is averaged over its own rays.
-// averaged over its own rays.
 #pragma once
 
 #include "lippmann/core/parallel.hpp"
