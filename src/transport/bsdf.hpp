@@ -14,7 +14,7 @@ struct BsdfValue {
 
 struct BsdfSample {
   Vec3f direction{0.0f};
-  Vec3f weight{0.0f};        ///< cosine_f / density; for Dirac lobes, their share divided by their probability
+  Vec3f weight{0.0f};        ///< cosine_f / density; for Dirac lobes, share of the light divided by probability
   float density = 0.0f;      ///< per steradian; kInfinity for a Dirac lobe
   bool transmitted = false;  ///< continues behind the surface
   bool straight = false;     ///< continues in the same direction

@@ -79,7 +79,7 @@ LIPPMANN_MULTIVERSION void look_at_all(const Panorama map, SkyRays& rays) {
   }
 }
 
-/// Computes a unit vector. `turn` is the azimuth as a share of a full turn; `cosine` is that of the polar angle.
+/// Computes a unit vector. `turn` is the azimuth as a share of a full turn; `cosine` is the cosine of the polar angle.
 LIPPMANN_INLINE void find_direction(float turn, float cosine, float rotation, float& x, float& y, float& z) {
   float sin_azimuth, cos_azimuth;
   fast_sin_cos((turn - 0.5f) * 2.0f * kPi + rotation, sin_azimuth, cos_azimuth);
@@ -151,7 +151,7 @@ Vec3f gradient(const Background& b, Vec3f d) {
   return glm::mix(b.horizon, b.zenith, std::clamp(share, 0.0f, 1.0f));
 }
 
-/// Columns wrap around; rows are clamped at the poles.
+/// Returns a texel of the gradient's grid. Columns wrap around; rows are clamped at the poles.
 Vec3f gradient_texel(const Background& b, int x, int y) {
   x = (x + kGradientWidth) % kGradientWidth, y = std::clamp(y, 0, kGradientHeight - 1);
   const float cosine = std::cos((static_cast<float>(y) + 0.5f) * (kPi / kGradientHeight));
@@ -160,7 +160,8 @@ Vec3f gradient_texel(const Background& b, int x, int y) {
   return gradient(b, direction);
 }
 
-/// Averages around a texel: a gradient may begin between two texels, and no light may have probability 0.
+/// Returns the mean of a texel and its eight neighbours. A gradient may begin between two texels, and even there, directions
+/// with light need a positive probability.
 Vec3f gradient_around(const Background& b, int x, int y) {
   Vec3f light(0.0f);
   for (int dy = -1; dy <= 1; ++dy)

@@ -58,7 +58,7 @@ class Environment {
     float value = 0.0f;   ///< per steradian
     bool of_sun = false;  ///< whether sample_sun() draws the direction; otherwise sample_rest() does
   };
-  /// Returns the density of ray i. The radiance of `rays` must have been looked up.
+  /// Returns the density with which the direction of ray i is sampled. The radiance of `rays` must have been looked up.
   Density density(const SkyRays& rays, int i) const;
 
   bool is_dark() const { return sun_.is_dark() && rest_.is_dark(); }

@@ -41,7 +41,7 @@ LIPPMANN_INLINE float fast_acos(float x) {
 /// Computes sine and cosine of angles of up to a few turns.
 LIPPMANN_INLINE void fast_sin_cos(float angle, float& sine, float& cosine) {
   const float quarters = std::floor(angle * (2.0f / kPi) + 0.5f);
-  // Subtracts multiples of pi / 2 in two parts. Multiples of the first part are exact.
+  // Subtract quarters * pi / 2, with pi / 2 split into a sum of two numbers. Multiples of the first number are exact.
   const float x = (angle - quarters * 1.5703125f) - quarters * 4.83826795e-4f, z = x * x;
   const float s = x + x * z * (-0.16666651f + z * (0.008331979f + z * -0.00019495636f));
   const float c = 1.0f - 0.5f * z + z * z * (0.041666646f + z * (-0.0013887368f + z * 2.4438452e-05f));

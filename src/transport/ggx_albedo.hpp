@@ -87,7 +87,7 @@ class GgxAlbedo {
   /// Returns whether one channel suffices. Nearly all dielectrics are grey, which saves two thirds of the divisions.
   static bool are_grey(Vec3f f0, Vec3f f90) { return f0.x == f0.y && f0.x == f0.z && f90.x == f90.y && f90.x == f90.z; }
 
-  /// Returns the share of light left between white facets that eventually leaves: F e / (1 - F (1 - e)).
+  /// Returns the share of the light between the facets that eventually leaves them: F e / (1 - F (1 - e)).
   template <class Color>
   LIPPMANN_INLINE static Color of_more_bounces(float all, float edge, Color f0, Color f90) {
     const Color facet = glm::min(f0 + (f90 - f0) * edge, Color(1.0f));
@@ -107,7 +107,7 @@ class GgxAlbedo {
 
   // These are plain arrays, because GCC 14 does not vectorise loops that take the address of a table in a member.
   float single_f0_[kSize * kSize], single_f90_[kSize * kSize];  ///< [roughness][cosine]
-  float mean_[4][kSize];  ///< by roughness: means of single().x and .y, and of both times (1 - E) / E
+  float mean_[4][kSize];  ///< by roughness: means of x, y, x (1 - E) / E and y (1 - E) / E; x, y from single()
   GlassAlbedo glass_;
   BrushedAlbedo brushed_;
   SheenAlbedo sheen_;

@@ -17,15 +17,16 @@ struct Glass {
   float compensation = 1.0f;  ///< factor for light that hits more than one facet
 };
 
-/// Returns the sampling weight of the glass. It is proportional to the light sent on, with a lower limit because reflection is
-/// not tinted.
+/// Returns the sampling weight of the glass: its share times the luminance of its tint. The luminance has a lower limit,
+/// because reflected light is not tinted.
 LIPPMANN_INLINE float glass_chance(const Glass& glass) {
   const float light = luminance(glass.tint);
   return glass.share * (light > 0.1f ? light : 0.1f);
 }
 
-/// Returns the BSDF of rough glass times |cosine|. `light` is on the same side or beyond. `density` receives the density of
-/// sampling a facet by sample_visible() and a direction by draw_glass(). Both directions are unit and local, with view.z > 0.
+/// Returns the BSDF of rough glass times |cosine|. `light` may lie on either side of the surface. `density` receives the
+/// density of sampling a facet by sample_visible() and a direction by draw_glass(). Both directions are unit and local, with
+/// view.z > 0.
 LIPPMANN_INLINE Vec3f glass_cosine_f(const Glass& glass, float alpha, Vec3f view, Vec3f light, float& density) {
   const Ggx ggx{alpha};
   const bool reflected = light.z > 0.0f;

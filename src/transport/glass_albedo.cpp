@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kLargestContrast = 0.5f;  // (n - 1) / (n + 1) for n = 3
 
-/// Returns the mean over the facets visible to the view of the share of light that is not masked on its way out.
+/// Returns the share of light that is not masked on its way out, averaged over the facets visible from the view.
 float integrate(float cosine, float alpha, float eta) {
   constexpr int kPoints = 256;
   const Ggx ggx{alpha};
@@ -65,7 +65,7 @@ class Table {
 
 }  // namespace
 
-/// On leaving, total reflection gives the albedo sharp edges.
+/// The table for leaving light is finer, because total reflection gives its albedo sharp edges.
 struct GlassAlbedo::Tables {
   Table entered{6, 16, true}, left{12, 24, false};
 };

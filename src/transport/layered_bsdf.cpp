@@ -91,7 +91,7 @@ Vec3f LayeredBsdf::fresnel_of(Vec3f f0, Vec3f f90, float cosine) const {
 }
 
 /// Returns the albedo with the film. The film's reflectance varies too irregularly with the angle for tables, so its value for
-/// the direction stands for the whole surface.
+/// `direction` is used at all angles.
 Vec3f LayeredBsdf::albedo_of(Vec3f f0, Vec3f f90, Vec3f direction) const {
   const Vec3f single = single_albedo(direction);
   const Vec3f bare = GgxAlbedo::directional(single, f0, f90);
@@ -277,7 +277,8 @@ Vec3f LayeredBsdf::straight() const {
   return below_coat_ * sheen_passes_ * glass_share_ * glass_facet(view_.z).transmitted;
 }
 
-/// Samples reflection or transmission at the surface or at a facet. decision in [0, 1).
+/// Samples reflection or transmission by the glass, at a facet or, if the surface is smooth, at the surface itself. decision in
+/// [0, 1).
 bool LayeredBsdf::draw_glass(float decision, Vec2f u, BsdfSample& s) const {
   const Vec3f normal = is_smooth_ ? kAbove : ggx_.sample_visible(view_, u);
   const GlassFacet facet = glass_facet(glm::dot(view_, normal));
@@ -296,7 +297,7 @@ bool LayeredBsdf::draw_glass(float decision, Vec2f u, BsdfSample& s) const {
 
 /// Continues straight through. `chance` is the probability of this event.
 bool LayeredBsdf::pass_straight(float chance, BsdfSample& s) const {
-  s.direction = ahead_;  // unmodified: the view may be lifted, and paths through many thin walls must not drift
+  s.direction = ahead_;  // not from view_, which may be lifted: paths through many walls must not drift
   s.density = kInfinity;
   s.weight = straight() / chance;
   s.straight = surface_.shadow_rays_pass;

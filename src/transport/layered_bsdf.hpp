@@ -2,10 +2,10 @@
 // Common surfaces use metal_rough_bsdf.hpp, which stays fast without these features.
 //
 // Based on: the references of metal_rough_bsdf.hpp; Khronos Group, KHR_materials_sheen, _anisotropy, _iridescence,
-// _diffuse_transmission, _volume (thin walls). The layers from above are clear coat, sheen, gloss with its film, and diffuse.
-// This implementation deviates in two points. 1. Sheen and films let through the lesser of the shares for the light and for the
-// viewer, so the layers below stay reciprocal. 2. Compensation for multiple scattering in anisotropic glass uses the isotropic
-// roughness that the viewer sees (alpha_towards).
+// _diffuse_transmission, _volume (thin walls). The layers, from top to bottom, are clear coat, sheen, gloss with its film, and
+// diffuse. This implementation deviates in two points. 1. Sheen and films let through the lesser of the shares for the light
+// and for the viewer, so the layers below stay reciprocal. 2. Compensation for multiple scattering in anisotropic glass uses
+// the isotropic roughness that the viewer sees (alpha_towards).
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ struct LayeredSurface {
   MetalRoughSurface base;
   Vec3f sheen_color{0.0f};
   float sheen_roughness = 0.0f;
-  float anisotropy = 0.0f;  ///< its square moves the alpha along the tangent from `alpha` to 1
+  float anisotropy = 0.0f;  ///< the alpha along the tangent is mix(alpha, 1, anisotropy^2)
   float film_share = 0.0f;  ///< share of the surface that has the film
   ThinFilm film;
   float diffuse_transmission = 0.0f;  ///< share of diffuse light that is transmitted
@@ -65,7 +65,8 @@ class LayeredBsdf {
   void set_shares();
 
   Vec3f single_albedo(Vec3f direction) const;
-  /// Mix film and bare surface: the directional albedo with compensation, and the reflectance of one facet.
+  /// Return the directional albedo with compensation, and the reflectance of one facet. Both are means over the parts of the
+  /// surface with and without the film.
   Vec3f albedo_of(Vec3f f0, Vec3f f90, Vec3f direction) const;
   Vec3f fresnel_of(Vec3f f0, Vec3f f90, float cosine) const;
   Vec3f passes_gloss(Vec3f direction) const;
@@ -100,7 +101,7 @@ class LayeredBsdf {
   float matt_, glass_share_;  ///< shares of the dielectric that scatters inside and of the dielectric that transmits
   Vec3f dielectric_f0_, dielectric_f90_;             ///< reflectance of the gloss above the diffuse part
   Vec3f diffuse_color_, through_color_;              ///< albedo without the layers above
-  Vec3f gloss_passes_{1.0f}, diffuse_passes_{1.0f};  ///< shares that pass the gloss: to the viewer, and on average
+  Vec3f gloss_passes_{1.0f}, diffuse_passes_{1.0f};  ///< share of light that passes the gloss: to the viewer; on average
   Vec3f gloss_albedo_{0.0f}, gloss_compensation_{1.0f};
   float glass_compensation_ = 1.0f;
   float most_sheen_, sheen_passes_ = 1.0f;

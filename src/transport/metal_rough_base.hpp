@@ -29,10 +29,10 @@ struct MetalRoughBase {
   float alpha;
   Vec3f diffuse_color;              ///< albedo, excluding the share reflected by the gloss
   Vec3f diffuse_passes;             ///< share of diffuse light that the gloss lets in
-  Vec3f dielectric_f0, gloss_f0;    ///< reflectance of the gloss above the diffuse part; weighted sum of it and the metal's
-  float dielectric_f90, gloss_f90;  ///< the same at grazing angles
+  Vec3f dielectric_f0, gloss_f0;    ///< reflectance at normal incidence: gloss above the diffuse part; its mix with metal
+  float dielectric_f90, gloss_f90;  ///< reflectance at grazing incidence, of dielectric and mix
   Vec3f gloss_compensation, gloss_albedo;    ///< compensation for multiple scattering; albedo including it
-  float diffuse_luminance, gloss_luminance;  ///< luminance of both parts towards the viewer under uniform white light
+  float diffuse_luminance, gloss_luminance;  ///< luminance towards the viewer under uniform white light
 
   bool is_smooth() const { return alpha < kSmoothAlpha; }
 };
@@ -53,7 +53,7 @@ LIPPMANN_INLINE Vec3f single_albedo(const GgxAlbedo& albedo, float cosine, float
   return {smooth ? 1.0f - edge : rough.x, smooth ? edge : rough.y, smooth ? 0.0f : rough.z};
 }
 
-/// view: as MetalRoughBase::view, from lifted_view().
+/// Computes the base. view: MetalRoughBase::view, a result of lifted_view().
 LIPPMANN_INLINE MetalRoughBase metal_rough_base(const MetalRoughSurface& s, const GgxAlbedo& albedo, Vec3f view) {
   MetalRoughBase b;
   b.view = view;
@@ -64,8 +64,8 @@ LIPPMANN_INLINE MetalRoughBase metal_rough_base(const MetalRoughSurface& s, cons
   b.gloss_f0 = dielectric * b.dielectric_f0 + s.metallic * s.base_color;
   b.gloss_f90 = dielectric * b.dielectric_f90 + s.metallic;
 
-  // Dielectric and metal have their own compensation, but one lobe carries both. Its factor is the mean, weighted by their
-  // light.
+  // Dielectric and metal have their own compensation, but one lobe carries both. Its factor is the mean of both, weighted by
+  // the light that they reflect.
   const Vec3f single = single_albedo(albedo, view.z, b.alpha);
   const Vec3f of_dielectric = GgxAlbedo::directional_of(single, b.dielectric_f0, Vec3f(b.dielectric_f90));
   b.gloss_albedo = dielectric * of_dielectric + s.metallic * GgxAlbedo::directional_of(single, s.base_color, Vec3f(1.0f));
@@ -86,7 +86,7 @@ LIPPMANN_INLINE MetalRoughBase metal_rough_base(const MetalRoughSurface& s, cons
   return b;
 }
 
-/// Returns the share of light that the gloss lets in, per channel. `cosine` is that to the diffuse part's normal.
+/// Returns the share of light that the gloss lets in, per channel. cosine: between the light and the diffuse part's normal.
 LIPPMANN_INLINE Vec3f let_in(const MetalRoughBase& b, const GgxAlbedo& albedo, float cosine) {
   return Vec3f(1.0f) -
          GgxAlbedo::directional_of(single_albedo(albedo, cosine, b.alpha), b.dielectric_f0, Vec3f(b.dielectric_f90));
@@ -110,8 +110,8 @@ LIPPMANN_INLINE Vec3f gloss_cosine_f(const MetalRoughBase& b, Vec3f light, float
   return fresnel * b.gloss_compensation * (facets * seen_from_both / (4.0f * b.view.z));
 }
 
-/// Samples the normal of a facet visible to the viewer, for rough and smooth surfaces. mirrored() about it gives a light
-/// direction, which may lie below the surface.
+/// Samples the normal of a facet visible to the viewer, for rough and smooth surfaces. mirrored() about this normal gives a
+/// light direction, which may lie below the surface.
 LIPPMANN_INLINE Vec3f draw_facet(const MetalRoughBase& b, Vec2f u) {
   const Vec3f facet = Ggx{b.alpha}.sample_visible(b.view, u);
   const bool smooth = b.is_smooth();

@@ -96,7 +96,8 @@ BsdfValue MetalRoughBsdf::evaluate(Vec3f light_world) const {
   return value;
 }
 
-/// Reflects with Fresnel's probability, otherwise refracts, at the surface or at a facet. decision in [0, 1).
+/// Reflects with Fresnel's probability, otherwise refracts: at a facet or, if the surface is smooth, at the surface itself.
+/// decision in [0, 1).
 bool MetalRoughBsdf::sample_glass(float decision, Vec2f u, BsdfSample& s) const {
   float outward;
   const Vec3f light = draw_glass(glass_.eta, base_.view, draw_facet(base_, u), decision, s.transmitted, outward);

@@ -18,8 +18,7 @@ namespace lippmann {
 
 class MetalRoughBsdf {
  public:
-  /// The normals of the parts, unit length, on the viewer's side. The gloss's normal must face the view; the diffuse part's may
-  /// not.
+  /// The unit normals of the layers, on the viewer's side. The gloss's normal must face the view; the diffuse part's need not.
   struct Normals {
     Vec3f diffuse, gloss, coat{0.0f};
   };
@@ -35,7 +34,7 @@ class MetalRoughBsdf {
   /// Samples a direction for `lobe` and `u` in [0, 1). Returns nothing if the light is absorbed.
   std::optional<BsdfSample> sample(float lobe, Vec2f u) const;
 
-  /// Return the two factors of the diffuse part: a colour, and cosine_f per colour.
+  /// Return the two factors of the diffuse part: its albedo, and cosine_f divided by the albedo.
   Vec3f diffuse_albedo() const { return below_coat_ * base_.diffuse_color * base_.diffuse_passes; }
   Vec3f evaluate_diffuse(Vec3f light) const;
   Vec3f normal() const { return basis_.z; }

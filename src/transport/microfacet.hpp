@@ -18,7 +18,7 @@ inline constexpr float kSmoothAlpha = 1e-3f;
 struct Ggx {
   float alpha = 1.0f;
 
-  /// Returns the density of facet normals h with h.z > 0. The integral of h.z times it is 1.
+  /// Returns the density of facet normals h with h.z > 0. The integral of h.z times this density is 1.
   float distribution(Vec3f h) const {
     const float a2 = alpha * alpha;
     // Compute sin^2 from x and y: 1 - cos^2 has no precision left at the peak of narrow lobes.

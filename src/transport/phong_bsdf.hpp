@@ -8,8 +8,8 @@
 
 namespace lippmann {
 
-/// Surface parameters at one point, with textures applied. The author chose the parts freely; together they may reflect more
-/// light than arrives.
+/// Surface parameters at one point, with textures applied. The parts are independent of each other, so together they may
+/// reflect more light than arrives.
 struct PhongPoint {
   Vec3f diffuse{0.8f};    ///< albedo
   Vec3f highlight{0.0f};  ///< strength times tint
@@ -24,7 +24,7 @@ class PhongBsdf {
   /// normal: on the viewer's side. view: unit, towards the viewer. entering: the viewer is outside.
   PhongBsdf(const PhongPoint& point, Vec3f normal, Vec3f view, bool entering);
 
-  /// Evaluates the diffuse part. The other parts are Dirac lobes, or highlight().
+  /// Evaluates the diffuse part only: mirror and transmission are Dirac lobes, and highlight() evaluates the highlight.
   BsdfValue evaluate(Vec3f light) const;
 
   /// Returns Blinn's highlight of a point-like light, as cosine_f. The light's irradiance is pi times its strength (see
@@ -33,7 +33,7 @@ class PhongBsdf {
 
   std::optional<BsdfSample> sample(float lobe, Vec2f u) const;
 
-  /// Return the two factors of the diffuse part: a colour, and cosine_f of a white surface.
+  /// Return the two factors of the diffuse part: its albedo, and cosine_f of a white surface.
   Vec3f diffuse_albedo() const { return point_.diffuse; }
   Vec3f evaluate_diffuse(Vec3f light) const;
   Vec3f normal() const { return normal_; }

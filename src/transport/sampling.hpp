@@ -46,7 +46,7 @@ Vec2f sample_triangle(Vec2f u);
 /// Returns Veach's power heuristic (exponent 2) for one sample of each of two techniques. Infinite densities are allowed.
 inline float power_heuristic(float density, float other_density) {
   if (!(other_density > 0.0f)) return 1.0f;
-  const float ratio = other_density / density;  // the squares would overflow
+  const float ratio = other_density / density;  // squares of the densities could overflow
   return 1.0f / (1.0f + ratio * ratio);
 }
 

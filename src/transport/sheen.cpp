@@ -8,7 +8,7 @@
 namespace lippmann {
 namespace {
 
-/// Lower bound of the roughness: the limit of float precision.
+/// Lower bound of the roughness, because the precision of floats does not suffice for less.
 constexpr float kLeastRoughness = 0.1f;
 
 float alpha_of(float roughness) { return squared(std::max(roughness, kLeastRoughness)); }

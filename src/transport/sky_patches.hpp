@@ -124,7 +124,7 @@ class PatchChoice {
   };
   Drawn draw_patch(const SkyPatches& sky, const Row& row) const;
 
-  /// Returns the density of a position, per steradian; 0 outside this object's patches.
+  /// Returns the density with which a position is sampled, per steradian; 0 outside this object's patches.
   float density(const SkyPatches& sky, const SkyPatches::Place& place) const;
 
  private:

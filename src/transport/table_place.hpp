@@ -17,7 +17,7 @@ struct TablePlace {
     const float beyond = at - static_cast<float>(index), above = beyond > 0.0f ? beyond : 0.0f;
     share = above < 1.0f ? above : 1.0f;
   }
-  int index;  ///< int: compilers do not gather by std::size_t
+  int index;  ///< an int, because compilers do not vectorise lookups by std::size_t
   float share;
 };
 

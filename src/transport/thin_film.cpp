@@ -21,7 +21,7 @@ struct Sensitivity {
   }
 };
 
-// From the table of the fit in section 4. X has two Gaussians.
+// Values from the paper's section 4, table of the fit. X is a sum of two Gaussians.
 constexpr Sensitivity kX{5.4856e-13f, 1.6810e+06f, 4.3278e+09f}, kXBlue{9.7470e-14f, 2.2399e+06f, 4.5282e+09f},
     kY{4.4201e-13f, 1.7953e+06f, 9.3046e+09f}, kZ{5.2481e-13f, 2.2084e+06f, 6.6121e+09f};
 constexpr float kWhole = 1.0685e-7f;  ///< normalises white to 1
@@ -59,7 +59,7 @@ Vec3f film_reflectance(const ThinFilm& film, Vec3f f0, float cosine) {
   for (int c = 0; c < 3; ++c) {
     const float root = std::sqrt(std::clamp(f0[c], 0.0f, 0.9999f)), n3 = (1.0f + root) / (1.0f - root);
     r23[c] = schlick(reflectance_between(n2, n3), c2);
-    phi[c] = kPi + (n3 < n2 ? kPi : 0.0f);  // of reflection at 2-1 (towards the denser medium) and at 2-3
+    phi[c] = kPi + (n3 < n2 ? kPi : 0.0f);  // reflections at 2-1 (the film is denser) and at 2-3
   }
   const Vec3f r123 = glm::clamp(r12 * r23, Vec3f(1e-5f), Vec3f(0.9999f)), root = glm::sqrt(r123);
   const Vec3f rs = t121 * t121 * r23 / (Vec3f(1.0f) - r123);
