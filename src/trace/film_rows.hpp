@@ -1,7 +1,7 @@
 // The rows of a film to render: the whole film, or a part that begins and ends at strip boundaries (strip_order.hpp).
 //
 // A partial render uses the same rays, samples and random numbers as the whole film. Its images hold only the selected rows,
-// and pixel indices count from the first of them.
+// and pixel indices count from the first pixel of the first selected row.
 #pragma once
 
 #include <algorithm>

@@ -60,8 +60,8 @@ class FirstHits {
   void finish() const {}
 
  private:
-  /// Stores splat hits: the first splat behind which less than half of the light passes. `left` is the share of light that has
-  /// passed so far. Deactivates lanes that hit a splat.
+  /// Stores a splat hit for each ray at the first splat that reduces the transmitted light below one half. `left` is the share
+  /// of light that has passed earlier splats. Deactivates lanes that hit a splat.
   void stop_at_splats(CameraPacket& packet, Lanes& left, LaneMask& active) const {
     SplatHits hits;
     SplatLight light;

@@ -11,7 +11,7 @@
 
 namespace lippmann {
 
-/// The scene in the current frame, as in the device scene, and in the previous frame.
+/// The scene in the current frame, which the device scene shows, and in the previous frame.
 struct FrameStep {
   const ResolvedScene& now;
   const ResolvedScene& before;
@@ -19,7 +19,7 @@ struct FrameStep {
 };
 
 /// Fills the wanted first-hit layers of `aovs` with one ray through the centre of each pixel. Without `step`, all motion is
-/// zero. Surfaces with an alpha below `least_opacity` are holes. The result does not depend on the number of threads.
+/// zero. Rays pass through surfaces with an alpha below `least_opacity`. The result does not depend on the number of threads.
 void find_first_hits(const Shot& shot, RayOrder order, const FrameStep* step, const ThreadPool& pool, FrameAovs& aovs,
                      float least_opacity = 0.5f);
 

@@ -1,7 +1,7 @@
 // Positions of ray hits in the previous frame, as seen from that frame's display.
 //
-// Points on a moving node go back by the node's motion. Points on a deforming mesh use the same barycentric coordinates of the
-// same triangle in the previous pose. The transforms are composed in double precision.
+// A point on a moving node is moved back by the node's motion. A point on a deforming mesh is found in the previous pose, with
+// the same triangle and barycentric coordinates. The transforms are composed in double precision.
 #pragma once
 
 #include <optional>
@@ -26,7 +26,7 @@ class FormerPlaces {
  private:
   struct OfInstance {
     bool still = true;
-    Affine3d display_from_world;     ///< from current world space to the display of the previous frame
+    Affine3d display_from_world;     ///< maps current world space to the display of the previous frame
     std::optional<MeshPose> pose{};  ///< pose in the previous frame; only for deforming meshes
   };
 

@@ -54,8 +54,8 @@ void for_each_batch(const FrameWork& work, std::size_t strip, int packets_per_st
   }
 }
 
-/// Returns the sum of trace(strip) over all strips. After cancellation, no further strip starts. `share` scales the reported
-/// progress to the share of the frame that is traced.
+/// Calls trace(strip) for all strips in parallel and returns the sum of the ray counts. After cancellation, no further strip
+/// starts. `share` scales the reported progress to the share of the frame that is traced.
 template <class Trace>
 RayCounts trace_strips(std::size_t strips, const Workers& workers, const Trace& trace, SampleShare share = {}) {
   std::vector<RayCounts> counts(strips);

@@ -41,7 +41,7 @@ struct Integration {
   PathFilm film;  ///< integrators that do not separate light fill only `all` and `open`
 };
 
-/// An integrator: its properties and its factory. Each is a constant next to its class.
+/// An integrator: its properties and its factory. Each integrator defines one constant of this type next to its class.
 struct IntegratorModel {
   IntegratorFacts facts;
   std::unique_ptr<FrameIntegrator> (*make)(const Integration& from);

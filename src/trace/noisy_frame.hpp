@@ -9,11 +9,12 @@
 namespace lippmann {
 
 /// All images are means over the samples of each pixel, so edges are antialiased like those of the film. Albedo, normal, z and
-/// met describe the first surface of each camera ray that scatters light. Parts that alpha cuts away count as not hit.
+/// met describe the first surface on each camera ray that scatters light. Surfaces count as not hit where alpha makes them
+/// transparent.
 struct NoisyFrame {
   Image film;    ///< 3 channels: all light
   Image noise;   ///< 3 channels: half the difference between the means of two halves of the samples; an estimate of the error
-  Image seen;    ///< 3 channels: background, and emission of the first surface; this part has no path-tracing noise
+  Image seen;    ///< 3 channels: background, and emission of the first surface; free of path-tracing noise
   Image albedo;  ///< 3 channels: base colour, 0 without a surface
   Image normal;  ///< 3 channels: world space; shorter than 1 if the samples differ
   Image z;       ///< 1 channel: in display mm, 0 without a surface; divide by `met` to get the depth of the surface

@@ -41,10 +41,10 @@ Vec2f SubPixel::position(std::uint32_t pixel, int sample) const {
   if (samples == 1) return Vec2f(0.5f);
   const auto s = static_cast<std::uint32_t>(sample);
   const std::uint32_t shift_x = hash(seed, pixel, 0u), shift_y = hash(seed, pixel, 1u);
-  // Both coordinates are 32-bit fractions, so the shift wraps around by itself.
+  // Both coordinates are 32-bit fractions, so the integer sum wraps around modulo 1.
   const auto x = static_cast<std::uint32_t>((static_cast<std::uint64_t>(s) << 32) / static_cast<std::uint32_t>(samples));
-  // Exclude the last 1/256 of the pixel: after the pixel's coordinate (up to 65,535) is added in float, it would round up into
-  // the next pixel or lens.
+  // Exclude the last 1/256 of the pixel: when the pixel's coordinate (up to 65,535) is added in float, such a position would be
+  // rounded up into the next pixel or lens.
   return glm::min(Vec2f(unit_float(x + shift_x), unit_float(reversed_bits(s) + shift_y)), Vec2f(1.0f - 1.0f / 256.0f));
 }
 

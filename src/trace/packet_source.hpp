@@ -1,4 +1,5 @@
-// Generates primary rays, packet by packet: follows the strip's order, places samples within pixels and calls the optics.
+// Generates packets of primary rays in the order of the strip. Places samples within pixels and computes their rays from the
+// optics.
 #pragma once
 
 #include <vector>
@@ -15,7 +16,7 @@ namespace lippmann {
 
 /// Placement of sample s of n within a pixel, each coordinate in [0, 1). A single sample lies at the centre. Otherwise the
 /// samples are the points of a Hammersley set, shifted (modulo 1) by a hash of seed and pixel: each pixel is evenly covered and
-/// neighbours are decorrelated. Also selects the eye of the view, which is the same for all pixels, and the lens.
+/// neighbours are decorrelated. The angular filter and the lens determine where each sample's ray starts.
 struct SubPixel {
   std::uint32_t seed = 0;
   int samples = 1;
@@ -25,7 +26,7 @@ struct SubPixel {
   Vec2f position(std::uint32_t pixel, int sample) const;
 };
 
-/// Generates the rays of each sample of a pixel, from one eye of a view or from several.
+/// Generates the rays of each sample of a pixel. The samples use one eye position per view, or with an angular filter several.
 class SampleRays {
  public:
   SampleRays(const Optics& optics, const Affine3f& world_from_display, const SubPixel& sub_pixel);
@@ -44,11 +45,12 @@ class PacketSource {
   PacketSource(const Optics& optics, const Affine3f& world_from_display, RayOrder order, const SubPixel& sub_pixel,
                FilmRows rows = {});
 
-  /// Returns the number of strips in the rows. Strips are numbered from the first of them.
+  /// Returns the number of strips in the rows. Strip 0 is the first strip of these rows.
   int strips() const { return strips_; }
   /// Returns the index in the whole film of the first pixel of the rows.
   std::uint32_t first_pixel() const { return static_cast<std::uint32_t>(rows_.first) * static_cast<std::uint32_t>(width_); }
-  /// Returns the number of packets of a full strip. A lower last strip has the same number, with inactive lanes or packets.
+  /// Returns the number of packets of a full strip. A last strip with fewer rows has the same number; its surplus lanes or
+  /// packets are inactive.
   int packets_per_strip() const { return packets_; }
 
   /// Fills origin, direction, tnear and tfar of a packet of a strip, the pixel index of each lane (y * width + x in the whole
@@ -67,7 +69,8 @@ class PacketSource {
   int strips_, packets_;
 };
 
-/// The packets of a strip, for trace_batch(). Light goes to pixels of the rows; random numbers are those of the whole film.
+/// The packets of a strip, for trace_batch(). Target pixels count from the first rendered row, while random numbers depend on
+/// the pixel's index in the whole film.
 struct StripPackets {
   const PacketSource& source;
   int strip;

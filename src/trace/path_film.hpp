@@ -5,10 +5,10 @@
 
 namespace lippmann {
 
-/// Features of the first surfaces of camera rays, weighted like their light: see NoisyFrame.
+/// Sums of the features of the first surfaces on camera rays, with the same weights as the light; see NoisyFrame.
 struct FirstSurfaces {
   float *albedo, *normal;                   ///< three channels
-  float *z, *met;                           ///< one
+  float *z, *met;                           ///< one channel
   Vec4f display_z{0.0f, 0.0f, 0.0f, 0.0f};  ///< z in display mm = dot(display_z, (x, y, z, 1))
 
   void add(const ShadingPoint& point, Vec3f normal_there, std::size_t pixel, float weight) const;
@@ -24,7 +24,7 @@ struct PathFilm {
   float* noise = nullptr;     ///< NoisyFrame::noise
   float* seen = nullptr;      ///< background, and emission of the first surface
   const FirstSurfaces* surfaces = nullptr;
-  float* open = nullptr;  ///< one channel: number of samples that miss all surfaces; the film then omits the surroundings
+  float* open = nullptr;  ///< one channel: number of samples that miss all surfaces; if set, the film omits the surroundings
 };
 
 }  // namespace lippmann

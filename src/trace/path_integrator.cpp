@@ -18,13 +18,14 @@ bool is_possible(const ShadingPoint& point, Vec3f direction, bool transmitted) {
   return point.is_behind(direction) == transmitted;
 }
 
-/// The same test for a sampled light. It also accepts lights just behind the facet that are still above the smooth surface;
-/// their shadow rays start at the smooth surface.
+/// Returns whether a light in `direction` may light the point. Unlike is_possible(), accepts lights just behind the facet that
+/// are still above the smooth surface; their shadow rays start at the smooth surface.
 bool may_shine(const ShadingPoint& point, Vec3f direction, bool transmitted) {
   return is_possible(point, direction, transmitted) || (!transmitted && point.rises_to(direction));
 }
 
-/// Russian roulette. Returns false if the path ends; otherwise it divides the throughput by `chance`.
+/// Applies Russian roulette. Returns false if the path ends; otherwise divides the throughput by `chance`, the probability to
+/// continue.
 bool survives(Vec3f& throughput, float chance, float number) {
   if (!(number < chance)) return false;
   throughput /= chance;
@@ -113,8 +114,8 @@ void PathIntegrator::shade_surface(const RayHitPacket& packet, int i, PathRay& r
   vertices_.active.lane[i] = -1;
 }
 
-/// Continues a path of maximum depth straight through a thin wall. Shadow rays pass walls, so sampled BSDF directions must,
-/// too.
+/// Continues a path of maximum depth straight through a thin wall. Shadow rays pass through walls, so rays in sampled BSDF
+/// directions must as well.
 void PathIntegrator::pass_wall(const RayHitPacket& packet, int i, const PathRay& ray, float length) {
   const ShadingPoint& point = vertices_.point(i);
   if (!point.is_wall) return;
@@ -125,8 +126,8 @@ void PathIntegrator::pass_wall(const RayHitPacket& packet, int i, const PathRay&
   send_on(ray, point, on, ray.throughput * straight, length);
 }
 
-/// Restricts a path to one random colour channel, weighted by 3, at the first surface that disperses light. The path keeps its
-/// channel; otherwise every such surface would split it again.
+/// Restricts a path to one random colour channel, weighted by 3, at the first surface that disperses light. A path that has
+/// only one channel keeps it at further surfaces.
 void PathIntegrator::make_one_color(PathRay& ray, int i) {
   const std::uint32_t channel = hash(ray.seed, ray.index, kColorStream) % 3;
   surface_.color_channel[i] = static_cast<std::uint8_t>(channel);
@@ -194,8 +195,8 @@ void PathIntegrator::shine(int i, const LightSample& light, const BsdfValue& val
   shadow_rays_.push(point, light, clamped(radiance, ray.depth + 1), ray.pixel, ray.depth + 1);
 }
 
-/// Weights a light of finite size by multiple importance sampling. BSDF sampling never goes behind the facet, so lights there
-/// get the full weight, but only for diffuse reflection: glossy lobes would be too noisy.
+/// Weights a light of finite size by multiple importance sampling. BSDF sampling never picks directions behind the facet, so
+/// lights there get the full weight, but only for diffuse reflection because glossy lobes would be too noisy.
 Vec3f PathIntegrator::from_wide_light(int i, const LightSample& light, const BsdfValue& value) const {
   const Vec3f per_density = light.radiance / light.density;
   Vec3f f = value.cosine_f * power_heuristic(light.density, value.density);
@@ -235,8 +236,8 @@ void PathIntegrator::trace_shadow_rays() {
       shadow_rays_.trace(scene_, [this](const ShadowRay& ray, Vec3f radiance) { add(ray.pixel, radiance, ray.depth); });
 }
 
-/// Clamps indirect light, which more than one vertex has scattered. Emission at a path's second vertex is direct light of the
-/// first.
+/// Clamps indirect light, which more than one vertex has scattered. Emission at a path's second vertex is direct light at the
+/// first vertex.
 Vec3f PathIntegrator::clamped(Vec3f radiance, int depth) const {
   const float most = largest(radiance);
   return params_.clamp_indirect > 0.0f && depth > 1 && most > params_.clamp_indirect

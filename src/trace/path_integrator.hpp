@@ -91,12 +91,12 @@ class PathIntegrator final : public FrameIntegrator {
   PathParams params_;
   PathFilm film_;
   float weight_;                          ///< weight of a sample
-  std::array<float, 2> noise_weights_{};  ///< for samples of the first and the second half: see weights_of_halves()
-  float noise_weight_ = 0.0f;             ///< weight of the current sample
+  std::array<float, 2> noise_weights_{};  ///< weights of samples in the first and the second half: see weights_of_halves()
+  float noise_weight_ = 0.0f;             ///< noise weight of the current sample
   RayCounts counts_;
   std::vector<PathRay> wave_, next_;  ///< rays of this wave and of the next
   SurfacePacket surface_;             ///< surfaces hit by the packet that is being shaded
-  Vertices vertices_;                 ///< those of them that scatter light
+  Vertices vertices_;                 ///< vertices on those surfaces of surface_ that scatter light
   PathNumbers numbers_;
   SkyRays sky_;  ///< one ray per lane of the packet
   SplatHits splat_hits_;

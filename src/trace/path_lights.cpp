@@ -4,8 +4,9 @@
 
 namespace lippmann {
 
-/// Adds splats to camera rays, also through mirrors and glass. Splats do not light surfaces that scatter. The throughput is
-/// multiplied by the share of light that the splats transmit, and lanes become inactive if that share is 0.
+/// Adds the light of splats to camera rays, also to those that have been reflected or transmitted specularly. Splats do not
+/// light surfaces that scatter. The throughput is multiplied by the share of light that the splats transmit, and lanes become
+/// inactive if that share is 0.
 void PathIntegrator::meet_splats(const RayPacket& packet, LaneMask& active, PathRay* rays) {
   LaneMask looking;
   for (int i = 0; i < kLanes; ++i) looking.lane[i] = active.lane[i] && rays[i].density == kInfinity ? -1 : 0;
@@ -55,13 +56,14 @@ void PathIntegrator::look_up_sky(const RayPacket& rays) {
 
 void PathIntegrator::shade_miss(const RayHitPacket& packet, int i, const PathRay& ray) {
   const unsigned id = packet.hit.geomID[i];
-  // A visible light: camera rays and Dirac lobes hit it; all other paths sample it by shadow rays.
+  // The ray hits a visible light. Only camera rays and rays of Dirac lobes add its light; all other paths sample it with shadow
+  // rays.
   if (id >= kLightId && id != kNoId) {
     if (ray.density == kInfinity) end_path(ray, ray.throughput * scene_.lights[id - kLightId].color);
     return;
   }
   if (film_.open && ray.has_met_nothing()) {
-    film_.open[ray.pixel] += ray.throughput.x;  // 1, or the share that splats transmit
+    film_.open[ray.pixel] += ray.throughput.x;  // the throughput is 1, or the share of light that splats transmit
     return;
   }
   float share = 1.0f;

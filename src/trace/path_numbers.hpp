@@ -11,7 +11,7 @@
 
 namespace lippmann {
 
-/// The pairs of random numbers of one vertex per lane.
+/// Pairs of random numbers for one path vertex per lane.
 class PathNumbers {
  public:
   /// Draws the numbers for the active lanes. `rays` has one element per lane. Pass `with_last` only if the last pair

@@ -18,10 +18,10 @@ struct PathRay {
   std::uint32_t pixel = 0;    ///< pixel that receives the light
   std::uint32_t seed = 0, index = 0;  ///< key of the random numbers (transport/sampler.hpp)
   std::uint16_t depth = 0;            ///< vertices on surfaces so far
-  bool spread : 1 = false;            ///< scattered by a lobe that is not a Dirac lobe: textures need not be sharp
+  bool spread : 1 = false;            ///< has been scattered by a lobe other than a Dirac lobe, so textures need not be sharp
   bool one_color : 1 = false;         ///< carries one colour channel only, because a surface has dispersed it
   bool through_wall : 1 = false;      ///< has gone straight through a thin wall, which does not count as a vertex
-  std::uint16_t events : 13 = 0;      ///< vertices and passed surfaces so far: the index of the random numbers
+  std::uint16_t events : 13 = 0;      ///< vertices and passed surfaces so far; selects the random numbers of the next vertex
   std::uint16_t medium = kNoMedium;   ///< the medium that contains the ray
 
   bool has_met_nothing() const { return depth == 0 && !through_wall; }
@@ -30,9 +30,11 @@ struct PathRay {
   int surfaces() const { return depth > 0 || !through_wall ? depth : 1; }
 };
 
-/// Limits vertices plus passed surfaces, because surfaces that let light pass do not count as vertices.
+/// Maximum of vertices plus passed surfaces of a path. The maximum depth alone is no limit, because surfaces that let light
+/// pass are not vertices.
 inline constexpr int kMostEvents = 1024;
-/// Indices of the random number pairs of a vertex: light and lobe; point on the light; direction; roulette and coverage.
+/// Indices of the random number pairs of a vertex. The pairs choose: the light and the lobe; the point on the light; the
+/// direction; Russian roulette and coverage.
 inline constexpr std::uint32_t kChoicePair = 0, kOnLightPair = 1, kWayPair = 2, kCoveragePair = 3, kPairsPerEvent = 4;
 
 /// Returns the path that starts with lane i of camera rays. `seed` is the seed of its random numbers.
@@ -46,8 +48,8 @@ inline PathRay camera_path_ray(const CameraPacket& packet, int i, std::uint32_t 
   return ray;
 }
 
-/// Returns `ray` continued beyond a point that it passes unchanged. `length` is the distance of the point from the path's
-/// start.
+/// Returns the continuation of `ray` behind a point that lets it pass unchanged. `length` is the distance of the point from the
+/// path's start.
 inline PathRay passed(PathRay ray, const ShadingPoint& point, float length) {
   ray.origin = point.position;
   ray.t_near = point.t_near;
@@ -69,7 +71,8 @@ inline void scatter(PathRay& ray, const ShadingPoint& point, const BsdfSample& s
     ray.through_wall = true;
   ray.spread |= !sample.is_delta();
   if (sample.transmitted && point.behind != kSameMedium) ray.medium = point.behind;
-  // Light straight behind the surface is also sampled by the last vertex's shadow rays, so keep its direction and density.
+  // Shadow rays of the last vertex also sample light straight behind the surface, so keep the direction and density of that
+  // vertex.
   if (sample.straight) return;
   ray.direction = sample.direction;
   ray.density = sample.density, ray.scattered_at = length;

@@ -5,8 +5,8 @@
 namespace lippmann {
 namespace {
 
-/// Number of sort buckets. The bucket of an object is given by the lowest bits of its id: nearly always enough, and no table is
-/// needed.
+/// Number of sort buckets. The lowest bits of an object's id select its bucket. This nearly always separates the objects, and
+/// needs no table.
 constexpr std::size_t kBuckets = 64;
 
 /// Loads up to 16 rays into a packet. Lanes beyond `count` repeat the last ray and are inactive. `of_cameras` marks camera rays

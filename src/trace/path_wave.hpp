@@ -23,7 +23,8 @@ class PathWave {
   /// The following accessors are valid until the next load().
   const RayHitPacket& packet() const { return packet_; }
   const LaneMask& active() const { return active_; }
-  /// One per lane. The throughput of active lanes includes the transmittance of the media along the ray.
+  /// Returns an array with one ray per lane. The throughput of active lanes includes the transmittance of the media along the
+  /// ray.
   PathRay* rays() { return lanes_; }
 
  private:

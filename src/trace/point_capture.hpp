@@ -1,4 +1,4 @@
-// Records the first hits of primary packets while they are traced, so a point image needs no rays of its own.
+// Records the first hits of primary packets while they are traced, so that point images need no additional rays.
 #pragma once
 
 #include "shading/shaded_scene.hpp"

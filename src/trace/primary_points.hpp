@@ -1,4 +1,4 @@
-// The depth and object of each pixel's first hit. Point images (src/reuse) are made from it.
+// The depth and object of each pixel's first hit. Point images (src/reuse) are made from these values.
 #pragma once
 
 #include <cstddef>

@@ -9,10 +9,10 @@
 namespace lippmann {
 namespace {
 
-/// Maximum number of rays of one wave, about 200 MB. Depths at which images still change need far fewer.
+/// Maximum number of rays of one wave; they take about 200 MB. Depths at which images still change need far fewer rays.
 constexpr std::size_t kMostRays = std::size_t{1} << 22;
 
-/// The arrays of the queue, starting at some ray.
+/// Pointers to the same ray in all arrays of the queue.
 struct QueueView {
   float *org_x, *org_y, *org_z, *dir_x, *dir_y, *dir_z, *weight_x, *weight_y, *weight_z, *path_length, *tnear, *open;
   std::uint32_t* pixel;
@@ -21,7 +21,8 @@ struct QueueView {
 using Register = float __attribute__((vector_size(4 * kLanes)));
 using Indices = std::int32_t __attribute__((vector_size(4 * kLanes)));
 
-// Inlined into each version of a kernel: versions pass and return such vectors in different registers.
+// These functions must be inlined, because the versions of a kernel for different CPUs pass such vectors in different
+// registers.
 #ifdef __clang__  // Clang has no __builtin_shuffle.
 LIPPMANN_INLINE Register picked_of(const Register& first, const Register& second, const Indices& index) {
   Register picked;
@@ -126,8 +127,8 @@ void RayQueue::load(std::size_t first, RayHitPacket& packet, Bundle& bundle, Lan
   fill_packet(field(0) + first, capacity_, pixel_.get() + first, lanes, packet, bundle, active);
 }
 
-/// Doubles the capacity, at least to that of a batch, and leaves room for a whole append behind the last ray. The memory is not
-/// cleared: entries behind the last ray are only read into inactive lanes.
+/// Doubles the capacity, to at least 2048 rays, so that a whole append fits behind the last ray. The memory is not cleared
+/// because entries behind the last ray are only read into inactive lanes.
 void RayQueue::grow() {
   const std::size_t capacity = std::max<std::size_t>(2 * capacity_, 2048);
   if (capacity > kMostRays)

@@ -24,14 +24,14 @@ struct Branches {
   alignas(64) float open[kCount];  ///< factor for Bundle::open
 };
 
-/// A queue of rays with one array per quantity, so packets are filled by plain copies.
+/// A queue of rays with one array per quantity, so that packets are filled by plain copies.
 class RayQueue {
  public:
   std::size_t size() const { return size_; }
   void clear() { size_ = 0; }
 
-  /// Appends the branches entry[0 ... count - 1], with count at most Branches::kCount. `packet` and `bundle` are the rays that
-  /// hit the surface.
+  /// Appends the branches with the indices entry[0] to entry[count - 1]; count is at most Branches::kCount. `packet` and
+  /// `bundle` are the rays that hit the surface.
   void append(const SurfacePacket& surface, const RayHitPacket& packet, const Bundle& bundle, const Branches& branches,
               const int* entry, int count);
 

@@ -3,7 +3,8 @@
 
 namespace lippmann {
 
-/// Samples first, first + step, ...: one of `step` shares, which are traced in order.
+/// The samples first, first + step, first + 2 step and so on. A pixel's samples are divided into `step` such shares, traced in
+/// order.
 struct SampleShare {
   int first = 0, step = 1;
 

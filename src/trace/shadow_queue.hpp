@@ -21,7 +21,7 @@ class ShadowQueue {
   /// Adds a ray from a point to a light. If it is unoccluded, `radiance` arrives at `pixel` after scattering at `depth`
   /// vertices.
   void push(const ShadingPoint& point, const LightSample& light, const Vec3f& radiance, std::uint32_t pixel, int depth) {
-    // Filled in place: copying a struct that was just written would stall on store forwarding.
+    // Fill the ray in place, because copying a struct that was just written would stall on store forwarding.
     ShadowRay& ray = rays_.emplace_back();
     ray.origin = point.position, ray.direction = light.direction;
     ray.radiance = radiance;

@@ -12,7 +12,7 @@ namespace lippmann {
 
 /// A scene at one time, seen through optics placed in it.
 struct Shot {
-  const DeviceScene& device;  ///< at its state after the last update()
+  const DeviceScene& device;  ///< in the state of its last update()
   const Optics& optics;
   Affine3f world_from_display{};  ///< maps mm to world units; a similarity
   FilmRows rows{};                ///< rows to render; films, layers and pixel indices cover these rows only

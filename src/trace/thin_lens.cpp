@@ -7,7 +7,7 @@
 namespace lippmann {
 namespace {
 
-/// Decorrelates the lens sample from the pixel sample and the path.
+/// Salt that decorrelates the lens sample from the pixel sample and the path.
 constexpr std::uint32_t kLensSalt = 0x6c656e73u;
 
 /// Returns sixteen sample points in the unit square.
@@ -49,7 +49,7 @@ void ThinLens::spread(const LensLanes& lanes, RayPacket& rays) const {
     const Vec3f direction = glm::normalize(per_depth);
     rays.org_x[i] += origin_share_ * step.x, rays.org_y[i] += origin_share_ * step.y, rays.org_z[i] += origin_share_ * step.z;
     rays.dir_x[i] = direction.x, rays.dir_y[i] = direction.y, rays.dir_z[i] = direction.z;
-    rays.tfar[i] *= cosine * glm::length(per_depth);  // keep the depth range
+    rays.tfar[i] *= cosine * glm::length(per_depth);  // the ray still ends at the same depth
   }
 }
 

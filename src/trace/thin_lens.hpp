@@ -6,7 +6,7 @@
 
 namespace lippmann {
 
-/// Random number keys of sixteen rays: pixel of the whole film, and sample number.
+/// Keys of the random numbers of sixteen rays: the index of the pixel in the whole film, and the sample number.
 struct LensLanes {
   const std::uint32_t *pixel, *sample;
 };
@@ -19,8 +19,8 @@ class ThinLens {
 
   bool is_open() const { return radius_ > 0.0f; }
 
-  /// Replaces origin, direction and tfar of sixteen pinhole rays by those of the lens. A pixel's samples are spread evenly over
-  /// the disc.
+  /// Moves sixteen pinhole rays to points on the lens: replaces their origin, direction and tfar. A pixel's samples are spread
+  /// evenly over the disc.
   void spread(const LensLanes& lanes, RayPacket& rays) const;
 
  private:
@@ -28,7 +28,7 @@ class ThinLens {
   std::uint32_t seed_;
   Vec3f right_, up_;     ///< world vectors of 1 mm on the lens
   Vec3f forward_;        ///< unit length
-  float origin_share_;   ///< shift of the ray origin per step on the lens
+  float origin_share_;   ///< shift of the ray's origin relative to the shift of its point on the lens
   float inverse_focus_;  ///< 1 / distance from the eyes to the focal plane, in world units
 };
 

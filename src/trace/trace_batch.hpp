@@ -16,14 +16,14 @@
 
 namespace lippmann {
 
-/// Packets that are all shaded before their secondary rays are traced, sample by sample.
+/// The work of one trace_batch() call. For each sample number, all packets are shaded before their secondary rays are traced.
 struct Batch {
   std::span<const int> packets;
   int first_sample = 0, end_sample = 1, step = 1;
 };
 
 struct PacketSinks {
-  Image* film = nullptr;                 ///< set to 0 before the first sample of a pixel
+  Image* film = nullptr;                 ///< pixels are set to 0 before their first sample
   const PointCapture* points = nullptr;  ///< records first hits
 };
 

@@ -34,7 +34,7 @@ class FrameTracer {
 
   void capture_to(const PointCapture* points) { sinks_.points = points; }
 
-  /// Fills `touched` from the boxes of `probe`.
+  /// Makes tracing fill `touched` with the blocks whose rays meet the boxes of `probe`.
   void probe_with(const TouchProbe& probe, TouchedBlocks& touched) {
     const std::size_t blocks = static_cast<std::size_t>(source_.strips()) * blocks_in(source_.packets_per_strip());
     touched.lowest_horizon.assign(blocks, TouchedBlocks::kNever);
@@ -93,7 +93,7 @@ PathFilm light_in(FrameAovs& aovs) {
   return film;
 }
 
-/// Converts the number of open samples to coverage.
+/// Converts the alpha layer from the number of open samples per pixel to coverage.
 void finish_alpha(int spp, FrameAovs& aovs) {
   if (!aovs.wants(Aov::kAlpha)) return;
   for (float& alpha : aovs[Aov::kAlpha].data) alpha = std::max(0.0f, 1.0f - alpha / static_cast<float>(spp));

@@ -29,14 +29,14 @@ struct TraceParams {
   ViewLens lens{};                                      ///< specified by its aperture (lens_by_aperture)
   std::uint32_t seed = 0;   ///< seed of sample positions within pixels; the same in every frame, so static parts do not flicker
   std::uint32_t frame = 0;  ///< path tracing: frame number, so that the noise differs between frames
-  float clamp_indirect = 0.0f;  ///< path tracing: > 0: upper limit of an indirect contribution, which loses light
+  float clamp_indirect = 0.0f;  ///< path tracing: upper limit of an indirect contribution, which loses light; 0: no limit
 };
 
 /// The outputs of trace_frame().
 struct TraceTargets {
   Image& film;                ///< resized to 3 linear channels and film_size(shot)
   FrameAovs* aovs = nullptr;  ///< light layers; path tracing only (find_first_hits, trace/first_hits.hpp, fills the others)
-  /// First hits behind the pixels' centres: free with one sample per pixel, otherwise an extra pass.
+  /// Receives the first hits behind the pixels' centres. Free with one sample per pixel; otherwise needs an extra pass.
   PrimaryPoints* points = nullptr;
   TouchedBlocks* touched = nullptr;  ///< filled with the blocks whose rays meet its boxes
 };

@@ -21,7 +21,7 @@ std::vector<std::uint32_t> ranks_in_strip(const StripOrder& order, int width) {
   return ranks;
 }
 
-/// Pixels sorted by strip and ray order. Strip s is [begin[s], begin[s + 1]).
+/// Pixels sorted by strip and ray order. The pixels of strip s are entries begin[s] to begin[s + 1] - 1.
 struct OrderedPixels {
   std::vector<std::uint32_t> pixels;
   std::vector<std::size_t> begin;
@@ -45,7 +45,7 @@ OrderedPixels in_ray_order(Pixels pixels, const Optics& optics, RayOrder ray_ord
   return ordered;
 }
 
-/// The rays and targets of pixels, by sample.
+/// Computes the rays and targets of listed pixels for each sample number.
 struct PixelRays {
   PixelRays(const Shot& shot, const SubPixel& where)
       : sub_pixel(where),
@@ -59,7 +59,7 @@ struct PixelRays {
   std::uint32_t first_pixel;  ///< index of the first rendered pixel in the whole film
 };
 
-/// Packets of 16 pixels of a list, for trace_batch().
+/// Packets of 16 listed pixels, for trace_batch().
 struct PixelPackets {
   const PixelRays& from;
   Pixels pixels;

@@ -107,7 +107,7 @@ LIPPMANN_MULTIVERSION void see_sky(const Background& background, const RayHitPac
   }
 }
 
-/// Like see_sky(), for panoramas.
+/// Sets the radiance of lanes that hit nothing, like see_sky(), from a panorama.
 void see_panorama(const Environment& environment, const RayHitPacket& packet, Lanes3& radiance) {
   for (int i = 0; i < kLanes; ++i)
     if (packet.hit.geomID[i] == kNoId)
@@ -146,7 +146,7 @@ LIPPMANN_MULTIVERSION void end_branches(const Background& background, const RayP
   }
 }
 
-/// Like end_branches(), for panoramas.
+/// Adds a panorama at the end of a path, like end_branches().
 void end_in_panorama(const Environment& environment, const LaneMask& hit, const Branches& branches, int first,
                      Lanes3& radiance) {
   for (int i = 0; i < kLanes; ++i) {
@@ -203,7 +203,8 @@ void WhittedTracer::finish() {
   }
 }
 
-/// Adds splats and scales the weight of the light behind them by their transmittance. Deactivates lanes with no transmittance.
+/// Adds the light of splats and scales the weight of the light behind them by their transmittance. Deactivates lanes with no
+/// transmittance.
 void WhittedTracer::look_at_splats(const RayPacket& rays, LaneMask& active, Bundle& bundle) {
   SplatLight light;
   see_splats(scene_, active, rays, splat_hits_, light);
@@ -250,7 +251,7 @@ void WhittedTracer::gather_light(const RayHitPacket& packet, DirectLight& direct
         packet, std::span(scene_.lights).subspan(first).first(std::min(shadows_.size(), scene_.lights.size() - first)), direct);
 }
 
-/// Gathers at most as many lights as there are shadow packets.
+/// Adds the direct light of `lights`, which must not outnumber the shadow packets.
 void WhittedTracer::gather_lights(const RayHitPacket& packet, std::span<const WhittedLight> lights, DirectLight& direct) {
   const float least_light = scene_.tachyon ? 0.001959f : 0.0f;  // Tachyon's threshold, about 1/512
   // Three loops, so that the kernel of one light overlaps with the square roots and divisions of the previous one.

@@ -71,7 +71,7 @@ class WhittedTracer final : public FrameIntegrator {
   RayQueue wave_, next_;
   SurfacePacket surface_;
   SplatHits splat_hits_;
-  std::vector<ShadowPacket> shadows_;  ///< one per light of a pass
+  std::vector<ShadowPacket> shadows_;  ///< one packet per light of a pass
   std::vector<int> shadow_rays_;       ///< active lanes of each shadow packet
 };
 
