@@ -52,7 +52,8 @@ TEST(MivCameras, text_brings_back_cameras) {
 
 TEST(MivCameras, text_has_the_fields_that_tmiv_requires) {
   const nlohmann::json json = nlohmann::json::parse(miv_cameras_text(cameras_by_hand(), "room", true));
-  for (const char* key : {"Version", "Content_name", "BoundingBox_center", "Fps", "Frames_number", "lengthsInMeters", "cameras"})
+  for (const char* key :
+       {"Version", "Content_name", "BoundingBox_center", "Fps", "Frames_number", "lengthsInMeters", "cameras"})
     EXPECT_TRUE(json.contains(key)) << key;
   EXPECT_EQ(json["Frames_number"], 1);
   EXPECT_EQ(json["cameras"][0]["BitDepthColor"], 10) << "TMIV reads textures of 10 bits";
