@@ -98,7 +98,7 @@ void read_depths(const Hdf5File& file, LightField& field, const std::string& whe
 LightField read_hci_hdf5(const fs::path& path, const FormatOptions& options) {
   const std::string where = path.string();
   require_as_recorded(path);
-  read_file_begin(path, 1);  // says why a file cannot be opened, which HDF5 does not
+  require_regular_file(path);  // HDF5 does not say why a file cannot be opened
   const std::unique_ptr<Hdf5File> file = hdf5_module().open(where);
   const Hdf5Header& header = file->header();
   require_read(header.problem, where);
