@@ -29,7 +29,7 @@ bool is_ppm_name(const fs::path& path) {
   return ending.match(path.extension().string()).has_value();
 }
 
-/// Row by row, with their rows before their columns.
+/// Returns the files row by row. Their numbers are row and column, unlike their names.
 std::vector<NumberedFile> files_by_row(const fs::path& folder) {
   static const TextPattern name("([0-9]{1,4})_([0-9]{1,4})\\.(?:ppm|png|tiff?|bmp|jpe?g|webp|exr)",
                                 TextPattern::Letters::kEitherCase);

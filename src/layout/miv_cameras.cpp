@@ -81,15 +81,9 @@ std::string miv_cameras_text(const std::vector<MivCamera>& cameras, const std::s
                     {"ColorSpace", "YUV420"},
                     {"DepthColorSpace", "YUV420"}});
   }
-  // TMIV refuses files without frame rate and count, also of one picture.
-  const Json json{{"Version", "4.0"},
-                  {"Content_name", content},
-                  {"BoundingBox_center", {0, 0, 0}},
-                  {"Fps", 30},
-                  {"Frames_number", 1},
-                  {"lengthsInMeters", true},
-                  {"sourceCameraNames", names},
-                  {"cameras", list}};
+  // TMIV requires a frame rate and a frame count, even for a single picture.
+  const Json json{{"Version", "4.0"},   {"Content_name", content}, {"BoundingBox_center", {0, 0, 0}}, {"Fps", 30},
+                  {"Frames_number", 1}, {"lengthsInMeters", true}, {"sourceCameraNames", names},      {"cameras", list}};
   return json_to_text(json) + '\n';
 }
 

@@ -78,7 +78,7 @@ struct DepthRange {
   double near_m = 0.1, far_m = 100.0;
 };
 
-/// Returns the range that holds all depths. Its far end lies beyond the farthest, which gets kFarthestCode if it is positive.
+/// Returns the range of depths of all surfaces. It extends beyond the farthest, whose code is kFarthestCode if it can be.
 DepthRange depth_range(const LightField& field) {
   double nearest = INFINITY, farthest = 0.0;
   for (const float z : field.depth->data) {
