@@ -2,7 +2,10 @@
 //
 //   1. The autocorrelation of the middle of the picture has a peak at every vector between two lenses. The two shortest
 //      non-parallel vectors are a basis of the lattice; the angle between them distinguishes square from hexagonal grids.
-//   2. The phase of the picture at the lattice's two fundamental frequencies gives the position of a lens.
+//      Variations of less than four periods across the picture are removed first, as vignetting.
+//   2. The phase of the picture at the lattice's two fundamental frequencies gives the position of a lens. Light at fractions
+//      of these frequencies means that the true lattice is coarser, and its fundamental was removed in step 1. Such pictures
+//      are refused.
 //   3. The centre of each lens is the fixed point of a mean of positions, weighted by light and by a smooth window (mean
 //      shift: D. Comaniciu, P. Meer, "Mean shift: a robust approach toward feature space analysis", PAMI 2002).
 //   4. A grid is fitted to the centres by least squares, first near the middle, then repeatedly over twice the extent, so
@@ -84,31 +87,28 @@ double smooth_light_at(const Image& image, int x, int y) {
   return sum / 16.0;
 }
 
-/// The autocorrelation of the middle of a picture, for lags up to a quarter of its side. Variations slower than the lenses are
+/// The autocorrelation of the middle of a picture, for lags up to a quarter of the crop. Variations slower than the lenses are
 /// removed first.
 class Autocorrelation {
  public:
-  explicit Autocorrelation(const Image& white) {
-    while (2 * side_ <= std::min({white.width, white.height, kLargestCrop})) side_ *= 2;
+  explicit Autocorrelation(const Image& white) : crop_(std::min({white.width, white.height, kLargestCrop})) {
+    while (side_ < crop_) side_ *= 2;
     const auto side = static_cast<std::size_t>(side_);
-    std::vector<Complex> values(side * side);
-    const int left = (white.width - side_) / 2, top = (white.height - side_) / 2;
-    for (int y = 0; y < side_; ++y)
-      for (int x = 0; x < side_; ++x) values[index(x, y)] = hann(x) * hann(y) * smooth_light_at(white, left + x, top + y);
+    std::vector<Complex> values = windowed(white);
     fourier_2d(values, side);
-    // In periods per crop. Lenses that are a sixteenth of the picture wide have twice as many.
-    constexpr int kSlow = 8;
+    constexpr double kSlow = 4.0;  // periods in the crop: a third less than lenses of a sixth have
+    const double slow = kSlow * side_ / crop_;
     for (int y = 0; y < side_; ++y)
       for (int x = 0; x < side_; ++x) {
         const int u = std::min(x, side_ - x), v = std::min(y, side_ - y);
-        values[index(x, y)] = u * u + v * v < kSlow * kSlow ? 0.0 : std::norm(values[index(x, y)]);
+        values[index(x, y)] = u * u + v * v < slow * slow ? 0.0 : std::norm(values[index(x, y)]);
       }
     fourier_2d(values, side);
     lags_.resize(side * side);
     std::transform(values.begin(), values.end(), lags_.begin(), [](const Complex& value) { return value.real(); });
   }
 
-  int reach() const { return side_ / 4; }
+  int reach() const { return crop_ / 4; }
   double at(int x, int y) const { return lags_[index((x + side_) % side_, (y + side_) % side_)]; }
 
   bool is_peak(int x, int y) const {
@@ -132,9 +132,25 @@ class Autocorrelation {
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(x);
   }
-  double hann(int i) const { return 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * (i + 0.5) / side_); }
+  double hann(int i) const { return 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * (i + 0.5) / crop_); }
 
-  int side_ = kSmallestCrop;
+  /// The crop less its mean, under a window, followed by zeros.
+  std::vector<Complex> windowed(const Image& white) const {
+    const int left = (white.width - crop_) / 2, top = (white.height - crop_) / 2;
+    double light = 0.0, window = 0.0;
+    for (int y = 0; y < crop_; ++y)
+      for (int x = 0; x < crop_; ++x) {
+        const double weight = hann(x) * hann(y);
+        light += weight * smooth_light_at(white, left + x, top + y), window += weight;
+      }
+    std::vector<Complex> values(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_));
+    for (int y = 0; y < crop_; ++y)
+      for (int x = 0; x < crop_; ++x)
+        values[index(x, y)] = hann(x) * hann(y) * (smooth_light_at(white, left + x, top + y) - light / window);
+    return values;
+  }
+
+  int crop_, side_ = kSmallestCrop;  // the crop's side, and the next power of two
   std::vector<double> lags_;
 };
 
@@ -199,26 +215,61 @@ LensGrid grid_of_basis(Vec2d a, Vec2d b, const std::string& where) {
   return lens_grid(glm::length(column), -column_turn, {}, LensArrangement::kHexagonalColumns);
 }
 
-/// Returns the position of a lens near the middle of the picture, from its phases at the two fundamental frequencies.
-Vec2d lens_by_phase(const Image& white, const LensGrid& grid) {
+/// The light around the middle at one frequency after another, under a Gaussian window and without the mean.
+class LightAtFrequencies {
+ public:
+  LightAtFrequencies(const Image& white, double sigma_px) : middle_(0.5 * Vec2d(white.width, white.height)) {
+    const int reach = static_cast<int>(std::ceil(3.0 * sigma_px));
+    const Vec2i centre(middle_), first = glm::max(centre - reach, Vec2i(0)),
+                                 end = glm::min(centre + reach, Vec2i(white.width, white.height));
+    double sum = 0.0, window = 0.0;
+    for (int y = first.y; y < end.y; ++y)
+      for (int x = first.x; x < end.x; ++x) {
+        const Vec2d from = Vec2d(x + 0.5, y + 0.5) - middle_;
+        const double weight = std::exp(-glm::dot(from, from) / (2.0 * sigma_px * sigma_px));
+        samples_.push_back({from, weight, smooth_light_at(white, x, y)});
+        sum += weight * samples_.back().light, window += weight;
+      }
+    for (Sample& sample : samples_) sample.light = sample.weight * (sample.light - sum / window);
+  }
+
+  Vec2d middle() const { return middle_; }
+
+  /// `frequency`: periods per pixel.
+  Complex at(Vec2d frequency) const {
+    Complex sum = 0.0;
+    for (const Sample& sample : samples_)
+      sum += std::polar(sample.light, -2.0 * std::numbers::pi * glm::dot(frequency, sample.from));
+    return sum;
+  }
+
+ private:
+  struct Sample {
+    Vec2d from;
+    double weight, light;
+  };
+  Vec2d middle_;
+  std::vector<Sample> samples_;
+};
+
+/// A lens near the middle, by the phase of the light at the two fundamental frequencies. Throws Error if there is as much light
+/// at a half or a third of these: then the grid has lenses in the gaps of the true one.
+Vec2d lens_by_phase(const Image& white, const LensGrid& grid, const std::string& where) {
   LensGrid centred = grid;
   centred.offset_px = Vec2d(0.0);
   const Vec2d e1 = lens_centre(centred, 1, 0), e2 = lens_centre(centred, 0, 1);
   const Vec2d k1 = Vec2d(e2.y, -e2.x) / cross(e1, e2), k2 = Vec2d(-e1.y, e1.x) / cross(e1, e2);
-  const Vec2d middle = 0.5 * Vec2d(white.width, white.height);
-  const double sigma = 3.0 * grid.pitch_px;
-  const int reach = static_cast<int>(std::ceil(3.0 * sigma));
-  Complex sum1 = 0.0, sum2 = 0.0;
-  const Vec2i centre(middle);
-  for (int y = std::max(0, centre.y - reach); y < std::min(white.height, centre.y + reach); ++y)
-    for (int x = std::max(0, centre.x - reach); x < std::min(white.width, centre.x + reach); ++x) {
-      const Vec2d from = Vec2d(x + 0.5, y + 0.5) - middle;
-      const double light = smooth_light_at(white, x, y) * std::exp(-glm::dot(from, from) / (2.0 * sigma * sigma));
-      sum1 += std::polar(light, -2.0 * std::numbers::pi * glm::dot(k1, from));
-      sum2 += std::polar(light, -2.0 * std::numbers::pi * glm::dot(k2, from));
-    }
+  const LightAtFrequencies light(white, 3.0 * grid.pitch_px);
+  const Complex sum1 = light.at(k1), sum2 = light.at(k2);
+  constexpr double kLeastShare = 0.5;
+  for (const int parts : {2, 3})
+    for (int i = 0; i < parts; ++i)
+      for (int j = i == 0 ? 1 : 0; j < parts; ++j)
+        if (std::abs(light.at((Vec2d(i) * k1 + Vec2d(j) * k2) / static_cast<double>(parts))) >
+            kLeastShare * std::max(std::abs(sum1), std::abs(sum2)))
+          throw no_lens_grid(where, "fewer than six lenses lie across it");
   const double turns = -0.5 / std::numbers::pi;
-  return middle + turns * std::arg(sum1) * e1 + turns * std::arg(sum2) * e2;
+  return light.middle() + turns * std::arg(sum1) * e1 + turns * std::arg(sum2) * e2;
 }
 
 /// Returns the centre of the lens near `start`, in pixels. Returns NaN if the iteration does not converge.
@@ -331,7 +382,7 @@ bool spans_both_ways(const std::vector<FoundLens>& lenses) {
 
 /// Performs steps 3 and 4 of the comment at the top. Does not support kHexagonalColumns.
 LensGridFit grown_fit(const Image& white, LensGrid grid, const std::string& where) {
-  grid.offset_px = lens_by_phase(white, grid);
+  grid.offset_px = lens_by_phase(white, grid, where);
   const double whole = std::hypot(white.width, white.height);
   std::vector<FoundLens> lenses;
   for (double reach = 3.5 * grid.pitch_px;; reach = std::min(2.0 * reach, whole)) {

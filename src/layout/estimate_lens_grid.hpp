@@ -13,7 +13,7 @@ struct LensGridFit {
   double residual_px = 0.0;  ///< root mean square distance of the lens centres from the grid
 };
 
-/// Estimates the grid from `white` (1 channel). The lens spacing must be between 4 pixels and a sixteenth of the picture. The
+/// Estimates the grid from `white` (1 channel). The lens spacing must be between 4 pixels and a sixth of the picture. The
 /// grid may have any rotation: square grids are described by up to 45 degrees, hexagonal ones by up to 15 degrees from rows or
 /// columns. Throws Error naming `where` if there is no such grid.
 LensGridFit estimate_lens_grid(const Image& white, const std::string& where);

@@ -178,11 +178,11 @@ void write_lens_spots(const fs::path& path, int side) {
 
 TEST(Convert, plenoptic_grid_is_given_or_found) {
   const TempDir dir;
-  write_lens_spots(dir / "raw.png", 156);
-  write_lens_spots(dir / "white.png", 156);
+  write_lens_spots(dir / "raw.png", 104);
+  write_lens_spots(dir / "white.png", 104);
   const Words convert{"convert", "raw.png", "views", "--from", "plenoptic", "--to", "views"};
   const Json given = report_of(dir, convert + Words{"--lens-pitch-px", "10.4", "--views", "9x9"});
-  EXPECT_EQ(given["view_size"], Json({15, 15}));
+  EXPECT_EQ(given["view_size"], Json({10, 10}));
   EXPECT_FALSE(given.contains("lens_grid"));
   fs::remove_all(dir / "views");
   const Json found = report_of(dir, convert + Words{"--white", "white.png"});

@@ -107,6 +107,44 @@ TEST(LensGridEstimate, finds_rows_that_are_scaled) {
   expect_grid_found(grid, {420, 420});
 }
 
+/// `across` lenses in a square picture.
+LensGridFit fit_of_lenses(const LensGrid& grid, double across) {
+  const int side = static_cast<int>(std::lround(across * grid.pitch_px));
+  const Image white = raw_picture(grid, {side, side}, white_light(grid.pitch_px), 1);
+  const LensGridFit fit = estimate_lens_grid(white, "white");
+  EXPECT_LT(grid_distance(fit.grid, grid, {side, side}), 0.1);
+  return fit;
+}
+
+/// 10 lenses of 10.4 pixels are among them, whose light at 45 degrees has a period of 7.35 pixels.
+TEST(LensGridEstimate, six_to_forty_lenses_are_enough) {
+  struct Case {
+    double across, pitch, rotation_deg;
+  };
+  for (const Case& c : {Case{6, 17.0, 0.0}, Case{6, 10.7, 13.0}, Case{6.5, 10.4, -2.3}, Case{7, 14.29, 14.0}, Case{8, 8.3, 0.7},
+                        Case{10, 10.4, 0.0}, Case{12, 10.4, -9.0}, Case{15, 9.94, 0.2}, Case{20, 7.3, -14.0},
+                        Case{30, 5.3, 5.0}, Case{40, 5.3, 0.0}}) {
+    const double rotation = c.rotation_deg * std::numbers::pi / 180.0;
+    for (const LensArrangement arrangement : {LensArrangement::kSquare, LensArrangement::kHexagonal}) {
+      const LensGridFit fit = fit_of_lenses(lens_grid(c.pitch, rotation, {3.3, 0.6 * c.pitch}, arrangement), c.across);
+      EXPECT_EQ(fit.grid.arrangement, arrangement) << c.across << " lenses of " << c.pitch;
+      EXPECT_NEAR(fit.grid.pitch_px, c.pitch, 5e-3 * c.pitch) << c.across;
+      EXPECT_NEAR(fit.grid.rotation, rotation, 5e-3) << c.across;
+    }
+  }
+  for (const double turn_deg : {30.0, 44.0})
+    EXPECT_NEAR(fit_of_lenses(lens_grid(10.4, turn_deg * std::numbers::pi / 180.0, {1.0, 2.0}, LensArrangement::kSquare), 9.0)
+                    .grid.rotation,
+                turn_deg * std::numbers::pi / 180.0, 5e-3);
+}
+
+/// Their fundamental frequency is left out as vignetting, and its harmonics are those of a finer grid.
+TEST(LensGridEstimate, too_few_lenses_are_refused) {
+  const LensGrid grid = lens_grid(40.0, 0.03, {7.0, 11.0}, LensArrangement::kSquare);
+  for (const double across : {2.0, 3.0})
+    EXPECT_THAT(error_message([&] { fit_of_lenses(grid, across); }), HasSubstr("fewer than six lenses")) << across;
+}
+
 TEST(LensGridEstimate, finds_columns_by_swapped_axes) {
   const LensGrid rows = lens_grid(11.2, 0.02, {5.5, 7.0}, LensArrangement::kHexagonal);
   const Image white = raw_picture(rows, {400, 320}, white_light(11.2), 1);
