@@ -70,7 +70,7 @@ std::string describe_pictures(const Planned& plan) {
 
 /// Returns whether `replay` can show the pictures as an eye sees them: single views are such pictures already.
 bool can_be_replayed(const RenderReport& report) {
-  return !is_single_view(report.optics) && !report.params.output.pictures.mirror;
+  return !is_single_view(report.optics) && !sensor_lenses(report.optics) && !report.params.output.pictures.mirror;
 }
 
 /// Returns how the pictures were made and a flag that reduces the noise.
@@ -135,6 +135,8 @@ void print_summary(const RenderReport& report, const Planned& plan, const Render
       print_line("one eye", program + " replay " + shell_word(folder.string()));
       print_line("in 3D", program + " view " + shell_word(folder.string()));
     }
+    if (sensor_lenses(report.optics))
+      print_line("views", program + " convert " + shell_word(folder.string()) + " views --to views");
   }
   print_choices(report.params.sampling, report.optics, report.light, report.view);
   if (const auto done = precompensation_of(report))

@@ -11,6 +11,7 @@
 #include "folder/develop_frame.hpp"
 #include "folder/frame_files.hpp"
 #include "image/read_image.hpp"
+#include "layout/lens_grid_file.hpp"
 #include "layout/quilt_side_file.hpp"
 #include "layout/rgbd_side_file.hpp"
 #include "lippmann/image/encode.hpp"
@@ -107,6 +108,8 @@ struct FrameSink::Impl {
       write_quilt_side_file(picture, {*quilt, quilt->tiles.count()});
       written.push_back(quilt_side_path(picture));
     }
+    if (const std::optional<LensGrid> grid = lens_grid_of(settings.optics))
+      written.push_back(write_lens_grid(written.front(), *grid));
     return written;
   }
 

@@ -86,7 +86,7 @@ constexpr std::array kEffects{
     Effect{"points", is_file, "a PLY file of points instead of a built-in scene"},
     Effect{"up", is_file, "a scene file instead of a built-in scene"},
     Effect{"crosstalk", precompensates, "--precompensate with it"},
-    Effect{"packing", has_microlenses, "--optics microlens with it"},
+    Effect{"packing", has_microlenses, "--optics microlens or plenoptic with it"},
     Effect{"fit-depth", has_parallax, "optics other than a single view"},
     Effect{"view-angle", has_parallax, "optics other than a single view"},
     Effect{"clamp-indirect", traces_paths, "--integrator path with it"},

@@ -449,11 +449,24 @@ std::vector<ParamInfo> optics_rows() {
            "Full angle of the viewing zone; sets the gap between lenses and panel; default: that of --display, else 28"}),
       row(ParamKind::kText, &P::optics, &OpticsParams::viewing_distance_mm, distance,
           {"viewing-distance", "Optics", "MM|inf|auto",
-           "Distance at which the lenses' viewing zones coincide; auto: that of --display, else the camera's distance"}),
+           "Distance at which the lenses' viewing zones coincide; auto: that of --display, else the camera's distance. With "
+           "--optics plenoptic: from the main lens to the plane in focus; auto: the camera's distance, in scenes in metres"}),
       row(ParamKind::kText, &P::optics, &OpticsParams::eye_height, eye_height,
           {"eye-height", "Optics", "MM|DEGdeg",
            "Height of the viewer's eyes above the middle of the display, such as 150, or 30deg seen from there; below 0: below "
            "it"}),
+      row(ParamKind::kNumber, &P::optics, &OpticsParams::sensor_width_mm, optional_number<float>(0.1, 1e4),
+          {"sensor-width", "Optics", "MM", "With --optics plenoptic: width of the sensor; default: 36"}),
+      row(ParamKind::kNumber, &P::optics, &OpticsParams::focal_length_mm, optional_number<float>(0.1, 1e5),
+          {"focal-length", "Optics", "MM",
+           "With --optics plenoptic: focal length of the main lens; default: the field of view of the scene's camera"}),
+      row(ParamKind::kNumber, &P::optics, &OpticsParams::gap_mm, optional_number<float>(1e-4, 1e4),
+          {"gap", "Optics", "MM",
+           "With --optics plenoptic: distance between microlenses and sensor; default: the images below the lenses touch"}),
+      row(ParamKind::kNumber, &P::optics, &OpticsParams::lens_focal_length_mm, optional_number<float>(1e-4, 1e4),
+          {"lens-focal-length", "Optics", "MM",
+           "With --optics plenoptic: focal length of the microlenses; default: the gap (plenoptic 1.0). Other values place the "
+           "array before or behind the main lens's image (2.0)"}),
       row(ParamKind::kNumber, &P::optics, &OpticsParams::slant_deg, number<float>(-80.0, 80.0),
           {"slant", "Optics", "DEG", "Angle of a lenticular sheet's lenses from the vertical"}),
       row(ParamKind::kNumber, &P::optics, &OpticsParams::ipd_mm, optional_number<double>(0.1, 1000.0),
@@ -496,7 +509,8 @@ std::vector<ParamInfo> rendering_rows() {
            "pinhole"}),
       row(ParamKind::kNumber, &P::sampling, &Sampling::lens, &ViewLens::f_number, number<float>(0.0, 1e6),
           {"f-number", "Rendering", "N",
-           "Depth of field as an f-number, for a sensor 36 mm wide (as in Blender) and scenes in metres; 0: a pinhole"}),
+           "Depth of field as an f-number, for a sensor 36 mm wide (as in Blender) and scenes in metres; 0: a pinhole. With "
+           "--optics plenoptic: of the main lens; default: 2, or that of the microlenses if --gap is given"}),
       row(ParamKind::kNumber, &P::sampling, &Sampling::lens, &ViewLens::focal_plane_mm, number<float>(-1e6, 1e6),
           {"focal-plane", "Rendering", "MM",
            "Depth that is sharp with depth of field: distance in front of the display plane (see --focus), negative behind "

@@ -30,6 +30,8 @@ PlacedJob place(const ResolvedJob& job, const Scene& scene) {
   placed_job.array = fit_array(scene, screen.window_aspect, job.scene().view);
   const bool has_display = placed_job.display != nullptr, is_stereo = wants_stereo(job.params());
   Optics optics = screen.optics(placed_job.array);
+  if (screen.keeps_viewer)
+    placed_job.array.plane_height = placed_job.array.viewing_distance * window_size_mm(optics).y / viewing_distance_mm(optics);
   const bool fit_depth = fits_depth(job.params().optics.fit_depth, optics, has_display || is_stereo);
   placed_job.placed = placed_on(scene, placed_job.array, std::move(optics), fit_depth);
   placed_job.placed.for_display = has_display && !is_stereo;

@@ -1,6 +1,7 @@
 #include "job/reuse_params.hpp"
 
 #include "lippmann/core/error.hpp"
+#include "optics/optics_kind.hpp"
 
 namespace lippmann {
 namespace {
@@ -75,6 +76,7 @@ Reuse wanted_reuse(const ReuseParams& params, const Sampling& sampling) {
 
 FrameParams frame_params(const ResolvedJob& job) {
   FrameParams frames{job.sampling(), wanted_reuse(job.params().reuse, job.sampling())};
+  if (optics_kind(job.params()).info().is_camera) frames.sampling.lens.f_number = 0.0f;  // the camera's rays have the lens
   check(frames);
   return frames;
 }

@@ -17,6 +17,9 @@ struct Screen {
   /// Returns the optics for the viewer of an array fitted with this aspect. Throws a usage Error if there are none for this
   /// viewer.
   std::function<Optics(const FittedArray&)> optics;
+
+  /// The viewer stays where it was fitted, and the optics decide how much of the scene they see: cameras.
+  bool keeps_viewer = false;
 };
 
 }  // namespace lippmann

@@ -8,6 +8,7 @@
 
 #include "job/panel_size.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/optics/view_lens.hpp"
 #include "optics/eye_height.hpp"
 
 namespace lippmann {
@@ -19,8 +20,9 @@ constexpr float kViewerHeights = 3.0f;   ///< default viewing distance in window
 
 bool has_lenses(const PanelSize& size) { return size.lens_pixels > 0.0f; }
 
-Panel make_panel(const PanelSize& size) {
+Panel make_panel(const OpticsParams& params, const PanelSize& size, bool is_camera) {
   const float view_width = static_cast<float>(size.width) / static_cast<float>(size.views.x);
+  if (is_camera) return {size.width, size.height, params.sensor_width_mm.value_or(kSensorWidthMm) / view_width};
   return {size.width, size.height, has_lenses(size) ? kLensWidthMm / size.lens_pixels : kSingleWidthMm / view_width};
 }
 
@@ -31,6 +33,17 @@ float viewing_distance_mm(const OpticsParams& params, const PanelSize& size, flo
   if (params.viewing_distance_mm)
     throw usage_error("--viewing-distance", "cannot be infinite without lenses", "millimetres above 0, or auto");
   return kViewerHeights * window_height_mm;
+}
+
+/// Returns the distance of a camera from the plane in focus; by default, units of the scene are metres.
+float camera_distance_mm(const OpticsParams& params, const FittedArray& array) {
+  constexpr float kMmPerMetre = 1000.0f;
+  const float distance = params.viewing_distance_mm.value_or(kMmPerMetre * array.viewing_distance);
+  if (!std::isfinite(array.viewing_distance))
+    throw usage_error("--optics", "plenoptic needs a viewer at a finite distance", "a scene with a perspective camera");
+  if (!std::isfinite(distance))
+    throw usage_error("--viewing-distance", "cannot be infinite for a camera", "millimetres above 0, or auto");
+  return distance;
 }
 
 /// Throws if a near viewer would need lenses narrower than a pixel, which could show no picture.
@@ -52,19 +65,23 @@ void check_lens(const Optics& optics) {
 
 Screen screen_of_params(const RenderParams& params, const Scene& scene) {
   const PanelSize size = panel_size(params, scene.resolution);
-  const Panel panel = make_panel(size);
+  const bool is_camera = optics_kind(params).info().is_camera;
+  const Panel panel = make_panel(params.optics, size, is_camera);
   const Vec2f pixel_offset = scene.cameras.empty() ? Vec2f(0.0f) : scene.cameras.front().pixel_offset;
-  const auto optics_for = [params, size, panel, pixel_offset](const FittedArray& array) {
+  const auto optics_for = [params, size, panel, pixel_offset, is_camera](const FittedArray& array) {
     const float window_height_mm = static_cast<float>(size.height / size.views.y) * panel.pixel_pitch_mm;
     const float fitted_mm = array.viewing_distance / scene_units_per_mm(array, window_height_mm);
-    const float distance_mm = viewing_distance_mm(params.optics, size, fitted_mm, window_height_mm);
+    const float distance_mm = is_camera ? camera_distance_mm(params.optics, array)
+                                        : viewing_distance_mm(params.optics, size, fitted_mm, window_height_mm);
     Optics optics;
     optics.panel = panel;
-    optics.model = optics_kind(params).info().make_model({params.optics, panel, size, distance_mm, pixel_offset});
+    optics.model = optics_kind(params).info().make_model(
+        {params.optics, panel, size, distance_mm, pixel_offset, fitted_mm, params.sampling.lens.f_number});
     check_lens(optics);
     return with_eye_height(std::move(optics), params.optics.eye_height);
   };
-  return {static_cast<float>(size.width / size.views.x) / static_cast<float>(size.height / size.views.y), optics_for};
+  return {static_cast<float>(size.width / size.views.x) / static_cast<float>(size.height / size.views.y), optics_for,
+          is_camera};
 }
 
 }  // namespace lippmann

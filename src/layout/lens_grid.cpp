@@ -10,6 +10,14 @@ LensGrid lens_grid(double pitch_px, double rotation, Vec2d offset_px, LensArrang
   return {pitch_px, is_square ? pitch_px : pitch_px * 0.5 * std::numbers::sqrt3, rotation, offset_px, arrangement};
 }
 
+std::optional<LensGrid> lens_grid_of(const Optics& optics) {
+  const std::optional<SensorLenses> lenses = sensor_lenses(optics);
+  if (!lenses) return std::nullopt;
+  const bool is_square = lenses->packing == LensPacking::kSquare;
+  return LensGrid{lenses->pitch_px, lenses->row_pitch_px, 0.0, lenses->centre_px,
+                  is_square ? LensArrangement::kSquare : LensArrangement::kHexagonal};
+}
+
 LensGrid transposed(const LensGrid& grid) {
   LensGrid swapped = grid;
   swapped.offset_px = {grid.offset_px.y, grid.offset_px.x};

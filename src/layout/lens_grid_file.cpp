@@ -2,8 +2,10 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <vector>
 
+#include "core/atomic_file.hpp"
 #include "core/json_fields.hpp"
 #include "core/json_text.hpp"
 #include "core/recorded_file.hpp"
@@ -15,6 +17,10 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kArrangements{"square", "hexagonal", "hexagonal-columns"};
 constexpr NumberRange kPitchPx{2.0, 4096.0}, kRowPitchPx{1.0, 4096.0}, kTurnDeg{-180.0, 180.0}, kPlacePx{-1e6, 1e6};
+
+std::filesystem::path lens_grid_side_path(const std::filesystem::path& picture) {
+  return std::filesystem::path(picture) += ".json";
+}
 
 }  // namespace
 
@@ -48,8 +54,15 @@ std::optional<LensGrid> parse_lens_grid(const std::string& text, const std::stri
   return grid;
 }
 
+std::filesystem::path write_lens_grid(const std::filesystem::path& picture, const LensGrid& grid) {
+  const std::filesystem::path path = lens_grid_side_path(picture);
+  const std::string text = json_to_text({{"plenoptic", lens_grid_json(grid)}}, -1) + '\n';
+  write_file_atomically(path, std::as_bytes(std::span(text)));
+  return path;
+}
+
 std::optional<LensGrid> read_lens_grid(const std::filesystem::path& picture) {
-  const std::filesystem::path path = std::filesystem::path(picture) += ".json";
+  const std::filesystem::path path = lens_grid_side_path(picture);
   if (!is_regular_file_there(path)) return std::nullopt;
   constexpr std::uintmax_t kMaxBytes = 1 << 20;
   return parse_lens_grid(read_recorded_text(path, kMaxBytes, "the side file of a picture"), path.string());

@@ -29,4 +29,7 @@ std::optional<LensGrid> parse_lens_grid(const std::string& text, const std::stri
 /// Reads the side file of a picture; none if it does not exist or describes something else.
 std::optional<LensGrid> read_lens_grid(const std::filesystem::path& picture);
 
+/// Writes the side file of a picture and returns its path.
+std::filesystem::path write_lens_grid(const std::filesystem::path& picture, const LensGrid& grid);
+
 }  // namespace lippmann

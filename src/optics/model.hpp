@@ -1,7 +1,7 @@
 // The interface that models of optics implement. Every model has one header, which declares functions that take the model:
-// lenticular.hpp, microlens.hpp, multi_view.hpp, single_view.hpp, slanted_panel.hpp, ray_table.hpp. models.hpp lists the
-// models, and the compiler checks that each has all functions. The public functions (lippmann/optics/*.hpp) use only this
-// interface.
+// lenticular.hpp, microlens.hpp, multi_view.hpp, single_view.hpp, slanted_panel.hpp, ray_table.hpp, plenoptic.hpp. models.hpp
+// lists the models, and the compiler checks that each has all functions. The public functions (lippmann/optics/*.hpp) use only
+// this interface.
 #pragma once
 
 #include <algorithm>
@@ -34,6 +34,7 @@ struct SampleGrid {
 struct OpticsFacts {
   std::optional<LensArray> lenses = {};
   std::optional<ViewTiles> tiles = {};
+  std::optional<SensorLenses> sensor_lenses = {};
   Vec2i whole_pixels_per_lens{0};  ///< see whole_pixels_per_lens()
   Vec2f window_size_mm{0.0f};      ///< size of the window of the panel, or of one view
   Window window = {};              ///< the window as seen by the viewer

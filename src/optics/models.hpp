@@ -9,6 +9,7 @@
 #include "optics/microlens.hpp"
 #include "optics/model.hpp"
 #include "optics/multi_view.hpp"
+#include "optics/plenoptic.hpp"
 #include "optics/ray_table.hpp"
 #include "optics/sight.hpp"
 #include "optics/single_view.hpp"
@@ -18,8 +19,9 @@
 namespace lippmann {
 
 /// The constants from which rays are computed. Each type has write_block(), and write_ray_of() or crossing().
+/// Types of models that block light also have is_blocked(constants, px, py).
 using AnyRays = std::variant<LenticularRays, SquareMicrolensRays, HexagonalMicrolensRays, MultiViewRays, SingleViewRays,
-                             SlantedPanelRays, RayTableRays>;
+                             SlantedPanelRays, RayTableRays, SquarePlenopticRays, HexagonalPlenopticRays>;
 
 /// The classes that map an eye and a point of the plane z = 0 to a point of the panel.
 using AnySight = std::variant<SlantedSight, LenticularSight, MicrolensSight, QuiltSight>;

@@ -71,7 +71,7 @@ std::vector<Vec2d> lens_eyes(Vec2i n, double eye_step_mm, double eye_height_mm) 
 }
 
 void throw_no_inverse() {
-  throw usage_error("optics", "a table of rays cannot be inverted", "optics other than a table of rays");
+  throw usage_error("optics", "a table of rays or a plenoptic camera cannot be inverted", "other optics");
 }
 
 // ---- Queries ----------------------------------------------------------------------------------------------
@@ -88,6 +88,12 @@ Ray ray_of_pixel(const Optics& optics, Vec2f pixel) { return RayGenerator(optics
 
 void rays_of_pixels(const Optics& optics, const float* pixel_x, const float* pixel_y, int count, const RayArrays& rays) {
   RayGenerator(optics).rays(pixel_x, pixel_y, count, rays);
+}
+
+bool is_blocked(const Optics& optics, Vec2f pixel) {
+  float mark = 0.0f;
+  RayGenerator(optics).mark_blocked(&pixel.x, &pixel.y, 1, 1.0f, &mark);
+  return mark > 0.0f;
 }
 
 void pixels_seeing(const Optics& optics, Vec3f point_mm, std::vector<Vec2f>& pixels) {
@@ -131,6 +137,7 @@ Vec2i film_size(const Optics& optics) { return {optics.panel.width * sub_pixels_
 
 Vec2i whole_pixels_per_lens(const Optics& optics) { return optics_facts(optics).whole_pixels_per_lens; }
 std::optional<LensArray> lens_array(const Optics& optics) { return optics_facts(optics).lenses; }
+std::optional<SensorLenses> sensor_lenses(const Optics& optics) { return optics_facts(optics).sensor_lenses; }
 std::optional<ViewTiles> view_tiles(const Optics& optics) { return optics_facts(optics).tiles; }
 bool is_single_view(const Optics& optics) { return optics_facts(optics).single_view; }
 float viewing_distance_mm(const Optics& optics) { return optics_facts(optics).viewing_distance_mm; }

@@ -24,15 +24,19 @@ struct ModelSetup {
   const OpticsParams& params;
   Panel panel;
   PanelSize size;
-  float viewing_distance_mm;  ///< finite for optics without lenses
+  float viewing_distance_mm;  ///< finite for optics without lenses; of a camera: from it to the plane z = 0
   Vec2f pixel_offset{0.0f};   ///< pixel offset of the scene's camera
+  /// Distance from the panel to a pinhole with the field of view of the scene's camera.
+  float pinhole_mm = kInfinity;
+  float f_number = 0.0f;  ///< 0: not given
 };
 
 struct OpticsKindInfo {
   std::string_view name;                       ///< the result of kind_of() for the model
   std::string_view help = {};                  ///< text that follows the name in --help; may be empty
-  std::array<std::string_view, 4> takes = {};  ///< the elements of kKindParams that have an effect on this kind
+  std::array<std::string_view, 7> takes = {};  ///< the elements of kKindParams that have an effect on this kind
   bool has_parallax = true;                    ///< the picture changes as the eye moves
+  bool is_camera = false;  ///< the panel is a sensor `sensor_width_mm` wide, behind a lens at the scene's camera
 
   /// Returns the panel size. `scene_resolution`: the size that the scene's file requests; {0, 0}: none. Throws a usage Error
   /// for contradictory parameters.
@@ -42,7 +46,7 @@ struct OpticsKindInfo {
   bool takes_param(std::string_view param) const;
 };
 
-extern const OpticsKindInfo lenticular_kind, microlens_kind, multiview_kind, single_kind;
+extern const OpticsKindInfo lenticular_kind, microlens_kind, multiview_kind, single_kind, plenoptic_kind;
 
 /// Returns all kinds that flags can select, in the order of OpticsModel.
 std::span<const OpticsKind> optics_kinds();

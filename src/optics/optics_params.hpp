@@ -56,6 +56,9 @@ struct OpticsParams {
   std::optional<double> screen_width_mm{};     ///< stereo: width of the screen; none: the display's, or kDefaultScreenMm
   std::optional<double> crosstalk_px{};        ///< sigma of the lens blur (optics/crosstalk.hpp); none: the display's
   bool precompensate = false;                  ///< true: pictures are changed to counteract the display's crosstalk
+  /// Lengths of a plenoptic camera. None: kSensorWidthMm; a main lens with the field of view of the scene's camera; the gap at
+  /// which the images below the lenses touch; microlenses focused at infinity.
+  std::optional<float> sensor_width_mm{}, focal_length_mm{}, gap_mm{}, lens_focal_length_mm{};
 };
 
 /// A parameter that applies to some kinds of optics only (OpticsKindInfo::takes).
@@ -72,6 +75,10 @@ inline constexpr std::array kKindParams{
     KindParam{"views", [](const OpticsParams& params) { return params.views.x > 0; }},
     KindParam{"camera-grid", [](const OpticsParams& params) { return params.camera_grid; }},
     KindParam{"cone-ends", [](const OpticsParams& params) { return params.cone_ends; }},
+    KindParam{"sensor-width", [](const OpticsParams& params) { return params.sensor_width_mm.has_value(); }},
+    KindParam{"focal-length", [](const OpticsParams& params) { return params.focal_length_mm.has_value(); }},
+    KindParam{"gap", [](const OpticsParams& params) { return params.gap_mm.has_value(); }},
+    KindParam{"lens-focal-length", [](const OpticsParams& params) { return params.lens_focal_length_mm.has_value(); }},
 };
 
 /// Returns the full angle of the viewing zone in radians; 28 degrees if it is not given.

@@ -33,6 +33,16 @@ void RayGenerator::rays(const float* pixel_x, const float* pixel_y, int count, c
       model_);
 }
 
+void RayGenerator::mark_blocked(const float* pixel_x, const float* pixel_y, int count, float value, float* mark) const {
+  std::visit(
+      [&](const auto& model) {
+        if constexpr (requires { is_blocked(model, 0.0f, 0.0f); })
+          for (int i = 0; i < count; ++i)
+            if (is_blocked(model, pixel_x[i], pixel_y[i])) mark[i] = value;
+      },
+      model_);
+}
+
 Ray RayGenerator::ray(Vec2f pixel) const {
   Ray ray;
   const RayArrays arrays{&ray.origin.x, &ray.origin.y, &ray.origin.z, &ray.direction.x, &ray.direction.y, &ray.direction.z};

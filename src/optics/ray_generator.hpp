@@ -23,6 +23,9 @@ class RayGenerator {
   /// Returns the ray of one point, bit-identical to rays().
   Ray ray(Vec2f pixel) const;
 
+  /// Sets `mark` to `value` for points whose light is blocked (is_blocked()).
+  void mark_blocked(const float* pixel_x, const float* pixel_y, int count, float value, float* mark) const;
+
   /// Returns the unit vector along the display's -z in world space.
   Vec3f forward() const { return frame_.unit_forward; }
 

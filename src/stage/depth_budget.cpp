@@ -43,7 +43,7 @@ std::string depth_budget_sentence(const ShownDepth& shown, const Optics& optics,
   const std::string reach =
       fmt::format("{} reaches from {:+.1f} mm to {:+.1f} mm", whose(shown), shown.back_mm, shown.front_mm);
   const float budget = shown.budget_mm, deepest = shown.deepest_mm();
-  if (std::isinf(budget)) return reach + "; a single view has no depth budget.";
+  if (std::isinf(budget)) return reach + (is_single_view(optics) ? "; a single view" : "; a camera") + " has no depth budget.";
   if (shown.fits()) return reach + fmt::format(", within the depth budget of {:.1f} mm on either side.", budget);
   return reach + fmt::format(", {:.1f} mm beyond the depth budget of {:.1f} mm on either side: at {:.1f} mm {}.",
                              deepest - budget, budget, deepest, beyond(deepest / budget, optics));

@@ -58,6 +58,7 @@ void SampleRays::fill(int sample, const float* px, const float* py, const std::u
   const RayGenerator& eye = eyes_[eyes_.size() > 1 ? static_cast<std::size_t>(sample) : 0];
   eye.rays(px, py, kLanes, {rays.org_x, rays.org_y, rays.org_z, rays.dir_x, rays.dir_y, rays.dir_z});
   set_range(eye.depth(), eye.forward(), rays);
+  eye.mark_blocked(px, py, kLanes, kBlocked, rays.tfar);
   if (!lens_.is_open()) return;
   std::uint32_t samples[kLanes];
   std::fill_n(samples, kLanes, static_cast<std::uint32_t>(sample));

@@ -26,6 +26,9 @@ struct SubPixel {
   Vec2f position(std::uint32_t pixel, int sample) const;
 };
 
+/// tfar of rays whose light is blocked (is_blocked() of optics): their samples are black.
+inline constexpr float kBlocked = -1.0f;
+
 /// Generates the rays of each sample of a pixel. The samples use one eye position per view, or with an angular filter several.
 class SampleRays {
  public:

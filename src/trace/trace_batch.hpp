@@ -12,6 +12,7 @@
 
 #include "device/ray_scene.hpp"
 #include "trace/frame_work.hpp"
+#include "trace/packet_source.hpp"
 #include "trace/point_capture.hpp"
 
 namespace lippmann {
@@ -38,6 +39,16 @@ inline void clear_pixels(const CameraPacket& packet, Image& film) {
     if (packet.active.lane[i]) std::fill_n(film.data.begin() + 3 * static_cast<std::ptrdiff_t>(packet.target[i]), 3, 0.0f);
 }
 
+/// Deactivates lanes whose light is blocked. Returns whether any lane is left.
+inline bool leave_out_blocked(CameraPacket& packet) {
+  int left = 0;
+  for (int i = 0; i < kLanes; ++i) {
+    if (packet.rays.ray.tfar[i] == kBlocked) packet.active.lane[i] = 0;
+    left |= packet.active.lane[i];
+  }
+  return left != 0;
+}
+
 template <class Packets, class Integrator>
 void trace_batch(const ShadedScene& scene, Packets&& packets, const Batch& batch, Integrator& integrator,
                  const PacketSinks& sinks = {}) {
@@ -47,6 +58,7 @@ void trace_batch(const ShadedScene& scene, Packets&& packets, const Batch& batch
     for (const int p : batch.packets) {
       if (!packets.fill(p, sample, packet)) continue;
       if (sinks.film && sample == batch.first_sample) clear_pixels(packet, *sinks.film);
+      if (!leave_out_blocked(packet)) continue;
       std::copy_n(packet.rays.ray.tfar, kLanes, packet.reach.lane);
       scene.trace(packet.active, packet.rays, Coherence::kCoherent, &packet.active);
       if (sinks.points) sinks.points->store(packet);

@@ -193,6 +193,18 @@ TEST(Convert, plenoptic_grid_is_given_or_found) {
               HasSubstr("lens grid: square"));
 }
 
+/// The side file of a rendered raw picture states its grid.
+TEST(Convert, rendered_plenoptic_pictures_become_views) {
+  const TempDir dir;
+  expect_done(dir, {"render", "room", "--optics", "plenoptic", "--lenses", "16x12", "--lens-pixels", "5.5",
+                    "--viewing-distance", "200", "--packing", "hexagonal", "--frames", "0", "-o", "out"});
+  EXPECT_EQ(json_of(bytes_of(dir / "out/report.json"))["optics"]["distance_mm"], 200.0);
+  EXPECT_NEAR(json_of(bytes_of(dir / "out/frame_0000.png.json"))["plenoptic"]["pitch_px"].get<double>(), 5.5, 1e-4);
+  const Json views = report_of(dir, {"convert", "out", "views", "--to", "views"});
+  EXPECT_EQ(views["views"], Json({5, 5}));
+  EXPECT_EQ(views["files"].size(), 25u);
+}
+
 TEST(Convert, plenoptic_flags_without_effect_are_refused) {
   const TempDir dir;
   write_lens_spots(dir / "raw.png", 104);

@@ -43,14 +43,17 @@ const std::map<std::string, std::string>& values() {
                                                       {"--f-number", "2"},
                                                       {"--fill", "retrace"},
                                                       {"--fit-to", "nothing"},
+                                                      {"--focal-length", "60"},
                                                       {"--focal-plane", "20"},
                                                       {"--focus", "900"},
                                                       {"--format", "png16"},
+                                                      {"--gap", "30"},
                                                       {"--halving", ""},
                                                       {"--integrator", "path"},
                                                       {"--ipd", "20"},
                                                       {"--landscape", ""},
                                                       {"--layout", "views"},
+                                                      {"--lens-focal-length", "20"},
                                                       {"--lens-pixels", "5"},
                                                       {"--lenses", "5"},
                                                       {"--lenses-per-mm", "1"},
@@ -74,6 +77,7 @@ const std::map<std::string, std::string>& values() {
                                                       {"--right-first", ""},
                                                       {"--screen-width", "300"},
                                                       {"--seed", "7"},
+                                                      {"--sensor-width", "24"},
                                                       {"--shutter", "0.7"},
                                                       {"--size", "23x17"},
                                                       {"--slant", "10"},
@@ -187,6 +191,8 @@ TEST_F(RenderFlags, each_changes_the_pictures_or_is_refused) {
   walk({"teapot", "--frames", "0", "--optics", "multiview", "--views", "3x2", "--size", "24x16", "--integrator", "path",
         "--spp", "2", "--denoise", "none"},
        {"--camera"});
+  walk({"teapot", "--frames", "0", "--optics", "plenoptic", "--lenses", "6x5", "--lens-pixels", "5", "--f-number", "4"},
+       {"--camera", "--reuse"});
   walk({"teapot", "--frames", "0", "--layout", "stereo", "--viewing-distance", "600", "--size", "32x18"}, {"--reuse"});
 }
 

@@ -132,6 +132,33 @@ TEST(Renderer, traces_but_does_not_interpolate_ray_tables) {
   }
 }
 
+/// The walls of the room fill the view, so that only blocked pixels are black.
+TEST(Renderer, leaves_pixels_beside_the_aperture_black) {
+  const Context context;
+  const Scene scene = built_in("room");
+  const Optics camera{
+      .panel = {60, 40, 0.1f},
+      .model = PlenopticCamera{.lens_pitch_mm = 0.96f, .gap_mm = 2.0f, .focal_length_mm = 45.0f, .f_number = 1.9f}};
+  const Placement placement = place(scene, camera);
+  for (const int spp : {1, 4}) {
+    const auto frame = Renderer(scene, placement, {.sampling = {.spp = spp}}, context).frame(0);
+    int lit = 0, black = 0;
+    for (int y = 0; y < 40; ++y)
+      for (int x = 0; x < 60; ++x) {
+        int blocked = 0;
+        for (const Vec2f part : {Vec2f(0.0f), Vec2f(1.0f, 0.0f), Vec2f(0.0f, 1.0f), Vec2f(1.0f), Vec2f(0.5f)})
+          blocked += is_blocked(placement.placed.optics, Vec2f(x, y) + 0.98f * part + 0.01f);
+        const float* pixel = frame->pictures.film.pixel(x, y);
+        const float light = pixel[0] + pixel[1] + pixel[2];
+        EXPECT_TRUE(blocked != 0 || light > 0.0f) << x << " " << y << " at " << spp;
+        EXPECT_TRUE(blocked != 5 || light == 0.0f) << x << " " << y << " at " << spp;
+        lit += blocked == 0, black += blocked == 5;
+      }
+    EXPECT_GT(lit, 1200);
+    EXPECT_GT(black, 250);
+  }
+}
+
 TEST(Renderer, interpolates_frames_between_key_frames) {
   const Context context;
   const Scene scene = built_in("primitives");

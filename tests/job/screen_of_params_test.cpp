@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "job/optics_on.hpp"
+#include "lippmann/core/context.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/scene/load.hpp"
+#include "optics/optics_kind.hpp"
 
 namespace lippmann {
 namespace {
@@ -46,6 +49,37 @@ TEST(ScreenOfParams, quilt_view_fills_the_fitted_plane) {
   const float view_height_mm = 100.0f * placed.optics.panel.pixel_pitch_mm;
   EXPECT_FLOAT_EQ(placed.units_per_mm * view_height_mm, 8.0f);
   EXPECT_FLOAT_EQ(std::get<MultiView>(placed.optics.model).distance_mm * placed.units_per_mm, 24.0f);
+}
+
+RenderParams plenoptic_params() {
+  RenderParams params;
+  params.optics.kind = OpticsKind(plenoptic_kind);
+  return params;
+}
+
+/// In a scene in metres the plane is 24,000 mm away, and 8,000 mm are 36 mm wide 108 mm behind the main lens.
+TEST(ScreenOfParams, plenoptic_camera_sees_the_fitted_plane) {
+  const PlacedOptics placed = optics_on(placed_array(), plenoptic_params());
+  const auto& camera = std::get<PlenopticCamera>(placed.optics.model);
+  EXPECT_FLOAT_EQ(placed.units_per_mm, 1e-3f);
+  EXPECT_FLOAT_EQ(camera.distance_mm, 24000.0f);
+  EXPECT_FLOAT_EQ(window_size_mm(placed.optics).y, 8000.0f);
+  EXPECT_NEAR(1.0 / camera.focal_length_mm, 1.0 / (108.0 - camera.gap_mm) + 1.0 / 24000.0, 1e-8);
+  EXPECT_FLOAT_EQ(placed.optics.panel.pixel_pitch_mm, 36.0f / 512.0f);
+}
+
+/// With a focal length the camera stays in its place and sees another part of the plane.
+TEST(ScreenOfParams, plenoptic_camera_stays_in_its_place) {
+  RenderParams params = plenoptic_params();
+  params.optics.viewing_distance_mm = 300.0f;
+  const Scene scene = load_scene("room", {}, Context{});
+  const PlacedJob fitted = place(ResolvedJob(params), scene);
+  params.optics.focal_length_mm = 100.0f;
+  const PlacedJob longer = place(ResolvedJob(params), scene);
+  EXPECT_FLOAT_EQ(longer.placed.units_per_mm * 300.0f, longer.array.viewing_distance);
+  EXPECT_FLOAT_EQ(longer.placed.units_per_mm, fitted.placed.units_per_mm);
+  const float sensor_mm = 150.0f + std::get<PlenopticCamera>(longer.placed.optics.model).gap_mm;  // 100 x 300 / 200
+  EXPECT_FLOAT_EQ(longer.array.plane_height / longer.array.viewing_distance, 36.0f / sensor_mm);
 }
 
 TEST(ScreenOfParams, camera_grid_divides_the_viewing_zone) {

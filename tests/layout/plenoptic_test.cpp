@@ -298,6 +298,66 @@ TEST(PlenopticViews, impossible_grids_are_refused) {
   EXPECT_THAT(error_message([&] { divide_by_white(other, white_shares(raw), "raw"); }), HasSubstr("40x50 pixels"));
 }
 
+/// The raw picture of a wall with a soft spot, Z before the main lens.
+Image picture_of_wall(const Optics& optics, double distance, double z, Vec2d spot, double sigma) {
+  Image raw(optics.panel.width, optics.panel.height, 3);
+  for (int y = 0; y < raw.height; ++y)
+    for (int x = 0; x < raw.width; ++x) {
+      const Vec2f pixel(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+      if (is_blocked(optics, pixel)) continue;
+      const Ray ray = ray_of_pixel(optics, pixel);
+      const Vec3d from(ray.origin), to(ray.direction);
+      const Vec2d off = Vec2d(from) + Vec2d(to) * ((distance - z - from.z) / to.z) - spot;
+      const auto light = static_cast<float>(std::exp(-0.5 * glm::dot(off, off) / (sigma * sigma)));
+      for (const int c : {0, 1, 2}) raw.pixel(x, y)[c] = light;
+    }
+  return raw;
+}
+
+Vec2d centroid_of_view(const LightField& field, int view) {
+  double sum = 0.0;
+  Vec2d mean(0.0);
+  for (int y = 0; y < field.view_size.y; ++y)
+    for (int x = 0; x < field.view_size.x; ++x) {
+      const auto light = static_cast<double>(view_sample(field, view, x, y));
+      sum += light, mean += light * Vec2d(x, y);
+    }
+  return mean / sum;
+}
+
+/// A camera with f = 100 mm, focused at 2 m, s = 105.263 mm: from view to view, m t/b apart on the main lens, a spot at Z moves
+/// by s (1/Zf - 1/Z) m t / (b p) lenses.
+TEST(PlenopticViews, simulated_camera_has_parallax_of_the_thin_lens) {
+  constexpr double kFocal = 100.0, kFocus = 2000.0, kGap = 0.5, kPixel = 0.01;
+  const double s = kFocal * kFocus / (kFocus - kFocal), eye_step = kPixel * s / kGap;
+  for (const double pixels : {9.0, 9.37}) {
+    const double pitch = pixels * kPixel / (1.0 + kGap / s);
+    const Optics optics{.panel = {360, 360, static_cast<float>(kPixel)},
+                        .model = PlenopticCamera{.lens_pitch_mm = static_cast<float>(pitch),
+                                                 .gap_mm = static_cast<float>(kGap),
+                                                 .offset_mm = Vec2f(static_cast<float>(0.5 * pitch)),
+                                                 .focal_length_mm = static_cast<float>(kFocal),
+                                                 .f_number = 4.0f,
+                                                 .distance_mm = static_cast<float>(kFocus)}};
+    const LensGrid grid = *lens_grid_of(optics);
+    EXPECT_NEAR(grid.pitch_px, pixels, 1e-4);
+    for (const double z : {1000.0, 1600.0, 2000.0, 4000.0}) {
+      const Image raw = picture_of_wall(optics, kFocus, z, Vec2d(1.3, -0.8), 2.5 * pitch * z / s);
+      const LightField views = views_of(raw, {.grid = grid}, {9, 9});
+      const double disparity = s * (1.0 / kFocus - 1.0 / z) * eye_step / pitch;
+      for (const int steps : {-2, 1, 3}) {
+        const Vec2d across = centroid_of_view(views, 40 + steps) - centroid_of_view(views, 40),
+                    up = centroid_of_view(views, 40 + 9 * steps) - centroid_of_view(views, 40);
+        // Light between pixels is interpolated where the pitch is fractional.
+        const double tolerance = pixels == 9.0 ? 1e-3 : 2e-2;
+        EXPECT_NEAR(across.x, steps * disparity, tolerance) << z;
+        EXPECT_NEAR(across.y, 0.0, tolerance) << z;
+        EXPECT_NEAR(up.y, -steps * disparity, tolerance) << z;
+      }
+    }
+  }
+}
+
 TEST(PlenopticFormat, side_file_names_the_grid) {
   const test::TempDir dir;
   write_picture(dir / "raw.png", Image8{60, 60, std::vector<unsigned char>(10800, 90)});
@@ -307,6 +367,9 @@ TEST(PlenopticFormat, side_file_names_the_grid) {
   EXPECT_EQ(opened.field.grid, (ViewGrid{10, 10}));
   const LensGrid grid = *read_lens_grid(dir / "raw.png");
   EXPECT_EQ(grid, lens_grid(10.1, 0.0, {5.0, 5.0}, LensArrangement::kSquare));
+  const LensGrid other = lens_grid(9.3, 0.0, {4.5, 6.25}, LensArrangement::kHexagonal);
+  EXPECT_EQ(write_lens_grid(dir / "raw.png", other), dir / "raw.png.json");
+  EXPECT_EQ(read_lens_grid(dir / "raw.png"), other);
 }
 
 TEST(PlenopticFormat, problems_name_the_key) {

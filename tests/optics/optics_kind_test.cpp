@@ -9,11 +9,13 @@ namespace lippmann {
 namespace {
 
 TEST(OpticsKind, help_names_all_kinds) {
-  EXPECT_EQ(optics_kinds_help(), "lenticular, microlens, multiview (a quilt of views) or single (one pinhole view)");
+  EXPECT_EQ(optics_kinds_help(),
+            "lenticular, microlens, multiview (a quilt of views), single (one pinhole view) or plenoptic (a camera with a main "
+            "lens and microlenses before its sensor)");
 }
 
 TEST(OpticsKind, constants_are_the_kinds_of_the_list) {
-  ASSERT_EQ(optics_kinds().size(), 4u);
+  ASSERT_EQ(optics_kinds().size(), 5u);
   EXPECT_EQ(optics_kinds()[0], OpticsKind::kLenticular);
   EXPECT_EQ(optics_kinds()[3], OpticsKind::kSingle);
 }

@@ -24,6 +24,7 @@ LEFT_OUT = {
     "job",  # a file of flags
     "cameras",  # whole data sets on disk
     "points",  # for PLY files without faces
+    "sensor-width", "focal-length", "gap", "lens-focal-length",  # lippmann.optics("plenoptic", ...) has them
 }
 
 

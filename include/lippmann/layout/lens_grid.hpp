@@ -11,6 +11,7 @@
 
 #include "lippmann/core/math.hpp"
 #include "lippmann/image/image.hpp"
+#include "lippmann/optics/optics.hpp"
 
 namespace lippmann {
 
@@ -33,6 +34,9 @@ struct LensGrid {
 /// Returns a grid of equally spaced lenses: the row pitch is pitch_px for a square grid, pitch_px sqrt(3) / 2 for a hexagonal
 /// one.
 LensGrid lens_grid(double pitch_px, double rotation, Vec2d offset_px, LensArrangement arrangement);
+
+/// Returns the grid of a plenoptic camera's pictures; none for other optics.
+std::optional<LensGrid> lens_grid_of(const Optics& optics);
 
 /// Returns the grid of the same lenses in the transposed picture (x and y exchanged).
 LensGrid transposed(const LensGrid& grid);

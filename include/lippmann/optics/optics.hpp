@@ -104,6 +104,21 @@ struct SlantedPanel {
   float eye_height_mm = 0.0f;  ///< height of the viewer above the middle of the panel
 };
 
+/// A plenoptic camera: a thin main lens in the plane z = distance, focused on the plane z = 0, and behind it a microlens array
+/// in front of the sensor, which is the panel. Its picture is upright, as if the sensor were turned by 180 degrees, so that
+/// offsets on the sensor have the signs of what they show. optics/plenoptic.hpp has the formulas.
+struct PlenopticCamera {
+  LensPacking packing = LensPacking::kSquare;
+  float lens_pitch_mm = 0.5f;
+  float gap_mm = 1.0f;            ///< from the array to the sensor
+  Vec2f offset_mm{0.0f};          ///< centre of lens (0, 0), from the main lens's axis
+  float focal_length_mm = 50.0f;  ///< of the main lens
+  float f_number = 2.0f;          ///< of the main lens; light that misses its aperture is blocked
+  float distance_mm = 500.0f;     ///< from the main lens to the plane z = 0; more than the focal length
+  float array_shift_mm = 0.0f;    ///< from the main lens's image of the plane z = 0 to the array, away from the main lens. 0:
+                                  ///< plenoptic 1.0; else 2.0, Keplerian above 0 and Galilean below
+};
+
 struct Ray {
   Vec3f origin{0.0f};                  ///< in mm
   Vec3f direction{0.0f, 0.0f, -1.0f};  ///< unit length, z < 0
@@ -121,7 +136,8 @@ struct RayTable {
   float spread = 0.0f;       ///< spread between the rays of neighbouring pixels, in mm per mm of depth; sets the texture filter
 };
 
-using OpticsModel = std::variant<LenticularSheet, MicrolensArray, MultiView, SingleView, SlantedPanel, RayTable>;
+using OpticsModel =
+    std::variant<LenticularSheet, MicrolensArray, MultiView, SingleView, SlantedPanel, RayTable, PlenopticCamera>;
 
 /// A panel and its model, which together define all rays. For MultiView, panel.pixel_pitch_mm is the horizontal pixel pitch of
 /// a view in the plane z = 0.
@@ -167,6 +183,10 @@ Ray ray_of_pixel(const Optics& optics, Vec2f pixel);
 /// ray_generator.hpp.
 void rays_of_pixels(const Optics& optics, const float* pixel_x, const float* pixel_y, int count, const RayArrays& rays);
 
+/// Returns whether no light reaches a point of the film, which stays black: its ray misses the aperture of a plenoptic
+/// camera's main lens. ray_of_pixel() returns the ray without the aperture.
+bool is_blocked(const Optics& optics, Vec2f pixel);
+
 // ---- Contract 2: all pixels that see a point ------------------------------------------------------------------------
 
 /// Appends the continuous pixel coordinates of all rays that run exactly through `point_mm`, clipped to the panel, in ascending
@@ -174,7 +194,7 @@ void rays_of_pixels(const Optics& optics, const float* pixel_x, const float* pix
 /// usually one for each lens, from left to right, for a slanted panel.
 /// At z = 0, every pixel below the lens at that point sees it, so all pixel centres of that cell are appended (for a
 /// cylindrical lens: those in the panel row through the point). The padding of a quilt sees nothing, and points beyond the ends
-/// of the rays are not seen. Throws Error for a table of rays, which has no inverse.
+/// of the rays are not seen. Throws Error for a table of rays and a plenoptic camera, which have no inverse.
 void pixels_seeing(const Optics& optics, Vec3f point_mm, std::vector<Vec2f>& pixels);
 
 // ---- Queries ------------------------------------------------------------------------------------
@@ -207,6 +227,16 @@ std::optional<LensArray> lens_array(const Optics& optics);
 
 /// Returns whether the optics are a lenticular sheet or a microlens array.
 inline bool has_lenses(const Optics& optics) { return lens_array(optics).has_value(); }
+
+/// The images of a plenoptic camera's main lens on its sensor: one below each microlens, in upright rows.
+struct SensorLenses {
+  double pitch_px = 0.0, row_pitch_px = 0.0;
+  Vec2d centre_px{0.0};  ///< of one image
+  LensPacking packing = LensPacking::kSquare;
+};
+
+/// Returns none for other optics.
+std::optional<SensorLenses> sensor_lenses(const Optics& optics);
 
 /// The arrangement of views in a quilt.
 struct ViewTiles {
