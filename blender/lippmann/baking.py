@@ -3,9 +3,11 @@
 Cycles bakes them, once for each mesh of the stage, into a layout of its own that no two faces share. The mesh gets materials of its own with these pictures.
 """
 
+import hashlib
 from dataclasses import dataclass
 
 import bpy
+import numpy as np
 
 from . import losses, nodes
 from . import materials as of_nodes
@@ -111,10 +113,71 @@ def blank(image):
     return material
 
 
-def baked_picture(job, name, size):
-    """The picture of one input, of all the mesh's materials."""
-    is_colour = kinds()[name]
-    image = bpy.data.images.new(f"{job.thing.data.name} {name}", size, size, alpha=False, is_data=not is_colour)
+def arrays_of(mesh):
+    """The numbers that make a mesh and its layouts."""
+    yield from ((mesh.vertices, "co", 3, np.float32), (mesh.loops, "vertex_index", 1, np.int32), (mesh.polygons, "loop_total", 1, np.int32),
+                (mesh.polygons, "material_index", 1, np.int32))
+    if hasattr(mesh, "corner_normals"):  # from Blender 4.1 on
+        yield mesh.corner_normals, "vector", 3, np.float32
+    else:
+        mesh.calc_normals_split()
+        yield mesh.loops, "normal", 3, np.float32
+    yield from ((layer.data, "uv", 2, np.float32) for layer in mesh.uv_layers)
+    yield from ((layer.data, "color", 4, np.float32) for layer in mesh.color_attributes)
+
+
+class Kept:
+    """Pictures of earlier exports, in a folder: <hash of all that they were made of>.png. materials: {name: hash} of the file's own."""
+
+    def __init__(self, folder, materials):
+        self._folder, self._materials, self._used = folder, materials, set()
+
+    def _key(self, job, name, size):
+        """None: something is not known well enough to be compared."""
+        own = [slot.material.name if slot.material else "" for slot in job.thing.material_slots]
+        if any(material and material not in self._materials for material in own):
+            return None
+        made_of = [name, size, SAMPLES, sorted((index, name in inputs) for index, inputs in job.slots.items()), [self._materials.get(material) for material in own],
+                   [tuple(row) for row in job.thing.matrix_world], [(layer.name, layer.active_render) for layer in job.thing.data.uv_layers]]
+        found = hashlib.blake2b(repr(made_of).encode(), digest_size=16)
+        for values, member, width, kind in arrays_of(job.thing.data):
+            numbers = np.empty(width * len(values), kind)
+            values.foreach_get(member, numbers)
+            found.update(numbers.tobytes())
+        return found.hexdigest()
+
+    def picture(self, job, name, size):
+        """The picture of one input, kept or baked."""
+        image = bpy.data.images.new(f"{job.thing.data.name} {name}", size, size, alpha=False, is_data=not kinds()[name])
+        key = self._key(job, name, size)
+        file = self._folder / f"{key}.png"
+        self._used.add(file.name)
+        if key and file.is_file():
+            image.filepath_raw, image.source = str(file), "FILE"
+            image.reload()
+            image.pack()
+            return image
+        fill(image, job, name)
+        if key:
+            self._folder.mkdir(exist_ok=True)
+            unfinished = file.with_suffix(".part")
+            image.filepath_raw, image.file_format = str(unfinished), "PNG"
+            image.save()
+            image.pack()
+            unfinished.replace(file)
+        else:
+            image.pack()
+        return image
+
+    def remove_others(self):
+        """Pictures that the last export did not use."""
+        for file in self._folder.glob("*.png"):
+            if file.name not in self._used:
+                file.unlink()
+
+
+def fill(image, job, name):
+    """Bakes one input, of all the mesh's materials."""
     own = [slot.material for slot in job.thing.material_slots]
     for index, slot in enumerate(job.thing.material_slots):
         slot.material = shining(own[index], name, image) if name in job.slots.get(index, {}) else blank(image)
@@ -122,8 +185,6 @@ def baked_picture(job, name, size):
     for slot, material in zip(job.thing.material_slots, own):
         bpy.data.materials.remove(slot.material)
         slot.material = material
-    image.pack()
-    return image
 
 
 def show_picture(tree, shader, name, image, layer):
@@ -145,12 +206,12 @@ def show_picture(tree, shader, name, image, layer):
         tree.links.new(parts.outputs[{"Roughness": 1, "Metallic": 2}[name]], socket)
 
 
-def bake_job(job, stage, size):
+def bake_job(job, stage, size, kept):
     for thing in stage.objects:
         thing.select_set(thing == job.thing)
     bpy.context.view_layer.objects.active = job.thing
     layer, active, shown = unwrap(job.thing)
-    pictures = {name: baked_picture(job, name, size) for name in job.inputs()}
+    pictures = {name: kept.picture(job, name, size) for name in job.inputs()}
     for index, inputs in job.slots.items():
         material = job.thing.material_slots[index].material.copy()
         tree = material.node_tree
@@ -163,8 +224,9 @@ def bake_job(job, stage, size):
         layers.active, layers[shown or active].active_render = layers[active], True
 
 
-def bake(stage, size, report):
-    """Gives meshes of the stage pictures of size x size pixels in place of nodes. Returns {material: words} of what arrives so."""
+def bake(stage, size, report, kept, begin):
+    """Gives meshes of the stage pictures of size x size pixels in place of nodes. kept: those of earlier exports. begin: gets a step in words and its finished
+    share. Returns {material: words} of what arrives so."""
     jobs = jobs_of(stage)
     for job in jobs:
         if not is_small_enough(job):
@@ -184,10 +246,11 @@ def bake(stage, size, report):
         if count + len(job.inputs()) > MOST:
             report.warn(f"Only the first {count} pictures of what nodes compute were baked.")
             break
+        begin(f"baking {job.thing.name}", count / total)
         count += len(job.inputs())
         materials = {index: job.thing.material_slots[index].material for index in job.slots}
         room.collection.objects.link(job.thing)
-        bake_job(job, room, size)
+        bake_job(job, room, size, kept)
         room.collection.objects.unlink(job.thing)
         for index, inputs in job.slots.items():
             arrived.setdefault(materials[index], []).extend(word for words in inputs.values() for word in words)

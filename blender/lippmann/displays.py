@@ -82,10 +82,23 @@ def picture_size(display, output):
     quilt = display.get("quilt")
     if output == "quilt" and quilt:
         return tuple(quilt["size"])
-    if output in ("views", "single"):
+    if output in ("views", "single", "camera"):
         height = 1024
         return round(height * aspect(display)), height
     return tuple(display["pixels"])
+
+
+def refused_size(scene, size):
+    """Why pictures cannot have this size; None: they can. Flags that the user wrote may mean another one."""
+    output, display = scene.lippmann.output, chosen(scene)
+    if output == "native" and size != tuple(display["pixels"]):
+        return f"A native frame has the panel's {display['pixels'][0]} x {display['pixels'][1]} pixels. Press Match Resolution, and set 100 %."
+    if output != "quilt" or "quilt" not in display or {"--views", "--size"} & set(scene.lippmann.extra.split()):
+        return None
+    columns, rows = display["quilt"]["tiles"]
+    if size[0] >= columns and size[1] >= rows:
+        return None
+    return f"A quilt of {columns} x {rows} views needs {columns} x {rows} pixels or more, not {size[0]} x {size[1]}. Press Match Resolution, and set 100 %."
 
 
 def fit_resolution(scene):

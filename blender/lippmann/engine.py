@@ -6,9 +6,10 @@ import bpy
 import imbuf
 
 from . import job as jobs
-from . import tool
+from . import look, progress, saving, tool
 
 _animation = None        # the Job whose frames Blender asks for one by one
+_terminal = progress.Terminal()
 last_warnings = []       # of the last render, for the panel
 last_folder = ""         # where its pictures lie
 
@@ -52,6 +53,12 @@ class Engine(bpy.types.RenderEngine):
         self.report({"ERROR"}, message)
         self.error_set(message)
 
+    def _tell(self, step, share, seconds_left):
+        self.update_stats("Lippmann", progress.sentence(step, share, seconds_left))
+        self.update_progress(share)
+        if bpy.app.background:
+            _terminal.say(step, share, seconds_left)
+
     def _pictures(self, scene):
         global _animation, last_warnings, last_folder
         still = not self.is_animation
@@ -61,15 +68,16 @@ class Engine(bpy.types.RenderEngine):
             if _animation is None:
                 _animation = jobs.Job(scene, False)
             job = _animation
-        self.update_stats("Lippmann", f"frame {scene.frame_current}")
         try:
-            found = job.frame(scene.frame_current, self.update_progress, self.test_break)
+            found = job.frame(scene.frame_current, self._tell, self.test_break)
         finally:
             if still:
                 job.stop()
             last_folder = str(job.pictures_folder)
-        if last_warnings != job.warnings:
-            last_warnings = list(job.warnings)
+        seen = look.lost(scene.view_settings)
+        warnings = [*job.warnings, *([seen] if seen else [])]
+        if last_warnings != warnings:
+            last_warnings = warnings
             for warning in last_warnings:
                 self.report({"WARNING"}, warning)
         if not still and scene.frame_current == job.last:
@@ -79,6 +87,7 @@ class Engine(bpy.types.RenderEngine):
     def _show(self, scene, pictures):
         """The picture as Blender's result; of several views the middle one. The files hold the codes for the display."""
         picture = pictures[len(pictures) // 2]
+        saving.remember(picture, self.is_animation)
         width, height = jobs.resolution(scene)
         size = size_of(picture)
         if size != (width, height):

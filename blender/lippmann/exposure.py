@@ -6,7 +6,7 @@ from . import displays, frame
 def has_eyes(scene):
     """Whether the output is what single eyes see, which can be lenses; pixels of lens arrays and of native frames have directions of their own."""
     output = scene.lippmann.output
-    return output == "single" or (output != "native" and displays.chosen(scene)["kind"] == "slanted-panel")
+    return output in ("single", "camera") or (output != "native" and displays.chosen(scene)["kind"] == "slanted-panel")
 
 
 def focused_camera(scene):

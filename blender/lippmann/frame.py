@@ -15,6 +15,7 @@ from . import displays, tool
 
 LINES = 9          # of sight, across and up
 MOST_HIDDEN = 16   # things that a line passes
+CAMERA_WIDTH_MM = 64.0  # of a picture without a display in the tool
 UNFOCUSED = 10.0   # units to the plane where a camera sees nothing: Blender's own focus
 _seen = {}         # what was asked last, since the scene has changed
 
@@ -30,6 +31,9 @@ class Zone:
     budget: float      # sharp this far in front and behind
     cone: float        # full angle of the viewing zone
     per_mm: float      # of a millimetre of the display
+    near: float = 0.0  # from the viewer, along its view: what is nearer may be cut where it hides the rest
+    shift: tuple = (0.0, 0.0)  # of the viewer's picture, in its heights, to the right and up
+    is_beam: bool = False      # the viewer is an orthographic camera
 
 
 def rigid(matrix):
@@ -74,6 +78,31 @@ def framed(camera, aspect, distance):
     is_height = data.sensor_fit == "VERTICAL" or (data.sensor_fit == "AUTO" and aspect < 1.0)
     turned, _ = rigid(camera.matrix_world)
     return turned @ Matrix.Translation((data.shift_x * side, data.shift_y * side, -distance)), side if is_height else side / aspect
+
+
+def camera_zone(scene, aspect, distance):
+    """The zone whose viewer is the scene's camera itself, whose pictures have this aspect. The plane is at a distance, and 64 mm wide as in the tool."""
+    camera = scene.camera
+    if not camera or camera.type != "CAMERA":
+        raise tool.ToolError("The scene has no camera. Add one, or choose another output.")
+    data = camera.data
+    turned, _ = rigid(camera.matrix_world)
+    _, height = framed(camera, aspect, distance)
+    shift = tuple(amount * fitted_side(camera, distance) / height for amount in (data.shift_x, data.shift_y))
+    return Zone(turned @ Matrix.Translation((0.0, 0.0, -distance)), height * aspect, height, distance, math.inf, 0.0, height * aspect / CAMERA_WIDTH_MM, data.clip_start, shift,
+                data.type != "PERSP")
+
+
+def near_of_viewer(camera, world_from_frame, distance):
+    """How far before a display's viewer the near clipping plane of the camera is, where the camera stands between the viewer and the display and looks
+    at it: the viewer must not see the wall behind the camera. 0: it does not."""
+    if not camera or camera.type != "CAMERA":
+        return 0.0
+    to_frame = world_from_frame.inverted() @ rigid(camera.matrix_world)[0]
+    away = to_frame.translation.z
+    is_before = 0.0 < away - camera.data.clip_start and away < distance
+    looks_at_it = -(to_frame.to_3x3() @ Vector((0.0, 0.0, -1.0))).z > 0.5
+    return distance - away + camera.data.clip_start if is_before and looks_at_it else 0.0
 
 
 def sight_lines(camera, aspect):
@@ -169,8 +198,9 @@ def zone(scene, distance=None):
     if not height > 1e-9:
         raise tool.ToolError("The light-field frame has no size. Scale it up, or set its height.")
     per_mm = height / display["size_mm"][1]
-    return Zone(matrix, height * aspect, height, display["viewing_distance_mm"] * per_mm, display["depth_budget_mm"] * per_mm,
-                math.radians(display["view_cone_deg"]), per_mm)
+    distance_to_viewer = display["viewing_distance_mm"] * per_mm
+    return Zone(matrix, height * aspect, height, distance_to_viewer, display["depth_budget_mm"] * per_mm, math.radians(display["view_cone_deg"]), per_mm,
+                near_of_viewer(scene.camera, matrix, distance_to_viewer))
 
 
 def add(context):

@@ -1,20 +1,27 @@
 """One render through the tool: the scene exported by a Blender of its own, then `lippmann render` on it, both child processes.
 
-Below the output folder: scene.glb and world.exr (what is rendered), still/ or animation/ (the tool's folders, docs/reference/formats.md), lippmann.log.
+Below the output folder: scene.glb and world.exr (what is rendered), scene.json (what they were made of), still/ or animation/ (the tool's folders, docs/reference/formats.md), lippmann.log.
 """
 
+import hashlib
 import json
 import os
 import pathlib
 import shlex
+import struct
 import sys
 import tempfile
 
 import bpy
 
-from . import displays, film, frame as frames_of_displays, tool
+from . import contents, displays, film, frame as frames_of_displays, look, tool
 
 HERE = pathlib.Path(__file__).resolve().parent
+
+
+NOT_EXPORTED = ("samples", "denoise", "full_depth", "resume", "bake", "bake_size", "folder", "show_overlay", "extra", "tone", "exposure")  # settings that the exported scene does not depend on
+
+_of_session = None  # folder of files that are not saved
 
 
 class Cancelled(Exception):
@@ -22,9 +29,13 @@ class Cancelled(Exception):
 
 
 def output_folder(scene):
+    """Of a file that has not been saved: a new folder, the same until Blender is closed."""
+    global _of_session
     folder = scene.lippmann.folder
     if folder.startswith("//") and not bpy.data.filepath:
-        return pathlib.Path(tempfile.gettempdir()) / "lippmann" / folder.strip("/")
+        if _of_session is None or not _of_session.is_dir():
+            _of_session = pathlib.Path(tempfile.mkdtemp(prefix="lippmann-session-"))
+        return _of_session / folder.strip("/")
     return pathlib.Path(bpy.path.abspath(folder))
 
 
@@ -39,13 +50,15 @@ def check(scene, still):
         _ = scene.name
     except UnicodeDecodeError:
         raise tool.ToolError("The scene's name is no UTF-8. Rename it.") from None
-    frames_of_displays.zone(scene, distance=1.0)
+    if scene.lippmann.output == "camera":
+        frames_of_displays.camera_zone(scene, 1.0, 1.0)
+    else:
+        frames_of_displays.zone(scene, distance=1.0)
     if scene.frame_start < 0 or (still and scene.frame_current < 0):
         raise tool.ToolError("Frames below 0 cannot be rendered. Move the animation to start at frame 0 or later.")
-    if scene.lippmann.output == "native":
-        panel = tuple(displays.chosen(scene)["pixels"])
-        if resolution(scene) != panel:
-            raise tool.ToolError(f"A native frame has the panel's {panel[0]} x {panel[1]} pixels. Press Match Resolution, and set 100 %.")
+    refusal = displays.refused_size(scene, resolution(scene))
+    if refusal:
+        raise tool.ToolError(refusal)
 
 
 def scripts_are_allowed():
@@ -58,20 +71,84 @@ def render_flags(scene, still):
     settings = scene.lippmann
     width, height = resolution(scene)
     size = ["--size", f"{width}x{height}"]
+    if settings.output == "camera":
+        return [*flags_of_sampling(scene), "--optics", "single", *size, *more_flags(scene, still)]
     display = displays.chosen(scene)
     optics = {"quilt": ["--layout", "quilt", *(size if display.get("quilt") else [])], "native": ["--layout", "native"], "views": ["--layout", "views"],
               "single": ["--optics", "single", *size]}[settings.output]
     if settings.output == "native" and display["kind"] != "slanted-panel":
         optics = []  # a lens array's own frame is its integral image
-    flags = ["--display", displays.argument(scene), *optics, "--spp", settings.samples]
-    flags += [] if settings.denoise else ["--denoise", "none"]
-    flags += ["--full-depth"] if settings.full_depth else []
+    depth = ["--full-depth"] if settings.full_depth and settings.output != "single" else []
+    return ["--display", displays.argument(scene), *optics, *flags_of_sampling(scene), *depth, *more_flags(scene, still)]
+
+
+def flags_of_sampling(scene):
+    return ["--spp", scene.lippmann.samples, *([] if scene.lippmann.denoise else ["--denoise", "none"])]
+
+
+def more_flags(scene, still):
+    settings = scene.lippmann
     try:
         more = shlex.split(settings.extra)
     except ValueError as error:
         raise tool.ToolError(f"More flags: {error}.") from error
-    flags += ["--transparent"] if film.is_transparent(scene, still) and "--transparent" not in more else []
-    return flags + more
+    return (["--transparent"] if film.is_transparent(scene, still) and "--transparent" not in more else []) + look.flags(settings, more) + more
+
+
+def stamp(path):
+    """What changes when a file does; None: there is no such file."""
+    try:
+        state = os.stat(path)
+    except OSError:
+        return None
+    return [state.st_size, state.st_mtime_ns]
+
+
+def files_beside(scene):
+    """Stamps of the files that the scene refers to, and of its simulations' caches."""
+    caches = []
+    if bpy.data.filepath:
+        blend = pathlib.Path(bpy.data.filepath)
+        caches = sorted(blend.parent.glob(f"blendcache_{blend.stem}/*"))
+    return {str(path): stamp(path) for path in [*bpy.utils.blend_paths(absolute=True), *caches]}
+
+
+def digest(values):
+    return hashlib.blake2b(json.dumps(values, sort_keys=True, default=str).encode(), digest_size=16).hexdigest()
+
+
+def hashes(library):
+    """Of the scene that a file holds, and of its materials with all that these refer to: {name: hash}."""
+    try:
+        held = contents.Contents(library, NOT_EXPORTED)
+    except (ValueError, LookupError, StopIteration, struct.error) as error:  # a form of file that a later Blender has
+        print(f"lippmann: the scene is exported anew each time: {error!r}", file=sys.stderr)
+        return os.urandom(16).hex(), {}
+    return held.all, {name[2:]: held.with_references(name) for name in held.by_name if name.startswith("MA")}
+
+
+class Export:
+    """The exported scene in the output folder, which is kept for the next render as long as nothing that it was made of changes."""
+
+    def __init__(self, folder):
+        self.glb, self.world, self._record = folder / "scene.glb", folder / "world.exr", folder / "scene.json"
+
+    def _stamps(self):
+        return {path.name: stamp(path) for path in (self.glb, self.world)}
+
+    def kept(self, key):
+        """What the exporting Blender reported, if it exported the same; else None."""
+        try:
+            record = json.loads(self._record.read_text())
+        except (OSError, ValueError):
+            return None
+        return record["told"] if record["key"] == key and record["files"] == self._stamps() and self.glb.is_file() else None
+
+    def forget(self):
+        self._record.unlink(missing_ok=True)
+
+    def keep(self, key, told):
+        self._record.write_text(json.dumps({"key": key, "told": told, "files": self._stamps()}))
 
 
 class Job:
@@ -104,10 +181,17 @@ class Job:
         library = work / "scene.blend"
         bpy.data.libraries.write(str(library), {scene}, path_remap="ABSOLUTE")
         settings = scene.lippmann
-        self._glb = self.folder / "scene.glb"
-        self._request.write_text(json.dumps({
-            "library": str(library), "scene": scene.name, "display": settings.display, "calibration": bpy.path.abspath(settings.calibration) if settings.calibration else "",
-            "frames": [self.first, self.last], "still": self.still, "bake_size": settings.bake_size if settings.bake else 0, "glb": str(self._glb), "world": str(self.folder / "world.exr"), "report": str(self._told)}))
+        width, height = resolution(scene)
+        self._export = Export(self.folder)
+        request = {"scene": scene.name, "display": settings.display, "calibration": bpy.path.abspath(settings.calibration) if settings.calibration else "",
+                   "aspect": width / height if settings.output == "camera" else 0.0, "frames": [self.first, self.last], "still": self.still,
+                   "bake_size": settings.bake_size if settings.bake else 0}
+        whole, of_materials = hashes(library)
+        around = [files_beside(scene), scripts_are_allowed(), bpy.app.version_string, {path.name: stamp(path) for path in sorted(HERE.glob("*.py"))}]
+        self._key = digest([request, whole, displays.chosen(scene), settings.samples > 1, around])
+        materials = {name: digest([hashed, around]) for name, hashed in of_materials.items()}
+        self._request.write_text(json.dumps({**request, "library": str(library), "glb": str(self._export.glb), "world": str(self._export.world), "report": str(self._told),
+                                             "materials": materials, "baked": str(self.folder / "baked")}))
         self._flags = render_flags(scene, self.still)
         self._fps = scene.render.fps / scene.render.fps_base
         self._resume = settings.resume and not self.still
@@ -119,42 +203,58 @@ class Job:
                 self._request]
 
     def _render_words(self):
-        told = json.loads(self._told.read_text())
-        self.warnings = told["warnings"]
+        told = self._exported
+        self.warnings = list(told["warnings"])
         frames = ["--frames", "0" if self.still else f"{self.first}-{self.last}"]
         blur = [word for name, value in zip(told["blur"][::2], told["blur"][1::2]) if name not in self._flags for word in (name, value)]
-        words = [self.tool, "render", self._glb, *blur, *self._flags, "--camera", told["eye"], "--focus", f"{told['distance']:.9g}", "--environment",
+        words = [self.tool, "render", self._export.glb, *blur, *self._flags, "--camera", told["eye"], "--focus", f"{told['distance']:.9g}", "--environment",
                  told["environment"], *frames, "--fps", f"{self._fps:.9g}", "--progress", "json", "-o", self.pictures_folder]
+        words += ["--viewing-distance", f"{told['parallel_mm']:.9g}"] if told["parallel_mm"] else []
         words += ["--video", self.pictures_folder / "video.mp4"] if self._video else []
         resumes = self._resume and (self.pictures_folder / "job.toml").is_file()
         return [str(word) for word in words + (["--resume"] if resumes else ["--force"])]
 
-    def _run(self, words, until, tell, stopped):
+    def _run(self, step, until, tell, stopped):
         """Waits until the child is done, or `until` holds."""
         while self._child.running() and not until():
             if stopped():
                 self.stop()
                 raise Cancelled
-            tell(self._child.share)
+            tell(self._child.step or step, self._child.share, self._child.seconds_left)
             self._child.wait(0.1)
         if not self._child.running():
             self._child.check()
 
-    def frame(self, number, tell=lambda _: None, stopped=lambda: False):
-        """The pictures of a finished frame, for which it waits. Raises ToolError, Cancelled."""
+    def _export_now(self, tell, stopped):
+        self._export.forget()
+        environment = {**os.environ, "LIPPMANN_TOOL": self.tool}
+        self._child = tool.Child(self._export_words(), self._log, environment)
+        self._run("exporting the scene", lambda: False, tell, stopped)
+        told = json.loads(self._told.read_text())
+        self._export.keep(self._key, told)
+        return told
+
+    def frame(self, number, tell=lambda *_: None, stopped=lambda: False):
+        """The pictures of a finished frame, for which it waits. tell: gets a step in words, its finished share, and how many seconds it takes, None if that
+        is not known. Raises ToolError, Cancelled."""
         if not self._started:
-            environment = {**os.environ, "LIPPMANN_TOOL": self.tool}
-            self._child = tool.Child(self._export_words(), self._log, environment)
-            self._run(None, lambda: False, tell, stopped)
+            self._exported = self._export.kept(self._key) or self._export_now(tell, stopped)
             self._child = tool.Child(self._render_words(), self._log)
             self._started = True
         index = 0 if self.still else number
         last = number == self.last  # the last frame is done when the video and the report are, too
-        self._run(None, lambda: not last and index in self._child.finished_frames, tell, stopped)
+        self._run(f"rendering frame {number}", lambda: not last and index in self._child.finished_frames, tell, stopped)
         found = tool.pictures(self.pictures_folder, index)
         if not found:
             raise tool.ToolError(f"The tool has written no picture of frame {number}; see {self._log}.")
+        self._warn_of_cut()
         return found
+
+    def _warn_of_cut(self):
+        """The tool's report, which is there from the first frame on, names what hides the scene from the viewer and was cut off."""
+        cut = json.loads((self.pictures_folder / "report.json").read_text()).get("cut")
+        if cut and cut not in self.warnings:
+            self.warnings.append(cut)
 
     def stop(self):
         if self._child:

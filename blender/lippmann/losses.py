@@ -98,7 +98,8 @@ def composites(scene):
 def is_panoramic(scene):
     """Whether the display stands before a panoramic camera."""
     camera = scene.camera
-    return bool(camera and camera.type == "CAMERA" and camera.data.type == "PANO" and not frame.placed(scene))
+    is_shown = scene.lippmann.output == "camera" or not frame.placed(scene)
+    return bool(camera and camera.type == "CAMERA" and camera.data.type == "PANO" and is_shown)
 
 
 def say_of_scene(scene, still, report):

@@ -5,7 +5,7 @@ import textwrap
 
 import bpy
 
-from . import displays, engine, frame, tool
+from . import displays, engine, frame, job, look, tool
 
 
 class Operator(bpy.types.Operator):
@@ -55,6 +55,15 @@ class MatchResolution(Operator):
     def act(self, context):
         displays.chosen(context.scene)
         displays.fit_resolution(context.scene)
+
+
+class TakeOverViewTransform(Operator):
+    bl_idname = "lippmann.take_over_view_transform"
+    bl_label = "Take Over View Transform"
+    bl_description = "Make Blender's view transform and exposure the settings Tone and Exposure here, so that files and Blender's window show the same"
+
+    def act(self, context):
+        look.take_over(context.scene.lippmann, context.scene.view_settings)
 
 
 class ViewInPage(Operator):
@@ -109,17 +118,27 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
         column.prop(settings, "calibration", text="Or a File")
         column.prop(settings, "output")
         column.operator("lippmann.match_resolution")
+        self._refusal(context, layout)
         self._frame(context, layout)
         column = layout.column()
-        for name in ("samples", "denoise", "full_depth", "bake", "bake_size", "folder", "resume", "video", "extra"):
+        for name in ("samples", "denoise", "tone", "exposure", "full_depth", "bake", "bake_size", "folder", "resume", "video", "extra"):
             row = column.row()
             row.active = name != "bake_size" or settings.bake
             row.prop(settings, name)
         layout.operator("lippmann.view", icon="URL")
         for warning in engine.last_warnings:
             show_sentence(layout, warning, panel_width(context))
-        if scene.view_settings.view_transform != "Standard":
-            layout.label(text="Shown as " + scene.view_settings.view_transform + "; files are not", icon="INFO")
+        if not look.is_plain(scene.view_settings):
+            layout.operator("lippmann.take_over_view_transform", icon="INFO")
+
+    def _refusal(self, context, layout):
+        """What F12 would refuse of the picture's size."""
+        try:
+            refusal = displays.refused_size(context.scene, job.resolution(context.scene))
+        except tool.ToolError:
+            return  # which is said below
+        if refusal:
+            show_sentence(layout, refusal, panel_width(context))
 
     def _frame(self, context, layout):
         scene = context.scene
@@ -145,7 +164,7 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
         box.label(text=f"In the scene: {zone.budget:.3g}")
 
 
-CLASSES = (PlaceAtSelected, PlaceAtFocus, MatchResolution, ViewInPage, LIPPMANN_PT_light_field)
+CLASSES = (PlaceAtSelected, PlaceAtFocus, MatchResolution, TakeOverViewTransform, ViewInPage, LIPPMANN_PT_light_field)
 
 
 def register():

@@ -25,6 +25,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 SOLID = {"MESH", "CURVE", "SURFACE", "META", "FONT"}
 LOST = {"VOLUME": "volumes", "CURVES": "hair curves", "POINTCLOUD": "point clouds", "GPENCIL": "grease pencil", "GREASEPENCIL": "grease pencil", "LIGHT_PROBE": None, "SPEAKER": None}
 EYE = "lippmann-eye"
+PARALLEL = 1e4  # heights of its picture that an orthographic camera's viewer is away: lines of sight part by less than a pixel
 
 
 class Report:
@@ -36,6 +37,11 @@ class Report:
     def warn(self, text):
         if text not in self.warnings:
             self.warnings.append(text)
+
+
+def begin(step, share=0.0):
+    """The parent reads these lines (tool.Child) and shows them."""
+    print(json.dumps({"step": step, "share": share}), file=sys.stderr, flush=True)
 
 
 def load(request):
@@ -316,7 +322,11 @@ def eye_of(zone, name):
     camera = bpy.data.cameras.new(name)
     camera.sensor_fit = "VERTICAL"
     camera.lens = 0.5 * camera.sensor_height / (0.5 * zone.height / zone.distance)
-    camera.clip_start, camera.clip_end = 1e-3 * zone.distance, 1e3 * zone.distance
+    camera.clip_start, camera.clip_end = max(zone.near, 1e-6 * zone.distance), 1e3 * zone.distance
+    if zone.is_beam:
+        camera.type, camera.ortho_scale = "ORTHO", max(zone.height, zone.width)
+    if any(zone.shift):
+        camera["shift_x"], camera["shift_y"] = zone.shift  # which glTF's exporter writes as extras (docs/reference/gltf.md)
     return bpy.data.objects.new(name, camera)
 
 
@@ -360,13 +370,20 @@ def build_stage(scene, request, report):
     tracks, eyes, lenses = Tracks(request["still"], report), {}, []
     play_up_to(scene, first)
     show(scene, first)
-    distance = None
-    if not frame_module.placed(scene) and scene.camera and scene.camera.type == "CAMERA":
+    distance, is_camera_s = None, scene.lippmann.output == "camera"
+    if (is_camera_s or not frame_module.placed(scene)) and scene.camera and scene.camera.type == "CAMERA":
         distance = frame_module.plane_distance(scene)  # an animation keeps it, as a lens keeps its focus
-    zone = frame_module.zone(scene, distance)
-    for frame in frames:
+
+    def zone_now():
+        return frame_module.camera_zone(scene, request["aspect"], distance) if is_camera_s else frame_module.zone(scene, distance)
+
+    zone = zone_now()
+    for index, frame in enumerate(frames):
+        begin("exporting the scene", index / len(frames))
         show(scene, frame)
-        now = frame_module.zone(scene, distance)
+        now = zone_now()
+        if now.shift != zone.shift or abs(now.height / now.distance - zone.height / zone.distance) > 1e-6:
+            report.warn("The camera's lens or shift changes; it stays as in the first frame.")
         eyes[frame] = now.world_from_frame @ Matrix.Translation((0.0, 0.0, zone.distance))
         if frame >= first:
             lenses.append(exposure.lens(scene, now))
@@ -492,18 +509,24 @@ def main():
     mend_figures(scene, report)
     importlib.import_module(f"{HERE.name}.materials").simplify_all(bpy.data.materials, report)
     stage, zone, has_shape_keys, blur = build_stage(scene, request, report)
-    baked = importlib.import_module(f"{HERE.name}.baking").bake(stage, request["bake_size"], report) if request["bake_size"] else {}
+    baking = importlib.import_module(f"{HERE.name}.baking")
+    kept = baking.Kept(pathlib.Path(request["baked"]), request["materials"])
+    baked = baking.bake(stage, request["bake_size"], report, kept, begin) if request["bake_size"] else {}
+    if request["bake_size"]:
+        kept.remove_others()
     importlib.import_module(f"{HERE.name}.losses").say(scene, request["still"], baked, report)
+    begin("writing the scene")
     export_gltf(stage, request["glb"], request["still"], has_shape_keys)
     glb, ies, materials = (importlib.import_module(f"{HERE.name}.{name}") for name in ("glb", "ies", "materials"))
     glb.rewrite(request["glb"], (ies.move_profiles, materials.take_gloss_away))
     colour = plain_world(scene.world)
     if colour is None:
+        begin("rendering the surroundings")
         write_panorama(scene.world, request["world"])
     environment = request["world"] if colour is None else "none" if not any(colour) else ",".join(f"{channel:.7g}" for channel in colour)
     if bpy.app.autoexec_fail:
         report.warn("Drivers in Python did not run; start Blender with --enable-autoexec, or allow them in its preferences.")
-    told = {"warnings": report.warnings, "environment": environment, "distance": zone.distance, "eye": EYE, "blur": blur}
+    told = {"warnings": report.warnings, "environment": environment, "distance": zone.distance, "eye": EYE, "blur": blur, "parallel_mm": PARALLEL * zone.height / zone.per_mm if zone.is_beam else 0.0}
     pathlib.Path(request["report"]).write_text(json.dumps(told))
 
 

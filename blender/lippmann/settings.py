@@ -9,7 +9,14 @@ OUTPUTS = [
     ("quilt", "Quilt", "All views side by side in one picture, as the display's player takes it"),
     ("native", "Native frame", "Every sub-pixel of the calibrated panel"),
     ("views", "Views", "A folder with one picture for each view"),
-    ("single", "Preview", "One eye's view from the middle of the viewing zone"),
+    ("single", "Preview: viewer", "What the display's viewer sees, with one eye, from the middle of the viewing zone"),
+    ("camera", "Preview: camera", "The camera's own picture: its place, perspective and frame, in Blender's resolution"),
+]
+
+TONES = [
+    ("none", "Standard", "Light that is brighter than white is white"),
+    ("neutral", "Neutral", "Colours up to 80 % are kept, brighter ones are compressed: for products"),
+    ("agx", "AgX", "Bright colours fade to white, as on film"),
 ]
 
 
@@ -31,6 +38,8 @@ class SceneSettings(bpy.types.PropertyGroup):
     output: EnumProperty(items=OUTPUTS, name="Output", default="quilt", update=show_other_display, description="What F12 and Ctrl-F12 render")
     samples: IntProperty(name="Samples", default=16, min=1, max=1 << 16, description="Paths for each pixel")
     denoise: BoolProperty(name="Denoise", default=True, description="Remove the noise of pictures with 2 samples or more")
+    tone: EnumProperty(items=TONES, name="Tone", description="How light that is brighter than white is shown, in all files")
+    exposure: FloatProperty(name="Exposure", soft_min=-10.0, soft_max=10.0, description="Stops by which pictures are brighter, in all files")
     full_depth: BoolProperty(name="All of the depth", description="Show all of the scene's depth, blurred where the display cannot resolve it; "
                              "otherwise a scene that is too deep is shown less deep")
     resume: BoolProperty(name="Resume", default=True, description="Ctrl-F12 keeps the frames that an earlier, interrupted render of the same scene has finished")

@@ -56,7 +56,8 @@ class Child:
 
     def __init__(self, words, log, environment=None):
         self.finished_frames = set()
-        self.share = 0.0
+        self.share, self.seconds_left = 0.0, None
+        self.step = ""  # of several, in words
         self.lines = []
         self._log = open(log, "ab")
         self._words = words
@@ -80,7 +81,8 @@ class Child:
                 told = json.loads(line)
             except ValueError:
                 continue
-            self.share = told.get("share", self.share)
+            self.share, self.seconds_left = told.get("share", self.share), told.get("seconds_left")
+            self.step = told.get("step", self.step)
             if told.get("frame") is not None and told.get("done"):
                 self.finished_frames.add(told["frame"])
         self._log.flush()

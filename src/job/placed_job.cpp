@@ -35,6 +35,7 @@ PlacedJob place(const ResolvedJob& job, const Scene& scene) {
   const bool fit_depth = fits_depth(job.params().optics.fit_depth, optics, has_display || is_stereo);
   placed_job.placed = placed_on(scene, placed_job.array, std::move(optics), fit_depth);
   placed_job.placed.for_display = has_display && !is_stereo;
+  if (!placed_job.placed.cut.empty()) placed_job.array.how += " " + placed_job.placed.cut;
   return placed_job;
 }
 

@@ -21,9 +21,10 @@ struct PlacedJob {
 /// Returns the screen of a job. The arguments must outlive it. Throws a usage Error if parameters contradict each other.
 Screen screen_of(const ResolvedJob& job, const Scene& scene, const Display* display);
 
-/// Loads the job's display, fits the array to the scene, and makes the optics. Rays start at the fitted viewer, so that a
-/// camera inside a room shows the room. `scene` must pass validate(). Throws Error for a display that cannot be read, and a
-/// usage Error for parameters that contradict each other or make no rays.
+/// Loads the job's display, fits the array to the scene, and makes the optics. Rays start at the viewer, or
+/// behind walls that the file's camera does not see, so that a camera inside a room shows the room. `scene` must pass
+/// validate(). Throws Error for a display that cannot be read, and a usage Error for parameters that contradict each other or
+/// make no rays.
 PlacedJob place(const ResolvedJob& job, const Scene& scene);
 
 }  // namespace lippmann

@@ -132,6 +132,7 @@ RenderReport RenderSetup::report() const {
   report.reuse = frame_settings.reuse;
   report.light = stage.light;
   report.view = stage.array.how;
+  report.cut = stage.placed.cut;
   report.depth_scale = stage.placed.depth_scale;
   report.depth = shown_depth(stage.array, stage.placed.units_per_mm, report.depth_scale, report.optics);
   report.crosstalk_px = crosstalk;

@@ -79,6 +79,7 @@ Json to_json(const RenderReport& report) {
       {"scene", report.scene},
       {"light", report.light},
       {"view", report.view},
+      {"cut", report.cut},
       {"optics", optics_json(report.optics)},
       {"depth", depth_json(report.depth, report.depth_scale, report.optics)},
       {"precompensation", precompensation_json(report)},

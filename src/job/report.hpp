@@ -23,6 +23,7 @@ struct RenderReport {
   Reuse reuse;        ///< the kind in effect
   std::string light;  ///< one sentence on the light used, and why
   std::string view;   ///< FittedArray::how
+  std::string cut;    ///< PlacedOptics::cut
   ShownDepth depth;
   float depth_scale = 1.0f;            ///< shown depth / true depth
   std::optional<double> crosstalk_px;  ///< corrected crosstalk: a sigma in the optics' pixels or views

@@ -61,13 +61,18 @@ void check_lens(const Optics& optics) {
                               static_cast<float>(lenses->viewing_distance_mm), optics.panel);
 }
 
+/// Returns where a single view of this height samples its pixels.
+Vec2f offset_px(const Camera& camera, int height) {
+  return camera.pixel_offset + static_cast<float>(height) * Vec2f(camera.shift.x, -camera.shift.y);
+}
+
 }  // namespace
 
 Screen screen_of_params(const RenderParams& params, const Scene& scene) {
   const PanelSize size = panel_size(params, scene.resolution);
   const bool is_camera = optics_kind(params).info().is_camera;
   const Panel panel = make_panel(params.optics, size, is_camera);
-  const Vec2f pixel_offset = scene.cameras.empty() ? Vec2f(0.0f) : scene.cameras.front().pixel_offset;
+  const Vec2f pixel_offset = scene.cameras.empty() ? Vec2f(0.0f) : offset_px(scene.cameras.front(), size.height);
   const auto optics_for = [params, size, panel, pixel_offset, is_camera](const FittedArray& array) {
     const float window_height_mm = static_cast<float>(size.height / size.views.y) * panel.pixel_pitch_mm;
     const float fitted_mm = array.viewing_distance / scene_units_per_mm(array, window_height_mm);

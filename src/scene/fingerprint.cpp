@@ -197,9 +197,11 @@ class SceneFingerprint {
     add_packed(radiance.data);
   }
   void add(const Camera& camera) {
-    const auto& [name, node, vertical_fov, aspect, focus_distance, pixel_offset, orthographic_height] = camera;
+    const auto& [name, node, vertical_fov, aspect, focus_distance, pixel_offset, orthographic_height, near, shift] = camera;
     add_all(node, vertical_fov, aspect, focus_distance, pixel_offset);
     if (orthographic_height > 0.0f) add(orthographic_height);
+    if (near > 0.0f) add(near);
+    if (shift != Vec2f(0.0f)) add(shift);
   }
   void add(const DisplayPlacement& display) {
     const auto& [node, plane_height, viewing_distance] = display;

@@ -356,6 +356,8 @@ class Validator {
     require(finite(camera.pixel_offset), element, "the pixel offset is not finite");
     require(finite(camera.orthographic_height) && camera.orthographic_height >= 0.0f, element,
             "the orthographic height is not a number >= 0");
+    require(finite(camera.near_distance) && camera.near_distance >= 0.0f, element, "the near distance is not a number >= 0");
+    require(finite(camera.shift), element, "the shift is not finite");
   }
 
   void check_rest() const {

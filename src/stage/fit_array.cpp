@@ -60,7 +60,7 @@ Affine3f world_from_frame(const Setting& setting, int node, const ResolvedScene&
 }
 
 Camera in_world_units(Camera camera, float units) {
-  camera.focus_distance *= units, camera.orthographic_height *= units;
+  camera.focus_distance *= units, camera.orthographic_height *= units, camera.near_distance *= units;
   return camera;
 }
 
@@ -100,11 +100,12 @@ ConvexRegion region_of(const CameraView& view) {
 /// Places the array perpendicular to a camera's view at a distance, filling the view. Its viewer is at the camera. The position
 /// of an orthographic camera along its view is meaningless, so its viewer is at least so far away that the default angle covers
 /// the view.
-void place_before_camera(FittedArray& array, float distance, const CameraView& view) {
+void place_before_camera(FittedArray& array, const Camera& camera, float distance, const CameraView& view) {
   array.node_from_plane = {Mat3f(1.0f), {0.0f, 0.0f, -distance}};
   array.plane_height = 2.0f * view.half.y * (view.is_orthographic ? 1.0f : distance);
   array.viewing_distance = distance;
   if (view.is_orthographic) array.viewing_distance = std::max(distance, view.half.y / std::tan(0.5f * kDefaultFov));
+  array.near_distance = array.viewing_distance - distance + camera.near_distance;
 }
 
 std::string camera_name(const Camera& camera) {
@@ -200,7 +201,7 @@ FittedArray at_focus(const Setting& setting, const Camera& camera) {
   array.origin = FittedArray::Origin::kFocus;
   array.node = camera.node;
   const CameraView view = view_for(setting, camera);
-  place_before_camera(array, camera.focus_distance, view);
+  place_before_camera(array, camera, camera.focus_distance, view);
   array.how = fmt::format("The array is at the focus of {}, {:.4g} units away, and fills its view.{}", camera_name(camera),
                           camera.focus_distance, widened_sentence(camera, view));
   return array;
@@ -225,7 +226,7 @@ FittedArray half_way_through(const Setting& setting, const Camera& camera) {
     const float size = diagonal(seen);
     distance = std::max(0.5f * (nearest + farthest), kNearestPlane * (size > 0.0f ? size : 1.0f));
   }
-  place_before_camera(array, distance, view);
+  place_before_camera(array, camera, distance, view);
   const bool is_scene = sees_nothing || (sees_subject && !setting.subject.has_surroundings());
   if (sees_nothing && !seen.empty()) {
     array.how = fmt::format(
@@ -323,7 +324,7 @@ FittedArray fitted_to_bounds(const Setting& setting, const Direction& direction)
   const float least = size == Vec3f(0.0f) ? 1.0f : 0.5f * size.z + kNearestPlane * diagonal(bounds.straight);
   const float distance = std::max(std::max(enough.x, enough.y) - plane_z, least);
   const Vec2f middle = middle_from(setting, direction, bounds, angle, distance);
-  place_before_camera(array, distance, {false, Vec2f(direction.tangent_y)});
+  place_before_camera(array, {}, distance, {false, Vec2f(direction.tangent_y)});
   array.node_from_plane = {direction.node_from_view, direction.node_from_view * Vec3f(middle, plane_z)};
   array.depth_front = bounds.straight.upper.z - plane_z;
   array.depth_back = bounds.straight.lower.z - plane_z;

@@ -1,5 +1,7 @@
 #include "stage/front_of_rays.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -7,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/printable.hpp"
 #include "lippmann/scene/timeline.hpp"
 #include "scene/deform.hpp"
 #include "stage/seen_bounds.hpp"
@@ -19,27 +22,30 @@ namespace {
 constexpr double kWallShare = 0.25;
 constexpr float kBeforeWall = 0.999f;  ///< start of the rays between the fitted viewer (0) and the wall (1)
 
-/// Polygons between the fitted viewer and the eye, within the frame.
+/// Names at most this many walls.
+constexpr std::size_t kNamed = 3;
+
+/// Polygons between the near clipping plane and the eye, within the frame.
 class Foreground {
  public:
-  Foreground(float viewer, float eye, Vec2f half) : viewer_(viewer), eye_(eye), half_(half) {
+  Foreground(float near, float eye, Vec2f half) : near_(near), eye_(eye), half_(half) {
     region_ = view_region({0.0f, 0.0f, eye}, half / eye);
-    region_.push_back({{0.0f, 0.0f, 1.0f}, -viewer});
+    region_.push_back({{0.0f, 0.0f, 1.0f}, -near});
   }
 
   void add(const Scene& scene, const Instance& instance, const ResolvedScene& resolved, const Affine3f& plane_from_world) {
     const Shape& shape = scene.shapes[static_cast<std::size_t>(instance.shape)];
-    walls_.push_back({0.0, eye_});
+    walls_.push_back({0.0, eye_, instance.node});
     if (std::holds_alternative<Splats>(shape)) return;  // splats in front of the viewer are noise of the capture
     if (const auto* planes = std::get_if<Planes>(&shape))
       return add_planes(*planes, plane_from_world * resolved.of(instance.node));
     const Bounds3f box = finite_bounds(scene, instance, resolved, plane_from_world);
-    if (box.empty() || box.upper.z <= viewer_ || box.lower.z >= eye_) return;
+    if (box.empty() || box.upper.z <= near_ || box.lower.z >= eye_) return;
     visit_seen(scene, instance, resolved, plane_from_world, region_, [&](std::span<const Vec3f> polygon) { add(polygon); });
   }
 
   /// Returns the start of rays, or nothing if there are no polygons.
-  std::optional<float> front() const {
+  std::optional<FrontOfRays> front(const Scene& scene) const {
     if (!any_) return std::nullopt;
     const double enough = kWallShare * 4.0 * static_cast<double>(half_.x * half_.y);
     Walls alone{0.0, eye_}, together{0.0, eye_};
@@ -47,15 +53,30 @@ class Foreground {
       together.add(walls);
       if (walls.area >= enough) alone.add(walls);
     }
-    const Walls& walls = alone.area > 0.0 ? alone : together;
-    return walls.area < enough ? eye_ : viewer_ + kBeforeWall * (walls.nearest - viewer_);
+    const bool is_alone = alone.area > 0.0;
+    const Walls& walls = is_alone ? alone : together;
+    if (walls.area < enough) return FrontOfRays{eye_, {}};
+    return FrontOfRays{near_ + kBeforeWall * (walls.nearest - near_), names(scene, is_alone ? enough : 0.0)};
   }
 
  private:
-  /// Returns whether the plane through p separates the fitted viewer from the eye.
+  /// Returns the names of instances whose walls cover more than nothing and at least `enough`.
+  std::string names(const Scene& scene, double enough) const {
+    std::vector<std::string> names;
+    for (const Walls& walls : walls_) {
+      if (!(walls.area > 0.0) || walls.area < enough) continue;
+      const std::string& name = walls.node < 0 ? std::string() : scene.nodes[static_cast<std::size_t>(walls.node)].name;
+      const std::string shown = name.empty() ? "a part without a name" : fmt::format("'{}'", printable(name));
+      if (std::find(names.begin(), names.end(), shown) == names.end()) names.push_back(shown);
+    }
+    if (names.size() > kNamed) names.resize(kNamed), names.emplace_back("others");
+    return fmt::format("{}", fmt::join(names, ", "));
+  }
+
+  /// Returns whether the plane through p separates the near clipping plane from the eye.
   bool is_wall(Vec3f p, Vec3f normal) const {
-    const float offset = -glm::dot(normal, p), of_viewer = normal.z * viewer_ + offset, of_eye = normal.z * eye_ + offset;
-    return (of_viewer > 0.0f) != (of_eye > 0.0f);
+    const float offset = -glm::dot(normal, p), of_near = normal.z * near_ + offset, of_eye = normal.z * eye_ + offset;
+    return (of_near > 0.0f) != (of_eye > 0.0f);
   }
 
   void add(std::span<const Vec3f> polygon) {
@@ -79,14 +100,14 @@ class Foreground {
     for (const Plane& plane : planes) add_plane(transform_point(plane_from_node, plane.point), of_normals * plane.normal);
   }
 
-  /// Adds an infinite plane. A plane that separates viewer and eye crosses the line between them. Other planes count if they
-  /// are visible in a corner of the frame.
+  /// Adds an infinite plane. A plane that separates near plane and eye crosses the line between them. Other planes count if
+  /// they are visible in a corner of the frame.
   void add_plane(Vec3f p, Vec3f normal) {
     const float ahead = glm::dot(normal, p - Vec3f(0.0f, 0.0f, eye_));
     for (const float x : {-half_.x, half_.x})
       for (const float y : {-half_.y, half_.y}) {
         const float along = ahead / glm::dot(normal, Vec3f(x, y, -eye_));
-        any_ |= along > 0.0f && eye_ * (1.0f - along) > viewer_;
+        any_ |= along > 0.0f && eye_ * (1.0f - along) > near_;
       }
     if (!is_wall(p, normal)) return;
     any_ = true;
@@ -97,11 +118,12 @@ class Foreground {
   struct Walls {
     double area;    ///< projected from the eye to the plane z = 0
     float nearest;  ///< smallest z
+    int node = -1;
 
     void add(const Walls& other) { area += other.area, nearest = std::min(nearest, other.nearest); }
   };
 
-  float viewer_, eye_;
+  float near_, eye_;
   Vec2f half_;  ///< half the size of the frame on the plane z = 0
   ConvexRegion region_;
   bool any_ = false;
@@ -110,23 +132,30 @@ class Foreground {
 
 }  // namespace
 
-float front_of_rays(const Scene& scene, const FittedArray& array, float aspect, float eye) {
-  const float viewer = array.viewing_distance;
-  if (!(eye > 1.0001f * viewer) || !std::isfinite(eye)) return viewer;
+FrontOfRays front_of_rays(const Scene& scene, const FittedArray& array, float aspect, float eye) {
+  const float viewer = array.viewing_distance, near = viewer - array.near_distance;
+  const float start = std::isfinite(eye) && eye > 1.0001f * viewer ? eye : viewer;
+  if (!(start > near + 1e-4f * viewer)) return {viewer, {}};
   const Vec2f half = 0.5f * array.plane_height * Vec2f(aspect, 1.0f);
   const std::vector<bool> moves = moving_instances(scene), nodes_move = moving_nodes(scene);
   const auto any = [](const std::vector<bool>& flags) { return std::find(flags.begin(), flags.end(), true) != flags.end(); };
-  std::optional<float> front;
+  std::optional<FrontOfRays> front;
   for (const int frame : sampled_frames(scene.timeline)) {
     if (frame > 0 && !any(moves) && !any(nodes_move)) break;
     const ResolvedScene resolved = evaluate(scene, scene.timeline.time(frame));
     const Affine3f plane_from_world = inverse(world_from_display(array, 1.0f, resolved));
-    Foreground foreground(viewer, eye, half);
+    Foreground foreground(near, start, half);
     for (const Instance& instance : scene.instances)
       if (!instance.hidden_from_cameras) foreground.add(scene, instance, resolved, plane_from_world);
-    if (const std::optional<float> of_frame = foreground.front()) front = std::min(front.value_or(kInfinity), *of_frame);
+    const std::optional<FrontOfRays> of_frame = foreground.front(scene);
+    if (of_frame && (!front || of_frame->z < front->z)) front = of_frame;
   }
-  return front.value_or(viewer);
+  if (!front) return {viewer, {}};
+  if (!front->cut.empty())
+    front->cut =
+        fmt::format("Rays begin {:.4g} units in front of the plane, not at the viewer, whose view walls would hide: {}.",
+                    front->z, front->cut);
+  return *front;
 }
 
 }  // namespace lippmann

@@ -2,22 +2,30 @@
 //
 // The array is fitted to a viewer, which is a camera of the file or was found for the subject. The display's own viewer is
 // often farther away, and also sees what lies between the two through the display's frame, mainly the floor in front of the
-// subject. A wall behind the file's camera also lies there, and would hide everything.
+// subject. A wall behind the file's camera also lies there, and would hide everything. So would a wall that the camera's near
+// clipping plane cuts away.
 //
-// A surface is a wall if the plane of its polygon separates the fitted viewer from the eye, so the eye sees its other side.
-// Both see the upper side of a floor. Rays begin just in front of an instance whose walls cover at least a quarter of the
+// A surface is a wall if the plane of its polygon separates the near clipping plane from the eye, so the eye sees its other
+// side. Both see the upper side of a floor. Rays begin just in front of an instance whose walls cover at least a quarter of the
 // frame, or in front of all walls if only all of them together do. Smaller surfaces, such as a chair behind the camera, are
 // shown.
 #pragma once
+
+#include <string>
 
 #include "lippmann/scene/scene.hpp"
 #include "lippmann/stage/fit_array.hpp"
 
 namespace lippmann {
 
-/// Returns z in the array's plane frame, in units of its node: that of the fitted viewer if nothing lies between it and the
-/// eye. aspect: width / height of the plane. eye: distance of the display's viewer in front of the plane, in the same units.
-/// Returns the nearest value over the animation.
-float front_of_rays(const Scene& scene, const FittedArray& array, float aspect, float eye);
+struct FrontOfRays {
+  float z = kInfinity;  ///< in the array's plane frame, in units of its node
+  std::string cut;      ///< one sentence that names the walls in front of the start; empty if there are none
+};
+
+/// Returns z of the fitted viewer if nothing lies between its near clipping plane and the eye. aspect: width / height of the
+/// plane. eye: distance of the display's viewer in front of the plane, in the same units. Returns the nearest value over the
+/// animation.
+FrontOfRays front_of_rays(const Scene& scene, const FittedArray& array, float aspect, float eye);
 
 }  // namespace lippmann

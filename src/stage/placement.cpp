@@ -1,6 +1,7 @@
 #include "lippmann/stage/placement.hpp"
 
 #include <optional>
+#include <utility>
 
 #include "lippmann/core/error.hpp"
 #include "lippmann/scene/load.hpp"
@@ -29,7 +30,9 @@ PlacedOptics placed_on(const Scene& scene, const FittedArray& array, Optics opti
   placed.units_per_mm = scene_units_per_mm(array, window.y);
   optics.z_front_mm = kInfinity;
   const float eye = resolved_z_front_mm(optics) * placed.units_per_mm;
-  optics.z_front_mm = front_of_rays(scene, array, window.x / window.y, eye) / placed.units_per_mm;
+  FrontOfRays front = front_of_rays(scene, array, window.x / window.y, eye);
+  optics.z_front_mm = front.z / placed.units_per_mm;
+  placed.cut = std::move(front.cut);
   if (fit_depth) {
     placed.depth_scale = fitting_depth(shown_depth(array, placed.units_per_mm, 1.0f, optics));
     optics = with_parallax(optics, placed.depth_scale);
@@ -49,6 +52,7 @@ Placement placed_in(const Scene& scene, const Optics& optics, const PlacementWis
   placement.array = fit_array(scene, window.x / window.y, wish.view);
   placement.placed = placed_on(scene, placement.array, optics, fits_depth(wish.fit_depth, optics, for_display));
   placement.placed.for_display = for_display;
+  if (!placement.placed.cut.empty()) placement.array.how += " " + placement.placed.cut;
   return placement;
 }
 

@@ -19,7 +19,7 @@ import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "blender"))
 import lippmann  # noqa: E402
-from lippmann import displays, engine, exposure, film, frame, losses, materials, overlay, scene_export, tool  # noqa: E402
+from lippmann import contents, displays, engine, exposure, film, frame, look, losses, materials, overlay, progress, scene_export, tool  # noqa: E402
 from lippmann import job as jobs  # noqa: E402
 
 lippmann.register()
@@ -195,7 +195,7 @@ class AddOn(unittest.TestCase):
         bpy.ops.render.render(animation=True)
         self.assertEqual(before, [path.stat().st_mtime_ns for path in tool.pictures(self.folder / "animation", 3)])
         self.assertTrue(tool.pictures(self.folder / "animation", 3) and tool.pictures(self.folder / "animation", 4))
-        self.assertTrue((self.folder / "blender_0004.png").is_file())
+        self.assertTrue((self.folder / "blender_0004_qs8x6a0.75.png").is_file())
         document = gltf(self.folder)
         moved = {document["nodes"][channel["target"]["node"]]["name"] for motion in document["animations"] for channel in motion["channels"]}
         self.assertTrue(any(name.startswith("Plane") for name in moved), moved)
@@ -288,7 +288,7 @@ class AddOn(unittest.TestCase):
     def test_rendering_leaves_the_data_of_blender_alone(self):
         # Blender 5 ends at the second frame of an animation where the first one has loaded and removed an image.
         makes = {"append", "load", "new", "new_from_object", "remove"}
-        for module in (engine, jobs, displays, exposure, film, frame, tool):  # all that Engine.render() calls
+        for module in (engine, jobs, contents, displays, exposure, film, frame, look, progress, tool):  # all that Engine.render() calls
             for function in ast.walk(ast.parse(pathlib.Path(module.__file__).read_text())):
                 if not isinstance(function, ast.FunctionDef) or (module is frame and function.name == "add"):  # an operator's
                     continue
@@ -535,6 +535,8 @@ class AddOn(unittest.TestCase):
         cube.data.polygons[0].material_index = 1
         bpy.ops.render.render()
         first = (self.folder / "scene.glb").read_bytes()
+        for file in ((self.folder / "scene.json"), *(self.folder / "baked").iterdir()):
+            file.unlink()  # so that all of it is made again
         wood = next(one for one in gltf(self.folder)["materials"] if one["name"].startswith("wood"))
         places = {wood["pbrMetallicRoughness"]["baseColorTexture"].get("texCoord", 0), wood["pbrMetallicRoughness"]["metallicRoughnessTexture"].get("texCoord", 0),
                   wood["normalTexture"].get("texCoord", 0)}

@@ -66,7 +66,7 @@ class Install(unittest.TestCase):
         animation = self.folder / "lippmann/animation"
         quilts = sorted(path.name for path in animation.glob("*.png"))
         self.assertEqual([name[:13] for name in quilts], ["frame_0001_qs", "frame_0002_qs"])
-        self.assertEqual(sorted(path.name for path in self.folder.glob("*.png")), ["blender_0001.png", "blender_0002.png"])
+        self.assertEqual(sorted(path.name for path in self.folder.glob("*.png")), [f"blender_000{number}{name[10:]}" for number, name in zip((1, 2), quilts)])
         self.assertEqual(json.loads((animation / "report.json").read_text())["settings"]["spp"], 64)  # as the command sets it
 
 

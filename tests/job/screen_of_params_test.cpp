@@ -157,5 +157,16 @@ TEST(ScreenOfParams, single_view_takes_the_cameras_pixel_offset) {
             Vec2f(0.5f, -0.5f));
 }
 
+TEST(ScreenOfParams, single_view_is_shifted_by_heights_of_its_picture) {
+  RenderParams params;
+  params.optics.kind = OpticsKind::kSingle;
+  params.optics.size = {400, 200};
+  Scene scene;
+  scene.cameras.push_back({});
+  scene.cameras[0].shift = {0.25f, -0.5f};
+  EXPECT_EQ(std::get<SingleView>(optics_on(placed_array(), params, nullptr, scene).optics.model).pixel_offset,
+            Vec2f(50.0f, 100.0f));
+}
+
 }  // namespace
 }  // namespace lippmann

@@ -59,6 +59,8 @@ TEST(SceneFingerprint, any_visible_change_changes_it) {
       [](Scene& s) { s.lights[0].angular_diameter = 0.5f; },
       [](Scene& s) { s.lights[0].smooth_edge = true; },
       [](Scene& s) { s.cameras[0].orthographic_height = 2.0f; },
+      [](Scene& s) { s.cameras[0].near_distance = 0.1f; },
+      [](Scene& s) { s.cameras[0].shift.y = 0.5f; },
       [](Scene& s) { s.nodes[0].morph_weights = {1.0f}; },
       [](Scene& s) {
         s.timeline.animations[0].morph_weights = {{0.0}, {1.0f}};

@@ -152,6 +152,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"light_angle", [](Scene& s) { s.lights[0].angular_diameter = 4.0f; }, "not between 0 and pi"},
         Fault{"light_angle_of_point", [](Scene& s) { s.lights[0].angular_diameter = 1.0f; }, "only directional lights"},
         Fault{"camera_height", [](Scene& s) { s.cameras[0].orthographic_height = -1.0f; }, "orthographic height"},
+        Fault{"camera_near", [](Scene& s) { s.cameras[0].near_distance = -1.0f; }, "near distance"},
+        Fault{"camera_shift", [](Scene& s) { s.cameras[0].shift.x = kInfinity; }, "shift"},
         Fault{"camera_fov", [](Scene& s) { s.cameras[0].vertical_fov = kPi; }, "camera 0: the field of view"},
         Fault{"origin", [](Scene& s) { s.origin.y = std::nan(""); }, "origin: is not finite"},
         Fault{"shown_animation", [](Scene& s) { s.animation = 0; }, "animation: animation 0 is out of range"},

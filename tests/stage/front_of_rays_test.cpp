@@ -50,7 +50,8 @@ class FrontOfRays : public testing::Test {
   /// Adds a wall across the view.
   void add_wall(float z, float width = 60.0f) { add_quad({-0.5f * width, -9, z}, {width, 0, 0}, {0, 18, 0}); }
 
-  float front() const { return front_of_rays(scene, fit_array(scene), 1.0f, kFittedEye); }
+  auto begin(float eye = kFittedEye) const { return front_of_rays(scene, fit_array(scene), 1.0f, eye); }
+  float front() const { return begin().z; }
 
   Scene scene;
 };
@@ -64,7 +65,7 @@ TEST_F(FrontOfRays, is_the_camera_with_nothing_behind_it) {
 TEST_F(FrontOfRays, is_the_eye_above_a_floor) {
   add_floor(30.0f);
   EXPECT_EQ(front(), kFittedEye);
-  EXPECT_EQ(front_of_rays(scene, fit_array(scene), 1.0f, 3.0f), 4.0f) << "the eye is in front of the camera";
+  EXPECT_EQ(begin(3.0f).z, 4.0f) << "the eye is in front of the camera";
 }
 
 TEST_F(FrontOfRays, is_the_eye_above_infinite_floors) {
@@ -112,16 +113,53 @@ TEST_F(FrontOfRays, ignores_shapes_hidden_from_cameras) {
   EXPECT_EQ(front(), 4.0f);
 }
 
+TEST_F(FrontOfRays, lies_before_a_wall_within_the_near_clipping_plane) {
+  add_wall(3.5f);
+  EXPECT_EQ(begin(4.0f).z, 4.0f) << "the camera sees the wall";
+  scene.cameras[0].near_distance = 1.0f;
+  for (const float eye : {2.0f, 4.0f, kFittedEye}) {
+    EXPECT_GT(begin(eye).z, 3.4f) << eye;
+    EXPECT_LT(begin(eye).z, 3.5f) << eye;
+  }
+}
+
+TEST_F(FrontOfRays, scales_the_near_clipping_plane_with_the_camera) {
+  add_wall(3.5f);
+  scene.nodes[static_cast<std::size_t>(scene.cameras[0].node)].local.scale = Vec3f(0.5f);
+  scene.cameras[0].focus_distance = 8.0f, scene.cameras[0].near_distance = 0.75f;
+  EXPECT_FLOAT_EQ(begin(4.0f).z, 4.0f) << "the camera sees the wall, 1 of its own units away";
+  scene.cameras[0].near_distance = 1.25f;
+  EXPECT_LT(begin(4.0f).z, 3.5f);
+}
+
+TEST_F(FrontOfRays, lies_before_a_wall_behind_an_orthographic_camera) {
+  scene.cameras[0].orthographic_height = 8.0f;
+  EXPECT_GT(begin().z, 9.0f) << "the viewer of a beam stands farther away";
+  add_wall(5.0f);
+  EXPECT_GT(begin().z, 4.9f);
+  EXPECT_LT(begin().z, 5.0f);
+}
+
+TEST_F(FrontOfRays, names_the_walls_that_are_cut) {
+  add_floor(30.0f);
+  EXPECT_EQ(begin().cut, "");
+  add_wall(5.0f);
+  scene.nodes.back().name = "back";
+  EXPECT_EQ(begin().cut,
+            "Rays begin 4.999 units in front of the plane, not at the viewer, whose view walls would hide: 'back'.");
+}
+
 TEST_F(FrontOfRays, is_where_placed_optics_rays_start) {
   Optics view{.panel = {100, 100, 1.0f}, .model = SingleView{.distance_mm = 400.0f}};
-  const auto begin = [&] { return resolved_z_front_mm(place(scene, view).placed.optics); };
-  const float of_camera = begin();
+  const auto begins = [&] { return resolved_z_front_mm(place(scene, view).placed.optics); };
+  const float of_camera = begins();
   EXPECT_LT(of_camera, 100.0f);
   add_floor(30.0f);
-  EXPECT_EQ(begin(), 400.0f);
+  EXPECT_EQ(begins(), 400.0f);
   add_wall(5.0f);
-  EXPECT_GT(begin(), of_camera);
-  EXPECT_LT(begin(), 1.3f * of_camera);
+  EXPECT_GT(begins(), of_camera);
+  EXPECT_LT(begins(), 1.3f * of_camera);
+  EXPECT_NE(place(scene, view).array.how.find("Rays begin"), std::string::npos);
 }
 
 }  // namespace

@@ -327,6 +327,8 @@ struct Camera {
   float focus_distance = 0.0f;          ///< > 0: distance of the author's plane of interest, in node units
   Vec2f pixel_offset{0.0f};             ///< shifts the sample points of single views by this many pixels (x right, y down)
   float orthographic_height = 0.0f;     ///< > 0: orthographic, showing this height in node units; vertical_fov is ignored
+  float near_distance = 0.0f;           ///< near clipping plane, node units in front of the camera
+  Vec2f shift{0.0f};                    ///< moves the frame of a single view by this many of its heights, right and up
 };
 
 /// The author's placement of the lens array: the plane z = 0 of the node, +z towards the viewer, +y up.

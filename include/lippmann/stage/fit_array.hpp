@@ -37,6 +37,7 @@ struct FittedArray {
   Affine3f node_from_plane{};
   float plane_height = 1.0f;
   float viewing_distance = kInfinity;  ///< distance of the viewer in front of the plane
+  float near_distance = 0.0f;          ///< distance from the viewer to the camera's near clipping plane; 0: none
   /// Nearest and farthest z that the display should show sharply, z > 0 in front of the plane, limited to what lies in front of
   /// the viewer. Both are 0 if there are no finite shapes. If the author placed the array, they are the ends of all finite
   /// shapes at frame 0. Otherwise they are the ends of the visible subject, and of walls within one of its diagonals, at frame

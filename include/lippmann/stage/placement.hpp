@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "lippmann/display/display.hpp"
 #include "lippmann/optics/optics.hpp"
@@ -18,6 +19,7 @@ struct PlacedOptics {
   /// True: the optics belong to a display, given by name or file. Such displays show each view as a beam of finite width.
   bool for_display = false;
   float depth_scale = 1.0f;  ///< parallax of the optics, see with_parallax; below 1 the scene is shown with reduced depth
+  std::string cut{};         ///< one sentence that names the walls between the start of rays and the viewer; empty: none
 };
 
 /// Optics with their size and their plane in the scene.

@@ -72,6 +72,9 @@ void read_cameras(Document& document, const NodeMap& nodes, Scene& scene) {
       document.report.warn_at("orthographic cameras with an xmag or ymag of 0 are enlarged to show the whole scene", where);
     Camera camera = perspective ? read_perspective(shape) : read_orthographic(shape, node, scene);
     camera.name = !from["name"].text().empty() ? from["name"].text() : scene.nodes[i].name;
+    camera.near_distance = std::max(static_cast<float>(shape["znear"].number(0.0)), 0.0f);
+    const Value extras = from["extras"];
+    camera.shift = Vec2f(extras["shift_x"].number(0.0), extras["shift_y"].number(0.0));
     camera.node = node;
     scene.cameras.push_back(std::move(camera));
   }

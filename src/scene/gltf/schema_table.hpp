@@ -304,11 +304,16 @@ constexpr Property kOrthographic[] = {
     number("zfar", 0.0, FLT_MAX, kRequired),
     number("znear", -FLT_MAX, FLT_MAX, kRequired),
 };
+constexpr Property kCameraExtras[] = {
+    number("shift_x", -100.0, 100.0, kIfOfThisKind),
+    number("shift_y", -100.0, 100.0, kIfOfThisKind),
+};
 constexpr Property kCamera[] = {
     string("name"),
     string("type", kRequired, "|perspective|orthographic|"),
     object("perspective", kPerspective),
     object("orthographic", kOrthographic),
+    object("extras", kCameraExtras, kIfOfThisKind),
 };
 
 constexpr Property kLightExtras[] = {

@@ -226,6 +226,20 @@ TEST(GltfCamera, description_of_another_type_is_an_error) {
   EXPECT_THAT(error_message([&] { parse(b); }), HasSubstr("cameras[0].perspective: is missing"));
 }
 
+TEST(GltfCamera, near_plane_and_shift_are_read) {
+  GltfBuilder b;
+  b.add("cameras", {{"type", "perspective"},
+                    {"perspective", {{"yfov", 0.5}, {"znear", 0.25}}},
+                    {"extras", {{"shift_x", 0.5}, {"shift_y", "strange"}}}});
+  b.add("cameras", {{"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"znear", -1}, {"zfar", 1}}}});
+  b.add_node({{"camera", 0}});
+  b.add_node({{"camera", 1}});
+  const Scene scene = parse(b);
+  EXPECT_EQ(scene.cameras.at(0).near_distance, 0.25f);
+  EXPECT_EQ(scene.cameras[0].shift, Vec2f(0.5f, 0.0f));
+  EXPECT_EQ(scene.cameras.at(1).near_distance, 0.0f) << "behind the camera";
+}
+
 TEST(GltfCamera, scene_without_one_has_none) {
   GltfBuilder b;
   b.add_node({{"mesh", b.add_triangle()}});

@@ -1,0 +1,67 @@
+"""What Blender itself writes to disk: the tool's own pictures, under names that players of light fields understand.
+
+Blender would put its view transform on the codes that the tool has written for the display, and save a quilt under a name without its tiles.
+"""
+
+import pathlib
+import re
+import shutil
+
+import bpy
+
+from . import losses
+
+QUILT = re.compile(r"_qs\d+x\d+a[0-9.]+(?=\.[a-z]+$)")  # docs/reference/formats.md
+
+_shown = None  # the tool's picture that Blender was given last, and whether it is one of an animation
+
+
+def remember(picture, is_animation):
+    global _shown
+    _shown = pathlib.Path(picture), is_animation
+
+
+def quilt_suffix(picture):
+    """Such as _qs8x6a0.75; empty for other pictures."""
+    found = QUILT.search(pathlib.Path(picture).name)
+    return found.group() if found else ""
+
+
+def written_path(scene, is_animation):
+    """Where Blender writes a picture."""
+    render = scene.render
+    if is_animation:
+        return pathlib.Path(render.frame_path(frame=scene.frame_current))
+    path = bpy.path.abspath(render.filepath)
+    ending = render.file_extension
+    return pathlib.Path(path if not render.use_file_extension or path.lower().endswith(ending) else path + ending)
+
+
+def is_ours(scene):
+    """Whether Blender's file is to be the tool's: a PNG file to which Blender adds nothing."""
+    render = scene.render
+    changes = render.use_compositing and losses.composites(scene) or (render.use_sequencer and scene.sequence_editor and len(scene.sequence_editor.sequences_all))
+    return render.engine == "LIPPMANN" and render.image_settings.file_format == "PNG" and _shown and _shown[0].suffix == ".png" and not changes
+
+
+@bpy.app.handlers.persistent
+def replace(scene, *_):
+    if not is_ours(scene):
+        return
+    picture, is_animation = _shown
+    written = written_path(scene, is_animation)
+    if not written.is_file() or not picture.is_file():
+        return
+    shutil.copyfile(picture, written)
+    keeps_name = is_animation and (not scene.render.use_overwrite or scene.render.use_placeholder)  # by which Blender knows what is done
+    suffix = quilt_suffix(picture)
+    if suffix and not keeps_name and not written.stem.endswith(suffix):
+        written.replace(written.with_name(written.stem + suffix + written.suffix))
+
+
+def register():
+    bpy.app.handlers.render_write.append(replace)
+
+
+def unregister():
+    bpy.app.handlers.render_write.remove(replace)
