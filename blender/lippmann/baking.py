@@ -156,18 +156,22 @@ class Kept:
             image.filepath_raw, image.source = str(file), "FILE"
             image.reload()
             image.pack()
-            return image
-        fill(image, job, name)
-        if key:
-            self._folder.mkdir(exist_ok=True)
-            unfinished = file.with_suffix(".part")
-            image.filepath_raw, image.file_format = str(unfinished), "PNG"
-            image.save()
-            image.pack()
-            unfinished.replace(file)
         else:
-            image.pack()
+            fill(image, job, name)
+            self._pack(image, file if key else None)
+        image.filepath_raw = ""  # which the exporter would write
         return image
+
+    def _pack(self, image, file):
+        if file is None:
+            image.pack()
+            return
+        self._folder.mkdir(exist_ok=True)
+        unfinished = file.with_suffix(".part")
+        image.filepath_raw, image.file_format = str(unfinished), "PNG"
+        image.save()
+        image.pack()
+        unfinished.replace(file)
 
     def remove_others(self):
         """Pictures that the last export did not use."""
