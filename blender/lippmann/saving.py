@@ -37,11 +37,18 @@ def written_path(scene, is_animation):
     return pathlib.Path(path if not render.use_file_extension or path.lower().endswith(ending) else path + ending)
 
 
+def has_strips(scene):
+    """Whether the sequencer has strips, which had another name up to Blender 4.3."""
+    editor = scene.sequence_editor
+    return bool(editor and len(editor.strips_all if hasattr(editor, "strips_all") else editor.sequences_all))
+
+
 def is_ours(scene):
     """Whether Blender's file is to be the tool's: a PNG file to which Blender adds nothing."""
     render = scene.render
-    changes = render.use_compositing and losses.composites(scene) or (render.use_sequencer and scene.sequence_editor and len(scene.sequence_editor.sequences_all))
-    return render.engine == "LIPPMANN" and render.image_settings.file_format == "PNG" and _shown and _shown[0].suffix == ".png" and not changes
+    if render.engine != "LIPPMANN" or render.image_settings.file_format != "PNG" or not _shown or _shown[0].suffix != ".png":
+        return False
+    return not (render.use_compositing and losses.composites(scene)) and not (render.use_sequencer and has_strips(scene))
 
 
 @bpy.app.handlers.persistent

@@ -63,8 +63,9 @@ def hides_scene(scene, depsgraph, zone):
 def tile_of(scene, display):
     """Width and height of a view's picture, and its pixels' width over height where the display shows it."""
     columns, rows = display["quilt"]["tiles"]
-    width, height = jobs.resolution(scene)
-    size = width // columns, height // rows
+    output = scene.lippmann.output
+    width, height = display["quilt"]["size"] if output == "native" else jobs.resolution(scene)  # which is a view's own for other outputs
+    size = (width // columns, height // rows) if output in ("quilt", "native") else (width, height)
     return size, display["quilt"]["aspect"] * size[1] / size[0]
 
 

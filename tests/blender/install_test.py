@@ -57,12 +57,12 @@ class Install(unittest.TestCase):
 
     def test_farm_command_fails_without_the_addon(self):
         self.write_scene()
-        self.run_blender(documented_command("scene.blend"), code=1)
+        self.run_blender(documented_command("-E LIPPMANN"), code=1)
 
     def test_farm_command_renders_an_animation(self):
         self.write_scene()
         self.run_blender(documented_command("extension install-file" if HAS_EXTENSIONS else "addon_install"))
-        self.run_blender(documented_command("scene.blend"))
+        self.run_blender(documented_command("-E LIPPMANN"))
         animation = self.folder / "lippmann/animation"
         quilts = sorted(path.name for path in animation.glob("*.png"))
         self.assertEqual([name[:13] for name in quilts], ["frame_0001_qs", "frame_0002_qs"])

@@ -83,6 +83,14 @@ class Views(unittest.TestCase):
         self.assertAlmostEqual(views.eye_offset(0, 4, math.radians(40.0), 2.0), -2.0 * math.tan(math.radians(15.0)))
         self.assertAlmostEqual(sum(views.eye_offset(view, 5, 0.7, 3.0) for view in range(5)), 0.0)
 
+    def test_views_have_the_size_of_the_output_s_tiles(self):
+        for output, size, tile in (("quilt", (240, 160), (60, 80)), ("quilt", (250, 120), (62, 60)), ("native", (48, 64), (60, 80)), ("views", (90, 120), (90, 120))):
+            scene = self.new_scene(output, size)
+            made = views.Views(scene, "CYCLES")
+            found, pixel_aspect = views.tile_of(scene, made.display)
+            self.assertEqual(found, tile)
+            self.assertAlmostEqual(pixel_aspect * tile[0] / tile[1], 0.75, places=3)
+
     def test_every_eye_frames_the_plane_of_the_display(self):
         scene = self.new_scene()
         zone = frame.zone(scene)
