@@ -114,7 +114,7 @@ def blank(image):
 
 
 def arrays_of(mesh):
-    """The numbers that make a mesh and its layouts."""
+    """Yields the arrays that define a mesh and its UV and colour layers."""
     yield from ((mesh.vertices, "co", 3, np.float32), (mesh.loops, "vertex_index", 1, np.int32), (mesh.polygons, "loop_total", 1, np.int32),
                 (mesh.polygons, "material_index", 1, np.int32))
     if hasattr(mesh, "corner_normals"):  # from Blender 4.1 on
@@ -127,13 +127,13 @@ def arrays_of(mesh):
 
 
 class Kept:
-    """Pictures of earlier exports, in a folder: <hash of all that they were made of>.png. materials: {name: hash} of the file's own."""
+    """Baked pictures of earlier exports, as <hash of their inputs>.png in a folder. materials: {name: hash} of the file's materials."""
 
     def __init__(self, folder, materials):
         self._folder, self._materials, self._used = folder, materials, set()
 
     def _key(self, job, name, size):
-        """None: something is not known well enough to be compared."""
+        """Returns the hash of a picture's inputs; None if a material has no hash."""
         own = [slot.material.name if slot.material else "" for slot in job.thing.material_slots]
         if any(material and material not in self._materials for material in own):
             return None
@@ -147,7 +147,7 @@ class Kept:
         return found.hexdigest()
 
     def picture(self, job, name, size):
-        """The picture of one input, kept or baked."""
+        """Returns the picture of one input, from the folder if it is there, else baked."""
         image = bpy.data.images.new(f"{job.thing.data.name} {name}", size, size, alpha=False, is_data=not kinds()[name])
         key = self._key(job, name, size)
         file = self._folder / f"{key}.png"
@@ -159,7 +159,7 @@ class Kept:
         else:
             fill(image, job, name)
             self._pack(image, file if key else None)
-        image.filepath_raw = ""  # which the exporter would write
+        image.filepath_raw = ""  # the exporter writes it otherwise
         return image
 
     def _pack(self, image, file):
@@ -174,14 +174,14 @@ class Kept:
         unfinished.replace(file)
 
     def remove_others(self):
-        """Pictures that the last export did not use."""
+        """Deletes the pictures that this export did not use."""
         for file in self._folder.glob("*.png"):
             if file.name not in self._used:
                 file.unlink()
 
 
 def fill(image, job, name):
-    """Bakes one input, of all the mesh's materials."""
+    """Bakes one input of all materials of the mesh."""
     own = [slot.material for slot in job.thing.material_slots]
     for index, slot in enumerate(job.thing.material_slots):
         slot.material = shining(own[index], name, image) if name in job.slots.get(index, {}) else blank(image)
@@ -229,8 +229,8 @@ def bake_job(job, stage, size, kept):
 
 
 def bake(stage, size, report, kept, begin):
-    """Gives meshes of the stage pictures of size x size pixels in place of nodes. kept: those of earlier exports. begin: gets a step in words and its finished
-    share. Returns {material: words} of what arrives so."""
+    """Gives meshes of the stage pictures of size x size pixels in place of nodes. kept: pictures of earlier exports. begin: receives a step in words and its
+    finished share. Returns {material: words} of the nodes that became pictures."""
     jobs = jobs_of(stage)
     for job in jobs:
         if not is_small_enough(job):

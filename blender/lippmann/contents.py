@@ -1,4 +1,4 @@
-"""Hashes of what a .blend file holds, one for each datablock (an object, a mesh, a material ...), so that an unchanged scene is not exported again.
+"""Hashes the contents of a .blend file, per datablock (object, mesh, material ...), so that an unchanged scene is not exported again.
 
 A file is a list of blocks: a datablock's own, then those that it alone uses. Their bytes hold addresses, which differ from one Blender to the next, and state of
 the window such as selections. Both are left out, by the description of all structs (SDNA) that every file carries.
@@ -12,17 +12,17 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-# Members that say nothing of the exported scene: counts and states that Blender keeps for itself, what is selected, the size and look of pictures.
+# Members that do not affect the exported scene: Blender's internal counts and states, selections, and the size and look of pictures.
 STATE = {"ID": {"us", "icon_id", "recalc", "recalc_up_to_undo_push", "recalc_after_undo_push", "session_uuid", "session_uid", "tag", "flag"}, "Object": {"flag", "recalc", "base_flag", "select_id", "lastNeedMapping"},
          "Base": {"flag", "flag_legacy", "flag_from_collection", "local_view_bits"}, "bNode": {"need_exec", "locx", "locy"}, "bNodeTree": {"cur_index", "update"},
          "IDProperty": {"len", "totallen", "saved", "next", "prev"}, "IDPropertyData": {"group"},
          "RenderData": {"pic", "xsch", "ysch", "size", "cfra", "engine", "im_format"}, "Scene": {"view_settings", "display_settings", "cursor", "flag", "customdata_mask"}}
-SKIPPED = {b"TEST", b"REND", b"GLOB", b"USER", b"DNA1", b"ENDB"}  # thumbnails, the window's scene, folders: nothing that is rendered
+SKIPPED = {b"TEST", b"REND", b"GLOB", b"USER", b"DNA1", b"ENDB"}  # thumbnails, the window's scene, folders: none of them is rendered
 
 
 @dataclass
 class Struct:
-    """Where a struct's members are that are not compared: (offset, length), and its addresses."""
+    """Size of a struct, offsets of its addresses, and (offset, length) of the members that are not compared."""
 
     size: int
     pointers: list = field(default_factory=list)
@@ -40,7 +40,7 @@ class Block:
 
 
 def read_blocks(data):
-    """The blocks of an uncompressed file, and whether addresses have 8 bytes. Blender 5 has another header."""
+    """Returns the blocks of an uncompressed file and the size of its addresses. Blender 5 has another header."""
     if bytes(data[:7]) != b"BLENDER":
         raise ValueError("no uncompressed .blend file")
     if bytes(data[7:9]).isdigit():
@@ -95,7 +95,7 @@ class Sdna:
             self._describe(index)
 
     def _members(self, index):
-        """(name, type, offset, size of one, how many, whether they are addresses) of each member."""
+        """Yields (name, type, offset, size of one, how many, whether they are addresses) for each member."""
         offset = 0
         for kind, name in self._layouts[index][1]:
             text, times = self._names[name], 1
@@ -124,15 +124,15 @@ class Sdna:
         return known
 
     def place(self, type_name, member):
-        """Offset and length of a struct's member."""
+        """Returns offset and length of a struct's member."""
         return next((offset, size * times) for name, _, offset, size, times, _ in self._members(self.types.index(type_name)) if name == member)
 
 
 class Contents:
-    """Hashes of the datablocks of a file: by_name of each, such as "OBCube", of all, and of one with all that it refers to."""
+    """Hashes of the datablocks of a file: `by_name` maps names such as "OBCube" to hashes; `all` is the hash of the whole."""
 
     def __init__(self, path, ignored_properties=()):
-        """ignored_properties: names of custom properties that do not count."""
+        """ignored_properties: names of custom properties that are left out. Raises ValueError for a file in an unknown form."""
         data = memoryview(pathlib.Path(path).read_bytes())
         blocks, address_size = read_blocks(data)
         described = next(block for block in blocks if block.code == b"DNA1")
@@ -146,7 +146,7 @@ class Contents:
         self.all = hashlib.blake2b(repr(sorted(self.by_name.items())).encode(), digest_size=16).hexdigest()
 
     def with_references(self, name):
-        """The hash of a datablock and of all that it refers to, such as a material's images and groups of nodes."""
+        """Returns the hash of a datablock together with everything that it refers to, such as a material's images and node groups."""
         found, todo = set(), [name]
         while todo:
             one = todo.pop()
@@ -156,7 +156,7 @@ class Contents:
         return hashlib.blake2b(repr(sorted((one, self.by_name[one]) for one in found)).encode(), digest_size=16).hexdigest()
 
     def _owned(self, blocks):
-        """{name: blocks} of each datablock, without properties that do not count. A property's data follows it."""
+        """Returns {name: blocks} of each datablock, without ignored properties. A property's data follows it in the file."""
         owned, own, ignored = {}, None, None
         for block in blocks:
             if block.code != b"DATA":
@@ -189,7 +189,7 @@ class Contents:
         return self._text(block, name, length), struct.unpack_from("<Q" if self._sdna.address_size == 8 else "<I", self._bytes(block), data)[0]
 
     def _label(self, owned):
-        """What addresses stand for: a block, by its datablock's name and its place among that one's blocks."""
+        """Gives every address a label that does not change between sessions: its datablock's name and its block's index there."""
         labels, self._datablocks = {}, {}
         for name, own in owned.items():
             self._datablocks[own[0].address] = name
@@ -201,7 +201,7 @@ class Contents:
         self._labels = np.array([labels[address] for address in sorted(labels)], kind)
 
     def _named(self, addresses, otherwise):
-        """Labels in place of addresses, and `otherwise` in place of those that the file does not have."""
+        """Returns labels in place of addresses, and `otherwise` for addresses that are not in the file."""
         at = np.minimum(np.searchsorted(self._addresses, addresses), len(self._addresses) - 1)
         return np.where(self._addresses[at] == addresses, self._labels[at], otherwise)
 

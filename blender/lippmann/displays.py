@@ -89,7 +89,7 @@ def picture_size(display, output):
 
 
 def refused_size(scene, size):
-    """Why pictures cannot have this size; None: they can. Flags that the user wrote may mean another one."""
+    """Returns why pictures cannot have this size, or None. A quilt whose size or views the user's own flags set is not checked."""
     output, display = scene.lippmann.output, chosen(scene)
     if output == "native" and size != tuple(display["pixels"]):
         return f"A native frame has the panel's {display['pixels'][0]} x {display['pixels'][1]} pixels. Press Match Resolution, and set 100 %."

@@ -15,7 +15,7 @@ from . import displays, tool
 
 LINES = 9          # of sight, across and up
 MOST_HIDDEN = 16   # things that a line passes
-CAMERA_WIDTH_MM = 64.0  # of a picture without a display in the tool
+CAMERA_WIDTH_MM = 64.0  # width that the tool gives a picture without a display
 UNFOCUSED = 10.0   # units to the plane where a camera sees nothing: Blender's own focus
 _seen = {}         # what was asked last, since the scene has changed
 
@@ -31,8 +31,8 @@ class Zone:
     budget: float      # sharp this far in front and behind
     cone: float        # full angle of the viewing zone
     per_mm: float      # of a millimetre of the display
-    near: float = 0.0  # from the viewer, along its view: what is nearer may be cut where it hides the rest
-    shift: tuple = (0.0, 0.0)  # of the viewer's picture, in its heights, to the right and up
+    near: float = 0.0  # from the viewer to the camera's near clipping plane; walls before it are cut; 0: none
+    shift: tuple = (0.0, 0.0)  # of the picture, to the right and up, in heights of it
     is_beam: bool = False      # the viewer is an orthographic camera
 
 
@@ -81,7 +81,7 @@ def framed(camera, aspect, distance):
 
 
 def camera_zone(scene, aspect, distance):
-    """The zone whose viewer is the scene's camera itself, whose pictures have this aspect. The plane is at a distance, and 64 mm wide as in the tool."""
+    """Returns the zone whose viewer is the scene's camera itself. aspect: of the picture. distance: from the camera to the plane. Raises ToolError."""
     camera = scene.camera
     if not camera or camera.type != "CAMERA":
         raise tool.ToolError("The scene has no camera. Add one, or choose another output.")
@@ -94,8 +94,8 @@ def camera_zone(scene, aspect, distance):
 
 
 def near_of_viewer(camera, world_from_frame, distance):
-    """How far before a display's viewer the near clipping plane of the camera is, where the camera stands between the viewer and the display and looks
-    at it: the viewer must not see the wall behind the camera. 0: it does not."""
+    """Returns the distance from a display's viewer to the camera's near clipping plane, if the camera stands between the viewer and the display and looks
+    at the display; else 0. Walls within this distance are cut if they hide the scene."""
     if not camera or camera.type != "CAMERA":
         return 0.0
     to_frame = world_from_frame.inverted() @ rigid(camera.matrix_world)[0]

@@ -21,7 +21,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 NOT_EXPORTED = ("samples", "denoise", "full_depth", "resume", "bake", "bake_size", "folder", "show_overlay", "extra", "tone", "exposure")  # settings that the exported scene does not depend on
 
-_of_session = None  # folder of files that are not saved
+_of_session = None  # output folder of .blend files that have not been saved
 
 
 class Cancelled(Exception):
@@ -29,7 +29,7 @@ class Cancelled(Exception):
 
 
 def output_folder(scene):
-    """Of a file that has not been saved: a new folder, the same until Blender is closed."""
+    """Returns the output folder. Files that have not been saved share a new folder until Blender is closed."""
     global _of_session
     folder = scene.lippmann.folder
     if folder.startswith("//") and not bpy.data.filepath:
@@ -96,7 +96,7 @@ def more_flags(scene, still):
 
 
 def stamp(path):
-    """What changes when a file does; None: there is no such file."""
+    """Returns size and time of a file, or None if there is no such file."""
     try:
         state = os.stat(path)
     except OSError:
@@ -105,7 +105,7 @@ def stamp(path):
 
 
 def files_beside(scene):
-    """Stamps of the files that the scene refers to, and of its simulations' caches."""
+    """Returns stamps of the files that the scene refers to, and of its simulation caches."""
     caches = []
     if bpy.data.filepath:
         blend = pathlib.Path(bpy.data.filepath)
@@ -118,17 +118,17 @@ def digest(values):
 
 
 def hashes(library):
-    """Of the scene that a file holds, and of its materials with all that these refer to: {name: hash}."""
+    """Returns the hash of the scene in a file, and {name: hash} of its materials with everything that they refer to."""
     try:
         held = contents.Contents(library, NOT_EXPORTED)
-    except (ValueError, LookupError, StopIteration, struct.error) as error:  # a form of file that a later Blender has
+    except (ValueError, LookupError, StopIteration, struct.error) as error:  # a later Blender may write another form
         print(f"lippmann: the scene is exported anew each time: {error!r}", file=sys.stderr)
         return os.urandom(16).hex(), {}
     return held.all, {name[2:]: held.with_references(name) for name in held.by_name if name.startswith("MA")}
 
 
 class Export:
-    """The exported scene in the output folder, which is kept for the next render as long as nothing that it was made of changes."""
+    """The exported scene in the output folder. It is used again as long as its inputs stay the same."""
 
     def __init__(self, folder):
         self.glb, self.world, self._record = folder / "scene.glb", folder / "world.exr", folder / "scene.json"
@@ -137,7 +137,7 @@ class Export:
         return {path.name: stamp(path) for path in (self.glb, self.world)}
 
     def kept(self, key):
-        """What the exporting Blender reported, if it exported the same; else None."""
+        """Returns the report of the exporting Blender if the scene was exported with this key and its files are unchanged, else None."""
         try:
             record = json.loads(self._record.read_text())
         except (OSError, ValueError):
@@ -235,8 +235,8 @@ class Job:
         return told
 
     def frame(self, number, tell=lambda *_: None, stopped=lambda: False):
-        """The pictures of a finished frame, for which it waits. tell: gets a step in words, its finished share, and how many seconds it takes, None if that
-        is not known. Raises ToolError, Cancelled."""
+        """Waits for a frame and returns its pictures. tell: receives a step in words, its finished share, and the seconds left or None. Raises ToolError,
+        Cancelled."""
         if not self._started:
             self._exported = self._export.kept(self._key) or self._export_now(tell, stopped)
             self._child = tool.Child(self._render_words(), self._log)
@@ -251,7 +251,7 @@ class Job:
         return found
 
     def _warn_of_cut(self):
-        """The tool's report, which is there from the first frame on, names what hides the scene from the viewer and was cut off."""
+        """Adds the walls that were cut, which the tool's report names from the first frame on."""
         cut = json.loads((self.pictures_folder / "report.json").read_text()).get("cut")
         if cut and cut not in self.warnings:
             self.warnings.append(cut)

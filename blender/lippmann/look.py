@@ -1,6 +1,6 @@
 """The look of pictures: how light becomes codes. The add-on's settings decide it, in the tool; Blender's view transform must then show codes as they are."""
 
-CURVES = {"AgX": "agx", "Filmic": "agx", "Filmic Log": "agx", "Khronos PBR Neutral": "neutral"}  # of the tool, nearest to Blender's view transforms
+CURVES = {"AgX": "agx", "Filmic": "agx", "Filmic Log": "agx", "Khronos PBR Neutral": "neutral"}  # Blender's view transform -> the nearest curve of the tool
 
 
 def is_plain(view):
@@ -9,20 +9,20 @@ def is_plain(view):
 
 
 def lost(view):
-    """Why Blender's render window does not show what the files hold; None where it does."""
+    """Returns a sentence if Blender's render window shows other codes than the files hold, else None."""
     if is_plain(view):
         return None
     return f"Blender's window shows pictures through {view.view_transform}, too; their files are as the settings say. Take Over View Transform makes both alike."
 
 
 def flags(settings, more):
-    """Those of lippmann render. more: flags that the user wrote, which count first."""
+    """Returns flags of lippmann render. more: the user's own flags, which replace them."""
     tone = ["--tone", settings.tone] if settings.tone != "none" and "--tone" not in more else []
     return tone + (["--exposure", f"{settings.exposure:.6g}"] if settings.exposure != 0.0 and "--exposure" not in more else [])
 
 
 def take_over(settings, view):
-    """Makes Blender's view transform, exposure and all, a setting of the add-on's, and Blender's own plain."""
+    """Moves Blender's view transform and exposure into the add-on's settings, and sets Blender's own to Standard."""
     settings.tone = CURVES.get(view.view_transform, "none")
     settings.exposure += view.exposure
     view.view_transform, view.look, view.exposure, view.gamma, view.use_curve_mapping = "Standard", "None", 0.0, 1.0, False

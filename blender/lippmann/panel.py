@@ -166,11 +166,11 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
             layout.operator("lippmann.take_over_view_transform", icon="INFO")
 
     def _refusal(self, context, layout):
-        """What F12 would refuse of the picture's size."""
+        """Shows why F12 would refuse the picture's size."""
         try:
             refusal = displays.refused_size(context.scene, job.resolution(context.scene))
         except tool.ToolError:
-            return  # which is said below
+            return  # _frame() shows it
         if refusal:
             show_sentence(layout, refusal, panel_width(context))
 

@@ -1,13 +1,13 @@
-"""How far a render is, in words: in Blender's status bar and, where it has no window, in the terminal."""
+"""Progress in words, for Blender's status bar and, without a window, for the terminal."""
 
 import sys
 import time
 
-EVERY = 5.0  # seconds, at the least, from one line in the terminal to the next of the same step
+EVERY = 5.0  # seconds between lines of the same step in the terminal, at least
 
 
 def clock(seconds):
-    """Such as 7 s, 2:05, 1:00:30."""
+    """Returns text such as 7 s, 2:05, 1:00:30."""
     whole = max(0, round(seconds))
     if whole < 60:
         return f"{whole} s"
@@ -23,7 +23,7 @@ def sentence(step, share, seconds_left):
 
 
 class Terminal:
-    """A line when a step begins, and then no more often than every few seconds."""
+    """Prints a line when a step begins, and then one every few seconds if it has changed."""
 
     def __init__(self, now=time.monotonic, file=None):
         self._now, self._file = now, file or sys.stderr

@@ -1,4 +1,4 @@
-"""What Blender itself writes to disk: the tool's own pictures, under names that players of light fields understand.
+"""Replaces the files that Blender saves with the tool's own pictures, under names that players of light fields understand.
 
 Blender would put its view transform on the codes that the tool has written for the display, and save a quilt under a name without its tiles.
 """
@@ -22,13 +22,13 @@ def remember(picture, is_animation):
 
 
 def quilt_suffix(picture):
-    """Such as _qs8x6a0.75; empty for other pictures."""
+    """Returns the tiles in a quilt's name, such as _qs8x6a0.75; empty for other pictures."""
     found = QUILT.search(pathlib.Path(picture).name)
     return found.group() if found else ""
 
 
 def written_path(scene, is_animation):
-    """Where Blender writes a picture."""
+    """Returns the path that Blender saves a picture to."""
     render = scene.render
     if is_animation:
         return pathlib.Path(render.frame_path(frame=scene.frame_current))
@@ -38,13 +38,13 @@ def written_path(scene, is_animation):
 
 
 def has_strips(scene):
-    """Whether the sequencer has strips, which had another name up to Blender 4.3."""
+    """Returns whether the sequencer has strips, which have another name up to Blender 4.3."""
     editor = scene.sequence_editor
     return bool(editor and len(editor.strips_all if hasattr(editor, "strips_all") else editor.sequences_all))
 
 
 def is_ours(scene):
-    """Whether Blender's file is to be the tool's: a PNG file to which Blender adds nothing."""
+    """Returns whether Blender's file is replaced: a PNG file of this engine to which Blender adds nothing."""
     render = scene.render
     if render.engine != "LIPPMANN" or render.image_settings.file_format != "PNG" or not _shown or _shown[0].suffix != ".png":
         return False
@@ -60,7 +60,7 @@ def replace(scene, *_):
     if not written.is_file() or not picture.is_file():
         return
     shutil.copyfile(picture, written)
-    keeps_name = is_animation and (not scene.render.use_overwrite or scene.render.use_placeholder)  # by which Blender knows what is done
+    keeps_name = is_animation and (not scene.render.use_overwrite or scene.render.use_placeholder)  # Blender knows finished frames by their names
     suffix = quilt_suffix(picture)
     if suffix and not keeps_name and not written.stem.endswith(suffix):
         written.replace(written.with_name(written.stem + suffix + written.suffix))

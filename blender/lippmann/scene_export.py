@@ -25,7 +25,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 SOLID = {"MESH", "CURVE", "SURFACE", "META", "FONT"}
 LOST = {"VOLUME": "volumes", "CURVES": "hair curves", "POINTCLOUD": "point clouds", "GPENCIL": "grease pencil", "GREASEPENCIL": "grease pencil", "LIGHT_PROBE": None, "SPEAKER": None}
 EYE = "lippmann-eye"
-PARALLEL = 1e4  # heights of its picture that an orthographic camera's viewer is away: lines of sight part by less than a pixel
+PARALLEL = 1e4  # viewing distance of an orthographic camera's picture, in heights of it: lines of sight spread by less than a pixel
 
 
 class Report:
@@ -40,7 +40,7 @@ class Report:
 
 
 def begin(step, share=0.0):
-    """The parent reads these lines (tool.Child) and shows them."""
+    """Prints a line of progress for the parent (tool.Child)."""
     print(json.dumps({"step": step, "share": share}), file=sys.stderr, flush=True)
 
 
@@ -326,7 +326,7 @@ def eye_of(zone, name):
     if zone.is_beam:
         camera.type, camera.ortho_scale = "ORTHO", max(zone.height, zone.width)
     if any(zone.shift):
-        camera["shift_x"], camera["shift_y"] = zone.shift  # which glTF's exporter writes as extras (docs/reference/gltf.md)
+        camera["shift_x"], camera["shift_y"] = zone.shift  # the exporter writes them as extras (docs/reference/gltf.md)
     return bpy.data.objects.new(name, camera)
 
 

@@ -57,7 +57,7 @@ class Child:
     def __init__(self, words, log, environment=None):
         self.finished_frames = set()
         self.share, self.seconds_left = 0.0, None
-        self.step = ""  # of several, in words
+        self.step = ""  # the current step in words
         self.lines = []
         self._log = open(log, "ab")
         self._words = words

@@ -16,13 +16,13 @@ from mathutils import Matrix, Vector
 from . import displays, frame, job as jobs, tool
 
 NAME = "lippmann-view"
-LINES = 8          # of sight, across and up
+LINES = 8          # of sight to test for walls, across and up
 _items = []        # Blender needs the strings of dynamic lists to stay alive
-WALL_SHARE = 0.25  # of them that a wall must hide to be cut away, as in the tool (src/stage/front_of_rays.hpp)
+WALL_SHARE = 0.25  # of the lines that walls must hide to be cut, as in the tool (src/stage/front_of_rays.hpp)
 
 
 def engines(_self=None, _context=None):
-    """Blender's other engines, as items of a property."""
+    """Returns Blender's other engines as items of a property."""
     named = {engine.bl_idname: engine.bl_label for engine in bpy.types.RenderEngine.__subclasses__() if hasattr(engine, "bl_idname")}
     named = {"BLENDER_EEVEE_NEXT" if (4, 2) <= bpy.app.version < (5, 0) else "BLENDER_EEVEE": "Eevee", "BLENDER_WORKBENCH": "Workbench", **named}
     named.pop("LIPPMANN", None)
@@ -31,12 +31,12 @@ def engines(_self=None, _context=None):
 
 
 def eye_offset(view, count, cone, distance):
-    """How far to the right of the middle a view's eye stands."""
+    """Returns how far to the right of the middle a view's eye stands."""
     return distance * math.tan(cone * ((view + 0.5) / count - 0.5))
 
 
 def place_camera(camera, zone, right):
-    """An eye that far to the right, whose picture is what it sees through the display's frame."""
+    """Puts the camera that far to the right of the middle, looking through the display's frame."""
     camera.matrix_world = zone.world_from_frame @ Matrix.Translation((right, 0.0, zone.distance))
     data = camera.data
     data.sensor_fit, data.sensor_width = "HORIZONTAL", 36.0
@@ -45,7 +45,7 @@ def place_camera(camera, zone, right):
 
 
 def hides_scene(scene, depsgraph, zone):
-    """Whether walls that the scene's own camera does not see would hide the scene from the display's viewer."""
+    """Returns whether walls that the scene's camera does not see hide the scene from the display's viewer."""
     if zone.near <= 0.0:
         return False
     to_world = zone.world_from_frame
@@ -61,17 +61,17 @@ def hides_scene(scene, depsgraph, zone):
 
 
 def tile_of(scene, display):
-    """Width and height of a view's picture, and its pixels' width over height where the display shows it."""
+    """Returns (width, height) of a view's picture, and the aspect of its pixels on the display."""
     columns, rows = display["quilt"]["tiles"]
     output = scene.lippmann.output
-    width, height = display["quilt"]["size"] if output == "native" else jobs.resolution(scene)  # which is a view's own for other outputs
+    width, height = display["quilt"]["size"] if output == "native" else jobs.resolution(scene)  # the size of one view for other outputs
     size = (width // columns, height // rows) if output in ("quilt", "native") else (width, height)
     return size, display["quilt"]["aspect"] * size[1] / size[0]
 
 
 @contextlib.contextmanager
 def lent(*owners):
-    """Sets members of owners, [(owner, {name: value})], and sets them back afterwards."""
+    """Sets members of owners, each (owner, {name: value}), and restores them afterwards."""
     before = [(owner, {name: getattr(owner, name) for name in values}) for owner, values in owners]
     try:
         for owner, values in owners:
@@ -85,7 +85,7 @@ def lent(*owners):
 
 
 def settings_for(scene, engine, camera, size, pixel_aspect):
-    """What of the scene is different while views are rendered."""
+    """Returns the settings that differ while views are rendered, for lent()."""
     render = scene.render
     wide = pixel_aspect >= 1.0
     values = {"engine": engine, "resolution_x": size[0], "resolution_y": size[1], "resolution_percentage": 100, "pixel_aspect_x": pixel_aspect if wide else 1.0,
@@ -96,7 +96,7 @@ def settings_for(scene, engine, camera, size, pixel_aspect):
 
 
 class Views:
-    """The frames of a scene as quilts in a folder: views/ has the pictures of each view, quilt/ what the tool makes of them, native/ the panel's frames."""
+    """Renders frames of a scene as quilts. In the folder, views/ has a picture per view, quilt/ the quilts, native/ the panel's frames."""
 
     def __init__(self, scene, engine):
         self.display = displays.chosen(scene)
@@ -113,13 +113,13 @@ class Views:
         self._distance = None
 
     def _zone(self):
-        """An animation keeps the distance of its plane, as in the tool."""
+        """Returns the zone of the current frame. An animation keeps the plane's distance of its first frame."""
         if self._distance is None and not frame.placed(self.scene) and self.scene.camera and self.scene.camera.type == "CAMERA":
             self._distance = frame.plane_distance(self.scene)
         return frame.zone(self.scene, self._distance)
 
     def render(self, numbers, tell=lambda *_: None):
-        """Renders the views of these frames. tell: gets a step in words and its finished share."""
+        """Renders the views of these frames. tell: receives a step in words and its finished share."""
         shutil.rmtree(self.folder, ignore_errors=True)
         camera = bpy.data.objects.new(NAME, bpy.data.cameras.new(NAME))
         self.scene.collection.objects.link(camera)
@@ -156,7 +156,7 @@ class Views:
             raise tool.ToolError(tool.last_message(done.stderr))
 
     def lay_out(self, native):
-        """Quilts and, if native, frames of the panel. Returns all pictures."""
+        """Makes quilts and, if native, frames of the panel. Returns the pictures of the last step."""
         quilts, frames = self.folder / "quilt", self.folder / "native"
         columns, rows = self.tiles
         self._convert(self.folder / "views", quilts, "--from", "views", "--views", f"{self.count}x1", "--to", "quilt", "--quilt", f"{columns}x{rows}", "--aspect",

@@ -1,4 +1,4 @@
-"""Where pictures are seen from: the camera's own place and frame, or the display's viewer, who sees what the camera sees. Blender runs this file."""
+"""Tests of perspective and frame: of the camera's picture, and of the display's viewer. Blender runs this file."""
 
 import json
 import os
@@ -20,7 +20,7 @@ lippmann.register()
 
 
 def shining(colour):
-    """A material that looks the same from everywhere, in any light."""
+    """Returns a material that emits one colour."""
     material = bpy.data.materials.new("shining")
     material.use_nodes = True
     tree = material.node_tree
@@ -36,7 +36,7 @@ def paint(colour):
 
 
 def new_scene(folder, output, size, sky=(0.0, 0.0, 0.0)):
-    """White shapes at several depths, before a sky of one colour."""
+    """Makes a scene of grey shapes at several depths, before a sky of one colour."""
     bpy.ops.wm.read_factory_settings()
     scene = bpy.context.scene
     bpy.data.objects.remove(bpy.data.objects["Cube"])
@@ -54,7 +54,7 @@ def new_scene(folder, output, size, sky=(0.0, 0.0, 0.0)):
 
 
 def picture(file):
-    """Codes from 0 to 1: [row from the bottom, column, channel]."""
+    """Returns codes from 0 to 1: [row from the bottom, column, channel]."""
     image = bpy.data.images.load(str(file))
     image.colorspace_settings.name = "Non-Color"
     return np.array(image.pixels[:]).reshape(image.size[1], image.size[0], -1)[..., :3]
@@ -83,7 +83,7 @@ class Camera(unittest.TestCase):
         return tool.pictures(self.folder / "still", 0)[0]
 
     def set_up(self, case, size, output="camera"):
-        """A camera with these values, whose depth of field does not matter."""
+        """Makes a scene whose camera has these values."""
         scene = new_scene(self.folder, output, size)
         for name, value in case.items():
             setattr(scene.camera.data, name, value)

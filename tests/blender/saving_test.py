@@ -1,4 +1,4 @@
-"""What is written to disk, under which names, and when a scene is exported again. Blender runs this file."""
+"""Tests of the files that are written, and of when a scene is exported again. Blender runs this file."""
 
 import io
 import pathlib
@@ -16,7 +16,7 @@ lippmann.register()
 
 
 def new_scene(folder, output, size=(60, 80)):
-    """Blender's own first scene: a cube, a lamp, a camera."""
+    """Makes Blender's own first scene: a cube, a lamp, a camera."""
     bpy.ops.wm.read_factory_settings()
     scene = bpy.context.scene
     scene.render.engine = "LIPPMANN"
@@ -29,7 +29,7 @@ def new_scene(folder, output, size=(60, 80)):
 
 
 def add_noise(material):
-    """Nodes that are baked, at the material's colour."""
+    """Adds a node that is baked to the material's colour."""
     tree = material.node_tree
     tree.links.new(tree.nodes.new("ShaderNodeTexNoise").outputs["Color"], tree.nodes["Principled BSDF"].inputs["Base Color"])
 
@@ -116,7 +116,7 @@ class Saving(InFolder):
 
 class Exporting(InFolder):
     def render(self, **settings):
-        """Whether the scene was exported again."""
+        """Renders with these settings. Returns whether the scene was exported again."""
         scene = bpy.context.scene
         for name, value in settings.items():
             setattr(scene.lippmann, name, value)

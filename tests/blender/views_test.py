@@ -1,4 +1,4 @@
-"""Light fields that Blender's own engines render: their cameras and their layout. Blender runs this file."""
+"""Tests of light fields from Blender's own engines: their cameras and their layout. Blender runs this file."""
 
 import json
 import math
@@ -36,7 +36,7 @@ class Views(unittest.TestCase):
         self.folder = pathlib.Path(self._folder.name)
 
     def new_scene(self, output="quilt", size=(240, 160)):
-        """White shapes before and behind the plane of a display of 4 x 2 views, before a black sky."""
+        """Makes a scene of grey shapes in front of and behind the plane of a display of 4 x 2 views."""
         bpy.ops.wm.read_factory_settings()
         scene = bpy.context.scene
         bpy.data.objects.remove(bpy.data.objects["Cube"])
