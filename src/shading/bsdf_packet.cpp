@@ -3,7 +3,7 @@
 namespace lippmann {
 namespace {
 
-/// Converts to the BSDF of a lane, to construct it in place: BSDFs are expensive to copy.
+/// Converts implicitly to the BSDF of a lane, so that emplace() constructs it in place. BSDFs are expensive to copy.
 struct BsdfOfLane {
   const ShadedScene& scene;
   const RayHitPacket& packet;

@@ -39,7 +39,7 @@ class BsdfPacket {
   void evaluate(const LaneMask& lanes, const Lanes3& lights, BsdfValueLanes& values) const;
   void sample(const LaneMask& lanes, const Lanes& lobe, const Lanes& u, const Lanes& v, BsdfSamples& samples) const;
 
-  // The same for a single lane.
+  // Evaluate the BSDF of a single lane.
   Vec3f highlight(int i, Vec3f light) const { return base_.lane[i] ? Vec3f(0.0f) : bsdfs_[index(i)]->highlight(light); }
   Vec3f diffuse_albedo(int i) const { return base_.lane[i] ? lanes_.diffuse_albedo(i) : bsdfs_[index(i)]->diffuse_albedo(); }
   Vec3f evaluate_diffuse(int i, Vec3f light) const {

@@ -1,4 +1,4 @@
-// Tests whether a mesh is closed, so that the inner sides of its triangles are invisible from outside.
+// Tests whether a mesh is closed. The inner sides of a closed mesh's triangles are invisible from outside.
 #pragma once
 
 namespace lippmann {

@@ -22,7 +22,8 @@ struct MapParts {
   int per_edge;
 };
 
-/// extent: width or height of a triangle in texels of the finest level.
+/// Returns the mip level and the number of lookups per edge for a triangle. extent: its width or height in texels of the finest
+/// level.
 MapParts parts_of(const DeviceTexture& texture, float extent) {
   const std::size_t last = texture.levels.size() - 1;
   if (!(extent < 1e9f)) return {last, 1};

@@ -15,7 +15,7 @@ namespace lippmann {
 
 /// A mesh with an emissive material.
 struct Emitter {
-  BodyFacing closed = BodyFacing::kNone;  ///< of the mesh in its own space, before it is placed or posed
+  BodyFacing closed = BodyFacing::kNone;  ///< facing of the mesh in its own space, before it is placed or posed
   float luminance = 0.0f;                 ///< luminance of the emitted radiance without textures
   std::vector<float> by_triangle;         ///< mean luminance of each triangle, > 0; empty without an emissive texture
   float of(std::size_t triangle) const { return by_triangle.empty() ? luminance : by_triangle[triangle]; }

@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-/// Minimum height of mirror directions above the facet, unless the view itself is lower.
+/// Minimum height of mirror directions above the facet: kLeastHeight, but at most kPartOfView of the view's height.
 constexpr float kLeastHeight = 0.01f, kPartOfView = 0.9f;
 
 /// Returns a positive multiple of the sine and cosine of the angle that mirrors the view to `height`, on the side of growing x.

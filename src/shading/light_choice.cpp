@@ -72,7 +72,7 @@ float LightChoice::chance_of_sun(const LightReceiver& at) const {
   return near * near_.of_sun + (1.0f - near) * far_.of_sun;
 }
 
-/// Returns the probability of a light: from its own entry, near or far, or through the tree.
+/// Returns the probability that choose() returns a light, by the light's own entry (near or far) or through its group's tree.
 float LightChoice::chance_of(Part group, std::size_t light, const LightReceiver& at) const {
   const Tree& by_tree = trees_[group];
   const float near = near_share(at);
@@ -92,8 +92,8 @@ std::optional<LightChoice::Chosen> LightChoice::choose(const LightReceiver& at, 
   return chosen;
 }
 
-/// Chooses a light of one kind. Trees reuse the remainder of `pick`. Trees are tested first: if there is one, the list of all
-/// entries is long.
+/// Chooses a light of one kind. Trees reuse the remainder of `pick`. Their entries are tested first: if there is a tree, a
+/// search of the list of all entries takes long.
 std::optional<LightChoice::Chosen> LightChoice::choose_of(const Kind& kind, const LightReceiver& at, float pick) const {
   for (std::size_t g = 0; g < kGroups; ++g) {
     const Tree& group = trees_[g];

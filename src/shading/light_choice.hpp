@@ -73,9 +73,9 @@ class LightChoice {
   bool draws_by_tree(Part group) const { return near_.probability(trees_[group].entry) > 0.0f; }
 
  private:
-  /// The lights of one kind. Near and far lights have the same entries: for each group its lights and then its tree, used or
-  /// not; the sun precedes the triangles, and the sky comes last. Lights of the other kind have probability 0. If a group uses
-  /// its tree, its lights have probability 0 and the tree has their power.
+  /// The lights of one kind, near or far. Both kinds list the same entries: for each group, its lights and then its tree; the
+  /// sun precedes the triangles, and the sky comes last. Lights of the other kind have probability 0. If a group uses its tree,
+  /// its lights have probability 0 and the tree has their power; otherwise the tree has probability 0.
   struct Kind {
     DiscreteDistribution chances;
     float of_sun = 0.0f, of_sky = 0.0f;

@@ -21,7 +21,7 @@ struct LightSources {
   std::span<const DeviceTexture> textures;
   const Emitters& emitters;
   std::span<const WebBeam> beams;  ///< indexed by the scene's webs
-  float size;                      ///< half the scene's diagonal; much smaller lamps count as points
+  float size;                      ///< half the scene's diagonal; lamps much smaller than this count as points
 };
 
 }  // namespace lippmann

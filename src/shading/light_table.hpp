@@ -35,14 +35,15 @@ class LightTable {
   /// Returns the distribution that sample() uses.
   const LightChoice& choice() const { return choice_; }
 
-  /// Number of lamps with a size. see_round() evaluates lamp k along a ray that has scattered at `from`; its density is that of
-  /// the lamp's direction only. chance_of_round() is the probability that sample() chooses the lamp for `at`.
+  /// rounds() returns the number of lamps with a size. see_round() evaluates lamp k along a ray that has scattered at `from`;
+  /// the density in its result does not include the choice of the lamp. chance_of_round() returns the probability that sample()
+  /// chooses the lamp for `at`.
   std::size_t rounds() const { return rounds_.size(); }
   std::optional<LightSample> see_round(std::size_t k, Vec3f from, Vec3f direction) const;
   float chance_of_round(std::size_t k, const LightReceiver& at) const { return choice_.chance_of(LightChoice::kRounds, k, at); }
   /// Returns whether any ray of the packet may hit the lamp, including inactive lanes.
   bool is_pointed_at(std::size_t k, const RayPacket& rays) const;
-  /// Returns whether rays should query the tree for the lamps in their way, because there are many.
+  /// Returns whether there are so many lamps with a size that rays should search the tree for those in their way.
   bool has_many_rounds() const { return choice_.draws_by_tree(LightChoice::kRounds); }
   /// Calls visit(k) for all lamps with a size that a ray of unit direction may hit up to `reach`.
   template <class Visit>

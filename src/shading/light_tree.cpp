@@ -11,13 +11,13 @@ constexpr float kLeastSquared = 1e-20f;
 constexpr float kLeastSquaredCosine = 1e-6f;
 /// Lower bound of a face's factor, so that rounding does not make it negative.
 constexpr float kLeastFaceShining = 1e-4f;
-/// Lower bounds inside the cones. A cluster keeps at least the first share of its mean over all directions. A single lamp keeps
-/// at least the second share of its full light, so that rounding does not remove light at the rim of its cone.
+/// Lower bounds inside the cones. A cluster keeps at least kLeastShining of its mean over all directions. A single lamp keeps
+/// at least kLeastFading of its full light, so that rounding does not remove light at the rim of its cone.
 constexpr float kLeastShining = 1.0f / 16.0f, kLeastFading = 1e-3f;
 /// Relative tolerance of ranges and cones, so that rounding does not remove light.
 constexpr float kMargin = 1e-4f;
 
-/// The arrays of the tree, as the kernels read them; null if the tree has none.
+/// Pointers to the arrays of the tree, for the kernels. Null for arrays that the tree does not have.
 struct LightNodes {
   const LightNode* nodes;
   const LightCones* cones;

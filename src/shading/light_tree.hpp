@@ -62,7 +62,7 @@ struct TreeLight {
   float inner_angle = kPi;                ///< full emission up to this angle; beyond it, fades with the squared cosine
   const LightProfile* profile = nullptr;  ///< measured emission within the cone; null: defined by the angles
   Vec3f face{0.0f};        ///< unit normal of a two-sided emitter with a cosine profile; null: emits in all directions
-  bool is_closed = false;  ///< the back of the face is the inside of a body, which hides it
+  bool is_closed = false;  ///< the back of the face lies inside a closed body, which hides it
 };
 
 /// Sixteen children in struct-of-arrays form.
@@ -90,7 +90,7 @@ struct LightBeams {
 struct LightBoxes {
   Lanes3 lower, upper;
 };
-/// The matrices M and vectors F of the children.
+/// The matrices M and vectors F of the children, as defined at the top of this file.
 struct LightFaces {
   Lanes xx, yy, zz, xy, xz, yz;
   Lanes3 front;

@@ -12,7 +12,7 @@ namespace {
 using Members = std::span<std::uint32_t>;
 
 constexpr int kBins = 16;
-/// If a cut leaves less than 1 / this of the lights on one side, the median is used instead, so that trees stay flat.
+/// If a cut leaves less than 1 / kLeastPart of the lights on one side, the median is used instead, so that trees stay flat.
 constexpr std::size_t kLeastPart = 16;
 
 bool takes_part(const TreeLight& light) {
@@ -20,7 +20,7 @@ bool takes_part(const TreeLight& light) {
   return light.power > 0.0f && std::isfinite(light.power) && farthest <= kLargestReach && light.radius <= kLargestReach;
 }
 
-/// Power, and its first and second moment about a point.
+/// The power of some lights, and its first and second moment about a point.
 struct PowerMoments {
   std::size_t count = 0;
   double power = 0.0, squares = 0.0;
@@ -93,13 +93,13 @@ class LightTreeBuilder {
       if (part.size() == 1) tree_.slots_[part[0]] = slot;
       const std::int32_t child =
           part.size() == 1 ? ~static_cast<std::int32_t>(part[0]) : static_cast<std::int32_t>(add_node(part, slot));
-      tree_.nodes_[node].child[lane] = child;  // index again: the vector may have grown
+      tree_.nodes_[node].child[lane] = child;  // not by a reference, because nodes_ may have been reallocated
     }
     return node;
   }
 
-  /// Splits the members into at most kLanes parts: always the largest part, until all parts fit below full nodes of the least
-  /// depth.
+  /// Splits the members into at most kLanes parts. Splits the largest part again and again, until every part fits into a
+  /// subtree of the least possible depth.
   std::vector<Members> cut(Members members) const {
     std::size_t fits = 1;
     while (fits * kLanes < members.size()) fits *= kLanes;

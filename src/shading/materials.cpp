@@ -6,7 +6,8 @@
 namespace lippmann {
 namespace {
 
-// 2^-14 of the highlight's strength is a quarter of one 8-bit code.
+// Returns the N.H below which the highlight is under 2^-14. For white light of strength 1, that is a fifth of the first 8-bit
+// sRGB code.
 float cutoff_for(float highlight, float size) {
   if (highlight <= 0.0f) return 2.0f;
   return std::pow(std::min(1.0f, 0x1p-14f / highlight), 1.0f / std::max(size, 1e-3f));

@@ -16,7 +16,7 @@ inline constexpr std::uint16_t kNoMedium = 0, kSameMedium = 0xffff;
 class Media {
  public:
   Media() = default;
-  /// Numbers all materials with a solid volume. Throws Error if there are more of them than numbers.
+  /// Numbers all materials with a solid volume. Throws Error if there are more such materials than numbers.
   explicit Media(const Scene& scene);
 
   /// Returns the medium inside a material, or kNoMedium.

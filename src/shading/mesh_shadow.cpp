@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-/// The shadow of alpha and of a constant transmittance.
+/// The shadow of a mesh with alpha or a constant transmittance.
 class OpenMesh : public ShadowCaster {
  public:
   OpenMesh(const ShadingTables& tables, const WhittedMaterial& material) : tables_(tables), material_(material) {}
@@ -32,7 +32,7 @@ class OpenMesh : public ShadowCaster {
   const WhittedMaterial& material_;
 };
 
-/// A thin wall, scaled by alpha.
+/// The shadow of a thin wall. Alpha defines the share of the surface that the wall covers.
 class WallMesh final : public OpenMesh {
  public:
   WallMesh(const ShadingTables& tables, const WhittedMaterial& material, const MetallicRoughness& wall)

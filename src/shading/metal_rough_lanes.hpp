@@ -46,11 +46,11 @@ class MetalRoughLanes {
   /// Call this after all lanes are set. Lanes that are not set keep their old values.
   void prepare(const GgxAlbedo& albedo);
 
-  // The same as MetalRoughBsdf, for all lanes.
+  // Like the functions of MetalRoughBsdf, but for all lanes.
   void evaluate(const GgxAlbedo& albedo, const Lanes3& lights, BsdfValueLanes& values) const;
   void sample(const GgxAlbedo& albedo, const Lanes& lobe, const Lanes& u, const Lanes& v, BsdfSampleLanes& samples) const;
 
-  // The same for a single lane.
+  // Like the functions of MetalRoughBsdf, for a single lane.
   Vec3f evaluate_diffuse(int i, const GgxAlbedo& albedo, Vec3f light) const;
   Vec3f diffuse_albedo(int i) const { return diffuse_color_.get(i) * diffuse_passes_.get(i); }
   Vec3f normal(int i) const { return normal_.get(i); }

@@ -15,8 +15,8 @@ namespace {
 constexpr float kLeastRadius = 1e-5f;  // relative to the scene's size
 constexpr float kLeastHalfAngle = 2e-5f;
 
-/// The directions to a lamp. one_minus_cos refers to the half angle: at most 1, except for points within a sphere, where it is
-/// 2.
+/// The directions to a lamp. one_minus_cos is 1 minus the cosine of the cone's half angle: at most 1 outside a sphere, and 2
+/// for points inside it.
 struct Cone {
   Vec3f axis;
   float one_minus_cos;
@@ -39,7 +39,7 @@ Cone cone_of(const WhittedLight& light, Vec3f from) {
 }
 
 Vec3f direction_in(const Cone& cone, Vec2f u) {
-  const Vec2f d = sample_disc(u);  // uniform: the squared radius equals the share of disc and cone within it
+  const Vec2f d = sample_disc(u);  // uniform: |d|^2 is the share of the disc, and of the cone, within d
   const float share = std::min(glm::dot(d, d), 1.0f), height = cone.one_minus_cos * share;  // 1 - cosine
   // sine = sqrt(height (2 - height)) along d / |d| = d / sqrt(share)
   const float scale = std::sqrt(std::max(0.0f, cone.one_minus_cos * (2.0f - height)));

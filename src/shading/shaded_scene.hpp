@@ -43,7 +43,8 @@ struct ShadingTables : ShadowMaterials {
   std::span<const Material> described_materials_;
 };
 
-/// Shading kernels read both bases. Rays depend on shading only for the transmittance of shadow rays.
+/// The shading tables of a scene and its geometry for ray tracing. Shading kernels read both. Ray tracing uses the tables only
+/// for the transmittance of shadow rays.
 struct ShadedScene : ShadingTables, RayScene {
   /// Shows the first moment of the timeline. `scene` must outlive this object.
   ShadedScene(const Scene& scene, const ThreadPool& pool, MaterialUse use);

@@ -21,7 +21,8 @@ SeenPoint seen_point(const RayHitPacket& packet, const SurfacePacket& surface, i
   return {surface.normal.get(i), view_of(packet, i), surface.entering.lane[i] != 0, surface.facet.get(i)};
 }
 
-/// Returns the base of a Phong surface that is purely diffuse: no highlight, mirror or transmission.
+/// Returns a purely diffuse Phong surface (no highlight, mirror or transmission) as a metallic-roughness surface. Returns
+/// nothing for any other surface.
 std::optional<MetalRoughPoint> lambert_at(const SurfacePacket& surface, int i) {
   if (surface.highlight[i] != 0.0f || surface.mirror[i] != 0.0f || surface.opacity[i] != 1.0f) return std::nullopt;
   MetalRoughPoint at;

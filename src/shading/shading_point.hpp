@@ -24,7 +24,8 @@ struct ShadingPoint {
   bool is_wall = false;                ///< a thin wall; shadow rays pass it if it is smooth
 
   bool is_behind(Vec3f direction) const { return glm::dot(facet, direction) < 0.0f; }
-  /// Returns whether a lamp in a direction behind the facet still lights the smooth surface, which lies at distance lift().
+  /// Returns whether a lamp in this direction lies behind the facet, but still lights the smooth surface. lift() is the offset
+  /// to that surface.
   bool rises_to(Vec3f direction) const {
     return smooth && is_behind(direction) && glm::dot(normal, direction) > 0.0f && lift() != Vec3f(0.0f);
   }
@@ -39,7 +40,8 @@ inline Vec3f view_of(const RayHitPacket& packet, int i) {
   return -Vec3f(packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]);
 }
 
-/// Returns the base of the surface if it has only a metallic-roughness base or is purely diffuse. Returns nothing otherwise.
+/// Returns the metallic-roughness base of a surface that has no other layers or is purely diffuse. Returns nothing for any
+/// other surface.
 std::optional<MetalRoughPoint> base_at(const ShadedScene& scene, const RayHitPacket& packet, const SurfacePacket& surface,
                                        int i);
 

@@ -66,13 +66,13 @@ void ShiningTriangles::add(std::size_t r) {
   if (closed != BodyFacing::kNone && is_opaque(sources_.materials[material])) bodies_[r] = bounds_of(*record.mesh, place);
 }
 
-/// A two-sided triangle emits flux / (2 pi) * cosine.
+/// The intensity of a two-sided triangle is flux / (2 pi) * cosine.
 LightGroup ShiningTriangles::group() const {
   LightGroup group{{}, std::vector<float>(triangles_.size(), 0.0f), {}, 0.0f, kMostTrianglesByPower};
   for (const Triangle& t : triangles_) {
     const bool has_area = t.normal != Vec3f(0.0f);
     const Emitter& emitter = *sources_.emitters.of(sources_.records[t.record].instance);
-    // both sides emit
+    // 2: both sides emit
     const float power = has_area ? finite_power(kPi * 2.0f * t.area * emitter.of(t.prim)) : 0.0f;
     group.near.push_back(power);
     group.lights.push_back(power > 0.0f ? tree_light(t.origin, t.edge_b, t.edge_c, power, t.closed) : TreeLight{});
@@ -91,8 +91,8 @@ float ShiningTriangles::seen_area(std::size_t triangle, Vec3f direction) const {
   return std::abs(glm::dot(direction, t.normal)) * t.area;
 }
 
-/// Tests for closed bodies, in addition to shadow rays: a shadow ray that ends near an edge stops short of the light and may
-/// miss the body in front of it. Inner sides are sampled so rarely that each such ray would leave a bright dot.
+/// Closed bodies need this test in addition to shadow rays: a shadow ray that ends near an edge stops short of the light and
+/// may miss the part of the body in front of it. Inner sides are sampled so rarely that each such ray would leave a bright dot.
 bool ShiningTriangles::is_hidden(const Triangle& t, Vec3f from, Vec3f direction) const {
   if (t.closed == BodyFacing::kNone || !is_outside(bodies_[t.record], from)) return false;
   return (glm::dot(direction, t.normal) > 0.0f) == (t.closed == BodyFacing::kOutward);

@@ -99,7 +99,8 @@ LIPPMANN_MULTIVERSION void set_normals(const Lanes3& normal, const RayPacket& ra
   }
 }
 
-/// smooth: in mesh space, like the facet normals in `packet`.
+/// Sets the normals of lanes that have hit a mesh. smooth: interpolated normals in mesh space, like the facet normals in
+/// `packet`.
 LIPPMANN_MULTIVERSION void set_mesh(const Mat3f normal_from_mesh, std::uint32_t instance, const Lanes3& smooth,
                                     const RayHitPacket& packet, const LaneMask& lanes, SurfacePacket& s) {
   const Vec3f to_x = normal_from_mesh[0], to_y = normal_from_mesh[1], to_z = normal_from_mesh[2];
@@ -149,7 +150,7 @@ void evaluate_primitives(const ShadedScene& scene, const GeometryRecord& record,
   set_normals(normal, packet.ray, lanes, s);
 }
 
-/// Sets normals and instances of `lanes`, which have all hit object `id`. Returns its record, or null for a plane.
+/// Sets normals and instances of `lanes`, which have all hit object `id`. Returns the object's record, or null for a plane.
 const GeometryRecord* evaluate_record(const ShadedScene& scene, unsigned id, const RayHitPacket& packet, const LaneMask& lanes,
                                       SurfacePacket& s) {
   if (id >= kPlaneId) {

@@ -23,10 +23,10 @@ struct SurfacePacket {
   Lanes3 color, ambient, emission;  ///< ambient: radiance per colour
   Lanes diffuse, highlight, highlight_size, highlight_cutoff, highlight_tint;
   Lanes mirror, mirror_tint, opacity, ior;
-  const ShadedScene* scene = nullptr;    ///< the scene of the surfaces
+  const ShadedScene* scene = nullptr;    ///< the scene that contains the surfaces
   const RayHitPacket* packet = nullptr;  ///< the rays that hit them; must outlive this object
   std::uint8_t color_channel[kLanes];    ///< the path's colour channel (R, G or B); set if the surface disperses
-  bool any_smooth = false;               ///< meshes with vertex normals were hit
+  bool any_smooth = false;               ///< whether any lane has hit a mesh with vertex normals
   bool any_highlight = false, any_mirror = false, any_see_through = false;
 };
 

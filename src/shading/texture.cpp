@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the 16-bit linear code of each sRGB byte.
+/// Returns the 16-bit linear code of each byte. srgb: whether the bytes are sRGB-encoded.
 std::array<std::uint16_t, 256> linear_codes(bool srgb) {
   std::array<std::uint16_t, 256> table{};
   for (std::size_t i = 0; i < 256; ++i) {

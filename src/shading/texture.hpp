@@ -16,7 +16,7 @@ namespace lippmann {
 struct DeviceTexture {
   struct Level {
     int width, height;
-    std::vector<std::uint16_t> rgba;  ///< linear, 65535 = 1; finer than any 8-bit code, sRGB or not
+    std::vector<std::uint16_t> rgba;  ///< linear, 65535 = 1; 16 bits keep all 8-bit codes distinct, sRGB or not
   };
   std::vector<Level> levels;  ///< each half the size of the previous one, down to 1 x 1
   Wrap wrap_u = Wrap::kRepeat, wrap_v = Wrap::kRepeat;
@@ -42,9 +42,9 @@ void sample_uv(const DeviceTexture& texture, const UvLanes& uv, const LaneMask& 
 /// Returns linear RGBA at one point, bilinear in one level; 0 is the finest.
 Vec4f sample_point(const DeviceTexture& texture, Vec2f uv, std::size_t level = 0);
 
-/// Looks up Tachyon's image maps (shading/projection.hpp): bilinear over (resolution - 1) texels without wrapping, between the
-/// two of n levels next to blur (n - 0.9999), and the last level from n - 2 on. path_length: of the whole path from the eye.
-/// Changes `color` only in the wanted lanes.
+/// Looks up Tachyon's image maps (shading/projection.hpp): bilinear over (resolution - 1) texels without wrapping. Of n levels,
+/// blends the two next to level blur (n - 0.9999); from level n - 2 on, uses only the last. path_length: length of the whole
+/// path from the eye. Changes `color` only in the wanted lanes.
 void sample_projected(const DeviceTexture& texture, const ImageProjection& projection, const Lanes3& point,
                       const Lanes& path_length, const LaneMask& wanted, Lanes3& color);
 

@@ -14,7 +14,7 @@ using Vec3d = glm::dvec3;
 constexpr double kPolarStep = 0.1, kAzimuthStep = 0.25;
 /// Margin of cones beyond the sampled directions.
 constexpr double kConeMargin = 0.5 * kAzimuthStep;
-/// A shorter mean direction is not significant.
+/// If the mean direction is shorter than this, the web has no preferred direction.
 constexpr double kLeastMeanDirection = 1e-3;
 
 Vec3d direction_at(const PhotometricWeb& web, double polar, double azimuth) {

@@ -12,7 +12,7 @@ namespace lippmann {
 
 struct WebBeam {
   Vec3f axis{0.0f, 0.0f, -1.0f};  ///< unit, in the light's space: the mean direction of its light
-  float half_angle = kPi;         ///< no light farther from the axis
+  float half_angle = kPi;         ///< no light at larger angles to the axis
   LightProfile profile;           ///< around the axis
 };
 
