@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kCameraPathNames{"sphere", "hemisphere", "circle"};
 
-/// Bounds of the subject of a still scene.
+/// Returns the bounds of the subject at time 0, in world space.
 Bounds3f still_subject_bounds(const Scene& scene) {
   const Subject subject = find_subject(scene);
   const ResolvedScene resolved = evaluate(scene, 0.0);
@@ -30,9 +30,9 @@ Bounds3f still_subject_bounds(const Scene& scene) {
   return bounds;
 }
 
-/// Gives animated nodes the place and the shape that they have at time 0.
+/// Replaces the animations by each node's transform and morph weights at time 0.
 void hold_still(Scene& scene) {
-  Scene loose;  // each node by itself, whose world transform is the local one
+  Scene loose;  // all nodes without parents, so that world transforms equal local ones
   loose.nodes = scene.nodes;
   loose.timeline = scene.timeline;
   for (Node& node : loose.nodes) node.parent = -1;
@@ -45,7 +45,7 @@ void hold_still(Scene& scene) {
   scene.timeline.animations.clear();
 }
 
-/// Turns a camera, which looks along -z, so that it is seen in that direction from where it looks at.
+/// Returns the rotation of a camera that looks against `direction`, with +y up. Unrotated cameras look along -z.
 Quatf facing(const Vec3d& direction) {
   const Vec3d right = glm::normalize(glm::cross(Vec3d(0.0, 1.0, 0.0), direction));
   return Quatf(glm::quat_cast(glm::dmat3(right, glm::cross(direction, right), direction)));

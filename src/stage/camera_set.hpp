@@ -1,7 +1,7 @@
-// Cameras around a scene's subject, in place of its own: data sets of NeRF and splats.
+// Replaces a scene's cameras by cameras around its subject, to render data sets for NeRF and splats.
 //
 // The scene is held still at the start of its animation, and each frame shows it from another camera. All cameras look at the
-// middle of the subject from one distance, at which the ball around the subject fits into the picture.
+// middle of the subject from the same distance, at which a ball around the subject fits into the picture.
 //
 // Based on: Gonzalez, Measurement of areas on a sphere using Fibonacci and latitude-longitude lattices, 2010, for the sphere.
 #pragma once
@@ -14,9 +14,9 @@
 namespace lippmann {
 
 enum class CameraPath {
-  kSphere,      ///< all around, evenly, from the top to the bottom
+  kSphere,      ///< evenly over the whole sphere, from top to bottom
   kHemisphere,  ///< the upper half of the sphere
-  kCircle,      ///< one round, 20 degrees above the middle
+  kCircle,      ///< one full circle, 20 degrees above the subject's middle
 };
 
 struct CameraSet {
@@ -27,18 +27,19 @@ struct CameraSet {
 
 inline constexpr int kMostCameras = 10000;
 
-/// Reads "sphere:100". Throws a usage Error naming `where`.
+/// Parses a text such as "sphere:100". Throws a usage Error naming `where`.
 CameraSet read_camera_set(const std::string& text, const std::string& where);
 std::string write_camera_set(const CameraSet& set);
 
-/// Unit vectors from the subject to the cameras, +y up.
+/// Returns the unit vectors from the subject to the cameras, +y up.
 std::vector<Vec3d> camera_directions(const CameraSet& set);
 
-/// Which cameras are for testing: an eighth of them, at least one of two or more, chosen by `seed`.
+/// Returns for each camera whether it is for testing. `seed` chooses an eighth of the cameras, and at least one if there are
+/// two or more.
 std::vector<bool> test_cameras(int count, std::uint32_t seed);
 
-/// Replaces the cameras and the animation of a scene. The angle is that of its first camera, or 45 degrees. Throws Error if
-/// there is nothing finite to look at.
+/// Replaces the cameras and the animation of a scene. The new cameras have the vertical field of view of the scene's first
+/// camera, or 45 degrees if it has none. Throws Error if the scene has no finite shapes.
 void surround_with_cameras(Scene& scene, const CameraSet& set);
 
 }  // namespace lippmann

@@ -16,7 +16,7 @@ struct EnclosureRay {
   Vec3f origin, direction;
 };
 
-/// Returns directions distributed evenly over the sphere (a Fibonacci spiral), none along an edge of a box.
+/// Returns direction i of a set that covers the sphere evenly (a Fibonacci spiral). None of them lies along an edge of a box.
 Vec3f spread_direction(int i) {
   constexpr float kTurn = 2.0f * kPi * (2.0f - std::numbers::phi_v<float>);
   const float z = 1.0f - (2.0f * static_cast<float>(i) + 1.0f) / kDirections;
@@ -24,8 +24,8 @@ Vec3f spread_direction(int i) {
   return {radius * std::cos(angle), z, radius * std::sin(angle)};
 }
 
-/// Returns the distance along the ray in lengths of its direction, or kInfinity. Edges belong to both triangles, so there are
-/// no gaps.
+/// Returns the distance along the ray to a triangle, in lengths of the ray's direction, or kInfinity without a hit. An edge
+/// belongs to both adjacent triangles, so that there are no gaps.
 float distance_to(const EnclosureRay& ray, Vec3f a, Vec3f b, Vec3f c) {
   constexpr float kEdge = 1e-5f;
   const Vec3f u = b - a, v = c - a, p = glm::cross(ray.direction, v);

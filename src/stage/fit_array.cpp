@@ -26,7 +26,7 @@ constexpr float kNearestPlane = 0.05f;  // in diagonals of the visible part
 constexpr float kDefaultFov = radians(45.0f);
 constexpr float kMargin = 1.05f;  ///< ratio of the visible size to the size of the content
 
-/// Returns the rotation, translation and one scale of a node's transform.
+/// Returns a node's transform reduced to rotation, translation and one uniform scale.
 Affine3f similarity(const Affine3f& a) {
   const float scale = uniform_scale(a);
   if (!(scale > 0.0f) || !std::isfinite(scale))
@@ -38,7 +38,7 @@ Affine3f similarity(const Affine3f& a) {
 
 Mat3f rotation_of(const Affine3f& similarity) { return similarity.linear / uniform_scale(similarity); }
 
-/// The inputs of all rules.
+/// The inputs of the rules that place the array.
 struct Setting {
   const Scene& scene;
   const ResolvedScene& resolved;  ///< at frame 0
@@ -81,7 +81,7 @@ void visit_frames(const Scene& scene, const Visit& visit) {
   }
 }
 
-/// Half the size of a camera's view: per distance, or at every distance for an orthographic camera.
+/// The size of a camera's view. `half` is half the size at distance 1; for an orthographic camera, at every distance.
 struct CameraView {
   bool is_orthographic;
   Vec2f half;
@@ -207,7 +207,8 @@ FittedArray at_focus(const Setting& setting, const Camera& camera) {
   return array;
 }
 
-/// Only visible parts count: in a surrounding room, only what lies in front of the camera; an infinite ground does not count.
+/// Places the plane half-way through the visible part of the subject, or of the scene if the camera does not see the subject.
+/// Of a room around the camera, only the part in front of the camera counts; an infinite ground does not count.
 FittedArray half_way_through(const Setting& setting, const Camera& camera) {
   FittedArray array;
   array.origin = FittedArray::Origin::kSceneCenter;
@@ -320,7 +321,7 @@ FittedArray fitted_to_bounds(const Setting& setting, const Direction& direction)
   const Vec2f enough = (bounds.right_up + bounds.left_down) / (2.0f * sine);
   const Vec3f size = bounds.straight.size();
   const float plane_z = bounds.straight.center().z;
-  // Keeps the viewer outside a rod seen along its length, or a point.
+  // Keep the viewer outside the subject, even if it is a point or a rod seen along its length.
   const float least = size == Vec3f(0.0f) ? 1.0f : 0.5f * size.z + kNearestPlane * diagonal(bounds.straight);
   const float distance = std::max(std::max(enough.x, enough.y) - plane_z, least);
   const Vec2f middle = middle_from(setting, direction, bounds, angle, distance);
@@ -347,7 +348,7 @@ Mat3f turned_in_node(const Setting& setting, int node, const Mat3f& node_from_vi
   return glm::transpose(world_from_node) * turned(world_from_node * node_from_view, orbit);
 }
 
-/// Returns the direction of the default view, without the wish to fit it to a node.
+/// Returns the direction of the default view, which is used without `fit-to`.
 Direction direction_of(const Scene& scene) {
   Direction direction;
   if (scene.display) {
@@ -377,7 +378,7 @@ FittedArray without_camera(const Setting& setting, const Orbit& orbit) {
   return array;
 }
 
-/// Returns whether a name of `fit-to` stands for everything.
+/// Returns whether `name`, given as `fit-to`, stands for the whole scene.
 bool is_whole_scene(const Scene& scene, const std::string& name) { return name == "all" && !is_name_of_node(scene, name); }
 
 FittedArray fitted_to(const Setting& setting, const std::string& name, const Orbit& orbit) {
@@ -418,7 +419,7 @@ float wanted_plane_z(const FittedArray& array, const Setting& setting, const std
   return array.viewing_distance - static_cast<float>(numbers[0]) / uniform_scale(world_from_plane);
 }
 
-/// Returns whether the view is a beam of constant height, as that of an orthographic camera.
+/// Returns whether the view is a beam of constant height, like that of an orthographic camera.
 bool shows_a_beam(const FittedArray& array, const Scene& scene) {
   using Origin = FittedArray::Origin;
   return (array.origin == Origin::kFocus || array.origin == Origin::kSceneCenter) &&

@@ -20,7 +20,7 @@ namespace {
 
 /// Walls that cover at least this share of the frame limit the visible space.
 constexpr double kWallShare = 0.25;
-constexpr float kBeforeWall = 0.999f;  ///< start of the rays between the fitted viewer (0) and the wall (1)
+constexpr float kBeforeWall = 0.999f;  ///< start of the rays, as a share of the way from the fitted viewer to the wall
 
 /// Names at most this many walls.
 constexpr std::size_t kNamed = 3;
@@ -84,7 +84,7 @@ class Foreground {
     Vec3f normal(0.0f);
     for (std::size_t i = 2; i < polygon.size(); ++i) normal += glm::cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
     if (!is_wall(polygon[0], normal)) return;
-    // projected from the eye to the plane z = 0
+    // Project the polygon from the eye to the plane z = 0.
     double twice_area = 0.0;
     const auto seen = [&](Vec3f p) { return Vec2f(p) * (eye_ / std::max(eye_ - p.z, 1e-3f * eye_)); };
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -116,7 +116,7 @@ class Foreground {
 
   /// The walls of one or more instances.
   struct Walls {
-    double area;    ///< projected from the eye to the plane z = 0
+    double area;    ///< of their projection from the eye to the plane z = 0
     float nearest;  ///< smallest z
     int node = -1;
 

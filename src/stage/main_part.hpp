@@ -1,9 +1,9 @@
 // Finds the main part of a scene whose parts are so far apart that an image of everything would show nothing.
 //
 // Based on gaps: the bounding box is cut in the middle of the widest gap along an axis, and the side with less surface is
-// dropped; then the same is repeated. The cuts apply if the remaining part is so small relative to the narrowest gap that it
-// would fill less than 1/20 of the image's width. Otherwise the scene is whole. Slivers, which a stray vertex makes of adjacent
-// triangles, do not close gaps.
+// dropped; then the remaining box is cut again. The cuts apply if the remaining part is so small relative to the narrowest gap
+// that it would fill less than 1/20 of the image's width. Otherwise the scene is whole. Slivers, which a stray vertex makes of
+// adjacent triangles, do not close gaps.
 #pragma once
 
 #include <optional>

@@ -43,7 +43,7 @@ Error no_such_name(const Scene& scene, const std::string& name, const char* flag
                      accepted.empty() ? "no name: the nodes of this scene have none" : accepted);
 }
 
-/// Marks the nodes with that name and all nodes below them.
+/// Marks the nodes called `name` and all nodes below them.
 std::vector<bool> nodes_below(const Scene& scene, std::string_view name) {
   std::vector<bool> below(scene.nodes.size(), false);
   for (std::size_t i = 0; i < below.size(); ++i) {

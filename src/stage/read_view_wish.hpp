@@ -14,14 +14,15 @@ namespace lippmann {
 /// name, or if there is no shape below it.
 std::vector<bool> instances_named(const Scene& scene, const std::string& name, const char* flag);
 
-/// Returns whether a node or an instance has that name.
+/// Returns whether a node or an instance is called `name`.
 bool is_name_of_node(const Scene& scene, std::string_view name);
 
 /// Parses "-30" or "-30,15", in degrees. Throws a usage Error at `where`.
 Orbit read_orbit(std::string_view text, const std::string& where);
 std::string write_orbit(const Orbit& orbit);
 
-/// Parses one or three numbers separated by commas. Otherwise throws a usage Error at `focus` that suggests the scene's names.
+/// Parses one or three numbers separated by commas. For any other text, throws a usage Error at `focus` that suggests the
+/// scene's names.
 std::vector<double> read_focus(const Scene& scene, const std::string& text);
 
 }  // namespace lippmann

@@ -45,7 +45,8 @@ using PolygonVisitor = std::function<void(std::span<const Vec3f> polygon)>;
 void visit_seen(const Scene& scene, const Instance& instance, const ResolvedScene& resolved, const Affine3f& frame_from_world,
                 const ConvexRegion& region, const PolygonVisitor& visit);
 
-/// `bounds` contains the parts. `tangent` holds the largest |x| / depth and |y| / depth, seen from the origin along -z.
+/// The extent of the parts inside a region. `bounds` contains them. `tangent` holds their largest |x| / depth and |y| / depth,
+/// seen from the origin along -z.
 struct SeenParts {
   Bounds3f bounds;
   Vec2f tangent{0.0f};

@@ -1,4 +1,5 @@
-// An infinite plane is linear in 1 / depth over the window, so its extreme depths lie in corners.
+// Over the window, 1 / depth of an infinite plane is a linear function, so the plane's extreme depths lie in the window's
+// corners.
 #include "stage/seen_depth.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace {
 
 constexpr float kInfiniteDepth = std::numeric_limits<float>::infinity();
 
-/// Initially empty.
+/// A range of depths, initially empty.
 struct DepthReach {
   float near = -kInfiniteDepth, far = kInfiniteDepth;
 

@@ -19,12 +19,14 @@ struct EyeAtWindow {
   Vec2f window_mm{100.0f};
 };
 
-/// z in the display frame, > 0 in front of the display; -inf if a plane is visible up to its horizon.
+/// The range of visible depths as z in the display frame, > 0 in front of the display. far_mm is -inf if a plane is visible up
+/// to its horizon.
 struct SeenDepth {
   float near_mm = 0.0f, far_mm = 0.0f;
 };
 
-/// Returns nothing if no frame has anything visible. The result does not depend on the number of threads.
+/// Returns the range over all frames, or nothing if no frame shows anything. The result does not depend on the number of
+/// threads.
 std::optional<SeenDepth> seen_depth(const Scene& scene, const FittedArray& array, float units_per_mm, const EyeAtWindow& eye,
                                     const ThreadPool& pool);
 

@@ -24,7 +24,7 @@ constexpr float kThin = 0.1f;          ///< maximum thickness of a sheet, relati
 constexpr float kNearFace = 0.05f;     ///< maximum distance of a sheet from a face, relative to the box's size
 constexpr float kSpanning = 0.8f;      ///< minimum share of a face that its sheets span
 constexpr float kMuchSmaller = 0.5f;   ///< maximum diagonal of the remaining part, relative to the whole
-constexpr float kSmallBefore = 0.25f;  ///< the same if a wall or a shell is the only evidence of surroundings
+constexpr float kSmallBefore = 0.25f;  ///< like kMuchSmaller, if only walls or a shell suggest surroundings
 
 using Indices = std::vector<std::size_t>;
 
@@ -160,7 +160,8 @@ class Peeling {
     return true;
   }
 
-  /// Returns the sheets at a face if they span it, each of them or all together; otherwise none.
+  /// Returns the sheets at a face that span it: each alone if `each` is set, otherwise all of them together. Returns none if
+  /// they do not span it.
   Indices sheets_at(Face face, const Bounds3f& all, bool each) const {
     Indices sheets;
     for (const std::size_t i : left_)
@@ -168,7 +169,8 @@ class Peeling {
     return spans(bounds_of(sheets), face, all) ? sheets : Indices{};
   }
 
-  /// each: only sheets that span their faces alone. Thus coins on a table stay, while the boards of a floor are removed.
+  /// Removes sheets, if the rest is much smaller, and returns whether it has. each: only sheets that span their face alone. A
+  /// first round with `each` keeps the coins on a table; a second one without it removes a floor made of boards.
   bool peel_sheets(bool each) {
     const Bounds3f all = bounds_of(left_);
     const Indices floor = sheets_at(kFloorFace, all, each);
@@ -196,7 +198,8 @@ class Peeling {
 
   // ---- Shells -------------------------------------------------------------------------------------------------------
 
-  /// Returns what would remain of the rest: a sky may surround a ground that is nearly as wide.
+  /// Returns the instances that remain without the shell and then without sheets. A sky may surround a ground that is nearly as
+  /// wide as the sky.
   Indices core_without(std::size_t shell) const {
     Peeling inner(*this);
     inner.left_ = without({shell});
@@ -205,7 +208,7 @@ class Peeling {
     return inner.left_;
   }
 
-  /// Returns whether no part of the shell, except from below, is nearer to its content than the content is large.
+  /// Returns whether the shell keeps a distance of half the content's size from its content on all sides except below.
   bool leaves_free(std::size_t shell, const Bounds3f& core) const {
     const Vec3f size = core.size();
     const float reach = 0.5f * std::max({size.x, size.y, size.z});
@@ -224,7 +227,7 @@ class Peeling {
     return leaves_free(i, inner);
   }
 
-  /// Only the largest instance can be a shell.
+  /// Removes the largest instance if it is a shell, and returns whether it is. Smaller instances cannot be shells.
   bool peel_shell() {
     const auto smaller = [&](std::size_t a, std::size_t b) { return diagonal(bounds_[a]) < diagonal(bounds_[b]); };
     const std::size_t largest = *std::max_element(left_.begin(), left_.end(), smaller);

@@ -6,9 +6,9 @@
 //    on walls.
 //  - Shells: an instance that contains everything else between its sides, with free space around it: sky, dome, backdrop,
 //    hills. Only the ground below may be nearer.
-// They are left out if the remaining part is much smaller. Before that, pieces are left out that are so far away that an image
-// of everything would show nothing (main_part.hpp): instances, and triangles of static meshes.
-// A scene with a single mesh has no surroundings, and never everything is left out.
+// Surroundings are left out if the remaining part is much smaller. Before that, instances and triangles of static meshes are
+// left out if they are so far away that an image of everything would show nothing (main_part.hpp).
+// A scene with a single mesh has no surroundings. At least one instance always remains.
 // Infinite planes have no bounds and are ignored.
 #pragma once
 
@@ -35,7 +35,7 @@ bool is_surrounding(InstanceRole role);
 
 struct Subject {
   std::vector<InstanceRole> roles;    ///< per instance
-  std::optional<Bounds3f> main_part;  ///< in world space; everything beyond it is left out; empty if nothing is
+  std::optional<Bounds3f> main_part;  ///< in world space; parts outside it are left out; not set if nothing is left out
   std::vector<bool> is_cut;           ///< per instance, if there is a main part: only the part inside it counts
   bool has_surroundings() const;
   bool contains(std::size_t instance) const { return roles[instance] == InstanceRole::kSubject; }

@@ -13,12 +13,13 @@ struct Surrounding {
   float rotation_deg = 0.0f;
 };
 
-/// Sets a panorama. `share`: another factor on its light.
+/// Sets a panorama. `share`: a factor on its light, in addition to how.strength.
 void surround_with(Scene& scene, EnvironmentMap map, const Surrounding& how, float share);
 /// Sets linear light, the same in all directions.
 void surround_with(Scene& scene, Vec3f color);
 
-/// The parts of add_missing_light() (lippmann/stage/lighting.hpp), with options for panoramas.
+/// Implement add_missing_light() (lippmann/stage/lighting.hpp) for Whitted shading and for path tracing. `how`: options for
+/// panoramas.
 std::string light_for_whitted(Scene& scene);
 std::string light_for_paths(Scene& scene, const Surrounding& how);
 
