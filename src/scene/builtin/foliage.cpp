@@ -11,7 +11,8 @@ namespace {
 
 constexpr float kGoldenAngle = 2.39996323f;
 
-/// Adds a folded rhombus from `base` along `along` with half width `side`; its two halves lean towards `up`.
+/// Adds a leaf: a rhombus from `base` to `base + along` with half width `side`, folded along its length, with both halves
+/// raised towards `up`.
 void add_leaf(Mesh& mesh, Vec3f base, Vec3f along, Vec3f side, Vec3f up, Vec3f shading_normal) {
   const std::uint32_t first = static_cast<std::uint32_t>(mesh.positions.size());
   const Vec3f middle = base + 0.55f * along, lift = 0.25f * glm::length(side) * up;

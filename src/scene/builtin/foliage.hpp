@@ -12,7 +12,7 @@ namespace lippmann::builtin {
 class Dice {
  public:
   explicit Dice(std::uint32_t seed) : seed_(seed) {}
-  /// Uniform in [0, 1).
+  /// Returns a number uniform in [0, 1).
   float unit();
   float between(float low, float high) { return low + (high - low) * unit(); }
   std::uint32_t bits();
@@ -26,7 +26,7 @@ struct Branch {
   std::vector<Vec3f> points;
   std::vector<float> radii;
 
-  /// Returns the point at `share` (0 ... 1) of the branch.
+  /// Returns the point at a share (0 ... 1) of the branch's length.
   Vec3f point(float share) const;
 };
 
@@ -36,7 +36,7 @@ Branch bent_branch(float length, float base_radius, float tip_radius, float bend
 /// Returns the rotation that takes +y to a unit direction, followed by a rotation about it by `roll`.
 Quatf growing_towards(Vec3f direction, float roll);
 
-/// Returns the direction at `angle` from +y and at a compass bearing.
+/// Returns the direction at an angle from +y and at the azimuth `bearing`, from +x towards +z.
 Vec3f leaning(float angle, float bearing);
 
 struct Spray {
@@ -44,7 +44,7 @@ struct Spray {
 };
 
 /// Returns two generations of twigs, about `length` long in total, with `leaf_count` leaves of two triangles. Leaf normals are
-/// blended with the direction out of the spray, for the shading of a round volume.
+/// blended with the direction out of the spray, so that the spray is shaded like a round volume.
 Spray grow_spray(float length, int leaf_count, float leaf_length, std::uint32_t seed);
 
 }  // namespace lippmann::builtin

@@ -1,8 +1,9 @@
 // Based on: Faydor L. Litvin, Alfonso Fuentes, "Gear Geometry and Applied Theory", 2nd ed., 2004, chapter 10 (involute spur
-// gears) and 11 (internal ones). With inv(a) = tan a - a, pitch radius r_p and base radius r_b = r_p cos(pressure angle), a
-// tooth of a gear with z teeth has at radius r the half angle
+// gears) and 11 (internal ones). Let inv(a) = tan a - a, r_p the pitch radius and r_b = r_p cos(pressure angle) the base
+// radius. At radius r, a tooth of a gear with z teeth has the half angle
 //   psi(r) = pi / (2 z) + inv(pressure angle) - inv(acos(r_b / r)).
-// The gaps of a ring have the shape of that gear's teeth, so that the ring's own teeth have pi / z - psi(r).
+// The gaps of a ring have the shape of the teeth of a gear with equally many teeth, so the ring's own teeth have the half angle
+// pi / z - psi(r).
 // Unlike the book: 1. flanks below the base circle are radial instead of trochoids; 2. each side of a tooth recedes by a
 // quarter of the backlash.
 #include "scene/builtin/gear.hpp"
@@ -146,7 +147,8 @@ Mesh ring_gear_mesh(int inner_teeth, int outer_teeth, const GearBlank& blank) {
 }
 
 float meshing_angle(int driver_teeth, float driver_angle, int teeth, float direction) {
-  // A tooth of the driver at an angle d past the line of centres meets a gap at d driver_teeth / teeth before it.
+  // If a tooth of the driver is an angle d past the line of centres, the gap that it meets is d driver_teeth / teeth before the
+  // line.
   const float ratio = static_cast<float>(driver_teeth) / static_cast<float>(teeth);
   return direction + kPi + kPi / static_cast<float>(teeth) - ratio * (driver_angle - direction);
 }

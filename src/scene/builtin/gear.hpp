@@ -1,8 +1,8 @@
 // Involute gears: tooth shapes, solid meshes, and the angles at which gears mesh.
 //
 // A gear lies in the x-y plane with axis z; one of its teeth (for a ring: one of its gaps) is centred on +x. Lengths are in
-// modules (pitch diameter / teeth), so that gears of any tooth counts mesh at a centre distance of half the sum of their tooth
-// counts.
+// modules (pitch diameter / teeth), so that any two gears mesh if the distance between their centres is half the sum of their
+// tooth counts.
 #pragma once
 
 #include "scene/builtin/planar_region.hpp"
@@ -16,7 +16,7 @@ inline constexpr float kBacklash = 0.06f;
 
 inline constexpr float pitch_radius(int teeth) { return 0.5f * static_cast<float>(teeth); }
 
-/// Returns half the angle of a tooth at a radius between the base circle and the tip; constant below the base circle.
+/// Returns half the angle of a tooth at a radius between the base circle and the tip. Below the base circle it is constant.
 float tooth_half_angle(int teeth, float radius);
 /// Returns half the angle of a tooth of an internal ring, whose teeth point inwards.
 float ring_tooth_half_angle(int teeth, float radius);

@@ -1,5 +1,5 @@
-// "gears": a planetary gear train whose ring drives gears around it, in front of the engraved plate of a clockwork. Lengths in
-// modules.
+// "gears": a planetary gear train whose ring drives gears around it, in front of the engraved plate of a clockwork. Lengths are
+// in modules.
 //
 // Turns per loop: ring 1, carrier 2. By Willis' equation (w_sun - w_carrier) / (w_ring - w_carrier) = -36/12, the sun makes 5
 // turns, and by (w_planet - w_carrier) / (w_ring - w_carrier) = 36/12, each planet makes -1. All numbers are whole.
@@ -61,7 +61,7 @@ int add_gear(SceneBuilder& scene, const Gear& gear, const GearBlank& blank, int 
   return node;
 }
 
-/// A shaft along z with a bearing jewel on its front end.
+/// Adds a shaft along z with a bearing jewel on its front end.
 void add_shaft(SceneBuilder& scene, int parent, Vec3f center, float back, float front, float radius, const Metals& metals) {
   const int node = scene.add_node("shaft", parent, at({center.x, center.y, 0.0f}));
   scene.show("shaft", Cylinders{{{0.0f, 0.0f, back}, {0.0f, 0.0f, front}, radius}}, metals.steel, node);
@@ -99,7 +99,8 @@ void add_planetary_set(SceneBuilder& scene, const Gear& ring, const Metals& meta
   scene.show("ring", ring_gear_mesh(kRingInside, kRingOutside, blank), metals.brass, ring_node);
   add_trim(scene, ring_node, {0.5f * blank.thickness, 19.9f, 21.4f, 16, metals.gold}, metals);
 
-  // The ring determines the planet on the line of centres along +x, that planet the sun, and the sun the other planets.
+  // The ring's angle determines that of the planet on +x, this planet's angle that of the sun, and the sun's those of the other
+  // planets.
   const float planet_angle = static_cast<float>(kRingInside) / kPlanet * ring.angle;
   const float sun_angle = meshing_angle(kPlanet, planet_angle, kSun, kPi);
   const int sun = add_turning_node(scene, "sun", -1, ring.center, kSunTurns, sun_angle);

@@ -14,7 +14,7 @@ struct Corner {
   Index triangle, corner;
 };
 
-/// Returns the normal with a length of twice the area.
+/// Returns a triangle's normal. Its length is twice the area.
 Vec3f area_normal(const Mesh& mesh, const std::array<Index, 3>& t) {
   return glm::cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]);
 }

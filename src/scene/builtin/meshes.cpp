@@ -22,7 +22,8 @@ Vec2f unit_or_zero(Vec2f v) {
   return length > 0.0f ? v / length : Vec2f(0.0f);
 }
 
-/// Returns the outward normals (radial, y) of a profile's points; the two points of a crease each use their own side.
+/// Returns the outward normals (radial, y) of a profile's points. Of the two points of a crease, each has the normal of its own
+/// side.
 std::vector<Vec2f> profile_normals(const std::vector<Vec2f>& profile) {
   const std::size_t n = profile.size();
   const bool loop = n > 2 && profile.front() == profile.back();
@@ -110,7 +111,7 @@ std::vector<Vec2f> smooth_profile(const std::vector<Vec2f>& points, int steps) {
   for (std::size_t i = 0; i + 1 < n; ++i) {
     const Vec2f b = points[i], c = points[i + 1];
     profile.push_back(b);
-    if (b == c) continue;  // a crease: both points stay, with nothing in between
+    if (b == c) continue;  // a crease: keep both points, without any in between
     const Vec2f a = i > 0 && points[i - 1] != b ? points[i - 1] : 2.0f * b - c;
     const Vec2f d = i + 2 < n && points[i + 2] != c ? points[i + 2] : 2.0f * c - b;
     for (int s = 1; s < steps; ++s)

@@ -14,7 +14,8 @@ using Index = std::uint32_t;
 
 constexpr Index kNone = ~Index{0};
 
-/// Returns for every point on the region's edge the next one along it, with the region on the left; kNone for inner points.
+/// Returns for every point on the region's edge the next point along the edge, with the region on the left. Returns kNone for
+/// inner points.
 std::vector<Index> next_on_boundary(const PlanarRegion& region) {
   std::map<std::pair<Index, Index>, int> directed;
   for (const auto& t : region.triangles)

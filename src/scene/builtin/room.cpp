@@ -1,5 +1,5 @@
 // "room": a furnished room, open towards the viewer, with a moving clock, globe, orrery, ornament and ball. The display sways
-// in front of it; a round mirror on the wall shows the objects again. Lengths in metres.
+// in front of it; a round mirror on the wall shows the objects again. Lengths are in metres.
 #include <cmath>
 
 #include "scene/builtin/meshes.hpp"
@@ -107,7 +107,7 @@ void add_vase(SceneBuilder& scene, Vec3f place, float size, int material) {
 
 void add_mirror(SceneBuilder& scene, const Materials& m) {
   constexpr float kRadius = 0.68f;
-  // Rotated half-way towards the table and tilted forward, so that it shows the viewer the table.
+  // The mirror is rotated half-way towards the table and tilted forward, so that the viewer sees the table in it.
   const int hook = scene.add_node("mirror's hook", -1, turned({-1.0f, 2.15f, kBack + 0.26f}, kUp, radians(14.0f)));
   const int node = scene.add_node("mirror", hook, turned(Vec3f(0.0f), kRight, radians(90.0f + 9.0f)));
   const int glass = scene.add_material("mirror", glossy(Vec3f(0.02f), 0.0f, 1.0f, 0.92f));

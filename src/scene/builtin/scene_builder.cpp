@@ -13,7 +13,8 @@ namespace {
 
 constexpr int kKeysPerCycle = 16;  // cubic interpolation of a sine then deviates by less than 1e-4 of its amplitude
 
-// In plane heights: behind all objects of the scenes, and as wide as the outermost rays of a wide array.
+// Distance and half size of the backdrop, in heights of the display's plane. It lies behind all objects and is wide enough for
+// the outermost rays of a wide array.
 constexpr float kBackdropDistance = 1.2f, kBackdropHalfWidth = 1.6f, kBackdropHalfHeight = 1.0f;
 
 /// Calls add(time, value, slope per second) for the keys of a swing. The last key equals the first one exactly.

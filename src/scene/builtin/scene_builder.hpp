@@ -8,7 +8,7 @@
 
 namespace lippmann::builtin {
 
-/// Every built-in scene is a loop whose last frame is followed by the first.
+/// Frame rate and length of the built-in scenes, which are loops: the last frame is followed by the first.
 inline constexpr double kFramesPerSecond = 30.0;
 inline constexpr int kFrameCount = 480;
 inline constexpr double kLoopSeconds = kFrameCount / kFramesPerSecond;

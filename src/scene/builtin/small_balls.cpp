@@ -2,7 +2,7 @@
 // Environments", IEEE CG&A 7(11), 1987): every sphere carries nine spheres of a third of its size. They occupy nine of the
 // twelve neighbour positions of a close packing of spheres: six around the equator and three above.
 //
-// The flake rotates, each of its nine branches rotates on it, and each of their nine branches rotates on them.
+// The flake rotates; so does each of its nine branches, and each of their nine branches.
 #include <cmath>
 
 #include "scene/builtin/scene_builder.hpp"
@@ -23,13 +23,13 @@ Vec3f child_direction(int child) {
   return {outwards * std::cos(azimuth), height, outwards * std::sin(azimuth)};
 }
 
-/// Returns the transform of a child on a sphere of the given radius around the origin; its own +y points outwards.
+/// Returns the transform of a child on a sphere of the given radius around the origin. The child's +y points outwards.
 Transform child_place(int child, float radius) {
   const Vec3f direction = child_direction(child);
   return {(1.0f + kChildSize) * radius * direction, Quatf(kUp, direction), Vec3f(1.0f)};
 }
 
-/// Collects the descendants of one generation of a sphere at the origin of `place`.
+/// Collects the descendants in one generation of the sphere at the origin of `place`.
 void collect(const Affine3f& place, float radius, int generation, Spheres& spheres) {
   if (generation == 0) {
     spheres.push_back({place.translation, radius});

@@ -10,7 +10,7 @@
 namespace lippmann::builtin {
 namespace {
 
-constexpr int kPatchSteps = 44;  // 32 patches of 2 x 44 x 44 triangles: edges are well below a pixel at 4096 lines
+constexpr int kPatchSteps = 44;  // 32 patches of 2 x 44 x 44 triangles; edges are much shorter than a pixel at 4096 lines
 constexpr int kCups = 3;
 constexpr float kOrbitRadius = 3.3f;
 

@@ -1,8 +1,8 @@
 // Control points after: Martin Newell, "The Utilization of Procedure Models in Digital Image Synthesis", PhD thesis, University
 // of Utah, 1975, with the bottom added by Frank Crow ("The Origins of the Teapot", IEEE CG&A 7(1), 1987).
 //
-// The pot is symmetric. Rim, body, lid and bottom consist of four quarters of a near-revolution, of which one is listed. Handle
-// and spout are listed for one side of the plane y = 0 and mirrored.
+// The pot is symmetric. Rim, body, lid and bottom are nearly surfaces of revolution. They consist of four equal quarters, of
+// which one is listed. Handle and spout are listed for one side of the plane y = 0 and mirrored.
 #include "scene/builtin/teapot_patches.hpp"
 
 namespace lippmann::builtin {

@@ -59,7 +59,7 @@ LIPPMANN_INLINE float noise_between(const LatticePlace& u, const LatticePlace& v
 constexpr float kFractalScale = 1.3f;
 
 /// Returns fractal_noise(period uv, period, ...) for every texel of a square texture, rows from the top. Values that depend
-/// only on a row or column are computed once.
+/// only on the row or only on the column are computed once per row or column.
 std::vector<float> fractal_noise_of_texels(int period, int octaves, std::uint32_t seed) {
   const auto place_of = [&period](int texel) {
     return lattice_place(static_cast<float>(period) * ((static_cast<float>(texel) + 0.5f) / static_cast<float>(kTexels)),

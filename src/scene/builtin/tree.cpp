@@ -1,5 +1,5 @@
 // "tree": an autumn maple on an island in the sky. Limbs, boughs and sprays sway as rigid pieces, each attached to its parent.
-// A few shared meshes give about 900,000 triangles. Lengths in metres.
+// A few shared meshes give about 900,000 triangles. Lengths are in metres.
 #include <array>
 #include <cmath>
 
@@ -21,7 +21,7 @@ constexpr float kLeafLength = 0.055f;
 struct Pose {
   int node = -1;
   Quatf rotation{1.0f, 0.0f, 0.0f, 0.0f};  ///< world from node
-  Vec3f position{0.0f};                    ///< of the node, in the world
+  Vec3f position{0.0f};                    ///< position of the node in the world
 };
 
 class TreeGrower {
@@ -63,7 +63,7 @@ class TreeGrower {
     }
   }
 
-  /// Returns the trunk, widened towards its roots.
+  /// Returns the mesh of the trunk, which widens towards its roots.
   static Mesh trunk_mesh(Branch trunk) {
     for (std::size_t i = 0; i < trunk.points.size(); ++i) {
       const float height = trunk.points[i].y;
@@ -120,7 +120,7 @@ class TreeGrower {
     const Pose pose = attach("spray", bough, branch.point(share), lifted, sway, dice_.between(0.8f, 1.15f));
     const std::size_t variant = dice_.bits() % kVariants;
     scene_.show("twigs", twigs_shape_[variant], wood_, pose.node);
-    // Redder at the top and on the sunny side, golden below.
+    // Leaves are redder at the top and on the sunny side, and golden below.
     const float warmth = 0.32f * (pose.position.y - 4.2f) - 0.16f * pose.position.x + dice_.between(-0.9f, 0.9f);
     const std::size_t color = warmth > 0.75f ? 0 : warmth > 0.1f ? 1 : warmth > -0.55f ? 2 : 3;
     scene_.show("leaves", leaves_shape_[variant], leaf_[color], pose.node);
@@ -160,7 +160,7 @@ void add_island(SceneBuilder& scene) {
       smooth_profile(
           {{0.0f, -2.5f}, {0.4f, -2.3f}, {1.0f, -1.9f}, {1.9f, -1.55f}, {2.5f, -1.1f}, {3.1f, -0.8f}, {kRadius, -0.42f}}, 10),
       160);
-  // Weathering: displacement by noise that repeats around the rock.
+  // Displace the rock's surface by noise that repeats around the rock, so that it looks weathered.
   std::vector<Vec3f>& points = rock.positions;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec2f uv = rock.uvs[i];
